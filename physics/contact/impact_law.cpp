@@ -1,0 +1,38 @@
+#include "physics/contact/impact_law.h"
+
+#include <algorithm>
+
+namespace carom {
+
+RelativeVelocity relative_velocity(const ImpactSide& a, const ImpactSide& b, const Vec2& normal) {
+  const Vec2 tangent(-normal.y(), normal.x());
+  const Vec2 u = b.velocity - a.velocity;
+  return {u.dot(normal), u.dot(tangent) - a.spin * a.arm - b.spin * b.arm};
+}
+
+Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Material& material) {
+  const RelativeVelocity u = relative_velocity(a, b, normal);
+  Impact impact;
+  if (u.normal >= 0.0) return impact;
+
+  const double k_nn = a.inverse_mass + b.inverse_mass;
+  const double k_tt = k_nn + a.arm * a.arm * a.inverse_inertia + b.arm * b.arm * b.inverse_inertia;
+  impact.normal = -(1.0 + material.restitution) * u.normal / k_nn;
+  const double most = material.kinetic_friction * impact.normal;
+  impact.tangential = std::clamp(-(1.0 + material.tangential_restitution) * u.tangential / k_tt, -most, most);
+
+  const Vec2 tangent(-normal.y(), normal.x());
+  const Vec2 j = impact.normal * normal + impact.tangential * tangent;
+  a.velocity -= a.inverse_mass * j;
+  b.velocity += b.inverse_mass * j;
+  a.spin -= a.inverse_inertia * a.arm * impact.tangential;
+  b.spin -= b.inverse_inertia * b.arm * impact.tangential;
+
+  const double u_n_after = u.normal + k_nn * impact.normal;
+  const double u_t_after = u.tangential + k_tt * impact.tangential;
+  impact.lost_to_restitution = -0.5 * impact.normal * (u.normal + u_n_after);
+  impact.lost_to_friction = -0.5 * impact.tangential * (u.tangential + u_t_after);
+  return impact;
+}
+
+}  // namespace carom

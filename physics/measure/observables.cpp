@@ -1,0 +1,47 @@
+#include "physics/measure/observables.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+using Ids = std::span<const int>;
+
+constexpr auto kObservables = std::to_array<Observable>({
+    {"x", "m", 1, [](const Reading& r, Ids b) { return r.state.q(0, b[0]); }},
+    {"y", "m", 1, [](const Reading& r, Ids b) { return r.state.q(1, b[0]); }},
+    {"angle", "rad", 1, [](const Reading& r, Ids b) { return r.state.q(2, b[0]); }},
+    {"velocity_x", "m/s", 1, [](const Reading& r, Ids b) { return r.state.v(0, b[0]); }},
+    {"velocity_y", "m/s", 1, [](const Reading& r, Ids b) { return r.state.v(1, b[0]); }},
+    {"speed", "m/s", 1, [](const Reading& r, Ids b) { return r.state.velocity(b[0]).norm(); }},
+    {"spin", "rad/s", 1, [](const Reading& r, Ids b) { return r.state.v(2, b[0]); }},
+    {"angle_between", "rad", 2,
+     [](const Reading& r, Ids b) {
+       const Vec2 u = r.state.velocity(b[0]);
+       const Vec2 v = r.state.velocity(b[1]);
+       return std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v)));
+     }},
+    {"kinetic_energy", "J", 0, [](const Reading& r, Ids) { return r.totals.kinetic(); }},
+    {"rotational_energy", "J", 0, [](const Reading& r, Ids) { return r.totals.rotational; }},
+    {"potential_energy", "J", 0, [](const Reading& r, Ids) { return r.totals.potential; }},
+    {"total_energy", "J", 0, [](const Reading& r, Ids) { return r.totals.energy(); }},
+    {"momentum_x", "N s", 0, [](const Reading& r, Ids) { return r.totals.momentum.x(); }},
+    {"momentum_y", "N s", 0, [](const Reading& r, Ids) { return r.totals.momentum.y(); }},
+    {"angular_momentum", "kg m²/s", 0, [](const Reading& r, Ids) { return r.totals.angular_momentum; }},
+    {"time", "s", 0, [](const Reading& r, Ids) { return r.time; }},
+    {"impacts", "1", 0, [](const Reading& r, Ids) { return static_cast<double>(r.impacts); }},
+});
+
+}  // namespace
+
+std::span<const Observable> observables() { return kObservables; }
+
+const Observable* find_observable(std::string_view name) {
+  const auto found = std::find_if(kObservables.begin(), kObservables.end(),
+                                  [&](const Observable& o) { return o.name == name; });
+  return found == kObservables.end() ? nullptr : &*found;
+}
+
+}  // namespace carom

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "physics/scene/scene.h"
+#include "physics/scene/validate.h"
+
+// Preset files: JSON, SI units, "format": "carom-preset", "version": 1. Unknown and duplicate keys are errors,
+// but for the free object `extra`, which is kept as it is.
+namespace carom {
+
+inline constexpr int kPresetVersion = 1;
+
+// Reads and validates. Throws SceneError whose one line begins with `origin` (a file's name).
+[[nodiscard]] Scene parse_preset(std::string_view text, const std::string& origin);
+[[nodiscard]] Scene read_preset(const std::filesystem::path& file);
+
+// The text of a preset file; parse_preset(write_preset(s)) gives the same scene, to the last bit of every
+// number.
+[[nodiscard]] std::string write_preset(const Scene& scene);
+
+// Writes a new file beside `file` and renames it, so that `file` is the old one or the new one, never half of
+// it. Throws SceneError if that fails; the old file stays.
+void save_preset(const Scene& scene, const std::filesystem::path& file);
+
+}  // namespace carom

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+// What an experiment is before anything moves: plain values in SI units, as a preset file states them.
+// x points right, y up, angles are counter-clockwise in radians.
+namespace carom {
+
+using Vec2 = Eigen::Vector2d;
+
+struct Disc {
+  double radius = 0.1;  // m, > 0
+};
+
+struct Box {
+  double width = 1.0;   // m, > 0; along the body's own x axis
+  double height = 1.0;  // m, > 0; along the body's own y axis
+};
+
+using Shape = std::variant<Disc, Box>;
+
+[[nodiscard]] double area(const Shape& shape);  // m²
+[[nodiscard]] double bounding_radius(
+    const Shape& shape);  // m, of the circle about the centre that holds the shape
+// Moment of inertia about the centre for a homogeneous body, divided by its mass, in m².
+// Disc: r²/2; box: (w² + h²)/12.
+[[nodiscard]] double inertia_per_mass(const Shape& shape);
+
+// How a surface behaves in an impact. Two materials meet with the smaller restitution of the two and the
+// geometric mean of each friction coefficient (see `mixed`).
+struct Material {
+  std::string name = "default";
+  double restitution = 1.0;             // dimensionless, 0..1: normal rebound speed over closing speed
+  double tangential_restitution = 0.0;  // dimensionless, -1..1: 0 stops the slip, 1 reverses it (superball)
+  double static_friction = 0.0;         // dimensionless, >= kinetic_friction
+  double kinetic_friction = 0.0;        // dimensionless, >= 0
+
+  bool operator==(const Material&) const = default;
+};
+
+[[nodiscard]] Material mixed(const Material& a, const Material& b);
+
+struct Body {
+  std::string name;
+  Shape shape = Disc{};
+  Vec2 position = Vec2::Zero();   // m, of the centre of mass
+  double angle = 0.0;             // rad
+  Vec2 velocity = Vec2::Zero();   // m/s
+  double spin = 0.0;              // rad/s
+  std::optional<double> mass;     // kg; either this or density
+  std::optional<double> density;  // kg/m² (a plane has no volume)
+  bool fixed = false;             // never moves: infinite mass and inertia
+  std::string material = "default";
+};
+
+// kg; infinite for a fixed body. A body with neither mass nor density has 1 kg/m².
+[[nodiscard]] double mass_of(const Body& body);
+
+// A linear spring from a body's centre to a point of the plane, F = -k (|d| - L) d/|d|.
+struct AnchorSpring {
+  std::string body;
+  Vec2 anchor = Vec2::Zero();  // m
+  double stiffness = 1.0;      // N/m, > 0
+  double rest_length = 0.0;    // m, >= 0
+};
+
+struct Forces {
+  Vec2 gravity = Vec2::Zero();  // m/s²
+  double quadratic_drag = 0.0;  // kg/m: F = -c |v| v on every moving body
+  std::vector<AnchorSpring> springs;
+};
+
+enum class IntegratorId { kExplicitEuler, kSemiImplicitEuler, kRk4 };
+enum class ImpactsId { kStepEnd, kLocated };
+enum class ContactsId { kImpulse };
+
+// How a run is computed: three named choices and the step. See physics/motion/integrators.h and physics/world/.
+struct Method {
+  IntegratorId integrator = IntegratorId::kRk4;
+  ImpactsId impacts = ImpactsId::kLocated;
+  ContactsId contacts = ContactsId::kImpulse;
+  double step = 0.005;  // s, > 0
+
+  bool operator==(const Method&) const = default;
+};
+
+// Many bodies from a few numbers: columns × rows discs, row by row from the lower left, each moved by up to
+// `jitter` in x and y and with its radius and speed drawn uniformly, by a 64-bit Mersenne twister with `seed`.
+struct GridGenerator {
+  std::string name = "disc";      // bodies are called name-1, name-2, ...
+  int columns = 1;                // >= 1
+  int rows = 1;                   // >= 1
+  Vec2 origin = Vec2::Zero();     // m, the first disc's centre
+  Vec2 spacing = Vec2(1.0, 1.0);  // m
+  double jitter = 0.0;            // m, >= 0
+  double radius_min = 0.1;        // m, > 0
+  double radius_max = 0.1;        // m, >= radius_min
+  double speed_max = 0.0;         // m/s, each velocity component is drawn from [-speed_max, speed_max]
+  double density = 1.0;           // kg/m²
+  std::string material = "default";
+  std::uint64_t seed = 1;
+};
+
+// A statement that the experiment must fulfil: what `observable` shows, reduced to one number, beside theory.
+struct Expectation {
+  enum class Reduction { kAt, kAtImpact, kMaximum, kMinimum, kMean, kFinal };
+  std::string observable;           // a name of physics/measure/observables.h
+  std::vector<std::string> bodies;  // the bodies it looks at; as many as the observable asks for
+  Reduction reduction = Reduction::kFinal;
+  double time = 0.0;       // s, for kAt
+  int impact = 0;          // 1, 2, ... for kAtImpact: the value just after the n-th impact
+  double value = 0.0;      // in the observable's unit
+  double tolerance = 0.0;  // same unit, >= 0
+  std::string source;      // where the value comes from
+};
+
+// What the window shows at first; without it the scene is fitted.
+struct View {
+  Vec2 center = Vec2::Zero();  // m
+  double width = 0.0;          // m, > 0
+};
+
+struct Scene {
+  std::string title;
+  std::string about;      // what it is, a paragraph
+  std::string observe;    // what to look at
+  std::string topic;      // the folder it stands in; not stored in the file
+  double duration = 5.0;  // s, > 0: how long a run lasts if nothing else is said
+  Method method;
+  Forces forces;
+  std::vector<Material> materials;
+  std::vector<Body> bodies;
+  std::vector<GridGenerator> generators;
+  std::vector<Expectation> expect;
+  std::vector<std::string> plots;  // ids of the plots to open: energy, momentum, impulse
+  std::optional<View> view;
+  std::string extra;  // a JSON object kept as it is; empty if there is none
+};
+
+// The material called `name`; "default" exists in every scene. Throws std::out_of_range for another unknown
+// name.
+[[nodiscard]] Material material_named(const Scene& scene, const std::string& name);
+
+// All bodies: those of the list, then those of the generators in order.
+[[nodiscard]] std::vector<Body> all_bodies(const Scene& scene);
+
+// A name that no body of the scene has: `stem`-1, `stem`-2, ...
+[[nodiscard]] std::string free_body_name(const Scene& scene, const std::string& stem);
+
+}  // namespace carom

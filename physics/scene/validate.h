@@ -1,0 +1,28 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "physics/scene/scene.h"
+
+namespace carom {
+
+// A scene or a preset file that cannot be used: one line that says where (a JSON pointer, a line for syntax),
+// what was found and what is allowed.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// The bounds that every number of a scene must keep.
+inline constexpr double kLargestNumber =
+    1e12;                                   // of any quantity, SI: beyond it sums of squares lose their meaning
+inline constexpr double kLeastStep = 1e-9;  // s
+inline constexpr double kLargestStep = 1.0;  // s
+inline constexpr int kMostBodies = 100'000;  // of the list and the generators together
+
+// Checks all that a reader cannot see one value at a time: ranges, unique names, references, what is modelled.
+// Throws SceneError with the JSON pointer of the first fault.
+void validate(const Scene& scene);
+
+}  // namespace carom

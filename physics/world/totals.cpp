@@ -1,0 +1,22 @@
+#include "physics/world/totals.h"
+
+namespace carom {
+
+Totals totals(const State& state, const MassProperties& mass, const ForceField& field) {
+  Totals t;
+  for (int i = 0; i < state.size(); ++i) {
+    if (!(mass.inverse_mass[i] > 0.0)) continue;
+    const Vec2 x = state.position(i);
+    const Vec2 v = state.velocity(i);
+    const Vec2 p = mass.mass[i] * v;
+    const double spin = state.v(2, i);
+    t.translational += 0.5 * p.dot(v);
+    t.rotational += 0.5 * mass.inertia[i] * spin * spin;
+    t.potential += field.potential_energy(i, x);
+    t.momentum += p;
+    t.angular_momentum += x.x() * p.y() - x.y() * p.x() + mass.inertia[i] * spin;
+  }
+  return t;
+}
+
+}  // namespace carom

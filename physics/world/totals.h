@@ -1,0 +1,22 @@
+#pragma once
+
+#include "physics/motion/force_field.h"
+#include "physics/motion/state.h"
+
+namespace carom {
+
+// Sums over the moving bodies. Energies in J, momentum in N s, angular momentum about the origin in kg m²/s.
+struct Totals {
+  double translational = 0.0;  // Σ ½ m v²
+  double rotational = 0.0;     // Σ ½ I ω²
+  double potential = 0.0;      // gravity (zero at the origin) and springs
+  Vec2 momentum = Vec2::Zero();
+  double angular_momentum = 0.0;
+
+  [[nodiscard]] double kinetic() const { return translational + rotational; }
+  [[nodiscard]] double energy() const { return kinetic() + potential; }
+};
+
+[[nodiscard]] Totals totals(const State& state, const MassProperties& mass, const ForceField& field);
+
+}  // namespace carom
