@@ -23,7 +23,8 @@ struct Measurement {
   bool done = false;
 
   [[nodiscard]] double read(const Simulation& s) const {
-    return observable->value({s.state(), s.totals(), s.time(), static_cast<int>(s.impact_count())}, bodies);
+    return observable->value(
+        {s.state(), s.totals(), s.time(), static_cast<int>(s.impact_count()), s.mass(), s.shapes()}, bodies);
   }
 };
 

@@ -3,11 +3,33 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace carom {
 namespace {
 
 using Ids = std::span<const int>;
+
+// The largest value(i) over the moving bodies; zero if there are none.
+template <class Value>
+double largest(const Reading& r, const Value& value) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < r.state.size(); ++i) {
+    if (r.mass.inverse_mass[i] > 0.0) most = std::max(most, value(i));
+  }
+  return std::isinf(most) ? 0.0 : most;
+}
+
+double rms_spin(const Reading& r) {
+  double sum = 0.0;
+  int moving = 0;
+  for (int i = 0; i < r.state.size(); ++i) {
+    if (!(r.mass.inverse_mass[i] > 0.0)) continue;
+    sum += r.state.v(2, i) * r.state.v(2, i);
+    ++moving;
+  }
+  return moving == 0 ? 0.0 : std::sqrt(sum / moving);
+}
 
 constexpr auto kObservables = std::to_array<Observable>({
     {"x", "m", 1, [](const Reading& r, Ids b) { return r.state.q(0, b[0]); }},
@@ -32,6 +54,21 @@ constexpr auto kObservables = std::to_array<Observable>({
     {"angular_momentum", "kg m²/s", 0, [](const Reading& r, Ids) { return r.totals.angular_momentum; }},
     {"time", "s", 0, [](const Reading& r, Ids) { return r.time; }},
     {"impacts", "1", 0, [](const Reading& r, Ids) { return static_cast<double>(r.impacts); }},
+    {"rms_spin", "rad/s", 0, [](const Reading& r, Ids) { return rms_spin(r); }},
+    {"fastest", "m/s", 0,
+     [](const Reading& r, Ids) { return largest(r, [&](int i) { return r.state.velocity(i).norm(); }); }},
+    {"lowest_y", "m", 0,
+     [](const Reading& r,
+        Ids) { return -largest(r, [&](int i) { return r.shapes.extent(1, i) - r.state.q(1, i); }); }},
+    {"highest_y", "m", 0,
+     [](const Reading& r,
+        Ids) { return largest(r, [&](int i) { return r.state.q(1, i) + r.shapes.extent(1, i); }); }},
+    {"leftmost_x", "m", 0,
+     [](const Reading& r,
+        Ids) { return -largest(r, [&](int i) { return r.shapes.extent(0, i) - r.state.q(0, i); }); }},
+    {"rightmost_x", "m", 0,
+     [](const Reading& r,
+        Ids) { return largest(r, [&](int i) { return r.state.q(0, i) + r.shapes.extent(0, i); }); }},
 });
 
 }  // namespace

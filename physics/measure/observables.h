@@ -3,6 +3,7 @@
 #include <span>
 #include <string_view>
 
+#include "physics/collision/geometry.h"
 #include "physics/motion/state.h"
 #include "physics/world/totals.h"
 
@@ -14,6 +15,8 @@ struct Reading {
   const Totals& totals;
   double time;
   int impacts;
+  const MassProperties& mass;
+  const Geometry& shapes;
 };
 
 struct Observable {
@@ -25,7 +28,9 @@ struct Observable {
 
 // All observables: x, y, angle, velocity_x, velocity_y, speed, spin of a body; angle_between the velocities of
 // two; kinetic_energy, rotational_energy, potential_energy, total_energy, momentum_x, momentum_y,
-// angular_momentum; time and impacts (their number so far).
+// angular_momentum; time and impacts (their number so far). Over all moving bodies: rms_spin, fastest (the
+// largest speed), and lowest_y, highest_y, leftmost_x, rightmost_x, the edges of the rectangle that holds them;
+// zero if nothing moves.
 [[nodiscard]] std::span<const Observable> observables();
 
 // nullptr if there is none of that name.
