@@ -339,6 +339,7 @@ void Simulation::step_with_located_impacts(double h) {
     }
   }
   std::swap(state_, end_);
+  std::fill(local_time_.begin(), local_time_.end(), h);  // all bodies are at the end now
 }
 
 }  // namespace carom

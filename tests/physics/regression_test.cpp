@@ -1,0 +1,112 @@
+// Cases that once failed.
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "physics/collision/time_of_impact.h"
+#include "physics/measure/expectation.h"
+#include "physics/preset/preset.h"
+#include "tests/physics/scenes.h"
+
+namespace carom {
+namespace {
+
+using test::disc;
+using test::scene;
+using test::wall;
+
+// The secant from a tiny f(b) rounds to b itself; the search must go on and not fall back to a.
+TEST(Regression, RootBesideTheEndOfTheBracketIsFound) {
+  const double end = 0.005;
+  for (const double below : {-1e-16, -1e-17, -1e-18, -1e-20, -1e-30}) {
+    const auto f = [&](double t) { return t < end ? (end - t) * 200.0 : below; };
+    const double root = bracketed_root(f, 0.0, f(0.0), end, f(end));
+    EXPECT_GT(root, 0.999 * end) << below;
+    EXPECT_LT(root, end) << below;
+  }
+}
+
+// The energies beside an impact that is resolved at the end of a located step are those of that moment.
+TEST(Regression, TotalsOfADeferredImpactAreOfItsOwnMoment) {
+  Scene s = scene({wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("ball", {0.0, 0.1}, {0.0, 0.0})}, 0.5);
+  s.forces.gravity = {0.0, -9.81};
+  Simulation run(s);
+  run.watch_impacts(true);
+  run.step();
+  run.step();
+  ASSERT_EQ(run.last_impacts().size(), 1U);
+  EXPECT_NEAR(run.last_impacts()[0].before.kinetic(), 0.5 * std::pow(9.81 * 0.005, 2), 1e-12);
+  EXPECT_NEAR(run.last_impacts()[0].after.kinetic(), 0.0, 1e-12);
+}
+
+// A small disc wholly inside a large one: the contact lies beyond its centre, so its arm is negative.
+TEST(Regression, DeepOverlapKeepsAngularMomentum) {
+  Scene s = scene(
+      {disc("large", {0.0, 0.0}, {0.0, 0.0}, 1.0, 3.0), disc("small", {0.5, 0.0}, {-1.0, 0.7}, 0.1)}, 0.5, 0.4);
+  s.bodies[1].spin = 3.0;
+  Simulation run(s);
+  const double before = run.totals().angular_momentum;
+  run.step(1e-9);
+  ASSERT_EQ(run.impact_count(), 1);
+  EXPECT_NE(run.last_impacts()[0].tangential_impulse, 0.0);
+  EXPECT_NEAR(run.totals().angular_momentum, before, 1e-7);
+}
+
+// Discs that touch and approach at t = 0: the value just after the first impact is not the one before it.
+TEST(Regression, ExpectationAfterAnImpactAtTheStepsStart) {
+  Scene s = scene({disc("a", {-0.125, 0.0}, {1.0, 0.0}, 0.125), disc("b", {0.125, 0.0}, {0.0, 0.0}, 0.125)});
+  Expectation e;
+  e.observable = "velocity_x";
+  e.bodies = {"b"};
+  e.reduction = Expectation::Reduction::kAtImpact;
+  e.impact = 1;
+  e.value = 1.0;
+  s.expect = {e};
+  EXPECT_TRUE(measure_expectations(s)[0].good) << measure_expectations(s)[0].measured;
+}
+
+// A disc at rest on a thin floor is struck from above: the floor holds.
+TEST(Regression, RestingDiscStruckHardStaysOnAThinFloor) {
+  for (const double restitution : {0.0, 0.5, 0.9}) {
+    Scene s = scene({wall("floor", {0.0, -0.005}, 4.0, 0.01), disc("resting", {0.0, 0.1}, {0.0, 0.0}),
+                     disc("hammer", {0.0, 100.4}, {0.0, -200.0}, 0.1, 50.0)},
+                    restitution);
+    s.forces.gravity = {0.0, -9.81};
+    Simulation run(s);
+    run.advance_to(1.0);
+    EXPECT_GT(run.state().position(1).y(), 0.0) << restitution;
+    EXPECT_GT(run.state().position(2).y(), 0.0) << restitution;
+  }
+}
+
+TEST(Regression, MassesTooSmallForArithmeticAreRefused) {
+  Scene s = scene({disc("a", {0.0, 0.0}, {0.0, 0.0}, 1e-200)});
+  s.bodies[0].mass.reset();
+  EXPECT_THROW(validate(s), SceneError);
+  s = scene({disc("a", {0.0, 0.0}, {0.0, 0.0}, 0.1, 1e-310)});
+  EXPECT_THROW(validate(s), SceneError);
+}
+
+// Names and keys of the file cannot break an error's line or swamp it.
+TEST(Regression, AwkwardNamesStayOnOneShortLine) {
+  const std::string key = "a\\nb" + std::string(5000, 'x');
+  const std::string body =
+      R"({"name": ")" + key + R"(", "shape": {"type": "disc", "radius": 1}, "position": [0, 0]})";
+  const std::string head = R"({"format": "carom-preset", "version": 1, "title": "t")";
+  for (const std::string& text :
+       {head + R"(, ")" + key + R"(": 1})", head + R"(, ")" + key + R"(": 1, ")" + key + R"(": 2})",
+        head + R"(, "bodies": [)" + body + ", " + body + "]}", head + R"(, "plots": [")" + key + R"("]})",
+        head + R"(, "forces": [{"type": ")" + key + R"("}]})"}) {
+    try {
+      (void)parse_preset(text, "file.json");
+      FAIL() << "accepted";
+    } catch (const SceneError& error) {
+      const std::string what = error.what();
+      EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+      EXPECT_LT(what.size(), 400U) << what;
+      EXPECT_NE(what.find("allowed"), std::string::npos) << what;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom

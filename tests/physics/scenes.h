@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "physics/scene/scene.h"
+#include "physics/world/simulation.h"
+
+// Small scenes that the tests share.
+namespace carom::test {
+
+inline Body disc(const std::string& name, Vec2 position, Vec2 velocity, double radius = 0.1,
+                 double mass = 1.0) {
+  Body b;
+  b.name = name;
+  b.shape = Disc{radius};
+  b.position = position;
+  b.velocity = velocity;
+  b.mass = mass;
+  return b;
+}
+
+inline Body wall(const std::string& name, Vec2 position, double width, double height, double angle = 0.0) {
+  Body b;
+  b.name = name;
+  b.shape = Box{width, height};
+  b.position = position;
+  b.angle = angle;
+  b.fixed = true;
+  return b;
+}
+
+// A scene whose default material is the given one.
+inline Scene scene(std::vector<Body> bodies, double restitution = 1.0, double friction = 0.0) {
+  Scene s;
+  s.title = "test";
+  s.bodies = std::move(bodies);
+  s.materials = {{"default", restitution, 0.0, friction, friction}};
+  return s;
+}
+
+// Four walls of the given thickness around the rectangle [-half, half]².
+inline std::vector<Body> room(double half, double thickness) {
+  const double middle = half + 0.5 * thickness;
+  const double length = 2.0 * (half + thickness);
+  return {wall("left", {-middle, 0.0}, thickness, length), wall("right", {middle, 0.0}, thickness, length),
+          wall("floor", {0.0, -middle}, length, thickness), wall("ceiling", {0.0, middle}, length, thickness)};
+}
+
+inline bool same_bytes(const State& a, const State& b) {
+  return a.q == b.q && a.v == b.v && a.dissipated == b.dissipated;
+}
+
+}  // namespace carom::test
