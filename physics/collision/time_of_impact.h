@@ -30,8 +30,11 @@ template <class Function>
   double t = 0.5;
   if (std::abs(fa - fb) > 0.0) t = fb / (fb - fa);
   for (int i = 0; i < 200; ++i) {
-    const double x = x1 + t * (x2 - x1);
-    if (x == x1 || x == x2) break;
+    double x = x1 + t * (x2 - x1);
+    // Where the guess rounds to an end, its neighbour decides.
+    if (x == x1) x = std::nextafter(x1, x2);
+    if (x == x2) x = std::nextafter(x2, x1);
+    if (x == x1) break;
     const double fx = f(x);
     if (fx >= 0.0) low = x;
     if (fx == 0.0) break;
