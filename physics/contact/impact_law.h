@@ -4,8 +4,9 @@
 
 namespace carom {
 
-// One side of an impact: velocity of the centre (m/s), spin (rad/s), inverse mass and inertia, and the arm: the
-// distance in m from the centre to the contact point along the normal. For discs the contact point lies on the
+// One side of an impact: velocity of the centre (m/s), spin (rad/s), inverse mass and inertia, and the arm: how
+// far in m the contact point lies from the centre along the normal, towards the other body; negative if it lies
+// beyond the centre, as in a deep overlap. For discs the contact point lies on the
 // normal through the centre, so the normal impulse turns nothing and the normal and tangential directions
 // decouple (K_nt = 0). A fixed body has zero inverse mass and inertia.
 struct ImpactSide {

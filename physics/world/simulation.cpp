@@ -93,9 +93,9 @@ const Material& Simulation::material_between(int a, int b) const {
   return mixed_[static_cast<std::size_t>(material_[a] * materials_ + material_[b])];
 }
 
-ImpactSide Simulation::side(int body, const Contact& contact) const {
+ImpactSide Simulation::side(int body, const Contact& contact, double towards) const {
   return {state_.velocity(body), state_.v(2, body), mass_.inverse_mass[body], mass_.inverse_inertia[body],
-          std::abs((contact.point - state_.position(body)).dot(contact.normal))};
+          towards * (contact.point - state_.position(body)).dot(contact.normal)};
 }
 
 void Simulation::step(double h) {
@@ -140,7 +140,7 @@ void Simulation::resolve_at_end(const std::vector<Deferred>& pairs, double h) {
     const Contact contact = contact_between(shapes_, a, state_.q.col(a), b, state_.q.col(b));
     if (contact.gap >= 0.0) continue;
 
-    const double u = relative_velocity(side(a, contact), side(b, contact), contact.normal).normal;
+    const double u = relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
     if (u < 0.0) {
       Material material = material_between(a, b);
       // What gravity pressed in during this step must not bounce; a true impact on a resting pair must.
@@ -160,8 +160,8 @@ void Simulation::resolve_at_end(const std::vector<Deferred>& pairs, double h) {
 }
 
 void Simulation::collide(int a, int b, const Contact& contact, const Material& material, double within) {
-  ImpactSide side_a = side(a, contact);
-  ImpactSide side_b = side(b, contact);
+  ImpactSide side_a = side(a, contact, 1.0);
+  ImpactSide side_b = side(b, contact, -1.0);
   ImpactRecord record;
   record.time = time_ + within;
   record.a = a;
@@ -321,7 +321,8 @@ void Simulation::step_with_located_impacts(double h) {
     const Material& material = material_between(a, b);
     collide(a, b, contact, material, time);
 
-    const double rebound = relative_velocity(side(a, contact), side(b, contact), contact.normal).normal;
+    const double rebound =
+        relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
     if (material.restitution < 1.0 && rebound < kRestSpeed && pressed_together(a, b, contact.normal)) {
       defer(a, b, true, time);
     }

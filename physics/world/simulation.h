@@ -137,7 +137,8 @@ class Simulation {
   [[nodiscard]] bool pressed_together(int a, int b, const Vec2& normal) const;
   [[nodiscard]] double touch_tolerance(int a, int b, double h) const;
   [[nodiscard]] Totals totals_at(double within) const;
-  [[nodiscard]] ImpactSide side(int body, const Contact& contact) const;
+  // One side of a contact; `towards` is +1 for its body a, -1 for b: the way that the normal points from there.
+  [[nodiscard]] ImpactSide side(int body, const Contact& contact, double towards) const;
   [[nodiscard]] Motion motion_at(int body, double time) const;
   [[nodiscard]] const Material& material_between(int a, int b) const;
   void lay_out();  // arrays from bodies_
