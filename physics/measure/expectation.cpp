@@ -91,8 +91,12 @@ std::vector<Outcome> measure_expectations(const Scene& scene) {
           m.value = time;
           m.done = true;
         } else {
-          // A step that ends just after the impact holds the state that it left.
-          read_at(before, std::nextafter(time, std::numeric_limits<double>::infinity()), m);
+          // A step that ends just after the impact holds the state that it left. advance_to() would take an
+          // impact at the very start of a step for rounding.
+          Simulation copy = before;
+          copy.step(std::nextafter(time, std::numeric_limits<double>::infinity()) - before.time());
+          m.value = m.read(copy);
+          m.done = true;
         }
       }
     }
