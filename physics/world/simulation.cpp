@@ -144,7 +144,7 @@ void Simulation::resolve_at_end(const std::vector<Deferred>& pairs, double h) {
     if (u < 0.0) {
       Material material = material_between(a, b);
       // What gravity pressed in during this step must not bounce; a true impact on a resting pair must.
-      if (resting && -u <= (acceleration_[a] + acceleration_[b]) * h + kRestSpeed) material.restitution = 0.0;
+      if (resting && -u <= pressed_in(a, b, h)) material.restitution = 0.0;
       collide(a, b, contact, material, h);
     }
 
@@ -239,6 +239,10 @@ bool Simulation::pressed_together(int a, int b, const Vec2& normal) const {
   return normal.dot(relative.head<2>()) < 0.0;
 }
 
+double Simulation::pressed_in(int a, int b, double h) const {
+  return (acceleration_[a] + acceleration_[b]) * h + kRestSpeed;
+}
+
 void Simulation::defer(int a, int b, bool resting, double within) {
   for (Deferred& d : deferred_) {
     if (d.a == a && d.b == b) {
@@ -253,9 +257,8 @@ void Simulation::defer(int a, int b, bool resting, double within) {
 // Finds the next impact of a and b within the step, if there is one.
 void Simulation::search(int a, int b, double h) {
   if (a > b) std::swap(a, b);
-  for (const Deferred& d : deferred_) {
-    if (d.a == a && d.b == b && d.resting) return;
-  }
+  const bool resting = std::any_of(deferred_.begin(), deferred_.end(),
+                                   [&](const Deferred& d) { return d.a == a && d.b == b && d.resting; });
   double start = std::max(local_time_[a], local_time_[b]);
   const auto sample_of = [&](const Eigen::Vector3d& qa, const Eigen::Vector3d& qb) {
     const Contact c = contact_between(shapes_, a, qa, b, qb);
@@ -270,6 +273,8 @@ void Simulation::search(int a, int b, double h) {
     const Vec2 va = motion_at(a, start).v.head<2>();
     const Vec2 vb = motion_at(b, start).v.head<2>();
     const double u = first.normal.dot(vb - va);
+    // A resting pair waits for the step's end, unless something drives it together.
+    if (resting && -u <= pressed_in(a, b, h)) return;
     if (u < -16.0 * kEpsilon * (va.norm() + vb.norm())) {
       events_.push_back({start, a, b});
       return;
@@ -288,6 +293,7 @@ void Simulation::search(int a, int b, double h) {
       return;
     }
   }
+  if (resting) return;
   const GapSample last = sample_of(end_.q.col(a), end_.q.col(b));
   if (const auto time = first_contact(sample, start, first, h, last, curvature, tolerance)) {
     events_.push_back({*time, a, b});

@@ -135,6 +135,8 @@ class Simulation {
   void collide(int a, int b, const Contact& contact, const Material& material, double within);
   void defer(int a, int b, bool resting, double within);
   [[nodiscard]] bool pressed_together(int a, int b, const Vec2& normal) const;
+  // m/s: closing speed that the forces alone can give a resting pair in a step.
+  [[nodiscard]] double pressed_in(int a, int b, double h) const;
   [[nodiscard]] double touch_tolerance(int a, int b, double h) const;
   [[nodiscard]] Totals totals_at(double within) const;
   // One side of a contact; `towards` is +1 for its body a, -1 for b: the way that the normal points from there.
