@@ -18,9 +18,7 @@ void check_range(const std::string& place, double value, double low, double high
 }
 
 void check_positive(const std::string& place, double value, std::string_view unit) {
-  if (value > 0.0 && value <= kLargestNumber) return;
-  refuse(place, fmt::format("{}", value),
-         fmt::format("a number above 0 and up to {}, in {}", kLargestNumber, unit));
+  check_range(place, value, kLeastPositive, kLargestNumber, unit);
 }
 
 void check_vector(const std::string& place, const Vec2& value, std::string_view unit) {

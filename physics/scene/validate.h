@@ -16,8 +16,10 @@ class SceneError : public std::runtime_error {
 
 // The bounds that every number of a scene must keep.
 inline constexpr double kLargestNumber =
-    1e12;                                   // of any quantity, SI: beyond it sums of squares lose their meaning
-inline constexpr double kLeastStep = 1e-9;  // s
+    1e12;  // of any quantity, SI: beyond it sums of squares lose their meaning
+inline constexpr double kLeastPositive =
+    1e-12;                                   // of a quantity that must be positive: its inverse stays finite
+inline constexpr double kLeastStep = 1e-9;   // s
 inline constexpr double kLargestStep = 1.0;  // s
 inline constexpr int kMostBodies = 100'000;  // of the list and the generators together
 
