@@ -9,21 +9,6 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t kLongestQuote = 60;
-
-std::string shortened(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  }
-  if (text.size() > kLongestQuote) {
-    std::size_t end = kLongestQuote;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
-      --end;  // whole UTF-8 characters
-    text = text.substr(0, end) + "...";
-  }
-  return text;
-}
-
 // Follows the parser and knows where it is.
 class PlaceKeeper {
  public:
@@ -41,7 +26,7 @@ class PlaceKeeper {
       case Event::key:
         frames_.back().key = parsed.get<std::string>();
         if (!frames_.back().seen.insert(frames_.back().key).second) {
-          throw SceneError(fmt::format("{}: this key stands here twice; allowed: once", place()));
+          throw SceneError(fmt::format("{}: this key stands here twice; allowed: once", shortened(place())));
         }
         break;
       case Event::object_end:

@@ -14,21 +14,16 @@
 namespace carom {
 namespace {
 
-[[noreturn]] void refuse(const std::string& place, const std::string& found, const std::string& allowed) {
-  throw SceneError(
-      fmt::format("{}: {} is not allowed; allowed: {}", place.empty() ? "/" : place, found, allowed));
-}
-
 double number(const Json& value, const std::string& place) {
-  if (!value.is_number()) refuse(place, quoted(value), "a number");
+  if (!value.is_number()) refuse_value(place, quoted(value), "a number");
   const auto x = value.get<double>();
   if (!(std::abs(x) <= kLargestNumber))
-    refuse(place, quoted(value), fmt::format("a number from -{0} to {0}", kLargestNumber));
+    refuse_value(place, quoted(value), fmt::format("a number from -{0} to {0}", kLargestNumber));
   return x;
 }
 
 Vec2 pair_of_numbers(const Json& value, const std::string& place) {
-  if (!value.is_array() || value.size() != 2) refuse(place, quoted(value), "two numbers, [x, y]");
+  if (!value.is_array() || value.size() != 2) refuse_value(place, quoted(value), "two numbers, [x, y]");
   return {number(value[0], place + "/0"), number(value[1], place + "/1")};
 }
 
@@ -36,7 +31,7 @@ Vec2 pair_of_numbers(const Json& value, const std::string& place) {
 class ObjectReader {
  public:
   ObjectReader(const Json& object, std::string place) : object_(object), place_(std::move(place)) {
-    if (!object.is_object()) refuse(place_, quoted(object), "an object, {...}");
+    if (!object.is_object()) refuse_value(place_, quoted(object), "an object, {...}");
   }
 
   [[nodiscard]] std::string at(std::string_view key) const { return fmt::format("{}/{}", place_, key); }
@@ -65,7 +60,7 @@ class ObjectReader {
   }
   void read(const std::string& key, bool& to) {
     if (const Json* v = find(key)) {
-      if (!v->is_boolean()) refuse(at(key), quoted(*v), "true or false");
+      if (!v->is_boolean()) refuse_value(at(key), quoted(*v), "true or false");
       to = v->get<bool>();
     }
   }
@@ -76,7 +71,7 @@ class ObjectReader {
   void read_integer(const std::string& key, Integer& to, double low, double high) {
     if (const Json* v = find(key)) {
       if (!v->is_number_integer() || v->get<double>() < low || v->get<double>() > high) {
-        refuse(at(key), quoted(*v), fmt::format("a whole number from {} to {}", low, high));
+        refuse_value(at(key), quoted(*v), fmt::format("a whole number from {} to {}", low, high));
       }
       to = v->get<Integer>();
     }
@@ -99,7 +94,7 @@ class ObjectReader {
       }
       names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", choice.name);
     }
-    refuse(at(key), quoted(*v), names);
+    refuse_value(at(key), quoted(*v), names);
   }
 
   // Calls each(element, place) for every element of an array.
@@ -107,7 +102,7 @@ class ObjectReader {
   void read_array(const std::string& key, const Each& each) {
     const Json* v = find(key);
     if (v == nullptr) return;
-    if (!v->is_array()) refuse(at(key), quoted(*v), "an array, [...]");
+    if (!v->is_array()) refuse_value(at(key), quoted(*v), "an array, [...]");
     for (std::size_t i = 0; i < v->size(); ++i) each((*v)[i], fmt::format("{}/{}", at(key), i));
   }
 
@@ -116,12 +111,13 @@ class ObjectReader {
       if (known_.contains(item.key())) continue;
       std::string allowed;
       for (const std::string& key : known_) allowed += (allowed.empty() ? "" : ", ") + key;
-      throw SceneError(fmt::format("{}: unknown key; allowed here: {}", at(item.key()), allowed));
+      throw SceneError(
+          fmt::format("{}: unknown key; allowed here: {}", at(shortened(item.key())), shortened(allowed, 300)));
     }
   }
 
   static std::string text(const Json& value, const std::string& place) {
-    if (!value.is_string()) refuse(place, quoted(value), "a text, \"...\"");
+    if (!value.is_string()) refuse_value(place, quoted(value), "a text, \"...\"");
     return value.get<std::string>();
   }
 
@@ -170,7 +166,7 @@ Shape read_shape(const Json& json, const std::string& place) {
     r.require_number("height", box.height, "m");
     shape = box;
   } else {
-    refuse(r.at("type"), "\"" + type + "\"", "\"disc\", \"box\"");
+    refuse_value(r.at("type"), "\"" + type + "\"", "\"disc\", \"box\"");
   }
   r.finish();
   return shape;
@@ -201,7 +197,7 @@ void read_force(const Json& json, const std::string& place, Forces& forces) {
   std::string type;
   r.require_text("type", type);
   if (type == "quadratic_drag") {
-    if (forces.quadratic_drag != 0.0) refuse(place, "a second quadratic drag", "one");
+    if (forces.quadratic_drag != 0.0) refuse_value(place, "a second quadratic drag", "one");
     r.require_number("coefficient", forces.quadratic_drag, "kg/m");
   } else if (type == "spring") {
     AnchorSpring s;
@@ -211,7 +207,7 @@ void read_force(const Json& json, const std::string& place, Forces& forces) {
     r.read("rest_length", s.rest_length);
     forces.springs.push_back(s);
   } else {
-    refuse(r.at("type"), "\"" + type + "\"", "\"quadratic_drag\", \"spring\"");
+    refuse_value(r.at("type"), "\"" + type + "\"", "\"quadratic_drag\", \"spring\"");
   }
   r.finish();
 }
@@ -221,7 +217,7 @@ GridGenerator read_generator(const Json& json, const std::string& place) {
   ObjectReader r(json, place);
   std::string type;
   r.require_text("type", type);
-  if (type != "grid") refuse(r.at("type"), "\"" + type + "\"", "\"grid\"");
+  if (type != "grid") refuse_value(r.at("type"), "\"" + type + "\"", "\"grid\"");
   r.require_text("name", g.name);
   r.read_integer("columns", g.columns, 1, kMostBodies);
   r.read_integer("rows", g.rows, 1, kMostBodies);
@@ -248,13 +244,13 @@ Expectation read_expectation(const Json& json, const std::string& place) {
   if (observable == nullptr) {
     std::string names;
     for (const Observable& o : observables()) names += fmt::format("{}{}", names.empty() ? "" : ", ", o.name);
-    refuse(r.at("observable"), "\"" + e.observable + "\"", names);
+    refuse_value(r.at("observable"), "\"" + e.observable + "\"", names);
   }
   r.read_array("bodies",
                [&](const Json& v, const std::string& at) { e.bodies.push_back(ObjectReader::text(v, at)); });
   if (static_cast<int>(e.bodies.size()) != observable->bodies) {
-    refuse(r.at("bodies"), fmt::format("{} names", e.bodies.size()),
-           fmt::format("{} for \"{}\"", observable->bodies, e.observable));
+    refuse_value(r.at("bodies"), fmt::format("{} names", e.bodies.size()),
+                 fmt::format("{} for \"{}\"", observable->bodies, e.observable));
   }
   std::string reduction;
   r.require_text("reduction", reduction);
@@ -267,7 +263,7 @@ Expectation read_expectation(const Json& json, const std::string& place) {
     }
     names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", name);
   }
-  if (!known) refuse(r.at("reduction"), "\"" + reduction + "\"", names);
+  if (!known) refuse_value(r.at("reduction"), "\"" + reduction + "\"", names);
   if (e.reduction == Expectation::Reduction::kAt) r.require_number("time", e.time, "s");
   if (e.reduction == Expectation::Reduction::kAtImpact) {
     (void)r.require("impact", "1, 2, ...");
@@ -284,10 +280,10 @@ Scene read_scene(const Json& json) {
   Scene scene;
   ObjectReader r(json, "");
   const Json& format = r.require("format", "\"carom-preset\"");
-  if (format != "carom-preset") refuse("/format", quoted(format), "\"carom-preset\"");
+  if (format != "carom-preset") refuse_value("/format", quoted(format), "\"carom-preset\"");
   const Json& version = r.require("version", fmt::format("{}", kPresetVersion));
   if (!version.is_number_integer() || version.get<double>() < 1)
-    refuse("/version", quoted(version), fmt::format("{}", kPresetVersion));
+    refuse_value("/version", quoted(version), fmt::format("{}", kPresetVersion));
   if (version.get<double>() > kPresetVersion) {
     throw SceneError(fmt::format(
         "/version: this preset has version {}, made by a newer Carom; this one reads up to version {}",
@@ -310,7 +306,7 @@ Scene read_scene(const Json& json) {
   r.read_array("plots", [&](const Json& v, const std::string& at) {
     const std::string name = ObjectReader::text(v, at);
     if (std::find(kPlotNames.begin(), kPlotNames.end(), name) == kPlotNames.end()) {
-      refuse(at, quoted(v), fmt::format("\"{}\"", fmt::join(kPlotNames, "\", \"")));
+      refuse_value(at, quoted(v), fmt::format("\"{}\"", fmt::join(kPlotNames, "\", \"")));
     }
     scene.plots.push_back(name);
   });
@@ -325,7 +321,7 @@ Scene read_scene(const Json& json) {
   r.read_array("expect",
                [&](const Json& v, const std::string& at) { scene.expect.push_back(read_expectation(v, at)); });
   if (const Json* v = r.find("extra")) {
-    if (!v->is_object()) refuse("/extra", quoted(*v), "an object, {...}");
+    if (!v->is_object()) refuse_value("/extra", quoted(*v), "an object, {...}");
     scene.extra = v->dump();
   }
   r.finish();

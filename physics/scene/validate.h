@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
@@ -13,6 +14,12 @@ class SceneError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+// A text from a file as an error message shows it: on one line, and cut where it is longer than `most` bytes.
+[[nodiscard]] std::string shortened(std::string text, std::size_t most = 60);
+
+// Throws the SceneError that refuses a value: where it stands, what was found and what is allowed.
+[[noreturn]] void refuse_value(const std::string& place, const std::string& found, const std::string& allowed);
 
 // The bounds that every number of a scene must keep.
 inline constexpr double kLargestNumber =
