@@ -94,11 +94,12 @@ void Worker::restart() {
   post([](Lab& lab) { lab.begin(); });
 }
 
-void Worker::set_playing(bool playing) {
-  post([playing](Lab& lab) {
+void Worker::set_playing(bool playing, double until) {
+  post([playing, until](Lab& lab) {
     lab.playing = playing;
     lab.full_speed = false;
-    lab.end = std::numeric_limits<double>::infinity();
+    const double next = lab.simulation.time() + lab.simulation.method().step;
+    lab.end = until >= next ? until : std::numeric_limits<double>::infinity();
     lab.set_pace();
     lab.changed = true;
   });

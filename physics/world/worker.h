@@ -2,6 +2,7 @@
 
 #include <condition_variable>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -25,7 +26,8 @@ class Worker {
 
   void load(const Scene& scene);  // stops at t = 0
   void restart();                 // the same scene with the bodies that were added, stopped at t = 0
-  void set_playing(bool playing);
+  // Plays at the chosen pace, until `until` if that lies ahead; or stops.
+  void set_playing(bool playing, double until = std::numeric_limits<double>::infinity());
   void step_once();              // one step of the method, stopped
   void set_speed(double speed);  // simulated seconds per second, > 0
   void set_method(const Method& method);

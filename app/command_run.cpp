@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/preset_library.h"
+#include "app/run_files.h"
+#include "app/run_report.h"
+#include "physics/preset/preset.h"
+
+namespace carom {
+namespace {
+
+// A line on a terminal that says how far a long run is; nothing in a pipe.
+class Progress {
+ public:
+  explicit Progress(double end) : end_(end), terminal_(isatty(STDERR_FILENO) != 0) {}
+  void show(double time) {
+    if (!terminal_) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::milliseconds(200)) return;
+    last_ = now;
+    fmt::print(stderr, "\rt = {:.3f} of {:.3f} s ", time, end_);
+    shown_ = true;
+  }
+  ~Progress() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+  }
+
+ private:
+  double end_;
+  bool terminal_;
+  bool shown_ = false;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+// The scene as it stands at the end of the run: every body in the list, at rest or in motion, no generators.
+Scene scene_at(const Scene& scene, const Simulation& s) {
+  Scene out = scene;
+  out.generators.clear();
+  out.expect.clear();  // they are about the run from the start
+  out.method = s.method();
+  out.bodies = s.bodies();
+  for (int i = 0; i < s.state().size(); ++i) {
+    Body& b = out.bodies[i];
+    b.position = s.state().position(i);
+    b.angle = s.state().q(2, i);
+    b.velocity = s.state().velocity(i);
+    b.spin = s.state().v(2, i);
+  }
+  return out;
+}
+
+}  // namespace
+
+Scene scene_with_method(const std::string& preset, const MethodOptions& method) {
+  Scene scene = read_preset(find_preset(preset));
+  scene.method.integrator = method.integrator.value_or(scene.method.integrator);
+  scene.method.impacts = method.impacts.value_or(scene.method.impacts);
+  scene.method.contacts = method.contacts.value_or(scene.method.contacts);
+  if (method.step) {
+    if (!(*method.step >= kLeastStep && *method.step <= kLargestStep)) {
+      throw SceneError(fmt::format("--step: {} is not allowed; allowed: from {} to {} s", *method.step, kLeastStep, kLargestStep));
+    }
+    scene.method.step = *method.step;
+  }
+  return scene;
+}
+
+int run_command(const RunOptions& options) {
+  const Scene scene = scene_with_method(options.preset, options.method);
+  const Simulation start(scene);
+  Simulation simulation = start;
+
+  std::unique_ptr<CsvFile> csv;
+  std::unique_ptr<CsvFile> events;
+  if (!options.csv.empty()) {
+    csv = std::make_unique<CsvFile>(options.csv);
+    csv->line(run_csv_header(simulation));
+    csv->line(run_csv_line(simulation));
+  }
+  if (!options.events.empty()) {
+    events = std::make_unique<CsvFile>(options.events);
+    events->line(events_csv_header());
+  }
+  const double end = options.until.value_or(scene.duration);
+  {
+    Progress progress(end);
+    simulation.advance_to(end, [&] {
+      if (csv != nullptr) csv->line(run_csv_line(simulation));
+      if (events != nullptr) {
+        for (const ImpactRecord& impact : simulation.last_impacts()) events->line(events_csv_line(simulation, impact));
+      }
+      progress.show(simulation.time());
+    });
+  }
+  if (csv != nullptr) csv->finish();
+  if (events != nullptr) events->finish();
+  if (!options.save.empty()) save_preset(scene_at(scene, simulation), options.save);
+  fmt::print("{}", options.json ? report_json(find_preset(options.preset).stem().string(), simulation)
+                                : report_text(scene, start, simulation));
+  return kGood;
+}
+
+}  // namespace carom

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "physics/scene/scene.h"
+
+// The commands of the program, each a function from its options to an exit code. Bad input is thrown as SceneError.
+namespace carom {
+
+inline constexpr int kGood = 0;
+inline constexpr int kFellShort = 1;  // a check fell short
+inline constexpr int kBadInput = 2;   // one clear line on stderr
+
+// What the command line says in place of the file's own method.
+struct MethodOptions {
+  std::optional<IntegratorId> integrator;
+  std::optional<ImpactsId> impacts;
+  std::optional<ContactsId> contacts;
+  std::optional<double> step;  // s
+};
+
+struct RunOptions {
+  std::string preset;
+  MethodOptions method;
+  std::optional<double> until;  // s; without it the preset's duration
+  bool json = false;
+  std::string csv;     // file for the run's sums and paths, step by step
+  std::string events;  // file for its impacts
+  std::string save;    // preset file for the state at the end
+};
+
+struct PictureOptions {
+  std::string preset;
+  MethodOptions method;
+  std::optional<double> at;  // s; without it the preset's duration
+  std::string output;        // .png, .svg or .pdf
+  bool window = false;       // the whole lab, .png only
+  bool dark = false;
+  int width = 0;  // px; 0: 1280
+  int height = 0; // px; 0: 800
+};
+
+// The scene of a preset with the chosen method, validated.
+[[nodiscard]] Scene scene_with_method(const std::string& preset, const MethodOptions& method);
+
+int list_command();
+int run_command(const RunOptions& options);
+int picture_command(int& argc, char** argv, const PictureOptions& options);
+// The lab's window; where there is no display, the run of the experiment and a picture of the window instead.
+int lab_command(int& argc, char** argv, const std::string& preset);
+
+}  // namespace carom

@@ -1,0 +1,93 @@
+#include "app/preset_library.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <map>
+#include <system_error>
+#include <tuple>
+
+#include "physics/preset/preset.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Folders in the order of a course; any other comes after, by its name.
+constexpr auto kTopics = std::to_array<std::pair<const char*, const char*>>({
+    {"first-collisions", "First collisions"},
+    {"chains-and-cradles", "Chains and cradles"},
+    {"bounces", "Bounces"},
+    {"piles", "Piles"},
+    {"numerical-methods", "Numerical methods"},
+});
+
+std::pair<std::size_t, std::string> rank_and_title(const std::string& folder) {
+  for (std::size_t i = 0; i < kTopics.size(); ++i) {
+    if (folder == kTopics[i].first) return {i, kTopics[i].second};
+  }
+  std::string title = folder;
+  std::replace(title.begin(), title.end(), '-', ' ');
+  if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  return {kTopics.size(), title};
+}
+
+// Experiments of one topic go from the simple to the general where their names alone would not.
+constexpr auto kFirst = std::to_array<const char*>({"head-on-equal", "head-on", "glancing"});
+
+std::size_t rank_of_name(const std::string& name) {
+  return static_cast<std::size_t>(std::find(kFirst.begin(), kFirst.end(), name) - kFirst.begin());
+}
+
+}  // namespace
+
+fs::path preset_folder() {
+  if (const char* named = std::getenv("CAROM_PRESETS"); named != nullptr && *named != '\0') return named;
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const fs::path installed = program.parent_path().parent_path() / "share" / "carom" / "presets";
+    if (fs::is_directory(installed, error)) return installed;
+  }
+  return CAROM_SOURCE_PRESETS;
+}
+
+std::vector<LibraryEntry> preset_library() {
+  std::vector<std::tuple<std::size_t, std::size_t, LibraryEntry>> found;
+  std::error_code error;
+  for (const auto& entry : fs::recursive_directory_iterator(preset_folder(), error)) {
+    if (entry.path().extension() != ".json") continue;
+    const auto [rank, title] = rank_and_title(entry.path().parent_path().filename().string());
+    const std::string name = entry.path().stem().string();
+    found.emplace_back(rank, rank_of_name(name), LibraryEntry{name, title, entry.path()});
+  }
+  std::sort(found.begin(), found.end(), [](const auto& x, const auto& y) {
+    const auto& [rank_x, order_x, entry_x] = x;
+    const auto& [rank_y, order_y, entry_y] = y;
+    return std::tie(rank_x, entry_x.topic, order_x, entry_x.name) <
+           std::tie(rank_y, entry_y.topic, order_y, entry_y.name);
+  });
+  std::vector<LibraryEntry> library;
+  for (auto& [rank, order, entry] : found) library.push_back(std::move(entry));
+  return library;
+}
+
+fs::path find_preset(const std::string& file_or_name) {
+  std::error_code error;
+  const auto looks_like_file = file_or_name.find('/') != std::string::npos || file_or_name.ends_with(".json");
+  if (looks_like_file) return file_or_name;  // read_preset says what is wrong with it
+  std::vector<std::string> names;
+  for (const LibraryEntry& entry : preset_library()) {
+    if (entry.name == file_or_name) return entry.file;
+    names.push_back(entry.name);
+  }
+  if (fs::is_regular_file(file_or_name, error)) return file_or_name;
+  throw SceneError(fmt::format("{}: no such file or experiment; allowed: a preset file, or one of {}", file_or_name,
+                               fmt::join(names, ", ")));
+}
+
+}  // namespace carom

@@ -1,0 +1,91 @@
+#include "app/run_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "physics/scene/validate.h"
+
+namespace carom {
+namespace {
+
+std::string quoted_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out + "\"";
+}
+
+bool with_paths(const Simulation& s) {
+  return std::count(s.shapes().fixed.begin(), s.shapes().fixed.end(), 0) <= kMostPaths;
+}
+
+}  // namespace
+
+CsvFile::CsvFile(const std::string& name) : name_(name), out_(name + ".part", std::ios::binary | std::ios::trunc) {
+  if (!out_) throw SceneError(fmt::format("{}: the file cannot be written; allowed: a place with the right to write", name));
+}
+
+CsvFile::~CsvFile() {
+  if (finished_) return;
+  out_.close();
+  std::error_code ignored;
+  std::filesystem::remove(name_ + ".part", ignored);
+}
+
+void CsvFile::line(const std::string& text) { out_ << text << '\n'; }
+
+void CsvFile::finish() {
+  out_.close();
+  std::error_code error;
+  if (out_) std::filesystem::rename(name_ + ".part", name_, error);
+  if (!out_ || error) throw SceneError(fmt::format("{}: the file could not be written; allowed: a place with room", name_));
+  finished_ = true;
+}
+
+std::string run_csv_header(const Simulation& s) {
+  std::string line =
+      "time [s],kinetic_energy [J],rotational_energy [J],potential_energy [J],total_energy [J],momentum_x [N s],"
+      "momentum_y [N s],angular_momentum [kg m^2/s],numerical_drift [J],impacts [1]";
+  if (!with_paths(s)) return line;
+  for (const Body& b : s.bodies()) {
+    if (b.fixed) continue;
+    for (const char* what : {"x [m]", "y [m]", "angle [rad]", "velocity_x [m/s]", "velocity_y [m/s]", "spin [rad/s]"}) {
+      line += "," + quoted_field(b.name + " " + what);
+    }
+  }
+  return line;
+}
+
+std::string run_csv_line(const Simulation& s) {
+  const Totals t = s.totals();
+  std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{}", s.time(), t.kinetic(), t.rotational, t.potential,
+                                 t.energy(), t.momentum.x(), t.momentum.y(), t.angular_momentum,
+                                 s.ledger().numerical_drift(t.energy()), s.impact_count());
+  if (!with_paths(s)) return line;
+  for (int i = 0; i < s.state().size(); ++i) {
+    if (s.shapes().fixed[i] != 0) continue;
+    for (int row = 0; row < 3; ++row) line += fmt::format(",{}", s.state().q(row, i));
+    for (int row = 0; row < 3; ++row) line += fmt::format(",{}", s.state().v(row, i));
+  }
+  return line;
+}
+
+std::string events_csv_header() {
+  return "time [s],body_a,body_b,point_x [m],point_y [m],normal_x [1],normal_y [1],normal_impulse [N s],"
+         "tangential_impulse [N s],closing_speed [m/s],lost_to_restitution [J],lost_to_friction [J]";
+}
+
+std::string events_csv_line(const Simulation& s, const ImpactRecord& i) {
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", i.time, quoted_field(s.bodies()[i.a].name),
+                     quoted_field(s.bodies()[i.b].name), i.point.x(), i.point.y(), i.normal.x(), i.normal.y(),
+                     i.normal_impulse, i.tangential_impulse, i.closing_speed, i.lost_to_restitution, i.lost_to_friction);
+}
+
+}  // namespace carom

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <fstream>
+#include <string>
+
+#include "physics/world/simulation.h"
+
+namespace carom {
+
+// A CSV file of a run, RFC 4180, units in brackets in the header, every number with all its digits. It is written beside
+// its name and renamed at the end, so that an older file is whole until the new one is. Throws SceneError if that fails.
+class CsvFile {
+ public:
+  explicit CsvFile(const std::string& name);
+  CsvFile(const CsvFile&) = delete;
+  CsvFile& operator=(const CsvFile&) = delete;
+  ~CsvFile();  // without finish(): no file
+  void line(const std::string& text);
+  void finish();
+
+ private:
+  std::string name_;
+  std::ofstream out_;
+  bool finished_ = false;
+};
+
+// Sums of the scene, then x, y, angle, velocity and spin of each moving body, for up to kMostPaths of them (a larger
+// crowd's file would be some 100 MB; its sums are written).
+inline constexpr int kMostPaths = 50;
+[[nodiscard]] std::string run_csv_header(const Simulation& simulation);
+[[nodiscard]] std::string run_csv_line(const Simulation& simulation);
+
+[[nodiscard]] std::string events_csv_header();
+[[nodiscard]] std::string events_csv_line(const Simulation& simulation, const ImpactRecord& impact);
+
+}  // namespace carom
