@@ -11,12 +11,17 @@ namespace {
 
 constexpr int kRowHeight = 26;  // px
 
-// Draws the line above a sum.
-class SumDelegate : public QStyledItemDelegate {
+// Text under the text of the headings, no frame about the current cell, and a line above a sum.
+class CellDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    QStyledItemDelegate::paint(painter, option, index);
+    constexpr int kInset = 5;  // px
+    QStyleOptionViewItem cell = option;
+    cell.state &= ~QStyle::State_HasFocus;
+    if (cell.state & QStyle::State_Selected) painter->fillRect(cell.rect, cell.palette.highlight());
+    cell.rect.adjust(kInset, 0, -kInset, 0);
+    QStyledItemDelegate::paint(painter, cell, index);
     if (!static_cast<const FigureModel*>(index.model())->is_sum(index.row())) return;
     painter->setPen(option.palette.color(QPalette::Mid));
     painter->drawLine(option.rect.topLeft(), option.rect.topRight());
@@ -39,7 +44,8 @@ QVariant FigureModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole: {
       const Cell content = cell(index.row(), index.column());
       if (const auto* text = std::get_if<QString>(&content)) return *text;
-      if (const auto* value = std::get_if<double>(&content)) return figure(*value);
+      if (const auto* value = std::get_if<double>(&content))
+        return figure(*value, columns_[static_cast<std::size_t>(index.column())].digits);
       if (const auto* vector = std::get_if<Vec2>(&content)) return figures(*vector);
       return {};
     }
@@ -91,7 +97,7 @@ void FigureModel::rows_changed(int rows) {
 FigureTable::FigureTable(FigureModel* model, QWidget* parent) : QTableView(parent), model_(model) {
   model->setParent(this);
   setModel(model);
-  setItemDelegate(new SumDelegate(this));
+  setItemDelegate(new CellDelegate(this));
   setShowGrid(false);
   setWordWrap(false);
   setTextElideMode(Qt::ElideRight);

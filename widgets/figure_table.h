@@ -17,6 +17,7 @@ class FigureModel : public QAbstractTableModel {
     const char* heading;  // UTF-8
     int weight;           // share of the width
     bool text = false;    // stands left
+    int digits = 4;       // significant digits of a figure, at most
   };
   using Cell = std::variant<std::monostate, QString, double, Vec2>;
 

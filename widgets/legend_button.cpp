@@ -48,7 +48,7 @@ void LegendButton::paintEvent(QPaintEvent*) {
   painter.setOpacity(1.0);
   QFont label_font = font();
   label_font.setStrikeOut(!isChecked());
-  label_font.setUnderline(underMouse() || hasFocus());
+  label_font.setUnderline(underMouse() || (hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange)));
   painter.setFont(label_font);
   painter.setPen(text_);
   painter.drawText(rect().adjusted(kPadding + kSample + kGap, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,

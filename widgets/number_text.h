@@ -12,7 +12,7 @@ inline constexpr QChar kMinus(0x2212);
 // hold, else as in 3.1e−13; the proper minus sign, never a negative zero.
 [[nodiscard]] QString figure(double value, int digits = 4);
 
-// Two components, "x, y". One that is below 1e-9 of the other is its rounding and shows as 0.
+// Two components, "x, y", both to the decimal place that the larger needs for its digits.
 [[nodiscard]] QString figures(const Vec2& value, int digits = 3);
 
 // All the digits that tell the value apart.

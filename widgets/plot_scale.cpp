@@ -70,6 +70,11 @@ QuietScaleDraw::QuietScaleDraw(QString unit) : unit_(std::move(unit)) {
   enableComponent(Ticks, false);
 }
 
+void QuietScaleDraw::set_color(const QColor& color) {
+  color_ = color;
+  invalidateCache();
+}
+
 QwtText QuietScaleDraw::label(double value) const {
   const QList<double> major = scaleDiv().ticks(QwtScaleDiv::MajorTick);
   const double step = major.size() > 1 ? major[1] - major[0] : scaleDiv().range();
@@ -88,7 +93,9 @@ QwtText QuietScaleDraw::label(double value) const {
   }
   text.replace('-', kMinus);
   if (!unit_.isEmpty() && !major.isEmpty() && value == major.back()) text += " " + unit_;
-  return text;
+  QwtText label(text);
+  label.setColor(color_);
+  return label;
 }
 
 }  // namespace carom

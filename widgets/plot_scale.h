@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QColor>
 #include <QString>
 #include <qwt_interval.h>
 #include <qwt_scale_div.h>
@@ -29,10 +30,12 @@ inline constexpr double kLeastMagnitude = 1e-9;
 class QuietScaleDraw : public QwtScaleDraw {
  public:
   explicit QuietScaleDraw(QString unit = {});
+  void set_color(const QColor& color);
   [[nodiscard]] QwtText label(double value) const override;
 
  private:
   QString unit_;
+  QColor color_;
 };
 
 }  // namespace carom

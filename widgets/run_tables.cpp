@@ -197,13 +197,13 @@ class LedgerModel : public FigureModel {
 }  // namespace
 
 BodiesTable::BodiesTable(QWidget* parent)
-    : FigureTable(new BodiesModel({{"body", 78, true},
-                                   {"m / kg", 62},
-                                   {"v before / m/s", 112},
-                                   {"v now / m/s", 112},
-                                   {"p now / kg·m/s", 112},
-                                   {"K before / J", 76},
-                                   {"K now / J", 68}},
+    : FigureTable(new BodiesModel({{"body", 66, true},
+                                   {"m / kg", 58},
+                                   {"v before / m/s", 114},
+                                   {"v now / m/s", 114},
+                                   {"p now / kg·m/s", 114},
+                                   {"K before / J", 80},
+                                   {"K now / J", 66}},
                                   nullptr),
                   parent) {}
 
@@ -212,12 +212,12 @@ void BodiesTable::update_from(const Frame& frame, const std::vector<Body>& befor
 }
 
 ImpactsTable::ImpactsTable(QWidget* parent)
-    : FigureTable(new ImpactsModel({{"#", 52},
-                                    {"t / s", 70},
-                                    {"bodies", 150, true},
+    : FigureTable(new ImpactsModel({{"#", 62},
+                                    {"t / s", 78, false, 6},
+                                    {"bodies", 140, true},
                                     {"closing / m/s", 92},
-                                    {"jₙ / N·s", 82},
-                                    {"jₜ / N·s", 82},
+                                    {"jₙ / N·s", 78},
+                                    {"jₜ / N·s", 78},
                                     {"lost / J", 82}},
                                    nullptr),
                   parent) {}

@@ -20,14 +20,14 @@
 #include "widgets/plot_gestures.h"
 #include "widgets/plot_scale.h"
 #include "widgets/series_data.h"
+#include "widgets/smooth_curve.h"
 
 namespace carom {
 namespace {
 
 constexpr double kLineWidth = 1.8;  // px
-constexpr double kHeadSize = 6.0;   // px, of a stick
 constexpr int kPixelsPerTimeTick = 60;
-constexpr int kPixelsPerValueTick = 26;
+constexpr int kPixelsPerValueTick = 20;
 
 void make_quiet(QwtPlot* plot, int axis, const QString& unit) {
   QFont font = plot->font();
@@ -93,7 +93,7 @@ void TimePlot::build_plot() {
   grid_->enableX(false);
   grid_->attach(plot_);
   for (const PlotCurve& kind : kind_.curves) {
-    auto item = std::make_unique<QwtPlotCurve>(QString::fromUtf8(kind.label));
+    auto item = std::make_unique<SmoothCurve>(QString::fromUtf8(kind.label));
     auto* series = new DecimatedSeries;
     item->setData(series);
     item->setRenderHint(QwtPlotItem::RenderAntialiased);
@@ -132,34 +132,49 @@ void TimePlot::set_theme(const Theme& theme) {
   plot_->setCanvasBackground(theme.panel);
   grid_->setPen(theme.grid, 1.0);
   cursor_->setLinePen(theme.muted, 1.0, Qt::DashLine);
+  for (QLabel* label : {chip_, readout_}) label->setStyleSheet("color: " + theme.muted.name());
   for (const int axis : {static_cast<int>(QwtAxis::XBottom), static_cast<int>(QwtAxis::YLeft)}) {
-    QPalette palette = plot_->axisWidget(axis)->palette();
-    palette.setColor(QPalette::Text, theme.muted);
-    palette.setColor(QPalette::WindowText, theme.muted);
-    plot_->axisWidget(axis)->setPalette(palette);
+    static_cast<QuietScaleDraw*>(plot_->axisScaleDraw(axis))->set_color(theme.muted);
+    plot_->axisWidget(axis)->update();
   }
   for (std::size_t i = 0; i < curves_.size(); ++i) {
     Curve& curve = curves_[i];
     QPen pen(theme.series[i % theme.series.size()], kLineWidth, series_dash(static_cast<int>(i)));
     curve.button->set_look(pen, theme.muted);
-    if (kind_.curves[i].of_impact) {
-      pen.setStyle(Qt::SolidLine);
-      curve.item->setSymbol(new QwtSymbol(QwtSymbol::Ellipse, pen.color(), QPen(Qt::NoPen),
-                                          QSizeF(kHeadSize, kHeadSize).toSize()));
-    }
+    if (kind_.curves[i].of_impact) pen.setStyle(Qt::SolidLine);
     curve.item->setPen(pen);
+    curve.item->setSymbol(nullptr);  // in the new colour with the next data
   }
+}
+
+// Heads on sticks, unless they would run into each other.
+void TimePlot::set_heads(const Curve& curve) {
+  constexpr int kPixelsPerHead = 4;
+  const bool wanted = static_cast<int>(curve.series->size()) * kPixelsPerHead < plot_->canvas()->width();
+  if (wanted == (curve.item->symbol() != nullptr)) return;
+  constexpr QSize kHead(6, 6);  // px
+  curve.item->setSymbol(
+      wanted ? new QwtSymbol(QwtSymbol::Ellipse, curve.item->pen().color(), QPen(Qt::NoPen), kHead) : nullptr);
 }
 
 void TimePlot::set_time_range(const QwtInterval& range) {
   time_range_ = range;
-  plot_->setAxisScaleDiv(QwtAxis::XBottom, ticks(range, plot_->canvas()->width() / kPixelsPerTimeTick));
+  const auto put = [&](int pixels_per_tick) {
+    plot_->setAxisScaleDiv(QwtAxis::XBottom, ticks(range, plot_->canvas()->width() / pixels_per_tick));
+    plot_->updateAxes();
+  };
+  put(kPixelsPerTimeTick);
+  // Deep in a zoom the labels have many digits.
+  constexpr int kGap = 12;  // px, between labels
+  const int needed = plot_->axisScaleDraw(QwtAxis::XBottom)->maxLabelWidth(plot_->axisFont(QwtAxis::XBottom));
+  if (needed + kGap > kPixelsPerTimeTick) put(needed + kGap);
 }
 
 void TimePlot::set_value_range(const QwtInterval& range) {
   value_range_ = range;
   plot_->setAxisScaleDiv(QwtAxis::YLeft,
                          ticks(range, std::clamp(plot_->canvas()->height() / kPixelsPerValueTick, 2, 6)));
+  plot_->updateAxes();
 }
 
 void TimePlot::update_from(const Recorder& recorder, bool hold_values) {
@@ -170,6 +185,7 @@ void TimePlot::update_from(const Recorder& recorder, bool hold_values) {
     DecimatedSeries& series = *curves_[i].series;
     if (kind.of_impact) {
       series.take(recorder.impacts(), kind.of_impact, time_range_, columns);
+      set_heads(curves_[i]);
     } else {
       series.take(recorder.samples(), kind.of_sample, time_range_, columns);
     }

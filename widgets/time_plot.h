@@ -66,6 +66,7 @@ class TimePlot : public QFrame {
     LegendButton* button;
   };
 
+  void set_heads(const Curve& curve);
   void build_header();
   void build_plot();
   void set_value_range(const QwtInterval& range);
