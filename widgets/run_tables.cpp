@@ -197,11 +197,11 @@ class LedgerModel : public FigureModel {
 }  // namespace
 
 BodiesTable::BodiesTable(QWidget* parent)
-    : FigureTable(new BodiesModel({{"body", 66, true},
-                                   {"m / kg", 58},
-                                   {"v before / m/s", 114},
-                                   {"v now / m/s", 114},
-                                   {"p now / kg·m/s", 114},
+    : FigureTable(new BodiesModel({{"body", 62, true},
+                                   {"m / kg", 66},
+                                   {"v before / m/s", 112},
+                                   {"v now / m/s", 112},
+                                   {"p now / kg·m/s", 112},
                                    {"K before / J", 80},
                                    {"K now / J", 66}},
                                   nullptr),

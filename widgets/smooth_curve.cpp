@@ -4,7 +4,6 @@
 #include <QPainter>
 #include <QPen>
 #include <QPolygonF>
-#include <algorithm>
 #include <qwt_clipper.h>
 #include <qwt_scale_map.h>
 
@@ -19,17 +18,22 @@ void SmoothCurve::drawLines(QPainter* painter, const QwtScaleMap& x, const QwtSc
   constexpr double kMargin = 10.0;  // px, more than the pen's width
   QwtClipper::clipPolygonF(canvas.adjusted(-kMargin, -kMargin, kMargin, kMargin), line, false);
 
-  // In pieces, because the raster engine's time grows with the square of a path's crossings; the dashes go on.
-  constexpr qsizetype kPiece = 64;  // points
+  // A line that goes up and down everywhere is drawn in pieces, because the raster engine's time grows with the
+  // square of a path's length; the dashes go on. A calm line stays whole: joints would show on it.
+  constexpr double kPiece = 3000.0;  // px
   QPen dashes = pen();
   dashes.setCapStyle(Qt::FlatCap);
-  double length = 0.0;  // px, of what is drawn
-  for (qsizetype begin = 0; begin + 1 < line.size(); begin += kPiece) {
-    const qsizetype count = std::min(kPiece + 1, line.size() - begin);
-    if (dashes.style() != Qt::SolidLine) dashes.setDashOffset(length / dashes.widthF());
+  double before = 0.0;  // px, length of the pieces that are drawn
+  double piece = 0.0;   // px, length of the piece that begins at `begin`
+  for (qsizetype begin = 0, i = 1; i < line.size(); ++i) {
+    piece += QLineF(line[i - 1], line[i]).length();
+    if (piece < kPiece && i + 1 < line.size()) continue;
+    if (dashes.style() != Qt::SolidLine) dashes.setDashOffset(before / dashes.widthF());
     painter->setPen(dashes);
-    painter->drawPolyline(line.constData() + begin, static_cast<int>(count));
-    for (qsizetype i = begin + 1; i < begin + count; ++i) length += QLineF(line[i - 1], line[i]).length();
+    painter->drawPolyline(line.constData() + begin, static_cast<int>(i - begin + 1));
+    begin = i;
+    before += piece;
+    piece = 0.0;
   }
 }
 
