@@ -1,0 +1,168 @@
+#include "widgets/plot_panel.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QTest>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <qwt_plot.h>
+#include <qwt_plot_curve.h>
+#include <qwt_scale_widget.h>
+
+#include "tests/widgets/run_fixture.h"
+#include "widgets/legend_button.h"
+#include "widgets/theme.h"
+#include "widgets/time_plot.h"
+
+namespace carom {
+namespace {
+
+// Wheel notches towards the user are negative.
+void wheel(QWidget* widget, const QPoint& at, int notches, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+  QWheelEvent event(at, widget->mapToGlobal(at), QPoint(), QPoint(0, 120 * notches), Qt::NoButton, modifiers,
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(widget, &event);
+  QApplication::processEvents();
+}
+
+class PlotPanelTest : public testing::Test {
+ protected:
+  void show(const Frame& frame) {
+    recorder.add(frame);
+    panel.resize(400, 560);
+    panel.show();
+    QApplication::processEvents();
+    panel.update_from(recorder);
+    QApplication::processEvents();
+  }
+  [[nodiscard]] QWidget* canvas(int plot) const {
+    return panel.plots()[static_cast<std::size_t>(plot)]->plot()->canvas();
+  }
+  [[nodiscard]] TimePlot* plot(int index) const { return panel.plots()[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] bool chip_shown(int index) const {
+    const auto labels = plot(index)->findChildren<QLabel*>("chip");
+    return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+      return label->isVisible() && label->text().startsWith("zoomed");
+    });
+  }
+
+  Recorder recorder;
+  PlotPanel panel{light_theme()};
+};
+
+TEST_F(PlotPanelTest, StacksThePlotsAskedForOverOneAxis) {
+  show(run_to(head_on_scene(), 0.45));
+  ASSERT_EQ(panel.plots().size(), 3u);
+  for (const TimePlot* each : panel.plots()) {
+    EXPECT_EQ(each->time_range(), QwtInterval(0.0, 0.5));
+    EXPECT_EQ(each->plot()->canvas()->mapTo(&panel, QPoint()).x(), canvas(0)->mapTo(&panel, QPoint()).x());
+    EXPECT_EQ(each->plot()->canvas()->width(), canvas(0)->width());
+  }
+  EXPECT_EQ(plot(0)->value_range().minValue(), 0.0);
+  EXPECT_GE(plot(0)->value_range().maxValue(), 4.5);
+
+  panel.set_plots({"impulse", "energy", "unheard of"});
+  ASSERT_EQ(panel.plots().size(), 2u);
+  EXPECT_EQ(plot(0)->kind().id, "energy");
+  EXPECT_EQ(plot(1)->kind().id, "impulse");
+}
+
+TEST_F(PlotPanelTest, LegendHidesAndShowsACurve) {
+  show(run_to(head_on_scene(), 0.5));
+  const auto buttons = plot(0)->findChildren<LegendButton*>();
+  const auto items = plot(0)->plot()->itemList(QwtPlotItem::Rtti_PlotCurve);
+  ASSERT_EQ(buttons.size(), 3);
+  ASSERT_EQ(items.size(), 3);
+  QTest::mouseClick(buttons[0], Qt::LeftButton);
+  EXPECT_FALSE(items[0]->isVisible());
+  EXPECT_TRUE(items[1]->isVisible());
+  QTest::mouseClick(buttons[0], Qt::LeftButton);
+  EXPECT_TRUE(items[0]->isVisible());
+}
+
+TEST_F(PlotPanelTest, WheelZoomsAllTimeAxesAboutTheCursorAndDoubleClickResets) {
+  show(run_to(head_on_scene(), 1.0));
+  const QPoint at(canvas(1)->width() / 4, canvas(1)->height() / 2);
+  const double under = plot(1)->plot()->invTransform(QwtAxis::XBottom, at.x());
+  wheel(canvas(1), at, 2);
+  EXPECT_TRUE(panel.zoomed());
+  const QwtInterval zoomed = plot(0)->time_range();
+  EXPECT_NEAR(zoomed.width(), 0.64, 1e-12);
+  for (const TimePlot* each : panel.plots()) EXPECT_EQ(each->time_range(), zoomed);
+  // Labels that need more room may have moved the canvas by a few pixels.
+  EXPECT_NEAR(plot(1)->plot()->transform(QwtAxis::XBottom, under), at.x(), 8.0);
+  EXPECT_FALSE(chip_shown(0));
+  EXPECT_TRUE(chip_shown(1));
+
+  // While zoomed, new data leave the axes alone.
+  Frame later = run_to(head_on_scene(), 5.0);
+  later.run = 2;
+  recorder.add(later);
+  panel.update_from(recorder);
+  QApplication::processEvents();
+  EXPECT_EQ(plot(0)->time_range(), zoomed);
+
+  QTest::mouseDClick(canvas(2), Qt::LeftButton);
+  QApplication::processEvents();
+  EXPECT_FALSE(panel.zoomed());
+  EXPECT_FALSE(chip_shown(1));
+  for (const TimePlot* each : panel.plots()) EXPECT_EQ(each->time_range(), QwtInterval(0.0, 5.0));
+}
+
+TEST_F(PlotPanelTest, CtrlWheelZoomsTheValuesOfOnePlotAndHomeResets) {
+  show(run_to(head_on_scene(), 1.0));
+  const QwtInterval energy = plot(0)->value_range();
+  const QwtInterval momentum = plot(1)->value_range();
+  wheel(canvas(0), {50, 20}, 1, Qt::ControlModifier);
+  EXPECT_NEAR(plot(0)->value_range().width(), 0.8 * energy.width(), 1e-12);
+  EXPECT_EQ(plot(1)->value_range(), momentum);
+  EXPECT_EQ(plot(0)->time_range(), QwtInterval(0.0, 1.0));
+  QTest::keyClick(canvas(0), Qt::Key_Home);
+  QApplication::processEvents();
+  EXPECT_FALSE(panel.zoomed());
+  EXPECT_EQ(plot(0)->value_range(), energy);
+}
+
+TEST_F(PlotPanelTest, DragMovesTimeOfAllAndValuesOfOne) {
+  show(run_to(head_on_scene(), 1.0));
+  const QwtInterval momentum = plot(1)->value_range();
+  QTest::mousePress(canvas(0), Qt::LeftButton, Qt::NoModifier, {100, 50});
+  QTest::mouseMove(canvas(0), {101, 50});
+  QApplication::processEvents();
+  EXPECT_FALSE(panel.zoomed());
+  QMouseEvent move(QEvent::MouseMove, QPointF(60, 50), canvas(0)->mapToGlobal(QPointF(60, 50)), Qt::NoButton,
+                   Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(canvas(0), &move);
+  QTest::mouseRelease(canvas(0), Qt::LeftButton, Qt::NoModifier, {60, 50});
+  QApplication::processEvents();
+  EXPECT_GT(plot(2)->time_range().minValue(), 0.05);
+  EXPECT_NEAR(plot(2)->time_range().width(), 1.0, 1e-12);
+  EXPECT_EQ(plot(1)->value_range(), momentum);
+}
+
+TEST_F(PlotPanelTest, ConstantDataHaveARange) {
+  Scene scene;
+  scene.bodies = {disc("A", {0.0, 0.0}, {0.1, 0.0}, 3.0)};
+  show(run_to(scene, 1.0));
+  const QwtInterval energy = plot(0)->value_range();
+  EXPECT_TRUE(std::isfinite(energy.width()));
+  EXPECT_LE(energy.minValue(), 0.0);
+  EXPECT_GT(energy.maxValue(), 0.015);
+  EXPECT_LT(energy.maxValue(), 0.05);
+  EXPECT_EQ(plot(2)->value_range(), QwtInterval(-1.0, 1.0));  // no impacts
+}
+
+TEST_F(PlotPanelTest, HiddenItDoesNothing) {
+  recorder.add(run_to(head_on_scene(), 2.0));
+  panel.update_from(recorder);
+  QApplication::processEvents();
+  EXPECT_EQ(plot(0)->time_range(), QwtInterval(0.0, 1.0));
+  panel.show();
+  QApplication::processEvents();
+  EXPECT_EQ(plot(0)->time_range(), QwtInterval(0.0, 2.0));
+}
+
+}  // namespace
+}  // namespace carom

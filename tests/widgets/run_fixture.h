@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "physics/measure/recorder.h"
+#include "physics/world/frame.h"
+#include "physics/world/simulation.h"
+
+namespace carom {
+
+inline Body disc(const std::string& name, const Vec2& position, const Vec2& velocity, double mass) {
+  Body body;
+  body.name = name;
+  body.shape = Disc{0.2};
+  body.position = position;
+  body.velocity = velocity;
+  body.mass = mass;
+  return body;
+}
+
+// 1 kg at 3 m/s runs into 2 kg at rest at t = 0.2 s: elastically, so that they leave at -1 and 2 m/s.
+inline Scene head_on_scene() {
+  Scene scene;
+  scene.title = "Head-on";
+  scene.bodies = {disc("A", {-1.0, 0.0}, {3.0, 0.0}, 1.0), disc("B", {0.0, 0.0}, {0.0, 0.0}, 2.0)};
+  return scene;
+}
+
+// The frame of a run from the start to `time`, as the simulation's thread would publish it.
+inline Frame run_to(const Scene& scene, double time) {
+  Simulation simulation(scene);
+  simulation.watch_impacts(true);
+  Frame frame;
+  frame.run = 1;
+  frame.samples = {{0.0, simulation.totals()}};
+  simulation.advance_to(time, [&] {
+    append_samples(simulation, frame.samples);
+    const auto& impacts = simulation.last_impacts();
+    frame.impacts.insert(frame.impacts.end(), impacts.begin(), impacts.end());
+  });
+  frame.time = simulation.time();
+  frame.impact_count = simulation.impact_count();
+  frame.state = simulation.state();
+  frame.bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
+  frame.totals = simulation.totals();
+  frame.ledger = simulation.ledger();
+  return frame;
+}
+
+}  // namespace carom

@@ -1,0 +1,101 @@
+#include <QApplication>
+#include <QHeaderView>
+#include <QScrollBar>
+#include <gtest/gtest.h>
+
+#include "tests/widgets/run_fixture.h"
+#include "widgets/run_tables.h"
+#include "widgets/theme.h"
+
+namespace carom {
+namespace {
+
+QString cell(const QTableView& table, int row, int column) {
+  return table.model()->index(row, column).data().toString();
+}
+
+TEST(RunTables, BodiesBeforeAndAfterAHeadOnCollision) {
+  const Scene scene = head_on_scene();
+  BodiesTable table;
+  table.update_from(run_to(scene, 0.5), scene.bodies);
+  ASSERT_EQ(table.model()->rowCount(), 3);
+  const QStringList expected[] = {{"A", "1.000", "3.00, 0.00", "−1.00, 0.00", "−1.00, 0.00", "4.500", "0.5000"},
+                                  {"B", "2.000", "0, 0", "2.00, 0.00", "4.00, 0.00", "0", "4.000"},
+                                  {"sum", "3.000", "", "", "3.00, 0.00", "4.500", "4.500"}};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 7; ++column) {
+      EXPECT_EQ(cell(table, row, column), expected[row][column]) << row << ", " << column;
+    }
+  }
+  EXPECT_TRUE(table.model()->index(2, 0).data(Qt::FontRole).value<QFont>().bold());
+}
+
+TEST(RunTables, ABodyAddedLaterHasNoBefore) {
+  const Scene scene = head_on_scene();
+  BodiesTable table;
+  table.update_from(run_to(scene, 0.1), {scene.bodies.front()});
+  EXPECT_EQ(cell(table, 0, 2), "3.00, 0.00");
+  EXPECT_EQ(cell(table, 1, 2), "");
+  EXPECT_EQ(cell(table, 2, 5), "4.500");
+}
+
+TEST(RunTables, ImpactsNewestFirst) {
+  const Frame frame = run_to(head_on_scene(), 0.5);
+  Recorder recorder;
+  recorder.add(frame);
+  ImpactsTable table;
+  table.update_from(frame, recorder);
+  ASSERT_EQ(table.model()->rowCount(), 1);
+  const QStringList expected = {"1", "0.200000", "A – B", "3.000", "4.000", "0"};
+  for (int column = 0; column < expected.size(); ++column) EXPECT_EQ(cell(table, 0, column), expected[column]);
+
+  Frame many = frame;
+  many.impacts.assign(700, frame.impacts.front());
+  many.impacts.back().closing_speed = 7.0;
+  many.impact_count = 701;
+  recorder.add(many);
+  table.update_from(many, recorder);
+  ASSERT_EQ(table.model()->rowCount(), ImpactsTable::kMostRows);
+  EXPECT_EQ(cell(table, 0, 0), "701");
+  EXPECT_EQ(cell(table, 0, 3), "7.000");
+  EXPECT_EQ(cell(table, 499, 0), "202");
+
+  Frame restarted = frame;
+  restarted.run = 2;
+  restarted.impact_count = 0;
+  restarted.impacts.clear();
+  recorder.add(restarted);
+  table.update_from(restarted, recorder);
+  EXPECT_EQ(table.model()->rowCount(), 0);
+}
+
+TEST(RunTables, LedgerClosesOnTheDrift) {
+  Scene scene = head_on_scene();
+  Material dull;
+  dull.restitution = 0.5;
+  scene.materials = {dull};
+  LedgerTable table;
+  table.update_from(run_to(scene, 0.5));
+  ASSERT_EQ(table.model()->rowCount(), 10);
+  EXPECT_EQ(cell(table, 0, 1), "4.500");
+  EXPECT_EQ(cell(table, 1, 1), "2.250");  // (1 - e²)/2 · 2/3 kg · (3 m/s)²
+  EXPECT_EQ(cell(table, 6, 1), "2.250");
+  EXPECT_EQ(cell(table, 7, 1), "2.250");
+  EXPECT_EQ(cell(table, 8, 0), "numerical drift");
+  EXPECT_EQ(cell(table, 9, 1), "0, 0");
+}
+
+TEST(RunTables, ColumnsShareTheWidth) {
+  const Scene scene = head_on_scene();
+  BodiesTable table;
+  table.resize(620, 200);
+  table.update_from(run_to(scene, 0.5), scene.bodies);
+  table.show();
+  QApplication::processEvents();
+  EXPECT_EQ(table.horizontalHeader()->length(), table.viewport()->width());
+  EXPECT_EQ(table.rowHeight(0), 26);
+  EXPECT_FALSE(table.verticalHeader()->isVisible());
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QTableView>
+#include <variant>
+#include <vector>
+
+#include "physics/scene/scene.h"
+
+namespace carom {
+
+// Rows of figures: headings carry the units, figures stand right, full digits are in the tooltip. The text of a
+// cell is made when it is painted, so an update costs what is visible.
+class FigureModel : public QAbstractTableModel {
+ public:
+  struct Column {
+    const char* heading;  // UTF-8
+    int weight;           // share of the width
+    bool text = false;    // stands left
+    int digits = 4;       // significant digits of a figure, at most
+  };
+  using Cell = std::variant<std::monostate, QString, double, Vec2>;
+
+  FigureModel(std::vector<Column> columns, QObject* parent);
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  [[nodiscard]] int weight(int column) const { return columns_[static_cast<std::size_t>(column)].weight; }
+
+  [[nodiscard]] virtual Cell cell(int row, int column) const = 0;
+  [[nodiscard]] virtual bool is_sum(int row) const = 0;  // bold, under a line
+
+ protected:
+  // All rows may have new contents, and there are now `rows` of them.
+  void rows_changed(int rows);
+
+ private:
+  std::vector<Column> columns_;
+  int rows_ = 0;
+};
+
+// A quiet table that shares its width among the columns.
+class FigureTable : public QTableView {
+  Q_OBJECT
+
+ public:
+  FigureTable(FigureModel* model, QWidget* parent);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  FigureModel* model_;
+};
+
+}  // namespace carom

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <qwt_interval.h>
+#include <qwt_scale_div.h>
+#include <qwt_scale_draw.h>
+
+namespace carom {
+
+// The smallest round time at or after `newest`, in s: it grows in steps, so the time axis stands still between.
+[[nodiscard]] double nice_time_end(double newest);
+
+// A round range for values within [low, high] of whatever unit, with a margin; finite and not empty whatever
+// comes in. It holds zero where that costs less than half of the height. A spread below kLeastSpread of the
+// magnitude counts as none: it gets a range a fifth of the magnitude wide; all zero gets -1 to 1.
+inline constexpr double kLeastSpread = 1e-6;
+// Absolute, SI: sums over a laboratory's bodies that should be zero show rounding below it.
+inline constexpr double kLeastMagnitude = 1e-9;
+[[nodiscard]] QwtInterval nice_range(double low, double high);
+
+// `current` as long as it holds nice_range(low, high) and is not much larger, else that: the axis doesn't
+// tremble.
+[[nodiscard]] QwtInterval steady_range(const QwtInterval& current, double low, double high);
+
+// Ticks at round values, at most `most`.
+[[nodiscard]] QwtScaleDiv ticks(const QwtInterval& range, int most);
+
+// Labels only, with no more digits than the distance of the ticks needs; the last one is followed by `unit`.
+class QuietScaleDraw : public QwtScaleDraw {
+ public:
+  explicit QuietScaleDraw(QString unit = {});
+  void set_color(const QColor& color);
+  [[nodiscard]] QwtText label(double value) const override;
+
+ private:
+  QString unit_;
+  QColor color_;
+};
+
+}  // namespace carom
