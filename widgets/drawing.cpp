@@ -1,0 +1,175 @@
+#include "widgets/drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+constexpr double kArrowWidth = 2.0;           // px
+constexpr double kLeastArrow = 6.0;           // px, shorter ones are left out
+constexpr double kLongestShare = 0.22;        // of the view's shorter side, for a peak's arrow
+constexpr double kLeastNamedRadius = 6.0;     // px
+constexpr double kLeastOrientedRadius = 4.0;  // px
+constexpr double kNameDrop = 3.0;             // px below the body
+constexpr double kContactDot = 5.0;           // px
+
+QColor blend(const QColor& from, const QColor& to, double share) {
+  const auto mixed = [share](int a, int b) { return static_cast<int>(std::lround(a + (b - a) * share)); };
+  return {mixed(from.red(), to.red()), mixed(from.green(), to.green()), mixed(from.blue(), to.blue())};
+}
+
+class Builder {
+ public:
+  Builder(const DrawingInput& input, Drawing& out) : in_(input), out_(out), seen_(input.camera.visible()) {
+    if (in_.frame.bodies) bodies_ = *in_.frame.bodies;
+  }
+
+  void build() {
+    out_.outline = 1.5 * in_.options.line_scale;
+    out_.text_size = in_.options.text_size;
+    out_.has_grid = in_.options.grid;
+    if (out_.has_grid) lay_grid(in_.camera, out_.grid);
+    for (int i = 0; i < count(); ++i) add_body(i);
+    if (in_.options.names) add_names();
+    if (in_.options.velocities) add_velocities();
+    if (in_.options.contacts) add_contacts();
+  }
+
+ private:
+  // A frame's state and bodies agree but for a moment's mistake of its maker; never read past either.
+  [[nodiscard]] int count() const { return std::min(in_.frame.state.size(), static_cast<int>(bodies_.size())); }
+  [[nodiscard]] bool moving(int i) const { return !bodies_[static_cast<std::size_t>(i)].fixed; }
+
+  void add_body(int i) {
+    const Body& body = bodies_[static_cast<std::size_t>(i)];
+    const Vec2 at = in_.frame.state.position(i);
+    const double angle = in_.frame.state.q(2, i);
+    if (!seen_.meets(at, bounding_radius(body.shape) + out_.outline / in_.camera.scale)) return;
+    const QColor& fill = body.fixed ? in_.theme.wall_fill : in_.theme.body_fill;
+    const QColor& line = body.fixed ? in_.theme.wall_line : in_.theme.body_line;
+    if (const Disc* disc = std::get_if<Disc>(&body.shape)) {
+      const bool oriented = !body.fixed && disc->radius * in_.camera.scale >= kLeastOrientedRadius;
+      out_.discs.push_back({at, disc->radius, angle, fill, line, oriented});
+    } else if (const Box* box = std::get_if<Box>(&body.shape)) {
+      out_.boxes.push_back({at, Vec2(box->width, box->height) / 2, angle, fill, line});
+    }
+  }
+
+  void add_names() {
+    if (std::count_if(bodies_.begin(), bodies_.end(), [](const Body& b) { return !b.fixed; }) > kMostNames) {
+      return;
+    }
+    // Softer than text, yet readable on walls too.
+    const QColor color = blend(in_.theme.text, in_.theme.scene_ground, 0.25);
+    for (int i = 0; i < count(); ++i) {
+      const Body& body = bodies_[static_cast<std::size_t>(i)];
+      const Vec2 half = half_extent(body.shape, in_.frame.state.q(2, i));
+      const Vec2 at = in_.frame.state.position(i);
+      if (body.fixed || half.minCoeff() * in_.camera.scale < kLeastNamedRadius) continue;
+      if (!seen_.meets(at, bounding_radius(body.shape))) continue;
+      out_.labels.push_back(
+          {at - Vec2(0.0, half.y()), kNameDrop + out_.outline / 2, QString::fromStdString(body.name), color});
+    }
+  }
+
+  void add_velocities() {
+    for (int i = 0; i < count(); ++i) {
+      if (moving(i)) {
+        add_arrow(in_.frame.state.position(i), in_.frame.state.velocity(i) * in_.arrows.seconds,
+                  in_.theme.series[0]);
+      }
+    }
+  }
+
+  // The normal impulse on each moving body of an impact, away from where it was touched.
+  void add_contacts() {
+    for (const ImpactRecord& impact : in_.impacts) {
+      const double age = in_.frame.time - impact.time;
+      if (age < 0.0 || age >= kImpactShown) continue;
+      if (impact.a < 0 || impact.b < 0 || impact.a >= count() || impact.b >= count()) continue;
+      QColor color = in_.theme.series[1];
+      color.setAlphaF(static_cast<float>(1.0 - age / kImpactShown));
+      const Vec2 push = impact.normal * (impact.normal_impulse * in_.arrows.metres_per_impulse);
+      bool shown = false;
+      if (moving(impact.a)) shown = add_arrow(impact.point, -push, color) || shown;
+      if (moving(impact.b)) shown = add_arrow(impact.point, push, color) || shown;
+      if (shown) {
+        out_.segments.push_back({impact.point, impact.point, color, kContactDot * in_.options.line_scale});
+      }
+    }
+  }
+
+  bool add_arrow(const Vec2& from, const Vec2& along, const QColor& color) {
+    const double length = along.norm();
+    if (!(length * in_.camera.scale >= kLeastArrow) || !seen_.meets(from, length)) return false;
+    out_.arrows.push_back({from, from + along, color, kArrowWidth * in_.options.line_scale});
+    return true;
+  }
+
+  const DrawingInput& in_;
+  Drawing& out_;
+  WorldRect seen_;
+  std::span<const Body> bodies_;
+};
+
+}  // namespace
+
+void Drawing::clear() {
+  has_grid = false;
+  boxes.clear();
+  discs.clear();
+  segments.clear();
+  arrows.clear();
+  labels.clear();
+}
+
+void Peaks::observe(const Frame& frame) {
+  if (!frame.bodies) return;
+  double mass = 0.0;
+  const int count = std::min(frame.state.size(), static_cast<int>(frame.bodies->size()));
+  for (int i = 0; i < count; ++i) {
+    const Body& body = (*frame.bodies)[static_cast<std::size_t>(i)];
+    if (body.fixed) continue;
+    mass += mass_of(body);
+    speed = std::max(speed, frame.state.velocity(i).norm());
+  }
+  const double energy = frame.totals.energy();
+  if (mass > 0.0 && energy > 0.0) speed = std::max(speed, std::sqrt(2.0 * energy / mass));
+  for (const ImpactRecord& impact : frame.impacts) impulse = std::max(impulse, impact.normal_impulse);
+}
+
+ArrowScale arrow_scale(const Peaks& peaks, double side) {
+  ArrowScale scale;
+  if (peaks.speed > 0.0) scale.seconds = step_not_above(kLongestShare * side / peaks.speed);
+  if (peaks.impulse > 0.0) scale.metres_per_impulse = step_not_above(kLongestShare * side / peaks.impulse);
+  return scale;
+}
+
+Drawing make_drawing(const DrawingInput& input, Drawing reuse) {
+  reuse.clear();
+  Builder(input, reuse).build();
+  return reuse;
+}
+
+Vec2 half_extent(const Shape& shape, double angle) {
+  if (const Disc* disc = std::get_if<Disc>(&shape)) return Vec2::Constant(disc->radius);
+  const Box& box = std::get<Box>(shape);
+  const double c = std::abs(std::cos(angle));
+  const double s = std::abs(std::sin(angle));
+  return {(c * box.width + s * box.height) / 2, (s * box.width + c * box.height) / 2};
+}
+
+WorldRect bounds(const Frame& frame) {
+  WorldRect rect;
+  if (!frame.bodies) return rect;
+  const int count = std::min(frame.state.size(), static_cast<int>(frame.bodies->size()));
+  for (int i = 0; i < count; ++i) {
+    if (!frame.state.q.col(i).allFinite()) continue;
+    rect.include(frame.state.position(i),
+                 half_extent((*frame.bodies)[static_cast<std::size_t>(i)].shape, frame.state.q(2, i)));
+  }
+  return rect;
+}
+
+}  // namespace carom

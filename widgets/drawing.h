@@ -1,0 +1,120 @@
+#pragma once
+
+#include <QColor>
+#include <QPointF>
+#include <QString>
+#include <span>
+#include <vector>
+
+#include "physics/world/frame.h"
+#include "widgets/camera.h"
+#include "widgets/grid.h"
+#include "widgets/theme.h"
+
+namespace carom {
+
+// What the scene looks like as a list of plain shapes: in world metres, with colours, and widths in logical
+// pixels. OpenGL and QPainter paint the same list. Painted in this order: grid, boxes, discs, contact points,
+// arrows, text.
+struct Drawing {
+  struct DiscItem {
+    Vec2 center;
+    double radius;
+    double angle;  // rad, of the orientation line
+    QColor fill;
+    QColor line;
+    bool oriented;  // has the line from its centre to its rim
+  };
+  struct BoxItem {
+    Vec2 center;
+    Vec2 half;  // m, half width and half height
+    double angle;
+    QColor fill;
+    QColor line;
+  };
+  // A straight line with round ends; a dot where its ends coincide.
+  struct SegmentItem {
+    Vec2 from;
+    Vec2 to;
+    QColor color;
+    double width;  // px
+  };
+  struct ArrowItem {
+    Vec2 from;
+    Vec2 to;
+    QColor color;
+    double width;  // px, of the shaft
+  };
+  // Text centred under a point of the world.
+  struct LabelItem {
+    Vec2 anchor;
+    double drop;  // px below the anchor
+    QString text;
+    QColor color;
+  };
+
+  bool has_grid = false;
+  Grid grid;
+  std::vector<BoxItem> boxes;
+  std::vector<DiscItem> discs;
+  std::vector<SegmentItem> segments;
+  std::vector<ArrowItem> arrows;
+  std::vector<LabelItem> labels;
+  double outline = 1.5;   // px, of discs and boxes
+  double text_size = 11;  // px
+
+  void clear();  // keeps the capacities
+};
+
+struct DrawingOptions {
+  bool grid = true;
+  bool velocities = true;
+  bool contacts = true;
+  bool names = true;
+  double line_scale = 1.0;  // dimensionless: 2 in projector mode
+  double text_size = 11.0;  // px
+
+  bool operator==(const DrawingOptions&) const = default;
+};
+
+// How long arrows are.
+struct ArrowScale {
+  double seconds = 0.1;             // m of arrow per m/s
+  double metres_per_impulse = 0.1;  // m of arrow per N s
+};
+
+// The largest speed and impulse that a scene has shown, which set the length of its arrows.
+struct Peaks {
+  double speed = 0.0;    // m/s
+  double impulse = 0.0;  // N s
+
+  // Takes what the frame has and, from its energy, the speed that is to be expected of it.
+  void observe(const Frame& frame);
+};
+
+// A round scale at which the peaks' arrows are readable in a view whose shorter side is `side` m.
+[[nodiscard]] ArrowScale arrow_scale(const Peaks& peaks, double side);
+
+// How long an impact is shown, in simulated seconds; it fades on the way.
+inline constexpr double kImpactShown = 0.25;
+// With more moving bodies than this, names are clutter.
+inline constexpr int kMostNames = 40;
+
+struct DrawingInput {
+  const Frame& frame;
+  std::span<const ImpactRecord> impacts;  // the recent ones
+  const Camera& camera;
+  const DrawingOptions& options;
+  const Theme& theme;
+  ArrowScale arrows;
+};
+
+// Leaves out what the camera doesn't see. The memory of `reuse` serves the new list.
+[[nodiscard]] Drawing make_drawing(const DrawingInput& input, Drawing reuse = {});
+
+// What a body covers, turned by its angle, in m: half of the upright rectangle around it.
+[[nodiscard]] Vec2 half_extent(const Shape& shape, double angle);
+// All bodies of the frame.
+[[nodiscard]] WorldRect bounds(const Frame& frame);
+
+}  // namespace carom

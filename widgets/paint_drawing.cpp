@@ -1,0 +1,186 @@
+#include "widgets/paint_drawing.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace carom {
+namespace {
+
+// Arrow heads, in widths of the shaft, and never longer than this share of the arrow.
+constexpr double kHeadLength = 5.5;
+constexpr double kHeadHalfWidth = 2.3;
+constexpr double kHeadShare = 0.7;
+
+// Where the quiet text at the edges stands, in px.
+constexpr double kEdge = 6.0;
+constexpr double kScaleBarLeft = 26.0;
+constexpr double kScaleBarBottom = 16.0;
+
+void paint_grid(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
+  const double ratio = painter.device()->devicePixelRatioF();
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  for (const Grid::Line& line : drawing.grid.lines) {
+    painter.fillRect(line_rect(line, camera, grid_line_width(drawing), ratio),
+                     line.strong ? theme.strong_grid : theme.grid);
+  }
+  painter.setRenderHint(QPainter::Antialiasing, true);
+}
+
+void paint_boxes(QPainter& painter, const Drawing& drawing, const Camera& camera) {
+  for (const Drawing::BoxItem& box : drawing.boxes) {
+    const Vec2 half = box.half * camera.scale;
+    const double corner = std::min(kCornerRadius, half.minCoeff());
+    painter.save();
+    painter.translate(camera.to_screen(box.center));
+    painter.rotate(-box.angle * 180.0 / std::numbers::pi);
+    painter.setPen(QPen(box.line, drawing.outline));
+    painter.setBrush(box.fill);
+    painter.drawRoundedRect(QRectF(-half.x(), -half.y(), 2 * half.x(), 2 * half.y()), corner, corner);
+    painter.restore();
+  }
+}
+
+void paint_discs(QPainter& painter, const Drawing& drawing, const Camera& camera) {
+  for (const Drawing::DiscItem& disc : drawing.discs) {
+    const QPointF center = camera.to_screen(disc.center);
+    const double radius = disc.radius * camera.scale;
+    painter.setPen(QPen(disc.line, drawing.outline, Qt::SolidLine, Qt::RoundCap));
+    painter.setBrush(disc.fill);
+    painter.drawEllipse(center, radius, radius);
+    if (disc.oriented) {
+      painter.drawLine(center, center + radius * QPointF(std::cos(disc.angle), -std::sin(disc.angle)));
+    }
+  }
+}
+
+void paint_segments(QPainter& painter, const Drawing& drawing, const Camera& camera) {
+  for (const Drawing::SegmentItem& segment : drawing.segments) {
+    const QPointF from = camera.to_screen(segment.from);
+    const QPointF to = camera.to_screen(segment.to);
+    if (from == to) {
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(segment.color);
+      painter.drawEllipse(from, segment.width / 2, segment.width / 2);
+    } else {
+      painter.setPen(QPen(segment.color, segment.width, Qt::SolidLine, Qt::RoundCap));
+      painter.drawLine(from, to);
+    }
+  }
+}
+
+void paint_arrows(QPainter& painter, const Drawing& drawing, const Camera& camera) {
+  for (const Drawing::ArrowItem& arrow : drawing.arrows) {
+    const ArrowOnScreen a = arrow_on_screen(arrow, camera);
+    const QLineF shaft(a.from, a.tip);
+    const QPointF along = (a.tip - a.from) / shaft.length();
+    const QPointF across(-along.y(), along.x());
+    const QPointF base = a.tip - along * a.head_length;
+    painter.setPen(QPen(arrow.color, arrow.width, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(a.from, a.shaft_end);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(arrow.color);
+    const QPointF head[] = {a.tip, base + across * a.head_half_width, base - across * a.head_half_width};
+    painter.drawConvexPolygon(head, 3);
+  }
+}
+
+void paint_scale_bar(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
+                     double* right_end) {
+  const double y = camera.viewport.height() - kScaleBarBottom;
+  const double length = drawing.grid.scale_bar * camera.scale;
+  const QString text = length_text(drawing.grid.scale_bar);
+  const QFontMetricsF metrics(painter.font());
+  *right_end = kScaleBarLeft + length + 6.0 + metrics.horizontalAdvance(text);
+  // Its own ground, so that it can be read on a wall.
+  QColor ground = theme.scene_ground;
+  ground.setAlphaF(0.85F);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(QRectF(QPointF(kScaleBarLeft - 6.0, y - metrics.height() / 2 - 1.0),
+                                 QPointF(*right_end + 6.0, y + metrics.height() / 2 + 1.0)),
+                          4.0, 4.0);
+  painter.setPen(QPen(theme.muted, drawing.outline, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(QPointF(kScaleBarLeft, y), QPointF(kScaleBarLeft + length, y));
+  painter.setPen(theme.muted);
+  painter.drawText(QPointF(kScaleBarLeft + length + 6.0, y + metrics.capHeight() / 2), text);
+}
+
+// Coordinates at the strong lines, along the lower and left edges, where the scale bar leaves room.
+void paint_numbers(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
+                   double scale_bar_end) {
+  const QFontMetricsF metrics(painter.font());
+  const double bottom = camera.viewport.height() - kEdge;
+  painter.setPen(theme.muted);
+  for (const Grid::Line& line : drawing.grid.lines) {
+    if (!line.strong) continue;
+    const QPointF at = camera.to_screen(Vec2::Constant(line.at));
+    const QString text = number_text(line.at);
+    const double width = metrics.horizontalAdvance(text);
+    if (line.vertical) {
+      const double left = at.x() - width / 2;
+      if (left < scale_bar_end + 12.0 || left + width > camera.viewport.width() - kEdge) continue;
+      painter.drawText(QPointF(left, bottom), text);
+    } else {
+      if (at.y() < 2 * metrics.height() || at.y() > bottom - 3 * metrics.height()) continue;
+      painter.drawText(QPointF(kEdge, at.y() + metrics.capHeight() / 2), text);
+    }
+  }
+}
+
+void set_text_size(QPainter& painter, double pixels, int weight) {
+  QFont font = painter.font();
+  font.setPixelSize(std::max(1, static_cast<int>(std::lround(pixels))));
+  font.setWeight(static_cast<QFont::Weight>(weight));
+  painter.setFont(font);
+}
+
+}  // namespace
+
+ArrowOnScreen arrow_on_screen(const Drawing::ArrowItem& arrow, const Camera& camera) {
+  ArrowOnScreen a;
+  a.from = camera.to_screen(arrow.from);
+  a.tip = camera.to_screen(arrow.to);
+  const double length = QLineF(a.from, a.tip).length();
+  a.head_length = std::min(kHeadLength * arrow.width, kHeadShare * length);
+  a.head_half_width = a.head_length * kHeadHalfWidth / kHeadLength;
+  a.shaft_end = a.tip - (a.tip - a.from) * (0.9 * a.head_length / length);
+  return a;
+}
+
+double grid_line_width(const Drawing& drawing) { return drawing.outline / 1.5; }
+
+void paint_drawing(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
+  painter.fillRect(QRectF(QPointF(), camera.viewport), theme.scene_ground);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (drawing.has_grid) paint_grid(painter, drawing, camera, theme);
+  paint_boxes(painter, drawing, camera);
+  paint_discs(painter, drawing, camera);
+  paint_segments(painter, drawing, camera);
+  paint_arrows(painter, drawing, camera);
+  paint_text(painter, drawing, camera, theme);
+}
+
+void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  if (drawing.has_grid) {
+    double scale_bar_end = 0.0;
+    set_text_size(painter, drawing.text_size, QFont::Normal);
+    paint_scale_bar(painter, drawing, camera, theme, &scale_bar_end);
+    set_text_size(painter, drawing.text_size - 1.0, QFont::Normal);
+    paint_numbers(painter, drawing, camera, theme, scale_bar_end);
+  }
+  set_text_size(painter, drawing.text_size, QFont::DemiBold);
+  const QFontMetricsF metrics(painter.font());
+  for (const Drawing::LabelItem& label : drawing.labels) {
+    const QPointF at = camera.to_screen(label.anchor);
+    painter.setPen(label.color);
+    painter.drawText(
+        QPointF(at.x() - metrics.horizontalAdvance(label.text) / 2, at.y() + label.drop + metrics.ascent()),
+        label.text);
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QPointF>
+
+#include "widgets/drawing.h"
+
+class QPainter;
+
+namespace carom {
+
+// Corners of boxes are rounded by this on the screen, in px; by less where the box is thinner.
+inline constexpr double kCornerRadius = 2.0;
+
+// An arrow on the screen, in px: its shaft ends inside the head, so that the tip stays sharp.
+struct ArrowOnScreen {
+  QPointF from;
+  QPointF shaft_end;
+  QPointF tip;
+  double head_length = 0.0;
+  double head_half_width = 0.0;
+};
+
+[[nodiscard]] ArrowOnScreen arrow_on_screen(const Drawing::ArrowItem& arrow, const Camera& camera);
+
+// Widths of the grid's lines, in px.
+[[nodiscard]] double grid_line_width(const Drawing& drawing);
+
+// The one QPainter routine, for the screen without OpenGL and for pictures: ground, shapes, then text.
+void paint_drawing(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme);
+
+// Its last part, which OpenGL borrows: names, the grid's numbers and the scale bar.
+void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme);
+
+}  // namespace carom
