@@ -15,6 +15,14 @@
 namespace carom {
 namespace {
 
+template <class Table>
+auto id_of(const Table& table, const std::string& name) {
+  for (const auto& choice : table) {
+    if (choice.name == name) return choice.id;
+  }
+  return table.front().id;
+}
+
 // One option for each part of a method, with the names of its table.
 class MethodArguments {
  public:
@@ -34,13 +42,6 @@ class MethodArguments {
   }
 
  private:
-  template <class Table>
-  static auto id_of(const Table& table, const std::string& name) {
-    for (const auto& choice : table) {
-      if (choice.name == name) return choice.id;
-    }
-    return table.front().id;
-  }
   template <class Table>
   static void add(CLI::App& command, const std::string& option, const Table& table, std::string& to,
                   const std::string& what) {

@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <cstdlib>
+
+#include "app/commands.h"
+#include "app/lab_window.h"
+#include "app/preset_library.h"
+#include "physics/preset/preset.h"
+#include "widgets/scene_export.h"
+#include "widgets/scene_view.h"
+
+namespace carom {
+namespace {
+
+constexpr int kWidth = 1280;  // px
+constexpr int kHeight = 800;
+
+bool has_display() {
+  const auto set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr && *value != '\0';
+  };
+  return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
+}
+
+QSize size_of(const PictureOptions& options) {
+  return {options.width > 0 ? options.width : kWidth, options.height > 0 ? options.height : kHeight};
+}
+
+// The whole window at one moment of a run. Throws SceneError if the file cannot be written.
+void save_window_picture(const Scene& scene, const QString& name, double time, const PictureOptions& options,
+                         const Theme& theme) {
+  LabWindow window(theme);
+  window.resize(size_of(options));
+  window.show_scene(scene, name, {});
+  window.show();
+  window.run_until(time);
+  for (int i = 0; i < 5; ++i) QApplication::processEvents();
+  if (!window.grab().save(QString::fromStdString(options.output), "PNG")) {
+    throw SceneError(fmt::format("{}: the picture cannot be written; allowed: a place with the right to write", options.output));
+  }
+}
+
+Frame frame_at(const Scene& scene, double time) {
+  Simulation simulation(scene);
+  Frame frame;
+  simulation.advance_to(time, [&] {
+    std::erase_if(frame.impacts, [&](const ImpactRecord& i) { return i.time < simulation.time() - kImpactShown; });
+    frame.impacts.insert(frame.impacts.end(), simulation.last_impacts().begin(), simulation.last_impacts().end());
+  });
+  frame.time = simulation.time();
+  frame.state = simulation.state();
+  frame.bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
+  frame.totals = simulation.totals();
+  return frame;
+}
+
+}  // namespace
+
+int picture_command(int& argc, char** argv, const PictureOptions& options) {
+  const Scene scene = scene_with_method(options.preset, options.method);
+  const QString output = QString::fromStdString(options.output);
+  const QString suffix = QFileInfo(output).suffix().toLower();
+  if (options.window && suffix != "png") {
+    throw SceneError(fmt::format("{}: a picture of the window is not of this kind; allowed: .png", options.output));
+  }
+  if (suffix != "png" && suffix != "svg" && suffix != "pdf") {
+    throw SceneError(fmt::format("{}: not a kind of picture; allowed: .png, .svg, .pdf", options.output));
+  }
+  const double time = options.at.value_or(scene.duration);
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  QApplication application(argc, argv);
+  const Theme& theme = options.dark ? dark_theme() : light_theme();
+  apply_theme(application, theme);
+  if (options.window) {
+    save_window_picture(scene, QString::fromStdString(find_preset(options.preset).stem().string()), time, options, theme);
+    return kGood;
+  }
+  QString error;
+  if (!save_scene_picture(frame_at(scene, time), scene.view, {}, theme, size_of(options), output, &error)) {
+    throw SceneError(error.toStdString());
+  }
+  return kGood;
+}
+
+int lab_command(int& argc, char** argv, const std::string& preset) {
+  const std::string wanted = preset.empty() ? kDefaultExperiment : preset;
+  if (!has_display()) {
+    fmt::print("There is no display: the experiment is run instead of the lab.\n\n");
+    RunOptions run;
+    run.preset = wanted;
+    run_command(run);
+    PictureOptions picture;
+    picture.preset = wanted;
+    picture.window = true;
+    picture.output = QDir::current().filePath("carom-lab.png").toStdString();
+    picture_command(argc, argv, picture);
+    fmt::print("\npicture of the lab: {}\n", picture.output);
+    return kGood;
+  }
+  (void)read_preset(find_preset(wanted));  // a bad file is told on the terminal, before there is a window
+  QApplication application(argc, argv);
+  QApplication::setApplicationName("Carom");
+  const bool dark = QApplication::palette().color(QPalette::Window).lightnessF() < 0.5F;
+  const Theme& theme = dark ? dark_theme() : light_theme();
+  apply_theme(application, theme);
+  LabWindow window(theme);
+  window.open(wanted);
+  window.show();
+  return QApplication::exec();
+}
+
+}  // namespace carom

@@ -1,0 +1,26 @@
+#include "app/help_dialog.h"
+
+#include <QDialog>
+#include <QFile>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace carom {
+
+void show_help(QWidget* parent) {
+  auto* dialog = new QDialog(parent);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(QObject::tr("The model – Carom"));
+  dialog->resize(760, 640);
+  auto* text = new QTextBrowser(dialog);
+  text->setOpenExternalLinks(true);
+  text->document()->setDocumentMargin(18);
+  QFile page(":/help/model.md");
+  if (page.open(QIODevice::ReadOnly)) text->setMarkdown(QString::fromUtf8(page.readAll()));
+  auto* column = new QVBoxLayout(dialog);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(text);
+  dialog->show();
+}
+
+}  // namespace carom

@@ -1,0 +1,233 @@
+#include "app/lab_window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QRandomGenerator>
+#include <QTabWidget>
+#include <QThread>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+#include "app/preset_library.h"
+#include "physics/motion/integrators.h"
+#include "physics/preset/preset.h"
+#include "widgets/experiment_list.h"
+#include "widgets/plot_panel.h"
+#include "widgets/run_tables.h"
+#include "widgets/scene_view.h"
+#include "widgets/transport_bar.h"
+
+// The layout of the window is in lab_layout.cpp; here is what it does.
+namespace carom {
+
+LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
+  Scene empty;
+  empty.title = "Empty scene";
+  worker_ = std::make_unique<Worker>(empty);
+  make_actions();
+  make_body();
+  make_menus();
+  make_tool_bar();
+  fill_library();
+  resize(1280, 800);
+  connect(&timer_, &QTimer::timeout, this, &LabWindow::poll);
+  timer_.start(16);
+}
+
+LabWindow::~LabWindow() = default;
+
+// --- scenes -----------------------------------------------------------------------------------------------------------
+
+bool LabWindow::open(const std::string& file_or_name) {
+  try {
+    const std::filesystem::path file = find_preset(file_or_name);
+    const Scene scene = read_preset(file);
+    if (!may_discard()) return false;
+    const std::vector<LibraryEntry> library = preset_library();
+    const bool built_in = std::any_of(library.begin(), library.end(), [&](const auto& e) { return e.file == file; });
+    show_scene(scene, QString::fromStdString(built_in ? file.stem().string() : ""),
+               built_in ? QString() : QString::fromStdString(file.string()));
+    return true;
+  } catch (const SceneError& error) {
+    QMessageBox box(QMessageBox::Warning, tr("This preset cannot be opened"), tr("This preset cannot be opened."),
+                    QMessageBox::Ok, this);
+    box.setInformativeText(QString::fromStdString(error.what()).toHtmlEscaped());
+    box.exec();
+    return false;
+  }
+}
+
+void LabWindow::show_scene(const Scene& scene, const QString& name, const QString& file) {
+  file_ = file;
+  before_ = all_bodies(scene);
+  duration_ = scene.duration;
+  recorder_.clear();
+  worker_->load(scene);
+  view_->set_view(scene.view);
+  plots_->set_plots(scene.plots);
+  transport_->set_duration(duration_);
+  list_->set_current(name);
+  setWindowTitle(QString("%1[*] – Carom").arg(QString::fromStdString(scene.title)));
+  about_->setText(QString("<p><b>%1</b></p><p>%2</p><p>%3</p>")
+                      .arg(QString::fromStdString(scene.title).toHtmlEscaped(),
+                           QString::fromStdString(scene.observe).toHtmlEscaped(),
+                           QString::fromStdString(scene.about).toHtmlEscaped().replace("\n", "<br>")));
+  mark_changed(false);
+  show_method();
+}
+
+void LabWindow::choose_file() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a preset"), QFileInfo(file_).path(),
+                                                    tr("Carom presets (*.json);;All files (*)"));
+  if (!file.isEmpty()) open(QFileInfo(file).absoluteFilePath().toStdString());
+}
+
+bool LabWindow::write(const QString& file) {
+  try {
+    save_preset(worker_->scene(), file.toStdString());
+  } catch (const SceneError& error) {
+    QMessageBox::warning(this, tr("This preset cannot be saved"), QString::fromStdString(error.what()));
+    return false;
+  }
+  file_ = file;
+  mark_changed(false);
+  return true;
+}
+
+bool LabWindow::save() { return file_.isEmpty() ? saveAs() : write(file_); }
+
+bool LabWindow::saveAs() {
+  QString file = QFileDialog::getSaveFileName(this, tr("Save the preset"), file_.isEmpty() ? "experiment.json" : file_,
+                                              tr("Carom presets (*.json)"));
+  if (file.isEmpty()) return false;
+  if (!file.endsWith(".json")) file += ".json";
+  return write(file);
+}
+
+void LabWindow::mark_changed(bool changed) { setWindowModified(changed); }
+
+bool LabWindow::may_discard() {
+  if (!isWindowModified()) return true;
+  const auto answer = QMessageBox::question(
+      this, tr("Save the changes?"), tr("This experiment was changed. Save it before it is closed?"),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save) return save();
+  return answer == QMessageBox::Discard;
+}
+
+void LabWindow::closeEvent(QCloseEvent* event) {
+  if (may_discard()) {
+    event->accept();
+  } else {
+    event->ignore();
+  }
+}
+
+// --- running ----------------------------------------------------------------------------------------------------------
+
+void LabWindow::set_playing(bool playing) {
+  // Play stops at the experiment's end; pressed again there, it goes on.
+  worker_->set_playing(playing, duration_);
+}
+
+void LabWindow::change_method(const Method& method) {
+  worker_->set_method(method);
+  mark_changed(true);
+  show_method();
+}
+
+void LabWindow::choose_step() {
+  Method method = worker_->scene().method;
+  bool chosen = false;
+  const double ms = QInputDialog::getDouble(this, tr("Length of a step"), tr("h in ms, from 0.000001 to 1000:"),
+                                            1e3 * method.step, 1e3 * kLeastStep, 1e3 * kLargestStep, 6, &chosen);
+  if (!chosen) return;
+  method.step = 1e-3 * ms;
+  change_method(method);
+}
+
+void LabWindow::spawn(double x, double y) {
+  const Scene scene = worker_->scene();
+  // A disc like those that are there, between half and one and a half times their radius; in a scene without any, a
+  // twentieth of the view.
+  Body body;
+  double radius = scene.view ? scene.view->width / 20.0 : 0.1;
+  body.density = 1.0;
+  for (const Body& b : before_) {
+    const auto* disc = std::get_if<Disc>(&b.shape);
+    if (b.fixed || disc == nullptr) continue;
+    radius = disc->radius;
+    body.density = mass_of(b) / area(b.shape);
+    body.material = b.material;
+    break;
+  }
+  body.name = free_body_name(scene, "new");
+  body.shape = Disc{radius * (0.5 + QRandomGenerator::global()->generateDouble())};
+  body.position = {x, y};
+  worker_->add_body(body);
+  before_.push_back(body);
+  mark_changed(true);
+}
+
+void LabWindow::run_until(double time) {
+  worker_->run_until(time);
+  const double step = worker_->scene().method.step;
+  QElapsedTimer shown;
+  shown.start();
+  // Until the worker has stopped at the time; the first frames may still be of the moment before.
+  while (frame_ == nullptr || frame_->playing || frame_->time < time - (1.0 + 1e-9) * step) {
+    QThread::msleep(2);
+    poll();
+    QApplication::processEvents();
+  }
+}
+
+void LabWindow::poll() {
+  if (const std::shared_ptr<const Frame> frame = worker_->take_frame()) {
+    frame_ = frame;
+    recorder_.add(*frame);
+    show_frame();
+  }
+}
+
+void LabWindow::show_frame() {
+  view_->set_frame(frame_);
+  transport_->update_from(*frame_, recorder_);
+  plots_->update_from(recorder_);
+  QWidget* tab = tabs_->currentWidget();
+  if (tab == bodies_) bodies_->update_from(*frame_, before_);
+  if (tab == impacts_) impacts_->update_from(*frame_, recorder_);
+  if (tab == ledger_) ledger_->update_from(*frame_);
+  tabs_->setTabText(1, tr("Impacts (%1)").arg(frame_->impact_count));
+
+  time_chip_->setText(QString("t = %1 s").arg(frame_->time, 0, 'f', 3));
+  // What was asked for, or what this machine can give if that is clearly less.
+  QString speed = TransportBar::speed_text(speed_);
+  const bool slow = frame_->playing && frame_->realised_speed > 0.0 && frame_->realised_speed < 0.85 * speed_;
+  if (slow) speed += tr(", runs at ×%1").arg(frame_->realised_speed, 0, 'g', 2);
+  speed_chip_->setText(speed);
+  const QString status = QString::fromStdString(frame_->status);
+  status_chip_->setVisible(status != "ok");
+  status_chip_->setToolTip(status);
+  const int room = std::max(120, view_->width() - 260);
+  status_chip_->setText(status_chip_->fontMetrics().elidedText(status, Qt::ElideRight, room));
+  place_chips();
+}
+
+void LabWindow::show_method() {
+  const Method m = worker_->scene().method;
+  const auto text = [](std::string_view s) { return QString::fromUtf8(s.data(), static_cast<int>(s.size())); };
+  integrator_button_->setText(text(choice_of(kIntegrators, m.integrator).label) + QStringLiteral(" ▾"));
+  impacts_button_->setText(text(choice_of(kImpacts, m.impacts).label) + QStringLiteral(" ▾"));
+  step_button_->setText(QString("h = %1 ms ▾").arg(1e3 * m.step, 0, 'g', 4));
+}
+
+}  // namespace carom

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <QMainWindow>
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "physics/measure/recorder.h"
+#include "physics/scene/scene.h"
+#include "physics/world/worker.h"
+#include "widgets/theme.h"
+
+class QAction;
+class QLabel;
+class QTabWidget;
+class QToolButton;
+
+namespace carom {
+
+class BodiesTable;
+class ExperimentList;
+class ImpactsTable;
+class LedgerTable;
+class PlotPanel;
+class SceneView;
+class TransportBar;
+
+// The lab: experiments, scene over transport over tables, plots. It forwards what the user does to the worker and shows
+// the frames that come back; one timer polls for them.
+class LabWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit LabWindow(const Theme& theme);
+  ~LabWindow() override;
+
+  // Opens a built-in experiment or a file, or says in a message why not and keeps the scene that is there.
+  bool open(const std::string& file_or_name);
+  // Shows a scene whose source is known; `name` marks it in the list.
+  void show_scene(const Scene& scene, const QString& name, const QString& file);
+  // Runs on to `time` as fast as it goes and returns when it is shown.
+  void run_until(double time);
+
+  void set_theme(const Theme& theme);
+  [[nodiscard]] SceneView& scene_view() { return *view_; }
+  [[nodiscard]] const std::shared_ptr<const Frame>& frame() const { return frame_; }
+  [[nodiscard]] Scene scene() const { return worker_->scene(); }
+
+ public slots:
+  bool save();
+  bool saveAs();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void make_actions();
+  void make_menus();
+  void make_tool_bar();
+  void make_body();
+  void fill_library();
+  void draw_thumbnails();
+
+  void poll();
+  void show_frame();
+  void show_method();
+  void place_chips();
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+  void choose_file();
+  bool may_discard();  // asks to save what the user changed; false: stay
+  bool write(const QString& file);
+  void change_method(const Method& method);
+  void choose_step();
+  void set_playing(bool playing);
+  void spawn(double x, double y);
+  void mark_changed(bool changed);
+
+  Theme theme_;
+  std::unique_ptr<Worker> worker_;
+  std::shared_ptr<const Frame> frame_;
+  Recorder recorder_;
+  std::vector<Body> before_;  // the bodies at t = 0
+  double duration_ = 1.0;
+  double speed_ = 1.0;
+  QString file_;  // where save() writes; empty for a built-in experiment
+  QTimer timer_;
+
+  ExperimentList* list_ = nullptr;
+  SceneView* view_ = nullptr;
+  TransportBar* transport_ = nullptr;
+  PlotPanel* plots_ = nullptr;
+  QTabWidget* tabs_ = nullptr;
+  BodiesTable* bodies_ = nullptr;
+  ImpactsTable* impacts_ = nullptr;
+  LedgerTable* ledger_ = nullptr;
+  QLabel* about_ = nullptr;
+  QWidget* chips_ = nullptr;
+  QLabel* time_chip_ = nullptr;
+  QLabel* speed_chip_ = nullptr;
+  QLabel* status_chip_ = nullptr;
+  QLabel* position_ = nullptr;
+  QToolButton* integrator_button_ = nullptr;
+  QToolButton* impacts_button_ = nullptr;
+  QToolButton* step_button_ = nullptr;
+  QAction* theme_action_ = nullptr;
+  std::vector<std::pair<QAction*, QString>> icon_actions_;  // with the icon's name, drawn anew with the theme
+};
+
+}  // namespace carom
