@@ -99,6 +99,13 @@ ImpactSide Simulation::side(int body, const Contact& contact, double towards) co
 }
 
 void Simulation::step(double h) {
+  if (h != origin_step_) {
+    origin_ = time_;
+    origin_step_ = h;
+    steps_since_origin_ = 0;
+  }
+  ++steps_since_origin_;
+  step_end_ = origin_ + static_cast<double>(steps_since_origin_) * h;
   impacts_.clear();
   deferred_.clear();
   if (method_.impacts == ImpactsId::kLocated) {
@@ -114,14 +121,8 @@ void Simulation::step(double h) {
     resolve_at_end(deferred_, h);
   }
 
-  if (h != origin_step_) {
-    origin_ = time_;
-    origin_step_ = h;
-    steps_since_origin_ = 0;
-  }
-  ++steps_since_origin_;
+  time_ = step_end_;
   ++steps_;
-  time_ = origin_ + static_cast<double>(steps_since_origin_) * h;
 }
 
 void Simulation::fly(double h) {
@@ -163,7 +164,7 @@ void Simulation::collide(int a, int b, const Contact& contact, const Material& m
   ImpactSide side_a = side(a, contact, 1.0);
   ImpactSide side_b = side(b, contact, -1.0);
   ImpactRecord record;
-  record.time = time_ + within;
+  record.time = std::min(time_ + within, step_end_);  // the sum may round beyond the end
   record.a = a;
   record.b = b;
   record.point = contact.point;

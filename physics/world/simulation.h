@@ -157,7 +157,8 @@ class Simulation {
 
   State state_;
   double time_ = 0.0;
-  double origin_ = 0.0;  // time_ = origin_ + steps_since_origin_ * h
+  double step_end_ = 0.0;  // of the step under way
+  double origin_ = 0.0;    // time_ = origin_ + steps_since_origin_ * h
   double origin_step_ = 0.0;
   std::int64_t steps_since_origin_ = 0;
   std::int64_t steps_ = 0;
