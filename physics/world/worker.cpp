@@ -64,7 +64,7 @@ struct Worker::Lab {
 };
 
 Worker::Worker(const Scene& scene)
-    : scene_(scene), thread_([this](const std::stop_token& stop) { work(stop); }) {}
+    : scene_(scene), thread_([this, scene](const std::stop_token& stop) { work(stop, scene); }) {}
 
 Worker::~Worker() {
   thread_.request_stop();
@@ -189,8 +189,8 @@ void Worker::publish(Lab& lab) {
   newest_ = std::move(frame);
 }
 
-void Worker::work(const std::stop_token& stop) {
-  Lab lab(scene());
+void Worker::work(const std::stop_token& stop, const Scene& first) {
+  Lab lab(first);  // not scene_, which calls may have changed already
   std::vector<std::function<void(Lab&)>> commands;
   while (!stop.stop_requested()) {
     if (lab.changed) publish(lab);

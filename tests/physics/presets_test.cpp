@@ -1,5 +1,3 @@
-#include "physics/preset/preset.h"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -8,6 +6,7 @@
 #include <sstream>
 
 #include "physics/measure/expectation.h"
+#include "physics/preset/preset.h"
 #include "tests/physics/scenes.h"
 
 namespace carom {
@@ -58,7 +57,8 @@ TEST(Presets, MeetTheirExpectations) {
     ASSERT_EQ(outcomes.size(), s.expect.size());
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       EXPECT_TRUE(outcomes[i].good) << file << " /expect/" << i << " " << s.expect[i].observable
-                                    << ": measured " << outcomes[i].measured << ", expected " << s.expect[i].value;
+                                    << ": measured " << outcomes[i].measured << ", expected "
+                                    << s.expect[i].value;
       EXPECT_FALSE(s.expect[i].source.empty()) << file;
     }
   }
@@ -142,7 +142,8 @@ std::vector<Bad> bad_presets() {
   const std::string head = R"({"format": "carom-preset", "version": 1, "title": "t")";
   const auto with = [&](const std::string& more) { return head + ", " + more + "}"; };
   const auto body = [&](const std::string& more) {
-    return with(R"("bodies": [{"name": "a", "shape": {"type": "disc", "radius": 0.1}, "position": [0, 0])" + more + "}]");
+    return with(R"("bodies": [{"name": "a", "shape": {"type": "disc", "radius": 0.1}, "position": [0, 0])" +
+                more + "}]");
   };
   return {
       {"empty", "", "line 1"},
@@ -176,11 +177,12 @@ std::vector<Bad> bad_presets() {
             {"name": "a", "shape": {"type": "disc", "radius": 1}, "position": [9, 0]}])"),
        "/bodies/1/name"},
       {"a moving box",
-       with(R"("bodies": [{"name": "a", "shape": {"type": "box", "width": 1, "height": 1}, "position": [0, 0]}])"),
+       with(
+           R"("bodies": [{"name": "a", "shape": {"type": "box", "width": 1, "height": 1}, "position": [0, 0]}])"),
        "/bodies/0/fixed"},
       {"a moving fixed body", body(R"(, "fixed": true, "velocity": [1, 0])"), "/bodies/0/velocity"},
-      {"no radius",
-       with(R"("bodies": [{"name": "a", "shape": {"type": "disc"}, "position": [0, 0]}])"), "/bodies/0/shape"},
+      {"no radius", with(R"("bodies": [{"name": "a", "shape": {"type": "disc"}, "position": [0, 0]}])"),
+       "/bodies/0/shape"},
       {"unknown shape", with(R"("bodies": [{"name": "a", "shape": {"type": "star"}, "position": [0, 0]}])"),
        "/bodies/0/shape/type"},
       {"spring of nobody",
@@ -198,15 +200,20 @@ std::vector<Bad> bad_presets() {
        with(R"("expect": [{"observable": "luck", "reduction": "final", "value": 1, "tolerance": 0}])"),
        "/expect/0/observable"},
       {"too few bodies",
-       with(R"("expect": [{"observable": "x", "reduction": "final", "value": 1, "tolerance": 0}])"), "/expect/0/bodies"},
+       with(R"("expect": [{"observable": "x", "reduction": "final", "value": 1, "tolerance": 0}])"),
+       "/expect/0/bodies"},
       {"unknown body",
-       with(R"("expect": [{"observable": "x", "bodies": ["z"], "reduction": "final", "value": 1, "tolerance": 0}])"),
+       with(
+           R"("expect": [{"observable": "x", "bodies": ["z"], "reduction": "final", "value": 1, "tolerance": 0}])"),
        "/expect/0/bodies/0"},
       {"a billion bodies", with(R"("generators": [{"type": "grid", "columns": 100000, "rows": 10000}])"),
        "/generators/0"},
       {"generator repeats a name",
        with(R"("generators": [{"type": "grid", "name": "g"}, {"type": "grid", "name": "g"}])"), "/generators"},
-      {"seed -1", with(R"("generators": [{"type": "grid", "seed": -1}])"), "/generators/0/seed"},
+      {"seed -1",
+       with(
+           R"("generators": [{"type": "grid", "name": "g", "origin": [0, 0], "spacing": [1, 1], "radius": [0.1, 0.1], "seed": -1}])"),
+       "/generators/0/seed"},
       {"extra is a number", with(R"("extra": 1)"), "/extra"},
       {"not UTF-8", head + ", \"about\": \"\xff\xfe\"}", "line 1"},
       {"50 MB of brackets", repeated("[", 50'000'000), "nested deeper"},
@@ -218,7 +225,8 @@ void expect_clear(const std::string& what, const std::string& message, const std
   EXPECT_EQ(message.find('\n'), std::string::npos) << what << ": " << message;
   EXPECT_LT(message.size(), 400U) << what << ": " << message;
   EXPECT_NE(message.find(place), std::string::npos) << what << ": " << message;
-  EXPECT_TRUE(message.find("allowed") != std::string::npos || message.find("reads up to") != std::string::npos ||
+  EXPECT_TRUE(message.find("allowed") != std::string::npos ||
+              message.find("reads up to") != std::string::npos ||
               message.find("needs five") != std::string::npos)
       << what << ": " << message;
 }
