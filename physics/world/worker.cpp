@@ -31,6 +31,7 @@ struct Worker::Lab {
     end = std::numeric_limits<double>::infinity();
     samples = {{0.0, simulation.totals()}};
     impacts.clear();
+    set_rate();
     changed = true;
   }
   void step() {
@@ -43,6 +44,13 @@ struct Worker::Lab {
   void set_pace() {
     pace_wall = Clock::now();
     pace_time = simulation.time();
+  }
+
+  // The realised speed is measured anew from here.
+  void set_rate() {
+    realised_speed = 0.0;
+    rate_wall = Clock::now();
+    rate_time = simulation.time();
   }
 
   Scene scene;
@@ -100,6 +108,7 @@ void Worker::set_playing(bool playing) {
     lab.full_speed = false;
     lab.end = std::numeric_limits<double>::infinity();
     lab.set_pace();
+    lab.set_rate();
     lab.changed = true;
   });
 }
@@ -115,6 +124,7 @@ void Worker::set_speed(double speed) {
   post([speed](Lab& lab) {
     lab.speed = speed;
     lab.set_pace();
+    lab.set_rate();
   });
 }
 
@@ -148,6 +158,7 @@ void Worker::run_until(double time) {
     lab.playing = true;
     lab.full_speed = true;
     lab.end = time;
+    lab.set_rate();
   });
 }
 
