@@ -294,9 +294,12 @@ void Simulation::search(int a, int b, double h) {
       return;
     }
   }
-  if (resting) return;
   const GapSample last = sample_of(end_.q.col(a), end_.q.col(b));
   if (const auto time = first_contact(sample, start, first, h, last, curvature, tolerance)) {
+    if (resting) {
+      const Vec2 u = (motion_at(b, *time).v - motion_at(a, *time).v).head<2>();
+      if (-sample(*time).normal.dot(u) <= pressed_in(a, b, h)) return;
+    }
     events_.push_back({*time, a, b});
   }
 }
@@ -308,6 +311,7 @@ void Simulation::step_with_located_impacts(double h) {
   events_.clear();
   for (const auto& [a, b] : broad_phase_.pairs(bounds_, shapes_.fixed)) search(a, b, h);
 
+  const int crowd = kCrowdedImpacts + kCrowdedImpactsPerBody * n;
   for (int count = 0; !events_.empty(); ++count) {
     if (count == kMostImpactsPerStep) {
       if (notices_.impacts_capped_since < 0.0) notices_.impacts_capped_since = time_ + events_.front().time;
@@ -330,9 +334,10 @@ void Simulation::step_with_located_impacts(double h) {
 
     const double rebound =
         relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
-    if (material.restitution < 1.0 && rebound < kRestSpeed && pressed_together(a, b, contact.normal)) {
-      defer(a, b, true, time);
-    }
+    // Zeno's bounces under a force, or, in a crowd, an inelastic collapse.
+    const bool collapse = count >= crowd && rebound < pressed_in(a, b, h);
+    const bool zeno = rebound < kRestSpeed && pressed_together(a, b, contact.normal);
+    if (material.restitution < 1.0 && (zeno || collapse)) defer(a, b, true, time);
 
     std::erase_if(events_, [&](const Event& e) { return touched(e.a) || touched(e.b); });
     for (const int i : {a, b}) {

@@ -229,6 +229,21 @@ TEST(Pile, NoDiscGoesThroughAWall) {
   }
 }
 
+// A settling pile collapses inelastically over and over; located impacts must not drown in it.
+TEST(Pile, LocatedImpactsGetThrough) {
+  Scene s = preset("piles/pile.json");
+  s.method.impacts = ImpactsId::kLocated;
+  s.method.integrator = IntegratorId::kRk4;
+  s.generators[0].columns = 10;
+  s.generators[0].rows = 5;
+  Simulation run(s);
+  run.advance_to(3.0);
+  EXPECT_LT(run.impact_count(), 500'000);
+  EXPECT_NE(run.notices().text().find("Zeno"), std::string::npos);
+  EXPECT_LT(-observed(run, "lowest_y"), 0.06);
+  EXPECT_LT(observed(run, "rightmost_x"), 3.06);
+}
+
 TEST(Simulation, RemaindersKeepTheGridOfTime) {
   Simulation run(scene({disc("d", {0, 0}, {1, 0})}));
   run.advance_to(1.0);
