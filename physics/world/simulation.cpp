@@ -99,6 +99,13 @@ ImpactSide Simulation::side(int body, const Contact& contact, double towards) co
 }
 
 void Simulation::step(double h) {
+  if (h != origin_step_) {
+    origin_ = time_;
+    origin_step_ = h;
+    steps_since_origin_ = 0;
+  }
+  ++steps_since_origin_;
+  step_end_ = origin_ + static_cast<double>(steps_since_origin_) * h;
   impacts_.clear();
   deferred_.clear();
   if (method_.impacts == ImpactsId::kLocated) {
@@ -114,14 +121,8 @@ void Simulation::step(double h) {
     resolve_at_end(deferred_, h);
   }
 
-  if (h != origin_step_) {
-    origin_ = time_;
-    origin_step_ = h;
-    steps_since_origin_ = 0;
-  }
-  ++steps_since_origin_;
+  time_ = step_end_;
   ++steps_;
-  time_ = origin_ + static_cast<double>(steps_since_origin_) * h;
 }
 
 void Simulation::fly(double h) {
@@ -163,7 +164,7 @@ void Simulation::collide(int a, int b, const Contact& contact, const Material& m
   ImpactSide side_a = side(a, contact, 1.0);
   ImpactSide side_b = side(b, contact, -1.0);
   ImpactRecord record;
-  record.time = time_ + within;
+  record.time = std::min(time_ + within, step_end_);  // the sum may round beyond the end
   record.a = a;
   record.b = b;
   record.point = contact.point;
@@ -293,9 +294,12 @@ void Simulation::search(int a, int b, double h) {
       return;
     }
   }
-  if (resting) return;
   const GapSample last = sample_of(end_.q.col(a), end_.q.col(b));
   if (const auto time = first_contact(sample, start, first, h, last, curvature, tolerance)) {
+    if (resting) {
+      const Vec2 u = (motion_at(b, *time).v - motion_at(a, *time).v).head<2>();
+      if (-sample(*time).normal.dot(u) <= pressed_in(a, b, h)) return;
+    }
     events_.push_back({*time, a, b});
   }
 }
@@ -307,6 +311,7 @@ void Simulation::step_with_located_impacts(double h) {
   events_.clear();
   for (const auto& [a, b] : broad_phase_.pairs(bounds_, shapes_.fixed)) search(a, b, h);
 
+  const int crowd = kCrowdedImpacts + kCrowdedImpactsPerBody * n;
   for (int count = 0; !events_.empty(); ++count) {
     if (count == kMostImpactsPerStep) {
       if (notices_.impacts_capped_since < 0.0) notices_.impacts_capped_since = time_ + events_.front().time;
@@ -329,9 +334,10 @@ void Simulation::step_with_located_impacts(double h) {
 
     const double rebound =
         relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
-    if (material.restitution < 1.0 && rebound < kRestSpeed && pressed_together(a, b, contact.normal)) {
-      defer(a, b, true, time);
-    }
+    // Zeno's bounces under a force, or, in a crowd, an inelastic collapse.
+    const bool collapse = count >= crowd && rebound < pressed_in(a, b, h);
+    const bool zeno = rebound < kRestSpeed && pressed_together(a, b, contact.normal);
+    if (material.restitution < 1.0 && (zeno || collapse)) defer(a, b, true, time);
 
     std::erase_if(events_, [&](const Event& e) { return touched(e.a) || touched(e.b); });
     for (const int i : {a, b}) {

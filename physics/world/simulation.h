@@ -67,6 +67,11 @@ class Simulation {
   static constexpr double kOverlapFraction = 0.2;
   // m/s; a pressed contact that rebounds slower than this is at rest: it would hop by v²/2g = 5e-14 m.
   static constexpr double kRestSpeed = 1e-6;
+  // After more than kCrowdedImpacts + kCrowdedImpactsPerBody * N located impacts in one step, the guard against
+  // inelastic collapse acts: a pair with e < 1 that rebounds slower than its forces can press it together in a
+  // step rests until the step's end. A settling pile would otherwise need millions of impacts a step.
+  static constexpr int kCrowdedImpacts = 100;
+  static constexpr int kCrowdedImpactsPerBody = 4;
   // Located impacts in one step before the rest of it is resolved at its end. A million takes about a second.
   static constexpr int kMostImpactsPerStep = 1'000'000;
 
@@ -157,7 +162,8 @@ class Simulation {
 
   State state_;
   double time_ = 0.0;
-  double origin_ = 0.0;  // time_ = origin_ + steps_since_origin_ * h
+  double step_end_ = 0.0;  // of the step under way
+  double origin_ = 0.0;    // time_ = origin_ + steps_since_origin_ * h
   double origin_step_ = 0.0;
   std::int64_t steps_since_origin_ = 0;
   std::int64_t steps_ = 0;

@@ -31,6 +31,7 @@ struct Worker::Lab {
     end = std::numeric_limits<double>::infinity();
     samples = {{0.0, simulation.totals()}};
     impacts.clear();
+    set_rate();
     changed = true;
   }
   void step() {
@@ -43,6 +44,13 @@ struct Worker::Lab {
   void set_pace() {
     pace_wall = Clock::now();
     pace_time = simulation.time();
+  }
+
+  // The realised speed is measured anew from here.
+  void set_rate() {
+    realised_speed = 0.0;
+    rate_wall = Clock::now();
+    rate_time = simulation.time();
   }
 
   Scene scene;
@@ -64,7 +72,7 @@ struct Worker::Lab {
 };
 
 Worker::Worker(const Scene& scene)
-    : scene_(scene), thread_([this](const std::stop_token& stop) { work(stop); }) {}
+    : scene_(scene), thread_([this, scene](const std::stop_token& stop) { work(stop, scene); }) {}
 
 Worker::~Worker() {
   thread_.request_stop();
@@ -101,6 +109,7 @@ void Worker::set_playing(bool playing, double until) {
     const double next = lab.simulation.time() + lab.simulation.method().step;
     lab.end = until >= next ? until : std::numeric_limits<double>::infinity();
     lab.set_pace();
+    lab.set_rate();
     lab.changed = true;
   });
 }
@@ -116,6 +125,7 @@ void Worker::set_speed(double speed) {
   post([speed](Lab& lab) {
     lab.speed = speed;
     lab.set_pace();
+    lab.set_rate();
   });
 }
 
@@ -149,6 +159,7 @@ void Worker::run_until(double time) {
     lab.playing = true;
     lab.full_speed = true;
     lab.end = time;
+    lab.set_rate();
   });
 }
 
@@ -190,8 +201,8 @@ void Worker::publish(Lab& lab) {
   newest_ = std::move(frame);
 }
 
-void Worker::work(const std::stop_token& stop) {
-  Lab lab(scene());
+void Worker::work(const std::stop_token& stop, const Scene& first) {
+  Lab lab(first);  // not scene_, which calls may have changed already
   std::vector<std::function<void(Lab&)>> commands;
   while (!stop.stop_requested()) {
     if (lab.changed) publish(lab);

@@ -42,7 +42,7 @@ class Worker {
  private:
   struct Lab;  // what belongs to the thread
   void post(std::function<void(Lab&)> command);
-  void work(const std::stop_token& stop);
+  void work(const std::stop_token& stop, const Scene& first);
   void publish(Lab& lab);
 
   mutable std::mutex mutex_;

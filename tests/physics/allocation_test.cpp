@@ -1,0 +1,61 @@
+#include <atomic>
+#include <cstddef>
+#include <gtest/gtest.h>
+
+#include "physics/motion/integrators.h"
+#include "tests/physics/scenes.h"
+
+// Every allocation of this program is counted: operator new and Eigen both end in malloc. The sanitizers bring
+// a malloc of their own; the test skips there.
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define CAROM_COUNTS_ALLOCATIONS
+#endif
+
+namespace {
+std::atomic<long> allocations{0};
+}  // namespace
+
+#ifdef CAROM_COUNTS_ALLOCATIONS
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+}
+#endif
+
+namespace carom {
+namespace {
+
+TEST(Allocation, NoneInAWarmStep) {
+#ifndef CAROM_COUNTS_ALLOCATIONS
+  GTEST_SKIP() << "needs glibc's malloc, without sanitizers";
+#endif
+  const long at_first = allocations;
+  { const Eigen::VectorXd one = Eigen::VectorXd::Zero(100); }
+  ASSERT_GT(allocations, at_first);
+  for (const IntegratorChoice& integrator : kIntegrators) {
+    for (const auto& impacts : kImpacts) {
+      std::vector<Body> bodies = test::room(1.0, 0.5);
+      for (int i = 0; i < 16; ++i) {
+        std::string name(1, static_cast<char>('a' + i));
+        bodies.push_back(test::disc(name, {-0.75 + 0.5 * (i % 4), -0.75 + 0.5 * (i / 4)},
+                                    {1.0 - 0.1 * i, 0.1 * i * i - 8.0}));
+      }
+      Scene s = test::scene(std::move(bodies), 1.0, 0.1);
+      s.forces.quadratic_drag = 1e-6;
+      s.method = {integrator.id, impacts.id, ContactsId::kImpulse, 0.01};
+      Simulation run(s);
+      for (int i = 0; i < 5000; ++i) run.step();
+      const long before = allocations;
+      const std::int64_t impacts_before = run.impact_count();
+      for (int i = 0; i < 1000; ++i) run.step();
+      EXPECT_EQ(allocations - before, 0) << integrator.name << ", " << impacts.name;
+      EXPECT_GT(run.impact_count() - impacts_before, 20);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom
