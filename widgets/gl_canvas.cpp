@@ -3,6 +3,7 @@
 #include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <QSurfaceFormat>
 #include <algorithm>
@@ -168,7 +169,11 @@ void GlCanvas::paintGL() {
     }
     program_->release();
   }
-  QPainter painter(this);
+  // Not QPainter(this): a grab of the window would redirect it and lose the text below the picture.
+  QOpenGLPaintDevice device(size() * ratio_);
+  device.setDevicePixelRatio(ratio_);
+  QPainter painter(&device);
+  painter.setFont(font());
   paint_text(painter, picture_.drawing, picture_.camera, picture_.theme);
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/scene_view.h"
 
+#include <Eigen/Geometry>
 #include <QGuiApplication>
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -7,7 +8,6 @@
 #include <QStyleHints>
 #include <QToolTip>
 #include <QWheelEvent>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -68,6 +68,7 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame) {
   keep_impacts(*frame_);
   if (new_run) go_home();
   refresh();
+  follow_tip();
 }
 
 void SceneView::set_options(const DrawingOptions& options) {
@@ -179,13 +180,25 @@ QString SceneView::body_text(int index) const {
 bool SceneView::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  const int body = body_at(help->pos());
-  if (body >= 0) {
-    QToolTip::showText(help->globalPos(), body_text(body), this);
+  tip_body_ = body_at(help->pos());
+  tip_at_ = help->pos();
+  if (tip_body_ >= 0) {
+    QToolTip::showText(help->globalPos(), body_text(tip_body_), this);
   } else {
     QToolTip::hideText();
   }
   return true;
+}
+
+void SceneView::follow_tip() {
+  if (tip_body_ < 0) return;
+  const bool shown = QToolTip::isVisible() && underMouse();
+  if (shown && body_at(tip_at_) == tip_body_) {
+    QToolTip::showText(mapToGlobal(tip_at_), body_text(tip_body_), this);
+  } else {
+    if (shown) QToolTip::hideText();
+    tip_body_ = -1;
+  }
 }
 
 void SceneView::resizeEvent(QResizeEvent*) {

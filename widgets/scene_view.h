@@ -68,6 +68,7 @@ class SceneView : public QWidget {
   void keep_impacts(const Frame& frame);
   void refresh();
   [[nodiscard]] QString body_text(int index) const;
+  void follow_tip();  // the shown tooltip tells the new frame, or goes with its body
 
   Picture picture_;
   DrawingOptions options_;
@@ -84,6 +85,8 @@ class SceneView : public QWidget {
   Press press_ = Press::kNone;
   QPointF press_at_;
   QPointF last_at_;
+  int tip_body_ = -1;  // that the tooltip tells about
+  QPoint tip_at_;
 };
 
 }  // namespace carom
