@@ -174,7 +174,7 @@ void GlCanvas::paintGL() {
   device.setDevicePixelRatio(ratio_);
   QPainter painter(&device);
   painter.setFont(font());
-  paint_text(painter, picture_.drawing, picture_.camera, picture_.theme);
+  paint_overlay(painter, picture_);
 }
 
 // The list as quads. Points become pixels in double; only these, small numbers, go on as float.

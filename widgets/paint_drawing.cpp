@@ -158,6 +158,11 @@ ArrowOnScreen arrow_on_screen(const Drawing::ArrowItem& arrow, const Camera& cam
 double grid_line_width(const Drawing& drawing) { return drawing.outline / 1.5; }
 
 void paint_drawing(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
+  paint_shapes(painter, drawing, camera, theme);
+  paint_text(painter, drawing, camera, theme);
+}
+
+void paint_shapes(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
   painter.fillRect(QRectF(QPointF(), camera.viewport), theme.scene_ground);
   painter.setRenderHint(QPainter::Antialiasing);
   if (drawing.has_grid) paint_grid(painter, drawing, camera, theme);
@@ -165,7 +170,6 @@ void paint_drawing(QPainter& painter, const Drawing& drawing, const Camera& came
   paint_discs(painter, drawing, camera);
   paint_segments(painter, drawing, camera);
   paint_arrows(painter, drawing, camera);
-  paint_text(painter, drawing, camera, theme);
 }
 
 void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {

@@ -10,6 +10,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/gl_canvas.h"
 
@@ -283,5 +284,15 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
 }
 
 void SceneView::leaveEvent(QEvent*) { emit cursorLeft(); }
+
+void SceneView::focusInEvent(QFocusEvent* event) {
+  picture_.focus_frame = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+  canvas_->update();
+}
+
+void SceneView::focusOutEvent(QFocusEvent*) {
+  picture_.focus_frame = false;
+  canvas_->update();
+}
 
 }  // namespace carom

@@ -133,6 +133,16 @@ TEST_F(SceneViewTest, TooltipTellsAboutTheBody) {
   }
 }
 
+TEST_F(SceneViewTest, ShowsThatTheKeyboardCameByTab) {
+  EXPECT_NE(view_.grab().toImage().pixelColor(1, 100), light_theme().accent);
+  QFocusEvent in(QEvent::FocusIn, Qt::TabFocusReason);
+  QGuiApplication::sendEvent(&view_, &in);
+  EXPECT_EQ(view_.grab().toImage().pixelColor(1, 100), light_theme().accent);
+  QFocusEvent out(QEvent::FocusOut, Qt::TabFocusReason);
+  QGuiApplication::sendEvent(&view_, &out);
+  EXPECT_NE(view_.grab().toImage().pixelColor(1, 100), light_theme().accent);
+}
+
 TEST_F(SceneViewTest, KeepsImpactsOfTheLastMoments) {
   auto frame = std::make_shared<Frame>(*frame_of(Simulation(two_discs())));
   frame->time = 1.0;
