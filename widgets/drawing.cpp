@@ -9,6 +9,7 @@ namespace {
 constexpr double kArrowWidth = 2.0;           // px
 constexpr double kLeastArrow = 6.0;           // px, shorter ones are left out
 constexpr double kLongestShare = 0.22;        // of the view's shorter side, for a peak's arrow
+constexpr double kLongestInCrowd = 1.5;       // of the mean distance of bodies that fill a square view
 constexpr double kLeastNamedRadius = 6.0;     // px
 constexpr double kLeastOrientedRadius = 4.0;  // px
 constexpr double kNameDrop = 3.0;             // px below the body
@@ -127,10 +128,12 @@ void Drawing::clear() {
 void Peaks::observe(const Frame& frame) {
   if (!frame.bodies) return;
   double mass = 0.0;
+  moving = 0;
   const int count = std::min(frame.state.size(), static_cast<int>(frame.bodies->size()));
   for (int i = 0; i < count; ++i) {
     const Body& body = (*frame.bodies)[static_cast<std::size_t>(i)];
     if (body.fixed) continue;
+    ++moving;
     mass += mass_of(body);
     speed = std::max(speed, frame.state.velocity(i).norm());
   }
@@ -141,8 +144,9 @@ void Peaks::observe(const Frame& frame) {
 
 ArrowScale arrow_scale(const Peaks& peaks, double side) {
   ArrowScale scale;
-  if (peaks.speed > 0.0) scale.seconds = step_not_above(kLongestShare * side / peaks.speed);
-  if (peaks.impulse > 0.0) scale.metres_per_impulse = step_not_above(kLongestShare * side / peaks.impulse);
+  const double longest = side * std::min(kLongestShare, kLongestInCrowd / std::sqrt(std::max(1, peaks.moving)));
+  if (peaks.speed > 0.0) scale.seconds = step_not_above(longest / peaks.speed);
+  if (peaks.impulse > 0.0) scale.metres_per_impulse = step_not_above(longest / peaks.impulse);
   return scale;
 }
 

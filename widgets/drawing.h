@@ -87,6 +87,7 @@ struct ArrowScale {
 struct Peaks {
   double speed = 0.0;    // m/s
   double impulse = 0.0;  // N s
+  int moving = 0;        // bodies; a crowd's arrows are shorter
 
   // Takes what the frame has and, from its energy, the speed that is to be expected of it.
   void observe(const Frame& frame);

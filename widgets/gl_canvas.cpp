@@ -3,6 +3,7 @@
 #include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <QSurfaceFormat>
 #include <algorithm>
@@ -168,8 +169,12 @@ void GlCanvas::paintGL() {
     }
     program_->release();
   }
-  QPainter painter(this);
-  paint_text(painter, picture_.drawing, picture_.camera, picture_.theme);
+  // Not QPainter(this): a grab of the window would redirect it and lose the text below the picture.
+  QOpenGLPaintDevice device(size() * ratio_);
+  device.setDevicePixelRatio(ratio_);
+  QPainter painter(&device);
+  painter.setFont(font());
+  paint_overlay(painter, picture_);
 }
 
 // The list as quads. Points become pixels in double; only these, small numbers, go on as float.

@@ -87,6 +87,15 @@ void paint_arrows(QPainter& painter, const Drawing& drawing, const Camera& camer
   }
 }
 
+// Under text at the edges, so that it can be read on a wall.
+void paint_ground(QPainter& painter, const Theme& theme, const QRectF& text) {
+  QColor ground = theme.scene_ground;
+  ground.setAlphaF(0.85F);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(text.adjusted(-4.0, -1.0, 4.0, 1.0), 4.0, 4.0);
+}
+
 void paint_scale_bar(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
                      double* right_end) {
   const double y = camera.viewport.height() - kScaleBarBottom;
@@ -94,14 +103,9 @@ void paint_scale_bar(QPainter& painter, const Drawing& drawing, const Camera& ca
   const QString text = length_text(drawing.grid.scale_bar);
   const QFontMetricsF metrics(painter.font());
   *right_end = kScaleBarLeft + length + 6.0 + metrics.horizontalAdvance(text);
-  // Its own ground, so that it can be read on a wall.
-  QColor ground = theme.scene_ground;
-  ground.setAlphaF(0.85F);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(ground);
-  painter.drawRoundedRect(QRectF(QPointF(kScaleBarLeft - 6.0, y - metrics.height() / 2 - 1.0),
-                                 QPointF(*right_end + 6.0, y + metrics.height() / 2 + 1.0)),
-                          4.0, 4.0);
+  paint_ground(
+      painter, theme,
+      QRectF(QPointF(kScaleBarLeft, y - metrics.height() / 2), QPointF(*right_end, y + metrics.height() / 2)));
   painter.setPen(QPen(theme.muted, drawing.outline, Qt::SolidLine, Qt::FlatCap));
   painter.drawLine(QPointF(kScaleBarLeft, y), QPointF(kScaleBarLeft + length, y));
   painter.setPen(theme.muted);
@@ -113,20 +117,21 @@ void paint_numbers(QPainter& painter, const Drawing& drawing, const Camera& came
                    double scale_bar_end) {
   const QFontMetricsF metrics(painter.font());
   const double bottom = camera.viewport.height() - kEdge;
-  painter.setPen(theme.muted);
   for (const Grid::Line& line : drawing.grid.lines) {
     if (!line.strong) continue;
     const QPointF at = camera.to_screen(Vec2::Constant(line.at));
     const QString text = number_text(line.at);
     const double width = metrics.horizontalAdvance(text);
+    QPointF place(kEdge, at.y() + metrics.capHeight() / 2);
     if (line.vertical) {
-      const double left = at.x() - width / 2;
-      if (left < scale_bar_end + 12.0 || left + width > camera.viewport.width() - kEdge) continue;
-      painter.drawText(QPointF(left, bottom), text);
-    } else {
-      if (at.y() < 2 * metrics.height() || at.y() > bottom - 3 * metrics.height()) continue;
-      painter.drawText(QPointF(kEdge, at.y() + metrics.capHeight() / 2), text);
+      place = QPointF(at.x() - width / 2, bottom);
+      if (place.x() < scale_bar_end + 12.0 || place.x() + width > camera.viewport.width() - kEdge) continue;
+    } else if (at.y() < 2 * metrics.height() || at.y() > bottom - 3 * metrics.height()) {
+      continue;
     }
+    paint_ground(painter, theme, QRectF(place.x(), place.y() - metrics.ascent(), width, metrics.height()));
+    painter.setPen(theme.muted);
+    painter.drawText(place, text);
   }
 }
 
@@ -153,6 +158,11 @@ ArrowOnScreen arrow_on_screen(const Drawing::ArrowItem& arrow, const Camera& cam
 double grid_line_width(const Drawing& drawing) { return drawing.outline / 1.5; }
 
 void paint_drawing(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
+  paint_shapes(painter, drawing, camera, theme);
+  paint_text(painter, drawing, camera, theme);
+}
+
+void paint_shapes(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
   painter.fillRect(QRectF(QPointF(), camera.viewport), theme.scene_ground);
   painter.setRenderHint(QPainter::Antialiasing);
   if (drawing.has_grid) paint_grid(painter, drawing, camera, theme);
@@ -160,7 +170,6 @@ void paint_drawing(QPainter& painter, const Drawing& drawing, const Camera& came
   paint_discs(painter, drawing, camera);
   paint_segments(painter, drawing, camera);
   paint_arrows(painter, drawing, camera);
-  paint_text(painter, drawing, camera, theme);
 }
 
 void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {

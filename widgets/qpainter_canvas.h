@@ -4,6 +4,8 @@
 
 #include "widgets/drawing.h"
 
+class QPainter;
+
 namespace carom {
 
 // What a canvas shows; the scene view owns it and outlives the canvas.
@@ -11,7 +13,11 @@ struct Picture {
   Drawing drawing;
   Camera camera;
   Theme theme;
+  bool focus_frame = false;  // the keyboard came here by Tab
 };
+
+// What a screen has on top of the shapes: text, and the frame of keyboard focus.
+void paint_overlay(QPainter& painter, const Picture& picture);
 
 // Paints the picture by QPainter, where there is no OpenGL.
 class QPainterCanvas : public QWidget {

@@ -1,5 +1,6 @@
 #include "widgets/scene_view.h"
 
+#include <Eigen/Geometry>
 #include <QGuiApplication>
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -7,9 +8,9 @@
 #include <QStyleHints>
 #include <QToolTip>
 #include <QWheelEvent>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/gl_canvas.h"
 
@@ -68,6 +69,7 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame) {
   keep_impacts(*frame_);
   if (new_run) go_home();
   refresh();
+  follow_tip();
 }
 
 void SceneView::set_options(const DrawingOptions& options) {
@@ -179,13 +181,25 @@ QString SceneView::body_text(int index) const {
 bool SceneView::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  const int body = body_at(help->pos());
-  if (body >= 0) {
-    QToolTip::showText(help->globalPos(), body_text(body), this);
+  tip_body_ = body_at(help->pos());
+  tip_at_ = help->pos();
+  if (tip_body_ >= 0) {
+    QToolTip::showText(help->globalPos(), body_text(tip_body_), this);
   } else {
     QToolTip::hideText();
   }
   return true;
+}
+
+void SceneView::follow_tip() {
+  if (tip_body_ < 0) return;
+  const bool shown = QToolTip::isVisible() && underMouse();
+  if (shown && body_at(tip_at_) == tip_body_) {
+    QToolTip::showText(mapToGlobal(tip_at_), body_text(tip_body_), this);
+  } else {
+    if (shown) QToolTip::hideText();
+    tip_body_ = -1;
+  }
 }
 
 void SceneView::resizeEvent(QResizeEvent*) {
@@ -270,5 +284,15 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
 }
 
 void SceneView::leaveEvent(QEvent*) { emit cursorLeft(); }
+
+void SceneView::focusInEvent(QFocusEvent* event) {
+  picture_.focus_frame = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+  canvas_->update();
+}
+
+void SceneView::focusOutEvent(QFocusEvent*) {
+  picture_.focus_frame = false;
+  canvas_->update();
+}
 
 }  // namespace carom

@@ -58,6 +58,8 @@ class SceneView : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   enum class Press { kNone, kClick, kMute, kPan };  // kMute: may become a drag, but is no click
@@ -68,6 +70,7 @@ class SceneView : public QWidget {
   void keep_impacts(const Frame& frame);
   void refresh();
   [[nodiscard]] QString body_text(int index) const;
+  void follow_tip();  // the shown tooltip tells the new frame, or goes with its body
 
   Picture picture_;
   DrawingOptions options_;
@@ -84,6 +87,8 @@ class SceneView : public QWidget {
   Press press_ = Press::kNone;
   QPointF press_at_;
   QPointF last_at_;
+  int tip_body_ = -1;  // that the tooltip tells about
+  QPoint tip_at_;
 };
 
 }  // namespace carom

@@ -99,7 +99,7 @@ TEST_F(DrawingOf, LeavesOutWhatTheCameraDoesNotSee) {
 
 TEST(ArrowScale, KeepsThePeakReadable) {
   for (double speed = 1e-3; speed < 1e4; speed *= 3.0) {
-    const double length = arrow_scale({speed, 0.0}, 4.0).seconds * speed;
+    const double length = arrow_scale({.speed = speed, .impulse = 0.0, .moving = 2}, 4.0).seconds * speed;
     EXPECT_LT(length, 0.25 * 4.0);
     EXPECT_GT(length, 0.08 * 4.0);
   }
