@@ -19,7 +19,8 @@ std::string quoted_field(const std::string& text) {
     if (c == '"') out += '"';
     out += c;
   }
-  return out + "\"";
+  out += '"';
+  return out;
 }
 
 bool with_paths(const Simulation& s) {
@@ -57,7 +58,7 @@ std::string run_csv_header(const Simulation& s) {
   for (const Body& b : s.bodies()) {
     if (b.fixed) continue;
     for (const char* what : {"x [m]", "y [m]", "angle [rad]", "velocity_x [m/s]", "velocity_y [m/s]", "spin [rad/s]"}) {
-      line += "," + quoted_field(b.name + " " + what);
+      line += fmt::format(",{}", quoted_field(fmt::format("{} {}", b.name, what)));
     }
   }
   return line;
