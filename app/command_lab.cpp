@@ -1,9 +1,8 @@
-#include <fmt/format.h>
-
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <cstdlib>
+#include <fmt/format.h>
 
 #include "app/commands.h"
 #include "app/lab_window.h"
@@ -26,6 +25,11 @@ bool has_display() {
   return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
 }
 
+// A platform without a screen says so in warnings that mean nothing to whoever asked for a picture.
+void quiet_messages(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {
+  if (type == QtCriticalMsg || type == QtFatalMsg) fmt::print(stderr, "carom: {}\n", message.toStdString());
+}
+
 QSize size_of(const PictureOptions& options) {
   return {options.width > 0 ? options.width : kWidth, options.height > 0 ? options.height : kHeight};
 }
@@ -40,7 +44,8 @@ void save_window_picture(const Scene& scene, const QString& name, double time, c
   window.run_until(time);
   for (int i = 0; i < 5; ++i) QApplication::processEvents();
   if (!window.grab().save(QString::fromStdString(options.output), "PNG")) {
-    throw SceneError(fmt::format("{}: the picture cannot be written; allowed: a place with the right to write", options.output));
+    throw SceneError(fmt::format("{}: the picture cannot be written; allowed: a place with the right to write",
+                                 options.output));
   }
 }
 
@@ -48,8 +53,10 @@ Frame frame_at(const Scene& scene, double time) {
   Simulation simulation(scene);
   Frame frame;
   simulation.advance_to(time, [&] {
-    std::erase_if(frame.impacts, [&](const ImpactRecord& i) { return i.time < simulation.time() - kImpactShown; });
-    frame.impacts.insert(frame.impacts.end(), simulation.last_impacts().begin(), simulation.last_impacts().end());
+    std::erase_if(frame.impacts,
+                  [&](const ImpactRecord& i) { return i.time < simulation.time() - kImpactShown; });
+    frame.impacts.insert(frame.impacts.end(), simulation.last_impacts().begin(),
+                         simulation.last_impacts().end());
   });
   frame.time = simulation.time();
   frame.state = simulation.state();
@@ -65,18 +72,21 @@ int picture_command(int& argc, char** argv, const PictureOptions& options) {
   const QString output = QString::fromStdString(options.output);
   const QString suffix = QFileInfo(output).suffix().toLower();
   if (options.window && suffix != "png") {
-    throw SceneError(fmt::format("{}: a picture of the window is not of this kind; allowed: .png", options.output));
+    throw SceneError(
+        fmt::format("{}: a picture of the window is not of this kind; allowed: .png", options.output));
   }
   if (suffix != "png" && suffix != "svg" && suffix != "pdf") {
     throw SceneError(fmt::format("{}: not a kind of picture; allowed: .png, .svg, .pdf", options.output));
   }
   const double time = options.at.value_or(scene.duration);
   qputenv("QT_QPA_PLATFORM", "offscreen");
+  qInstallMessageHandler(quiet_messages);
   QApplication application(argc, argv);
   const Theme& theme = options.dark ? dark_theme() : light_theme();
   apply_theme(application, theme);
   if (options.window) {
-    save_window_picture(scene, QString::fromStdString(find_preset(options.preset).stem().string()), time, options, theme);
+    save_window_picture(scene, QString::fromStdString(find_preset(options.preset).stem().string()), time,
+                        options, theme);
     return kGood;
   }
   QString error;

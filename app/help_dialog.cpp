@@ -5,9 +5,13 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+// Resources of a static library are linked only where this is called; it must stand outside of any namespace.
+static void load_help() { Q_INIT_RESOURCE(help); }
+
 namespace carom {
 
 void show_help(QWidget* parent) {
+  load_help();
   auto* dialog = new QDialog(parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(QObject::tr("The model – Carom"));

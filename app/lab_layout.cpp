@@ -115,9 +115,10 @@ void LabWindow::make_body() {
   columns->setHandleWidth(8);
   columns->addWidget(centre);
   columns->addWidget(plots_);
-  columns->setStretchFactor(0, 1);
-  columns->setStretchFactor(1, 0);
-  columns->setSizes({624, 400});
+  // Both keep their share of the window's width.
+  columns->setStretchFactor(0, 616);
+  columns->setStretchFactor(1, 392);
+  columns->setSizes({616, 392});
   columns->setChildrenCollapsible(false);
   auto* inner = new QHBoxLayout;
   inner->setContentsMargins(8, 8, 8, 8);
@@ -151,7 +152,8 @@ void LabWindow::make_body() {
   });
   connect(view_, &SceneView::cursorLeft, position_, &QLabel::hide);
   connect(view_, &SceneView::spawnRequested, this, &LabWindow::spawn);
-  connect(list_, &ExperimentList::openRequested, this, [this](const QString& name) { open(name.toStdString()); });
+  connect(list_, &ExperimentList::openRequested, this,
+          [this](const QString& name) { open(name.toStdString()); });
   connect(transport_, &TransportBar::playClicked, this, &LabWindow::set_playing);
   connect(transport_, &TransportBar::restartClicked, this, [this] { worker_->restart(); });
   connect(transport_, &TransportBar::stepClicked, this, [this] { worker_->step_once(); });
@@ -176,7 +178,8 @@ void LabWindow::place_chips() {
 }
 
 void LabWindow::make_menus() {
-  const auto add = [this](QMenu* menu, const QString& icon, const QString& text, const QKeySequence& key, auto&& slot) {
+  const auto add = [this](QMenu* menu, const QString& icon, const QString& text, const QKeySequence& key,
+                          auto&& slot) {
     auto* action = menu->addAction(text);
     action->setShortcut(key);
     if (!icon.isEmpty()) icon_actions_.emplace_back(action, icon);
@@ -258,8 +261,8 @@ void LabWindow::make_menus() {
   };
   integrator_button_ = button(add_choices(tr("&Integrator"), kIntegrators, &Method::integrator),
                               tr("How free motion is advanced; holds from now on"));
-  impacts_button_ =
-      button(add_choices(tr("&Impacts"), kImpacts, &Method::impacts), tr("When impacts are resolved; holds from now on"));
+  impacts_button_ = button(add_choices(tr("&Impacts"), kImpacts, &Method::impacts),
+                           tr("When impacts are resolved; holds from now on"));
   QMenu* steps = methods->addMenu(tr("&Step"));
   for (const double step : kSteps) {
     steps->addAction(QString("h = %1 ms").arg(1e3 * step, 0, 'g', 4), this, [this, step] {

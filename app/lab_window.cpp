@@ -38,13 +38,15 @@ LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   make_tool_bar();
   fill_library();
   resize(1280, 800);
+  view_->setFocus();  // so that the keys of the scene work at once
   connect(&timer_, &QTimer::timeout, this, &LabWindow::poll);
   timer_.start(16);
 }
 
 LabWindow::~LabWindow() = default;
 
-// --- scenes -----------------------------------------------------------------------------------------------------------
+// --- scenes
+// -----------------------------------------------------------------------------------------------------------
 
 bool LabWindow::open(const std::string& file_or_name) {
   try {
@@ -52,13 +54,14 @@ bool LabWindow::open(const std::string& file_or_name) {
     const Scene scene = read_preset(file);
     if (!may_discard()) return false;
     const std::vector<LibraryEntry> library = preset_library();
-    const bool built_in = std::any_of(library.begin(), library.end(), [&](const auto& e) { return e.file == file; });
+    const bool built_in =
+        std::any_of(library.begin(), library.end(), [&](const auto& e) { return e.file == file; });
     show_scene(scene, QString::fromStdString(built_in ? file.stem().string() : ""),
                built_in ? QString() : QString::fromStdString(file.string()));
     return true;
   } catch (const SceneError& error) {
-    QMessageBox box(QMessageBox::Warning, tr("This preset cannot be opened"), tr("This preset cannot be opened."),
-                    QMessageBox::Ok, this);
+    QMessageBox box(QMessageBox::Warning, tr("This preset cannot be opened"),
+                    tr("This preset cannot be opened."), QMessageBox::Ok, this);
     box.setInformativeText(QString::fromStdString(error.what()).toHtmlEscaped());
     box.exec();
     return false;
@@ -105,8 +108,8 @@ bool LabWindow::write(const QString& file) {
 bool LabWindow::save() { return file_.isEmpty() ? saveAs() : write(file_); }
 
 bool LabWindow::saveAs() {
-  QString file = QFileDialog::getSaveFileName(this, tr("Save the preset"), file_.isEmpty() ? "experiment.json" : file_,
-                                              tr("Carom presets (*.json)"));
+  QString file = QFileDialog::getSaveFileName(
+      this, tr("Save the preset"), file_.isEmpty() ? "experiment.json" : file_, tr("Carom presets (*.json)"));
   if (file.isEmpty()) return false;
   if (!file.endsWith(".json")) file += ".json";
   return write(file);
@@ -131,7 +134,8 @@ void LabWindow::closeEvent(QCloseEvent* event) {
   }
 }
 
-// --- running ----------------------------------------------------------------------------------------------------------
+// --- running
+// ----------------------------------------------------------------------------------------------------------
 
 void LabWindow::set_playing(bool playing) {
   // Play stops at the experiment's end; pressed again there, it goes on.
@@ -147,8 +151,9 @@ void LabWindow::change_method(const Method& method) {
 void LabWindow::choose_step() {
   Method method = worker_->scene().method;
   bool chosen = false;
-  const double ms = QInputDialog::getDouble(this, tr("Length of a step"), tr("h in ms, from 0.000001 to 1000:"),
-                                            1e3 * method.step, 1e3 * kLeastStep, 1e3 * kLargestStep, 6, &chosen);
+  const double ms =
+      QInputDialog::getDouble(this, tr("Length of a step"), tr("h in ms, from 0.000001 to 1000:"),
+                              1e3 * method.step, 1e3 * kLeastStep, 1e3 * kLargestStep, 6, &chosen);
   if (!chosen) return;
   method.step = 1e-3 * ms;
   change_method(method);
@@ -156,8 +161,8 @@ void LabWindow::choose_step() {
 
 void LabWindow::spawn(double x, double y) {
   const Scene scene = worker_->scene();
-  // A disc like those that are there, between half and one and a half times their radius; in a scene without any, a
-  // twentieth of the view.
+  // A disc like those that are there, between half and one and a half times their radius; in a scene without
+  // any, a twentieth of the view.
   Body body;
   double radius = scene.view ? scene.view->width / 20.0 : 0.1;
   body.density = 1.0;

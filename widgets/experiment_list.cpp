@@ -12,7 +12,10 @@ namespace {
 enum Role { kName = Qt::UserRole, kTitle, kObserve, kPicture };
 
 constexpr int kRowHeight = 50;
+constexpr int kTallRowHeight = 64;  // where the title takes two lines
 constexpr int kTopicHeight = 30;
+constexpr int kTextLeft = 79;  // from the row's left side to its text
+constexpr int kTextRight = 12;
 constexpr int kPictureWidth = 52;
 constexpr int kPictureHeight = 36;
 
@@ -21,8 +24,14 @@ class ExperimentDelegate : public QStyledItemDelegate {
  public:
   ExperimentDelegate(const Theme* theme, QObject* parent) : QStyledItemDelegate(parent), theme_(theme) {}
 
-  QSize sizeHint(const QStyleOptionViewItem& /*option*/, const QModelIndex& index) const override {
-    return {100, index.data(kName).toString().isEmpty() ? kTopicHeight : kRowHeight};
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    if (index.data(kName).toString().isEmpty()) return {100, kTopicHeight};
+    const auto* view = qobject_cast<const QAbstractItemView*>(option.widget);
+    const int width = view == nullptr ? 0 : view->viewport()->width() - kTextLeft - kTextRight;
+    QFont bold = option.font;
+    bold.setBold(true);
+    return {100, QFontMetrics(bold).horizontalAdvance(index.data(kTitle).toString()) > width ? kTallRowHeight
+                                                                                             : kRowHeight};
   }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
@@ -34,7 +43,8 @@ class ExperimentDelegate : public QStyledItemDelegate {
     if (index.data(kName).toString().isEmpty()) {
       painter->setFont(small);
       painter->setPen(theme_->muted);
-      painter->drawText(r.adjusted(14, 0, -8, -6), Qt::AlignLeft | Qt::AlignBottom, index.data(kTitle).toString());
+      painter->drawText(r.adjusted(14, 0, -8, -6), Qt::AlignLeft | Qt::AlignBottom,
+                        index.data(kTitle).toString());
       painter->restore();
       return;
     }
@@ -57,14 +67,13 @@ class ExperimentDelegate : public QStyledItemDelegate {
     painter->setPen(theme_->border);
     painter->drawRoundedRect(QRectF(frame).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
 
-    const QRect text = row.adjusted(kPictureWidth + 17, 6, -4, -6);
+    const QRect text(r.left() + kTextLeft, row.top() + 6, r.width() - kTextLeft - kTextRight,
+                     row.height() - 12);
     QFont bold = option.font;
     bold.setBold(true);
     painter->setFont(bold);
     painter->setPen(theme_->text);
-    const QFontMetrics bold_metrics(bold);
-    painter->drawText(text, Qt::AlignLeft | Qt::AlignTop,
-                      bold_metrics.elidedText(index.data(kTitle).toString(), Qt::ElideRight, text.width()));
+    painter->drawText(text, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, index.data(kTitle).toString());
     painter->setFont(small);
     painter->setPen(theme_->muted);
     const QFontMetrics small_metrics(small);
@@ -138,7 +147,8 @@ void ExperimentList::fill() {
     const ExperimentItem& item = items_[i];
     const bool match = wanted.isEmpty() || item.title.contains(wanted, Qt::CaseInsensitive) ||
                        item.observe.contains(wanted, Qt::CaseInsensitive) ||
-                       item.topic.contains(wanted, Qt::CaseInsensitive) || item.name.contains(wanted, Qt::CaseInsensitive);
+                       item.topic.contains(wanted, Qt::CaseInsensitive) ||
+                       item.name.contains(wanted, Qt::CaseInsensitive);
     if (!match) continue;
     if (item.topic != topic) {
       topic = item.topic;

@@ -3,6 +3,7 @@
 #include <QHeaderView>
 #include <QPainter>
 #include <QStyledItemDelegate>
+#include <algorithm>
 
 #include "widgets/number_text.h"
 
@@ -102,7 +103,7 @@ FigureTable::FigureTable(FigureModel* model, QWidget* parent) : QTableView(paren
   setWordWrap(false);
   setTextElideMode(Qt::ElideRight);
   setSelectionBehavior(QAbstractItemView::SelectRows);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setCornerButtonEnabled(false);
   verticalHeader()->hide();
@@ -118,7 +119,8 @@ void FigureTable::resizeEvent(QResizeEvent* event) {
   const int columns = model_->columnCount();
   int weights = 0;
   for (int c = 0; c < columns; ++c) weights += model_->weight(c);
-  int left = viewport()->width();
+  // Columns share the room by weight; in a narrow window they keep their least widths and scroll.
+  int left = std::max(viewport()->width(), weights);
   for (int c = 0; c < columns; ++c) {
     const int width = left * model_->weight(c) / weights;
     horizontalHeader()->resizeSection(c, width);

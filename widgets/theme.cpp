@@ -9,6 +9,9 @@
 #include <QStyleFactory>
 #include <QSvgRenderer>
 
+// Resources of a static library are linked only where this is called; it must stand outside of any namespace.
+static void load_icons() { Q_INIT_RESOURCE(icons); }
+
 namespace carom {
 namespace {
 
@@ -70,9 +73,9 @@ QPushButton:default { background: %6; color: %2; border-color: %6; }
 QListView, QTreeView, QTableView, QTextBrowser { background: %2; border: none; outline: none;
   selection-background-color: %7; selection-color: %4; alternate-background-color: %2; gridline-color: %3; }
 QHeaderView { background: %2; }
-QHeaderView::section { background: %2; color: %5; border: none; border-bottom: 1px solid %3; padding: 5px 8px;
+QHeaderView::section { background: %2; color: %5; border: none; border-bottom: 1px solid %3; padding: 5px 5px;
   font-size: 11px; font-weight: normal; }
-QTableView::item { padding: 2px 8px; }
+QTableView::item { padding: 2px 5px; }
 QTabWidget::pane { border: none; border-top: 1px solid %3; }
 QTabBar { background: transparent; qproperty-drawBase: 0; }
 QTabBar::tab { background: transparent; color: %5; padding: 7px 2px; margin-right: 18px; border-bottom: 2px solid transparent; }
@@ -148,6 +151,7 @@ void apply_theme(QApplication& application, const Theme& t) {
 }
 
 QIcon themed_icon(const QString& name, const QColor& color) {
+  load_icons();
   QFile file(":/icons/" + name + ".svg");
   if (!file.open(QIODevice::ReadOnly)) return {};
   QSvgRenderer renderer(QString::fromUtf8(file.readAll()).replace("currentColor", color.name()).toUtf8());

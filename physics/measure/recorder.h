@@ -6,8 +6,10 @@
 
 namespace carom {
 
-// What plots and tables show of a run. Bounded in memory: beyond the limits the oldest quarter is dropped, and
-// `complete()` says so.
+// What plots and tables show of a run. Bounded in memory: beyond a limit the older nine tenths are thinned to
+// half, again and again, so that a long run is there from its start: of four samples those with the least and
+// the largest kinetic energy stay, of two impacts the stronger one. So spikes survive; `complete()` says that
+// something went.
 class Recorder {
  public:
   static constexpr std::size_t kMostSamples = 400'000;
