@@ -146,7 +146,8 @@ void LabWindow::make_body() {
   position_ = new QLabel(view_);
   position_->setObjectName("caption");
   connect(view_, &SceneView::cursorMoved, this, [this](double x, double y) {
-    position_->setText(QString("x = %1 m, y = %2 m").arg(x, 0, 'f', 3).arg(y, 0, 'f', 3));
+    position_->setText(
+        QString("x = %1 m, y = %2 m").arg(x, 0, 'f', 3).arg(y, 0, 'f', 3).replace('-', QChar(0x2212)));
     position_->show();
     place_chips();
   });

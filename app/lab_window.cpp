@@ -52,7 +52,10 @@ bool LabWindow::open(const std::string& file_or_name) {
   try {
     const std::filesystem::path file = find_preset(file_or_name);
     const Scene scene = read_preset(file);
-    if (!may_discard()) return false;
+    if (!may_discard()) {
+      list_->set_current(name_);
+      return false;
+    }
     const std::vector<LibraryEntry> library = preset_library();
     const bool built_in =
         std::any_of(library.begin(), library.end(), [&](const auto& e) { return e.file == file; });
@@ -60,15 +63,17 @@ bool LabWindow::open(const std::string& file_or_name) {
                built_in ? QString() : QString::fromStdString(file.string()));
     return true;
   } catch (const SceneError& error) {
-    QMessageBox box(QMessageBox::Warning, tr("This preset cannot be opened"),
+    QMessageBox box(QMessageBox::NoIcon, tr("This preset cannot be opened"),
                     tr("This preset cannot be opened."), QMessageBox::Ok, this);
     box.setInformativeText(QString::fromStdString(error.what()).toHtmlEscaped());
     box.exec();
+    list_->set_current(name_);
     return false;
   }
 }
 
 void LabWindow::show_scene(const Scene& scene, const QString& name, const QString& file) {
+  name_ = name;
   file_ = file;
   before_ = all_bodies(scene);
   duration_ = scene.duration;
@@ -119,9 +124,11 @@ void LabWindow::mark_changed(bool changed) { setWindowModified(changed); }
 
 bool LabWindow::may_discard() {
   if (!isWindowModified()) return true;
-  const auto answer = QMessageBox::question(
-      this, tr("Save the changes?"), tr("This experiment was changed. Save it before it is closed?"),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  QMessageBox box(QMessageBox::NoIcon, tr("Save the changes?"),
+                  tr("This experiment was changed. Save it before it is closed?"),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  box.setDefaultButton(QMessageBox::Save);
+  const int answer = box.exec();
   if (answer == QMessageBox::Save) return save();
   return answer == QMessageBox::Discard;
 }

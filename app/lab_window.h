@@ -26,8 +26,8 @@ class PlotPanel;
 class SceneView;
 class TransportBar;
 
-// The lab: experiments, scene over transport over tables, plots. It forwards what the user does to the worker and shows
-// the frames that come back; one timer polls for them.
+// The lab: experiments, scene over transport over tables, plots. It forwards what the user does to the worker
+// and shows the frames that come back; one timer polls for them.
 class LabWindow : public QMainWindow {
   Q_OBJECT
 
@@ -84,6 +84,7 @@ class LabWindow : public QMainWindow {
   std::vector<Body> before_;  // the bodies at t = 0
   double duration_ = 1.0;
   double speed_ = 1.0;
+  QString name_;  // of the built-in experiment that is shown; empty for a file
   QString file_;  // where save() writes; empty for a built-in experiment
   QTimer timer_;
 

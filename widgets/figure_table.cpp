@@ -119,8 +119,8 @@ void FigureTable::resizeEvent(QResizeEvent* event) {
   const int columns = model_->columnCount();
   int weights = 0;
   for (int c = 0; c < columns; ++c) weights += model_->weight(c);
-  // Columns share the room by weight; in a narrow window they keep their least widths and scroll.
-  int left = std::max(viewport()->width(), weights);
+  // Columns share the room by weight; in a narrow window they keep nine tenths of it, and scroll.
+  int left = std::max(viewport()->width(), 9 * weights / 10);
   for (int c = 0; c < columns; ++c) {
     const int width = left * model_->weight(c) / weights;
     horizontalHeader()->resizeSection(c, width);

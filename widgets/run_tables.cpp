@@ -197,13 +197,13 @@ class LedgerModel : public FigureModel {
 }  // namespace
 
 BodiesTable::BodiesTable(QWidget* parent)
-    : FigureTable(new BodiesModel({{"body", 54, true},
-                                   {"m / kg", 56},
-                                   {"v before / m/s", 104},
-                                   {"v now / m/s", 108},
-                                   {"p now / kg·m/s", 122},
-                                   {"K before / J", 76},
-                                   {"K now / J", 70}},
+    : FigureTable(new BodiesModel({{"body", 62, true},
+                                   {"m / kg", 58},
+                                   {"v before / m/s", 92},
+                                   {"v now / m/s", 104},
+                                   {"p now / kg·m/s", 120},
+                                   {"K before / J", 72},
+                                   {"K now / J", 66}},
                                   nullptr),
                   parent) {}
 

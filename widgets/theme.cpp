@@ -67,6 +67,7 @@ QLabel#chip { background: %2; border: 1px solid %3; border-radius: 11px; padding
 QLineEdit, QDoubleSpinBox, QComboBox { background: %1; border: 1px solid %3; border-radius: 6px; padding: 5px 8px;
   selection-background-color: %6; selection-color: %2; }
 QLineEdit:focus, QDoubleSpinBox:focus, QComboBox:focus { border-color: %6; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QPushButton { background: %2; border: 1px solid %3; border-radius: 6px; padding: 5px 14px; }
 QPushButton:hover, QPushButton:focus { border-color: %6; }
 QPushButton:default { background: %6; color: %2; border-color: %6; }
@@ -75,6 +76,7 @@ QListView, QTreeView, QTableView, QTextBrowser { background: %2; border: none; o
 QHeaderView { background: %2; }
 QHeaderView::section { background: %2; color: %5; border: none; border-bottom: 1px solid %3; padding: 5px 5px;
   font-size: 11px; font-weight: normal; }
+QTableView { font-size: 12px; }
 QTableView::item { padding: 2px 5px; }
 QTabWidget::pane { border: none; border-top: 1px solid %3; }
 QTabBar { background: transparent; qproperty-drawBase: 0; }
