@@ -98,6 +98,7 @@ int picture_command(int& argc, char** argv, const PictureOptions& options) {
 
 int lab_command(int& argc, char** argv, const std::string& preset) {
   const std::string wanted = preset.empty() ? kDefaultExperiment : preset;
+  (void)read_preset(find_preset(wanted));  // a bad file is told on the terminal, before anything else
   if (!has_display()) {
     fmt::print("There is no display: the experiment is run instead of the lab.\n\n");
     RunOptions run;
@@ -111,7 +112,6 @@ int lab_command(int& argc, char** argv, const std::string& preset) {
     fmt::print("\npicture of the lab: {}\n", picture.output);
     return kGood;
   }
-  (void)read_preset(find_preset(wanted));  // a bad file is told on the terminal, before there is a window
   QApplication application(argc, argv);
   QApplication::setApplicationName("Carom");
   const bool dark = QApplication::palette().color(QPalette::Window).lightnessF() < 0.5F;

@@ -78,6 +78,7 @@ void LabWindow::show_scene(const Scene& scene, const QString& name, const QStrin
   before_ = all_bodies(scene);
   duration_ = scene.duration;
   recorder_.clear();
+  frame_.reset();
   worker_->load(scene);
   view_->set_view(scene.view);
   plots_->set_plots(scene.plots);
@@ -113,11 +114,12 @@ bool LabWindow::write(const QString& file) {
 bool LabWindow::save() { return file_.isEmpty() ? saveAs() : write(file_); }
 
 bool LabWindow::saveAs() {
-  QString file = QFileDialog::getSaveFileName(
-      this, tr("Save the preset"), file_.isEmpty() ? "experiment.json" : file_, tr("Carom presets (*.json)"));
-  if (file.isEmpty()) return false;
-  if (!file.endsWith(".json")) file += ".json";
-  return write(file);
+  QFileDialog dialog(this, tr("Save the preset"), {}, tr("Carom presets (*.json)"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix("json");  // the dialog's own, so that it asks before this file is replaced
+  dialog.selectFile(file_.isEmpty() ? "experiment.json" : file_);
+  if (dialog.exec() != QDialog::Accepted) return false;
+  return write(dialog.selectedFiles().constFirst());
 }
 
 void LabWindow::mark_changed(bool changed) { setWindowModified(changed); }

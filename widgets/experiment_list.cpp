@@ -108,7 +108,9 @@ ExperimentList::ExperimentList(const Theme& theme, QWidget* parent)
   connect(search_, &QLineEdit::textChanged, this, &ExperimentList::fill);
   const auto open = [this](QListWidgetItem* item) {
     const QString name = item->data(kName).toString();
-    if (!name.isEmpty()) emit openRequested(name);
+    if (name.isEmpty()) return;
+    emit openRequested(name);
+    set_current(current_);  // the mark stays with what is open, also where this one was not opened
   };
   connect(list_, &QListWidget::itemClicked, this, open);
   connect(list_, &QListWidget::itemActivated, this, open);

@@ -91,6 +91,7 @@ void Worker::load(const Scene& scene) {
   {
     const std::lock_guard lock(mutex_);
     scene_ = scene;
+    ++run_;
   }
   post([scene](Lab& lab) {
     lab.scene = scene;
@@ -99,6 +100,10 @@ void Worker::load(const Scene& scene) {
 }
 
 void Worker::restart() {
+  {
+    const std::lock_guard lock(mutex_);
+    ++run_;
+  }
   post([](Lab& lab) { lab.begin(); });
 }
 
@@ -170,6 +175,7 @@ Scene Worker::scene() const {
 
 std::shared_ptr<const Frame> Worker::take_frame() {
   const std::lock_guard lock(mutex_);
+  if (newest_ != nullptr && newest_->run != run_) return nullptr;  // of before the last load or restart
   return std::exchange(newest_, nullptr);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -34,7 +35,7 @@ class Worker {
   void add_body(const Body& body);
   void run_until(double time);  // as fast as it goes, then stopped; frames come on the way
 
-  // What happened since the last call; nullptr if nothing did.
+  // What happened since the last call; nullptr if nothing did. Never of before the last load or restart.
   [[nodiscard]] std::shared_ptr<const Frame> take_frame();
   // The scene as it would be saved now: with the method in force and the bodies that were added.
   [[nodiscard]] Scene scene() const;
@@ -50,6 +51,7 @@ class Worker {
   std::vector<std::function<void(Lab&)>> commands_;
   std::shared_ptr<Frame> newest_;
   Scene scene_;
+  std::uint64_t run_ = 1;  // of the frames to hand out: loads and restarts so far, and the start
   std::jthread thread_;  // last: it uses all of the above
 };
 

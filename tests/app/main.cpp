@@ -1,0 +1,11 @@
+#include <QApplication>
+#include <gtest/gtest.h>
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  // Also for the listing of tests, which runs without their environment.
+  if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  qunsetenv("CAROM_PRESETS");
+  const QApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}
