@@ -1,11 +1,10 @@
 #include "app/command_line.h"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <fmt/format.h>
 #include <map>
 
 #include "app/commands.h"
@@ -76,19 +75,25 @@ const CLI::Validator kTime(
 }  // namespace
 
 int run_program(int argc, char** argv) {
-  CLI::App program{"Carom: a lab for two-dimensional rigid-body collisions.\n"
-                   "Without a command it opens the lab; where there is no display it runs the experiment instead."};
+  CLI::App program{
+      "Carom: a lab for two-dimensional rigid-body collisions.\n"
+      "Without a command it opens the lab; where there is no display it runs the experiment instead."};
   program.set_version_flag("--version", CAROM_VERSION);
   program.set_help_flag("-h,--help", "this text");
   std::string preset;
-  program.add_option("preset", preset, "a preset file, or the name of a built-in experiment")->type_name("FILE|NAME");
+  program.add_option("preset", preset, "a preset file, or the name of a built-in experiment")
+      ->type_name("FILE|NAME");
 
   CLI::App& list = *program.add_subcommand("list", "the built-in experiments");
 
   RunOptions run_options;
   CLI::App& run = *program.add_subcommand("run", "run an experiment and print what was before and after");
-  run.add_option("preset", run_options.preset, "a preset file or the name of an experiment")->required()->type_name("FILE|NAME");
-  run.add_option("--until", run_options.until, "end of the run, s (default: the preset's duration)")->check(kTime)->type_name("T");
+  run.add_option("preset", run_options.preset, "a preset file or the name of an experiment")
+      ->required()
+      ->type_name("FILE|NAME");
+  run.add_option("--until", run_options.until, "end of the run, s (default: the preset's duration)")
+      ->check(kTime)
+      ->type_name("T");
   const MethodArguments run_method(run);
   run.add_flag("--json", run_options.json, "print one JSON object instead of tables");
   run.add_option("--csv", run_options.csv, "write sums and paths of every step")->type_name("F");
@@ -97,14 +102,24 @@ int run_program(int argc, char** argv) {
 
   PictureOptions picture_options;
   CLI::App& picture = *program.add_subcommand("picture", "a picture of an experiment at one moment");
-  picture.add_option("preset", picture_options.preset, "a preset file or the name of an experiment")->required()->type_name("FILE|NAME");
-  picture.add_option("--at", picture_options.at, "moment, s (default: the preset's duration)")->check(kTime)->type_name("T");
+  picture.add_option("preset", picture_options.preset, "a preset file or the name of an experiment")
+      ->required()
+      ->type_name("FILE|NAME");
+  picture.add_option("--at", picture_options.at, "moment, s (default: the preset's duration)")
+      ->check(kTime)
+      ->type_name("T");
   const MethodArguments picture_method(picture);
-  picture.add_option("-o,--output", picture_options.output, "a .png, .svg or .pdf file")->required()->type_name("F");
+  picture.add_option("-o,--output", picture_options.output, "a .png, .svg or .pdf file")
+      ->required()
+      ->type_name("F");
   picture.add_flag("--window", picture_options.window, "the whole lab window (.png)");
   picture.add_flag("--dark", picture_options.dark, "in the dark colours");
-  picture.add_option("--width", picture_options.width, "px, 200 to 8000")->check(CLI::Range(200, 8000))->type_name("W");
-  picture.add_option("--height", picture_options.height, "px, 200 to 8000")->check(CLI::Range(200, 8000))->type_name("H");
+  picture.add_option("--width", picture_options.width, "px, 200 to 8000")
+      ->check(CLI::Range(200, 8000))
+      ->type_name("W");
+  picture.add_option("--height", picture_options.height, "px, 200 to 8000")
+      ->check(CLI::Range(200, 8000))
+      ->type_name("H");
 
   // A word that names a command is a command; any other first word is a preset.
   program.require_subcommand(0, 1);

@@ -1,6 +1,5 @@
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 
 #include "app/commands.h"
 #include "app/preset_library.h"
@@ -11,8 +10,9 @@ namespace carom {
 int list_command() {
   const std::vector<LibraryEntry> library = preset_library();
   if (library.empty()) {
-    throw SceneError(fmt::format("{}: no experiments are here; allowed: a folder of presets, named by CAROM_PRESETS",
-                                 preset_folder().string()));
+    throw SceneError(
+        fmt::format("{}: no experiments are here; allowed: a folder of presets, named by CAROM_PRESETS",
+                    preset_folder().string()));
   }
   std::size_t widest = 0;
   for (const LibraryEntry& entry : library) widest = std::max(widest, entry.name.size());
@@ -23,7 +23,8 @@ int list_command() {
       topic = entry.topic;
     }
     const Scene scene = read_preset(entry.file);
-    fmt::print("  {:<{}}  {}{}{}\n", entry.name, widest, scene.title, scene.observe.empty() ? "" : ": ", scene.observe);
+    fmt::print("  {:<{}}  {}{}{}\n", entry.name, widest, scene.title, scene.observe.empty() ? "" : ": ",
+               scene.observe);
   }
   return kGood;
 }

@@ -1,8 +1,7 @@
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <chrono>
+#include <fmt/format.h>
 #include <memory>
+#include <unistd.h>
 
 #include "app/commands.h"
 #include "app/preset_library.h"
@@ -62,7 +61,8 @@ Scene scene_with_method(const std::string& preset, const MethodOptions& method) 
   scene.method.contacts = method.contacts.value_or(scene.method.contacts);
   if (method.step) {
     if (!(*method.step >= kLeastStep && *method.step <= kLargestStep)) {
-      throw SceneError(fmt::format("--step: {} is not allowed; allowed: from {} to {} s", *method.step, kLeastStep, kLargestStep));
+      throw SceneError(fmt::format("--step: {} is not allowed; allowed: from {} to {} s", *method.step,
+                                   kLeastStep, kLargestStep));
     }
     scene.method.step = *method.step;
   }
@@ -91,7 +91,8 @@ int run_command(const RunOptions& options) {
     simulation.advance_to(end, [&] {
       if (csv != nullptr) csv->line(run_csv_line(simulation));
       if (events != nullptr) {
-        for (const ImpactRecord& impact : simulation.last_impacts()) events->line(events_csv_line(simulation, impact));
+        for (const ImpactRecord& impact : simulation.last_impacts())
+          events->line(events_csv_line(simulation, impact));
       }
       progress.show(simulation.time());
     });

@@ -5,7 +5,8 @@
 
 #include "physics/scene/scene.h"
 
-// The commands of the program, each a function from its options to an exit code. Bad input is thrown as SceneError.
+// The commands of the program, each a function from its options to an exit code. Bad input is thrown as
+// SceneError.
 namespace carom {
 
 inline constexpr int kGood = 0;
@@ -37,8 +38,8 @@ struct PictureOptions {
   std::string output;        // .png, .svg or .pdf
   bool window = false;       // the whole lab, .png only
   bool dark = false;
-  int width = 0;  // px; 0: 1280
-  int height = 0; // px; 0: 800
+  int width = 0;   // px; 0: 1280
+  int height = 0;  // px; 0: 800
 };
 
 // The scene of a preset with the chosen method, validated.

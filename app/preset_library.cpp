@@ -1,11 +1,10 @@
 #include "app/preset_library.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <system_error>
 #include <tuple>
@@ -86,8 +85,8 @@ fs::path find_preset(const std::string& file_or_name) {
     names.push_back(entry.name);
   }
   if (fs::is_regular_file(file_or_name, error)) return file_or_name;
-  throw SceneError(fmt::format("{}: no such file or experiment; allowed: a preset file, or one of {}", file_or_name,
-                               fmt::join(names, ", ")));
+  throw SceneError(fmt::format("{}: no such file or experiment; allowed: a preset file, or one of {}",
+                               file_or_name, fmt::join(names, ", ")));
 }
 
 }  // namespace carom

@@ -17,13 +17,15 @@ struct LibraryEntry {
   std::filesystem::path file;
 };
 
-// The folder of the built-in experiments: $CAROM_PRESETS, else the one installed beside the program, else the source's.
+// The folder of the built-in experiments: $CAROM_PRESETS, else the one installed beside the program, else the
+// source's.
 [[nodiscard]] std::filesystem::path preset_folder();
 
 // The built-in experiments by topic, in the order in which a course takes them.
 [[nodiscard]] std::vector<LibraryEntry> preset_library();
 
-// The file that FILE|NAME means: an existing file, or a built-in experiment. Throws SceneError with the known names.
+// The file that FILE|NAME means: an existing file, or a built-in experiment. Throws SceneError with the known
+// names.
 [[nodiscard]] std::filesystem::path find_preset(const std::string& file_or_name);
 
 }  // namespace carom

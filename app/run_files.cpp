@@ -1,10 +1,9 @@
 #include "app/run_files.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fmt/format.h>
 #include <system_error>
 
 #include "physics/scene/validate.h"
@@ -29,8 +28,11 @@ bool with_paths(const Simulation& s) {
 
 }  // namespace
 
-CsvFile::CsvFile(const std::string& name) : name_(name), out_(name + ".part", std::ios::binary | std::ios::trunc) {
-  if (!out_) throw SceneError(fmt::format("{}: the file cannot be written; allowed: a place with the right to write", name));
+CsvFile::CsvFile(const std::string& name)
+    : name_(name), out_(name + ".part", std::ios::binary | std::ios::trunc) {
+  if (!out_)
+    throw SceneError(
+        fmt::format("{}: the file cannot be written; allowed: a place with the right to write", name));
 }
 
 CsvFile::~CsvFile() {
@@ -46,18 +48,21 @@ void CsvFile::finish() {
   out_.close();
   std::error_code error;
   if (out_) std::filesystem::rename(name_ + ".part", name_, error);
-  if (!out_ || error) throw SceneError(fmt::format("{}: the file could not be written; allowed: a place with room", name_));
+  if (!out_ || error)
+    throw SceneError(fmt::format("{}: the file could not be written; allowed: a place with room", name_));
   finished_ = true;
 }
 
 std::string run_csv_header(const Simulation& s) {
   std::string line =
-      "time [s],kinetic_energy [J],rotational_energy [J],potential_energy [J],total_energy [J],momentum_x [N s],"
+      "time [s],kinetic_energy [J],rotational_energy [J],potential_energy [J],total_energy [J],momentum_x [N "
+      "s],"
       "momentum_y [N s],angular_momentum [kg m^2/s],numerical_drift [J],impacts [1]";
   if (!with_paths(s)) return line;
   for (const Body& b : s.bodies()) {
     if (b.fixed) continue;
-    for (const char* what : {"x [m]", "y [m]", "angle [rad]", "velocity_x [m/s]", "velocity_y [m/s]", "spin [rad/s]"}) {
+    for (const char* what :
+         {"x [m]", "y [m]", "angle [rad]", "velocity_x [m/s]", "velocity_y [m/s]", "spin [rad/s]"}) {
       line += fmt::format(",{}", quoted_field(fmt::format("{} {}", b.name, what)));
     }
   }
@@ -66,8 +71,8 @@ std::string run_csv_header(const Simulation& s) {
 
 std::string run_csv_line(const Simulation& s) {
   const Totals t = s.totals();
-  std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{}", s.time(), t.kinetic(), t.rotational, t.potential,
-                                 t.energy(), t.momentum.x(), t.momentum.y(), t.angular_momentum,
+  std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{}", s.time(), t.kinetic(), t.rotational,
+                                 t.potential, t.energy(), t.momentum.x(), t.momentum.y(), t.angular_momentum,
                                  s.ledger().numerical_drift(t.energy()), s.impact_count());
   if (!with_paths(s)) return line;
   for (int i = 0; i < s.state().size(); ++i) {
@@ -86,7 +91,8 @@ std::string events_csv_header() {
 std::string events_csv_line(const Simulation& s, const ImpactRecord& i) {
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", i.time, quoted_field(s.bodies()[i.a].name),
                      quoted_field(s.bodies()[i.b].name), i.point.x(), i.point.y(), i.normal.x(), i.normal.y(),
-                     i.normal_impulse, i.tangential_impulse, i.closing_speed, i.lost_to_restitution, i.lost_to_friction);
+                     i.normal_impulse, i.tangential_impulse, i.closing_speed, i.lost_to_restitution,
+                     i.lost_to_friction);
 }
 
 }  // namespace carom

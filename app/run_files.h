@@ -7,8 +7,9 @@
 
 namespace carom {
 
-// A CSV file of a run, RFC 4180, units in brackets in the header, every number with all its digits. It is written beside
-// its name and renamed at the end, so that an older file is whole until the new one is. Throws SceneError if that fails.
+// A CSV file of a run, RFC 4180, units in brackets in the header, every number with all its digits. It is
+// written beside its name and renamed at the end, so that an older file is whole until the new one is. Throws
+// SceneError if that fails.
 class CsvFile {
  public:
   explicit CsvFile(const std::string& name);
@@ -24,8 +25,8 @@ class CsvFile {
   bool finished_ = false;
 };
 
-// Sums of the scene, then x, y, angle, velocity and spin of each moving body, for up to kMostPaths of them (a larger
-// crowd's file would be some 100 MB; its sums are written).
+// Sums of the scene, then x, y, angle, velocity and spin of each moving body, for up to kMostPaths of them (a
+// larger crowd's file would be some 100 MB; its sums are written).
 inline constexpr int kMostPaths = 50;
 [[nodiscard]] std::string run_csv_header(const Simulation& simulation);
 [[nodiscard]] std::string run_csv_line(const Simulation& simulation);

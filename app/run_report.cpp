@@ -1,9 +1,8 @@
 #include "app/run_report.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "physics/motion/integrators.h"
@@ -23,10 +22,11 @@ double kinetic(const Simulation& s, int i) {
 
 std::string report_text(const Scene& scene, const Simulation& start, const Simulation& end) {
   const Method& m = end.method();
-  std::string out = fmt::format("{}\n{}, {}, {}, h = {} s\n", scene.title, choice_of(kIntegrators, m.integrator).label,
-                                choice_of(kImpacts, m.impacts).label, choice_of(kContacts, m.contacts).label, m.step);
-  out += fmt::format("t = {} s after {} steps, {} impact{}\n\n", figure(end.time()), end.steps(), end.impact_count(),
-                     end.impact_count() == 1 ? "" : "s");
+  std::string out =
+      fmt::format("{}\n{}, {}, {}, h = {} s\n", scene.title, choice_of(kIntegrators, m.integrator).label,
+                  choice_of(kImpacts, m.impacts).label, choice_of(kContacts, m.contacts).label, m.step);
+  out += fmt::format("t = {} s after {} steps, {} impact{}\n\n", figure(end.time()), end.steps(),
+                     end.impact_count(), end.impact_count() == 1 ? "" : "s");
 
   std::size_t name_width = 4;
   for (const Body& b : end.bodies()) {
@@ -50,8 +50,8 @@ std::string report_text(const Scene& scene, const Simulation& start, const Simul
   if (moving > kMostRows) out += fmt::format("... and {} more\n", moving - kMostRows);
   const Totals before = start.totals();
   const Totals after = end.totals();
-  out += fmt::format("{:<{}} {:>9} {:>22} {:>22} {:>11} {:>11} {:>11}\n\n", "sum", name_width, figure(mass), "", "", "",
-                     figure(before.kinetic()), figure(after.kinetic()));
+  out += fmt::format("{:<{}} {:>9} {:>22} {:>22} {:>11} {:>11} {:>11}\n\n", "sum", name_width, figure(mass), "",
+                     "", "", figure(before.kinetic()), figure(after.kinetic()));
 
   const auto row = [&](const char* what, double from, double to) {
     out += fmt::format("{:<34} {:>14} {:>14}\n", what, figure(from), figure(to));
@@ -67,7 +67,9 @@ std::string report_text(const Scene& scene, const Simulation& start, const Simul
 
   const Ledger ledger = end.ledger();
   out += "\nwhere the energy went / J\n";
-  const auto entry = [&](const char* what, double value) { out += fmt::format("{:<34} {:>14}\n", what, figure(value)); };
+  const auto entry = [&](const char* what, double value) {
+    out += fmt::format("{:<34} {:>14}\n", what, figure(value));
+  };
   entry("lost to restitution", ledger.lost_to_restitution);
   entry("lost to friction", ledger.lost_to_friction);
   entry("lost to drag", ledger.lost_to_drag);

@@ -12,9 +12,9 @@ namespace carom {
 inline constexpr int kMostRows = 20;
 [[nodiscard]] std::string report_text(const Scene& scene, const Simulation& start, const Simulation& end);
 
-// The same for programs, one JSON object: preset, method {integrator, impacts, contacts, step}, time, steps, impacts,
-// bodies [{name, position, angle, velocity, spin}], kinetic_energy, potential_energy, momentum, angular_momentum,
-// ledger {...}, status.
+// The same for programs, one JSON object: preset, method {integrator, impacts, contacts, step}, time, steps,
+// impacts, bodies [{name, position, angle, velocity, spin}], kinetic_energy, potential_energy, momentum,
+// angular_momentum, ledger {...}, status.
 [[nodiscard]] std::string report_json(const std::string& preset, const Simulation& end);
 
 }  // namespace carom

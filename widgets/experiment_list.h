@@ -13,13 +13,14 @@ namespace carom {
 
 // One line of the list of experiments.
 struct ExperimentItem {
-  QString name;     // what openRequested() says
+  QString name;  // what openRequested() says
   QString topic;
   QString title;
   QString observe;  // one short line under the title
 };
 
-// The experiments under their topics, each with a small picture, and a field that searches them. One click opens.
+// The experiments under their topics, each with a small picture, and a field that searches them. One click
+// opens.
 class ExperimentList : public QFrame {
   Q_OBJECT
 

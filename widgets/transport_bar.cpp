@@ -119,8 +119,9 @@ void TransportBar::set_icons() {
   restart_->setIcon(themed_icon("restart", theme_.text));
   step_->setIcon(themed_icon("step", theme_.text));
   play_->setIcon(themed_icon(playing_ ? "pause" : "play", theme_.panel));
-  play_->setStyleSheet(QString("QToolButton { background: %1; border-radius: 18px; } QToolButton:hover { background: %2; }")
-                           .arg(theme_.accent.name(), theme_.accent.lighter(112).name()));
+  play_->setStyleSheet(
+      QString("QToolButton { background: %1; border-radius: 18px; } QToolButton:hover { background: %2; }")
+          .arg(theme_.accent.name(), theme_.accent.lighter(112).name()));
 }
 
 void TransportBar::set_theme(const Theme& theme) {

@@ -52,7 +52,7 @@ class Worker {
   std::shared_ptr<Frame> newest_;
   Scene scene_;
   std::uint64_t run_ = 1;  // of the frames to hand out: loads and restarts so far, and the start
-  std::jthread thread_;  // last: it uses all of the above
+  std::jthread thread_;    // last: it uses all of the above
 };
 
 }  // namespace carom
