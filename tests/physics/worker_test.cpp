@@ -90,6 +90,17 @@ TEST(Worker, RunUntilGivesTheBytesOfAPlainRun) {
   EXPECT_EQ(watcher.last.impact_count, plain.impact_count());
 }
 
+TEST(Worker, NewsOfFramesThatNobodyTookGoOn) {
+  Worker worker(small_gas());
+  Watcher watcher(worker);
+  worker.run_until(100.0);
+  std::this_thread::sleep_for(200ms);  // many frames are published meanwhile
+  ASSERT_TRUE(watcher.wait([](const Frame& f) { return !f.playing && f.steps > 0; }));
+  for (std::size_t i = 1; i < watcher.impacts.size(); ++i) {
+    ASSERT_GE(watcher.impacts[i].time, watcher.impacts[i - 1].time);
+  }
+}
+
 TEST(Worker, PlaysPausesStepsAndRestarts) {
   Worker worker(small_gas());
   Watcher watcher(worker);
