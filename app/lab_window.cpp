@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QRandomGenerator>
+#include <QStringList>
 #include <QTabWidget>
 #include <QThread>
 #include <QToolButton>
@@ -228,8 +229,11 @@ void LabWindow::show_frame() {
   const bool slow = frame_->playing && frame_->realised_speed > 0.0 && frame_->realised_speed < 0.85 * speed_;
   if (slow) speed += tr(", runs at ×%1").arg(frame_->realised_speed, 0, 'g', 2);
   speed_chip_->setText(speed);
-  const QString status = QString::fromStdString(frame_->status);
-  status_chip_->setVisible(status != "ok");
+  QStringList notices;
+  if (frame_->status != "ok") notices << QString::fromStdString(frame_->status);
+  if (!recorder_.complete()) notices << tr("a long run: plots and tables keep the peaks of its older part");
+  const QString status = notices.join("; ");
+  status_chip_->setVisible(!status.isEmpty());
   status_chip_->setToolTip(status);
   const int room = std::max(120, view_->width() - 260);
   status_chip_->setText(status_chip_->fontMetrics().elidedText(status, Qt::ElideRight, room));
