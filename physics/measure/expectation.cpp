@@ -32,6 +32,8 @@ void look(Measurement& m, const Simulation& s) {
   switch (m.expectation->reduction) {
     case Reduction::kAt:
     case Reduction::kAtImpact:
+    case Reduction::kCount:
+    case Reduction::kFit:
       return;
     case Reduction::kFinal:
       m.value = m.read(s);

@@ -11,7 +11,7 @@ ForceField::ForceField(const Forces& forces, const std::vector<Body>& bodies)
   if (forces.springs.empty()) return;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     first_.push_back(static_cast<int>(springs_.size()));
-    for (const AnchorSpring& s : forces.springs) {
+    for (const Spring& s : forces.springs) {
       if (s.body == bodies[i].name)
         springs_.push_back({static_cast<int>(i), s.anchor, s.stiffness, s.rest_length});
     }
@@ -22,7 +22,7 @@ ForceField::ForceField(const Forces& forces, const std::vector<Body>& bodies)
 Vec2 ForceField::spring_force(int body, const Vec2& position) const {
   Vec2 force = Vec2::Zero();
   for (int k = first_[body]; k < first_[body + 1]; ++k) {
-    const Spring& s = springs_[k];
+    const Anchored& s = springs_[k];
     const Vec2 d = position - s.anchor;
     if (s.rest_length == 0.0) {
       force -= s.stiffness * d;

@@ -47,7 +47,7 @@ class ForceField {
   [[nodiscard]] bool is_free() const { return gravity_.isZero(0.0) && drag_ == 0.0 && springs_.empty(); }
 
  private:
-  struct Spring {
+  struct Anchored {
     int body;
     Vec2 anchor;
     double stiffness;
@@ -55,8 +55,8 @@ class ForceField {
   };
   Vec2 gravity_ = Vec2::Zero();
   double drag_ = 0.0;
-  std::vector<Spring> springs_;  // sorted by body
-  std::vector<int> first_;       // springs of body i are springs_[first_[i]] .. springs_[first_[i + 1] - 1]
+  std::vector<Anchored> springs_;  // sorted by body
+  std::vector<int> first_;         // springs of body i are springs_[first_[i]] .. springs_[first_[i + 1] - 1]
   Eigen::VectorXd inverse_mass_;
 };
 

@@ -7,6 +7,7 @@
 #include "physics/motion/force_field.h"
 #include "physics/motion/rk4.h"
 #include "physics/motion/semi_implicit_euler.h"
+#include "physics/motion/velocity_verlet.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -26,7 +27,7 @@ struct IntegratorChoice : Choice<IntegratorId> {
 };
 
 // The table that window, command line and tests iterate. One file a method beside this one.
-inline constexpr std::array<IntegratorChoice, 3> kIntegrators = {{
+inline constexpr std::array<IntegratorChoice, 4> kIntegrators = {{
     {{IntegratorId::kExplicitEuler, "explicit-euler", "Explicit Euler",
       "order 1; gains energy in oscillations"},
      1,
@@ -35,6 +36,10 @@ inline constexpr std::array<IntegratorChoice, 3> kIntegrators = {{
       "order 1, symplectic; the Euler of the founding report"},
      1,
      1},
+    {{IntegratorId::kVelocityVerlet, "velocity-verlet", "Velocity Verlet",
+      "order 2, symplectic where forces don't depend on the velocity"},
+     2,
+     2},
     {{IntegratorId::kRk4, "rk4", "RK4", "order 4, the classical Runge-Kutta method"}, 4, 4},
 }};
 
@@ -69,10 +74,13 @@ template <class Table, class Id>
       return explicit_euler_step(rate, y, h);
     case IntegratorId::kSemiImplicitEuler:
       return semi_implicit_euler_step(rate, y, h);
+    case IntegratorId::kVelocityVerlet:
+      return velocity_verlet_step(rate, y, h);
     case IntegratorId::kRk4:
       return rk4_step(rate, y, h);
+    default:
+      return y;
   }
-  return y;
 }
 
 }  // namespace carom

@@ -200,7 +200,7 @@ void read_force(const Json& json, const std::string& place, Forces& forces) {
     if (forces.quadratic_drag != 0.0) refuse_value(place, "a second quadratic drag", "one");
     r.require_number("coefficient", forces.quadratic_drag, "kg/m");
   } else if (type == "spring") {
-    AnchorSpring s;
+    Spring s;
     r.require_text("body", s.body);
     s.anchor = pair_of_numbers(r.require("anchor", "two numbers, [x, y], in m"), r.at("anchor"));
     r.require_number("stiffness", s.stiffness, "N/m");

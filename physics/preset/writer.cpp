@@ -123,7 +123,7 @@ std::string write_preset(const Scene& scene) {
   if (scene.forces.quadratic_drag != 0.0) {
     j["forces"].push_back({{"type", "quadratic_drag"}, {"coefficient", scene.forces.quadratic_drag}});
   }
-  for (const AnchorSpring& s : scene.forces.springs) {
+  for (const Spring& s : scene.forces.springs) {
     j["forces"].push_back({{"type", "spring"},
                            {"body", s.body},
                            {"anchor", pair(s.anchor)},

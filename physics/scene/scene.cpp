@@ -52,7 +52,7 @@ Material mixed(const Material& a, const Material& b) {
 }
 
 double mass_of(const Body& body) {
-  if (body.fixed) return std::numeric_limits<double>::infinity();
+  if (is_immovable(body)) return std::numeric_limits<double>::infinity();
   if (body.mass) return *body.mass;
   return body.density.value_or(1.0) * area(body.shape);
 }

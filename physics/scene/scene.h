@@ -45,6 +45,15 @@ struct Material {
 
 [[nodiscard]] Material mixed(const Material& a, const Material& b);
 
+// A motion that nothing disturbs: position(t) = position + velocity t + amplitude sin(ω t + φ), with its exact
+// velocity. A piston has a velocity, a vibrating table an amplitude.
+struct Drive {
+  Vec2 velocity = Vec2::Zero();    // m/s
+  Vec2 amplitude = Vec2::Zero();   // m
+  double angular_frequency = 0.0;  // ω in rad/s, >= 0
+  double phase = 0.0;              // φ in rad
+};
+
 struct Body {
   std::string name;
   Shape shape = Disc{};
@@ -55,27 +64,71 @@ struct Body {
   std::optional<double> mass;     // kg; either this or density
   std::optional<double> density;  // kg/m² (a plane has no volume)
   bool fixed = false;             // never moves: infinite mass and inertia
+  std::optional<Drive> drive;     // moves as it is told: infinite mass and inertia
   std::string material = "default";
 };
 
-// kg; infinite for a fixed body. A body with neither mass nor density has 1 kg/m².
+// True if nothing that happens to it changes its motion: fixed or driven.
+[[nodiscard]] inline bool is_immovable(const Body& body) { return body.fixed || body.drive.has_value(); }
+
+// kg; infinite for an immovable body. A body with neither mass nor density has 1 kg/m².
 [[nodiscard]] double mass_of(const Body& body);
 
-// A linear spring from a body's centre to a point of the plane, F = -k (|d| - L) d/|d|.
-struct AnchorSpring {
-  std::string body;
+// Which way a spring acts along its line, with the stretch s = length - rest_length.
+enum class SpringActs {
+  kBoth,       // F = -k s - c s' at any length
+  kPush,       // a bumper: only while s < 0 and it pushes; it never pulls
+  kPull,       // a rubber band: only while s > 0 and it pulls; it never pushes
+  kWhileShort  // while s < 0, also where its damper pulls
+};
+
+// A linear spring with a damper from a body's centre to another body's centre or to a point of the plane: a
+// force of -k s - c s' on the body along the line from the other end to it, the opposite one on the other body.
+struct Spring {
+  std::string name;            // may be empty
+  std::string body;            // a body that moves
+  std::string to;              // the body at the other end; empty: the point `anchor`
   Vec2 anchor = Vec2::Zero();  // m
   double stiffness = 1.0;      // N/m, > 0
+  double damping = 0.0;        // N s/m, >= 0
   double rest_length = 0.0;    // m, >= 0
+  SpringActs acts = SpringActs::kBoth;
+};
+
+// Every two moving bodies attract: F = G m_a m_b d / (d² + ε²)^(3/2) along the line of their centres (Plummer).
+struct Attraction {
+  double constant = 1.0;   // G in N m²/kg², > 0
+  double softening = 0.0;  // ε in m, >= 0
+};
+
+// A force at a body's centre and a torque. They rise linearly from `start` on within `rise` and end at `end`.
+struct AppliedForce {
+  std::string body;
+  Vec2 force = Vec2::Zero();  // N
+  double torque = 0.0;        // N m
+  double start = 0.0;         // s, >= 0
+  double rise = 0.0;          // s, >= 0; 0: all at once
+  std::optional<double> end;  // s, >= start; none: never
 };
 
 struct Forces {
   Vec2 gravity = Vec2::Zero();  // m/s²
+  double linear_drag = 0.0;     // kg/s: F = -b v on every moving body
   double quadratic_drag = 0.0;  // kg/m: F = -c |v| v on every moving body
-  std::vector<AnchorSpring> springs;
+  std::vector<Spring> springs;
+  std::optional<Attraction> attraction;
+  std::vector<AppliedForce> applied;
 };
 
-enum class IntegratorId { kExplicitEuler, kSemiImplicitEuler, kRk4 };
+enum class IntegratorId {
+  kExplicitEuler,
+  kSemiImplicitEuler,
+  kVelocityVerlet,
+  kRk4,
+  kDormandPrince,
+  kAdaptiveDormandPrince,
+  kExactFlight
+};
 enum class ImpactsId { kStepEnd, kLocated };
 enum class ContactsId { kImpulse };
 
@@ -84,7 +137,9 @@ struct Method {
   IntegratorId integrator = IntegratorId::kRk4;
   ImpactsId impacts = ImpactsId::kLocated;
   ContactsId contacts = ContactsId::kImpulse;
-  double step = 0.005;  // s, > 0
+  // s, > 0. For an integrator without a step of its own (adaptive, exact flight) the interval of the results.
+  double step = 0.005;
+  double tolerance = 1e-9;  // m and m/s a step, > 0: of the adaptive integrator
 
   bool operator==(const Method&) const = default;
 };
@@ -106,17 +161,43 @@ struct GridGenerator {
   std::uint64_t seed = 1;
 };
 
+// One number of the preset file put in place of what stands there: a JSON pointer such as /bodies/0/mass.
+struct Setting {
+  std::string place;
+  double value = 0.0;
+};
+
+// One run for each of `values` at `place`, and what the numbers that they give are reduced to.
+struct Sweep {
+  enum class Reduction {
+    kMean,
+    kMaximum,
+    kMinimum,
+    kWhereMaximum,  // the value at `place` that gives the largest number, by the parabola through three
+    kWhereMinimum,
+    kExponent  // slope of ln(number) over ln(value at `place`)
+  };
+  std::string place;
+  std::vector<double> values;
+  Reduction reduction = Reduction::kMean;
+};
+
 // A statement that the experiment must fulfil: what `observable` shows, reduced to one number, beside theory.
 struct Expectation {
-  enum class Reduction { kAt, kAtImpact, kMaximum, kMinimum, kMean, kFinal };
+  enum class Reduction { kAt, kAtImpact, kMaximum, kMinimum, kMean, kFinal, kCount, kFit };
   std::string observable;           // a name of physics/measure/observables.h
   std::vector<std::string> bodies;  // the bodies it looks at; as many as the observable asks for
   Reduction reduction = Reduction::kFinal;
-  double time = 0.0;       // s, for kAt
-  int impact = 0;          // 1, 2, ... for kAtImpact: the value just after the n-th impact
-  double value = 0.0;      // in the observable's unit
-  double tolerance = 0.0;  // same unit, >= 0
-  std::string source;      // where the value comes from
+  double time = 0.0;              // s, for kAt
+  int impact = 0;                 // 1, 2, ... for kAtImpact: the value just after the n-th impact
+  double above = 0.0;             // for kCount: the share of the readings that lie above this
+  double from = 0.0;              // s: maximum, minimum, mean, count and fit look from here on
+  std::optional<double> until;    // s: the run's end for this expectation; none: the scene's duration
+  std::vector<Setting> settings;  // how its runs differ from the scene
+  std::optional<Sweep> over;      // many runs instead of one
+  double value = 0.0;             // in the observable's unit
+  double tolerance = 0.0;         // same unit, >= 0
+  std::string source;             // where the value comes from
 };
 
 // What the window shows at first; without it the scene is fitted.

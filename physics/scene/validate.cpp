@@ -111,7 +111,7 @@ void check_generators(const Scene& scene) {
 void check_forces(const Scene& scene, const std::unordered_set<std::string>& bodies) {
   check_vector("/gravity", scene.forces.gravity, "m/s²");
   check_range("/forces (quadratic_drag)/coefficient", scene.forces.quadratic_drag, 0.0, kLargestNumber, "kg/m");
-  for (const AnchorSpring& s : scene.forces.springs) {
+  for (const Spring& s : scene.forces.springs) {
     const std::string at = fmt::format("/forces (spring of \"{}\")", s.body);
     if (!bodies.contains(s.body)) refuse_value(at + "/body", "\"" + s.body + "\"", "the name of a body");
     check_vector(at + "/anchor", s.anchor, "m");

@@ -98,6 +98,9 @@ class Simulation {
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] std::int64_t impact_count() const { return impact_count_; }
+  // Of the right-hand side, a body each; and steps that the error control took back.
+  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
+  [[nodiscard]] std::int64_t rejected_steps() const { return rejected_steps_; }
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
   [[nodiscard]] const MassProperties& mass() const { return mass_; }
@@ -168,6 +171,8 @@ class Simulation {
   std::int64_t steps_since_origin_ = 0;
   std::int64_t steps_ = 0;
   std::int64_t impact_count_ = 0;
+  std::int64_t evaluations_ = 0;
+  std::int64_t rejected_steps_ = 0;
   Ledger ledger_;  // without the drag work, which the state carries
   Notices notices_;
   std::vector<ImpactRecord> impacts_;
