@@ -1,14 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <limits>
 #include <vector>
 
 #include "physics/world/simulation.h"
 
 namespace carom {
 
-// What the impacts of a run add up to, fed after each of its steps.
+// What the impacts of a run add up to, fed after each of its steps. Where a step had more impacts than it logs
+// (Simulation::kMostLogged) the sums are not known, and the numbers that show them are NaN from there on.
 class ImpactTally {
  public:
   // Counts the impacts of this pair of bodies from now on.
@@ -26,7 +27,13 @@ class ImpactTally {
     int b;
     std::int64_t count;
   };
+  [[nodiscard]] double known(double value) const {
+    return counted_ == happened_ ? value : std::numeric_limits<double>::quiet_NaN();
+  }
+
   std::vector<Pair> pairs_;
+  std::int64_t counted_ = 0;
+  std::int64_t happened_ = 0;
   std::int64_t walls_ = 0;
   std::int64_t mutual_ = 0;
   double wall_impulse_ = 0.0;
