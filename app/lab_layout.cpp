@@ -204,9 +204,10 @@ void LabWindow::make_menus() {
     const char* tip;
     bool DrawingOptions::*flag;
   };
-  constexpr std::array<Toggle, 4> kToggles = {{
+  constexpr std::array<Toggle, 5> kToggles = {{
       {"grid", "&Grid", "Grid in metres", &DrawingOptions::grid},
       {"velocity", "&Velocities", "Arrows of the velocities", &DrawingOptions::velocities},
+      {"", "F&orces", "Applied forces and torques", &DrawingOptions::forces},
       {"contact", "&Contacts", "Normals and impulses of the newest impacts", &DrawingOptions::contacts},
       {"names", "&Names", "Names of the bodies", &DrawingOptions::names},
   }};
@@ -348,10 +349,12 @@ void LabWindow::draw_thumbnails() {
   for (const LibraryEntry& entry : preset_library()) {
     QPixmap picture;
     try {
-      const Simulation simulation(read_preset(entry.file));
+      const Scene scene = read_preset(entry.file);
+      const Simulation simulation(scene);
       Frame frame;
-      frame.state = simulation.state();
+      take_moment(simulation, frame);
       frame.bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
+      frame.forces = std::make_shared<const Forces>(scene.forces);
       picture = scene_thumbnail(frame, theme_, {52, 36}, devicePixelRatioF());
     } catch (const SceneError&) {
       picture = QPixmap();

@@ -178,7 +178,7 @@ void LabWindow::spawn(double x, double y) {
   body.density = 1.0;
   for (const Body& b : before_) {
     const auto* disc = std::get_if<Disc>(&b.shape);
-    if (b.fixed || disc == nullptr) continue;
+    if (is_immovable(b) || disc == nullptr) continue;
     radius = disc->radius;
     body.density = mass_of(b) / area(b.shape);
     body.material = b.material;

@@ -18,6 +18,7 @@ inline constexpr auto kReductionNames = std::to_array<std::pair<Expectation::Red
     {Expectation::Reduction::kFinal, "final"},
 });
 
-inline constexpr auto kPlotNames = std::to_array<std::string_view>({"energy", "momentum", "impulse"});
+inline constexpr auto kPlotNames = std::to_array<std::string_view>(
+    {"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift"});
 
 }  // namespace carom

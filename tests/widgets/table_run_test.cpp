@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/widgets/run_fixture.h"
+#include "widgets/ledger_table.h"
 #include "widgets/run_tables.h"
 #include "widgets/theme.h"
 
