@@ -20,7 +20,7 @@ PlotPanel::PlotPanel(const Theme& theme, QWidget* parent) : QWidget(parent), the
   timer_.setSingleShot(true);
   timer_.setInterval(0);
   connect(&timer_, &QTimer::timeout, this, &PlotPanel::refresh);
-  menu_ = new QMenu(this);
+  menu_ = new QMenu(tr("&Plots"), this);
   menu_->setToolTipsVisible(true);
   for (const PlotKind& kind : plot_table()) {
     QAction* action = menu_->addAction(QString::fromUtf8(kind.title));
