@@ -36,18 +36,17 @@ void append_samples(const Simulation& simulation, std::vector<Sample>& samples) 
     at.lost_to_restitution -= impact.lost_to_restitution;
     at.lost_to_friction -= impact.lost_to_friction;
   }
-  for (const ImpactRecord& impact : simulation.last_impacts()) {
-    if (impact.watched) {
-      at.time = impact.time;
-      at.totals = impact.before;
-      samples.push_back(at);
-    }
+  // The jumps are those of the first impacts.
+  const std::vector<Jump>& jumps = simulation.last_jumps();
+  for (std::size_t i = 0; i < jumps.size(); ++i) {
+    const ImpactRecord& impact = simulation.last_impacts()[i];
+    at.time = jumps[i].time;
+    at.totals = jumps[i].before;
+    samples.push_back(at);
     at.lost_to_restitution += impact.lost_to_restitution;
     at.lost_to_friction += impact.lost_to_friction;
-    if (impact.watched) {
-      at.totals = impact.after;
-      samples.push_back(at);
-    }
+    at.totals = jumps[i].after;
+    samples.push_back(at);
   }
   samples.push_back(end);
 }
