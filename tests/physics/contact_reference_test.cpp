@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -83,13 +84,14 @@ TEST_P(ContactReferences, FirstImpact) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, ContactReferences, testing::ValuesIn(kContactReferences),
-                         [](const testing::TestParamInfo<ContactReference>& info) {
-                           std::string name = info.param.name;
-                           std::replace_if(
-                               name.begin(), name.end(), [](char x) { return std::isalnum(x) == 0; }, '_');
-                           return name;
-                         });
+std::string test_name(const testing::TestParamInfo<ContactReference>& reference) {
+  std::string name = reference.param.name;
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char x) { return std::isalnum(x) == 0; }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ContactReferences, testing::ValuesIn(kContactReferences), test_name);
 
 }  // namespace
 }  // namespace carom
