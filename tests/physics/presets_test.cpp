@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-#include "physics/measure/expectation.h"
+#include "physics/preset/check.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/setting.h"
 #include "tests/physics/scenes.h"
@@ -54,7 +54,7 @@ TEST(Presets, MeetTheirExpectations) {
   for (const fs::path& file : preset_files()) {
     const Scene s = read_preset(file);
     EXPECT_FALSE(s.expect.empty()) << file;
-    const std::vector<Outcome> outcomes = measure_expectations(s);
+    const std::vector<Outcome> outcomes = check_expectations(s);
     ASSERT_EQ(outcomes.size(), s.expect.size());
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       EXPECT_TRUE(outcomes[i].good) << file << " /expect/" << i << " " << s.expect[i].observable
