@@ -8,6 +8,7 @@
 #include "app/run_files.h"
 #include "app/run_report.h"
 #include "physics/preset/preset.h"
+#include "physics/scene/needs.h"
 
 namespace carom {
 namespace {
@@ -66,6 +67,7 @@ Scene scene_with_method(const std::string& preset, const MethodOptions& method) 
     }
     scene.method.step = *method.step;
   }
+  if (const auto reason = why_not(scene, scene.method.integrator)) throw SceneError("--integrator: " + *reason);
   return scene;
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "physics/scene/scene.h"
 
@@ -31,6 +32,11 @@ struct RunOptions {
   std::string save;    // preset file for the state at the end
 };
 
+struct CheckOptions {
+  std::vector<std::string> presets;  // empty: all built-in experiments
+  std::string csv;                   // file for the table, with all digits
+};
+
 struct PictureOptions {
   std::string preset;
   MethodOptions method;
@@ -47,6 +53,8 @@ struct PictureOptions {
 
 int list_command();
 int run_command(const RunOptions& options);
+// Every expectation of the presets beside what their runs show.
+int check_command(const CheckOptions& options);
 int picture_command(int& argc, char** argv, const PictureOptions& options);
 // The lab's window; where there is no display, the run of the experiment and a picture of the window instead.
 int lab_command(int& argc, char** argv, const std::string& preset);

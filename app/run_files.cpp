@@ -11,7 +11,13 @@
 namespace carom {
 namespace {
 
-std::string quoted_field(const std::string& text) {
+bool with_paths(const Simulation& s) {
+  return std::count(s.shapes().fixed.begin(), s.shapes().fixed.end(), 0) <= kMostPaths;
+}
+
+}  // namespace
+
+std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string out = "\"";
   for (const char c : text) {
@@ -21,12 +27,6 @@ std::string quoted_field(const std::string& text) {
   out += '"';
   return out;
 }
-
-bool with_paths(const Simulation& s) {
-  return std::count(s.shapes().fixed.begin(), s.shapes().fixed.end(), 0) <= kMostPaths;
-}
-
-}  // namespace
 
 CsvFile::CsvFile(const std::string& name)
     : name_(name), out_(name + ".part", std::ios::binary | std::ios::trunc) {
@@ -63,7 +63,7 @@ std::string run_csv_header(const Simulation& s) {
     if (b.fixed) continue;
     for (const char* what :
          {"x [m]", "y [m]", "angle [rad]", "velocity_x [m/s]", "velocity_y [m/s]", "spin [rad/s]"}) {
-      line += fmt::format(",{}", quoted_field(fmt::format("{} {}", b.name, what)));
+      line += fmt::format(",{}", csv_field(fmt::format("{} {}", b.name, what)));
     }
   }
   return line;
@@ -89,8 +89,8 @@ std::string events_csv_header() {
 }
 
 std::string events_csv_line(const Simulation& s, const ImpactRecord& i) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", i.time, quoted_field(s.bodies()[i.a].name),
-                     quoted_field(s.bodies()[i.b].name), i.point.x(), i.point.y(), i.normal.x(), i.normal.y(),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", i.time, csv_field(s.bodies()[i.a].name),
+                     csv_field(s.bodies()[i.b].name), i.point.x(), i.point.y(), i.normal.x(), i.normal.y(),
                      i.normal_impulse, i.tangential_impulse, i.closing_speed, i.lost_to_restitution,
                      i.lost_to_friction);
 }
