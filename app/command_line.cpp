@@ -30,6 +30,8 @@ class MethodArguments {
     add(command, "--impacts", kImpacts, impacts_, "when impacts are resolved");
     add(command, "--contacts", kContacts, contacts_, "how lasting contacts are treated");
     command.add_option("--step", step_, "length of a step, s")->type_name("H");
+    command.add_option("--tolerance", tolerance_, "of the adaptive integrator, m and m/s a step")
+        ->type_name("TOL");
   }
   [[nodiscard]] MethodOptions options() const {
     MethodOptions m;
@@ -37,6 +39,7 @@ class MethodArguments {
     if (!impacts_.empty()) m.impacts = id_of(kImpacts, impacts_);
     if (!contacts_.empty()) m.contacts = id_of(kContacts, contacts_);
     m.step = step_;
+    m.tolerance = tolerance_;
     return m;
   }
 
@@ -52,6 +55,7 @@ class MethodArguments {
   std::string impacts_;
   std::string contacts_;
   std::optional<double> step_;
+  std::optional<double> tolerance_;
 };
 
 void print_error(const std::string& line) {

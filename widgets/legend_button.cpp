@@ -1,6 +1,7 @@
 #include "widgets/legend_button.h"
 
 #include <QPainter>
+#include <algorithm>
 
 namespace carom {
 namespace {
@@ -11,13 +12,15 @@ constexpr int kPadding = 4;  // px, left and right
 
 }  // namespace
 
-LegendButton::LegendButton(const QString& label, QWidget* parent) : QToolButton(parent) {
+LegendButton::LegendButton(const QString& label, const QString& tip, QWidget* parent) : QToolButton(parent) {
   setText(label);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   setCheckable(true);
   setChecked(true);
   setAccessibleName(tr("Show the curve %1").arg(label));
-  const auto set_tip = [this](bool shown) {
-    setToolTip((shown ? tr("Click to hide the curve “%1”") : tr("Click to show the curve “%1”")).arg(text()));
+  const auto set_tip = [this, tip](bool shown) {
+    const QString click = shown ? tr("Click to hide the curve “%1”") : tr("Click to show the curve “%1”");
+    setToolTip((tip.isEmpty() ? QString() : tip + "\n") + click.arg(text()));
   };
   set_tip(true);
   connect(this, &QToolButton::toggled, this, set_tip);
@@ -37,6 +40,12 @@ QSize LegendButton::sizeHint() const {
   return {2 * kPadding + kSample + kGap + fontMetrics().horizontalAdvance(text()), fontMetrics().height() + 4};
 }
 
+QSize LegendButton::minimumSizeHint() const {
+  const int least = fontMetrics().horizontalAdvance("m…");
+  return {2 * kPadding + kSample + kGap + std::min(least, fontMetrics().horizontalAdvance(text())),
+          sizeHint().height()};
+}
+
 void LegendButton::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -51,8 +60,9 @@ void LegendButton::paintEvent(QPaintEvent*) {
   label_font.setUnderline(underMouse() || (hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange)));
   painter.setFont(label_font);
   painter.setPen(text_);
-  painter.drawText(rect().adjusted(kPadding + kSample + kGap, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                   text());
+  const QRect place = rect().adjusted(kPadding + kSample + kGap, 0, 0, 0);
+  painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
+                   painter.fontMetrics().elidedText(text(), Qt::ElideRight, place.width()));
 }
 
 }  // namespace carom

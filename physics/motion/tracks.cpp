@@ -10,9 +10,10 @@
 namespace carom {
 namespace {
 
-// The adaptive integrator's shortest step, relative to the one that the method names: below it the tolerance
-// counts as out of reach.
-constexpr double kShortestStep = 1e-9;
+// Below this the adaptive integrator's step is rounding, and the tolerance counts as out of reach.
+double shortest_step(double time) {
+  return 1e-15 + 16.0 * std::numeric_limits<double>::epsilon() * std::abs(time);
+}
 // A driven body's track is at most this fraction of a radian of its swing long, so that its bend stays small.
 constexpr double kSwing = 0.5;
 // A track in which nothing moves ends some time.
@@ -96,8 +97,7 @@ void Tracks::set_method(const Method& method) {
   // Without any acceleration every integrator goes straight.
   parabolic_ = !general_ && field_.is_constant() && (choice.exact_under_gravity || constant_.isZero(0.0));
   tolerance_ = method.tolerance;
-  step_ = method.step;
-  for (Island& island : islands_) island.next_step = method.step;
+  for (Island& island : islands_) island.next_step = 0.0;
 }
 
 void Tracks::begin(double epoch) {
@@ -295,15 +295,27 @@ double Tracks::error_of(const Island& island, double time) {
                               group.now);
 }
 
+// A cautious first try, from the time in which the velocities would change by themselves.
+double Tracks::first_step(const Island& island) {
+  double time = kLongestTrack;
+  for (const int i : members_of(island)) {
+    const double speed = settled_.col(i).segment<3>(3).norm();
+    const double change = acceleration(i).norm();
+    if (change > 0.0) time = std::min(time, speed > 0.0 ? speed / change : 1.0);
+  }
+  return std::pow(tolerance_, 0.2) * time;
+}
+
 // Shortens the track to one step whose error estimate keeps the tolerance.
 void Tracks::lay_adaptive(Island& island) {
   const double most = island.end - island.start;
+  if (island.next_step == 0.0) island.next_step = first_step(island);
   double h = std::min(island.next_step, most);
   while (true) {
     forget(island);
     const double error = error_of(island, island.start + h);
     const double next = next_adaptive_step(h, error, tolerance_);
-    const bool shortest = h < kShortestStep * step_;
+    const bool shortest = h < shortest_step(epoch_ + island.start);
     if (error <= tolerance_ || shortest) {
       if (!(error <= tolerance_) && tolerance_missed_since_ < 0.0)
         tolerance_missed_since_ = epoch_ + island.start;

@@ -96,7 +96,7 @@ class Tracks {
   struct Island {
     double start = 0.0;
     double end = 0.0;
-    double next_step = 0.0;  // s, of the adaptive integrator
+    double next_step = 0.0;  // s, of the adaptive integrator; 0: not known yet
     int first = 0;           // its members stand from here on in members_
     int count = 1;
     int group = -1;      // room in groups_, of more than one member
@@ -123,6 +123,7 @@ class Tracks {
   const Motions& fly_group(const Island& island, double time);
   [[nodiscard]] double time_to_end(const Island& island, double reach) const;
   double error_of(const Island& island, double time);
+  [[nodiscard]] double first_step(const Island& island);
   void lay_adaptive(Island& island);
   void find_switch(Island& island);
   [[nodiscard]] double margin_at(int spring, double time);
@@ -144,7 +145,6 @@ class Tracks {
   bool general_ = false;  // never take the parabola's short cuts
   int evaluations_a_step_ = 0;
   double tolerance_ = 0.0;
-  double step_ = 0.0;
   double epoch_ = 0.0;
   std::int64_t evaluations_ = 0;
   std::int64_t rejected_steps_ = 0;

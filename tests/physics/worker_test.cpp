@@ -7,6 +7,7 @@
 
 #include "physics/measure/recorder.h"
 #include "physics/preset/preset.h"
+#include "physics/world/thinning.h"
 #include "tests/physics/scenes.h"
 
 namespace carom {
@@ -100,6 +101,30 @@ TEST(Worker, NewsOfFramesThatNobodyTookGoOn) {
   for (std::size_t i = 1; i < watcher.impacts.size(); ++i) {
     ASSERT_GE(watcher.impacts[i].time, watcher.impacts[i - 1].time);
   }
+}
+
+// A window that is asleep must not fill the memory.
+TEST(Worker, FramesThatWaitAreBounded) {
+  Scene s;
+  s.bodies = {disc("a", {0.0, 0.0}, {1.0, 0.0})};
+  s.method.step = 1e-6;
+  bool thinned = false;
+  for (auto asleep = 100ms; !thinned && !HasFailure() && asleep < 30s; asleep *= 2) {
+    Worker worker(s);
+    worker.run_until(1e6);
+    std::this_thread::sleep_for(asleep);
+    std::shared_ptr<const Frame> frame;
+    while (frame == nullptr || frame->steps == 0) frame = worker.take_frame();
+    EXPECT_LE(frame->samples.size(), kMostSamples);
+    EXPECT_EQ(frame->samples.front().time, 0.0);
+    EXPECT_EQ(frame->samples.back().time, frame->time);
+    EXPECT_EQ(frame->complete, static_cast<std::int64_t>(frame->samples.size()) == 1 + frame->steps);
+    Recorder recorder;
+    recorder.add(*frame);
+    EXPECT_EQ(recorder.complete(), frame->complete);
+    thinned = !frame->complete;
+  }
+  EXPECT_TRUE(thinned);
 }
 
 TEST(Worker, PlaysPausesStepsAndRestarts) {
@@ -200,8 +225,8 @@ TEST(Recorder, IsBoundedKeepsSpikesAndSaysSo) {
   Recorder recorder;
   Frame frame;
   frame.run = 1;
-  frame.samples.resize(Recorder::kMostSamples / 4);
-  frame.impacts.resize(Recorder::kMostImpacts / 4);
+  frame.samples.resize(kMostSamples / 4);
+  frame.impacts.resize(kMostImpacts / 4);
   double time = 0.0;
   for (int i = 0; i < 12; ++i) {
     for (Sample& s : frame.samples) s.time = time++;
@@ -209,12 +234,12 @@ TEST(Recorder, IsBoundedKeepsSpikesAndSaysSo) {
     frame.samples[1234].totals.translational = i == 0 ? 7.0 : 0.0;
     frame.impacts[4321].normal_impulse = i == 0 ? 3.0 : 0.0;
     recorder.add(frame);
-    EXPECT_LE(recorder.samples().size(), Recorder::kMostSamples);
-    EXPECT_LE(recorder.impacts().size(), Recorder::kMostImpacts);
+    EXPECT_LE(recorder.samples().size(), kMostSamples);
+    EXPECT_LE(recorder.impacts().size(), kMostImpacts);
     EXPECT_EQ(recorder.samples().back().time, time - 1.0);
     EXPECT_EQ(recorder.complete(), i < 4);
   }
-  EXPECT_GE(recorder.samples().size(), Recorder::kMostSamples / 2);
+  EXPECT_GE(recorder.samples().size(), kMostSamples / 2);
   EXPECT_EQ(recorder.samples().front().time, 0.0);
   double largest = 0.0;
   for (std::size_t i = 1; i < recorder.samples().size(); ++i) {
