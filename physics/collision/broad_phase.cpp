@@ -8,13 +8,15 @@ namespace carom {
 
 const std::vector<std::pair<int, int>>& BroadPhase::pairs(const std::vector<Bounds>& bounds,
                                                           const std::vector<std::uint8_t>& fixed) {
-  if (order_.size() != bounds.size()) {
+  const bool fresh = order_.size() != bounds.size();
+  if (fresh) {
     order_.resize(bounds.size());
     for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = static_cast<int>(i);
   }
   const auto before = [&](int a, int b) {
     return bounds[a].low.x() < bounds[b].low.x() || (bounds[a].low.x() == bounds[b].low.x() && a < b);
   };
+  if (fresh) std::sort(order_.begin(), order_.end(), before);
   for (std::size_t i = 1; i < order_.size(); ++i) {
     const int moved = order_[i];
     std::size_t j = i;

@@ -36,7 +36,7 @@ Geometry geometry(const std::vector<Body>& bodies) {
     const double s = std::abs(std::sin(body.angle));
     g.extent(0, i) = c * g.half(0, i) + s * g.half(1, i) + g.rounding[i];
     g.extent(1, i) = s * g.half(0, i) + c * g.half(1, i) + g.rounding[i];
-    g.fixed.push_back(body.fixed ? 1 : 0);
+    g.fixed.push_back(is_immovable(body) ? 1 : 0);
   }
   return g;
 }

@@ -15,7 +15,7 @@ struct Geometry {
   Eigen::VectorXd rounding;  // m
   Eigen::Matrix2Xd extent;  // m, 2×N, half the axis-aligned rectangle around the body at its initial angle; it
                             // stays so, because the bodies that turn are discs
-  std::vector<std::uint8_t> fixed;
+  std::vector<std::uint8_t> fixed;  // immovable: fixed or driven
 };
 
 [[nodiscard]] Geometry geometry(const std::vector<Body>& bodies);

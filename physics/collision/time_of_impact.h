@@ -61,6 +61,22 @@ template <class Function>
   return low;
 }
 
+// The time after which two points that are `d` apart (m) and move at `u` relative to each other (m/s) come as
+// near as `distance` (m, > 0), while they approach: the smaller root of |d + u τ| = distance. The gap |d| -
+// distance may be negative by its rounding; the time is then zero. The discriminant is formed from d × u, which
+// keeps a grazing pass apart from a miss where d·d - distance² would have cancelled.
+[[nodiscard]] inline std::optional<double> first_disc_contact(const Vec2& d, const Vec2& u, double distance) {
+  const double approach = -d.dot(u);
+  if (!(approach > 0.0)) return std::nullopt;
+  const double speed = u.norm();
+  const double aside = std::abs(d.x() * u.y() - d.y() * u.x());
+  const double discriminant = (speed * distance - aside) * (speed * distance + aside);
+  if (!(discriminant > 0.0)) return std::nullopt;
+  const double apart = d.norm();
+  const double gap = (apart - distance) * (apart + distance);
+  return std::max(0.0, gap / (approach + std::sqrt(discriminant)));
+}
+
 // The first time in [a, b] at which the gap of two convex bodies closes, if there is one. The gap at `a` must
 // be positive. `sample(t)` gives a GapSample; `curvature` in m/s² bounds the second derivative of the relative
 // path.

@@ -1,16 +1,15 @@
 #pragma once
 
-#include "physics/motion/state.h"
+#include "physics/motion/stages.h"
 
 namespace carom {
 
-// Explicit Euler, order 1: q₁ = q₀ + h v₀, v₁ = v₀ + h a(q₀, v₀).
-// `rate` maps a Motion to a Rate. Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, section
-// I.7.
-template <class RateFunction>
-[[nodiscard]] Motion explicit_euler_step(const RateFunction& rate, const Motion& y, double h) {
-  const auto k = rate(y);
-  return {y.q + h * y.v, y.v + h * k.acceleration, y.dissipated + h * k.dissipation};
+// Explicit Euler, order 1: y₁ = y₀ + h f(t₀, y₀), with the old velocity in the position. Hairer, Nørsett,
+// Wanner, Solving Ordinary Differential Equations I, section I.7.
+template <class System, class Y>
+void explicit_euler_step(const System& f, double t, const Y& y, double h, Stages<Y>& s, Y& out) {
+  f(t, y, s.k[0]);
+  out = y + h * s.k[0];
 }
 
 }  // namespace carom

@@ -1,63 +1,112 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
+#include "physics/motion/drive.h"
 #include "physics/motion/state.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
 
-// Right-hand side of the equation of motion of one body: q' = v, v' = acceleration(q, v), and the power in W
-// that velocity-dependent forces take from it.
-struct Rate {
-  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // m/s², m/s², rad/s²
-  double dissipation = 0.0;                                // W
-};
-
-// The smooth forces of a scene, laid out for evaluation body by body. No force here couples two bodies, so each
-// body can be advanced to a time of its own.
+// The smooth forces of a scene, laid out for evaluation. Forces from outside (gravity, drag, springs to points
+// and to immovable bodies, applied forces) act body by body; springs between free bodies and attraction couple
+// bodies, which must then be advanced together (`coupled_groups`).
+//
+// One-sided springs and forces that start, rise or end change their law at certain moments. Between two such
+// moments the law in force is kept, so that the right-hand side is smooth within a step; who advances the
+// motion ends a step at each (`next_break`, `switch_margin`) and then calls `set_phase` or `set_engaged`.
 class ForceField {
  public:
   ForceField() = default;
   ForceField(const Forces& forces, const std::vector<Body>& bodies);
 
-  // a = g - (c/m)|v| v + springs/m for a moving body, zero for a fixed one.
-  [[nodiscard]] Rate rate(int body, const Motion& y) const {
-    Rate r;
-    if (!(inverse_mass_[body] > 0.0)) return r;
-    const Eigen::Vector2d v = y.v.head<2>();
-    Eigen::Vector2d a = gravity_;
-    if (drag_ > 0.0) {
-      const double speed = v.norm();
-      a -= (drag_ * inverse_mass_[body] * speed) * v;
-      r.dissipation = drag_ * speed * v.squaredNorm();
-    }
-    if (!springs_.empty()) a += inverse_mass_[body] * spring_force(body, y.q.head<2>());
-    r.acceleration.head<2>() = a;
-    return r;
+  // Rate of a movable body at absolute time t (s) under the forces from outside; y and k are columns of kRows.
+  template <class Y, class K>
+  void external_rate(int body, double t, const Y& y, K&& k) const {
+    k.template head<3>() = y.template segment<3>(3);
+    k.template segment<3>(3) << gravity_, 0.0;
+    k.template tail<kBooks>().setZero();
+    if (!gravity_only_) add_external(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
   }
+  // Adds the coupling forces among `members` to their rates; columns in the order of the members.
+  void add_couplings(const std::vector<int>& members, const Motions& y, Motions& k) const;
 
-  // J: -m g·x of a moving body plus the energy of its springs, zero at the origin and at rest length.
-  [[nodiscard]] double potential_energy(int body, const Vec2& position) const;
+  // True if books are more than zeros.
+  [[nodiscard]] bool keeps_books() const { return !gravity_only_; }
+  // True if nothing but uniform gravity and constant forces acts, for good: flight is a parabola.
+  [[nodiscard]] bool is_constant() const { return constant_; }
+  // m/s², m/s², rad/s²; of a movable body where is_constant(), zero for others.
+  [[nodiscard]] Eigen::Vector3d constant_acceleration(int body) const;
 
-  // N: force of the anchor springs on a body whose centre is at `position`.
-  [[nodiscard]] Vec2 spring_force(int body, const Vec2& position) const;
+  // Groups of at least two bodies that forces couple.
+  [[nodiscard]] std::vector<std::vector<int>> coupled_groups() const;
 
-  // True if every acceleration is exactly zero: bodies move on straight lines.
-  [[nodiscard]] bool is_free() const { return gravity_.isZero(0.0) && drag_ == 0.0 && springs_.empty(); }
+  // J: of gravity (zero at the origin), of springs, and of attraction (zero far away).
+  [[nodiscard]] double potential_energy(const Eigen::Matrix3Xd& q) const;
+  // J: the part of it that changes when `body` is moved to `position` and all others stay.
+  [[nodiscard]] double potential_energy_of(int body, const Vec2& position, const Eigen::Matrix3Xd& q) const;
+
+  // s: the next moment after t at which an applied force on the body changes its law; infinite if there is
+  // none.
+  [[nodiscard]] double next_break(int body, double t) const;
+  void set_phase(int body, double t);  // the laws in force just after t
+
+  // One-sided springs that have an end at `body`.
+  [[nodiscard]] const std::vector<int>& switching_springs(int body) const { return switching_[body]; }
+  [[nodiscard]] bool has_switching_springs() const { return any_switching_; }
+  // > 0 where the spring acts, < 0 where it doesn't, in N or m; for positions and velocities of its ends.
+  [[nodiscard]] double switch_margin(int spring, const Motion& body, const Motion& other) const;
+  [[nodiscard]] bool engaged(int spring) const { return engaged_[spring] != 0; }
+  void take_over(const ForceField& other) { engaged_ = other.engaged_; }  // of the same springs
+  void set_engaged(int spring, bool on) { engaged_[spring] = on ? 1 : 0; }
+  [[nodiscard]] double spring_energy(int spring, double length) const;  // J, where it acts
+  [[nodiscard]] int spring_body(int spring) const { return springs_[spring].body; }
+  [[nodiscard]] int spring_other(int spring) const { return springs_[spring].other; }  // -1: a point
+  // Where a spring's other end is if it is a point or an immovable body: position and velocity.
+  [[nodiscard]] Motion spring_end(int spring, double t) const;
 
  private:
-  struct Anchored {
+  struct Link {
     int body;
-    Vec2 anchor;
+    int other;    // a movable body, or -1
+    int drive;    // a driven body at the other end, or -1
+    Vec2 anchor;  // m, of a point or an immovable body's home
     double stiffness;
+    double damping;
     double rest_length;
+    SpringActs acts;
   };
+  struct Pull {
+    Vec2 force;   // N, on `body`
+    double loss;  // W, of the damper
+  };
+  struct Applied {
+    int body;
+    AppliedForce law;
+    int phase;  // 0 before, 1 rising, 2 full, 3 after
+  };
+  void add_external(int body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const;
+  [[nodiscard]] Pull pull(const Link& link, const Vec2& d, const Vec2& u) const;
+  [[nodiscard]] double link_energy(int spring, const Eigen::Matrix3Xd& q) const;
+  [[nodiscard]] double attraction_energy(int a, int b, const Vec2& d) const;
+
   Vec2 gravity_ = Vec2::Zero();
-  double drag_ = 0.0;
-  std::vector<Anchored> springs_;  // sorted by body
-  std::vector<int> first_;         // springs of body i are springs_[first_[i]] .. springs_[first_[i + 1] - 1]
-  Eigen::VectorXd inverse_mass_;
+  double linear_drag_ = 0.0;
+  double quadratic_drag_ = 0.0;
+  std::optional<Attraction> attraction_;
+  bool gravity_only_ = true;
+  bool constant_ = true;
+  bool any_switching_ = false;
+  std::vector<Link> springs_;
+  std::vector<std::uint8_t> engaged_;
+  std::vector<std::vector<int>> outside_;    // springs to points and immovable bodies, by body
+  std::vector<std::vector<int>> between_;    // springs to free bodies, by both their bodies
+  std::vector<std::vector<int>> switching_;  // one-sided springs, by both their bodies
+  std::vector<Applied> applied_;
+  std::vector<std::vector<int>> applied_to_;  // by body
+  std::vector<std::optional<Drive>> drives_;
+  MassProperties mass_;
 };
 
 }  // namespace carom

@@ -3,8 +3,9 @@
 #include <array>
 #include <string_view>
 
+#include "physics/motion/dormand_prince.h"
+#include "physics/motion/exact_flight.h"
 #include "physics/motion/explicit_euler.h"
-#include "physics/motion/force_field.h"
 #include "physics/motion/rk4.h"
 #include "physics/motion/semi_implicit_euler.h"
 #include "physics/motion/velocity_verlet.h"
@@ -22,25 +23,51 @@ struct Choice {
 };
 
 struct IntegratorChoice : Choice<IntegratorId> {
-  int order;        // of the error of a smooth motion at a fixed time
-  int evaluations;  // of the acceleration, a step
+  int order;                 // of the error of a smooth motion at a fixed time; 0: no error but rounding
+  int evaluations;           // of the right-hand side, a step and body
+  bool exact_under_gravity;  // a constant acceleration gives the parabola at any step
+  bool adaptive;             // a tolerance takes the step's place
 };
 
 // The table that window, command line and tests iterate. One file a method beside this one.
-inline constexpr std::array<IntegratorChoice, 4> kIntegrators = {{
+inline constexpr std::array<IntegratorChoice, 7> kIntegrators = {{
     {{IntegratorId::kExplicitEuler, "explicit-euler", "Explicit Euler",
       "order 1; gains energy in oscillations"},
      1,
-     1},
+     1,
+     false,
+     false},
     {{IntegratorId::kSemiImplicitEuler, "semi-implicit-euler", "Semi-implicit Euler",
       "order 1, symplectic; the Euler of the founding report"},
      1,
-     1},
+     1,
+     false,
+     false},
     {{IntegratorId::kVelocityVerlet, "velocity-verlet", "Velocity Verlet",
-      "order 2, symplectic where forces don't depend on the velocity"},
+      "order 2; symplectic where forces don't depend on the velocity"},
      2,
-     2},
-    {{IntegratorId::kRk4, "rk4", "RK4", "order 4, the classical Runge-Kutta method"}, 4, 4},
+     2,
+     true,
+     false},
+    {{IntegratorId::kRk4, "rk4", "RK4", "order 4, the classical Runge-Kutta method"}, 4, 4, true, false},
+    {{IntegratorId::kDormandPrince, "dormand-prince", "Dormand-Prince 5",
+      "order 5 at a fixed step, the fifth-order method of the 5(4) pair"},
+     5,
+     6,
+     true,
+     false},
+    {{IntegratorId::kAdaptiveDormandPrince, "dormand-prince-adaptive", "Dormand-Prince 5(4), adaptive",
+      "the step follows an error estimate; a tolerance takes the step's place"},
+     5,
+     7,
+     true,
+     true},
+    {{IntegratorId::kExactFlight, "exact-flight", "Exact flight",
+      "the parabola in closed form, where only uniform gravity and constant forces act"},
+     0,
+     0,
+     true,
+     false},
 }};
 
 inline constexpr std::array<Choice<ImpactsId>, 2> kImpacts = {{
@@ -64,22 +91,24 @@ template <class Table, class Id>
   return table.front();
 }
 
-// One step of length h >= 0 of body `body` from `y` under `field`: the one place that dispatches on the
-// integrator.
-[[nodiscard]] inline Motion integrator_step(IntegratorId id, const ForceField& field, int body, const Motion& y,
-                                            double h) {
-  const auto rate = [&field, body](const Motion& m) { return field.rate(body, m); };
+// One step of length h >= 0 from time t and `y` into `out`: the one place that dispatches on the integrator.
+// The adaptive one takes a step of this length too; the control of its error is in physics/motion/tracks.cpp.
+template <class System, class Y>
+void integrator_step(IntegratorId id, const System& f, double t, const Y& y, double h, Stages<Y>& s, Y& out) {
   switch (id) {
     case IntegratorId::kExplicitEuler:
-      return explicit_euler_step(rate, y, h);
+      return explicit_euler_step(f, t, y, h, s, out);
     case IntegratorId::kSemiImplicitEuler:
-      return semi_implicit_euler_step(rate, y, h);
+      return semi_implicit_euler_step(f, t, y, h, s, out);
     case IntegratorId::kVelocityVerlet:
-      return velocity_verlet_step(rate, y, h);
+      return velocity_verlet_step(f, t, y, h, s, out);
     case IntegratorId::kRk4:
-      return rk4_step(rate, y, h);
-    default:
-      return y;
+      return rk4_step(f, t, y, h, s, out);
+    case IntegratorId::kDormandPrince:
+    case IntegratorId::kAdaptiveDormandPrince:
+      return dormand_prince_step(f, t, y, h, s, out);
+    case IntegratorId::kExactFlight:
+      return exact_flight_step(f, t, y, h, s, out);
   }
 }
 

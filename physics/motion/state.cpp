@@ -2,20 +2,19 @@
 
 #include <limits>
 
+#include "physics/motion/drive.h"
+
 namespace carom {
 
-State initial_state(const std::vector<Body>& bodies) {
-  const auto n = static_cast<Eigen::Index>(bodies.size());
-  State s;
-  s.q.resize(3, n);
-  s.v.resize(3, n);
-  s.dissipated = Eigen::VectorXd::Zero(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Body& b = bodies[static_cast<std::size_t>(i)];
-    s.q.col(i) << b.position, b.angle;
-    s.v.col(i) << b.velocity, b.spin;
+Motion initial_motion(const Body& body) {
+  Motion m = Motion::Zero();
+  q_of(m) << body.position, body.angle;
+  v_of(m) << body.velocity, body.spin;
+  if (body.drive) {
+    q_of(m).head<2>() = drive_position(*body.drive, body.position, 0.0);
+    v_of(m).head<2>() = drive_velocity(*body.drive, 0.0);
   }
-  return s;
+  return m;
 }
 
 MassProperties mass_properties(const std::vector<Body>& bodies) {
@@ -25,7 +24,7 @@ MassProperties mass_properties(const std::vector<Body>& bodies) {
                    Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity())};
   for (Eigen::Index i = 0; i < n; ++i) {
     const Body& b = bodies[static_cast<std::size_t>(i)];
-    if (b.fixed) continue;
+    if (is_immovable(b)) continue;
     m.mass[i] = mass_of(b);
     m.inertia[i] = m.mass[i] * inertia_per_mass(b.shape);
     m.inverse_mass[i] = 1.0 / m.mass[i];

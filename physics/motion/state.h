@@ -8,35 +8,57 @@
 
 namespace carom {
 
-// Generalised coordinates of one body: q = (x, y, angle), v = (x', y', spin), in m, rad, m/s, rad/s.
-// `dissipated` is the work in J that velocity-dependent forces have taken from it: one more component of the
-// differential equation, advanced by the same integrator, so that drag closes the energy ledger.
-struct Motion {
-  Eigen::Vector3d q = Eigen::Vector3d::Zero();
-  Eigen::Vector3d v = Eigen::Vector3d::Zero();
-  double dissipated = 0.0;
-};
+// The unknowns of one body as a column: rows 0-2 are q = (x, y, angle) in m, m, rad; rows 3-5 v = q' in m/s,
+// m/s, rad/s; rows 6-10 the books, which integrators advance with the rest so that the ledger closes:
+//   lost to drag (J), lost to dampers (J), put in by drives and applied forces (J), and the momentum x, y (N s)
+//   that external forces other than gravity gave.
+inline constexpr int kRows = 11;
+inline constexpr int kBooks = 5;
+enum BooksRow { kDragLoss, kDamperLoss, kWorkIn, kImpulseX, kImpulseY };
 
-// The motions of N bodies as arrays, a column a body: q and v are 3×N, dissipated has N entries.
+template <int kBodies>
+using Columns = Eigen::Matrix<double, kRows, kBodies>;
+using Motion = Columns<1>;                // of one body
+using Motions = Columns<Eigen::Dynamic>;  // of several that are advanced together
+
+template <class Y>
+[[nodiscard]] auto q_of(Y&& y) {
+  return std::forward<Y>(y).template topRows<3>();
+}
+template <class Y>
+[[nodiscard]] auto v_of(Y&& y) {
+  return std::forward<Y>(y).template middleRows<3>(3);
+}
+template <class Y>
+[[nodiscard]] auto books_of(Y&& y) {
+  return std::forward<Y>(y).template bottomRows<kBooks>();
+}
+
+// The motions of N bodies at one time, as arrays with a column a body.
 struct State {
   Eigen::Matrix3Xd q;
   Eigen::Matrix3Xd v;
-  Eigen::VectorXd dissipated;
+  Eigen::Matrix<double, kBooks, Eigen::Dynamic> books;
 
   [[nodiscard]] int size() const { return static_cast<int>(q.cols()); }
-  [[nodiscard]] Motion motion(int i) const { return {q.col(i), v.col(i), dissipated[i]}; }
+  void resize(int bodies) {
+    q.resize(3, bodies);
+    v.resize(3, bodies);
+    books.resize(kBooks, bodies);
+  }
   void set_motion(int i, const Motion& m) {
-    q.col(i) = m.q;
-    v.col(i) = m.v;
-    dissipated[i] = m.dissipated;
+    q.col(i) = q_of(m);
+    v.col(i) = v_of(m);
+    books.col(i) = books_of(m);
   }
   [[nodiscard]] Vec2 position(int i) const { return q.col(i).head<2>(); }
   [[nodiscard]] Vec2 velocity(int i) const { return v.col(i).head<2>(); }
 };
 
-[[nodiscard]] State initial_state(const std::vector<Body>& bodies);
+// A body as the scene has it at t = 0; a driven one at its drive's position, with its drive's velocity.
+[[nodiscard]] Motion initial_motion(const Body& body);
 
-// Inverse masses and inertias, zero for fixed bodies; masses of fixed bodies are infinite.
+// Inverse masses and inertias, zero for immovable bodies, whose masses are infinite.
 struct MassProperties {
   Eigen::VectorXd inverse_mass;     // 1/kg
   Eigen::VectorXd inverse_inertia;  // 1/(kg m²), about the centre

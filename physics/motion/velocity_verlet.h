@@ -1,6 +1,6 @@
 #pragma once
 
-#include "physics/motion/state.h"
+#include "physics/motion/stages.h"
 
 namespace carom {
 
@@ -8,14 +8,15 @@ namespace carom {
 //   q₁ = q₀ + h v₀ + ½h² a(q₀, v₀),   v₁ = v₀ + ½h (a(q₀, v₀) + a(q₁, v₀ + h a(q₀, v₀))).
 // The second acceleration is taken at a predicted velocity, whose error of h² keeps the order also where forces
 // depend on the velocity; where they don't, it is the classical, symplectic method. Swope, Andersen, Berens,
-// Wilson, Journal of Chemical Physics 76 (1982) 637, with the predictor as our addition.
-template <class RateFunction>
-[[nodiscard]] Motion velocity_verlet_step(const RateFunction& rate, const Motion& y, double h) {
-  const auto k1 = rate(y);
-  const Motion y1{y.q + h * (y.v + 0.5 * h * k1.acceleration), y.v + h * k1.acceleration, 0.0};
-  const auto k2 = rate(y1);
-  return {y1.q, y.v + 0.5 * h * (k1.acceleration + k2.acceleration),
-          y.dissipated + 0.5 * h * (k1.dissipation + k2.dissipation)};
+// Wilson, Journal of Chemical Physics 76 (1982) 637; the predictor is our addition.
+template <class System, class Y>
+void velocity_verlet_step(const System& f, double t, const Y& y, double h, Stages<Y>& s, Y& out) {
+  f(t, y, s.k[0]);
+  s.y = y + h * s.k[0];
+  q_of(s.y) = q_of(y) + h * (v_of(y) + 0.5 * h * v_of(s.k[0]));
+  f(t + h, s.y, s.k[1]);
+  out = y + 0.5 * h * (s.k[0] + s.k[1]);
+  q_of(out) = q_of(s.y);
 }
 
 }  // namespace carom

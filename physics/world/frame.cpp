@@ -3,10 +3,9 @@
 namespace carom {
 
 void append_samples(const Simulation& simulation, std::vector<Sample>& samples) {
-  for (const ImpactRecord& impact : simulation.last_impacts()) {
-    if (!impact.watched) continue;
-    samples.push_back({impact.time, impact.before});
-    samples.push_back({impact.time, impact.after});
+  for (const Jump& jump : simulation.last_jumps()) {
+    samples.push_back({jump.time, jump.before});
+    samples.push_back({jump.time, jump.after});
   }
   samples.push_back({simulation.time(), simulation.totals()});
 }

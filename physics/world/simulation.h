@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "physics/collision/broad_phase.h"
+#include "physics/collision/cell_grid.h"
 #include "physics/collision/geometry.h"
 #include "physics/contact/impact_law.h"
-#include "physics/motion/force_field.h"
-#include "physics/motion/state.h"
+#include "physics/motion/tracks.h"
+#include "physics/scene/needs.h"
 #include "physics/scene/scene.h"
+#include "physics/world/event_queue.h"
 #include "physics/world/ledger.h"
 #include "physics/world/totals.h"
 
@@ -28,21 +30,29 @@ struct ImpactRecord {
   double closing_speed = 0.0;  // m/s, > 0
   double lost_to_restitution = 0.0;
   double lost_to_friction = 0.0;
-  // Of the whole scene, so that plots jump where the motion does. Only with Simulation::watch_impacts, and only
-  // for the first kMostWatched impacts of a step.
-  bool watched = false;
+};
+
+// The sums of the scene before and after an impact, so that plots jump where the motion does.
+struct Jump {
+  double time = 0.0;
   Totals before;
   Totals after;
 };
 
 // What a run has to say about itself beside its numbers: each is an expected numerical outcome, never an error.
+// Times in s, at which it first happened; negative: never.
 struct Notices {
-  // Bounces came to follow one another faster than the method resolves (Zeno), first at this time; from there
-  // the pair is held by inelastic impacts at the end of each step. Negative: never.
+  // Bounces came to follow one another faster than the method resolves (Zeno); from there the pair is held by
+  // inelastic impacts at the end of each step.
   double resting_since = -1.0;
-  // The limit kMostImpactsPerStep was reached, first at this time; the rest of that step was resolved at its
-  // end.
+  // Impacts without anything that presses came to follow one another faster than doubles can tell apart.
+  double collapsed_since = -1.0;
+  // The limit kMostImpactsPerStep was reached; the rest of that step was resolved at its end.
   double impacts_capped_since = -1.0;
+  // A step had more impacts than the log keeps; they all happened, and are counted.
+  double log_cut_since = -1.0;
+  // The adaptive integrator could not keep its tolerance with the shortest step.
+  double tolerance_missed_since = -1.0;
 
   // One line for people; "ok" if there is nothing to tell.
   [[nodiscard]] std::string text() const;
@@ -54,11 +64,14 @@ struct Notices {
 // the order of index pairs, gets its impulse if it approaches, and a pseudo-spring moves it apart by
 // kOverlapFraction of its overlap, shared by inverse mass.
 //
-// Impacts at their own time: within a step each body keeps a local time, the time of its last impact. The first
-// time of contact of each pair is searched on the integrator's own map (physics/collision/time_of_impact.h);
-// the earliest is resolved; only the two bodies of an impact are touched and searched again. The state at an
-// impact is a true step of the method, so the integrator keeps its order through impacts. Impacts at one time
-// go pair by pair, in the order of index pairs.
+// Impacts at their own time: each body, or each group that forces couple, keeps a time of its own, that of its
+// last impact, and a track from there on (physics/motion/tracks.h). The first contact of two tracks is searched
+// on the integrator's own map (physics/collision/time_of_impact.h); the earliest of all is resolved; only the
+// bodies of an impact are touched, and only their neighbours searched again. The state at an impact is a true
+// step of the method, so the integrator keeps its order through impacts. Impacts at one time go pair by pair,
+// in the order of index pairs. Integrators with a step lay all tracks anew at each step's end. The adaptive one
+// and exact flight need no common step: their tracks run on across it, and `step` is only the interval at which
+// the state is looked at.
 class Simulation {
  public:
   // Fraction of an overlap that the pseudo-spring takes away in a step, dimensionless: small enough that a deep
@@ -67,16 +80,29 @@ class Simulation {
   static constexpr double kOverlapFraction = 0.2;
   // m/s; a pressed contact that rebounds slower than this is at rest: it would hop by v²/2g = 5e-14 m.
   static constexpr double kRestSpeed = 1e-6;
+  // Under an integrator of order 1 a pressed contact rests below kRestRebound e/(1 - e) |a| h, |a| being the
+  // acceleration that presses it: explicit Euler's rebounds tend to e |a| h/(1 - e) and would never die out. At
+  // most kMostRestRebound |a| h, so that nearly elastic bodies still bounce (and show that drift).
+  static constexpr double kRestRebound = 1.5;
+  static constexpr double kMostRestRebound = 4.0;
+  // Inelastic collapse: a pair with e < 1 parts slower than this share of its own speed, in less time after the
+  // impact before than doubles can tell apart.
+  static constexpr double kCollapseShare = 1e-12;
   // After more than kCrowdedImpacts + kCrowdedImpactsPerBody * N located impacts in one step, the guard against
   // inelastic collapse acts: a pair with e < 1 that rebounds slower than its forces can press it together in a
   // step rests until the step's end. A settling pile would otherwise need millions of impacts a step.
   static constexpr int kCrowdedImpacts = 100;
   static constexpr int kCrowdedImpactsPerBody = 4;
-  // Located impacts in one step before the rest of it is resolved at its end. A million takes about a second.
-  static constexpr int kMostImpactsPerStep = 1'000'000;
+  // Located impacts in one step before the rest of it is resolved at its end: some seconds of work. Galperin's
+  // billiard with a mass ratio of 10¹² has 3 141 592.
+  static constexpr int kMostImpactsPerStep = 10'000'000;
+  // Impacts of a step that are kept in last_impacts(), some 100 MB.
+  static constexpr std::size_t kMostLogged = 1'000'000;
 
-  // The scene must be valid (see validate() in physics/scene/validate.h).
-  explicit Simulation(const Scene& scene);
+  // The scene must be valid (see validate() in physics/scene/validate.h). `needs` says which parts of the model
+  // are put in.
+  explicit Simulation(const Scene& scene) : Simulation(scene, needs_of(scene)) {}
+  Simulation(const Scene& scene, const Needs& needs);
 
   void step() { step(method_.step); }
   void step(double h);
@@ -99,71 +125,84 @@ class Simulation {
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] std::int64_t impact_count() const { return impact_count_; }
   // Of the right-hand side, a body each; and steps that the error control took back.
-  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
-  [[nodiscard]] std::int64_t rejected_steps() const { return rejected_steps_; }
+  [[nodiscard]] std::int64_t evaluations() const { return tracks_.evaluations(); }
+  [[nodiscard]] std::int64_t rejected_steps() const { return tracks_.rejected_steps(); }
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
   [[nodiscard]] const MassProperties& mass() const { return mass_; }
   [[nodiscard]] const Geometry& shapes() const { return shapes_; }
-  [[nodiscard]] const ForceField& field() const { return field_; }
+  [[nodiscard]] const ForceField& field() const { return tracks_.field(); }
   [[nodiscard]] const Method& method() const { return method_; }
-  [[nodiscard]] const Notices& notices() const { return notices_; }
-  [[nodiscard]] Totals totals() const { return carom::totals(state_, mass_, field_); }
-  // With the drag work of the moment.
+  [[nodiscard]] const Needs& needs() const { return needs_; }
+  [[nodiscard]] Notices notices() const;
+  [[nodiscard]] Totals totals() const { return carom::totals(state_, mass_, field()); }
+  // With the work of the smooth forces up to now.
   [[nodiscard]] Ledger ledger() const;
   // The impacts of the last call of step(), in the order of time.
   [[nodiscard]] const std::vector<ImpactRecord>& last_impacts() const { return impacts_; }
+  [[nodiscard]] const std::vector<Jump>& last_jumps() const { return jumps_; }
 
   // From the next step on.
   void set_method(const Method& method);
-  // Fills `before` and `after` of the records, at the cost of two sums over all bodies an impact.
-  static constexpr int kMostWatched = 32;
+  // Fills last_jumps() for the first kMostWatched impacts of a step, at the cost of two sums over all bodies
+  // each.
+  static constexpr std::size_t kMostWatched = 32;
   void watch_impacts(bool on) { watch_impacts_ = on; }
   // Puts in one more body now; its energy is the user's. Its name must be new and its material known.
   void add_body(const Body& body);
 
  private:
-  struct Event {
-    double time;  // within the step, s
-    int a;
-    int b;
-  };
   struct Deferred {
     int a;
     int b;
     bool resting;
   };
 
-  void fly(double h);
+  void lay_out();  // arrays from bodies_
+  void publish(double within);
   void resolve_at_end(const std::vector<Deferred>& pairs, double h);
-  void step_with_located_impacts(double h);
-  void predict(int body, double h);
-  void search(int a, int b, double h);
-  // Resolves the impact of two bodies at their present poses, `within` s after the step began, and logs it.
+  void step_with_impacts_at_end(double h);
+  // Resolves the impact of two bodies at their settled poses, `within` s after the epoch, and logs it.
   void collide(int a, int b, const Contact& contact, const Material& material, double within);
-  void defer(int a, int b, bool resting, double within);
-  [[nodiscard]] bool pressed_together(int a, int b, const Vec2& normal) const;
-  // m/s: closing speed that the forces alone can give a resting pair in a step.
-  [[nodiscard]] double pressed_in(int a, int b, double h) const;
-  [[nodiscard]] double touch_tolerance(int a, int b, double h) const;
-  [[nodiscard]] Totals totals_at(double within) const;
+  [[nodiscard]] Totals totals_at(double within);
   // One side of a contact; `towards` is +1 for its body a, -1 for b: the way that the normal points from there.
   [[nodiscard]] ImpactSide side(int body, const Contact& contact, double towards) const;
-  [[nodiscard]] Motion motion_at(int body, double time) const;
-  [[nodiscard]] const Material& material_between(int a, int b) const;
-  void lay_out();  // arrays from bodies_
+  [[nodiscard]] const Material& material_between(int a, int b) const {
+    return mixed_[static_cast<std::size_t>(material_[a] * materials_ + material_[b])];
+  }
+  [[nodiscard]] bool immovable(int body) const { return shapes_.fixed[body] != 0; }
+
+  // Impacts at their own time (located_impacts.cpp). Times are within the epoch of the tracks.
+  void step_with_located_impacts(double h);
+  void lay_all(double horizon);
+  void lay(int island, double horizon);
+  void search_island(int island);
+  void search(int a, int b);
+  void process_until(double target, double horizon, double h);
+  void meet(int a, int b, double time, double horizon, bool crowd, double h);
+  void foresee(double time, int a, int b);
+  void defer(int a, int b, bool resting);
+  [[nodiscard]] bool is_stale(const Event& event) const;
+  // m/s²: how the settled pair's forces, and a drive, press it together along the normal; negative if they part
+  // it.
+  [[nodiscard]] double pressing(int a, int b, const Vec2& normal, double within);
+  // m/s: closing speed that the forces alone can give a resting pair in a step.
+  [[nodiscard]] double pressed_in(int a, int b, double h) const;
+  [[nodiscard]] double touch_tolerance(int a, int b, double time) const;
+  void choose_cells(double horizon);
 
   Scene scene_;
   Method method_;
+  Needs needs_;
   std::vector<Body> bodies_;
   MassProperties mass_;
   Geometry shapes_;
-  ForceField field_;
+  Tracks tracks_;
   std::vector<int> material_;
   std::vector<Material> mixed_;  // material pairs, row by row
   int materials_ = 0;
 
-  State state_;
+  State state_;  // at time_
   double time_ = 0.0;
   double step_end_ = 0.0;  // of the step under way
   double origin_ = 0.0;    // time_ = origin_ + steps_since_origin_ * h
@@ -171,21 +210,26 @@ class Simulation {
   std::int64_t steps_since_origin_ = 0;
   std::int64_t steps_ = 0;
   std::int64_t impact_count_ = 0;
-  std::int64_t evaluations_ = 0;
-  std::int64_t rejected_steps_ = 0;
-  Ledger ledger_;  // without the drag work, which the state carries
+  Ledger ledger_;               // without the work of the smooth forces, which the state carries
+  double gravity_since_ = 0.0;  // s: ledger_.momentum_from_gravity holds what came before
   Notices notices_;
   std::vector<ImpactRecord> impacts_;
+  std::vector<Jump> jumps_;
   bool watch_impacts_ = false;
 
-  // Work space of a step; its capacity is kept.
+  // Impacts at their own time.
+  bool running_ = false;       // tracks, grid and queue hold since the last step
+  double reach_ = 1.0;         // m: length of a track that no step ends
+  double last_impact_ = -1.0;  // s within the epoch
+  CellGrid grid_;
+  EventQueue queue_;
+  std::vector<std::uint32_t> stamp_;  // by body, of its island; fixed bodies keep theirs
+  std::vector<Deferred> deferred_;
+  std::vector<Deferred> due_;
+
+  // Impacts at the step's end.
   BroadPhase broad_phase_;
   std::vector<Bounds> bounds_;
-  std::vector<double> local_time_;
-  State end_;
-  Eigen::VectorXd acceleration_;  // m/s², bound on each body's path curvature within the step
-  std::vector<Event> events_;
-  std::vector<Deferred> deferred_;
 };
 
 }  // namespace carom

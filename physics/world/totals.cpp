@@ -12,10 +12,10 @@ Totals totals(const State& state, const MassProperties& mass, const ForceField& 
     const double spin = state.v(2, i);
     t.translational += 0.5 * p.dot(v);
     t.rotational += 0.5 * mass.inertia[i] * spin * spin;
-    t.potential += field.potential_energy(i, x);
     t.momentum += p;
     t.angular_momentum += x.x() * p.y() - x.y() * p.x() + mass.inertia[i] * spin;
   }
+  t.potential = field.potential_energy(state.q);
   return t;
 }
 

@@ -9,7 +9,7 @@ namespace carom {
 struct Totals {
   double translational = 0.0;  // Σ ½ m v²
   double rotational = 0.0;     // Σ ½ I ω²
-  double potential = 0.0;      // gravity (zero at the origin) and springs
+  double potential = 0.0;      // gravity (zero at the origin), springs, attraction
   Vec2 momentum = Vec2::Zero();
   double angular_momentum = 0.0;
 

@@ -44,7 +44,7 @@ TEST(Allocation, NoneInAWarmStep) {
                                     {1.0 - 0.1 * i, 0.1 * i * i - 8.0}));
       }
       Scene s = test::scene(std::move(bodies), 1.0, 0.1);
-      s.forces.quadratic_drag = 1e-6;
+      if (integrator.order > 0) s.forces.quadratic_drag = 1e-6;
       s.method = {integrator.id, impacts.id, ContactsId::kImpulse, 0.01};
       Simulation run(s);
       for (int i = 0; i < 5000; ++i) run.step();

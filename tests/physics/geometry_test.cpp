@@ -54,8 +54,9 @@ TEST(Geometry, DiscAgainstBoxAtAnyAngle) {
                                 disc("disc", p, {0, 0}, radius)};
     if (!box_first) std::swap(bodies[0], bodies[1]);
     const Geometry g = geometry(bodies);
-    const State s = initial_state(bodies);
-    const Contact c = contact_between(g, 0, s.q.col(0), 1, s.q.col(1));
+    const Eigen::Vector3d q0 = initial_motion(bodies[0]).head<3>();
+    const Eigen::Vector3d q1 = initial_motion(bodies[1]).head<3>();
+    const Contact c = contact_between(g, 0, q0, 1, q1);
 
     const double distance = signed_distance(p, center, box, angle);
     if (distance < 0.0) ++inside;

@@ -49,6 +49,7 @@ TEST(Integrators, SmoothOrderIsThatOfTheTable) {
   const Method fine{IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kImpulse, 1.0 / 8192};
   const Vec2 exact = end_state(s, fine, 2.0).position(0);
   for (const IntegratorChoice& choice : kIntegrators) {
+    if (choice.order == 0 || choice.adaptive) continue;
     const std::vector<double> steps = choice.order > 1
                                           ? std::vector{1.0 / 8, 1.0 / 16, 1.0 / 32, 1.0 / 64}
                                           : std::vector{1.0 / 128, 1.0 / 256, 1.0 / 512, 1.0 / 1024};
@@ -81,6 +82,7 @@ TEST(Integrators, OrderThroughImpacts) {
   EXPECT_NEAR(euler, 1.0, 0.1);
   EXPECT_NEAR(semi, 1.0, 0.15);
   for (const IntegratorChoice& choice : kIntegrators) {
+    if (choice.order == 0 || choice.adaptive) continue;
     const double at_end = order(choice.id, ImpactsId::kStepEnd, small);
     EXPECT_LT(at_end, 1.5) << choice.name;
     EXPECT_GT(at_end, 0.6) << choice.name;

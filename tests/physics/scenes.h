@@ -49,7 +49,7 @@ inline std::vector<Body> room(double half, double thickness) {
 }
 
 inline bool same_bytes(const State& a, const State& b) {
-  return a.q == b.q && a.v == b.v && a.dissipated == b.dissipated;
+  return a.q == b.q && a.v == b.v && a.books == b.books;
 }
 
 }  // namespace carom::test

@@ -38,6 +38,13 @@ TEST(BracketedRoot, ToTheLastBit) {
   check([](double t) { return 1.0 - t; }, 0.0, 1.0, 1.0);
 }
 
+struct OneBody {
+  const ForceField& field;
+  int body;
+  void operator()(double t, const Motion& y, Motion& k) const { field.external_rate(body, t, y, k); }
+  [[nodiscard]] bool keeps_books() const { return field.keeps_books(); }
+};
+
 // One flight of two bodies over [0, h] under gravity, by an integrator's own map, as a gap function.
 struct Flight {
   std::vector<Body> bodies;
@@ -45,10 +52,17 @@ struct Flight {
   double h;
 
   [[nodiscard]] auto sampler(IntegratorId id) const {
-    return [this, id, g = geometry(bodies), field = ForceField(forces, bodies),
-            start = initial_state(bodies)](double t) {
-      const Eigen::Vector3d qa = integrator_step(id, field, 0, start.motion(0), t).q;
-      const Eigen::Vector3d qb = integrator_step(id, field, 1, start.motion(1), t).q;
+    return [this, id, g = geometry(bodies), field = ForceField(forces, bodies)](double t) {
+      const auto flown = [&](int body) -> Eigen::Vector3d {
+        const Motion from = initial_motion(bodies[body]);
+        if (bodies[body].fixed) return from.head<3>();
+        Stages<Motion> stages;
+        Motion to;
+        integrator_step(id, OneBody{field, body}, 0.0, from, t, stages, to);
+        return to.head<3>();
+      };
+      const Eigen::Vector3d qa = flown(0);
+      const Eigen::Vector3d qb = flown(1);
       const Contact c = contact_between(g, 0, qa, 1, qb);
       return GapSample{c.gap, c.normal, (qb - qa).head<2>()};
     };

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "physics/collision/broad_phase.h"
+
+namespace carom {
+
+// Bodies by the square cells that their bounds lie in, so that the neighbours of one are found at a cost that
+// does not grow with their number. Cells wrap around (a hash of the coordinates that keeps neighbours apart),
+// so the plane needs no edge; bodies that wrap onto each other are told apart by their bounds. Bounds over more
+// than kMostCells cells are kept in one list that every query reads.
+class CellGrid {
+ public:
+  // Empties the grid, for bodies 0 .. bodies - 1 and cells of `size` (m, > 0).
+  void reset(int bodies, double size) {
+    const auto side = std::bit_ceil(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(bodies)) + 1.0));
+    if (static_cast<int>(bounds_.size()) != bodies || side != mask_ + 1) {
+      mask_ = side - 1;
+      cells_.assign(static_cast<std::size_t>(side) * side, {});
+      bounds_.resize(bodies);
+      range_.resize(bodies);
+      seen_.assign(bodies, 0);
+    } else {
+      for (auto& cell : cells_) cell.clear();
+    }
+    large_.clear();
+    for (Range& range : range_) range.state = kOut;
+    inverse_size_ = 1.0 / size;
+  }
+
+  [[nodiscard]] const Bounds& bounds(int body) const { return bounds_[body]; }
+
+  // Puts a body in, or moves it.
+  void put(int body, const Bounds& bounds) {
+    bounds_[body] = bounds;
+    Range range = range_of(bounds);
+    Range& old = range_[body];
+    if (old.state == range.state && old.low_x == range.low_x && old.low_y == range.low_y &&
+        old.high_x == range.high_x && old.high_y == range.high_y) {
+      return;
+    }
+    take_out(body);
+    old = range;
+    if (range.state == kLarge) {
+      large_.push_back(body);
+    } else {
+      each_cell(range, [&](std::vector<int>& cell) { cell.push_back(body); });
+    }
+  }
+
+  // Calls visit(other) once for each other body whose bounds overlap those of `body`.
+  template <class Visit>
+  void each_near(int body, const Visit& visit) {
+    const Bounds& mine = bounds_[body];
+    const Range range = range_[body];
+    if (range.state == kLarge) {
+      for (int other = 0; other < static_cast<int>(bounds_.size()); ++other) {
+        if (other != body && range_[other].state != kOut && mine.overlaps(bounds_[other])) visit(other);
+      }
+      return;
+    }
+    if (++query_ == 0) {
+      std::fill(seen_.begin(), seen_.end(), 0);
+      query_ = 1;
+    }
+    seen_[body] = query_;
+    each_cell(range, [&](std::vector<int>& cell) {
+      for (const int other : cell) {
+        if (seen_[other] == query_) continue;
+        seen_[other] = query_;
+        if (mine.overlaps(bounds_[other])) visit(other);
+      }
+    });
+    for (const int other : large_) {
+      if (mine.overlaps(bounds_[other])) visit(other);
+    }
+  }
+
+ private:
+  static constexpr std::int64_t kMostCells = 32;
+  enum State : std::uint8_t { kOut, kIn, kLarge };
+  struct Range {
+    std::int64_t low_x = 0, low_y = 0, high_x = 0, high_y = 0;
+    State state = kOut;
+  };
+
+  [[nodiscard]] Range range_of(const Bounds& b) const {
+    // Far beyond any scene's coordinates a whole number would overflow.
+    const Eigen::Array2d low = (b.low * inverse_size_).floor().max(-1e15).min(1e15);
+    const Eigen::Array2d high = (b.high * inverse_size_).floor().max(-1e15).min(1e15);
+    Range r{static_cast<std::int64_t>(low.x()), static_cast<std::int64_t>(low.y()),
+            static_cast<std::int64_t>(high.x()), static_cast<std::int64_t>(high.y()), kIn};
+    const std::int64_t wide = r.high_x - r.low_x + 1;
+    const std::int64_t tall = r.high_y - r.low_y + 1;
+    const std::int64_t side = static_cast<std::int64_t>(mask_) + 1;
+    if (wide > kMostCells || tall > kMostCells || wide * tall > kMostCells || wide > side || tall > side)
+      return {0, 0, 0, 0, kLarge};
+    return r;
+  }
+  template <class Do>
+  void each_cell(const Range& r, const Do& action) {
+    for (std::int64_t y = r.low_y; y <= r.high_y; ++y) {
+      const std::size_t row = static_cast<std::size_t>(static_cast<std::uint64_t>(y) & mask_) * (mask_ + 1U);
+      for (std::int64_t x = r.low_x; x <= r.high_x; ++x)
+        action(cells_[row + (static_cast<std::uint64_t>(x) & mask_)]);
+    }
+  }
+  void take_out(int body) {
+    const auto drop = [body](std::vector<int>& list) {
+      const auto found = std::find(list.begin(), list.end(), body);
+      *found = list.back();
+      list.pop_back();
+    };
+    const Range range = range_[body];
+    if (range.state == kLarge) drop(large_);
+    if (range.state == kIn) each_cell(range, drop);
+  }
+
+  std::uint32_t mask_ = 0;
+  double inverse_size_ = 1.0;
+  std::vector<std::vector<int>> cells_;
+  std::vector<Bounds> bounds_;
+  std::vector<Range> range_;
+  std::vector<int> large_;
+  std::vector<std::uint32_t> seen_;
+  std::uint32_t query_ = 0;
+};
+
+}  // namespace carom

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "physics/motion/force_field.h"
+#include "physics/motion/integrators.h"
+#include "physics/motion/state.h"
+#include "physics/scene/needs.h"
+#include "physics/scene/scene.h"
+
+namespace carom {
+
+// The motion of every body as a function of time, each known over an interval of its own.
+//
+// Bodies that forces couple form an island and are advanced together; any other moving body is an island of its
+// own. An island has a start, at which its motion was last settled, and a track: the integrator's map from
+// there on, valid up to its end. Between start and end the motion at any time is one step of the integrator, of
+// the length that it takes to get there, so what is found on a track (an impact's time, say) is found on the
+// integrator's own map.
+//
+// A track ends at the horizon that is asked for, or before: where an applied force changes its law, where a
+// one-sided spring starts or stops to act (located to the last bit), after one accepted step of the adaptive
+// integrator, or, without a step to limit it, where the body has moved by `reach`.
+//
+// Times are in s after the epoch. Fixed bodies belong to no island; driven bodies are islands that no one
+// settles.
+class Tracks {
+ public:
+  Tracks() = default;
+  Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs& needs);
+
+  void set_method(const Method& method);
+  [[nodiscard]] const ForceField& field() const { return field_; }
+  [[nodiscard]] int islands() const { return static_cast<int>(islands_.size()); }
+  [[nodiscard]] int island_of(int body) const { return island_of_[body]; }  // -1: fixed
+  [[nodiscard]] const std::vector<int>& members(int island) const { return islands_[island].members; }
+
+  // Takes over the motions, switched springs and counts of other tracks of the same bodies, some of which may
+  // be missing there, at this absolute time, which is the new epoch.
+  void take_over(Tracks& other, double time);
+  // All islands start anew at this absolute time, from the motions that they have.
+  void begin(double epoch);
+  [[nodiscard]] double epoch() const { return epoch_; }
+  [[nodiscard]] double start(int body) const {
+    return island_of_[body] < 0 ? -kForever : islands_[island_of_[body]].start;
+  }
+  [[nodiscard]] double end(int body) const {
+    return island_of_[body] < 0 ? kForever : islands_[island_of_[body]].end;
+  }
+
+  // The motion where the body's island was settled last, and where its track ends.
+  [[nodiscard]] auto settled(int body) const { return settled_.col(body); }
+  [[nodiscard]] auto at_end(int body) const { return at_end_.col(body); }
+  [[nodiscard]] Motion at(int body, double time);  // start <= time <= end, or before another call of track()
+  // On a parabola only (see is_parabolic): q at a time, m and rad.
+  [[nodiscard]] Eigen::Vector3d parabola(int body, double time) const {
+    const double h = island_of_[body] < 0 ? 0.0 : time - islands_[island_of_[body]].start;
+    return settled_.col(body).head<3>() +
+           h * (settled_.col(body).segment<3>(3) + 0.5 * h * constant_.col(body));
+  }
+  [[nodiscard]] Eigen::Vector3d parabola_velocity(int body, double time) const {
+    const double h = island_of_[body] < 0 ? 0.0 : time - islands_[island_of_[body]].start;
+    return settled_.col(body).segment<3>(3) + h * constant_.col(body);
+  }
+  // True if every free flight is a parabola, by the forces and under this integrator.
+  [[nodiscard]] bool is_parabolic() const { return parabolic_; }
+  [[nodiscard]] Eigen::Vector3d constant_acceleration(int body) const { return constant_.col(body); }
+  // m/s²: of a body as it was settled; of a movable one.
+  [[nodiscard]] Vec2 acceleration(int body);
+  // m/s²: bounds how much the body's path bends along its track.
+  [[nodiscard]] double bend(int body) const { return bend_[body]; }
+
+  // Settles an island at a time of its track; the track is to be laid anew.
+  void settle(int island, double time);
+  // Puts a body's motion in place of the settled one: position and velocity as an impact or a push left them.
+  void set_velocity(int body, const Vec2& velocity, double spin);
+  void set_position(int body, const Vec2& position);
+  // Lays an island's track from its start to `horizon` at the most. `reach` in m bounds the path where the step
+  // doesn't.
+  void lay(int island, double horizon, double reach);
+  // Settles an island at its track's end, where a spring may switch; the energy in J that a spring let go with
+  // it.
+  double settle_at_end(int island);
+
+  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
+  [[nodiscard]] std::int64_t rejected_steps() const { return rejected_steps_; }
+  // s, absolute: when first the tolerance could not be kept; negative: never.
+  [[nodiscard]] double tolerance_missed_since() const { return tolerance_missed_since_; }
+
+ private:
+  static constexpr double kForever = 1e300;  // s
+
+  struct Island {
+    std::vector<int> members;  // in rising order
+    bool driven = false;
+    double start = 0.0;
+    double end = 0.0;
+    int switching = -1;         // the spring that switches at the end
+    double next_step = 0.0;     // s, of the adaptive integrator
+    double cached = -kForever;  // the time that `now` is at, for more than one member
+    Motions from, now;          // for more than one member
+    Stages<Motions> stages;
+  };
+
+  [[nodiscard]] static Eigen::Index column_of(const Island& island, int body);
+  // Advances an island's settled motion to `time`: the whole island into `now`, or its only body into `out`.
+  void fly(Island& island, double time);
+  void fly_one(const Island& island, double time, Motion& out, Stages<Motion>& stages);
+  // The error estimate of the step that ended at `time`.
+  double error_of(Island& island, double time);
+  void lay_adaptive(Island& island, double latest);
+  void find_switch(Island& island);
+  [[nodiscard]] double margin_at(int spring, double time);
+  void bound_bend(Island& island);
+
+  ForceField field_;
+  std::vector<Body> bodies_;
+  std::vector<Island> islands_;
+  std::vector<int> island_of_;
+  Motions settled_;
+  Motions at_end_;
+  Eigen::Matrix3Xd constant_;
+  Eigen::VectorXd bend_;
+  IntegratorId integrator_ = IntegratorId::kRk4;
+  bool adaptive_ = false;
+  bool parabolic_ = false;
+  bool general_ = false;  // never take the parabola's short cuts
+  int evaluations_a_step_ = 0;
+  double tolerance_ = 0.0;
+  double step_ = 0.0;
+  double epoch_ = 0.0;
+  std::int64_t evaluations_ = 0;
+  std::int64_t rejected_steps_ = 0;
+  double tolerance_missed_since_ = -1.0;
+};
+
+}  // namespace carom

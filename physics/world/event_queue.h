@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace carom {
+
+// Something that will happen if nothing comes before: bodies a and b meet, or (b < 0) the track of island a
+// ends. The stamps are those of the islands of a and b when it was foreseen; it is stale once one of them has
+// moved on.
+struct Event {
+  double time = 0.0;  // s after the epoch
+  int a = 0;
+  int b = -1;
+  std::uint32_t stamp_a = 0;
+  std::uint32_t stamp_b = 0;
+};
+
+// Events in the order of time; at one time tracks end first, then impacts go in the order of index pairs. A
+// binary heap; stale events stay in it until their time has come.
+class EventQueue {
+ public:
+  void clear() { heap_.clear(); }
+  [[nodiscard]] bool empty() const { return heap_.empty(); }
+  [[nodiscard]] const Event& next() const { return heap_.front(); }
+  [[nodiscard]] const std::vector<Event>& events() const { return heap_; }
+  void push(const Event& event) {
+    heap_.push_back(event);
+    std::push_heap(heap_.begin(), heap_.end(), later);
+  }
+  void pop() {
+    std::pop_heap(heap_.begin(), heap_.end(), later);
+    heap_.pop_back();
+  }
+
+ private:
+  static bool later(const Event& x, const Event& y) {
+    if (x.time != y.time) return x.time > y.time;
+    const bool x_meets = x.b >= 0;
+    const bool y_meets = y.b >= 0;
+    return std::tie(x_meets, x.a, x.b) > std::tie(y_meets, y.a, y.b);
+  }
+  std::vector<Event> heap_;
+};
+
+}  // namespace carom

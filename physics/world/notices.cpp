@@ -1,0 +1,39 @@
+#include <array>
+#include <fmt/format.h>
+
+#include "physics/world/simulation.h"
+
+namespace carom {
+
+std::string Notices::text() const {
+  struct Entry {
+    double since;
+    std::string what;
+  };
+  const std::array entries = {
+      Entry{
+          resting_since,
+          "from t = {:.6g} s bounces come faster than they can be told apart (Zeno): such a contact is held by "
+          "inelastic impacts at each step's end"},
+      Entry{collapsed_since,
+            "inelastic collapse at t = {:.6g} s: impacts follow one another faster than double precision can "
+            "tell "
+            "apart, and the bodies go on together"},
+      Entry{impacts_capped_since, "at t = {:.6g} s a step had more than " +
+                                      std::to_string(Simulation::kMostImpactsPerStep) +
+                                      " impacts: the rest of it was resolved at its end"},
+      Entry{log_cut_since, "from t = {:.6g} s a step has more impacts than the log keeps (" +
+                               std::to_string(Simulation::kMostLogged) + "); all of them are counted"},
+      Entry{tolerance_missed_since,
+            "from t = {:.6g} s the tolerance can't be kept, not with the shortest step"},
+  };
+  std::string line;
+  for (const Entry& entry : entries) {
+    if (entry.since < 0.0) continue;
+    if (!line.empty()) line += "; ";
+    line += fmt::format(fmt::runtime(entry.what), entry.since);
+  }
+  return line.empty() ? "ok" : line;
+}
+
+}  // namespace carom
