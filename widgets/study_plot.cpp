@@ -30,9 +30,9 @@ namespace {
 constexpr QSize kSize(1440, 820);
 constexpr int kMargin = 32;
 constexpr int kTop = 92;  // of the plots
-constexpr int kPlotWidth = 520;
+constexpr int kPlotWidth = 505;
 constexpr int kPlotHeight = 540;
-constexpr int kGap = 22;
+constexpr int kGap = 24;
 constexpr double kLineWidth = 1.7;
 constexpr int kMarker = 8;
 
@@ -153,6 +153,7 @@ class ErrorPlot : public QwtPlot {
 
   void set_range(QwtAxisId axis, double low, double high, int most_ticks) {
     setAxisScaleDiv(axis, log_ticks(low, high, most_ticks));
+    updateAxes();
   }
 
   void add_zone(double from, double to, const QString& label) {
@@ -221,13 +222,10 @@ struct Range {
   }
 };
 
-// s: the step, or the mean one where the steps vary.
-double step_of(const StudyRow& row, double time) {
-  if (row.method.integrator == IntegratorId::kExactFlight) return std::nan("");
-  if (row.method.integrator == IntegratorId::kAdaptiveDormandPrince) {
-    return row.steps > 0 ? time / static_cast<double>(row.steps) : std::nan("");
-  }
-  return row.method.step;
+// s: the step; NaN where a method has none.
+double step_of(const StudyRow& row) {
+  const IntegratorChoice& integrator = choice_of(kIntegrators, row.method.integrator);
+  return integrator.adaptive || integrator.order == 0 ? std::nan("") : row.method.step;
 }
 
 Range errors_of(const StudyTable& table) {
@@ -259,9 +257,10 @@ QVector<QPointF> points_of(const StudyGroup& group, const Range& errors, const A
 
 void add_zones(ErrorPlot& plot, const StudyFacts& facts, const Range& errors) {
   const double floor = std::min(facts.rounding_floor(), errors.high);
-  if (floor > errors.low) plot.add_zone(errors.low, floor, "rounding, grown until then");
+  if (floor > errors.low) plot.add_zone(errors.low, floor, "rounding");
   if (facts.largest_error() < errors.high) {
-    plot.add_zone(std::max(facts.largest_error(), errors.low), errors.high, "simply wrong");
+    plot.add_zone(std::max(facts.largest_error(), errors.low), errors.high,
+                  "wrong by a tenth of the scene or more");
   }
 }
 
@@ -316,19 +315,21 @@ void draw_sample(QPainter& painter, QPointF center, const QColor& color, Impacts
 // The orders, a row for each integrator, a column for each choice of impacts.
 void draw_orders(QPainter& painter, const QRectF& where, const std::vector<StudyGroup>& groups,
                  const Theme& theme) {
-  constexpr double kRow = 52.0;
-  constexpr double kColumn = 118.0;
+  constexpr double kRow = 50.0;
+  constexpr double kColumn = 88.0;
   const double first = where.left() + (where.width() - kColumn * kImpacts.size());
   double y = where.top();
   draw_text(painter, {where.left(), y, where.width(), 20}, Qt::AlignLeft, "Fitted order of the error",
             font_of(13, true), theme.text);
-  y += 30.0;
+  y += 34.0;
+  draw_text(painter, {first, y, kColumn * kImpacts.size(), 18}, Qt::AlignHCenter, "impacts resolved",
+            font_of(11), theme.muted);
+  y += 22.0;
   for (std::size_t i = 0; i < kImpacts.size(); ++i) {
-    const QRectF cell(first + kColumn * static_cast<double>(i), y, kColumn, 40.0);
-    draw_sample(painter, {cell.center().x(), cell.top() + 6.0}, theme.text, kImpacts[i].id, theme);
-    draw_text(painter, cell.adjusted(-4, 16, 4, 0), Qt::AlignHCenter | Qt::AlignTop,
-              is_located(kImpacts[i].id) ? "impacts at own time" : "at the step's end", font_of(11),
-              theme.muted);
+    const QRectF cell(first + kColumn * static_cast<double>(i), y, kColumn, 42.0);
+    draw_text(painter, cell, Qt::AlignHCenter | Qt::AlignTop,
+              is_located(kImpacts[i].id) ? "at own time" : "at step's end", font_of(11), theme.muted);
+    draw_sample(painter, {cell.center().x(), cell.top() + 27.0}, theme.text, kImpacts[i].id, theme);
   }
   y += 40.0;
   for (const IntegratorChoice& integrator : kIntegrators) {
@@ -363,9 +364,10 @@ void draw_orders(QPainter& painter, const QRectF& where, const std::vector<Study
       }
       draw_text(painter, cell.adjusted(0, 6, 0, -20), Qt::AlignCenter, order, font_of(15, true),
                 color.darker(115));
-      draw_text(painter, cell.adjusted(0, 27, 0, -5), Qt::AlignCenter,
-                QString::fromUtf8("± %1").arg(QString::number(g->fit.uncertainty, 'f', 2)), font_of(11),
-                theme.muted);
+      const QString below = integrator.adaptive
+                                ? QString("of tolerance")
+                                : QString::fromUtf8("± %1").arg(QString::number(g->fit.uncertainty, 'f', 2));
+      draw_text(painter, cell.adjusted(0, 27, 0, -5), Qt::AlignCenter, below, font_of(11), theme.muted);
     }
     y += kRow;
   }
@@ -411,14 +413,12 @@ void paint_study(QPainter& painter, const StudyTable& table, const std::vector<S
 
 bool save_study_picture(const StudyTable& table, const Theme& theme, const QString& path, QString* error) {
   const std::vector<StudyGroup> groups = groups_of(table);
-  const double time = table.facts.time;
   const auto wall = [](const StudyRow& row) { return row.wall_time; };
-  const auto step = [time](const StudyRow& row) { return step_of(row, time); };
   Range walls;
   Range steps;
   for (const StudyRow& row : table.rows) {
     walls.take(wall(row));
-    steps.take(step(row));
+    steps.take(step_of(row));
   }
   const Range errors = errors_of(table);
   walls = walls.widened(1.6);
@@ -442,11 +442,12 @@ bool save_study_picture(const StudyTable& table, const Theme& theme, const QStri
   for (const StudyGroup& group : groups) {
     const QColor color = color_of(group.integrator, theme);
     against_time.add_curve(points_of(group, errors, wall), color, group.impacts);
-    const QVector<QPointF> points = points_of(group, errors, step);
+    const QVector<QPointF> points = points_of(group, errors, step_of);
     if (!points.isEmpty()) {
       against_step.add_curve(points, color, group.impacts);
-    } else if (!group.rows.empty() && !std::isnan(group.rows.front().position_error)) {
-      // No step: its error stands at every one.
+    } else if (group.integrator == IntegratorId::kExactFlight &&
+               !std::isnan(group.rows.front().position_error)) {
+      // It has no step: its error stands at every one.
       const double y = std::clamp(group.rows.front().position_error, errors.low, errors.high);
       against_step.add_line({{steps.low, y}, {steps.high, y}}, line_of(color, group.impacts));
     }

@@ -9,7 +9,7 @@ namespace carom {
 namespace {
 
 constexpr std::size_t kLeastPoints = 3;
-constexpr double kStraight = 0.3;  // of ln(error): largest distance from a line that counts as straight
+constexpr double kStraight = 0.1;  // of ln(error): largest distance from a line that counts as straight
 constexpr double kMostOfThem = 0.6;
 
 struct Point {
@@ -73,18 +73,15 @@ OrderFit fit_order(std::span<const ErrorAtStep> errors, double floor, double lar
                                             [](const Point& p, const Point& q) { return p.x == q.x; });
   if (points.size() < kLeastPoints || same_step != points.end()) return fit;
 
+  // The finest steps always count: only from the coarse end is something left out.
   std::span<const Point> best = points;
   const auto needed = std::max(
       kLeastPoints, static_cast<std::size_t>(std::ceil(kMostOfThem * static_cast<double>(points.size()))));
-  bool found = false;
-  for (std::size_t count = points.size(); count >= needed && !found; --count) {
-    for (std::size_t first = 0; first + count <= points.size() && !found; ++first) {  // the finest steps first
-      const auto part = std::span<const Point>(points).subspan(first, count);
-      if (line_through(part).farthest <= kStraight) {
-        best = part;
-        found = true;
-      }
-    }
+  for (std::size_t count = points.size(); count >= needed; --count) {
+    const auto finest = std::span<const Point>(points).first(count);
+    if (line_through(finest).farthest > kStraight) continue;
+    best = finest;
+    break;
   }
   const Line line = line_through(best);
   fit.kind = OrderFit::Kind::kOrder;

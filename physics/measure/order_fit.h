@@ -31,9 +31,9 @@ inline constexpr double kFittedAboveFloor = 100.0;
 inline constexpr double kExactBelowFloor = 1000.0;
 
 // Least squares over the errors between kFittedAboveFloor * floor and `largest`, beyond which they say nothing.
-// Of those the longest run of neighbouring steps on one line (to a third of the error) is taken, if it holds
-// three fifths of them: so steps too coarse for the order to show are left out. Errors that scatter, as those
-// of impacts at the step's end do, are all taken. kExact if no error is above kExactBelowFloor * floor.
+// Steps too coarse for the order to show are left out: as many as it takes for the rest to lie on one line, to
+// a tenth of the error, but no more than two fifths. Where that is not enough, as with the scattered errors of
+// impacts at the step's end, all are taken. kExact if no error is above kExactBelowFloor * floor.
 [[nodiscard]] OrderFit fit_order(std::span<const ErrorAtStep> errors, double floor, double largest);
 
 // "4.01 ± 0.02", "exact here" or "no order".

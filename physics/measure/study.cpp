@@ -110,10 +110,8 @@ std::string words_for(const std::vector<StatedFigure>& figures) {
   const auto worst = std::max_element(
       figures.begin(), figures.end(),
       [](const StatedFigure& x, const StatedFigure& y) { return x.difference < y.difference; });
-  return fmt::format("{} the file states at a given time: {} {} differs by {:.2g} {}",
-                     figures.size() == 1 ? "the number" : fmt::format("of {} numbers", figures.size()),
-                     figures.size() == 1 ? "the reference's" : "at most the reference's", worst->text,
-                     worst->difference, worst->unit);
+  return fmt::format("off the file's own figure{} by {}{:.1e} {} ({})", figures.size() == 1 ? "" : "s",
+                     figures.size() == 1 ? "" : "at most ", worst->difference, worst->unit, worst->text);
 }
 
 void measure_accuracy(StudyRow& row, const Scene& scene, const Reference& reference, const Chaos& chaos,
@@ -190,9 +188,6 @@ std::vector<Method> plan_methods(const Scene& scene, const StudyOptions& options
   }
   std::sort(steps.begin(), steps.end(), std::greater<>());
   std::sort(tolerances.begin(), tolerances.end(), std::greater<>());
-  // The adaptive integrator takes steps as long as it may: up to the interval of the results.
-  constexpr double kLongest = 4.0;  // times the coarsest step
-  const double interval = std::min(kLongest * steps.front(), kLargestStep);
 
   std::vector<Method> methods;
   for (const IntegratorChoice& integrator : kIntegrators) {
@@ -212,8 +207,7 @@ std::vector<Method> plan_methods(const Scene& scene, const StudyOptions& options
       m.impacts = impacts.id;
       if (exact) {
         if (impacts.id == ImpactsId::kLocated) methods.push_back(m);
-      } else if (integrator.id == IntegratorId::kAdaptiveDormandPrince) {
-        m.step = interval;
+      } else if (integrator.adaptive) {
         for (const double tolerance : tolerances) {
           m.tolerance = tolerance;
           methods.push_back(m);

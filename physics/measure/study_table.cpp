@@ -95,7 +95,7 @@ std::string write_order(const StudyFacts& /*facts*/, const StudyRow& /*row*/, co
 }
 
 void read_step(const std::string& text, StudyFacts& /*facts*/, StudyRow& r) {
-  const bool adaptive = r.method.integrator == IntegratorId::kAdaptiveDormandPrince;
+  const bool adaptive = choice_of(kIntegrators, r.method.integrator).adaptive;
   read(text, adaptive ? r.method.tolerance : r.method.step);
 }
 
@@ -219,8 +219,9 @@ std::string list_of(const std::vector<int>& numbers) {
 }  // namespace
 
 std::optional<double> StudyRow::step_or_tolerance() const {
-  if (method.integrator == IntegratorId::kExactFlight) return std::nullopt;
-  return method.integrator == IntegratorId::kAdaptiveDormandPrince ? method.tolerance : method.step;
+  const IntegratorChoice& integrator = choice_of(kIntegrators, method.integrator);
+  if (integrator.order == 0) return std::nullopt;
+  return integrator.adaptive ? method.tolerance : method.step;
 }
 
 double StudyFacts::rounding_floor() const { return std::numeric_limits<double>::epsilon() * length * growth; }
