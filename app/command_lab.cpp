@@ -58,10 +58,9 @@ Frame frame_at(const Scene& scene, double time) {
     frame.impacts.insert(frame.impacts.end(), simulation.last_impacts().begin(),
                          simulation.last_impacts().end());
   });
-  frame.time = simulation.time();
-  frame.state = simulation.state();
+  take_moment(simulation, frame);
   frame.bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
-  frame.totals = simulation.totals();
+  frame.forces = std::make_shared<const Forces>(scene.forces);
   return frame;
 }
 

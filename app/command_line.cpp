@@ -32,6 +32,8 @@ class MethodArguments {
     add(command, "--impacts", kImpacts, impacts_, "when impacts are resolved");
     add(command, "--contacts", kContacts, contacts_, "how lasting contacts are treated");
     command.add_option("--step", step_, "length of a step, s")->type_name("H");
+    command.add_option("--tolerance", tolerance_, "of the adaptive integrator, m and m/s a step")
+        ->type_name("TOL");
   }
   [[nodiscard]] MethodOptions options() const {
     MethodOptions m;
@@ -39,6 +41,7 @@ class MethodArguments {
     if (!impacts_.empty()) m.impacts = id_of(kImpacts, impacts_);
     if (!contacts_.empty()) m.contacts = id_of(kContacts, contacts_);
     m.step = step_;
+    m.tolerance = tolerance_;
     return m;
   }
 
@@ -54,6 +57,7 @@ class MethodArguments {
   std::string impacts_;
   std::string contacts_;
   std::optional<double> step_;
+  std::optional<double> tolerance_;
 };
 
 // A time that a user asks for.

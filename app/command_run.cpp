@@ -8,6 +8,7 @@
 #include "app/run_files.h"
 #include "app/run_report.h"
 #include "physics/preset/preset.h"
+#include "physics/scene/needs.h"
 
 namespace carom {
 namespace {
@@ -59,12 +60,19 @@ Scene scene_with_method(const std::string& preset, const MethodOptions& method) 
   scene.method.integrator = method.integrator.value_or(scene.method.integrator);
   scene.method.impacts = method.impacts.value_or(scene.method.impacts);
   scene.method.contacts = method.contacts.value_or(scene.method.contacts);
-  if (method.step) {
-    if (!(*method.step >= kLeastStep && *method.step <= kLargestStep)) {
-      throw SceneError(fmt::format("--step: {} is not allowed; allowed: from {} to {} s", *method.step,
-                                   kLeastStep, kLargestStep));
+  const auto put = [](const char* option, const std::optional<double>& value, double least, double largest,
+                      const char* unit, double& to) {
+    if (!value) return;
+    if (!(*value >= least && *value <= largest)) {
+      throw SceneError(fmt::format("{}: {} is not allowed; allowed: from {} to {} {}", option, *value, least,
+                                   largest, unit));
     }
-    scene.method.step = *method.step;
+    to = *value;
+  };
+  put("--step", method.step, kLeastStep, kLargestStep, "s", scene.method.step);
+  put("--tolerance", method.tolerance, kLeastTolerance, kLargestTolerance, "m and m/s", scene.method.tolerance);
+  if (const auto reason = why_not(scene, scene.method.integrator)) {
+    throw SceneError("--integrator: " + *reason);
   }
   return scene;
 }

@@ -20,7 +20,8 @@ struct MethodOptions {
   std::optional<IntegratorId> integrator;
   std::optional<ImpactsId> impacts;
   std::optional<ContactsId> contacts;
-  std::optional<double> step;  // s
+  std::optional<double> step;       // s
+  std::optional<double> tolerance;  // m and m/s a step
 };
 
 struct RunOptions {

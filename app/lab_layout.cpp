@@ -22,6 +22,8 @@
 #include "physics/motion/integrators.h"
 #include "physics/preset/preset.h"
 #include "widgets/experiment_list.h"
+#include "widgets/ledger_table.h"
+#include "widgets/number_text.h"
 #include "widgets/plot_panel.h"
 #include "widgets/run_tables.h"
 #include "widgets/scene_thumbnail.h"
@@ -36,6 +38,9 @@ QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_
 
 // Steps to choose from, in s.
 constexpr std::array kSteps = {0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05};
+// Tolerances of the adaptive integrator to choose from, in m and m/s.
+constexpr std::array kTolerances = {1e-2, 1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
+                                    1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14};
 
 QWidget* with_frame(QWidget* inside, int margin) {
   auto* frame = new QFrame;
@@ -114,7 +119,14 @@ void LabWindow::make_body() {
   auto* columns = new QSplitter(Qt::Horizontal);
   columns->setHandleWidth(8);
   columns->addWidget(centre);
-  columns->addWidget(plots_);
+  // More plots than the height shows well are scrolled.
+  auto* plot_area = new QScrollArea;
+  plot_area->setWidget(plots_);
+  plot_area->setWidgetResizable(true);
+  plot_area->setFrameShape(QFrame::NoFrame);
+  plot_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  plot_area->setStyleSheet("QScrollArea, QScrollArea > QWidget > QWidget { background: transparent; }");
+  columns->addWidget(plot_area);
   // Both keep their share of the window's width.
   columns->setStretchFactor(0, 616);
   columns->setStretchFactor(1, 392);
@@ -126,21 +138,22 @@ void LabWindow::make_body() {
   row->addLayout(inner, 1);
   setCentralWidget(middle);
 
-  // Chips over the scene: time, speed, and what the run has to say.
+  // Chips over the scene: time, speed and what is modelled; below, what the run has to say.
   chips_ = new QWidget(view_);
   auto* chips = new QHBoxLayout(chips_);
   chips->setContentsMargins(0, 0, 0, 0);
   chips->setSpacing(6);
-  for (QLabel** chip : {&time_chip_, &speed_chip_, &status_chip_}) {
+  for (QLabel** chip : {&time_chip_, &speed_chip_, &needs_chip_}) {
     *chip = new QLabel(chips_);
     (*chip)->setObjectName("chip");
     chips->addWidget(*chip);
   }
+  needs_chip_->setAccessibleName(tr("What is modelled"));
+  status_chip_ = new QLabel(view_);
+  status_chip_->setObjectName("chip");
   time_chip_->setStyleSheet("font-weight: bold;");
-  time_chip_->setToolTip(tr("Simulated time"));
   speed_chip_->setToolTip(tr("Simulated seconds per second"));
   status_chip_->hide();
-  chips_->move(10, 10);
   view_->installEventFilter(this);
 
   position_ = new QLabel(view_);
@@ -171,11 +184,26 @@ bool LabWindow::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void LabWindow::place_chips() {
+  constexpr int kEdge = 10;       // px
+  constexpr int kGap = 6;         // px between chips
+  constexpr int kPadding = 22;    // px, of a chip's text left and right, with its border
+  constexpr int kLeastRoom = 60;  // px
+  const auto elide = [&](QLabel* chip, const QString& text, int room) {
+    chip->setText(chip->fontMetrics().elidedText(text, Qt::ElideRight, std::max(room, kLeastRoom) - kPadding));
+  };
+  const int before = time_chip_->sizeHint().width() + speed_chip_->sizeHint().width() + 2 * kGap;
+  elide(needs_chip_, needs_, view_->width() - 2 * kEdge - before);
   chips_->adjustSize();
+  chips_->move(kEdge, kEdge);
   chips_->raise();
+  const int second_row = kEdge + chips_->height() + kGap;
   position_->adjustSize();
-  position_->move(view_->width() - position_->width() - 12, 14);
+  position_->move(view_->width() - position_->width() - kEdge - 2, second_row + 4);
   position_->raise();
+  elide(status_chip_, status_, view_->width() - 3 * kEdge - (position_->isVisible() ? position_->width() : 0));
+  status_chip_->adjustSize();
+  status_chip_->move(kEdge, second_row);
+  status_chip_->raise();
 }
 
 void LabWindow::make_menus() {
@@ -204,9 +232,10 @@ void LabWindow::make_menus() {
     const char* tip;
     bool DrawingOptions::*flag;
   };
-  constexpr std::array<Toggle, 4> kToggles = {{
+  constexpr std::array<Toggle, 5> kToggles = {{
       {"grid", "&Grid", "Grid in metres", &DrawingOptions::grid},
       {"velocity", "&Velocities", "Arrows of the velocities", &DrawingOptions::velocities},
+      {"", "F&orces", "Applied forces and torques", &DrawingOptions::forces},
       {"contact", "&Contacts", "Normals and impulses of the newest impacts", &DrawingOptions::contacts},
       {"names", "&Names", "Names of the bodies", &DrawingOptions::names},
   }};
@@ -222,6 +251,8 @@ void LabWindow::make_menus() {
       view_->set_options(options);
     });
   }
+  view->addSeparator();
+  view->addMenu(plots_->menu());
   view->addSeparator();
   view->addAction(theme_action_);
 
@@ -239,6 +270,7 @@ void LabWindow::make_menus() {
     for (const auto& choice : table) {
       QAction* action = menu->addAction(text_of(choice.label));
       action->setToolTip(text_of(choice.tip));
+      action->setData(static_cast<int>(choice.id));
       action->setCheckable(true);
       group->addAction(action);
       connect(action, &QAction::triggered, this, [this, member, id = choice.id] {
@@ -260,21 +292,31 @@ void LabWindow::make_menus() {
     b->setToolTip(tip);
     return b;
   };
-  integrator_button_ = button(add_choices(tr("&Integrator"), kIntegrators, &Method::integrator),
-                              tr("How free motion is advanced; holds from now on"));
+  integrators_ = add_choices(tr("&Integrator"), kIntegrators, &Method::integrator);
+  integrator_button_ = button(integrators_, tr("How free motion is advanced; holds from now on"));
   impacts_button_ = button(add_choices(tr("&Impacts"), kImpacts, &Method::impacts),
                            tr("When impacts are resolved; holds from now on"));
-  QMenu* steps = methods->addMenu(tr("&Step"));
+  steps_ = methods->addMenu(tr("&Step"));
   for (const double step : kSteps) {
-    steps->addAction(QString("h = %1 ms").arg(1e3 * step, 0, 'g', 4), this, [this, step] {
+    steps_->addAction(QString("h = %1 ms").arg(1e3 * step, 0, 'g', 4), this, [this, step] {
       Method method = worker_->scene().method;
       method.step = step;
       change_method(method);
     });
   }
-  steps->addSeparator();
-  steps->addAction(tr("Another..."), this, [this] { choose_step(); });
-  step_button_ = button(steps, tr("Length of a step; holds from now on"));
+  steps_->addSeparator();
+  steps_->addAction(tr("Another..."), this, [this] { choose_step(); });
+  tolerances_ = methods->addMenu(tr("&Tolerance"));
+  for (const double tolerance : kTolerances) {
+    tolerances_->addAction(tr("tolerance %1").arg(short_figure(tolerance)), this, [this, tolerance] {
+      Method method = worker_->scene().method;
+      method.tolerance = tolerance;
+      change_method(method);
+    });
+  }
+  step_button_ = button(steps_, {});
+  plots_button_ = button(plots_->menu(), tr("Which plots are shown"));
+  plots_button_->setText(tr("Plots") + QStringLiteral(" ▾"));
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   add(help, "help", tr("The &model"), QKeySequence::HelpContents, [this] { show_help(this); });
@@ -309,6 +351,10 @@ void LabWindow::make_tool_bar() {
   auto* stretch = new QWidget;
   stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(stretch);
+  bar->addWidget(plots_button_);
+  auto* gap = new QWidget;
+  gap->setFixedWidth(4);
+  bar->addWidget(gap);
   add("help");
   bar->addAction(theme_action_);
   setContextMenuPolicy(Qt::NoContextMenu);
@@ -348,10 +394,12 @@ void LabWindow::draw_thumbnails() {
   for (const LibraryEntry& entry : preset_library()) {
     QPixmap picture;
     try {
-      const Simulation simulation(read_preset(entry.file));
+      const Scene scene = read_preset(entry.file);
+      const Simulation simulation(scene);
       Frame frame;
-      frame.state = simulation.state();
+      take_moment(simulation, frame);
       frame.bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
+      frame.forces = std::make_shared<const Forces>(scene.forces);
       picture = scene_thumbnail(frame, theme_, {52, 36}, devicePixelRatioF());
     } catch (const SceneError&) {
       picture = QPixmap();

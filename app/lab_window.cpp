@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QRandomGenerator>
 #include <QStringList>
@@ -20,7 +21,10 @@
 #include "app/preset_library.h"
 #include "physics/motion/integrators.h"
 #include "physics/preset/preset.h"
+#include "physics/scene/needs.h"
 #include "widgets/experiment_list.h"
+#include "widgets/ledger_table.h"
+#include "widgets/number_text.h"
 #include "widgets/plot_panel.h"
 #include "widgets/run_tables.h"
 #include "widgets/scene_view.h"
@@ -92,6 +96,7 @@ void LabWindow::show_scene(const Scene& scene, const QString& name, const QStrin
                            QString::fromStdString(scene.about).toHtmlEscaped().replace("\n", "<br>")));
   mark_changed(false);
   show_method();
+  show_needs();
 }
 
 void LabWindow::choose_file() {
@@ -156,6 +161,7 @@ void LabWindow::change_method(const Method& method) {
   worker_->set_method(method);
   mark_changed(true);
   show_method();
+  show_needs();
 }
 
 void LabWindow::choose_step() {
@@ -178,7 +184,7 @@ void LabWindow::spawn(double x, double y) {
   body.density = 1.0;
   for (const Body& b : before_) {
     const auto* disc = std::get_if<Disc>(&b.shape);
-    if (b.fixed || disc == nullptr) continue;
+    if (is_immovable(b) || disc == nullptr) continue;
     radius = disc->radius;
     body.density = mass_of(b) / area(b.shape);
     body.material = b.material;
@@ -190,6 +196,7 @@ void LabWindow::spawn(double x, double y) {
   worker_->add_body(body);
   before_.push_back(body);
   mark_changed(true);
+  show_needs();
 }
 
 void LabWindow::run_until(double time) {
@@ -223,6 +230,10 @@ void LabWindow::show_frame() {
   if (tab == ledger_) ledger_->update_from(*frame_);
   tabs_->setTabText(1, tr("Impacts (%1)").arg(frame_->impact_count));
 
+  time_chip_->setToolTip(tr("Simulated time\n%1 steps, %2 rejected\n%3 evaluations of a body's acceleration")
+                             .arg(frame_->steps)
+                             .arg(frame_->rejected_steps)
+                             .arg(frame_->evaluations));
   time_chip_->setText(QString("t = %1 s").arg(frame_->time, 0, 'f', 3));
   // What was asked for, or what this machine can give if that is clearly less.
   QString speed = TransportBar::speed_text(speed_);
@@ -232,11 +243,9 @@ void LabWindow::show_frame() {
   QStringList notices;
   if (frame_->status != "ok") notices << QString::fromStdString(frame_->status);
   if (!recorder_.complete()) notices << tr("a long run: plots and tables keep the peaks of its older part");
-  const QString status = notices.join("; ");
-  status_chip_->setVisible(!status.isEmpty());
-  status_chip_->setToolTip(status);
-  const int room = std::max(120, view_->width() - 260);
-  status_chip_->setText(status_chip_->fontMetrics().elidedText(status, Qt::ElideRight, room));
+  status_ = notices.join("; ");
+  status_chip_->setVisible(!status_.isEmpty());
+  status_chip_->setToolTip(status_);
   place_chips();
 }
 
@@ -245,7 +254,41 @@ void LabWindow::show_method() {
   const auto text = [](std::string_view s) { return QString::fromUtf8(s.data(), static_cast<int>(s.size())); };
   integrator_button_->setText(text(choice_of(kIntegrators, m.integrator).label) + QStringLiteral(" ▾"));
   impacts_button_->setText(text(choice_of(kImpacts, m.impacts).label) + QStringLiteral(" ▾"));
-  step_button_->setText(QString("h = %1 ms ▾").arg(1e3 * m.step, 0, 'g', 4));
+  const bool adaptive = m.integrator == IntegratorId::kAdaptiveDormandPrince;
+  const bool exact = m.integrator == IntegratorId::kExactFlight;
+  const QString step = QString("%1 ms ▾").arg(1e3 * m.step, 0, 'g', 4);
+  step_button_->setText(adaptive ? tr("tolerance %1 ▾").arg(short_figure(m.tolerance))
+                        : exact  ? tr("results every %1").arg(step)
+                                 : "h = " + step);
+  step_button_->setToolTip(
+      adaptive ? tr("Largest error of a step, in m and m/s; holds from now on")
+      : exact  ? tr("Exact flight needs no step: this is only the interval of the results; holds from now on")
+               : tr("Length of a step; holds from now on"));
+  step_button_->setMenu(adaptive ? tolerances_ : steps_);
+  tolerances_->menuAction()->setEnabled(adaptive);
+}
+
+void LabWindow::show_needs() {
+  const Scene scene = worker_->scene();
+  const NeedsText text = text_of(needs_of(scene), scene);
+  const auto joined = [](const std::vector<std::string>& parts) {
+    QStringList list;
+    for (const std::string& part : parts) list << QString::fromStdString(part);
+    return list.isEmpty() ? tr("nothing") : list.join(", ");
+  };
+  needs_ = tr("modelled: %1 · not needed: %2").arg(joined(text.modelled), joined(text.not_needed));
+  needs_chip_->setToolTip(tr("Modelled: %1.\nNot needed by this scene, so not computed: %2.")
+                              .arg(joined(text.modelled), joined(text.not_needed)));
+  ledger_->set_scene(scene);
+  for (QAction* action : integrators_->actions()) {
+    const auto id = static_cast<IntegratorId>(action->data().toInt());
+    const std::optional<std::string> reason = why_not(scene, id);
+    const std::string_view tip = choice_of(kIntegrators, id).tip;
+    action->setEnabled(!reason);
+    action->setToolTip(reason ? QString::fromStdString(*reason)
+                              : QString::fromUtf8(tip.data(), static_cast<qsizetype>(tip.size())));
+  }
+  place_chips();
 }
 
 }  // namespace carom

@@ -13,6 +13,7 @@
 
 class QAction;
 class QLabel;
+class QMenu;
 class QTabWidget;
 class QToolButton;
 
@@ -65,6 +66,8 @@ class LabWindow : public QMainWindow {
   void poll();
   void show_frame();
   void show_method();
+  // What the edited scene needs: chips, ledger and the methods that it allows.
+  void show_needs();
   void place_chips();
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -98,6 +101,9 @@ class LabWindow : public QMainWindow {
   LedgerTable* ledger_ = nullptr;
   QLabel* about_ = nullptr;
   QWidget* chips_ = nullptr;
+  QLabel* needs_chip_ = nullptr;
+  QString needs_;   // whole, where the chip is elided
+  QString status_;  // likewise
   QLabel* time_chip_ = nullptr;
   QLabel* speed_chip_ = nullptr;
   QLabel* status_chip_ = nullptr;
@@ -105,6 +111,10 @@ class LabWindow : public QMainWindow {
   QToolButton* integrator_button_ = nullptr;
   QToolButton* impacts_button_ = nullptr;
   QToolButton* step_button_ = nullptr;
+  QToolButton* plots_button_ = nullptr;
+  QMenu* integrators_ = nullptr;
+  QMenu* steps_ = nullptr;
+  QMenu* tolerances_ = nullptr;
   QAction* theme_action_ = nullptr;
   std::vector<std::pair<QAction*, QString>> icon_actions_;  // with the icon's name, drawn anew with the theme
 };

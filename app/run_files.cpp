@@ -23,8 +23,12 @@ std::string quoted_field(const std::string& text) {
 }
 
 bool with_paths(const Simulation& s) {
-  return std::count(s.shapes().fixed.begin(), s.shapes().fixed.end(), 0) <= kMostPaths;
+  return std::count_if(s.bodies().begin(), s.bodies().end(), [](const Body& b) { return !b.fixed; }) <=
+         kMostPaths;
 }
+
+// Never "-0", which a law leaves where nothing happened.
+double plain(double value) { return value == 0.0 ? 0.0 : value; }
 
 }  // namespace
 
@@ -58,27 +62,36 @@ std::string run_csv_header(const Simulation& s) {
       "time [s],kinetic_energy [J],rotational_energy [J],potential_energy [J],total_energy [J],momentum_x [N "
       "s],"
       "momentum_y [N s],angular_momentum [kg m^2/s],numerical_drift [J],impacts [1]";
-  if (!with_paths(s)) return line;
   for (const Body& b : s.bodies()) {
-    if (b.fixed) continue;
+    if (b.fixed || !with_paths(s)) continue;
     for (const char* what :
          {"x [m]", "y [m]", "angle [rad]", "velocity_x [m/s]", "velocity_y [m/s]", "spin [rad/s]"}) {
       line += fmt::format(",{}", quoted_field(fmt::format("{} {}", b.name, what)));
     }
   }
-  return line;
+  return line +
+         ",lost_to_restitution [J],lost_to_friction [J],lost_to_drag [J],lost_to_dampers [J],"
+         "put_in_by_drives [J],put_in_by_user [J],overlap_correction [J],momentum_drift_x [N s],"
+         "momentum_drift_y [N s],momentum_to_walls_x [N s],momentum_to_walls_y [N s]";
 }
 
 std::string run_csv_line(const Simulation& s) {
   const Totals t = s.totals();
+  const Ledger l = s.ledger();
   std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{}", s.time(), t.kinetic(), t.rotational,
                                  t.potential, t.energy(), t.momentum.x(), t.momentum.y(), t.angular_momentum,
-                                 s.ledger().numerical_drift(t.energy()), s.impact_count());
-  if (!with_paths(s)) return line;
+                                 l.numerical_drift(t.energy()), s.impact_count());
+  const bool paths = with_paths(s);
   for (int i = 0; i < s.state().size(); ++i) {
-    if (s.shapes().fixed[i] != 0) continue;
+    if (s.bodies()[i].fixed || !paths) continue;
     for (int row = 0; row < 3; ++row) line += fmt::format(",{}", s.state().q(row, i));
     for (int row = 0; row < 3; ++row) line += fmt::format(",{}", s.state().v(row, i));
+  }
+  const Vec2 drift = l.momentum_drift(t.momentum);
+  for (const double value : {l.lost_to_restitution, l.lost_to_friction, l.lost_to_drag, l.lost_to_dampers,
+                             l.put_in_by_drives, l.put_in_by_user, l.overlap_correction, drift.x(), drift.y(),
+                             l.momentum_to_walls.x(), l.momentum_to_walls.y()}) {
+    line += fmt::format(",{}", plain(value));
   }
   return line;
 }
@@ -90,9 +103,10 @@ std::string events_csv_header() {
 
 std::string events_csv_line(const Simulation& s, const ImpactRecord& i) {
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", i.time, quoted_field(s.bodies()[i.a].name),
-                     quoted_field(s.bodies()[i.b].name), i.point.x(), i.point.y(), i.normal.x(), i.normal.y(),
-                     i.normal_impulse, i.tangential_impulse, i.closing_speed, i.lost_to_restitution,
-                     i.lost_to_friction);
+                     quoted_field(s.bodies()[i.b].name), plain(i.point.x()), plain(i.point.y()),
+                     plain(i.normal.x()), plain(i.normal.y()), plain(i.normal_impulse),
+                     plain(i.tangential_impulse), plain(i.closing_speed), plain(i.lost_to_restitution),
+                     plain(i.lost_to_friction));
 }
 
 }  // namespace carom

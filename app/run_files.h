@@ -25,8 +25,8 @@ class CsvFile {
   bool finished_ = false;
 };
 
-// Sums of the scene, then x, y, angle, velocity and spin of each moving body, for up to kMostPaths of them (a
-// larger crowd's file would be some 100 MB; its sums are written).
+// Sums of the scene, then x, y, angle, velocity and spin of each body that is not fixed, for up to kMostPaths
+// of them (a larger crowd's file would be some 100 MB; its sums are written), then the ledger.
 inline constexpr int kMostPaths = 50;
 [[nodiscard]] std::string run_csv_header(const Simulation& simulation);
 [[nodiscard]] std::string run_csv_line(const Simulation& simulation);

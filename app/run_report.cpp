@@ -18,26 +18,70 @@ double kinetic(const Simulation& s, int i) {
   return 0.5 * s.mass().mass[i] * s.state().velocity(i).squaredNorm() + 0.5 * s.mass().inertia[i] * spin * spin;
 }
 
+// 1 step, 2 steps.
+std::string counted(std::int64_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+// What is computed how, and what it cost.
+std::string method_text(const Simulation& s) {
+  const Method& m = s.method();
+  const IntegratorChoice& integrator = choice_of(kIntegrators, m.integrator);
+  const std::string size =
+      m.integrator == IntegratorId::kAdaptiveDormandPrince ? fmt::format("tolerance {}", m.tolerance)
+      : m.integrator == IntegratorId::kExactFlight         ? fmt::format("results every {} s", m.step)
+                                                           : fmt::format("h = {} s", m.step);
+  return fmt::format("{}, {}, {}, {}\n{}, {} of a body's acceleration, {}\n", integrator.label,
+                     choice_of(kImpacts, m.impacts).label, choice_of(kContacts, m.contacts).label, size,
+                     integrator.order > 0 ? fmt::format("order {}", integrator.order) : "exact",
+                     counted(s.evaluations(), "evaluation"), counted(s.rejected_steps(), "rejected step"));
+}
+
+std::string ledger_text(const Ledger& ledger, const Totals& now) {
+  std::string out = fmt::format("\n{:<34} {:>14}\n", "where the energy went / J", "");
+  const auto entry = [&](const char* what, double value) {
+    out += fmt::format("{:<34} {:>14}\n", what, figure(value));
+  };
+  entry("initial", ledger.initial);
+  entry("lost to restitution", ledger.lost_to_restitution);
+  entry("lost to friction", ledger.lost_to_friction);
+  entry("lost to drag", ledger.lost_to_drag);
+  entry("lost to dampers", ledger.lost_to_dampers);
+  entry("overlap correction", ledger.overlap_correction);
+  entry("put in by drives", ledger.put_in_by_drives);
+  entry("put in by the user", ledger.put_in_by_user);
+  entry("numerical drift", ledger.numerical_drift(now.energy()));
+
+  out += fmt::format("\n{:<34} {:>14} {:>14}\n", "where the momentum went / N s", "x", "y");
+  const auto pair = [&](const char* what, const Vec2& value) {
+    out += fmt::format("{:<34} {:>14} {:>14}\n", what, figure(value.x()), figure(value.y()));
+  };
+  pair("initial", ledger.initial_momentum);
+  pair("from gravity", ledger.momentum_from_gravity);
+  pair("from forces", ledger.momentum_from_forces);
+  pair("from the user", ledger.momentum_from_user);
+  pair("to walls", ledger.momentum_to_walls);
+  pair("numerical drift", ledger.momentum_drift(now.momentum));
+  return out;
+}
+
 }  // namespace
 
 std::string report_text(const Scene& scene, const Simulation& start, const Simulation& end) {
-  const Method& m = end.method();
-  std::string out =
-      fmt::format("{}\n{}, {}, {}, h = {} s\n", scene.title, choice_of(kIntegrators, m.integrator).label,
-                  choice_of(kImpacts, m.impacts).label, choice_of(kContacts, m.contacts).label, m.step);
-  out += fmt::format("t = {} s after {} steps, {} impact{}\n\n", figure(end.time()), end.steps(),
-                     end.impact_count(), end.impact_count() == 1 ? "" : "s");
+  std::string out = fmt::format("{}\n{}", scene.title, method_text(end));
+  out += fmt::format("t = {} s after {}, {}\n\n", figure(end.time()), counted(end.steps(), "step"),
+                     counted(end.impact_count(), "impact"));
 
   std::size_t name_width = 4;
   for (const Body& b : end.bodies()) {
-    if (!b.fixed) name_width = std::max(name_width, std::min<std::size_t>(b.name.size(), 16));
+    if (!is_immovable(b)) name_width = std::max(name_width, std::min<std::size_t>(b.name.size(), 16));
   }
   out += fmt::format("{:<{}} {:>9} {:>22} {:>22} {:>11} {:>11} {:>11}\n", "body", name_width, "m / kg",
                      "v before / m/s", "v after / m/s", "spin / 1/s", "K before/J", "K after/J");
   int moving = 0;
   double mass = 0.0;
   for (int i = 0; i < end.state().size(); ++i) {
-    if (end.shapes().fixed[i] != 0) continue;
+    if (is_immovable(end.bodies()[i])) continue;
     mass += end.mass().mass[i];
     if (++moving > kMostRows) continue;
     const auto velocity = [i](const Simulation& s) {
@@ -65,16 +109,7 @@ std::string report_text(const Scene& scene, const Simulation& start, const Simul
   row("momentum y / N s", before.momentum.y(), after.momentum.y());
   row("angular momentum / kg m²/s", before.angular_momentum, after.angular_momentum);
 
-  const Ledger ledger = end.ledger();
-  out += "\nwhere the energy went / J\n";
-  const auto entry = [&](const char* what, double value) {
-    out += fmt::format("{:<34} {:>14}\n", what, figure(value));
-  };
-  entry("lost to restitution", ledger.lost_to_restitution);
-  entry("lost to friction", ledger.lost_to_friction);
-  entry("lost to drag", ledger.lost_to_drag);
-  entry("overlap correction", ledger.overlap_correction);
-  entry("numerical drift", ledger.numerical_drift(after.energy()));
+  out += ledger_text(end.ledger(), after);
   out += fmt::format("\nstatus: {}\n", end.notices().text());
   return out;
 }
@@ -89,10 +124,17 @@ std::string report_json(const std::string& preset, const Simulation& end) {
   j["preset"] = preset;
   j["method"] = {{"integrator", choice_of(kIntegrators, m.integrator).name},
                  {"impacts", choice_of(kImpacts, m.impacts).name},
-                 {"contacts", choice_of(kContacts, m.contacts).name},
-                 {"step", m.step}};
+                 {"contacts", choice_of(kContacts, m.contacts).name}};
+  if (m.integrator == IntegratorId::kAdaptiveDormandPrince) {
+    j["method"]["tolerance"] = m.tolerance;
+  } else {
+    j["method"]["step"] = m.step;
+  }
+  j["order"] = choice_of(kIntegrators, m.integrator).order;
   j["time"] = end.time();
   j["steps"] = end.steps();
+  j["rejected_steps"] = end.rejected_steps();
+  j["evaluations"] = end.evaluations();
   j["impacts"] = end.impact_count();
   j["bodies"] = Json::array();
   for (int i = 0; i < end.state().size(); ++i) {
@@ -112,10 +154,18 @@ std::string report_json(const std::string& preset, const Simulation& end) {
                  {"lost_to_restitution", ledger.lost_to_restitution},
                  {"lost_to_friction", ledger.lost_to_friction},
                  {"lost_to_drag", ledger.lost_to_drag},
+                 {"lost_to_dampers", ledger.lost_to_dampers},
                  {"overlap_correction", ledger.overlap_correction},
+                 {"put_in_by_drives", ledger.put_in_by_drives},
                  {"put_in_by_user", ledger.put_in_by_user},
                  {"numerical_drift", ledger.numerical_drift(totals.energy())},
-                 {"momentum_to_walls", pair(ledger.momentum_to_walls)}};
+                 {"momentum",
+                  {{"initial", pair(ledger.initial_momentum)},
+                   {"from_gravity", pair(ledger.momentum_from_gravity)},
+                   {"from_forces", pair(ledger.momentum_from_forces)},
+                   {"from_user", pair(ledger.momentum_from_user)},
+                   {"to_walls", pair(ledger.momentum_to_walls)},
+                   {"numerical_drift", pair(ledger.momentum_drift(totals.momentum))}}}};
   j["status"] = end.notices().text();
   return j.dump(2) + "\n";
 }

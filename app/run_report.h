@@ -7,14 +7,16 @@
 
 namespace carom {
 
-// What a run was, for people: method, table of the bodies before and after, energies, momenta, ledger, status.
+// What a run was, for people: method and its cost, table of the bodies before and after, energies, momenta,
+// ledger of energy and momentum, status.
 // Of many bodies the first kMostRows are listed; the sums hold all.
 inline constexpr int kMostRows = 20;
 [[nodiscard]] std::string report_text(const Scene& scene, const Simulation& start, const Simulation& end);
 
-// The same for programs, one JSON object: preset, method {integrator, impacts, contacts, step}, time, steps,
-// impacts, bodies [{name, position, angle, velocity, spin}], kinetic_energy, potential_energy, momentum,
-// angular_momentum, ledger {...}, status.
+// The same for programs, one JSON object: preset, method {integrator, impacts, contacts, step or tolerance},
+// order (0: exact), time, steps, rejected_steps, evaluations, impacts, bodies [{name, position, angle,
+// velocity, spin}], kinetic_energy, potential_energy, momentum, angular_momentum, ledger {..., momentum {...}},
+// status.
 [[nodiscard]] std::string report_json(const std::string& preset, const Simulation& end);
 
 }  // namespace carom

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/drawing_forces.h"
+
 namespace carom {
 namespace {
 
@@ -14,11 +16,6 @@ constexpr double kLeastNamedRadius = 6.0;     // px
 constexpr double kLeastOrientedRadius = 4.0;  // px
 constexpr double kNameDrop = 3.0;             // px below the body
 constexpr double kContactDot = 5.0;           // px
-
-QColor blend(const QColor& from, const QColor& to, double share) {
-  const auto mixed = [share](int a, int b) { return static_cast<int>(std::lround(a + (b - a) * share)); };
-  return {mixed(from.red(), to.red()), mixed(from.green(), to.green()), mixed(from.blue(), to.blue())};
-}
 
 class Builder {
  public:
@@ -32,25 +29,30 @@ class Builder {
     out_.has_grid = in_.options.grid;
     if (out_.has_grid) lay_grid(in_.camera, out_.grid);
     for (int i = 0; i < count(); ++i) add_body(i);
+    add_springs(in_, seen_, out_);
+    add_drives(in_, seen_, out_);
     if (in_.options.names) add_names();
     if (in_.options.velocities) add_velocities();
+    if (in_.options.forces) add_applied_forces(in_, seen_, out_);
     if (in_.options.contacts) add_contacts();
   }
 
  private:
   // A frame's state and bodies agree but for a moment's mistake of its maker; never read past either.
   [[nodiscard]] int count() const { return std::min(in_.frame.state.size(), static_cast<int>(bodies_.size())); }
-  [[nodiscard]] bool moving(int i) const { return !bodies_[static_cast<std::size_t>(i)].fixed; }
+  [[nodiscard]] bool fixed(int i) const { return bodies_[static_cast<std::size_t>(i)].fixed; }
+  // Moves as impacts and forces tell it.
+  [[nodiscard]] bool free(int i) const { return !is_immovable(bodies_[static_cast<std::size_t>(i)]); }
 
   void add_body(int i) {
     const Body& body = bodies_[static_cast<std::size_t>(i)];
     const Vec2 at = in_.frame.state.position(i);
     const double angle = in_.frame.state.q(2, i);
     if (!seen_.meets(at, bounding_radius(body.shape) + out_.outline / in_.camera.scale)) return;
-    const QColor& fill = body.fixed ? in_.theme.wall_fill : in_.theme.body_fill;
-    const QColor& line = body.fixed ? in_.theme.wall_line : in_.theme.body_line;
+    const QColor& fill = free(i) ? in_.theme.body_fill : in_.theme.wall_fill;
+    const QColor& line = free(i) ? in_.theme.body_line : in_.theme.wall_line;
     if (const Disc* disc = std::get_if<Disc>(&body.shape)) {
-      const bool oriented = !body.fixed && disc->radius * in_.camera.scale >= kLeastOrientedRadius;
+      const bool oriented = free(i) && disc->radius * in_.camera.scale >= kLeastOrientedRadius;
       out_.discs.push_back({at, disc->radius, angle, fill, line, oriented});
     } else if (const Box* box = std::get_if<Box>(&body.shape)) {
       out_.boxes.push_back({at, Vec2(box->width, box->height) / 2, angle, fill, line});
@@ -76,7 +78,7 @@ class Builder {
 
   void add_velocities() {
     for (int i = 0; i < count(); ++i) {
-      if (moving(i)) {
+      if (!fixed(i)) {
         add_arrow(in_.frame.state.position(i), in_.frame.state.velocity(i) * in_.arrows.seconds,
                   in_.theme.series[0]);
       }
@@ -93,8 +95,8 @@ class Builder {
       color.setAlphaF(static_cast<float>(1.0 - age / kImpactShown));
       const Vec2 push = impact.normal * (impact.normal_impulse * in_.arrows.metres_per_impulse);
       bool shown = false;
-      if (moving(impact.a)) shown = add_arrow(impact.point, -push, color) || shown;
-      if (moving(impact.b)) shown = add_arrow(impact.point, push, color) || shown;
+      if (free(impact.a)) shown = add_arrow(impact.point, -push, color) || shown;
+      if (free(impact.b)) shown = add_arrow(impact.point, push, color) || shown;
       if (shown) {
         out_.segments.push_back({impact.point, impact.point, color, kContactDot * in_.options.line_scale});
       }
@@ -120,6 +122,7 @@ void Drawing::clear() {
   has_grid = false;
   boxes.clear();
   discs.clear();
+  lines.clear();
   segments.clear();
   arrows.clear();
   labels.clear();
@@ -134,12 +137,14 @@ void Peaks::observe(const Frame& frame) {
     const Body& body = (*frame.bodies)[static_cast<std::size_t>(i)];
     if (body.fixed) continue;
     ++moving;
-    mass += mass_of(body);
+    if (!body.drive) mass += mass_of(body);
     speed = std::max(speed, frame.state.velocity(i).norm());
   }
   const double energy = frame.totals.energy();
   if (mass > 0.0 && energy > 0.0) speed = std::max(speed, std::sqrt(2.0 * energy / mass));
   for (const ImpactRecord& impact : frame.impacts) impulse = std::max(impulse, impact.normal_impulse);
+  if (!frame.forces) return;
+  for (const AppliedForce& applied : frame.forces->applied) force = std::max(force, applied.force.norm());
 }
 
 ArrowScale arrow_scale(const Peaks& peaks, double side) {
@@ -147,6 +152,7 @@ ArrowScale arrow_scale(const Peaks& peaks, double side) {
   const double longest = side * std::min(kLongestShare, kLongestInCrowd / std::sqrt(std::max(1, peaks.moving)));
   if (peaks.speed > 0.0) scale.seconds = step_not_above(longest / peaks.speed);
   if (peaks.impulse > 0.0) scale.metres_per_impulse = step_not_above(longest / peaks.impulse);
+  if (peaks.force > 0.0) scale.metres_per_newton = step_not_above(longest / peaks.force);
   return scale;
 }
 
@@ -172,6 +178,11 @@ WorldRect bounds(const Frame& frame) {
     if (!frame.state.q.col(i).allFinite()) continue;
     rect.include(frame.state.position(i),
                  half_extent((*frame.bodies)[static_cast<std::size_t>(i)].shape, frame.state.q(2, i)));
+  }
+  if (frame.forces) {
+    for (const Spring& spring : frame.forces->springs) {
+      if (spring.to.empty()) rect.include(spring.anchor, Vec2::Zero());
+    }
   }
   return rect;
 }

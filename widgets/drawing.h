@@ -14,8 +14,8 @@
 namespace carom {
 
 // What the scene looks like as a list of plain shapes: in world metres, with colours, and widths in logical
-// pixels. OpenGL and QPainter paint the same list. Painted in this order: grid, boxes, discs, contact points,
-// arrows, text.
+// pixels. OpenGL and QPainter paint the same list. Painted in this order: grid, boxes, springs, discs, contact
+// points, arrows, text.
 struct Drawing {
   struct DiscItem {
     Vec2 center;
@@ -56,6 +56,7 @@ struct Drawing {
   bool has_grid = false;
   Grid grid;
   std::vector<BoxItem> boxes;
+  std::vector<SegmentItem> lines;  // over the boxes, under the discs
   std::vector<DiscItem> discs;
   std::vector<SegmentItem> segments;
   std::vector<ArrowItem> arrows;
@@ -69,6 +70,7 @@ struct Drawing {
 struct DrawingOptions {
   bool grid = true;
   bool velocities = true;
+  bool forces = true;  // applied ones
   bool contacts = true;
   bool names = true;
   double line_scale = 1.0;  // dimensionless: 2 in projector mode
@@ -81,12 +83,14 @@ struct DrawingOptions {
 struct ArrowScale {
   double seconds = 0.1;             // m of arrow per m/s
   double metres_per_impulse = 0.1;  // m of arrow per N s
+  double metres_per_newton = 0.1;
 };
 
-// The largest speed and impulse that a scene has shown, which set the length of its arrows.
+// The largest speed, impulse and applied force that a scene has shown, which set the length of its arrows.
 struct Peaks {
   double speed = 0.0;    // m/s
   double impulse = 0.0;  // N s
+  double force = 0.0;    // N
   int moving = 0;        // bodies; a crowd's arrows are shorter
 
   // Takes what the frame has and, from its energy, the speed that is to be expected of it.
@@ -115,7 +119,7 @@ struct DrawingInput {
 
 // What a body covers, turned by its angle, in m: half of the upright rectangle around it.
 [[nodiscard]] Vec2 half_extent(const Shape& shape, double angle);
-// All bodies of the frame.
+// All bodies of the frame and the points that springs hang on.
 [[nodiscard]] WorldRect bounds(const Frame& frame);
 
 }  // namespace carom

@@ -22,8 +22,12 @@ class CellDelegate : public QStyledItemDelegate {
     cell.state &= ~QStyle::State_HasFocus;
     if (cell.state & QStyle::State_Selected) painter->fillRect(cell.rect, cell.palette.highlight());
     cell.rect.adjust(kInset, 0, -kInset, 0);
+    const auto* model = static_cast<const FigureModel*>(index.model());
+    if (model->is_idle(index.row(), index.column())) {
+      cell.palette.setBrush(QPalette::Text, cell.palette.brush(QPalette::PlaceholderText));
+    }
     QStyledItemDelegate::paint(painter, cell, index);
-    if (!static_cast<const FigureModel*>(index.model())->is_sum(index.row())) return;
+    if (!model->is_sum(index.row())) return;
     painter->setPen(option.palette.color(QPalette::Mid));
     painter->drawLine(option.rect.topLeft(), option.rect.topRight());
   }
@@ -52,10 +56,12 @@ QVariant FigureModel::data(const QModelIndex& index, int role) const {
     }
     case Qt::ToolTipRole: {
       const Cell content = cell(index.row(), index.column());
-      if (const auto* text = std::get_if<QString>(&content)) return *text;
-      if (const auto* value = std::get_if<double>(&content)) return full_figure(*value);
+      const QString about = tip(index.row(), index.column());
+      const QString below = about.isEmpty() ? about : "\n" + about;
+      if (const auto* text = std::get_if<QString>(&content)) return about.isEmpty() ? *text : about;
+      if (const auto* value = std::get_if<double>(&content)) return full_figure(*value) + below;
       if (const auto* vector = std::get_if<Vec2>(&content)) {
-        return full_figure(vector->x()) + ", " + full_figure(vector->y());
+        return full_figure(vector->x()) + ", " + full_figure(vector->y()) + below;
       }
       return {};
     }

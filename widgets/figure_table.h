@@ -9,7 +9,7 @@
 
 namespace carom {
 
-// Rows of figures: headings carry the units, figures stand right, full digits are in the tooltip. The text of a
+// Rows of figures: headings carry the units, figures stand right, tooltips have the full digits. The text of a
 // cell is made when it is painted, so an update costs what is visible.
 class FigureModel : public QAbstractTableModel {
  public:
@@ -30,7 +30,10 @@ class FigureModel : public QAbstractTableModel {
   [[nodiscard]] int weight(int column) const { return columns_[static_cast<std::size_t>(column)].weight; }
 
   [[nodiscard]] virtual Cell cell(int row, int column) const = 0;
-  [[nodiscard]] virtual bool is_sum(int row) const = 0;  // bold, under a line
+  [[nodiscard]] virtual bool is_sum(int row) const = 0;                                    // bold, under a line
+  [[nodiscard]] virtual bool is_idle(int /*row*/, int /*column*/) const { return false; }  // pale
+  // What the cell is about, for its tooltip.
+  [[nodiscard]] virtual QString tip(int /*row*/, int /*column*/) const { return {}; }
 
  protected:
   // All rows may have new contents, and there are now `rows` of them.

@@ -197,6 +197,13 @@ void GlCanvas::collect() {
     add(camera.to_screen(box.center), direction(box.angle), half.x() - corner, half.y() - corner, corner,
         drawing.outline, kRoundedBox, box.fill, box.line);
   }
+  const auto add_segments = [&](const std::vector<Drawing::SegmentItem>& segments) {
+    for (const Drawing::SegmentItem& segment : segments) {
+      add_line(camera.to_screen(segment.from), camera.to_screen(segment.to), segment.width, segment.color,
+               true);
+    }
+  };
+  add_segments(drawing.lines);
   for (const Drawing::DiscItem& disc : drawing.discs) {
     const QPointF center = camera.to_screen(disc.center);
     const double radius = disc.radius * camera.scale;
@@ -205,9 +212,7 @@ void GlCanvas::collect() {
       add_line(center, center + radius * direction(disc.angle), drawing.outline, disc.line, true);
     }
   }
-  for (const Drawing::SegmentItem& segment : drawing.segments) {
-    add_line(camera.to_screen(segment.from), camera.to_screen(segment.to), segment.width, segment.color, true);
-  }
+  add_segments(drawing.segments);
   for (const Drawing::ArrowItem& arrow : drawing.arrows) {
     const ArrowOnScreen a = arrow_on_screen(arrow, camera);
     add_line(a.from, a.shaft_end, arrow.width, arrow.color, false);

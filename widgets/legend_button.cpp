@@ -11,13 +11,14 @@ constexpr int kPadding = 4;  // px, left and right
 
 }  // namespace
 
-LegendButton::LegendButton(const QString& label, QWidget* parent) : QToolButton(parent) {
+LegendButton::LegendButton(const QString& label, const QString& tip, QWidget* parent) : QToolButton(parent) {
   setText(label);
   setCheckable(true);
   setChecked(true);
   setAccessibleName(tr("Show the curve %1").arg(label));
-  const auto set_tip = [this](bool shown) {
-    setToolTip((shown ? tr("Click to hide the curve “%1”") : tr("Click to show the curve “%1”")).arg(text()));
+  const auto set_tip = [this, tip](bool shown) {
+    const QString click = shown ? tr("Click to hide the curve “%1”") : tr("Click to show the curve “%1”");
+    setToolTip((tip.isEmpty() ? QString() : tip + "\n") + click.arg(text()));
   };
   set_tip(true);
   connect(this, &QToolButton::toggled, this, set_tip);

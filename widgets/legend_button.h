@@ -5,12 +5,13 @@
 
 namespace carom {
 
-// One curve in a plot's legend: a sample of its line and its name. Checked while the curve is shown.
+// One curve in a plot's legend: a sample of its line and its name; `tip` tells more about it. Checked while the
+// curve is shown.
 class LegendButton : public QToolButton {
   Q_OBJECT
 
  public:
-  explicit LegendButton(const QString& label, QWidget* parent = nullptr);
+  explicit LegendButton(const QString& label, const QString& tip = {}, QWidget* parent = nullptr);
 
   void set_look(const QPen& line, const QColor& text);
   [[nodiscard]] QSize sizeHint() const override;

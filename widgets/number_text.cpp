@@ -51,6 +51,10 @@ QString figures(const Vec2& value, int digits) {
   return fixed(value.x(), decimals) + ", " + fixed(value.y(), decimals);
 }
 
+QString short_figure(double value, int digits) {
+  return short_exponent(QString::number(value, 'g', digits)).replace('-', kMinus);
+}
+
 QString full_figure(double value) {
   return QString::number(value, 'g', QLocale::FloatingPointShortest).replace('-', kMinus);
 }

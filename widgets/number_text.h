@@ -15,6 +15,9 @@ inline constexpr QChar kMinus(0x2212);
 // Two components, "x, y", both to the decimal place that the larger needs for its digits.
 [[nodiscard]] QString figures(const Vec2& value, int digits = 3);
 
+// As short as a person writes it: 0.01, 2.5e−9; at most `digits` significant digits.
+[[nodiscard]] QString short_figure(double value, int digits = 4);
+
 // All the digits that tell the value apart.
 [[nodiscard]] QString full_figure(double value);
 

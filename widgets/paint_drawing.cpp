@@ -56,8 +56,9 @@ void paint_discs(QPainter& painter, const Drawing& drawing, const Camera& camera
   }
 }
 
-void paint_segments(QPainter& painter, const Drawing& drawing, const Camera& camera) {
-  for (const Drawing::SegmentItem& segment : drawing.segments) {
+void paint_segments(QPainter& painter, const std::vector<Drawing::SegmentItem>& segments,
+                    const Camera& camera) {
+  for (const Drawing::SegmentItem& segment : segments) {
     const QPointF from = camera.to_screen(segment.from);
     const QPointF to = camera.to_screen(segment.to);
     if (from == to) {
@@ -167,8 +168,9 @@ void paint_shapes(QPainter& painter, const Drawing& drawing, const Camera& camer
   painter.setRenderHint(QPainter::Antialiasing);
   if (drawing.has_grid) paint_grid(painter, drawing, camera, theme);
   paint_boxes(painter, drawing, camera);
+  paint_segments(painter, drawing.lines, camera);
   paint_discs(painter, drawing, camera);
-  paint_segments(painter, drawing, camera);
+  paint_segments(painter, drawing.segments, camera);
   paint_arrows(painter, drawing, camera);
 }
 

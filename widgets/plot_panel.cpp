@@ -1,6 +1,8 @@
 #include "widgets/plot_panel.h"
 
+#include <QContextMenuEvent>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,15 @@ PlotPanel::PlotPanel(const Theme& theme, QWidget* parent) : QWidget(parent), the
   timer_.setSingleShot(true);
   timer_.setInterval(0);
   connect(&timer_, &QTimer::timeout, this, &PlotPanel::refresh);
+  menu_ = new QMenu(tr("&Plots"), this);
+  menu_->setToolTipsVisible(true);
+  for (const PlotKind& kind : plot_table()) {
+    QAction* action = menu_->addAction(QString::fromUtf8(kind.title));
+    action->setToolTip(QString::fromUtf8(kind.tip));
+    action->setCheckable(true);
+    action->setData(QString::fromUtf8(kind.id.data(), static_cast<qsizetype>(kind.id.size())));
+    connect(action, &QAction::triggered, this, [this, &kind](bool on) { set_shown(kind.id, on); });
+  }
   set_plots({});
 }
 
@@ -28,19 +39,59 @@ void PlotPanel::set_theme(const Theme& theme) {
 }
 
 void PlotPanel::set_plots(const std::vector<std::string>& ids) {
+  const std::vector<std::string>& wanted = ids.empty() ? default_plots() : ids;
   for (TimePlot* plot : plots_) delete plot;
   plots_.clear();
   zoomed_.clear();
   time_zoom_.reset();
   for (const PlotKind& kind : plot_table()) {
-    if (!ids.empty() && std::find(ids.begin(), ids.end(), kind.id) == ids.end()) continue;
-    auto* plot = new TimePlot(kind, theme_, this);
-    plots_.push_back(plot);
-    layout()->addWidget(plot);
-    connect_plot(plot);
+    if (std::find(wanted.begin(), wanted.end(), kind.id) != wanted.end()) add_plot(kind);
   }
+  mark_menu();
   schedule();
 }
+
+// At its place in the order of the table.
+void PlotPanel::add_plot(const PlotKind& kind) {
+  const auto place = std::find_if(plots_.begin(), plots_.end(),
+                                  [&kind](const TimePlot* plot) { return &plot->kind() > &kind; });
+  auto* plot = new TimePlot(kind, theme_, this);
+  static_cast<QVBoxLayout*>(layout())->insertWidget(static_cast<int>(place - plots_.begin()), plot);
+  plots_.insert(place, plot);
+  connect_plot(plot);
+}
+
+bool PlotPanel::shows(std::string_view id) const {
+  return std::any_of(plots_.begin(), plots_.end(),
+                     [id](const TimePlot* plot) { return plot->kind().id == id; });
+}
+
+void PlotPanel::set_shown(std::string_view id, bool shown) {
+  const auto at =
+      std::find_if(plots_.begin(), plots_.end(), [id](const TimePlot* plot) { return plot->kind().id == id; });
+  if (shown && at == plots_.end()) {
+    for (const PlotKind& kind : plot_table()) {
+      if (kind.id == id) add_plot(kind);
+    }
+  } else if (!shown && at != plots_.end() && plots_.size() > 1) {
+    std::erase(zoomed_, *at);
+    delete *at;
+    plots_.erase(at);
+    if (zoomed_.empty()) time_zoom_.reset();
+  }
+  mark_menu();
+  schedule();
+}
+
+void PlotPanel::mark_menu() {
+  for (QAction* action : menu_->actions()) {
+    const bool shown = shows(action->data().toString().toStdString());
+    action->setChecked(shown);
+    action->setEnabled(!shown || plots_.size() > 1);
+  }
+}
+
+void PlotPanel::contextMenuEvent(QContextMenuEvent* event) { menu_->popup(event->globalPos()); }
 
 void PlotPanel::connect_plot(TimePlot* plot) {
   connect(plot, &TimePlot::timeZoomAsked, this, [this, plot](double at, double factor) {

@@ -31,10 +31,15 @@ double nice_time_end(double newest) {
   return round_up(std::max(newest, kLeast), kMantissas);
 }
 
-QwtInterval nice_range(double low, double high) {
+QwtInterval nice_range(double low, double high, const Zero& zero) {
+  constexpr std::array kMantissas = {1.0, 2.0, 5.0, 10.0};
+  constexpr double kLeast = 1e-300;  // any unit: below it, powers of ten are no longer exact
   if (!std::isfinite(low) || !std::isfinite(high) || low > high) return {-1.0, 1.0};
   const double magnitude = std::max(std::abs(low), std::abs(high));
-  if (magnitude < kLeastMagnitude) return {-1.0, 1.0};
+  if (magnitude <= std::max(zero.below, kLeast)) {
+    const double end = zero.range > kLeast ? round_up(zero.range, kMantissas) : 1.0;
+    return {-end, end};
+  }
   if (high - low < kLeastSpread * magnitude) {
     const double middle = 0.5 * (low + high);
     low = middle - 0.1 * magnitude;
@@ -46,13 +51,12 @@ QwtInterval nice_range(double low, double high) {
     if (low != 0.0) low -= margin;
     if (high != 0.0) high += margin;
   }
-  constexpr std::array kMantissas = {1.0, 2.0, 5.0, 10.0};
   const double step = round_up((high - low) / 5.0, kMantissas);
   return {step * std::floor(low / step + 1e-6), step * std::ceil(high / step - 1e-6)};
 }
 
-QwtInterval steady_range(const QwtInterval& current, double low, double high) {
-  const QwtInterval wanted = nice_range(low, high);
+QwtInterval steady_range(const QwtInterval& current, double low, double high, const Zero& zero) {
+  const QwtInterval wanted = nice_range(low, high, zero);
   const bool holds =
       current.isValid() && current.minValue() <= wanted.minValue() && current.maxValue() >= wanted.maxValue();
   return holds && current.width() <= 1.6 * wanted.width() ? current : wanted;

@@ -11,17 +11,22 @@ namespace carom {
 // The smallest round time at or after `newest`, in s: it grows in steps, so the time axis stands still between.
 [[nodiscard]] double nice_time_end(double newest);
 
+// What counts as zero, in the unit of the values, and the range that is shown about zero if all values do.
+struct Zero {
+  double below = 0.0;
+  double range = 0.0;  // 0: 1
+};
+
 // A round range for values within [low, high] of whatever unit, with a margin; finite and not empty whatever
 // comes in. It holds zero where that costs less than half of the height. A spread below kLeastSpread of the
-// magnitude counts as none: it gets a range a fifth of the magnitude wide; all zero gets -1 to 1.
+// magnitude counts as none: it gets a range a fifth of the magnitude wide.
 inline constexpr double kLeastSpread = 1e-6;
-// Absolute, SI: sums over a laboratory's bodies that should be zero show rounding below it.
-inline constexpr double kLeastMagnitude = 1e-9;
-[[nodiscard]] QwtInterval nice_range(double low, double high);
+[[nodiscard]] QwtInterval nice_range(double low, double high, const Zero& zero = {});
 
 // `current` as long as it holds nice_range(low, high) and is not much larger, else that: the axis doesn't
 // tremble.
-[[nodiscard]] QwtInterval steady_range(const QwtInterval& current, double low, double high);
+[[nodiscard]] QwtInterval steady_range(const QwtInterval& current, double low, double high,
+                                       const Zero& zero = {});
 
 // Ticks at round values, at most `most`.
 [[nodiscard]] QwtScaleDiv ticks(const QwtInterval& range, int most);

@@ -1,26 +1,81 @@
 #include "widgets/plot_table.h"
 
 namespace carom {
+namespace {
+
+// Sums over a laboratory's bodies that should be zero show rounding below this part of what they sum.
+constexpr Rounding kValues{1e-9, 1.0};
+// A drift is looked at down to rounding itself.
+constexpr Rounding kDrift{1e-15, 1e-15};
+
+}  // namespace
 
 std::span<const PlotKind> plot_table() {
   static const std::vector<PlotKind> table = {
       {"energy",
        "Energy",
        "J",
-       {{"kinetic", [](const Sample& s) { return s.totals.kinetic(); }},
-        {"potential", [](const Sample& s) { return s.totals.potential; }},
-        {"total", [](const Sample& s) { return s.totals.energy(); }}}},
+       "Energy of all bodies that move freely",
+       &Scales::energy,
+       kValues,
+       {{.label = "kinetic", .of_sample = [](const Sample& s) { return s.totals.kinetic(); }},
+        {.label = "potential", .of_sample = [](const Sample& s) { return s.totals.potential; }},
+        {.label = "total", .of_sample = [](const Sample& s) { return s.totals.energy(); }, .sum = true}}},
       {"momentum",
        "Momentum",
        "kg·m/s",
-       {{"x", [](const Sample& s) { return s.totals.momentum.x(); }},
-        {"y", [](const Sample& s) { return s.totals.momentum.y(); }}}},
+       "Momentum of all bodies that move freely",
+       &Scales::momentum,
+       kValues,
+       {{.label = "x", .of_sample = [](const Sample& s) { return s.totals.momentum.x(); }},
+        {.label = "y", .of_sample = [](const Sample& s) { return s.totals.momentum.y(); }}}},
       {"impulse",
        "Contact impulses",
        "N·s",
-       {{"normal", nullptr, [](const ImpactRecord& impact) { return impact.normal_impulse; }}}},
+       "The normal impulse of each impact",
+       &Scales::impulse,
+       kValues,
+       {{.label = "normal", .of_impact = [](const ImpactRecord& impact) { return impact.normal_impulse; }}}},
+      {"ledger",
+       "Ledger",
+       "J",
+       "Where the energy went since the start",
+       &Scales::energy,
+       kValues,
+       {{.label = "restitution",
+         .of_sample = [](const Sample& s) { return s.lost_to_restitution; },
+         .tip = "lost in impacts to restitution below 1"},
+        {.label = "friction",
+         .of_sample = [](const Sample& s) { return s.lost_to_friction; },
+         .tip = "lost in impacts to friction"},
+        {.label = "drag",
+         .of_sample = [](const Sample& s) { return s.lost_in_flight; },
+         .tip = "lost to drag and to the dampers of springs"},
+        {.label = "put in",
+         .of_sample = [](const Sample& s) { return s.put_in; },
+         .tip = "put in by driven bodies, applied forces and the user, and by pushing overlaps apart"}}},
+      {"drift",
+       "Energy drift",
+       "J",
+       "Energy that the method itself gained or lost: what no entry of the ledger explains",
+       &Scales::energy,
+       kDrift,
+       {{.label = "numerical", .of_sample = [](const Sample& s) { return s.drift; }}}},
+      {"momentum_drift",
+       "Momentum drift",
+       "kg·m/s",
+       "Momentum that the method itself gained or lost: what neither forces, walls nor the user explain",
+       &Scales::momentum,
+       kDrift,
+       {{.label = "x", .of_sample = [](const Sample& s) { return s.momentum_drift.x(); }},
+        {.label = "y", .of_sample = [](const Sample& s) { return s.momentum_drift.y(); }}}},
   };
   return table;
+}
+
+const std::vector<std::string>& default_plots() {
+  static const std::vector<std::string> ids = {"energy", "momentum", "impulse"};
+  return ids;
 }
 
 }  // namespace carom

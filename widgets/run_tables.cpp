@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <memory>
 
@@ -29,7 +28,7 @@ class BodiesModel : public FigureModel {
     total_mass_ = kinetic_before_ = kinetic_now_ = 0.0;
     moving_.clear();
     for (int i = 0; i < now_.size(); ++i) {
-      if ((*bodies_)[static_cast<std::size_t>(i)].fixed) continue;
+      if (is_immovable((*bodies_)[static_cast<std::size_t>(i)])) continue;
       moving_.push_back(i);
       total_mass_ += mass_.mass[i];
       momentum_ += mass_.mass[i] * now_.velocity(i);
@@ -139,61 +138,6 @@ class ImpactsModel : public FigureModel {
   std::vector<ImpactRecord> impacts_;  // the newest first
 };
 
-class LedgerModel : public FigureModel {
- public:
-  using FigureModel::FigureModel;
-
-  void set(const Frame& frame) {
-    ledger_ = frame.ledger;
-    energy_ = frame.totals.energy();
-    rows_changed(10);
-  }
-
-  [[nodiscard]] bool is_sum(int row) const override { return row == 8; }
-
-  [[nodiscard]] Cell cell(int row, int column) const override {
-    static constexpr std::array kNames = {
-        QT_TRANSLATE_NOOP("LedgerTable", "initial energy"),
-        QT_TRANSLATE_NOOP("LedgerTable", "lost to restitution"),
-        QT_TRANSLATE_NOOP("LedgerTable", "lost to friction"),
-        QT_TRANSLATE_NOOP("LedgerTable", "lost to drag"),
-        QT_TRANSLATE_NOOP("LedgerTable", "overlap correction"),
-        QT_TRANSLATE_NOOP("LedgerTable", "put in by user"),
-        QT_TRANSLATE_NOOP("LedgerTable", "expected energy"),
-        QT_TRANSLATE_NOOP("LedgerTable", "energy now"),
-        QT_TRANSLATE_NOOP("LedgerTable", "numerical drift"),
-        QT_TRANSLATE_NOOP("LedgerTable", "momentum to walls x, y / kg·m/s"),
-    };
-    if (column == 0) return QCoreApplication::translate("LedgerTable", kNames[static_cast<std::size_t>(row)]);
-    switch (row) {
-      case 0:
-        return ledger_.initial;
-      case 1:
-        return ledger_.lost_to_restitution;
-      case 2:
-        return ledger_.lost_to_friction;
-      case 3:
-        return ledger_.lost_to_drag;
-      case 4:
-        return ledger_.overlap_correction;
-      case 5:
-        return ledger_.put_in_by_user;
-      case 6:
-        return ledger_.expected();
-      case 7:
-        return energy_;
-      case 8:
-        return ledger_.numerical_drift(energy_);
-      default:
-        return ledger_.momentum_to_walls;
-    }
-  }
-
- private:
-  Ledger ledger_;
-  double energy_ = 0.0;
-};
-
 }  // namespace
 
 BodiesTable::BodiesTable(QWidget* parent)
@@ -225,10 +169,5 @@ ImpactsTable::ImpactsTable(QWidget* parent)
 void ImpactsTable::update_from(const Frame& frame, const Recorder& recorder) {
   static_cast<ImpactsModel*>(model())->set(frame, recorder);
 }
-
-LedgerTable::LedgerTable(QWidget* parent)
-    : FigureTable(new LedgerModel({{"", 240, true}, {"energy / J", 160}}, nullptr), parent) {}
-
-void LedgerTable::update_from(const Frame& frame) { static_cast<LedgerModel*>(model())->set(frame); }
 
 }  // namespace carom

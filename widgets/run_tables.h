@@ -28,13 +28,4 @@ class ImpactsTable : public FigureTable {
   void update_from(const Frame& frame, const Recorder& recorder);
 };
 
-// Where the energy went, and what the walls took of the momentum.
-class LedgerTable : public FigureTable {
-  Q_OBJECT
-
- public:
-  explicit LedgerTable(QWidget* parent = nullptr);
-  void update_from(const Frame& frame);
-};
-
 }  // namespace carom

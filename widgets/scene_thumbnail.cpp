@@ -9,12 +9,12 @@ namespace carom {
 QPixmap scene_thumbnail(const Frame& frame, const Theme& theme, QSize size, double pixel_ratio) {
   constexpr double kMargin = 4.0;  // px
   DrawingOptions options;
-  options.grid = options.velocities = options.contacts = options.names = false;
+  options.grid = options.velocities = options.forces = options.contacts = options.names = false;
+  options.line_scale = 0.55;
   Camera camera;
   camera.viewport = size;
   camera.fit(bounds(frame), QMarginsF(kMargin, kMargin, kMargin, kMargin));
   Drawing drawing = make_drawing({frame, {}, camera, options, theme, ArrowScale{}});
-  drawing.outline = 0.8;
   for (Drawing::DiscItem& disc : drawing.discs) disc.oriented = false;
 
   QPixmap picture(size * pixel_ratio);

@@ -169,7 +169,10 @@ QString SceneView::body_text(int index) const {
   const Vec2 v = frame_->state.velocity(index);
   const auto number = [](double value) { return number_text(value, 4); };
   QString text = QString::fromStdString(body.name).toHtmlEscaped();
-  text = "<b>" + text + "</b>" + (body.fixed ? ", fixed" : ", " + number(mass_of(body)) + " kg");
+  text = "<b>" + text + "</b>" +
+         (body.fixed   ? ", fixed"
+          : body.drive ? ", driven"
+                       : ", " + number(mass_of(body)) + " kg");
   text += QString("<br>position (%1, %2) m").arg(number(at.x()), number(at.y()));
   if (!body.fixed) {
     text += QString("<br>velocity (%1, %2) m/s").arg(number(v.x()), number(v.y()));

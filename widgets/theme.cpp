@@ -8,6 +8,7 @@
 #include <QPixmap>
 #include <QStyleFactory>
 #include <QSvgRenderer>
+#include <cmath>
 
 // Resources of a static library are linked only where this is called; it must stand outside of any namespace.
 static void load_icons() { Q_INIT_RESOURCE(icons); }
@@ -119,6 +120,11 @@ Qt::PenStyle series_dash(int index) {
   constexpr std::array kDashes = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine,
                                   Qt::DashDotDotLine};
   return kDashes[static_cast<std::size_t>(index) % kDashes.size()];
+}
+
+QColor blend(const QColor& from, const QColor& to, double share) {
+  const auto mixed = [share](int a, int b) { return static_cast<int>(std::lround(a + (b - a) * share)); };
+  return {mixed(from.red(), to.red()), mixed(from.green(), to.green()), mixed(from.blue(), to.blue())};
 }
 
 void apply_theme(QApplication& application, const Theme& t) {

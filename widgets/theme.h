@@ -29,6 +29,9 @@ struct Theme {
 // The dash of the curve or outline number `index`: colour is never the only cue.
 [[nodiscard]] Qt::PenStyle series_dash(int index);
 
+// `share` of the way from one colour to the other.
+[[nodiscard]] QColor blend(const QColor& from, const QColor& to, double share);
+
 // Palette, font and style sheet of the whole program.
 void apply_theme(QApplication& application, const Theme& theme);
 

@@ -26,6 +26,7 @@ namespace carom {
 namespace {
 
 constexpr double kLineWidth = 1.8;  // px
+constexpr double kSumWidth = 5.0;   // px
 constexpr int kPixelsPerTimeTick = 60;
 constexpr int kPixelsPerValueTick = 20;
 
@@ -62,6 +63,7 @@ void TimePlot::build_header() {
   title->setObjectName("title");
   unit_ = new QLabel(QString::fromUtf8(kind_.unit), this);
   unit_->setObjectName("muted");
+  title->setToolTip(QString::fromUtf8(kind_.tip));
   header->addWidget(title);
   header->addWidget(unit_);
   header->addStretch(1);
@@ -98,8 +100,10 @@ void TimePlot::build_plot() {
     item->setData(series);
     item->setRenderHint(QwtPlotItem::RenderAntialiased);
     item->setStyle(kind.of_impact ? QwtPlotCurve::Sticks : QwtPlotCurve::Lines);
+    if (kind.sum) item->setZ(item->z() - 1.0);
     item->attach(plot_);
-    curves_.push_back({std::move(item), series, new LegendButton(QString::fromUtf8(kind.label), this)});
+    auto* button = new LegendButton(QString::fromUtf8(kind.label), QString::fromUtf8(kind.tip), this);
+    curves_.push_back({std::move(item), series, button});
   }
   cursor_ = std::make_unique<QwtPlotMarker>();
   cursor_->setLineStyle(QwtPlotMarker::VLine);
@@ -140,6 +144,7 @@ void TimePlot::set_theme(const Theme& theme) {
   for (std::size_t i = 0; i < curves_.size(); ++i) {
     Curve& curve = curves_[i];
     QPen pen(theme.series[i % theme.series.size()], kLineWidth, series_dash(static_cast<int>(i)));
+    if (kind_.curves[i].sum) pen = QPen(blend(pen.color(), theme.panel, 0.45), kSumWidth, Qt::SolidLine);
     curve.button->set_look(pen, theme.muted);
     if (kind_.curves[i].of_impact) pen.setStyle(Qt::SolidLine);
     curve.item->setPen(pen);
@@ -194,11 +199,13 @@ void TimePlot::update_from(const Recorder& recorder, bool hold_values) {
     spread |= QwtInterval(bounds.top(), bounds.bottom());
     if (kind.of_impact) spread |= 0.0;  // sticks stand on zero
   }
+  const double scale = recorder.scales().*kind_.scale;
+  const Zero zero{kind_.rounding.zero * scale, kind_.rounding.range * scale};
   if (hold_values) {
     set_value_range(value_range());
   } else {
-    set_value_range(spread.isValid() ? steady_range(value_range_, spread.minValue(), spread.maxValue())
-                                     : nice_range(0.0, 0.0));
+    set_value_range(spread.isValid() ? steady_range(value_range_, spread.minValue(), spread.maxValue(), zero)
+                                     : nice_range(0.0, 0.0, zero));
   }
 }
 

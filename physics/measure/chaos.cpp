@@ -109,7 +109,7 @@ Chaos follow_neighbours(const Scene& scene, const Method& method, double until, 
   bool visible = moving.empty();
   for (int look = 1; !visible && c.followed < until * (1.0 - 1e-9); ++look) {
     const double time = std::min(until, look * interval);
-    in_parallel(static_cast<int>(runs.size()), threads, [&](int k) {
+    parallel_for(static_cast<int>(runs.size()), threads, [&](int k) {
       if (k > 0 && !near[static_cast<std::size_t>(k - 1)]) return;
       Simulation& s = runs[static_cast<std::size_t>(k)];
       s.advance_to(time, [&] {

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
 #include "physics/collision/geometry.h"
+#include "physics/measure/impact_tally.h"
 #include "physics/motion/state.h"
+#include "physics/world/ledger.h"
 #include "physics/world/totals.h"
 
 namespace carom {
@@ -13,8 +16,10 @@ namespace carom {
 struct Reading {
   const State& state;
   const Totals& totals;
+  const Ledger& ledger;
+  const ImpactTally& tally;
   double time;
-  int impacts;
+  std::int64_t impacts;
   const MassProperties& mass;
   const Geometry& shapes;
 };
@@ -26,11 +31,15 @@ struct Observable {
   double (*value)(const Reading& reading, std::span<const int> bodies);
 };
 
-// All observables: x, y, angle, velocity_x, velocity_y, speed, spin of a body; angle_between the velocities of
-// two; kinetic_energy, rotational_energy, potential_energy, total_energy, momentum_x, momentum_y,
-// angular_momentum; time and impacts (their number so far). Over all moving bodies: rms_spin, fastest (the
-// largest speed), and lowest_y, highest_y, leftmost_x, rightmost_x, the edges of the rectangle that holds them;
-// zero if nothing moves.
+// All observables. Of a body: x, y, angle, velocity_x, velocity_y, speed, direction (of the velocity, -π..π
+// from the x axis), spin, body_kinetic_energy. Of two: angle_between their velocities, distance of their
+// centres, impacts_between them so far. Of the scene: kinetic_energy, rotational_energy, potential_energy,
+// total_energy, momentum_x, momentum_y, momentum (its length), angular_momentum; time; impacts so far,
+// wall_impacts and wall_impulse (with fixed and driven bodies; the impulse is the sum of the normal ones),
+// mutual_impacts (of two free bodies); the ledger's lost_to_restitution, lost_to_friction, lost_to_drag,
+// lost_to_dampers, put_in_by_drives and numerical_drift. Over all moving bodies: rms_spin, fastest (the largest
+// speed), and lowest_y, highest_y, leftmost_x, rightmost_x, the edges of the rectangle that holds them; zero if
+// nothing moves.
 [[nodiscard]] std::span<const Observable> observables();
 
 // nullptr if there is none of that name.

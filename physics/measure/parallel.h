@@ -3,37 +3,36 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <mutex>
 #include <thread>
 #include <vector>
 
 namespace carom {
 
-// Calls work(0), work(1), ... work(count - 1), each once, on up to `threads` threads (0: as many as there are
-// cores). Which thread does what is open, so each call must write to a place of its own. The first exception is
-// thrown again when all threads have ended.
+// Calls work(i) for i = 0 .. count - 1 on `threads` threads (0: as many as the machine has cores), each i once.
+// If calls throw, the exception of the smallest i is thrown again when all are done.
 template <class Work>
-void in_parallel(int count, int threads, const Work& work) {
+void parallel_for(int count, int threads, const Work& work) {
   if (threads <= 0) threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   threads = std::min(threads, count);
   std::atomic<int> next = 0;
-  std::mutex mutex;
-  std::exception_ptr failure;
-  const auto work_on = [&] {
-    try {
-      for (int i = next++; i < count; i = next++) work(i);
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!failure) failure = std::current_exception();
-      next = count;
+  std::vector<std::exception_ptr> errors(static_cast<std::size_t>(std::max(count, 0)));
+  const auto take_work = [&] {
+    for (int i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        errors[static_cast<std::size_t>(i)] = std::current_exception();
+      }
     }
   };
   {
-    std::vector<std::jthread> pool;
-    for (int i = 1; i < threads; ++i) pool.emplace_back(work_on);
-    work_on();
+    std::vector<std::jthread> crew;
+    for (int i = 1; i < threads; ++i) crew.emplace_back(take_work);
+    take_work();
   }
-  if (failure) std::rethrow_exception(failure);
+  for (const std::exception_ptr& error : errors) {
+    if (error) std::rethrow_exception(error);
+  }
 }
 
 }  // namespace carom

@@ -7,6 +7,7 @@
 
 #include "physics/measure/observables.h"
 #include "physics/motion/integrators.h"
+#include "physics/scene/needs.h"
 #include "physics/scene/validate.h"
 
 namespace carom {
@@ -20,18 +21,12 @@ constexpr double kOffTheRows = 0.7;
 
 }  // namespace
 
-bool allows_exact_flight(const Scene& scene) {
-  const Forces& f = scene.forces;
-  return f.linear_drag == 0.0 && f.quadratic_drag == 0.0 && f.springs.empty() && !f.attraction &&
-         f.applied.empty();
-}
-
 Method reference_method(const Scene& scene) {
   Method method = scene.method;
   method.impacts = ImpactsId::kLocated;
   int order = -1;
   for (const IntegratorChoice& choice : kIntegrators) {
-    if (choice.id == IntegratorId::kExactFlight && allows_exact_flight(scene)) {
+    if (choice.order == 0 && !why_not(scene, choice.id)) {
       method.integrator = choice.id;
       return method;
     }

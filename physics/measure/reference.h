@@ -22,9 +22,6 @@ struct Reference {
 // it, else the integrator of the highest order at a fixed step. The step is the scene's own.
 [[nodiscard]] Method reference_method(const Scene& scene);
 
-// True if the scene's flight has a closed form, so that exact flight can run it.
-[[nodiscard]] bool allows_exact_flight(const Scene& scene);
-
 // The state of the scene at `time` and its impacts up to `until`. Without exact flight the step is halved
 // until two runs differ by less than 1e-13 of the scene's length, or the difference has stopped to fall, or the
 // next run would take more than kMostReferenceWork steps of a body; the finer run of the pair with the least

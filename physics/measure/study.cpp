@@ -12,6 +12,7 @@
 #include "physics/measure/reference.h"
 #include "physics/motion/integrators.h"
 #include "physics/preset/preset.h"
+#include "physics/scene/needs.h"
 #include "physics/scene/validate.h"
 
 namespace carom {
@@ -192,13 +193,10 @@ std::vector<Method> plan_methods(const Scene& scene, const StudyOptions& options
   std::vector<Method> methods;
   for (const IntegratorChoice& integrator : kIntegrators) {
     if (!contains(options.integrators, integrator.id)) continue;
-    const bool exact = integrator.id == IntegratorId::kExactFlight;
-    if (exact && !allows_exact_flight(scene)) {
+    const bool exact = integrator.order == 0;
+    if (const auto refused = why_not(scene, integrator.id)) {
       if (options.integrators.empty()) continue;
-      throw SceneError(
-          fmt::format("--integrators: {} is not allowed for this scene; allowed: scenes with uniform gravity "
-                      "and no other force in flight",
-                      integrator.name));
+      throw SceneError("--integrators: " + *refused);
     }
     for (const auto& impacts : kImpacts) {
       if (!contains(options.impacts, impacts.id)) continue;
@@ -308,7 +306,7 @@ StudyTable run_study(const Scene& scene, const std::string& preset, const StudyO
   int done = 0;
   const int all = static_cast<int>(order.size());
   tell("accuracy", 0, all);
-  in_parallel(all, options.threads, [&](int k) {
+  parallel_for(all, options.threads, [&](int k) {
     measure_accuracy(table.rows[order[static_cast<std::size_t>(k)]], scene, reference, chaos, moving,
                      facts.time);
     const std::lock_guard lock(mutex);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -16,8 +17,36 @@ inline constexpr auto kReductionNames = std::to_array<std::pair<Expectation::Red
     {Expectation::Reduction::kMinimum, "minimum"},
     {Expectation::Reduction::kMean, "mean"},
     {Expectation::Reduction::kFinal, "final"},
+    {Expectation::Reduction::kCount, "count"},
+    {Expectation::Reduction::kFit, "fit"},
 });
 
-inline constexpr auto kPlotNames = std::to_array<std::string_view>({"energy", "momentum", "impulse"});
+inline constexpr auto kSweepNames = std::to_array<std::pair<Sweep::Reduction, std::string_view>>({
+    {Sweep::Reduction::kMean, "mean"},
+    {Sweep::Reduction::kMaximum, "maximum"},
+    {Sweep::Reduction::kMinimum, "minimum"},
+    {Sweep::Reduction::kWhereMaximum, "where-maximum"},
+    {Sweep::Reduction::kWhereMinimum, "where-minimum"},
+    {Sweep::Reduction::kExponent, "exponent"},
+});
+
+inline constexpr auto kSpringActsNames = std::to_array<std::pair<SpringActs, std::string_view>>({
+    {SpringActs::kBoth, "both"},
+    {SpringActs::kPush, "push"},
+    {SpringActs::kPull, "pull"},
+    {SpringActs::kWhileShort, "while-short"},
+});
+
+inline constexpr auto kPlotNames = std::to_array<std::string_view>(
+    {"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift"});
+
+// The word of a table that stands for `id`; the tables hold every id.
+template <class Table, class Id>
+[[nodiscard]] constexpr std::string_view name_of(const Table& table, Id id) {
+  for (const auto& [known, name] : table) {
+    if (known == id) return name;
+  }
+  return table.front().second;
+}
 
 }  // namespace carom

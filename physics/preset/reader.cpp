@@ -1,131 +1,21 @@
-#include <cmath>
+#include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fstream>
-#include <set>
 #include <sstream>
 #include <system_error>
 
-#include "physics/measure/observables.h"
 #include "physics/motion/integrators.h"
-#include "physics/preset/json_text.h"
+#include "physics/preset/expectation_json.h"
+#include "physics/preset/force_json.h"
 #include "physics/preset/names.h"
+#include "physics/preset/object_reader.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_json.h"
+#include "physics/preset/setting.h"
 
 namespace carom {
 namespace {
-
-double number(const Json& value, const std::string& place) {
-  if (!value.is_number()) refuse_value(place, quoted(value), "a number");
-  const auto x = value.get<double>();
-  if (!(std::abs(x) <= kLargestNumber))
-    refuse_value(place, quoted(value), fmt::format("a number from -{0} to {0}", kLargestNumber));
-  return x;
-}
-
-Vec2 pair_of_numbers(const Json& value, const std::string& place) {
-  if (!value.is_array() || value.size() != 2) refuse_value(place, quoted(value), "two numbers, [x, y]");
-  return {number(value[0], place + "/0"), number(value[1], place + "/1")};
-}
-
-// Reads the members of one object and, at the end, refuses those that nobody asked for.
-class ObjectReader {
- public:
-  ObjectReader(const Json& object, std::string place) : object_(object), place_(std::move(place)) {
-    if (!object.is_object()) refuse_value(place_, quoted(object), "an object, {...}");
-  }
-
-  [[nodiscard]] std::string at(std::string_view key) const { return fmt::format("{}/{}", place_, key); }
-
-  const Json* find(const std::string& key) {
-    known_.insert(key);
-    const auto found = object_.find(key);
-    return found == object_.end() ? nullptr : &*found;
-  }
-  const Json& require(const std::string& key, std::string_view allowed) {
-    const Json* value = find(key);
-    if (value == nullptr)
-      throw SceneError(
-          fmt::format("{}: \"{}\" is missing; allowed: {}", place_.empty() ? "/" : place_, key, allowed));
-    return *value;
-  }
-
-  void read(const std::string& key, double& to) {
-    if (const Json* v = find(key)) to = number(*v, at(key));
-  }
-  void read(const std::string& key, std::optional<double>& to) {
-    if (const Json* v = find(key)) to = number(*v, at(key));
-  }
-  void read(const std::string& key, Vec2& to) {
-    if (const Json* v = find(key)) to = pair_of_numbers(*v, at(key));
-  }
-  void read(const std::string& key, bool& to) {
-    if (const Json* v = find(key)) {
-      if (!v->is_boolean()) refuse_value(at(key), quoted(*v), "true or false");
-      to = v->get<bool>();
-    }
-  }
-  void read(const std::string& key, std::string& to) {
-    if (const Json* v = find(key)) to = text(*v, at(key));
-  }
-  template <class Integer>
-  void read_integer(const std::string& key, Integer& to, double low, double high) {
-    if (const Json* v = find(key)) {
-      if (!v->is_number_integer() || v->get<double>() < low || v->get<double>() > high) {
-        refuse_value(at(key), quoted(*v), fmt::format("a whole number from {} to {}", low, high));
-      }
-      to = v->get<Integer>();
-    }
-  }
-  void require_number(const std::string& key, double& to, std::string_view unit) {
-    to = number(require(key, fmt::format("a number, in {}", unit)), at(key));
-  }
-  void require_text(const std::string& key, std::string& to) { to = text(require(key, "a text"), at(key)); }
-
-  // One of the names of a table of Choice.
-  template <class Table, class Id>
-  void read_choice(const std::string& key, const Table& table, Id& to) {
-    const Json* v = find(key);
-    if (v == nullptr) return;
-    std::string names;
-    for (const auto& choice : table) {
-      if (v->is_string() && v->template get_ref<const std::string&>() == choice.name) {
-        to = choice.id;
-        return;
-      }
-      names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", choice.name);
-    }
-    refuse_value(at(key), quoted(*v), names);
-  }
-
-  // Calls each(element, place) for every element of an array.
-  template <class Each>
-  void read_array(const std::string& key, const Each& each) {
-    const Json* v = find(key);
-    if (v == nullptr) return;
-    if (!v->is_array()) refuse_value(at(key), quoted(*v), "an array, [...]");
-    for (std::size_t i = 0; i < v->size(); ++i) each((*v)[i], fmt::format("{}/{}", at(key), i));
-  }
-
-  void finish() const {
-    for (const auto& item : object_.items()) {
-      if (known_.contains(item.key())) continue;
-      std::string allowed;
-      for (const std::string& key : known_) allowed += (allowed.empty() ? "" : ", ") + key;
-      throw SceneError(
-          fmt::format("{}: unknown key; allowed here: {}", at(shortened(item.key())), shortened(allowed, 300)));
-    }
-  }
-
-  static std::string text(const Json& value, const std::string& place) {
-    if (!value.is_string()) refuse_value(place, quoted(value), "a text, \"...\"");
-    return value.get<std::string>();
-  }
-
- private:
-  const Json& object_;
-  std::string place_;
-  std::set<std::string> known_;
-};
 
 Method read_method(const Json& json, const std::string& place) {
   Method m;
@@ -134,6 +24,7 @@ Method read_method(const Json& json, const std::string& place) {
   r.read_choice("impacts", kImpacts, m.impacts);
   r.read_choice("contacts", kContacts, m.contacts);
   r.read("step", m.step);
+  r.read("tolerance", m.tolerance);
   r.finish();
   return m;
 }
@@ -172,6 +63,17 @@ Shape read_shape(const Json& json, const std::string& place) {
   return shape;
 }
 
+Drive read_drive(const Json& json, const std::string& place) {
+  Drive d;
+  ObjectReader r(json, place);
+  r.read("velocity", d.velocity);
+  r.read("amplitude", d.amplitude);
+  r.read("angular_frequency", d.angular_frequency);
+  r.read("phase", d.phase);
+  r.finish();
+  return d;
+}
+
 Body read_body(const Json& json, const std::string& place) {
   Body b;
   ObjectReader r(json, place);
@@ -187,29 +89,10 @@ Body read_body(const Json& json, const std::string& place) {
   r.read("mass", b.mass);
   r.read("density", b.density);
   r.read("fixed", b.fixed);
+  if (const Json* v = r.find("drive")) b.drive = read_drive(*v, r.at("drive"));
   r.read("material", b.material);
   r.finish();
   return b;
-}
-
-void read_force(const Json& json, const std::string& place, Forces& forces) {
-  ObjectReader r(json, place);
-  std::string type;
-  r.require_text("type", type);
-  if (type == "quadratic_drag") {
-    if (forces.quadratic_drag != 0.0) refuse_value(place, "a second quadratic drag", "one");
-    r.require_number("coefficient", forces.quadratic_drag, "kg/m");
-  } else if (type == "spring") {
-    Spring s;
-    r.require_text("body", s.body);
-    s.anchor = pair_of_numbers(r.require("anchor", "two numbers, [x, y], in m"), r.at("anchor"));
-    r.require_number("stiffness", s.stiffness, "N/m");
-    r.read("rest_length", s.rest_length);
-    forces.springs.push_back(s);
-  } else {
-    refuse_value(r.at("type"), "\"" + type + "\"", "\"quadratic_drag\", \"spring\"");
-  }
-  r.finish();
 }
 
 GridGenerator read_generator(const Json& json, const std::string& place) {
@@ -236,48 +119,11 @@ GridGenerator read_generator(const Json& json, const std::string& place) {
   return g;
 }
 
-Expectation read_expectation(const Json& json, const std::string& place) {
-  Expectation e;
-  ObjectReader r(json, place);
-  r.require_text("observable", e.observable);
-  const Observable* observable = find_observable(e.observable);
-  if (observable == nullptr) {
-    std::string names;
-    for (const Observable& o : observables()) names += fmt::format("{}{}", names.empty() ? "" : ", ", o.name);
-    refuse_value(r.at("observable"), "\"" + e.observable + "\"", names);
-  }
-  r.read_array("bodies",
-               [&](const Json& v, const std::string& at) { e.bodies.push_back(ObjectReader::text(v, at)); });
-  if (static_cast<int>(e.bodies.size()) != observable->bodies) {
-    refuse_value(r.at("bodies"), fmt::format("{} names", e.bodies.size()),
-                 fmt::format("{} for \"{}\"", observable->bodies, e.observable));
-  }
-  std::string reduction;
-  r.require_text("reduction", reduction);
-  std::string names;
-  bool known = false;
-  for (const auto& [id, name] : kReductionNames) {
-    if (name == reduction) {
-      e.reduction = id;
-      known = true;
-    }
-    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", name);
-  }
-  if (!known) refuse_value(r.at("reduction"), "\"" + reduction + "\"", names);
-  if (e.reduction == Expectation::Reduction::kAt) r.require_number("time", e.time, "s");
-  if (e.reduction == Expectation::Reduction::kAtImpact) {
-    (void)r.require("impact", "1, 2, ...");
-    r.read_integer("impact", e.impact, 1, 1e9);
-  }
-  r.require_number("value", e.value, observable->unit);
-  r.require_number("tolerance", e.tolerance, observable->unit);
-  r.read("source", e.source);
-  r.finish();
-  return e;
-}
+}  // namespace
 
-Scene read_scene(const Json& json) {
+Scene scene_of(const Json& json) {
   Scene scene;
+  ForcePlaces places;
   ObjectReader r(json, "");
   const Json& format = r.require("format", "\"carom-preset\"");
   if (format != "carom-preset") refuse_value("/format", quoted(format), "\"carom-preset\"");
@@ -299,7 +145,9 @@ Scene read_scene(const Json& json) {
                [&](const Json& v, const std::string& at) { scene.materials.push_back(read_material(v, at)); });
   r.read_array("bodies",
                [&](const Json& v, const std::string& at) { scene.bodies.push_back(read_body(v, at)); });
-  r.read_array("forces", [&](const Json& v, const std::string& at) { read_force(v, at, scene.forces); });
+  int forces = 0;
+  r.read_array("forces",
+               [&](const Json& v, const std::string&) { read_force(v, forces++, scene.forces, places); });
   r.read_array("generators", [&](const Json& v, const std::string& at) {
     scene.generators.push_back(read_generator(v, at));
   });
@@ -325,16 +173,14 @@ Scene read_scene(const Json& json) {
     scene.extra = v->dump();
   }
   r.finish();
+  validate(scene, places);
+  settle_places(scene, places);
   return scene;
 }
 
-}  // namespace
-
 Scene parse_preset(std::string_view text, const std::string& origin) {
   try {
-    Scene scene = read_scene(parse_json(text));
-    validate(scene);
-    return scene;
+    return scene_of(parse_json(text));
   } catch (const SceneError& error) {
     throw SceneError(fmt::format("{}: {}", origin, error.what()));
   }

@@ -4,14 +4,14 @@
 #include <system_error>
 
 #include "physics/motion/integrators.h"
-#include "physics/preset/json_text.h"
-#include "physics/preset/names.h"
+#include "physics/preset/expectation_json.h"
+#include "physics/preset/force_json.h"
+#include "physics/preset/object_writer.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_json.h"
 
 namespace carom {
 namespace {
-
-Json pair(const Vec2& v) { return Json::array({v.x(), v.y()}); }
 
 Json shape_json(const Shape& shape) {
   if (const auto* disc = std::get_if<Disc>(&shape)) return {{"type", "disc"}, {"radius", disc->radius}};
@@ -19,19 +19,40 @@ Json shape_json(const Shape& shape) {
   return {{"type", "box"}, {"width", box.width}, {"height", box.height}};
 }
 
-// Members that hold their default are left out, as people leave them out.
-Json body_json(const Body& b) {
-  Json j;
-  j["name"] = b.name;
-  j["shape"] = shape_json(b.shape);
-  j["position"] = pair(b.position);
-  if (b.angle != 0.0) j["angle"] = b.angle;
-  if (!b.velocity.isZero(0.0)) j["velocity"] = pair(b.velocity);
-  if (b.spin != 0.0) j["spin"] = b.spin;
-  if (b.mass) j["mass"] = *b.mass;
-  if (b.density) j["density"] = *b.density;
-  if (b.fixed) j["fixed"] = true;
-  if (b.material != "default") j["material"] = b.material;
+Json drive_json(const Drive& d, bool all) {
+  ObjectWriter w(all);
+  w.json = Json::object();
+  w.put("velocity", d.velocity, Vec2(Vec2::Zero()));
+  w.put("amplitude", d.amplitude, Vec2(Vec2::Zero()));
+  w.put("angular_frequency", d.angular_frequency, 0.0);
+  w.put("phase", d.phase, 0.0);
+  return w.json;
+}
+
+Json body_json(const Body& b, bool all) {
+  ObjectWriter w(all);
+  w.json["name"] = b.name;
+  w.json["shape"] = shape_json(b.shape);
+  w.json["position"] = pair_json(b.position);
+  w.put("angle", b.angle, 0.0);
+  w.all = all && !is_immovable(b);
+  w.put("velocity", b.velocity, Vec2(Vec2::Zero()));
+  w.put("spin", b.spin, 0.0);
+  if (b.mass) w.json["mass"] = *b.mass;
+  if (b.density) w.json["density"] = *b.density;
+  if (w.all && !b.mass && !b.density) w.json["density"] = 1.0;
+  if (b.fixed) w.json["fixed"] = true;
+  if (b.drive) w.json["drive"] = drive_json(*b.drive, all);
+  if (b.material != "default") w.json["material"] = b.material;
+  return w.json;
+}
+
+Json method_json(const Method& m, bool all) {
+  Json j = {{"integrator", choice_of(kIntegrators, m.integrator).name},
+            {"impacts", choice_of(kImpacts, m.impacts).name},
+            {"contacts", choice_of(kContacts, m.contacts).name},
+            {"step", m.step}};
+  if (all || m.integrator == IntegratorId::kAdaptiveDormandPrince) j["tolerance"] = m.tolerance;
   return j;
 }
 
@@ -44,27 +65,18 @@ Json material_json(const Material& m) {
 }
 
 Json generator_json(const GridGenerator& g) {
-  return {{"type", "grid"},           {"name", g.name},
-          {"columns", g.columns},     {"rows", g.rows},
-          {"origin", pair(g.origin)}, {"spacing", pair(g.spacing)},
-          {"jitter", g.jitter},       {"radius", Json::array({g.radius_min, g.radius_max})},
-          {"speed", g.speed_max},     {"density", g.density},
-          {"material", g.material},   {"seed", g.seed}};
-}
-
-Json expectation_json(const Expectation& e) {
-  Json j;
-  j["observable"] = e.observable;
-  if (!e.bodies.empty()) j["bodies"] = e.bodies;
-  for (const auto& [id, name] : kReductionNames) {
-    if (id == e.reduction) j["reduction"] = name;
-  }
-  if (e.reduction == Expectation::Reduction::kAt) j["time"] = e.time;
-  if (e.reduction == Expectation::Reduction::kAtImpact) j["impact"] = e.impact;
-  j["value"] = e.value;
-  j["tolerance"] = e.tolerance;
-  if (!e.source.empty()) j["source"] = e.source;
-  return j;
+  return {{"type", "grid"},
+          {"name", g.name},
+          {"columns", g.columns},
+          {"rows", g.rows},
+          {"origin", pair_json(g.origin)},
+          {"spacing", pair_json(g.spacing)},
+          {"jitter", g.jitter},
+          {"radius", Json::array({g.radius_min, g.radius_max})},
+          {"speed", g.speed_max},
+          {"density", g.density},
+          {"material", g.material},
+          {"seed", g.seed}};
 }
 
 // Objects and arrays of the first two levels are spread over lines, deeper ones stay on one.
@@ -105,7 +117,7 @@ void write_value(std::string& out, const Json& value, int depth) {
 
 }  // namespace
 
-std::string write_preset(const Scene& scene) {
+Json preset_json(const Scene& scene, bool all) {
   Json j;
   j["format"] = "carom-preset";
   j["version"] = kPresetVersion;
@@ -113,30 +125,22 @@ std::string write_preset(const Scene& scene) {
   if (!scene.about.empty()) j["about"] = scene.about;
   if (!scene.observe.empty()) j["observe"] = scene.observe;
   j["duration"] = scene.duration;
-  j["gravity"] = pair(scene.forces.gravity);
-  j["method"] = {{"integrator", choice_of(kIntegrators, scene.method.integrator).name},
-                 {"impacts", choice_of(kImpacts, scene.method.impacts).name},
-                 {"contacts", choice_of(kContacts, scene.method.contacts).name},
-                 {"step", scene.method.step}};
+  j["gravity"] = pair_json(scene.forces.gravity);
+  j["method"] = method_json(scene.method, all);
   for (const Material& m : scene.materials) j["materials"].push_back(material_json(m));
-  for (const Body& b : scene.bodies) j["bodies"].push_back(body_json(b));
-  if (scene.forces.quadratic_drag != 0.0) {
-    j["forces"].push_back({{"type", "quadratic_drag"}, {"coefficient", scene.forces.quadratic_drag}});
-  }
-  for (const Spring& s : scene.forces.springs) {
-    j["forces"].push_back({{"type", "spring"},
-                           {"body", s.body},
-                           {"anchor", pair(s.anchor)},
-                           {"stiffness", s.stiffness},
-                           {"rest_length", s.rest_length}});
-  }
+  for (const Body& b : scene.bodies) j["bodies"].push_back(body_json(b, all));
+  if (Json forces = forces_json(scene.forces, all); !forces.empty()) j["forces"] = std::move(forces);
   for (const GridGenerator& g : scene.generators) j["generators"].push_back(generator_json(g));
   if (!scene.plots.empty()) j["plots"] = scene.plots;
-  if (scene.view) j["view"] = {{"center", pair(scene.view->center)}, {"width", scene.view->width}};
+  if (scene.view) j["view"] = {{"center", pair_json(scene.view->center)}, {"width", scene.view->width}};
   for (const Expectation& e : scene.expect) j["expect"].push_back(expectation_json(e));
   if (!scene.extra.empty()) j["extra"] = Json::parse(scene.extra);
+  return j;
+}
+
+std::string write_preset(const Scene& scene) {
   std::string text;
-  write_value(text, j, 0);
+  write_value(text, preset_json(scene, false), 0);
   text += '\n';
   return text;
 }

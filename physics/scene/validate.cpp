@@ -2,10 +2,15 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <unordered_map>
 #include <unordered_set>
+
+#include "physics/scene/needs.h"
 
 namespace carom {
 namespace {
+
+constexpr std::size_t kMostSweepValues = 10'000;
 
 void check_range(const std::string& place, double value, double low, double high, std::string_view unit) {
   if (value >= low && value <= high) return;
@@ -50,6 +55,23 @@ void check_material_reference(const Scene& scene, const std::string& place, cons
   refuse_value(place, "\"" + name + "\"", known);
 }
 
+// A driven body's motion is its drive alone.
+void check_drive(const std::string& at, const Body& b) {
+  const auto refuse = [&](const char* key, const char* what) {
+    refuse_value(fmt::format("{}/{}", at, key), fmt::format("{} beside a drive", what),
+                 "either of the two: what drives a body decides its whole motion");
+  };
+  if (b.fixed) refuse("fixed", "\"fixed\": true");
+  if (!b.velocity.isZero(0.0)) refuse("velocity", "a velocity of its own");
+  if (b.spin != 0.0) refuse("spin", "a spin");
+  if (b.mass) refuse("mass", "a mass");
+  if (b.density) refuse("density", "a density");
+  check_vector(at + "/drive/velocity", b.drive->velocity, "m/s");
+  check_vector(at + "/drive/amplitude", b.drive->amplitude, "m");
+  check_range(at + "/drive/angular_frequency", b.drive->angular_frequency, 0.0, kLargestNumber, "rad/s");
+  check_range(at + "/drive/phase", b.drive->phase, -kLargestNumber, kLargestNumber, "rad");
+}
+
 void check_bodies(const Scene& scene) {
   std::unordered_set<std::string> names;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -62,7 +84,10 @@ void check_bodies(const Scene& scene) {
     if (const auto* box = std::get_if<Box>(&b.shape)) {
       check_positive(at + "/shape/width", box->width, "m");
       check_positive(at + "/shape/height", box->height, "m");
-      if (!b.fixed) refuse_value(at + "/fixed", "false for a box", "true: boxes that move are not modelled");
+      if (!is_immovable(b)) {
+        refuse_value(at + "/fixed", "false for a box",
+                     "true, or a \"drive\": boxes that move freely are not modelled");
+      }
     }
     check_vector(at + "/position", b.position, "m");
     check_vector(at + "/velocity", b.velocity, "m/s");
@@ -72,6 +97,7 @@ void check_bodies(const Scene& scene) {
       refuse_value(at + "/velocity", "a motion of a fixed body",
                    "no velocity and no spin, or \"fixed\": false");
     }
+    if (b.drive) check_drive(at, b);
     if (b.mass && b.density) refuse_value(at + "/density", "a density beside a mass", "either of the two");
     if (b.mass) check_positive(at + "/mass", *b.mass, "kg");
     if (b.density) check_positive(at + "/density", *b.density, "kg/m²");
@@ -108,16 +134,98 @@ void check_generators(const Scene& scene) {
   }
 }
 
-void check_forces(const Scene& scene, const std::unordered_set<std::string>& bodies) {
-  check_vector("/gravity", scene.forces.gravity, "m/s²");
-  check_range("/forces (quadratic_drag)/coefficient", scene.forces.quadratic_drag, 0.0, kLargestNumber, "kg/m");
-  for (const Spring& s : scene.forces.springs) {
-    const std::string at = fmt::format("/forces (spring of \"{}\")", s.body);
-    if (!bodies.contains(s.body)) refuse_value(at + "/body", "\"" + s.body + "\"", "the name of a body");
+// Bodies by name.
+using Bodies = std::unordered_map<std::string, const Body*>;
+
+const Body& named_body(const Bodies& bodies, const std::string& place, const std::string& name) {
+  const auto found = bodies.find(name);
+  if (found == bodies.end()) refuse_value(place, "\"" + name + "\"", "the name of a body");
+  return *found->second;
+}
+
+void check_movable(const Bodies& bodies, const std::string& place, const std::string& name) {
+  if (is_immovable(named_body(bodies, place, name)))
+    refuse_value(place, "\"" + name + "\", which no force moves,", "a body that is neither fixed nor driven");
+}
+
+void check_springs(const Forces& forces, const ForcePlaces& places, const Bodies& bodies) {
+  std::unordered_set<std::string> names;
+  for (std::size_t i = 0; i < forces.springs.size(); ++i) {
+    const Spring& s = forces.springs[i];
+    const std::string at = fmt::format("/forces/{}", places.springs[i]);
+    if (!s.name.empty() && !names.insert(s.name).second)
+      refuse_value(at + "/name", fmt::format("\"{}\", used before,", s.name), "a name of its own");
+    check_movable(bodies, at + "/body", s.body);
+    if (!s.to.empty()) {
+      (void)named_body(bodies, at + "/to", s.to);
+      if (s.to == s.body) refuse_value(at + "/to", "the spring's own body", "another body");
+    }
     check_vector(at + "/anchor", s.anchor, "m");
     check_positive(at + "/stiffness", s.stiffness, "N/m");
+    check_range(at + "/damping", s.damping, 0.0, kLargestNumber, "N s/m");
     check_range(at + "/rest_length", s.rest_length, 0.0, kLargestNumber, "m");
   }
+}
+
+void check_applied(const Forces& forces, const ForcePlaces& places, const Bodies& bodies) {
+  for (std::size_t i = 0; i < forces.applied.size(); ++i) {
+    const AppliedForce& f = forces.applied[i];
+    const std::string at = fmt::format("/forces/{}", places.applied[i]);
+    check_movable(bodies, at + "/body", f.body);
+    check_vector(at + "/force", f.force, "N");
+    check_range(at + "/torque", f.torque, -kLargestNumber, kLargestNumber, "N m");
+    check_range(at + "/start", f.start, 0.0, kLargestNumber, "s");
+    check_range(at + "/rise", f.rise, 0.0, kLargestNumber, "s");
+    if (f.end) check_range(at + "/end", *f.end, f.start, kLargestNumber, "s");
+  }
+}
+
+void check_forces(const Forces& forces, const ForcePlaces& places, const Bodies& bodies) {
+  check_vector("/gravity", forces.gravity, "m/s²");
+  check_range(fmt::format("/forces/{}/coefficient", places.linear_drag.value_or(0)), forces.linear_drag, 0.0,
+              kLargestNumber, "kg/s");
+  check_range(fmt::format("/forces/{}/coefficient", places.quadratic_drag.value_or(0)), forces.quadratic_drag,
+              0.0, kLargestNumber, "kg/m");
+  check_springs(forces, places, bodies);
+  if (forces.attraction) {
+    const std::string at = fmt::format("/forces/{}", places.attraction.value_or(0));
+    check_positive(at + "/constant", forces.attraction->constant, "N m²/kg²");
+    check_range(at + "/softening", forces.attraction->softening, 0.0, kLargestNumber, "m");
+  }
+  check_applied(forces, places, bodies);
+}
+
+void check_sweep(const std::string& at, const Sweep& sweep) {
+  using Reduction = Sweep::Reduction;
+  const bool parabola =
+      sweep.reduction == Reduction::kWhereMaximum || sweep.reduction == Reduction::kWhereMinimum;
+  const std::size_t least = parabola ? 3 : sweep.reduction == Reduction::kExponent ? 2 : 1;
+  if (sweep.values.size() < least || sweep.values.size() > kMostSweepValues) {
+    refuse_value(at + "/values", fmt::format("{} values", sweep.values.size()),
+                 fmt::format("{} to {} for this reduction", least, kMostSweepValues));
+  }
+  for (std::size_t i = 0; i < sweep.values.size(); ++i) {
+    const std::string place = fmt::format("{}/values/{}", at, i);
+    check_range(place, sweep.values[i],
+                sweep.reduction == Reduction::kExponent ? kLeastPositive : -kLargestNumber, kLargestNumber, "");
+    if (i > 0 && least > 1 && !(sweep.values[i] > sweep.values[i - 1]))
+      refuse_value(place, fmt::format("{}", sweep.values[i]), "values in rising order for this reduction");
+  }
+}
+
+void check_expectation(const std::string& at, const Expectation& e, const Bodies& bodies) {
+  for (std::size_t k = 0; k < e.bodies.size(); ++k)
+    (void)named_body(bodies, fmt::format("{}/bodies/{}", at, k), e.bodies[k]);
+  check_range(at + "/tolerance", e.tolerance, 0.0, kLargestNumber, "");
+  check_range(at + "/time", e.time, 0.0, kLargestNumber, "s");
+  check_range(at + "/from", e.from, 0.0, kLargestNumber, "s");
+  if (e.until) check_range(at + "/until", *e.until, e.from, kLargestNumber, "s");
+  if (e.reduction == Expectation::Reduction::kAtImpact && e.impact < 1)
+    refuse_value(at + "/impact", fmt::format("{}", e.impact), "1, 2, ...");
+  for (const Setting& s : e.settings) {
+    check_range(fmt::format("{}/with {}", at, s.place), s.value, -kLargestNumber, kLargestNumber, "");
+  }
+  if (e.over) check_sweep(at + "/over", *e.over);
 }
 
 }  // namespace
@@ -137,33 +245,38 @@ void refuse_value(const std::string& place, const std::string& found, const std:
                                shortened(found), shortened(allowed, 300)));
 }
 
-void validate(const Scene& scene) {
+ForcePlaces written_places(const Forces& forces) {
+  ForcePlaces places;
+  int next = 0;
+  if (forces.linear_drag != 0.0) places.linear_drag = next++;
+  if (forces.quadratic_drag != 0.0) places.quadratic_drag = next++;
+  for (std::size_t i = 0; i < forces.springs.size(); ++i) places.springs.push_back(next++);
+  if (forces.attraction) places.attraction = next++;
+  for (std::size_t i = 0; i < forces.applied.size(); ++i) places.applied.push_back(next++);
+  return places;
+}
+
+void validate(const Scene& scene, const ForcePlaces& places) {
   check_range("/method/step", scene.method.step, kLeastStep, kLargestStep, "s");
+  check_range("/method/tolerance", scene.method.tolerance, kLeastTolerance, kLargestTolerance, "m and m/s");
   check_positive("/duration", scene.duration, "s");
   check_materials(scene);
   check_bodies(scene);
   check_generators(scene);
-  std::unordered_set<std::string> names;
-  for (const Body& b : all_bodies(scene)) names.insert(b.name);
-  check_forces(scene, names);
-  for (std::size_t i = 0; i < scene.expect.size(); ++i) {
-    const Expectation& e = scene.expect[i];
-    const std::string at = fmt::format("/expect/{}", i);
-    for (std::size_t k = 0; k < e.bodies.size(); ++k) {
-      if (!names.contains(e.bodies[k])) {
-        refuse_value(fmt::format("{}/bodies/{}", at, k), "\"" + e.bodies[k] + "\"", "the name of a body");
-      }
-    }
-    check_range(at + "/tolerance", e.tolerance, 0.0, kLargestNumber, "");
-    check_range(at + "/time", e.time, 0.0, kLargestNumber, "s");
-    if (e.reduction == Expectation::Reduction::kAtImpact && e.impact < 1) {
-      refuse_value(at + "/impact", fmt::format("{}", e.impact), "1, 2, ...");
-    }
-  }
+  const std::vector<Body> all = all_bodies(scene);
+  Bodies bodies;
+  for (const Body& b : all) bodies.emplace(b.name, &b);
+  check_forces(scene.forces, places, bodies);
+  if (const auto reason = why_not(scene, scene.method.integrator))
+    throw SceneError("/method/integrator: " + *reason);
+  for (std::size_t i = 0; i < scene.expect.size(); ++i)
+    check_expectation(fmt::format("/expect/{}", i), scene.expect[i], bodies);
   if (scene.view) {
     check_vector("/view/center", scene.view->center, "m");
     check_positive("/view/width", scene.view->width, "m");
   }
 }
+
+void validate(const Scene& scene) { validate(scene, written_places(scene.forces)); }
 
 }  // namespace carom

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "physics/scene/scene.h"
 
@@ -28,10 +30,25 @@ inline constexpr double kLeastPositive =
     1e-12;                                   // of a quantity that must be positive: its inverse stays finite
 inline constexpr double kLeastStep = 1e-9;   // s
 inline constexpr double kLargestStep = 1.0;  // s
-inline constexpr int kMostBodies = 100'000;  // of the list and the generators together
+inline constexpr double kLeastTolerance = 1e-14;   // m and m/s
+inline constexpr double kLargestTolerance = 1e-1;  // m and m/s
+inline constexpr int kMostBodies = 100'000;        // of the list and the generators together
 
-// Checks all that a reader cannot see one value at a time: ranges, unique names, references, what is modelled.
-// Throws SceneError with the JSON pointer of the first fault.
+// Where the forces of a scene stand in the array /forces of its file: one index for each.
+struct ForcePlaces {
+  std::optional<int> linear_drag;
+  std::optional<int> quadratic_drag;
+  std::vector<int> springs;
+  std::optional<int> attraction;
+  std::vector<int> applied;
+};
+
+// The places that forces have in a file that Carom writes: the drags, springs, attraction, applied forces.
+[[nodiscard]] ForcePlaces written_places(const Forces& forces);
+
+// Checks all that a reader cannot see one value at a time: ranges, unique names, references, what is modelled,
+// and whether the integrator can run the scene. Throws SceneError with the JSON pointer of the first fault.
+void validate(const Scene& scene, const ForcePlaces& places);
 void validate(const Scene& scene);
 
 }  // namespace carom

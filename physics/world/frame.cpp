@@ -2,12 +2,53 @@
 
 namespace carom {
 
+Sample sample_of(const Simulation& simulation) {
+  const Ledger ledger = simulation.ledger();
+  Sample s;
+  s.time = simulation.time();
+  s.totals = simulation.totals();
+  s.lost_to_restitution = ledger.lost_to_restitution;
+  s.lost_to_friction = ledger.lost_to_friction;
+  s.lost_in_flight = ledger.lost_to_drag + ledger.lost_to_dampers;
+  s.put_in = ledger.put_in_by_drives + ledger.put_in_by_user + ledger.overlap_correction;
+  s.drift = ledger.numerical_drift(s.totals.energy());
+  s.momentum_drift = ledger.momentum_drift(s.totals.momentum);
+  return s;
+}
+
+void take_moment(const Simulation& simulation, Frame& frame) {
+  frame.time = simulation.time();
+  frame.steps = simulation.steps();
+  frame.impact_count = simulation.impact_count();
+  frame.evaluations = simulation.evaluations();
+  frame.rejected_steps = simulation.rejected_steps();
+  frame.state = simulation.state();
+  frame.totals = simulation.totals();
+  frame.ledger = simulation.ledger();
+  frame.status = simulation.notices().text();
+}
+
 void append_samples(const Simulation& simulation, std::vector<Sample>& samples) {
-  for (const Jump& jump : simulation.last_jumps()) {
-    samples.push_back({jump.time, jump.before});
-    samples.push_back({jump.time, jump.after});
+  const Sample end = sample_of(simulation);
+  // What was lost before the step, so that the sums grow impact by impact.
+  Sample at = end;
+  for (const ImpactRecord& impact : simulation.last_impacts()) {
+    at.lost_to_restitution -= impact.lost_to_restitution;
+    at.lost_to_friction -= impact.lost_to_friction;
   }
-  samples.push_back({simulation.time(), simulation.totals()});
+  // The jumps are those of the first impacts.
+  const std::vector<Jump>& jumps = simulation.last_jumps();
+  for (std::size_t i = 0; i < jumps.size(); ++i) {
+    const ImpactRecord& impact = simulation.last_impacts()[i];
+    at.time = jumps[i].time;
+    at.totals = jumps[i].before;
+    samples.push_back(at);
+    at.lost_to_restitution += impact.lost_to_restitution;
+    at.lost_to_friction += impact.lost_to_friction;
+    at.totals = jumps[i].after;
+    samples.push_back(at);
+  }
+  samples.push_back(end);
 }
 
 }  // namespace carom

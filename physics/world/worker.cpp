@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "physics/world/thinning.h"
+
 namespace carom {
 namespace {
 
@@ -26,10 +28,11 @@ struct Worker::Lab {
     simulation = Simulation(scene);
     simulation.watch_impacts(true);
     bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
+    forces = std::make_shared<const Forces>(scene.forces);
     ++run;
     playing = false;
     end = std::numeric_limits<double>::infinity();
-    samples = {{0.0, simulation.totals()}};
+    samples = {sample_of(simulation)};
     impacts.clear();
     set_rate();
     changed = true;
@@ -56,6 +59,7 @@ struct Worker::Lab {
   Scene scene;
   Simulation simulation;
   std::shared_ptr<const std::vector<Body>> bodies;
+  std::shared_ptr<const Forces> forces;
   std::uint64_t run = 0;
   bool playing = false;
   bool changed = true;
@@ -182,28 +186,30 @@ std::shared_ptr<const Frame> Worker::take_frame() {
 void Worker::publish(Lab& lab) {
   auto frame = std::make_shared<Frame>();
   frame->run = lab.run;
-  frame->time = lab.simulation.time();
-  frame->steps = lab.simulation.steps();
-  frame->impact_count = lab.simulation.impact_count();
-  frame->state = lab.simulation.state();
+  take_moment(lab.simulation, *frame);
   frame->bodies = lab.bodies;
-  frame->totals = lab.simulation.totals();
-  frame->ledger = lab.simulation.ledger();
-  frame->status = lab.simulation.notices().text();
+  frame->forces = lab.forces;
   frame->playing = lab.playing;
   frame->realised_speed = lab.realised_speed;
   frame->samples = std::exchange(lab.samples, {});
   frame->impacts = std::exchange(lab.impacts, {});
   lab.changed = false;
 
-  const std::lock_guard lock(mutex_);
-  if (newest_ != nullptr && newest_->run == frame->run) {
-    // Nobody took the frame before: its news go on with this one.
-    std::swap(frame->samples, newest_->samples);
-    frame->samples.insert(frame->samples.end(), newest_->samples.begin(), newest_->samples.end());
-    std::swap(frame->impacts, newest_->impacts);
-    frame->impacts.insert(frame->impacts.end(), newest_->impacts.begin(), newest_->impacts.end());
+  std::shared_ptr<Frame> waiting;
+  {
+    const std::lock_guard lock(mutex_);
+    waiting = std::exchange(newest_, nullptr);
   }
+  if (waiting != nullptr && waiting->run == frame->run) {
+    // Nobody took the frame before: its news go on with this one, in a memory with bounds.
+    std::swap(frame->samples, waiting->samples);
+    frame->samples.insert(frame->samples.end(), waiting->samples.begin(), waiting->samples.end());
+    std::swap(frame->impacts, waiting->impacts);
+    frame->impacts.insert(frame->impacts.end(), waiting->impacts.begin(), waiting->impacts.end());
+    const bool whole = thin(frame->samples) && waiting->complete;
+    frame->complete = thin(frame->impacts) && whole;
+  }
+  const std::lock_guard lock(mutex_);
   newest_ = std::move(frame);
 }
 

@@ -5,8 +5,9 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-#include "physics/measure/expectation.h"
+#include "physics/preset/check.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/setting.h"
 #include "tests/physics/scenes.h"
 
 namespace carom {
@@ -53,7 +54,7 @@ TEST(Presets, MeetTheirExpectations) {
   for (const fs::path& file : preset_files()) {
     const Scene s = read_preset(file);
     EXPECT_FALSE(s.expect.empty()) << file;
-    const std::vector<Outcome> outcomes = measure_expectations(s);
+    const std::vector<Outcome> outcomes = check_expectations(s);
     ASSERT_EQ(outcomes.size(), s.expect.size());
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       EXPECT_TRUE(outcomes[i].good) << file << " /expect/" << i << " " << s.expect[i].observable
@@ -111,6 +112,154 @@ TEST_F(PresetFiles, LoadingWhatWasSavedGivesTheSameScene) {
   }
 }
 
+// A scene with every key that a preset can have, none at its default.
+constexpr const char* kEveryKey = R"({
+  "format": "carom-preset", "version": 1, "title": "all", "about": "about", "observe": "look", "duration": 2,
+  "gravity": [0.5, -9.81], "method": {"integrator": "explicit-euler", "impacts": "step-end", "step": 0.01},
+  "materials": [{"name": "m", "restitution": 0.5, "tangential_restitution": 0.25, "static_friction": 0.5,
+                 "kinetic_friction": 0.25}],
+  "bodies": [
+    {"name": "a", "shape": {"type": "disc", "radius": 1}, "position": [0, 0], "angle": 1, "velocity": [1, 2],
+     "spin": 3, "mass": 4, "material": "m"},
+    {"name": "b", "shape": {"type": "disc", "radius": 1}, "position": [9, 0], "density": 5},
+    {"name": "piston", "shape": {"type": "box", "width": 1, "height": 2}, "position": [-9, 0], "angle": 0.5,
+     "drive": {"velocity": [1, 2], "amplitude": [3, 4], "angular_frequency": 5, "phase": -6}},
+    {"name": "w", "shape": {"type": "box", "width": 1, "height": 2}, "position": [-9, 9], "fixed": true}],
+  "forces": [
+    {"type": "force", "body": "a", "force": [1, 2], "torque": 3, "start": 4, "rise": 5, "end": 6},
+    {"type": "spring", "name": "s", "body": "a", "to": "piston", "stiffness": 1, "damping": 2, "rest_length": 3,
+     "acts": "while-short"},
+    {"type": "attraction", "constant": 1, "softening": 2},
+    {"type": "quadratic_drag", "coefficient": 0.5},
+    {"type": "spring", "body": "b", "anchor": [1, 2], "stiffness": 7, "acts": "push"},
+    {"type": "spring", "body": "b", "to": "a", "stiffness": 8, "acts": "pull"},
+    {"type": "linear_drag", "coefficient": 0.25},
+    {"type": "force", "body": "b"}],
+  "generators": [{"type": "grid", "name": "g", "columns": 2, "rows": 3, "origin": [20, 20], "spacing": [3, 4],
+                  "jitter": 0.5, "radius": [0.1, 0.2], "speed": 1, "density": 2, "material": "m", "seed": 7}],
+  "plots": ["energy"], "view": {"center": [1, 2], "width": 3},
+  "expect": [
+    {"observable": "speed", "bodies": ["a"], "reduction": "count", "above": 1.5, "from": 0.5, "until": 1.5,
+     "with": {"/bodies/0/mass": 100, "/forces/4/stiffness": 9},
+     "over": {"place": "/generators/0/seed", "values": [3, 1, 2], "reduction": "mean"},
+     "value": 0.5, "tolerance": 0.1, "source": "made up"},
+    {"observable": "time", "reduction": "fit", "value": 1, "tolerance": 0},
+    {"observable": "time", "reduction": "impact", "impact": 3, "until": 7, "value": 1, "tolerance": 0,
+     "over": {"place": "/forces/6/coefficient", "values": [1, 2, 4], "reduction": "exponent"}}]
+})";
+
+TEST(Preset, EveryKeyIsReadAndWritten) {
+  const Scene s = parse_preset(kEveryKey, "every.json");
+  const Body& piston = s.bodies[2];
+  ASSERT_TRUE(piston.drive.has_value());
+  EXPECT_EQ(piston.drive->velocity, Vec2(1, 2));
+  EXPECT_EQ(piston.drive->amplitude, Vec2(3, 4));
+  EXPECT_EQ(piston.drive->angular_frequency, 5);
+  EXPECT_EQ(piston.drive->phase, -6);
+  EXPECT_TRUE(is_immovable(piston));
+  const Forces& f = s.forces;
+  EXPECT_EQ(f.linear_drag, 0.25);
+  EXPECT_EQ(f.quadratic_drag, 0.5);
+  ASSERT_TRUE(f.attraction.has_value());
+  EXPECT_EQ(f.attraction->constant, 1);
+  EXPECT_EQ(f.attraction->softening, 2);
+  ASSERT_EQ(f.springs.size(), 3U);
+  EXPECT_EQ(f.springs[0].name, "s");
+  EXPECT_EQ(f.springs[0].to, "piston");
+  EXPECT_EQ(f.springs[0].damping, 2);
+  EXPECT_EQ(f.springs[0].rest_length, 3);
+  EXPECT_EQ(f.springs[0].acts, SpringActs::kWhileShort);
+  EXPECT_EQ(f.springs[1].anchor, Vec2(1, 2));
+  EXPECT_EQ(f.springs[1].acts, SpringActs::kPush);
+  EXPECT_EQ(f.springs[2].acts, SpringActs::kPull);
+  ASSERT_EQ(f.applied.size(), 2U);
+  EXPECT_EQ(f.applied[0].force, Vec2(1, 2));
+  EXPECT_EQ(f.applied[0].torque, 3);
+  EXPECT_EQ(f.applied[0].start, 4);
+  EXPECT_EQ(f.applied[0].rise, 5);
+  EXPECT_EQ(f.applied[0].end, 6);
+  EXPECT_EQ(f.applied[1].end, std::nullopt);
+
+  ASSERT_EQ(s.expect.size(), 3U);
+  const Expectation& e = s.expect[0];
+  EXPECT_EQ(e.reduction, Expectation::Reduction::kCount);
+  EXPECT_EQ(e.above, 1.5);
+  EXPECT_EQ(e.from, 0.5);
+  EXPECT_EQ(e.until, 1.5);
+  ASSERT_EQ(e.settings.size(), 2U);
+  EXPECT_EQ(e.settings[0].place, "/bodies/0/mass");
+  EXPECT_EQ(e.settings[0].value, 100);
+  ASSERT_TRUE(e.over.has_value());
+  EXPECT_EQ(e.over->values, (std::vector<double>{3, 1, 2}));
+  EXPECT_EQ(e.over->reduction, Sweep::Reduction::kMean);
+  EXPECT_EQ(s.expect[1].reduction, Expectation::Reduction::kFit);
+  EXPECT_EQ(s.expect[2].over->reduction, Sweep::Reduction::kExponent);
+
+  const std::string text = write_preset(s);
+  EXPECT_EQ(write_preset(parse_preset(text, "again")), text);
+}
+
+TEST(Preset, DefaultsAreLeftOut) {
+  Scene s = test::scene({test::disc("a", {0, 0}, {0, 0}), test::disc("b", {9, 0}, {0, 0})});
+  s.bodies.push_back(test::wall("table", {0, -9}, 1, 1));
+  s.bodies.back().fixed = false;
+  s.bodies.back().drive = Drive{};
+  s.forces.springs.resize(1);
+  s.forces.springs[0].body = "a";
+  s.forces.springs[0].to = "b";
+  s.forces.applied.resize(1);
+  s.forces.applied[0].body = "a";
+  const std::string text = write_preset(s);
+  EXPECT_NE(text.find(R"({"type": "spring", "body": "a", "to": "b", "stiffness": 1.0})"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find(R"({"type": "force", "body": "a"})"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"("drive": {})"), std::string::npos) << text;
+  EXPECT_EQ(text.find("\"tolerance\""), std::string::npos) << text;
+  s.method.integrator = IntegratorId::kAdaptiveDormandPrince;
+  EXPECT_NE(write_preset(s).find("\"tolerance\": 1e-09"), std::string::npos) << write_preset(s);
+}
+
+// Places of forces are those of the file, also where Carom writes them in another order.
+TEST(Preset, VariantsChangeTheNumberThatTheFileNames) {
+  const Scene s = parse_preset(kEveryKey, "every.json");
+  Scene v = variant(s, s.expect[0].settings);
+  EXPECT_EQ(v.bodies[0].mass, 100);
+  EXPECT_EQ(v.forces.springs[1].stiffness, 9);
+  EXPECT_EQ(v.forces.springs[0].stiffness, 1);
+  EXPECT_TRUE(v.expect.empty());
+  v = variant(s, {{s.expect[2].over->place, 3.5}});
+  EXPECT_EQ(v.forces.linear_drag, 3.5);
+  // Again after a file that Carom wrote.
+  const Scene again = parse_preset(write_preset(s), "again");
+  EXPECT_EQ(variant(again, again.expect[0].settings).forces.springs[1].stiffness, 9);
+
+  // What a file leaves out has its place too, and whole numbers stay whole.
+  v = variant(s, {{"/bodies/1/angle", 2.0}, {"/bodies/1/velocity/1", 3.0}, {"/generators/0/seed", 11}});
+  EXPECT_EQ(v.bodies[1].angle, 2.0);
+  EXPECT_EQ(v.bodies[1].velocity, Vec2(0, 3));
+  EXPECT_EQ(v.generators[0].seed, 11U);
+  EXPECT_EQ(variant(s, {{"/method/tolerance", 1e-6}}).method.tolerance, 1e-6);
+  EXPECT_THROW((void)variant(s, {{"/bodies/0/name", 1}}), SceneError);
+  EXPECT_THROW((void)variant(s, {{"/bodies/0/mass", -1}}), SceneError);
+  EXPECT_THROW((void)variant(s, {{"/generators/0/seed", 1.5}}), SceneError);
+}
+
+TEST(Preset, ExactFlightIsRefusedWhereItIsNotPossible) {
+  Scene s = test::scene({test::disc("a", {0, 0}, {0, 0})});
+  s.method.integrator = IntegratorId::kExactFlight;
+  validate(s);
+  s.forces.linear_drag = 1.0;
+  try {
+    validate(s);
+    ADD_FAILURE() << "accepted";
+  } catch (const SceneError& error) {
+    EXPECT_EQ(std::string(error.what())
+                  .rfind("/method/integrator: exact flight is not possible with drag; allowed: ", 0),
+              0U)
+        << error.what();
+  }
+}
+
 TEST_F(PresetFiles, AFailedSaveLeavesTheOldFile) {
   const Scene s = test::scene({test::disc("a", {0, 0}, {1, 0})});
   const fs::path file = folder_ / "old.json";
@@ -144,6 +293,16 @@ std::vector<Bad> bad_presets() {
   const auto body = [&](const std::string& more) {
     return with(R"("bodies": [{"name": "a", "shape": {"type": "disc", "radius": 0.1}, "position": [0, 0])" +
                 more + "}]");
+  };
+  const auto forces = [&](const std::string& list) {
+    return with(R"("bodies": [{"name": "a", "shape": {"type": "disc", "radius": 1}, "position": [0, 0]},
+        {"name": "b", "shape": {"type": "disc", "radius": 1}, "position": [9, 0]},
+        {"name": "w", "shape": {"type": "disc", "radius": 1}, "position": [0, 9], "fixed": true}],
+        "forces": [)" +
+                list + "]");
+  };
+  const auto expect = [&](const std::string& more) {
+    return with(R"("expect": [{"observable": "time", "value": 0, "tolerance": 0, )" + more + "}]");
   };
   return {
       {"empty", "", "line 1"},
@@ -214,6 +373,79 @@ std::vector<Bad> bad_presets() {
        with(
            R"("generators": [{"type": "grid", "name": "g", "origin": [0, 0], "spacing": [1, 1], "radius": [0.1, 0.1], "seed": -1}])"),
        "/generators/0/seed"},
+      {"drive of a fixed body", body(R"(, "fixed": true, "drive": {"velocity": [1, 0]})"), "/bodies/0/fixed"},
+      {"drive and velocity", body(R"(, "velocity": [1, 0], "drive": {})"), "/bodies/0/velocity"},
+      {"drive and spin", body(R"(, "spin": 1, "drive": {})"), "/bodies/0/spin"},
+      {"drive and mass", body(R"(, "mass": 1, "drive": {})"), "/bodies/0/mass"},
+      {"drive and density", body(R"(, "density": 1, "drive": {})"), "/bodies/0/density"},
+      {"drive backwards", body(R"(, "drive": {"angular_frequency": -1})"), "/bodies/0/drive/angular_frequency"},
+      {"drive with an unknown key", body(R"(, "drive": {"speed": 1})"), "/bodies/0/drive/speed"},
+      {"two linear drags", forces(R"({"type": "linear_drag", "coefficient": 1},
+           {"type": "linear_drag", "coefficient": 1})"),
+       "/forces/1"},
+      {"linear drag below 0", forces(R"({"type": "linear_drag", "coefficient": -1})"), "/forces/0/coefficient"},
+      {"spring without other end", forces(R"({"type": "spring", "body": "a", "stiffness": 1})"),
+       "/forces/0/anchor"},
+      {"spring with two other ends",
+       forces(R"({"type": "spring", "body": "a", "stiffness": 1, "anchor": [0, 0], "to": "b"})"),
+       "/forces/0/anchor"},
+      {"spring to itself", forces(R"({"type": "spring", "body": "a", "stiffness": 1, "to": "a"})"),
+       "/forces/0/to"},
+      {"spring to nobody", forces(R"({"type": "spring", "body": "a", "stiffness": 1, "to": "z"})"),
+       "/forces/0/to"},
+      {"spring to no name", forces(R"({"type": "spring", "body": "a", "stiffness": 1, "to": ""})"),
+       "/forces/0/to"},
+      {"spring of a fixed body", forces(R"({"type": "spring", "body": "w", "stiffness": 1, "to": "a"})"),
+       "/forces/0/body"},
+      {"second of two springs", forces(R"({"type": "spring", "body": "a", "stiffness": 1, "to": "b"},
+              {"type": "quadratic_drag", "coefficient": 1},
+              {"type": "spring", "body": "a", "stiffness": 0, "to": "b"})"),
+       "/forces/2/stiffness"},
+      {"one spring name twice",
+       forces(R"({"type": "spring", "name": "s", "body": "a", "stiffness": 1, "to": "b"},
+              {"type": "spring", "name": "s", "body": "b", "stiffness": 1, "to": "a"})"),
+       "/forces/1/name"},
+      {"damping below 0",
+       forces(R"({"type": "spring", "body": "a", "stiffness": 1, "to": "b", "damping": -1})"),
+       "/forces/0/damping"},
+      {"unknown way to act",
+       forces(R"({"type": "spring", "body": "a", "stiffness": 1, "to": "b", "acts": "never"})"),
+       "/forces/0/acts"},
+      {"two attractions",
+       forces(R"({"type": "attraction", "constant": 1}, {"type": "attraction", "constant": 1})"), "/forces/1"},
+      {"attraction 0", forces(R"({"type": "attraction", "constant": 0})"), "/forces/0/constant"},
+      {"force on nobody", forces(R"({"type": "force", "body": "z"})"), "/forces/0/body"},
+      {"force on a wall", forces(R"({"type": "force", "body": "w", "force": [1, 0]})"), "/forces/0/body"},
+      {"force that ends before it starts", forces(R"({"type": "force", "body": "a", "start": 2, "end": 1})"),
+       "/forces/0/end"},
+      {"tolerance 1", with(R"("method": {"tolerance": 1})"), "/method/tolerance"},
+      {"unknown reduction", expect(R"("reduction": "sum")"), "/expect/0/reduction"},
+      {"count without a bound", expect(R"("reduction": "count")"), "\"above\" is missing"},
+      {"until before from", expect(R"("reduction": "mean", "from": 2, "until": 1)"), "/expect/0/until"},
+      {"from where nothing is looked over", expect(R"("reduction": "final", "from": 2)"), "/expect/0/from"},
+      {"setting of nothing", expect(R"("reduction": "final", "with": {"/bodies/7/mass": 1})"),
+       "/bodies/7/mass"},
+      {"setting of a text", expect(R"("reduction": "final", "with": {"/title": 1})"), "\"/title\""},
+      {"setting without a slash", expect(R"("reduction": "final", "with": {"gravity": 1})"), "\"gravity\""},
+      {"setting that is a text", expect(R"("reduction": "final", "with": {"/duration": "1"})"),
+       "/expect/0/with /duration"},
+      {"sweep of nothing",
+       expect(R"("reduction": "final", "over": {"place": "/x", "values": [1], "reduction": "mean"})"),
+       "/expect/0/over/place"},
+      {"sweep over nothing",
+       expect(R"("reduction": "final", "over": {"place": "/duration", "values": [], "reduction": "mean"})"),
+       "/expect/0/over/values"},
+      {"exponent of one value",
+       expect(
+           R"("reduction": "final", "over": {"place": "/duration", "values": [1], "reduction": "exponent"})"),
+       "/expect/0/over/values"},
+      {"exponent through zero",
+       expect(
+           R"("reduction": "final", "over": {"place": "/duration", "values": [0, 1], "reduction": "exponent"})"),
+       "/expect/0/over/values/0"},
+      {"parabola of values in disorder", expect(R"("reduction": "final",
+              "over": {"place": "/duration", "values": [1, 3, 2], "reduction": "where-maximum"})"),
+       "/expect/0/over/values/2"},
       {"extra is a number", with(R"("extra": 1)"), "/extra"},
       {"not UTF-8", head + ", \"about\": \"\xff\xfe\"}", "line 1"},
       {"50 MB of brackets", repeated("[", 50'000'000), "nested deeper"},

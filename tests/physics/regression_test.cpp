@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "physics/collision/time_of_impact.h"
-#include "physics/measure/expectation.h"
+#include "physics/preset/check.h"
 #include "physics/preset/preset.h"
 #include "tests/physics/scenes.h"
 
@@ -63,7 +63,7 @@ TEST(Regression, ExpectationAfterAnImpactAtTheStepsStart) {
   e.impact = 1;
   e.value = 1.0;
   s.expect = {e};
-  EXPECT_TRUE(measure_expectations(s)[0].good) << measure_expectations(s)[0].measured;
+  EXPECT_TRUE(check_expectations(s)[0].good) << check_expectations(s)[0].measured;
 }
 
 // A disc at rest on a thin floor is struck from above: the floor holds.

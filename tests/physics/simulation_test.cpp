@@ -23,7 +23,7 @@ Scene preset(const std::string& file) { return read_preset(std::string(CAROM_PRE
 
 double observed(const Simulation& s, std::string_view name) {
   return find_observable(name)->value(
-      {s.state(), s.totals(), s.time(), static_cast<int>(s.impact_count()), s.mass(), s.shapes()}, {});
+      {s.state(), s.totals(), s.ledger(), {}, s.time(), s.impact_count(), s.mass(), s.shapes()}, {});
 }
 
 Scene gas(double restitution, double friction) {

@@ -7,6 +7,7 @@
 
 #include "physics/measure/recorder.h"
 #include "physics/preset/preset.h"
+#include "physics/world/thinning.h"
 #include "tests/physics/scenes.h"
 
 namespace carom {
@@ -200,8 +201,8 @@ TEST(Recorder, IsBoundedKeepsSpikesAndSaysSo) {
   Recorder recorder;
   Frame frame;
   frame.run = 1;
-  frame.samples.resize(Recorder::kMostSamples / 4);
-  frame.impacts.resize(Recorder::kMostImpacts / 4);
+  frame.samples.resize(kMostSamples / 4);
+  frame.impacts.resize(kMostImpacts / 4);
   double time = 0.0;
   for (int i = 0; i < 12; ++i) {
     for (Sample& s : frame.samples) s.time = time++;
@@ -209,12 +210,12 @@ TEST(Recorder, IsBoundedKeepsSpikesAndSaysSo) {
     frame.samples[1234].totals.translational = i == 0 ? 7.0 : 0.0;
     frame.impacts[4321].normal_impulse = i == 0 ? 3.0 : 0.0;
     recorder.add(frame);
-    EXPECT_LE(recorder.samples().size(), Recorder::kMostSamples);
-    EXPECT_LE(recorder.impacts().size(), Recorder::kMostImpacts);
+    EXPECT_LE(recorder.samples().size(), kMostSamples);
+    EXPECT_LE(recorder.impacts().size(), kMostImpacts);
     EXPECT_EQ(recorder.samples().back().time, time - 1.0);
     EXPECT_EQ(recorder.complete(), i < 4);
   }
-  EXPECT_GE(recorder.samples().size(), Recorder::kMostSamples / 2);
+  EXPECT_GE(recorder.samples().size(), kMostSamples / 2);
   EXPECT_EQ(recorder.samples().front().time, 0.0);
   double largest = 0.0;
   for (std::size_t i = 1; i < recorder.samples().size(); ++i) {

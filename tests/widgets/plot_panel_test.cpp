@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QLabel>
+#include <QMenu>
 #include <QTest>
 #include <QWheelEvent>
 #include <algorithm>
@@ -11,8 +12,10 @@
 #include <qwt_plot_curve.h>
 #include <qwt_scale_widget.h>
 
+#include "physics/preset/names.h"
 #include "tests/widgets/run_fixture.h"
 #include "widgets/legend_button.h"
+#include "widgets/plot_table.h"
 #include "widgets/theme.h"
 #include "widgets/time_plot.h"
 
@@ -69,17 +72,97 @@ TEST_F(PlotPanelTest, StacksThePlotsAskedForOverOneAxis) {
   EXPECT_EQ(plot(1)->kind().id, "impulse");
 }
 
+TEST_F(PlotPanelTest, TheUserChoosesPlots) {
+  show(run_to(head_on_scene(), 0.45));
+  const QList<QAction*> actions = panel.menu()->actions();
+  ASSERT_EQ(actions.size(), static_cast<qsizetype>(plot_table().size()));
+  const auto action = [&](const QString& id) {
+    return *std::find_if(actions.begin(), actions.end(), [&](QAction* a) { return a->data() == id; });
+  };
+  EXPECT_FALSE(action("drift")->isChecked());
+  action("drift")->trigger();
+  ASSERT_EQ(panel.plots().size(), 4u);
+  EXPECT_EQ(plot(3)->kind().id, "drift");
+  action("ledger")->trigger();
+  EXPECT_EQ(plot(3)->kind().id, "ledger") << "at its place";
+  EXPECT_TRUE(action("ledger")->isChecked());
+  for (const char* id : {"energy", "ledger", "drift", "momentum"}) action(id)->trigger();
+  ASSERT_EQ(panel.plots().size(), 1u);
+  EXPECT_TRUE(panel.shows("impulse"));
+  EXPECT_FALSE(action("impulse")->isEnabled()) << "the last one stays";
+  panel.set_plots({"drift"});
+  EXPECT_TRUE(action("drift")->isChecked());
+  EXPECT_FALSE(action("impulse")->isChecked());
+}
+
+TEST_F(PlotPanelTest, NamesOfPresetFilesAreThePlots) {
+  ASSERT_EQ(plot_table().size(), kPlotNames.size());
+  for (std::size_t i = 0; i < kPlotNames.size(); ++i) EXPECT_EQ(plot_table()[i].id, kPlotNames[i]);
+}
+
+// 1e-6 kg in millimetres: 1e-11 J and 1e-9 N s.
+TEST_F(PlotPanelTest, ASmallSceneIsNoNoise) {
+  Scene scene = head_on_scene();
+  for (Body& body : scene.bodies) {
+    body.shape = Disc{0.2e-3};
+    body.position *= 1e-3;
+    body.velocity *= 1e-3;
+    *body.mass *= 1e-6;
+  }
+  show(run_to(scene, 0.45));
+  EXPECT_NEAR(plot(0)->value_range().maxValue(), 5e-12, 1e-12);
+  EXPECT_NEAR(plot(1)->value_range().maxValue(), 3e-9, 1.1e-9);
+  EXPECT_NEAR(plot(2)->value_range().maxValue(), 4e-9, 1.1e-9);
+}
+
+TEST_F(PlotPanelTest, AConservedZeroIsAFlatLine) {
+  Scene scene = head_on_scene();
+  scene.bodies[0].velocity = Vec2(1.0, 0.7);
+  scene.bodies[1].velocity = Vec2(-0.5, -0.35);  // no momentum in sum
+  Frame frame = run_to(scene, 1.0);
+  for (std::size_t i = 0; i < frame.samples.size(); ++i) {
+    frame.samples[i].totals.momentum = Vec2(1e-16 * static_cast<double>(i % 7), -1e-16);
+  }
+  show(frame);
+  EXPECT_GT(plot(1)->value_range().maxValue(), 1.0);
+  EXPECT_LT(plot(1)->value_range().maxValue(), 10.0);
+}
+
+TEST_F(PlotPanelTest, ADriftHasAScaleOfItsOwn) {
+  Frame frame = run_to(head_on_scene(), 1.0);
+  for (std::size_t i = 0; i < frame.samples.size(); ++i) {
+    frame.samples[i].drift = -1e-12 * static_cast<double>(i) / static_cast<double>(frame.samples.size());
+  }
+  panel.set_plots({"drift"});
+  show(frame);
+  EXPECT_LE(plot(0)->value_range().minValue(), -1e-12);
+  EXPECT_GT(plot(0)->value_range().minValue(), -3e-12);
+  for (Sample& sample : frame.samples) sample.drift = 1e-17;
+  frame.run = 2;
+  recorder.add(frame);
+  panel.update_from(recorder);
+  QApplication::processEvents();
+  EXPECT_NEAR(plot(0)->value_range().maxValue(), 5e-15, 1e-16) << "rounding of 4.5 J";
+}
+
 TEST_F(PlotPanelTest, LegendHidesAndShowsACurve) {
   show(run_to(head_on_scene(), 0.5));
   const auto buttons = plot(0)->findChildren<LegendButton*>();
-  const auto items = plot(0)->plot()->itemList(QwtPlotItem::Rtti_PlotCurve);
   ASSERT_EQ(buttons.size(), 3);
-  ASSERT_EQ(items.size(), 3);
+  const auto shown = [this](const QString& title) {
+    for (const QwtPlotItem* item : plot(0)->plot()->itemList(QwtPlotItem::Rtti_PlotCurve)) {
+      if (item->title().text() == title) return item->isVisible();
+    }
+    ADD_FAILURE() << "no curve " << title.toStdString();
+    return false;
+  };
+  ASSERT_EQ(buttons[0]->text(), "kinetic");
   QTest::mouseClick(buttons[0], Qt::LeftButton);
-  EXPECT_FALSE(items[0]->isVisible());
-  EXPECT_TRUE(items[1]->isVisible());
+  EXPECT_FALSE(shown("kinetic"));
+  EXPECT_TRUE(shown("potential"));
+  EXPECT_TRUE(shown("total"));
   QTest::mouseClick(buttons[0], Qt::LeftButton);
-  EXPECT_TRUE(items[0]->isVisible());
+  EXPECT_TRUE(shown("kinetic"));
 }
 
 TEST_F(PlotPanelTest, WheelZoomsAllTimeAxesAboutTheCursorAndDoubleClickResets) {

@@ -27,11 +27,23 @@ TEST(PlotScale, TimeEndIsRoundAndGrowsInSteps) {
 
 TEST(PlotScale, NoiseIsNotBlownUp) {
   EXPECT_EQ(nice_range(0.0, 0.0), QwtInterval(-1.0, 1.0));
-  EXPECT_EQ(nice_range(-3e-16, 2e-16), QwtInterval(-1.0, 1.0));
+  EXPECT_EQ(nice_range(-3e-16, 2e-16, {.below = 1e-9, .range = 1.0}), QwtInterval(-1.0, 1.0));
   const QwtInterval constant = nice_range(2.0, 2.0 + 4e-16);
   EXPECT_LT(constant.minValue(), 2.0);
   EXPECT_GT(constant.maxValue(), 2.0);
   EXPECT_GT(constant.width(), 0.1);
+}
+
+// What counts as noise goes by the run's own size.
+TEST(PlotScale, SmallIsNotZero) {
+  const Zero tiny{.below = 1e-21, .range = 3e-12};
+  EXPECT_EQ(nice_range(-2e-25, 3e-25, tiny), QwtInterval(-5e-12, 5e-12));
+  const QwtInterval range = nice_range(0.0, 1.1e-12, tiny);
+  EXPECT_EQ(range.minValue(), 0.0);
+  EXPECT_GE(range.maxValue(), 1.1e-12);
+  EXPECT_LT(range.maxValue(), 2e-12);
+  const Zero huge{.below = 1e3, .range = 1e12};
+  EXPECT_EQ(nice_range(-20.0, 30.0, huge), QwtInterval(-1e12, 1e12));
 }
 
 TEST(PlotScale, RangeIsFiniteWhateverComes) {

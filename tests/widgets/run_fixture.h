@@ -34,18 +34,15 @@ inline Frame run_to(const Scene& scene, double time) {
   simulation.watch_impacts(true);
   Frame frame;
   frame.run = 1;
-  frame.samples = {{0.0, simulation.totals()}};
+  frame.samples = {sample_of(simulation)};
   simulation.advance_to(time, [&] {
     append_samples(simulation, frame.samples);
     const auto& impacts = simulation.last_impacts();
     frame.impacts.insert(frame.impacts.end(), impacts.begin(), impacts.end());
   });
-  frame.time = simulation.time();
-  frame.impact_count = simulation.impact_count();
-  frame.state = simulation.state();
+  take_moment(simulation, frame);
   frame.bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
-  frame.totals = simulation.totals();
-  frame.ledger = simulation.ledger();
+  frame.forces = std::make_shared<const Forces>(scene.forces);
   return frame;
 }
 
