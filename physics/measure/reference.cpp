@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "physics/measure/measure_run.h"
 #include "physics/measure/observables.h"
 #include "physics/motion/integrators.h"
 #include "physics/scene/needs.h"
@@ -93,26 +94,21 @@ Reference make_reference(const Scene& scene, const Chaos& chaos, double time, do
 }
 
 std::vector<StatedFigure> check_stated_figures(const Scene& scene, const Reference& reference, double until) {
-  std::vector<StatedFigure> figures;
+  Scene with_method = scene;
+  with_method.method = reference.method;
+  std::vector<Expectation> stated;
   for (const Expectation& e : scene.expect) {
-    if (e.reduction != Expectation::Reduction::kAt || !e.settings.empty() || e.over || e.time > until) continue;
-    Scene with_method = scene;
-    with_method.method = reference.method;
-    Simulation s(with_method);
-    s.advance_to(e.time);
-    std::vector<int> bodies;
-    for (const std::string& name : e.bodies) {
-      const auto found =
-          std::find_if(s.bodies().begin(), s.bodies().end(), [&](const Body& b) { return b.name == name; });
-      bodies.push_back(static_cast<int>(found - s.bodies().begin()));
-    }
-    const Observable& observable = *find_observable(e.observable);
-    const double value = observable.value(
-        {s.state(), s.totals(), s.time(), static_cast<int>(s.impact_count()), s.mass(), s.shapes()}, bodies);
-    figures.push_back({e.time, std::abs(value - e.value),
-                       fmt::format("{}{}{} at t = {:.6g} s", e.observable, bodies.empty() ? "" : " of ",
+    const bool of_this_run = e.settings.empty() && !e.over;
+    if (e.reduction == Expectation::Reduction::kAt && of_this_run && e.time <= until) stated.push_back(e);
+  }
+  std::vector<StatedFigure> figures;
+  const std::vector<double> values = measure_run(with_method, stated);
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    const Expectation& e = stated[i];
+    figures.push_back({std::abs(values[i] - e.value),
+                       fmt::format("{}{}{} at t = {:.6g} s", e.observable, e.bodies.empty() ? "" : " of ",
                                    fmt::join(e.bodies, " and "), e.time),
-                       std::string(observable.unit)});
+                       std::string(find_observable(e.observable)->unit)});
   }
   return figures;
 }

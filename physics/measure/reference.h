@@ -34,7 +34,6 @@ inline constexpr double kMostReferenceWork = 2e7;
 
 // A number that the file itself states at a given time, beside the reference.
 struct StatedFigure {
-  double time = 0.0;        // s
   double difference = 0.0;  // of the reference from what the file states, >= 0, in the observable's unit
   std::string text;         // "x of disc at t = 2 s"
   std::string unit;
