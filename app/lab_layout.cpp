@@ -9,6 +9,7 @@
 #include <QMessageBox>
 #include <QPainter>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -50,6 +51,21 @@ QWidget* with_frame(QWidget* inside, int margin) {
   column->addWidget(inside);
   return frame;
 }
+
+// Scrolls upright only: as wide as what it holds.
+class PlotArea : public QScrollArea {
+ public:
+  [[nodiscard]] QSize minimumSizeHint() const override {
+    const int bar = verticalScrollBar()->sizeHint().width();
+    return {widget() == nullptr ? 0 : widget()->minimumSizeHint().width() + bar, 0};
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
 
 }  // namespace
 
@@ -120,7 +136,7 @@ void LabWindow::make_body() {
   columns->setHandleWidth(8);
   columns->addWidget(centre);
   // More plots than the height shows well are scrolled.
-  auto* plot_area = new QScrollArea;
+  auto* plot_area = new PlotArea;
   plot_area->setWidget(plots_);
   plot_area->setWidgetResizable(true);
   plot_area->setFrameShape(QFrame::NoFrame);

@@ -252,10 +252,11 @@ void LabWindow::show_frame() {
 void LabWindow::show_method() {
   const Method m = worker_->scene().method;
   const auto text = [](std::string_view s) { return QString::fromUtf8(s.data(), static_cast<int>(s.size())); };
-  integrator_button_->setText(text(choice_of(kIntegrators, m.integrator).label) + QStringLiteral(" ▾"));
+  const IntegratorChoice& integrator = choice_of(kIntegrators, m.integrator);
+  integrator_button_->setText(text(integrator.label) + QStringLiteral(" ▾"));
   impacts_button_->setText(text(choice_of(kImpacts, m.impacts).label) + QStringLiteral(" ▾"));
-  const bool adaptive = m.integrator == IntegratorId::kAdaptiveDormandPrince;
-  const bool exact = m.integrator == IntegratorId::kExactFlight;
+  const bool adaptive = integrator.adaptive;
+  const bool exact = integrator.order == 0;
   const QString step = QString("%1 ms ▾").arg(1e3 * m.step, 0, 'g', 4);
   step_button_->setText(adaptive ? tr("tolerance %1 ▾").arg(short_figure(m.tolerance))
                         : exact  ? tr("results every %1").arg(step)

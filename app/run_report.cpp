@@ -27,10 +27,9 @@ std::string counted(std::int64_t count, const char* what) {
 std::string method_text(const Simulation& s) {
   const Method& m = s.method();
   const IntegratorChoice& integrator = choice_of(kIntegrators, m.integrator);
-  const std::string size =
-      m.integrator == IntegratorId::kAdaptiveDormandPrince ? fmt::format("tolerance {}", m.tolerance)
-      : m.integrator == IntegratorId::kExactFlight         ? fmt::format("results every {} s", m.step)
-                                                           : fmt::format("h = {} s", m.step);
+  const std::string size = integrator.adaptive     ? fmt::format("tolerance {}", m.tolerance)
+                           : integrator.order == 0 ? fmt::format("results every {} s", m.step)
+                                                   : fmt::format("h = {} s", m.step);
   return fmt::format("{}, {}, {}, {}\n{}, {} of a body's acceleration, {}\n", integrator.label,
                      choice_of(kImpacts, m.impacts).label, choice_of(kContacts, m.contacts).label, size,
                      integrator.order > 0 ? fmt::format("order {}", integrator.order) : "exact",
@@ -125,7 +124,7 @@ std::string report_json(const std::string& preset, const Simulation& end) {
   j["method"] = {{"integrator", choice_of(kIntegrators, m.integrator).name},
                  {"impacts", choice_of(kImpacts, m.impacts).name},
                  {"contacts", choice_of(kContacts, m.contacts).name}};
-  if (m.integrator == IntegratorId::kAdaptiveDormandPrince) {
+  if (choice_of(kIntegrators, m.integrator).adaptive) {
     j["method"]["tolerance"] = m.tolerance;
   } else {
     j["method"]["step"] = m.step;

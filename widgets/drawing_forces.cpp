@@ -25,6 +25,7 @@ constexpr double kLeastMotionArrow = 15.0;   // px, each half of a double arrow
 constexpr double kMotionWidth = 2.0;         // px
 constexpr double kForceWidth = 2.4;          // px
 constexpr double kLeastForceArrow = 10.0;    // px
+constexpr double kLabelRoom = 22.0;          // px, of a label above a point
 constexpr double kLeastTorqueRadius = 14.0;  // px
 
 Vec2 turned(const Vec2& v) { return {-v.y(), v.x()}; }
@@ -202,8 +203,8 @@ void add_torque(const DrawingInput& in, int i, double torque, const QColor& colo
   const Vec2 tangent = (point(kPieces) - point(kPieces - 1)).normalized();
   out.arrows.push_back(
       {point(kPieces), point(kPieces) + tangent * (9.0 * in.options.line_scale * pixel), color, width});
-  add_label(in, at + Vec2(0.0, radius + 24.0 * pixel), number_text(torque, 3) + QStringLiteral(" N·m"), color,
-            out);
+  add_label(in, at + Vec2(0.0, radius + kLabelRoom * pixel), number_text(torque, 3) + QStringLiteral(" N·m"),
+            color, out);
 }
 
 }  // namespace
@@ -248,7 +249,9 @@ void add_applied_forces(const DrawingInput& in, const WorldRect& seen, Drawing& 
     if (!seen.meets(at, reach)) continue;
     if (arrow.norm() * in.camera.scale >= kLeastForceArrow) {
       out.arrows.push_back({at, at + arrow, color, kForceWidth * in.options.line_scale});
-      add_label(in, at + arrow, number_text(force.norm(), 3) + QStringLiteral(" N"), color, out);
+      // Away from the shaft.
+      const Vec2 label = at + arrow + Vec2(0.0, arrow.y() > 0.0 ? kLabelRoom / in.camera.scale : 0.0);
+      add_label(in, label, number_text(force.norm(), 3) + QStringLiteral(" N"), color, out);
     }
     if (applied.torque != 0.0) add_torque(in, i, share * applied.torque, color, out);
   }

@@ -28,9 +28,9 @@ bool has_drag(const Scene& scene) {
   return scene.forces.linear_drag > 0.0 || scene.forces.quadratic_drag > 0.0;
 }
 
-constexpr std::size_t kRows = 11;
+constexpr std::size_t kEntries = 11;
 
-constexpr std::array<Entry<double>, kRows> kEnergy = {{
+constexpr std::array<Entry<double>, kEntries> kEnergy = {{
     {QT_TRANSLATE_NOOP("LedgerTable", "initial energy"),
      QT_TRANSLATE_NOOP("LedgerTable", "Kinetic and potential energy at the start of the run"),
      [](const Ledger& l, const Totals&) { return l.initial; }},
@@ -74,7 +74,7 @@ constexpr std::array<Entry<double>, kRows> kEnergy = {{
 }};
 
 // Stands beside, so that both end in the drift.
-constexpr std::array<Entry<Vec2>, kRows> kMomentum = {{
+constexpr std::array<Entry<Vec2>, kEntries> kMomentum = {{
     {QT_TRANSLATE_NOOP("LedgerTable", "initial momentum"),
      QT_TRANSLATE_NOOP("LedgerTable", "Momentum of all bodies that move freely at the start of the run"),
      [](const Ledger& l, const Totals&) -> Vec2 { return l.initial_momentum; }},
@@ -124,20 +124,20 @@ class LedgerModel : public FigureModel {
 
   void set(const Scene& scene) {
     const Needs needs = needs_of(scene);
-    for (std::size_t i = 0; i < kRows; ++i) {
+    for (std::size_t i = 0; i < kEntries; ++i) {
       energy_idle_[i] = kEnergy[i].idle != nullptr && kEnergy[i].idle(scene, needs);
       momentum_idle_[i] = kMomentum[i].idle != nullptr && kMomentum[i].idle(scene, needs);
     }
-    rows_changed(kRows);
+    rows_changed(kEntries);
   }
 
   void set(const Frame& frame) {
     ledger_ = frame.ledger;
     now_ = frame.totals;
-    rows_changed(kRows);
+    rows_changed(kEntries);
   }
 
-  [[nodiscard]] bool is_sum(int row) const override { return row == kRows - 1; }
+  [[nodiscard]] bool is_sum(int row) const override { return row == kEntries - 1; }
 
   // An entry that was touched before the scene was edited is not pale.
   [[nodiscard]] bool is_idle(int row, int column) const override {
@@ -170,8 +170,8 @@ class LedgerModel : public FigureModel {
  private:
   Ledger ledger_;
   Totals now_;
-  std::array<bool, kRows> energy_idle_{};
-  std::array<bool, kRows> momentum_idle_{};
+  std::array<bool, kEntries> energy_idle_{};
+  std::array<bool, kEntries> momentum_idle_{};
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "widgets/legend_button.h"
 
 #include <QPainter>
+#include <algorithm>
 
 namespace carom {
 namespace {
@@ -13,6 +14,7 @@ constexpr int kPadding = 4;  // px, left and right
 
 LegendButton::LegendButton(const QString& label, const QString& tip, QWidget* parent) : QToolButton(parent) {
   setText(label);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   setCheckable(true);
   setChecked(true);
   setAccessibleName(tr("Show the curve %1").arg(label));
@@ -38,6 +40,12 @@ QSize LegendButton::sizeHint() const {
   return {2 * kPadding + kSample + kGap + fontMetrics().horizontalAdvance(text()), fontMetrics().height() + 4};
 }
 
+QSize LegendButton::minimumSizeHint() const {
+  const int least = fontMetrics().horizontalAdvance("mm…");
+  return {2 * kPadding + kSample + kGap + std::min(least, fontMetrics().horizontalAdvance(text())),
+          sizeHint().height()};
+}
+
 void LegendButton::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -52,8 +60,9 @@ void LegendButton::paintEvent(QPaintEvent*) {
   label_font.setUnderline(underMouse() || (hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange)));
   painter.setFont(label_font);
   painter.setPen(text_);
-  painter.drawText(rect().adjusted(kPadding + kSample + kGap, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                   text());
+  const QRect place = rect().adjusted(kPadding + kSample + kGap, 0, 0, 0);
+  painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
+                   painter.fontMetrics().elidedText(text(), Qt::ElideRight, place.width()));
 }
 
 }  // namespace carom

@@ -15,6 +15,8 @@ class LegendButton : public QToolButton {
 
   void set_look(const QPen& line, const QColor& text);
   [[nodiscard]] QSize sizeHint() const override;
+  // Without room for the whole name its beginning is shown.
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -26,7 +26,7 @@ namespace carom {
 namespace {
 
 constexpr double kLineWidth = 1.8;  // px
-constexpr double kSumWidth = 5.0;   // px
+constexpr double kSumWidth = 4.5;   // px
 constexpr int kPixelsPerTimeTick = 60;
 constexpr int kPixelsPerValueTick = 20;
 

@@ -76,14 +76,18 @@ TEST_F(CommandLine, HelpAndVersionAreGood) {
 
 TEST_F(CommandLine, JsonHasExactlyItsKeys) {
   const Json j = run({"head-on"});
-  EXPECT_EQ(keys_of(j),
-            (std::set<std::string>{"preset", "method", "time", "steps", "impacts", "bodies", "kinetic_energy",
-                                   "rotational_energy", "potential_energy", "total_energy", "momentum",
-                                   "angular_momentum", "ledger", "status"}));
+  EXPECT_EQ(keys_of(j), (std::set<std::string>{"preset", "method", "time", "steps", "impacts", "bodies",
+                                               "kinetic_energy", "rotational_energy", "potential_energy",
+                                               "total_energy", "momentum", "angular_momentum", "ledger",
+                                               "status", "order", "evaluations", "rejected_steps"}));
   EXPECT_EQ(keys_of(j["method"]), (std::set<std::string>{"integrator", "impacts", "contacts", "step"}));
-  EXPECT_EQ(keys_of(j["ledger"]), (std::set<std::string>{"initial", "lost_to_restitution", "lost_to_friction",
-                                                         "lost_to_drag", "overlap_correction", "put_in_by_user",
-                                                         "numerical_drift", "momentum_to_walls"}));
+  EXPECT_EQ(keys_of(j["ledger"]),
+            (std::set<std::string>{"initial", "lost_to_restitution", "lost_to_friction", "lost_to_drag",
+                                   "lost_to_dampers", "overlap_correction", "put_in_by_drives",
+                                   "put_in_by_user", "numerical_drift", "momentum"}));
+  EXPECT_EQ(keys_of(j["ledger"]["momentum"]),
+            (std::set<std::string>{"initial", "from_gravity", "from_forces", "from_user", "to_walls",
+                                   "numerical_drift"}));
   ASSERT_EQ(j["bodies"].size(), 2U);
   for (const Json& body : j["bodies"]) {
     EXPECT_EQ(keys_of(body), (std::set<std::string>{"name", "position", "angle", "velocity", "spin"}));
@@ -159,6 +163,51 @@ TEST_F(CommandLine, OptionsChangeTheMethodAndTheEnd) {
   EXPECT_EQ(run({"head-on", "--until", "0"})["steps"], 0);
 }
 
+// Every joule and every newton second is accounted for.
+TEST_F(CommandLine, LedgerClosesInJson) {
+  const Json j = run({"drag-projectile"});
+  const Json& l = j["ledger"];
+  const auto joules = [&](const char* key) { return l[key].get<double>(); };
+  EXPECT_GT(joules("lost_to_restitution"), 0.1);
+  EXPECT_GT(joules("lost_to_drag"), 0.1);
+  EXPECT_NEAR(joules("initial") - joules("lost_to_restitution") - joules("lost_to_friction") -
+                  joules("lost_to_drag") - joules("lost_to_dampers") + joules("overlap_correction") +
+                  joules("put_in_by_drives") + joules("put_in_by_user") + joules("numerical_drift"),
+              j["total_energy"].get<double>(), 1e-12);
+  for (int i = 0; i < 2; ++i) {
+    const auto share = [&](const char* key) { return l["momentum"][key][i].get<double>(); };
+    EXPECT_GT(std::abs(share("to_walls")), 1.0);
+    EXPECT_NEAR(share("initial") + share("from_gravity") + share("from_forces") + share("from_user") -
+                    share("to_walls") + share("numerical_drift"),
+                j["momentum"][i].get<double>(), 1e-12);
+  }
+}
+
+TEST_F(CommandLine, CostOfTheMethodIsTold) {
+  const Json rk4 = run({"spring-box"});
+  EXPECT_EQ(rk4["order"], 4);
+  EXPECT_EQ(rk4["evaluations"], 4 * rk4["steps"].get<int>());
+  EXPECT_EQ(rk4["rejected_steps"], 0);
+  const Json adaptive = run({"spring-box", "--integrator", "dormand-prince-adaptive", "--tolerance", "1e-6"});
+  EXPECT_EQ(adaptive["method"], (Json{{"integrator", "dormand-prince-adaptive"},
+                                      {"impacts", "located"},
+                                      {"contacts", "impulse"},
+                                      {"tolerance", 1e-6}}));
+  EXPECT_EQ(adaptive["order"], 5);
+  EXPECT_GT(
+      run({"spring-box", "--integrator", "dormand-prince-adaptive", "--tolerance", "1e-12"})["evaluations"],
+      adaptive["evaluations"]);
+  EXPECT_EQ(run({"head-on", "--integrator", "exact-flight"})["order"], 0);
+
+  const auto text = [this](const QStringList& arguments) {
+    return carom_(QStringList{"run", "head-on"} + arguments).out;
+  };
+  EXPECT_NE(text({}).find("order 4, "), std::string::npos);
+  EXPECT_NE(text({}).find(" evaluations of a body's acceleration, 0 rejected steps\n"), std::string::npos);
+  EXPECT_NE(text({"--integrator", "dormand-prince-adaptive"}).find("tolerance 1e-09\n"), std::string::npos);
+  EXPECT_NE(text({"--integrator", "exact-flight"}).find("results every 0.005 s\nexact, "), std::string::npos);
+}
+
 TEST_F(CommandLine, TextTellsBeforeAndAfter) {
   const ProgramResult result = carom_({"run", "head-on"});
   EXPECT_EQ(result.code, 0);
@@ -194,6 +243,13 @@ TEST_F(CommandLine, CsvHasUnitsALineAStepAndAllDigits) {
   EXPECT_EQ(last.at("kinetic_energy [J]"), j["kinetic_energy"].get<double>());
   EXPECT_EQ(last.at("momentum_y [N s]"), j["momentum"][1].get<double>());
   EXPECT_EQ(last.at("numerical_drift [J]"), j["ledger"]["numerical_drift"].get<double>());
+  for (const char* key : {"lost_to_restitution", "lost_to_friction", "lost_to_drag", "lost_to_dampers",
+                          "put_in_by_drives", "put_in_by_user", "overlap_correction"}) {
+    EXPECT_EQ(last.at(std::string(key) + " [J]"), j["ledger"][key].get<double>()) << key;
+  }
+  const Json& momentum = j["ledger"]["momentum"];
+  EXPECT_EQ(last.at("momentum_drift_x [N s]"), momentum["numerical_drift"][0].get<double>());
+  EXPECT_EQ(last.at("momentum_to_walls_y [N s]"), momentum["to_walls"][1].get<double>());
   bool found = false;
   for (const Json& body : j["bodies"]) {
     if (body["name"] != "disc") continue;
@@ -225,6 +281,15 @@ TEST_F(CommandLine, EventsHaveALineAnImpact) {
     lost += std::strtod(fields[10].c_str(), nullptr);
   }
   EXPECT_NEAR(lost, j["ledger"]["lost_to_restitution"].get<double>(), 1e-9);
+}
+
+TEST_F(CommandLine, NothingIsMinusZero) {
+  for (const char* impacts : {"step-end", "located"}) {
+    (void)run({"head-on", "--impacts", impacts, "--events", "events.csv"});
+    const std::vector<std::string> lines = lines_of(carom_.read("events.csv"));
+    ASSERT_EQ(lines.size(), 2U);
+    for (const std::string& field : split(lines[1], ',')) EXPECT_NE(field, "-0");
+  }
 }
 
 TEST_F(CommandLine, NamesWithCommasAreQuotedInCsv) {

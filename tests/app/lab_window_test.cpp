@@ -4,16 +4,20 @@
 #include <QApplication>
 #include <QFile>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QMessageBox>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <gtest/gtest.h>
+#include <stdexcept>
 
 #include "physics/preset/preset.h"
 #include "widgets/experiment_list.h"
+#include "widgets/plot_panel.h"
 #include "widgets/scene_view.h"
 
 namespace carom {
@@ -47,11 +51,24 @@ class LabWindowTest : public testing::Test {
     ADD_FAILURE() << "no action " << text.toStdString();
     return nullptr;
   }
-  void click_button(const QString& tip) {
+  QToolButton* button(const QString& tip) {
     for (QToolButton* b : window_.findChildren<QToolButton*>()) {
-      if (b->toolTip().startsWith(tip)) return QTest::mouseClick(b, Qt::LeftButton);
+      if (b->toolTip().startsWith(tip)) return b;
     }
-    ADD_FAILURE() << "no button " << tip.toStdString();
+    throw std::runtime_error("no button " + tip.toStdString());
+  }
+  void click_button(const QString& tip) { QTest::mouseClick(button(tip), Qt::LeftButton); }
+  QLabel* chip(const QString& name) {
+    for (QLabel* label : window_.findChildren<QLabel*>("chip")) {
+      if (label->accessibleName() == name) return label;
+    }
+    throw std::runtime_error("no chip " + name.toStdString());
+  }
+  QAction* plot_action(const QString& title) {
+    for (QAction* a : window_.findChild<PlotPanel*>()->menu()->actions()) {
+      if (a->text() == title) return a;
+    }
+    throw std::runtime_error("no plot " + title.toStdString());
   }
   void click_scene(const Vec2& world) {
     const QPoint at = window_.scene_view().camera().to_screen(world).toPoint();
@@ -147,6 +164,63 @@ TEST_F(LabWindowTest, MethodsAreChosenFromTheMenus) {
   // The worker goes by it: 0.3 s are 30 steps.
   window_.run_until(0.3);
   EXPECT_EQ(steps(), 30);
+}
+
+TEST_F(LabWindowTest, TheStepButtonGoesByTheIntegrator) {
+  EXPECT_EQ(button("Length of a step")->text(), "h = 5 ms ▾");
+  action("Dormand-Prince 5(4), adaptive")->trigger();
+  EXPECT_EQ(button("Largest error of a step")->text(), "tolerance 1e−9 ▾");
+  action("tolerance 1e−6")->trigger();
+  EXPECT_EQ(window_.scene().method.tolerance, 1e-6);
+  EXPECT_EQ(button("Largest error of a step")->text(), "tolerance 1e−6 ▾");
+  action("Exact flight")->trigger();
+  EXPECT_EQ(button("Exact flight needs no step")->text(), "results every 5 ms ▾");
+  window_.run_until(1.0);
+  EXPECT_NEAR(window_.frame()->totals.momentum.x(), -0.5, 1e-12);
+}
+
+TEST_F(LabWindowTest, WhatASceneForbidsIsGreyAndSaysWhy) {
+  EXPECT_TRUE(action("Exact flight")->isEnabled());
+  ASSERT_TRUE(window_.open("drag-projectile"));
+  EXPECT_FALSE(action("Exact flight")->isEnabled());
+  EXPECT_TRUE(action("Exact flight")->toolTip().contains("not possible with drag"));
+  EXPECT_TRUE(action("RK4")->isEnabled());
+  ASSERT_TRUE(window_.open("head-on"));
+  EXPECT_TRUE(action("Exact flight")->isEnabled());
+}
+
+TEST_F(LabWindowTest, WhatIsModelledIsToldAndAskedAgain) {
+  EXPECT_TRUE(chip("What is modelled")->text().startsWith("modelled: normal impulses"));
+  EXPECT_TRUE(chip("What is modelled")->toolTip().contains("Not needed by this scene"));
+  EXPECT_TRUE(chip("What is modelled")->toolTip().contains("friction"));
+  const QString before = chip("What is modelled")->toolTip();
+  ASSERT_TRUE(window_.open("drag-projectile"));
+  EXPECT_NE(chip("What is modelled")->toolTip(), before);
+  EXPECT_TRUE(chip("What is modelled")->toolTip().startsWith("Modelled: normal impulses, gravity"));
+  // Nothing stands out of the scene, however narrow.
+  for (const int width : {1280, 900, 700}) {
+    window_.resize(width, 640);
+    QApplication::processEvents();
+    const QLabel* label = chip("What is modelled");
+    EXPECT_LE(label->mapTo(&window_.scene_view(), QPoint(label->width(), 0)).x(), window_.scene_view().width())
+        << width;
+  }
+}
+
+TEST_F(LabWindowTest, PlotsAreChosenFromTheMenu) {
+  const auto plots = [this] { return window_.findChild<PlotPanel*>()->plots().size(); };
+  EXPECT_EQ(plots(), window_.scene().plots.size());
+  const int height = window_.height();
+  for (const char* title : {"Ledger", "Energy drift", "Momentum drift"}) {
+    const std::size_t before = plots();
+    plot_action(title)->trigger();
+    EXPECT_EQ(plots(), before + 1);
+  }
+  QApplication::processEvents();
+  EXPECT_EQ(window_.height(), height) << "more plots are scrolled";
+  EXPECT_FALSE(window_.isWindowModified());
+  ASSERT_TRUE(window_.open("spring-box"));
+  EXPECT_EQ(plots(), window_.scene().plots.size());
 }
 
 TEST_F(LabWindowTest, ClickOnEmptySpaceAddsADisc) {

@@ -25,7 +25,11 @@ class ForcesDrawn : public testing::Test {
   }
 
   [[nodiscard]] Drawing drawing() {
-    frame_.state = initial_state(bodies_);
+    frame_.state.resize(static_cast<int>(bodies_.size()));
+    for (int i = 0; i < frame_.state.size(); ++i) {
+      frame_.state.set_motion(i, initial_motion(bodies_[static_cast<std::size_t>(i)]));
+      frame_.state.q.col(i).head<2>() = bodies_[static_cast<std::size_t>(i)].position;
+    }
     frame_.bodies = std::make_shared<const std::vector<Body>>(bodies_);
     frame_.forces = std::make_shared<const Forces>(forces_);
     return make_drawing({frame_, {}, camera_, options_, light_theme(), arrows_});
