@@ -80,7 +80,7 @@ class StudyArguments {
         ->check(CLI::IsMember(names_of(kIntegrators)));
     list(command, "--impacts", impacts_, "choices of impacts to compare (default: all)")
         ->check(CLI::IsMember(names_of(kImpacts)));
-    list(command, "--steps", steps_, "steps, s (default: 8, from four times the preset's own down, each half)");
+    list(command, "--steps", steps_, "steps, s (default: 10, from 16 times the preset's own down, each half)");
     list(command, "--tolerances", tolerances_, "of the adaptive integrator, m (default: 1e-3 to 1e-12)");
     command
         .add_option("--until", options_.study.until, "the compared time, s (default: near the preset's end)")
@@ -106,6 +106,10 @@ class StudyArguments {
     o.study.steps = numbers("--steps", steps_, kLeastStep, kLargestStep, "s");
     o.study.tolerances = numbers("--tolerances", tolerances_, kLeastTolerance, kLargestTolerance, "m");
     if (!shard_.empty()) read_shard(o.study);
+    if (o.study.until && !(*o.study.until > 0.0)) {
+      throw SceneError(
+          "--until: 0 is not allowed; allowed: a time above 0, there is nothing to compare at the start");
+    }
     if (o.preset.empty() == o.merge.empty()) {
       throw SceneError("study: one thing to do is needed; allowed: FILE|NAME, or --merge FILE...");
     }
@@ -127,7 +131,7 @@ class StudyArguments {
   }
   static CLI::Option* list(CLI::App& command, const std::string& option, std::vector<std::string>& to,
                            const std::string& what) {
-    return command.add_option(option, to, what)->delimiter(',')->type_name("A,B,...")->expected(1);
+    return command.add_option(option, to, what)->delimiter(',')->type_name("A,B,...")->allow_extra_args(false);
   }
   static std::vector<double> numbers(const char* option, const std::vector<std::string>& texts, double least,
                                      double most, const char* unit) {

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "app/commands.h"
+#include "app/no_screen.h"
 #include "app/preset_library.h"
 #include "app/run_files.h"
 #include "physics/measure/study_text.h"
@@ -88,7 +89,7 @@ int study_command(int& argc, char** argv, const StudyCommandOptions& options) {
     csv->finish();
   }
   if (!options.plot.empty()) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
+    use_no_screen();
     const QApplication application(argc, argv);
     QString error;
     if (!save_study_picture(table, light_theme(), plot, &error)) throw SceneError(error.toStdString());

@@ -27,7 +27,7 @@ namespace carom {
 namespace {
 
 // px of the picture
-constexpr QSize kSize(1440, 820);
+constexpr QSize kSize(1440, 800);
 constexpr int kMargin = 32;
 constexpr int kTop = 92;  // of the plots
 constexpr int kPlotWidth = 505;
@@ -156,23 +156,28 @@ class ErrorPlot : public QwtPlot {
     updateAxes();
   }
 
-  void add_zone(double from, double to, const QString& label) {
+  // The label stands at the given side, where there are no curves.
+  void add_zone(double from, double to, const QString& label, Qt::Alignment side) {
     auto* zone = new QwtPlotZoneItem;
     zone->setOrientation(Qt::Horizontal);
     zone->setInterval(from, to);
-    QColor ground = theme_.muted;
-    ground.setAlphaF(0.10F);
+    const QColor ground = theme_.window;
     zone->setBrush(ground);
     zone->setPen(QPen(Qt::NoPen));
+    zone->setZ(1.0);  // below the grid
     zone->attach(this);
-    add_note(label, axisScaleDiv(QwtAxis::XBottom).lowerBound(), std::sqrt(from * to),
-             Qt::AlignRight | Qt::AlignVCenter);
+    // A label aligned to the right of its point stands at the left edge.
+    const QwtScaleDiv& x = axisScaleDiv(QwtAxis::XBottom);
+    const bool left = side == Qt::AlignLeft;
+    add_note(label, left ? x.lowerBound() : x.upperBound(), std::sqrt(from * to),
+             (left ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, ground);
   }
 
-  void add_note(const QString& label, double x, double y, Qt::Alignment alignment) {
+  void add_note(const QString& label, double x, double y, Qt::Alignment alignment, const QBrush& ground = {}) {
     QwtText text(label, QwtText::PlainText);
     text.setFont(font_of(11));
     text.setColor(theme_.muted);
+    text.setBackgroundBrush(ground);
     auto* note = new QwtPlotMarker;
     note->setLabel(text);
     note->setLabelAlignment(alignment);
@@ -243,24 +248,31 @@ Range errors_of(const StudyTable& table) {
   return range;
 }
 
-// The points of a method; an error of zero stands on the lower edge.
+// Where an error stands on its axis: zero, too, just above the lower edge.
+double shown(double error, const Range& errors) {
+  return std::clamp(error, 1.4 * errors.low, 1e3 * errors.high);
+}
+
+// The points of a method.
 template <class At>
 QVector<QPointF> points_of(const StudyGroup& group, const Range& errors, const At& at) {
   QVector<QPointF> points;
   for (const StudyRow& row : group.rows) {
     const double x = at(row);
     if (std::isnan(x) || std::isnan(row.position_error)) continue;
-    points.append({x, std::clamp(row.position_error, errors.low, 1e3 * errors.high)});
+    points.append({x, shown(row.position_error, errors)});
   }
   return points;
 }
 
-void add_zones(ErrorPlot& plot, const StudyFacts& facts, const Range& errors) {
+// Slow runs are right and large steps wrong: the curves leave the other corners free.
+void add_zones(ErrorPlot& plot, const StudyFacts& facts, const Range& errors, Qt::Alignment wrong,
+               Qt::Alignment rounding) {
   const double floor = std::min(facts.rounding_floor(), errors.high);
-  if (floor > errors.low) plot.add_zone(errors.low, floor, "rounding");
+  if (floor > errors.low) plot.add_zone(errors.low, floor, "rounding, grown until then", rounding);
   if (facts.largest_error() < errors.high) {
     plot.add_zone(std::max(facts.largest_error(), errors.low), errors.high,
-                  "wrong by a tenth of the scene or more");
+                  "wrong by a tenth of the scene or more", wrong);
   }
 }
 
@@ -431,12 +443,17 @@ bool save_study_picture(const StudyTable& table, const Theme& theme, const QStri
     const Range& x = plot == &against_time ? walls : steps;
     plot->set_range(QwtAxis::XBottom, x.low, x.high, kMostTicks);
     plot->set_range(QwtAxis::YLeft, errors.low, errors.high, kMostTicks);
-    add_zones(*plot, table.facts, errors);
+    const bool of_time = plot == &against_time;
+    add_zones(*plot, table.facts, errors, of_time ? Qt::AlignRight : Qt::AlignLeft,
+              of_time ? Qt::AlignLeft : Qt::AlignRight);
   }
-  // From where the largest errors that mean anything are, at the coarsest step.
+  // From where the largest errors that a fit can use are, at the coarsest step.
   double top = 0.0;
-  for (const StudyRow& row : table.rows) {
-    if (row.position_error < table.facts.largest_error()) top = std::max(top, row.position_error);
+  for (const StudyGroup& group : groups) {
+    if (group.fit.kind != OrderFit::Kind::kOrder) continue;
+    for (const StudyRow& row : group.rows) {
+      if (row.position_error < table.facts.largest_error()) top = std::max(top, row.position_error);
+    }
   }
   if (top > errors.low) add_slopes(against_step, steps, errors, top, theme);
   for (const StudyGroup& group : groups) {
@@ -448,7 +465,7 @@ bool save_study_picture(const StudyTable& table, const Theme& theme, const QStri
     } else if (group.integrator == IntegratorId::kExactFlight &&
                !std::isnan(group.rows.front().position_error)) {
       // It has no step: its error stands at every one.
-      const double y = std::clamp(group.rows.front().position_error, errors.low, errors.high);
+      const double y = shown(group.rows.front().position_error, errors);
       against_step.add_line({{steps.low, y}, {steps.high, y}}, line_of(color, group.impacts));
     }
   }

@@ -9,8 +9,8 @@ namespace carom {
 namespace {
 
 constexpr std::size_t kLeastPoints = 3;
-constexpr double kStraight = 0.1;  // of ln(error): largest distance from a line that counts as straight
-constexpr double kMostOfThem = 0.6;
+constexpr double kStraight = 0.05;  // of ln(error): largest distance from a line that counts as straight
+constexpr double kLeastShare = 0.5;
 
 struct Point {
   double x;  // ln(step)
@@ -76,7 +76,7 @@ OrderFit fit_order(std::span<const ErrorAtStep> errors, double floor, double lar
   // The finest steps always count: only from the coarse end is something left out.
   std::span<const Point> best = points;
   const auto needed = std::max(
-      kLeastPoints, static_cast<std::size_t>(std::ceil(kMostOfThem * static_cast<double>(points.size()))));
+      kLeastPoints, static_cast<std::size_t>(std::ceil(kLeastShare * static_cast<double>(points.size()))));
   for (std::size_t count = points.size(); count >= needed; --count) {
     const auto finest = std::span<const Point>(points).first(count);
     if (line_through(finest).farthest > kStraight) continue;

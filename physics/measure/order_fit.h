@@ -32,8 +32,8 @@ inline constexpr double kExactBelowFloor = 1000.0;
 
 // Least squares over the errors between kFittedAboveFloor * floor and `largest`, beyond which they say nothing.
 // Steps too coarse for the order to show are left out: as many as it takes for the rest to lie on one line, to
-// a tenth of the error, but no more than two fifths. Where that is not enough, as with the scattered errors of
-// impacts at the step's end, all are taken. kExact if no error is above kExactBelowFloor * floor.
+// a twentieth of the error, but no more than half of them. Where that is not enough, as with the scattered
+// errors of impacts at the step's end, all are taken. kExact if no error is above kExactBelowFloor * floor.
 [[nodiscard]] OrderFit fit_order(std::span<const ErrorAtStep> errors, double floor, double largest);
 
 // "4.01 ± 0.02", "exact here" or "no order".

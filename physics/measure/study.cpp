@@ -18,10 +18,15 @@
 namespace carom {
 namespace {
 
-constexpr double kPast = 0.1;       // of the compared time: how far a run goes on to find late impacts
-constexpr double kOfHorizon = 0.5;  // a chaotic scene is compared at this part of its horizon, where errors of
-                                    // methods, larger than rounding, still tell them apart
+constexpr double kPast = 0.1;  // of the compared time: how far a run goes on to find late impacts
+// A chaotic scene is compared where neighbours have parted so much: the errors of methods, larger than
+// rounding, are then still small beside the scene.
+constexpr double kMostGrowth = 300.0;
+// An end that comes earlier in the run is none to compare at.
 constexpr double kLeastOfRun = 0.05;  // an end that comes earlier in the run is none to compare at
+
+constexpr double kCoarsestStep = 16.0;  // of the default ones, times the scene's own
+constexpr double kLeastSteps = 8.0;     // that a run takes at the coarsest
 
 bool contains(const auto& list, const auto& value) {
   return list.empty() || std::find(list.begin(), list.end(), value) != list.end();
@@ -84,22 +89,29 @@ double compared_time(const Scene& scene, const StudyOptions& options, const Chao
     end = chaos.resting_since;
     add_remark(remarks, resting + ": compared before");
   }
-  if (kOfHorizon * chaos.horizon < end) {
-    end = kOfHorizon * chaos.horizon;
-    add_remark(remarks, fmt::format("{}: compared at half the horizon or earlier",
-                                    chaotic ? "the run lasts beyond the horizon of predictability"
-                                            : "the run's end is near the horizon of predictability"));
+  if (std::isfinite(chaos.horizon)) {
+    const auto late = std::find_if(chaos.growth.begin(), chaos.growth.end(),
+                                   [](double growth) { return growth > kMostGrowth; });
+    const double parted =
+        late == chaos.growth.end() ? end : chaos.time[static_cast<std::size_t>(late - chaos.growth.begin())];
+    const double sane = std::min(parted, 0.5 * chaos.horizon);
+    if (sane < end) {
+      end = sane;
+      add_remark(remarks, fmt::format("{}: compared while neighbours have parted no more than some {:g}-fold",
+                                      chaotic ? "the run lasts beyond the horizon" : "the motion is chaotic",
+                                      kMostGrowth));
+    }
   }
   const double time = plan_time(chaos.impacts, end);
-  if (time < end) add_remark(remarks, "the compared time is the farthest from impacts near there");
+  if (time < end) add_remark(remarks, "moved away from impacts");
   return time;
 }
 
 std::string words_for(const Reference& r, const Chaos& chaos) {
   const auto& integrator = choice_of(kIntegrators, r.method.integrator);
   if (r.exact) return fmt::format("{}, impacts at their own time", integrator.label);
-  const std::string made = fmt::format("{}, impacts at their own time, h = {:.4g} s ({} halvings)",
-                                       integrator.label, r.method.step, r.halvings);
+  const std::string made = fmt::format("{}, impacts at their own time, h = {:.4g} s after {} halving{}",
+                                       integrator.label, r.method.step, r.halvings, r.halvings == 1 ? "" : "s");
   if (r.converged) return made;
   return fmt::format("{}; NOT CONVERGED: two refinements differ by {:.1g} of the length", made,
                      r.position_error / chaos.length);
@@ -180,7 +192,7 @@ void measure_times(std::vector<StudyRow>& rows, const Scene& scene, double time,
 std::vector<Method> plan_methods(const Scene& scene, const StudyOptions& options) {
   std::vector<double> steps = options.steps;
   if (steps.empty()) {
-    double h = std::min(4.0 * scene.method.step, kLargestStep);
+    double h = std::min({kCoarsestStep * scene.method.step, scene.duration / kLeastSteps, kLargestStep});
     for (int k = 0; k < kDefaultSteps && h >= kLeastStep; ++k, h *= 0.5) steps.push_back(h);
   }
   std::vector<double> tolerances = options.tolerances;
@@ -237,6 +249,8 @@ double plan_time(const std::vector<TimedImpact>& impacts, double end) {
     if (after != times.begin()) least = std::min(least, t - *std::prev(after));
     return least;
   };
+  // Halfway between two bounces a ball turns round, and errors of its time don't show in its position.
+  constexpr double kOffTheMiddle = 0.35;
   double best = end;
   double most = 0.0;
   const auto consider = [&](double t) {
@@ -245,7 +259,9 @@ double plan_time(const std::vector<TimedImpact>& impacts, double end) {
     most = room(t);
   };
   consider(from);
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) consider(0.5 * (times[i] + times[i + 1]));
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    consider(std::lerp(times[i], times[i + 1], kOffTheMiddle));
+  }
   if (room(end) >= 0.5 * most) return end;
   const double grain = 1e-4 * std::pow(10.0, std::ceil(std::log10(end)));
   const double rounded = std::round(best / grain) * grain;

@@ -15,8 +15,7 @@ namespace carom {
 struct StudyOptions {
   std::vector<IntegratorId> integrators;
   std::vector<ImpactsId> impacts;
-  std::vector<double>
-      steps;  // s; default: kDefaultSteps steps from 4 times the scene's own, each half the last
+  std::vector<double> steps;  // s; default: kDefaultSteps, from 16 times the scene's own, each half the last
   std::vector<double> tolerances;  // of the adaptive integrator; default: 1e-3 to 1e-12
   std::optional<double> until;     // s, the compared time; default: see plan_time()
   int repeats = 5;                 // of the timing
@@ -25,7 +24,7 @@ struct StudyOptions {
   int shards = 1;                  // so many
 };
 
-inline constexpr int kDefaultSteps = 8;
+inline constexpr int kDefaultSteps = 10;
 
 // The rows of a study, whole: every integrator under every impacts choice at every step. For the adaptive
 // integrator tolerances take the place of the steps (its results, and so impacts at the step's end, come at the
@@ -33,8 +32,9 @@ inline constexpr int kDefaultSteps = 8;
 // Throws SceneError where an integrator that is asked for by name can't run the scene.
 [[nodiscard]] std::vector<Method> plan_methods(const Scene& scene, const StudyOptions& options);
 
-// The moment to compare at, in s. In the last quarter before `end` it is the one that is farthest from an
-// impact, rounded to four digits; `end` itself if that is at least half as far.
+// The moment to compare at, in s. In the last quarter before `end` it is the one that has the most room
+// to the impacts (off the middle between two, where a bouncing ball turns round), rounded to four digits; `end`
+// itself if that has at least half the room.
 [[nodiscard]] double plan_time(const std::vector<TimedImpact>& impacts, double end);
 
 // Of the stage under way, how many of its runs are done. Called from any thread, one call at a time.

@@ -241,7 +241,10 @@ std::vector<StudyGroup> groups_of(const StudyTable& table) {
   for (StudyGroup& g : groups) {
     std::vector<ErrorAtStep> errors;
     for (const StudyRow& row : g.rows) {
-      errors.push_back({row.step_or_tolerance().value_or(row.method.step), row.position_error});
+      // A run with other impacts than the reference's is another motion: its error is no part of an order.
+      const double error =
+          row.unmatched == 0 ? row.position_error : std::fmax(row.position_error, table.facts.largest_error());
+      errors.push_back({row.step_or_tolerance().value_or(row.method.step), error});
     }
     // The reference's own error is a floor too.
     const double floor = table.facts.rounding_floor();

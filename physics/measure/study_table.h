@@ -78,7 +78,8 @@ struct StudyGroup {
   OrderFit fit;
 };
 
-// In the order of the plan. The orders are fitted here, so that shards need none.
+// In the order of the plan. The orders are fitted here, so that shards need none; a row with impacts that have
+// no partner in the reference does not count.
 [[nodiscard]] std::vector<StudyGroup> groups_of(const StudyTable& table);
 
 // CSV, RFC 4180, line by line: a header with units in brackets, then a line for each row, every number with all
