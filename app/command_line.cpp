@@ -205,6 +205,15 @@ int run_program(int argc, char** argv) {
   run.add_option("--events", run_options.events, "write every impact")->type_name("F");
   run.add_option("--save", run_options.save, "write the state at the end as a preset")->type_name("F");
 
+  CheckOptions check_options;
+  CLI::App& check =
+      *program.add_subcommand("check", "what experiments show beside what theory expects of them");
+  check
+      .add_option("preset", check_options.presets,
+                  "preset files or names of experiments (default: all built-in)")
+      ->type_name("FILE|NAME");
+  check.add_option("--csv", check_options.csv, "write the table with all digits")->type_name("F");
+
   PictureOptions picture_options;
   CLI::App& picture = *program.add_subcommand("picture", "a picture of an experiment at one moment");
   picture.add_option("preset", picture_options.preset, "a preset file or the name of an experiment")
@@ -246,6 +255,7 @@ int run_program(int argc, char** argv) {
       return run_command(run_options);
     }
     if (study.parsed()) return study_command(argc, argv, study_arguments.options());
+    if (check.parsed()) return check_command(check_options);
     if (picture.parsed()) {
       picture_options.method = picture_method.options();
       return picture_command(argc, argv, picture_options);

@@ -74,6 +74,7 @@ Scene scene_with_method(const std::string& preset, const MethodOptions& method) 
   if (const auto reason = why_not(scene, scene.method.integrator)) {
     throw SceneError("--integrator: " + *reason);
   }
+  if (const auto reason = why_not(scene, scene.method.integrator)) throw SceneError("--integrator: " + *reason);
   return scene;
 }
 

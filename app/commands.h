@@ -34,6 +34,11 @@ struct RunOptions {
   std::string save;    // preset file for the state at the end
 };
 
+struct CheckOptions {
+  std::vector<std::string> presets;  // empty: all built-in experiments
+  std::string csv;                   // file for the table, with all digits
+};
+
 struct PictureOptions {
   std::string preset;
   MethodOptions method;
@@ -58,6 +63,8 @@ struct StudyCommandOptions {
 
 int list_command();
 int run_command(const RunOptions& options);
+// Every expectation of the presets beside what their runs show.
+int check_command(const CheckOptions& options);
 int study_command(int& argc, char** argv, const StudyCommandOptions& options);
 int picture_command(int& argc, char** argv, const PictureOptions& options);
 // The lab's window; where there is no display, the run of the experiment and a picture of the window instead.

@@ -20,6 +20,7 @@ namespace {
 // Files of app/help and their titles, in the order of the list.
 constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
     {"model", QT_TRANSLATE_NOOP("QObject", "The model")},
+    {"presets", QT_TRANSLATE_NOOP("QObject", "Preset files")},
     {"study", QT_TRANSLATE_NOOP("QObject", "Speed against error")},
 });
 

@@ -11,17 +11,6 @@
 namespace carom {
 namespace {
 
-std::string quoted_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  out += '"';
-  return out;
-}
-
 bool with_paths(const Simulation& s) {
   return std::count_if(s.bodies().begin(), s.bodies().end(), [](const Body& b) { return !b.fixed; }) <=
          kMostPaths;
@@ -31,6 +20,17 @@ bool with_paths(const Simulation& s) {
 double plain(double value) { return value == 0.0 ? 0.0 : value; }
 
 }  // namespace
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  out += '"';
+  return out;
+}
 
 CsvFile::CsvFile(const std::string& name)
     : name_(name), out_(name + ".part", std::ios::binary | std::ios::trunc) {
@@ -66,7 +66,7 @@ std::string run_csv_header(const Simulation& s) {
     if (b.fixed || !with_paths(s)) continue;
     for (const char* what :
          {"x [m]", "y [m]", "angle [rad]", "velocity_x [m/s]", "velocity_y [m/s]", "spin [rad/s]"}) {
-      line += fmt::format(",{}", quoted_field(fmt::format("{} {}", b.name, what)));
+      line += fmt::format(",{}", csv_field(fmt::format("{} {}", b.name, what)));
     }
   }
   return line +
@@ -102,8 +102,8 @@ std::string events_csv_header() {
 }
 
 std::string events_csv_line(const Simulation& s, const ImpactRecord& i) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", i.time, quoted_field(s.bodies()[i.a].name),
-                     quoted_field(s.bodies()[i.b].name), plain(i.point.x()), plain(i.point.y()),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", i.time, csv_field(s.bodies()[i.a].name),
+                     csv_field(s.bodies()[i.b].name), plain(i.point.x()), plain(i.point.y()),
                      plain(i.normal.x()), plain(i.normal.y()), plain(i.normal_impulse),
                      plain(i.tangential_impulse), plain(i.closing_speed), plain(i.lost_to_restitution),
                      plain(i.lost_to_friction));

@@ -25,6 +25,9 @@ class CsvFile {
   bool finished_ = false;
 };
 
+// A text as a field of such a file: in quotes where it needs them.
+[[nodiscard]] std::string csv_field(const std::string& text);
+
 // Sums of the scene, then x, y, angle, velocity and spin of each body that is not fixed, for up to kMostPaths
 // of them (a larger crowd's file would be some 100 MB; its sums are written), then the ledger.
 inline constexpr int kMostPaths = 50;

@@ -115,8 +115,9 @@ constexpr std::array<Entry<Vec2>, kEntries> kMomentum = {{
 
 constexpr int kEnergyName = 0;
 constexpr int kEnergyValue = 1;
-constexpr int kMomentumName = 2;
-constexpr int kMomentumX = 3;
+constexpr int kGap = 2;
+constexpr int kMomentumName = 3;
+constexpr int kMomentumX = 4;
 
 class LedgerModel : public FigureModel {
  public:
@@ -142,7 +143,7 @@ class LedgerModel : public FigureModel {
   // An entry that was touched before the scene was edited is not pale.
   [[nodiscard]] bool is_idle(int row, int column) const override {
     const auto i = static_cast<std::size_t>(row);
-    if (column < kMomentumName) return energy_idle_[i] && kEnergy[i].value(ledger_, now_) == 0.0;
+    if (column < kGap) return energy_idle_[i] && kEnergy[i].value(ledger_, now_) == 0.0;
     return momentum_idle_[i] && kMomentum[i].value(ledger_, now_).isZero(0.0);
   }
 
@@ -151,14 +152,14 @@ class LedgerModel : public FigureModel {
     const auto name = [](const char* text) { return QCoreApplication::translate("LedgerTable", text); };
     if (column == kEnergyName) return name(kEnergy[i].name);
     if (column == kEnergyValue) return kEnergy[i].value(ledger_, now_);
-    if (kMomentum[i].value == nullptr) return {};
+    if (column == kGap || kMomentum[i].value == nullptr) return {};
     if (column == kMomentumName) return name(kMomentum[i].name);
     return kMomentum[i].value(ledger_, now_)[column - kMomentumX];
   }
 
   [[nodiscard]] QString tip(int row, int column) const override {
     const auto i = static_cast<std::size_t>(row);
-    const char* text = column < kMomentumName ? kEnergy[i].tip : kMomentum[i].tip;
+    const char* text = column < kGap ? kEnergy[i].tip : kMomentum[i].tip;
     if (text == nullptr) return {};
     QString tip = QCoreApplication::translate("LedgerTable", text);
     if (is_idle(row, column)) {
@@ -179,7 +180,8 @@ class LedgerModel : public FigureModel {
 LedgerTable::LedgerTable(QWidget* parent)
     : FigureTable(new LedgerModel({{"energy", 128, true},
                                    {"J", 76},
-                                   {"momentum", 136, true},
+                                   {"", 20},
+                                   {"momentum", 130, true},
                                    {"x / kg·m/s", 84},
                                    {"y / kg·m/s", 84}},
                                   nullptr),

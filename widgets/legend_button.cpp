@@ -41,7 +41,7 @@ QSize LegendButton::sizeHint() const {
 }
 
 QSize LegendButton::minimumSizeHint() const {
-  const int least = fontMetrics().horizontalAdvance("mm…");
+  const int least = fontMetrics().horizontalAdvance("m…");
   return {2 * kPadding + kSample + kGap + std::min(least, fontMetrics().horizontalAdvance(text())),
           sizeHint().height()};
 }

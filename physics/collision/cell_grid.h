@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -27,7 +28,7 @@ class CellGrid {
       range_.resize(bodies);
       seen_.assign(bodies, 0);
     } else {
-      for (auto& cell : cells_) cell.clear();
+      for (Cell& cell : cells_) cell.count = 0;
     }
     large_.clear();
     for (Range& range : range_) range.state = kOut;
@@ -47,10 +48,13 @@ class CellGrid {
     }
     take_out(body);
     old = range;
-    if (range.state == kLarge) {
-      large_.push_back(body);
+    bool room = range.state == kIn;
+    if (room) each_cell(range, [&](const Cell& cell) { room = room && cell.count < kMostInCell; });
+    if (room) {
+      each_cell(range, [&](Cell& cell) { cell.bodies[cell.count++] = body; });
     } else {
-      each_cell(range, [&](std::vector<int>& cell) { cell.push_back(body); });
+      old.state = kLarge;
+      large_.push_back(body);
     }
   }
 
@@ -70,8 +74,9 @@ class CellGrid {
       query_ = 1;
     }
     seen_[body] = query_;
-    each_cell(range, [&](std::vector<int>& cell) {
-      for (const int other : cell) {
+    each_cell(range, [&](const Cell& cell) {
+      for (int i = 0; i < cell.count; ++i) {
+        const int other = cell.bodies[i];
         if (seen_[other] == query_) continue;
         seen_[other] = query_;
         if (mine.overlaps(bounds_[other])) visit(other);
@@ -84,6 +89,11 @@ class CellGrid {
 
  private:
   static constexpr std::int64_t kMostCells = 32;
+  static constexpr int kMostInCell = 15;
+  struct alignas(64) Cell {
+    int count = 0;
+    std::array<int, kMostInCell> bodies;
+  };
   enum State : std::uint8_t { kOut, kIn, kLarge };
   struct Range {
     std::int64_t low_x = 0, low_y = 0, high_x = 0, high_y = 0;
@@ -112,19 +122,21 @@ class CellGrid {
     }
   }
   void take_out(int body) {
-    const auto drop = [body](std::vector<int>& list) {
-      const auto found = std::find(list.begin(), list.end(), body);
-      *found = list.back();
-      list.pop_back();
-    };
     const Range range = range_[body];
-    if (range.state == kLarge) drop(large_);
-    if (range.state == kIn) each_cell(range, drop);
+    if (range.state == kLarge) {
+      *std::find(large_.begin(), large_.end(), body) = large_.back();
+      large_.pop_back();
+    } else if (range.state == kIn) {
+      each_cell(range, [body](Cell& cell) {
+        *std::find(cell.bodies.begin(), cell.bodies.begin() + cell.count, body) = cell.bodies[cell.count - 1];
+        --cell.count;
+      });
+    }
   }
 
   std::uint32_t mask_ = 0;
   double inverse_size_ = 1.0;
-  std::vector<std::vector<int>> cells_;
+  std::vector<Cell> cells_;
   std::vector<Bounds> bounds_;
   std::vector<Range> range_;
   std::vector<int> large_;

@@ -10,8 +10,11 @@ void ImpactTally::watch(int a, int b) {
   if (std::none_of(pairs_.begin(), pairs_.end(), same)) pairs_.push_back({a, b, 0});
 }
 
-void ImpactTally::add(std::span<const ImpactRecord> impacts, const MassProperties& mass) {
-  for (const ImpactRecord& i : impacts) {
+void ImpactTally::add(const Simulation& simulation) {
+  const MassProperties& mass = simulation.mass();
+  happened_ = simulation.impact_count();
+  for (const ImpactRecord& i : simulation.last_impacts()) {
+    ++counted_;
     for (Pair& p : pairs_) {
       if (std::min(i.a, i.b) == p.a && std::max(i.a, i.b) == p.b) ++p.count;
     }
@@ -24,12 +27,12 @@ void ImpactTally::add(std::span<const ImpactRecord> impacts, const MassPropertie
   }
 }
 
-std::int64_t ImpactTally::between(int a, int b) const {
+double ImpactTally::between(int a, int b) const {
   if (a > b) std::swap(a, b);
   for (const Pair& p : pairs_) {
-    if (p.a == a && p.b == b) return p.count;
+    if (p.a == a && p.b == b) return known(static_cast<double>(p.count));
   }
-  return 0;
+  return 0.0;
 }
 
 }  // namespace carom

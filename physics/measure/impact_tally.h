@@ -1,24 +1,26 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <limits>
 #include <vector>
 
 #include "physics/world/simulation.h"
 
 namespace carom {
 
-// What the impacts of a run add up to, fed after each of its steps.
+// What the impacts of a run add up to, fed after each of its steps. Where a step had more impacts than it logs
+// (Simulation::kMostLogged) the sums are not known, and the numbers that show them are NaN from there on.
 class ImpactTally {
  public:
   // Counts the impacts of this pair of bodies from now on.
   void watch(int a, int b);
-  void add(std::span<const ImpactRecord> impacts, const MassProperties& mass);
+  void add(const Simulation& simulation);
 
-  [[nodiscard]] std::int64_t between(int a, int b) const;              // of a watched pair; else 0
-  [[nodiscard]] std::int64_t with_walls() const { return walls_; }     // one of the two is fixed or driven
-  [[nodiscard]] std::int64_t mutual() const { return mutual_; }        // neither of the two is
-  [[nodiscard]] double wall_impulse() const { return wall_impulse_; }  // N s, sum of normal impulses on walls
+  [[nodiscard]] double between(int a, int b) const;  // of a watched pair; else 0
+  // With fixed and driven bodies, and of two free ones.
+  [[nodiscard]] double with_walls() const { return known(static_cast<double>(walls_)); }
+  [[nodiscard]] double mutual() const { return known(static_cast<double>(mutual_)); }
+  [[nodiscard]] double wall_impulse() const { return known(wall_impulse_); }  // N s, sum of the normal ones
 
  private:
   struct Pair {
@@ -26,7 +28,13 @@ class ImpactTally {
     int b;
     std::int64_t count;
   };
+  [[nodiscard]] double known(double value) const {
+    return counted_ == happened_ ? value : std::numeric_limits<double>::quiet_NaN();
+  }
+
   std::vector<Pair> pairs_;
+  std::int64_t counted_ = 0;
+  std::int64_t happened_ = 0;
   std::int64_t walls_ = 0;
   std::int64_t mutual_ = 0;
   double wall_impulse_ = 0.0;

@@ -28,14 +28,14 @@ struct Run {
 
   void step() {
     simulation.step();
-    tally.add(simulation.last_impacts(), simulation.mass());
+    tally.add(simulation);
   }
   void step(double h) {
     simulation.step(h);
-    tally.add(simulation.last_impacts(), simulation.mass());
+    tally.add(simulation);
   }
   void advance_to(double time) {
-    simulation.advance_to(time, [this] { tally.add(simulation.last_impacts(), simulation.mass()); });
+    simulation.advance_to(time, [this] { tally.add(simulation); });
   }
   template <class Look>
   void read(const Look& look) const {
@@ -207,7 +207,9 @@ class Measuring {
       if (!m.at_an_impact() || !std::isnan(m.value)) continue;
       const std::int64_t index = m.expectation->impact - before - 1;
       if (index < 0 || run_.simulation.impact_count() < m.expectation->impact) continue;
-      const double time = run_.simulation.last_impacts()[static_cast<std::size_t>(index)].time;
+      const auto& logged = run_.simulation.last_impacts();
+      if (static_cast<std::size_t>(index) >= logged.size()) continue;
+      const double time = logged[static_cast<std::size_t>(index)].time;
       if (time > m.moment + same) continue;
       if (m.expectation->observable == "time") {
         m.value = time;

@@ -126,7 +126,7 @@ void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, 
   books[kImpulseY] = force.y();
 }
 
-void ForceField::add_couplings(const std::vector<int>& members, const Motions& y, Motions& k) const {
+void ForceField::add_couplings(std::span<const int> members, const Motions& y, Motions& k) const {
   const auto column_of = [&](int body) {
     return std::lower_bound(members.begin(), members.end(), body) - members.begin();
   };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "physics/motion/drive.h"
@@ -30,7 +31,7 @@ class ForceField {
     if (!gravity_only_) add_external(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
   }
   // Adds the coupling forces among `members` to their rates; columns in the order of the members.
-  void add_couplings(const std::vector<int>& members, const Motions& y, Motions& k) const;
+  void add_couplings(std::span<const int> members, const Motions& y, Motions& k) const;
 
   // True if books are more than zeros.
   [[nodiscard]] bool keeps_books() const { return !gravity_only_; }
@@ -47,6 +48,7 @@ class ForceField {
   // J: the part of it that changes when `body` is moved to `position` and all others stay.
   [[nodiscard]] double potential_energy_of(int body, const Vec2& position, const Eigen::Matrix3Xd& q) const;
 
+  [[nodiscard]] bool has_breaks() const { return !applied_.empty(); }
   // s: the next moment after t at which an applied force on the body changes its law; infinite if there is
   // none.
   [[nodiscard]] double next_break(int body, double t) const;

@@ -17,6 +17,13 @@ Motion initial_motion(const Body& body) {
   return m;
 }
 
+State initial_state(const std::vector<Body>& bodies) {
+  State state;
+  state.resize(static_cast<int>(bodies.size()));
+  for (int i = 0; i < state.size(); ++i) state.set_motion(i, initial_motion(bodies[i]));
+  return state;
+}
+
 MassProperties mass_properties(const std::vector<Body>& bodies) {
   const auto n = static_cast<Eigen::Index>(bodies.size());
   MassProperties m{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),

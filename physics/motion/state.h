@@ -58,6 +58,8 @@ struct State {
 // A body as the scene has it at t = 0; a driven one at its drive's position, with its drive's velocity.
 [[nodiscard]] Motion initial_motion(const Body& body);
 
+[[nodiscard]] State initial_state(const std::vector<Body>& bodies);
+
 // Inverse masses and inertias, zero for immovable bodies, whose masses are infinite.
 struct MassProperties {
   Eigen::VectorXd inverse_mass;     // 1/kg

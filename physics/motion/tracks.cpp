@@ -10,9 +10,10 @@
 namespace carom {
 namespace {
 
-// The adaptive integrator's shortest step, relative to the one that the method names: below it the tolerance
-// counts as out of reach.
-constexpr double kShortestStep = 1e-9;
+// Below this the adaptive integrator's step is rounding, and the tolerance counts as out of reach.
+double shortest_step(double time) {
+  return 1e-15 + 16.0 * std::numeric_limits<double>::epsilon() * std::abs(time);
+}
 // A driven body's track is at most this fraction of a radian of its swing long, so that its bend stays small.
 constexpr double kSwing = 0.5;
 // A track in which nothing moves ends some time.
@@ -29,9 +30,9 @@ struct OneBody {
   [[nodiscard]] bool keeps_books() const { return field.keeps_books(); }
 };
 
-struct Group {
+struct Together {
   const ForceField& field;
-  const std::vector<int>& members;
+  std::span<const int> members;
   double epoch;
   void operator()(double t, const Motions& y, Motions& k) const {
     for (std::size_t j = 0; j < members.size(); ++j)
@@ -63,24 +64,26 @@ Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs&
       if (!is_immovable(bodies[i])) groups[0].push_back(i);
     }
   }
-  for (const std::vector<int>& group : groups) {
-    for (const int i : group) island_of_[i] = static_cast<int>(islands_.size());
-    if (group.empty()) continue;
-    Island island;
-    island.members = group;
-    island.from.resize(Eigen::NoChange, static_cast<Eigen::Index>(group.size()));
-    island.now = island.from;
-    island.stages.resize(static_cast<int>(group.size()));
-    islands_.push_back(std::move(island));
+  const auto add_island = [&](const std::vector<int>& members) -> Island& {
+    for (const int i : members) island_of_[i] = static_cast<int>(islands_.size());
+    Island& island = islands_.emplace_back();
+    island.first = static_cast<int>(members_.size());
+    island.count = static_cast<int>(members.size());
+    members_.insert(members_.end(), members.begin(), members.end());
+    return island;
+  };
+  for (const std::vector<int>& members : groups) {
+    if (members.empty()) continue;
+    add_island(members).group = static_cast<int>(groups_.size());
+    Group& group = groups_.emplace_back();
+    group.from.resize(Eigen::NoChange, static_cast<Eigen::Index>(members.size()));
+    group.now = group.from;
+    group.stages.resize(static_cast<int>(members.size()));
   }
   for (int i = 0; i < n; ++i) {
     settled_.col(i) = initial_motion(bodies[i]);
     constant_.col(i) = field_.constant_acceleration(i);
-    if (bodies[i].fixed || island_of_[i] >= 0) continue;
-    island_of_[i] = static_cast<int>(islands_.size());
-    islands_.emplace_back();
-    islands_.back().members = {i};
-    islands_.back().driven = bodies[i].drive.has_value();
+    if (!bodies[i].fixed && island_of_[i] < 0) add_island({i}).driven = bodies[i].drive.has_value();
   }
   at_end_ = settled_;
   set_method(scene.method);
@@ -94,16 +97,15 @@ void Tracks::set_method(const Method& method) {
   // Without any acceleration every integrator goes straight.
   parabolic_ = !general_ && field_.is_constant() && (choice.exact_under_gravity || constant_.isZero(0.0));
   tolerance_ = method.tolerance;
-  step_ = method.step;
-  for (Island& island : islands_) island.next_step = method.step;
+  for (Island& island : islands_) island.next_step = 0.0;
 }
 
 void Tracks::begin(double epoch) {
   epoch_ = epoch;
   for (Island& island : islands_) {
     island.start = island.end = 0.0;
-    island.cached = -kForever;
-    for (const int i : island.members) field_.set_phase(i, epoch);
+    forget(island);
+    for (const int i : members_of(island)) field_.set_phase(i, epoch);
   }
 }
 
@@ -116,19 +118,25 @@ void Tracks::take_over(Tracks& other, double time) {
   tolerance_missed_since_ = other.tolerance_missed_since_;
   begin(time);
   for (const Island& island : islands_) {
-    if (island.driven) settled_.col(island.members.front()) = at(island.members.front(), 0.0);
+    if (island.driven) settled_.col(body_of(island)) = at(body_of(island), 0.0);
   }
 }
 
-Eigen::Index Tracks::column_of(const Island& island, int body) {
-  return std::lower_bound(island.members.begin(), island.members.end(), body) - island.members.begin();
+Eigen::Index Tracks::column_of(const Island& island, int body) const {
+  const auto members = members_of(island);
+  return std::lower_bound(members.begin(), members.end(), body) - members.begin();
+}
+
+void Tracks::gather(const Island& island) {
+  Motions& from = groups_[island.group].from;
+  for (int j = 0; j < island.count; ++j) from.col(j) = settled_.col(members_[island.first + j]);
 }
 
 // --- along a track
 // ------------------------------------------------------------------------------------------------
 
 void Tracks::fly_one(const Island& island, double time, Motion& out, Stages<Motion>& stages) {
-  const int body = island.members.front();
+  const int body = body_of(island);
   if (island.driven) {
     const Body& b = bodies_[body];
     out = settled_.col(body);
@@ -142,71 +150,72 @@ void Tracks::fly_one(const Island& island, double time, Motion& out, Stages<Moti
   evaluations_ += evaluations_a_step_;
 }
 
-void Tracks::fly(Island& island, double time) {
-  if (island.cached == time) return;
-  island.cached = time;
-  for (std::size_t j = 0; j < island.members.size(); ++j) island.from.col(j) = settled_.col(island.members[j]);
-  integrator_step(integrator_, Group{field_, island.members, epoch_}, island.start, island.from,
-                  time - island.start, island.stages, island.now);
-  evaluations_ += evaluations_a_step_ * static_cast<std::int64_t>(island.members.size());
+const Motions& Tracks::fly_group(const Island& island, double time) {
+  Group& group = groups_[island.group];
+  if (group.cached != time) {
+    group.cached = time;
+    gather(island);
+    integrator_step(integrator_, Together{field_, members_of(island), epoch_}, island.start, group.from,
+                    time - island.start, group.stages, group.now);
+    evaluations_ += evaluations_a_step_ * static_cast<std::int64_t>(island.count);
+  }
+  return group.now;
 }
 
 Motion Tracks::at(int body, double time) {
   const int k = island_of_[body];
   if (k < 0) return settled_.col(body);
-  Island& island = islands_[k];
+  const Island& island = islands_[k];
   if (!island.driven) {
     if (time == island.start) return settled_.col(body);
     if (time == island.end) return at_end_.col(body);
   }
-  if (island.members.size() == 1) {
+  if (island.group < 0) {
     Stages<Motion> stages;
     Motion out;
     fly_one(island, time, out, stages);
     return out;
   }
-  fly(island, time);
-  return island.now.col(column_of(island, body));
+  return fly_group(island, time).col(column_of(island, body));
 }
 
 Vec2 Tracks::acceleration(int body) {
   const int k = island_of_[body];
   if (k < 0 || islands_[k].driven) return Vec2::Zero();
   if (parabolic_) return constant_.col(body).head<2>();
-  Island& island = islands_[k];
-  if (island.members.size() == 1) {
+  const Island& island = islands_[k];
+  if (island.group < 0) {
     const Motion y = settled_.col(body);
     Motion rate;
     OneBody{field_, body, epoch_}(island.start, y, rate);
     return rate.segment<2>(3);
   }
-  for (std::size_t j = 0; j < island.members.size(); ++j) island.from.col(j) = settled_.col(island.members[j]);
-  Group{field_, island.members, epoch_}(island.start, island.from, island.stages.k[0]);
-  return island.stages.k[0].col(column_of(island, body)).segment<2>(3);
+  gather(island);
+  Group& group = groups_[island.group];
+  Together{field_, members_of(island), epoch_}(island.start, group.from, group.stages.k[0]);
+  return group.stages.k[0].col(column_of(island, body)).segment<2>(3);
 }
 
 void Tracks::settle(int k, double time) {
   Island& island = islands_[k];
-  if (!island.driven) {
-    if (island.members.size() == 1) {
-      settled_.col(island.members.front()) = at(island.members.front(), time);
-    } else if (time != island.start) {
-      for (const int i : island.members) at_end_.col(i) = at(i, time);
-      for (const int i : island.members) settled_.col(i) = at_end_.col(i);
-    }
-  } else {
-    settled_.col(island.members.front()) = at(island.members.front(), time);
+  if (island.group < 0) {
+    settled_.col(body_of(island)) = at(body_of(island), time);
+  } else if (time != island.start) {
+    for (const int i : members_of(island)) at_end_.col(i) = at(i, time);
+    for (const int i : members_of(island)) settled_.col(i) = at_end_.col(i);
   }
   island.start = island.end = time;
   island.switching = -1;
-  island.cached = -kForever;
+  forget(island);
 }
 
 double Tracks::settle_at_end(int k) {
-  Island& island = islands_[k];
+  const Island& island = islands_[k];
   const int spring = island.switching;
   settle(k, island.end);
-  for (const int i : island.members) field_.set_phase(i, epoch_ + island.start);
+  if (field_.has_breaks()) {
+    for (const int i : members_of(island)) field_.set_phase(i, epoch_ + island.start);
+  }
   if (spring < 0) return 0.0;
   const Motion body = at(field_.spring_body(spring), island.start);
   const int other = field_.spring_other(spring);
@@ -219,12 +228,12 @@ double Tracks::settle_at_end(int k) {
 
 void Tracks::set_velocity(int body, const Vec2& velocity, double spin) {
   settled_.col(body).segment<3>(3) << velocity, spin;
-  if (island_of_[body] >= 0) islands_[island_of_[body]].cached = -kForever;
+  if (island_of_[body] >= 0) forget(islands_[island_of_[body]]);
 }
 
 void Tracks::set_position(int body, const Vec2& position) {
   settled_.col(body).head<2>() = position;
-  if (island_of_[body] >= 0) islands_[island_of_[body]].cached = -kForever;
+  if (island_of_[body] >= 0) forget(islands_[island_of_[body]]);
 }
 
 // --- laying a track
@@ -233,80 +242,82 @@ void Tracks::set_position(int body, const Vec2& position) {
 void Tracks::lay(int k, double horizon, double reach) {
   Island& island = islands_[k];
   island.switching = -1;
-  island.cached = -kForever;
+  forget(island);
   island.end = horizon;
   // Where no step ends the track, its path's length does.
-  const bool free_running = !(horizon < kForever);
-  for (const int i : island.members) {
-    const Vec2 v = settled_.col(i).segment<2>(3);
-    if (island.driven) {
-      const Drive& d = *bodies_[i].drive;
-      if (free_running) {
-        const double swing = d.angular_frequency * d.amplitude.norm();
-        const double most = time_to_move(reach, d.velocity.norm() + swing, 0.0);
-        island.end = std::min(island.end, island.start + most);
-      }
-      if (free_running && d.angular_frequency > 0.0)
-        island.end = std::min(island.end, island.start + kSwing / d.angular_frequency);
-      continue;
-    }
-    if (free_running)
-      island.end =
-          std::min(island.end, island.start + time_to_move(reach, v.norm(), constant_.col(i).head<2>().norm()));
-    const double moment = field_.next_break(i, epoch_ + island.start) - epoch_;
-    if (moment < island.end) island.end = moment;
+  if (!(horizon < kForever)) island.end = island.start + time_to_end(island, reach);
+  if (field_.has_breaks()) {
+    for (const int i : members_of(island))
+      island.end = std::min(island.end, field_.next_break(i, epoch_ + island.start) - epoch_);
   }
-  if (adaptive_ && !island.driven) lay_adaptive(island, island.end);
-  if (island.members.size() == 1) {
-    const int body = island.members.front();
-    if (parabolic_ && !island.driven) {
-      Stages<Motion> stages;
-      Motion out;
-      fly_one(island, island.end, out, stages);
-      at_end_.col(body) = out;
-      bend_[body] = constant_.col(body).head<2>().norm();
-      return;
-    }
+  if (adaptive_ && !island.driven) lay_adaptive(island);
+  if (island.group < 0) {
     Stages<Motion> stages;
     Motion out;
     fly_one(island, island.end, out, stages);
-    at_end_.col(body) = out;
+    at_end_.col(body_of(island)) = out;
   } else {
-    fly(island, island.end);
-    for (std::size_t j = 0; j < island.members.size(); ++j) at_end_.col(island.members[j]) = island.now.col(j);
+    const Motions& now = fly_group(island, island.end);
+    for (int j = 0; j < island.count; ++j) at_end_.col(members_[island.first + j]) = now.col(j);
   }
   if (field_.has_switching_springs() && !island.driven) find_switch(island);
   bound_bend(island);
 }
 
-double Tracks::error_of(Island& island, double time) {
+double Tracks::time_to_end(const Island& island, double reach) const {
+  double most = kLongestTrack;
+  for (const int i : members_of(island)) {
+    if (island.driven) {
+      const Drive& d = *bodies_[i].drive;
+      most = std::min(most,
+                      time_to_move(reach, d.velocity.norm() + d.angular_frequency * d.amplitude.norm(), 0.0));
+      if (d.angular_frequency > 0.0) most = std::min(most, kSwing / d.angular_frequency);
+    } else {
+      most = std::min(
+          most, time_to_move(reach, settled_.col(i).segment<2>(3).norm(), constant_.col(i).head<2>().norm()));
+    }
+  }
+  return most;
+}
+
+// The error estimate of the step that ends at `time`.
+double Tracks::error_of(const Island& island, double time) {
   const double h = time - island.start;
-  const auto members = static_cast<std::int64_t>(island.members.size());
-  evaluations_ += members;
-  if (members == 1) {
+  if (island.group < 0) {
     Stages<Motion> stages;
     Motion out;
     fly_one(island, time, out, stages);
-    evaluations_ -= members;  // the table counts the seventh with the step's six
-    return dormand_prince_error(OneBody{field_, island.members.front(), epoch_}, island.start, h, stages, out);
+    return dormand_prince_error(OneBody{field_, body_of(island), epoch_}, island.start, h, stages, out);
   }
-  fly(island, time);
-  evaluations_ -= members;
-  return dormand_prince_error(Group{field_, island.members, epoch_}, island.start, h, island.stages,
-                              island.now);
+  fly_group(island, time);
+  Group& group = groups_[island.group];
+  return dormand_prince_error(Together{field_, members_of(island), epoch_}, island.start, h, group.stages,
+                              group.now);
+}
+
+// A cautious first try, from the time in which the velocities would change by themselves.
+double Tracks::first_step(const Island& island) {
+  double time = kLongestTrack;
+  for (const int i : members_of(island)) {
+    const double speed = settled_.col(i).segment<3>(3).norm();
+    const double change = acceleration(i).norm();
+    if (change > 0.0) time = std::min(time, speed > 0.0 ? speed / change : 1.0);
+  }
+  return std::pow(tolerance_, 0.2) * time;
 }
 
 // Shortens the track to one step whose error estimate keeps the tolerance.
-void Tracks::lay_adaptive(Island& island, double latest) {
-  const double most = latest - island.start;
+void Tracks::lay_adaptive(Island& island) {
+  const double most = island.end - island.start;
+  if (island.next_step == 0.0) island.next_step = first_step(island);
   double h = std::min(island.next_step, most);
   while (true) {
-    island.cached = -kForever;
+    forget(island);
     const double error = error_of(island, island.start + h);
     const double next = next_adaptive_step(h, error, tolerance_);
-    const bool last = h < kShortestStep * step_;
-    if (error <= tolerance_ || last) {
-      if (last && error > tolerance_ && tolerance_missed_since_ < 0.0)
+    const bool shortest = h < shortest_step(epoch_ + island.start);
+    if (error <= tolerance_ || shortest) {
+      if (!(error <= tolerance_) && tolerance_missed_since_ < 0.0)
         tolerance_missed_since_ = epoch_ + island.start;
       // A step that was cut short tells little about the next one.
       if (h < most || next < island.next_step) island.next_step = next;
@@ -315,8 +326,7 @@ void Tracks::lay_adaptive(Island& island, double latest) {
     ++rejected_steps_;
     h = next;
   }
-  island.end = h < most ? island.start + h : latest;
-  island.cached = -kForever;
+  if (h < most) island.end = island.start + h;
 }
 
 double Tracks::margin_at(int spring, double time) {
@@ -332,78 +342,69 @@ double Tracks::margin_at(int spring, double time) {
 void Tracks::find_switch(Island& island) {
   constexpr int kSamples = 8;
   double first = island.end;
-  for (const int i : island.members) {
+  for (const int i : members_of(island)) {
     for (const int spring : field_.switching_springs(i)) {
       const double sign = field_.engaged(spring) ? 1.0 : -1.0;
       const auto margin = [&](double t) { return sign * margin_at(spring, t); };
       const double width = island.end - island.start;
-      bool settled = false;
+      bool seen = false;
       double before = island.start;
       double margin_before = 0.0;
       for (int s = 0; s <= kSamples; ++s) {
         const double t = s == kSamples ? island.end : island.start + width * s / kSamples;
         const double m = margin(t);
-        if (settled && m <= 0.0) {
+        if (seen && m <= 0.0) {
           const double root = bracketed_root(margin, before, margin_before, t, m);
-          // The side on which it has not yet switched; the last bit beyond belongs to the next track.
           if (root < first || (root == first && island.switching < 0)) {
             first = root;
             island.switching = spring;
           }
           break;
         }
-        settled = m > 0.0;
+        seen = m > 0.0;
         before = t;
         margin_before = m;
       }
     }
   }
   if (island.switching < 0) return;
-  std::vector<int>& members = island.members;
-  for (const int i : members) {
-    const Motion m = at(i, first);
-    if (members.size() == 1) {
-      at_end_.col(i) = m;
-    } else {
-      at_end_.col(i) = island.now.col(column_of(island, i));
-    }
-  }
+  for (const int i : members_of(island)) at_end_.col(i) = at(i, first);
   island.end = first;
 }
 
-void Tracks::bound_bend(Island& island) {
-  for (std::size_t j = 0; j < island.members.size(); ++j) {
-    const int i = island.members[j];
-    if (island.driven) {
-      const Drive& d = *bodies_[i].drive;
-      bend_[i] = d.angular_frequency * d.angular_frequency * d.amplitude.norm();
-    } else {
-      bend_[i] = 0.0;
-    }
-  }
-  if (island.driven) return;
-  // Twice the larger of the accelerations at both ends: sub-steps of semi-implicit Euler bend by 2a, and within
-  // a step that resolves the motion the acceleration varies by less than that.
-  if (island.members.size() == 1) {
-    const int body = island.members.front();
-    const OneBody f{field_, body, epoch_};
-    Motion k;
-    for (const auto& [t, y] : {std::pair<double, Motion>{island.start, settled_.col(body)},
-                               std::pair<double, Motion>{island.end, at_end_.col(body)}}) {
-      f(t, y, k);
-      bend_[body] = std::max(bend_[body], 2.0 * k.segment<2>(3).norm());
-    }
+void Tracks::bound_bend(const Island& island) {
+  if (island.driven) {
+    const Drive& d = *bodies_[body_of(island)].drive;
+    bend_[body_of(island)] = d.angular_frequency * d.angular_frequency * d.amplitude.norm();
     return;
   }
-  const Group f{field_, island.members, epoch_};
-  for (const bool at_start : {true, false}) {
-    for (std::size_t j = 0; j < island.members.size(); ++j)
-      island.from.col(j) = at_start ? settled_.col(island.members[j]) : at_end_.col(island.members[j]);
-    f(at_start ? island.start : island.end, island.from, island.stages.k[0]);
-    for (std::size_t j = 0; j < island.members.size(); ++j) {
-      bend_[island.members[j]] =
-          std::max(bend_[island.members[j]], 2.0 * island.stages.k[0].col(j).segment<2>(3).norm());
-    }
+  if (parabolic_) {
+    bend_[body_of(island)] = constant_.col(body_of(island)).head<2>().norm();
+    return;
+  }
+  // Twice the larger of the accelerations at both ends: sub-steps of semi-implicit Euler bend by 2a, and within
+  // a step that resolves the motion the acceleration varies by less than that.
+  if (island.group < 0) {
+    const int body = body_of(island);
+    const OneBody f{field_, body, epoch_};
+    Motion y = settled_.col(body);
+    Motion rate;
+    f(island.start, y, rate);
+    bend_[body] = 2.0 * rate.segment<2>(3).norm();
+    y = at_end_.col(body);
+    f(island.end, y, rate);
+    bend_[body] = std::max(bend_[body], 2.0 * rate.segment<2>(3).norm());
+    return;
+  }
+  const Together f{field_, members_of(island), epoch_};
+  Group& group = groups_[island.group];
+  gather(island);
+  f(island.start, group.from, group.stages.k[0]);
+  for (int j = 0; j < island.count; ++j) group.from.col(j) = at_end_.col(members_[island.first + j]);
+  f(island.end, group.from, group.stages.k[1]);
+  for (int j = 0; j < island.count; ++j) {
+    bend_[members_[island.first + j]] = 2.0 * std::max(group.stages.k[0].col(j).segment<2>(3).norm(),
+                                                       group.stages.k[1].col(j).segment<2>(3).norm());
   }
 }
 

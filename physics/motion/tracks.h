@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "physics/motion/force_field.h"
@@ -34,7 +35,8 @@ class Tracks {
   [[nodiscard]] const ForceField& field() const { return field_; }
   [[nodiscard]] int islands() const { return static_cast<int>(islands_.size()); }
   [[nodiscard]] int island_of(int body) const { return island_of_[body]; }  // -1: fixed
-  [[nodiscard]] const std::vector<int>& members(int island) const { return islands_[island].members; }
+  // In rising order.
+  [[nodiscard]] std::span<const int> members(int island) const { return members_of(islands_[island]); }
 
   // Takes over the motions, switched springs and counts of other tracks of the same bodies, some of which may
   // be missing there, at this absolute time, which is the new epoch.
@@ -92,31 +94,46 @@ class Tracks {
   static constexpr double kForever = 1e300;  // s
 
   struct Island {
-    std::vector<int> members;  // in rising order
-    bool driven = false;
     double start = 0.0;
     double end = 0.0;
-    int switching = -1;         // the spring that switches at the end
-    double next_step = 0.0;     // s, of the adaptive integrator
-    double cached = -kForever;  // the time that `now` is at, for more than one member
-    Motions from, now;          // for more than one member
+    double next_step = 0.0;  // s, of the adaptive integrator; 0: not known yet
+    int first = 0;           // its members stand from here on in members_
+    int count = 1;
+    int group = -1;      // room in groups_, of more than one member
+    int switching = -1;  // the spring that switches at the end
+    bool driven = false;
+  };
+  struct Group {
+    double cached = -kForever;  // the time that `now` is at
+    Motions from, now;
     Stages<Motions> stages;
   };
 
-  [[nodiscard]] static Eigen::Index column_of(const Island& island, int body);
-  // Advances an island's settled motion to `time`: the whole island into `now`, or its only body into `out`.
-  void fly(Island& island, double time);
+  [[nodiscard]] std::span<const int> members_of(const Island& island) const {
+    return {members_.data() + island.first, static_cast<std::size_t>(island.count)};
+  }
+  void forget(const Island& island) {
+    if (island.group >= 0) groups_[island.group].cached = -kForever;
+  }
+  [[nodiscard]] Eigen::Index column_of(const Island& island, int body) const;
+  [[nodiscard]] int body_of(const Island& island) const { return members_[island.first]; }
+  void gather(const Island& island);  // the settled motions of a group, side by side
+  // The settled motion advanced to `time`: of an island of one body into `out`, of a group.
   void fly_one(const Island& island, double time, Motion& out, Stages<Motion>& stages);
-  // The error estimate of the step that ended at `time`.
-  double error_of(Island& island, double time);
-  void lay_adaptive(Island& island, double latest);
+  const Motions& fly_group(const Island& island, double time);
+  [[nodiscard]] double time_to_end(const Island& island, double reach) const;
+  double error_of(const Island& island, double time);
+  [[nodiscard]] double first_step(const Island& island);
+  void lay_adaptive(Island& island);
   void find_switch(Island& island);
   [[nodiscard]] double margin_at(int spring, double time);
-  void bound_bend(Island& island);
+  void bound_bend(const Island& island);
 
   ForceField field_;
   std::vector<Body> bodies_;
   std::vector<Island> islands_;
+  std::vector<int> members_;
+  std::vector<Group> groups_;
   std::vector<int> island_of_;
   Motions settled_;
   Motions at_end_;
@@ -128,7 +145,6 @@ class Tracks {
   bool general_ = false;  // never take the parabola's short cuts
   int evaluations_a_step_ = 0;
   double tolerance_ = 0.0;
-  double step_ = 0.0;
   double epoch_ = 0.0;
   std::int64_t evaluations_ = 0;
   std::int64_t rejected_steps_ = 0;

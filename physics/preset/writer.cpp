@@ -52,7 +52,7 @@ Json method_json(const Method& m, bool all) {
             {"impacts", choice_of(kImpacts, m.impacts).name},
             {"contacts", choice_of(kContacts, m.contacts).name},
             {"step", m.step}};
-  if (all || m.integrator == IntegratorId::kAdaptiveDormandPrince) j["tolerance"] = m.tolerance;
+  if (all || choice_of(kIntegrators, m.integrator).adaptive) j["tolerance"] = m.tolerance;
   return j;
 }
 

@@ -28,20 +28,22 @@ class EventQueue {
   [[nodiscard]] const std::vector<Event>& events() const { return heap_; }
   void push(const Event& event) {
     heap_.push_back(event);
-    std::push_heap(heap_.begin(), heap_.end(), later);
+    std::push_heap(heap_.begin(), heap_.end(), Later{});
   }
   void pop() {
-    std::pop_heap(heap_.begin(), heap_.end(), later);
+    std::pop_heap(heap_.begin(), heap_.end(), Later{});
     heap_.pop_back();
   }
 
  private:
-  static bool later(const Event& x, const Event& y) {
-    if (x.time != y.time) return x.time > y.time;
-    const bool x_meets = x.b >= 0;
-    const bool y_meets = y.b >= 0;
-    return std::tie(x_meets, x.a, x.b) > std::tie(y_meets, y.a, y.b);
-  }
+  struct Later {
+    bool operator()(const Event& x, const Event& y) const {
+      if (x.time != y.time) return x.time > y.time;
+      const bool x_meets = x.b >= 0;
+      const bool y_meets = y.b >= 0;
+      return std::tie(x_meets, x.a, x.b) > std::tie(y_meets, y.a, y.b);
+    }
+  };
   std::vector<Event> heap_;
 };
 

@@ -84,11 +84,10 @@ void Simulation::choose_cells(double horizon) {
   if (horizon < kNever) {
     cell = size + path / moving * horizon;
   } else {
-    // In a thin gas a longer track saves more than the larger cell costs.
-    const double spacing = std::sqrt((all.high - all.low).prod() / moving);
-    cell = std::clamp(0.7 * spacing, size, 4.0 * size);
+    // In a thin gas longer tracks save more than larger cells cost.
+    cell = std::clamp(1.1 * std::sqrt((all.high - all.low).prod() / moving), size, 4.0 * size);
   }
-  reach_ = moving <= kFewBodies ? 4.0 * across : cell;
+  reach_ = moving <= kFewBodies ? 4.0 * across : 0.6 * cell;
   grid_.reset(n, cell);
 }
 
@@ -212,7 +211,7 @@ void Simulation::meet(int a, int b, double time, double horizon, bool crowd, dou
 
 double Simulation::pressing(int a, int b, const Vec2& normal, double within) {
   const auto acceleration = [&](int i) -> Vec2 {
-    if (bodies_[i].drive) return drive_acceleration(*bodies_[i].drive, tracks_.epoch() + within);
+    if (driven_[i]) return drive_acceleration(*bodies_[i].drive, tracks_.epoch() + within);
     return tracks_.acceleration(i);
   };
   return -normal.dot(acceleration(b) - acceleration(a));
@@ -223,7 +222,8 @@ double Simulation::pressed_in(int a, int b, double h) const {
 }
 
 // m: below this a gap is closed within rounding.
-double Simulation::touch_tolerance(int a, int b, double time) const {
+double Simulation::touch_tolerance(int a, int b, double end) const {
+  const double time = std::max(std::abs(end), method_.step);
   const auto ya = tracks_.settled(a);
   const auto yb = tracks_.settled(b);
   const double reach = ya.head<2>().lpNorm<1>() + yb.head<2>().lpNorm<1>() + shapes_.extent.col(a).sum() +
@@ -241,43 +241,53 @@ void Simulation::defer(int a, int b, bool resting) {
   deferred_.push_back({a, b, resting});
 }
 
+bool Simulation::rests(int a, int b) const {
+  return !deferred_.empty() && std::any_of(deferred_.begin(), deferred_.end(), [&](const Deferred& d) {
+    return d.a == a && d.b == b && d.resting;
+  });
+}
+
+// Two discs on parabolas of one acceleration go straight relative to each other: the next impact in closed
+// form.
+void Simulation::search_discs(int a, int b, double start, double end) {
+  const Vec2 d = (tracks_.parabola(b, start) - tracks_.parabola(a, start)).head<2>();
+  const Vec2 va = tracks_.parabola_velocity(a, start).head<2>();
+  const Vec2 vb = tracks_.parabola_velocity(b, start).head<2>();
+  const Vec2 u = vb - va;
+  const double touch = shapes_.rounding[a] + shapes_.rounding[b];
+  const bool approach = d.dot(u) < 0.0;
+  const bool apart = d.squaredNorm() > touch * touch;
+  if (apart && !approach) return;
+  const auto after = first_disc_contact(d, u, touch);
+  if (apart && (!after || start + *after > end)) return;
+
+  // A resting pair waits for the step's end, unless something drives it together.
+  const auto waits = [&](double closing) { return rests(a, b) && closing <= pressed_in(a, b, method_.step); };
+  const double tolerance = touch_tolerance(a, b, end);
+  const double distance = d.norm();
+  if (distance - touch <= tolerance) {
+    const double closing = distance > 0.0 ? -d.dot(u) / distance : -u.x();
+    if (closing > 16.0 * kEpsilon * (va.norm() + vb.norm())) {
+      if (!waits(closing)) foresee(start, a, b);
+    } else if (distance - touch < -tolerance) {
+      defer(a, b, false);
+    }
+    return;
+  }
+  const Vec2 meeting = d + *after * u;
+  if (!waits(-meeting.dot(u) / touch)) foresee(start + *after, a, b);
+}
+
 // Foresees the next impact of a and b on their tracks, if there is one.
 void Simulation::search(int a, int b) {
   if (a > b) std::swap(a, b);
   double start = std::max(tracks_.start(a), tracks_.start(b));
   const double end = std::min(tracks_.end(a), tracks_.end(b));
   if (!(start <= end)) return;
-  const bool discs = shapes_.half.col(a).isZero(0.0) && shapes_.half.col(b).isZero(0.0);
-  const bool parabolic = tracks_.is_parabolic() && !bodies_[a].drive && !bodies_[b].drive;
-  const double tolerance = touch_tolerance(a, b, std::max(std::abs(end < kNever ? end : start), method_.step));
-  // A resting pair waits for the step's end, unless something drives it together.
-  const bool resting =
-      !deferred_.empty() && std::any_of(deferred_.begin(), deferred_.end(),
-                                        [&](const Deferred& d) { return d.a == a && d.b == b && d.resting; });
-  const auto waits = [&](double closing) { return resting && closing <= pressed_in(a, b, method_.step); };
-
-  if (parabolic && discs &&
+  const bool parabolic = tracks_.is_parabolic() && !driven_[a] && !driven_[b];
+  if (parabolic && shapes_.half.col(a).isZero(0.0) && shapes_.half.col(b).isZero(0.0) &&
       tracks_.constant_acceleration(a).head<2>() == tracks_.constant_acceleration(b).head<2>()) {
-    // Relative to each other they go straight.
-    const Vec2 d = (tracks_.parabola(b, start) - tracks_.parabola(a, start)).head<2>();
-    const Vec2 va = tracks_.parabola_velocity(a, start).head<2>();
-    const Vec2 vb = tracks_.parabola_velocity(b, start).head<2>();
-    const double touch = shapes_.rounding[a] + shapes_.rounding[b];
-    const double distance = d.norm();
-    if (distance - touch <= tolerance) {
-      const double u = distance > 0.0 ? d.dot(vb - va) / distance : (vb - va).x();
-      if (u < -16.0 * kEpsilon * (va.norm() + vb.norm())) {
-        if (waits(-u)) return;
-        foresee(start, a, b);
-      } else if (distance - touch < -tolerance) {
-        defer(a, b, false);
-      }
-      return;
-    }
-    const auto after = first_disc_contact(d, vb - va, touch);
-    if (!after || start + *after > end) return;
-    const Vec2 meeting = d + *after * (vb - va);
-    if (!waits(-meeting.dot(vb - va) / touch)) foresee(start + *after, a, b);
+    search_discs(a, b, start, end);
     return;
   }
 
@@ -295,6 +305,9 @@ void Simulation::search(int a, int b) {
     const Contact c = contact_between(shapes_, a, qa, b, qb);
     return GapSample{c.gap, c.normal, (qb - qa).head<2>()};
   };
+  const double tolerance = touch_tolerance(a, b, end);
+  const bool resting = rests(a, b);
+  const auto waits = [&](double closing) { return resting && closing <= pressed_in(a, b, method_.step); };
   const double bend =
       parabolic ? (tracks_.constant_acceleration(b) - tracks_.constant_acceleration(a)).head<2>().norm()
                 : tracks_.bend(a) + tracks_.bend(b);

@@ -30,7 +30,11 @@ void Simulation::lay_out() {
     return static_cast<int>(materials.size()) - 1;
   };
   material_.clear();
-  for (const Body& body : bodies_) material_.push_back(index_of(body.material));
+  driven_.clear();
+  for (const Body& body : bodies_) {
+    material_.push_back(index_of(body.material));
+    driven_.push_back(body.drive ? 1 : 0);
+  }
   materials_ = static_cast<int>(materials.size());
   mixed_.clear();
   for (const Material& a : materials) {
@@ -40,6 +44,7 @@ void Simulation::lay_out() {
   bounds_.resize(bodies_.size());
   stamp_.assign(bodies_.size(), 0);
   state_.resize(static_cast<int>(bodies_.size()));
+  state_.books.setZero();
   running_ = false;
 }
 
@@ -93,7 +98,14 @@ Ledger Simulation::ledger() const {
 }
 
 void Simulation::publish(double within) {
-  for (int i = 0; i < state_.size(); ++i) state_.set_motion(i, tracks_.at(i, within));
+  for (int i = 0; i < state_.size(); ++i) {
+    if (tracks_.is_parabolic() && driven_[i] == 0 && !field().keeps_books()) {
+      state_.q.col(i) = tracks_.parabola(i, within);
+      state_.v.col(i) = tracks_.parabola_velocity(i, within);
+    } else {
+      state_.set_motion(i, tracks_.at(i, within));
+    }
+  }
 }
 
 Totals Simulation::totals_at(double within) {

@@ -178,6 +178,7 @@ class Simulation {
   void lay(int island, double horizon);
   void search_island(int island);
   void search(int a, int b);
+  void search_discs(int a, int b, double start, double end);
   void process_until(double target, double horizon, double h);
   void meet(int a, int b, double time, double horizon, bool crowd, double h);
   void foresee(double time, int a, int b);
@@ -188,7 +189,8 @@ class Simulation {
   [[nodiscard]] double pressing(int a, int b, const Vec2& normal, double within);
   // m/s: closing speed that the forces alone can give a resting pair in a step.
   [[nodiscard]] double pressed_in(int a, int b, double h) const;
-  [[nodiscard]] double touch_tolerance(int a, int b, double time) const;
+  [[nodiscard]] double touch_tolerance(int a, int b, double end) const;
+  [[nodiscard]] bool rests(int a, int b) const;
   void choose_cells(double horizon);
 
   Scene scene_;
@@ -198,6 +200,7 @@ class Simulation {
   MassProperties mass_;
   Geometry shapes_;
   Tracks tracks_;
+  std::vector<std::uint8_t> driven_;
   std::vector<int> material_;
   std::vector<Material> mixed_;  // material pairs, row by row
   int materials_ = 0;

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
+#include "physics/measure/observables.h"
+#include "physics/motion/integrators.h"
 #include "physics/preset/check.h"
+#include "physics/preset/names.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/setting.h"
 #include "tests/physics/scenes.h"
@@ -148,8 +151,7 @@ constexpr const char* kEveryKey = R"({
      "over": {"place": "/forces/6/coefficient", "values": [1, 2, 4], "reduction": "exponent"}}]
 })";
 
-TEST(Preset, EveryKeyIsReadAndWritten) {
-  const Scene s = parse_preset(kEveryKey, "every.json");
+void expect_every_key(const Scene& s) {
   const Body& piston = s.bodies[2];
   ASSERT_TRUE(piston.drive.has_value());
   EXPECT_EQ(piston.drive->velocity, Vec2(1, 2));
@@ -194,9 +196,15 @@ TEST(Preset, EveryKeyIsReadAndWritten) {
   EXPECT_EQ(e.over->reduction, Sweep::Reduction::kMean);
   EXPECT_EQ(s.expect[1].reduction, Expectation::Reduction::kFit);
   EXPECT_EQ(s.expect[2].over->reduction, Sweep::Reduction::kExponent);
+}
 
+TEST(Preset, EveryKeyIsReadAndWritten) {
+  const Scene s = parse_preset(kEveryKey, "every.json");
+  expect_every_key(s);
   const std::string text = write_preset(s);
-  EXPECT_EQ(write_preset(parse_preset(text, "again")), text);
+  const Scene again = parse_preset(text, "again");
+  expect_every_key(again);
+  EXPECT_EQ(write_preset(again), text);
 }
 
 TEST(Preset, DefaultsAreLeftOut) {
@@ -272,6 +280,26 @@ TEST_F(PresetFiles, AFailedSaveLeavesTheOldFile) {
   EXPECT_THROW(save_preset(s, folder_ / "no such folder" / "a.json"), SceneError);
   EXPECT_THROW(save_preset(s, folder_), SceneError);
   EXPECT_FALSE(fs::exists(folder_.string() + ".part"));
+}
+
+// The reference for people names every word that a file can hold, and its example is a good preset.
+TEST(PresetHelp, NamesEveryWordAndItsExampleIsMet) {
+  const std::string page = content(fs::path(CAROM_PRESET_DIR) / "../app/help/presets.md");
+  const auto expect_word = [&](std::string_view word) {
+    EXPECT_NE(page.find("`" + std::string(word) + "`"), std::string::npos) << word;
+  };
+  for (const Observable& o : observables()) expect_word(o.name);
+  for (const auto& [id, name] : kReductionNames) expect_word(name);
+  for (const auto& [id, name] : kSweepNames) expect_word(name);
+  for (const auto& [id, name] : kSpringActsNames) expect_word(name);
+  for (const auto& choice : kIntegrators) expect_word(choice.name);
+  for (const auto& choice : kImpacts) expect_word(choice.name);
+  for (const auto& choice : kContacts) expect_word(choice.name);
+
+  const std::size_t from = page.find("```json\n") + 8;
+  const Scene s = parse_preset(page.substr(from, page.find("```", from) - from), "presets.md");
+  ASSERT_EQ(s.expect.size(), 1U);
+  EXPECT_TRUE(check_expectations(s)[0].good) << check_expectations(s)[0].measured;
 }
 
 struct Bad {

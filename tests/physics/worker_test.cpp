@@ -103,6 +103,30 @@ TEST(Worker, NewsOfFramesThatNobodyTookGoOn) {
   }
 }
 
+// A window that is asleep must not fill the memory.
+TEST(Worker, FramesThatWaitAreBounded) {
+  Scene s;
+  s.bodies = {disc("a", {0.0, 0.0}, {1.0, 0.0})};
+  s.method.step = 1e-6;
+  bool thinned = false;
+  for (auto asleep = 100ms; !thinned && !HasFailure() && asleep < 30s; asleep *= 2) {
+    Worker worker(s);
+    worker.run_until(1e6);
+    std::this_thread::sleep_for(asleep);
+    std::shared_ptr<const Frame> frame;
+    while (frame == nullptr || frame->steps == 0) frame = worker.take_frame();
+    EXPECT_LE(frame->samples.size(), kMostSamples);
+    EXPECT_EQ(frame->samples.front().time, 0.0);
+    EXPECT_EQ(frame->samples.back().time, frame->time);
+    EXPECT_EQ(frame->complete, static_cast<std::int64_t>(frame->samples.size()) == 1 + frame->steps);
+    Recorder recorder;
+    recorder.add(*frame);
+    EXPECT_EQ(recorder.complete(), frame->complete);
+    thinned = !frame->complete;
+  }
+  EXPECT_TRUE(thinned);
+}
+
 TEST(Worker, PlaysPausesStepsAndRestarts) {
   Worker worker(small_gas());
   Watcher watcher(worker);

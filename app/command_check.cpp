@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <memory>
+#include <mutex>
+#include <unistd.h>
+
+#include "app/commands.h"
+#include "app/preset_library.h"
+#include "app/run_files.h"
+#include "physics/measure/parallel.h"
+#include "physics/preset/check.h"
+#include "physics/preset/preset.h"
+
+namespace carom {
+namespace {
+
+struct CheckedPreset {
+  std::string name;
+  Scene scene;
+  ExpectationCheck check;
+};
+
+// One row of the table, as text.
+struct Row {
+  std::string preset;
+  std::string expectation;
+  std::string measured;
+  std::string expected;
+  std::string error;
+  std::string tolerance;
+  std::string verdict;
+};
+
+// A line on a terminal that says how much of the work is done; nothing in a pipe.
+class CountProgress {
+ public:
+  explicit CountProgress(int all) : all_(all), terminal_(isatty(STDERR_FILENO) != 0) { show(); }
+  void one_more() {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    show();
+  }
+  ~CountProgress() {
+    if (terminal_) fmt::print(stderr, "\r\033[K");
+  }
+
+ private:
+  void show() const {
+    if (terminal_) fmt::print(stderr, "\r{} of {} runs ", done_, all_);
+  }
+  std::mutex mutex_;
+  int done_ = 0;
+  int all_;
+  bool terminal_;
+};
+
+// Characters, not bytes: names and units are UTF-8.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+enum class Align { kLeft, kRight };
+
+std::string padded(const std::string& text, std::size_t width, Align align) {
+  const std::string blanks(width - std::min(width, width_of(text)), ' ');
+  return align == Align::kLeft ? text + blanks : blanks + text;
+}
+
+// Eleven digits tell apart all that a tolerance of 1e-10 does; exact numbers stay short.
+std::string figure(double value) { return fmt::format("{:.11g}", value == 0.0 ? 0.0 : value); }
+
+std::string rough(double value) { return value == 0.0 ? "0" : fmt::format("{:.1e}", value); }
+
+Row table_row(const std::string& preset, const Scene& scene, const Expectation& e, const Outcome& o) {
+  const bool came = !std::isnan(o.measured);
+  const std::string unit = o.unit.empty() || o.unit == "1" ? "" : " " + o.unit;
+  return {preset,
+          text_of(e, scene),
+          came ? figure(o.measured) : "-",
+          figure(e.value) + unit,
+          came ? rough(o.error) : "-",
+          rough(e.tolerance),
+          o.good ? "good"
+          : came ? "FELL SHORT"
+                 : "NEVER CAME"};
+}
+
+void print_table(const std::vector<Row>& rows) {
+  static constexpr auto kColumns = std::to_array<std::pair<std::string Row::*, Align>>({
+      {&Row::preset, Align::kLeft},
+      {&Row::expectation, Align::kLeft},
+      {&Row::measured, Align::kRight},
+      {&Row::expected, Align::kLeft},
+      {&Row::error, Align::kRight},
+      {&Row::tolerance, Align::kRight},
+      {&Row::verdict, Align::kLeft},
+  });
+  std::array<std::size_t, kColumns.size()> widths{};
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < kColumns.size(); ++c)
+      widths[c] = std::max(widths[c], width_of(row.*kColumns[c].first));
+  }
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < kColumns.size(); ++c)
+      line += padded(row.*kColumns[c].first, widths[c], kColumns[c].second) + "  ";
+    line.erase(line.find_last_not_of(' ') + 1);
+    fmt::print("{}\n", line);
+  }
+}
+
+std::vector<CheckedPreset> read_presets(const std::vector<std::string>& named) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : named) files.push_back(find_preset(name));
+  if (named.empty()) {
+    for (const LibraryEntry& entry : preset_library()) files.push_back(entry.file);
+  }
+  std::vector<CheckedPreset> presets;
+  for (const std::filesystem::path& file : files) {
+    Scene scene = read_preset(file);
+    try {
+      ExpectationCheck check(scene);
+      presets.push_back({file.stem().string(), std::move(scene), std::move(check)});
+    } catch (const SceneError& error) {
+      throw SceneError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+  }
+  return presets;
+}
+
+// The runs of all presets, on all cores.
+void run_all(std::vector<CheckedPreset>& presets) {
+  struct Job {
+    CheckedPreset* preset;
+    int run;
+  };
+  std::vector<Job> jobs;
+  for (CheckedPreset& p : presets) {
+    for (int run = 0; run < p.check.runs(); ++run) jobs.push_back({&p, run});
+  }
+  CountProgress progress(static_cast<int>(jobs.size()));
+  parallel_for(static_cast<int>(jobs.size()), 0, [&](int i) {
+    jobs[static_cast<std::size_t>(i)].preset->check.run(jobs[static_cast<std::size_t>(i)].run);
+    progress.one_more();
+  });
+}
+
+}  // namespace
+
+int check_command(const CheckOptions& options) {
+  std::vector<CheckedPreset> presets = read_presets(options.presets);
+  std::unique_ptr<CsvFile> csv;
+  if (!options.csv.empty()) {
+    csv = std::make_unique<CsvFile>(options.csv);
+    csv->line("preset,expectation,measured,expected,error,tolerance,verdict");
+  }
+  run_all(presets);
+
+  std::vector<Row> rows = {{"preset", "expectation", "measured", "expected", "error", "tolerance", "verdict"}};
+  int all = 0;
+  int good = 0;
+  for (const CheckedPreset& p : presets) {
+    const std::vector<Outcome> outcomes = p.check.outcomes();
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      const Expectation& e = p.scene.expect[i];
+      const Outcome& o = outcomes[i];
+      ++all;
+      good += o.good ? 1 : 0;
+      rows.push_back(table_row(p.name, p.scene, e, o));
+      if (csv != nullptr) {
+        csv->line(fmt::format("{},{},{},{},{},{},{}", csv_field(p.name), csv_field(rows.back().expectation),
+                              o.measured, e.value, o.error, e.tolerance, o.good ? "good" : "fell short"));
+      }
+    }
+  }
+  if (csv != nullptr) csv->finish();
+  print_table(rows);
+  fmt::print("\n{} of {} expectations of {} preset{} are met.\n", good, all, presets.size(),
+             presets.size() == 1 ? "" : "s");
+  return good == all ? kGood : kFellShort;
+}
+
+}  // namespace carom
