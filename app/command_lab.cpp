@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/lab_window.h"
+#include "app/no_screen.h"
 #include "app/preset_library.h"
 #include "physics/preset/preset.h"
 #include "widgets/scene_export.h"
@@ -23,11 +24,6 @@ bool has_display() {
     return value != nullptr && *value != '\0';
   };
   return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
-}
-
-// A platform without a screen says so in warnings that mean nothing to whoever asked for a picture.
-void quiet_messages(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {
-  if (type == QtCriticalMsg || type == QtFatalMsg) fmt::print(stderr, "carom: {}\n", message.toStdString());
 }
 
 QSize size_of(const PictureOptions& options) {
@@ -78,8 +74,7 @@ int picture_command(int& argc, char** argv, const PictureOptions& options) {
     throw SceneError(fmt::format("{}: not a kind of picture; allowed: .png, .svg, .pdf", options.output));
   }
   const double time = options.at.value_or(scene.duration);
-  qputenv("QT_QPA_PLATFORM", "offscreen");
-  qInstallMessageHandler(quiet_messages);
+  use_no_screen();
   QApplication application(argc, argv);
   const Theme& theme = options.dark ? dark_theme() : light_theme();
   apply_theme(application, theme);

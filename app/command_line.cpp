@@ -1,8 +1,10 @@
 #include "app/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <fmt/format.h>
 #include <map>
@@ -58,14 +60,6 @@ class MethodArguments {
   std::optional<double> tolerance_;
 };
 
-void print_error(const std::string& line) {
-  std::string one = line;
-  for (char& c : one) {
-    if (c == '\n') c = ' ';
-  }
-  fmt::print(stderr, "carom: {}\n", one);
-}
-
 // A time that a user asks for.
 const CLI::Validator kTime(
     [](const std::string& text) -> std::string {
@@ -75,6 +69,113 @@ const CLI::Validator kTime(
       return good ? "" : text + " is not allowed; allowed: a time from 0 to 1e9 s";
     },
     "T", "time");
+
+// What `carom study` takes: lists with commas, checked item by item.
+class StudyArguments {
+ public:
+  explicit StudyArguments(CLI::App& command) {
+    command.add_option("preset", options_.preset, "a preset file or the name of an experiment")
+        ->type_name("FILE|NAME");
+    list(command, "--integrators", integrators_, "integrators to compare (default: all that the scene allows)")
+        ->check(CLI::IsMember(names_of(kIntegrators)));
+    list(command, "--impacts", impacts_, "choices of impacts to compare (default: all)")
+        ->check(CLI::IsMember(names_of(kImpacts)));
+    list(command, "--steps", steps_, "steps, s (default: 10, from 16 times the preset's own down, each half)");
+    list(command, "--tolerances", tolerances_, "of the adaptive integrator, m (default: 1e-3 to 1e-12)");
+    command
+        .add_option("--until", options_.study.until, "the compared time, s (default: near the preset's end)")
+        ->check(kTime)
+        ->type_name("T");
+    command.add_option("--repeats", options_.study.repeats, "timed runs of each row, 1 to 1000 (default: 5)")
+        ->check(CLI::Range(1, 1000))
+        ->type_name("N");
+    command.add_option("--threads", options_.study.threads, "for all but the timing (default: one a core)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command.add_option("--csv", options_.csv, "write a line for each row")->type_name("F");
+    command.add_option("--plot", options_.plot, "draw error against time and step, .svg, .pdf or .png")
+        ->type_name("F");
+    command.add_option("--shard", shard_, "do only the i-th of n parts of the rows")->type_name("I/N");
+    command.add_option("--merge", options_.merge, "put the CSV files of all shards together")->type_name("F");
+  }
+  // Throws SceneError.
+  [[nodiscard]] StudyCommandOptions options() const {
+    StudyCommandOptions o = options_;
+    for (const std::string& name : integrators_) o.study.integrators.push_back(id_of(kIntegrators, name));
+    for (const std::string& name : impacts_) o.study.impacts.push_back(id_of(kImpacts, name));
+    o.study.steps = numbers("--steps", steps_, kLeastStep, kLargestStep, "s");
+    o.study.tolerances = numbers("--tolerances", tolerances_, kLeastTolerance, kLargestTolerance, "m");
+    if (!shard_.empty()) read_shard(o.study);
+    if (o.study.until && !(*o.study.until > 0.0)) {
+      throw SceneError(
+          "--until: 0 is not allowed; allowed: a time above 0, there is nothing to compare at the start");
+    }
+    if (o.preset.empty() == o.merge.empty()) {
+      throw SceneError("study: one thing to do is needed; allowed: FILE|NAME, or --merge FILE...");
+    }
+    if (!o.merge.empty() && !shard_.empty()) {
+      throw SceneError("--shard: not allowed with --merge; allowed: with FILE|NAME");
+    }
+    return o;
+  }
+
+ private:
+  static constexpr double kLeastTolerance = 1e-15;  // m: below, rounding keeps it from being met
+  static constexpr double kLargestTolerance = 1.0;
+
+  template <class Table>
+  static std::vector<std::string> names_of(const Table& table) {
+    std::vector<std::string> names;
+    for (const auto& choice : table) names.emplace_back(choice.name);
+    return names;
+  }
+  static CLI::Option* list(CLI::App& command, const std::string& option, std::vector<std::string>& to,
+                           const std::string& what) {
+    return command.add_option(option, to, what)->delimiter(',')->type_name("A,B,...")->allow_extra_args(false);
+  }
+  static std::vector<double> numbers(const char* option, const std::vector<std::string>& texts, double least,
+                                     double most, const char* unit) {
+    std::vector<double> values;
+    for (const std::string& text : texts) {
+      char* end = nullptr;
+      const double value = std::strtod(text.c_str(), &end);
+      if (end == text.c_str() || *end != '\0' || !(value >= least && value <= most)) {
+        throw SceneError(fmt::format("{}: {} is not allowed; allowed: from {} to {} {}", option,
+                                     shortened(text), least, most, unit));
+      }
+      if (std::find(values.begin(), values.end(), value) != values.end()) {
+        throw SceneError(fmt::format("{}: {} comes twice; allowed: each once", option, shortened(text)));
+      }
+      values.push_back(value);
+    }
+    return values;
+  }
+  void read_shard(StudyOptions& study) const {
+    int used = 0;
+    const bool good = std::sscanf(shard_.c_str(), "%5d/%5d%n", &study.shard, &study.shards, &used) == 2 &&
+                      used == static_cast<int>(shard_.size()) && study.shard >= 1 &&
+                      study.shard <= study.shards;
+    if (!good) {
+      throw SceneError(fmt::format("--shard: {} is not allowed; allowed: i/n with i from 1 to n, such as 1/4",
+                                   shortened(shard_)));
+    }
+  }
+
+  StudyCommandOptions options_;
+  std::vector<std::string> integrators_;
+  std::vector<std::string> impacts_;
+  std::vector<std::string> steps_;
+  std::vector<std::string> tolerances_;
+  std::string shard_;
+};
+
+void print_error(const std::string& line) {
+  std::string one = line;
+  for (char& c : one) {
+    if (c == '\n') c = ' ';
+  }
+  fmt::print(stderr, "carom: {}\n", one);
+}
 
 }  // namespace
 
@@ -134,6 +235,9 @@ int run_program(int argc, char** argv) {
       ->check(CLI::Range(200, 8000))
       ->type_name("H");
 
+  CLI::App& study = *program.add_subcommand("study", "one experiment under every method: speed against error");
+  const StudyArguments study_arguments(study);
+
   // A word that names a command is a command; any other first word is a preset.
   program.require_subcommand(0, 1);
   try {
@@ -150,6 +254,7 @@ int run_program(int argc, char** argv) {
       run_options.method = run_method.options();
       return run_command(run_options);
     }
+    if (study.parsed()) return study_command(argc, argv, study_arguments.options());
     if (check.parsed()) return check_command(check_options);
     if (picture.parsed()) {
       picture_options.method = picture_method.options();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/measure/study.h"
 #include "physics/scene/scene.h"
 
 // The commands of the program, each a function from its options to an exit code. Bad input is thrown as
@@ -49,6 +50,14 @@ struct PictureOptions {
   int height = 0;  // px; 0: 800
 };
 
+struct StudyCommandOptions {
+  std::string preset;              // empty: merge
+  std::vector<std::string> merge;  // CSV files of shards
+  StudyOptions study;
+  std::string csv;   // file for the rows
+  std::string plot;  // .svg, .pdf or .png
+};
+
 // The scene of a preset with the chosen method, validated.
 [[nodiscard]] Scene scene_with_method(const std::string& preset, const MethodOptions& method);
 
@@ -56,6 +65,7 @@ int list_command();
 int run_command(const RunOptions& options);
 // Every expectation of the presets beside what their runs show.
 int check_command(const CheckOptions& options);
+int study_command(int& argc, char** argv, const StudyCommandOptions& options);
 int picture_command(int& argc, char** argv, const PictureOptions& options);
 // The lab's window; where there is no display, the run of the experiment and a picture of the window instead.
 int lab_command(int& argc, char** argv, const std::string& preset);

@@ -2,17 +2,27 @@
 
 #include <QDialog>
 #include <QFile>
+#include <QHBoxLayout>
+#include <QListWidget>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextCursor>
 #include <QTextDocument>
-#include <QVBoxLayout>
+#include <array>
+#include <utility>
 
 // Resources of a static library are linked only where this is called; it must stand outside of any namespace.
 static void load_help() { Q_INIT_RESOURCE(help); }
 
 namespace carom {
 namespace {
+
+// Files of app/help and their titles, in the order of the list.
+constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
+    {"model", QT_TRANSLATE_NOOP("QObject", "The model")},
+    {"presets", QT_TRANSLATE_NOOP("QObject", "Preset files")},
+    {"study", QT_TRANSLATE_NOOP("QObject", "Speed against error")},
+});
 
 // Room between paragraphs and before headings, which Markdown alone does not give.
 void space_out(QTextDocument& document) {
@@ -24,23 +34,37 @@ void space_out(QTextDocument& document) {
   }
 }
 
+void show_page(QTextBrowser& text, const char* name) {
+  QFile page(QString(":/help/%1.md").arg(name));
+  if (page.open(QIODevice::ReadOnly)) text.setMarkdown(QString::fromUtf8(page.readAll()));
+  space_out(*text.document());
+  text.moveCursor(QTextCursor::Start);
+}
+
 }  // namespace
 
 void show_help(QWidget* parent) {
   load_help();
   auto* dialog = new QDialog(parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(QObject::tr("The model – Carom"));
-  dialog->resize(760, 640);
+  dialog->setWindowTitle(QObject::tr("Help – Carom"));
+  dialog->resize(940, 640);
+  auto* list = new QListWidget(dialog);
+  list->setObjectName("help-pages");
+  list->setFixedWidth(180);
+  for (const auto& [name, title] : kPages) list->addItem(QObject::tr(title));
   auto* text = new QTextBrowser(dialog);
   text->setOpenExternalLinks(true);
   text->document()->setDocumentMargin(18);
-  QFile page(":/help/model.md");
-  if (page.open(QIODevice::ReadOnly)) text->setMarkdown(QString::fromUtf8(page.readAll()));
-  space_out(*text->document());
-  auto* column = new QVBoxLayout(dialog);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(text);
+  QObject::connect(list, &QListWidget::currentRowChanged, text, [text](int row) {
+    if (row >= 0) show_page(*text, kPages[static_cast<std::size_t>(row)].first);
+  });
+  list->setCurrentRow(0);
+  auto* row = new QHBoxLayout(dialog);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  row->addWidget(list);
+  row->addWidget(text, 1);
   dialog->show();
 }
 

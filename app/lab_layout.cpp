@@ -335,7 +335,7 @@ void LabWindow::make_menus() {
   plots_button_->setText(tr("Plots") + QStringLiteral(" ▾"));
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  add(help, "help", tr("The &model"), QKeySequence::HelpContents, [this] { show_help(this); });
+  add(help, "help", tr("&Help pages"), QKeySequence::HelpContents, [this] { show_help(this); });
   add(help, "", tr("&About Carom"), QKeySequence(), [this] {
     QMessageBox::about(this, tr("About Carom"),
                        tr("<b>Carom %1</b><p>A lab for two-dimensional rigid-body collisions.</p>"

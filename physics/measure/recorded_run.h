@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "physics/world/simulation.h"
+
+namespace carom {
+
+// When two bodies met, a < b.
+struct TimedImpact {
+  double time = 0.0;  // s
+  int a = 0;
+  int b = 0;
+};
+
+// One run as a comparison needs it: the state at one moment, and all impacts until some time later.
+struct RecordedRun {
+  State state;
+  double energy = 0.0;  // J
+  std::int64_t steps = 0;
+  std::int64_t impact_count = 0;
+  std::int64_t evaluations = 0;
+  std::int64_t rejected_steps = 0;
+  std::vector<TimedImpact> impacts;  // in the order of time, also after the moment
+  double largest_kinetic = 0.0;      // J, at the ends of the steps
+  double resting_since = -1.0;       // s; as in Notices
+  double blew_up_at = -1.0;  // s: from here on the numbers mean nothing and the run was ended; < 0: never
+  std::string status = "ok";
+};
+
+// A run whose kinetic energy passes this, or any number of it stops being finite, is ended: it has blown up.
+[[nodiscard]] RecordedRun record_run(const Scene& scene, const Method& method, double time, double until,
+                                     double blown_up_above);
+
+// Indices of the bodies that anything can move.
+[[nodiscard]] std::vector<int> moving_bodies(const std::vector<Body>& bodies);
+
+}  // namespace carom

@@ -1,0 +1,116 @@
+#include "physics/measure/reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "physics/measure/measure_run.h"
+#include "physics/measure/observables.h"
+#include "physics/motion/integrators.h"
+#include "physics/scene/needs.h"
+#include "physics/scene/validate.h"
+
+namespace carom {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kAgreement = 1e-13;  // of the length
+constexpr int kMostHalvings = 16;
+// Of the scene's step: no row of a study is then the reference itself.
+constexpr double kOffTheRows = 0.7;
+
+}  // namespace
+
+Method reference_method(const Scene& scene) {
+  Method method = scene.method;
+  method.impacts = ImpactsId::kLocated;
+  int order = -1;
+  for (const IntegratorChoice& choice : kIntegrators) {
+    if (choice.order == 0 && !why_not(scene, choice.id)) {
+      method.integrator = choice.id;
+      return method;
+    }
+    if (choice.order == 0 || choice.adaptive) continue;
+    if (choice.order > order) {
+      order = choice.order;
+      method.integrator = choice.id;
+    }
+  }
+  return method;
+}
+
+double blown_up_above(const Chaos& chaos) {
+  constexpr double kBeyondAnyReason = 1e4;
+  return chaos.largest_kinetic > 0.0 ? kBeyondAnyReason * chaos.largest_kinetic
+                                     : std::numeric_limits<double>::max();
+}
+
+Reference make_reference(const Scene& scene, const Chaos& chaos, double time, double until) {
+  const std::vector<Body> bodies = all_bodies(scene);
+  const std::vector<int> moving = moving_bodies(bodies);
+  const double limit = blown_up_above(chaos);
+  Reference best;
+  best.method = reference_method(scene);
+  best.method.step *= kOffTheRows;
+  if (best.method.integrator == IntegratorId::kExactFlight) {
+    best.exact = true;
+    best.converged = true;
+    best.run = record_run(scene, best.method, time, until, limit);
+    best.position_error = kEpsilon * chaos.length * chaos.growth_at(time);
+    best.velocity_error = kEpsilon * chaos.largest_speed * chaos.growth_at(time);
+    best.energy_error = kEpsilon * std::max(chaos.largest_kinetic, std::abs(best.run.energy));
+    return best;
+  }
+
+  Method method = best.method;
+  RecordedRun coarser = record_run(scene, method, time, until, limit);
+  best.run = coarser;
+  best.position_error = best.velocity_error = best.energy_error = std::numeric_limits<double>::infinity();
+  int no_better = 0;
+  for (int halvings = 1; halvings <= kMostHalvings && no_better < 2; ++halvings) {
+    method.step *= 0.5;
+    const double work = until / method.step * static_cast<double>(moving.size());
+    if (method.step < kLeastStep || (work > kMostReferenceWork && halvings > 1)) break;
+    RecordedRun run = record_run(scene, method, time, until, limit);
+    const Comparison c = compare(coarser, run, moving, time);
+    coarser = run;
+    // Falling, but for a run whose windows leave nothing to compare.
+    no_better = c.position_error < 0.5 * best.position_error ? 0 : no_better + 1;
+    if (c.position_error < best.position_error) {
+      best.run = std::move(run);
+      best.method = method;
+      best.halvings = halvings;
+      best.position_error = c.position_error;
+      best.velocity_error = c.velocity_error;
+      best.energy_error = c.energy_error;
+    }
+    if (c.position_error <= kAgreement * chaos.length) break;
+  }
+  constexpr double kRounding = 1e4;  // rounding errors that the steps of a run may add up to
+  best.converged =
+      best.position_error <= std::max(kAgreement, kRounding * kEpsilon * chaos.growth_at(time)) * chaos.length;
+  return best;
+}
+
+std::vector<StatedFigure> check_stated_figures(const Scene& scene, const Reference& reference, double until) {
+  Scene with_method = scene;
+  with_method.method = reference.method;
+  std::vector<Expectation> stated;
+  for (const Expectation& e : scene.expect) {
+    const bool of_this_run = e.settings.empty() && !e.over;
+    if (e.reduction == Expectation::Reduction::kAt && of_this_run && e.time <= until) stated.push_back(e);
+  }
+  std::vector<StatedFigure> figures;
+  const std::vector<double> values = measure_run(with_method, stated);
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    const Expectation& e = stated[i];
+    figures.push_back({std::abs(values[i] - e.value),
+                       fmt::format("{}{}{} at t = {:.6g} s", e.observable, e.bodies.empty() ? "" : " of ",
+                                   fmt::join(e.bodies, " and "), e.time),
+                       std::string(find_observable(e.observable)->unit)});
+  }
+  return figures;
+}
+
+}  // namespace carom
