@@ -142,9 +142,9 @@ std::vector<Result> references(const Trial& t) {
   auto& results = known[t.name];
   if (!results.empty()) return results;
   for (const Trial& one : throws_of(t)) {
-    const Result coarse = run(one, IntegratorId::kDormandPrince, t.time / 2048);
-    results.push_back(run(one, IntegratorId::kDormandPrince, t.time / 4096));
-    EXPECT_LT((coarse.where - results.back().where).norm(), 3e-12) << t.name;
+    const Result coarse = run(one, IntegratorId::kDormandPrince, t.time / 4096);
+    results.push_back(run(one, IntegratorId::kDormandPrince, t.time / 8192));
+    EXPECT_LT((coarse.where - results.back().where).norm(), 1e-12) << t.name;
     EXPECT_GE(results.back().impacts, t.impacts) << t.name;
   }
   return results;
