@@ -37,7 +37,7 @@ std::string method_text(const Simulation& s) {
 }
 
 std::string ledger_text(const Ledger& ledger, const Totals& now) {
-  std::string out = fmt::format("\n{:<34} {:>14}\n", "where the energy went / J", "");
+  std::string out = "\nwhere the energy went / J\n";
   const auto entry = [&](const char* what, double value) {
     out += fmt::format("{:<34} {:>14}\n", what, figure(value));
   };

@@ -15,15 +15,6 @@ double kinetic_energy(const State& state, const MassProperties& mass, int body) 
          0.5 * mass.inertia[body] * state.v(2, body) * state.v(2, body);
 }
 
-State at_start(const std::vector<Body>& bodies) {
-  State state;
-  state.resize(static_cast<int>(bodies.size()));
-  for (int i = 0; i < state.size(); ++i) {
-    state.set_motion(i, initial_motion(bodies[static_cast<std::size_t>(i)]));
-  }
-  return state;
-}
-
 class BodiesModel : public FigureModel {
  public:
   using FigureModel::FigureModel;
@@ -32,7 +23,7 @@ class BodiesModel : public FigureModel {
     bodies_ = frame.bodies;
     mass_ = mass_properties(*bodies_);
     now_ = frame.state;
-    before_ = at_start(before);
+    before_ = initial_state(before);
     momentum_ = Vec2::Zero();
     total_mass_ = kinetic_before_ = kinetic_now_ = 0.0;
     moving_.clear();

@@ -25,9 +25,8 @@ class ForcesDrawn : public testing::Test {
   }
 
   [[nodiscard]] Drawing drawing() {
-    frame_.state.resize(static_cast<int>(bodies_.size()));
+    frame_.state = initial_state(bodies_);
     for (int i = 0; i < frame_.state.size(); ++i) {
-      frame_.state.set_motion(i, initial_motion(bodies_[static_cast<std::size_t>(i)]));
       frame_.state.q.col(i).head<2>() = bodies_[static_cast<std::size_t>(i)].position;
     }
     frame_.bodies = std::make_shared<const std::vector<Body>>(bodies_);
