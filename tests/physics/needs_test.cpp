@@ -31,36 +31,6 @@ AppliedForce push(const std::string& body, const Vec2& force, double torque = 0.
   return f;
 }
 
-Spring spring(const std::string& body, const std::string& to = "") {
-  Spring s;
-  s.body = body;
-  s.to = to;
-  return s;
-}
-
-AppliedForce push(const std::string& body, const Vec2& force, double torque = 0.0) {
-  AppliedForce f;
-  f.body = body;
-  f.force = force;
-  f.torque = torque;
-  return f;
-}
-
-Spring spring(const std::string& body, const std::string& to = "") {
-  Spring s;
-  s.body = body;
-  s.to = to;
-  return s;
-}
-
-AppliedForce push(const std::string& body, const Vec2& force, double torque = 0.0) {
-  AppliedForce f;
-  f.body = body;
-  f.force = force;
-  f.torque = torque;
-  return f;
-}
-
 bool holds(const std::vector<std::string>& list, const std::string& noun) {
   return std::find(list.begin(), list.end(), noun) != list.end();
 }
@@ -186,18 +156,6 @@ TEST(Needs, Switching) {
   s.forces.springs = {spring("a")};
   s.forces.springs[0].acts = SpringActs::kPush;
   EXPECT_TRUE(needs_of(s).switching);
-  AppliedForce late = push("a", {1, 0});
-  late.start = 1.0;
-  AppliedForce slow = push("a", {0, 0}, 1.0);
-  slow.rise = 1.0;
-  AppliedForce brief = push("a", {1, 0});
-  brief.end = 1.0;
-  AppliedForce late = push("a", {1, 0});
-  late.start = 1.0;
-  AppliedForce slow = push("a", {0, 0}, 1.0);
-  slow.rise = 1.0;
-  AppliedForce brief = push("a", {1, 0});
-  brief.end = 1.0;
   AppliedForce late = push("a", {1, 0});
   late.start = 1.0;
   AppliedForce slow = push("a", {0, 0}, 1.0);
