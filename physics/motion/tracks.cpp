@@ -122,6 +122,15 @@ void Tracks::take_over(Tracks& other, double time) {
   }
 }
 
+void Tracks::shift_epoch(double by) {
+  epoch_ += by;
+  for (Island& island : islands_) {
+    island.start -= by;
+    island.end -= by;
+    forget(island);
+  }
+}
+
 Eigen::Index Tracks::column_of(const Island& island, int body) const {
   const auto members = members_of(island);
   return std::lower_bound(members.begin(), members.end(), body) - members.begin();
