@@ -144,7 +144,7 @@ void Tracks::gather(const Island& island) {
 // --- along a track
 // ------------------------------------------------------------------------------------------------
 
-void Tracks::fly_one(const Island& island, double time, Motion& out, Stages<Motion>& stages) {
+void Tracks::fly_one(const Island& island, double time, Motion& out) {
   const int body = body_of(island);
   if (island.driven) {
     const Body& b = bodies_[body];
@@ -180,9 +180,8 @@ Motion Tracks::at(int body, double time) {
     if (time == island.end) return at_end_.col(body);
   }
   if (island.group < 0) {
-    Stages<Motion> stages;
     Motion out;
-    fly_one(island, time, out, stages);
+    fly_one(island, time, out);
     return out;
   }
   return fly_group(island, time).col(column_of(island, body));
@@ -261,16 +260,14 @@ void Tracks::lay(int k, double horizon, double reach) {
   }
   if (adaptive_ && !island.driven) lay_adaptive(island);
   if (island.group < 0) {
-    Stages<Motion> stages;
     Motion out;
-    fly_one(island, island.end, out, stages);
+    fly_one(island, island.end, out);
     at_end_.col(body_of(island)) = out;
   } else {
     const Motions& now = fly_group(island, island.end);
     for (int j = 0; j < island.count; ++j) at_end_.col(members_[island.first + j]) = now.col(j);
   }
   if (field_.has_switching_springs() && !island.driven) find_switch(island);
-  bound_bend(island);
 }
 
 double Tracks::time_to_end(const Island& island, double reach) const {
@@ -293,10 +290,13 @@ double Tracks::time_to_end(const Island& island, double reach) const {
 double Tracks::error_of(const Island& island, double time) {
   const double h = time - island.start;
   if (island.group < 0) {
+    const Motion from = settled_.col(body_of(island));
+    const OneBody f{field_, body_of(island), epoch_};
     Stages<Motion> stages;
     Motion out;
-    fly_one(island, time, out, stages);
-    return dormand_prince_error(OneBody{field_, body_of(island), epoch_}, island.start, h, stages, out);
+    integrator_step(integrator_, f, island.start, from, h, stages, out);
+    evaluations_ += evaluations_a_step_;
+    return dormand_prince_error(f, island.start, h, stages, out);
   }
   fly_group(island, time);
   Group& group = groups_[island.group];
@@ -382,7 +382,8 @@ void Tracks::find_switch(Island& island) {
   island.end = first;
 }
 
-void Tracks::bound_bend(const Island& island) {
+void Tracks::bound_bend(int k) {
+  const Island& island = islands_[k];
   if (island.driven) {
     const Drive& d = *bodies_[body_of(island)].drive;
     bend_[body_of(island)] = d.angular_frequency * d.angular_frequency * d.amplitude.norm();
@@ -392,6 +393,7 @@ void Tracks::bound_bend(const Island& island) {
     bend_[body_of(island)] = constant_.col(body_of(island)).head<2>().norm();
     return;
   }
+  evaluations_ += 2 * static_cast<std::int64_t>(island.count);
   // Twice the larger of the accelerations at both ends: sub-steps of semi-implicit Euler bend by 2a, and within
   // a step that resolves the motion the acceleration varies by less than that.
   if (island.group < 0) {

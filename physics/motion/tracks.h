@@ -72,7 +72,9 @@ class Tracks {
   [[nodiscard]] Eigen::Vector3d constant_acceleration(int body) const { return constant_.col(body); }
   // m/s²: of a body as it was settled; of a movable one.
   [[nodiscard]] Vec2 acceleration(int body);
-  // m/s²: bounds how much the body's path bends along its track.
+  // Bounds how much the paths of an island's bodies bend along its track, for whoever searches on it:
+  // bend(body) in m/s².
+  void bound_bend(int island);
   [[nodiscard]] double bend(int body) const { return bend_[body]; }
 
   // Settles an island at a time of its track; the track is to be laid anew.
@@ -121,7 +123,7 @@ class Tracks {
   [[nodiscard]] int body_of(const Island& island) const { return members_[island.first]; }
   void gather(const Island& island);  // the settled motions of a group, side by side
   // The settled motion advanced to `time`: of an island of one body into `out`, of a group.
-  void fly_one(const Island& island, double time, Motion& out, Stages<Motion>& stages);
+  void fly_one(const Island& island, double time, Motion& out);
   const Motions& fly_group(const Island& island, double time);
   [[nodiscard]] double time_to_end(const Island& island, double reach) const;
   double error_of(const Island& island, double time);
@@ -129,7 +131,6 @@ class Tracks {
   void lay_adaptive(Island& island);
   void find_switch(Island& island);
   [[nodiscard]] double margin_at(int spring, double time);
-  void bound_bend(const Island& island);
 
   ForceField field_;
   std::vector<Body> bodies_;

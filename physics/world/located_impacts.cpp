@@ -123,6 +123,7 @@ void Simulation::lay_all(double horizon) {
 // Lays an island's track anew and puts the bounds of its path into the grid.
 void Simulation::lay(int island, double horizon) {
   tracks_.lay(island, horizon, reach_);
+  tracks_.bound_bend(island);
   const int first = tracks_.members(island).front();
   const double begin = tracks_.start(first);
   const double end = tracks_.end(first);
