@@ -50,7 +50,7 @@ double time_to_move(double reach, double speed, double acceleration) {
 }  // namespace
 
 Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs& needs)
-    : field_(scene.forces, bodies), bodies_(bodies), general_(needs == all_needs()) {
+    : field_(scene.forces, bodies), bodies_(bodies), general_(needs.untrimmed) {
   const int n = static_cast<int>(bodies.size());
   island_of_.assign(n, -1);
   settled_.resize(Eigen::NoChange, n);
@@ -93,7 +93,7 @@ void Tracks::set_method(const Method& method) {
   const IntegratorChoice& choice = choice_of(kIntegrators, method.integrator);
   integrator_ = method.integrator;
   adaptive_ = choice.adaptive;
-  evaluations_a_step_ = choice.evaluations;
+  evaluations_a_flight_ = choice.evaluations - (choice.adaptive ? 1 : 0);
   // Without any acceleration every integrator goes straight.
   parabolic_ = !general_ && field_.is_constant() && (choice.exact_under_gravity || constant_.isZero(0.0));
   tolerance_ = method.tolerance;
@@ -153,10 +153,22 @@ void Tracks::fly_one(const Island& island, double time, Motion& out) {
     out.segment<2>(3) = drive_velocity(*b.drive, epoch_ + time);
     return;
   }
-  const Motion from = settled_.col(body);
-  integrator_step(integrator_, OneBody{field_, body, epoch_}, island.start, from, time - island.start, stages,
-                  out);
-  evaluations_ += evaluations_a_step_;
+  const OneBody f{field_, body, epoch_};
+  const double h = time - island.start;
+  if (field_.keeps_books()) {
+    const Motion from = settled_.col(body);
+    Stages<Motion> stages;
+    integrator_step(integrator_, f, island.start, from, h, stages, out);
+  } else {
+    // Under gravity alone the books stay what they are.
+    using Flight = Eigen::Matrix<double, kRows - kBooks, 1>;
+    const Flight from = settled_.col(body).head<kRows - kBooks>();
+    Stages<Flight> stages;
+    Flight to;
+    integrator_step(integrator_, f, island.start, from, h, stages, to);
+    out << to, settled_.col(body).tail<kBooks>();
+  }
+  evaluations_ += evaluations_a_flight_;
 }
 
 const Motions& Tracks::fly_group(const Island& island, double time) {
@@ -166,7 +178,7 @@ const Motions& Tracks::fly_group(const Island& island, double time) {
     gather(island);
     integrator_step(integrator_, Together{field_, members_of(island), epoch_}, island.start, group.from,
                     time - island.start, group.stages, group.now);
-    evaluations_ += evaluations_a_step_ * static_cast<std::int64_t>(island.count);
+    evaluations_ += evaluations_a_flight_ * static_cast<std::int64_t>(island.count);
   }
   return group.now;
 }
@@ -224,14 +236,7 @@ double Tracks::settle_at_end(int k) {
   if (field_.has_breaks()) {
     for (const int i : members_of(island)) field_.set_phase(i, epoch_ + island.start);
   }
-  if (spring < 0) return 0.0;
-  const Motion body = at(field_.spring_body(spring), island.start);
-  const int other = field_.spring_other(spring);
-  const Motion end = other >= 0 ? at(other, island.start) : field_.spring_end(spring, epoch_ + island.start);
-  const double length = (body - end).head<2>().norm();
-  const double before = field_.spring_energy(spring, length);
-  field_.set_engaged(spring, !field_.engaged(spring));
-  return before - field_.spring_energy(spring, length);
+  return spring < 0 ? 0.0 : flip(spring, island.start);
 }
 
 void Tracks::set_velocity(int body, const Vec2& velocity, double spin) {
@@ -289,13 +294,14 @@ double Tracks::time_to_end(const Island& island, double reach) const {
 // The error estimate of the step that ends at `time`.
 double Tracks::error_of(const Island& island, double time) {
   const double h = time - island.start;
+  evaluations_ += island.count;
   if (island.group < 0) {
     const Motion from = settled_.col(body_of(island));
     const OneBody f{field_, body_of(island), epoch_};
     Stages<Motion> stages;
     Motion out;
     integrator_step(integrator_, f, island.start, from, h, stages, out);
-    evaluations_ += evaluations_a_step_;
+    evaluations_ += evaluations_a_flight_;
     return dormand_prince_error(f, island.start, h, stages, out);
   }
   fly_group(island, time);
@@ -336,6 +342,29 @@ void Tracks::lay_adaptive(Island& island) {
     h = next;
   }
   if (h < most) island.end = island.start + h;
+}
+
+double Tracks::recheck_switches(int k) {
+  double released = 0.0;
+  for (const int i : members_of(islands_[k])) {
+    for (const int spring : field_.switching_springs(i)) {
+      const double start = islands_[k].start;
+      const double margin = margin_at(spring, start);
+      if (margin != 0.0 && (margin > 0.0) != field_.engaged(spring)) released += flip(spring, start);
+    }
+  }
+  return released;
+}
+
+// The energy in J that is gone with the spring.
+double Tracks::flip(int spring, double time) {
+  const Motion body = at(field_.spring_body(spring), time);
+  const int other = field_.spring_other(spring);
+  const Motion end = other >= 0 ? at(other, time) : field_.spring_end(spring, epoch_ + time);
+  const double length = (body - end).head<2>().norm();
+  const double before = field_.spring_energy(spring, length);
+  field_.set_engaged(spring, !field_.engaged(spring));
+  return before - field_.spring_energy(spring, length);
 }
 
 double Tracks::margin_at(int spring, double time) {

@@ -88,6 +88,9 @@ class Tracks {
   // Settles an island at its track's end, where a spring may switch; the energy in J that a spring let go with
   // it.
   double settle_at_end(int island);
+  // After an impact changed velocities: springs whose margin has jumped to the other side switch now; the
+  // energy in J that they let go.
+  double recheck_switches(int island);
 
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
   [[nodiscard]] std::int64_t rejected_steps() const { return rejected_steps_; }
@@ -130,6 +133,7 @@ class Tracks {
   [[nodiscard]] double first_step(const Island& island);
   void lay_adaptive(Island& island);
   void find_switch(Island& island);
+  double flip(int spring, double time);
   [[nodiscard]] double margin_at(int spring, double time);
 
   ForceField field_;
@@ -146,7 +150,7 @@ class Tracks {
   bool adaptive_ = false;
   bool parabolic_ = false;
   bool general_ = false;  // never take the parabola's short cuts
-  int evaluations_a_step_ = 0;
+  int evaluations_a_flight_ = 0;
   double tolerance_ = 0.0;
   double epoch_ = 0.0;
   std::int64_t evaluations_ = 0;

@@ -156,7 +156,7 @@ void Simulation::foresee(double time, int a, int b) { queue_.push({time, a, b, s
 void Simulation::process_until(double target, double horizon, double h) {
   const std::int64_t crowd =
       kCrowdedImpacts + kCrowdedImpactsPerBody * static_cast<std::int64_t>(bodies_.size());
-  const std::int64_t before = impact_count_;
+  const std::int64_t before = impacts_before_step_;
   while (!queue_.empty() && queue_.next().time <= target) {
     const Event next = queue_.next();
     queue_.pop();
