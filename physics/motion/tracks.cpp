@@ -347,8 +347,8 @@ double Tracks::margin_at(int spring, double time) {
 
 // Ends the track at the first moment at which a one-sided spring of the island starts or stops to act. The
 // spring must first be seen in the state that it is said to be in: just after a switch its margin is zero
-// within rounding. One that is out of that state all along, and ever more so, switches at once: it was due
-// together with another spring of the island, or an impact changed its rate.
+// within rounding. One that is out of that state all along switches at once, if it is then in its state: it
+// was due together with another spring of the island, or an impact changed its rate.
 void Tracks::find_switch(Island& island) {
   constexpr int kSamples = 8;
   double first = island.end;
@@ -361,7 +361,6 @@ void Tracks::find_switch(Island& island) {
       bool ever = false;
       double before = island.start;
       double margin_before = 0.0;
-      double margin_at_start = 0.0;
       for (int s = 0; s <= kSamples; ++s) {
         const double t = s == kSamples ? island.end : island.start + width * s / kSamples;
         const double m = margin(t);
@@ -376,10 +375,16 @@ void Tracks::find_switch(Island& island) {
         seen = m > 0.0;
         before = t;
         margin_before = m;
-        if (s == 0) margin_at_start = m;
         ever = ever || seen;
       }
-      if (!ever && margin_before < std::min(margin_at_start, 0.0)) {
+      if (ever || !(margin_before < 0.0)) continue;
+      const bool engaged = field_.engaged(spring);
+      field_.set_engaged(spring, !engaged);
+      forget(island);
+      const bool belongs_there = margin(island.start + width / kSamples) < 0.0;
+      field_.set_engaged(spring, engaged);
+      forget(island);
+      if (belongs_there) {
         first = island.start;
         island.switching = spring;
       }
