@@ -376,8 +376,9 @@ double Tracks::margin_at(int spring, double time) {
 
 // Ends the track at the first moment at which a one-sided spring of the island starts or stops to act. The
 // spring must first be seen in the state that it is said to be in: just after a switch its margin is zero
-// within rounding. The track is looked at in quarters: what engages and lets go within less is not resolved by
-// the step either.
+// within rounding. One that is out of that state all along switches at once, if it is then in its state: it was
+// due together with another spring of the island. The track is looked at in quarters: what engages and lets go
+// within less is not resolved by the step either.
 void Tracks::find_switch(Island& island) {
   constexpr int kQuarters = 4;
   const double width = island.end - island.start;
@@ -390,7 +391,8 @@ void Tracks::find_switch(Island& island) {
       const auto margin = [&](double t) { return sign * margin_at(spring, t); };
       double before = island.start;
       double margin_before = margin(before);
-      for (int s = 1; s <= kQuarters && before < first; ++s) {
+      bool seen = margin_before > 0.0;
+      for (int s = 1; s <= kQuarters; ++s) {
         const double t = s == kQuarters ? island.end : island.start + width * s / kQuarters;
         const double m = margin(t);
         if (margin_before > 0.0 && m <= 0.0) {
@@ -403,6 +405,18 @@ void Tracks::find_switch(Island& island) {
         }
         before = t;
         margin_before = m;
+        seen = seen || m > 0.0;
+      }
+      if (seen || !(margin_before < 0.0)) continue;
+      const bool engaged = field_.engaged(spring);
+      field_.set_engaged(spring, !engaged);
+      forget(island);
+      const bool belongs_there = margin(island.start + width / kQuarters) < 0.0;
+      field_.set_engaged(spring, engaged);
+      forget(island);
+      if (belongs_there) {
+        first = island.start;
+        island.switching = spring;
       }
     }
   }

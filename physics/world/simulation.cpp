@@ -157,6 +157,8 @@ void Simulation::collide(int a, int b, const Contact& contact, const Material& m
   record.point = contact.point;
   record.normal = contact.normal;
   record.closing_speed = -relative_velocity(side_a, side_b, contact.normal).normal;
+  // Semi-implicit Euler's path x + t v(t) may close again, from an overlap, while v(t) still parts the bodies.
+  if (!(record.closing_speed > 0.0)) return;
   Jump jump;
   if (watched) jump.before = totals_at(within);
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "physics/collision/time_of_impact.h"
+#include "physics/motion/integrators.h"
 #include "physics/preset/check.h"
 #include "physics/preset/preset.h"
 #include "tests/physics/scenes.h"
@@ -77,6 +78,69 @@ TEST(Regression, RestingDiscStruckHardStaysOnAThinFloor) {
     run.advance_to(1.0);
     EXPECT_GT(run.state().position(1).y(), 0.0) << restitution;
     EXPECT_GT(run.state().position(2).y(), 0.0) << restitution;
+  }
+}
+
+// Semi-implicit Euler's path from an overlap closes again while its velocity still parts the bodies: no impact.
+TEST(Regression, EveryImpactOfTheLogCloses) {
+  Scene s = scene({wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("d", {0.0, 0.0999}, {0.0, 0.5886})});
+  s.forces.gravity = {0.0, -9.81};
+  s.method = {IntegratorId::kSemiImplicitEuler, ImpactsId::kLocated, ContactsId::kImpulse, 0.1};
+  Simulation run(s);
+  run.advance_to(0.5, [&] {
+    for (const ImpactRecord& r : run.last_impacts()) EXPECT_GT(r.closing_speed, 0.0) << r.time;
+  });
+}
+
+// Two bumpers of one disc engage and let go at the same moments, to the last bit.
+TEST(Regression, SpringsThatSwitchTogether) {
+  Scene s = scene({disc("left", {-1.0, 0.0}, {1.0, 0.0}), disc("middle", {0.0, 0.0}, {0.0, 0.0}),
+                   disc("right", {1.0, 0.0}, {-1.0, 0.0})});
+  for (const char* side : {"left", "right"}) {
+    Spring bumper;
+    bumper.name = side;
+    bumper.body = side;
+    bumper.to = "middle";
+    bumper.stiffness = 30.0;
+    bumper.rest_length = 0.5;
+    bumper.acts = SpringActs::kPush;
+    s.forces.springs.push_back(bumper);
+  }
+  for (const IntegratorId id : {IntegratorId::kRk4, IntegratorId::kDormandPrince}) {
+    for (const ImpactsId impacts : {ImpactsId::kStepEnd, ImpactsId::kLocated}) {
+      s.method = {id, impacts, ContactsId::kImpulse, 0.005};
+      Simulation run(s);
+      run.advance_to(2.0);
+      EXPECT_EQ(run.impact_count(), 0);
+      EXPECT_NEAR(run.state().velocity(0).x(), -1.0, 1e-8);
+      EXPECT_NEAR(run.state().velocity(1).x(), 0.0, 1e-12);
+      EXPECT_NEAR(run.state().velocity(2).x(), 1.0, 1e-8);
+    }
+  }
+}
+
+// A body rebounds faster than its damped bumper pushes: the bumper lets go at the impact.
+TEST(Regression, ImpactLetsABumperGo) {
+  Scene s = scene({wall("wall", {1.5, 0.0}, 1.0, 1.0), disc("d", {0.6, 0.0}, {2.0, 0.0})});
+  Spring bumper;
+  bumper.body = "d";
+  bumper.anchor = {1.5, 0.0};
+  bumper.stiffness = 0.5;
+  bumper.damping = 1.0;
+  bumper.rest_length = 0.8;
+  bumper.acts = SpringActs::kPush;
+  s.forces.springs = {bumper};
+  for (const IntegratorChoice& choice : kIntegrators) {
+    if (choice.order == 0) continue;
+    s.method = {choice.id, ImpactsId::kLocated, ContactsId::kImpulse, 0.005};
+    Simulation run(s);
+    double rebound = 0.0;
+    run.advance_to(1.0, [&] {
+      for (const ImpactRecord& r : run.last_impacts()) rebound = r.closing_speed;
+    });
+    EXPECT_EQ(run.impact_count(), 1) << choice.name;
+    EXPECT_GT(rebound, 1.5) << choice.name;
+    EXPECT_NEAR(run.state().velocity(1).x(), -rebound, 1e-14) << choice.name;
   }
 }
 

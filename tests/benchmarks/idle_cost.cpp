@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <fmt/format.h>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "physics/scene/needs.h"
+#include "physics/world/simulation.h"
+#include "tests/physics/scenes.h"
+
+// What a part of the model costs where it has nothing to do, as the ratio of its CPU time to the trimmed run's;
+// and collisions a second. Repeats take turns, so that a change of the machine's pace meets all alike; the
+// median is told. No figure here is a test.
+namespace carom {
+namespace {
+
+constexpr int kRepeats = 10;
+
+// Frictionless elastic discs in a square room, over a fifth of its area, at random speeds.
+Scene gas(int columns, IntegratorId integrator) {
+  const double spacing = 0.1;
+  const double radius = spacing * std::sqrt(0.2 / M_PI);
+  const double half = 0.5 * spacing * columns;
+  std::vector<Body> bodies = test::room(half, 0.5);
+  std::mt19937_64 random(3);
+  const auto draw = [&] { return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0; };
+  for (int i = 0; i < columns * columns; ++i) {
+    const Vec2 home(-half + spacing * (i % columns + 0.5), -half + spacing * (i / columns + 0.5));
+    const double x = draw();
+    bodies.push_back(test::disc(fmt::format("disc-{}", i), home, {x, draw()}, radius));
+  }
+  Scene s = test::scene(std::move(bodies));
+  s.method = {integrator, ImpactsId::kLocated, ContactsId::kImpulse, 1.0 / 60.0};
+  return s;
+}
+
+double cpu_seconds(const std::function<void()>& work) {
+  const std::clock_t start = std::clock();
+  work();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+struct Variant {
+  std::string name;
+  Needs needs;
+};
+
+std::vector<Variant> variants(const Scene& scene, bool with_all) {
+  const std::pair<const char*, bool Needs::*> parts[] = {{"rotation", &Needs::rotation},
+                                                         {"friction", &Needs::friction},
+                                                         {"smooth forces", &Needs::smooth_forces},
+                                                         {"velocity forces", &Needs::velocity_forces},
+                                                         {"coupled forces", &Needs::coupled_forces},
+                                                         {"drives", &Needs::drives},
+                                                         {"switched forces", &Needs::switching},
+                                                         {"lasting contacts", &Needs::lasting_contacts}};
+  // The trimmed run stands twice in the table: the second one shows what the figures are worth.
+  std::vector<Variant> list = {{"trimmed", needs_of(scene)}, {"trimmed again", needs_of(scene)}};
+  for (const auto& [name, part] : parts) {
+    Needs needs = needs_of(scene);
+    needs.*part = true;
+    list.push_back({name, needs});
+  }
+  if (with_all) list.push_back({"all", all_needs()});
+  return list;
+}
+
+void idle_cost(const std::string& title, const Scene& scene, double until, bool with_all) {
+  const std::vector<Variant> list = variants(scene, with_all);
+  std::vector<std::vector<double>> seconds(list.size());
+  std::int64_t impacts = 0;
+  for (int repeat = 0; repeat < kRepeats; ++repeat) {
+    for (std::size_t turn = 0; turn < list.size(); ++turn) {
+      const std::size_t k = (turn + static_cast<std::size_t>(repeat)) % list.size();
+      Simulation run(scene, list[k].needs);
+      seconds[k].push_back(cpu_seconds([&] { run.advance_to(until); }));
+      impacts = run.impact_count();
+    }
+  }
+  const double trimmed = median(seconds[0]);
+  fmt::print("{}: {:.0f} ms of CPU time, {} impacts\n", title, 1e3 * trimmed, impacts);
+  for (std::size_t k = 1; k < list.size(); ++k)
+    fmt::print("  {:<18}{:.3f}\n", list[k].name, median(seconds[k]) / trimmed);
+}
+
+void collisions_a_second(int columns) {
+  const Scene scene = gas(columns, IntegratorId::kExactFlight);
+  std::vector<double> rates;
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    Simulation run(scene);
+    run.advance_to(0.1);  // warm
+    const std::int64_t before = run.impact_count();
+    const double seconds = cpu_seconds([&] {
+      while (run.impact_count() - before < 300'000) run.step();
+    });
+    rates.push_back(static_cast<double>(run.impact_count() - before) / seconds);
+  }
+  fmt::print("  {:>6} discs: {:.0f} collisions a second\n", columns * columns, median(rates));
+}
+
+}  // namespace
+}  // namespace carom
+
+int main() {
+  using namespace carom;
+  fmt::print("Ratios of CPU time to the trimmed run's, medians of {} repeats that take turns:\n", kRepeats);
+  idle_cost("1024 discs, exact flight", gas(32, IntegratorId::kExactFlight), 6.0, false);
+  // Untrimmed, every impact touches all bodies: so few discs, and so short.
+  idle_cost("25 discs, exact flight", gas(5, IntegratorId::kExactFlight), 20.0, true);
+  Scene drag = gas(5, IntegratorId::kRk4);
+  drag.forces.linear_drag = 0.01;
+  idle_cost("25 discs with drag, RK4", drag, 4.0, true);
+  fmt::print("Frictionless discs over a fifth of the area, exact flight, h = 1/60 s:\n");
+  for (const int columns : {10, 32, 100}) collisions_a_second(columns);
+}

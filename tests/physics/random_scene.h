@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+
+#include "physics/scene/scene.h"
+
+namespace carom::test {
+
+struct RandomScene {
+  Scene scene;
+  bool overlaps = false;  // some bodies overlap at t = 0
+};
+
+// A valid scene for each seed: up to twelve discs, fixed boxes at any angle, often within four walls, and
+// sometimes a driven box, springs of all kinds, drag, gravity, attraction, applied forces, friction, any
+// restitution, and lengths of a millimetre, a metre or a kilometre. Its method is to be chosen by the caller.
+[[nodiscard]] RandomScene random_scene(std::uint64_t seed);
+
+}  // namespace carom::test
