@@ -122,6 +122,15 @@ void Tracks::take_over(Tracks& other, double time) {
   }
 }
 
+void Tracks::shift_epoch(double by) {
+  epoch_ += by;
+  for (Island& island : islands_) {
+    island.start -= by;
+    island.end -= by;
+    forget(island);
+  }
+}
+
 Eigen::Index Tracks::column_of(const Island& island, int body) const {
   const auto members = members_of(island);
   return std::lower_bound(members.begin(), members.end(), body) - members.begin();
@@ -338,22 +347,24 @@ double Tracks::margin_at(int spring, double time) {
 
 // Ends the track at the first moment at which a one-sided spring of the island starts or stops to act. The
 // spring must first be seen in the state that it is said to be in: just after a switch its margin is zero
-// within rounding.
+// within rounding. The track is looked at in quarters: what engages and lets go within less is not resolved by
+// the step either.
 void Tracks::find_switch(Island& island) {
-  constexpr int kSamples = 8;
+  constexpr int kQuarters = 4;
+  const double width = island.end - island.start;
   double first = island.end;
   for (const int i : members_of(island)) {
     for (const int spring : field_.switching_springs(i)) {
+      // A spring between two members is theirs both.
+      if (field_.spring_body(spring) != i && island.group >= 0) continue;
       const double sign = field_.engaged(spring) ? 1.0 : -1.0;
       const auto margin = [&](double t) { return sign * margin_at(spring, t); };
-      const double width = island.end - island.start;
-      bool seen = false;
       double before = island.start;
-      double margin_before = 0.0;
-      for (int s = 0; s <= kSamples; ++s) {
-        const double t = s == kSamples ? island.end : island.start + width * s / kSamples;
+      double margin_before = margin(before);
+      for (int s = 1; s <= kQuarters && before < first; ++s) {
+        const double t = s == kQuarters ? island.end : island.start + width * s / kQuarters;
         const double m = margin(t);
-        if (seen && m <= 0.0) {
+        if (margin_before > 0.0 && m <= 0.0) {
           const double root = bracketed_root(margin, before, margin_before, t, m);
           if (root < first || (root == first && island.switching < 0)) {
             first = root;
@@ -361,7 +372,6 @@ void Tracks::find_switch(Island& island) {
           }
           break;
         }
-        seen = m > 0.0;
         before = t;
         margin_before = m;
       }

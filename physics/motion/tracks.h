@@ -44,6 +44,8 @@ class Tracks {
   // All islands start anew at this absolute time, from the motions that they have.
   void begin(double epoch);
   [[nodiscard]] double epoch() const { return epoch_; }
+  // Moves the epoch on; no motion changes.
+  void shift_epoch(double by);
   [[nodiscard]] double start(int body) const {
     return island_of_[body] < 0 ? -kForever : islands_[island_of_[body]].start;
   }

@@ -26,6 +26,11 @@ class EventQueue {
   [[nodiscard]] bool empty() const { return heap_.empty(); }
   [[nodiscard]] const Event& next() const { return heap_.front(); }
   [[nodiscard]] const std::vector<Event>& events() const { return heap_; }
+  // All times `by` earlier. Rounding may make two times equal, so the order is made anew.
+  void shift(double by) {
+    for (Event& event : heap_) event.time -= by;
+    std::make_heap(heap_.begin(), heap_.end(), Later{});
+  }
   void push(const Event& event) {
     heap_.push_back(event);
     std::push_heap(heap_.begin(), heap_.end(), Later{});

@@ -80,11 +80,11 @@ class Simulation {
   static constexpr double kOverlapFraction = 0.2;
   // m/s; a pressed contact that rebounds slower than this is at rest: it would hop by v²/2g = 5e-14 m.
   static constexpr double kRestSpeed = 1e-6;
-  // Under an integrator of order 1 a pressed contact rests below kRestRebound e/(1 - e) |a| h, |a| being the
-  // acceleration that presses it: explicit Euler's rebounds tend to e |a| h/(1 - e) and would never die out. At
+  // Under explicit Euler a pressed contact rests below kRestRebound e/(1 - e) |a| h, |a| being the
+  // acceleration that presses it: its rebounds tend to e |a| h/(1 - e) and would never die out. At
   // most kMostRestRebound |a| h, so that nearly elastic bodies still bounce (and show that drift).
   static constexpr double kRestRebound = 1.5;
-  static constexpr double kMostRestRebound = 4.0;
+  static constexpr double kMostRestRebound = 5.0;
   // Inelastic collapse: a pair with e < 1 parts slower than this share of its own speed, in less time after the
   // impact before than doubles can tell apart.
   static constexpr double kCollapseShare = 1e-12;
@@ -223,6 +223,7 @@ class Simulation {
   // Impacts at their own time.
   bool running_ = false;       // tracks, grid and queue hold since the last step
   double reach_ = 1.0;         // m: length of a track that no step ends
+  double epoch_length_ = 1.0;  // s, a power of two
   double last_impact_ = -1.0;  // s within the epoch
   CellGrid grid_;
   EventQueue queue_;
