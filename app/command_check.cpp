@@ -82,7 +82,7 @@ Row table_row(const std::string& preset, const Scene& scene, const Expectation& 
   const bool came = !std::isnan(o.measured);
   const std::string unit = o.unit.empty() || o.unit == "1" ? "" : " " + o.unit;
   return {preset,
-          shortened(text_of(e, scene), kMostWords),
+          text_of(e, scene),
           came ? figure(o.measured) : "-",
           figure(e.value) + unit,
           came ? rough(o.error) : "-",
@@ -92,7 +92,8 @@ Row table_row(const std::string& preset, const Scene& scene, const Expectation& 
                  : "NEVER CAME"};
 }
 
-void print_table(const std::vector<Row>& rows) {
+void print_table(std::vector<Row> rows) {
+  for (Row& row : rows) row.expectation = shortened(row.expectation, kMostWords);
   static constexpr auto kColumns = std::to_array<std::pair<std::string Row::*, Align>>({
       {&Row::preset, Align::kLeft},
       {&Row::expectation, Align::kLeft},

@@ -184,7 +184,7 @@ TEST_F(CommandLine, LedgerClosesInJson) {
 }
 
 TEST_F(CommandLine, CostOfTheMethodIsTold) {
-  const Json rk4 = run({"spring-box"});
+  const Json rk4 = run({"spring-box", "--impacts", "step-end"});
   EXPECT_EQ(rk4["order"], 4);
   EXPECT_EQ(rk4["evaluations"], 4 * rk4["steps"].get<int>());
   EXPECT_EQ(rk4["rejected_steps"], 0);
