@@ -12,6 +12,7 @@
 #include "physics/measure/parallel.h"
 #include "physics/preset/check.h"
 #include "physics/preset/preset.h"
+#include "physics/scene/validate.h"
 
 namespace carom {
 namespace {
@@ -69,6 +70,9 @@ std::string padded(const std::string& text, std::size_t width, Align align) {
   return align == Align::kLeft ? text + blanks : blanks + text;
 }
 
+// Bytes of an expectation's words in the table; the CSV file has them whole.
+constexpr std::size_t kMostWords = 76;
+
 // Eleven digits tell apart all that a tolerance of 1e-10 does; exact numbers stay short.
 std::string figure(double value) { return fmt::format("{:.11g}", value == 0.0 ? 0.0 : value); }
 
@@ -78,7 +82,7 @@ Row table_row(const std::string& preset, const Scene& scene, const Expectation& 
   const bool came = !std::isnan(o.measured);
   const std::string unit = o.unit.empty() || o.unit == "1" ? "" : " " + o.unit;
   return {preset,
-          text_of(e, scene),
+          shortened(text_of(e, scene), kMostWords),
           came ? figure(o.measured) : "-",
           figure(e.value) + unit,
           came ? rough(o.error) : "-",

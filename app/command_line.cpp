@@ -120,9 +120,6 @@ class StudyArguments {
   }
 
  private:
-  static constexpr double kLeastTolerance = 1e-15;  // m: below, rounding keeps it from being met
-  static constexpr double kLargestTolerance = 1.0;
-
   template <class Table>
   static std::vector<std::string> names_of(const Table& table) {
     std::vector<std::string> names;

@@ -1,6 +1,7 @@
 #include <QApplication>
 #include <QFileInfo>
 #include <chrono>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
@@ -49,9 +50,13 @@ class StudyProgressLine {
 StudyTable merged(const std::vector<std::string>& files) {
   std::vector<StudyPart> parts;
   for (const std::string& name : files) {
-    std::ifstream in(name, std::ios::binary);
+    // Reading a folder throws in libstdc++.
+    std::ifstream in;
+    if (!std::filesystem::is_directory(name)) in.open(name, std::ios::binary);
+    if (!in.is_open()) {
+      throw SceneError(fmt::format("{}: the file cannot be read; allowed: a study's CSV file", name));
+    }
     const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    if (!in) throw SceneError(fmt::format("{}: the file cannot be read; allowed: a study's CSV file", name));
     parts.push_back({name, read_study_csv(text, name)});
   }
   return merge_studies(parts);

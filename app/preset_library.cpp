@@ -21,6 +21,9 @@ constexpr auto kTopics = std::to_array<std::pair<const char*, const char*>>({
     {"first-collisions", "First collisions"},
     {"chains-and-cradles", "Chains and cradles"},
     {"bounces", "Bounces"},
+    {"springs-and-pistons", "Springs and pistons"},
+    {"billiards", "Billiards"},
+    {"gases", "Gases"},
     {"piles", "Piles"},
     {"numerical-methods", "Numerical methods"},
 });
@@ -36,7 +39,8 @@ std::pair<std::size_t, std::string> rank_and_title(const std::string& folder) {
 }
 
 // Experiments of one topic go from the simple to the general where their names alone would not.
-constexpr auto kFirst = std::to_array<const char*>({"head-on-equal", "head-on", "glancing"});
+constexpr auto kFirst = std::to_array<const char*>(
+    {"head-on-equal", "head-on", "glancing", "newtons-cradle", "bouncing-ball", "explosion", "ball-in-a-box"});
 
 std::size_t rank_of_name(const std::string& name) {
   return static_cast<std::size_t>(std::find(kFirst.begin(), kFirst.end(), name) - kFirst.begin());

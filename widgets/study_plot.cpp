@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <qwt_axis.h>
 #include <qwt_plot.h>
@@ -170,19 +171,19 @@ class ErrorPlot : public QwtPlot {
     const QwtScaleDiv& x = axisScaleDiv(QwtAxis::XBottom);
     const bool left = side == Qt::AlignLeft;
     add_note(label, left ? x.lowerBound() : x.upperBound(), std::sqrt(from * to),
-             (left ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, ground);
+             (left ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   }
 
-  void add_note(const QString& label, double x, double y, Qt::Alignment alignment, const QBrush& ground = {}) {
+  void add_note(const QString& label, double x, double y, Qt::Alignment alignment) {
     QwtText text(label, QwtText::PlainText);
     text.setFont(font_of(11));
     text.setColor(theme_.muted);
-    text.setBackgroundBrush(ground);
     auto* note = new QwtPlotMarker;
     note->setLabel(text);
     note->setLabelAlignment(alignment);
     note->setSpacing(6);
     note->setValue(x, y);
+    note->setZ(14.0);  // below the curves
     note->attach(this);
   }
 
@@ -265,28 +266,26 @@ QVector<QPointF> points_of(const StudyGroup& group, const Range& errors, const A
   return points;
 }
 
-// Slow runs are right and large steps wrong: the curves leave the other corners free.
-void add_zones(ErrorPlot& plot, const StudyFacts& facts, const Range& errors, Qt::Alignment wrong,
-               Qt::Alignment rounding) {
+// The labels stand where there are few curves: slow runs are seldom wrong, small steps neither.
+void add_zones(ErrorPlot& plot, const StudyFacts& facts, const Range& errors, Qt::Alignment side) {
   const double floor = std::min(facts.rounding_floor(), errors.high);
-  if (floor > errors.low) plot.add_zone(errors.low, floor, "rounding, grown until then", rounding);
+  if (floor > errors.low) plot.add_zone(errors.low, floor, "rounding, grown until then", side);
   if (facts.largest_error() < errors.high) {
     plot.add_zone(std::max(facts.largest_error(), errors.low), errors.high,
-                  "wrong by a tenth of the scene or more", wrong);
+                  "wrong by a tenth of the scene or more", side);
   }
 }
 
-// Lines of slope 1, 2, 4 and 5 that run down from one point.
-void add_slopes(ErrorPlot& plot, const Range& steps, const Range& errors, double from_error,
-                const Theme& theme) {
+// Lines of slope 1, 2, 4 and 5 that run down from one point, as far as `least`.
+void add_slopes(ErrorPlot& plot, const Range& steps, double least, double from_error, const Theme& theme) {
   QColor faint = theme.muted;
   faint.setAlphaF(0.55F);
   for (const int order : {1, 2, 4, 5}) {
-    // To the left edge, or to the lower one.
-    const double to_error = std::max(from_error * std::pow(steps.low / steps.high, order), errors.low);
+    // To the left edge, or down to `least`.
+    const double to_error = std::max(from_error * std::pow(steps.low / steps.high, order), least);
     const double to_step = steps.high * std::pow(to_error / from_error, 1.0 / order);
     plot.add_line({{to_step, to_error}, {steps.high, from_error}}, QPen(faint, 1.0, Qt::DotLine));
-    const bool leaves_below = to_error <= errors.low * 1.0001;
+    const bool leaves_below = to_error <= least * 1.0001;
     const double share = leaves_below ? 0.035 : 0.03;  // of the line, so that the label stands inside
     plot.add_note(QString("order %1").arg(order), to_step * std::pow(steps.high / to_step, share),
                   to_error * std::pow(from_error / to_error, share),
@@ -414,11 +413,22 @@ void paint_study(QPainter& painter, const StudyTable& table, const std::vector<S
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     return QString::fromStdString(text) + ".";
   };
-  const QString caption =
-      sentence(compared_text(f)) + "\n" + sentence(reference_text(f)) + "\n" + sentence(horizon_text(f)) +
-      "\n" + QString("Wall time: median of %1 runs, nothing else running in the program.").arg(f.repeats);
-  draw_text(painter, {kMargin, below + 12.0, width, kSize.height() - below - 20.0},
-            Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, caption, font_of(12), theme.muted);
+  double y = below + 12.0;
+  const auto add = [&](const std::string& text, const QColor& color, bool bold) {
+    const QFont font = font_of(12, bold);
+    painter.setFont(font);
+    const QRectF room(kMargin, y, width, kSize.height() - y);
+    const int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+    const QString line = sentence(text);
+    const QRectF taken = painter.boundingRect(room, flags, line);
+    draw_text(painter, room, flags, line, font, color);
+    y += taken.height() + 3.0;
+  };
+  add(compared_text(f), theme.text, false);
+  add(horizon_text(f), theme.text, std::isfinite(f.horizon));
+  add(reference_text(f), theme.muted, false);
+  add(fmt::format("wall time: median of {} runs, nothing else running in the program", f.repeats), theme.muted,
+      false);
 }
 
 }  // namespace
@@ -443,9 +453,7 @@ bool save_study_picture(const StudyTable& table, const Theme& theme, const QStri
     const Range& x = plot == &against_time ? walls : steps;
     plot->set_range(QwtAxis::XBottom, x.low, x.high, kMostTicks);
     plot->set_range(QwtAxis::YLeft, errors.low, errors.high, kMostTicks);
-    const bool of_time = plot == &against_time;
-    add_zones(*plot, table.facts, errors, of_time ? Qt::AlignRight : Qt::AlignLeft,
-              of_time ? Qt::AlignLeft : Qt::AlignRight);
+    add_zones(*plot, table.facts, errors, plot == &against_time ? Qt::AlignRight : Qt::AlignLeft);
   }
   // From where the largest errors that a fit can use are, at the coarsest step.
   double top = 0.0;
@@ -455,7 +463,8 @@ bool save_study_picture(const StudyTable& table, const Theme& theme, const QStri
       if (row.position_error < table.facts.largest_error()) top = std::max(top, row.position_error);
     }
   }
-  if (top > errors.low) add_slopes(against_step, steps, errors, top, theme);
+  const double least = std::max(errors.low, table.facts.rounding_floor());
+  if (top > least) add_slopes(against_step, steps, least, top, theme);
   for (const StudyGroup& group : groups) {
     const QColor color = color_of(group.integrator, theme);
     against_time.add_curve(points_of(group, errors, wall), color, group.impacts);

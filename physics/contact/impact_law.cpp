@@ -20,24 +20,22 @@ Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Ma
   // neighbours are not equally far, |n|² - 1 would add up to a drift of the energy over millions of impacts.
   const double excess = std::fma(normal.x(), normal.x(), std::fma(normal.y(), normal.y(), -1.0));
   const double k_nn = a.inverse_mass + b.inverse_mass;
-  const double k_tt =
-      k_nn + excess * k_nn + a.arm * a.arm * a.inverse_inertia + b.arm * b.arm * b.inverse_inertia;
   const double of_unit_normal = -(1.0 + material.restitution) * u.normal / k_nn;
   impact.normal = of_unit_normal - excess * of_unit_normal;
-  const double most = material.kinetic_friction * impact.normal;
-  impact.tangential = std::clamp(-(1.0 + material.tangential_restitution) * u.tangential / k_tt, -most, most);
-
-  const Vec2 tangent(-normal.y(), normal.x());
-  const Vec2 j = impact.normal * normal + impact.tangential * tangent;
+  impact.lost_to_restitution = -0.5 * impact.normal * (2.0 * u.normal + k_nn * of_unit_normal);
+  Vec2 j = impact.normal * normal;
+  if (material.kinetic_friction > 0.0) {
+    const double k_tt =
+        k_nn + excess * k_nn + a.arm * a.arm * a.inverse_inertia + b.arm * b.arm * b.inverse_inertia;
+    const double most = material.kinetic_friction * impact.normal;
+    impact.tangential = std::clamp(-(1.0 + material.tangential_restitution) * u.tangential / k_tt, -most, most);
+    impact.lost_to_friction = -0.5 * impact.tangential * (2.0 * u.tangential + k_tt * impact.tangential);
+    j += impact.tangential * Vec2(-normal.y(), normal.x());
+    a.spin -= a.inverse_inertia * a.arm * impact.tangential;
+    b.spin -= b.inverse_inertia * b.arm * impact.tangential;
+  }
   a.velocity -= a.inverse_mass * j;
   b.velocity += b.inverse_mass * j;
-  a.spin -= a.inverse_inertia * a.arm * impact.tangential;
-  b.spin -= b.inverse_inertia * b.arm * impact.tangential;
-
-  const double u_n_after = u.normal + k_nn * of_unit_normal;
-  const double u_t_after = u.tangential + k_tt * impact.tangential;
-  impact.lost_to_restitution = -0.5 * impact.normal * (u.normal + u_n_after);
-  impact.lost_to_friction = -0.5 * impact.tangential * (u.tangential + u_t_after);
   return impact;
 }
 

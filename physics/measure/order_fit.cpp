@@ -85,7 +85,7 @@ OrderFit fit_order(std::span<const ErrorAtStep> errors, double floor, double lar
   }
   const Line line = line_through(best);
   fit.kind = OrderFit::Kind::kOrder;
-  fit.order = line.slope;
+  fit.order = std::abs(line.slope) < 5e-3 ? 0.0 : line.slope;  // not "-0.00" where nothing changes
   fit.uncertainty = line.uncertainty;
   fit.from = std::exp(best.front().x);
   fit.to = std::exp(best.back().x);

@@ -97,9 +97,12 @@ double compared_time(const Scene& scene, const StudyOptions& options, const Chao
     const double sane = std::min(parted, 0.5 * chaos.horizon);
     if (sane < end) {
       end = sane;
-      add_remark(remarks, fmt::format("{}: compared while neighbours have parted no more than some {:g}-fold",
-                                      chaotic ? "the run lasts beyond the horizon" : "the motion is chaotic",
-                                      kMostGrowth));
+      add_remark(
+          remarks,
+          fmt::format("{}: compared {}", chaotic ? "the run lasts beyond the horizon" : "the motion is chaotic",
+                      sane < parted
+                          ? std::string("well before it")
+                          : fmt::format("while neighbours have parted {:g}-fold or less", kMostGrowth)));
     }
   }
   const double time = plan_time(chaos.impacts, end);

@@ -104,7 +104,7 @@ std::string reference_text(const StudyFacts& f) {
 
 std::string horizon_text(const StudyFacts& f) {
   const std::string rounding =
-      fmt::format("neighbours part by a factor of {:.2g} until then, so rounding grows to {:.1e} m", f.growth,
+      fmt::format("neighbours part by a factor of {:.3g} until then, so rounding grows to {:.1e} m", f.growth,
                   f.rounding_floor());
   if (f.exponent > 0.0) {
     return fmt::format(
@@ -126,8 +126,8 @@ std::string study_text(const StudyTable& table) {
   std::string out =
       fmt::format("{}\n{}\n{}\n{}\n", f.title, compared_text(f), reference_text(f), horizon_text(f));
   out += fmt::format(
-      "errors: the largest over the moving bodies' centres; times: median of {} runs to the compared time\n\n",
-      f.repeats);
+      "errors: the largest over the moving bodies' centres; times: median of {} run{} to the compared time\n\n",
+      f.repeats, f.repeats == 1 ? "" : "s");
   const std::vector<StudyGroup> groups = groups_of(table);
   for (const StudyGroup& g : groups) out += group_text(g, table.whole());
   if (table.whole()) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "physics/motion/drive.h"
@@ -22,13 +23,16 @@ class ForceField {
   ForceField() = default;
   ForceField(const Forces& forces, const std::vector<Body>& bodies);
 
-  // Rate of a movable body at absolute time t (s) under the forces from outside; y and k are columns of kRows.
+  // Rate of a movable body at absolute time t (s) under the forces from outside; y and k are columns of kRows,
+  // or without the books where keeps_books() is false.
   template <class Y, class K>
   void external_rate(int body, double t, const Y& y, K&& k) const {
     k.template head<3>() = y.template segment<3>(3);
     k.template segment<3>(3) << gravity_, 0.0;
-    k.template tail<kBooks>().setZero();
-    if (!gravity_only_) add_external(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
+    if constexpr (std::decay_t<K>::RowsAtCompileTime == kRows) {
+      k.template tail<kBooks>().setZero();
+      if (!gravity_only_) add_external(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
+    }
   }
   // Adds the coupling forces among `members` to their rates; columns in the order of the members.
   void add_couplings(std::span<const int> members, const Motions& y, Motions& k) const;

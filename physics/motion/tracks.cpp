@@ -50,7 +50,7 @@ double time_to_move(double reach, double speed, double acceleration) {
 }  // namespace
 
 Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs& needs)
-    : field_(scene.forces, bodies), bodies_(bodies), general_(needs == all_needs()) {
+    : field_(scene.forces, bodies), bodies_(bodies), general_(needs.untrimmed) {
   const int n = static_cast<int>(bodies.size());
   island_of_.assign(n, -1);
   settled_.resize(Eigen::NoChange, n);
@@ -93,7 +93,7 @@ void Tracks::set_method(const Method& method) {
   const IntegratorChoice& choice = choice_of(kIntegrators, method.integrator);
   integrator_ = method.integrator;
   adaptive_ = choice.adaptive;
-  evaluations_a_step_ = choice.evaluations;
+  evaluations_a_flight_ = choice.evaluations - (choice.adaptive ? 1 : 0);
   // Without any acceleration every integrator goes straight.
   parabolic_ = !general_ && field_.is_constant() && (choice.exact_under_gravity || constant_.isZero(0.0));
   tolerance_ = method.tolerance;
@@ -144,7 +144,7 @@ void Tracks::gather(const Island& island) {
 // --- along a track
 // ------------------------------------------------------------------------------------------------
 
-void Tracks::fly_one(const Island& island, double time, Motion& out, Stages<Motion>& stages) {
+void Tracks::fly_one(const Island& island, double time, Motion& out) {
   const int body = body_of(island);
   if (island.driven) {
     const Body& b = bodies_[body];
@@ -153,10 +153,22 @@ void Tracks::fly_one(const Island& island, double time, Motion& out, Stages<Moti
     out.segment<2>(3) = drive_velocity(*b.drive, epoch_ + time);
     return;
   }
-  const Motion from = settled_.col(body);
-  integrator_step(integrator_, OneBody{field_, body, epoch_}, island.start, from, time - island.start, stages,
-                  out);
-  evaluations_ += evaluations_a_step_;
+  const OneBody f{field_, body, epoch_};
+  const double h = time - island.start;
+  if (field_.keeps_books()) {
+    const Motion from = settled_.col(body);
+    Stages<Motion> stages;
+    integrator_step(integrator_, f, island.start, from, h, stages, out);
+  } else {
+    // Under gravity alone the books stay what they are.
+    using Flight = Eigen::Matrix<double, kRows - kBooks, 1>;
+    const Flight from = settled_.col(body).head<kRows - kBooks>();
+    Stages<Flight> stages;
+    Flight to;
+    integrator_step(integrator_, f, island.start, from, h, stages, to);
+    out << to, settled_.col(body).tail<kBooks>();
+  }
+  evaluations_ += evaluations_a_flight_;
 }
 
 const Motions& Tracks::fly_group(const Island& island, double time) {
@@ -166,7 +178,7 @@ const Motions& Tracks::fly_group(const Island& island, double time) {
     gather(island);
     integrator_step(integrator_, Together{field_, members_of(island), epoch_}, island.start, group.from,
                     time - island.start, group.stages, group.now);
-    evaluations_ += evaluations_a_step_ * static_cast<std::int64_t>(island.count);
+    evaluations_ += evaluations_a_flight_ * static_cast<std::int64_t>(island.count);
   }
   return group.now;
 }
@@ -180,9 +192,8 @@ Motion Tracks::at(int body, double time) {
     if (time == island.end) return at_end_.col(body);
   }
   if (island.group < 0) {
-    Stages<Motion> stages;
     Motion out;
-    fly_one(island, time, out, stages);
+    fly_one(island, time, out);
     return out;
   }
   return fly_group(island, time).col(column_of(island, body));
@@ -225,14 +236,7 @@ double Tracks::settle_at_end(int k) {
   if (field_.has_breaks()) {
     for (const int i : members_of(island)) field_.set_phase(i, epoch_ + island.start);
   }
-  if (spring < 0) return 0.0;
-  const Motion body = at(field_.spring_body(spring), island.start);
-  const int other = field_.spring_other(spring);
-  const Motion end = other >= 0 ? at(other, island.start) : field_.spring_end(spring, epoch_ + island.start);
-  const double length = (body - end).head<2>().norm();
-  const double before = field_.spring_energy(spring, length);
-  field_.set_engaged(spring, !field_.engaged(spring));
-  return before - field_.spring_energy(spring, length);
+  return spring < 0 ? 0.0 : flip(spring, island.start);
 }
 
 void Tracks::set_velocity(int body, const Vec2& velocity, double spin) {
@@ -261,16 +265,14 @@ void Tracks::lay(int k, double horizon, double reach) {
   }
   if (adaptive_ && !island.driven) lay_adaptive(island);
   if (island.group < 0) {
-    Stages<Motion> stages;
     Motion out;
-    fly_one(island, island.end, out, stages);
+    fly_one(island, island.end, out);
     at_end_.col(body_of(island)) = out;
   } else {
     const Motions& now = fly_group(island, island.end);
     for (int j = 0; j < island.count; ++j) at_end_.col(members_[island.first + j]) = now.col(j);
   }
   if (field_.has_switching_springs() && !island.driven) find_switch(island);
-  bound_bend(island);
 }
 
 double Tracks::time_to_end(const Island& island, double reach) const {
@@ -292,11 +294,15 @@ double Tracks::time_to_end(const Island& island, double reach) const {
 // The error estimate of the step that ends at `time`.
 double Tracks::error_of(const Island& island, double time) {
   const double h = time - island.start;
+  evaluations_ += island.count;
   if (island.group < 0) {
+    const Motion from = settled_.col(body_of(island));
+    const OneBody f{field_, body_of(island), epoch_};
     Stages<Motion> stages;
     Motion out;
-    fly_one(island, time, out, stages);
-    return dormand_prince_error(OneBody{field_, body_of(island), epoch_}, island.start, h, stages, out);
+    integrator_step(integrator_, f, island.start, from, h, stages, out);
+    evaluations_ += evaluations_a_flight_;
+    return dormand_prince_error(f, island.start, h, stages, out);
   }
   fly_group(island, time);
   Group& group = groups_[island.group];
@@ -338,6 +344,29 @@ void Tracks::lay_adaptive(Island& island) {
   if (h < most) island.end = island.start + h;
 }
 
+double Tracks::recheck_switches(int k) {
+  double released = 0.0;
+  for (const int i : members_of(islands_[k])) {
+    for (const int spring : field_.switching_springs(i)) {
+      const double start = islands_[k].start;
+      const double margin = margin_at(spring, start);
+      if (margin != 0.0 && (margin > 0.0) != field_.engaged(spring)) released += flip(spring, start);
+    }
+  }
+  return released;
+}
+
+// The energy in J that is gone with the spring.
+double Tracks::flip(int spring, double time) {
+  const Motion body = at(field_.spring_body(spring), time);
+  const int other = field_.spring_other(spring);
+  const Motion end = other >= 0 ? at(other, time) : field_.spring_end(spring, epoch_ + time);
+  const double length = (body - end).head<2>().norm();
+  const double before = field_.spring_energy(spring, length);
+  field_.set_engaged(spring, !field_.engaged(spring));
+  return before - field_.spring_energy(spring, length);
+}
+
 double Tracks::margin_at(int spring, double time) {
   const int other = field_.spring_other(spring);
   const Motion body = at(field_.spring_body(spring), time);
@@ -347,24 +376,26 @@ double Tracks::margin_at(int spring, double time) {
 
 // Ends the track at the first moment at which a one-sided spring of the island starts or stops to act. The
 // spring must first be seen in the state that it is said to be in: just after a switch its margin is zero
-// within rounding. One that is out of that state all along switches at once, if it is then in its state: it
-// was due together with another spring of the island, or an impact changed its rate.
+// within rounding. One that is out of that state all along switches at once, if it is then in its state: it was
+// due together with another spring of the island. The track is looked at in quarters: what engages and lets go
+// within less is not resolved by the step either.
 void Tracks::find_switch(Island& island) {
-  constexpr int kSamples = 8;
+  constexpr int kQuarters = 4;
+  const double width = island.end - island.start;
   double first = island.end;
   for (const int i : members_of(island)) {
     for (const int spring : field_.switching_springs(i)) {
+      // A spring between two members is theirs both.
+      if (field_.spring_body(spring) != i && island.group >= 0) continue;
       const double sign = field_.engaged(spring) ? 1.0 : -1.0;
       const auto margin = [&](double t) { return sign * margin_at(spring, t); };
-      const double width = island.end - island.start;
-      bool seen = false;
-      bool ever = false;
       double before = island.start;
-      double margin_before = 0.0;
-      for (int s = 0; s <= kSamples; ++s) {
-        const double t = s == kSamples ? island.end : island.start + width * s / kSamples;
+      double margin_before = margin(before);
+      bool seen = margin_before > 0.0;
+      for (int s = 1; s <= kQuarters; ++s) {
+        const double t = s == kQuarters ? island.end : island.start + width * s / kQuarters;
         const double m = margin(t);
-        if (seen && m <= 0.0) {
+        if (margin_before > 0.0 && m <= 0.0) {
           const double root = bracketed_root(margin, before, margin_before, t, m);
           if (root < first || (root == first && island.switching < 0)) {
             first = root;
@@ -372,16 +403,15 @@ void Tracks::find_switch(Island& island) {
           }
           break;
         }
-        seen = m > 0.0;
         before = t;
         margin_before = m;
-        ever = ever || seen;
+        seen = seen || m > 0.0;
       }
-      if (ever || !(margin_before < 0.0)) continue;
+      if (seen || !(margin_before < 0.0)) continue;
       const bool engaged = field_.engaged(spring);
       field_.set_engaged(spring, !engaged);
       forget(island);
-      const bool belongs_there = margin(island.start + width / kSamples) < 0.0;
+      const bool belongs_there = margin(island.start + width / kQuarters) < 0.0;
       field_.set_engaged(spring, engaged);
       forget(island);
       if (belongs_there) {
@@ -395,7 +425,8 @@ void Tracks::find_switch(Island& island) {
   island.end = first;
 }
 
-void Tracks::bound_bend(const Island& island) {
+void Tracks::bound_bend(int k) {
+  const Island& island = islands_[k];
   if (island.driven) {
     const Drive& d = *bodies_[body_of(island)].drive;
     bend_[body_of(island)] = d.angular_frequency * d.angular_frequency * d.amplitude.norm();
@@ -405,6 +436,7 @@ void Tracks::bound_bend(const Island& island) {
     bend_[body_of(island)] = constant_.col(body_of(island)).head<2>().norm();
     return;
   }
+  evaluations_ += 2 * static_cast<std::int64_t>(island.count);
   // Twice the larger of the accelerations at both ends: sub-steps of semi-implicit Euler bend by 2a, and within
   // a step that resolves the motion the acceleration varies by less than that.
   if (island.group < 0) {

@@ -72,7 +72,9 @@ class Tracks {
   [[nodiscard]] Eigen::Vector3d constant_acceleration(int body) const { return constant_.col(body); }
   // m/s²: of a body as it was settled; of a movable one.
   [[nodiscard]] Vec2 acceleration(int body);
-  // m/s²: bounds how much the body's path bends along its track.
+  // Bounds how much the paths of an island's bodies bend along its track, for whoever searches on it:
+  // bend(body) in m/s².
+  void bound_bend(int island);
   [[nodiscard]] double bend(int body) const { return bend_[body]; }
 
   // Settles an island at a time of its track; the track is to be laid anew.
@@ -86,6 +88,9 @@ class Tracks {
   // Settles an island at its track's end, where a spring may switch; the energy in J that a spring let go with
   // it.
   double settle_at_end(int island);
+  // After an impact changed velocities: springs whose margin has jumped to the other side switch now; the
+  // energy in J that they let go.
+  double recheck_switches(int island);
 
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
   [[nodiscard]] std::int64_t rejected_steps() const { return rejected_steps_; }
@@ -121,15 +126,15 @@ class Tracks {
   [[nodiscard]] int body_of(const Island& island) const { return members_[island.first]; }
   void gather(const Island& island);  // the settled motions of a group, side by side
   // The settled motion advanced to `time`: of an island of one body into `out`, of a group.
-  void fly_one(const Island& island, double time, Motion& out, Stages<Motion>& stages);
+  void fly_one(const Island& island, double time, Motion& out);
   const Motions& fly_group(const Island& island, double time);
   [[nodiscard]] double time_to_end(const Island& island, double reach) const;
   double error_of(const Island& island, double time);
   [[nodiscard]] double first_step(const Island& island);
   void lay_adaptive(Island& island);
   void find_switch(Island& island);
+  double flip(int spring, double time);
   [[nodiscard]] double margin_at(int spring, double time);
-  void bound_bend(const Island& island);
 
   ForceField field_;
   std::vector<Body> bodies_;
@@ -145,7 +150,7 @@ class Tracks {
   bool adaptive_ = false;
   bool parabolic_ = false;
   bool general_ = false;  // never take the parabola's short cuts
-  int evaluations_a_step_ = 0;
+  int evaluations_a_flight_ = 0;
   double tolerance_ = 0.0;
   double epoch_ = 0.0;
   std::int64_t evaluations_ = 0;

@@ -37,8 +37,8 @@ inline constexpr auto kSpringActsNames = std::to_array<std::pair<SpringActs, std
     {SpringActs::kWhileShort, "while-short"},
 });
 
-inline constexpr auto kPlotNames = std::to_array<std::string_view>(
-    {"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift"});
+inline constexpr auto kPlotNames =
+    std::to_array<std::string_view>({"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift"});
 
 // The word of a table that stands for `id`; the tables hold every id.
 template <class Table, class Id>

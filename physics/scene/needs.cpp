@@ -142,7 +142,9 @@ NeedsText text_of(const Needs& needs, const Scene& scene) {
   either("coupled forces", needs.coupled_forces);
   either("driven bodies", needs.drives && (f.driven || !(f.pushes || f.torques)));
   either("switched forces", needs.switching);
-  either("lasting contacts", needs.lasting_contacts);
+  // Until contacts that last are modelled, they are what impacts make of them.
+  (needs.lasting_contacts ? text.modelled : text.not_needed)
+      .emplace_back(needs.lasting_contacts ? "lasting contacts (as repeated impacts)" : "lasting contacts");
   return text;
 }
 

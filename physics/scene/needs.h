@@ -23,6 +23,9 @@ struct Needs {
   // True where free flight has a closed form: uniform gravity and constant forces only.
   bool closed_form_flight = false;
 
+  // Not even the short cuts are taken that change nothing but rounding: all bodies are advanced together.
+  bool untrimmed = false;
+
   bool operator==(const Needs&) const = default;
 };
 
@@ -30,7 +33,7 @@ struct Needs {
 [[nodiscard]] Needs needs_of(const Scene& scene);
 
 // Everything that is modelled, whatever the scene: for comparison.
-[[nodiscard]] constexpr Needs all_needs() { return {}; }
+[[nodiscard]] constexpr Needs all_needs() { return {.untrimmed = true}; }
 
 // For people: the parts that are modelled and those that are not needed, each a short noun.
 struct NeedsText {

@@ -123,6 +123,7 @@ void Simulation::lay_all(double horizon) {
 // Lays an island's track anew and puts the bounds of its path into the grid.
 void Simulation::lay(int island, double horizon) {
   tracks_.lay(island, horizon, reach_);
+  tracks_.bound_bend(island);
   const int first = tracks_.members(island).front();
   const double begin = tracks_.start(first);
   const double end = tracks_.end(first);
@@ -155,7 +156,7 @@ void Simulation::foresee(double time, int a, int b) { queue_.push({time, a, b, s
 void Simulation::process_until(double target, double horizon, double h) {
   const std::int64_t crowd =
       kCrowdedImpacts + kCrowdedImpactsPerBody * static_cast<std::int64_t>(bodies_.size());
-  const std::int64_t before = impact_count_;
+  const std::int64_t before = impacts_before_step_;
   while (!queue_.empty() && queue_.next().time <= target) {
     const Event next = queue_.next();
     queue_.pop();

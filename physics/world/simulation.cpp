@@ -65,7 +65,7 @@ void Simulation::add_body(const Body& body) {
   bodies_.push_back(body);
   scene_.bodies = bodies_;
   scene_.generators.clear();
-  needs_ = needs_of(scene_);
+  if (!needs_.untrimmed) needs_ = needs_of(scene_);
   Tracks tracks(scene_, bodies_, needs_);
   tracks.take_over(tracks_, time_);
   tracks_ = std::move(tracks);
@@ -125,6 +125,7 @@ void Simulation::step(double h) {
   step_end_ = origin_ + static_cast<double>(steps_since_origin_) * h;
   impacts_.clear();
   jumps_.clear();
+  impacts_before_step_ = impact_count_;
   if (method_.impacts == ImpactsId::kLocated) {
     step_with_located_impacts(h);
   } else {
@@ -164,6 +165,12 @@ void Simulation::collide(int a, int b, const Contact& contact, const Material& m
   const Impact impact = resolve_impact(side_a, side_b, contact.normal, material);
   if (!immovable(a)) tracks_.set_velocity(a, side_a.velocity, side_a.spin);
   if (!immovable(b)) tracks_.set_velocity(b, side_b.velocity, side_b.spin);
+
+  if (field().has_switching_springs()) {
+    for (const int i : {a, b}) {
+      if (!immovable(i)) ledger_.lost_to_dampers += tracks_.recheck_switches(tracks_.island_of(i));
+    }
+  }
 
   ++impact_count_;
   record.normal_impulse = impact.normal;

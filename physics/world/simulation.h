@@ -213,6 +213,7 @@ class Simulation {
   std::int64_t steps_since_origin_ = 0;
   std::int64_t steps_ = 0;
   std::int64_t impact_count_ = 0;
+  std::int64_t impacts_before_step_ = 0;
   Ledger ledger_;               // without the work of the smooth forces, which the state carries
   double gravity_since_ = 0.0;  // s: ledger_.momentum_from_gravity holds what came before
   Notices notices_;

@@ -2,12 +2,21 @@
 #include <cctype>
 #include <gtest/gtest.h>
 #include <limits>
+#include <ostream>
 
 #include "physics/motion/integrators.h"
 #include "tests/physics/contact_references.h"
 #include "tests/physics/scenes.h"
 
 namespace carom {
+
+namespace test {
+
+// What a failing test shows of its parameter.
+void PrintTo(const ContactReference& reference, std::ostream* out) { *out << reference.name; }
+
+}  // namespace test
+
 namespace {
 
 using test::ContactReference;

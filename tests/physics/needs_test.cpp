@@ -209,6 +209,7 @@ TEST(Needs, InWords) {
   const NeedsText whole = text_of(all_needs(), s);
   EXPECT_TRUE(holds(whole.modelled, "rotation"));
   EXPECT_TRUE(holds(whole.modelled, "friction"));
+  EXPECT_TRUE(holds(whole.modelled, "lasting contacts (as repeated impacts)"));
   EXPECT_TRUE(whole.not_needed.empty());
   for (const std::string& noun : trimmed.not_needed) EXPECT_FALSE(holds(trimmed.modelled, noun)) << noun;
 
@@ -224,6 +225,7 @@ TEST(Needs, InWords) {
       text_of(needs_of(test::scene({disc("a", {0, 0}, {0, 0})})), test::scene({disc("a", {0, 0}, {0, 0})}))
           .modelled,
       "normal impulses"));
+  EXPECT_TRUE(holds(text_of(needs_of(plain()), plain()).not_needed, "lasting contacts"));
 }
 
 TEST(WhyNot, ExactFlightNamesEveryReason) {

@@ -225,7 +225,7 @@ TYPED_TEST(Method, ErrorFollowsTheTolerance) {
 TYPED_TEST(Method, CountsWhatItEvaluates) {
   Scene s = scene({disc("d", {0, 0}, {7, 9})});
   s.forces.gravity = {0.0, -9.81};
-  s.method = {.integrator = this->kId, .step = 0.01};
+  s.method = {.integrator = this->kId, .impacts = ImpactsId::kStepEnd, .step = 0.01};
   if (this->kChoice.order > 0) s.forces.linear_drag = 0.1;
   Simulation simulation(s);
   for (int i = 0; i < 100; ++i) simulation.step();

@@ -53,7 +53,7 @@ class PresetFiles : public testing::Test {
 };
 
 TEST(Presets, MeetTheirExpectations) {
-  ASSERT_GE(preset_files().size(), 8U);
+  ASSERT_GE(preset_files().size(), 24U);
   for (const fs::path& file : preset_files()) {
     const Scene s = read_preset(file);
     EXPECT_FALSE(s.expect.empty()) << file;

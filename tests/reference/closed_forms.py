@@ -10,7 +10,7 @@ fails if a formula and its simulation differ by more than the line says, or if t
 than the formula. Statistical values have no digits to compare; their line says how far theory and simulation are
 apart, and by how many standard errors.
 
-Independent of Carom. Needs mpmath and numpy (Debian: python3-mpmath, python3-numpy).
+Takes about two minutes. Independent of Carom. Needs mpmath and numpy (Debian: python3-mpmath, python3-numpy).
 """
 import json
 import math
