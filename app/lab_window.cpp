@@ -278,8 +278,8 @@ void LabWindow::show_needs() {
     return list.isEmpty() ? tr("nothing") : list.join(", ");
   };
   needs_ = tr("modelled: %1 · not needed: %2").arg(joined(text.modelled), joined(text.not_needed));
-  needs_chip_->setToolTip(tr("Modelled: %1.\nNot needed by this scene: %2.")
-                              .arg(joined(text.modelled), joined(text.not_needed)));
+  needs_chip_->setToolTip(
+      tr("Modelled: %1.\nNot needed by this scene: %2.").arg(joined(text.modelled), joined(text.not_needed)));
   ledger_->set_scene(scene);
   for (QAction* action : integrators_->actions()) {
     const auto id = static_cast<IntegratorId>(action->data().toInt());
