@@ -114,12 +114,20 @@ TEST(Integrators, SpringBoxEnergyFactors) {
     const double ratio = energy_ratio(IntegratorId::kSemiImplicitEuler, z, 1000);
     EXPECT_GT(ratio, 1.0 / (1.0 + z / 2.0) - 1e-9);
     EXPECT_LT(ratio, 1.0 / (1.0 - z / 2.0) + 1e-9);
+    // Velocity Verlet keeps v² + ω²x²(1 - z²/4).
+    for (int steps = 1000; steps < 1010; ++steps) {
+      const double verlet = energy_ratio(IntegratorId::kVelocityVerlet, z, steps);
+      EXPECT_GT(verlet, 1.0 - z * z / 4.0 - 1e-9);
+      EXPECT_LT(verlet, 1.0 + 1e-9);
+    }
   }
 }
 
 TEST(Integrators, StabilityLimits) {
   EXPECT_LT(energy_ratio(IntegratorId::kSemiImplicitEuler, 1.99, 300), 250.0);
   EXPECT_GT(energy_ratio(IntegratorId::kSemiImplicitEuler, 2.01, 300), 1e6);
+  EXPECT_LT(energy_ratio(IntegratorId::kVelocityVerlet, 1.99, 300), 1.0);
+  EXPECT_GT(energy_ratio(IntegratorId::kVelocityVerlet, 2.01, 300), 1e6);
   EXPECT_LT(energy_ratio(IntegratorId::kRk4, 2.82, 300), 1.0);
   EXPECT_GT(energy_ratio(IntegratorId::kRk4, 2.84, 300), 1.0);
   EXPECT_GT(energy_ratio(IntegratorId::kExplicitEuler, 0.1, 300), 10.0);
