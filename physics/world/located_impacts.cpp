@@ -14,6 +14,9 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kNever = std::numeric_limits<double>::infinity();
 // Up to this many bodies a track that no step ends may cross the whole scene: every pair is looked at anyway.
 constexpr int kFewBodies = 12;
+// A run that has reached kMostImpactsPerStep once (a piston crushing an elastic disc, say) gets no more than
+// this in each later step, so that it still goes on.
+constexpr int kMostImpactsOnceCapped = 100'000;
 
 }  // namespace
 
@@ -168,7 +171,8 @@ void Simulation::process_until(double target, double horizon, double h) {
       search_island(island);
       continue;
     }
-    if (impact_count_ - before >= kMostImpactsPerStep) {
+    const int most = notices_.impacts_capped_since < 0.0 ? kMostImpactsPerStep : kMostImpactsOnceCapped;
+    if (impact_count_ - before >= most) {
       if (notices_.impacts_capped_since < 0.0) notices_.impacts_capped_since = tracks_.epoch() + next.time;
       defer(next.a, next.b, false);
       continue;
