@@ -29,7 +29,7 @@ class Program {
     process.setWorkingDirectory(folder_.path());
     process.start(CAROM_PROGRAM, arguments);
     ProgramResult result;
-    if (!process.waitForFinished(60'000)) {
+    if (!process.waitForFinished(600'000)) {
       process.kill();
       process.waitForFinished();
     } else if (process.exitStatus() == QProcess::NormalExit) {
