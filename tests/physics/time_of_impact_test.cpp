@@ -57,7 +57,7 @@ struct Flight {
         const Motion from = initial_motion(bodies[body]);
         if (bodies[body].fixed) return from.head<3>();
         Stages<Motion> stages;
-        Motion to;
+        Motion to = Motion::Zero();
         integrator_step(id, OneBody{field, body}, 0.0, from, t, stages, to);
         return to.head<3>();
       };
