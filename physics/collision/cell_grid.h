@@ -35,8 +35,6 @@ class CellGrid {
     inverse_size_ = 1.0 / size;
   }
 
-  [[nodiscard]] const Bounds& bounds(int body) const { return bounds_[body]; }
-
   // Puts a body in, or moves it.
   void put(int body, const Bounds& bounds) {
     bounds_[body] = bounds;

@@ -25,7 +25,6 @@ class EventQueue {
   void clear() { heap_.clear(); }
   [[nodiscard]] bool empty() const { return heap_.empty(); }
   [[nodiscard]] const Event& next() const { return heap_.front(); }
-  [[nodiscard]] const std::vector<Event>& events() const { return heap_; }
   // All times `by` earlier. Rounding may make two times equal, so the order is made anew.
   void shift(double by) {
     for (Event& event : heap_) event.time -= by;
