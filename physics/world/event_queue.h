@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <tuple>
 #include <vector>
@@ -19,16 +20,29 @@ struct Event {
 };
 
 // Events in the order of time; at one time tracks end first, then impacts go in the order of index pairs. A
-// binary heap; stale events stay in it until their time has come.
+// binary heap; stale events stay in it until their time has come or a sweep finds them.
 class EventQueue {
  public:
-  void clear() { heap_.clear(); }
+  void clear() {
+    heap_.clear();
+    sweep_at_ = kFewest;
+  }
   [[nodiscard]] bool empty() const { return heap_.empty(); }
   [[nodiscard]] const Event& next() const { return heap_.front(); }
   // All times `by` earlier. Rounding may make two times equal, so the order is made anew.
   void shift(double by) {
     for (Event& event : heap_) event.time -= by;
     std::make_heap(heap_.begin(), heap_.end(), Later{});
+  }
+  // Drops the events that is_stale(event) tells, once they may outnumber the others: in time that is constant
+  // for each event, whatever the run, and the queue stays within twice the most that were ever good (or
+  // kFewest).
+  template <class IsStale>
+  void sweep(const IsStale& is_stale) {
+    if (heap_.size() < sweep_at_) return;
+    heap_.erase(std::remove_if(heap_.begin(), heap_.end(), is_stale), heap_.end());
+    std::make_heap(heap_.begin(), heap_.end(), Later{});
+    sweep_at_ = std::max(kFewest, 2 * heap_.size());
   }
   void push(const Event& event) {
     heap_.push_back(event);
@@ -48,7 +62,9 @@ class EventQueue {
       return std::tie(x_meets, x.a, x.b) > std::tie(y_meets, y.a, y.b);
     }
   };
+  static constexpr std::size_t kFewest = 1024;
   std::vector<Event> heap_;
+  std::size_t sweep_at_ = kFewest;
 };
 
 }  // namespace carom

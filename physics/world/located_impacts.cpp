@@ -163,6 +163,7 @@ void Simulation::process_until(double target, double horizon, double h) {
   while (!queue_.empty() && queue_.next().time <= target) {
     const Event next = queue_.next();
     queue_.pop();
+    queue_.sweep([&](const Event& event) { return is_stale(event); });
     if (is_stale(next)) continue;
     if (next.b < 0) {
       const int island = tracks_.island_of(next.a);
