@@ -74,5 +74,21 @@ TEST(InelasticCollapse, EndsInWords) {
   }
 }
 
+// A disc between a wall and a piston that does not stop: no motion is without an overlap, so the run must tell,
+// and go on.
+TEST(Crushed, EndsInWords) {
+  Body piston = wall("piston", {-1.1, 0.0}, 0.2, 1.0);
+  piston.fixed = false;
+  piston.drive = Drive{{1.0, 0.0}, {0.0, 0.0}, 0.0, 0.0};
+  Scene s = scene({wall("wall", {1.1, 0.0}, 0.2, 1.0), piston, disc("disc", {0.0, 0.0}, {1.0, 0.0})});
+  s.method = exact_flight(0.01);
+  Simulation run(s);
+  run.advance_to(1.79);
+  EXPECT_EQ(run.notices().text(), "ok");
+  run.advance_to(1.81);
+  EXPECT_NEAR(run.notices().impacts_capped_since, 1.8, 1e-6);
+  EXPECT_TRUE(run.state().q.allFinite() && run.state().v.allFinite());
+}
+
 }  // namespace
 }  // namespace carom

@@ -31,6 +31,8 @@ class Dice {
 
 // s; a multiple of the longest step, so that no scene is too stiff for an integrator.
 constexpr double kSlow = 0.2;
+constexpr double kLargestRadius = 0.25;  // of a disc, in units
+constexpr double kLongestRun = 2.0;      // s: 60 of the longest steps
 
 // True if the last body overlaps one before it that it could meet.
 bool last_overlaps(const std::vector<Body>& bodies) {
@@ -44,6 +46,27 @@ bool last_overlaps(const std::vector<Body>& bodies) {
   return false;
 }
 
+// True if a driven body leaves room for any disc between itself and what is fixed, as long as a run may last:
+// a disc that is crushed has no motion without an overlap. Its shape is taken as the circle around it.
+bool never_crushes(const Body& driven, const std::vector<Body>& fixed, double unit) {
+  std::vector<Body> bodies = fixed;
+  bodies.push_back(
+      disc("around", driven.position, {0.0, 0.0}, bounding_radius(driven.shape) + 2.0 * kLargestRadius * unit));
+  const Geometry shapes = geometry(bodies);
+  State state = initial_state(bodies);
+  const int last = static_cast<int>(fixed.size());
+  for (double t = 0.0; t < kLongestRun; t += 0.01) {
+    const Vec2 position =
+        driven.position + t * driven.drive->velocity +
+        std::sin(driven.drive->angular_frequency * t + driven.drive->phase) * driven.drive->amplitude;
+    state.q.col(last).head<2>() = position;
+    for (int i = 0; i < last; ++i) {
+      if (contact_between(shapes, i, state.q.col(i), last, state.q.col(last)).gap <= 0.0) return false;
+    }
+  }
+  return true;
+}
+
 void add_boxes(Dice& dice, double unit, Scene& s) {
   if (dice.chance(0.7)) s.bodies = room(unit, dice.chance(0.2) ? 0.01 * unit : 0.5 * unit);
   for (int i = dice.up_to(3); i > 0; --i) {
@@ -51,17 +74,21 @@ void add_boxes(Dice& dice, double unit, Scene& s) {
                             dice.between(0.01, 0.6) * unit, dice.angle()));
   }
   if (!dice.chance(0.2)) return;
-  Body driven = wall("driven", dice.in_square(unit), dice.between(0.1, 0.6) * unit, 0.2 * unit, dice.angle());
-  driven.fixed = false;
-  Drive drive;
-  if (dice.chance(0.6)) drive.velocity = dice.in_square(unit);
-  if (dice.chance(0.6)) {
-    drive.amplitude = dice.in_square(0.2 * unit);
-    drive.angular_frequency = dice.between(0.5, 10.0);
-    drive.phase = dice.angle();
+  for (int tries = 0; tries < 10; ++tries) {
+    Body driven = wall("driven", dice.in_square(unit), dice.between(0.1, 0.6) * unit, 0.2 * unit, dice.angle());
+    driven.fixed = false;
+    Drive drive;
+    if (dice.chance(0.6)) drive.velocity = dice.in_square(unit);
+    if (dice.chance(0.6)) {
+      drive.amplitude = dice.in_square(0.2 * unit);
+      drive.angular_frequency = dice.between(0.5, 10.0);
+      drive.phase = dice.angle();
+    }
+    driven.drive = drive;
+    if (!never_crushes(driven, s.bodies, unit)) continue;
+    s.bodies.push_back(driven);
+    return;
   }
-  driven.drive = drive;
-  s.bodies.push_back(driven);
 }
 
 std::vector<std::string> add_discs(Dice& dice, double unit, bool may_overlap, RandomScene& random) {
@@ -70,7 +97,7 @@ std::vector<std::string> add_discs(Dice& dice, double unit, bool may_overlap, Ra
   const int wanted = 1 + dice.up_to(11);
   const double speed = dice.chance(0.1) ? 0.0 : dice.between(0.1, 4.0) * unit;
   for (int tries = 0; tries < 200 && static_cast<int>(names.size()) < wanted; ++tries) {
-    const double radius = std::exp(dice.between(std::log(0.02), std::log(0.25))) * unit;
+    const double radius = std::exp(dice.between(std::log(0.02), std::log(kLargestRadius))) * unit;
     const double mass = std::exp(dice.between(std::log(0.01), std::log(100.0)));
     const std::string name = fmt::format("disc-{}", names.size() + 1);
     bodies.push_back(disc(name, dice.in_square(unit), dice.in_square(speed), radius, mass));
