@@ -11,12 +11,15 @@
 #include "physics/preset/names.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/setting.h"
+#include "tests/physics/preset_files.h"
 #include "tests/physics/scenes.h"
 
 namespace carom {
 namespace {
 
 namespace fs = std::filesystem;
+using test::content;
+using test::PresetFiles;
 
 std::vector<fs::path> preset_files() {
   std::vector<fs::path> files;
@@ -27,30 +30,11 @@ std::vector<fs::path> preset_files() {
   return files;
 }
 
-std::string content(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 // Characters, not bytes.
 std::size_t length(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
-
-// A folder of its own for a test, gone afterwards.
-class PresetFiles : public testing::Test {
- protected:
-  PresetFiles()
-      : folder_(fs::path(testing::TempDir()) /
-                (std::string("carom-") + testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~PresetFiles() override { fs::remove_all(folder_); }
-  fs::path folder_;
-};
 
 TEST(Presets, MeetTheirExpectations) {
   ASSERT_GE(preset_files().size(), 24U);
@@ -300,236 +284,6 @@ TEST(PresetHelp, NamesEveryWordAndItsExampleIsMet) {
   const Scene s = parse_preset(page.substr(from, page.find("```", from) - from), "presets.md");
   ASSERT_EQ(s.expect.size(), 1U);
   EXPECT_TRUE(check_expectations(s)[0].good) << check_expectations(s)[0].measured;
-}
-
-struct Bad {
-  std::string what;
-  std::string text;
-  std::string place;  // must stand in the message
-};
-
-std::string repeated(const std::string& part, std::size_t bytes) {
-  std::string text;
-  text.reserve(bytes + part.size());
-  while (text.size() < bytes) text += part;
-  return text;
-}
-
-std::vector<Bad> bad_presets() {
-  const std::string head = R"({"format": "carom-preset", "version": 1, "title": "t")";
-  const auto with = [&](const std::string& more) { return head + ", " + more + "}"; };
-  const auto body = [&](const std::string& more) {
-    return with(R"("bodies": [{"name": "a", "shape": {"type": "disc", "radius": 0.1}, "position": [0, 0])" +
-                more + "}]");
-  };
-  const auto forces = [&](const std::string& list) {
-    return with(R"("bodies": [{"name": "a", "shape": {"type": "disc", "radius": 1}, "position": [0, 0]},
-        {"name": "b", "shape": {"type": "disc", "radius": 1}, "position": [9, 0]},
-        {"name": "w", "shape": {"type": "disc", "radius": 1}, "position": [0, 9], "fixed": true}],
-        "forces": [)" +
-                list + "]");
-  };
-  const auto expect = [&](const std::string& more) {
-    return with(R"("expect": [{"observable": "time", "value": 0, "tolerance": 0, )" + more + "}]");
-  };
-  return {
-      {"empty", "", "line 1"},
-      {"not JSON", "hello\nworld", "line 1"},
-      {"truncated", head + R"(, "bodies": [{"na)", "line 1"},
-      {"an array", "[]", "/"},
-      {"null", "null", "/"},
-      {"no format", R"({"version": 1, "title": "t"})", "format"},
-      {"another format", R"({"format": "x", "version": 1, "title": "t"})", "/format"},
-      {"newer version", R"({"format": "carom-preset", "version": 2, "title": "t"})", "newer"},
-      {"version 0", R"({"format": "carom-preset", "version": 0, "title": "t"})", "/version"},
-      {"version 1.5", R"({"format": "carom-preset", "version": 1.5, "title": "t"})", "/version"},
-      {"huge version", R"({"format": "carom-preset", "version": 18446744073709551615, "title": "t"})", "newer"},
-      {"unknown key", with(R"("gravitation": [0, 0])"), "/gravitation"},
-      {"unknown key inside", body(R"(, "colour": "red")"), "/bodies/0/colour"},
-      {"duplicate key", with(R"("title": "u")"), "/title"},
-      {"duplicate key inside", body(R"(, "mass": 1, "mass": 2)"), "/bodies/0/mass"},
-      {"negative mass", body(R"(, "mass": -1)"), "/bodies/0/mass"},
-      {"mass 0", body(R"(, "mass": 0)"), "/bodies/0/mass"},
-      {"NaN", body(R"(, "mass": NaN)"), "line 1"},
-      {"1e999", body(R"(, "mass": 1e999)"), "too large"},
-      {"-1e999", body(R"(, "spin": -1e999)"), "too large"},
-      {"1e300", body(R"(, "spin": 1e300)"), "/bodies/0/spin"},
-      {"text for a number", body(R"(, "mass": "1")"), "/bodies/0/mass"},
-      {"number for a text", body(R"(, "material": 1)"), "/bodies/0/material"},
-      {"three coordinates", body(R"(, "velocity": [1, 2, 3])"), "/bodies/0/velocity"},
-      {"mass and density", body(R"(, "mass": 1, "density": 1)"), "/bodies/0/density"},
-      {"unknown material", body(R"(, "material": "cheese")"), "/bodies/0/material"},
-      {"one name twice",
-       with(R"("bodies": [{"name": "a", "shape": {"type": "disc", "radius": 1}, "position": [0, 0]},
-            {"name": "a", "shape": {"type": "disc", "radius": 1}, "position": [9, 0]}])"),
-       "/bodies/1/name"},
-      {"a moving box",
-       with(
-           R"("bodies": [{"name": "a", "shape": {"type": "box", "width": 1, "height": 1}, "position": [0, 0]}])"),
-       "/bodies/0/fixed"},
-      {"a moving fixed body", body(R"(, "fixed": true, "velocity": [1, 0])"), "/bodies/0/velocity"},
-      {"no radius", with(R"("bodies": [{"name": "a", "shape": {"type": "disc"}, "position": [0, 0]}])"),
-       "/bodies/0/shape"},
-      {"unknown shape", with(R"("bodies": [{"name": "a", "shape": {"type": "star"}, "position": [0, 0]}])"),
-       "/bodies/0/shape/type"},
-      {"spring of nobody",
-       with(R"("forces": [{"type": "spring", "body": "b", "anchor": [0, 0], "stiffness": 1}])"), "\"b\""},
-      {"unknown force", with(R"("forces": [{"type": "magic"}])"), "/forces/0/type"},
-      {"restitution 2", with(R"("materials": [{"name": "m", "restitution": 2}])"), "/materials/0/restitution"},
-      {"static below kinetic",
-       with(R"("materials": [{"name": "m", "kinetic_friction": 0.5, "static_friction": 0.2}])"),
-       "/materials/0/static_friction"},
-      {"step 0", with(R"("method": {"step": 0})"), "/method/step"},
-      {"unknown integrator", with(R"("method": {"integrator": "rk5"})"), "/method/integrator"},
-      {"duration 0", with(R"("duration": 0)"), "/duration"},
-      {"unknown plot", with(R"("plots": ["heat"])"), "/plots/0"},
-      {"unknown observable",
-       with(R"("expect": [{"observable": "luck", "reduction": "final", "value": 1, "tolerance": 0}])"),
-       "/expect/0/observable"},
-      {"too few bodies",
-       with(R"("expect": [{"observable": "x", "reduction": "final", "value": 1, "tolerance": 0}])"),
-       "/expect/0/bodies"},
-      {"unknown body",
-       with(
-           R"("expect": [{"observable": "x", "bodies": ["z"], "reduction": "final", "value": 1, "tolerance": 0}])"),
-       "/expect/0/bodies/0"},
-      {"a billion bodies", with(R"("generators": [{"type": "grid", "columns": 100000, "rows": 10000}])"),
-       "/generators/0"},
-      {"generator repeats a name",
-       with(R"("generators": [{"type": "grid", "name": "g"}, {"type": "grid", "name": "g"}])"), "/generators"},
-      {"seed -1",
-       with(
-           R"("generators": [{"type": "grid", "name": "g", "origin": [0, 0], "spacing": [1, 1], "radius": [0.1, 0.1], "seed": -1}])"),
-       "/generators/0/seed"},
-      {"drive of a fixed body", body(R"(, "fixed": true, "drive": {"velocity": [1, 0]})"), "/bodies/0/fixed"},
-      {"drive and velocity", body(R"(, "velocity": [1, 0], "drive": {})"), "/bodies/0/velocity"},
-      {"drive and spin", body(R"(, "spin": 1, "drive": {})"), "/bodies/0/spin"},
-      {"drive and mass", body(R"(, "mass": 1, "drive": {})"), "/bodies/0/mass"},
-      {"drive and density", body(R"(, "density": 1, "drive": {})"), "/bodies/0/density"},
-      {"drive backwards", body(R"(, "drive": {"angular_frequency": -1})"), "/bodies/0/drive/angular_frequency"},
-      {"drive with an unknown key", body(R"(, "drive": {"speed": 1})"), "/bodies/0/drive/speed"},
-      {"two linear drags", forces(R"({"type": "linear_drag", "coefficient": 1},
-           {"type": "linear_drag", "coefficient": 1})"),
-       "/forces/1"},
-      {"linear drag below 0", forces(R"({"type": "linear_drag", "coefficient": -1})"), "/forces/0/coefficient"},
-      {"spring without other end", forces(R"({"type": "spring", "body": "a", "stiffness": 1})"),
-       "/forces/0/anchor"},
-      {"spring with two other ends",
-       forces(R"({"type": "spring", "body": "a", "stiffness": 1, "anchor": [0, 0], "to": "b"})"),
-       "/forces/0/anchor"},
-      {"spring to itself", forces(R"({"type": "spring", "body": "a", "stiffness": 1, "to": "a"})"),
-       "/forces/0/to"},
-      {"spring to nobody", forces(R"({"type": "spring", "body": "a", "stiffness": 1, "to": "z"})"),
-       "/forces/0/to"},
-      {"spring to no name", forces(R"({"type": "spring", "body": "a", "stiffness": 1, "to": ""})"),
-       "/forces/0/to"},
-      {"spring of a fixed body", forces(R"({"type": "spring", "body": "w", "stiffness": 1, "to": "a"})"),
-       "/forces/0/body"},
-      {"second of two springs", forces(R"({"type": "spring", "body": "a", "stiffness": 1, "to": "b"},
-              {"type": "quadratic_drag", "coefficient": 1},
-              {"type": "spring", "body": "a", "stiffness": 0, "to": "b"})"),
-       "/forces/2/stiffness"},
-      {"one spring name twice",
-       forces(R"({"type": "spring", "name": "s", "body": "a", "stiffness": 1, "to": "b"},
-              {"type": "spring", "name": "s", "body": "b", "stiffness": 1, "to": "a"})"),
-       "/forces/1/name"},
-      {"damping below 0",
-       forces(R"({"type": "spring", "body": "a", "stiffness": 1, "to": "b", "damping": -1})"),
-       "/forces/0/damping"},
-      {"unknown way to act",
-       forces(R"({"type": "spring", "body": "a", "stiffness": 1, "to": "b", "acts": "never"})"),
-       "/forces/0/acts"},
-      {"two attractions",
-       forces(R"({"type": "attraction", "constant": 1}, {"type": "attraction", "constant": 1})"), "/forces/1"},
-      {"attraction 0", forces(R"({"type": "attraction", "constant": 0})"), "/forces/0/constant"},
-      {"force on nobody", forces(R"({"type": "force", "body": "z"})"), "/forces/0/body"},
-      {"force on a wall", forces(R"({"type": "force", "body": "w", "force": [1, 0]})"), "/forces/0/body"},
-      {"force that ends before it starts", forces(R"({"type": "force", "body": "a", "start": 2, "end": 1})"),
-       "/forces/0/end"},
-      {"tolerance 1", with(R"("method": {"tolerance": 1})"), "/method/tolerance"},
-      {"unknown reduction", expect(R"("reduction": "sum")"), "/expect/0/reduction"},
-      {"count without a bound", expect(R"("reduction": "count")"), "\"above\" is missing"},
-      {"until before from", expect(R"("reduction": "mean", "from": 2, "until": 1)"), "/expect/0/until"},
-      {"from where nothing is looked over", expect(R"("reduction": "final", "from": 2)"), "/expect/0/from"},
-      {"setting of nothing", expect(R"("reduction": "final", "with": {"/bodies/7/mass": 1})"),
-       "/bodies/7/mass"},
-      {"setting of a text", expect(R"("reduction": "final", "with": {"/title": 1})"), "\"/title\""},
-      {"setting without a slash", expect(R"("reduction": "final", "with": {"gravity": 1})"), "\"gravity\""},
-      {"setting that is a text", expect(R"("reduction": "final", "with": {"/duration": "1"})"),
-       "/expect/0/with /duration"},
-      {"sweep of nothing",
-       expect(R"("reduction": "final", "over": {"place": "/x", "values": [1], "reduction": "mean"})"),
-       "/expect/0/over/place"},
-      {"sweep over nothing",
-       expect(R"("reduction": "final", "over": {"place": "/duration", "values": [], "reduction": "mean"})"),
-       "/expect/0/over/values"},
-      {"exponent of one value",
-       expect(
-           R"("reduction": "final", "over": {"place": "/duration", "values": [1], "reduction": "exponent"})"),
-       "/expect/0/over/values"},
-      {"exponent through zero",
-       expect(
-           R"("reduction": "final", "over": {"place": "/duration", "values": [0, 1], "reduction": "exponent"})"),
-       "/expect/0/over/values/0"},
-      {"parabola of values in disorder", expect(R"("reduction": "final",
-              "over": {"place": "/duration", "values": [1, 3, 2], "reduction": "where-maximum"})"),
-       "/expect/0/over/values/2"},
-      {"extra is a number", with(R"("extra": 1)"), "/extra"},
-      {"not UTF-8", head + ", \"about\": \"\xff\xfe\"}", "line 1"},
-      {"50 MB of brackets", repeated("[", 50'000'000), "nested deeper"},
-      {"50 MB of braces", repeated(R"({"a":)", 50'000'000), "nested deeper"},
-  };
-}
-
-void expect_clear(const std::string& what, const std::string& message, const std::string& place) {
-  EXPECT_EQ(message.find('\n'), std::string::npos) << what << ": " << message;
-  EXPECT_LT(message.size(), 400U) << what << ": " << message;
-  EXPECT_NE(message.find(place), std::string::npos) << what << ": " << message;
-  EXPECT_TRUE(message.find("allowed") != std::string::npos ||
-              message.find("reads up to") != std::string::npos ||
-              message.find("needs five") != std::string::npos)
-      << what << ": " << message;
-}
-
-TEST(BadPresets, AreRefusedInOneClearLine) {
-  for (const Bad& bad : bad_presets()) {
-    try {
-      (void)parse_preset(bad.text, "bad.json");
-      ADD_FAILURE() << bad.what << " was accepted";
-    } catch (const SceneError& error) {
-      const std::string message = error.what();
-      EXPECT_EQ(message.rfind("bad.json: ", 0), 0U) << message;
-      expect_clear(bad.what, message, bad.place);
-    }
-  }
-}
-
-TEST_F(PresetFiles, MissingFileAndFolder) {
-  for (const fs::path& file : {folder_ / "missing.json", folder_}) {
-    try {
-      (void)read_preset(file);
-      ADD_FAILURE() << file << " was accepted";
-    } catch (const SceneError& error) {
-      expect_clear(file.string(), error.what(), file.string());
-    }
-  }
-}
-
-// Every way to cut or to damage a preset by one byte ends in a scene or in a SceneError.
-TEST(BadPresets, DamagedBytes) {
-  const std::string good = content(fs::path(CAROM_PRESET_DIR) / "first-collisions/head-on.json");
-  for (std::size_t i = 0; i < good.size(); i += 3) {
-    std::string cut = good.substr(0, i);
-    std::string damaged = good;
-    damaged[i] = static_cast<char>(damaged[i] ^ (1 << (i % 8)));
-    for (const std::string& text : {cut, damaged}) {
-      try {
-        (void)parse_preset(text, "damaged.json");
-      } catch (const SceneError& error) {
-        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-      }
-    }
-  }
 }
 
 }  // namespace
