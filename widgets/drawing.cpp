@@ -1,5 +1,6 @@
 #include "widgets/drawing.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +17,8 @@ constexpr double kLeastNamedRadius = 6.0;     // px
 constexpr double kLeastOrientedRadius = 4.0;  // px
 constexpr double kNameDrop = 3.0;             // px below the body
 constexpr double kContactDot = 5.0;           // px
+constexpr double kPointRadius = 2.0;          // px, of the dot that shows a body too small to be seen
+constexpr double kThinWall = 3.0;             // px
 
 class Builder {
  public:
@@ -54,9 +57,41 @@ class Builder {
     if (const Disc* disc = std::get_if<Disc>(&body.shape)) {
       const bool oriented = free(i) && disc->radius * in_.camera.scale >= kLeastOrientedRadius;
       out_.discs.push_back({at, disc->radius, angle, fill, line, oriented});
+      if (disc->radius * in_.camera.scale < kPointRadius)
+        out_.segments.push_back({at, at, line, 2.0 * kPointRadius * in_.options.line_scale});
     } else if (const Box* box = std::get_if<Box>(&body.shape)) {
       out_.boxes.push_back({at, Vec2(box->width, box->height) / 2, angle, fill, line});
+    } else if (const Polygon* polygon = std::get_if<Polygon>(&body.shape)) {
+      add_polygon(*polygon, at, angle, fill, line);
+    } else {
+      add_wall(std::get<Wall>(body.shape), at, angle, fill, line);
     }
+  }
+
+  void add_polygon(const Polygon& polygon, const Vec2& at, double angle, const QColor& fill,
+                   const QColor& line) {
+    const Outline outline = outline_of(polygon);
+    const Eigen::Rotation2Dd turned(angle);
+    const int first = static_cast<int>(out_.vertices.size());
+    for (const Vec2& v : outline.vertices) out_.vertices.push_back(at + turned * v);
+    out_.polygons.push_back({first, static_cast<int>(outline.vertices.size()), outline.rounding, fill, line});
+  }
+
+  // Of a half-plane, as much as fills the view.
+  void add_wall(const Wall& wall, const Vec2& at, double angle, const QColor& fill, const QColor& line) {
+    const Vec2 along(std::cos(angle), std::sin(angle));
+    if (wall.length) {
+      const Vec2 half = 0.5 * *wall.length * along;
+      out_.lines.push_back({at - half, at + half, line, kThinWall * in_.options.line_scale});
+      return;
+    }
+    const Vec2 middle = 0.5 * (seen_.lower + seen_.upper);
+    const double radius = (seen_.upper - seen_.lower).norm();
+    const Vec2 inwards(along.y(), -along.x());
+    const double depth = inwards.dot(middle - at) + radius;  // of the farthest point in the view
+    if (!(depth > 0.0)) return;
+    const Vec2 surface = at + along.dot(middle - at) * along;
+    out_.boxes.push_back({surface + 0.5 * depth * inwards, {radius, 0.5 * depth}, angle, fill, line});
   }
 
   void add_names() {
@@ -121,6 +156,8 @@ class Builder {
 void Drawing::clear() {
   has_grid = false;
   boxes.clear();
+  vertices.clear();
+  polygons.clear();
   discs.clear();
   lines.clear();
   segments.clear();
@@ -162,22 +199,15 @@ Drawing make_drawing(const DrawingInput& input, Drawing reuse) {
   return reuse;
 }
 
-Vec2 half_extent(const Shape& shape, double angle) {
-  if (const Disc* disc = std::get_if<Disc>(&shape)) return Vec2::Constant(disc->radius);
-  const Box& box = std::get<Box>(shape);
-  const double c = std::abs(std::cos(angle));
-  const double s = std::abs(std::sin(angle));
-  return {(c * box.width + s * box.height) / 2, (s * box.width + c * box.height) / 2};
-}
-
 WorldRect bounds(const Frame& frame) {
   WorldRect rect;
   if (!frame.bodies) return rect;
   const int count = std::min(frame.state.size(), static_cast<int>(frame.bodies->size()));
   for (int i = 0; i < count; ++i) {
     if (!frame.state.q.col(i).allFinite()) continue;
-    rect.include(frame.state.position(i),
-                 half_extent((*frame.bodies)[static_cast<std::size_t>(i)].shape, frame.state.q(2, i)));
+    const Vec2 half = half_extent((*frame.bodies)[static_cast<std::size_t>(i)].shape, frame.state.q(2, i));
+    // Of a half-plane, the point that it was placed by.
+    rect.include(frame.state.position(i), half.allFinite() ? half : Vec2(Vec2::Zero()));
   }
   if (frame.forces) {
     for (const Spring& spring : frame.forces->springs) {

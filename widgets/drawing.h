@@ -14,8 +14,8 @@
 namespace carom {
 
 // What the scene looks like as a list of plain shapes: in world metres, with colours, and widths in logical
-// pixels. OpenGL and QPainter paint the same list. Painted in this order: grid, boxes, springs, discs, contact
-// points, arrows, text.
+// pixels. OpenGL and QPainter paint the same list. Painted in this order: grid, boxes, polygons, springs and
+// thin walls, discs, contact points, arrows, text.
 struct Drawing {
   struct DiscItem {
     Vec2 center;
@@ -29,6 +29,14 @@ struct Drawing {
     Vec2 center;
     Vec2 half;  // m, half width and half height
     double angle;
+    QColor fill;
+    QColor line;
+  };
+  // A convex polygon, its corners rounded.
+  struct PolygonItem {
+    int first;  // of its vertices in `vertices`, counter-clockwise
+    int count;
+    double rounding;  // m, which grows it
     QColor fill;
     QColor line;
   };
@@ -56,15 +64,20 @@ struct Drawing {
   bool has_grid = false;
   Grid grid;
   std::vector<BoxItem> boxes;
+  std::vector<Vec2> vertices;  // of the polygons, m, in the world
+  std::vector<PolygonItem> polygons;
   std::vector<SegmentItem> lines;  // over the boxes, under the discs
   std::vector<DiscItem> discs;
   std::vector<SegmentItem> segments;
   std::vector<ArrowItem> arrows;
   std::vector<LabelItem> labels;
-  double outline = 1.5;   // px, of discs and boxes
+  double outline = 1.5;   // px, of bodies
   double text_size = 11;  // px
 
   void clear();  // keeps the capacities
+  [[nodiscard]] std::span<const Vec2> corners(const PolygonItem& polygon) const {
+    return {vertices.data() + polygon.first, static_cast<std::size_t>(polygon.count)};
+  }
 };
 
 struct DrawingOptions {
@@ -117,8 +130,6 @@ struct DrawingInput {
 // Leaves out what the camera doesn't see. The memory of `reuse` serves the new list.
 [[nodiscard]] Drawing make_drawing(const DrawingInput& input, Drawing reuse = {});
 
-// What a body covers, turned by its angle, in m: half of the upright rectangle around it.
-[[nodiscard]] Vec2 half_extent(const Shape& shape, double angle);
 // All bodies of the frame and the points that springs hang on.
 [[nodiscard]] WorldRect bounds(const Frame& frame);
 

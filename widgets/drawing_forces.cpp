@@ -51,11 +51,9 @@ const Body& body_of(const DrawingInput& in, int i) { return (*in.frame.bodies)[s
 
 // m from a body's centre to its rim, along the unit vector `along`.
 double rim(const DrawingInput& in, int i, const Vec2& along) {
-  const Shape& shape = body_of(in, i).shape;
-  if (const Disc* disc = std::get_if<Disc>(&shape)) return disc->radius;
-  const Box& box = std::get<Box>(shape);
-  const Vec2 own = (Eigen::Rotation2Dd(-in.frame.state.q(2, i)) * along).cwiseAbs();
-  return std::min(box.width / 2 / std::max(own.x(), 1e-300), box.height / 2 / std::max(own.y(), 1e-300));
+  const Vec2 own = Eigen::Rotation2Dd(-in.frame.state.q(2, i)) * along;
+  const auto inside = chord(outline_of(body_of(in, i).shape), Vec2::Zero(), own);
+  return inside ? inside->second : 0.0;
 }
 
 // Lines of one look, in world metres.
@@ -121,34 +119,25 @@ void hatch(const DrawingInput& in, int i, const WorldRect& seen, Drawing& out) {
   const Eigen::Rotation2Dd turn(in.frame.state.q(2, i));
   const Vec2 center = in.frame.state.position(i);
   const double pixel = 1.0 / in.camera.scale;
-  const double inset = out.outline / 2 * pixel;
+  const double inset = out.outline * pixel;
   const double spacing = kHatch * in.options.line_scale * pixel;
   const double seen_radius = (seen.upper - seen.lower).norm() / 2;
   const Vec2 seen_at = turn.inverse() * ((seen.lower + seen.upper) / 2 - center);
   const Vec2 along = Vec2(1.0, 1.0) / std::numbers::sqrt2;
   const Vec2 across = turned(along);
   const Shape& shape = body_of(in, i).shape;
-  const Disc* disc = std::get_if<Disc>(&shape);
-  const Box* box = std::get_if<Box>(&shape);
-  const double extent = disc != nullptr ? disc->radius : (box->width + box->height) / 2 / std::numbers::sqrt2;
+  const Outline outline = outline_of(shape);
+  const double extent = bounding_radius(shape);
   const double lowest = std::max(-extent, seen_at.dot(across) - seen_radius);
   const double highest = std::min(extent, seen_at.dot(across) + seen_radius);
-  Pen pen(disc != nullptr ? out.segments : out.lines, in.theme.wall_line, kHatchWidth * in.options.line_scale);
+  const bool disc = std::holds_alternative<Disc>(shape);
+  Pen pen(disc ? out.segments : out.lines, in.theme.wall_line, kHatchWidth * in.options.line_scale);
   for (double k = std::ceil(lowest / spacing); k * spacing <= highest; ++k) {
     const double d = k * spacing;
-    double low = 0.0;
-    double high = 0.0;
-    if (disc != nullptr) {
-      const double radius = disc->radius - inset;
-      if (std::abs(d) >= radius) continue;
-      high = std::sqrt(radius * radius - d * d);
-      low = -high;
-    } else {
-      // |x| <= half width and |y| <= half height on the line x = (s - d)/√2, y = (s + d)/√2.
-      const Vec2 half = std::numbers::sqrt2 * (Vec2(box->width, box->height) / 2 - Vec2::Constant(inset));
-      low = std::max(-half.x() + d, -half.y() - d);
-      high = std::min(half.x() + d, half.y() - d);
-    }
+    const auto inside = chord(outline, d * across, along);
+    if (!inside) continue;
+    const double low = std::max(inside->first + inset, seen_at.dot(along) - seen_radius);
+    const double high = std::min(inside->second - inset, seen_at.dot(along) + seen_radius);
     if (low < high)
       pen.line(center + turn * (d * across + low * along), center + turn * (d * across + high * along));
   }

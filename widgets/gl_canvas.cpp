@@ -17,6 +17,7 @@ namespace {
 
 constexpr float kRoundedBox = 0.0F;  // discs, boxes and lines: a core rectangle grown by a rounding
 constexpr float kTriangle = 1.0F;    // isosceles, its tip at +x
+constexpr float kPolygon = 2.0F;     // convex, grown by a rounding
 
 constexpr const char* kVertexShader = R"(#version 330 core
 layout(location = 0) in vec2 center;
@@ -25,10 +26,12 @@ layout(location = 2) in vec2 half_size;
 layout(location = 3) in vec3 shape;  // rounding, line width, kind
 layout(location = 4) in vec4 fill;
 layout(location = 5) in vec4 line;
+layout(location = 6) in vec2 corners;
 uniform vec2 to_clip;
 out vec2 local;
 flat out vec2 core;
 flat out vec3 form;
+flat out ivec2 range;
 flat out vec4 fill_color;
 flat out vec4 line_color;
 void main() {
@@ -36,6 +39,7 @@ void main() {
   local = corner * (half_size + shape.x + 0.5 * shape.y + 1.0);
   core = half_size;
   form = shape;
+  range = ivec2(corners);
   fill_color = fill;
   line_color = line;
   vec2 at = center + axis * local.x + vec2(-axis.y, axis.x) * local.y;
@@ -49,6 +53,8 @@ constexpr const char* kFragmentShader = R"(#version 330 core
 in vec2 local;
 flat in vec2 core;
 flat in vec3 form;
+flat in ivec2 range;
+uniform samplerBuffer points;
 flat in vec4 fill_color;
 flat in vec4 line_color;
 out vec4 color;
@@ -60,9 +66,24 @@ float triangle(vec2 p) {
   vec2 side = normalize(vec2(core.y, 2.0 * core.x));
   return max(-p.x - core.x, dot(vec2(p.x - core.x, abs(p.y)), side));
 }
+// The nearest edge's distance; inside where no edge has the point on its outer side.
+float polygon(vec2 p) {
+  float nearest = 1e30;
+  float outer = -1e30;
+  vec2 a = texelFetch(points, range.x + range.y - 1).xy;
+  for (int k = 0; k < range.y; ++k) {
+    vec2 b = texelFetch(points, range.x + k).xy;
+    vec2 e = b - a;
+    vec2 w = p - a;
+    nearest = min(nearest, length(w - e * clamp(dot(w, e) / max(dot(e, e), 1e-12), 0.0, 1.0)));
+    outer = max(outer, dot(w, vec2(-e.y, e.x)));
+    a = b;
+  }
+  return (outer > 0.0 || range.y < 3 ? nearest : -nearest) - form.x;
+}
 void main() {
   float pixel = length(vec2(dFdx(local.x), dFdy(local.x)));
-  float distance = form.z < 0.5 ? rounded_box(local) : triangle(local);
+  float distance = form.z < 0.5 ? rounded_box(local) : form.z < 1.5 ? triangle(local) : polygon(local);
   float inside = clamp(0.5 - distance / pixel, 0.0, 1.0) * fill_color.a;
   float outline = form.y > 0.0
       ? clamp(0.5 - (abs(distance) - 0.5 * form.y) / pixel, 0.0, 1.0) * line_color.a : 0.0;
@@ -75,7 +96,10 @@ QPointF direction(double angle) { return {std::cos(angle), -std::sin(angle)}; }
 }  // namespace
 
 GlCanvas::GlCanvas(const Picture& picture, QWidget* parent)
-    : QOpenGLWidget(parent), picture_(picture), buffer_(QOpenGLBuffer::VertexBuffer) {
+    : QOpenGLWidget(parent),
+      picture_(picture),
+      buffer_(QOpenGLBuffer::VertexBuffer),
+      corner_buffer_(QOpenGLBuffer::VertexBuffer) {
   QSurfaceFormat surface = format();
   surface.setVersion(3, 3);
   surface.setProfile(QSurfaceFormat::CoreProfile);
@@ -119,6 +143,9 @@ void GlCanvas::initializeGL() {
   array_.create();
   buffer_.create();
   buffer_.setUsagePattern(QOpenGLBuffer::StreamDraw);
+  corner_buffer_.create();
+  corner_buffer_.setUsagePattern(QOpenGLBuffer::StreamDraw);
+  glGenTextures(1, &corner_texture_);
 
   const QOpenGLVertexArrayObject::Binder bound(&array_);
   buffer_.bind();
@@ -134,12 +161,15 @@ void GlCanvas::initializeGL() {
   attribute(3, 3, GL_FLOAT, offsetof(Instance, rounding));
   attribute(4, 4, GL_UNSIGNED_BYTE, offsetof(Instance, fill));
   attribute(5, 4, GL_UNSIGNED_BYTE, offsetof(Instance, line));
+  attribute(6, 2, GL_FLOAT, offsetof(Instance, corners));
   buffer_.release();
 }
 
 void GlCanvas::release() {
   if (!program_) return;
   makeCurrent();
+  glDeleteTextures(1, &corner_texture_);
+  corner_buffer_.destroy();
   buffer_.destroy();
   array_.destroy();
   program_.reset();
@@ -161,6 +191,13 @@ void GlCanvas::paintGL() {
     program_->setUniformValue(to_clip_, QVector2D(static_cast<float>(2.0 / (viewport.width() * ratio_)),
                                                   static_cast<float>(2.0 / (viewport.height() * ratio_))));
     {
+      if (!corners_.empty()) {
+        corner_buffer_.bind();
+        corner_buffer_.allocate(corners_.data(), static_cast<int>(corners_.size() * sizeof(float)));
+        corner_buffer_.release();
+        glBindTexture(GL_TEXTURE_BUFFER, corner_texture_);
+        glTexBuffer(GL_TEXTURE_BUFFER, GL_RG32F, corner_buffer_.bufferId());
+      }
       const QOpenGLVertexArrayObject::Binder bound(&array_);
       buffer_.bind();
       buffer_.allocate(instances_.data(), static_cast<int>(instances_.size() * sizeof(Instance)));
@@ -181,6 +218,7 @@ void GlCanvas::paintGL() {
 void GlCanvas::collect() {
   ratio_ = devicePixelRatioF();
   instances_.clear();
+  corners_.clear();
   const Drawing& drawing = picture_.drawing;
   const Camera& camera = picture_.camera;
   const QPointF right(1.0, 0.0);
@@ -197,6 +235,7 @@ void GlCanvas::collect() {
     add(camera.to_screen(box.center), direction(box.angle), half.x() - corner, half.y() - corner, corner,
         drawing.outline, kRoundedBox, box.fill, box.line);
   }
+  for (const Drawing::PolygonItem& polygon : drawing.polygons) add_polygon(polygon);
   const auto add_segments = [&](const std::vector<Drawing::SegmentItem>& segments) {
     for (const Drawing::SegmentItem& segment : segments) {
       add_line(camera.to_screen(segment.from), camera.to_screen(segment.to), segment.width, segment.color,
@@ -222,6 +261,27 @@ void GlCanvas::collect() {
   }
 }
 
+void GlCanvas::add_polygon(const Drawing::PolygonItem& polygon) {
+  const Camera& camera = picture_.camera;
+  const std::span<const Vec2> corners = picture_.drawing.corners(polygon);
+  QRectF around(camera.to_screen(corners[0]), QSizeF(0.0, 0.0));
+  for (const Vec2& corner : corners) {
+    const QPointF at = camera.to_screen(corner);
+    around.setCoords(std::min(around.left(), at.x()), std::min(around.top(), at.y()),
+                     std::max(around.right(), at.x()), std::max(around.bottom(), at.y()));
+  }
+  const auto first = static_cast<float>(corners_.size() / 2);
+  for (const Vec2& corner : corners) {
+    const QPointF at = (camera.to_screen(corner) - around.center()) * ratio_;
+    corners_.push_back(static_cast<float>(at.x()));
+    corners_.push_back(static_cast<float>(at.y()));
+  }
+  add(around.center(), QPointF(1.0, 0.0), around.width() / 2, around.height() / 2,
+      polygon.rounding * camera.scale, picture_.drawing.outline, kPolygon, polygon.fill, polygon.line);
+  instances_.back().corners[0] = first;
+  instances_.back().corners[1] = static_cast<float>(corners.size());
+}
+
 void GlCanvas::add(const QPointF& center, const QPointF& axis, double half_x, double half_y, double rounding,
                    double line_width, float kind, const QColor& fill, const QColor& line) {
   const auto pixels = [this](double logical) { return static_cast<float>(logical * ratio_); };
@@ -232,6 +292,7 @@ void GlCanvas::add(const QPointF& center, const QPointF& axis, double half_x, do
                         pixels(rounding),
                         pixels(line_width),
                         kind,
+                        {0.0F, 0.0F},
                         {byte(fill.red()), byte(fill.green()), byte(fill.blue()), byte(fill.alpha())},
                         {byte(line.red()), byte(line.green()), byte(line.blue()), byte(line.alpha())}});
 }

@@ -37,11 +37,13 @@ class GlCanvas : public QOpenGLWidget, private QOpenGLFunctions_3_3_Core {
     float rounding;
     float line_width;
     float kind;
+    float corners[2];  // of a polygon: the first one in `corners_` and their number
     std::uint8_t fill[4];
     std::uint8_t line[4];
   };
 
   void collect();
+  void add_polygon(const Drawing::PolygonItem& polygon);
   void add(const QPointF& center, const QPointF& axis, double half_x, double half_y, double rounding,
            double line_width, float kind, const QColor& fill, const QColor& line);
   void add_line(const QPointF& from, const QPointF& to, double width, const QColor& color, bool round);
@@ -50,9 +52,13 @@ class GlCanvas : public QOpenGLWidget, private QOpenGLFunctions_3_3_Core {
   const Picture& picture_;
   double ratio_ = 1.0;  // device pixels per logical pixel
   std::vector<Instance> instances_;
+  std::vector<float>
+      corners_;  // x, y of the polygons' corners, in device pixels from their quad's centre, y down
   std::unique_ptr<QOpenGLShaderProgram> program_;
   QOpenGLVertexArrayObject array_;
   QOpenGLBuffer buffer_;
+  QOpenGLBuffer corner_buffer_;
+  unsigned int corner_texture_ = 0;  // gives the shader the corners
   int to_clip_ = -1;
 };
 

@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
+#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -40,6 +41,41 @@ void paint_boxes(QPainter& painter, const Drawing& drawing, const Camera& camera
     painter.setBrush(box.fill);
     painter.drawRoundedRect(QRectF(-half.x(), -half.y(), 2 * half.x(), 2 * half.y()), corner, corner);
     painter.restore();
+  }
+}
+
+// The polygon grown by its rounding: an arc about each vertex, joined by the edges.
+QPainterPath polygon_path(std::span<const Vec2> vertices, double rounding, const Camera& camera) {
+  const double radius = rounding * camera.scale;
+  const auto count = vertices.size();
+  QPainterPath path;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec2 in = vertices[k] - vertices[(k + count - 1) % count];
+    const Vec2 out = vertices[(k + 1) % count] - vertices[k];
+    const QPointF at = camera.to_screen(vertices[k]);
+    // Outward normals of the two edges, as angles in degrees.
+    const double from = std::atan2(-in.x(), in.y()) * 180.0 / std::numbers::pi;
+    double turn = std::atan2(-out.x(), out.y()) * 180.0 / std::numbers::pi - from;
+    if (turn < 0.0) turn += 360.0;
+    if (radius > 0.0) {
+      const QRectF circle(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius);
+      if (k == 0) path.arcMoveTo(circle, from);
+      path.arcTo(circle, from, turn);
+    } else if (k == 0) {
+      path.moveTo(at);
+    } else {
+      path.lineTo(at);
+    }
+  }
+  path.closeSubpath();
+  return path;
+}
+
+void paint_polygons(QPainter& painter, const Drawing& drawing, const Camera& camera) {
+  for (const Drawing::PolygonItem& polygon : drawing.polygons) {
+    painter.setPen(QPen(polygon.line, drawing.outline, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.setBrush(polygon.fill);
+    painter.drawPath(polygon_path(drawing.corners(polygon), polygon.rounding, camera));
   }
 }
 
@@ -168,6 +204,7 @@ void paint_shapes(QPainter& painter, const Drawing& drawing, const Camera& camer
   painter.setRenderHint(QPainter::Antialiasing);
   if (drawing.has_grid) paint_grid(painter, drawing, camera, theme);
   paint_boxes(painter, drawing, camera);
+  paint_polygons(painter, drawing, camera);
   paint_segments(painter, drawing.lines, camera);
   paint_discs(painter, drawing, camera);
   paint_segments(painter, drawing.segments, camera);

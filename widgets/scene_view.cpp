@@ -33,10 +33,7 @@ const QMarginsF& fit_margins() {
 }
 
 bool covers(const Shape& shape, const Vec2& offset, double angle, double slack) {
-  if (const Disc* disc = std::get_if<Disc>(&shape)) return offset.norm() <= disc->radius + slack;
-  const Box& box = std::get<Box>(shape);
-  const Vec2 own = Eigen::Rotation2Dd(-angle) * offset;
-  return std::abs(own.x()) <= box.width / 2 + slack && std::abs(own.y()) <= box.height / 2 + slack;
+  return signed_distance(outline_of(shape), Eigen::Rotation2Dd(-angle) * offset) <= slack;
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ MassProperties mass_properties(const std::vector<Body>& bodies) {
     const Body& b = bodies[static_cast<std::size_t>(i)];
     if (is_immovable(b)) continue;
     m.mass[i] = mass_of(b);
-    m.inertia[i] = m.mass[i] * inertia_per_mass(b.shape);
+    m.inertia[i] = inertia_of(b);
     m.inverse_mass[i] = 1.0 / m.mass[i];
     m.inverse_inertia[i] = 1.0 / m.inertia[i];
   }

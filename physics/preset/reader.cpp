@@ -29,17 +29,36 @@ Method read_method(const Json& json, const std::string& place) {
   return m;
 }
 
-Material read_material(const Json& json, const std::string& place) {
-  Material m;
-  ObjectReader r(json, place);
-  r.require_text("name", m.name);
+// How a surface behaves: the keys that materials and pairs of materials share.
+void read_surface(ObjectReader& r, Material& m) {
   r.read("restitution", m.restitution);
   r.read("tangential_restitution", m.tangential_restitution);
   r.read("kinetic_friction", m.kinetic_friction);
   m.static_friction = m.kinetic_friction;
   r.read("static_friction", m.static_friction);
+}
+
+Material read_material(const Json& json, const std::string& place) {
+  Material m;
+  ObjectReader r(json, place);
+  r.require_text("name", m.name);
+  read_surface(r, m);
   r.finish();
   return m;
+}
+
+MaterialPair read_pair(const Json& json, const std::string& place) {
+  MaterialPair p;
+  ObjectReader r(json, place);
+  const std::string_view allowed = "the names of two materials, [\"a\", \"b\"]";
+  const Json& names = r.require("materials", allowed);
+  if (!names.is_array() || names.size() != 2)
+    refuse_value(r.at("materials"), quoted(names), std::string(allowed));
+  p.a = ObjectReader::text(names[0], r.at("materials/0"));
+  p.b = ObjectReader::text(names[1], r.at("materials/1"));
+  read_surface(r, p.surface);
+  r.finish();
+  return p;
 }
 
 Shape read_shape(const Json& json, const std::string& place) {
@@ -56,8 +75,20 @@ Shape read_shape(const Json& json, const std::string& place) {
     r.require_number("width", box.width, "m");
     r.require_number("height", box.height, "m");
     shape = box;
+  } else if (type == "polygon") {
+    Polygon polygon;
+    (void)r.require("vertices", "an array of points, [[x, y], ...], in m");
+    r.read_array("vertices", [&](const Json& v, const std::string& at) {
+      polygon.vertices.push_back(pair_of_numbers(v, at));
+    });
+    r.read("rounding", polygon.rounding);
+    shape = std::move(polygon);
+  } else if (type == "wall") {
+    Wall wall;
+    r.read("length", wall.length);
+    shape = wall;
   } else {
-    refuse_value(r.at("type"), "\"" + type + "\"", "\"disc\", \"box\"");
+    refuse_value(r.at("type"), "\"" + type + "\"", "\"disc\", \"box\", \"polygon\", \"wall\"");
   }
   r.finish();
   return shape;
@@ -79,8 +110,10 @@ Body read_body(const Json& json, const std::string& place) {
   ObjectReader r(json, place);
   r.require_text("name", b.name);
   b.shape = read_shape(
-      r.require("shape",
-                "{\"type\": \"disc\", \"radius\": r} or {\"type\": \"box\", \"width\": w, \"height\": h}"),
+      r.require(
+          "shape",
+          "{\"type\": \"disc\", \"radius\": r}, {\"type\": \"box\", \"width\": w, \"height\": h}, {\"type\": "
+          "\"polygon\", \"vertices\": [[x, y], ...]} or {\"type\": \"wall\"}"),
       r.at("shape"));
   b.position = pair_of_numbers(r.require("position", "two numbers, [x, y], in m"), r.at("position"));
   r.read("angle", b.angle);
@@ -88,9 +121,11 @@ Body read_body(const Json& json, const std::string& place) {
   r.read("spin", b.spin);
   r.read("mass", b.mass);
   r.read("density", b.density);
+  r.read("inertia", b.inertia);
   r.read("fixed", b.fixed);
   if (const Json* v = r.find("drive")) b.drive = read_drive(*v, r.at("drive"));
   r.read("material", b.material);
+  r.read("group", b.group);
   r.finish();
   return b;
 }
@@ -148,6 +183,8 @@ Scene scene_of(const Json& json) {
   int forces = 0;
   r.read_array("forces",
                [&](const Json& v, const std::string&) { read_force(v, forces++, scene.forces, places); });
+  r.read_array("material_pairs",
+               [&](const Json& v, const std::string& at) { scene.pairs.push_back(read_pair(v, at)); });
   r.read_array("generators", [&](const Json& v, const std::string& at) {
     scene.generators.push_back(read_generator(v, at));
   });

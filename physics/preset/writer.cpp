@@ -15,8 +15,18 @@ namespace {
 
 Json shape_json(const Shape& shape) {
   if (const auto* disc = std::get_if<Disc>(&shape)) return {{"type", "disc"}, {"radius", disc->radius}};
-  const Box& box = std::get<Box>(shape);
-  return {{"type", "box"}, {"width", box.width}, {"height", box.height}};
+  if (const auto* box = std::get_if<Box>(&shape))
+    return {{"type", "box"}, {"width", box->width}, {"height", box->height}};
+  if (const auto* polygon = std::get_if<Polygon>(&shape)) {
+    Json vertices = Json::array();
+    for (const Vec2& v : polygon->vertices) vertices.push_back(pair_json(v));
+    Json j = {{"type", "polygon"}, {"vertices", vertices}};
+    if (polygon->rounding != 0.0) j["rounding"] = polygon->rounding;
+    return j;
+  }
+  Json j = {{"type", "wall"}};
+  if (const Wall& wall = std::get<Wall>(shape); wall.length) j["length"] = *wall.length;
+  return j;
 }
 
 Json drive_json(const Drive& d, bool all) {
@@ -41,9 +51,11 @@ Json body_json(const Body& b, bool all) {
   if (b.mass) w.json["mass"] = *b.mass;
   if (b.density) w.json["density"] = *b.density;
   if (w.all && !b.mass && !b.density) w.json["density"] = 1.0;
+  if (b.inertia) w.json["inertia"] = *b.inertia;
   if (b.fixed) w.json["fixed"] = true;
   if (b.drive) w.json["drive"] = drive_json(*b.drive, all);
   if (b.material != "default") w.json["material"] = b.material;
+  if (!b.group.empty()) w.json["group"] = b.group;
   return w.json;
 }
 
@@ -56,12 +68,13 @@ Json method_json(const Method& m, bool all) {
   return j;
 }
 
-Json material_json(const Material& m) {
-  return {{"name", m.name},
-          {"restitution", m.restitution},
-          {"tangential_restitution", m.tangential_restitution},
-          {"static_friction", m.static_friction},
-          {"kinetic_friction", m.kinetic_friction}};
+// Beside a name, or the names of two materials.
+Json surface_json(Json j, const Material& m) {
+  j["restitution"] = m.restitution;
+  j["tangential_restitution"] = m.tangential_restitution;
+  j["static_friction"] = m.static_friction;
+  j["kinetic_friction"] = m.kinetic_friction;
+  return j;
 }
 
 Json generator_json(const GridGenerator& g) {
@@ -127,7 +140,9 @@ Json preset_json(const Scene& scene, bool all) {
   j["duration"] = scene.duration;
   j["gravity"] = pair_json(scene.forces.gravity);
   j["method"] = method_json(scene.method, all);
-  for (const Material& m : scene.materials) j["materials"].push_back(material_json(m));
+  for (const Material& m : scene.materials) j["materials"].push_back(surface_json({{"name", m.name}}, m));
+  for (const MaterialPair& p : scene.pairs)
+    j["material_pairs"].push_back(surface_json({{"materials", {p.a, p.b}}}, p.surface));
   for (const Body& b : scene.bodies) j["bodies"].push_back(body_json(b, all));
   if (Json forces = forces_json(scene.forces, all); !forces.empty()) j["forces"] = std::move(forces);
   for (const GridGenerator& g : scene.generators) j["generators"].push_back(generator_json(g));

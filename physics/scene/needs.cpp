@@ -13,6 +13,7 @@ struct Facts {
   int moving = 0;
   int immovable = 0;
   bool spinning = false;      // a moving body turns
+  bool cornered = false;      // a moving body is no disc: impacts beside its centre turn it
   bool driven = false;        // an immovable body moves
   bool accelerating = false;  // ... and changes its velocity
   bool rub = false;           // two bodies that can meet have kinetic friction
@@ -44,7 +45,7 @@ void look_at_materials(const Scene& scene, const std::vector<Body>& bodies, Fact
     for (const auto& [name_b, b] : users) {
       const bool meet = a.moving > 0 && (&a == &b ? a.all > 1 : b.all > 0);
       if (!meet) continue;
-      const Material m = mixed(material_named(scene, name_a), material_named(scene, name_b));
+      const Material m = meeting(scene, name_a, name_b);
       facts.rub = facts.rub || m.kinetic_friction > 0.0;
       facts.yield = facts.yield || m.restitution < 1.0;
     }
@@ -83,7 +84,10 @@ Facts facts_of(const Scene& scene) {
   Facts facts;
   for (const Body& b : bodies) {
     ++(is_immovable(b) ? facts.immovable : facts.moving);
-    if (!is_immovable(b)) facts.spinning = facts.spinning || b.spin != 0.0;
+    if (!is_immovable(b)) {
+      facts.spinning = facts.spinning || b.spin != 0.0;
+      facts.cornered = facts.cornered || !std::holds_alternative<Disc>(b.shape);
+    }
     if (!b.drive) continue;
     // A drive with an amplitude and no frequency still shifts its body, by A sin φ.
     facts.driven = facts.driven || !b.drive->velocity.isZero(0.0) || !b.drive->amplitude.isZero(0.0);
@@ -101,10 +105,10 @@ Needs needs_of(const Scene& scene) {
   const Facts f = facts_of(scene);
   const bool meet = f.moving > 0 && f.moving + f.immovable > 1;
   Needs n;
-  // Without friction nothing turns a disc but a torque. Tangential restitution acts only within the bound that
-  // kinetic friction sets, so it needs friction as well.
+  // Without friction nothing turns a disc but a torque, and impacts turn all other shapes. Tangential
+  // restitution acts only within the bound that kinetic friction sets, so it needs friction as well.
   n.friction = f.rub;
-  n.rotation = f.spinning || f.torques || f.rub;
+  n.rotation = f.spinning || f.torques || f.rub || (meet && f.cornered);
   n.smooth_forces = f.drag || f.springs || f.attraction || f.pushes || f.torques;
   n.velocity_forces = f.drag || f.dampers;
   n.coupled_forces = f.coupling_springs || f.attraction;

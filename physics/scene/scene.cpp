@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <unordered_set>
@@ -11,35 +10,12 @@
 namespace carom {
 namespace {
 
-template <class... Ts>
-struct Overloaded : Ts... {
-  using Ts::operator()...;
-};
-
 // Uniform in [low, high); std::uniform_real_distribution differs between standard libraries.
 double uniform(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
 }
 
 }  // namespace
-
-double area(const Shape& shape) {
-  return std::visit(Overloaded{[](const Disc& d) { return std::numbers::pi * d.radius * d.radius; },
-                               [](const Box& b) { return b.width * b.height; }},
-                    shape);
-}
-
-double bounding_radius(const Shape& shape) {
-  return std::visit(Overloaded{[](const Disc& d) { return d.radius; },
-                               [](const Box& b) { return 0.5 * std::hypot(b.width, b.height); }},
-                    shape);
-}
-
-double inertia_per_mass(const Shape& shape) {
-  return std::visit(Overloaded{[](const Disc& d) { return 0.5 * d.radius * d.radius; },
-                               [](const Box& b) { return (b.width * b.width + b.height * b.height) / 12.0; }},
-                    shape);
-}
 
 Material mixed(const Material& a, const Material& b) {
   Material m;
@@ -57,12 +33,27 @@ double mass_of(const Body& body) {
   return body.density.value_or(1.0) * area(body.shape);
 }
 
+double inertia_of(const Body& body) {
+  if (is_immovable(body)) return std::numeric_limits<double>::infinity();
+  if (body.inertia) return *body.inertia;
+  const double inertia = mass_of(body) * inertia_per_mass(body.shape);
+  return inertia > 0.0 ? inertia : std::numeric_limits<double>::infinity();
+}
+
 Material material_named(const Scene& scene, const std::string& name) {
   const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
                                   [&](const Material& m) { return m.name == name; });
   if (found != scene.materials.end()) return *found;
   if (name == "default") return Material{};
   throw std::out_of_range("no material is called '" + name + "'");
+}
+
+Material meeting(const Scene& scene, const std::string& a, const std::string& b) {
+  const auto found = std::find_if(scene.pairs.begin(), scene.pairs.end(), [&](const MaterialPair& p) {
+    return (p.a == a && p.b == b) || (p.a == b && p.b == a);
+  });
+  if (found != scene.pairs.end()) return found->surface;
+  return mixed(material_named(scene, a), material_named(scene, b));
 }
 
 std::vector<Body> all_bodies(const Scene& scene) {

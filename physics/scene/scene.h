@@ -1,35 +1,15 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
+
+#include "physics/scene/shape.h"
 
 // What an experiment is before anything moves: plain values in SI units, as a preset file states them.
 // x points right, y up, angles are counter-clockwise in radians.
 namespace carom {
-
-using Vec2 = Eigen::Vector2d;
-
-struct Disc {
-  double radius = 0.1;  // m, > 0
-};
-
-struct Box {
-  double width = 1.0;   // m, > 0; along the body's own x axis
-  double height = 1.0;  // m, > 0; along the body's own y axis
-};
-
-using Shape = std::variant<Disc, Box>;
-
-[[nodiscard]] double area(const Shape& shape);  // m²
-[[nodiscard]] double bounding_radius(
-    const Shape& shape);  // m, of the circle about the centre that holds the shape
-// Moment of inertia about the centre for a homogeneous body, divided by its mass, in m².
-// Disc: r²/2; box: (w² + h²)/12.
-[[nodiscard]] double inertia_per_mass(const Shape& shape);
 
 // How a surface behaves in an impact. Two materials meet with the smaller restitution of the two and the
 // geometric mean of each friction coefficient (see `mixed`).
@@ -43,7 +23,15 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
+// The default rule for two materials that no pair of the scene names.
 [[nodiscard]] Material mixed(const Material& a, const Material& b);
+
+// Two materials whose surfaces meet in a way of their own, instead of by `mixed`.
+struct MaterialPair {
+  std::string a;
+  std::string b;     // may be the same
+  Material surface;  // its name is not used
+};
 
 // A motion that nothing disturbs: position(t) = position + velocity t + amplitude sin(ω t + φ), with its exact
 // velocity. A piston has a velocity, a vibrating table an amplitude.
@@ -63,9 +51,11 @@ struct Body {
   double spin = 0.0;              // rad/s
   std::optional<double> mass;     // kg; either this or density
   std::optional<double> density;  // kg/m² (a plane has no volume)
+  std::optional<double> inertia;  // kg m² about the centre of mass, > 0; none: that of a homogeneous body
   bool fixed = false;             // never moves: infinite mass and inertia
   std::optional<Drive> drive;     // moves as it is told: infinite mass and inertia
   std::string material = "default";
+  std::string group;  // bodies of one group, if it has a name, do not collide with each other
 };
 
 // True if nothing that happens to it changes its motion: fixed or driven.
@@ -73,6 +63,9 @@ struct Body {
 
 // kg; infinite for an immovable body. A body with neither mass nor density has 1 kg/m².
 [[nodiscard]] double mass_of(const Body& body);
+// kg m² about the centre of mass; infinite for an immovable body and for one without extent, which nothing
+// turns.
+[[nodiscard]] double inertia_of(const Body& body);
 
 // Which way a spring acts along its line, with the stretch s = length - rest_length.
 enum class SpringActs {
@@ -215,6 +208,7 @@ struct Scene {
   Method method;
   Forces forces;
   std::vector<Material> materials;
+  std::vector<MaterialPair> pairs;
   std::vector<Body> bodies;
   std::vector<GridGenerator> generators;
   std::vector<Expectation> expect;
@@ -226,6 +220,8 @@ struct Scene {
 // The material called `name`; "default" exists in every scene. Throws std::out_of_range for another unknown
 // name.
 [[nodiscard]] Material material_named(const Scene& scene, const std::string& name);
+// How surfaces of these two materials meet: as a pair of the scene says, else by `mixed`.
+[[nodiscard]] Material meeting(const Scene& scene, const std::string& a, const std::string& b);
 
 // All bodies: those of the list, then those of the generators in order.
 [[nodiscard]] std::vector<Body> all_bodies(const Scene& scene);

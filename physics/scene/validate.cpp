@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "physics/scene/needs.h"
+#include "physics/scene/polygon.h"
 
 namespace carom {
 namespace {
@@ -27,6 +28,16 @@ void check_vector(const std::string& place, const Vec2& value, std::string_view 
     check_range(fmt::format("{}/{}", place, i), value[i], -kLargestNumber, kLargestNumber, unit);
 }
 
+void check_surface(const std::string& at, const Material& m) {
+  check_range(at + "/restitution", m.restitution, 0.0, 1.0, "");
+  check_range(at + "/tangential_restitution", m.tangential_restitution, -1.0, 1.0, "");
+  check_range(at + "/kinetic_friction", m.kinetic_friction, 0.0, 1e3, "");
+  if (!(m.static_friction >= m.kinetic_friction && m.static_friction <= 1e3)) {
+    refuse_value(at + "/static_friction", fmt::format("{}", m.static_friction),
+                 fmt::format("a number from kinetic_friction = {} to 1000", m.kinetic_friction));
+  }
+}
+
 void check_materials(const Scene& scene) {
   std::unordered_set<std::string> names;
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
@@ -35,13 +46,7 @@ void check_materials(const Scene& scene) {
     if (m.name.empty()) refuse_value(at + "/name", "an empty name", "a name");
     if (!names.insert(m.name).second)
       refuse_value(at + "/name", fmt::format("\"{}\", used before,", m.name), "a name of its own");
-    check_range(at + "/restitution", m.restitution, 0.0, 1.0, "");
-    check_range(at + "/tangential_restitution", m.tangential_restitution, -1.0, 1.0, "");
-    check_range(at + "/kinetic_friction", m.kinetic_friction, 0.0, 1e3, "");
-    if (!(m.static_friction >= m.kinetic_friction && m.static_friction <= 1e3)) {
-      refuse_value(at + "/static_friction", fmt::format("{}", m.static_friction),
-                   fmt::format("a number from kinetic_friction = {} to 1000", m.kinetic_friction));
-    }
+    check_surface(at, m);
   }
 }
 
@@ -55,6 +60,24 @@ void check_material_reference(const Scene& scene, const std::string& place, cons
   refuse_value(place, "\"" + name + "\"", known);
 }
 
+// Pairs name known materials, each two at most once.
+void check_pairs(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.pairs.size(); ++i) {
+    const MaterialPair& p = scene.pairs[i];
+    const std::string at = fmt::format("/material_pairs/{}", i);
+    check_material_reference(scene, at + "/materials/0", p.a);
+    check_material_reference(scene, at + "/materials/1", p.b);
+    for (std::size_t k = 0; k < i; ++k) {
+      const MaterialPair& q = scene.pairs[k];
+      if ((p.a == q.a && p.b == q.b) || (p.a == q.b && p.b == q.a)) {
+        refuse_value(at + "/materials", fmt::format("[\"{}\", \"{}\"], named before,", p.a, p.b),
+                     "each two materials once");
+      }
+    }
+    check_surface(at, p.surface);
+  }
+}
+
 // A driven body's motion is its drive alone.
 void check_drive(const std::string& at, const Body& b) {
   const auto refuse = [&](const char* key, const char* what) {
@@ -66,10 +89,33 @@ void check_drive(const std::string& at, const Body& b) {
   if (b.spin != 0.0) refuse("spin", "a spin");
   if (b.mass) refuse("mass", "a mass");
   if (b.density) refuse("density", "a density");
+  if (b.inertia) refuse("inertia", "an inertia");
   check_vector(at + "/drive/velocity", b.drive->velocity, "m/s");
   check_vector(at + "/drive/amplitude", b.drive->amplitude, "m");
   check_range(at + "/drive/angular_frequency", b.drive->angular_frequency, 0.0, kLargestNumber, "rad/s");
   check_range(at + "/drive/phase", b.drive->phase, -kLargestNumber, kLargestNumber, "rad");
+}
+
+void check_shape(const std::string& at, const Body& b) {
+  if (const auto* disc = std::get_if<Disc>(&b.shape)) {
+    if (disc->radius != 0.0) check_positive(at + "/shape/radius", disc->radius, "m");
+  } else if (const auto* box = std::get_if<Box>(&b.shape)) {
+    check_positive(at + "/shape/width", box->width, "m");
+    check_positive(at + "/shape/height", box->height, "m");
+  } else if (const auto* polygon = std::get_if<Polygon>(&b.shape)) {
+    check_range(at + "/shape/rounding", polygon->rounding, 0.0, kLargestNumber, "m");
+    for (std::size_t k = 0; k < polygon->vertices.size(); ++k)
+      check_vector(fmt::format("{}/shape/vertices/{}", at, k), polygon->vertices[k], "m");
+    if (const auto fault = fault_of(polygon->vertices, polygon->rounding))
+      throw SceneError(at + "/shape/vertices: " + *fault);
+  } else if (const auto& wall = std::get<Wall>(b.shape); wall.length) {
+    check_positive(at + "/shape/length", *wall.length, "m");
+  } else if (!is_immovable(b)) {
+    refuse_value(at + "/fixed", "false for a half-plane",
+                 "true, or a \"drive\", or a \"length\" that makes it a thin wall");
+  }
+  if (!is_immovable(b) && !b.mass && area(b.shape) == 0.0)
+    refuse_value(at + "/mass", "no mass of a body without an area", "a \"mass\", in kg");
 }
 
 void check_bodies(const Scene& scene) {
@@ -80,15 +126,7 @@ void check_bodies(const Scene& scene) {
     if (b.name.empty()) refuse_value(at + "/name", "an empty name", "a name");
     if (!names.insert(b.name).second)
       refuse_value(at + "/name", fmt::format("\"{}\", used before,", b.name), "a name of its own");
-    if (const auto* disc = std::get_if<Disc>(&b.shape)) check_positive(at + "/shape/radius", disc->radius, "m");
-    if (const auto* box = std::get_if<Box>(&b.shape)) {
-      check_positive(at + "/shape/width", box->width, "m");
-      check_positive(at + "/shape/height", box->height, "m");
-      if (!is_immovable(b)) {
-        refuse_value(at + "/fixed", "false for a box",
-                     "true, or a \"drive\": boxes that move freely are not modelled");
-      }
-    }
+    check_shape(at, b);
     check_vector(at + "/position", b.position, "m");
     check_vector(at + "/velocity", b.velocity, "m/s");
     check_range(at + "/angle", b.angle, -kLargestNumber, kLargestNumber, "rad");
@@ -101,6 +139,7 @@ void check_bodies(const Scene& scene) {
     if (b.mass && b.density) refuse_value(at + "/density", "a density beside a mass", "either of the two");
     if (b.mass) check_positive(at + "/mass", *b.mass, "kg");
     if (b.density) check_positive(at + "/density", *b.density, "kg/m²");
+    if (b.inertia) check_positive(at + "/inertia", *b.inertia, "kg m²");
     check_material_reference(scene, at + "/material", b.material);
   }
 }
@@ -261,6 +300,7 @@ void validate(const Scene& scene, const ForcePlaces& places) {
   check_range("/method/tolerance", scene.method.tolerance, kLeastTolerance, kLargestTolerance, "m and m/s");
   check_positive("/duration", scene.duration, "s");
   check_materials(scene);
+  check_pairs(scene);
   check_bodies(scene);
   check_generators(scene);
   const std::vector<Body> all = all_bodies(scene);

@@ -21,13 +21,11 @@ void Simulation::lay_out() {
   mass_ = mass_properties(bodies_);
   shapes_ = geometry(bodies_);
 
-  std::vector<Material> materials = scene_.materials;
+  std::vector<std::string> materials;
   const auto index_of = [&](const std::string& name) {
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-      if (materials[i].name == name) return static_cast<int>(i);
-    }
-    materials.push_back(material_named(scene_, name));
-    return static_cast<int>(materials.size()) - 1;
+    const auto found = std::find(materials.begin(), materials.end(), name);
+    if (found == materials.end()) materials.push_back(name);
+    return static_cast<int>(std::find(materials.begin(), materials.end(), name) - materials.begin());
   };
   material_.clear();
   driven_.clear();
@@ -37,8 +35,8 @@ void Simulation::lay_out() {
   }
   materials_ = static_cast<int>(materials.size());
   mixed_.clear();
-  for (const Material& a : materials) {
-    for (const Material& b : materials) mixed_.push_back(mixed(a, b));
+  for (const std::string& a : materials) {
+    for (const std::string& b : materials) mixed_.push_back(meeting(scene_, a, b));
   }
 
   bounds_.resize(bodies_.size());

@@ -104,14 +104,19 @@ constexpr const char* kEveryKey = R"({
   "format": "carom-preset", "version": 1, "title": "all", "about": "about", "observe": "look", "duration": 2,
   "gravity": [0.5, -9.81], "method": {"integrator": "explicit-euler", "impacts": "step-end", "step": 0.01},
   "materials": [{"name": "m", "restitution": 0.5, "tangential_restitution": 0.25, "static_friction": 0.5,
-                 "kinetic_friction": 0.25}],
+                 "kinetic_friction": 0.25}, {"name": "ice"}],
+  "material_pairs": [{"materials": ["ice", "m"], "restitution": 0.75, "kinetic_friction": 0.125}],
   "bodies": [
     {"name": "a", "shape": {"type": "disc", "radius": 1}, "position": [0, 0], "angle": 1, "velocity": [1, 2],
      "spin": 3, "mass": 4, "material": "m"},
     {"name": "b", "shape": {"type": "disc", "radius": 1}, "position": [9, 0], "density": 5},
     {"name": "piston", "shape": {"type": "box", "width": 1, "height": 2}, "position": [-9, 0], "angle": 0.5,
      "drive": {"velocity": [1, 2], "amplitude": [3, 4], "angular_frequency": 5, "phase": -6}},
-    {"name": "w", "shape": {"type": "box", "width": 1, "height": 2}, "position": [-9, 9], "fixed": true}],
+    {"name": "w", "shape": {"type": "box", "width": 1, "height": 2}, "position": [-9, 9], "fixed": true},
+    {"name": "tile", "shape": {"type": "polygon", "vertices": [[0, 0], [2, 0], [0, 1]], "rounding": 0.5},
+     "position": [30, 0], "density": 2, "inertia": 3, "group": "tiles"},
+    {"name": "plank", "shape": {"type": "wall", "length": 4}, "position": [40, 0], "mass": 2, "group": "tiles"},
+    {"name": "ground", "shape": {"type": "wall"}, "position": [0, -50], "fixed": true}],
   "forces": [
     {"type": "force", "body": "a", "force": [1, 2], "torque": 3, "start": 4, "rise": 5, "end": 6},
     {"type": "spring", "name": "s", "body": "a", "to": "piston", "stiffness": 1, "damping": 2, "rest_length": 3,
@@ -143,6 +148,19 @@ void expect_every_key(const Scene& s) {
   EXPECT_EQ(piston.drive->angular_frequency, 5);
   EXPECT_EQ(piston.drive->phase, -6);
   EXPECT_TRUE(is_immovable(piston));
+  const auto& tile = std::get<Polygon>(s.bodies[4].shape);
+  EXPECT_EQ(tile.vertices, (std::vector<Vec2>{{0, 0}, {2, 0}, {0, 1}}));
+  EXPECT_EQ(tile.rounding, 0.5);
+  EXPECT_EQ(s.bodies[4].inertia, 3);
+  EXPECT_EQ(s.bodies[4].group, "tiles");
+  EXPECT_EQ(std::get<Wall>(s.bodies[5].shape).length, 4);
+  EXPECT_EQ(std::get<Wall>(s.bodies[6].shape).length, std::nullopt);
+  ASSERT_EQ(s.pairs.size(), 1U);
+  EXPECT_EQ(s.pairs[0].a, "ice");
+  EXPECT_EQ(s.pairs[0].b, "m");
+  EXPECT_EQ(meeting(s, "m", "ice").restitution, 0.75);
+  EXPECT_EQ(meeting(s, "ice", "m").static_friction, 0.125);
+  EXPECT_EQ(meeting(s, "m", "m").restitution, 0.5);
   const Forces& f = s.forces;
   EXPECT_EQ(f.linear_drag, 0.25);
   EXPECT_EQ(f.quadratic_drag, 0.5);

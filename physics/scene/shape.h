@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace carom {
+
+using Vec2 = Eigen::Vector2d;
+
+// The shapes of bodies, in the body's own frame. The centre of mass is the frame's origin.
+
+struct Disc {
+  double radius = 0.1;  // m, >= 0; a body of radius 0 is point-like
+};
+
+struct Box {
+  double width = 1.0;   // m, > 0; along the body's own x axis
+  double height = 1.0;  // m, > 0; along the body's own y axis
+};
+
+// A convex polygon whose corners and edges are grown outwards by `rounding`; with two vertices a capsule. The
+// vertices may be given in any frame and either way round: the shape is moved so that its centre of mass
+// becomes the origin.
+struct Polygon {
+  std::vector<Vec2> vertices;  // m
+  double rounding = 0.0;       // m, >= 0
+};
+
+// Without a length the half-plane below the body's own x axis; else a thin wall of that length along it, which
+// is solid from both sides. Its origin lies on the surface, a thin wall's in its middle.
+struct Wall {
+  std::optional<double> length;  // m, > 0
+};
+
+using Shape = std::variant<Disc, Box, Polygon, Wall>;
+
+// What every shape comes down to: a convex core of one, two or more vertices, counter-clockwise, grown by a
+// rounding; or the half-plane y <= 0.
+struct Outline {
+  std::vector<Vec2> vertices;  // m, from the centre of mass
+  double rounding = 0.0;       // m
+  bool half_plane = false;     // no vertices
+};
+
+// The shape must be valid (validate.h).
+[[nodiscard]] Outline outline_of(const Shape& shape);
+
+// m², 0 for a thin wall or a point, infinite for a half-plane.
+[[nodiscard]] double area(const Shape& shape);
+// m, of the circle about the centre of mass that holds the shape; infinite for a half-plane.
+[[nodiscard]] double bounding_radius(const Shape& shape);
+// Moment of inertia about the centre of mass for a homogeneous body, divided by its mass, in m². Disc: r²/2;
+// box: (w² + h²)/12; thin wall: l²/12; polygon: see moments_of (polygon.h); 0 for a half-plane.
+[[nodiscard]] double inertia_per_mass(const Shape& shape);
+// m, half of the upright rectangle around the shape turned by `angle`, which need not be centred: the largest
+// reach to either side. Infinite for a half-plane.
+[[nodiscard]] Vec2 half_extent(const Shape& shape, double angle);
+
+// m, of a point from the outline, both in the body's frame; negative inside.
+[[nodiscard]] double signed_distance(const Outline& outline, const Vec2& point);
+// Where the line from + s along, |along| = 1, enters and leaves the outline: s in m; nothing if it passes by.
+[[nodiscard]] std::optional<std::pair<double, double>> chord(const Outline& outline, const Vec2& from,
+                                                             const Vec2& along);
+
+}  // namespace carom
