@@ -46,12 +46,13 @@ bool last_overlaps(const std::vector<Body>& bodies) {
   return false;
 }
 
-// True if a driven body leaves room for any disc between itself and what is fixed, as long as a run may last:
-// a disc that is crushed has no motion without an overlap. Its shape is taken as the circle around it.
+// True if a driven body leaves room for two discs of any size between itself and what is fixed, as long as a
+// run may last: discs that are crushed have no motion without an overlap. Its shape is taken as the circle
+// around it.
 bool never_crushes(const Body& driven, const std::vector<Body>& fixed, double unit) {
   std::vector<Body> bodies = fixed;
   bodies.push_back(
-      disc("around", driven.position, {0.0, 0.0}, bounding_radius(driven.shape) + 2.0 * kLargestRadius * unit));
+      disc("around", driven.position, {0.0, 0.0}, bounding_radius(driven.shape) + 4.0 * kLargestRadius * unit));
   const Geometry shapes = geometry(bodies);
   State state = initial_state(bodies);
   const int last = static_cast<int>(fixed.size());
@@ -73,7 +74,7 @@ void add_boxes(Dice& dice, double unit, Scene& s) {
     s.bodies.push_back(wall(fmt::format("box-{}", i), dice.in_square(unit), dice.between(0.01, 0.6) * unit,
                             dice.between(0.01, 0.6) * unit, dice.angle()));
   }
-  if (!dice.chance(0.2)) return;
+  if (!dice.chance(0.4)) return;
   for (int tries = 0; tries < 10; ++tries) {
     Body driven = wall("driven", dice.in_square(unit), dice.between(0.1, 0.6) * unit, 0.2 * unit, dice.angle());
     driven.fixed = false;
