@@ -3,33 +3,33 @@
 #include <cstdint>
 #include <vector>
 
+#include "physics/collision/contact.h"
+#include "physics/collision/convex.h"
 #include "physics/motion/state.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
 
-// The shapes of N bodies as arrays. Every shape here is a core rectangle of half extents (a, b) grown by a
-// rounding radius: a disc is a point core with its radius, a box a core without rounding.
+// What collision needs to know of N bodies, as arrays.
 struct Geometry {
-  Eigen::Matrix2Xd half;     // m, 2×N
-  Eigen::VectorXd rounding;  // m
-  Eigen::Matrix2Xd extent;  // m, 2×N, half the axis-aligned rectangle around the body at its initial angle; it
-                            // stays so, because the bodies that turn are discs
+  ConvexShapes shapes;
+  // m, 2×N: half of the upright rectangle about its centre that holds the body, at any angle that it can take.
+  // Infinite for a half-plane.
+  Eigen::Matrix2Xd extent;
+  Eigen::VectorXd size;             // m, about that of the body; 0 for a half-plane
   std::vector<std::uint8_t> fixed;  // immovable: fixed or driven
+  std::vector<int> group;           // bodies of one group >= 0 do not collide with each other
+
+  [[nodiscard]] bool is_disc(int i) const { return shapes.core[i] == Core::kPoint; }
+  // Whether the two can collide at all.
+  [[nodiscard]] bool can_meet(int a, int b) const {
+    return (fixed[a] == 0 || fixed[b] == 0) && (group[a] < 0 || group[a] != group[b]);
+  }
 };
 
 [[nodiscard]] Geometry geometry(const std::vector<Body>& bodies);
 
-// Where two bodies touch or come nearest.
-struct Contact {
-  double gap = 0.0;             // m, negative for an overlap: the least distance that would part them
-  Vec2 normal = Vec2::UnitX();  // from A to B
-  Vec2 point = Vec2::Zero();    // m, half-way between the surfaces
-};
-
-// Contact of bodies a and b at poses qa, qb = (x, y, angle). At least one of them must be a disc (moving boxes
-// are not modelled), anywhere: also with its centre inside the box, where the nearest face is the way out.
-// Coincident centres of two discs get the normal +x.
+// Of bodies a and b at q = (x, y, angle); see pair_contact.h.
 [[nodiscard]] Contact contact_between(const Geometry& g, int a, const Eigen::Vector3d& qa, int b,
                                       const Eigen::Vector3d& qb);
 

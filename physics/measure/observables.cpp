@@ -31,6 +31,10 @@ double rms_spin(const Reading& r) {
   return moving == 0 ? 0.0 : std::sqrt(sum / moving);
 }
 
+Bounds bounds_at(const Reading& r, int i) {
+  return bounds_of(r.shapes.shapes, i, pose_of(r.shapes.shapes, i, r.state.q.col(i)));
+}
+
 // J; an immovable body has none to give.
 double body_kinetic_energy(const Reading& r, int i) {
   if (!(r.mass.inverse_mass[i] > 0.0)) return 0.0;
@@ -82,17 +86,13 @@ constexpr auto kObservables = std::to_array<Observable>({
     {"fastest", "m/s", 0,
      [](const Reading& r, Ids) { return largest(r, [&](int i) { return r.state.velocity(i).norm(); }); }},
     {"lowest_y", "m", 0,
-     [](const Reading& r,
-        Ids) { return -largest(r, [&](int i) { return r.shapes.extent(1, i) - r.state.q(1, i); }); }},
+     [](const Reading& r, Ids) { return -largest(r, [&](int i) { return -bounds_at(r, i).low.y(); }); }},
     {"highest_y", "m", 0,
-     [](const Reading& r,
-        Ids) { return largest(r, [&](int i) { return r.state.q(1, i) + r.shapes.extent(1, i); }); }},
+     [](const Reading& r, Ids) { return largest(r, [&](int i) { return bounds_at(r, i).high.y(); }); }},
     {"leftmost_x", "m", 0,
-     [](const Reading& r,
-        Ids) { return -largest(r, [&](int i) { return r.shapes.extent(0, i) - r.state.q(0, i); }); }},
+     [](const Reading& r, Ids) { return -largest(r, [&](int i) { return -bounds_at(r, i).low.x(); }); }},
     {"rightmost_x", "m", 0,
-     [](const Reading& r,
-        Ids) { return largest(r, [&](int i) { return r.state.q(0, i) + r.shapes.extent(0, i); }); }},
+     [](const Reading& r, Ids) { return largest(r, [&](int i) { return bounds_at(r, i).high.x(); }); }},
 });
 
 }  // namespace

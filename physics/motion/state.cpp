@@ -35,7 +35,7 @@ MassProperties mass_properties(const std::vector<Body>& bodies) {
     m.mass[i] = mass_of(b);
     m.inertia[i] = inertia_of(b);
     m.inverse_mass[i] = 1.0 / m.mass[i];
-    m.inverse_inertia[i] = 1.0 / m.inertia[i];
+    m.inverse_inertia[i] = m.inertia[i] > 0.0 ? 1.0 / m.inertia[i] : 0.0;
   }
   return m;
 }

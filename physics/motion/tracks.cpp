@@ -16,6 +16,8 @@ double shortest_step(double time) {
 }
 // A driven body's track is at most this fraction of a radian of its swing long, so that its bend stays small.
 constexpr double kSwing = 0.5;
+// rad: how far a body with corners turns within a track that no step ends.
+constexpr double kTurn = 6.0;
 // A track in which nothing moves ends some time.
 constexpr double kLongestTrack = 1e6;  // s
 
@@ -56,6 +58,8 @@ Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs&
   settled_.resize(Eigen::NoChange, n);
   constant_ = Eigen::Matrix3Xd::Zero(3, n);
   bend_ = Eigen::VectorXd::Zero(n);
+  turn_ = Eigen::VectorXd::Zero(n);
+  for (const Body& body : bodies) turns_corners_.push_back(std::holds_alternative<Disc>(body.shape) ? 0 : 1);
   std::vector<std::vector<int>> groups;
   if (needs.coupled_forces) groups = field_.coupled_groups();
   if (general_) {
@@ -199,21 +203,21 @@ Motion Tracks::at(int body, double time) {
   return fly_group(island, time).col(column_of(island, body));
 }
 
-Vec2 Tracks::acceleration(int body) {
+Eigen::Vector3d Tracks::acceleration(int body) {
   const int k = island_of_[body];
-  if (k < 0 || islands_[k].driven) return Vec2::Zero();
-  if (parabolic_) return constant_.col(body).head<2>();
+  if (k < 0 || islands_[k].driven) return Eigen::Vector3d::Zero();
+  if (parabolic_) return constant_.col(body);
   const Island& island = islands_[k];
   if (island.group < 0) {
     const Motion y = settled_.col(body);
     Motion rate;
     OneBody{field_, body, epoch_}(island.start, y, rate);
-    return rate.segment<2>(3);
+    return rate.segment<3>(3);
   }
   gather(island);
   Group& group = groups_[island.group];
   Together{field_, members_of(island), epoch_}(island.start, group.from, group.stages.k[0]);
-  return group.stages.k[0].col(column_of(island, body)).segment<2>(3);
+  return group.stages.k[0].col(column_of(island, body)).segment<3>(3);
 }
 
 void Tracks::settle(int k, double time) {
@@ -286,6 +290,7 @@ double Tracks::time_to_end(const Island& island, double reach) const {
     } else {
       most = std::min(
           most, time_to_move(reach, settled_.col(i).segment<2>(3).norm(), constant_.col(i).head<2>().norm()));
+      if (turns_corners_[i] != 0) most = std::min(most, kTurn / std::abs(settled_(5, i)));
     }
   }
   return most;
@@ -315,7 +320,7 @@ double Tracks::first_step(const Island& island) {
   double time = kLongestTrack;
   for (const int i : members_of(island)) {
     const double speed = settled_.col(i).segment<3>(3).norm();
-    const double change = acceleration(i).norm();
+    const double change = acceleration(i).head<2>().norm();
     if (change > 0.0) time = std::min(time, speed > 0.0 ? speed / change : 1.0);
   }
   return std::pow(tolerance_, 0.2) * time;
@@ -432,8 +437,16 @@ void Tracks::bound_bend(int k) {
     bend_[body_of(island)] = d.angular_frequency * d.angular_frequency * d.amplitude.norm();
     return;
   }
+  // Between its ends the spin goes beyond both by at most the half of what it may change within the track.
+  const auto bound_turn = [&](int body, double angular_acceleration) {
+    const double spin = std::max(std::abs(settled_(5, body)), std::abs(at_end_(5, body))) +
+                        0.5 * angular_acceleration * (island.end - island.start);
+    turn_[body] = spin * spin + angular_acceleration;
+  };
   if (parabolic_) {
-    bend_[body_of(island)] = constant_.col(body_of(island)).head<2>().norm();
+    const int body = body_of(island);
+    bend_[body] = constant_.col(body).head<2>().norm();
+    bound_turn(body, std::abs(constant_(2, body)));
     return;
   }
   evaluations_ += 2 * static_cast<std::int64_t>(island.count);
@@ -446,9 +459,12 @@ void Tracks::bound_bend(int k) {
     Motion rate;
     f(island.start, y, rate);
     bend_[body] = 2.0 * rate.segment<2>(3).norm();
+    double angular = 2.0 * std::abs(rate[5]);
     y = at_end_.col(body);
     f(island.end, y, rate);
     bend_[body] = std::max(bend_[body], 2.0 * rate.segment<2>(3).norm());
+    angular = std::max(angular, 2.0 * std::abs(rate[5]));
+    bound_turn(body, angular);
     return;
   }
   const Together f{field_, members_of(island), epoch_};
@@ -458,8 +474,11 @@ void Tracks::bound_bend(int k) {
   for (int j = 0; j < island.count; ++j) group.from.col(j) = at_end_.col(members_[island.first + j]);
   f(island.end, group.from, group.stages.k[1]);
   for (int j = 0; j < island.count; ++j) {
-    bend_[members_[island.first + j]] = 2.0 * std::max(group.stages.k[0].col(j).segment<2>(3).norm(),
-                                                       group.stages.k[1].col(j).segment<2>(3).norm());
+    const auto from = group.stages.k[0].col(j).segment<3>(3);
+    const auto to = group.stages.k[1].col(j).segment<3>(3);
+    const int body = members_[island.first + j];
+    bend_[body] = 2.0 * std::max(from.head<2>().norm(), to.head<2>().norm());
+    bound_turn(body, 2.0 * std::max(std::abs(from[2]), std::abs(to[2])));
   }
 }
 

@@ -70,12 +70,13 @@ class Tracks {
   // True if every free flight is a parabola, by the forces and under this integrator.
   [[nodiscard]] bool is_parabolic() const { return parabolic_; }
   [[nodiscard]] Eigen::Vector3d constant_acceleration(int body) const { return constant_.col(body); }
-  // m/s²: of a body as it was settled; of a movable one.
-  [[nodiscard]] Vec2 acceleration(int body);
+  // m/s², m/s², rad/s²: of a body as it was settled; of a movable one.
+  [[nodiscard]] Eigen::Vector3d acceleration(int body);
   // Bounds how much the paths of an island's bodies bend along its track, for whoever searches on it:
-  // bend(body) in m/s².
+  // bend(body) in m/s² is of the centre's path, turn(body) in rad/s² is ω² + |α|.
   void bound_bend(int island);
   [[nodiscard]] double bend(int body) const { return bend_[body]; }
+  [[nodiscard]] double turn(int body) const { return turn_[body]; }
 
   // Settles an island at a time of its track; the track is to be laid anew.
   void settle(int island, double time);
@@ -146,6 +147,8 @@ class Tracks {
   Motions at_end_;
   Eigen::Matrix3Xd constant_;
   Eigen::VectorXd bend_;
+  Eigen::VectorXd turn_;
+  std::vector<std::uint8_t> turns_corners_;  // by body: no disc, so that turning moves its surface
   IntegratorId integrator_ = IntegratorId::kRk4;
   bool adaptive_ = false;
   bool parabolic_ = false;

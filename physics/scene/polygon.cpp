@@ -66,10 +66,10 @@ std::vector<Vector2d> tidied(std::span<const Vector2d> vertices) {
 std::optional<std::string> fault_of(std::span<const Vector2d> vertices, double rounding) {
   constexpr const char* kAllowed =
       "the corners of a convex polygon in order; or two points and a \"rounding\", a capsule";
-  if (vertices.size() > 4 * kMostVertices)
+  if (static_cast<int>(vertices.size()) > 4 * kMostVertices)
     return fmt::format("{} vertices are not allowed; allowed: at most {}", vertices.size(), kMostVertices);
   const std::vector<Vector2d> v = tidied(vertices);
-  if (v.size() > kMostVertices)
+  if (static_cast<int>(v.size()) > kMostVertices)
     return fmt::format("{} corners are not allowed; allowed: at most {}", v.size(), kMostVertices);
   if (v.size() < 2 || (v.size() == 2 && !(rounding > 0.0)))
     return fmt::format("{} point{} without an area between them {} not allowed; allowed: {}", v.size(),

@@ -9,7 +9,7 @@
 namespace carom {
 
 // Beyond this the contact search would be slow and the shape is better a disc.
-inline constexpr std::size_t kMostVertices = 16;
+inline constexpr int kMostVertices = 16;
 
 // The vertices counter-clockwise, without repeated ones and without those on the line of their neighbours (both
 // within 1e-9 of the polygon's extent). What is not convex stays so.

@@ -36,8 +36,7 @@ double mass_of(const Body& body) {
 double inertia_of(const Body& body) {
   if (is_immovable(body)) return std::numeric_limits<double>::infinity();
   if (body.inertia) return *body.inertia;
-  const double inertia = mass_of(body) * inertia_per_mass(body.shape);
-  return inertia > 0.0 ? inertia : std::numeric_limits<double>::infinity();
+  return mass_of(body) * inertia_per_mass(body.shape);
 }
 
 Material material_named(const Scene& scene, const std::string& name) {

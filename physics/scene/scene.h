@@ -63,8 +63,7 @@ struct Body {
 
 // kg; infinite for an immovable body. A body with neither mass nor density has 1 kg/m².
 [[nodiscard]] double mass_of(const Body& body);
-// kg m² about the centre of mass; infinite for an immovable body and for one without extent, which nothing
-// turns.
+// kg m² about the centre of mass; infinite for an immovable body, 0 for a point-like one, which nothing turns.
 [[nodiscard]] double inertia_of(const Body& body);
 
 // Which way a spring acts along its line, with the stretch s = length - rest_length.

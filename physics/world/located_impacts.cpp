@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "physics/collision/time_of_impact.h"
+#include "physics/collision/turning_pair.h"
 #include "physics/motion/integrators.h"
 #include "physics/world/simulation.h"
 
@@ -80,6 +80,7 @@ void Simulation::choose_cells(double horizon) {
   for (int i = 0; i < n; ++i) {
     const Eigen::Array2d x = tracks_.settled(i).head<2>().array();
     const Eigen::Array2d extent = shapes_.extent.col(i).array();
+    if (!extent.allFinite()) continue;
     all.low = all.low.min(x - extent);
     all.high = all.high.max(x + extent);
     if (immovable(i)) continue;
@@ -87,7 +88,8 @@ void Simulation::choose_cells(double horizon) {
     size += 2.0 * extent.maxCoeff();
     path += tracks_.settled(i).segment<2>(3).norm();
   }
-  const double across = n == 0 ? 1.0 : (all.high - all.low).matrix().norm();
+  const bool finite = (all.high >= all.low).all();  // something but half-planes is there
+  const double across = finite ? (all.high - all.low).matrix().norm() : 1.0;
   if (moving == 0) moving = 1;
   size /= moving;
   if (size == 0.0) size = across;
@@ -187,15 +189,14 @@ void Simulation::meet(int a, int b, double time, double horizon, bool crowd, dou
   for (const int i : {a, b}) {
     if (tracks_.island_of(i) >= 0 && tracks_.start(i) != time) tracks_.settle(tracks_.island_of(i), time);
   }
-  const Contact contact =
-      contact_between(shapes_, a, tracks_.settled(a).head<3>(), b, tracks_.settled(b).head<3>());
+  const Contact contact = approach(a, b, touch_tolerance(a, b, time)).contact;
   const Material& material = material_between(a, b);
   collide(a, b, contact, material, time);
 
   if (material.restitution < 1.0) {
     const double rebound =
         relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
-    const double press = pressing(a, b, contact.normal, time);
+    const double press = pressing(a, b, contact, time);
     double rest = kRestSpeed;
     if (method_.integrator == IntegratorId::kExplicitEuler) {
       const double e = material.restitution;
@@ -226,16 +227,29 @@ void Simulation::meet(int a, int b, double time, double horizon, bool crowd, dou
   if (island_b >= 0 && island_b != island_a) search_island(island_b);
 }
 
-double Simulation::pressing(int a, int b, const Vec2& normal, double within) {
+double Simulation::pressing(int a, int b, const Contact& contact, double within) {
+  // Of the body's point at the contact.
   const auto acceleration = [&](int i) -> Vec2 {
     if (driven_[i]) return drive_acceleration(*bodies_[i].drive, tracks_.epoch() + within);
-    return tracks_.acceleration(i);
+    const Eigen::Vector3d centre = tracks_.acceleration(i);
+    if (shapes_.is_disc(i)) return centre.head<2>();
+    const Vec2 r = contact.point - tracks_.settled(i).head<2>();
+    const double spin = tracks_.settled(i)[5];
+    return centre.head<2>() + centre[2] * Vec2(-r.y(), r.x()) - spin * spin * r;
   };
-  return -normal.dot(acceleration(b) - acceleration(a));
+  return -contact.normal.dot(acceleration(b) - acceleration(a));
+}
+
+double Simulation::curvature(int a, int b, double of_centres) const {
+  double sum = of_centres;
+  for (const int i : {a, b}) {
+    if (tracks_.turn(i) > 0.0) sum += tracks_.turn(i) * shapes_.shapes.core_radius[i];
+  }
+  return sum;
 }
 
 double Simulation::pressed_in(int a, int b, double h) const {
-  return (tracks_.bend(a) + tracks_.bend(b)) * h + kRestSpeed;
+  return curvature(a, b, tracks_.bend(a) + tracks_.bend(b)) * h + kRestSpeed;
 }
 
 // m: below this a gap is closed within rounding.
@@ -243,9 +257,15 @@ double Simulation::touch_tolerance(int a, int b, double end) const {
   const double time = std::max(std::abs(end), method_.step);
   const auto ya = tracks_.settled(a);
   const auto yb = tracks_.settled(b);
-  const double reach = ya.head<2>().lpNorm<1>() + yb.head<2>().lpNorm<1>() + shapes_.extent.col(a).sum() +
-                       shapes_.extent.col(b).sum();
-  return 16.0 * kEpsilon * (reach + (ya.segment<2>(3).norm() + yb.segment<2>(3).norm()) * time);
+  double reach = ya.head<2>().lpNorm<1>() + yb.head<2>().lpNorm<1>() + shapes_.size[a] + shapes_.size[b];
+  double speeds = ya.segment<2>(3).norm() + yb.segment<2>(3).norm();
+  for (const int i : {a, b}) {
+    if (shapes_.is_disc(i)) continue;
+    // The rounding of an angle moves a corner.
+    reach += std::abs(tracks_.settled(i)[2]) * shapes_.size[i];
+    speeds += std::abs(tracks_.settled(i)[5]) * shapes_.size[i];
+  }
+  return 16.0 * kEpsilon * (reach + speeds * time);
 }
 
 void Simulation::defer(int a, int b, bool resting) {
@@ -271,7 +291,7 @@ void Simulation::search_discs(int a, int b, double start, double end) {
   const Vec2 va = tracks_.parabola_velocity(a, start).head<2>();
   const Vec2 vb = tracks_.parabola_velocity(b, start).head<2>();
   const Vec2 u = vb - va;
-  const double touch = shapes_.rounding[a] + shapes_.rounding[b];
+  const double touch = shapes_.shapes.rounding[a] + shapes_.shapes.rounding[b];
   const bool approach = d.dot(u) < 0.0;
   const bool apart = d.squaredNorm() > touch * touch;
   if (apart && !approach) return;
@@ -298,11 +318,12 @@ void Simulation::search_discs(int a, int b, double start, double end) {
 // Foresees the next impact of a and b on their tracks, if there is one.
 void Simulation::search(int a, int b) {
   if (a > b) std::swap(a, b);
+  if (!shapes_.can_meet(a, b)) return;
   double start = std::max(tracks_.start(a), tracks_.start(b));
   const double end = std::min(tracks_.end(a), tracks_.end(b));
   if (!(start <= end)) return;
   const bool parabolic = tracks_.is_parabolic() && !driven_[a] && !driven_[b];
-  if (parabolic && shapes_.half.col(a).isZero(0.0) && shapes_.half.col(b).isZero(0.0) &&
+  if (parabolic && shapes_.is_disc(a) && shapes_.is_disc(b) &&
       tracks_.constant_acceleration(a).head<2>() == tracks_.constant_acceleration(b).head<2>()) {
     search_discs(a, b, start, end);
     return;
@@ -312,29 +333,28 @@ void Simulation::search(int a, int b) {
     if (parabolic) return tracks_.parabola(i, t);
     return tracks_.at(i, t).head<3>();
   };
-  const auto velocity = [&](int i, double t) -> Vec2 {
-    if (parabolic) return tracks_.parabola_velocity(i, t).head<2>();
-    return tracks_.at(i, t).segment<2>(3);
+  const auto twist = [&](int i, double t) -> Twist {
+    const Eigen::Vector3d v = parabolic ? Eigen::Vector3d(tracks_.parabola_velocity(i, t))
+                                        : Eigen::Vector3d(tracks_.at(i, t).segment<3>(3));
+    return {v.head<2>(), v[2]};
   };
-  const auto sample = [&](double t) {
-    const Eigen::Vector3d qa = pose(a, t);
-    const Eigen::Vector3d qb = pose(b, t);
-    const Contact c = contact_between(shapes_, a, qa, b, qb);
-    return GapSample{c.gap, c.normal, (qb - qa).head<2>()};
-  };
+  const double path_bend =
+      parabolic ? (tracks_.constant_acceleration(b) - tracks_.constant_acceleration(a)).head<2>().norm()
+                : tracks_.bend(a) + tracks_.bend(b);
+  const double bend = curvature(a, b, path_bend);
+  const TurningPair pair(
+      shapes_.shapes, a, [&](double t) { return pose(a, t); }, b, [&](double t) { return pose(b, t); },
+      path_bend);
   const double tolerance = touch_tolerance(a, b, end);
   const bool resting = rests(a, b);
   const auto waits = [&](double closing) { return resting && closing <= pressed_in(a, b, method_.step); };
-  const double bend =
-      parabolic ? (tracks_.constant_acceleration(b) - tracks_.constant_acceleration(a)).head<2>().norm()
-                : tracks_.bend(a) + tracks_.bend(b);
-  GapSample first = sample(start);
+  TurningSample first = pair(start);
   if (first.gap <= tolerance) {
-    const Vec2 va = velocity(a, start);
-    const Vec2 vb = velocity(b, start);
-    const double u = first.normal.dot(vb - va);
-    if (waits(-u)) return;
-    if (u < -16.0 * kEpsilon * (va.norm() + vb.norm())) {
+    const Twist ta = twist(a, start);
+    const Twist tb = twist(b, start);
+    const Approach meeting = approach_of(shapes_, a, pose(a, start), ta, b, pose(b, start), tb, tolerance);
+    if (waits(-meeting.speed)) return;
+    if (meeting.speed < -16.0 * kEpsilon * meeting.scale) {
       foresee(start, a, b);
       return;
     }
@@ -342,24 +362,26 @@ void Simulation::search(int a, int b) {
       if (first.gap < -tolerance) defer(a, b, false);
       return;
     }
-    // They part at speed u and cannot be back before 2u/bend: search from the half of that on.
+    // They part, and cannot be back before some time: search from the half of that on.
     const double began = start;
-    start += std::max(u, 0.0) / bend;
+    const double until = apart_until(shapes_.shapes, a, first.a, ta, b, first.b, tb, first.normal, bend);
+    start += 0.5 * until;
     if (start >= end) return;
     const bool touching = first.gap >= -tolerance;
-    first = sample(start);
+    first = pair(start);
     if (first.gap <= tolerance) {
-      const bool pressed = pressing(a, b, first.normal, start) > 0.0;
+      const bool pressed = pressing(a, b, meeting.contact, start) > 0.0;
       if (touching && pressed && notices_.resting_since < 0.0) notices_.resting_since = tracks_.epoch() + began;
       defer(a, b, touching && pressed);
       return;
     }
   }
-  const GapSample last = sample(end);
-  if (const auto time = first_contact(sample, start, first, end, last, bend, tolerance)) {
+  const TurningSample last = pair(end);
+  if (const auto time = first_contact(pair, start, first, end, last, bend, tolerance)) {
     if (resting) {
-      const Vec2 u = velocity(b, *time) - velocity(a, *time);
-      if (waits(-sample(*time).normal.dot(u))) return;
+      const Approach meeting = approach_of(shapes_, a, pose(a, *time), twist(a, *time), b, pose(b, *time),
+                                           twist(b, *time), tolerance);
+      if (waits(-meeting.speed)) return;
     }
     foresee(*time, a, b);
   }

@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "physics/motion/integrators.h"
 
 namespace carom {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+}  // namespace
 
 Simulation::Simulation(const Scene& scene, const Needs& needs)
     : scene_(scene), method_(scene.method), needs_(needs), bodies_(all_bodies(scene)) {
@@ -138,8 +144,19 @@ void Simulation::step(double h) {
 
 ImpactSide Simulation::side(int body, const Contact& contact, double towards) const {
   const auto y = tracks_.settled(body);
-  return {y.segment<2>(3), y[5], mass_.inverse_mass[body], mass_.inverse_inertia[body],
-          towards * (contact.point - y.head<2>()).dot(contact.normal)};
+  const Vec2 r = contact.point - y.head<2>();
+  const Vec2& n = contact.normal;
+  // The normal of a disc's contact passes through its centre, but for rounding.
+  const double lever = shapes_.is_disc(body) ? 0.0 : towards * (r.x() * n.y() - r.y() * n.x());
+  return {y.segment<2>(3),    y[5], mass_.inverse_mass[body], mass_.inverse_inertia[body],
+          towards * r.dot(n), lever};
+}
+
+Approach Simulation::approach(int a, int b, double tolerance) const {
+  const auto ya = tracks_.settled(a);
+  const auto yb = tracks_.settled(b);
+  return approach_of(shapes_, a, ya.head<3>(), {ya.segment<2>(3), ya[5]}, b, yb.head<3>(),
+                     {yb.segment<2>(3), yb[5]}, tolerance);
 }
 
 void Simulation::collide(int a, int b, const Contact& contact, const Material& material, double within) {
@@ -217,7 +234,9 @@ void Simulation::step_with_impacts_at_end(double h) {
     bounds_[i] = {x - shapes_.extent.col(i).array(), x + shapes_.extent.col(i).array()};
   }
   due_.clear();
-  for (const auto& [a, b] : broad_phase_.pairs(bounds_, shapes_.fixed)) due_.push_back({a, b, false});
+  for (const auto& [a, b] : broad_phase_.pairs(bounds_, shapes_.fixed)) {
+    if (shapes_.can_meet(a, b)) due_.push_back({a, b, false});
+  }
   publish(h);
   resolve_at_end(due_, h);
   if (!due_.empty()) publish(h);
@@ -227,20 +246,24 @@ void Simulation::step_with_impacts_at_end(double h) {
 void Simulation::resolve_at_end(const std::vector<Deferred>& pairs, double h) {
   const double now = step_end_ - tracks_.epoch();
   for (const auto& [a, b, resting] : pairs) {
-    const Contact contact =
-        contact_between(shapes_, a, tracks_.settled(a).head<3>(), b, tracks_.settled(b).head<3>());
-    if (contact.gap >= 0.0) continue;
+    Approach at = approach(a, b, 0.0);
+    const double gap = at.contact.gap;
+    if (gap >= 0.0) continue;
+    const Vec2 normal = at.contact.normal;
 
-    const double u = relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
-    if (u < 0.0) {
+    // Bodies with corners may overlap at two: once for the middle, then for the one that still approaches.
+    const int most = shapes_.is_disc(a) || shapes_.is_disc(b) ? 1 : 3;
+    for (int k = 0; k < most; ++k) {
+      if (k > 0) at = approach(a, b, -gap);
+      if (!(at.speed < (k == 0 ? 0.0 : -16.0 * kEpsilon * at.scale))) break;
       Material material = material_between(a, b);
       // What gravity pressed in during this step must not bounce; a true impact on a resting pair must.
-      if (resting && -u <= pressed_in(a, b, h)) material.restitution = 0.0;
-      collide(a, b, contact, material, now);
+      if (resting && -at.speed <= pressed_in(a, b, h)) material.restitution = 0.0;
+      collide(a, b, at.contact, material, now);
     }
 
     const double share = mass_.inverse_mass[a] + mass_.inverse_mass[b];
-    const Vec2 push = (resting ? 1.0 : kOverlapFraction) * -contact.gap / share * contact.normal;
+    const Vec2 push = (resting ? 1.0 : kOverlapFraction) * -gap / share * normal;
     for (const int i : {a, b}) {
       if (immovable(i)) continue;
       const Vec2 x = tracks_.settled(i).head<2>();

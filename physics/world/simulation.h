@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/collision/approach.h"
 #include "physics/collision/broad_phase.h"
 #include "physics/collision/cell_grid.h"
 #include "physics/collision/geometry.h"
@@ -167,6 +168,8 @@ class Simulation {
   [[nodiscard]] Totals totals_at(double within);
   // One side of a contact; `towards` is +1 for its body a, -1 for b: the way that the normal points from there.
   [[nodiscard]] ImpactSide side(int body, const Contact& contact, double towards) const;
+  // Of the settled bodies; gaps up to `tolerance` (m) beyond the least one count as touch.
+  [[nodiscard]] Approach approach(int a, int b, double tolerance) const;
   [[nodiscard]] const Material& material_between(int a, int b) const {
     return mixed_[static_cast<std::size_t>(material_[a] * materials_ + material_[b])];
   }
@@ -186,7 +189,9 @@ class Simulation {
   [[nodiscard]] bool is_stale(const Event& event) const;
   // m/s²: how the settled pair's forces, and a drive, press it together along the normal; negative if they part
   // it.
-  [[nodiscard]] double pressing(int a, int b, const Vec2& normal, double within);
+  [[nodiscard]] double pressing(int a, int b, const Contact& contact, double within);
+  // m/s²: bounds how the paths of two bodies' points bend against each other.
+  [[nodiscard]] double curvature(int a, int b, double of_centres) const;
   // m/s: closing speed that the forces alone can give a resting pair in a step.
   [[nodiscard]] double pressed_in(int a, int b, double h) const;
   [[nodiscard]] double touch_tolerance(int a, int b, double end) const;
