@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "physics/collision/contact.h"
 #include "physics/motion/state.h"
 #include "physics/scene/scene.h"
 
@@ -19,13 +20,6 @@ struct Geometry {
 };
 
 [[nodiscard]] Geometry geometry(const std::vector<Body>& bodies);
-
-// Where two bodies touch or come nearest.
-struct Contact {
-  double gap = 0.0;             // m, negative for an overlap: the least distance that would part them
-  Vec2 normal = Vec2::UnitX();  // from A to B
-  Vec2 point = Vec2::Zero();    // m, half-way between the surfaces
-};
 
 // Contact of bodies a and b at poses qa, qb = (x, y, angle). At least one of them must be a disc (moving boxes
 // are not modelled), anywhere: also with its centre inside the box, where the nearest face is the way out.

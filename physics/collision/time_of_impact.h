@@ -9,9 +9,9 @@
 
 namespace carom {
 
-// What the search needs to know of a pair at one time: the gap in m, the unit normal from A to B, and the
-// position of B relative to A in m. All three come from the integrator's own map, so the state at the root is a
-// true step of it.
+// What the search needs to know of a pair that does not turn, or of discs, at one time: the gap in m, the unit
+// normal from A to B, and the position of B relative to A in m. All three come from the integrator's own map,
+// so the state at the root is a true step of it. For bodies that turn see turning_pair.h.
 struct GapSample {
   double gap;
   Vec2 normal;
@@ -77,42 +77,71 @@ template <class Function>
   return std::max(0.0, gap / (approach + std::sqrt(discriminant)));
 }
 
+// The mean rate in m/s at which two bodies part along the normal of one sample, over the `width` (s, signed)
+// from it to another: (s(n, to) - gap) / width with the separation s(n, t), the least n·(x_b - x_a) over all
+// points of both. Without turning all points go the same way. A sampler of bodies that turn gives separation(n,
+// sample).
+template <class Sampler, class Sample>
+[[nodiscard]] double parting_rate(const Sampler& sample, const Sample& from, const Sample& to, double width) {
+  if constexpr (requires { sample.separation(from.normal, to); }) {
+    return (sample.separation(from.normal, to) - from.gap) / width;
+  } else {
+    return from.normal.dot((to.relative - from.relative) / width);
+  }
+}
+
+// The least of f + slope t - curvature t (width - t)/2 over [0, end], end <= width.
+[[nodiscard]] inline double least_over_chord(double f, double slope, double curvature, double width,
+                                             double end) {
+  double t = slope < 0.0 ? end : 0.0;
+  if (curvature > 0.0) t = std::clamp(0.5 * width - slope / curvature, 0.0, end);
+  return f + t * (slope - 0.5 * curvature * (width - t));
+}
+
 // The first time in [a, b] at which the gap of two convex bodies closes, if there is one. The gap at `a` must
-// be positive. `sample(t)` gives a GapSample; `curvature` in m/s² bounds the second derivative of the relative
-// path.
+// be positive. `sample(t)` gives a GapSample, or what the sampler's own separation() takes; `curvature` K in
+// m/s² bounds the second derivative of x_q - x_p for every point q of body B and p of body A, up to roundings:
+// of the cores' vertices. Where nothing turns that is the relative path, else see turning_pair.h.
 //
-// Under straight relative translation the signed distance of convex shapes is a convex function of time, so the
-// tangents at both ends bound it from below; the true path strays from its chord by at most curvature·(b-a)²/8.
-// An interval whose bound stays positive holds no root, any other is halved at the point where the tangents
-// meet. A root r found by bracketing is the first one if the closing speed at r exceeds curvature·(r-a)/2, else
-// the interval before it is searched. So a grazing pass is neither missed nor invented, beyond `tolerance`: a
-// pass that would overlap by less (m, the rounding of a gap) is no impact.
-template <class Sample>
-[[nodiscard]] std::optional<double> first_contact(const Sample& sample, double a, const GapSample& ga, double b,
-                                                  const GapSample& gb, double curvature, double tolerance) {
+// The gap of convex bodies, signed, is the greatest separation s(n, t) over all directions n, and s for the
+// normal n of their contact. For a fixed n and one pair of vertices the distance along n lies above its chord
+// over [a, b] less K (t-a)(b-t)/2; s(n, t) is the least of these distances, and the least of several lines lies
+// above the chord between its own ends. With n_a, n_b the normals at the ends therefore
+//   gap(t) >= max(line from gap(a) to s(n_a, b), line from s(n_b, a) to gap(b)) - K (t-a)(b-t)/2.
+// (Under straight translation these lines are the tangents of a convex function.) An interval whose bound stays
+// positive holds no root, any other is halved at the point where the lines meet. A root r found by bracketing
+// is the first one if s(n_r, a)/(r-a) exceeds K (r-a)/2, by the same bound on [a, r], else the interval before
+// it is searched. So a grazing pass is neither missed nor invented, beyond `tolerance`: a pass that would
+// overlap by less (m, the rounding of a gap) is no impact.
+//
+// A sampler may also have clear(from, to, width): true if bounds of its own show that there is no contact
+// between two samples.
+template <class Sampler, class Sample>
+[[nodiscard]] std::optional<double> first_contact(const Sampler& sample, double a, const Sample& ga, double b,
+                                                  const Sample& gb, double curvature, double tolerance) {
   const double width = b - a;
   if (!(width > 4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b)))) {
     return gb.gap <= 0.0 ? std::optional(a) : std::nullopt;
   }
-  const Vec2 chord = (gb.relative - ga.relative) / width;
-  const double slope_a = ga.normal.dot(chord);
-  const double slope_b = gb.normal.dot(chord);
 
   if (gb.gap > 0.0) {
-    double least = ga.gap;
-    double meet = 0.5 * width;
-    if (slope_b <= 0.0) {
-      least = gb.gap;
-    } else if (slope_a < 0.0) {
-      meet = (gb.gap - ga.gap - slope_b * width) / (slope_a - slope_b);
-      least = ga.gap + slope_a * meet;
+    if constexpr (requires { sample.clear(ga, gb, width); }) {
+      if (sample.clear(ga, gb, width)) return std::nullopt;
     }
+    const double slope_a = parting_rate(sample, ga, gb, width);
+    const double slope_b = -parting_rate(sample, gb, ga, width);
+    double meet = 0.5 * width;
+    if (slope_a < slope_b) {
+      meet = std::clamp((gb.gap - ga.gap - slope_b * width) / (slope_a - slope_b), 0.0, width);
+    }
+    const double least = std::min(least_over_chord(ga.gap, slope_a, curvature, width, meet),
+                                  least_over_chord(gb.gap, -slope_b, curvature, width, width - meet));
+    if (least > -tolerance) return std::nullopt;
     const double stray = curvature * width * width / 8.0;
-    if (least - stray > -tolerance) return std::nullopt;
     // Both curves touch their chord at the ends: where the stray dominates, the middle is the better place.
     if (!(meet > 0.05 * width && meet < 0.95 * width) || stray > 0.5 * ga.gap) meet = 0.5 * width;
     const double m = a + meet;
-    const GapSample gm = sample(m);
+    const Sample gm = sample(m);
     if (gm.gap <= 0.0) return first_contact(sample, a, ga, m, gm, curvature, tolerance);
     if (const auto root = first_contact(sample, a, ga, m, gm, curvature, tolerance)) return root;
     return first_contact(sample, m, gm, b, gb, curvature, tolerance);
@@ -120,12 +149,12 @@ template <class Sample>
 
   const double root = bracketed_root([&](double t) { return sample(t).gap; }, a, ga.gap, b, gb.gap);
   if (curvature == 0.0 || !(root > a)) return root;
-  const GapSample gr = sample(root);
-  const double closing = -gr.normal.dot((gr.relative - ga.relative) / (root - a));
+  const Sample gr = sample(root);
+  const double closing = parting_rate(sample, gr, ga, root - a);
   if (closing > 0.5 * curvature * (root - a)) return root;
   const double m = 0.5 * (a + root);
   if (!(m > a && m < root)) return root;
-  const GapSample gm = sample(m);
+  const Sample gm = sample(m);
   if (gm.gap <= 0.0) return first_contact(sample, a, ga, m, gm, curvature, tolerance);
   if (const auto earlier = first_contact(sample, a, ga, m, gm, curvature, tolerance)) return earlier;
   // Between m and the root: search with the root as a positive end, and fall back on the root itself.

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+
+#include "physics/collision/convex.h"
+
+namespace carom {
+
+// Two cores in the frame of the first: coordinates relative to it keep the rounding of a gap at that of the
+// bodies' own sizes and distance, wherever in the world they are. Not for half-planes.
+struct PairFrame {
+  const Corner* a;  // with its edges; a point has none
+  const Corner* b;
+  int edges_a;
+  int edges_b;
+  double scale;                            // m, of the coordinates here
+  std::array<Vec2, kMostVertices> vertex;  // of b, in the frame of a
+  std::array<Vec2, kMostVertices> normal;
+
+  PairFrame(const ConvexShapes& shapes, int i, const Pose& pose_a, int j, const Pose& pose_b);
+};
+
+// The features of two cores that are nearest to each other, or whose edge parts overlapping cores over the
+// shortest way: a vertex and an edge, or two vertices.
+struct ClosestFeatures {
+  double separation;  // m, signed
+  Vec2 normal;        // from a to b, in the frame of a
+  int edge_a;         // -1 if it is a vertex
+  int edge_b;
+  int vertex_a;  // the vertex; of an edge the one it starts at
+  int vertex_b;
+};
+
+// By the Minkowski sum of b and -a, the set of all x_b - x_a: its distance to the origin is the cores'
+// distance, and its depth around the origin is the overlap. Its edges are those of b and of -a in the order of
+// their directions (de Berg et al., Computational Geometry, section 13.3), so all cases are exact and take time
+// linear in the number of edges. Of several edges that part overlapping cores over the same way within
+// rounding, those of a go before those of b. At least one of the cores must have edges.
+[[nodiscard]] ClosestFeatures closest_features(const PairFrame& frame);
+
+// The edge with the greatest separation: that of closest_features, unless two vertices are nearest.
+[[nodiscard]] ClosestFeatures parting_edge(const PairFrame& frame);
+
+}  // namespace carom

@@ -1,0 +1,132 @@
+#include "physics/collision/convex.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+namespace carom {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+// The half-plane's share of a separation along its own normal, or the core's: how far it reaches along n.
+double reach(const ConvexShapes& shapes, int i, const Pose& pose, const Vec2& n) {
+  const Vec2 own = pose.turned_back(n);
+  const Corner* corner = shapes.corners_of(i);
+  double most = own.dot(corner[0].vertex);
+  for (int k = 1; k < shapes.corners[i]; ++k) most = std::max(most, own.dot(corner[k].vertex));
+  return most + shapes.rounding[i];
+}
+
+}  // namespace
+
+ConvexShape disc_shape(double radius) { return {Core::kPoint, {Vec2::Zero()}, radius, Vec2::Zero()}; }
+
+ConvexShape box_shape(double width, double height, double rounding) {
+  const double x = 0.5 * width;
+  const double y = 0.5 * height;
+  return {Core::kBox, {Vec2(-x, -y), Vec2(x, -y), Vec2(x, y), Vec2(-x, y)}, rounding, Vec2::Zero()};
+}
+
+ConvexShape segment_shape(const Vec2& from, const Vec2& to, double rounding) {
+  return {Core::kSegment, {from, to}, rounding, Vec2::Zero()};
+}
+
+ConvexShape polygon_shape(std::vector<Vec2> vertices, double rounding) {
+  return {Core::kPolygon, std::move(vertices), rounding, Vec2::Zero()};
+}
+
+ConvexShape half_plane_shape(const Vec2& normal, double offset) {
+  return {Core::kHalfPlane, {offset * normal}, 0.0, normal};
+}
+
+ConvexShapes convex_shapes(const std::vector<ConvexShape>& shapes) {
+  ConvexShapes all;
+  for (const ConvexShape& shape : shapes) {
+    std::vector<Vec2> v = shape.vertices;
+    assert(!v.empty() && static_cast<int>(v.size()) <= kMostVertices);
+    if (shape.core == Core::kSegment) v = {v[0], v[1], v[1], v[0]};
+    all.first.push_back(static_cast<int>(all.corner.size()));
+    all.corners.push_back(static_cast<int>(v.size()));
+    all.core.push_back(shape.core);
+    all.rounding.push_back(shape.rounding);
+    double radius = 0.0;
+    for (std::size_t k = 0; k < v.size(); ++k) {
+      const Vec2 along = v[(k + 1) % v.size()] - v[k];
+      const double length = along.norm();
+      Vec2 normal = shape.normal;
+      if (length > 0.0) normal = Vec2(along.y(), -along.x()) / length;
+      all.corner.push_back({v[k], normal, length});
+      radius = std::max(radius, v[k].norm());
+    }
+    if (shape.core == Core::kSegment) {
+      Corner* corner = all.corner.data() + all.first.back();
+      const Vec2 along = (v[1] - v[0]) / corner[0].length;
+      corner[1].normal = along;
+      corner[3].normal = -along;
+    }
+    if (shape.core == Core::kHalfPlane) radius = kInfinite;
+    all.core_radius.push_back(radius);
+    all.radius.push_back(radius + shape.rounding);
+  }
+  return all;
+}
+
+int world_vertices(const ConvexShapes& shapes, int i, const Pose& pose, std::array<Vec2, kMostVertices>& out) {
+  const int count = shapes.core[i] == Core::kSegment ? 2 : shapes.corners[i];
+  for (int k = 0; k < count; ++k) out[k] = pose.position + pose.turned(shapes.corners_of(i)[k].vertex);
+  return count;
+}
+
+Bounds bounds_of(const ConvexShapes& shapes, int i, const Pose& pose) {
+  if (shapes.core[i] == Core::kHalfPlane) {
+    Bounds all{Eigen::Array2d::Constant(-kInfinite), Eigen::Array2d::Constant(kInfinite)};
+    const Corner& edge = *shapes.corners_of(i);
+    const Vec2 n = pose.turned(edge.normal);
+    const Vec2 x = pose.position + pose.turned(edge.vertex);
+    for (const int axis : {0, 1}) {
+      if (n[1 - axis] == 0.0) (n[axis] > 0.0 ? all.high : all.low)[axis] = x[axis];
+    }
+    return all;
+  }
+  const Vec2 high(reach(shapes, i, pose, Vec2::UnitX()), reach(shapes, i, pose, Vec2::UnitY()));
+  const Vec2 low(reach(shapes, i, pose, -Vec2::UnitX()), reach(shapes, i, pose, -Vec2::UnitY()));
+  return {pose.position - low, pose.position + high};
+}
+
+double separation(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
+                  const Vec2& n) {
+  return n.dot(pose_b.position - pose_a.position) - reach(shapes, a, pose_a, n) - reach(shapes, b, pose_b, -n);
+}
+
+double apart_until(const ConvexShapes& shapes, int a, const Pose& pose_a, const Twist& twist_a, int b,
+                   const Pose& pose_b, const Twist& twist_b, const Vec2& n, double curvature) {
+  const Vec2 own_a = pose_a.turned_back(n);
+  const Vec2 own_b = pose_b.turned_back(n);
+  const double apart = n.dot(pose_b.position - pose_a.position) - shapes.rounding[a] - shapes.rounding[b];
+  const double approach = n.dot(twist_b.velocity - twist_a.velocity);
+  double until = kInfinite;
+  for (int j = 0; j < shapes.corners[b]; ++j) {
+    const Vec2& q = shapes.corners_of(b)[j].vertex;
+    for (int i = 0; i < shapes.corners[a]; ++i) {
+      const Vec2& p = shapes.corners_of(a)[i].vertex;
+      const double f0 = std::max(0.0, apart + own_b.dot(q) - own_a.dot(p));
+      // n·(ω × r) = ω (r × n), in each body's own frame.
+      const double f1 = approach + twist_b.spin * (q.x() * own_b.y() - q.y() * own_b.x()) -
+                        twist_a.spin * (p.x() * own_a.y() - p.y() * own_a.x());
+      // The positive root of f0 + f1 t - K t²/2, in the form that does not cancel.
+      const double root = std::sqrt(f1 * f1 + 2.0 * curvature * f0);
+      double time = kInfinite;
+      if (f1 < 0.0) {
+        time = 2.0 * f0 / (root - f1);
+      } else if (curvature > 0.0) {
+        time = (f1 + root) / curvature;
+      }
+      if (f0 == 0.0 && f1 <= 0.0) time = 0.0;
+      until = std::min(until, time);
+    }
+  }
+  return until;
+}
+
+}  // namespace carom

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "physics/collision/broad_phase.h"
+#include "physics/scene/scene.h"
+
+// Shapes for collision: every one is a convex core grown by a rounding radius, or a half-plane. Queries of a
+// pair (contact_between, manifold) are in pair_contact.h.
+namespace carom {
+
+inline constexpr int kMostVertices = 16;  // of a core
+
+enum class Core : std::uint8_t {
+  kPoint,     // a disc, or a point-like body without rounding; always at the body's origin
+  kSegment,   // two vertices: a capsule, or a thin wall without rounding
+  kBox,       // a rectangle along the body's axes, centred at its origin
+  kPolygon,   // three vertices or more, counter-clockwise
+  kHalfPlane  // all points x with normal·x <= normal·vertex; no rounding; it may move, but not turn
+};
+
+// One shape in its body's frame, whose origin is the centre of mass.
+struct ConvexShape {
+  Core core = Core::kPoint;
+  std::vector<Vec2> vertices = {Vec2::Zero()};  // m, strictly convex; of a half-plane one point of its edge
+  double rounding = 0.0;                        // m, >= 0
+  Vec2 normal = Vec2::Zero();                   // unit, outward: of a half-plane alone
+};
+
+[[nodiscard]] ConvexShape disc_shape(double radius);
+[[nodiscard]] ConvexShape box_shape(double width, double height, double rounding = 0.0);
+// The two ends must differ.
+[[nodiscard]] ConvexShape segment_shape(const Vec2& from, const Vec2& to, double rounding = 0.0);
+// 3 to kMostVertices vertices as tidy_polygon gives them.
+[[nodiscard]] ConvexShape polygon_shape(std::vector<Vec2> vertices, double rounding = 0.0);
+// The solid side is that of all x with normal·x <= offset; `normal` is a unit vector.
+[[nodiscard]] ConvexShape half_plane_shape(const Vec2& normal, double offset);
+
+// A vertex, and the edge that starts there.
+struct Corner {
+  Vec2 vertex;    // m, in the body's frame
+  Vec2 normal;    // outward normal of the edge
+  double length;  // m, of the edge; 0 at the ends of a segment
+};
+
+// The shapes of N bodies as arrays. Body i has the corners first[i] ... first[i] + corners[i] - 1 of `corner`.
+// A segment is kept as a rectangle of no width: four corners, v0 v1 v1 v0, two edges of its length, one for
+// each side, and an edge of no length at each end. So every core but a point has edges that turn by less than
+// 180°.
+struct ConvexShapes {
+  std::vector<Corner> corner;
+  std::vector<int> first;
+  std::vector<int> corners;
+  std::vector<Core> core;
+  std::vector<double> rounding;     // m
+  std::vector<double> core_radius;  // m, of the circle about the origin that holds the core; 0 for a disc
+  std::vector<double> radius;       // m, of the circle that holds the body: infinite for a half-plane
+
+  [[nodiscard]] const Corner* corners_of(int i) const { return corner.data() + first[i]; }
+  // How many edges the core has for the search: none for a point.
+  [[nodiscard]] int edges(int i) const { return core[i] == Core::kPoint ? 0 : corners[i]; }
+};
+
+[[nodiscard]] ConvexShapes convex_shapes(const std::vector<ConvexShape>& shapes);
+
+// Position and direction of a body, with the sine and cosine of its angle.
+struct Pose {
+  Vec2 position = Vec2::Zero();  // m
+  double cos = 1.0;
+  double sin = 0.0;
+
+  // A vector of the body's frame in the world's, and back.
+  [[nodiscard]] Vec2 turned(const Vec2& v) const {
+    return {cos * v.x() - sin * v.y(), sin * v.x() + cos * v.y()};
+  }
+  [[nodiscard]] Vec2 turned_back(const Vec2& v) const {
+    return {cos * v.x() + sin * v.y(), -sin * v.x() + cos * v.y()};
+  }
+};
+
+// The pose of body i at q = (x, y, angle). A disc's angle is left out: nothing depends on it.
+[[nodiscard]] inline Pose pose_of(const ConvexShapes& shapes, int i, const Eigen::Vector3d& q) {
+  if (shapes.core[i] == Core::kPoint) return {q.head<2>(), 1.0, 0.0};
+  return {q.head<2>(), std::cos(q[2]), std::sin(q[2])};
+}
+
+// The core's vertices in the world in m, in order; returns how many: 1 for a disc or a half-plane, 2 for a
+// segment.
+int world_vertices(const ConvexShapes& shapes, int i, const Pose& pose, std::array<Vec2, kMostVertices>& out);
+
+// The axis-aligned rectangle around a body in m. A half-plane reaches to infinity: to the back of its edge if
+// that lies along an axis, else everywhere.
+[[nodiscard]] Bounds bounds_of(const ConvexShapes& shapes, int i, const Pose& pose);
+
+// The distance of a and b along a fixed unit vector n, in m: the least n·(x_b - x_a) over all points of both.
+// At most the gap, for every n; equal to it along the normal of their contact. Of a half-plane the sides beyond
+// its edge have no end: n must be its normal, or the opposite if it is b.
+[[nodiscard]] double separation(const ConvexShapes& shapes, int a, const Pose& pose_a, int b,
+                                const Pose& pose_b, const Vec2& n);
+
+// Velocity of a body: of its centre in m/s, and its spin in rad/s.
+struct Twist {
+  Vec2 velocity = Vec2::Zero();
+  double spin = 0.0;
+};
+
+// A time (s, from now, may be infinite) before which a and b cannot overlap along n, where their gap counts as
+// closed now: while they part at the contact with normal n, this is when they may be back at the earliest, with
+// any of their vertices. It is 0 if a vertex that touches does not part. `curvature` is that of first_contact.
+// From n·(x_q - x_p) >= max(0, f0) + f1 t - curvature t²/2 for each pair of vertices p, q.
+[[nodiscard]] double apart_until(const ConvexShapes& shapes, int a, const Pose& pose_a, const Twist& twist_a,
+                                 int b, const Pose& pose_b, const Twist& twist_b, const Vec2& n,
+                                 double curvature);
+
+// A bound in m/s² for the second derivative of a core vertex's path about its centre: (ω² + |α|) r. Zero for a
+// disc, whose vertex is the centre.
+[[nodiscard]] inline double turning_curvature(const ConvexShapes& shapes, int i, double spin,
+                                              double angular_acceleration) {
+  return (spin * spin + std::abs(angular_acceleration)) * shapes.core_radius[i];
+}
+
+}  // namespace carom

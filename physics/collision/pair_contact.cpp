@@ -1,0 +1,302 @@
+#include "physics/collision/pair_contact.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include "physics/collision/closest_features.h"
+
+namespace carom {
+namespace {
+
+// Gaps at both ends of two faces that differ by no more than this share of the scale are equal.
+constexpr double kFlat = 16.0 * std::numeric_limits<double>::epsilon();
+
+enum class Ends : std::uint32_t { kOne, kLow, kHigh, kVertices };
+
+// Two bits for the kind, then four for each body's edge or vertex.
+std::uint32_t feature_id(Ends ends, int of_a, int of_b) {
+  static_assert(kMostVertices <= 16);
+  return static_cast<std::uint32_t>(ends) | static_cast<std::uint32_t>(of_a) << 2U |
+         static_cast<std::uint32_t>(of_b) << 6U;
+}
+
+// Where two bodies touch or are nearest, relative to the position of body a in the frame in which they were
+// compared.
+struct Touch {
+  Vec2 normal;
+  double gap;
+  Vec2 point;  // where the gap is
+  bool flat;   // two faces that are parallel within rounding
+  int count;
+  std::array<ManifoldPoint, 2> points;
+};
+
+Vec2 tangent(const Vec2& normal) { return {-normal.y(), normal.x()}; }
+
+// Between the surfaces, from a point of b's core.
+Vec2 between(const Vec2& on_b, double rounding_b, double gap, const Vec2& normal) {
+  return on_b - (rounding_b + 0.5 * gap) * normal;
+}
+
+// A face as a line over the tangent, from (low, at_low) to (high, at_high); heights are along the normal.
+struct Face {
+  double low;
+  double high;
+  double at_low;
+  double at_high;
+
+  [[nodiscard]] double height(double x) const {
+    if (!(high > low) || at_high == at_low) return at_low;  // a half-plane's ends are infinite
+    return at_low + (at_high - at_low) * ((x - low) / (high - low));
+  }
+};
+
+Face face(const Vec2& low, const Vec2& high, const Vec2& normal) {
+  const Vec2 along = tangent(normal);
+  return {along.dot(low), along.dot(high), normal.dot(low), normal.dot(high)};
+}
+
+// The stretch that two faces share. Where it is no longer than rounding nothing changes `touch`, which has one
+// point already.
+void clip(const Face& a, const Face& b, double rounding_a, double rounding_b, double scale, int edge_a,
+          int edge_b, Touch& touch) {
+  const double low = std::max(a.low, b.low);
+  const double high = std::min(a.high, b.high);
+  if (!(high - low > kFlat * scale)) return;
+  const Vec2 along = tangent(touch.normal);
+  touch.count = 0;
+  for (const double x : {low, high}) {
+    const double on_b = b.height(x);
+    const double gap = on_b - a.height(x) - (rounding_a + rounding_b);
+    const Vec2 point = between(x * along + on_b * touch.normal, rounding_b, gap, touch.normal);
+    touch.points[touch.count++] = {point, gap, feature_id(x == low ? Ends::kLow : Ends::kHigh, edge_a, edge_b)};
+  }
+  touch.flat = std::abs(touch.points[1].gap - touch.points[0].gap) <= kFlat * scale;
+}
+
+// Of the two edges at a corner the one that faces `normal` most.
+int facing_edge(const Vec2& normal, const Vec2& here, const Vec2& before, int k, int count) {
+  if (normal.dot(before) > normal.dot(here)) return k == 0 ? count - 1 : k - 1;
+  return k;
+}
+
+int before(int k, int count) { return k == 0 ? count - 1 : k - 1; }
+int after(int k, int count) { return k + 1 == count ? 0 : k + 1; }
+
+// The stretch that an edge of one core and the edge of the other that faces it most share; without one, `touch`
+// keeps its point.
+void clip_at(const PairFrame& frame, const ClosestFeatures& closest, double rounding_a, double rounding_b,
+             Touch& touch) {
+  int edge_a = closest.vertex_a;
+  int edge_b = closest.vertex_b;
+  if (closest.edge_a < 0) {
+    edge_a = facing_edge(closest.normal, frame.a[edge_a].normal, frame.a[before(edge_a, frame.edges_a)].normal,
+                         edge_a, frame.edges_a);
+  }
+  if (closest.edge_b < 0) {
+    edge_b = facing_edge(-closest.normal, frame.normal[edge_b], frame.normal[before(edge_b, frame.edges_b)],
+                         edge_b, frame.edges_b);
+  }
+  touch.points[0].id = feature_id(Ends::kOne, edge_a, edge_b);
+  clip(face(frame.a[edge_a].vertex, frame.a[after(edge_a, frame.edges_a)].vertex, touch.normal),
+       face(frame.vertex[after(edge_b, frame.edges_b)], frame.vertex[edge_b], touch.normal), rounding_a,
+       rounding_b, frame.scale, edge_a, edge_b, touch);
+}
+
+// With `prefer_faces`, two faces that share a stretch touch there with the normal of one of them, also where
+// corners just beside it are nearest.
+Touch touch_of_cores(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
+                     bool prefer_faces) {
+  const PairFrame frame(shapes, a, pose_a, b, pose_b);
+  const ClosestFeatures closest = closest_features(frame);
+  const double rounding_a = shapes.rounding[a];
+  const double rounding_b = shapes.rounding[b];
+  Touch touch{closest.normal, closest.separation - (rounding_a + rounding_b), Vec2::Zero(), false, 1, {}};
+
+  // The point of b's core, opposite a's vertex if that is what is nearest to an edge of b.
+  Vec2 on_b = frame.vertex[closest.vertex_b];
+  if (closest.edge_b >= 0) on_b = frame.a[closest.vertex_a].vertex + closest.separation * closest.normal;
+  touch.point = between(on_b, rounding_b, touch.gap, touch.normal);
+  touch.points[0] = {touch.point, touch.gap, feature_id(Ends::kVertices, closest.vertex_a, closest.vertex_b)};
+  if (closest.edge_a >= 0 || closest.edge_b >= 0) {
+    clip_at(frame, closest, rounding_a, rounding_b, touch);
+  } else if (prefer_faces) {
+    const ClosestFeatures edge = parting_edge(frame);
+    Touch faces = touch;
+    faces.normal = edge.normal;
+    clip_at(frame, edge, rounding_a, rounding_b, faces);
+    if (faces.count == 2 && std::min(faces.points[0].gap, faces.points[1].gap) <= touch.gap) return faces;
+  }
+  return touch;
+}
+
+// A body over a half-plane: its gap, the normal out of the half-plane, and the lowest vertex.
+struct Height {
+  double gap;
+  Vec2 normal;
+  int lowest;
+};
+
+Height height_over(const ConvexShapes& shapes, int plane, const Pose& pose_plane, int body,
+                   const Pose& pose_body) {
+  const Corner& edge = *shapes.corners_of(plane);
+  const Corner* corner = shapes.corners_of(body);
+  const Vec2 n = pose_plane.turned(edge.normal);
+  const Vec2 own = pose_body.turned_back(n);
+  int lowest = 0;
+  double least = own.dot(corner[0].vertex);
+  for (int k = 1; k < shapes.corners[body]; ++k) {
+    const double height = own.dot(corner[k].vertex);
+    if (height < least) least = height, lowest = k;
+  }
+  const double centre = n.dot(pose_body.position - pose_plane.position) - edge.normal.dot(edge.vertex);
+  return {centre + least - shapes.rounding[body], n, lowest};
+}
+
+// In the world's directions, relative to the half-plane's position; the normal points out of the half-plane.
+Touch touch_of_half_plane(const ConvexShapes& shapes, int plane, const Pose& pose_plane, int body,
+                          const Pose& pose_body) {
+  const Height height = height_over(shapes, plane, pose_plane, body, pose_body);
+  const Vec2& n = height.normal;
+  const Corner* corner = shapes.corners_of(body);
+  const int count = shapes.corners[body];
+  const double rounding = shapes.rounding[body];
+  const Vec2 d = pose_body.position - pose_plane.position;
+  const auto on_core = [&](int k) -> Vec2 { return d + pose_body.turned(corner[k].vertex); };
+  Touch touch{n, height.gap, between(on_core(height.lowest), rounding, height.gap, n), false, 1, {}};
+  touch.points[0] = {touch.point, touch.gap, 0U};
+  if (shapes.edges(body) == 0) return touch;
+  const int e = facing_edge(-pose_body.turned_back(n), corner[height.lowest].normal,
+                            corner[before(height.lowest, count)].normal, height.lowest, count);
+  touch.points[0].id = feature_id(Ends::kOne, 0, e);
+  const double infinite = std::numeric_limits<double>::infinity();
+  const Corner& edge = *shapes.corners_of(plane);
+  const double floor = edge.normal.dot(edge.vertex);
+  clip({-infinite, infinite, floor, floor}, face(on_core(after(e, count)), on_core(e), n), 0.0, rounding,
+       d.lpNorm<Eigen::Infinity>() + shapes.core_radius[body], 0, e, touch);
+  return touch;
+}
+
+// Nearest point of a rectangle's boundary to a point, in the rectangle's own frame, as signed distance and
+// outward normal.
+Gap nearest_on_rectangle(const Vec2& half, const Vec2& p) {
+  const Vec2 outside = p - p.cwiseMax(-half).cwiseMin(half);
+  const double distance = outside.norm();
+  if (distance > 0.0) return {distance, outside / distance};
+  const Vec2 depth = half - p.cwiseAbs();
+  const int axis = depth.x() <= depth.y() ? 0 : 1;
+  Vec2 normal = Vec2::Zero();
+  normal[axis] = p[axis] < 0.0 ? -1.0 : 1.0;
+  return {-depth[axis], normal};
+}
+
+// Of a disc and a core from the core to the disc, without roundings. Two discs have a closed form, and so has a
+// disc on a box.
+Gap gap_to_disc(const ConvexShapes& shapes, int core, const Pose& pose_core, int disc, const Pose& pose_disc) {
+  if (shapes.core[core] == Core::kPoint) {
+    const Vec2 d = pose_disc.position - pose_core.position;
+    const double distance = d.norm();
+    return {distance, distance > 0.0 ? Vec2(d / distance) : Vec2(Vec2::UnitX())};
+  }
+  if (shapes.core[core] == Core::kBox) {
+    const Vec2 d = pose_core.turned_back(pose_disc.position - pose_core.position);
+    const Gap nearest = nearest_on_rectangle(shapes.corners_of(core)[2].vertex, d);
+    return {nearest.gap, pose_core.turned(nearest.normal)};
+  }
+  const ClosestFeatures closest = closest_features(PairFrame(shapes, core, pose_core, disc, pose_disc));
+  return {closest.separation, pose_core.turned(closest.normal)};
+}
+
+bool has_disc(const ConvexShapes& shapes, int a, int b) {
+  return shapes.core[a] == Core::kPoint || shapes.core[b] == Core::kPoint;
+}
+
+bool has_half_plane(const ConvexShapes& shapes, int a, int b) {
+  assert(shapes.core[a] != Core::kHalfPlane || shapes.core[b] != Core::kHalfPlane);
+  return shapes.core[a] == Core::kHalfPlane || shapes.core[b] == Core::kHalfPlane;
+}
+
+// In the world, for any pair.
+Touch touch_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
+                    bool prefer_faces) {
+  if (has_half_plane(shapes, a, b)) {
+    const bool plane_first = shapes.core[a] == Core::kHalfPlane;
+    Touch touch = plane_first ? touch_of_half_plane(shapes, a, pose_a, b, pose_b)
+                              : touch_of_half_plane(shapes, b, pose_b, a, pose_a);
+    if (!plane_first) touch.normal = -touch.normal;
+    const Vec2& origin = plane_first ? pose_a.position : pose_b.position;
+    touch.point += origin;
+    for (int k = 0; k < touch.count; ++k) touch.points[k].point += origin;
+    return touch;
+  }
+  if (has_disc(shapes, a, b)) {
+    // The body with a core is the frame of reference; of two discs it is a.
+    const bool core_first = shapes.core[b] == Core::kPoint;
+    const Gap from_core =
+        core_first ? gap_to_disc(shapes, a, pose_a, b, pose_b) : gap_to_disc(shapes, b, pose_b, a, pose_a);
+    const double gap = from_core.gap - (shapes.rounding[a] + shapes.rounding[b]);
+    // From the disc's centre back along the normal to the middle of gap or overlap.
+    const Vec2& centre = core_first ? pose_b.position : pose_a.position;
+    const Vec2 point = between(centre, shapes.rounding[core_first ? b : a], gap, from_core.normal);
+    return {core_first ? from_core.normal : Vec2(-from_core.normal),
+            gap,
+            point,
+            false,
+            1,
+            {{{point, gap, 0U}, {}}}};
+  }
+  Touch touch = touch_of_cores(shapes, a, pose_a, b, pose_b, prefer_faces);
+  touch.normal = pose_a.turned(touch.normal);
+  touch.point = pose_a.position + pose_a.turned(touch.point);
+  for (int k = 0; k < touch.count; ++k) {
+    touch.points[k].point = pose_a.position + pose_a.turned(touch.points[k].point);
+  }
+  return touch;
+}
+
+}  // namespace
+
+Gap gap_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
+  if (has_half_plane(shapes, a, b)) {
+    if (shapes.core[a] == Core::kHalfPlane) {
+      const Height height = height_over(shapes, a, pose_a, b, pose_b);
+      return {height.gap, height.normal};
+    }
+    const Height height = height_over(shapes, b, pose_b, a, pose_a);
+    return {height.gap, -height.normal};
+  }
+  const double rounding = shapes.rounding[a] + shapes.rounding[b];
+  if (has_disc(shapes, a, b)) {
+    if (shapes.core[b] == Core::kPoint) {
+      const Gap gap = gap_to_disc(shapes, a, pose_a, b, pose_b);
+      return {gap.gap - rounding, gap.normal};
+    }
+    const Gap gap = gap_to_disc(shapes, b, pose_b, a, pose_a);
+    return {gap.gap - rounding, -gap.normal};
+  }
+  const ClosestFeatures closest = closest_features(PairFrame(shapes, a, pose_a, b, pose_b));
+  return {closest.separation - rounding, pose_a.turned(closest.normal)};
+}
+
+Contact contact_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
+  const Touch touch = touch_between(shapes, a, pose_a, b, pose_b, false);
+  if (!touch.flat) return {touch.gap, touch.normal, touch.point};
+  return {touch.gap, touch.normal, 0.5 * (touch.points[0].point + touch.points[1].point)};
+}
+
+Manifold manifold(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
+                  double margin) {
+  Manifold result;
+  const double reach = shapes.radius[a] + shapes.radius[b] + margin;
+  if ((pose_b.position - pose_a.position).squaredNorm() > reach * reach) return result;
+  const Touch touch = touch_between(shapes, a, pose_a, b, pose_b, true);
+  if (touch.gap > margin) return result;
+  result.normal = touch.normal;
+  for (int k = 0; k < touch.count; ++k) {
+    if (touch.points[k].gap <= margin) result.points[result.count++] = touch.points[k];
+  }
+  return result;
+}
+
+}  // namespace carom

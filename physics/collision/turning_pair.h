@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+
+#include "physics/collision/pair_contact.h"
+#include "physics/collision/time_of_impact.h"
+
+namespace carom {
+
+// A pair of convex bodies that may turn, at one time.
+struct TurningSample {
+  double gap;   // m
+  Vec2 normal;  // unit, from a to b
+  Pose a;
+  Pose b;
+};
+
+// The sampler of first_contact for bodies that may turn. `path_a(t)` and `path_b(t)` give q = (x, y, angle).
+//
+// `path_curvature` in m/s² bounds the second derivative of the relative path of the centres. The curvature that
+// first_contact needs is larger by turning_curvature of both bodies, for the largest spin and angular
+// acceleration that they have within the interval: (ω² + |α|) r is how much a vertex's path about its centre
+// can bend. It is zero for discs, however fast they spin.
+template <class PathA, class PathB>
+class TurningPair {
+ public:
+  TurningPair(const ConvexShapes& shapes, int a, PathA path_a, int b, PathB path_b, double path_curvature)
+      : shapes_(shapes), a_(a), b_(b), path_a_(path_a), path_b_(path_b), path_curvature_(path_curvature) {}
+
+  [[nodiscard]] TurningSample operator()(double t) const {
+    const Pose a = pose_of(shapes_, a_, path_a_(t));
+    const Pose b = pose_of(shapes_, b_, path_b_(t));
+    const Gap gap = gap_between(shapes_, a_, a, b_, b);
+    return {gap.gap, gap.normal, a, b};
+  }
+
+  [[nodiscard]] double separation(const Vec2& n, const TurningSample& at) const {
+    return carom::separation(shapes_, a_, at.a, b_, at.b, n);
+  }
+
+  // Whether the circles around the bodies stay apart: the centres' relative path strays from its chord by up to
+  // path_curvature·width²/8. Spares bodies that turn fast and far from each other a search.
+  [[nodiscard]] bool clear(const TurningSample& from, const TurningSample& to, double width) const {
+    const Vec2 d = from.b.position - from.a.position;
+    const Vec2 way = to.b.position - to.a.position - d;
+    const double length = way.squaredNorm();
+    const double along = length > 0.0 ? std::clamp(-d.dot(way) / length, 0.0, 1.0) : 0.0;
+    const double reach = shapes_.radius[a_] + shapes_.radius[b_] + path_curvature_ * width * width / 8.0;
+    return (d + along * way).squaredNorm() > reach * reach;
+  }
+
+ private:
+  const ConvexShapes& shapes_;
+  int a_;
+  int b_;
+  PathA path_a_;
+  PathB path_b_;
+  double path_curvature_;
+};
+
+}  // namespace carom
