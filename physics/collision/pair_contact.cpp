@@ -191,21 +191,36 @@ Gap nearest_on_rectangle(const Vec2& half, const Vec2& p) {
   return {-depth[axis], normal};
 }
 
-// Of a disc and a core from the core to the disc, without roundings. Two discs have a closed form, and so has a
-// disc on a box.
-Gap gap_to_disc(const ConvexShapes& shapes, int core, const Pose& pose_core, int disc, const Pose& pose_disc) {
+// From a core to a disc's centre, without roundings. Two discs have a closed form, and so has a disc on a box.
+Gap gap_to_centre(const ConvexShapes& shapes, int core, const Pose& pose_core, int disc,
+                  const Pose& pose_disc) {
+  const Vec2 d = pose_disc.position - pose_core.position;
   if (shapes.core[core] == Core::kPoint) {
-    const Vec2 d = pose_disc.position - pose_core.position;
     const double distance = d.norm();
     return {distance, distance > 0.0 ? Vec2(d / distance) : Vec2(Vec2::UnitX())};
   }
   if (shapes.core[core] == Core::kBox) {
-    const Vec2 d = pose_core.turned_back(pose_disc.position - pose_core.position);
-    const Gap nearest = nearest_on_rectangle(shapes.corners_of(core)[2].vertex, d);
+    const Vec2& half = shapes.corners_of(core)[2].vertex;
+    const Gap nearest = nearest_on_rectangle(half, pose_core.turned_back(d));
     return {nearest.gap, pose_core.turned(nearest.normal)};
   }
   const ClosestFeatures closest = closest_features(PairFrame(shapes, core, pose_core, disc, pose_disc));
   return {closest.separation, pose_core.turned(closest.normal)};
+}
+
+// A pair of which one is a disc, the other no half-plane.
+Contact disc_contact(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
+  // The body with a core is the frame of reference; of two discs it is a. The point is from the disc's centre
+  // back along the normal to the middle of gap or overlap.
+  const double rounding = shapes.rounding[a] + shapes.rounding[b];
+  if (shapes.core[b] == Core::kPoint) {
+    const Gap to_b = gap_to_centre(shapes, a, pose_a, b, pose_b);
+    const double gap = to_b.gap - rounding;
+    return {gap, to_b.normal, between(pose_b.position, shapes.rounding[b], gap, to_b.normal)};
+  }
+  const Gap to_a = gap_to_centre(shapes, b, pose_b, a, pose_a);
+  const double gap = to_a.gap - rounding;
+  return {gap, -to_a.normal, between(pose_a.position, shapes.rounding[a], gap, to_a.normal)};
 }
 
 bool has_disc(const ConvexShapes& shapes, int a, int b) {
@@ -231,20 +246,8 @@ Touch touch_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b
     return touch;
   }
   if (has_disc(shapes, a, b)) {
-    // The body with a core is the frame of reference; of two discs it is a.
-    const bool core_first = shapes.core[b] == Core::kPoint;
-    const Gap from_core =
-        core_first ? gap_to_disc(shapes, a, pose_a, b, pose_b) : gap_to_disc(shapes, b, pose_b, a, pose_a);
-    const double gap = from_core.gap - (shapes.rounding[a] + shapes.rounding[b]);
-    // From the disc's centre back along the normal to the middle of gap or overlap.
-    const Vec2& centre = core_first ? pose_b.position : pose_a.position;
-    const Vec2 point = between(centre, shapes.rounding[core_first ? b : a], gap, from_core.normal);
-    return {core_first ? from_core.normal : Vec2(-from_core.normal),
-            gap,
-            point,
-            false,
-            1,
-            {{{point, gap, 0U}, {}}}};
+    const Contact c = disc_contact(shapes, a, pose_a, b, pose_b);
+    return {c.normal, c.gap, c.point, false, 1, {{{c.point, c.gap, 0U}, {}}}};
   }
   Touch touch = touch_of_cores(shapes, a, pose_a, b, pose_b, prefer_faces);
   touch.normal = pose_a.turned(touch.normal);
@@ -266,20 +269,17 @@ Gap gap_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, co
     const Height height = height_over(shapes, b, pose_b, a, pose_a);
     return {height.gap, -height.normal};
   }
-  const double rounding = shapes.rounding[a] + shapes.rounding[b];
   if (has_disc(shapes, a, b)) {
-    if (shapes.core[b] == Core::kPoint) {
-      const Gap gap = gap_to_disc(shapes, a, pose_a, b, pose_b);
-      return {gap.gap - rounding, gap.normal};
-    }
-    const Gap gap = gap_to_disc(shapes, b, pose_b, a, pose_a);
-    return {gap.gap - rounding, -gap.normal};
+    const Contact c = disc_contact(shapes, a, pose_a, b, pose_b);
+    return {c.gap, c.normal};
   }
   const ClosestFeatures closest = closest_features(PairFrame(shapes, a, pose_a, b, pose_b));
-  return {closest.separation - rounding, pose_a.turned(closest.normal)};
+  return {closest.separation - (shapes.rounding[a] + shapes.rounding[b]), pose_a.turned(closest.normal)};
 }
 
 Contact contact_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
+  if (has_disc(shapes, a, b) && !has_half_plane(shapes, a, b))
+    return disc_contact(shapes, a, pose_a, b, pose_b);
   const Touch touch = touch_between(shapes, a, pose_a, b, pose_b, false);
   if (!touch.flat) return {touch.gap, touch.normal, touch.point};
   return {touch.gap, touch.normal, 0.5 * (touch.points[0].point + touch.points[1].point)};

@@ -254,9 +254,7 @@ TEST(ApartUntil, NoOverlapBefore) {
         q[2] += t * twist[i].spin;
         return pose_of(s, i, q);
       };
-      ASSERT_GE(gap_between(s, 0, at(0), 1, at(1)).gap, -1e-12)
-          << n << ", " << t << " of " << until << " cores " << int(s.core[0]) << int(s.core[1]) << " K"
-          << curvature << " " << g.gap;
+      ASSERT_GE(gap_between(s, 0, at(0), 1, at(1)).gap, -1e-12) << n << ", " << t << " of " << until;
     }
   }
   EXPECT_GT(finite, 5000);
