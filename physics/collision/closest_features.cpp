@@ -30,21 +30,15 @@ ClosestFeatures at_edge(const SumEdge& e) {
   return {e.separation(), -e.normal, e.of_b ? -1 : e.i, e.of_b ? e.j : -1, e.i, e.j};
 }
 
-}  // namespace
+// The edges of the Minkowski sum in order, and the one that the origin is farthest beyond.
+struct Sum {
+  std::array<SumEdge, 2 * kMostVertices> edge;
+  int count;
+  int farthest;
+  double separation;
+};
 
-PairFrame::PairFrame(const ConvexShapes& shapes, int i, const Pose& pose_a, int j, const Pose& pose_b)
-    : a(shapes.corners_of(i)), b(shapes.corners_of(j)), edges_a(shapes.edges(i)), edges_b(shapes.edges(j)) {
-  const Pose relative{pose_a.turned_back(pose_b.position - pose_a.position),
-                      pose_a.cos * pose_b.cos + pose_a.sin * pose_b.sin,
-                      pose_a.cos * pose_b.sin - pose_a.sin * pose_b.cos};
-  scale = relative.position.lpNorm<Eigen::Infinity>() + shapes.core_radius[i] + shapes.core_radius[j];
-  for (int k = 0; k < shapes.corners[j]; ++k) {
-    vertex[k] = relative.position + relative.turned(b[k].vertex);
-    normal[k] = relative.turned(b[k].normal);
-  }
-}
-
-ClosestFeatures closest_features(const PairFrame& frame) {
+void add_up(const PairFrame& frame, Sum& sum) {
   // Start with b's first edge and the vertex of -a that is farthest out along its normal.
   int i = 0;
   int j = 0;
@@ -63,7 +57,6 @@ ClosestFeatures closest_features(const PairFrame& frame) {
       }
     }
   }
-  std::array<SumEdge, 2 * kMostVertices> edge;
   int count = 0;
   int left_a = frame.edges_a;
   int left_b = frame.edges_b;
@@ -73,7 +66,7 @@ ClosestFeatures closest_features(const PairFrame& frame) {
   int nearest_b = -1;
   do {
     const bool of_b = left_b > 0 && (left_a == 0 || cross(frame.normal[j], -frame.a[i].normal) >= 0.0);
-    SumEdge& e = edge[count];
+    SumEdge& e = sum.edge[count];
     e.start = frame.vertex[j] - frame.a[i].vertex;
     e.i = i;
     e.j = j;
@@ -93,13 +86,43 @@ ClosestFeatures closest_features(const PairFrame& frame) {
     }
     ++count;
   } while (left_a + left_b > 0);
-
   const bool prefer_a = nearest_a >= 0 && best_a >= best_b - kRounding * frame.scale;
-  const double best = std::max(best_a, best_b);
-  int k = prefer_a ? nearest_a : nearest_b;
-  ClosestFeatures result = at_edge(edge[k]);
-  result.separation = best;
-  if (best <= 0.0) return result;
+  sum.count = count;
+  sum.farthest = prefer_a ? nearest_a : nearest_b;
+  sum.separation = std::max(best_a, best_b);
+}
+
+ClosestFeatures at_farthest(const Sum& sum) {
+  ClosestFeatures result = at_edge(sum.edge[sum.farthest]);
+  result.separation = sum.separation;
+  return result;
+}
+
+}  // namespace
+
+PairFrame::PairFrame(const ConvexShapes& shapes, int i, const Pose& pose_a, int j, const Pose& pose_b)
+    : a(shapes.corners_of(i)), b(shapes.corners_of(j)), edges_a(shapes.edges(i)), edges_b(shapes.edges(j)) {
+  const Pose relative{pose_a.turned_back(pose_b.position - pose_a.position),
+                      pose_a.cos * pose_b.cos + pose_a.sin * pose_b.sin,
+                      pose_a.cos * pose_b.sin - pose_a.sin * pose_b.cos};
+  scale = relative.position.lpNorm<Eigen::Infinity>() + shapes.core_radius[i] + shapes.core_radius[j];
+  for (int k = 0; k < shapes.corners[j]; ++k) {
+    vertex[k] = relative.position + relative.turned(b[k].vertex);
+    normal[k] = relative.turned(b[k].normal);
+  }
+}
+
+ClosestFeatures parting_edge(const PairFrame& frame) {
+  Sum sum;
+  add_up(frame, sum);
+  return at_farthest(sum);
+}
+
+ClosestFeatures closest_features(const PairFrame& frame) {
+  Sum sum;
+  add_up(frame, sum);
+  const ClosestFeatures result = at_farthest(sum);
+  if (sum.separation <= 0.0) return result;
 
   // The origin is outside: from the edge that it is farthest beyond, go round to the feature it is nearest to.
   const auto at_start_of = [&](const SumEdge& e) {
@@ -108,6 +131,9 @@ ClosestFeatures closest_features(const PairFrame& frame) {
     if (distance <= kRounding * frame.scale) return result;
     return ClosestFeatures{distance, e.start / distance, -1, -1, e.i, e.j};
   };
+  const std::array<SumEdge, 2 * kMostVertices>& edge = sum.edge;
+  const int count = sum.count;
+  int k = sum.farthest;
   const double along = edge[k].along();
   if (along < 0.0) {
     for (int steps = 0; steps < count; ++steps) {

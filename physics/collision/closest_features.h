@@ -38,4 +38,7 @@ struct ClosestFeatures {
 // rounding, those of a go before those of b. At least one of the cores must have edges.
 [[nodiscard]] ClosestFeatures closest_features(const PairFrame& frame);
 
+// The edge with the greatest separation: that of closest_features, unless two vertices are nearest.
+[[nodiscard]] ClosestFeatures parting_edge(const PairFrame& frame);
+
 }  // namespace carom

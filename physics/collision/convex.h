@@ -33,7 +33,7 @@ struct ConvexShape {
 [[nodiscard]] ConvexShape box_shape(double width, double height, double rounding = 0.0);
 // The two ends must differ.
 [[nodiscard]] ConvexShape segment_shape(const Vec2& from, const Vec2& to, double rounding = 0.0);
-// 3 to kMostVertices vertices as tidy_polygon gives them.
+// 3 to kMostVertices vertices as tidied() gives them (polygon.h).
 [[nodiscard]] ConvexShape polygon_shape(std::vector<Vec2> vertices, double rounding = 0.0);
 // The solid side is that of all x with normal·x <= offset; `normal` is a unit vector.
 [[nodiscard]] ConvexShape half_plane_shape(const Vec2& normal, double offset);

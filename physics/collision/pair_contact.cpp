@@ -84,7 +84,30 @@ int facing_edge(const Vec2& normal, const Vec2& here, const Vec2& before, int k,
 int before(int k, int count) { return k == 0 ? count - 1 : k - 1; }
 int after(int k, int count) { return k + 1 == count ? 0 : k + 1; }
 
-Touch touch_of_cores(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
+// The stretch that an edge of one core and the edge of the other that faces it most share; without one, `touch`
+// keeps its point.
+void clip_at(const PairFrame& frame, const ClosestFeatures& closest, double rounding_a, double rounding_b,
+             Touch& touch) {
+  int edge_a = closest.vertex_a;
+  int edge_b = closest.vertex_b;
+  if (closest.edge_a < 0) {
+    edge_a = facing_edge(closest.normal, frame.a[edge_a].normal, frame.a[before(edge_a, frame.edges_a)].normal,
+                         edge_a, frame.edges_a);
+  }
+  if (closest.edge_b < 0) {
+    edge_b = facing_edge(-closest.normal, frame.normal[edge_b], frame.normal[before(edge_b, frame.edges_b)],
+                         edge_b, frame.edges_b);
+  }
+  touch.points[0].id = feature_id(Ends::kOne, edge_a, edge_b);
+  clip(face(frame.a[edge_a].vertex, frame.a[after(edge_a, frame.edges_a)].vertex, touch.normal),
+       face(frame.vertex[after(edge_b, frame.edges_b)], frame.vertex[edge_b], touch.normal), rounding_a,
+       rounding_b, frame.scale, edge_a, edge_b, touch);
+}
+
+// With `prefer_faces`, two faces that share a stretch touch there with the normal of one of them, also where
+// corners just beside it are nearest.
+Touch touch_of_cores(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
+                     bool prefer_faces) {
   const PairFrame frame(shapes, a, pose_a, b, pose_b);
   const ClosestFeatures closest = closest_features(frame);
   const double rounding_a = shapes.rounding[a];
@@ -94,28 +117,17 @@ Touch touch_of_cores(const ConvexShapes& shapes, int a, const Pose& pose_a, int 
   // The point of b's core, opposite a's vertex if that is what is nearest to an edge of b.
   Vec2 on_b = frame.vertex[closest.vertex_b];
   if (closest.edge_b >= 0) on_b = frame.a[closest.vertex_a].vertex + closest.separation * closest.normal;
-  const bool vertices = closest.edge_a < 0 && closest.edge_b < 0;
-  const bool round = frame.edges_a == 0 || frame.edges_b == 0;
-  int edge_a = closest.vertex_a;
-  int edge_b = closest.vertex_b;
-  if (!vertices && !round) {
-    if (closest.edge_a < 0) {
-      edge_a = facing_edge(closest.normal, frame.a[edge_a].normal,
-                           frame.a[before(edge_a, frame.edges_a)].normal, edge_a, frame.edges_a);
-    }
-    if (closest.edge_b < 0) {
-      edge_b = facing_edge(-closest.normal, frame.normal[edge_b], frame.normal[before(edge_b, frame.edges_b)],
-                           edge_b, frame.edges_b);
-    }
-  }
-  // The one point of a round body keeps its id while it goes round the other.
-  const std::uint32_t id = round ? 0U : feature_id(vertices ? Ends::kVertices : Ends::kOne, edge_a, edge_b);
   touch.point = between(on_b, rounding_b, touch.gap, touch.normal);
-  touch.points[0] = {touch.point, touch.gap, id};
-  if (vertices || round) return touch;
-  clip(face(frame.a[edge_a].vertex, frame.a[after(edge_a, frame.edges_a)].vertex, touch.normal),
-       face(frame.vertex[after(edge_b, frame.edges_b)], frame.vertex[edge_b], touch.normal), rounding_a,
-       rounding_b, frame.scale, edge_a, edge_b, touch);
+  touch.points[0] = {touch.point, touch.gap, feature_id(Ends::kVertices, closest.vertex_a, closest.vertex_b)};
+  if (closest.edge_a >= 0 || closest.edge_b >= 0) {
+    clip_at(frame, closest, rounding_a, rounding_b, touch);
+  } else if (prefer_faces) {
+    const ClosestFeatures edge = parting_edge(frame);
+    Touch faces = touch;
+    faces.normal = edge.normal;
+    clip_at(frame, edge, rounding_a, rounding_b, faces);
+    if (faces.count == 2 && std::min(faces.points[0].gap, faces.points[1].gap) <= touch.gap) return faces;
+  }
   return touch;
 }
 
@@ -179,21 +191,36 @@ Gap nearest_on_rectangle(const Vec2& half, const Vec2& p) {
   return {-depth[axis], normal};
 }
 
-// Of a disc and a core from the core to the disc, without roundings. Two discs have a closed form, and so has a
-// disc on a box.
-Gap gap_to_disc(const ConvexShapes& shapes, int core, const Pose& pose_core, int disc, const Pose& pose_disc) {
+// From a core to a disc's centre, without roundings. Two discs have a closed form, and so has a disc on a box.
+Gap gap_to_centre(const ConvexShapes& shapes, int core, const Pose& pose_core, int disc,
+                  const Pose& pose_disc) {
+  const Vec2 d = pose_disc.position - pose_core.position;
   if (shapes.core[core] == Core::kPoint) {
-    const Vec2 d = pose_disc.position - pose_core.position;
     const double distance = d.norm();
     return {distance, distance > 0.0 ? Vec2(d / distance) : Vec2(Vec2::UnitX())};
   }
   if (shapes.core[core] == Core::kBox) {
-    const Vec2 d = pose_core.turned_back(pose_disc.position - pose_core.position);
-    const Gap nearest = nearest_on_rectangle(shapes.corners_of(core)[2].vertex, d);
+    const Vec2& half = shapes.corners_of(core)[2].vertex;
+    const Gap nearest = nearest_on_rectangle(half, pose_core.turned_back(d));
     return {nearest.gap, pose_core.turned(nearest.normal)};
   }
   const ClosestFeatures closest = closest_features(PairFrame(shapes, core, pose_core, disc, pose_disc));
   return {closest.separation, pose_core.turned(closest.normal)};
+}
+
+// A pair of which one is a disc, the other no half-plane.
+Contact disc_contact(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
+  // The body with a core is the frame of reference; of two discs it is a. The point is from the disc's centre
+  // back along the normal to the middle of gap or overlap.
+  const double rounding = shapes.rounding[a] + shapes.rounding[b];
+  if (shapes.core[b] == Core::kPoint) {
+    const Gap to_b = gap_to_centre(shapes, a, pose_a, b, pose_b);
+    const double gap = to_b.gap - rounding;
+    return {gap, to_b.normal, between(pose_b.position, shapes.rounding[b], gap, to_b.normal)};
+  }
+  const Gap to_a = gap_to_centre(shapes, b, pose_b, a, pose_a);
+  const double gap = to_a.gap - rounding;
+  return {gap, -to_a.normal, between(pose_a.position, shapes.rounding[a], gap, to_a.normal)};
 }
 
 bool has_disc(const ConvexShapes& shapes, int a, int b) {
@@ -206,7 +233,8 @@ bool has_half_plane(const ConvexShapes& shapes, int a, int b) {
 }
 
 // In the world, for any pair.
-Touch touch_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
+Touch touch_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
+                    bool prefer_faces) {
   if (has_half_plane(shapes, a, b)) {
     const bool plane_first = shapes.core[a] == Core::kHalfPlane;
     Touch touch = plane_first ? touch_of_half_plane(shapes, a, pose_a, b, pose_b)
@@ -218,22 +246,10 @@ Touch touch_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b
     return touch;
   }
   if (has_disc(shapes, a, b)) {
-    // The body with a core is the frame of reference; of two discs it is a.
-    const bool core_first = shapes.core[b] == Core::kPoint;
-    const Gap from_core =
-        core_first ? gap_to_disc(shapes, a, pose_a, b, pose_b) : gap_to_disc(shapes, b, pose_b, a, pose_a);
-    const double gap = from_core.gap - (shapes.rounding[a] + shapes.rounding[b]);
-    // From the disc's centre back along the normal to the middle of gap or overlap.
-    const Vec2& centre = core_first ? pose_b.position : pose_a.position;
-    const Vec2 point = between(centre, shapes.rounding[core_first ? b : a], gap, from_core.normal);
-    return {core_first ? from_core.normal : Vec2(-from_core.normal),
-            gap,
-            point,
-            false,
-            1,
-            {{{point, gap, 0U}, {}}}};
+    const Contact c = disc_contact(shapes, a, pose_a, b, pose_b);
+    return {c.normal, c.gap, c.point, false, 1, {{{c.point, c.gap, 0U}, {}}}};
   }
-  Touch touch = touch_of_cores(shapes, a, pose_a, b, pose_b);
+  Touch touch = touch_of_cores(shapes, a, pose_a, b, pose_b, prefer_faces);
   touch.normal = pose_a.turned(touch.normal);
   touch.point = pose_a.position + pose_a.turned(touch.point);
   for (int k = 0; k < touch.count; ++k) {
@@ -253,21 +269,18 @@ Gap gap_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, co
     const Height height = height_over(shapes, b, pose_b, a, pose_a);
     return {height.gap, -height.normal};
   }
-  const double rounding = shapes.rounding[a] + shapes.rounding[b];
   if (has_disc(shapes, a, b)) {
-    if (shapes.core[b] == Core::kPoint) {
-      const Gap gap = gap_to_disc(shapes, a, pose_a, b, pose_b);
-      return {gap.gap - rounding, gap.normal};
-    }
-    const Gap gap = gap_to_disc(shapes, b, pose_b, a, pose_a);
-    return {gap.gap - rounding, -gap.normal};
+    const Contact c = disc_contact(shapes, a, pose_a, b, pose_b);
+    return {c.gap, c.normal};
   }
   const ClosestFeatures closest = closest_features(PairFrame(shapes, a, pose_a, b, pose_b));
-  return {closest.separation - rounding, pose_a.turned(closest.normal)};
+  return {closest.separation - (shapes.rounding[a] + shapes.rounding[b]), pose_a.turned(closest.normal)};
 }
 
 Contact contact_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
-  const Touch touch = touch_between(shapes, a, pose_a, b, pose_b);
+  if (has_disc(shapes, a, b) && !has_half_plane(shapes, a, b))
+    return disc_contact(shapes, a, pose_a, b, pose_b);
+  const Touch touch = touch_between(shapes, a, pose_a, b, pose_b, false);
   if (!touch.flat) return {touch.gap, touch.normal, touch.point};
   return {touch.gap, touch.normal, 0.5 * (touch.points[0].point + touch.points[1].point)};
 }
@@ -277,7 +290,8 @@ Manifold manifold(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, 
   Manifold result;
   const double reach = shapes.radius[a] + shapes.radius[b] + margin;
   if ((pose_b.position - pose_a.position).squaredNorm() > reach * reach) return result;
-  const Touch touch = touch_between(shapes, a, pose_a, b, pose_b);
+  const Touch touch = touch_between(shapes, a, pose_a, b, pose_b, true);
+  if (touch.gap > margin) return result;
   result.normal = touch.normal;
   for (int k = 0; k < touch.count; ++k) {
     if (touch.points[k].gap <= margin) result.points[result.count++] = touch.points[k];

@@ -6,7 +6,7 @@
 #include "physics/collision/contact.h"
 #include "physics/collision/convex.h"
 
-// How two convex bodies lie to each other. Body b may be a half-plane or a may be, not both.
+// How two convex bodies lie to each other. One of the two may be a half-plane.
 namespace carom {
 
 // The signed distance of two bodies, the greatest separation along any direction: the distance of their
@@ -26,9 +26,9 @@ struct Gap {
 
 // One point of a manifold.
 struct ManifoldPoint {
-  Vec2 point;        // m, half-way between the surfaces
-  double gap;        // m, along the manifold's normal
-  std::uint32_t id;  // stays the same from step to step while the same features touch
+  Vec2 point = Vec2::Zero();  // m, half-way between the surfaces
+  double gap = 0.0;           // m, along the manifold's normal
+  std::uint32_t id = 0;       // stays the same from step to step while the same features touch
 };
 
 // The points at which two bodies hold each other, along one normal: both ends of the stretch that two faces
@@ -40,8 +40,10 @@ struct Manifold {
 };
 
 // Points with a gap of more than `margin` (m) are left out; bodies whose bounding circles are farther apart
-// cost next to nothing. The normal is that of gap_between; the smallest gap is the one of gap_between where
-// cores are apart or overlap by less than rounding, and no less elsewhere.
+// cost next to nothing. Normal and least gap are those of gap_between, but for one case: where two corners are
+// nearest and the faces beside them share a stretch nevertheless, as in a stack of equal boxes whose edges are
+// not quite flush, the normal is the one of the face that parts the bodies most, not the slanting one from
+// corner to corner. The gaps along it are smaller than or equal to the distance.
 //
 // An edge of a and the edge of b that faces it most are clipped against each other along the tangent. A point's
 // id names the two edges and which end of the stretch it is, not whose corner ends the stretch there nor whose

@@ -157,10 +157,11 @@ template <class Sampler, class Sample>
   const Sample gm = sample(m);
   if (gm.gap <= 0.0) return first_contact(sample, a, ga, m, gm, curvature, tolerance);
   if (const auto earlier = first_contact(sample, a, ga, m, gm, curvature, tolerance)) return earlier;
-  // Between m and the root: search with the root as a positive end, and fall back on the root itself.
-  if (gr.gap > 0.0) {
-    if (const auto earlier = first_contact(sample, m, gm, root, gr, curvature, tolerance)) return earlier;
-  }
+  // Between m and the root: search with the root as a positive end (the gap there may be zero to the last bit),
+  // and fall back on the root itself.
+  Sample end = gr;
+  end.gap = std::max(gr.gap, std::numeric_limits<double>::min());
+  if (const auto earlier = first_contact(sample, m, gm, root, end, curvature, tolerance)) return earlier;
   return root;
 }
 

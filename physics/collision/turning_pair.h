@@ -15,7 +15,8 @@ struct TurningSample {
   Pose b;
 };
 
-// The sampler of first_contact for bodies that may turn. `path_a(t)` and `path_b(t)` give q = (x, y, angle).
+// The sampler of first_contact for bodies that may turn. `path_a(t)` and `path_b(t)` give q = (x, y, angle), or
+// a Pose: that of a body that does not turn can be kept, which spares its sine and cosine.
 //
 // `path_curvature` in m/s² bounds the second derivative of the relative path of the centres. The curvature that
 // first_contact needs is larger by turning_curvature of both bodies, for the largest spin and angular
@@ -28,8 +29,8 @@ class TurningPair {
       : shapes_(shapes), a_(a), b_(b), path_a_(path_a), path_b_(path_b), path_curvature_(path_curvature) {}
 
   [[nodiscard]] TurningSample operator()(double t) const {
-    const Pose a = pose_of(shapes_, a_, path_a_(t));
-    const Pose b = pose_of(shapes_, b_, path_b_(t));
+    const Pose a = pose(a_, path_a_(t));
+    const Pose b = pose(b_, path_b_(t));
     const Gap gap = gap_between(shapes_, a_, a, b_, b);
     return {gap.gap, gap.normal, a, b};
   }
@@ -50,6 +51,9 @@ class TurningPair {
   }
 
  private:
+  [[nodiscard]] Pose pose(int, const Pose& pose) const { return pose; }
+  [[nodiscard]] Pose pose(int i, const Eigen::Vector3d& q) const { return pose_of(shapes_, i, q); }
+
   const ConvexShapes& shapes_;
   int a_;
   int b_;
