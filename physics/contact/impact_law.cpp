@@ -3,22 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom {
+#include "physics/contact/newton_law.h"
+#include "physics/contact/routh_path.h"
 
-RelativeVelocity relative_velocity(const ImpactSide& a, const ImpactSide& b, const Vec2& normal) {
-  const Vec2 tangent(-normal.y(), normal.x());
-  const Vec2 u = b.velocity - a.velocity;
-  return {u.dot(normal), u.dot(tangent) - a.spin * a.arm - b.spin * b.arm};
+namespace carom {
+namespace {
+
+// The normal's length is 1 within rounding only. Left out, or itself rounded to a number near 1, whose
+// neighbours are not equally far, |n|² - 1 would add up to a drift of the energy over millions of impacts.
+double excess_of(const Vec2& normal) {
+  return std::fma(normal.x(), normal.x(), std::fma(normal.y(), normal.y(), -1.0));
 }
 
-Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Material& material) {
-  const RelativeVelocity u = relative_velocity(a, b, normal);
+bool unturned_by_normal(const ImpactSide& s) { return s.lever == 0.0 || s.inverse_inertia == 0.0; }
+
+Impact resolve_central(ImpactSide& a, ImpactSide& b, const Vec2& normal, const RelativeVelocity& u,
+                       const Material& material) {
   Impact impact;
   if (u.normal >= 0.0) return impact;
 
-  // The normal's length is 1 within rounding only. Left out, or itself rounded to a number near 1, whose
-  // neighbours are not equally far, |n|² - 1 would add up to a drift of the energy over millions of impacts.
-  const double excess = std::fma(normal.x(), normal.x(), std::fma(normal.y(), normal.y(), -1.0));
+  const double excess = excess_of(normal);
   const double k_nn = a.inverse_mass + b.inverse_mass;
   const double of_unit_normal = -(1.0 + material.restitution) * u.normal / k_nn;
   impact.normal = of_unit_normal - excess * of_unit_normal;
@@ -36,6 +40,64 @@ Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Ma
   }
   a.velocity -= a.inverse_mass * j;
   b.velocity += b.inverse_mass * j;
+  return impact;
+}
+
+// j = -K⁻¹u; the loss u·K⁻¹u/2 as a sum of squares.
+Impact plastic_impact(const ContactMatrix& k, const RelativeVelocity& u) {
+  Impact impact;
+  impact.normal = (k.nt * u.tangential - k.tt * u.normal) / k.determinant;
+  impact.tangential = (k.nt * u.normal - k.nn * u.tangential) / k.determinant;
+  const double normal_once_stuck = u.normal - k.nt / k.tt * u.tangential;
+  impact.lost_to_sticking =
+      0.5 * (u.tangential * u.tangential / k.tt + normal_once_stuck * normal_once_stuck * k.tt / k.determinant);
+  return impact;
+}
+
+}  // namespace
+
+RelativeVelocity relative_velocity(const ImpactSide& a, const ImpactSide& b, const Vec2& normal) {
+  const Vec2 tangent(-normal.y(), normal.x());
+  const Vec2 u = b.velocity - a.velocity;
+  return {u.dot(normal) - a.spin * a.lever - b.spin * b.lever,
+          u.dot(tangent) - a.spin * a.arm - b.spin * b.arm};
+}
+
+ContactMatrix contact_matrix(const ImpactSide& a, const ImpactSide& b, const Vec2& normal) {
+  const double central = a.inverse_mass + b.inverse_mass;
+  const double correction = excess_of(normal) * central;
+  const double nn = a.lever * a.lever * a.inverse_inertia + b.lever * b.lever * b.inverse_inertia;
+  const double tt = a.arm * a.arm * a.inverse_inertia + b.arm * b.arm * b.inverse_inertia;
+  const double cross = a.lever * b.arm - a.arm * b.lever;
+  ContactMatrix k;
+  k.nn = central + nn + correction;
+  k.tt = central + tt + correction;
+  k.nt = a.lever * a.arm * a.inverse_inertia + b.lever * b.arm * b.inverse_inertia;
+  const double mass_part = central + correction;
+  k.determinant = mass_part * (mass_part + nn + tt) + cross * cross * a.inverse_inertia * b.inverse_inertia;
+  return k;
+}
+
+Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Material& material,
+                      ImpactLawId law, bool sticks) {
+  const RelativeVelocity u = relative_velocity(a, b, normal);
+  if (!sticks && unturned_by_normal(a) && unturned_by_normal(b)) {
+    return resolve_central(a, b, normal, u, material);
+  }
+  const ContactMatrix k = contact_matrix(a, b, normal);
+  Impact impact;
+  if (sticks) {
+    if (u.normal < 0.0) impact = plastic_impact(k, u);
+  } else if (law == ImpactLawId::kNewton) {
+    impact = newton_impact(k, u, material);
+  } else {
+    impact = energetic_impact(k, u, material);
+  }
+  const Vec2 j = impact.normal * normal + impact.tangential * Vec2(-normal.y(), normal.x());
+  a.velocity -= a.inverse_mass * j;
+  b.velocity += b.inverse_mass * j;
+  a.spin -= a.inverse_inertia * (a.lever * impact.normal + a.arm * impact.tangential);
+  b.spin -= b.inverse_inertia * (b.lever * impact.normal + b.arm * impact.tangential);
   return impact;
 }
 
