@@ -7,9 +7,8 @@
 namespace carom {
 namespace {
 
-constexpr double kNoGain = 1e-13;   // of the work of all impulses: rounding
-constexpr double kComplied = 1e-9;  // of the scaled problem: how far a solution may be off its law
-constexpr int kMostHalvings = 50;   // of e
+constexpr double kNoGain = 1e-13;  // of the energy of the hardest impact: rounding
+constexpr int kMostHalvings = 50;  // of e
 
 using Row = ClusterScratch::Row;
 
@@ -68,12 +67,8 @@ class Cluster {
   // Whether those impulses put energy into the bodies.
   [[nodiscard]] bool gains() const {
     double work = 0.0;
-    double size = 0.0;
-    for (int i = 0; i < rows(); ++i) {
-      work += 0.5 * s_.impulse[i] * (s_.velocity[i] + s_.after[i]);
-      size += std::abs(s_.impulse[i]) * (std::abs(s_.velocity[i]) + std::abs(s_.after[i]));
-    }
-    return work > kNoGain * size;
+    for (int i = 0; i < rows(); ++i) work += 0.5 * s_.impulse[i] * (s_.velocity[i] + s_.after[i]);
+    return work > kNoGain * size_ * size_;
   }
   void apply(std::span<Impact> impacts);
 
@@ -106,6 +101,7 @@ class Cluster {
   Eigen::Ref<const Eigen::VectorXd> inverse_inertia_;
   std::span<const ClusterContact> contacts_;
   ClusterScratch& s_;
+  double size_ = 0.0;  // of the scaled velocities: its square is twice the energy of the hardest impact
 };
 
 // Unknowns, scaled by √K_nn of their contact and by the fastest contact: j_n of all contacts, then j_t+, j_t-
@@ -144,27 +140,23 @@ bool Cluster::solve(double e) {
     vector[plus] = scaled_velocity(2 * i + 1);
     vector[minus] = -vector[plus];
   }
-  const double size = vector.cwiseAbs().maxCoeff();
-  vector /= size;
-  if (s_.lcp.solve(matrix, vector) != LcpSolver::Status::kSolved) return false;
-
+  size_ = vector.cwiseAbs().maxCoeff();
+  vector /= size_;
+  if (!s_.lcp.solve(matrix, vector)) return false;
   const Eigen::Map<const Eigen::VectorXd> z = s_.lcp.solution();
   for (int i = 0; i < m; ++i) {
-    s_.impulse[2 * i] = size * s_.scale[i] * z[i];
+    s_.impulse[2 * i] = size_ * s_.scale[i] * z[i];
     s_.impulse[2 * i + 1] = 0.0;
   }
   for (int p = 0; p < rubbing; ++p) {
     const int i = s_.rubbing[p];
-    s_.impulse[2 * i + 1] = size * s_.scale[i] * (z[m + 3 * p] - z[m + 3 * p + 1]);
+    const double most = contacts_[i].kinetic_friction * s_.impulse[2 * i];
+    s_.impulse[2 * i + 1] = std::clamp(size_ * s_.scale[i] * (z[m + 3 * p] - z[m + 3 * p + 1]), -most,
+                                       most);  // kept in rounding too
   }
   for (int i = 0; i < rows(); ++i) {
     s_.after[i] = s_.velocity[i];
     for (int j = 0; j < rows(); ++j) s_.after[i] += response(i, j) * s_.impulse[j];
-  }
-  // The solver may take a singular problem's noise for a pivot: what it found is held against the law itself.
-  for (int i = 0; i < m; ++i) {
-    const double w = s_.scale[i] * (s_.after[2 * i] - rebound(i, e)) / size;
-    if (w < -kComplied || std::min(w, z[i]) > kComplied) return false;
   }
   return true;
 }
@@ -201,16 +193,17 @@ ClusterOutcome resolve_simultaneous(Eigen::Ref<Eigen::Matrix3Xd> velocities,
     }
   }
   if (!cluster.read()) return outcome;
-  const auto holds = [&](double e) { return cluster.solve(e) && !cluster.gains(); };
-  if (!holds(outcome.restitution)) {
-    double high = outcome.restitution;
+  // What has no solution with e > 0 is a wedge that closes, whatever e.
+  const bool solvable = cluster.solve(outcome.restitution);
+  if (!solvable || cluster.gains()) {
+    double high = solvable ? outcome.restitution : 0.0;
     outcome.restitution = 0.0;
     outcome.lowered = true;
-    for (int i = 0; i < kMostHalvings; ++i) {
+    for (int i = 0; high > 0.0 && i < kMostHalvings; ++i) {
       const double middle = 0.5 * (outcome.restitution + high);
-      (holds(middle) ? outcome.restitution : high) = middle;
+      (cluster.solve(middle) && !cluster.gains() ? outcome.restitution : high) = middle;
     }
-    if (!holds(outcome.restitution)) {
+    if (!cluster.solve(outcome.restitution)) {
       outcome.status = ClusterOutcome::Status::kUnsolved;
       return outcome;
     }

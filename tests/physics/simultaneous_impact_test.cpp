@@ -84,7 +84,7 @@ TEST(Lcp, DegenerateSemidefiniteProblems) {
       if (kind == 1) z[k] = draw(0.0, 1.0);
     }
     const Eigen::VectorXd q = w - m * z;
-    ASSERT_EQ(lcp.solve(m, q), LcpSolver::Status::kSolved) << "case " << i;
+    ASSERT_TRUE(lcp.solve(m, q)) << "case " << i;
     const Eigen::VectorXd found = lcp.solution();
     const Eigen::VectorXd slack = m * found + q;
     ASSERT_GE(found.minCoeff(), 0.0) << "case " << i;
@@ -98,9 +98,9 @@ TEST(Lcp, DegenerateSemidefiniteProblems) {
 TEST(Lcp, SaysThatThereIsNoSolution) {
   LcpSolver lcp;
   const Eigen::Matrix2d m{{1.0, -1.0}, {-1.0, 1.0}};
-  EXPECT_EQ(lcp.solve(m, Eigen::Vector2d(-1.0, -1.0)), LcpSolver::Status::kNoSolutionFound);
-  EXPECT_EQ(lcp.solve(m, Eigen::Vector2d(-1.0, 1.0)), LcpSolver::Status::kSolved);
-  EXPECT_EQ(lcp.solve(m, Eigen::Vector2d(1.0, 2.0)), LcpSolver::Status::kSolved);
+  EXPECT_FALSE(lcp.solve(m, Eigen::Vector2d(-1.0, -1.0)));
+  EXPECT_TRUE(lcp.solve(m, Eigen::Vector2d(-1.0, 1.0)));
+  EXPECT_TRUE(lcp.solve(m, Eigen::Vector2d(1.0, 2.0)));
   EXPECT_EQ(lcp.solution(), Eigen::Vector2d(0.0, 0.0));
 }
 
@@ -217,9 +217,32 @@ TEST(SimultaneousImpact, CrushedBallIsReported) {
   EXPECT_NEAR(c.v(0, 1), 1.0, 1e-15);
 }
 
+// A disc falls into a right-angled groove: both walls at once send it straight back, with friction too.
+TEST(SimultaneousImpact, DiscInAGroove) {
+  for (const double friction : {0.0, 0.7}) {
+    for (const double e : {0.0, 0.5, 1.0}) {
+      Cluster c(2);
+      c.inverse_mass[1] = 0.5;
+      c.inverse_inertia[1] = 1.0 / (0.5 * 2.0 * 0.01);
+      const double s = std::sqrt(0.5);
+      c.contacts = {{0, 1, {s, s}, Vec2::Zero(), {-0.1 * s, -0.1 * s}, e, friction},
+                    {0, 1, {-s, s}, Vec2::Zero(), {0.1 * s, -0.1 * s}, e, friction}};
+      c.v(1, 1) = -3.0;
+      EXPECT_EQ(c.resolve().status, ClusterOutcome::Status::kSolved);
+      EXPECT_NEAR(c.v(0, 1), 0.0, 1e-14);
+      EXPECT_NEAR(c.v(2, 1), 0.0, 1e-12);
+      if (friction == 0.0) {
+        EXPECT_NEAR(c.v(1, 1), 3.0 * e, 1e-14);
+      }
+      EXPECT_LE(c.energy(), 9.0 * (1.0 + 1e-14));
+    }
+  }
+}
+
 // --- random clusters
 
-// Up to five bodies, the first one immovable, touching at random places.
+// Up to five bodies, the first one immovable. Two convex bodies touch along one line: all contacts of a pair
+// share its normal and lie beside each other; some are there twice.
 Cluster random_cluster(Draw& draw, int contacts, bool friction) {
   const int bodies = 2 + draw.below(4);
   Cluster c(bodies);
@@ -230,21 +253,25 @@ Cluster random_cluster(Draw& draw, int contacts, bool friction) {
   }
   const double e = draw.below(3) == 0 ? 1.0 : draw(0.0, 1.0);
   for (int i = 0; i < contacts; ++i) {
+    const int b = 1 + draw.below(bodies - 1);
+    const int a = draw.below(b);
+    const auto same_pair = std::find_if(c.contacts.begin(), c.contacts.end(),
+                                        [&](const ClusterContact& k) { return k.a == a && k.b == b; });
     ClusterContact k;
-    k.a = draw.below(bodies);
-    do k.b = draw.below(bodies);
-    while (k.b == k.a);
-    const double angle = draw(0.0, 6.283185307179586);
-    k.normal = {std::cos(angle), std::sin(angle)};
-    const auto place = [&](const Vec2& towards) -> Vec2 {
-      return draw(0.3, 1.0) * towards + draw(-1.0, 1.0) * Vec2(-towards.y(), towards.x());
-    };
-    k.from_a = place(k.normal);
-    k.from_b = place(-k.normal);
-    k.restitution = e;
-    k.kinetic_friction = friction ? draw(0.0, 1.5) : 0.0;
+    if (same_pair != c.contacts.end()) {
+      k = *same_pair;
+      const Vec2 beside =
+          draw.below(3) == 0 ? 0.0 * k.normal : draw(-1.0, 1.0) * Vec2(-k.normal.y(), k.normal.x());
+      k.from_a += beside;
+      k.from_b += beside;
+    } else {
+      const double angle = draw(0.0, 6.283185307179586);
+      const Vec2 n(std::cos(angle), std::sin(angle)), t(-n.y(), n.x());
+      k = {a, b,  n, draw(0.3, 1.0) * n + draw(-1.0, 1.0) * t, -draw(0.3, 1.0) * n + draw(-1.0, 1.0) * t,
+           e, 0.0};
+      if (friction) k.kinetic_friction = draw(0.0, 1.5);
+    }
     c.contacts.push_back(k);
-    if (i > 0 && draw.below(5) == 0) c.contacts.back() = c.contacts[static_cast<std::size_t>(draw.below(i))];
   }
   return c;
 }
@@ -265,15 +292,18 @@ Tally check_random(std::uint64_t seed, bool friction, int cases) {
     tally.lowered += outcome.lowered ? 1 : 0;
     if (outcome.status == ClusterOutcome::Status::kUnsolved) ++tally.unsolved;
     const double energy = before.energy();
-    EXPECT_LE(c.energy(), energy * (1.0 + 1e-12)) << where;
-    EXPECT_NEAR(energy - c.energy(), c.lost(), 1e-12 * energy) << where;
+    // In a wedge of several bodies the impulses may be far greater than the momenta, and rounding is of them.
+    double pushed = 0.0;
+    for (const Impact& j : c.impacts) pushed += j.normal;
+    const double rounding = 1e-12 * energy + 1e-15 * pushed * pushed * c.inverse_mass.maxCoeff();
+    EXPECT_LE(c.energy(), energy + rounding) << where;
+    EXPECT_NEAR(energy - c.energy(), c.lost(), rounding) << where;
     Eigen::Matrix3Xd v = before.v;
     for (std::size_t k = 0; k < c.contacts.size(); ++k) {
       const ClusterContact& contact = c.contacts[k];
       const Impact& j = c.impacts[k];
       EXPECT_GE(j.normal, 0.0) << where;
-      EXPECT_LE(std::abs(j.tangential), contact.kinetic_friction * j.normal + 1e-9 * std::sqrt(energy))
-          << where;
+      EXPECT_LE(std::abs(j.tangential), contact.kinetic_friction * j.normal) << where;
       if (outcome.status == ClusterOutcome::Status::kSolved &&
           c.inverse_mass[contact.a] + c.inverse_mass[contact.b] > 0.0) {
         EXPECT_GE(c.at(contact).normal, -1e-8) << where;
@@ -332,7 +362,6 @@ TEST(SimultaneousImpact, WithoutFrictionIsTheEnumeratedSolution) {
     const int m = static_cast<int>(c.contacts.size());
     // Only what has not been under way apart: then e is not lowered.
     std::erase_if(c.contacts, [&](const ClusterContact& k) { return c.at(k).normal > 0.0; });
-    std::erase_if(c.contacts, [&](const ClusterContact& k) { return k.a == 0 && k.b == 0; });
     if (c.contacts.empty()) continue;
     const int n = static_cast<int>(c.contacts.size());
     Eigen::VectorXd u(n);
