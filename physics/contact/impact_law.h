@@ -4,13 +4,6 @@
 
 namespace carom {
 
-// What ends an impact away from the line of the centres, where the normal impulse turns the bodies and so
-// changes the slip (K_nt != 0). Without friction, and for discs, both are the same law.
-enum class ImpactLawId {
-  kEnergetic,  // the path of Routh, ended by Stronge's energetic restitution; never gains energy
-  kNewton,     // u_n' = -e u_n whatever friction does; may gain energy, and then says so
-};
-
 // One side of an impact: velocity of the centre (m/s), spin (rad/s), inverse mass and inertia, and the two arms
 // of the contact point, r from the centre, in m, with n turned so that it points from this body to the other:
 //   arm   = r·n, of the tangential impulse; negative if the contact lies beyond the centre (a deep overlap)

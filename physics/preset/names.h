@@ -37,6 +37,16 @@ inline constexpr auto kSpringActsNames = std::to_array<std::pair<SpringActs, std
     {SpringActs::kWhileShort, "while-short"},
 });
 
+inline constexpr auto kImpactLawNames = std::to_array<std::pair<ImpactLawId, std::string_view>>({
+    {ImpactLawId::kEnergetic, "energetic"},
+    {ImpactLawId::kNewton, "newton"},
+});
+
+inline constexpr auto kSeveralImpactsNames = std::to_array<std::pair<SeveralImpactsId, std::string_view>>({
+    {SeveralImpactsId::kPairwise, "pairwise"},
+    {SeveralImpactsId::kSimultaneous, "simultaneous"},
+});
+
 inline constexpr auto kPlotNames =
     std::to_array<std::string_view>({"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift"});
 

@@ -185,6 +185,8 @@ Scene scene_of(const Json& json) {
                [&](const Json& v, const std::string&) { read_force(v, forces++, scene.forces, places); });
   r.read_array("material_pairs",
                [&](const Json& v, const std::string& at) { scene.pairs.push_back(read_pair(v, at)); });
+  r.read_name("impact_law", kImpactLawNames, scene.impact_law);
+  r.read_name("several_impacts", kSeveralImpactsNames, scene.several_impacts);
   r.read_array("generators", [&](const Json& v, const std::string& at) {
     scene.generators.push_back(read_generator(v, at));
   });

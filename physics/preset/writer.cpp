@@ -6,6 +6,7 @@
 #include "physics/motion/integrators.h"
 #include "physics/preset/expectation_json.h"
 #include "physics/preset/force_json.h"
+#include "physics/preset/names.h"
 #include "physics/preset/object_writer.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_json.h"
@@ -143,6 +144,9 @@ Json preset_json(const Scene& scene, bool all) {
   for (const Material& m : scene.materials) j["materials"].push_back(surface_json({{"name", m.name}}, m));
   for (const MaterialPair& p : scene.pairs)
     j["material_pairs"].push_back(surface_json({{"materials", {p.a, p.b}}}, p.surface));
+  if (scene.impact_law != ImpactLawId::kEnergetic) j["impact_law"] = name_of(kImpactLawNames, scene.impact_law);
+  if (scene.several_impacts != SeveralImpactsId::kPairwise)
+    j["several_impacts"] = name_of(kSeveralImpactsNames, scene.several_impacts);
   for (const Body& b : scene.bodies) j["bodies"].push_back(body_json(b, all));
   if (Json forces = forces_json(scene.forces, all); !forces.empty()) j["forces"] = std::move(forces);
   for (const GridGenerator& g : scene.generators) j["generators"].push_back(generator_json(g));

@@ -136,6 +136,19 @@ struct Method {
   bool operator==(const Method&) const = default;
 };
 
+// What ends an impact away from the line of the centres, where the normal impulse turns the bodies and so
+// changes the slip. Without friction, and for discs, both are the same law.
+enum class ImpactLawId {
+  kEnergetic,  // the path of Routh, ended by Stronge's energetic restitution; never gains energy
+  kNewton,     // u_n' = -e u_n whatever friction does; may gain energy, and then says so
+};
+
+// What happens where several contacts close at one time.
+enum class SeveralImpactsId {
+  kPairwise,     // pair by pair, in the order of index pairs, until none approaches: what a cradle does
+  kSimultaneous  // all that touch at once, with one restitution (Moreau)
+};
+
 // Many bodies from a few numbers: columns × rows discs, row by row from the lower left, each moved by up to
 // `jitter` in x and y and with its radius and speed drawn uniformly, by a 64-bit Mersenne twister with `seed`.
 struct GridGenerator {
@@ -208,6 +221,8 @@ struct Scene {
   Forces forces;
   std::vector<Material> materials;
   std::vector<MaterialPair> pairs;
+  ImpactLawId impact_law = ImpactLawId::kEnergetic;
+  SeveralImpactsId several_impacts = SeveralImpactsId::kPairwise;  // of impacts at their own time
   std::vector<Body> bodies;
   std::vector<GridGenerator> generators;
   std::vector<Expectation> expect;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -186,45 +187,55 @@ void Simulation::process_until(double target, double horizon, double h) {
 
 // The impact of a foreseen pair.
 void Simulation::meet(int a, int b, double time, double horizon, bool crowd, double h) {
+  if (scene_.several_impacts == SeveralImpactsId::kSimultaneous && meet_all(a, b, time, horizon, crowd, h))
+    return;
   for (const int i : {a, b}) {
     if (tracks_.island_of(i) >= 0 && tracks_.start(i) != time) tracks_.settle(tracks_.island_of(i), time);
   }
   const Contact contact = approach(a, b, touch_tolerance(a, b, time)).contact;
   const Material& material = material_between(a, b);
   collide(a, b, contact, material, time);
-
-  if (material.restitution < 1.0) {
-    const double rebound =
-        relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
-    const double press = pressing(a, b, contact, time);
-    double rest = kRestSpeed;
-    if (method_.integrator == IntegratorId::kExplicitEuler) {
-      const double e = material.restitution;
-      rest = std::max(rest, std::min(kRestRebound * e / (1.0 - e), kMostRestRebound) * press * h);
-    }
-    if (press > 0.0 && rebound < rest) {
-      // Where the bounces that are left out can be summed up they would last that long.
-      const bool exact = choice_of(kIntegrators, method_.integrator).exact_under_gravity;
-      const double left = exact ? 2.0 * rebound / (press * (1.0 - material.restitution)) : 0.0;
-      if (notices_.resting_since < 0.0) notices_.resting_since = tracks_.epoch() + time + left;
-      defer(a, b, true);
-    } else if (crowd && rebound < pressed_in(a, b, h)) {
-      if (notices_.resting_since < 0.0) notices_.resting_since = tracks_.epoch() + time;
-      defer(a, b, true);
-    } else if (rebound < kCollapseShare * (tracks_.settled(a).segment<2>(3).norm() +
-                                           tracks_.settled(b).segment<2>(3).norm()) &&
-               time - last_impact_ <= 64.0 * kEpsilon * (std::abs(time) + h)) {
-      if (notices_.collapsed_since < 0.0) notices_.collapsed_since = tracks_.epoch() + time;
-    }
-  }
+  judge(a, b, contact, material, time, crowd, h);
   last_impact_ = time;
-
   const int island_a = tracks_.island_of(a);
   const int island_b = tracks_.island_of(b);
-  if (island_a >= 0) lay(island_a, horizon);
-  if (island_b >= 0 && island_b != island_a) lay(island_b, horizon);
-  if (island_a >= 0) search_island(island_a);
-  if (island_b >= 0 && island_b != island_a) search_island(island_b);
+  if (island_a >= 0 && island_b >= 0 && island_a != island_b) {
+    go_on(std::array{island_a, island_b}, horizon);
+  } else {
+    go_on(std::array{std::max(island_a, island_b)}, horizon);
+  }
+}
+
+void Simulation::judge(int a, int b, const Contact& contact, const Material& material, double time, bool crowd,
+                       double h) {
+  if (!(material.restitution < 1.0)) return;
+  const double rebound =
+      relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
+  const double press = pressing(a, b, contact, time);
+  double rest = kRestSpeed;
+  if (method_.integrator == IntegratorId::kExplicitEuler) {
+    const double e = material.restitution;
+    rest = std::max(rest, std::min(kRestRebound * e / (1.0 - e), kMostRestRebound) * press * h);
+  }
+  if (press > 0.0 && rebound < rest) {
+    // Where the bounces that are left out can be summed up they would last that long.
+    const bool exact = choice_of(kIntegrators, method_.integrator).exact_under_gravity;
+    const double left = exact ? 2.0 * rebound / (press * (1.0 - material.restitution)) : 0.0;
+    if (notices_.resting_since < 0.0) notices_.resting_since = tracks_.epoch() + time + left;
+    defer(a, b, true);
+  } else if (crowd && rebound < pressed_in(a, b, h)) {
+    if (notices_.resting_since < 0.0) notices_.resting_since = tracks_.epoch() + time;
+    defer(a, b, true);
+  } else if (rebound < kCollapseShare * (tracks_.settled(a).segment<2>(3).norm() +
+                                         tracks_.settled(b).segment<2>(3).norm()) &&
+             time - last_impact_ <= 64.0 * kEpsilon * (std::abs(time) + h)) {
+    if (notices_.collapsed_since < 0.0) notices_.collapsed_since = tracks_.epoch() + time;
+  }
+}
+
+void Simulation::go_on(std::span<const int> islands, double horizon) {
+  for (const int island : islands) lay(island, horizon);
+  for (const int island : islands) search_island(island);
 }
 
 double Simulation::pressing(int a, int b, const Contact& contact, double within) {

@@ -10,6 +10,10 @@ std::string Notices::text() const {
     double since;
     std::string what;
   };
+  const std::string gain = fmt::format(
+      "from t = {{:.6g}} s impacts gained energy, {:.3g} J by now: Newton's law does so with friction off the "
+      "centre",
+      gained);
   const std::array entries = {
       Entry{
           resting_since,
@@ -26,6 +30,11 @@ std::string Notices::text() const {
                                std::to_string(Simulation::kMostLogged) + "); all of them are counted"},
       Entry{tolerance_missed_since,
             "from t = {:.6g} s the tolerance can't be kept, not with the shortest step"},
+      Entry{gained_since, gain},
+      Entry{cluster_unsolved_since,
+            "at t = {:.6g} s no impulses meet the law of simultaneous impacts: they were taken pair by pair"},
+      Entry{restitution_lowered_since,
+            "at t = {:.6g} s the restitution of simultaneous impacts was lowered, so that none gains energy"},
   };
   std::string line;
   for (const Entry& entry : entries) {

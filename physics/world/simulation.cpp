@@ -162,22 +162,14 @@ Approach Simulation::approach(int a, int b, double tolerance) const {
 void Simulation::collide(int a, int b, const Contact& contact, const Material& material, double within) {
   ImpactSide side_a = side(a, contact, 1.0);
   ImpactSide side_b = side(b, contact, -1.0);
-  const Vec2 drive_a = side_a.velocity;
-  const Vec2 drive_b = side_b.velocity;
-  const bool watched = watch_impacts_ && jumps_.size() < kMostWatched;
-  ImpactRecord record;
-  record.time = std::min(tracks_.epoch() + within, step_end_);  // the sum may round beyond the end
-  record.a = a;
-  record.b = b;
-  record.point = contact.point;
-  record.normal = contact.normal;
-  record.closing_speed = -relative_velocity(side_a, side_b, contact.normal).normal;
+  const double closing = -relative_velocity(side_a, side_b, contact.normal).normal;
   // Semi-implicit Euler's path x + t v(t) may close again, from an overlap, while v(t) still parts the bodies.
-  if (!(record.closing_speed > 0.0)) return;
+  if (!(closing > 0.0)) return;
+  const bool watched = watch_impacts_ && jumps_.size() < kMostWatched;
   Jump jump;
   if (watched) jump.before = totals_at(within);
 
-  const Impact impact = resolve_impact(side_a, side_b, contact.normal, material);
+  const Impact impact = resolve_impact(side_a, side_b, contact.normal, material, scene_.impact_law);
   if (!immovable(a)) tracks_.set_velocity(a, side_a.velocity, side_a.spin);
   if (!immovable(b)) tracks_.set_velocity(b, side_b.velocity, side_b.spin);
 
@@ -187,7 +179,24 @@ void Simulation::collide(int a, int b, const Contact& contact, const Material& m
     }
   }
 
+  book(a, b, contact, impact, closing, within);
+  if (watched) {
+    jump.time = std::min(tracks_.epoch() + within, step_end_);
+    jump.after = totals_at(within);
+    jumps_.push_back(jump);
+  }
+}
+
+void Simulation::book(int a, int b, const Contact& contact, const Impact& impact, double closing,
+                      double within) {
   ++impact_count_;
+  ImpactRecord record;
+  record.time = std::min(tracks_.epoch() + within, step_end_);  // the sum may round beyond the end
+  record.a = a;
+  record.b = b;
+  record.point = contact.point;
+  record.normal = contact.normal;
+  record.closing_speed = closing;
   record.normal_impulse = impact.normal;
   record.tangential_impulse = impact.tangential;
   record.lost_to_restitution = impact.lost_to_restitution;
@@ -197,10 +206,9 @@ void Simulation::collide(int a, int b, const Contact& contact, const Material& m
   } else if (notices_.log_cut_since < 0.0) {
     notices_.log_cut_since = record.time;
   }
-  if (watched) {
-    jump.time = record.time;
-    jump.after = totals_at(within);
-    jumps_.push_back(jump);
+  if (impact.energy_gain > 0.0) {
+    if (notices_.gained_since < 0.0) notices_.gained_since = record.time;
+    notices_.gained += impact.energy_gain;
   }
   ledger_.lost_to_restitution += impact.lost_to_restitution;
   ledger_.lost_to_friction += impact.lost_to_friction;
@@ -208,11 +216,11 @@ void Simulation::collide(int a, int b, const Contact& contact, const Material& m
   const Vec2 j = impact.normal * contact.normal + impact.tangential * tangent;
   if (immovable(a)) {
     ledger_.momentum_to_walls -= j;
-    ledger_.put_in_by_drives += j.dot(drive_a);
+    ledger_.put_in_by_drives += j.dot(tracks_.settled(a).segment<2>(3));
   }
   if (immovable(b)) {
     ledger_.momentum_to_walls += j;
-    ledger_.put_in_by_drives -= j.dot(drive_b);
+    ledger_.put_in_by_drives -= j.dot(tracks_.settled(b).segment<2>(3));
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "physics/collision/cell_grid.h"
 #include "physics/collision/geometry.h"
 #include "physics/contact/impact_law.h"
+#include "physics/contact/simultaneous_impact.h"
 #include "physics/motion/tracks.h"
 #include "physics/scene/needs.h"
 #include "physics/scene/scene.h"
@@ -54,6 +56,13 @@ struct Notices {
   double log_cut_since = -1.0;
   // The adaptive integrator could not keep its tolerance with the shortest step.
   double tolerance_missed_since = -1.0;
+  // Newton's law let impacts gain energy, in J all together.
+  double gained_since = -1.0;
+  double gained = 0.0;
+  // No impulses would have met the law of simultaneous impacts; they were taken pair by pair.
+  double cluster_unsolved_since = -1.0;
+  // The restitution of simultaneous impacts was lowered, so that friction would not make them gain energy.
+  double restitution_lowered_since = -1.0;
 
   // One line for people; "ok" if there is nothing to tell.
   [[nodiscard]] std::string text() const;
@@ -165,6 +174,8 @@ class Simulation {
   void step_with_impacts_at_end(double h);
   // Resolves the impact of two bodies at their settled poses, `within` s after the epoch, and logs it.
   void collide(int a, int b, const Contact& contact, const Material& material, double within);
+  // Counts and logs an impact that has been resolved, and keeps the ledger.
+  void book(int a, int b, const Contact& contact, const Impact& impact, double closing, double within);
   [[nodiscard]] Totals totals_at(double within);
   // One side of a contact; `towards` is +1 for its body a, -1 for b: the way that the normal points from there.
   [[nodiscard]] ImpactSide side(int body, const Contact& contact, double towards) const;
@@ -184,6 +195,14 @@ class Simulation {
   void search_discs(int a, int b, double start, double end);
   void process_until(double target, double horizon, double h);
   void meet(int a, int b, double time, double horizon, bool crowd, double h);
+  // After an impact with e < 1: whether the pair rests from now on, or has collapsed.
+  void judge(int a, int b, const Contact& contact, const Material& material, double time, bool crowd, double h);
+  // Lays the tracks of these islands anew and searches them.
+  void go_on(std::span<const int> islands, double horizon);
+  // Simultaneous impacts (simultaneous_impacts.cpp): all that touches a or b, or what they touch, and so on.
+  // False if there is nothing but the pair, or no solution.
+  bool meet_all(int a, int b, double time, double horizon, bool crowd, double h);
+  void touching(int a, int b, double time);
   void foresee(double time, int a, int b);
   void defer(int a, int b, bool resting);
   [[nodiscard]] bool is_stale(const Event& event) const;
@@ -236,6 +255,14 @@ class Simulation {
   std::vector<std::uint32_t> stamp_;  // by body, of its island; fixed bodies keep theirs
   std::vector<Deferred> deferred_;
   std::vector<Deferred> due_;
+  struct Touch {
+    int a;
+    int b;
+    Contact contact;
+  };
+  std::vector<Touch> touches_;  // of a cluster
+  std::vector<int> cluster_;    // its bodies
+  ClusterScratch cluster_scratch_;
 
   // Impacts at the step's end.
   BroadPhase broad_phase_;
