@@ -193,7 +193,8 @@ ClusterOutcome resolve_simultaneous(Eigen::Ref<Eigen::Matrix3Xd> velocities,
     }
   }
   if (!cluster.read()) return outcome;
-  // What has no solution with e > 0 is a wedge that closes, whatever e.
+  // Without a solution at this e, one at a smaller e > 0 would be at its edge, with impulses out of all
+  // measure.
   const bool solvable = cluster.solve(outcome.restitution);
   if (!solvable || cluster.gains()) {
     double high = solvable ? outcome.restitution : 0.0;
@@ -204,7 +205,7 @@ ClusterOutcome resolve_simultaneous(Eigen::Ref<Eigen::Matrix3Xd> velocities,
       (cluster.solve(middle) && !cluster.gains() ? outcome.restitution : high) = middle;
     }
     if (!cluster.solve(outcome.restitution)) {
-      outcome.status = ClusterOutcome::Status::kUnsolved;
+      outcome.solved = false;
       return outcome;
     }
   }

@@ -21,13 +21,10 @@ struct ClusterContact {
 };
 
 struct ClusterOutcome {
-  enum class Status {
-    kSolved,
-    kUnsolved,  // no impulses satisfy the law, as for a body crushed between two driven ones: nothing changed
-  };
-  Status status = Status::kSolved;
-  double restitution = 1.0;  // the one e used: the smallest of the contacts, or what friction lowered it to
-  bool lowered = false;      // e was lowered to keep energy from being gained
+  bool solved =
+      true;  // false: no impulses satisfy the law, as for a body between two driven ones; nothing changed
+  double restitution = 1.0;  // the one e used: the smallest of the contacts, or what it was lowered to
+  bool lowered = false;      // e was lowered to keep energy from being gained, or to find a solution at all
 };
 
 // Buffers that are kept between calls, so that a call of no greater size allocates nothing.
@@ -39,7 +36,7 @@ struct ClusterScratch {
   };
   std::vector<Row> rows;
   std::vector<double> response;  // K: velocity of row i by an impulse along row j, 1/kg
-  std::vector<double> velocity;  // of each row before the pass, m/s
+  std::vector<double> velocity;  // of each row before, m/s
   std::vector<double> after;     // and after it
   std::vector<double> impulse;   // of each row, N s
   std::vector<double> scale;     // of each contact, 1/√K_nn
@@ -57,8 +54,9 @@ struct ClusterScratch {
 // after. Both lines are one linear complementarity problem, exact in two dimensions (Stewart and Trinkle,
 // International Journal for Numerical Methods in Engineering 39 (1996) 2673). Without friction the velocities
 // after it are unique. Friction, or contacts that separate before, may make it gain energy: then e is lowered
-// by bisection until it does not, and at e = 0 it never does. The impulses of redundant contacts are one choice
-// of many.
+// by bisection until it does not, and at e = 0 it never does. Where no impulses comply with the e of the
+// contacts, as in a wedge that closes, e = 0 at once. The impulses of redundant contacts are one choice of
+// many.
 //
 // `velocities` is 3 x n: v_x, v_y in m/s and spin in rad/s; it is changed. Immovable bodies have zero inverse
 // mass and inertia. `impacts` gets the impulses and losses of each contact; of those losses only the sum is

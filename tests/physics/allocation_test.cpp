@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <gtest/gtest.h>
 
+#include "physics/contact/simultaneous_impact.h"
 #include "physics/motion/integrators.h"
 #include "tests/physics/scenes.h"
 
@@ -55,6 +56,33 @@ TEST(Allocation, NoneInAWarmStep) {
       EXPECT_GT(run.impact_count() - impacts_before, 20);
     }
   }
+}
+
+// Ten boxes in a row, each touching the next at two corners, with friction.
+TEST(Allocation, NoneInAWarmSimultaneousImpact) {
+#ifndef CAROM_COUNTS_ALLOCATIONS
+  GTEST_SKIP() << "needs glibc's malloc, without sanitizers";
+#endif
+  Eigen::Matrix3Xd velocities = Eigen::Matrix3Xd::Zero(3, 10);
+  const Eigen::VectorXd inverse_mass = Eigen::VectorXd::Constant(10, 1.0);
+  const Eigen::VectorXd inverse_inertia = Eigen::VectorXd::Constant(10, 6.0);
+  std::vector<ClusterContact> contacts;
+  for (int i = 0; i + 1 < 10; ++i) {
+    for (const double y : {-0.5, 0.5})
+      contacts.push_back({i, i + 1, {1.0, 0.0}, {0.5, y}, {-0.5, y}, 0.5, 0.3});
+  }
+  std::vector<Impact> impacts(contacts.size());
+  ClusterScratch scratch;
+  long before = 0;
+  for (int call = 0; call < 3; ++call) {
+    velocities.setZero();
+    velocities.col(0) = Eigen::Vector3d(2.0, 0.3, 0.1 * call);
+    const ClusterOutcome outcome =
+        resolve_simultaneous(velocities, inverse_mass, inverse_inertia, contacts, impacts, scratch);
+    EXPECT_TRUE(outcome.solved);
+    if (call == 0) before = allocations;
+  }
+  EXPECT_EQ(allocations - before, 0);
 }
 
 }  // namespace
