@@ -105,6 +105,7 @@ constexpr const char* kEveryKey = R"({
   "gravity": [0.5, -9.81], "method": {"integrator": "explicit-euler", "impacts": "step-end", "step": 0.01},
   "materials": [{"name": "m", "restitution": 0.5, "tangential_restitution": 0.25, "static_friction": 0.5,
                  "kinetic_friction": 0.25}, {"name": "ice"}],
+  "impact_law": "newton", "several_impacts": "simultaneous",
   "material_pairs": [{"materials": ["ice", "m"], "restitution": 0.75, "kinetic_friction": 0.125}],
   "bodies": [
     {"name": "a", "shape": {"type": "disc", "radius": 1}, "position": [0, 0], "angle": 1, "velocity": [1, 2],
@@ -155,6 +156,8 @@ void expect_every_key(const Scene& s) {
   EXPECT_EQ(s.bodies[4].group, "tiles");
   EXPECT_EQ(std::get<Wall>(s.bodies[5].shape).length, 4);
   EXPECT_EQ(std::get<Wall>(s.bodies[6].shape).length, std::nullopt);
+  EXPECT_EQ(s.impact_law, ImpactLawId::kNewton);
+  EXPECT_EQ(s.several_impacts, SeveralImpactsId::kSimultaneous);
   ASSERT_EQ(s.pairs.size(), 1U);
   EXPECT_EQ(s.pairs[0].a, "ice");
   EXPECT_EQ(s.pairs[0].b, "m");

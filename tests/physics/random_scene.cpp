@@ -92,17 +92,38 @@ void add_boxes(Dice& dice, double unit, Scene& s) {
   }
 }
 
-std::vector<std::string> add_discs(Dice& dice, double unit, bool may_overlap, RandomScene& random) {
+// A box, a capsule, a triangle or a thin wall, as large as a disc of this radius.
+Shape cornered_shape(Dice& dice, double radius) {
+  const double thin = dice.between(0.2, 1.0) * radius;
+  switch (dice.up_to(3)) {
+    case 0:
+      return Box{1.8 * radius, 1.5 * thin};
+    case 1:
+      return Polygon{{{0.0, 0.0}, {radius, 0.0}}, 0.5 * thin};
+    case 2:
+      return Polygon{{{0.0, 0.0}, {1.5 * radius, 0.0}, {0.3 * radius, thin}},
+                     dice.chance(0.5) ? 0.1 * radius : 0.0};
+    default:
+      return Wall{2.0 * radius};
+  }
+}
+
+std::vector<std::string> add_bodies(Dice& dice, double unit, bool may_overlap, RandomScene& random) {
   std::vector<Body>& bodies = random.scene.bodies;
   std::vector<std::string> names;
   const int wanted = 1 + dice.up_to(11);
   const double speed = dice.chance(0.1) ? 0.0 : dice.between(0.1, 4.0) * unit;
+  const bool cornered = dice.chance(0.4);
   for (int tries = 0; tries < 200 && static_cast<int>(names.size()) < wanted; ++tries) {
     const double radius = std::exp(dice.between(std::log(0.02), std::log(kLargestRadius))) * unit;
     const double mass = std::exp(dice.between(std::log(0.01), std::log(100.0)));
     const std::string name = fmt::format("disc-{}", names.size() + 1);
     bodies.push_back(disc(name, dice.in_square(unit), dice.in_square(speed), radius, mass));
     if (dice.chance(0.3)) bodies.back().spin = dice.between(-10.0, 10.0);
+    if (cornered && dice.chance(0.5)) {
+      bodies.back().shape = cornered_shape(dice, radius);
+      bodies.back().angle = dice.angle();
+    }
     if (last_overlaps(bodies)) {
       if (!may_overlap) {
         bodies.pop_back();
@@ -185,9 +206,10 @@ RandomScene random_scene(std::uint64_t seed) {
     if (dice.chance(0.3)) material.tangential_restitution = dice.between(-1.0, 1.0);
   }
   s.materials = {material};
+  if (dice.chance(0.2)) s.several_impacts = SeveralImpactsId::kSimultaneous;
   add_boxes(dice, unit, s);
   const bool may_overlap = dice.chance(0.05);
-  const std::vector<std::string> discs = add_discs(dice, unit, may_overlap, random);
+  const std::vector<std::string> discs = add_bodies(dice, unit, may_overlap, random);
   add_forces(dice, unit, discs, s);
   s.method.step = dice.chance(0.5) ? 1.0 / 120.0 : dice.between(1.0 / 480.0, 1.0 / 30.0);
   s.method.tolerance = 1e-8 * unit;
