@@ -324,7 +324,7 @@ Tally check_random(std::uint64_t seed, bool friction, int cases) {
 TEST(SimultaneousImpact, RandomClustersKeepTheLaws) {
   const Tally smooth = check_random(22, false, 10'000);
   EXPECT_EQ(smooth.unsolved, 0);
-  const Tally rough = check_random(23, true, 8'000);
+  const Tally rough = check_random(23, true, 4'000);
   EXPECT_EQ(rough.unsolved, 0);
   RecordProperty("smooth_lowered", smooth.lowered);
   RecordProperty("rough_lowered", rough.lowered);
