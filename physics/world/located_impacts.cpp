@@ -18,6 +18,31 @@ constexpr int kFewBodies = 12;
 // A run that has reached kMostImpactsPerStep once (a piston crushing an elastic disc, say) gets no more than
 // this in each later step, so that it still goes on.
 constexpr int kMostImpactsOnceCapped = 100'000;
+// Looks at a pair in one search, some hundred times what a hard one needs. Where forces change much within a
+// step the bound on how a path bends can be so large that a search would not end.
+constexpr int kMostLooks = 2000;
+
+// A pair that gives a search up after kMostLooks.
+template <class Pair>
+class Limited {
+ public:
+  explicit Limited(const Pair& pair) : pair_(pair) {}
+  [[nodiscard]] TurningSample operator()(double t) const {
+    ++looks_;
+    return pair_(t);
+  }
+  [[nodiscard]] double separation(const Vec2& n, const TurningSample& at) const {
+    return pair_.separation(n, at);
+  }
+  [[nodiscard]] bool clear(const TurningSample& from, const TurningSample& to, double width) const {
+    return gave_up() || pair_.clear(from, to, width);
+  }
+  [[nodiscard]] bool gave_up() const { return looks_ > kMostLooks; }
+
+ private:
+  const Pair& pair_;
+  mutable int looks_ = 0;
+};
 
 }  // namespace
 
@@ -187,7 +212,8 @@ void Simulation::process_until(double target, double horizon, double h) {
 
 // The impact of a foreseen pair.
 void Simulation::meet(int a, int b, double time, double horizon, bool crowd, double h) {
-  if (scene_.several_impacts == SeveralImpactsId::kSimultaneous && meet_all(a, b, time, horizon, crowd, h))
+  if (!crowd && scene_.several_impacts == SeveralImpactsId::kSimultaneous &&
+      meet_all(a, b, time, horizon, crowd, h))
     return;
   for (const int i : {a, b}) {
     if (tracks_.island_of(i) >= 0 && tracks_.start(i) != time) tracks_.settle(tracks_.island_of(i), time);
@@ -239,16 +265,32 @@ void Simulation::go_on(std::span<const int> islands, double horizon) {
 }
 
 double Simulation::pressing(int a, int b, const Contact& contact, double within) {
-  // Of the body's point at the contact.
-  const auto acceleration = [&](int i) -> Vec2 {
-    if (driven_[i]) return drive_acceleration(*bodies_[i].drive, tracks_.epoch() + within);
-    const Eigen::Vector3d centre = tracks_.acceleration(i);
-    if (shapes_.is_disc(i)) return centre.head<2>();
-    const Vec2 r = contact.point - tracks_.settled(i).head<2>();
-    const double spin = tracks_.settled(i)[5];
-    return centre.head<2>() + centre[2] * Vec2(-r.y(), r.x()) - spin * spin * r;
+  const auto acceleration = [&](int i) -> Eigen::Vector3d {
+    if (!driven_[i]) return tracks_.acceleration(i);
+    const Vec2 driven = drive_acceleration(*bodies_[i].drive, tracks_.epoch() + within);
+    return {driven.x(), driven.y(), 0.0};
   };
-  return -contact.normal.dot(acceleration(b) - acceleration(a));
+  const Eigen::Vector3d acceleration_a = acceleration(a);
+  const Eigen::Vector3d acceleration_b = acceleration(b);
+  if (!has_moving_corners(a, b)) return -contact.normal.dot((acceleration_b - acceleration_a).head<2>());
+
+  // Where corners move, the point of contact wanders over the surfaces: the second difference of the gap, along
+  // the flight from here on, knows it all. It is taken over as long as the gap's rounding allows.
+  double bend = 0.0;
+  for (const int i : {a, b}) {
+    const auto& y = tracks_.settled(i);
+    bend += acceleration(i).head<2>().norm();
+    if (!immovable(i)) bend += (y[5] * y[5] + std::abs(acceleration(i)[2])) * shapes_.shapes.core_radius[i];
+  }
+  if (bend == 0.0) return 0.0;
+  const double wait = std::min(method_.step, std::sqrt(2e4 * touch_tolerance(a, b, within) / bend));
+  const auto flown = [&](int i, const Eigen::Vector3d& by) -> Eigen::Vector3d {
+    const auto& y = tracks_.settled(i);
+    return y.head<3>() + wait * (y.segment<3>(3) + 0.5 * wait * by);
+  };
+  const double gap = contact_between(shapes_, a, flown(a, acceleration_a), b, flown(b, acceleration_b)).gap;
+  const double speed = relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
+  return -2.0 * (gap - contact.gap - speed * wait) / (wait * wait);
 }
 
 double Simulation::curvature(int a, int b, double of_centres) const {
@@ -380,15 +422,29 @@ void Simulation::search(int a, int b) {
     if (start >= end) return;
     const bool touching = first.gap >= -tolerance;
     first = pair(start);
+    bool pressed = false;
+    if (touching && has_moving_corners(a, b)) {
+      // Whether they part or press shows as soon as the gap is more than its rounding.
+      for (double wait = std::sqrt(tolerance / bend); first.gap <= 4.0 * tolerance && !pressed; wait *= 2.0) {
+        if (start >= end) return;
+        start = std::min(start + wait, end);
+        first = pair(start);
+        pressed = first.gap < -4.0 * tolerance;
+      }
+    } else if (first.gap <= tolerance) {
+      pressed = pressing(a, b, meeting.contact, start) > 0.0;
+    }
     if (first.gap <= tolerance) {
-      const bool pressed = pressing(a, b, meeting.contact, start) > 0.0;
       if (touching && pressed && notices_.resting_since < 0.0) notices_.resting_since = tracks_.epoch() + began;
       defer(a, b, touching && pressed);
       return;
     }
   }
+  const Limited limited(pair);
   const TurningSample last = pair(end);
-  if (const auto time = first_contact(pair, start, first, end, last, bend, tolerance)) {
+  const auto time = first_contact(limited, start, first, end, last, bend, tolerance);
+  if (limited.gave_up() && notices_.search_cut_since < 0.0) notices_.search_cut_since = tracks_.epoch() + start;
+  if (time) {
     if (resting) {
       const Approach meeting = approach_of(shapes_, a, pose(a, *time), twist(a, *time), b, pose(b, *time),
                                            twist(b, *time), tolerance);

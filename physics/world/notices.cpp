@@ -30,6 +30,8 @@ std::string Notices::text() const {
                                std::to_string(Simulation::kMostLogged) + "); all of them are counted"},
       Entry{tolerance_missed_since,
             "from t = {:.6g} s the tolerance can't be kept, not with the shortest step"},
+      Entry{search_cut_since,
+            "from t = {:.6g} s forces change too fast for the step: an impact may have been missed"},
       Entry{gained_since, gain},
       Entry{cluster_unsolved_since,
             "at t = {:.6g} s no impulses meet the law of simultaneous impacts: they were taken pair by pair"},

@@ -30,7 +30,7 @@ struct ImpactRecord {
   Vec2 normal = Vec2::UnitX();
   double normal_impulse = 0.0;
   double tangential_impulse = 0.0;
-  double closing_speed = 0.0;  // m/s, > 0
+  double closing_speed = 0.0;  // m/s, > 0; of impacts at once also below, where the others drive it together
   double lost_to_restitution = 0.0;
   double lost_to_friction = 0.0;
 };
@@ -56,6 +56,8 @@ struct Notices {
   double log_cut_since = -1.0;
   // The adaptive integrator could not keep its tolerance with the shortest step.
   double tolerance_missed_since = -1.0;
+  // A path bent too fast for its step: the search for contacts on it was given up, one may have been missed.
+  double search_cut_since = -1.0;
   // Newton's law let impacts gain energy, in J all together.
   double gained_since = -1.0;
   double gained = 0.0;
@@ -206,6 +208,10 @@ class Simulation {
   void foresee(double time, int a, int b);
   void defer(int a, int b, bool resting);
   [[nodiscard]] bool is_stale(const Event& event) const;
+  // Whether one of them is no disc and moves.
+  [[nodiscard]] bool has_moving_corners(int a, int b) const {
+    return (!immovable(a) && !shapes_.is_disc(a)) || (!immovable(b) && !shapes_.is_disc(b));
+  }
   // m/s²: how the settled pair's forces, and a drive, press it together along the normal; negative if they part
   // it.
   [[nodiscard]] double pressing(int a, int b, const Contact& contact, double within);

@@ -84,10 +84,12 @@ bool Simulation::meet_all(int a, int b, double time, double horizon, bool crowd,
   if (watched) jump.before = totals_at(time);
   const ClusterOutcome outcome =
       resolve_simultaneous(velocities, inverse_mass, inverse_inertia, contacts, impacts, cluster_scratch_);
-  if (outcome.status == ClusterOutcome::Status::kUnsolved) {
+  if (!outcome.solved) {
     if (notices_.cluster_unsolved_since < 0.0) notices_.cluster_unsolved_since = tracks_.epoch() + time;
     return false;
   }
+  // Closing speeds may be so small that the solution rounds to nothing; pair by pair they still come to an end.
+  if (std::none_of(impacts.begin(), impacts.end(), [](const Impact& i) { return i.normal > 0.0; })) return false;
   if (outcome.lowered && notices_.restitution_lowered_since < 0.0)
     notices_.restitution_lowered_since = tracks_.epoch() + time;
   for (Eigen::Index k = 0; k < n; ++k) {

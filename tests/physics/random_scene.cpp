@@ -113,14 +113,14 @@ std::vector<std::string> add_bodies(Dice& dice, double unit, bool may_overlap, R
   std::vector<std::string> names;
   const int wanted = 1 + dice.up_to(11);
   const double speed = dice.chance(0.1) ? 0.0 : dice.between(0.1, 4.0) * unit;
-  const bool cornered = dice.chance(0.4);
+  random.cornered = dice.chance(0.4);
   for (int tries = 0; tries < 200 && static_cast<int>(names.size()) < wanted; ++tries) {
     const double radius = std::exp(dice.between(std::log(0.02), std::log(kLargestRadius))) * unit;
     const double mass = std::exp(dice.between(std::log(0.01), std::log(100.0)));
     const std::string name = fmt::format("disc-{}", names.size() + 1);
     bodies.push_back(disc(name, dice.in_square(unit), dice.in_square(speed), radius, mass));
     if (dice.chance(0.3)) bodies.back().spin = dice.between(-10.0, 10.0);
-    if (cornered && dice.chance(0.5)) {
+    if (random.cornered && dice.chance(0.5)) {
       bodies.back().shape = cornered_shape(dice, radius);
       bodies.back().angle = dice.angle();
     }
@@ -136,7 +136,7 @@ std::vector<std::string> add_bodies(Dice& dice, double unit, bool may_overlap, R
   return names;
 }
 
-void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, Scene& s) {
+void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, bool cornered, Scene& s) {
   const auto mass = [&](const std::string& name) {
     for (const Body& b : s.bodies) {
       if (b.name == name) return *b.mass;
@@ -172,7 +172,8 @@ void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, 
     }
   }
   if (dice.chance(0.1)) {
-    // The heaviest pulls a neighbour at 0.3 units as strongly as gravity does.
+    // Centres of thin bodies can come so near to each other that nothing but a softening keeps the pull
+    // bounded. The heaviest pulls a neighbour at 0.3 units as strongly as gravity does.
     s.forces.attraction = Attraction{dice.between(0.1, 1.0) * unit * unit * unit / 100.0,
                                      dice.chance(0.5) ? dice.between(0.05, 0.3) * unit : 0.0};
   }
@@ -210,7 +211,7 @@ RandomScene random_scene(std::uint64_t seed) {
   add_boxes(dice, unit, s);
   const bool may_overlap = dice.chance(0.05);
   const std::vector<std::string> discs = add_bodies(dice, unit, may_overlap, random);
-  add_forces(dice, unit, discs, s);
+  add_forces(dice, unit, discs, random.cornered, s);
   s.method.step = dice.chance(0.5) ? 1.0 / 120.0 : dice.between(1.0 / 480.0, 1.0 / 30.0);
   s.method.tolerance = 1e-8 * unit;
   s.duration = 1.0;

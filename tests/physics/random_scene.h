@@ -9,6 +9,7 @@ namespace carom::test {
 struct RandomScene {
   Scene scene;
   bool overlaps = false;  // some bodies overlap at t = 0
+  bool cornered = false;  // some moving bodies may be no discs
 };
 
 // A valid scene for each seed: up to twelve discs or bodies of other shapes, fixed boxes at any angle, often
