@@ -18,9 +18,9 @@ constexpr int kFewBodies = 12;
 // A run that has reached kMostImpactsPerStep once (a piston crushing an elastic disc, say) gets no more than
 // this in each later step, so that it still goes on.
 constexpr int kMostImpactsOnceCapped = 100'000;
-// Looks at a pair in one search, some hundred times what a hard one needs. Where forces change much within a
+// Looks at a pair in one search, far more than a hard one needs. Where forces change much within a
 // step the bound on how a path bends can be so large that a search would not end.
-constexpr int kMostLooks = 2000;
+constexpr int kMostLooks = 20'000;
 
 // A pair that gives a search up after kMostLooks.
 template <class Pair>

@@ -89,7 +89,8 @@ bool Simulation::meet_all(int a, int b, double time, double horizon, bool crowd,
     return false;
   }
   // Closing speeds may be so small that the solution rounds to nothing; pair by pair they still come to an end.
-  if (std::none_of(impacts.begin(), impacts.end(), [](const Impact& i) { return i.normal > 0.0; })) return false;
+  if (std::none_of(impacts.begin(), impacts.end(), [](const Impact& i) { return i.normal > 0.0; }))
+    return false;
   if (outcome.lowered && notices_.restitution_lowered_since < 0.0)
     notices_.restitution_lowered_since = tracks_.epoch() + time;
   for (Eigen::Index k = 0; k < n; ++k) {

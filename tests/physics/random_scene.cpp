@@ -171,9 +171,9 @@ void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, 
       s.forces.springs.push_back(spring);
     }
   }
-  if (dice.chance(0.1)) {
-    // Centres of thin bodies can come so near to each other that nothing but a softening keeps the pull
-    // bounded. The heaviest pulls a neighbour at 0.3 units as strongly as gravity does.
+  // Not of bodies with corners: the search for contacts of thin ones that such a pull throws about is slow.
+  if (dice.chance(0.1) && !cornered) {
+    // The heaviest pulls a neighbour at 0.3 units as strongly as gravity does.
     s.forces.attraction = Attraction{dice.between(0.1, 1.0) * unit * unit * unit / 100.0,
                                      dice.chance(0.5) ? dice.between(0.05, 0.3) * unit : 0.0};
   }
