@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "physics/collision/turning_pair.h"
 #include "physics/motion/integrators.h"
 #include "physics/world/simulation.h"
 
@@ -18,31 +17,6 @@ constexpr int kFewBodies = 12;
 // A run that has reached kMostImpactsPerStep once (a piston crushing an elastic disc, say) gets no more than
 // this in each later step, so that it still goes on.
 constexpr int kMostImpactsOnceCapped = 100'000;
-// Looks at a pair in one search, far more than a hard one needs. Where forces change much within a
-// step the bound on how a path bends can be so large that a search would not end.
-constexpr int kMostLooks = 20'000;
-
-// A pair that gives a search up after kMostLooks.
-template <class Pair>
-class Limited {
- public:
-  explicit Limited(const Pair& pair) : pair_(pair) {}
-  [[nodiscard]] TurningSample operator()(double t) const {
-    ++looks_;
-    return pair_(t);
-  }
-  [[nodiscard]] double separation(const Vec2& n, const TurningSample& at) const {
-    return pair_.separation(n, at);
-  }
-  [[nodiscard]] bool clear(const TurningSample& from, const TurningSample& to, double width) const {
-    return gave_up() || pair_.clear(from, to, width);
-  }
-  [[nodiscard]] bool gave_up() const { return looks_ > kMostLooks; }
-
- private:
-  const Pair& pair_;
-  mutable int looks_ = 0;
-};
 
 }  // namespace
 
@@ -264,63 +238,6 @@ void Simulation::go_on(std::span<const int> islands, double horizon) {
   for (const int island : islands) search_island(island);
 }
 
-double Simulation::pressing(int a, int b, const Contact& contact, double within) {
-  const auto acceleration = [&](int i) -> Eigen::Vector3d {
-    if (!driven_[i]) return tracks_.acceleration(i);
-    const Vec2 driven = drive_acceleration(*bodies_[i].drive, tracks_.epoch() + within);
-    return {driven.x(), driven.y(), 0.0};
-  };
-  const Eigen::Vector3d acceleration_a = acceleration(a);
-  const Eigen::Vector3d acceleration_b = acceleration(b);
-  if (!has_moving_corners(a, b)) return -contact.normal.dot((acceleration_b - acceleration_a).head<2>());
-
-  // Where corners move, the point of contact wanders over the surfaces: the second difference of the gap, along
-  // the flight from here on, knows it all. It is taken over as long as the gap's rounding allows.
-  double bend = 0.0;
-  for (const int i : {a, b}) {
-    const auto& y = tracks_.settled(i);
-    bend += acceleration(i).head<2>().norm();
-    if (!immovable(i)) bend += (y[5] * y[5] + std::abs(acceleration(i)[2])) * shapes_.shapes.core_radius[i];
-  }
-  if (bend == 0.0) return 0.0;
-  const double wait = std::min(method_.step, std::sqrt(2e4 * touch_tolerance(a, b, within) / bend));
-  const auto flown = [&](int i, const Eigen::Vector3d& by) -> Eigen::Vector3d {
-    const auto& y = tracks_.settled(i);
-    return y.head<3>() + wait * (y.segment<3>(3) + 0.5 * wait * by);
-  };
-  const double gap = contact_between(shapes_, a, flown(a, acceleration_a), b, flown(b, acceleration_b)).gap;
-  const double speed = relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
-  return -2.0 * (gap - contact.gap - speed * wait) / (wait * wait);
-}
-
-double Simulation::curvature(int a, int b, double of_centres) const {
-  double sum = of_centres;
-  for (const int i : {a, b}) {
-    if (tracks_.turn(i) > 0.0) sum += tracks_.turn(i) * shapes_.shapes.core_radius[i];
-  }
-  return sum;
-}
-
-double Simulation::pressed_in(int a, int b, double h) const {
-  return curvature(a, b, tracks_.bend(a) + tracks_.bend(b)) * h + kRestSpeed;
-}
-
-// m: below this a gap is closed within rounding.
-double Simulation::touch_tolerance(int a, int b, double end) const {
-  const double time = std::max(std::abs(end), method_.step);
-  const auto ya = tracks_.settled(a);
-  const auto yb = tracks_.settled(b);
-  double reach = ya.head<2>().lpNorm<1>() + yb.head<2>().lpNorm<1>() + shapes_.size[a] + shapes_.size[b];
-  double speeds = ya.segment<2>(3).norm() + yb.segment<2>(3).norm();
-  for (const int i : {a, b}) {
-    if (shapes_.is_disc(i)) continue;
-    // The rounding of an angle moves a corner.
-    reach += std::abs(tracks_.settled(i)[2]) * shapes_.size[i];
-    speeds += std::abs(tracks_.settled(i)[5]) * shapes_.size[i];
-  }
-  return 16.0 * kEpsilon * (reach + speeds * time);
-}
-
 void Simulation::defer(int a, int b, bool resting) {
   for (Deferred& d : deferred_) {
     if (d.a == a && d.b == b) {
@@ -329,129 +246,6 @@ void Simulation::defer(int a, int b, bool resting) {
     }
   }
   deferred_.push_back({a, b, resting});
-}
-
-bool Simulation::rests(int a, int b) const {
-  return !deferred_.empty() && std::any_of(deferred_.begin(), deferred_.end(), [&](const Deferred& d) {
-    return d.a == a && d.b == b && d.resting;
-  });
-}
-
-// Two discs on parabolas of one acceleration go straight relative to each other: the next impact in closed
-// form.
-void Simulation::search_discs(int a, int b, double start, double end) {
-  const Vec2 d = (tracks_.parabola(b, start) - tracks_.parabola(a, start)).head<2>();
-  const Vec2 va = tracks_.parabola_velocity(a, start).head<2>();
-  const Vec2 vb = tracks_.parabola_velocity(b, start).head<2>();
-  const Vec2 u = vb - va;
-  const double touch = shapes_.shapes.rounding[a] + shapes_.shapes.rounding[b];
-  const bool approach = d.dot(u) < 0.0;
-  const bool apart = d.squaredNorm() > touch * touch;
-  if (apart && !approach) return;
-  const auto after = first_disc_contact(d, u, touch);
-  if (apart && (!after || start + *after > end)) return;
-
-  // A resting pair waits for the step's end, unless something drives it together.
-  const auto waits = [&](double closing) { return rests(a, b) && closing <= pressed_in(a, b, method_.step); };
-  const double tolerance = touch_tolerance(a, b, end);
-  const double distance = d.norm();
-  if (distance - touch <= tolerance) {
-    const double closing = distance > 0.0 ? -d.dot(u) / distance : -u.x();
-    if (closing > 16.0 * kEpsilon * (va.norm() + vb.norm())) {
-      if (!waits(closing)) foresee(start, a, b);
-    } else if (distance - touch < -tolerance) {
-      defer(a, b, false);
-    }
-    return;
-  }
-  const Vec2 meeting = d + *after * u;
-  if (!waits(-meeting.dot(u) / touch)) foresee(start + *after, a, b);
-}
-
-// Foresees the next impact of a and b on their tracks, if there is one.
-void Simulation::search(int a, int b) {
-  if (a > b) std::swap(a, b);
-  if (!shapes_.can_meet(a, b)) return;
-  double start = std::max(tracks_.start(a), tracks_.start(b));
-  const double end = std::min(tracks_.end(a), tracks_.end(b));
-  if (!(start <= end)) return;
-  const bool parabolic = tracks_.is_parabolic() && !driven_[a] && !driven_[b];
-  if (parabolic && shapes_.is_disc(a) && shapes_.is_disc(b) &&
-      tracks_.constant_acceleration(a).head<2>() == tracks_.constant_acceleration(b).head<2>()) {
-    search_discs(a, b, start, end);
-    return;
-  }
-
-  const auto pose = [&](int i, double t) -> Eigen::Vector3d {
-    if (parabolic) return tracks_.parabola(i, t);
-    return tracks_.at(i, t).head<3>();
-  };
-  const auto twist = [&](int i, double t) -> Twist {
-    const Eigen::Vector3d v = parabolic ? Eigen::Vector3d(tracks_.parabola_velocity(i, t))
-                                        : Eigen::Vector3d(tracks_.at(i, t).segment<3>(3));
-    return {v.head<2>(), v[2]};
-  };
-  const double path_bend =
-      parabolic ? (tracks_.constant_acceleration(b) - tracks_.constant_acceleration(a)).head<2>().norm()
-                : tracks_.bend(a) + tracks_.bend(b);
-  const double bend = curvature(a, b, path_bend);
-  const TurningPair pair(
-      shapes_.shapes, a, [&](double t) { return pose(a, t); }, b, [&](double t) { return pose(b, t); },
-      path_bend);
-  const double tolerance = touch_tolerance(a, b, end);
-  const bool resting = rests(a, b);
-  const auto waits = [&](double closing) { return resting && closing <= pressed_in(a, b, method_.step); };
-  TurningSample first = pair(start);
-  if (first.gap <= tolerance) {
-    const Twist ta = twist(a, start);
-    const Twist tb = twist(b, start);
-    const Approach meeting = approach_of(shapes_, a, pose(a, start), ta, b, pose(b, start), tb, tolerance);
-    if (waits(-meeting.speed)) return;
-    if (meeting.speed < -16.0 * kEpsilon * meeting.scale) {
-      foresee(start, a, b);
-      return;
-    }
-    if (bend == 0.0) {
-      if (first.gap < -tolerance) defer(a, b, false);
-      return;
-    }
-    // They part, and cannot be back before some time: search from the half of that on.
-    const double began = start;
-    const double until = apart_until(shapes_.shapes, a, first.a, ta, b, first.b, tb, first.normal, bend);
-    start += 0.5 * until;
-    if (start >= end) return;
-    const bool touching = first.gap >= -tolerance;
-    first = pair(start);
-    bool pressed = false;
-    if (touching && has_moving_corners(a, b)) {
-      // Whether they part or press shows as soon as the gap is more than its rounding.
-      for (double wait = std::sqrt(tolerance / bend); first.gap <= 4.0 * tolerance && !pressed; wait *= 2.0) {
-        if (start >= end) return;
-        start = std::min(start + wait, end);
-        first = pair(start);
-        pressed = first.gap < -4.0 * tolerance;
-      }
-    } else if (first.gap <= tolerance) {
-      pressed = pressing(a, b, meeting.contact, start) > 0.0;
-    }
-    if (first.gap <= tolerance) {
-      if (touching && pressed && notices_.resting_since < 0.0) notices_.resting_since = tracks_.epoch() + began;
-      defer(a, b, touching && pressed);
-      return;
-    }
-  }
-  const Limited limited(pair);
-  const TurningSample last = pair(end);
-  const auto time = first_contact(limited, start, first, end, last, bend, tolerance);
-  if (limited.gave_up() && notices_.search_cut_since < 0.0) notices_.search_cut_since = tracks_.epoch() + start;
-  if (time) {
-    if (resting) {
-      const Approach meeting = approach_of(shapes_, a, pose(a, *time), twist(a, *time), b, pose(b, *time),
-                                           twist(b, *time), tolerance);
-      if (waits(-meeting.speed)) return;
-    }
-    foresee(*time, a, b);
-  }
 }
 
 }  // namespace carom

@@ -188,7 +188,8 @@ class Simulation {
   }
   [[nodiscard]] bool immovable(int body) const { return shapes_.fixed[body] != 0; }
 
-  // Impacts at their own time (located_impacts.cpp). Times are within the epoch of the tracks.
+  // Impacts at their own time (located_impacts.cpp, contact_search.cpp). Times are within the epoch of the
+  // tracks.
   void step_with_located_impacts(double h);
   void lay_all(double horizon);
   void lay(int island, double horizon);
