@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "physics/collision/turning_pair.h"
 #include "physics/world/simulation.h"
@@ -51,10 +52,9 @@ double Simulation::pressing(int a, int b, const Contact& contact, double within)
   // Where corners move, the point of contact wanders over the surfaces: the second difference of the gap, along
   // the flight from here on, knows it all. It is taken over as long as the gap's rounding allows.
   double bend = 0.0;
-  for (const int i : {a, b}) {
-    const auto& y = tracks_.settled(i);
-    bend += acceleration(i).head<2>().norm();
-    if (!immovable(i)) bend += (y[5] * y[5] + std::abs(acceleration(i)[2])) * shapes_.shapes.core_radius[i];
+  for (const auto& [i, by] : {std::pair(a, acceleration_a), std::pair(b, acceleration_b)}) {
+    bend += by.head<2>().norm();
+    if (!immovable(i)) bend += turning_curvature(shapes_.shapes, i, tracks_.settled(i)[5], by[2]);
   }
   if (bend == 0.0) return 0.0;
   const double wait = std::min(method_.step, std::sqrt(2e4 * touch_tolerance(a, b, within) / bend));

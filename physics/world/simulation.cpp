@@ -30,8 +30,9 @@ void Simulation::lay_out() {
   std::vector<std::string> materials;
   const auto index_of = [&](const std::string& name) {
     const auto found = std::find(materials.begin(), materials.end(), name);
+    const auto index = static_cast<int>(found - materials.begin());
     if (found == materials.end()) materials.push_back(name);
-    return static_cast<int>(std::find(materials.begin(), materials.end(), name) - materials.begin());
+    return index;
   };
   material_.clear();
   driven_.clear();
