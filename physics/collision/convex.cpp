@@ -72,12 +72,6 @@ ConvexShapes convex_shapes(const std::vector<ConvexShape>& shapes) {
   return all;
 }
 
-int world_vertices(const ConvexShapes& shapes, int i, const Pose& pose, std::array<Vec2, kMostVertices>& out) {
-  const int count = shapes.core[i] == Core::kSegment ? 2 : shapes.corners[i];
-  for (int k = 0; k < count; ++k) out[k] = pose.position + pose.turned(shapes.corners_of(i)[k].vertex);
-  return count;
-}
-
 Bounds bounds_of(const ConvexShapes& shapes, int i, const Pose& pose) {
   if (shapes.core[i] == Core::kHalfPlane) {
     Bounds all{Eigen::Array2d::Constant(-kInfinite), Eigen::Array2d::Constant(kInfinite)};

@@ -86,10 +86,6 @@ struct Pose {
   return {q.head<2>(), std::cos(q[2]), std::sin(q[2])};
 }
 
-// The core's vertices in the world in m, in order; returns how many: 1 for a disc or a half-plane, 2 for a
-// segment.
-int world_vertices(const ConvexShapes& shapes, int i, const Pose& pose, std::array<Vec2, kMostVertices>& out);
-
 // The axis-aligned rectangle around a body in m. A half-plane reaches to infinity: to the back of its edge if
 // that lies along an axis, else everywhere.
 [[nodiscard]] Bounds bounds_of(const ConvexShapes& shapes, int i, const Pose& pose);
