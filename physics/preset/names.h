@@ -37,6 +37,12 @@ inline constexpr auto kSpringActsNames = std::to_array<std::pair<SpringActs, std
     {SpringActs::kWhileShort, "while-short"},
 });
 
+inline constexpr auto kLinkNames = std::to_array<std::pair<LinkKind, std::string_view>>({
+    {LinkKind::kRod, "rod"},
+    {LinkKind::kString, "string"},
+    {LinkKind::kPin, "pin"},
+});
+
 inline constexpr auto kPlotNames =
     std::to_array<std::string_view>({"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift"});
 

@@ -298,6 +298,7 @@ void Simulation::search_discs(int a, int b, double start, double end) {
 // Foresees the next impact of a and b on their tracks, if there is one.
 void Simulation::search(int a, int b) {
   if (a > b) std::swap(a, b);
+  if (tracks_.are_pinned(a, b)) return;
   double start = std::max(tracks_.start(a), tracks_.start(b));
   const double end = std::min(tracks_.end(a), tracks_.end(b));
   if (!(start <= end)) return;

@@ -26,6 +26,9 @@ std::string Notices::text() const {
                                std::to_string(Simulation::kMostLogged) + "); all of them are counted"},
       Entry{tolerance_missed_since,
             "from t = {:.6g} s the tolerance can't be kept, not with the shortest step"},
+      Entry{links_missed_since,
+            "at t = {:.6g} s a step was too long for the links, and what follows means nothing: take shorter "
+            "steps"},
   };
   std::string line;
   for (const Entry& entry : entries) {
