@@ -46,6 +46,7 @@ std::string ledger_text(const Ledger& ledger, const Totals& now) {
   entry("lost to friction", ledger.lost_to_friction);
   entry("lost to drag", ledger.lost_to_drag);
   entry("lost to dampers", ledger.lost_to_dampers);
+  entry("lost to links", ledger.lost_to_links);
   entry("overlap correction", ledger.overlap_correction);
   entry("put in by drives", ledger.put_in_by_drives);
   entry("put in by the user", ledger.put_in_by_user);
@@ -154,6 +155,7 @@ std::string report_json(const std::string& preset, const Simulation& end) {
                  {"lost_to_friction", ledger.lost_to_friction},
                  {"lost_to_drag", ledger.lost_to_drag},
                  {"lost_to_dampers", ledger.lost_to_dampers},
+                 {"lost_to_links", ledger.lost_to_links},
                  {"overlap_correction", ledger.overlap_correction},
                  {"put_in_by_drives", ledger.put_in_by_drives},
                  {"put_in_by_user", ledger.put_in_by_user},

@@ -28,7 +28,7 @@ bool has_drag(const Scene& scene) {
   return scene.forces.linear_drag > 0.0 || scene.forces.quadratic_drag > 0.0;
 }
 
-constexpr std::size_t kEntries = 11;
+constexpr std::size_t kEntries = 12;
 
 constexpr std::array<Entry<double>, kEntries> kEnergy = {{
     {QT_TRANSLATE_NOOP("LedgerTable", "initial energy"),
@@ -49,6 +49,13 @@ constexpr std::array<Entry<double>, kEntries> kEnergy = {{
      QT_TRANSLATE_NOOP("LedgerTable", "Work of the dampers of springs, integrated along with the motion"),
      [](const Ledger& l, const Totals&) { return l.lost_to_dampers; },
      [](const Scene& scene, const Needs&) { return !has_dampers(scene); }},
+    {QT_TRANSLATE_NOOP("LedgerTable", "lost to links"),
+     QT_TRANSLATE_NOOP("LedgerTable", "Taken where strings jerked taut"),
+     [](const Ledger& l, const Totals&) { return l.lost_to_links; },
+     [](const Scene& scene, const Needs&) {
+       return std::none_of(scene.links.begin(), scene.links.end(),
+                           [](const Link& link) { return link.kind == LinkKind::kString; });
+     }},
     {QT_TRANSLATE_NOOP("LedgerTable", "overlap correction"),
      QT_TRANSLATE_NOOP("LedgerTable",
                        "Potential energy that changed where overlapping bodies were pushed apart"),
@@ -83,11 +90,13 @@ constexpr std::array<Entry<Vec2>, kEntries> kMomentum = {{
      [](const Ledger& l, const Totals&) -> Vec2 { return l.momentum_from_gravity; },
      [](const Scene& scene, const Needs&) { return scene.forces.gravity.isZero(0.0); }},
     {QT_TRANSLATE_NOOP("LedgerTable", "from forces"),
-     QT_TRANSLATE_NOOP("LedgerTable",
-                       "Given by drag, by springs to fixed points and driven bodies, and by applied forces"),
+     QT_TRANSLATE_NOOP(
+         "LedgerTable",
+         "Given by drag, by springs and links to fixed points and driven bodies, and by applied forces"),
      [](const Ledger& l, const Totals&) -> Vec2 { return l.momentum_from_forces; },
      [](const Scene& scene, const Needs&) {
-       return !has_drag(scene) && scene.forces.springs.empty() && scene.forces.applied.empty();
+       return !has_drag(scene) && scene.forces.springs.empty() && scene.links.empty() &&
+              scene.forces.applied.empty();
      }},
     {QT_TRANSLATE_NOOP("LedgerTable", "from the user"),
      QT_TRANSLATE_NOOP("LedgerTable", "Of the bodies that were added during the run"),
@@ -98,6 +107,7 @@ constexpr std::array<Entry<Vec2>, kEntries> kMomentum = {{
      [](const Scene& scene, const Needs&) {
        return std::none_of(scene.bodies.begin(), scene.bodies.end(), is_immovable);
      }},
+    {},
     {},
     {},
     {},

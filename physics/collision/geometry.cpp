@@ -21,7 +21,7 @@ ConvexShape convex_shape(const Shape& shape) {
 
 }  // namespace
 
-Geometry geometry(const std::vector<Body>& bodies) {
+Geometry geometry(const std::vector<Body>& bodies, const std::vector<Link>& links) {
   const auto n = static_cast<Eigen::Index>(bodies.size());
   Geometry g;
   g.extent.resize(2, n);
@@ -43,6 +43,15 @@ Geometry geometry(const std::vector<Body>& bodies) {
     g.group.push_back(body.group.empty() ? -1 : groups.try_emplace(body.group, next).first->second);
   }
   g.shapes = convex_shapes(shapes);
+  std::unordered_map<std::string, int> index;
+  if (!links.empty()) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) index.emplace(bodies[i].name, static_cast<int>(i));
+  }
+  for (const Link& link : links) {
+    if (link.kind == LinkKind::kPin && !link.to.empty())
+      g.pinned.push_back(std::minmax({index.at(link.body), index.at(link.to)}));
+  }
+  std::sort(g.pinned.begin(), g.pinned.end());
   return g;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "physics/collision/contact.h"
@@ -16,18 +18,21 @@ struct Geometry {
   // m, 2×N: half of the upright rectangle about its centre that holds the body, at any angle that it can take.
   // Infinite for a half-plane.
   Eigen::Matrix2Xd extent;
-  Eigen::VectorXd size;             // m, about that of the body; 0 for a half-plane
-  std::vector<std::uint8_t> fixed;  // immovable: fixed or driven
-  std::vector<int> group;           // bodies of one group >= 0 do not collide with each other
+  Eigen::VectorXd size;                     // m, about that of the body; 0 for a half-plane
+  std::vector<std::uint8_t> fixed;          // immovable: fixed or driven
+  std::vector<int> group;                   // bodies of one group >= 0 do not collide with each other
+  std::vector<std::pair<int, int>> pinned;  // nor those that a pin joins; a < b, in rising order
 
   [[nodiscard]] bool is_disc(int i) const { return shapes.core[i] == Core::kPoint; }
   // Whether the two can collide at all.
   [[nodiscard]] bool can_meet(int a, int b) const {
-    return (fixed[a] == 0 || fixed[b] == 0) && (group[a] < 0 || group[a] != group[b]);
+    if ((fixed[a] != 0 && fixed[b] != 0) || (group[a] >= 0 && group[a] == group[b])) return false;
+    return pinned.empty() ||
+           !std::binary_search(pinned.begin(), pinned.end(), std::pair<int, int>(std::minmax(a, b)));
   }
 };
 
-[[nodiscard]] Geometry geometry(const std::vector<Body>& bodies);
+[[nodiscard]] Geometry geometry(const std::vector<Body>& bodies, const std::vector<Link>& links = {});
 
 // Of bodies a and b at q = (x, y, angle); see pair_contact.h.
 [[nodiscard]] Contact contact_between(const Geometry& g, int a, const Eigen::Vector3d& qa, int b,

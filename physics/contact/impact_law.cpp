@@ -54,6 +54,9 @@ Impact plastic_impact(const ContactMatrix& k, const RelativeVelocity& u) {
   return impact;
 }
 
+// Below this share of K_nn (K_nn + K_tt) a determinant is rounding.
+constexpr double kHeld = 1e-14;
+
 }  // namespace
 
 RelativeVelocity relative_velocity(const ImpactSide& a, const ImpactSide& b, const Vec2& normal) {
@@ -78,21 +81,28 @@ ContactMatrix contact_matrix(const ImpactSide& a, const ImpactSide& b, const Vec
   return k;
 }
 
+Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const Material& material, ImpactLawId law,
+                 bool sticks) {
+  if (!(k.determinant > kHeld * k.nn * (k.nn + k.tt))) {
+    Impact impact;
+    if (u.normal >= 0.0 || !(k.nn > 0.0)) return impact;
+    const double e = sticks ? 0.0 : material.restitution;
+    impact.normal = -(1.0 + e) * u.normal / k.nn;
+    (sticks ? impact.lost_to_sticking : impact.lost_to_restitution) =
+        0.5 * (1.0 - e * e) * u.normal * u.normal / k.nn;
+    return impact;
+  }
+  if (sticks) return u.normal < 0.0 ? plastic_impact(k, u) : Impact{};
+  return law == ImpactLawId::kNewton ? newton_impact(k, u, material) : energetic_impact(k, u, material);
+}
+
 Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Material& material,
                       ImpactLawId law, bool sticks) {
   const RelativeVelocity u = relative_velocity(a, b, normal);
   if (!sticks && unturned_by_normal(a) && unturned_by_normal(b)) {
     return resolve_central(a, b, normal, u, material);
   }
-  const ContactMatrix k = contact_matrix(a, b, normal);
-  Impact impact;
-  if (sticks) {
-    if (u.normal < 0.0) impact = plastic_impact(k, u);
-  } else if (law == ImpactLawId::kNewton) {
-    impact = newton_impact(k, u, material);
-  } else {
-    impact = energetic_impact(k, u, material);
-  }
+  const Impact impact = impact_by(contact_matrix(a, b, normal), u, material, law, sticks);
   const Vec2 j = impact.normal * normal + impact.tangential * Vec2(-normal.y(), normal.x());
   a.velocity -= a.inverse_mass * j;
   b.velocity += b.inverse_mass * j;

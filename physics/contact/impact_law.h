@@ -54,6 +54,12 @@ struct ContactMatrix {
 [[nodiscard]] RelativeVelocity relative_velocity(const ImpactSide& a, const ImpactSide& b, const Vec2& normal);
 [[nodiscard]] ContactMatrix contact_matrix(const ImpactSide& a, const ImpactSide& b, const Vec2& normal);
 
+// The impulse that resolves an impact with slip u of two bodies that answer to it by K; K need not be that of
+// two free bodies, links may hold them. See resolve_impact() for the laws. Tangential restitution is not used.
+// Where the contact point cannot move along the tangent (det K zero within rounding) friction has no part.
+[[nodiscard]] Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const Material& material,
+                               ImpactLawId law, bool sticks = false);
+
 // Resolves one impact: changes both velocities and spins and says by which impulse. At least one side must be
 // movable. Bodies that separate (u_n > 0) get no impulse.
 //

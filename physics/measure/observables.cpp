@@ -79,6 +79,7 @@ constexpr auto kObservables = std::to_array<Observable>({
     {"lost_to_friction", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_friction; }},
     {"lost_to_drag", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_drag; }},
     {"lost_to_dampers", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_dampers; }},
+    {"lost_to_links", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_links; }},
     {"put_in_by_drives", "J", 0, [](const Reading& r, Ids) { return r.ledger.put_in_by_drives; }},
     {"numerical_drift", "J", 0,
      [](const Reading& r, Ids) { return r.ledger.numerical_drift(r.totals.energy()); }},

@@ -18,7 +18,7 @@ std::array<double, 3> breaks_of(const AppliedForce& f) {
 
 }  // namespace
 
-ForceField::ForceField(const Forces& forces, const std::vector<Body>& bodies)
+ForceField::ForceField(const Forces& forces, const std::vector<Body>& bodies, bool linked)
     : gravity_(forces.gravity),
       linear_drag_(forces.linear_drag),
       quadratic_drag_(forces.quadratic_drag),
@@ -69,7 +69,7 @@ ForceField::ForceField(const Forces& forces, const std::vector<Body>& bodies)
     constant_ = constant_ && f.start == 0.0 && f.rise == 0.0 && !f.end;
   }
   const bool smooth =
-      linear_drag_ > 0.0 || quadratic_drag_ > 0.0 || !springs_.empty() || attraction_.has_value();
+      linked || linear_drag_ > 0.0 || quadratic_drag_ > 0.0 || !springs_.empty() || attraction_.has_value();
   constant_ = constant_ && !smooth;
   gravity_only_ = !smooth && applied_.empty();
 }
@@ -168,7 +168,7 @@ Eigen::Vector3d ForceField::constant_acceleration(int body) const {
   return a;
 }
 
-std::vector<std::vector<int>> ForceField::coupled_groups() const {
+std::vector<std::vector<int>> ForceField::coupled_groups(const std::vector<std::pair<int, int>>& pairs) const {
   const int n = static_cast<int>(between_.size());
   std::vector<int> parent(n);
   std::iota(parent.begin(), parent.end(), 0);
@@ -184,9 +184,15 @@ std::vector<std::vector<int>> ForceField::coupled_groups() const {
       parent[root(i)] = root(first_free);
     }
   }
+  std::vector<bool> paired(n);
+  for (const auto& [a, b] : pairs) {
+    parent[root(b)] = root(a);
+    paired[a] = true;
+  }
   std::vector<std::vector<int>> groups(n);
   for (int i = 0; i < n; ++i) groups[root(i)].push_back(i);
-  std::erase_if(groups, [](const std::vector<int>& g) { return g.size() < 2; });
+  std::erase_if(groups,
+                [&](const std::vector<int>& g) { return g.empty() || (g.size() < 2 && !paired[g[0]]); });
   return groups;
 }
 

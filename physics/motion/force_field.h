@@ -21,7 +21,8 @@ namespace carom {
 class ForceField {
  public:
   ForceField() = default;
-  ForceField(const Forces& forces, const std::vector<Body>& bodies);
+  // `linked`: links act beside these forces (physics/motion/links.h).
+  ForceField(const Forces& forces, const std::vector<Body>& bodies, bool linked = false);
 
   // Rate of a movable body at absolute time t (s) under the forces from outside; y and k are columns of kRows,
   // or without the books where keeps_books() is false.
@@ -44,8 +45,10 @@ class ForceField {
   // m/s², m/s², rad/s²; of a movable body where is_constant(), zero for others.
   [[nodiscard]] Eigen::Vector3d constant_acceleration(int body) const;
 
-  // Groups of at least two bodies that forces couple.
-  [[nodiscard]] std::vector<std::vector<int>> coupled_groups() const;
+  // Groups of bodies that forces or the given pairs couple; a body paired with itself is a group if nothing
+  // else couples it.
+  [[nodiscard]] std::vector<std::vector<int>> coupled_groups(
+      const std::vector<std::pair<int, int>>& pairs = {}) const;
 
   // J: of gravity (zero at the origin), of springs, and of attraction (zero far away).
   [[nodiscard]] double potential_energy(const Eigen::Matrix3Xd& q) const;
@@ -58,6 +61,7 @@ class ForceField {
   [[nodiscard]] double next_break(int body, double t) const;
   void set_phase(int body, double t);  // the laws in force just after t
 
+  [[nodiscard]] int springs() const { return static_cast<int>(springs_.size()); }
   // One-sided springs that have an end at `body`.
   [[nodiscard]] const std::vector<int>& switching_springs(int body) const { return switching_[body]; }
   [[nodiscard]] bool has_switching_springs() const { return any_switching_; }

@@ -34,12 +34,15 @@ struct OneBody {
 
 struct Together {
   const ForceField& field;
+  Links& links;
+  int group;
   std::span<const int> members;
   double epoch;
   void operator()(double t, const Motions& y, Motions& k) const {
     for (std::size_t j = 0; j < members.size(); ++j)
       field.external_rate(members[j], epoch + t, y.col(j), k.col(j));
     field.add_couplings(members, y, k);
+    links.add_forces(group, epoch + t, y, k);
   }
   [[nodiscard]] bool keeps_books() const { return field.keeps_books(); }
 };
@@ -52,7 +55,10 @@ double time_to_move(double reach, double speed, double acceleration) {
 }  // namespace
 
 Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs& needs)
-    : field_(scene.forces, bodies), bodies_(bodies), general_(needs.untrimmed) {
+    : field_(scene.forces, bodies, !scene.links.empty()),
+      links_(scene.links, bodies),
+      bodies_(bodies),
+      general_(needs.untrimmed) {
   const int n = static_cast<int>(bodies.size());
   island_of_.assign(n, -1);
   settled_.resize(Eigen::NoChange, n);
@@ -61,12 +67,13 @@ Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs&
   turn_ = Eigen::VectorXd::Zero(n);
   for (const Body& body : bodies) turns_corners_.push_back(std::holds_alternative<Disc>(body.shape) ? 0 : 1);
   std::vector<std::vector<int>> groups;
-  if (needs.coupled_forces) groups = field_.coupled_groups();
+  if (needs.coupled_forces || needs.links) groups = field_.coupled_groups(links_.joined());
   if (general_) {
     groups.assign(1, {});
     for (int i = 0; i < n; ++i) {
       if (!is_immovable(bodies[i])) groups[0].push_back(i);
     }
+    if (groups[0].empty()) groups.clear();
   }
   const auto add_island = [&](const std::vector<int>& members) -> Island& {
     for (const int i : members) island_of_[i] = static_cast<int>(islands_.size());
@@ -77,18 +84,21 @@ Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs&
     return island;
   };
   for (const std::vector<int>& members : groups) {
-    if (members.empty()) continue;
     add_island(members).group = static_cast<int>(groups_.size());
     Group& group = groups_.emplace_back();
     group.from.resize(Eigen::NoChange, static_cast<Eigen::Index>(members.size()));
     group.now = group.from;
+    group.change.resize(Eigen::NoChange, static_cast<Eigen::Index>(members.size()));
     group.stages.resize(static_cast<int>(members.size()));
   }
+  links_.set_groups(groups);
   for (int i = 0; i < n; ++i) {
     settled_.col(i) = initial_motion(bodies[i]);
     constant_.col(i) = field_.constant_acceleration(i);
     if (!bodies[i].fixed && island_of_[i] < 0) add_island({i}).driven = bodies[i].drive.has_value();
   }
+  // Seven digits of a file are not where links hold their ends within rounding.
+  for (int k = 0; k < islands(); ++k) restore_links(k);
   at_end_ = settled_;
   set_method(scene.method);
 }
@@ -117,6 +127,9 @@ void Tracks::take_over(Tracks& other, double time) {
   for (int i = 0; i < static_cast<int>(other.bodies_.size()); ++i)
     settled_.col(i) = other.at(i, time - other.epoch_);
   field_.take_over(other.field_);
+  links_.take_over(other.links_);
+  lost_to_links_ = other.lost_to_links_;
+  links_missed_since_ = other.links_missed_since_;
   evaluations_ = other.evaluations_;
   rejected_steps_ = other.rejected_steps_;
   tolerance_missed_since_ = other.tolerance_missed_since_;
@@ -180,9 +193,10 @@ const Motions& Tracks::fly_group(const Island& island, double time) {
   if (group.cached != time) {
     group.cached = time;
     gather(island);
-    integrator_step(integrator_, Together{field_, members_of(island), epoch_}, island.start, group.from,
-                    time - island.start, group.stages, group.now);
+    integrator_step(integrator_, Together{field_, links_, island.group, members_of(island), epoch_},
+                    island.start, group.from, time - island.start, group.stages, group.now);
     evaluations_ += evaluations_a_flight_ * static_cast<std::int64_t>(island.count);
+    group.missed = !links_.restore(island.group, epoch_ + time, group.now);
   }
   return group.now;
 }
@@ -214,10 +228,21 @@ Eigen::Vector3d Tracks::acceleration(int body) {
     OneBody{field_, body, epoch_}(island.start, y, rate);
     return rate.segment<3>(3);
   }
+  return rates_of(island, island.start, group_at(island, island.start))
+      .col(column_of(island, body))
+      .segment<3>(3);
+}
+
+const Motions& Tracks::rates_of(const Island& island, double time, const Motions& y) {
+  Motions& rates = groups_[island.group].stages.k[0];
+  Together{field_, links_, island.group, members_of(island), epoch_}(time, y, rates);
+  return rates;
+}
+
+const Motions& Tracks::group_at(const Island& island, double time) {
+  if (time != island.start) return fly_group(island, time);
   gather(island);
-  Group& group = groups_[island.group];
-  Together{field_, members_of(island), epoch_}(island.start, group.from, group.stages.k[0]);
-  return group.stages.k[0].col(column_of(island, body)).segment<3>(3);
+  return groups_[island.group].from;
 }
 
 void Tracks::settle(int k, double time) {
@@ -235,12 +260,12 @@ void Tracks::settle(int k, double time) {
 
 double Tracks::settle_at_end(int k) {
   const Island& island = islands_[k];
-  const int spring = island.switching;
+  const int a_switch = island.switching;
   settle(k, island.end);
   if (field_.has_breaks()) {
     for (const int i : members_of(island)) field_.set_phase(i, epoch_ + island.start);
   }
-  return spring < 0 ? 0.0 : flip(spring, island.start);
+  return a_switch < 0 ? 0.0 : flip(island, a_switch, island.start);
 }
 
 void Tracks::set_velocity(int body, const Vec2& velocity, double spin) {
@@ -275,8 +300,9 @@ void Tracks::lay(int k, double horizon, double reach) {
   } else {
     const Motions& now = fly_group(island, island.end);
     for (int j = 0; j < island.count; ++j) at_end_.col(members_[island.first + j]) = now.col(j);
+    if (groups_[island.group].missed && links_missed_since_ < 0.0) links_missed_since_ = epoch_ + island.start;
   }
-  if (field_.has_switching_springs() && !island.driven) find_switch(island);
+  if (has_switches(island) && !island.driven) find_switch(island);
 }
 
 double Tracks::time_to_end(const Island& island, double reach) const {
@@ -311,8 +337,8 @@ double Tracks::error_of(const Island& island, double time) {
   }
   fly_group(island, time);
   Group& group = groups_[island.group];
-  return dormand_prince_error(Together{field_, members_of(island), epoch_}, island.start, h, group.stages,
-                              group.now);
+  return dormand_prince_error(Together{field_, links_, island.group, members_of(island), epoch_}, island.start,
+                              h, group.stages, group.now);
 }
 
 // A cautious first try, from the time in which the velocities would change by themselves.
@@ -349,85 +375,20 @@ void Tracks::lay_adaptive(Island& island) {
   if (h < most) island.end = island.start + h;
 }
 
-double Tracks::recheck_switches(int k) {
-  double released = 0.0;
-  for (const int i : members_of(islands_[k])) {
-    for (const int spring : field_.switching_springs(i)) {
-      const double start = islands_[k].start;
-      const double margin = margin_at(spring, start);
-      if (margin != 0.0 && (margin > 0.0) != field_.engaged(spring)) released += flip(spring, start);
-    }
+// True if links bend the path by more than kMostTurns radians within the track: no step that resolves the
+// motion does, and no search on it would end. The rates of both ends must stand in the stages k[0] and k[1].
+bool Tracks::outruns_links(const Island& island) {
+  constexpr double kMostTurns = 64.0;
+  const Group& group = groups_[island.group];
+  double speed = 0.0;
+  double change = 0.0;
+  for (int j = 0; j < island.count; ++j) {
+    const int i = members_[island.first + j];
+    speed = std::max({speed, settled_.col(i).segment<2>(3).norm(), at_end_.col(i).segment<2>(3).norm()});
+    change = std::max(
+        {change, group.stages.k[0].col(j).segment<2>(3).norm(), group.stages.k[1].col(j).segment<2>(3).norm()});
   }
-  return released;
-}
-
-// The energy in J that is gone with the spring.
-double Tracks::flip(int spring, double time) {
-  const Motion body = at(field_.spring_body(spring), time);
-  const int other = field_.spring_other(spring);
-  const Motion end = other >= 0 ? at(other, time) : field_.spring_end(spring, epoch_ + time);
-  const double length = (body - end).head<2>().norm();
-  const double before = field_.spring_energy(spring, length);
-  field_.set_engaged(spring, !field_.engaged(spring));
-  return before - field_.spring_energy(spring, length);
-}
-
-double Tracks::margin_at(int spring, double time) {
-  const int other = field_.spring_other(spring);
-  const Motion body = at(field_.spring_body(spring), time);
-  return field_.switch_margin(spring, body,
-                              other >= 0 ? at(other, time) : field_.spring_end(spring, epoch_ + time));
-}
-
-// Ends the track at the first moment at which a one-sided spring of the island starts or stops to act. The
-// spring must first be seen in the state that it is said to be in: just after a switch its margin is zero
-// within rounding. One that is out of that state all along switches at once, if it is then in its state: it was
-// due together with another spring of the island. The track is looked at in quarters: what engages and lets go
-// within less is not resolved by the step either.
-void Tracks::find_switch(Island& island) {
-  constexpr int kQuarters = 4;
-  const double width = island.end - island.start;
-  double first = island.end;
-  for (const int i : members_of(island)) {
-    for (const int spring : field_.switching_springs(i)) {
-      // A spring between two members is theirs both.
-      if (field_.spring_body(spring) != i && island.group >= 0) continue;
-      const double sign = field_.engaged(spring) ? 1.0 : -1.0;
-      const auto margin = [&](double t) { return sign * margin_at(spring, t); };
-      double before = island.start;
-      double margin_before = margin(before);
-      bool seen = margin_before > 0.0;
-      for (int s = 1; s <= kQuarters; ++s) {
-        const double t = s == kQuarters ? island.end : island.start + width * s / kQuarters;
-        const double m = margin(t);
-        if (margin_before > 0.0 && m <= 0.0) {
-          const double root = bracketed_root(margin, before, margin_before, t, m);
-          if (root < first || (root == first && island.switching < 0)) {
-            first = root;
-            island.switching = spring;
-          }
-          break;
-        }
-        before = t;
-        margin_before = m;
-        seen = seen || m > 0.0;
-      }
-      if (seen || !(margin_before < 0.0)) continue;
-      const bool engaged = field_.engaged(spring);
-      field_.set_engaged(spring, !engaged);
-      forget(island);
-      const bool belongs_there = margin(island.start + width / kQuarters) < 0.0;
-      field_.set_engaged(spring, engaged);
-      forget(island);
-      if (belongs_there) {
-        first = island.start;
-        island.switching = spring;
-      }
-    }
-  }
-  if (island.switching < 0) return;
-  for (const int i : members_of(island)) at_end_.col(i) = at(i, first);
-  island.end = first;
+  return !(change * (island.end - island.start) <= kMostTurns * speed);
 }
 
 void Tracks::bound_bend(int k) {
@@ -467,12 +428,17 @@ void Tracks::bound_bend(int k) {
     bound_turn(body, angular);
     return;
   }
-  const Together f{field_, members_of(island), epoch_};
+  const Together f{field_, links_, island.group, members_of(island), epoch_};
   Group& group = groups_[island.group];
   gather(island);
   f(island.start, group.from, group.stages.k[0]);
   for (int j = 0; j < island.count; ++j) group.from.col(j) = at_end_.col(members_[island.first + j]);
   f(island.end, group.from, group.stages.k[1]);
+  if (links_.has_links(island.group) && outruns_links(island)) {
+    if (links_missed_since_ < 0.0) links_missed_since_ = epoch_ + island.start;
+    for (const int i : members_of(island)) bend_[i] = turn_[i] = 0.0;
+    return;
+  }
   for (int j = 0; j < island.count; ++j) {
     const auto from = group.stages.k[0].col(j).segment<3>(3);
     const auto to = group.stages.k[1].col(j).segment<3>(3);

@@ -6,6 +6,7 @@
 
 #include "physics/motion/force_field.h"
 #include "physics/motion/integrators.h"
+#include "physics/motion/links.h"
 #include "physics/motion/state.h"
 #include "physics/scene/needs.h"
 #include "physics/scene/scene.h"
@@ -14,15 +15,16 @@ namespace carom {
 
 // The motion of every body as a function of time, each known over an interval of its own.
 //
-// Bodies that forces couple form an island and are advanced together; any other moving body is an island of its
-// own. An island has a start, at which its motion was last settled, and a track: the integrator's map from
-// there on, valid up to its end. Between start and end the motion at any time is one step of the integrator, of
-// the length that it takes to get there, so what is found on a track (an impact's time, say) is found on the
-// integrator's own map.
+// Bodies that forces or links couple form an island and are advanced together; any other moving body is an
+// island of its own. An island has a start, at which its motion was last settled, and a track: the integrator's
+// map from there on, valid up to its end. Between start and end the motion at any time is one step of the
+// integrator, of the length that it takes to get there, so what is found on a track (an impact's time, say) is
+// found on the integrator's own map. Where links hold bodies, the map is that of the integrator followed by a
+// move onto the links (physics/motion/links.h).
 //
 // A track ends at the horizon that is asked for, or before: where an applied force changes its law, where a
-// one-sided spring starts or stops to act (located to the last bit), after one accepted step of the adaptive
-// integrator, or, without a step to limit it, where the body has moved by `reach`.
+// one-sided spring starts or stops to act, or a string to be taut (located to the last bit), after one accepted
+// step of the adaptive integrator, or, without a step to limit it, where the body has moved by `reach`.
 //
 // Times are in s after the epoch. Fixed bodies belong to no island; driven bodies are islands that no one
 // settles.
@@ -86,6 +88,19 @@ class Tracks {
   // Lays an island's track from its start to `horizon` at the most. `reach` in m bounds the path where the step
   // doesn't.
   void lay(int island, double horizon, double reach);
+  // True if links hold the body.
+  [[nodiscard]] bool is_linked(int body) const {
+    const int k = island_of_[body];
+    return k >= 0 && islands_[k].group >= 0 && links_.has_links(islands_[k].group);
+  }
+  // An impact of two settled bodies, at least one of them linked. `a_by` and `b_by` are how (v, spin) of the
+  // two would change were they free; zero for immovable ones. answer() makes of them how they change as links
+  // share the impulse at once, push() changes the motions of all that share it. False if a string would have to
+  // push: it is slack from then on, and the answer is another one.
+  void answer(int a, int b, Eigen::Vector3d& a_by, Eigen::Vector3d& b_by);
+  [[nodiscard]] bool push(int a, int b, const Eigen::Vector3d& a_by, const Eigen::Vector3d& b_by);
+  // Settles a linked island's positions and velocities onto its links again, after positions were set.
+  void restore_links(int island);
   // Settles an island at its track's end, where a spring may switch; the energy in J that a spring let go with
   // it.
   double settle_at_end(int island);
@@ -97,6 +112,10 @@ class Tracks {
   [[nodiscard]] std::int64_t rejected_steps() const { return rejected_steps_; }
   // s, absolute: when first the tolerance could not be kept; negative: never.
   [[nodiscard]] double tolerance_missed_since() const { return tolerance_missed_since_; }
+  // s, absolute: when first a step led so far off that links could not be restored; negative: never.
+  [[nodiscard]] double links_missed_since() const { return links_missed_since_; }
+  // J: what strings took that jerked taut.
+  [[nodiscard]] double lost_to_links() const { return lost_to_links_; }
 
  private:
   static constexpr double kForever = 1e300;  // s
@@ -108,12 +127,14 @@ class Tracks {
     int first = 0;           // its members stand from here on in members_
     int count = 1;
     int group = -1;      // room in groups_, of more than one member
-    int switching = -1;  // the spring that switches at the end
+    int switching = -1;  // the switch (spring or string) that flips at the end
     bool driven = false;
   };
   struct Group {
     double cached = -kForever;  // the time that `now` is at
     Motions from, now;
+    Eigen::Matrix3Xd change;  // of velocities at once
+    bool missed = false;      // `now` is off the links
     Stages<Motions> stages;
   };
 
@@ -125,19 +146,35 @@ class Tracks {
   }
   [[nodiscard]] Eigen::Index column_of(const Island& island, int body) const;
   [[nodiscard]] int body_of(const Island& island) const { return members_[island.first]; }
+  const Motions& rates_of(const Island& island, double time, const Motions& y);  // of a group
+  const Motions& group_at(const Island& island, double time);
   void gather(const Island& island);  // the settled motions of a group, side by side
+  void spread(const Island& island);  // and back
   // The settled motion advanced to `time`: of an island of one body into `out`, of a group.
   void fly_one(const Island& island, double time, Motion& out);
   const Motions& fly_group(const Island& island, double time);
   [[nodiscard]] double time_to_end(const Island& island, double reach) const;
+  [[nodiscard]] bool outruns_links(const Island& island);
   double error_of(const Island& island, double time);
   [[nodiscard]] double first_step(const Island& island);
   void lay_adaptive(Island& island);
   void find_switch(Island& island);
-  double flip(int spring, double time);
-  [[nodiscard]] double margin_at(int spring, double time);
+  // Switches are the springs, by their indices, and then the links, of which strings switch.
+  [[nodiscard]] bool is_link(int a_switch) const { return a_switch >= field_.springs(); }
+  [[nodiscard]] bool has_switches(const Island& island) const {
+    return field_.has_switching_springs() || (island.group >= 0 && !links_.strings(island.group).empty());
+  }
+  double flip(const Island& island, int a_switch, double time);
+  void jerk(const Island& island);
+  [[nodiscard]] double margin_at(const Island& island, int a_switch, double time);
+  [[nodiscard]] bool is_on(int a_switch) const {
+    return is_link(a_switch) ? links_.taut(a_switch - field_.springs()) : field_.engaged(a_switch);
+  }
+  void set_on(int a_switch, bool on);
+  int lay_change(int body, const Eigen::Vector3d& by);
 
   ForceField field_;
+  Links links_;
   std::vector<Body> bodies_;
   std::vector<Island> islands_;
   std::vector<int> members_;
@@ -159,6 +196,8 @@ class Tracks {
   std::int64_t evaluations_ = 0;
   std::int64_t rejected_steps_ = 0;
   double tolerance_missed_since_ = -1.0;
+  double links_missed_since_ = -1.0;
+  double lost_to_links_ = 0.0;
 };
 
 }  // namespace carom

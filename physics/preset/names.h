@@ -47,6 +47,12 @@ inline constexpr auto kSeveralImpactsNames = std::to_array<std::pair<SeveralImpa
     {SeveralImpactsId::kSimultaneous, "simultaneous"},
 });
 
+inline constexpr auto kLinkNames = std::to_array<std::pair<LinkKind, std::string_view>>({
+    {LinkKind::kRod, "rod"},
+    {LinkKind::kString, "string"},
+    {LinkKind::kPin, "pin"},
+});
+
 inline constexpr auto kPlotNames =
     std::to_array<std::string_view>({"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift"});
 

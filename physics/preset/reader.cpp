@@ -8,6 +8,7 @@
 #include "physics/motion/integrators.h"
 #include "physics/preset/expectation_json.h"
 #include "physics/preset/force_json.h"
+#include "physics/preset/link_json.h"
 #include "physics/preset/names.h"
 #include "physics/preset/object_reader.h"
 #include "physics/preset/preset.h"
@@ -190,6 +191,7 @@ Scene scene_of(const Json& json) {
   r.read_array("generators", [&](const Json& v, const std::string& at) {
     scene.generators.push_back(read_generator(v, at));
   });
+  r.read_array("links", [&](const Json& v, const std::string& at) { scene.links.push_back(read_link(v, at)); });
   r.read_array("plots", [&](const Json& v, const std::string& at) {
     const std::string name = ObjectReader::text(v, at);
     if (std::find(kPlotNames.begin(), kPlotNames.end(), name) == kPlotNames.end()) {

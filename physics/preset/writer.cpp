@@ -6,6 +6,7 @@
 #include "physics/motion/integrators.h"
 #include "physics/preset/expectation_json.h"
 #include "physics/preset/force_json.h"
+#include "physics/preset/link_json.h"
 #include "physics/preset/names.h"
 #include "physics/preset/object_writer.h"
 #include "physics/preset/preset.h"
@@ -150,6 +151,7 @@ Json preset_json(const Scene& scene, bool all) {
   for (const Body& b : scene.bodies) j["bodies"].push_back(body_json(b, all));
   if (Json forces = forces_json(scene.forces, all); !forces.empty()) j["forces"] = std::move(forces);
   for (const GridGenerator& g : scene.generators) j["generators"].push_back(generator_json(g));
+  for (const Link& l : scene.links) j["links"].push_back(link_json(l, all));
   if (!scene.plots.empty()) j["plots"] = scene.plots;
   if (scene.view) j["view"] = {{"center", pair_json(scene.view->center)}, {"width", scene.view->width}};
   for (const Expectation& e : scene.expect) j["expect"].push_back(expectation_json(e));

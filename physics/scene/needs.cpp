@@ -23,10 +23,13 @@ struct Facts {
   bool dampers = false;
   bool drag = false;
   bool attraction = false;
-  bool pushes = false;    // applied forces
-  bool torques = false;   // applied torques
-  bool switched = false;  // forces that start, rise, end or act one way
-  bool timed = false;     // applied forces that start, rise or end
+  bool links = false;
+  bool strings = false;
+  bool turning_links = false;  // links turn bodies
+  bool pushes = false;         // applied forces
+  bool torques = false;        // applied torques
+  bool switched = false;       // forces that start, rise, end or act one way
+  bool timed = false;          // applied forces that start, rise or end
 };
 
 // Bodies can meet if one of them moves. Which of them ever do, is left open.
@@ -79,6 +82,16 @@ void look_at_forces(const Scene& scene, const std::vector<Body>& bodies, Facts& 
   facts.switched = facts.switched || facts.timed;
 }
 
+void look_at_links(const Scene& scene, Facts& facts) {
+  for (const Link& l : scene.links) {
+    facts.links = true;
+    facts.strings = facts.strings || l.kind == LinkKind::kString;
+    facts.turning_links =
+        facts.turning_links || !l.point.isZero(0.0) || (!l.to.empty() && !l.anchor.isZero(0.0));
+  }
+  facts.switched = facts.switched || facts.strings;
+}
+
 Facts facts_of(const Scene& scene) {
   const std::vector<Body> bodies = all_bodies(scene);
   Facts facts;
@@ -96,6 +109,7 @@ Facts facts_of(const Scene& scene) {
   }
   look_at_materials(scene, bodies, facts);
   look_at_forces(scene, bodies, facts);
+  look_at_links(scene, facts);
   return facts;
 }
 
@@ -108,19 +122,20 @@ Needs needs_of(const Scene& scene) {
   // Without friction nothing turns a disc but a torque, and impacts turn all other shapes. Tangential
   // restitution acts only within the bound that kinetic friction sets, so it needs friction as well.
   n.friction = f.rub;
-  n.rotation = f.spinning || f.torques || f.rub || (meet && f.cornered);
-  n.smooth_forces = f.drag || f.springs || f.attraction || f.pushes || f.torques;
+  n.rotation = f.spinning || f.torques || f.rub || f.turning_links || (meet && f.cornered);
+  n.smooth_forces = f.drag || f.springs || f.links || f.attraction || f.pushes || f.torques;
   n.velocity_forces = f.drag || f.dampers;
   n.coupled_forces = f.coupling_springs || f.attraction;
+  n.links = f.links;
   n.drives = f.driven || f.pushes || f.torques;
   n.switching = f.switched;
   // Uniform gravity gives two free bodies the same acceleration: it presses only against immovable ones. With
   // e = 1 and no relative acceleration every impact parts its pair for good; with e < 1 several bodies can
   // collapse onto one another.
-  const bool relative_acceleration = f.drag || f.springs || f.attraction || f.pushes || f.accelerating ||
-                                     (!scene.forces.gravity.isZero(0.0) && f.immovable > 0);
+  const bool relative_acceleration = f.drag || f.springs || f.links || f.attraction || f.pushes ||
+                                     f.accelerating || (!scene.forces.gravity.isZero(0.0) && f.immovable > 0);
   n.lasting_contacts = meet && (relative_acceleration || f.yield);
-  n.closed_form_flight = !f.drag && !f.springs && !f.attraction && !f.timed;
+  n.closed_form_flight = !f.drag && !f.springs && !f.links && !f.attraction && !f.timed;
   return n;
 }
 
@@ -138,6 +153,7 @@ NeedsText text_of(const Needs& needs, const Scene& scene) {
   modelled("gravity", f.moving > 0 && !scene.forces.gravity.isZero(0.0));
   modelled("springs", f.springs);
   modelled("dampers", f.dampers);
+  modelled("links", f.links);
   modelled("attraction", f.attraction);
   modelled("applied forces", f.pushes || f.torques);
   either("rotation", needs.rotation);
@@ -158,6 +174,7 @@ std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator) 
   std::vector<std::string> with;
   if (f.drag) with.emplace_back("drag");
   if (f.springs) with.emplace_back("springs");
+  if (f.links) with.emplace_back("links");
   if (f.attraction) with.emplace_back("attraction");
   if (f.timed) with.emplace_back("forces that start, rise or end");
   if (with.empty()) return std::nullopt;

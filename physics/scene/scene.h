@@ -87,6 +87,25 @@ struct Spring {
   SpringActs acts = SpringActs::kBoth;
 };
 
+// What a link keeps between its two points.
+enum class LinkKind {
+  kRod,     // their distance
+  kString,  // their distance from growing beyond the length: it pulls or hangs slack, and jerks taut
+  kPin      // both at one place: the bodies turn about it, and don't collide with one another
+};
+
+// A link without mass between a point of a body and a point of another body or of the plane. Its forces do no
+// work but what a driven body puts in; a string that jerks taut takes the speed that would lengthen it.
+struct Link {
+  std::string name;  // may be empty
+  LinkKind kind = LinkKind::kRod;
+  std::string body;              // a body that moves
+  Vec2 point = Vec2::Zero();     // m, from its centre, along its own axes
+  std::string to;                // the body at the other end; empty: the plane
+  Vec2 anchor = Vec2::Zero();    // m, from that body's centre along its own axes, or a point of the plane
+  std::optional<double> length;  // m, > 0, of a rod or a string; none: the distance at the start
+};
+
 // Every two moving bodies attract: F = G m_a m_b d / (d² + ε²)^(3/2) along the line of their centres (Plummer).
 struct Attraction {
   double constant = 1.0;   // G in N m²/kg², > 0
@@ -225,6 +244,7 @@ struct Scene {
   SeveralImpactsId several_impacts = SeveralImpactsId::kPairwise;  // of impacts at their own time
   std::vector<Body> bodies;
   std::vector<GridGenerator> generators;
+  std::vector<Link> links;
   std::vector<Expectation> expect;
   std::vector<std::string> plots;  // ids of the plots to open: energy, momentum, impulse
   std::optional<View> view;

@@ -7,6 +7,7 @@
 
 #include "physics/scene/needs.h"
 #include "physics/scene/polygon.h"
+#include "physics/scene/validate_links.h"
 
 namespace carom {
 namespace {
@@ -307,6 +308,7 @@ void validate(const Scene& scene, const ForcePlaces& places) {
   Bodies bodies;
   for (const Body& b : all) bodies.emplace(b.name, &b);
   check_forces(scene.forces, places, bodies);
+  check_links(scene, all);
   if (const auto reason = why_not(scene, scene.method.integrator))
     throw SceneError("/method/integrator: " + *reason);
   for (std::size_t i = 0; i < scene.expect.size(); ++i)

@@ -5,9 +5,8 @@
 namespace carom {
 
 // Where the energy of a run went since it began, in J:
-//   E(t) = initial - lost_to_restitution - lost_to_friction - lost_to_drag - lost_to_dampers +
-//   overlap_correction
-//          + put_in_by_drives + put_in_by_user + numerical drift,
+//   E(t) = initial - lost_to_restitution - lost_to_friction - lost_to_drag - lost_to_dampers
+//          - lost_to_links + overlap_correction + put_in_by_drives + put_in_by_user + numerical drift,
 // so the drift is what the method itself gained (+) or lost (-). The same for momentum, in N s:
 //   P(t) = initial_momentum + momentum_from_gravity + momentum_from_forces + momentum_from_user
 //          - momentum_to_walls + numerical drift.
@@ -17,17 +16,19 @@ struct Ledger {
   double lost_to_friction = 0.0;
   double lost_to_drag = 0.0;
   double lost_to_dampers = 0.0;     // of springs
+  double lost_to_links = 0.0;       // by strings that jerked taut
   double overlap_correction = 0.0;  // potential energy that the pseudo-spring's pushes changed
   double put_in_by_drives = 0.0;    // by driven bodies and by applied forces and torques
   double put_in_by_user = 0.0;
   Vec2 initial_momentum = Vec2::Zero();
   Vec2 momentum_from_gravity = Vec2::Zero();
-  Vec2 momentum_from_forces = Vec2::Zero();  // drag, springs to fixed points and driven bodies, applied forces
+  Vec2 momentum_from_forces =
+      Vec2::Zero();  // drag, springs and links to what is fixed or driven, applied forces
   Vec2 momentum_from_user = Vec2::Zero();
   Vec2 momentum_to_walls = Vec2::Zero();  // what impacts gave to fixed and driven bodies
 
   [[nodiscard]] double expected() const {
-    return initial - lost_to_restitution - lost_to_friction - lost_to_drag - lost_to_dampers +
+    return initial - lost_to_restitution - lost_to_friction - lost_to_drag - lost_to_dampers - lost_to_links +
            overlap_correction + put_in_by_drives + put_in_by_user;
   }
   [[nodiscard]] double numerical_drift(double total_energy) const { return total_energy - expected(); }

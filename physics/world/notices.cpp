@@ -37,6 +37,9 @@ std::string Notices::text() const {
             "at t = {:.6g} s no impulses meet the law of simultaneous impacts: they were taken pair by pair"},
       Entry{restitution_lowered_since,
             "at t = {:.6g} s the restitution of simultaneous impacts was lowered, so that none gains energy"},
+      Entry{links_missed_since,
+            "at t = {:.6g} s a step was too long for the links, and what follows means nothing: take shorter "
+            "steps"},
   };
   std::string line;
   for (const Entry& entry : entries) {

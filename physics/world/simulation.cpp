@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "physics/motion/integrators.h"
+#include "physics/world/linked_impact.h"
 
 namespace carom {
 namespace {
@@ -25,7 +26,7 @@ Simulation::Simulation(const Scene& scene, const Needs& needs)
 
 void Simulation::lay_out() {
   mass_ = mass_properties(bodies_);
-  shapes_ = geometry(bodies_);
+  shapes_ = geometry(bodies_, scene_.links);
 
   std::vector<std::string> materials;
   const auto index_of = [&](const std::string& name) {
@@ -84,6 +85,7 @@ void Simulation::add_body(const Body& body) {
 Notices Simulation::notices() const {
   Notices notices = notices_;
   notices.tolerance_missed_since = tracks_.tolerance_missed_since();
+  notices.links_missed_since = tracks_.links_missed_since();
   return notices;
 }
 
@@ -92,6 +94,7 @@ Ledger Simulation::ledger() const {
   const Eigen::Matrix<double, kBooks, 1> books = state_.books.rowwise().sum();
   ledger.lost_to_drag = books[kDragLoss];
   ledger.lost_to_dampers += books[kDamperLoss];
+  ledger.lost_to_links = tracks_.lost_to_links();
   ledger.put_in_by_drives += books[kWorkIn];
   ledger.momentum_from_forces = Vec2(books[kImpulseX], books[kImpulseY]);
   double mass = 0.0;
@@ -170,9 +173,14 @@ void Simulation::collide(int a, int b, const Contact& contact, const Material& m
   Jump jump;
   if (watched) jump.before = totals_at(within);
 
-  const Impact impact = resolve_impact(side_a, side_b, contact.normal, material, scene_.impact_law);
-  if (!immovable(a)) tracks_.set_velocity(a, side_a.velocity, side_a.spin);
-  if (!immovable(b)) tracks_.set_velocity(b, side_b.velocity, side_b.spin);
+  Impact impact;
+  if (tracks_.is_linked(a) || tracks_.is_linked(b)) {
+    impact = resolve_linked_impact(tracks_, mass_, a, b, contact, material, scene_.impact_law);
+  } else {
+    impact = resolve_impact(side_a, side_b, contact.normal, material, scene_.impact_law);
+    if (!immovable(a)) tracks_.set_velocity(a, side_a.velocity, side_a.spin);
+    if (!immovable(b)) tracks_.set_velocity(b, side_b.velocity, side_b.spin);
+  }
 
   if (field().has_switching_springs()) {
     for (const int i : {a, b}) {
@@ -251,6 +259,20 @@ void Simulation::step_with_impacts_at_end(double h) {
   if (!due_.empty()) publish(h);
 }
 
+// After a push moved one of its bodies: positions and velocities go back onto the links. The energy is the
+// push's, the momentum comes from what the links are fastened to.
+void Simulation::restore_links(int island) {
+  const auto totals_now = [&] {
+    for (const int i : tracks_.members(island)) state_.set_motion(i, tracks_.settled(i));
+    return totals();
+  };
+  const Totals before = totals_now();
+  tracks_.restore_links(island);
+  const Totals after = totals_now();
+  ledger_.overlap_correction += after.energy() - before.energy();
+  ledger_.momentum_to_walls -= after.momentum - before.momentum;
+}
+
 // The state must be published.
 void Simulation::resolve_at_end(const std::vector<Deferred>& pairs, double h) {
   const double now = step_end_ - tracks_.epoch();
@@ -281,6 +303,7 @@ void Simulation::resolve_at_end(const std::vector<Deferred>& pairs, double h) {
           field().potential_energy_of(i, moved, state_.q) - field().potential_energy_of(i, x, state_.q);
       tracks_.set_position(i, moved);
       state_.q.col(i).head<2>() = moved;
+      if (tracks_.is_linked(i)) restore_links(tracks_.island_of(i));
     }
   }
 }

@@ -65,6 +65,8 @@ struct Notices {
   double cluster_unsolved_since = -1.0;
   // The restitution of simultaneous impacts was lowered, so that friction would not make them gain energy.
   double restitution_lowered_since = -1.0;
+  // A step led so far off that links could not be restored after it, or turned links by many radians.
+  double links_missed_since = -1.0;
 
   // One line for people; "ok" if there is nothing to tell.
   [[nodiscard]] std::string text() const;
@@ -173,6 +175,7 @@ class Simulation {
   void lay_out();  // arrays from bodies_
   void publish(double within);
   void resolve_at_end(const std::vector<Deferred>& pairs, double h);
+  void restore_links(int island);
   void step_with_impacts_at_end(double h);
   // Resolves the impact of two bodies at their settled poses, `within` s after the epoch, and logs it.
   void collide(int a, int b, const Contact& contact, const Material& material, double within);

@@ -45,7 +45,20 @@ TEST(Allocation, NoneInAWarmStep) {
                                     {1.0 - 0.1 * i, 0.1 * i * i - 8.0}));
       }
       Scene s = test::scene(std::move(bodies), 1.0, 0.1);
-      if (integrator.order > 0) s.forces.quadratic_drag = 1e-6;
+      if (integrator.order > 0) {
+        s.forces.quadratic_drag = 1e-6;
+        Link link;
+        link.kind = LinkKind::kString;
+        link.body = "a";
+        link.to = "b";
+        link.length = 0.8;
+        s.links.push_back(link);
+        link = {};
+        link.body = "c";
+        link.to = "d";
+        s.links.push_back(link);
+        s.bodies[6].velocity = s.bodies[7].velocity;
+      }
       s.method = {integrator.id, impacts.id, ContactsId::kImpulse, 0.01};
       Simulation run(s);
       for (int i = 0; i < 5000; ++i) run.step();

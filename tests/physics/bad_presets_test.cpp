@@ -40,6 +40,13 @@ std::vector<Bad> bad_presets() {
         "forces": [)" +
                 list + "]");
   };
+  const auto links = [&](const std::string& list) {
+    return with(R"("bodies": [{"name": "a", "shape": {"type": "disc", "radius": 1}, "position": [0, 0]},
+        {"name": "b", "shape": {"type": "disc", "radius": 1}, "position": [9, 0], "velocity": [1, 1]},
+        {"name": "w", "shape": {"type": "disc", "radius": 1}, "position": [0, 9], "fixed": true}],
+        "links": [)" +
+                list + "]");
+  };
   const auto expect = [&](const std::string& more) {
     return with(R"("expect": [{"observable": "time", "value": 0, "tolerance": 0, )" + more + "}]");
   };
@@ -114,6 +121,33 @@ std::vector<Bad> bad_presets() {
       {"spring of nobody",
        with(R"("forces": [{"type": "spring", "body": "b", "anchor": [0, 0], "stiffness": 1}])"), "\"b\""},
       {"unknown force", with(R"("forces": [{"type": "magic"}])"), "/forces/0/type"},
+      {"unknown link", links(R"({"type": "glue", "body": "a", "anchor": [0, 1]})"), "/links/0/type"},
+      {"link without a type", links(R"({"body": "a", "anchor": [0, 1]})"), "\"rod\", \"string\", \"pin\""},
+      {"link of nobody", links(R"({"type": "rod", "body": "c", "anchor": [0, 1]})"), "/links/0/body"},
+      {"link to nobody", links(R"({"type": "rod", "body": "a", "to": "c"})"), "/links/0/to"},
+      {"link of a fixed body", links(R"({"type": "rod", "body": "w", "anchor": [0, 1]})"), "/links/0/body"},
+      {"link to itself", links(R"({"type": "rod", "body": "a", "to": "a"})"), "/links/0/to"},
+      {"link without an end", links(R"({"type": "rod", "body": "a"})"), "anchor"},
+      {"two links of one name", links(R"({"type": "rod", "name": "r", "body": "a", "anchor": [0, 1]},
+            {"type": "rod", "name": "r", "body": "a", "anchor": [1, 0]})"),
+       "/links/1/name"},
+      {"rod of no length", links(R"({"type": "rod", "body": "a", "anchor": [0, 0]})"), "/links/0"},
+      {"rod of another length", links(R"({"type": "rod", "body": "a", "anchor": [0, 1], "length": 1.1})"),
+       "/links/0/length"},
+      {"string too short", links(R"({"type": "string", "body": "a", "anchor": [0, 1], "length": 0.9})"),
+       "/links/0/length"},
+      {"length 0", links(R"({"type": "string", "body": "a", "anchor": [0, 1], "length": 0})"),
+       "/links/0/length"},
+      {"pin with a length", links(R"({"type": "pin", "body": "a", "anchor": [0, 0], "length": 1})"),
+       "/links/0/length"},
+      {"pin off its place", links(R"({"type": "pin", "body": "a", "anchor": [0, 1]})"), "1 m apart"},
+      {"pin that is left", links(R"({"type": "pin", "body": "b", "anchor": [9, 0]})"), "part at 1.41"},
+      {"rod that grows", links(R"({"type": "rod", "body": "b", "to": "a"})"), "part at 1 m/s"},
+      {"link far away", links(R"({"type": "rod", "body": "a", "anchor": [0, 1e13]})"), "/links/0/anchor/1"},
+      {"exact flight of a link", with(R"("method": {"integrator": "exact-flight"}, "bodies": [{"name": "a",
+            "shape": {"type": "disc", "radius": 1}, "position": [0, 0]}],
+            "links": [{"type": "rod", "body": "a", "anchor": [0, 1]}])"),
+       "/method/integrator"},
       {"restitution 2", with(R"("materials": [{"name": "m", "restitution": 2}])"), "/materials/0/restitution"},
       {"static below kinetic",
        with(R"("materials": [{"name": "m", "kinetic_friction": 0.5, "static_friction": 0.2}])"),

@@ -117,7 +117,8 @@ constexpr const char* kEveryKey = R"({
     {"name": "tile", "shape": {"type": "polygon", "vertices": [[0, 0], [2, 0], [0, 1]], "rounding": 0.5},
      "position": [30, 0], "density": 2, "inertia": 3, "group": "tiles"},
     {"name": "plank", "shape": {"type": "wall", "length": 4}, "position": [40, 0], "mass": 2, "group": "tiles"},
-    {"name": "ground", "shape": {"type": "wall"}, "position": [0, -50], "fixed": true}],
+    {"name": "ground", "shape": {"type": "wall"}, "position": [0, -50], "fixed": true},
+    {"name": "c", "shape": {"type": "disc", "radius": 1}, "position": [9, -20], "mass": 1}],
   "forces": [
     {"type": "force", "body": "a", "force": [1, 2], "torque": 3, "start": 4, "rise": 5, "end": 6},
     {"type": "spring", "name": "s", "body": "a", "to": "piston", "stiffness": 1, "damping": 2, "rest_length": 3,
@@ -130,6 +131,11 @@ constexpr const char* kEveryKey = R"({
     {"type": "force", "body": "b"}],
   "generators": [{"type": "grid", "name": "g", "columns": 2, "rows": 3, "origin": [20, 20], "spacing": [3, 4],
                   "jitter": 0.5, "radius": [0.1, 0.2], "speed": 1, "density": 2, "material": "m", "seed": 7}],
+  "links": [
+    {"type": "rod", "name": "r", "body": "c", "point": [0.5, 0.25], "to": "w", "anchor": [-0.5, 0],
+     "length": 34.461029},
+    {"type": "string", "body": "c", "anchor": [9, -18], "length": 4},
+    {"type": "pin", "body": "c", "point": [0.5, 0], "anchor": [9.5, -20]}],
   "plots": ["energy"], "view": {"center": [1, 2], "width": 3},
   "expect": [
     {"observable": "speed", "bodies": ["a"], "reduction": "count", "above": 1.5, "from": 0.5, "until": 1.5,
@@ -186,6 +192,19 @@ void expect_every_key(const Scene& s) {
   EXPECT_EQ(f.applied[0].rise, 5);
   EXPECT_EQ(f.applied[0].end, 6);
   EXPECT_EQ(f.applied[1].end, std::nullopt);
+
+  ASSERT_EQ(s.links.size(), 3U);
+  EXPECT_EQ(s.links[0].kind, LinkKind::kRod);
+  EXPECT_EQ(s.links[0].name, "r");
+  EXPECT_EQ(s.links[0].body, "c");
+  EXPECT_EQ(s.links[0].point, Vec2(0.5, 0.25));
+  EXPECT_EQ(s.links[0].to, "w");
+  EXPECT_EQ(s.links[0].anchor, Vec2(-0.5, 0));
+  EXPECT_EQ(s.links[0].length, 34.461029);
+  EXPECT_EQ(s.links[1].kind, LinkKind::kString);
+  EXPECT_EQ(s.links[1].anchor, Vec2(9, -18));
+  EXPECT_EQ(s.links[2].kind, LinkKind::kPin);
+  EXPECT_EQ(s.links[2].length, std::nullopt);
 
   ASSERT_EQ(s.expect.size(), 3U);
   const Expectation& e = s.expect[0];
@@ -252,6 +271,7 @@ TEST(Preset, VariantsChangeTheNumberThatTheFileNames) {
   EXPECT_EQ(v.bodies[1].velocity, Vec2(0, 3));
   EXPECT_EQ(v.generators[0].seed, 11U);
   EXPECT_EQ(variant(s, {{"/method/tolerance", 1e-6}}).method.tolerance, 1e-6);
+  EXPECT_EQ(variant(s, {{"/links/1/length", 3.0}}).links[1].length, 3.0);
   EXPECT_THROW((void)variant(s, {{"/bodies/0/name", 1}}), SceneError);
   EXPECT_THROW((void)variant(s, {{"/bodies/0/mass", -1}}), SceneError);
   EXPECT_THROW((void)variant(s, {{"/generators/0/seed", 1.5}}), SceneError);
@@ -297,6 +317,7 @@ TEST(PresetHelp, NamesEveryWordAndItsExampleIsMet) {
   for (const auto& [id, name] : kReductionNames) expect_word(name);
   for (const auto& [id, name] : kSweepNames) expect_word(name);
   for (const auto& [id, name] : kSpringActsNames) expect_word(name);
+  for (const auto& [id, name] : kLinkNames) expect_word(name);
   for (const auto& choice : kIntegrators) expect_word(choice.name);
   for (const auto& choice : kImpacts) expect_word(choice.name);
   for (const auto& choice : kContacts) expect_word(choice.name);

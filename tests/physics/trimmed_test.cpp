@@ -23,6 +23,7 @@ constexpr Part kParts[] = {{"rotation", &Needs::rotation},
                            {"smooth forces", &Needs::smooth_forces},
                            {"velocity forces", &Needs::velocity_forces},
                            {"coupled forces", &Needs::coupled_forces},
+                           {"links", &Needs::links},
                            {"drives", &Needs::drives},
                            {"switching", &Needs::switching},
                            {"lasting contacts", &Needs::lasting_contacts}};

@@ -21,12 +21,12 @@ TEST(LedgerTable, ClosesOnTheDrift) {
   scene.materials = {dull};
   LedgerTable table;
   table.update_from(run_to(scene, 0.5));
-  ASSERT_EQ(table.model()->rowCount(), 11);
+  ASSERT_EQ(table.model()->rowCount(), 12);
   EXPECT_EQ(cell(table, 0, 1), "4.500");
   EXPECT_EQ(cell(table, 1, 1), "2.250");  // (1 - e²)/2 · 2/3 kg · (3 m/s)²
-  EXPECT_EQ(cell(table, 8, 1), "2.250");
   EXPECT_EQ(cell(table, 9, 1), "2.250");
-  EXPECT_EQ(cell(table, 10, 0), "numerical drift");
+  EXPECT_EQ(cell(table, 10, 1), "2.250");
+  EXPECT_EQ(cell(table, 11, 0), "numerical drift");
 }
 
 // Every entry stands where its name says.
@@ -37,6 +37,7 @@ TEST(LedgerTable, HasEveryEntryOfTheLedger) {
   frame.ledger.lost_to_friction = 2.0;
   frame.ledger.lost_to_drag = 3.0;
   frame.ledger.lost_to_dampers = 4.0;
+  frame.ledger.lost_to_links = 4.5;
   frame.ledger.overlap_correction = 5.0;
   frame.ledger.put_in_by_drives = 6.0;
   frame.ledger.put_in_by_user = 7.0;
@@ -56,14 +57,15 @@ TEST(LedgerTable, HasEveryEntryOfTheLedger) {
       {"lost to friction", "2.000", "", "from forces", "2.000", "0"},
       {"lost to drag", "3.000", "", "from the user", "3.000", "0"},
       {"lost to dampers", "4.000", "", "to walls", "4.000", "5.000"},
+      {"lost to links", "4.500", "", "", "", ""},
       {"overlap correction", "5.000", "", "", "", ""},
       {"put in by drives", "6.000", "", "", "", ""},
       {"put in by the user", "7.000", "", "", "", ""},
-      {"expected energy", "108.0", "", "expected momentum", "11.00", "14.00"},
+      {"expected energy", "103.5", "", "expected momentum", "11.00", "14.00"},
       {"energy now", "110.0", "", "momentum now", "12.00", "14.00"},
-      {"numerical drift", "2.000", "", "numerical drift", "1.000", "0"},
+      {"numerical drift", "6.500", "", "numerical drift", "1.000", "0"},
   };
-  for (int row = 0; row < 11; ++row) {
+  for (int row = 0; row < 12; ++row) {
     for (int column = 0; column < 6; ++column) {
       EXPECT_EQ(cell(table, row, column), rows[row][column]) << row << ", " << column;
     }
@@ -80,7 +82,7 @@ TEST(LedgerTable, IdleEntriesArePaleAndSaySoButAreThere) {
     return static_cast<const FigureModel*>(table.model())->is_idle(row, column);
   };
   EXPECT_FALSE(idle(1, 0)) << "restitution";
-  for (const int row : {2, 3, 4, 6}) {
+  for (const int row : {2, 3, 4, 5, 7}) {
     EXPECT_TRUE(idle(row, 0)) << row;
     EXPECT_TRUE(tip(table, row, 1).endsWith("Nothing in this scene can change it.")) << row;
     EXPECT_EQ(cell(table, row, 1), "0");
@@ -95,10 +97,15 @@ TEST(LedgerTable, IdleEntriesArePaleAndSaySoButAreThere) {
   spring.to = "B";
   spring.damping = 1.0;
   scene.forces.springs = {spring};
+  Link string;
+  string.kind = LinkKind::kString;
+  string.body = "A";
+  string.to = "B";
+  scene.links = {string};
   scene.materials = {{"default", 1.0, 0.0, 0.5, 0.5}};
   scene.bodies[1].drive = Drive{.velocity = Vec2(1.0, 0.0)};
   table.set_scene(scene);
-  for (int row = 0; row < 11; ++row) EXPECT_FALSE(idle(row, 0) || idle(row, 3)) << row;
+  for (int row = 0; row < 12; ++row) EXPECT_FALSE(idle(row, 0) || idle(row, 3)) << row;
 
   // What was lost before the drag was taken away stays plain.
   Frame dragged = frame;
@@ -111,9 +118,9 @@ TEST(LedgerTable, IdleEntriesArePaleAndSaySoButAreThere) {
 TEST(LedgerTable, TooltipsExplainAndHaveAllDigits) {
   LedgerTable table;
   table.update_from(run_to(head_on_scene(), 0.1));
-  EXPECT_TRUE(tip(table, 10, 0).contains("what the method itself gained or lost"));
+  EXPECT_TRUE(tip(table, 11, 0).contains("what the method itself gained or lost"));
   EXPECT_TRUE(tip(table, 0, 1).startsWith("4.5\n"));
-  for (int row = 0; row < 11; ++row) EXPECT_GT(tip(table, row, 0).size(), cell(table, row, 0).size());
+  for (int row = 0; row < 12; ++row) EXPECT_GT(tip(table, row, 0).size(), cell(table, row, 0).size());
 }
 
 }  // namespace

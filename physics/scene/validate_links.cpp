@@ -1,0 +1,102 @@
+#include "physics/scene/validate_links.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "physics/motion/link_geometry.h"
+#include "physics/scene/validate.h"
+
+namespace carom {
+namespace {
+
+// Of the length, of the coordinates and of the speeds: what a file with some seven digits can mean to be exact.
+constexpr double kSlack = 1e-6;
+
+void check_vector(const std::string& place, const Vec2& value) {
+  for (int i = 0; i < 2; ++i) {
+    if (std::abs(value[i]) <= kLargestNumber) continue;
+    refuse_value(fmt::format("{}/{}", place, i), fmt::format("{}", value[i]),
+                 fmt::format("a number from -{0} to {0} m", kLargestNumber));
+  }
+}
+
+// Where the ends are at the start, and how they move.
+void check_start(const std::string& at, const Link& link, const Body& body, const Body* other) {
+  const Motion a = initial_motion(body);
+  const Motion b = other != nullptr ? initial_motion(*other) : Motion(Motion::Zero());
+  const Vec2 arm_a = turned_by(a[2], link.point);
+  const Vec2 arm_b = turned_by(b[2], link.anchor);
+  const Vec2 d = a.head<2>() + arm_a - b.head<2>() - arm_b;
+  const Vec2 u = a.segment<2>(3) + a[5] * crossed(arm_a) - b.segment<2>(3) - b[5] * crossed(arm_b);
+  const double distance = d.norm();
+  const double speeds = a.segment<2>(3).norm() + b.segment<2>(3).norm() + std::abs(a[5]) * arm_a.norm() +
+                        std::abs(b[5]) * arm_b.norm();
+  if (link.kind == LinkKind::kPin) {
+    const double size = a.head<2>().norm() + b.head<2>().norm() + arm_a.norm() + arm_b.norm();
+    if (distance > kSlack * size)
+      refuse_value(at, fmt::format("a pin whose ends are {} m apart", distance), "ends at one place");
+    if (u.norm() > kSlack * speeds)
+      refuse_value(at, fmt::format("a pin whose ends part at {} m/s", u.norm()), "ends that move together");
+    return;
+  }
+  const double length = link.length.value_or(distance);
+  if (!(length >= kLeastPositive)) {
+    refuse_value(at, "a length of 0, as the ends are at one place",
+                 "ends that are apart, a \"length\" for a string, or a pin");
+  }
+  const bool rod = link.kind == LinkKind::kRod;
+  if (distance > (1.0 + kSlack) * length || (rod && distance < (1.0 - kSlack) * length)) {
+    refuse_value(at + "/length", fmt::format("{} for ends that are {} m apart", length, distance),
+                 rod ? "their distance, or no \"length\"" : "their distance or more");
+  }
+  if (!rod) return;
+  const double rate = d.dot(u) / distance;
+  if (std::abs(rate) > kSlack * speeds) {
+    refuse_value(at,
+                 fmt::format("a rod whose ends {} at {} m/s", rate > 0.0 ? "part" : "close", std::abs(rate)),
+                 "velocities and spins that keep its length");
+  }
+}
+
+}  // namespace
+
+void check_links(const Scene& scene, const std::vector<Body>& bodies) {
+  std::unordered_map<std::string, const Body*> named;
+  for (const Body& b : bodies) named.emplace(b.name, &b);
+  const auto body_called = [&](const std::string& place, const std::string& name) {
+    const auto found = named.find(name);
+    if (found == named.end()) refuse_value(place, "\"" + name + "\"", "the name of a body");
+    return found->second;
+  };
+  std::unordered_set<std::string> names;
+  for (std::size_t i = 0; i < scene.links.size(); ++i) {
+    const Link& link = scene.links[i];
+    const std::string at = fmt::format("/links/{}", i);
+    if (!link.name.empty() && !names.insert(link.name).second)
+      refuse_value(at + "/name", fmt::format("\"{}\", used before,", link.name), "a name of its own");
+    const Body* body = body_called(at + "/body", link.body);
+    if (is_immovable(*body)) {
+      refuse_value(at + "/body", "\"" + link.body + "\", which no force moves,",
+                   "a body that is neither fixed nor driven");
+    }
+    const Body* other = nullptr;
+    if (!link.to.empty()) {
+      other = body_called(at + "/to", link.to);
+      if (link.to == link.body) refuse_value(at + "/to", "the link's own body", "another body");
+    }
+    check_vector(at + "/point", link.point);
+    check_vector(at + "/anchor", link.anchor);
+    if (link.length) {
+      if (link.kind == LinkKind::kPin) refuse_value(at + "/length", "the length of a pin", "none");
+      if (!(*link.length >= kLeastPositive && *link.length <= kLargestNumber)) {
+        refuse_value(at + "/length", fmt::format("{}", *link.length),
+                     fmt::format("a number from {} to {} m", kLeastPositive, kLargestNumber));
+      }
+    }
+    check_start(at, link, *body, other);
+  }
+}
+
+}  // namespace carom
