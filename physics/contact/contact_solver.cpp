@@ -139,6 +139,9 @@ ContactSolverReport solve_contacts(const MassProperties& mass, Contacts& contact
   const ContactSolverReport report = solve_islands(options, workspace);
 
   store_bodies(workspace.bodies, v);
+  // Contacts between immovable bodies are in no island.
+  for (auto* impulses : {&contacts.normal_impulse, &contacts.tangential_impulse, &contacts.rolling_impulse})
+    std::fill(impulses->begin(), impulses->end(), 0.0);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const ContactRow& row = workspace.rows[i];
     const int c = order[i];

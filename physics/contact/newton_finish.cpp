@@ -8,14 +8,20 @@ namespace carom {
 
 namespace {
 
-constexpr double kFirstStiffness = 1e4;  // where states are searched
+// The stiffness r K of a proximal step. Softly coupled contacts make an easy problem and a short step; it grows
+// while the steps succeed and falls back when one does not.
+constexpr double kFirstStiffness = 10.0;
+constexpr double kStiffer = 10.0;
+constexpr double kSofter = 30.0;
+constexpr double kLeastStiffness = 0.1;
 constexpr double kMostStiffness = 1e10;  // beyond it the factors have no digits left
-constexpr double kLeastStiffness = 1.0;
+
 constexpr double kInnerAccuracy = 1e-4;  // of a proximal step; the next one takes the rest
 constexpr double kSlowProgress = 1e-2;   // of the residual from one proximal step to the next
 constexpr int kMostHalvings = 6;
-constexpr int kMostBisections = 20;
-constexpr int kPatience = 8;  // proximal steps without a better residual
+constexpr int kPatience = 3;      // proximal steps that may leave a larger residual
+constexpr int kFirstSweeps = 32;  // after a failed step, then twice as many
+constexpr int kMostSweeps = 1024;
 
 // The rows of J of one contact, for velocities times √m and √I: normal, tangential, rolling; side A, side B.
 struct ScaledRows {
@@ -82,7 +88,7 @@ void NewtonFinish::centre(std::span<const ContactRow> rows, std::span<const Solv
   }
 }
 
-double NewtonFinish::evaluate(std::span<const ContactRow> rows, const Eigen::VectorXd& step, bool coupled) {
+double NewtonFinish::evaluate(std::span<const ContactRow> rows, const Eigen::VectorXd& step) {
   system_ = step;
   for (std::size_t c = 0; c < rows.size(); ++c) {
     const ContactRow& row = rows[c];
@@ -92,31 +98,27 @@ double NewtonFinish::evaluate(std::span<const ContactRow> rows, const Eigen::Vec
     const Eigen::Vector3d yb = step.segment<3>(3 * l.b);
     const double un = s.na.dot(ya) + s.nb.dot(yb);
     const double ut = s.ta.dot(ya) + s.tb.dot(yb);
+    const double spin = s.ra.z() * ya.z() + s.rb.z() * yb.z();
+    const Impulses pull = {row.normal + stiffness_ * row.mass_n * (miss_[c].normal - un),
+                           row.tangential + stiffness_ * row.mass_t * (miss_[c].tangential - ut),
+                           row.moment + stiffness_ * row.mass_r * (miss_[c].spin - spin)};
     Impulses& trial = trial_[c];
+    trial.normal = std::max(0.0, pull.normal);
+    const double limit = row.friction * trial.normal;
+    const double most = row.rolling * trial.normal;
+    trial.tangential = std::clamp(pull.tangential, -limit, limit);
+    trial.moment = std::clamp(pull.moment, -most, most);
     std::uint8_t state = kOpen;
-    trial.normal = row.normal + stiffness_ * row.mass_n * (miss_[c].normal - un);
     if (trial.normal > 0.0) {
-      state |= kClosed;
-    } else {
-      trial.normal = 0.0;
-    }
-    const double bound = coupled ? trial.normal : row.normal;
-    const double limit = row.friction * bound;
-    const double tangential = row.tangential + stiffness_ * row.mass_t * (miss_[c].tangential - ut);
-    trial.tangential = std::clamp(tangential, -limit, limit);
-    if (limit > 0.0 && std::abs(tangential) <= limit) {
-      state |= kHeld;
-    } else if (tangential > 0.0) {
-      state |= kUp;
-    }
-    if (row.rolling > 0.0) {
-      const double spin = s.ra.z() * ya.z() + s.rb.z() * yb.z();
-      const double most = row.rolling * bound;
-      const double moment = row.moment + stiffness_ * row.mass_r * (miss_[c].spin - spin);
-      trial.moment = std::clamp(moment, -most, most);
-      if (most > 0.0 && std::abs(moment) <= most) {
+      state = kClosed;
+      if (limit > 0.0 && std::abs(pull.tangential) <= limit) {
+        state |= kHeld;
+      } else if (pull.tangential > 0.0) {
+        state |= kUp;
+      }
+      if (most > 0.0 && std::abs(pull.moment) <= most) {
         state |= kLocked;
-      } else if (moment > 0.0) {
+      } else if (pull.moment > 0.0) {
         state |= kTurnsUp;
       }
     }
@@ -131,7 +133,7 @@ double NewtonFinish::evaluate(std::span<const ContactRow> rows, const Eigen::Vec
   return system_.norm();
 }
 
-bool NewtonFinish::factorise(std::span<const ContactRow> rows, bool coupled) {
+bool NewtonFinish::factorise(std::span<const ContactRow> rows) {
   const int n = static_cast<int>(bodies_.size());
   lu_.clear();
   for (int i = 0; i < n; ++i) lu_.diagonal(i).setIdentity();
@@ -149,40 +151,40 @@ bool NewtonFinish::factorise(std::span<const ContactRow> rows, bool coupled) {
       }
     };
     const std::uint8_t state = states_[c];
+    if (!(state & kClosed)) continue;
+    // Where friction or rolling is at its limit its impulse moves with λ_n, along c = J_n ± μ J_t ± ρ J_r.
     Eigen::Vector3d ca = s.na;
     Eigen::Vector3d cb = s.nb;
     if (state & kHeld) {
       add(stiffness_ * row.mass_t, s.ta, s.tb, s.ta, s.tb);
-    } else if (coupled) {
+    } else {
       const double share = state & kUp ? row.friction : -row.friction;
       ca += share * s.ta;
       cb += share * s.tb;
     }
     if (state & kLocked) {
       add(stiffness_ * row.mass_r, s.ra, s.rb, s.ra, s.rb);
-    } else if (coupled && row.rolling > 0.0) {
+    } else if (row.rolling > 0.0) {
       const double share = state & kTurnsUp ? row.rolling : -row.rolling;
       ca += share * s.ra;
       cb += share * s.rb;
     }
-    if (state & kClosed) add(stiffness_ * row.mass_n, ca, cb, s.na, s.nb);
+    add(stiffness_ * row.mass_n, ca, cb, s.na, s.nb);
   }
   factorised_states_ = states_;
-  factorised_coupled_ = coupled;
   factorised_stiffness_ = stiffness_;
   return lu_.factorise();
 }
 
-bool NewtonFinish::search_states(std::span<const ContactRow> rows, bool coupled, int& left) {
+bool NewtonFinish::search_states(std::span<const ContactRow> rows, int& left) {
   const int n = static_cast<int>(bodies_.size());
   const double noise = 16.0 * std::numeric_limits<double>::epsilon() * stiffness_;
   step_.setZero();
-  double norm = evaluate(rows, step_, coupled);
+  double norm = evaluate(rows, step_);
   while (norm > std::max(kInnerAccuracy, noise) * step_.norm()) {
     if (left-- <= 0) return false;
-    if (states_ != factorised_states_ || coupled != factorised_coupled_ ||
-        stiffness_ != factorised_stiffness_) {
-      if (!factorise(rows, coupled)) {
+    if (states_ != factorised_states_ || stiffness_ != factorised_stiffness_) {
+      if (!factorise(rows)) {
         factorised_stiffness_ = 0.0;
         return false;
       }
@@ -190,33 +192,19 @@ bool NewtonFinish::search_states(std::span<const ContactRow> rows, bool coupled,
     direction_ = -system_;
     lu_.solve(direction_.head(3 * n));
     if (!direction_.allFinite()) return false;
-    const auto at = [&](double t) {
-      next_ = step_ + t * direction_;
-      return evaluate(rows, next_, coupled);
-    };
-    double next_norm = at(1.0);
+    double share = 1.0;
+    next_ = step_ + direction_;
+    double next_norm = evaluate(rows, next_);
     if (states_ == factorised_states_) {  // the linear system was the right one
       step_.swap(next_);
       return true;
     }
-    if (coupled) {
-      double t = 1.0;
-      for (int i = 0; i < kMostHalvings && !(next_norm < (1.0 - 0.1 * t) * norm); ++i) {
-        t *= 0.5;
-        next_norm = at(t);
-      }
-      if (!(next_norm < norm)) return false;
-    } else if (direction_.dot(system_) > 0.0) {
-      // The residual is the gradient of a convex function: seek its least value along the direction.
-      double low = 0.0;
-      double high = 1.0;
-      for (int i = 0; i < kMostBisections; ++i) {
-        const double t = 0.5 * (low + high);
-        next_norm = at(t);
-        (direction_.dot(system_) > 0.0 ? high : low) = t;
-        if (next_norm < 0.5 * norm) break;
-      }
+    for (int i = 0; i < kMostHalvings && !(next_norm < (1.0 - 0.1 * share) * norm); ++i) {
+      share *= 0.5;
+      next_ = step_ + share * direction_;
+      next_norm = evaluate(rows, next_);
     }
+    if (!(next_norm < norm)) return false;
     step_.swap(next_);
     norm = next_norm;
   }
@@ -226,10 +214,6 @@ bool NewtonFinish::search_states(std::span<const ContactRow> rows, bool coupled,
 NewtonResult NewtonFinish::run(std::span<ContactRow> rows, std::span<SolverBody> bodies,
                                const NewtonOptions& options) {
   number_bodies(rows, bodies);
-  const auto keep = [&] {
-    for (std::size_t c = 0; c < rows.size(); ++c)
-      best_[c] = {rows[c].normal, rows[c].tangential, rows[c].moment};
-  };
   const auto put = [&](const std::vector<Impulses>& impulses) {
     for (std::size_t c = 0; c < rows.size(); ++c) {
       rows[c].normal = impulses[c].normal;
@@ -238,45 +222,56 @@ NewtonResult NewtonFinish::run(std::span<ContactRow> rows, std::span<SolverBody>
     }
     apply_all(rows, bodies);
   };
-
-  NewtonResult result;
-  result.residual = residual(rows, bodies);
-  keep();
-  stiffness_ = kFirstStiffness;
-  factorised_stiffness_ = 0.0;
-  bool coupled = true;
-  double last = result.residual;
-  int left = options.max_iterations;
-  int since_best = 0;
-  while (left > 0 && since_best < kPatience && !(result.residual <= options.tolerance)) {
-    centre(rows, bodies);
-    const bool found = search_states(rows, coupled, left);
-    put(trial_);
+  NewtonResult result{std::numeric_limits<double>::infinity(), 0, false};
+  // Measures the impulses of the rows and keeps them if they are the best so far.
+  const auto measure = [&] {
     const double now = residual(rows, bodies);
     if (now < result.residual) {
       result.residual = now;
-      since_best = 0;
-      keep();
-    } else {
-      ++since_best;
+      for (std::size_t c = 0; c < rows.size(); ++c)
+        best_[c] = {rows[c].normal, rows[c].tangential, rows[c].moment};
     }
-    if (!found) {
-      put(best_);
-      if (!coupled) stiffness_ = std::max(kLeastStiffness, stiffness_ * 1e-2);
-      coupled = !coupled;
-    } else {
-      if (now > kSlowProgress * last) stiffness_ = std::min(kMostStiffness, 1e2 * stiffness_);
-      coupled = true;
+    return now;
+  };
+
+  const auto within_rounding = [&] {
+    const double level = rounding_level(rows, bodies);
+    apply_all(rows, bodies);
+    return result.residual <= level;
+  };
+
+  factorised_stiffness_ = 0.0;
+  stiffness_ = kFirstStiffness;
+  int left = options.max_iterations;
+  int sweeps = kFirstSweeps;
+  int worse = 0;
+  double last = measure();
+  while (left > 0 && !(result.residual <= options.tolerance)) {
+    centre(rows, bodies);
+    const bool found = search_states(rows, left);
+    if (found) {
+      put(trial_);
+      const double now = measure();
+      // Rounding is told by its size and by a step that takes nothing away.
+      if (now > 0.5 * last && within_rounding()) break;
+      if (now > kSlowProgress * last) stiffness_ = std::min(kMostStiffness, kStiffer * stiffness_);
+      if (now >= last) ++worse;
+      last = now;
     }
-    last = now;
+    if (!found || worse >= kPatience) {
+      if (found) put(best_);
+      worse = 0;
+      stiffness_ = std::max(kLeastStiffness, stiffness_ / kSofter);
+      for (int i = 0; i < sweeps; ++i) sweep(rows, bodies, i % 2 == 1);
+      sweeps = std::min(2 * sweeps, kMostSweeps);
+      apply_all(rows, bodies);
+      last = measure();
+      if (within_rounding()) break;
+    }
   }
   put(best_);
   result.iterations = options.max_iterations - std::max(left, 0);
-  result.settled = result.residual <= options.tolerance;
-  if (!result.settled) {
-    result.settled = result.residual <= rounding_level(rows, bodies);
-    apply_all(rows, bodies);
-  }
+  result.settled = result.residual <= options.tolerance || within_rounding();
   return result;
 }
 

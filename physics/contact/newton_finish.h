@@ -26,11 +26,11 @@ struct NewtonResult {
 //   λ⁺ = proj(λ + r (b - J v⁺)),  M (v⁺ - v) = Jᵀ(λ⁺ - λ),
 // where proj clips to the cone of Coulomb and rolling. The states of the contacts (open, sticking, sliding ±)
 // make it a linear system in v⁺, positive definite where nothing slides, whatever the redundancy; Newton's
-// method on v⁺ searches the states, the outer iteration takes away what 1/r left. All is solved for increments,
-// so the answer is exact to rounding. Should a step of the coupled system not reduce its residual, the friction
-// limits are frozen for that iteration, which makes it convex with sure descent (Haslinger's fixed point).
-// Alart and Curnier, Computer Methods in Applied Mechanics and Engineering 92 (1991) 353; Rockafellar,
-// Mathematics of Operations Research 1 (1976) 97.
+// method on v⁺ searches the states, the outer iteration takes away what 1/r left and raises r. All is solved
+// for increments, so the answer is exact to rounding. Where a step does not reduce the system's residual,
+// sweeps of Gauss-Seidel move on from the best impulses so far, and r falls. With friction nothing of this is
+// sure to end; the result tells. Alart and Curnier, Computer Methods in Applied Mechanics and Engineering 92
+// (1991) 353; Rockafellar, SIAM Journal on Control and Optimization 14 (1976) 877.
 class NewtonFinish {
  public:
   // Rows of one island; bodies as apply_all leaves them. Leaves the best impulses that were met, applied.
@@ -52,9 +52,9 @@ class NewtonFinish {
   void number_bodies(std::span<const ContactRow> rows, std::span<const SolverBody> bodies);
   void centre(std::span<const ContactRow> rows, std::span<const SolverBody> bodies);
   // Impulses, states and the system's residual at `step`; its norm is returned.
-  double evaluate(std::span<const ContactRow> rows, const Eigen::VectorXd& step, bool coupled);
-  bool factorise(std::span<const ContactRow> rows, bool coupled);
-  bool search_states(std::span<const ContactRow> rows, bool coupled, int& left);
+  double evaluate(std::span<const ContactRow> rows, const Eigen::VectorXd& step);
+  bool factorise(std::span<const ContactRow> rows);
+  bool search_states(std::span<const ContactRow> rows, int& left);
 
   double stiffness_ = 0.0;  // r K, dimensionless
   std::vector<int> local_of_;
@@ -65,7 +65,6 @@ class NewtonFinish {
   std::vector<Impulses> trial_;
   std::vector<Impulses> best_;
   std::vector<std::uint8_t> states_, factorised_states_;
-  bool factorised_coupled_ = false;
   double factorised_stiffness_ = 0.0;
   Eigen::VectorXd step_, direction_, next_, system_;  // velocities times √m, √I; system_: the residual
   std::vector<std::pair<int, int>> edges_;
