@@ -56,19 +56,20 @@ void sweep(std::span<ContactRow> rows, std::span<SolverBody> bodies, bool backwa
 }
 
 double residual(std::span<const ContactRow> rows, std::span<const SolverBody> bodies) {
+  // Where a clamp does not act its term is the velocity itself: differences of impulses would only round it.
+  const auto miss = [](double impulse, double velocity, double mass, double limit) {
+    const double asked = impulse - velocity * mass;
+    if (std::abs(asked) <= limit) return std::abs(velocity);
+    return std::abs(std::copysign(limit, asked) - impulse) / mass;
+  };
   double largest = 0.0;
   for (const ContactRow& row : rows) {
     const RowVelocity u = row_velocity(row, bodies[row.a], bodies[row.b]);
-    const double normal = std::max(0.0, row.normal - (u.normal - row.target) * row.mass_n);
-    double worst = std::abs(normal - row.normal) / row.mass_n;
-    const double limit = row.friction * row.normal;
-    const double tangential = std::clamp(row.tangential - u.tangential * row.mass_t, -limit, limit);
-    worst = std::max(worst, std::abs(tangential - row.tangential) / row.mass_t);
-    if (row.rolling > 0.0) {
-      const double most = row.rolling * row.normal;
-      const double moment = std::clamp(row.moment - u.spin * row.mass_r, -most, most);
-      worst = std::max(worst, row.rolling * std::abs(moment - row.moment) / row.mass_r);
-    }
+    const double beyond = u.normal - row.target;
+    double worst = row.normal - beyond * row.mass_n > 0.0 ? std::abs(beyond) : row.normal / row.mass_n;
+    worst = std::max(worst, miss(row.tangential, u.tangential, row.mass_t, row.friction * row.normal));
+    if (row.rolling > 0.0)
+      worst = std::max(worst, row.rolling * miss(row.moment, u.spin, row.mass_r, row.rolling * row.normal));
     // Written so that a NaN, from broken input, is not passed over.
     if (!(worst <= largest)) largest = worst;
   }

@@ -19,7 +19,9 @@ constexpr double kMostStiffness = 1e10;  // beyond it the factors have no digits
 constexpr double kInnerAccuracy = 1e-4;  // of a proximal step; the next one takes the rest
 constexpr double kSlowProgress = 1e-2;   // of the residual from one proximal step to the next
 constexpr int kMostHalvings = 6;
-constexpr int kPatience = 3;      // proximal steps that may leave a larger residual
+constexpr int kPatience = 3;  // proximal steps that may leave a larger residual
+constexpr int kPolish =
+    4;  // proximal steps at the most stiffness, for what hides below the rounding of light bodies
 constexpr int kFirstSweeps = 32;  // after a failed step, then twice as many
 constexpr int kMostSweeps = 1024;
 
@@ -75,7 +77,7 @@ void NewtonFinish::number_bodies(std::span<const ContactRow> rows, std::span<con
   for (const int i : bodies_) local_of_[i] = -1;
   for (Eigen::VectorXd* x : {&step_, &direction_, &next_, &system_}) x->resize(3 * (n + 1));
   miss_.resize(rows.size());
-  trial_.resize(rows.size());
+  change_.resize(rows.size());
   best_.resize(rows.size());
   states_.resize(rows.size());
   factorised_states_.assign(rows.size(), 255);
@@ -99,35 +101,36 @@ double NewtonFinish::evaluate(std::span<const ContactRow> rows, const Eigen::Vec
     const double un = s.na.dot(ya) + s.nb.dot(yb);
     const double ut = s.ta.dot(ya) + s.tb.dot(yb);
     const double spin = s.ra.z() * ya.z() + s.rb.z() * yb.z();
-    const Impulses pull = {row.normal + stiffness_ * row.mass_n * (miss_[c].normal - un),
-                           row.tangential + stiffness_ * row.mass_t * (miss_[c].tangential - ut),
-                           row.moment + stiffness_ * row.mass_r * (miss_[c].spin - spin)};
-    Impulses& trial = trial_[c];
-    trial.normal = std::max(0.0, pull.normal);
-    const double limit = row.friction * trial.normal;
-    const double most = row.rolling * trial.normal;
-    trial.tangential = std::clamp(pull.tangential, -limit, limit);
-    trial.moment = std::clamp(pull.moment, -most, most);
+    // Kept as changes: next to large impulses the small ones would be lost.
     std::uint8_t state = kOpen;
-    if (trial.normal > 0.0) {
+    Impulses change{-row.normal, -row.tangential, -row.moment};
+    const double normal = stiffness_ * row.mass_n * (miss_[c].normal - un);
+    if (row.normal + normal > 0.0) {
       state = kClosed;
-      if (limit > 0.0 && std::abs(pull.tangential) <= limit) {
+      change.normal = normal;
+      const double limit = row.friction * (row.normal + normal);
+      const double most = row.rolling * (row.normal + normal);
+      change.tangential = stiffness_ * row.mass_t * (miss_[c].tangential - ut);
+      change.moment = stiffness_ * row.mass_r * (miss_[c].spin - spin);
+      const double tangential = row.tangential + change.tangential;
+      const double moment = row.moment + change.moment;
+      if (limit > 0.0 && std::abs(tangential) <= limit) {
         state |= kHeld;
-      } else if (pull.tangential > 0.0) {
-        state |= kUp;
+      } else {
+        if (tangential > 0.0) state |= kUp;
+        change.tangential = std::copysign(limit, tangential) - row.tangential;
       }
-      if (most > 0.0 && std::abs(pull.moment) <= most) {
+      if (most > 0.0 && std::abs(moment) <= most) {
         state |= kLocked;
-      } else if (pull.moment > 0.0) {
-        state |= kTurnsUp;
+      } else {
+        if (moment > 0.0) state |= kTurnsUp;
+        change.moment = std::copysign(most, moment) - row.moment;
       }
     }
     states_[c] = state;
-    const double dn = trial.normal - row.normal;
-    const double dt = trial.tangential - row.tangential;
-    const double dm = trial.moment - row.moment;
-    system_.segment<3>(3 * l.a) -= dn * s.na + dt * s.ta + dm * s.ra;
-    system_.segment<3>(3 * l.b) -= dn * s.nb + dt * s.tb + dm * s.rb;
+    change_[c] = change;
+    system_.segment<3>(3 * l.a) -= change.normal * s.na + change.tangential * s.ta + change.moment * s.ra;
+    system_.segment<3>(3 * l.b) -= change.normal * s.nb + change.tangential * s.tb + change.moment * s.rb;
   }
   system_.tail<3>().setZero();
   return system_.norm();
@@ -214,30 +217,40 @@ bool NewtonFinish::search_states(std::span<const ContactRow> rows, int& left) {
 NewtonResult NewtonFinish::run(std::span<ContactRow> rows, std::span<SolverBody> bodies,
                                const NewtonOptions& options) {
   number_bodies(rows, bodies);
-  const auto put = [&](const std::vector<Impulses>& impulses) {
+  const auto put_best = [&] {
     for (std::size_t c = 0; c < rows.size(); ++c) {
-      rows[c].normal = impulses[c].normal;
-      rows[c].tangential = impulses[c].tangential;
-      rows[c].moment = impulses[c].moment;
+      rows[c].normal = best_[c].normal;
+      rows[c].tangential = best_[c].tangential;
+      rows[c].moment = best_[c].moment;
+    }
+    apply_all(rows, bodies);
+  };
+  const auto step = [&] {
+    for (std::size_t c = 0; c < rows.size(); ++c) {
+      ContactRow& row = rows[c];
+      row.normal += change_[c].normal;
+      row.tangential = std::clamp(row.tangential + change_[c].tangential, -row.friction * row.normal,
+                                  row.friction * row.normal);
+      row.moment =
+          std::clamp(row.moment + change_[c].moment, -row.rolling * row.normal, row.rolling * row.normal);
     }
     apply_all(rows, bodies);
   };
   NewtonResult result{std::numeric_limits<double>::infinity(), 0, false};
-  // Measures the impulses of the rows and keeps them if they are the best so far.
+  // Measures the impulses of the rows and keeps them if they are the best so far. Among those that differ by
+  // rounding alone the last is the best.
+  bool rounded = false;
   const auto measure = [&] {
     const double now = residual(rows, bodies);
-    if (now < result.residual) {
+    rounded = now <= rounding_level(rows, bodies);
+    apply_all(rows, bodies);
+    if (now < result.residual || rounded) {
       result.residual = now;
+      result.settled = rounded || now <= options.tolerance;
       for (std::size_t c = 0; c < rows.size(); ++c)
         best_[c] = {rows[c].normal, rows[c].tangential, rows[c].moment};
     }
     return now;
-  };
-
-  const auto within_rounding = [&] {
-    const double level = rounding_level(rows, bodies);
-    apply_all(rows, bodies);
-    return result.residual <= level;
   };
 
   factorised_stiffness_ = 0.0;
@@ -245,33 +258,31 @@ NewtonResult NewtonFinish::run(std::span<ContactRow> rows, std::span<SolverBody>
   int left = options.max_iterations;
   int sweeps = kFirstSweeps;
   int worse = 0;
+  int polished = 0;
   double last = measure();
   while (left > 0 && !(result.residual <= options.tolerance)) {
     centre(rows, bodies);
     const bool found = search_states(rows, left);
     if (found) {
-      put(trial_);
+      step();
       const double now = measure();
-      // Rounding is told by its size and by a step that takes nothing away.
-      if (now > 0.5 * last && within_rounding()) break;
-      if (now > kSlowProgress * last) stiffness_ = std::min(kMostStiffness, kStiffer * stiffness_);
-      if (now >= last) ++worse;
+      if (rounded && stiffness_ >= kMostStiffness && ++polished >= kPolish) break;
+      if (rounded || now > kSlowProgress * last) stiffness_ = std::min(kMostStiffness, kStiffer * stiffness_);
+      if (now >= last && !rounded) ++worse;
       last = now;
     }
     if (!found || worse >= kPatience) {
-      if (found) put(best_);
+      if (found) put_best();
       worse = 0;
       stiffness_ = std::max(kLeastStiffness, stiffness_ / kSofter);
       for (int i = 0; i < sweeps; ++i) sweep(rows, bodies, i % 2 == 1);
       sweeps = std::min(2 * sweeps, kMostSweeps);
       apply_all(rows, bodies);
       last = measure();
-      if (within_rounding()) break;
     }
   }
-  put(best_);
+  put_best();
   result.iterations = options.max_iterations - std::max(left, 0);
-  result.settled = result.residual <= options.tolerance || within_rounding();
   return result;
 }
 

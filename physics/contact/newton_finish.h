@@ -62,7 +62,7 @@ class NewtonFinish {
   Eigen::VectorXd root_, turn_root_;  // √(1/m), √(1/I) of the island's bodies and a last, immovable one
   std::vector<Local> local_;
   std::vector<Miss> miss_;
-  std::vector<Impulses> trial_;
+  std::vector<Impulses> change_;
   std::vector<Impulses> best_;
   std::vector<std::uint8_t> states_, factorised_states_;
   double factorised_stiffness_ = 0.0;
