@@ -20,8 +20,8 @@ constexpr double kInnerAccuracy = 1e-4;  // of a proximal step; the next one tak
 constexpr double kSlowProgress = 1e-2;   // of the residual from one proximal step to the next
 constexpr int kMostHalvings = 6;
 constexpr int kPatience = 3;  // proximal steps that may leave a larger residual
-constexpr int kPolish =
-    4;  // proximal steps at the most stiffness, for what hides below the rounding of light bodies
+// Proximal steps at the most stiffness, for errors of heavy bodies that hide below the rounding of light ones.
+constexpr int kPolish = 4;
 constexpr int kFirstSweeps = 32;  // after a failed step, then twice as many
 constexpr int kMostSweeps = 1024;
 
