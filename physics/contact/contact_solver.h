@@ -23,7 +23,7 @@ struct ContactSolverOptions {
 // tolerance and what rounding alone leaves (rounding_level).
 struct ContactSolverReport {
   int islands = 0;
-  int sweeps = 0;                   // the most that an island took
+  int sweeps = 0;                   // the most that an island took before its exact finish
   std::int64_t contact_sweeps = 0;  // contacts swept, over all islands
   int newton_islands = 0;           // islands that the exact finish worked on
   int newton_iterations = 0;        // linear systems, over all islands
@@ -48,7 +48,7 @@ struct ContactWorkspace {
 // Nothing is soft: what is left is the residual. Island by island, each with its own budget: warm-started
 // projected Gauss-Seidel, then, unless the tolerance is met or clearly will be, the exact finish. Of the
 // impulses of redundant contacts, which the laws leave open, some are returned. Immovable bodies keep their
-// velocities.
+// velocities. Nothing is allocated once the workspace has held as much.
 ContactSolverReport solve_contacts(const MassProperties& mass, Contacts& contacts, Eigen::Matrix3Xd& v,
                                    const ContactSolverOptions& options, ContactWorkspace& workspace);
 
