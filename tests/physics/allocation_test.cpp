@@ -4,6 +4,7 @@
 
 #include "physics/contact/simultaneous_impact.h"
 #include "physics/motion/integrators.h"
+#include "tests/physics/contact_scenes.h"
 #include "tests/physics/scenes.h"
 
 // Every allocation of this program is counted: operator new and Eigen both end in malloc. The sanitizers bring
@@ -96,6 +97,30 @@ TEST(Allocation, NoneInAWarmSimultaneousImpact) {
     if (call == 0) before = allocations;
   }
   EXPECT_EQ(allocations - before, 0);
+}
+
+TEST(Allocation, NoneInAWarmContactSolve) {
+#ifndef CAROM_COUNTS_ALLOCATIONS
+  GTEST_SKIP() << "needs glibc's malloc, without sanitizers";
+#endif
+  const test::ContactScene start = test::pyramid(8, 0.6);
+  test::ContactScene s = start;
+  ContactWorkspace workspace;
+  Eigen::Matrix3Xd dq;
+  long before = 0;
+  for (int turn = 0; turn < 2; ++turn) {
+    before = allocations;
+    s.contacts = start.contacts;
+    s.v = start.v;
+    s.accelerate({0.0, -9.81}, 0.01);
+    const ContactSolverReport report = solve_contacts(s.mass, s.contacts, s.v, {.tolerance = 1e-13}, workspace);
+    EXPECT_GT(report.newton_iterations, 0);
+    project_overlaps(s.mass, s.contacts, 0.5, dq, {}, workspace);
+    if (turn == 0) {
+      EXPECT_GT(allocations, before);
+    }
+  }
+  EXPECT_EQ(allocations, before);
 }
 
 }  // namespace

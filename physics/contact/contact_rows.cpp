@@ -1,0 +1,108 @@
+#include "physics/contact/contact_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+
+namespace {
+
+inline void solve_row(ContactRow& row, SolverBody& a, SolverBody& b) {
+  const RowVelocity u = row_velocity(row, a, b);
+  const double normal = std::max(0.0, row.normal - (u.normal - row.target) * row.mass_n);
+  const double dn = normal - row.normal;
+  // u_t as the normal impulse leaves it.
+  const double k_nt =
+      a.inverse_inertia * row.turn_na * row.turn_ta + b.inverse_inertia * row.turn_nb * row.turn_tb;
+  const double limit = row.friction * normal;
+  const double slip = u.tangential + k_nt * dn;
+  const double tangential = std::min(std::max(row.tangential - slip * row.mass_t, -limit), limit);
+  const double dt = tangential - row.tangential;
+  row.normal = normal;
+  row.tangential = tangential;
+  apply_impulse(row, dn, dt, 0.0, a, b);
+  if (row.rolling > 0.0) {
+    const double most = row.rolling * normal;
+    const double moment = std::min(std::max(row.moment - (b.spin - a.spin) * row.mass_r, -most), most);
+    const double dm = moment - row.moment;
+    row.moment = moment;
+    a.spin -= a.inverse_inertia * dm;
+    b.spin += b.inverse_inertia * dm;
+  }
+}
+
+}  // namespace
+
+void apply_all(std::span<const ContactRow> rows, std::span<SolverBody> bodies) {
+  for (const ContactRow& row : rows) {
+    for (const int i : {row.a, row.b}) {
+      SolverBody& body = bodies[i];
+      body.vx = body.free_vx;
+      body.vy = body.free_vy;
+      body.spin = body.free_spin;
+    }
+  }
+  for (const ContactRow& row : rows)
+    apply_impulse(row, row.normal, row.tangential, row.moment, bodies[row.a], bodies[row.b]);
+}
+
+void sweep(std::span<ContactRow> rows, std::span<SolverBody> bodies, bool backwards) {
+  if (backwards) {
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row) solve_row(*row, bodies[row->a], bodies[row->b]);
+  } else {
+    for (ContactRow& row : rows) solve_row(row, bodies[row.a], bodies[row.b]);
+  }
+}
+
+double residual(std::span<const ContactRow> rows, std::span<const SolverBody> bodies) {
+  // Where a clamp does not act its term is the velocity itself: differences of impulses would only round it.
+  const auto miss = [](double impulse, double velocity, double mass, double limit) {
+    const double asked = impulse - velocity * mass;
+    if (std::abs(asked) <= limit) return std::abs(velocity);
+    return std::abs(std::copysign(limit, asked) - impulse) / mass;
+  };
+  double largest = 0.0;
+  for (const ContactRow& row : rows) {
+    const RowVelocity u = row_velocity(row, bodies[row.a], bodies[row.b]);
+    const double beyond = u.normal - row.target;
+    double worst = row.normal - beyond * row.mass_n > 0.0 ? std::abs(beyond) : row.normal / row.mass_n;
+    worst = std::max(worst, miss(row.tangential, u.tangential, row.mass_t, row.friction * row.normal));
+    if (row.rolling > 0.0)
+      worst = std::max(worst, row.rolling * miss(row.moment, u.spin, row.mass_r, row.rolling * row.normal));
+    // Written so that a NaN, from broken input, is not passed over.
+    if (!(worst <= largest)) largest = worst;
+  }
+  return largest;
+}
+
+double rounding_level(std::span<const ContactRow> rows, std::span<SolverBody> bodies) {
+  for (const ContactRow& row : rows) {
+    for (const int i : {row.a, row.b}) {
+      SolverBody& body = bodies[i];
+      body.vx = std::hypot(body.free_vx, body.free_vy);
+      body.spin = std::abs(body.free_spin);
+    }
+  }
+  for (const ContactRow& row : rows) {
+    const double push = row.normal + std::abs(row.tangential);
+    const auto add = [&](SolverBody& body, double turn_n, double turn_t) {
+      body.vx += body.inverse_mass * push;
+      body.spin += body.inverse_inertia *
+                   (std::abs(turn_n) * row.normal + std::abs(turn_t * row.tangential) + std::abs(row.moment));
+    };
+    add(bodies[row.a], row.turn_na, row.turn_ta);
+    add(bodies[row.b], row.turn_nb, row.turn_tb);
+  }
+  double largest = 0.0;
+  for (const ContactRow& row : rows) {
+    const SolverBody& a = bodies[row.a];
+    const SolverBody& b = bodies[row.b];
+    const double arm_a = std::max(std::hypot(row.turn_na, row.turn_ta), row.rolling);
+    const double arm_b = std::max(std::hypot(row.turn_nb, row.turn_tb), row.rolling);
+    largest = std::max(largest, a.vx + b.vx + arm_a * a.spin + arm_b * b.spin);
+  }
+  return 8.0 * std::numeric_limits<double>::epsilon() * largest;
+}
+
+}  // namespace carom

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <span>
+
+namespace carom {
+
+// What the solver's loops read and write, packed for the cache: two lines a contact, one a body.
+
+struct alignas(64) SolverBody {
+  double vx = 0.0, vy = 0.0, spin = 0.0;                 // with the impulses so far, m/s and rad/s
+  double inverse_mass = 0.0, inverse_inertia = 0.0;      // 0 for immovable bodies
+  double free_vx = 0.0, free_vy = 0.0, free_spin = 0.0;  // without contact impulses
+};
+
+// With J the derivative of the relative velocity by the bodies' velocities, K = J M⁻¹ Jᵀ is what a unit impulse
+// along a direction changes of the velocity along it. r×t = r·n.
+struct alignas(64) ContactRow {
+  int a = 0, b = 0;
+  double nx = 0.0, ny = 0.0;
+  double turn_na = 0.0, turn_nb = 0.0;                  // r_A×n and r_B×n, m
+  double turn_ta = 0.0, turn_tb = 0.0;                  // r_A×t and r_B×t, m
+  double mass_n = 0.0, mass_t = 0.0, mass_r = 0.0;      // 1/K_nn and 1/K_tt in kg, 1/K_rr in kg m²
+  double target = 0.0;                                  // m/s
+  double friction = 0.0;                                // dimensionless
+  double rolling = 0.0;                                 // m
+  double normal = 0.0, tangential = 0.0, moment = 0.0;  // impulses, N s and N m s
+};
+static_assert(sizeof(ContactRow) == 128);
+
+struct RowVelocity {
+  double normal = 0.0, tangential = 0.0, spin = 0.0;
+};
+
+[[nodiscard]] inline RowVelocity row_velocity(const ContactRow& row, const SolverBody& a, const SolverBody& b) {
+  const double dx = b.vx - a.vx;
+  const double dy = b.vy - a.vy;
+  return {row.nx * dx + row.ny * dy + (row.turn_nb * b.spin - row.turn_na * a.spin),
+          row.nx * dy - row.ny * dx + (row.turn_tb * b.spin - row.turn_ta * a.spin), b.spin - a.spin};
+}
+
+inline void apply_impulse(const ContactRow& row, double normal, double tangential, double moment, SolverBody& a,
+                          SolverBody& b) {
+  const double jx = row.nx * normal - row.ny * tangential;
+  const double jy = row.ny * normal + row.nx * tangential;
+  a.vx -= a.inverse_mass * jx;
+  a.vy -= a.inverse_mass * jy;
+  a.spin -= a.inverse_inertia * (row.turn_na * normal + row.turn_ta * tangential + moment);
+  b.vx += b.inverse_mass * jx;
+  b.vy += b.inverse_mass * jy;
+  b.spin += b.inverse_inertia * (row.turn_nb * normal + row.turn_tb * tangential + moment);
+}
+
+// Puts the bodies of these contacts at their free velocities plus what the impulses give.
+void apply_all(std::span<const ContactRow> rows, std::span<SolverBody> bodies);
+
+// One sweep of projected Gauss-Seidel on the accumulated impulses, forwards or backwards: each contact in turn
+// gets the impulses that its own law asks for (Moreau; Jean, Computer Methods in Applied Mechanics and
+// Engineering 177 (1999) 235).
+void sweep(std::span<ContactRow> rows, std::span<SolverBody> bodies, bool backwards);
+
+// The largest change of a contact's own velocity, in m/s, that the law still asks for (the natural map of the
+// complementarity problem, made a velocity by K): the largest of
+//   K_nn |λ_n - max(0, λ_n - (u_n - b_n)/K_nn)|,  K_tt |λ_t - clamp(λ_t - u_t/K_tt, ±μ λ_n)|,
+//   ρ K_rr |M - clamp(M - w/K_rr, ±ρ λ_n)|.
+// 0 exactly at a solution.
+[[nodiscard]] double residual(std::span<const ContactRow> rows, std::span<const SolverBody> bodies);
+
+// What rounding alone may leave of the residual, in m/s: 8ε times the largest of |v| + Σ|λ|/m over the bodies,
+// turning included. `bodies` are changed and must be put back by apply_all.
+[[nodiscard]] double rounding_level(std::span<const ContactRow> rows, std::span<SolverBody> bodies);
+
+}  // namespace carom

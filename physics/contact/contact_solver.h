@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "physics/contact/contact_rows.h"
+#include "physics/contact/contacts.h"
+#include "physics/contact/islands.h"
+#include "physics/contact/newton_finish.h"
+#include "physics/motion/state.h"
+
+namespace carom {
+
+struct ContactSolverOptions {
+  double tolerance = 1e-9;  // of the residual, m/s (m for a projection)
+  int max_sweeps = 64;      // of projected Gauss-Seidel, an island
+  int max_newton = 60;      // linear systems of the exact finish, an island; 0: no exact finish
+  double slip_speed = 0.0;  // a contact whose slip is at most this sticks, m/s
+};
+
+// What a solve took and left. An island that missed the tolerance is one whose residual is above both the
+// tolerance and what rounding alone leaves (rounding_level).
+struct ContactSolverReport {
+  int islands = 0;
+  int sweeps = 0;                   // the most that an island took before its exact finish
+  std::int64_t contact_sweeps = 0;  // contacts swept, over all islands
+  int newton_islands = 0;           // islands that the exact finish worked on
+  int newton_iterations = 0;        // linear systems, over all islands
+  int missed_islands = 0;
+  double residual = 0.0;  // the largest that is left, m/s (m for a projection); see residual()
+};
+
+// What solves reuse; it may be copied. After a solve `islands` are those of its contacts.
+struct ContactWorkspace {
+  Islands islands;
+  std::vector<ContactRow> rows;  // in the order of islands.contacts
+  std::vector<SolverBody> bodies;
+  NewtonFinish newton;
+};
+
+// Solves the contacts of one (sub-)step for the bodies' velocities v (3×N: x and y in m/s, spin in rad/s),
+// which smooth forces have already changed:
+//   v' = v + M⁻¹ Jᵀ λ,
+//   0 <= λ_n ⊥ u_n' - b_n >= 0,
+//   |λ_t| <= μ λ_n, and λ_t = -μ λ_n sign(u_t') where u_t' != 0,     μ = μ_s if the contact sticks, else μ_k
+//   |M| <= ρ λ_n,   and M = -ρ λ_n sign(w') where w' != 0.
+// Nothing is soft: what is left is the residual. Island by island, each with its own budget: warm-started
+// projected Gauss-Seidel, then, unless the tolerance is met or clearly will be, the exact finish. Of the
+// impulses of redundant contacts, which the laws leave open, some are returned. Immovable bodies keep their
+// velocities. Nothing is allocated once the workspace has held as much.
+ContactSolverReport solve_contacts(const MassProperties& mass, Contacts& contacts, Eigen::Matrix3Xd& v,
+                                   const ContactSolverOptions& options, ContactWorkspace& workspace);
+
+// The smallest displacement dq (3×N, m and rad; least dqᵀ M dq) that takes away `fraction` of each overlap and
+// makes no new one: J_n dq >= -fraction·gap where gap < 0, else J_n dq >= -gap, to first order in dq. Without
+// friction; nothing of `contacts` is changed.
+ContactSolverReport project_overlaps(const MassProperties& mass, const Contacts& contacts, double fraction,
+                                     Eigen::Matrix3Xd& dq, const ContactSolverOptions& options,
+                                     ContactWorkspace& workspace);
+
+}  // namespace carom
