@@ -70,8 +70,8 @@ std::string run_csv_header(const Simulation& s) {
     }
   }
   return line +
-         ",lost_to_restitution [J],lost_to_friction [J],lost_to_drag [J],lost_to_dampers [J],lost_to_links [J],"
-         "put_in_by_drives [J],put_in_by_user [J],overlap_correction [J],momentum_drift_x [N s],"
+         ",lost_to_restitution [J],lost_to_friction [J],lost_to_rolling [J],lost_to_drag [J],"
+         "lost_to_dampers [J],lost_to_links [J],put_in_by_drives [J],put_in_by_user [J],overlap_correction [J],momentum_drift_x [N s],"
          "momentum_drift_y [N s],momentum_to_walls_x [N s],momentum_to_walls_y [N s]";
 }
 
@@ -88,8 +88,8 @@ std::string run_csv_line(const Simulation& s) {
     for (int row = 0; row < 3; ++row) line += fmt::format(",{}", s.state().v(row, i));
   }
   const Vec2 drift = l.momentum_drift(t.momentum);
-  for (const double value : {l.lost_to_restitution, l.lost_to_friction, l.lost_to_drag, l.lost_to_dampers,
-                             l.lost_to_links, l.put_in_by_drives, l.put_in_by_user, l.overlap_correction,
+  for (const double value : {l.lost_to_restitution, l.lost_to_friction, l.lost_to_rolling, l.lost_to_drag,
+                             l.lost_to_dampers, l.lost_to_links, l.put_in_by_drives, l.put_in_by_user, l.overlap_correction,
                              drift.x(), drift.y(), l.momentum_to_walls.x(), l.momentum_to_walls.y()}) {
     line += fmt::format(",{}", plain(value));
   }

@@ -28,7 +28,7 @@ bool has_drag(const Scene& scene) {
   return scene.forces.linear_drag > 0.0 || scene.forces.quadratic_drag > 0.0;
 }
 
-constexpr std::size_t kEntries = 12;
+constexpr std::size_t kEntries = 13;
 
 constexpr std::array<Entry<double>, kEntries> kEnergy = {{
     {QT_TRANSLATE_NOOP("LedgerTable", "initial energy"),
@@ -38,9 +38,13 @@ constexpr std::array<Entry<double>, kEntries> kEnergy = {{
      QT_TRANSLATE_NOOP("LedgerTable", "Taken by impacts with a restitution below 1: ½ μ (1 − e²) uₙ² each"),
      [](const Ledger& l, const Totals&) { return l.lost_to_restitution; }},
     {QT_TRANSLATE_NOOP("LedgerTable", "lost to friction"),
-     QT_TRANSLATE_NOOP("LedgerTable", "Taken by the tangential impulses of impacts"),
+     QT_TRANSLATE_NOOP("LedgerTable", "Work of the tangential impulses of impacts and of friction where contacts last"),
      [](const Ledger& l, const Totals&) { return l.lost_to_friction; },
      [](const Scene&, const Needs& needs) { return !needs.friction; }},
+    {QT_TRANSLATE_NOOP("LedgerTable", "lost to rolling"),
+     QT_TRANSLATE_NOOP("LedgerTable", "Work of the moment that resists rolling at contacts that last"),
+     [](const Ledger& l, const Totals&) { return l.lost_to_rolling; },
+     [](const Scene& scene, const Needs&) { return !has_rolling_resistance(scene); }},
     {QT_TRANSLATE_NOOP("LedgerTable", "lost to drag"),
      QT_TRANSLATE_NOOP("LedgerTable", "Work of linear and quadratic drag, integrated along with the motion"),
      [](const Ledger& l, const Totals&) { return l.lost_to_drag; },

@@ -77,9 +77,11 @@ inline constexpr std::array<Choice<ImpactsId>, 2> kImpacts = {{
      "each impact is located in time, so that the integrator keeps its order"},
 }};
 
-inline constexpr std::array<Choice<ContactsId>, 1> kContacts = {{
+inline constexpr std::array<Choice<ContactsId>, 2> kContacts = {{
     {ContactsId::kImpulse, "impulse", "impulses only",
      "every contact is an impact; nothing holds a body at rest"},
+    {ContactsId::kLasting, "lasting", "contacts that last",
+     "forces hold what touches: static and kinetic friction, stacks that stand; order 1 while they act"},
 }};
 
 // The entry of a table with this id; the tables hold every id.

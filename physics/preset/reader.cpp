@@ -37,6 +37,7 @@ void read_surface(ObjectReader& r, Material& m) {
   r.read("kinetic_friction", m.kinetic_friction);
   m.static_friction = m.kinetic_friction;
   r.read("static_friction", m.static_friction);
+  r.read("rolling_resistance", m.rolling_resistance);
 }
 
 Material read_material(const Json& json, const std::string& place) {

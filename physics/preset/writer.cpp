@@ -76,6 +76,7 @@ Json surface_json(Json j, const Material& m) {
   j["tangential_restitution"] = m.tangential_restitution;
   j["static_friction"] = m.static_friction;
   j["kinetic_friction"] = m.kinetic_friction;
+  j["rolling_resistance"] = m.rolling_resistance;
   return j;
 }
 

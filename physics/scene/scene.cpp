@@ -24,6 +24,7 @@ Material mixed(const Material& a, const Material& b) {
   m.tangential_restitution = std::min(a.tangential_restitution, b.tangential_restitution);
   m.static_friction = std::sqrt(a.static_friction * b.static_friction);
   m.kinetic_friction = std::sqrt(a.kinetic_friction * b.kinetic_friction);
+  m.rolling_resistance = std::sqrt(a.rolling_resistance * b.rolling_resistance);
   return m;
 }
 

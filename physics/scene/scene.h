@@ -12,13 +12,16 @@
 namespace carom {
 
 // How a surface behaves in an impact. Two materials meet with the smaller restitution of the two and the
-// geometric mean of each friction coefficient (see `mixed`).
+// geometric mean of each friction coefficient and of rolling resistance (see `mixed`).
 struct Material {
   std::string name = "default";
   double restitution = 1.0;             // dimensionless, 0..1: normal rebound speed over closing speed
   double tangential_restitution = 0.0;  // dimensionless, -1..1: 0 stops the slip, 1 reverses it (superball)
   double static_friction = 0.0;         // dimensionless, >= kinetic_friction
   double kinetic_friction = 0.0;        // dimensionless, >= 0
+  // Dimensionless, >= 0: where a disc of radius R rolls under the normal force N, a moment of up to this times
+  // R N resists. Of lasting contacts only.
+  double rolling_resistance = 0.0;
 
   bool operator==(const Material&) const = default;
 };
@@ -141,7 +144,7 @@ enum class IntegratorId {
   kExactFlight
 };
 enum class ImpactsId { kStepEnd, kLocated };
-enum class ContactsId { kImpulse };
+enum class ContactsId { kImpulse, kLasting };
 
 // How a run is computed: three named choices and the step. See physics/motion/integrators.h and physics/world/.
 struct Method {

@@ -37,6 +37,7 @@ void check_surface(const std::string& at, const Material& m) {
     refuse_value(at + "/static_friction", fmt::format("{}", m.static_friction),
                  fmt::format("a number from kinetic_friction = {} to 1000", m.kinetic_friction));
   }
+  check_range(at + "/rolling_resistance", m.rolling_resistance, 0.0, 1e3, "");
 }
 
 void check_materials(const Scene& scene) {

@@ -82,8 +82,8 @@ TEST_F(CommandLine, JsonHasExactlyItsKeys) {
                                                "status", "order", "evaluations", "rejected_steps"}));
   EXPECT_EQ(keys_of(j["method"]), (std::set<std::string>{"integrator", "impacts", "contacts", "step"}));
   EXPECT_EQ(keys_of(j["ledger"]),
-            (std::set<std::string>{"initial", "lost_to_restitution", "lost_to_friction", "lost_to_drag",
-                                   "lost_to_dampers", "lost_to_links", "overlap_correction", "put_in_by_drives",
+            (std::set<std::string>{"initial", "lost_to_restitution", "lost_to_friction", "lost_to_rolling",
+                                   "lost_to_drag", "lost_to_dampers", "lost_to_links", "overlap_correction", "put_in_by_drives",
                                    "put_in_by_user", "numerical_drift", "momentum"}));
   EXPECT_EQ(keys_of(j["ledger"]["momentum"]),
             (std::set<std::string>{"initial", "from_gravity", "from_forces", "from_user", "to_walls",
@@ -170,7 +170,7 @@ TEST_F(CommandLine, LedgerClosesInJson) {
   const auto joules = [&](const char* key) { return l[key].get<double>(); };
   EXPECT_GT(joules("lost_to_restitution"), 0.1);
   EXPECT_GT(joules("lost_to_drag"), 0.1);
-  EXPECT_NEAR(joules("initial") - joules("lost_to_restitution") - joules("lost_to_friction") -
+  EXPECT_NEAR(joules("initial") - joules("lost_to_restitution") - joules("lost_to_friction") - joules("lost_to_rolling") -
                   joules("lost_to_drag") - joules("lost_to_dampers") - joules("lost_to_links") +
                   joules("overlap_correction") + joules("put_in_by_drives") + joules("put_in_by_user") +
                   joules("numerical_drift"),
@@ -244,8 +244,8 @@ TEST_F(CommandLine, CsvHasUnitsALineAStepAndAllDigits) {
   EXPECT_EQ(last.at("kinetic_energy [J]"), j["kinetic_energy"].get<double>());
   EXPECT_EQ(last.at("momentum_y [N s]"), j["momentum"][1].get<double>());
   EXPECT_EQ(last.at("numerical_drift [J]"), j["ledger"]["numerical_drift"].get<double>());
-  for (const char* key : {"lost_to_restitution", "lost_to_friction", "lost_to_drag", "lost_to_dampers",
-                          "lost_to_links", "put_in_by_drives", "put_in_by_user", "overlap_correction"}) {
+  for (const char* key : {"lost_to_restitution", "lost_to_friction", "lost_to_rolling", "lost_to_drag",
+                          "lost_to_dampers", "lost_to_links", "put_in_by_drives", "put_in_by_user", "overlap_correction"}) {
     EXPECT_EQ(last.at(std::string(key) + " [J]"), j["ledger"][key].get<double>()) << key;
   }
   const Json& momentum = j["ledger"]["momentum"];

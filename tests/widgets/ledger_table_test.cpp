@@ -35,6 +35,7 @@ TEST(LedgerTable, HasEveryEntryOfTheLedger) {
   frame.ledger.initial = 100.0;
   frame.ledger.lost_to_restitution = 1.0;
   frame.ledger.lost_to_friction = 2.0;
+  frame.ledger.lost_to_rolling = 2.5;
   frame.ledger.lost_to_drag = 3.0;
   frame.ledger.lost_to_dampers = 4.0;
   frame.ledger.lost_to_links = 4.5;
