@@ -96,9 +96,8 @@ double Simulation::touch_tolerance(int a, int b, double end) const {
 }
 
 bool Simulation::rests(int a, int b) const {
-  return !deferred_.empty() && std::any_of(deferred_.begin(), deferred_.end(), [&](const Deferred& d) {
-    return d.a == a && d.b == b && d.resting;
-  });
+  return holds(a, b) || std::any_of(deferred_.begin(), deferred_.end(),
+                                    [&](const Deferred& d) { return d.a == a && d.b == b && d.resting; });
 }
 
 // Two discs on parabolas of one acceleration go straight relative to each other: the next impact in closed
@@ -199,7 +198,7 @@ void Simulation::search(int a, int b) {
       pressed = pressing(a, b, meeting.contact, start) > 0.0;
     }
     if (first.gap <= tolerance) {
-      if (touching && pressed && notices_.resting_since < 0.0) notices_.resting_since = tracks_.epoch() + began;
+      if (touching && pressed) note_resting(tracks_.epoch() + began);
       defer(a, b, touching && pressed);
       return;
     }

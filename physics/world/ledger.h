@@ -6,7 +6,8 @@ namespace carom {
 
 // Where the energy of a run went since it began, in J:
 //   E(t) = initial - lost_to_restitution - lost_to_friction - lost_to_drag - lost_to_dampers
-//          - lost_to_rolling - lost_to_links + overlap_correction + put_in_by_drives + put_in_by_user + numerical drift,
+//          - lost_to_rolling - lost_to_links + overlap_correction + put_in_by_drives + put_in_by_user +
+//          numerical drift,
 // so the drift is what the method itself gained (+) or lost (-). The same for momentum, in N s:
 //   P(t) = initial_momentum + momentum_from_gravity + momentum_from_forces + momentum_from_user
 //          - momentum_to_walls + numerical drift.

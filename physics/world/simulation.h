@@ -15,6 +15,7 @@
 #include "physics/scene/needs.h"
 #include "physics/scene/scene.h"
 #include "physics/world/event_queue.h"
+#include "physics/world/lasting_contacts.h"
 #include "physics/world/ledger.h"
 #include "physics/world/totals.h"
 
@@ -67,6 +68,10 @@ struct Notices {
   double restitution_lowered_since = -1.0;
   // A step led so far off that links could not be restored after it, or turned links by many radians.
   double links_missed_since = -1.0;
+
+  // Contact forces were left with a residual beyond rounding, at the most `contacts_left` m/s.
+  double contacts_left_since = -1.0;
+  double contacts_left = 0.0;
 
   // One line for people; "ok" if there is nothing to tell.
   [[nodiscard]] std::string text() const;
@@ -156,6 +161,9 @@ class Simulation {
   [[nodiscard]] const std::vector<ImpactRecord>& last_impacts() const { return impacts_; }
   [[nodiscard]] const std::vector<Jump>& last_jumps() const { return jumps_; }
 
+  // What held bodies together in the last step; empty without contacts that last.
+  [[nodiscard]] const std::vector<ContactForce>& contact_forces() const { return lasting_.forces; }
+
   // From the next step on.
   void set_method(const Method& method);
   // Fills last_jumps() for the first kMostWatched impacts of a step, at the cost of two sums over all bodies
@@ -191,6 +199,21 @@ class Simulation {
   }
   [[nodiscard]] bool immovable(int body) const { return shapes_.fixed[body] != 0; }
 
+  // Contacts that last (lasting_contacts.cpp).
+  void hold_contacts(double h);
+  void find_contacts(double h);
+  void project_contacts();
+  void touch_down(double h);
+  void find_contact_forces(double h);
+  void book_contacts();
+  void tell_residual(const ContactSolverReport& report);
+  void rebound_at_end(const std::vector<std::pair<int, int>>& pairs);
+  [[nodiscard]] ContactSolverOptions contact_options() const;
+  // m/s: a contact that rebounds slower than this lasts, as what presses it would close it again within a step.
+  [[nodiscard]] double rest_speed(int a, int b, const Vec2& normal, double restitution) const;
+  [[nodiscard]] double rolling_radius(int a, int b) const;
+  [[nodiscard]] bool holds(int a, int b) const;
+
   // Impacts at their own time (located_impacts.cpp, contact_search.cpp). Times are within the epoch of the
   // tracks.
   void step_with_located_impacts(double h);
@@ -211,6 +234,9 @@ class Simulation {
   void touching(int a, int b, double time);
   void foresee(double time, int a, int b);
   void defer(int a, int b, bool resting);
+  void note_resting(double time) {
+    if (!lasts_ && notices_.resting_since < 0.0) notices_.resting_since = time;
+  }
   [[nodiscard]] bool is_stale(const Event& event) const;
   // Whether one of them is no disc and moves.
   [[nodiscard]] bool has_moving_corners(int a, int b) const {
@@ -273,6 +299,11 @@ class Simulation {
   std::vector<Touch> touches_;  // of a cluster
   std::vector<int> cluster_;    // its bodies
   ClusterScratch cluster_scratch_;
+
+  // Contacts that last.
+  bool lasts_ = false;        // the method asks for them, and the scene needs them
+  double step_length_ = 0.0;  // s, of the step under way
+  LastingContacts lasting_;
 
   // Impacts at the step's end.
   BroadPhase broad_phase_;
