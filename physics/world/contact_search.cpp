@@ -120,7 +120,7 @@ void Simulation::search_discs(int a, int b, double start, double end) {
   const double distance = d.norm();
   if (distance - touch <= tolerance) {
     const double closing = distance > 0.0 ? -d.dot(u) / distance : -u.x();
-    if (closing > 16.0 * kEpsilon * (va.norm() + vb.norm())) {
+    if (closing > closing_share() * (va.norm() + vb.norm())) {
       if (!waits(closing)) foresee(start, a, b);
     } else if (distance - touch < -tolerance) {
       defer(a, b, false);
@@ -170,7 +170,7 @@ void Simulation::search(int a, int b) {
     const Twist tb = twist(b, start);
     const Approach meeting = approach_of(shapes_, a, pose(a, start), ta, b, pose(b, start), tb, tolerance);
     if (waits(-meeting.speed)) return;
-    if (meeting.speed < -16.0 * kEpsilon * meeting.scale) {
+    if (meeting.speed < -closing_share() * meeting.scale) {
       foresee(start, a, b);
       return;
     }

@@ -200,6 +200,9 @@ void Simulation::meet(int a, int b, double time, double horizon, bool crowd, dou
   const Material& material = material_between(a, b);
   collide(a, b, contact, material, time);
   judge(a, b, contact, material, time, crowd, h);
+  at_once_ = time == last_impact_ ? at_once_ + 1 : 0;
+  if (at_once_ == kMostAtOnce && notices_.collapsed_since < 0.0)
+    notices_.collapsed_since = tracks_.epoch() + time;
   last_impact_ = time;
   const int island_a = tracks_.island_of(a);
   const int island_b = tracks_.island_of(b);

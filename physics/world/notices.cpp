@@ -23,7 +23,7 @@ std::string Notices::text() const {
           "from t = {:.6g} s bounces come faster than they can be told apart (Zeno): such a contact is held by "
           "inelastic impacts at each step's end"},
       Entry{collapsed_since,
-            "inelastic collapse at t = {:.6g} s: impacts follow one another faster than double precision can "
+            "collapse at t = {:.6g} s: impacts follow one another faster than double precision can "
             "tell "
             "apart, and the bodies go on together"},
       Entry{impacts_capped_since, "at t = {:.6g} s a step had more than " +

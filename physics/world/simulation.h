@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -107,6 +108,9 @@ class Simulation {
   // Inelastic collapse: a pair with e < 1 parts slower than this share of its own speed, in less time after the
   // impact before than doubles can tell apart.
   static constexpr double kCollapseShare = 1e-12;
+  // Impacts at one time, to the last bit, after which closing speeds below that share are rounding: a light
+  // body between two whose speeds it is too light to change would bounce to and fro for ever.
+  static constexpr int kMostAtOnce = 10'000;
   // After more than kCrowdedImpacts + kCrowdedImpactsPerBody * N located impacts in one step, the guard against
   // inelastic collapse acts: a pair with e < 1 that rebounds slower than its forces can press it together in a
   // step rests until the step's end. A settling pile would otherwise need millions of impacts a step.
@@ -251,6 +255,10 @@ class Simulation {
   [[nodiscard]] double pressed_in(int a, int b, double h) const;
   [[nodiscard]] double touch_tolerance(int a, int b, double end) const;
   [[nodiscard]] bool rests(int a, int b) const;
+  // Of the bodies' speeds: below this they don't close.
+  [[nodiscard]] double closing_share() const {
+    return at_once_ >= kMostAtOnce ? kCollapseShare : 16.0 * std::numeric_limits<double>::epsilon();
+  }
   void choose_cells(double horizon);
 
   Scene scene_;
@@ -286,6 +294,7 @@ class Simulation {
   double reach_ = 1.0;         // m: length of a track that no step ends
   double epoch_length_ = 1.0;  // s, a power of two
   double last_impact_ = -1.0;  // s within the epoch
+  int at_once_ = 0;            // impacts before it at the same time
   CellGrid grid_;
   EventQueue queue_;
   std::vector<std::uint32_t> stamp_;  // by body, of its island; fixed bodies keep theirs
