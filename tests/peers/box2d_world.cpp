@@ -2,8 +2,8 @@
 
 #include "tests/peers/cases.h"
 
-// Box2D 2.4, with continuous collision on as it comes, sleeping off, and restitution at every speed: the
-// default of none below 1 m/s would stop most of these cases.
+// Box2D 2.4, with continuous collision on as it comes and sleeping off. Restitution holds at every speed; by
+// default it would at 1 m/s and more only.
 namespace carom::peers {
 namespace {
 

@@ -7,12 +7,11 @@
 // Cases of boxes of 1 m that lie on each other or on an incline.
 namespace carom::peers {
 
-inline constexpr double kRest = 10.0;       // s, how long a case is watched
+inline constexpr double kWatched = 10.0;    // s, how long a case is watched
 inline constexpr double kFallen = 0.5;      // m sideways
 inline constexpr double kMillimetre = 1e3;  // mm/m
 
-// Of boxes left to themselves: the top one is the last body. Lean is its drift to the right, sag its drift
-// down.
+// Of boxes left to themselves; the last body is the top. Lean is its drift to the right, sag its drift down.
 struct Settled {
   std::vector<Figure> figures;
   StepTimes times;
@@ -22,7 +21,7 @@ template <World W>
 Settled settle(const Scene& scene, double h) {
   W world(scene);
   double ever = kNone;
-  const StepTimes times = run(world, h, kRest, [&](double) { ever = std::max(ever, deepest(world)); });
+  const StepTimes times = run(world, h, kWatched, [&](double) { ever = std::max(ever, deepest(world)); });
   const std::vector<Motion> end = motions(world, scene);
   double farthest = 0.0;
   for (std::size_t i = 0; i < end.size(); ++i)
@@ -60,7 +59,7 @@ std::vector<Figure> incline_case(bool turned, double h) {
   const auto distance = [&](double tan_theta) {
     const Scene scene = incline(tan_theta, turned);
     W world(scene);
-    run(world, h, kRest);
+    run(world, h, kWatched);
     const Motion& from = scene.bodies.back().start;
     const Motion to = world.motion(1);
     const double theta = std::atan(tan_theta);
@@ -69,7 +68,7 @@ std::vector<Figure> incline_case(bool turned, double h) {
   };
   constexpr double kMu = 0.5;
   const double theta = std::atan(1.005 * kMu);
-  const double slid = 0.5 * Scene::kGravity * (std::sin(theta) - kMu * std::cos(theta)) * kRest * kRest;
+  const double slid = 0.5 * Scene::kGravity * (std::sin(theta) - kMu * std::cos(theta)) * kWatched * kWatched;
   return {{"creep at 0.995 mu", kMillimetre * distance(0.995 * kMu), "mm"},
           {"creep at 1.000 mu", kMillimetre * distance(kMu), "mm"},
           {"distance error at 1.005 mu", kMillimetre * (distance(1.005 * kMu) - slid), "mm"}};

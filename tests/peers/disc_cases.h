@@ -11,7 +11,7 @@ template <World W>
 std::vector<Figure> pile_case(int count, double h) {
   const Pile p = pile(count);
   W world(p.scene);
-  const StepTimes times = run(world, h, kRest);
+  const StepTimes times = run(world, h, kWatched);
   const std::vector<Motion> end = motions(world, p.scene);
   const Overlaps overlaps = disc_overlaps(p.scene, end, p.radius, {0.0, p.width, 0.0});
   return {{"step time mean", times.mean(), "ms"},
@@ -23,8 +23,8 @@ std::vector<Figure> pile_case(int count, double h) {
 
 inline constexpr double kDiscRadius = 0.25;  // m
 
-// A disc set down on a floor with v (m/s, to the right) and a clockwise spin ω (rad/s) ends rolling at (2v +
-// Rω)/3.
+// A disc set down on a floor with v (m/s, to the right) and a clockwise spin ω (rad/s); it ends rolling at
+// (2v + Rω)/3.
 template <World W>
 std::vector<Figure> rolling_case(double v, double clockwise, double h) {
   Scene scene{.bodies = {floor(100.0)}, .friction = 0.3};
@@ -77,7 +77,7 @@ std::vector<Figure> cradle_case(int count, double h) {
   const double before = kinetic_energy(scene, motions(world, scene));
   run(world, h, 3.0);
   const std::vector<Motion> end = motions(world, scene);
-  return {{"last ball's speed", end.back().vx, "m/s"},
+  return {{"speed of the last ball", end.back().vx, "m/s"},
           {"energy lost", 100.0 * (1.0 - kinetic_energy(scene, end) / before), "%"}};
 }
 
@@ -94,7 +94,7 @@ std::vector<Figure> overlapping_start_case(double h) {
   double fastest = 0.0;
   std::vector<Motion> last = motions(world, scene);
   double quickest = 0.0;
-  run(world, h, kRest, [&](double) {
+  run(world, h, kWatched, [&](double) {
     const std::vector<Motion> now = motions(world, scene);
     for (std::size_t i = 0; i < now.size(); ++i) {
       fastest = std::max(fastest, speed(now[i]));
@@ -116,7 +116,7 @@ std::vector<Figure> galperin_case(double ratio, double h) {
                   {{.x = 1.0}, Disc{kDiscRadius}, 1.0},
                   {{.x = 2.0, .vx = -1.0}, Disc{kDiscRadius}, ratio}};
   W world(scene);
-  run(world, h, kRest);
+  run(world, h, kWatched);
   return {{"collisions", static_cast<double>(world.contacts_begun()), "1"}};
 }
 
@@ -125,7 +125,7 @@ std::vector<Figure> gas_case(int count, double h) {
   const Scene scene = gas(count);
   W world(scene);
   const double before = kinetic_energy(scene, motions(world, scene));
-  const StepTimes times = run(world, h, kRest);
+  const StepTimes times = run(world, h, kWatched);
   const double after = kinetic_energy(scene, motions(world, scene));
   return {{"relative energy change", after / before - 1.0, "1"},
           {"collisions", static_cast<double>(world.contacts_begun()), "1"},

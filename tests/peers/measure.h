@@ -75,8 +75,8 @@ double deepest(const W& world) {
 
 [[nodiscard]] double speed(const Motion& m);                                                  // m/s
 [[nodiscard]] double kinetic_energy(const Scene& scene, const std::vector<Motion>& motions);  // J
-[[nodiscard]] double rms_speed(const Scene& scene,
-                               const std::vector<Motion>& motions);  // m/s, of what can move
+// Of what can move, in m/s.
+[[nodiscard]] double rms_speed(const Scene& scene, const std::vector<Motion>& motions);
 
 // Walls around discs: planes at these coordinates (m).
 struct Container {
@@ -85,8 +85,7 @@ struct Container {
   double floor = -std::numeric_limits<double>::infinity();
 };
 
-// Of discs of one radius, over the pairs that touch, disc and disc and disc and container, from the poses
-// alone.
+// From the poses alone, over the pairs that touch, of discs of one radius with each other and the container.
 struct Overlaps {
   double largest = 0.0;  // m
   double mean = 0.0;     // m
