@@ -20,11 +20,16 @@ constexpr double kStuck = 1e-6;
 // Of the size: a smaller overlap is rounding, and one beyond kDeep is taken away in parts.
 constexpr double kOverlap = 1e-12;
 constexpr double kDeep = 1e-3;
-// Contacts of a scene up to which islands are solved exactly; more get a fixed number of sweeps a step, from
-// the impulses of the step before.
+// Contacts of an island up to which it is solved exactly. A larger one gets a fixed number of sweeps a step,
+// for the forces from those of the step before: what is left over is less in each step that changes little.
 constexpr int kMostExact = 400;
-constexpr int kExactSweeps = 64;
-constexpr int kSweeps = 12;
+constexpr int kTouchSweeps = 6;
+constexpr int kForceSweeps = 10;
+constexpr int kProjectSweeps = 4;
+// Of what the forces change of a speed in a step, and of the size: closing speeds and overlaps that a crowd
+// leaves to the forces.
+constexpr double kCrowdClosing = 1e-3;
+constexpr double kCrowdOverlap = 1e-6;
 // Where the integrator's flight is not linear in the contact forces they are corrected this often.
 constexpr int kMostRounds = 12;
 
@@ -165,14 +170,13 @@ double Simulation::rolling_radius(int a, int b) const {
   return curvature > 0.0 ? 1.0 / curvature : 0.0;
 }
 
-ContactSolverOptions Simulation::contact_options() const {
+ContactSolverOptions Simulation::contact_options(int sweeps) const {
   const LastingContacts& l = lasting_;
   const double by_forces = l.acceleration.topRows<2>().colwise().norm().maxCoeff() * step_length_;
-  const bool exact = l.contacts.size() <= kMostExact;
   ContactSolverOptions options;
   options.tolerance = kSolved * by_forces + 16.0 * kEpsilon * l.before.topRows<2>().cwiseAbs().maxCoeff();
-  options.max_sweeps = exact ? kExactSweeps : kSweeps;
-  options.max_newton = exact ? 60 : 0;
+  options.most_exact = kMostExact;
+  options.crowd_sweeps = sweeps;
   options.slip_speed = kStuck * by_forces + options.tolerance;
   return options;
 }
@@ -187,9 +191,9 @@ void Simulation::project_contacts() {
     const double size = shapes_.size[a] + shapes_.size[b];
     deepest = std::max(deepest, -l.contacts.gap[i] / size);
   }
-  if (!(deepest > 16.0 * kOverlap)) return;
+  if (!(deepest > (l.contacts.size() > kMostExact ? kCrowdOverlap : 16.0 * kOverlap))) return;
   l.before = state_.v;
-  ContactSolverOptions options = contact_options();
+  ContactSolverOptions options = contact_options(kProjectSweeps);
   options.tolerance = kOverlap;
   project_overlaps(mass_, l.contacts, deepest > kDeep ? kOverlapFraction : 1.0, l.moved, options, l.workspace);
   const double before = field().potential_energy(state_.q);
@@ -235,14 +239,15 @@ void Simulation::touch_down(double h) {
   l.before.resize(3, n);
   for (int i = 0; i < n; ++i) l.before.col(i) = tracks_.settled(i).segment<3>(3);
   l.forces.clear();
-  const ContactSolverOptions options = contact_options();
+  const ContactSolverOptions options = contact_options(kTouchSweeps);
   double worst = 0.0;
   for (int i = 0; i < c.size(); ++i) {
     if (std::isfinite(c.target[i])) c.target[i] = -std::max(c.gap[i], 0.0) / h;
     worst = std::max(worst, c.target[i] - velocity_at(c, i, l.before).normal);
   }
   l.after = l.before;
-  if (worst > 2.0 * options.tolerance) {
+  const double share = c.size() > kMostExact ? kCrowdClosing / kSolved : 2.0;
+  if (worst > share * options.tolerance) {
     tell_residual(solve_contacts(mass_, c, l.after, options, l.workspace));
     book_contacts();
     for (int i = 0; i < n; ++i) {
@@ -277,7 +282,7 @@ void Simulation::find_contact_forces(double h) {
   }
   l.free.resize(3, n);
   for (int i = 0; i < n; ++i) l.free.col(i) = tracks_.at(i, h).segment<3>(3);
-  const ContactSolverOptions options = contact_options();
+  const ContactSolverOptions options = contact_options(kForceSweeps);
   l.sticks = c.sticks;
   ContactSolverReport report;
   for (int round = 0; round < kMostRounds; ++round) {

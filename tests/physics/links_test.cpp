@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <vector>
@@ -303,9 +304,8 @@ TEST(Links, AChainWithAHeavyEndStaysTogether) {
     s.forces.gravity = {0.0, -kGravity};
     const Vec2 along = Vec2(std::cos(0.2), -std::sin(0.2));
     for (int i = 1; i <= 30; ++i) {
-      s.bodies.push_back(disc("d" + std::to_string(i), 0.1 * i * along, {0, 0}, 0.02, i == 30 ? 10.0 : 0.01));
-      s.links.push_back(i == 1 ? rod("d1", {0, 0})
-                               : rod_to("d" + std::to_string(i), "d" + std::to_string(i - 1)));
+      s.bodies.push_back(disc(fmt::format("d{}", i), 0.1 * i * along, {0, 0}, 0.02, i == 30 ? 10.0 : 0.01));
+      s.links.push_back(i == 1 ? rod("d1", {0, 0}) : rod_to(fmt::format("d{}", i), fmt::format("d{}", i - 1)));
     }
     s.method = {IntegratorId::kRk4, impacts.id, ContactsId::kImpulse, 1.0 / 2000};
     Simulation run(s);
