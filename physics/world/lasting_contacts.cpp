@@ -20,16 +20,16 @@ constexpr double kStuck = 1e-6;
 // Of the size: a smaller overlap is rounding, and one beyond kDeep is taken away in parts.
 constexpr double kOverlap = 1e-12;
 constexpr double kDeep = 1e-3;
-// Contacts of an island up to which it is solved exactly. A larger one gets a fixed number of sweeps a step,
-// for the forces from those of the step before: what is left over is less in each step that changes little.
+// Contacts of an island up to which it is solved exactly. In a crowd the tolerance is kCrowdMotion of its
+// speeds, at most kCrowdSolved of what the forces change of a speed in a step: as it comes to rest it is solved
+// better and better, each step from the forces of the one before.
 constexpr int kMostExact = 400;
-constexpr int kTouchSweeps = 6;
-constexpr int kForceSweeps = 10;
-constexpr int kProjectSweeps = 4;
-// Of what the forces change of a speed in a step, and of the size: closing speeds and overlaps that a crowd
-// leaves to the forces.
-constexpr double kCrowdClosing = 1e-3;
-constexpr double kCrowdOverlap = 1e-6;
+constexpr double kCrowdMotion = 0.1;
+constexpr double kCrowdSolved = 1e-2;
+constexpr double kCrowdRest = 1e-7;
+constexpr double kCrowdOverlap = 1e-6;  // of the size
+constexpr int kCrowdSweeps = 40;
+constexpr int kCrowdProjectionSweeps = 20;
 // Where the integrator's flight is not linear in the contact forces they are corrected this often.
 constexpr int kMostRounds = 12;
 
@@ -170,13 +170,15 @@ double Simulation::rolling_radius(int a, int b) const {
   return curvature > 0.0 ? 1.0 / curvature : 0.0;
 }
 
-ContactSolverOptions Simulation::contact_options(int sweeps) const {
+ContactSolverOptions Simulation::contact_options() const {
   const LastingContacts& l = lasting_;
   const double by_forces = l.acceleration.topRows<2>().colwise().norm().maxCoeff() * step_length_;
   ContactSolverOptions options;
   options.tolerance = kSolved * by_forces + 16.0 * kEpsilon * l.before.topRows<2>().cwiseAbs().maxCoeff();
   options.most_exact = kMostExact;
-  options.crowd_sweeps = sweeps;
+  options.crowd_sweeps = kCrowdSweeps;
+  const double rms = std::sqrt(l.before.topRows<2>().squaredNorm() / static_cast<double>(l.before.cols()));
+  options.crowd_tolerance = std::clamp(kCrowdMotion * rms, kCrowdRest * by_forces, kCrowdSolved * by_forces);
   options.slip_speed = kStuck * by_forces + options.tolerance;
   return options;
 }
@@ -185,16 +187,19 @@ ContactSolverOptions Simulation::contact_options(int sweeps) const {
 void Simulation::project_contacts() {
   LastingContacts& l = lasting_;
   double deepest = 0.0;  // of the size
+  double size = 0.0;     // m, the least of an overlapping pair
   for (int i = 0; i < l.contacts.size(); ++i) {
-    const int a = l.contacts.a[i];
-    const int b = l.contacts.b[i];
-    const double size = shapes_.size[a] + shapes_.size[b];
-    deepest = std::max(deepest, -l.contacts.gap[i] / size);
+    if (!(l.contacts.gap[i] < 0.0)) continue;
+    const double of_pair = shapes_.size[l.contacts.a[i]] + shapes_.size[l.contacts.b[i]];
+    deepest = std::max(deepest, -l.contacts.gap[i] / of_pair);
+    size = size > 0.0 ? std::min(size, of_pair) : of_pair;
   }
   if (!(deepest > (l.contacts.size() > kMostExact ? kCrowdOverlap : 16.0 * kOverlap))) return;
   l.before = state_.v;
-  ContactSolverOptions options = contact_options(kProjectSweeps);
-  options.tolerance = kOverlap;
+  ContactSolverOptions options = contact_options();
+  options.tolerance = kOverlap * size;
+  options.crowd_tolerance = kCrowdOverlap * size;
+  options.crowd_sweeps = kCrowdProjectionSweeps;
   project_overlaps(mass_, l.contacts, deepest > kDeep ? kOverlapFraction : 1.0, l.moved, options, l.workspace);
   const double before = field().potential_energy(state_.q);
   for (int i = 0; i < state_.size(); ++i) {
@@ -239,15 +244,14 @@ void Simulation::touch_down(double h) {
   l.before.resize(3, n);
   for (int i = 0; i < n; ++i) l.before.col(i) = tracks_.settled(i).segment<3>(3);
   l.forces.clear();
-  const ContactSolverOptions options = contact_options(kTouchSweeps);
+  const ContactSolverOptions options = contact_options();
   double worst = 0.0;
   for (int i = 0; i < c.size(); ++i) {
     if (std::isfinite(c.target[i])) c.target[i] = -std::max(c.gap[i], 0.0) / h;
     worst = std::max(worst, c.target[i] - velocity_at(c, i, l.before).normal);
   }
   l.after = l.before;
-  const double share = c.size() > kMostExact ? kCrowdClosing / kSolved : 2.0;
-  if (worst > share * options.tolerance) {
+  if (worst > 2.0 * (c.size() > kMostExact ? options.crowd_tolerance : options.tolerance)) {
     tell_residual(solve_contacts(mass_, c, l.after, options, l.workspace));
     book_contacts();
     for (int i = 0; i < n; ++i) {
@@ -282,7 +286,7 @@ void Simulation::find_contact_forces(double h) {
   }
   l.free.resize(3, n);
   for (int i = 0; i < n; ++i) l.free.col(i) = tracks_.at(i, h).segment<3>(3);
-  const ContactSolverOptions options = contact_options(kForceSweeps);
+  const ContactSolverOptions options = contact_options();
   l.sticks = c.sticks;
   ContactSolverReport report;
   for (int round = 0; round < kMostRounds; ++round) {

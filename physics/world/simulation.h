@@ -212,7 +212,7 @@ class Simulation {
   void book_contacts();
   void tell_residual(const ContactSolverReport& report);
   void rebound_at_end(const std::vector<std::pair<int, int>>& pairs);
-  [[nodiscard]] ContactSolverOptions contact_options(int sweeps) const;
+  [[nodiscard]] ContactSolverOptions contact_options() const;
   // m/s: a contact that rebounds slower than this lasts, as what presses it would close it again within a step.
   [[nodiscard]] double rest_speed(int a, int b, const Vec2& normal, double restitution) const;
   [[nodiscard]] double rolling_radius(int a, int b) const;
