@@ -49,7 +49,7 @@ std::vector<StressCase> stress_cases(const std::vector<std::string>& ids) {
 
 StressVerdict verdict_of(double value, double limit) {
   if (std::isinf(limit)) return StressVerdict::kOnlyTold;
-  return std::abs(value) <= limit ? StressVerdict::kGood : StressVerdict::kFellShort;
+  return std::abs(value) <= limit ? StressVerdict::kWithin : StressVerdict::kBeyond;
 }
 
 StressSuite::StressSuite(std::vector<StressCase> cases, bool longer)

@@ -52,7 +52,7 @@ struct StressCase {
 // id.
 [[nodiscard]] std::vector<StressCase> stress_cases(const std::vector<std::string>& ids);
 
-enum class StressVerdict { kGood, kFellShort, kOnlyTold };
+enum class StressVerdict { kWithin, kBeyond, kOnlyTold };
 
 // One figure of one run.
 struct StressRow {

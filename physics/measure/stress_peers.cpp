@@ -77,8 +77,9 @@ std::string peers_text(std::string_view id, std::string_view figure, double valu
     text += p.engine;
     if (std::isinf(p.value)) text += " falls";
     if (std::isfinite(p.value)) text += fmt::format(" {:.3g}", p.value);
-    if (!(std::abs(p.value) >= std::abs(value)) && !std::isnan(p.value)) text += '*';
-    if (!p.note.empty()) text += fmt::format(std::isnan(p.value) ? " {}" : " ({})", p.note);
+    if (std::isfinite(p.value) && !(std::abs(p.value) >= std::abs(value))) text += '*';
+    if (!p.note.empty())
+      text += std::isnan(p.value) ? fmt::format(" {}", p.note) : fmt::format(" ({})", p.note);
   }
   return text;
 }

@@ -42,8 +42,8 @@ std::string change_text(double coarse, double fine) {
 
 std::string verdict_text(const StressRow& coarse, const StressRow& fine) {
   if (coarse.verdict == StressVerdict::kOnlyTold) return "told";
-  const bool at_step = coarse.verdict == StressVerdict::kGood;
-  const bool at_quarter = fine.verdict == StressVerdict::kGood;
+  const bool at_step = coarse.verdict == StressVerdict::kWithin;
+  const bool at_quarter = fine.verdict == StressVerdict::kWithin;
   if (at_step && at_quarter) return "good";
   return at_step ? "FELL SHORT at h/4" : at_quarter ? "FELL SHORT at h" : "FELL SHORT";
 }
@@ -58,9 +58,9 @@ std::string method_text(const Method& m) {
 
 std::string_view name_of(StressVerdict verdict) {
   switch (verdict) {
-    case StressVerdict::kGood:
+    case StressVerdict::kWithin:
       return "good";
-    case StressVerdict::kFellShort:
+    case StressVerdict::kBeyond:
       return "fell short";
     case StressVerdict::kOnlyTold:
       return "told";
