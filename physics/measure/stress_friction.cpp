@@ -111,9 +111,8 @@ constexpr StressFigure kWedgeFigures[] = {
     {"creep of the block", "m", kRest, kJammed},
 };
 
-constexpr double kDiscRadius = 0.1;  // m
-constexpr double kDiscSpin = 30.0;   // rad/s
-constexpr double kGrip = 0.5;
+constexpr double kDiscRadius = 0.25;  // m
+constexpr double kGrip = 0.3;
 
 // A disc set on a floor with this velocity and spin.
 Simulation disc_on_floor(const StressSetting& setting, double velocity, double spin, double rolling,
@@ -129,27 +128,28 @@ Simulation disc_on_floor(const StressSetting& setting, double velocity, double s
 }
 
 std::vector<double> spinning_disc(const StressSetting& setting) {
-  const double rolled = kDiscRadius * kDiscSpin / 3.0;
-  const Simulation rolls = disc_on_floor(setting, 0.0, -kDiscSpin, 0.0, 5.0);
-  const Simulation stops = disc_on_floor(setting, 0.0, -kDiscSpin, 0.05, 10.0);
-  return {rolls.state().v(0, 1) / rolled - 1.0, kDiscRadius * rolls.state().v(2, 1) / -rolled - 1.0,
+  constexpr double kSpin = 20.0;  // rad/s
+  constexpr double kRolled = kDiscRadius * kSpin / 3.0;
+  const Simulation rolls = disc_on_floor(setting, 0.0, -kSpin, 0.0, 3.0);
+  const Simulation stops = disc_on_floor(setting, 0.0, -kSpin, 0.05, 10.0);
+  return {rolls.state().v(0, 1) - kRolled, kDiscRadius * rolls.state().v(2, 1) + kRolled,
           std::max(stops.state().velocity(1).norm(), kDiscRadius * std::abs(stops.state().v(2, 1)))};
 }
 constexpr StressFigure kSpinningFigures[] = {
-    {"error of the final speed", "1", kRounding,
+    {"error of the final speed", "m/s", kRounding,
      "theory: Rω₀/3 whatever the friction does: the angular momentum about the floor is kept; 1e-9 is "
      "rounding"},
-    {"error of the final spin", "1", kRounding, "theory: rolling; 1e-9 is rounding"},
+    {"error of the final spin at the rim", "m/s", kRounding, "theory: rolling; 1e-9 m/s is rounding"},
     {"speed left with rolling resistance 0.05", "m/s", kRounding,
-     "theory: stops after 3.1 s of rolling; 1e-9 m/s is rounding"},
+     "theory: v/(c g/1.5) = 5.1 s of rolling and it stands; 1e-9 m/s is rounding"},
 };
 
 std::vector<double> slide_to_roll(const StressSetting& setting) {
-  constexpr double kSpeed = 1.0;  // m/s
-  const Simulation rolls = disc_on_floor(setting, kSpeed, 0.0, 0.0, 2.0);
-  return {rolls.state().v(0, 1) / (2.0 / 3.0 * kSpeed) - 1.0};
+  constexpr double kSpeed = 3.0;  // m/s
+  const Simulation rolls = disc_on_floor(setting, kSpeed, 0.0, 0.0, 3.0);
+  return {rolls.state().v(0, 1) - 2.0 / 3.0 * kSpeed};
 }
-constexpr StressFigure kSlideFigures[] = {{"error of the final speed", "1", kRounding,
+constexpr StressFigure kSlideFigures[] = {{"error of the final speed", "m/s", kRounding,
                                            "theory: 2v₀/3 whatever the friction does: the angular momentum "
                                            "about the floor is kept; 1e-9 is rounding"}};
 

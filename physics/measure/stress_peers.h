@@ -12,7 +12,8 @@ namespace carom {
 // one machine: Box2D 3.2 ("v3"; 4 sub-steps, single precision, stiffer when "tuned": its contact stiffness
 // raised with 64 sub-steps at 480 Hz), Box2D 2.4.1 ("2.4"; 8 velocity and 3 position iterations) and
 // Chipmunk 7.0.3
-// ("Cp"; 10 iterations), at 60 Hz unless the note says otherwise; sleeping off.
+// ("Cp"; 10 iterations), at 60 Hz unless the note says otherwise; sleeping off. The program carom_peers
+// (tests/peers) measures those of 2.4 and Cp again.
 struct StressPeer {
   std::string_view id;      // of the case
   std::string_view figure;  // its name there
