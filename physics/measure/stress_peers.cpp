@@ -7,6 +7,8 @@
 namespace carom {
 namespace {
 
+// Figures that differ by less are equal but for rounding, in any unit here.
+constexpr double kSame = 1e-12;
 constexpr double kFalls = std::numeric_limits<double>::infinity();
 constexpr double kStands = std::numeric_limits<double>::quiet_NaN();
 
@@ -89,7 +91,7 @@ std::string peers_text(std::string_view id, std::string_view figure, double valu
     text += p.engine;
     if (std::isinf(p.value)) text += " falls";
     if (std::isfinite(p.value)) text += fmt::format(" {:.3g}", p.value);
-    if (std::isfinite(p.value) && !(std::abs(p.value) >= std::abs(value))) text += '*';
+    if (std::isfinite(p.value) && !(std::abs(value) - std::abs(p.value) <= kSame)) text += '*';
     if (!p.note.empty())
       text += std::isnan(p.value) ? fmt::format(" {}", p.note) : fmt::format(" ({})", p.note);
   }

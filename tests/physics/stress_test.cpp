@@ -78,7 +78,10 @@ TEST(Stress, PeersStandBesideAFigureThatIsThere) {
 TEST(Stress, APeerThatIsBetterHasAStar) {
   EXPECT_EQ(peers_text("stack-40", "sag of the top", 3.0), "v3 540, v3 tuned 2.1*, 2.4 falls, Cp falls");
   EXPECT_EQ(peers_text("stack-40", "sag of the top", -1.0), "v3 540, v3 tuned 2.1, 2.4 falls, Cp falls");
-  EXPECT_EQ(peers_text("cradle-5", "relative change of the energy", std::nan("")), "v3 -0.44*, 2.4 -0.049*, Cp 0*");
+  EXPECT_EQ(peers_text("cradle-5", "relative change of the energy", std::nan("")),
+            "v3 -0.44*, 2.4 -0.049*, Cp 0*");
+  EXPECT_EQ(peers_text("galperin", "impacts off 314", 0.0), "v3 -300 (1 kHz), 2.4 -266 (1 kHz), Cp 0 (1 kHz)");
+  EXPECT_EQ(peers_text("spinning-disc", "error of the final speed", 2e-15), "2.4 0.0072, Cp 1.3e-15");
   EXPECT_EQ(peers_text("cradle-5", "largest speed of the others", 1.0), "");
 }
 
