@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "physics/collision/pair_contact.h"
 #include "physics/motion/drive.h"
@@ -323,6 +324,29 @@ void Simulation::tell_residual(const ContactSolverReport& report) {
   if (report.missed_islands == 0) return;
   if (notices_.contacts_left_since < 0.0) notices_.contacts_left_since = time_;
   notices_.contacts_left = std::max(notices_.contacts_left, report.residual);
+}
+
+// What has touched down within a step is held by a force against what presses it, so that it does not sink in
+// during the `left` s of the step.
+void Simulation::hold_until_step_end(int a, int b, const Contact& contact, double press, double left) {
+  const ImpactSide side_a = side(a, contact, 1.0);
+  const ImpactSide side_b = side(b, contact, -1.0);
+  const double force = press / contact_matrix(side_a, side_b, contact.normal).nn;
+  const double slip = relative_velocity(side_a, side_b, contact.normal).normal;
+  ledger_.lost_to_restitution -= force * left * slip;
+  for (const auto& [body, side, sign] : {std::tuple(a, side_a, -1.0), std::tuple(b, side_b, 1.0)}) {
+    if (immovable(body)) {
+      ledger_.momentum_to_walls += sign * force * left * contact.normal;
+      ledger_.put_in_by_drives -= sign * force * left * contact.normal.dot(tracks_.settled(body).segment<2>(3));
+      continue;
+    }
+    Eigen::Vector3d by = field().contact_acceleration(body);
+    by.head<2>() += sign * side.inverse_mass * force * contact.normal;
+    by[2] -= side.inverse_inertia * side.lever * force;
+    tracks_.set_contact_acceleration(body, by);
+    if (std::find(lasting_.pushed.begin(), lasting_.pushed.end(), body) == lasting_.pushed.end())
+      lasting_.pushed.push_back(body);
+  }
 }
 
 bool Simulation::holds(int a, int b) const {

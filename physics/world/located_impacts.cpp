@@ -226,6 +226,7 @@ void Simulation::judge(int a, int b, const Contact& contact, const Material& mat
   }
   if (lasts_) rest = std::max(rest, rest_speed(a, b, contact.normal, material.restitution));
   if (press > 0.0 && rebound < rest) {
+    if (lasts_) hold_until_step_end(a, b, contact, press, h - time);
     // Where the bounces that are left out can be summed up they would last that long.
     const bool exact = choice_of(kIntegrators, method_.integrator).exact_under_gravity;
     const double left = exact ? 2.0 * rebound / (press * (1.0 - material.restitution)) : 0.0;

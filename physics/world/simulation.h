@@ -210,6 +210,7 @@ class Simulation {
   void touch_down(double h);
   void find_contact_forces(double h);
   void book_contacts();
+  void hold_until_step_end(int a, int b, const Contact& contact, double press, double left);
   void tell_residual(const ContactSolverReport& report);
   void rebound_at_end(const std::vector<std::pair<int, int>>& pairs);
   [[nodiscard]] ContactSolverOptions contact_options() const;
