@@ -29,7 +29,7 @@ void Tracks::set_on(int a_switch, bool on) {
 double Tracks::flip(const Island& island, int a_switch, double time) {
   if (is_link(a_switch)) {
     set_on(a_switch, !is_on(a_switch));
-    if (is_on(a_switch)) jerk(island);
+    if (is_on(a_switch)) lost_to_links_ += jerk(island);
     forget(island);
     return 0.0;
   }
