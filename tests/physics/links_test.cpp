@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <vector>
@@ -93,9 +94,9 @@ constexpr std::array<double, 3> kDepths = {0.25, 0.6, 0.8};  // m, from the pin
 constexpr std::array<double, 3> kRadii = {0.2, 0.15, 0.0};
 Scene welded_pendulum() {
   Scene s = scene({});
+  const std::array<const char*, 3> names = {"a", "b", "c"};
   for (std::size_t i = 0; i < 3; ++i) {
-    s.bodies.push_back(disc(std::string(1, static_cast<char>('a' + i)), on_circle(kStart, kDepths[i]), {0, 0},
-                            kRadii[i], kMasses[i]));
+    s.bodies.push_back(disc(names[i], on_circle(kStart, kDepths[i]), {0, 0}, kRadii[i], kMasses[i]));
     s.bodies[i].angle = 0.4 * static_cast<double>(i);
   }
   s.forces.gravity = {0.0, -kGravity};
@@ -371,9 +372,8 @@ TEST(Links, AChainWithAHeavyEndStaysTogether) {
     s.forces.gravity = {0.0, -kGravity};
     const Vec2 along = Vec2(std::cos(0.2), -std::sin(0.2));
     for (int i = 1; i <= 30; ++i) {
-      s.bodies.push_back(disc("d" + std::to_string(i), 0.1 * i * along, {0, 0}, 0.02, i == 30 ? 10.0 : 0.01));
-      s.links.push_back(i == 1 ? rod("d1", {0, 0})
-                               : rod_to("d" + std::to_string(i), "d" + std::to_string(i - 1)));
+      s.bodies.push_back(disc(fmt::format("d{}", i), 0.1 * i * along, {0, 0}, 0.02, i == 30 ? 10.0 : 0.01));
+      s.links.push_back(i == 1 ? rod("d1", {0, 0}) : rod_to(fmt::format("d{}", i), fmt::format("d{}", i - 1)));
     }
     s.method = {IntegratorId::kRk4, impacts.id, ContactsId::kImpulse, 1.0 / 2000};
     Simulation run(s);

@@ -288,7 +288,7 @@ TEST(Sticking, AChainGathersBallByBall) {
     for (const auto& impacts : kImpacts) {
       Scene s = clay({disc("d0", {0, 0}, {3.0, 0}, 0.1, 1.0)});
       for (int i = 1; i < 8; ++i)
-        s.bodies.push_back(disc("d" + std::to_string(i), {0.3 * i, 0}, {0, 0}, 0.1, 1.0));
+        s.bodies.push_back(disc(fmt::format("d{}", i), {0.3 * i, 0}, {0, 0}, 0.1, 1.0));
       // Two that touch from the start, of which the second one feels nothing before the first is hit.
       s.bodies[7].position.x() = s.bodies[6].position.x() + 0.2;
       s.method = {choice.id, impacts.id, ContactsId::kImpulse, 0.005};
