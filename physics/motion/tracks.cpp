@@ -58,7 +58,8 @@ Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs&
     : field_(scene.forces, bodies, !scene.links.empty()),
       links_(scene.links, bodies),
       bodies_(bodies),
-      general_(needs.untrimmed) {
+      general_(needs.untrimmed),
+      let_go_at_(scene.links.size(), -1.0) {
   const int n = static_cast<int>(bodies.size());
   island_of_.assign(n, -1);
   settled_.resize(Eigen::NoChange, n);

@@ -205,6 +205,8 @@ class Tracks {
   double tolerance_missed_since_ = -1.0;
   double links_missed_since_ = -1.0;
   double lost_to_links_ = 0.0;
+  std::vector<double>
+      let_go_at_;  // s, absolute, by link: when a string last became taut and would have to push
 };
 
 }  // namespace carom
