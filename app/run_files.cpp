@@ -70,9 +70,10 @@ std::string run_csv_header(const Simulation& s) {
     }
   }
   return line +
-         ",lost_to_restitution [J],lost_to_friction [J],lost_to_rolling [J],lost_to_drag [J],"
-         "lost_to_dampers [J],lost_to_links [J],put_in_by_drives [J],put_in_by_user [J],overlap_correction [J],momentum_drift_x [N s],"
-         "momentum_drift_y [N s],momentum_to_walls_x [N s],momentum_to_walls_y [N s]";
+         ",lost_to_restitution [J],lost_to_friction [J],lost_to_rolling [J],lost_to_sticking [J],"
+         "lost_to_drag [J],lost_to_dampers [J],lost_to_links [J],put_in_by_drives [J],put_in_by_user [J],"
+         "overlap_correction [J],momentum_drift_x [N s],momentum_drift_y [N s],momentum_to_walls_x [N "
+         "s],momentum_to_walls_y [N s]";
 }
 
 std::string run_csv_line(const Simulation& s) {
@@ -88,9 +89,10 @@ std::string run_csv_line(const Simulation& s) {
     for (int row = 0; row < 3; ++row) line += fmt::format(",{}", s.state().v(row, i));
   }
   const Vec2 drift = l.momentum_drift(t.momentum);
-  for (const double value : {l.lost_to_restitution, l.lost_to_friction, l.lost_to_rolling, l.lost_to_drag,
-                             l.lost_to_dampers, l.lost_to_links, l.put_in_by_drives, l.put_in_by_user, l.overlap_correction,
-                             drift.x(), drift.y(), l.momentum_to_walls.x(), l.momentum_to_walls.y()}) {
+  for (const double value :
+       {l.lost_to_restitution, l.lost_to_friction, l.lost_to_rolling, l.lost_to_sticking, l.lost_to_drag,
+        l.lost_to_dampers, l.lost_to_links, l.put_in_by_drives, l.put_in_by_user, l.overlap_correction,
+        drift.x(), drift.y(), l.momentum_to_walls.x(), l.momentum_to_walls.y()}) {
     line += fmt::format(",{}", plain(value));
   }
   return line;
@@ -98,15 +100,16 @@ std::string run_csv_line(const Simulation& s) {
 
 std::string events_csv_header() {
   return "time [s],body_a,body_b,point_x [m],point_y [m],normal_x [1],normal_y [1],normal_impulse [N s],"
-         "tangential_impulse [N s],closing_speed [m/s],lost_to_restitution [J],lost_to_friction [J]";
+         "tangential_impulse [N s],closing_speed [m/s],lost_to_restitution [J],lost_to_friction [J],"
+         "lost_to_sticking [J]";
 }
 
 std::string events_csv_line(const Simulation& s, const ImpactRecord& i) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", i.time, csv_field(s.bodies()[i.a].name),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", i.time, csv_field(s.bodies()[i.a].name),
                      csv_field(s.bodies()[i.b].name), plain(i.point.x()), plain(i.point.y()),
                      plain(i.normal.x()), plain(i.normal.y()), plain(i.normal_impulse),
                      plain(i.tangential_impulse), plain(i.closing_speed), plain(i.lost_to_restitution),
-                     plain(i.lost_to_friction));
+                     plain(i.lost_to_friction), plain(i.lost_to_sticking));
 }
 
 }  // namespace carom

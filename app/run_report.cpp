@@ -45,6 +45,7 @@ std::string ledger_text(const Ledger& ledger, const Totals& now) {
   entry("lost to restitution", ledger.lost_to_restitution);
   entry("lost to friction", ledger.lost_to_friction);
   entry("lost to rolling", ledger.lost_to_rolling);
+  entry("lost to sticking", ledger.lost_to_sticking);
   entry("lost to drag", ledger.lost_to_drag);
   entry("lost to dampers", ledger.lost_to_dampers);
   entry("lost to links", ledger.lost_to_links);
@@ -155,6 +156,7 @@ std::string report_json(const std::string& preset, const Simulation& end) {
                  {"lost_to_restitution", ledger.lost_to_restitution},
                  {"lost_to_friction", ledger.lost_to_friction},
                  {"lost_to_rolling", ledger.lost_to_rolling},
+                 {"lost_to_sticking", ledger.lost_to_sticking},
                  {"lost_to_drag", ledger.lost_to_drag},
                  {"lost_to_dampers", ledger.lost_to_dampers},
                  {"lost_to_links", ledger.lost_to_links},

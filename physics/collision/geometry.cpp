@@ -47,9 +47,20 @@ Geometry geometry(const std::vector<Body>& bodies, const std::vector<Link>& link
   if (!links.empty()) {
     for (std::size_t i = 0; i < bodies.size(); ++i) index.emplace(bodies[i].name, static_cast<int>(i));
   }
+  g.welded.assign(bodies.size(), -1);
   for (const Link& link : links) {
-    if (link.kind == LinkKind::kPin && !link.to.empty())
-      g.pinned.push_back(std::minmax({index.at(link.body), index.at(link.to)}));
+    if (link.to.empty()) continue;
+    const int a = index.at(link.body);
+    const int b = index.at(link.to);
+    if (link.kind == LinkKind::kPin) g.pinned.push_back(std::minmax({a, b}));
+    if (link.kind != LinkKind::kWeld) continue;
+    // Both and all that they were welded to get one number.
+    const int from_a = g.welded[a];
+    const int from_b = g.welded[b];
+    for (int& number : g.welded) {
+      if (number >= 0 && (number == from_a || number == from_b)) number = a;
+    }
+    g.welded[a] = g.welded[b] = a;
   }
   std::sort(g.pinned.begin(), g.pinned.end());
   return g;

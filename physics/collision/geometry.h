@@ -22,11 +22,15 @@ struct Geometry {
   std::vector<std::uint8_t> fixed;          // immovable: fixed or driven
   std::vector<int> group;                   // bodies of one group >= 0 do not collide with each other
   std::vector<std::pair<int, int>> pinned;  // nor those that a pin joins; a < b, in rising order
+  std::vector<int> welded;                  // nor those that welds make one, whose number >= 0 is the same
 
   [[nodiscard]] bool is_disc(int i) const { return shapes.core[i] == Core::kPoint; }
   // Whether the two can collide at all.
   [[nodiscard]] bool can_meet(int a, int b) const {
-    if ((fixed[a] != 0 && fixed[b] != 0) || (group[a] >= 0 && group[a] == group[b])) return false;
+    if ((fixed[a] != 0 && fixed[b] != 0) || (group[a] >= 0 && group[a] == group[b]) ||
+        (welded[a] >= 0 && welded[a] == welded[b])) {
+      return false;
+    }
     return pinned.empty() ||
            !std::binary_search(pinned.begin(), pinned.end(), std::pair<int, int>(std::minmax(a, b)));
   }

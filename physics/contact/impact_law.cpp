@@ -43,17 +43,6 @@ Impact resolve_central(ImpactSide& a, ImpactSide& b, const Vec2& normal, const R
   return impact;
 }
 
-// j = -K⁻¹u; the loss u·K⁻¹u/2 as a sum of squares.
-Impact plastic_impact(const ContactMatrix& k, const RelativeVelocity& u) {
-  Impact impact;
-  impact.normal = (k.nt * u.tangential - k.tt * u.normal) / k.determinant;
-  impact.tangential = (k.nt * u.normal - k.nn * u.tangential) / k.determinant;
-  const double normal_once_stuck = u.normal - k.nt / k.tt * u.tangential;
-  impact.lost_to_sticking =
-      0.5 * (u.tangential * u.tangential / k.tt + normal_once_stuck * normal_once_stuck * k.tt / k.determinant);
-  return impact;
-}
-
 // Below this share of K_nn (K_nn + K_tt) a determinant is rounding.
 constexpr double kHeld = 1e-14;
 
@@ -81,28 +70,25 @@ ContactMatrix contact_matrix(const ImpactSide& a, const ImpactSide& b, const Vec
   return k;
 }
 
-Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const Material& material, ImpactLawId law,
-                 bool sticks) {
+Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const Material& material, ImpactLawId law) {
   if (!(k.determinant > kHeld * k.nn * (k.nn + k.tt))) {
     Impact impact;
     if (u.normal >= 0.0 || !(k.nn > 0.0)) return impact;
-    const double e = sticks ? 0.0 : material.restitution;
+    const double e = material.restitution;
     impact.normal = -(1.0 + e) * u.normal / k.nn;
-    (sticks ? impact.lost_to_sticking : impact.lost_to_restitution) =
-        0.5 * (1.0 - e * e) * u.normal * u.normal / k.nn;
+    impact.lost_to_restitution = 0.5 * (1.0 - e * e) * u.normal * u.normal / k.nn;
     return impact;
   }
-  if (sticks) return u.normal < 0.0 ? plastic_impact(k, u) : Impact{};
   return law == ImpactLawId::kNewton ? newton_impact(k, u, material) : energetic_impact(k, u, material);
 }
 
 Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Material& material,
-                      ImpactLawId law, bool sticks) {
+                      ImpactLawId law) {
   const RelativeVelocity u = relative_velocity(a, b, normal);
-  if (!sticks && unturned_by_normal(a) && unturned_by_normal(b)) {
+  if (unturned_by_normal(a) && unturned_by_normal(b)) {
     return resolve_central(a, b, normal, u, material);
   }
-  const Impact impact = impact_by(contact_matrix(a, b, normal), u, material, law, sticks);
+  const Impact impact = impact_by(contact_matrix(a, b, normal), u, material, law);
   const Vec2 j = impact.normal * normal + impact.tangential * Vec2(-normal.y(), normal.x());
   a.velocity -= a.inverse_mass * j;
   b.velocity += b.inverse_mass * j;

@@ -58,7 +58,7 @@ struct ContactMatrix {
 // two free bodies, links may hold them. See resolve_impact() for the laws. Tangential restitution is not used.
 // Where the contact point cannot move along the tangent (det K zero within rounding) friction has no part.
 [[nodiscard]] Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const Material& material,
-                               ImpactLawId law, bool sticks = false);
+                               ImpactLawId law);
 
 // Resolves one impact: changes both velocities and spins and says by which impulse. At least one side must be
 // movable. Bodies that separate (u_n > 0) get no impulse.
@@ -74,10 +74,7 @@ struct ContactMatrix {
 // Elsewhere `law` decides: see routh_path.h and newton_law.h. A contact at u_n = 0 that slips in a jam (K_nn <
 // μ_k |K_nt|, friction driving the bodies together) is resolved as the limit of u_n -> 0, an "impact without
 // collision"; any other contact at u_n = 0 gets no impulse.
-//
-// With `sticks` the impact is wholly plastic: u' = 0 in both directions, whatever the material; the impulse may
-// then pull. Whether the bodies stay joined is the caller's matter.
 [[nodiscard]] Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Material& material,
-                                    ImpactLawId law = ImpactLawId::kEnergetic, bool sticks = false);
+                                    ImpactLawId law = ImpactLawId::kEnergetic);
 
 }  // namespace carom

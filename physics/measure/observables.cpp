@@ -78,6 +78,7 @@ constexpr auto kObservables = std::to_array<Observable>({
     {"lost_to_restitution", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_restitution; }},
     {"lost_to_friction", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_friction; }},
     {"lost_to_rolling", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_rolling; }},
+    {"lost_to_sticking", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_sticking; }},
     {"lost_to_drag", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_drag; }},
     {"lost_to_dampers", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_dampers; }},
     {"lost_to_links", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_links; }},

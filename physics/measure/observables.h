@@ -36,10 +36,10 @@ struct Observable {
 // centres, impacts_between them so far. Of the scene: kinetic_energy, rotational_energy, potential_energy,
 // total_energy, momentum_x, momentum_y, momentum (its length), angular_momentum; time; impacts so far,
 // wall_impacts and wall_impulse (with fixed and driven bodies; the impulse is the sum of the normal ones),
-// mutual_impacts (of two free bodies); the ledger's lost_to_restitution, lost_to_friction, lost_to_rolling, lost_to_drag,
-// lost_to_dampers, lost_to_links, put_in_by_drives and numerical_drift. Over all moving bodies: rms_spin,
-// fastest (the largest speed), and lowest_y, highest_y, leftmost_x, rightmost_x, the edges of the rectangle
-// that holds them; zero if nothing moves.
+// mutual_impacts (of two free bodies); the ledger's lost_to_restitution, lost_to_friction, lost_to_rolling,
+// lost_to_sticking, lost_to_drag, lost_to_dampers, lost_to_links, put_in_by_drives and numerical_drift. Over
+// all moving bodies: rms_spin, fastest (the largest speed), and lowest_y, highest_y, leftmost_x, rightmost_x,
+// the edges of the rectangle that holds them; zero if nothing moves.
 [[nodiscard]] std::span<const Observable> observables();
 
 // nullptr if there is none of that name.

@@ -39,7 +39,8 @@ Links::Links(const std::vector<Link>& links, const std::vector<Body>& bodies) : 
     drives_.push_back(bodies[i].drive);
   }
   for (const Link& l : links) {
-    Laid laid{l.kind, index.at(l.body), -1, -1, l.point, l.anchor, 0.0};
+    Laid laid{l.kind, index.at(l.body), -1, -1, l.point, l.anchor, 0.0, 0.0, 1};
+    if (l.kind == LinkKind::kPin) laid.rows = 2;
     if (!l.to.empty()) {
       const int other = index.at(l.to);
       if (!is_immovable(bodies[other])) {
@@ -49,6 +50,8 @@ Links::Links(const std::vector<Link>& links, const std::vector<Body>& bodies) : 
         if (bodies[other].drive) laid.drive = other;
       }
     }
+    if (l.kind == LinkKind::kWeld)
+      lay_weld(laid, l, bodies[laid.body].angle, l.to.empty() ? 0.0 : bodies[index.at(l.to)].angle);
     Motions ends(kRows, 2);
     ends.col(0) = initial_motion(bodies[laid.body]);
     ends.col(1) = laid.other >= 0 ? initial_motion(bodies[laid.other]) : Motion(Motion::Zero());
@@ -61,6 +64,23 @@ Links::Links(const std::vector<Link>& links, const std::vector<Body>& bodies) : 
     const bool stays = std::abs(e.d.dot(e.u)) <= kTautAtStart * distance * speeds;
     taut_.push_back(l.kind != LinkKind::kString || (at_length && stays) ? 1 : 0);
   }
+}
+
+// Wherever the file puts it, a weld is the same if it is laid at the centre of one of its bodies. At that of
+// the lesser inertia (0 of a point-like body, which gets no row for its angle) the rows depend least on each
+// other. The angles are those of the bodies at the start, and `laid` is that of a pin so far.
+void Links::lay_weld(Laid& laid, const Link& link, double angle, double other_angle) const {
+  laid.angle = link.angle.value_or(angle - other_angle);
+  laid.point = Vec2::Zero();
+  if (laid.other >= 0 && mass_.inertia[laid.body] > mass_.inertia[laid.other]) {
+    laid.anchor = link.point - turned_by(-laid.angle, link.anchor);
+    laid.angle = -laid.angle;
+    std::swap(laid.body, laid.other);
+  } else {
+    if (laid.other < 0) laid.angle += other_angle;
+    laid.anchor -= turned_by(laid.angle, link.point);
+  }
+  laid.rows = mass_.inertia[laid.body] > 0.0 ? 3 : 2;
 }
 
 std::vector<std::pair<int, int>> Links::joined() const {
@@ -84,7 +104,7 @@ void Links::set_groups(const std::vector<std::vector<int>>& groups) {
       if (a < 0) continue;
       const int b = links_[l].other >= 0 ? column_of(links_[l].other) : -1;
       if (links_[l].kind == LinkKind::kString) g.strings.push_back(l);
-      for (int axis = 0; axis < (links_[l].kind == LinkKind::kPin ? 2 : 1); ++axis) {
+      for (int axis = 0; axis < links_[l].rows; ++axis) {
         const int i = static_cast<int>(g.rows.size());
         int first = i;
         for (const int column : {a, b}) {
@@ -157,10 +177,21 @@ Links::Ends Links::ends_of(const Laid& link, double t, const Motions& y, int a, 
 void Links::lay_row(Group& g, int i, double t, const Motions& y) const {
   const Row& row = g.rows[i];
   const Laid& link = links_[row.link];
+  if (row.axis == 2) {
+    const double angle_a = y(2, row.a);
+    const double angle_b = row.b >= 0 ? y(2, row.b) : 0.0;
+    g.gap[i] = angle_a - angle_b - link.angle;
+    g.size[i] = 1.0 + std::abs(angle_a) + std::abs(angle_b);
+    g.bend[i] = g.end_rate[i] = 0.0;
+    g.normal.col(i).setZero();
+    g.ja.col(i) = Eigen::Vector3d::UnitZ();
+    g.jb.col(i) = -Eigen::Vector3d::UnitZ();
+    return;
+  }
   const Ends e = ends_of(link, t, y, row.a, row.b);
   Vec2 n = row.axis == 0 ? Vec2::UnitX() : Vec2::UnitY();
   g.size[i] = e.size;
-  if (link.kind == LinkKind::kPin) {
+  if (link.rows > 1) {
     g.gap[i] = n.dot(e.d);
     g.bend[i] = n.dot(e.bend);
   } else {
@@ -340,7 +371,6 @@ bool Links::share(int group, double t, const Eigen::Matrix3Xd& change, Motions& 
     g.force[i] = g.gap[i] - along(g, i, change);
   }
   solve(g);
-  g.taken = 0.5 * g.gap.dot(g.force);
   const double most = rows > 0 ? g.force.cwiseAbs().maxCoeff() : 0.0;
   int pushes = -1;
   for (int i = 0; i < rows; ++i) {
@@ -361,7 +391,12 @@ double Links::jerk(int group, double t, Motions& y) {
   // Each round but the last lets one string go.
   while (!share(group, t, groups_[group].rest, y)) {
   }
-  return groups_[group].taken;
+  // Half of the impulses times what they changed: right to the second order in their rounding.
+  const Group& g = groups_[group];
+  double taken = 0.0;
+  for (int i = 0; i < static_cast<int>(g.rows.size()); ++i)
+    taken += 0.5 * g.force[i] * (g.gap[i] + g.end_rate[i] - along(g, i, v_of(y)));
+  return taken;
 }
 
 void Links::let_through(int group, double t, const Motions& y, Eigen::Matrix3Xd& change) {
@@ -371,6 +406,16 @@ void Links::let_through(int group, double t, const Motions& y, Eigen::Matrix3Xd&
   for (int i = 0; i < static_cast<int>(g.rows.size()); ++i) g.force[i] = -along(g, i, change);
   solve(g);
   apply(g, change);
+}
+
+Vec2 Links::impulse(int group, int link, int body) const {
+  const Group& g = groups_[group];
+  Vec2 sum = Vec2::Zero();
+  for (std::size_t i = 0; i < g.rows.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (g.rows[i].link == link) sum += g.force[row] * g.normal.col(row);
+  }
+  return links_[link].body == body ? sum : Vec2(-sum);
 }
 
 double Links::tension(int group, int link) const {

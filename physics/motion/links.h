@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -13,7 +14,8 @@ namespace carom {
 // The links of a scene, laid out for evaluation, and which strings are taut. Bodies that links join are
 // advanced together, as one group of columns. With d from the other end to the body's end, a rod or a taut
 // string is one row g = |d| - L with the normal n = d/|d|, a pin two rows g = n·d with n = x and y. J is the
-// gradient of g in the coordinates (x, y, angle) of the bodies, M their masses and inertias.
+// gradient of g in the coordinates (x, y, angle) of the bodies, M their masses and inertias. A weld has the
+// pin's rows, taken at the centre of the body of the lesser inertia, and the angle between the bodies.
 //
 // - In flight (add_forces) forces Jᵀλ keep g'' = 0: J M⁻¹Jᵀ λ = -(J a + J'v - n·a_end), with the
 //   accelerations a of the other forces and that of a driven end. So every integrator sees a smooth right-hand
@@ -22,6 +24,11 @@ namespace carom {
 //   velocities onto J v = n·v_end, both within rounding. A move of the order of the step's own error keeps the
 //   order. The same, section VII.2, "projection".
 // - At an impact (share) velocities change at once such that J v = n·v_end holds after it; strings only pull.
+// - A link that is new (jerk) makes its bodies move as it holds them by an impact that is wholly plastic: of
+// all
+//   velocities that it allows, those nearest to the ones before, by v·M v. So whatever the bodies exchange
+//   through it has no part in their momentum and angular momentum, and what is lost is ½ uᵀ(J M⁻¹Jᵀ)⁻¹u, with
+//   u = J v - n·v_end before.
 //
 // J M⁻¹Jᵀ is factored as L D Lᵀ within its skyline: a chain costs time in proportion to its length. A row that
 // depends on those before it (a frame with more rods than it needs) gets no force of its own.
@@ -46,8 +53,8 @@ class Links {
   // Changes velocities at once by `change` (columns v, as many as members) and by what the links add to it.
   // False if a string would have to push: it is slack then, and nothing else has happened.
   [[nodiscard]] bool share(int group, double t, const Eigen::Matrix3Xd& change, Motions& y);
-  // The plastic impact that keeps taut strings from growing; the energy in J that it takes. Strings that would
-  // have to push let go.
+  // The plastic impact that keeps taut strings from growing and makes new links hold; the energy in J that it
+  // takes. Strings that would have to push let go.
   double jerk(int group, double t, Motions& y);
   // The part of `change` that the links let through.
   void let_through(int group, double t, const Motions& y, Eigen::Matrix3Xd& change);
@@ -56,7 +63,10 @@ class Links {
   [[nodiscard]] const std::vector<int>& strings(int group) const { return groups_[group].strings; }
   [[nodiscard]] bool taut(int link) const { return taut_[link] != 0; }
   void set_taut(int link, bool on) { taut_[link] = on ? 1 : 0; }
-  void take_over(const Links& other) { taut_ = other.taut_; }  // of the same links
+  // Of the same links, the last of which may be missing there.
+  void take_over(const Links& other) { std::copy(other.taut_.begin(), other.taut_.end(), taut_.begin()); }
+  // N s: what a link gave to `body`, at one of its ends, in the last share() or jerk() of the group.
+  [[nodiscard]] Vec2 impulse(int group, int link, int body) const;
   // N: what a taut string pulled with when add_forces() was called last.
   [[nodiscard]] double tension(int group, int link) const;
   // m: how far a string is longer than its length; a rounding below zero for one at its length.
@@ -71,6 +81,8 @@ class Links {
     Vec2 point;
     Vec2 anchor;    // on the other body, or of the plane; where a driven body's home is added
     double length;  // m
+    double angle;   // rad, of a weld
+    int rows;
   };
   struct Ends {
     Vec2 arm_a, arm_b;  // m, turned
@@ -82,7 +94,7 @@ class Links {
   };
   struct Row {
     int link;
-    int axis;              // of a pin; 0 for others
+    int axis;              // of a pin or a weld: x, y, angle; 0 for others
     int a, b;              // columns; b = -1: no movable body
     int first;             // skyline: the first column of this row
     std::size_t offset;    // of column 0 of this row in the matrix, were it stored from there on
@@ -98,11 +110,11 @@ class Links {
     Eigen::Matrix2Xd normal;
     Eigen::VectorXd gap, bend, end_rate, size, force;
     Eigen::Matrix3Xd rest;   // no change
-    double taken = 0.0;      // J: by share() out of velocities that the links don't allow
     Eigen::VectorXd matrix;  // J M⁻¹Jᵀ within its skyline, then L
     Eigen::VectorXd inverse_pivot;
   };
 
+  void lay_weld(Laid& laid, const Link& link, double angle, double other_angle) const;
   [[nodiscard]] Ends ends_of(const Laid& link, double t, const Motions& y, int a, int b) const;
   void lay_row(Group& g, int row, double t, const Motions& y) const;
   void lay_rows(Group& g, double t, const Motions& y) const;

@@ -89,12 +89,19 @@ bool Tracks::push(int a, int b, const Eigen::Vector3d& a_by, const Eigen::Vector
   return true;
 }
 
-// A string has become taut: the plastic impact that stops it from growing. Others that would have to push let
-// go.
-void Tracks::jerk(const Island& island) {
+// A string has become taut, or a link is new: the plastic impact that makes it hold. Strings that would have to
+// push let go.
+double Tracks::jerk(const Island& island) {
   gather(island);
-  lost_to_links_ += links_.jerk(island.group, epoch_ + island.start, groups_[island.group].from);
+  const double taken = links_.jerk(island.group, epoch_ + island.start, groups_[island.group].from);
   spread(island);
+  return taken;
+}
+
+Tracks::Catch Tracks::catch_by(int link, int body) {
+  const Island& island = islands_[island_of_[body]];
+  const double taken = jerk(island);
+  return {taken, links_.impulse(island.group, link, body)};
 }
 
 }  // namespace carom

@@ -29,7 +29,10 @@ void Tracks::set_on(int a_switch, bool on) {
 double Tracks::flip(const Island& island, int a_switch, double time) {
   if (is_link(a_switch)) {
     set_on(a_switch, !is_on(a_switch));
-    if (is_on(a_switch)) jerk(island);
+    if (is_on(a_switch)) {
+      lost_to_links_ += jerk(island);
+      if (!is_on(a_switch)) let_go_at_[a_switch - field_.springs()] = epoch_ + time;
+    }
     forget(island);
     return 0.0;
   }
@@ -88,6 +91,8 @@ void Tracks::find_switch(Island& island) {
       seen = seen || m > 0.0;
     }
     if (seen || !(margin_before < 0.0)) return;
+    // A push out of an overlap may have left a slack string too long, though its ends approach.
+    if (is_link(a_switch) && let_go_at_[a_switch - field_.springs()] == epoch_ + island.start) return;
     const bool on = is_on(a_switch);
     set_on(a_switch, !on);
     forget(island);

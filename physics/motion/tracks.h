@@ -40,8 +40,8 @@ class Tracks {
   // In rising order.
   [[nodiscard]] std::span<const int> members(int island) const { return members_of(islands_[island]); }
 
-  // Takes over the motions, switched springs and counts of other tracks of the same bodies, some of which may
-  // be missing there, at this absolute time, which is the new epoch.
+  // Takes over the epoch, switched springs and counts of other tracks, and all motions as they are there at a
+  // time at which each is known, settled. The last bodies and the last link may be missing there.
   void take_over(Tracks& other, double time);
   // All islands start anew at this absolute time, from the motions that they have.
   void begin(double epoch);
@@ -101,6 +101,13 @@ class Tracks {
   // push: it is slack from then on, and the answer is another one.
   void answer(int a, int b, Eigen::Vector3d& a_by, Eigen::Vector3d& b_by);
   [[nodiscard]] bool push(int a, int b, const Eigen::Vector3d& a_by, const Eigen::Vector3d& b_by);
+  // The plastic impact that makes a link hold which has been put in, between settled bodies: the energy in J
+  // that it takes, and the impulse in N s on `body`, at one end of it.
+  struct Catch {
+    double taken;
+    Vec2 impulse;
+  };
+  [[nodiscard]] Catch catch_by(int link, int body);
   // Settles a linked island's positions and velocities onto its links again, after positions were set.
   void restore_links(int island);
   // Settles an island at its track's end, where a spring may switch; the energy in J that a spring let go with
@@ -167,7 +174,7 @@ class Tracks {
     return field_.has_switching_springs() || (island.group >= 0 && !links_.strings(island.group).empty());
   }
   double flip(const Island& island, int a_switch, double time);
-  void jerk(const Island& island);
+  double jerk(const Island& island);  // J: what it takes
   [[nodiscard]] double margin_at(const Island& island, int a_switch, double time);
   [[nodiscard]] bool is_on(int a_switch) const {
     return is_link(a_switch) ? links_.taut(a_switch - field_.springs()) : field_.engaged(a_switch);
@@ -201,6 +208,8 @@ class Tracks {
   double tolerance_missed_since_ = -1.0;
   double links_missed_since_ = -1.0;
   double lost_to_links_ = 0.0;
+  std::vector<double>
+      let_go_at_;  // s, absolute, by link: when a string last became taut and would have to push
 };
 
 }  // namespace carom

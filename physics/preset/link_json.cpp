@@ -24,6 +24,7 @@ Link read_link(const Json& json, const std::string& place) {
         r.at("anchor"));
   }
   r.read("length", link.length);
+  r.read("angle", link.angle);
   r.finish();
   return link;
 }
@@ -41,6 +42,7 @@ Json link_json(const Link& link, bool all) {
     w.put("anchor", link.anchor, Vec2(Vec2::Zero()));
   }
   if (link.length) w.json["length"] = *link.length;
+  if (link.angle) w.json["angle"] = *link.angle;
   return w.json;
 }
 

@@ -51,6 +51,7 @@ inline constexpr auto kLinkNames = std::to_array<std::pair<LinkKind, std::string
     {LinkKind::kRod, "rod"},
     {LinkKind::kString, "string"},
     {LinkKind::kPin, "pin"},
+    {LinkKind::kWeld, "weld"},
 });
 
 inline constexpr auto kPlotNames =

@@ -38,6 +38,7 @@ void read_surface(ObjectReader& r, Material& m) {
   m.static_friction = m.kinetic_friction;
   r.read("static_friction", m.static_friction);
   r.read("rolling_resistance", m.rolling_resistance);
+  r.read("sticks", m.sticks);
 }
 
 Material read_material(const Json& json, const std::string& place) {

@@ -77,6 +77,7 @@ Json surface_json(Json j, const Material& m) {
   j["static_friction"] = m.static_friction;
   j["kinetic_friction"] = m.kinetic_friction;
   j["rolling_resistance"] = m.rolling_resistance;
+  if (m.sticks) j["sticks"] = true;
   return j;
 }
 

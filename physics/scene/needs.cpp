@@ -18,6 +18,8 @@ struct Facts {
   bool accelerating = false;  // ... and changes its velocity
   bool rub = false;           // two bodies that can meet have kinetic friction
   bool yield = false;         // two bodies that can meet have restitution below 1
+  bool sticks = false;        // two bodies that can meet would stay joined
+  bool sticky = false;        // a surface of the scene sticks, whether a body has it or not
   bool springs = false;
   bool coupling_springs = false;
   bool dampers = false;
@@ -51,8 +53,10 @@ void look_at_materials(const Scene& scene, const std::vector<Body>& bodies, Fact
       const Material m = meeting(scene, name_a, name_b);
       facts.rub = facts.rub || m.kinetic_friction > 0.0;
       facts.yield = facts.yield || m.restitution < 1.0;
+      facts.sticks = facts.sticks || m.sticks;
     }
   }
+  facts.sticky = has_sticking_surface(scene);
 }
 
 void look_at_forces(const Scene& scene, const std::vector<Body>& bodies, Facts& facts) {
@@ -86,8 +90,8 @@ void look_at_links(const Scene& scene, Facts& facts) {
   for (const Link& l : scene.links) {
     facts.links = true;
     facts.strings = facts.strings || l.kind == LinkKind::kString;
-    facts.turning_links =
-        facts.turning_links || !l.point.isZero(0.0) || (!l.to.empty() && !l.anchor.isZero(0.0));
+    facts.turning_links = facts.turning_links || l.kind == LinkKind::kWeld || !l.point.isZero(0.0) ||
+                          (!l.to.empty() && !l.anchor.isZero(0.0));
   }
   facts.switched = facts.switched || facts.strings;
 }
@@ -122,20 +126,21 @@ Needs needs_of(const Scene& scene) {
   // Without friction nothing turns a disc but a torque, and impacts turn all other shapes. Tangential
   // restitution acts only within the bound that kinetic friction sets, so it needs friction as well.
   n.friction = f.rub;
-  n.rotation = f.spinning || f.torques || f.rub || f.turning_links || (meet && f.cornered);
-  n.smooth_forces = f.drag || f.springs || f.links || f.attraction || f.pushes || f.torques;
+  n.rotation = f.spinning || f.torques || f.rub || f.turning_links || f.sticks || (meet && f.cornered);
+  const bool links = f.links || f.sticks;
+  n.smooth_forces = f.drag || f.springs || links || f.attraction || f.pushes || f.torques;
   n.velocity_forces = f.drag || f.dampers;
   n.coupled_forces = f.coupling_springs || f.attraction;
-  n.links = f.links;
+  n.links = links;
   n.drives = f.driven || f.pushes || f.torques;
   n.switching = f.switched;
   // Uniform gravity gives two free bodies the same acceleration: it presses only against immovable ones. With
   // e = 1 and no relative acceleration every impact parts its pair for good; with e < 1 several bodies can
   // collapse onto one another.
-  const bool relative_acceleration = f.drag || f.springs || f.links || f.attraction || f.pushes ||
+  const bool relative_acceleration = f.drag || f.springs || links || f.attraction || f.pushes ||
                                      f.accelerating || (!scene.forces.gravity.isZero(0.0) && f.immovable > 0);
   n.lasting_contacts = meet && (relative_acceleration || f.yield);
-  n.closed_form_flight = !f.drag && !f.springs && !f.links && !f.attraction && !f.timed;
+  n.closed_form_flight = !f.drag && !f.springs && !f.links && !f.sticky && !f.attraction && !f.timed;
   return n;
 }
 
@@ -154,6 +159,7 @@ NeedsText text_of(const Needs& needs, const Scene& scene) {
   modelled("springs", f.springs);
   modelled("dampers", f.dampers);
   modelled("links", f.links);
+  modelled("sticking", f.sticks);
   modelled("attraction", f.attraction);
   modelled("applied forces", f.pushes || f.torques);
   either("rotation", needs.rotation);
@@ -174,6 +180,7 @@ std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator) 
   if (f.drag) with.emplace_back("drag");
   if (f.springs) with.emplace_back("springs");
   if (f.links) with.emplace_back("links");
+  if (f.sticky) with.emplace_back("surfaces that stick");
   if (f.attraction) with.emplace_back("attraction");
   if (f.timed) with.emplace_back("forces that start, rise or end");
   if (with.empty()) return std::nullopt;

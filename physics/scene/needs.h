@@ -16,7 +16,7 @@ struct Needs {
   bool smooth_forces = true;     // anything but uniform gravity acts in flight
   bool velocity_forces = true;   // drag or dampers: forces that take energy in flight
   bool coupled_forces = true;    // springs between free bodies, attraction: bodies can't be advanced one by one
-  bool links = true;             // rods, strings, pins: bodies can't be advanced one by one
+  bool links = true;             // rods, strings, pins, welds, bodies that stick: can't be advanced one by one
   bool drives = true;            // bodies that move as they are told, or applied forces
   bool switching = true;         // one-sided springs, forces that start or end: moments to be located
   bool lasting_contacts = true;  // something can press bodies together for a while

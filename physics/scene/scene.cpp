@@ -25,6 +25,7 @@ Material mixed(const Material& a, const Material& b) {
   m.static_friction = std::sqrt(a.static_friction * b.static_friction);
   m.kinetic_friction = std::sqrt(a.kinetic_friction * b.kinetic_friction);
   m.rolling_resistance = std::sqrt(a.rolling_resistance * b.rolling_resistance);
+  m.sticks = a.sticks || b.sticks;
   return m;
 }
 
@@ -54,6 +55,13 @@ Material meeting(const Scene& scene, const std::string& a, const std::string& b)
   });
   if (found != scene.pairs.end()) return found->surface;
   return mixed(material_named(scene, a), material_named(scene, b));
+}
+
+bool has_sticking_surface(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& m) { return m.sticks; }) ||
+         std::any_of(scene.pairs.begin(), scene.pairs.end(),
+                     [](const MaterialPair& p) { return p.surface.sticks; });
 }
 
 std::vector<Body> all_bodies(const Scene& scene) {

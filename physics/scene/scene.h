@@ -22,6 +22,9 @@ struct Material {
   // Dimensionless, >= 0: where a disc of radius R rolls under the normal force N, a moment of up to this times
   // R N resists. Of lasting contacts only.
   double rolling_resistance = 0.0;
+  // From their first impact on the two bodies stay joined; nothing else of the surface matters then. Two
+  // materials stick if one of them does.
+  bool sticks = false;
 
   bool operator==(const Material&) const = default;
 };
@@ -94,7 +97,8 @@ struct Spring {
 enum class LinkKind {
   kRod,     // their distance
   kString,  // their distance from growing beyond the length: it pulls or hangs slack, and jerks taut
-  kPin      // both at one place: the bodies turn about it, and don't collide with one another
+  kPin,     // both at one place: the bodies turn about it, and don't collide with one another
+  kWeld     // both at one place, and the angle between the bodies: they move as one, and don't collide
 };
 
 // A link without mass between a point of a body and a point of another body or of the plane. Its forces do no
@@ -107,6 +111,9 @@ struct Link {
   std::string to;                // the body at the other end; empty: the plane
   Vec2 anchor = Vec2::Zero();    // m, from that body's centre along its own axes, or a point of the plane
   std::optional<double> length;  // m, > 0, of a rod or a string; none: the distance at the start
+  // rad, of a weld: the body's angle less that of the body at the other end (0 of the plane); none: as at the
+  // start. A point-like body has no angle to keep.
+  std::optional<double> angle;
 };
 
 // Every two moving bodies attract: F = G m_a m_b d / (d² + ε²)^(3/2) along the line of their centres (Plummer).
@@ -259,6 +266,9 @@ struct Scene {
 [[nodiscard]] Material material_named(const Scene& scene, const std::string& name);
 // How surfaces of these two materials meet: as a pair of the scene says, else by `mixed`.
 [[nodiscard]] Material meeting(const Scene& scene, const std::string& a, const std::string& b);
+
+// True if a material or a pair of materials sticks, whether any body has it or not.
+[[nodiscard]] bool has_sticking_surface(const Scene& scene);
 
 // All bodies: those of the list, then those of the generators in order.
 [[nodiscard]] std::vector<Body> all_bodies(const Scene& scene);

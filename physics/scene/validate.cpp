@@ -310,6 +310,12 @@ void validate(const Scene& scene, const ForcePlaces& places) {
   for (const Body& b : all) bodies.emplace(b.name, &b);
   check_forces(scene.forces, places, bodies);
   check_links(scene, all);
+  if (scene.several_impacts == SeveralImpactsId::kSimultaneous &&
+      (!scene.links.empty() || has_sticking_surface(scene))) {
+    refuse_value("/several_impacts",
+                 fmt::format("\"simultaneous\" with {}", scene.links.empty() ? "surfaces that stick" : "links"),
+                 "\"pairwise\": impacts of linked bodies go pair by pair");
+  }
   if (const auto reason = why_not(scene, scene.method.integrator))
     throw SceneError("/method/integrator: " + *reason);
   for (std::size_t i = 0; i < scene.expect.size(); ++i)

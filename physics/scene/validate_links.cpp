@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -22,6 +23,24 @@ void check_vector(const std::string& place, const Vec2& value) {
   }
 }
 
+std::string_view name_of_kind(LinkKind kind) { return kind == LinkKind::kPin ? "pin" : "weld"; }
+
+// The angle of a weld at the start, and how it changes; a point-like body has none.
+void check_weld(const std::string& at, const Link& link, const Body& body, const Body* other) {
+  if (inertia_of(body) == 0.0 || (other != nullptr && inertia_of(*other) == 0.0)) return;
+  const double angle = body.angle - (other != nullptr ? other->angle : 0.0);
+  if (link.angle && std::abs(angle - *link.angle) > kSlack * (1.0 + std::abs(angle))) {
+    refuse_value(at + "/angle", fmt::format("{} of bodies that are turned by {} rad", *link.angle, angle),
+                 "their angle, or no \"angle\"");
+  }
+  const double other_spin = other != nullptr ? other->spin : 0.0;
+  if (std::abs(body.spin - other_spin) > kSlack * (std::abs(body.spin) + std::abs(other_spin))) {
+    refuse_value(
+        at, fmt::format("a weld of bodies that turn against each other at {} rad/s", body.spin - other_spin),
+        "equal spins");
+  }
+}
+
 // Where the ends are at the start, and how they move.
 void check_start(const std::string& at, const Link& link, const Body& body, const Body* other) {
   const Motion a = initial_motion(body);
@@ -33,12 +52,15 @@ void check_start(const std::string& at, const Link& link, const Body& body, cons
   const double distance = d.norm();
   const double speeds = a.segment<2>(3).norm() + b.segment<2>(3).norm() + std::abs(a[5]) * arm_a.norm() +
                         std::abs(b[5]) * arm_b.norm();
-  if (link.kind == LinkKind::kPin) {
+  if (link.kind == LinkKind::kPin || link.kind == LinkKind::kWeld) {
+    const std::string_view kind = name_of_kind(link.kind);
     const double size = a.head<2>().norm() + b.head<2>().norm() + arm_a.norm() + arm_b.norm();
     if (distance > kSlack * size)
-      refuse_value(at, fmt::format("a pin whose ends are {} m apart", distance), "ends at one place");
+      refuse_value(at, fmt::format("a {} whose ends are {} m apart", kind, distance), "ends at one place");
     if (u.norm() > kSlack * speeds)
-      refuse_value(at, fmt::format("a pin whose ends part at {} m/s", u.norm()), "ends that move together");
+      refuse_value(at, fmt::format("a {} whose ends part at {} m/s", kind, u.norm()),
+                   "ends that move together");
+    if (link.kind == LinkKind::kWeld) check_weld(at, link, body, other);
     return;
   }
   const double length = link.length.value_or(distance);
@@ -89,10 +111,20 @@ void check_links(const Scene& scene, const std::vector<Body>& bodies) {
     check_vector(at + "/point", link.point);
     check_vector(at + "/anchor", link.anchor);
     if (link.length) {
-      if (link.kind == LinkKind::kPin) refuse_value(at + "/length", "the length of a pin", "none");
+      if (link.kind == LinkKind::kPin || link.kind == LinkKind::kWeld) {
+        refuse_value(at + "/length", fmt::format("the length of a {}", name_of_kind(link.kind)), "none");
+      }
       if (!(*link.length >= kLeastPositive && *link.length <= kLargestNumber)) {
         refuse_value(at + "/length", fmt::format("{}", *link.length),
                      fmt::format("a number from {} to {} m", kLeastPositive, kLargestNumber));
+      }
+    }
+    if (link.angle) {
+      if (link.kind != LinkKind::kWeld)
+        refuse_value(at + "/angle", "the angle of what turns", "none but a weld's");
+      if (!(std::abs(*link.angle) <= kLargestNumber)) {
+        refuse_value(at + "/angle", fmt::format("{}", *link.angle),
+                     fmt::format("a number from -{0} to {0} rad", kLargestNumber));
       }
     }
     check_start(at, link, *body, other);

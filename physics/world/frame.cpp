@@ -9,7 +9,9 @@ Sample sample_of(const Simulation& simulation) {
   s.totals = simulation.totals();
   s.lost_to_restitution = ledger.lost_to_restitution;
   s.lost_to_friction = ledger.lost_to_friction;
-  s.lost_in_flight = ledger.lost_to_drag + ledger.lost_to_dampers;
+  s.lost_to_sticking = ledger.lost_to_sticking;
+  s.lost_in_flight =
+      ledger.lost_to_drag + ledger.lost_to_dampers + ledger.lost_to_rolling + ledger.lost_to_links;
   s.put_in = ledger.put_in_by_drives + ledger.put_in_by_user + ledger.overlap_correction;
   s.drift = ledger.numerical_drift(s.totals.energy());
   s.momentum_drift = ledger.momentum_drift(s.totals.momentum);
@@ -35,6 +37,7 @@ void append_samples(const Simulation& simulation, std::vector<Sample>& samples) 
   for (const ImpactRecord& impact : simulation.last_impacts()) {
     at.lost_to_restitution -= impact.lost_to_restitution;
     at.lost_to_friction -= impact.lost_to_friction;
+    at.lost_to_sticking -= impact.lost_to_sticking;
   }
   // The jumps are those of the first impacts.
   const std::vector<Jump>& jumps = simulation.last_jumps();
@@ -45,6 +48,7 @@ void append_samples(const Simulation& simulation, std::vector<Sample>& samples) 
     samples.push_back(at);
     at.lost_to_restitution += impact.lost_to_restitution;
     at.lost_to_friction += impact.lost_to_friction;
+    at.lost_to_sticking += impact.lost_to_sticking;
     at.totals = jumps[i].after;
     samples.push_back(at);
   }

@@ -10,13 +10,15 @@
 namespace carom {
 
 // The scene's sums at one moment, for plots. The ledger's part is in J and N s since the start:
-//   energy = initial - lost_to_restitution - lost_to_friction - lost_in_flight + put_in + drift.
+//   energy = initial - lost_to_restitution - lost_to_friction - lost_to_sticking - lost_in_flight + put_in +
+//   drift.
 struct Sample {
   double time = 0.0;  // s
   Totals totals;
   double lost_to_restitution = 0.0;
   double lost_to_friction = 0.0;
-  double lost_in_flight = 0.0;  // to drag and dampers
+  double lost_to_sticking = 0.0;
+  double lost_in_flight = 0.0;  // to drag, dampers, rolling resistance, and strings that jerked taut
   double put_in = 0.0;          // by drives, by the user and by the pseudo-spring
   double drift = 0.0;           // numerical
   Vec2 momentum_drift = Vec2::Zero();

@@ -6,8 +6,8 @@ namespace carom {
 
 // Where the energy of a run went since it began, in J:
 //   E(t) = initial - lost_to_restitution - lost_to_friction - lost_to_drag - lost_to_dampers
-//          - lost_to_rolling - lost_to_links + overlap_correction + put_in_by_drives + put_in_by_user +
-//          numerical drift,
+//          - lost_to_rolling - lost_to_sticking - lost_to_links + overlap_correction + put_in_by_drives
+//          + put_in_by_user + numerical drift,
 // so the drift is what the method itself gained (+) or lost (-). The same for momentum, in N s:
 //   P(t) = initial_momentum + momentum_from_gravity + momentum_from_forces + momentum_from_user
 //          - momentum_to_walls + numerical drift.
@@ -15,7 +15,8 @@ struct Ledger {
   double initial = 0.0;
   double lost_to_restitution = 0.0;
   double lost_to_friction = 0.0;
-  double lost_to_rolling = 0.0;  // to rolling resistance
+  double lost_to_rolling = 0.0;   // to rolling resistance
+  double lost_to_sticking = 0.0;  // by impacts after which bodies stay joined
   double lost_to_drag = 0.0;
   double lost_to_dampers = 0.0;     // of springs
   double lost_to_links = 0.0;       // by strings that jerked taut
@@ -30,8 +31,9 @@ struct Ledger {
   Vec2 momentum_to_walls = Vec2::Zero();  // what impacts gave to fixed and driven bodies
 
   [[nodiscard]] double expected() const {
-    return initial - lost_to_restitution - lost_to_friction - lost_to_rolling - lost_to_drag - lost_to_dampers -
-           lost_to_links + overlap_correction + put_in_by_drives + put_in_by_user;
+    return initial - lost_to_restitution - lost_to_friction - lost_to_rolling - lost_to_sticking -
+           lost_to_drag - lost_to_dampers - lost_to_links + overlap_correction + put_in_by_drives +
+           put_in_by_user;
   }
   [[nodiscard]] double numerical_drift(double total_energy) const { return total_energy - expected(); }
   [[nodiscard]] Vec2 expected_momentum() const {

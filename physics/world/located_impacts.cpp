@@ -26,6 +26,8 @@ void Simulation::step_with_located_impacts(double h) {
   if (steps || !running_) {
     if (steps) tracks_.begin(time_);
     choose_cells(steps ? h : kNever);
+    deferred_.clear();
+    last_impact_ = -1.0;
     lay_all(steps ? h : kNever);
     running_ = true;
   }
@@ -60,6 +62,12 @@ void Simulation::step_with_located_impacts(double h) {
   publish(target);
   if (lasts_ || due_.empty()) return;
   resolve_at_end(due_, h);
+  if (std::any_of(due_.begin(), due_.end(), [&](const Deferred& d) { return !shapes_.can_meet(d.a, d.b); })) {
+    // Bodies have stuck together: islands are others.
+    publish(target);
+    running_ = false;
+    return;
+  }
   for (const Deferred& d : due_) {
     for (const int i : {d.a, d.b}) {
       state_.set_motion(i, tracks_.at(i, target));
@@ -112,8 +120,6 @@ void Simulation::choose_cells(double horizon) {
 
 void Simulation::lay_all(double horizon) {
   queue_.clear();
-  deferred_.clear();
-  last_impact_ = -1.0;
   for (int i = 0; i < static_cast<int>(bodies_.size()); ++i) {
     if (tracks_.island_of(i) >= 0) continue;
     const Eigen::Array2d x = tracks_.settled(i).head<2>().array();
@@ -199,6 +205,12 @@ void Simulation::meet(int a, int b, double time, double horizon, bool crowd, dou
   const Contact contact = approach(a, b, touch_tolerance(a, b, time)).contact;
   const Material& material = material_between(a, b);
   collide(a, b, contact, material, time);
+  if (!shapes_.can_meet(a, b)) {
+    // They have stuck together: islands are others, and all of them start now.
+    last_impact_ = time;
+    lay_all(horizon);
+    return;
+  }
   judge(a, b, contact, material, time, crowd, h);
   at_once_ = time == last_impact_ ? at_once_ + 1 : 0;
   if (at_once_ == kMostAtOnce && notices_.collapsed_since < 0.0)

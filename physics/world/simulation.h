@@ -35,6 +35,7 @@ struct ImpactRecord {
   double closing_speed = 0.0;  // m/s, > 0; of impacts at once also below, where the others drive it together
   double lost_to_restitution = 0.0;
   double lost_to_friction = 0.0;
+  double lost_to_sticking = 0.0;
 };
 
 // The sums of the scene before and after an impact, so that plots jump where the motion does.
@@ -92,6 +93,9 @@ struct Notices {
 // in the order of index pairs. Integrators with a step lay all tracks anew at each step's end. The adaptive one
 // and exact flight need no common step: their tracks run on across it, and `step` is only the interval at which
 // the state is looked at.
+//
+// Where surfaces stick an impact puts a weld between its two bodies, into this run alone. From that moment on,
+// which stays exact, all bodies have tracks anew.
 class Simulation {
  public:
   // Fraction of an overlap that the pseudo-spring takes away in a step, dimensionless: small enough that a deep
@@ -154,6 +158,8 @@ class Simulation {
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
   [[nodiscard]] const MassProperties& mass() const { return mass_; }
   [[nodiscard]] const Geometry& shapes() const { return shapes_; }
+  // The scene's, and after them a weld for each impact after which two bodies have stuck together.
+  [[nodiscard]] const std::vector<Link>& links() const { return scene_.links; }
   [[nodiscard]] const ForceField& field() const { return tracks_.field(); }
   [[nodiscard]] const Method& method() const { return method_; }
   [[nodiscard]] const Needs& needs() const { return needs_; }
@@ -191,6 +197,8 @@ class Simulation {
   void step_with_impacts_at_end(double h);
   // Resolves the impact of two bodies at their settled poses, `within` s after the epoch, and logs it.
   void collide(int a, int b, const Contact& contact, const Material& material, double within);
+  // Joins two settled bodies for good (sticking.cpp): from then on they can't meet, and islands are others.
+  [[nodiscard]] Impact join(int a, int b, const Contact& contact);
   // Counts and logs an impact that has been resolved, and keeps the ledger.
   void book(int a, int b, const Contact& contact, const Impact& impact, double closing, double within);
   [[nodiscard]] Totals totals_at(double within);

@@ -83,8 +83,9 @@ TEST_F(CommandLine, JsonHasExactlyItsKeys) {
   EXPECT_EQ(keys_of(j["method"]), (std::set<std::string>{"integrator", "impacts", "contacts", "step"}));
   EXPECT_EQ(keys_of(j["ledger"]),
             (std::set<std::string>{"initial", "lost_to_restitution", "lost_to_friction", "lost_to_rolling",
-                                   "lost_to_drag", "lost_to_dampers", "lost_to_links", "overlap_correction", "put_in_by_drives",
-                                   "put_in_by_user", "numerical_drift", "momentum"}));
+                                   "lost_to_sticking", "lost_to_drag", "lost_to_dampers", "lost_to_links",
+                                   "overlap_correction", "put_in_by_drives", "put_in_by_user",
+                                   "numerical_drift", "momentum"}));
   EXPECT_EQ(keys_of(j["ledger"]["momentum"]),
             (std::set<std::string>{"initial", "from_gravity", "from_forces", "from_user", "to_walls",
                                    "numerical_drift"}));
@@ -170,10 +171,10 @@ TEST_F(CommandLine, LedgerClosesInJson) {
   const auto joules = [&](const char* key) { return l[key].get<double>(); };
   EXPECT_GT(joules("lost_to_restitution"), 0.1);
   EXPECT_GT(joules("lost_to_drag"), 0.1);
-  EXPECT_NEAR(joules("initial") - joules("lost_to_restitution") - joules("lost_to_friction") - joules("lost_to_rolling") -
-                  joules("lost_to_drag") - joules("lost_to_dampers") - joules("lost_to_links") +
-                  joules("overlap_correction") + joules("put_in_by_drives") + joules("put_in_by_user") +
-                  joules("numerical_drift"),
+  EXPECT_NEAR(joules("initial") - joules("lost_to_restitution") - joules("lost_to_friction") -
+                  joules("lost_to_rolling") - joules("lost_to_sticking") - joules("lost_to_drag") -
+                  joules("lost_to_dampers") - joules("lost_to_links") + joules("overlap_correction") +
+                  joules("put_in_by_drives") + joules("put_in_by_user") + joules("numerical_drift"),
               j["total_energy"].get<double>(), 1e-12);
   for (int i = 0; i < 2; ++i) {
     const auto share = [&](const char* key) { return l["momentum"][key][i].get<double>(); };
@@ -244,8 +245,9 @@ TEST_F(CommandLine, CsvHasUnitsALineAStepAndAllDigits) {
   EXPECT_EQ(last.at("kinetic_energy [J]"), j["kinetic_energy"].get<double>());
   EXPECT_EQ(last.at("momentum_y [N s]"), j["momentum"][1].get<double>());
   EXPECT_EQ(last.at("numerical_drift [J]"), j["ledger"]["numerical_drift"].get<double>());
-  for (const char* key : {"lost_to_restitution", "lost_to_friction", "lost_to_rolling", "lost_to_drag",
-                          "lost_to_dampers", "lost_to_links", "put_in_by_drives", "put_in_by_user", "overlap_correction"}) {
+  for (const char* key :
+       {"lost_to_restitution", "lost_to_friction", "lost_to_rolling", "lost_to_sticking", "lost_to_drag",
+        "lost_to_dampers", "lost_to_links", "put_in_by_drives", "put_in_by_user", "overlap_correction"}) {
     EXPECT_EQ(last.at(std::string(key) + " [J]"), j["ledger"][key].get<double>()) << key;
   }
   const Json& momentum = j["ledger"]["momentum"];

@@ -87,6 +87,41 @@ Scene swinging_disc() {
   return s;
 }
 
+// Two discs and a point that are welded at odd places and swing as one body about a pin: I/(m d) is the length
+// of the simple pendulum.
+constexpr std::array<double, 3> kMasses = {2.0, 0.7, 0.3};
+constexpr std::array<double, 3> kDepths = {0.25, 0.6, 0.8};  // m, from the pin
+constexpr std::array<double, 3> kRadii = {0.2, 0.15, 0.0};
+Scene welded_pendulum() {
+  Scene s = scene({});
+  const std::array<const char*, 3> names = {"a", "b", "c"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    s.bodies.push_back(disc(names[i], on_circle(kStart, kDepths[i]), {0, 0}, kRadii[i], kMasses[i]));
+    s.bodies[i].angle = 0.4 * static_cast<double>(i);
+  }
+  s.forces.gravity = {0.0, -kGravity};
+  s.links = {pin("a", -on_circle(kStart, kDepths[0]), {0, 0}), rod_to("a", "b"), rod_to("c", "b")};
+  for (std::size_t i = 1; i < 3; ++i) {
+    Link& weld = s.links[i];
+    const Body& body = s.bodies[i == 1 ? 0 : 2];
+    const Vec2 place = body.position + Vec2(0.1, 0.05);
+    weld.kind = LinkKind::kWeld;
+    weld.point = turned_by(-body.angle, place - body.position);
+    weld.anchor = turned_by(-s.bodies[1].angle, place - s.bodies[1].position);
+  }
+  return s;
+}
+
+double welded_length() {
+  double inertia = 0.0;
+  double moment = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    inertia += kMasses[i] * (0.5 * kRadii[i] * kRadii[i] + kDepths[i] * kDepths[i]);
+    moment += kMasses[i] * kDepths[i];
+  }
+  return inertia / moment;
+}
+
 // Two bobs, the second on the first.
 Scene double_pendulum() {
   Scene s = scene({disc("a", {0.6, 0.1}, {0, 0}, 0.05, 1.0), disc("b", {1.1, 0.3}, {0, 0}, 0.05, 0.4)});
@@ -199,6 +234,39 @@ TEST(Links, EveryIntegratorKeepsItsOrderOnAPendulum) {
 TEST(Links, EveryIntegratorKeepsItsOrderOnAPinnedDisc) {
   const double time = 1.7;
   expect_orders(swinging_disc(), time, on_circle_at(time, kRadius, 1.5 * kRadius), "pin");
+}
+
+TEST(Links, EveryIntegratorKeepsItsOrderOnWeldedBodies) {
+  const double time = 1.7;
+  const Scene s = welded_pendulum();
+  validate(s);
+  Moments exact;
+  for (int k = 0; k < kMoments; ++k) {
+    exact[k].resize(2, 3);
+    const double angle = pendulum_angle(kStart, welded_length(), time * (k + 1) / kMoments);
+    for (std::size_t i = 0; i < 3; ++i)
+      exact[k].col(static_cast<Eigen::Index>(i)) = on_circle(angle, kDepths[i]);
+  }
+  expect_orders(s, time, exact, "weld");
+}
+
+// A frame of welds that holds itself in a circle, fastened to the plane: nothing moves or turns.
+TEST(Links, WeldsInACircleHold) {
+  Scene s = scene({disc("a", {0, 1}, {0, 0}), disc("b", {1, 1}, {0, 0}), disc("c", {0.5, 2}, {0, 0})});
+  s.forces.gravity = {0.0, -kGravity};
+  s.links = {rod_to("a", "b"), rod_to("b", "c"), rod_to("c", "a"), rod("a", {0, 1})};
+  for (Link& l : s.links) l.kind = LinkKind::kWeld;
+  s.links[0].point = {1, 0};
+  s.links[1].anchor = {0.5, -1};
+  s.links[2].anchor = {0.5, 1};
+  s.method.step = 0.01;
+  validate(s);
+  Simulation run(s);
+  const Eigen::Matrix3Xd q = run.state().q;
+  run.advance_to(5.0);
+  EXPECT_LT((run.state().q - q).norm(), 1e-13);
+  EXPECT_EQ(run.impact_count(), 0);
+  EXPECT_EQ(run.notices().text(), "ok");
 }
 
 TEST(Links, EveryIntegratorKeepsItsOrderOnCoupledBodies) {
@@ -332,6 +400,20 @@ TEST(Links, AFrameWithSpareRodsStands) {
   EXPECT_LT((run.state().position(0) - Vec2(0, 1)).norm(), 1e-13);
   EXPECT_LT((run.state().position(1) - Vec2(1, 1)).norm(), 1e-13);
   EXPECT_EQ(run.notices().text(), "ok");
+}
+
+// What hangs still does so wherever rounding leaves the balance of its forces.
+TEST(Links, WhatHangsStillIsNotTooFast) {
+  Scene s = scene({disc("a", {0, 0}, {0, 0}, 0.1, 0.9)});
+  s.forces.gravity = {0.0, -kGravity};
+  s.links = {rod("a", {-0.1, 1.1}), rod("a", {0.1, 1.1})};
+  s.links[0].point = {-0.1, 0.1};
+  s.links[1].point = {0.1, 0.1};
+  s.method.step = 0.001;
+  Simulation run(s);
+  run.advance_to(0.1);
+  EXPECT_EQ(run.notices().text(), "ok");
+  EXPECT_LT(run.state().q.norm(), 1e-13);
 }
 
 // Seven digits in a file are enough, and the run starts on the links.

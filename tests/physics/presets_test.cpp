@@ -104,9 +104,10 @@ constexpr const char* kEveryKey = R"({
   "format": "carom-preset", "version": 1, "title": "all", "about": "about", "observe": "look", "duration": 2,
   "gravity": [0.5, -9.81], "method": {"integrator": "explicit-euler", "impacts": "step-end", "step": 0.01},
   "materials": [{"name": "m", "restitution": 0.5, "tangential_restitution": 0.25, "static_friction": 0.5,
-                 "kinetic_friction": 0.25}, {"name": "ice"}],
-  "impact_law": "newton", "several_impacts": "simultaneous",
-  "material_pairs": [{"materials": ["ice", "m"], "restitution": 0.75, "kinetic_friction": 0.125}],
+                 "kinetic_friction": 0.25}, {"name": "ice"}, {"name": "clay", "sticks": true}],
+  "impact_law": "newton",
+  "material_pairs": [{"materials": ["ice", "m"], "restitution": 0.75, "kinetic_friction": 0.125,
+                      "sticks": true}],
   "bodies": [
     {"name": "a", "shape": {"type": "disc", "radius": 1}, "position": [0, 0], "angle": 1, "velocity": [1, 2],
      "spin": 3, "mass": 4, "material": "m"},
@@ -135,7 +136,8 @@ constexpr const char* kEveryKey = R"({
     {"type": "rod", "name": "r", "body": "c", "point": [0.5, 0.25], "to": "w", "anchor": [-0.5, 0],
      "length": 34.461029},
     {"type": "string", "body": "c", "anchor": [9, -18], "length": 4},
-    {"type": "pin", "body": "c", "point": [0.5, 0], "anchor": [9.5, -20]}],
+    {"type": "pin", "body": "c", "point": [0.5, 0], "anchor": [9.5, -20]},
+    {"type": "weld", "body": "plank", "point": [-2, 0], "to": "ground", "anchor": [38, 50], "angle": 0}],
   "plots": ["energy"], "view": {"center": [1, 2], "width": 3},
   "expect": [
     {"observable": "speed", "bodies": ["a"], "reduction": "count", "above": 1.5, "from": 0.5, "until": 1.5,
@@ -163,7 +165,6 @@ void expect_every_key(const Scene& s) {
   EXPECT_EQ(std::get<Wall>(s.bodies[5].shape).length, 4);
   EXPECT_EQ(std::get<Wall>(s.bodies[6].shape).length, std::nullopt);
   EXPECT_EQ(s.impact_law, ImpactLawId::kNewton);
-  EXPECT_EQ(s.several_impacts, SeveralImpactsId::kSimultaneous);
   ASSERT_EQ(s.pairs.size(), 1U);
   EXPECT_EQ(s.pairs[0].a, "ice");
   EXPECT_EQ(s.pairs[0].b, "m");
@@ -193,7 +194,7 @@ void expect_every_key(const Scene& s) {
   EXPECT_EQ(f.applied[0].end, 6);
   EXPECT_EQ(f.applied[1].end, std::nullopt);
 
-  ASSERT_EQ(s.links.size(), 3U);
+  ASSERT_EQ(s.links.size(), 4U);
   EXPECT_EQ(s.links[0].kind, LinkKind::kRod);
   EXPECT_EQ(s.links[0].name, "r");
   EXPECT_EQ(s.links[0].body, "c");
@@ -205,6 +206,12 @@ void expect_every_key(const Scene& s) {
   EXPECT_EQ(s.links[1].anchor, Vec2(9, -18));
   EXPECT_EQ(s.links[2].kind, LinkKind::kPin);
   EXPECT_EQ(s.links[2].length, std::nullopt);
+  EXPECT_EQ(s.links[2].angle, std::nullopt);
+  EXPECT_EQ(s.links[3].kind, LinkKind::kWeld);
+  EXPECT_EQ(s.links[3].angle, 0.0);
+  EXPECT_TRUE(meeting(s, "m", "ice").sticks);
+  EXPECT_TRUE(meeting(s, "m", "clay").sticks);
+  EXPECT_FALSE(meeting(s, "m", "m").sticks);
 
   ASSERT_EQ(s.expect.size(), 3U);
   const Expectation& e = s.expect[0];
@@ -275,6 +282,12 @@ TEST(Preset, VariantsChangeTheNumberThatTheFileNames) {
   EXPECT_THROW((void)variant(s, {{"/bodies/0/name", 1}}), SceneError);
   EXPECT_THROW((void)variant(s, {{"/bodies/0/mass", -1}}), SceneError);
   EXPECT_THROW((void)variant(s, {{"/generators/0/seed", 1.5}}), SceneError);
+}
+
+TEST(Preset, SimultaneousImpactsKeepTheirWord) {
+  Scene s = test::scene({test::disc("a", {0, 0}, {0, 0})});
+  s.several_impacts = SeveralImpactsId::kSimultaneous;
+  EXPECT_EQ(parse_preset(write_preset(s), "again").several_impacts, SeveralImpactsId::kSimultaneous);
 }
 
 TEST(Preset, ExactFlightIsRefusedWhereItIsNotPossible) {
