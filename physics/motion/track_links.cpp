@@ -10,17 +10,7 @@ void Tracks::restore_links(int k) {
   const Island& island = islands_[k];
   if (island.group < 0 || !links_.has_links(island.group)) return;
   gather(island);
-  Motions& from = groups_[island.group].from;
-  const double time = epoch_ + island.start;
-  // What a push has lengthened beyond a slack string's length is taken back as well.
-  overstretched_.clear();
-  for (const int link : links_.strings(island.group)) {
-    if (links_.taut(link) || !(links_.overstretch(island.group, link, time, from) > 0.0)) continue;
-    overstretched_.push_back(link);
-    links_.set_taut(link, true);
-  }
-  links_.restore(island.group, time, from);
-  for (const int link : overstretched_) links_.set_taut(link, false);
+  links_.restore(island.group, epoch_ + island.start, groups_[island.group].from);
   spread(island);
 }
 

@@ -188,7 +188,6 @@ class Tracks {
   std::vector<Island> islands_;
   std::vector<int> members_;
   std::vector<Group> groups_;
-  std::vector<int> overstretched_;  // strings
   std::vector<int> island_of_;
   Motions settled_;
   Motions at_end_;
