@@ -37,6 +37,7 @@ class ForceField {
     }
   }
   // m/s², m/s², rad/s²: what contacts that last do to a body, from now on.
+  [[nodiscard]] bool in_contact() const { return in_contact_; }
   [[nodiscard]] auto contact_acceleration(int body) const { return contact_.col(body); }
   void set_contact_acceleration(int body, const Eigen::Vector3d& by) {
     in_contact_ = true;

@@ -127,6 +127,10 @@ void Tracks::take_over(Tracks& other, double time) {
   for (int i = 0; i < static_cast<int>(other.bodies_.size()); ++i) settled_.col(i) = other.at(i, time);
   field_.take_over(other.field_);
   links_.take_over(other.links_);
+  if (other.field_.in_contact()) {
+    for (int i = 0; i < static_cast<int>(other.bodies_.size()); ++i)
+      set_contact_acceleration(i, other.field_.contact_acceleration(i));
+  }
   lost_to_links_ = other.lost_to_links_;
   links_missed_since_ = other.links_missed_since_;
   evaluations_ = other.evaluations_;
