@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "physics/collision/pair_contact.h"
 #include "physics/motion/drive.h"
@@ -65,7 +64,6 @@ double Simulation::rest_speed(int a, int b, const Vec2& normal, double restituti
 void Simulation::hold_contacts(double h) {
   LastingContacts& l = lasting_;
   const int n = static_cast<int>(bodies_.size());
-  step_length_ = h;
   for (const int i : l.pushed) tracks_.set_contact_acceleration(i, Eigen::Vector3d::Zero());
   l.pushed.clear();
   l.acceleration.setZero(3, n);
@@ -132,7 +130,8 @@ void Simulation::find_contacts(double h) {
       c.arm_a[i] = at.point - l.poses[a].position;
       c.arm_b[i] = at.point - l.poses[b].position;
       c.gap[i] = at.gap;
-      const double closing = -velocity_at(c, i, state_.v).normal;
+      const RowVelocity u = velocity_at(c, i, state_.v);
+      const double closing = -u.normal;
       const bool slow = material.restitution * closing <= rest;
       // At their own time fast impacts are the event queue's matter.
       const bool open = at.gap > rounding;
@@ -147,13 +146,13 @@ void Simulation::find_contacts(double h) {
       c.static_friction[i] = material.static_friction;
       c.kinetic_friction[i] = material.kinetic_friction;
       c.rolling[i] = material.rolling_resistance * rolling_radius(a, b);
-      c.sticks[i] = 1;
+      c.sticks[i] = std::abs(u.tangential) <= kRestSpeed ? 1 : 0;
       c.normal_impulse[i] = c.tangential_impulse[i] = c.rolling_impulse[i] = 0.0;
       l.guess.emplace_back(Eigen::Vector3d::Zero());
       for (std::size_t j = last; j < l.forces.size() && l.forces[j].a == a && l.forces[j].b == b; ++j) {
         if (l.forces[j].id != at.id) continue;
         c.sticks[i] = l.forces[j].sticks;
-        l.guess.back() = l.hold[j];
+        l.guess.back() = h / l.length * l.hold[j];
       }
       l.id.push_back(at.id);
       l.point.push_back(at.point);
@@ -215,23 +214,28 @@ void Simulation::project_contacts() {
   for (int i = 0; i < l.contacts.size(); ++i) l.contacts.gap[i] += velocity_at(l.contacts, i, l.moved).normal;
 }
 
-// Books what the impulses of all contacts did between the velocities `before` and `after`.
-void Simulation::book_contacts() {
+// Books what the impulses of all contacts did between the velocities `before` and `after`; of forces that acted
+// for a share of their step only, that share.
+void Simulation::book_contacts(double share) {
   const Contacts& c = lasting_.contacts;
   for (int i = 0; i < c.size(); ++i) {
-    const double jn = c.normal_impulse[i];
-    const double jt = c.tangential_impulse[i];
+    const double jn = share * c.normal_impulse[i];
+    const double jt = share * c.tangential_impulse[i];
     if (jn == 0.0) continue;
     const RowVelocity from = velocity_at(c, i, lasting_.before);
-    const RowVelocity to = velocity_at(c, i, lasting_.after);
+    RowVelocity to = velocity_at(c, i, lasting_.after);
+    to = {from.normal + share * (to.normal - from.normal),
+          from.tangential + share * (to.tangential - from.tangential),
+          from.spin + share * (to.spin - from.spin)};
     ledger_.lost_to_restitution -= 0.5 * jn * (from.normal + to.normal);
     ledger_.lost_to_friction -= 0.5 * jt * (from.tangential + to.tangential);
-    ledger_.lost_to_rolling -= 0.5 * c.rolling_impulse[i] * (from.spin + to.spin);
+    ledger_.lost_to_rolling -= 0.5 * share * c.rolling_impulse[i] * (from.spin + to.spin);
     const Vec2 j = jn * c.normal[i] + jt * Vec2(-c.normal[i].y(), c.normal[i].x());
     for (const auto& [body, sign] : {std::pair(c.a[i], -1.0), std::pair(c.b[i], 1.0)}) {
       if (!immovable(body)) continue;
       ledger_.momentum_to_walls += sign * j;
-      const Vec2 driven = 0.5 * (lasting_.before.col(body) + lasting_.after.col(body)).head<2>();
+      const Vec2 driven = lasting_.before.col(body).head<2>() +
+                          0.5 * share * (lasting_.after.col(body) - lasting_.before.col(body)).head<2>();
       ledger_.put_in_by_drives -= sign * j.dot(driven);
     }
   }
@@ -254,7 +258,7 @@ void Simulation::touch_down(double h) {
   l.after = l.before;
   if (worst > 2.0 * (c.size() > kMostExact ? options.crowd_tolerance : options.tolerance)) {
     tell_residual(solve_contacts(mass_, c, l.after, options, l.workspace));
-    book_contacts();
+    book_contacts(1.0);
     for (int i = 0; i < n; ++i) {
       if (immovable(i) || l.after.col(i) == l.before.col(i)) continue;
       tracks_.set_velocity(i, l.after.col(i).head<2>(), l.after(2, i));
@@ -273,6 +277,7 @@ void Simulation::find_contact_forces(double h) {
   const int n = static_cast<int>(bodies_.size());
   std::fill(l.held.begin(), l.held.end(), 0);
   l.hold.clear();
+  l.length = h;
   if (c.size() == 0) return;
   l.before = l.after;
   for (int i = 0; i < c.size(); ++i) {
@@ -307,7 +312,6 @@ void Simulation::find_contact_forces(double h) {
     if (round == kMostRounds - 1) ++report.missed_islands;
   }
   tell_residual(report);
-  book_contacts();
   std::fill(l.held.begin(), l.held.end(), 0);
   for (int i = 0; i < c.size(); ++i) {
     ContactForce& f = l.forces[i];
@@ -324,29 +328,6 @@ void Simulation::tell_residual(const ContactSolverReport& report) {
   if (report.missed_islands == 0) return;
   if (notices_.contacts_left_since < 0.0) notices_.contacts_left_since = time_;
   notices_.contacts_left = std::max(notices_.contacts_left, report.residual);
-}
-
-// What has touched down within a step is held by a force against what presses it, so that it does not sink in
-// during the `left` s of the step.
-void Simulation::hold_until_step_end(int a, int b, const Contact& contact, double press, double left) {
-  const ImpactSide side_a = side(a, contact, 1.0);
-  const ImpactSide side_b = side(b, contact, -1.0);
-  const double force = press / contact_matrix(side_a, side_b, contact.normal).nn;
-  const double slip = relative_velocity(side_a, side_b, contact.normal).normal;
-  ledger_.lost_to_restitution -= force * left * slip;
-  for (const auto& [body, side, sign] : {std::tuple(a, side_a, -1.0), std::tuple(b, side_b, 1.0)}) {
-    if (immovable(body)) {
-      ledger_.momentum_to_walls += sign * force * left * contact.normal;
-      ledger_.put_in_by_drives -= sign * force * left * contact.normal.dot(tracks_.settled(body).segment<2>(3));
-      continue;
-    }
-    Eigen::Vector3d by = field().contact_acceleration(body);
-    by.head<2>() += sign * side.inverse_mass * force * contact.normal;
-    by[2] -= side.inverse_inertia * side.lever * force;
-    tracks_.set_contact_acceleration(body, by);
-    if (std::find(lasting_.pushed.begin(), lasting_.pushed.end(), body) == lasting_.pushed.end())
-      lasting_.pushed.push_back(body);
-  }
 }
 
 bool Simulation::holds(int a, int b) const {

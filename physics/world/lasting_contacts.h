@@ -34,6 +34,7 @@ struct ContactForce {
 // 4. contact forces, constant during the step, are found such that at its end the velocities fit again, after
 //    the integrator's own flight. They act on the tracks as any other force does. A contact that is still open
 //    by a gap g may close at g/h.
+// With impacts at their own time a step is divided where something touches down.
 // So sliding and resting under constant forces are exact; where contacts turn with the bodies the order is 1.
 struct LastingContacts {
   Contacts contacts;
@@ -42,6 +43,7 @@ struct LastingContacts {
   std::vector<ContactForce> forces;    // of the last step
   std::vector<Eigen::Vector3d> hold;   // beside forces: impulses of step 4, N s, N s, N m s
   std::vector<Eigen::Vector3d> guess;  // beside contacts: those to start from
+  double length = 0.0;                 // s, of the step that they are of
   std::vector<std::uint8_t> sticks;
 
   std::vector<std::pair<int, int>> near;   // pairs that may meet in this step, in rising order

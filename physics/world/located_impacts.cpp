@@ -40,14 +40,19 @@ void Simulation::step_with_located_impacts(double h) {
     queue_.shift(epoch_length_);
     last_impact_ -= epoch_length_;
   }
-  const double target = steps ? h : step_end_ - tracks_.epoch();
-  process_until(target, horizon, h);
+  double left = h;
+  if (lasts_) {
+    left = process_holding(h);
+  } else {
+    process_until(steps ? h : step_end_ - tracks_.epoch(), horizon, h);
+  }
+  const double target = steps ? left : step_end_ - tracks_.epoch();
 
   // What rests or overlaps is held by impacts at the step's end.
   due_.swap(deferred_);
   deferred_.clear();
   if (steps) {
-    for (int k = 0; k < tracks_.islands(); ++k) tracks_.settle(k, h);
+    for (int k = 0; k < tracks_.islands(); ++k) tracks_.settle(k, left);
   } else {
     for (const Deferred& d : due_) {
       for (const int i : {d.a, d.b}) {
@@ -79,6 +84,29 @@ void Simulation::step_with_located_impacts(double h) {
     for (const int i : {d.a, d.b}) {
       if (tracks_.island_of(i) >= 0) search_island(tracks_.island_of(i));
     }
+  }
+}
+
+// A step with contacts that last. What touches down within it is held from that moment on: there the step is
+// divided, up to kMostHolds times. The length in s of its last part, from the epoch on.
+double Simulation::process_holding(double h) {
+  double left = h;
+  for (int parts = 1;; ++parts) {
+    touched_down_ = -1.0;
+    may_divide_ = parts < kMostHolds;
+    process_until(left, left, left);
+    const double passed = touched_down_ >= 0.0 ? touched_down_ : left;
+    book_contacts(passed / left);
+    if (touched_down_ < 0.0) return left;
+    for (int k = 0; k < tracks_.islands(); ++k) tracks_.settle(k, passed);
+    publish(passed);
+    left -= passed;
+    tracks_.begin(step_end_ - left);
+    hold_contacts(left);
+    choose_cells(left);
+    deferred_.clear();
+    last_impact_ = -1.0;
+    lay_all(left);
   }
 }
 
@@ -191,6 +219,7 @@ void Simulation::process_until(double target, double horizon, double h) {
       continue;
     }
     meet(next.a, next.b, next.time, horizon, impact_count_ - before >= crowd, h);
+    if (touched_down_ >= 0.0) return;
   }
 }
 
@@ -238,7 +267,7 @@ void Simulation::judge(int a, int b, const Contact& contact, const Material& mat
   }
   if (lasts_) rest = std::max(rest, rest_speed(a, b, contact.normal, material.restitution));
   if (press > 0.0 && rebound < rest) {
-    if (lasts_) hold_until_step_end(a, b, contact, press, h - time);
+    if (lasts_ && may_divide_ && time < h) touched_down_ = time;
     // Where the bounces that are left out can be summed up they would last that long.
     const bool exact = choice_of(kIntegrators, method_.integrator).exact_under_gravity;
     const double left = exact ? 2.0 * rebound / (press * (1.0 - material.restitution)) : 0.0;

@@ -141,6 +141,7 @@ void Simulation::step(double h) {
   impacts_before_step_ = impact_count_;
   lasts_ = method_.contacts == ContactsId::kLasting && needs_.lasting_contacts;
   if (lasts_) {
+    step_length_ = h;
     tracks_.begin(time_);
     hold_contacts(h);
   }
@@ -263,6 +264,7 @@ void Simulation::step_with_impacts_at_end(double h) {
     } while (end < h);
   }
   if (lasts_) {
+    book_contacts(1.0);
     rebound_at_end(lasting_.near);
     publish(h);
     return;

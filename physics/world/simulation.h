@@ -120,6 +120,9 @@ class Simulation {
   // step rests until the step's end. A settling pile would otherwise need millions of impacts a step.
   static constexpr int kCrowdedImpacts = 100;
   static constexpr int kCrowdedImpactsPerBody = 4;
+  // Parts of a step that touch-downs divide it into; what touches down in the last one is held from the next
+  // step on.
+  static constexpr int kMostHolds = 8;
   // Located impacts in one step before the rest of it is resolved at its end: some seconds of work. Galperin's
   // billiard with a mass ratio of 10¹² has 3 141 592.
   static constexpr int kMostImpactsPerStep = 10'000'000;
@@ -217,8 +220,8 @@ class Simulation {
   void project_contacts();
   void touch_down(double h);
   void find_contact_forces(double h);
-  void book_contacts();
-  void hold_until_step_end(int a, int b, const Contact& contact, double press, double left);
+  void book_contacts(double share);
+  double process_holding(double h);
   void tell_residual(const ContactSolverReport& report);
   void rebound_at_end(const std::vector<std::pair<int, int>>& pairs);
   [[nodiscard]] ContactSolverOptions contact_options() const;
@@ -321,6 +324,8 @@ class Simulation {
   // Contacts that last.
   bool lasts_ = false;        // the method asks for them, and the scene needs them
   double step_length_ = 0.0;  // s, of the step under way
+  bool may_divide_ = false;
+  double touched_down_ = -1.0;  // s within the epoch: where the step is to be divided
   LastingContacts lasting_;
 
   // Impacts at the step's end.

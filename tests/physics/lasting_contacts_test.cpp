@@ -131,8 +131,8 @@ TEST(LastingContacts, ADiscRollsUpToThriceTheFrictionAngle) {
     const Body disc = round_body("disc", 0.25 * Vec2(-std::sin(angle), std::cos(angle)), 0.25);
     const Simulation end = run(scene(rough(0.2), {ground(angle), disc}), 5.0);
     const double slip = end.state().v(2, 1) * 0.25 - end.state().velocity(1).norm();
-    const double a = share < 1.0 ? 2.0 / 3.0 * kG * std::sin(angle)
-                                 : kG * (std::sin(angle) - 0.2 * std::cos(angle));
+    const double a =
+        share < 1.0 ? 2.0 / 3.0 * kG * std::sin(angle) : kG * (std::sin(angle) - 0.2 * std::cos(angle));
     EXPECT_NEAR(end.state().velocity(1).norm(), 5.0 * a, 1e-9 * 5.0 * a) << share;
     EXPECT_NEAR(slip, share < 1.0 ? 0.0 : 5.0 * (2.0 * kG * 0.2 * std::cos(angle) - a), 1e-8) << share;
   }
@@ -240,7 +240,8 @@ TEST(LastingContacts, ABoxRidesOnADrivenTable) {
     double most = 0.0;
     while (simulation.time() < 5.0) {
       simulation.step();
-      most = std::max(most, std::abs(simulation.state().position(1).y() - simulation.state().position(0).y() - 1.0));
+      most = std::max(most,
+                      std::abs(simulation.state().position(1).y() - simulation.state().position(0).y() - 1.0));
     }
     // Between steps the forces are constant where the drive's acceleration changes by A ω³ h.
     const double w = s.bodies[0].drive->angular_frequency;
@@ -251,7 +252,8 @@ TEST(LastingContacts, ABoxRidesOnADrivenTable) {
 TEST(LastingContacts, TheSameRunGivesTheSameBits) {
   Scene s = scene(rough(0.5), {ground()});
   for (int i = 0; i < 30; ++i)
-    s.bodies.push_back(round_body("disc-" + std::to_string(i), {0.51 * (i % 6) + 0.01 * i, 0.3 + 0.55 * (i / 6)}, 0.25));
+    s.bodies.push_back(
+        round_body("disc-" + std::to_string(i), {0.51 * (i % 6) + 0.01 * i, 0.3 + 0.55 * (i / 6)}, 0.25));
   const Simulation one = run(s, 2.0);
   Simulation begun(s);
   begun.advance_to(1.0);
@@ -261,7 +263,7 @@ TEST(LastingContacts, TheSameRunGivesTheSameBits) {
   EXPECT_EQ(one.state().v, copy.state().v);
 }
 
-// A disc that rolls without slip in a fixed bowl of radius 1 m made of... discs rolling on a disc: the normal turns.
+// Where the normal turns with the motion.
 TEST(LastingContacts, RollingOffARoundTopIsOfFirstOrder) {
   Body top = round_body("top", {0.0, 0.0}, 1.0);
   top.density.reset();
@@ -281,7 +283,7 @@ TEST(LastingContacts, RollingOffARoundTopIsOfFirstOrder) {
   }
   EXPECT_LT(errors[1], 0.6 * errors[0]);
   EXPECT_LT(errors[2], 0.6 * errors[1]);
-  EXPECT_LT(errors[2], 1e-3);
+  EXPECT_LT(errors[2], 0.1 * kG * 0.0025);
 }
 
 }  // namespace
