@@ -1,14 +1,13 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
-#include <mutex>
-#include <unistd.h>
 
 #include "app/commands.h"
+#include "app/count_progress.h"
 #include "app/preset_library.h"
 #include "app/run_files.h"
+#include "app/text_table.h"
 #include "physics/measure/parallel.h"
 #include "physics/preset/check.h"
 #include "physics/preset/preset.h"
@@ -34,42 +33,6 @@ struct Row {
   std::string verdict;
 };
 
-// A line on a terminal that says how much of the work is done; nothing in a pipe.
-class CountProgress {
- public:
-  explicit CountProgress(int all) : all_(all), terminal_(isatty(STDERR_FILENO) != 0) { show(); }
-  void one_more() {
-    const std::lock_guard lock(mutex_);
-    ++done_;
-    show();
-  }
-  ~CountProgress() {
-    if (terminal_) fmt::print(stderr, "\r\033[K");
-  }
-
- private:
-  void show() const {
-    if (terminal_) fmt::print(stderr, "\r{} of {} runs ", done_, all_);
-  }
-  std::mutex mutex_;
-  int done_ = 0;
-  int all_;
-  bool terminal_;
-};
-
-// Characters, not bytes: names and units are UTF-8.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
-enum class Align { kLeft, kRight };
-
-std::string padded(const std::string& text, std::size_t width, Align align) {
-  const std::string blanks(width - std::min(width, width_of(text)), ' ');
-  return align == Align::kLeft ? text + blanks : blanks + text;
-}
-
 // Bytes of an expectation's words in the table; the CSV file has them whole.
 constexpr std::size_t kMostWords = 76;
 
@@ -92,29 +55,15 @@ Row table_row(const std::string& preset, const Scene& scene, const Expectation& 
                  : "NEVER CAME"};
 }
 
-void print_table(std::vector<Row> rows) {
-  for (Row& row : rows) row.expectation = shortened(row.expectation, kMostWords);
-  static constexpr auto kColumns = std::to_array<std::pair<std::string Row::*, Align>>({
-      {&Row::preset, Align::kLeft},
-      {&Row::expectation, Align::kLeft},
-      {&Row::measured, Align::kRight},
-      {&Row::expected, Align::kLeft},
-      {&Row::error, Align::kRight},
-      {&Row::tolerance, Align::kRight},
-      {&Row::verdict, Align::kLeft},
-  });
-  std::array<std::size_t, kColumns.size()> widths{};
-  for (const Row& row : rows) {
-    for (std::size_t c = 0; c < kColumns.size(); ++c)
-      widths[c] = std::max(widths[c], width_of(row.*kColumns[c].first));
+void print_rows(const std::vector<Row>& rows) {
+  static constexpr auto kColumns = std::to_array(
+      {Align::kLeft, Align::kLeft, Align::kRight, Align::kLeft, Align::kRight, Align::kRight, Align::kLeft});
+  std::vector<std::vector<std::string>> cells;
+  for (const Row& r : rows) {
+    cells.push_back({r.preset, shortened(r.expectation, kMostWords), r.measured, r.expected, r.error,
+                     r.tolerance, r.verdict});
   }
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t c = 0; c < kColumns.size(); ++c)
-      line += padded(row.*kColumns[c].first, widths[c], kColumns[c].second) + "  ";
-    line.erase(line.find_last_not_of(' ') + 1);
-    fmt::print("{}\n", line);
-  }
+  print_table(cells, kColumns);
 }
 
 std::vector<CheckedPreset> read_presets(const std::vector<std::string>& named) {
@@ -182,7 +131,7 @@ int check_command(const CheckOptions& options) {
     }
   }
   if (csv != nullptr) csv->finish();
-  print_table(rows);
+  print_rows(rows);
   fmt::print("\n{} of {} expectations of {} preset{} are met.\n", good, all, presets.size(),
              presets.size() == 1 ? "" : "s");
   return good == all ? kGood : kFellShort;

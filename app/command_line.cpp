@@ -211,6 +211,13 @@ int run_program(int argc, char** argv) {
       ->type_name("FILE|NAME");
   check.add_option("--csv", check_options.csv, "write the table with all digits")->type_name("F");
 
+  StressOptions stress_options;
+  CLI::App& stress = *program.add_subcommand(
+      "stress", "the hard cases: what each shows beside its limit, at a step and a quarter");
+  stress.add_option("case", stress_options.cases, "ids of cases (default: all)")->type_name("CASE");
+  stress.add_flag("--long", stress_options.longer, "1e6 impacts of the gas instead of 1e5");
+  stress.add_option("--csv", stress_options.csv, "write the table with all digits")->type_name("F");
+
   PictureOptions picture_options;
   CLI::App& picture = *program.add_subcommand("picture", "a picture of an experiment at one moment");
   picture.add_option("preset", picture_options.preset, "a preset file or the name of an experiment")
@@ -253,6 +260,7 @@ int run_program(int argc, char** argv) {
     }
     if (study.parsed()) return study_command(argc, argv, study_arguments.options());
     if (check.parsed()) return check_command(check_options);
+    if (stress.parsed()) return stress_command(stress_options);
     if (picture.parsed()) {
       picture_options.method = picture_method.options();
       return picture_command(argc, argv, picture_options);

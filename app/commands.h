@@ -39,6 +39,12 @@ struct CheckOptions {
   std::string csv;                   // file for the table, with all digits
 };
 
+struct StressOptions {
+  std::vector<std::string> cases;  // ids of physics/measure/stress.h; empty: all
+  bool longer = false;             // the long runs of cases that have one
+  std::string csv;                 // file for the rows, with all digits
+};
+
 struct PictureOptions {
   std::string preset;
   MethodOptions method;
@@ -66,6 +72,8 @@ int run_command(const RunOptions& options);
 // Every expectation of the presets beside what their runs show.
 int check_command(const CheckOptions& options);
 int study_command(int& argc, char** argv, const StudyCommandOptions& options);
+// The hard cases: each figure beside its limit.
+int stress_command(const StressOptions& options);
 int picture_command(int& argc, char** argv, const PictureOptions& options);
 // The lab's window; where there is no display, the run of the experiment and a picture of the window instead.
 int lab_command(int& argc, char** argv, const std::string& preset);

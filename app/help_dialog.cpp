@@ -22,6 +22,7 @@ constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
     {"model", QT_TRANSLATE_NOOP("QObject", "The model")},
     {"presets", QT_TRANSLATE_NOOP("QObject", "Preset files")},
     {"study", QT_TRANSLATE_NOOP("QObject", "Speed against error")},
+    {"stress", QT_TRANSLATE_NOOP("QObject", "The hard cases")},
 });
 
 // Room between paragraphs and before headings, which Markdown alone does not give.

@@ -2,39 +2,42 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 
 namespace carom {
+namespace {
+
+// Of the mean size of what moves.
+constexpr double kCell = 1.2;
+
+}  // namespace
 
 const std::vector<std::pair<int, int>>& BroadPhase::pairs(const std::vector<Bounds>& bounds,
                                                           const std::vector<std::uint8_t>& fixed) {
-  const bool fresh = order_.size() != bounds.size();
-  if (fresh) {
-    order_.resize(bounds.size());
-    for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = static_cast<int>(i);
+  double size = 0.0;
+  int moving = 0;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    if (fixed[i] != 0) continue;
+    size += (bounds[i].high - bounds[i].low).maxCoeff();
+    ++moving;
   }
-  const auto before = [&](int a, int b) {
-    return bounds[a].low.x() < bounds[b].low.x() || (bounds[a].low.x() == bounds[b].low.x() && a < b);
-  };
-  if (fresh) std::sort(order_.begin(), order_.end(), before);
-  for (std::size_t i = 1; i < order_.size(); ++i) {
-    const int moved = order_[i];
-    std::size_t j = i;
-    for (; j > 0 && before(moved, order_[j - 1]); --j) order_[j] = order_[j - 1];
-    order_[j] = moved;
+  const double cell = size > 0.0 ? kCell * size / moving : 1.0;
+  if (bounds.size() != bodies_ || !(cell < 2.0 * cell_ && cell > 0.5 * cell_)) {
+    bodies_ = bounds.size();
+    cell_ = cell;
+    grid_.reset(static_cast<int>(bodies_), cell);
   }
+  const int n = static_cast<int>(bodies_);
+  for (int i = 0; i < n; ++i) grid_.put(i, bounds[i]);
 
   pairs_.clear();
-  for (std::size_t i = 0; i < order_.size(); ++i) {
-    const int a = order_[i];
-    for (std::size_t j = i + 1; j < order_.size(); ++j) {
-      const int b = order_[j];
-      if (bounds[b].low.x() > bounds[a].high.x()) break;
-      if ((fixed[a] != 0 && fixed[b] != 0) || !bounds[a].overlaps(bounds[b])) continue;
-      pairs_.emplace_back(std::min(a, b), std::max(a, b));
-    }
+  for (int a = 0; a < n; ++a) {
+    near_.clear();
+    grid_.each_near(a, [&](int b) {
+      if (b > a && (fixed[a] == 0 || fixed[b] == 0)) near_.push_back(b);
+    });
+    std::sort(near_.begin(), near_.end());
+    for (const int b : near_) pairs_.emplace_back(a, b);
   }
-  std::sort(pairs_.begin(), pairs_.end());
   return pairs_;
 }
 

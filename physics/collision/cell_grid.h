@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/collision/broad_phase.h"
+#include "physics/collision/bounds.h"
 
 namespace carom {
 

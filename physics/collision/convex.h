@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/collision/broad_phase.h"
+#include "physics/collision/bounds.h"
 #include "physics/scene/polygon.h"
 #include "physics/scene/scene.h"
 

@@ -81,6 +81,10 @@ int facing_edge(const Vec2& normal, const Vec2& here, const Vec2& before, int k,
   return k;
 }
 
+// A segment has two corners at each end, 0 and 1 with its first side and 2 and 3 with its second: of the two at
+// one place the one with the side that faces. `facing` is how much the first side does.
+int on_facing_side(int k, double facing) { return (facing >= 0.0) == (k < 2) ? k : 3 - k; }
+
 int before(int k, int count) { return k == 0 ? count - 1 : k - 1; }
 int after(int k, int count) { return k + 1 == count ? 0 : k + 1; }
 
@@ -91,10 +95,14 @@ void clip_at(const PairFrame& frame, const ClosestFeatures& closest, double roun
   int edge_a = closest.vertex_a;
   int edge_b = closest.vertex_b;
   if (closest.edge_a < 0) {
+    if (frame.edges_a == 4 && frame.a[1].vertex == frame.a[2].vertex)
+      edge_a = on_facing_side(edge_a, closest.normal.dot(frame.a[0].normal));
     edge_a = facing_edge(closest.normal, frame.a[edge_a].normal, frame.a[before(edge_a, frame.edges_a)].normal,
                          edge_a, frame.edges_a);
   }
   if (closest.edge_b < 0) {
+    if (frame.edges_b == 4 && frame.vertex[1] == frame.vertex[2])
+      edge_b = on_facing_side(edge_b, -closest.normal.dot(frame.normal[0]));
     edge_b = facing_edge(-closest.normal, frame.normal[edge_b], frame.normal[before(edge_b, frame.edges_b)],
                          edge_b, frame.edges_b);
   }
@@ -167,8 +175,11 @@ Touch touch_of_half_plane(const ConvexShapes& shapes, int plane, const Pose& pos
   Touch touch{n, height.gap, between(on_core(height.lowest), rounding, height.gap, n), false, 1, {}};
   touch.points[0] = {touch.point, touch.gap, 0U};
   if (shapes.edges(body) == 0) return touch;
-  const int e = facing_edge(-pose_body.turned_back(n), corner[height.lowest].normal,
-                            corner[before(height.lowest, count)].normal, height.lowest, count);
+  const Vec2 down = -pose_body.turned_back(n);
+  const int lowest = shapes.core[body] == Core::kSegment
+                         ? on_facing_side(height.lowest, down.dot(corner[0].normal))
+                         : height.lowest;
+  const int e = facing_edge(down, corner[lowest].normal, corner[before(lowest, count)].normal, lowest, count);
   touch.points[0].id = feature_id(Ends::kOne, 0, e);
   const double infinite = std::numeric_limits<double>::infinity();
   const Corner& edge = *shapes.corners_of(plane);

@@ -80,7 +80,7 @@ double rounding_level(std::span<const ContactRow> rows, std::span<SolverBody> bo
   for (const ContactRow& row : rows) {
     for (const int i : {row.a, row.b}) {
       SolverBody& body = bodies[i];
-      body.vx = std::hypot(body.free_vx, body.free_vy);
+      body.vx = std::sqrt(body.free_vx * body.free_vx + body.free_vy * body.free_vy);
       body.spin = std::abs(body.free_spin);
     }
   }
@@ -98,8 +98,10 @@ double rounding_level(std::span<const ContactRow> rows, std::span<SolverBody> bo
   for (const ContactRow& row : rows) {
     const SolverBody& a = bodies[row.a];
     const SolverBody& b = bodies[row.b];
-    const double arm_a = std::max(std::hypot(row.turn_na, row.turn_ta), row.rolling);
-    const double arm_b = std::max(std::hypot(row.turn_nb, row.turn_tb), row.rolling);
+    const double arm_a =
+        std::max(std::sqrt(row.turn_na * row.turn_na + row.turn_ta * row.turn_ta), row.rolling);
+    const double arm_b =
+        std::max(std::sqrt(row.turn_nb * row.turn_nb + row.turn_tb * row.turn_tb), row.rolling);
     largest = std::max(largest, a.vx + b.vx + arm_a * a.spin + arm_b * b.spin);
   }
   return 8.0 * std::numeric_limits<double>::epsilon() * largest;

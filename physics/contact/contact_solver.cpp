@@ -9,7 +9,8 @@ namespace carom {
 
 namespace {
 
-// A residual is measured after 1, 2, 4, 8 sweeps and then every 8: measuring costs about half a sweep.
+// A residual is measured after 1, 2, 4, 8 sweeps and then every 8 (where sweeps are all that is done, every 8):
+// measuring costs about half a sweep.
 constexpr int kSweepsToMeasure = 8;
 
 double cross(const Vec2& r, const Vec2& d) { return r.x() * d.y() - r.y() * d.x(); }
@@ -61,21 +62,21 @@ struct Swept {
 
 // Sweeps until the tolerance is met or the budget spent; with `may_leave` also once the progress between two
 // measurements shows that the budget will not do.
-Swept gauss_seidel(std::span<ContactRow> rows, std::span<SolverBody> bodies,
-                   const ContactSolverOptions& options, bool may_leave) {
+Swept gauss_seidel(std::span<ContactRow> rows, std::span<SolverBody> bodies, double tolerance, int max_sweeps,
+                   bool may_leave) {
   Swept swept{0, residual(rows, bodies)};
   double measured = swept.residual;
   int at = 0;
-  int next = 1;
-  while (swept.sweeps < options.max_sweeps && !(swept.residual <= options.tolerance)) {
+  int next = may_leave ? 1 : kSweepsToMeasure;
+  while (swept.sweeps < max_sweeps && !(swept.residual <= tolerance)) {
     sweep(rows, bodies, swept.sweeps % 2 == 1);
     ++swept.sweeps;
-    if (swept.sweeps < next && swept.sweeps < options.max_sweeps) continue;
+    if (swept.sweeps < next && swept.sweeps < max_sweeps) continue;
     swept.residual = residual(rows, bodies);
-    if (may_leave && at >= kSweepsToMeasure && swept.residual > options.tolerance) {
+    if (may_leave && at >= kSweepsToMeasure && swept.residual > tolerance) {
       const double rate = std::log(swept.residual / measured) / (swept.sweeps - at);
-      const double left = options.max_sweeps - swept.sweeps;
-      if (!(std::log(swept.residual / options.tolerance) + rate * left < 0.0)) break;
+      const double left = max_sweeps - swept.sweeps;
+      if (!(std::log(swept.residual / tolerance) + rate * left < 0.0)) break;
     }
     measured = swept.residual;
     at = swept.sweeps;
@@ -92,10 +93,14 @@ ContactSolverReport solve_islands(const ContactSolverOptions& options, ContactWo
     const auto count = static_cast<std::size_t>(w.islands.first[i + 1] - first);
     const std::span<ContactRow> rows(w.rows.data() + first, count);
     apply_all(rows, w.bodies);
-    const Swept swept = gauss_seidel(rows, w.bodies, options, options.max_newton > 0);
+    const bool crowd = rows.size() > static_cast<std::size_t>(options.most_exact);
+    const bool exact = options.max_newton > 0 && !crowd;
+    const double tolerance = crowd ? options.crowd_tolerance : options.tolerance;
+    const Swept swept =
+        gauss_seidel(rows, w.bodies, tolerance, crowd ? options.crowd_sweeps : options.max_sweeps, exact);
     double left = swept.residual;
-    bool missed = !(left <= options.tolerance);
-    if (missed && options.max_newton > 0) {
+    bool missed = !(left <= tolerance);
+    if (missed && exact) {
       apply_all(rows, w.bodies);
       const NewtonResult newton = w.newton.run(rows, w.bodies, {options.tolerance, options.max_newton});
       left = newton.residual;

@@ -16,7 +16,11 @@ struct ContactSolverOptions {
   double tolerance = 1e-9;  // of the residual, m/s (m for a projection)
   int max_sweeps = 64;      // of projected Gauss-Seidel, an island
   int max_newton = 60;      // linear systems of the exact finish, an island; 0: no exact finish
-  double slip_speed = 0.0;  // a contact whose slip is at most this sticks, m/s
+  // Contacts of an island; a larger one, a crowd, gets no exact finish, and a budget and tolerance of its own.
+  int most_exact = 1 << 30;
+  int crowd_sweeps = 64;
+  double crowd_tolerance = 1e-9;  // m/s
+  double slip_speed = 0.0;        // a contact whose slip is at most this sticks, m/s
 };
 
 // What a solve took and left. An island that missed the tolerance is one whose residual is above both the

@@ -23,6 +23,7 @@ ForceField::ForceField(const Forces& forces, const std::vector<Body>& bodies, bo
       linear_drag_(forces.linear_drag),
       quadratic_drag_(forces.quadratic_drag),
       attraction_(forces.attraction),
+      contact_(Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(bodies.size()))),
       outside_(bodies.size()),
       between_(bodies.size()),
       switching_(bodies.size()),

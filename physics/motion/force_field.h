@@ -30,10 +30,17 @@ class ForceField {
   void external_rate(int body, double t, const Y& y, K&& k) const {
     k.template head<3>() = y.template segment<3>(3);
     k.template segment<3>(3) << gravity_, 0.0;
+    if (in_contact_) k.template segment<3>(3) += contact_.col(body);
     if constexpr (std::decay_t<K>::RowsAtCompileTime == kRows) {
       k.template tail<kBooks>().setZero();
       if (!gravity_only_) add_external(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
     }
+  }
+  // m/s², m/s², rad/s²: what contacts that last do to a body, from now on.
+  [[nodiscard]] auto contact_acceleration(int body) const { return contact_.col(body); }
+  void set_contact_acceleration(int body, const Eigen::Vector3d& by) {
+    in_contact_ = true;
+    contact_.col(body) = by;
   }
   // Adds the coupling forces among `members` to their rates; columns in the order of the members.
   void add_couplings(std::span<const int> members, const Motions& y, Motions& k) const;
@@ -107,6 +114,8 @@ class ForceField {
   std::optional<Attraction> attraction_;
   bool gravity_only_ = true;
   bool constant_ = true;
+  bool in_contact_ = false;
+  Eigen::Matrix3Xd contact_;
   bool any_switching_ = false;
   std::vector<Link> springs_;
   std::vector<std::uint8_t> engaged_;

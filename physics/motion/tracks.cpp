@@ -108,7 +108,8 @@ void Tracks::set_method(const Method& method) {
   adaptive_ = choice.adaptive;
   evaluations_a_flight_ = choice.evaluations - (choice.adaptive ? 1 : 0);
   // Without any acceleration every integrator goes straight.
-  parabolic_ = !general_ && field_.is_constant() && (choice.exact_under_gravity || constant_.isZero(0.0));
+  const bool straight = constant_.isZero(0.0) && method.contacts == ContactsId::kImpulse;
+  parabolic_ = !general_ && field_.is_constant() && (choice.exact_under_gravity || straight);
   tolerance_ = method.tolerance;
   for (Island& island : islands_) island.next_step = 0.0;
 }
@@ -273,8 +274,14 @@ void Tracks::set_velocity(int body, const Vec2& velocity, double spin) {
   if (island_of_[body] >= 0) forget(islands_[island_of_[body]]);
 }
 
-void Tracks::set_position(int body, const Vec2& position) {
-  settled_.col(body).head<2>() = position;
+void Tracks::set_contact_acceleration(int body, const Eigen::Vector3d& by) {
+  field_.set_contact_acceleration(body, by);
+  constant_.col(body) = field_.constant_acceleration(body) + by;
+  if (island_of_[body] >= 0) forget(islands_[island_of_[body]]);
+}
+
+void Tracks::set_pose(int body, const Eigen::Vector3d& q) {
+  settled_.col(body).head<3>() = q;
   if (island_of_[body] >= 0) forget(islands_[island_of_[body]]);
 }
 

@@ -84,7 +84,9 @@ class Tracks {
   void settle(int island, double time);
   // Puts a body's motion in place of the settled one: position and velocity as an impact or a push left them.
   void set_velocity(int body, const Vec2& velocity, double spin);
-  void set_position(int body, const Vec2& position);
+  void set_pose(int body, const Eigen::Vector3d& q);
+  // What contacts that last do to a body (m/s², m/s², rad/s²), on tracks that are laid from now on.
+  void set_contact_acceleration(int body, const Eigen::Vector3d& by);
   // Lays an island's track from its start to `horizon` at the most. `reach` in m bounds the path where the step
   // doesn't.
   void lay(int island, double horizon, double reach);

@@ -168,9 +168,8 @@ NeedsText text_of(const Needs& needs, const Scene& scene) {
   either("coupled forces", needs.coupled_forces);
   either("driven bodies", needs.drives && (f.driven || !(f.pushes || f.torques)));
   either("switched forces", needs.switching);
-  // Until contacts that last are modelled, they are what impacts make of them.
-  (needs.lasting_contacts ? text.modelled : text.not_needed)
-      .emplace_back(needs.lasting_contacts ? "lasting contacts (as repeated impacts)" : "lasting contacts");
+  const bool as_impacts = needs.lasting_contacts && scene.method.contacts == ContactsId::kImpulse;
+  either(as_impacts ? "lasting contacts (as repeated impacts)" : "lasting contacts", needs.lasting_contacts);
   return text;
 }
 

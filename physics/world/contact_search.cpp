@@ -96,9 +96,8 @@ double Simulation::touch_tolerance(int a, int b, double end) const {
 }
 
 bool Simulation::rests(int a, int b) const {
-  return !deferred_.empty() && std::any_of(deferred_.begin(), deferred_.end(), [&](const Deferred& d) {
-    return d.a == a && d.b == b && d.resting;
-  });
+  return holds(a, b) || std::any_of(deferred_.begin(), deferred_.end(),
+                                    [&](const Deferred& d) { return d.a == a && d.b == b && d.resting; });
 }
 
 // Two discs on parabolas of one acceleration go straight relative to each other: the next impact in closed
@@ -121,7 +120,7 @@ void Simulation::search_discs(int a, int b, double start, double end) {
   const double distance = d.norm();
   if (distance - touch <= tolerance) {
     const double closing = distance > 0.0 ? -d.dot(u) / distance : -u.x();
-    if (closing > 16.0 * kEpsilon * (va.norm() + vb.norm())) {
+    if (closing > closing_share() * (va.norm() + vb.norm())) {
       if (!waits(closing)) foresee(start, a, b);
     } else if (distance - touch < -tolerance) {
       defer(a, b, false);
@@ -171,7 +170,7 @@ void Simulation::search(int a, int b) {
     const Twist tb = twist(b, start);
     const Approach meeting = approach_of(shapes_, a, pose(a, start), ta, b, pose(b, start), tb, tolerance);
     if (waits(-meeting.speed)) return;
-    if (meeting.speed < -16.0 * kEpsilon * meeting.scale) {
+    if (meeting.speed < -closing_share() * meeting.scale) {
       foresee(start, a, b);
       return;
     }
@@ -199,7 +198,7 @@ void Simulation::search(int a, int b) {
       pressed = pressing(a, b, meeting.contact, start) > 0.0;
     }
     if (first.gap <= tolerance) {
-      if (touching && pressed && notices_.resting_since < 0.0) notices_.resting_since = tracks_.epoch() + began;
+      if (touching && pressed) note_resting(tracks_.epoch() + began);
       defer(a, b, touching && pressed);
       return;
     }

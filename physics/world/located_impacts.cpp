@@ -22,7 +22,7 @@ constexpr int kMostImpactsOnceCapped = 100'000;
 
 void Simulation::step_with_located_impacts(double h) {
   const IntegratorChoice& choice = choice_of(kIntegrators, method_.integrator);
-  const bool steps = choice.order > 0 && !choice.adaptive;
+  const bool steps = lasts_ || (choice.order > 0 && !choice.adaptive);
   if (steps || !running_) {
     if (steps) tracks_.begin(time_);
     choose_cells(steps ? h : kNever);
@@ -55,8 +55,12 @@ void Simulation::step_with_located_impacts(double h) {
       }
     }
   }
+  if (lasts_) {
+    for (const Deferred& d : due_) lasting_.holds.emplace_back(d.a, d.b);
+    rebound_at_end(lasting_.holds);
+  }
   publish(target);
-  if (due_.empty()) return;
+  if (lasts_ || due_.empty()) return;
   resolve_at_end(due_, h);
   if (std::any_of(due_.begin(), due_.end(), [&](const Deferred& d) { return !shapes_.can_meet(d.a, d.b); })) {
     // Bodies have stuck together: islands are others.
@@ -208,6 +212,9 @@ void Simulation::meet(int a, int b, double time, double horizon, bool crowd, dou
     return;
   }
   judge(a, b, contact, material, time, crowd, h);
+  at_once_ = time == last_impact_ ? at_once_ + 1 : 0;
+  if (at_once_ == kMostAtOnce && notices_.collapsed_since < 0.0)
+    notices_.collapsed_since = tracks_.epoch() + time;
   last_impact_ = time;
   const int island_a = tracks_.island_of(a);
   const int island_b = tracks_.island_of(b);
@@ -229,14 +236,16 @@ void Simulation::judge(int a, int b, const Contact& contact, const Material& mat
     const double e = material.restitution;
     rest = std::max(rest, std::min(kRestRebound * e / (1.0 - e), kMostRestRebound) * press * h);
   }
+  if (lasts_) rest = std::max(rest, rest_speed(a, b, contact.normal, material.restitution));
   if (press > 0.0 && rebound < rest) {
+    if (lasts_) hold_until_step_end(a, b, contact, press, h - time);
     // Where the bounces that are left out can be summed up they would last that long.
     const bool exact = choice_of(kIntegrators, method_.integrator).exact_under_gravity;
     const double left = exact ? 2.0 * rebound / (press * (1.0 - material.restitution)) : 0.0;
-    if (notices_.resting_since < 0.0) notices_.resting_since = tracks_.epoch() + time + left;
+    note_resting(tracks_.epoch() + time + left);
     defer(a, b, true);
   } else if (crowd && rebound < pressed_in(a, b, h)) {
-    if (notices_.resting_since < 0.0) notices_.resting_since = tracks_.epoch() + time;
+    note_resting(tracks_.epoch() + time);
     defer(a, b, true);
   } else if (rebound < kCollapseShare * (tracks_.settled(a).segment<2>(3).norm() +
                                          tracks_.settled(b).segment<2>(3).norm()) &&

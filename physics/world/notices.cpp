@@ -14,13 +14,16 @@ std::string Notices::text() const {
       "from t = {{:.6g}} s impacts gained energy, {:.3g} J by now: Newton's law does so with friction off the "
       "centre",
       gained);
+  const std::string left = fmt::format(
+      "from t = {{:.6g}} s contact forces are not exact: they leave up to {:.2g} m/s of what contacts forbid",
+      contacts_left);
   const std::array entries = {
       Entry{
           resting_since,
           "from t = {:.6g} s bounces come faster than they can be told apart (Zeno): such a contact is held by "
           "inelastic impacts at each step's end"},
       Entry{collapsed_since,
-            "inelastic collapse at t = {:.6g} s: impacts follow one another faster than double precision can "
+            "collapse at t = {:.6g} s: impacts follow one another faster than double precision can "
             "tell "
             "apart, and the bodies go on together"},
       Entry{impacts_capped_since, "at t = {:.6g} s a step had more than " +
@@ -37,6 +40,7 @@ std::string Notices::text() const {
             "at t = {:.6g} s no impulses meet the law of simultaneous impacts: they were taken pair by pair"},
       Entry{restitution_lowered_since,
             "at t = {:.6g} s the restitution of simultaneous impacts was lowered, so that none gains energy"},
+      Entry{contacts_left_since, left},
       Entry{links_missed_since,
             "at t = {:.6g} s a step was too long for the links, and what follows means nothing: take shorter "
             "steps"},

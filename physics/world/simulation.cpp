@@ -61,6 +61,8 @@ void Simulation::set_method(const Method& method) {
   scene_.method = method;
   // Tracks that run on are settled here; all others were at the step's end.
   for (int k = 0; k < tracks_.islands(); ++k) tracks_.settle(k, time_ - tracks_.epoch());
+  for (const int i : lasting_.pushed) tracks_.set_contact_acceleration(i, Eigen::Vector3d::Zero());
+  lasting_ = {};
   tracks_.set_method(method);
   tracks_.begin(time_);
   running_ = false;
@@ -137,6 +139,11 @@ void Simulation::step(double h) {
   impacts_.clear();
   jumps_.clear();
   impacts_before_step_ = impact_count_;
+  lasts_ = method_.contacts == ContactsId::kLasting && needs_.lasting_contacts;
+  if (lasts_) {
+    tracks_.begin(time_);
+    hold_contacts(h);
+  }
   if (method_.impacts == ImpactsId::kLocated) {
     step_with_located_impacts(h);
   } else {
@@ -255,6 +262,11 @@ void Simulation::step_with_impacts_at_end(double h) {
       ledger_.lost_to_dampers += tracks_.settle_at_end(k);
     } while (end < h);
   }
+  if (lasts_) {
+    rebound_at_end(lasting_.near);
+    publish(h);
+    return;
+  }
   for (int i = 0; i < state_.size(); ++i) {
     const Eigen::Array2d x = tracks_.settled(i).head<2>().array();
     bounds_[i] = {x - shapes_.extent.col(i).array(), x + shapes_.extent.col(i).array()};
@@ -313,7 +325,7 @@ void Simulation::resolve_at_end(const std::vector<Deferred>& pairs, double h) {
       const Vec2 moved = x + (i == a ? -1.0 : 1.0) * mass_.inverse_mass[i] * push;
       ledger_.overlap_correction +=
           field().potential_energy_of(i, moved, state_.q) - field().potential_energy_of(i, x, state_.q);
-      tracks_.set_position(i, moved);
+      tracks_.set_pose(i, {moved.x(), moved.y(), tracks_.settled(i)[2]});
       state_.q.col(i).head<2>() = moved;
       if (tracks_.is_linked(i)) restore_links(tracks_.island_of(i));
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "physics/scene/needs.h"
 #include "physics/scene/scene.h"
 #include "physics/world/event_queue.h"
+#include "physics/world/lasting_contacts.h"
 #include "physics/world/ledger.h"
 #include "physics/world/totals.h"
 
@@ -69,6 +71,10 @@ struct Notices {
   // A step led so far off that links could not be restored after it, or turned links by many radians.
   double links_missed_since = -1.0;
 
+  // Contact forces were left with a residual beyond rounding, at the most `contacts_left` m/s.
+  double contacts_left_since = -1.0;
+  double contacts_left = 0.0;
+
   // One line for people; "ok" if there is nothing to tell.
   [[nodiscard]] std::string text() const;
 };
@@ -106,6 +112,9 @@ class Simulation {
   // Inelastic collapse: a pair with e < 1 parts slower than this share of its own speed, in less time after the
   // impact before than doubles can tell apart.
   static constexpr double kCollapseShare = 1e-12;
+  // Impacts at one time, to the last bit, after which closing speeds below that share are rounding: a light
+  // body between two whose speeds it is too light to change would bounce to and fro for ever.
+  static constexpr int kMostAtOnce = 10'000;
   // After more than kCrowdedImpacts + kCrowdedImpactsPerBody * N located impacts in one step, the guard against
   // inelastic collapse acts: a pair with e < 1 that rebounds slower than its forces can press it together in a
   // step rests until the step's end. A settling pile would otherwise need millions of impacts a step.
@@ -162,6 +171,9 @@ class Simulation {
   [[nodiscard]] const std::vector<ImpactRecord>& last_impacts() const { return impacts_; }
   [[nodiscard]] const std::vector<Jump>& last_jumps() const { return jumps_; }
 
+  // What held bodies together in the last step; empty without contacts that last.
+  [[nodiscard]] const std::vector<ContactForce>& contact_forces() const { return lasting_.forces; }
+
   // From the next step on.
   void set_method(const Method& method);
   // Fills last_jumps() for the first kMostWatched impacts of a step, at the cost of two sums over all bodies
@@ -199,6 +211,22 @@ class Simulation {
   }
   [[nodiscard]] bool immovable(int body) const { return shapes_.fixed[body] != 0; }
 
+  // Contacts that last (lasting_contacts.cpp).
+  void hold_contacts(double h);
+  void find_contacts(double h);
+  void project_contacts();
+  void touch_down(double h);
+  void find_contact_forces(double h);
+  void book_contacts();
+  void hold_until_step_end(int a, int b, const Contact& contact, double press, double left);
+  void tell_residual(const ContactSolverReport& report);
+  void rebound_at_end(const std::vector<std::pair<int, int>>& pairs);
+  [[nodiscard]] ContactSolverOptions contact_options() const;
+  // m/s: a contact that rebounds slower than this lasts, as what presses it would close it again within a step.
+  [[nodiscard]] double rest_speed(int a, int b, const Vec2& normal, double restitution) const;
+  [[nodiscard]] double rolling_radius(int a, int b) const;
+  [[nodiscard]] bool holds(int a, int b) const;
+
   // Impacts at their own time (located_impacts.cpp, contact_search.cpp). Times are within the epoch of the
   // tracks.
   void step_with_located_impacts(double h);
@@ -219,6 +247,9 @@ class Simulation {
   void touching(int a, int b, double time);
   void foresee(double time, int a, int b);
   void defer(int a, int b, bool resting);
+  void note_resting(double time) {
+    if (!lasts_ && notices_.resting_since < 0.0) notices_.resting_since = time;
+  }
   [[nodiscard]] bool is_stale(const Event& event) const;
   // Whether one of them is no disc and moves.
   [[nodiscard]] bool has_moving_corners(int a, int b) const {
@@ -233,6 +264,10 @@ class Simulation {
   [[nodiscard]] double pressed_in(int a, int b, double h) const;
   [[nodiscard]] double touch_tolerance(int a, int b, double end) const;
   [[nodiscard]] bool rests(int a, int b) const;
+  // Of the bodies' speeds: below this they don't close.
+  [[nodiscard]] double closing_share() const {
+    return at_once_ >= kMostAtOnce ? kCollapseShare : 16.0 * std::numeric_limits<double>::epsilon();
+  }
   void choose_cells(double horizon);
 
   Scene scene_;
@@ -268,6 +303,7 @@ class Simulation {
   double reach_ = 1.0;         // m: length of a track that no step ends
   double epoch_length_ = 1.0;  // s, a power of two
   double last_impact_ = -1.0;  // s within the epoch
+  int at_once_ = 0;            // impacts before it at the same time
   CellGrid grid_;
   EventQueue queue_;
   std::vector<std::uint32_t> stamp_;  // by body, of its island; fixed bodies keep theirs
@@ -281,6 +317,11 @@ class Simulation {
   std::vector<Touch> touches_;  // of a cluster
   std::vector<int> cluster_;    // its bodies
   ClusterScratch cluster_scratch_;
+
+  // Contacts that last.
+  bool lasts_ = false;        // the method asks for them, and the scene needs them
+  double step_length_ = 0.0;  // s, of the step under way
+  LastingContacts lasting_;
 
   // Impacts at the step's end.
   BroadPhase broad_phase_;

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace carom {
+
+// An axis-aligned rectangle, in m.
+struct Bounds {
+  Eigen::Array2d low;
+  Eigen::Array2d high;
+
+  [[nodiscard]] bool overlaps(const Bounds& other) const {
+    // All four without a branch: which of them fails can't be foreseen.
+    return ((low.x() <= other.high.x()) & (other.low.x() <= high.x()) & (low.y() <= other.high.y()) &
+            (other.low.y() <= high.y())) != 0;
+  }
+};
+
+}  // namespace carom

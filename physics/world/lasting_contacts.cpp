@@ -1,0 +1,373 @@
+#include "physics/world/lasting_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "physics/collision/pair_contact.h"
+#include "physics/motion/drive.h"
+#include "physics/world/simulation.h"
+
+// The contacts that last of a simulation: see LastingContacts.
+namespace carom {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+// Of what the forces change of a speed in a step: to this the contact forces are solved.
+constexpr double kSolved = 1e-10;
+// Likewise: a contact that slips slower than this sticks.
+constexpr double kStuck = 1e-6;
+// Of the size: a smaller overlap is rounding, and one beyond kDeep is taken away in parts.
+constexpr double kOverlap = 1e-12;
+constexpr double kDeep = 1e-3;
+// Contacts of an island up to which it is solved exactly. In a crowd the tolerance is kCrowdMotion of its
+// speeds, at most kCrowdSolved of what the forces change of a speed in a step: as it comes to rest it is solved
+// better and better, each step from the forces of the one before.
+constexpr int kMostExact = 400;
+constexpr double kCrowdMotion = 0.1;
+constexpr double kCrowdSolved = 1e-2;
+constexpr double kCrowdRest = 1e-7;
+constexpr double kCrowdOverlap = 1e-6;  // of the size
+constexpr int kCrowdSweeps = 40;
+constexpr int kCrowdProjectionSweeps = 20;
+// Where the integrator's flight is not linear in the contact forces they are corrected this often.
+constexpr int kMostRounds = 12;
+
+double cross(const Vec2& r, const Vec2& d) { return r.x() * d.y() - r.y() * d.x(); }
+
+// Of a contact, for the velocities v of all bodies.
+RowVelocity velocity_at(const Contacts& c, int i, const Eigen::Matrix3Xd& v) {
+  const Eigen::Vector3d a = v.col(c.a[i]);
+  const Eigen::Vector3d b = v.col(c.b[i]);
+  const Vec2 n = c.normal[i];
+  const Vec2 d = (b - a).head<2>();
+  return {d.dot(n) + b[2] * cross(c.arm_b[i], n) - a[2] * cross(c.arm_a[i], n),
+          cross(n, d) + b[2] * c.arm_b[i].dot(n) - a[2] * c.arm_a[i].dot(n), b[2] - a[2]};
+}
+
+}  // namespace
+
+double Simulation::rest_speed(int a, int b, const Vec2& normal, double restitution) const {
+  const Eigen::Matrix3Xd& by = lasting_.acceleration;
+  double press = std::max(0.0, -normal.dot((by.col(b) - by.col(a)).head<2>()));
+  for (const int i : {a, b}) {
+    if (lasting_.held[i] != 0) press = std::max(press, by.col(i).head<2>().norm());
+  }
+  if (!(press > 0.0)) return kRestSpeed;
+  double share = 1.0;
+  // Explicit Euler's rebounds don't die out below this.
+  if (method_.integrator == IntegratorId::kExplicitEuler && restitution < 1.0)
+    share = std::clamp(kRestRebound * restitution / (1.0 - restitution), 1.0, kMostRestRebound);
+  return std::max(kRestSpeed, share * press * step_length_);
+}
+
+void Simulation::hold_contacts(double h) {
+  LastingContacts& l = lasting_;
+  const int n = static_cast<int>(bodies_.size());
+  step_length_ = h;
+  for (const int i : l.pushed) tracks_.set_contact_acceleration(i, Eigen::Vector3d::Zero());
+  l.pushed.clear();
+  l.acceleration.setZero(3, n);
+  for (int i = 0; i < n; ++i) {
+    if (!immovable(i)) {
+      l.acceleration.col(i) = tracks_.acceleration(i);
+    } else if (driven_[i] != 0) {
+      l.acceleration.col(i).head<2>() = drive_acceleration(*bodies_[i].drive, tracks_.epoch());
+    }
+  }
+  l.held.resize(n, 0);
+  find_contacts(h);
+  project_contacts();
+  touch_down(h);
+  find_contact_forces(h);
+}
+
+// Fills the contacts of this step, with the impulses that the last one ended with.
+void Simulation::find_contacts(double h) {
+  LastingContacts& l = lasting_;
+  const int n = static_cast<int>(bodies_.size());
+  const ConvexShapes& shapes = shapes_.shapes;
+  const bool located = method_.impacts == ImpactsId::kLocated;
+  l.poses.resize(n);
+  const auto reach = [&](int i) {
+    const auto v = tracks_.settled(i).segment<3>(3);
+    const double turning = v[2] != 0.0 ? std::abs(v[2]) * shapes.core_radius[i] : 0.0;
+    return (v.head<2>().norm() + turning) * h + l.acceleration.col(i).head<2>().norm() * h * h;
+  };
+  for (int i = 0; i < n; ++i) {
+    const Eigen::Vector3d q = tracks_.settled(i).head<3>();
+    l.poses[i] = pose_of(shapes, i, q);
+    const Eigen::Array2d margin = shapes_.extent.col(i).array() + reach(i);
+    bounds_[i] = {q.head<2>().array() - margin, q.head<2>().array() + margin};
+  }
+  Contacts& c = l.contacts;
+  c.resize(0);
+  l.id.clear();
+  l.guess.clear();
+  l.point.clear();
+  l.near.clear();
+  l.holds.clear();
+  std::size_t last = 0;
+  for (const auto& [a, b] : broad_phase_.pairs(bounds_, shapes_.fixed)) {
+    if (!shapes_.can_meet(a, b)) continue;
+    l.near.emplace_back(a, b);
+    const double size = shapes_.size[a] + shapes_.size[b];
+    const double rounding =
+        kOverlap * (size + tracks_.settled(a).head<2>().lpNorm<1>() + tracks_.settled(b).head<2>().lpNorm<1>());
+    const Manifold m = manifold(shapes, a, l.poses[a], b, l.poses[b], reach(a) + reach(b) + rounding);
+    if (m.count == 0) continue;
+    const Material& material = material_between(a, b);
+    const double rest = rest_speed(a, b, m.normal, material.restitution);
+    while (last < l.forces.size() && std::pair(l.forces[last].a, l.forces[last].b) < std::pair(a, b)) {
+      ++last;
+    }
+    for (int k = 0; k < m.count; ++k) {
+      const ManifoldPoint& at = m.points[k];
+      const int i = c.size();
+      c.resize(i + 1);
+      c.a[i] = a;
+      c.b[i] = b;
+      c.normal[i] = m.normal;
+      c.arm_a[i] = at.point - l.poses[a].position;
+      c.arm_b[i] = at.point - l.poses[b].position;
+      c.gap[i] = at.gap;
+      const double closing = -velocity_at(c, i, state_.v).normal;
+      const bool slow = material.restitution * closing <= rest;
+      // At their own time fast impacts are the event queue's matter.
+      const bool open = at.gap > rounding;
+      const bool near =
+          !open || (at.gap <= std::max(closing, 0.0) * h + rest * h && (!located || closing <= 2.0 * rest));
+      if (!near || (open && !slow) || (!open && !slow && at.gap >= -rounding)) {
+        c.resize(i);
+        continue;
+      }
+      // A fast one that overlaps is pushed out, and left to the impacts at the step's end.
+      c.target[i] = slow ? -std::max(at.gap, 0.0) / h : -std::numeric_limits<double>::infinity();
+      c.static_friction[i] = material.static_friction;
+      c.kinetic_friction[i] = material.kinetic_friction;
+      c.rolling[i] = material.rolling_resistance * rolling_radius(a, b);
+      c.sticks[i] = 1;
+      c.normal_impulse[i] = c.tangential_impulse[i] = c.rolling_impulse[i] = 0.0;
+      l.guess.emplace_back(Eigen::Vector3d::Zero());
+      for (std::size_t j = last; j < l.forces.size() && l.forces[j].a == a && l.forces[j].b == b; ++j) {
+        if (l.forces[j].id != at.id) continue;
+        c.sticks[i] = l.forces[j].sticks;
+        l.guess.back() = l.hold[j];
+      }
+      l.id.push_back(at.id);
+      l.point.push_back(at.point);
+      if (slow && (l.holds.empty() || l.holds.back() != std::pair(a, b))) l.holds.emplace_back(a, b);
+    }
+  }
+}
+
+// m: of the disc that would roll on a plane as these two roll on each other; 0 if neither is a disc.
+double Simulation::rolling_radius(int a, int b) const {
+  double curvature = 0.0;
+  for (const int i : {a, b}) {
+    if (shapes_.is_disc(i) && shapes_.shapes.rounding[i] > 0.0) curvature += 1.0 / shapes_.shapes.rounding[i];
+  }
+  return curvature > 0.0 ? 1.0 / curvature : 0.0;
+}
+
+ContactSolverOptions Simulation::contact_options() const {
+  const LastingContacts& l = lasting_;
+  const double by_forces = l.acceleration.topRows<2>().colwise().norm().maxCoeff() * step_length_;
+  ContactSolverOptions options;
+  options.tolerance = kSolved * by_forces + 16.0 * kEpsilon * l.before.topRows<2>().cwiseAbs().maxCoeff();
+  options.most_exact = kMostExact;
+  options.crowd_sweeps = kCrowdSweeps;
+  const double rms = std::sqrt(l.before.topRows<2>().squaredNorm() / static_cast<double>(l.before.cols()));
+  options.crowd_tolerance = std::clamp(kCrowdMotion * rms, kCrowdRest * by_forces, kCrowdSolved * by_forces);
+  options.slip_speed = kStuck * by_forces + options.tolerance;
+  return options;
+}
+
+// Positions move out of overlaps; velocities stay.
+void Simulation::project_contacts() {
+  LastingContacts& l = lasting_;
+  double deepest = 0.0;  // of the size
+  double size = 0.0;     // m, the least of an overlapping pair
+  for (int i = 0; i < l.contacts.size(); ++i) {
+    if (!(l.contacts.gap[i] < 0.0)) continue;
+    const double of_pair = shapes_.size[l.contacts.a[i]] + shapes_.size[l.contacts.b[i]];
+    deepest = std::max(deepest, -l.contacts.gap[i] / of_pair);
+    size = size > 0.0 ? std::min(size, of_pair) : of_pair;
+  }
+  if (!(deepest > (l.contacts.size() > kMostExact ? kCrowdOverlap : 16.0 * kOverlap))) return;
+  l.before = state_.v;
+  ContactSolverOptions options = contact_options();
+  options.tolerance = kOverlap * size;
+  options.crowd_tolerance = kCrowdOverlap * size;
+  options.crowd_sweeps = kCrowdProjectionSweeps;
+  project_overlaps(mass_, l.contacts, deepest > kDeep ? kOverlapFraction : 1.0, l.moved, options, l.workspace);
+  const double before = field().potential_energy(state_.q);
+  for (int i = 0; i < state_.size(); ++i) {
+    if (immovable(i) || l.moved.col(i).isZero(0.0)) continue;
+    tracks_.set_pose(i, tracks_.settled(i).head<3>() + l.moved.col(i));
+    state_.q.col(i) = tracks_.settled(i).head<3>();
+  }
+  ledger_.overlap_correction += field().potential_energy(state_.q) - before;
+  for (int k = 0; k < tracks_.islands(); ++k) {
+    if (tracks_.is_linked(tracks_.members(k).front())) restore_links(k);
+  }
+  for (int i = 0; i < l.contacts.size(); ++i) l.contacts.gap[i] += velocity_at(l.contacts, i, l.moved).normal;
+}
+
+// Books what the impulses of all contacts did between the velocities `before` and `after`.
+void Simulation::book_contacts() {
+  const Contacts& c = lasting_.contacts;
+  for (int i = 0; i < c.size(); ++i) {
+    const double jn = c.normal_impulse[i];
+    const double jt = c.tangential_impulse[i];
+    if (jn == 0.0) continue;
+    const RowVelocity from = velocity_at(c, i, lasting_.before);
+    const RowVelocity to = velocity_at(c, i, lasting_.after);
+    ledger_.lost_to_restitution -= 0.5 * jn * (from.normal + to.normal);
+    ledger_.lost_to_friction -= 0.5 * jt * (from.tangential + to.tangential);
+    ledger_.lost_to_rolling -= 0.5 * c.rolling_impulse[i] * (from.spin + to.spin);
+    const Vec2 j = jn * c.normal[i] + jt * Vec2(-c.normal[i].y(), c.normal[i].x());
+    for (const auto& [body, sign] : {std::pair(c.a[i], -1.0), std::pair(c.b[i], 1.0)}) {
+      if (!immovable(body)) continue;
+      ledger_.momentum_to_walls += sign * j;
+      const Vec2 driven = 0.5 * (lasting_.before.col(body) + lasting_.after.col(body)).head<2>();
+      ledger_.put_in_by_drives -= sign * j.dot(driven);
+    }
+  }
+}
+
+// What touches, or would within the step, loses its closing speed now.
+void Simulation::touch_down(double h) {
+  LastingContacts& l = lasting_;
+  Contacts& c = l.contacts;
+  const int n = static_cast<int>(bodies_.size());
+  l.before.resize(3, n);
+  for (int i = 0; i < n; ++i) l.before.col(i) = tracks_.settled(i).segment<3>(3);
+  l.forces.clear();
+  const ContactSolverOptions options = contact_options();
+  double worst = 0.0;
+  for (int i = 0; i < c.size(); ++i) {
+    if (std::isfinite(c.target[i])) c.target[i] = -std::max(c.gap[i], 0.0) / h;
+    worst = std::max(worst, c.target[i] - velocity_at(c, i, l.before).normal);
+  }
+  l.after = l.before;
+  if (worst > 2.0 * (c.size() > kMostExact ? options.crowd_tolerance : options.tolerance)) {
+    tell_residual(solve_contacts(mass_, c, l.after, options, l.workspace));
+    book_contacts();
+    for (int i = 0; i < n; ++i) {
+      if (immovable(i) || l.after.col(i) == l.before.col(i)) continue;
+      tracks_.set_velocity(i, l.after.col(i).head<2>(), l.after(2, i));
+    }
+  }
+  for (int i = 0; i < c.size(); ++i) {
+    l.forces.push_back({c.a[i], c.b[i], l.id[i], l.point[i], c.normal[i], c.normal_impulse[i] / h,
+                        c.tangential_impulse[i] / h, c.rolling_impulse[i] / h, true});
+  }
+}
+
+// Forces on the tracks such that velocities fit the contacts again at the step's end.
+void Simulation::find_contact_forces(double h) {
+  LastingContacts& l = lasting_;
+  Contacts& c = l.contacts;
+  const int n = static_cast<int>(bodies_.size());
+  std::fill(l.held.begin(), l.held.end(), 0);
+  l.hold.clear();
+  if (c.size() == 0) return;
+  l.before = l.after;
+  for (int i = 0; i < c.size(); ++i) {
+    c.normal_impulse[i] = l.guess[i][0];
+    c.tangential_impulse[i] = l.guess[i][1];
+    c.rolling_impulse[i] = l.guess[i][2];
+    for (const int body : {c.a[i], c.b[i]}) {
+      if (immovable(body) || l.held[body] != 0) continue;
+      l.held[body] = 1;
+      l.pushed.push_back(body);
+    }
+  }
+  l.free.resize(3, n);
+  for (int i = 0; i < n; ++i) l.free.col(i) = tracks_.at(i, h).segment<3>(3);
+  const ContactSolverOptions options = contact_options();
+  l.sticks = c.sticks;
+  ContactSolverReport report;
+  for (int round = 0; round < kMostRounds; ++round) {
+    l.after = l.free;
+    c.sticks = l.sticks;
+    report = solve_contacts(mass_, c, l.after, options, l.workspace);
+    for (const int i : l.pushed) tracks_.set_contact_acceleration(i, (l.after.col(i) - l.free.col(i)) / h);
+    if (tracks_.is_parabolic()) break;
+    double off = 0.0;
+    for (const int i : l.pushed) {
+      const Eigen::Vector3d by = tracks_.at(i, h).segment<3>(3) - l.after.col(i);
+      off = std::max(off, by.head<2>().norm());
+      l.free.col(i) += by;
+    }
+    if (off <= options.tolerance) break;
+    report.residual = std::max(report.residual, off);
+    if (round == kMostRounds - 1) ++report.missed_islands;
+  }
+  tell_residual(report);
+  book_contacts();
+  std::fill(l.held.begin(), l.held.end(), 0);
+  for (int i = 0; i < c.size(); ++i) {
+    ContactForce& f = l.forces[i];
+    f.normal_force += c.normal_impulse[i] / h;
+    f.tangential_force += c.tangential_impulse[i] / h;
+    f.rolling_moment += c.rolling_impulse[i] / h;
+    f.sticks = c.sticks[i] != 0;
+    l.hold.emplace_back(c.normal_impulse[i], c.tangential_impulse[i], c.rolling_impulse[i]);
+    if (c.normal_impulse[i] > 0.0) l.held[c.a[i]] = l.held[c.b[i]] = 1;
+  }
+}
+
+void Simulation::tell_residual(const ContactSolverReport& report) {
+  if (report.missed_islands == 0) return;
+  if (notices_.contacts_left_since < 0.0) notices_.contacts_left_since = time_;
+  notices_.contacts_left = std::max(notices_.contacts_left, report.residual);
+}
+
+// What has touched down within a step is held by a force against what presses it, so that it does not sink in
+// during the `left` s of the step.
+void Simulation::hold_until_step_end(int a, int b, const Contact& contact, double press, double left) {
+  const ImpactSide side_a = side(a, contact, 1.0);
+  const ImpactSide side_b = side(b, contact, -1.0);
+  const double force = press / contact_matrix(side_a, side_b, contact.normal).nn;
+  const double slip = relative_velocity(side_a, side_b, contact.normal).normal;
+  ledger_.lost_to_restitution -= force * left * slip;
+  for (const auto& [body, side, sign] : {std::tuple(a, side_a, -1.0), std::tuple(b, side_b, 1.0)}) {
+    if (immovable(body)) {
+      ledger_.momentum_to_walls += sign * force * left * contact.normal;
+      ledger_.put_in_by_drives -= sign * force * left * contact.normal.dot(tracks_.settled(body).segment<2>(3));
+      continue;
+    }
+    Eigen::Vector3d by = field().contact_acceleration(body);
+    by.head<2>() += sign * side.inverse_mass * force * contact.normal;
+    by[2] -= side.inverse_inertia * side.lever * force;
+    tracks_.set_contact_acceleration(body, by);
+    if (std::find(lasting_.pushed.begin(), lasting_.pushed.end(), body) == lasting_.pushed.end())
+      lasting_.pushed.push_back(body);
+  }
+}
+
+bool Simulation::holds(int a, int b) const {
+  return lasts_ && std::binary_search(lasting_.holds.begin(), lasting_.holds.end(), std::pair(a, b));
+}
+
+// Bodies that overlap at the step's end and close faster than contacts take up rebound by the law of impacts.
+void Simulation::rebound_at_end(const std::vector<std::pair<int, int>>& pairs) {
+  const double now = step_end_ - tracks_.epoch();
+  for (const auto& [a, b] : pairs) {
+    const Material& material = material_between(a, b);
+    if (material.restitution == 0.0) continue;
+    const int most = shapes_.is_disc(a) || shapes_.is_disc(b) ? 1 : 3;
+    for (int k = 0; k < most; ++k) {
+      const Approach at = approach(a, b, 0.0);
+      if (at.contact.gap >= 0.0) break;
+      const double rest = rest_speed(a, b, at.contact.normal, material.restitution);
+      if (!(-material.restitution * at.speed > rest)) break;
+      collide(a, b, at.contact, material, now);
+    }
+  }
+}
+
+}  // namespace carom
