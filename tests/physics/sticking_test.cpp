@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include "physics/motion/integrators.h"
 #include "physics/motion/link_geometry.h"
@@ -360,6 +361,30 @@ TEST(Sticking, ABodyStaysOnAFixedOne) {
     EXPECT_LT(run.state().v.norm(), 1e-13);
     EXPECT_NEAR(energy - run.totals().energy(), run.ledger().lost_to_sticking, 1e-12) << impacts.name;
     EXPECT_LT(run.ledger().momentum_drift(run.totals().momentum).norm(), 1e-11) << impacts.name;
+  }
+}
+
+// A ball that lies on clay from the start is joined at the end of a step; runs whose tracks go on across steps
+// start them anew then, and the ball that falls onto the first one meets it at its time.
+TEST(Sticking, WhatLiesThereIsJoinedToo) {
+  for (const IntegratorId id : {IntegratorId::kRk4, IntegratorId::kAdaptiveDormandPrince}) {
+    Scene s = clay({wall("floor", {0, -0.5}, 10.0, 1.0), disc("low", {0, 0.1}, {0, 0}, 0.1, 1.0),
+                    disc("high", {0, 1.3}, {0, 0}, 0.1, 1.0), disc("far", {2, 3.1}, {0, 0}, 0.1, 1.0)});
+    s.forces.gravity = {0.0, -9.81};
+    s.method.integrator = id;
+    s.method.step = 0.01;
+    Simulation run(s);
+    std::vector<double> times;
+    run.advance_to(1.0, [&] {
+      for (const ImpactRecord& impact : run.last_impacts()) times.push_back(impact.time);
+    });
+    ASSERT_EQ(times.size(), 3U) << run.notices().text();
+    EXPECT_LE(times[0], 0.02);
+    EXPECT_NEAR(times[1], std::sqrt(2.0 * 1.0 / 9.81), 1e-3);  // the low one has sunk in by gh²/2
+    EXPECT_NEAR(times[2], std::sqrt(2.0 * 3.0 / 9.81), 1e-9);
+    EXPECT_EQ(run.links().size(), 3U);
+    EXPECT_LT(run.state().v.norm(), 1e-13);
+    EXPECT_LT(std::abs(run.ledger().numerical_drift(run.totals().energy())), 1e-9);
   }
 }
 
