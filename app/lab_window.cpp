@@ -255,6 +255,7 @@ void LabWindow::show_method() {
   const IntegratorChoice& integrator = choice_of(kIntegrators, m.integrator);
   integrator_button_->setText(text(integrator.label) + QStringLiteral(" ▾"));
   impacts_button_->setText(text(choice_of(kImpacts, m.impacts).label) + QStringLiteral(" ▾"));
+  contacts_button_->setText(text(choice_of(kContacts, m.contacts).label) + QStringLiteral(" ▾"));
   const bool adaptive = integrator.adaptive;
   const bool exact = integrator.order == 0;
   const QString step = QString("%1 ms ▾").arg(1e3 * m.step, 0, 'g', 4);

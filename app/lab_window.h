@@ -110,6 +110,7 @@ class LabWindow : public QMainWindow {
   QLabel* position_ = nullptr;
   QToolButton* integrator_button_ = nullptr;
   QToolButton* impacts_button_ = nullptr;
+  QToolButton* contacts_button_ = nullptr;
   QToolButton* step_button_ = nullptr;
   QToolButton* plots_button_ = nullptr;
   QMenu* integrators_ = nullptr;

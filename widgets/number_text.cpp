@@ -45,7 +45,9 @@ QString figures(const Vec2& value, int digits) {
   const double larger = value.cwiseAbs().maxCoeff();
   const int power = leading_power(larger, digits);
   if (larger == 0.0 || !value.allFinite() || !is_handy(power, digits)) {
-    return figure(value.x(), 2) + ", " + figure(value.y(), 2);
+    // Two long exponents leave no room for more.
+    const int few = std::abs(power) >= 10 && value.cwiseAbs().minCoeff() > 0.0 ? 1 : 2;
+    return figure(value.x(), few) + ", " + figure(value.y(), few);
   }
   const int decimals = std::clamp(digits - 1 - power, 0, digits);
   return fixed(value.x(), decimals) + ", " + fixed(value.y(), decimals);
