@@ -196,6 +196,7 @@ void LabWindow::make_body() {
 
 bool LabWindow::eventFilter(QObject* watched, QEvent* event) {
   if (watched == view_ && event->type() == QEvent::Resize) place_chips();
+  if (watched == tool_bar_ && event->type() == QEvent::Resize) show_method();
   return QMainWindow::eventFilter(watched, event);
 }
 
@@ -348,7 +349,8 @@ void LabWindow::make_menus() {
 }
 
 void LabWindow::make_tool_bar() {
-  QToolBar* bar = addToolBar(tr("Tools"));
+  QToolBar* bar = tool_bar_ = addToolBar(tr("Tools"));
+  bar->installEventFilter(this);
   bar->setMovable(false);
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   bar->setIconSize({18, 18});

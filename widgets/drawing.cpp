@@ -168,6 +168,7 @@ void Drawing::clear() {
   segments.clear();
   arrows.clear();
   labels.clear();
+  force_key = {};
 }
 
 void Peaks::observe(const Frame& frame) {

@@ -60,6 +60,13 @@ struct Drawing {
     QString text;
     QColor color;
   };
+  // How long an arrow is for a round force; stands beside the scale bar.
+  struct ForceKey {
+    double newtons = 0.0;  // 0: no key
+    double length = 0.0;   // px
+    double width = 0.0;    // px, of the shaft
+    QColor color;
+  };
 
   bool has_grid = false;
   Grid grid;
@@ -71,6 +78,7 @@ struct Drawing {
   std::vector<SegmentItem> segments;
   std::vector<ArrowItem> arrows;
   std::vector<LabelItem> labels;
+  ForceKey force_key;
   double outline = 1.5;   // px, of bodies
   double text_size = 11;  // px
 

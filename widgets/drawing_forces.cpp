@@ -28,6 +28,7 @@ constexpr double kLeastForceArrow = 10.0;    // px
 constexpr double kContactWidth = 2.0;        // px
 constexpr double kLeastContactArrow = 6.0;   // px
 constexpr double kContactDot = 5.0;          // px
+constexpr double kLongestKey = 60.0;         // px
 constexpr double kLabelRoom = 22.0;          // px, of a label above a point
 constexpr double kLeastTorqueRadius = 14.0;  // px
 
@@ -258,27 +259,23 @@ void add_contact_forces(const DrawingInput& in, const WorldRect& seen, Drawing& 
   const QColor& color = in.theme.series[1];
   const int count = std::min(in.frame.state.size(), static_cast<int>(in.frame.bodies->size()));
   const double scale = in.options.line_scale;
-  double largest = 0.0;
-  Vec2 label = Vec2::Zero();
+  const std::size_t before = out.arrows.size();
   for (const ContactForce& contact : in.frame.contacts) {
     if (contact.a < 0 || contact.b < 0 || contact.a >= count || contact.b >= count) continue;
-    const Vec2 force = (is_immovable(body_of(in, contact.b)) ? -1.0 : 1.0) * force_on_b(contact);
-    const Vec2 arrow = force * in.arrows.metres_per_newton;
+    const double side = is_immovable(body_of(in, contact.b)) ? -1.0 : 1.0;
+    const Vec2 arrow = side * in.arrows.metres_per_newton * force_on_b(contact);
     if (!(arrow.norm() * in.camera.scale >= kLeastContactArrow) || !seen.meets(contact.point, arrow.norm())) {
       continue;
     }
     out.segments.push_back({contact.point, contact.point, color, kContactDot * scale});
     out.arrows.push_back({contact.point, contact.point + arrow, color, kContactWidth * scale});
-    // Of equals the first, so that the value does not jump between them.
-    constexpr double kClearly = 1.01;
-    if (force.norm() > kClearly * largest) {
-      largest = force.norm();
-      label = contact.point + arrow + Vec2(0.0, arrow.y() > 0.0 ? kLabelRoom / in.camera.scale : 0.0);
-    }
   }
-  if (largest > 0.0) {
-    add_label(in, label, number_text(largest, 3) + QStringLiteral(" N"), color, out);
-  }
+  if (out.arrows.size() == before) return;
+  const double a_newton = in.arrows.metres_per_newton * in.camera.scale;  // px
+  out.force_key.newtons = step_not_above(kLongestKey * scale / a_newton);
+  out.force_key.length = out.force_key.newtons * a_newton;
+  out.force_key.width = kContactWidth * scale;
+  out.force_key.color = color;
 }
 
 }  // namespace carom

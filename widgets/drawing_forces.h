@@ -22,7 +22,7 @@ void add_applied_forces(const DrawingInput& input, const WorldRect& seen, Drawin
 [[nodiscard]] Vec2 force_on_b(const ContactForce& contact);
 
 // The force of each contact that lasts, from its point: on the body b, or on a
-// where b moves as it is told. The largest has its value, which tells the arrows' scale.
+// where b moves as it is told. Where there is one, also the key to their length.
 void add_contact_forces(const DrawingInput& input, const WorldRect& seen, Drawing& out);
 
 }  // namespace carom

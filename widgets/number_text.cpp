@@ -45,9 +45,12 @@ QString figures(const Vec2& value, int digits) {
   const double larger = value.cwiseAbs().maxCoeff();
   const int power = leading_power(larger, digits);
   if (larger == 0.0 || !value.allFinite() || !is_handy(power, digits)) {
-    // Two long exponents leave no room for more.
-    const int few = std::abs(power) >= 10 && value.cwiseAbs().minCoeff() > 0.0 ? 1 : 2;
-    return figure(value.x(), few) + ", " + figure(value.y(), few);
+    // Two long exponents leave no room for more than a digit.
+    const double smaller = value.cwiseAbs().minCoeff();
+    const int few = std::abs(power) >= 10 && smaller >= 0.5 * std::pow(10.0, power - 1) ? 1 : 2;
+    const double place = std::pow(10.0, power - few + 1);
+    const auto part = [&](double x) { return figure(std::abs(x) < 0.5 * place ? 0.0 : x, few); };
+    return part(value.x()) + ", " + part(value.y());
   }
   const int decimals = std::clamp(digits - 1 - power, 0, digits);
   return fixed(value.x(), decimals) + ", " + fixed(value.y(), decimals);

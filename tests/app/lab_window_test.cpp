@@ -206,6 +206,23 @@ TEST_F(LabWindowTest, ContactsAreChosenBesideTheImpacts) {
   EXPECT_TRUE(window_.frame()->contacts.empty());
 }
 
+TEST_F(LabWindowTest, TheToolBarIsWholeInANarrowWindow) {
+  action("Dormand-Prince 5(4), adaptive")->trigger();
+  const QToolButton* impacts = button("When impacts are resolved");
+  for (const int width : {1280, 1100, 950, 820}) {
+    window_.resize(width, 640);
+    QApplication::processEvents();
+    ASSERT_EQ(window_.width(), width);
+    const QToolButton* last = button("Dark colours");
+    EXPECT_TRUE(last->isVisible()) << width;
+    EXPECT_LE(last->mapTo(&window_, QPoint(last->width(), 0)).x(), width);
+  }
+  EXPECT_EQ(impacts->text(), "located ▾");
+  window_.resize(1280, 640);
+  QApplication::processEvents();
+  EXPECT_EQ(impacts->text(), "impacts at their own time ▾");
+}
+
 TEST_F(LabWindowTest, TheStepButtonGoesByTheIntegrator) {
   EXPECT_EQ(button("Length of a step")->text(), "h = 5 ms ▾");
   action("Dormand-Prince 5(4), adaptive")->trigger();

@@ -1,7 +1,6 @@
 #include "widgets/drawing_forces.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -198,7 +197,7 @@ TEST_F(ForcesDrawn, ATorqueIsAnArcTheWayItTurns) {
 
 // Two contacts of 4 N: a on b, and b on the fixed body.
 TEST_F(ForcesDrawn, AContactForceIsOneArrowOnABodyThatMoves) {
-  options_.contacts = options_.names = true;
+  options_.contacts = true;
   Body wall = bodies_[0];
   wall.name = "wall";
   wall.position = Vec2(3.0, 0.0);
@@ -219,8 +218,12 @@ TEST_F(ForcesDrawn, AContactForceIsOneArrowOnABodyThatMoves) {
   EXPECT_TRUE(d.arrows[1].to.isApprox(Vec2(2.1, -0.3), 1e-12)) << "back, from the wall";
   EXPECT_EQ(d.arrows[0].color, light_theme().series[1]);
   EXPECT_EQ(d.segments.size(), 2U) << "a dot each";
-  ASSERT_EQ(std::count_if(d.labels.begin(), d.labels.end(), [](const auto& l) { return l.text == "5 N"; }), 1);
-  EXPECT_NEAR(d.labels.back().anchor.x(), 1.9, 1e-12);
+  // 0.1 m/N at 100 px/m: 60 px would be 6 N.
+  EXPECT_EQ(d.force_key.newtons, 5.0);
+  EXPECT_NEAR(d.force_key.length, 50.0, 1e-12);
+  frame_.contacts.clear();
+  EXPECT_EQ(drawing().force_key.newtons, 0.0) << "nothing to read";
+  frame_.contacts = {ab, bw};
   options_.contacts = false;
   EXPECT_TRUE(drawing().arrows.empty());
 }
