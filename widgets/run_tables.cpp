@@ -142,7 +142,7 @@ class ImpactsModel : public FigureModel {
 
 BodiesTable::BodiesTable(QWidget* parent)
     : FigureTable(new BodiesModel({{"body", 58, true},
-                                   {"m / kg", 58},
+                                   {"m / kg", 62},
                                    {"v before / m/s", 92},
                                    {"v now / m/s", 112},
                                    {"p now / kg·m/s", 116},
