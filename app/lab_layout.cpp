@@ -196,6 +196,7 @@ void LabWindow::make_body() {
 
 bool LabWindow::eventFilter(QObject* watched, QEvent* event) {
   if (watched == view_ && event->type() == QEvent::Resize) place_chips();
+  if (watched == tool_bar_ && event->type() == QEvent::Resize) show_method();
   return QMainWindow::eventFilter(watched, event);
 }
 
@@ -252,7 +253,8 @@ void LabWindow::make_menus() {
       {"grid", "&Grid", "Grid in metres", &DrawingOptions::grid},
       {"velocity", "&Velocities", "Arrows of the velocities", &DrawingOptions::velocities},
       {"", "F&orces", "Applied forces and torques", &DrawingOptions::forces},
-      {"contact", "&Contacts", "Normals and impulses of the newest impacts", &DrawingOptions::contacts},
+      {"contact", "&Contacts", "Impulses of the newest impacts; forces in N of contacts that last",
+       &DrawingOptions::contacts},
       {"names", "&Names", "Names of the bodies", &DrawingOptions::names},
   }};
   for (const Toggle& toggle : kToggles) {
@@ -312,6 +314,8 @@ void LabWindow::make_menus() {
   integrator_button_ = button(integrators_, tr("How free motion is advanced; holds from now on"));
   impacts_button_ = button(add_choices(tr("&Impacts"), kImpacts, &Method::impacts),
                            tr("When impacts are resolved; holds from now on"));
+  contacts_button_ = button(add_choices(tr("&Contacts"), kContacts, &Method::contacts),
+                            tr("What holds bodies that touch; holds from now on"));
   steps_ = methods->addMenu(tr("&Step"));
   for (const double step : kSteps) {
     steps_->addAction(QString("h = %1 ms").arg(1e3 * step, 0, 'g', 4), this, [this, step] {
@@ -345,7 +349,8 @@ void LabWindow::make_menus() {
 }
 
 void LabWindow::make_tool_bar() {
-  QToolBar* bar = addToolBar(tr("Tools"));
+  QToolBar* bar = tool_bar_ = addToolBar(tr("Tools"));
+  bar->installEventFilter(this);
   bar->setMovable(false);
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   bar->setIconSize({18, 18});
@@ -358,7 +363,7 @@ void LabWindow::make_tool_bar() {
   bar->addSeparator();
   for (const char* icon : {"fit", "grid", "velocity", "contact", "names"}) add(icon);
   bar->addSeparator();
-  for (QToolButton* choice : {integrator_button_, impacts_button_, step_button_}) {
+  for (QToolButton* choice : {integrator_button_, impacts_button_, contacts_button_, step_button_}) {
     bar->addWidget(choice);
     auto* gap = new QWidget;
     gap->setFixedWidth(4);

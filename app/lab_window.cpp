@@ -14,6 +14,7 @@
 #include <QStringList>
 #include <QTabWidget>
 #include <QThread>
+#include <QToolBar>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -251,10 +252,15 @@ void LabWindow::show_frame() {
 
 void LabWindow::show_method() {
   const Method m = worker_->scene().method;
-  const auto text = [](std::string_view s) { return QString::fromUtf8(s.data(), static_cast<int>(s.size())); };
+  const auto set = [](QToolButton* button, std::string_view s) {
+    button->setText(QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())) + QStringLiteral(" ▾"));
+  };
   const IntegratorChoice& integrator = choice_of(kIntegrators, m.integrator);
-  integrator_button_->setText(text(integrator.label) + QStringLiteral(" ▾"));
-  impacts_button_->setText(text(choice_of(kImpacts, m.impacts).label) + QStringLiteral(" ▾"));
+  const auto& impacts = choice_of(kImpacts, m.impacts);
+  const auto& contacts = choice_of(kContacts, m.contacts);
+  set(integrator_button_, integrator.label);
+  set(impacts_button_, impacts.label);
+  set(contacts_button_, contacts.label);
   const bool adaptive = integrator.adaptive;
   const bool exact = integrator.order == 0;
   const QString step = QString("%1 ms ▾").arg(1e3 * m.step, 0, 'g', 4);
@@ -267,6 +273,18 @@ void LabWindow::show_method() {
                : tr("Length of a step; holds from now on"));
   step_button_->setMenu(adaptive ? tolerances_ : steps_);
   tolerances_->menuAction()->setEnabled(adaptive);
+
+  // In a narrow window names stand for labels, and of the integrator's what fits.
+  const auto missing = [this] { return tool_bar_->sizeHint().width() - tool_bar_->width(); };
+  if (missing() <= 0) return;
+  set(impacts_button_, impacts.name);
+  set(contacts_button_, contacts.name);
+  if (const int more = missing(); more > 0) {
+    const QFontMetrics metrics = integrator_button_->fontMetrics();
+    const QString text = integrator_button_->text();
+    integrator_button_->setText(
+        metrics.elidedText(text, Qt::ElideMiddle, metrics.horizontalAdvance(text) - more));
+  }
 }
 
 void LabWindow::show_needs() {

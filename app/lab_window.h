@@ -15,6 +15,7 @@ class QAction;
 class QLabel;
 class QMenu;
 class QTabWidget;
+class QToolBar;
 class QToolButton;
 
 namespace carom {
@@ -65,7 +66,7 @@ class LabWindow : public QMainWindow {
 
   void poll();
   void show_frame();
-  void show_method();
+  void show_method();  // as wide as the tool bar has room for
   // What the edited scene needs: chips, ledger and the methods that it allows.
   void show_needs();
   void place_chips();
@@ -108,8 +109,10 @@ class LabWindow : public QMainWindow {
   QLabel* speed_chip_ = nullptr;
   QLabel* status_chip_ = nullptr;
   QLabel* position_ = nullptr;
+  QToolBar* tool_bar_ = nullptr;
   QToolButton* integrator_button_ = nullptr;
   QToolButton* impacts_button_ = nullptr;
+  QToolButton* contacts_button_ = nullptr;
   QToolButton* step_button_ = nullptr;
   QToolButton* plots_button_ = nullptr;
   QMenu* integrators_ = nullptr;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "widgets/drawing_forces.h"
+#include "widgets/drawing_links.h"
 
 namespace carom {
 namespace {
@@ -34,10 +35,14 @@ class Builder {
     for (int i = 0; i < count(); ++i) add_body(i);
     add_springs(in_, seen_, out_);
     add_drives(in_, seen_, out_);
+    add_links(in_, seen_, out_);
     if (in_.options.names) add_names();
     if (in_.options.velocities) add_velocities();
     if (in_.options.forces) add_applied_forces(in_, seen_, out_);
-    if (in_.options.contacts) add_contacts();
+    if (in_.options.contacts) {
+      add_contact_forces(in_, seen_, out_);
+      add_impacts();
+    }
   }
 
  private:
@@ -121,7 +126,7 @@ class Builder {
   }
 
   // The normal impulse on each moving body of an impact, away from where it was touched.
-  void add_contacts() {
+  void add_impacts() {
     for (const ImpactRecord& impact : in_.impacts) {
       const double age = in_.frame.time - impact.time;
       if (age < 0.0 || age >= kImpactShown) continue;
@@ -163,6 +168,7 @@ void Drawing::clear() {
   segments.clear();
   arrows.clear();
   labels.clear();
+  force_key = {};
 }
 
 void Peaks::observe(const Frame& frame) {
@@ -180,6 +186,13 @@ void Peaks::observe(const Frame& frame) {
   const double energy = frame.totals.energy();
   if (mass > 0.0 && energy > 0.0) speed = std::max(speed, std::sqrt(2.0 * energy / mass));
   for (const ImpactRecord& impact : frame.impacts) impulse = std::max(impulse, impact.normal_impulse);
+  contact_force *= frame.time < time ? 0.0 : std::exp((time - frame.time) / kContactMemory);
+  time = frame.time;
+  for (const ContactForce& contact : frame.contacts) {
+    contact_force = std::max(contact_force, force_on_b(contact).norm());
+  }
+  largest_contact_force = std::max(largest_contact_force, contact_force);
+  contact_force = std::max(contact_force, kLeastShare * largest_contact_force);
   if (!frame.forces) return;
   for (const AppliedForce& applied : frame.forces->applied) force = std::max(force, applied.force.norm());
 }
@@ -189,7 +202,8 @@ ArrowScale arrow_scale(const Peaks& peaks, double side) {
   const double longest = side * std::min(kLongestShare, kLongestInCrowd / std::sqrt(std::max(1, peaks.moving)));
   if (peaks.speed > 0.0) scale.seconds = step_not_above(longest / peaks.speed);
   if (peaks.impulse > 0.0) scale.metres_per_impulse = step_not_above(longest / peaks.impulse);
-  if (peaks.force > 0.0) scale.metres_per_newton = step_not_above(longest / peaks.force);
+  const double force = std::max(peaks.force, peaks.contact_force);
+  if (force > 0.0) scale.metres_per_newton = step_not_above(longest / force);
   return scale;
 }
 
@@ -213,6 +227,9 @@ WorldRect bounds(const Frame& frame) {
     for (const Spring& spring : frame.forces->springs) {
       if (spring.to.empty()) rect.include(spring.anchor, Vec2::Zero());
     }
+  }
+  for (const LinkState& link : frame.links) {
+    if (link.in_plane) rect.include(link.from, Vec2::Zero());
   }
   return rect;
 }

@@ -15,7 +15,7 @@ namespace carom {
 
 // What the scene looks like as a list of plain shapes: in world metres, with colours, and widths in logical
 // pixels. OpenGL and QPainter paint the same list. Painted in this order: grid, boxes, polygons, springs and
-// thin walls, discs, contact points, arrows, text.
+// thin walls, discs, links and contact points, arrows, text.
 struct Drawing {
   struct DiscItem {
     Vec2 center;
@@ -60,6 +60,13 @@ struct Drawing {
     QString text;
     QColor color;
   };
+  // How long an arrow is for a round force; stands beside the scale bar.
+  struct ForceKey {
+    double newtons = 0.0;  // 0: no key
+    double length = 0.0;   // px
+    double width = 0.0;    // px, of the shaft
+    QColor color;
+  };
 
   bool has_grid = false;
   Grid grid;
@@ -71,6 +78,7 @@ struct Drawing {
   std::vector<SegmentItem> segments;
   std::vector<ArrowItem> arrows;
   std::vector<LabelItem> labels;
+  ForceKey force_key;
   double outline = 1.5;   // px, of bodies
   double text_size = 11;  // px
 
@@ -83,8 +91,8 @@ struct Drawing {
 struct DrawingOptions {
   bool grid = true;
   bool velocities = true;
-  bool forces = true;  // applied ones
-  bool contacts = true;
+  bool forces = true;    // applied ones
+  bool contacts = true;  // impulses of impacts, forces of contacts that last
   bool names = true;
   double line_scale = 1.0;  // dimensionless: 2 in projector mode
   double text_size = 11.0;  // px
@@ -99,12 +107,20 @@ struct ArrowScale {
   double metres_per_newton = 0.1;
 };
 
-// The largest speed, impulse and applied force that a scene has shown, which set the length of its arrows.
+// The largest speed, impulse and force that a scene has shown, which set the length of its arrows. Where
+// something lands the force of a contact that lasts is large for a moment: of these, the largest of late
+// counts.
 struct Peaks {
-  double speed = 0.0;    // m/s
-  double impulse = 0.0;  // N s
-  double force = 0.0;    // N
-  int moving = 0;        // bodies; a crowd's arrows are shorter
+  double speed = 0.0;                  // m/s
+  double impulse = 0.0;                // N s
+  double force = 0.0;                  // N, applied
+  double contact_force = 0.0;          // N, falls by e in kContactMemory
+  double largest_contact_force = 0.0;  // N, ever: far below it is rounding
+  int moving = 0;                      // bodies; a crowd's arrows are shorter
+  double time = 0.0;                   // s, of the frame that was observed last
+
+  static constexpr double kContactMemory = 0.1;  // s
+  static constexpr double kLeastShare = 1e-3;    // of the largest contact force, that the newest falls to
 
   // Takes what the frame has and, from its energy, the speed that is to be expected of it.
   void observe(const Frame& frame);
@@ -130,7 +146,7 @@ struct DrawingInput {
 // Leaves out what the camera doesn't see. The memory of `reuse` serves the new list.
 [[nodiscard]] Drawing make_drawing(const DrawingInput& input, Drawing reuse = {});
 
-// All bodies of the frame and the points that springs hang on.
+// All bodies of the frame and the points that springs and links hang on.
 [[nodiscard]] WorldRect bounds(const Frame& frame);
 
 }  // namespace carom

@@ -25,6 +25,10 @@ constexpr double kLeastMotionArrow = 15.0;   // px, each half of a double arrow
 constexpr double kMotionWidth = 2.0;         // px
 constexpr double kForceWidth = 2.4;          // px
 constexpr double kLeastForceArrow = 10.0;    // px
+constexpr double kContactWidth = 2.0;        // px
+constexpr double kLeastContactArrow = 6.0;   // px
+constexpr double kContactDot = 5.0;          // px
+constexpr double kLongestKey = 60.0;         // px
 constexpr double kLabelRoom = 22.0;          // px, of a label above a point
 constexpr double kLeastTorqueRadius = 14.0;  // px
 
@@ -244,6 +248,34 @@ void add_applied_forces(const DrawingInput& in, const WorldRect& seen, Drawing& 
     }
     if (applied.torque != 0.0) add_torque(in, i, share * applied.torque, color, out);
   }
+}
+
+Vec2 force_on_b(const ContactForce& contact) {
+  return contact.normal_force * contact.normal + contact.tangential_force * turned(contact.normal);
+}
+
+void add_contact_forces(const DrawingInput& in, const WorldRect& seen, Drawing& out) {
+  if (!in.frame.bodies) return;
+  const QColor& color = in.theme.series[1];
+  const int count = std::min(in.frame.state.size(), static_cast<int>(in.frame.bodies->size()));
+  const double scale = in.options.line_scale;
+  const std::size_t before = out.arrows.size();
+  for (const ContactForce& contact : in.frame.contacts) {
+    if (contact.a < 0 || contact.b < 0 || contact.a >= count || contact.b >= count) continue;
+    const double side = is_immovable(body_of(in, contact.b)) ? -1.0 : 1.0;
+    const Vec2 arrow = side * in.arrows.metres_per_newton * force_on_b(contact);
+    if (!(arrow.norm() * in.camera.scale >= kLeastContactArrow) || !seen.meets(contact.point, arrow.norm())) {
+      continue;
+    }
+    out.segments.push_back({contact.point, contact.point, color, kContactDot * scale});
+    out.arrows.push_back({contact.point, contact.point + arrow, color, kContactWidth * scale});
+  }
+  if (out.arrows.size() == before) return;
+  const double a_newton = in.arrows.metres_per_newton * in.camera.scale;  // px
+  out.force_key.newtons = step_not_above(kLongestKey * scale / a_newton);
+  out.force_key.length = out.force_key.newtons * a_newton;
+  out.force_key.width = kContactWidth * scale;
+  out.force_key.color = color;
 }
 
 }  // namespace carom

@@ -18,4 +18,11 @@ void add_drives(const DrawingInput& input, const WorldRect& seen, Drawing& out);
 // An arrow for each force that acts now and an arc about the body for each torque, with their values.
 void add_applied_forces(const DrawingInput& input, const WorldRect& seen, Drawing& out);
 
+// N: normal and tangential together, on the contact's body b.
+[[nodiscard]] Vec2 force_on_b(const ContactForce& contact);
+
+// The force of each contact that lasts, from its point: on the body b, or on a
+// where b moves as it is told. Where there is one, also the key to their length.
+void add_contact_forces(const DrawingInput& input, const WorldRect& seen, Drawing& out);
+
 }  // namespace carom

@@ -28,6 +28,15 @@ bool has_drag(const Scene& scene) {
   return scene.forces.linear_drag > 0.0 || scene.forces.quadratic_drag > 0.0;
 }
 
+// Of contacts that last only.
+bool has_rolling_resistance(const Scene& scene) {
+  if (scene.method.contacts != ContactsId::kLasting) return false;
+  const auto resists = [](const Material& material) { return material.rolling_resistance > 0.0; };
+  return std::any_of(scene.materials.begin(), scene.materials.end(), resists) ||
+         std::any_of(scene.pairs.begin(), scene.pairs.end(),
+                     [&](const MaterialPair& pair) { return resists(pair.surface); });
+}
+
 constexpr std::size_t kEntries = 13;
 
 constexpr std::array<Entry<double>, kEntries> kEnergy = {{
@@ -38,7 +47,8 @@ constexpr std::array<Entry<double>, kEntries> kEnergy = {{
      QT_TRANSLATE_NOOP("LedgerTable", "Taken by impacts with a restitution below 1: ½ μ (1 − e²) uₙ² each"),
      [](const Ledger& l, const Totals&) { return l.lost_to_restitution; }},
     {QT_TRANSLATE_NOOP("LedgerTable", "lost to friction"),
-     QT_TRANSLATE_NOOP("LedgerTable", "Work of the tangential impulses of impacts and of friction where contacts last"),
+     QT_TRANSLATE_NOOP("LedgerTable",
+                       "Work of the tangential impulses of impacts and of friction where contacts last"),
      [](const Ledger& l, const Totals&) { return l.lost_to_friction; },
      [](const Scene&, const Needs& needs) { return !needs.friction; }},
     {QT_TRANSLATE_NOOP("LedgerTable", "lost to rolling"),
@@ -111,6 +121,7 @@ constexpr std::array<Entry<Vec2>, kEntries> kMomentum = {{
      [](const Scene& scene, const Needs&) {
        return std::none_of(scene.bodies.begin(), scene.bodies.end(), is_immovable);
      }},
+    {},
     {},
     {},
     {},

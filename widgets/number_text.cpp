@@ -45,7 +45,12 @@ QString figures(const Vec2& value, int digits) {
   const double larger = value.cwiseAbs().maxCoeff();
   const int power = leading_power(larger, digits);
   if (larger == 0.0 || !value.allFinite() || !is_handy(power, digits)) {
-    return figure(value.x(), 2) + ", " + figure(value.y(), 2);
+    // Two long exponents leave no room for more than a digit.
+    const double smaller = value.cwiseAbs().minCoeff();
+    const int few = std::abs(power) >= 10 && smaller >= 0.5 * std::pow(10.0, power - 1) ? 1 : 2;
+    const double place = std::pow(10.0, power - few + 1);
+    const auto part = [&](double x) { return figure(std::abs(x) < 0.5 * place ? 0.0 : x, few); };
+    return part(value.x()) + ", " + part(value.y());
   }
   const int decimals = std::clamp(digits - 1 - power, 0, digits);
   return fixed(value.x(), decimals) + ", " + fixed(value.y(), decimals);

@@ -19,6 +19,8 @@ constexpr double kHeadShare = 0.7;
 constexpr double kEdge = 6.0;
 constexpr double kScaleBarLeft = 26.0;
 constexpr double kScaleBarBottom = 16.0;
+constexpr double kBarGap = 6.0;    // to a bar's text
+constexpr double kBarsGap = 18.0;  // between two bars
 
 void paint_grid(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
   const double ratio = painter.device()->devicePixelRatioF();
@@ -108,20 +110,27 @@ void paint_segments(QPainter& painter, const std::vector<Drawing::SegmentItem>& 
   }
 }
 
-void paint_arrows(QPainter& painter, const Drawing& drawing, const Camera& camera) {
-  for (const Drawing::ArrowItem& arrow : drawing.arrows) {
-    const ArrowOnScreen a = arrow_on_screen(arrow, camera);
-    const QLineF shaft(a.from, a.tip);
-    const QPointF along = (a.tip - a.from) / shaft.length();
-    const QPointF across(-along.y(), along.x());
-    const QPointF base = a.tip - along * a.head_length;
-    painter.setPen(QPen(arrow.color, arrow.width, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLine(a.from, a.shaft_end);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(arrow.color);
-    const QPointF head[] = {a.tip, base + across * a.head_half_width, base - across * a.head_half_width};
-    painter.drawConvexPolygon(head, 3);
-  }
+void paint_arrow(QPainter& painter, const ArrowOnScreen& a, double width, const QColor& color) {
+  const QPointF along = (a.tip - a.from) / QLineF(a.from, a.tip).length();
+  const QPointF across(-along.y(), along.x());
+  const QPointF base = a.tip - along * a.head_length;
+  painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(a.from, a.shaft_end);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  const QPointF head[] = {a.tip, base + across * a.head_half_width, base - across * a.head_half_width};
+  painter.drawConvexPolygon(head, 3);
+}
+
+ArrowOnScreen arrow_between(const QPointF& from, const QPointF& tip, double width) {
+  ArrowOnScreen a;
+  a.from = from;
+  a.tip = tip;
+  const double length = QLineF(from, tip).length();
+  a.head_length = std::min(kHeadLength * width, kHeadShare * length);
+  a.head_half_width = a.head_length * kHeadHalfWidth / kHeadLength;
+  a.shaft_end = tip - (tip - from) * (0.9 * a.head_length / length);
+  return a;
 }
 
 // Under text at the edges, so that it can be read on a wall.
@@ -133,25 +142,42 @@ void paint_ground(QPainter& painter, const Theme& theme, const QRectF& text) {
   painter.drawRoundedRect(text.adjusted(-4.0, -1.0, 4.0, 1.0), 4.0, 4.0);
 }
 
-void paint_scale_bar(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
-                     double* right_end) {
-  const double y = camera.viewport.height() - kScaleBarBottom;
-  const double length = drawing.grid.scale_bar * camera.scale;
-  const QString text = length_text(drawing.grid.scale_bar);
+// What a bar or an arrow of this length (px) is worth, at its right, and a ground for both. The end of all.
+double paint_bar_text(QPainter& painter, const Theme& theme, const QPointF& from, double length,
+                      const QString& text) {
   const QFontMetricsF metrics(painter.font());
-  *right_end = kScaleBarLeft + length + 6.0 + metrics.horizontalAdvance(text);
-  paint_ground(
-      painter, theme,
-      QRectF(QPointF(kScaleBarLeft, y - metrics.height() / 2), QPointF(*right_end, y + metrics.height() / 2)));
-  painter.setPen(QPen(theme.muted, drawing.outline, Qt::SolidLine, Qt::FlatCap));
-  painter.drawLine(QPointF(kScaleBarLeft, y), QPointF(kScaleBarLeft + length, y));
+  const QPointF at(from.x() + length + kBarGap, from.y() + metrics.capHeight() / 2);
+  const double end = at.x() + metrics.horizontalAdvance(text);
+  paint_ground(painter, theme,
+               QRectF(QPointF(from.x(), from.y() - metrics.height() / 2),
+                      QPointF(end, from.y() + metrics.height() / 2)));
   painter.setPen(theme.muted);
-  painter.drawText(QPointF(kScaleBarLeft + length + 6.0, y + metrics.capHeight() / 2), text);
+  painter.drawText(at, text);
+  return end;
+}
+
+// At the lower left, `left` being where there is room yet; it moves on.
+void paint_scale_bar(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
+                     double& left) {
+  const double length = drawing.grid.scale_bar * camera.scale;
+  const QPointF from(left, camera.viewport.height() - kScaleBarBottom);
+  left = paint_bar_text(painter, theme, from, length, length_text(drawing.grid.scale_bar));
+  painter.setPen(QPen(theme.muted, drawing.outline, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(from, from + QPointF(length, 0.0));
+}
+
+// Beside the scale bar.
+void paint_force_key(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
+                     double& left) {
+  const Drawing::ForceKey& key = drawing.force_key;
+  const QPointF from(left, camera.viewport.height() - kScaleBarBottom);
+  left = paint_bar_text(painter, theme, from, key.length, number_text(key.newtons) + QStringLiteral(" N"));
+  paint_arrow(painter, arrow_between(from, from + QPointF(key.length, 0.0), key.width), key.width, key.color);
 }
 
 // Coordinates at the strong lines, along the lower and left edges, where the scale bar leaves room.
 void paint_numbers(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
-                   double scale_bar_end) {
+                   double bars_end) {
   const QFontMetricsF metrics(painter.font());
   const double bottom = camera.viewport.height() - kEdge;
   for (const Grid::Line& line : drawing.grid.lines) {
@@ -162,7 +188,7 @@ void paint_numbers(QPainter& painter, const Drawing& drawing, const Camera& came
     QPointF place(kEdge, at.y() + metrics.capHeight() / 2);
     if (line.vertical) {
       place = QPointF(at.x() - width / 2, bottom);
-      if (place.x() < scale_bar_end + 12.0 || place.x() + width > camera.viewport.width() - kEdge) continue;
+      if (place.x() < bars_end + 12.0 || place.x() + width > camera.viewport.width() - kEdge) continue;
     } else if (at.y() < 2 * metrics.height() || at.y() > bottom - 3 * metrics.height()) {
       continue;
     }
@@ -182,14 +208,7 @@ void set_text_size(QPainter& painter, double pixels, int weight) {
 }  // namespace
 
 ArrowOnScreen arrow_on_screen(const Drawing::ArrowItem& arrow, const Camera& camera) {
-  ArrowOnScreen a;
-  a.from = camera.to_screen(arrow.from);
-  a.tip = camera.to_screen(arrow.to);
-  const double length = QLineF(a.from, a.tip).length();
-  a.head_length = std::min(kHeadLength * arrow.width, kHeadShare * length);
-  a.head_half_width = a.head_length * kHeadHalfWidth / kHeadLength;
-  a.shaft_end = a.tip - (a.tip - a.from) * (0.9 * a.head_length / length);
-  return a;
+  return arrow_between(camera.to_screen(arrow.from), camera.to_screen(arrow.to), arrow.width);
 }
 
 double grid_line_width(const Drawing& drawing) { return drawing.outline / 1.5; }
@@ -208,17 +227,23 @@ void paint_shapes(QPainter& painter, const Drawing& drawing, const Camera& camer
   paint_segments(painter, drawing.lines, camera);
   paint_discs(painter, drawing, camera);
   paint_segments(painter, drawing.segments, camera);
-  paint_arrows(painter, drawing, camera);
+  for (const Drawing::ArrowItem& arrow : drawing.arrows) {
+    paint_arrow(painter, arrow_on_screen(arrow, camera), arrow.width, arrow.color);
+  }
 }
 
 void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  double left = kScaleBarLeft;
+  set_text_size(painter, drawing.text_size, QFont::Normal);
+  if (drawing.has_grid) paint_scale_bar(painter, drawing, camera, theme, left);
+  if (drawing.force_key.newtons > 0.0) {
+    if (drawing.has_grid) left += kBarsGap;
+    paint_force_key(painter, drawing, camera, theme, left);
+  }
   if (drawing.has_grid) {
-    double scale_bar_end = 0.0;
-    set_text_size(painter, drawing.text_size, QFont::Normal);
-    paint_scale_bar(painter, drawing, camera, theme, &scale_bar_end);
     set_text_size(painter, drawing.text_size - 1.0, QFont::Normal);
-    paint_numbers(painter, drawing, camera, theme, scale_bar_end);
+    paint_numbers(painter, drawing, camera, theme, left);
   }
   set_text_size(painter, drawing.text_size, QFont::DemiBold);
   const QFontMetricsF metrics(painter.font());

@@ -141,11 +141,11 @@ class ImpactsModel : public FigureModel {
 }  // namespace
 
 BodiesTable::BodiesTable(QWidget* parent)
-    : FigureTable(new BodiesModel({{"body", 62, true},
-                                   {"m / kg", 58},
+    : FigureTable(new BodiesModel({{"body", 58, true},
+                                   {"m / kg", 62},
                                    {"v before / m/s", 92},
-                                   {"v now / m/s", 104},
-                                   {"p now / kg·m/s", 120},
+                                   {"v now / m/s", 112},
+                                   {"p now / kg·m/s", 116},
                                    {"K before / J", 72},
                                    {"K now / J", 66}},
                                   nullptr),

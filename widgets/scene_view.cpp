@@ -12,6 +12,7 @@
 #include <cmath>
 #include <utility>
 
+#include "widgets/drawing_forces.h"
 #include "widgets/gl_canvas.h"
 
 namespace carom {
@@ -174,6 +175,19 @@ QString SceneView::body_text(int index) const {
   if (!body.fixed) {
     text += QString("<br>velocity (%1, %2) m/s").arg(number(v.x()), number(v.y()));
     text += QString("<br>spin %1 rad/s").arg(number(frame_->state.v(2, index)));
+  }
+  int touching = 0;
+  Vec2 force = Vec2::Zero();
+  for (const ContactForce& contact : frame_->contacts) {
+    if (contact.a != index && contact.b != index) continue;
+    ++touching;
+    force += (contact.b == index ? 1.0 : -1.0) * force_on_b(contact);
+  }
+  if (touching > 0) {
+    text += QString("<br>force of %1 contact%2 (%3, %4) N")
+                .arg(touching)
+                .arg(touching == 1 ? "" : "s")
+                .arg(number(force.x()), number(force.y()));
   }
   return "<div style='white-space: nowrap'>" + text + "</div>";
 }

@@ -95,6 +95,7 @@ class Tracks {
     const int k = island_of_[body];
     return k >= 0 && islands_[k].group >= 0 && links_.has_links(islands_[k].group);
   }
+  [[nodiscard]] bool is_taut(int link) const { return links_.taut(link); }  // of a string
   // An impact of two settled bodies, at least one of them linked. `a_by` and `b_by` are how (v, spin) of the
   // two would change were they free; zero for immovable ones. answer() makes of them how they change as links
   // share the impulse at once, push() changes the motions of all that share it. False if a string would have to

@@ -24,6 +24,16 @@ struct Sample {
   Vec2 momentum_drift = Vec2::Zero();
 };
 
+// A link at one moment, in the world.
+struct LinkState {
+  LinkKind kind = LinkKind::kRod;
+  Vec2 from = Vec2::Zero();  // m, its end on the other body or in the plane
+  Vec2 to = Vec2::Zero();    // m, its end on its body
+  bool in_plane = false;     // from is a point of the plane
+  double length = 0.0;       // m, of a rod or a string
+  bool taut = true;          // false: a string that hangs slack
+};
+
 // A moment of a run, whole, as the simulation's thread publishes it: what is now, and what happened since the
 // frame before. Nothing in it changes after it was published.
 struct Frame {
@@ -36,6 +46,8 @@ struct Frame {
   State state;
   std::shared_ptr<const std::vector<Body>> bodies;
   std::shared_ptr<const Forces> forces;
+  std::vector<LinkState> links;
+  std::vector<ContactForce> contacts;  // of the last step; empty where contacts don't last
   Totals totals;
   Ledger ledger;
   std::string status = "ok";

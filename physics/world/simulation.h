@@ -163,6 +163,7 @@ class Simulation {
   [[nodiscard]] const Geometry& shapes() const { return shapes_; }
   // The scene's, and after them a weld for each impact after which two bodies have stuck together.
   [[nodiscard]] const std::vector<Link>& links() const { return scene_.links; }
+  [[nodiscard]] bool is_taut(int link) const { return tracks_.is_taut(link); }  // of a string
   [[nodiscard]] const ForceField& field() const { return tracks_.field(); }
   [[nodiscard]] const Method& method() const { return method_; }
   [[nodiscard]] const Needs& needs() const { return needs_; }

@@ -158,12 +158,69 @@ TEST_F(LabWindowTest, MethodsAreChosenFromTheMenus) {
   EXPECT_TRUE(window_.isWindowModified());
   action("impacts at the step's end")->trigger();
   EXPECT_EQ(window_.scene().method.impacts, ImpactsId::kStepEnd);
+  action("contacts that last")->trigger();
+  EXPECT_EQ(window_.scene().method.contacts, ContactsId::kLasting);
   action("h = 10 ms")->trigger();
   EXPECT_EQ(window_.scene().method.step, 0.01);
   EXPECT_EQ(window_.scene().method.integrator, IntegratorId::kExplicitEuler);
   // The worker goes by it: 0.3 s are 30 steps.
   window_.run_until(0.3);
   EXPECT_EQ(steps(), 30);
+}
+
+// A disc on a floor, with friction.
+TEST_F(LabWindowTest, ContactsAreChosenBesideTheImpacts) {
+  EXPECT_EQ(button("What holds bodies that touch")->text(), "impulses only ▾");
+  Scene scene;
+  scene.forces.gravity = Vec2(0.0, -10.0);
+  scene.bodies.resize(2);
+  scene.bodies[0].name = "floor";
+  scene.bodies[0].shape = Box{4.0, 0.2};
+  scene.bodies[0].position = Vec2(0.0, -0.1);
+  scene.bodies[0].fixed = true;
+  scene.bodies[1].name = "block";
+  scene.bodies[1].shape = Box{0.4, 0.4};
+  scene.bodies[1].position = Vec2(0.0, 0.2);
+  scene.bodies[1].mass = 3.0;
+  scene.materials = {{.restitution = 0.5}};
+  window_.show_scene(scene, {}, {});
+  window_.run_until(0.1);
+  EXPECT_TRUE(window_.frame()->contacts.empty());
+  EXPECT_TRUE(chip("What is modelled")->toolTip().contains("as repeated impacts"));
+
+  const QToolButton* choice = button("What holds bodies that touch");
+  QAction* lasting = choice->menu()->actions().back();
+  EXPECT_TRUE(lasting->toolTip().contains("static and kinetic friction"));
+  lasting->trigger();
+  EXPECT_EQ(choice->text(), "contacts that last ▾");
+  EXPECT_FALSE(chip("What is modelled")->toolTip().contains("as repeated impacts"));
+  EXPECT_TRUE(window_.isWindowModified());
+  window_.run_until(0.2);
+  double held = 0.0;
+  for (const ContactForce& contact : window_.frame()->contacts) held += contact.normal_force;
+  EXPECT_NEAR(held, 30.0, 1e-6);
+  EXPECT_FALSE(window_.scene_view().drawing().arrows.empty());
+  action("impulses only")->trigger();
+  EXPECT_EQ(window_.scene().method.contacts, ContactsId::kImpulse);
+  window_.run_until(0.3);
+  EXPECT_TRUE(window_.frame()->contacts.empty());
+}
+
+TEST_F(LabWindowTest, TheToolBarIsWholeInANarrowWindow) {
+  action("Dormand-Prince 5(4), adaptive")->trigger();
+  const QToolButton* impacts = button("When impacts are resolved");
+  for (const int width : {1280, 1100, 950, 820}) {
+    window_.resize(width, 640);
+    QApplication::processEvents();
+    ASSERT_EQ(window_.width(), width);
+    const QToolButton* last = button("Dark colours");
+    EXPECT_TRUE(last->isVisible()) << width;
+    EXPECT_LE(last->mapTo(&window_, QPoint(last->width(), 0)).x(), width);
+  }
+  EXPECT_EQ(impacts->text(), "located ▾");
+  window_.resize(1280, 640);
+  QApplication::processEvents();
+  EXPECT_EQ(impacts->text(), "impacts at their own time ▾");
 }
 
 TEST_F(LabWindowTest, TheStepButtonGoesByTheIntegrator) {

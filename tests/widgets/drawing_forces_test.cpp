@@ -195,6 +195,80 @@ TEST_F(ForcesDrawn, ATorqueIsAnArcTheWayItTurns) {
   }
 }
 
+// Two contacts of 4 N: a on b, and b on the fixed body.
+TEST_F(ForcesDrawn, AContactForceIsOneArrowOnABodyThatMoves) {
+  options_.contacts = true;
+  Body wall = bodies_[0];
+  wall.name = "wall";
+  wall.position = Vec2(3.0, 0.0);
+  wall.fixed = true;
+  bodies_.push_back(wall);
+  ContactForce ab{.a = 0, .b = 1, .point = Vec2(1.5, 0.0), .normal = Vec2::UnitX()};
+  ab.normal_force = 4.0;
+  ab.tangential_force = 3.0;
+  ContactForce bw = ab;
+  bw.a = 1;
+  bw.b = 2;
+  bw.point = Vec2(2.5, 0.0);
+  frame_.contacts = {ab, bw};
+  const Drawing d = drawing();
+  ASSERT_EQ(d.arrows.size(), 2U);
+  EXPECT_EQ(d.arrows[0].from, Vec2(1.5, 0.0));
+  EXPECT_TRUE(d.arrows[0].to.isApprox(Vec2(1.9, 0.3), 1e-12));
+  EXPECT_TRUE(d.arrows[1].to.isApprox(Vec2(2.1, -0.3), 1e-12)) << "back, from the wall";
+  EXPECT_EQ(d.arrows[0].color, light_theme().series[1]);
+  EXPECT_EQ(d.segments.size(), 2U) << "a dot each";
+  // 0.1 m/N at 100 px/m: 60 px would be 6 N.
+  EXPECT_EQ(d.force_key.newtons, 5.0);
+  EXPECT_NEAR(d.force_key.length, 50.0, 1e-12);
+  frame_.contacts.clear();
+  EXPECT_EQ(drawing().force_key.newtons, 0.0) << "nothing to read";
+  frame_.contacts = {ab, bw};
+  options_.contacts = false;
+  EXPECT_TRUE(drawing().arrows.empty());
+}
+
+TEST_F(ForcesDrawn, StrangeContactsAreNoTrouble) {
+  options_.contacts = true;
+  ContactForce contact{.a = 0, .b = 7};
+  contact.normal_force = 4.0;
+  frame_.contacts = {contact};
+  EXPECT_TRUE(drawing().arrows.empty());
+  frame_.contacts[0] = {.a = 0, .b = 1};
+  EXPECT_TRUE(drawing().arrows.empty()) << "no force";
+}
+
+TEST_F(ForcesDrawn, TheLargestContactForceOfLateSetsTheScale) {
+  Peaks peaks;
+  ContactForce contact{.a = 0, .b = 1};
+  contact.normal_force = 30.0;
+  contact.tangential_force = -40.0;
+  frame_.contacts = {contact};
+  frame_.time = 2.0;
+  (void)drawing();
+  peaks.observe(frame_);
+  EXPECT_EQ(peaks.contact_force, 50.0);
+  EXPECT_GT(arrow_scale(peaks, 4.0).metres_per_newton * 50.0, 0.08 * 4.0);
+  EXPECT_LT(arrow_scale(peaks, 4.0).metres_per_newton * 50.0, 0.25 * 4.0);
+  frame_.contacts[0].normal_force = 3.0;
+  frame_.contacts[0].tangential_force = 4.0;
+  peaks.observe(frame_);
+  EXPECT_EQ(peaks.contact_force, 50.0);
+  frame_.time = 2.1;
+  peaks.observe(frame_);
+  EXPECT_NEAR(peaks.contact_force, 50.0 / std::numbers::e, 1e-12);
+  frame_.time = 3.0;
+  peaks.observe(frame_);
+  EXPECT_EQ(peaks.contact_force, 5.0);
+  frame_.time = 0.0;
+  peaks.observe(frame_);
+  EXPECT_EQ(peaks.contact_force, 5.0) << "a new run";
+  frame_.contacts.clear();
+  frame_.time = 1e3;
+  peaks.observe(frame_);
+  EXPECT_EQ(peaks.contact_force, 0.05) << "what is far smaller is rounding";
+}
+
 TEST_F(ForcesDrawn, FittingHoldsTheAnchors) {
   spring().anchor = Vec2(-3.0, 4.0);
   (void)drawing();

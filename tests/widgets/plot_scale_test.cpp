@@ -83,6 +83,10 @@ TEST(NumberText, VectorsShareTheirDecimalPlace) {
   EXPECT_EQ(figures(Vec2(-12.34, 0.567)), "−12.3, 0.6");
   EXPECT_EQ(figures(Vec2(0.0, -0.0)), "0, 0");
   EXPECT_EQ(figures(Vec2(1.2e-16, 0.0)), "1.2e−16, 0");
+  EXPECT_EQ(figures(Vec2(1.2e-6, -3.4e-5)), "1.2e−6, −3.4e−5");
+  EXPECT_EQ(figures(Vec2(-1.2e-6, 3.4e-8)), "−1.2e−6, 0");
+  EXPECT_EQ(figures(Vec2(1.2e-13, -3.4e-13)), "1e−13, −3e−13");
+  EXPECT_EQ(figures(Vec2(1.2e-13, -6.4e-15)), "1e−13, 0");
 }
 
 }  // namespace
