@@ -37,7 +37,7 @@ std::size_t length(const std::string& text) {
 }
 
 TEST(Presets, MeetTheirExpectations) {
-  ASSERT_GE(preset_files().size(), 24U);
+  ASSERT_GE(preset_files().size(), 41U);
   for (const fs::path& file : preset_files()) {
     const Scene s = read_preset(file);
     EXPECT_FALSE(s.expect.empty()) << file;
