@@ -37,7 +37,7 @@ bool has_rolling_resistance(const Scene& scene) {
                      [&](const MaterialPair& pair) { return resists(pair.surface); });
 }
 
-constexpr std::size_t kEntries = 13;
+constexpr std::size_t kEntries = 14;
 
 constexpr std::array<Entry<double>, kEntries> kEnergy = {{
     {QT_TRANSLATE_NOOP("LedgerTable", "initial energy"),
@@ -63,6 +63,10 @@ constexpr std::array<Entry<double>, kEntries> kEnergy = {{
      QT_TRANSLATE_NOOP("LedgerTable", "Work of the dampers of springs, integrated along with the motion"),
      [](const Ledger& l, const Totals&) { return l.lost_to_dampers; },
      [](const Scene& scene, const Needs&) { return !has_dampers(scene); }},
+    {QT_TRANSLATE_NOOP("LedgerTable", "lost to sticking"),
+     QT_TRANSLATE_NOOP("LedgerTable", "Taken by impacts after which the bodies stay joined"),
+     [](const Ledger& l, const Totals&) { return l.lost_to_sticking; },
+     [](const Scene& scene, const Needs&) { return !has_sticking_surface(scene); }},
     {QT_TRANSLATE_NOOP("LedgerTable", "lost to links"),
      QT_TRANSLATE_NOOP("LedgerTable", "Taken where strings jerked taut"),
      [](const Ledger& l, const Totals&) { return l.lost_to_links; },
@@ -121,6 +125,7 @@ constexpr std::array<Entry<Vec2>, kEntries> kMomentum = {{
      [](const Scene& scene, const Needs&) {
        return std::none_of(scene.bodies.begin(), scene.bodies.end(), is_immovable);
      }},
+    {},
     {},
     {},
     {},

@@ -123,7 +123,7 @@ class ImpactsModel : public FigureModel {
       case 5:
         return impact.tangential_impulse;
       default:
-        return impact.lost_to_restitution + impact.lost_to_friction;
+        return impact.lost_to_restitution + impact.lost_to_friction + impact.lost_to_sticking;
     }
   }
 

@@ -42,7 +42,7 @@ struct Run {
     const Totals totals = simulation.totals();
     const Ledger ledger = simulation.ledger();
     look(Reading{simulation.state(), totals, ledger, tally, simulation.time(), simulation.impact_count(),
-                 simulation.mass(), simulation.shapes()});
+                 simulation.mass(), simulation.shapes(), simulation.contact_forces()});
   }
 
   Simulation simulation;

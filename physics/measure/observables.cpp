@@ -42,6 +42,18 @@ double body_kinetic_energy(const Reading& r, int i) {
   return 0.5 * r.mass.mass[i] * r.state.velocity(i).squaredNorm() + 0.5 * r.mass.inertia[i] * spin * spin;
 }
 
+// The sum over the contacts of two bodies, in whatever order they are named.
+template <class Value>
+double between(const Reading& r, Ids pair, const Value& value) {
+  const int a = std::min(pair[0], pair[1]);
+  const int b = std::max(pair[0], pair[1]);
+  double sum = 0.0;
+  for (const ContactForce& f : r.contacts) {
+    if (f.a == a && f.b == b) sum += value(f);
+  }
+  return sum;
+}
+
 constexpr auto kObservables = std::to_array<Observable>({
     {"x", "m", 1, [](const Reading& r, Ids b) { return r.state.q(0, b[0]); }},
     {"y", "m", 1, [](const Reading& r, Ids b) { return r.state.q(1, b[0]); }},
@@ -62,6 +74,14 @@ constexpr auto kObservables = std::to_array<Observable>({
     {"distance", "m", 2,
      [](const Reading& r, Ids b) { return (r.state.position(b[1]) - r.state.position(b[0])).norm(); }},
     {"impacts_between", "1", 2, [](const Reading& r, Ids b) { return r.tally.between(b[0], b[1]); }},
+    {"contact_force", "N", 2,
+     [](const Reading& r, Ids b) {
+       return between(r, b, [](const ContactForce& f) { return f.normal_force; });
+     }},
+    {"friction_force", "N", 2,
+     [](const Reading& r, Ids b) {
+       return between(r, b, [](const ContactForce& f) { return f.tangential_force; });
+     }},
     {"kinetic_energy", "J", 0, [](const Reading& r, Ids) { return r.totals.kinetic(); }},
     {"rotational_energy", "J", 0, [](const Reading& r, Ids) { return r.totals.rotational; }},
     {"potential_energy", "J", 0, [](const Reading& r, Ids) { return r.totals.potential; }},
