@@ -24,6 +24,7 @@ constexpr auto kTopics = std::to_array<std::pair<const char*, const char*>>({
     {"springs-and-pistons", "Springs and pistons"},
     {"billiards", "Billiards"},
     {"gases", "Gases"},
+    {"friction", "Friction and rolling"},
     {"piles", "Piles"},
     {"numerical-methods", "Numerical methods"},
 });

@@ -131,10 +131,23 @@ void Simulation::search_discs(int a, int b, double start, double end) {
   if (!waits(-meeting.dot(u) / touch)) foresee(start + *after, a, b);
 }
 
+// Whether a pair that contacts hold moves so slowly that whatever touches in this step lasts.
+bool Simulation::stays_held(int a, int b) const {
+  if (!holds(a, b)) return false;
+  const Vec2 u = tracks_.settled(b).segment<2>(3) - tracks_.settled(a).segment<2>(3);
+  double speed = u.norm();
+  double press = 0.0;
+  for (const int i : {a, b}) {
+    if (tracks_.settled(i)[5] != 0.0) speed += std::abs(tracks_.settled(i)[5]) * shapes_.shapes.core_radius[i];
+    press = std::max(press, lasting_.acceleration.col(i).head<2>().norm());
+  }
+  return speed <= press * step_length_;
+}
+
 // Foresees the next impact of a and b on their tracks, if there is one.
 void Simulation::search(int a, int b) {
   if (a > b) std::swap(a, b);
-  if (!shapes_.can_meet(a, b)) return;
+  if (!shapes_.can_meet(a, b) || stays_held(a, b)) return;
   double start = std::max(tracks_.start(a), tracks_.start(b));
   const double end = std::min(tracks_.end(a), tracks_.end(b));
   if (!(start <= end)) return;

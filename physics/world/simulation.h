@@ -230,6 +230,7 @@ class Simulation {
   [[nodiscard]] double rest_speed(int a, int b, const Vec2& normal, double restitution) const;
   [[nodiscard]] double rolling_radius(int a, int b) const;
   [[nodiscard]] bool holds(int a, int b) const;
+  [[nodiscard]] bool stays_held(int a, int b) const;
 
   // Impacts at their own time (located_impacts.cpp, contact_search.cpp). Times are within the epoch of the
   // tracks.
