@@ -68,6 +68,7 @@ class LinkPen {
     dot(link.to, kHole, in_.theme.scene_ground);
     if (link.in_plane) dot(link.to, kHole / 2, in_.theme.text);
   }
+  void weld(const LinkState& link) { dot(link.to, link.in_plane ? kPlaneDot : kEndDot, in_.theme.text); }
 
  private:
   static constexpr double kFirm = 0.3;  // of the way to the ground's colour
@@ -93,15 +94,17 @@ class LinkPen {
 
 void add_links(const DrawingInput& in, const WorldRect& seen, Drawing& out) {
   LinkPen pen(in, out);
-  // Pins last: their rings lie over the bars that they join.
-  for (const bool pins : {false, true}) {
+  // Joints last: they lie over the bars that they join.
+  for (const bool joints : {false, true}) {
     for (const LinkState& link : in.frame.links) {
       const bool line = link.kind == LinkKind::kRod || link.kind == LinkKind::kString;
       const double room = kRing * in.options.line_scale / in.camera.scale;
-      if (line == pins || !seen.meets(0.5 * (link.from + link.to), (line ? link.length : 0.0) + room)) continue;
+      if (line == joints || !seen.meets(0.5 * (link.from + link.to), (line ? link.length : 0.0) + room))
+        continue;
       if (link.kind == LinkKind::kRod) pen.rod(link);
       if (link.kind == LinkKind::kString) pen.string(link);
-      if (!line) pen.pin(link);
+      if (link.kind == LinkKind::kPin) pen.pin(link);
+      if (link.kind == LinkKind::kWeld) pen.weld(link);
     }
   }
 }

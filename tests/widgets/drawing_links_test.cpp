@@ -91,6 +91,26 @@ TEST_F(LinksDrawn, APinIsARingOverItsBarsWithADotWhereThePlaneHoldsIt) {
   EXPECT_EQ(drawing().segments.size(), 6U);
 }
 
+TEST_F(LinksDrawn, AWeldIsADot) {
+  link(LinkKind::kWeld, {0.5, 0.5}, {0.5, 0.5});
+  const Drawing d = drawing();
+  ASSERT_EQ(d.segments.size(), 1U);
+  EXPECT_EQ(d.segments[0].from, Vec2(0.5, 0.5));
+}
+
+// A weld that an impact makes is among the links from then on.
+TEST_F(LinksDrawn, AFrameHasTheWeldsOfBodiesThatStick) {
+  Scene scene = head_on_scene();
+  Material glue;
+  glue.sticks = true;
+  scene.materials = {glue};
+  EXPECT_TRUE(run_to(scene, 0.1).links.empty());
+  const Frame frame = run_to(scene, 0.5);
+  ASSERT_EQ(frame.links.size(), 1U);
+  EXPECT_EQ(frame.links[0].kind, LinkKind::kWeld);
+  EXPECT_NEAR(frame.links[0].to.x(), 0.5 * (frame.state.position(0).x() + frame.state.position(1).x()), 1e-9);
+}
+
 TEST_F(LinksDrawn, ThePlaneHasALargerDotThanABody) {
   link(LinkKind::kRod, {0.0, 1.0}, {1.0, 0.5}).in_plane = true;
   const auto ends = dots(drawing());
