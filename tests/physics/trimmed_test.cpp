@@ -64,7 +64,10 @@ const std::map<std::string, double> kUntil = {{"ball-in-a-box", 5.0},    {"billi
                                               {"falling-rod", 0.5},      {"gas", 0.3},
                                               {"granular-cooling", 0.1}, {"pile", 0.1},
                                               {"sinai-billiard", 1.5},   {"moving-piston", 2.0},
-                                              {"vibrating-table", 3.0},  {"inelastic-collapse", 1.8}};
+                                              {"vibrating-table", 3.0},  {"inelastic-collapse", 1.8},
+                                              {"dominoes", 0.2},         {"pile-at-rest", 0.2},
+                                              {"domino-alone", 0.5},     {"rocking-block", 0.5},
+                                              {"stacked-boxes", 0.5}};
 
 TEST(Trimmed, PresetsMoveAsUntrimmed) {
   int presets = 0;
