@@ -14,12 +14,14 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // Looks at a pair in one search, far more than a hard one needs. Where forces change much within a
 // step the bound on how a path bends can be so large that a search would not end.
 constexpr int kMostLooks = 20'000;
+// At a pair that contacts hold, whose gap stays near zero: what is missed touches down at the step's end.
+constexpr int kMostLooksAtHeld = 200;
 
 // A pair that gives a search up after kMostLooks.
 template <class Pair>
 class Limited {
  public:
-  explicit Limited(const Pair& pair) : pair_(pair) {}
+  Limited(const Pair& pair, int most) : pair_(pair), most_(most) {}
   [[nodiscard]] TurningSample operator()(double t) const {
     ++looks_;
     return pair_(t);
@@ -30,10 +32,11 @@ class Limited {
   [[nodiscard]] bool clear(const TurningSample& from, const TurningSample& to, double width) const {
     return gave_up() || pair_.clear(from, to, width);
   }
-  [[nodiscard]] bool gave_up() const { return looks_ > kMostLooks; }
+  [[nodiscard]] bool gave_up() const { return looks_ > most_; }
 
  private:
   const Pair& pair_;
+  int most_;
   mutable int looks_ = 0;
 };
 
@@ -216,10 +219,12 @@ void Simulation::search(int a, int b) {
       return;
     }
   }
-  const Limited limited(pair);
+  const bool held = holds(a, b);
+  const Limited limited(pair, held ? kMostLooksAtHeld : kMostLooks);
   const TurningSample last = pair(end);
   const auto time = first_contact(limited, start, first, end, last, bend, tolerance);
-  if (limited.gave_up() && notices_.search_cut_since < 0.0) notices_.search_cut_since = tracks_.epoch() + start;
+  if (limited.gave_up() && !held && notices_.search_cut_since < 0.0)
+    notices_.search_cut_since = tracks_.epoch() + start;
   if (time) {
     if (resting) {
       const Approach meeting = approach_of(shapes_, a, pose(a, *time), twist(a, *time), b, pose(b, *time),
