@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "physics/collision/pair_contact.h"
+#include "physics/collision/time_of_impact.h"
 #include "physics/motion/drive.h"
 #include "physics/world/simulation.h"
 
@@ -106,6 +107,7 @@ void Simulation::find_contacts(double h) {
   l.point.clear();
   l.near.clear();
   l.holds.clear();
+  l.landings.clear();
   std::size_t last = 0;
   for (const auto& [a, b] : broad_phase_.pairs(bounds_, shapes_.fixed)) {
     if (!shapes_.can_meet(a, b)) continue;
@@ -120,6 +122,7 @@ void Simulation::find_contacts(double h) {
     while (last < l.forces.size() && std::pair(l.forces[last].a, l.forces[last].b) < std::pair(a, b)) {
       ++last;
     }
+    const std::size_t landings = l.landings.size();
     for (int k = 0; k < m.count; ++k) {
       const ManifoldPoint& at = m.points[k];
       const int i = c.size();
@@ -138,6 +141,7 @@ void Simulation::find_contacts(double h) {
       const bool near =
           !open || (at.gap <= std::max(closing, 0.0) * h + rest * h && (!located || closing <= 2.0 * rest));
       if (!near || (open && !slow) || (!open && !slow && at.gap >= -rounding)) {
+        if (located && open && closing > rest) l.landings.push_back({a, b, at.id});
         c.resize(i);
         continue;
       }
@@ -158,7 +162,40 @@ void Simulation::find_contacts(double h) {
       l.point.push_back(at.point);
       if (slow && (l.holds.empty() || l.holds.back() != std::pair(a, b))) l.holds.emplace_back(a, b);
     }
+    // What nothing holds yet is the event queue's matter.
+    if (l.holds.empty() || l.holds.back() != std::pair(a, b)) l.landings.resize(landings);
   }
+}
+
+// s within the epoch, before `end`: when the first landing is, on tracks that are laid; `end` if there is none.
+double Simulation::first_landing(double end, Landing& first) {
+  double time = end;
+  for (const Landing& l : lasting_.landings) {
+    const auto gap = [&](double t) {
+      const ConvexShapes& shapes = shapes_.shapes;
+      const Manifold m =
+          manifold(shapes, l.a, pose_of(shapes, l.a, tracks_.at(l.a, t).head<3>()), l.b,
+                   pose_of(shapes, l.b, tracks_.at(l.b, t).head<3>()), std::numeric_limits<double>::infinity());
+      for (int k = 0; k < m.count; ++k) {
+        if (m.points[k].id == l.id) return m.points[k].gap;
+      }
+      return shapes_.size[l.a] + shapes_.size[l.b];
+    };
+    const double at_start = gap(0.0);
+    const double at_end = gap(time);
+    if (!(at_start > 0.0 && at_end < 0.0)) continue;
+    time = bracketed_root(gap, 0.0, at_start, time, at_end);
+    first = l;
+  }
+  return time;
+}
+
+// The landed pair rebounds by the law of impacts, if it does so faster than a contact that lasts.
+void Simulation::land(const Landing& l, double within) {
+  const Approach at = approach(l.a, l.b, touch_tolerance(l.a, l.b, within));
+  const Material& material = material_between(l.a, l.b);
+  if (material.restitution * -at.speed > rest_speed(l.a, l.b, at.contact.normal, material.restitution))
+    collide(l.a, l.b, at.contact, material, within);
 }
 
 // m: of the disc that would roll on a plane as these two roll on each other; 0 if neither is a disc.

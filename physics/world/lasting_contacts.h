@@ -23,6 +23,13 @@ struct ContactForce {
   bool sticks = false;            // did not slip
 };
 
+// A point of a pair that contacts hold elsewhere, which closes too fast to last.
+struct Landing {
+  int a = 0;
+  int b = 0;
+  std::uint32_t id = 0;  // of the manifold's point
+};
+
 // The lasting contacts of a simulation: those of the step under way, and what the next step starts from. Points
 // are in the order of (a, b), so that both lists can be walked side by side.
 //
@@ -47,6 +54,7 @@ struct LastingContacts {
   std::vector<std::uint8_t> sticks;
 
   std::vector<std::pair<int, int>> near;   // pairs that may meet in this step, in rising order
+  std::vector<Landing> landings;           // that may happen in this step
   std::vector<std::pair<int, int>> holds;  // those with a contact, likewise
   std::vector<std::uint8_t> held;          // by body: a contact pressed it in the last step
   std::vector<int> pushed;                 // bodies that contact forces act on

@@ -94,11 +94,16 @@ double Simulation::process_holding(double h) {
   for (int parts = 1;; ++parts) {
     touched_down_ = -1.0;
     may_divide_ = parts < kMostHolds;
-    process_until(left, left, left);
+    Landing landing;
+    const double until = may_divide_ ? first_landing(left, landing) : left;
+    process_until(until, left, left);
+    const bool lands = touched_down_ < 0.0 && until < left;
+    if (lands) touched_down_ = until;
     const double passed = touched_down_ >= 0.0 ? touched_down_ : left;
     book_contacts(passed / left);
     if (touched_down_ < 0.0) return left;
     for (int k = 0; k < tracks_.islands(); ++k) tracks_.settle(k, passed);
+    if (lands) land(landing, passed);
     publish(passed);
     left -= passed;
     tracks_.begin(step_end_ - left);

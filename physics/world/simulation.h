@@ -223,6 +223,8 @@ class Simulation {
   void find_contact_forces(double h);
   void book_contacts(double share);
   double process_holding(double h);
+  double first_landing(double end, Landing& first);
+  void land(const Landing& l, double within);
   void tell_residual(const ContactSolverReport& report);
   void rebound_at_end(const std::vector<std::pair<int, int>>& pairs);
   [[nodiscard]] ContactSolverOptions contact_options() const;

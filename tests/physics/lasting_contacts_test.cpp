@@ -249,6 +249,47 @@ TEST(LastingContacts, ABoxRidesOnADrivenTable) {
   }
 }
 
+// A box falls onto a face corner by corner, a thin rod onto its other tip: the second landing is located too.
+TEST(LastingContacts, WhatLandsDoesNotSinkIn) {
+  Body tile = box("tile", {0.0, 1.0});
+  tile.angle = 0.5;
+  Body rod = box("rod", {3.0, 0.6});
+  rod.shape = Wall{1.0};
+  rod.density.reset();
+  rod.mass = 1.0;
+  rod.angle = 0.7;
+  Scene s = scene(rough(0.3), {ground(), tile, rod});
+  for (const double restitution : {0.0, 0.5}) {
+    s.materials[0].restitution = restitution;
+    Simulation simulation(s);
+    while (simulation.time() < 3.0) {
+      simulation.step();
+      for (const int i : {1, 2}) {
+        const Contact c = contact_between(simulation.shapes(), 0, simulation.state().q.col(0), i,
+                                          simulation.state().q.col(i));
+        ASSERT_GT(c.gap, -1e-9) << restitution << ", " << simulation.bodies()[i].name
+                                << " at t = " << simulation.time();
+      }
+    }
+    EXPECT_LT(simulation.totals().kinetic(), 1e-15) << restitution;
+  }
+}
+
+// Both sides of a thin wall lie on a floor with both ends.
+TEST(LastingContacts, AThinWallLiesOnEitherSide) {
+  for (const double angle : {0.0, std::numbers::pi}) {
+    Body rod = box("rod", {0.0, 0.0});
+    rod.shape = Wall{1.0};
+    rod.density.reset();
+    rod.mass = 2.0;
+    rod.angle = angle;
+    const Simulation end = run(scene(rough(0.3), {ground(), rod}), 2.0);
+    ASSERT_EQ(end.contact_forces().size(), 2U) << angle;
+    for (const ContactForce& f : end.contact_forces()) EXPECT_NEAR(f.normal_force, kG, 1e-8) << angle;
+    EXPECT_NEAR(end.state().position(1).y(), 0.0, 1e-10);
+  }
+}
+
 TEST(LastingContacts, TheSameRunGivesTheSameBits) {
   Scene s = scene(rough(0.5), {ground()});
   for (int i = 0; i < 30; ++i)
