@@ -376,7 +376,7 @@ void Simulation::rebound_at_end(const std::vector<std::pair<int, int>>& pairs) {
   const double now = step_end_ - tracks_.epoch();
   for (const auto& [a, b] : pairs) {
     const Material& material = material_between(a, b);
-    if (material.restitution == 0.0) continue;
+    if (material.restitution == 0.0 || !shapes_.can_meet(a, b)) continue;  // or joined meanwhile
     const int most = shapes_.is_disc(a) || shapes_.is_disc(b) ? 1 : 3;
     for (int k = 0; k < most; ++k) {
       const Approach at = approach(a, b, 0.0);
