@@ -98,11 +98,11 @@ Scene random_pair(Draw& draw, Held held) {
   const Vec2 arm = 0.1 * towards;
   Body c = disc("c", a.position + 1.5 * towards, a.velocity, 0.1, std::exp(draw.between(-2.0, 2.0)));
   c.velocity += a.spin * crossed(Vec2(c.position - a.position));
-  s.bodies.push_back(c);
   Link rod;
   rod.body = "a";
   rod.point = turned_by(-a.angle, arm);
   rod.to = "c";
+  s.bodies.push_back(c);
   s.links = {rod};
   return s;
 }
