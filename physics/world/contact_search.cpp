@@ -17,7 +17,7 @@ constexpr int kMostLooks = 20'000;
 // At a pair that contacts hold, whose gap stays near zero: what is missed touches down at the step's end.
 constexpr int kMostLooksAtHeld = 200;
 
-// A pair that gives a search up after kMostLooks.
+// A pair that gives a search up after so many looks.
 template <class Pair>
 class Limited {
  public:

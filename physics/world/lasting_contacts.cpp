@@ -140,7 +140,7 @@ void Simulation::find_contacts(double h) {
       const bool open = at.gap > rounding;
       const bool near =
           !open || (at.gap <= std::max(closing, 0.0) * h + rest * h && (!located || closing <= 2.0 * rest));
-      if (!near || (open && !slow) || (!open && !slow && at.gap >= -rounding)) {
+      if (!near || (!slow && at.gap >= -rounding)) {
         if (located && open && closing > rest) l.landings.push_back({a, b, at.id});
         c.resize(i);
         continue;
