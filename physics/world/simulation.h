@@ -96,6 +96,9 @@ struct Notices {
 //
 // Where surfaces stick an impact puts a weld between its two bodies, into this run alone. From that moment on,
 // which stays exact, all bodies have tracks anew.
+//
+// Contacts that last, where the method asks for them and the scene needs them: forces hold what touches, found
+// anew in each step (physics/world/lasting_contacts.h); all tracks then start anew with it.
 class Simulation {
  public:
   // Fraction of an overlap that the pseudo-spring takes away in a step, dimensionless: small enough that a deep
