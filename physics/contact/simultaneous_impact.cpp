@@ -54,9 +54,7 @@ class Cluster {
   [[nodiscard]] bool read() {
     bool approaches = false;
     for (int i = 0; i < rows(); ++i) {
-      const Row& r = s_.rows[i];
-      s_.velocity[i] = r.direction.dot(v_.col(r.b).head<2>() - v_.col(r.a).head<2>()) + r.turn_b * v_(2, r.b) -
-                       r.turn_a * v_(2, r.a);
+      s_.velocity[i] = speed_along(s_.rows[i]);
       approaches = approaches || (i % 2 == 0 && takes_part(i / 2) && s_.velocity[i] < 0.0);
     }
     return approaches;
@@ -76,6 +74,12 @@ class Cluster {
   // What the normal velocity has to be after the impact, at least.
   [[nodiscard]] double rebound(int contact, double e) const {
     return e * std::max(-s_.velocity[2 * contact], 0.0);
+  }
+
+  // m/s: of the bodies' velocities as they are now.
+  [[nodiscard]] double speed_along(const Row& r) const {
+    return r.direction.dot(v_.col(r.b).head<2>() - v_.col(r.a).head<2>()) + r.turn_b * v_(2, r.b) -
+           r.turn_a * v_(2, r.a);
   }
 
   [[nodiscard]] int rows() const { return static_cast<int>(s_.rows.size()); }
@@ -161,6 +165,8 @@ bool Cluster::solve(double e) {
   return true;
 }
 
+// The work is that of the velocities as they have become: where heavy bodies press through a light one, those
+// that the impulses promise are off by far more than the energy's rounding.
 void Cluster::apply(std::span<Impact> impacts) {
   for (int i = 0; i < rows(); ++i) {
     const Row& r = s_.rows[i];
@@ -169,7 +175,10 @@ void Cluster::apply(std::span<Impact> impacts) {
     v_.col(r.b).head<2>() += inverse_mass_[r.b] * j * r.direction;
     v_(2, r.a) -= inverse_inertia_[r.a] * r.turn_a * j;
     v_(2, r.b) += inverse_inertia_[r.b] * r.turn_b * j;
-    const double lost = -0.5 * j * (s_.velocity[i] + s_.after[i]);
+  }
+  for (int i = 0; i < rows(); ++i) {
+    const double j = s_.impulse[i];
+    const double lost = -0.5 * j * (s_.velocity[i] + speed_along(s_.rows[i]));
     Impact& impact = impacts[i / 2];
     (i % 2 == 0 ? impact.normal : impact.tangential) = j;
     (i % 2 == 0 ? impact.lost_to_restitution : impact.lost_to_friction) = lost;
