@@ -88,11 +88,13 @@ void Simulation::find_contacts(double h) {
   const int n = static_cast<int>(bodies_.size());
   const ConvexShapes& shapes = shapes_.shapes;
   const bool located = method_.impacts == ImpactsId::kLocated;
+  // Part of a step looks as far as a whole one, so that it forgets no contact.
+  const double whole = step_length_;
   l.poses.resize(n);
   const auto reach = [&](int i) {
     const auto v = tracks_.settled(i).segment<3>(3);
     const double turning = v[2] != 0.0 ? std::abs(v[2]) * shapes.core_radius[i] : 0.0;
-    return (v.head<2>().norm() + turning) * h + l.acceleration.col(i).head<2>().norm() * h * h;
+    return (v.head<2>().norm() + turning) * whole + l.acceleration.col(i).head<2>().norm() * whole * whole;
   };
   for (int i = 0; i < n; ++i) {
     const Eigen::Vector3d q = tracks_.settled(i).head<3>();
@@ -139,7 +141,7 @@ void Simulation::find_contacts(double h) {
       // At their own time fast impacts are the event queue's matter.
       const bool open = at.gap > rounding;
       const bool near =
-          !open || (at.gap <= std::max(closing, 0.0) * h + rest * h && (!located || closing <= 2.0 * rest));
+          !open || (at.gap <= (std::max(closing, 0.0) + rest) * whole && (!located || closing <= 2.0 * rest));
       if (!near || (!slow && at.gap >= -rounding)) {
         if (located && open && closing > rest) l.landings.push_back({a, b, at.id});
         c.resize(i);
@@ -156,7 +158,7 @@ void Simulation::find_contacts(double h) {
       for (std::size_t j = last; j < l.forces.size() && l.forces[j].a == a && l.forces[j].b == b; ++j) {
         if (l.forces[j].id != at.id) continue;
         c.sticks[i] = l.forces[j].sticks;
-        l.guess.back() = h / l.length * l.hold[j];
+        l.guess.back() = l.hold[j];
       }
       l.id.push_back(at.id);
       l.point.push_back(at.point);
@@ -314,13 +316,12 @@ void Simulation::find_contact_forces(double h) {
   const int n = static_cast<int>(bodies_.size());
   std::fill(l.held.begin(), l.held.end(), 0);
   l.hold.clear();
-  l.length = h;
   if (c.size() == 0) return;
   l.before = l.after;
   for (int i = 0; i < c.size(); ++i) {
-    c.normal_impulse[i] = l.guess[i][0];
-    c.tangential_impulse[i] = l.guess[i][1];
-    c.rolling_impulse[i] = l.guess[i][2];
+    c.normal_impulse[i] = h * l.guess[i][0];
+    c.tangential_impulse[i] = h * l.guess[i][1];
+    c.rolling_impulse[i] = h * l.guess[i][2];
     for (const int body : {c.a[i], c.b[i]}) {
       if (immovable(body) || l.held[body] != 0) continue;
       l.held[body] = 1;
@@ -351,13 +352,15 @@ void Simulation::find_contact_forces(double h) {
   tell_residual(report);
   std::fill(l.held.begin(), l.held.end(), 0);
   for (int i = 0; i < c.size(); ++i) {
+    const Eigen::Vector3d by =
+        Eigen::Vector3d(c.normal_impulse[i], c.tangential_impulse[i], c.rolling_impulse[i]) / h;
     ContactForce& f = l.forces[i];
-    f.normal_force += c.normal_impulse[i] / h;
-    f.tangential_force += c.tangential_impulse[i] / h;
-    f.rolling_moment += c.rolling_impulse[i] / h;
+    f.normal_force += by[0];
+    f.tangential_force += by[1];
+    f.rolling_moment += by[2];
     f.sticks = c.sticks[i] != 0;
-    l.hold.emplace_back(c.normal_impulse[i], c.tangential_impulse[i], c.rolling_impulse[i]);
-    if (c.normal_impulse[i] > 0.0) l.held[c.a[i]] = l.held[c.b[i]] = 1;
+    l.hold.push_back(l.guess[i] + h / step_length_ * (by - l.guess[i]));
+    if (l.hold[i][0] > 0.0) l.held[c.a[i]] = l.held[c.b[i]] = 1;
   }
 }
 

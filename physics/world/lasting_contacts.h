@@ -47,10 +47,11 @@ struct LastingContacts {
   Contacts contacts;
   std::vector<std::uint32_t> id;
   std::vector<Vec2> point;
-  std::vector<ContactForce> forces;    // of the last step
-  std::vector<Eigen::Vector3d> hold;   // beside forces: impulses of step 4, N s, N s, N m s
-  std::vector<Eigen::Vector3d> guess;  // beside contacts: those to start from
-  double length = 0.0;                 // s, of the step that they are of
+  std::vector<ContactForce> forces;  // of the last step
+  // Of step 4, in N, N and N m: where the next step starts, beside forces, and where this one does, beside
+  // contacts. Part of a step counts for its share: what a very short one leaves is mostly the solver's
+  // tolerance.
+  std::vector<Eigen::Vector3d> hold, guess;
   std::vector<std::uint8_t> sticks;
 
   std::vector<std::pair<int, int>> near;   // pairs that may meet in this step, in rising order

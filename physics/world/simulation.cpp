@@ -141,7 +141,7 @@ void Simulation::step(double h) {
   impacts_before_step_ = impact_count_;
   lasts_ = method_.contacts == ContactsId::kLasting && needs_.lasting_contacts;
   if (lasts_) {
-    step_length_ = h;
+    step_length_ = std::max(h, method_.step);
     tracks_.begin(time_);
     hold_contacts(h);
   }

@@ -330,7 +330,7 @@ class Simulation {
 
   // Contacts that last.
   bool lasts_ = false;        // the method asks for them, and the scene needs them
-  double step_length_ = 0.0;  // s, of the step under way
+  double step_length_ = 0.0;  // s, of the step under way; of a whole one where it is shorter
   bool may_divide_ = false;
   double touched_down_ = -1.0;  // s within the epoch: where the step is to be divided
   LastingContacts lasting_;
