@@ -7,6 +7,7 @@
 #include "physics/collision/pair_contact.h"
 #include "physics/collision/time_of_impact.h"
 #include "physics/motion/drive.h"
+#include "physics/motion/integrators.h"
 #include "physics/world/simulation.h"
 
 // The contacts that last of a simulation: see LastingContacts.
@@ -253,29 +254,37 @@ void Simulation::project_contacts() {
   for (int i = 0; i < l.contacts.size(); ++i) l.contacts.gap[i] += velocity_at(l.contacts, i, l.moved).normal;
 }
 
-// Books what the impulses of all contacts did between the velocities `before` and `after`; of forces that acted
-// for a share of their step only, that share.
+// Books what the contact forces did up to `passed`, a share of the time that they were found for. Their work is
+// theirs along the paths as they have become, with all impacts on the way. Under the Euler methods, whose paths
+// are not those of their velocities, it is that along the velocities without impacts.
+void Simulation::book_contact_forces(double passed, double share) {
+  LastingContacts& l = lasting_;
+  l.mean = l.before + 0.5 * share * (l.after - l.before);
+  if (choice_of(kIntegrators, method_.integrator).exact_under_gravity) {
+    for (int i = 0; i < state_.size(); ++i) {
+      if (!immovable(i) || driven_[i] != 0)
+        l.mean.col(i) = (tracks_.at(i, passed).head<3>() - state_.q.col(i)) / passed;
+    }
+  }
+  book_contacts(share);
+}
+
+// Books what a share of the impulses of all contacts did at the velocities `mean`.
 void Simulation::book_contacts(double share) {
   const Contacts& c = lasting_.contacts;
   for (int i = 0; i < c.size(); ++i) {
     const double jn = share * c.normal_impulse[i];
     const double jt = share * c.tangential_impulse[i];
     if (jn == 0.0) continue;
-    const RowVelocity from = velocity_at(c, i, lasting_.before);
-    RowVelocity to = velocity_at(c, i, lasting_.after);
-    to = {from.normal + share * (to.normal - from.normal),
-          from.tangential + share * (to.tangential - from.tangential),
-          from.spin + share * (to.spin - from.spin)};
-    ledger_.lost_to_restitution -= 0.5 * jn * (from.normal + to.normal);
-    ledger_.lost_to_friction -= 0.5 * jt * (from.tangential + to.tangential);
-    ledger_.lost_to_rolling -= 0.5 * share * c.rolling_impulse[i] * (from.spin + to.spin);
+    const RowVelocity u = velocity_at(c, i, lasting_.mean);
+    ledger_.lost_to_restitution -= jn * u.normal;
+    ledger_.lost_to_friction -= jt * u.tangential;
+    ledger_.lost_to_rolling -= share * c.rolling_impulse[i] * u.spin;
     const Vec2 j = jn * c.normal[i] + jt * Vec2(-c.normal[i].y(), c.normal[i].x());
     for (const auto& [body, sign] : {std::pair(c.a[i], -1.0), std::pair(c.b[i], 1.0)}) {
       if (!immovable(body)) continue;
       ledger_.momentum_to_walls += sign * j;
-      const Vec2 driven = lasting_.before.col(body).head<2>() +
-                          0.5 * share * (lasting_.after.col(body) - lasting_.before.col(body)).head<2>();
-      ledger_.put_in_by_drives -= sign * j.dot(driven);
+      ledger_.put_in_by_drives -= sign * j.dot(lasting_.mean.col(body).head<2>());
     }
   }
 }
@@ -297,6 +306,7 @@ void Simulation::touch_down(double h) {
   l.after = l.before;
   if (worst > 2.0 * (c.size() > kMostExact ? options.crowd_tolerance : options.tolerance)) {
     tell_residual(solve_contacts(mass_, c, l.after, options, l.workspace));
+    l.mean = 0.5 * (l.before + l.after);
     book_contacts(1.0);
     for (int i = 0; i < n; ++i) {
       if (immovable(i) || l.after.col(i) == l.before.col(i)) continue;

@@ -61,6 +61,7 @@ struct LastingContacts {
   std::vector<int> pushed;                 // bodies that contact forces act on
   Eigen::Matrix3Xd acceleration;           // m/s², rad/s²: of all other forces, at the step's start
   Eigen::Matrix3Xd before, after, free;    // velocities, m/s and rad/s
+  Eigen::Matrix3Xd mean;                   // likewise, those that the contacts' work is booked at
   Eigen::Matrix3Xd moved;                  // m, rad
   std::vector<Pose> poses;
   ContactWorkspace workspace;

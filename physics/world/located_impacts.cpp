@@ -100,7 +100,7 @@ double Simulation::process_holding(double h) {
     const bool lands = touched_down_ < 0.0 && until < left;
     if (lands) touched_down_ = until;
     const double passed = touched_down_ >= 0.0 ? touched_down_ : left;
-    book_contacts(passed / left);
+    book_contact_forces(passed, passed / left);
     if (touched_down_ < 0.0) return left;
     for (int k = 0; k < tracks_.islands(); ++k) tracks_.settle(k, passed);
     if (lands) land(landing, passed);

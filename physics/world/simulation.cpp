@@ -264,7 +264,7 @@ void Simulation::step_with_impacts_at_end(double h) {
     } while (end < h);
   }
   if (lasts_) {
-    book_contacts(1.0);
+    book_contact_forces(h, 1.0);
     rebound_at_end(lasting_.near);
     publish(h);
     return;

@@ -224,6 +224,7 @@ class Simulation {
   void project_contacts();
   void touch_down(double h);
   void find_contact_forces(double h);
+  void book_contact_forces(double passed, double share);
   void book_contacts(double share);
   double process_holding(double h);
   double first_landing(double end, Landing& first);
