@@ -231,8 +231,7 @@ struct Range {
 
 // s: the step; NaN where a method has none.
 double step_of(const StudyRow& row) {
-  const IntegratorChoice& integrator = choice_of(kIntegrators, row.method.integrator);
-  return integrator.adaptive || integrator.order == 0 ? std::nan("") : row.method.step;
+  return error_knob(row.method) == ErrorKnob::kStep ? row.method.step : std::nan("");
 }
 
 Range errors_of(const StudyTable& table) {
@@ -376,7 +375,7 @@ void draw_orders(QPainter& painter, const QRectF& where, const std::vector<Study
       }
       draw_text(painter, cell.adjusted(0, 6, 0, -20), Qt::AlignCenter, order, font_of(15, true),
                 color.darker(115));
-      const QString below = integrator.adaptive
+      const QString below = error_knob(g->rows.front().method) == ErrorKnob::kTolerance
                                 ? QString("of tolerance")
                                 : QString::fromUtf8("± %1").arg(QString::number(g->fit.uncertainty, 'f', 2));
       draw_text(painter, cell.adjusted(0, 27, 0, -5), Qt::AlignCenter, below, font_of(11), theme.muted);
@@ -472,7 +471,7 @@ bool save_study_picture(const StudyTable& table, const Theme& theme, const QStri
     const QVector<QPointF> points = points_of(group, errors, step_of);
     if (!points.isEmpty()) {
       against_step.add_curve(points, color, group.impacts);
-    } else if (group.integrator == IntegratorId::kExactFlight &&
+    } else if (error_knob(group.rows.front().method) == ErrorKnob::kNone &&
                !std::isnan(group.rows.front().position_error)) {
       // It has no step: its error stands at every one.
       const double y = shown(group.rows.front().position_error, errors);

@@ -12,13 +12,16 @@ RecordedRun record_run(const Scene& scene, const Method& method, double time, do
   Simulation s(with_method);
   RecordedRun run;
   run.largest_kinetic = s.totals().kinetic();
+  const bool lasts = method.contacts == ContactsId::kLasting && s.needs().lasting_contacts;
   // Steps as Simulation::advance_to() takes them, with a look at each: a run that blows up would go on with
   // millions of impacts a step.
   const auto advance = [&](double to) {
     const double h = method.step;
     for (double left = to - s.time(); left > 1e-9 * h; left = to - s.time()) {
       s.step(left > (1.0 - 1e-9) * h ? h : left);
-      for (const ImpactRecord& i : s.last_impacts()) run.impacts.push_back({i.time, i.a, i.b});
+      if (!lasts) {
+        for (const ImpactRecord& i : s.last_impacts()) run.impacts.push_back({i.time, i.a, i.b});
+      }
       const double kinetic = s.totals().kinetic();
       run.largest_kinetic = std::fmax(run.largest_kinetic, kinetic);
       if (!(kinetic <= blown_up_above)) {

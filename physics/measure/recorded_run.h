@@ -23,10 +23,12 @@ struct RecordedRun {
   std::int64_t impact_count = 0;
   std::int64_t evaluations = 0;
   std::int64_t rejected_steps = 0;
-  std::vector<TimedImpact> impacts;  // in the order of time, also after the moment
-  double largest_kinetic = 0.0;      // J, at the ends of the steps
-  double resting_since = -1.0;       // s; as in Notices
-  double blew_up_at = -1.0;  // s: from here on the numbers mean nothing and the run was ended; < 0: never
+  // In the order of time, also after the moment. None where contacts last: it hangs on the step whether a
+  // landing is an impact or a contact takes it up, so that impacts of two runs are no partners there.
+  std::vector<TimedImpact> impacts;
+  double largest_kinetic = 0.0;  // J, at the ends of the steps
+  double resting_since = -1.0;   // s; as in Notices
+  double blew_up_at = -1.0;      // s: from here on the numbers mean nothing and the run was ended; < 0: never
   std::string status = "ok";
 };
 

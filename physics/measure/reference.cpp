@@ -53,7 +53,8 @@ Reference make_reference(const Scene& scene, const Chaos& chaos, double time, do
   Reference best;
   best.method = reference_method(scene);
   best.method.step *= kOffTheRows;
-  if (best.method.integrator == IntegratorId::kExactFlight) {
+  const bool lasts = best.method.contacts == ContactsId::kLasting && needs_of(scene).lasting_contacts;
+  if (best.method.integrator == IntegratorId::kExactFlight && !lasts) {
     best.exact = true;
     best.converged = true;
     best.run = record_run(scene, best.method, time, until, limit);
@@ -75,8 +76,8 @@ Reference make_reference(const Scene& scene, const Chaos& chaos, double time, do
     RecordedRun run = record_run(scene, method, time, until, limit);
     const Comparison c = compare(coarser, run, moving, time);
     coarser = run;
-    // Falling, but for a run whose windows leave nothing to compare.
-    no_better = c.position_error < 0.5 * best.position_error ? 0 : no_better + 1;
+    // Falling, at order 1 to the half, but for a run whose windows leave nothing to compare.
+    no_better = c.position_error < 0.75 * best.position_error ? 0 : no_better + 1;
     if (c.position_error < best.position_error) {
       best.run = std::move(run);
       best.method = method;

@@ -9,7 +9,7 @@ namespace carom {
 struct Reference {
   RecordedRun run;
   Method method;
-  bool exact = false;      // exact flight
+  bool exact = false;      // exact flight, without contacts that last
   bool converged = false;  // the last two refinements agree as far as rounding lets them
   int halvings = 0;        // of the first step, in the run that is used
   // Exact flight: rounding times growth. A refined run: its difference to the one of twice the step.
@@ -22,7 +22,7 @@ struct Reference {
 // it, else the integrator of the highest order at a fixed step. The step is the scene's own.
 [[nodiscard]] Method reference_method(const Scene& scene);
 
-// The state of the scene at `time` and its impacts up to `until`. Without exact flight the step is halved
+// The state of the scene at `time` and its impacts up to `until`. Where that depends on the step it is halved
 // until two runs differ by less than 1e-13 of the scene's length, or the difference has stopped to fall, or the
 // next run would take more than kMostReferenceWork steps of a body; the finer run of the pair with the least
 // difference is the reference.

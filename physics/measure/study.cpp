@@ -205,10 +205,10 @@ std::vector<Method> plan_methods(const Scene& scene, const StudyOptions& options
   std::sort(steps.begin(), steps.end(), std::greater<>());
   std::sort(tolerances.begin(), tolerances.end(), std::greater<>());
 
+  const Needs needs = needs_of(scene);
   std::vector<Method> methods;
   for (const IntegratorChoice& integrator : kIntegrators) {
     if (!contains(options.integrators, integrator.id)) continue;
-    const bool exact = integrator.order == 0;
     if (const auto refused = why_not(scene, integrator.id)) {
       if (options.integrators.empty()) continue;
       throw SceneError("--integrators: " + *refused);
@@ -218,18 +218,24 @@ std::vector<Method> plan_methods(const Scene& scene, const StudyOptions& options
       Method m = scene.method;
       m.integrator = integrator.id;
       m.impacts = impacts.id;
-      if (exact) {
-        if (impacts.id == ImpactsId::kLocated) methods.push_back(m);
-      } else if (integrator.adaptive) {
-        for (const double tolerance : tolerances) {
-          m.tolerance = tolerance;
+      if (integrator.order == 0 && impacts.id != ImpactsId::kLocated) continue;
+      if (!needs.lasting_contacts) m.contacts = ContactsId::kImpulse;
+      switch (error_knob(m)) {
+        case ErrorKnob::kStep:
+          for (const double step : steps) {
+            m.step = step;
+            methods.push_back(m);
+          }
+          break;
+        case ErrorKnob::kTolerance:
+          for (const double tolerance : tolerances) {
+            m.tolerance = tolerance;
+            methods.push_back(m);
+          }
+          break;
+        case ErrorKnob::kNone:
           methods.push_back(m);
-        }
-      } else {
-        for (const double step : steps) {
-          m.step = step;
-          methods.push_back(m);
-        }
+          break;
       }
     }
   }

@@ -28,7 +28,8 @@ inline constexpr int kDefaultSteps = 10;
 
 // The rows of a study, whole: every integrator under every impacts choice at every step. For the adaptive
 // integrator tolerances take the place of the steps (its results, and so impacts at the step's end, come at the
-// scene's own step); exact flight has one row, with impacts at their own time.
+// scene's own step); exact flight has one row, with impacts at their own time. Where contacts last, all have
+// steps (see error_knob()), the adaptive integrator at the scene's own tolerance.
 // Throws SceneError where an integrator that is asked for by name can't run the scene.
 [[nodiscard]] std::vector<Method> plan_methods(const Scene& scene, const StudyOptions& options);
 

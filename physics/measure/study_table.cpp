@@ -95,8 +95,7 @@ std::string write_order(const StudyFacts& /*facts*/, const StudyRow& /*row*/, co
 }
 
 void read_step(const std::string& text, StudyFacts& /*facts*/, StudyRow& r) {
-  const bool adaptive = choice_of(kIntegrators, r.method.integrator).adaptive;
-  read(text, adaptive ? r.method.tolerance : r.method.step);
+  read(text, error_knob(r.method) == ErrorKnob::kTolerance ? r.method.tolerance : r.method.step);
 }
 
 constexpr auto kColumns = std::to_array<Column>({
@@ -218,10 +217,23 @@ std::string list_of(const std::vector<int>& numbers) {
 
 }  // namespace
 
-std::optional<double> StudyRow::step_or_tolerance() const {
+ErrorKnob error_knob(const Method& method) {
   const IntegratorChoice& integrator = choice_of(kIntegrators, method.integrator);
-  if (integrator.order == 0) return std::nullopt;
-  return integrator.adaptive ? method.tolerance : method.step;
+  if (method.contacts == ContactsId::kLasting) return ErrorKnob::kStep;
+  if (integrator.adaptive) return ErrorKnob::kTolerance;
+  return integrator.order == 0 ? ErrorKnob::kNone : ErrorKnob::kStep;
+}
+
+std::optional<double> StudyRow::step_or_tolerance() const {
+  switch (error_knob(method)) {
+    case ErrorKnob::kStep:
+      return method.step;
+    case ErrorKnob::kTolerance:
+      return method.tolerance;
+    case ErrorKnob::kNone:
+      break;
+  }
+  return std::nullopt;
 }
 
 double StudyFacts::rounding_floor() const { return std::numeric_limits<double>::epsilon() * length * growth; }

@@ -12,6 +12,11 @@
 
 namespace carom {
 
+// What the error of a method hangs on. The adaptive integrator has its tolerance and exact flight nothing, but
+// contact forces that last are found for a whole step under every method.
+enum class ErrorKnob { kStep, kTolerance, kNone };
+[[nodiscard]] ErrorKnob error_knob(const Method& method);
+
 // One run of a study beside the reference. Errors are NaN where there is nothing to compare.
 struct StudyRow {
   int index = 0;  // in the plan, from 0
@@ -32,7 +37,7 @@ struct StudyRow {
   double wall_most = std::numeric_limits<double>::quiet_NaN();
   std::string status = "ok";
 
-  // s or, of the adaptive integrator, the tolerance; none for exact flight, which has neither.
+  // s or m, see error_knob(); nothing where the method has neither.
   [[nodiscard]] std::optional<double> step_or_tolerance() const;
 };
 
