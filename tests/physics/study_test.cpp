@@ -206,6 +206,23 @@ TEST(Reference, IsExactFlightWhereThatIsAllowed) {
   EXPECT_EQ(reference_method(s).impacts, ImpactsId::kLocated);
 }
 
+// Contact forces are found for a whole step: not even exact flight is free of it.
+TEST(Reference, IsRefinedWhereContactsLast) {
+  Scene s = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
+  constexpr double kRolls = 0.52;  // s: just after the slip has ended
+  const Chaos chaos = follow_neighbours(s, reference_method(s), kRolls, 1);
+  const Reference r = make_reference(s, chaos, kRolls, kRolls);
+  EXPECT_EQ(r.method.integrator, IntegratorId::kExactFlight);
+  EXPECT_FALSE(r.exact);
+  EXPECT_GT(r.halvings, 3);
+  EXPECT_LT(r.position_error, 1e-9);
+  const std::vector<StatedFigure> figures = check_stated_figures(s, r, kRolls);
+  EXPECT_FALSE(figures.empty());
+  for (const StatedFigure& f : figures) EXPECT_LT(f.difference, 1e-9) << f.text;
+  s.method.contacts = ContactsId::kImpulse;
+  EXPECT_TRUE(make_reference(s, chaos, kRolls, kRolls).exact);
+}
+
 StudyOptions quick() {
   StudyOptions o;
   o.steps = {0.08, 0.04, 0.02, 0.01, 0.005, 0.0025};
@@ -255,6 +272,31 @@ TEST(Study, SaysExactHereWhereAMethodIs) {
       EXPECT_EQ(g.rows.size(), 1U);
     }
   }
+}
+
+// A disc slides and then rolls. Where the slip ends within a step the mean of its friction acts for all of it,
+// and the position is off by up to μ g h²/8; the rest is exact, but for the Eulers' own error.
+TEST(Study, TellsTheOrderWhereContactsLast) {
+  const Scene s = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
+  const double slowing = s.materials[0].kinetic_friction * 9.81;  // m/s²
+  StudyOptions options = quick();
+  options.until = 0.55;  // just after the slip has ended
+  const StudyTable table = run_study(s, "slide-to-roll", options);
+  const auto groups = groups_of(table);
+  for (const StudyGroup& g : groups) {
+    const IntegratorChoice& integrator = choice_of(kIntegrators, g.integrator);
+    ASSERT_EQ(g.rows.size(), options.steps.size()) << integrator.label;
+    EXPECT_EQ(g.rows.front().step_or_tolerance(), options.steps.front()) << integrator.label;
+    if (!integrator.exact_under_gravity) {
+      EXPECT_NEAR(g.fit.order, 1.0, 0.05) << integrator.label;
+      continue;
+    }
+    for (const StudyRow& r : g.rows) {
+      EXPECT_LT(r.position_error, slowing * r.method.step * r.method.step / 8.0 + 1e-10) << integrator.label;
+    }
+  }
+  const std::vector<Method> without = plan_methods(spring_scene(), quick());
+  for (const Method& m : without) EXPECT_EQ(m.contacts, ContactsId::kImpulse);
 }
 
 TEST(Study, SaysWhenARunBlewUp) {
