@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "physics/measure/parallel.h"
 #include "physics/preset/check.h"
 #include "physics/preset/preset.h"
+#include "physics/scene/needs.h"
 #include "physics/scene/validate.h"
 
 namespace carom {
@@ -66,15 +68,35 @@ void print_rows(const std::vector<Row>& rows) {
   print_table(cells, kColumns);
 }
 
-std::vector<CheckedPreset> read_presets(const std::vector<std::string>& named) {
+// The scene of a preset under the method that is asked for.
+Scene read_scene(const std::filesystem::path& file, const CheckOptions& options) {
+  constexpr std::string_view kStep = "/method/step";
+  Scene scene = scene_with_method(file.string(), options.method);
+  const auto divide = [&](double& step) { step = std::max(step / options.finer, kLeastStep); };
+  divide(scene.method.step);
+  for (Expectation& e : scene.expect) {
+    for (Setting& setting : e.settings) {
+      if (setting.place == kStep) divide(setting.value);
+    }
+    if (e.over && e.over->place == kStep) {
+      for (double& step : e.over->values) divide(step);
+    }
+  }
+  return scene;
+}
+
+std::vector<CheckedPreset> read_presets(const CheckOptions& options) {
   std::vector<std::filesystem::path> files;
-  for (const std::string& name : named) files.push_back(find_preset(name));
-  if (named.empty()) {
+  for (const std::string& name : options.presets) files.push_back(find_preset(name));
+  if (options.presets.empty()) {
     for (const LibraryEntry& entry : preset_library()) files.push_back(entry.file);
   }
   std::vector<CheckedPreset> presets;
   for (const std::filesystem::path& file : files) {
-    Scene scene = read_preset(file);
+    const bool asked_for = !options.presets.empty();
+    const auto integrator = options.method.integrator;
+    if (!asked_for && integrator && why_not(read_preset(file), *integrator)) continue;
+    Scene scene = read_scene(file, options);
     try {
       ExpectationCheck check(scene);
       presets.push_back({file.stem().string(), std::move(scene), std::move(check)});
@@ -105,7 +127,7 @@ void run_all(std::vector<CheckedPreset>& presets) {
 }  // namespace
 
 int check_command(const CheckOptions& options) {
-  std::vector<CheckedPreset> presets = read_presets(options.presets);
+  std::vector<CheckedPreset> presets = read_presets(options);
   std::unique_ptr<CsvFile> csv;
   if (!options.csv.empty()) {
     csv = std::make_unique<CsvFile>(options.csv);

@@ -209,6 +209,10 @@ int run_program(int argc, char** argv) {
       .add_option("preset", check_options.presets,
                   "preset files or names of experiments (default: all built-in)")
       ->type_name("FILE|NAME");
+  const MethodArguments check_method(check);
+  check.add_option("--finer", check_options.finer, "divide every step by N, 1 to 1000")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
   check.add_option("--csv", check_options.csv, "write the table with all digits")->type_name("F");
 
   StressOptions stress_options;
@@ -259,7 +263,10 @@ int run_program(int argc, char** argv) {
       return run_command(run_options);
     }
     if (study.parsed()) return study_command(argc, argv, study_arguments.options());
-    if (check.parsed()) return check_command(check_options);
+    if (check.parsed()) {
+      check_options.method = check_method.options();
+      return check_command(check_options);
+    }
     if (stress.parsed()) return stress_command(stress_options);
     if (picture.parsed()) {
       picture_options.method = picture_method.options();

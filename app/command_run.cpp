@@ -71,9 +71,6 @@ Scene scene_with_method(const std::string& preset, const MethodOptions& method) 
   };
   put("--step", method.step, kLeastStep, kLargestStep, "s", scene.method.step);
   put("--tolerance", method.tolerance, kLeastTolerance, kLargestTolerance, "m and m/s", scene.method.tolerance);
-  if (const auto reason = why_not(scene, scene.method.integrator)) {
-    throw SceneError("--integrator: " + *reason);
-  }
   if (const auto reason = why_not(scene, scene.method.integrator)) throw SceneError("--integrator: " + *reason);
   return scene;
 }

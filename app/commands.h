@@ -36,7 +36,9 @@ struct RunOptions {
 
 struct CheckOptions {
   std::vector<std::string> presets;  // empty: all built-in experiments
-  std::string csv;                   // file for the table, with all digits
+  MethodOptions method;
+  int finer = 1;    // divides every step, also where an expectation sets it
+  std::string csv;  // file for the table, with all digits
 };
 
 struct StressOptions {

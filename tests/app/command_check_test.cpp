@@ -84,6 +84,27 @@ TEST(CheckCommand, CsvHasAllDigits) {
   EXPECT_TRUE(holds(lines[3], ",nan,1,nan,1,fell short")) << lines[3];
 }
 
+// Free fall of 1 s: explicit Euler is off by g h/2 times 1 s, also where an expectation sets the step itself.
+TEST(CheckCommand, RunsUnderAnotherMethodAndFiner) {
+  const Program carom;
+  constexpr const char* kFall =
+      R"({"observable": "y", "bodies": ["a, b"], "reduction": "final", "value": -5, "tolerance": 1e-9})";
+  constexpr const char* kCoarse =
+      R"({"observable": "y", "bodies": ["a, b"], "reduction": "final", "value": -5, "tolerance": 1e-9,
+          "with": {"/method/step": 0.04}})";
+  QByteArray fall = preset_with(std::string(kFall) + "," + kCoarse);
+  fall.replace("\"duration\": 1,", R"("duration": 1, "gravity": [0, -10], "method": {"step": 0.02},)");
+  carom.write("fall.json", fall);
+  EXPECT_EQ(carom({"check", "fall.json", "--integrator", "rk4"}).code, 0);
+  const ProgramResult whole = carom({"check", "fall.json", "--integrator", "explicit-euler"});
+  EXPECT_EQ(whole.code, 1);
+  EXPECT_TRUE(holds(whole.out, "1.0e-01") && holds(whole.out, "2.0e-01")) << whole.out;
+  const ProgramResult half = carom({"check", "fall.json", "--integrator", "explicit-euler", "--finer", "2"});
+  EXPECT_TRUE(holds(half.out, "5.0e-02") && holds(half.out, "1.0e-01")) << half.out;
+  expect_refused(carom({"check", "fall.json", "--finer", "0"}), "--finer");
+  expect_refused(carom({"check", "drag-projectile", "--integrator", "exact-flight"}), "--integrator");
+}
+
 TEST(CheckCommand, AllBuiltInPresetsAreGood) {
   const Program carom;
   const ProgramResult all = carom({"check"});
