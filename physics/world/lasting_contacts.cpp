@@ -77,6 +77,7 @@ void Simulation::hold_contacts(double h) {
   }
   l.held.resize(n, 0);
   find_contacts(h);
+  prepare_contacts(mass_, l.contacts, kMostExact, l.workspace);
   project_contacts();
   touch_down(h);
   find_contact_forces(h);
@@ -213,11 +214,12 @@ ContactSolverOptions Simulation::contact_options() const {
   const LastingContacts& l = lasting_;
   const double by_forces = l.acceleration.topRows<2>().colwise().norm().maxCoeff() * step_length_;
   ContactSolverOptions options;
-  options.tolerance = kSolved * by_forces + 16.0 * kEpsilon * l.before.topRows<2>().cwiseAbs().maxCoeff();
-  options.most_exact = kMostExact;
+  const double rounding = 16.0 * kEpsilon * l.before.topRows<2>().cwiseAbs().maxCoeff();
+  options.tolerance = kSolved * by_forces + rounding;
   options.crowd_sweeps = kCrowdSweeps;
   const double rms = std::sqrt(l.before.topRows<2>().squaredNorm() / static_cast<double>(l.before.cols()));
-  options.crowd_tolerance = std::clamp(kCrowdMotion * rms, kCrowdRest * by_forces, kCrowdSolved * by_forces);
+  options.crowd_tolerance =
+      std::clamp(kCrowdMotion * rms, kCrowdRest * by_forces, kCrowdSolved * by_forces) + rounding;
   options.slip_speed = kStuck * by_forces + options.tolerance;
   return options;
 }
@@ -239,7 +241,7 @@ void Simulation::project_contacts() {
   options.tolerance = kOverlap * size;
   options.crowd_tolerance = kCrowdOverlap * size;
   options.crowd_sweeps = kCrowdProjectionSweeps;
-  project_overlaps(mass_, l.contacts, deepest > kDeep ? kOverlapFraction : 1.0, l.moved, options, l.workspace);
+  project_prepared(mass_, l.contacts, deepest > kDeep ? kOverlapFraction : 1.0, l.moved, options, l.workspace);
   const double before = field().potential_energy(state_.q);
   for (int i = 0; i < state_.size(); ++i) {
     if (immovable(i) || l.moved.col(i).isZero(0.0)) continue;
@@ -296,7 +298,7 @@ void Simulation::touch_down(double h) {
   }
   l.after = l.before;
   if (worst > 2.0 * (c.size() > kMostExact ? options.crowd_tolerance : options.tolerance)) {
-    tell_residual(solve_contacts(mass_, c, l.after, options, l.workspace));
+    tell_residual(solve_prepared(mass_, c, l.after, options, l.workspace));
     book_contacts(1.0);
     for (int i = 0; i < n; ++i) {
       if (immovable(i) || l.after.col(i) == l.before.col(i)) continue;
@@ -336,7 +338,7 @@ void Simulation::find_contact_forces(double h) {
   for (int round = 0; round < kMostRounds; ++round) {
     l.after = l.free;
     c.sticks = l.sticks;
-    report = solve_contacts(mass_, c, l.after, options, l.workspace);
+    report = solve_prepared(mass_, c, l.after, options, l.workspace);
     for (const int i : l.pushed) tracks_.set_contact_acceleration(i, (l.after.col(i) - l.free.col(i)) / h);
     if (tracks_.is_parabolic()) break;
     double off = 0.0;
