@@ -1,15 +1,13 @@
 #include "physics/contact/crowd_blocks.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace carom {
 
 namespace {
 
-// Blocks are filled in groups that share no movable body either, so that the processor need not wait for one
-// block before it starts with the next.
-constexpr int kGroup = 2;
-// Groups that are open at a time.
+// Blocks that are open at a time, a bit of a mask each.
 constexpr int kOpen = 32;
 
 }  // namespace
@@ -23,51 +21,48 @@ void clear_blocks(int bodies, CrowdBlocks& crowd) {
 
 void add_blocks(const std::vector<int>& a, const std::vector<int>& b, const Eigen::VectorXd& inverse_mass,
                 const Eigen::VectorXd& inverse_inertia, std::span<const int> order, CrowdBlocks& crowd) {
-  const auto movable = [&](int i) { return inverse_mass[i] > 0.0 || inverse_inertia[i] > 0.0; };
   const std::size_t first = crowd.contacts.size();
-  crowd.groups_of.assign(crowd.in_blocks.size(), 0);
+  crowd.open_with.assign(crowd.in_blocks.size(), 0);
   crowd.filled.clear();
-  // Group g has bit g % kOpen of the masks; the open ones are the last kOpen.
+  // Block k of these has bit k % kOpen of the masks.
   std::uint32_t with_room = 0;
-  const auto retire = [&](int group) {
-    const std::uint32_t bit = 1U << (group % kOpen);
+  const auto close = [&](int block) {
+    const std::uint32_t bit = 1U << (block % kOpen);
     with_room &= ~bit;
-    for (int lane = 0; lane < crowd.filled[group]; ++lane) {
-      const int c = crowd.contacts[first + kGroup * group + lane / kLanes][lane % kLanes];
-      crowd.groups_of[a[c]] &= ~bit;
-      crowd.groups_of[b[c]] &= ~bit;
+    for (int lane = 0; lane < crowd.filled[block]; ++lane) {
+      const int c = crowd.contacts[first + block][lane];
+      crowd.open_with[a[c]] &= ~bit;
+      crowd.open_with[b[c]] &= ~bit;
     }
   };
   for (const int c : order) {
-    const int groups = static_cast<int>(crowd.filled.size());
-    const bool moves_a = movable(a[c]);
-    const bool moves_b = movable(b[c]);
-    const std::uint32_t taken = (moves_a ? crowd.groups_of[a[c]] : 0U) | (moves_b ? crowd.groups_of[b[c]] : 0U);
-    const std::uint32_t fits = with_room & ~taken;
-    int group = groups;
+    int block = static_cast<int>(crowd.filled.size());
+    const int oldest = std::max(block - kOpen, 0);
+    // From the oldest on: the blocks after the last one that one of the bodies is in, so that the order stays.
+    const std::uint32_t in = std::rotr(crowd.open_with[a[c]] | crowd.open_with[b[c]], oldest % kOpen);
+    const int after = kOpen - std::countl_zero(in);
+    const std::uint32_t later = after < kOpen ? ~0U << after : 0U;
+    const std::uint32_t fits = std::rotr(with_room, oldest % kOpen) & later;
     if (fits != 0) {
-      const int oldest = std::max(groups - kOpen, 0);
-      group = oldest + std::countr_zero(std::rotr(fits, oldest % kOpen));
+      block = oldest + std::countr_zero(fits);
     } else {
-      if (groups >= kOpen) retire(groups - kOpen);
+      if (block >= kOpen) close(block - kOpen);
       crowd.filled.push_back(0);
       Lanes<int> none;
       none.fill(-1);
-      crowd.contacts.insert(crowd.contacts.end(), kGroup, none);
-      with_room |= 1U << (group % kOpen);
+      crowd.contacts.push_back(none);
+      with_room |= 1U << (block % kOpen);
     }
-    const int lane = crowd.filled[group]++;
-    crowd.contacts[first + kGroup * group + lane / kLanes][lane % kLanes] = c;
-    const std::uint32_t bit = 1U << (group % kOpen);
-    if (crowd.filled[group] == kGroup * kLanes) with_room &= ~bit;
+    const int lane = crowd.filled[block]++;
+    crowd.contacts[first + block][lane] = c;
+    const std::uint32_t bit = 1U << (block % kOpen);
+    if (lane == kLanes - 1) with_room &= ~bit;
     for (const int i : {a[c], b[c]}) {
-      if (!movable(i)) continue;
-      crowd.groups_of[i] |= bit;
+      if (!(inverse_mass[i] > 0.0 || inverse_inertia[i] > 0.0)) continue;
+      crowd.open_with[i] |= bit;
       crowd.in_blocks[i] = 1;
     }
   }
-  // Blocks of a group that stayed empty.
-  std::erase_if(crowd.contacts, [](const Lanes<int>& lanes) { return lanes[0] < 0; });
   const ContactBlock empty = [&] {
     const auto body = static_cast<std::uint32_t>(4 * crowd.in_blocks.size());
     ContactBlock block;

@@ -92,15 +92,15 @@ void Simulation::find_contacts(double h) {
   // Part of a step looks as far as a whole one, so that it forgets no contact.
   const double whole = step_length_;
   l.poses.resize(n);
-  const auto reach = [&](int i) {
-    const auto v = tracks_.settled(i).segment<3>(3);
-    const double turning = v[2] != 0.0 ? std::abs(v[2]) * shapes.core_radius[i] : 0.0;
-    return (v.head<2>().norm() + turning) * whole + l.acceleration.col(i).head<2>().norm() * whole * whole;
-  };
+  l.reach.resize(n);
   for (int i = 0; i < n; ++i) {
     const Eigen::Vector3d q = tracks_.settled(i).head<3>();
+    const Eigen::Vector3d v = tracks_.settled(i).segment<3>(3);
+    const double turning = v[2] != 0.0 ? std::abs(v[2]) * shapes.core_radius[i] : 0.0;
+    l.reach[i] =
+        (v.head<2>().norm() + turning) * whole + l.acceleration.col(i).head<2>().norm() * whole * whole;
     l.poses[i] = pose_of(shapes, i, q);
-    const Eigen::Array2d margin = shapes_.extent.col(i).array() + reach(i);
+    const Eigen::Array2d margin = shapes_.extent.col(i).array() + l.reach[i];
     bounds_[i] = {q.head<2>().array() - margin, q.head<2>().array() + margin};
   }
   Contacts& c = l.contacts;
@@ -118,7 +118,7 @@ void Simulation::find_contacts(double h) {
     const double size = shapes_.size[a] + shapes_.size[b];
     const double rounding =
         kOverlap * (size + tracks_.settled(a).head<2>().lpNorm<1>() + tracks_.settled(b).head<2>().lpNorm<1>());
-    const Manifold m = manifold(shapes, a, l.poses[a], b, l.poses[b], reach(a) + reach(b) + rounding);
+    const Manifold m = manifold(shapes, a, l.poses[a], b, l.poses[b], l.reach[a] + l.reach[b] + rounding);
     if (m.count == 0) continue;
     const Material& material = material_between(a, b);
     const double rest = rest_speed(a, b, m.normal, material.restitution);
@@ -331,7 +331,13 @@ void Simulation::find_contact_forces(double h) {
     }
   }
   l.free.resize(3, n);
-  for (int i = 0; i < n; ++i) l.free.col(i) = tracks_.at(i, h).segment<3>(3);
+  for (int i = 0; i < n; ++i) {
+    if (tracks_.is_parabolic() && !immovable(i)) {
+      l.free.col(i) = tracks_.parabola_velocity(i, h);
+    } else {
+      l.free.col(i) = tracks_.at(i, h).segment<3>(3);
+    }
+  }
   const ContactSolverOptions options = contact_options();
   l.sticks = c.sticks;
   ContactSolverReport report;

@@ -63,6 +63,7 @@ struct LastingContacts {
   Eigen::Matrix3Xd before, after, free;    // velocities, m/s and rad/s
   Eigen::Matrix3Xd moved;                  // m, rad
   std::vector<Pose> poses;
+  std::vector<double> reach;  // m: how far each body may come within a whole step
   ContactWorkspace workspace;
 };
 
