@@ -8,7 +8,7 @@ namespace carom {
 namespace {
 
 // Blocks that are open at a time, a bit of a mask each.
-constexpr int kOpen = 32;
+constexpr int kOpen = 64;
 
 }  // namespace
 
@@ -25,9 +25,9 @@ void add_blocks(const std::vector<int>& a, const std::vector<int>& b, const Eige
   crowd.open_with.assign(crowd.in_blocks.size(), 0);
   crowd.filled.clear();
   // Block k of these has bit k % kOpen of the masks.
-  std::uint32_t with_room = 0;
+  std::uint64_t with_room = 0;
   const auto close = [&](int block) {
-    const std::uint32_t bit = 1U << (block % kOpen);
+    const std::uint64_t bit = std::uint64_t{1} << (block % kOpen);
     with_room &= ~bit;
     for (int lane = 0; lane < crowd.filled[block]; ++lane) {
       const int c = crowd.contacts[first + block][lane];
@@ -39,10 +39,10 @@ void add_blocks(const std::vector<int>& a, const std::vector<int>& b, const Eige
     int block = static_cast<int>(crowd.filled.size());
     const int oldest = std::max(block - kOpen, 0);
     // From the oldest on: the blocks after the last one that one of the bodies is in, so that the order stays.
-    const std::uint32_t in = std::rotr(crowd.open_with[a[c]] | crowd.open_with[b[c]], oldest % kOpen);
+    const std::uint64_t in = std::rotr(crowd.open_with[a[c]] | crowd.open_with[b[c]], oldest % kOpen);
     const int after = kOpen - std::countl_zero(in);
-    const std::uint32_t later = after < kOpen ? ~0U << after : 0U;
-    const std::uint32_t fits = std::rotr(with_room, oldest % kOpen) & later;
+    const std::uint64_t later = after < kOpen ? ~std::uint64_t{0} << after : 0;
+    const std::uint64_t fits = std::rotr(with_room, oldest % kOpen) & later;
     if (fits != 0) {
       block = oldest + std::countr_zero(fits);
     } else {
@@ -51,11 +51,11 @@ void add_blocks(const std::vector<int>& a, const std::vector<int>& b, const Eige
       Lanes<int> none;
       none.fill(-1);
       crowd.contacts.push_back(none);
-      with_room |= 1U << (block % kOpen);
+      with_room |= std::uint64_t{1} << (block % kOpen);
     }
     const int lane = crowd.filled[block]++;
     crowd.contacts[first + block][lane] = c;
-    const std::uint32_t bit = 1U << (block % kOpen);
+    const std::uint64_t bit = std::uint64_t{1} << (block % kOpen);
     if (lane == kLanes - 1) with_room &= ~bit;
     for (const int i : {a[c], b[c]}) {
       if (!(inverse_mass[i] > 0.0 || inverse_inertia[i] > 0.0)) continue;

@@ -18,7 +18,7 @@ struct CrowdBlocks {
   std::vector<BodyVelocity> velocity;   // last that of the body of empty lanes
   std::vector<std::uint8_t> in_blocks;  // by body
 
-  std::vector<std::uint32_t> open_with;  // scratch, by body: the open blocks that it is in, a bit each
+  std::vector<std::uint64_t> open_with;  // scratch, by body: the open blocks that it is in, a bit each
   std::vector<int> filled;               // scratch: lanes of each block
 };
 

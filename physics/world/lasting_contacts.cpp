@@ -331,13 +331,7 @@ void Simulation::find_contact_forces(double h) {
     }
   }
   l.free.resize(3, n);
-  for (int i = 0; i < n; ++i) {
-    if (tracks_.is_parabolic() && !immovable(i)) {
-      l.free.col(i) = tracks_.parabola_velocity(i, h);
-    } else {
-      l.free.col(i) = tracks_.at(i, h).segment<3>(3);
-    }
-  }
+  for (int i = 0; i < n; ++i) l.free.col(i) = tracks_.at(i, h).segment<3>(3);
   const ContactSolverOptions options = contact_options();
   l.sticks = c.sticks;
   ContactSolverReport report;
