@@ -15,8 +15,10 @@ constexpr int kSweepsToMeasure = 8;
 
 double cross(const Vec2& r, const Vec2& d) { return r.x() * d.y() - r.y() * d.x(); }
 
-ContactRow geometry_row(const Contacts& contacts, int c, const MassProperties& mass) {
-  ContactRow row;
+// What an impulse changes; bodies that only turn cannot move along every normal.
+enum Moves : std::uint8_t { kAlongNormal = 1, kAlongTangent = 2, kTurns = 4 };
+
+std::uint8_t set_geometry(const Contacts& contacts, int c, const MassProperties& mass, ContactRow& row) {
   row.a = contacts.a[c];
   row.b = contacts.b[c];
   const Vec2& n = contacts.normal[c];
@@ -32,14 +34,33 @@ ContactRow geometry_row(const Contacts& contacts, int c, const MassProperties& m
   const double k_nn = k + turn_a * row.turn_na * row.turn_na + turn_b * row.turn_nb * row.turn_nb;
   const double k_tt = k + turn_a * row.turn_ta * row.turn_ta + turn_b * row.turn_tb * row.turn_tb;
   const double k_rr = turn_a + turn_b;
-  // A direction in which nothing can move (bodies that only turn) gets no impulse.
   row.mass_n = k_nn > 0.0 ? 1.0 / k_nn : 1.0;
   row.mass_t = k_tt > 0.0 ? 1.0 / k_tt : 1.0;
   row.mass_r = k_rr > 0.0 ? 1.0 / k_rr : 0.0;
-  row.target = k_nn > 0.0 ? 0.0 : -std::numeric_limits<double>::infinity();
-  row.friction = k_tt > 0.0 ? 1.0 : 0.0;
-  row.rolling = k_rr > 0.0 ? 1.0 : 0.0;
-  return row;
+  return static_cast<std::uint8_t>((k_nn > 0.0 ? kAlongNormal : 0) | (k_tt > 0.0 ? kAlongTangent : 0) |
+                                   (k_rr > 0.0 ? kTurns : 0));
+}
+
+// A direction in which nothing can move gets no impulse.
+void set_law(const Contacts& contacts, int c, std::uint8_t moves, ContactRow& row) {
+  constexpr double kNever = -std::numeric_limits<double>::infinity();
+  row.target = (moves & kAlongNormal) != 0 ? contacts.target[c] : kNever;
+  const double friction = contacts.sticks[c] != 0 ? contacts.static_friction[c] : contacts.kinetic_friction[c];
+  row.friction = (moves & kAlongTangent) != 0 ? friction : 0.0;
+  row.rolling = (moves & kTurns) != 0 ? contacts.rolling[c] : 0.0;
+  row.normal = std::max(0.0, contacts.normal_impulse[c]);
+  const double limit = row.friction * row.normal;
+  const double most = row.rolling * row.normal;
+  row.tangential = std::clamp(contacts.tangential_impulse[c], -limit, limit);
+  row.moment = std::clamp(contacts.rolling_impulse[c], -most, most);
+}
+
+void set_projection(const Contacts& contacts, int c, std::uint8_t moves, double fraction, ContactRow& row) {
+  constexpr double kNever = -std::numeric_limits<double>::infinity();
+  const double gap = contacts.gap[c];
+  row.target = (moves & kAlongNormal) == 0 ? kNever : gap < 0.0 ? -fraction * gap : -gap;
+  row.friction = row.rolling = 0.0;
+  row.normal = row.tangential = row.moment = 0.0;
 }
 
 void load_bodies(const MassProperties& mass, const Eigen::Matrix3Xd& v, std::vector<SolverBody>& bodies) {
@@ -50,11 +71,6 @@ void load_bodies(const MassProperties& mass, const Eigen::Matrix3Xd& v, std::vec
   }
 }
 
-void store_bodies(const std::vector<SolverBody>& bodies, Eigen::Matrix3Xd& v) {
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    v.col(static_cast<Eigen::Index>(i)) << bodies[i].vx, bodies[i].vy, bodies[i].spin;
-}
-
 struct Swept {
   int sweeps = 0;
   double residual = 0.0;
@@ -62,17 +78,18 @@ struct Swept {
 
 // Sweeps until the tolerance is met or the budget spent; with `may_leave` also once the progress between two
 // measurements shows that the budget will not do.
-Swept gauss_seidel(std::span<ContactRow> rows, std::span<SolverBody> bodies, double tolerance, int max_sweeps,
+template <class Sweep, class Measure>
+Swept gauss_seidel(const Sweep& sweep_once, const Measure& measure, double tolerance, int max_sweeps,
                    bool may_leave) {
-  Swept swept{0, residual(rows, bodies)};
+  Swept swept{0, measure()};
   double measured = swept.residual;
   int at = 0;
   int next = may_leave ? 1 : kSweepsToMeasure;
   while (swept.sweeps < max_sweeps && !(swept.residual <= tolerance)) {
-    sweep(rows, bodies, swept.sweeps % 2 == 1);
+    sweep_once(swept.sweeps % 2 == 1);
     ++swept.sweeps;
     if (swept.sweeps < next && swept.sweeps < max_sweeps) continue;
-    swept.residual = residual(rows, bodies);
+    swept.residual = measure();
     if (may_leave && at >= kSweepsToMeasure && swept.residual > tolerance) {
       const double rate = std::log(swept.residual / measured) / (swept.sweeps - at);
       const double left = max_sweeps - swept.sweeps;
@@ -85,98 +102,206 @@ Swept gauss_seidel(std::span<ContactRow> rows, std::span<SolverBody> bodies, dou
   return swept;
 }
 
+bool is_crowd(const ContactWorkspace& w, int island) {
+  return w.first_block[island + 1] > w.first_block[island];
+}
+
+std::span<ContactRow> rows_of(ContactWorkspace& w, int island) {
+  const std::span<const int> contacts = w.islands.of(island);
+  return {w.rows.data() + w.islands.first[island], contacts.size()};
+}
+
+std::span<ContactBlock> blocks_of(ContactWorkspace& w, int island) {
+  const int first = w.first_block[island];
+  return {w.crowds.blocks.data() + first, static_cast<std::size_t>(w.first_block[island + 1] - first)};
+}
+
+// Calls visit(contact, block, lane) for the contacts of the blocks from..to - 1.
+template <class Visit>
+void each_lane(CrowdBlocks& crowds, int from, int to, const Visit& visit) {
+  for (int k = from; k < to; ++k) {
+    for (std::size_t lane = 0; lane < kLanes && crowds.contacts[k][lane] >= 0; ++lane)
+      visit(crowds.contacts[k][lane], crowds.blocks[k], lane);
+  }
+}
+
+// Puts bodies at their velocities and contacts at what set(contact, row) makes of their rows.
+template <class Set>
+void load(const MassProperties& mass, const Eigen::Matrix3Xd& v, ContactWorkspace& w, const Set& set) {
+  load_bodies(mass, v, w.bodies);
+  for (Eigen::Index i = 0; i < v.cols(); ++i)
+    w.crowds.velocity[static_cast<std::size_t>(i)] = {v(0, i), v(1, i), v(2, i)};
+  for (int i = 0; i < w.islands.size(); ++i) {
+    if (!is_crowd(w, i)) {
+      for (int k = w.islands.first[i]; k < w.islands.first[i + 1]; ++k) set(w.islands.contacts[k], w.rows[k]);
+      continue;
+    }
+    double rubs = 0.0;
+    double rolls = 0.0;
+    each_lane(w.crowds, w.first_block[i], w.first_block[i + 1], [&](int c, ContactBlock& block, std::size_t k) {
+      ContactRow row;
+      set(c, row);
+      set_law(row, k, block);
+      rubs = std::max(rubs, row.friction);
+      rolls = std::max(rolls, row.rolling);
+    });
+    w.law[i] = rolls > 0.0 ? BlockLaw::kRolling : rubs > 0.0 ? BlockLaw::kFriction : BlockLaw::kNormal;
+  }
+}
+
+void store_bodies(const ContactWorkspace& w, Eigen::Matrix3Xd& v) {
+  for (std::size_t i = 0; i < w.bodies.size(); ++i) {
+    const auto col = static_cast<Eigen::Index>(i);
+    if (w.crowds.in_blocks[i] != 0) {
+      const BodyVelocity& u = w.crowds.velocity[i];
+      v.col(col) << u.x, u.y, u.spin;
+    } else {
+      v.col(col) << w.bodies[i].vx, w.bodies[i].vy, w.bodies[i].spin;
+    }
+  }
+}
+
+struct Solved {
+  Swept swept;
+  double left = 0.0;
+  bool missed = false;
+};
+
+Solved solve_exactly(const ContactSolverOptions& options, std::span<ContactRow> rows, ContactWorkspace& w,
+                     ContactSolverReport& report) {
+  apply_all(rows, w.bodies);
+  const bool exact = options.max_newton > 0;
+  const Swept swept =
+      gauss_seidel([&](bool backwards) { sweep(rows, w.bodies, backwards); },
+                   [&] { return residual(rows, w.bodies); }, options.tolerance, options.max_sweeps, exact);
+  Solved solved{swept, swept.residual, !(swept.residual <= options.tolerance)};
+  if (solved.missed && exact) {
+    apply_all(rows, w.bodies);
+    const NewtonResult newton = w.newton.run(rows, w.bodies, {options.tolerance, options.max_newton});
+    solved.left = newton.residual;
+    solved.missed = !newton.settled;
+    ++report.newton_islands;
+    report.newton_iterations += newton.iterations;
+  } else if (solved.missed) {
+    solved.missed = !(solved.left <= rounding_level(rows, w.bodies));
+    apply_all(rows, w.bodies);
+  }
+  return solved;
+}
+
+Solved solve_crowd(const ContactSolverOptions& options, std::span<ContactBlock> blocks, BlockLaw law,
+                   double* velocity) {
+  const BlockKernels& kernels = block_kernels();
+  kernels.apply(blocks, velocity);
+  const Swept swept = gauss_seidel([&](bool backwards) { kernels.sweep(blocks, velocity, law, backwards); },
+                                   [&] { return kernels.residual(blocks, velocity); }, options.crowd_tolerance,
+                                   options.crowd_sweeps, false);
+  return {swept, swept.residual, !(swept.residual <= options.crowd_tolerance)};
+}
+
 ContactSolverReport solve_islands(const ContactSolverOptions& options, ContactWorkspace& w) {
   ContactSolverReport report;
   report.islands = w.islands.size();
   for (int i = 0; i < w.islands.size(); ++i) {
-    const int first = w.islands.first[i];
-    const auto count = static_cast<std::size_t>(w.islands.first[i + 1] - first);
-    const std::span<ContactRow> rows(w.rows.data() + first, count);
-    apply_all(rows, w.bodies);
-    const bool crowd = rows.size() > static_cast<std::size_t>(options.most_exact);
-    const bool exact = options.max_newton > 0 && !crowd;
-    const double tolerance = crowd ? options.crowd_tolerance : options.tolerance;
-    const Swept swept =
-        gauss_seidel(rows, w.bodies, tolerance, crowd ? options.crowd_sweeps : options.max_sweeps, exact);
-    double left = swept.residual;
-    bool missed = !(left <= tolerance);
-    if (missed && exact) {
-      apply_all(rows, w.bodies);
-      const NewtonResult newton = w.newton.run(rows, w.bodies, {options.tolerance, options.max_newton});
-      left = newton.residual;
-      missed = !newton.settled;
-      ++report.newton_islands;
-      report.newton_iterations += newton.iterations;
-    } else if (missed) {
-      missed = !(left <= rounding_level(rows, w.bodies));
-      apply_all(rows, w.bodies);
-    }
-    report.sweeps = std::max(report.sweeps, swept.sweeps);
-    report.contact_sweeps += static_cast<std::int64_t>(swept.sweeps) * static_cast<std::int64_t>(count);
-    report.missed_islands += missed ? 1 : 0;
-    if (!(left <= report.residual)) report.residual = left;
+    const Solved solved = is_crowd(w, i)
+                              ? solve_crowd(options, blocks_of(w, i), w.law[i], &w.crowds.velocity.data()->x)
+                              : solve_exactly(options, rows_of(w, i), w, report);
+    report.sweeps = std::max(report.sweeps, solved.swept.sweeps);
+    report.contact_sweeps += solved.swept.sweeps * static_cast<std::int64_t>(w.islands.of(i).size());
+    report.missed_islands += solved.missed ? 1 : 0;
+    if (!(solved.left <= report.residual)) report.residual = solved.left;
   }
   return report;
 }
 
 }  // namespace
 
-ContactSolverReport solve_contacts(const MassProperties& mass, Contacts& contacts, Eigen::Matrix3Xd& v,
-                                   const ContactSolverOptions& options, ContactWorkspace& workspace) {
-  find_islands(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, workspace.islands);
-  load_bodies(mass, v, workspace.bodies);
-  const std::vector<int>& order = workspace.islands.contacts;
-  workspace.rows.resize(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const int c = order[i];
-    ContactRow row = geometry_row(contacts, c, mass);
-    row.target += contacts.target[c];
-    row.friction *= contacts.sticks[c] != 0 ? contacts.static_friction[c] : contacts.kinetic_friction[c];
-    row.rolling *= contacts.rolling[c];
-    row.normal = std::max(0.0, contacts.normal_impulse[c]);
-    const double limit = row.friction * row.normal;
-    const double most = row.rolling * row.normal;
-    row.tangential = std::clamp(contacts.tangential_impulse[c], -limit, limit);
-    row.moment = std::clamp(contacts.rolling_impulse[c], -most, most);
-    workspace.rows[i] = row;
+void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int most_exact,
+                      ContactWorkspace& w) {
+  find_islands(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, w.islands);
+  clear_blocks(static_cast<int>(mass.inverse_mass.size()), w.crowds);
+  w.rows.resize(w.islands.contacts.size());
+  w.moves.resize(contacts.a.size());
+  w.law.resize(w.islands.size());
+  w.first_block.assign(1, 0);
+  for (int i = 0; i < w.islands.size(); ++i) {
+    const std::span<const int> of_island = w.islands.of(i);
+    const int first = w.first_block.back();
+    if (of_island.size() > static_cast<std::size_t>(most_exact)) {
+      add_blocks(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, of_island, w.crowds);
+      each_lane(w.crowds, first, static_cast<int>(w.crowds.blocks.size()),
+                [&](int c, ContactBlock& block, std::size_t lane) {
+                  ContactRow row;
+                  w.moves[c] = set_geometry(contacts, c, mass, row);
+                  const auto body = [&](int k) {
+                    SolverBody s;
+                    s.inverse_mass = mass.inverse_mass[k];
+                    s.inverse_inertia = mass.inverse_inertia[k];
+                    return s;
+                  };
+                  set_geometry(row, body(row.a), body(row.b), lane, block);
+                });
+    } else {
+      ContactRow* row = w.rows.data() + w.islands.first[i];
+      for (const int c : of_island) w.moves[c] = set_geometry(contacts, c, mass, *row++);
+    }
+    w.first_block.push_back(static_cast<int>(w.crowds.blocks.size()));
   }
+}
 
-  const ContactSolverReport report = solve_islands(options, workspace);
-
-  store_bodies(workspace.bodies, v);
+ContactSolverReport solve_prepared(const MassProperties& mass, Contacts& contacts, Eigen::Matrix3Xd& v,
+                                   const ContactSolverOptions& options, ContactWorkspace& w) {
+  load(mass, v, w, [&](int c, ContactRow& row) { set_law(contacts, c, w.moves[c], row); });
+  const ContactSolverReport report = solve_islands(options, w);
+  store_bodies(w, v);
   // Contacts between immovable bodies are in no island.
   for (auto* impulses : {&contacts.normal_impulse, &contacts.tangential_impulse, &contacts.rolling_impulse})
     std::fill(impulses->begin(), impulses->end(), 0.0);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const ContactRow& row = workspace.rows[i];
-    const int c = order[i];
+  const auto keep = [&](int c, const ContactRow& row, double slip) {
     contacts.normal_impulse[c] = row.normal;
     contacts.tangential_impulse[c] = row.tangential;
     contacts.rolling_impulse[c] = row.moment;
-    const RowVelocity u = row_velocity(row, workspace.bodies[row.a], workspace.bodies[row.b]);
-    contacts.sticks[c] = std::abs(u.tangential) <= options.slip_speed ? 1 : 0;
+    contacts.sticks[c] = std::abs(slip) <= options.slip_speed ? 1 : 0;
+  };
+  for (int i = 0; i < w.islands.size(); ++i) {
+    if (is_crowd(w, i)) continue;
+    const std::span<const ContactRow> rows = rows_of(w, i);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const RowVelocity u = row_velocity(rows[k], w.bodies[rows[k].a], w.bodies[rows[k].b]);
+      keep(w.islands.of(i)[k], rows[k], u.tangential);
+    }
   }
+  each_lane(w.crowds, 0, w.first_block.back(), [&](int c, const ContactBlock& block, std::size_t lane) {
+    const ContactRow row = row_of(block, lane);
+    SolverBody a, b;
+    a.vx = v(0, row.a), a.vy = v(1, row.a), a.spin = v(2, row.a);
+    b.vx = v(0, row.b), b.vy = v(1, row.b), b.spin = v(2, row.b);
+    keep(c, row, row_velocity(row, a, b).tangential);
+  });
+  return report;
+}
+
+ContactSolverReport solve_contacts(const MassProperties& mass, Contacts& contacts, Eigen::Matrix3Xd& v,
+                                   const ContactSolverOptions& options, ContactWorkspace& workspace) {
+  prepare_contacts(mass, contacts, options.most_exact, workspace);
+  return solve_prepared(mass, contacts, v, options, workspace);
+}
+
+ContactSolverReport project_prepared(const MassProperties& mass, const Contacts& contacts, double fraction,
+                                     Eigen::Matrix3Xd& dq, const ContactSolverOptions& options,
+                                     ContactWorkspace& w) {
+  dq.setZero(3, mass.inverse_mass.size());
+  load(mass, dq, w, [&](int c, ContactRow& row) { set_projection(contacts, c, w.moves[c], fraction, row); });
+  const ContactSolverReport report = solve_islands(options, w);
+  store_bodies(w, dq);
   return report;
 }
 
 ContactSolverReport project_overlaps(const MassProperties& mass, const Contacts& contacts, double fraction,
                                      Eigen::Matrix3Xd& dq, const ContactSolverOptions& options,
                                      ContactWorkspace& workspace) {
-  find_islands(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, workspace.islands);
-  dq.setZero(3, mass.inverse_mass.size());
-  load_bodies(mass, dq, workspace.bodies);
-  const std::vector<int>& order = workspace.islands.contacts;
-  workspace.rows.resize(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    ContactRow row = geometry_row(contacts, order[i], mass);
-    const double gap = contacts.gap[order[i]];
-    row.target += gap < 0.0 ? -fraction * gap : -gap;
-    row.friction = row.rolling = 0.0;
-    workspace.rows[i] = row;
-  }
-  const ContactSolverReport report = solve_islands(options, workspace);
-  store_bodies(workspace.bodies, dq);
-  return report;
+  prepare_contacts(mass, contacts, options.most_exact, workspace);
+  return project_prepared(mass, contacts, fraction, dq, options, workspace);
 }
 
 }  // namespace carom

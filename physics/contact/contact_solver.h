@@ -6,6 +6,7 @@
 
 #include "physics/contact/contact_rows.h"
 #include "physics/contact/contacts.h"
+#include "physics/contact/crowd_blocks.h"
 #include "physics/contact/islands.h"
 #include "physics/contact/newton_finish.h"
 #include "physics/motion/state.h"
@@ -16,7 +17,8 @@ struct ContactSolverOptions {
   double tolerance = 1e-9;  // of the residual, m/s (m for a projection)
   int max_sweeps = 64;      // of projected Gauss-Seidel, an island
   int max_newton = 60;      // linear systems of the exact finish, an island; 0: no exact finish
-  // Contacts of an island; a larger one, a crowd, gets no exact finish, and a budget and tolerance of its own.
+  // Contacts of an island, as prepared; a larger one, a crowd, is solved in blocks and gets no exact finish,
+  // and a budget and tolerance of its own.
   int most_exact = 1 << 30;
   int crowd_sweeps = 64;
   double crowd_tolerance = 1e-9;  // m/s
@@ -24,7 +26,7 @@ struct ContactSolverOptions {
 };
 
 // What a solve took and left. An island that missed the tolerance is one whose residual is above both the
-// tolerance and what rounding alone leaves (rounding_level).
+// tolerance and what rounding alone leaves (rounding_level); a crowd, above its tolerance.
 struct ContactSolverReport {
   int islands = 0;
   int sweeps = 0;                   // the most that an island took before its exact finish
@@ -35,13 +37,22 @@ struct ContactSolverReport {
   double residual = 0.0;  // the largest that is left, m/s (m for a projection); see residual()
 };
 
-// What solves reuse; it may be copied. After a solve `islands` are those of its contacts.
+// What solves reuse; it may be copied. `islands` are those of the contacts that were prepared last.
 struct ContactWorkspace {
   Islands islands;
-  std::vector<ContactRow> rows;  // in the order of islands.contacts
+  std::vector<ContactRow> rows;     // in the order of islands.contacts; those of crowds are not used
+  std::vector<std::uint8_t> moves;  // by contact: the directions in which an impulse changes anything
+  CrowdBlocks crowds;
+  std::vector<int> first_block;  // island i has the blocks first_block[i] .. first_block[i + 1] - 1
+  std::vector<BlockLaw> law;     // by island
   std::vector<SolverBody> bodies;
   NewtonFinish newton;
 };
+
+// Takes in what stays the same in several solves: which bodies touch, normals and arms, and the masses. Islands
+// of more than `most_exact` contacts become crowds. Nothing is allocated once the workspace has held as much.
+void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int most_exact,
+                      ContactWorkspace& workspace);
 
 // Solves the contacts of one (sub-)step for the bodies' velocities v (3×N: x and y in m/s, spin in rad/s),
 // which smooth forces have already changed:
@@ -52,13 +63,21 @@ struct ContactWorkspace {
 // Nothing is soft: what is left is the residual. Island by island, each with its own budget: warm-started
 // projected Gauss-Seidel, then, unless the tolerance is met or clearly will be, the exact finish. Of the
 // impulses of redundant contacts, which the laws leave open, some are returned. Immovable bodies keep their
-// velocities. Nothing is allocated once the workspace has held as much.
+// velocities. Nothing is allocated once the workspace has held as much. The contacts must have been prepared,
+// by their number, bodies, normals and arms.
+ContactSolverReport solve_prepared(const MassProperties& mass, Contacts& contacts, Eigen::Matrix3Xd& v,
+                                   const ContactSolverOptions& options, ContactWorkspace& workspace);
+// Prepares them too.
 ContactSolverReport solve_contacts(const MassProperties& mass, Contacts& contacts, Eigen::Matrix3Xd& v,
                                    const ContactSolverOptions& options, ContactWorkspace& workspace);
 
 // The smallest displacement dq (3×N, m and rad; least dqᵀ M dq) that takes away `fraction` of each overlap and
 // makes no new one: J_n dq >= -fraction·gap where gap < 0, else J_n dq >= -gap, to first order in dq. Without
-// friction; nothing of `contacts` is changed.
+// friction; nothing of `contacts` is changed. They must have been prepared.
+ContactSolverReport project_prepared(const MassProperties& mass, const Contacts& contacts, double fraction,
+                                     Eigen::Matrix3Xd& dq, const ContactSolverOptions& options,
+                                     ContactWorkspace& workspace);
+// Prepares them too.
 ContactSolverReport project_overlaps(const MassProperties& mass, const Contacts& contacts, double fraction,
                                      Eigen::Matrix3Xd& dq, const ContactSolverOptions& options,
                                      ContactWorkspace& workspace);

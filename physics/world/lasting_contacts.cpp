@@ -78,6 +78,7 @@ void Simulation::hold_contacts(double h) {
   }
   l.held.resize(n, 0);
   find_contacts(h);
+  prepare_contacts(mass_, l.contacts, kMostExact, l.workspace);
   project_contacts();
   touch_down(h);
   find_contact_forces(h);
@@ -92,15 +93,15 @@ void Simulation::find_contacts(double h) {
   // Part of a step looks as far as a whole one, so that it forgets no contact.
   const double whole = step_length_;
   l.poses.resize(n);
-  const auto reach = [&](int i) {
-    const auto v = tracks_.settled(i).segment<3>(3);
-    const double turning = v[2] != 0.0 ? std::abs(v[2]) * shapes.core_radius[i] : 0.0;
-    return (v.head<2>().norm() + turning) * whole + l.acceleration.col(i).head<2>().norm() * whole * whole;
-  };
+  l.reach.resize(n);
   for (int i = 0; i < n; ++i) {
     const Eigen::Vector3d q = tracks_.settled(i).head<3>();
+    const Eigen::Vector3d v = tracks_.settled(i).segment<3>(3);
+    const double turning = v[2] != 0.0 ? std::abs(v[2]) * shapes.core_radius[i] : 0.0;
+    l.reach[i] =
+        (v.head<2>().norm() + turning) * whole + l.acceleration.col(i).head<2>().norm() * whole * whole;
     l.poses[i] = pose_of(shapes, i, q);
-    const Eigen::Array2d margin = shapes_.extent.col(i).array() + reach(i);
+    const Eigen::Array2d margin = shapes_.extent.col(i).array() + l.reach[i];
     bounds_[i] = {q.head<2>().array() - margin, q.head<2>().array() + margin};
   }
   Contacts& c = l.contacts;
@@ -118,7 +119,7 @@ void Simulation::find_contacts(double h) {
     const double size = shapes_.size[a] + shapes_.size[b];
     const double rounding =
         kOverlap * (size + tracks_.settled(a).head<2>().lpNorm<1>() + tracks_.settled(b).head<2>().lpNorm<1>());
-    const Manifold m = manifold(shapes, a, l.poses[a], b, l.poses[b], reach(a) + reach(b) + rounding);
+    const Manifold m = manifold(shapes, a, l.poses[a], b, l.poses[b], l.reach[a] + l.reach[b] + rounding);
     if (m.count == 0) continue;
     const Material& material = material_between(a, b);
     const double rest = rest_speed(a, b, m.normal, material.restitution);
@@ -214,11 +215,12 @@ ContactSolverOptions Simulation::contact_options() const {
   const LastingContacts& l = lasting_;
   const double by_forces = l.acceleration.topRows<2>().colwise().norm().maxCoeff() * step_length_;
   ContactSolverOptions options;
-  options.tolerance = kSolved * by_forces + 16.0 * kEpsilon * l.before.topRows<2>().cwiseAbs().maxCoeff();
-  options.most_exact = kMostExact;
+  const double rounding = 16.0 * kEpsilon * l.before.topRows<2>().cwiseAbs().maxCoeff();
+  options.tolerance = kSolved * by_forces + rounding;
   options.crowd_sweeps = kCrowdSweeps;
   const double rms = std::sqrt(l.before.topRows<2>().squaredNorm() / static_cast<double>(l.before.cols()));
-  options.crowd_tolerance = std::clamp(kCrowdMotion * rms, kCrowdRest * by_forces, kCrowdSolved * by_forces);
+  options.crowd_tolerance =
+      std::clamp(kCrowdMotion * rms, kCrowdRest * by_forces, kCrowdSolved * by_forces) + rounding;
   options.slip_speed = kStuck * by_forces + options.tolerance;
   return options;
 }
@@ -240,7 +242,7 @@ void Simulation::project_contacts() {
   options.tolerance = kOverlap * size;
   options.crowd_tolerance = kCrowdOverlap * size;
   options.crowd_sweeps = kCrowdProjectionSweeps;
-  project_overlaps(mass_, l.contacts, deepest > kDeep ? kOverlapFraction : 1.0, l.moved, options, l.workspace);
+  project_prepared(mass_, l.contacts, deepest > kDeep ? kOverlapFraction : 1.0, l.moved, options, l.workspace);
   const double before = field().potential_energy(state_.q);
   for (int i = 0; i < state_.size(); ++i) {
     if (immovable(i) || l.moved.col(i).isZero(0.0)) continue;
@@ -305,7 +307,7 @@ void Simulation::touch_down(double h) {
   }
   l.after = l.before;
   if (worst > 2.0 * (c.size() > kMostExact ? options.crowd_tolerance : options.tolerance)) {
-    tell_residual(solve_contacts(mass_, c, l.after, options, l.workspace));
+    tell_residual(solve_prepared(mass_, c, l.after, options, l.workspace));
     l.mean = 0.5 * (l.before + l.after);
     book_contacts(1.0);
     for (int i = 0; i < n; ++i) {
@@ -346,7 +348,7 @@ void Simulation::find_contact_forces(double h) {
   for (int round = 0; round < kMostRounds; ++round) {
     l.after = l.free;
     c.sticks = l.sticks;
-    report = solve_contacts(mass_, c, l.after, options, l.workspace);
+    report = solve_prepared(mass_, c, l.after, options, l.workspace);
     for (const int i : l.pushed) tracks_.set_contact_acceleration(i, (l.after.col(i) - l.free.col(i)) / h);
     if (tracks_.is_parabolic()) break;
     double off = 0.0;

@@ -64,6 +64,7 @@ struct LastingContacts {
   Eigen::Matrix3Xd mean;                   // likewise, those that the contacts' work is booked at
   Eigen::Matrix3Xd moved;                  // m, rad
   std::vector<Pose> poses;
+  std::vector<double> reach;  // m: how far each body may come within a whole step
   ContactWorkspace workspace;
 };
 

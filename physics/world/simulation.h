@@ -246,7 +246,8 @@ class Simulation {
   void search_island(int island);
   void search(int a, int b);
   void search_discs(int a, int b, double start, double end);
-  void process_until(double target, double horizon, double h);
+  // A pair that is awaited lands at `target`.
+  void process_until(double target, double horizon, double h, const Landing* awaited = nullptr);
   void meet(int a, int b, double time, double horizon, bool crowd, double h);
   // After an impact with e < 1: whether the pair rests from now on, or has collapsed.
   void judge(int a, int b, const Contact& contact, const Material& material, double time, bool crowd, double h);
