@@ -14,9 +14,10 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kNever = std::numeric_limits<double>::infinity();
 // Up to this many bodies a track that no step ends may cross the whole scene: every pair is looked at anyway.
 constexpr int kFewBodies = 12;
-// A run that has reached kMostImpactsPerStep once (a piston crushing an elastic disc, say) gets no more than
-// this in each later step, so that it still goes on.
+// A run that has reached kMostImpactsPerStep or kMostImpactsAtOnce once (a piston crushing an elastic disc,
+// say) gets no more than these in each later step, so that it still goes on.
 constexpr int kMostImpactsOnceCapped = 100'000;
+constexpr int kMostImpactsAtOnceCapped = 1'000;
 // Of a step: two times of one landing, found in two ways, differ by less.
 constexpr double kSameTime = 1e-9;
 
@@ -224,8 +225,10 @@ void Simulation::process_until(double target, double horizon, double h, const La
       search_island(island);
       continue;
     }
-    const int most = notices_.impacts_capped_since < 0.0 ? kMostImpactsPerStep : kMostImpactsOnceCapped;
-    if (impact_count_ - before >= most) {
+    const bool capped = notices_.impacts_capped_since >= 0.0;
+    const bool at_once =
+        next.time == last_impact_ && at_once_ >= (capped ? kMostImpactsAtOnceCapped : kMostImpactsAtOnce);
+    if (at_once || impact_count_ - before >= (capped ? kMostImpactsOnceCapped : kMostImpactsPerStep)) {
       if (notices_.impacts_capped_since < 0.0) notices_.impacts_capped_since = tracks_.epoch() + next.time;
       defer(next.a, next.b, false);
       continue;

@@ -129,6 +129,9 @@ class Simulation {
   // Located impacts in one step before the rest of it is resolved at its end: some seconds of work. Galperin's
   // billiard with a mass ratio of 10¹² has 3 141 592.
   static constexpr int kMostImpactsPerStep = 10'000'000;
+  // Likewise at one time, to the last bit: an elastic disc that starts inside two bodies bounces between them
+  // for ever.
+  static constexpr int kMostImpactsAtOnce = 200'000;
   // Impacts of a step that are kept in last_impacts(), some 100 MB.
   static constexpr std::size_t kMostLogged = 1'000'000;
 

@@ -90,5 +90,20 @@ TEST(Crushed, EndsInWords) {
   EXPECT_TRUE(run.state().q.allFinite() && run.state().v.allFinite());
 }
 
+// A disc that starts inside two walls is thrown from one into the other, all at the same time.
+TEST(Crushed, BetweenTwoWallsItEndsInWordsToo) {
+  Scene s = scene({wall("left", {-1.0, 0.0}, 1.2, 1.0), wall("right", {1.0, 0.0}, 1.2, 1.0),
+                   disc("disc", {0.0, 0.0}, {1.0, 0.0}, 0.45)});
+  s.method = exact_flight(0.01);
+  Simulation run(s);
+  run.step();
+  EXPECT_EQ(run.notices().impacts_capped_since, 0.0);
+  EXPECT_LT(run.impact_count(), 2 * Simulation::kMostImpactsAtOnce);
+  const std::int64_t first = run.impact_count();
+  for (int i = 0; i < 20; ++i) run.step();
+  EXPECT_LT(run.impact_count() - first, Simulation::kMostImpactsAtOnce);
+  EXPECT_TRUE(run.state().q.allFinite() && run.state().v.allFinite());
+}
+
 }  // namespace
 }  // namespace carom
