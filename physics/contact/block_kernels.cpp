@@ -72,6 +72,15 @@ CAROM_INLINE void clamp(Pack& value, const Pack& limit) {
   value = limit < value ? limit : value;
 }
 
+// Of the contacts: of B relative to A.
+CAROM_INLINE void relative(const ContactBlock& k, const Velocities& a, const Velocities& b, Pack& u_n,
+                           Pack& u_t) {
+  const Pack dx = b.x - a.x;
+  const Pack dy = b.y - a.y;
+  u_n = pack(k.nx) * dx + pack(k.ny) * dy + (pack(k.turn_nb) * b.spin - pack(k.turn_na) * a.spin);
+  u_t = pack(k.nx) * dy - pack(k.ny) * dx + (pack(k.turn_tb) * b.spin - pack(k.turn_ta) * a.spin);
+}
+
 template <BlockLaw kLaw>
 CAROM_INLINE void solve_block(ContactBlock& k, double* velocity) {
   constexpr bool kRubs = kLaw != BlockLaw::kNormal;
@@ -79,9 +88,8 @@ CAROM_INLINE void solve_block(ContactBlock& k, double* velocity) {
   Velocities a{}, b{};
   gather(velocity, k.a, a);
   gather(velocity, k.b, b);
-  const Pack dx = b.x - a.x;
-  const Pack dy = b.y - a.y;
-  const Pack u_n = pack(k.nx) * dx + pack(k.ny) * dy + (pack(k.turn_nb) * b.spin - pack(k.turn_na) * a.spin);
+  Pack u_n, u_t;
+  relative(k, a, b, u_n, u_t);
   Pack normal = pack(k.normal) - (u_n - pack(k.target)) * pack(k.mass_n);
   normal = zero < normal ? normal : zero;
   const Pack dn = normal - pack(k.normal);
@@ -91,7 +99,6 @@ CAROM_INLINE void solve_block(ContactBlock& k, double* velocity) {
   Pack turn_a = pack(k.turn_na) * dn;
   Pack turn_b = pack(k.turn_nb) * dn;
   if constexpr (kRubs) {
-    const Pack u_t = pack(k.nx) * dy - pack(k.ny) * dx + (pack(k.turn_tb) * b.spin - pack(k.turn_ta) * a.spin);
     // u_t as the normal impulse leaves it.
     const Pack k_nt = pack(k.inverse_inertia_a) * pack(k.turn_na) * pack(k.turn_ta) +
                       pack(k.inverse_inertia_b) * pack(k.turn_nb) * pack(k.turn_tb);
@@ -174,10 +181,8 @@ CAROM_INLINE double residual_of_blocks(std::span<const ContactBlock> blocks, con
     Velocities a{}, b{};
     gather(velocity, k.a, a);
     gather(velocity, k.b, b);
-    const Pack dx = b.x - a.x;
-    const Pack dy = b.y - a.y;
-    const Pack u_n = pack(k.nx) * dx + pack(k.ny) * dy + (pack(k.turn_nb) * b.spin - pack(k.turn_na) * a.spin);
-    const Pack u_t = pack(k.nx) * dy - pack(k.ny) * dx + (pack(k.turn_tb) * b.spin - pack(k.turn_ta) * a.spin);
+    Pack u_n, u_t;
+    relative(k, a, b, u_n, u_t);
     Pack beyond = u_n - pack(k.target);
     const Pack asked = pack(k.normal) - beyond * pack(k.mass_n);
     magnitude(beyond);
