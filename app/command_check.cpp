@@ -128,9 +128,9 @@ void run_all(std::vector<CheckedPreset>& presets) {
 
 int check_command(const CheckOptions& options) {
   std::vector<CheckedPreset> presets = read_presets(options);
-  std::unique_ptr<CsvFile> csv;
+  std::unique_ptr<TextFile> csv;
   if (!options.csv.empty()) {
-    csv = std::make_unique<CsvFile>(options.csv);
+    csv = std::make_unique<TextFile>(options.csv);
     csv->line("preset,expectation,measured,expected,error,tolerance,verdict");
   }
   run_all(presets);

@@ -80,15 +80,15 @@ int run_command(const RunOptions& options) {
   const Simulation start(scene);
   Simulation simulation = start;
 
-  std::unique_ptr<CsvFile> csv;
-  std::unique_ptr<CsvFile> events;
+  std::unique_ptr<TextFile> csv;
+  std::unique_ptr<TextFile> events;
   if (!options.csv.empty()) {
-    csv = std::make_unique<CsvFile>(options.csv);
+    csv = std::make_unique<TextFile>(options.csv);
     csv->line(run_csv_header(simulation));
     csv->line(run_csv_line(simulation));
   }
   if (!options.events.empty()) {
-    events = std::make_unique<CsvFile>(options.events);
+    events = std::make_unique<TextFile>(options.events);
     events->line(events_csv_header());
   }
   const double end = options.until.value_or(scene.duration);

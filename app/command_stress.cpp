@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <memory>
@@ -8,6 +7,7 @@
 #include "app/run_files.h"
 #include "app/text_table.h"
 #include "physics/measure/parallel.h"
+#include "physics/measure/stress_page.h"
 #include "physics/measure/stress_table.h"
 
 namespace carom {
@@ -30,8 +30,10 @@ void print_lines(const std::vector<StressLine>& lines) {
 int stress_command(const StressOptions& options) {
   const std::vector<StressCase> cases = stress_cases(options.cases);
   // Opened first: minutes of work must not end at a file that cannot be written.
-  std::unique_ptr<CsvFile> csv;
-  if (!options.csv.empty()) csv = std::make_unique<CsvFile>(options.csv);
+  std::unique_ptr<TextFile> csv;
+  std::unique_ptr<TextFile> page;
+  if (!options.csv.empty()) csv = std::make_unique<TextFile>(options.csv);
+  if (!options.page.empty()) page = std::make_unique<TextFile>(options.page);
   StressSuite suite(cases, options.longer);
   {
     CountProgress progress(suite.runs());
@@ -41,19 +43,17 @@ int stress_command(const StressOptions& options) {
     });
   }
   const std::vector<StressRow> rows = suite.rows();
-  if (csv != nullptr) {
-    for (const std::string& line : stress_csv(rows)) csv->line(line);
-    csv->finish();
-  }
-  print_lines(stress_lines(rows));
-  const auto count = [&](StressVerdict verdict) {
-    return std::count_if(rows.begin(), rows.end(), [&](const StressRow& r) { return r.verdict == verdict; });
+  const auto write = [](TextFile* file, const std::vector<std::string>& lines) {
+    if (file == nullptr) return;
+    for (const std::string& line : lines) file->line(line);
+    file->finish();
   };
-  const auto good = count(StressVerdict::kWithin);
-  const auto short_of = count(StressVerdict::kBeyond);
-  fmt::print("\n{} of {} figures of {} case{} are within their limits.\n", good, good + short_of, cases.size(),
-             cases.size() == 1 ? "" : "s");
-  return short_of == 0 ? kGood : kFellShort;
+  write(csv.get(), stress_csv(rows));
+  write(page.get(), stress_page(cases, rows));
+  print_lines(stress_lines(rows));
+  const StressCount count = count_of(rows);
+  fmt::print("\n{}\n", count_text(count));
+  return count.within == count.bounded ? kGood : kFellShort;
 }
 
 }  // namespace carom

@@ -76,20 +76,20 @@ int study_command(int& argc, char** argv, const StudyCommandOptions& options) {
   }
   StudyTable table;
   // Opened first: hours of work must not end at a file that cannot be written.
-  std::unique_ptr<CsvFile> csv;
+  std::unique_ptr<TextFile> csv;
   if (!options.merge.empty()) {
     table = merged(options.merge);
   } else {
     const std::filesystem::path file = find_preset(options.preset);
     const Scene scene = read_preset(file);
     (void)plan_methods(scene, options.study);
-    if (!options.csv.empty()) csv = std::make_unique<CsvFile>(options.csv);
+    if (!options.csv.empty()) csv = std::make_unique<TextFile>(options.csv);
     StudyProgressLine line;
     table = run_study(scene, file.stem().string(), options.study,
                       [&line](std::string_view stage, int done, int of) { line.show(stage, done, of); });
   }
   if (!options.csv.empty()) {
-    if (csv == nullptr) csv = std::make_unique<CsvFile>(options.csv);
+    if (csv == nullptr) csv = std::make_unique<TextFile>(options.csv);
     for (const std::string& line : study_csv(table)) csv->line(line);
     csv->finish();
   }

@@ -45,6 +45,7 @@ struct StressOptions {
   std::vector<std::string> cases;  // ids of physics/measure/stress.h; empty: all
   bool longer = false;             // the long runs of cases that have one
   std::string csv;                 // file for the rows, with all digits
+  std::string page;                // file for the help's page of figures, Markdown
 };
 
 struct PictureOptions {

@@ -23,6 +23,7 @@ constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
     {"presets", QT_TRANSLATE_NOOP("QObject", "Preset files")},
     {"study", QT_TRANSLATE_NOOP("QObject", "Speed against error")},
     {"stress", QT_TRANSLATE_NOOP("QObject", "The hard cases")},
+    {"stress-figures", QT_TRANSLATE_NOOP("QObject", "The hard cases: figures")},
 });
 
 // Room between paragraphs and before headings, which Markdown alone does not give.

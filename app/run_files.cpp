@@ -32,23 +32,23 @@ std::string csv_field(const std::string& text) {
   return out;
 }
 
-CsvFile::CsvFile(const std::string& name)
+TextFile::TextFile(const std::string& name)
     : name_(name), out_(name + ".part", std::ios::binary | std::ios::trunc) {
   if (!out_)
     throw SceneError(
         fmt::format("{}: the file cannot be written; allowed: a place with the right to write", name));
 }
 
-CsvFile::~CsvFile() {
+TextFile::~TextFile() {
   if (finished_) return;
   out_.close();
   std::error_code ignored;
   std::filesystem::remove(name_ + ".part", ignored);
 }
 
-void CsvFile::line(const std::string& text) { out_ << text << '\n'; }
+void TextFile::line(const std::string& text) { out_ << text << '\n'; }
 
-void CsvFile::finish() {
+void TextFile::finish() {
   out_.close();
   std::error_code error;
   if (out_) std::filesystem::rename(name_ + ".part", name_, error);

@@ -7,15 +7,14 @@
 
 namespace carom {
 
-// A CSV file of a run, RFC 4180, units in brackets in the header, every number with all its digits. It is
-// written beside its name and renamed at the end, so that an older file is whole until the new one is. Throws
-// SceneError if that fails.
-class CsvFile {
+// A file of lines. It is written beside its name and renamed at the end, so that an older file is whole until
+// the new one is. Throws SceneError if that fails.
+class TextFile {
  public:
-  explicit CsvFile(const std::string& name);
-  CsvFile(const CsvFile&) = delete;
-  CsvFile& operator=(const CsvFile&) = delete;
-  ~CsvFile();  // without finish(): no file
+  explicit TextFile(const std::string& name);
+  TextFile(const TextFile&) = delete;
+  TextFile& operator=(const TextFile&) = delete;
+  ~TextFile();  // without finish(): no file
   void line(const std::string& text);
   void finish();
 
@@ -28,6 +27,8 @@ class CsvFile {
 // A text as a field of such a file: in quotes where it needs them.
 [[nodiscard]] std::string csv_field(const std::string& text);
 
+// The CSV files of a run: RFC 4180, units in brackets in the header, every number with all its digits.
+//
 // Sums of the scene, then x, y, angle, velocity and spin of each body that is not fixed, for up to kMostPaths
 // of them (a larger crowd's file would be some 100 MB; its sums are written), then the ledger.
 inline constexpr int kMostPaths = 50;

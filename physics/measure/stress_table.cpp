@@ -37,7 +37,8 @@ std::string limit_text(double limit) { return std::isinf(limit) ? "-" : fmt::for
 std::string change_text(double coarse, double fine) {
   if (std::isnan(coarse) || std::isnan(fine)) return "-";
   if (coarse == fine) return "same";
-  return coarse == 0.0 ? "from 0" : fmt::format("× {:.2g}", fine / coarse);
+  if (coarse == 0.0) return "from 0";
+  return fine == 0.0 ? "to 0" : fmt::format("× {:.2g}", fine / coarse);
 }
 
 std::string verdict_text(const StressRow& coarse, const StressRow& fine) {
@@ -66,6 +67,24 @@ std::string_view name_of(StressVerdict verdict) {
       return "told";
   }
   return "";
+}
+
+StressCount count_of(const std::vector<StressRow>& rows) {
+  StressCount count;
+  std::string_view id;
+  for (const StressRow& r : rows) {
+    if (r.id != id) ++count.cases;
+    id = r.id;
+    if (r.verdict == StressVerdict::kOnlyTold) continue;
+    ++count.bounded;
+    if (r.verdict == StressVerdict::kWithin) ++count.within;
+  }
+  return count;
+}
+
+std::string count_text(const StressCount& count) {
+  return fmt::format("{} of {} figures of {} case{} are within their limits.", count.within, count.bounded,
+                     count.cases, count.cases == 1 ? "" : "s");
 }
 
 std::vector<std::string> stress_csv(const std::vector<StressRow>& rows) {

@@ -14,6 +14,16 @@ namespace carom {
 // "good", "fell short" or "told".
 [[nodiscard]] std::string_view name_of(StressVerdict verdict);
 
+// Of all rows that have a limit, those within it.
+struct StressCount {
+  int cases = 0;
+  int bounded = 0;
+  int within = 0;
+};
+[[nodiscard]] StressCount count_of(const std::vector<StressRow>& rows);
+// "300 of 300 figures of 31 cases are within their limits."
+[[nodiscard]] std::string count_text(const StressCount& count);
+
 // CSV, RFC 4180, line by line: a header, then a line for each row, numbers with all their digits. An empty
 // limit is that of a figure which is only told.
 [[nodiscard]] std::vector<std::string> stress_csv(const std::vector<StressRow>& rows);

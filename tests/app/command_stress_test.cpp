@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <sstream>
 #include <vector>
 
+#include "physics/measure/stress.h"
 #include "tests/app/program.h"
 
 namespace carom {
@@ -17,7 +19,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST(StressCommand, CasesThatAreNamedRun) {
   const Program carom;
-  const ProgramResult result = carom({"stress", "galperin", "cradle-5", "--csv", "out.csv"});
+  const ProgramResult result = carom({"stress", "galperin", "cradle-5", "--csv", "out.csv", "--page", "out.md"});
   EXPECT_EQ(result.code, 0) << result.out << result.err;
   EXPECT_EQ(result.err, "");  // no progress in a pipe
   EXPECT_TRUE(holds(result.out, "20 of 20 figures of 2 cases are within their limits.")) << result.out;
@@ -27,6 +29,8 @@ TEST(StressCommand, CasesThatAreNamedRun) {
   EXPECT_TRUE(table[1].starts_with("galperin ")) << table[1];
   // Columns stand below one another.
   EXPECT_EQ(table[1].find("good"), table[0].find("verdict"));
+  const std::vector<std::string> page = lines_of(carom.read("out.md").toStdString());
+  EXPECT_EQ(std::count(page.begin(), page.end(), "20 of 20 figures of 2 cases are within their limits."), 1);
   const std::vector<std::string> csv = lines_of(carom.read("out.csv").toStdString());
   ASSERT_EQ(csv.size(), 21U);
   EXPECT_TRUE(csv[0].starts_with("case,method,figure,unit,limit,verdict,")) << csv[0];
@@ -34,11 +38,25 @@ TEST(StressCommand, CasesThatAreNamedRun) {
       << csv[1];
 }
 
+// The page of the help is made by hand of the command: a case that is new or has new figures must be in it.
+TEST(StressCommand, TheHelpsPageHasAllFiguresAndNoneFellShort) {
+  QFile file(CAROM_STRESS_PAGE);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const std::string page = file.readAll().toStdString();
+  for (const StressCase& c : stress_cases()) {
+    EXPECT_TRUE(holds(page, "\n## " + std::string(c.id) + "\n")) << c.id;
+    for (const StressFigure& f : c.figures)
+      EXPECT_TRUE(holds(page, "\n| " + std::string(f.name) + " ")) << c.id << ": " << f.name;
+  }
+  EXPECT_FALSE(holds(page, "FELL SHORT"));
+}
+
 TEST(StressCommand, BadInputIsRefused) {
   const Program carom;
   expect_refused(carom({"stress", "LIST"}), "\"LIST\": no such case; allowed: stack-20, ");
   expect_refused(carom({"stress", "galperin", "no-such"}), "\"no-such\": no such case; allowed: ");
   expect_refused(carom({"stress", "galperin", "--csv", "no/such/out.csv"}), "no/such/out.csv");
+  expect_refused(carom({"stress", "galperin", "--page", "no/such/out.md"}), "no/such/out.md");
   expect_refused(carom({"stress", "--bogus"}), "--bogus");
 }
 

@@ -10,8 +10,8 @@
 // What the cases ask of an engine, and what they tell of it.
 namespace carom::peers {
 
-// overlaps(): of every contact point the engine has now, how deep the true shapes are in one another (m); a gap
-// is negative. contacts_begun(): how many contacts have begun, where the scene counts them.
+// overlaps(): of every contact point the engine has now, or of the deepest alone, how deep the true shapes are
+// in one another (m); a gap is negative. contacts_begun(): how many contacts have begun, where the scene counts them.
 template <class W>
 concept World = std::constructible_from<W, const Scene&> &&
     requires(W world, const W& seen, int body, double h) {
@@ -38,6 +38,8 @@ struct Engine {
   std::vector<Case> cases;
 };
 
+[[nodiscard]] Engine carom_at_step_end();
+[[nodiscard]] Engine carom_located();
 // Each is defined only where its library was found.
 [[nodiscard]] Engine box2d();
 [[nodiscard]] Engine chipmunk();

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "physics/measure/stress_page.h"
 #include "physics/measure/stress_peers.h"
 #include "physics/measure/stress_table.h"
 #include "physics/motion/integrators.h"
@@ -166,6 +167,22 @@ TEST(Stress, LinesTellWhatAQuarterOfTheStepChanges) {
   EXPECT_EQ(lines[5].verdict, "told");
   EXPECT_EQ(lines[7].coarse, "-");
   EXPECT_EQ(lines[7].verdict, "FELL SHORT");
+}
+
+TEST(Stress, ThePageHasASectionForEachCase) {
+  const std::vector<StressCase> cases = {kMade, stress_cases({"galperin"})[0]};
+  const std::vector<std::string> page = stress_page(cases, rows_of(cases));
+  const auto holds = [&](const std::string& line) {
+    return std::find(page.begin(), page.end(), line) != page.end();
+  };
+  EXPECT_EQ(page[0], "# The hard cases: figures");
+  EXPECT_TRUE(holds("14 of 20 figures of 2 cases are within their limits."));
+  EXPECT_TRUE(holds("## made-up") && holds("For this test.") && holds("## galperin"));
+  EXPECT_TRUE(
+      holds("| twice the step [s] | explicit-euler, 1/2 s | 1 | 0.25 | × 0.25 | 0.5 | FELL SHORT at h |"));
+  EXPECT_TRUE(holds("| impacts off 314 | rk4, 1/60 s | 0 | 0 | same | 0 | good |"));
+  EXPECT_TRUE(holds("- *twice the step*: theory: a limit with, a comma"));
+  EXPECT_TRUE(holds("- peers, *impacts off 314*: v3 -300 (1 kHz), 2.4 -266 (1 kHz), Cp 0 (1 kHz)"));
 }
 
 // Cheap cases that nothing but integrators and impacts decides.
