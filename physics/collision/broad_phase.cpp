@@ -8,11 +8,11 @@ namespace {
 
 // Of the mean size of what moves.
 constexpr double kCell = 1.2;
+constexpr double kSkin = 0.04;
 
 }  // namespace
 
-const std::vector<std::pair<int, int>>& BroadPhase::pairs(const std::vector<Bounds>& bounds,
-                                                          const std::vector<std::uint8_t>& fixed) {
+void BroadPhase::find_candidates(const std::vector<Bounds>& bounds, const std::vector<std::uint8_t>& fixed) {
   double size = 0.0;
   int moving = 0;
   for (std::size_t i = 0; i < bounds.size(); ++i) {
@@ -21,22 +21,41 @@ const std::vector<std::pair<int, int>>& BroadPhase::pairs(const std::vector<Boun
     ++moving;
   }
   const double cell = size > 0.0 ? kCell * size / moving : 1.0;
-  if (bounds.size() != bodies_ || !(cell < 2.0 * cell_ && cell > 0.5 * cell_)) {
-    bodies_ = bounds.size();
+  if (bounds.size() != skins_.size() || !(cell < 2.0 * cell_ && cell > 0.5 * cell_)) {
     cell_ = cell;
-    grid_.reset(static_cast<int>(bodies_), cell);
+    grid_.reset(static_cast<int>(bounds.size()), cell);
   }
-  const int n = static_cast<int>(bodies_);
-  for (int i = 0; i < n; ++i) grid_.put(i, bounds[i]);
-
-  pairs_.clear();
+  skins_ = bounds;
+  const int n = static_cast<int>(bounds.size());
+  for (int i = 0; i < n; ++i) {
+    if (fixed[i] == 0) {
+      skins_[i].low -= kSkin / kCell * cell;
+      skins_[i].high += kSkin / kCell * cell;
+    }
+    grid_.put(i, skins_[i]);
+  }
+  candidates_.clear();
   for (int a = 0; a < n; ++a) {
     near_.clear();
     grid_.each_near(a, [&](int b) {
       if (b > a && (fixed[a] == 0 || fixed[b] == 0)) near_.push_back(b);
     });
     std::sort(near_.begin(), near_.end());
-    for (const int b : near_) pairs_.emplace_back(a, b);
+    for (const int b : near_) candidates_.emplace_back(a, b);
+  }
+}
+
+const std::vector<std::pair<int, int>>& BroadPhase::pairs(const std::vector<Bounds>& bounds,
+                                                          const std::vector<std::uint8_t>& fixed) {
+  bool kept = bounds.size() == skins_.size() && fixed == fixed_;
+  for (std::size_t i = 0; kept && i < bounds.size(); ++i) kept = skins_[i].holds(bounds[i]);
+  if (!kept) {
+    find_candidates(bounds, fixed);
+    fixed_ = fixed;
+  }
+  pairs_.clear();
+  for (const auto& [a, b] : candidates_) {
+    if (bounds[a].overlaps(bounds[b])) pairs_.emplace_back(a, b);
   }
   return pairs_;
 }

@@ -175,6 +175,12 @@ void Tracks::fly_one(const Island& island, double time, Motion& out) {
     out.segment<2>(3) = drive_velocity(*b.drive, epoch_ + time);
     return;
   }
+  evaluations_ += evaluations_a_flight_;
+  if (parabolic_ && !field_.keeps_books()) {
+    // Every such method's flight, whatever way it goes.
+    out << parabola(body, time), parabola_velocity(body, time), settled_.col(body).tail<kBooks>();
+    return;
+  }
   const OneBody f{field_, body, epoch_};
   const double h = time - island.start;
   if (field_.keeps_books()) {
@@ -190,7 +196,6 @@ void Tracks::fly_one(const Island& island, double time, Motion& out) {
     integrator_step(integrator_, f, island.start, from, h, stages, to);
     out << to, settled_.col(body).tail<kBooks>();
   }
-  evaluations_ += evaluations_a_flight_;
 }
 
 const Motions& Tracks::fly_group(const Island& island, double time) {
