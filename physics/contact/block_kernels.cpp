@@ -203,6 +203,50 @@ CAROM_INLINE double residual_of_blocks(std::span<const ContactBlock> blocks, con
   return most;
 }
 
+CAROM_INLINE double sum_of(const Pack& lanes) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < kLanes; ++k) sum += lanes[k];
+  return sum;
+}
+
+CAROM_INLINE void add_change(const Lanes<double>& now, const Lanes<double>& last, const Lanes<double>& step,
+                             const Lanes<double>& weight, Pack& squared, Pack& along) {
+  const Pack change = pack(now) - pack(last);
+  const Pack weighted = pack(weight) * change;
+  squared += weighted * change;
+  along += weighted * pack(step);
+}
+
+CAROM_INLINE BlockChange change_of_blocks(std::span<const ContactBlock> blocks,
+                                          std::span<const BlockMomentum> momenta) {
+  Pack squared{};
+  Pack along{};
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const ContactBlock& k = blocks[i];
+    const BlockMomentum& m = momenta[i];
+    add_change(k.normal, m.last_normal, m.step_normal, m.weight_n, squared, along);
+    add_change(k.tangential, m.last_tangential, m.step_tangential, m.weight_t, squared, along);
+    add_change(k.moment, m.last_moment, m.step_moment, m.weight_r, squared, along);
+  }
+  return {sum_of(squared), sum_of(along)};
+}
+
+CAROM_INLINE void carry_on(Lanes<double>& now, Lanes<double>& last, Lanes<double>& step, double share) {
+  pack(now) += share * pack(step);
+  pack(step) = pack(now) - pack(last);
+  pack(last) = pack(now);
+}
+
+CAROM_INLINE void carry_blocks(std::span<ContactBlock> blocks, std::span<BlockMomentum> momenta, double share) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    ContactBlock& k = blocks[i];
+    BlockMomentum& m = momenta[i];
+    carry_on(k.normal, m.last_normal, m.step_normal, share);
+    carry_on(k.tangential, m.last_tangential, m.step_tangential, share);
+    carry_on(k.moment, m.last_moment, m.step_moment, share);
+  }
+}
+
 #define CAROM_KERNELS(suffix, attributes)                                                             \
   attributes void sweep_##suffix(std::span<ContactBlock> blocks, double* velocity, BlockLaw law,      \
                                  bool backwards) {                                                    \
@@ -213,6 +257,14 @@ CAROM_INLINE double residual_of_blocks(std::span<const ContactBlock> blocks, con
   }                                                                                                   \
   attributes double residual_##suffix(std::span<const ContactBlock> blocks, const double* velocity) { \
     return residual_of_blocks(blocks, velocity);                                                      \
+  }                                                                                                   \
+  attributes BlockChange change_##suffix(std::span<const ContactBlock> blocks,                        \
+                                         std::span<const BlockMomentum> momenta) {                    \
+    return change_of_blocks(blocks, momenta);                                                         \
+  }                                                                                                   \
+  attributes void carry_##suffix(std::span<ContactBlock> blocks, std::span<BlockMomentum> momenta,    \
+                                 double share) {                                                      \
+    carry_blocks(blocks, momenta, share);                                                             \
   }
 
 CAROM_KERNELS(plain, )
@@ -221,13 +273,18 @@ CAROM_KERNELS(avx2, __attribute__((target("avx2"))))
 CAROM_KERNELS(avx512, __attribute__((target("avx512f"))))
 #endif
 
+#define CAROM_SET(name, runs_here, suffix) \
+  { name, runs_here, sweep_##suffix, apply_##suffix, residual_##suffix, change_##suffix, carry_##suffix }
+
 constexpr BlockKernels kKernels[] = {
 #if defined(__x86_64__)
-    {"AVX-512", [] { return __builtin_cpu_supports("avx512f") != 0; }, sweep_avx512, apply_avx512,
-     residual_avx512},
-    {"AVX2", [] { return __builtin_cpu_supports("avx2") != 0; }, sweep_avx2, apply_avx2, residual_avx2},
+    CAROM_SET(
+        "AVX-512", [] { return __builtin_cpu_supports("avx512f") != 0; }, avx512),
+    CAROM_SET(
+        "AVX2", [] { return __builtin_cpu_supports("avx2") != 0; }, avx2),
 #endif
-    {"plain", [] { return true; }, sweep_plain, apply_plain, residual_plain},
+    CAROM_SET(
+        "plain", [] { return true; }, plain),
 };
 
 }  // namespace

@@ -34,6 +34,20 @@ struct alignas(32) BodyVelocity {
   double unused = 0.0;
 };
 
+// What the impulses of a block were after the last step of a solve, and that step.
+struct alignas(64) BlockMomentum {
+  Lanes<double> last_normal{}, last_tangential{}, last_moment{};
+  Lanes<double> step_normal{}, step_tangential{}, step_moment{};
+  Lanes<double> weight_n{}, weight_t{}, weight_r{};  // 1/mass_n and so on
+};
+
+// Of the change that a sweep made to all impulses since the last step, in J: its square, and its product with
+// that step, both weighted by the inverse masses of the contacts.
+struct BlockChange {
+  double squared = 0.0;
+  double along = 0.0;
+};
+
 // Which laws the blocks need: what a law less leaves out is nothing then.
 enum class BlockLaw : std::uint8_t { kNormal, kFriction, kRolling };
 
@@ -48,6 +62,9 @@ struct BlockKernels {
   void (*apply)(std::span<const ContactBlock> blocks, double* velocity);
   // As residual() of rows.
   double (*residual)(std::span<const ContactBlock> blocks, const double* velocity);
+  BlockChange (*change)(std::span<const ContactBlock> blocks, std::span<const BlockMomentum> momenta);
+  // Goes on by `share` of the last step; what has changed since then is the last step now.
+  void (*carry)(std::span<ContactBlock> blocks, std::span<BlockMomentum> momenta, double share);
 };
 
 // Every set of instructions that is built in; the widest comes first, and the last one runs everywhere.

@@ -12,6 +12,9 @@ namespace {
 // A residual is measured after 1, 2, 4, 8 sweeps and then every 8 (where sweeps are all that is done, every 8):
 // measuring costs about half a sweep.
 constexpr int kSweepsToMeasure = 8;
+// The last sweeps of a crowd's budget are without momentum: it spreads what is left over many contacts, but
+// makes it rough.
+constexpr int kSweepsToSmooth = 2;
 
 double cross(const Vec2& r, const Vec2& d) { return r.x() * d.y() - r.y() * d.x(); }
 
@@ -116,6 +119,11 @@ std::span<ContactBlock> blocks_of(ContactWorkspace& w, int island) {
   return {w.crowds.blocks.data() + first, static_cast<std::size_t>(w.first_block[island + 1] - first)};
 }
 
+std::span<const int> bodies_of(const ContactWorkspace& w, int island) {
+  const int first = w.first_body[island];
+  return {w.crowds.bodies.data() + first, static_cast<std::size_t>(w.first_body[island + 1] - first)};
+}
+
 // Calls visit(contact, block, lane) for the contacts of the blocks from..to - 1.
 template <class Visit>
 void each_lane(CrowdBlocks& crowds, int from, int to, const Visit& visit) {
@@ -189,23 +197,33 @@ Solved solve_exactly(const ContactSolverOptions& options, std::span<ContactRow> 
   return solved;
 }
 
-Solved solve_crowd(const ContactSolverOptions& options, std::span<ContactBlock> blocks, BlockLaw law,
-                   double* velocity) {
-  const BlockKernels& kernels = block_kernels();
-  kernels.apply(blocks, velocity);
-  const Swept swept = gauss_seidel([&](bool backwards) { kernels.sweep(blocks, velocity, law, backwards); },
-                                   [&] { return kernels.residual(blocks, velocity); }, options.crowd_tolerance,
-                                   options.crowd_sweeps, false);
-  return {swept, swept.residual, !(swept.residual <= options.crowd_tolerance)};
+double crowd_tolerance(const ContactSolverOptions& options, std::span<const int> bodies) {
+  if (options.crowd_motion == nullptr) return options.crowd_tolerance;
+  double squares = 0.0;
+  for (const int i : bodies) squares += options.crowd_motion->col(i).head<2>().squaredNorm();
+  const double rms = std::sqrt(squares / static_cast<double>(bodies.size()));
+  return std::clamp(options.crowd_share * rms, options.crowd_tolerance, options.crowd_coarsest);
+}
+
+Solved solve_crowd(const ContactSolverOptions& options, int island, ContactWorkspace& w) {
+  const std::span<ContactBlock> blocks = blocks_of(w, island);
+  block_kernels().apply(blocks, &w.crowds.velocity.data()->x);
+  const int contacts = static_cast<int>(w.islands.of(island).size());
+  const int budget = std::max(options.crowd_sweeps, options.crowd_contact_sweeps / contacts);
+  const double tolerance = crowd_tolerance(options, bodies_of(w, island));
+  CrowdSweeps sweeps(blocks, bodies_of(w, island), w.law[island], w.crowds.velocity, w.momentum);
+  int left = budget;
+  const Swept swept = gauss_seidel([&](bool backwards) { sweeps.sweep(backwards, --left >= kSweepsToSmooth); },
+                                   [&] { return sweeps.residual(); }, tolerance, budget, false);
+  return {swept, swept.residual, !(swept.residual <= tolerance)};
 }
 
 ContactSolverReport solve_islands(const ContactSolverOptions& options, ContactWorkspace& w) {
   ContactSolverReport report;
   report.islands = w.islands.size();
   for (int i = 0; i < w.islands.size(); ++i) {
-    const Solved solved = is_crowd(w, i)
-                              ? solve_crowd(options, blocks_of(w, i), w.law[i], &w.crowds.velocity.data()->x)
-                              : solve_exactly(options, rows_of(w, i), w, report);
+    const Solved solved =
+        is_crowd(w, i) ? solve_crowd(options, i, w) : solve_exactly(options, rows_of(w, i), w, report);
     report.sweeps = std::max(report.sweeps, solved.swept.sweeps);
     report.contact_sweeps += solved.swept.sweeps * static_cast<std::int64_t>(w.islands.of(i).size());
     report.missed_islands += solved.missed ? 1 : 0;
@@ -224,6 +242,7 @@ void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int 
   w.moves.resize(contacts.a.size());
   w.law.resize(w.islands.size());
   w.first_block.assign(1, 0);
+  w.first_body.assign(1, 0);
   for (int i = 0; i < w.islands.size(); ++i) {
     const std::span<const int> of_island = w.islands.of(i);
     const int first = w.first_block.back();
@@ -246,6 +265,7 @@ void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int 
       for (const int c : of_island) w.moves[c] = set_geometry(contacts, c, mass, *row++);
     }
     w.first_block.push_back(static_cast<int>(w.crowds.blocks.size()));
+    w.first_body.push_back(static_cast<int>(w.crowds.bodies.size()));
   }
 }
 

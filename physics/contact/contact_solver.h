@@ -7,6 +7,7 @@
 #include "physics/contact/contact_rows.h"
 #include "physics/contact/contacts.h"
 #include "physics/contact/crowd_blocks.h"
+#include "physics/contact/crowd_sweeps.h"
 #include "physics/contact/islands.h"
 #include "physics/contact/newton_finish.h"
 #include "physics/motion/state.h"
@@ -21,8 +22,14 @@ struct ContactSolverOptions {
   // and a budget and tolerance of its own.
   int most_exact = 1 << 30;
   int crowd_sweeps = 64;
+  int crowd_contact_sweeps = 0;   // more sweeps where its contacts times the sweeps stay below this
   double crowd_tolerance = 1e-9;  // m/s
-  double slip_speed = 0.0;        // a contact whose slip is at most this sticks, m/s
+  // Where it is given, the tolerance is `crowd_share` of the crowd's rms velocity there, at least
+  // crowd_tolerance and at most crowd_coarsest.
+  const Eigen::Matrix3Xd* crowd_motion = nullptr;
+  double crowd_share = 0.1;
+  double crowd_coarsest = 1e-9;  // m/s
+  double slip_speed = 0.0;       // a contact whose slip is at most this sticks, m/s
 };
 
 // What a solve took and left. An island that missed the tolerance is one whose residual is above both the
@@ -43,7 +50,9 @@ struct ContactWorkspace {
   std::vector<ContactRow> rows;     // in the order of islands.contacts; those of crowds are not used
   std::vector<std::uint8_t> moves;  // by contact: the directions in which an impulse changes anything
   CrowdBlocks crowds;
+  CrowdMomentum momentum;
   std::vector<int> first_block;  // island i has the blocks first_block[i] .. first_block[i + 1] - 1
+  std::vector<int> first_body;   // and the crowds.bodies first_body[i] .. first_body[i + 1] - 1
   std::vector<BlockLaw> law;     // by island
   std::vector<SolverBody> bodies;
   NewtonFinish newton;
@@ -61,10 +70,10 @@ void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int 
 //   |λ_t| <= μ λ_n, and λ_t = -μ λ_n sign(u_t') where u_t' != 0,     μ = μ_s if the contact sticks, else μ_k
 //   |M| <= ρ λ_n,   and M = -ρ λ_n sign(w') where w' != 0.
 // Nothing is soft: what is left is the residual. Island by island, each with its own budget: warm-started
-// projected Gauss-Seidel, then, unless the tolerance is met or clearly will be, the exact finish. Of the
-// impulses of redundant contacts, which the laws leave open, some are returned. Immovable bodies keep their
-// velocities. Nothing is allocated once the workspace has held as much. The contacts must have been prepared,
-// by their number, bodies, normals and arms.
+// projected Gauss-Seidel (of a crowd with momentum, see CrowdSweeps), then, unless the tolerance is met or
+// clearly will be, the exact finish. Of the impulses of redundant contacts, which the laws leave open, some are
+// returned. Immovable bodies keep their velocities. Nothing is allocated once the workspace has held as much.
+// The contacts must have been prepared, by their number, bodies, normals and arms.
 ContactSolverReport solve_prepared(const MassProperties& mass, Contacts& contacts, Eigen::Matrix3Xd& v,
                                    const ContactSolverOptions& options, ContactWorkspace& workspace);
 // Prepares them too.

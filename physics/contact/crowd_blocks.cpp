@@ -15,6 +15,7 @@ constexpr int kOpen = 64;
 void clear_blocks(int bodies, CrowdBlocks& crowd) {
   crowd.contacts.clear();
   crowd.blocks.clear();
+  crowd.bodies.clear();
   crowd.in_blocks.assign(static_cast<std::size_t>(bodies), 0);
   crowd.velocity.assign(static_cast<std::size_t>(bodies) + 1, {});
 }
@@ -60,6 +61,7 @@ void add_blocks(const std::vector<int>& a, const std::vector<int>& b, const Eige
     for (const int i : {a[c], b[c]}) {
       if (!(inverse_mass[i] > 0.0 || inverse_inertia[i] > 0.0)) continue;
       crowd.open_with[i] |= bit;
+      if (crowd.in_blocks[i] == 0) crowd.bodies.push_back(i);
       crowd.in_blocks[i] = 1;
     }
   }

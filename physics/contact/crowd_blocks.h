@@ -16,7 +16,8 @@ struct CrowdBlocks {
   std::vector<Lanes<int>> contacts;  // of each block; -1: none
   std::vector<ContactBlock> blocks;
   std::vector<BodyVelocity> velocity;   // last that of the body of empty lanes
-  std::vector<std::uint8_t> in_blocks;  // by body
+  std::vector<std::uint8_t> in_blocks;  // by body: movable ones that are in a block
+  std::vector<int> bodies;              // these, crowd by crowd
 
   std::vector<std::uint64_t> open_with;  // scratch, by body: the open blocks that it is in, a bit each
   std::vector<int> filled;               // scratch: lanes of each block
@@ -25,9 +26,10 @@ struct CrowdBlocks {
 // Empties the blocks, for so many bodies.
 void clear_blocks(int bodies, CrowdBlocks& crowd);
 
-// Appends blocks of the contacts `order`, between bodies a[c] and b[c]: each contact goes to the first of the
-// latest blocks that come after all contacts that share a movable body with it. So solving the blocks one after
-// the other is the same as solving the contacts so, and a sweep passes through a pile as the order does.
+// Appends a crowd: blocks of its contacts `order`, between bodies a[c] and b[c]: each contact goes to the first
+// of the latest blocks that come after all contacts that share a movable body with it. So solving the blocks
+// one after the other is the same as solving the contacts so, and a sweep passes through a pile as the order
+// does.
 void add_blocks(const std::vector<int>& a, const std::vector<int>& b, const Eigen::VectorXd& inverse_mass,
                 const Eigen::VectorXd& inverse_inertia, std::span<const int> order, CrowdBlocks& crowd);
 

@@ -22,18 +22,22 @@ constexpr double kStuck = 1e-6;
 // Of the size: a smaller overlap is rounding, and one beyond kDeep is taken away in parts.
 constexpr double kOverlap = 1e-12;
 constexpr double kDeep = 1e-3;
-// Contacts of an island up to which it is solved exactly. In a crowd the tolerance is kCrowdMotion of its
-// speeds, at most kCrowdSolved of what the forces change of a speed in a step: as it comes to rest it is solved
-// better and better, each step from the forces of the one before.
-constexpr int kMostExact = 400;
+// Contacts of an island up to which it is solved exactly. In a crowd, a larger one, the tolerance is
+// kCrowdMotion of its speeds, at most kCrowdSolved of what the forces change of a speed in a step: as it comes
+// to rest it is solved better and better, each step from the forces of the one before.
+constexpr int kMostExact = 64;
 constexpr double kCrowdMotion = 0.1;
 constexpr double kCrowdSolved = 1e-2;
 constexpr double kCrowdRest = 1e-7;
 constexpr double kCrowdOverlap = 1e-6;  // of the size
-constexpr int kCrowdSweeps = 40;
-constexpr int kCrowdProjectionSweeps = 20;
+// Sweeps of a crowd, more of a small one.
+constexpr int kCrowdSweeps = 20;
+constexpr int kCrowdContactSweeps = 10'000;
 // Where the integrator's flight is not linear in the contact forces they are corrected this often.
 constexpr int kMostRounds = 12;
+
+// Room for contacts to begin with.
+constexpr int kFewContacts = 64;
 
 double cross(const Vec2& r, const Vec2& d) { return r.x() * d.y() - r.y() * d.x(); }
 
@@ -105,7 +109,7 @@ void Simulation::find_contacts(double h) {
     bounds_[i] = {q.head<2>().array() - margin, q.head<2>().array() + margin};
   }
   Contacts& c = l.contacts;
-  c.resize(0);
+  int count = 0;
   l.id.clear();
   l.guess.clear();
   l.point.clear();
@@ -129,8 +133,8 @@ void Simulation::find_contacts(double h) {
     const std::size_t landings = l.landings.size();
     for (int k = 0; k < m.count; ++k) {
       const ManifoldPoint& at = m.points[k];
-      const int i = c.size();
-      c.resize(i + 1);
+      const int i = count;
+      if (i == c.size()) c.resize(std::max(kFewContacts, 2 * i));
       c.a[i] = a;
       c.b[i] = b;
       c.normal[i] = m.normal;
@@ -146,9 +150,9 @@ void Simulation::find_contacts(double h) {
           !open || (at.gap <= (std::max(closing, 0.0) + rest) * whole && (!located || closing <= 2.0 * rest));
       if (!near || (!slow && at.gap >= -rounding)) {
         if (located && open && closing > rest) l.landings.push_back({a, b, at.id});
-        c.resize(i);
         continue;
       }
+      ++count;
       // A fast one that overlaps is pushed out, and left to the impacts at the step's end.
       c.target[i] = slow ? -std::max(at.gap, 0.0) / h : -std::numeric_limits<double>::infinity();
       c.static_friction[i] = material.static_friction;
@@ -169,6 +173,7 @@ void Simulation::find_contacts(double h) {
     // What nothing holds yet is the event queue's matter.
     if (l.holds.empty() || l.holds.back() != std::pair(a, b)) l.landings.resize(landings);
   }
+  c.resize(count);
 }
 
 // s within the epoch, before `end`: when the first landing is, on tracks that are laid; `end` if there is none.
@@ -218,9 +223,11 @@ ContactSolverOptions Simulation::contact_options() const {
   const double rounding = 16.0 * kEpsilon * l.before.topRows<2>().cwiseAbs().maxCoeff();
   options.tolerance = kSolved * by_forces + rounding;
   options.crowd_sweeps = kCrowdSweeps;
-  const double rms = std::sqrt(l.before.topRows<2>().squaredNorm() / static_cast<double>(l.before.cols()));
-  options.crowd_tolerance =
-      std::clamp(kCrowdMotion * rms, kCrowdRest * by_forces, kCrowdSolved * by_forces) + rounding;
+  options.crowd_contact_sweeps = kCrowdContactSweeps;
+  options.crowd_tolerance = kCrowdRest * by_forces + rounding;
+  options.crowd_motion = &l.before;
+  options.crowd_share = kCrowdMotion;
+  options.crowd_coarsest = kCrowdSolved * by_forces + rounding;
   options.slip_speed = kStuck * by_forces + options.tolerance;
   return options;
 }
@@ -241,7 +248,7 @@ void Simulation::project_contacts() {
   ContactSolverOptions options = contact_options();
   options.tolerance = kOverlap * size;
   options.crowd_tolerance = kCrowdOverlap * size;
-  options.crowd_sweeps = kCrowdProjectionSweeps;
+  options.crowd_motion = nullptr;
   project_prepared(mass_, l.contacts, deepest > kDeep ? kOverlapFraction : 1.0, l.moved, options, l.workspace);
   const double before = field().potential_energy(state_.q);
   for (int i = 0; i < state_.size(); ++i) {

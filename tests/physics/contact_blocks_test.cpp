@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "physics/contact/contact_solver.h"
 #include "tests/physics/contact_scenes.h"
@@ -147,19 +148,126 @@ TEST(ContactBlocks, GiveTheBytesOfOneContactAfterAnother) {
   EXPECT_GE(sets, 1);
 }
 
-TEST(ContactBlocks, SolveAsRowsDo) {
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    test::ContactScene rows = network(seed, static_cast<BlockLaw>(seed % 3));
-    test::ContactScene blocks = rows;
-    rows.solve({.tolerance = 1e-4, .max_sweeps = 50, .max_newton = 0, .slip_speed = 1e-9});
-    blocks.solve({.most_exact = 0, .crowd_sweeps = 50, .crowd_tolerance = 1e-4, .slip_speed = 1e-9});
-    // Where the tolerance is missed the velocities of rows are summed anew.
-    EXPECT_LE((rows.v - blocks.v).cwiseAbs().maxCoeff(), 1e-12) << "seed " << seed;
-    EXPECT_EQ(rows.contacts.normal_impulse, blocks.contacts.normal_impulse) << "seed " << seed;
-    EXPECT_EQ(rows.contacts.tangential_impulse, blocks.contacts.tangential_impulse) << "seed " << seed;
-    EXPECT_EQ(rows.contacts.rolling_impulse, blocks.contacts.rolling_impulse) << "seed " << seed;
-    EXPECT_EQ(rows.contacts.sticks, blocks.contacts.sticks) << "seed " << seed;
+// Momentum lane by lane, each set of instructions against numbers one after another.
+TEST(ContactBlocks, CarryOnAsNumbersDo) {
+  for (const BlockKernels& kernels : all_block_kernels()) {
+    if (!kernels.runs_here()) continue;
+    test::Uniform draw(7);
+    constexpr std::size_t kBlocks = 30;
+    std::vector<ContactBlock> blocks(kBlocks);
+    std::vector<BlockMomentum> momenta(kBlocks);
+    using Row = std::tuple<Lanes<double>*, Lanes<double>*, Lanes<double>*, Lanes<double>*>;
+    std::vector<Row> rows;  // impulse, last, step, weight
+    for (std::size_t i = 0; i < kBlocks; ++i) {
+      ContactBlock& k = blocks[i];
+      BlockMomentum& m = momenta[i];
+      rows.emplace_back(&k.normal, &m.last_normal, &m.step_normal, &m.weight_n);
+      rows.emplace_back(&k.tangential, &m.last_tangential, &m.step_tangential, &m.weight_t);
+      rows.emplace_back(&k.moment, &m.last_moment, &m.step_moment, &m.weight_r);
+    }
+    for (const auto& [now, last, step, weight] : rows) {
+      for (auto* lanes : {now, last, step}) {
+        for (double& x : *lanes) x = draw(-1.0, 1.0);
+      }
+      for (double& x : *weight) x = draw(0.0, 2.0);
+    }
+    double squared = 0.0;
+    double along = 0.0;
+    std::vector<Lanes<double>> carried;
+    for (const auto& [now, last, step, weight] : rows) {
+      carried.push_back(*now);
+      for (std::size_t k = 0; k < kLanes; ++k) {
+        const double change = (*now)[k] - (*last)[k];
+        squared += (*weight)[k] * change * change;
+        along += (*weight)[k] * change * (*step)[k];
+        carried.back()[k] += 0.7 * (*step)[k];
+      }
+    }
+    const BlockChange change = kernels.change(blocks, momenta);
+    EXPECT_NEAR(change.squared, squared, 1e-12 * squared) << kernels.name;
+    EXPECT_NEAR(change.along, along, 1e-12 * squared) << kernels.name;
+    const BlockChange plain = all_block_kernels().back().change(blocks, momenta);
+    EXPECT_EQ(change.squared, plain.squared) << kernels.name;
+    EXPECT_EQ(change.along, plain.along) << kernels.name;
+    const std::vector<BlockMomentum> before = momenta;
+    kernels.carry(blocks, momenta, 0.7);
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const auto& [now, last, step, weight] = rows[r];
+      const BlockMomentum& old = before[r / 3];
+      const Lanes<double>& from = r % 3 == 0   ? old.last_normal
+                                  : r % 3 == 1 ? old.last_tangential
+                                               : old.last_moment;
+      EXPECT_EQ(*now, carried[r]) << kernels.name;
+      EXPECT_EQ(*last, carried[r]) << kernels.name;
+      for (std::size_t k = 0; k < kLanes; ++k) EXPECT_EQ((*step)[k], carried[r][k] - from[k]) << kernels.name;
+    }
   }
+}
+
+// A column of discs, each overlapping the next by 1 mm, on a floor: each sweep passes the push on by about one
+// contact each way, and by more with momentum.
+TEST(ContactBlocks, MomentumReachesTheBottomOfAHighColumn) {
+  constexpr int kHigh = 100;
+  constexpr int kSweeps = 400;
+  constexpr double kOverlap = 1e-3;
+  test::ContactScene s;
+  s.fixed();
+  for (int i = 0; i < kHigh; ++i) s.disc(Vec2(0.0, 0.5 + i), 0.5, 1.0);
+  for (int i = 0; i < kHigh; ++i) {
+    const int c = s.contact(i, i + 1, Vec2(0.0, i), {0.0, 1.0}, 0.0);
+    s.contacts.gap[c] = -kOverlap;
+  }
+  Eigen::Matrix3Xd dq;
+  ContactWorkspace w;
+  const ContactSolverOptions options{.most_exact = 0, .crowd_sweeps = kSweeps, .crowd_tolerance = 1e-12};
+  project_overlaps(s.mass, s.contacts, 1.0, dq, options, w);
+  // By theory the top moves up by the sum of all overlaps.
+  EXPECT_NEAR(dq(1, kHigh), kHigh * kOverlap, 0.01 * kHigh * kOverlap);
+
+  std::vector<ContactRow> rows;
+  std::vector<SolverBody> bodies;
+  for (const auto& [k, lane] : lanes_of(w)) {
+    rows.push_back(row_of(w.crowds.blocks[k], lane));
+    rows.back().normal = 0.0;
+  }
+  for (Eigen::Index i = 0; i < s.v.cols(); ++i) bodies.push_back({0.0, 0.0, 0.0, s.mass.inverse_mass[i]});
+  for (int k = 0; k < kSweeps; ++k) sweep(rows, bodies, k % 2 == 1);
+  EXPECT_LT(bodies.back().vy, 0.5 * kHigh * kOverlap);
+}
+
+// Friction and rolling resistance that many share: what momentum leaves is less most times, and never much
+// more.
+TEST(ContactBlocks, MomentumLeavesLittleMoreThanSweepsAlone) {
+  constexpr int kSweeps = 40;
+  int better = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const auto law = static_cast<BlockLaw>(seed % 3);
+    test::ContactScene s = network(seed, law);
+    ContactWorkspace w;
+    solve_contacts(s.mass, s.contacts, s.v, {.most_exact = 0, .crowd_sweeps = 0}, w);
+    double left_alone = 0.0;
+    double left_with = 0.0;
+    for (int i = 0; i < w.islands.size(); ++i) {
+      const std::span<ContactBlock> blocks(w.crowds.blocks.data() + w.first_block[i],
+                                           w.crowds.blocks.data() + w.first_block[i + 1]);
+      const std::span<const int> bodies(w.crowds.bodies.data() + w.first_body[i],
+                                        w.crowds.bodies.data() + w.first_body[i + 1]);
+      const std::vector<ContactBlock> start(blocks.begin(), blocks.end());
+      const std::vector<BodyVelocity> velocity = w.crowds.velocity;
+      for (const bool with_momentum : {false, true}) {
+        std::copy(start.begin(), start.end(), blocks.begin());
+        w.crowds.velocity = velocity;
+        CrowdMomentum momentum;
+        CrowdSweeps sweeps(blocks, bodies, law, w.crowds.velocity, momentum);
+        for (int k = 0; k < kSweeps; ++k) sweeps.sweep(k % 2 == 1, with_momentum && k < kSweeps - 2);
+        double& left = with_momentum ? left_with : left_alone;
+        left = std::max(left, sweeps.residual());
+      }
+    }
+    EXPECT_LE(left_with, 100.0 * left_alone + 1e-6) << "seed " << seed;
+    better += left_with < left_alone ? 1 : 0;
+  }
+  EXPECT_GT(better, 200);
 }
 
 TEST(ContactBlocks, FindWhatTheExactSolverFinds) {
