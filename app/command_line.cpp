@@ -221,7 +221,8 @@ int run_program(int argc, char** argv) {
   stress.add_option("case", stress_options.cases, "ids of cases (default: all)")->type_name("CASE");
   stress.add_flag("--long", stress_options.longer, "1e6 impacts of the gas instead of 1e5");
   stress.add_option("--csv", stress_options.csv, "write the table with all digits")->type_name("F");
-  stress.add_option("--page", stress_options.page, "write the help's page of figures, Markdown")->type_name("F");
+  stress.add_option("--page", stress_options.page, "write the help's page of figures, Markdown")
+      ->type_name("F");
 
   PictureOptions picture_options;
   CLI::App& picture = *program.add_subcommand("picture", "a picture of an experiment at one moment");

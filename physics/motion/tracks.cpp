@@ -439,8 +439,8 @@ void Tracks::bound_bend(int k) {
     return;
   }
   evaluations_ += 2 * static_cast<std::int64_t>(island.count);
-  // Twice the larger of the accelerations at both ends: sub-steps of semi-implicit Euler bend by 2a, and within
-  // a step that resolves the motion the acceleration varies by less than that.
+  // Twice the largest of the accelerations at both ends: sub-steps of semi-implicit Euler bend by 2a, and
+  // within a step that resolves the motion the acceleration varies by less than that.
   if (island.group < 0) {
     const int body = body_of(island);
     const OneBody f{field_, body, epoch_};
@@ -458,6 +458,17 @@ void Tracks::bound_bend(int k) {
   }
   const Together f{field_, links_, island.group, members_of(island), epoch_};
   Group& group = groups_[island.group];
+  // Also where the step itself has looked: bodies that attract may pass each other between its ends.
+  fly_group(island, island.end);
+  for (const int i : members_of(island)) bend_[i] = turn_[i] = 0.0;
+  for (int stage = 1; stage < evaluations_a_flight_; ++stage) {
+    for (int j = 0; j < island.count; ++j) {
+      const auto rate = group.stages.k[stage].col(j).segment<3>(3);
+      const int body = members_[island.first + j];
+      bend_[body] = std::max(bend_[body], 2.0 * rate.head<2>().norm());
+      turn_[body] = std::max(turn_[body], 2.0 * std::abs(rate[2]));
+    }
+  }
   gather(island);
   f(island.start, group.from, group.stages.k[0]);
   for (int j = 0; j < island.count; ++j) group.from.col(j) = at_end_.col(members_[island.first + j]);
@@ -471,8 +482,8 @@ void Tracks::bound_bend(int k) {
     const auto from = group.stages.k[0].col(j).segment<3>(3);
     const auto to = group.stages.k[1].col(j).segment<3>(3);
     const int body = members_[island.first + j];
-    bend_[body] = 2.0 * std::max(from.head<2>().norm(), to.head<2>().norm());
-    bound_turn(body, 2.0 * std::max(std::abs(from[2]), std::abs(to[2])));
+    bend_[body] = std::max({bend_[body], 2.0 * from.head<2>().norm(), 2.0 * to.head<2>().norm()});
+    bound_turn(body, std::max({turn_[body], 2.0 * std::abs(from[2]), 2.0 * std::abs(to[2])}));
   }
 }
 

@@ -19,7 +19,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST(StressCommand, CasesThatAreNamedRun) {
   const Program carom;
-  const ProgramResult result = carom({"stress", "galperin", "cradle-5", "--csv", "out.csv", "--page", "out.md"});
+  const ProgramResult result =
+      carom({"stress", "galperin", "cradle-5", "--csv", "out.csv", "--page", "out.md"});
   EXPECT_EQ(result.code, 0) << result.out << result.err;
   EXPECT_EQ(result.err, "");  // no progress in a pipe
   EXPECT_TRUE(holds(result.out, "20 of 20 figures of 2 cases are within their limits.")) << result.out;

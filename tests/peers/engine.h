@@ -11,7 +11,8 @@
 namespace carom::peers {
 
 // overlaps(): of every contact point the engine has now, or of the deepest alone, how deep the true shapes are
-// in one another (m); a gap is negative. contacts_begun(): how many contacts have begun, where the scene counts them.
+// in one another (m); a gap is negative. contacts_begun(): how many contacts have begun, where the scene counts
+// them.
 template <class W>
 concept World = std::constructible_from<W, const Scene&> &&
     requires(W world, const W& seen, int body, double h) {

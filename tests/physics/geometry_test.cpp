@@ -100,14 +100,14 @@ TEST(Geometry, DiscCentredInABoxLeavesByTheNearestFace) {
 }
 
 std::vector<std::pair<int, int>> all_pairs(const std::vector<Bounds>& bounds,
-                                          const std::vector<std::uint8_t>& fixed) {
+                                           const std::vector<std::uint8_t>& fixed) {
   std::vector<std::pair<int, int>> pairs;
   for (std::size_t a = 0; a < bounds.size(); ++a) {
     for (std::size_t b = a + 1; b < bounds.size(); ++b) {
       const Bounds& p = bounds[a];
       const Bounds& q = bounds[b];
-      const bool apart = p.high.x() < q.low.x() || q.high.x() < p.low.x() || p.high.y() < q.low.y() ||
-                         q.high.y() < p.low.y();
+      const bool apart =
+          p.high.x() < q.low.x() || q.high.x() < p.low.x() || p.high.y() < q.low.y() || q.high.y() < p.low.y();
       if (!apart && !(fixed[a] != 0 && fixed[b] != 0))
         pairs.emplace_back(static_cast<int>(a), static_cast<int>(b));
     }

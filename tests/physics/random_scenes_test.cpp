@@ -75,13 +75,14 @@ class Laws {
     // Impacts at once share one jump, which stands first.
     const std::vector<Jump>& jumps = run.last_jumps();
     double missing = 0.0;
-    double most = 0.0;
+    double most = 0.0;  // of one time: a second impact has the rounding of the first
     double lost = 0.0;
     bool driven = false;
     for (std::size_t k = 0; k < jumps.size(); ++k) {
       const ImpactRecord& r = run.last_impacts()[k];
-      if (k == 0 || !at_once_ || jumps[k].time != jumps[k - 1].time)
-        missing = most = lost = 0.0, driven = false;
+      const bool same_time = k > 0 && jumps[k].time == jumps[k - 1].time;
+      if (!same_time) most = 0.0;
+      if (!same_time || !at_once_) missing = lost = 0.0, driven = false;
       driven = driven || run.bodies()[r.a].drive || run.bodies()[r.b].drive;
       most = std::max(most, jumps[k].before.kinetic());
       lost += r.lost_to_restitution + r.lost_to_friction;
@@ -109,11 +110,12 @@ class Laws {
     return {};
   }
 
-  // Located impacts leave no overlap beyond rounding, but where bodies rest.
+  // Located impacts leave no overlap beyond rounding, but where bodies rest or the run says that there are too
+  // many.
   std::string overlaps_of(const Simulation& run) {
     if (overlaps_ || run.method().impacts != ImpactsId::kLocated) return {};
     const Notices notices = run.notices();
-    const bool rests = notices.resting_since >= 0.0;
+    const bool left = notices.resting_since >= 0.0 || notices.impacts_capped_since >= 0.0;
     const State& state = run.state();
     for (int a = 0; a < state.size(); ++a) {
       for (int b = a + 1; b < state.size(); ++b) {
@@ -123,7 +125,7 @@ class Laws {
         const double coordinates = state.position(a).lpNorm<1>() + state.position(b).lpNorm<1>();
         const double path = (state.velocity(a).norm() + state.velocity(b).norm()) * run.method().step;
         const double allowed = 64.0 * kEpsilon * (coordinates + sizes + path);
-        if (gap < -allowed && !rests) {
+        if (gap < -allowed && !left) {
           return fmt::format("{} and {} overlap by {} m, {} m is rounding", run.bodies()[a].name,
                              run.bodies()[b].name, -gap, allowed);
         }
@@ -157,27 +159,38 @@ std::string broken_law(const Scene& scene, bool overlaps) {
   return {};
 }
 
+// What a random scene breaks under any method: a line each.
+std::vector<std::string> broken_laws(std::uint64_t seed) {
+  test::RandomScene random = test::random_scene(seed);
+  EXPECT_NO_THROW(validate(random.scene)) << write_preset(random.scene);
+  std::vector<std::string> all;
+  for (const IntegratorChoice& integrator : kIntegrators) {
+    if (why_not(random.scene, integrator.id)) continue;
+    for (const auto& impacts : kImpacts) {
+      random.scene.method.integrator = integrator.id;
+      random.scene.method.impacts = impacts.id;
+      const std::string broken = broken_law(random.scene, random.overlaps);
+      if (!broken.empty())
+        all.push_back(fmt::format("seed {}, {}, {}: {}", seed, integrator.name, impacts.name, broken));
+    }
+  }
+  return all;
+}
+
 TEST(RandomScenes, KeepTheLawsUnderEveryMethod) {
   const bool many = std::getenv("CAROM_LONG_TESTS") != nullptr;
   const std::uint64_t scenes = many ? 10'000 : 300;
-  constexpr int kMostTold = 5;
-  int told = 0;
-  for (std::uint64_t seed = 1; seed <= scenes && told < kMostTold; ++seed) {
-    test::RandomScene random = test::random_scene(seed);
-    ASSERT_NO_THROW(validate(random.scene)) << write_preset(random.scene);
-    for (const IntegratorChoice& integrator : kIntegrators) {
-      if (why_not(random.scene, integrator.id)) continue;
-      for (const auto& impacts : kImpacts) {
-        random.scene.method.integrator = integrator.id;
-        random.scene.method.impacts = impacts.id;
-        const std::string broken = broken_law(random.scene, random.overlaps);
-        if (broken.empty() || told == kMostTold) continue;
-        ++told;
-        ADD_FAILURE() << "seed " << seed << ", " << integrator.name << ", " << impacts.name << ": " << broken
-                      << "\n"
-                      << write_preset(random.scene);
-      }
-    }
+  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+    for (const std::string& broken : broken_laws(seed)) ADD_FAILURE() << broken;
+  }
+}
+
+// 531: heavy bodies press through a light one at one time; 640: energies that underflow; 3380: discs that
+// attract meet and would pass through each other within a step; 5153: two impacts at one time with nearly no
+// energy left.
+TEST(RandomScenes, KeepTheLawsWhereTheyOnceDidNot) {
+  for (const std::uint64_t seed : {531U, 640U, 3380U, 5153U}) {
+    for (const std::string& broken : broken_laws(seed)) ADD_FAILURE() << broken;
   }
 }
 
