@@ -232,9 +232,21 @@ ContactSolverReport solve_islands(const ContactSolverOptions& options, ContactWo
   return report;
 }
 
+bool becomes_crowd(const CrowdChoice& choice, const Contacts& contacts, std::span<const int> island) {
+  const int size = static_cast<int>(island.size());
+  if (size <= choice.most_exact) return false;
+  if (size > choice.most_slow || choice.motion == nullptr) return true;
+  double squares = 0.0;
+  for (const int c : island) {
+    squares += choice.motion->col(contacts.a[c]).head<2>().squaredNorm() +
+               choice.motion->col(contacts.b[c]).head<2>().squaredNorm();
+  }
+  return !(std::sqrt(squares / (2.0 * size)) <= choice.slow_speed);
+}
+
 }  // namespace
 
-void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int most_exact,
+void prepare_contacts(const MassProperties& mass, const Contacts& contacts, const CrowdChoice& choice,
                       ContactWorkspace& w) {
   find_islands(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, w.islands);
   clear_blocks(static_cast<int>(mass.inverse_mass.size()), w.crowds);
@@ -246,7 +258,7 @@ void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int 
   for (int i = 0; i < w.islands.size(); ++i) {
     const std::span<const int> of_island = w.islands.of(i);
     const int first = w.first_block.back();
-    if (of_island.size() > static_cast<std::size_t>(most_exact)) {
+    if (becomes_crowd(choice, contacts, of_island)) {
       add_blocks(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, of_island, w.crowds);
       each_lane(w.crowds, first, static_cast<int>(w.crowds.blocks.size()),
                 [&](int c, ContactBlock& block, std::size_t lane) {
@@ -303,7 +315,7 @@ ContactSolverReport solve_prepared(const MassProperties& mass, Contacts& contact
 
 ContactSolverReport solve_contacts(const MassProperties& mass, Contacts& contacts, Eigen::Matrix3Xd& v,
                                    const ContactSolverOptions& options, ContactWorkspace& workspace) {
-  prepare_contacts(mass, contacts, options.most_exact, workspace);
+  prepare_contacts(mass, contacts, {.most_exact = options.most_exact}, workspace);
   return solve_prepared(mass, contacts, v, options, workspace);
 }
 
@@ -320,7 +332,7 @@ ContactSolverReport project_prepared(const MassProperties& mass, const Contacts&
 ContactSolverReport project_overlaps(const MassProperties& mass, const Contacts& contacts, double fraction,
                                      Eigen::Matrix3Xd& dq, const ContactSolverOptions& options,
                                      ContactWorkspace& workspace) {
-  prepare_contacts(mass, contacts, options.most_exact, workspace);
+  prepare_contacts(mass, contacts, {.most_exact = options.most_exact}, workspace);
   return project_prepared(mass, contacts, fraction, dq, options, workspace);
 }
 

@@ -18,8 +18,8 @@ struct ContactSolverOptions {
   double tolerance = 1e-9;  // of the residual, m/s (m for a projection)
   int max_sweeps = 64;      // of projected Gauss-Seidel, an island
   int max_newton = 60;      // linear systems of the exact finish, an island; 0: no exact finish
-  // Contacts of an island, as prepared; a larger one, a crowd, is solved in blocks and gets no exact finish,
-  // and a budget and tolerance of its own.
+  // Contacts of an island where the contacts are not prepared yet; a larger one, a crowd, is solved in blocks
+  // and gets no exact finish, and a budget and tolerance of its own.
   int most_exact = 1 << 30;
   int crowd_sweeps = 64;
   int crowd_contact_sweeps = 0;   // more sweeps where its contacts times the sweeps stay below this
@@ -58,9 +58,18 @@ struct ContactWorkspace {
   NewtonFinish newton;
 };
 
-// Takes in what stays the same in several solves: which bodies touch, normals and arms, and the masses. Islands
-// of more than `most_exact` contacts become crowds. Nothing is allocated once the workspace has held as much.
-void prepare_contacts(const MassProperties& mass, const Contacts& contacts, int most_exact,
+// Which islands become crowds: those of more than `most_exact` contacts that move, and all of more than
+// `most_slow`. An island moves if the rms velocity of its contacts' bodies is above slow_speed in `motion`.
+struct CrowdChoice {
+  int most_exact = 1 << 30;
+  int most_slow = 0;
+  double slow_speed = 0.0;                   // m/s
+  const Eigen::Matrix3Xd* motion = nullptr;  // none: every island moves
+};
+
+// Takes in what stays the same in several solves: which bodies touch, normals and arms, and the masses, and
+// which islands are crowds. Nothing is allocated once the workspace has held as much.
+void prepare_contacts(const MassProperties& mass, const Contacts& contacts, const CrowdChoice& choice,
                       ContactWorkspace& workspace);
 
 // Solves the contacts of one (sub-)step for the bodies' velocities v (3×N: x and y in m/s, spin in rad/s),

@@ -22,13 +22,16 @@ constexpr double kStuck = 1e-6;
 // Of the size: a smaller overlap is rounding, and one beyond kDeep is taken away in parts.
 constexpr double kOverlap = 1e-12;
 constexpr double kDeep = 1e-3;
-// Contacts of an island up to which it is solved exactly. In a crowd, a larger one, the tolerance is
-// kCrowdMotion of its speeds, at most kCrowdSolved of what the forces change of a speed in a step: as it comes
-// to rest it is solved better and better, each step from the forces of the one before.
+// Contacts of an island up to which it is solved exactly, always or where its rms velocity is at most kSlow of
+// what the forces change of a speed in a step. In a crowd, a larger one, the tolerance is kCrowdMotion of its
+// speeds, at most kCrowdSolved of what the forces change of a speed in a step: as it comes to rest it is solved
+// better and better, each step from the forces of the one before.
 constexpr int kMostExact = 64;
+constexpr int kMostExactAtRest = 400;
+constexpr double kSlow = 1e-5;
 constexpr double kCrowdMotion = 0.1;
 constexpr double kCrowdSolved = 1e-2;
-constexpr double kCrowdRest = 1e-7;
+constexpr double kCrowdRest = 1e-9;
 constexpr double kCrowdOverlap = 1e-6;  // of the size
 // Sweeps of a crowd, more of a small one.
 constexpr int kCrowdSweeps = 20;
@@ -82,7 +85,13 @@ void Simulation::hold_contacts(double h) {
   }
   l.held.resize(n, 0);
   find_contacts(h);
-  prepare_contacts(mass_, l.contacts, kMostExact, l.workspace);
+  const double by_forces = l.acceleration.topRows<2>().colwise().norm().maxCoeff() * step_length_;
+  prepare_contacts(mass_, l.contacts,
+                   {.most_exact = kMostExact,
+                    .most_slow = kMostExactAtRest,
+                    .slow_speed = kSlow * by_forces,
+                    .motion = &state_.v},
+                   l.workspace);
   project_contacts();
   touch_down(h);
   find_contact_forces(h);
