@@ -12,7 +12,7 @@ RecordedRun record_run(const Scene& scene, const Method& method, double time, do
   Simulation s(with_method);
   RecordedRun run;
   run.largest_kinetic = s.totals().kinetic();
-  const bool lasts = method.contacts == ContactsId::kLasting && s.needs().lasting_contacts;
+  const bool lasts = contacts_last(method, s.needs());
   // Steps as Simulation::advance_to() takes them, with a look at each: a run that blows up would go on with
   // millions of impacts a step.
   const auto advance = [&](double to) {

@@ -53,7 +53,7 @@ Reference make_reference(const Scene& scene, const Chaos& chaos, double time, do
   Reference best;
   best.method = reference_method(scene);
   best.method.step *= kOffTheRows;
-  const bool lasts = best.method.contacts == ContactsId::kLasting && needs_of(scene).lasting_contacts;
+  const bool lasts = contacts_last(best.method, needs_of(scene));
   if (best.method.integrator == IntegratorId::kExactFlight && !lasts) {
     best.exact = true;
     best.converged = true;

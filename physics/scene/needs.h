@@ -33,6 +33,11 @@ struct Needs {
 // What `scene` needs: a pure function of its bodies, materials and forces.
 [[nodiscard]] Needs needs_of(const Scene& scene);
 
+// True if forces hold what touches: the method asks for contacts that last, and the scene needs them.
+[[nodiscard]] inline bool contacts_last(const Method& method, const Needs& needs) {
+  return method.contacts == ContactsId::kLasting && needs.lasting_contacts;
+}
+
 // Everything that is modelled, whatever the scene: for comparison.
 [[nodiscard]] constexpr Needs all_needs() { return {.untrimmed = true}; }
 

@@ -139,7 +139,7 @@ void Simulation::step(double h) {
   impacts_.clear();
   jumps_.clear();
   impacts_before_step_ = impact_count_;
-  lasts_ = method_.contacts == ContactsId::kLasting && needs_.lasting_contacts;
+  lasts_ = contacts_last(method_, needs_);
   if (lasts_) {
     step_length_ = std::max(h, method_.step);
     tracks_.begin(time_);
