@@ -8,6 +8,7 @@
 #include <QTextBrowser>
 #include <QTextCursor>
 #include <QTextDocument>
+#include <QTextTable>
 #include <array>
 #include <utility>
 
@@ -26,8 +27,21 @@ constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
     {"stress-figures", QT_TRANSLATE_NOOP("QObject", "The hard cases: figures")},
 });
 
-// Room between paragraphs and before headings, which Markdown alone does not give.
-void space_out(QTextDocument& document) {
+// Room between paragraphs, before headings and in tables, which Markdown alone does not give.
+void space_out(QTextDocument& document, const QColor& lines) {
+  for (QTextFrame* frame : document.rootFrame()->childFrames()) {
+    auto* table = qobject_cast<QTextTable*>(frame);
+    if (table == nullptr) continue;
+    QTextTableFormat format = table->format();
+    format.setBorderCollapse(true);
+    format.setBorder(1.0);
+    format.setBorderBrush(lines);
+    format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+    format.setCellPadding(4.0);
+    format.setTopMargin(6.0);
+    format.setBottomMargin(10.0);
+    table->setFormat(format);
+  }
   for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
     QTextBlockFormat format = block.blockFormat();
     format.setTopMargin(format.headingLevel() > 0 ? 16 : 2);
@@ -39,7 +53,7 @@ void space_out(QTextDocument& document) {
 void show_page(QTextBrowser& text, const char* name) {
   QFile page(QString(":/help/%1.md").arg(name));
   if (page.open(QIODevice::ReadOnly)) text.setMarkdown(QString::fromUtf8(page.readAll()));
-  space_out(*text.document());
+  space_out(*text.document(), text.palette().color(QPalette::Mid));
   text.moveCursor(QTextCursor::Start);
 }
 
@@ -53,7 +67,8 @@ void show_help(QWidget* parent) {
   dialog->resize(940, 640);
   auto* list = new QListWidget(dialog);
   list->setObjectName("help-pages");
-  list->setFixedWidth(180);
+  list->setFixedWidth(190);
+  list->setSpacing(3);
   for (const auto& [name, title] : kPages) list->addItem(QObject::tr(title));
   auto* text = new QTextBrowser(dialog);
   text->setOpenExternalLinks(true);
