@@ -38,7 +38,6 @@ constexpr int kCrowdSweeps = 20;
 constexpr int kCrowdContactSweeps = 10'000;
 // Where the integrator's flight is not linear in the contact forces they are corrected this often.
 constexpr int kMostRounds = 12;
-
 // Room for contacts to begin with.
 constexpr int kFewContacts = 64;
 
@@ -53,6 +52,13 @@ RowVelocity velocity_at(const Contacts& c, int i, const Eigen::Matrix3Xd& v) {
   return {d.dot(n) + b[2] * cross(c.arm_b[i], n) - a[2] * cross(c.arm_a[i], n),
           cross(n, d) + b[2] * c.arm_b[i].dot(n) - a[2] * c.arm_a[i].dot(n), b[2] - a[2]};
 }
+
+// m/s: the most that the forces change of a speed in a step.
+double change_by_forces(const LastingContacts& l, double step) {
+  return step * l.acceleration.topRows<2>().colwise().norm().maxCoeff();
+}
+
+bool has_crowd(const LastingContacts& l) { return !l.workspace.crowds.blocks.empty(); }
 
 }  // namespace
 
@@ -85,11 +91,10 @@ void Simulation::hold_contacts(double h) {
   }
   l.held.resize(n, 0);
   find_contacts(h);
-  const double by_forces = l.acceleration.topRows<2>().colwise().norm().maxCoeff() * step_length_;
   prepare_contacts(mass_, l.contacts,
                    {.most_exact = kMostExact,
                     .most_slow = kMostExactAtRest,
-                    .slow_speed = kSlow * by_forces,
+                    .slow_speed = kSlow * change_by_forces(l, step_length_),
                     .motion = &state_.v},
                    l.workspace);
   project_contacts();
@@ -227,7 +232,7 @@ double Simulation::rolling_radius(int a, int b) const {
 
 ContactSolverOptions Simulation::contact_options() const {
   const LastingContacts& l = lasting_;
-  const double by_forces = l.acceleration.topRows<2>().colwise().norm().maxCoeff() * step_length_;
+  const double by_forces = change_by_forces(l, step_length_);
   ContactSolverOptions options;
   const double rounding = 16.0 * kEpsilon * l.before.topRows<2>().cwiseAbs().maxCoeff();
   options.tolerance = kSolved * by_forces + rounding;
@@ -252,7 +257,7 @@ void Simulation::project_contacts() {
     deepest = std::max(deepest, -l.contacts.gap[i] / of_pair);
     size = size > 0.0 ? std::min(size, of_pair) : of_pair;
   }
-  if (!(deepest > (l.contacts.size() > kMostExact ? kCrowdOverlap : 16.0 * kOverlap))) return;
+  if (!(deepest > (has_crowd(l) ? kCrowdOverlap : 16.0 * kOverlap))) return;
   l.before = state_.v;
   ContactSolverOptions options = contact_options();
   options.tolerance = kOverlap * size;
@@ -322,7 +327,7 @@ void Simulation::touch_down(double h) {
     worst = std::max(worst, c.target[i] - velocity_at(c, i, l.before).normal);
   }
   l.after = l.before;
-  if (worst > 2.0 * (c.size() > kMostExact ? options.crowd_tolerance : options.tolerance)) {
+  if (worst > 2.0 * (has_crowd(l) ? options.crowd_tolerance : options.tolerance)) {
     tell_residual(solve_prepared(mass_, c, l.after, options, l.workspace));
     l.mean = 0.5 * (l.before + l.after);
     book_contacts(1.0);
