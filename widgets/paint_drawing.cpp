@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace carom {
 namespace {
+
+constexpr double kNameGap = 2.0;  // px, left free on both sides of a name
 
 // Arrow heads, in widths of the shaft, and never longer than this share of the arrow.
 constexpr double kHeadLength = 5.5;
@@ -247,12 +250,17 @@ void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera,
   }
   set_text_size(painter, drawing.text_size, QFont::DemiBold);
   const QFontMetricsF metrics(painter.font());
+  std::vector<QRectF> written;
   for (const Drawing::LabelItem& label : drawing.labels) {
-    const QPointF at = camera.to_screen(label.anchor);
+    const double width = metrics.horizontalAdvance(label.text);
+    const QPointF at = camera.to_screen(label.anchor) + QPointF(-width / 2, label.drop);
+    const QRectF place(at - QPointF(kNameGap, 0.0), QSizeF(width + 2 * kNameGap, metrics.ascent()));
+    // A name over another can't be read, and neither can the other.
+    if (std::any_of(written.begin(), written.end(), [&](const QRectF& r) { return r.intersects(place); }))
+      continue;
+    written.push_back(place);
     painter.setPen(label.color);
-    painter.drawText(
-        QPointF(at.x() - metrics.horizontalAdvance(label.text) / 2, at.y() + label.drop + metrics.ascent()),
-        label.text);
+    painter.drawText(at + QPointF(0.0, metrics.ascent()), label.text);
   }
 }
 

@@ -1,7 +1,10 @@
+#include <QImage>
+#include <QPainter>
 #include <gtest/gtest.h>
 
 #include "tests/widgets/scene_fixture.h"
 #include "widgets/drawing.h"
+#include "widgets/paint_drawing.h"
 
 namespace carom {
 namespace {
@@ -51,6 +54,23 @@ TEST_F(DrawingOf, NamesNothingWhereItWouldBeClutter) {
   frame_ = frame_of(Simulation(two_discs()));
   camera_.scale = 20.0;
   EXPECT_EQ(drawing().labels.size(), 1U) << "a disc of 5 px is too small to name";
+}
+
+TEST_F(DrawingOf, NamesThatWouldLieOverOneAnotherAreLeftOut) {
+  camera_.viewport = QSizeF(400, 300);
+  const auto picture = [&](const Drawing& d) {
+    QImage image(camera_.viewport.toSize(), QImage::Format_RGB32);
+    QPainter painter(&image);
+    paint_drawing(painter, d, camera_, light_theme());
+    return image;
+  };
+  Drawing d = drawing();
+  const QImage apart = picture(d);
+  d.labels.push_back(d.labels[1]);
+  d.labels.back().text = "domino";
+  EXPECT_EQ(picture(d), apart);
+  d.labels.back().drop += 30.0;
+  EXPECT_NE(picture(d), apart);
 }
 
 TEST_F(DrawingOf, ArrowsAreVelocitiesInScale) {
