@@ -6,7 +6,8 @@
 namespace carom {
 namespace {
 
-// The share of the last step that is gone on with is at most this: with all of it nothing would come to rest.
+// The share of the last step that is gone on with is at most this. Of 0.95, 0.98, 0.99 and 1 piles settle
+// fastest with it; a column of hundreds would like more.
 constexpr double kMostMomentum = 0.98;
 
 BodyVelocity difference(const BodyVelocity& to, const BodyVelocity& from) {

@@ -31,8 +31,9 @@ void add_notes(const StressCase& of, const std::vector<StressRow>& rows, std::ve
   for (const StressFigure& figure : of.figures) {
     double largest = 0.0;
     for (const StressRow& r : rows) {
-      if (r.id == of.id && r.figure.name == figure.name && !r.refined && !(std::abs(r.value) <= largest))
-        largest = std::abs(r.value);
+      if (r.id != of.id || r.figure.name != figure.name || r.refined) continue;
+      // What is no number stays so: every peer is better.
+      if (!std::isnan(largest) && !(std::abs(r.value) <= largest)) largest = std::abs(r.value);
     }
     const std::string peers = peers_text(of.id, figure.name, largest);
     if (!peers.empty()) page.push_back(fmt::format("- peers, *{}*: {}", figure.name, peers));
