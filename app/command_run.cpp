@@ -80,12 +80,13 @@ int run_command(const RunOptions& options) {
   const Simulation start(scene);
   Simulation simulation = start;
 
+  const std::vector<Quantity> columns = run_columns(simulation.bodies());
   std::unique_ptr<TextFile> csv;
   std::unique_ptr<TextFile> events;
   if (!options.csv.empty()) {
     csv = std::make_unique<TextFile>(options.csv);
-    csv->line(run_csv_header(simulation));
-    csv->line(run_csv_line(simulation));
+    csv->line(csv_header(columns, simulation.bodies()));
+    csv->line(csv_line(columns, simulation));
   }
   if (!options.events.empty()) {
     events = std::make_unique<TextFile>(options.events);
@@ -95,7 +96,7 @@ int run_command(const RunOptions& options) {
   {
     Progress progress(end);
     simulation.advance_to(end, [&] {
-      if (csv != nullptr) csv->line(run_csv_line(simulation));
+      if (csv != nullptr) csv->line(csv_line(columns, simulation));
       if (events != nullptr) {
         for (const ImpactRecord& impact : simulation.last_impacts())
           events->line(events_csv_line(simulation, impact));

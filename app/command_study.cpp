@@ -85,8 +85,9 @@ int study_command(int& argc, char** argv, const StudyCommandOptions& options) {
     (void)plan_methods(scene, options.study);
     if (!options.csv.empty()) csv = std::make_unique<TextFile>(options.csv);
     StudyProgressLine line;
-    table = run_study(scene, file.stem().string(), options.study,
-                      [&line](std::string_view stage, int done, int of) { line.show(stage, done, of); });
+    StudyWatch watch;
+    watch.progress = [&line](std::string_view stage, int done, int of) { line.show(stage, done, of); };
+    table = run_study(scene, file.stem().string(), options.study, watch);
   }
   if (!options.csv.empty()) {
     if (csv == nullptr) csv = std::make_unique<TextFile>(options.csv);

@@ -1,47 +1,30 @@
 #include <QAction>
-#include <QActionGroup>
-#include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
-#include <QMenuBar>
-#include <QMessageBox>
-#include <QPainter>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSplitter>
-#include <QStatusBar>
 #include <QTabWidget>
 #include <QToolBar>
-#include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/help_dialog.h"
 #include "app/lab_window.h"
 #include "app/preset_library.h"
-#include "physics/motion/integrators.h"
 #include "physics/preset/preset.h"
 #include "widgets/experiment_list.h"
 #include "widgets/ledger_table.h"
-#include "widgets/number_text.h"
 #include "widgets/plot_panel.h"
+#include "widgets/reading_table.h"
 #include "widgets/run_tables.h"
 #include "widgets/scene_thumbnail.h"
 #include "widgets/scene_view.h"
+#include "widgets/study_panel.h"
 #include "widgets/transport_bar.h"
 
 // What stands where in the lab's window.
 namespace carom {
 namespace {
-
-QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<int>(s.size())); }
-
-// Steps to choose from, in s.
-constexpr std::array kSteps = {0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05};
-// Tolerances of the adaptive integrator to choose from, in m and m/s.
-constexpr std::array kTolerances = {1e-2, 1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
-                                    1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14};
 
 QWidget* with_frame(QWidget* inside, int margin) {
   auto* frame = new QFrame;
@@ -69,15 +52,6 @@ class PlotArea : public QScrollArea {
 
 }  // namespace
 
-void LabWindow::make_actions() {
-  theme_action_ = new QAction(this);
-  connect(theme_action_, &QAction::triggered, this, [this] {
-    const Theme& next = theme_.dark ? light_theme() : dark_theme();
-    apply_theme(*qApp, next);
-    set_theme(next);
-  });
-}
-
 void LabWindow::make_body() {
   auto* middle = new QWidget;
   middle->setObjectName("window");
@@ -94,6 +68,8 @@ void LabWindow::make_body() {
   bodies_ = new BodiesTable;
   impacts_ = new ImpactsTable;
   ledger_ = new LedgerTable;
+  study_ = new StudyPanel(theme_);
+  connect(study_, &StudyPanel::methodChosen, this, &LabWindow::change_method);
   about_ = new QLabel;
   about_->setWordWrap(true);
   about_->setTextFormat(Qt::RichText);
@@ -109,6 +85,9 @@ void LabWindow::make_body() {
   tabs_->addTab(bodies_, tr("Before and after"));
   tabs_->addTab(impacts_, tr("Impacts"));
   tabs_->addTab(ledger_, tr("Ledger"));
+  reading_ = new ReadingTable;
+  tabs_->addTab(reading_, tr("Reading"));
+  tabs_->addTab(study_, tr("Study"));
   tabs_->addTab(about_area, tr("About"));
   connect(tabs_, &QTabWidget::currentChanged, this, [this] {
     if (frame_ != nullptr) show_frame();
@@ -132,6 +111,22 @@ void LabWindow::make_body() {
   centre->setChildrenCollapsible(false);
 
   plots_ = new PlotPanel(theme_);
+  connect(plots_, &PlotPanel::layoutChanged, this, [this] {
+    const std::vector<Curve> curves = plots_->curves();
+    recorder_.keep(curves);
+    worker_->record(curves);
+    // Which of the named plots of a built-in experiment are open is no work that could be lost.
+    const std::vector<Plot> chosen = plots_->chosen();
+    const bool own =
+        std::any_of(chosen.begin(), chosen.end(), [](const Plot& plot) { return plot.id.empty(); });
+    if (own || !file_.isEmpty()) mark_changed(true);
+  });
+  connect(plots_, &PlotPanel::marksChanged, this, [this] {
+    tabs_->setCurrentWidget(reading_);
+    if (frame_ != nullptr) show_frame();
+  });
+  connect(plots_, &PlotPanel::pictureAsked, this, &LabWindow::save_plot);
+  connect(plots_, &PlotPanel::dataAsked, this, &LabWindow::save_data);
   auto* columns = new QSplitter(Qt::Horizontal);
   columns->setHandleWidth(8);
   columns->addWidget(centre);
@@ -223,165 +218,6 @@ void LabWindow::place_chips() {
   status_chip_->raise();
 }
 
-void LabWindow::make_menus() {
-  const auto add = [this](QMenu* menu, const QString& icon, const QString& text, const QKeySequence& key,
-                          auto&& slot) {
-    auto* action = menu->addAction(text);
-    action->setShortcut(key);
-    if (!icon.isEmpty()) icon_actions_.emplace_back(action, icon);
-    connect(action, &QAction::triggered, this, slot);
-    return action;
-  };
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  add(file, "open", tr("&Open..."), QKeySequence::Open, [this] { choose_file(); });
-  add(file, "save", tr("&Save"), QKeySequence::Save, [this] { save(); });
-  add(file, "", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { saveAs(); });
-  file->addSeparator();
-  add(file, "", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
-
-  QMenu* view = menuBar()->addMenu(tr("&View"));
-  add(view, "fit", tr("&Fit the scene"), QKeySequence(Qt::Key_F), [this] { view_->fit(); });
-  add(view, "", tr("&Reset the plots' zoom"), QKeySequence(Qt::Key_Home), [this] { plots_->reset_zoom(); });
-  view->addSeparator();
-  struct Toggle {
-    const char* icon;
-    const char* text;
-    const char* tip;
-    bool DrawingOptions::*flag;
-  };
-  constexpr std::array<Toggle, 5> kToggles = {{
-      {"grid", "&Grid", "Grid in metres", &DrawingOptions::grid},
-      {"velocity", "&Velocities", "Arrows of the velocities", &DrawingOptions::velocities},
-      {"", "F&orces", "Applied forces and torques", &DrawingOptions::forces},
-      {"contact", "&Contacts", "Impulses of the newest impacts; forces in N of contacts that last",
-       &DrawingOptions::contacts},
-      {"names", "&Names", "Names of the bodies", &DrawingOptions::names},
-  }};
-  for (const Toggle& toggle : kToggles) {
-    const auto flag = toggle.flag;
-    QAction* action = add(view, toggle.icon, tr(toggle.text), QKeySequence(), [] {});
-    action->setToolTip(tr(toggle.tip));
-    action->setCheckable(true);
-    action->setChecked(view_->options().*flag);
-    connect(action, &QAction::toggled, this, [this, flag](bool on) {
-      DrawingOptions options = view_->options();
-      options.*flag = on;
-      view_->set_options(options);
-    });
-  }
-  view->addSeparator();
-  view->addMenu(plots_->menu());
-  view->addSeparator();
-  view->addAction(theme_action_);
-
-  QMenu* run = menuBar()->addMenu(tr("&Run"));
-  add(run, "", tr("&Play or pause"), QKeySequence(Qt::Key_Space),
-      [this] { set_playing(frame_ == nullptr || !frame_->playing); });
-  add(run, "", tr("One &step"), QKeySequence(Qt::Key_Period), [this] { worker_->step_once(); });
-  add(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { worker_->restart(); });
-
-  QMenu* methods = menuBar()->addMenu(tr("&Method"));
-  const auto add_choices = [this, methods](const QString& title, const auto& table, auto member) {
-    QMenu* menu = methods->addMenu(title);
-    menu->setToolTipsVisible(true);
-    auto* group = new QActionGroup(menu);
-    for (const auto& choice : table) {
-      QAction* action = menu->addAction(text_of(choice.label));
-      action->setToolTip(text_of(choice.tip));
-      action->setData(static_cast<int>(choice.id));
-      action->setCheckable(true);
-      group->addAction(action);
-      connect(action, &QAction::triggered, this, [this, member, id = choice.id] {
-        Method method = worker_->scene().method;
-        method.*member = id;
-        change_method(method);
-      });
-      connect(menu, &QMenu::aboutToShow, action, [this, action, member, id = choice.id] {
-        action->setChecked(worker_->scene().method.*member == id);
-      });
-    }
-    return menu;
-  };
-  const auto button = [this](QMenu* menu, const QString& tip) {
-    auto* b = new QToolButton(this);
-    b->setObjectName("choice");
-    b->setPopupMode(QToolButton::InstantPopup);
-    b->setMenu(menu);
-    b->setToolTip(tip);
-    return b;
-  };
-  integrators_ = add_choices(tr("&Integrator"), kIntegrators, &Method::integrator);
-  integrator_button_ = button(integrators_, tr("How free motion is advanced; holds from now on"));
-  impacts_button_ = button(add_choices(tr("&Impacts"), kImpacts, &Method::impacts),
-                           tr("When impacts are resolved; holds from now on"));
-  contacts_button_ = button(add_choices(tr("&Contacts"), kContacts, &Method::contacts),
-                            tr("What holds bodies that touch; holds from now on"));
-  steps_ = methods->addMenu(tr("&Step"));
-  for (const double step : kSteps) {
-    steps_->addAction(QString("h = %1 ms").arg(1e3 * step, 0, 'g', 4), this, [this, step] {
-      Method method = worker_->scene().method;
-      method.step = step;
-      change_method(method);
-    });
-  }
-  steps_->addSeparator();
-  steps_->addAction(tr("Another..."), this, [this] { choose_step(); });
-  tolerances_ = methods->addMenu(tr("&Tolerance"));
-  for (const double tolerance : kTolerances) {
-    tolerances_->addAction(tr("tolerance %1").arg(short_figure(tolerance)), this, [this, tolerance] {
-      Method method = worker_->scene().method;
-      method.tolerance = tolerance;
-      change_method(method);
-    });
-  }
-  step_button_ = button(steps_, {});
-  plots_button_ = button(plots_->menu(), tr("Which plots are shown"));
-  plots_button_->setText(tr("Plots") + QStringLiteral(" ▾"));
-
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  add(help, "help", tr("&Help pages"), QKeySequence::HelpContents, [this] { show_help(this); });
-  add(help, "", tr("&About Carom"), QKeySequence(), [this] {
-    QMessageBox::about(this, tr("About Carom"),
-                       tr("<b>Carom %1</b><p>A lab for two-dimensional rigid-body collisions.</p>"
-                          "<p>MIT licence. Plots by Qwt (Qwt licence), window by Qt (LGPL).</p>")
-                           .arg(CAROM_VERSION));
-  });
-}
-
-void LabWindow::make_tool_bar() {
-  QToolBar* bar = tool_bar_ = addToolBar(tr("Tools"));
-  bar->installEventFilter(this);
-  bar->setMovable(false);
-  bar->setContextMenuPolicy(Qt::PreventContextMenu);
-  bar->setIconSize({18, 18});
-  const auto add = [&](const QString& icon) {
-    for (const auto& [action, name] : icon_actions_) {
-      if (name == icon) bar->addAction(action);
-    }
-  };
-  for (const char* icon : {"open", "save"}) add(icon);
-  bar->addSeparator();
-  for (const char* icon : {"fit", "grid", "velocity", "contact", "names"}) add(icon);
-  bar->addSeparator();
-  for (QToolButton* choice : {integrator_button_, impacts_button_, contacts_button_, step_button_}) {
-    bar->addWidget(choice);
-    auto* gap = new QWidget;
-    gap->setFixedWidth(4);
-    bar->addWidget(gap);
-  }
-  auto* stretch = new QWidget;
-  stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  bar->addWidget(stretch);
-  bar->addWidget(plots_button_);
-  auto* gap = new QWidget;
-  gap->setFixedWidth(4);
-  bar->addWidget(gap);
-  add("help");
-  bar->addAction(theme_action_);
-  setContextMenuPolicy(Qt::NoContextMenu);
-  set_theme(theme_);
-}
-
 void LabWindow::set_theme(const Theme& theme) {
   theme_ = theme;
   for (const auto& [action, icon] : icon_actions_) action->setIcon(themed_icon(icon, theme.text));
@@ -391,6 +227,7 @@ void LabWindow::set_theme(const Theme& theme) {
   view_->set_theme(theme);
   transport_->set_theme(theme);
   plots_->set_theme(theme);
+  study_->set_theme(theme);
   draw_thumbnails();
 }
 

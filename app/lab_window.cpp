@@ -27,8 +27,10 @@
 #include "widgets/ledger_table.h"
 #include "widgets/number_text.h"
 #include "widgets/plot_panel.h"
+#include "widgets/reading_table.h"
 #include "widgets/run_tables.h"
 #include "widgets/scene_view.h"
+#include "widgets/study_panel.h"
 #include "widgets/transport_bar.h"
 
 // The layout of the window is in lab_layout.cpp; here is what it does.
@@ -85,9 +87,9 @@ void LabWindow::show_scene(const Scene& scene, const QString& name, const QStrin
   duration_ = scene.duration;
   recorder_.clear();
   frame_.reset();
-  worker_->load(scene);
+  plots_->set_plots(scene.plots, before_);
+  worker_->load(scene, plots_->curves());
   view_->set_view(scene.view);
-  plots_->set_plots(scene.plots);
   transport_->set_duration(duration_);
   list_->set_current(name);
   setWindowTitle(QString("%1[*] – Carom").arg(QString::fromStdString(scene.title)));
@@ -95,9 +97,16 @@ void LabWindow::show_scene(const Scene& scene, const QString& name, const QStrin
                       .arg(QString::fromStdString(scene.title).toHtmlEscaped(),
                            QString::fromStdString(scene.observe).toHtmlEscaped(),
                            QString::fromStdString(scene.about).toHtmlEscaped().replace("\n", "<br>")));
+  study_->set_scene(scene, name.isEmpty() ? QFileInfo(file).completeBaseName() : name);
   mark_changed(false);
   show_method();
   show_needs();
+}
+
+Scene LabWindow::scene() const {
+  Scene scene = worker_->scene();
+  scene.plots = plots_->chosen();
+  return scene;
 }
 
 void LabWindow::choose_file() {
@@ -108,7 +117,7 @@ void LabWindow::choose_file() {
 
 bool LabWindow::write(const QString& file) {
   try {
-    save_preset(worker_->scene(), file.toStdString());
+    save_preset(scene(), file.toStdString());
   } catch (const SceneError& error) {
     QMessageBox::warning(this, tr("This preset cannot be saved"), QString::fromStdString(error.what()));
     return false;
@@ -121,12 +130,9 @@ bool LabWindow::write(const QString& file) {
 bool LabWindow::save() { return file_.isEmpty() ? saveAs() : write(file_); }
 
 bool LabWindow::saveAs() {
-  QFileDialog dialog(this, tr("Save the preset"), {}, tr("Carom presets (*.json)"));
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setDefaultSuffix("json");  // the dialog's own, so that it asks before this file is replaced
-  dialog.selectFile(file_.isEmpty() ? "experiment.json" : file_);
-  if (dialog.exec() != QDialog::Accepted) return false;
-  return write(dialog.selectedFiles().constFirst());
+  const QString file = ask_for_file(tr("Save the preset"), file_.isEmpty() ? "experiment.json" : file_,
+                                    tr("Carom presets (*.json)"), "json");
+  return !file.isEmpty() && write(file);
 }
 
 void LabWindow::mark_changed(bool changed) { setWindowModified(changed); }
@@ -196,6 +202,7 @@ void LabWindow::spawn(double x, double y) {
   body.position = {x, y};
   worker_->add_body(body);
   before_.push_back(body);
+  plots_->set_bodies(before_);
   mark_changed(true);
   show_needs();
 }
@@ -229,6 +236,7 @@ void LabWindow::show_frame() {
   if (tab == bodies_) bodies_->update_from(*frame_, before_);
   if (tab == impacts_) impacts_->update_from(*frame_, recorder_);
   if (tab == ledger_) ledger_->update_from(*frame_);
+  if (tab == reading_) reading_->update_from(recorder_, plots_->contents(), plots_->marks());
   tabs_->setTabText(1, tr("Impacts (%1)").arg(frame_->impact_count));
 
   time_chip_->setToolTip(tr("Simulated time\n%1 steps, %2 rejected\n%3 evaluations of a body's acceleration")
@@ -243,7 +251,9 @@ void LabWindow::show_frame() {
   speed_chip_->setText(speed);
   QStringList notices;
   if (frame_->status != "ok") notices << QString::fromStdString(frame_->status);
-  if (!recorder_.complete()) notices << tr("a long run: plots and tables keep the peaks of its older part");
+  if (frame_->rows_known_until < frame_->time)
+    notices
+        << tr("going through the run again for a new plot: t = %1 s").arg(frame_->rows_known_until, 0, 'f', 1);
   status_ = notices.join("; ");
   status_chip_->setVisible(!status_.isEmpty());
   status_chip_->setToolTip(status_);
@@ -299,6 +309,7 @@ void LabWindow::show_needs() {
   needs_chip_->setToolTip(
       tr("Modelled: %1.\nNot needed by this scene: %2.").arg(joined(text.modelled), joined(text.not_needed)));
   ledger_->set_scene(scene);
+  study_->edit_scene(scene);
   for (QAction* action : integrators_->actions()) {
     const auto id = static_cast<IntegratorId>(action->data().toInt());
     const std::optional<std::string> reason = why_not(scene, id);

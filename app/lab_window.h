@@ -2,13 +2,14 @@
 
 #include <QMainWindow>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "physics/measure/recorder.h"
+#include "physics/experiment/recorder.h"
+#include "physics/experiment/worker.h"
 #include "physics/scene/scene.h"
-#include "physics/world/worker.h"
 #include "widgets/theme.h"
 
 class QAction;
@@ -25,7 +26,10 @@ class ExperimentList;
 class ImpactsTable;
 class LedgerTable;
 class PlotPanel;
+class ReadingTable;
+class RunPlot;
 class SceneView;
+class StudyPanel;
 class TransportBar;
 
 // The lab: experiments, scene over transport over tables, plots. It forwards what the user does to the worker
@@ -47,7 +51,7 @@ class LabWindow : public QMainWindow {
   void set_theme(const Theme& theme);
   [[nodiscard]] SceneView& scene_view() { return *view_; }
   [[nodiscard]] const std::shared_ptr<const Frame>& frame() const { return frame_; }
-  [[nodiscard]] Scene scene() const { return worker_->scene(); }
+  [[nodiscard]] Scene scene() const;  // as it would be saved now
 
  public slots:
   bool save();
@@ -79,6 +83,14 @@ class LabWindow : public QMainWindow {
   void choose_step();
   void set_playing(bool playing);
   void spawn(double x, double y);
+
+  // What can be taken away (lab_export.cpp); each asks for a file and tells in a message what went wrong.
+  [[nodiscard]] QString ask_for_file(const QString& title, const QString& suggestion, const QString& filter,
+                                     const QString& suffix);
+  void save_picture_as(const QString& stem, const std::function<bool(const QString&, QString*)>& save);
+  void save_scene_picture();
+  void save_plot(RunPlot* plot);
+  void save_data(const RunPlot* plot);  // nullptr: of no plot in particular
   void mark_changed(bool changed);
 
   Theme theme_;
@@ -100,6 +112,8 @@ class LabWindow : public QMainWindow {
   BodiesTable* bodies_ = nullptr;
   ImpactsTable* impacts_ = nullptr;
   LedgerTable* ledger_ = nullptr;
+  ReadingTable* reading_ = nullptr;
+  StudyPanel* study_ = nullptr;
   QLabel* about_ = nullptr;
   QWidget* chips_ = nullptr;
   QLabel* needs_chip_ = nullptr;

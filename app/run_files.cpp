@@ -1,6 +1,7 @@
 #include "app/run_files.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
@@ -10,11 +11,6 @@
 
 namespace carom {
 namespace {
-
-bool with_paths(const Simulation& s) {
-  return std::count_if(s.bodies().begin(), s.bodies().end(), [](const Body& b) { return !b.fixed; }) <=
-         kMostPaths;
-}
 
 // Never "-0", which a law leaves where nothing happened.
 double plain(double value) { return value == 0.0 ? 0.0 : value; }
@@ -57,45 +53,58 @@ void TextFile::finish() {
   finished_ = true;
 }
 
-std::string run_csv_header(const Simulation& s) {
-  std::string line =
-      "time [s],kinetic_energy [J],rotational_energy [J],potential_energy [J],total_energy [J],momentum_x [N "
-      "s],"
-      "momentum_y [N s],angular_momentum [kg m^2/s],numerical_drift [J],impacts [1]";
-  for (const Body& b : s.bodies()) {
-    if (b.fixed || !with_paths(s)) continue;
-    for (const char* what :
-         {"x [m]", "y [m]", "angle [rad]", "velocity_x [m/s]", "velocity_y [m/s]", "spin [rad/s]"}) {
-      line += fmt::format(",{}", csv_field(fmt::format("{} {}", b.name, what)));
+std::vector<Quantity> run_columns(const std::vector<Body>& bodies) {
+  std::vector<Quantity> columns;
+  const auto add = [&](std::string_view name, std::vector<int> of = {}) {
+    columns.push_back({find_observable(name), std::move(of)});
+  };
+  for (const char* name : {"kinetic_energy", "rotational_energy", "potential_energy", "total_energy",
+                           "momentum_x", "momentum_y", "angular_momentum", "numerical_drift", "impacts"}) {
+    add(name);
+  }
+  const auto may_move = [](const Body& body) { return !body.fixed; };
+  if (std::count_if(bodies.begin(), bodies.end(), may_move) <= kMostPaths) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (!may_move(bodies[i])) continue;
+      for (const char* name : {"x", "y", "angle", "velocity_x", "velocity_y", "spin"}) {
+        add(name, {static_cast<int>(i)});
+      }
     }
   }
-  return line +
-         ",lost_to_restitution [J],lost_to_friction [J],lost_to_rolling [J],lost_to_sticking [J],"
-         "lost_to_drag [J],lost_to_dampers [J],lost_to_links [J],put_in_by_drives [J],put_in_by_user [J],"
-         "overlap_correction [J],momentum_drift_x [N s],momentum_drift_y [N s],momentum_to_walls_x [N "
-         "s],momentum_to_walls_y [N s]";
+  for (const char* name :
+       {"lost_to_restitution", "lost_to_friction", "lost_to_rolling", "lost_to_sticking", "lost_to_drag",
+        "lost_to_dampers", "lost_to_links", "put_in_by_drives", "put_in_by_user", "overlap_correction",
+        "momentum_drift_x", "momentum_drift_y", "momentum_to_walls_x", "momentum_to_walls_y"}) {
+    add(name);
+  }
+  return columns;
 }
 
-std::string run_csv_line(const Simulation& s) {
-  const Totals t = s.totals();
-  const Ledger l = s.ledger();
-  std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{}", s.time(), t.kinetic(), t.rotational,
-                                 t.potential, t.energy(), t.momentum.x(), t.momentum.y(), t.angular_momentum,
-                                 l.numerical_drift(t.energy()), s.impact_count());
-  const bool paths = with_paths(s);
-  for (int i = 0; i < s.state().size(); ++i) {
-    if (s.bodies()[i].fixed || !paths) continue;
-    for (int row = 0; row < 3; ++row) line += fmt::format(",{}", s.state().q(row, i));
-    for (int row = 0; row < 3; ++row) line += fmt::format(",{}", s.state().v(row, i));
-  }
-  const Vec2 drift = l.momentum_drift(t.momentum);
-  for (const double value :
-       {l.lost_to_restitution, l.lost_to_friction, l.lost_to_rolling, l.lost_to_sticking, l.lost_to_drag,
-        l.lost_to_dampers, l.lost_to_links, l.put_in_by_drives, l.put_in_by_user, l.overlap_correction,
-        drift.x(), drift.y(), l.momentum_to_walls.x(), l.momentum_to_walls.y()}) {
-    line += fmt::format(",{}", plain(value));
+std::string csv_header(const std::vector<Quantity>& columns, const std::vector<Body>& bodies) {
+  std::string line = "time [s]";
+  for (const Quantity& column : columns) {
+    std::string heading;
+    for (const int body : column.bodies) heading += bodies[static_cast<std::size_t>(body)].name + " ";
+    std::string unit(column.observable->unit);
+    for (std::size_t at; (at = unit.find("²")) != std::string::npos;) unit.replace(at, 2, "^2");
+    line += ',';
+    line += csv_field(fmt::format("{}{} [{}]", heading, column.observable->name, unit));
   }
   return line;
+}
+
+std::string csv_line(double time, std::span<const double> values) {
+  std::string line = fmt::format("{}", time);
+  for (const double value : values) line += std::isnan(value) ? "," : fmt::format(",{}", plain(value));
+  return line;
+}
+
+std::string csv_line(const std::vector<Quantity>& columns, const Simulation& simulation) {
+  const ImpactTally none;
+  const Reading now = reading_of(simulation, none);
+  std::vector<double> values;
+  for (const Quantity& column : columns) values.push_back(column.value(now));
+  return csv_line(now.time, values);
 }
 
 std::string events_csv_header() {

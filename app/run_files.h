@@ -1,8 +1,11 @@
 #pragma once
 
 #include <fstream>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "physics/measure/quantity.h"
 #include "physics/world/simulation.h"
 
 namespace carom {
@@ -27,13 +30,19 @@ class TextFile {
 // A text as a field of such a file: in quotes where it needs them.
 [[nodiscard]] std::string csv_field(const std::string& text);
 
-// The CSV files of a run: RFC 4180, units in brackets in the header, every number with all its digits.
+// The CSV files of a run: RFC 4180, units in brackets in the header, every number with all its digits, an empty
+// field where there is none.
 //
-// Sums of the scene, then x, y, angle, velocity and spin of each body that is not fixed, for up to kMostPaths
-// of them (a larger crowd's file would be some 100 MB; its sums are written), then the ledger.
+// The columns of a run beside its time: sums of the scene, then x, y, angle, velocity and spin of each body
+// that is not fixed, for up to kMostPaths of them (a larger crowd's file would be some 100 MB; its sums are
+// written), then the ledger.
 inline constexpr int kMostPaths = 50;
-[[nodiscard]] std::string run_csv_header(const Simulation& simulation);
-[[nodiscard]] std::string run_csv_line(const Simulation& simulation);
+[[nodiscard]] std::vector<Quantity> run_columns(const std::vector<Body>& bodies);
+
+[[nodiscard]] std::string csv_header(const std::vector<Quantity>& columns, const std::vector<Body>& bodies);
+[[nodiscard]] std::string csv_line(double time, std::span<const double> values);
+// Of the run as it stands.
+[[nodiscard]] std::string csv_line(const std::vector<Quantity>& columns, const Simulation& simulation);
 
 [[nodiscard]] std::string events_csv_header();
 [[nodiscard]] std::string events_csv_line(const Simulation& simulation, const ImpactRecord& impact);

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/world/frame.h"
+#include "physics/experiment/frame.h"
 #include "widgets/camera.h"
 #include "widgets/grid.h"
 #include "widgets/theme.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "physics/world/frame.h"
+#include "physics/experiment/frame.h"
 #include "widgets/figure_table.h"
 
 namespace carom {

@@ -44,15 +44,20 @@ bool PlotGestures::eventFilter(QObject* watched, QEvent* event) {
       constexpr double kLeastDrag = 3.0;  // px
       if (grip_ && (dragging_ || (now - *grip_).manhattanLength() >= kLeastDrag)) {
         dragging_ = true;
-        emit panAsked(value_at(*grip_) - value_at(now));
+        emit panAsked(value_at(*grip_), value_at(now));
         grip_ = now;
       }
       emit hovered(value_at(now));
       return false;
     }
-    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonRelease: {
+      const auto* mouse = static_cast<QMouseEvent*>(event);
+      if (grip_ && !dragging_ && mouse->button() == Qt::LeftButton) {
+        emit clicked(value_at(mouse->position()), mouse->modifiers());
+      }
       grip_.reset();
       return false;
+    }
     case QEvent::MouseButtonDblClick:
       grip_.reset();
       emit resetAsked();

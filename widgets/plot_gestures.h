@@ -19,8 +19,9 @@ class PlotGestures : public QObject {
   // The axis' range is to become `factor` as wide, with `at` where it is.
   void timeZoomAsked(double at, double factor);
   void valueZoomAsked(double at, double factor);
-  void panAsked(const QPointF& by);
+  void panAsked(const QPointF& from, const QPointF& to);  // what was at `from` is to come to `to`
   void resetAsked();
+  void clicked(const QPointF& at, Qt::KeyboardModifiers modifiers);  // not the end of a drag
   void hovered(const std::optional<QPointF>& at);
 
  protected:

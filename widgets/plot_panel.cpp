@@ -1,15 +1,19 @@
 #include "widgets/plot_panel.h"
 
+#include <QClipboard>
 #include <QContextMenuEvent>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/plot_content.h"
+#include "widgets/plot_dialog.h"
+#include "widgets/plot_export.h"
 #include "widgets/plot_scale.h"
-#include "widgets/plot_table.h"
-#include "widgets/time_plot.h"
+#include "widgets/run_plot.h"
 
 namespace carom {
 
@@ -22,97 +26,241 @@ PlotPanel::PlotPanel(const Theme& theme, QWidget* parent) : QWidget(parent), the
   connect(&timer_, &QTimer::timeout, this, &PlotPanel::refresh);
   menu_ = new QMenu(tr("&Plots"), this);
   menu_->setToolTipsVisible(true);
-  for (const PlotKind& kind : plot_table()) {
-    QAction* action = menu_->addAction(QString::fromUtf8(kind.title));
-    action->setToolTip(QString::fromUtf8(kind.tip));
+  for (const PlotContent& content : named_plots()) {
+    QAction* action = menu_->addAction(content.title);
+    action->setToolTip(content.tip);
     action->setCheckable(true);
-    action->setData(QString::fromUtf8(kind.id.data(), static_cast<qsizetype>(kind.id.size())));
-    connect(action, &QAction::triggered, this, [this, &kind](bool on) { set_shown(kind.id, on); });
+    const std::string& id = content.plot.id;
+    action->setData(QString::fromStdString(id));
+    connect(action, &QAction::triggered, this, [this, &id](bool on) { set_shown(id, on); });
   }
-  set_plots({});
+  menu_->addSeparator();
+  QAction* another = menu_->addAction(tr("&New plot..."));
+  another->setToolTip(tr("Any quantity of the scene or of its bodies, over time or over another one"));
+  connect(another, &QAction::triggered, this, [this] { edit(nullptr); });
+  set_plots({}, {});
 }
 
 void PlotPanel::set_theme(const Theme& theme) {
   theme_ = theme;
-  for (TimePlot* plot : plots_) plot->set_theme(theme);
+  for (RunPlot* plot : plots_) plot->set_theme(theme);
   schedule();
 }
 
-void PlotPanel::set_plots(const std::vector<std::string>& ids) {
-  const std::vector<std::string>& wanted = ids.empty() ? default_plots() : ids;
-  for (TimePlot* plot : plots_) delete plot;
+void PlotPanel::set_plots(const std::vector<Plot>& plots, const std::vector<Body>& bodies) {
+  bodies_ = bodies;
+  mark_a_.reset();
+  mark_b_.reset();
+  for (RunPlot* plot : plots_) delete plot;
   plots_.clear();
   zoomed_.clear();
   time_zoom_.reset();
-  for (const PlotKind& kind : plot_table()) {
-    if (std::find(wanted.begin(), wanted.end(), kind.id) != wanted.end()) add_plot(kind);
+  for (const Plot& plot : plots.empty() ? default_plots() : plots) {
+    insert(plots_.size(), content_of(plot, bodies_));
   }
   mark_menu();
   schedule();
 }
 
-// At its place in the order of the table.
-void PlotPanel::add_plot(const PlotKind& kind) {
-  const auto place = std::find_if(plots_.begin(), plots_.end(),
-                                  [&kind](const TimePlot* plot) { return &plot->kind() > &kind; });
-  auto* plot = new TimePlot(kind, theme_, this);
-  static_cast<QVBoxLayout*>(layout())->insertWidget(static_cast<int>(place - plots_.begin()), plot);
-  plots_.insert(place, plot);
+void PlotPanel::set_bodies(const std::vector<Body>& bodies) { bodies_ = bodies; }
+
+void PlotPanel::insert(std::size_t place, const PlotContent& content) {
+  auto* plot = new RunPlot(content, theme_, this);
+  static_cast<QVBoxLayout*>(layout())->insertWidget(static_cast<int>(place), plot, 1);
+  plots_.insert(plots_.begin() + static_cast<std::ptrdiff_t>(place), plot);
   connect_plot(plot);
+}
+
+void PlotPanel::drop(RunPlot* plot) {
+  std::erase(plots_, plot);
+  std::erase(zoomed_, plot);
+  if (zoomed_.empty()) time_zoom_.reset();
+  plot->deleteLater();
+  plot->hide();
+}
+
+void PlotPanel::changed() {
+  mark_menu();
+  schedule();
+  emit layoutChanged();
+}
+
+void PlotPanel::add(const Plot& plot) {
+  insert(plots_.size(), content_of(plot, bodies_));
+  changed();
+}
+
+void PlotPanel::replace(RunPlot* old, const Plot& plot) {
+  const PlotContent content = content_of(plot, bodies_);
+  const auto place = static_cast<std::size_t>(std::find(plots_.begin(), plots_.end(), old) - plots_.begin());
+  drop(old);
+  insert(place, content);
+  changed();
+}
+
+void PlotPanel::remove(RunPlot* plot) {
+  if (plots_.size() < 2) return;
+  drop(plot);
+  changed();
+}
+
+std::vector<Plot> PlotPanel::chosen() const {
+  std::vector<Plot> all;
+  for (const RunPlot* plot : plots_) all.push_back(plot->content().plot);
+  return all;
+}
+
+std::vector<Curve> PlotPanel::curves() const {
+  std::vector<Curve> all;
+  for (const RunPlot* plot : plots_) {
+    for (const PlotLine& line : plot->content().lines) {
+      if (line.curve && std::find(all.begin(), all.end(), *line.curve) == all.end()) all.push_back(*line.curve);
+    }
+  }
+  return all;
 }
 
 bool PlotPanel::shows(std::string_view id) const {
   return std::any_of(plots_.begin(), plots_.end(),
-                     [id](const TimePlot* plot) { return plot->kind().id == id; });
+                     [id](const RunPlot* plot) { return plot->content().plot.id == id; });
 }
 
+// A named plot stands among the named ones in the order of their table, and before all others.
 void PlotPanel::set_shown(std::string_view id, bool shown) {
-  const auto at =
-      std::find_if(plots_.begin(), plots_.end(), [id](const TimePlot* plot) { return plot->kind().id == id; });
-  if (shown && at == plots_.end()) {
-    for (const PlotKind& kind : plot_table()) {
-      if (kind.id == id) add_plot(kind);
-    }
-  } else if (!shown && at != plots_.end() && plots_.size() > 1) {
-    std::erase(zoomed_, *at);
-    delete *at;
-    plots_.erase(at);
-    if (zoomed_.empty()) time_zoom_.reset();
+  if (shown == shows(id)) return;
+  const std::span<const PlotContent> table = named_plots();
+  const auto rank = [&](std::string_view wanted) {
+    return std::find_if(table.begin(), table.end(), [&](const PlotContent& c) { return c.plot.id == wanted; }) -
+           table.begin();
+  };
+  const auto place = std::find_if(plots_.begin(), plots_.end(), [&](const RunPlot* plot) {
+    return rank(plot->content().plot.id) >= rank(id);
+  });
+  if (!shown) {
+    remove(*place);
+    mark_menu();
+    return;
   }
-  mark_menu();
-  schedule();
+  insert(static_cast<std::size_t>(place - plots_.begin()), table[static_cast<std::size_t>(rank(id))]);
+  changed();
 }
 
 void PlotPanel::mark_menu() {
   for (QAction* action : menu_->actions()) {
+    if (!action->isCheckable()) continue;
     const bool shown = shows(action->data().toString().toStdString());
     action->setChecked(shown);
     action->setEnabled(!shown || plots_.size() > 1);
   }
 }
 
-void PlotPanel::contextMenuEvent(QContextMenuEvent* event) { menu_->popup(event->globalPos()); }
+void PlotPanel::edit(RunPlot* plot) {
+  PlotDialog dialog(bodies_, this);
+  if (plot != nullptr) dialog.set_plot(plot->content().plot);
+  if (dialog.exec() != QDialog::Accepted) return;
+  if (plot == nullptr) {
+    add(dialog.plot());
+  } else {
+    replace(plot, dialog.plot());
+  }
+}
 
-void PlotPanel::connect_plot(TimePlot* plot) {
-  connect(plot, &TimePlot::timeZoomAsked, this, [this, plot](double at, double factor) {
+// Of the plot under the mouse, and of all.
+void PlotPanel::contextMenuEvent(QContextMenuEvent* event) {
+  const auto under = std::find_if(plots_.begin(), plots_.end(),
+                                  [&](const RunPlot* plot) { return plot->geometry().contains(event->pos()); });
+  if (under == plots_.end()) {
+    menu_->popup(event->globalPos());
+    return;
+  }
+  RunPlot* plot = *under;
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setToolTipsVisible(true);
+  QAction* change = menu->addAction(tr("&Change this plot..."), this, [this, plot] { edit(plot); });
+  change->setEnabled(plot->content().plot.id.empty());
+  if (!change->isEnabled()) change->setToolTip(tr("A named plot stays as it is: make a new one"));
+  QAction* away = menu->addAction(tr("&Remove this plot"), this, [this, plot] { remove(plot); });
+  away->setEnabled(plots_.size() > 1);
+  menu->addSeparator();
+  menu->addAction(tr("&Save the picture..."), this, [this, plot] { emit pictureAsked(plot); });
+  menu->addAction(tr("&Copy the picture"), this,
+                  [plot] { QGuiApplication::clipboard()->setPixmap(plot_picture(*plot)); });
+  menu->addAction(tr("Save the &data..."), this, [this, plot] { emit dataAsked(plot); });
+  menu->addSeparator();
+  menu->addActions(menu_->actions());
+  menu->popup(event->globalPos());
+}
+
+void PlotPanel::connect_plot(RunPlot* plot) {
+  connect(plot, &RunPlot::timeZoomAsked, this, [this, plot](double at, double factor) {
+    if (!plot->over_time()) {
+      plot->zoom_x(at, factor);
+      mark_zoomed(plot);
+      return;
+    }
     const QwtInterval now = time_range();
     set_time_zoom(plot, {at + (now.minValue() - at) * factor, at + (now.maxValue() - at) * factor});
   });
-  connect(plot, &TimePlot::valueZoomAsked, this, [this, plot](double at, double factor) {
+  connect(plot, &RunPlot::valueZoomAsked, this, [this, plot](double at, double factor) {
     plot->zoom_values(at, factor);
     mark_zoomed(plot);
   });
-  connect(plot, &TimePlot::panAsked, this, [this, plot](const QPointF& by) {
+  connect(plot, &RunPlot::panAsked, this, [this, plot](const QPointF& from, const QPointF& to) {
+    plot->pan_values(from.y(), to.y());
+    if (!plot->over_time()) {
+      plot->pan_x(from.x(), to.x());
+      mark_zoomed(plot);
+      return;
+    }
     const QwtInterval now = time_range();
-    plot->pan_values(by.y());
-    set_time_zoom(plot, {now.minValue() + by.x(), now.maxValue() + by.x()});
+    const double by = from.x() - to.x();
+    set_time_zoom(plot, {now.minValue() + by, now.maxValue() + by});
   });
-  connect(plot, &TimePlot::resetAsked, this, &PlotPanel::reset_zoom);
-  connect(plot, &TimePlot::curvesChanged, this, &PlotPanel::schedule);
-  connect(plot, &TimePlot::timeHovered, this, [this](const std::optional<double>& time) {
-    for (TimePlot* each : plots_) each->set_cursor(time);
+  connect(plot, &RunPlot::resetAsked, this, &PlotPanel::reset_zoom);
+  connect(plot, &RunPlot::curvesChanged, this, &PlotPanel::schedule);
+  connect(plot, &RunPlot::timeHovered, this, [this](const std::optional<double>& time) {
+    for (RunPlot* each : plots_) each->set_cursor(time);
     schedule();
   });
+  connect(plot, &RunPlot::timeClicked, this, &PlotPanel::set_mark);
+}
+
+void PlotPanel::set_mark(double time, bool second) {
+  (second ? mark_b_ : mark_a_) = time;
+  schedule();
+  emit marksChanged();
+}
+
+// To the next record of the first curve, or the one before.
+void PlotPanel::move_mark(int by, bool second) {
+  const std::optional<double>& mark = second ? mark_b_ : mark_a_;
+  if (!mark) return;
+  for (const Curve& curve : curves()) {
+    const Series<1>* series = recorder_->series(curve);
+    if (series == nullptr) continue;
+    const SeriesPoint<1>* to = by > 0 ? series->after(*mark) : series->at(std::nextafter(*mark, -1.0));
+    if (to != nullptr) set_mark(to->at, second);
+    return;
+  }
+}
+
+void PlotPanel::clear_marks() {
+  mark_a_.reset();
+  mark_b_.reset();
+  schedule();
+  emit marksChanged();
+}
+
+ReadingMarks PlotPanel::marks() const {
+  const QwtInterval shown = time_range();
+  return {mark_a_, mark_b_, shown.minValue(), shown.maxValue()};
+}
+
+std::vector<PlotContent> PlotPanel::contents() const {
+  std::vector<PlotContent> all;
+  for (const RunPlot* plot : plots_) all.push_back(plot->content());
+  return all;
 }
 
 void PlotPanel::update_from(const Recorder& recorder) {
@@ -123,14 +271,14 @@ void PlotPanel::update_from(const Recorder& recorder) {
 void PlotPanel::reset_zoom() {
   zoomed_.clear();
   time_zoom_.reset();
-  for (TimePlot* plot : plots_) {
+  for (RunPlot* plot : plots_) {
     plot->set_chip_visible(false);
     plot->forget_value_range();
   }
   schedule();
 }
 
-void PlotPanel::set_time_zoom(TimePlot* plot, const QwtInterval& range) {
+void PlotPanel::set_time_zoom(RunPlot* plot, const QwtInterval& range) {
   // Further in, pixels would share one double; further out there is nothing to see.
   const double magnitude = std::max(std::abs(range.minValue()), std::abs(range.maxValue()));
   constexpr double kLongest = 1e9;  // s
@@ -139,7 +287,7 @@ void PlotPanel::set_time_zoom(TimePlot* plot, const QwtInterval& range) {
   mark_zoomed(plot);
 }
 
-void PlotPanel::mark_zoomed(TimePlot* plot) {
+void PlotPanel::mark_zoomed(RunPlot* plot) {
   if (std::find(zoomed_.begin(), zoomed_.end(), plot) == zoomed_.end()) zoomed_.push_back(plot);
   plot->set_chip_visible(true);
   schedule();
@@ -147,8 +295,7 @@ void PlotPanel::mark_zoomed(TimePlot* plot) {
 
 QwtInterval PlotPanel::time_range() const {
   if (time_zoom_) return *time_zoom_;
-  const std::vector<Sample>& samples = recorder_->samples();
-  return {0.0, nice_time_end(samples.empty() ? 0.0 : samples.back().time)};
+  return {0.0, nice_time_end(recorder_->time())};
 }
 
 void PlotPanel::schedule() {
@@ -158,7 +305,7 @@ void PlotPanel::schedule() {
 void PlotPanel::refresh() {
   const QwtInterval range = time_range();
   int extent = 0;
-  for (TimePlot* plot : plots_) {
+  for (RunPlot* plot : plots_) {
     plot->set_time_range(range);
     const bool hold = time_zoom_ || std::find(zoomed_.begin(), zoomed_.end(), plot) != zoomed_.end();
     plot->update_from(*recorder_, hold);
@@ -167,8 +314,9 @@ void PlotPanel::refresh() {
   // Room in steps, so that the canvases don't shift with each new label.
   constexpr int kExtentStep = 8;  // px
   extent = (extent + kExtentStep - 1) / kExtentStep * kExtentStep;
-  for (TimePlot* plot : plots_) {
+  for (RunPlot* plot : plots_) {
     plot->set_label_extent(extent);
+    plot->set_marks(mark_a_, mark_b_);
     plot->replot();
   }
 }
@@ -184,8 +332,13 @@ void PlotPanel::showEvent(QShowEvent* event) {
 }
 
 void PlotPanel::keyPressEvent(QKeyEvent* event) {
+  const bool second = event->modifiers().testFlag(Qt::ShiftModifier);
   if (event->key() == Qt::Key_Home) {
     reset_zoom();
+  } else if (event->key() == Qt::Key_Right || event->key() == Qt::Key_Left) {
+    move_mark(event->key() == Qt::Key_Right ? 1 : -1, second);
+  } else if (event->key() == Qt::Key_Escape && (mark_a_ || mark_b_)) {
+    clear_marks();
   } else {
     QWidget::keyPressEvent(event);
   }

@@ -8,19 +8,20 @@
 #include <string_view>
 #include <vector>
 
-#include "physics/measure/recorder.h"
+#include "physics/experiment/recorder.h"
+#include "physics/measure/quantity.h"
+#include "widgets/reading_table.h"
+#include "widgets/run_plot.h"
 #include "widgets/theme.h"
 
 class QMenu;
 
 namespace carom {
 
-struct PlotKind;
-class TimePlot;
-
 // The plots of a run, one above the other over one time axis. Wheel: zoom in time about the cursor; with Ctrl:
 // zoom that plot's values; drag: move; double click or Home: back to showing everything. While zoomed the axes
-// stand still. A right click offers the menu of plots.
+// stand still. Click and Shift+click: marks A and B; the arrow keys move A, with Shift B, by one record; Escape
+// takes both away. A right click offers the menu of plots.
 class PlotPanel : public QWidget {
   Q_OBJECT
 
@@ -28,20 +29,40 @@ class PlotPanel : public QWidget {
   explicit PlotPanel(const Theme& theme, QWidget* parent = nullptr);
 
   void set_theme(const Theme& theme);
-  // Ids of plot_table(); unknown ones are left out. None: default_plots(). Nothing stays zoomed.
-  void set_plots(const std::vector<std::string>& ids);
+  // Those that a scene with these bodies asks for; none: default_plots(). Nothing stays zoomed.
+  void set_plots(const std::vector<Plot>& plots, const std::vector<Body>& bodies);
+  void set_bodies(const std::vector<Body>& bodies);  // there are more now
+  // What is shown, as a scene would ask for it, and the curves that it needs.
+  [[nodiscard]] std::vector<Plot> chosen() const;
+  [[nodiscard]] std::vector<Curve> curves() const;
+  // One more plot at the end, or another in the place of one. Throws SceneError as content_of() does.
+  void add(const Plot& plot);
+  void replace(RunPlot* old, const Plot& plot);
+  // Takes a plot away, but for the last one.
+  void remove(RunPlot* plot);
   // Shows what the recorder holds, at most once a turn of the event loop and never while hidden. The recorder
   // is read again when the user zooms: it must live as long as the panel is used.
   void update_from(const Recorder& recorder);
   void reset_zoom();
-  // Shows or hides one plot of plot_table(), but for the last one.
+  [[nodiscard]] ReadingMarks marks() const;
+  void clear_marks();
+  [[nodiscard]] std::vector<PlotContent> contents() const;
+  // Shows or hides one of named_plots(), but for the last plot.
   void set_shown(std::string_view id, bool shown);
   [[nodiscard]] bool shows(std::string_view id) const;
 
   // An entry for each plot, checked while it is shown.
   [[nodiscard]] QMenu* menu() const { return menu_; }
   [[nodiscard]] bool zoomed() const { return !zoomed_.empty(); }
-  [[nodiscard]] const std::vector<TimePlot*>& plots() const { return plots_; }
+  [[nodiscard]] const std::vector<RunPlot*>& plots() const { return plots_; }
+
+ signals:
+  // The user chose other plots: other curves are needed.
+  void layoutChanged();
+  // The reader marked another time, or looks at another part.
+  void marksChanged();
+  void pictureAsked(carom::RunPlot* plot);  // to be saved
+  void dataAsked(carom::RunPlot* plot);
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -50,22 +71,29 @@ class PlotPanel : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void add_plot(const PlotKind& kind);
+  void insert(std::size_t place, const PlotContent& content);
+  void drop(RunPlot* plot);
+  void changed();
+  void edit(RunPlot* plot);  // nullptr: a new one
   void mark_menu();
-  void connect_plot(TimePlot* plot);
-  void set_time_zoom(TimePlot* plot, const QwtInterval& range);
-  void mark_zoomed(TimePlot* plot);
+  void connect_plot(RunPlot* plot);
+  void set_time_zoom(RunPlot* plot, const QwtInterval& range);
+  void mark_zoomed(RunPlot* plot);
+  void set_mark(double time, bool second);
+  void move_mark(int by, bool second);
   void schedule();
   void refresh();
   [[nodiscard]] QwtInterval time_range() const;
 
   Theme theme_;
   QMenu* menu_;  // which plots are shown
+  std::vector<Body> bodies_;
   Recorder nothing_;
   const Recorder* recorder_ = &nothing_;
-  std::vector<TimePlot*> plots_;
-  std::vector<TimePlot*> zoomed_;         // those on which the user zoomed or moved
-  std::optional<QwtInterval> time_zoom_;  // while set, all axes stand still
+  std::vector<RunPlot*> plots_;
+  std::vector<RunPlot*> zoomed_;           // those on which the user zoomed or moved
+  std::optional<QwtInterval> time_zoom_;   // while set, all axes stand still
+  std::optional<double> mark_a_, mark_b_;  // s
   QTimer timer_;
 };
 

@@ -22,6 +22,12 @@ double round_up(double value, const std::array<double, N>& mantissas) {
   return 10.0 * power;
 }
 
+QwtText colored(const QString& text, const QColor& color) {
+  QwtText label(text);
+  label.setColor(color);
+  return label;
+}
+
 }  // namespace
 
 double nice_time_end(double newest) {
@@ -69,7 +75,27 @@ QwtScaleDiv ticks(const QwtInterval& range, int most) {
   return division;
 }
 
-QuietScaleDraw::QuietScaleDraw(QString unit) : unit_(std::move(unit)) {
+QwtInterval steady_powers(const QwtInterval& current, double low, double high) {
+  constexpr double kLeast = 1e-280;
+  if (!(high >= low) || !(high > kLeast) || !(high < 1e280)) return {0.1, 10.0};
+  const double to = std::ceil(std::log10(high) + 1e-9);
+  const double from = std::max(std::floor(std::log10(std::max(low, kLeast)) - 1e-9), to - kMostPowers);
+  const QwtInterval wanted(std::pow(10.0, std::min(from, to - 1.0)), std::pow(10.0, to));
+  const bool holds =
+      current.isValid() && current.minValue() <= wanted.minValue() && current.maxValue() >= wanted.maxValue();
+  return holds && current.maxValue() / current.minValue() <= 1e3 * wanted.maxValue() / wanted.minValue()
+             ? current
+             : wanted;
+}
+
+QwtScaleDiv power_ticks(const QwtInterval& range, int most) {
+  const QwtLogScaleEngine engine;
+  QwtScaleDiv division = engine.divideScale(range.minValue(), range.maxValue(), std::max(most, 1), 0);
+  division.setInterval(range);
+  return division;
+}
+
+QuietScaleDraw::QuietScaleDraw(QString unit, bool powers) : unit_(std::move(unit)), powers_(powers) {
   enableComponent(Backbone, false);
   enableComponent(Ticks, false);
 }
@@ -85,6 +111,7 @@ QwtText QuietScaleDraw::label(double value) const {
   if (std::abs(value) < 1e-6 * step) value = 0.0;
   const double magnitude =
       std::max(std::abs(scaleDiv().interval().minValue()), std::abs(scaleDiv().interval().maxValue()));
+  if (powers_) return colored(short_figure(value, 3), color_);
   const int step_digit = static_cast<int>(std::floor(std::log10(step) + 1e-9));
   QString text;
   if (magnitude < 1e5 && magnitude >= 1e-3) {
@@ -97,9 +124,7 @@ QwtText QuietScaleDraw::label(double value) const {
   }
   text.replace('-', kMinus);
   if (!unit_.isEmpty() && !major.isEmpty() && value == major.back()) text += " " + unit_;
-  QwtText label(text);
-  label.setColor(color_);
-  return label;
+  return colored(text, color_);
 }
 
 }  // namespace carom

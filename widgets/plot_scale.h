@@ -31,15 +31,23 @@ inline constexpr double kLeastSpread = 1e-6;
 // Ticks at round values, at most `most`.
 [[nodiscard]] QwtScaleDiv ticks(const QwtInterval& range, int most);
 
-// Labels only, with no more digits than the distance of the ticks needs; the last one is followed by `unit`.
+// The same for magnitudes on a logarithmic axis: whole powers of ten, at most kMostPowers of them below the
+// largest value.
+inline constexpr int kMostPowers = 18;
+[[nodiscard]] QwtInterval steady_powers(const QwtInterval& current, double low, double high);
+[[nodiscard]] QwtScaleDiv power_ticks(const QwtInterval& range, int most);
+
+// Labels only, with no more digits than the distance of the ticks needs, or of powers of ten; the last one is
+// followed by `unit`.
 class QuietScaleDraw : public QwtScaleDraw {
  public:
-  explicit QuietScaleDraw(QString unit = {});
+  explicit QuietScaleDraw(QString unit = {}, bool powers = false);
   void set_color(const QColor& color);
   [[nodiscard]] QwtText label(double value) const override;
 
  private:
   QString unit_;
+  bool powers_;
   QColor color_;
 };
 

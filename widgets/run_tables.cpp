@@ -95,13 +95,14 @@ class ImpactsModel : public FigureModel {
   using FigureModel::FigureModel;
 
   void set(const Frame& frame, const Recorder& recorder) {
-    const std::vector<ImpactRecord>& all = recorder.impacts();
+    const Ring<ImpactRecord>& all = recorder.impacts();
     const std::size_t count = std::min<std::size_t>(all.size(), ImpactsTable::kMostRows);
     if (frame.run == run_ && frame.impact_count == impact_count_ && count == impacts_.size()) return;
     run_ = frame.run;
     impact_count_ = frame.impact_count;
     bodies_ = frame.bodies;
-    impacts_.assign(all.rbegin(), all.rbegin() + static_cast<std::ptrdiff_t>(count));
+    impacts_.clear();
+    for (std::size_t i = 0; i < count; ++i) impacts_.push_back(all[all.size() - 1 - i]);
     rows_changed(static_cast<int>(count));
   }
 

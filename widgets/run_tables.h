@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "physics/measure/recorder.h"
-#include "physics/world/frame.h"
+#include "physics/experiment/frame.h"
+#include "physics/experiment/recorder.h"
 #include "widgets/figure_table.h"
 
 namespace carom {

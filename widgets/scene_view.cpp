@@ -14,6 +14,8 @@
 
 #include "widgets/drawing_forces.h"
 #include "widgets/gl_canvas.h"
+#include "widgets/paint_drawing.h"
+#include "widgets/picture_file.h"
 
 namespace carom {
 namespace {
@@ -143,6 +145,17 @@ void SceneView::refresh() {
                                    picture_.theme, arrow_scale(peaks_, home_side_)},
                                   std::move(picture_.drawing));
   canvas_->update();
+}
+
+bool SceneView::save(const QString& path, QString* error) const {
+  static const Frame empty;
+  const Theme& theme = light_theme();
+  const Drawing drawing = make_drawing(
+      {frame_ ? *frame_ : empty, impacts_, picture_.camera, options_, theme, arrow_scale(peaks_, home_side_)});
+  constexpr int kDots = 2;
+  return save_picture(
+      path, picture_.camera.viewport.toSize(),
+      [&](QPainter& painter) { paint_drawing(painter, drawing, picture_.camera, theme); }, error, kDots);
 }
 
 int SceneView::body_at(const QPointF& position) const {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "physics/world/frame.h"
+#include "physics/experiment/frame.h"
 #include "widgets/drawing.h"
 #include "widgets/qpainter_canvas.h"
 
@@ -29,6 +29,8 @@ class SceneView : public QWidget {
   void set_view(const std::optional<View>& view);
   // All bodies with a margin; again at each new size and run until the user zooms or pans.
   void fit();
+  // What is shown, on white; see save_picture().
+  [[nodiscard]] bool save(const QString& path, QString* error) const;
   void zoom_in();
   void zoom_out();
 

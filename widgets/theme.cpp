@@ -65,10 +65,14 @@ QLabel#title { font-weight: bold; }
 QLabel#caption { color: %5; font-size: 11px; }
 QLabel#muted { color: %5; }
 QLabel#chip { background: %2; border: 1px solid %3; border-radius: 11px; padding: 3px 9px; font-size: 11px; }
-QLineEdit, QDoubleSpinBox, QComboBox { background: %1; border: 1px solid %3; border-radius: 6px; padding: 5px 8px;
+QLineEdit, QDoubleSpinBox { background: %1; border: 1px solid %3; border-radius: 6px; padding: 5px 8px;
   selection-background-color: %6; selection-color: %2; }
-QLineEdit:focus, QDoubleSpinBox:focus, QComboBox:focus { border-color: %6; }
+QLineEdit:focus, QDoubleSpinBox:focus { border-color: %6; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
+QComboBox { min-height: 26px; }
+QRadioButton:disabled { color: %5; }
+QGroupBox { border: 1px solid %3; border-radius: 8px; margin-top: 9px; padding: 10px 8px 6px 8px; }
+QGroupBox::title { subcontrol-origin: margin; left: 10px; padding: 0 4px; color: %5; }
 QPushButton { background: %2; border: 1px solid %3; border-radius: 6px; padding: 5px 14px; }
 QPushButton:hover, QPushButton:focus { border-color: %6; }
 QPushButton:default { background: %6; color: %2; border-color: %6; }

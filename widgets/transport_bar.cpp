@@ -32,8 +32,10 @@ void Timeline::update_from(const Frame& frame, const Recorder& recorder) {
   time_ = frame.time;
   ticks_.clear();
   const double least = end() / std::max(1, width() / 2);
-  for (const ImpactRecord& impact : recorder.impacts()) {
-    if (ticks_.empty() || impact.time - ticks_.back() >= least) ticks_.push_back(impact.time);
+  std::vector<SeriesPoint<1>> impacts;
+  recorder.impulses().read(0.0, time_, impacts);
+  for (const SeriesPoint<1>& impact : impacts) {
+    if (ticks_.empty() || impact.at - ticks_.back() >= least) ticks_.push_back(impact.at);
   }
   update();
 }

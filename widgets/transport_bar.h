@@ -3,8 +3,8 @@
 #include <QFrame>
 #include <vector>
 
-#include "physics/measure/recorder.h"
-#include "physics/world/frame.h"
+#include "physics/experiment/frame.h"
+#include "physics/experiment/recorder.h"
 #include "widgets/theme.h"
 
 class QLabel;

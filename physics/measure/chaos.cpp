@@ -7,6 +7,7 @@
 #include <random>
 
 #include "physics/measure/parallel.h"
+#include "physics/measure/stopped.h"
 
 namespace carom {
 namespace {
@@ -71,7 +72,8 @@ double Chaos::growth_at(double t) const {
   return std::exp(std::lerp(std::log(growth[k - 1]), std::log(growth[k]), share));
 }
 
-Chaos follow_neighbours(const Scene& scene, const Method& method, double until, int threads) {
+Chaos follow_neighbours(const Scene& scene, const Method& method, double until, int threads,
+                        const std::stop_token& stop) {
   Scene plain = scene;
   plain.method = method;
   plain.bodies = all_bodies(scene);
@@ -113,6 +115,7 @@ Chaos follow_neighbours(const Scene& scene, const Method& method, double until, 
       if (k > 0 && !near[static_cast<std::size_t>(k - 1)]) return;
       Simulation& s = runs[static_cast<std::size_t>(k)];
       s.advance_to(time, [&] {
+        throw_if_stopped(stop);
         if (k > 0) return;
         for (const ImpactRecord& i : s.last_impacts()) c.impacts.push_back({i.time, i.a, i.b});
         c.largest_kinetic = std::fmax(c.largest_kinetic, s.totals().kinetic());

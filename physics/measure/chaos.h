@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <stop_token>
 #include <vector>
 
 #include "physics/measure/recorded_run.h"
@@ -42,7 +43,9 @@ struct Chaos {
 // Part of a body's radius: a difference that begins to show.
 inline constexpr double kVisible = 1e-3;
 
-// Runs the scene and its neighbours under `method` up to `until`, or until rounding would be visible.
-[[nodiscard]] Chaos follow_neighbours(const Scene& scene, const Method& method, double until, int threads);
+// Runs the scene and its neighbours under `method` up to `until`, or until rounding would be visible. Throws
+// Stopped at the next step when `stop` asks for it, as do make_reference() and record_run().
+[[nodiscard]] Chaos follow_neighbours(const Scene& scene, const Method& method, double until, int threads,
+                                      const std::stop_token& stop = {});
 
 }  // namespace carom

@@ -11,19 +11,20 @@ void ImpactTally::watch(int a, int b) {
 }
 
 void ImpactTally::add(const Simulation& simulation) {
-  const MassProperties& mass = simulation.mass();
-  happened_ = simulation.impact_count();
-  for (const ImpactRecord& i : simulation.last_impacts()) {
-    ++counted_;
-    for (Pair& p : pairs_) {
-      if (std::min(i.a, i.b) == p.a && std::max(i.a, i.b) == p.b) ++p.count;
-    }
-    if (mass.inverse_mass[i.a] > 0.0 && mass.inverse_mass[i.b] > 0.0) {
-      ++mutual_;
-    } else {
-      ++walls_;
-      wall_impulse_ += i.normal_impulse;
-    }
+  for (const ImpactRecord& impact : simulation.last_impacts()) add(impact, simulation.mass());
+  happened(simulation.impact_count());
+}
+
+void ImpactTally::add(const ImpactRecord& impact, const MassProperties& mass) {
+  ++counted_;
+  for (Pair& p : pairs_) {
+    if (std::min(impact.a, impact.b) == p.a && std::max(impact.a, impact.b) == p.b) ++p.count;
+  }
+  if (mass.inverse_mass[impact.a] > 0.0 && mass.inverse_mass[impact.b] > 0.0) {
+    ++mutual_;
+  } else {
+    ++walls_;
+    wall_impulse_ += impact.normal_impulse;
   }
 }
 

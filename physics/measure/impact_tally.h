@@ -15,6 +15,9 @@ class ImpactTally {
   // Counts the impacts of this pair of bodies from now on.
   void watch(int a, int b);
   void add(const Simulation& simulation);
+  // The same piece by piece: one impact, and then how many there were so far.
+  void add(const ImpactRecord& impact, const MassProperties& mass);
+  void happened(std::int64_t impacts) { happened_ = impacts; }
 
   [[nodiscard]] double between(int a, int b) const;  // of a watched pair; else 0
   // With fixed and driven bodies, and of two free ones.
@@ -29,7 +32,7 @@ class ImpactTally {
     std::int64_t count;
   };
   [[nodiscard]] double known(double value) const {
-    return counted_ == happened_ ? value : std::numeric_limits<double>::quiet_NaN();
+    return counted_ >= happened_ ? value : std::numeric_limits<double>::quiet_NaN();
   }
 
   std::vector<Pair> pairs_;

@@ -7,6 +7,7 @@
 
 #include "physics/measure/impact_tally.h"
 #include "physics/measure/observables.h"
+#include "physics/measure/stopped.h"
 #include "physics/scene/validate.h"
 #include "physics/world/simulation.h"
 
@@ -37,13 +38,7 @@ struct Run {
   void advance_to(double time) {
     simulation.advance_to(time, [this] { tally.add(simulation); });
   }
-  template <class Look>
-  void read(const Look& look) const {
-    const Totals totals = simulation.totals();
-    const Ledger ledger = simulation.ledger();
-    look(Reading{simulation.state(), totals, ledger, tally, simulation.time(), simulation.impact_count(),
-                 simulation.mass(), simulation.shapes(), simulation.contact_forces()});
-  }
+  [[nodiscard]] Reading reading() const { return reading_of(simulation, tally); }
 
   Simulation simulation;
   ImpactTally tally;
@@ -135,9 +130,10 @@ class Measuring {
     copied_ = std::any_of(all_.begin(), all_.end(), [](const Measurement& m) { return m.at_an_impact(); });
   }
 
-  std::vector<double> values() {
+  std::vector<double> values(const std::stop_token& stop) {
     look();
     for (std::int64_t steps = 0; !done(); ++steps) {
+      throw_if_stopped(stop);
       if (copied_ && steps % kStepsBetweenCopies == 0) copy_ = std::make_unique<Run>(run_);
       read_moments_within_the_step();
       if (done()) break;
@@ -158,7 +154,7 @@ class Measuring {
   }
 
   static void read(const Run& at, Measurement& m) {
-    at.read([&](const Reading& r) { m.value = m.observable->value(r, m.bodies); });
+    m.value = m.observable->value(at.reading(), m.bodies);
     m.done = true;
   }
 
@@ -178,15 +174,14 @@ class Measuring {
       m.done = reached;
     }
     if (looking.empty()) return;
-    run_.read([&](const Reading& r) {
-      for (Measurement* m : looking) {
-        if (m->at_a_moment()) {
-          m->value = m->observable->value(r, m->bodies);
-        } else {
-          m->take(r);
-        }
+    const Reading r = run_.reading();
+    for (Measurement* m : looking) {
+      if (m->at_a_moment()) {
+        m->value = m->observable->value(r, m->bodies);
+      } else {
+        m->take(r);
       }
-    });
+    }
   }
 
   // Moments between two steps are reached by a copy, so that the run itself keeps its steps.
@@ -234,8 +229,9 @@ class Measuring {
 
 }  // namespace
 
-std::vector<double> measure_run(const Scene& scene, const std::vector<Expectation>& expectations) {
-  return Measuring(scene, expectations).values();
+std::vector<double> measure_run(const Scene& scene, const std::vector<Expectation>& expectations,
+                                const std::stop_token& stop) {
+  return Measuring(scene, expectations).values(stop);
 }
 
 }  // namespace carom

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace carom {
 // physics/preset/check.h). Each looks at the run up to its own end (`until`, else the scene's duration).
 // Maximum, minimum, mean, count and fit go over the ends of the steps between `from` and there, the start
 // included; the other reductions read the moment itself, also between two steps, and don't disturb the run.
-// Throws SceneError if a body is not there.
-[[nodiscard]] std::vector<double> measure_run(const Scene& scene, const std::vector<Expectation>& expectations);
+// Throws SceneError if a body is not there, and Stopped at the next step when `stop` asks for it.
+[[nodiscard]] std::vector<double> measure_run(const Scene& scene, const std::vector<Expectation>& expectations,
+                                              const std::stop_token& stop = {});
 
 }  // namespace carom

@@ -4,6 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include "physics/collision/approach.h"
+#include "physics/collision/broad_phase.h"
 
 namespace carom {
 namespace {
@@ -54,71 +58,163 @@ double between(const Reading& r, Ids pair, const Value& value) {
   return sum;
 }
 
+// The largest depth by which two bodies overlap, m; 0 if none do. Joined bodies and those of one group don't
+// count.
+double largest_overlap(const Reading& r) {
+  std::vector<Bounds> bounds;
+  for (int i = 0; i < r.state.size(); ++i) bounds.push_back(bounds_at(r, i));
+  BroadPhase broad_phase;
+  double most = 0.0;
+  for (const auto& [a, b] : broad_phase.pairs(bounds, r.shapes.fixed)) {
+    if (!r.shapes.can_meet(a, b)) continue;
+    const Approach at = approach_of(r.shapes, a, r.state.q.col(a), {}, b, r.state.q.col(b), {}, 0.0);
+    most = std::max(most, -at.contact.gap);
+  }
+  return most;
+}
+
+// Of a pair's contacts that last: the normal force pushes the two apart; the tangential one acts
+// on the body that comes later in the scene, along the normal towards it turned by +90°. Both are sums over all
+// points, means over the last step.
+double normal_force(const Reading& r, Ids pair) {
+  return between(r, pair, [](const ContactForce& f) { return f.normal_force; });
+}
+double tangential_force(const Reading& r, Ids pair) {
+  return between(r, pair, [](const ContactForce& f) { return f.tangential_force; });
+}
+
+Vec2 body_momentum(const Reading& r, int i) {
+  return r.mass.inverse_mass[i] > 0.0 ? Vec2(r.mass.mass[i] * r.state.velocity(i)) : Vec2(0.0, 0.0);
+}
+
+double angle_between(const Reading& r, Ids b) {
+  const Vec2 u = r.state.velocity(b[0]);
+  const Vec2 v = r.state.velocity(b[1]);
+  return std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v)));
+}
+
+double distance(const Reading& r, Ids b) { return (r.state.position(b[1]) - r.state.position(b[0])).norm(); }
+
+double lost_in_flight(const Ledger& l) {
+  return l.lost_to_drag + l.lost_to_dampers + l.lost_to_rolling + l.lost_to_links;
+}
+
+using R = const Reading&;
+
 constexpr auto kObservables = std::to_array<Observable>({
-    {"x", "m", 1, [](const Reading& r, Ids b) { return r.state.q(0, b[0]); }},
-    {"y", "m", 1, [](const Reading& r, Ids b) { return r.state.q(1, b[0]); }},
-    {"angle", "rad", 1, [](const Reading& r, Ids b) { return r.state.q(2, b[0]); }},
-    {"velocity_x", "m/s", 1, [](const Reading& r, Ids b) { return r.state.v(0, b[0]); }},
-    {"velocity_y", "m/s", 1, [](const Reading& r, Ids b) { return r.state.v(1, b[0]); }},
-    {"speed", "m/s", 1, [](const Reading& r, Ids b) { return r.state.velocity(b[0]).norm(); }},
-    {"direction", "rad", 1,
-     [](const Reading& r, Ids b) { return std::atan2(r.state.v(1, b[0]), r.state.v(0, b[0])); }},
-    {"spin", "rad/s", 1, [](const Reading& r, Ids b) { return r.state.v(2, b[0]); }},
-    {"body_kinetic_energy", "J", 1, [](const Reading& r, Ids b) { return body_kinetic_energy(r, b[0]); }},
-    {"angle_between", "rad", 2,
-     [](const Reading& r, Ids b) {
-       const Vec2 u = r.state.velocity(b[0]);
-       const Vec2 v = r.state.velocity(b[1]);
-       return std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v)));
-     }},
-    {"distance", "m", 2,
-     [](const Reading& r, Ids b) { return (r.state.position(b[1]) - r.state.position(b[0])).norm(); }},
-    {"impacts_between", "1", 2, [](const Reading& r, Ids b) { return r.tally.between(b[0], b[1]); }},
-    {"contact_force", "N", 2,
-     [](const Reading& r, Ids b) {
-       return between(r, b, [](const ContactForce& f) { return f.normal_force; });
-     }},
-    {"friction_force", "N", 2,
-     [](const Reading& r, Ids b) {
-       return between(r, b, [](const ContactForce& f) { return f.tangential_force; });
-     }},
-    {"kinetic_energy", "J", 0, [](const Reading& r, Ids) { return r.totals.kinetic(); }},
-    {"rotational_energy", "J", 0, [](const Reading& r, Ids) { return r.totals.rotational; }},
-    {"potential_energy", "J", 0, [](const Reading& r, Ids) { return r.totals.potential; }},
-    {"total_energy", "J", 0, [](const Reading& r, Ids) { return r.totals.energy(); }},
-    {"momentum_x", "N s", 0, [](const Reading& r, Ids) { return r.totals.momentum.x(); }},
-    {"momentum_y", "N s", 0, [](const Reading& r, Ids) { return r.totals.momentum.y(); }},
-    {"momentum", "N s", 0, [](const Reading& r, Ids) { return r.totals.momentum.norm(); }},
-    {"angular_momentum", "kg m²/s", 0, [](const Reading& r, Ids) { return r.totals.angular_momentum; }},
-    {"time", "s", 0, [](const Reading& r, Ids) { return r.time; }},
-    {"impacts", "1", 0, [](const Reading& r, Ids) { return static_cast<double>(r.impacts); }},
-    {"wall_impacts", "1", 0, [](const Reading& r, Ids) { return r.tally.with_walls(); }},
-    {"mutual_impacts", "1", 0, [](const Reading& r, Ids) { return r.tally.mutual(); }},
-    {"wall_impulse", "N s", 0, [](const Reading& r, Ids) { return r.tally.wall_impulse(); }},
-    {"lost_to_restitution", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_restitution; }},
-    {"lost_to_friction", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_friction; }},
-    {"lost_to_rolling", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_rolling; }},
-    {"lost_to_sticking", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_sticking; }},
-    {"lost_to_drag", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_drag; }},
-    {"lost_to_dampers", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_dampers; }},
-    {"lost_to_links", "J", 0, [](const Reading& r, Ids) { return r.ledger.lost_to_links; }},
-    {"put_in_by_drives", "J", 0, [](const Reading& r, Ids) { return r.ledger.put_in_by_drives; }},
-    {"numerical_drift", "J", 0,
-     [](const Reading& r, Ids) { return r.ledger.numerical_drift(r.totals.energy()); }},
-    {"rms_spin", "rad/s", 0, [](const Reading& r, Ids) { return rms_spin(r); }},
-    {"fastest", "m/s", 0,
-     [](const Reading& r, Ids) { return largest(r, [&](int i) { return r.state.velocity(i).norm(); }); }},
-    {"lowest_y", "m", 0,
-     [](const Reading& r, Ids) { return -largest(r, [&](int i) { return -bounds_at(r, i).low.y(); }); }},
-    {"highest_y", "m", 0,
-     [](const Reading& r, Ids) { return largest(r, [&](int i) { return bounds_at(r, i).high.y(); }); }},
-    {"leftmost_x", "m", 0,
-     [](const Reading& r, Ids) { return -largest(r, [&](int i) { return -bounds_at(r, i).low.x(); }); }},
-    {"rightmost_x", "m", 0,
-     [](const Reading& r, Ids) { return largest(r, [&](int i) { return bounds_at(r, i).high.x(); }); }},
+    {"x", "x", "m", 1, Topic::kBody, [](R r, Ids b) { return r.state.q(0, b[0]); }},
+    {"y", "y", "m", 1, Topic::kBody, [](R r, Ids b) { return r.state.q(1, b[0]); }},
+    {"angle", "angle", "rad", 1, Topic::kBody, [](R r, Ids b) { return r.state.q(2, b[0]); }},
+    {"velocity_x", "velocity x", "m/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.v(0, b[0]); }},
+    {"velocity_y", "velocity y", "m/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.v(1, b[0]); }},
+    {"speed", "speed", "m/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.velocity(b[0]).norm(); }},
+    {"direction", "direction of motion", "rad", 1, Topic::kBody,
+     [](R r, Ids b) { return std::atan2(r.state.v(1, b[0]), r.state.v(0, b[0])); }},
+    {"spin", "spin", "rad/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.v(2, b[0]); }},
+    {"body_kinetic_energy", "kinetic energy", "J", 1, Topic::kBody,
+     [](R r, Ids b) { return body_kinetic_energy(r, b[0]); }},
+    {"body_momentum_x", "momentum x", "N s", 1, Topic::kBody,
+     [](R r, Ids b) { return body_momentum(r, b[0]).x(); }},
+    {"body_momentum_y", "momentum y", "N s", 1, Topic::kBody,
+     [](R r, Ids b) { return body_momentum(r, b[0]).y(); }},
+    {"body_momentum", "momentum", "N s", 1, Topic::kBody,
+     [](R r, Ids b) { return body_momentum(r, b[0]).norm(); }},
+    {"angle_between", "angle between the velocities", "rad", 2, Topic::kPair,
+     [](R r, Ids b) { return angle_between(r, b); }},
+    {"distance", "distance of the centres", "m", 2, Topic::kPair, [](R r, Ids b) { return distance(r, b); }},
+    {"impacts_between", "impacts so far", "1", 2, Topic::kPair,
+     [](R r, Ids b) { return r.tally.between(b[0], b[1]); }},
+    {"contact_force", "normal contact force", "N", 2, Topic::kPair,
+     [](R r, Ids b) { return normal_force(r, b); }},
+    {"friction_force", "tangential contact force", "N", 2, Topic::kPair,
+     [](R r, Ids b) { return tangential_force(r, b); }},
+    {"kinetic_energy", "kinetic energy", "J", 0, Topic::kEnergy, [](R r, Ids) { return r.totals.kinetic(); }},
+    {"rotational_energy", "energy of rotation", "J", 0, Topic::kEnergy,
+     [](R r, Ids) { return r.totals.rotational; }},
+    {"potential_energy", "potential energy", "J", 0, Topic::kEnergy,
+     [](R r, Ids) { return r.totals.potential; }},
+    {"total_energy", "total energy", "J", 0, Topic::kEnergy, [](R r, Ids) { return r.totals.energy(); }},
+    {"momentum_x", "momentum x", "N s", 0, Topic::kMomentum, [](R r, Ids) { return r.totals.momentum.x(); }},
+    {"momentum_y", "momentum y", "N s", 0, Topic::kMomentum, [](R r, Ids) { return r.totals.momentum.y(); }},
+    {"momentum", "momentum", "N s", 0, Topic::kMomentum, [](R r, Ids) { return r.totals.momentum.norm(); }},
+    {"angular_momentum", "angular momentum", "kg m²/s", 0, Topic::kMomentum,
+     [](R r, Ids) { return r.totals.angular_momentum; }},
+    {"momentum_to_walls_x", "momentum to walls x", "N s", 0, Topic::kMomentum,
+     [](R r, Ids) { return r.ledger.momentum_to_walls.x(); }},
+    {"momentum_to_walls_y", "momentum to walls y", "N s", 0, Topic::kMomentum,
+     [](R r, Ids) { return r.ledger.momentum_to_walls.y(); }},
+    {"momentum_drift_x", "momentum drift x", "N s", 0, Topic::kMomentum,
+     [](R r, Ids) { return r.momentum_drift.x(); }},
+    {"momentum_drift_y", "momentum drift y", "N s", 0, Topic::kMomentum,
+     [](R r, Ids) { return r.momentum_drift.y(); }},
+    {"lost_to_restitution", "lost to restitution", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_restitution; }},
+    {"lost_to_friction", "lost to friction", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_friction; }},
+    {"lost_to_rolling", "lost to rolling resistance", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_rolling; }},
+    {"lost_to_sticking", "lost to sticking", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_sticking; }},
+    {"lost_to_drag", "lost to drag", "J", 0, Topic::kLedger, [](R r, Ids) { return r.ledger.lost_to_drag; }},
+    {"lost_to_dampers", "lost to dampers", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_dampers; }},
+    {"lost_to_links", "lost to strings that jerk", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_links; }},
+    {"lost_in_impacts", "lost in impacts but to friction", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_restitution + r.ledger.lost_to_sticking; }},
+    {"lost_in_flight", "lost between impacts", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return lost_in_flight(r.ledger); }},
+    {"put_in_by_drives", "put in by drives and forces", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.put_in_by_drives; }},
+    {"put_in_by_user", "put in by the user", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.put_in_by_user; }},
+    {"overlap_correction", "put in by pushing overlaps apart", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.overlap_correction; }},
+    {"put_in", "put in, all together", "J", 0, Topic::kLedger,
+     [](R r,
+        Ids) { return r.ledger.put_in_by_drives + r.ledger.put_in_by_user + r.ledger.overlap_correction; }},
+    {"numerical_drift", "numerical drift", "J", 0, Topic::kLedger, [](R r, Ids) { return r.energy_drift; }},
+    {"rms_spin", "root mean square spin", "rad/s", 0, Topic::kCrowd, [](R r, Ids) { return rms_spin(r); }},
+    {"fastest", "largest speed", "m/s", 0, Topic::kCrowd,
+     [](R r, Ids) { return largest(r, [&](int i) { return r.state.velocity(i).norm(); }); }},
+    {"lowest_y", "lowest point", "m", 0, Topic::kCrowd,
+     [](R r, Ids) { return -largest(r, [&](int i) { return -bounds_at(r, i).low.y(); }); }},
+    {"highest_y", "highest point", "m", 0, Topic::kCrowd,
+     [](R r, Ids) { return largest(r, [&](int i) { return bounds_at(r, i).high.y(); }); }},
+    {"leftmost_x", "leftmost point", "m", 0, Topic::kCrowd,
+     [](R r, Ids) { return -largest(r, [&](int i) { return -bounds_at(r, i).low.x(); }); }},
+    {"rightmost_x", "rightmost point", "m", 0, Topic::kCrowd,
+     [](R r, Ids) { return largest(r, [&](int i) { return bounds_at(r, i).high.x(); }); }},
+    {"overlap", "largest overlap", "m", 0, Topic::kCrowd, [](R r, Ids) { return largest_overlap(r); }},
+    {"contacts", "contact points that hold", "1", 0, Topic::kCrowd,
+     [](R r, Ids) { return static_cast<double>(r.contacts.size()); }},
+    {"time", "time", "s", 0, Topic::kRun, [](R r, Ids) { return r.time; }},
+    {"impacts", "impacts so far", "1", 0, Topic::kRun, [](R r, Ids) { return static_cast<double>(r.impacts); }},
+    {"wall_impacts", "impacts with walls so far", "1", 0, Topic::kRun,
+     [](R r, Ids) { return r.tally.with_walls(); }},
+    {"mutual_impacts", "impacts between free bodies so far", "1", 0, Topic::kRun,
+     [](R r, Ids) { return r.tally.mutual(); }},
+    {"wall_impulse", "normal impulses on walls so far", "N s", 0, Topic::kRun,
+     [](R r, Ids) { return r.tally.wall_impulse(); }},
 });
 
 }  // namespace
+
+Reading reading_of(const Simulation& simulation, const ImpactTally& tally) {
+  const Totals totals = simulation.totals();
+  const Ledger ledger = simulation.ledger();
+  return {simulation.state(),
+          tally,
+          simulation.time(),
+          simulation.impact_count(),
+          totals,
+          ledger,
+          ledger.numerical_drift(totals.energy()),
+          ledger.momentum_drift(totals.momentum),
+          simulation.mass(),
+          simulation.shapes(),
+          simulation.contact_forces()};
+}
 
 std::span<const Observable> observables() { return kObservables; }
 

@@ -3,10 +3,12 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "physics/measure/stopped.h"
+
 namespace carom {
 
 RecordedRun record_run(const Scene& scene, const Method& method, double time, double until,
-                       double blown_up_above) {
+                       double blown_up_above, const std::stop_token& stop) {
   Scene with_method = scene;
   with_method.method = method;
   Simulation s(with_method);
@@ -18,6 +20,7 @@ RecordedRun record_run(const Scene& scene, const Method& method, double time, do
   const auto advance = [&](double to) {
     const double h = method.step;
     for (double left = to - s.time(); left > 1e-9 * h; left = to - s.time()) {
+      throw_if_stopped(stop);
       s.step(left > (1.0 - 1e-9) * h ? h : left);
       if (!lasts) {
         for (const ImpactRecord& i : s.last_impacts()) run.impacts.push_back({i.time, i.a, i.b});

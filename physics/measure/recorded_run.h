@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,7 @@ struct RecordedRun {
 
 // A run whose kinetic energy passes this, or any number of it stops being finite, is ended: it has blown up.
 [[nodiscard]] RecordedRun record_run(const Scene& scene, const Method& method, double time, double until,
-                                     double blown_up_above);
+                                     double blown_up_above, const std::stop_token& stop = {});
 
 // Indices of the bodies that anything can move.
 [[nodiscard]] std::vector<int> moving_bodies(const std::vector<Body>& bodies);

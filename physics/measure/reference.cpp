@@ -46,7 +46,8 @@ double blown_up_above(const Chaos& chaos) {
                                      : std::numeric_limits<double>::max();
 }
 
-Reference make_reference(const Scene& scene, const Chaos& chaos, double time, double until) {
+Reference make_reference(const Scene& scene, const Chaos& chaos, double time, double until,
+                         const std::stop_token& stop) {
   const std::vector<Body> bodies = all_bodies(scene);
   const std::vector<int> moving = moving_bodies(bodies);
   const double limit = blown_up_above(chaos);
@@ -57,7 +58,7 @@ Reference make_reference(const Scene& scene, const Chaos& chaos, double time, do
   if (best.method.integrator == IntegratorId::kExactFlight && !lasts) {
     best.exact = true;
     best.converged = true;
-    best.run = record_run(scene, best.method, time, until, limit);
+    best.run = record_run(scene, best.method, time, until, limit, stop);
     best.position_error = kEpsilon * chaos.length * chaos.growth_at(time);
     best.velocity_error = kEpsilon * chaos.largest_speed * chaos.growth_at(time);
     best.energy_error = kEpsilon * std::max(chaos.largest_kinetic, std::abs(best.run.energy));
@@ -65,7 +66,7 @@ Reference make_reference(const Scene& scene, const Chaos& chaos, double time, do
   }
 
   Method method = best.method;
-  RecordedRun coarser = record_run(scene, method, time, until, limit);
+  RecordedRun coarser = record_run(scene, method, time, until, limit, stop);
   best.run = coarser;
   best.position_error = best.velocity_error = best.energy_error = std::numeric_limits<double>::infinity();
   constexpr double kRounding = 1e4;  // rounding errors that the steps of a run may add up to
@@ -77,7 +78,7 @@ Reference make_reference(const Scene& scene, const Chaos& chaos, double time, do
     method.step *= 0.5;
     const double work = until / method.step * static_cast<double>(moving.size());
     if (method.step < kLeastStep || (work > kMostReferenceWork && halvings > 1)) break;
-    RecordedRun run = record_run(scene, method, time, until, limit);
+    RecordedRun run = record_run(scene, method, time, until, limit, stop);
     const Comparison c = compare(coarser, run, moving, time);
     coarser = run;
     // Falling, at order 1 to the half, but for a run whose windows leave nothing to compare.
@@ -96,7 +97,8 @@ Reference make_reference(const Scene& scene, const Chaos& chaos, double time, do
   return best;
 }
 
-std::vector<StatedFigure> check_stated_figures(const Scene& scene, const Reference& reference, double until) {
+std::vector<StatedFigure> check_stated_figures(const Scene& scene, const Reference& reference, double until,
+                                               const std::stop_token& stop) {
   Scene with_method = scene;
   with_method.method = reference.method;
   std::vector<Expectation> stated;
@@ -105,7 +107,7 @@ std::vector<StatedFigure> check_stated_figures(const Scene& scene, const Referen
     if (e.reduction == Expectation::Reduction::kAt && of_this_run && e.time <= until) stated.push_back(e);
   }
   std::vector<StatedFigure> figures;
-  const std::vector<double> values = measure_run(with_method, stated);
+  const std::vector<double> values = measure_run(with_method, stated, stop);
   for (std::size_t i = 0; i < stated.size(); ++i) {
     const Expectation& e = stated[i];
     figures.push_back({std::abs(values[i] - e.value),

@@ -27,7 +27,8 @@ struct Reference {
 // next run would take more than kMostReferenceWork steps of a body; the finer run of the pair with the least
 // difference is the reference.
 inline constexpr double kMostReferenceWork = 2e7;
-[[nodiscard]] Reference make_reference(const Scene& scene, const Chaos& chaos, double time, double until);
+[[nodiscard]] Reference make_reference(const Scene& scene, const Chaos& chaos, double time, double until,
+                                       const std::stop_token& stop = {});
 
 // The kinetic energy in J beyond which a run of the scene has blown up.
 [[nodiscard]] double blown_up_above(const Chaos& chaos);
@@ -42,6 +43,6 @@ struct StatedFigure {
 // All expectations of the kind "at" of the scene itself, up to `until`, read off a run of the reference's
 // method.
 [[nodiscard]] std::vector<StatedFigure> check_stated_figures(const Scene& scene, const Reference& reference,
-                                                             double until);
+                                                             double until, const std::stop_token& stop = {});
 
 }  // namespace carom

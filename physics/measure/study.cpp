@@ -10,6 +10,7 @@
 #include "physics/measure/impact_matching.h"
 #include "physics/measure/parallel.h"
 #include "physics/measure/reference.h"
+#include "physics/measure/stopped.h"
 #include "physics/motion/integrators.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/needs.h"
@@ -131,8 +132,9 @@ std::string words_for(const std::vector<StatedFigure>& figures) {
 }
 
 void measure_accuracy(StudyRow& row, const Scene& scene, const Reference& reference, const Chaos& chaos,
-                      std::span<const int> moving, double time) {
-  const RecordedRun run = record_run(scene, row.method, time, (1.0 + kPast) * time, blown_up_above(chaos));
+                      std::span<const int> moving, double time, const std::stop_token& stop) {
+  const RecordedRun run =
+      record_run(scene, row.method, time, (1.0 + kPast) * time, blown_up_above(chaos), stop);
   const Comparison c = compare(run, reference.run, moving, time);
   row.position_error = c.position_error;
   row.velocity_error = c.velocity_error;
@@ -149,7 +151,7 @@ void measure_accuracy(StudyRow& row, const Scene& scene, const Reference& refere
 }
 
 // Seconds that one run to `time` takes. Short ones are run until they add up to what a clock can measure.
-double time_once(const Simulation& start, double time) {
+double time_once(const Simulation& start, double time, const std::stop_token& stop) {
   using Clock = std::chrono::steady_clock;
   constexpr double kMeasurable = 2e-3;  // s
   double sum = 0.0;
@@ -157,7 +159,11 @@ double time_once(const Simulation& start, double time) {
   do {
     Simulation run = start;
     const auto from = Clock::now();
-    run.advance_to(time);
+    if (stop.stop_possible()) {
+      run.advance_to(time, [&stop] { throw_if_stopped(stop); });
+    } else {
+      run.advance_to(time);
+    }
     sum += std::chrono::duration<double>(Clock::now() - from).count();
     ++runs;
   } while (sum < kMeasurable);
@@ -170,23 +176,21 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-void measure_times(std::vector<StudyRow>& rows, const Scene& scene, double time, int repeats,
-                   const StudyProgress& progress) {
+void measure_times(StudyTable& table, const Scene& scene, const StudyWatch& watch) {
+  std::vector<StudyRow>& rows = table.rows;
   std::vector<std::vector<double>> times(rows.size());
-  const int all = repeats * static_cast<int>(rows.size());
+  const int all = table.facts.repeats * static_cast<int>(rows.size());
   for (int k = 0; k < all; ++k) {
     const auto i = static_cast<std::size_t>(k) % rows.size();
     if (rows[i].status.starts_with("blew up")) continue;  // no run to the compared time
     Scene with_method = scene;
     with_method.method = rows[i].method;
-    times[i].push_back(time_once(Simulation(with_method), time));
-    if (progress) progress("times, alone", k + 1, all);
-  }
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (times[i].empty()) continue;
+    times[i].push_back(time_once(Simulation(with_method), table.facts.time, watch.stop));
     rows[i].wall_time = median(times[i]);
     rows[i].wall_least = *std::min_element(times[i].begin(), times[i].end());
     rows[i].wall_most = *std::max_element(times[i].begin(), times[i].end());
+    if (watch.row) watch.row(table.facts, rows[i]);
+    if (watch.progress) watch.progress("times, alone", k + 1, all);
   }
 }
 
@@ -278,9 +282,10 @@ double plan_time(const std::vector<TimedImpact>& impacts, double end) {
 }
 
 StudyTable run_study(const Scene& scene, const std::string& preset, const StudyOptions& options,
-                     const StudyProgress& progress) {
+                     const StudyWatch& watch) {
   const auto tell = [&](std::string_view stage, int done, int of) {
-    if (progress) progress(stage, done, of);
+    throw_if_stopped(watch.stop);
+    if (watch.progress) watch.progress(stage, done, of);
   };
   const std::vector<Method> methods = plan_methods(scene, options);
   if (options.shards > static_cast<int>(methods.size())) {
@@ -297,8 +302,8 @@ StudyTable run_study(const Scene& scene, const std::string& preset, const StudyO
   facts.duration = options.until.value_or(scene.duration);
 
   tell("neighbours", 0, 1);
-  const Chaos chaos =
-      follow_neighbours(scene, reference_method(scene), (1.0 + kPast) * facts.duration, options.threads);
+  const Chaos chaos = follow_neighbours(scene, reference_method(scene), (1.0 + kPast) * facts.duration,
+                                        options.threads, watch.stop);
   facts.time = compared_time(scene, options, chaos, facts);
   facts.length = chaos.length;
   facts.exponent = chaos.exponent;
@@ -306,12 +311,13 @@ StudyTable run_study(const Scene& scene, const std::string& preset, const StudyO
   facts.horizon = chaos.horizon;
 
   tell("reference", 0, 1);
-  const Reference reference = make_reference(scene, chaos, facts.time, (1.0 + kPast) * facts.time);
+  const Reference reference = make_reference(scene, chaos, facts.time, (1.0 + kPast) * facts.time, watch.stop);
   facts.reference = words_for(reference, chaos);
   facts.reference_position_error = reference.position_error;
   facts.reference_velocity_error = reference.velocity_error;
   facts.reference_energy_error = reference.energy_error;
-  facts.stated = words_for(check_stated_figures(scene, reference, std::min(facts.duration, chaos.horizon)));
+  facts.stated =
+      words_for(check_stated_figures(scene, reference, std::min(facts.duration, chaos.horizon), watch.stop));
 
   for (int i = 0; i < facts.planned; ++i) {
     if (i % options.shards != options.shard - 1) continue;
@@ -332,12 +338,14 @@ StudyTable run_study(const Scene& scene, const std::string& preset, const StudyO
   const int all = static_cast<int>(order.size());
   tell("accuracy", 0, all);
   parallel_for(all, options.threads, [&](int k) {
-    measure_accuracy(table.rows[order[static_cast<std::size_t>(k)]], scene, reference, chaos, moving,
-                     facts.time);
+    throw_if_stopped(watch.stop);
+    StudyRow& row = table.rows[order[static_cast<std::size_t>(k)]];
+    measure_accuracy(row, scene, reference, chaos, moving, facts.time, watch.stop);
     const std::lock_guard lock(mutex);
+    if (watch.row) watch.row(facts, row);
     tell("accuracy", ++done, all);
   });
-  measure_times(table.rows, scene, facts.time, options.repeats, progress);
+  measure_times(table, scene, watch);
   return table;
 }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,15 +39,23 @@ inline constexpr int kDefaultSteps = 10;
 // itself if that has at least half the room.
 [[nodiscard]] double plan_time(const std::vector<TimedImpact>& impacts, double end);
 
-// Of the stage under way, how many of its runs are done. Called from any thread, one call at a time.
-using StudyProgress = std::function<void(std::string_view stage, int done, int of)>;
+// How a study is followed while it runs. Calls come from any thread, one at a time, and may be left out.
+struct StudyWatch {
+  // Of the stage under way, how many of its runs are done.
+  std::function<void(std::string_view stage, int done, int of)> progress;
+  // A row whose accuracy is known; then again after each of its timed runs, with the times so far. What comes
+  // last for a row stands in the table.
+  std::function<void(const StudyFacts& facts, const StudyRow& row)> row;
+  // Asked at every step of every run: the study then throws Stopped, and no thread of it is left.
+  std::stop_token stop;
+};
 
 // Carries out a study or one shard of it: neighbours, reference, then the accuracy of every row on all
-// cores, then, with nothing else running in this process, their times, one run after another: the first
+// cores, then, with nothing else of the study running, their times, one run after another: the first
 // repeat of every row, the second of every row, and so on, so that a machine that changes its pace shows in
 // the spread. All but the times is the same whatever the number of threads. A row goes on past the compared
 // time by a tenth, to find the partners of late impacts; the timed runs end there.
 [[nodiscard]] StudyTable run_study(const Scene& scene, const std::string& preset, const StudyOptions& options,
-                                   const StudyProgress& progress = {});
+                                   const StudyWatch& watch = {});
 
 }  // namespace carom

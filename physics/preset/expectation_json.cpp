@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "physics/measure/observables.h"
 #include "physics/preset/names.h"
 #include "physics/preset/object_reader.h"
 #include "physics/preset/object_writer.h"
+#include "physics/preset/observable_json.h"
 
 namespace carom {
 namespace {
@@ -26,23 +26,6 @@ bool looks_over_time(Reduction reduction) {
       return true;
   }
   return false;
-}
-
-const Observable& read_observable(ObjectReader& r, Expectation& e) {
-  r.require_text("observable", e.observable);
-  const Observable* observable = find_observable(e.observable);
-  if (observable == nullptr) {
-    std::string names;
-    for (const Observable& o : observables()) names += fmt::format("{}{}", names.empty() ? "" : ", ", o.name);
-    refuse_value(r.at("observable"), "\"" + e.observable + "\"", names);
-  }
-  r.read_array("bodies",
-               [&](const Json& v, const std::string& at) { e.bodies.push_back(ObjectReader::text(v, at)); });
-  if (static_cast<int>(e.bodies.size()) != observable->bodies) {
-    refuse_value(r.at("bodies"), fmt::format("{} names", e.bodies.size()),
-                 fmt::format("{} for \"{}\"", observable->bodies, e.observable));
-  }
-  return *observable;
 }
 
 std::vector<Setting> read_settings(const Json& json, const std::string& place) {
@@ -71,7 +54,7 @@ Sweep read_sweep(const Json& json, const std::string& place) {
 Expectation read_expectation(const Json& json, const std::string& place) {
   Expectation e;
   ObjectReader r(json, place);
-  const Observable& observable = read_observable(r, e);
+  const Observable& observable = read_observable(r, e.observable, e.bodies);
   (void)r.require("reduction", quoted_names(kReductionNames));
   r.read_name("reduction", kReductionNames, e.reduction);
   if (e.reduction == Reduction::kAt) r.require_number("time", e.time, "s");

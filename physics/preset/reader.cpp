@@ -11,6 +11,7 @@
 #include "physics/preset/link_json.h"
 #include "physics/preset/names.h"
 #include "physics/preset/object_reader.h"
+#include "physics/preset/plot_json.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_json.h"
 #include "physics/preset/setting.h"
@@ -194,13 +195,7 @@ Scene scene_of(const Json& json) {
     scene.generators.push_back(read_generator(v, at));
   });
   r.read_array("links", [&](const Json& v, const std::string& at) { scene.links.push_back(read_link(v, at)); });
-  r.read_array("plots", [&](const Json& v, const std::string& at) {
-    const std::string name = ObjectReader::text(v, at);
-    if (std::find(kPlotNames.begin(), kPlotNames.end(), name) == kPlotNames.end()) {
-      refuse_value(at, quoted(v), fmt::format("\"{}\"", fmt::join(kPlotNames, "\", \"")));
-    }
-    scene.plots.push_back(name);
-  });
+  r.read_array("plots", [&](const Json& v, const std::string& at) { scene.plots.push_back(read_plot(v, at)); });
   if (const Json* v = r.find("view")) {
     View view;
     ObjectReader inner(*v, "/view");

@@ -9,6 +9,7 @@
 #include "physics/preset/link_json.h"
 #include "physics/preset/names.h"
 #include "physics/preset/object_writer.h"
+#include "physics/preset/plot_json.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_json.h"
 
@@ -154,7 +155,7 @@ Json preset_json(const Scene& scene, bool all) {
   if (Json forces = forces_json(scene.forces, all); !forces.empty()) j["forces"] = std::move(forces);
   for (const GridGenerator& g : scene.generators) j["generators"].push_back(generator_json(g));
   for (const Link& l : scene.links) j["links"].push_back(link_json(l, all));
-  if (!scene.plots.empty()) j["plots"] = scene.plots;
+  for (const Plot& plot : scene.plots) j["plots"].push_back(plot_json(plot));
   if (scene.view) j["view"] = {{"center", pair_json(scene.view->center)}, {"width", scene.view->width}};
   for (const Expectation& e : scene.expect) j["expect"].push_back(expectation_json(e));
   if (!scene.extra.empty()) j["extra"] = Json::parse(scene.extra);

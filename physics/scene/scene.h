@@ -240,6 +240,25 @@ struct View {
   double width = 0.0;          // m, > 0
 };
 
+// An observable of certain bodies, by their names.
+struct QuantityName {
+  std::string observable;           // a name of physics/measure/observables.h
+  std::vector<std::string> bodies;  // as many as the observable asks for
+
+  bool operator==(const QuantityName&) const = default;
+};
+
+// A plot to open with the scene: one of the named ones, or its own choice of quantities.
+struct Plot {
+  std::string id;                 // of physics/preset/names.h; empty: what follows says what it shows
+  std::string title;              // empty: made of what it shows
+  std::vector<QuantityName> y;    // a curve each
+  std::optional<QuantityName> x;  // what they are drawn over; none: time
+  bool logarithmic = false;       // the axis of y
+
+  bool operator==(const Plot&) const = default;
+};
+
 struct Scene {
   std::string title;
   std::string about;      // what it is, a paragraph
@@ -256,7 +275,7 @@ struct Scene {
   std::vector<GridGenerator> generators;
   std::vector<Link> links;
   std::vector<Expectation> expect;
-  std::vector<std::string> plots;  // ids of the plots to open: energy, momentum, impulse
+  std::vector<Plot> plots;  // to open with; none: the usual ones
   std::optional<View> view;
   std::string extra;  // a JSON object kept as it is; empty if there is none
 };

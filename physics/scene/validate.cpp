@@ -269,6 +269,15 @@ void check_expectation(const std::string& at, const Expectation& e, const Bodies
   if (e.over) check_sweep(at + "/over", *e.over);
 }
 
+void check_plot(const std::string& at, const Plot& plot, const Bodies& bodies) {
+  const auto check = [&](const std::string& place, const QuantityName& quantity) {
+    for (std::size_t k = 0; k < quantity.bodies.size(); ++k)
+      (void)named_body(bodies, fmt::format("{}/bodies/{}", place, k), quantity.bodies[k]);
+  };
+  for (std::size_t i = 0; i < plot.y.size(); ++i) check(fmt::format("{}/y/{}", at, i), plot.y[i]);
+  if (plot.x) check(at + "/x", *plot.x);
+}
+
 }  // namespace
 
 std::string shortened(std::string text, std::size_t most) {
@@ -320,6 +329,8 @@ void validate(const Scene& scene, const ForcePlaces& places) {
     throw SceneError("/method/integrator: " + *reason);
   for (std::size_t i = 0; i < scene.expect.size(); ++i)
     check_expectation(fmt::format("/expect/{}", i), scene.expect[i], bodies);
+  for (std::size_t i = 0; i < scene.plots.size(); ++i)
+    check_plot(fmt::format("/plots/{}", i), scene.plots[i], bodies);
   if (scene.view) {
     check_vector("/view/center", scene.view->center, "m");
     check_positive("/view/width", scene.view->width, "m");

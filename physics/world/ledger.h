@@ -1,5 +1,6 @@
 #pragma once
 
+#include "physics/motion/state.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -30,6 +31,21 @@ struct Ledger {
   Vec2 momentum_from_user = Vec2::Zero();
   Vec2 momentum_to_walls = Vec2::Zero();  // what impacts gave to fixed and driven bodies
 
+  // Adds `share` times each entry of another one.
+  void add(double share, const Ledger& other) {
+    for (double Ledger::*entry :
+         {&Ledger::initial, &Ledger::lost_to_restitution, &Ledger::lost_to_friction, &Ledger::lost_to_rolling,
+          &Ledger::lost_to_sticking, &Ledger::lost_to_drag, &Ledger::lost_to_dampers, &Ledger::lost_to_links,
+          &Ledger::overlap_correction, &Ledger::put_in_by_drives, &Ledger::put_in_by_user}) {
+      this->*entry += share * other.*entry;
+    }
+    for (Vec2 Ledger::*entry :
+         {&Ledger::initial_momentum, &Ledger::momentum_from_gravity, &Ledger::momentum_from_forces,
+          &Ledger::momentum_from_user, &Ledger::momentum_to_walls}) {
+      this->*entry += share * other.*entry;
+    }
+  }
+
   [[nodiscard]] double expected() const {
     return initial - lost_to_restitution - lost_to_friction - lost_to_rolling - lost_to_sticking -
            lost_to_drag - lost_to_dampers - lost_to_links + overlap_correction + put_in_by_drives +
@@ -42,5 +58,16 @@ struct Ledger {
   }
   [[nodiscard]] Vec2 momentum_drift(const Vec2& momentum) const { return momentum - expected_momentum(); }
 };
+
+// The entries that the bodies' own books carry.
+[[nodiscard]] inline Ledger ledger_of_books(const State& state) {
+  const Eigen::Matrix<double, kBooks, 1> sums = state.books.rowwise().sum();
+  Ledger ledger;
+  ledger.lost_to_drag = sums[kDragLoss];
+  ledger.lost_to_dampers = sums[kDamperLoss];
+  ledger.put_in_by_drives = sums[kWorkIn];
+  ledger.momentum_from_forces = Vec2(sums[kImpulseX], sums[kImpulseY]);
+  return ledger;
+}
 
 }  // namespace carom

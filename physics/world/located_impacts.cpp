@@ -226,8 +226,10 @@ void Simulation::process_until(double target, double horizon, double h, const La
       continue;
     }
     const bool capped = notices_.impacts_capped_since >= 0.0;
-    const bool at_once =
-        next.time == last_impact_ && at_once_ >= (capped ? kMostImpactsAtOnceCapped : kMostImpactsAtOnce);
+    const int most_at_once = capped                               ? kMostImpactsAtOnceCapped
+                             : has_moving_corners(next.a, next.b) ? kMostCornersAtOnce
+                                                                  : kMostImpactsAtOnce;
+    const bool at_once = next.time == last_impact_ && at_once_ >= most_at_once;
     if (at_once || impact_count_ - before >= (capped ? kMostImpactsOnceCapped : kMostImpactsPerStep)) {
       if (notices_.impacts_capped_since < 0.0) notices_.impacts_capped_since = tracks_.epoch() + next.time;
       defer(next.a, next.b, false);

@@ -28,8 +28,9 @@ std::string Notices::text() const {
             "apart, and the bodies go on together"},
       Entry{impacts_capped_since, "at t = {:.6g} s a step had more than " +
                                       std::to_string(Simulation::kMostImpactsPerStep) + " impacts, or " +
-                                      std::to_string(Simulation::kMostImpactsAtOnce) +
-                                      " at one time: the rest of them was resolved at its end"},
+                                      std::to_string(Simulation::kMostImpactsAtOnce) + " at one time (" +
+                                      std::to_string(Simulation::kMostCornersAtOnce) +
+                                      " where corners meet): the rest of them was resolved at its end"},
       Entry{log_cut_since, "from t = {:.6g} s a step has more impacts than the log keeps (" +
                                std::to_string(Simulation::kMostLogged) + "); all of them are counted"},
       Entry{tolerance_missed_since,

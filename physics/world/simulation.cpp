@@ -96,12 +96,8 @@ Notices Simulation::notices() const {
 
 Ledger Simulation::ledger() const {
   Ledger ledger = ledger_;
-  const Eigen::Matrix<double, kBooks, 1> books = state_.books.rowwise().sum();
-  ledger.lost_to_drag = books[kDragLoss];
-  ledger.lost_to_dampers += books[kDamperLoss];
+  ledger.add(1.0, ledger_of_books(state_));
   ledger.lost_to_links = tracks_.lost_to_links();
-  ledger.put_in_by_drives += books[kWorkIn];
-  ledger.momentum_from_forces = Vec2(books[kImpulseX], books[kImpulseY]);
   double mass = 0.0;
   for (int i = 0; i < state_.size(); ++i) {
     if (!immovable(i)) mass += mass_.mass[i];
@@ -121,11 +117,11 @@ void Simulation::publish(double within) {
   }
 }
 
-Totals Simulation::totals_at(double within) {
+State Simulation::state_at(double within) {
   State all;
   all.resize(state_.size());
   for (int i = 0; i < all.size(); ++i) all.set_motion(i, tracks_.at(i, std::max(within, tracks_.start(i))));
-  return carom::totals(all, mass_, field());
+  return all;
 }
 
 void Simulation::step(double h) {
@@ -180,9 +176,12 @@ void Simulation::collide(int a, int b, const Contact& contact, const Material& m
   const double closing = -relative_velocity(side_a, side_b, contact.normal).normal;
   // Semi-implicit Euler's path x + t v(t) may close again, from an overlap, while v(t) still parts the bodies.
   if (!(closing > 0.0)) return;
-  const bool watched = watch_impacts_ && jumps_.size() < kMostWatched;
+  const bool watched = watches_more();
   Jump jump;
-  if (watched) jump.before = totals_at(within);
+  if (watched) {
+    jump.before = state_at(within);
+    jump.change.add(-1.0, ledger_);
+  }
 
   Impact impact;
   if (material.sticks) {
@@ -204,8 +203,9 @@ void Simulation::collide(int a, int b, const Contact& contact, const Material& m
   book(a, b, contact, impact, closing, within);
   if (watched) {
     jump.time = std::min(tracks_.epoch() + within, step_end_);
-    jump.after = totals_at(within);
-    jumps_.push_back(jump);
+    jump.after = state_at(within);
+    jump.change.add(1.0, ledger_);
+    jumps_.push_back(std::move(jump));
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -38,11 +39,13 @@ struct ImpactRecord {
   double lost_to_sticking = 0.0;
 };
 
-// The sums of the scene before and after an impact, so that plots jump where the motion does.
+// The scene just before and after an impact, so that plots jump where the motion does, and what the impact
+// changed in the ledger.
 struct Jump {
   double time = 0.0;
-  Totals before;
-  Totals after;
+  State before;
+  State after;
+  Ledger change;
 };
 
 // What a run has to say about itself beside its numbers: each is an expected numerical outcome, never an error.
@@ -132,6 +135,9 @@ class Simulation {
   // Likewise at one time, to the last bit: an elastic disc that starts inside two bodies bounces between them
   // for ever.
   static constexpr int kMostImpactsAtOnce = 200'000;
+  // And of a pair with corners, for which a millisecond may go into looking ahead: a light one may be crushed
+  // between two for as long as friction takes what it gains.
+  static constexpr int kMostCornersAtOnce = 20'000;
   // Impacts of a step that are kept in last_impacts(), some 100 MB.
   static constexpr std::size_t kMostLogged = 1'000'000;
 
@@ -174,11 +180,13 @@ class Simulation {
   [[nodiscard]] const Method& method() const { return method_; }
   [[nodiscard]] const Needs& needs() const { return needs_; }
   [[nodiscard]] Notices notices() const;
-  [[nodiscard]] Totals totals() const { return carom::totals(state_, mass_, field()); }
+  [[nodiscard]] Totals totals() const { return totals_of(state_); }
+  [[nodiscard]] Totals totals_of(const State& state) const { return carom::totals(state, mass_, field()); }
   // With the work of the smooth forces up to now.
   [[nodiscard]] Ledger ledger() const;
   // The impacts of the last call of step(), in the order of time.
   [[nodiscard]] const std::vector<ImpactRecord>& last_impacts() const { return impacts_; }
+  // Those of the first of these, one each.
   [[nodiscard]] const std::vector<Jump>& last_jumps() const { return jumps_; }
 
   // What held bodies together in the last step; empty without contacts that last.
@@ -186,9 +194,11 @@ class Simulation {
 
   // From the next step on.
   void set_method(const Method& method);
-  // Fills last_jumps() for the first kMostWatched impacts of a step, at the cost of two sums over all bodies
-  // each.
-  static constexpr std::size_t kMostWatched = 32;
+  // Fills last_jumps() for the first impacts of a step, at the cost of all bodies' motions twice each: up to
+  // kMostWatched of a few bodies, of a crowd fewer, but kLeastWatched.
+  static constexpr std::size_t kMostWatched = 64;
+  static constexpr std::size_t kLeastWatched = 4;
+  static constexpr std::size_t kMostWatchedMotions = 8192;
   void watch_impacts(bool on) { watch_impacts_ = on; }
   // Puts in one more body now; its energy is the user's. Its name must be new and its material known.
   void add_body(const Body& body);
@@ -211,7 +221,12 @@ class Simulation {
   [[nodiscard]] Impact join(int a, int b, const Contact& contact);
   // Counts and logs an impact that has been resolved, and keeps the ledger.
   void book(int a, int b, const Contact& contact, const Impact& impact, double closing, double within);
-  [[nodiscard]] Totals totals_at(double within);
+  [[nodiscard]] State state_at(double within);
+  [[nodiscard]] bool watches_more() const {
+    const std::size_t bodies = std::max<std::size_t>(bodies_.size(), 1);
+    return watch_impacts_ &&
+           jumps_.size() < std::clamp(kMostWatchedMotions / bodies, kLeastWatched, kMostWatched);
+  }
   // One side of a contact; `towards` is +1 for its body a, -1 for b: the way that the normal points from there.
   [[nodiscard]] ImpactSide side(int body, const Contact& contact, double towards) const;
   // Of the settled bodies; gaps up to `tolerance` (m) beyond the least one count as touch.

@@ -79,9 +79,10 @@ bool Simulation::meet_all(int a, int b, double time, double horizon, bool crowd,
         -relative_velocity(side(t.a, t.contact, 1.0), side(t.b, t.contact, -1.0), t.contact.normal).normal);
   }
   std::vector<Impact> impacts(contacts.size());
-  const bool watched = watch_impacts_ && jumps_.size() < kMostWatched;
+  const bool watched = watches_more();
   Jump jump;
-  if (watched) jump.before = totals_at(time);
+  if (watched) jump.before = state_at(time);
+  Ledger booked = ledger_;
   const ClusterOutcome outcome =
       resolve_simultaneous(velocities, inverse_mass, inverse_inertia, contacts, impacts, cluster_scratch_);
   if (!outcome.solved) {
@@ -100,14 +101,17 @@ bool Simulation::meet_all(int a, int b, double time, double horizon, bool crowd,
   for (const int island : islands) {
     if (field().has_switching_springs()) ledger_.lost_to_dampers += tracks_.recheck_switches(island);
   }
-  // One jump for each entry of the log: the first one has it all.
-  if (watched) jump.after = totals_at(time);
+  // One jump for each entry of the log: the first one has all of the motion.
+  if (watched) jump.after = state_at(time);
   jump.time = std::min(tracks_.epoch() + time, step_end_);
   for (std::size_t k = 0; k < touches_.size(); ++k) {
     const Touch& t = touches_[k];
     if (!(impacts[k].normal > 0.0)) continue;
     book(t.a, t.b, t.contact, impacts[k], closing[k], time);
-    if (!watched || jumps_.size() >= kMostWatched) continue;
+    if (!watched || !watches_more()) continue;
+    jump.change = ledger_;
+    jump.change.add(-1.0, booked);
+    booked = ledger_;
     jumps_.push_back(jump);
     jump.before = jump.after;
   }

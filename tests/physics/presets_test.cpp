@@ -138,7 +138,8 @@ constexpr const char* kEveryKey = R"({
     {"type": "string", "body": "c", "anchor": [9, -18], "length": 4},
     {"type": "pin", "body": "c", "point": [0.5, 0], "anchor": [9.5, -20]},
     {"type": "weld", "body": "plank", "point": [-2, 0], "to": "ground", "anchor": [38, 50], "angle": 0}],
-  "plots": ["energy"], "view": {"center": [1, 2], "width": 3},
+  "plots": ["energy", {"title": "both", "y": [{"observable": "speed", "bodies": ["a"]}, {"observable": "time"}],
+    "x": {"observable": "kinetic_energy"}, "logarithmic": true}], "view": {"center": [1, 2], "width": 3},
   "expect": [
     {"observable": "speed", "bodies": ["a"], "reduction": "count", "above": 1.5, "from": 0.5, "until": 1.5,
      "with": {"/bodies/0/mass": 100, "/forces/4/stiffness": 9},
@@ -165,6 +166,8 @@ void expect_every_key(const Scene& s) {
   EXPECT_EQ(std::get<Wall>(s.bodies[5].shape).length, 4);
   EXPECT_EQ(std::get<Wall>(s.bodies[6].shape).length, std::nullopt);
   EXPECT_EQ(s.impact_law, ImpactLawId::kNewton);
+  const Plot both{"", "both", {{"speed", {"a"}}, {"time", {}}}, QuantityName{"kinetic_energy", {}}, true};
+  EXPECT_EQ(s.plots, (std::vector<Plot>{{"energy", "", {}, {}, false}, both}));
   ASSERT_EQ(s.pairs.size(), 1U);
   EXPECT_EQ(s.pairs[0].a, "ice");
   EXPECT_EQ(s.pairs[0].b, "m");

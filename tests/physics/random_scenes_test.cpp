@@ -84,10 +84,11 @@ class Laws {
       if (!same_time) most = 0.0;
       if (!same_time || !at_once_) missing = lost = 0.0, driven = false;
       driven = driven || run.bodies()[r.a].drive || run.bodies()[r.b].drive;
-      most = std::max(most, jumps[k].before.kinetic());
+      const double before = run.totals_of(jumps[k].before).kinetic();
+      const double after = run.totals_of(jumps[k].after).kinetic();
+      most = std::max(most, before);
       lost += r.lost_to_restitution + r.lost_to_friction;
-      missing +=
-          jumps[k].before.kinetic() - jumps[k].after.kinetic() - r.lost_to_restitution - r.lost_to_friction;
+      missing += before - after - r.lost_to_restitution - r.lost_to_friction;
       const bool last = at_once_ ? k + 1 < jumps.size() && jumps[k + 1].time != jumps[k].time : true;
       if (!last || driven) continue;
       if (!(std::abs(missing) <= 1e-12 * most + std::numeric_limits<double>::min()))  // or what underflows

@@ -63,8 +63,8 @@ TEST(SeveralImpacts, EachEntryHasItsJump) {
   while (run.impact_count() == 0) run.step();
   ASSERT_EQ(run.last_impacts().size(), 2U);
   ASSERT_EQ(run.last_jumps().size(), 2U);
-  EXPECT_NEAR(run.last_jumps()[0].before.kinetic(), 0.5, 1e-15);
-  EXPECT_NEAR(run.last_jumps()[1].after.kinetic(), 0.25, 1e-15);
+  EXPECT_NEAR(run.totals_of(run.last_jumps()[0].before).kinetic(), 0.5, 1e-15);
+  EXPECT_NEAR(run.totals_of(run.last_jumps()[1].after).kinetic(), 0.25, 1e-15);
   EXPECT_NEAR(run.ledger().lost_to_restitution, 0.25, 1e-15);
 }
 

@@ -22,16 +22,7 @@ using test::wall;
 Scene preset(const std::string& file) { return read_preset(std::string(CAROM_PRESET_DIR) + "/" + file); }
 
 double observed(const Simulation& s, std::string_view name) {
-  return find_observable(name)->value({s.state(),
-                                       s.totals(),
-                                       s.ledger(),
-                                       {},
-                                       s.time(),
-                                       s.impact_count(),
-                                       s.mass(),
-                                       s.shapes(),
-                                       s.contact_forces()},
-                                      {});
+  return find_observable(name)->value(reading_of(s, {}), {});
 }
 
 Scene gas(double restitution, double friction) {

@@ -1,13 +1,12 @@
-#include "physics/world/worker.h"
+#include "physics/experiment/worker.h"
 
 #include <algorithm>
 #include <chrono>
 #include <gtest/gtest.h>
 #include <thread>
 
-#include "physics/measure/recorder.h"
+#include "physics/experiment/recorder.h"
 #include "physics/preset/preset.h"
-#include "physics/world/thinning.h"
 #include "tests/physics/scenes.h"
 
 namespace carom {
@@ -28,6 +27,9 @@ Scene small_gas() {
   return s;
 }
 
+Curve energy() { return {{find_observable("kinetic_energy"), {}}, std::nullopt}; }
+Curve path() { return {{find_observable("y"), {4}}, Quantity{find_observable("x"), {4}}}; }
+
 // Collects frames, checks that nothing is lost or out of order, and waits for what a test asks for.
 class Watcher {
  public:
@@ -46,7 +48,7 @@ class Watcher {
     return false;
   }
 
-  std::vector<Sample> samples;
+  std::vector<double> times;  // of the rows of the first curve
   std::vector<ImpactRecord> impacts;
   Frame last;
 
@@ -54,33 +56,42 @@ class Watcher {
   void take(const Frame& frame) {
     if (frame.run != last.run) {
       EXPECT_GT(frame.run, last.run);
-      samples.clear();
+      times.clear();
       impacts.clear();
-      ASSERT_FALSE(frame.samples.empty());
-      EXPECT_EQ(frame.samples.front().time, 0.0);
+      ASSERT_FALSE(frame.rows.empty());
+      EXPECT_TRUE(frame.rows.front().from_the_start);
+      EXPECT_EQ(frame.rows.front().times.front(), 0.0);
     }
-    for (const Sample& s : frame.samples) {
-      if (!samples.empty()) {
-        EXPECT_GE(s.time, samples.back().time);
-      }
-      samples.push_back(s);
+    for (const Rows& rows : frame.rows) {
+      EXPECT_EQ(rows.values.size(), rows.size() * rows.curves->size());
+      times.insert(times.end(), rows.times.begin(), rows.times.end());
     }
+    EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+    EXPECT_EQ(times.back(), frame.time);
     impacts.insert(impacts.end(), frame.impacts.begin(), frame.impacts.end());
     EXPECT_EQ(static_cast<std::int64_t>(impacts.size()), frame.impact_count);
-    // One sample at the start, one a step, and two for each impact that is watched.
-    const auto at_impacts = static_cast<std::int64_t>(samples.size()) - 1 - frame.steps;
+    // One row at the start, one a step, one for each edit, and two for each impact that is watched.
+    const auto at_impacts = static_cast<std::int64_t>(times.size()) - 1 - frame.steps;
     EXPECT_GE(at_impacts, 2 * std::min<std::int64_t>(frame.impact_count, 1));
-    EXPECT_LE(at_impacts, 2 * frame.impact_count);
-    EXPECT_EQ(at_impacts % 2, 0);
+    EXPECT_LE(at_impacts, 2 * frame.impact_count + edits);
+    if (edits == 0) {
+      EXPECT_EQ(at_impacts % 2, 0);
+    }
     EXPECT_EQ(frame.bodies->size(), static_cast<std::size_t>(frame.state.size()));
+    EXPECT_EQ(frame.rows_known_until, frame.time);
     last = frame;
   }
+
+ public:
+  std::int64_t edits = 0;
+
+ private:
   Worker& worker_;
 };
 
 TEST(Worker, RunUntilGivesTheBytesOfAPlainRun) {
   const Scene s = small_gas();
-  Worker worker(s);
+  Worker worker(s, {energy()});
   Watcher watcher(worker);
   worker.run_until(20.0);
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return !f.playing && f.steps > 0; }));
@@ -103,28 +114,32 @@ TEST(Worker, NewsOfFramesThatNobodyTookGoOn) {
   }
 }
 
-// A window that is asleep must not fill the memory.
-TEST(Worker, FramesThatWaitAreBounded) {
+// A window that is asleep must not fill the memory: the run waits for it, and nothing is lost.
+TEST(Worker, WaitsWhereNobodyTakesItsFrames) {
   Scene s;
   s.bodies = {disc("a", {0.0, 0.0}, {1.0, 0.0})};
   s.method.step = 1e-6;
-  bool thinned = false;
-  for (auto asleep = 100ms; !thinned && !HasFailure() && asleep < 30s; asleep *= 2) {
-    Worker worker(s);
-    worker.run_until(1e6);
-    std::this_thread::sleep_for(asleep);
-    std::shared_ptr<const Frame> frame;
-    while (frame == nullptr || frame->steps == 0) frame = worker.take_frame();
-    EXPECT_LE(frame->samples.size(), kMostSamples);
-    EXPECT_EQ(frame->samples.front().time, 0.0);
-    EXPECT_EQ(frame->samples.back().time, frame->time);
-    EXPECT_EQ(frame->complete, static_cast<std::int64_t>(frame->samples.size()) == 1 + frame->steps);
-    Recorder recorder;
-    recorder.add(*frame);
-    EXPECT_EQ(recorder.complete(), frame->complete);
-    thinned = !frame->complete;
+  Worker worker(s, {energy()});
+  worker.run_until(1.0);
+  std::shared_ptr<const Frame> frame;
+  std::int64_t rows = 0;
+  std::size_t largest = 0;
+  for (bool ended = false; !ended;) {
+    std::this_thread::sleep_for(largest > Worker::kMostWaiting ? 1ms : 700ms);
+    while ((frame = worker.take_frame()) != nullptr) {
+      std::size_t waited = frame->impacts.size();
+      for (const Rows& r : frame->rows) {
+        rows += static_cast<std::int64_t>(r.size());
+        waited += r.size() + r.values.size();
+      }
+      largest = std::max(largest, waited);
+      EXPECT_EQ(rows, 1 + frame->steps);
+      ended = frame->steps > 0 && !frame->playing;
+    }
   }
-  EXPECT_TRUE(thinned);
+  EXPECT_EQ(rows, 1'000'001);
+  // The frame that passed the bound, and no more.
+  EXPECT_LT(largest, 2 * Worker::kMostWaiting);
 }
 
 TEST(Worker, PlaysPausesStepsAndRestarts) {
@@ -159,6 +174,7 @@ TEST(Worker, ChangesTheMethodAndTakesBodies) {
   worker.set_method(method);
   const Body body = disc("new", {0.0, -0.5}, {1.0, 1.0}, 0.05);
   worker.add_body(body);
+  watcher.edits = 2;
   worker.run_until(2.0);
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return !f.playing && f.steps > 0; }));
   Simulation plain(s);
@@ -168,6 +184,7 @@ TEST(Worker, ChangesTheMethodAndTakesBodies) {
   EXPECT_TRUE(test::same_bytes(watcher.last.state, plain.state()));
   EXPECT_EQ(worker.scene().method, method);
   EXPECT_EQ(worker.scene().bodies.back().name, "new");
+  watcher.edits = 0;
   worker.restart();
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return f.steps == 0; }));
   EXPECT_EQ(watcher.last.state.size(), 9);
@@ -221,42 +238,107 @@ TEST(Worker, TakesACrowdOfCommands) {
   EXPECT_EQ(watcher.last.steps, 200);
 }
 
-TEST(Recorder, IsBoundedKeepsSpikesAndSaysSo) {
+// Plays a run with edits, asks for more curves in its midst, and looks at what was recorded when it stands.
+TEST(Worker, CurvesThatAreAskedForLateComeFromTheStartOn) {
+  const std::vector<Curve> all = {
+      energy(), path(), {{find_observable("impacts_between"), {4, 5}}, std::nullopt}};
+  const Method method{IntegratorId::kVelocityVerlet, ImpactsId::kStepEnd, ContactsId::kImpulse, 0.002};
+  const Body body = disc("new", {0.0, -0.5}, {1.0, 1.0}, 0.05);
+  Recorder early;
+  Recorder late;
+  const auto run = [&](Recorder& recorder, bool at_once) {
+    Worker worker(small_gas(), at_once ? all : std::vector<Curve>{energy()});
+    const auto wait = [&] {
+      const auto end = std::chrono::steady_clock::now() + 20s;
+      while (std::chrono::steady_clock::now() < end) {
+        const auto frame = worker.take_frame();
+        if (frame != nullptr) recorder.add(*frame);
+        if (frame != nullptr && !frame->playing && frame->steps > 0 && frame->rows_known_until == frame->time)
+          return;
+        std::this_thread::sleep_for(1ms);
+      }
+      ADD_FAILURE() << "it did not end";
+    };
+    worker.run_until(3.0);
+    wait();
+    worker.add_body(body);
+    worker.set_method(method);
+    worker.run_until(5.0);
+    if (!at_once) worker.record(all);
+    wait();
+    worker.run_until(6.0);
+    wait();
+  };
+  run(early, true);
+  run(late, false);
+  for (const Curve& curve : {all[0], all[2]}) {
+    ASSERT_NE(late.series(curve), nullptr);
+    std::vector<SeriesPoint<1>> expected;
+    std::vector<SeriesPoint<1>> got;
+    early.series(curve)->read(0.0, 10.0, expected);
+    late.series(curve)->read(0.0, 10.0, got);
+    EXPECT_EQ(got.size(), expected.size());
+    EXPECT_TRUE(got == expected);
+    EXPECT_GT(got.size(), 600U + 1500U);
+  }
+  std::vector<SeriesPoint<2>> expected;
+  std::vector<SeriesPoint<2>> got;
+  early.path(path())->read(0.0, 10.0, expected);
+  late.path(path())->read(0.0, 10.0, got);
+  EXPECT_TRUE(got == expected);
+  EXPECT_EQ(late.impacts().size(), early.impacts().size());
+}
+
+// A curve that went away and comes back is whole; what is no longer wanted is forgotten.
+TEST(Worker, CurvesComeAndGo) {
+  Worker worker(small_gas(), {energy()});
+  Recorder recorder;
+  const auto run_to = [&](double time) {
+    worker.run_until(time);
+    while (recorder.time() < time - 1e-9) {
+      if (const auto frame = worker.take_frame()) recorder.add(*frame);
+    }
+  };
+  run_to(1.0);
+  worker.record({path()});
+  recorder.keep({path()});
+  EXPECT_EQ(recorder.series(energy()), nullptr);
+  run_to(2.0);
+  worker.record({path(), energy()});
+  recorder.keep({path(), energy()});
+  run_to(3.0);
+  ASSERT_NE(recorder.series(energy()), nullptr);
+  std::vector<SeriesPoint<1>> read;
+  recorder.series(energy())->read(0.0, 10.0, read);
+  EXPECT_EQ(read.front().at, 0.0);
+  EXPECT_GE(read.size(), 600U);
+  EXPECT_EQ(recorder.series(energy())->count(), recorder.path(path())->count());
+}
+
+TEST(Recorder, KeepsTheNewestImpactsAndTheHighestOfAll) {
   Recorder recorder;
   Frame frame;
   frame.run = 1;
-  frame.samples.resize(kMostSamples / 4);
-  frame.impacts.resize(kMostImpacts / 4);
+  frame.impacts.resize(Recorder::kMostImpacts / 4);
   double time = 0.0;
   for (int i = 0; i < 12; ++i) {
-    for (Sample& s : frame.samples) s.time = time++;
-    // One sample and one impact stand out, in the first frame only.
-    frame.samples[1234].totals.translational = i == 0 ? 7.0 : 0.0;
-    frame.impacts[4321].normal_impulse = i == 0 ? 3.0 : 0.0;
+    for (ImpactRecord& impact : frame.impacts) impact.time = time++;
+    // One impact stands out, in the first frame only.
+    frame.impacts[4321].normal_impulse = i == 0 ? 3.0 : 1.0;
     recorder.add(frame);
-    EXPECT_LE(recorder.samples().size(), kMostSamples);
-    EXPECT_LE(recorder.impacts().size(), kMostImpacts);
-    EXPECT_EQ(recorder.samples().back().time, time - 1.0);
-    EXPECT_EQ(recorder.complete(), i < 4);
+    EXPECT_LE(recorder.impacts().size(), Recorder::kMostImpacts);
+    EXPECT_EQ(recorder.impacts().back().time, time - 1.0);
   }
-  EXPECT_GE(recorder.samples().size(), kMostSamples / 2);
-  EXPECT_EQ(recorder.samples().front().time, 0.0);
-  double largest = 0.0;
-  for (std::size_t i = 1; i < recorder.samples().size(); ++i) {
-    ASSERT_GT(recorder.samples()[i].time, recorder.samples()[i - 1].time);
-    largest = std::max(largest, recorder.samples()[i].totals.kinetic());
-  }
-  EXPECT_EQ(largest, 7.0);
-  EXPECT_EQ(std::count_if(recorder.impacts().begin(), recorder.impacts().end(),
-                          [](const ImpactRecord& r) { return r.normal_impulse == 3.0; }),
-            1);
+  EXPECT_EQ(recorder.impacts()[0].time, 8.0 * static_cast<double>(frame.impacts.size()));
+  EXPECT_EQ(recorder.impulses().count(), 12 * static_cast<std::int64_t>(frame.impacts.size()));
+  std::vector<SeriesPoint<1>> read;
+  recorder.impulses().read(0.0, time, read);
+  EXPECT_TRUE(std::any_of(read.begin(), read.end(), [](const auto& p) { return p.value[0] == 3.0; }));
   frame.impacts.resize(10);
   frame.run = 2;
-  frame.samples.resize(3);
   recorder.add(frame);
-  EXPECT_EQ(recorder.samples().size(), 3U);
   EXPECT_EQ(recorder.impacts().size(), 10U);
-  EXPECT_TRUE(recorder.complete());
+  EXPECT_EQ(recorder.impulses().count(), 10);
 }
 
 }  // namespace

@@ -89,5 +89,16 @@ TEST(NumberText, VectorsShareTheirDecimalPlace) {
   EXPECT_EQ(figures(Vec2(1.2e-13, -6.4e-15)), "1e−13, 0");
 }
 
+TEST(PlotScale, PowersHoldTheMagnitudesAndStandStill) {
+  EXPECT_EQ(steady_powers({}, 2e-7, 0.3), QwtInterval(1e-7, 1.0));
+  EXPECT_EQ(steady_powers({1e-7, 1.0}, 3e-7, 0.2), QwtInterval(1e-7, 1.0));
+  EXPECT_EQ(steady_powers({1e-7, 1.0}, 3e-9, 0.2), QwtInterval(1e-9, 1.0));
+  EXPECT_NEAR(steady_powers({}, 1e-60, 1.0).minValue() * std::pow(10.0, kMostPowers), 10.0, 10.0);
+  EXPECT_EQ(steady_powers({}, 1.0, -1.0), QwtInterval(0.1, 10.0));  // nothing to show
+  const QwtInterval one = steady_powers({}, 5.0, 5.0);
+  EXPECT_EQ(one, QwtInterval(1.0, 10.0));
+  EXPECT_GE(power_ticks({1e-7, 1.0}, 4).ticks(QwtScaleDiv::MajorTick).size(), 2);
+}
+
 }  // namespace
 }  // namespace carom

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "physics/measure/recorder.h"
-#include "physics/world/frame.h"
+#include "physics/experiment/frame.h"
+#include "physics/experiment/recorder.h"
 #include "physics/world/simulation.h"
 
 namespace carom {
@@ -29,21 +29,32 @@ inline Scene head_on_scene() {
 }
 
 // The frame of a run from the start to `time`, as the simulation's thread would publish it.
-inline Frame run_to(const Scene& scene, double time) {
+inline Frame run_to(const Scene& scene, double time, const std::vector<Curve>& curves = {}) {
   Simulation simulation(scene);
   simulation.watch_impacts(true);
   Frame frame;
   frame.run = 1;
-  frame.samples = {sample_of(simulation)};
+  Sampler sampler(curves);
+  sampler.begin(simulation);
   simulation.advance_to(time, [&] {
-    append_samples(simulation, frame.samples);
+    sampler.after_step(simulation);
     const auto& impacts = simulation.last_impacts();
     frame.impacts.insert(frame.impacts.end(), impacts.begin(), impacts.end());
   });
   take_moment(simulation, frame);
+  frame.rows = {sampler.take()};
+  frame.rows_known_until = frame.time;
+  frame.scales = sampler.scales();
   frame.bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
   frame.forces = std::make_shared<const Forces>(scene.forces);
   return frame;
+}
+
+// One of the plots that have a name.
+inline Plot named(const std::string& id) {
+  Plot plot;
+  plot.id = id;
+  return plot;
 }
 
 }  // namespace carom

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "physics/world/frame.h"
+#include "physics/experiment/frame.h"
 
 namespace carom {
 

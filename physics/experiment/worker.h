@@ -9,24 +9,25 @@
 #include <thread>
 #include <vector>
 
+#include "physics/experiment/frame.h"
 #include "physics/scene/scene.h"
-#include "physics/world/frame.h"
 
 namespace carom {
 
 // Runs one simulation on a thread of its own, at a chosen pace, and publishes whole frames. Calls return at
 // once: they are carried out between two steps, in their order. The lock guards only the hand-over of commands
-// and of the newest frame; nobody holds it while stepping or painting.
+// and of the newest frame; nobody holds it while stepping or painting. A run waits while nobody takes its
+// frames and too much of it is waiting there (kMostWaiting).
 class Worker {
  public:
-  // The scene must be valid.
-  explicit Worker(const Scene& scene);
+  // The scene must be valid; `curves` are read off its run from the start on.
+  explicit Worker(const Scene& scene, const std::vector<Curve>& curves = {});
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  void load(const Scene& scene);  // stops at t = 0
-  void restart();                 // the same scene with the bodies that were added, stopped at t = 0
+  void load(const Scene& scene, const std::vector<Curve>& curves = {});  // stops at t = 0
+  void restart();  // the same scene with the bodies that were added, stopped at t = 0
   // Plays at the chosen pace, until `until` if that lies ahead; or stops.
   void set_playing(bool playing, double until = std::numeric_limits<double>::infinity());
   void step_once();              // one step of the method, stopped
@@ -34,6 +35,12 @@ class Worker {
   void set_method(const Method& method);
   void add_body(const Body& body);
   void run_until(double time);  // as fast as it goes, then stopped; frames come on the way
+  // Which curves to read off the run from now on. Those that were not read before come from the start on: the
+  // run waits while it is gone through once more.
+  void record(const std::vector<Curve>& curves);
+
+  // Numbers in rows, and impacts, that wait at the most, but for those of one step.
+  static constexpr std::size_t kMostWaiting = 1'000'000;
 
   // What happened since the last call; nullptr if nothing did. Never of before the last load or restart.
   [[nodiscard]] std::shared_ptr<const Frame> take_frame();
@@ -43,8 +50,9 @@ class Worker {
  private:
   struct Lab;  // what belongs to the thread
   void post(std::function<void(Lab&)> command);
-  void work(const std::stop_token& stop, const Scene& first);
+  void work(const std::stop_token& stop, const Scene& first, const std::vector<Curve>& curves);
   void publish(Lab& lab);
+  [[nodiscard]] bool too_much_waits() const;  // with the lock held
 
   mutable std::mutex mutex_;
   std::condition_variable_any wake_;

@@ -1,4 +1,4 @@
-#include "physics/world/frame.h"
+#include "physics/experiment/frame.h"
 
 #include <string_view>
 #include <unordered_map>
@@ -39,22 +39,6 @@ std::vector<LinkState> link_states(const Simulation& simulation) {
 
 }  // namespace
 
-Sample sample_of(const Simulation& simulation) {
-  const Ledger ledger = simulation.ledger();
-  Sample s;
-  s.time = simulation.time();
-  s.totals = simulation.totals();
-  s.lost_to_restitution = ledger.lost_to_restitution;
-  s.lost_to_friction = ledger.lost_to_friction;
-  s.lost_to_sticking = ledger.lost_to_sticking;
-  s.lost_in_flight =
-      ledger.lost_to_drag + ledger.lost_to_dampers + ledger.lost_to_rolling + ledger.lost_to_links;
-  s.put_in = ledger.put_in_by_drives + ledger.put_in_by_user + ledger.overlap_correction;
-  s.drift = ledger.numerical_drift(s.totals.energy());
-  s.momentum_drift = ledger.momentum_drift(s.totals.momentum);
-  return s;
-}
-
 void take_moment(const Simulation& simulation, Frame& frame) {
   frame.time = simulation.time();
   frame.steps = simulation.steps();
@@ -67,31 +51,6 @@ void take_moment(const Simulation& simulation, Frame& frame) {
   frame.totals = simulation.totals();
   frame.ledger = simulation.ledger();
   frame.status = simulation.notices().text();
-}
-
-void append_samples(const Simulation& simulation, std::vector<Sample>& samples) {
-  const Sample end = sample_of(simulation);
-  // What was lost before the step, so that the sums grow impact by impact.
-  Sample at = end;
-  for (const ImpactRecord& impact : simulation.last_impacts()) {
-    at.lost_to_restitution -= impact.lost_to_restitution;
-    at.lost_to_friction -= impact.lost_to_friction;
-    at.lost_to_sticking -= impact.lost_to_sticking;
-  }
-  // The jumps are those of the first impacts.
-  const std::vector<Jump>& jumps = simulation.last_jumps();
-  for (std::size_t i = 0; i < jumps.size(); ++i) {
-    const ImpactRecord& impact = simulation.last_impacts()[i];
-    at.time = jumps[i].time;
-    at.totals = jumps[i].before;
-    samples.push_back(at);
-    at.lost_to_restitution += impact.lost_to_restitution;
-    at.lost_to_friction += impact.lost_to_friction;
-    at.lost_to_sticking += impact.lost_to_sticking;
-    at.totals = jumps[i].after;
-    samples.push_back(at);
-  }
-  samples.push_back(end);
 }
 
 }  // namespace carom

@@ -1,0 +1,58 @@
+#include "app/export_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QVBoxLayout>
+
+namespace carom {
+
+ExportDialog::ExportDialog(const QString& plot, bool marked, QWidget* parent)
+    : QDialog(parent),
+      plot_(new QRadioButton(tr("The curves of “%1”").arg(plot))),
+      plots_(new QRadioButton(tr("The curves of all plots"))),
+      run_(new QRadioButton(tr("The whole run: sums, bodies (up to 50) and ledger"))),
+      all_(new QRadioButton(tr("From the start until now"))),
+      shown_(new QRadioButton(tr("What the plots show"))),
+      marked_(new QRadioButton(tr("Between the marks A and B"))) {
+  setWindowTitle(tr("Save data"));
+  auto* column = new QVBoxLayout(this);
+  column->setSpacing(10);
+  const auto group = [&](const QString& title, std::initializer_list<QRadioButton*> buttons) {
+    auto* box = new QGroupBox(title, this);
+    auto* inside = new QVBoxLayout(box);
+    for (QRadioButton* button : buttons) inside->addWidget(button);
+    column->addWidget(box);
+  };
+  group(tr("What"), {plot_, plots_, run_});
+  group(tr("Of which time"), {all_, shown_, marked_});
+  plot_->setVisible(!plot.isEmpty());
+  (plot.isEmpty() ? run_ : plot_)->setChecked(true);
+  all_->setChecked(true);
+  marked_->setEnabled(marked);
+  marked_->setToolTip(tr("Click into a plot for A, with Shift for B"));
+  auto* note =
+      new QLabel(tr("CSV, units in the header, every digit: one line for each step's end, two for each "
+                    "impact. The run is gone through once more."),
+                 this);
+  note->setObjectName("muted");
+  note->setWordWrap(true);
+  column->addWidget(note);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this);
+  buttons->button(QDialogButtonBox::Save)->setText(tr("Save as..."));
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  column->addWidget(buttons);
+}
+
+ExportDialog::What ExportDialog::what() const {
+  return plot_->isChecked() ? What::kPlot : plots_->isChecked() ? What::kPlots : What::kRun;
+}
+
+ExportDialog::Time ExportDialog::time() const {
+  return all_->isChecked() ? Time::kAll : shown_->isChecked() ? Time::kShown : Time::kMarked;
+}
+
+}  // namespace carom

@@ -1,0 +1,39 @@
+#include "app/run_export.h"
+
+#include <span>
+
+#include "app/run_files.h"
+#include "physics/experiment/sampler.h"
+
+namespace carom {
+
+bool export_data(const DataExport& what, const std::string& file, const std::function<bool(double)>& progress) {
+  std::vector<Curve> curves;
+  for (const Quantity& column : what.columns) curves.push_back({column, std::nullopt});
+  Replay replay(what.log.start);
+  Sampler sampler(curves);
+  sampler.begin(replay.simulation());
+  TextFile out(file);
+  std::vector<Body> bodies = replay.simulation().bodies();
+  for (const Edit& edit : what.log.edits) {
+    if (const auto* body = std::get_if<Body>(&edit.what)) bodies.push_back(*body);
+  }
+  out.line(csv_header(what.columns, bodies));
+  while (true) {
+    while (replay.edit(what.log)) sampler.after_edit(replay.simulation());
+    const Rows rows = sampler.take();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (rows.times[i] < what.from || rows.times[i] > what.to) continue;
+      out.line(csv_line(rows.times[i], std::span(rows.values).subspan(i * curves.size(), curves.size())));
+    }
+    const std::int64_t done = replay.simulation().steps();
+    if (done >= what.steps || replay.simulation().time() > what.to) break;
+    if (done % 64 == 0 && !progress(static_cast<double>(done) / static_cast<double>(what.steps))) return false;
+    replay.step();
+    sampler.after_step(replay.simulation());
+  }
+  out.finish();
+  return true;
+}
+
+}  // namespace carom

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "physics/experiment/run_log.h"
+#include "physics/measure/quantity.h"
+
+namespace carom {
+
+// What is to be written of a run: of so many of its steps the rows from `from` to `to` (s), at the steps' ends
+// and before and after impacts.
+struct DataExport {
+  RunLog log;
+  std::int64_t steps = 0;
+  std::vector<Quantity> columns;
+  double from = 0.0;
+  double to = 0.0;
+};
+
+// Writes a CSV file: RFC 4180, units in brackets in the header, every number with all its digits. The run is
+// gone through once more from its start, so that a long past is as exact as the present. `progress` is told the
+// share that is done, 0 to 1; where it answers false nothing is written, and the answer is false. Throws
+// SceneError if the file cannot be written.
+[[nodiscard]] bool export_data(const DataExport& what, const std::string& file,
+                               const std::function<bool(double)>& progress);
+
+}  // namespace carom

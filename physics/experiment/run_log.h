@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "physics/scene/scene.h"
+#include "physics/world/simulation.h"
+
+namespace carom {
+
+// What the user did to a run, after so many of its steps: another method from now on, or one more body.
+struct Edit {
+  std::int64_t step = 0;
+  std::variant<Method, Body> what;
+};
+
+void apply(const Edit& edit, Simulation& simulation);
+
+// All that a run is made of: where it started, and what was done to it, in order. Whole steps from there give
+// the same bytes again.
+struct RunLog {
+  Scene start;
+  std::vector<Edit> edits;
+};
+
+// A run gone through once more, step by step.
+class Replay {
+ public:
+  explicit Replay(const Scene& start) : simulation_(start) { simulation_.watch_impacts(true); }
+
+  // Carries out the next edit that is due after the steps so far. False if there is none.
+  bool edit(const RunLog& log);
+  void step() { simulation_.step(); }
+  [[nodiscard]] const Simulation& simulation() const { return simulation_; }
+
+ private:
+  Simulation simulation_;
+  std::size_t next_ = 0;  // edit
+};
+
+}  // namespace carom

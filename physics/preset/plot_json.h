@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "physics/preset/object_reader.h"
+#include "physics/scene/scene.h"
+
+namespace carom {
+
+// A plot of a preset file: the name of a known one, or an object. Bodies are not looked up here.
+[[nodiscard]] Plot read_plot(const Json& json, const std::string& place);
+[[nodiscard]] Json plot_json(const Plot& plot);
+
+}  // namespace carom

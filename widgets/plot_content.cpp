@@ -1,0 +1,151 @@
+#include "widgets/plot_content.h"
+
+#include <QStringList>
+#include <algorithm>
+
+#include "physics/scene/validate.h"
+
+namespace carom {
+namespace {
+
+// Sums over a laboratory's bodies that should be zero show rounding below this part of what they sum.
+constexpr Rounding kValues{1e-9, 1.0};
+// A drift is looked at down to rounding itself.
+constexpr Rounding kDrift{1e-15, 1e-15};
+
+QString text(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
+
+PlotLine line(const char* label, const char* observable, const char* tip = "", bool sum = false) {
+  const Observable* found = find_observable(observable);
+  return {QString::fromUtf8(label), unit_text(*found), QString::fromUtf8(tip), Curve{{found, {}}, std::nullopt},
+          sum};
+}
+
+PlotContent named(const char* id, const char* title, const char* unit, const char* tip, double Scales::*scale,
+                  Rounding rounding, std::vector<PlotLine> lines) {
+  Plot plot;
+  plot.id = id;
+  return {plot,
+          QString::fromUtf8(title),
+          QString::fromUtf8(unit),
+          QString::fromUtf8(tip),
+          {},
+          {},
+          std::move(lines),
+          scale,
+          rounding};
+}
+
+// "A and B"
+QString names_of(const QuantityName& quantity) {
+  QStringList names;
+  for (const std::string& name : quantity.bodies) names << QString::fromStdString(name);
+  return names.join(" and ");
+}
+
+bool is_drift(const Observable& o) {
+  return o.name == "numerical_drift" || o.name == "momentum_drift_x" || o.name == "momentum_drift_y";
+}
+
+double Scales::*scale_of(const Observable& o) {
+  if (o.unit == "J") return &Scales::energy;
+  if (o.unit == "N s") return &Scales::momentum;
+  return nullptr;
+}
+
+}  // namespace
+
+std::span<const PlotContent> named_plots() {
+  static const std::vector<PlotContent> table = {
+      named("energy", "Energy", "J", "Energy of all bodies that move freely", &Scales::energy, kValues,
+            {line("kinetic", "kinetic_energy"), line("potential", "potential_energy"),
+             line("total", "total_energy", "", true)}),
+      named("momentum", "Momentum", "kg·m/s", "Momentum of all bodies that move freely", &Scales::momentum,
+            kValues, {line("x", "momentum_x"), line("y", "momentum_y")}),
+      named("impulse", "Contact impulses", "N·s", "The normal impulse of each impact", &Scales::impulse,
+            kValues, {{"normal", QString::fromUtf8("N·s"), {}, std::nullopt, false}}),
+      named("ledger", "Ledger", "J", "Where the energy went since the start", &Scales::energy, kValues,
+            {line("restitution", "lost_in_impacts",
+                  "lost in impacts to restitution below 1, and where bodies stick together"),
+             line("friction", "lost_to_friction", "lost to friction, in impacts and at contacts that last"),
+             line("drag", "lost_in_flight",
+                  "lost to drag, to the dampers of springs, to rolling resistance and where strings jerk taut"),
+             line("put in", "put_in",
+                  "put in by driven bodies, applied forces and the user, and by pushing overlaps apart")}),
+      named("drift", "Energy drift", "J",
+            "Energy that the method itself gained or lost: what no entry of the ledger explains",
+            &Scales::energy, kDrift, {line("numerical", "numerical_drift")}),
+      named("momentum_drift", "Momentum drift", "kg·m/s",
+            "Momentum that the method itself gained or lost: what neither forces, walls nor the user explain",
+            &Scales::momentum, kDrift, {line("x", "momentum_drift_x"), line("y", "momentum_drift_y")}),
+  };
+  return table;
+}
+
+const std::vector<Plot>& default_plots() {
+  static const std::vector<Plot> plots = [] {
+    std::vector<Plot> all;
+    for (const char* id : {"energy", "momentum", "impulse"}) all.emplace_back().id = id;
+    return all;
+  }();
+  return plots;
+}
+
+QString unit_text(const Observable& observable) {
+  return observable.unit == "1" ? QString() : text(observable.unit).replace(' ', QChar(0x00B7));
+}
+
+QString label_of(const QuantityName& quantity) {
+  const QString label = text(find_observable(quantity.observable)->label);
+  return quantity.bodies.empty() ? label : QString("%1 of %2").arg(label, names_of(quantity));
+}
+
+PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
+  for (const PlotContent& known : named_plots()) {
+    if (!plot.id.empty() && known.plot.id == plot.id) return known;
+  }
+  PlotContent content;
+  content.plot = plot;
+  std::optional<Quantity> x;
+  if (plot.x) {
+    x = quantity_of(*plot.x, bodies);
+    content.x_title = label_of(*plot.x);
+    content.x_unit = unit_text(*x->observable);
+  }
+  for (const QuantityName& name : plot.y) {
+    const Quantity y = quantity_of(name, bodies);
+    content.lines.push_back({label_of(name), unit_text(*y.observable), {}, Curve{y, x}, false});
+  }
+  if (content.lines.empty()) throw SceneError("a plot without a quantity; allowed: at least one");
+  const Observable& first = *content.lines.front().curve->y.observable;
+  const auto every = [&](const auto& same) {
+    return std::all_of(content.lines.begin(), content.lines.end(),
+                       [&](const PlotLine& l) { return same(*l.curve->y.observable); });
+  };
+  if (every([&](const Observable& o) { return o.unit == first.unit; })) {
+    content.unit = unit_text(first);
+    content.scale = scale_of(first);
+    content.rounding = every(is_drift) ? kDrift : kValues;
+  }
+  // What all lines share stands in the title instead.
+  const bool one_body = plot.x && plot.x->bodies == plot.y.front().bodies && plot.y.size() == 1;
+  if (content.lines.size() == 1) {
+    content.title = one_body ? text(first.label) : content.lines.front().label;
+    content.lines.front().label.clear();
+  } else if (every([&](const Observable& o) { return &o == &first; })) {
+    content.title = text(first.label);
+    for (std::size_t i = 0; i < content.lines.size(); ++i) {
+      content.lines[i].label = names_of(plot.y[i]);
+    }
+  } else {
+    content.title = QStringLiteral("Plot");
+  }
+  if (plot.logarithmic) content.title = "|" + content.title + "|";
+  if (plot.x) content.title = QString("%1 over %2").arg(content.title, content.x_title);
+  if (!plot.title.empty()) content.title = QString::fromStdString(plot.title);
+  // But not the x of a coordinate.
+  if (content.title.size() > 1 && content.title[1] != ' ') content.title[0] = content.title[0].toUpper();
+  return content;
+}
+
+}  // namespace carom

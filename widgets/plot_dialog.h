@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QDialog>
+#include <vector>
+
+#include "physics/scene/scene.h"
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QVBoxLayout;
+
+namespace carom {
+
+class QuantityPicker;
+
+// Puts together a plot: quantities, what they are drawn over, a logarithmic axis, a title. OK is open while it
+// makes sense; what is wrong is said in a line.
+class PlotDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  static constexpr std::size_t kMostCurves = 6;  // as many as there are colours
+
+  explicit PlotDialog(const std::vector<Body>& bodies, QWidget* parent = nullptr);
+  void set_plot(const Plot& plot);
+  [[nodiscard]] Plot plot() const;
+
+ private:
+  QuantityPicker* add_curve();
+  void check();
+  [[nodiscard]] QuantityName next_body(QuantityName quantity) const;
+
+  struct Row {
+    QWidget* row;
+    QuantityPicker* picker;
+    QPushButton* away;
+  };
+
+  std::vector<Body> bodies_;
+  QVBoxLayout* rows_layout_;
+  std::vector<Row> rows_;
+  QPushButton* another_;
+  QuantityPicker* x_;
+  QCheckBox* logarithmic_;
+  QLineEdit* title_;
+  QLabel* message_;
+  QPushButton* ok_;
+};
+
+}  // namespace carom

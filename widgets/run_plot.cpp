@@ -1,0 +1,389 @@
+#include "widgets/run_plot.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStringList>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <qwt_axis.h>
+#include <qwt_plot.h>
+#include <qwt_plot_canvas.h>
+#include <qwt_plot_curve.h>
+#include <qwt_plot_grid.h>
+#include <qwt_plot_layout.h>
+#include <qwt_plot_marker.h>
+#include <qwt_scale_engine.h>
+#include <qwt_scale_widget.h>
+#include <qwt_symbol.h>
+
+#include "widgets/legend_button.h"
+#include "widgets/number_text.h"
+#include "widgets/plot_gestures.h"
+#include "widgets/plot_scale.h"
+#include "widgets/series_data.h"
+#include "widgets/smooth_curve.h"
+
+namespace carom {
+namespace {
+
+constexpr double kLineWidth = 1.8;  // px
+constexpr double kSumWidth = 4.5;   // px
+constexpr int kPixelsPerTimeTick = 60;
+constexpr int kPixelsPerValueTick = 20;
+
+void make_quiet(QwtPlot* plot, int axis, const QString& unit, bool powers) {
+  QFont font = plot->font();
+  font.setPixelSize(11);
+  plot->setAxisFont(axis, font);
+  plot->setAxisScaleDraw(axis, new QuietScaleDraw(unit, powers));
+  plot->axisWidget(axis)->setMargin(0);
+  plot->axisWidget(axis)->setSpacing(0);
+}
+
+// Further in, neighbouring labels would be the same double; further out, squares overflow.
+bool is_drawable(const QwtInterval& range) {
+  const double magnitude = std::max(std::abs(range.minValue()), std::abs(range.maxValue()));
+  return range.width() > 1e-12 * magnitude && magnitude < 1e100;
+}
+
+}  // namespace
+
+RunPlot::RunPlot(PlotContent content, const Theme& theme, QWidget* parent)
+    : QFrame(parent), content_(std::move(content)) {
+  setObjectName("panel");
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(12, 6, 8, 6);
+  layout->setSpacing(2);
+  build_plot();
+  build_header();
+  layout->addWidget(plot_, 1);
+  set_theme(theme);
+  set_value_range(content_.plot.logarithmic ? QwtInterval(0.1, 10.0) : nice_range(0.0, 0.0));
+  set_time_range(time_range_);
+}
+
+RunPlot::~RunPlot() = default;
+
+void RunPlot::build_header() {
+  auto* header = new QHBoxLayout;
+  header->setSpacing(4);
+  auto* title = new QLabel(content_.title, this);
+  title->setObjectName("title");
+  unit_ = new QLabel(content_.unit, this);
+  unit_->setObjectName("muted");
+  title->setToolTip(content_.tip);
+  header->addWidget(title);
+  header->addWidget(unit_);
+  header->addStretch(1);
+  for (Item& curve : curves_) {
+    header->addWidget(curve.button);
+    curve.button->setVisible(!curve.button->text().isEmpty());
+    connect(curve.button, &LegendButton::toggled, this, [this, item = curve.item.get()](bool shown) {
+      item->setVisible(shown);
+      emit curvesChanged();
+    });
+  }
+  static_cast<QVBoxLayout*>(layout())->addLayout(header);
+}
+
+void RunPlot::build_plot() {
+  plot_ = new QwtPlot(this);
+  plot_->setAutoReplot(false);
+  plot_->setMinimumSize(120, 60);
+  plot_->plotLayout()->setAlignCanvasToScales(true);
+  auto* canvas = static_cast<QwtPlotCanvas*>(plot_->canvas());
+  canvas->setFrameStyle(QFrame::NoFrame);
+  canvas->setCursor(Qt::CrossCursor);
+  canvas->setToolTip(
+      tr("Wheel: zoom in time. Ctrl+wheel: zoom the values.\n"
+         "Drag: move. Double click or Home: show all again.\n"
+         "Click: mark A, with Shift: mark B; the Reading tab tells what lies there and between."));
+  make_quiet(plot_, QwtAxis::XBottom, over_time() ? "s" : content_.x_unit, false);
+  make_quiet(plot_, QwtAxis::YLeft, {}, content_.plot.logarithmic);
+  if (content_.plot.logarithmic) plot_->setAxisScaleEngine(QwtAxis::YLeft, new QwtLogScaleEngine);
+
+  grid_ = std::make_unique<QwtPlotGrid>();
+  grid_->enableX(false);
+  grid_->attach(plot_);
+  for (const PlotLine& line : content_.lines) {
+    auto item = std::make_unique<SmoothCurve>(line.label);
+    auto* series = new DecimatedSeries;
+    item->setData(series);
+    item->setRenderHint(QwtPlotItem::RenderAntialiased);
+    item->setStyle(line.curve ? QwtPlotCurve::Lines : QwtPlotCurve::Sticks);
+    if (line.sum) item->setZ(item->z() - 1.0);
+    item->attach(plot_);
+    auto* button = new LegendButton(content_.legend(line), line.tip, this);
+    curves_.push_back({std::move(item), series, button});
+  }
+  cursor_ = std::make_unique<QwtPlotMarker>();
+  cursor_->setLineStyle(QwtPlotMarker::VLine);
+  cursor_->setVisible(false);
+  cursor_->attach(plot_);
+
+  for (std::size_t i = 0; i < marks_.size(); ++i) {
+    marks_[i] = std::make_unique<QwtPlotMarker>();
+    marks_[i]->setLineStyle(QwtPlotMarker::VLine);
+    marks_[i]->setLabelAlignment(Qt::AlignRight | Qt::AlignBottom);
+    marks_[i]->setVisible(false);
+    marks_[i]->attach(plot_);
+  }
+
+  // Over the canvas, so that they take no room from it.
+  auto* over = new QHBoxLayout(canvas);
+  over->setContentsMargins(4, 2, 4, 2);
+  readout_ = new QLabel(canvas);
+  chip_ = new QLabel(tr("zoomed · double-click to reset"), canvas);
+  for (QLabel* label : {readout_, chip_}) {
+    label->setObjectName("chip");
+    label->setAttribute(Qt::WA_TransparentForMouseEvents);
+    label->hide();
+  }
+  over->addWidget(readout_, 0, Qt::AlignTop);
+  over->addStretch(1);
+  over->addWidget(chip_, 0, Qt::AlignTop);
+
+  auto* gestures = new PlotGestures(plot_);
+  connect(gestures, &PlotGestures::timeZoomAsked, this, &RunPlot::timeZoomAsked);
+  connect(gestures, &PlotGestures::valueZoomAsked, this, &RunPlot::valueZoomAsked);
+  connect(gestures, &PlotGestures::panAsked, this, &RunPlot::panAsked);
+  connect(gestures, &PlotGestures::resetAsked, this, &RunPlot::resetAsked);
+  connect(gestures, &PlotGestures::hovered, this, &RunPlot::hover);
+  connect(gestures, &PlotGestures::clicked, this, [this](const QPointF& at, Qt::KeyboardModifiers modifiers) {
+    if (over_time()) emit timeClicked(snapped(at.x()), modifiers.testFlag(Qt::ShiftModifier));
+  });
+}
+
+void RunPlot::set_theme(const Theme& theme) {
+  theme_ = theme;
+  plot_->setCanvasBackground(theme.panel);
+  grid_->setPen(theme.grid, 1.0);
+  cursor_->setLinePen(theme.muted, 1.0, Qt::DashLine);
+  for (std::size_t i = 0; i < marks_.size(); ++i) {
+    marks_[i]->setLinePen(theme.accent, 1.2);
+    QwtText label(i == 0 ? "A" : "B");
+    label.setColor(theme.accent);
+    marks_[i]->setLabel(label);
+  }
+  for (QLabel* label : {chip_, readout_}) label->setStyleSheet("color: " + theme.muted.name());
+  for (const int axis : {static_cast<int>(QwtAxis::XBottom), static_cast<int>(QwtAxis::YLeft)}) {
+    static_cast<QuietScaleDraw*>(plot_->axisScaleDraw(axis))->set_color(theme.muted);
+    plot_->axisWidget(axis)->update();
+  }
+  for (std::size_t i = 0; i < curves_.size(); ++i) {
+    Item& curve = curves_[i];
+    QPen pen(theme.series[i % theme.series.size()], kLineWidth, series_dash(static_cast<int>(i)));
+    if (content_.lines[i].sum) pen = QPen(blend(pen.color(), theme.panel, 0.45), kSumWidth, Qt::SolidLine);
+    curve.button->set_look(pen, theme.muted);
+    if (!content_.lines[i].curve) pen.setStyle(Qt::SolidLine);
+    curve.item->setPen(pen);
+    curve.item->setSymbol(nullptr);  // in the new colour with the next data
+  }
+}
+
+// Heads on sticks, unless they would run into each other.
+void RunPlot::set_heads(const Item& curve) {
+  constexpr int kPixelsPerHead = 4;
+  const bool wanted = static_cast<int>(curve.series->size()) * kPixelsPerHead < plot_->canvas()->width();
+  if (wanted == (curve.item->symbol() != nullptr)) return;
+  constexpr QSize kHead(6, 6);  // px
+  curve.item->setSymbol(
+      wanted ? new QwtSymbol(QwtSymbol::Ellipse, curve.item->pen().color(), QPen(Qt::NoPen), kHead) : nullptr);
+}
+
+void RunPlot::set_time_range(const QwtInterval& range) {
+  time_range_ = range;
+  if (over_time()) set_x_range(range);
+}
+
+void RunPlot::set_x_range(const QwtInterval& range) {
+  const auto put = [&](int pixels_per_tick) {
+    plot_->setAxisScaleDiv(QwtAxis::XBottom, ticks(range, plot_->canvas()->width() / pixels_per_tick));
+    plot_->updateAxes();
+  };
+  put(kPixelsPerTimeTick);
+  // Deep in a zoom the labels have many digits.
+  constexpr int kGap = 12;  // px, between labels
+  const int needed = plot_->axisScaleDraw(QwtAxis::XBottom)->maxLabelWidth(plot_->axisFont(QwtAxis::XBottom));
+  if (needed + kGap > kPixelsPerTimeTick) put(needed + kGap);
+}
+
+void RunPlot::set_value_range(const QwtInterval& range) {
+  value_range_ = range;
+  const int most = std::clamp(plot_->canvas()->height() / kPixelsPerValueTick, 2, 6);
+  plot_->setAxisScaleDiv(QwtAxis::YLeft,
+                         content_.plot.logarithmic ? power_ticks(range, most) : ticks(range, most));
+  plot_->updateAxes();
+}
+
+void RunPlot::update_from(const Recorder& recorder, bool hold) {
+  recorder_ = &recorder;
+  const int columns = std::max(plot_->canvas()->width(), 1);
+  const bool magnitudes = content_.plot.logarithmic;
+  QwtInterval spread;
+  QwtInterval x_spread;
+  for (std::size_t i = 0; i < curves_.size(); ++i) {
+    const std::optional<Curve>& curve = content_.lines[i].curve;
+    DecimatedSeries& series = *curves_[i].series;
+    if (!curve) {
+      series.take(recorder.impulses(), time_range_, columns, magnitudes);
+      set_heads(curves_[i]);
+    } else if (const Series<2>* path = recorder.path(*curve); path != nullptr) {
+      series.take(*path, time_range_, magnitudes);
+    } else if (const Series<1>* points = recorder.series(*curve); points != nullptr) {
+      series.take(*points, time_range_, columns, magnitudes);
+    } else {
+      series.clear();
+    }
+    if (!curves_[i].item->isVisible() || series.size() == 0) continue;
+    const QRectF bounds = series.boundingRect();
+    spread |= QwtInterval(bounds.top(), bounds.bottom());
+    x_spread |= QwtInterval(bounds.left(), bounds.right());
+    if (!curve) spread |= 0.0;  // sticks stand on zero
+  }
+  if (hold) {
+    set_value_range(value_range());
+    return;
+  }
+  const double scale = content_.scale == nullptr ? 0.0 : recorder.scales().*content_.scale;
+  const Zero zero{content_.rounding.zero * scale, content_.rounding.range * scale};
+  if (magnitudes) {
+    set_value_range(steady_powers(value_range_, spread.minValue(), spread.maxValue()));
+  } else {
+    set_value_range(spread.isValid() ? steady_range(value_range_, spread.minValue(), spread.maxValue(), zero)
+                                     : nice_range(0.0, 0.0, zero));
+  }
+  if (!over_time() && x_spread.isValid()) {
+    set_x_range(steady_range(plot_->axisScaleDiv(QwtAxis::XBottom).interval(), x_spread.minValue(),
+                             x_spread.maxValue()));
+  }
+}
+
+QwtInterval RunPlot::value_range() const { return plot_->axisScaleDiv(QwtAxis::YLeft).interval(); }
+
+int RunPlot::label_extent() const {
+  auto* draw = plot_->axisScaleDraw(QwtAxis::YLeft);
+  const double set = draw->minimumExtent();
+  draw->setMinimumExtent(0.0);
+  const double needed = draw->extent(plot_->axisFont(QwtAxis::YLeft));
+  draw->setMinimumExtent(set);
+  return static_cast<int>(std::ceil(needed));
+}
+
+void RunPlot::set_label_extent(int extent) {
+  auto* draw = plot_->axisScaleDraw(QwtAxis::YLeft);
+  if (draw->minimumExtent() == extent) return;
+  draw->setMinimumExtent(extent);
+  plot_->updateLayout();
+}
+
+void RunPlot::set_cursor(std::optional<double> time) {
+  cursor_time_ = over_time() ? time : std::nullopt;
+  cursor_->setVisible(cursor_time_.has_value());
+  if (cursor_time_) cursor_->setXValue(*cursor_time_);
+  show_readout();
+}
+
+void RunPlot::set_marks(std::optional<double> a, std::optional<double> b) {
+  const std::array times = {a, b};
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    marks_[i]->setVisible(times[i] && over_time());
+    if (times[i]) marks_[i]->setXValue(*times[i]);
+  }
+}
+
+std::vector<std::pair<QString, QPen>> RunPlot::legend() const {
+  std::vector<std::pair<QString, QPen>> entries;
+  for (const Item& curve : curves_) {
+    if (curve.item->isVisible() && !curve.button->text().isEmpty()) {
+      entries.emplace_back(curve.button->text(), curve.item->pen());
+    }
+  }
+  return entries;
+}
+
+const Series<1>* RunPlot::series_of(std::size_t line) const {
+  const std::optional<Curve>& curve = content_.lines[line].curve;
+  return curve && recorder_ != nullptr ? recorder_->series(*curve) : nullptr;
+}
+
+double RunPlot::snapped(double time) const {
+  for (std::size_t i = 0; i < curves_.size(); ++i) {
+    const Series<1>* series = series_of(i);
+    if (const auto* point = series == nullptr ? nullptr : series->at(time); point != nullptr) return point->at;
+  }
+  return time;
+}
+
+void RunPlot::set_chip_visible(bool visible) { chip_->setVisible(visible); }
+
+void RunPlot::replot() { plot_->replot(); }
+
+void RunPlot::zoom_values(double at, double factor) {
+  const QwtInterval now = value_range();
+  if (content_.plot.logarithmic) {
+    const QwtInterval wanted(at * std::pow(now.minValue() / at, factor),
+                             at * std::pow(now.maxValue() / at, factor));
+    if (wanted.minValue() > 1e-300 && wanted.maxValue() < 1e300 && wanted.maxValue() > 1.1 * wanted.minValue())
+      set_value_range(wanted);
+    return;
+  }
+  const QwtInterval wanted(at + (now.minValue() - at) * factor, at + (now.maxValue() - at) * factor);
+  if (is_drawable(wanted)) set_value_range(wanted);
+}
+
+void RunPlot::zoom_x(double at, double factor) {
+  const QwtInterval now = plot_->axisScaleDiv(QwtAxis::XBottom).interval();
+  const QwtInterval wanted(at + (now.minValue() - at) * factor, at + (now.maxValue() - at) * factor);
+  if (is_drawable(wanted)) set_x_range(wanted);
+}
+
+void RunPlot::pan_values(double from, double to) {
+  const QwtInterval now = value_range();
+  if (content_.plot.logarithmic) {
+    set_value_range({now.minValue() * from / to, now.maxValue() * from / to});
+  } else {
+    set_value_range({now.minValue() + from - to, now.maxValue() + from - to});
+  }
+}
+
+void RunPlot::pan_x(double from, double to) {
+  const QwtInterval now = plot_->axisScaleDiv(QwtAxis::XBottom).interval();
+  set_x_range({now.minValue() + from - to, now.maxValue() + from - to});
+}
+
+void RunPlot::hover(const std::optional<QPointF>& at) {
+  if (over_time()) {
+    emit timeHovered(at ? std::optional(snapped(at->x())) : std::nullopt);
+    return;
+  }
+  readout_->setVisible(at.has_value());
+  if (!at) return;
+  readout_->setText(
+      QString("%1 %2, %3 %4").arg(figure(at->x()), content_.x_unit, figure(at->y()), content_.unit));
+}
+
+void RunPlot::show_readout() {
+  readout_->setVisible(cursor_time_.has_value());
+  if (!cursor_time_) return;
+  QStringList values;
+  for (std::size_t i = 0; i < curves_.size(); ++i) {
+    const Series<1>* series = series_of(i);
+    const auto* point = series == nullptr ? nullptr : series->at(*cursor_time_);
+    if (point == nullptr || !curves_[i].item->isVisible()) continue;
+    const PlotLine& line = content_.lines[i];
+    QString value = line.label + " ";
+    // Where only extremes are kept the value is of a moment near by.
+    if (*cursor_time_ < series->whole_since()) value += QStringLiteral("≈ ");
+    value += figure(point->value[0]);
+    if (content_.unit.isEmpty()) value += " " + line.unit;
+    values << value.trimmed();
+  }
+  QString text = figure(*cursor_time_, 5) + " s";
+  if (!values.isEmpty()) text += ":  " + values.join(",  ") + " " + content_.unit;
+  const int room = plot_->canvas()->width() - (chip_->isVisible() ? chip_->width() : 0) - 40;
+  readout_->setText(readout_->fontMetrics().elidedText(text, Qt::ElideRight, room));
+}
+
+}  // namespace carom

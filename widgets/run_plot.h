@@ -1,0 +1,112 @@
+#pragma once
+
+#include <QFrame>
+#include <QPen>
+#include <QPointF>
+#include <array>
+#include <memory>
+#include <optional>
+#include <qwt_interval.h>
+#include <vector>
+
+#include "physics/experiment/recorder.h"
+#include "widgets/plot_content.h"
+#include "widgets/theme.h"
+
+class QLabel;
+class QwtPlot;
+class QwtPlotCurve;
+class QwtPlotGrid;
+class QwtPlotMarker;
+
+namespace carom {
+
+class DecimatedSeries;
+class LegendButton;
+
+// One plot with title, unit and legend. Over time, the time axis is its owner's to set: several plots share it.
+// Over another quantity it shows the path within that time, with an axis of its own. Changes show at the next
+// replot().
+class RunPlot : public QFrame {
+  Q_OBJECT
+
+ public:
+  RunPlot(PlotContent content, const Theme& theme, QWidget* parent = nullptr);
+  ~RunPlot() override;
+
+  void set_theme(const Theme& theme);
+  void set_time_range(const QwtInterval& range);
+  // Reads what the time range shows, now and whenever the reader looks: the recorder must live as long; fits
+  // the axes that are not time to the visible curves unless `hold`.
+  void update_from(const Recorder& recorder, bool hold);
+  // The room in px that the value axis' labels take, and the room that they are to take at least.
+  [[nodiscard]] int label_extent() const;
+  void set_label_extent(int extent);
+  // Where the reader looks: a line at that time, and what the curves that are shown are there.
+  void set_cursor(std::optional<double> time);
+  // The reader's two marks, A and B.
+  void set_marks(std::optional<double> a, std::optional<double> b);
+  void set_chip_visible(bool visible);
+  void replot();
+
+  void forget_value_range() { value_range_ = QwtInterval(); }  // the next fit starts anew
+  void zoom_values(double at, double factor);
+  // The axis below, of a plot that is not over time.
+  void zoom_x(double at, double factor);
+  void pan_x(double from, double to);
+  void pan_values(double from, double to);
+
+  [[nodiscard]] const PlotContent& content() const { return content_; }
+  // The x axis is time.
+  [[nodiscard]] bool over_time() const { return !content_.plot.x; }
+  [[nodiscard]] QwtInterval time_range() const { return time_range_; }
+  [[nodiscard]] QwtInterval value_range() const;
+  [[nodiscard]] QwtPlot* plot() const { return plot_; }
+  [[nodiscard]] const Theme& theme() const { return theme_; }
+  // The name and the line of each curve that is shown and has a name.
+  [[nodiscard]] std::vector<std::pair<QString, QPen>> legend() const;
+  // The time of the newest record that is not after `time`; the time itself where nothing is recorded.
+  [[nodiscard]] double snapped(double time) const;
+
+ signals:
+  void timeZoomAsked(double at, double factor);
+  void valueZoomAsked(double at, double factor);
+  void panAsked(const QPointF& from, const QPointF& to);
+  void resetAsked();
+  void curvesChanged();  // one was shown or hidden
+  void timeHovered(const std::optional<double>& time);
+  void timeClicked(double time, bool second);  // second: with Shift
+
+ private:
+  struct Item {
+    std::unique_ptr<QwtPlotCurve> item;
+    DecimatedSeries* series;  // owned by the item
+    LegendButton* button;
+  };
+
+  void set_heads(const Item& curve);
+  void build_header();
+  void build_plot();
+  void set_value_range(const QwtInterval& range);
+  void set_x_range(const QwtInterval& range);
+  void show_readout();
+  void hover(const std::optional<QPointF>& at);
+  [[nodiscard]] const Series<1>* series_of(std::size_t line) const;
+
+  PlotContent content_;
+  Theme theme_;
+  const Recorder* recorder_ = nullptr;  // of the last update
+  std::optional<double> cursor_time_;
+  QwtInterval time_range_{0.0, 1.0};
+  QwtInterval value_range_;
+  QLabel* unit_ = nullptr;
+  QwtPlot* plot_ = nullptr;
+  QLabel* chip_ = nullptr;
+  QLabel* readout_ = nullptr;
+  std::unique_ptr<QwtPlotGrid> grid_;
+  std::unique_ptr<QwtPlotMarker> cursor_;
+  std::array<std::unique_ptr<QwtPlotMarker>, 2> marks_;
+  std::vector<Item> curves_;
+};
+
+}  // namespace carom
