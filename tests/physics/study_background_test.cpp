@@ -72,11 +72,22 @@ TEST(Study, RowsThatComeOnTheWayAreTheTables) {
 }
 
 std::size_t threads_of_this_process() {
+  // A sanitizer starts a thread of its own with the first one: let that be over.
+  static const bool first = (std::jthread([] {}).join(), true);
+  (void)first;
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task")) {
     count += entry.exists() ? 1 : 0;
   }
   return count;
+}
+
+// The system lists a thread for a moment after it has been joined.
+void expect_no_more_threads_than(std::size_t before) {
+  for (int i = 0; i < 1000 && threads_of_this_process() > before; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  EXPECT_EQ(threads_of_this_process(), before);
 }
 
 // Runs what would take hours, asks it to stop from another thread and expects it to end without a result.
@@ -91,7 +102,7 @@ void expect_to_stop(const Work& work) {
     });
     EXPECT_THROW(work(stop.get_token()), Stopped);
   }
-  EXPECT_EQ(threads_of_this_process(), before);
+  expect_no_more_threads_than(before);
 }
 
 constexpr double kAges = 1e11;  // s, simulated: 2e12 steps
@@ -182,7 +193,7 @@ TEST(Study, InTheBackgroundLeavesNoThreadBehind) {
     while (study.so_far().stage != "accuracy") std::this_thread::sleep_for(std::chrono::milliseconds(2));
     EXPECT_GT(threads_of_this_process(), before);
   }
-  EXPECT_EQ(threads_of_this_process(), before);
+  expect_no_more_threads_than(before);
 }
 
 TEST(Study, InTheBackgroundSaysWhyItCannotBe) {
