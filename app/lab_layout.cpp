@@ -12,6 +12,7 @@
 #include "app/lab_window.h"
 #include "app/preset_library.h"
 #include "physics/preset/preset.h"
+#include "widgets/compare_panel.h"
 #include "widgets/experiment_list.h"
 #include "widgets/ledger_table.h"
 #include "widgets/plot_panel.h"
@@ -69,7 +70,13 @@ void LabWindow::make_body() {
   impacts_ = new ImpactsTable;
   ledger_ = new LedgerTable;
   study_ = new StudyPanel(theme_);
-  connect(study_, &StudyPanel::methodChosen, this, &LabWindow::change_method);
+  connect(study_, &StudyPanel::methodChosen, this, &LabWindow::add_method);
+  compare_ = new ComparePanel(theme_);
+  connect(compare_, &ComparePanel::methodAdded, this, &LabWindow::add_method);
+  connect(compare_, &ComparePanel::methodRemoved, this, &LabWindow::remove_method);
+  connect(compare_, &ComparePanel::methodChanged, this, &LabWindow::change_method);
+  connect(compare_, &ComparePanel::referenceChosen, this, &LabWindow::choose_reference);
+  connect(compare_, &ComparePanel::usualAsked, this, &LabWindow::compare_usual);
   about_ = new QLabel;
   about_->setWordWrap(true);
   about_->setTextFormat(Qt::RichText);
@@ -87,6 +94,7 @@ void LabWindow::make_body() {
   tabs_->addTab(ledger_, tr("Ledger"));
   reading_ = new ReadingTable;
   tabs_->addTab(reading_, tr("Reading"));
+  tabs_->addTab(compare_, tr("Compare"));
   tabs_->addTab(study_, tr("Study"));
   tabs_->addTab(about_area, tr("About"));
   connect(tabs_, &QTabWidget::currentChanged, this, [this] {
@@ -113,7 +121,7 @@ void LabWindow::make_body() {
   plots_ = new PlotPanel(theme_);
   connect(plots_, &PlotPanel::layoutChanged, this, [this] {
     const std::vector<Curve> curves = plots_->curves();
-    recorder_.keep(curves);
+    for (const auto& recorder : recorders_) recorder->keep(curves);
     worker_->record(curves);
     // Which of the named plots of a built-in experiment are open is no work that could be lost.
     const std::vector<Plot> chosen = plots_->chosen();
@@ -228,6 +236,7 @@ void LabWindow::set_theme(const Theme& theme) {
   transport_->set_theme(theme);
   plots_->set_theme(theme);
   study_->set_theme(theme);
+  compare_->set_theme(theme);
   draw_thumbnails();
 }
 

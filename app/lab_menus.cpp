@@ -152,6 +152,9 @@ void LabWindow::make_menus() {
       change_method(method);
     });
   }
+  methods->addSeparator();
+  add(methods, "", tr("Compare &Euler, RK4 and the exact run"), QKeySequence(Qt::Key_C),
+      [this] { compare_usual(); });
   step_button_ = button(steps_, {});
   plots_button_ = button(plots_->menu(), tr("Which plots are shown"));
   plots_button_->setText(tr("Plots") + QStringLiteral(" ▾"));

@@ -23,6 +23,7 @@
 #include "physics/motion/integrators.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/needs.h"
+#include "widgets/compare_panel.h"
 #include "widgets/experiment_list.h"
 #include "widgets/ledger_table.h"
 #include "widgets/number_text.h"
@@ -85,10 +86,13 @@ void LabWindow::show_scene(const Scene& scene, const QString& name, const QStrin
   file_ = file;
   before_ = all_bodies(scene);
   duration_ = scene.duration;
-  recorder_.clear();
+  recorders_.clear();
+  frames_.clear();
   frame_.reset();
+  alone_.reset();
+  reference_ = scene.compare.empty() ? ReferenceId::kNone : usual_reference(scene);
   plots_->set_plots(scene.plots, before_);
-  worker_->load(scene, plots_->curves());
+  worker_->load(scene, plots_->curves(), reference_);
   view_->set_view(scene.view);
   transport_->set_duration(duration_);
   list_->set_current(name);
@@ -164,8 +168,8 @@ void LabWindow::set_playing(bool playing) {
   worker_->set_playing(playing, duration_);
 }
 
-void LabWindow::change_method(const Method& method) {
-  worker_->set_method(method);
+void LabWindow::change_method(const Method& method, std::size_t run) {
+  worker_->set_method(method, run);
   mark_changed(true);
   show_method();
   show_needs();
@@ -221,22 +225,28 @@ void LabWindow::run_until(double time) {
 }
 
 void LabWindow::poll() {
-  if (const std::shared_ptr<const Frame> frame = worker_->take_frame()) {
-    frame_ = frame;
-    recorder_.add(*frame);
-    show_frame();
-  }
+  const std::vector<std::shared_ptr<const Frame>> news = worker_->take_frames();
+  if (news.empty()) return;
+  // A run that was taken out leaves its recorder to the next one, which begins it anew.
+  for (std::size_t i = recorders_.size(); i < news.size(); ++i)
+    recorders_.push_back(std::make_shared<Recorder>());
+  recorders_.resize(news.size());
+  for (std::size_t i = 0; i < news.size(); ++i) recorders_[i]->add(*news[i]);
+  frames_ = news;
+  frame_ = news.front();
+  show_frame();
 }
 
 void LabWindow::show_frame() {
-  view_->set_frame(frame_);
-  transport_->update_from(*frame_, recorder_);
-  plots_->update_from(recorder_);
+  const Recorder& recorder = *recorders_.front();
+  show_compared();
+  transport_->update_from(*frame_, recorder);
   QWidget* tab = tabs_->currentWidget();
   if (tab == bodies_) bodies_->update_from(*frame_, before_);
-  if (tab == impacts_) impacts_->update_from(*frame_, recorder_);
+  if (tab == impacts_) impacts_->update_from(*frame_, recorder);
   if (tab == ledger_) ledger_->update_from(*frame_);
-  if (tab == reading_) reading_->update_from(recorder_, plots_->contents(), plots_->marks());
+  if (tab == reading_) reading_->update_from(plots_->runs(), plots_->contents(), plots_->marks());
+  if (tab == compare_) compare_->update_from(frames_);
   tabs_->setTabText(1, tr("Impacts (%1)").arg(frame_->impact_count));
 
   time_chip_->setToolTip(tr("Simulated time\n%1 steps, %2 rejected\n%3 evaluations of a body's acceleration")
@@ -251,9 +261,13 @@ void LabWindow::show_frame() {
   speed_chip_->setText(speed);
   QStringList notices;
   if (frame_->status != "ok") notices << QString::fromStdString(frame_->status);
-  if (frame_->rows_known_until < frame_->time)
-    notices
-        << tr("going through the run again for a new plot: t = %1 s").arg(frame_->rows_known_until, 0, 'f', 1);
+  for (const auto& frame : frames_) {
+    if (frame->rows_known_until < frame->time) {
+      notices << tr("going through the run again: t = %1 s").arg(frame->rows_known_until, 0, 'f', 1);
+    } else if (frame->time + frame->method.step <= frame_->time) {
+      notices << tr("another method catches up: t = %1 s").arg(frame->time, 0, 'f', 1);
+    }
+  }
   status_ = notices.join("; ");
   status_chip_->setVisible(!status_.isEmpty());
   status_chip_->setToolTip(status_);
@@ -310,6 +324,7 @@ void LabWindow::show_needs() {
       tr("Modelled: %1.\nNot needed by this scene: %2.").arg(joined(text.modelled), joined(text.not_needed)));
   ledger_->set_scene(scene);
   study_->edit_scene(scene);
+  compare_->set_scene(scene, reference_);
   for (QAction* action : integrators_->actions()) {
     const auto id = static_cast<IntegratorId>(action->data().toInt());
     const std::optional<std::string> reason = why_not(scene, id);

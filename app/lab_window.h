@@ -22,6 +22,7 @@ class QToolButton;
 namespace carom {
 
 class BodiesTable;
+class ComparePanel;
 class ExperimentList;
 class ImpactsTable;
 class LedgerTable;
@@ -79,7 +80,13 @@ class LabWindow : public QMainWindow {
   void choose_file();
   bool may_discard();  // asks to save what the user changed; false: stay
   bool write(const QString& file);
-  void change_method(const Method& method);
+  void change_method(const Method& method, std::size_t run = 0);
+  // Several methods side by side (lab_compare.cpp).
+  void add_method(const Method& method);
+  void remove_method(std::size_t run);
+  void choose_reference(ReferenceId reference);
+  void compare_usual();
+  void show_compared();
   void choose_step();
   void set_playing(bool playing);
   void spawn(double x, double y);
@@ -95,9 +102,12 @@ class LabWindow : public QMainWindow {
 
   Theme theme_;
   std::unique_ptr<Worker> worker_;
-  std::shared_ptr<const Frame> frame_;
-  Recorder recorder_;
-  std::vector<Body> before_;  // the bodies at t = 0
+  std::vector<std::shared_ptr<const Frame>> frames_;  // of each run
+  std::shared_ptr<const Frame> frame_;                // of the first, the scene's own
+  std::vector<std::shared_ptr<Recorder>> recorders_;  // of each run
+  ReferenceId reference_ = ReferenceId::kNone;
+  std::optional<Method> alone_;  // the method before Euler, RK4 and the exact run were asked for
+  std::vector<Body> before_;     // the bodies at t = 0
   double duration_ = 1.0;
   double speed_ = 1.0;
   QString name_;  // of the built-in experiment that is shown; empty for a file
@@ -113,6 +123,7 @@ class LabWindow : public QMainWindow {
   ImpactsTable* impacts_ = nullptr;
   LedgerTable* ledger_ = nullptr;
   ReadingTable* reading_ = nullptr;
+  ComparePanel* compare_ = nullptr;
   StudyPanel* study_ = nullptr;
   QLabel* about_ = nullptr;
   QWidget* chips_ = nullptr;

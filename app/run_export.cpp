@@ -12,6 +12,7 @@ bool export_data(const DataExport& what, const std::string& file, const std::fun
   for (const Quantity& column : what.columns) curves.push_back({column, std::nullopt});
   Replay replay(what.log.start);
   Sampler sampler(curves);
+  if (what.reference != ReferenceId::kNone) sampler.compare_with(Companion(what.log.start, what.reference));
   sampler.begin(replay.simulation());
   TextFile out(file);
   std::vector<Body> bodies = replay.simulation().bodies();
@@ -20,7 +21,7 @@ bool export_data(const DataExport& what, const std::string& file, const std::fun
   }
   out.line(csv_header(what.columns, bodies));
   while (true) {
-    while (replay.edit(what.log)) sampler.after_edit(replay.simulation());
+    while (const Edit* edit = replay.edit(what.log)) sampler.after_edit(replay.simulation(), *edit);
     const Rows rows = sampler.take();
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (rows.times[i] < what.from || rows.times[i] > what.to) continue;

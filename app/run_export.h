@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/experiment/companion.h"
 #include "physics/experiment/run_log.h"
 #include "physics/measure/quantity.h"
 
@@ -14,6 +15,7 @@ namespace carom {
 // and before and after impacts.
 struct DataExport {
   RunLog log;
+  ReferenceId reference = ReferenceId::kNone;  // that errors are against
   std::int64_t steps = 0;
   std::vector<Quantity> columns;
   double from = 0.0;

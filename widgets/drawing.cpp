@@ -6,6 +6,7 @@
 
 #include "widgets/drawing_forces.h"
 #include "widgets/drawing_links.h"
+#include "widgets/drawing_others.h"
 
 namespace carom {
 namespace {
@@ -36,6 +37,7 @@ class Builder {
     add_springs(in_, seen_, out_);
     add_drives(in_, seen_, out_);
     add_links(in_, seen_, out_);
+    add_other_runs(in_, seen_, out_);
     if (in_.options.names) add_names();
     if (in_.options.velocities) add_velocities();
     if (in_.options.forces) add_applied_forces(in_, seen_, out_);

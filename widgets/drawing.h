@@ -3,6 +3,7 @@
 #include <QColor>
 #include <QPointF>
 #include <QString>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -134,6 +135,12 @@ inline constexpr double kImpactShown = 0.25;
 // With more moving bodies than this, names are clutter.
 inline constexpr int kMostNames = 40;
 
+// Another run of the same scene, beside the one that is drawn whole.
+struct OtherRun {
+  std::shared_ptr<const Frame> frame;
+  QColor color;
+};
+
 struct DrawingInput {
   const Frame& frame;
   std::span<const ImpactRecord> impacts;  // the recent ones
@@ -141,6 +148,7 @@ struct DrawingInput {
   const DrawingOptions& options;
   const Theme& theme;
   ArrowScale arrows;
+  std::span<const OtherRun> others = {};  // as outlines
 };
 
 // Leaves out what the camera doesn't see. The memory of `reuse` serves the new list.

@@ -36,6 +36,11 @@ PlotContent named(const char* id, const char* title, const char* unit, const cha
           rounding};
 }
 
+PlotContent logarithmic(PlotContent content) {
+  content.plot.logarithmic = true;
+  return content;
+}
+
 // "A and B"
 QString names_of(const QuantityName& quantity) {
   QStringList names;
@@ -78,6 +83,10 @@ std::span<const PlotContent> named_plots() {
       named("momentum_drift", "Momentum drift", "kg·m/s",
             "Momentum that the method itself gained or lost: what neither forces, walls nor the user explain",
             &Scales::momentum, kDrift, {line("x", "momentum_drift_x"), line("y", "momentum_drift_y")}),
+      logarithmic(
+          named("error", "Distance from the reference", "m",
+                "The largest over the moving bodies, but those that wait for an impact in one of the two runs",
+                nullptr, kValues, {line("", "position_error")})),
   };
   return table;
 }

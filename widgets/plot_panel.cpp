@@ -2,13 +2,16 @@
 
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QGridLayout>
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "widgets/legend_button.h"
 #include "widgets/plot_content.h"
 #include "widgets/plot_dialog.h"
 #include "widgets/plot_export.h"
@@ -21,6 +24,12 @@ PlotPanel::PlotPanel(const Theme& theme, QWidget* parent) : QWidget(parent), the
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
+  legend_ = new QWidget(this);
+  legend_grid_ = new QGridLayout(legend_);
+  legend_grid_->setContentsMargins(8, 0, 8, 0);
+  legend_grid_->setSpacing(2);
+  legend_->hide();
+  layout->addWidget(legend_);
   timer_.setSingleShot(true);
   timer_.setInterval(0);
   connect(&timer_, &QTimer::timeout, this, &PlotPanel::refresh);
@@ -44,6 +53,7 @@ PlotPanel::PlotPanel(const Theme& theme, QWidget* parent) : QWidget(parent), the
 void PlotPanel::set_theme(const Theme& theme) {
   theme_ = theme;
   for (RunPlot* plot : plots_) plot->set_theme(theme);
+  show_legend();
   schedule();
 }
 
@@ -66,7 +76,7 @@ void PlotPanel::set_bodies(const std::vector<Body>& bodies) { bodies_ = bodies; 
 
 void PlotPanel::insert(std::size_t place, const PlotContent& content) {
   auto* plot = new RunPlot(content, theme_, this);
-  static_cast<QVBoxLayout*>(layout())->insertWidget(static_cast<int>(place), plot, 1);
+  static_cast<QVBoxLayout*>(layout())->insertWidget(static_cast<int>(place) + 1, plot, 1);
   plots_.insert(plots_.begin() + static_cast<std::ptrdiff_t>(place), plot);
   connect_plot(plot);
 }
@@ -237,7 +247,7 @@ void PlotPanel::move_mark(int by, bool second) {
   const std::optional<double>& mark = second ? mark_b_ : mark_a_;
   if (!mark) return;
   for (const Curve& curve : curves()) {
-    const Series<1>* series = recorder_->series(curve);
+    const Series<1>* series = runs_.front().recorder->series(curve);
     if (series == nullptr) continue;
     const SeriesPoint<1>* to = by > 0 ? series->after(*mark) : series->at(std::nextafter(*mark, -1.0));
     if (to != nullptr) set_mark(to->at, second);
@@ -263,9 +273,36 @@ std::vector<PlotContent> PlotPanel::contents() const {
   return all;
 }
 
-void PlotPanel::update_from(const Recorder& recorder) {
-  recorder_ = &recorder;
+void PlotPanel::update_from(const std::vector<PlottedRun>& runs) {
+  const std::vector<PlottedRun> before = std::exchange(runs_, runs);
+  for (std::size_t i = 0; i < std::min(before.size(), runs_.size()); ++i) runs_[i].shown = before[i].shown;
+  show_legend();
   schedule();
+}
+
+// Two columns, or three of short names.
+void PlotPanel::show_legend() {
+  const bool anew = legend_buttons_.size() != runs_.size();
+  legend_->setVisible(runs_.size() > 1);
+  if (anew) {
+    for (LegendButton* button : legend_buttons_) delete button;
+    legend_buttons_.clear();
+  }
+  const int columns = runs_.size() == 3 ? 3 : 2;
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    if (anew) {
+      auto* button = new LegendButton(runs_[i].name, {}, legend_);
+      legend_buttons_.push_back(button);
+      legend_grid_->addWidget(button, static_cast<int>(i) / columns, static_cast<int>(i) % columns);
+      button->setChecked(runs_[i].shown);
+      connect(button, &LegendButton::toggled, this, [this, i](bool shown) {
+        runs_[i].shown = shown;
+        schedule();
+      });
+    }
+    legend_buttons_[i]->setText(runs_[i].name);
+    legend_buttons_[i]->set_look(pen_of_run(i, theme_, 2.2), theme_.text);
+  }
 }
 
 void PlotPanel::reset_zoom() {
@@ -295,7 +332,7 @@ void PlotPanel::mark_zoomed(RunPlot* plot) {
 
 QwtInterval PlotPanel::time_range() const {
   if (time_zoom_) return *time_zoom_;
-  return {0.0, nice_time_end(recorder_->time())};
+  return {0.0, nice_time_end(runs_.front().recorder->time())};
 }
 
 void PlotPanel::schedule() {
@@ -308,7 +345,7 @@ void PlotPanel::refresh() {
   for (RunPlot* plot : plots_) {
     plot->set_time_range(range);
     const bool hold = time_zoom_ || std::find(zoomed_.begin(), zoomed_.end(), plot) != zoomed_.end();
-    plot->update_from(*recorder_, hold);
+    plot->update_from(runs_, hold);
     extent = std::max(extent, plot->label_extent());
   }
   // Room in steps, so that the canvases don't shift with each new label.

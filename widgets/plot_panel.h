@@ -2,6 +2,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <memory>
 #include <optional>
 #include <qwt_interval.h>
 #include <string>
@@ -14,9 +15,12 @@
 #include "widgets/run_plot.h"
 #include "widgets/theme.h"
 
+class QGridLayout;
 class QMenu;
 
 namespace carom {
+
+class LegendButton;
 
 // The plots of a run, one above the other over one time axis. Wheel: zoom in time about the cursor; with Ctrl:
 // zoom that plot's values; drag: move; double click or Home: back to showing everything. While zoomed the axes
@@ -40,13 +44,15 @@ class PlotPanel : public QWidget {
   void replace(RunPlot* old, const Plot& plot);
   // Takes a plot away, but for the last one.
   void remove(RunPlot* plot);
-  // Shows what the recorder holds, at most once a turn of the event loop and never while hidden. The recorder
-  // is read again when the user zooms: it must live as long as the panel is used.
-  void update_from(const Recorder& recorder);
+  // Shows what the runs' recorders hold, at most once a turn of the event loop and never while hidden; they are
+  // read again when the user zooms. The first run sets the time.
+  void update_from(const std::vector<PlottedRun>& runs);
   void reset_zoom();
   [[nodiscard]] ReadingMarks marks() const;
   void clear_marks();
   [[nodiscard]] std::vector<PlotContent> contents() const;
+  // As they are shown now, or hidden by the reader.
+  [[nodiscard]] const std::vector<PlottedRun>& runs() const { return runs_; }
   // Shows or hides one of named_plots(), but for the last plot.
   void set_shown(std::string_view id, bool shown);
   [[nodiscard]] bool shows(std::string_view id) const;
@@ -71,6 +77,7 @@ class PlotPanel : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void show_legend();
   void insert(std::size_t place, const PlotContent& content);
   void drop(RunPlot* plot);
   void changed();
@@ -88,8 +95,10 @@ class PlotPanel : public QWidget {
   Theme theme_;
   QMenu* menu_;  // which plots are shown
   std::vector<Body> bodies_;
-  Recorder nothing_;
-  const Recorder* recorder_ = &nothing_;
+  QWidget* legend_;  // of the runs, if there are several
+  QGridLayout* legend_grid_;
+  std::vector<LegendButton*> legend_buttons_;
+  std::vector<PlottedRun> runs_{{std::make_shared<const Recorder>(), {}}};
   std::vector<RunPlot*> plots_;
   std::vector<RunPlot*> zoomed_;           // those on which the user zoomed or moved
   std::optional<QwtInterval> time_zoom_;   // while set, all axes stand still

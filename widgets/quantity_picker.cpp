@@ -14,7 +14,7 @@
 namespace carom {
 namespace {
 
-constexpr std::array<std::pair<Topic, const char*>, 7> kTopics = {{
+constexpr std::array<std::pair<Topic, const char*>, 8> kTopics = {{
     {Topic::kBody, "of one body"},
     {Topic::kPair, "of two bodies"},
     {Topic::kEnergy, "energy of all bodies"},
@@ -22,6 +22,7 @@ constexpr std::array<std::pair<Topic, const char*>, 7> kTopics = {{
     {Topic::kLedger, "where the energy went"},
     {Topic::kCrowd, "over all moving bodies"},
     {Topic::kRun, "of the run"},
+    {Topic::kError, "against the reference"},
 }};
 
 void add_topics(QComboBox* box) {

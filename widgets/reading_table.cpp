@@ -120,7 +120,7 @@ ReadingTable::ReadingTable(QWidget* parent)
                                    nullptr),
                   parent) {}
 
-void ReadingTable::update_from(const Recorder& recorder, const std::vector<PlotContent>& plots,
+void ReadingTable::update_from(const std::vector<PlottedRun>& runs, const std::vector<PlotContent>& plots,
                                const ReadingMarks& marks) {
   std::vector<Row> rows;
   Row time;
@@ -130,12 +130,15 @@ void ReadingTable::update_from(const Recorder& recorder, const std::vector<PlotC
   rows.push_back(time);
   for (const PlotContent& content : plots) {
     for (const PlotLine& line : content.lines) {
-      const Series<1>* series = line.curve ? recorder.series(*line.curve) : nullptr;
-      if (series == nullptr) continue;
-      Row row = read(*series, marks);
       const QString unit = line.unit.isEmpty() ? QString() : " / " + line.unit;
-      row.name = (line.label.isEmpty() ? content.title : content.title + ", " + line.label) + unit;
-      rows.push_back(row);
+      const QString name = (line.label.isEmpty() ? content.title : content.title + ", " + line.label) + unit;
+      for (const PlottedRun& run : runs) {
+        const Series<1>* series = line.curve && run.shown ? run.recorder->series(*line.curve) : nullptr;
+        if (series == nullptr) continue;
+        Row row = read(*series, marks);
+        row.name = runs.size() > 1 ? run.name + ": " + name : name;
+        rows.push_back(row);
+      }
     }
   }
   static_cast<ReadingModel*>(model())->set(std::move(rows));

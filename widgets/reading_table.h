@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "physics/experiment/recorder.h"
 #include "widgets/figure_table.h"
 #include "widgets/plot_content.h"
+#include "widgets/plotted_run.h"
 
 namespace carom {
 
@@ -19,15 +19,16 @@ struct ReadingMarks {
   bool operator==(const ReadingMarks&) const = default;
 };
 
-// Of each curve over time: its values at the marks, their difference and slope, and over the time between the
-// marks (without two of them: over the time that is shown) the area under it, its mean, least and largest
-// value. What comes from a part of the run of which only extremes are kept stands pale.
+// Of each curve over time, of each run that is shown: its values at the marks, their difference and slope, and
+// over the time between the marks (without two of them: over the time that is shown) the area under it, its
+// mean, least and largest value. What comes from a part of the run of which only extremes are kept stands pale.
 class ReadingTable : public FigureTable {
   Q_OBJECT
 
  public:
   explicit ReadingTable(QWidget* parent = nullptr);
-  void update_from(const Recorder& recorder, const std::vector<PlotContent>& plots, const ReadingMarks& marks);
+  void update_from(const std::vector<PlottedRun>& runs, const std::vector<PlotContent>& plots,
+                   const ReadingMarks& marks);
 };
 
 }  // namespace carom

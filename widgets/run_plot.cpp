@@ -27,8 +27,7 @@
 namespace carom {
 namespace {
 
-constexpr double kLineWidth = 1.8;  // px
-constexpr double kSumWidth = 4.5;   // px
+constexpr double kSumWidth = 4.5;  // px
 constexpr int kPixelsPerTimeTick = 60;
 constexpr int kPixelsPerValueTick = 20;
 
@@ -76,11 +75,14 @@ void RunPlot::build_header() {
   header->addWidget(title);
   header->addWidget(unit_);
   header->addStretch(1);
-  for (Item& curve : curves_) {
-    header->addWidget(curve.button);
-    curve.button->setVisible(!curve.button->text().isEmpty());
-    connect(curve.button, &LegendButton::toggled, this, [this, item = curve.item.get()](bool shown) {
-      item->setVisible(shown);
+  for (const PlotLine& line : content_.lines) {
+    auto* button = new LegendButton(content_.legend(line), line.tip, this);
+    lines_.push_back({button, {}});
+    header->addWidget(button);
+    button->setVisible(!button->text().isEmpty());
+    connect(button, &LegendButton::toggled, this, [this, i = lines_.size() - 1](bool shown) {
+      for (std::size_t k = 0; k < runs_.size(); ++k)
+        lines_[i].items[k].item->setVisible(shown && runs_[k].shown);
       emit curvesChanged();
     });
   }
@@ -106,17 +108,6 @@ void RunPlot::build_plot() {
   grid_ = std::make_unique<QwtPlotGrid>();
   grid_->enableX(false);
   grid_->attach(plot_);
-  for (const PlotLine& line : content_.lines) {
-    auto item = std::make_unique<SmoothCurve>(line.label);
-    auto* series = new DecimatedSeries;
-    item->setData(series);
-    item->setRenderHint(QwtPlotItem::RenderAntialiased);
-    item->setStyle(line.curve ? QwtPlotCurve::Lines : QwtPlotCurve::Sticks);
-    if (line.sum) item->setZ(item->z() - 1.0);
-    item->attach(plot_);
-    auto* button = new LegendButton(content_.legend(line), line.tip, this);
-    curves_.push_back({std::move(item), series, button});
-  }
   cursor_ = std::make_unique<QwtPlotMarker>();
   cursor_->setLineStyle(QwtPlotMarker::VLine);
   cursor_->setVisible(false);
@@ -171,16 +162,67 @@ void RunPlot::set_theme(const Theme& theme) {
     static_cast<QuietScaleDraw*>(plot_->axisScaleDraw(axis))->set_color(theme.muted);
     plot_->axisWidget(axis)->update();
   }
-  for (std::size_t i = 0; i < curves_.size(); ++i) {
-    Item& curve = curves_[i];
-    QPen pen(theme.series[i % theme.series.size()], kLineWidth, series_dash(static_cast<int>(i)));
-    if (content_.lines[i].sum) pen = QPen(blend(pen.color(), theme.panel, 0.45), kSumWidth, Qt::SolidLine);
-    curve.button->set_look(pen, theme.muted);
-    if (!content_.lines[i].curve) pen.setStyle(Qt::SolidLine);
-    curve.item->setPen(pen);
-    curve.item->setSymbol(nullptr);  // in the new colour with the next data
+  set_looks();
+}
+
+// Of a plot's lines the sum, or else the first one.
+bool RunPlot::is_main(std::size_t line) const {
+  const auto sum =
+      std::find_if(content_.lines.begin(), content_.lines.end(), [](const PlotLine& l) { return l.sum; });
+  return sum == content_.lines.end() ? line == 0
+                                     : line == static_cast<std::size_t>(sum - content_.lines.begin());
+}
+
+// Of one run the lines have their own colours; of several the runs have, and lesser lines stand back.
+QPen RunPlot::pen(std::size_t line, std::size_t run) const {
+  constexpr double kBack = 0.55;
+  if (runs_.size() > 1) {
+    QPen pen = pen_of_run(run, theme_);
+    if (is_main(line)) return pen;
+    pen.setColor(blend(pen.color(), theme_.panel, kBack));
+    pen.setWidthF(0.7 * kPlotLineWidth);
+    return pen;
+  }
+  QPen pen = pen_of_run(line, theme_);
+  if (!content_.lines[line].sum) return pen;
+  return QPen(blend(pen.color(), theme_.panel, 0.45), kSumWidth, Qt::SolidLine);
+}
+
+void RunPlot::set_looks() {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    lines_[i].button->set_look(pen(i, 0), theme_.muted);
+    for (std::size_t k = 0; k < lines_[i].items.size(); ++k) {
+      QPen look = pen(i, k);
+      if (!content_.lines[i].curve) look.setStyle(Qt::SolidLine);
+      lines_[i].items[k].item->setPen(look);
+      lines_[i].items[k].item->setSymbol(nullptr);  // in the new colour with the next data
+    }
   }
 }
+
+// The first run's curves lie over the others'; a single run's sum lies behind its parts.
+void RunPlot::set_runs(const std::vector<PlottedRun>& runs) {
+  const bool others = runs.size() != runs_.size() || lines_.front().items.empty();
+  runs_ = runs;
+  if (!others) return;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    lines_[i].items.clear();
+    const PlotLine& line = content_.lines[i];
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      auto item = std::make_unique<SmoothCurve>(line.label);
+      auto* series = new DecimatedSeries;
+      item->setData(series);
+      item->setRenderHint(QwtPlotItem::RenderAntialiased);
+      item->setStyle(line.curve ? QwtPlotCurve::Lines : QwtPlotCurve::Sticks);
+      item->setZ(item->z() - 0.1 * static_cast<double>(k) - (line.sum && runs.size() == 1 ? 1.0 : 0.0));
+      item->attach(plot_);
+      lines_[i].items.push_back({std::move(item), series});
+    }
+  }
+  set_looks();
+}
+
+bool RunPlot::shows(std::size_t line) const { return lines_[line].button->isChecked(); }
 
 // Heads on sticks, unless they would run into each other.
 void RunPlot::set_heads(const Item& curve) {
@@ -217,36 +259,43 @@ void RunPlot::set_value_range(const QwtInterval& range) {
   plot_->updateAxes();
 }
 
-void RunPlot::update_from(const Recorder& recorder, bool hold) {
-  recorder_ = &recorder;
+void RunPlot::update_from(const std::vector<PlottedRun>& runs, bool hold) {
+  set_runs(runs);
   const int columns = std::max(plot_->canvas()->width(), 1);
   const bool magnitudes = content_.plot.logarithmic;
   QwtInterval spread;
   QwtInterval x_spread;
-  for (std::size_t i = 0; i < curves_.size(); ++i) {
-    const std::optional<Curve>& curve = content_.lines[i].curve;
-    DecimatedSeries& series = *curves_[i].series;
-    if (!curve) {
-      series.take(recorder.impulses(), time_range_, columns, magnitudes);
-      set_heads(curves_[i]);
-    } else if (const Series<2>* path = recorder.path(*curve); path != nullptr) {
-      series.take(*path, time_range_, magnitudes);
-    } else if (const Series<1>* points = recorder.series(*curve); points != nullptr) {
-      series.take(*points, time_range_, columns, magnitudes);
-    } else {
-      series.clear();
+  Scales scales;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const Recorder& recorder = *runs[k].recorder;
+    if (k == 0) scales = recorder.scales();
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const std::optional<Curve>& curve = content_.lines[i].curve;
+      const Item& item = lines_[i].items[k];
+      DecimatedSeries& series = *item.series;
+      if (!curve) {
+        series.take(recorder.impulses(), time_range_, columns, magnitudes);
+        set_heads(item);
+      } else if (const Series<2>* path = recorder.path(*curve); path != nullptr) {
+        series.take(*path, time_range_, magnitudes);
+      } else if (const Series<1>* points = recorder.series(*curve); points != nullptr) {
+        series.take(*points, time_range_, columns, magnitudes);
+      } else {
+        series.clear();
+      }
+      item.item->setVisible(shows(i) && runs[k].shown);
+      if (!item.item->isVisible() || series.size() == 0) continue;
+      const QRectF bounds = series.boundingRect();
+      spread |= QwtInterval(bounds.top(), bounds.bottom());
+      x_spread |= QwtInterval(bounds.left(), bounds.right());
+      if (!curve) spread |= 0.0;  // sticks stand on zero
     }
-    if (!curves_[i].item->isVisible() || series.size() == 0) continue;
-    const QRectF bounds = series.boundingRect();
-    spread |= QwtInterval(bounds.top(), bounds.bottom());
-    x_spread |= QwtInterval(bounds.left(), bounds.right());
-    if (!curve) spread |= 0.0;  // sticks stand on zero
   }
   if (hold) {
     set_value_range(value_range());
     return;
   }
-  const double scale = content_.scale == nullptr ? 0.0 : recorder.scales().*content_.scale;
+  const double scale = content_.scale == nullptr ? 0.0 : scales.*content_.scale;
   const Zero zero{content_.rounding.zero * scale, content_.rounding.range * scale};
   if (magnitudes) {
     set_value_range(steady_powers(value_range_, spread.minValue(), spread.maxValue()));
@@ -295,22 +344,26 @@ void RunPlot::set_marks(std::optional<double> a, std::optional<double> b) {
 
 std::vector<std::pair<QString, QPen>> RunPlot::legend() const {
   std::vector<std::pair<QString, QPen>> entries;
-  for (const Item& curve : curves_) {
-    if (curve.item->isVisible() && !curve.button->text().isEmpty()) {
-      entries.emplace_back(curve.button->text(), curve.item->pen());
+  if (runs_.size() > 1) {
+    for (std::size_t k = 0; k < runs_.size(); ++k) {
+      if (runs_[k].shown) entries.emplace_back(runs_[k].name, pen_of_run(k, theme_));
     }
+  }
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const QString text = lines_[i].button->text();
+    if (shows(i) && !text.isEmpty()) entries.emplace_back(text, pen(i, 0));
   }
   return entries;
 }
 
-const Series<1>* RunPlot::series_of(std::size_t line) const {
+const Series<1>* RunPlot::series_of(std::size_t line, std::size_t run) const {
   const std::optional<Curve>& curve = content_.lines[line].curve;
-  return curve && recorder_ != nullptr ? recorder_->series(*curve) : nullptr;
+  return curve && run < runs_.size() ? runs_[run].recorder->series(*curve) : nullptr;
 }
 
 double RunPlot::snapped(double time) const {
-  for (std::size_t i = 0; i < curves_.size(); ++i) {
-    const Series<1>* series = series_of(i);
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const Series<1>* series = series_of(i, 0);
     if (const auto* point = series == nullptr ? nullptr : series->at(time); point != nullptr) return point->at;
   }
   return time;
@@ -368,15 +421,20 @@ void RunPlot::show_readout() {
   readout_->setVisible(cursor_time_.has_value());
   if (!cursor_time_) return;
   QStringList values;
-  for (std::size_t i = 0; i < curves_.size(); ++i) {
-    const Series<1>* series = series_of(i);
-    const auto* point = series == nullptr ? nullptr : series->at(*cursor_time_);
-    if (point == nullptr || !curves_[i].item->isVisible()) continue;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (!shows(i)) continue;
     const PlotLine& line = content_.lines[i];
-    QString value = line.label + " ";
-    // Where only extremes are kept the value is of a moment near by.
-    if (*cursor_time_ < series->whole_since()) value += QStringLiteral("≈ ");
-    value += figure(point->value[0]);
+    QStringList of_runs;
+    for (std::size_t k = 0; k < runs_.size(); ++k) {
+      const Series<1>* series = series_of(i, k);
+      const auto* point = series == nullptr ? nullptr : series->at(*cursor_time_);
+      if (point == nullptr || !runs_[k].shown) continue;
+      // Where only extremes are kept the value is of a moment near by.
+      const bool near_by = *cursor_time_ < series->whole_since();
+      of_runs << (near_by ? QStringLiteral("≈ ") : QString()) + figure(point->value[0]);
+    }
+    if (of_runs.isEmpty()) continue;
+    QString value = line.label + " " + of_runs.join(" | ");
     if (content_.unit.isEmpty()) value += " " + line.unit;
     values << value.trimmed();
   }

@@ -11,6 +11,7 @@
 
 #include "physics/experiment/recorder.h"
 #include "widgets/plot_content.h"
+#include "widgets/plotted_run.h"
 #include "widgets/theme.h"
 
 class QLabel;
@@ -36,9 +37,9 @@ class RunPlot : public QFrame {
 
   void set_theme(const Theme& theme);
   void set_time_range(const QwtInterval& range);
-  // Reads what the time range shows, now and whenever the reader looks: the recorder must live as long; fits
-  // the axes that are not time to the visible curves unless `hold`.
-  void update_from(const Recorder& recorder, bool hold);
+  // Reads what the time range shows, now and whenever the reader looks; fits the axes that are not time to the
+  // visible curves unless `hold`. Of several runs each has its own colour and dash.
+  void update_from(const std::vector<PlottedRun>& runs, bool hold);
   // The room in px that the value axis' labels take, and the room that they are to take at least.
   [[nodiscard]] int label_extent() const;
   void set_label_extent(int extent);
@@ -63,7 +64,7 @@ class RunPlot : public QFrame {
   [[nodiscard]] QwtInterval value_range() const;
   [[nodiscard]] QwtPlot* plot() const { return plot_; }
   [[nodiscard]] const Theme& theme() const { return theme_; }
-  // The name and the line of each curve that is shown and has a name.
+  // The name and the line of each run, if there are several, and of each curve that is shown and has a name.
   [[nodiscard]] std::vector<std::pair<QString, QPen>> legend() const;
   // The time of the newest record that is not after `time`; the time itself where nothing is recorded.
   [[nodiscard]] double snapped(double time) const;
@@ -81,9 +82,17 @@ class RunPlot : public QFrame {
   struct Item {
     std::unique_ptr<QwtPlotCurve> item;
     DecimatedSeries* series;  // owned by the item
+  };
+  struct Line {
     LegendButton* button;
+    std::vector<Item> items;  // of each run
   };
 
+  [[nodiscard]] bool is_main(std::size_t line) const;
+  [[nodiscard]] QPen pen(std::size_t line, std::size_t run) const;
+  void set_runs(const std::vector<PlottedRun>& runs);
+  void set_looks();
+  [[nodiscard]] bool shows(std::size_t line) const;
   void set_heads(const Item& curve);
   void build_header();
   void build_plot();
@@ -91,11 +100,11 @@ class RunPlot : public QFrame {
   void set_x_range(const QwtInterval& range);
   void show_readout();
   void hover(const std::optional<QPointF>& at);
-  [[nodiscard]] const Series<1>* series_of(std::size_t line) const;
+  [[nodiscard]] const Series<1>* series_of(std::size_t line, std::size_t run) const;
 
   PlotContent content_;
   Theme theme_;
-  const Recorder* recorder_ = nullptr;  // of the last update
+  std::vector<PlottedRun> runs_;  // of the last update
   std::optional<double> cursor_time_;
   QwtInterval time_range_{0.0, 1.0};
   QwtInterval value_range_;
@@ -106,7 +115,7 @@ class RunPlot : public QFrame {
   std::unique_ptr<QwtPlotGrid> grid_;
   std::unique_ptr<QwtPlotMarker> cursor_;
   std::array<std::unique_ptr<QwtPlotMarker>, 2> marks_;
-  std::vector<Item> curves_;
+  std::vector<Line> lines_;
 };
 
 }  // namespace carom

@@ -60,8 +60,9 @@ void SceneView::set_theme(const Theme& theme) {
   refresh();
 }
 
-void SceneView::set_frame(std::shared_ptr<const Frame> frame) {
+void SceneView::set_frame(std::shared_ptr<const Frame> frame, std::vector<OtherRun> others) {
   if (!frame || frame == frame_) return;
+  others_ = std::move(others);
   const bool new_run = !frame_ || frame->run != frame_->run;
   frame_ = std::move(frame);
   if (new_run) impacts_.clear();
@@ -142,7 +143,7 @@ void SceneView::refresh() {
   if (!isVisible()) return;  // showEvent catches up
   static const Frame empty;
   picture_.drawing = make_drawing({frame_ ? *frame_ : empty, impacts_, picture_.camera, options_,
-                                   picture_.theme, arrow_scale(peaks_, home_side_)},
+                                   picture_.theme, arrow_scale(peaks_, home_side_), others_},
                                   std::move(picture_.drawing));
   canvas_->update();
 }
@@ -150,8 +151,8 @@ void SceneView::refresh() {
 bool SceneView::save(const QString& path, QString* error) const {
   static const Frame empty;
   const Theme& theme = light_theme();
-  const Drawing drawing = make_drawing(
-      {frame_ ? *frame_ : empty, impacts_, picture_.camera, options_, theme, arrow_scale(peaks_, home_side_)});
+  const Drawing drawing = make_drawing({frame_ ? *frame_ : empty, impacts_, picture_.camera, options_, theme,
+                                        arrow_scale(peaks_, home_side_), others_});
   constexpr int kDots = 2;
   return save_picture(
       path, picture_.camera.viewport.toSize(),

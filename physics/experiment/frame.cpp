@@ -41,6 +41,7 @@ std::vector<LinkState> link_states(const Simulation& simulation) {
 
 void take_moment(const Simulation& simulation, Frame& frame) {
   frame.time = simulation.time();
+  frame.method = simulation.method();
   frame.steps = simulation.steps();
   frame.impact_count = simulation.impact_count();
   frame.evaluations = simulation.evaluations();

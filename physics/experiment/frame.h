@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,10 @@ struct Frame {
   Ledger ledger;
   std::string status = "ok";
   bool playing = false;
-  double realised_speed = 0.0;  // simulated seconds per second, while playing
+  double realised_speed = 0.0;    // simulated seconds per second, while playing
+  Method method;                  // in force
+  double wall_time = 0.0;         // s, that its steps have taken
+  std::optional<RunError> error;  // of a run that is compared with a reference
   // Since the frame before: of the recorded curves, and of curves that were asked for later, from the start on.
   std::vector<Rows> rows;
   double rows_known_until = 0.0;      // s: so far the latter have come; the frame's time if there are none

@@ -7,10 +7,11 @@ void apply(const Edit& edit, Simulation& simulation) {
   if (const auto* body = std::get_if<Body>(&edit.what)) simulation.add_body(*body);
 }
 
-bool Replay::edit(const RunLog& log) {
-  if (next_ >= log.edits.size() || log.edits[next_].step > simulation_.steps()) return false;
-  apply(log.edits[next_++], simulation_);
-  return true;
+const Edit* Replay::edit(const RunLog& log) {
+  if (next_ >= log.edits.size() || log.edits[next_].step > simulation_.steps()) return nullptr;
+  const Edit& edit = log.edits[next_++];
+  apply(edit, simulation_);
+  return &edit;
 }
 
 }  // namespace carom

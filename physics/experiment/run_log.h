@@ -12,6 +12,7 @@ namespace carom {
 // What the user did to a run, after so many of its steps: another method from now on, or one more body.
 struct Edit {
   std::int64_t step = 0;
+  double time = 0.0;  // s, at that step's end
   std::variant<Method, Body> what;
 };
 
@@ -29,8 +30,8 @@ class Replay {
  public:
   explicit Replay(const Scene& start) : simulation_(start) { simulation_.watch_impacts(true); }
 
-  // Carries out the next edit that is due after the steps so far. False if there is none.
-  bool edit(const RunLog& log);
+  // Carries out the next edit that is due after the steps so far, and tells which; nullptr if there is none.
+  const Edit* edit(const RunLog& log);
   void step() { simulation_.step(); }
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
 

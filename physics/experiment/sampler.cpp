@@ -27,15 +27,22 @@ Sampler::Sampler(std::vector<Curve> curves, const std::vector<Curve>& later) {
 
 void Sampler::begin(const Simulation& simulation) {
   rows_.from_the_start = true;
-  after_edit(simulation);
+  look(simulation);
 }
 
-void Sampler::after_edit(const Simulation& simulation) {
+void Sampler::after_edit(const Simulation& simulation, const Edit& edit) {
+  if (companion_) companion_->edit(edit);
+  look(simulation);
+}
+
+void Sampler::look(const Simulation& simulation) {
   mass_ = 0.0;
   for (int i = 0; i < simulation.state().size(); ++i) {
     if (simulation.mass().inverse_mass[i] > 0.0) mass_ += simulation.mass().mass[i];
   }
-  const Reading now = reading_of(simulation, tally_);
+  Reading now = reading_of(simulation, tally_);
+  std::optional<ReferenceReading> reference;
+  if (companion_) now.reference = &reference.emplace(companion_->reading());
   append(now);
   remember(now);
 }
@@ -79,6 +86,11 @@ void Sampler::after_step(const Simulation& simulation) {
   tally_.happened(simulation.impact_count());
   for (const ImpactRecord& impact : impacts) {
     scales_.impulse = std::max(scales_.impulse, impact.normal_impulse);
+  }
+  std::optional<ReferenceReading> reference;
+  if (companion_) {
+    companion_->follow(simulation);
+    end.reference = &reference.emplace(companion_->reading());
   }
   append(end);
   remember(end);

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "physics/experiment/companion.h"
+#include "physics/experiment/run_log.h"
 #include "physics/measure/impact_tally.h"
 #include "physics/measure/quantity.h"
 #include "physics/world/simulation.h"
@@ -34,10 +37,12 @@ class Sampler {
   // Reads `curves`, and is ready for `later` too, of which it must know the run from its start on.
   explicit Sampler(std::vector<Curve> curves, const std::vector<Curve>& later = {});
 
+  // Before begin(): goes along with the run from its start on, and gives its errors.
+  void compare_with(Companion reference) { companion_ = std::move(reference); }
+
   void begin(const Simulation& simulation);
   void after_step(const Simulation& simulation);
-  // After something else changed the run: a body was put in.
-  void after_edit(const Simulation& simulation);
+  void after_edit(const Simulation& simulation, const Edit& edit);
 
   // From now on reads others. Rows that wait must be taken before.
   void set_curves(std::vector<Curve> curves);
@@ -45,13 +50,19 @@ class Sampler {
   [[nodiscard]] Rows take();
   [[nodiscard]] const std::vector<Curve>& curves() const { return *rows_.curves; }
   [[nodiscard]] const Scales& scales() const { return scales_; }
+  // Of a run that is compared, at its last step's end.
+  [[nodiscard]] std::optional<RunError> error() const {
+    return companion_ ? std::optional(companion_->error()) : std::nullopt;
+  }
 
  private:
+  void look(const Simulation& simulation);  // between steps
   void append(const Reading& reading);
   void remember(const Reading& end);  // for the jumps of the next step
 
   Rows rows_;
   ImpactTally tally_;
+  std::optional<Companion> companion_;
   Scales scales_;
   double mass_ = 0.0;  // kg, of all that moves freely
   // At the end of the last step.

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <optional>
 #include <utility>
 
-#include "physics/experiment/run_log.h"
+#include "physics/experiment/lane.h"
 
 namespace carom {
 namespace {
@@ -17,6 +16,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kFramePeriod{8};
 // Behind by more than this, the pace gives up the time it could not keep, instead of racing after it later.
 constexpr double kLargestLag = 0.1;  // s
+constexpr double kRounding = 1e-9;   // of a step
 
 double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
@@ -34,108 +34,102 @@ void append(Rows rows, std::vector<Rows>& all) {
 }  // namespace
 
 struct Worker::Lab {
-  // Goes through the run once more, for curves that were not recorded from its start on.
-  struct CatchUp {
-    Replay replay;
-    Sampler sampler;
+  // A run, and how many of the bodies that were put in it has been given.
+  struct Run {
+    Lane lane;
+    std::uint64_t id;
+    std::size_t given = 0;
+  };
+  struct PutIn {
+    double time;  // s, of the first run
+    Body body;
   };
 
-  Lab(const Scene& s, const std::vector<Curve>& c)
-      : scene(s), log(std::make_shared<RunLog>(RunLog{s, {}})), simulation(s), curves(c) {
-    begin();
-  }
+  Lab(const Scene& s, const std::vector<Curve>& c) : scene(s), curves(c) { begin(); }
 
   void begin() {
-    log = std::make_shared<RunLog>(RunLog{scene, {}});
-    simulation = Simulation(scene);
-    simulation.watch_impacts(true);
-    bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
-    forces = std::make_shared<const Forces>(scene.forces);
-    ++run;
+    ++starts;
     playing = false;
     end = std::numeric_limits<double>::infinity();
-    sampler = Sampler(curves);
-    sampler.begin(simulation);
-    catch_up.reset();
-    rows.clear();
-    impacts.clear();
+    put_in.clear();
+    start = scene;
+    runs.clear();
+    add_run(scene.method);
+    for (const Method& method : scene.compare) add_run(method);
     set_rate();
     changed = true;
   }
-  void step() {
-    simulation.step();
-    sampler.after_step(simulation);
-    impacts.insert(impacts.end(), simulation.last_impacts().begin(), simulation.last_impacts().end());
+  void add_run(const Method& method) {
+    Scene alone = start;
+    alone.method = method;
+    alone.compare.clear();
+    runs.push_back({Lane(alone, curves, reference), ++ids});
     changed = true;
   }
-  void edit(const Edit& what) {
-    RunLog longer = *log;  // frames hold the one before
-    longer.edits.push_back(what);
-    log = std::make_shared<RunLog>(std::move(longer));
-    apply(what, simulation);
-    bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
-    sampler.after_edit(simulation);
-    changed = true;
-  }
-  void record(const std::vector<Curve>& wanted) {
-    curves = wanted;
-    std::vector<Curve> missing;
-    for (const Curve& curve : wanted) {
-      const std::vector<Curve>& known = sampler.curves();
-      if (std::find(known.begin(), known.end(), curve) == known.end()) missing.push_back(curve);
-    }
-    catch_up.reset();
-    if (missing.empty()) {
-      rows.push_back(sampler.take());
-      sampler.set_curves(wanted);
-    } else {
-      catch_up.emplace(Replay(log->start), Sampler(missing, wanted));
-      catch_up->sampler.begin(catch_up->replay.simulation());
+  [[nodiscard]] Lane& first() { return runs.front().lane; }
+  // Bodies come in at the first step's end that is not before they came into the first run.
+  void give_bodies(Run& run) {
+    while (run.given < put_in.size() &&
+           put_in[run.given].time <= run.lane.time() + kRounding * run.lane.simulation().method().step) {
+      run.lane.edit(put_in[run.given++].body);
     }
   }
-  // Until the replay is where the run is, or for about so long. The run itself waits for it.
-  void catch_up_for(Clock::duration duration) {
-    if (!catch_up) return;
-    const auto begin = Clock::now();
-    Replay& replay = catch_up->replay;
-    Sampler& past = catch_up->sampler;
-    do {
-      while (replay.edit(*log)) past.after_edit(replay.simulation());
-      if (replay.simulation().steps() == simulation.steps()) {
-        rows.push_back(sampler.take());
-        rows.push_back(past.take());
-        sampler = std::move(past);
-        sampler.set_curves(curves);
-        set_pace();
-        set_rate();
-        catch_up.reset();
-        changed = true;
-        return;
-      }
-      replay.step();
-      past.after_step(replay.simulation());
-    } while (Clock::now() - begin < duration);
+  // Steps the runs, that which is farthest behind first, until all of them are at `time`: within a step of it.
+  // False if it was `deadline` before.
+  template <class Stop>
+  bool go_to(double time, Clock::time_point deadline, const Stop& stop) {
+    while (true) {
+      Run& run = *std::min_element(runs.begin(), runs.end(),
+                                   [](const Run& a, const Run& b) { return a.lane.next() < b.lane.next(); });
+      if (run.lane.next() > time + kRounding * run.lane.simulation().method().step) return true;
+      if (Clock::now() >= deadline || stop()) return false;
+      run.lane.step();
+      give_bodies(run);
+      changed = true;
+    }
+  }
+  [[nodiscard]] bool some_lag() {
+    const double time = first().time();
+    return std::any_of(runs.begin(), runs.end(), [time](const Run& run) {
+      return run.lane.next() <= time + kRounding * run.lane.simulation().method().step;
+    });
+  }
+  [[nodiscard]] bool some_behind() const {
+    return std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.lane.behind(); });
+  }
+  void record() {
+    for (Run& run : runs) run.lane.record(curves, reference);
     changed = true;
+  }
+  // For about so long; the runs themselves wait for it.
+  void catch_up(Clock::duration duration) {
+    const auto run = std::find_if(runs.begin(), runs.end(), [](const Run& r) { return r.lane.behind(); });
+    if (run == runs.end()) return;
+    run->lane.catch_up(duration);
+    changed = true;
+    set_pace();
+    set_rate();
   }
   // The pace is counted anew from here.
   void set_pace() {
     pace_wall = Clock::now();
-    pace_time = simulation.time();
+    pace_time = first().time();
   }
-
   // The realised speed is measured anew from here.
   void set_rate() {
     realised_speed = 0.0;
     rate_wall = Clock::now();
-    rate_time = simulation.time();
+    rate_time = first().time();
   }
 
-  Scene scene;                        // as it would be saved now
-  std::shared_ptr<const RunLog> log;  // of the run since its start
-  Simulation simulation;
-  std::shared_ptr<const std::vector<Body>> bodies;
-  std::shared_ptr<const Forces> forces;
-  std::uint64_t run = 0;
+  Scene scene;  // as it would be saved now
+  Scene start;  // at t = 0 of these runs
+  std::vector<Curve> curves;
+  ReferenceId reference = ReferenceId::kNone;
+  std::vector<Run> runs;
+  std::vector<PutIn> put_in;
+  std::uint64_t starts = 0;
+  std::uint64_t ids = 0;
   bool playing = false;
   bool changed = true;
   double speed = 1.0;
@@ -146,11 +140,6 @@ struct Worker::Lab {
   Clock::time_point rate_wall = Clock::now();
   double rate_time = 0.0;
   double realised_speed = 0.0;
-  std::vector<Curve> curves;
-  Sampler sampler{curves};
-  std::optional<CatchUp> catch_up;
-  std::vector<Rows> rows;  // that wait beside the samplers' own
-  std::vector<ImpactRecord> impacts;
 };
 
 Worker::Worker(const Scene& scene, const std::vector<Curve>& curves)
@@ -170,15 +159,16 @@ void Worker::post(std::function<void(Lab&)> command) {
   wake_.notify_all();
 }
 
-void Worker::load(const Scene& scene, const std::vector<Curve>& curves) {
+void Worker::load(const Scene& scene, const std::vector<Curve>& curves, ReferenceId reference) {
   {
     const std::lock_guard lock(mutex_);
     scene_ = scene;
-    ++run_;
+    ++starts_;
   }
-  post([scene, curves](Lab& lab) {
+  post([scene, curves, reference](Lab& lab) {
     lab.scene = scene;
     lab.curves = curves;
+    lab.reference = reference;
     lab.begin();
   });
 }
@@ -186,7 +176,7 @@ void Worker::load(const Scene& scene, const std::vector<Curve>& curves) {
 void Worker::restart() {
   {
     const std::lock_guard lock(mutex_);
-    ++run_;
+    ++starts_;
   }
   post([](Lab& lab) { lab.begin(); });
 }
@@ -195,8 +185,7 @@ void Worker::set_playing(bool playing, double until) {
   post([playing, until](Lab& lab) {
     lab.playing = playing;
     lab.full_speed = false;
-    const double next = lab.simulation.time() + lab.simulation.method().step;
-    lab.end = until >= next ? until : std::numeric_limits<double>::infinity();
+    lab.end = until >= lab.first().next() ? until : std::numeric_limits<double>::infinity();
     lab.set_pace();
     lab.set_rate();
     lab.changed = true;
@@ -206,7 +195,8 @@ void Worker::set_playing(bool playing, double until) {
 void Worker::step_once() {
   post([](Lab& lab) {
     lab.playing = false;
-    lab.step();
+    lab.first().step();  // the others follow
+    lab.changed = true;
   });
 }
 
@@ -218,14 +208,56 @@ void Worker::set_speed(double speed) {
   });
 }
 
-void Worker::set_method(const Method& method) {
+void Worker::set_method(const Method& method, std::size_t run) {
+  const auto set = [method, run](Scene& scene) {
+    if (run == 0) scene.method = method;
+    if (run > 0 && run <= scene.compare.size()) scene.compare[run - 1] = method;
+  };
   {
     const std::lock_guard lock(mutex_);
-    scene_.method = method;
+    set(scene_);
+  }
+  post([method, run, set](Lab& lab) {
+    set(lab.scene);
+    if (run >= lab.runs.size()) return;
+    lab.runs[run].lane.edit(method);
+    lab.changed = true;
+  });
+}
+
+void Worker::add_method(const Method& method) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (scene_.compare.size() >= kMostCompared) return;
+    scene_.compare.push_back(method);
   }
   post([method](Lab& lab) {
-    lab.scene.method = method;
-    lab.edit({lab.simulation.steps(), method});
+    lab.scene.compare.push_back(method);
+    lab.add_run(method);
+  });
+}
+
+void Worker::remove_method(std::size_t run) {
+  const auto remove = [run](Scene& scene) {
+    if (run > 0 && run <= scene.compare.size())
+      scene.compare.erase(scene.compare.begin() + static_cast<std::ptrdiff_t>(run) - 1);
+  };
+  {
+    const std::lock_guard lock(mutex_);
+    remove(scene_);
+  }
+  post([run, remove](Lab& lab) {
+    remove(lab.scene);
+    if (run == 0 || run >= lab.runs.size()) return;
+    lab.runs.erase(lab.runs.begin() + static_cast<std::ptrdiff_t>(run));
+    lab.changed = true;
+  });
+}
+
+void Worker::set_reference(ReferenceId reference) {
+  post([reference](Lab& lab) {
+    lab.reference = reference;
+    lab.record();
   });
 }
 
@@ -236,7 +268,9 @@ void Worker::add_body(const Body& body) {
   }
   post([body](Lab& lab) {
     lab.scene.bodies.push_back(body);
-    lab.edit({lab.simulation.steps(), body});
+    lab.put_in.push_back({lab.first().time(), body});
+    for (Lab::Run& run : lab.runs) lab.give_bodies(run);
+    lab.changed = true;
   });
 }
 
@@ -250,7 +284,10 @@ void Worker::run_until(double time) {
 }
 
 void Worker::record(const std::vector<Curve>& curves) {
-  post([curves](Lab& lab) { lab.record(curves); });
+  post([curves](Lab& lab) {
+    lab.curves = curves;
+    lab.record();
+  });
 }
 
 Scene Worker::scene() const {
@@ -258,51 +295,53 @@ Scene Worker::scene() const {
   return scene_;
 }
 
-std::shared_ptr<const Frame> Worker::take_frame() {
+std::vector<std::shared_ptr<const Frame>> Worker::take_frames() {
   const std::lock_guard lock(mutex_);
-  if (newest_ != nullptr && newest_->run != run_) return nullptr;  // of before the last load or restart
+  if (newest_start_ != starts_) return {};  // of before the last load or restart
   if (too_much_waits()) wake_.notify_all();
-  return std::exchange(newest_, nullptr);
+  const auto taken = std::exchange(newest_, {});
+  return {taken.begin(), taken.end()};
 }
 
 bool Worker::too_much_waits() const {
-  if (newest_ == nullptr) return false;
-  std::size_t numbers = newest_->impacts.size();
-  for (const Rows& rows : newest_->rows) numbers += rows.size() + rows.values.size();
+  std::size_t numbers = 0;
+  for (const std::shared_ptr<Frame>& frame : newest_) {
+    numbers += frame->impacts.size();
+    for (const Rows& rows : frame->rows) numbers += rows.size() + rows.values.size();
+  }
   return numbers > kMostWaiting;
 }
 
 void Worker::publish(Lab& lab) {
-  auto frame = std::make_shared<Frame>();
-  frame->run = lab.run;
-  take_moment(lab.simulation, *frame);
-  frame->bodies = lab.bodies;
-  frame->forces = lab.forces;
-  frame->playing = lab.playing;
-  frame->realised_speed = lab.realised_speed;
-  lab.rows.push_back(lab.sampler.take());
-  if (lab.catch_up) lab.rows.push_back(lab.catch_up->sampler.take());
-  frame->rows = std::exchange(lab.rows, {});
-  frame->rows_known_until = lab.catch_up ? lab.catch_up->replay.simulation().time() : frame->time;
-  frame->impacts = std::exchange(lab.impacts, {});
-  frame->scales = lab.sampler.scales();
-  frame->log = lab.log;
+  std::vector<std::shared_ptr<Frame>> frames;
+  for (Lab::Run& run : lab.runs) {
+    const std::shared_ptr<Frame> frame = run.lane.take_frame();
+    frame->run = run.id;
+    frame->playing = lab.playing;
+    frame->realised_speed = lab.realised_speed;
+    frames.push_back(frame);
+  }
   lab.changed = false;
 
-  std::shared_ptr<Frame> waiting;
+  std::vector<std::shared_ptr<Frame>> waiting;
   {
     const std::lock_guard lock(mutex_);
-    waiting = std::exchange(newest_, nullptr);
+    waiting = std::exchange(newest_, {});
   }
-  if (waiting != nullptr && waiting->run == frame->run) {
-    // Nobody took the frame before: its news go on with this one.
-    std::swap(frame->rows, waiting->rows);
-    for (Rows& rows : waiting->rows) append(std::move(rows), frame->rows);
-    std::swap(frame->impacts, waiting->impacts);
-    frame->impacts.insert(frame->impacts.end(), waiting->impacts.begin(), waiting->impacts.end());
+  // Where nobody took the frames before, their news go on with these.
+  for (const std::shared_ptr<Frame>& before : waiting) {
+    const auto same = std::find_if(frames.begin(), frames.end(),
+                                   [&](const auto& frame) { return frame->run == before->run; });
+    if (same == frames.end()) continue;
+    Frame& frame = **same;
+    std::swap(frame.rows, before->rows);
+    for (Rows& rows : before->rows) append(std::move(rows), frame.rows);
+    std::swap(frame.impacts, before->impacts);
+    frame.impacts.insert(frame.impacts.end(), before->impacts.begin(), before->impacts.end());
   }
   const std::lock_guard lock(mutex_);
-  newest_ = std::move(frame);
+  newest_ = std::move(frames);
+  newest_start_ = lab.starts;
 }
 
 void Worker::work(const std::stop_token& stop, const Scene& first, const std::vector<Curve>& curves) {
@@ -315,13 +354,13 @@ void Worker::work(const std::stop_token& stop, const Scene& first, const std::ve
       const auto something_to_do = [&] { return !commands_.empty(); };
       if (too_much_waits()) {
         wake_.wait(lock, stop, [&] { return something_to_do() || !too_much_waits(); });
-      } else if (lab.catch_up) {
+      } else if (lab.some_behind() || lab.some_lag()) {
         // goes on at once
       } else if (!lab.playing) {
         wake_.wait(lock, stop, something_to_do);
       } else if (!lab.full_speed) {
         // Until the next step is due.
-        const double due = (lab.simulation.time() + lab.simulation.method().step - lab.pace_time) / lab.speed;
+        const double due = (lab.first().next() - lab.pace_time) / lab.speed;
         const auto pause = std::min<Clock::duration>(
             kFramePeriod, std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(due)) -
                               (Clock::now() - lab.pace_wall));
@@ -331,28 +370,32 @@ void Worker::work(const std::stop_token& stop, const Scene& first, const std::ve
     }
     for (const auto& command : commands) command(lab);
     commands.clear();
-    lab.catch_up_for(kFramePeriod);
-    if (lab.catch_up || !lab.playing) continue;
 
+    if (lab.some_behind()) {
+      lab.catch_up(kFramePeriod);
+      continue;
+    }
     const auto begin = Clock::now();
+    const auto stops = [&stop] { return stop.stop_requested(); };
+    if (!lab.playing) {
+      (void)lab.go_to(lab.first().time(), begin + kFramePeriod, stops);  // those that lag
+      continue;
+    }
     const double target = lab.full_speed
                               ? lab.end
                               : std::min(lab.end, lab.pace_time + seconds(begin - lab.pace_wall) * lab.speed);
-    const double h = lab.simulation.method().step;
-    while (lab.simulation.time() + (1.0 - 1e-9) * h <= target && Clock::now() - begin < kFramePeriod &&
-           !stop.stop_requested()) {
-      lab.step();
-    }
-    if (lab.simulation.time() + (1.0 - 1e-9) * h > lab.end) {
+    const bool there = lab.go_to(target, begin + kFramePeriod, stops);
+    const double time = lab.first().time();
+    if (there && target >= lab.end) {
       lab.playing = false;
       lab.changed = true;
-    } else if (!lab.full_speed && (target - lab.simulation.time()) / lab.speed > kLargestLag) {
+    } else if (!lab.full_speed && (target - time) / lab.speed > kLargestLag) {
       lab.set_pace();
     }
     if (const double wall = seconds(Clock::now() - lab.rate_wall); wall > 0.5) {
-      lab.realised_speed = (lab.simulation.time() - lab.rate_time) / wall;
+      lab.realised_speed = (time - lab.rate_time) / wall;
       lab.rate_wall = Clock::now();
-      lab.rate_time = lab.simulation.time();
+      lab.rate_time = time;
     }
   }
 }

@@ -14,37 +14,46 @@
 
 namespace carom {
 
-// Runs one simulation on a thread of its own, at a chosen pace, and publishes whole frames. Calls return at
-// once: they are carried out between two steps, in their order. The lock guards only the hand-over of commands
-// and of the newest frame; nobody holds it while stepping or painting. A run waits while nobody takes its
-// frames and too much of it is waiting there (kMostWaiting).
+// Runs a scene under one method, or under several side by side, on a thread of its own and at a chosen pace,
+// and publishes whole frames. Calls return at once: they are carried out between two steps, in their order. The
+// lock guards only the hand-over of commands and of the newest frames; nobody holds it while stepping or
+// painting. The runs wait while nobody takes their frames and too much is waiting there (kMostWaiting).
+//
+// Of several runs the one that is farthest behind goes first; one that is begun later starts at t = 0 and the
+// others wait for it. The first run is the scene's own: it sets the pace.
 class Worker {
  public:
-  // The scene must be valid; `curves` are read off its run from the start on.
+  // The scene must be valid; `curves` are read off its runs from the start on.
   explicit Worker(const Scene& scene, const std::vector<Curve>& curves = {});
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  void load(const Scene& scene, const std::vector<Curve>& curves = {});  // stops at t = 0
+  // Stops at t = 0, with the methods that the scene names.
+  void load(const Scene& scene, const std::vector<Curve>& curves = {},
+            ReferenceId reference = ReferenceId::kNone);
   void restart();  // the same scene with the bodies that were added, stopped at t = 0
   // Plays at the chosen pace, until `until` if that lies ahead; or stops.
   void set_playing(bool playing, double until = std::numeric_limits<double>::infinity());
-  void step_once();              // one step of the method, stopped
-  void set_speed(double speed);  // simulated seconds per second, > 0
-  void set_method(const Method& method);
+  void step_once();                                            // one step of the first run's method, stopped
+  void set_speed(double speed);                                // simulated seconds per second, > 0
+  void set_method(const Method& method, std::size_t run = 0);  // from now on
+  void add_method(const Method& method);  // one more run; not beyond kMostCompared besides the first
+  void remove_method(std::size_t run);    // not the first
+  void set_reference(ReferenceId reference);
   void add_body(const Body& body);
   void run_until(double time);  // as fast as it goes, then stopped; frames come on the way
-  // Which curves to read off the run from now on. Those that were not read before come from the start on: the
+  // Which curves to read off the runs from now on. Those that were not read before come from the start on: the
   // run waits while it is gone through once more.
   void record(const std::vector<Curve>& curves);
 
   // Numbers in rows, and impacts, that wait at the most, but for those of one step.
   static constexpr std::size_t kMostWaiting = 1'000'000;
 
-  // What happened since the last call; nullptr if nothing did. Never of before the last load or restart.
-  [[nodiscard]] std::shared_ptr<const Frame> take_frame();
-  // The scene as it would be saved now: with the method in force and the bodies that were added.
+  // What happened since the last call, a frame for each run; none if nothing did. Never of before the last load
+  // or restart.
+  [[nodiscard]] std::vector<std::shared_ptr<const Frame>> take_frames();
+  // The scene as it would be saved now: with the methods in force and the bodies that were added.
   [[nodiscard]] Scene scene() const;
 
  private:
@@ -57,10 +66,11 @@ class Worker {
   mutable std::mutex mutex_;
   std::condition_variable_any wake_;
   std::vector<std::function<void(Lab&)>> commands_;
-  std::shared_ptr<Frame> newest_;
+  std::vector<std::shared_ptr<Frame>> newest_;
+  std::uint64_t newest_start_ = 0;  // of the frames: the value of starts_ then
   Scene scene_;
-  std::uint64_t run_ = 1;  // of the frames to hand out: loads and restarts so far, and the start
-  std::jthread thread_;    // last: it uses all of the above
+  std::uint64_t starts_ = 1;  // loads and restarts so far, and the first start
+  std::jthread thread_;       // last: it uses all of the above
 };
 
 }  // namespace carom

@@ -20,15 +20,6 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kLeastSecondHalf = 0.3;
 constexpr double kLeastGrowth = 100.0;
 
-double reach(const State& state, const std::vector<Body>& bodies, const std::vector<int>& moving) {
-  double length = 0.0;
-  for (const int i : moving) {
-    const double radius = bounding_radius(bodies[static_cast<std::size_t>(i)].shape);
-    length = std::max(length, state.position(i).lpNorm<Eigen::Infinity>() + radius);
-  }
-  return length;
-}
-
 // A unit vector for each body, the same on every machine.
 std::vector<Vec2> directions(std::size_t count) {
   std::mt19937_64 random(1);
@@ -63,6 +54,27 @@ double slope(const Chaos& c) {
 
 }  // namespace
 
+double reach(const State& state, const std::vector<Body>& bodies, const std::vector<int>& moving) {
+  double length = 0.0;
+  for (const int i : moving) {
+    const double radius = bounding_radius(bodies[static_cast<std::size_t>(i)].shape);
+    length = std::max(length, state.position(i).lpNorm<Eigen::Infinity>() + radius);
+  }
+  return length;
+}
+
+Scene displaced(const Scene& scene, double distance) {
+  Scene beside = scene;
+  beside.bodies = all_bodies(scene);
+  beside.generators.clear();
+  const std::vector<Vec2> where = directions(beside.bodies.size());
+  for (const int i : moving_bodies(beside.bodies)) {
+    const auto body = static_cast<std::size_t>(i);
+    beside.bodies[body].position += distance * where[body];
+  }
+  return beside;
+}
+
 double Chaos::growth_at(double t) const {
   if (time.empty() || t <= time.front()) return 1.0;
   if (t >= time.back()) return growth.back() * std::exp(exponent * (t - time.back()));
@@ -92,14 +104,8 @@ Chaos follow_neighbours(const Scene& scene, const Method& method, double until, 
     c.size = std::min(c.size, bounding_radius(plain.bodies[static_cast<std::size_t>(i)].shape));
   }
   const double first_length = c.length;
-  const std::vector<Vec2> where = directions(plain.bodies.size());
   for (const double displacement : kDisplacements) {
-    Scene beside = plain;
-    for (const int i : moving) {
-      const auto body = static_cast<std::size_t>(i);
-      beside.bodies[body].position += displacement * first_length * where[body];
-    }
-    runs.emplace_back(beside);
+    runs.emplace_back(displaced(plain, displacement * first_length));
   }
 
   // Whole steps between two looks.

@@ -48,4 +48,11 @@ inline constexpr double kVisible = 1e-3;
 [[nodiscard]] Chaos follow_neighbours(const Scene& scene, const Method& method, double until, int threads,
                                       const std::stop_token& stop = {});
 
+// m: the largest coordinate of a body of `moving`, with its size.
+[[nodiscard]] double reach(const State& state, const std::vector<Body>& bodies, const std::vector<int>& moving);
+
+// The scene with its moving bodies displaced by `distance` (m), each in a direction of its own that is the same
+// on every machine. Its bodies stand in a list.
+[[nodiscard]] Scene displaced(const Scene& scene, double distance);
+
 }  // namespace carom

@@ -99,6 +99,39 @@ double lost_in_flight(const Ledger& l) {
   return l.lost_to_drag + l.lost_to_dampers + l.lost_to_rolling + l.lost_to_links;
 }
 
+// How far one body, or the farthest moving one, is from where it is in the reference; NaN while that cannot be
+// told: without a reference, and for bodies that wait for an impact.
+template <class Distance>
+double error_of(const Reading& r, int body, const Distance& distance) {
+  if (r.reference == nullptr || r.reference->awaiting[static_cast<std::size_t>(body)] != 0) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return distance(r.state, r.reference->state, body);
+}
+template <class Distance>
+double largest_error(const Reading& r, const Distance& distance) {
+  double most = std::numeric_limits<double>::quiet_NaN();
+  for (int i = 0; i < r.state.size(); ++i) {
+    if (r.mass.inverse_mass[i] > 0.0) most = std::fmax(most, error_of(r, i, distance));
+  }
+  return most;
+}
+
+double position_error(const State& ours, const State& theirs, int body) {
+  return (ours.position(body) - theirs.position(body)).norm();
+}
+double velocity_error(const State& ours, const State& theirs, int body) {
+  return (ours.velocity(body) - theirs.velocity(body)).norm();
+}
+
+double energy_error(const Reading& r) {
+  if (r.reference == nullptr) return std::numeric_limits<double>::quiet_NaN();
+  const auto& awaiting = r.reference->awaiting;
+  const bool compared = std::none_of(awaiting.begin(), awaiting.end(), [](std::uint8_t a) { return a != 0; });
+  return compared ? std::abs(r.totals.energy() - r.reference->energy)
+                  : std::numeric_limits<double>::quiet_NaN();
+}
+
 using R = const Reading&;
 
 constexpr auto kObservables = std::to_array<Observable>({
@@ -196,6 +229,15 @@ constexpr auto kObservables = std::to_array<Observable>({
      [](R r, Ids) { return r.tally.mutual(); }},
     {"wall_impulse", "normal impulses on walls so far", "N s", 0, Topic::kRun,
      [](R r, Ids) { return r.tally.wall_impulse(); }},
+    {"position_error", "distance from the reference", "m", 0, Topic::kError,
+     [](R r, Ids) { return largest_error(r, position_error); }},
+    {"velocity_error", "error of the velocities", "m/s", 0, Topic::kError,
+     [](R r, Ids) { return largest_error(r, velocity_error); }},
+    {"energy_error", "error of the energy", "J", 0, Topic::kError, [](R r, Ids) { return energy_error(r); }},
+    {"body_position_error", "distance from the reference", "m", 1, Topic::kError,
+     [](R r, Ids b) { return error_of(r, b[0], position_error); }},
+    {"body_velocity_error", "error of the velocity", "m/s", 1, Topic::kError,
+     [](R r, Ids b) { return error_of(r, b[0], velocity_error); }},
 });
 
 }  // namespace

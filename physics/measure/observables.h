@@ -13,6 +13,13 @@
 
 namespace carom {
 
+// What a run is compared with, at the same moment.
+struct ReferenceReading {
+  const State& state;
+  double energy;                           // J
+  std::span<const std::uint8_t> awaiting;  // by body: an impact has happened in one of the two runs only
+};
+
 // What an observable is read off: a run at one moment.
 struct Reading {
   const State& state;
@@ -26,12 +33,13 @@ struct Reading {
   const MassProperties& mass;
   const Geometry& shapes;
   std::span<const ContactForce> contacts;
+  const ReferenceReading* reference = nullptr;  // none: errors are NaN
 };
 
 [[nodiscard]] Reading reading_of(const Simulation& simulation, const ImpactTally& tally);
 
 // What observables are about, for a menu of them.
-enum class Topic { kBody, kPair, kEnergy, kMomentum, kLedger, kCrowd, kRun };
+enum class Topic { kBody, kPair, kEnergy, kMomentum, kLedger, kCrowd, kRun, kError };
 
 // What an expectation or a plot can be about: a number read off a run at one moment.
 struct Observable {
@@ -41,6 +49,9 @@ struct Observable {
   int bodies;  // how many bodies it is about
   Topic topic;
   double (*value)(const Reading& reading, std::span<const int> bodies);
+
+  // Of a run beside its reference: known at the ends of steps only.
+  [[nodiscard]] bool is_error() const { return topic == Topic::kError; }
 };
 
 // All observables, each described in the table itself and in app/help/presets.md.

@@ -55,6 +55,7 @@ Expectation read_expectation(const Json& json, const std::string& place) {
   Expectation e;
   ObjectReader r(json, place);
   const Observable& observable = read_observable(r, e.observable, e.bodies);
+  if (observable.is_error()) refuse_value(r.at("observable"), "\"" + e.observable + "\"", "it in plots only");
   (void)r.require("reduction", quoted_names(kReductionNames));
   r.read_name("reduction", kReductionNames, e.reduction);
   if (e.reduction == Reduction::kAt) r.require_number("time", e.time, "s");

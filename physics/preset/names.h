@@ -54,8 +54,8 @@ inline constexpr auto kLinkNames = std::to_array<std::pair<LinkKind, std::string
     {LinkKind::kWeld, "weld"},
 });
 
-inline constexpr auto kPlotNames =
-    std::to_array<std::string_view>({"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift"});
+inline constexpr auto kPlotNames = std::to_array<std::string_view>(
+    {"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift", "error"});
 
 // The word of a table that stands for `id`; the tables hold every id.
 template <class Table, class Id>

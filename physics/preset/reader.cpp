@@ -180,6 +180,8 @@ Scene scene_of(const Json& json) {
   r.read("duration", scene.duration);
   r.read("gravity", scene.forces.gravity);
   if (const Json* v = r.find("method")) scene.method = read_method(*v, "/method");
+  r.read_array("compare",
+               [&](const Json& v, const std::string& at) { scene.compare.push_back(read_method(v, at)); });
   r.read_array("materials",
                [&](const Json& v, const std::string& at) { scene.materials.push_back(read_material(v, at)); });
   r.read_array("bodies",

@@ -145,6 +145,7 @@ Json preset_json(const Scene& scene, bool all) {
   j["duration"] = scene.duration;
   j["gravity"] = pair_json(scene.forces.gravity);
   j["method"] = method_json(scene.method, all);
+  for (const Method& m : scene.compare) j["compare"].push_back(method_json(m, all));
   for (const Material& m : scene.materials) j["materials"].push_back(surface_json({{"name", m.name}}, m));
   for (const MaterialPair& p : scene.pairs)
     j["material_pairs"].push_back(surface_json({{"materials", {p.a, p.b}}}, p.surface));

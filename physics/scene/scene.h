@@ -259,6 +259,9 @@ struct Plot {
   bool operator==(const Plot&) const = default;
 };
 
+// Methods beside the scene's own.
+inline constexpr std::size_t kMostCompared = 5;
+
 struct Scene {
   std::string title;
   std::string about;      // what it is, a paragraph
@@ -266,6 +269,7 @@ struct Scene {
   std::string topic;      // the folder it stands in; not stored in the file
   double duration = 5.0;  // s, > 0: how long a run lasts if nothing else is said
   Method method;
+  std::vector<Method> compare;  // other methods to run beside it, at most kMostCompared
   Forces forces;
   std::vector<Material> materials;
   std::vector<MaterialPair> pairs;

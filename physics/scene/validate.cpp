@@ -278,6 +278,16 @@ void check_plot(const std::string& at, const Plot& plot, const Bodies& bodies) {
   if (plot.x) check(at + "/x", *plot.x);
 }
 
+void check_method(const std::string& place, const Method& method) {
+  check_range(place + "/step", method.step, kLeastStep, kLargestStep, "s");
+  check_range(place + "/tolerance", method.tolerance, kLeastTolerance, kLargestTolerance, "m and m/s");
+}
+
+void check_integrator(const std::string& place, const Scene& scene, const Method& method) {
+  if (const auto reason = why_not(scene, method.integrator))
+    throw SceneError(place + "/integrator: " + *reason);
+}
+
 }  // namespace
 
 std::string shortened(std::string text, std::size_t most) {
@@ -307,8 +317,14 @@ ForcePlaces written_places(const Forces& forces) {
 }
 
 void validate(const Scene& scene, const ForcePlaces& places) {
-  check_range("/method/step", scene.method.step, kLeastStep, kLargestStep, "s");
-  check_range("/method/tolerance", scene.method.tolerance, kLeastTolerance, kLargestTolerance, "m and m/s");
+  check_method("/method", scene.method);
+  if (scene.compare.size() > kMostCompared) {
+    refuse_value("/compare", fmt::format("{} methods", scene.compare.size()),
+                 fmt::format("up to {}", kMostCompared));
+  }
+  for (std::size_t i = 0; i < scene.compare.size(); ++i) {
+    check_method(fmt::format("/compare/{}", i), scene.compare[i]);
+  }
   check_positive("/duration", scene.duration, "s");
   check_materials(scene);
   check_pairs(scene);
@@ -325,8 +341,10 @@ void validate(const Scene& scene, const ForcePlaces& places) {
                  fmt::format("\"simultaneous\" with {}", scene.links.empty() ? "surfaces that stick" : "links"),
                  "\"pairwise\": impacts of linked bodies go pair by pair");
   }
-  if (const auto reason = why_not(scene, scene.method.integrator))
-    throw SceneError("/method/integrator: " + *reason);
+  check_integrator("/method", scene, scene.method);
+  for (std::size_t i = 0; i < scene.compare.size(); ++i) {
+    check_integrator(fmt::format("/compare/{}", i), scene, scene.compare[i]);
+  }
   for (std::size_t i = 0; i < scene.expect.size(); ++i)
     check_expectation(fmt::format("/expect/{}", i), scene.expect[i], bodies);
   for (std::size_t i = 0; i < scene.plots.size(); ++i)

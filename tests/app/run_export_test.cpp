@@ -70,7 +70,7 @@ TEST(RunExport, HasEveryDigitOfALongPast) {
   late.position = {-1.0, 3.0};
   const Method method{IntegratorId::kVelocityVerlet, ImpactsId::kLocated, ContactsId::kImpulse, 0.001};
   DataExport what;
-  what.log = {box(), {{100, late}, {200, method}}};
+  what.log = {box(), {{100, 0.0, late}, {200, 0.0, method}}};
   what.steps = 60'000;
   what.to = 1e9;
   what.columns = run_columns([&] {
@@ -90,7 +90,7 @@ TEST(RunExport, HasEveryDigitOfALongPast) {
     for (const Edit& edit : what.log.edits) {
       if (edit.step != step) continue;
       apply(edit, run);
-      sampler.after_edit(run);
+      sampler.after_edit(run, edit);
     }
     run.step();
     sampler.after_step(run);

@@ -42,15 +42,15 @@ struct Bench {
           rows.values.push_back(i == samples / 3 ? kSpike : wave + 0.1 * std::sin(1e4 * frame.time));
         }
       }
-      recorder.add(frame);
+      recorder->add(frame);
     }
-    for (const Curve& curve : *curves) memory += static_cast<double>(recorder.series(curve)->memory());
+    for (const Curve& curve : *curves) memory += static_cast<double>(recorder->series(curve)->memory());
   }
 
   // ms
   double replot() {
     const auto begin = std::chrono::steady_clock::now();
-    panel.update_from(recorder);
+    panel.update_from({{recorder, "run"}});
     QApplication::processEvents();
     QApplication::processEvents();
     return 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -73,7 +73,7 @@ struct Bench {
   }
 
   PlotPanel panel;
-  Recorder recorder;
+  std::shared_ptr<Recorder> recorder = std::make_shared<Recorder>();
   double memory = 0.0;
 };
 

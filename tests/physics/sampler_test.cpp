@@ -134,8 +134,9 @@ TEST(Sampler, ReadsPathsAndEdits) {
   sampler.begin(simulation);
   simulation.step();
   sampler.after_step(simulation);
-  apply({1, disc("B", {3.0, 0.0}, {2.0, 0.0})}, simulation);
-  sampler.after_edit(simulation);
+  const Edit edit{1, 0.005, disc("B", {3.0, 0.0}, {2.0, 0.0})};
+  apply(edit, simulation);
+  sampler.after_edit(simulation, edit);
   const Rows rows = sampler.take();
   ASSERT_EQ(rows.times, (std::vector<double>{0.0, 0.005, 0.005}));
   const std::vector<double> expected = {0.0, 0.0, 0.625, 0.0025, 0.005, 0.625, 0.0025, 0.005, 2.625};

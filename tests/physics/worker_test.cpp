@@ -30,6 +30,12 @@ Scene small_gas() {
 Curve energy() { return {{find_observable("kinetic_energy"), {}}, std::nullopt}; }
 Curve path() { return {{find_observable("y"), {4}}, Quantity{find_observable("x"), {4}}}; }
 
+// Of a worker's only run.
+std::shared_ptr<const Frame> take_frame(Worker& worker) {
+  const auto frames = worker.take_frames();
+  return frames.empty() ? nullptr : frames.front();
+}
+
 // Collects frames, checks that nothing is lost or out of order, and waits for what a test asks for.
 class Watcher {
  public:
@@ -39,7 +45,7 @@ class Watcher {
   bool wait(const Condition& condition) {
     const auto end = std::chrono::steady_clock::now() + 20s;
     while (std::chrono::steady_clock::now() < end) {
-      if (const auto frame = worker_.take_frame()) {
+      if (const auto frame = take_frame(worker_)) {
         take(*frame);
         if (condition(*frame)) return true;
       }
@@ -126,7 +132,7 @@ TEST(Worker, WaitsWhereNobodyTakesItsFrames) {
   std::size_t largest = 0;
   for (bool ended = false; !ended;) {
     std::this_thread::sleep_for(largest > Worker::kMostWaiting ? 1ms : 700ms);
-    while ((frame = worker.take_frame()) != nullptr) {
+    while ((frame = take_frame(worker)) != nullptr) {
       std::size_t waited = frame->impacts.size();
       for (const Rows& r : frame->rows) {
         rows += static_cast<std::int64_t>(r.size());
@@ -157,7 +163,7 @@ TEST(Worker, PlaysPausesStepsAndRestarts) {
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return !f.playing; }));
   const std::int64_t steps = watcher.last.steps;
   std::this_thread::sleep_for(50ms);
-  EXPECT_EQ(worker.take_frame(), nullptr);
+  EXPECT_EQ(take_frame(worker), nullptr);
   worker.step_once();
   ASSERT_TRUE(watcher.wait([&](const Frame& f) { return f.steps == steps + 1; }));
   worker.restart();
@@ -251,7 +257,7 @@ TEST(Worker, CurvesThatAreAskedForLateComeFromTheStartOn) {
     const auto wait = [&] {
       const auto end = std::chrono::steady_clock::now() + 20s;
       while (std::chrono::steady_clock::now() < end) {
-        const auto frame = worker.take_frame();
+        const auto frame = take_frame(worker);
         if (frame != nullptr) recorder.add(*frame);
         if (frame != nullptr && !frame->playing && frame->steps > 0 && frame->rows_known_until == frame->time)
           return;
@@ -296,7 +302,7 @@ TEST(Worker, CurvesComeAndGo) {
   const auto run_to = [&](double time) {
     worker.run_until(time);
     while (recorder.time() < time - 1e-9) {
-      if (const auto frame = worker.take_frame()) recorder.add(*frame);
+      if (const auto frame = take_frame(worker)) recorder.add(*frame);
     }
   };
   run_to(1.0);

@@ -17,15 +17,15 @@ namespace {
 class PlotExportTest : public testing::Test {
  protected:
   void SetUp() override {
-    recorder.add(run_to(head_on_scene(), 1.0, panel.curves()));
+    recorder->add(run_to(head_on_scene(), 1.0, panel.curves()));
     panel.resize(400, 560);
     panel.show();
-    panel.update_from(recorder);
+    panel.update_from({{recorder, "run"}});
     QApplication::processEvents();
   }
   [[nodiscard]] RunPlot& plot() { return *panel.plots().front(); }
 
-  Recorder recorder;
+  std::shared_ptr<Recorder> recorder = std::make_shared<Recorder>();
   PlotPanel panel{dark_theme()};
 };
 

@@ -52,11 +52,11 @@ void set_values(Frame& frame, std::string_view observable, const Value& value) {
 class PlotPanelTest : public testing::Test {
  protected:
   void show(const Frame& frame) {
-    recorder.add(frame);
+    recorder->add(frame);
     panel.resize(400, 560);
     panel.show();
     QApplication::processEvents();
-    panel.update_from(recorder);
+    panel.update_from({{recorder, "run"}});
     QApplication::processEvents();
   }
   [[nodiscard]] QWidget* canvas(int plot) const {
@@ -70,7 +70,7 @@ class PlotPanelTest : public testing::Test {
     });
   }
 
-  Recorder recorder;
+  std::shared_ptr<Recorder> recorder = std::make_shared<Recorder>();
   PlotPanel panel{light_theme()};
 };
 
@@ -155,8 +155,8 @@ TEST_F(PlotPanelTest, ADriftHasAScaleOfItsOwn) {
   EXPECT_GT(plot(0)->value_range().minValue(), -3e-12);
   set_values(frame, "numerical_drift", [](double) { return 1e-17; });
   frame.run = 2;
-  recorder.add(frame);
-  panel.update_from(recorder);
+  recorder->add(frame);
+  panel.update_from({{recorder, "run"}});
   QApplication::processEvents();
   EXPECT_NEAR(plot(0)->value_range().maxValue(), 5e-15, 1e-16) << "rounding of 4.5 J";
 }
@@ -198,8 +198,8 @@ TEST_F(PlotPanelTest, WheelZoomsAllTimeAxesAboutTheCursorAndDoubleClickResets) {
   // While zoomed, new data leave the axes alone.
   Frame later = run_to(head_on_scene(), 5.0, panel.curves());
   later.run = 2;
-  recorder.add(later);
-  panel.update_from(recorder);
+  recorder->add(later);
+  panel.update_from({{recorder, "run"}});
   QApplication::processEvents();
   EXPECT_EQ(plot(0)->time_range(), zoomed);
 
@@ -314,7 +314,7 @@ TEST_F(PlotPanelTest, MarksAreRead) {
   EXPECT_EQ(*panel.marks().a, before);
 
   ReadingTable table;
-  table.update_from(recorder, panel.contents(), panel.marks());
+  table.update_from({{recorder, "run"}}, panel.contents(), panel.marks());
   const auto text = [&](int row, int column) { return table.model()->index(row, column).data().toString(); };
   EXPECT_EQ(text(0, 0), "time / s");
   EXPECT_EQ(text(1, 0), "Energy, kinetic / J");
@@ -394,8 +394,8 @@ TEST(PlotDialog, PutsAPlotTogether) {
 }
 
 TEST_F(PlotPanelTest, HiddenItDoesNothing) {
-  recorder.add(run_to(head_on_scene(), 2.0, panel.curves()));
-  panel.update_from(recorder);
+  recorder->add(run_to(head_on_scene(), 2.0, panel.curves()));
+  panel.update_from({{recorder, "run"}});
   QApplication::processEvents();
   EXPECT_EQ(plot(0)->time_range(), QwtInterval(0.0, 1.0));
   panel.show();

@@ -1,0 +1,85 @@
+#include <QTabWidget>
+#include <algorithm>
+
+#include "app/lab_window.h"
+#include "widgets/compare_panel.h"
+#include "widgets/method_names.h"
+#include "widgets/plot_panel.h"
+#include "widgets/scene_view.h"
+
+// Several methods side by side in the lab's window.
+namespace carom {
+namespace {
+
+// Beyond so many moving bodies nobody asks for the reference's cost without saying so.
+constexpr std::ptrdiff_t kMostCompanions = 200;
+
+ReferenceId first_reference(const Scene& scene) {
+  const std::vector<Body> bodies = all_bodies(scene);
+  const auto moving =
+      std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return !is_immovable(b); });
+  return moving > kMostCompanions ? ReferenceId::kNone : usual_reference(scene);
+}
+
+}  // namespace
+
+void LabWindow::add_method(const Method& method) {
+  if (worker_->scene().compare.size() >= kMostCompared) return;
+  worker_->add_method(method);
+  if (reference_ == ReferenceId::kNone) choose_reference(first_reference(worker_->scene()));
+  tabs_->setCurrentWidget(compare_);
+  mark_changed(true);
+  show_needs();
+}
+
+void LabWindow::remove_method(std::size_t run) {
+  worker_->remove_method(run);
+  mark_changed(true);
+  show_needs();
+}
+
+void LabWindow::choose_reference(ReferenceId reference) {
+  reference_ = reference;
+  worker_->set_reference(reference);
+  compare_->set_scene(worker_->scene(), reference);
+}
+
+// The scene from the start under explicit Euler, RK4 and the method of the reference; or back to its own method
+// alone.
+void LabWindow::compare_usual() {
+  Scene scene = worker_->scene();
+  if (alone_) {
+    scene.method = *alone_;
+    scene.compare.clear();
+    alone_.reset();
+    reference_ = ReferenceId::kNone;
+  } else {
+    alone_ = scene.method;
+    reference_ = first_reference(scene);
+    scene.compare = {scene.method, reference_for(scene, scene.method, usual_reference(scene))};
+    scene.method.integrator = IntegratorId::kExplicitEuler;
+    scene.compare[0].integrator = IntegratorId::kRk4;
+    tabs_->setCurrentWidget(compare_);
+    if (reference_ != ReferenceId::kNone) plots_->set_shown("error", true);
+  }
+  worker_->load(scene, plots_->curves(), reference_);
+  mark_changed(true);
+  show_method();
+  show_needs();
+}
+
+void LabWindow::show_compared() {
+  std::vector<Method> methods;
+  for (const auto& frame : frames_) methods.push_back(frame->method);
+  const std::vector<QString> names = names_of(methods);
+  std::vector<PlottedRun> plotted;
+  std::vector<OtherRun> others;
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    plotted.push_back({recorders_[i], names[i]});
+    if (i > 0) others.push_back({frames_[i], pen_of_run(i, theme_).color()});
+  }
+  plots_->update_from(plotted);
+  view_->set_frame(frame_, others);
+}
+
+}  // namespace carom

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "physics/scene/scene.h"
+
+namespace carom {
+
+// Of each of these methods the integrator and whatever else they differ by, as short as it tells them apart:
+// "RK4", or "RK4, step end, 5 ms".
+[[nodiscard]] std::vector<QString> names_of(const std::vector<Method>& methods);
+
+// The whole of a method in one line.
+[[nodiscard]] QString description_of(const Method& method);
+
+}  // namespace carom
