@@ -23,13 +23,25 @@ ReferenceId first_reference(const Scene& scene) {
 
 }  // namespace
 
+// In the place of the last one if there are as many as there may be.
 void LabWindow::add_method(const Method& method) {
-  if (worker_->scene().compare.size() >= kMostCompared) return;
-  worker_->add_method(method);
+  const Scene scene = worker_->scene();
+  if (scene.compare.size() < kMostCompared) {
+    worker_->add_method(method);
+  } else {
+    worker_->set_method(method, kMostCompared);
+  }
   if (reference_ == ReferenceId::kNone) choose_reference(first_reference(worker_->scene()));
-  tabs_->setCurrentWidget(compare_);
   mark_changed(true);
   show_needs();
+}
+
+// Unless it is among the methods already.
+void LabWindow::compare_with(const Method& method) {
+  const Scene scene = worker_->scene();
+  const bool there = scene.method == method ||
+                     std::find(scene.compare.begin(), scene.compare.end(), method) != scene.compare.end();
+  if (!there) add_method(method);
 }
 
 void LabWindow::remove_method(std::size_t run) {

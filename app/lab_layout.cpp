@@ -70,7 +70,7 @@ void LabWindow::make_body() {
   impacts_ = new ImpactsTable;
   ledger_ = new LedgerTable;
   study_ = new StudyPanel(theme_);
-  connect(study_, &StudyPanel::methodChosen, this, &LabWindow::add_method);
+  connect(study_, &StudyPanel::methodChosen, this, &LabWindow::compare_with);
   compare_ = new ComparePanel(theme_);
   connect(compare_, &ComparePanel::methodAdded, this, &LabWindow::add_method);
   connect(compare_, &ComparePanel::methodRemoved, this, &LabWindow::remove_method);

@@ -102,6 +102,7 @@ void LabWindow::show_scene(const Scene& scene, const QString& name, const QStrin
                            QString::fromStdString(scene.observe).toHtmlEscaped(),
                            QString::fromStdString(scene.about).toHtmlEscaped().replace("\n", "<br>")));
   study_->set_scene(scene, name.isEmpty() ? QFileInfo(file).completeBaseName() : name);
+  if (!scene.compare.empty()) tabs_->setCurrentWidget(compare_);
   mark_changed(false);
   show_method();
   show_needs();

@@ -83,6 +83,7 @@ class LabWindow : public QMainWindow {
   void change_method(const Method& method, std::size_t run = 0);
   // Several methods side by side (lab_compare.cpp).
   void add_method(const Method& method);
+  void compare_with(const Method& method);
   void remove_method(std::size_t run);
   void choose_reference(ReferenceId reference);
   void compare_usual();

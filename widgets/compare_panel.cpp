@@ -9,6 +9,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStandardItemModel>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -48,9 +49,10 @@ struct ReferenceText {
   const char* tip;
 };
 constexpr std::array<ReferenceText, 3> kReferences = {{
-    {ReferenceId::kNone, "nothing", "No errors are told, and no reference is computed"},
-    {ReferenceId::kExactFlight, "exact flight", "The parabola in closed form, impacts at their own time"},
-    {ReferenceId::kRefined, "a refined run",
+    {ReferenceId::kNone, "no reference", "No errors are told, and no reference is computed"},
+    {ReferenceId::kExactFlight, "against exact flight",
+     "The parabola in closed form, impacts at their own time"},
+    {ReferenceId::kRefined, "against a refined run",
      "The adaptive fifth order at a tolerance of 1e−12, impacts at their own time; where contacts last, the "
      "fifth order "
      "at an eighth of the step"},
@@ -64,11 +66,19 @@ void set_enabled(QComboBox* box, int row, const std::optional<std::string>& why_
 
 }  // namespace
 
-ComparePanel::ComparePanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
-  auto* column = new QVBoxLayout(this);
+ComparePanel::ComparePanel(const Theme& theme, QWidget* parent) : QScrollArea(parent) {
+  auto* inside = new QWidget;
+  setWidget(inside);
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setStyleSheet("QScrollArea, QScrollArea > QWidget > QWidget, #bar { background: transparent; }");
+  auto* column = new QVBoxLayout(inside);
   column->setContentsMargins(0, 4, 0, 0);
   column->setSpacing(4);
   table_ = new CompareTable(theme);
+  constexpr int kLeastHeight = 120;  // px: three methods
+  table_->setMinimumHeight(kLeastHeight);
   column->addWidget(make_actions());
   column->addWidget(table_, 1);
   column->addWidget(make_choices());
@@ -81,6 +91,7 @@ ComparePanel::ComparePanel(const Theme& theme, QWidget* parent) : QWidget(parent
 
 QWidget* ComparePanel::make_actions() {
   auto* bar = new QWidget;
+  bar->setObjectName("bar");
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
@@ -88,19 +99,20 @@ QWidget* ComparePanel::make_actions() {
   usual_->setToolTip(
       tr("This scene from the start under explicit Euler, RK4 and without an error; again: back (C)"));
   connect(usual_, &QPushButton::clicked, this, &ComparePanel::usualAsked);
-  add_ = new QPushButton(tr("Add"));
+  add_ = new QToolButton;
+  add_->setText(QStringLiteral("+"));
   add_->setToolTip(
       tr("One more method, a copy of the chosen one to be changed below; up to %1").arg(1 + kMostCompared));
-  connect(add_, &QPushButton::clicked, this, [this] { emit methodAdded(methods_[chosen()]); });
-  remove_ = new QPushButton(tr("Remove"));
+  connect(add_, &QToolButton::clicked, this, [this] { emit methodAdded(methods_[chosen()]); });
+  remove_ = new QToolButton;
+  remove_->setText(QString(kMinus));
+  for (QToolButton* button : {add_, remove_}) button->setObjectName("choice");
   remove_->setToolTip(tr("Takes the chosen method out; the first one is the scene's own"));
-  connect(remove_, &QPushButton::clicked, this, [this] { emit methodRemoved(chosen()); });
+  connect(remove_, &QToolButton::clicked, this, [this] { emit methodRemoved(chosen()); });
   references_ = new QComboBox;
   for (const ReferenceText& reference : kReferences) references_->addItem(tr(reference.label));
   connect(references_, &QComboBox::activated, this,
           [this](int i) { emit referenceChosen(kReferences[static_cast<std::size_t>(i)].id); });
-  auto* against = new QLabel(tr("against"));
-  against->setObjectName("muted");
   uncertainty_ = new QLabel;
   uncertainty_->setObjectName("muted");
   uncertainty_->setToolTip(
@@ -108,7 +120,7 @@ QWidget* ComparePanel::make_actions() {
          "rounding has grown"));
   for (QWidget* w : std::initializer_list<QWidget*>{usual_, add_, remove_}) row->addWidget(w);
   row->addStretch(1);
-  for (QWidget* w : std::initializer_list<QWidget*>{against, references_, uncertainty_}) row->addWidget(w);
+  for (QWidget* w : std::initializer_list<QWidget*>{references_, uncertainty_}) row->addWidget(w);
   return bar;
 }
 
@@ -116,8 +128,9 @@ template <class Table, class Member>
 QComboBox* ComparePanel::make_choice(const Table& table, Member member, const QString& tip) {
   auto* box = new QComboBox;
   box->setToolTip(tip);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(9);
+  box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  constexpr int kLeastWidth = 72;  // px
+  box->setMinimumWidth(kLeastWidth);
   for (const auto& choice : table) {
     box->addItem(text_of(choice.label));
     box->setItemData(box->count() - 1, text_of(choice.tip), Qt::ToolTipRole);
@@ -132,6 +145,7 @@ QComboBox* ComparePanel::make_choice(const Table& table, Member member, const QS
 
 QWidget* ComparePanel::make_choices() {
   auto* bar = new QWidget;
+  bar->setObjectName("bar");
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
@@ -141,7 +155,7 @@ QWidget* ComparePanel::make_choices() {
   step_ = new QSlider(Qt::Horizontal);
   step_->setRange(0, kDecades * kPlaces);
   step_->setPageStep(kPlaces / 4);
-  step_->setMinimumWidth(80);
+  step_->setMinimumWidth(60);
   step_->setToolTip(
       tr("Length of a step, from now on; of the adaptive integrator and of exact flight only the interval "
          "of the results"));
@@ -174,6 +188,11 @@ void ComparePanel::take_step() {
 std::size_t ComparePanel::chosen() const {
   const int row = table_->currentIndex().row();
   return row < 0 || static_cast<std::size_t>(row) >= methods_.size() ? 0 : static_cast<std::size_t>(row);
+}
+
+QSize ComparePanel::minimumSizeHint() const {
+  constexpr int kLeastWidth = 120;  // px
+  return {kLeastWidth, widget()->minimumSizeHint().height()};
 }
 
 void ComparePanel::set_theme(const Theme& theme) { table_->set_theme(theme); }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <QScrollArea>
 #include <QTimer>
-#include <QWidget>
 #include <memory>
 #include <vector>
 
@@ -13,6 +13,7 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 class QSlider;
+class QToolButton;
 
 namespace carom {
 
@@ -20,13 +21,15 @@ class CompareTable;
 
 // The methods under which a scene runs side by side: a table of how far each is from the reference and what it
 // costs, and below it what the chosen one is. It changes nothing itself: signals tell what the user wants.
-class ComparePanel : public QWidget {
+class ComparePanel : public QScrollArea {
   Q_OBJECT
 
  public:
   explicit ComparePanel(const Theme& theme, QWidget* parent = nullptr);
 
   void set_theme(const Theme& theme);
+  // As high as it needs to be; sideways it scrolls.
+  [[nodiscard]] QSize minimumSizeHint() const override;
   // The scene with its methods in force, and what they are compared with.
   void set_scene(const Scene& scene, ReferenceId reference);
   void update_from(const std::vector<std::shared_ptr<const Frame>>& frames);
@@ -52,8 +55,8 @@ class ComparePanel : public QWidget {
   ReferenceId reference_ = ReferenceId::kNone;
   CompareTable* table_ = nullptr;
   QPushButton* usual_ = nullptr;
-  QPushButton* add_ = nullptr;
-  QPushButton* remove_ = nullptr;
+  QToolButton* add_ = nullptr;
+  QToolButton* remove_ = nullptr;
   QComboBox* references_ = nullptr;
   QLabel* uncertainty_ = nullptr;
   QComboBox* integrators_ = nullptr;

@@ -82,12 +82,12 @@ class CompareModel : public FigureModel {
 }  // namespace
 
 CompareTable::CompareTable(const Theme& theme, QWidget* parent)
-    : FigureTable(new CompareModel({{"method", 200, true},
-                                    {"error now / m", 84, false, 3},
+    : FigureTable(new CompareModel({{"method", 210, true},
+                                    {"error / m", 78, false, 3},
                                     {"largest / m", 84, false, 3},
-                                    {"impact times / s", 92, false, 3},
-                                    {"energy drift / J", 88, false, 3},
-                                    {"computing, s / s", 92, false, 2}},
+                                    {"impacts / s", 84, false, 3},
+                                    {"drift / J", 84, false, 3},
+                                    {"CPU, s/s", 72, false, 2}},
                                    nullptr),
                   parent) {
   setSelectionMode(QAbstractItemView::SingleSelection);

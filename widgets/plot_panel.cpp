@@ -275,33 +275,42 @@ std::vector<PlotContent> PlotPanel::contents() const {
 
 void PlotPanel::update_from(const std::vector<PlottedRun>& runs) {
   const std::vector<PlottedRun> before = std::exchange(runs_, runs);
-  for (std::size_t i = 0; i < std::min(before.size(), runs_.size()); ++i) runs_[i].shown = before[i].shown;
-  show_legend();
+  bool same = before.size() == runs_.size();
+  for (std::size_t i = 0; i < std::min(before.size(), runs_.size()); ++i) {
+    runs_[i].shown = before[i].shown;
+    same = same && before[i].name == runs_[i].name;
+  }
+  if (!same) show_legend();
   schedule();
 }
 
-// Two columns, or three of short names.
 void PlotPanel::show_legend() {
-  const bool anew = legend_buttons_.size() != runs_.size();
   legend_->setVisible(runs_.size() > 1);
-  if (anew) {
-    for (LegendButton* button : legend_buttons_) delete button;
-    legend_buttons_.clear();
+  for (std::size_t i = runs_.size(); i < legend_buttons_.size(); ++i) delete legend_buttons_[i];
+  legend_buttons_.resize(std::min(legend_buttons_.size(), runs_.size()));
+  for (std::size_t i = legend_buttons_.size(); i < runs_.size(); ++i) {
+    auto* button = new LegendButton(runs_[i].name, {}, legend_);
+    legend_buttons_.push_back(button);
+    connect(button, &LegendButton::toggled, this, [this, i](bool shown) {
+      runs_[i].shown = shown;
+      schedule();
+    });
   }
-  const int columns = runs_.size() == 3 ? 3 : 2;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
-    if (anew) {
-      auto* button = new LegendButton(runs_[i].name, {}, legend_);
-      legend_buttons_.push_back(button);
-      legend_grid_->addWidget(button, static_cast<int>(i) / columns, static_cast<int>(i) % columns);
-      button->setChecked(runs_[i].shown);
-      connect(button, &LegendButton::toggled, this, [this, i](bool shown) {
-        runs_[i].shown = shown;
-        schedule();
-      });
-    }
     legend_buttons_[i]->setText(runs_[i].name);
     legend_buttons_[i]->set_look(pen_of_run(i, theme_, 2.2), theme_.text);
+  }
+  place_legend();
+}
+
+// In as many columns as have room for the names.
+void PlotPanel::place_legend() {
+  int widest = 1;
+  for (const LegendButton* button : legend_buttons_) widest = std::max(widest, button->sizeHint().width());
+  const int count = std::max(static_cast<int>(legend_buttons_.size()), 1);
+  const int columns = std::clamp(width() / (widest + legend_grid_->spacing()), 1, count);
+  for (int i = 0; i < static_cast<int>(legend_buttons_.size()); ++i) {
+    legend_grid_->addWidget(legend_buttons_[static_cast<std::size_t>(i)], i / columns, i % columns);
   }
 }
 
@@ -360,6 +369,7 @@ void PlotPanel::refresh() {
 
 void PlotPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  place_legend();
   schedule();
 }
 

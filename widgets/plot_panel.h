@@ -78,6 +78,7 @@ class PlotPanel : public QWidget {
 
  private:
   void show_legend();
+  void place_legend();
   void insert(std::size_t place, const PlotContent& content);
   void drop(RunPlot* plot);
   void changed();

@@ -44,6 +44,7 @@ QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_
 // The same motion is meant: all but what a study goes through anyway.
 bool same_to_a_study(const Scene& one, Scene other) {
   const ContactsId contacts = other.method.contacts;
+  other.compare = one.compare;
   other.method = one.method;
   other.method.contacts = contacts;
   return write_preset(one) == write_preset(other);
@@ -246,10 +247,11 @@ void StudyPanel::show_words() {
   export_button_->setEnabled(!running() && !table.rows.empty());
   const bool refused = so_far_.phase == Phase::kRefused;
   hint_->setText(
-      refused
-          ? QString::fromStdString(so_far_.refusal)
-          : tr("Runs this scene under every integrator, both choices for impacts and a row of steps, and "
-               "shows how wrong each run is and how long it takes. A click on a point chooses its method."));
+      refused ? QString::fromStdString(so_far_.refusal)
+              : tr("Runs this scene under every integrator, both choices for impacts and a row of steps, and "
+                   "shows how wrong each run is and how long it takes. A click on a point takes its method "
+                   "into the "
+                   "comparison."));
   pages_->setCurrentIndex(!studied_ || (table.rows.empty() && !running()) ? 0 : 1);
 
   below_->setCurrentIndex(running() ? 0 : 1);

@@ -54,7 +54,7 @@ class StudyPanel : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return {200, 100}; }
 
  signals:
-  // A click on a point: the scene that is shown is to go on by its method.
+  // A click on a point: the scene that is shown is to be run under its method too.
   void methodChosen(const carom::Method& method);
 
  protected:
