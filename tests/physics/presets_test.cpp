@@ -103,6 +103,7 @@ TEST_F(PresetFiles, LoadingWhatWasSavedGivesTheSameScene) {
 constexpr const char* kEveryKey = R"({
   "format": "carom-preset", "version": 1, "title": "all", "about": "about", "observe": "look", "duration": 2,
   "gravity": [0.5, -9.81], "method": {"integrator": "explicit-euler", "impacts": "step-end", "step": 0.01},
+  "compare": [{"integrator": "velocity-verlet", "impacts": "step-end", "contacts": "lasting", "step": 0.25}],
   "materials": [{"name": "m", "restitution": 0.5, "tangential_restitution": 0.25, "static_friction": 0.5,
                  "kinetic_friction": 0.25}, {"name": "ice"}, {"name": "clay", "sticks": true}],
   "impact_law": "newton",
@@ -166,6 +167,10 @@ void expect_every_key(const Scene& s) {
   EXPECT_EQ(std::get<Wall>(s.bodies[5].shape).length, 4);
   EXPECT_EQ(std::get<Wall>(s.bodies[6].shape).length, std::nullopt);
   EXPECT_EQ(s.impact_law, ImpactLawId::kNewton);
+  ASSERT_EQ(s.compare.size(), 1U);
+  EXPECT_EQ(s.compare[0].integrator, IntegratorId::kVelocityVerlet);
+  EXPECT_EQ(s.compare[0].contacts, ContactsId::kLasting);
+  EXPECT_EQ(s.compare[0].step, 0.25);
   const Plot both{"", "both", {{"speed", {"a"}}, {"time", {}}}, QuantityName{"kinetic_energy", {}}, true};
   EXPECT_EQ(s.plots, (std::vector<Plot>{{"energy", "", {}, {}, false}, both}));
   ASSERT_EQ(s.pairs.size(), 1U);
