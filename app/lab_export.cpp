@@ -41,6 +41,7 @@ void LabWindow::save_scene_picture() {
 }
 
 void LabWindow::save_plot(RunPlot* plot) {
+  plots_->show_now();
   save_picture_as(
       "plot", [plot](const QString& file, QString* error) { return save_plot_picture(*plot, file, error); });
 }
@@ -52,7 +53,7 @@ void LabWindow::save_data(const RunPlot* plot) {
   if (dialog.exec() != QDialog::Accepted) return;
 
   // Of the moment when it was asked for, while the run goes on.
-  DataExport what{*frame_->log, reference_, frame_->steps, {}, 0.0, frame_->time};
+  DataExport what{*frame_->log, frame_->key_frames, reference_, frame_->steps, {}, 0.0, frame_->time};
   const auto add = [&what](const std::optional<Quantity>& quantity) {
     if (quantity && std::find(what.columns.begin(), what.columns.end(), *quantity) == what.columns.end())
       what.columns.push_back(*quantity);

@@ -223,6 +223,7 @@ void LabWindow::run_until(double time) {
     poll();
     QApplication::processEvents();
   }
+  plots_->show_now();
 }
 
 void LabWindow::poll() {

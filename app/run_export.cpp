@@ -10,12 +10,18 @@ namespace carom {
 bool export_data(const DataExport& what, const std::string& file, const std::function<bool(double)>& progress) {
   std::vector<Curve> curves;
   for (const Quantity& column : what.columns) curves.push_back({column, std::nullopt});
-  Replay replay(what.log.start);
+  const std::shared_ptr<const KeyFrame> moment = latest_before(what.key_frames, what.from, curves);
+  Replay replay = moment ? Replay(moment->simulation, moment->edits) : Replay(what.log.start);
   Sampler sampler(curves);
-  if (what.reference != ReferenceId::kNone) sampler.compare_with(Companion(what.log.start, what.reference));
-  sampler.begin(replay.simulation());
+  if (moment) {
+    sampler = moment->sampler;
+    sampler.set_curves(curves);
+  } else {
+    if (what.reference != ReferenceId::kNone) sampler.compare_with(Companion(what.log.start, what.reference));
+    sampler.begin(replay.simulation());
+  }
   TextFile out(file);
-  std::vector<Body> bodies = replay.simulation().bodies();
+  std::vector<Body> bodies = all_bodies(what.log.start);
   for (const Edit& edit : what.log.edits) {
     if (const auto* body = std::get_if<Body>(&edit.what)) bodies.push_back(*body);
   }

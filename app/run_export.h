@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "physics/experiment/companion.h"
+#include "physics/experiment/key_frames.h"
 #include "physics/experiment/run_log.h"
 #include "physics/measure/quantity.h"
 
@@ -15,7 +17,8 @@ namespace carom {
 // and before and after impacts.
 struct DataExport {
   RunLog log;
-  ReferenceId reference = ReferenceId::kNone;  // that errors are against
+  std::vector<std::shared_ptr<const KeyFrame>> key_frames = {};  // moments to begin at
+  ReferenceId reference = ReferenceId::kNone;                    // that errors are against
   std::int64_t steps = 0;
   std::vector<Quantity> columns;
   double from = 0.0;
@@ -23,9 +26,9 @@ struct DataExport {
 };
 
 // Writes a CSV file: RFC 4180, units in brackets in the header, every number with all its digits. The run is
-// gone through once more from its start, so that a long past is as exact as the present. `progress` is told the
-// share that is done, 0 to 1; where it answers false nothing is written, and the answer is false. Throws
-// SceneError if the file cannot be written.
+// gone through once more, from its start or from the last key frame before `from`, so that a long past is as
+// exact as the present. `progress` is told the share that is done, 0 to 1; where it answers false nothing is
+// written, and the answer is false. Throws SceneError if the file cannot be written.
 [[nodiscard]] bool export_data(const DataExport& what, const std::string& file,
                                const std::function<bool(double)>& progress);
 

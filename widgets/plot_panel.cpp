@@ -33,6 +33,8 @@ PlotPanel::PlotPanel(const Theme& theme, QWidget* parent) : QWidget(parent), the
   timer_.setSingleShot(true);
   timer_.setInterval(0);
   connect(&timer_, &QTimer::timeout, this, &PlotPanel::refresh);
+  turn_.setSingleShot(true);
+  connect(&turn_, &QTimer::timeout, this, &PlotPanel::refresh_next);
   menu_ = new QMenu(tr("&Plots"), this);
   menu_->setToolTipsVisible(true);
   for (const PlotContent& content : named_plots()) {
@@ -194,8 +196,10 @@ void PlotPanel::contextMenuEvent(QContextMenuEvent* event) {
   away->setEnabled(plots_.size() > 1);
   menu->addSeparator();
   menu->addAction(tr("&Save the picture..."), this, [this, plot] { emit pictureAsked(plot); });
-  menu->addAction(tr("&Copy the picture"), this,
-                  [plot] { QGuiApplication::clipboard()->setPixmap(plot_picture(*plot)); });
+  menu->addAction(tr("&Copy the picture"), this, [this, plot] {
+    show_now();
+    QGuiApplication::clipboard()->setPixmap(plot_picture(*plot));
+  });
   menu->addAction(tr("Save the &data..."), this, [this, plot] { emit dataAsked(plot); });
   menu->addSeparator();
   menu->addActions(menu_->actions());
@@ -280,8 +284,11 @@ void PlotPanel::update_from(const std::vector<PlottedRun>& runs) {
     runs_[i].shown = before[i].shown;
     same = same && before[i].name == runs_[i].name;
   }
-  if (!same) show_legend();
-  schedule();
+  if (!same) {
+    show_legend();
+    schedule();
+  }
+  schedule_next();
 }
 
 void PlotPanel::show_legend() {
@@ -348,23 +355,50 @@ void PlotPanel::schedule() {
   if (isVisible() && !timer_.isActive()) timer_.start();
 }
 
+void PlotPanel::schedule_next() {
+  waiting_ = plots_.size();
+  if (isVisible() && !timer_.isActive()) turn_.start(0);
+}
+
 void PlotPanel::refresh() {
-  const QwtInterval range = time_range();
-  int extent = 0;
-  for (RunPlot* plot : plots_) {
-    plot->set_time_range(range);
-    const bool hold = time_zoom_ || std::find(zoomed_.begin(), zoomed_.end(), plot) != zoomed_.end();
-    plot->update_from(runs_, hold);
-    extent = std::max(extent, plot->label_extent());
+  timer_.stop();
+  turn_.stop();
+  waiting_ = 0;
+  shown_ = time_range();
+  for (RunPlot* plot : plots_) take_news(plot, shown_);
+  align();
+  for (RunPlot* plot : plots_) plot->replot();
+}
+
+// Where the axis of time changes, or all are to be drawn anyway, all are.
+void PlotPanel::refresh_next() {
+  if (timer_.isActive()) return;
+  if (!(time_range() == shown_)) {
+    refresh();
+    return;
   }
-  // Room in steps, so that the canvases don't shift with each new label.
+  next_ = next_ + 1 < plots_.size() ? next_ + 1 : 0;
+  take_news(plots_[next_], shown_);
+  align();
+  plots_[next_]->replot();
+  constexpr int kQuiet = 25;  // ms without news
+  if (--waiting_ > 0) turn_.start(kQuiet);
+}
+
+void PlotPanel::take_news(RunPlot* plot, const QwtInterval& range) {
+  plot->set_time_range(range);
+  const bool hold = time_zoom_ || std::find(zoomed_.begin(), zoomed_.end(), plot) != zoomed_.end();
+  plot->update_from(runs_, hold);
+  plot->set_marks(mark_a_, mark_b_);
+}
+
+// Room for labels in steps, so that the canvases don't shift with each new one.
+void PlotPanel::align() {
+  int extent = 0;
+  for (const RunPlot* plot : plots_) extent = std::max(extent, plot->label_extent());
   constexpr int kExtentStep = 8;  // px
   extent = (extent + kExtentStep - 1) / kExtentStep * kExtentStep;
-  for (RunPlot* plot : plots_) {
-    plot->set_label_extent(extent);
-    plot->set_marks(mark_a_, mark_b_);
-    plot->replot();
-  }
+  for (RunPlot* plot : plots_) plot->set_label_extent(extent);
 }
 
 void PlotPanel::resizeEvent(QResizeEvent* event) {

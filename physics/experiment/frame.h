@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/experiment/key_frames.h"
 #include "physics/experiment/run_log.h"
 #include "physics/experiment/sampler.h"
 #include "physics/world/simulation.h"
@@ -50,6 +51,7 @@ struct Frame {
   std::vector<ImpactRecord> impacts;  // since the frame before
   Scales scales;
   std::shared_ptr<const RunLog> log;  // of the run so far
+  std::vector<std::shared_ptr<const KeyFrame>> key_frames;
 };
 
 // Fills in all that the simulation itself knows: not the run, its status of playing, nor what happened before.

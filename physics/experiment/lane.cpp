@@ -34,6 +34,7 @@ void Lane::step() {
   simulation_.step();
   wall_time_ += std::chrono::duration<double>(Clock::now() - begin).count();
   sampler_.after_step(simulation_);
+  key_frames_.take(simulation_, sampler_, log_->edits.size());
   impacts_.insert(impacts_.end(), simulation_.last_impacts().begin(), simulation_.last_impacts().end());
 }
 
@@ -102,6 +103,7 @@ std::shared_ptr<Frame> Lane::take_frame() {
   frame->wall_time = wall_time_;
   if (!catch_up_) frame->error = sampler_.error();
   frame->log = log_;
+  frame->key_frames = key_frames_.all();
   return frame;
 }
 

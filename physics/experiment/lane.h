@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/experiment/frame.h"
+#include "physics/experiment/key_frames.h"
 #include "physics/experiment/run_log.h"
 #include "physics/experiment/sampler.h"
 
@@ -56,6 +57,7 @@ class Lane {
   Sampler sampler_;
   std::optional<CatchUp> catch_up_;
   std::vector<Rows> rows_;  // that wait beside the samplers' own
+  KeyFrames key_frames_;
   std::vector<ImpactRecord> impacts_;
   double wall_time_ = 0.0;  // s, of all steps
 };

@@ -29,6 +29,8 @@ struct RunLog {
 class Replay {
  public:
   explicit Replay(const Scene& start) : simulation_(start) { simulation_.watch_impacts(true); }
+  // From a later moment on, after so many edits.
+  Replay(const Simulation& moment, std::size_t edits) : simulation_(moment), next_(edits) {}
 
   // Carries out the next edit that is due after the steps so far, and tells which; nullptr if there is none.
   const Edit* edit(const RunLog& log);

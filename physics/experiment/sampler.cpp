@@ -115,6 +115,15 @@ void Sampler::append(const Reading& reading) {
   }
 }
 
+bool Sampler::can_read(const std::vector<Curve>& curves) const {
+  const auto known = [this](const Quantity& q) {
+    if (q.observable->is_error() && !companion_) return false;
+    return q.bodies.size() != 2 || tally_.watches(q.bodies[0], q.bodies[1]);
+  };
+  return std::all_of(curves.begin(), curves.end(),
+                     [&](const Curve& curve) { return known(curve.y) && (!curve.x || known(*curve.x)); });
+}
+
 void Sampler::set_curves(std::vector<Curve> curves) {
   rows_ = {std::make_shared<const std::vector<Curve>>(std::move(curves)), false, {}, {}};
 }

@@ -44,6 +44,8 @@ class Sampler {
   void after_step(const Simulation& simulation);
   void after_edit(const Simulation& simulation, const Edit& edit);
 
+  // Whether it knows enough of the run so far to read these too from now on.
+  [[nodiscard]] bool can_read(const std::vector<Curve>& curves) const;
   // From now on reads others. Rows that wait must be taken before.
   void set_curves(std::vector<Curve> curves);
   // The rows since the last call.

@@ -5,9 +5,12 @@
 namespace carom {
 
 void ImpactTally::watch(int a, int b) {
-  if (a > b) std::swap(a, b);
-  const auto same = [&](const Pair& p) { return p.a == a && p.b == b; };
-  if (std::none_of(pairs_.begin(), pairs_.end(), same)) pairs_.push_back({a, b, 0});
+  if (!watches(a, b)) pairs_.push_back({std::min(a, b), std::max(a, b), 0});
+}
+
+bool ImpactTally::watches(int a, int b) const {
+  return std::any_of(pairs_.begin(), pairs_.end(),
+                     [&](const Pair& p) { return p.a == std::min(a, b) && p.b == std::max(a, b); });
 }
 
 void ImpactTally::add(const Simulation& simulation) {

@@ -14,6 +14,7 @@ class ImpactTally {
  public:
   // Counts the impacts of this pair of bodies from now on.
   void watch(int a, int b);
+  [[nodiscard]] bool watches(int a, int b) const;
   void add(const Simulation& simulation);
   // The same piece by piece: one impact, and then how many there were so far.
   void add(const ImpactRecord& impact, const MassProperties& mass);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/run_files.h"
+#include "physics/experiment/lane.h"
 #include "physics/experiment/recorder.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
@@ -168,6 +169,46 @@ TEST(RunExport, CancelsWithoutAFileAndSaysWhatIsWrong) {
   EXPECT_TRUE(QDir(dir.path()).isEmpty());
   EXPECT_GE(told, 0.5);
   EXPECT_THROW((void)export_data(what, dir.filePath("no/run.csv").toStdString(), kGoOn), SceneError);
+}
+
+// From a key frame a late piece of a long run has the bytes that the whole has: with edits, impacts, counts of
+// impacts and errors against a reference.
+TEST(RunExport, APieceFromAKeyFrameIsThatOfTheWhole) {
+  Body late = box().bodies[0];
+  late.name = "late";
+  late.position = {-1.0, 3.0};
+  const Quantity drift{find_observable("numerical_drift"), {}};
+  const Quantity error{find_observable("position_error"), {}};
+  const Quantity met{find_observable("impacts_between"), {0, 1}};
+  std::vector<Curve> curves;
+  for (const Quantity& q : {drift, error, met}) curves.push_back({q, std::nullopt});
+  const ReferenceId reference = usual_reference(box());
+  Lane lane(box(), curves, reference);
+  while (lane.simulation().steps() < 40'000) {
+    if (lane.simulation().steps() == 20'000) lane.edit(late);
+    lane.step();
+  }
+  const std::shared_ptr<const Frame> frame = lane.take_frame();
+  EXPECT_LE(frame->key_frames.size(), KeyFrames::kMost);
+  EXPECT_GE(frame->key_frames.size(), KeyFrames::kMost / 2);
+
+  QTemporaryDir dir;
+  const auto lines_of = [&](DataExport what, const char* name) {
+    const std::string file = dir.filePath(name).toStdString();
+    EXPECT_TRUE(export_data(what, file, kGoOn));
+    return read(file);
+  };
+  const double h = box().method.step;
+  DataExport what{*frame->log, {}, reference, frame->steps, {drift, error, met}, 30'000 * h, 31'000 * h};
+  const auto whole = lines_of(what, "whole.csv");
+  ASSERT_GE(whole.size(), 1001U);
+  what.key_frames = frame->key_frames;
+  what.log.start.bodies[0].position.x() += 0.125;  // it doesn't begin there
+  EXPECT_EQ(lines_of(what, "piece.csv"), whole);
+  // What was not counted from the start on is not in a key frame.
+  const Quantity other{find_observable("impacts_between"), {0, 2}};
+  EXPECT_EQ(latest_before(frame->key_frames, 150.0, {{other, std::nullopt}}), nullptr);
+  EXPECT_GT(latest_before(frame->key_frames, 150.0, curves)->simulation.time(), 120.0);
 }
 
 }  // namespace

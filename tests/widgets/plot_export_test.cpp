@@ -21,6 +21,7 @@ class PlotExportTest : public testing::Test {
     panel.resize(400, 560);
     panel.show();
     panel.update_from({{recorder, "run"}});
+    panel.show_now();
     QApplication::processEvents();
   }
   [[nodiscard]] RunPlot& plot() { return *panel.plots().front(); }

@@ -57,6 +57,7 @@ class PlotPanelTest : public testing::Test {
     panel.show();
     QApplication::processEvents();
     panel.update_from({{recorder, "run"}});
+    panel.show_now();
     QApplication::processEvents();
   }
   [[nodiscard]] QWidget* canvas(int plot) const {
@@ -157,6 +158,7 @@ TEST_F(PlotPanelTest, ADriftHasAScaleOfItsOwn) {
   frame.run = 2;
   recorder->add(frame);
   panel.update_from({{recorder, "run"}});
+  panel.show_now();
   QApplication::processEvents();
   EXPECT_NEAR(plot(0)->value_range().maxValue(), 5e-15, 1e-16) << "rounding of 4.5 J";
 }
@@ -200,6 +202,7 @@ TEST_F(PlotPanelTest, WheelZoomsAllTimeAxesAboutTheCursorAndDoubleClickResets) {
   later.run = 2;
   recorder->add(later);
   panel.update_from({{recorder, "run"}});
+  panel.show_now();
   QApplication::processEvents();
   EXPECT_EQ(plot(0)->time_range(), zoomed);
 
