@@ -1,6 +1,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <array>
 #include <cstdlib>
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@
 #include "app/lab_window.h"
 #include "app/no_screen.h"
 #include "app/preset_library.h"
+#include "physics/experiment/run_moments.h"
 #include "physics/preset/preset.h"
 #include "widgets/scene_export.h"
 #include "widgets/scene_view.h"
@@ -46,18 +48,13 @@ void save_window_picture(const Scene& scene, const QString& name, double time, c
 }
 
 Frame frame_at(const Scene& scene, double time) {
-  Simulation simulation(scene);
-  Frame frame;
-  simulation.advance_to(time, [&] {
-    std::erase_if(frame.impacts,
-                  [&](const ImpactRecord& i) { return i.time < simulation.time() - kImpactShown; });
-    frame.impacts.insert(frame.impacts.end(), simulation.last_impacts().begin(),
-                         simulation.last_impacts().end());
-  });
-  take_moment(simulation, frame);
-  frame.bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
-  frame.forces = std::make_shared<const Forces>(scene.forces);
-  return frame;
+  Frame moment;
+  const auto take = [&](const Frame& frame) {
+    moment = frame;
+    return true;
+  };
+  (void)visit_moments({scene, {}}, std::array{time}, kImpactShown, take, [](double) { return true; });
+  return moment;
 }
 
 }  // namespace

@@ -13,24 +13,41 @@ constexpr int kMargin = 40;  // px about a fitted scene
 
 }  // namespace
 
+SceneLook scene_look(const Frame& frame, const std::optional<View>& view, const DrawingOptions& options,
+                     const Theme& theme, QSize pixels) {
+  SceneLook look;
+  look.options = options;
+  look.theme = theme;
+  look.camera.viewport = pixels;
+  if (view) {
+    look.camera.show(*view);
+  } else {
+    look.camera.fit(bounds(frame), QMarginsF(kMargin, kMargin, kMargin, kMargin));
+  }
+  look.side = std::min(pixels.width(), pixels.height()) / look.camera.scale;
+  return look;
+}
+
+SceneLook on_viewport(SceneLook look, const QSizeF& viewport) {
+  const WorldRect shown = look.camera.visible();
+  look.camera.viewport = viewport;
+  look.camera.fit(shown, {});
+  return look;
+}
+
+void paint_scene(QPainter& painter, const Frame& frame, SceneLook& look) {
+  look.peaks.observe(frame);
+  const Drawing drawing = make_drawing(
+      {frame, frame.impacts, look.camera, look.options, look.theme, arrow_scale(look.peaks, look.side)});
+  paint_drawing(painter, drawing, look.camera, look.theme);
+}
+
 bool save_scene_picture(const Frame& frame, const std::optional<View>& view, const DrawingOptions& options,
                         const Theme& theme, QSize pixels, const QString& path, QString* error) {
   if (pixels.isEmpty()) return save_picture(path, pixels, {}, error);  // which says what is wrong
-
-  Camera camera;
-  camera.viewport = pixels;
-  if (view) {
-    camera.show(*view);
-  } else {
-    camera.fit(bounds(frame), QMarginsF(kMargin, kMargin, kMargin, kMargin));
-  }
-  Peaks peaks;
-  peaks.observe(frame);
-  const double side = std::min(pixels.width(), pixels.height()) / camera.scale;
-  const Drawing drawing =
-      make_drawing({frame, frame.impacts, camera, options, theme, arrow_scale(peaks, side)});
-  const auto paint = [&](QPainter& painter) { paint_drawing(painter, drawing, camera, theme); };
-  return save_picture(path, pixels, paint, error);
+  SceneLook look = scene_look(frame, view, options, theme, pixels);
+  return save_picture(
+      path, pixels, [&](QPainter& painter) { paint_scene(painter, frame, look); }, error);
 }
 
 }  // namespace carom

@@ -6,7 +6,28 @@
 
 #include "widgets/drawing.h"
 
+class QPainter;
+
 namespace carom {
+
+// How pictures of a run show its scene: the part of the world that the camera sees, on its viewport in px.
+struct SceneLook {
+  Camera camera;
+  double side = 4.0;  // m, the shorter side of the view that arrows are scaled for
+  DrawingOptions options;
+  Theme theme;
+  Peaks peaks;  // of the moments that it has shown
+};
+
+// The view or, without one, all bodies of the frame, on `pixels`.
+[[nodiscard]] SceneLook scene_look(const Frame& frame, const std::optional<View>& view,
+                                   const DrawingOptions& options, const Theme& theme, QSize pixels);
+
+// The look of a viewport of another size, that shows no less.
+[[nodiscard]] SceneLook on_viewport(SceneLook look, const QSizeF& viewport);
+
+// Paints a moment with the impacts that the frame has, on the look's viewport, and remembers its peaks.
+void paint_scene(QPainter& painter, const Frame& frame, SceneLook& look);
 
 // Saves the scene at one moment as a picture of `pixels`, by the file's suffix: .png, or .svg and .pdf as
 // vectors (96 px an inch). Without a view all bodies are shown. Needs no display. The file is replaced only

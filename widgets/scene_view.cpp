@@ -5,6 +5,7 @@
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QStyleHints>
 #include <QToolTip>
 #include <QWheelEvent>
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <utility>
 
+#include "physics/experiment/run_moments.h"
 #include "widgets/drawing_forces.h"
 #include "widgets/gl_canvas.h"
 #include "widgets/paint_drawing.h"
@@ -26,8 +28,7 @@ constexpr double kWheelFactor = 1.2;  // a notch of the wheel
 constexpr double kKeyFactor = 1.25;
 constexpr double kKeyPan = 40.0;     // px
 constexpr double kClickSlack = 3.0;  // px about a body that still count as the body
-// Impacts that are kept for showing. A resting heap makes thousands a second; the newest are enough.
-constexpr std::size_t kMostImpacts = 1000;
+constexpr int kDots = 2;             // of a picture, for a px of the window
 
 const QMarginsF& fit_margins() {
   // Room for the window's chips above and the scale bar below.
@@ -67,7 +68,7 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame, std::vector<OtherR
   frame_ = std::move(frame);
   if (new_run) impacts_.clear();
   peaks_.observe(*frame_);
-  keep_impacts(*frame_);
+  keep_recent(impacts_, frame_->impacts, frame_->time, kImpactShown);
   if (new_run) go_home();
   refresh();
   follow_tip();
@@ -124,21 +125,6 @@ void SceneView::pan(const QPointF& delta) {
   refresh();
 }
 
-void SceneView::keep_impacts(const Frame& frame) {
-  const double now = frame.time;
-  const auto past = [now](const ImpactRecord& impact) {
-    return impact.time > now || now - impact.time >= kImpactShown;
-  };
-  std::erase_if(impacts_, past);
-  const std::size_t fresh = std::min(frame.impacts.size(), kMostImpacts);
-  if (impacts_.size() + fresh > kMostImpacts) {
-    const std::size_t surplus = impacts_.size() + fresh - kMostImpacts;
-    impacts_.erase(impacts_.begin(), impacts_.begin() + static_cast<std::ptrdiff_t>(surplus));
-  }
-  impacts_.insert(impacts_.end(), frame.impacts.end() - static_cast<std::ptrdiff_t>(fresh),
-                  frame.impacts.end());
-}
-
 void SceneView::refresh() {
   if (!isVisible()) return;  // showEvent catches up
   static const Frame empty;
@@ -148,15 +134,28 @@ void SceneView::refresh() {
   canvas_->update();
 }
 
-bool SceneView::save(const QString& path, QString* error) const {
+SceneLook SceneView::look() const { return {picture_.camera, home_side_, options_, picture_.theme, peaks_}; }
+
+void SceneView::paint_on_paper(QPainter& painter) const {
   static const Frame empty;
   const Theme& theme = light_theme();
   const Drawing drawing = make_drawing({frame_ ? *frame_ : empty, impacts_, picture_.camera, options_, theme,
                                         arrow_scale(peaks_, home_side_), others_});
-  constexpr int kDots = 2;
+  paint_drawing(painter, drawing, picture_.camera, theme);
+}
+
+bool SceneView::save(const QString& path, QString* error) const {
   return save_picture(
-      path, picture_.camera.viewport.toSize(),
-      [&](QPainter& painter) { paint_drawing(painter, drawing, picture_.camera, theme); }, error, kDots);
+      path, picture_.camera.viewport.toSize(), [&](QPainter& painter) { paint_on_paper(painter); }, error,
+      kDots);
+}
+
+QImage SceneView::picture() const {
+  QImage image(picture_.camera.viewport.toSize() * kDots, QImage::Format_RGB32);
+  image.setDevicePixelRatio(kDots);
+  QPainter painter(&image);
+  paint_on_paper(painter);
+  return image;
 }
 
 int SceneView::body_at(const QPointF& position) const {

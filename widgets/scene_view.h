@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QImage>
 #include <QPoint>
 #include <QWidget>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "physics/experiment/frame.h"
 #include "widgets/drawing.h"
 #include "widgets/qpainter_canvas.h"
+#include "widgets/scene_export.h"
 
 namespace carom {
 
@@ -30,8 +32,11 @@ class SceneView : public QWidget {
   void set_view(const std::optional<View>& view);
   // All bodies with a margin; again at each new size and run until the user zooms or pans.
   void fit();
-  // What is shown, on white; see save_picture().
+  // What is shown, on white: to a file (see save_picture()), and for the clipboard.
   [[nodiscard]] bool save(const QString& path, QString* error) const;
+  [[nodiscard]] QImage picture() const;
+  // How it is shown, in the window's own colours.
+  [[nodiscard]] SceneLook look() const;
   void zoom_in();
   void zoom_out();
 
@@ -70,7 +75,7 @@ class SceneView : public QWidget {
   void go_home();  // the camera to the scene's view, unless the user has moved it
   void zoom(const QPointF& at, double factor);
   void pan(const QPointF& delta);
-  void keep_impacts(const Frame& frame);
+  void paint_on_paper(QPainter& painter) const;
   void refresh();
   [[nodiscard]] QString body_text(int index) const;
   void follow_tip();  // the shown tooltip tells the new frame, or goes with its body
