@@ -245,6 +245,32 @@ int run_program(int argc, char** argv) {
       ->check(CLI::Range(200, 8000))
       ->type_name("H");
 
+  FilmOptions film_options;
+  CLI::App& film = *program.add_subcommand("film", "numbered pictures of a run, to make a film of");
+  film.add_option("preset", film_options.preset, "a preset file or the name of an experiment")
+      ->required()
+      ->type_name("FILE|NAME");
+  film.add_option("--from", film_options.from, "first moment, s (default: 0)")->check(kTime)->type_name("T");
+  film.add_option("--to", film_options.to, "end, s (default: the preset's duration)")
+      ->check(kTime)
+      ->type_name("T");
+  const MethodArguments film_method(film);
+  film.add_option("--rate", film_options.rate, "frames a second of the film (default: 25)")->type_name("N");
+  film.add_option("--speed", film_options.speed,
+                  "seconds of the run in one of the film, below 1 for slow motion (default: 1)")
+      ->type_name("X");
+  film.add_option("-o,--output", film_options.output, "a folder for frame-0001.png, frame-0002.png ...")
+      ->required()
+      ->type_name("DIR");
+  film.add_flag("--replace", film_options.replace, "frames that the folder has already");
+  film.add_flag("--dark", film_options.dark, "in the dark colours");
+  film.add_option("--width", film_options.width, "px, even, 200 to 8000 (default: 1280)")
+      ->check(CLI::Range(200, 8000))
+      ->type_name("W");
+  film.add_option("--height", film_options.height, "px, even, 200 to 8000 (default: 720)")
+      ->check(CLI::Range(200, 8000))
+      ->type_name("H");
+
   CLI::App& study = *program.add_subcommand("study", "one experiment under every method: speed against error");
   const StudyArguments study_arguments(study);
 
@@ -273,6 +299,10 @@ int run_program(int argc, char** argv) {
     if (picture.parsed()) {
       picture_options.method = picture_method.options();
       return picture_command(argc, argv, picture_options);
+    }
+    if (film.parsed()) {
+      film_options.method = film_method.options();
+      return film_command(argc, argv, film_options);
     }
     return lab_command(argc, argv, preset);
   } catch (const SceneError& error) {

@@ -59,6 +59,20 @@ struct PictureOptions {
   int height = 0;  // px; 0: 800
 };
 
+struct FilmOptions {
+  std::string preset;
+  MethodOptions method;
+  double from = 0.0;         // s
+  std::optional<double> to;  // s; without it the preset's duration
+  double rate = 25.0;        // frames a second of the film
+  double speed = 1.0;        // seconds of the run a second of the film
+  std::string output;        // folder
+  bool replace = false;      // frames that are there
+  bool dark = false;
+  int width = 1280;  // px
+  int height = 720;
+};
+
 struct StudyCommandOptions {
   std::string preset;              // empty: merge
   std::vector<std::string> merge;  // CSV files of shards
@@ -78,6 +92,8 @@ int study_command(int& argc, char** argv, const StudyCommandOptions& options);
 // The hard cases: each figure beside its limit.
 int stress_command(const StressOptions& options);
 int picture_command(int& argc, char** argv, const PictureOptions& options);
+// Numbered pictures of a part of the run, to make a film of.
+int film_command(int& argc, char** argv, const FilmOptions& options);
 // The lab's window; where there is no display, the run of the experiment and a picture of the window instead.
 int lab_command(int& argc, char** argv, const std::string& preset);
 

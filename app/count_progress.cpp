@@ -3,10 +3,14 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
+#include <utility>
 
 namespace carom {
 
-CountProgress::CountProgress(int all) : all_(all), terminal_(isatty(STDERR_FILENO) != 0) { show(); }
+CountProgress::CountProgress(int all, const char* what)
+    : all_(all), what_(what), terminal_(isatty(STDERR_FILENO) != 0) {
+  show();
+}
 
 CountProgress::~CountProgress() {
   if (terminal_) fmt::print(stderr, "\r\033[K");
@@ -18,8 +22,13 @@ void CountProgress::one_more() {
   show();
 }
 
+void CountProgress::reach(int done) {
+  const std::lock_guard lock(mutex_);
+  if (std::exchange(done_, done) != done) show();
+}
+
 void CountProgress::show() const {
-  if (terminal_) fmt::print(stderr, "\r{} of {} runs ", done_, all_);
+  if (terminal_) fmt::print(stderr, "\r{} of {} {} ", done_, all_, what_);
 }
 
 }  // namespace carom

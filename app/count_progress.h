@@ -4,21 +4,23 @@
 
 namespace carom {
 
-// A line on a terminal that says how much of the work is done; nothing in a pipe.
+// A line on a terminal that says how much of the work is done, "3 of 12 runs"; nothing in a pipe.
 class CountProgress {
  public:
-  explicit CountProgress(int all);
+  explicit CountProgress(int all, const char* what = "runs");
   CountProgress(const CountProgress&) = delete;
   CountProgress& operator=(const CountProgress&) = delete;
   ~CountProgress();
   // From any thread.
   void one_more();
+  void reach(int done);
 
  private:
   void show() const;
   std::mutex mutex_;
   int done_ = 0;
   int all_;
+  const char* what_;
   bool terminal_;
 };
 

@@ -23,6 +23,7 @@ constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
     {"model", QT_TRANSLATE_NOOP("QObject", "The model")},
     {"presets", QT_TRANSLATE_NOOP("QObject", "Preset files")},
     {"plots", QT_TRANSLATE_NOOP("QObject", "Plots and comparison")},
+    {"export", QT_TRANSLATE_NOOP("QObject", "Taking it away")},
     {"study", QT_TRANSLATE_NOOP("QObject", "Speed against error")},
     {"stress", QT_TRANSLATE_NOOP("QObject", "The hard cases")},
     {"stress-figures", QT_TRANSLATE_NOOP("QObject", "The hard cases: figures")},

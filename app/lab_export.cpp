@@ -1,21 +1,51 @@
 #include <QApplication>
+#include <QClipboard>
+#include <QDate>
+#include <QDir>
 #include <QFileDialog>
+#include <QLocale>
 #include <QMessageBox>
-#include <QProgressDialog>
+#include <QStandardPaths>
+#include <QThread>
 #include <algorithm>
+#include <functional>
 
 #include "app/export_dialog.h"
+#include "app/film.h"
+#include "app/film_dialog.h"
+#include "app/lab_report.h"
 #include "app/lab_window.h"
+#include "app/report_dialog.h"
 #include "app/run_export.h"
 #include "app/run_files.h"
+#include "app/run_progress.h"
 #include "physics/scene/validate.h"
+#include "widgets/ledger_table.h"
 #include "widgets/plot_export.h"
 #include "widgets/plot_panel.h"
 #include "widgets/run_plot.h"
+#include "widgets/run_tables.h"
 #include "widgets/scene_view.h"
 
 // What can be taken away from the lab's window.
 namespace carom {
+
+namespace {
+
+// The quantities of a plot, each once.
+void add_columns(const PlotContent& content, std::vector<Quantity>& columns) {
+  const auto add = [&](const std::optional<Quantity>& quantity) {
+    if (quantity && std::find(columns.begin(), columns.end(), *quantity) == columns.end())
+      columns.push_back(*quantity);
+  };
+  for (const PlotLine& line : content.lines) {
+    if (!line.curve) continue;
+    add(line.curve->x);
+    add(line.curve->y);
+  }
+}
+
+}  // namespace
 
 QString LabWindow::ask_for_file(const QString& title, const QString& suggestion, const QString& filter,
                                 const QString& suffix) {
@@ -46,6 +76,8 @@ void LabWindow::save_plot(RunPlot* plot) {
       "plot", [plot](const QString& file, QString* error) { return save_plot_picture(*plot, file, error); });
 }
 
+void LabWindow::copy_scene_picture() { QGuiApplication::clipboard()->setImage(view_->picture()); }
+
 void LabWindow::save_data(const RunPlot* plot) {
   if (frame_ == nullptr || frame_->log == nullptr) return;
   const ReadingMarks marks = plots_->marks();
@@ -54,20 +86,11 @@ void LabWindow::save_data(const RunPlot* plot) {
 
   // Of the moment when it was asked for, while the run goes on.
   DataExport what{*frame_->log, frame_->key_frames, reference_, frame_->steps, {}, 0.0, frame_->time};
-  const auto add = [&what](const std::optional<Quantity>& quantity) {
-    if (quantity && std::find(what.columns.begin(), what.columns.end(), *quantity) == what.columns.end())
-      what.columns.push_back(*quantity);
-  };
   if (dialog.what() == ExportDialog::What::kRun) what.columns = run_columns(*frame_->bodies);
   for (const RunPlot* each : plots_->plots()) {
     const bool wanted = dialog.what() == ExportDialog::What::kPlots ||
                         (dialog.what() == ExportDialog::What::kPlot && each == plot);
-    if (!wanted) continue;
-    for (const PlotLine& line : each->content().lines) {
-      if (!line.curve) continue;
-      add(line.curve->x);
-      add(line.curve->y);
-    }
+    if (wanted) add_columns(each->content(), what.columns);
   }
   if (dialog.time() == ExportDialog::Time::kShown) {
     what.from = marks.from;
@@ -79,18 +102,110 @@ void LabWindow::save_data(const RunPlot* plot) {
   const QString file = ask_for_file(tr("Save the data"), "run.csv", tr("Tables (*.csv)"), "csv");
   if (file.isEmpty()) return;
 
-  QProgressDialog progress(tr("Going through the run once more"), tr("Cancel"), 0, 1000, this);
-  progress.setWindowTitle(tr("Save data"));
-  progress.setWindowModality(Qt::WindowModal);
+  RunProgress progress(tr("Save data"), this);
   try {
-    (void)export_data(what, file.toStdString(), [&](double share) {
-      progress.setValue(static_cast<int>(1000.0 * share));
-      QApplication::processEvents();
-      return !progress.wasCanceled();
-    });
+    (void)export_data(what, file.toStdString(), std::ref(progress));
   } catch (const SceneError& error) {
     QMessageBox::warning(this, tr("The data cannot be saved"), QString::fromUtf8(error.what()).toHtmlEscaped());
   }
+}
+
+void LabWindow::copy_data(const RunPlot* plot, bool shown) {
+  if (frame_ == nullptr || frame_->log == nullptr) return;
+  DataExport what{*frame_->log, frame_->key_frames, reference_, frame_->steps, {}, 0.0, frame_->time};
+  add_columns(plot->content(), what.columns);
+  if (shown) {
+    what.from = plots_->marks().from;
+    what.to = std::min(what.to, plots_->marks().to);
+  }
+  RunProgress progress(tr("Copy data"), this);
+  std::string text;
+  const Copied copied = carom::copy_data(what, text, std::ref(progress));
+  if (copied == Copied::kAll) QGuiApplication::clipboard()->setText(QString::fromStdString(text));
+  if (copied == Copied::kTooMany) {
+    QMessageBox::information(
+        this, tr("Too much for the clipboard"),
+        tr("These are more than %1 rows: “Save the data...” takes them all into a file.").arg(kMostCopied));
+  }
+}
+
+void LabWindow::make_film() {
+  if (frame_ == nullptr || frame_->log == nullptr) return;
+  Film film;
+  film.log = *frame_->log;
+  film.to = frame_->time > 0.0 ? frame_->time : duration_;
+  film.speed = speed_;
+  film.look = view_->look();
+  constexpr int kWidth = 1280;  // px
+  const QSizeF seen = film.look.camera.viewport;
+  film.pixels = QSize(kWidth, static_cast<int>(kWidth * seen.height() / seen.width())) / 2 * 2;
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) + "/" +
+                         (name_.isEmpty() ? QFileInfo(file_).completeBaseName() : name_) + "-film";
+  FilmDialog dialog(film, QDir::cleanPath(folder), this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  film = dialog.film();
+  try {
+    RunProgress progress(tr("Film"), this);
+    if (!save_film(film, dialog.folder(), dialog.may_replace(), std::ref(progress))) return;
+  } catch (const SceneError& error) {
+    QMessageBox::warning(this, tr("The frames cannot be made"),
+                         QString::fromUtf8(error.what()).toHtmlEscaped());
+    return;
+  }
+  const auto count = static_cast<int>(film_times(film).size());
+  QMessageBox box(QMessageBox::NoIcon, tr("Film"),
+                  tr("%1 frames are in %2.").arg(count).arg(dialog.folder().toHtmlEscaped()), QMessageBox::Ok,
+                  this);
+  box.setInformativeText(
+      tr("There, this makes a film of them:<p><code>%1</code>").arg(encoder_line(film, count).toHtmlEscaped()));
+  box.setTextInteractionFlags(Qt::TextSelectableByMouse);
+  box.exec();
+}
+
+void LabWindow::pause() {
+  set_playing(false);
+  while (frame_->playing) {
+    QThread::msleep(2);
+    poll();
+    QApplication::processEvents();
+  }
+}
+
+void LabWindow::make_report() {
+  if (frame_ == nullptr || frame_->log == nullptr) return;
+  if (frame_->steps == 0) {
+    QMessageBox::information(this, tr("Lab report"), tr("The run has not begun: play it first."));
+    return;
+  }
+  pause();  // so that plots and tables are of one moment
+  bodies_->update_from(*frame_, before_);
+  ledger_->update_from(*frame_);
+  LabReport report;
+  report.log = *frame_->log;
+  report.end = *frame_;
+  report.title = QString::fromStdString(report.log.start.title);
+  report.lead = QString::fromStdString(report.log.start.observe);
+  report.date = QLocale().toString(QDate::currentDate(), QLocale::LongFormat);
+  report.questions = {tr("What did you expect?"), tr("What do you see?"), tr("Why?")};
+  std::vector<SeriesPoint<1>> impacts;
+  recorders_.front()->impulses().read(0.0, frame_->time, impacts);
+  if (!impacts.empty()) report.first_impact = impacts.front().at;
+  report.times = report_times(report.log.start.method, report.first_impact, frame_->time);
+  report.look = view_->look();
+  report.plots = plots_->plots();
+  report.bodies = static_cast<const FigureModel*>(bodies_->model());
+  report.ledger = static_cast<const FigureModel*>(ledger_->model());
+  ReportDialog dialog(report, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const QString file = ask_for_file(tr("Save the report"), "report.pdf", tr("Documents (*.pdf)"), "pdf");
+  if (file.isEmpty()) return;
+
+  report = dialog.report();
+  RunProgress progress(tr("Lab report"), this);
+  const std::optional<PrintPages> pages = report_pages(report, std::ref(progress));
+  QString error;
+  if (pages && !pages->save(file, report.title, &error))
+    QMessageBox::warning(this, tr("The report cannot be saved"), error.toHtmlEscaped());
 }
 
 }  // namespace carom

@@ -135,6 +135,7 @@ void LabWindow::make_body() {
   });
   connect(plots_, &PlotPanel::pictureAsked, this, &LabWindow::save_plot);
   connect(plots_, &PlotPanel::dataAsked, this, &LabWindow::save_data);
+  connect(plots_, &PlotPanel::dataCopyAsked, this, &LabWindow::copy_data);
   auto* columns = new QSplitter(Qt::Horizontal);
   columns->setHandleWidth(8);
   columns->addWidget(centre);

@@ -53,7 +53,11 @@ void LabWindow::make_menus() {
   add(file, "", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { saveAs(); });
   file->addSeparator();
   add(file, "", tr("Save the &picture of the scene..."), QKeySequence(), [this] { save_scene_picture(); });
+  add(file, "", tr("&Copy the picture of the scene"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
+      [this] { copy_scene_picture(); });
+  add(file, "", tr("&Film..."), QKeySequence(), [this] { make_film(); });
   add(file, "", tr("Save &data..."), QKeySequence(Qt::CTRL | Qt::Key_E), [this] { save_data(nullptr); });
+  add(file, "", tr("&Lab report..."), QKeySequence(Qt::CTRL | Qt::Key_L), [this] { make_report(); });
   file->addSeparator();
   add(file, "", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 

@@ -99,6 +99,11 @@ class LabWindow : public QMainWindow {
   void save_scene_picture();
   void save_plot(RunPlot* plot);
   void save_data(const RunPlot* plot);  // nullptr: of no plot in particular
+  void copy_data(const RunPlot* plot, bool shown);
+  void copy_scene_picture();
+  void make_film();
+  void make_report();
+  void pause();  // and waits until the newest moment is shown
   void mark_changed(bool changed);
 
   Theme theme_;

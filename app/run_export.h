@@ -14,7 +14,7 @@
 namespace carom {
 
 // What is to be written of a run: of so many of its steps the rows from `from` to `to` (s), at the steps' ends
-// and before and after impacts.
+// and before and after impacts; without columns all about each impact.
 struct DataExport {
   RunLog log;
   std::vector<std::shared_ptr<const KeyFrame>> key_frames = {};  // moments to begin at
@@ -30,6 +30,13 @@ struct DataExport {
 // exact as the present. `progress` is told the share that is done, 0 to 1; where it answers false nothing is
 // written, and the answer is false. Throws SceneError if the file cannot be written.
 [[nodiscard]] bool export_data(const DataExport& what, const std::string& file,
+                               const std::function<bool(double)>& progress);
+
+// The same for the clipboard, with tabs between the fields, as spreadsheets take it. More than kMostCopied rows
+// are no matter of a clipboard.
+inline constexpr std::size_t kMostCopied = 100'000;
+enum class Copied { kAll, kTooMany, kCancelled };
+[[nodiscard]] Copied copy_data(const DataExport& what, std::string& text,
                                const std::function<bool(double)>& progress);
 
 }  // namespace carom

@@ -17,8 +17,9 @@ double plain(double value) { return value == 0.0 ? 0.0 : value; }
 
 }  // namespace
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+std::string csv_field(const std::string& text, char separator) {
+  const char special[] = {separator, '"', '\n', '\r', '\0'};
+  if (text.find_first_of(special) == std::string::npos) return text;
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"') out += '"';
@@ -80,22 +81,25 @@ std::vector<Quantity> run_columns(const std::vector<Body>& bodies) {
   return columns;
 }
 
-std::string csv_header(const std::vector<Quantity>& columns, const std::vector<Body>& bodies) {
+std::string csv_header(const std::vector<Quantity>& columns, const std::vector<Body>& bodies, char separator) {
   std::string line = "time [s]";
   for (const Quantity& column : columns) {
     std::string heading;
     for (const int body : column.bodies) heading += bodies[static_cast<std::size_t>(body)].name + " ";
     std::string unit(column.observable->unit);
     for (std::size_t at; (at = unit.find("²")) != std::string::npos;) unit.replace(at, 2, "^2");
-    line += ',';
-    line += csv_field(fmt::format("{}{} [{}]", heading, column.observable->name, unit));
+    line += separator;
+    line += csv_field(fmt::format("{}{} [{}]", heading, column.observable->name, unit), separator);
   }
   return line;
 }
 
-std::string csv_line(double time, std::span<const double> values) {
+std::string csv_line(double time, std::span<const double> values, char separator) {
   std::string line = fmt::format("{}", time);
-  for (const double value : values) line += std::isnan(value) ? "," : fmt::format(",{}", plain(value));
+  for (const double value : values) {
+    line += separator;
+    if (!std::isnan(value)) line += fmt::format("{}", plain(value));
+  }
   return line;
 }
 
@@ -107,18 +111,28 @@ std::string csv_line(const std::vector<Quantity>& columns, const Simulation& sim
   return csv_line(now.time, values);
 }
 
-std::string events_csv_header() {
-  return "time [s],body_a,body_b,point_x [m],point_y [m],normal_x [1],normal_y [1],normal_impulse [N s],"
-         "tangential_impulse [N s],closing_speed [m/s],lost_to_restitution [J],lost_to_friction [J],"
-         "lost_to_sticking [J]";
+std::string events_csv_header(char separator) {
+  std::string header =
+      "time [s],body_a,body_b,point_x [m],point_y [m],normal_x [1],normal_y [1],normal_impulse [N s],"
+      "tangential_impulse [N s],closing_speed [m/s],lost_to_restitution [J],lost_to_friction [J],"
+      "lost_to_sticking [J]";
+  std::replace(header.begin(), header.end(), ',', separator);
+  return header;
 }
 
-std::string events_csv_line(const Simulation& s, const ImpactRecord& i) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", i.time, csv_field(s.bodies()[i.a].name),
-                     csv_field(s.bodies()[i.b].name), plain(i.point.x()), plain(i.point.y()),
-                     plain(i.normal.x()), plain(i.normal.y()), plain(i.normal_impulse),
-                     plain(i.tangential_impulse), plain(i.closing_speed), plain(i.lost_to_restitution),
-                     plain(i.lost_to_friction), plain(i.lost_to_sticking));
+std::string events_csv_line(const Simulation& s, const ImpactRecord& i, char separator) {
+  std::string line = fmt::format("{}", i.time);
+  for (const int body : {i.a, i.b}) {
+    line += separator;
+    line += csv_field(s.bodies()[static_cast<std::size_t>(body)].name, separator);
+  }
+  for (const double value :
+       {i.point.x(), i.point.y(), i.normal.x(), i.normal.y(), i.normal_impulse, i.tangential_impulse,
+        i.closing_speed, i.lost_to_restitution, i.lost_to_friction, i.lost_to_sticking}) {
+    line += separator;
+    line += fmt::format("{}", plain(value));
+  }
+  return line;
 }
 
 }  // namespace carom

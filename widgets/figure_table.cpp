@@ -1,6 +1,12 @@
 #include "widgets/figure_table.h"
 
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QGuiApplication>
 #include <QHeaderView>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMenu>
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <algorithm>
@@ -118,6 +124,60 @@ FigureTable::FigureTable(FigureModel* model, QWidget* parent) : QTableView(paren
   horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setMinimumSectionSize(0);
+}
+
+QString FigureTable::text() const {
+  using Cell = FigureModel::Cell;
+  QStringList lines;
+  QStringList heads;
+  const int columns = model_->columnCount();
+  std::vector<bool> is_vector(static_cast<std::size_t>(columns), false);
+  for (int c = 0; c < columns; ++c) {
+    for (int r = 0; r < model_->rowCount(); ++r) {
+      if (std::holds_alternative<Vec2>(model_->cell(r, c))) is_vector[static_cast<std::size_t>(c)] = true;
+    }
+    const QString head = model_->headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
+    if (is_vector[static_cast<std::size_t>(c)]) {
+      heads << head + ", x" << head + ", y";
+    } else {
+      heads << head;
+    }
+  }
+  lines << heads.join('\t');
+  const auto number = [](double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); };
+  for (int r = 0; r < model_->rowCount(); ++r) {
+    QStringList fields;
+    for (int c = 0; c < columns; ++c) {
+      const Cell cell = model_->cell(r, c);
+      if (const auto* vector = std::get_if<Vec2>(&cell)) {
+        fields << number(vector->x()) << number(vector->y());
+        continue;
+      }
+      const auto* text = std::get_if<QString>(&cell);
+      const auto* value = std::get_if<double>(&cell);
+      fields << (text != nullptr ? *text : value != nullptr ? number(*value) : QString());
+      if (is_vector[static_cast<std::size_t>(c)]) fields << QString();
+    }
+    lines << fields.join('\t');
+  }
+  return lines.join('\n') + '\n';
+}
+
+void FigureTable::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Copy)) {
+    QGuiApplication::clipboard()->setText(text());
+  } else {
+    QTableView::keyPressEvent(event);
+  }
+}
+
+void FigureTable::contextMenuEvent(QContextMenuEvent* event) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  QAction* copy =
+      menu->addAction(tr("&Copy the table"), this, [this] { QGuiApplication::clipboard()->setText(text()); });
+  copy->setShortcut(QKeySequence::Copy);
+  menu->popup(event->globalPos());
 }
 
 void FigureTable::resizeEvent(QResizeEvent* event) {

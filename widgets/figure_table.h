@@ -44,14 +44,19 @@ class FigureModel : public QAbstractTableModel {
   int rows_ = 0;
 };
 
-// A quiet table that shares its width among the columns.
+// A quiet table that shares its width among the columns. Ctrl+C, or a right click, copies it.
 class FigureTable : public QTableView {
   Q_OBJECT
 
  public:
   FigureTable(FigureModel* model, QWidget* parent);
 
+  // As spreadsheets take it: tabs between the cells, every digit, two cells for a vector.
+  [[nodiscard]] QString text() const;
+
  protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:

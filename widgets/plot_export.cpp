@@ -26,13 +26,12 @@ QFont font_of(int pixels, bool bold) {
 
 QSize size_of(const RunPlot& plot) { return plot.size() + QSize(2 * kMargin, kMargin); }
 
-void paint(RunPlot& plot, QPainter& painter) {
+// Within its margins.
+void paint(RunPlot& plot, QPainter& painter, const QRectF& where) {
   const Theme& theme = light_theme();
-  const QSize size = size_of(plot);
-  painter.fillRect(QRect(QPoint(), size), theme.panel);
   painter.setRenderHint(QPainter::Antialiasing);
-  double x = kMargin;
-  const double base = kMargin + 14;
+  double x = where.left();
+  const double base = where.top() + 14;
   const auto write = [&](const QString& text, const QFont& font, const QColor& color) {
     painter.setFont(font);
     painter.setPen(color);
@@ -50,9 +49,14 @@ void paint(RunPlot& plot, QPainter& painter) {
     write(label, font_of(11, false), theme.muted);
     x += kBetween;
   }
-  render_plot(
-      *plot.plot(), painter,
-      QRectF(kMargin, kMargin + kHeader, size.width() - 2 * kMargin, size.height() - 2 * kMargin - kHeader));
+  render_plot(*plot.plot(), painter, where.adjusted(0, kHeader, 0, 0));
+}
+
+// Of the size on the screen, with margins, on white.
+void paint(RunPlot& plot, QPainter& painter) {
+  const QSize size = size_of(plot);
+  painter.fillRect(QRect(QPoint(), size), light_theme().panel);
+  paint(plot, painter, QRectF(QPointF(), size).adjusted(kMargin, kMargin, -kMargin, -kMargin));
 }
 
 // In the colours of paper, and without the line under the mouse.
@@ -84,6 +88,10 @@ QPixmap plot_picture(RunPlot& plot) {
     paint(plot, painter);
   });
   return picture;
+}
+
+void paint_plot(RunPlot& plot, QPainter& painter, const QRectF& where) {
+  on_paper(plot, [&] { paint(plot, painter, where); });
 }
 
 }  // namespace carom

@@ -201,6 +201,10 @@ void PlotPanel::contextMenuEvent(QContextMenuEvent* event) {
     QGuiApplication::clipboard()->setPixmap(plot_picture(*plot));
   });
   menu->addAction(tr("Save the &data..."), this, [this, plot] { emit dataAsked(plot); });
+  menu->addAction(tr("Copy &all the data"), this, [this, plot] { emit dataCopyAsked(plot, false); })
+      ->setToolTip(tr("As a table for a spreadsheet, with every digit, from the start until now"));
+  menu->addAction(tr("Copy the data that is s&hown"), this, [this, plot] { emit dataCopyAsked(plot, true); })
+      ->setToolTip(tr("The same of the time that the plots show"));
   menu->addSeparator();
   menu->addActions(menu_->actions());
   menu->popup(event->globalPos());

@@ -72,6 +72,7 @@ class PlotPanel : public QWidget {
   void marksChanged();
   void pictureAsked(carom::RunPlot* plot);  // to be saved
   void dataAsked(carom::RunPlot* plot);
+  void dataCopyAsked(carom::RunPlot* plot, bool shown);  // shown: only of the time that the plots show
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;

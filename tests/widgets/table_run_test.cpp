@@ -1,6 +1,8 @@
 #include <QApplication>
+#include <QClipboard>
 #include <QHeaderView>
 #include <QScrollBar>
+#include <QTest>
 #include <gtest/gtest.h>
 
 #include "tests/widgets/run_fixture.h"
@@ -28,6 +30,25 @@ TEST(RunTables, BodiesBeforeAndAfterAHeadOnCollision) {
     }
   }
   EXPECT_TRUE(table.model()->index(2, 0).data(Qt::FontRole).value<QFont>().bold());
+}
+
+TEST(RunTables, AreCopiedWithEveryDigit) {
+  const Scene scene = head_on_scene();
+  const Frame frame = run_to(scene, 0.5);
+  BodiesTable table;
+  table.update_from(frame, scene.bodies);
+  table.show();
+  QTest::keySequence(&table, QKeySequence::Copy);
+  const QStringList lines = QGuiApplication::clipboard()->text().split('\n');
+  ASSERT_EQ(lines.size(), 1 + 3 + 1) << "each with its end";
+  EXPECT_EQ(lines[0],
+            "body\tm / kg\tv before / m/s, x\tv before / m/s, y\tv now / m/s, x\tv now / m/s, y\t"
+            "p now / kg·m/s, x\tp now / kg·m/s, y\tK before / J\tK now / J");
+  const QStringList a = lines[1].split('\t');
+  ASSERT_EQ(a.size(), 10);
+  EXPECT_EQ(a[4].toDouble(), frame.state.v(0, 0));
+  EXPECT_EQ(lines[3].split('\t').size(), 10) << "the sums";
+  EXPECT_EQ(lines[3].split('\t')[2], "");
 }
 
 TEST(RunTables, ABodyAddedLaterHasNoBefore) {
