@@ -18,12 +18,18 @@
 namespace carom {
 namespace {
 
+// Without the zeros that its decimals leave room for.
+class NumberBox : public QDoubleSpinBox {
+ public:
+  [[nodiscard]] QString textFromValue(double value) const override { return locale().toString(value, 'g', 10); }
+};
+
 QDoubleSpinBox* number_box(double least, double most, int decimals, double value, const QString& tip) {
-  auto* box = new QDoubleSpinBox;
+  auto* box = new NumberBox;
+  box->setButtonSymbols(QAbstractSpinBox::NoButtons);
   box->setDecimals(decimals);
   box->setRange(least, most);
   box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  box->setGroupSeparatorShown(false);
   box->setValue(value);
   box->setToolTip(tip);
   return box;
@@ -31,6 +37,7 @@ QDoubleSpinBox* number_box(double least, double most, int decimals, double value
 
 QSpinBox* pixel_box(int value, const QString& tip) {
   auto* box = new QSpinBox;
+  box->setButtonSymbols(QAbstractSpinBox::NoButtons);
   box->setRange(200, 8000);
   box->setSingleStep(2);
   box->setSuffix(" px");

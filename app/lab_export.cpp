@@ -184,8 +184,8 @@ void LabWindow::make_report() {
   report.log = *frame_->log;
   report.end = *frame_;
   report.title = QString::fromStdString(report.log.start.title);
-  report.lead = QString::fromStdString(report.log.start.observe);
-  report.date = QLocale().toString(QDate::currentDate(), QLocale::LongFormat);
+  report.observe = QString::fromStdString(report.log.start.observe);
+  report.date = QLocale().toString(QDate::currentDate(), "d MMMM yyyy");
   report.questions = {tr("What did you expect?"), tr("What do you see?"), tr("Why?")};
   std::vector<SeriesPoint<1>> impacts;
   recorders_.front()->impulses().read(0.0, frame_->time, impacts);

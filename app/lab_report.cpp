@@ -19,7 +19,7 @@ namespace {
 constexpr int kMostRows = 24;      // of a table
 constexpr double kGap = 18.0;      // px between two pictures
 constexpr double kCaption = 20.0;  // px
-constexpr double kPlot = 196.0;    // px, height of a plot
+constexpr double kPlot = 210.0;    // px, height of a plot
 
 QString tr(const char* text) { return QCoreApplication::translate("LabReport", text); }
 QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
@@ -91,7 +91,6 @@ class Writer {
     add(print_fields({{tr("Name"), report_.name, 0.48},
                       {tr("Class"), report_.form, 0.22},
                       {tr("Date"), report_.date, 0.30}}));
-    if (!report_.lead.isEmpty()) add(print_text(report_.lead, print_font(13), theme.text), 22.0);
   }
 
   void question(const QString& text) {
@@ -125,7 +124,7 @@ class Writer {
   [[nodiscard]] PrintBlock scene(const Frame& moment, const SceneLook& look) const {
     PrintBlock block;
     block.height = look.camera.viewport.height() + kCaption;
-    const QString time = QString("t = %1 s").arg(figure(moment.time));
+    const QString time = QString("t = %1 s").arg(short_figure(moment.time, 6));
     const QString what = moment_text(moment.time, report_);
     block.paint = [moment, look, time, what](QPainter& painter, const QRectF& where) {
       const Theme& theme = light_theme();
@@ -158,14 +157,14 @@ class Writer {
       PrintBlock block;
       block.height = kPlot;
       block.paint = [plot](QPainter& painter, const QRectF& where) { paint_plot(*plot, painter, where); };
-      add(std::move(block), 8.0);
+      add(std::move(block), plot == report_.plots.front() ? 8.0 : 16.0);
     }
   }
 
   void tables() {
     if (report_.bodies != nullptr) {
       add(print_heading(tr("Before and after")));
-      add(print_text(tr("Before: t = 0. Now: t = %1 s.").arg(figure(report_.end.time)), print_font(12),
+      add(print_text(tr("Before: t = 0. Now: t = %1 s.").arg(short_figure(report_.end.time, 6)), print_font(12),
                      light_theme().muted),
           4.0);
       blocks_.back().with_next = true;
@@ -191,8 +190,8 @@ class Writer {
       blocks_.back().with_next = true;  // it is a whole
       add(print_entry(name, text));
     };
+    if (!report_.observe.isEmpty()) entry(tr("To be seen"), report_.observe);
     entry(tr("Integrator"), choice_text(choice_of(kIntegrators, m.integrator)));
-    blocks_.back().gap = 10.0;
     entry(tr("Step"), step_text(m));
     entry(tr("Impacts"), choice_text(choice_of(kImpacts, m.impacts)));
     entry(tr("Contacts"), choice_text(choice_of(kContacts, m.contacts)));
@@ -206,7 +205,7 @@ class Writer {
     entry(tr("Not needed"), joined(needs.not_needed));
     changes();
     entry(tr("The run"), tr("%1 s in %2 steps with %3 impacts; %4 evaluations of a body's acceleration")
-                             .arg(figure(report_.end.time))
+                             .arg(short_figure(report_.end.time, 6))
                              .arg(report_.end.steps)
                              .arg(report_.end.impact_count)
                              .arg(report_.end.evaluations));
@@ -226,7 +225,7 @@ class Writer {
       const QString what =
           method != nullptr ? method_line(*method)
                             : tr("%1 put in").arg(QString::fromStdString(std::get<Body>(edits[i].what).name));
-      lines << tr("from t = %1 s: %2").arg(figure(times[i]), what);
+      lines << tr("from t = %1 s: %2").arg(short_figure(times[i], 6), what);
     }
     if (edits.size() > kMostChanges) lines << tr("and %1 more").arg(edits.size() - kMostChanges);
     for (qsizetype i = 0; i < lines.size(); ++i) {

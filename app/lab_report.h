@@ -19,7 +19,7 @@ struct LabReport {
   static constexpr std::size_t kMostMoments = 12;
 
   QString title;
-  QString lead;  // what there is to see
+  QString observe;  // what there is to see
   QString name, form, date;
   std::vector<double> times;  // s, ascending: the scene is shown at them
   QStringList questions;      // the first stands before the run, the others at the end

@@ -195,7 +195,8 @@ void RunPlot::set_looks() {
       QPen look = pen(i, k);
       if (!content_.lines[i].curve) look.setStyle(Qt::SolidLine);
       lines_[i].items[k].item->setPen(look);
-      lines_[i].items[k].item->setSymbol(nullptr);  // in the new colour with the next data
+      lines_[i].items[k].item->setSymbol(nullptr);
+      if (!content_.lines[i].curve) set_heads(lines_[i].items[k]);
     }
   }
 }

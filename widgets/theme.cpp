@@ -65,9 +65,9 @@ QLabel#title { font-weight: bold; }
 QLabel#caption { color: %5; font-size: 11px; }
 QLabel#muted { color: %5; }
 QLabel#chip { background: %2; border: 1px solid %3; border-radius: 11px; padding: 3px 9px; font-size: 11px; }
-QLineEdit, QDoubleSpinBox { background: %1; border: 1px solid %3; border-radius: 6px; padding: 5px 8px;
+QLineEdit, QSpinBox, QDoubleSpinBox, QPlainTextEdit { background: %1; border: 1px solid %3; border-radius: 6px; padding: 5px 8px;
   selection-background-color: %6; selection-color: %2; }
-QLineEdit:focus, QDoubleSpinBox:focus { border-color: %6; }
+QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QPlainTextEdit:focus { border-color: %6; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QComboBox { min-height: 26px; }
 QRadioButton:disabled { color: %5; }
