@@ -10,9 +10,10 @@ namespace carom {
 
 int film_command(int& argc, char** argv, const FilmOptions& options) {
   Film film;
-  film.log.start = scene_with_method(options.preset, options.method);
+  const Scene scene = scene_with_method(options.preset, options.method);
+  film.runs = {{scene, {}}};
   film.from = options.from;
-  film.to = options.to.value_or(film.log.start.duration);
+  film.to = options.to.value_or(scene.duration);
   film.rate = options.rate;
   film.speed = options.speed;
   film.pixels = {options.width, options.height};
@@ -22,7 +23,7 @@ int film_command(int& argc, char** argv, const FilmOptions& options) {
   const QApplication application(argc, argv);
   const Theme& theme = options.dark ? dark_theme() : light_theme();
   apply_theme(*qApp, theme);
-  const std::optional<View>& view = film.log.start.view;
+  const std::optional<View>& view = scene.view;
   film.look = scene_look({}, view, {}, theme, film.pixels);
   film.whole = !view;
   {

@@ -49,11 +49,12 @@ void save_window_picture(const Scene& scene, const QString& name, double time, c
 
 Frame frame_at(const Scene& scene, double time) {
   Frame moment;
-  const auto take = [&](const Frame& frame) {
-    moment = frame;
+  const auto take = [&](std::span<const Frame> frames) {
+    moment = frames.front();
     return true;
   };
-  (void)visit_moments({scene, {}}, std::array{time}, kImpactShown, take, [](double) { return true; });
+  (void)visit_moments(std::array{RunLog{scene, {}}}, std::array{time}, kImpactShown, take,
+                      [](double) { return true; });
   return moment;
 }
 

@@ -59,12 +59,14 @@ class Workshop {
 // What all frames show: nothing of the run is out of the picture.
 WorldRect bounds_of(const Film& film, std::span<const double> times, const std::function<bool(double)>& go_on) {
   WorldRect all;
-  const auto include = [&](const Frame& frame) {
-    const WorldRect now = bounds(frame);
-    if (!now.empty()) all.include((now.lower + now.upper) / 2, (now.upper - now.lower) / 2);
+  const auto include = [&](std::span<const Frame> runs) {
+    for (const Frame& frame : runs) {
+      const WorldRect now = bounds(frame);
+      if (!now.empty()) all.include((now.lower + now.upper) / 2, (now.upper - now.lower) / 2);
+    }
     return true;
   };
-  return visit_moments(film.log, times, kImpactShown, include, go_on) ? all : WorldRect();
+  return visit_moments(film.runs, times, kImpactShown, include, go_on) ? all : WorldRect();
 }
 
 }  // namespace
@@ -130,17 +132,17 @@ bool save_film(const Film& film, const QString& folder, bool replace,
   int number = 0;
   QImage image(film.pixels, QImage::Format_RGB32);
   image.setDevicePixelRatio(film.dots);
-  const auto show = [&](const Frame& frame) {
+  const auto show = [&](std::span<const Frame> runs) {
     {
       QPainter painter(&image);
-      paint_scene(painter, frame, look);
+      paint_scene(painter, runs.front(), look, runs.subspan(1));
     }
     ++number;
     if (!image.save(workshop.path(frame_name(number, count)), "PNG"))
       fail(folder, "a frame could not be written; allowed: a place with room");
-    return go_on(frame.time);
+    return go_on(runs.front().time);
   };
-  if (!visit_moments(film.log, times, kImpactShown, show, go_on)) return false;
+  if (!visit_moments(film.runs, times, kImpactShown, show, go_on)) return false;
   workshop.finish();
   return true;
 }

@@ -15,15 +15,15 @@ namespace carom {
 struct Film {
   static constexpr int kMostFrames = 100'000;
 
-  RunLog log;
-  double from = 0.0;        // s of the run
-  double to = 1.0;          // s of the run: no frame is after it
-  double rate = 25.0;       // frames a second of the film
-  double speed = 1.0;       // seconds of the run in a second of the film: below 1 it is slow motion
-  QSize pixels{1280, 720};  // even numbers, which encoders of films ask for
-  double dots = 1.0;        // px of a picture for one of the look's
-  SceneLook look;           // of the first frame, on a viewport of any size
-  bool whole = false;       // all bodies in all frames, in place of what the look's camera sees
+  std::vector<RunLog> runs;  // of the scene's own method, and of those that are compared with it
+  double from = 0.0;         // s of the run
+  double to = 1.0;           // s of the run: no frame is after it
+  double rate = 25.0;        // frames a second of the film
+  double speed = 1.0;        // seconds of the run in a second of the film: below 1 it is slow motion
+  QSize pixels{1280, 720};   // even numbers, which encoders of films ask for
+  double dots = 1.0;         // px of a picture for one of the look's
+  SceneLook look;            // of the first frame, on a viewport of any size
+  bool whole = false;        // all bodies in all frames, in place of what the look's camera sees
 };
 
 // Moments of the frames, s: from, from + speed / rate, ... Throws SceneError where one of the above is not

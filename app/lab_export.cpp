@@ -129,10 +129,16 @@ void LabWindow::copy_data(const RunPlot* plot, bool shown) {
   }
 }
 
+std::vector<RunLog> LabWindow::runs() const {
+  std::vector<RunLog> all;
+  for (const auto& frame : frames_) all.push_back(*frame->log);
+  return all;
+}
+
 void LabWindow::make_film() {
   if (frame_ == nullptr || frame_->log == nullptr) return;
   Film film;
-  film.log = *frame_->log;
+  film.runs = runs();
   film.to = frame_->time > 0.0 ? frame_->time : duration_;
   film.speed = speed_;
   film.look = view_->look();
@@ -181,16 +187,16 @@ void LabWindow::make_report() {
   bodies_->update_from(*frame_, before_);
   ledger_->update_from(*frame_);
   LabReport report;
-  report.log = *frame_->log;
-  report.end = *frame_;
-  report.title = QString::fromStdString(report.log.start.title);
-  report.observe = QString::fromStdString(report.log.start.observe);
+  report.runs = runs();
+  for (const auto& frame : frames_) report.ends.push_back(*frame);
+  report.title = QString::fromStdString(report.runs.front().start.title);
+  report.observe = QString::fromStdString(report.runs.front().start.observe);
   report.date = QLocale().toString(QDate::currentDate(), "d MMMM yyyy");
   report.questions = {tr("What did you expect?"), tr("What do you see?"), tr("Why?")};
   std::vector<SeriesPoint<1>> impacts;
   recorders_.front()->impulses().read(0.0, frame_->time, impacts);
   if (!impacts.empty()) report.first_impact = impacts.front().at;
-  report.times = report_times(report.log.start.method, report.first_impact, frame_->time);
+  report.times = report_times(report.runs.front().start.method, report.first_impact, frame_->time);
   report.look = view_->look();
   report.plots = plots_->plots();
   report.bodies = static_cast<const FigureModel*>(bodies_->model());

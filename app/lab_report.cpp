@@ -47,27 +47,15 @@ QString method_line(const Method& m) {
       .join(", ");
 }
 
-// When the edits were made, by the steps between them, s.
-std::vector<double> times_of(const RunLog& log) {
-  std::vector<double> times;
-  double time = 0.0;
-  std::int64_t steps = 0;
-  double h = log.start.method.step;
-  for (const Edit& edit : log.edits) {
-    time += static_cast<double>(edit.step - steps) * h;
-    steps = edit.step;
-    if (const auto* method = std::get_if<Method>(&edit.what)) h = method->step;
-    times.push_back(time);
-  }
-  return times;
-}
+// Of each run its frame at one time.
+using Moment = std::vector<Frame>;
 
 // The report's pieces, from the first to the last.
 class Writer {
  public:
   explicit Writer(const LabReport& report) : report_(report) {}
 
-  std::vector<PrintBlock> write(const std::vector<Frame>& moments) {
+  std::vector<PrintBlock> write(const std::vector<Moment>& moments) {
     head();
     if (!report_.questions.isEmpty()) question(report_.questions.front());
     scenes(moments);
@@ -99,7 +87,7 @@ class Writer {
     add(print_ruled(kLeastLines));
   }
 
-  void scenes(const std::vector<Frame>& moments) {
+  void scenes(const std::vector<Moment>& moments) {
     if (moments.empty()) return;
     add(print_heading(tr("The run")));
     const bool alone = moments.size() == 1;
@@ -121,11 +109,11 @@ class Writer {
     }
   }
 
-  [[nodiscard]] PrintBlock scene(const Frame& moment, const SceneLook& look) const {
+  [[nodiscard]] PrintBlock scene(const Moment& moment, const SceneLook& look) const {
     PrintBlock block;
     block.height = look.camera.viewport.height() + kCaption;
-    const QString time = QString("t = %1 s").arg(short_figure(moment.time, 6));
-    const QString what = moment_text(moment.time, report_);
+    const QString time = QString("t = %1 s").arg(short_figure(moment.front().time, 6));
+    const QString what = moment_text(moment.front().time, report_);
     block.paint = [moment, look, time, what](QPainter& painter, const QRectF& where) {
       const Theme& theme = light_theme();
       const QRectF frame(where.topLeft(), look.camera.viewport);
@@ -133,7 +121,7 @@ class Writer {
       painter.setClipRect(frame);
       painter.translate(frame.topLeft());
       SceneLook own = look;
-      paint_scene(painter, moment, own);
+      paint_scene(painter, moment.front(), own, std::span(moment).subspan(1));
       painter.restore();
       painter.setBrush(Qt::NoBrush);
       painter.setPen(QPen(theme.border, 0.75));
@@ -164,8 +152,8 @@ class Writer {
   void tables() {
     if (report_.bodies != nullptr) {
       add(print_heading(tr("Before and after")));
-      add(print_text(tr("Before: t = 0. Now: t = %1 s.").arg(short_figure(report_.end.time, 6)), print_font(12),
-                     light_theme().muted),
+      add(print_text(tr("Before: t = 0. Now: t = %1 s.").arg(short_figure(report_.ends.front().time, 6)),
+                     print_font(12), light_theme().muted),
           4.0);
       blocks_.back().with_next = true;
       add(print_table(*report_.bodies, kMostRows));
@@ -173,8 +161,8 @@ class Writer {
     if (report_.ledger == nullptr) return;
     add(print_heading(tr("Where energy and momentum went")));
     add(print_table(*report_.ledger, kMostRows));
-    const double drift = report_.end.ledger.numerical_drift(report_.end.totals.energy());
-    const double energy = report_.end.scales.energy;
+    const double drift = report_.ends.front().ledger.numerical_drift(report_.ends.front().totals.energy());
+    const double energy = report_.ends.front().scales.energy;
     QString text = tr("The numerical drift is what the method itself gained or lost: %1 J").arg(figure(drift));
     if (energy > 0.0)
       text += tr(", which is %1 of the largest energy of the run, %2 J")
@@ -183,7 +171,7 @@ class Writer {
   }
 
   void method() {
-    const Scene& start = report_.log.start;
+    const Scene& start = report_.runs.front().start;
     const Method& m = start.method;
     add(print_heading(tr("The method")));
     const auto entry = [&](const QString& name, const QString& text) {
@@ -205,11 +193,25 @@ class Writer {
     entry(tr("Not needed"), joined(needs.not_needed));
     changes();
     entry(tr("The run"), tr("%1 s in %2 steps with %3 impacts; %4 evaluations of a body's acceleration")
-                             .arg(short_figure(report_.end.time, 6))
-                             .arg(report_.end.steps)
-                             .arg(report_.end.impact_count)
-                             .arg(report_.end.evaluations));
-    if (report_.end.status != "ok") entry(tr("Notices"), QString::fromStdString(report_.end.status));
+                             .arg(short_figure(report_.ends.front().time, 6))
+                             .arg(report_.ends.front().steps)
+                             .arg(report_.ends.front().impact_count)
+                             .arg(report_.ends.front().evaluations));
+    compared();
+    if (report_.ends.front().status != "ok")
+      entry(tr("Notices"), QString::fromStdString(report_.ends.front().status));
+  }
+
+  // The other methods, as outlines beside the scene's own.
+  void compared() {
+    for (std::size_t i = 1; i < report_.runs.size(); ++i) {
+      const Frame& end = report_.ends[i];
+      blocks_.back().with_next = true;
+      add(print_entry(i == 1 ? tr("Compared with") : QString(),
+                      tr("%1: numerical drift %2 J")
+                          .arg(method_line(report_.runs[i].start.method),
+                               figure(end.ledger.numerical_drift(end.totals.energy())))));
+    }
   }
 
   static NeedsText text_of_needs(const Scene& scene) { return carom::text_of(needs_of(scene), scene); }
@@ -217,15 +219,14 @@ class Writer {
   // What was done to the run on its way, as far as a page takes it.
   void changes() {
     constexpr std::size_t kMostChanges = 12;
-    const std::vector<Edit>& edits = report_.log.edits;
-    const std::vector<double> times = times_of(report_.log);
+    const std::vector<Edit>& edits = report_.runs.front().edits;
     QStringList lines;
     for (std::size_t i = 0; i < std::min(edits.size(), kMostChanges); ++i) {
       const auto* method = std::get_if<Method>(&edits[i].what);
       const QString what =
           method != nullptr ? method_line(*method)
                             : tr("%1 put in").arg(QString::fromStdString(std::get<Body>(edits[i].what).name));
-      lines << tr("from t = %1 s: %2").arg(short_figure(times[i], 6), what);
+      lines << tr("from t = %1 s: %2").arg(short_figure(edits[i].time, 6), what);
     }
     if (edits.size() > kMostChanges) lines << tr("and %1 more").arg(edits.size() - kMostChanges);
     for (qsizetype i = 0; i < lines.size(); ++i) {
@@ -261,23 +262,23 @@ QString moment_text(double time, const LabReport& report) {
   if (time == 0.0) return tr("start");
   if (report.first_impact) {
     const double off = time - *report.first_impact;
-    const Method& method = report.log.start.method;
+    const Method& method = report.runs.front().start.method;
     const double near = 1.001 * (method.impacts == ImpactsId::kLocated ? near_by(method) : method.step);
     if (off < 0.0 && off >= -near) return tr("just before the first impact");
     if (off >= 0.0 && off <= near) return tr("just after the first impact");
   }
-  return time == report.end.time ? tr("end") : QString();
+  return time == report.ends.front().time ? tr("end") : QString();
 }
 
 std::optional<PrintPages> report_pages(const LabReport& report, const std::function<bool(double)>& progress) {
-  std::vector<Frame> moments;
-  const auto keep = [&](const Frame& frame) {
-    moments.push_back(frame);
+  std::vector<Moment> moments;
+  const auto keep = [&](std::span<const Frame> runs) {
+    moments.emplace_back(runs.begin(), runs.end());
     return true;
   };
   const double end = report.times.empty() ? 1.0 : std::max(report.times.back(), 1e-12);
   const auto go_on = [&](double time) { return progress(std::min(1.0, time / end)); };
-  if (!visit_moments(report.log, report.times, kImpactShown, keep, go_on)) return std::nullopt;
+  if (!visit_moments(report.runs, report.times, kImpactShown, keep, go_on)) return std::nullopt;
   return PrintPages(Writer(report).write(moments), "Carom · " + report.title);
 }
 

@@ -24,8 +24,9 @@ struct LabReport {
   std::vector<double> times;  // s, ascending: the scene is shown at them
   QStringList questions;      // the first stands before the run, the others at the end
 
-  RunLog log;
-  Frame end;                           // of the run so far
+  // Of the scene's own method, and of those that are compared with it; and where they have come to.
+  std::vector<RunLog> runs;
+  std::vector<Frame> ends;
   std::optional<double> first_impact;  // s
   SceneLook look;
   std::vector<RunPlot*> plots;  // as they stand in the window

@@ -104,6 +104,7 @@ class LabWindow : public QMainWindow {
   void make_film();
   void make_report();
   void pause();  // and waits until the newest moment is shown
+  [[nodiscard]] std::vector<RunLog> runs() const;
   void mark_changed(bool changed);
 
   Theme theme_;

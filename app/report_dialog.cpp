@@ -100,7 +100,7 @@ LabReport ReportDialog::report() const {
   report.name = name_->text().trimmed();
   report.form = form_->text().trimmed();
   report.date = date_->text().trimmed();
-  report.times = times_of(times_->text(), report.end.time);
+  report.times = times_of(times_->text(), report.ends.front().time);
   report.questions.clear();
   for (const QString& line : questions_->toPlainText().split('\n')) {
     if (!line.trimmed().isEmpty()) report.questions << line.trimmed();
@@ -115,7 +115,7 @@ void ReportDialog::check() {
   QString message = tr("A PDF of A4 pages: pictures and plots as vectors, with room for words.");
   bool good = true;
   try {
-    (void)times_of(times_->text(), suggestion_.end.time);
+    (void)times_of(times_->text(), suggestion_.ends.front().time);
   } catch (const SceneError& error) {
     message = QString::fromUtf8(error.what());
     good = false;

@@ -3,6 +3,7 @@
 #include <QSize>
 #include <QString>
 #include <optional>
+#include <span>
 
 #include "widgets/drawing.h"
 
@@ -26,8 +27,9 @@ struct SceneLook {
 // The look of a viewport of another size, that shows no less.
 [[nodiscard]] SceneLook on_viewport(SceneLook look, const QSizeF& viewport);
 
-// Paints a moment with the impacts that the frame has, on the look's viewport, and remembers its peaks.
-void paint_scene(QPainter& painter, const Frame& frame, SceneLook& look);
+// Paints a moment with the impacts that the frame has, on the look's viewport, and remembers its peaks. Other
+// runs of the scene at the same moment are outlines in their colours.
+void paint_scene(QPainter& painter, const Frame& frame, SceneLook& look, std::span<const Frame> others = {});
 
 // Saves the scene at one moment as a picture of `pixels`, by the file's suffix: .png, or .svg and .pdf as
 // vectors (96 px an inch). Without a view all bodies are shown. Needs no display. The file is replaced only

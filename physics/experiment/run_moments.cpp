@@ -16,41 +16,69 @@ void keep_recent(std::vector<ImpactRecord>& impacts, std::span<const ImpactRecor
   impacts.insert(impacts.end(), fresh.end() - static_cast<std::ptrdiff_t>(added), fresh.end());
 }
 
-bool visit_moments(const RunLog& log, std::span<const double> times, double span,
-                   const std::function<bool(const Frame&)>& show,
-                   const std::function<bool(double time)>& go_on) {
-  Replay replay(log.start);
-  Frame frame;
-  frame.run = 1;
-  frame.forces = std::make_shared<const Forces>(log.start.forces);
-  std::vector<ImpactRecord> impacts;
-  const auto take = [&](const Simulation& simulation) {
-    if (!frame.bodies || frame.bodies->size() != simulation.bodies().size())
-      frame.bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
-    take_moment(simulation, frame);
-    return show(frame);
-  };
-  for (const double time : times) {
-    const Simulation& simulation = replay.simulation();
+namespace {
+
+// One run on its way through the moments.
+class Walk {
+ public:
+  Walk(const RunLog& log, double span)
+      : log_(log), replay_(log.start), forces_(std::make_shared<const Forces>(log.start.forces)), span_(span) {}
+
+  bool go_to(double time, Frame& frame, const std::function<bool(double)>& go_on) {
+    const Simulation& simulation = replay_.simulation();
     while (true) {
-      while (replay.edit(log)) {
+      while (replay_.edit(log_) != nullptr) {
       }
       // As Simulation::advance_to() divides the time.
       if (time - simulation.time() <= (1.0 - 1e-9) * simulation.method().step) break;
       if (!go_on(simulation.time())) return false;
-      replay.step();
-      keep_recent(impacts, simulation.last_impacts(), simulation.time(), span);
+      replay_.step();
+      keep_recent(impacts_, simulation.last_impacts(), simulation.time(), span_);
     }
-    frame.impacts = impacts;
+    frame.impacts = impacts_;
     const double left = time - simulation.time();
     if (left <= 1e-9 * simulation.method().step) {
-      if (!take(simulation)) return false;
-      continue;
+      take(simulation, frame);
+      return true;
     }
     Simulation between = simulation;
     between.step(left);
-    keep_recent(frame.impacts, between.last_impacts(), between.time(), span);
-    if (!take(between)) return false;
+    keep_recent(frame.impacts, between.last_impacts(), between.time(), span_);
+    take(between, frame);
+    return true;
+  }
+
+ private:
+  void take(const Simulation& simulation, Frame& frame) {
+    if (!bodies_ || bodies_->size() != simulation.bodies().size())
+      bodies_ = std::make_shared<const std::vector<Body>>(simulation.bodies());
+    frame.run = 1;
+    frame.bodies = bodies_;
+    frame.forces = forces_;
+    take_moment(simulation, frame);
+  }
+
+  const RunLog& log_;
+  Replay replay_;
+  std::shared_ptr<const Forces> forces_;
+  std::shared_ptr<const std::vector<Body>> bodies_;
+  std::vector<ImpactRecord> impacts_;
+  double span_;
+};
+
+}  // namespace
+
+bool visit_moments(std::span<const RunLog> runs, std::span<const double> times, double span,
+                   const std::function<bool(std::span<const Frame>)>& show,
+                   const std::function<bool(double time)>& go_on) {
+  std::vector<Walk> walks;
+  for (const RunLog& log : runs) walks.emplace_back(log, span);
+  std::vector<Frame> frames(runs.size());
+  for (const double time : times) {
+    for (std::size_t i = 0; i < walks.size(); ++i) {
+      if (!walks[i].go_to(time, frames[i], go_on)) return false;
+    }
+    if (!show(frames)) return false;
   }
   return true;
 }

@@ -15,12 +15,13 @@ inline constexpr std::size_t kMostRecent = 1000;
 void keep_recent(std::vector<ImpactRecord>& impacts, std::span<const ImpactRecord> fresh, double now,
                  double span);
 
-// Goes through a run once more and shows it at `times` (s, ascending), on beyond where it was left if they lie
-// there. A time between two steps is reached by one shorter step of a copy, of which the run knows nothing. The
-// frame has no rows; its impacts are the recent ones of the last `span` s. Before each step `go_on` is told the
-// time that is reached. Where one of the two answers false the run is left, and the answer is false.
-[[nodiscard]] bool visit_moments(const RunLog& log, std::span<const double> times, double span,
-                                 const std::function<bool(const Frame&)>& show,
+// Goes through runs once more, side by side, and shows them at `times` (s, ascending), on beyond where they
+// were left if these lie there. A time between two steps is reached by one shorter step of a copy, of which the
+// run knows nothing. The frames, one a run, have no rows; their impacts are the recent ones of the last `span`
+// s. Before each step `go_on` is told the time that is reached. Where one of the two answers false the runs are
+// left, and the answer is false.
+[[nodiscard]] bool visit_moments(std::span<const RunLog> runs, std::span<const double> times, double span,
+                                 const std::function<bool(std::span<const Frame>)>& show,
                                  const std::function<bool(double time)>& go_on);
 
 }  // namespace carom

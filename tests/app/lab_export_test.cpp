@@ -180,6 +180,7 @@ TEST_F(LabExportTest, AFilmIsMade) {
 TEST_F(LabExportTest, TheFilmDialogTellsWhatWillCome) {
   window_.run_until(0.1);
   Film film;
+  film.runs.emplace_back();
   film.to = 2.0;
   film.look = window_.scene_view().look();
   QTemporaryDir dir;

@@ -192,8 +192,8 @@ TEST_F(LabReportTest, IsOfOneMoment) {
   make("now.pdf");
   ASSERT_TRUE(report_);
   EXPECT_FALSE(window_.frame()->playing);
-  EXPECT_EQ(report_->end.time, window_.frame()->time);
-  EXPECT_EQ(report_->times.back(), report_->end.time);
+  EXPECT_EQ(report_->ends.front().time, window_.frame()->time);
+  EXPECT_EQ(report_->times.back(), report_->ends.front().time);
 }
 
 }  // namespace

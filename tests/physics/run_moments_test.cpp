@@ -1,6 +1,8 @@
 #include "physics/experiment/run_moments.h"
 
+#include <array>
 #include <gtest/gtest.h>
+#include <span>
 #include <variant>
 
 #include "tests/physics/scenes.h"
@@ -40,11 +42,11 @@ RunLog edited_run() {
 
 std::vector<Frame> moments(const RunLog& log, const std::vector<double>& times) {
   std::vector<Frame> frames;
-  const auto keep = [&](const Frame& frame) {
-    frames.push_back(frame);
+  const auto keep = [&](std::span<const Frame> moment) {
+    frames.push_back(moment.front());
     return true;
   };
-  EXPECT_TRUE(visit_moments(log, times, kSpan, keep, kGoOn));
+  EXPECT_TRUE(visit_moments(std::array{log}, times, kSpan, keep, kGoOn));
   return frames;
 }
 
@@ -101,19 +103,41 @@ TEST(RunMoments, HaveTheImpactsOfLate) {
   EXPECT_GT(seen, 100U);
 }
 
+// Each at its own steps, all at the same times.
+TEST(RunMoments, OfSeveralRunsStandSideBySide) {
+  std::array<RunLog, 2> runs{edited_run(), edited_run()};
+  runs[1].start.method.integrator = IntegratorId::kExplicitEuler;
+  runs[1].start.method.step = 0.003;
+  runs[1].edits.clear();
+  const std::vector<double> times{0.1, 0.35, 0.7};
+  const std::vector<Frame> first = moments(runs[0], times);
+  const std::vector<Frame> second = moments(runs[1], times);
+  std::size_t shown = 0;
+  const auto compare = [&](std::span<const Frame> both) {
+    EXPECT_EQ(both.size(), 2U);
+    EXPECT_EQ(both[0].state.q, first[shown].state.q);
+    EXPECT_EQ(both[1].state.q, second[shown].state.q);
+    EXPECT_EQ(both[1].time, second[shown].time);
+    ++shown;
+    return true;
+  };
+  EXPECT_TRUE(visit_moments(runs, times, kSpan, compare, kGoOn));
+  EXPECT_EQ(shown, 3U);
+}
+
 TEST(RunMoments, StopWhereTheyAreToldTo) {
   double told = -1.0;
   int shown = 0;
   const std::vector<double> times{0.1, 0.5, 1.0};
-  const auto count = [&](const Frame&) { return ++shown < 3; };
-  EXPECT_FALSE(visit_moments(edited_run(), times, kSpan, count, [&](double time) {
+  const auto count = [&](std::span<const Frame>) { return ++shown < 3; };
+  EXPECT_FALSE(visit_moments(std::array{edited_run()}, times, kSpan, count, [&](double time) {
     EXPECT_GT(time, told);
     told = time;
     return time < 0.3;
   }));
   EXPECT_EQ(shown, 1);
   shown = 0;
-  EXPECT_FALSE(visit_moments(edited_run(), std::vector<double>(10, 0.1), kSpan, count, kGoOn));
+  EXPECT_FALSE(visit_moments(std::array{edited_run()}, std::vector<double>(10, 0.1), kSpan, count, kGoOn));
   EXPECT_EQ(shown, 3);
 }
 
