@@ -11,11 +11,12 @@
 namespace carom {
 namespace {
 
-constexpr int kMargin = 10;   // px
-constexpr int kHeader = 28;   // px
-constexpr int kSample = 22;   // px, of a line in the legend
-constexpr int kGap = 6;       // px
-constexpr int kBetween = 16;  // px, entries of the legend
+constexpr int kMargin = 10;     // px
+constexpr int kHeader = 28;     // px
+constexpr int kLegendRow = 16;  // px, of each further row of the legend
+constexpr int kSample = 22;     // px, of a line in the legend
+constexpr int kGap = 6;         // px
+constexpr int kBetween = 16;    // px, entries of the legend
 
 QFont font_of(int pixels, bool bold) {
   QFont font;
@@ -24,32 +25,68 @@ QFont font_of(int pixels, bool bold) {
   return font;
 }
 
-QSize size_of(const RunPlot& plot) { return plot.size() + QSize(2 * kMargin, kMargin); }
+// Title, unit and legend, from the upper left; what doesn't fit goes on below.
+struct Header {
+  static constexpr double kBase = 14.0;  // px
+  const QFont title_font = font_of(13, true);
+  const QFont unit_font = font_of(12, false);
+  const QFont label_font = font_of(11, false);
+
+  struct Entry {
+    QString label;
+    QPen pen;
+    QPointF at;
+  };
+  QPointF title{0.0, kBase};
+  QPointF unit;
+  std::vector<Entry> legend;
+  double height = kHeader;
+
+  Header(const RunPlot& plot, double width) {
+    const auto length = [](const QString& text, const QFont& font) {
+      return QFontMetricsF(font).horizontalAdvance(text);
+    };
+    double x = length(plot.content().title, title_font) + kGap;
+    unit = {x, kBase};
+    x += length(plot.content().unit, unit_font) + kBetween;
+    double base = kBase;
+    for (const auto& [label, pen] : plot.legend()) {
+      const double end = x + kSample + kGap + length(label, label_font);
+      if (end > width && x > 0.0) {
+        x = 0.0;
+        base += kLegendRow;
+        height += kLegendRow;
+      }
+      legend.push_back({label, pen, {x, base}});
+      x += kSample + kGap + length(label, label_font) + kBetween;
+    }
+  }
+};
+
+QSize size_of(const RunPlot& plot) {
+  const double more = Header(plot, plot.width()).height - kHeader;
+  return plot.size() + QSize(2 * kMargin, kMargin + static_cast<int>(more));
+}
 
 // Within its margins.
 void paint(RunPlot& plot, QPainter& painter, const QRectF& where) {
   const Theme& theme = light_theme();
+  const Header header(plot, where.width());
   painter.setRenderHint(QPainter::Antialiasing);
-  double x = where.left();
-  const double base = where.top() + 14;
-  const auto write = [&](const QString& text, const QFont& font, const QColor& color) {
+  const auto write = [&](const QPointF& at, const QString& text, const QFont& font, const QColor& color) {
     painter.setFont(font);
     painter.setPen(color);
-    painter.drawText(QPointF(x, base), text);
-    x += QFontMetricsF(font).horizontalAdvance(text);
+    painter.drawText(where.topLeft() + at, text);
   };
-  write(plot.content().title, font_of(13, true), theme.text);
-  x += kGap;
-  write(plot.content().unit, font_of(12, false), theme.muted);
-  x += kBetween;
-  for (const auto& [label, pen] : plot.legend()) {
-    painter.setPen(pen);
-    painter.drawLine(QPointF(x, base - 4.0), QPointF(x + kSample, base - 4.0));
-    x += kSample + kGap;
-    write(label, font_of(11, false), theme.muted);
-    x += kBetween;
+  write(header.title, plot.content().title, header.title_font, theme.text);
+  write(header.unit, plot.content().unit, header.unit_font, theme.muted);
+  for (const Header::Entry& entry : header.legend) {
+    const QPointF line = where.topLeft() + entry.at - QPointF(0.0, 4.0);
+    painter.setPen(entry.pen);
+    painter.drawLine(line, line + QPointF(kSample, 0.0));
+    write(entry.at + QPointF(kSample + kGap, 0.0), entry.label, header.label_font, theme.muted);
   }
-  render_plot(*plot.plot(), painter, where.adjusted(0, kHeader, 0, 0));
+  render_plot(*plot.plot(), painter, where.adjusted(0, header.height, 0, 0));
 }
 
 // Of the size on the screen, with margins, on white.

@@ -128,7 +128,7 @@ TEST_F(LabReportTest, IsAPdfOfVectorsAndText) {
 
 // On white whatever the window's colours; nothing stands out of the text's room.
 TEST_F(LabReportTest, KeepsItsMargins) {
-  for (const char* name : {"bouncing-ball", "newtons-cradle-hung", "billiard-break"}) {
+  for (const char* name : {"bouncing-ball", "newtons-cradle-hung", "billiard-break", "drag-projectile"}) {
     ASSERT_TRUE(window_.open(name));
     window_.run_until(0.7);
     make(QString(name) + ".pdf");

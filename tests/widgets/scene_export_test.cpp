@@ -2,7 +2,9 @@
 
 #include <QFile>
 #include <QImage>
+#include <QPainter>
 #include <QTemporaryDir>
+#include <array>
 #include <gtest/gtest.h>
 
 #include "tests/widgets/scene_fixture.h"
@@ -50,6 +52,41 @@ TEST_F(SceneExport, PdfIsVectors) {
   EXPECT_TRUE(text.startsWith("%PDF-"));
   EXPECT_TRUE(text.contains("/MediaBox [0 0 450"));
   EXPECT_FALSE(text.contains("/Subtype /Image"));
+}
+
+// Other runs of the scene are outlines, in the colours of their curves.
+TEST_F(SceneExport, OtherRunsAreOutlines) {
+  const Frame frame = *frame_of(Simulation(two_discs()));
+  Frame other = frame;
+  other.state.q(0, 2) += 1.5;  // B, at the right
+  const auto picture = [&](std::span<const Frame> others) {
+    SceneLook look = scene_look(frame, View{Vec2(2.0, 1.0), 6.0}, {}, light_theme(), QSize(600, 400));
+    QImage image(600, 400, QImage::Format_RGB32);
+    QPainter painter(&image);
+    paint_scene(painter, frame, look, others);
+    return image;
+  };
+  const QImage alone = picture({});
+  const QImage beside = picture(std::array{other});
+  // B's outline stands at (550, 200) px with a radius of 25 px, in the second colour, a red one.
+  EXPECT_EQ(alone.pixelColor(560, 190), beside.pixelColor(560, 190)) << "no fill";
+  const QColor rim = beside.pixelColor(550, 175);
+  EXPECT_GT(rim.red(), rim.blue() + 50);
+  EXPECT_NE(alone.pixelColor(550, 175), rim);
+}
+
+// The same part of the world, and no less, on paper of another shape.
+TEST_F(SceneExport, ALookFitsOtherSizes) {
+  const Frame frame = *frame_of(Simulation(two_discs()));
+  const SceneLook look = scene_look(frame, View{Vec2(2.0, 1.0), 6.0}, {}, light_theme(), QSize(600, 400));
+  const WorldRect seen = look.camera.visible();
+  for (const QSizeF size : {QSizeF(300, 200), QSizeF(800, 100), QSizeF(100, 800)}) {
+    const WorldRect now = on_viewport(look, size).camera.visible();
+    EXPECT_LE(now.lower.x(), seen.lower.x() + 1e-9);
+    EXPECT_LE(now.lower.y(), seen.lower.y() + 1e-9);
+    EXPECT_GE(now.upper.x(), seen.upper.x() - 1e-9);
+    EXPECT_GE(now.upper.y(), seen.upper.y() - 1e-9);
+  }
 }
 
 TEST_F(SceneExport, SaysWhyItCannot) {
