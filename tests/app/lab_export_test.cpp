@@ -94,6 +94,7 @@ TEST_F(LabExportTest, ThePlotsDataAreCopied) {
   Simulation run(window_.scene());
   run.step();
   const QStringList second = all[2].split('\t');
+  ASSERT_EQ(second.size(), 4);
   EXPECT_EQ(second[0].toDouble(), run.time());
   EXPECT_EQ(second[1].toDouble(), run.totals().kinetic());
 
