@@ -82,14 +82,22 @@ std::vector<Quantity> run_columns(const std::vector<Body>& bodies) {
 }
 
 std::string csv_header(const std::vector<Quantity>& columns, const std::vector<Body>& bodies, char separator) {
+  const auto name_of = [&](const Observable& observable, const std::vector<int>& of) {
+    std::string name;
+    for (const int body : of) name += bodies[static_cast<std::size_t>(body)].name + " ";
+    return name + std::string(observable.name);
+  };
   std::string line = "time [s]";
   for (const Quantity& column : columns) {
-    std::string heading;
-    for (const int body : column.bodies) heading += bodies[static_cast<std::size_t>(body)].name + " ";
+    std::string heading = name_of(*column.observable, column.bodies);
+    if (!column.less.empty()) {
+      heading += fmt::format(" - ({})", column.less.formula.text());
+      if (column.less.x != nullptr) heading += ", x = " + name_of(*column.less.x, column.less.x_bodies);
+    }
     std::string unit(column.observable->unit);
     for (std::size_t at; (at = unit.find("²")) != std::string::npos;) unit.replace(at, 2, "^2");
     line += separator;
-    line += csv_field(fmt::format("{}{} [{}]", heading, column.observable->name, unit), separator);
+    line += csv_field(fmt::format("{} [{}]", heading, unit), separator);
   }
   return line;
 }

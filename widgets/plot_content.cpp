@@ -1,7 +1,9 @@
 #include "widgets/plot_content.h"
 
+#include <QObject>
 #include <QStringList>
 #include <algorithm>
+#include <utility>
 
 #include "physics/scene/validate.h"
 
@@ -46,6 +48,10 @@ QString names_of(const QuantityName& quantity) {
   QStringList names;
   for (const std::string& name : quantity.bodies) names << QString::fromStdString(name);
   return names.join(" and ");
+}
+
+QString residual_mark(const QuantityName& quantity) {
+  return quantity.residual ? QString::fromUtf8(" − theory") : QString();
 }
 
 bool is_drift(const Observable& o) {
@@ -106,7 +112,8 @@ QString unit_text(const Observable& observable) {
 
 QString label_of(const QuantityName& quantity) {
   const QString label = text(find_observable(quantity.observable)->label);
-  return quantity.bodies.empty() ? label : QString("%1 of %2").arg(label, names_of(quantity));
+  return (quantity.bodies.empty() ? label : QString("%1 of %2").arg(label, names_of(quantity))) +
+         residual_mark(quantity);
 }
 
 PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
@@ -122,8 +129,14 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
     content.x_unit = unit_text(*x->observable);
   }
   for (const QuantityName& name : plot.y) {
-    const Quantity y = quantity_of(name, bodies);
-    content.lines.push_back({label_of(name), unit_text(*y.observable), {}, Curve{y, x}, false});
+    Quantity y = quantity_of(name, bodies);
+    PlotLine line{label_of(name), unit_text(*y.observable), {}, std::nullopt, false, theory_of(name, x)};
+    if (name.residual) {
+      line.tip = QObject::tr("measured less theory: %1").arg(QString::fromStdString(name.theory));
+      y.less = std::exchange(line.theory, {});
+    }
+    line.curve = Curve{y, x};
+    content.lines.push_back(std::move(line));
   }
   if (content.lines.empty()) throw SceneError("a plot without a quantity; allowed: at least one");
   const Observable& first = *content.lines.front().curve->y.observable;
@@ -134,17 +147,21 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
   if (every([&](const Observable& o) { return o.unit == first.unit; })) {
     content.unit = unit_text(first);
     content.scale = scale_of(first);
-    content.rounding = every(is_drift) ? kDrift : kValues;
+    const bool drifts = std::all_of(content.lines.begin(), content.lines.end(), [](const PlotLine& l) {
+      return is_drift(*l.curve->y.observable) || !l.curve->y.less.empty();
+    });
+    content.rounding = drifts ? kDrift : kValues;
   }
   // What all lines share stands in the title instead.
   const bool one_body = plot.x && plot.x->bodies == plot.y.front().bodies && plot.y.size() == 1;
   if (content.lines.size() == 1) {
-    content.title = one_body ? text(first.label) : content.lines.front().label;
+    content.title = one_body ? text(first.label) + residual_mark(plot.y.front()) : content.lines.front().label;
     content.lines.front().label.clear();
   } else if (every([&](const Observable& o) { return &o == &first; })) {
     content.title = text(first.label);
     for (std::size_t i = 0; i < content.lines.size(); ++i) {
-      content.lines[i].label = names_of(plot.y[i]);
+      const QString names = names_of(plot.y[i]);
+      content.lines[i].label = (names.isEmpty() ? content.title : names) + residual_mark(plot.y[i]);
     }
   } else {
     content.title = QStringLiteral("Plot");

@@ -18,6 +18,7 @@ struct PlotLine {
   QString tip;  // what it is, where its label doesn't tell
   std::optional<Curve> curve;
   bool sum = false;  // of the others: a broad line behind them, which is seen where it coincides with one
+  Theory theory{};   // drawn beside it
 };
 
 // What a plot takes for zero, and the range that it shows then, as parts of the run's scale.

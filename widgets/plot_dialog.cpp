@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "physics/scene/validate.h"
+#include "widgets/curve_row.h"
 #include "widgets/plot_content.h"
 #include "widgets/quantity_picker.h"
 
@@ -53,34 +54,25 @@ PlotDialog::PlotDialog(const std::vector<Body>& bodies, QWidget* parent) : QDial
   add_curve();
 }
 
-QuantityPicker* PlotDialog::add_curve() {
-  auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  auto* picker = new QuantityPicker(bodies_, {}, row);
-  auto* away = new QPushButton(QString::fromUtf8("✕"), row);
-  away->setAutoDefault(false);
-  away->setFixedWidth(32);
-  away->setStyleSheet("padding: 5px 0;");
-  away->setToolTip(tr("Take this curve away"));
-  away->setAccessibleName(away->toolTip());
-  layout->addWidget(picker, 1);
-  layout->addWidget(away);
-  if (!rows_.empty()) picker->set_quantity(next_body(rows_.back().picker->quantity()));
+CurveRow* PlotDialog::add_curve() {
+  auto* row = new CurveRow(bodies_, this);
+  if (!rows_.empty()) row->set_quantity(next_body(rows_.back()->quantity()));
   rows_layout_->insertWidget(static_cast<int>(rows_.size()), row);
-  rows_.push_back({row, picker, away});
-  connect(away, &QPushButton::clicked, this, [this, row] {
-    std::erase_if(rows_, [row](const Row& r) { return r.row == row; });
+  rows_.push_back(row);
+  connect(row, &CurveRow::removeAsked, this, [this, row] {
+    std::erase(rows_, row);
     row->deleteLater();
     check();
   });
-  connect(picker, &QuantityPicker::changed, this, &PlotDialog::check);
+  connect(row, &CurveRow::changed, this, &PlotDialog::check);
   check();
-  return picker;
+  return row;
 }
 
 // Of one body: the same of the next one that moves, as people compare them.
 QuantityName PlotDialog::next_body(QuantityName quantity) const {
+  quantity.theory.clear();  // which is of that body alone
+  quantity.residual = false;
   if (quantity.bodies.size() != 1) return quantity;
   bool found = false;
   for (const Body& body : bodies_) {
@@ -95,7 +87,7 @@ QuantityName PlotDialog::next_body(QuantityName quantity) const {
 
 void PlotDialog::check() {
   another_->setEnabled(rows_.size() < kMostCurves);
-  for (const Row& row : rows_) row.away->setEnabled(rows_.size() > 1);
+  for (CurveRow* row : rows_) row->set_removable(rows_.size() > 1);
   QString wrong;
   try {
     const PlotContent content = content_of(plot(), bodies_);
@@ -109,21 +101,22 @@ void PlotDialog::check() {
 
 void PlotDialog::set_plot(const Plot& plot) {
   for (std::size_t i = 0; i < plot.y.size(); ++i) {
-    QuantityPicker* picker = i < rows_.size() ? rows_[i].picker : add_curve();
-    picker->set_quantity(plot.y[i]);
+    (i < rows_.size() ? rows_[i] : add_curve())->set_quantity(plot.y[i]);
   }
   if (plot.x) x_->set_quantity(*plot.x);
   logarithmic_->setChecked(plot.logarithmic);
   title_->setText(QString::fromStdString(plot.title));
+  notes_ = plot.notes;
   check();
 }
 
 Plot PlotDialog::plot() const {
   Plot plot;
   plot.title = title_->text().trimmed().toStdString();
-  for (const Row& row : rows_) plot.y.push_back(row.picker->quantity());
+  for (const CurveRow* row : rows_) plot.y.push_back(row->quantity());
   if (QuantityName x = x_->quantity(); !x.observable.empty()) plot.x = std::move(x);
   plot.logarithmic = logarithmic_->isChecked();
+  plot.notes = notes_;
   return plot;
 }
 

@@ -13,10 +13,11 @@ class QVBoxLayout;
 
 namespace carom {
 
+class CurveRow;
 class QuantityPicker;
 
-// Puts together a plot: quantities, what they are drawn over, a logarithmic axis, a title. OK is open while it
-// makes sense; what is wrong is said in a line.
+// Puts together a plot: quantities and closed forms beside them, what they are drawn over, a logarithmic axis,
+// a title. OK is open while it makes sense; what is wrong is said in a line.
 class PlotDialog : public QDialog {
   Q_OBJECT
 
@@ -28,19 +29,14 @@ class PlotDialog : public QDialog {
   [[nodiscard]] Plot plot() const;
 
  private:
-  QuantityPicker* add_curve();
+  CurveRow* add_curve();
   void check();
   [[nodiscard]] QuantityName next_body(QuantityName quantity) const;
 
-  struct Row {
-    QWidget* row;
-    QuantityPicker* picker;
-    QPushButton* away;
-  };
-
   std::vector<Body> bodies_;
   QVBoxLayout* rows_layout_;
-  std::vector<Row> rows_;
+  std::vector<CurveRow*> rows_;
+  std::vector<PlotNote> notes_;  // of the plot that is changed: they stay
   QPushButton* another_;
   QuantityPicker* x_;
   QCheckBox* logarithmic_;

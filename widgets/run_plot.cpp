@@ -21,6 +21,7 @@
 #include "widgets/number_text.h"
 #include "widgets/plot_gestures.h"
 #include "widgets/plot_scale.h"
+#include "widgets/plot_theories.h"
 #include "widgets/series_data.h"
 #include "widgets/smooth_curve.h"
 
@@ -86,6 +87,13 @@ void RunPlot::build_header() {
       emit curvesChanged();
     });
   }
+  if (LegendButton* theory = theories_->button(); theory != nullptr) {
+    header->addWidget(theory);
+    connect(theory, &LegendButton::toggled, this, [this](bool shown) {
+      theories_->set_shown(shown);
+      emit curvesChanged();
+    });
+  }
   static_cast<QVBoxLayout*>(layout())->addLayout(header);
 }
 
@@ -108,6 +116,7 @@ void RunPlot::build_plot() {
   grid_ = std::make_unique<QwtPlotGrid>();
   grid_->enableX(false);
   grid_->attach(plot_);
+  theories_ = std::make_unique<PlotTheories>(content_, plot_, this);
   cursor_ = std::make_unique<QwtPlotMarker>();
   cursor_->setLineStyle(QwtPlotMarker::VLine);
   cursor_->setVisible(false);
@@ -162,6 +171,7 @@ void RunPlot::set_theme(const Theme& theme) {
     static_cast<QuietScaleDraw*>(plot_->axisScaleDraw(axis))->set_color(theme.muted);
     plot_->axisWidget(axis)->update();
   }
+  theories_->set_theme(theme);
   set_looks();
 }
 
@@ -292,10 +302,12 @@ void RunPlot::update_from(const std::vector<PlottedRun>& runs, bool hold) {
       if (!curve) spread |= 0.0;  // sticks stand on zero
     }
   }
+  if (!runs.empty()) theories_->update_from(*runs.front().recorder, time_range_);
   if (hold) {
     set_value_range(value_range());
     return;
   }
+  spread = theories_->spread(over_time() ? time_range_ : x_spread, spread);
   const double scale = content_.scale == nullptr ? 0.0 : scales.*content_.scale;
   const Zero zero{content_.rounding.zero * scale, content_.rounding.range * scale};
   if (magnitudes) {
@@ -354,6 +366,7 @@ std::vector<std::pair<QString, QPen>> RunPlot::legend() const {
     const QString text = lines_[i].button->text();
     if (shows(i) && !text.isEmpty()) entries.emplace_back(text, pen(i, 0));
   }
+  for (auto& theory : theories_->legend()) entries.push_back(std::move(theory));
   return entries;
 }
 

@@ -24,6 +24,7 @@ namespace carom {
 
 class DecimatedSeries;
 class LegendButton;
+class PlotTheories;
 
 // One plot with title, unit and legend. Over time, the time axis is its owner's to set: several plots share it.
 // Over another quantity it shows the path within that time, with an axis of its own. Changes show at the next
@@ -116,6 +117,7 @@ class RunPlot : public QFrame {
   std::unique_ptr<QwtPlotMarker> cursor_;
   std::array<std::unique_ptr<QwtPlotMarker>, 2> marks_;
   std::vector<Line> lines_;
+  std::unique_ptr<PlotTheories> theories_;
 };
 
 }  // namespace carom

@@ -30,4 +30,15 @@ Quantity quantity_of(const QuantityName& name, std::span<const Body> bodies) {
   return quantity;
 }
 
+Theory theory_of(const QuantityName& line, const std::optional<Quantity>& x) {
+  Theory theory;
+  if (line.theory.empty()) return theory;
+  theory.formula = Expression(line.theory, x.has_value());
+  if (x) {
+    theory.x = x->observable;
+    theory.x_bodies = x->bodies;
+  }
+  return theory;
+}
+
 }  // namespace carom

@@ -244,8 +244,20 @@ struct View {
 struct QuantityName {
   std::string observable;           // a name of physics/measure/observables.h
   std::vector<std::string> bodies;  // as many as the observable asks for
+  // On a plot: its closed form in t (s) and, over another quantity, in x (see physics/measure/expression.h).
+  std::string theory{};
+  bool residual = false;  // what is shown is the observable less the theory
 
   bool operator==(const QuantityName&) const = default;
+};
+
+// A reader's remark at a point of a plot, in the units of its axes.
+struct PlotNote {
+  double x = 0.0;
+  double y = 0.0;
+  std::string text;
+
+  bool operator==(const PlotNote&) const = default;
 };
 
 // A plot to open with the scene: one of the named ones, or its own choice of quantities.
@@ -255,6 +267,7 @@ struct Plot {
   std::vector<QuantityName> y;    // a curve each
   std::optional<QuantityName> x;  // what they are drawn over; none: time
   bool logarithmic = false;       // the axis of y
+  std::vector<PlotNote> notes{};
 
   bool operator==(const Plot&) const = default;
 };

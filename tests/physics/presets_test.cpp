@@ -140,7 +140,10 @@ constexpr const char* kEveryKey = R"({
     {"type": "pin", "body": "c", "point": [0.5, 0], "anchor": [9.5, -20]},
     {"type": "weld", "body": "plank", "point": [-2, 0], "to": "ground", "anchor": [38, 50], "angle": 0}],
   "plots": ["energy", {"title": "both", "y": [{"observable": "speed", "bodies": ["a"]}, {"observable": "time"}],
-    "x": {"observable": "kinetic_energy"}, "logarithmic": true}], "view": {"center": [1, 2], "width": 3},
+    "x": {"observable": "kinetic_energy"}, "logarithmic": true},
+    {"y": [{"observable": "time", "theory": "t"}, {"observable": "time", "theory": "2*t", "residual": true}],
+     "notes": [{"at": [1, 2], "text": "here"}]},
+    {"plot": "drift", "notes": [{"at": [1, -2.5], "text": "a"}, {"at": [3, 0], "text": "b"}]}], "view": {"center": [1, 2], "width": 3},
   "expect": [
     {"observable": "speed", "bodies": ["a"], "reduction": "count", "above": 1.5, "from": 0.5, "until": 1.5,
      "with": {"/bodies/0/mass": 100, "/forces/4/stiffness": 9},
@@ -172,7 +175,10 @@ void expect_every_key(const Scene& s) {
   EXPECT_EQ(s.compare[0].contacts, ContactsId::kLasting);
   EXPECT_EQ(s.compare[0].step, 0.25);
   const Plot both{"", "both", {{"speed", {"a"}}, {"time", {}}}, QuantityName{"kinetic_energy", {}}, true};
-  EXPECT_EQ(s.plots, (std::vector<Plot>{{"energy", "", {}, {}, false}, both}));
+  const Plot theories{"",           "",    {{"time", {}, "t"}, {"time", {}, "2*t", true}},
+                      std::nullopt, false, {{1, 2, "here"}}};
+  const Plot drift{"drift", "", {}, std::nullopt, false, {{1, -2.5, "a"}, {3, 0, "b"}}};
+  EXPECT_EQ(s.plots, (std::vector<Plot>{{"energy", "", {}, {}, false}, both, theories, drift}));
   ASSERT_EQ(s.pairs.size(), 1U);
   EXPECT_EQ(s.pairs[0].a, "ice");
   EXPECT_EQ(s.pairs[0].b, "m");
