@@ -38,6 +38,15 @@ PlotContent named(const char* id, const char* title, const char* unit, const cha
           rounding};
 }
 
+PlotContent distribution(const char* id, const char* title, const char* unit, const char* tip,
+                         const char* x_title, const char* x_unit, PlotContent::Shows shows) {
+  PlotContent content = named(id, title, unit, tip, nullptr, {0.0, 0.0}, {});
+  content.x_title = QString::fromUtf8(x_title);
+  content.x_unit = QString::fromUtf8(x_unit);
+  content.shows = shows;
+  return content;
+}
+
 PlotContent logarithmic(PlotContent content) {
   content.plot.logarithmic = true;
   return content;
@@ -93,6 +102,12 @@ std::span<const PlotContent> named_plots() {
           named("error", "Distance from the reference", "m",
                 "The largest over the moving bodies, but those that wait for an impact in one of the two runs",
                 nullptr, kValues, {line("", "position_error")})),
+      distribution("speeds", "Speeds", "s/m",
+                   "How often each speed comes among the bodies that move freely, beside Maxwell's law",
+                   "speed", "m/s", PlotContent::Shows::kSpeeds),
+      distribution("impulses", "Strengths of impacts", "impacts a bin",
+                   "How many impacts of the time that is shown have each normal impulse", "normal impulse",
+                   "N·s", PlotContent::Shows::kImpulses),
   };
   return table;
 }
@@ -118,7 +133,10 @@ QString label_of(const QuantityName& quantity) {
 
 PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
   for (const PlotContent& known : named_plots()) {
-    if (!plot.id.empty() && known.plot.id == plot.id) return known;
+    if (plot.id.empty() || known.plot.id != plot.id) continue;
+    PlotContent content = known;
+    content.plot.notes = plot.notes;
+    return content;
   }
   PlotContent content;
   content.plot = plot;

@@ -29,6 +29,9 @@ struct Rounding {
 
 // What a plot shows, ready to be drawn.
 struct PlotContent {
+  // Lines, or how often each speed of the moving bodies or each strength of the impacts comes.
+  enum class Shows { kLines, kSpeeds, kImpulses };
+
   Plot plot;
   QString title;
   QString unit;  // of the values; empty where the lines have several
@@ -38,6 +41,7 @@ struct PlotContent {
   std::vector<PlotLine> lines;
   double Scales::*scale = nullptr;  // none where the run has no scale of this kind
   Rounding rounding{0.0, 0.0};
+  Shows shows = Shows::kLines;
 
   // The label as the legend has it: with its unit where the plot has none.
   [[nodiscard]] QString legend(const PlotLine& line) const {

@@ -391,7 +391,9 @@ void PlotPanel::refresh_next() {
 
 void PlotPanel::take_news(RunPlot* plot, const QwtInterval& range) {
   plot->set_time_range(range);
-  const bool hold = time_zoom_ || std::find(zoomed_.begin(), zoomed_.end(), plot) != zoomed_.end();
+  // A histogram goes with the time that is shown.
+  const bool hold = (time_zoom_ && plot->distribution() == nullptr) ||
+                    std::find(zoomed_.begin(), zoomed_.end(), plot) != zoomed_.end();
   plot->update_from(runs_, hold);
   plot->set_marks(mark_a_, mark_b_);
 }

@@ -17,6 +17,7 @@
 #include <qwt_scale_widget.h>
 #include <qwt_symbol.h>
 
+#include "widgets/distribution.h"
 #include "widgets/legend_button.h"
 #include "widgets/number_text.h"
 #include "widgets/plot_gestures.h"
@@ -94,6 +95,14 @@ void RunPlot::build_header() {
       emit curvesChanged();
     });
   }
+  for (std::size_t i = 0; distribution_ != nullptr && i < distribution_->buttons().size(); ++i) {
+    LegendButton* button = distribution_->buttons()[i];
+    header->addWidget(button);
+    connect(button, &LegendButton::toggled, this, [this, i](bool shown) {
+      distribution_->set_shown(i, shown);
+      emit curvesChanged();
+    });
+  }
   static_cast<QVBoxLayout*>(layout())->addLayout(header);
 }
 
@@ -102,6 +111,9 @@ void RunPlot::build_plot() {
   plot_->setAutoReplot(false);
   plot_->setMinimumSize(120, 60);
   plot_->plotLayout()->setAlignCanvasToScales(true);
+  if (content_.shows != PlotContent::Shows::kLines) {
+    distribution_ = std::make_unique<Distribution>(content_.shows, plot_, this);
+  }
   auto* canvas = static_cast<QwtPlotCanvas*>(plot_->canvas());
   canvas->setFrameStyle(QFrame::NoFrame);
   canvas->setCursor(Qt::CrossCursor);
@@ -172,6 +184,7 @@ void RunPlot::set_theme(const Theme& theme) {
     plot_->axisWidget(axis)->update();
   }
   theories_->set_theme(theme);
+  if (distribution_ != nullptr) distribution_->set_theme(theme);
   set_looks();
 }
 
@@ -270,7 +283,20 @@ void RunPlot::set_value_range(const QwtInterval& range) {
   plot_->updateAxes();
 }
 
+void RunPlot::update_distribution(const Recorder& recorder, bool hold) {
+  distribution_->update_from(recorder, time_range_);
+  if (hold) return;
+  const QwtInterval spread = distribution_->spread();
+  const QwtInterval x = distribution_->x_spread();
+  set_value_range(steady_range(value_range_, spread.minValue(), spread.maxValue()));
+  set_x_range(steady_range(plot_->axisScaleDiv(QwtAxis::XBottom).interval(), x.minValue(), x.maxValue()));
+}
+
 void RunPlot::update_from(const std::vector<PlottedRun>& runs, bool hold) {
+  if (distribution_ != nullptr) {
+    if (!runs.empty()) update_distribution(*runs.front().recorder, hold);
+    return;
+  }
   set_runs(runs);
   const int columns = std::max(plot_->canvas()->width(), 1);
   const bool magnitudes = content_.plot.logarithmic;
@@ -367,6 +393,7 @@ std::vector<std::pair<QString, QPen>> RunPlot::legend() const {
     if (shows(i) && !text.isEmpty()) entries.emplace_back(text, pen(i, 0));
   }
   for (auto& theory : theories_->legend()) entries.push_back(std::move(theory));
+  if (distribution_ != nullptr) return distribution_->legend();
   return entries;
 }
 
@@ -428,7 +455,9 @@ void RunPlot::hover(const std::optional<QPointF>& at) {
   readout_->setVisible(at.has_value());
   if (!at) return;
   readout_->setText(
-      QString("%1 %2, %3 %4").arg(figure(at->x()), content_.x_unit, figure(at->y()), content_.unit));
+      distribution_ != nullptr
+          ? distribution_->readout(at->x())
+          : QString("%1 %2, %3 %4").arg(figure(at->x()), content_.x_unit, figure(at->y()), content_.unit));
 }
 
 void RunPlot::show_readout() {

@@ -23,6 +23,7 @@ class QwtPlotMarker;
 namespace carom {
 
 class DecimatedSeries;
+class Distribution;
 class LegendButton;
 class PlotTheories;
 
@@ -60,7 +61,9 @@ class RunPlot : public QFrame {
 
   [[nodiscard]] const PlotContent& content() const { return content_; }
   // The x axis is time.
-  [[nodiscard]] bool over_time() const { return !content_.plot.x; }
+  [[nodiscard]] bool over_time() const { return !content_.plot.x && distribution_ == nullptr; }
+  // Of a histogram; nullptr for lines.
+  [[nodiscard]] const Distribution* distribution() const { return distribution_.get(); }
   [[nodiscard]] QwtInterval time_range() const { return time_range_; }
   [[nodiscard]] QwtInterval value_range() const;
   [[nodiscard]] QwtPlot* plot() const { return plot_; }
@@ -95,6 +98,7 @@ class RunPlot : public QFrame {
   void set_looks();
   [[nodiscard]] bool shows(std::size_t line) const;
   void set_heads(const Item& curve);
+  void update_distribution(const Recorder& recorder, bool hold);
   void build_header();
   void build_plot();
   void set_value_range(const QwtInterval& range);
@@ -118,6 +122,7 @@ class RunPlot : public QFrame {
   std::array<std::unique_ptr<QwtPlotMarker>, 2> marks_;
   std::vector<Line> lines_;
   std::unique_ptr<PlotTheories> theories_;
+  std::unique_ptr<Distribution> distribution_;
 };
 
 }  // namespace carom

@@ -8,6 +8,7 @@ void Recorder::clear() {
   series_.clear();
   paths_.clear();
   impulses_ = {};
+  speeds_.clear();
   impacts_ = Ring<ImpactRecord>(kMostImpacts);
   scales_ = {};
   time_ = 0.0;
@@ -29,6 +30,7 @@ void Recorder::add(const Frame& frame) {
   time_ = frame.time;
   scales_ = frame.scales;
   for (const Rows& rows : frame.rows) add(rows);
+  if (frame.bodies != nullptr) speeds_.set_now(frame.state, *frame.bodies);
   for (const ImpactRecord& impact : frame.impacts) {
     impacts_.push(impact);
     impulses_.append({impact.time, {impact.normal_impulse}});
@@ -56,6 +58,7 @@ void Recorder::add(const Rows& rows) {
     }
     column += curve.x ? 2 : 1;
   }
+  for (const SpeedMoment& moment : rows.moments) speeds_.add(moment);
 }
 
 const Series<1>* Recorder::series(const Curve& curve) const {

@@ -28,6 +28,7 @@ class Recorder {
   [[nodiscard]] const Series<1>& impulses() const { return impulses_; }
   // The newest kMostImpacts of them.
   [[nodiscard]] const Ring<ImpactRecord>& impacts() const { return impacts_; }
+  [[nodiscard]] const SpeedRecord& speeds() const { return speeds_; }
   [[nodiscard]] const Scales& scales() const { return scales_; }
   [[nodiscard]] double time() const { return time_; }  // s, of the newest frame
 
@@ -40,6 +41,7 @@ class Recorder {
   std::map<Curve, Series<2>> paths_;
   Series<1> impulses_;
   Ring<ImpactRecord> impacts_{kMostImpacts};
+  SpeedRecord speeds_;
   Scales scales_;
 };
 

@@ -28,6 +28,7 @@ Sampler::Sampler(std::vector<Curve> curves, const std::vector<Curve>& later) {
 void Sampler::begin(const Simulation& simulation) {
   rows_.from_the_start = true;
   look(simulation);
+  take_speeds(simulation);
 }
 
 void Sampler::after_edit(const Simulation& simulation, const Edit& edit) {
@@ -94,6 +95,18 @@ void Sampler::after_step(const Simulation& simulation) {
   }
   append(end);
   remember(end);
+  if (is_moment(simulation.steps())) take_speeds(simulation);
+}
+
+void Sampler::take_speeds(const Simulation& simulation) {
+  SpeedMoment& moment = rows_.moments.emplace_back();
+  moment.step = simulation.steps();
+  moment.time = simulation.time();
+  for (int i = 0; i < simulation.state().size(); ++i) {
+    if (simulation.mass().inverse_mass[i] > 0.0) {
+      moment.speeds.push_back(static_cast<float>(simulation.state().velocity(i).norm()));
+    }
+  }
 }
 
 void Sampler::remember(const Reading& end) {
@@ -133,6 +146,7 @@ Rows Sampler::take() {
   rows_.from_the_start = false;
   rows_.times.clear();
   rows_.values.clear();
+  rows_.moments.clear();
   return rows;
 }
 

@@ -6,6 +6,7 @@
 
 #include "physics/experiment/companion.h"
 #include "physics/experiment/run_log.h"
+#include "physics/experiment/speed_record.h"
 #include "physics/measure/impact_tally.h"
 #include "physics/measure/quantity.h"
 #include "physics/world/simulation.h"
@@ -25,13 +26,15 @@ struct Rows {
   bool from_the_start = false;  // they begin at t = 0: what is known of these curves is to be forgotten
   std::vector<double> times;    // s
   std::vector<double> values;   // row by row: of each curve y and, if it has one, x
+  std::vector<SpeedMoment> moments{};
 
   [[nodiscard]] std::size_t size() const { return times.size(); }
 };
 
 // Reads curves off a run: at its start, at the end of each step, and before and after each impact that the
-// simulation watches. There the ledger jumps by what the impact changed; the work of smooth forces is that of
-// the moment, what contacts that last take, and the drift, is taken for linear within the step.
+// simulation watches; and all speeds at some of the steps' ends. There the ledger jumps by what the impact
+// changed; the work of smooth forces is that of the moment, what contacts that last take, and the drift, is
+// taken for linear within the step.
 class Sampler {
  public:
   // Reads `curves`, and is ready for `later` too, of which it must know the run from its start on.
@@ -61,6 +64,7 @@ class Sampler {
   void look(const Simulation& simulation);  // between steps
   void append(const Reading& reading);
   void remember(const Reading& end);  // for the jumps of the next step
+  void take_speeds(const Simulation& simulation);
 
   Rows rows_;
   ImpactTally tally_;

@@ -29,6 +29,7 @@ void append(Rows rows, std::vector<Rows>& all) {
   Rows& to = all.back();
   to.times.insert(to.times.end(), rows.times.begin(), rows.times.end());
   to.values.insert(to.values.end(), rows.values.begin(), rows.values.end());
+  to.moments.insert(to.moments.end(), rows.moments.begin(), rows.moments.end());
 }
 
 }  // namespace

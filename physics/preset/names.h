@@ -55,7 +55,7 @@ inline constexpr auto kLinkNames = std::to_array<std::pair<LinkKind, std::string
 });
 
 inline constexpr auto kPlotNames = std::to_array<std::string_view>(
-    {"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift", "error"});
+    {"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift", "error", "speeds", "impulses"});
 
 // The word of a table that stands for `id`; the tables hold every id.
 template <class Table, class Id>
