@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "app/bins_export.h"
 #include "app/export_dialog.h"
 #include "app/film.h"
 #include "app/film_dialog.h"
@@ -78,8 +79,21 @@ void LabWindow::save_plot(RunPlot* plot) {
 
 void LabWindow::copy_scene_picture() { QGuiApplication::clipboard()->setImage(view_->picture()); }
 
+void LabWindow::save_bins(const RunPlot& plot) {
+  // As they stand now: the run goes on while the file is chosen.
+  const std::vector<ShownBins> bins = plot.distribution()->bins();
+  const QString file = ask_for_file(tr("Save the bins"), "bins.csv", tr("Tables (*.csv)"), "csv");
+  if (file.isEmpty()) return;
+  try {
+    export_bins(bins, plot.content().x_unit.toStdString(), file.toStdString());
+  } catch (const SceneError& error) {
+    QMessageBox::warning(this, tr("The bins cannot be saved"), QString::fromUtf8(error.what()).toHtmlEscaped());
+  }
+}
+
 void LabWindow::save_data(const RunPlot* plot) {
   if (frame_ == nullptr || frame_->log == nullptr) return;
+  if (plot != nullptr && plot->distribution() != nullptr) return save_bins(*plot);
   const ReadingMarks marks = plots_->marks();
   ExportDialog dialog(plot == nullptr ? QString() : plot->content().title, marks.a && marks.b, this);
   if (dialog.exec() != QDialog::Accepted) return;

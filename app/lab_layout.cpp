@@ -51,6 +51,12 @@ class PlotArea : public QScrollArea {
   }
 };
 
+// What somebody made: plots of their own, and notes.
+std::vector<Plot> own_plots(std::vector<Plot> plots) {
+  std::erase_if(plots, [](const Plot& plot) { return !plot.id.empty() && plot.notes.empty(); });
+  return plots;
+}
+
 }  // namespace
 
 void LabWindow::make_body() {
@@ -124,10 +130,8 @@ void LabWindow::make_body() {
     for (const auto& recorder : recorders_) recorder->keep(curves);
     worker_->record(curves);
     // Which of the named plots of a built-in experiment are open is no work that could be lost.
-    const std::vector<Plot> chosen = plots_->chosen();
-    const bool own =
-        std::any_of(chosen.begin(), chosen.end(), [](const Plot& plot) { return plot.id.empty(); });
-    if (own || !file_.isEmpty()) mark_changed(true);
+    if (own_plots(plots_->chosen()) != own_plots(worker_->scene().plots) || !file_.isEmpty())
+      mark_changed(true);
   });
   connect(plots_, &PlotPanel::marksChanged, this, [this] {
     tabs_->setCurrentWidget(reading_);

@@ -34,7 +34,9 @@ bool PlotGestures::eventFilter(QObject* watched, QEvent* event) {
     }
     case QEvent::MouseButtonPress: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
-      if (mouse->button() == Qt::LeftButton) grip_ = mouse->position();
+      // With Ctrl it is the zoom box's.
+      const bool boxes = mouse->modifiers().testFlag(Qt::ControlModifier);
+      if (mouse->button() == Qt::LeftButton && !boxes) grip_ = mouse->position();
       dragging_ = false;
       return false;
     }

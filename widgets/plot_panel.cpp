@@ -9,9 +9,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <qwt_plot.h>
 #include <utility>
 
 #include "widgets/legend_button.h"
+#include "widgets/note_menu.h"
 #include "widgets/plot_content.h"
 #include "widgets/plot_dialog.h"
 #include "widgets/plot_export.h"
@@ -195,6 +197,9 @@ void PlotPanel::contextMenuEvent(QContextMenuEvent* event) {
   QAction* away = menu->addAction(tr("&Remove this plot"), this, [this, plot] { remove(plot); });
   away->setEnabled(plots_.size() > 1);
   menu->addSeparator();
+  QWidget* canvas = plot->plot()->canvas();
+  add_note_entries(*menu, *plot, canvas->mapFromGlobal(event->globalPos()), this, [this] { changed(); });
+  menu->addSeparator();
   menu->addAction(tr("&Save the picture..."), this, [this, plot] { emit pictureAsked(plot); });
   menu->addAction(tr("&Copy the picture"), this, [this, plot] {
     show_now();
@@ -213,7 +218,7 @@ void PlotPanel::contextMenuEvent(QContextMenuEvent* event) {
 void PlotPanel::connect_plot(RunPlot* plot) {
   connect(plot, &RunPlot::timeZoomAsked, this, [this, plot](double at, double factor) {
     if (!plot->over_time()) {
-      plot->zoom_x(at, factor);
+      plot->axes().zoom_x(at, factor);
       mark_zoomed(plot);
       return;
     }
@@ -221,19 +226,25 @@ void PlotPanel::connect_plot(RunPlot* plot) {
     set_time_zoom(plot, {at + (now.minValue() - at) * factor, at + (now.maxValue() - at) * factor});
   });
   connect(plot, &RunPlot::valueZoomAsked, this, [this, plot](double at, double factor) {
-    plot->zoom_values(at, factor);
+    plot->axes().zoom_values(at, factor);
     mark_zoomed(plot);
   });
   connect(plot, &RunPlot::panAsked, this, [this, plot](const QPointF& from, const QPointF& to) {
-    plot->pan_values(from.y(), to.y());
+    plot->axes().pan_values(from.y(), to.y());
     if (!plot->over_time()) {
-      plot->pan_x(from.x(), to.x());
+      plot->axes().pan_x(from.x(), to.x());
       mark_zoomed(plot);
       return;
     }
     const QwtInterval now = time_range();
     const double by = from.x() - to.x();
     set_time_zoom(plot, {now.minValue() + by, now.maxValue() + by});
+  });
+  connect(plot, &RunPlot::boxAsked, this, [this, plot](const QRectF& box) {
+    const QwtInterval x(box.left(), box.right());
+    plot->axes().zoom_to(plot->over_time() ? QwtInterval() : x, QwtInterval(box.top(), box.bottom()));
+    if (plot->over_time()) set_time_zoom(plot, x);
+    mark_zoomed(plot);
   });
   connect(plot, &RunPlot::resetAsked, this, &PlotPanel::reset_zoom);
   connect(plot, &RunPlot::curvesChanged, this, &PlotPanel::schedule);
@@ -330,7 +341,7 @@ void PlotPanel::reset_zoom() {
   time_zoom_.reset();
   for (RunPlot* plot : plots_) {
     plot->set_chip_visible(false);
-    plot->forget_value_range();
+    plot->axes().forget_values();
   }
   schedule();
 }
@@ -401,10 +412,10 @@ void PlotPanel::take_news(RunPlot* plot, const QwtInterval& range) {
 // Room for labels in steps, so that the canvases don't shift with each new one.
 void PlotPanel::align() {
   int extent = 0;
-  for (const RunPlot* plot : plots_) extent = std::max(extent, plot->label_extent());
+  for (const RunPlot* plot : plots_) extent = std::max(extent, plot->axes().label_extent());
   constexpr int kExtentStep = 8;  // px
   extent = (extent + kExtentStep - 1) / kExtentStep * kExtentStep;
-  for (RunPlot* plot : plots_) plot->set_label_extent(extent);
+  for (RunPlot* plot : plots_) plot->axes().set_label_extent(extent);
 }
 
 void PlotPanel::resizeEvent(QResizeEvent* event) {

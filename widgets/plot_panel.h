@@ -23,9 +23,9 @@ namespace carom {
 class LegendButton;
 
 // The plots of a run, one above the other over one time axis. Wheel: zoom in time about the cursor; with Ctrl:
-// zoom that plot's values; drag: move; double click or Home: back to showing everything. While zoomed the axes
-// stand still. Click and Shift+click: marks A and B; the arrow keys move A, with Shift B, by one record; Escape
-// takes both away. A right click offers the menu of plots.
+// zoom that plot's values; Ctrl and a drag: zoom to a box; drag: move; double click or Home: back to showing
+// everything. While zoomed the axes stand still. Click and Shift+click: marks A and B; the arrow keys move A,
+// with Shift B, by one record; Escape takes both away. A right click offers the menu of plots.
 class PlotPanel : public QWidget {
   Q_OBJECT
 

@@ -13,40 +13,25 @@
 #include <qwt_plot_grid.h>
 #include <qwt_plot_layout.h>
 #include <qwt_plot_marker.h>
-#include <qwt_scale_engine.h>
-#include <qwt_scale_widget.h>
 #include <qwt_symbol.h>
+#include <qwt_text.h>
 
 #include "widgets/distribution.h"
 #include "widgets/legend_button.h"
 #include "widgets/number_text.h"
+#include "widgets/plot_axes.h"
 #include "widgets/plot_gestures.h"
+#include "widgets/plot_notes.h"
 #include "widgets/plot_scale.h"
 #include "widgets/plot_theories.h"
 #include "widgets/series_data.h"
 #include "widgets/smooth_curve.h"
+#include "widgets/zoom_box.h"
 
 namespace carom {
 namespace {
 
 constexpr double kSumWidth = 4.5;  // px
-constexpr int kPixelsPerTimeTick = 60;
-constexpr int kPixelsPerValueTick = 20;
-
-void make_quiet(QwtPlot* plot, int axis, const QString& unit, bool powers) {
-  QFont font = plot->font();
-  font.setPixelSize(11);
-  plot->setAxisFont(axis, font);
-  plot->setAxisScaleDraw(axis, new QuietScaleDraw(unit, powers));
-  plot->axisWidget(axis)->setMargin(0);
-  plot->axisWidget(axis)->setSpacing(0);
-}
-
-// Further in, neighbouring labels would be the same double; further out, squares overflow.
-bool is_drawable(const QwtInterval& range) {
-  const double magnitude = std::max(std::abs(range.minValue()), std::abs(range.maxValue()));
-  return range.width() > 1e-12 * magnitude && magnitude < 1e100;
-}
 
 }  // namespace
 
@@ -60,7 +45,7 @@ RunPlot::RunPlot(PlotContent content, const Theme& theme, QWidget* parent)
   build_header();
   layout->addWidget(plot_, 1);
   set_theme(theme);
-  set_value_range(content_.plot.logarithmic ? QwtInterval(0.1, 10.0) : nice_range(0.0, 0.0));
+  axes_->set_values(content_.plot.logarithmic ? QwtInterval(0.1, 10.0) : nice_range(0.0, 0.0));
   set_time_range(time_range_);
 }
 
@@ -118,17 +103,17 @@ void RunPlot::build_plot() {
   canvas->setFrameStyle(QFrame::NoFrame);
   canvas->setCursor(Qt::CrossCursor);
   canvas->setToolTip(
-      tr("Wheel: zoom in time. Ctrl+wheel: zoom the values.\n"
+      tr("Wheel: zoom in time. Ctrl+wheel: zoom the values. Ctrl+drag: zoom to a box.\n"
          "Drag: move. Double click or Home: show all again.\n"
          "Click: mark A, with Shift: mark B; the Reading tab tells what lies there and between."));
-  make_quiet(plot_, QwtAxis::XBottom, over_time() ? "s" : content_.x_unit, false);
-  make_quiet(plot_, QwtAxis::YLeft, {}, content_.plot.logarithmic);
-  if (content_.plot.logarithmic) plot_->setAxisScaleEngine(QwtAxis::YLeft, new QwtLogScaleEngine);
+  axes_ = std::make_unique<PlotAxes>(plot_, over_time() ? "s" : content_.x_unit, content_.plot.logarithmic);
 
   grid_ = std::make_unique<QwtPlotGrid>();
   grid_->enableX(false);
   grid_->attach(plot_);
   theories_ = std::make_unique<PlotTheories>(content_, plot_, this);
+  notes_ = std::make_unique<PlotNotes>(plot_);
+  notes_->set_notes(content_.plot.notes);
   cursor_ = std::make_unique<QwtPlotMarker>();
   cursor_->setLineStyle(QwtPlotMarker::VLine);
   cursor_->setVisible(false);
@@ -156,6 +141,8 @@ void RunPlot::build_plot() {
   over->addStretch(1);
   over->addWidget(chip_, 0, Qt::AlignTop);
 
+  zoom_box_ = new ZoomBox(plot_);
+  connect(zoom_box_, qOverload<const QRectF&>(&QwtPlotPicker::selected), this, &RunPlot::boxAsked);
   auto* gestures = new PlotGestures(plot_);
   connect(gestures, &PlotGestures::timeZoomAsked, this, &RunPlot::timeZoomAsked);
   connect(gestures, &PlotGestures::valueZoomAsked, this, &RunPlot::valueZoomAsked);
@@ -179,12 +166,11 @@ void RunPlot::set_theme(const Theme& theme) {
     marks_[i]->setLabel(label);
   }
   for (QLabel* label : {chip_, readout_}) label->setStyleSheet("color: " + theme.muted.name());
-  for (const int axis : {static_cast<int>(QwtAxis::XBottom), static_cast<int>(QwtAxis::YLeft)}) {
-    static_cast<QuietScaleDraw*>(plot_->axisScaleDraw(axis))->set_color(theme.muted);
-    plot_->axisWidget(axis)->update();
-  }
+  axes_->set_color(theme.muted);
+  zoom_box_->setRubberBandPen(QPen(theme.accent, 1.0, Qt::DashLine));
   theories_->set_theme(theme);
   if (distribution_ != nullptr) distribution_->set_theme(theme);
+  notes_->set_theme(theme);
   set_looks();
 }
 
@@ -260,36 +246,14 @@ void RunPlot::set_heads(const Item& curve) {
 
 void RunPlot::set_time_range(const QwtInterval& range) {
   time_range_ = range;
-  if (over_time()) set_x_range(range);
-}
-
-void RunPlot::set_x_range(const QwtInterval& range) {
-  const auto put = [&](int pixels_per_tick) {
-    plot_->setAxisScaleDiv(QwtAxis::XBottom, ticks(range, plot_->canvas()->width() / pixels_per_tick));
-    plot_->updateAxes();
-  };
-  put(kPixelsPerTimeTick);
-  // Deep in a zoom the labels have many digits.
-  constexpr int kGap = 12;  // px, between labels
-  const int needed = plot_->axisScaleDraw(QwtAxis::XBottom)->maxLabelWidth(plot_->axisFont(QwtAxis::XBottom));
-  if (needed + kGap > kPixelsPerTimeTick) put(needed + kGap);
-}
-
-void RunPlot::set_value_range(const QwtInterval& range) {
-  value_range_ = range;
-  const int most = std::clamp(plot_->canvas()->height() / kPixelsPerValueTick, 2, 6);
-  plot_->setAxisScaleDiv(QwtAxis::YLeft,
-                         content_.plot.logarithmic ? power_ticks(range, most) : ticks(range, most));
-  plot_->updateAxes();
+  if (over_time()) axes_->set_x(range);
 }
 
 void RunPlot::update_distribution(const Recorder& recorder, bool hold) {
   distribution_->update_from(recorder, time_range_);
   if (hold) return;
-  const QwtInterval spread = distribution_->spread();
-  const QwtInterval x = distribution_->x_spread();
-  set_value_range(steady_range(value_range_, spread.minValue(), spread.maxValue()));
-  set_x_range(steady_range(plot_->axisScaleDiv(QwtAxis::XBottom).interval(), x.minValue(), x.maxValue()));
+  axes_->fit_values(distribution_->spread());
+  axes_->fit_x(distribution_->x_spread());
 }
 
 void RunPlot::update_from(const std::vector<PlottedRun>& runs, bool hold) {
@@ -330,40 +294,13 @@ void RunPlot::update_from(const std::vector<PlottedRun>& runs, bool hold) {
   }
   if (!runs.empty()) theories_->update_from(*runs.front().recorder, time_range_);
   if (hold) {
-    set_value_range(value_range());
+    axes_->set_values(axes_->values());  // its ticks, where the size is another
     return;
   }
   spread = theories_->spread(over_time() ? time_range_ : x_spread, spread);
   const double scale = content_.scale == nullptr ? 0.0 : scales.*content_.scale;
-  const Zero zero{content_.rounding.zero * scale, content_.rounding.range * scale};
-  if (magnitudes) {
-    set_value_range(steady_powers(value_range_, spread.minValue(), spread.maxValue()));
-  } else {
-    set_value_range(spread.isValid() ? steady_range(value_range_, spread.minValue(), spread.maxValue(), zero)
-                                     : nice_range(0.0, 0.0, zero));
-  }
-  if (!over_time() && x_spread.isValid()) {
-    set_x_range(steady_range(plot_->axisScaleDiv(QwtAxis::XBottom).interval(), x_spread.minValue(),
-                             x_spread.maxValue()));
-  }
-}
-
-QwtInterval RunPlot::value_range() const { return plot_->axisScaleDiv(QwtAxis::YLeft).interval(); }
-
-int RunPlot::label_extent() const {
-  auto* draw = plot_->axisScaleDraw(QwtAxis::YLeft);
-  const double set = draw->minimumExtent();
-  draw->setMinimumExtent(0.0);
-  const double needed = draw->extent(plot_->axisFont(QwtAxis::YLeft));
-  draw->setMinimumExtent(set);
-  return static_cast<int>(std::ceil(needed));
-}
-
-void RunPlot::set_label_extent(int extent) {
-  auto* draw = plot_->axisScaleDraw(QwtAxis::YLeft);
-  if (draw->minimumExtent() == extent) return;
-  draw->setMinimumExtent(extent);
-  plot_->updateLayout();
+  axes_->fit_values(spread, {content_.rounding.zero * scale, content_.rounding.range * scale});
+  if (!over_time() && x_spread.isValid()) axes_->fit_x(x_spread);
 }
 
 void RunPlot::set_cursor(std::optional<double> time) {
@@ -410,42 +347,16 @@ double RunPlot::snapped(double time) const {
   return time;
 }
 
+void RunPlot::set_notes(const std::vector<PlotNote>& notes) {
+  content_.plot.notes = notes;
+  notes_->set_notes(notes);
+}
+
+std::optional<std::size_t> RunPlot::note_at(const QPointF& pixel) const { return notes_->at(pixel); }
+
 void RunPlot::set_chip_visible(bool visible) { chip_->setVisible(visible); }
 
 void RunPlot::replot() { plot_->replot(); }
-
-void RunPlot::zoom_values(double at, double factor) {
-  const QwtInterval now = value_range();
-  if (content_.plot.logarithmic) {
-    const QwtInterval wanted(at * std::pow(now.minValue() / at, factor),
-                             at * std::pow(now.maxValue() / at, factor));
-    if (wanted.minValue() > 1e-300 && wanted.maxValue() < 1e300 && wanted.maxValue() > 1.1 * wanted.minValue())
-      set_value_range(wanted);
-    return;
-  }
-  const QwtInterval wanted(at + (now.minValue() - at) * factor, at + (now.maxValue() - at) * factor);
-  if (is_drawable(wanted)) set_value_range(wanted);
-}
-
-void RunPlot::zoom_x(double at, double factor) {
-  const QwtInterval now = plot_->axisScaleDiv(QwtAxis::XBottom).interval();
-  const QwtInterval wanted(at + (now.minValue() - at) * factor, at + (now.maxValue() - at) * factor);
-  if (is_drawable(wanted)) set_x_range(wanted);
-}
-
-void RunPlot::pan_values(double from, double to) {
-  const QwtInterval now = value_range();
-  if (content_.plot.logarithmic) {
-    set_value_range({now.minValue() * from / to, now.maxValue() * from / to});
-  } else {
-    set_value_range({now.minValue() + from - to, now.maxValue() + from - to});
-  }
-}
-
-void RunPlot::pan_x(double from, double to) {
-  const QwtInterval now = plot_->axisScaleDiv(QwtAxis::XBottom).interval();
-  set_x_range({now.minValue() + from - to, now.maxValue() + from - to});
-}
 
 void RunPlot::hover(const std::optional<QPointF>& at) {
   if (over_time()) {

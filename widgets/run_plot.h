@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "physics/experiment/recorder.h"
+#include "widgets/plot_axes.h"
 #include "widgets/plot_content.h"
 #include "widgets/plotted_run.h"
 #include "widgets/theme.h"
@@ -25,7 +26,9 @@ namespace carom {
 class DecimatedSeries;
 class Distribution;
 class LegendButton;
+class PlotNotes;
 class PlotTheories;
+class ZoomBox;
 
 // One plot with title, unit and legend. Over time, the time axis is its owner's to set: several plots share it.
 // Over another quantity it shows the path within that time, with an axis of its own. Changes show at the next
@@ -42,9 +45,6 @@ class RunPlot : public QFrame {
   // Reads what the time range shows, now and whenever the reader looks; fits the axes that are not time to the
   // visible curves unless `hold`. Of several runs each has its own colour and dash.
   void update_from(const std::vector<PlottedRun>& runs, bool hold);
-  // The room in px that the value axis' labels take, and the room that they are to take at least.
-  [[nodiscard]] int label_extent() const;
-  void set_label_extent(int extent);
   // Where the reader looks: a line at that time, and what the curves that are shown are there.
   void set_cursor(std::optional<double> time);
   // The reader's two marks, A and B.
@@ -52,20 +52,18 @@ class RunPlot : public QFrame {
   void set_chip_visible(bool visible);
   void replot();
 
-  void forget_value_range() { value_range_ = QwtInterval(); }  // the next fit starts anew
-  void zoom_values(double at, double factor);
-  // The axis below, of a plot that is not over time.
-  void zoom_x(double at, double factor);
-  void pan_x(double from, double to);
-  void pan_values(double from, double to);
-
+  [[nodiscard]] PlotAxes& axes() { return *axes_; }
+  [[nodiscard]] const PlotAxes& axes() const { return *axes_; }
+  // The reader's remarks, which are part of the plot; the one at a point of the canvas, in px.
+  void set_notes(const std::vector<PlotNote>& notes);
+  [[nodiscard]] std::optional<std::size_t> note_at(const QPointF& pixel) const;
   [[nodiscard]] const PlotContent& content() const { return content_; }
   // The x axis is time.
   [[nodiscard]] bool over_time() const { return !content_.plot.x && distribution_ == nullptr; }
   // Of a histogram; nullptr for lines.
   [[nodiscard]] const Distribution* distribution() const { return distribution_.get(); }
   [[nodiscard]] QwtInterval time_range() const { return time_range_; }
-  [[nodiscard]] QwtInterval value_range() const;
+  [[nodiscard]] QwtInterval value_range() const { return axes_->values(); }
   [[nodiscard]] QwtPlot* plot() const { return plot_; }
   [[nodiscard]] const Theme& theme() const { return theme_; }
   // The name and the line of each run, if there are several, and of each curve that is shown and has a name.
@@ -77,6 +75,7 @@ class RunPlot : public QFrame {
   void timeZoomAsked(double at, double factor);
   void valueZoomAsked(double at, double factor);
   void panAsked(const QPointF& from, const QPointF& to);
+  void boxAsked(const QRectF& box);  // in the axes' units
   void resetAsked();
   void curvesChanged();  // one was shown or hidden
   void timeHovered(const std::optional<double>& time);
@@ -101,8 +100,6 @@ class RunPlot : public QFrame {
   void update_distribution(const Recorder& recorder, bool hold);
   void build_header();
   void build_plot();
-  void set_value_range(const QwtInterval& range);
-  void set_x_range(const QwtInterval& range);
   void show_readout();
   void hover(const std::optional<QPointF>& at);
   [[nodiscard]] const Series<1>* series_of(std::size_t line, std::size_t run) const;
@@ -112,9 +109,10 @@ class RunPlot : public QFrame {
   std::vector<PlottedRun> runs_;  // of the last update
   std::optional<double> cursor_time_;
   QwtInterval time_range_{0.0, 1.0};
-  QwtInterval value_range_;
   QLabel* unit_ = nullptr;
   QwtPlot* plot_ = nullptr;
+  std::unique_ptr<PlotAxes> axes_;
+  ZoomBox* zoom_box_ = nullptr;
   QLabel* chip_ = nullptr;
   QLabel* readout_ = nullptr;
   std::unique_ptr<QwtPlotGrid> grid_;
@@ -123,6 +121,7 @@ class RunPlot : public QFrame {
   std::vector<Line> lines_;
   std::unique_ptr<PlotTheories> theories_;
   std::unique_ptr<Distribution> distribution_;
+  std::unique_ptr<PlotNotes> notes_;
 };
 
 }  // namespace carom

@@ -87,8 +87,8 @@ class PlotTheory : public testing::Test {
     panel.set_plots({plot}, scene.bodies);
     panel.resize(500, 300);
     panel.show();
-    recorder.add(run_to(scene, 1.0, panel.curves()));
-    panel.update_from(recorder);
+    recorder->add(run_to(scene, 1.0, panel.curves()));
+    panel.update_from({{recorder, "run"}});
     QApplication::processEvents();
   }
   static Plot plot_of(bool residual) {
@@ -104,7 +104,7 @@ class PlotTheory : public testing::Test {
 
   Scene scene = head_on_scene();
   Plot plot = plot_of(false);
-  Recorder recorder;
+  std::shared_ptr<Recorder> recorder = std::make_shared<Recorder>();
   PlotPanel panel{light_theme()};
 };
 
@@ -133,11 +133,11 @@ TEST_F(PlotTheory, ResidualIsALineOfItsOwnWithEveryDigit) {
   const Plot residual = plot_of(true);
   panel.set_plots({residual}, scene.bodies);
   ASSERT_EQ(panel.curves().size(), 1u);
-  recorder.clear();
-  recorder.add(run_to(scene, 1.0, panel.curves()));
-  panel.update_from(recorder);
+  recorder->clear();
+  recorder->add(run_to(scene, 1.0, panel.curves()));
+  panel.update_from({{recorder, "run"}});
   QApplication::processEvents();
-  const Series<1>* series = recorder.series(panel.curves()[0]);
+  const Series<1>* series = recorder->series(panel.curves()[0]);
   ASSERT_NE(series, nullptr);
   std::vector<SeriesPoint<1>> points;
   series->read(0.0, 1.0, points);
@@ -154,9 +154,9 @@ TEST_F(PlotTheory, OverAnotherQuantityFollowsTheRunWhereItHangsOnTime) {
   over.x = QuantityName{"x", {"B"}};
   over.y[0].theory = "-1 + 3*t + 0*x";
   panel.set_plots({over}, scene.bodies);
-  recorder.clear();
-  recorder.add(run_to(scene, 0.5, panel.curves()));
-  panel.update_from(recorder);
+  recorder->clear();
+  recorder->add(run_to(scene, 0.5, panel.curves()));
+  panel.update_from({{recorder, "run"}});
   QApplication::processEvents();
   EXPECT_EQ(legend(panel.plots()[0]), QStringList{"theory"});
 }
