@@ -58,8 +58,10 @@ CurveRow::CurveRow(const std::vector<Body>& bodies, QWidget* parent)
   connect(away_, &QPushButton::clicked, this, &CurveRow::removeAsked);
   connect(open_, &QToolButton::toggled, this, [this](bool shown) {
     below_->setVisible(shown);
-    if (shown) theory_->setFocus();
     emit changed();
+  });
+  connect(open_, &QToolButton::clicked, this, [this](bool shown) {
+    if (shown) theory_->setFocus();
   });
   connect(theory_, &QLineEdit::textChanged, this, &CurveRow::changed);
   connect(residual_, &QCheckBox::toggled, this, &CurveRow::changed);

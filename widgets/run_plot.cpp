@@ -17,6 +17,7 @@
 #include <qwt_text.h>
 
 #include "widgets/distribution.h"
+#include "widgets/elided_label.h"
 #include "widgets/legend_button.h"
 #include "widgets/number_text.h"
 #include "widgets/plot_axes.h"
@@ -54,11 +55,14 @@ RunPlot::~RunPlot() = default;
 void RunPlot::build_header() {
   auto* header = new QHBoxLayout;
   header->setSpacing(4);
-  auto* title = new QLabel(content_.title, this);
+  auto* title = new ElidedLabel(this);
   title->setObjectName("title");
+  title->set_whole(content_.title);
+  constexpr int kLeastTitle = 80;  // px: a long one doesn't keep the window wide
+  title->setMinimumWidth(std::min(kLeastTitle, title->sizeHint().width()));
   unit_ = new QLabel(content_.unit, this);
   unit_->setObjectName("muted");
-  title->setToolTip(content_.tip);
+  title->setToolTip(content_.tip.isEmpty() ? content_.title : content_.tip);
   header->addWidget(title);
   header->addWidget(unit_);
   header->addStretch(1);

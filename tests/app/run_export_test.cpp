@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -150,6 +151,35 @@ TEST(RunExport, WritesThePartThatIsAskedFor) {
   EXPECT_EQ(number(lines[1][0]), 0.5);
   EXPECT_NEAR(number(lines.back()[0]), 1.0, 0.005);
   EXPECT_GE(lines.size(), 102U);
+}
+
+// Of a residual, whose header has its theory.
+TEST(RunExport, WritesAResidualAsAColumnOfItsOwn) {
+  DataExport what;
+  what.log.start = box();
+  what.steps = 20;
+  what.to = 1.0;
+  const std::vector<Body> bodies = box().bodies;
+  const QuantityName height{"y", {"A"}, "max(0.5, 2*t)"};
+  const QuantityName place{"x", {"A"}, "2*x"};
+  const Quantity measured = quantity_of(height, bodies);
+  Quantity over_time = measured;
+  over_time.less = theory_of(height, std::nullopt);
+  Quantity over_height = quantity_of(place, bodies);
+  over_height.less = theory_of(place, measured);
+  what.columns = {measured, over_time, over_height, quantity_of({"x", {"A"}}, bodies)};
+  EXPECT_EQ(csv_header(what.columns, bodies),
+            "time [s],A y [m],\"A y - (max(0.5, 2*t)) [m]\",\"A x - (2*x), x = A y [m]\",A x [m]");
+  QTemporaryDir dir;
+  const std::string file = dir.filePath("part.csv").toStdString();
+  ASSERT_TRUE(export_data(what, file, kGoOn));
+  const auto lines = read(file);
+  ASSERT_GE(lines.size(), 21u);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const double y = number(lines[i][1]);
+    EXPECT_EQ(number(lines[i][2]), y - std::max(0.5, 2.0 * number(lines[i][0])));
+    EXPECT_EQ(number(lines[i][3]), number(lines[i][4]) - 2.0 * y);
+  }
 }
 
 TEST(RunExport, CancelsWithoutAFileAndSaysWhatIsWrong) {
