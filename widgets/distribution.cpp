@@ -96,10 +96,15 @@ void Distribution::update_from(const Recorder& recorder, const QwtInterval& time
   now_ = histogram_of(now, now_width_);
   draw_bins(*bars_, now_);
   if (!of_speeds) return;
-  const std::vector<double> all = speeds.between(time.minValue(), time.maxValue());
-  mean_width_ = steady_bin_width(mean_width_, bin_width(all));
-  mean_ = histogram_of(all, mean_width_);
-  draw_bins(*outline_, mean_);
+  if (mean_of_ != &recorder || mean_version_ != speeds.version() || mean_time_ != time) {
+    mean_of_ = &recorder;
+    mean_version_ = speeds.version();
+    mean_time_ = time;
+    const std::vector<double> all = speeds.between(time.minValue(), time.maxValue());
+    mean_width_ = steady_bin_width(mean_width_, bin_width(all));
+    mean_ = histogram_of(all, mean_width_);
+    draw_bins(*outline_, mean_);
+  }
   law_ = Maxwell(speeds.masses(), speeds.now());
   QVector<QPointF> points;
   const double end = x_spread().maxValue() * 2.0;  // the axis is a round number beyond
@@ -112,15 +117,20 @@ void Distribution::update_from(const Recorder& recorder, const QwtInterval& time
 
 QwtInterval Distribution::x_spread() const {
   double end = now_.from(now_.counts.size());
-  if (mean_.total > 0) end = std::max(end, mean_.quantile(kMost));
+  if (shows_mean()) end = std::max(end, mean_.quantile(kMost));
   return {0.0, end};
 }
 
 QwtInterval Distribution::spread() const {
   double top = 0.0;
   for (std::size_t k = 0; k < now_.counts.size(); ++k) top = std::max(top, height(now_, k));
-  for (std::size_t k = 0; k < mean_.counts.size(); ++k) top = std::max(top, height(mean_, k));
+  for (std::size_t k = 0; shows_mean() && k < mean_.counts.size(); ++k) top = std::max(top, height(mean_, k));
+  if (curve_ != nullptr && curve_->isVisible()) top = std::max(top, curve_->maxYValue());
   return {0.0, top};
+}
+
+bool Distribution::shows_mean() const {
+  return outline_ != nullptr && outline_->isVisible() && mean_.total > 0;
 }
 
 QString Distribution::readout(double x) const {

@@ -50,6 +50,7 @@ class Distribution {
 
  private:
   [[nodiscard]] double height(const Histogram& h, std::size_t bin) const;
+  [[nodiscard]] bool shows_mean() const;
   void draw_bins(QwtPlotHistogram& item, const Histogram& h) const;
 
   PlotContent::Shows what_;
@@ -63,6 +64,10 @@ class Distribution {
   Maxwell law_;
   double now_width_ = 0.0;  // as they stood: bins don't flicker
   double mean_width_ = 0.0;
+  // What the mean is of: with many bodies it takes some ms, and stays while nothing is new.
+  const Recorder* mean_of_ = nullptr;
+  std::uint64_t mean_version_ = 0;
+  QwtInterval mean_time_;
 };
 
 }  // namespace carom

@@ -8,8 +8,16 @@ std::int64_t moment_stride(std::int64_t steps) {
   return stride;
 }
 
+void SpeedRecord::clear() {
+  now_.clear();
+  masses_.clear();
+  moments_.clear();
+  ++version_;
+}
+
 void SpeedRecord::add(const SpeedMoment& moment) {
   if (!moments_.empty() && moment.step <= moments_.back().step) return;
+  ++version_;
   moments_.push_back(moment);
   const std::int64_t stride = moment_stride(moment.step);
   std::erase_if(moments_, [stride](const SpeedMoment& m) { return m.step % stride != 0; });

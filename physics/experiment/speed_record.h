@@ -26,7 +26,7 @@ inline constexpr std::int64_t kMostMoments = 256;
 // number.
 class SpeedRecord {
  public:
-  void clear() { *this = {}; }
+  void clear();
   // A moment that is known already is left out.
   void add(const SpeedMoment& moment);
   void set_now(const State& state, const std::vector<Body>& bodies);
@@ -34,6 +34,8 @@ class SpeedRecord {
   [[nodiscard]] const std::vector<double>& now() const { return now_; }        // m/s
   [[nodiscard]] const std::vector<double>& masses() const { return masses_; }  // kg, of the same bodies
   [[nodiscard]] std::span<const SpeedMoment> moments() const { return moments_; }
+  // Another number whenever the moments are others.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
   // Of all moments from `from` to `to` (s), one after the other.
   [[nodiscard]] std::vector<double> between(double from, double to) const;
 
@@ -41,6 +43,7 @@ class SpeedRecord {
   std::vector<double> now_;
   std::vector<double> masses_;
   std::vector<SpeedMoment> moments_;
+  std::uint64_t version_ = 0;
 };
 
 }  // namespace carom

@@ -1,11 +1,14 @@
 #include "physics/measure/histogram.h"
 
+#include <chrono>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
+#include <thread>
 
 #include "physics/experiment/recorder.h"
+#include "physics/experiment/worker.h"
 #include "physics/measure/maxwell.h"
 #include "tests/physics/scenes.h"
 
@@ -184,6 +187,43 @@ TEST(SpeedRecord, KeepsMomentsAllOverTheRun) {
   record.add({stride, 0.0, {7.0F}});
   EXPECT_EQ(record.moments()[1].speeds.size(), 2u);
   EXPECT_EQ(record.between(0.0, 0.01 * static_cast<double>(stride)).size(), 4u);
+}
+
+// A run that is watched, frame by frame, has the moments of one that is not, also after it was gone through
+// once more for a plot that came late.
+TEST(SpeedRecord, IsTheSameHoweverTheRunIsWatched) {
+  Scene scene = gas();
+  scene.generators[0].columns = 4;
+  scene.generators[0].rows = 2;
+  Worker worker(scene);
+  Recorder recorder;
+  const auto watch_until = [&](double time) {
+    worker.run_until(time);
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));  // frames that nobody takes become one
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (recorder.time() < time - 1e-9 && std::chrono::steady_clock::now() < end) {
+      for (const auto& frame : worker.take_frames()) recorder.add(*frame);
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    ASSERT_NEAR(recorder.time(), time, 1e-9);
+  };
+  watch_until(10.0);
+  worker.record({{{find_observable("kinetic_energy"), {}}, std::nullopt}});
+  watch_until(40.0);
+
+  Simulation simulation(scene);
+  Sampler sampler({});
+  sampler.begin(simulation);
+  SpeedRecord alone;
+  simulation.advance_to(40.0, [&] { sampler.after_step(simulation); });
+  for (const SpeedMoment& moment : sampler.take().moments) alone.add(moment);
+  ASSERT_EQ(recorder.speeds().moments().size(), alone.moments().size());
+  EXPECT_EQ(alone.moments().size(), 201u);  // 800 steps, every fourth
+  for (std::size_t i = 0; i < alone.moments().size(); ++i) {
+    EXPECT_EQ(recorder.speeds().moments()[i].step, alone.moments()[i].step);
+    EXPECT_EQ(recorder.speeds().moments()[i].speeds, alone.moments()[i].speeds);
+  }
+  EXPECT_EQ(recorder.speeds().now().size(), 8u);
 }
 
 }  // namespace
