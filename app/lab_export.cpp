@@ -81,6 +81,7 @@ void LabWindow::copy_scene_picture() { QGuiApplication::clipboard()->setImage(vi
 
 void LabWindow::save_bins(const RunPlot& plot) {
   // As they stand now: the run goes on while the file is chosen.
+  plots_->show_now();
   const std::vector<ShownBins> bins = plot.distribution()->bins();
   const QString file = ask_for_file(tr("Save the bins"), "bins.csv", tr("Tables (*.csv)"), "csv");
   if (file.isEmpty()) return;

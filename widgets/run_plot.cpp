@@ -393,6 +393,7 @@ void RunPlot::show_readout() {
     }
     if (of_runs.isEmpty()) continue;
     QString value = line.label + " " + of_runs.join(" | ");
+    if (!line.theory.empty()) value += tr(" (theory %1)").arg(figure(line.theory.formula(*cursor_time_)));
     if (content_.unit.isEmpty()) value += " " + line.unit;
     values << value.trimmed();
   }

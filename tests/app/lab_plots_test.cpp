@@ -106,5 +106,31 @@ TEST_F(LabPlotsTest, DataAreSavedFromTheWindow) {
   EXPECT_EQ(lines.size(), 1 + 201 + 2) << "the start, 200 steps, one impact";
 }
 
+// Notes are work; which of the named plots are open beside a preset's own is not.
+TEST_F(LabPlotsTest, NotesAreSavedWithThePreset) {
+  ASSERT_TRUE(window_.open("spring-box"));
+  panel_->set_shown("ledger", true);
+  EXPECT_FALSE(window_.isWindowModified());
+  RunPlot* energy = nullptr;
+  for (RunPlot* plot : panel_->plots()) {
+    if (plot->content().plot.id == "energy") energy = plot;
+  }
+  ASSERT_NE(energy, nullptr);
+  energy->set_notes({{1.5, 12.0, "a swing and a half"}});
+  emit panel_->layoutChanged();
+  EXPECT_TRUE(window_.isWindowModified());
+  QTemporaryDir dir;
+  const std::string file = dir.filePath("mine.json").toStdString();
+  save_preset(window_.scene(), file);
+  const Scene saved = read_preset(file);
+  EXPECT_EQ(saved.plots.size(), panel_->plots().size());
+  bool found = false;
+  for (const Plot& plot : saved.plots) {
+    found = found ||
+            (plot.id == "energy" && plot.notes == std::vector<PlotNote>{{1.5, 12.0, "a swing and a half"}});
+  }
+  EXPECT_TRUE(found);
+}
+
 }  // namespace
 }  // namespace carom

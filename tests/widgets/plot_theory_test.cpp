@@ -129,6 +129,15 @@ TEST_F(PlotTheory, StandsInTheLegendAndCanBeHidden) {
   EXPECT_GE(panel.plots()[0]->value_range().maxValue(), 0.0);
 }
 
+TEST_F(PlotTheory, IsToldUnderTheMouse) {
+  panel.plots()[0]->set_cursor(0.1);
+  bool told = false;
+  for (const auto* label : panel.findChildren<QLabel*>()) {
+    told = told || label->text().contains(QString::fromUtf8("−0.7000 (theory −0.7000)"));
+  }
+  EXPECT_TRUE(told);
+}
+
 TEST_F(PlotTheory, ResidualIsALineOfItsOwnWithEveryDigit) {
   const Plot residual = plot_of(true);
   panel.set_plots({residual}, scene.bodies);
