@@ -127,6 +127,15 @@ void LabWindow::save_data(const RunPlot* plot) {
 
 void LabWindow::copy_data(const RunPlot* plot, bool shown) {
   if (frame_ == nullptr || frame_->log == nullptr) return;
+  if (plot->distribution() != nullptr) {
+    plots_->show_now();
+    QStringList lines;
+    for (const std::string& line :
+         bins_table(plot->distribution()->bins(), plot->content().x_unit.toStdString(), '\t'))
+      lines << QString::fromStdString(line);
+    QGuiApplication::clipboard()->setText(lines.join('\n') + '\n');
+    return;
+  }
   DataExport what{*frame_->log, frame_->key_frames, reference_, frame_->steps, {}, 0.0, frame_->time};
   add_columns(plot->content(), what.columns);
   if (shown) {

@@ -38,6 +38,13 @@ TEST(BinsExport, HasEveryBinWithAllDigits) {
   EXPECT_TRUE(all[4].ends_with(",")) << all[4];
 }
 
+TEST(BinsExport, CopiesWithTabs) {
+  EXPECT_EQ(
+      bins_table({{"impulses", histogram_of(std::vector<double>{0.5}, 1.0), {}}}, "N·s", '\t'),
+      (std::vector<std::string>{"distribution\tfrom [N·s]\tto [N·s]\tcount [1]\tshare over width [1/(N·s)]",
+                                "impulses\t0\t1\t1\t1"}));
+}
+
 TEST(BinsExport, WithoutALawThereIsNoColumnForIt) {
   const QTemporaryDir dir;
   const std::string file = dir.filePath("bins.csv").toStdString();
