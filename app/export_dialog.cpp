@@ -1,22 +1,25 @@
 #include "app/export_dialog.h"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace carom {
 
-ExportDialog::ExportDialog(const QString& plot, bool marked, QWidget* parent)
+ExportDialog::ExportDialog(const QString& plot, bool marked, const std::vector<QString>& runs, QWidget* parent)
     : QDialog(parent),
       plot_(new QRadioButton(tr("The curves of “%1”").arg(plot))),
       plots_(new QRadioButton(tr("The curves of all plots"))),
       run_(new QRadioButton(tr("The whole run: sums, bodies (up to 50) and ledger"))),
       all_(new QRadioButton(tr("From the start until now"))),
       shown_(new QRadioButton(tr("What the plots show"))),
-      marked_(new QRadioButton(tr("Between the marks A and B"))) {
+      marked_(new QRadioButton(tr("Between the marks A and B"))),
+      runs_(new QComboBox) {
   setWindowTitle(tr("Save data"));
   auto* column = new QVBoxLayout(this);
   column->setSpacing(10);
@@ -28,6 +31,11 @@ ExportDialog::ExportDialog(const QString& plot, bool marked, QWidget* parent)
   };
   group(tr("What"), {plot_, plots_, run_});
   group(tr("Of which time"), {all_, shown_, marked_});
+  for (const QString& name : runs) runs_->addItem(name);
+  auto* under = new QGroupBox(tr("Under which method"), this);
+  (new QVBoxLayout(under))->addWidget(runs_);
+  column->addWidget(under);
+  under->setVisible(runs.size() > 1);
   plot_->setVisible(!plot.isEmpty());
   (plot.isEmpty() ? run_ : plot_)->setChecked(true);
   all_->setChecked(true);
@@ -54,5 +62,7 @@ ExportDialog::What ExportDialog::what() const {
 ExportDialog::Time ExportDialog::time() const {
   return all_->isChecked() ? Time::kAll : shown_->isChecked() ? Time::kShown : Time::kMarked;
 }
+
+std::size_t ExportDialog::run() const { return static_cast<std::size_t>(std::max(runs_->currentIndex(), 0)); }
 
 }  // namespace carom

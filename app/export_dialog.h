@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QDialog>
+#include <vector>
 
+class QComboBox;
 class QRadioButton;
 
 namespace carom {
@@ -14,11 +16,13 @@ class ExportDialog : public QDialog {
   enum class What { kPlot, kPlots, kRun };
   enum class Time { kAll, kShown, kMarked };
 
-  // `plot`: the title of the plot that was asked for, or nothing; `marked`: there are two marks.
-  ExportDialog(const QString& plot, bool marked, QWidget* parent);
+  // `plot`: the title of the plot that was asked for, or nothing; `marked`: there are two marks; `runs`: the
+  // names of the methods that are compared.
+  ExportDialog(const QString& plot, bool marked, const std::vector<QString>& runs, QWidget* parent);
 
   [[nodiscard]] What what() const;
   [[nodiscard]] Time time() const;
+  [[nodiscard]] std::size_t run() const;  // which of them
 
  private:
   QRadioButton* plot_;
@@ -27,6 +31,7 @@ class ExportDialog : public QDialog {
   QRadioButton* all_;
   QRadioButton* shown_;
   QRadioButton* marked_;
+  QComboBox* runs_;
 };
 
 }  // namespace carom

@@ -22,6 +22,7 @@
 #include "app/run_progress.h"
 #include "physics/scene/validate.h"
 #include "widgets/ledger_table.h"
+#include "widgets/method_names.h"
 #include "widgets/plot_export.h"
 #include "widgets/plot_panel.h"
 #include "widgets/run_plot.h"
@@ -96,12 +97,17 @@ void LabWindow::save_data(const RunPlot* plot) {
   if (frame_ == nullptr || frame_->log == nullptr) return;
   if (plot != nullptr && plot->distribution() != nullptr) return save_bins(*plot);
   const ReadingMarks marks = plots_->marks();
-  ExportDialog dialog(plot == nullptr ? QString() : plot->content().title, marks.a && marks.b, this);
+  // Of the moment when it was asked for, while the run goes on.
+  const std::vector<std::shared_ptr<const Frame>> frames = frames_;
+  std::vector<Method> methods;
+  for (const auto& each : frames) methods.push_back(each->method);
+  ExportDialog dialog(plot == nullptr ? QString() : plot->content().title, marks.a && marks.b,
+                      names_of(methods), this);
   if (dialog.exec() != QDialog::Accepted) return;
 
-  // Of the moment when it was asked for, while the run goes on.
-  DataExport what{*frame_->log, frame_->key_frames, reference_, frame_->steps, {}, 0.0, frame_->time};
-  if (dialog.what() == ExportDialog::What::kRun) what.columns = run_columns(*frame_->bodies);
+  const Frame& frame = *frames[dialog.run()];
+  DataExport what{*frame.log, frame.key_frames, reference_, frame.steps, {}, 0.0, frame.time};
+  if (dialog.what() == ExportDialog::What::kRun) what.columns = run_columns(*frame.bodies);
   for (const RunPlot* each : plots_->plots()) {
     const bool wanted = dialog.what() == ExportDialog::What::kPlots ||
                         (dialog.what() == ExportDialog::What::kPlot && each == plot);
