@@ -85,13 +85,9 @@ void LabWindow::show_compared() {
   for (const auto& frame : frames_) methods.push_back(frame->method);
   const std::vector<QString> names = names_of(methods);
   std::vector<PlottedRun> plotted;
-  std::vector<OtherRun> others;
-  for (std::size_t i = 0; i < frames_.size(); ++i) {
-    plotted.push_back({recorders_[i], names[i]});
-    if (i > 0) others.push_back({frames_[i], pen_of_run(i, theme_).color()});
-  }
+  for (std::size_t i = 0; i < frames_.size(); ++i) plotted.push_back({recorders_[i], names[i]});
   plots_->update_from(plotted);
-  view_->set_frame(frame_, others);
+  view_->set_frame(frame_, {frames_.begin() + 1, frames_.end()});
 }
 
 }  // namespace carom

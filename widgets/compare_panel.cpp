@@ -6,6 +6,7 @@
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStandardItemModel>
@@ -192,7 +193,7 @@ std::size_t ComparePanel::chosen() const {
 
 QSize ComparePanel::minimumSizeHint() const {
   constexpr int kLeastWidth = 120;  // px
-  return {kLeastWidth, widget()->minimumSizeHint().height()};
+  return {kLeastWidth, widget()->minimumSizeHint().height() + horizontalScrollBar()->sizeHint().height()};
 }
 
 void ComparePanel::set_theme(const Theme& theme) { table_->set_theme(theme); }

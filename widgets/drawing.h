@@ -135,11 +135,8 @@ inline constexpr double kImpactShown = 0.25;
 // With more moving bodies than this, names are clutter.
 inline constexpr int kMostNames = 40;
 
-// Another run of the same scene, beside the one that is drawn whole.
-struct OtherRun {
-  std::shared_ptr<const Frame> frame;
-  QColor color;
-};
+// Other runs of the same scene, beside the one that is drawn whole.
+using OtherRuns = std::vector<std::shared_ptr<const Frame>>;
 
 struct DrawingInput {
   const Frame& frame;
@@ -148,7 +145,8 @@ struct DrawingInput {
   const DrawingOptions& options;
   const Theme& theme;
   ArrowScale arrows;
-  std::span<const OtherRun> others = {};  // as outlines
+  std::span<const std::shared_ptr<const Frame>> others =
+      {};  // as outlines, in the colours of the runs after the first
 };
 
 // Leaves out what the camera doesn't see. The memory of `reuse` serves the new list.

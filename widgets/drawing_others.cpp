@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "widgets/number_text.h"
+#include "widgets/plotted_run.h"
 
 namespace carom {
 namespace {
@@ -31,10 +32,11 @@ void add_outline(const Shape& shape, const Vec2& at, double angle, const QColor&
 }  // namespace
 
 void add_other_runs(const DrawingInput& in, const WorldRect& seen, Drawing& out) {
-  for (const OtherRun& other : in.others) {
-    if (!other.frame || !other.frame->bodies) continue;
-    const std::vector<Body>& bodies = *other.frame->bodies;
-    const State& there = other.frame->state;
+  for (std::size_t k = 0; k < in.others.size(); ++k) {
+    const Frame& other = *in.others[k];
+    const QColor color = pen_of_run(k + 1, in.theme).color();
+    const std::vector<Body>& bodies = *other.bodies;
+    const State& there = other.state;
     const auto moving =
         std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return !is_immovable(b); });
     const int count = std::min({there.size(), in.frame.state.size(), static_cast<int>(bodies.size())});
@@ -45,11 +47,11 @@ void add_other_runs(const DrawingInput& in, const WorldRect& seen, Drawing& out)
       const Vec2 from = in.frame.state.position(i);
       const double distance = (at - from).norm();
       if (!seen.meets(at, bounding_radius(body.shape) + distance)) continue;
-      add_outline(body.shape, at, there.q(2, i), other.color, out);
+      add_outline(body.shape, at, there.q(2, i), color, out);
       if (distance * in.camera.scale < kLeastDistance) continue;
-      out.segments.push_back({from, at, other.color, kDistanceWidth * in.options.line_scale});
+      out.segments.push_back({from, at, color, kDistanceWidth * in.options.line_scale});
       if (moving > kMostLabelled || distance * in.camera.scale < kLeastLabelled) continue;
-      out.labels.push_back({0.5 * (from + at), 3.0, figure(distance, 3) + " m", other.color});
+      out.labels.push_back({0.5 * (from + at), 3.0, figure(distance, 3) + " m", color});
     }
   }
 }

@@ -5,7 +5,6 @@
 
 #include "widgets/paint_drawing.h"
 #include "widgets/picture_file.h"
-#include "widgets/plotted_run.h"
 
 namespace carom {
 namespace {
@@ -38,11 +37,8 @@ SceneLook on_viewport(SceneLook look, const QSizeF& viewport) {
 
 void paint_scene(QPainter& painter, const Frame& frame, SceneLook& look, std::span<const Frame> others) {
   look.peaks.observe(frame);
-  std::vector<OtherRun> outlines;
-  for (const Frame& other : others) {
-    outlines.push_back(
-        {std::make_shared<const Frame>(other), pen_of_run(outlines.size() + 1, look.theme).color()});
-  }
+  OtherRuns outlines;
+  for (const Frame& other : others) outlines.push_back(std::make_shared<const Frame>(other));
   const Drawing drawing = make_drawing({frame, frame.impacts, look.camera, look.options, look.theme,
                                         arrow_scale(look.peaks, look.side), outlines});
   paint_drawing(painter, drawing, look.camera, look.theme);

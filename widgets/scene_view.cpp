@@ -61,7 +61,7 @@ void SceneView::set_theme(const Theme& theme) {
   refresh();
 }
 
-void SceneView::set_frame(std::shared_ptr<const Frame> frame, std::vector<OtherRun> others) {
+void SceneView::set_frame(std::shared_ptr<const Frame> frame, OtherRuns others) {
   if (!frame || frame == frame_) return;
   others_ = std::move(others);
   const bool new_run = !frame_ || frame->run != frame_->run;

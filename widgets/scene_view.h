@@ -25,7 +25,7 @@ class SceneView : public QWidget {
 
   void set_theme(const Theme& theme);
   // And other runs beside it.
-  void set_frame(std::shared_ptr<const Frame> frame, std::vector<OtherRun> others = {});
+  void set_frame(std::shared_ptr<const Frame> frame, OtherRuns others = {});
   void set_options(const DrawingOptions& options);
   [[nodiscard]] const DrawingOptions& options() const { return options_; }
   // What to show from here on, for a new scene: a view of its own, or all its bodies. Arrows are scaled anew.
@@ -83,7 +83,7 @@ class SceneView : public QWidget {
   Picture picture_;
   DrawingOptions options_;
   std::shared_ptr<const Frame> frame_;
-  std::vector<OtherRun> others_;
+  OtherRuns others_;
   std::vector<ImpactRecord> impacts_;  // recent ones, in the order of time
   Peaks peaks_;
   std::optional<View> view_;

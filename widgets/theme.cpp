@@ -70,7 +70,12 @@ QLineEdit, QSpinBox, QDoubleSpinBox, QPlainTextEdit { background: %1; border: 1p
 QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QPlainTextEdit:focus { border-color: %6; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QComboBox { min-height: 26px; }
-QRadioButton:disabled { color: %5; }
+QRadioButton:disabled, QCheckBox:disabled { color: %5; }
+QCheckBox::indicator { width: 13px; height: 13px; border: 1px solid %5; border-radius: 3px; background: %1; }
+QCheckBox::indicator:checked { background: %6; border-color: %6; image: url(:/icons/check.svg); }
+QRadioButton::indicator { width: 13px; height: 13px; border: 1px solid %5; border-radius: 7px; background: %1; }
+QRadioButton::indicator:checked { width: 5px; height: 5px; border: 5px solid %6; background: %2; }
+QCheckBox::indicator:disabled, QRadioButton::indicator:disabled { border-color: %3; }
 QGroupBox { border: 1px solid %3; border-radius: 8px; margin-top: 9px; padding: 10px 8px 6px 8px; }
 QGroupBox::title { subcontrol-origin: margin; left: 10px; padding: 0 4px; color: %5; }
 QPushButton { background: %2; border: 1px solid %3; border-radius: 6px; padding: 5px 14px; }

@@ -194,12 +194,12 @@ TEST(OtherRuns, AreOutlinesWithTheirDistance) {
   const auto frame = frame_of(Simulation(two_discs()));
   auto beside = frame_of(Simulation(two_discs()));
   beside->state.q(0, 1) += 0.5;
-  const std::vector<OtherRun> others = {{beside, light_theme().series[1]}};
+  const OtherRuns others = {beside};
   Camera camera;
   camera.center = Vec2(2.0, 1.0);
   camera.scale = 100.0;
   const DrawingOptions options;
-  const auto draw = [&](std::span<const OtherRun> which) {
+  const auto draw = [&](const OtherRuns& which) {
     return make_drawing({*frame, {}, camera, options, light_theme(), ArrowScale{0.1, 0.5}, which});
   };
   const Drawing alone = draw({});
