@@ -56,21 +56,25 @@ void LabWindow::choose_reference(ReferenceId reference) {
   compare_->set_scene(worker_->scene(), reference);
 }
 
-// The scene from the start under explicit Euler, RK4 and the method of the reference; or back to its own method
-// alone.
+// The scene from the start under the method of the reference, explicit Euler and RK4; or back to what was
+// compared before. The exact run is the scene's own meanwhile: the others are seen beside what they should be,
+// and a preset that is saved then stays as good as it was.
 void LabWindow::compare_usual() {
   Scene scene = worker_->scene();
-  if (alone_) {
-    scene.method = *alone_;
-    scene.compare.clear();
-    alone_.reset();
-    reference_ = ReferenceId::kNone;
+  if (before_usual_) {
+    scene.method = before_usual_->method;
+    scene.compare = before_usual_->others;
+    reference_ = before_usual_->reference;
+    before_usual_.reset();
   } else {
-    alone_ = scene.method;
+    before_usual_ = Compared{scene.method, scene.compare, reference_};
     reference_ = first_reference(scene);
-    scene.compare = {scene.method, reference_for(scene, scene.method, usual_reference(scene))};
-    scene.method.integrator = IntegratorId::kExplicitEuler;
-    scene.compare[0].integrator = IntegratorId::kRk4;
+    Method euler = scene.method;
+    euler.integrator = IntegratorId::kExplicitEuler;
+    Method rk4 = scene.method;
+    rk4.integrator = IntegratorId::kRk4;
+    scene.compare = {euler, rk4};
+    scene.method = reference_for(scene, scene.method, usual_reference(scene));
     tabs_->setCurrentWidget(compare_);
     if (reference_ != ReferenceId::kNone) plots_->set_shown("error", true);
   }

@@ -207,10 +207,10 @@ class Writer {
     for (std::size_t i = 1; i < report_.runs.size(); ++i) {
       const Frame& end = report_.ends[i];
       blocks_.back().with_next = true;
-      add(print_entry(i == 1 ? tr("Compared with") : QString(),
-                      tr("%1: numerical drift %2 J")
-                          .arg(method_line(report_.runs[i].start.method),
-                               figure(end.ledger.numerical_drift(end.totals.energy())))));
+      add(print_entry(
+          i == 1 ? tr("Compared with") : QString(),
+          tr("%1: numerical drift %2 J")
+              .arg(method_line(end.method), figure(end.ledger.numerical_drift(end.totals.energy())))));
     }
   }
 

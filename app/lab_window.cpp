@@ -89,7 +89,7 @@ void LabWindow::show_scene(const Scene& scene, const QString& name, const QStrin
   recorders_.clear();
   frames_.clear();
   frame_.reset();
-  alone_.reset();
+  before_usual_.reset();
   reference_ = scene.compare.empty() ? ReferenceId::kNone : usual_reference(scene);
   plots_->set_plots(scene.plots, before_);
   worker_->load(scene, plots_->curves(), reference_);
@@ -229,11 +229,15 @@ void LabWindow::run_until(double time) {
 void LabWindow::poll() {
   const std::vector<std::shared_ptr<const Frame>> news = worker_->take_frames();
   if (news.empty()) return;
-  // A run that was taken out leaves its recorder to the next one, which begins it anew.
-  for (std::size_t i = recorders_.size(); i < news.size(); ++i)
-    recorders_.push_back(std::make_shared<Recorder>());
-  recorders_.resize(news.size());
-  for (std::size_t i = 0; i < news.size(); ++i) recorders_[i]->add(*news[i]);
+  // Each run keeps its recorder, whatever runs were put in or taken out before it.
+  std::vector<std::shared_ptr<Recorder>> recorders;
+  for (const auto& frame : news) {
+    const auto own = std::find_if(recorders_.begin(), recorders_.end(),
+                                  [&](const auto& recorder) { return recorder->run() == frame->run; });
+    recorders.push_back(own == recorders_.end() ? std::make_shared<Recorder>() : *own);
+    recorders.back()->add(*frame);
+  }
+  recorders_ = std::move(recorders);
   frames_ = news;
   frame_ = news.front();
   show_frame();

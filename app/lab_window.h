@@ -114,8 +114,13 @@ class LabWindow : public QMainWindow {
   std::shared_ptr<const Frame> frame_;                // of the first, the scene's own
   std::vector<std::shared_ptr<Recorder>> recorders_;  // of each run
   ReferenceId reference_ = ReferenceId::kNone;
-  std::optional<Method> alone_;  // the method before Euler, RK4 and the exact run were asked for
-  std::vector<Body> before_;     // the bodies at t = 0
+  struct Compared {
+    Method method;
+    std::vector<Method> others;
+    ReferenceId reference;
+  };
+  std::optional<Compared> before_usual_;  // Euler, RK4 and the exact run were asked for
+  std::vector<Body> before_;              // the bodies at t = 0
   double duration_ = 1.0;
   double speed_ = 1.0;
   QString name_;  // of the built-in experiment that is shown; empty for a file

@@ -98,7 +98,8 @@ QWidget* ComparePanel::make_actions() {
   row->setSpacing(6);
   usual_ = new QPushButton(tr("Euler | RK4 | exact"));
   usual_->setToolTip(
-      tr("This scene from the start under explicit Euler, RK4 and without an error; again: back (C)"));
+      tr("This scene from the start by the method of the reference, by explicit Euler and by RK4; again: back "
+         "(C)"));
   connect(usual_, &QPushButton::clicked, this, &ComparePanel::usualAsked);
   add_ = new QToolButton;
   add_->setText(QStringLiteral("+"));
@@ -126,15 +127,15 @@ QWidget* ComparePanel::make_actions() {
 }
 
 template <class Table, class Member>
-QComboBox* ComparePanel::make_choice(const Table& table, Member member, const QString& tip) {
+QComboBox* ComparePanel::make_choice(const Table& table, Member member, bool short_names, const QString& tip) {
   auto* box = new QComboBox;
   box->setToolTip(tip);
   box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   constexpr int kLeastWidth = 72;  // px
   box->setMinimumWidth(kLeastWidth);
   for (const auto& choice : table) {
-    box->addItem(text_of(choice.label));
-    box->setItemData(box->count() - 1, text_of(choice.tip), Qt::ToolTipRole);
+    box->addItem(text_of(short_names ? choice.name : choice.label));
+    box->setItemData(box->count() - 1, text_of(choice.label) + ": " + text_of(choice.tip), Qt::ToolTipRole);
   }
   connect(box, &QComboBox::activated, this, [this, &table, member](int i) {
     Method method = methods_[chosen()];
@@ -150,9 +151,11 @@ QWidget* ComparePanel::make_choices() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
-  integrators_ = make_choice(kIntegrators, &Method::integrator, tr("How the chosen run advances free motion"));
-  impacts_ = make_choice(kImpacts, &Method::impacts, tr("When the chosen run resolves impacts"));
-  contacts_ = make_choice(kContacts, &Method::contacts, tr("What holds bodies that touch in the chosen run"));
+  integrators_ =
+      make_choice(kIntegrators, &Method::integrator, false, tr("How the chosen run advances free motion"));
+  impacts_ = make_choice(kImpacts, &Method::impacts, true, tr("When the chosen run resolves impacts"));
+  contacts_ =
+      make_choice(kContacts, &Method::contacts, true, tr("What holds bodies that touch in the chosen run"));
   step_ = new QSlider(Qt::Horizontal);
   step_->setRange(0, kDecades * kPlaces);
   step_->setPageStep(kPlaces / 4);
@@ -167,8 +170,10 @@ QWidget* ComparePanel::make_choices() {
   connect(step_, &QSlider::valueChanged, this, [this](int place) {
     step_text_->setText(tr("h = %1 ms").arg(short_figure(1e3 * step_at(place))));
     if (!step_timer_.isActive()) step_timer_.start();
+    step_of_ = chosen();
   });
-  for (QComboBox* box : {integrators_, impacts_, contacts_}) row->addWidget(box, 2);
+  row->addWidget(integrators_, 5);
+  for (QComboBox* box : {impacts_, contacts_}) row->addWidget(box, 2);
   row->addWidget(step_, 2);
   row->addWidget(step_text_);
   row->addWidget(all_);
@@ -178,7 +183,7 @@ QWidget* ComparePanel::make_choices() {
 void ComparePanel::take_step() {
   const double step = step_at(step_->value());
   for (std::size_t i = 0; i < methods_.size(); ++i) {
-    if (!all_->isChecked() && i != chosen()) continue;
+    if (!all_->isChecked() && i != step_of_) continue;
     Method method = methods_[i];
     if (method.step == step) continue;
     method.step = step;
@@ -199,6 +204,7 @@ QSize ComparePanel::minimumSizeHint() const {
 void ComparePanel::set_theme(const Theme& theme) { table_->set_theme(theme); }
 
 void ComparePanel::set_scene(const Scene& scene, ReferenceId reference) {
+  if (scene.title != scene_.title) step_timer_.stop();
   const bool more = 1 + scene.compare.size() > methods_.size() && !methods_.empty();
   scene_ = scene;
   reference_ = reference;

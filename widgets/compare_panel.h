@@ -43,7 +43,7 @@ class ComparePanel : public QScrollArea {
 
  private:
   template <class Table, class Member>
-  QComboBox* make_choice(const Table& table, Member member, const QString& tip);
+  QComboBox* make_choice(const Table& table, Member member, bool short_names, const QString& tip);
   [[nodiscard]] QWidget* make_actions();
   [[nodiscard]] QWidget* make_choices();
   [[nodiscard]] std::size_t chosen() const;
@@ -65,7 +65,8 @@ class ComparePanel : public QScrollArea {
   QSlider* step_ = nullptr;
   QLabel* step_text_ = nullptr;
   QCheckBox* all_ = nullptr;
-  QTimer step_timer_;  // while the slider moves, steps are taken in moderation
+  std::size_t step_of_ = 0;  // whose step the slider sets
+  QTimer step_timer_;        // while the slider moves, steps are taken in moderation
 };
 
 }  // namespace carom

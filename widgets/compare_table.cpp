@@ -44,6 +44,8 @@ class CompareModel : public FigureModel {
   [[nodiscard]] QString tip(int row, int column) const override {
     const Frame& frame = *frames_[static_cast<std::size_t>(row)];
     if (column == 0) return description_of(frame.method);
+    const bool of_itself = frame.error && frame.error->of_itself;
+    if (of_itself && column < 4) return tr("This run goes by the method of the reference itself");
     if (column == 1) return tr("The largest distance of a body from where it is in the reference, now");
     if (column == 2) {
       return tr(
@@ -68,6 +70,7 @@ class CompareModel : public FigureModel {
     if (column == 4) return known(frame.ledger.numerical_drift(frame.totals.energy()));
     if (column == 5) return frame.time > 0.0 ? Cell(frame.wall_time / frame.time) : Cell();
     if (!frame.error) return {};
+    if (frame.error->of_itself) return column == 1 ? Cell(tr("reference")) : Cell();
     if (column == 1) return known(frame.error->position);
     if (column == 2) return known(frame.error->largest_position);
     return frame.error->matched > 0 ? Cell(frame.error->impact_time) : Cell();
@@ -82,7 +85,7 @@ class CompareModel : public FigureModel {
 }  // namespace
 
 CompareTable::CompareTable(const Theme& theme, QWidget* parent)
-    : FigureTable(new CompareModel({{"method", 210, true},
+    : FigureTable(new CompareModel({{"method", 240, true},
                                     {"error / m", 78, false, 3},
                                     {"largest / m", 84, false, 3},
                                     {"impacts / s", 84, false, 3},

@@ -29,7 +29,7 @@ CurveRow::CurveRow(const std::vector<Body>& bodies, QWidget* parent)
   away_->setStyleSheet("padding: 5px 0;");
   away_->setToolTip(tr("Take this curve away"));
   away_->setAccessibleName(away_->toolTip());
-  theory_->setPlaceholderText(tr("closed form in t, as 2*exp(-t/3); over another quantity also in x"));
+  theory_->setPlaceholderText(tr("closed form in t, as 2*exp(-t/3)"));
   theory_->setObjectName("theory");
   theory_->setAccessibleName(tr("Theory"));
   theory_->setToolTip(

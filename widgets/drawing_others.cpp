@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "widgets/number_text.h"
 #include "widgets/plotted_run.h"
@@ -13,6 +14,7 @@ constexpr double kDistanceWidth = 1.2;   // px
 constexpr double kLeastDistance = 3.0;   // px, shorter ones are left out
 constexpr double kLeastLabelled = 40.0;  // px
 constexpr int kMostLabelled = 3;         // moving bodies
+constexpr double kAtOnce = 1e-9;         // s
 const QColor kNoFill(0, 0, 0, 0);
 
 void add_outline(const Shape& shape, const Vec2& at, double angle, const QColor& color, Drawing& out) {
@@ -45,12 +47,14 @@ void add_other_runs(const DrawingInput& in, const WorldRect& seen, Drawing& out)
       if (is_immovable(body) || !there.q.col(i).allFinite()) continue;
       const Vec2 at = there.position(i);
       const Vec2 from = in.frame.state.position(i);
-      const double distance = (at - from).norm();
+      const double distance = from.allFinite() ? (at - from).norm() : 0.0;
       if (!seen.meets(at, bounding_radius(body.shape) + distance)) continue;
       add_outline(body.shape, at, there.q(2, i), color, out);
-      if (distance * in.camera.scale < kLeastDistance) continue;
+      if (!(distance * in.camera.scale >= kLeastDistance)) continue;
       out.segments.push_back({from, at, color, kDistanceWidth * in.options.line_scale});
-      if (moving > kMostLabelled || distance * in.camera.scale < kLeastLabelled) continue;
+      // Between steps of different lengths a distance would be one in time, too.
+      const bool at_once = std::abs(other.time - in.frame.time) < kAtOnce;
+      if (!at_once || moving > kMostLabelled || distance * in.camera.scale < kLeastLabelled) continue;
       out.labels.push_back({0.5 * (from + at), 3.0, figure(distance, 3) + " m", color});
     }
   }

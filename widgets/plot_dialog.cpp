@@ -96,6 +96,11 @@ void PlotDialog::check() {
     wrong = QString::fromUtf8(error.what());
   }
   message_->setText(wrong);
+  if (!wrong.isEmpty()) {
+    // The form keeps its height, whatever there is to say.
+    message_->setMinimumHeight(message_->heightForWidth(std::max(message_->width(), minimumWidth())));
+    adjustSize();
+  }
   ok_->setEnabled(wrong.isEmpty());
 }
 

@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -295,9 +296,11 @@ std::vector<PlotContent> PlotPanel::contents() const {
 void PlotPanel::update_from(const std::vector<PlottedRun>& runs) {
   const std::vector<PlottedRun> before = std::exchange(runs_, runs);
   bool same = before.size() == runs_.size();
-  for (std::size_t i = 0; i < std::min(before.size(), runs_.size()); ++i) {
-    runs_[i].shown = before[i].shown;
-    same = same && before[i].name == runs_[i].name;
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const auto known = std::find_if(before.begin(), before.end(),
+                                    [&](const PlottedRun& other) { return other.run() == runs_[i].run(); });
+    runs_[i].shown = known == before.end() || known->shown || runs_.size() == 1;
+    same = same && before[i].name == runs_[i].name && before[i].shown == runs_[i].shown;
   }
   if (!same) {
     show_legend();
@@ -319,6 +322,8 @@ void PlotPanel::show_legend() {
     });
   }
   for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const QSignalBlocker quiet(legend_buttons_[i]);
+    legend_buttons_[i]->setChecked(runs_[i].shown);
     legend_buttons_[i]->setText(runs_[i].name);
     legend_buttons_[i]->set_look(pen_of_run(i, theme_, 2.2), theme_.text);
   }

@@ -14,6 +14,7 @@ struct PlottedRun {
   std::shared_ptr<const Recorder> recorder;
   QString name;
   bool shown = true;
+  [[nodiscard]] std::uint64_t run() const { return recorder->run(); }
 };
 
 inline constexpr double kPlotLineWidth = 1.8;  // px

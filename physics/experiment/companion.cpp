@@ -19,9 +19,15 @@ int steps_of(const Method& reference, const Method& run) {
   return static_cast<int>(std::lround(run.step / reference.step));
 }
 
+// Infinite where one of the two has blown up.
+double apart(const Vec2& a, const Vec2& b) {
+  const double distance = (a - b).norm();
+  return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
+}
+
 double distance(const State& a, const State& b, const std::vector<int>& moving) {
   double largest = 0.0;
-  for (const int i : moving) largest = std::fmax(largest, (a.position(i) - b.position(i)).norm());
+  for (const int i : moving) largest = std::fmax(largest, apart(a.position(i), b.position(i)));
   return largest;
 }
 
@@ -89,8 +95,7 @@ Companion::Companion(const Scene& start, ReferenceId reference)
 void Companion::edit(const Edit& edit) {
   if (const auto* method = std::get_if<Method>(&edit.what)) {
     scene_.method = *method;
-    fine_.set_method(reference_for(scene_, *method, id_));
-    check_.set_method(less_refined(fine_.method(), contacts_last(*method, needs_of(scene_))));
+    take_methods();
   }
   if (const auto* body = std::get_if<Body>(&edit.what)) {
     scene_.bodies.push_back(*body);
@@ -98,8 +103,19 @@ void Companion::edit(const Edit& edit) {
     check_.add_body(*body);
     moving_ = moving_bodies(fine_.bodies());
     awaiting_.push_back(0);
+    take_methods();  // contacts may last now
+    length_ = std::fmax(length_, reach(fine_.state(), fine_.bodies(), moving_));
+    size_ = size_ > 0.0 ? size_ : length_;
+    if (!is_immovable(*body)) size_ = std::min(size_, bounding_radius(body->shape));
     energy_ = fine_.totals().energy();
   }
+}
+
+void Companion::take_methods() {
+  const Method fine = reference_for(scene_, scene_.method, id_);
+  const Method check = less_refined(fine, contacts_last(scene_.method, needs_of(scene_)));
+  if (!(fine == fine_.method())) fine_.set_method(fine);
+  if (!(check == check_.method())) check_.set_method(check);
 }
 
 void Companion::follow(const Simulation& run) {
@@ -118,6 +134,8 @@ void Companion::follow(const Simulation& run) {
       matcher_.add(ImpactMatcher::From::kRun, impact.a, impact.b, impact.time);
     }
     matcher_.give_up(run.time() - kPatience * run.method().step);
+  } else {
+    matcher_.give_all_up();
   }
   compare(run);
 }
@@ -131,20 +149,21 @@ void Companion::compare(const Simulation& run) {
   matcher_.mark(awaiting_);
   for (const int i : moving_) {
     if (awaiting_[static_cast<std::size_t>(i)] != 0) continue;
-    error_.position = std::fmax(error_.position, (ours.position(i) - theirs.position(i)).norm());
-    error_.velocity = std::fmax(error_.velocity, (ours.velocity(i) - theirs.velocity(i)).norm());
+    error_.position = std::fmax(error_.position, apart(ours.position(i), theirs.position(i)));
+    error_.velocity = std::fmax(error_.velocity, apart(ours.velocity(i), theirs.velocity(i)));
   }
   error_.energy = matcher_.awaits_any() ? kNone : std::abs(run.totals().energy() - energy_);
   error_.largest_position = std::fmax(error_.largest_position, error_.position);
   error_.impact_time = matcher_.largest_difference();
   error_.matched = matcher_.matched();
   error_.unmatched = matcher_.unmatched();
+  error_.of_itself = run.method() == fine_.method();
 
   constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-  const double apart = distance(theirs, check_.state(), moving_);
+  const double parted = distance(theirs, check_.state(), moving_);
   const bool like_rounding =
-      fine_.method().integrator == IntegratorId::kExactFlight && apart < kVisible * size_;
-  error_.uncertainty = std::fmax(like_rounding ? apart * kEpsilon / kDisplaced : apart, kEpsilon * length_);
+      fine_.method().integrator == IntegratorId::kExactFlight && parted < kVisible * size_;
+  error_.uncertainty = std::fmax(like_rounding ? parted * kEpsilon / kDisplaced : parted, kEpsilon * length_);
 }
 
 }  // namespace carom

@@ -37,9 +37,10 @@ struct RunError {
   double energy = std::numeric_limits<double>::quiet_NaN();    // J
   double largest_position = 0.0;                               // m, so far at the ends of steps
   double impact_time = 0.0;                                    // s, largest of the matched impacts
-  int matched = 0;                                             // impacts
-  int unmatched = 0;
+  std::int64_t matched = 0;                                    // impacts
+  std::int64_t unmatched = 0;
   double uncertainty = 0.0;  // m, the reference's own
+  bool of_itself = false;    // the run goes by the reference's own method: its errors tell nothing
 };
 
 // The reference of a run, which goes along with it: at the end of each of the run's steps it is there too.
@@ -63,9 +64,11 @@ class Companion {
   // At the run's present time.
   [[nodiscard]] ReferenceReading reading() const { return {fine_.state(), energy_, awaiting_}; }
   [[nodiscard]] const RunError& error() const { return error_; }
+  [[nodiscard]] ReferenceId id() const { return id_; }
 
  private:
   void compare(const Simulation& run);
+  void take_methods();
 
   Scene scene_;
   ReferenceId id_;

@@ -4,57 +4,79 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <limits>
+#include <unordered_map>
 #include <vector>
 
 namespace carom {
 
 // Tells of the impacts of two runs, as they come, which belong together: an impact of a pair of bodies belongs
-// to the oldest of that pair in the other run that still waits for its partner. Until it comes the two bodies'
-// velocities differ by as much as the impact changes them, whatever the order of the method. What has waited
-// too long has no partner.
+// to that of the pair in the other run which is the nearest in time of those that wait there; older ones have
+// no partner then. Until it comes the two bodies' velocities differ by as much as the impact changes them,
+// whatever the order of the method. What has waited too long has no partner either.
 class ImpactMatcher {
  public:
   enum class From { kRun, kReference };
 
   void add(From from, int a, int b, double time) {
-    const auto partner = std::find_if(waiting_.begin(), waiting_.end(),
-                                      [&](const Waiting& w) { return w.from != from && w.a == a && w.b == b; });
-    if (partner == waiting_.end()) {
-      waiting_.push_back({from, a, b, time});
+    Waiting& waiting = waiting_[key(a, b)];
+    if (waiting.times.empty() || waiting.from == from) {
+      waiting.from = from;
+      waiting.times.push_back(time);
       return;
     }
-    largest_difference_ = std::max(largest_difference_, std::abs(time - partner->time));
+    std::deque<double>& times = waiting.times;
+    while (times.size() > 1 && std::abs(times[1] - time) <= std::abs(times[0] - time)) {
+      times.pop_front();
+      ++unmatched_;
+    }
+    largest_difference_ = std::max(largest_difference_, std::abs(time - times.front()));
     ++matched_;
-    waiting_.erase(partner);
+    times.pop_front();
   }
   // Gives those up that wait since before `time`.
   void give_up(double time) {
-    unmatched_ += static_cast<int>(std::erase_if(waiting_, [time](const Waiting& w) { return w.time < time; }));
+    for (auto at = waiting_.begin(); at != waiting_.end();) {
+      std::deque<double>& times = at->second.times;
+      while (!times.empty() && times.front() < time) {
+        times.pop_front();
+        ++unmatched_;
+      }
+      at = times.empty() ? waiting_.erase(at) : std::next(at);
+    }
   }
+  void give_all_up() { give_up(std::numeric_limits<double>::infinity()); }
   // Sets to 1 which bodies had an impact in one of the two runs only, so far; the others to 0.
   void mark(std::vector<std::uint8_t>& awaiting) const {
     std::fill(awaiting.begin(), awaiting.end(), std::uint8_t{0});
-    for (const Waiting& w : waiting_) {
-      awaiting[static_cast<std::size_t>(w.a)] = 1;
-      awaiting[static_cast<std::size_t>(w.b)] = 1;
+    for (const auto& [pair, waiting] : waiting_) {
+      if (waiting.times.empty()) continue;
+      awaiting[static_cast<std::size_t>(pair >> 32U)] = 1;
+      awaiting[static_cast<std::size_t>(pair & 0xFFFFFFFFU)] = 1;
     }
   }
-  [[nodiscard]] bool awaits_any() const { return !waiting_.empty(); }
+  [[nodiscard]] bool awaits_any() const {
+    return std::any_of(waiting_.begin(), waiting_.end(), [](const auto& w) { return !w.second.times.empty(); });
+  }
 
-  [[nodiscard]] int matched() const { return matched_; }
-  [[nodiscard]] int unmatched() const { return unmatched_; }
+  [[nodiscard]] std::int64_t matched() const { return matched_; }
+  [[nodiscard]] std::int64_t unmatched() const { return unmatched_; }
   [[nodiscard]] double largest_difference() const { return largest_difference_; }  // s, of matched ones
 
  private:
+  // Of one pair, from one of the two runs, in the order of time.
   struct Waiting {
-    From from;
-    int a;
-    int b;
-    double time;
+    From from = From::kRun;
+    std::deque<double> times;  // s
   };
-  std::vector<Waiting> waiting_;
-  int matched_ = 0;
-  int unmatched_ = 0;
+  static std::uint64_t key(int a, int b) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U | static_cast<std::uint32_t>(b);
+  }
+
+  std::unordered_map<std::uint64_t, Waiting> waiting_;
+  std::int64_t matched_ = 0;
+  std::int64_t unmatched_ = 0;
   double largest_difference_ = 0.0;
 };
 

@@ -49,21 +49,22 @@ void Lane::edit(const std::variant<Method, Body>& what) {
 }
 
 void Lane::record(const std::vector<Curve>& curves, ReferenceId reference) {
-  const bool anew = std::exchange(reference_, reference) != reference;
+  reference_ = reference;
   curves_ = curves;
+  const bool anew = sampler_.reference() != reference;
   std::vector<Curve> missing;
+  std::vector<Curve> known;  // that the run goes on to be read for meanwhile
   for (const Curve& curve : curves) {
-    const std::vector<Curve>& known = sampler_.curves();
-    const bool is_known = std::find(known.begin(), known.end(), curve) != known.end();
-    const bool of_reference = curve.y.observable->is_error() || (curve.x && curve.x->observable->is_error());
-    if (!is_known || (anew && of_reference)) missing.push_back(curve);
+    const std::vector<Curve>& read = sampler_.curves();
+    const bool is_error = curve.y.observable->is_error() || (curve.x && curve.x->observable->is_error());
+    const bool is_known = std::find(read.begin(), read.end(), curve) != read.end() && !(anew && is_error);
+    (is_known ? known : missing).push_back(curve);
   }
   catch_up_.reset();
-  if (missing.empty() && !anew) {
-    rows_.push_back(sampler_.take());
-    sampler_.set_curves(curves);
-    return;
-  }
+  rows_.push_back(sampler_.take());
+  sampler_.set_curves(known);
+  if (missing.empty() && !anew) return;
+  if (anew) key_frames_ = {};
   Replay replay(log_->start);
   Sampler past = begin_sampler(replay.simulation(), missing, curves);
   catch_up_.emplace(CatchUp{std::move(replay), std::move(past)});

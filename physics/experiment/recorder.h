@@ -30,7 +30,8 @@ class Recorder {
   [[nodiscard]] const Ring<ImpactRecord>& impacts() const { return impacts_; }
   [[nodiscard]] const SpeedRecord& speeds() const { return speeds_; }
   [[nodiscard]] const Scales& scales() const { return scales_; }
-  [[nodiscard]] double time() const { return time_; }  // s, of the newest frame
+  [[nodiscard]] double time() const { return time_; }       // s, of the newest frame
+  [[nodiscard]] std::uint64_t run() const { return run_; }  // whose frames it has; 0: none yet
 
  private:
   void add(const Rows& rows);

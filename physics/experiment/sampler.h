@@ -55,6 +55,8 @@ class Sampler {
   [[nodiscard]] Rows take();
   [[nodiscard]] const std::vector<Curve>& curves() const { return *rows_.curves; }
   [[nodiscard]] const Scales& scales() const { return scales_; }
+  // What the run is compared with.
+  [[nodiscard]] ReferenceId reference() const { return companion_ ? companion_->id() : ReferenceId::kNone; }
   // Of a run that is compared, at its last step's end.
   [[nodiscard]] std::optional<RunError> error() const {
     return companion_ ? std::optional(companion_->error()) : std::nullopt;

@@ -65,6 +65,7 @@ struct Worker::Lab {
     alone.method = method;
     alone.compare.clear();
     runs.push_back({Lane(alone, curves, reference), ++ids});
+    give_bodies(runs.back());
     changed = true;
   }
   [[nodiscard]] Lane& first() { return runs.front().lane; }
@@ -186,7 +187,8 @@ void Worker::set_playing(bool playing, double until) {
   post([playing, until](Lab& lab) {
     lab.playing = playing;
     lab.full_speed = false;
-    lab.end = until >= lab.first().next() ? until : std::numeric_limits<double>::infinity();
+    const double rounding = kRounding * lab.first().simulation().method().step;
+    lab.end = until >= lab.first().next() - rounding ? until : std::numeric_limits<double>::infinity();
     lab.set_pace();
     lab.set_rate();
     lab.changed = true;
@@ -390,7 +392,7 @@ void Worker::work(const std::stop_token& stop, const Scene& first, const std::ve
     if (there && target >= lab.end) {
       lab.playing = false;
       lab.changed = true;
-    } else if (!lab.full_speed && (target - time) / lab.speed > kLargestLag) {
+    } else if (!there && !lab.full_speed && (target - time) / lab.speed > kLargestLag) {
       lab.set_pace();
     }
     if (const double wall = seconds(Clock::now() - lab.rate_wall); wall > 0.5) {

@@ -117,11 +117,15 @@ double largest_error(const Reading& r, const Distance& distance) {
   return most;
 }
 
+double finite_or_infinite(double value) {
+  return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
+}
+
 double position_error(const State& ours, const State& theirs, int body) {
-  return (ours.position(body) - theirs.position(body)).norm();
+  return finite_or_infinite((ours.position(body) - theirs.position(body)).norm());
 }
 double velocity_error(const State& ours, const State& theirs, int body) {
-  return (ours.velocity(body) - theirs.velocity(body)).norm();
+  return finite_or_infinite((ours.velocity(body) - theirs.velocity(body)).norm());
 }
 
 double energy_error(const Reading& r) {

@@ -348,11 +348,21 @@ void Tracks::lay_adaptive(Island& island) {
   const double most = island.end - island.start;
   if (island.next_step == 0.0) island.next_step = first_step(island);
   double h = std::min(island.next_step, most);
+  // Where rounding alone is far beyond the tolerance the run has blown up: a few steps, as they come.
+  constexpr double kFarBeyond = 1e3;
+  const double largest = kFarBeyond * tolerance_ / std::numeric_limits<double>::epsilon();
+  const auto members = members_of(island);
+  const bool lost = std::any_of(members.begin(), members.end(), [&](int i) {
+    return !(settled_.col(i).head<6>().cwiseAbs().maxCoeff() < largest) ||
+           !settled_.col(i).head<6>().allFinite();
+  });
+  constexpr double kFewSteps = 64.0;
+  if (lost) h = std::max(h, most / kFewSteps);
   while (true) {
     forget(island);
     const double error = error_of(island, island.start + h);
     const double next = next_adaptive_step(h, error, tolerance_);
-    const bool shortest = h < shortest_step(epoch_ + island.start);
+    const bool shortest = lost || !std::isfinite(error) || h < shortest_step(epoch_ + island.start);
     if (error <= tolerance_ || shortest) {
       if (!(error <= tolerance_) && tolerance_missed_since_ < 0.0)
         tolerance_missed_since_ = epoch_ + island.start;

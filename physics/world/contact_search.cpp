@@ -174,6 +174,9 @@ void Simulation::search(int a, int b) {
       parabolic ? (tracks_.constant_acceleration(b) - tracks_.constant_acceleration(a)).head<2>().norm()
                 : tracks_.bend(a) + tracks_.bend(b);
   const double bend = curvature(a, b, path_bend);
+  // A run that has blown up: its squares overflow, and no contact means anything any more.
+  constexpr double kBlownUp = 1e100;  // m/s²
+  if (!(bend < kBlownUp)) return;
   const TurningPair pair(
       shapes_.shapes, a, [&](double t) { return pose(a, t); }, b, [&](double t) { return pose(b, t); },
       path_bend);

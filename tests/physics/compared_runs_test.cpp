@@ -242,6 +242,87 @@ TEST(ComparedRuns, GiveAnImpactUpThatNeverComes) {
   EXPECT_EQ(matcher.largest_difference(), 0.25);
 }
 
+// Of bounces that follow one another ever faster the nearest ones belong together; what waits before them is
+// given up.
+TEST(ComparedRuns, MatchTheNearestImpacts) {
+  ImpactMatcher matcher;
+  for (const double time : {1.0, 1.1, 1.2, 2.0}) matcher.add(ImpactMatcher::From::kReference, 0, 1, time);
+  matcher.add(ImpactMatcher::From::kRun, 0, 1, 1.21);
+  EXPECT_EQ(matcher.matched(), 1);
+  EXPECT_EQ(matcher.unmatched(), 2);
+  EXPECT_NEAR(matcher.largest_difference(), 0.01, 1e-15);
+  EXPECT_TRUE(matcher.awaits_any()) << "2.0";
+}
+
+// Step by step at rest, as impacts at the step's end hold a ball, and the reference bounces on: errors are
+// known again.
+TEST(ComparedRuns, KnowErrorsAgainAtRest) {
+  Scene s = test::scene({disc("ball", {0.0, 0.6}, Vec2::Zero()), disc("floor", {0.0, 0.0}, Vec2::Zero())}, 0.5);
+  s.bodies[1].fixed = true;
+  s.bodies[1].mass.reset();
+  s.forces.gravity = {0.0, -9.81};
+  s.method = method(IntegratorId::kRk4, ImpactsId::kStepEnd, 0.005);
+  Worker worker(s);
+  worker.load(s, {}, ReferenceId::kExactFlight);
+  worker.run_until(4.0);
+  Window window(worker);
+  ASSERT_TRUE(window.wait_until_all_stand());
+  const RunError& end = *window.frames[0]->error;
+  EXPECT_FALSE(std::isnan(end.position));
+  EXPECT_LT(end.position, 0.01);
+  EXPECT_LT(end.impact_time, 0.05);
+}
+
+// Asked for once more while the run is still gone through again, the reference comes all the same.
+TEST(ComparedRuns, AskedTwiceTheReferenceComes) {
+  const Curve error = curve("position_error");
+  Worker worker(crowd(), {error});
+  worker.run_until(10.0);
+  Window window(worker);
+  ASSERT_TRUE(window.wait_until_all_stand());
+  worker.set_reference(ReferenceId::kRefined);
+  ASSERT_TRUE(window.wait([&] { return window.frames[0]->rows_known_until < window.frames[0]->time; }));
+  worker.set_reference(ReferenceId::kRefined);
+  worker.record({error});
+  ASSERT_TRUE(window.wait([&] { return window.frames[0]->error.has_value(); }));
+  const auto all = points(window.recorders[0], error);
+  ASSERT_FALSE(all.empty());
+  EXPECT_GT(all.back().at, 9.9);
+  EXPECT_LT(all.front().at, 0.1);
+}
+
+// A body that is there from the start is there from the start in a run that is added later, too.
+TEST(ComparedRuns, BodiesOfTheStartAreThereAtOnce) {
+  Worker worker(crowd());
+  worker.add_body(disc("new", {0.0, 0.3}, Vec2::Zero()));
+  worker.add_method(crowd().method);
+  worker.run_until(0.2);
+  Window window(worker);
+  ASSERT_TRUE(window.wait([&] { return window.frames.size() == 2 && window.frames[1]->time > 0.195; }));
+  EXPECT_TRUE(test::same_bytes(window.frames[0]->state, window.frames[1]->state));
+}
+
+// Explicit Euler on a spring too stiff for its step, up to infinity and beyond; the run goes on, also by
+// another method.
+TEST(ComparedRuns, ABlownUpRunGoesOn) {
+  for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
+    Scene s = test::scene({disc("disc", {1.0, 0.0}, Vec2::Zero()), disc("other", {5.0, 0.0}, Vec2::Zero())});
+    s.forces.springs.push_back({"", "disc", "", Vec2::Zero(), 1e4, 0.0, 0.0, SpringActs::kBoth});
+    s.bodies[0].mass = 1.0;
+    for (const int steps : {300, 900, 3000}) {
+      Simulation simulation([&] {
+        Scene euler = s;
+        euler.method = method(IntegratorId::kExplicitEuler, impacts, 0.01);
+        return euler;
+      }());
+      for (int i = 0; i < steps; ++i) simulation.step();
+      simulation.set_method(method(IntegratorId::kAdaptiveDormandPrince, impacts, 0.5));
+      for (int i = 0; i < 3; ++i) simulation.step();
+      EXPECT_GT(simulation.time(), 0.01 * steps + 1.4);
+    }
+  }
+}
+
 // Where neighbours part exponentially the reference says that it is lost.
 TEST(ComparedRuns, KnowHowFarTheReferenceIsToBeTrusted) {
   Scene s = crowd();

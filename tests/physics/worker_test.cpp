@@ -197,6 +197,16 @@ TEST(Worker, ChangesTheMethodAndTakesBodies) {
 }
 
 // The measured pace belongs to the time since playing began: not to a pause, nor to the run before.
+// A step that lasts longer than the lag that a slow machine is forgiven: it comes when it is due.
+TEST(Worker, PlaysStepsThatLast) {
+  Scene s = small_gas();
+  s.method.step = 0.2;
+  Worker worker(s);
+  Watcher watcher(worker);
+  worker.set_playing(true);
+  EXPECT_TRUE(watcher.wait([](const Frame& f) { return f.steps >= 3; }));
+}
+
 TEST(Worker, RealisedSpeedIsOfThisRun) {
   Worker worker(small_gas());
   Watcher watcher(worker);

@@ -321,18 +321,18 @@ TEST_F(PlotPanelTest, MarksAreRead) {
   const auto text = [&](int row, int column) { return table.model()->index(row, column).data().toString(); };
   EXPECT_EQ(text(0, 0), "time / s");
   EXPECT_EQ(text(1, 0), "Energy, kinetic / J");
-  EXPECT_EQ(text(1, 1), "4.5000");
-  EXPECT_EQ(text(1, 7), "4.500");
+  EXPECT_EQ(text(1, 1), "4.500");
+  EXPECT_EQ(text(1, 7), "4.50");
   EXPECT_EQ(text(4, 0), QString::fromUtf8("Momentum x of A / N·s"));
-  EXPECT_EQ(text(4, 1), "3.0000");
-  EXPECT_EQ(text(4, 2), QString::fromUtf8("−1.0000"));
-  EXPECT_EQ(text(4, 3), QString::fromUtf8("−4.0000"));
+  EXPECT_EQ(text(4, 1), "3.000");
+  EXPECT_EQ(text(4, 2), QString::fromUtf8("−1.000"));
+  EXPECT_EQ(text(4, 3), QString::fromUtf8("−4.000"));
   const double a = *panel.marks().a;
   const double b = *panel.marks().b;
   const double area = 3.0 * (0.2 - a) - 1.0 * (b - 0.2);
-  EXPECT_EQ(text(4, 4), figure(-4.0 / (b - a)));
-  EXPECT_EQ(text(4, 5), figure(area));
-  EXPECT_EQ(text(4, 6), figure(area / (b - a)));
+  EXPECT_EQ(text(4, 4), figure(-4.0 / (b - a), 3));
+  EXPECT_EQ(text(4, 5), figure(area, 3));
+  EXPECT_EQ(text(4, 6), figure(area / (b - a), 3));
   QTest::keyClick(&panel, Qt::Key_Escape);
   EXPECT_FALSE(panel.marks().a || panel.marks().b);
 }
