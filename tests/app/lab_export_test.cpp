@@ -7,11 +7,13 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
 #include <qwt_plot.h>
@@ -60,11 +62,17 @@ class LabExportTest : public testing::Test {
     QApplication::sendEvent(panel_, &event);
     for (QMenu* menu : panel_->findChildren<QMenu*>()) {
       if (menu == panel_->menu() || !menu->isVisible()) continue;
-      for (QAction* action : menu->actions()) {
-        if (action->text().remove('&') == text) action->trigger();
-      }
-      menu->close();
+      const QList<QAction*> actions = menu->actions();
+      const auto found = std::find_if(actions.begin(), actions.end(),
+                                      [&](const QAction* a) { return a->text().remove('&') == text; });
+      ASSERT_NE(found, actions.end());
+      // What takes long looks at events meanwhile, among them the end of the menu.
+      const QPointer<QMenu> open(menu);
+      (*found)->trigger();
+      if (open) open->close();
+      return;
     }
+    FAIL() << "no menu";
   }
   [[nodiscard]] static QStringList clipboard_lines() {
     return QGuiApplication::clipboard()->text().trimmed().split('\n');
