@@ -81,6 +81,7 @@ QGroupBox::title { subcontrol-origin: margin; left: 10px; padding: 0 4px; color:
 QPushButton { background: %2; border: 1px solid %3; border-radius: 6px; padding: 5px 14px; }
 QPushButton:hover, QPushButton:focus { border-color: %6; }
 QPushButton:default { background: %6; color: %2; border-color: %6; }
+QPushButton:disabled, QPushButton:default:disabled { background: %1; color: %5; border-color: %3; }
 QListView, QTreeView, QTableView, QTextBrowser { background: %2; border: none; outline: none;
   selection-background-color: %7; selection-color: %4; alternate-background-color: %2; gridline-color: %3; }
 QHeaderView { background: %2; }

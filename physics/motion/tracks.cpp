@@ -278,7 +278,9 @@ void Tracks::lay(int k, double horizon, double reach) {
   forget(island);
   island.end = horizon;
   // Where no step ends the track, its path's length does.
-  if (!(horizon < kForever)) island.end = island.start + time_to_end(island, reach);
+  if (!(horizon < kForever)) {
+    island.end = island.start + (adaptive_ && is_lost(island) ? kLongestTrack : time_to_end(island, reach));
+  }
   if (field_.has_breaks()) {
     for (const int i : members_of(island))
       island.end = std::min(island.end, field_.next_break(i, epoch_ + island.start) - epoch_);
@@ -343,26 +345,31 @@ double Tracks::first_step(const Island& island) {
   return std::pow(tolerance_, 0.2) * time;
 }
 
+// Rounding alone is far beyond the tolerance: the run has blown up, and goes on in whole tracks, as they come.
+bool Tracks::is_lost(const Island& island) const {
+  constexpr double kFarBeyond = 1e3;
+  const double largest = kFarBeyond * tolerance_ / std::numeric_limits<double>::epsilon();
+  const auto members = members_of(island);
+  return std::any_of(members.begin(), members.end(), [&](int i) {
+    const auto moved = settled_.col(i).head<6>();
+    return !moved.allFinite() || moved.cwiseAbs().maxCoeff() > largest;
+  });
+}
+
 // Shortens the track to one step whose error estimate keeps the tolerance.
 void Tracks::lay_adaptive(Island& island) {
   const double most = island.end - island.start;
   if (island.next_step == 0.0) island.next_step = first_step(island);
   double h = std::min(island.next_step, most);
-  // Where rounding alone is far beyond the tolerance the run has blown up: a few steps, as they come.
-  constexpr double kFarBeyond = 1e3;
-  const double largest = kFarBeyond * tolerance_ / std::numeric_limits<double>::epsilon();
-  const auto members = members_of(island);
-  const bool lost = std::any_of(members.begin(), members.end(), [&](int i) {
-    return !(settled_.col(i).head<6>().cwiseAbs().maxCoeff() < largest) ||
-           !settled_.col(i).head<6>().allFinite();
-  });
-  constexpr double kFewSteps = 64.0;
-  if (lost) h = std::max(h, most / kFewSteps);
+  if (is_lost(island)) {
+    if (tolerance_missed_since_ < 0.0) tolerance_missed_since_ = epoch_ + island.start;
+    return;
+  }
   while (true) {
     forget(island);
     const double error = error_of(island, island.start + h);
     const double next = next_adaptive_step(h, error, tolerance_);
-    const bool shortest = lost || !std::isfinite(error) || h < shortest_step(epoch_ + island.start);
+    const bool shortest = !std::isfinite(error) || h < shortest_step(epoch_ + island.start);
     if (error <= tolerance_ || shortest) {
       if (!(error <= tolerance_) && tolerance_missed_since_ < 0.0)
         tolerance_missed_since_ = epoch_ + island.start;

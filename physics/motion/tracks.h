@@ -167,6 +167,7 @@ class Tracks {
   [[nodiscard]] bool outruns_links(const Island& island);
   double error_of(const Island& island, double time);
   [[nodiscard]] double first_step(const Island& island);
+  [[nodiscard]] bool is_lost(const Island& island) const;
   void lay_adaptive(Island& island);
   void find_switch(Island& island);
   // Switches are the springs, by their indices, and then the links, of which strings switch.
