@@ -1,0 +1,35 @@
+#include <array>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <string_view>
+
+#include "tests/fuzz/targets.h"
+#include "tests/physics/preset_files.h"
+
+namespace carom::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Target {
+  std::string_view name;
+  void (*attempt)(std::string_view bytes);
+};
+
+// Of every target of targets.h.
+constexpr auto kTargets = std::to_array<Target>({{"preset", try_preset}});
+
+// What fuzzers have found stays mended.
+TEST(FuzzersFinds, BreakNothing) {
+  for (const Target& target : kTargets) {
+    const fs::path folder = fs::path(CAROM_FUZZ_DIR) / "found" / target.name;
+    if (!fs::exists(folder)) continue;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      SCOPED_TRACE(entry.path().string());
+      EXPECT_NO_THROW(target.attempt(test::content(entry.path())));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace carom::fuzz
