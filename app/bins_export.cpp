@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "app/run_files.h"
+#include "physics/files/output_file.h"
 
 namespace carom {
 
@@ -37,9 +38,9 @@ std::vector<std::string> bins_table(const std::vector<ShownBins>& shown, const s
 }
 
 void export_bins(const std::vector<ShownBins>& shown, const std::string& unit, const std::string& file) {
-  TextFile out(file);
+  OutputFile out(file);
   for (const std::string& line : bins_table(shown, unit, ',')) out.line(line);
-  out.finish();
+  out.commit();
 }
 
 }  // namespace carom

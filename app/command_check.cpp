@@ -2,13 +2,14 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <memory>
 
 #include "app/commands.h"
 #include "app/count_progress.h"
 #include "app/preset_library.h"
 #include "app/run_files.h"
+#include "app/standard_output.h"
 #include "app/text_table.h"
+#include "physics/files/output_set.h"
 #include "physics/measure/parallel.h"
 #include "physics/preset/check.h"
 #include "physics/preset/preset.h"
@@ -19,6 +20,7 @@ namespace carom {
 namespace {
 
 struct CheckedPreset {
+  std::filesystem::path file;
   std::string name;
   Scene scene;
   ExpectationCheck check;
@@ -99,7 +101,7 @@ std::vector<CheckedPreset> read_presets(const CheckOptions& options) {
     Scene scene = read_scene(file, options);
     try {
       ExpectationCheck check(scene);
-      presets.push_back({file.stem().string(), std::move(scene), std::move(check)});
+      presets.push_back({file, file.stem().string(), std::move(scene), std::move(check)});
     } catch (const SceneError& error) {
       throw SceneError(fmt::format("{}: {}", file.string(), error.what()));
     }
@@ -128,11 +130,11 @@ void run_all(std::vector<CheckedPreset>& presets) {
 
 int check_command(const CheckOptions& options) {
   std::vector<CheckedPreset> presets = read_presets(options);
-  std::unique_ptr<TextFile> csv;
-  if (!options.csv.empty()) {
-    csv = std::make_unique<TextFile>(options.csv);
-    csv->line("preset,expectation,measured,expected,error,tolerance,verdict");
-  }
+  std::vector<std::filesystem::path> files;
+  for (const CheckedPreset& p : presets) files.push_back(p.file);
+  OutputSet outputs(files);
+  OutputFile* csv = outputs.open(options.csv);
+  if (csv != nullptr) csv->line("preset,expectation,measured,expected,error,tolerance,verdict");
   run_all(presets);
 
   std::vector<Row> rows = {{"preset", "expectation", "measured", "expected", "error", "tolerance", "verdict"}};
@@ -152,10 +154,11 @@ int check_command(const CheckOptions& options) {
       }
     }
   }
-  if (csv != nullptr) csv->finish();
+  const std::string failures = outputs.commit();
   print_rows(rows);
-  fmt::print("\n{} of {} expectations of {} preset{} are met.\n", good, all, presets.size(),
-             presets.size() == 1 ? "" : "s");
+  print_out("\n{} of {} expectations of {} preset{} are met.\n", good, all, presets.size(),
+            presets.size() == 1 ? "" : "s");
+  if (!failures.empty()) throw SceneError(failures);
   return good == all ? kGood : kFellShort;
 }
 

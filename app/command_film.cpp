@@ -1,10 +1,13 @@
 #include <QApplication>
-#include <fmt/format.h>
+#include <optional>
 
 #include "app/commands.h"
 #include "app/count_progress.h"
 #include "app/film.h"
 #include "app/no_screen.h"
+#include "app/preset_library.h"
+#include "app/standard_output.h"
+#include "physics/scene/validate.h"
 
 namespace carom {
 
@@ -26,15 +29,19 @@ int film_command(int& argc, char** argv, const FilmOptions& options) {
   const std::optional<View>& view = scene.view;
   film.look = scene_look({}, view, {}, theme, film.pixels);
   film.whole = !view;
+  std::optional<FilmFrames> frames;
   {
     CountProgress progress(100, "%");
-    (void)save_film(film, QString::fromStdString(options.output), options.replace, [&](double share) {
+    frames = save_film(film, options.output, options.replace, {find_preset(options.preset)}, [&](double share) {
       progress.reach(static_cast<int>(100.0 * share));
       return true;
     });
   }
-  fmt::print("{} frames in {}; there, this makes a film of them:\n{}\n", count, options.output,
-             encoder_line(film, count).toStdString());
+  if (!frames)
+    throw SceneError(options.preset + ": there is nothing to film; allowed: a preset with bodies or a view");
+  for (const std::string& line : remarks(*frames)) print_out("{}\n", line);
+  print_out("{} frames in {}; there, this makes a film of them:\n{}\n", count, options.output,
+            encoder_line(film, count).toStdString());
   return kGood;
 }
 

@@ -1,4 +1,5 @@
 #include <QApplication>
+#include <QBuffer>
 #include <QDir>
 #include <QFileInfo>
 #include <array>
@@ -9,8 +10,11 @@
 #include "app/lab_window.h"
 #include "app/no_screen.h"
 #include "app/preset_library.h"
+#include "app/standard_output.h"
 #include "physics/experiment/run_moments.h"
+#include "physics/files/output_set.h"
 #include "physics/preset/preset.h"
+#include "widgets/save_file.h"
 #include "widgets/scene_export.h"
 #include "widgets/scene_view.h"
 
@@ -32,19 +36,20 @@ QSize size_of(const PictureOptions& options) {
   return {options.width > 0 ? options.width : kWidth, options.height > 0 ? options.height : kHeight};
 }
 
-// The whole window at one moment of a run. Throws SceneError if the file cannot be written.
-void save_window_picture(const Scene& scene, const QString& name, double time, const PictureOptions& options,
-                         const Theme& theme) {
+// The whole window at one moment of a run, as the bytes of a PNG file.
+QByteArray window_picture(const Scene& scene, const QString& name, double time, const PictureOptions& options,
+                          const Theme& theme) {
   LabWindow window(theme);
   window.resize(size_of(options));
   window.show_scene(scene, name, {});
   window.show();
   window.run_until(time);
   for (int i = 0; i < 5; ++i) QApplication::processEvents();
-  if (!window.grab().save(QString::fromStdString(options.output), "PNG")) {
-    throw SceneError(fmt::format("{}: the picture cannot be written; allowed: a place with the right to write",
-                                 options.output));
-  }
+  QBuffer bytes;
+  bytes.open(QIODevice::WriteOnly);
+  if (!window.grab().save(&bytes, "PNG"))
+    throw SceneError(fmt::format("{}: the picture could not be made", options.output));
+  return bytes.data();
 }
 
 Frame frame_at(const Scene& scene, double time) {
@@ -72,19 +77,19 @@ int picture_command(int& argc, char** argv, const PictureOptions& options) {
     throw SceneError(fmt::format("{}: not a kind of picture; allowed: .png, .svg, .pdf", options.output));
   }
   const double time = options.at.value_or(scene.duration);
+  OutputSet outputs({find_preset(options.preset)});
+  OutputFile& file = *outputs.open(options.output);
   use_no_screen();
   QApplication application(argc, argv);
   const Theme& theme = options.dark ? dark_theme() : light_theme();
   apply_theme(application, theme);
   if (options.window) {
-    save_window_picture(scene, QString::fromStdString(find_preset(options.preset).stem().string()), time,
-                        options, theme);
-    return kGood;
+    const QString name = QString::fromStdString(find_preset(options.preset).stem().string());
+    write_bytes(file, window_picture(scene, name, time, options, theme));
+  } else {
+    write_scene_picture(file, frame_at(scene, time), scene.view, {}, theme, size_of(options));
   }
-  QString error;
-  if (!save_scene_picture(frame_at(scene, time), scene.view, {}, theme, size_of(options), output, &error)) {
-    throw SceneError(error.toStdString());
-  }
+  file.commit();
   return kGood;
 }
 
@@ -92,7 +97,7 @@ int lab_command(int& argc, char** argv, const std::string& preset) {
   const std::string wanted = preset.empty() ? kDefaultExperiment : preset;
   (void)read_preset(find_preset(wanted));  // a bad file is told on the terminal, before anything else
   if (!has_display()) {
-    fmt::print("There is no display: the experiment is run instead of the lab.\n\n");
+    print_out("There is no display: the experiment is run instead of the lab.\n\n");
     RunOptions run;
     run.preset = wanted;
     run_command(run);
@@ -101,7 +106,7 @@ int lab_command(int& argc, char** argv, const std::string& preset) {
     picture.window = true;
     picture.output = QDir::current().filePath("carom-lab.png").toStdString();
     picture_command(argc, argv, picture);
-    fmt::print("\npicture of the lab: {}\n", picture.output);
+    print_out("\npicture of the lab: {}\n", picture.output);
     return kGood;
   }
   QApplication application(argc, argv);

@@ -8,8 +8,10 @@
 #include <exception>
 #include <fmt/format.h>
 #include <map>
+#include <sstream>
 
 #include "app/commands.h"
+#include "app/standard_output.h"
 #include "physics/motion/integrators.h"
 #include "physics/scene/validate.h"
 
@@ -171,12 +173,10 @@ void print_error(const std::string& line) {
   for (char& c : one) {
     if (c == '\n') c = ' ';
   }
-  fmt::print(stderr, "carom: {}\n", one);
+  write_err(fmt::format("carom: {}\n", one));
 }
 
-}  // namespace
-
-int run_program(int argc, char** argv) {
+int run_command_line(int argc, char** argv) {
   CLI::App program{
       "Carom: a lab for two-dimensional rigid-body collisions.\n"
       "Without a command it opens the lab; where there is no display it runs the experiment instead."};
@@ -279,7 +279,12 @@ int run_program(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(error);
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      std::ostringstream text;
+      const int code = program.exit(error, text, text);
+      write_out(text.str());
+      return code;
+    }
     print_error(std::string(error.what()) + "; see carom --help");
     return kBadInput;
   }
@@ -312,6 +317,16 @@ int run_program(int argc, char** argv) {
     print_error("there is not enough memory for this");
     return kBadInput;
   }
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  const int code = run_command_line(argc, argv);
+  const std::optional<std::string> failure = finish_stdout();
+  if (!failure) return code;
+  if (!failure->empty() && code != kBadInput) print_error(*failure);  // else a line is said already
+  return kBadInput;
 }
 
 }  // namespace carom

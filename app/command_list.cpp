@@ -3,6 +3,7 @@
 
 #include "app/commands.h"
 #include "app/preset_library.h"
+#include "app/standard_output.h"
 #include "physics/preset/preset.h"
 
 namespace carom {
@@ -19,12 +20,12 @@ int list_command() {
   std::string topic;
   for (const LibraryEntry& entry : library) {
     if (entry.topic != topic) {
-      fmt::print("{}{}\n", topic.empty() ? "" : "\n", entry.topic);
+      print_out("{}{}\n", topic.empty() ? "" : "\n", entry.topic);
       topic = entry.topic;
     }
     const Scene scene = read_preset(entry.file);
-    fmt::print("  {:<{}}  {}{}{}\n", entry.name, widest, scene.title, scene.observe.empty() ? "" : ": ",
-               scene.observe);
+    print_out("  {:<{}}  {}{}{}\n", entry.name, widest, scene.title, scene.observe.empty() ? "" : ": ",
+              scene.observe);
   }
   return kGood;
 }

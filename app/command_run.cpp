@@ -1,12 +1,13 @@
 #include <chrono>
 #include <fmt/format.h>
-#include <memory>
 #include <unistd.h>
 
 #include "app/commands.h"
 #include "app/preset_library.h"
 #include "app/run_files.h"
 #include "app/run_report.h"
+#include "app/standard_output.h"
+#include "physics/files/output_set.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/needs.h"
 
@@ -22,11 +23,11 @@ class Progress {
     const auto now = std::chrono::steady_clock::now();
     if (now - last_ < std::chrono::milliseconds(200)) return;
     last_ = now;
-    fmt::print(stderr, "\rt = {:.3f} of {:.3f} s ", time, end_);
+    write_err(fmt::format("\rt = {:.3f} of {:.3f} s ", time, end_));
     shown_ = true;
   }
   ~Progress() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) write_err("\r\033[K");
   }
 
  private:
@@ -81,17 +82,16 @@ int run_command(const RunOptions& options) {
   Simulation simulation = start;
 
   const std::vector<Quantity> columns = run_columns(simulation.bodies());
-  std::unique_ptr<TextFile> csv;
-  std::unique_ptr<TextFile> events;
-  if (!options.csv.empty()) {
-    csv = std::make_unique<TextFile>(options.csv);
+  // Opened first: hours of work must not end at a file that cannot be written.
+  OutputSet outputs({find_preset(options.preset)});
+  OutputFile* csv = outputs.open(options.csv);
+  OutputFile* events = outputs.open(options.events);
+  OutputFile* save = outputs.open(options.save);
+  if (csv != nullptr) {
     csv->line(csv_header(columns, simulation.bodies()));
     csv->line(csv_line(columns, simulation));
   }
-  if (!options.events.empty()) {
-    events = std::make_unique<TextFile>(options.events);
-    events->line(events_csv_header());
-  }
+  if (events != nullptr) events->line(events_csv_header());
   const double end = options.until.value_or(scene.duration);
   {
     Progress progress(end);
@@ -104,11 +104,11 @@ int run_command(const RunOptions& options) {
       progress.show(simulation.time());
     });
   }
-  if (csv != nullptr) csv->finish();
-  if (events != nullptr) events->finish();
-  if (!options.save.empty()) save_preset(scene_at(scene, simulation), options.save);
-  fmt::print("{}", options.json ? report_json(find_preset(options.preset).stem().string(), simulation)
-                                : report_text(scene, start, simulation));
+  if (save != nullptr) save->write(write_preset(scene_at(scene, simulation)));
+  const std::string failures = outputs.commit();
+  write_out(options.json ? report_json(find_preset(options.preset).stem().string(), simulation)
+                         : report_text(scene, start, simulation));
+  if (!failures.empty()) throw SceneError(failures);
   return kGood;
 }
 

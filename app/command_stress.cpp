@@ -1,14 +1,15 @@
 #include <array>
 #include <fmt/format.h>
-#include <memory>
 
 #include "app/commands.h"
 #include "app/count_progress.h"
-#include "app/run_files.h"
+#include "app/standard_output.h"
 #include "app/text_table.h"
+#include "physics/files/output_set.h"
 #include "physics/measure/parallel.h"
 #include "physics/measure/stress_page.h"
 #include "physics/measure/stress_table.h"
+#include "physics/scene/validate.h"
 
 namespace carom {
 namespace {
@@ -30,10 +31,9 @@ void print_lines(const std::vector<StressLine>& lines) {
 int stress_command(const StressOptions& options) {
   const std::vector<StressCase> cases = stress_cases(options.cases);
   // Opened first: minutes of work must not end at a file that cannot be written.
-  std::unique_ptr<TextFile> csv;
-  std::unique_ptr<TextFile> page;
-  if (!options.csv.empty()) csv = std::make_unique<TextFile>(options.csv);
-  if (!options.page.empty()) page = std::make_unique<TextFile>(options.page);
+  OutputSet outputs;
+  OutputFile* csv = outputs.open(options.csv);
+  OutputFile* page = outputs.open(options.page);
   StressSuite suite(cases, options.longer);
   {
     CountProgress progress(suite.runs());
@@ -43,16 +43,17 @@ int stress_command(const StressOptions& options) {
     });
   }
   const std::vector<StressRow> rows = suite.rows();
-  const auto write = [](TextFile* file, const std::vector<std::string>& lines) {
+  const auto write = [](OutputFile* file, const std::vector<std::string>& lines) {
     if (file == nullptr) return;
     for (const std::string& line : lines) file->line(line);
-    file->finish();
   };
-  write(csv.get(), stress_csv(rows));
-  write(page.get(), stress_page(cases, rows));
+  write(csv, stress_csv(rows));
+  write(page, stress_page(cases, rows));
+  const std::string failures = outputs.commit();
   print_lines(stress_lines(rows));
   const StressCount count = count_of(rows);
-  fmt::print("\n{}\n", count_text(count));
+  print_out("\n{}\n", count_text(count));
+  if (!failures.empty()) throw SceneError(failures);
   return count.within == count.bounded ? kGood : kFellShort;
 }
 

@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
-#include <memory>
 #include <unistd.h>
 
 #include "app/commands.h"
 #include "app/no_screen.h"
 #include "app/preset_library.h"
-#include "app/run_files.h"
+#include "app/standard_output.h"
+#include "physics/files/output_set.h"
 #include "physics/measure/study_text.h"
 #include "physics/preset/preset.h"
 #include "widgets/picture_file.h"
@@ -30,14 +30,14 @@ class StudyProgressLine {
     last_ = now;
     stage_ = stage;
     if (of > 1) {
-      fmt::print(stderr, "\r\033[K{}: {} of {}", stage, done, of);
+      write_err(fmt::format("\r\033[K{}: {} of {}", stage, done, of));
     } else {
-      fmt::print(stderr, "\r\033[K{} ...", stage);
+      write_err(fmt::format("\r\033[K{} ...", stage));
     }
     shown_ = true;
   }
   ~StudyProgressLine() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) write_err("\r\033[K");
   }
 
  private:
@@ -75,32 +75,40 @@ int study_command(int& argc, char** argv, const StudyCommandOptions& options) {
     }
   }
   StudyTable table;
-  // Opened first: hours of work must not end at a file that cannot be written.
-  std::unique_ptr<TextFile> csv;
-  if (!options.merge.empty()) {
+  const bool merge = !options.merge.empty();
+  const std::filesystem::path file = merge ? std::filesystem::path() : find_preset(options.preset);
+  // Opened before the work: hours of it must not end at a file that cannot be written.
+  OutputSet outputs(merge ? std::vector<std::filesystem::path>(options.merge.begin(), options.merge.end())
+                          : std::vector{file});
+  OutputFile* csv = nullptr;
+  OutputFile* picture = nullptr;
+  const auto open_outputs = [&] {
+    csv = outputs.open(options.csv);
+    picture = outputs.open(options.plot);
+  };
+  if (merge) {
     table = merged(options.merge);
+    open_outputs();
   } else {
-    const std::filesystem::path file = find_preset(options.preset);
     const Scene scene = read_preset(file);
     (void)plan_methods(scene, options.study);
-    if (!options.csv.empty()) csv = std::make_unique<TextFile>(options.csv);
+    open_outputs();
     StudyProgressLine line;
     StudyWatch watch;
     watch.progress = [&line](std::string_view stage, int done, int of) { line.show(stage, done, of); };
     table = run_study(scene, file.stem().string(), options.study, watch);
   }
-  if (!options.csv.empty()) {
-    if (csv == nullptr) csv = std::make_unique<TextFile>(options.csv);
+  if (csv != nullptr) {
     for (const std::string& line : study_csv(table)) csv->line(line);
-    csv->finish();
   }
-  if (!options.plot.empty()) {
+  if (picture != nullptr) {
     use_no_screen();
     const QApplication application(argc, argv);
-    QString error;
-    if (!save_study_picture(table, light_theme(), plot, &error)) throw SceneError(error.toStdString());
+    write_study_picture(*picture, table, light_theme());
   }
-  fmt::print("{}", study_text(table));
+  const std::string failures = outputs.commit();
+  write_out(study_text(table));
+  if (!failures.empty()) throw SceneError(failures);
   return kGood;
 }
 

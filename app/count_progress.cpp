@@ -1,9 +1,10 @@
 #include "app/count_progress.h"
 
-#include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
 #include <utility>
+
+#include "app/standard_output.h"
 
 namespace carom {
 
@@ -13,7 +14,7 @@ CountProgress::CountProgress(int all, const char* what)
 }
 
 CountProgress::~CountProgress() {
-  if (terminal_) fmt::print(stderr, "\r\033[K");
+  if (terminal_) write_err("\r\033[K");
 }
 
 void CountProgress::one_more() {
@@ -28,7 +29,7 @@ void CountProgress::reach(int done) {
 }
 
 void CountProgress::show() const {
-  if (terminal_) fmt::print(stderr, "\r{} of {} {} ", done_, all_, what_);
+  if (terminal_) write_err(fmt::format("\r{} of {} {} ", done_, all_, what_));
 }
 
 }  // namespace carom

@@ -1,59 +1,117 @@
 #include "app/film.h"
 
-#include <QDir>
+#include <QBuffer>
 #include <QImage>
+#include <QImageReader>
 #include <QPainter>
-#include <QRegularExpression>
-#include <QTemporaryDir>
+#include <algorithm>
 #include <cmath>
+#include <deque>
 #include <fmt/format.h>
-#include <memory>
+#include <regex>
+#include <set>
+#include <system_error>
 
 #include "physics/experiment/run_moments.h"
+#include "physics/files/output_set.h"
 #include "physics/scene/validate.h"
+#include "widgets/save_file.h"
 
 namespace carom {
 namespace {
 
 constexpr double kMargin = 40.0;  // px about what is shown whole
 
-[[noreturn]] void fail(const QString& folder, const char* why) {
-  throw SceneError(fmt::format("{}: {}", folder.toStdString(), why));
+namespace fs = std::filesystem;
+
+// The text in a frame's file that tells whose it is.
+constexpr const char* kMarkName = "Software";
+constexpr const char* kMark = "Carom film";
+
+bool is_frame_of_carom(const fs::path& file) {
+  return QImageReader(QString::fromStdString(file.string())).text(kMarkName) == kMark;
 }
 
-// A folder of its own beside the frames' place. What was made for it goes if the frames don't come.
-class Workshop {
+// A folder with those above it, as far as they are not there; they go again unless keep() is called.
+class MadeFolders {
  public:
-  explicit Workshop(const QString& folder) : folder_(folder), was_there_(QDir(folder).exists()) {
-    if (QDir().mkpath(folder)) place_ = std::make_unique<QTemporaryDir>(folder + "/frames-XXXXXX");
-    if (place_ == nullptr || !place_->isValid()) {
-      forget();
-      fail(folder, "no frames can be written there; allowed: a folder with the right to write");
+  explicit MadeFolders(const fs::path& folder) {
+    std::vector<fs::path> missing;
+    fs::path next = fs::absolute(folder).lexically_normal();
+    if (next.filename().empty()) next = next.parent_path();
+    for (std::error_code error; !fs::exists(next, error) && next != next.root_path(); next = next.parent_path())
+      missing.push_back(next);
+    try {
+      for (; !missing.empty(); missing.pop_back()) made_.emplace_back(missing.back());
+    } catch (const std::system_error& error) {
+      undo();
+      refuse_output(folder.string(), fmt::format("the folder cannot be made ({})", error.code().message()),
+                    "a place with the right to write");
     }
+    if (std::error_code error; !fs::is_directory(folder, error))
+      refuse_output(folder.string(), "this is not a folder", "a folder, also a new one");
   }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-  ~Workshop() {
-    if (!done_) forget();
-  }
-  [[nodiscard]] QString path(const QString& name) const { return place_->filePath(name); }
-  void finish() {
-    for (const QString& old : frames_in(folder_)) QFile::remove(folder_ + "/" + old);
-    for (const QString& name : frames_in(place_->path())) {
-      if (!QFile::rename(path(name), folder_ + "/" + name)) fail(folder_, "the frames could not be put there");
-    }
-    done_ = true;
+  MadeFolders(const MadeFolders&) = delete;
+  MadeFolders& operator=(const MadeFolders&) = delete;
+  ~MadeFolders() { undo(); }
+  void keep() {
+    for (TemporaryFolder& folder : made_) folder.keep();
   }
 
  private:
-  void forget() {
-    place_.reset();
-    if (!was_there_) QDir().rmdir(folder_);
+  void undo() {
+    while (!made_.empty()) made_.pop_back();
   }
-  QString folder_;
-  bool was_there_;
-  bool done_ = false;
-  std::unique_ptr<QTemporaryDir> place_;
+  std::vector<TemporaryFolder> made_;
+};
+
+// All frames of a film, none in its place before the last is whole.
+class FrameFiles {
+ public:
+  // Asks for all places, and opens the first, before any work is done.
+  FrameFiles(const fs::path& folder, int count, const std::vector<fs::path>& inputs)
+      : folder_(folder), made_(folder), outputs_(inputs) {
+    for (int k = 1; k <= count; ++k) {
+      const std::string name = frame_name(k, count).toStdString();
+      names_.insert(name);
+      places_.push_back(outputs_.reserve((folder / name).string()));
+    }
+    open_next();
+  }
+  void write(const QImage& image) {
+    QBuffer bytes;
+    bytes.open(QIODevice::WriteOnly);
+    if (!image.save(&bytes, "PNG"))
+      throw SceneError(fmt::format("{}: the picture could not be made", frames_.back().name()));
+    write_bytes(frames_.back(), bytes.data());
+    frames_.back().finish();
+    if (frames_.size() < places_.size()) open_next();
+  }
+  FilmFrames commit() {
+    FilmFrames done;
+    for (OutputFile& frame : frames_) frame.commit();
+    made_.keep();
+    done.written = static_cast<int>(frames_.size());
+    for (const std::string& name : frames_in(folder_)) {
+      if (names_.contains(name)) continue;
+      std::error_code error;
+      if (is_frame_of_carom(folder_ / name) && fs::remove(folder_ / name, error)) {
+        ++done.removed;
+      } else {
+        done.other.push_back(name);
+      }
+    }
+    return done;
+  }
+
+ private:
+  void open_next() { frames_.emplace_back(std::move(places_[frames_.size()])); }
+  fs::path folder_;
+  MadeFolders made_;
+  OutputSet outputs_;
+  std::set<std::string> names_;
+  std::vector<OutputPlace> places_;
+  std::deque<OutputFile> frames_;
 };
 
 // What all frames show: nothing of the run is out of the picture.
@@ -96,9 +154,16 @@ QString frame_name(int number, int count) {
   return QString("frame-%1.png").arg(number, digits, 10, QChar('0'));
 }
 
-QStringList frames_in(const QString& folder) {
-  static const QRegularExpression name("^frame-\\d{4,}\\.png$");
-  return QDir(folder).entryList(QDir::Files, QDir::Name).filter(name);
+std::vector<std::string> frames_in(const fs::path& folder) {
+  static const std::regex name("frame-\\d{4,}\\.png");
+  std::vector<std::string> frames;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    if (std::regex_match(at->path().filename().string(), name))
+      frames.push_back(at->path().filename().string());
+  }
+  std::sort(frames.begin(), frames.end());
+  return frames;
 }
 
 QString encoder_line(const Film& film, int count) {
@@ -107,13 +172,29 @@ QString encoder_line(const Film& film, int count) {
       fmt::format("ffmpeg -framerate {} -i frame-%0{}d.png -pix_fmt yuv420p film.mp4", film.rate, digits));
 }
 
-bool save_film(const Film& film, const QString& folder, bool replace,
-               const std::function<bool(double)>& progress) {
+std::vector<std::string> remarks(const FilmFrames& frames) {
+  std::vector<std::string> lines;
+  const auto counted = [](std::size_t count) {
+    return fmt::format("{} frame{}", count, count == 1 ? "" : "s");
+  };
+  if (frames.removed > 0)
+    lines.push_back(fmt::format("{} of a longer film that was there before are removed.",
+                                counted(static_cast<std::size_t>(frames.removed))));
+  if (!frames.other.empty())
+    lines.push_back(fmt::format(
+        "{} that Carom did not make stay there, from {} on: take them away before this film is made.",
+        counted(frames.other.size()), frames.other.front()));
+  return lines;
+}
+
+std::optional<FilmFrames> save_film(const Film& film, const fs::path& folder, bool replace,
+                                    const std::vector<fs::path>& inputs,
+                                    const std::function<bool(double)>& progress) {
   const std::vector<double> times = film_times(film);
   const auto count = static_cast<int>(times.size());
-  if (!replace && !frames_in(folder).isEmpty())
-    fail(folder, "there are frames already; allowed: another folder, or to replace them");
-  Workshop workshop(folder);
+  if (!replace && !frames_in(folder).empty())
+    refuse_output(folder.string(), "there are frames already", "another folder, or to replace them");
+  FrameFiles files(folder, count, inputs);
 
   SceneLook look = on_viewport(film.look, QSizeF(film.pixels) / film.dots);
   // The run's own time, then the frames': the pass for the bounds is a part of the work.
@@ -123,28 +204,25 @@ bool save_film(const Film& film, const QString& folder, bool replace,
   const auto go_on = [&](double time) { return progress((done + std::min(1.0, time / end)) / passes); };
   if (film.whole) {
     const WorldRect all = bounds_of(film, times, go_on);
-    if (all.empty()) return false;
+    if (all.empty()) return std::nullopt;
     look.camera.fit(all, QMarginsF(kMargin, kMargin, kMargin, kMargin));
     look.side = std::min(look.camera.viewport.width(), look.camera.viewport.height()) / look.camera.scale;
     done = 1.0;
   }
 
-  int number = 0;
   QImage image(film.pixels, QImage::Format_RGB32);
   image.setDevicePixelRatio(film.dots);
+  image.setText(kMarkName, kMark);
   const auto show = [&](std::span<const Frame> runs) {
     {
       QPainter painter(&image);
       paint_scene(painter, runs.front(), look, runs.subspan(1));
     }
-    ++number;
-    if (!image.save(workshop.path(frame_name(number, count)), "PNG"))
-      fail(folder, "a frame could not be written; allowed: a place with room");
+    files.write(image);
     return go_on(runs.front().time);
   };
-  if (!visit_moments(film.runs, times, kImpactShown, show, go_on)) return false;
-  workshop.finish();
-  return true;
+  if (!visit_moments(film.runs, times, kImpactShown, show, go_on)) return std::nullopt;
+  return files.commit();
 }
 
 }  // namespace carom

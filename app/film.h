@@ -2,8 +2,10 @@
 
 #include <QSize>
 #include <QString>
-#include <QStringList>
+#include <filesystem>
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "physics/experiment/run_log.h"
@@ -32,17 +34,30 @@ struct Film {
 
 // "frame-0001.png", with as many digits as the last of `count` frames needs, at least four.
 [[nodiscard]] QString frame_name(int number, int count);
-// The frames that a folder has already.
-[[nodiscard]] QStringList frames_in(const QString& folder);
+// The frames that a folder has already, "frame-" and four digits or more.
+[[nodiscard]] std::vector<std::string> frames_in(const std::filesystem::path& folder);
 // What makes a film of them, to be called in their folder.
 [[nodiscard]] QString encoder_line(const Film& film, int count);
 
+// What became of a folder's frames.
+struct FilmFrames {
+  int written = 0;
+  int removed = 0;  // of an older film by Carom, which was longer
+  std::vector<std::string>
+      other;  // further frames that Carom didn't make: they stay, and an encoder finds them
+};
+// One line each for what of that a user should know, beside the number written.
+[[nodiscard]] std::vector<std::string> remarks(const FilmFrames& frames);
+
 // Goes through the run once more and writes its frames as PNG into a folder, which is made if it is not there.
-// They come beside their place first: frames that the folder has already are replaced, if they may be, when all
-// new ones are there, else nothing is written. `progress` is told the share that is done; where it answers
-// false nothing is left behind, and the answer is false. Throws SceneError, also where frames are there that
-// may not be replaced.
-[[nodiscard]] bool save_film(const Film& film, const QString& folder, bool replace,
-                             const std::function<bool(double)>& progress);
+// They come under temporary names first: only when all are there they take the places of older ones, which stay
+// where something fails. What is left of an older film by Carom (its frames say so) goes too, no other file.
+// `progress` is told the share that is done; where it answers false nothing is left behind, and there is no
+// answer. Throws SceneError, also where frames are there and may not be replaced, or where one is among the
+// `inputs`.
+[[nodiscard]] std::optional<FilmFrames> save_film(const Film& film, const std::filesystem::path& folder,
+                                                  bool replace,
+                                                  const std::vector<std::filesystem::path>& inputs,
+                                                  const std::function<bool(double)>& progress);
 
 }  // namespace carom

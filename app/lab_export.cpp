@@ -20,6 +20,7 @@
 #include "app/run_export.h"
 #include "app/run_files.h"
 #include "app/run_progress.h"
+#include "physics/files/output_set.h"
 #include "physics/scene/validate.h"
 #include "widgets/ledger_table.h"
 #include "widgets/method_names.h"
@@ -58,10 +59,23 @@ QString LabWindow::ask_for_file(const QString& title, const QString& suggestion,
   return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
 }
 
+QString LabWindow::ask_for_export(const QString& title, const QString& suggestion, const QString& filter,
+                                  const QString& suffix) {
+  const QString file = ask_for_file(title, suggestion, filter, suffix);
+  if (file.isEmpty()) return {};
+  try {
+    OutputSet({file_.toStdString()}).reserve(file.toStdString());
+    return file;
+  } catch (const SceneError& error) {
+    QMessageBox::warning(this, title, QString::fromUtf8(error.what()).toHtmlEscaped());
+    return {};
+  }
+}
+
 void LabWindow::save_picture_as(const QString& stem,
                                 const std::function<bool(const QString&, QString*)>& save) {
   const QString file =
-      ask_for_file(tr("Save the picture"), stem + ".png", tr("Pictures (*.png *.svg *.pdf)"), "png");
+      ask_for_export(tr("Save the picture"), stem + ".png", tr("Pictures (*.png *.svg *.pdf)"), "png");
   QString error;
   if (!file.isEmpty() && !save(file, &error)) {
     QMessageBox::warning(this, tr("The picture cannot be saved"), error.toHtmlEscaped());
@@ -84,7 +98,7 @@ void LabWindow::save_bins(const RunPlot& plot) {
   // As they stand now: the run goes on while the file is chosen.
   plots_->show_now();
   const std::vector<ShownBins> bins = plot.distribution()->bins();
-  const QString file = ask_for_file(tr("Save the bins"), "bins.csv", tr("Tables (*.csv)"), "csv");
+  const QString file = ask_for_export(tr("Save the bins"), "bins.csv", tr("Tables (*.csv)"), "csv");
   if (file.isEmpty()) return;
   try {
     export_bins(bins, plot.content().x_unit.toStdString(), file.toStdString());
@@ -120,7 +134,7 @@ void LabWindow::save_data(const RunPlot* plot) {
     what.from = std::min(*marks.a, *marks.b);
     what.to = std::max(*marks.a, *marks.b);
   }
-  const QString file = ask_for_file(tr("Save the data"), "run.csv", tr("Tables (*.csv)"), "csv");
+  const QString file = ask_for_export(tr("Save the data"), "run.csv", tr("Tables (*.csv)"), "csv");
   if (file.isEmpty()) return;
 
   RunProgress progress(tr("Save data"), this);
@@ -180,20 +194,27 @@ void LabWindow::make_film() {
   FilmDialog dialog(film, QDir::cleanPath(folder), this);
   if (dialog.exec() != QDialog::Accepted) return;
   film = dialog.film();
+  std::optional<FilmFrames> frames;
   try {
     RunProgress progress(tr("Film"), this);
-    if (!save_film(film, dialog.folder(), dialog.may_replace(), std::ref(progress))) return;
+    frames = save_film(film, dialog.folder().toStdString(), dialog.may_replace(), {file_.toStdString()},
+                       std::ref(progress));
   } catch (const SceneError& error) {
     QMessageBox::warning(this, tr("The frames cannot be made"),
                          QString::fromUtf8(error.what()).toHtmlEscaped());
     return;
   }
-  const auto count = static_cast<int>(film_times(film).size());
+  if (!frames) return;
+  const int count = frames->written;
+  QString remark;
+  for (const std::string& line : remarks(*frames))
+    remark += "<p>" + QString::fromStdString(line).toHtmlEscaped();
   QMessageBox box(QMessageBox::NoIcon, tr("Film"),
                   tr("%1 frames are in %2.").arg(count).arg(dialog.folder().toHtmlEscaped()), QMessageBox::Ok,
                   this);
   box.setInformativeText(
-      tr("There, this makes a film of them:<p><code>%1</code>").arg(encoder_line(film, count).toHtmlEscaped()));
+      tr("There, this makes a film of them:<p><code>%1</code>").arg(encoder_line(film, count).toHtmlEscaped()) +
+      remark);
   box.setTextInteractionFlags(Qt::TextSelectableByMouse);
   box.exec();
 }
@@ -233,7 +254,7 @@ void LabWindow::make_report() {
   report.ledger = static_cast<const FigureModel*>(ledger_->model());
   ReportDialog dialog(report, this);
   if (dialog.exec() != QDialog::Accepted) return;
-  const QString file = ask_for_file(tr("Save the report"), "report.pdf", tr("Documents (*.pdf)"), "pdf");
+  const QString file = ask_for_export(tr("Save the report"), "report.pdf", tr("Documents (*.pdf)"), "pdf");
   if (file.isEmpty()) return;
 
   report = dialog.report();

@@ -95,6 +95,9 @@ class LabWindow : public QMainWindow {
   // What can be taken away (lab_export.cpp); each asks for a file and tells in a message what went wrong.
   [[nodiscard]] QString ask_for_file(const QString& title, const QString& suggestion, const QString& filter,
                                      const QString& suffix);
+  // The same for what is not the preset, which therefore never takes the place of the open one.
+  [[nodiscard]] QString ask_for_export(const QString& title, const QString& suggestion, const QString& filter,
+                                       const QString& suffix);
   void save_picture_as(const QString& stem, const std::function<bool(const QString&, QString*)>& save);
   void save_scene_picture();
   void save_plot(RunPlot* plot);

@@ -1,3 +1,7 @@
 #include "app/command_line.h"
+#include "app/standard_output.h"
 
-int main(int argc, char** argv) { return carom::run_program(argc, argv); }
+int main(int argc, char** argv) {
+  carom::prepare_process();
+  return carom::run_program(argc, argv);
+}

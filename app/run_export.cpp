@@ -4,6 +4,7 @@
 
 #include "app/run_files.h"
 #include "physics/experiment/sampler.h"
+#include "physics/files/output_file.h"
 
 namespace carom {
 namespace {
@@ -53,13 +54,13 @@ bool write_lines(const DataExport& what, char separator, const std::function<boo
 }  // namespace
 
 bool export_data(const DataExport& what, const std::string& file, const std::function<bool(double)>& progress) {
-  TextFile out(file);
+  OutputFile out(file);
   const auto put = [&](const std::string& line) {
     out.line(line);
-    return true;
+    return !out.failed();
   };
-  if (!write_lines(what, ',', put, progress)) return false;
-  out.finish();
+  if (!write_lines(what, ',', put, progress) && !out.failed()) return false;
+  out.commit();
   return true;
 }
 

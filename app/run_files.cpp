@@ -2,12 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <fmt/format.h>
-#include <system_error>
-
-#include "physics/scene/validate.h"
 
 namespace carom {
 namespace {
@@ -27,31 +22,6 @@ std::string csv_field(const std::string& text, char separator) {
   }
   out += '"';
   return out;
-}
-
-TextFile::TextFile(const std::string& name)
-    : name_(name), out_(name + ".part", std::ios::binary | std::ios::trunc) {
-  if (!out_)
-    throw SceneError(
-        fmt::format("{}: the file cannot be written; allowed: a place with the right to write", name));
-}
-
-TextFile::~TextFile() {
-  if (finished_) return;
-  out_.close();
-  std::error_code ignored;
-  std::filesystem::remove(name_ + ".part", ignored);
-}
-
-void TextFile::line(const std::string& text) { out_ << text << '\n'; }
-
-void TextFile::finish() {
-  out_.close();
-  std::error_code error;
-  if (out_) std::filesystem::rename(name_ + ".part", name_, error);
-  if (!out_ || error)
-    throw SceneError(fmt::format("{}: the file could not be written; allowed: a place with room", name_));
-  finished_ = true;
 }
 
 std::vector<Quantity> run_columns(const std::vector<Body>& bodies) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <fstream>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,24 +9,7 @@
 
 namespace carom {
 
-// A file of lines. It is written beside its name and renamed at the end, so that an older file is whole until
-// the new one is. Throws SceneError if that fails.
-class TextFile {
- public:
-  explicit TextFile(const std::string& name);
-  TextFile(const TextFile&) = delete;
-  TextFile& operator=(const TextFile&) = delete;
-  ~TextFile();  // without finish(): no file
-  void line(const std::string& text);
-  void finish();
-
- private:
-  std::string name_;
-  std::ofstream out_;
-  bool finished_ = false;
-};
-
-// A text as a field of such a file: in quotes where it needs them.
+// A text as a field of a CSV file: in quotes where it needs them.
 [[nodiscard]] std::string csv_field(const std::string& text, char separator = ',');
 
 // The CSV files of a run: RFC 4180, units in brackets in the header, every number with all its digits, an empty

@@ -1,7 +1,8 @@
 #include "app/text_table.h"
 
 #include <algorithm>
-#include <fmt/format.h>
+
+#include "app/standard_output.h"
 
 namespace carom {
 namespace {
@@ -28,7 +29,7 @@ void print_table(const std::vector<std::vector<std::string>>& rows, std::span<co
     std::string line;
     for (std::size_t c = 0; c < columns.size(); ++c) line += padded(row[c], widths[c], columns[c]) + "  ";
     line.erase(line.find_last_not_of(' ') + 1);
-    fmt::print("{}\n", line);
+    print_out("{}\n", line);
   }
 }
 

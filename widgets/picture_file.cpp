@@ -6,8 +6,11 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QSvgGenerator>
+#include <fmt/format.h>
+
+#include "physics/scene/validate.h"
+#include "widgets/save_file.h"
 
 namespace carom {
 namespace {
@@ -71,25 +74,22 @@ bool is_picture_name(const QString& path) {
   return suffix == "png" || suffix == "svg" || suffix == "pdf";
 }
 
-bool save_picture(const QString& path, QSize pixels, const Paint& paint, QString* error, int dots) {
-  const auto fail = [error](const QString& why) {
-    if (error != nullptr) *error = why;
-    return false;
-  };
-  if (pixels.isEmpty()) return fail("a picture needs a width and a height above 0");
-  if (!is_picture_name(path)) return fail(QString("%1: pictures are saved as .png, .svg or .pdf").arg(path));
-
-  const QString suffix = suffix_of(path);
+void write_picture(OutputFile& file, QSize pixels, const Paint& paint, int dots) {
+  if (pixels.isEmpty()) throw SceneError("a picture needs a width and a height above 0");
+  const QString name = QString::fromStdString(file.name());
+  if (!is_picture_name(name))
+    throw SceneError(fmt::format("{}: pictures are saved as .png, .svg or .pdf", file.name()));
+  const QString suffix = suffix_of(name);
   const QByteArray bytes = suffix == "png"   ? png(paint, pixels, dots)
                            : suffix == "svg" ? svg(paint, pixels)
                                              : pdf(paint, pixels);
-  if (bytes.isEmpty()) return fail(QString("%1: the picture could not be made").arg(path));
+  if (bytes.isEmpty()) throw SceneError(fmt::format("{}: the picture could not be made", file.name()));
+  write_bytes(file, bytes);
+}
 
-  QSaveFile file(path);
-  if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-    return fail(QString("%1: %2").arg(path, file.errorString()));
-  }
-  return true;
+bool save_picture(const QString& path, QSize pixels, const Paint& paint, QString* error, int dots) {
+  return save_file(
+      path, [&](OutputFile& file) { write_picture(file, pixels, paint, dots); }, error);
 }
 
 }  // namespace carom

@@ -4,10 +4,10 @@
 #include <QCoreApplication>
 #include <QPageSize>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <algorithm>
 
 #include "widgets/print_blocks.h"
+#include "widgets/save_file.h"
 #include "widgets/theme.h"
 
 namespace carom {
@@ -95,11 +95,8 @@ bool PrintPages::save(const QString& path, const QString& title, QString* error)
       paint(page, painter);
     }
   }
-  QSaveFile file(path);
-  const QByteArray& bytes = buffer.data();
-  if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) return true;
-  if (error != nullptr) *error = QString("%1: %2").arg(path, file.errorString());
-  return false;
+  return save_file(
+      path, [&](OutputFile& file) { write_bytes(file, buffer.data()); }, error);
 }
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 
 #include "widgets/paint_drawing.h"
 #include "widgets/picture_file.h"
+#include "widgets/save_file.h"
 
 namespace carom {
 namespace {
@@ -44,12 +45,17 @@ void paint_scene(QPainter& painter, const Frame& frame, SceneLook& look, std::sp
   paint_drawing(painter, drawing, look.camera, look.theme);
 }
 
+void write_scene_picture(OutputFile& file, const Frame& frame, const std::optional<View>& view,
+                         const DrawingOptions& options, const Theme& theme, QSize pixels) {
+  if (pixels.isEmpty()) return write_picture(file, pixels, {});  // which says what is wrong
+  SceneLook look = scene_look(frame, view, options, theme, pixels);
+  write_picture(file, pixels, [&](QPainter& painter) { paint_scene(painter, frame, look); });
+}
+
 bool save_scene_picture(const Frame& frame, const std::optional<View>& view, const DrawingOptions& options,
                         const Theme& theme, QSize pixels, const QString& path, QString* error) {
-  if (pixels.isEmpty()) return save_picture(path, pixels, {}, error);  // which says what is wrong
-  SceneLook look = scene_look(frame, view, options, theme, pixels);
-  return save_picture(
-      path, pixels, [&](QPainter& painter) { paint_scene(painter, frame, look); }, error);
+  return save_file(
+      path, [&](OutputFile& file) { write_scene_picture(file, frame, view, options, theme, pixels); }, error);
 }
 
 }  // namespace carom

@@ -11,6 +11,8 @@ class QPainter;
 
 namespace carom {
 
+class OutputFile;
+
 // How pictures of a run show its scene: the part of the world that the camera sees, on its viewport in px.
 struct SceneLook {
   Camera camera;
@@ -37,5 +39,9 @@ void paint_scene(QPainter& painter, const Frame& frame, SceneLook& look, std::sp
 [[nodiscard]] bool save_scene_picture(const Frame& frame, const std::optional<View>& view,
                                       const DrawingOptions& options, const Theme& theme, QSize pixels,
                                       const QString& path, QString* error);
+
+// The same into a file that is open already, for its owner to commit. Throws SceneError.
+void write_scene_picture(OutputFile& file, const Frame& frame, const std::optional<View>& view,
+                         const DrawingOptions& options, const Theme& theme, QSize pixels);
 
 }  // namespace carom

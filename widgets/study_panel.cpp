@@ -8,7 +8,6 @@
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QProgressBar>
-#include <QSaveFile>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QToolTip>
@@ -25,6 +24,7 @@
 #include "widgets/log_scale.h"
 #include "widgets/number_text.h"
 #include "widgets/order_table.h"
+#include "widgets/save_file.h"
 #include "widgets/study_plot.h"
 
 namespace carom {
@@ -56,12 +56,12 @@ QString words_of(const StudyFacts& facts) {
 }
 
 bool save_text(const QString& path, const std::vector<std::string>& lines, QString* error) {
-  QByteArray text;
-  for (const std::string& line : lines) text += QByteArray::fromStdString(line) + '\n';
-  QSaveFile file(path);
-  if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit()) return true;
-  if (error != nullptr) *error = QString("%1: %2").arg(path, file.errorString());
-  return false;
+  return save_file(
+      path,
+      [&](OutputFile& file) {
+        for (const std::string& line : lines) file.line(line);
+      },
+      error);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "widgets/method_look.h"
 #include "widgets/picture_file.h"
 #include "widgets/plot_render.h"
+#include "widgets/save_file.h"
 
 namespace carom {
 namespace {
@@ -151,7 +152,7 @@ void paint_study(QPainter& painter, const StudyTable& table, const std::vector<S
 
 }  // namespace
 
-bool save_study_picture(const StudyTable& table, const Theme& theme, const QString& path, QString* error) {
+void write_study_picture(OutputFile& file, const StudyTable& table, const Theme& theme) {
   const std::vector<StudyGroup> groups = groups_of(table);
   ErrorPlot against_time(theme, ErrorPlot::Place::kPicture);
   ErrorPlot against_step(theme, ErrorPlot::Place::kPicture);
@@ -162,7 +163,12 @@ bool save_study_picture(const StudyTable& table, const Theme& theme, const QStri
     paint_study(painter, table, groups, against_time, against_step, theme);
   };
   constexpr int kDots = 2;
-  return save_picture(path, kSize, paint, error, kDots);
+  write_picture(file, kSize, paint, kDots);
+}
+
+bool save_study_picture(const StudyTable& table, const Theme& theme, const QString& path, QString* error) {
+  return save_file(
+      path, [&](OutputFile& file) { write_study_picture(file, table, theme); }, error);
 }
 
 }  // namespace carom

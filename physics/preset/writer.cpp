@@ -1,8 +1,4 @@
-#include <cstdio>
-#include <fmt/format.h>
-#include <fstream>
-#include <system_error>
-
+#include "physics/files/output_file.h"
 #include "physics/motion/integrators.h"
 #include "physics/preset/expectation_json.h"
 #include "physics/preset/force_json.h"
@@ -171,28 +167,9 @@ std::string write_preset(const Scene& scene) {
 }
 
 void save_preset(const Scene& scene, const std::filesystem::path& file) {
-  const std::string text = write_preset(scene);
-  const std::filesystem::path part = file.string() + ".part";
-  {
-    std::ofstream out(part, std::ios::binary | std::ios::trunc);
-    out << text;
-    out.flush();
-    if (!out) {
-      std::error_code ignored;
-      std::filesystem::remove(part, ignored);
-      throw SceneError(fmt::format(
-          "{}: the file cannot be written; allowed: a place with room and the right to write", file.string()));
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(part, file, error);
-  if (error) {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    throw SceneError(
-        fmt::format("{}: the file cannot be replaced ({}); allowed: a place with the right to write",
-                    file.string(), error.message()));
-  }
+  OutputFile out(file.string());
+  out.write(write_preset(scene));
+  out.commit();
 }
 
 }  // namespace carom

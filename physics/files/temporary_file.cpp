@@ -1,0 +1,170 @@
+#include "physics/files/temporary_file.h"
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <fcntl.h>
+#include <poll.h>
+#include <random>
+#include <string>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace carom {
+
+struct TemporaryFile::Entry {
+  std::string path;
+  bool folder = false;
+  Entry* older = nullptr;
+  Entry* newer = nullptr;
+};
+
+namespace {
+
+using Entry = TemporaryFile::Entry;
+
+// The one list of the process, since a signal is the process's: the newest first. Whoever changes it has all
+// signals blocked, so that the handler, in whatever thread it runs, never waits for its own thread.
+std::atomic_flag list_in_use = ATOMIC_FLAG_INIT;
+Entry* newest = nullptr;
+
+void take_list() {
+  while (list_in_use.test_and_set(std::memory_order_acquire)) poll(nullptr, 0, 1);
+}
+
+class ListLock {
+ public:
+  ListLock() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before_);
+    take_list();
+  }
+  ListLock(const ListLock&) = delete;
+  ListLock& operator=(const ListLock&) = delete;
+  ~ListLock() {
+    list_in_use.clear(std::memory_order_release);
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+
+ private:
+  sigset_t before_;
+};
+
+void add(Entry* entry) {
+  entry->older = newest;
+  if (newest != nullptr) newest->newer = entry;
+  newest = entry;
+}
+
+void drop(Entry* entry) {
+  if (entry->newer != nullptr) entry->newer->older = entry->older;
+  if (entry->older != nullptr) entry->older->newer = entry->newer;
+  if (newest == entry) newest = entry->older;
+  delete entry;
+}
+
+void remove(const Entry& entry) {
+  if (entry.folder) {
+    rmdir(entry.path.c_str());
+  } else {
+    unlink(entry.path.c_str());
+  }
+}
+
+// Takes an entry off the list, with or without what it names.
+void forget(Entry*& entry, bool and_remove) {
+  if (entry == nullptr) return;
+  const ListLock lock;
+  if (and_remove) remove(*entry);
+  drop(std::exchange(entry, nullptr));
+}
+
+// Nothing but calls that a handler may make. The list stays taken: the process ends.
+extern "C" void remove_all_and_end(int signal) {
+  take_list();
+  for (const Entry* entry = newest; entry != nullptr; entry = entry->older) remove(*entry);
+  raise(signal);  // its default action, once the handler returns
+}
+
+std::string random_name() {
+  static constexpr char kLetters[] = "abcdefghijklmnopqrstuvwxyz0123456789";
+  std::random_device random;
+  std::uniform_int_distribution<std::size_t> letter(0, sizeof(kLetters) - 2);
+  std::string name = ".carom-";
+  for (int i = 0; i < 12; ++i) name += kLetters[letter(random)];
+  return name + ".part";
+}
+
+}  // namespace
+
+TemporaryFile::TemporaryFile(const std::filesystem::path& folder, mode_t mode) : entry_(new Entry) {
+  int error = EEXIST;
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries && error == EEXIST; ++i) {
+    entry_->path = (std::filesystem::absolute(folder) / random_name()).string();
+    const ListLock lock;
+    descriptor_ = open(entry_->path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, mode);
+    error = descriptor_ < 0 ? errno : 0;
+    if (error == 0) add(entry_);
+  }
+  if (error == 0) return;
+  delete entry_;
+  throw std::system_error(error, std::generic_category());
+}
+
+TemporaryFile::~TemporaryFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+  forget(entry_, true);
+}
+
+int TemporaryFile::sync_and_close() {
+  if (descriptor_ < 0) return 0;
+  const int synced = fsync(descriptor_) == 0 ? 0 : errno;
+  const int closed = close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno;
+  return synced != 0 ? synced : closed;
+}
+
+int TemporaryFile::rename_to(const std::filesystem::path& file) {
+  if (std::rename(entry_->path.c_str(), file.c_str()) != 0) return errno;
+  forget(entry_, false);
+  return 0;
+}
+
+TemporaryFolder::TemporaryFolder(const std::filesystem::path& folder) : entry_(new Entry) {
+  entry_->path = std::filesystem::absolute(folder).string();
+  entry_->folder = true;
+  int error = 0;
+  {
+    const ListLock lock;
+    if (mkdir(entry_->path.c_str(), 0777) != 0) error = errno;
+    if (error == 0) add(entry_);
+  }
+  if (error == 0) return;
+  delete entry_;
+  throw std::system_error(error, std::generic_category());
+}
+
+TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept
+    : entry_(std::exchange(other.entry_, nullptr)) {}
+
+TemporaryFolder::~TemporaryFolder() { forget(entry_, true); }
+
+void TemporaryFolder::keep() { forget(entry_, false); }
+
+void remove_temporaries_on_signals() {
+  for (const int signal :
+       {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) {
+    struct sigaction action = {};
+    if (sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
+    action = {};
+    action.sa_handler = remove_all_and_end;
+    action.sa_flags = SA_RESETHAND | SA_ONSTACK;
+    sigfillset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <random>
+#include <string>
+#include <sys/mount.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+// What goes wrong about files: full disks, rights that are not there, kills at any moment.
+namespace carom::test {
+
+// A disk of its own of so many bytes, for who may mount one.
+class SmallDisk {
+ public:
+  SmallDisk(const std::filesystem::path& folder, int bytes) : folder_(folder) {
+    std::filesystem::create_directories(folder);
+    const std::string size = "size=" + std::to_string(bytes);
+    mounted_ = mount("tmpfs", folder.c_str(), "tmpfs", 0, size.c_str()) == 0;
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  ~SmallDisk() {
+    if (mounted_) umount2(folder_.c_str(), MNT_DETACH);
+  }
+  [[nodiscard]] bool mounted() const { return mounted_; }
+  // Until nothing more fits but `left` bytes.
+  void fill(std::uintmax_t left = 0) const {
+    const std::uintmax_t room = std::filesystem::space(folder_).available;
+    if (room <= left) return;
+    std::ofstream(folder_ / "fill", std::ios::binary) << std::string(room - left, '.');
+  }
+  void make_read_only() const { mount(nullptr, folder_.c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr); }
+
+ private:
+  std::filesystem::path folder_;
+  bool mounted_ = false;
+};
+
+// What `act` answers in a process of its own, that of a user without rights where this one is root's; -1 if it
+// crashed.
+template <class Act>
+int as_nobody(const Act& act) {
+  constexpr uid_t kNobody = 65534;
+  const pid_t child = fork();
+  if (child == 0) {
+    if (geteuid() == 0 && (setgid(kNobody) != 0 || setuid(kNobody) != 0)) _exit(99);
+    _exit(act());
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// How often something is killed: 300 times in the long tests.
+inline int kills(int ordinary) { return std::getenv("CAROM_LONG_TESTS") != nullptr ? 300 : ordinary; }
+
+inline int random_signal(std::mt19937& random) {
+  static constexpr int kSignals[] = {SIGKILL, SIGINT, SIGTERM, SIGHUP};
+  return kSignals[random() % std::size(kSignals)];
+}
+
+}  // namespace carom::test
