@@ -18,27 +18,10 @@ struct ProgramResult {
 // The carom program with its own working folder, in an environment without a display.
 class Program {
  public:
-  ProgramResult operator()(const QStringList& arguments) const {
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    for (const char* name :
-         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "QT_LOGGING_RULES", "CAROM_PRESETS"}) {
-      environment.remove(name);
-    }
-    QProcess process;
-    process.setProcessEnvironment(environment);
-    process.setWorkingDirectory(folder_.path());
-    process.start(CAROM_PROGRAM, arguments);
-    ProgramResult result;
-    if (!process.waitForFinished(600'000)) {
-      process.kill();
-      process.waitForFinished();
-    } else if (process.exitStatus() == QProcess::NormalExit) {
-      result.code = process.exitCode();
-    }
-    result.out = process.readAllStandardOutput().toStdString();
-    result.err = process.readAllStandardError().toStdString();
-    return result;
-  }
+  ProgramResult operator()(const QStringList& arguments) const { return run(CAROM_PROGRAM, arguments); }
+
+  // A line of the shell in the working folder, where $carom is the program.
+  [[nodiscard]] ProgramResult shell(const QString& line) const { return run("/bin/bash", {"-c", line}); }
 
   // A file in the working folder.
   [[nodiscard]] QString path(const QString& name) const { return folder_.filePath(name); }
@@ -54,6 +37,29 @@ class Program {
   [[nodiscard]] QStringList files() const { return QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden); }
 
  private:
+  [[nodiscard]] ProgramResult run(const QString& program, const QStringList& arguments) const {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name :
+         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "QT_LOGGING_RULES", "CAROM_PRESETS"}) {
+      environment.remove(name);
+    }
+    environment.insert("carom", CAROM_PROGRAM);
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.setWorkingDirectory(folder_.path());
+    process.start(program, arguments);
+    ProgramResult result;
+    if (!process.waitForFinished(600'000)) {
+      process.kill();
+      process.waitForFinished();
+    } else if (process.exitStatus() == QProcess::NormalExit) {
+      result.code = process.exitCode();
+    }
+    result.out = process.readAllStandardOutput().toStdString();
+    result.err = process.readAllStandardError().toStdString();
+    return result;
+  }
+
   QTemporaryDir folder_;
 };
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <thread>
 
 #include "physics/files/output_set.h"
@@ -137,7 +138,7 @@ TEST_F(OutputFiles, FollowSymbolicLinks) {
 
 TEST_F(OutputFiles, SayWhatCannotBeWritten) {
   expect_part(refusal([&] { save(folder_, "x"); }), "this is a folder; allowed: ");
-  for (const std::string name : {"", "x/", ".", "..", "x/.."})
+  for (const std::string& name : std::vector<std::string>{"", "x/", ".", "..", "x/.."})
     expect_part(refusal([&] { save(name.empty() ? name : path(name), "x"); }), "; allowed: ");
   expect_part(refusal([&] { save(path("no/such"), "x"); }), "no is not there; allowed: a folder that is there");
   put("a", "old");
@@ -276,9 +277,9 @@ TEST_F(OutputFiles, NeverTakeThePlaceOfAnother) {
   fs::create_hard_link("in", "hard");
   fs::create_directory_symlink(".", "here");
   fs::create_symlink("new", "dangling");
-  for (const std::string name : {std::string("in"), path("in"), std::string("./in"), std::string("sub/../in"),
-                                 std::string("link"), std::string("hard"), std::string("here/in")}) {
-    for (const std::string input : {"in", "link", "./hard"}) {
+  for (const std::string& name : {std::string("in"), path("in"), std::string("./in"), std::string("sub/../in"),
+                                  std::string("link"), std::string("hard"), std::string("here/in")}) {
+    for (const std::string& input : std::vector<std::string>{"in", "link", "./hard"}) {
       OutputSet outputs({input});
       expect_part(refusal([&] { (void)outputs.open(name); }),
                   name + ": this is the file that is read, " + input);
@@ -342,7 +343,9 @@ TEST_F(OutputFiles, AreWholeWhereverTheWriterIsKilled) {
     ASSERT_TRUE(left == even || left == odd) << left.size() << " bytes after signal " << signal;
     const std::vector<std::string> all = names();
     ASSERT_FALSE(std::find(all.begin(), all.end(), "b") != all.end());
-    if (signal != SIGKILL) ASSERT_EQ(all, std::vector<std::string>{"a"}) << "after signal " << signal;
+    if (signal != SIGKILL) {
+      ASSERT_EQ(all, std::vector<std::string>{"a"}) << "after signal " << signal;
+    }
     for (const std::string& name : all) {
       if (name != "a") fs::remove(path(name));
     }
