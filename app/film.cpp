@@ -28,6 +28,19 @@ namespace fs = std::filesystem;
 constexpr const char* kMarkName = "Software";
 constexpr const char* kMark = "Carom film";
 
+// Sorted.
+std::vector<std::string> names_of_frames(const fs::path& folder) {
+  static const std::regex name("frame-\\d{4,}\\.png");
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string found = at->path().filename().string();
+    if (std::regex_match(found, name)) names.push_back(found);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 bool is_frame_of_carom(const fs::path& file) {
   return QImageReader(QString::fromStdString(file.string())).text(kMarkName) == kMark;
 }
@@ -92,7 +105,7 @@ class FrameFiles {
     for (OutputFile& frame : frames_) frame.commit();
     made_.keep();
     done.written = static_cast<int>(frames_.size());
-    for (const std::string& name : frames_in(folder_)) {
+    for (const std::string& name : names_of_frames(folder_)) {
       if (names_.contains(name)) continue;
       std::error_code error;
       if (is_frame_of_carom(folder_ / name) && fs::remove(folder_ / name, error)) {
@@ -154,15 +167,9 @@ QString frame_name(int number, int count) {
   return QString("frame-%1.png").arg(number, digits, 10, QChar('0'));
 }
 
-std::vector<std::string> frames_in(const fs::path& folder) {
-  static const std::regex name("frame-\\d{4,}\\.png");
-  std::vector<std::string> frames;
-  std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    if (std::regex_match(at->path().filename().string(), name))
-      frames.push_back(at->path().filename().string());
-  }
-  std::sort(frames.begin(), frames.end());
+QStringList frames_in(const QString& folder) {
+  QStringList frames;
+  for (const std::string& name : names_of_frames(folder.toStdString())) frames << QString::fromStdString(name);
   return frames;
 }
 
@@ -192,7 +199,7 @@ std::optional<FilmFrames> save_film(const Film& film, const fs::path& folder, bo
                                     const std::function<bool(double)>& progress) {
   const std::vector<double> times = film_times(film);
   const auto count = static_cast<int>(times.size());
-  if (!replace && !frames_in(folder).empty())
+  if (!replace && !names_of_frames(folder).empty())
     refuse_output(folder.string(), "there are frames already", "another folder, or to replace them");
   FrameFiles files(folder, count, inputs);
 

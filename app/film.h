@@ -2,6 +2,7 @@
 
 #include <QSize>
 #include <QString>
+#include <QStringList>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -35,7 +36,7 @@ struct Film {
 // "frame-0001.png", with as many digits as the last of `count` frames needs, at least four.
 [[nodiscard]] QString frame_name(int number, int count);
 // The frames that a folder has already, "frame-" and four digits or more.
-[[nodiscard]] std::vector<std::string> frames_in(const std::filesystem::path& folder);
+[[nodiscard]] QStringList frames_in(const QString& folder);
 // What makes a film of them, to be called in their folder.
 [[nodiscard]] QString encoder_line(const Film& film, int count);
 

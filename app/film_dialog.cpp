@@ -159,7 +159,7 @@ void FilmDialog::tell() {
 }
 
 void FilmDialog::accept() {
-  const auto there = frames_in(folder().toStdString()).size();
+  const auto there = frames_in(folder()).size();
   if (there > 0) {
     QMessageBox box(QMessageBox::NoIcon, tr("Replace the frames?"),
                     tr("The folder has %1 frames already. Replace them?").arg(there), QMessageBox::Cancel,

@@ -42,7 +42,7 @@ class OutputKills : public testing::Test {
       process.setWorkingDirectory(carom_.path(""));
       process.start(CAROM_PROGRAM, new_way);
       ASSERT_TRUE(process.waitForStarted());
-      usleep(random() % whole);
+      usleep(static_cast<useconds_t>(random() % whole));
       const int signal = test::random_signal(random);
       kill(static_cast<pid_t>(process.processId()), signal);
       ASSERT_TRUE(process.waitForFinished());
