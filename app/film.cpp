@@ -58,8 +58,8 @@ class MadeFolders {
       for (; !missing.empty(); missing.pop_back()) made_.emplace_back(missing.back());
     } catch (const std::system_error& error) {
       undo();
-      refuse_output(folder.string(), fmt::format("the folder cannot be made ({})", error.code().message()),
-                    "a place with the right to write");
+      refuse_output(folder.string(), fmt::format("no frames can be written there ({})", error.code().message()),
+                    "a folder with the right to write");
     }
     if (std::error_code error; !fs::is_directory(folder, error))
       refuse_output(folder.string(), "this is not a folder", "a folder, also a new one");
