@@ -72,6 +72,10 @@ const CLI::Validator kTime(
     },
     "T", "time");
 
+const CLI::Validator kOutput([](const std::string& text)
+                                 -> std::string { return text.empty() ? "the name of a file is needed" : ""; },
+                             "F", "output");
+
 // What `carom study` takes: lists with commas, checked item by item.
 class StudyArguments {
  public:
@@ -94,8 +98,9 @@ class StudyArguments {
     command.add_option("--threads", options_.study.threads, "for all but the timing (default: one a core)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
-    command.add_option("--csv", options_.csv, "write a line for each row")->type_name("F");
+    command.add_option("--csv", options_.csv, "write a line for each row")->check(kOutput)->type_name("F");
     command.add_option("--plot", options_.plot, "draw error against time and step, .svg, .pdf or .png")
+        ->check(kOutput)
         ->type_name("F");
     command.add_option("--shard", shard_, "do only the i-th of n parts of the rows")->type_name("I/N");
     command.add_option("--merge", options_.merge, "put the CSV files of all shards together")->type_name("F");
@@ -198,9 +203,13 @@ int run_command_line(int argc, char** argv) {
       ->type_name("T");
   const MethodArguments run_method(run);
   run.add_flag("--json", run_options.json, "print one JSON object instead of tables");
-  run.add_option("--csv", run_options.csv, "write sums and paths of every step")->type_name("F");
-  run.add_option("--events", run_options.events, "write every impact")->type_name("F");
-  run.add_option("--save", run_options.save, "write the state at the end as a preset")->type_name("F");
+  run.add_option("--csv", run_options.csv, "write sums and paths of every step")
+      ->check(kOutput)
+      ->type_name("F");
+  run.add_option("--events", run_options.events, "write every impact")->check(kOutput)->type_name("F");
+  run.add_option("--save", run_options.save, "write the state at the end as a preset")
+      ->check(kOutput)
+      ->type_name("F");
 
   CheckOptions check_options;
   CLI::App& check =
@@ -213,15 +222,20 @@ int run_command_line(int argc, char** argv) {
   check.add_option("--finer", check_options.finer, "divide every step by N, 1 to 1000")
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
-  check.add_option("--csv", check_options.csv, "write the table with all digits")->type_name("F");
+  check.add_option("--csv", check_options.csv, "write the table with all digits")
+      ->check(kOutput)
+      ->type_name("F");
 
   StressOptions stress_options;
   CLI::App& stress = *program.add_subcommand(
       "stress", "the hard cases: what each shows beside its limit, at a step and a quarter");
   stress.add_option("case", stress_options.cases, "ids of cases (default: all)")->type_name("CASE");
   stress.add_flag("--long", stress_options.longer, "1e6 impacts of the gas instead of 1e5");
-  stress.add_option("--csv", stress_options.csv, "write the table with all digits")->type_name("F");
+  stress.add_option("--csv", stress_options.csv, "write the table with all digits")
+      ->check(kOutput)
+      ->type_name("F");
   stress.add_option("--page", stress_options.page, "write the help's page of figures, Markdown")
+      ->check(kOutput)
       ->type_name("F");
 
   PictureOptions picture_options;
@@ -235,6 +249,7 @@ int run_command_line(int argc, char** argv) {
   const MethodArguments picture_method(picture);
   picture.add_option("-o,--output", picture_options.output, "a .png, .svg or .pdf file")
       ->required()
+      ->check(kOutput)
       ->type_name("F");
   picture.add_flag("--window", picture_options.window, "the whole lab window (.png)");
   picture.add_flag("--dark", picture_options.dark, "in the dark colours");
@@ -261,6 +276,7 @@ int run_command_line(int argc, char** argv) {
       ->type_name("X");
   film.add_option("-o,--output", film_options.output, "a folder for frame-0001.png, frame-0002.png ...")
       ->required()
+      ->check(kOutput)
       ->type_name("DIR");
   film.add_flag("--replace", film_options.replace, "frames that the folder has already");
   film.add_flag("--dark", film_options.dark, "in the dark colours");

@@ -122,7 +122,9 @@ TemporaryFile::~TemporaryFile() {
 
 int TemporaryFile::sync_and_close() {
   if (descriptor_ < 0) return 0;
-  const int synced = fsync(descriptor_) == 0 ? 0 : errno;
+  int synced = fsync(descriptor_) == 0 ? 0 : errno;
+  if (synced == EINVAL || synced == ENOSYS || synced == ENOTSUP)
+    synced = 0;  // this file system has no such thing
   const int closed = close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno;
   return synced != 0 ? synced : closed;
 }

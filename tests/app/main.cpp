@@ -1,5 +1,28 @@
 #include <QApplication>
+#include <cstring>
 #include <gtest/gtest.h>
+
+#include "app/standard_output.h"
+#include "widgets/print_blocks.h"
+
+namespace {
+
+// Saves one report after the other, of two lengths, until it is killed: what a test of that starts.
+int write_reports(const QString& file) {
+  const auto pages_of = [](int count) {
+    std::vector<carom::PrintBlock> blocks;
+    for (int i = 0; i < 40 * count; ++i)
+      blocks.push_back(carom::print_text(QString("Line %1").arg(i), carom::print_font(20), Qt::black));
+    return carom::PrintPages(std::move(blocks), "Carom");
+  };
+  const carom::PrintPages reports[] = {pages_of(1), pages_of(2)};
+  QString error;
+  for (int i = 0; reports[i % 2].save(file, "A report", &error); ++i) {
+  }
+  return 1;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
@@ -7,5 +30,9 @@ int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   qunsetenv("CAROM_PRESETS");
   const QApplication application(argc, argv);
+  if (argc == 3 && std::strcmp(argv[1], "--write-reports") == 0) {
+    carom::prepare_process();
+    return write_reports(argv[2]);
+  }
   return RUN_ALL_TESTS();
 }

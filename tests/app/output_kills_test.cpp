@@ -1,4 +1,6 @@
+#include <QCoreApplication>
 #include <QElapsedTimer>
+#include <map>
 #include <random>
 
 #include "tests/app/program.h"
@@ -60,15 +62,16 @@ class OutputKills : public testing::Test {
     }
   }
 
-  Program carom_;
-
- private:
   [[nodiscard]] std::map<QString, QByteArray> files() const {
     std::map<QString, QByteArray> all;
     for (const QString& name : QDir(carom_.path("out")).entryList(QDir::Files | QDir::Hidden))
       all[name] = carom_.read("out/" + name);
     return all;
   }
+
+  Program carom_;
+
+ private:
   QProcessEnvironment environment_ = QProcessEnvironment::systemEnvironment();
 };
 
@@ -99,6 +102,31 @@ TEST_F(OutputKills, Reporting) {
             0);
   shoot({"study", "--merge", "others.csv", "--csv", "out/s.csv", "--plot", "out/s.svg"},
         {"study", "--merge", "rows.csv", "--csv", "out/s.csv", "--plot", "out/s.svg"}, test::kills(20));
+}
+
+// The lab's report, by a process that writes nothing else.
+TEST_F(OutputKills, ReportsOfTheLab) {
+  ASSERT_TRUE(QDir(carom_.path("")).mkpath("out"));
+  carom_.write("out/report.pdf", "old");
+  std::mt19937 random(3);
+  for (int k = 0; k < test::kills(20); ++k) {
+    QProcess process;
+    process.start(QCoreApplication::applicationFilePath(), {"--write-reports", carom_.path("out/report.pdf")});
+    ASSERT_TRUE(process.waitForStarted());
+    usleep(static_cast<useconds_t>(random() % 400'000));
+    const int signal = test::random_signal(random);
+    kill(static_cast<pid_t>(process.processId()), signal);
+    ASSERT_TRUE(process.waitForFinished());
+    const QByteArray left = carom_.read("out/report.pdf");
+    const bool pdf = left.startsWith("%PDF-") && left.endsWith("%%EOF\n") && left.contains("/Count ");
+    ASSERT_TRUE(left == "old" || pdf) << left.size() << " bytes after signal " << signal << ", shot " << k;
+    for (const auto& [name, bytes] : files()) {
+      if (name != "report.pdf") {
+        EXPECT_TRUE(signal == SIGKILL && name.endsWith(".part")) << name.toStdString();
+        QFile::remove(carom_.path("out/" + name));
+      }
+    }
+  }
 }
 
 // Whoever interrupts a run in its midst, which is known by what it sends, finds no trace of it.

@@ -113,6 +113,13 @@ TEST_F(OutputNames, PlacesThatCannotBeWrittenAreSeenBeforeTheRun) {
   EXPECT_EQ(carom_.files().filter(".part"), QStringList());
 }
 
+TEST_F(OutputNames, AnOutputHasAName) {
+  for (const char* command :
+       {"run a.json --csv", "run a.json --events", "run a.json --save", "check --csv", "study a.json --csv",
+        "study a.json --plot", "stress --csv", "stress --page", "picture a.json -o", "film a.json -o"})
+    expect_refused_before_the_run("$carom " + QString(command) + " ''", "the name of a file is needed");
+}
+
 TEST_F(OutputNames, ModesLinksAndFilesOfLikeNamesStay) {
   const ProgramResult done = carom_.shell(
       "echo mine > x.part; echo old > x; chmod 640 x; echo old > t; ln -s t l; umask 027;"
