@@ -18,6 +18,17 @@ namespace carom {
 // than kMostCells cells are kept in one list that every query reads.
 class CellGrid {
  public:
+  // What the order in which neighbours are visited hangs on.
+  struct Order {
+    double inverse_size = 1.0;            // 1/m
+    std::vector<Bounds> bounds;           // by body
+    std::vector<std::vector<int>> cells;  // the number of each cell that is not empty, and the bodies in it
+    std::vector<int> large;
+  };
+  [[nodiscard]] Order order() const;
+  // False if it is the order of no grid of so many bodies, all of which are in it; the grid is of no use then.
+  [[nodiscard]] bool put_back(int bodies, const Order& order);
+
   // Empties the grid, for bodies 0 .. bodies - 1 and cells of `size` (m, > 0).
   void reset(int bodies, double size) {
     const auto side = std::bit_ceil(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(bodies)) + 1.0));

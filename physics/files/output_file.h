@@ -30,6 +30,10 @@ class OutputFile {
   [[nodiscard]] const std::string& name() const { return place_.name; }
   void write(std::string_view bytes);
   void line(std::string_view text);
+  // There is nothing good to write: the old file stays, and commit() throws `why`.
+  void give_up(const std::string& why) {
+    if (failure_.empty()) failure_ = why;
+  }
   [[nodiscard]] bool failed() const { return !failure_.empty(); }
   // Everything is on the disk, but not yet in its place; nothing more may be written. Throws as commit() does.
   void finish();

@@ -18,7 +18,7 @@ std::array<double, 3> breaks_of(const AppliedForce& f) {
 
 }  // namespace
 
-ForceField::ForceField(const Forces& forces, const std::vector<Body>& bodies, bool linked)
+ForceField::ForceField(const Forces& forces, const std::vector<Body>& bodies, bool linked, double time)
     : gravity_(forces.gravity),
       linear_drag_(forces.linear_drag),
       quadratic_drag_(forces.quadratic_drag),
@@ -52,8 +52,8 @@ ForceField::ForceField(const Forces& forces, const std::vector<Body>& bodies, bo
       any_switching_ = true;
     }
     springs_.push_back(link);
-    const Motion a = initial_motion(bodies[body]);
-    const Motion b = link.other >= 0 ? initial_motion(bodies[link.other]) : spring_end(spring, 0.0);
+    const Motion a = initial_motion(bodies[body], time);
+    const Motion b = link.other >= 0 ? initial_motion(bodies[link.other], time) : spring_end(spring, time);
     // At the very edge a spring acts if its ends move into it.
     double margin = switch_margin(spring, a, b);
     if (margin == 0.0) {
@@ -66,7 +66,7 @@ ForceField::ForceField(const Forces& forces, const std::vector<Body>& bodies, bo
     const int body = index.at(f.body);
     applied_to_[body].push_back(static_cast<int>(applied_.size()));
     applied_.push_back({body, f, 0});
-    set_phase(body, 0.0);
+    set_phase(body, time);
     constant_ = constant_ && f.start == 0.0 && f.rise == 0.0 && !f.end;
   }
   const bool smooth =

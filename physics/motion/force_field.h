@@ -21,8 +21,9 @@ namespace carom {
 class ForceField {
  public:
   ForceField() = default;
-  // `linked`: links act beside these forces (physics/motion/links.h).
-  ForceField(const Forces& forces, const std::vector<Body>& bodies, bool linked = false);
+  // `linked`: links act beside these forces (physics/motion/links.h). The laws are those in force at `time`
+  // (s).
+  ForceField(const Forces& forces, const std::vector<Body>& bodies, bool linked = false, double time = 0.0);
 
   // Rate of a movable body at absolute time t (s) under the forces from outside; y and k are columns of kRows,
   // or without the books where keeps_books() is false.
@@ -85,6 +86,10 @@ class ForceField {
   [[nodiscard]] Motion spring_end(int spring, double t) const;
 
  private:
+  friend class Tracks;  // for what it keeps
+  template <class Self, class Kept, class Each>
+  static void each_kept(Self& field, Kept& kept, const Each& each);
+
   struct Link {
     int body;
     int other;    // a movable body, or -1

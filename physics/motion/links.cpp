@@ -32,7 +32,8 @@ constexpr double kTautAtStart = 1e-6;
 
 }  // namespace
 
-Links::Links(const std::vector<Link>& links, const std::vector<Body>& bodies) : mass_(mass_properties(bodies)) {
+Links::Links(const std::vector<Link>& links, const std::vector<Body>& bodies, double time)
+    : mass_(mass_properties(bodies)) {
   std::unordered_map<std::string, int> index;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     index.emplace(bodies[i].name, static_cast<int>(i));
@@ -53,9 +54,9 @@ Links::Links(const std::vector<Link>& links, const std::vector<Body>& bodies) : 
     if (l.kind == LinkKind::kWeld)
       lay_weld(laid, l, bodies[laid.body].angle, l.to.empty() ? 0.0 : bodies[index.at(l.to)].angle);
     Motions ends(kRows, 2);
-    ends.col(0) = initial_motion(bodies[laid.body]);
+    ends.col(0) = initial_motion(bodies[laid.body], time);
     ends.col(1) = laid.other >= 0 ? initial_motion(bodies[laid.other]) : Motion(Motion::Zero());
-    const Ends e = ends_of(laid, 0.0, ends, 0, laid.other >= 0 ? 1 : -1);
+    const Ends e = ends_of(laid, time, ends, 0, laid.other >= 0 ? 1 : -1);
     const double distance = e.d.norm();
     laid.length = l.length.value_or(distance);
     links_.push_back(laid);

@@ -35,7 +35,8 @@ namespace carom {
 class Links {
  public:
   Links() = default;
-  Links(const std::vector<Link>& links, const std::vector<Body>& bodies);
+  // As the bodies are at the start, at `time` (s).
+  Links(const std::vector<Link>& links, const std::vector<Body>& bodies, double time = 0.0);
 
   [[nodiscard]] bool empty() const { return links_.empty(); }
   // The movable bodies of each link; twice the same where the other end is no movable body.
@@ -61,6 +62,7 @@ class Links {
 
   // The strings of a group, as indices of links.
   [[nodiscard]] const std::vector<int>& strings(int group) const { return groups_[group].strings; }
+  [[nodiscard]] double length(int link) const { return links_[link].length; }  // m, of a rod or a string
   [[nodiscard]] bool taut(int link) const { return taut_[link] != 0; }
   void set_taut(int link, bool on) { taut_[link] = on ? 1 : 0; }
   // Of the same links, the last of which may be missing there.
@@ -73,6 +75,10 @@ class Links {
   [[nodiscard]] double overstretch(int group, int link, double t, const Motions& y) const;
 
  private:
+  friend class Tracks;  // for what it keeps
+  template <class Self, class Kept, class Each>
+  static void each_kept(Self& links, Kept& kept, const Each& each);
+
   struct Laid {
     LinkKind kind;
     int body;

@@ -6,13 +6,13 @@
 
 namespace carom {
 
-Motion initial_motion(const Body& body) {
+Motion initial_motion(const Body& body, double time) {
   Motion m = Motion::Zero();
   q_of(m) << body.position, body.angle;
   v_of(m) << body.velocity, body.spin;
   if (body.drive) {
-    q_of(m).head<2>() = drive_position(*body.drive, body.position, 0.0);
-    v_of(m).head<2>() = drive_velocity(*body.drive, 0.0);
+    q_of(m).head<2>() = drive_position(*body.drive, body.position, time);
+    v_of(m).head<2>() = drive_velocity(*body.drive, time);
   }
   return m;
 }

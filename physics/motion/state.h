@@ -55,8 +55,8 @@ struct State {
   [[nodiscard]] Vec2 velocity(int i) const { return v.col(i).head<2>(); }
 };
 
-// A body as the scene has it at t = 0; a driven one at its drive's position, with its drive's velocity.
-[[nodiscard]] Motion initial_motion(const Body& body);
+// A body as the scene has it at the start; a driven one where its drive is at `time` (s), with its velocity.
+[[nodiscard]] Motion initial_motion(const Body& body, double time = 0.0);
 
 [[nodiscard]] State initial_state(const std::vector<Body>& bodies);
 

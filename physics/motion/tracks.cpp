@@ -30,8 +30,8 @@ double time_to_move(double reach, double speed, double acceleration) {
 }  // namespace
 
 Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs& needs)
-    : field_(scene.forces, bodies, !scene.links.empty()),
-      links_(scene.links, bodies),
+    : field_(scene.forces, bodies, !scene.links.empty(), start_time(scene)),
+      links_(scene.links, bodies, start_time(scene)),
       bodies_(bodies),
       general_(needs.untrimmed),
       let_go_at_(scene.links.size(), -1.0) {
@@ -69,7 +69,7 @@ Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs&
   }
   links_.set_groups(groups);
   for (int i = 0; i < n; ++i) {
-    settled_.col(i) = initial_motion(bodies[i]);
+    settled_.col(i) = initial_motion(bodies[i], start_time(scene));
     constant_.col(i) = field_.constant_acceleration(i);
     if (!bodies[i].fixed && island_of_[i] < 0) add_island({i}).driven = bodies[i].drive.has_value();
   }

@@ -8,6 +8,7 @@
 #include "physics/motion/integrators.h"
 #include "physics/motion/links.h"
 #include "physics/motion/state.h"
+#include "physics/motion/track_state.h"
 #include "physics/scene/needs.h"
 #include "physics/scene/scene.h"
 
@@ -95,7 +96,8 @@ class Tracks {
     const int k = island_of_[body];
     return k >= 0 && islands_[k].group >= 0 && links_.has_links(islands_[k].group);
   }
-  [[nodiscard]] bool is_taut(int link) const { return links_.taut(link); }  // of a string
+  [[nodiscard]] bool is_taut(int link) const { return links_.taut(link); }     // of a string
+  [[nodiscard]] double length(int link) const { return links_.length(link); }  // m, of a rod or a string
   // An impact of two settled bodies, at least one of them linked. `a_by` and `b_by` are how (v, spin) of the
   // two would change were they free; zero for immovable ones. answer() makes of them how they change as links
   // share the impulse at once, push() changes the motions of all that share it. False if a string would have to
@@ -127,7 +129,18 @@ class Tracks {
   // J: what strings took that jerked taut.
   [[nodiscard]] double lost_to_links() const { return lost_to_links_; }
 
+  // All that changes in a run, and what is known of the time ahead (where `ahead` is given); put back into
+  // tracks of the same scene, they go on for the same bytes (track_state.cpp).
+  void keep(TrackState& to, TracksAhead* ahead) const;
+  void put_back(const TrackState& from, const TracksAhead* ahead);
+  // The first fault that makes a state none of these tracks, as "place: what" (of its sizes all but these are
+  // right); nothing if there is none.
+  [[nodiscard]] std::optional<std::string> fault_of(const TrackState& state, const TracksAhead* ahead) const;
+
  private:
+  template <class Self, class Kept, class Ahead, class Each>
+  static void each_kept(Self& tracks, Kept& kept, Ahead* ahead, const Each& each);
+
   static constexpr double kForever = 1e300;  // s
 
   struct Island {

@@ -5,31 +5,21 @@
 #include <sstream>
 #include <system_error>
 
-#include "physics/motion/integrators.h"
 #include "physics/preset/expectation_json.h"
 #include "physics/preset/force_json.h"
 #include "physics/preset/link_json.h"
+#include "physics/preset/method_json.h"
 #include "physics/preset/names.h"
 #include "physics/preset/object_reader.h"
 #include "physics/preset/plot_json.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_json.h"
 #include "physics/preset/setting.h"
+#include "physics/preset/state_json.h"
+#include "physics/scene/fingerprint.h"
 
 namespace carom {
 namespace {
-
-Method read_method(const Json& json, const std::string& place) {
-  Method m;
-  ObjectReader r(json, place);
-  r.read_choice("integrator", kIntegrators, m.integrator);
-  r.read_choice("impacts", kImpacts, m.impacts);
-  r.read_choice("contacts", kContacts, m.contacts);
-  r.read("step", m.step);
-  r.read("tolerance", m.tolerance);
-  r.finish();
-  return m;
-}
 
 // How a surface behaves: the keys that materials and pairs of materials share.
 void read_surface(ObjectReader& r, Material& m) {
@@ -208,12 +198,15 @@ Scene scene_of(const Json& json) {
   }
   r.read_array("expect",
                [&](const Json& v, const std::string& at) { scene.expect.push_back(read_expectation(v, at)); });
+  const Json* state = r.find("state");
+  if (state != nullptr) scene.saved = read_clock(*state);
   if (const Json* v = r.find("extra")) {
     if (!v->is_object()) refuse_value("/extra", quoted(*v), "an object, {...}");
     scene.extra = v->dump();
   }
   r.finish();
   validate(scene, places);
+  if (state_belongs(scene)) read_state(*state, scene);
   settle_places(scene, places);
   return scene;
 }

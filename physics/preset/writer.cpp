@@ -1,13 +1,14 @@
 #include "physics/files/output_file.h"
-#include "physics/motion/integrators.h"
 #include "physics/preset/expectation_json.h"
 #include "physics/preset/force_json.h"
 #include "physics/preset/link_json.h"
+#include "physics/preset/method_json.h"
 #include "physics/preset/names.h"
 #include "physics/preset/object_writer.h"
 #include "physics/preset/plot_json.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_json.h"
+#include "physics/preset/state_json.h"
 
 namespace carom {
 namespace {
@@ -56,15 +57,6 @@ Json body_json(const Body& b, bool all) {
   if (b.material != "default") w.json["material"] = b.material;
   if (!b.group.empty()) w.json["group"] = b.group;
   return w.json;
-}
-
-Json method_json(const Method& m, bool all) {
-  Json j = {{"integrator", choice_of(kIntegrators, m.integrator).name},
-            {"impacts", choice_of(kImpacts, m.impacts).name},
-            {"contacts", choice_of(kContacts, m.contacts).name},
-            {"step", m.step}};
-  if (all || choice_of(kIntegrators, m.integrator).adaptive) j["tolerance"] = m.tolerance;
-  return j;
 }
 
 // Beside a name, or the names of two materials.
@@ -155,6 +147,7 @@ Json preset_json(const Scene& scene, bool all) {
   for (const Plot& plot : scene.plots) j["plots"].push_back(plot_json(plot));
   if (scene.view) j["view"] = {{"center", pair_json(scene.view->center)}, {"width", scene.view->width}};
   for (const Expectation& e : scene.expect) j["expect"].push_back(expectation_json(e));
+  if (scene.saved) j["state"] = state_json(*scene.saved);
   if (!scene.extra.empty()) j["extra"] = Json::parse(scene.extra);
   return j;
 }

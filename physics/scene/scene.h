@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -272,6 +273,17 @@ struct Plot {
   bool operator==(const Plot&) const = default;
 };
 
+struct RunState;  // physics/world/run_state.h
+
+// Where a run goes on that was saved on its way.
+struct SavedRun {
+  double time = 0.0;  // s, >= 0: what the clock shows at the start; drives and timed forces count from 0
+  // Of the scene that the state belongs to (physics/scene/fingerprint.h); 0: a clock alone.
+  std::uint64_t fingerprint = 0;
+  // None where the scene was changed since: the run goes on from its bodies and its clock alone.
+  std::shared_ptr<const RunState> state{};
+};
+
 // Methods beside the scene's own.
 inline constexpr std::size_t kMostCompared = 5;
 
@@ -294,8 +306,12 @@ struct Scene {
   std::vector<Expectation> expect;
   std::vector<Plot> plots;  // to open with; none: the usual ones
   std::optional<View> view;
+  std::optional<SavedRun> saved;
   std::string extra;  // a JSON object kept as it is; empty if there is none
 };
+
+// s: what the clock shows at the start of a run.
+[[nodiscard]] inline double start_time(const Scene& scene) { return scene.saved ? scene.saved->time : 0.0; }
 
 // The material called `name`; "default" exists in every scene. Throws std::out_of_range for another unknown
 // name.

@@ -326,6 +326,7 @@ void validate(const Scene& scene, const ForcePlaces& places) {
     check_method(fmt::format("/compare/{}", i), scene.compare[i]);
   }
   check_positive("/duration", scene.duration, "s");
+  check_range("/state/time", start_time(scene), 0.0, kLargestNumber, "s");
   check_materials(scene);
   check_pairs(scene);
   check_bodies(scene);
@@ -353,6 +354,11 @@ void validate(const Scene& scene, const ForcePlaces& places) {
     check_vector("/view/center", scene.view->center, "m");
     check_positive("/view/width", scene.view->width, "m");
   }
+}
+
+void validate_method(const std::string& place, const Scene& scene, const Method& method) {
+  check_method(place, method);
+  check_integrator(place, scene, method);
 }
 
 void validate(const Scene& scene) { validate(scene, written_places(scene.forces)); }

@@ -50,5 +50,7 @@ struct ForcePlaces {
 // and whether the integrator can run the scene. Throws SceneError with the JSON pointer of the first fault.
 void validate(const Scene& scene, const ForcePlaces& places);
 void validate(const Scene& scene);
+// A method of a scene that is valid.
+void validate_method(const std::string& place, const Scene& scene, const Method& method);
 
 }  // namespace carom

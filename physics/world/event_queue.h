@@ -28,6 +28,7 @@ class EventQueue {
     sweep_at_ = kFewest;
   }
   [[nodiscard]] bool empty() const { return heap_.empty(); }
+  [[nodiscard]] const std::vector<Event>& all() const { return heap_; }  // in no order
   [[nodiscard]] const Event& next() const { return heap_.front(); }
   // All times `by` earlier. Rounding may make two times equal, so the order is made anew.
   void shift(double by) {

@@ -46,6 +46,10 @@ std::string Notices::text() const {
       Entry{links_missed_since,
             "at t = {:.6g} s a step was too long for the links, and what follows means nothing: take shorter "
             "steps"},
+      Entry{
+          state_left_since,
+          "the scene was changed after the run was saved: from t = {:.6g} s it goes on from its bodies and its "
+          "clock alone"},
   };
   std::string line;
   for (const Entry& entry : entries) {

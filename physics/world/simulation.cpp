@@ -16,14 +16,18 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 Simulation::Simulation(const Scene& scene, const Needs& needs)
     : scene_(scene), method_(scene.method), needs_(needs), bodies_(all_bodies(scene)) {
+  const double start = start_time(scene);
   tracks_ = Tracks(scene_, bodies_, needs_);
+  tracks_.begin(start);
   // Seven digits of a file are not where links hold their ends within rounding.
   for (int k = 0; k < tracks_.islands(); ++k) tracks_.restore_links(k);
   lay_out();
-  tracks_.begin(0.0);
+  tracks_.begin(start);
   publish(0.0);
+  time_ = step_end_ = origin_ = gravity_since_ = start;
   ledger_.initial = totals().energy();
   ledger_.initial_momentum = totals().momentum;
+  if (scene.saved) go_on_from(*scene.saved);
 }
 
 void Simulation::lay_out() {

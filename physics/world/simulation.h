@@ -73,6 +73,8 @@ struct Notices {
   double restitution_lowered_since = -1.0;
   // A step led so far off that links could not be restored after it, or turned links by many radians.
   double links_missed_since = -1.0;
+  // The scene was changed after the run was saved: it goes on from its bodies and its clock alone.
+  double state_left_since = -1.0;
 
   // Contact forces were left with a residual beyond rounding, at the most `contacts_left` m/s.
   double contacts_left_since = -1.0;
@@ -142,7 +144,8 @@ class Simulation {
   static constexpr std::size_t kMostLogged = 1'000'000;
 
   // The scene must be valid (see validate() in physics/scene/validate.h). `needs` says which parts of the model
-  // are put in.
+  // are put in. Where the scene is that of a saved run, the run goes on from there: with its state, under the
+  // scene's method as if it had been chosen at that moment.
   explicit Simulation(const Scene& scene) : Simulation(scene, needs_of(scene)) {}
   Simulation(const Scene& scene, const Needs& needs);
 
@@ -203,12 +206,21 @@ class Simulation {
   // Puts in one more body now; its energy is the user's. Its name must be new and its material known.
   void add_body(const Body& body);
 
+  [[nodiscard]] double length(int link) const { return tracks_.length(link); }  // m, of a rod or a string
+  // All that the next step starts from (run_state.cpp).
+  [[nodiscard]] RunState run_state() const;
+
  private:
   struct Deferred {
     int a;
     int b;
     bool resting;
   };
+
+  template <class Self, class Kept, class Each>
+  static void each_kept(Self& simulation, Kept& kept, const Each& each);
+  void go_on_from(const SavedRun& saved);
+  [[nodiscard]] bool runs_on() const;  // tracks run on across the ends of steps
 
   void lay_out();  // arrays from bodies_
   void publish(double within);

@@ -1,0 +1,149 @@
+#include "physics/world/run_state.h"
+
+#include <algorithm>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "physics/motion/integrators.h"
+#include "physics/scene/fingerprint.h"
+#include "physics/scene/validate.h"
+#include "physics/world/simulation.h"
+
+// What a simulation keeps from step to step. The lists name every member of their class in a structured
+// binding: one that is new doesn't compile until it is either kept or known to be made anew before it is read.
+namespace carom {
+namespace {
+
+template <class Contacts, class Kept, class Each>
+void each_kept_of_contacts(Contacts& lasting, Kept& kept, const Each& each) {
+  auto& [contacts, id, point, forces, hold, guess, sticks, near, landings, holds, held, pushed, acceleration,
+         before, after, free, mean, moved, poses, reach, workspace] = lasting;
+  each(forces, kept.forces);
+  each(hold, kept.hold);
+  each(held, kept.held);
+  each(pushed, kept.pushed);
+}
+
+}  // namespace
+
+template <class Self, class Kept, class Each>
+void Simulation::each_kept(Self& simulation, Kept& kept, const Each& each) {
+  auto& [scene, method, needs, bodies, mass, shapes, tracks, driven, material, mixed, materials,  // the model
+         state, time, step_end, origin, origin_step, steps_since_origin, steps, impact_count,
+         impacts_before_step, ledger, gravity_since, notices, impacts, jumps, watch_impacts,  // the run
+         running, reach, epoch_length, last_impact, at_once, grid, queue, stamp, deferred, due, touches,
+         cluster,
+         cluster_scratch,                                        // impacts at their own time
+         lasts, step_length, may_divide, touched_down, lasting,  // contacts that last
+         broad_phase, bounds] = simulation;                      // impacts at the step's end
+  each(method, kept.method);
+  each(time, kept.time);
+  each(origin, kept.origin);
+  each(origin_step, kept.origin_step);
+  each(steps_since_origin, kept.steps_since_origin);
+  each(steps, kept.steps);
+  each(impact_count, kept.impact_count);
+  each(at_once, kept.at_once);
+  each(state, kept.motions);
+  each(ledger, kept.ledger);
+  each(gravity_since, kept.gravity_since);
+  each(notices, kept.notices);
+  each_kept_of_contacts(lasting, kept.contacts, each);
+  if (!kept.ahead) return;
+  each(reach, kept.ahead->reach);
+  each(epoch_length, kept.ahead->epoch_length);
+  each(last_impact, kept.ahead->last_impact);
+}
+
+bool Simulation::runs_on() const {
+  const IntegratorChoice& choice = choice_of(kIntegrators, method_.integrator);
+  return running_ && method_.impacts == ImpactsId::kLocated && !contacts_last(method_, needs_) &&
+         (choice.order == 0 || choice.adaptive);
+}
+
+RunState Simulation::run_state() const {
+  RunState kept;
+  if (runs_on()) {
+    RunAhead& ahead = kept.ahead.emplace();
+    ahead.grid = grid_.order();
+    for (const Event& event : queue_.all()) {
+      if (!is_stale(event)) ahead.events.push_back({event.time, event.a, event.b});
+    }
+    std::sort(ahead.events.begin(), ahead.events.end(), [](const auto& x, const auto& y) {
+      return std::tie(x.time, x.a, x.b) < std::tie(y.time, y.a, y.b);
+    });
+    for (const auto& [a, b, resting] : deferred_) ahead.waiting.push_back({a, b, resting});
+  }
+  each_kept(*this, kept, [](const auto& own, auto& to) { to = own; });
+  tracks_.keep(kept.tracks, kept.ahead ? &kept.ahead->tracks : nullptr);
+  return kept;
+}
+
+void Simulation::go_on_from(const SavedRun& saved) {
+  scene_.saved = SavedRun{.time = saved.time};
+  if (saved.fingerprint == 0) return;
+  const RunState* state = saved.state.get();
+  if (state == nullptr || needs_.untrimmed || saved.fingerprint != fingerprint(scene_)) {
+    notices_.state_left_since = saved.time;
+    return;
+  }
+  const Method method = method_;
+  if (!(state->method == method)) {
+    scene_.method = state->method;
+    tracks_.set_method(state->method);
+  }
+  each_kept(*this, *state, [](auto& own, const auto& from) { own = from; });
+  tracks_.put_back(state->tracks, state->ahead ? &state->ahead->tracks : nullptr);
+  step_end_ = time_;
+  if (state->ahead) {
+    (void)grid_.put_back(static_cast<int>(bodies_.size()), state->ahead->grid);
+    // The stamps of all islands are 0 yet.
+    for (const auto& [time, a, b] : state->ahead->events) queue_.push({time, a, b, 0, 0});
+    for (const auto& [a, b, resting] : state->ahead->waiting) deferred_.push_back({a, b, resting});
+    running_ = true;
+  }
+  if (!(state->method == method)) set_method(method);
+}
+
+Scene saved_scene(const Scene& document, const Simulation& simulation) {
+  Scene out = document;
+  out.generators.clear();
+  out.expect.clear();
+  out.method = simulation.method();
+  out.bodies = simulation.bodies();
+  const State& state = simulation.state();
+  // What a file may leave to the start must be said now.
+  out.links = simulation.links();
+  for (std::size_t i = 0; i < out.links.size(); ++i) {
+    Link& link = out.links[i];
+    if (link.kind == LinkKind::kRod || link.kind == LinkKind::kString) {
+      link.length = simulation.length(static_cast<int>(i));
+    } else if (link.kind == LinkKind::kWeld && !link.angle) {
+      const auto angle_of = [&](const std::string& name) {
+        return std::find_if(out.bodies.begin(), out.bodies.end(), [&](const Body& b) { return b.name == name; })
+            ->angle;
+      };
+      link.angle = angle_of(link.body) - (link.to.empty() ? 0.0 : angle_of(link.to));
+    }
+  }
+  for (int i = 0; i < state.size(); ++i) {
+    Body& b = out.bodies[static_cast<std::size_t>(i)];
+    if (is_immovable(b)) continue;
+    b.position = state.position(i);
+    b.angle = state.q(2, i);
+    b.velocity = state.velocity(i);
+    b.spin = state.v(2, i);
+  }
+  out.saved = SavedRun{.time = simulation.time(), .state = std::make_shared<RunState>(simulation.run_state())};
+  out.saved->fingerprint = fingerprint(out);
+  try {
+    validate(out);
+    check_state(out, *out.saved->state);
+  } catch (const SceneError& error) {
+    throw SceneError(std::string("the run cannot be saved as it stands: ") + error.what());
+  }
+  return out;
+}
+
+}  // namespace carom

@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+#include "physics/collision/geometry.h"
+#include "physics/scene/needs.h"
+#include "physics/scene/validate.h"
+#include "physics/world/run_state.h"
+
+// Whether a state can be put into a simulation: what is indexed by it stays in range, and time goes on.
+namespace carom {
+namespace {
+
+// The epochs of tracks that run on: powers of two within these.
+constexpr double kShortestEpoch = 0x1p-20;  // s
+constexpr double kLongestEpoch = 0x1p20;    // s
+
+[[noreturn]] void refuse(const std::string& place, const std::string& why) {
+  throw SceneError(fmt::format("/state/{}: {}; allowed: what a run of this scene leaves there", place, why));
+}
+
+void check_least(const std::string& place, double value, double least) {
+  if (!(value >= least)) refuse(place, fmt::format("{} is below {}", value, least));
+}
+
+void check_body(const std::string& place, const std::vector<Body>& bodies, int body) {
+  if (body < 0 || body >= static_cast<int>(bodies.size()))
+    refuse(place, fmt::format("there is no body {}", body));
+}
+
+// Bodies a < b one of which moves.
+void check_pair(const std::string& place, const std::vector<Body>& bodies, int a, int b) {
+  check_body(place, bodies, a);
+  check_body(place, bodies, b);
+  if (a >= b) refuse(place, fmt::format("body {} is not before body {}", a, b));
+  if (is_immovable(bodies[static_cast<std::size_t>(a)]) && is_immovable(bodies[static_cast<std::size_t>(b)]))
+    refuse(place, fmt::format("nothing moves bodies {} and {}", a, b));
+}
+
+// Motions that a preset can't have mean nothing.
+void check_motions(const std::string& place, const Eigen::Matrix3Xd& m, double most) {
+  if (m.size() > 0 && !(m.cwiseAbs().maxCoeff() <= most))
+    refuse(place, fmt::format("a number beyond ±{}", most));
+}
+
+void check_clock(const RunState& s) {
+  check_least("steps_since_origin", static_cast<double>(s.steps_since_origin), 0.0);
+  check_least("steps", static_cast<double>(s.steps), 0.0);
+  check_least("impacts", static_cast<double>(s.impact_count), 0.0);
+  check_least("at_once", s.at_once, 0.0);
+  check_least("origin_step", s.origin_step, 0.0);
+  if (s.time != s.origin + static_cast<double>(s.steps_since_origin) * s.origin_step)
+    refuse("steps_since_origin", fmt::format("these steps don't end at the time, {} s", s.time));
+  check_least("tracks/evaluations", static_cast<double>(s.tracks.evaluations), 0.0);
+  check_least("tracks/rejected_steps", static_cast<double>(s.tracks.rejected_steps), 0.0);
+  if (!(s.tracks.epoch <= s.time)) refuse("tracks/epoch", fmt::format("{} is after the time", s.tracks.epoch));
+}
+
+void check_forces(const Scene& scene, const TrackState& s) {
+  for (std::size_t i = 0; i < scene.forces.applied.size(); ++i) {
+    const int phase = s.phase[i];
+    if (phase < 0 || phase > 3 || (phase == 1 && !(scene.forces.applied[i].rise > 0.0)))
+      refuse(fmt::format("tracks/phase/{}", i), fmt::format("{} is no phase of this force", phase));
+  }
+  for (std::size_t i = 0; i < scene.forces.springs.size(); ++i) {
+    if (s.engaged[i] > 1 || (s.engaged[i] == 0 && scene.forces.springs[i].acts == SpringActs::kBoth))
+      refuse(fmt::format("tracks/engaged/{}", i), fmt::format("{} of this spring", s.engaged[i]));
+  }
+  for (std::size_t i = 0; i < scene.links.size(); ++i) {
+    if (s.taut[i] > 1 || (s.taut[i] == 0 && scene.links[i].kind != LinkKind::kString))
+      refuse(fmt::format("tracks/taut/{}", i), fmt::format("{} of this link", s.taut[i]));
+  }
+}
+
+void check_contacts(const std::vector<Body>& bodies, const ContactMemory& s) {
+  for (std::size_t i = 0; i < s.forces.size(); ++i) {
+    const std::string at = fmt::format("contacts/forces/{}", i);
+    const ContactForce& f = s.forces[i];
+    check_pair(at, bodies, f.a, f.b);
+    if (i > 0 && std::pair(f.a, f.b) < std::pair(s.forces[i - 1].a, s.forces[i - 1].b))
+      refuse(at, "the pairs are not in rising order");
+  }
+  if (s.hold.size() != s.forces.size())
+    refuse("contacts", fmt::format("{} are held and {} have forces", s.hold.size(), s.forces.size()));
+  for (const int i : s.pushed) {
+    check_body("contacts/pushed", bodies, i);
+    if (is_immovable(bodies[static_cast<std::size_t>(i)]))
+      refuse("contacts/pushed", fmt::format("nothing moves body {}", i));
+  }
+}
+
+void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const Tracks& tracks,
+                 const RunState& s) {
+  const RunAhead& ahead = *s.ahead;
+  check_least("ahead/reach", ahead.reach, std::numeric_limits<double>::min());
+  int exponent = 0;
+  if (!(ahead.epoch_length >= kShortestEpoch && ahead.epoch_length <= kLongestEpoch) ||
+      std::frexp(ahead.epoch_length, &exponent) != 0.5) {
+    refuse("ahead/epoch_length", fmt::format("{} is no such length", ahead.epoch_length));
+  }
+  if (!(s.time - s.tracks.epoch <= ahead.epoch_length))
+    refuse("tracks/epoch", fmt::format("{} is too long before the time", s.tracks.epoch));
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    check_least(fmt::format("ahead/bend/{}", i), ahead.tracks.bend[i], 0.0);
+    check_least(fmt::format("ahead/turn/{}", i), ahead.tracks.turn[i], 0.0);
+  }
+  for (std::size_t i = 0; i < ahead.events.size(); ++i) {
+    const std::string at = fmt::format("ahead/events/{}", i);
+    const RunAhead::Foreseen& e = ahead.events[i];
+    check_least(at, e.time, 0.0);
+    if (e.b >= 0) {
+      check_pair(at, bodies, e.a, e.b);
+      if (!shapes.can_meet(e.a, e.b)) refuse(at, fmt::format("bodies {} and {} can't meet", e.a, e.b));
+    } else {
+      check_body(at, bodies, e.a);
+      if (tracks.island_of(e.a) < 0) refuse(at, fmt::format("nothing moves body {}", e.a));
+    }
+  }
+  for (std::size_t i = 0; i < ahead.waiting.size(); ++i) {
+    const std::string at = fmt::format("ahead/waiting/{}", i);
+    const RunAhead::Waiting& w = ahead.waiting[i];
+    check_pair(at, bodies, w.a, w.b);
+    if (!shapes.can_meet(w.a, w.b)) refuse(at, fmt::format("bodies {} and {} can't meet", w.a, w.b));
+  }
+  for (const Bounds& b : ahead.grid.bounds) {
+    if (!(b.low <= b.high).all()) refuse("ahead/grid/bounds", "bounds that hold nothing");
+  }
+  CellGrid grid;
+  if (!grid.put_back(static_cast<int>(bodies.size()), ahead.grid))
+    refuse("ahead/grid", "these cells don't hold these bounds");
+}
+
+}  // namespace
+
+void check_state(const Scene& scene, const RunState& state) {
+  validate_method("/state/method", scene, state.method);
+  if (state.time != start_time(scene)) refuse("time", fmt::format("the state is of t = {} s", state.time));
+  const std::vector<Body> bodies = all_bodies(scene);
+  check_clock(state);
+  constexpr double kMostAhead = 1e15;         // m and m/s: a track may lead far off before it is cut
+  constexpr double kMostAcceleration = 1e30;  // m/s²
+  check_motions("positions", state.motions.q, kLargestNumber);
+  check_motions("velocities", state.motions.v, kLargestNumber);
+  check_motions("tracks/settled", state.tracks.settled.topRows<3>(), kLargestNumber);
+  check_motions("tracks/settled", state.tracks.settled.middleRows<3>(3), kLargestNumber);
+  check_motions("tracks/constant", state.tracks.constant, kMostAcceleration);
+  check_motions("tracks/contact", state.tracks.contact, kMostAcceleration);
+  if (state.ahead) {
+    check_motions("ahead/at_end", state.ahead->tracks.at_end.topRows<3>(), kMostAhead);
+    check_motions("ahead/at_end", state.ahead->tracks.at_end.middleRows<3>(3), kMostAhead);
+  }
+  check_forces(scene, state.tracks);
+  check_contacts(bodies, state.contacts);
+  Scene own = scene;
+  own.method = state.method;
+  const Tracks tracks(own, bodies, needs_of(own));
+  if (const auto fault = tracks.fault_of(state.tracks, state.ahead ? &state.ahead->tracks : nullptr)) {
+    const auto colon = fault->find(": ");
+    refuse(fault->substr(0, colon), fault->substr(colon + 2));
+  }
+  if (state.ahead) check_ahead(bodies, geometry(bodies, scene.links), tracks, state);
+}
+
+}  // namespace carom

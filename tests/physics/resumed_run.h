@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "physics/preset/preset.h"
+#include "physics/scene/validate.h"
+#include "physics/world/run_state.h"
+
+// A run beside one that was saved on its way, read again, and gone on with.
+namespace carom::test {
+
+// Through a file's text, to the last bit.
+inline Scene saved_and_read(const Scene& document, const Simulation& simulation) {
+  return parse_preset(write_preset(saved_scene(document, simulation)), "saved");
+}
+
+// Everything that a run can be asked for, and everything that it goes on from: two runs of one text are one.
+inline std::string all_of(const Scene& document, const Simulation& s) {
+  std::string text = s.notices().text() + "\n";
+  const auto bytes = [&](const auto& matrix) {
+    text.append(reinterpret_cast<const char*>(matrix.data()), sizeof(double) * matrix.size());
+  };
+  bytes(s.state().q);
+  bytes(s.state().v);
+  bytes(s.state().books);
+  const Ledger ledger = s.ledger();
+  text.append(reinterpret_cast<const char*>(&ledger), sizeof(ledger));
+  try {
+    text += write_preset(saved_scene(document, s));
+  } catch (const SceneError& error) {
+    text += error.what();  // it has blown up
+  }
+  return text;
+}
+
+inline std::string events_of(const Simulation& s) {
+  std::string text;
+  for (const ImpactRecord& i : s.last_impacts()) {
+    const double numbers[] = {i.time,
+                              static_cast<double>(i.a),
+                              static_cast<double>(i.b),
+                              i.point.x(),
+                              i.point.y(),
+                              i.normal.x(),
+                              i.normal.y(),
+                              i.normal_impulse,
+                              i.tangential_impulse,
+                              i.closing_speed,
+                              i.lost_to_restitution,
+                              i.lost_to_friction,
+                              i.lost_to_sticking};
+    text.append(reinterpret_cast<const char*>(numbers), sizeof(numbers));
+  }
+  return text;
+}
+
+// Where two texts part, with what stands there.
+inline std::string parting(const std::string& a, const std::string& b) {
+  if (a == b) return {};
+  std::size_t at = 0;
+  while (at < a.size() && at < b.size() && a[at] == b[at]) ++at;
+  const std::size_t from = at > 60 ? at - 60 : 0;
+  const auto printable = [&](const std::string& text) {
+    std::string part = text.substr(from, 160);
+    for (char& c : part) {
+      if (c < 0x20 || c > 0x7e) c = '.';
+    }
+    return part;
+  };
+  return "at " + std::to_string(at) + ": '" + printable(a) + "' and '" + printable(b) + "'";
+}
+
+}  // namespace carom::test
