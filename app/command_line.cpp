@@ -207,7 +207,8 @@ int run_command_line(int argc, char** argv) {
       ->check(kOutput)
       ->type_name("F");
   run.add_option("--events", run_options.events, "write every impact")->check(kOutput)->type_name("F");
-  run.add_option("--save", run_options.save, "write the state at the end as a preset")
+  run.add_option("--save", run_options.save,
+                 "write the run as it stands at the end, as a preset that goes on from there")
       ->check(kOutput)
       ->type_name("F");
 

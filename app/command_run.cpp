@@ -10,6 +10,7 @@
 #include "physics/files/output_set.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/needs.h"
+#include "physics/world/run_state.h"
 
 namespace carom {
 namespace {
@@ -36,23 +37,6 @@ class Progress {
   bool shown_ = false;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-// The scene as it stands at the end of the run: every body in the list, at rest or in motion, no generators.
-Scene scene_at(const Scene& scene, const Simulation& s) {
-  Scene out = scene;
-  out.generators.clear();
-  out.expect.clear();  // they are about the run from the start
-  out.method = s.method();
-  out.bodies = s.bodies();
-  for (int i = 0; i < s.state().size(); ++i) {
-    Body& b = out.bodies[i];
-    b.position = s.state().position(i);
-    b.angle = s.state().q(2, i);
-    b.velocity = s.state().velocity(i);
-    b.spin = s.state().v(2, i);
-  }
-  return out;
-}
 
 }  // namespace
 
@@ -104,7 +88,13 @@ int run_command(const RunOptions& options) {
       progress.show(simulation.time());
     });
   }
-  if (save != nullptr) save->write(write_preset(scene_at(scene, simulation)));
+  if (save != nullptr) {
+    try {
+      save->write(write_preset(saved_scene(scene, simulation)));
+    } catch (const SceneError& error) {
+      save->give_up(fmt::format("{}: {}", save->name(), error.what()));  // the other files are good
+    }
+  }
   const std::string failures = outputs.commit();
   write_out(options.json ? report_json(find_preset(options.preset).stem().string(), simulation)
                          : report_text(scene, start, simulation));

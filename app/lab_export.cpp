@@ -21,7 +21,9 @@
 #include "app/run_files.h"
 #include "app/run_progress.h"
 #include "physics/files/output_set.h"
+#include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
+#include "physics/world/run_state.h"
 #include "widgets/ledger_table.h"
 #include "widgets/method_names.h"
 #include "widgets/plot_export.h"
@@ -104,6 +106,23 @@ void LabWindow::save_bins(const RunPlot& plot) {
     export_bins(bins, plot.content().x_unit.toStdString(), file.toStdString());
   } catch (const SceneError& error) {
     QMessageBox::warning(this, tr("The bins cannot be saved"), QString::fromUtf8(error.what()).toHtmlEscaped());
+  }
+}
+
+void LabWindow::save_run() {
+  if (frame_ == nullptr || frame_->log == nullptr) return;
+  // Of the moment when it was asked for, while the run goes on.
+  const std::shared_ptr<const Frame> frame = frame_;
+  const Scene document = scene();
+  const QString file =
+      ask_for_file(tr("Save the run as it stands"), "run.json", tr("Carom presets (*.json)"), "json");
+  if (file.isEmpty()) return;
+  RunProgress progress(tr("Save the run"), this);
+  try {
+    if (const auto run = run_at(*frame->log, frame->key_frames, frame->time, frame->steps, std::ref(progress)))
+      save_preset(saved_scene(document, *run), file.toStdString());
+  } catch (const SceneError& error) {
+    QMessageBox::warning(this, tr("The run cannot be saved"), QString::fromUtf8(error.what()).toHtmlEscaped());
   }
 }
 

@@ -51,6 +51,7 @@ void LabWindow::make_menus() {
   add(file, "open", tr("&Open..."), QKeySequence::Open, [this] { choose_file(); });
   add(file, "save", tr("&Save"), QKeySequence::Save, [this] { save(); });
   add(file, "", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { saveAs(); });
+  add(file, "", tr("Save the &run as it stands..."), QKeySequence(), [this] { save_run(); });
   file->addSeparator();
   add(file, "", tr("Save the &picture of the scene..."), QKeySequence(), [this] { save_scene_picture(); });
   add(file, "", tr("&Copy the picture of the scene"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),

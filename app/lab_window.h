@@ -102,6 +102,7 @@ class LabWindow : public QMainWindow {
   void save_scene_picture();
   void save_plot(RunPlot* plot);
   void save_bins(const RunPlot& plot);  // of a histogram
+  void save_run();                      // a preset that goes on from the moment that is shown
   void save_data(const RunPlot* plot);  // nullptr: of no plot in particular
   void copy_data(const RunPlot* plot, bool shown);
   void copy_scene_picture();

@@ -53,6 +53,22 @@ bool write_lines(const DataExport& what, char separator, const std::function<boo
 
 }  // namespace
 
+std::optional<Simulation> run_at(const RunLog& log,
+                                 const std::vector<std::shared_ptr<const KeyFrame>>& key_frames, double time,
+                                 std::int64_t steps, const std::function<bool(double)>& progress) {
+  const std::shared_ptr<const KeyFrame> moment = latest_before(key_frames, time, {});
+  Replay replay = moment ? Replay(moment->simulation, moment->edits) : Replay(log.start);
+  while (true) {
+    while (replay.edit(log) != nullptr) {
+    }
+    const std::int64_t done = replay.simulation().steps();
+    if (done >= steps) return replay.simulation();
+    if (done % 64 == 0 && !progress(static_cast<double>(done) / static_cast<double>(steps)))
+      return std::nullopt;
+    replay.step();
+  }
+}
+
 bool export_data(const DataExport& what, const std::string& file, const std::function<bool(double)>& progress) {
   OutputFile out(file);
   const auto put = [&](const std::string& line) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ struct DataExport {
   double from = 0.0;
   double to = 0.0;
 };
+
+// The first run after so many of its steps, at `time` (s); none if `progress`, told as below, answers false.
+[[nodiscard]] std::optional<Simulation> run_at(const RunLog& log,
+                                               const std::vector<std::shared_ptr<const KeyFrame>>& key_frames,
+                                               double time, std::int64_t steps,
+                                               const std::function<bool(double)>& progress);
 
 // Writes a CSV file: RFC 4180, units in brackets in the header, every number with all its digits. The run is
 // gone through once more, from its start or from the last key frame before `from`, so that a long past is as

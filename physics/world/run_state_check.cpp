@@ -93,7 +93,15 @@ void check_contacts(const std::vector<Body>& bodies, const ContactMemory& s) {
 void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const Tracks& tracks,
                  const RunState& s) {
   const RunAhead& ahead = *s.ahead;
-  check_least("ahead/reach", ahead.reach, std::numeric_limits<double>::min());
+  // Of the mean size of what moves: tracks far shorter than that would be endless many.
+  double size = 0.0;
+  int moving = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (is_immovable(bodies[i])) continue;
+    size += shapes.extent.col(static_cast<Eigen::Index>(i)).maxCoeff();
+    ++moving;
+  }
+  check_least("ahead/reach", ahead.reach, std::max(0.5 * size / std::max(moving, 1), 1e-9));
   int exponent = 0;
   if (!(ahead.epoch_length >= kShortestEpoch && ahead.epoch_length <= kLongestEpoch) ||
       std::frexp(ahead.epoch_length, &exponent) != 0.5) {

@@ -308,8 +308,9 @@ TEST_F(CommandLine, SavedEndRunsOn) {
   const Json again = run({"end.json", "--until", "0"});
   EXPECT_EQ(again["preset"], "end");
   EXPECT_EQ(again["bodies"], end["bodies"]);
-  const Json on = run({"./end.json", "--until", "0.7"});
-  EXPECT_EQ(on["impacts"], 0);
+  // The clock goes on.
+  const Json on = run({"./end.json", "--until", QString::number(end["time"].get<double>() + 0.7)});
+  EXPECT_EQ(on["impacts"], end["impacts"]);
   EXPECT_NEAR(on["bodies"][1]["position"][0].get<double>(),
               end["bodies"][1]["position"][0].get<double>() + 0.7 * 13.0 / 35.0, 1e-12);
 }

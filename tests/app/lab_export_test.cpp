@@ -2,6 +2,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
@@ -21,6 +22,7 @@
 #include "app/film_dialog.h"
 #include "app/lab_window.h"
 #include "app/run_export.h"
+#include "physics/preset/preset.h"
 #include "widgets/plot_panel.h"
 #include "widgets/run_plot.h"
 #include "widgets/scene_view.h"
@@ -194,6 +196,36 @@ TEST_F(LabExportTest, AFilmIsMade) {
   ASSERT_EQ(frames.size(), 9);
   EXPECT_EQ(QImage(folder + "/" + frames.back()), shown);
   EXPECT_NE(QImage(folder + "/" + frames.front()), shown);
+}
+
+// The preset goes on from there, and a restart goes back there; what "Save as" keeps begins at the beginning.
+TEST_F(LabExportTest, TheRunIsSavedAsItStands) {
+  window_.run_until(1.0);
+  const State shown = window_.frame()->state;
+  QTemporaryDir dir;
+  const auto answer = [&](QWidget* dialog) {
+    auto* where = qobject_cast<QFileDialog*>(dialog);
+    if (where == nullptr) return;
+    where->setDirectory(dir.path());
+    where->findChild<QLineEdit*>("fileNameEdit")->setText("mid.json");
+    QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
+  };
+  with_answers(answer, [&] { trigger("Save the run as it stands..."); });
+  const std::string file = dir.filePath("mid.json").toStdString();
+  const Scene saved = read_preset(file);
+  ASSERT_TRUE(saved.saved && saved.saved->state);
+  EXPECT_FALSE(window_.scene().saved);
+
+  window_.run_until(1.5);
+  const State later = window_.frame()->state;
+  ASSERT_TRUE(window_.open(file));
+  window_.run_until(1.5);
+  EXPECT_EQ(window_.frame()->state.q, later.q);
+  EXPECT_EQ(window_.frame()->status, "ok");
+  trigger("Restart");
+  for (int i = 0; i < 200 && window_.frame()->time > 1.2; ++i) QTest::qWait(10);
+  EXPECT_NEAR(window_.frame()->time, 1.0, 0.01);
+  EXPECT_EQ(window_.frame()->state.q, shown.q);
 }
 
 TEST_F(LabExportTest, TheFilmDialogTellsWhatWillCome) {
