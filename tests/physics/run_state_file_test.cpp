@@ -167,8 +167,8 @@ TEST(RunStateFile, ARunThatHasBlownUpIsNotSaved) {
   EXPECT_THROW((void)saved_scene(s, run), SceneError);
 }
 
-// Every value of the section in turn becomes something that it can't be, or might: what is read goes on, what
-// isn't is refused in one line that says where.
+// Every value of the section in turn becomes something that it can't be, or might: what isn't put back is
+// refused in one line that says where.
 void mutilate(const Scene& saved, const std::vector<Json>& values) {
   const Json whole = preset_json(saved, false);
   std::vector<Json::json_pointer> places;
@@ -185,8 +185,8 @@ void mutilate(const Scene& saved, const std::vector<Json>& values) {
   int refused = 0;
   const auto look = [&](const Json& changed, const std::string& what) {
     try {
-      Simulation run(scene_of(changed));
-      for (int k = 0; k < 3; ++k) run.step();
+      const Simulation run(scene_of(changed));
+      (void)run.totals();
     } catch (const SceneError& error) {
       ++refused;
       EXPECT_NE(std::string(error.what()).find("/state"), std::string::npos) << what << ": " << error.what();
