@@ -117,6 +117,7 @@ int lab_command(int& argc, char** argv, const std::string& preset) {
   LabWindow window(theme);
   window.open(wanted);
   window.show();
+  window.keep_work(autosave_folder());
   return QApplication::exec();
 }
 

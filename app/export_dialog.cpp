@@ -9,11 +9,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/plain_text.h"
+
 namespace carom {
 
 ExportDialog::ExportDialog(const QString& plot, bool marked, const std::vector<QString>& runs, QWidget* parent)
     : QDialog(parent),
-      plot_(new QRadioButton(tr("The curves of “%1”").arg(plot))),
+      plot_(new QRadioButton(tr("The curves of “%1”").arg(QString(plot).replace('&', "&&")))),
       plots_(new QRadioButton(tr("The curves of all plots"))),
       run_(new QRadioButton(tr("The whole run: sums, bodies (up to 50) and ledger"))),
       all_(new QRadioButton(tr("From the start until now"))),
@@ -42,9 +44,9 @@ ExportDialog::ExportDialog(const QString& plot, bool marked, const std::vector<Q
   marked_->setEnabled(marked);
   marked_->setToolTip(tr("Click into a plot for A, with Shift for B"));
   auto* note =
-      new QLabel(tr("CSV, units in the header, every digit: one line for each step's end, two for each "
-                    "impact. The run is gone through once more."),
-                 this);
+      new PlainLabel(tr("CSV, units in the header, every digit: one line for each step's end, two for each "
+                        "impact. The run is gone through once more."),
+                     this);
   note->setObjectName("muted");
   note->setWordWrap(true);
   column->addWidget(note);

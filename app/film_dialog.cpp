@@ -14,6 +14,7 @@
 
 #include "physics/scene/validate.h"
 #include "widgets/number_text.h"
+#include "widgets/plain_text.h"
 
 namespace carom {
 namespace {
@@ -72,7 +73,7 @@ FilmDialog::FilmDialog(const Film& suggestion, const QString& folder, QWidget* p
       height_(pixel_box(suggestion.pixels.height(), tr("Height of the frames"))),
       shown_(new QComboBox),
       folder_(new QLineEdit(folder)),
-      summary_(new QLabel) {
+      summary_(new PlainLabel) {
   setWindowTitle(tr("Film"));
   setMinimumWidth(480);
   folder_->setObjectName("folder");
@@ -88,10 +89,10 @@ FilmDialog::FilmDialog(const Film& suggestion, const QString& folder, QWidget* p
   shown_->setToolTip(tr("The camera stands still in either case"));
   auto* choose = new QPushButton(tr("Choose..."));
   choose->setAutoDefault(false);
-  form->addRow(tr("Of the run"), row_of({from_, new QLabel(tr("to")), to_}));
+  form->addRow(tr("Of the run"), row_of({from_, new PlainLabel(tr("to")), to_}));
   form->addRow(tr("Speed"), speed_);
   form->addRow(tr("Frames a second"), rate_);
-  form->addRow(tr("Size"), row_of({width_, new QLabel(QStringLiteral("×")), height_}));
+  form->addRow(tr("Size"), row_of({width_, new PlainLabel(QStringLiteral("×")), height_}));
   form->addRow(tr("Picture"), shown_);
   auto* where = row_of({folder_, choose});
   where->layout()->setAlignment(choose, Qt::AlignRight);
@@ -102,8 +103,8 @@ FilmDialog::FilmDialog(const Film& suggestion, const QString& folder, QWidget* p
   summary_->setWordWrap(true);
   column->addWidget(summary_);
   auto* note =
-      new QLabel(tr("Numbered PNG files. The run is gone through once more for them, so that its past "
-                    "is exact however long ago."));
+      new PlainLabel(tr("Numbered PNG files. The run is gone through once more for them, so that its past "
+                        "is exact however long ago."));
   note->setObjectName("muted");
   note->setWordWrap(true);
   column->addWidget(note);

@@ -78,7 +78,8 @@ void LabWindow::compare_usual() {
     tabs_->setCurrentWidget(compare_);
     if (reference_ != ReferenceId::kNone) plots_->set_shown("error", true);
   }
-  worker_->load(scene, plots_->curves(), reference_);
+  forget_wait();
+  worker_->restart(scene.method, scene.compare, plots_->curves(), reference_);
   mark_changed(true);
   show_method();
   show_needs();

@@ -4,9 +4,8 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QLocale>
-#include <QMessageBox>
+#include <QPointer>
 #include <QStandardPaths>
-#include <QThread>
 #include <algorithm>
 #include <functional>
 
@@ -26,6 +25,7 @@
 #include "physics/world/run_state.h"
 #include "widgets/ledger_table.h"
 #include "widgets/method_names.h"
+#include "widgets/plain_text.h"
 #include "widgets/plot_export.h"
 #include "widgets/plot_panel.h"
 #include "widgets/run_plot.h"
@@ -80,7 +80,7 @@ void LabWindow::save_picture_as(const QString& stem,
       ask_for_export(tr("Save the picture"), stem + ".png", tr("Pictures (*.png *.svg *.pdf)"), "png");
   QString error;
   if (!file.isEmpty() && !save(file, &error)) {
-    QMessageBox::warning(this, tr("The picture cannot be saved"), error.toHtmlEscaped());
+    tell(this, tr("The picture cannot be saved"), error);
   }
 }
 
@@ -90,8 +90,9 @@ void LabWindow::save_scene_picture() {
 
 void LabWindow::save_plot(RunPlot* plot) {
   plots_->show_now();
-  save_picture_as(
-      "plot", [plot](const QString& file, QString* error) { return save_plot_picture(*plot, file, error); });
+  save_picture_as("plot", [plot = QPointer<RunPlot>(plot)](const QString& file, QString* error) {
+    return plot == nullptr || save_plot_picture(*plot, file, error);
+  });
 }
 
 void LabWindow::copy_scene_picture() { QGuiApplication::clipboard()->setImage(view_->picture()); }
@@ -105,7 +106,7 @@ void LabWindow::save_bins(const RunPlot& plot) {
   try {
     export_bins(bins, plot.content().x_unit.toStdString(), file.toStdString());
   } catch (const SceneError& error) {
-    QMessageBox::warning(this, tr("The bins cannot be saved"), QString::fromUtf8(error.what()).toHtmlEscaped());
+    tell(this, tr("The bins cannot be saved"), QString::fromUtf8(error.what()));
   }
 }
 
@@ -160,7 +161,7 @@ void LabWindow::save_data(const RunPlot* plot) {
   try {
     (void)export_data(what, file.toStdString(), std::ref(progress));
   } catch (const SceneError& error) {
-    QMessageBox::warning(this, tr("The data cannot be saved"), QString::fromUtf8(error.what()).toHtmlEscaped());
+    tell(this, tr("The data cannot be saved"), QString::fromUtf8(error.what()));
   }
 }
 
@@ -186,9 +187,8 @@ void LabWindow::copy_data(const RunPlot* plot, bool shown) {
   const Copied copied = carom::copy_data(what, text, std::ref(progress));
   if (copied == Copied::kAll) QGuiApplication::clipboard()->setText(QString::fromStdString(text));
   if (copied == Copied::kTooMany) {
-    QMessageBox::information(
-        this, tr("Too much for the clipboard"),
-        tr("These are more than %1 rows: “Save the data...” takes them all into a file.").arg(kMostCopied));
+    tell(this, tr("Too much for the clipboard"),
+         tr("These are more than %1 rows: “Save the data...” takes them all into a file.").arg(kMostCopied));
   }
 }
 
@@ -219,41 +219,28 @@ void LabWindow::make_film() {
     frames = save_film(film, dialog.folder().toStdString(), dialog.may_replace(), {file_.toStdString()},
                        std::ref(progress));
   } catch (const SceneError& error) {
-    QMessageBox::warning(this, tr("The frames cannot be made"),
-                         QString::fromUtf8(error.what()).toHtmlEscaped());
+    tell(this, tr("The frames cannot be made"), QString::fromUtf8(error.what()));
     return;
   }
   if (!frames) return;
-  const int count = frames->written;
-  QString remark;
-  for (const std::string& line : remarks(*frames))
-    remark += "<p>" + QString::fromStdString(line).toHtmlEscaped();
-  QMessageBox box(QMessageBox::NoIcon, tr("Film"),
-                  tr("%1 frames are in %2.").arg(count).arg(dialog.folder().toHtmlEscaped()), QMessageBox::Ok,
-                  this);
-  box.setInformativeText(
-      tr("There, this makes a film of them:<p><code>%1</code>").arg(encoder_line(film, count).toHtmlEscaped()) +
-      remark);
-  box.setTextInteractionFlags(Qt::TextSelectableByMouse);
-  box.exec();
-}
-
-void LabWindow::pause() {
-  set_playing(false);
-  while (frame_->playing) {
-    QThread::msleep(2);
-    poll();
-    QApplication::processEvents();
-  }
+  QString details = tr("There, this makes a film of them:") + "\n\n" + encoder_line(film, frames->written);
+  for (const std::string& line : remarks(*frames)) details += "\n\n" + QString::fromStdString(line);
+  tell(this, tr("Film"), tr("%1 frames are in %2.").arg(QString::number(frames->written), dialog.folder()),
+       details);
 }
 
 void LabWindow::make_report() {
   if (frame_ == nullptr || frame_->log == nullptr) return;
-  if (frame_->steps == 0) {
-    QMessageBox::information(this, tr("Lab report"), tr("The run has not begun: play it first."));
+  if (frame_->steps == 0 && !frame_->playing) {
+    tell(this, tr("Lab report"), tr("The run has not begun: play it first."));
     return;
   }
-  pause();  // so that plots and tables are of one moment
+  // So that plots and tables are of one moment.
+  when_still(tr("the report waits for the step that is under way"), [this] { write_report(); });
+}
+
+void LabWindow::write_report() {
+  if (frame_ == nullptr || frame_->log == nullptr || frame_->steps == 0) return;
   bodies_->update_from(*frame_, before_);
   ledger_->update_from(*frame_);
   LabReport report;
@@ -280,8 +267,7 @@ void LabWindow::make_report() {
   RunProgress progress(tr("Lab report"), this);
   const std::optional<PrintPages> pages = report_pages(report, std::ref(progress));
   QString error;
-  if (pages && !pages->save(file, report.title, &error))
-    QMessageBox::warning(this, tr("The report cannot be saved"), error.toHtmlEscaped());
+  if (pages && !pages->save(file, report.title, &error)) tell(this, tr("The report cannot be saved"), error);
 }
 
 }  // namespace carom

@@ -11,10 +11,12 @@
 
 #include "app/lab_window.h"
 #include "app/preset_library.h"
+#include "app/restore_bar.h"
 #include "physics/preset/preset.h"
 #include "widgets/compare_panel.h"
 #include "widgets/experiment_list.h"
 #include "widgets/ledger_table.h"
+#include "widgets/plain_text.h"
 #include "widgets/plot_panel.h"
 #include "widgets/reading_table.h"
 #include "widgets/run_tables.h"
@@ -156,9 +158,14 @@ void LabWindow::make_body() {
   columns->setStretchFactor(1, 392);
   columns->setSizes({616, 392});
   columns->setChildrenCollapsible(false);
-  auto* inner = new QHBoxLayout;
+  restore_bar_ = new RestoreBar;
+  connect(restore_bar_, &RestoreBar::restoreClicked, this, &LabWindow::restore_work);
+  connect(restore_bar_, &RestoreBar::discardClicked, this, &LabWindow::discard_work);
+  auto* inner = new QVBoxLayout;
   inner->setContentsMargins(8, 8, 8, 8);
-  inner->addWidget(columns);
+  inner->setSpacing(8);
+  inner->addWidget(restore_bar_);
+  inner->addWidget(columns, 1);
   row->addLayout(inner, 1);
   setCentralWidget(middle);
 
@@ -168,19 +175,19 @@ void LabWindow::make_body() {
   chips->setContentsMargins(0, 0, 0, 0);
   chips->setSpacing(6);
   for (QLabel** chip : {&time_chip_, &speed_chip_, &needs_chip_}) {
-    *chip = new QLabel(chips_);
+    *chip = new PlainLabel(chips_);
     (*chip)->setObjectName("chip");
     chips->addWidget(*chip);
   }
   needs_chip_->setAccessibleName(tr("What is modelled"));
-  status_chip_ = new QLabel(view_);
+  status_chip_ = new PlainLabel(view_);
   status_chip_->setObjectName("chip");
   time_chip_->setStyleSheet("font-weight: bold;");
   speed_chip_->setToolTip(tr("Simulated seconds per second"));
   status_chip_->hide();
   view_->installEventFilter(this);
 
-  position_ = new QLabel(view_);
+  position_ = new PlainLabel(view_);
   position_->setObjectName("caption");
   connect(view_, &SceneView::cursorMoved, this, [this](double x, double y) {
     position_->setText(
@@ -193,7 +200,7 @@ void LabWindow::make_body() {
   connect(list_, &ExperimentList::openRequested, this,
           [this](const QString& name) { open(name.toStdString()); });
   connect(transport_, &TransportBar::playClicked, this, &LabWindow::set_playing);
-  connect(transport_, &TransportBar::restartClicked, this, [this] { worker_->restart(); });
+  connect(transport_, &TransportBar::restartClicked, this, [this] { restart(); });
   connect(transport_, &TransportBar::stepClicked, this, [this] { worker_->step_once(); });
   connect(transport_, &TransportBar::speedChosen, this, [this](double speed) {
     speed_ = speed;

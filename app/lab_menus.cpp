@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QToolBar>
 #include <QToolButton>
 #include <array>
@@ -12,6 +11,7 @@
 #include "app/lab_window.h"
 #include "physics/motion/integrators.h"
 #include "widgets/number_text.h"
+#include "widgets/plain_text.h"
 #include "widgets/plot_panel.h"
 #include "widgets/scene_view.h"
 
@@ -101,7 +101,7 @@ void LabWindow::make_menus() {
   add(run, "", tr("&Play or pause"), QKeySequence(Qt::Key_Space),
       [this] { set_playing(frame_ == nullptr || !frame_->playing); });
   add(run, "", tr("One &step"), QKeySequence(Qt::Key_Period), [this] { worker_->step_once(); });
-  add(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { worker_->restart(); });
+  add(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { restart(); });
 
   QMenu* methods = menuBar()->addMenu(tr("&Method"));
   const auto add_choices = [this, methods](const QString& title, const auto& table, auto member) {
@@ -167,10 +167,9 @@ void LabWindow::make_menus() {
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   add(help, "help", tr("&Help pages"), QKeySequence::HelpContents, [this] { show_help(this); });
   add(help, "", tr("&About Carom"), QKeySequence(), [this] {
-    QMessageBox::about(this, tr("About Carom"),
-                       tr("<b>Carom %1</b><p>A lab for two-dimensional rigid-body collisions.</p>"
-                          "<p>MIT licence. Plots by Qwt (Qwt licence), window by Qt (LGPL).</p>")
-                           .arg(CAROM_VERSION));
+    tell(this, tr("About Carom"), tr("Carom %1").arg(CAROM_VERSION),
+         tr("A lab for two-dimensional rigid-body collisions.\n\n"
+            "MIT licence. Plots by Qwt (Qwt licence), window by Qt (LGPL)."));
   });
 }
 

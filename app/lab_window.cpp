@@ -27,6 +27,7 @@
 #include "widgets/experiment_list.h"
 #include "widgets/ledger_table.h"
 #include "widgets/number_text.h"
+#include "widgets/plain_text.h"
 #include "widgets/plot_panel.h"
 #include "widgets/reading_table.h"
 #include "widgets/run_tables.h"
@@ -38,6 +39,7 @@
 namespace carom {
 
 LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
+  keep_messages_plain();
   Scene empty;
   empty.title = "Empty scene";
   worker_ = std::make_unique<Worker>(empty);
@@ -52,7 +54,11 @@ LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   timer_.start(16);
 }
 
-LabWindow::~LabWindow() = default;
+// What goes, piece by piece, tells the window nothing any more.
+LabWindow::~LabWindow() {
+  hide();
+  for (const QObject* child : findChildren<QObject*>()) child->disconnect(this);
+}
 
 // --- scenes
 // -----------------------------------------------------------------------------------------------------------
@@ -72,16 +78,16 @@ bool LabWindow::open(const std::string& file_or_name) {
                built_in ? QString() : QString::fromStdString(file.string()));
     return true;
   } catch (const SceneError& error) {
-    QMessageBox box(QMessageBox::NoIcon, tr("This preset cannot be opened"),
-                    tr("This preset cannot be opened."), QMessageBox::Ok, this);
-    box.setInformativeText(QString::fromStdString(error.what()).toHtmlEscaped());
-    box.exec();
+    tell(this, tr("This preset cannot be opened"), tr("This preset cannot be opened."),
+         QString::fromStdString(error.what()));
     list_->set_current(name_);
     return false;
   }
 }
 
 void LabWindow::show_scene(const Scene& scene, const QString& name, const QString& file) {
+  plots_->set_plots(scene.plots, all_bodies(scene));
+  forget_wait();
   name_ = name;
   file_ = file;
   before_ = all_bodies(scene);
@@ -91,7 +97,6 @@ void LabWindow::show_scene(const Scene& scene, const QString& name, const QStrin
   frame_.reset();
   before_usual_.reset();
   reference_ = scene.compare.empty() ? ReferenceId::kNone : usual_reference(scene);
-  plots_->set_plots(scene.plots, before_);
   worker_->load(scene, plots_->curves(), reference_);
   view_->set_view(scene.view);
   transport_->set_duration(duration_);
@@ -124,7 +129,7 @@ bool LabWindow::write(const QString& file) {
   try {
     save_preset(scene(), file.toStdString());
   } catch (const SceneError& error) {
-    QMessageBox::warning(this, tr("This preset cannot be saved"), QString::fromStdString(error.what()));
+    tell(this, tr("This preset cannot be saved"), QString::fromStdString(error.what()));
     return false;
   }
   file_ = file;
@@ -140,7 +145,11 @@ bool LabWindow::saveAs() {
   return !file.isEmpty() && write(file);
 }
 
-void LabWindow::mark_changed(bool changed) { setWindowModified(changed); }
+void LabWindow::mark_changed(bool changed) {
+  setWindowModified(changed);
+  if (changed) ++edits_;
+  if (!changed && autosave_ != nullptr) autosave_->forget();
+}
 
 bool LabWindow::may_discard() {
   if (!isWindowModified()) return true;
@@ -154,19 +163,43 @@ bool LabWindow::may_discard() {
 }
 
 void LabWindow::closeEvent(QCloseEvent* event) {
-  if (may_discard()) {
-    event->accept();
-  } else {
-    event->ignore();
-  }
+  if (!may_discard()) return event->ignore();
+  forget_wait();
+  mark_changed(false);
+  event->accept();
 }
 
 // --- running
 // ----------------------------------------------------------------------------------------------------------
 
 void LabWindow::set_playing(bool playing) {
+  if (playing) forget_wait();
   // Play stops at the experiment's end; pressed again there, it goes on.
   worker_->set_playing(playing, duration_);
+}
+
+void LabWindow::restart() {
+  forget_wait();
+  worker_->restart();
+}
+
+void LabWindow::when_still(const QString& what, std::function<void()> then) {
+  set_playing(false);
+  then_ = std::move(then);
+  waits_ = what;
+  if (frame_->playing) return show_notices();
+  go_on();
+}
+
+// Not from within what told of the frame.
+void LabWindow::go_on() {
+  QTimer::singleShot(0, this, std::exchange(then_, nullptr));
+  waits_.clear();
+}
+
+void LabWindow::forget_wait() {
+  then_ = nullptr;
+  waits_.clear();
 }
 
 void LabWindow::change_method(const Method& method, std::size_t run) {
@@ -241,10 +274,12 @@ void LabWindow::poll() {
   frames_ = news;
   frame_ = news.front();
   show_frame();
+  if (then_ != nullptr && !frame_->playing) go_on();
 }
 
 void LabWindow::show_frame() {
   const Recorder& recorder = *recorders_.front();
+  follow_bodies();
   show_compared();
   transport_->update_from(*frame_, recorder);
   QWidget* tab = tabs_->currentWidget();
@@ -265,7 +300,33 @@ void LabWindow::show_frame() {
   const bool slow = frame_->playing && frame_->realised_speed > 0.0 && frame_->realised_speed < 0.85 * speed_;
   if (slow) speed += tr(", runs at ×%1").arg(frame_->realised_speed, 0, 'g', 2);
   speed_chip_->setText(speed);
+  show_notices();
+}
+
+// They come in the order of their times, which is another where one was put in before another that is still to
+// come: plots know bodies by their place.
+void LabWindow::follow_bodies() {
+  if (frame_->bodies == bodies_shown_) return;
+  bodies_shown_ = frame_->bodies;
+  const std::vector<Body>& now = *bodies_shown_;
+  const auto same_name = [](const Body& a, const Body& b) { return a.name == b.name; };
+  if (now.size() <= before_.size() && std::equal(now.begin(), now.end(), before_.begin(), same_name)) return;
+  auto next = before_.begin();
+  for (const Body& body : now) {
+    const auto at = std::find_if(next, before_.end(), [&](const Body& b) { return b.name == body.name; });
+    if (at == before_.end()) continue;
+    std::rotate(next, at, at + 1);
+    ++next;
+  }
+  plots_->set_plots(plots_->chosen(), before_);
+  worker_->record(plots_->curves());
+}
+
+void LabWindow::show_notices() {
+  if (frame_ == nullptr) return;
   QStringList notices;
+  if (!waits_.isEmpty()) notices << waits_;
+  if (!not_kept_.isEmpty()) notices << not_kept_;
   if (frame_->status != "ok") notices << QString::fromStdString(frame_->status);
   for (const auto& frame : frames_) {
     if (frame->rows_known_until < frame->time) {
@@ -276,7 +337,7 @@ void LabWindow::show_frame() {
   }
   status_ = notices.join("; ");
   status_chip_->setVisible(!status_.isEmpty());
-  status_chip_->setToolTip(status_);
+  status_chip_->setToolTip(plain_tip(status_));
   place_chips();
 }
 
@@ -326,8 +387,8 @@ void LabWindow::show_needs() {
     return list.isEmpty() ? tr("nothing") : list.join(", ");
   };
   needs_ = tr("modelled: %1 · not needed: %2").arg(joined(text.modelled), joined(text.not_needed));
-  needs_chip_->setToolTip(
-      tr("Modelled: %1.\nNot needed by this scene: %2.").arg(joined(text.modelled), joined(text.not_needed)));
+  needs_chip_->setToolTip(plain_tip(
+      tr("Modelled: %1.\nNot needed by this scene: %2.").arg(joined(text.modelled), joined(text.not_needed))));
   ledger_->set_scene(scene);
   study_->edit_scene(scene);
   compare_->set_scene(scene, reference_);
@@ -336,8 +397,8 @@ void LabWindow::show_needs() {
     const std::optional<std::string> reason = why_not(scene, id);
     const std::string_view tip = choice_of(kIntegrators, id).tip;
     action->setEnabled(!reason);
-    action->setToolTip(reason ? QString::fromStdString(*reason)
-                              : QString::fromUtf8(tip.data(), static_cast<qsizetype>(tip.size())));
+    action->setToolTip(plain_tip(reason ? QString::fromStdString(*reason)
+                                        : QString::fromUtf8(tip.data(), static_cast<qsizetype>(tip.size()))));
   }
   place_chips();
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/autosave.h"
 #include "physics/experiment/recorder.h"
 #include "physics/experiment/worker.h"
 #include "physics/scene/scene.h"
@@ -28,6 +29,7 @@ class ImpactsTable;
 class LedgerTable;
 class PlotPanel;
 class ReadingTable;
+class RestoreBar;
 class RunPlot;
 class SceneView;
 class StudyPanel;
@@ -46,8 +48,11 @@ class LabWindow : public QMainWindow {
   bool open(const std::string& file_or_name);
   // Shows a scene whose source is known; `name` marks it in the list.
   void show_scene(const Scene& scene, const QString& name, const QString& file);
-  // Runs on to `time` as fast as it goes and returns when it is shown.
+  // Runs on to `time` as fast as it goes and returns when it is shown, or when the run is lost before.
   void run_until(double time);
+  // Keeps unsaved work in `folder` from now on, at most ten seconds behind, and offers what lies there of
+  // windows that ended unexpectedly.
+  void keep_work(const QString& folder);
 
   void set_theme(const Theme& theme);
   [[nodiscard]] SceneView& scene_view() { return *view_; }
@@ -57,6 +62,7 @@ class LabWindow : public QMainWindow {
  public slots:
   bool save();
   bool saveAs();
+  void keep_now();  // what has changed since it was last kept, if keep_work() was called
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -108,9 +114,22 @@ class LabWindow : public QMainWindow {
   void copy_scene_picture();
   void make_film();
   void make_report();
-  void pause();  // and waits until the newest moment is shown
+  void write_report();
+  // Stops the run, and goes on with `then` when the newest moment is shown. A step that is under way may take
+  // long: meanwhile the window is the user's, and whatever makes the run another one or goes on with it forgets
+  // `then`.
+  void when_still(const QString& what, std::function<void()> then);
+  void go_on();
+  void forget_wait();
   [[nodiscard]] std::vector<RunLog> runs() const;
   void mark_changed(bool changed);
+  void restart();
+  void show_notices();
+  void follow_bodies();  // those that come in again after a restart
+  // Unsaved work (lab_work.cpp).
+  void offer_work();
+  void restore_work();
+  void discard_work();
 
   Theme theme_;
   std::unique_ptr<Worker> worker_;
@@ -124,12 +143,20 @@ class LabWindow : public QMainWindow {
     ReferenceId reference;
   };
   std::optional<Compared> before_usual_;  // Euler, RK4 and the exact run were asked for
-  std::vector<Body> before_;              // the bodies at t = 0
+  std::vector<Body> before_;              // the bodies as they came in
+  std::shared_ptr<const std::vector<Body>> bodies_shown_;
   double duration_ = 1.0;
   double speed_ = 1.0;
   QString name_;  // of the built-in experiment that is shown; empty for a file
   QString file_;  // where save() writes; empty for a built-in experiment
   QTimer timer_;
+  std::function<void()> then_;  // waits for the run to stand still
+  QString waits_;               // for what: told meanwhile
+  QTimer keeping_;
+  std::unique_ptr<Autosave> autosave_;
+  std::vector<KeptWork> offered_;
+  QString not_kept_;                          // why unsaved work is not kept; empty if it is
+  std::uint64_t edits_ = 0, kept_edits_ = 0;  // since the window was opened
 
   ExperimentList* list_ = nullptr;
   SceneView* view_ = nullptr;
@@ -143,6 +170,7 @@ class LabWindow : public QMainWindow {
   ComparePanel* compare_ = nullptr;
   StudyPanel* study_ = nullptr;
   QLabel* about_ = nullptr;
+  RestoreBar* restore_bar_ = nullptr;
   QWidget* chips_ = nullptr;
   QLabel* needs_chip_ = nullptr;
   QString needs_;   // whole, where the chip is elided

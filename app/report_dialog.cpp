@@ -5,13 +5,14 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <algorithm>
 #include <fmt/format.h>
 
 #include "physics/scene/validate.h"
+#include "widgets/plain_text.h"
+#include "widgets/plain_text_edit.h"
 
 namespace carom {
 
@@ -48,8 +49,8 @@ ReportDialog::ReportDialog(const LabReport& suggestion, QWidget* parent)
       plots_(new QCheckBox(tr("The plots, as they are shown"))),
       bodies_(new QCheckBox(tr("The bodies before and after"))),
       ledger_(new QCheckBox(tr("Where energy and momentum went"))),
-      questions_(new QPlainTextEdit(suggestion.questions.join('\n'))),
-      message_(new QLabel) {
+      questions_(new PlainTextEdit(suggestion.questions.join('\n'))),
+      message_(new PlainLabel) {
   setWindowTitle(tr("Lab report"));
   setMinimumWidth(500);
   auto* column = new QVBoxLayout(this);

@@ -21,6 +21,7 @@
 #include "physics/scene/needs.h"
 #include "widgets/compare_table.h"
 #include "widgets/number_text.h"
+#include "widgets/plain_text.h"
 
 namespace carom {
 namespace {
@@ -62,7 +63,7 @@ constexpr std::array<ReferenceText, 3> kReferences = {{
 void set_enabled(QComboBox* box, int row, const std::optional<std::string>& why_not, const QString& tip) {
   auto* item = static_cast<QStandardItemModel*>(box->model())->item(row);
   item->setEnabled(!why_not);
-  item->setToolTip(why_not ? QString::fromStdString(*why_not) : tip);
+  item->setToolTip(plain_tip(why_not ? QString::fromStdString(*why_not) : tip));
 }
 
 }  // namespace
@@ -115,7 +116,7 @@ QWidget* ComparePanel::make_actions() {
   for (const ReferenceText& reference : kReferences) references_->addItem(tr(reference.label));
   connect(references_, &QComboBox::activated, this,
           [this](int i) { emit referenceChosen(kReferences[static_cast<std::size_t>(i)].id); });
-  uncertainty_ = new QLabel;
+  uncertainty_ = new PlainLabel;
   uncertainty_->setObjectName("muted");
   uncertainty_->setToolTip(
       tr("What the reference itself may be wrong by: the distance of a less refined run, or how far "
@@ -163,7 +164,7 @@ QWidget* ComparePanel::make_choices() {
   step_->setToolTip(
       tr("Length of a step, from now on; of the adaptive integrator and of exact flight only the interval "
          "of the results"));
-  step_text_ = new QLabel;
+  step_text_ = new PlainLabel;
   step_text_->setMinimumWidth(step_text_->fontMetrics().horizontalAdvance("h = 0.00 ms"));
   all_ = new QCheckBox(tr("all"));
   all_->setToolTip(tr("The slider sets the step of all methods at once"));

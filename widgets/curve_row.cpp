@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/plain_text.h"
 #include "widgets/quantity_picker.h"
 
 namespace carom {
@@ -48,7 +49,7 @@ CurveRow::CurveRow(const std::vector<Body>& bodies, QWidget* parent)
   column->addLayout(above);
   auto* below = new QHBoxLayout(below_);
   below->setContentsMargins(16, 0, 0, 2);
-  below->addWidget(new QLabel(tr("theory"), below_));
+  below->addWidget(new PlainLabel(tr("theory"), below_));
   below->addWidget(theory_, 1);
   below->addWidget(residual_);
   column->addWidget(below_);

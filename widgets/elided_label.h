@@ -1,13 +1,13 @@
 #pragma once
 
-#include <QLabel>
+#include "widgets/plain_text.h"
 
 namespace carom {
 
 // One line that ends in … where it has no room; its tooltip is the caller's.
-class ElidedLabel : public QLabel {
+class ElidedLabel : public PlainLabel {
  public:
-  using QLabel::QLabel;
+  using PlainLabel::PlainLabel;
   void set_whole(const QString& text) {
     whole_ = text;
     elide();

@@ -6,6 +6,8 @@
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
+#include "widgets/plain_text.h"
+
 namespace carom {
 namespace {
 
@@ -162,7 +164,7 @@ void ExperimentList::fill() {
     row->setData(kName, item.name);
     row->setData(kTitle, item.title);
     row->setData(kObserve, item.observe);
-    row->setToolTip(item.title + (item.observe.isEmpty() ? QString() : "\n" + item.observe));
+    row->setToolTip(plain_tip(item.title + (item.observe.isEmpty() ? QString() : "\n" + item.observe)));
     if (i < pictures_.size()) row->setData(kPicture, pictures_[i]);
   }
   set_current(current_);

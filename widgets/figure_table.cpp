@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "widgets/number_text.h"
+#include "widgets/plain_text.h"
 
 namespace carom {
 namespace {
@@ -64,10 +65,10 @@ QVariant FigureModel::data(const QModelIndex& index, int role) const {
       const Cell content = cell(index.row(), index.column());
       const QString about = tip(index.row(), index.column());
       const QString below = about.isEmpty() ? about : "\n" + about;
-      if (const auto* text = std::get_if<QString>(&content)) return about.isEmpty() ? *text : about;
-      if (const auto* value = std::get_if<double>(&content)) return full_figure(*value) + below;
+      if (const auto* text = std::get_if<QString>(&content)) return plain_tip(about.isEmpty() ? *text : about);
+      if (const auto* value = std::get_if<double>(&content)) return plain_tip(full_figure(*value) + below);
       if (const auto* vector = std::get_if<Vec2>(&content)) {
-        return full_figure(vector->x()) + ", " + full_figure(vector->y()) + below;
+        return plain_tip(full_figure(vector->x()) + ", " + full_figure(vector->y()) + below);
       }
       return {};
     }

@@ -3,6 +3,8 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "widgets/plain_text.h"
+
 namespace carom {
 namespace {
 
@@ -20,7 +22,7 @@ LegendButton::LegendButton(const QString& label, const QString& tip, QWidget* pa
   setAccessibleName(tr("Show the curve %1").arg(label));
   const auto set_tip = [this, tip](bool shown) {
     const QString click = shown ? tr("Click to hide the curve “%1”") : tr("Click to show the curve “%1”");
-    setToolTip((tip.isEmpty() ? QString() : tip + "\n") + click.arg(text()));
+    setToolTip(plain_tip((tip.isEmpty() ? QString() : tip + "\n") + click.arg(text())));
   };
   set_tip(true);
   connect(this, &QToolButton::toggled, this, set_tip);

@@ -9,6 +9,7 @@
 #include "physics/motion/integrators.h"
 #include "widgets/method_look.h"
 #include "widgets/number_text.h"
+#include "widgets/plain_text.h"
 
 namespace carom {
 namespace {
@@ -153,7 +154,7 @@ bool OrderTable::event(QEvent* event) {
         "Left, dashed with squares: impacts at the step's end.\n"
         "Right, solid with discs: impacts at their own time.");
   }
-  QToolTip::showText(help->globalPos(), tips.join("\n"), this);
+  QToolTip::showText(help->globalPos(), plain_tip(tips.join("\n")), this);
   return true;
 }
 

@@ -11,6 +11,7 @@
 
 #include "physics/scene/validate.h"
 #include "widgets/curve_row.h"
+#include "widgets/plain_text.h"
 #include "widgets/plot_content.h"
 #include "widgets/quantity_picker.h"
 
@@ -38,7 +39,7 @@ PlotDialog::PlotDialog(const std::vector<Body>& bodies, QWidget* parent) : QDial
   title_ = new QLineEdit(this);
   form->addRow(tr("Title"), title_);
   column->addLayout(form);
-  message_ = new QLabel(this);
+  message_ = new PlainLabel(this);
   message_->setObjectName("muted");
   message_->setWordWrap(true);
   column->addWidget(message_);

@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QPointer>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -55,6 +56,13 @@ PlotPanel::PlotPanel(const Theme& theme, QWidget* parent) : QWidget(parent), the
   set_plots({}, {});
 }
 
+PlotPanel::~PlotPanel() {
+  for (RunPlot* plot : std::exchange(plots_, {})) {
+    plot->disconnect(this);
+    delete plot;
+  }
+}
+
 void PlotPanel::set_theme(const Theme& theme) {
   theme_ = theme;
   for (RunPlot* plot : plots_) plot->set_theme(theme);
@@ -63,16 +71,15 @@ void PlotPanel::set_theme(const Theme& theme) {
 }
 
 void PlotPanel::set_plots(const std::vector<Plot>& plots, const std::vector<Body>& bodies) {
+  std::vector<PlotContent> contents;
+  for (const Plot& plot : plots.empty() ? default_plots() : plots) contents.push_back(content_of(plot, bodies));
   bodies_ = bodies;
   mark_a_.reset();
   mark_b_.reset();
-  for (RunPlot* plot : plots_) delete plot;
-  plots_.clear();
   zoomed_.clear();
   time_zoom_.reset();
-  for (const Plot& plot : plots.empty() ? default_plots() : plots) {
-    insert(plots_.size(), content_of(plot, bodies_));
-  }
+  for (RunPlot* plot : std::exchange(plots_, {})) put_away(plot);
+  for (const PlotContent& content : contents) insert(plots_.size(), content);
   mark_menu();
   schedule();
 }
@@ -90,8 +97,15 @@ void PlotPanel::drop(RunPlot* plot) {
   std::erase(plots_, plot);
   std::erase(zoomed_, plot);
   if (zoomed_.empty()) time_zoom_.reset();
-  plot->deleteLater();
+  put_away(plot);
+}
+
+// No list has it any more: where it lay under the mouse, hiding it tells the one below of the mouse, which may
+// ask for all plots. It goes when nobody is in the midst of one of its calls.
+void PlotPanel::put_away(RunPlot* plot) {
+  plot->disconnect(this);
   plot->hide();
+  plot->deleteLater();
 }
 
 void PlotPanel::changed() {
@@ -117,6 +131,10 @@ void PlotPanel::remove(RunPlot* plot) {
   if (plots_.size() < 2) return;
   drop(plot);
   changed();
+}
+
+bool PlotPanel::has(const RunPlot* plot) const {
+  return std::find(plots_.begin(), plots_.end(), plot) != plots_.end();
 }
 
 std::vector<Plot> PlotPanel::chosen() const {
@@ -171,12 +189,13 @@ void PlotPanel::mark_menu() {
 
 void PlotPanel::edit(RunPlot* plot) {
   PlotDialog dialog(bodies_, this);
+  const QPointer<RunPlot> changed = plot;  // which may go while the dialog is open
   if (plot != nullptr) dialog.set_plot(plot->content().plot);
   if (dialog.exec() != QDialog::Accepted) return;
   if (plot == nullptr) {
     add(dialog.plot());
-  } else {
-    replace(plot, dialog.plot());
+  } else if (changed != nullptr && has(changed)) {
+    replace(changed, dialog.plot());
   }
 }
 
@@ -189,27 +208,37 @@ void PlotPanel::contextMenuEvent(QContextMenuEvent* event) {
     return;
   }
   RunPlot* plot = *under;
+  // What the menu offers is of this plot, as long as it is there.
+  const auto with_plot = [this, there = QPointer<RunPlot>(plot)](auto&& what) {
+    return [this, there, what] {
+      if (there != nullptr && has(there)) what(there.data());
+    };
+  };
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setToolTipsVisible(true);
-  QAction* change = menu->addAction(tr("&Change this plot..."), this, [this, plot] { edit(plot); });
+  QAction* change =
+      menu->addAction(tr("&Change this plot..."), this, with_plot([this](RunPlot* it) { edit(it); }));
   change->setEnabled(plot->content().plot.id.empty());
   if (!change->isEnabled()) change->setToolTip(tr("A named plot stays as it is: make a new one"));
-  QAction* away = menu->addAction(tr("&Remove this plot"), this, [this, plot] { remove(plot); });
+  QAction* away =
+      menu->addAction(tr("&Remove this plot"), this, with_plot([this](RunPlot* it) { remove(it); }));
   away->setEnabled(plots_.size() > 1);
   menu->addSeparator();
   QWidget* canvas = plot->plot()->canvas();
   add_note_entries(*menu, *plot, canvas->mapFromGlobal(event->globalPos()), this, [this] { changed(); });
   menu->addSeparator();
-  menu->addAction(tr("&Save the picture..."), this, [this, plot] { emit pictureAsked(plot); });
-  menu->addAction(tr("&Copy the picture"), this, [this, plot] {
-    show_now();
-    QGuiApplication::clipboard()->setPixmap(plot_picture(*plot));
-  });
-  menu->addAction(tr("Save the &data..."), this, [this, plot] { emit dataAsked(plot); });
-  menu->addAction(tr("Copy &all the data"), this, [this, plot] { emit dataCopyAsked(plot, false); })
+  menu->addAction(tr("&Save the picture..."), this, with_plot([this](RunPlot* it) { emit pictureAsked(it); }));
+  menu->addAction(tr("&Copy the picture"), this, with_plot([this](RunPlot* it) {
+                    show_now();
+                    QGuiApplication::clipboard()->setPixmap(plot_picture(*it));
+                  }));
+  menu->addAction(tr("Save the &data..."), this, with_plot([this](RunPlot* it) { emit dataAsked(it); }));
+  menu->addAction(tr("Copy &all the data"), this,
+                  with_plot([this](RunPlot* it) { emit dataCopyAsked(it, false); }))
       ->setToolTip(tr("As a table for a spreadsheet, with every digit, from the start until now"));
-  menu->addAction(tr("Copy the data that is s&hown"), this, [this, plot] { emit dataCopyAsked(plot, true); })
+  menu->addAction(tr("Copy the data that is s&hown"), this,
+                  with_plot([this](RunPlot* it) { emit dataCopyAsked(it, true); }))
       ->setToolTip(tr("The same of the time that the plots show"));
   menu->addSeparator();
   menu->addActions(menu_->actions());
@@ -311,8 +340,13 @@ void PlotPanel::update_from(const std::vector<PlottedRun>& runs) {
 
 void PlotPanel::show_legend() {
   legend_->setVisible(runs_.size() > 1);
-  for (std::size_t i = runs_.size(); i < legend_buttons_.size(); ++i) delete legend_buttons_[i];
-  legend_buttons_.resize(std::min(legend_buttons_.size(), runs_.size()));
+  while (legend_buttons_.size() > runs_.size()) {
+    LegendButton* button = legend_buttons_.back();
+    legend_buttons_.pop_back();
+    button->disconnect(this);
+    button->hide();
+    button->deleteLater();
+  }
   for (std::size_t i = legend_buttons_.size(); i < runs_.size(); ++i) {
     auto* button = new LegendButton(runs_[i].name, {}, legend_);
     legend_buttons_.push_back(button);

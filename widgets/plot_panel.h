@@ -31,6 +31,7 @@ class PlotPanel : public QWidget {
 
  public:
   explicit PlotPanel(const Theme& theme, QWidget* parent = nullptr);
+  ~PlotPanel() override;
 
   void set_theme(const Theme& theme);
   // Those that a scene with these bodies asks for; none: default_plots(). Nothing stays zoomed.
@@ -42,7 +43,7 @@ class PlotPanel : public QWidget {
   // One more plot at the end, or another in the place of one. Throws SceneError as content_of() does.
   void add(const Plot& plot);
   void replace(RunPlot* old, const Plot& plot);
-  // Takes a plot away, but for the last one.
+  // Takes a plot away, but for the last one. It is deleted when control is back in the event loop.
   void remove(RunPlot* plot);
   // Shows what the runs' recorders hold, never while hidden; they are read again when the user zooms. The first
   // run sets the time. While news come in quick succession each has one plot drawn anew, in turn, so that the
@@ -85,6 +86,8 @@ class PlotPanel : public QWidget {
   void place_legend();
   void insert(std::size_t place, const PlotContent& content);
   void drop(RunPlot* plot);
+  void put_away(RunPlot* plot);
+  [[nodiscard]] bool has(const RunPlot* plot) const;
   void changed();
   void edit(RunPlot* plot);  // nullptr: a new one
   void mark_menu();

@@ -23,7 +23,7 @@ double round_up(double value, const std::array<double, N>& mantissas) {
 }
 
 QwtText colored(const QString& text, const QColor& color) {
-  QwtText label(text);
+  QwtText label(text, QwtText::PlainText);
   label.setColor(color);
   return label;
 }

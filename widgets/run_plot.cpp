@@ -20,6 +20,7 @@
 #include "widgets/elided_label.h"
 #include "widgets/legend_button.h"
 #include "widgets/number_text.h"
+#include "widgets/plain_text.h"
 #include "widgets/plot_axes.h"
 #include "widgets/plot_gestures.h"
 #include "widgets/plot_notes.h"
@@ -50,7 +51,8 @@ RunPlot::RunPlot(PlotContent content, const Theme& theme, QWidget* parent)
   set_time_range(time_range_);
 }
 
-RunPlot::~RunPlot() = default;
+// Whole when the mouse is told that it leaves.
+RunPlot::~RunPlot() { hide(); }
 
 void RunPlot::build_header() {
   auto* header = new QHBoxLayout;
@@ -60,9 +62,9 @@ void RunPlot::build_header() {
   title->set_whole(content_.title);
   constexpr int kLeastTitle = 80;  // px: a long one doesn't keep the window wide
   title->setMinimumWidth(std::min(kLeastTitle, title->sizeHint().width()));
-  unit_ = new QLabel(content_.unit, this);
+  unit_ = new PlainLabel(content_.unit, this);
   unit_->setObjectName("muted");
-  title->setToolTip(content_.tip.isEmpty() ? content_.title : content_.tip);
+  title->setToolTip(plain_tip(content_.tip.isEmpty() ? content_.title : content_.tip));
   header->addWidget(title);
   header->addWidget(unit_);
   header->addStretch(1);
@@ -134,8 +136,8 @@ void RunPlot::build_plot() {
   // Over the canvas, so that they take no room from it.
   auto* over = new QHBoxLayout(canvas);
   over->setContentsMargins(4, 2, 4, 2);
-  readout_ = new QLabel(canvas);
-  chip_ = new QLabel(tr("zoomed · double-click to reset"), canvas);
+  readout_ = new PlainLabel(canvas);
+  chip_ = new PlainLabel(tr("zoomed · double-click to reset"), canvas);
   for (QLabel* label : {readout_, chip_}) {
     label->setObjectName("chip");
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -223,7 +225,7 @@ void RunPlot::set_runs(const std::vector<PlottedRun>& runs) {
     lines_[i].items.clear();
     const PlotLine& line = content_.lines[i];
     for (std::size_t k = 0; k < runs.size(); ++k) {
-      auto item = std::make_unique<SmoothCurve>(line.label);
+      auto item = std::make_unique<SmoothCurve>(QwtText(line.label, QwtText::PlainText));
       auto* series = new DecimatedSeries;
       item->setData(series);
       item->setRenderHint(QwtPlotItem::RenderAntialiased);

@@ -99,6 +99,12 @@ void SceneView::zoom_in() { zoom(QRectF(rect()).center(), kKeyFactor); }
 
 void SceneView::zoom_out() { zoom(QRectF(rect()).center(), 1.0 / kKeyFactor); }
 
+std::optional<View> SceneView::moved_view() const {
+  if (home_) return std::nullopt;
+  const Camera& camera = picture_.camera;
+  return View{camera.center, camera.viewport.width() / camera.scale};
+}
+
 void SceneView::go_home() {
   Camera home = picture_.camera;
   if (view_) {

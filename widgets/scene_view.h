@@ -30,6 +30,8 @@ class SceneView : public QWidget {
   [[nodiscard]] const DrawingOptions& options() const { return options_; }
   // What to show from here on, for a new scene: a view of its own, or all its bodies. Arrows are scaled anew.
   void set_view(const std::optional<View>& view);
+  // What the camera shows now, where the user has moved it.
+  [[nodiscard]] std::optional<View> moved_view() const;
   // All bodies with a margin; again at each new size and run until the user zooms or pans.
   void fit();
   // What is shown, on white: to a file (see save_picture()), and for the clipboard.

@@ -5,7 +5,6 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMouseEvent>
 #include <QProgressBar>
 #include <QStackedWidget>
@@ -24,6 +23,7 @@
 #include "widgets/log_scale.h"
 #include "widgets/number_text.h"
 #include "widgets/order_table.h"
+#include "widgets/plain_text.h"
 #include "widgets/save_file.h"
 #include "widgets/study_plot.h"
 
@@ -84,7 +84,7 @@ StudyPanel::StudyPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
 
   pages_ = new QStackedWidget;
   layout_->addWidget(pages_, 1);
-  hint_ = new QLabel;
+  hint_ = new PlainLabel;
   hint_->setObjectName("muted");
   hint_->setWordWrap(true);
   hint_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -242,8 +242,10 @@ void StudyPanel::show_words() {
   const StudyTable& table = so_far_.table;
   run_button_->setText(running() ? tr("Cancel") : tr("Run the study"));
   run_button_->setToolTip(
-      running() ? tr("Stop the study; what it has found stays")
-                : tr("Run “%1” under every method that it allows").arg(QString::fromStdString(scene_.title)));
+      running()
+          ? tr("Stop the study; what it has found stays")
+          : plain_tip(
+                tr("Run “%1” under every method that it allows").arg(QString::fromStdString(scene_.title))));
   export_button_->setEnabled(!running() && !table.rows.empty());
   const bool refused = so_far_.phase == Phase::kRefused;
   hint_->setText(
@@ -334,7 +336,8 @@ bool StudyPanel::eventFilter(QObject* watched, QEvent* event) {
       const StudyRow* row = plot_->row_at(mouse->position());
       plot_->mark(row);
       canvas->setCursor(row != nullptr ? Qt::PointingHandCursor : Qt::ArrowCursor);
-      QToolTip::showText(mouse->globalPosition().toPoint(), row != nullptr ? tip_of(*row) : QString(), canvas);
+      QToolTip::showText(mouse->globalPosition().toPoint(),
+                         row != nullptr ? plain_tip(tip_of(*row)) : QString(), canvas);
       return true;
     }
     case QEvent::Leave:
@@ -381,7 +384,7 @@ void StudyPanel::choose_file() {
   if (dialog.exec() != QDialog::Accepted) return;
   QString error;
   if (!save(dialog.selectedFiles().constFirst(), &error)) {
-    QMessageBox::warning(this, tr("The study cannot be saved"), error);
+    tell(this, tr("The study cannot be saved"), error);
   }
 }
 

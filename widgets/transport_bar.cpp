@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/plain_text.h"
+
 namespace carom {
 
 Timeline::Timeline(const Theme& theme, QWidget* parent) : QWidget(parent), theme_(theme) {
@@ -97,7 +99,7 @@ TransportBar::TransportBar(const Theme& theme, QWidget* parent) : QFrame(parent)
   }
   speed_->setMenu(menu);
   timeline_ = new Timeline(theme, this);
-  end_ = new QLabel(this);
+  end_ = new PlainLabel(this);
   end_->setObjectName("muted");
 
   auto* row = new QHBoxLayout(this);

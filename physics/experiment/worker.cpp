@@ -52,8 +52,8 @@ struct Worker::Lab {
     ++starts;
     playing = false;
     end = std::numeric_limits<double>::infinity();
-    put_in.clear();
     start = scene;
+    start.bodies.resize(start.bodies.size() - put_in.size());
     runs.clear();
     add_run(scene.method);
     for (const Method& method : scene.compare) add_run(method);
@@ -69,6 +69,24 @@ struct Worker::Lab {
     changed = true;
   }
   [[nodiscard]] Lane& first() { return runs.front().lane; }
+  // At its place in the order of times: bodies that were put in before a restart may be still to come.
+  void put(const Body& body) {
+    scene.bodies.push_back(body);
+    const PutIn now{first().time(), body};
+    const auto at = std::upper_bound(put_in.begin(), put_in.end(), now.time,
+                                     [](double time, const PutIn& other) { return time < other.time; });
+    const auto place = static_cast<std::size_t>(at - put_in.begin());
+    put_in.insert(at, now);
+    for (Run& run : runs) {
+      if (place < run.given) {  // it is ahead, and has been given one of later
+        run.lane.edit(body);
+        ++run.given;
+      } else {
+        give_bodies(run);
+      }
+    }
+    changed = true;
+  }
   // Bodies come in at the first step's end that is not before they came into the first run.
   void give_bodies(Run& run) {
     while (run.given < put_in.size() &&
@@ -169,6 +187,7 @@ void Worker::load(const Scene& scene, const std::vector<Curve>& curves, Referenc
   }
   post([scene, curves, reference](Lab& lab) {
     lab.scene = scene;
+    lab.put_in.clear();
     lab.curves = curves;
     lab.reference = reference;
     lab.begin();
@@ -181,6 +200,23 @@ void Worker::restart() {
     ++starts_;
   }
   post([](Lab& lab) { lab.begin(); });
+}
+
+void Worker::restart(const Method& method, const std::vector<Method>& compare, const std::vector<Curve>& curves,
+                     ReferenceId reference) {
+  {
+    const std::lock_guard lock(mutex_);
+    scene_.method = method;
+    scene_.compare = compare;
+    ++starts_;
+  }
+  post([method, compare, curves, reference](Lab& lab) {
+    lab.scene.method = method;
+    lab.scene.compare = compare;
+    lab.curves = curves;
+    lab.reference = reference;
+    lab.begin();
+  });
 }
 
 void Worker::set_playing(bool playing, double until) {
@@ -269,12 +305,7 @@ void Worker::add_body(const Body& body) {
     const std::lock_guard lock(mutex_);
     scene_.bodies.push_back(body);
   }
-  post([body](Lab& lab) {
-    lab.scene.bodies.push_back(body);
-    lab.put_in.push_back({lab.first().time(), body});
-    for (Lab::Run& run : lab.runs) lab.give_bodies(run);
-    lab.changed = true;
-  });
+  post([body](Lab& lab) { lab.put(body); });
 }
 
 void Worker::run_until(double time) {

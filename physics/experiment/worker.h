@@ -32,7 +32,11 @@ class Worker {
   // Stops at t = 0, with the methods that the scene names.
   void load(const Scene& scene, const std::vector<Curve>& curves = {},
             ReferenceId reference = ReferenceId::kNone);
-  void restart();  // the same scene with the bodies that were added, stopped at t = 0
+  // The same scene, stopped at t = 0; bodies that were added come in again at their time.
+  void restart();
+  // The same under other methods.
+  void restart(const Method& method, const std::vector<Method>& compare, const std::vector<Curve>& curves,
+               ReferenceId reference);
   // Plays at the chosen pace, until `until` if that lies ahead; or stops.
   void set_playing(bool playing, double until = std::numeric_limits<double>::infinity());
   void step_once();                                            // one step of the first run's method, stopped

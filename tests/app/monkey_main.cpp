@@ -30,7 +30,7 @@ namespace {
 constexpr int kActions = 300;
 constexpr int kLongActions = 20'000;
 constexpr double kLongestTurn = 30.0;    // s of the main thread's own time, for one action
-constexpr double kLongestSleep = 600.0;  // s without an action, however little the main thread did
+constexpr double kLongestSleep = 240.0;  // s without an action, however little the main thread did
 
 // The last actions, in memory that a signal handler may read.
 constexpr std::size_t kKept = 12;
