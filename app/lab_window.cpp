@@ -185,10 +185,11 @@ void LabWindow::restart() {
 
 void LabWindow::when_still(const QString& what, std::function<void()> then) {
   set_playing(false);
+  forget_wait();
+  if (!frame_->playing) return then();
   then_ = std::move(then);
   waits_ = what;
-  if (frame_->playing) return show_notices();
-  go_on();
+  show_notices();
 }
 
 // Not from within what told of the frame.

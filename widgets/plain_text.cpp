@@ -27,7 +27,7 @@ class PlainMessages : public QObject {
 }  // namespace
 
 QString plain_tip(const QString& text) {
-  if (!text.contains('<') && !text.contains('&')) return text;
+  if (!Qt::mightBeRichText(text)) return text;
   return "<span>" + text.toHtmlEscaped().replace('\n', "<br>") + "</span>";
 }
 

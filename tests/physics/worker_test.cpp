@@ -196,6 +196,42 @@ TEST(Worker, ChangesTheMethodAndTakesBodies) {
   EXPECT_EQ(watcher.last.state.size(), 9);
 }
 
+// A restart goes back to the bodies of the start; those that were put in come in again at their time, also
+// where another one was put in before them since.
+TEST(Worker, BodiesComeInAgainAtTheirTimeAfterARestart) {
+  Worker worker(small_gas());
+  Watcher watcher(worker);
+  watcher.edits = 2;
+  const auto run_to = [&](double time) {
+    worker.run_until(time);
+    return watcher.wait([time](const Frame& f) { return !f.playing && f.time > time - 0.01; });
+  };
+  const auto names = [&] {
+    std::vector<std::string> all;
+    for (const Body& body : *watcher.last.bodies) all.push_back(body.name);
+    return std::vector<std::string>(all.begin() + 8, all.end());
+  };
+  ASSERT_TRUE(run_to(0.4));
+  worker.add_body(disc("late", {0.0, 0.4}, {0.0, 0.0}, 0.05));
+  ASSERT_TRUE(run_to(0.6));
+  const State first = watcher.last.state;
+  EXPECT_EQ(names(), std::vector<std::string>{"late"});
+  worker.restart();
+  ASSERT_TRUE(watcher.wait([](const Frame& f) { return f.steps == 0; }));
+  EXPECT_EQ(watcher.last.state.size(), 8);
+  EXPECT_EQ(worker.scene().bodies.back().name, "late") << "it is saved with the scene";
+  ASSERT_TRUE(run_to(0.6));
+  EXPECT_TRUE(test::same_bytes(watcher.last.state, first));
+  worker.restart();
+  ASSERT_TRUE(run_to(0.2));
+  EXPECT_TRUE(names().empty());
+  worker.add_body(disc("early", {0.3, 0.4}, {0.0, 0.0}, 0.05));
+  ASSERT_TRUE(run_to(0.3));
+  EXPECT_EQ(names(), std::vector<std::string>{"early"});
+  ASSERT_TRUE(run_to(0.6));
+  EXPECT_EQ(names(), (std::vector<std::string>{"early", "late"}));
+}
+
 // The measured pace belongs to the time since playing began: not to a pause, nor to the run before.
 // A step that lasts longer than the lag that a slow machine is forgiven: it comes when it is due.
 TEST(Worker, PlaysStepsThatLast) {
