@@ -69,7 +69,7 @@ QString LabWindow::ask_for_export(const QString& title, const QString& suggestio
     OutputSet({file_.toStdString()}).reserve(file.toStdString());
     return file;
   } catch (const SceneError& error) {
-    QMessageBox::warning(this, title, QString::fromUtf8(error.what()).toHtmlEscaped());
+    tell(this, title, QString::fromUtf8(error.what()));
     return {};
   }
 }

@@ -10,8 +10,8 @@
 #include <QVBoxLayout>
 
 #include "app/lab_window.h"
+#include "app/notice_bar.h"
 #include "app/preset_library.h"
-#include "app/restore_bar.h"
 #include "physics/preset/preset.h"
 #include "widgets/compare_panel.h"
 #include "widgets/experiment_list.h"
@@ -158,9 +158,9 @@ void LabWindow::make_body() {
   columns->setStretchFactor(1, 392);
   columns->setSizes({616, 392});
   columns->setChildrenCollapsible(false);
-  restore_bar_ = new RestoreBar;
-  connect(restore_bar_, &RestoreBar::restoreClicked, this, &LabWindow::restore_work);
-  connect(restore_bar_, &RestoreBar::discardClicked, this, &LabWindow::discard_work);
+  restore_bar_ = new NoticeBar;
+  connect(restore_bar_, &NoticeBar::accepted, this, &LabWindow::restore_work);
+  connect(restore_bar_, &NoticeBar::dismissed, this, &LabWindow::discard_work);
   auto* inner = new QVBoxLayout;
   inner->setContentsMargins(8, 8, 8, 8);
   inner->setSpacing(8);

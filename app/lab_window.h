@@ -27,9 +27,9 @@ class ComparePanel;
 class ExperimentList;
 class ImpactsTable;
 class LedgerTable;
+class NoticeBar;
 class PlotPanel;
 class ReadingTable;
-class RestoreBar;
 class RunPlot;
 class SceneView;
 class StudyPanel;
@@ -170,7 +170,7 @@ class LabWindow : public QMainWindow {
   ComparePanel* compare_ = nullptr;
   StudyPanel* study_ = nullptr;
   QLabel* about_ = nullptr;
-  RestoreBar* restore_bar_ = nullptr;
+  NoticeBar* restore_bar_ = nullptr;
   QWidget* chips_ = nullptr;
   QLabel* needs_chip_ = nullptr;
   QString needs_;   // whole, where the chip is elided

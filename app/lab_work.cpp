@@ -3,7 +3,7 @@
 
 #include "app/autosave.h"
 #include "app/lab_window.h"
-#include "app/restore_bar.h"
+#include "app/notice_bar.h"
 #include "physics/scene/validate.h"
 #include "widgets/plot_panel.h"
 #include "widgets/scene_view.h"
@@ -50,11 +50,13 @@ void LabWindow::offer_work() {
   const KeptWork& work = offered_.front();
   const QString time = time_text(work.time());
   try {
-    restore_bar_->offer(tr("Carom ended unexpectedly. The work of %1 on “%2” can be brought back.")
-                            .arg(time, QString::fromStdString(work.scene().title)));
+    restore_bar_->say(tr("Carom ended unexpectedly. The work of %1 on “%2” can be brought back.")
+                          .arg(time, QString::fromStdString(work.scene().title)),
+                      tr("Restore"), tr("Discard"));
   } catch (const SceneError& error) {
-    restore_bar_->tell(tr("Carom ended unexpectedly. The work of %1 cannot be brought back: %2")
-                           .arg(time, QString::fromStdString(error.what())));
+    restore_bar_->say(tr("Carom ended unexpectedly. The work of %1 cannot be brought back: %2")
+                          .arg(time, QString::fromStdString(error.what())),
+                      {}, tr("OK"));
     offered_.front().set_aside();
   }
 }

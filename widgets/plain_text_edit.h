@@ -5,18 +5,23 @@
 
 namespace carom {
 
-// Qt asks a text field to paste also where the clipboard, or the X11 selection that a middle click pastes, is
-// empty; its own answer to that reads what isn't there.
+// Pasting from an empty clipboard, or from an empty X11 selection by a middle click, does nothing. Qt 6.4 looks
+// at the first of the formats that are offered, also where there is none.
 class PlainTextEdit : public QPlainTextEdit {
  public:
   using QPlainTextEdit::QPlainTextEdit;
 
  protected:
   [[nodiscard]] bool canInsertFromMimeData(const QMimeData* source) const override {
-    return source != nullptr && QPlainTextEdit::canInsertFromMimeData(source);
+    return offers_something(source) && QPlainTextEdit::canInsertFromMimeData(source);
   }
   void insertFromMimeData(const QMimeData* source) override {
-    if (source != nullptr) QPlainTextEdit::insertFromMimeData(source);
+    if (offers_something(source)) QPlainTextEdit::insertFromMimeData(source);
+  }
+
+ private:
+  [[nodiscard]] static bool offers_something(const QMimeData* source) {
+    return source != nullptr && !source->formats().isEmpty();
   }
 };
 

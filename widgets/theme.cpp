@@ -59,6 +59,7 @@ QToolButton#choice { border: 1px solid %3; padding: 4px 10px; background: %1; }
 QToolButton#choice:hover { border-color: %6; }
 QToolButton#choice::menu-indicator { image: none; }
 QFrame#panel { background: %2; border: 1px solid %3; border-radius: 6px; }
+QFrame#notice { background: %7; border: 1px solid %6; border-radius: 6px; }
 QFrame#sidebar { background: %2; border: none; border-right: 1px solid %3; }
 QLabel { background: transparent; }
 QLabel#title { font-weight: bold; }

@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 
 #include "app/lab_window.h"
+#include "app/notice_bar.h"
 #include "app/preset_library.h"
-#include "app/restore_bar.h"
 #include "physics/preset/preset.h"
 #include "widgets/plot_panel.h"
 #include "widgets/scene_view.h"
@@ -37,7 +37,7 @@ class AutosaveTest : public testing::Test {
     return window;
   }
   static void put_in(LabWindow& window) { emit window.scene_view().spawnRequested(0.3, 1.0); }
-  static RestoreBar* bar(const LabWindow& window) { return window.findChild<RestoreBar*>(); }
+  static NoticeBar* bar(const LabWindow& window) { return window.findChild<NoticeBar*>("notice"); }
   static QString said(const LabWindow& window) { return bar(window)->findChild<QLabel*>()->text(); }
   static void click(const LabWindow& window, const QString& text) {
     for (auto* button : bar(window)->findChildren<QPushButton*>()) {

@@ -119,7 +119,7 @@ void make_sandbox(const QString& folder) {
   write("<b>name.json", "[1e400]");
   for (const char* name : {"head-on", "gas", "stacked-boxes"})
     QFile::copy(QString::fromStdString(find_preset(name).string()), folder + "/" + name + "-copy.json");
-  if (qEnvironmentVariableIsSet("MONKEY_FIFO")) mkfifo((folder + "/fifo.json").toUtf8().constData(), 0600);
+  mkfifo((folder + "/fifo.json").toUtf8().constData(), 0600);
 }
 
 // Nothing that the monkey does can write what belongs to root.

@@ -53,8 +53,11 @@ TEST(PlainText, PasteOfNothingDoesNothing) {
   };
   Field field;
   field.setPlainText("words");
-  EXPECT_FALSE(field.canInsertFromMimeData(nullptr));
-  field.insertFromMimeData(nullptr);
+  const QMimeData nothing;
+  for (const QMimeData* source : {&nothing, static_cast<const QMimeData*>(nullptr)}) {
+    EXPECT_FALSE(field.canInsertFromMimeData(source));
+    field.insertFromMimeData(source);
+  }
   EXPECT_EQ(field.toPlainText(), "words");
 }
 
