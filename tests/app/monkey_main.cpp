@@ -16,7 +16,6 @@
 #include <fmt/format.h>
 #include <pthread.h>
 #include <sys/prctl.h>
-#include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
 
@@ -119,7 +118,6 @@ void make_sandbox(const QString& folder) {
   write("<b>name.json", "[1e400]");
   for (const char* name : {"head-on", "gas", "stacked-boxes"})
     QFile::copy(QString::fromStdString(find_preset(name).string()), folder + "/" + name + "-copy.json");
-  mkfifo((folder + "/fifo.json").toUtf8().constData(), 0600);
 }
 
 // Nothing that the monkey does can write what belongs to root.
