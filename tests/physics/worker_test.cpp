@@ -190,7 +190,7 @@ TEST(Worker, ChangesTheMethodAndTakesBodies) {
   EXPECT_TRUE(test::same_bytes(watcher.last.state, plain.state()));
   EXPECT_EQ(worker.scene().method, method);
   EXPECT_EQ(worker.scene().bodies.back().name, "new");
-  watcher.edits = 0;
+  watcher.edits = 1;  // the body comes in again
   worker.restart();
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return f.steps == 0; }));
   EXPECT_EQ(watcher.last.state.size(), 9);
