@@ -123,7 +123,7 @@ void LabWindow::save_run() {
     if (const auto run = run_at(*frame->log, frame->key_frames, frame->time, frame->steps, std::ref(progress)))
       save_preset(saved_scene(document, *run), file.toStdString());
   } catch (const SceneError& error) {
-    QMessageBox::warning(this, tr("The run cannot be saved"), QString::fromUtf8(error.what()).toHtmlEscaped());
+    tell(this, tr("The run cannot be saved"), QString::fromUtf8(error.what()));
   }
 }
 
