@@ -42,6 +42,7 @@ int film_command(int& argc, char** argv, const FilmOptions& options) {
   for (const std::string& line : remarks(*frames)) print_out("{}\n", line);
   print_out("{} frames in {}; there, this makes a film of them:\n{}\n", count, options.output,
             encoder_line(film, count).toStdString());
+  if (frames->lost) throw RunLostError(*frames->lost);
   return kGood;
 }
 

@@ -90,6 +90,7 @@ int picture_command(int& argc, char** argv, const PictureOptions& options) {
     write_scene_picture(file, frame_at(scene, time), scene.view, {}, theme, size_of(options));
   }
   file.commit();
+  if (const Frame moment = frame_at(scene, time); moment.lost) throw RunLostError(*moment.lost);
   return kGood;
 }
 

@@ -330,6 +330,9 @@ int run_command_line(int argc, char** argv) {
   } catch (const SceneError& error) {
     print_error(error.what());
     return kBadInput;
+  } catch (const RunLostError& error) {
+    print_error(error.what());
+    return kLost;
   } catch (const std::bad_alloc&) {
     print_error("there is not enough memory for this");
     return kBadInput;

@@ -99,6 +99,8 @@ int run_command(const RunOptions& options) {
   write_out(options.json ? report_json(find_preset(options.preset).stem().string(), simulation)
                          : report_text(scene, start, simulation));
   if (!failures.empty()) throw SceneError(failures);
+  if (const auto& lost = simulation.lost())
+    throw RunLostError(lost->text(simulation.bodies(), simulation.time()));
   return kGood;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,13 @@ namespace carom {
 inline constexpr int kGood = 0;
 inline constexpr int kFellShort = 1;  // a check fell short
 inline constexpr int kBadInput = 2;   // one clear line on stderr
+inline constexpr int kLost = 3;       // the run could not go on; what it had until then is printed and written
+
+// Thrown once all is written that there is of a run that is lost: why it is.
+class RunLostError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 // What the command line says in place of the file's own method.
 struct MethodOptions {

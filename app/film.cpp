@@ -220,7 +220,9 @@ std::optional<FilmFrames> save_film(const Film& film, const fs::path& folder, bo
   QImage image(film.pixels, QImage::Format_RGB32);
   image.setDevicePixelRatio(film.dots);
   image.setText(kMarkName, kMark);
+  std::optional<std::string> lost;
   const auto show = [&](std::span<const Frame> runs) {
+    lost = runs.front().lost;
     {
       QPainter painter(&image);
       paint_scene(painter, runs.front(), look, runs.subspan(1));
@@ -229,7 +231,9 @@ std::optional<FilmFrames> save_film(const Film& film, const fs::path& folder, bo
     return go_on(runs.front().time);
   };
   if (!visit_moments(film.runs, times, kImpactShown, show, go_on)) return std::nullopt;
-  return files.commit();
+  FilmFrames frames = files.commit();
+  frames.lost = lost;
+  return frames;
 }
 
 }  // namespace carom

@@ -112,7 +112,7 @@ std::string report_text(const Scene& scene, const Simulation& start, const Simul
   row("angular momentum / kg m²/s", before.angular_momentum, after.angular_momentum);
 
   out += ledger_text(end.ledger(), after);
-  out += fmt::format("\nstatus: {}\n", end.notices().text());
+  out += fmt::format("\nstatus: {}\n", end.status());
   return out;
 }
 
@@ -171,7 +171,7 @@ std::string report_json(const std::string& preset, const Simulation& end) {
                    {"from_user", pair(ledger.momentum_from_user)},
                    {"to_walls", pair(ledger.momentum_to_walls)},
                    {"numerical_drift", pair(ledger.momentum_drift(totals.momentum))}}}};
-  j["status"] = end.notices().text();
+  j["status"] = end.status();
   return j.dump(2) + "\n";
 }
 

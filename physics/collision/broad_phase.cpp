@@ -35,7 +35,8 @@ void BroadPhase::find_candidates(const std::vector<Bounds>& bounds, const std::v
     grid_.put(i, skins_[i]);
   }
   candidates_.clear();
-  for (int a = 0; a < n; ++a) {
+  const std::size_t most = most_pairs(bounds.size());
+  for (int a = 0; a < n && candidates_.size() <= most; ++a) {
     near_.clear();
     grid_.each_near(a, [&](int b) {
       if (b > a && (fixed[a] == 0 || fixed[b] == 0)) near_.push_back(b);
@@ -43,6 +44,8 @@ void BroadPhase::find_candidates(const std::vector<Bounds>& bounds, const std::v
     std::sort(near_.begin(), near_.end());
     for (const int b : near_) candidates_.emplace_back(a, b);
   }
+  cut_ = candidates_.size() > most;
+  if (cut_) candidates_.resize(most);
 }
 
 const std::vector<std::pair<int, int>>& BroadPhase::pairs(const std::vector<Bounds>& bounds,

@@ -90,6 +90,11 @@ void add_up(const PairFrame& frame, Sum& sum) {
   sum.count = count;
   sum.farthest = prefer_a ? nearest_a : nearest_b;
   sum.separation = std::max(best_a, best_b);
+  if (sum.farthest < 0) {
+    // Poses that are no numbers lie nowhere, so nowhere near.
+    sum.farthest = 0;
+    sum.separation = std::numeric_limits<double>::infinity();
+  }
 }
 
 ClosestFeatures at_farthest(const Sum& sum) {

@@ -98,6 +98,13 @@ template <class Sampler, class Sample>
   return f + t * (slope - 0.5 * curvature * (width - t));
 }
 
+// How far a search may still go.
+struct SearchLimit {
+  int looks = std::numeric_limits<int>::max();  // samples, but for those that a bracketed root takes
+  int halvings = 64;     // of an interval, one within the other: beyond, rounding is left
+  bool reached = false;  // set where the search ended for want of looks
+};
+
 // The first time in [a, b] at which the gap of two convex bodies closes, if there is one. The gap at `a` must
 // be positive. `sample(t)` gives a GapSample, or what the sampler's own separation() takes; `curvature` K in
 // m/s² bounds the second derivative of x_q - x_p for every point q of body B and p of body A, up to roundings:
@@ -116,15 +123,35 @@ template <class Sampler, class Sample>
 //
 // A sampler may also have clear(from, to, width): true if bounds of its own show that there is no contact
 // between two samples.
+//
+// Where the limit ends the search, the answer is a contact that is known to be there, if any is, though perhaps
+// not the first.
 template <class Sampler, class Sample>
 [[nodiscard]] std::optional<double> first_contact(const Sampler& sample, double a, const Sample& ga, double b,
-                                                  const Sample& gb, double curvature, double tolerance) {
+                                                  const Sample& gb, double curvature, double tolerance,
+                                                  SearchLimit& limit) {
   const double width = b - a;
-  if (!(width > 4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b)))) {
+  if (!(width > 4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b))) ||
+      limit.halvings == 0) {
     return gb.gap <= 0.0 ? std::optional(a) : std::nullopt;
   }
+  const auto search = [&](double from, const Sample& at_from, double to, const Sample& at_to) {
+    --limit.halvings;
+    const auto found = first_contact(sample, from, at_from, to, at_to, curvature, tolerance, limit);
+    ++limit.halvings;
+    return found;
+  };
+  const auto ends_here = [&limit] {
+    if (limit.looks > 0) {
+      --limit.looks;
+      return false;
+    }
+    limit.reached = true;
+    return true;
+  };
 
   if (gb.gap > 0.0) {
+    if (limit.reached) return std::nullopt;
     if constexpr (requires { sample.clear(ga, gb, width); }) {
       if (sample.clear(ga, gb, width)) return std::nullopt;
     }
@@ -136,15 +163,15 @@ template <class Sampler, class Sample>
     }
     const double least = std::min(least_over_chord(ga.gap, slope_a, curvature, width, meet),
                                   least_over_chord(gb.gap, -slope_b, curvature, width, width - meet));
-    if (least > -tolerance) return std::nullopt;
+    if (least > -tolerance || ends_here()) return std::nullopt;
     const double stray = curvature * width * width / 8.0;
     // Both curves touch their chord at the ends: where the stray dominates, the middle is the better place.
     if (!(meet > 0.05 * width && meet < 0.95 * width) || stray > 0.5 * ga.gap) meet = 0.5 * width;
     const double m = a + meet;
     const Sample gm = sample(m);
-    if (gm.gap <= 0.0) return first_contact(sample, a, ga, m, gm, curvature, tolerance);
-    if (const auto root = first_contact(sample, a, ga, m, gm, curvature, tolerance)) return root;
-    return first_contact(sample, m, gm, b, gb, curvature, tolerance);
+    if (gm.gap <= 0.0) return search(a, ga, m, gm);
+    if (const auto root = search(a, ga, m, gm)) return root;
+    return search(m, gm, b, gb);
   }
 
   const double root = bracketed_root([&](double t) { return sample(t).gap; }, a, ga.gap, b, gb.gap);
@@ -153,16 +180,23 @@ template <class Sampler, class Sample>
   const double closing = parting_rate(sample, gr, ga, root - a);
   if (closing > 0.5 * curvature * (root - a)) return root;
   const double m = 0.5 * (a + root);
-  if (!(m > a && m < root)) return root;
+  if (!(m > a && m < root) || ends_here()) return root;
   const Sample gm = sample(m);
-  if (gm.gap <= 0.0) return first_contact(sample, a, ga, m, gm, curvature, tolerance);
-  if (const auto earlier = first_contact(sample, a, ga, m, gm, curvature, tolerance)) return earlier;
+  if (gm.gap <= 0.0) return search(a, ga, m, gm);
+  if (const auto earlier = search(a, ga, m, gm)) return earlier;
   // Between m and the root: search with the root as a positive end (the gap there may be zero to the last bit),
   // and fall back on the root itself.
   Sample end = gr;
   end.gap = std::max(gr.gap, std::numeric_limits<double>::min());
-  if (const auto earlier = first_contact(sample, m, gm, root, end, curvature, tolerance)) return earlier;
+  if (const auto earlier = search(m, gm, root, end)) return earlier;
   return root;
+}
+
+template <class Sampler, class Sample>
+[[nodiscard]] std::optional<double> first_contact(const Sampler& sample, double a, const Sample& ga, double b,
+                                                  const Sample& gb, double curvature, double tolerance) {
+  SearchLimit none;
+  return first_contact(sample, a, ga, b, gb, curvature, tolerance, none);
 }
 
 }  // namespace carom

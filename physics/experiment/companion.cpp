@@ -142,6 +142,10 @@ void Companion::follow(const Simulation& run) {
 
 void Companion::compare(const Simulation& run) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (fine_.lost() || check_.lost()) {
+    error_.position = error_.velocity = error_.energy = error_.uncertainty = kNone;
+    return;
+  }
   const State& ours = run.state();
   const State& theirs = fine_.state();
   energy_ = fine_.totals().energy();

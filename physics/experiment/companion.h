@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stop_token>
 #include <string_view>
 #include <vector>
 
@@ -56,6 +57,10 @@ class Companion {
   // Of a run of `start` under the scene's method.
   Companion(const Scene& start, ReferenceId reference);
 
+  void interrupt_on(const std::stop_token& stop) {
+    fine_.interrupt_on(stop);
+    check_.interrupt_on(stop);
+  }
   // Does to itself what was done to the run.
   void edit(const Edit& edit);
   // After each step of the run.

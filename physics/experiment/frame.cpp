@@ -51,7 +51,12 @@ void take_moment(const Simulation& simulation, Frame& frame) {
   frame.contacts = simulation.contact_forces();
   frame.totals = simulation.totals();
   frame.ledger = simulation.ledger();
-  frame.status = simulation.notices().text();
+  frame.status = simulation.status();
+  if (const auto& lost = simulation.lost()) {
+    frame.lost = lost->text(simulation.bodies(), simulation.time());
+  } else {
+    frame.lost.reset();
+  }
 }
 
 }  // namespace carom

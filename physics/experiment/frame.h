@@ -40,6 +40,8 @@ struct Frame {
   Totals totals;
   Ledger ledger;
   std::string status = "ok";
+  std::optional<std::string>
+      lost;  // why the run can't go on, if so: it stands at the end of its last good step
   bool playing = false;
   double realised_speed = 0.0;    // simulated seconds per second, while playing
   Method method;                  // in force

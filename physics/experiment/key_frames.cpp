@@ -7,6 +7,9 @@ namespace carom {
 void KeyFrames::take(const Simulation& simulation, const Sampler& sampler, std::size_t edits) {
   if (simulation.steps() % interval_ != 0) return;
   KeyFrame frame{simulation, sampler, edits};
+  // Whoever goes on from here is not the run's own thread.
+  frame.simulation.interrupt_on({});
+  frame.sampler.interrupt_on({});
   (void)frame.sampler.take();  // the rows so far belong to the run itself
   frames_.push_back(std::make_shared<const KeyFrame>(std::move(frame)));
   if (frames_.size() <= kMost) return;

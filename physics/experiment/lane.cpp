@@ -10,8 +10,10 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-Lane::Lane(const Scene& start, const std::vector<Curve>& curves, ReferenceId reference)
-    : log_(std::make_shared<RunLog>(RunLog{start, {}})),
+Lane::Lane(const Scene& start, const std::vector<Curve>& curves, ReferenceId reference,
+           std::stop_token interrupt)
+    : interrupt_(std::move(interrupt)),
+      log_(std::make_shared<RunLog>(RunLog{start, {}})),
       simulation_(start),
       bodies_(std::make_shared<const std::vector<Body>>(simulation_.bodies())),
       forces_(std::make_shared<const Forces>(start.forces)),
@@ -19,19 +21,23 @@ Lane::Lane(const Scene& start, const std::vector<Curve>& curves, ReferenceId ref
       reference_(reference),
       sampler_(begin_sampler(simulation_, curves, {})) {
   simulation_.watch_impacts(true);
+  simulation_.interrupt_on(interrupt_);
 }
 
 Sampler Lane::begin_sampler(const Simulation& simulation, const std::vector<Curve>& curves,
                             const std::vector<Curve>& later) const {
   Sampler sampler(curves, later);
   if (reference_ != ReferenceId::kNone) sampler.compare_with(Companion(log_->start, reference_));
+  sampler.interrupt_on(interrupt_);
   sampler.begin(simulation);
   return sampler;
 }
 
 void Lane::step() {
+  if (lost()) return;
   const auto begin = Clock::now();
   simulation_.step();
+  if (lost()) return;
   wall_time_ += std::chrono::duration<double>(Clock::now() - begin).count();
   sampler_.after_step(simulation_);
   key_frames_.take(simulation_, sampler_, log_->edits.size());
@@ -39,6 +45,7 @@ void Lane::step() {
 }
 
 void Lane::edit(const std::variant<Method, Body>& what) {
+  if (lost()) return;
   const Edit edit{simulation_.steps(), simulation_.time(), what};
   RunLog longer = *log_;  // frames hold the one before
   longer.edits.push_back(edit);
@@ -65,7 +72,7 @@ void Lane::record(const std::vector<Curve>& curves, ReferenceId reference) {
   sampler_.set_curves(known);
   if (missing.empty() && !anew) return;
   if (anew) key_frames_ = {};
-  Replay replay(log_->start);
+  Replay replay(log_->start, interrupt_);
   Sampler past = begin_sampler(replay.simulation(), missing, curves);
   catch_up_.emplace(CatchUp{std::move(replay), std::move(past)});
 }
@@ -86,7 +93,7 @@ void Lane::catch_up(Clock::duration duration) {
       return;
     }
     replay.step();
-    past.after_step(replay.simulation());
+    if (!replay.simulation().lost()) past.after_step(replay.simulation());
   } while (Clock::now() - begin < duration);
 }
 

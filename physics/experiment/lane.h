@@ -1,8 +1,10 @@
 #pragma once
 
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <variant>
 #include <vector>
 
@@ -18,10 +20,14 @@ namespace carom {
 class Lane {
  public:
   // Stands at the start.
-  Lane(const Scene& start, const std::vector<Curve>& curves, ReferenceId reference);
+  // Its steps throw StepInterrupted once `interrupt` asks for it; then it can only be thrown away.
+  Lane(const Scene& start, const std::vector<Curve>& curves, ReferenceId reference,
+       std::stop_token interrupt = {});
 
+  // Of a run that is lost does nothing.
   void step();
-  void edit(const std::variant<Method, Body>& what);
+  [[nodiscard]] bool lost() const { return simulation_.lost().has_value(); }
+  void edit(const std::variant<Method, Body>& what);  // likewise
   // What to read off the run from now on, and what to compare it with. Where that was not known before, the run
   // is to be gone through once more (catch_up) before it goes on.
   void record(const std::vector<Curve>& curves, ReferenceId reference);
@@ -34,8 +40,10 @@ class Lane {
 
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
   [[nodiscard]] double time() const { return simulation_.time(); }
-  // s, of the next step's end.
-  [[nodiscard]] double next() const { return simulation_.time() + simulation_.method().step; }
+  // s, of the next step's end; a lost run has none.
+  [[nodiscard]] double next() const {
+    return lost() ? std::numeric_limits<double>::infinity() : simulation_.time() + simulation_.method().step;
+  }
   [[nodiscard]] const RunLog& log() const { return *log_; }
 
  private:
@@ -48,6 +56,7 @@ class Lane {
   [[nodiscard]] Sampler begin_sampler(const Simulation& simulation, const std::vector<Curve>& curves,
                                       const std::vector<Curve>& later) const;
 
+  std::stop_token interrupt_;
   std::shared_ptr<const RunLog> log_;
   Simulation simulation_;
   std::shared_ptr<const std::vector<Body>> bodies_;

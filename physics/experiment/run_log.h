@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <variant>
 #include <vector>
 
@@ -28,7 +29,10 @@ struct RunLog {
 // A run gone through once more, step by step.
 class Replay {
  public:
-  explicit Replay(const Scene& start) : simulation_(start) { simulation_.watch_impacts(true); }
+  explicit Replay(const Scene& start, const std::stop_token& interrupt = {}) : simulation_(start) {
+    simulation_.watch_impacts(true);
+    simulation_.interrupt_on(interrupt);
+  }
   // From a later moment on, after so many edits.
   Replay(const Simulation& moment, std::size_t edits) : simulation_(moment), next_(edits) {}
 

@@ -30,14 +30,14 @@ class Walk {
       while (replay_.edit(log_) != nullptr) {
       }
       // As Simulation::advance_to() divides the time.
-      if (time - simulation.time() <= (1.0 - 1e-9) * simulation.method().step) break;
+      if (simulation.lost() || time - simulation.time() <= (1.0 - 1e-9) * simulation.method().step) break;
       if (!go_on(simulation.time())) return false;
       replay_.step();
       keep_recent(impacts_, simulation.last_impacts(), simulation.time(), span_);
     }
     frame.impacts = impacts_;
     const double left = time - simulation.time();
-    if (left <= 1e-9 * simulation.method().step) {
+    if (simulation.lost() || left <= 1e-9 * simulation.method().step) {
       take(simulation, frame);
       return true;
     }

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "physics/experiment/companion.h"
@@ -42,6 +43,10 @@ class Sampler {
 
   // Before begin(): goes along with the run from its start on, and gives its errors.
   void compare_with(Companion reference) { companion_ = std::move(reference); }
+
+  void interrupt_on(const std::stop_token& stop) {
+    if (companion_) companion_->interrupt_on(stop);
+  }
 
   void begin(const Simulation& simulation);
   void after_step(const Simulation& simulation);

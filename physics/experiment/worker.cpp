@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "physics/experiment/lane.h"
@@ -46,15 +47,16 @@ struct Worker::Lab {
     Body body;
   };
 
-  Lab(const Scene& s, const std::vector<Curve>& c) : scene(s), curves(c) { begin(); }
-
-  void begin() {
+  void begin(std::stop_token token) {
+    interrupt = std::move(token);
     ++starts;
+    stands = false;
     playing = false;
     end = std::numeric_limits<double>::infinity();
     start = scene;
     start.bodies.resize(start.bodies.size() - put_in.size());
     runs.clear();
+    last.clear();
     add_run(scene.method);
     for (const Method& method : scene.compare) add_run(method);
     set_rate();
@@ -64,7 +66,7 @@ struct Worker::Lab {
     Scene alone = start;
     alone.method = method;
     alone.compare.clear();
-    runs.push_back({Lane(alone, curves, reference), ++ids});
+    runs.push_back({Lane(alone, curves, reference, interrupt), ++ids});
     give_bodies(runs.back());
     changed = true;
   }
@@ -94,8 +96,8 @@ struct Worker::Lab {
       run.lane.edit(put_in[run.given++].body);
     }
   }
-  // Steps the runs, that which is farthest behind first, until all of them are at `time`: within a step of it.
-  // False if it was `deadline` before.
+  // Steps the runs that are not lost, that which is farthest behind first, until all of them are at `time`:
+  // within a step of it. False if it was `deadline` before.
   template <class Stop>
   bool go_to(double time, Clock::time_point deadline, const Stop& stop) {
     while (true) {
@@ -103,10 +105,14 @@ struct Worker::Lab {
                                    [](const Run& a, const Run& b) { return a.lane.next() < b.lane.next(); });
       if (run.lane.next() > time + kRounding * run.lane.simulation().method().step) return true;
       if (Clock::now() >= deadline || stop()) return false;
-      run.lane.step();
+      step(run);
       give_bodies(run);
-      changed = true;
     }
+  }
+  void step(Run& run) {
+    run.lane.step();
+    changed = true;
+    if (run.lane.lost()) playing = false;
   }
   [[nodiscard]] bool some_lag() {
     const double time = first().time();
@@ -142,11 +148,14 @@ struct Worker::Lab {
     rate_time = first().time();
   }
 
-  Scene scene;  // as it would be saved now
-  Scene start;  // at t = 0 of these runs
+  std::stop_token interrupt;
+  bool stands = false;  // the runs were left in the midst of a step: nothing can be done with them
+  Scene scene;          // as it would be saved now
+  Scene start;          // at t = 0 of these runs
   std::vector<Curve> curves;
   ReferenceId reference = ReferenceId::kNone;
   std::vector<Run> runs;
+  std::vector<std::shared_ptr<const Frame>> last;  // published
   std::vector<PutIn> put_in;
   std::uint64_t starts = 0;
   std::uint64_t ids = 0;
@@ -164,9 +173,15 @@ struct Worker::Lab {
 
 Worker::Worker(const Scene& scene, const std::vector<Curve>& curves)
     : scene_(scene),
-      thread_([this, scene, curves](const std::stop_token& stop) { work(stop, scene, curves); }) {}
+      thread_([this, scene, curves, interrupt = interrupt_.get_token()](const std::stop_token& stop) {
+        work(stop, scene, curves, interrupt);
+      }) {}
 
 Worker::~Worker() {
+  {
+    const std::lock_guard lock(mutex_);
+    interrupt_.request_stop();
+  }
   thread_.request_stop();
   wake_.notify_all();
 }
@@ -174,7 +189,18 @@ Worker::~Worker() {
 void Worker::post(std::function<void(Lab&)> command) {
   {
     const std::lock_guard lock(mutex_);
-    commands_.push_back(std::move(command));
+    commands_.push_back({std::move(command), false});
+  }
+  wake_.notify_all();
+}
+
+void Worker::post_begin(const std::function<void(Lab&, std::stop_token)>& command) {
+  {
+    const std::lock_guard lock(mutex_);
+    ++starts_;
+    interrupt_.request_stop();
+    interrupt_ = std::stop_source();
+    commands_.push_back({[command, token = interrupt_.get_token()](Lab& lab) { command(lab, token); }, true});
   }
   wake_.notify_all();
 }
@@ -183,23 +209,22 @@ void Worker::load(const Scene& scene, const std::vector<Curve>& curves, Referenc
   {
     const std::lock_guard lock(mutex_);
     scene_ = scene;
-    ++starts_;
   }
-  post([scene, curves, reference](Lab& lab) {
+  post_begin([scene, curves, reference](Lab& lab, std::stop_token interrupt) {
     lab.scene = scene;
     lab.put_in.clear();
     lab.curves = curves;
     lab.reference = reference;
-    lab.begin();
+    lab.begin(std::move(interrupt));
   });
 }
 
 void Worker::restart() {
-  {
-    const std::lock_guard lock(mutex_);
-    ++starts_;
-  }
-  post([](Lab& lab) { lab.begin(); });
+  // Commands that a run could not carry out any more are in this scene.
+  post_begin([scene = scene()](Lab& lab, std::stop_token interrupt) {
+    lab.scene = scene;
+    lab.begin(std::move(interrupt));
+  });
 }
 
 void Worker::restart(const Method& method, const std::vector<Method>& compare, const std::vector<Curve>& curves,
@@ -221,7 +246,7 @@ void Worker::restart(const Method& method, const std::vector<Method>& compare, c
 
 void Worker::set_playing(bool playing, double until) {
   post([playing, until](Lab& lab) {
-    lab.playing = playing;
+    lab.playing = playing && !lab.first().lost();
     lab.full_speed = false;
     const double rounding = kRounding * lab.first().simulation().method().step;
     lab.end = until >= lab.first().next() - rounding ? until : std::numeric_limits<double>::infinity();
@@ -234,8 +259,7 @@ void Worker::set_playing(bool playing, double until) {
 void Worker::step_once() {
   post([](Lab& lab) {
     lab.playing = false;
-    lab.first().step();  // the others follow
-    lab.changed = true;
+    lab.step(lab.runs.front());  // the others follow
   });
 }
 
@@ -310,7 +334,8 @@ void Worker::add_body(const Body& body) {
 
 void Worker::run_until(double time) {
   post([time](Lab& lab) {
-    lab.playing = true;
+    lab.playing = !lab.first().lost();
+    lab.changed = true;
     lab.full_speed = true;
     lab.end = time;
     lab.set_rate();
@@ -373,64 +398,134 @@ void Worker::publish(Lab& lab) {
     std::swap(frame.impacts, before->impacts);
     frame.impacts.insert(frame.impacts.end(), before->impacts.begin(), before->impacts.end());
   }
+  lab.last.assign(frames.begin(), frames.end());
   const std::lock_guard lock(mutex_);
   newest_ = std::move(frames);
   newest_start_ = lab.starts;
 }
 
-void Worker::work(const std::stop_token& stop, const Scene& first, const std::vector<Curve>& curves) {
-  Lab lab(first, curves);  // not scene_, which calls may have changed already
-  std::vector<std::function<void(Lab&)>> commands;
-  while (!stop.stop_requested()) {
-    if (lab.changed) publish(lab);
-    {
-      std::unique_lock lock(mutex_);
-      const auto something_to_do = [&] { return !commands_.empty(); };
-      if (too_much_waits()) {
-        wake_.wait(lock, stop, [&] { return something_to_do() || !too_much_waits(); });
-      } else if (lab.some_behind() || lab.some_lag()) {
-        // goes on at once
-      } else if (!lab.playing) {
-        wake_.wait(lock, stop, something_to_do);
-      } else if (!lab.full_speed) {
-        // Until the next step is due.
-        const double due = (lab.first().next() - lab.pace_time) / lab.speed;
-        const auto pause = std::min<Clock::duration>(
-            kFramePeriod, std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(due)) -
-                              (Clock::now() - lab.pace_wall));
-        if (pause > Clock::duration::zero()) wake_.wait_for(lock, stop, pause, something_to_do);
-      }
-      std::swap(commands, commands_);
-    }
-    for (const auto& command : commands) command(lab);
-    commands.clear();
+// Says in the frames of all runs, as they were published last, why they stand.
+void Worker::publish_failure(Lab& lab, const std::string& why) {
+  std::vector<std::shared_ptr<Frame>> frames;
+  for (const std::shared_ptr<const Frame>& last : lab.last) {
+    auto frame = std::make_shared<Frame>(*last);
+    frame->rows.clear();
+    frame->impacts.clear();
+    frames.push_back(std::move(frame));
+  }
+  if (frames.empty()) {
+    // Not even a first frame came about.
+    frames.push_back(std::make_shared<Frame>());
+    frames.front()->run = ++lab.ids;
+    frames.front()->bodies = std::make_shared<const std::vector<Body>>();
+    frames.front()->forces = std::make_shared<const Forces>();
+    frames.front()->log = std::make_shared<const RunLog>(RunLog{lab.scene, {}});
+  }
+  for (const std::shared_ptr<Frame>& frame : frames) {
+    frame->playing = false;
+    frame->realised_speed = 0.0;
+    frame->status = why;
+    frame->lost = why;
+  }
+  const std::lock_guard lock(mutex_);
+  newest_ = std::move(frames);
+  newest_start_ = lab.starts;
+}
 
-    if (lab.some_behind()) {
-      lab.catch_up(kFramePeriod);
-      continue;
+// Of runs that stand, only what begins all anew.
+void Worker::carry_out(Lab& lab, std::vector<Command>& commands) {
+  while (!commands.empty()) {
+    const Command command = std::move(commands.front());
+    commands.erase(commands.begin());
+    if (!lab.stands || command.begins) command.what(lab);
+  }
+}
+
+void Worker::work(const std::stop_token& stop, const Scene& first, const std::vector<Curve>& curves,
+                  std::stop_token interrupt) {
+  Lab lab;
+  lab.scene = first;  // not scene_, which calls may have changed already
+  lab.curves = curves;
+  std::vector<Command> commands = {{[&interrupt](Lab& l) { l.begin(std::move(interrupt)); }, true}};
+  const auto fails = [&](const std::string& why) {
+    lab.stands = true;
+    lab.playing = false;
+    lab.changed = false;
+    try {
+      publish_failure(lab, why);
+    } catch (const std::exception&) {
+      lab.last.clear();
+      lab.runs.clear();  // room for one small frame
+      publish_failure(lab, why);
     }
-    const auto begin = Clock::now();
-    const auto stops = [&stop] { return stop.stop_requested(); };
-    if (!lab.playing) {
-      (void)lab.go_to(lab.first().time(), begin + kFramePeriod, stops);  // those that lag
-      continue;
-    }
-    const double target = lab.full_speed
-                              ? lab.end
-                              : std::min(lab.end, lab.pace_time + seconds(begin - lab.pace_wall) * lab.speed);
-    const bool there = lab.go_to(target, begin + kFramePeriod, stops);
-    const double time = lab.first().time();
-    if (there && target >= lab.end) {
+  };
+  while (!stop.stop_requested()) {
+    try {
+      work_once(stop, lab, commands);
+    } catch (const StepInterrupted&) {
+      // A load or a restart comes next, or the end.
+      lab.stands = true;
       lab.playing = false;
-      lab.changed = true;
-    } else if (!there && !lab.full_speed && (target - time) / lab.speed > kLargestLag) {
-      lab.set_pace();
+      lab.changed = false;
+    } catch (const std::bad_alloc&) {
+      fails("there is not enough memory to go on; restart, or open a smaller scene");
+    } catch (const std::exception& error) {
+      fails(std::string("ended by an error of the program: ") + error.what());
     }
-    if (const double wall = seconds(Clock::now() - lab.rate_wall); wall > 0.5) {
-      lab.realised_speed = (time - lab.rate_time) / wall;
-      lab.rate_wall = Clock::now();
-      lab.rate_time = time;
+  }
+}
+
+void Worker::work_once(const std::stop_token& stop, Lab& lab, std::vector<Command>& commands) {
+  carry_out(lab, commands);
+  if (lab.changed) publish(lab);
+  {
+    std::unique_lock lock(mutex_);
+    const auto something_to_do = [&] { return !commands_.empty(); };
+    if (lab.stands) {
+      wake_.wait(lock, stop, something_to_do);
+    } else if (too_much_waits()) {
+      wake_.wait(lock, stop, [&] { return something_to_do() || !too_much_waits(); });
+    } else if (lab.some_behind() || lab.some_lag()) {
+      // goes on at once
+    } else if (!lab.playing) {
+      wake_.wait(lock, stop, something_to_do);
+    } else if (!lab.full_speed) {
+      // Until the next step is due.
+      const double due = (lab.first().next() - lab.pace_time) / lab.speed;
+      const auto pause = std::min<Clock::duration>(
+          kFramePeriod, std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(due)) -
+                            (Clock::now() - lab.pace_wall));
+      if (pause > Clock::duration::zero()) wake_.wait_for(lock, stop, pause, something_to_do);
     }
+    std::swap(commands, commands_);
+  }
+  carry_out(lab, commands);
+  if (lab.stands) return;
+
+  if (lab.some_behind()) {
+    lab.catch_up(kFramePeriod);
+    return;
+  }
+  const auto begin = Clock::now();
+  const auto stops = [&stop] { return stop.stop_requested(); };
+  if (!lab.playing) {
+    (void)lab.go_to(lab.first().time(), begin + kFramePeriod, stops);  // those that lag
+    return;
+  }
+  const double target =
+      lab.full_speed ? lab.end : std::min(lab.end, lab.pace_time + seconds(begin - lab.pace_wall) * lab.speed);
+  const bool there = lab.go_to(target, begin + kFramePeriod, stops);
+  const double time = lab.first().time();
+  if (there && target >= lab.end) {
+    lab.playing = false;
+    lab.changed = true;
+  } else if (!there && !lab.full_speed && (target - time) / lab.speed > kLargestLag) {
+    lab.set_pace();
+  }
+  if (const double wall = seconds(Clock::now() - lab.rate_wall); wall > 0.5) {
+    lab.realised_speed = (time - lab.rate_time) / wall;
+    lab.rate_wall = Clock::now();
+    lab.rate_time = time;
   }
 }
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <stop_token>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -17,10 +19,13 @@ namespace carom {
 // Runs a scene under one method, or under several side by side, on a thread of its own and at a chosen pace,
 // and publishes whole frames. Calls return at once: they are carried out between two steps, in their order. The
 // lock guards only the hand-over of commands and of the newest frames; nobody holds it while stepping or
-// painting. The runs wait while nobody takes their frames and too much is waiting there (kMostWaiting).
+// painting. A load, a restart and the end don't wait for the step under way: they interrupt it. The runs wait
+// while nobody takes their frames and too much is waiting there (kMostWaiting).
 //
 // Of several runs the one that is farthest behind goes first; one that is begun later starts at t = 0 and the
-// others wait for it. The first run is the scene's own: it sets the pace.
+// others wait for it. The first run is the scene's own: it sets the pace. A run that is lost stands still and
+// says why in its frames (Frame::lost); playing stops when one is. So it does where the thread runs out of
+// memory or meets any other error: then all runs stand until the next load or restart.
 class Worker {
  public:
   // The scene must be valid; `curves` are read off its runs from the start on.
@@ -62,14 +67,25 @@ class Worker {
 
  private:
   struct Lab;  // what belongs to the thread
+  struct Command {
+    std::function<void(Lab&)> what;
+    bool begins = false;  // all runs anew, whatever became of those before
+  };
   void post(std::function<void(Lab&)> command);
-  void work(const std::stop_token& stop, const Scene& first, const std::vector<Curve>& curves);
+  // Interrupts the step under way; the command is given the token for the next runs.
+  void post_begin(const std::function<void(Lab&, std::stop_token)>& command);
+  void work(const std::stop_token& stop, const Scene& first, const std::vector<Curve>& curves,
+            std::stop_token interrupt);
+  void work_once(const std::stop_token& stop, Lab& lab, std::vector<Command>& commands);
+  void carry_out(Lab& lab, std::vector<Command>& commands);
   void publish(Lab& lab);
+  void publish_failure(Lab& lab, const std::string& why);
   [[nodiscard]] bool too_much_waits() const;  // with the lock held
 
   mutable std::mutex mutex_;
   std::condition_variable_any wake_;
-  std::vector<std::function<void(Lab&)>> commands_;
+  std::vector<Command> commands_;
+  std::stop_source interrupt_;  // of the runs that were begun last
   std::vector<std::shared_ptr<Frame>> newest_;
   std::uint64_t newest_start_ = 0;  // of the frames: the value of starts_ then
   Scene scene_;

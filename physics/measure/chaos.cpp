@@ -128,6 +128,10 @@ Chaos follow_neighbours(const Scene& scene, const Method& method, double until, 
       });
     });
     const State& base = runs.front().state();
+    if (runs.front().lost()) {
+      c.followed = runs.front().time();
+      break;
+    }
     c.followed = time;
     c.length = std::max(c.length, reach(base, plain.bodies, moving));
     for (const int i : moving) c.largest_speed = std::fmax(c.largest_speed, base.velocity(i).norm());

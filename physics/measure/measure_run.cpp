@@ -140,6 +140,7 @@ class Measuring {
       const std::int64_t impacts = run_.simulation.impact_count();
       const double start = run_.simulation.time();
       run_.step();
+      if (run_.simulation.lost()) break;  // what was not read so far never will be
       read_impacts(start, impacts);
       look();
     }
@@ -191,7 +192,8 @@ class Measuring {
       if (m.done || !m.at_a_moment() || m.moment >= end) continue;
       Run copy = run_;
       copy.advance_to(m.moment);
-      read(copy, m);
+      if (!copy.simulation.lost()) read(copy, m);
+      m.done = true;
     }
   }
 
@@ -214,7 +216,7 @@ class Measuring {
       // A step that ends just after the impact holds the state that it left. advance_to() would take an impact
       // at the very start of a step for rounding.
       Run copy = *copy_;
-      while (copy.simulation.time() < start) copy.step();
+      while (copy.simulation.time() < start && !copy.simulation.lost()) copy.step();
       copy.step(std::nextafter(time, std::numeric_limits<double>::infinity()) - start);
       read(copy, m);
     }

@@ -22,6 +22,10 @@ RecordedRun record_run(const Scene& scene, const Method& method, double time, do
     for (double left = to - s.time(); left > 1e-9 * h; left = to - s.time()) {
       throw_if_stopped(stop);
       s.step(left > (1.0 - 1e-9) * h ? h : left);
+      if (s.lost()) {
+        run.blew_up_at = s.time();
+        return;
+      }
       if (!lasts) {
         for (const ImpactRecord& i : s.last_impacts()) run.impacts.push_back({i.time, i.a, i.b});
       }

@@ -170,7 +170,7 @@ std::vector<double> gas(const StressSetting& setting) {
   Simulation simulation(scene(setting, bodies, 1.0, 0.0, 0.0));
   const double before = simulation.totals().kinetic();
   const std::int64_t impacts = setting.longer ? 1'000'000 : 100'000;
-  while (simulation.impact_count() < impacts) simulation.step();
+  while (simulation.impact_count() < impacts && !simulation.lost()) simulation.step();
   return {simulation.totals().kinetic() / before - 1.0, static_cast<double>(simulation.impact_count())};
 }
 constexpr StressFigure kGasFigures[] = {

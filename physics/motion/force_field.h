@@ -78,6 +78,11 @@ class ForceField {
   [[nodiscard]] double switch_margin(int spring, const Motion& body, const Motion& other) const;
   [[nodiscard]] bool engaged(int spring) const { return engaged_[spring] != 0; }
   void take_over(const ForceField& other) { engaged_ = other.engaged_; }  // of the same springs
+  // Which springs act, all of them.
+  using Switches = std::vector<std::uint8_t>;
+  [[nodiscard]] const Switches& switches() const { return engaged_; }
+  void set_switches(const Switches& engaged) { engaged_ = engaged; }
+  [[nodiscard]] bool attracts() const { return attraction_.has_value(); }
   void set_engaged(int spring, bool on) { engaged_[spring] = on ? 1 : 0; }
   [[nodiscard]] double spring_energy(int spring, double length) const;  // J, where it acts
   [[nodiscard]] int spring_body(int spring) const { return springs_[spring].body; }

@@ -92,6 +92,9 @@ std::vector<std::pair<int, int>> Links::joined() const {
 
 void Links::set_groups(const std::vector<std::vector<int>>& groups) {
   groups_.clear();
+  first_row_.assign(links_.size(), -1);
+  std::vector<std::vector<int>> links_at(mass_.mass.size());  // by the body that they are laid at
+  for (int l = 0; l < static_cast<int>(links_.size()); ++l) links_at[links_[l].body].push_back(l);
   for (const std::vector<int>& members : groups) {
     Group& g = groups_.emplace_back();
     const auto column_of = [&](int body) {
@@ -100,11 +103,14 @@ void Links::set_groups(const std::vector<std::vector<int>>& groups) {
     };
     std::vector<std::vector<int>> rows_of(members.size());
     std::size_t next = 0;
-    for (int l = 0; l < static_cast<int>(links_.size()); ++l) {
+    std::vector<int> own;
+    for (const int body : members) own.insert(own.end(), links_at[body].begin(), links_at[body].end());
+    std::sort(own.begin(), own.end());
+    for (const int l : own) {
       const int a = column_of(links_[l].body);
-      if (a < 0) continue;
       const int b = links_[l].other >= 0 ? column_of(links_[l].other) : -1;
       if (links_[l].kind == LinkKind::kString) g.strings.push_back(l);
+      first_row_[l] = static_cast<int>(g.rows.size());
       for (int axis = 0; axis < links_[l].rows; ++axis) {
         const int i = static_cast<int>(g.rows.size());
         int first = i;
@@ -419,21 +425,12 @@ Vec2 Links::impulse(int group, int link, int body) const {
   return links_[link].body == body ? sum : Vec2(-sum);
 }
 
-double Links::tension(int group, int link) const {
-  const Group& g = groups_[group];
-  for (std::size_t i = 0; i < g.rows.size(); ++i) {
-    if (g.rows[i].link == link) return -g.force[static_cast<Eigen::Index>(i)];
-  }
-  return 0.0;
-}
+double Links::tension(int group, int link) const { return -groups_[group].force[first_row_[link]]; }
 
 double Links::overstretch(int group, int link, double t, const Motions& y) const {
-  for (const Row& row : groups_[group].rows) {
-    if (row.link != link) continue;
-    const Ends e = ends_of(links_[link], t, y, row.a, row.b);
-    return e.d.norm() - links_[link].length - kAtLength * (e.size + links_[link].length);
-  }
-  return 0.0;
+  const Row& row = groups_[group].rows[first_row_[link]];
+  const Ends e = ends_of(links_[link], t, y, row.a, row.b);
+  return e.d.norm() - links_[link].length - kAtLength * (e.size + links_[link].length);
 }
 
 }  // namespace carom

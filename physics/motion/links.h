@@ -65,6 +65,11 @@ class Links {
   [[nodiscard]] double length(int link) const { return links_[link].length; }  // m, of a rod or a string
   [[nodiscard]] bool taut(int link) const { return taut_[link] != 0; }
   void set_taut(int link, bool on) { taut_[link] = on ? 1 : 0; }
+  // Of all links, those that are no strings are taut; of links that are new since then nothing is changed.
+  [[nodiscard]] const std::vector<std::uint8_t>& strings_taut() const { return taut_; }
+  void set_strings_taut(const std::vector<std::uint8_t>& taut) {
+    std::copy(taut.begin(), taut.end(), taut_.begin());
+  }
   // Of the same links, the last of which may be missing there.
   void take_over(const Links& other) { std::copy(other.taut_.begin(), other.taut_.end(), taut_.begin()); }
   // N s: what a link gave to `body`, at one of its ends, in the last share() or jerk() of the group.
@@ -135,6 +140,7 @@ class Links {
   static void keep_books(const Group& g, Motions& y);
 
   std::vector<Laid> links_;
+  std::vector<int> first_row_;  // by link, in its group
   std::vector<std::uint8_t> taut_;
   std::vector<Group> groups_;
   std::vector<std::optional<Drive>> drives_;  // by body

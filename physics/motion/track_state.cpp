@@ -41,7 +41,7 @@ void ForceField::each_kept(Self& field, Kept& kept, const Each& each) {
 template <class Self, class Kept, class Each>
 void Links::each_kept(Self& links, Kept& kept, const Each& each) {
   // What the groups hold is made anew before it is read.
-  auto& [laid, taut, groups, drives, mass] = links;
+  auto& [laid, first_row, taut, groups, drives, mass] = links;
   each(taut, kept.taut);
 }
 
@@ -49,8 +49,8 @@ template <class Self, class Kept, class Ahead, class Each>
 void Tracks::each_kept(Self& tracks, Kept& kept, Ahead* ahead, const Each& each) {
   auto& [field, links, bodies, islands, members, groups, island_of, settled, at_end, constant, bend, turn,
          turns_corners, integrator, adaptive, parabolic, general, evaluations_a_flight, tolerance, epoch,
-         evaluations, rejected_steps, tolerance_missed_since, links_missed_since, lost_to_links, let_go_at] =
-      tracks;
+         evaluations, flight_work, switches, margins, margins_at_first, leaving, step_start, rejected_steps,
+         tolerance_missed_since, links_missed_since, switches_missed_since, lost_to_links, let_go_at] = tracks;
   ForceField::each_kept(field, kept, each);
   Links::each_kept(links, kept, each);
   each(epoch, kept.epoch);
@@ -72,6 +72,7 @@ void Tracks::each_kept(Self& tracks, Kept& kept, Ahead* ahead, const Each& each)
   each(rejected_steps, kept.rejected_steps);
   each(tolerance_missed_since, kept.tolerance_missed_since);
   each(links_missed_since, kept.links_missed_since);
+  each(switches_missed_since, kept.switches_missed_since);
   each(lost_to_links, kept.lost_to_links);
   if (ahead == nullptr) return;
   each(at_end, ahead->at_end);
@@ -88,7 +89,8 @@ void Tracks::each_kept(Self& tracks, Kept& kept, Ahead* ahead, const Each& each)
       continue;
     }
     // All but the time follows from it.
-    auto& [cached, from, now, change, missed, stages] = groups[static_cast<std::size_t>(islands[k].group)];
+    auto& [cached, from, now, change, missed, rates_known, start_rates, stages] =
+        groups[static_cast<std::size_t>(islands[k].group)];
     if constexpr (std::is_const_v<Self>) {
       each(cached, ahead->cached[k]);
     } else if (ahead->cached[k] != -kForever) {

@@ -28,6 +28,7 @@ struct TrackState {
   std::int64_t rejected_steps = 0;
   double tolerance_missed_since = -1.0;  // s, absolute
   double links_missed_since = -1.0;      // s, absolute
+  double switches_missed_since = -1.0;   // s, absolute
   double lost_to_links = 0.0;            // J
 };
 

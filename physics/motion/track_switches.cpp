@@ -60,58 +60,113 @@ double Tracks::margin_at(const Island& island, int a_switch, double time) {
                               other >= 0 ? at(other, time) : field_.spring_end(a_switch, epoch_ + time));
 }
 
+bool Tracks::follows_switches(const Island& island) {
+  std::int64_t most = kMostSwitchWork + kMostSwitchWorkPerBody * static_cast<std::int64_t>(bodies_.size());
+  if (switches_missed_since_ >= 0.0) most /= 10;
+  if (flight_work_ <= most) return true;
+  if (switches_missed_since_ < 0.0) switches_missed_since_ = epoch_ + island.start;
+  return false;
+}
+
+void Tracks::list_switches(const Island& island) {
+  switches_.clear();
+  for (const int i : members_of(island)) {
+    for (const int spring : field_.switching_springs(i)) {
+      // A spring between two members is theirs both.
+      if (field_.spring_body(spring) == i || island.group < 0) switches_.push_back(spring);
+    }
+  }
+  if (island.group < 0) return;
+  for (const int link : links_.strings(island.group)) switches_.push_back(field_.springs() + link);
+}
+
+// The margins of all listed switches at one time, > 0 where they are in the state that they are said to be in:
+// one motion of the group serves them all.
+void Tracks::look_at_switches(const Island& island, double time, std::vector<double>& margins) {
+  margins.clear();
+  bool pulled = false;  // the tensions at this time are known
+  for (const int a_switch : switches_) {
+    const bool on = is_on(a_switch);
+    double margin = 0.0;
+    if (is_link(a_switch) && on) {
+      if (!pulled) (void)rates_of(island, time, group_at(island, time));
+      pulled = true;
+      margin = links_.tension(island.group, a_switch - field_.springs());
+    } else {
+      margin = margin_at(island, a_switch, time);
+    }
+    margins.push_back(on ? margin : -margin);
+  }
+}
+
 // Ends the track at the first moment at which a one-sided spring or a string of the island starts or stops to
 // act. The switch must first be seen in the state that it is said to be in: just after a switch its margin is
 // zero within rounding. One that is out of that state all along switches at once, if it is then in its state:
 // it was due together with another switch of the island. The track is looked at in quarters: what engages and
 // lets go within less is not resolved by the step either.
 void Tracks::find_switch(Island& island) {
-  constexpr int kQuarters = 4;
+  const int quarters = static_cast<int>(margins_.size()) - 1;
   const double width = island.end - island.start;
+  const auto time_of = [&](int s) {
+    if (s == 0) return island.start;
+    return s == quarters ? island.end : island.start + width * s / quarters;
+  };
+  list_switches(island);
+  for (int s = 0; s <= quarters; ++s)
+    look_at_switches(island, time_of(s), margins_[static_cast<std::size_t>(s)]);
+
+  leaving_.clear();
   double first = island.end;
-  const auto look_at = [&](int a_switch) {
-    const double sign = is_on(a_switch) ? 1.0 : -1.0;
-    const auto margin = [&](double t) { return sign * margin_at(island, a_switch, t); };
-    double before = island.start;
-    double margin_before = margin(before);
-    bool seen = margin_before > 0.0;
-    for (int s = 1; s <= kQuarters; ++s) {
-      const double t = s == kQuarters ? island.end : island.start + width * s / kQuarters;
-      const double m = margin(t);
-      if (margin_before > 0.0 && m <= 0.0) {
-        const double root = bracketed_root(margin, before, margin_before, t, m);
-        if (root < first || (root == first && island.switching < 0)) {
-          first = root;
-          island.switching = a_switch;
-        }
-        break;
-      }
-      before = t;
-      margin_before = m;
-      seen = seen || m > 0.0;
+  for (std::size_t k = 0; k < switches_.size(); ++k) {
+    const int a_switch = switches_[k];
+    bool seen = margins_[0][k] > 0.0;
+    int left = 0;
+    for (int s = 1; s <= quarters && left == 0; ++s) {
+      const auto at = static_cast<std::size_t>(s);
+      if (margins_[at - 1][k] > 0.0 && margins_[at][k] <= 0.0) left = s;
+      seen = seen || margins_[at][k] > 0.0;
     }
-    if (seen || !(margin_before < 0.0)) return;
+    if (left > 0) {
+      const auto at = static_cast<std::size_t>(left);
+      leaving_.push_back({a_switch, time_of(left - 1), time_of(left), margins_[at - 1][k], margins_[at][k]});
+    }
+    if (seen || !(margins_.back()[k] < 0.0)) continue;
     // A push out of an overlap may have left a slack string too long, though its ends approach.
-    if (is_link(a_switch) && let_go_at_[a_switch - field_.springs()] == epoch_ + island.start) return;
+    if (is_link(a_switch) && let_go_at_[a_switch - field_.springs()] == epoch_ + island.start) continue;
     const bool on = is_on(a_switch);
     set_on(a_switch, !on);
     forget(island);
-    const bool belongs_there = margin(island.start + width / kQuarters) < 0.0;
+    const double margin = margin_at(island, a_switch, time_of(1));
     set_on(a_switch, on);
     forget(island);
-    if (belongs_there) {
+    if ((on ? margin : -margin) < 0.0) {
       first = island.start;
       island.switching = a_switch;
     }
-  };
-  for (const int i : members_of(island)) {
-    for (const int spring : field_.switching_springs(i)) {
-      // A spring between two members is theirs both.
-      if (field_.spring_body(spring) == i || island.group < 0) look_at(spring);
-    }
   }
-  if (island.group >= 0) {
-    for (const int link : links_.strings(island.group)) look_at(field_.springs() + link);
+
+  // Each root that is found rules out all switches that are still in their state then.
+  while (!leaving_.empty()) {
+    const Leaving next = leaving_.front();
+    const double sign = is_on(next.a_switch) ? 1.0 : -1.0;
+    const double root = bracketed_root([&](double t) { return sign * margin_at(island, next.a_switch, t); },
+                                       next.before, next.margin_before, next.after, next.margin_after);
+    if (root < first || (root == first && island.switching < 0)) {
+      first = root;
+      island.switching = next.a_switch;
+    }
+    leaving_.erase(leaving_.begin());
+    if (leaving_.empty()) break;
+    switches_.clear();
+    for (const Leaving& other : leaving_) switches_.push_back(other.a_switch);
+    look_at_switches(island, first, margins_at_first_);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < leaving_.size(); ++k) {
+      const bool later =
+          leaving_[k].before >= first || (leaving_[k].after > first && margins_at_first_[k] > 0.0);
+      if (!later) leaving_[kept++] = leaving_[k];
+    }
+    leaving_.resize(kept);
   }
   if (island.switching < 0) return;
   for (const int i : members_of(island)) at_end_.col(i) = at(i, first);

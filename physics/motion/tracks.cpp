@@ -17,8 +17,6 @@ double shortest_step(double time) {
 }
 // A driven body's track is at most this fraction of a radian of its swing long, so that its bend stays small.
 constexpr double kSwing = 0.5;
-// rad: how far a body with corners turns within a track that no step ends.
-constexpr double kTurn = 6.0;
 // A track in which nothing moves ends some time.
 constexpr double kLongestTrack = 1e6;  // s
 
@@ -98,6 +96,36 @@ void Tracks::begin(double epoch) {
   }
 }
 
+void Tracks::begin_step() {
+  flight_work_ = 0;
+  step_start_.springs = field_.switches();
+  step_start_.taut = links_.strings_taut();
+  step_start_.lost_to_links = lost_to_links_;
+}
+
+void Tracks::give_back() {
+  field_.set_switches(step_start_.springs);
+  links_.set_strings_taut(step_start_.taut);
+  lost_to_links_ = step_start_.lost_to_links;
+}
+
+void Tracks::lose(const Island& island, LossReason reason) const {
+  const auto members = members_of(island);
+  const auto lost = std::find_if(members.begin(), members.end(),
+                                 [this](int i) { return !has_finite_squares(at_end_.col(i)); });
+  throw LostMotion{reason, lost == members.end() ? members.front() : *lost, epoch_ + island.start};
+}
+
+// The track that has been laid.
+void Tracks::check_flight(const Island& island) const {
+  for (const int i : members_of(island)) {
+    if (!has_finite_squares(at_end_.col(i))) lose(island, LossReason::kTooLarge);
+  }
+  if (!adaptive_) return;
+  if (flight_work_ > kMostFlightWork + kMostFlightWorkPerBody * static_cast<std::int64_t>(bodies_.size()))
+    lose(island, LossReason::kTooManySteps);
+}
+
 void Tracks::take_over(Tracks& other, double time) {
   for (int i = 0; i < static_cast<int>(other.bodies_.size()); ++i) settled_.col(i) = other.at(i, time);
   field_.take_over(other.field_);
@@ -108,7 +136,10 @@ void Tracks::take_over(Tracks& other, double time) {
   }
   lost_to_links_ = other.lost_to_links_;
   links_missed_since_ = other.links_missed_since_;
+  switches_missed_since_ = other.switches_missed_since_;
   evaluations_ = other.evaluations_;
+  flight_work_ = other.flight_work_;
+  step_start_ = other.step_start_;
   rejected_steps_ = other.rejected_steps_;
   tolerance_missed_since_ = other.tolerance_missed_since_;
   begin(other.epoch_);
@@ -151,6 +182,7 @@ void Tracks::fly_one(const Island& island, double time, Motion& out) {
     return;
   }
   evaluations_ += evaluations_a_flight_;
+  flight_work_ += evaluations_a_flight_;
   if (parabolic_ && !field_.keeps_books()) {
     // Every such method's flight, whatever way it goes.
     out << parabola(body, time), parabola_velocity(body, time), settled_.col(body).tail<kBooks>();
@@ -180,7 +212,9 @@ const Motions& Tracks::fly_group(const Island& island, double time) {
     gather(island);
     integrator_step(integrator_, Together{field_, links_, island.group, members_of(island), epoch_},
                     island.start, group.from, time - island.start, group.stages, group.now);
-    evaluations_ += evaluations_a_flight_ * static_cast<std::int64_t>(island.count);
+    const std::int64_t evaluations = evaluations_a_flight_ * static_cast<std::int64_t>(island.count);
+    evaluations_ += evaluations;
+    flight_work_ += evaluations * (field_.attracts() ? 1 + island.count / 8 : 1);
     group.missed = !links_.restore(island.group, epoch_ + time, group.now);
   }
   return group.now;
@@ -213,14 +247,18 @@ Eigen::Vector3d Tracks::acceleration(int body) {
     OneBody{field_, body, epoch_}(island.start, y, rate);
     return rate.segment<3>(3);
   }
-  return rates_of(island, island.start, group_at(island, island.start))
-      .col(column_of(island, body))
-      .segment<3>(3);
+  Group& group = groups_[island.group];
+  if (!group.rates_known) {
+    group.start_rates = rates_of(island, island.start, group_at(island, island.start));
+    group.rates_known = true;
+  }
+  return group.start_rates.col(column_of(island, body)).segment<3>(3);
 }
 
 const Motions& Tracks::rates_of(const Island& island, double time, const Motions& y) {
   Motions& rates = groups_[island.group].stages.k[0];
   Together{field_, links_, island.group, members_of(island), epoch_}(time, y, rates);
+  flight_work_ += island.count;
   return rates;
 }
 
@@ -272,14 +310,15 @@ void Tracks::set_pose(int body, const Eigen::Vector3d& q) {
 // --- laying a track
 // -----------------------------------------------------------------------------------------------
 
-void Tracks::lay(int k, double horizon, double reach) {
+void Tracks::lay(int k, double horizon, double reach, double turn) {
   Island& island = islands_[k];
   island.switching = -1;
   forget(island);
   island.end = horizon;
   // Where no step ends the track, its path's length does.
   if (!(horizon < kForever)) {
-    island.end = island.start + (adaptive_ && is_lost(island) ? kLongestTrack : time_to_end(island, reach));
+    island.end =
+        island.start + (adaptive_ && is_lost(island) ? kLongestTrack : time_to_end(island, reach, turn));
   }
   if (field_.has_breaks()) {
     for (const int i : members_of(island))
@@ -295,10 +334,11 @@ void Tracks::lay(int k, double horizon, double reach) {
     for (int j = 0; j < island.count; ++j) at_end_.col(members_[island.first + j]) = now.col(j);
     if (groups_[island.group].missed && links_missed_since_ < 0.0) links_missed_since_ = epoch_ + island.start;
   }
-  if (has_switches(island) && !island.driven) find_switch(island);
+  check_flight(island);
+  if (has_switches(island) && !island.driven && follows_switches(island)) find_switch(island);
 }
 
-double Tracks::time_to_end(const Island& island, double reach) const {
+double Tracks::time_to_end(const Island& island, double reach, double turn) const {
   double most = kLongestTrack;
   for (const int i : members_of(island)) {
     if (island.driven) {
@@ -309,7 +349,7 @@ double Tracks::time_to_end(const Island& island, double reach) const {
     } else {
       most = std::min(
           most, time_to_move(reach, settled_.col(i).segment<2>(3).norm(), constant_.col(i).head<2>().norm()));
-      if (turns_corners_[i] != 0) most = std::min(most, kTurn / std::abs(settled_(5, i)));
+      if (turns_corners_[i] != 0) most = std::min(most, turn / std::abs(settled_(5, i)));
     }
   }
   return most;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "physics/motion/force_field.h"
 #include "physics/motion/integrators.h"
 #include "physics/motion/links.h"
+#include "physics/motion/lost_motion.h"
 #include "physics/motion/state.h"
 #include "physics/motion/track_state.h"
 #include "physics/scene/needs.h"
@@ -88,9 +90,25 @@ class Tracks {
   void set_pose(int body, const Eigen::Vector3d& q);
   // What contacts that last do to a body (m/s², m/s², rad/s²), on tracks that are laid from now on.
   void set_contact_acceleration(int body, const Eigen::Vector3d& by);
-  // Lays an island's track from its start to `horizon` at the most. `reach` in m bounds the path where the step
-  // doesn't.
-  void lay(int island, double horizon, double reach);
+  // What flights of the adaptive integrator may cost between two calls of begin_step(), in evaluations, of
+  // which attraction makes each cost more: about a second of work for few bodies.
+  static constexpr std::int64_t kMostFlightWork = 5'000'000;
+  static constexpr std::int64_t kMostFlightWorkPerBody = 200'000;
+  // What they may cost, of any integrator, before springs and strings are not followed any more in that step;
+  // from then on a tenth of it.
+  static constexpr std::int64_t kMostSwitchWork = 2'000'000;
+  static constexpr std::int64_t kMostSwitchWorkPerBody = 20'000;
+  // Counts the flights from here on, and remembers which springs and strings act, for give_back().
+  void begin_step();
+  // After a step that was given up: springs, strings and what strings took are again as at its beginning.
+  // Motions are not.
+  void give_back();
+  [[nodiscard]] std::int64_t flight_work() const { return flight_work_; }  // since begin_step()
+  // Lays an island's track from its start to `horizon` at the most. Where the step doesn't, `reach` in m bounds
+  // the path, and `turn` in rad how far bodies with corners turn. Throws LostMotion if the motion at its end
+  // could not be reckoned with, or where flights of the adaptive integrator have cost more than they may.
+  static constexpr double kUsualTurn = 6.0;  // rad
+  void lay(int island, double horizon, double reach, double turn = kUsualTurn);
   // True if links hold the body.
   [[nodiscard]] bool is_linked(int body) const {
     const int k = island_of_[body];
@@ -126,6 +144,8 @@ class Tracks {
   [[nodiscard]] double tolerance_missed_since() const { return tolerance_missed_since_; }
   // s, absolute: when first a step led so far off that links could not be restored; negative: never.
   [[nodiscard]] double links_missed_since() const { return links_missed_since_; }
+  // s, absolute: when first springs or strings switched more often than is followed; negative: never.
+  [[nodiscard]] double switches_missed_since() const { return switches_missed_since_; }
   // J: what strings took that jerked taut.
   [[nodiscard]] double lost_to_links() const { return lost_to_links_; }
 
@@ -158,14 +178,24 @@ class Tracks {
     Motions from, now;
     Eigen::Matrix3Xd change;  // of velocities at once
     bool missed = false;      // `now` is off the links
+    bool rates_known = false;
+    Motions start_rates;  // at the island's start, if they are known
     Stages<Motions> stages;
+  };
+  // A switch that leaves its state between two times at which the track was looked at.
+  struct Leaving {
+    int a_switch = 0;
+    double before = 0.0, after = 0.0;  // s
+    double margin_before = 0.0, margin_after = 0.0;
   };
 
   [[nodiscard]] std::span<const int> members_of(const Island& island) const {
     return {members_.data() + island.first, static_cast<std::size_t>(island.count)};
   }
   void forget(const Island& island) {
-    if (island.group >= 0) groups_[island.group].cached = -kForever;
+    if (island.group < 0) return;
+    groups_[island.group].cached = -kForever;
+    groups_[island.group].rates_known = false;
   }
   [[nodiscard]] Eigen::Index column_of(const Island& island, int body) const;
   [[nodiscard]] int body_of(const Island& island) const { return members_[island.first]; }
@@ -176,13 +206,18 @@ class Tracks {
   // The settled motion advanced to `time`: of an island of one body into `out`, of a group.
   void fly_one(const Island& island, double time, Motion& out);
   const Motions& fly_group(const Island& island, double time);
-  [[nodiscard]] double time_to_end(const Island& island, double reach) const;
+  [[nodiscard]] double time_to_end(const Island& island, double reach, double turn) const;
   [[nodiscard]] bool outruns_links(const Island& island);
   double error_of(const Island& island, double time);
   [[nodiscard]] double first_step(const Island& island);
   [[nodiscard]] bool is_lost(const Island& island) const;
   void lay_adaptive(Island& island);
   void find_switch(Island& island);
+  [[nodiscard]] bool follows_switches(const Island& island);
+  void list_switches(const Island& island);
+  void look_at_switches(const Island& island, double time, std::vector<double>& margins);
+  [[noreturn]] void lose(const Island& island, LossReason reason) const;
+  void check_flight(const Island& island) const;
   // Switches are the springs, by their indices, and then the links, of which strings switch.
   [[nodiscard]] bool is_link(int a_switch) const { return a_switch >= field_.springs(); }
   [[nodiscard]] bool has_switches(const Island& island) const {
@@ -218,9 +253,21 @@ class Tracks {
   double tolerance_ = 0.0;
   double epoch_ = 0.0;
   std::int64_t evaluations_ = 0;
+  std::int64_t flight_work_ = 0;
+  std::vector<int> switches_;                   // of the island whose track is laid
+  std::array<std::vector<double>, 5> margins_;  // theirs at the track's start, quarters and end
+  std::vector<double> margins_at_first_;
+  std::vector<Leaving> leaving_;
+  struct StepStart {
+    ForceField::Switches springs;
+    std::vector<std::uint8_t> taut;
+    double lost_to_links = 0.0;
+  };
+  StepStart step_start_;
   std::int64_t rejected_steps_ = 0;
   double tolerance_missed_since_ = -1.0;
   double links_missed_since_ = -1.0;
+  double switches_missed_since_ = -1.0;
   double lost_to_links_ = 0.0;
   std::vector<double>
       let_go_at_;  // s, absolute, by link: when a string last became taut and would have to push

@@ -265,7 +265,8 @@ constexpr auto kLedger = [](auto& a, auto& ledger) {
 
 constexpr auto kNotices = [](auto& a, auto& notices) {
   auto& [resting, collapsed, impacts_capped, log_cut, tolerance_missed, search_cut, gained_since, gained,
-         unsolved, lowered, links_missed, state_left, contacts_left_since, contacts_left] = notices;
+         unsolved, lowered, links_missed, state_left, switches_missed, work_spent, pairs_cut,
+         contacts_left_since, contacts_left] = notices;
   a.value("resting_since", resting);
   a.value("collapsed_since", collapsed);
   a.value("impacts_capped_since", impacts_capped);
@@ -278,14 +279,24 @@ constexpr auto kNotices = [](auto& a, auto& notices) {
   a.value("restitution_lowered_since", lowered);
   a.value("links_missed_since", links_missed);
   a.value("state_left_since", state_left);
+  a.value("switches_missed_since", switches_missed);
+  a.value("work_spent_since", work_spent);
+  a.value("pairs_cut_since", pairs_cut);
   a.value("contacts_left_since", contacts_left_since);
   a.value("contacts_left", contacts_left);
+};
+
+constexpr auto kWork = [](auto& a, auto& work) {
+  auto& [scarce, reserve] = work;
+  a.value("scarce", scarce);
+  a.value("reserve", reserve);
 };
 
 const auto kTracks = [](const Sizes& size) {
   return [size](auto& a, auto& tracks) {
     auto& [epoch, start, end, next_step, switching, settled, engaged, taut, let_go_at, phase, constant, contact,
-           evaluations, rejected_steps, tolerance_missed, links_missed, lost_to_links] = tracks;
+           evaluations, rejected_steps, tolerance_missed, links_missed, switches_missed, lost_to_links] =
+        tracks;
     a.value("epoch", epoch);
     a.list("start", start, size.islands);
     a.list("end", end, size.islands);
@@ -306,6 +317,7 @@ const auto kTracks = [](const Sizes& size) {
     a.value("rejected_steps", rejected_steps);
     a.value("tolerance_missed_since", tolerance_missed);
     a.value("links_missed_since", links_missed);
+    a.value("switches_missed_since", switches_missed);
     a.value("lost_to_links", lost_to_links);
   };
 };
@@ -341,9 +353,10 @@ const auto kContactMemory = [](const Sizes& size) {
 
 const auto kAhead = [](const Sizes& size) {
   return [size](auto& a, auto& ahead) {
-    auto& [tracks, grid, events, waiting, reach, epoch_length, last_impact] = ahead;
+    auto& [tracks, grid, events, waiting, reach, stretch, epoch_length, last_impact] = ahead;
     auto& [at_end, bend, turn, cached] = tracks;
     a.value("reach", reach);
+    a.value("stretch", stretch);
     a.value("epoch_length", epoch_length);
     a.value("last_impact", last_impact);
     a.rows("at_end", at_end, size.bodies);
@@ -379,8 +392,8 @@ const auto kAhead = [](const Sizes& size) {
 
 template <class Archive, class Kept>
 void describe(Archive& a, Kept& state, const Sizes& size) {
-  auto& [method, time, origin, origin_step, steps_since_origin, steps, impact_count, at_once, motions, ledger,
-         gravity_since, notices, tracks, contacts, ahead] = state;
+  auto& [method, time, origin, origin_step, steps_since_origin, steps, impact_count, at_once, work, motions,
+         ledger, gravity_since, notices, tracks, contacts, ahead] = state;
   a.value("method", method);
   // The time stands at the head of the section.
   a.value("origin", origin);
@@ -389,6 +402,7 @@ void describe(Archive& a, Kept& state, const Sizes& size) {
   a.value("steps", steps);
   a.value("impacts", impact_count);
   a.value("at_once", at_once);
+  a.object("work", work, kWork);
   a.rows("positions", motions.q, size.bodies);
   a.rows("velocities", motions.v, size.bodies);
   a.rows("books", motions.books, size.bodies);

@@ -46,11 +46,15 @@ void look_at_materials(const Scene& scene, const std::vector<Body>& bodies, Fact
     ++u.all;
     if (!is_immovable(b)) ++u.moving;
   }
+  std::vector<std::string> names;
+  for (const auto& [name, u] : users) names.push_back(name);
+  const std::vector<Material> surfaces = meetings(scene, names);
+  auto surface = surfaces.begin();
   for (const auto& [name_a, a] : users) {
     for (const auto& [name_b, b] : users) {
+      const Material& m = *surface++;
       const bool meet = a.moving > 0 && (&a == &b ? a.all > 1 : b.all > 0);
       if (!meet) continue;
-      const Material m = meeting(scene, name_a, name_b);
       facts.rub = facts.rub || m.kinetic_friction > 0.0;
       facts.yield = facts.yield || m.restitution < 1.0;
       facts.sticks = facts.sticks || m.sticks;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace carom {
@@ -17,15 +18,26 @@ double uniform(std::mt19937_64& random, double low, double high) {
 
 }  // namespace
 
-Material mixed(const Material& a, const Material& b) {
+namespace {
+
+// Without a name.
+Material mixed_surface(const Material& a, const Material& b) {
   Material m;
-  m.name = a.name + "/" + b.name;
+  m.name.clear();
   m.restitution = std::min(a.restitution, b.restitution);
   m.tangential_restitution = std::min(a.tangential_restitution, b.tangential_restitution);
   m.static_friction = std::sqrt(a.static_friction * b.static_friction);
   m.kinetic_friction = std::sqrt(a.kinetic_friction * b.kinetic_friction);
   m.rolling_resistance = std::sqrt(a.rolling_resistance * b.rolling_resistance);
   m.sticks = a.sticks || b.sticks;
+  return m;
+}
+
+}  // namespace
+
+Material mixed(const Material& a, const Material& b) {
+  Material m = mixed_surface(a, b);
+  m.name = a.name + "/" + b.name;
   return m;
 }
 
@@ -49,12 +61,36 @@ Material material_named(const Scene& scene, const std::string& name) {
   throw std::out_of_range("no material is called '" + name + "'");
 }
 
+std::vector<Material> meetings(const Scene& scene, const std::vector<std::string>& names) {
+  std::vector<Material> materials;
+  std::unordered_map<std::string, std::size_t> index;
+  {
+    std::unordered_map<std::string, const Material*> listed;
+    for (const Material& m : scene.materials) listed.try_emplace(m.name, &m);
+    for (const std::string& name : names) {
+      index.emplace(name, materials.size());
+      const auto found = listed.find(name);
+      materials.push_back(found != listed.end() ? *found->second : material_named(scene, name));
+    }
+  }
+  std::vector<Material> all;
+  all.reserve(materials.size() * materials.size());
+  for (const Material& a : materials) {
+    for (const Material& b : materials) all.push_back(mixed_surface(a, b));
+  }
+  // Of several for one pair the first counts.
+  for (auto pair = scene.pairs.rbegin(); pair != scene.pairs.rend(); ++pair) {
+    const auto a = index.find(pair->a);
+    const auto b = index.find(pair->b);
+    if (a == index.end() || b == index.end()) continue;
+    all[a->second * names.size() + b->second] = pair->surface;
+    all[b->second * names.size() + a->second] = pair->surface;
+  }
+  return all;
+}
+
 Material meeting(const Scene& scene, const std::string& a, const std::string& b) {
-  const auto found = std::find_if(scene.pairs.begin(), scene.pairs.end(), [&](const MaterialPair& p) {
-    return (p.a == a && p.b == b) || (p.a == b && p.b == a);
-  });
-  if (found != scene.pairs.end()) return found->surface;
-  return mixed(material_named(scene, a), material_named(scene, b));
+  return a == b ? meetings(scene, {a})[0] : meetings(scene, {a, b})[1];
 }
 
 bool has_sticking_surface(const Scene& scene) {

@@ -318,6 +318,8 @@ struct Scene {
 [[nodiscard]] Material material_named(const Scene& scene, const std::string& name);
 // How surfaces of these two materials meet: as a pair of the scene says, else by `mixed`.
 [[nodiscard]] Material meeting(const Scene& scene, const std::string& a, const std::string& b);
+// The same for all pairs of these materials, row by row.
+[[nodiscard]] std::vector<Material> meetings(const Scene& scene, const std::vector<std::string>& names);
 
 // True if a material or a pair of materials sticks, whether any body has it or not.
 [[nodiscard]] bool has_sticking_surface(const Scene& scene);

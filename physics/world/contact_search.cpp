@@ -14,30 +14,46 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // Looks at a pair in one search, far more than a hard one needs. Where forces change much within a
 // step the bound on how a path bends can be so large that a search would not end.
 constexpr int kMostLooks = 20'000;
-// At a pair that contacts hold, whose gap stays near zero: what is missed touches down at the step's end.
+// At a pair that is held or rests, whose gap stays near zero: what is missed is resolved at the step's end.
 constexpr int kMostLooksAtHeld = 200;
 
-// A pair that gives a search up after so many looks.
+// What a look costs, in units of StepWork; an evaluation of a right-hand side costs half a unit.
+constexpr std::int64_t kLookWork = 10;
+
+// A pair whose looks are paid for from the step's budget; at its end so is the search. Where no corners turn
+// the first kShort looks come from the run's reserve.
 template <class Pair>
-class Limited {
+class Paid {
  public:
-  Limited(const Pair& pair, int most) : pair_(pair), most_(most) {}
+  Paid(const Pair& pair, const Tracks& tracks, bool corners, StepWork& work, SearchLimit& limit)
+      : pair_(pair), tracks_(tracks), short_(corners ? 0 : kShort), work_(work), limit_(limit) {}
   [[nodiscard]] TurningSample operator()(double t) const {
-    ++looks_;
-    return pair_(t);
+    const std::int64_t flown = tracks_.flight_work();
+    const TurningSample sample = pair_(t);
+    const std::int64_t units = kLookWork + (tracks_.flight_work() - flown) / 2;
+    if (short_ > 0) {
+      --short_;
+      work_.spend_reserve(units);
+    } else {
+      work_.spend(units);
+    }
+    if (work_.spent()) limit_.looks = 0;
+    return sample;
   }
   [[nodiscard]] double separation(const Vec2& n, const TurningSample& at) const {
     return pair_.separation(n, at);
   }
   [[nodiscard]] bool clear(const TurningSample& from, const TurningSample& to, double width) const {
-    return gave_up() || pair_.clear(from, to, width);
+    return pair_.clear(from, to, width);
   }
-  [[nodiscard]] bool gave_up() const { return looks_ > most_; }
 
  private:
+  static constexpr int kShort = 16;
   const Pair& pair_;
-  int most_;
-  mutable int looks_ = 0;
+  const Tracks& tracks_;
+  mutable int short_;
+  StepWork& work_;
+  SearchLimit& limit_;
 };
 
 }  // namespace
@@ -98,10 +114,7 @@ double Simulation::touch_tolerance(int a, int b, double end) const {
   return 16.0 * kEpsilon * (reach + speeds * time);
 }
 
-bool Simulation::rests(int a, int b) const {
-  return holds(a, b) || std::any_of(deferred_.begin(), deferred_.end(),
-                                    [&](const Deferred& d) { return d.a == a && d.b == b && d.resting; });
-}
+bool Simulation::rests(int a, int b) const { return holds(a, b) || deferred_.rests(a, b); }
 
 // Two discs on parabolas of one acceleration go straight relative to each other: the next impact in closed
 // form.
@@ -126,7 +139,7 @@ void Simulation::search_discs(int a, int b, double start, double end) {
     if (closing > closing_share() * (va.norm() + vb.norm())) {
       if (!waits(closing)) foresee(start, a, b);
     } else if (distance - touch < -tolerance) {
-      defer(a, b, false);
+      deferred_.add(a, b, false);
     }
     return;
   }
@@ -151,6 +164,11 @@ bool Simulation::stays_held(int a, int b) const {
 void Simulation::search(int a, int b) {
   if (a > b) std::swap(a, b);
   if (!shapes_.can_meet(a, b) || stays_held(a, b)) return;
+  if (work_.spent()) {
+    note(&Notices::work_spent_since, time_);
+    deferred_.add(a, b, false);
+    return;
+  }
   double start = std::max(tracks_.start(a), tracks_.start(b));
   const double end = std::min(tracks_.end(a), tracks_.end(b));
   if (!(start <= end)) return;
@@ -194,7 +212,7 @@ void Simulation::search(int a, int b) {
       return;
     }
     if (bend == 0.0) {
-      if (first.gap < -tolerance) defer(a, b, false);
+      if (first.gap < -tolerance) deferred_.add(a, b, false);
       return;
     }
     // They part, and cannot be back before some time: search from the half of that on.
@@ -218,16 +236,15 @@ void Simulation::search(int a, int b) {
     }
     if (first.gap <= tolerance) {
       if (touching && pressed) note_resting(tracks_.epoch() + began);
-      defer(a, b, touching && pressed);
+      deferred_.add(a, b, touching && pressed);
       return;
     }
   }
-  const bool held = holds(a, b);
-  const Limited limited(pair, held ? kMostLooksAtHeld : kMostLooks);
   const TurningSample last = pair(end);
-  const auto time = first_contact(limited, start, first, end, last, bend, tolerance);
-  if (limited.gave_up() && !held && notices_.search_cut_since < 0.0)
-    notices_.search_cut_since = tracks_.epoch() + start;
+  SearchLimit limit{.looks = resting ? kMostLooksAtHeld : kMostLooks};
+  const auto time = first_contact(Paid(pair, tracks_, has_moving_corners(a, b), work_, limit), start, first,
+                                  end, last, bend, tolerance, limit);
+  if (limit.reached && !resting) note(&Notices::search_cut_since, tracks_.epoch() + start);
   if (time) {
     if (resting) {
       const Approach meeting = approach_of(shapes_, a, pose(a, *time), twist(a, *time), b, pose(b, *time),

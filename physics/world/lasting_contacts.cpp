@@ -131,7 +131,7 @@ void Simulation::find_contacts(double h) {
   l.holds.clear();
   l.landings.clear();
   std::size_t last = 0;
-  for (const auto& [a, b] : broad_phase_.pairs(bounds_, shapes_.fixed)) {
+  for (const auto& [a, b] : near_pairs()) {
     if (!shapes_.can_meet(a, b)) continue;
     l.near.emplace_back(a, b);
     const double size = shapes_.size[a] + shapes_.size[b];

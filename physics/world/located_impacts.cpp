@@ -16,19 +16,29 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr int kFewBodies = 12;
 // A run that has reached kMostImpactsPerStep or kMostImpactsAtOnce once (a piston crushing an elastic disc,
 // say) gets no more than these in each later step, so that it still goes on.
-constexpr int kMostImpactsOnceCapped = 100'000;
+constexpr int kMostImpactsOnceCapped = 20'000;
 constexpr int kMostImpactsAtOnceCapped = 1'000;
 // Of a step: two times of one landing, found in two ways, differ by less.
 constexpr double kSameTime = 1e-9;
+// Tracks that end in one step, beside some of each body, before they become twice as long: what flies or turns
+// far faster than the scene is large would end millions.
+constexpr int kMostTrackEnds = 1'000;
+constexpr int kMostTrackEndsPerBody = 20;
+// Searches after an impact that come for free.
+constexpr std::int64_t kFewNeighbours = 16;
+// Epochs in one step, at the most.
+constexpr double kMostEpochs = 1024.0;
 
 }  // namespace
 
 void Simulation::step_with_located_impacts(double h) {
   const IntegratorChoice& choice = choice_of(kIntegrators, method_.integrator);
   const bool steps = lasts_ || (choice.order > 0 && !choice.adaptive);
+  track_ends_ = 0;
   if (steps || !running_) {
     if (steps) tracks_.begin(time_);
     choose_cells(steps ? h : kNever);
+    epoch_length_ = std::max(epoch_length_, std::exp2(std::ceil(std::log2(h / kMostEpochs))));
     deferred_.clear();
     last_impact_ = -1.0;
     lay_all(steps ? h : kNever);
@@ -54,36 +64,38 @@ void Simulation::step_with_located_impacts(double h) {
   // What rests or overlaps is held by impacts at the step's end.
   due_.swap(deferred_);
   deferred_.clear();
+  const std::vector<WaitingPair>& due = due_.all();
   if (steps) {
     for (int k = 0; k < tracks_.islands(); ++k) tracks_.settle(k, left);
   } else {
-    for (const Deferred& d : due_) {
+    for (const WaitingPair& d : due) {
       for (const int i : {d.a, d.b}) {
         if (tracks_.island_of(i) >= 0) tracks_.settle(tracks_.island_of(i), target);
       }
     }
   }
   if (lasts_) {
-    for (const Deferred& d : due_) lasting_.holds.emplace_back(d.a, d.b);
+    for (const WaitingPair& d : due) lasting_.holds.emplace_back(d.a, d.b);
     rebound_at_end(lasting_.holds);
   }
   publish(target);
-  if (lasts_ || due_.empty()) return;
-  resolve_at_end(due_, h);
-  if (std::any_of(due_.begin(), due_.end(), [&](const Deferred& d) { return !shapes_.can_meet(d.a, d.b); })) {
+  if (lasts_ || due.empty()) return;
+  check_motions();
+  resolve_at_end(due, h);
+  if (std::any_of(due.begin(), due.end(), [&](const WaitingPair& d) { return !shapes_.can_meet(d.a, d.b); })) {
     // Bodies have stuck together: islands are others.
     publish(target);
     running_ = false;
     return;
   }
-  for (const Deferred& d : due_) {
+  for (const WaitingPair& d : due) {
     for (const int i : {d.a, d.b}) {
       state_.set_motion(i, tracks_.at(i, target));
       if (!steps && tracks_.island_of(i) >= 0) lay(tracks_.island_of(i), horizon);
     }
   }
   if (steps) return;
-  for (const Deferred& d : due_) {
+  for (const WaitingPair& d : due) {
     for (const int i : {d.a, d.b}) {
       if (tracks_.island_of(i) >= 0) search_island(tracks_.island_of(i));
     }
@@ -163,17 +175,20 @@ void Simulation::lay_all(double horizon) {
   }
   for (int k = 0; k < tracks_.islands(); ++k) lay(k, horizon);
   // Each pair once: from its movable body of the higher index, or from the only movable one.
-  for (int i = 0; i < static_cast<int>(bodies_.size()); ++i) {
+  std::size_t left = BroadPhase::most_pairs(bodies_.size());
+  for (int i = 0; i < static_cast<int>(bodies_.size()) && left > 0; ++i) {
     if (immovable(i)) continue;
     grid_.each_near(i, [&](int other) {
-      if (other < i || immovable(other)) search(i, other);
+      if (left == 0 || !(other < i || immovable(other))) return;
+      search(i, other);
+      if (--left == 0) note(&Notices::pairs_cut_since, time_);
     });
   }
 }
 
 // Lays an island's track anew and puts the bounds of its path into the grid.
 void Simulation::lay(int island, double horizon) {
-  tracks_.lay(island, horizon, reach_);
+  tracks_.lay(island, horizon, stretch_ * reach_, stretch_ * Tracks::kUsualTurn);
   tracks_.bound_bend(island);
   const int first = tracks_.members(island).front();
   const double begin = tracks_.start(first);
@@ -191,11 +206,16 @@ void Simulation::lay(int island, double horizon) {
 }
 
 void Simulation::search_island(int island) {
+  std::int64_t neighbours = 0;
   for (const int i : tracks_.members(island)) {
     grid_.each_near(i, [&](int other) {
-      if (!immovable(i) || !immovable(other)) search(i, other);
+      if (immovable(i) && immovable(other)) return;
+      ++neighbours;
+      search(i, other);
     });
   }
+  // An impact of a few bodies costs nothing of it: their number has a limit of its own.
+  work_.spend(std::max<std::int64_t>(0, neighbours - kFewNeighbours));
 }
 
 bool Simulation::is_stale(const Event& event) const {
@@ -208,11 +228,13 @@ void Simulation::process_until(double target, double horizon, double h, const La
   const std::int64_t crowd =
       kCrowdedImpacts + kCrowdedImpactsPerBody * static_cast<std::int64_t>(bodies_.size());
   const std::int64_t before = impacts_before_step_;
+  const int most_track_ends = kMostTrackEnds + kMostTrackEndsPerBody * static_cast<int>(bodies_.size());
   while (!queue_.empty() && queue_.next().time <= target) {
     const Event next = queue_.next();
     queue_.pop();
     queue_.sweep([&](const Event& event) { return is_stale(event); });
     if (is_stale(next)) continue;
+    work_.pass(5);
     // Foreseen here too, and only rounding could say which comes first.
     if (awaited != nullptr && awaited->a == std::min(next.a, next.b) &&
         awaited->b == std::max(next.a, next.b) && target - next.time <= kSameTime * h) {
@@ -221,6 +243,7 @@ void Simulation::process_until(double target, double horizon, double h, const La
     if (next.b < 0) {
       const int island = tracks_.island_of(next.a);
       ledger_.lost_to_dampers += tracks_.settle_at_end(island);
+      if (++track_ends_ % most_track_ends == 0) stretch_ *= 2.0;
       lay(island, horizon);
       search_island(island);
       continue;
@@ -230,9 +253,14 @@ void Simulation::process_until(double target, double horizon, double h, const La
                              : has_moving_corners(next.a, next.b) ? kMostCornersAtOnce
                                                                   : kMostImpactsAtOnce;
     const bool at_once = next.time == last_impact_ && at_once_ >= most_at_once;
+    if (work_.spent()) {
+      note(&Notices::work_spent_since, tracks_.epoch() + next.time);
+      deferred_.add(next.a, next.b, false);
+      continue;
+    }
     if (at_once || impact_count_ - before >= (capped ? kMostImpactsOnceCapped : kMostImpactsPerStep)) {
       if (notices_.impacts_capped_since < 0.0) notices_.impacts_capped_since = tracks_.epoch() + next.time;
-      defer(next.a, next.b, false);
+      deferred_.add(next.a, next.b, false);
       continue;
     }
     meet(next.a, next.b, next.time, horizon, impact_count_ - before >= crowd, h);
@@ -289,10 +317,10 @@ void Simulation::judge(int a, int b, const Contact& contact, const Material& mat
     const bool exact = choice_of(kIntegrators, method_.integrator).exact_under_gravity;
     const double left = exact ? 2.0 * rebound / (press * (1.0 - material.restitution)) : 0.0;
     note_resting(tracks_.epoch() + time + left);
-    defer(a, b, true);
+    deferred_.add(a, b, true);
   } else if (crowd && rebound < pressed_in(a, b, h)) {
     note_resting(tracks_.epoch() + time);
-    defer(a, b, true);
+    deferred_.add(a, b, true);
   } else if (rebound < kCollapseShare * (tracks_.settled(a).segment<2>(3).norm() +
                                          tracks_.settled(b).segment<2>(3).norm()) &&
              time - last_impact_ <= 64.0 * kEpsilon * (std::abs(time) + h)) {
@@ -303,16 +331,6 @@ void Simulation::judge(int a, int b, const Contact& contact, const Material& mat
 void Simulation::go_on(std::span<const int> islands, double horizon) {
   for (const int island : islands) lay(island, horizon);
   for (const int island : islands) search_island(island);
-}
-
-void Simulation::defer(int a, int b, bool resting) {
-  for (Deferred& d : deferred_) {
-    if (d.a == a && d.b == b) {
-      d.resting = d.resting || resting;
-      return;
-    }
-  }
-  deferred_.push_back({a, b, resting});
 }
 
 }  // namespace carom

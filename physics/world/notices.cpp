@@ -37,12 +37,21 @@ std::string Notices::text() const {
             "from t = {:.6g} s the tolerance can't be kept, not with the shortest step"},
       Entry{search_cut_since,
             "from t = {:.6g} s forces change too fast for the step: an impact may have been missed"},
+      Entry{work_spent_since,
+            "from t = {:.6g} s the search for impacts takes more than a step may cost: what is left of them is "
+            "resolved at each step's end"},
+      Entry{
+          pairs_cut_since,
+          "from t = {:.6g} s more bodies lie within one another than are looked at in a step: some pairs were "
+          "left alone"},
       Entry{gained_since, gain},
       Entry{cluster_unsolved_since,
             "at t = {:.6g} s no impulses meet the law of simultaneous impacts: they were taken pair by pair"},
       Entry{restitution_lowered_since,
             "at t = {:.6g} s the restitution of simultaneous impacts was lowered, so that none gains energy"},
       Entry{contacts_left_since, left},
+      Entry{switches_missed_since,
+            "from t = {:.6g} s springs or strings start and stop to act more often than is followed in a step"},
       Entry{links_missed_since,
             "at t = {:.6g} s a step was too long for the links, and what follows means nothing: take shorter "
             "steps"},

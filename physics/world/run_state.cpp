@@ -31,9 +31,10 @@ template <class Self, class Kept, class Each>
 void Simulation::each_kept(Self& simulation, Kept& kept, const Each& each) {
   auto& [scene, method, needs, bodies, mass, shapes, tracks, driven, material, mixed, materials,  // the model
          state, time, step_end, origin, origin_step, steps_since_origin, steps, impact_count,
-         impacts_before_step, ledger, gravity_since, notices, impacts, jumps, watch_impacts,  // the run
-         running, reach, epoch_length, last_impact, at_once, grid, queue, stamp, deferred, due, touches,
-         cluster,
+         impacts_before_step, ledger, gravity_since, notices, lost, last_good, work, impacts, jumps,
+         watch_impacts,  // the run
+         running, reach, epoch_length, last_impact, at_once, grid, queue, stamp, deferred, due, near_pairs,
+         track_ends, stretch, touches, cluster,
          cluster_scratch,                                        // impacts at their own time
          lasts, step_length, may_divide, touched_down, lasting,  // contacts that last
          broad_phase, bounds] = simulation;                      // impacts at the step's end
@@ -52,6 +53,7 @@ void Simulation::each_kept(Self& simulation, Kept& kept, const Each& each) {
   each_kept_of_contacts(lasting, kept.contacts, each);
   if (!kept.ahead) return;
   each(reach, kept.ahead->reach);
+  each(stretch, kept.ahead->stretch);
   each(epoch_length, kept.ahead->epoch_length);
   each(last_impact, kept.ahead->last_impact);
 }
@@ -73,9 +75,10 @@ RunState Simulation::run_state() const {
     std::sort(ahead.events.begin(), ahead.events.end(), [](const auto& x, const auto& y) {
       return std::tie(x.time, x.a, x.b) < std::tie(y.time, y.a, y.b);
     });
-    for (const auto& [a, b, resting] : deferred_) ahead.waiting.push_back({a, b, resting});
+    for (const auto& [a, b, resting] : deferred_.all()) ahead.waiting.push_back({a, b, resting});
   }
   each_kept(*this, kept, [](const auto& own, auto& to) { to = own; });
+  kept.work = work_.kept();
   tracks_.keep(kept.tracks, kept.ahead ? &kept.ahead->tracks : nullptr);
   return kept;
 }
@@ -94,13 +97,14 @@ void Simulation::go_on_from(const SavedRun& saved) {
     tracks_.set_method(state->method);
   }
   each_kept(*this, *state, [](auto& own, const auto& from) { own = from; });
+  work_.put_back(state->work);
   tracks_.put_back(state->tracks, state->ahead ? &state->ahead->tracks : nullptr);
   step_end_ = time_;
   if (state->ahead) {
     (void)grid_.put_back(static_cast<int>(bodies_.size()), state->ahead->grid);
     // The stamps of all islands are 0 yet.
     for (const auto& [time, a, b] : state->ahead->events) queue_.push({time, a, b, 0, 0});
-    for (const auto& [a, b, resting] : state->ahead->waiting) deferred_.push_back({a, b, resting});
+    for (const auto& [a, b, resting] : state->ahead->waiting) deferred_.add(a, b, resting);
     running_ = true;
   }
   if (!(state->method == method)) set_method(method);
@@ -135,11 +139,15 @@ Scene saved_scene(const Scene& document, const Simulation& simulation) {
     b.velocity = state.velocity(i);
     b.spin = state.v(2, i);
   }
-  out.saved = SavedRun{.time = simulation.time(), .state = std::make_shared<RunState>(simulation.run_state())};
-  out.saved->fingerprint = fingerprint(out);
+  out.saved = SavedRun{.time = simulation.time()};
+  // Of a run that is lost only the last good step's end is left.
+  if (!simulation.lost()) {
+    out.saved->state = std::make_shared<RunState>(simulation.run_state());
+    out.saved->fingerprint = fingerprint(out);
+  }
   try {
     validate(out);
-    check_state(out, *out.saved->state);
+    if (out.saved->state) check_state(out, *out.saved->state);
   } catch (const SceneError& error) {
     throw SceneError(std::string("the run cannot be saved as it stands: ") + error.what());
   }

@@ -40,6 +40,7 @@ struct RunAhead {
   std::vector<Foreseen> events;  // in the order of (time, a, b)
   std::vector<Waiting> waiting;
   double reach = 1.0;         // m
+  double stretch = 1.0;       // of tracks, where too many ended
   double epoch_length = 1.0;  // s, a power of two
   double last_impact = -1.0;
 };
@@ -54,7 +55,8 @@ struct RunState {
   std::int64_t steps_since_origin = 0;
   std::int64_t steps = 0;
   std::int64_t impact_count = 0;
-  int at_once = 0;             // impacts before the last one at the same time
+  int at_once = 0;  // impacts before the last one at the same time
+  StepWork::Kept work;
   State motions;               // at `time`
   Ledger ledger;               // without the work of the smooth forces, which the motions carry
   double gravity_since = 0.0;  // s

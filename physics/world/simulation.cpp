@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 #include "physics/motion/integrators.h"
 #include "physics/world/linked_impact.h"
@@ -35,11 +36,11 @@ void Simulation::lay_out() {
   shapes_ = geometry(bodies_, scene_.links);
 
   std::vector<std::string> materials;
+  std::unordered_map<std::string, int> index;
   const auto index_of = [&](const std::string& name) {
-    const auto found = std::find(materials.begin(), materials.end(), name);
-    const auto index = static_cast<int>(found - materials.begin());
-    if (found == materials.end()) materials.push_back(name);
-    return index;
+    const auto [at, is_new] = index.try_emplace(name, static_cast<int>(materials.size()));
+    if (is_new) materials.push_back(name);
+    return at->second;
   };
   material_.clear();
   driven_.clear();
@@ -48,10 +49,7 @@ void Simulation::lay_out() {
     driven_.push_back(body.drive ? 1 : 0);
   }
   materials_ = static_cast<int>(materials.size());
-  mixed_.clear();
-  for (const std::string& a : materials) {
-    for (const std::string& b : materials) mixed_.push_back(meeting(scene_, a, b));
-  }
+  mixed_ = meetings(scene_, materials);
 
   bounds_.resize(bodies_.size());
   stamp_.assign(bodies_.size(), 0);
@@ -61,6 +59,7 @@ void Simulation::lay_out() {
 }
 
 void Simulation::set_method(const Method& method) {
+  if (lost_) return;
   method_ = method;
   scene_.method = method;
   // Tracks that run on are settled here; all others were at the step's end.
@@ -73,6 +72,7 @@ void Simulation::set_method(const Method& method) {
 }
 
 void Simulation::add_body(const Body& body) {
+  if (lost_) return;
   const Totals before = totals();
   ledger_.momentum_from_gravity = ledger().momentum_from_gravity;
   gravity_since_ = time_;
@@ -95,6 +95,7 @@ Notices Simulation::notices() const {
   Notices notices = notices_;
   notices.tolerance_missed_since = tracks_.tolerance_missed_since();
   notices.links_missed_since = tracks_.links_missed_since();
+  notices.switches_missed_since = tracks_.switches_missed_since();
   return notices;
 }
 
@@ -128,7 +129,52 @@ State Simulation::state_at(double within) {
   return all;
 }
 
+void Simulation::check_motions() const {
+  const auto beyond = [](const auto& m) { return !(m.array().abs() <= kLostBeyond).all(); };
+  if (!beyond(state_.q) && !beyond(state_.v) && state_.books.allFinite()) return;
+  for (int i = 0; i < state_.size(); ++i) {
+    if (beyond(state_.q.col(i)) || beyond(state_.v.col(i)) || !state_.books.col(i).allFinite())
+      throw LostMotion{LossReason::kTooLarge, i, step_end_};
+  }
+}
+
+std::string Simulation::status() const {
+  const std::string notices = this->notices().text();
+  if (!lost_) return notices;
+  const std::string lost = lost_->text(bodies_, time_);
+  return notices == "ok" ? lost : lost + "; " + notices;
+}
+
 void Simulation::step(double h) {
+  impacts_.clear();
+  jumps_.clear();
+  if (lost_) return;
+  last_good_.state = state_;
+  last_good_.ledger = ledger_;
+  last_good_.notices = notices_;
+  last_good_.impact_count = impact_count_;
+  tracks_.begin_step();
+  work_.begin(static_cast<int>(bodies_.size()), h);
+  try {
+    make_step(h);
+  } catch (const LostMotion& lost) {
+    give_up(lost);
+  }
+}
+
+void Simulation::give_up(const LostMotion& lost) {
+  lost_ = LostRun{lost.reason, lost.body, std::min(lost.time, step_end_)};
+  state_ = last_good_.state;
+  ledger_ = last_good_.ledger;
+  notices_ = last_good_.notices;
+  impact_count_ = last_good_.impact_count;
+  tracks_.give_back();
+  impacts_.clear();
+  jumps_.clear();
+  lasting_.forces.clear();
+}
+
+void Simulation::make_step(double h) {
   if (h != origin_step_) {
     origin_ = time_;
     origin_step_ = h;
@@ -136,8 +182,6 @@ void Simulation::step(double h) {
   }
   ++steps_since_origin_;
   step_end_ = origin_ + static_cast<double>(steps_since_origin_) * h;
-  impacts_.clear();
-  jumps_.clear();
   impacts_before_step_ = impact_count_;
   lasts_ = contacts_last(method_, needs_);
   if (lasts_) {
@@ -150,6 +194,7 @@ void Simulation::step(double h) {
   } else {
     step_with_impacts_at_end(h);
   }
+  check_motions();
   time_ = step_end_;
   ++steps_;
 }
@@ -277,13 +322,21 @@ void Simulation::step_with_impacts_at_end(double h) {
     const Eigen::Array2d x = tracks_.settled(i).head<2>().array();
     bounds_[i] = {x - shapes_.extent.col(i).array(), x + shapes_.extent.col(i).array()};
   }
-  due_.clear();
-  for (const auto& [a, b] : broad_phase_.pairs(bounds_, shapes_.fixed)) {
-    if (shapes_.can_meet(a, b)) due_.push_back({a, b, false});
+  near_pairs_.clear();
+  for (const auto& [a, b] : near_pairs()) {
+    if (shapes_.can_meet(a, b)) near_pairs_.push_back({a, b, false});
   }
   publish(h);
-  resolve_at_end(due_, h);
-  if (!due_.empty()) publish(h);
+  check_motions();
+  resolve_at_end(near_pairs_, h);
+  if (!near_pairs_.empty()) publish(h);
+}
+
+// Of bounds_, in rising order.
+const std::vector<std::pair<int, int>>& Simulation::near_pairs() {
+  const auto& pairs = broad_phase_.pairs(bounds_, shapes_.fixed);
+  if (broad_phase_.cut()) note(&Notices::pairs_cut_since, time_);
+  return pairs;
 }
 
 // After a push moved one of its bodies: positions and velocities go back onto the links. The energy is the
@@ -301,9 +354,10 @@ void Simulation::restore_links(int island) {
 }
 
 // The state must be published.
-void Simulation::resolve_at_end(const std::vector<Deferred>& pairs, double h) {
+void Simulation::resolve_at_end(const std::vector<WaitingPair>& pairs, double h) {
   const double now = step_end_ - tracks_.epoch();
   for (const auto& [a, b, resting] : pairs) {
+    work_.pass(1);
     if (!shapes_.can_meet(a, b)) continue;  // joined meanwhile
     Approach at = approach(a, b, 0.0);
     const double gap = at.contact.gap;

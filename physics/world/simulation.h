@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,9 @@
 #include "physics/world/event_queue.h"
 #include "physics/world/lasting_contacts.h"
 #include "physics/world/ledger.h"
+#include "physics/world/lost_run.h"
+#include "physics/world/pair_list.h"
+#include "physics/world/step_work.h"
 #include "physics/world/totals.h"
 
 namespace carom {
@@ -75,6 +80,12 @@ struct Notices {
   double links_missed_since = -1.0;
   // The scene was changed after the run was saved: it goes on from its bodies and its clock alone.
   double state_left_since = -1.0;
+  // Springs or strings switched more often than is followed in a step.
+  double switches_missed_since = -1.0;
+  // The search for impacts cost more than a step may (StepWork): what was left of them was resolved at its end.
+  double work_spent_since = -1.0;
+  // More bodies lay within one another than BroadPhase::most_pairs() allows: the other pairs were left alone.
+  double pairs_cut_since = -1.0;
 
   // Contact forces were left with a residual beyond rounding, at the most `contacts_left` m/s.
   double contacts_left_since = -1.0;
@@ -133,7 +144,7 @@ class Simulation {
   static constexpr int kMostHolds = 8;
   // Located impacts in one step before the rest of it is resolved at its end: some seconds of work. Galperin's
   // billiard with a mass ratio of 10¹² has 3 141 592.
-  static constexpr int kMostImpactsPerStep = 10'000'000;
+  static constexpr int kMostImpactsPerStep = 4'000'000;
   // Likewise at one time, to the last bit: an elastic disc that starts inside two bodies bounces between them
   // for ever.
   static constexpr int kMostImpactsAtOnce = 200'000;
@@ -150,16 +161,20 @@ class Simulation {
   Simulation(const Scene& scene, const Needs& needs);
 
   void step() { step(method_.step); }
+  // Throws StepInterrupted if interrupt_on() asked for it; the simulation can only be thrown away then. A run
+  // that is lost stands still: a step of it does nothing.
   void step(double h);
+  // Steps end early once a stop is requested.
+  void interrupt_on(std::stop_token stop) { work_.stop_on(std::move(stop)); }
   // Steps until `time`, with a last shorter step if needed, and calls after_step() after each. Whole steps keep
   // time = start + k h without summing.
   template <class AfterStep>
   void advance_to(double time, const AfterStep& after_step) {
     const double h = method_.step;
     // A remainder below 1e-9 steps is rounding.
-    for (double left = time - time_; left > 1e-9 * h; left = time - time_) {
+    for (double left = time - time_; left > 1e-9 * h && !lost_; left = time - time_) {
       step(left > (1.0 - 1e-9) * h ? h : left);
-      after_step();
+      if (!lost_) after_step();
     }
   }
   void advance_to(double time) {
@@ -183,6 +198,10 @@ class Simulation {
   [[nodiscard]] const Method& method() const { return method_; }
   [[nodiscard]] const Needs& needs() const { return needs_; }
   [[nodiscard]] Notices notices() const;
+  // Why the run can't go on; nothing while it can.
+  [[nodiscard]] const std::optional<LostRun>& lost() const { return lost_; }
+  // What the run has to say about itself, in one line: "ok" if nothing.
+  [[nodiscard]] std::string status() const;
   [[nodiscard]] Totals totals() const { return totals_of(state_); }
   [[nodiscard]] Totals totals_of(const State& state) const { return carom::totals(state, mass_, field()); }
   // With the work of the smooth forces up to now.
@@ -195,7 +214,7 @@ class Simulation {
   // What held bodies together in the last step; empty without contacts that last.
   [[nodiscard]] const std::vector<ContactForce>& contact_forces() const { return lasting_.forces; }
 
-  // From the next step on.
+  // From the next step on. A run that is lost stays as it is, here and with a body more.
   void set_method(const Method& method);
   // Fills last_jumps() for the first impacts of a step, at the cost of all bodies' motions twice each: up to
   // kMostWatched of a few bodies, of a crowd fewer, but kLeastWatched.
@@ -211,10 +230,12 @@ class Simulation {
   [[nodiscard]] RunState run_state() const;
 
  private:
-  struct Deferred {
-    int a;
-    int b;
-    bool resting;
+  // The state and the sums at the end of the last good step.
+  struct LastGood {
+    State state;
+    Ledger ledger;
+    Notices notices;
+    std::int64_t impact_count = 0;
   };
 
   template <class Self, class Kept, class Each>
@@ -224,7 +245,10 @@ class Simulation {
 
   void lay_out();  // arrays from bodies_
   void publish(double within);
-  void resolve_at_end(const std::vector<Deferred>& pairs, double h);
+  void check_motions() const;  // throws LostMotion
+  void make_step(double h);
+  void give_up(const LostMotion& lost);
+  void resolve_at_end(const std::vector<WaitingPair>& pairs, double h);
   void restore_links(int island);
   void step_with_impacts_at_end(double h);
   // Resolves the impact of two bodies at their settled poses, `within` s after the epoch, and logs it.
@@ -288,7 +312,6 @@ class Simulation {
   bool meet_all(int a, int b, double time, double horizon, bool crowd, double h);
   void touching(int a, int b, double time);
   void foresee(double time, int a, int b);
-  void defer(int a, int b, bool resting);
   void note_resting(double time) {
     if (!lasts_ && notices_.resting_since < 0.0) notices_.resting_since = time;
   }
@@ -311,6 +334,10 @@ class Simulation {
     return at_once_ >= kMostAtOnce ? kCollapseShare : 16.0 * std::numeric_limits<double>::epsilon();
   }
   void choose_cells(double horizon);
+  [[nodiscard]] const std::vector<std::pair<int, int>>& near_pairs();
+  void note(double Notices::*notice, double time) {
+    if (notices_.*notice < 0.0) notices_.*notice = time;
+  }
 
   Scene scene_;
   Method method_;
@@ -336,6 +363,9 @@ class Simulation {
   Ledger ledger_;               // without the work of the smooth forces, which the state carries
   double gravity_since_ = 0.0;  // s: ledger_.momentum_from_gravity holds what came before
   Notices notices_;
+  std::optional<LostRun> lost_;
+  LastGood last_good_;
+  StepWork work_;
   std::vector<ImpactRecord> impacts_;
   std::vector<Jump> jumps_;
   bool watch_impacts_ = false;
@@ -349,8 +379,11 @@ class Simulation {
   CellGrid grid_;
   EventQueue queue_;
   std::vector<std::uint32_t> stamp_;  // by body, of its island; fixed bodies keep theirs
-  std::vector<Deferred> deferred_;
-  std::vector<Deferred> due_;
+  PairList deferred_;
+  PairList due_;
+  std::vector<WaitingPair> near_pairs_;
+  int track_ends_ = 0;    // in this step
+  double stretch_ = 1.0;  // of tracks that no step ends, where too many ended
   struct Touch {
     int a;
     int b;

@@ -17,7 +17,8 @@ struct Target {
 };
 
 // Of every target of targets.h.
-constexpr auto kTargets = std::to_array<Target>({{"preset", try_preset}});
+constexpr auto kTargets =
+    std::to_array<Target>({{"preset", try_preset}, {"simulation", try_simulation}, {"edits", try_edits}});
 
 // What fuzzers have found stays mended.
 TEST(FuzzersFinds, BreakNothing) {

@@ -436,7 +436,7 @@ TEST(Links, MissedLinksAreReported) {
     validate(s);
     Simulation run(s);
     for (int i = 0; i < 50; ++i) run.step();
-    EXPECT_NE(run.notices().text().find("take shorter steps"), std::string::npos) << run.notices().text();
+    EXPECT_NE(run.status().find("take shorter steps"), std::string::npos) << run.status();
   }
 }
 

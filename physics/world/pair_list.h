@@ -1,0 +1,73 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace carom {
+
+// A pair of bodies that waits for the end of the step.
+struct WaitingPair {
+  int a = 0;
+  int b = 0;  // a < b
+  bool resting = false;
+};
+
+// Pairs in the order in which they came, each once; found in constant time. Keeps its memory when it is
+// cleared.
+class PairList {
+ public:
+  // A pair that is there already rests if either says so.
+  void add(int a, int b, bool resting) {
+    if (2 * (pairs_.size() + 1) > slots_.size()) grow();
+    int& slot = slots_[slot_of(a, b)];
+    if (slot == kEmpty) {
+      slot = static_cast<int>(pairs_.size());
+      pairs_.push_back({a, b, resting});
+    } else if (resting) {
+      pairs_[static_cast<std::size_t>(slot)].resting = true;
+    }
+  }
+  [[nodiscard]] bool rests(int a, int b) const {
+    if (pairs_.empty()) return false;
+    const int slot = slots_[slot_of(a, b)];
+    return slot != kEmpty && pairs_[static_cast<std::size_t>(slot)].resting;
+  }
+  void clear() {
+    if (!pairs_.empty()) std::fill(slots_.begin(), slots_.end(), kEmpty);
+    pairs_.clear();
+  }
+  void swap(PairList& other) {
+    pairs_.swap(other.pairs_);
+    slots_.swap(other.slots_);
+  }
+  [[nodiscard]] const std::vector<WaitingPair>& all() const { return pairs_; }
+
+ private:
+  static constexpr int kEmpty = -1;
+
+  // The slot that the pair has, or would get.
+  [[nodiscard]] std::size_t slot_of(int a, int b) const {
+    const std::uint64_t key =
+        static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U | static_cast<std::uint32_t>(b);
+    // Fibonacci hashing: the golden ratio's multiples spread over the slots.
+    std::size_t at = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15U) >> 20U) & (slots_.size() - 1);
+    while (slots_[at] != kEmpty) {
+      const WaitingPair& p = pairs_[static_cast<std::size_t>(slots_[at])];
+      if (p.a == a && p.b == b) break;
+      at = (at + 1) & (slots_.size() - 1);
+    }
+    return at;
+  }
+  void grow() {
+    slots_.assign(std::max<std::size_t>(16, 2 * slots_.size()), kEmpty);
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      slots_[slot_of(pairs_[i].a, pairs_[i].b)] = static_cast<int>(i);
+  }
+
+  std::vector<WaitingPair> pairs_;
+  std::vector<int> slots_;  // a power of two of them
+};
+
+}  // namespace carom
