@@ -62,6 +62,14 @@ struct Worker::Lab {
     set_rate();
     changed = true;
   }
+  // The scene as it would be saved now. Bodies that runs which stand could not take come in when they did
+  // stand.
+  void take_scene(const Scene& now) {
+    const double time = runs.empty() ? 0.0 : first().time();
+    for (std::size_t i = scene.bodies.size(); i < now.bodies.size(); ++i)
+      put_in.push_back({time, now.bodies[i]});
+    scene = now;
+  }
   void add_run(const Method& method) {
     Scene alone = start;
     alone.method = method;
@@ -220,9 +228,8 @@ void Worker::load(const Scene& scene, const std::vector<Curve>& curves, Referenc
 }
 
 void Worker::restart() {
-  // Commands that a run could not carry out any more are in this scene.
   post_begin([scene = scene()](Lab& lab, std::stop_token interrupt) {
-    lab.scene = scene;
+    lab.take_scene(scene);
     lab.begin(std::move(interrupt));
   });
 }
@@ -233,14 +240,12 @@ void Worker::restart(const Method& method, const std::vector<Method>& compare, c
     const std::lock_guard lock(mutex_);
     scene_.method = method;
     scene_.compare = compare;
-    ++starts_;
   }
-  post([method, compare, curves, reference](Lab& lab) {
-    lab.scene.method = method;
-    lab.scene.compare = compare;
+  post_begin([scene = scene(), curves, reference](Lab& lab, std::stop_token interrupt) {
+    lab.take_scene(scene);
     lab.curves = curves;
     lab.reference = reference;
-    lab.begin();
+    lab.begin(std::move(interrupt));
   });
 }
 
