@@ -79,14 +79,10 @@ struct Worker::Lab {
     changed = true;
   }
   [[nodiscard]] Lane& first() { return runs.front().lane; }
-  // At its place in the order of times: bodies that were put in before a restart may be still to come.
+  // Bodies that were put in before a restart may be still to come.
   void put(const Body& body) {
     scene.bodies.push_back(body);
-    const PutIn now{first().time(), body};
-    const auto at = std::upper_bound(put_in.begin(), put_in.end(), now.time,
-                                     [](double time, const PutIn& other) { return time < other.time; });
-    const auto place = static_cast<std::size_t>(at - put_in.begin());
-    put_in.insert(at, now);
+    const std::size_t place = put_in_at(first().time(), body);
     for (Run& run : runs) {
       if (place < run.given) {  // it is ahead, and has been given one of later
         run.lane.edit(body);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <set>
 #include <stop_token>
@@ -125,7 +126,7 @@ TEST(StepWork, ManySwitchesAreFollowedInPart) {
   s.forces.gravity = {0, -9.81};
   for (int i = 0; i <= 200; ++i) {
     s.bodies.push_back(
-        disc("b" + std::to_string(i), {0.25 * i, 0}, {std::sin(7.0 * i), std::cos(5.0 * i)}, 0.05));
+        disc(fmt::format("b{}", i), {0.25 * i, 0}, {std::sin(7.0 * i), std::cos(5.0 * i)}, 0.05));
     if (i == 0) continue;
     Link link;
     link.kind = LinkKind::kString;
