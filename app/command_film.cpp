@@ -40,7 +40,7 @@ int film_command(int& argc, char** argv, const FilmOptions& options) {
   if (!frames)
     throw SceneError(options.preset + ": there is nothing to film; allowed: a preset with bodies or a view");
   for (const std::string& line : remarks(*frames)) print_out("{}\n", line);
-  print_out("{} frames in {}; there, this makes a film of them:\n{}\n", count, options.output,
+  print_out("{} frames in {}; there, this makes a film of them:\n{}\n", count, printable(options.output),
             encoder_line(film, count).toStdString());
   if (frames->lost) throw RunLostError(*frames->lost);
   return kGood;

@@ -115,6 +115,9 @@ int lab_command(int& argc, char** argv, const std::string& preset) {
   const bool dark = QApplication::palette().color(QPalette::Window).lightnessF() < 0.5F;
   const Theme& theme = dark ? dark_theme() : light_theme();
   apply_theme(application, theme);
+  std::vector<std::string> skipped;
+  (void)preset_library(&skipped);
+  for (const std::string& line : skipped) print_error(line);
   LabWindow window(theme);
   window.open(wanted);
   window.show();

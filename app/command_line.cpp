@@ -68,7 +68,7 @@ const CLI::Validator kTime(
       char* end = nullptr;
       const double value = std::strtod(text.c_str(), &end);
       const bool good = end != text.c_str() && *end == '\0' && value >= 0.0 && value <= 1e9;
-      return good ? "" : text + " is not allowed; allowed: a time from 0 to 1e9 s";
+      return good ? "" : shortened(text) + " is not allowed; allowed: a time from 0 to 1e9 s";
     },
     "T", "time");
 
@@ -173,13 +173,22 @@ class StudyArguments {
   std::string shard_;
 };
 
+}  // namespace
+
 void print_error(const std::string& line) {
-  std::string one = line;
-  for (char& c : one) {
-    if (c == '\n') c = ' ';
+  // A name at the front and what is wrong with it at the end are kept.
+  constexpr std::size_t kFront = 600;
+  constexpr std::size_t kEnd = 300;
+  std::string one = shortened(line, kFront);
+  if (line.size() > kFront + kEnd) {
+    one += " " + printable(std::string_view(line).substr(line.size() - kEnd));
+  } else {
+    one = printable(line);
   }
   write_err(fmt::format("carom: {}\n", one));
 }
+
+namespace {
 
 int run_command_line(int argc, char** argv) {
   CLI::App program{
@@ -192,6 +201,12 @@ int run_command_line(int argc, char** argv) {
       ->type_name("FILE|NAME");
 
   CLI::App& list = *program.add_subcommand("list", "the built-in experiments");
+
+  ValidateOptions validate_options;
+  CLI::App& validate = *program.add_subcommand("validate", "whether preset files are good, or what is wrong");
+  validate.add_option("preset", validate_options.presets, "preset files or names of experiments")
+      ->type_name("FILE|NAME");
+  validate.add_flag("--schema", validate_options.schema, "print the JSON Schema of preset files");
 
   RunOptions run_options;
   CLI::App& run = *program.add_subcommand("run", "run an experiment and print what was before and after");
@@ -308,6 +323,7 @@ int run_command_line(int argc, char** argv) {
 
   try {
     if (list.parsed()) return list_command();
+    if (validate.parsed()) return validate_command(validate_options);
     if (run.parsed()) {
       run_options.method = run_method.options();
       return run_command(run_options);

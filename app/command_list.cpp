@@ -9,24 +9,39 @@
 namespace carom {
 
 int list_command() {
-  const std::vector<LibraryEntry> library = preset_library();
+  std::vector<std::string> faults;
+  const std::vector<LibraryEntry> library = preset_library(&faults);
   if (library.empty()) {
     throw SceneError(
         fmt::format("{}: no experiments are here; allowed: a folder of presets, named by CAROM_PRESETS",
-                    preset_folder().string()));
+                    shortened(preset_folder().string(), kMostOfFileName)));
+  }
+  struct Line {
+    std::string topic;
+    std::string name;
+    std::string text;
+  };
+  std::vector<Line> lines;
+  for (const LibraryEntry& entry : library) {
+    try {
+      const Scene scene = read_preset(entry.file);
+      const std::string text = scene.title + (scene.observe.empty() ? "" : ": ") + scene.observe;
+      lines.push_back({printable(entry.topic), printable(entry.name), printable(text)});
+    } catch (const SceneError& error) {
+      faults.emplace_back(error.what());
+    }
   }
   std::size_t widest = 0;
-  for (const LibraryEntry& entry : library) widest = std::max(widest, entry.name.size());
+  for (const Line& line : lines) widest = std::max(widest, characters(line.name));
   std::string topic;
-  for (const LibraryEntry& entry : library) {
-    if (entry.topic != topic) {
-      print_out("{}{}\n", topic.empty() ? "" : "\n", entry.topic);
-      topic = entry.topic;
+  for (const Line& line : lines) {
+    if (line.topic != topic) {
+      print_out("{}{}\n", topic.empty() ? "" : "\n", line.topic);
+      topic = line.topic;
     }
-    const Scene scene = read_preset(entry.file);
-    print_out("  {:<{}}  {}{}{}\n", entry.name, widest, scene.title, scene.observe.empty() ? "" : ": ",
-              scene.observe);
+    print_out("  {}{}  {}\n", line.name, std::string(widest - characters(line.name), ' '), line.text);
   }
+  for (const std::string& fault : faults) print_error(fault);
   return kGood;
 }
 

@@ -3,8 +3,6 @@
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
-#include <iterator>
 #include <unistd.h>
 
 #include "app/commands.h"
@@ -13,6 +11,7 @@
 #include "app/standard_output.h"
 #include "physics/files/output_set.h"
 #include "physics/measure/study_text.h"
+#include "physics/preset/file_text.h"
 #include "physics/preset/preset.h"
 #include "widgets/picture_file.h"
 #include "widgets/study_plot.h"
@@ -50,14 +49,7 @@ class StudyProgressLine {
 StudyTable merged(const std::vector<std::string>& files) {
   std::vector<StudyPart> parts;
   for (const std::string& name : files) {
-    // Reading a folder throws in libstdc++.
-    std::ifstream in;
-    if (!std::filesystem::is_directory(name)) in.open(name, std::ios::binary);
-    if (!in.is_open()) {
-      throw SceneError(fmt::format("{}: the file cannot be read; allowed: a study's CSV file", name));
-    }
-    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    parts.push_back({name, read_study_csv(text, name)});
+    parts.push_back({name, read_study_csv(file_text(name, "a study's CSV file"), name)});
   }
   return merge_studies(parts);
 }

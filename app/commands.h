@@ -32,6 +32,11 @@ struct MethodOptions {
   std::optional<double> tolerance;  // m and m/s a step
 };
 
+struct ValidateOptions {
+  std::vector<std::string> presets;
+  bool schema = false;
+};
+
 struct RunOptions {
   std::string preset;
   MethodOptions method;
@@ -92,7 +97,14 @@ struct StudyCommandOptions {
 // The scene of a preset with the chosen method, validated.
 [[nodiscard]] Scene scene_with_method(const std::string& preset, const MethodOptions& method);
 
+// One line on stderr, whatever it holds: what a terminal would not show is escaped, and the middle of a very
+// long one is left out.
+void print_error(const std::string& line);
+
+// The experiments; what can't be read is told on stderr.
 int list_command();
+// Each file is good or has a fault, said in one line; the schema of presets instead, if asked for.
+int validate_command(const ValidateOptions& options);
 int run_command(const RunOptions& options);
 // Every expectation of the presets beside what their runs show.
 int check_command(const CheckOptions& options);

@@ -9,12 +9,15 @@
 #include <system_error>
 #include <tuple>
 
-#include "physics/preset/preset.h"
+#include "physics/scene/validate.h"
 
 namespace carom {
 namespace {
 
 namespace fs = std::filesystem;
+
+// What names of files that describe presets end in; they are no presets.
+constexpr std::string_view kSchemaEnd = ".schema.json";
 
 // Folders in the order of a course; any other comes after, by its name.
 constexpr auto kTopics = std::to_array<std::pair<const char*, const char*>>({
@@ -47,6 +50,40 @@ std::size_t rank_of_name(const std::string& name) {
   return static_cast<std::size_t>(std::find(kFirst.begin(), kFirst.end(), name) - kFirst.begin());
 }
 
+// Folders below the presets' own that are looked into, and files that are taken.
+constexpr int kDeepestFolder = 8;
+constexpr std::size_t kMostFiles = 10'000;
+
+// The preset files of a folder and those below it; what can't be read is left out and told in `faults`. Links
+// to folders are not followed.
+void collect(const fs::path& folder, int depth, std::vector<fs::path>& files,
+             std::vector<std::string>& faults) {
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  const auto fault = [&](const fs::path& place, const std::string& what) {
+    faults.push_back(fmt::format("{}: {}; left out", shortened(place.string(), kMostOfFileName), what));
+  };
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const fs::path& path = entry->path();
+    std::error_code unknown;
+    const fs::file_status status = entry->symlink_status(unknown);
+    if (fs::is_directory(status)) {
+      if (depth < kDeepestFolder) collect(path, depth + 1, files, faults);
+      continue;
+    }
+    if (path.extension() != ".json" || path.filename().string().ends_with(kSchemaEnd)) continue;
+    if (!fs::is_regular_file(path, unknown)) {
+      fault(path, "this is no regular file");
+    } else if (files.size() == kMostFiles) {
+      fault(path, fmt::format("there are more than {} files", kMostFiles));
+      return;
+    } else {
+      files.push_back(path);
+    }
+  }
+  if (error) fault(folder, fmt::format("the folder cannot be read ({})", error.message()));
+}
+
 }  // namespace
 
 fs::path preset_folder() {
@@ -60,20 +97,22 @@ fs::path preset_folder() {
   return CAROM_SOURCE_PRESETS;
 }
 
-std::vector<LibraryEntry> preset_library() {
+std::vector<LibraryEntry> preset_library(std::vector<std::string>* skipped) {
+  std::vector<fs::path> files;
+  std::vector<std::string> faults;
+  collect(preset_folder(), 0, files, faults);
+  if (skipped != nullptr) *skipped = std::move(faults);
   std::vector<std::tuple<std::size_t, std::size_t, LibraryEntry>> found;
-  std::error_code error;
-  for (const auto& entry : fs::recursive_directory_iterator(preset_folder(), error)) {
-    if (entry.path().extension() != ".json") continue;
-    const auto [rank, title] = rank_and_title(entry.path().parent_path().filename().string());
-    const std::string name = entry.path().stem().string();
-    found.emplace_back(rank, rank_of_name(name), LibraryEntry{name, title, entry.path()});
+  for (const fs::path& file : files) {
+    const auto [rank, title] = rank_and_title(file.parent_path().filename().string());
+    const std::string name = file.stem().string();
+    found.emplace_back(rank, rank_of_name(name), LibraryEntry{name, title, file});
   }
   std::sort(found.begin(), found.end(), [](const auto& x, const auto& y) {
     const auto& [rank_x, order_x, entry_x] = x;
     const auto& [rank_y, order_y, entry_y] = y;
-    return std::tie(rank_x, entry_x.topic, order_x, entry_x.name) <
-           std::tie(rank_y, entry_y.topic, order_y, entry_y.name);
+    return std::tie(rank_x, entry_x.topic, order_x, entry_x.name, entry_x.file) <
+           std::tie(rank_y, entry_y.topic, order_y, entry_y.name, entry_y.file);
   });
   std::vector<LibraryEntry> library;
   for (auto& [rank, order, entry] : found) library.push_back(std::move(entry));
@@ -85,13 +124,16 @@ fs::path find_preset(const std::string& file_or_name) {
   const auto looks_like_file = file_or_name.find('/') != std::string::npos || file_or_name.ends_with(".json");
   if (looks_like_file) return file_or_name;  // read_preset says what is wrong with it
   std::vector<std::string> names;
-  for (const LibraryEntry& entry : preset_library()) {
+  std::vector<std::string> skipped;
+  for (const LibraryEntry& entry : preset_library(&skipped)) {
     if (entry.name == file_or_name) return entry.file;
     names.push_back(entry.name);
   }
-  if (fs::is_regular_file(file_or_name, error)) return file_or_name;
-  throw SceneError(fmt::format("{}: no such file or experiment; allowed: a preset file, or one of {}",
-                               file_or_name, fmt::join(names, ", ")));
+  if (fs::exists(file_or_name, error)) return file_or_name;
+  throw SceneError(fmt::format("{}: no such file or experiment; allowed: a preset file, or one of {}{}",
+                               shortened(file_or_name, kMostOfFileName),
+                               shortened(fmt::format("{}", fmt::join(names, ", ")), 800),
+                               skipped.empty() ? "" : " (" + shortened(skipped.front(), 120) + ")"));
 }
 
 }  // namespace carom

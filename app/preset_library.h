@@ -21,8 +21,9 @@ struct LibraryEntry {
 // source's.
 [[nodiscard]] std::filesystem::path preset_folder();
 
-// The built-in experiments by topic, in the order in which a course takes them.
-[[nodiscard]] std::vector<LibraryEntry> preset_library();
+// The built-in experiments by topic, in the order in which a course takes them. Folders that can't be read and
+// what is no regular file are left out, each with a line in `skipped`.
+[[nodiscard]] std::vector<LibraryEntry> preset_library(std::vector<std::string>* skipped = nullptr);
 
 // The file that FILE|NAME means: an existing file, or a built-in experiment. Throws SceneError with the known
 // names.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "physics/motion/integrators.h"
+#include "physics/scene/plain_text.h"
 
 namespace carom {
 namespace {
@@ -70,13 +71,14 @@ std::string ledger_text(const Ledger& ledger, const Totals& now) {
 }  // namespace
 
 std::string report_text(const Scene& scene, const Simulation& start, const Simulation& end) {
-  std::string out = fmt::format("{}\n{}", scene.title, method_text(end));
+  std::string out = fmt::format("{}\n{}", printable(scene.title), method_text(end));
   out += fmt::format("t = {} s after {}, {}\n\n", figure(end.time()), counted(end.steps(), "step"),
                      counted(end.impact_count(), "impact"));
 
   std::size_t name_width = 4;
   for (const Body& b : end.bodies()) {
-    if (!is_immovable(b)) name_width = std::max(name_width, std::min<std::size_t>(b.name.size(), 16));
+    if (!is_immovable(b))
+      name_width = std::max(name_width, std::min<std::size_t>(characters(printable(b.name)), 16));
   }
   out += fmt::format("{:<{}} {:>9} {:>22} {:>22} {:>11} {:>11} {:>11}\n", "body", name_width, "m / kg",
                      "v before / m/s", "v after / m/s", "spin / 1/s", "K before/J", "K after/J");
@@ -89,8 +91,8 @@ std::string report_text(const Scene& scene, const Simulation& start, const Simul
     const auto velocity = [i](const Simulation& s) {
       return fmt::format("{:>10} {:>10}", figure(s.state().v(0, i)), figure(s.state().v(1, i)));
     };
-    out += fmt::format("{:<{}.{}} {:>9} {:>22} {:>22} {:>11} {:>11} {:>11}\n", end.bodies()[i].name, name_width,
-                       name_width, figure(end.mass().mass[i]), velocity(start), velocity(end),
+    out += fmt::format("{:<{}.{}} {:>9} {:>22} {:>22} {:>11} {:>11} {:>11}\n", printable(end.bodies()[i].name),
+                       name_width, name_width, figure(end.mass().mass[i]), velocity(start), velocity(end),
                        figure(end.state().v(2, i)), figure(kinetic(start, i)), figure(kinetic(end, i)));
   }
   if (moving > kMostRows) out += fmt::format("... and {} more\n", moving - kMostRows);
@@ -123,7 +125,7 @@ std::string report_json(const std::string& preset, const Simulation& end) {
   const Totals totals = end.totals();
   const Ledger ledger = end.ledger();
   Json j;
-  j["preset"] = preset;
+  j["preset"] = preset;  // may be no UTF-8
   j["method"] = {{"integrator", choice_of(kIntegrators, m.integrator).name},
                  {"impacts", choice_of(kImpacts, m.impacts).name},
                  {"contacts", choice_of(kContacts, m.contacts).name}};
@@ -172,7 +174,8 @@ std::string report_json(const std::string& preset, const Simulation& end) {
                    {"to_walls", pair(ledger.momentum_to_walls)},
                    {"numerical_drift", pair(ledger.momentum_drift(totals.momentum))}}}};
   j["status"] = end.status();
-  return j.dump(2) + "\n";
+  return j.dump(2, ' ', false, Json::error_handler_t::replace) + "
+";
 }
 
 }  // namespace carom

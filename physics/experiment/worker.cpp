@@ -66,9 +66,14 @@ struct Worker::Lab {
   // stand.
   void take_scene(const Scene& now) {
     const double time = runs.empty() ? 0.0 : first().time();
-    for (std::size_t i = scene.bodies.size(); i < now.bodies.size(); ++i)
-      put_in.push_back({time, now.bodies[i]});
+    for (std::size_t i = scene.bodies.size(); i < now.bodies.size(); ++i) (void)put_in_at(time, now.bodies[i]);
     scene = now;
+  }
+  // At its place in the order of times.
+  std::size_t put_in_at(double time, const Body& body) {
+    const auto at = std::upper_bound(put_in.begin(), put_in.end(), time,
+                                     [](double t, const PutIn& other) { return t < other.time; });
+    return static_cast<std::size_t>(put_in.insert(at, {time, body}) - put_in.begin());
   }
   void add_run(const Method& method) {
     Scene alone = start;

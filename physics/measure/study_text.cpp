@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "physics/motion/integrators.h"
+#include "physics/scene/plain_text.h"
 
 namespace carom {
 namespace {
@@ -124,7 +125,7 @@ std::string horizon_text(const StudyFacts& f) {
 std::string study_text(const StudyTable& table) {
   const StudyFacts& f = table.facts;
   std::string out =
-      fmt::format("{}\n{}\n{}\n{}\n", f.title, compared_text(f), reference_text(f), horizon_text(f));
+      fmt::format("{}\n{}\n{}\n{}\n", printable(f.title), compared_text(f), reference_text(f), horizon_text(f));
   out += fmt::format(
       "errors: the largest over the moving bodies' centres; times: median of {} run{} to the compared time\n\n",
       f.repeats, f.repeats == 1 ? "" : "s");

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "physics/preset/names.h"
-#include "physics/preset/object_reader.h"
 #include "physics/preset/object_writer.h"
 #include "physics/preset/observable_json.h"
 
@@ -28,51 +27,43 @@ bool looks_over_time(Reduction reduction) {
   return false;
 }
 
-std::vector<Setting> read_settings(const Json& json, const std::string& place) {
-  if (!json.is_object()) refuse_value(place, quoted(json), "an object, {\"/bodies/0/mass\": 2, ...}");
-  std::vector<Setting> settings;
-  for (const auto& item : json.items()) {
-    settings.push_back({item.key(), number(item.value(), fmt::format("{} {}", place, item.key()))});
-  }
-  return settings;
-}
-
-Sweep read_sweep(const Json& json, const std::string& place) {
-  Sweep s;
-  ObjectReader r(json, place);
-  r.require_text("place", s.place);
-  (void)r.require("values", "an array of numbers");
-  r.read_array("values", [&](const Json& v, const std::string& at) { s.values.push_back(number(v, at)); });
-  (void)r.require("reduction", quoted_names(kSweepNames));
-  r.read_name("reduction", kSweepNames, s.reduction);
-  r.finish();
-  return s;
+void read_sweep(FieldReader& r, Sweep& s) {
+  r.require({"place", "the JSON pointer of a number of this file"}, s.place, kWords);
+  r.needed({"values", "an array of numbers"}, [&](const ValueReader& v) {
+    v.list({1, kMostSweepValues}, [&](const ValueReader& x) { s.values.push_back(x.number(any_number(""))); });
+  });
+  r.cases({"reduction", "what the numbers of the runs are reduced to"}, words_of(kSweepNames),
+          [&](std::size_t i, FieldReader&) { s.reduction = kSweepNames[i].first; });
 }
 
 }  // namespace
 
-Expectation read_expectation(const Json& json, const std::string& place) {
-  Expectation e;
-  ObjectReader r(json, place);
-  const Observable& observable = read_observable(r, e.observable, e.bodies);
-  if (observable.is_error()) refuse_value(r.at("observable"), "\"" + e.observable + "\"", "it in plots only");
-  (void)r.require("reduction", quoted_names(kReductionNames));
-  r.read_name("reduction", kReductionNames, e.reduction);
-  if (e.reduction == Reduction::kAt) r.require_number("time", e.time, "s");
-  if (e.reduction == Reduction::kAtImpact) {
-    (void)r.require("impact", "1, 2, ...");
-    r.read_integer("impact", e.impact, 1, 1e9);
-  }
-  if (e.reduction == Reduction::kCount) r.require_number("above", e.above, observable.unit);
-  if (looks_over_time(e.reduction)) r.read("from", e.from);
-  if (e.reduction != Reduction::kAt) r.read("until", e.until);
-  if (const Json* v = r.find("with")) e.settings = read_settings(*v, r.at("with"));
-  if (const Json* v = r.find("over")) e.over = read_sweep(*v, r.at("over"));
-  r.require_number("value", e.value, observable.unit);
-  r.require_number("tolerance", e.tolerance, observable.unit);
-  r.read("source", e.source);
-  r.finish();
-  return e;
+void read_expectation(FieldReader& r, Expectation& e) {
+  read_observable(r, false, e.observable, e.bodies);
+  r.cases({"reduction", "the number that is looked at"}, words_of(kReductionNames),
+          [&](std::size_t i, FieldReader& k) {
+            e.reduction = kReductionNames[i].first;
+            if (e.reduction == Reduction::kAt) k.require({"time", "when"}, e.time, from_zero("s"));
+            if (e.reduction == Reduction::kAtImpact)
+              k.needed({"impact", "after which impact: 1, 2, ..."}, [&](const ValueReader& v) {
+                e.impact = static_cast<int>(v.whole({1, 1e9}));
+              });
+            if (e.reduction == Reduction::kCount)
+              k.require({"above", "in the observable's unit"}, e.above, any_number(""));
+            if (looks_over_time(e.reduction)) k.read({"from", "when it begins"}, e.from, from_zero("s"));
+            if (e.reduction != Reduction::kAt) k.read({"until", "when it ends"}, e.until, from_zero("s"));
+          });
+  r.member({"with", "numbers of this file by their JSON pointers"}, [&](const ValueReader& v) {
+    v.numbers(kMostSettings, any_number(""), [&](const std::string& place, double x) {
+      e.settings.push_back({place, x});
+    });
+  });
+  r.member({"over", "one run for each of several values"}, [&](const ValueReader& v) {
+    v.object([&](FieldReader& sweep) { read_sweep(sweep, e.over.emplace()); });
+  });
+  r.require({"value", "in the observable's unit"}, e.value, any_number(""));
+  r.require({"tolerance", "in the observable's unit"}, e.tolerance, from_zero(""));
+  r.read({"source", "where the value comes from"}, e.source, kText);
 }
 
 Json expectation_json(const Expectation& e) {

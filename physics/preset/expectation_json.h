@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "physics/preset/json_text.h"
+#include "physics/preset/value_reader.h"
 #include "physics/scene/scene.h"
 
 // One element of the array /expect of a preset file and an expectation of a scene.
 namespace carom {
 
-[[nodiscard]] Expectation read_expectation(const Json& json, const std::string& place);
+void read_expectation(FieldReader& r, Expectation& expectation);
 [[nodiscard]] Json expectation_json(const Expectation& expectation);
 
 }  // namespace carom

@@ -3,49 +3,39 @@
 #include <fmt/format.h>
 
 #include "physics/preset/names.h"
-#include "physics/preset/object_reader.h"
 #include "physics/preset/object_writer.h"
 
 namespace carom {
 namespace {
 
 void read_once(std::optional<int>& place, int index, const std::string& at, const std::string& what) {
-  if (place) refuse_value(at, "a second " + what, "one");
+  if (place) refuse_by(Rule::kKeysTogether, at, "a second " + what, "one");
   place = index;
 }
 
-Spring read_spring(ObjectReader& r) {
-  Spring s;
-  r.read("name", s.name);
-  r.require_text("body", s.body);
-  const Json* to = r.find("to");
-  const Json* anchor = r.find("anchor");
-  if ((to == nullptr) == (anchor == nullptr)) {
-    refuse_value(r.at("anchor"), to == nullptr ? "a spring without its other end" : "\"anchor\" beside \"to\"",
+void read_spring(FieldReader& r, Spring& s) {
+  r.read({"name", "its own, if any"}, s.name, kPerhapsName);
+  r.require({"body", "the name of the body that it acts on"}, s.body, kName);
+  if (r.reads() && r.has("to") == r.has("anchor")) {
+    refuse_value(r.at("anchor"), r.has("to") ? "\"anchor\" beside \"to\"" : "a spring without its other end",
                  "either \"anchor\": [x, y], in m, or \"to\": the name of a body");
   }
-  if (to != nullptr) {
-    s.to = ObjectReader::text(*to, r.at("to"));
-    if (s.to.empty()) refuse_value(r.at("to"), "an empty name", "the name of a body");
-  } else {
-    s.anchor = pair_of_numbers(*anchor, r.at("anchor"));
-  }
-  r.require_number("stiffness", s.stiffness, "N/m");
-  r.read("damping", s.damping);
-  r.read("rest_length", s.rest_length);
-  r.read_name("acts", kSpringActsNames, s.acts);
-  return s;
+  r.read({"to", "the body at the other end"}, s.to, kName);
+  r.read({"anchor", "the point of the plane at the other end, [x, y]"}, s.anchor, any_number("m"));
+  r.also({{"oneOf", {{{"required", Json::array({"to"})}}, {{"required", Json::array({"anchor"})}}}}});
+  r.require({"stiffness", "force over stretch"}, s.stiffness, positive("N/m"));
+  r.read({"damping", "force over the stretch's speed"}, s.damping, from_zero("N s/m"));
+  r.read({"rest_length", "of the spring that pulls at nothing"}, s.rest_length, from_zero("m"));
+  r.read_choice({"acts", "which way it acts"}, kSpringActsNames, s.acts);
 }
 
-AppliedForce read_applied(ObjectReader& r) {
-  AppliedForce f;
-  r.require_text("body", f.body);
-  r.read("force", f.force);
-  r.read("torque", f.torque);
-  r.read("start", f.start);
-  r.read("rise", f.rise);
-  r.read("end", f.end);
-  return f;
+void read_applied(FieldReader& r, AppliedForce& f) {
+  r.require({"body", "the name of the body that it acts on"}, f.body, kName);
+  r.read({"force", "at the body's centre, [x, y]"}, f.force, any_number("N"));
+  r.read({"torque", "counter-clockwise"}, f.torque, any_number("N m"));
+  r.read({"start", "when it sets in"}, f.start, from_zero("s"));
+  r.read({"rise", "within which it grows to all of it"}, f.rise, from_zero("s"));
+  r.read({"end", "when it ends"}, f.end, from_zero("s"));
 }
 
 Json spring_json(const Spring& s, bool all) {
@@ -79,33 +69,31 @@ Json applied_json(const AppliedForce& f, bool all) {
 
 }  // namespace
 
-void read_force(const Json& json, int index, Forces& forces, ForcePlaces& places) {
-  const std::string at = fmt::format("/forces/{}", index);
-  ObjectReader r(json, at);
-  std::string type;
-  r.require_text("type", type);
-  if (type == "linear_drag") {
-    read_once(places.linear_drag, index, at, "linear drag");
-    r.require_number("coefficient", forces.linear_drag, "kg/s");
-  } else if (type == "quadratic_drag") {
-    read_once(places.quadratic_drag, index, at, "quadratic drag");
-    r.require_number("coefficient", forces.quadratic_drag, "kg/m");
-  } else if (type == "spring") {
-    forces.springs.push_back(read_spring(r));
-    places.springs.push_back(index);
-  } else if (type == "attraction") {
-    read_once(places.attraction, index, at, "attraction");
-    forces.attraction.emplace();
-    r.require_number("constant", forces.attraction->constant, "N m²/kg²");
-    r.read("softening", forces.attraction->softening);
-  } else if (type == "force") {
-    forces.applied.push_back(read_applied(r));
-    places.applied.push_back(index);
-  } else {
-    refuse_value(r.at("type"), "\"" + type + "\"",
-                 "\"linear_drag\", \"quadratic_drag\", \"spring\", \"attraction\", \"force\"");
-  }
-  r.finish();
+void read_force(FieldReader& r, const std::string& at, int index, Forces& forces, ForcePlaces& places) {
+  const auto one = [&](std::optional<int>& place, const char* what) {
+    if (r.reads()) read_once(place, index, at, what);
+  };
+  r.cases({"type", "the kind of force"}, {"linear_drag", "quadratic_drag", "spring", "attraction", "force"},
+          [&](std::size_t kind, FieldReader& k) {
+            if (kind == 0) {
+              one(places.linear_drag, "linear drag");
+              k.require({"coefficient", "b in F = -b v"}, forces.linear_drag, from_zero("kg/s"));
+            } else if (kind == 1) {
+              one(places.quadratic_drag, "quadratic drag");
+              k.require({"coefficient", "c in F = -c |v| v"}, forces.quadratic_drag, from_zero("kg/m"));
+            } else if (kind == 2) {
+              read_spring(k, forces.springs.emplace_back());
+              places.springs.push_back(index);
+            } else if (kind == 3) {
+              one(places.attraction, "attraction");
+              forces.attraction.emplace();
+              k.require({"constant", "G"}, forces.attraction->constant, positive("N m²/kg²"));
+              k.read({"softening", "of close encounters"}, forces.attraction->softening, from_zero("m"));
+            } else {
+              read_applied(k, forces.applied.emplace_back());
+              places.applied.push_back(index);
+            }
+          });
 }
 
 Json forces_json(const Forces& forces, bool all) {

@@ -12,11 +12,18 @@ using Json = nlohmann::ordered_json;
 // Nesting deeper than this is refused: a preset needs five levels.
 inline constexpr int kDeepestNesting = 64;
 
-// Parses JSON strictly: duplicate keys, too deep nesting and numbers beyond double are errors too.
-// Throws SceneError, one line with the line and column of a syntax error or the JSON pointer of the place.
+// Elements of one array and keys of one object beyond this are refused.
+inline constexpr std::size_t kMostMembers = 1'000'000;
+
+// Parses JSON strictly: duplicate keys, too deep nesting, too many members, numbers beyond double, NUL and
+// bytes that are no UTF-8 are errors too. Takes a time of n log n in the text's length. Throws SceneError, one
+// line with the line and column of the place, or its JSON pointer.
 [[nodiscard]] Json parse_json(std::string_view text);
 
 // A value as an error message quotes it: compact and short.
 [[nodiscard]] std::string quoted(const Json& value);
+
+// A key as a part of a JSON pointer.
+[[nodiscard]] std::string pointer_token(std::string_view key);
 
 }  // namespace carom

@@ -1,32 +1,28 @@
 #include "physics/preset/link_json.h"
 
 #include "physics/preset/names.h"
-#include "physics/preset/object_reader.h"
 #include "physics/preset/object_writer.h"
 
 namespace carom {
 
-Link read_link(const Json& json, const std::string& place) {
-  Link link;
-  ObjectReader r(json, place);
-  r.require("type", quoted_names(kLinkNames));
-  r.read_name("type", kLinkNames, link.kind);
-  r.read("name", link.name);
-  r.require_text("body", link.body);
-  r.read("point", link.point);
-  if (const Json* to = r.find("to")) {
-    link.to = ObjectReader::text(*to, r.at("to"));
-    if (link.to.empty()) refuse_value(r.at("to"), "an empty name", "the name of a body");
-    r.read("anchor", link.anchor);
-  } else {
-    link.anchor = pair_of_numbers(
-        r.require("anchor", "two numbers, [x, y], in m: a point of the plane, or \"to\": the name of a body"),
-        r.at("anchor"));
+void read_link(FieldReader& r, Link& link) {
+  r.read({"name", "its own, if any"}, link.name, kPerhapsName);
+  r.require({"body", "the name of a body that moves"}, link.body, kName);
+  r.read({"point", "of it, along its own axes, [x, y]"}, link.point, any_number("m"));
+  if (r.reads() && !r.has("to") && !r.has("anchor")) {
+    refuse_value(r.at("anchor"), "a link without its other end",
+                 "\"anchor\": [x, y], a point of the plane in m, or \"to\": the name of a body");
   }
-  r.read("length", link.length);
-  r.read("angle", link.angle);
-  r.finish();
-  return link;
+  r.read({"to", "the body at the other end"}, link.to, kName);
+  r.read({"anchor", "the point of that body, or of the plane, [x, y]"}, link.anchor, any_number("m"));
+  r.also({{"anyOf", {{{"required", Json::array({"to"})}}, {{"required", Json::array({"anchor"})}}}}});
+  r.cases({"type", "the kind of link"}, words_of(kLinkNames), [&](std::size_t kind, FieldReader& k) {
+    link.kind = kLinkNames[kind].first;
+    if (link.kind == LinkKind::kRod || link.kind == LinkKind::kString)
+      k.read({"length", "the distance at the start, or more of a string"}, link.length, positive("m"));
+    if (link.kind == LinkKind::kWeld)
+      k.read({"angle", "the body's angle less that of the other"}, link.angle, any_number("rad"));
+  });
 }
 
 Json link_json(const Link& link, bool all) {

@@ -1,20 +1,15 @@
 #include "physics/preset/method_json.h"
 
 #include "physics/motion/integrators.h"
-#include "physics/preset/object_reader.h"
 
 namespace carom {
 
-Method read_method(const Json& json, const std::string& place) {
-  Method m;
-  ObjectReader r(json, place);
-  r.read_choice("integrator", kIntegrators, m.integrator);
-  r.read_choice("impacts", kImpacts, m.impacts);
-  r.read_choice("contacts", kContacts, m.contacts);
-  r.read("step", m.step);
-  r.read("tolerance", m.tolerance);
-  r.finish();
-  return m;
+void read_method(FieldReader& r, Method& m) {
+  r.read_choice({"integrator", "how free motion is advanced"}, kIntegrators, m.integrator);
+  r.read_choice({"impacts", "when impacts are resolved"}, kImpacts, m.impacts);
+  r.read_choice({"contacts", "how lasting contacts are treated"}, kContacts, m.contacts);
+  r.read({"step", "length of a step, or interval of the results"}, m.step, kStepRange);
+  r.read({"tolerance", "of the adaptive integrator, a step"}, m.tolerance, kToleranceRange);
 }
 
 Json method_json(const Method& m, bool all) {

@@ -1,8 +1,6 @@
 #include "physics/preset/plot_json.h"
 
-#include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "physics/measure/expression.h"
 #include "physics/preset/names.h"
@@ -12,44 +10,35 @@
 namespace carom {
 namespace {
 
-QuantityName read_quantity(const Json& json, const std::string& place) {
-  QuantityName q;
-  ObjectReader r(json, place);
-  (void)read_observable(r, q.observable, q.bodies);
-  r.finish();
-  return q;
-}
-
 // A quantity that may have a closed form beside it; `with_x`: it is drawn over another one.
-QuantityName read_line(const Json& json, const std::string& place, bool with_x) {
-  QuantityName q;
-  ObjectReader r(json, place);
-  (void)read_observable(r, q.observable, q.bodies);
-  if (const Json* theory = r.find("theory")) {
-    q.theory = ObjectReader::text(*theory, r.at("theory"));
+void read_line(FieldReader& r, bool with_x, QuantityName& q) {
+  read_observable(r, true, q.observable, q.bodies);
+  r.member({"theory", "its closed form in t and, over another quantity, in x"}, [&](const ValueReader& v) {
+    q.theory = v.text({1, kLongestTitle});
+    if (!v.has_value()) return;
     try {
       (void)Expression(q.theory, with_x);
     } catch (const SceneError& error) {
-      throw SceneError(fmt::format("{}: {}", r.at("theory"), error.what()));
+      throw RuleError(Rule::kClosedForm, fmt::format("{}: {}", v.place(), error.what()));
     }
-  }
-  r.read("residual", q.residual);
+  });
+  r.read({"residual", "what is shown is the observable less the theory"}, q.residual);
+  r.also({{"if", {{"properties", {{"residual", {{"const", true}}}}}, {"required", Json::array({"residual"})}}},
+          {"then", {{"required", Json::array({"theory"})}}}});
   if (q.residual && q.theory.empty())
     refuse_value(r.at("residual"), "true", "false, or a \"theory\" beside it");
-  r.finish();
-  return q;
 }
 
-PlotNote read_note(const Json& json, const std::string& place) {
-  PlotNote note;
-  ObjectReader r(json, place);
-  const Vec2 at = pair_of_numbers(r.require("at", "two numbers, in the units of the axes"), r.at("at"));
-  note.x = at.x();
-  note.y = at.y();
-  r.require_text("text", note.text);
-  if (note.text.empty()) refuse_value(r.at("text"), "\"\"", "a few words");
-  r.finish();
-  return note;
+void read_notes(FieldReader& r, Plot& plot) {
+  r.read_objects({"notes", "remarks at points of the plot"}, kMostNotes,
+                 [&](FieldReader& note, const std::string&) {
+                   Vec2 at = Vec2::Zero();
+                   PlotNote& to = plot.notes.emplace_back();
+                   note.require({"at", "two numbers, in the units of the axes"}, at, any_number(""));
+                   note.require({"text", "a few words"}, to.text, {1, kLongestTitle});
+                   to.x = at.x();
+                   to.y = at.y();
+                 });
 }
 
 Json note_json(const PlotNote& note) {
@@ -57,16 +46,6 @@ Json note_json(const PlotNote& note) {
   w.json["at"] = pair_json({note.x, note.y});
   w.json["text"] = note.text;
   return w.json;
-}
-
-// One of the plots that have a name.
-std::string read_name(const Json& json, const std::string& place) {
-  if (json.is_string()) {
-    const auto name = json.get<std::string>();
-    if (std::find(kPlotNames.begin(), kPlotNames.end(), name) != kPlotNames.end()) return name;
-  }
-  refuse_value(place, quoted(json),
-               fmt::format("\"{}\", or an object {{\"y\": [...], ...}}", fmt::join(kPlotNames, "\", \"")));
 }
 
 Json quantity_json(const QuantityName& q) {
@@ -80,27 +59,35 @@ Json quantity_json(const QuantityName& q) {
 
 }  // namespace
 
-Plot read_plot(const Json& json, const std::string& place) {
+Plot read_plot(const ValueReader& value) {
   Plot plot;
-  if (!json.is_object()) {
-    plot.id = read_name(json, place);
-    return plot;
-  }
-  ObjectReader r(json, place);
-  r.read_array("notes", [&](const Json& v, const std::string& at) { plot.notes.push_back(read_note(v, at)); });
-  if (const Json* name = r.find("plot")) {
-    plot.id = read_name(*name, r.at("plot"));
-    r.finish();
-    return plot;
-  }
-  r.read("title", plot.title);
-  (void)r.require("y", "an array of {\"observable\": ..., \"bodies\": [...]}");
-  const bool with_x = r.find("x") != nullptr;
-  r.read_array("y", [&](const Json& v, const std::string& at) { plot.y.push_back(read_line(v, at, with_x)); });
-  if (plot.y.empty()) refuse_value(r.at("y"), "[]", "at least one quantity");
-  if (const Json* x = r.find("x")) plot.x = read_quantity(*x, r.at("x"));
-  r.read("logarithmic", plot.logarithmic);
-  r.finish();
+  const auto name = [&](const ValueReader& v) { plot.id = kPlotNames[v.word(words_of(kPlotNames))]; };
+  const auto named = [&](const ValueReader& v) {
+    v.object([&](FieldReader& r) {
+      r.needed({"plot", "the name of one"}, name);
+      read_notes(r, plot);
+    });
+  };
+  const auto own = [&](const ValueReader& v) {
+    v.object([&](FieldReader& r) {
+      read_notes(r, plot);
+      r.read({"title", "made of what it shows if there is none"}, plot.title, kWords);
+      const bool with_x = r.has("x");
+      r.needed({"y", "an array of {\"observable\": ..., \"bodies\": [...]}"}, [&](const ValueReader& y) {
+        y.list({1, kMostPlotCurves}, [&](const ValueReader& line) {
+          line.object([&](FieldReader& q) { read_line(q, with_x, plot.y.emplace_back()); });
+        });
+      });
+      r.member({"x", "what they are drawn over"}, [&](const ValueReader& x) {
+        x.object([&](FieldReader& q) {
+          plot.x.emplace();
+          read_observable(q, true, plot.x->observable, plot.x->bodies);
+        });
+      });
+      r.read({"logarithmic", "the axis of y"}, plot.logarithmic);
+    });
+  };
+  value.one_of(!value.is_object() ? 0U : value.has("plot") ? 1U : 2U, {name, named, own});
   return plot;
 }
 

@@ -1,14 +1,12 @@
 #pragma once
 
-#include <string>
-
-#include "physics/preset/object_reader.h"
+#include "physics/preset/value_reader.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
 
 // A plot of a preset file: the name of a known one, or an object. Bodies are not looked up here.
-[[nodiscard]] Plot read_plot(const Json& json, const std::string& place);
+[[nodiscard]] Plot read_plot(const ValueReader& value);
 [[nodiscard]] Json plot_json(const Plot& plot);
 
 }  // namespace carom

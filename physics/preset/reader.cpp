@@ -1,151 +1,201 @@
-#include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <fstream>
-#include <sstream>
-#include <system_error>
 
 #include "physics/preset/expectation_json.h"
+#include "physics/preset/file_text.h"
 #include "physics/preset/force_json.h"
 #include "physics/preset/link_json.h"
 #include "physics/preset/method_json.h"
 #include "physics/preset/names.h"
-#include "physics/preset/object_reader.h"
 #include "physics/preset/plot_json.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_json.h"
+#include "physics/preset/schema.h"
 #include "physics/preset/setting.h"
 #include "physics/preset/state_json.h"
+#include "physics/preset/value_reader.h"
 #include "physics/scene/fingerprint.h"
+#include "physics/scene/polygon.h"
 
 namespace carom {
 namespace {
 
 // How a surface behaves: the keys that materials and pairs of materials share.
-void read_surface(ObjectReader& r, Material& m) {
-  r.read("restitution", m.restitution);
-  r.read("tangential_restitution", m.tangential_restitution);
-  r.read("kinetic_friction", m.kinetic_friction);
+void read_surface(FieldReader& r, Material& m) {
+  r.read({"restitution", "rebound speed over closing speed"}, m.restitution, kRestitutionRange);
+  r.read({"tangential_restitution", "reversed share of the slip"}, m.tangential_restitution,
+         kTangentialRestitution);
+  r.read({"kinetic_friction", "coefficient"}, m.kinetic_friction, kFrictionCoefficient);
   m.static_friction = m.kinetic_friction;
-  r.read("static_friction", m.static_friction);
-  r.read("rolling_resistance", m.rolling_resistance);
-  r.read("sticks", m.sticks);
+  r.read({"static_friction", "coefficient, kinetic_friction or more"}, m.static_friction, kFrictionCoefficient);
+  r.read({"rolling_resistance", "moment over radius and normal force"}, m.rolling_resistance,
+         kFrictionCoefficient);
+  r.read({"sticks", "bodies stay joined from their first impact on"}, m.sticks);
 }
 
-Material read_material(const Json& json, const std::string& place) {
-  Material m;
-  ObjectReader r(json, place);
-  r.require_text("name", m.name);
+void read_material(FieldReader& r, Material& m) {
+  r.require({"name", "a name of its own"}, m.name, kName);
   read_surface(r, m);
-  r.finish();
-  return m;
 }
 
-MaterialPair read_pair(const Json& json, const std::string& place) {
-  MaterialPair p;
-  ObjectReader r(json, place);
-  const std::string_view allowed = "the names of two materials, [\"a\", \"b\"]";
-  const Json& names = r.require("materials", allowed);
-  if (!names.is_array() || names.size() != 2)
-    refuse_value(r.at("materials"), quoted(names), std::string(allowed));
-  p.a = ObjectReader::text(names[0], r.at("materials/0"));
-  p.b = ObjectReader::text(names[1], r.at("materials/1"));
+void read_pair(FieldReader& r, MaterialPair& p) {
+  r.needed({"materials", "the names of two materials, [\"a\", \"b\"]"}, [&](const ValueReader& names) {
+    std::vector<std::string> two;
+    names.list({2, 2}, [&](const ValueReader& name) { two.push_back(name.text(kName)); });
+    p.a = two.front();
+    p.b = two.back();
+  });
   read_surface(r, p.surface);
-  r.finish();
-  return p;
 }
 
-Shape read_shape(const Json& json, const std::string& place) {
-  ObjectReader r(json, place);
-  std::string type;
-  r.require_text("type", type);
-  Shape shape;
-  if (type == "disc") {
-    Disc disc;
-    r.require_number("radius", disc.radius, "m");
-    shape = disc;
-  } else if (type == "box") {
-    Box box;
-    r.require_number("width", box.width, "m");
-    r.require_number("height", box.height, "m");
-    shape = box;
-  } else if (type == "polygon") {
-    Polygon polygon;
-    (void)r.require("vertices", "an array of points, [[x, y], ...], in m");
-    r.read_array("vertices", [&](const Json& v, const std::string& at) {
-      polygon.vertices.push_back(pair_of_numbers(v, at));
+void read_shape(FieldReader& r, Shape& shape) {
+  r.cases(
+      {"type", "the kind of shape"}, {"disc", "box", "polygon", "wall"}, [&](std::size_t kind, FieldReader& k) {
+        if (kind == 0) {
+          Disc disc;
+          k.require({"radius", "of the disc; 0 for a point-like body"}, disc.radius, kDiscRadius);
+          shape = disc;
+        } else if (kind == 1) {
+          Box box;
+          k.require({"width", "along its own x axis"}, box.width, positive("m"));
+          k.require({"height", "along its own y axis"}, box.height, positive("m"));
+          shape = box;
+        } else if (kind == 2) {
+          Polygon polygon;
+          k.needed({"vertices", "points of a convex polygon in order, [[x, y], ...], in m"},
+                   [&](const ValueReader& v) {
+                     v.list({2, kMostPolygonPoints},
+                            [&](const ValueReader& p) { polygon.vertices.push_back(p.pair(any_number("m"))); });
+                   });
+          k.read({"rounding", "by which it grows on all sides"}, polygon.rounding, from_zero("m"));
+          shape = std::move(polygon);
+        } else {
+          Wall wall;
+          k.read({"length", "of a thin wall; without it a half-plane"}, wall.length, positive("m"));
+          shape = wall;
+        }
+      });
+}
+
+void read_drive(FieldReader& r, Drive& d) {
+  r.read({"velocity", "[x, y]"}, d.velocity, any_number("m/s"));
+  r.read({"amplitude", "[x, y]"}, d.amplitude, any_number("m"));
+  r.read({"angular_frequency", "of the oscillation"}, d.angular_frequency, from_zero("rad/s"));
+  r.read({"phase", "of the oscillation"}, d.phase, any_number("rad"));
+}
+
+void read_body(FieldReader& r, Body& b) {
+  r.require({"name", "a name of its own"}, b.name, kName);
+  r.needed({"shape",
+            "{\"type\": \"disc\", \"radius\": r}, {\"type\": \"box\", \"width\": w, \"height\": h}, {\"type\": "
+            "\"polygon\", \"vertices\": [[x, y], ...]} or {\"type\": \"wall\"}"},
+           [&](const ValueReader& v) { v.object([&](FieldReader& shape) { read_shape(shape, b.shape); }); });
+  r.require({"position", "of the centre of mass, two numbers, [x, y]"}, b.position, any_number("m"));
+  r.read({"angle", "counter-clockwise"}, b.angle, any_number("rad"));
+  r.read({"velocity", "[x, y]"}, b.velocity, any_number("m/s"));
+  r.read({"spin", "counter-clockwise"}, b.spin, any_number("rad/s"));
+  r.read({"mass", "or a density"}, b.mass, positive("kg"));
+  r.read({"density", "or a mass"}, b.density, positive("kg/m²"));
+  r.also({{"not", {{"required", {"mass", "density"}}}}});
+  r.read({"inertia", "about the centre of mass"}, b.inertia, positive("kg m²"));
+  r.read({"fixed", "it never moves"}, b.fixed);
+  r.member({"drive", "it moves as it is told"}, [&](const ValueReader& v) {
+    v.object([&](FieldReader& drive) { read_drive(drive, b.drive.emplace()); });
+  });
+  r.read({"material", "the name of one"}, b.material, kName);
+  r.read({"group", "bodies of one group do not collide with each other"}, b.group, kPerhapsName);
+}
+
+void read_generator(FieldReader& r, GridGenerator& g) {
+  r.cases({"type", "the kind of generator"}, {"grid"}, [&](std::size_t, FieldReader& k) {
+    k.require({"name", "the stem of the bodies' names"}, g.name, kName);
+    k.read({"columns", "discs side by side"}, g.columns, Whole{1, kMostBodies});
+    k.read({"rows", "discs one over the other"}, g.rows, Whole{1, kMostBodies});
+    k.require({"origin", "the first disc's centre, two numbers, [x, y]"}, g.origin, any_number("m"));
+    k.read({"spacing", "from disc to disc, [x, y]"}, g.spacing, any_number("m"));
+    k.read({"jitter", "by which each disc is moved at most"}, g.jitter, from_zero("m"));
+    k.needed({"radius", "two numbers, [least, largest]"}, [&](const ValueReader& v) {
+      const Vec2 radius = v.pair(positive("m"));
+      g.radius_min = radius.x();
+      g.radius_max = radius.y();
     });
-    r.read("rounding", polygon.rounding);
-    shape = std::move(polygon);
-  } else if (type == "wall") {
-    Wall wall;
-    r.read("length", wall.length);
-    shape = wall;
-  } else {
-    refuse_value(r.at("type"), "\"" + type + "\"", "\"disc\", \"box\", \"polygon\", \"wall\"");
+    k.read({"speed", "largest velocity component"}, g.speed_max, from_zero("m/s"));
+    k.read({"density", "of each disc"}, g.density, positive("kg/m²"));
+    k.read({"material", "the name of one"}, g.material, kName);
+    k.read({"seed", "of the random numbers"}, g.seed, Whole{0.0, 9e15});
+  });
+}
+
+// The first two keys: what the file is.
+void read_format(FieldReader& r) {
+  r.needed({"format", "\"carom-preset\""}, [](const ValueReader& v) { (void)v.word({"carom-preset"}); });
+  r.needed({"version", "1"}, [](const ValueReader& v) {
+    if (v.has_value() && v.value().is_number_integer() && v.value().get<double>() > kPresetVersion) {
+      throw SceneError(fmt::format(
+          "/version: this preset has version {}, made by a newer Carom; this one reads up to version {}",
+          quoted(v.value()), kPresetVersion));
+    }
+    (void)v.whole({kPresetVersion, kPresetVersion});
+  });
+}
+
+// The section of a saved run is written by Carom alone: a fault of it is one of a rule.
+template <class Read>
+void of_saved_run(const Read& read) {
+  try {
+    read();
+  } catch (const SceneError& error) {
+    throw RuleError(Rule::kSavedRun, error.what());
   }
-  r.finish();
-  return shape;
 }
 
-Drive read_drive(const Json& json, const std::string& place) {
-  Drive d;
-  ObjectReader r(json, place);
-  r.read("velocity", d.velocity);
-  r.read("amplitude", d.amplitude);
-  r.read("angular_frequency", d.angular_frequency);
-  r.read("phase", d.phase);
-  r.finish();
-  return d;
-}
-
-Body read_body(const Json& json, const std::string& place) {
-  Body b;
-  ObjectReader r(json, place);
-  r.require_text("name", b.name);
-  b.shape = read_shape(
-      r.require(
-          "shape",
-          "{\"type\": \"disc\", \"radius\": r}, {\"type\": \"box\", \"width\": w, \"height\": h}, {\"type\": "
-          "\"polygon\", \"vertices\": [[x, y], ...]} or {\"type\": \"wall\"}"),
-      r.at("shape"));
-  b.position = pair_of_numbers(r.require("position", "two numbers, [x, y], in m"), r.at("position"));
-  r.read("angle", b.angle);
-  r.read("velocity", b.velocity);
-  r.read("spin", b.spin);
-  r.read("mass", b.mass);
-  r.read("density", b.density);
-  r.read("inertia", b.inertia);
-  r.read("fixed", b.fixed);
-  if (const Json* v = r.find("drive")) b.drive = read_drive(*v, r.at("drive"));
-  r.read("material", b.material);
-  r.read("group", b.group);
-  r.finish();
-  return b;
-}
-
-GridGenerator read_generator(const Json& json, const std::string& place) {
-  GridGenerator g;
-  ObjectReader r(json, place);
-  std::string type;
-  r.require_text("type", type);
-  if (type != "grid") refuse_value(r.at("type"), "\"" + type + "\"", "\"grid\"");
-  r.require_text("name", g.name);
-  r.read_integer("columns", g.columns, 1, kMostBodies);
-  r.read_integer("rows", g.rows, 1, kMostBodies);
-  g.origin = pair_of_numbers(r.require("origin", "two numbers, [x, y], in m"), r.at("origin"));
-  r.read("spacing", g.spacing);
-  r.read("jitter", g.jitter);
-  const Vec2 radius =
-      pair_of_numbers(r.require("radius", "two numbers, [least, largest], in m"), r.at("radius"));
-  g.radius_min = radius.x();
-  g.radius_max = radius.y();
-  r.read("speed", g.speed_max);
-  r.read("density", g.density);
-  r.read("material", g.material);
-  r.read_integer("seed", g.seed, 0.0, 9e15);
-  r.finish();
-  return g;
+void read_scene(FieldReader& r, Scene& scene, ForcePlaces& places) {
+  read_format(r);
+  r.require({"title", "a few words"}, scene.title, kWords);
+  r.read({"about", "what the experiment is, a paragraph"}, scene.about, kText);
+  r.read({"observe", "what to look at, a few words"}, scene.observe, kText);
+  r.read({"duration", "how long a run lasts"}, scene.duration, positive("s"));
+  r.read({"gravity", "[x, y]"}, scene.forces.gravity, any_number("m/s²"));
+  r.member({"method", "how the run is computed"},
+           [&](const ValueReader& v) { v.object([&](FieldReader& m) { read_method(m, scene.method); }); });
+  const auto each = [](auto& list, const auto& read) {
+    return [&list, read](FieldReader& element, const std::string&) { read(element, list.emplace_back()); };
+  };
+  r.read_objects({"compare", "other methods to run beside it"}, kMostCompared,
+                 each(scene.compare, read_method));
+  r.read_objects({"materials", "surfaces"}, kMostMaterials, each(scene.materials, read_material));
+  r.read_objects({"bodies", "what moves, and what it meets"}, kMostBodies, each(scene.bodies, read_body));
+  int forces = 0;
+  r.read_objects({"forces", "beside gravity"}, kMostForces, [&](FieldReader& element, const std::string& at) {
+    read_force(element, at, forces++, scene.forces, places);
+  });
+  r.read_objects({"material_pairs", "how two materials meet"}, kMostMaterialPairs,
+                 each(scene.pairs, read_pair));
+  r.read_choice({"impact_law", "of impacts off the line of centres"}, kImpactLawNames, scene.impact_law);
+  r.read_choice({"several_impacts", "contacts that close at one time"}, kSeveralImpactsNames,
+                scene.several_impacts);
+  r.read_objects({"generators", "many bodies from a few numbers"}, kMostBodies,
+                 each(scene.generators, read_generator));
+  r.read_objects({"links", "rods, strings, pins and welds"}, kMostSceneLinks, each(scene.links, read_link));
+  r.member({"plots", "to open with"}, [&](const ValueReader& v) {
+    v.list({0, kMostPlots}, [&](const ValueReader& plot) { scene.plots.push_back(read_plot(plot)); });
+  });
+  r.member({"view", "what the window shows at first"}, [&](const ValueReader& v) {
+    v.object([&](FieldReader& view) {
+      scene.view.emplace();
+      view.read({"center", "[x, y]"}, scene.view->center, any_number("m"));
+      view.require({"width", "of the part that is shown"}, scene.view->width, positive("m"));
+    });
+  });
+  r.read_objects({"expect", "what the experiment must show"}, kMostExpectations,
+                 each(scene.expect, read_expectation));
+  r.member({"state", "where a saved run goes on"}, [&](const ValueReader& v) {
+    if (v.has_value()) {
+      of_saved_run([&] { scene.saved = read_clock(v.value()); });
+    } else {
+      (void)v.free_object();
+    }
+  });
+  r.member({"extra", "kept as it is"}, [&](const ValueReader& v) { scene.extra = v.free_object(); });
 }
 
 }  // namespace
@@ -153,85 +203,44 @@ GridGenerator read_generator(const Json& json, const std::string& place) {
 Scene scene_of(const Json& json) {
   Scene scene;
   ForcePlaces places;
-  ObjectReader r(json, "");
-  const Json& format = r.require("format", "\"carom-preset\"");
-  if (format != "carom-preset") refuse_value("/format", quoted(format), "\"carom-preset\"");
-  const Json& version = r.require("version", fmt::format("{}", kPresetVersion));
-  if (!version.is_number_integer() || version.get<double>() < 1)
-    refuse_value("/version", quoted(version), fmt::format("{}", kPresetVersion));
-  if (version.get<double>() > kPresetVersion) {
-    throw SceneError(fmt::format(
-        "/version: this preset has version {}, made by a newer Carom; this one reads up to version {}",
-        quoted(version), kPresetVersion));
-  }
-  r.require_text("title", scene.title);
-  r.read("about", scene.about);
-  r.read("observe", scene.observe);
-  r.read("duration", scene.duration);
-  r.read("gravity", scene.forces.gravity);
-  if (const Json* v = r.find("method")) scene.method = read_method(*v, "/method");
-  r.read_array("compare",
-               [&](const Json& v, const std::string& at) { scene.compare.push_back(read_method(v, at)); });
-  r.read_array("materials",
-               [&](const Json& v, const std::string& at) { scene.materials.push_back(read_material(v, at)); });
-  r.read_array("bodies",
-               [&](const Json& v, const std::string& at) { scene.bodies.push_back(read_body(v, at)); });
-  int forces = 0;
-  r.read_array("forces",
-               [&](const Json& v, const std::string&) { read_force(v, forces++, scene.forces, places); });
-  r.read_array("material_pairs",
-               [&](const Json& v, const std::string& at) { scene.pairs.push_back(read_pair(v, at)); });
-  r.read_name("impact_law", kImpactLawNames, scene.impact_law);
-  r.read_name("several_impacts", kSeveralImpactsNames, scene.several_impacts);
-  r.read_array("generators", [&](const Json& v, const std::string& at) {
-    scene.generators.push_back(read_generator(v, at));
-  });
-  r.read_array("links", [&](const Json& v, const std::string& at) { scene.links.push_back(read_link(v, at)); });
-  r.read_array("plots", [&](const Json& v, const std::string& at) { scene.plots.push_back(read_plot(v, at)); });
-  if (const Json* v = r.find("view")) {
-    View view;
-    ObjectReader inner(*v, "/view");
-    inner.read("center", view.center);
-    inner.require_number("width", view.width, "m");
-    inner.finish();
-    scene.view = view;
-  }
-  r.read_array("expect",
-               [&](const Json& v, const std::string& at) { scene.expect.push_back(read_expectation(v, at)); });
-  const Json* state = r.find("state");
-  if (state != nullptr) scene.saved = read_clock(*state);
-  if (const Json* v = r.find("extra")) {
-    if (!v->is_object()) refuse_value("/extra", quoted(*v), "an object, {...}");
-    scene.extra = v->dump();
-  }
-  r.finish();
+  ValueReader(json, "").object([&](FieldReader& r) { read_scene(r, scene, places); });
   validate(scene, places);
-  if (state_belongs(scene)) read_state(*state, scene);
+  if (state_belongs(scene)) of_saved_run([&] { read_state(json.at("state"), scene); });
   settle_places(scene, places);
   return scene;
 }
 
+Json preset_schema() {
+  Scene scene;
+  ForcePlaces places;
+  FieldReader description;
+  read_scene(description, scene, places);
+  Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                 {"title", "Carom preset"},
+                 {"description", "An experiment of colliding bodies in a plane, in SI units"}};
+  std::string rules = "The reader looks at these, too:";
+  for (const RuleText& rule : kRules) rules += fmt::format(" {}", rule.text);
+  schema["$comment"] = std::move(rules);
+  schema.update(description.schema());
+  return schema;
+}
+
 Scene parse_preset(std::string_view text, const std::string& origin) {
+  const auto named = [&](const SceneError& error) {
+    return fmt::format("{}: {}", shortened(origin, kMostOfFileName), error.what());
+  };
   try {
     return scene_of(parse_json(text));
+  } catch (const RuleError& error) {
+    throw RuleError(error.rule, named(error));
   } catch (const SceneError& error) {
-    throw SceneError(fmt::format("{}: {}", origin, error.what()));
+    throw SceneError(named(error));
   }
 }
 
 Scene read_preset(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) {
-    throw SceneError(fmt::format("{}: this is a folder; allowed: a preset file", file.string()));
-  }
-  std::ifstream in(file, std::ios::binary);
-  if (!in)
-    throw SceneError(
-        fmt::format("{}: the file cannot be read; allowed: a readable preset file", file.string()));
-  std::ostringstream text;
-  text << in.rdbuf();
-  Scene scene = parse_preset(text.view(), file.string());
-  scene.topic = file.parent_path().filename().string();
+  Scene scene = parse_preset(file_text(file, "a preset file"), file.string());
+  scene.topic = valid_utf8(file.parent_path().filename().string());
   return scene;
 }
 

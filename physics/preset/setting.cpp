@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 
 #include "physics/preset/preset_json.h"
 
@@ -27,28 +28,28 @@ Json* number_at(Json& json, const std::string& place) {
 }
 
 // Of each force the place in the file and the one in a file that Carom writes.
-std::vector<std::pair<int, int>> moves(const Forces& forces, const ForcePlaces& file) {
+std::map<int, int> moves(const Forces& forces, const ForcePlaces& file) {
   const ForcePlaces written = written_places(forces);
-  std::vector<std::pair<int, int>> pairs;
+  std::map<int, int> pairs;
   const auto one = [&](const std::optional<int>& from, const std::optional<int>& to) {
-    if (from && to) pairs.emplace_back(*from, *to);
+    if (from && to) pairs.emplace(*from, *to);
   };
   one(file.linear_drag, written.linear_drag);
   one(file.quadratic_drag, written.quadratic_drag);
   one(file.attraction, written.attraction);
-  for (std::size_t i = 0; i < file.springs.size(); ++i) pairs.emplace_back(file.springs[i], written.springs[i]);
-  for (std::size_t i = 0; i < file.applied.size(); ++i) pairs.emplace_back(file.applied[i], written.applied[i]);
+  for (std::size_t i = 0; i < file.springs.size(); ++i) pairs.emplace(file.springs[i], written.springs[i]);
+  for (std::size_t i = 0; i < file.applied.size(); ++i) pairs.emplace(file.applied[i], written.applied[i]);
   return pairs;
 }
 
 // The place in a file that Carom writes.
-std::string moved(const std::string& place, const std::vector<std::pair<int, int>>& moves) {
+std::string moved(const std::string& place, const std::map<int, int>& moves) {
   if (!place.starts_with(kForces)) return place;
   int index = -1;
   const char* end = place.data() + place.size();
   const auto [rest, error] = std::from_chars(place.data() + kForces.size(), end, index);
   if (error != std::errc()) return place;
-  const auto found = std::find_if(moves.begin(), moves.end(), [&](const auto& m) { return m.first == index; });
+  const auto found = moves.find(index);
   return found == moves.end() ? place : fmt::format("{}{}{}", kForces, found->second, std::string(rest, end));
 }
 
@@ -65,7 +66,7 @@ Scene variant(const Scene& scene, const std::vector<Setting>& settings) {
   Json json = full_json(scene);
   for (const Setting& s : settings) {
     Json* number = number_at(json, s.place);
-    if (number == nullptr) refuse_value(s.place, "a setting where no number stands", kPlaceAllowed);
+    if (number == nullptr) refuse_by(Rule::kPlaces, s.place, "a setting where no number stands", kPlaceAllowed);
     // Counts and seeds are whole numbers in a file.
     if (number->is_number_integer() && std::floor(s.value) == s.value && std::abs(s.value) < 9e15) {
       *number = static_cast<std::int64_t>(s.value);
@@ -85,7 +86,7 @@ void settle_places(Scene& scene, const ForcePlaces& places) {
   const auto pairs = moves(scene.forces, places);
   const auto settle = [&](const std::string& at, std::string& place) {
     std::string now = moved(place, pairs);
-    if (number_at(json, now) == nullptr) refuse_value(at, "\"" + place + "\"", kPlaceAllowed);
+    if (number_at(json, now) == nullptr) refuse_by(Rule::kPlaces, at, "\"" + place + "\"", kPlaceAllowed);
     place = std::move(now);
   };
   for (std::size_t i = 0; i < scene.expect.size(); ++i) {

@@ -126,7 +126,9 @@ class StateReader {
     if (!v.is_array() || v.size() != 2) refuse_value(reader_.at(key), quoted(v), "two numbers, [x, y]");
     x = {finite(v[0], reader_.at(key) + "/0"), finite(v[1], reader_.at(key) + "/1")};
   }
-  void value(const char* key, Method& method) { method = read_method(required(key), reader_.at(key)); }
+  void value(const char* key, Method& method) {
+    ValueReader(required(key), reader_.at(key)).object([&](FieldReader& r) { read_method(r, method); });
+  }
   template <class T>
   void list(const char* key, std::vector<T>& values, std::size_t size) {
     const Json& v = required(key);

@@ -66,8 +66,8 @@ std::vector<Vector2d> tidied(std::span<const Vector2d> vertices) {
 std::optional<std::string> fault_of(std::span<const Vector2d> vertices, double rounding) {
   constexpr const char* kAllowed =
       "the corners of a convex polygon in order; or two points and a \"rounding\", a capsule";
-  if (static_cast<int>(vertices.size()) > 4 * kMostVertices)
-    return fmt::format("{} vertices are not allowed; allowed: at most {}", vertices.size(), kMostVertices);
+  if (static_cast<int>(vertices.size()) > kMostPolygonPoints)
+    return fmt::format("{} vertices are not allowed; allowed: at most {}", vertices.size(), kMostPolygonPoints);
   const std::vector<Vector2d> v = tidied(vertices);
   if (static_cast<int>(v.size()) > kMostVertices)
     return fmt::format("{} corners are not allowed; allowed: at most {}", v.size(), kMostVertices);

@@ -10,6 +10,8 @@ namespace carom {
 
 // Beyond this the contact search would be slow and the shape is better a disc.
 inline constexpr int kMostVertices = 16;
+// Before repeated ones and those on a line are left out.
+inline constexpr int kMostPolygonPoints = 4 * kMostVertices;
 
 // The vertices counter-clockwise, without repeated ones and without those on the line of their neighbours (both
 // within 1e-9 of the polygon's extent). What is not convex stays so.

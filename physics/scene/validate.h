@@ -1,11 +1,14 @@
 #pragma once
 
-#include <cstddef>
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "physics/scene/limits.h"
+#include "physics/scene/plain_text.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -17,22 +20,60 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// A text from a file as an error message shows it: on one line, and cut where it is longer than `most` bytes.
-[[nodiscard]] std::string shortened(std::string text, std::size_t most = 60);
-
 // Throws the SceneError that refuses a value: where it stands, what was found and what is allowed.
 [[noreturn]] void refuse_value(const std::string& place, const std::string& found, const std::string& allowed);
 
-// The bounds that every number of a scene must keep.
-inline constexpr double kLargestNumber =
-    1e12;  // of any quantity, SI: beyond it sums of squares lose their meaning
-inline constexpr double kLeastPositive =
-    1e-12;                                   // of a quantity that must be positive: its inverse stays finite
-inline constexpr double kLeastStep = 1e-9;   // s
-inline constexpr double kLargestStep = 1.0;  // s
-inline constexpr double kLeastTolerance = 1e-14;   // m and m/s
-inline constexpr double kLargestTolerance = 1e-1;  // m and m/s
-inline constexpr int kMostBodies = 100'000;        // of the list and the generators together
+// What no table of keys and ranges can say: how parts of a scene must go together.
+enum class Rule {
+  kOwnNames,
+  kReferences,
+  kKeysTogether,
+  kShapeOfPolygon,
+  kOrderOfNumbers,
+  kCountInAll,
+  kLinkedStart,
+  kModelled,
+  kClosedForm,
+  kPlaces,
+  kSavedRun
+};
+
+struct RuleText {
+  Rule rule;
+  std::string_view text;
+};
+inline constexpr auto kRules = std::to_array<RuleText>({
+    {Rule::kOwnNames,
+     "Names of materials, bodies, springs and links stand once; so does each pair of materials."},
+    {Rule::kReferences,
+     "Names of bodies and materials are those of the file; links, springs and forces act on bodies that are "
+     "neither fixed nor driven, and not on one body twice."},
+    {Rule::kKeysTogether, "Of the keys of fixed, driven and massless bodies, and forces that stand once."},
+    {Rule::kShapeOfPolygon, "The vertices of a polygon are those of a convex one, in order."},
+    {Rule::kOrderOfNumbers,
+     "static_friction is at least kinetic_friction, the largest radius at least the least one, an end no "
+     "earlier than its start, the values of some sweeps rise."},
+    {Rule::kCountInAll,
+     "Bodies of the list and of all generators together, and curves of all plots together, are limited."},
+    {Rule::kLinkedStart, "Bodies start where their links hold them and move as their links let them."},
+    {Rule::kModelled,
+     "The integrator can run the scene, and simultaneous impacts know no links or surfaces that stick."},
+    {Rule::kClosedForm, "A closed form is an expression that can be computed."},
+    {Rule::kPlaces,
+     "A setting or a sweep names the place of a number of the file, and the scene allows its values."},
+    {Rule::kSavedRun, "The state of a saved run is one that Carom wrote, of this scene."},
+});
+
+// A SceneError of one of these rules.
+class RuleError : public SceneError {
+ public:
+  RuleError(Rule broken, const std::string& line) : SceneError(line), rule(broken) {}
+  Rule rule;
+};
+
+// Throws the RuleError that refuses a value.
+[[noreturn]] void refuse_by(Rule rule, const std::string& place, const std::string& found,
+                            const std::string& allowed);
 
 // Where the forces of a scene stand in the array /forces of its file: one index for each.
 struct ForcePlaces {

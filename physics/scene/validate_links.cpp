@@ -16,12 +16,12 @@ namespace {
 // Of the length, of the coordinates and of the speeds: what a file with some seven digits can mean to be exact.
 constexpr double kSlack = 1e-6;
 
+void check_range(const std::string& place, double value, const Range& range) {
+  if (!range.holds(value)) refuse_value(place, fmt::format("{}", value), range.text());
+}
+
 void check_vector(const std::string& place, const Vec2& value) {
-  for (int i = 0; i < 2; ++i) {
-    if (std::abs(value[i]) <= kLargestNumber) continue;
-    refuse_value(fmt::format("{}/{}", place, i), fmt::format("{}", value[i]),
-                 fmt::format("a number from -{0} to {0} m", kLargestNumber));
-  }
+  for (int i = 0; i < 2; ++i) check_range(fmt::format("{}/{}", place, i), value[i], any_number("m"));
 }
 
 std::string_view name_of_kind(LinkKind kind) { return kind == LinkKind::kPin ? "pin" : "weld"; }
@@ -31,14 +31,15 @@ void check_weld(const std::string& at, const Link& link, const Body& body, const
   if (inertia_of(body) == 0.0 || (other != nullptr && inertia_of(*other) == 0.0)) return;
   const double angle = body.angle - (other != nullptr ? other->angle : 0.0);
   if (link.angle && std::abs(angle - *link.angle) > kSlack * (1.0 + std::abs(angle))) {
-    refuse_value(at + "/angle", fmt::format("{} of bodies that are turned by {} rad", *link.angle, angle),
-                 "their angle, or no \"angle\"");
+    refuse_by(Rule::kLinkedStart, at + "/angle",
+              fmt::format("{} of bodies that are turned by {} rad", *link.angle, angle),
+              "their angle, or no \"angle\"");
   }
   const double other_spin = other != nullptr ? other->spin : 0.0;
   if (std::abs(body.spin - other_spin) > kSlack * (std::abs(body.spin) + std::abs(other_spin))) {
-    refuse_value(
-        at, fmt::format("a weld of bodies that turn against each other at {} rad/s", body.spin - other_spin),
-        "equal spins");
+    refuse_by(Rule::kLinkedStart, at,
+              fmt::format("a weld of bodies that turn against each other at {} rad/s", body.spin - other_spin),
+              "equal spins");
   }
 }
 
@@ -57,29 +58,31 @@ void check_start(const std::string& at, const Link& link, const Body& body, cons
     const std::string_view kind = name_of_kind(link.kind);
     const double size = a.head<2>().norm() + b.head<2>().norm() + arm_a.norm() + arm_b.norm();
     if (distance > kSlack * size)
-      refuse_value(at, fmt::format("a {} whose ends are {} m apart", kind, distance), "ends at one place");
+      refuse_by(Rule::kLinkedStart, at, fmt::format("a {} whose ends are {} m apart", kind, distance),
+                "ends at one place");
     if (u.norm() > kSlack * speeds)
-      refuse_value(at, fmt::format("a {} whose ends part at {} m/s", kind, u.norm()),
-                   "ends that move together");
+      refuse_by(Rule::kLinkedStart, at, fmt::format("a {} whose ends part at {} m/s", kind, u.norm()),
+                "ends that move together");
     if (link.kind == LinkKind::kWeld) check_weld(at, link, body, other);
     return;
   }
   const double length = link.length.value_or(distance);
   if (!(length >= kLeastPositive)) {
-    refuse_value(at, "a length of 0, as the ends are at one place",
-                 "ends that are apart, a \"length\" for a string, or a pin");
+    refuse_by(Rule::kLinkedStart, at, "a length of 0, as the ends are at one place",
+              "ends that are apart, a \"length\" for a string, or a pin");
   }
   const bool rod = link.kind == LinkKind::kRod;
   if (distance > (1.0 + kSlack) * length || (rod && distance < (1.0 - kSlack) * length)) {
-    refuse_value(at + "/length", fmt::format("{} for ends that are {} m apart", length, distance),
-                 rod ? "their distance, or no \"length\"" : "their distance or more");
+    refuse_by(Rule::kLinkedStart, at + "/length",
+              fmt::format("{} for ends that are {} m apart", length, distance),
+              rod ? "their distance, or no \"length\"" : "their distance or more");
   }
   if (!rod) return;
   const double rate = d.dot(u) / distance;
   if (std::abs(rate) > kSlack * speeds) {
-    refuse_value(at,
-                 fmt::format("a rod whose ends {} at {} m/s", rate > 0.0 ? "part" : "close", std::abs(rate)),
-                 "velocities and spins that keep its length");
+    refuse_by(Rule::kLinkedStart, at,
+              fmt::format("a rod whose ends {} at {} m/s", rate > 0.0 ? "part" : "close", std::abs(rate)),
+              "velocities and spins that keep its length");
   }
 }
 
@@ -90,9 +93,13 @@ void check_links(const Scene& scene, const std::vector<Body>& bodies) {
   for (const Body& b : bodies) named.emplace(b.name, &b);
   const auto body_called = [&](const std::string& place, const std::string& name) {
     const auto found = named.find(name);
-    if (found == named.end()) refuse_value(place, "\"" + name + "\"", "the name of a body");
+    if (found == named.end()) refuse_by(Rule::kReferences, place, "\"" + name + "\"", "the name of a body");
     return found->second;
   };
+  if (scene.links.size() > kMostSceneLinks) {
+    refuse_value("/links", fmt::format("{} links", scene.links.size()),
+                 fmt::format("up to {}", kMostSceneLinks));
+  }
   // What a run has made of its links is right, even a slack string that a push left too long.
   const bool goes_on = state_belongs(scene);
   std::unordered_set<std::string> names;
@@ -100,16 +107,18 @@ void check_links(const Scene& scene, const std::vector<Body>& bodies) {
     const Link& link = scene.links[i];
     const std::string at = fmt::format("/links/{}", i);
     if (!link.name.empty() && !names.insert(link.name).second)
-      refuse_value(at + "/name", fmt::format("\"{}\", used before,", link.name), "a name of its own");
+      refuse_by(Rule::kOwnNames, at + "/name", fmt::format("\"{}\", used before,", shortened(link.name, 40)),
+                "a name of its own");
     const Body* body = body_called(at + "/body", link.body);
     if (is_immovable(*body)) {
-      refuse_value(at + "/body", "\"" + link.body + "\", which no force moves,",
-                   "a body that is neither fixed nor driven");
+      refuse_by(Rule::kReferences, at + "/body",
+                fmt::format("\"{}\", which no force moves,", shortened(link.body, 40)),
+                "a body that is neither fixed nor driven");
     }
     const Body* other = nullptr;
     if (!link.to.empty()) {
       other = body_called(at + "/to", link.to);
-      if (link.to == link.body) refuse_value(at + "/to", "the link's own body", "another body");
+      if (link.to == link.body) refuse_by(Rule::kReferences, at + "/to", "the link's own body", "another body");
     }
     check_vector(at + "/point", link.point);
     check_vector(at + "/anchor", link.anchor);
@@ -117,18 +126,12 @@ void check_links(const Scene& scene, const std::vector<Body>& bodies) {
       if (link.kind == LinkKind::kPin || link.kind == LinkKind::kWeld) {
         refuse_value(at + "/length", fmt::format("the length of a {}", name_of_kind(link.kind)), "none");
       }
-      if (!(*link.length >= kLeastPositive && *link.length <= kLargestNumber)) {
-        refuse_value(at + "/length", fmt::format("{}", *link.length),
-                     fmt::format("a number from {} to {} m", kLeastPositive, kLargestNumber));
-      }
+      check_range(at + "/length", *link.length, positive("m"));
     }
     if (link.angle) {
       if (link.kind != LinkKind::kWeld)
         refuse_value(at + "/angle", "the angle of what turns", "none but a weld's");
-      if (!(std::abs(*link.angle) <= kLargestNumber)) {
-        refuse_value(at + "/angle", fmt::format("{}", *link.angle),
-                     fmt::format("a number from -{0} to {0} rad", kLargestNumber));
-      }
+      check_range(at + "/angle", *link.angle, any_number("rad"));
     }
     if (!goes_on) check_start(at, link, *body, other, start_time(scene));
   }

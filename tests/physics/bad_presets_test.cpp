@@ -145,7 +145,7 @@ std::vector<Bad> bad_presets() {
       {"pin with an angle", links(R"({"type": "pin", "body": "a", "anchor": [0, 0], "angle": 1})"),
        "/links/0/angle"},
       {"weld with a length", links(R"({"type": "weld", "body": "a", "anchor": [0, 0], "length": 1})"),
-       "the length of a weld"},
+       "/links/0/length: unknown key"},
       {"weld off its place", links(R"({"type": "weld", "body": "a", "anchor": [0, 1]})"),
        "a weld whose ends are 1 m"},
       {"weld of another angle", links(R"({"type": "weld", "body": "a", "anchor": [0, 0], "angle": 0.1})"),
