@@ -165,6 +165,11 @@ void LabWindow::make_body() {
   inner->setContentsMargins(8, 8, 8, 8);
   inner->setSpacing(8);
   inner->addWidget(restore_bar_);
+  lost_bar_ = new NoticeBar;
+  connect(lost_bar_, &NoticeBar::accepted, this, &LabWindow::restart);
+  connect(lost_bar_, &NoticeBar::dismissed, lost_bar_, &QWidget::hide);
+  lost_bar_->hide();
+  inner->addWidget(lost_bar_);
   inner->addWidget(columns, 1);
   row->addLayout(inner, 1);
   setCentralWidget(middle);

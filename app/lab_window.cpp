@@ -332,14 +332,27 @@ void LabWindow::show_notices() {
   for (const auto& frame : frames_) {
     if (frame->rows_known_until < frame->time) {
       notices << tr("going through the run again: t = %1 s").arg(frame->rows_known_until, 0, 'f', 1);
-    } else if (frame->time + frame->method.step <= frame_->time) {
+    } else if (!frame->lost && frame->time + frame->method.step <= frame_->time) {
       notices << tr("another method catches up: t = %1 s").arg(frame->time, 0, 'f', 1);
     }
   }
+  show_lost();
   status_ = notices.join("; ");
   status_chip_->setVisible(!status_.isEmpty());
   status_chip_->setToolTip(plain_tip(status_));
   place_chips();
+}
+
+// Said once for each loss, so that a bar that was dismissed stays away.
+void LabWindow::show_lost() {
+  const auto lost =
+      std::find_if(frames_.begin(), frames_.end(), [](const auto& frame) { return frame->lost.has_value(); });
+  const QString why = lost == frames_.end() ? QString() : QString::fromStdString(*(*lost)->lost);
+  if (why == lost_) return;
+  lost_ = why;
+  if (why.isEmpty()) return lost_bar_->hide();
+  lost_bar_->say(frames_.size() > 1 ? tr("A run is %1").arg(why) : tr("The run is %1").arg(why), tr("Restart"),
+                 tr("Dismiss"));
 }
 
 void LabWindow::show_method() {

@@ -125,6 +125,7 @@ class LabWindow : public QMainWindow {
   void mark_changed(bool changed);
   void restart();
   void show_notices();
+  void show_lost();
   void follow_bodies();  // those that come in again after a restart
   // Unsaved work (lab_work.cpp).
   void offer_work();
@@ -171,6 +172,8 @@ class LabWindow : public QMainWindow {
   StudyPanel* study_ = nullptr;
   QLabel* about_ = nullptr;
   NoticeBar* restore_bar_ = nullptr;
+  NoticeBar* lost_bar_ = nullptr;  // why a run can't go on
+  QString lost_;                   // as it was said last; empty while no run is lost
   QWidget* chips_ = nullptr;
   QLabel* needs_chip_ = nullptr;
   QString needs_;   // whole, where the chip is elided

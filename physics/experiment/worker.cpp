@@ -474,9 +474,9 @@ void Worker::work(const std::stop_token& stop, const Scene& first, const std::ve
       lab.playing = false;
       lab.changed = false;
     } catch (const std::bad_alloc&) {
-      fails("there is not enough memory to go on; restart, or open a smaller scene");
+      fails("stopped: there is not enough memory to go on; restart, or open a smaller scene");
     } catch (const std::exception& error) {
-      fails(std::string("ended by an error of the program: ") + error.what());
+      fails(std::string("stopped by an error of the program: ") + error.what());
     }
   }
 }
