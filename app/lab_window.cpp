@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/notice_bar.h"
 #include "app/preset_library.h"
 #include "physics/motion/integrators.h"
 #include "physics/preset/preset.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/standard_output.h"
-
 #include "physics/scene/plain_text.h"
 
 namespace carom {

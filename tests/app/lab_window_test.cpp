@@ -454,5 +454,32 @@ TEST_F(LabWindowTest, ChangesAreAskedAboutBeforeTheWindowCloses) {
   EXPECT_EQ(boxes_.size(), 2U);
 }
 
+TEST_F(LabWindowTest, SaysOverTheSceneWhyARunIsLost) {
+  Scene s;
+  s.title = "Stiff spring";
+  Body body;
+  body.name = "a";
+  body.position = {1, 0};
+  s.bodies = {body};
+  Spring spring;
+  spring.body = "a";
+  spring.stiffness = 1e6;
+  s.forces.springs = {spring};
+  window_.show_scene(s, "stiff", {});
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 1; }));
+  window_.run_until(1.0);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->lost.has_value(); }));
+  const auto shown = [this](const QString& text) {
+    for (const QLabel* label : window_.findChildren<QLabel*>()) {
+      if (label->isVisible() && label->text().contains(text)) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shown("The run is lost at t = "); }, 5000));
+  QTest::keyClick(&window_, Qt::Key_R);
+  ASSERT_TRUE(wait_for([this] { return steps() == 0 && !window_.frame()->lost; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !shown("The run is lost"); }, 5000));
+}
+
 }  // namespace
 }  // namespace carom
