@@ -174,8 +174,7 @@ std::string report_json(const std::string& preset, const Simulation& end) {
                    {"to_walls", pair(ledger.momentum_to_walls)},
                    {"numerical_drift", pair(ledger.momentum_drift(totals.momentum))}}}};
   j["status"] = end.status();
-  return j.dump(2, ' ', false, Json::error_handler_t::replace) + "
-";
+  return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace carom
