@@ -78,7 +78,7 @@ TEST(LostRun, FarIsNoLoss) {
   Simulation run(s);
   run.advance_to(1000.0);
   EXPECT_FALSE(run.lost());
-  EXPECT_NEAR(run.state().position(0).x(), 1e12, 1.0);
+  EXPECT_NEAR(run.state().position(0).x(), 1e12, 100.0);  // of 250 thousand tracks, a rounding each
 }
 
 // Whoever can't keep his tolerance says so instead of taking steps for ever.
