@@ -95,8 +95,8 @@ class Tracks {
   static constexpr std::int64_t kMostFlightWork = 5'000'000;
   static constexpr std::int64_t kMostFlightWorkPerBody = 200'000;
   // What they may cost, of any integrator, before springs and strings are not followed any more in that step;
-  // from then on a tenth of it.
-  static constexpr std::int64_t kMostSwitchWork = 2'000'000;
+  // from then on a fiftieth of it.
+  static constexpr std::int64_t kMostSwitchWork = 5'000'000;
   static constexpr std::int64_t kMostSwitchWorkPerBody = 20'000;
   // Counts the flights from here on, and remembers which springs and strings act, for give_back().
   void begin_step();

@@ -12,15 +12,15 @@ struct StepInterrupted {};
 
 // What the search for impacts may cost in one step, in units of about 0.1 µs, counted and not timed so
 // that a run is the same on every machine. Where it is spent, what is left of the step's impacts is resolved at
-// its end, and the run says so; from then on steps get a tenth of it, and shorter ones than kUsualStep less
+// its end, and the run says so; from then on steps get a fiftieth of it, and shorter ones than kUsualStep less
 // still, so that a run for which it is never enough goes on at a bearable pace.
 class StepWork {
  public:
-  static constexpr std::int64_t kStep = 1'000'000;
+  static constexpr std::int64_t kStep = 6'000'000;
   static constexpr std::int64_t kPerBody = 20'000;  // of the first kFew, of the others a tenth
   static constexpr int kFew = 1'000;
   static constexpr std::int64_t kReserve = 200'000'000;  // of a run: see spend_reserve()
-  static constexpr double kOnceSpent = 0.1;
+  static constexpr double kOnceSpent = 0.02;
   static constexpr double kUsualStep = 0.005;  // s
   static constexpr double kLeastShare = 0.02;
 
