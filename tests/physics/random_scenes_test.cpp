@@ -116,8 +116,8 @@ class Laws {
   std::string overlaps_of(const Simulation& run) {
     if (overlaps_ || run.method().impacts != ImpactsId::kLocated) return {};
     const Notices notices = run.notices();
-    const bool left = notices.resting_since >= 0.0 || notices.impacts_capped_since >= 0.0 ||
-                      notices.work_spent_since >= 0.0;
+    const bool left =
+        notices.resting_since >= 0.0 || notices.impacts_capped_since >= 0.0 || notices.work_spent_since >= 0.0;
     const State& state = run.state();
     for (int a = 0; a < state.size(); ++a) {
       for (int b = a + 1; b < state.size(); ++b) {
