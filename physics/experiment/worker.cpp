@@ -115,6 +115,7 @@ struct Worker::Lab {
       if (run.lane.next() > time + kRounding * run.lane.simulation().method().step) return true;
       if (Clock::now() >= deadline || stop()) return false;
       step(run);
+      if (run.lane.lost()) return false;
       give_bodies(run);
     }
   }

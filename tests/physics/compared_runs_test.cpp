@@ -314,8 +314,9 @@ TEST(ComparedRuns, ALostRunStandsAndTheOthersGoOn) {
     Worker worker(s);
     worker.run_until(10.0);
     Window window(worker);
-    ASSERT_TRUE(window.wait([&] { return window.frames.size() == 2 && window.frames[1]->lost.has_value(); }));
-    ASSERT_TRUE(window.wait([&] { return !window.frames[0]->playing; }));
+    ASSERT_TRUE(window.wait([&] {
+      return window.frames.size() == 2 && window.frames[1]->lost.has_value() && !window.frames[0]->playing;
+    }));
     EXPECT_FALSE(window.frames[0]->lost);
     EXPECT_LT(window.frames[0]->time, 10.0);
     EXPECT_TRUE(window.frames[1]->state.q.allFinite());
