@@ -253,7 +253,10 @@ void LabWindow::run_until(double time) {
   QElapsedTimer shown;
   shown.start();
   // Until the worker has stopped at the time; the first frames may still be of the moment before.
-  while (frame_ == nullptr || frame_->playing || frame_->time < time - (1.0 + 1e-9) * step) {
+  const auto lost = [this] {
+    return std::any_of(frames_.begin(), frames_.end(), [](const auto& frame) { return frame->lost.has_value(); });
+  };
+  while (frame_ == nullptr || frame_->playing || (frame_->time < time - (1.0 + 1e-9) * step && !lost())) {
     QThread::msleep(2);
     poll();
     QApplication::processEvents();
