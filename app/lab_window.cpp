@@ -254,7 +254,8 @@ void LabWindow::run_until(double time) {
   shown.start();
   // Until the worker has stopped at the time; the first frames may still be of the moment before.
   const auto lost = [this] {
-    return std::any_of(frames_.begin(), frames_.end(), [](const auto& frame) { return frame->lost.has_value(); });
+    return std::any_of(frames_.begin(), frames_.end(),
+                       [](const auto& frame) { return frame->lost.has_value(); });
   };
   while (frame_ == nullptr || frame_->playing || (frame_->time < time - (1.0 + 1e-9) * step && !lost())) {
     QThread::msleep(2);
