@@ -68,11 +68,8 @@ void Simulation::step_with_located_impacts(double h) {
   if (steps) {
     for (int k = 0; k < tracks_.islands(); ++k) tracks_.settle(k, left);
   } else {
-    for (const WaitingPair& d : due) {
-      for (const int i : {d.a, d.b}) {
-        if (tracks_.island_of(i) >= 0) tracks_.settle(tracks_.island_of(i), target);
-      }
-    }
+    find_due_islands(due);
+    for (const int island : due_islands_) tracks_.settle(island, target);
   }
   if (lasts_) {
     for (const WaitingPair& d : due) lasting_.holds.emplace_back(d.a, d.b);
@@ -89,15 +86,21 @@ void Simulation::step_with_located_impacts(double h) {
     return;
   }
   for (const WaitingPair& d : due) {
-    for (const int i : {d.a, d.b}) {
-      state_.set_motion(i, tracks_.at(i, target));
-      if (!steps && tracks_.island_of(i) >= 0) lay(tracks_.island_of(i), horizon);
-    }
+    for (const int i : {d.a, d.b}) state_.set_motion(i, tracks_.at(i, target));
   }
-  if (steps) return;
+  if (!steps) go_on(due_islands_, horizon);
+}
+
+// The islands of these pairs, each once, in the order in which they come.
+void Simulation::find_due_islands(const std::vector<WaitingPair>& due) {
+  due_islands_.clear();
+  is_due_.assign(static_cast<std::size_t>(tracks_.islands()), false);
   for (const WaitingPair& d : due) {
     for (const int i : {d.a, d.b}) {
-      if (tracks_.island_of(i) >= 0) search_island(tracks_.island_of(i));
+      const int island = tracks_.island_of(i);
+      if (island < 0 || is_due_[static_cast<std::size_t>(island)]) continue;
+      is_due_[static_cast<std::size_t>(island)] = true;
+      due_islands_.push_back(island);
     }
   }
 }

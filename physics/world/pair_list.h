@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace carom {
@@ -41,18 +43,21 @@ class PairList {
   void swap(PairList& other) {
     pairs_.swap(other.pairs_);
     slots_.swap(other.slots_);
+    std::swap(shift_, other.shift_);
   }
   [[nodiscard]] const std::vector<WaitingPair>& all() const { return pairs_; }
 
  private:
   static constexpr int kEmpty = -1;
+  static constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15U;  // the golden ratio's
 
   // The slot that the pair has, or would get.
   [[nodiscard]] std::size_t slot_of(int a, int b) const {
-    const std::uint64_t key =
-        static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U | static_cast<std::uint32_t>(b);
-    // Fibonacci hashing: the golden ratio's multiples spread over the slots.
-    std::size_t at = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15U) >> 20U) & (slots_.size() - 1);
+    // Multiples of odd numbers, of which the highest bits are mixed best; a's are folded before b comes in, as
+    // sums of two such rows have gaps.
+    std::uint64_t key = static_cast<std::uint32_t>(a) * kOdd;
+    key = ((key ^ key >> 32U) + static_cast<std::uint32_t>(b)) * kOdd;
+    std::size_t at = static_cast<std::size_t>(key >> shift_);
     while (slots_[at] != kEmpty) {
       const WaitingPair& p = pairs_[static_cast<std::size_t>(slots_[at])];
       if (p.a == a && p.b == b) break;
@@ -62,12 +67,14 @@ class PairList {
   }
   void grow() {
     slots_.assign(std::max<std::size_t>(16, 2 * slots_.size()), kEmpty);
+    shift_ = 64U - static_cast<unsigned>(std::countr_zero(slots_.size()));
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       slots_[slot_of(pairs_[i].a, pairs_[i].b)] = static_cast<int>(i);
   }
 
   std::vector<WaitingPair> pairs_;
   std::vector<int> slots_;  // a power of two of them
+  unsigned shift_ = 64;     // 64 less that power
 };
 
 }  // namespace carom

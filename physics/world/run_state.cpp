@@ -33,8 +33,8 @@ void Simulation::each_kept(Self& simulation, Kept& kept, const Each& each) {
          state, time, step_end, origin, origin_step, steps_since_origin, steps, impact_count,
          impacts_before_step, ledger, gravity_since, notices, lost, last_good, work, impacts, jumps,
          watch_impacts,  // the run
-         running, reach, epoch_length, last_impact, at_once, grid, queue, stamp, deferred, due, near_pairs,
-         track_ends, stretch, touches, cluster,
+         running, reach, epoch_length, last_impact, at_once, grid, queue, stamp, deferred, due, due_islands,
+         is_due, near_pairs, track_ends, stretch, touches, cluster,
          cluster_scratch,                                        // impacts at their own time
          lasts, step_length, may_divide, touched_down, lasting,  // contacts that last
          broad_phase, bounds] = simulation;                      // impacts at the step's end

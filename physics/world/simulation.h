@@ -305,6 +305,7 @@ class Simulation {
   void meet(int a, int b, double time, double horizon, bool crowd, double h);
   // After an impact with e < 1: whether the pair rests from now on, or has collapsed.
   void judge(int a, int b, const Contact& contact, const Material& material, double time, bool crowd, double h);
+  void find_due_islands(const std::vector<WaitingPair>& due);
   // Lays the tracks of these islands anew and searches them.
   void go_on(std::span<const int> islands, double horizon);
   // Simultaneous impacts (simultaneous_impacts.cpp): all that touches a or b, or what they touch, and so on.
@@ -381,6 +382,8 @@ class Simulation {
   std::vector<std::uint32_t> stamp_;  // by body, of its island; fixed bodies keep theirs
   PairList deferred_;
   PairList due_;
+  std::vector<int> due_islands_;  // of due_, where tracks run on
+  std::vector<bool> is_due_;      // by island
   std::vector<WaitingPair> near_pairs_;
   int track_ends_ = 0;    // in this step
   double stretch_ = 1.0;  // of tracks that no step ends, where too many ended
