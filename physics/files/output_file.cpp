@@ -127,7 +127,7 @@ void OutputFile::finish() {
   if (failure_.empty() && !unread_) flush();
   buffer_ = std::string();
   if (failure_.empty() && temporary_) {
-    if (const int error = temporary_->sync_and_close(); error != 0) fail(error);
+    if (const int error = temporary_->sync(); error != 0) fail(error);
   }
   if (failure_.empty() && through_ >= 0) {
     // What has no disk behind it answers EINVAL.

@@ -98,21 +98,37 @@ std::string random_name() {
   return name + ".part";
 }
 
+std::string open_file(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
+
 }  // namespace
 
-TemporaryFile::TemporaryFile(const std::filesystem::path& folder, mode_t mode) : entry_(new Entry) {
+template <class Make>
+int TemporaryFile::take_name(const Make& make) {
+  entry_ = new Entry;
   int error = EEXIST;
   constexpr int kTries = 100;
   for (int i = 0; i < kTries && error == EEXIST; ++i) {
-    entry_->path = (std::filesystem::absolute(folder) / random_name()).string();
+    entry_->path = (folder_ / random_name()).string();
     const ListLock lock;
-    descriptor_ = open(entry_->path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, mode);
-    error = descriptor_ < 0 ? errno : 0;
+    error = make(entry_->path.c_str()) ? 0 : errno;
     if (error == 0) add(entry_);
   }
-  if (error == 0) return;
-  delete entry_;
-  throw std::system_error(error, std::generic_category());
+  if (error != 0) delete std::exchange(entry_, nullptr);
+  return error;
+}
+
+TemporaryFile::TemporaryFile(const std::filesystem::path& folder, mode_t mode)
+    : folder_(std::filesystem::absolute(folder)) {
+  descriptor_ = open(folder_.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
+  // Only the list of open files can give it a name later.
+  if (descriptor_ >= 0 && access(open_file(descriptor_).c_str(), F_OK) != 0)
+    close(std::exchange(descriptor_, -1));
+  if (descriptor_ >= 0) return;
+  const int error = take_name([&](const char* path) {
+    descriptor_ = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, mode);
+    return descriptor_ >= 0;
+  });
+  if (error != 0) throw std::system_error(error, std::generic_category());
 }
 
 TemporaryFile::~TemporaryFile() {
@@ -120,16 +136,24 @@ TemporaryFile::~TemporaryFile() {
   forget(entry_, true);
 }
 
-int TemporaryFile::sync_and_close() {
-  if (descriptor_ < 0) return 0;
+int TemporaryFile::sync() {
   int synced = fsync(descriptor_) == 0 ? 0 : errno;
   if (synced == EINVAL || synced == ENOSYS || synced == ENOTSUP)
     synced = 0;  // this file system has no such thing
+  if (entry_ == nullptr) return synced;
+  // Over a network a full disk may show only here.
   const int closed = close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno;
   return synced != 0 ? synced : closed;
 }
 
 int TemporaryFile::rename_to(const std::filesystem::path& file) {
+  if (entry_ == nullptr) {
+    const std::string source = open_file(descriptor_);
+    const int error = take_name([&](const char* path) {
+      return linkat(AT_FDCWD, source.c_str(), AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0;
+    });
+    if (error != 0) return error;
+  }
   if (std::rename(entry_->path.c_str(), file.c_str()) != 0) return errno;
   forget(entry_, false);
   return 0;

@@ -5,10 +5,10 @@
 
 namespace carom {
 
-// A new file beside those of a folder, under a name of its own (.carom-XXXXXXXXXXXX.part), open for writing. It
-// goes with this object, unless it was renamed, and where remove_temporaries_on_signals() was called also where
-// a signal ends the process. One thread at a time may use an object; different objects know nothing of each
-// other.
+// A new file in a folder, open for writing: without a name, so that no end of the process leaves it behind, or,
+// where the file system has no such files, under one of its own (.carom-XXXXXXXXXXXX.part). It goes with this
+// object, unless it was renamed, and where remove_temporaries_on_signals() was called also where a signal ends
+// the process. One thread at a time may use an object; different objects know nothing of each other.
 class TemporaryFile {
  public:
   // `mode` is of the new file, less what the process's umask takes. Throws std::system_error.
@@ -17,15 +17,21 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile();
 
-  [[nodiscard]] int descriptor() const { return descriptor_; }  // -1 once it is closed
-  // 0, or errno.
-  [[nodiscard]] int sync_and_close();
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+  // 0, or errno. Nothing is written after sync().
+  [[nodiscard]] int sync();
   [[nodiscard]] int rename_to(const std::filesystem::path& file);
 
   struct Entry;
 
  private:
-  Entry* entry_;  // in the list of all temporary files; none once it is renamed
+  // Calls make(path) with names until it returns something other than EEXIST, and enters the one that it made
+  // into the list.
+  template <class Make>
+  int take_name(const Make& make);
+
+  std::filesystem::path folder_;
+  Entry* entry_ = nullptr;  // in the list of all temporary files, while it has a name of its own
   int descriptor_ = -1;
 };
 
