@@ -66,7 +66,10 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame, OtherRuns others) 
   others_ = std::move(others);
   const bool new_run = !frame_ || frame->run != frame_->run;
   frame_ = std::move(frame);
-  if (new_run) impacts_.clear();
+  if (new_run) {
+    impacts_.clear();
+    peaks_ = {};
+  }
   peaks_.observe(*frame_);
   keep_recent(impacts_, frame_->impacts, frame_->time, kImpactShown);
   if (new_run) go_home();

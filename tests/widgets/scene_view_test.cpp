@@ -53,6 +53,21 @@ TEST_F(SceneViewTest, PaintsBodiesOnTheGround) {
   EXPECT_EQ(view_.grab().toImage().pixelColor(180, 210), dark_theme().body_fill);
 }
 
+TEST_F(SceneViewTest, ArrowsAreThoseOfTheSceneNotOfTheOneBefore) {
+  const double slow = view_.look().peaks.speed;
+  Scene fast = two_discs();
+  for (Body& body : fast.bodies) body.velocity *= 100.0;
+  auto frame = frame_of(Simulation(fast));
+  frame->run = 1;
+  view_.set_frame(frame);
+  ASSERT_GT(view_.look().peaks.speed, slow);
+  view_.set_view(View{Vec2(2.0, 1.0), 6.0});
+  frame = frame_of(Simulation(two_discs()));
+  frame->run = 2;
+  view_.set_frame(frame);
+  EXPECT_EQ(view_.look().peaks.speed, slow);
+}
+
 TEST_F(SceneViewTest, ClickOnEmptySpaceAsksForABody) {
   QTest::mouseClick(&view_, Qt::LeftButton, {}, QPoint(350, 100));
   ASSERT_EQ(spawned_.count(), 1);
