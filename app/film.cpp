@@ -4,11 +4,11 @@
 #include <QImage>
 #include <QImageReader>
 #include <QPainter>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <fmt/format.h>
-#include <regex>
 #include <set>
 #include <system_error>
 
@@ -30,12 +30,12 @@ constexpr const char* kMark = "Carom film";
 
 // Sorted.
 std::vector<std::string> names_of_frames(const fs::path& folder) {
-  static const std::regex name("frame-\\d{4,}\\.png");
+  static const QRegularExpression name(QRegularExpression::anchoredPattern("frame-[0-9]{4,}\\.png"));
   std::vector<std::string> names;
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     const std::string found = at->path().filename().string();
-    if (std::regex_match(found, name)) names.push_back(found);
+    if (name.match(QString::fromStdString(found)).hasMatch()) names.push_back(found);
   }
   std::sort(names.begin(), names.end());
   return names;
