@@ -237,6 +237,9 @@ void check_applied(const Forces& forces, const ForcePlaces& places, const Bodies
   }
 }
 
+// Each pair pulls: an evaluation of so many takes some 20 ms.
+constexpr std::size_t kMostAttracted = 2'000;
+
 void check_forces(const Forces& forces, const ForcePlaces& places, const Bodies& bodies) {
   check_vector("/gravity", forces.gravity, "m/s²");
   check_range(fmt::format("/forces/{}/coefficient", places.linear_drag.value_or(0)), forces.linear_drag,
@@ -249,6 +252,9 @@ void check_forces(const Forces& forces, const ForcePlaces& places, const Bodies&
     const std::string at = fmt::format("/forces/{}", places.attraction.value_or(0));
     check_range(at + "/constant", forces.attraction->constant, positive("N m²/kg²"));
     check_range(at + "/softening", forces.attraction->softening, from_zero("m"));
+    if (bodies.size() > kMostAttracted)
+      refuse_by(Rule::kCountInAll, at, fmt::format("attraction among {} bodies", bodies.size()),
+                fmt::format("among up to {}", kMostAttracted));
   }
   check_applied(forces, places, bodies);
 }

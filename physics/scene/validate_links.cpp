@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
+#include <vector>
 
 #include "physics/motion/link_geometry.h"
 #include "physics/scene/fingerprint.h"
@@ -23,6 +25,35 @@ void check_range(const std::string& place, double value, const Range& range) {
 void check_vector(const std::string& place, const Vec2& value) {
   for (int i = 0; i < 2; ++i) check_range(fmt::format("{}/{}", place, i), value[i], any_number("m"));
 }
+
+// Links that hold on to one another are solved together, at a cost that grows with the cube of their number.
+constexpr int kMostLinkedTogether = 500;
+
+// Groups of bodies that links join: a forest of indices, each body's root standing for its group.
+class Groups {
+ public:
+  explicit Groups(std::size_t bodies) : above_(bodies), links_(bodies, 0) {
+    std::iota(above_.begin(), above_.end(), std::size_t{0});
+  }
+  // The links of the group of `a` and `b` after one more between them.
+  int join(std::size_t a, std::size_t b) {
+    a = root(a);
+    b = root(b);
+    if (a != b) {
+      above_[b] = a;
+      links_[a] += links_[b];
+    }
+    return ++links_[a];
+  }
+
+ private:
+  std::size_t root(std::size_t i) {
+    for (; above_[i] != i; i = above_[i]) above_[i] = above_[above_[i]];
+    return i;
+  }
+  std::vector<std::size_t> above_;
+  std::vector<int> links_;  // of roots
+};
 
 std::string_view name_of_kind(LinkKind kind) { return kind == LinkKind::kPin ? "pin" : "weld"; }
 
@@ -103,6 +134,7 @@ void check_links(const Scene& scene, const std::vector<Body>& bodies) {
   // What a run has made of its links is right, even a slack string that a push left too long.
   const bool goes_on = state_belongs(scene);
   std::unordered_set<std::string> names;
+  Groups groups(bodies.size());
   for (std::size_t i = 0; i < scene.links.size(); ++i) {
     const Link& link = scene.links[i];
     const std::string at = fmt::format("/links/{}", i);
@@ -119,6 +151,13 @@ void check_links(const Scene& scene, const std::vector<Body>& bodies) {
     if (!link.to.empty()) {
       other = body_called(at + "/to", link.to);
       if (link.to == link.body) refuse_by(Rule::kReferences, at + "/to", "the link's own body", "another body");
+    }
+    const auto index = [&](const Body* b) { return static_cast<std::size_t>(b - bodies.data()); };
+    const bool between = other != nullptr && !is_immovable(*other);
+    if (groups.join(index(body), index(between ? other : body)) > kMostLinkedTogether) {
+      refuse_by(Rule::kCountInAll, at,
+                fmt::format("the {}th link that holds on to others", kMostLinkedTogether + 1),
+                fmt::format("up to {} links of bodies that are linked with one another", kMostLinkedTogether));
     }
     check_vector(at + "/point", link.point);
     check_vector(at + "/anchor", link.anchor);

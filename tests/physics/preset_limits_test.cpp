@@ -31,10 +31,21 @@ std::string body(std::size_t i) {
 }
 std::string material(std::size_t i) { return fmt::format(R"({{"name":"m{}"}})", i); }
 std::string spring(std::size_t) { return R"({"type":"spring","body":"a","anchor":[0,1],"stiffness":1})"; }
-std::string link(std::size_t) { return R"({"type":"string","body":"a","to":"b","length":20})"; }
+// 400 between two bodies, 400 between the next two, and so on.
+std::string link(std::size_t i) {
+  return fmt::format(R"({{"type":"string","body":"b{}","to":"b{}","length":20}})", i / 400 * 2,
+                     i / 400 * 2 + 1);
+}
 std::string plot(std::size_t) { return R"("energy")"; }
 std::string expectation(std::size_t) {
   return R"({"observable":"time","reduction":"final","value":0,"tolerance":1})";
+}
+
+// The key "bodies" with so many of them.
+std::string bodies(std::size_t count) {
+  std::string list;
+  for (std::size_t i = 0; i < count; ++i) list += fmt::format("{}{}", i == 0 ? "" : ",", body(i));
+  return fmt::format(R"("bodies": [{}], )", list);
 }
 
 std::string refusal(const std::string& text) {
@@ -61,12 +72,49 @@ TEST(PresetLimits, ListsAreRefusedBeyondThem) {
                with_list("materials", kMostMaterials + 1, material), "materials", kMostMaterials);
   expect_limit(with_list("forces", kMostForces, spring, kTwoDiscs),
                with_list("forces", kMostForces + 1, spring, kTwoDiscs), "forces", kMostForces);
-  expect_limit(with_list("links", kMostSceneLinks, link, kTwoDiscs),
-               with_list("links", kMostSceneLinks + 1, link, kTwoDiscs), "links", kMostSceneLinks);
+  expect_limit(with_list("links", kMostSceneLinks, link, bodies(502)),
+               with_list("links", kMostSceneLinks + 1, link, bodies(502)), "links", kMostSceneLinks);
   expect_limit(with_list("plots", kMostPlots, plot), with_list("plots", kMostPlots + 1, plot), "plots",
                kMostPlots);
   expect_limit(with_list("expect", kMostExpectations, expectation),
                with_list("expect", kMostExpectations + 1, expectation), "expect", kMostExpectations);
+}
+
+TEST(PresetLimits, BodiesUnderAttractionAreCounted) {
+  const auto attracted = [](int columns) {
+    return fmt::format(
+        R"({{"format":"carom-preset","version":1,"title":"t","bodies":[],)"
+        R"("forces":[{{"type":"attraction","constant":1}}],)"
+        R"("generators":[{{"type":"grid","name":"d","columns":{},"rows":20,"origin":[0,0],"spacing":[1,1],"radius":[0.1,0.1]}}]}})",
+        columns);
+  };
+  EXPECT_EQ(refusal(attracted(100)), "");
+  EXPECT_EQ(refusal(attracted(101)),
+            "p: /forces/0: attraction among 2020 bodies is not allowed; allowed: among up to 2000");
+}
+
+TEST(PresetLimits, LinksThatHoldOnToOneAnotherAreCounted) {
+  // A chain of 501 links, the last one in its middle: whole, and where one of its bodies is fixed.
+  const auto chain = [&](const std::string& all) {
+    return with_list(
+        "links", 501,
+        [](std::size_t i) {
+          const std::size_t left = (i + 251) % 501;
+          return fmt::format(R"({{"type":"string","body":"b{}","to":"b{}","length":2}})",
+                             left < 250 ? left : left + 1, left < 250 ? left + 1 : left);
+        },
+        all);
+  };
+  const std::string free = bodies(502);
+  EXPECT_NE(refusal(chain(free)).find("/links/500: the 501th link"), std::string::npos) << refusal(chain(free));
+  std::string held = free;
+  held.insert(held.find("\"name\":\"b250\""), "\"fixed\":true,");
+  EXPECT_EQ(refusal(chain(held)), "");
+  // Of one body.
+  const auto hung = [](std::size_t i) {
+    return fmt::format(R"({{"type":"string","body":"a","anchor":[{},0],"length":2000}})", i);
+  };
+  EXPECT_NE(refusal(with_list("links", 501, hung, kTwoDiscs)), "");
 }
 
 TEST(PresetLimits, CurvesOfAllPlotsAreCounted) {
