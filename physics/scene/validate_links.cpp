@@ -131,7 +131,8 @@ void check_links(const Scene& scene, const std::vector<Body>& bodies) {
     refuse_value("/links", fmt::format("{} links", scene.links.size()),
                  fmt::format("up to {}", kMostSceneLinks));
   }
-  // What a run has made of its links is right, even a slack string that a push left too long.
+  // What a run has made of its links is right, even a slack string that a push left too long, and as many as
+  // stuck together.
   const bool goes_on = state_belongs(scene);
   std::unordered_set<std::string> names;
   Groups groups(bodies.size());
@@ -154,10 +155,11 @@ void check_links(const Scene& scene, const std::vector<Body>& bodies) {
     }
     const auto index = [&](const Body* b) { return static_cast<std::size_t>(b - bodies.data()); };
     const bool between = other != nullptr && !is_immovable(*other);
-    if (groups.join(index(body), index(between ? other : body)) > kMostLinkedTogether) {
+    const int together = groups.join(index(body), index(between ? other : body));
+    if (!goes_on && together > kMostLinkedTogether) {
       refuse_by(Rule::kCountInAll, at,
-                fmt::format("the {}th link that holds on to others", kMostLinkedTogether + 1),
-                fmt::format("up to {} links of bodies that are linked with one another", kMostLinkedTogether));
+                fmt::format("link {} of bodies that are linked with one another", together),
+                fmt::format("up to {} of them", kMostLinkedTogether));
     }
     check_vector(at + "/point", link.point);
     check_vector(at + "/anchor", link.anchor);

@@ -12,6 +12,7 @@
 #include "physics/preset/preset.h"
 #include "physics/world/pair_list.h"
 #include "physics/world/simulation.h"
+#include "tests/physics/heap.h"
 #include "tests/physics/scenes.h"
 
 // A step ends, whatever the scene: what it may cost has bounds, and a run that meets one says so.
@@ -53,12 +54,7 @@ TEST(StepWork, WhatIsLeftIsSaid) {
 }
 
 TEST(StepWork, BodiesAtOnePlaceAreLookedAtInPart) {
-  Scene s = test::scene({});
-  GridGenerator heap;
-  heap.columns = 50;
-  heap.rows = 40;
-  heap.spacing = {0, 0};
-  s.generators = {heap};
+  Scene s = test::heap(50, 40);
   for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
     s.method = {.impacts = impacts, .step = 0.005};
     Simulation run(s);
@@ -66,22 +62,13 @@ TEST(StepWork, BodiesAtOnePlaceAreLookedAtInPart) {
     EXPECT_EQ(run.notices().pairs_cut_since, 0.0);
     EXPECT_NE(run.status().find("within one another"), std::string::npos);
   }
-  s.generators[0].columns = 10;
-  s.generators[0].rows = 10;
-  Simulation few(s);
+  Simulation few(test::heap(10, 10));
   few.step();
   EXPECT_LT(few.notices().pairs_cut_since, 0.0);
 }
 
 TEST(StepWork, AStepStopsWhereItIsAskedTo) {
-  Scene s = test::scene({});
-  GridGenerator heap;
-  heap.columns = 40;
-  heap.rows = 25;
-  heap.spacing = {0, 0};
-  heap.speed_max = 1.0;
-  s.generators = {heap};
-  Simulation run(s);
+  Simulation run(test::heap(40, 25, 1.0));
   std::stop_source stop;
   run.interrupt_on(stop.get_token());
   run.step();

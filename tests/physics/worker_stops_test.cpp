@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "physics/experiment/worker.h"
+#include "tests/physics/heap.h"
 #include "tests/physics/scenes.h"
 
 // What stops a worker's runs: a loss, an error, and whoever asks for others.
@@ -68,14 +69,7 @@ TEST(WorkerStops, SaysWhatAnErrorWas) {
 
 // A step of seconds: another scene comes at once, and so does the end.
 TEST(WorkerStops, LeavesAStepThatTakesLong) {
-  Scene heavy = test::scene({});
-  GridGenerator heap;
-  heap.columns = 100;
-  heap.rows = 100;
-  heap.spacing = {0, 0};
-  heap.speed_max = 1.0;
-  heavy.generators = {heap};
-  heavy.method = {.step = 0.005};
+  const Scene heavy = test::heap(100, 100, 1.0);
   Worker worker(heavy);
   worker.set_playing(true);
   std::this_thread::sleep_for(100ms);
