@@ -20,6 +20,8 @@ constexpr int kMostCorrections = 60;
 // Where it leads nowhere, each row is corrected by itself this often, which brings the ends nearer from
 // anywhere.
 constexpr int kSweeps = 8;
+// What it costs to lay a row, in units of Tracks::flight_work().
+constexpr std::int64_t kRowWork = 4;
 // Of the size: within this a gap is closed for good, and beyond kMissed the links are said to be missed.
 constexpr double kClosed = 2.0 * kEpsilon;
 constexpr double kMissed = 1e-10;
@@ -324,6 +326,11 @@ void Links::add_forces(int group, double t, const Motions& y, Motions& k) {
   keep_books(g, k);
 }
 
+std::int64_t Links::evaluation_work(int group) const {
+  const Group& g = groups_[group];
+  return kRowWork * static_cast<std::int64_t>(g.rows.size()) + g.matrix.size() / 2;
+}
+
 // Gauss and Seidel's way: row by row, each from where the last one left the bodies.
 void Links::relax(Group& g, double t, Motions& y) const {
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -351,7 +358,9 @@ bool Links::restore(int group, double t, Motions& y) {
     factor(g);
     const bool stuck = round > 1 && !(worst < 0.5 * before) && worst < kMissed;
     if (worst <= kClosed || stuck || round == kMostCorrections) break;
+    restoring_work_ += evaluation_work(group);
     if (round > 2 && !(worst < 0.5 * before)) {
+      restoring_work_ += kSweeps * kRowWork * rows;
       relax(g, t, y);
       continue;
     }

@@ -60,6 +60,10 @@ class Links {
   // The part of `change` that the links let through.
   void let_through(int group, double t, const Motions& y, Eigen::Matrix3Xd& change);
 
+  // What add_forces() costs each time, and all calls of restore() have cost, in units of Tracks::flight_work().
+  [[nodiscard]] std::int64_t evaluation_work(int group) const;
+  [[nodiscard]] std::int64_t restoring_work() const { return restoring_work_; }
+
   // The strings of a group, as indices of links.
   [[nodiscard]] const std::vector<int>& strings(int group) const { return groups_[group].strings; }
   [[nodiscard]] double length(int link) const { return links_[link].length; }  // m, of a rod or a string
@@ -145,6 +149,7 @@ class Links {
   std::vector<Group> groups_;
   std::vector<std::optional<Drive>> drives_;  // by body
   MassProperties mass_;
+  std::int64_t restoring_work_ = 0;
 };
 
 }  // namespace carom

@@ -41,7 +41,7 @@ void ForceField::each_kept(Self& field, Kept& kept, const Each& each) {
 template <class Self, class Kept, class Each>
 void Links::each_kept(Self& links, Kept& kept, const Each& each) {
   // What the groups hold is made anew before it is read.
-  auto& [laid, first_row, taut, groups, drives, mass] = links;
+  auto& [laid, first_row, taut, groups, drives, mass, restoring_work] = links;
   each(taut, kept.taut);
 }
 

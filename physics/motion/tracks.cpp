@@ -214,8 +214,10 @@ const Motions& Tracks::fly_group(const Island& island, double time) {
                     island.start, group.from, time - island.start, group.stages, group.now);
     const std::int64_t evaluations = evaluations_a_flight_ * static_cast<std::int64_t>(island.count);
     evaluations_ += evaluations;
-    flight_work_ += evaluations * (field_.attracts() ? 1 + island.count / 8 : 1);
+    flight_work_ += evaluations * (field_.attracts() ? 1 + island.count / 8 : 1) +
+                    evaluations_a_flight_ * links_.evaluation_work(island.group) - links_.restoring_work();
     group.missed = !links_.restore(island.group, epoch_ + time, group.now);
+    flight_work_ += links_.restoring_work();
   }
   return group.now;
 }
@@ -258,7 +260,7 @@ Eigen::Vector3d Tracks::acceleration(int body) {
 const Motions& Tracks::rates_of(const Island& island, double time, const Motions& y) {
   Motions& rates = groups_[island.group].stages.k[0];
   Together{field_, links_, island.group, members_of(island), epoch_}(time, y, rates);
-  flight_work_ += island.count;
+  flight_work_ += island.count + links_.evaluation_work(island.group);
   return rates;
 }
 

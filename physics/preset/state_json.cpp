@@ -31,6 +31,10 @@ class StateWriter {
   Json json = Json::object();
 
   void value(const char* key, double x) { json[key] = finite(key, x); }
+  template <class T>
+  void later(const char* key, T x) {
+    value(key, x);
+  }
   void value(const char* key, std::int64_t x) { json[key] = x; }
   void value(const char* key, int x) { json[key] = x; }
   void value(const char* key, bool x) { json[key] = x; }
@@ -118,6 +122,11 @@ class StateReader {
   void finish() const { reader_.finish(); }
 
   void value(const char* key, double& x) { x = finite(required(key), reader_.at(key)); }
+  // A file may be older than such a value.
+  template <class T>
+  void later(const char* key, T& x) {
+    if (reader_.find(key) != nullptr) value(key, x);
+  }
   void value(const char* key, std::int64_t& x) { x = whole<std::int64_t>(required(key), reader_.at(key)); }
   void value(const char* key, int& x) { x = whole<int>(required(key), reader_.at(key)); }
   void value(const char* key, bool& x) { x = flag(required(key), reader_.at(key)); }
@@ -267,25 +276,26 @@ constexpr auto kLedger = [](auto& a, auto& ledger) {
 
 constexpr auto kNotices = [](auto& a, auto& notices) {
   auto& [resting, collapsed, impacts_capped, log_cut, tolerance_missed, search_cut, gained_since, gained,
-         unsolved, lowered, links_missed, state_left, switches_missed, work_spent, pairs_cut,
+         unsolved, lowered, links_missed, state_left, switches_missed, work_spent, energy_made, pairs_cut,
          contacts_left_since, contacts_left] = notices;
-  a.value("resting_since", resting);
-  a.value("collapsed_since", collapsed);
-  a.value("impacts_capped_since", impacts_capped);
-  a.value("log_cut_since", log_cut);
-  a.value("tolerance_missed_since", tolerance_missed);
-  a.value("search_cut_since", search_cut);
-  a.value("gained_since", gained_since);
-  a.value("gained", gained);
-  a.value("cluster_unsolved_since", unsolved);
-  a.value("restitution_lowered_since", lowered);
-  a.value("links_missed_since", links_missed);
-  a.value("state_left_since", state_left);
-  a.value("switches_missed_since", switches_missed);
-  a.value("work_spent_since", work_spent);
-  a.value("pairs_cut_since", pairs_cut);
-  a.value("contacts_left_since", contacts_left_since);
-  a.value("contacts_left", contacts_left);
+  a.later("resting_since", resting);
+  a.later("collapsed_since", collapsed);
+  a.later("impacts_capped_since", impacts_capped);
+  a.later("log_cut_since", log_cut);
+  a.later("tolerance_missed_since", tolerance_missed);
+  a.later("search_cut_since", search_cut);
+  a.later("gained_since", gained_since);
+  a.later("gained", gained);
+  a.later("cluster_unsolved_since", unsolved);
+  a.later("restitution_lowered_since", lowered);
+  a.later("links_missed_since", links_missed);
+  a.later("state_left_since", state_left);
+  a.later("switches_missed_since", switches_missed);
+  a.later("work_spent_since", work_spent);
+  a.later("energy_made_since", energy_made);
+  a.later("pairs_cut_since", pairs_cut);
+  a.later("contacts_left_since", contacts_left_since);
+  a.later("contacts_left", contacts_left);
 };
 
 constexpr auto kWork = [](auto& a, auto& work) {
@@ -395,7 +405,7 @@ const auto kAhead = [](const Sizes& size) {
 template <class Archive, class Kept>
 void describe(Archive& a, Kept& state, const Sizes& size) {
   auto& [method, time, origin, origin_step, steps_since_origin, steps, impact_count, at_once, work, motions,
-         ledger, gravity_since, notices, tracks, contacts, ahead] = state;
+         ledger, gravity_since, peak_kinetic, energy_doubts, notices, tracks, contacts, ahead] = state;
   a.value("method", method);
   // The time stands at the head of the section.
   a.value("origin", origin);
@@ -410,6 +420,8 @@ void describe(Archive& a, Kept& state, const Sizes& size) {
   a.rows("books", motions.books, size.bodies);
   a.object("ledger", ledger, kLedger);
   a.value("gravity_since", gravity_since);
+  a.later("peak_kinetic", peak_kinetic);
+  a.later("energy_doubts", energy_doubts);
   a.object("notices", notices, kNotices);
   a.object("tracks", tracks, kTracks(size));
   a.object("contacts", contacts, kContactMemory(size));

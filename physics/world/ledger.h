@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cmath>
+
 #include "physics/motion/state.h"
 #include "physics/scene/scene.h"
 
@@ -31,14 +34,23 @@ struct Ledger {
   Vec2 momentum_from_user = Vec2::Zero();
   Vec2 momentum_to_walls = Vec2::Zero();  // what impacts gave to fixed and driven bodies
 
+  [[nodiscard]] static constexpr auto energies() {
+    return std::array{&Ledger::initial,          &Ledger::lost_to_restitution, &Ledger::lost_to_friction,
+                      &Ledger::lost_to_rolling,  &Ledger::lost_to_sticking,    &Ledger::lost_to_drag,
+                      &Ledger::lost_to_dampers,  &Ledger::lost_to_links,       &Ledger::overlap_correction,
+                      &Ledger::put_in_by_drives, &Ledger::put_in_by_user};
+  }
+
+  // J: the sum of the energies' sizes; what is far below it may be rounding.
+  [[nodiscard]] double turnover() const {
+    double sum = 0.0;
+    for (double Ledger::*entry : energies()) sum += std::abs(this->*entry);
+    return sum;
+  }
+
   // Adds `share` times each entry of another one.
   void add(double share, const Ledger& other) {
-    for (double Ledger::*entry :
-         {&Ledger::initial, &Ledger::lost_to_restitution, &Ledger::lost_to_friction, &Ledger::lost_to_rolling,
-          &Ledger::lost_to_sticking, &Ledger::lost_to_drag, &Ledger::lost_to_dampers, &Ledger::lost_to_links,
-          &Ledger::overlap_correction, &Ledger::put_in_by_drives, &Ledger::put_in_by_user}) {
-      this->*entry += share * other.*entry;
-    }
+    for (double Ledger::*entry : energies()) this->*entry += share * other.*entry;
     for (Vec2 Ledger::*entry :
          {&Ledger::initial_momentum, &Ledger::momentum_from_gravity, &Ledger::momentum_from_forces,
           &Ledger::momentum_from_user, &Ledger::momentum_to_walls}) {

@@ -40,6 +40,9 @@ std::string Notices::text() const {
       Entry{work_spent_since,
             "from t = {:.6g} s the search for impacts takes more than a step may cost: what is left of them is "
             "resolved at each step's end"},
+      Entry{energy_made_since,
+            "from t = {:.6g} s most of the kinetic energy is the method's own making: take shorter "
+            "steps"},
       Entry{
           pairs_cut_since,
           "from t = {:.6g} s more bodies lie within one another than are looked at in a step: some pairs were "

@@ -31,7 +31,8 @@ template <class Self, class Kept, class Each>
 void Simulation::each_kept(Self& simulation, Kept& kept, const Each& each) {
   auto& [scene, method, needs, bodies, mass, shapes, tracks, driven, material, mixed, materials,  // the model
          state, time, step_end, origin, origin_step, steps_since_origin, steps, impact_count,
-         impacts_before_step, ledger, gravity_since, notices, lost, last_good, work, impacts, jumps,
+         impacts_before_step, ledger, gravity_since, peak_kinetic, energy_doubts, notices, lost, last_good,
+         work, impacts, jumps,
          watch_impacts,  // the run
          running, reach, epoch_length, last_impact, at_once, grid, queue, stamp, deferred, due, due_islands,
          is_due, near_pairs, track_ends, stretch, touches, cluster,
@@ -49,6 +50,8 @@ void Simulation::each_kept(Self& simulation, Kept& kept, const Each& each) {
   each(state, kept.motions);
   each(ledger, kept.ledger);
   each(gravity_since, kept.gravity_since);
+  each(peak_kinetic, kept.peak_kinetic);
+  each(energy_doubts, kept.energy_doubts);
   each(notices, kept.notices);
   each_kept_of_contacts(lasting, kept.contacts, each);
   if (!kept.ahead) return;

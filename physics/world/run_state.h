@@ -60,6 +60,8 @@ struct RunState {
   State motions;               // at `time`
   Ledger ledger;               // without the work of the smooth forces, which the motions carry
   double gravity_since = 0.0;  // s
+  double peak_kinetic = 0.0;   // J
+  int energy_doubts = 0;
   Notices notices;
   TrackState tracks;
   ContactMemory contacts;

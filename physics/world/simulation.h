@@ -84,6 +84,8 @@ struct Notices {
   double switches_missed_since = -1.0;
   // The search for impacts cost more than a step may (StepWork): what was left of them was resolved at its end.
   double work_spent_since = -1.0;
+  // The method itself has made three quarters of the kinetic energy.
+  double energy_made_since = -1.0;
   // More bodies lay within one another than BroadPhase::most_pairs() allows: the other pairs were left alone.
   double pairs_cut_since = -1.0;
 
@@ -246,6 +248,7 @@ class Simulation {
   void lay_out();  // arrays from bodies_
   void publish(double within);
   void check_motions() const;  // throws LostMotion
+  void check_energy();
   void make_step(double h);
   void give_up(const LostMotion& lost);
   void resolve_at_end(const std::vector<WaitingPair>& pairs, double h);
@@ -363,6 +366,8 @@ class Simulation {
   std::int64_t impacts_before_step_ = 0;
   Ledger ledger_;               // without the work of the smooth forces, which the state carries
   double gravity_since_ = 0.0;  // s: ledger_.momentum_from_gravity holds what came before
+  double peak_kinetic_ = 0.0;   // J: the most up to now
+  int energy_doubts_ = 0;       // see check_energy()
   Notices notices_;
   std::optional<LostRun> lost_;
   LastGood last_good_;

@@ -19,4 +19,14 @@ Totals totals(const State& state, const MassProperties& mass, const ForceField& 
   return t;
 }
 
+double kinetic_energy(const State& state, const MassProperties& mass) {
+  double energy = 0.0;
+  for (int i = 0; i < state.size(); ++i) {
+    if (!(mass.inverse_mass[i] > 0.0)) continue;
+    energy += 0.5 * mass.mass[i] * state.v.col(i).head<2>().squaredNorm() +
+              0.5 * mass.inertia[i] * state.v(2, i) * state.v(2, i);
+  }
+  return energy;
+}
+
 }  // namespace carom

@@ -18,5 +18,6 @@ struct Totals {
 };
 
 [[nodiscard]] Totals totals(const State& state, const MassProperties& mass, const ForceField& field);
+[[nodiscard]] double kinetic_energy(const State& state, const MassProperties& mass);
 
 }  // namespace carom

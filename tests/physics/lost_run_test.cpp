@@ -137,5 +137,37 @@ TEST(LostRun, PosesThatAreNoNumbersLieNowhereNear) {
   EXPECT_FALSE(contact_between(g, 0, {0, 0, 0}, 1, {1, nan, nan}).gap <= 0.0);
 }
 
+// Before it is lost, and where impacts keep it within bounds.
+TEST(LostRun, EnergyThatTheMethodMakesIsSaid) {
+  for (const IntegratorId id : {IntegratorId::kExplicitEuler, IntegratorId::kSemiImplicitEuler,
+                                IntegratorId::kVelocityVerlet, IntegratorId::kRk4}) {
+    Simulation run(stiff_spring(id));
+    run.step();
+    run.step();
+    run.step();
+    EXPECT_FALSE(run.lost());
+    EXPECT_NE(run.status().find("the method's own making"), std::string::npos)
+        << choice_of(kIntegrators, id).name;
+    EXPECT_LE(run.notices().energy_made_since, 0.015);
+  }
+}
+
+TEST(LostRun, EnergyThatTheSceneHasIsNotTheMethods) {
+  // Falls 20 m, bounces and comes to rest; and a swing under a method that keeps its energy within bounds.
+  Scene falls = test::scene({disc("a", {0, 20}, {1, 0}), test::wall("floor", {0, -1}, 80, 2)}, 0.5);
+  falls.forces.gravity = {0, -9.81};
+  Scene swings = stiff_spring(IntegratorId::kVelocityVerlet);
+  swings.forces.springs[0].stiffness = 100.0;
+  for (Scene s : {falls, swings}) {
+    for (const ContactsId contacts : {ContactsId::kImpulse, ContactsId::kLasting}) {
+      s.method.contacts = contacts;
+      s.method.step = 0.01;
+      Simulation run(s);
+      run.advance_to(20.0);
+      EXPECT_LT(run.notices().energy_made_since, 0.0) << run.status();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom

@@ -4,6 +4,9 @@
 
 #include "physics/preset/preset.h"
 #include "physics/scene/limits.h"
+#include "physics/world/run_state.h"
+#include "physics/world/simulation.h"
+#include "tests/physics/scenes.h"
 
 namespace carom {
 namespace {
@@ -116,6 +119,33 @@ TEST(PresetLimits, LinksThatHoldOnToOneAnotherAreCounted) {
     return fmt::format(R"({{"type":"string","body":"a","anchor":[{},0],"length":2000}})", i);
   };
   EXPECT_NE(refusal(with_list("links", 501, hung, kTwoDiscs)), "");
+}
+
+// Two chains whose ends meet and stick: the run may be saved and go on, but none may begin so.
+TEST(PresetLimits, WhatHasStuckTogetherInARunMayBeMore) {
+  Scene s;
+  s.title = "t";
+  s.materials = {{.name = "glue", .sticks = true}};
+  for (int i = 0; i <= 502; ++i) {
+    if (i == 251) continue;  // the gap
+    Body b = test::disc(fmt::format("b{}", i), {i < 251 ? i : i - 1.79, 0.0}, {i < 251 ? 1.0 : -1.0, 0.0});
+    b.material = "glue";
+    s.bodies.push_back(b);
+    if (i == 0 || i == 252) continue;
+    Link l;
+    l.kind = LinkKind::kRod;
+    l.body = fmt::format("b{}", i - 1);
+    l.to = b.name;
+    s.links.push_back(l);
+  }
+  s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kImpulse, 0.01};
+  Simulation run(s);
+  run.step();
+  ASSERT_EQ(run.links().size(), 501U) << run.status();
+  Scene saved = saved_scene(s, run);
+  EXPECT_EQ(refusal(write_preset(saved)), "");
+  saved.saved.reset();
+  EXPECT_NE(refusal(write_preset(saved)).find("linked with one another"), std::string::npos);
 }
 
 TEST(PresetLimits, CurvesOfAllPlotsAreCounted) {

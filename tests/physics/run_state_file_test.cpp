@@ -72,8 +72,8 @@ TEST(RunStateFile, NoticesAndSumsStay) {
   for (double Notices::*entry :
        {&Notices::resting_since, &Notices::collapsed_since, &Notices::impacts_capped_since,
         &Notices::log_cut_since, &Notices::search_cut_since, &Notices::gained_since, &Notices::gained,
-        &Notices::cluster_unsolved_since, &Notices::restitution_lowered_since, &Notices::contacts_left_since,
-        &Notices::contacts_left}) {
+        &Notices::energy_made_since, &Notices::cluster_unsolved_since, &Notices::restitution_lowered_since,
+        &Notices::contacts_left_since, &Notices::contacts_left}) {
     state.notices.*entry = next *= 1.1;
   }
   state.tracks.tolerance_missed_since = 0.07;
@@ -84,7 +84,7 @@ TEST(RunStateFile, NoticesAndSumsStay) {
   EXPECT_EQ(parting(all_of(saved, one), all_of(saved, two)), "");
   const std::string text = two.notices().text();
   EXPECT_EQ(text.find("scene was changed"), std::string::npos) << text;
-  EXPECT_EQ(std::count(text.begin(), text.end(), ';'), 11) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), ';'), 12) << text;
 }
 
 TEST(RunStateFile, WhatIsNoPhysicsMayChange) {
