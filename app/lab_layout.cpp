@@ -167,7 +167,10 @@ void LabWindow::make_body() {
   inner->addWidget(restore_bar_);
   lost_bar_ = new NoticeBar;
   connect(lost_bar_, &NoticeBar::accepted, this, &LabWindow::restart);
-  connect(lost_bar_, &NoticeBar::dismissed, lost_bar_, &QWidget::hide);
+  connect(lost_bar_, &NoticeBar::dismissed, this, [this] {
+    lost_bar_->hide();
+    show_notices();
+  });
   lost_bar_->hide();
   inner->addWidget(lost_bar_);
   inner->addWidget(columns, 1);

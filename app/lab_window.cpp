@@ -49,6 +49,7 @@ LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   make_menus();
   make_tool_bar();
   fill_library();
+  setMinimumSize(900, 600);  // below it the tool bar is cut
   resize(1280, 800);
   view_->setFocus();  // so that the keys of the scene work at once
   connect(&timer_, &QTimer::timeout, this, &LabWindow::poll);
@@ -99,6 +100,8 @@ void LabWindow::show_scene(const Scene& scene, const QString& name, const QStrin
   before_usual_.reset();
   reference_ = scene.compare.empty() ? ReferenceId::kNone : usual_reference(scene);
   worker_->load(scene, plots_->curves(), reference_);
+  constexpr int kSoon = 200;  // ms: a scene that is there by then flashes no notice
+  QTimer::singleShot(kSoon, this, &LabWindow::show_preparing);
   view_->set_view(scene.view);
   transport_->set_duration(duration_);
   list_->set_current(name);
@@ -112,6 +115,15 @@ void LabWindow::show_scene(const Scene& scene, const QString& name, const QStrin
   mark_changed(false);
   show_method();
   show_needs();
+}
+
+// A large scene takes seconds to be ready; nothing of the one before may stand for it.
+void LabWindow::show_preparing() {
+  if (frame_ != nullptr) return;
+  view_->clear();
+  time_chip_->setText("t = …");
+  speed_chip_->setText(TransportBar::speed_text(speed_));
+  show_notices();
 }
 
 Scene LabWindow::scene() const {
@@ -175,6 +187,11 @@ void LabWindow::closeEvent(QCloseEvent* event) {
 
 void LabWindow::set_playing(bool playing) {
   if (playing) forget_wait();
+  // Nothing moves any more: what to do about it is said once more.
+  if (playing && frame_ != nullptr && frame_->lost) {
+    lost_bar_->show();
+    return show_notices();
+  }
   // Play stops at the experiment's end; pressed again there, it goes on.
   worker_->set_playing(playing, duration_);
 }
@@ -196,12 +213,14 @@ void LabWindow::when_still(const QString& what, std::function<void()> then) {
 // Not from within what told of the frame.
 void LabWindow::go_on() {
   QTimer::singleShot(0, this, std::exchange(then_, nullptr));
-  waits_.clear();
+  forget_wait();
 }
 
 void LabWindow::forget_wait() {
   then_ = nullptr;
+  if (waits_.isEmpty()) return;
   waits_.clear();
+  show_notices();
 }
 
 void LabWindow::change_method(const Method& method, std::size_t run) {
@@ -329,11 +348,14 @@ void LabWindow::follow_bodies() {
 }
 
 void LabWindow::show_notices() {
-  if (frame_ == nullptr) return;
   QStringList notices;
+  if (frame_ == nullptr) notices << tr("preparing the scene …");
   if (!waits_.isEmpty()) notices << waits_;
   if (!not_kept_.isEmpty()) notices << not_kept_;
-  if (frame_->status != "ok") notices << QString::fromStdString(frame_->status);
+  show_lost();
+  // The bar says it whole.
+  const bool said = frame_ != nullptr && frame_->lost && lost_bar_->isVisibleTo(this);
+  if (frame_ != nullptr && frame_->status != "ok" && !said) notices << QString::fromStdString(frame_->status);
   for (const auto& frame : frames_) {
     if (frame->rows_known_until < frame->time) {
       notices << tr("going through the run again: t = %1 s").arg(frame->rows_known_until, 0, 'f', 1);
@@ -341,7 +363,6 @@ void LabWindow::show_notices() {
       notices << tr("another method catches up: t = %1 s").arg(frame->time, 0, 'f', 1);
     }
   }
-  show_lost();
   status_ = notices.join("; ");
   status_chip_->setVisible(!status_.isEmpty());
   status_chip_->setToolTip(plain_tip(status_));

@@ -124,6 +124,7 @@ class LabWindow : public QMainWindow {
   [[nodiscard]] std::vector<RunLog> runs() const;
   void mark_changed(bool changed);
   void restart();
+  void show_preparing();
   void show_notices();
   void show_lost();
   void follow_bodies();  // those that come in again after a restart

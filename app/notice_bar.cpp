@@ -1,6 +1,7 @@
 #include "app/notice_bar.h"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QPushButton>
 
 #include "widgets/plain_text.h"
@@ -17,11 +18,29 @@ NoticeBar::NoticeBar(QWidget* parent)
   row->addWidget(text_, 1);
   for (QPushButton* button : {accept_, dismiss_}) {
     button->setFocusPolicy(Qt::TabFocus);
+    button->installEventFilter(this);
     row->addWidget(button, 0, Qt::AlignVCenter);
   }
   connect(accept_, &QPushButton::clicked, this, &NoticeBar::accepted);
   connect(dismiss_, &QPushButton::clicked, this, &NoticeBar::dismissed);
   hide();
+}
+
+// Keys that press the button which has the focus, though the window has other uses for them.
+bool NoticeBar::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
+    return QFrame::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  const bool is_return = key == Qt::Key_Return || key == Qt::Key_Enter;
+  if (event->type() == QEvent::ShortcutOverride && (is_return || key == Qt::Key_Space)) {
+    event->accept();
+    return true;
+  }
+  if (event->type() == QEvent::KeyPress && is_return) {
+    static_cast<QPushButton*>(watched)->click();
+    return true;
+  }
+  return QFrame::eventFilter(watched, event);
 }
 
 void NoticeBar::say(const QString& text, const QString& accept, const QString& dismiss) {

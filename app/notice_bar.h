@@ -22,6 +22,9 @@ class NoticeBar : public QFrame {
   void accepted();
   void dismissed();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   QLabel* text_;
   QPushButton* accept_;

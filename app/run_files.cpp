@@ -65,7 +65,8 @@ std::string csv_header(const std::vector<Quantity>& columns, const std::vector<B
       if (column.less.x != nullptr) heading += ", x = " + name_of(*column.less.x, column.less.x_bodies);
     }
     std::string unit(column.observable->unit);
-    for (std::size_t at; (at = unit.find("²")) != std::string::npos;) unit.replace(at, 2, "^2");
+    for (std::size_t at; (at = unit.find("²")) != std::string::npos;)
+      unit = fmt::format("{}^2{}", unit.substr(0, at), unit.substr(at + 2));
     line += separator;
     line += csv_field(fmt::format("{} [{}]", heading, unit), separator);
   }

@@ -119,6 +119,7 @@ FigureTable::FigureTable(FigureModel* model, QWidget* parent) : QTableView(paren
   setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setCornerButtonEnabled(false);
+  setTabKeyNavigation(false);  // Tab leads on to the next widget
   verticalHeader()->hide();
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   verticalHeader()->setDefaultSectionSize(kRowHeight);

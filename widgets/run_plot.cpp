@@ -19,6 +19,7 @@
 #include "widgets/distribution.h"
 #include "widgets/elided_label.h"
 #include "widgets/legend_button.h"
+#include "widgets/legend_row.h"
 #include "widgets/number_text.h"
 #include "widgets/plain_text.h"
 #include "widgets/plot_axes.h"
@@ -68,11 +69,12 @@ void RunPlot::build_header() {
   header->addWidget(title);
   header->addWidget(unit_);
   header->addStretch(1);
+  auto* legend = new LegendRow(this);
+  header->addWidget(legend);
   for (const PlotLine& line : content_.lines) {
     auto* button = new LegendButton(content_.legend(line), line.tip, this);
     lines_.push_back({button, {}});
-    header->addWidget(button);
-    button->setVisible(!button->text().isEmpty());
+    legend->add(button);
     connect(button, &LegendButton::toggled, this, [this, i = lines_.size() - 1](bool shown) {
       for (std::size_t k = 0; k < runs_.size(); ++k)
         lines_[i].items[k].item->setVisible(shown && runs_[k].shown);
@@ -80,7 +82,7 @@ void RunPlot::build_header() {
     });
   }
   if (LegendButton* theory = theories_->button(); theory != nullptr) {
-    header->addWidget(theory);
+    legend->add(theory);
     connect(theory, &LegendButton::toggled, this, [this](bool shown) {
       theories_->set_shown(shown);
       emit curvesChanged();
@@ -88,7 +90,7 @@ void RunPlot::build_header() {
   }
   for (std::size_t i = 0; distribution_ != nullptr && i < distribution_->buttons().size(); ++i) {
     LegendButton* button = distribution_->buttons()[i];
-    header->addWidget(button);
+    legend->add(button);
     connect(button, &LegendButton::toggled, this, [this, i](bool shown) {
       distribution_->set_shown(i, shown);
       emit curvesChanged();

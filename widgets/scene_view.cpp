@@ -77,6 +77,15 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame, OtherRuns others) 
   follow_tip();
 }
 
+void SceneView::clear() {
+  frame_.reset();
+  others_ = {};
+  impacts_.clear();
+  peaks_ = {};
+  refresh();
+  follow_tip();
+}
+
 void SceneView::set_options(const DrawingOptions& options) {
   options_ = options;
   refresh();

@@ -26,6 +26,8 @@ class SceneView : public QWidget {
   void set_theme(const Theme& theme);
   // And other runs beside it.
   void set_frame(std::shared_ptr<const Frame> frame, OtherRuns others = {});
+  // Nothing to show, until the next frame.
+  void clear();
   void set_options(const DrawingOptions& options);
   [[nodiscard]] const DrawingOptions& options() const { return options_; }
   // What to show from here on, for a new scene: a view of its own, or all its bodies. Arrows are scaled anew.

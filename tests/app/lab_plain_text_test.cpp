@@ -163,6 +163,7 @@ TEST_F(LabPlainText, NothingInItsDialogsIsHtml) {
       if (action->text() != text) continue;
       EXPECT_GT(look_at_dialog([&] { action->trigger(); }), 3) << text.toStdString();
       ++dialogs;
+      break;  // others may have gone meanwhile
     }
   }
   EXPECT_EQ(dialogs, 5);

@@ -1,6 +1,7 @@
 #include "physics/motion/integrators.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "physics/preset/preset.h"
@@ -40,7 +41,7 @@ double fitted_order(const Scene& s, Method m, const std::vector<double>& steps, 
   return fitted_order(steps, errors);
 }
 
-Scene preset(const std::string& file) { return read_preset(std::string(CAROM_PRESET_DIR) + "/" + file); }
+Scene preset(const std::string& file) { return read_preset(fmt::format("{}/{}", CAROM_PRESET_DIR, file)); }
 
 TEST(Integrators, SmoothOrderIsThatOfTheTable) {
   Scene s = scene({disc("d", {1.0, 0.0}, {0.0, 1.0}, 0.1, 0.5)});

@@ -1,0 +1,110 @@
+#include "widgets/legend_row.h"
+
+#include <QEvent>
+#include <QMenu>
+#include <algorithm>
+
+#include "widgets/legend_button.h"
+
+namespace carom {
+namespace {
+
+constexpr int kGap = 4;           // px
+constexpr int kMorePadding = 24;  // px, with the arrow
+
+}  // namespace
+
+LegendRow::LegendRow(QWidget* parent) : QWidget(parent), more_(new QToolButton(this)) {
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  more_->setPopupMode(QToolButton::InstantPopup);
+  more_->setMenu(new QMenu(more_));
+  more_->setToolTip(tr("Curves that have no room here"));
+  more_->hide();
+  connect(more_->menu(), &QMenu::aboutToShow, this, &LegendRow::fill_menu);
+}
+
+void LegendRow::add(LegendButton* button) {
+  if (button->text().isEmpty()) {
+    button->setParent(this);
+    button->hide();
+    return;
+  }
+  button->setParent(this);
+  buttons_.push_back(button);
+  updateGeometry();
+  place();
+}
+
+int LegendRow::whole_width() const {
+  int width = 0;
+  for (const LegendButton* button : buttons_) width += button->sizeHint().width() + kGap;
+  return std::max(width - kGap, 0);
+}
+
+QSize LegendRow::sizeHint() const {
+  int height = 0;
+  for (const LegendButton* button : buttons_) height = std::max(height, button->sizeHint().height());
+  return {whole_width(), height};
+}
+
+QSize LegendRow::minimumSizeHint() const { return {std::min(kLeastWidth, whole_width()), sizeHint().height()}; }
+
+void LegendRow::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  place();
+}
+
+bool LegendRow::event(QEvent* event) {
+  // A button's name or font is another.
+  if (event->type() == QEvent::LayoutRequest) {
+    updateGeometry();
+    place();
+  }
+  return QWidget::event(event);
+}
+
+void LegendRow::place() {
+  const auto more_text = [](std::size_t count) { return tr("+ %1 more").arg(count); };
+  const int more_width = more_->fontMetrics().horizontalAdvance(more_text(buttons_.size())) + kMorePadding;
+  const auto least = [](const LegendButton* button) { return button->minimumSizeHint().width() + kGap; };
+  int needed = 0;
+  for (const LegendButton* button : buttons_) needed += least(button);
+  shown_ = buttons_.size();
+  int room = width() + kGap;
+  if (needed > room) {
+    room -= more_width + kGap;
+    while (shown_ > 0 && needed > room) needed -= least(buttons_[--shown_]);
+  }
+
+  // What is left over the least widths goes to the names, in turn.
+  int spare = room - needed;
+  int x = 0;
+  for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    LegendButton* button = buttons_[i];
+    button->setVisible(i < shown_);
+    if (i >= shown_) continue;
+    const int wish = button->sizeHint().width() - button->minimumSizeHint().width();
+    const int share = std::min(wish, spare / static_cast<int>(shown_ - i));
+    spare -= share;
+    const int width = button->minimumSizeHint().width() + share;
+    button->setGeometry(x, (height() - button->sizeHint().height()) / 2, width, button->sizeHint().height());
+    x += width + kGap;
+  }
+  more_->setVisible(shown_ < buttons_.size());
+  more_->setText(more_text(buttons_.size() - shown_));
+  more_->setGeometry(x, 0, more_width, height());
+}
+
+void LegendRow::fill_menu() {
+  QMenu* menu = more_->menu();
+  menu->clear();
+  for (std::size_t i = shown_; i < buttons_.size(); ++i) {
+    LegendButton* button = buttons_[i];
+    QAction* action = menu->addAction(QString(button->text()).replace('&', "&&"));
+    action->setCheckable(true);
+    action->setChecked(button->isChecked());
+    connect(action, &QAction::toggled, button, &LegendButton::setChecked);
+  }
+}
+
+}  // namespace carom

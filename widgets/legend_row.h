@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QToolButton>
+#include <QWidget>
+#include <vector>
+
+namespace carom {
+
+class LegendButton;
+
+// The legend over a plot, in one line. Names are shortened where room is short; what has no room at all stands
+// in the menu of a last button, "+ 12 more". However many curves there are, it needs no more than kLeastWidth.
+class LegendRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  static constexpr int kLeastWidth = 90;  // px
+
+  explicit LegendRow(QWidget* parent = nullptr);
+
+  // Takes it as its child. One without a name is never shown.
+  void add(LegendButton* button);
+
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  void place();
+  void fill_menu();
+  [[nodiscard]] int whole_width() const;  // px, of all names
+
+  std::vector<LegendButton*> buttons_;
+  std::size_t shown_ = 0;  // the first ones; the others stand in the menu
+  QToolButton* more_;
+};
+
+}  // namespace carom
