@@ -61,10 +61,7 @@ class SchemaValidator {
 
 std::vector<Json> good_presets() {
   std::vector<Json> presets;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(CAROM_PRESET_DIR)) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  }
+  std::vector<fs::path> files = test::preset_files();
   for (const auto& entry : fs::directory_iterator(fs::path(CAROM_FUZZ_DIR) / "seeds"))
     files.push_back(entry.path());
   std::sort(files.begin(), files.end());

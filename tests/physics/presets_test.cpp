@@ -19,16 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::content;
+using test::preset_files;
 using test::PresetFiles;
-
-std::vector<fs::path> preset_files() {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(CAROM_PRESET_DIR)) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 // Characters, not bytes.
 std::size_t length(const std::string& text) {

@@ -8,6 +8,7 @@
 
 #include "physics/motion/integrators.h"
 #include "physics/scene/needs.h"
+#include "tests/physics/preset_files.h"
 #include "tests/physics/random_scene.h"
 #include "tests/physics/resumed_run.h"
 
@@ -21,18 +22,10 @@ namespace fs = std::filesystem;
 using test::all_of;
 using test::events_of;
 using test::parting;
+using test::preset_files;
 using test::saved_and_read;
 
 bool long_tests() { return std::getenv("CAROM_LONG_TESTS") != nullptr; }
-
-std::vector<fs::path> preset_files() {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(CAROM_PRESET_DIR)) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 // Runs in one go until the time, or until so many impacts, with the steps it takes; then once more, saved after
 // each of `parts` but the last. What differed, or nothing.
@@ -77,11 +70,7 @@ TEST_P(PresetRunState, GoesOnForTheSameBytesUnderEveryMethod) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PresetRunState, testing::ValuesIn(preset_files()), [](const auto& file) {
-  std::string name = file.param.stem().string();
-  std::erase(name, '-');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(All, PresetRunState, testing::ValuesIn(preset_files()), test::preset_test_name);
 
 // A random scene that may have strings, rods that hold bodies at rest, and surfaces that stick.
 Scene linked_scene(std::uint64_t seed) {

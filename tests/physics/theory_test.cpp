@@ -8,6 +8,7 @@
 #include "physics/experiment/sampler.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
+#include "tests/physics/preset_files.h"
 #include "tests/physics/scenes.h"
 
 // Closed forms beside what is measured: their residuals, and that of every preset that states one.
@@ -75,10 +76,9 @@ const std::map<std::string, Bound> kBounds = {
 TEST(Theory, OfEachPresetIsWhatItsMethodGives) {
   std::size_t lines = 0;
   std::map<std::string, int> seen;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(CAROM_PRESET_DIR)) {
-    if (entry.path().extension() != ".json") continue;
-    const Scene scene = read_preset(entry.path());
-    const std::string name = entry.path().stem().string();
+  for (const std::filesystem::path& file : test::preset_files()) {
+    const Scene scene = read_preset(file);
+    const std::string name = file.stem().string();
     for (const Plot& plot : scene.plots) {
       for (const QuantityName& line : plot.y) {
         if (line.theory.empty()) continue;

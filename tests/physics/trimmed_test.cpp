@@ -5,6 +5,7 @@
 
 #include "physics/motion/integrators.h"
 #include "physics/preset/preset.h"
+#include "tests/physics/preset_files.h"
 #include "tests/physics/random_scene.h"
 #include "tests/physics/scenes.h"
 
@@ -71,11 +72,10 @@ const std::map<std::string, double> kUntil = {{"ball-in-a-box", 5.0},    {"billi
 
 TEST(Trimmed, PresetsMoveAsUntrimmed) {
   int presets = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(CAROM_PRESET_DIR)) {
-    if (entry.path().extension() != ".json") continue;
+  for (const std::filesystem::path& file : test::preset_files()) {
     ++presets;
-    const Scene scene = read_preset(entry.path());
-    const std::string name = entry.path().stem().string();
+    const Scene scene = read_preset(file);
+    const std::string name = file.stem().string();
     const auto until = kUntil.find(name);
     expect_same(scene, until == kUntil.end() ? scene.duration : std::min(until->second, scene.duration), name,
                 true);
