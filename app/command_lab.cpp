@@ -107,7 +107,7 @@ int lab_command(int& argc, char** argv, const std::string& preset) {
     picture.window = true;
     picture.output = QDir::current().filePath("carom-lab.png").toStdString();
     picture_command(argc, argv, picture);
-    print_out("\npicture of the lab: {}\n", picture.output);
+    print_out("\npicture of the lab: {}\n", printable(picture.output));
     return kGood;
   }
   QApplication application(argc, argv);

@@ -352,6 +352,9 @@ int run_command_line(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     print_error("there is not enough memory for this");
     return kBadInput;
+  } catch (const std::exception& error) {
+    print_error(error.what());
+    return kBadInput;
   }
 }
 

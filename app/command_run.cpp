@@ -98,9 +98,11 @@ int run_command(const RunOptions& options) {
   const std::string failures = outputs.commit();
   write_out(options.json ? report_json(find_preset(options.preset).stem().string(), simulation)
                          : report_text(scene, start, simulation));
+  if (const auto& lost = simulation.lost()) {
+    const std::string text = lost->text(simulation.bodies(), simulation.time());
+    throw RunLostError(failures.empty() ? text : text + "; " + failures);
+  }
   if (!failures.empty()) throw SceneError(failures);
-  if (const auto& lost = simulation.lost())
-    throw RunLostError(lost->text(simulation.bodies(), simulation.time()));
   return kGood;
 }
 

@@ -96,7 +96,11 @@ int study_command(int& argc, char** argv, const StudyCommandOptions& options) {
   if (picture != nullptr) {
     use_no_screen();
     const QApplication application(argc, argv);
-    write_study_picture(*picture, table, light_theme());
+    try {
+      write_study_picture(*picture, table, light_theme());
+    } catch (const SceneError& error) {
+      picture->give_up(error.what());  // the figures are good
+    }
   }
   const std::string failures = outputs.commit();
   write_out(study_text(table));

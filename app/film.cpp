@@ -42,6 +42,8 @@ std::vector<std::string> names_of_frames(const fs::path& folder) {
 }
 
 bool is_frame_of_carom(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(fs::symlink_status(file, error))) return false;  // a pipe would be waited for
   return QImageReader(QString::fromStdString(file.string())).text(kMarkName) == kMark;
 }
 
@@ -50,7 +52,11 @@ class MadeFolders {
  public:
   explicit MadeFolders(const fs::path& folder) {
     std::vector<fs::path> missing;
-    fs::path next = fs::absolute(folder).lexically_normal();
+    std::error_code nowhere;
+    fs::path next = fs::absolute(folder, nowhere).lexically_normal();
+    if (nowhere)
+      refuse_output(folder.string(), fmt::format("no frames can be written there ({})", nowhere.message()),
+                    "a folder with the right to write");
     if (next.filename().empty()) next = next.parent_path();
     for (std::error_code error; !fs::exists(next, error) && next != next.root_path(); next = next.parent_path())
       missing.push_back(next);
@@ -108,10 +114,13 @@ class FrameFiles {
     for (const std::string& name : names_of_frames(folder_)) {
       if (names_.contains(name)) continue;
       std::error_code error;
-      if (is_frame_of_carom(folder_ / name) && fs::remove(folder_ / name, error)) {
+      const bool own = is_frame_of_carom(folder_ / name);
+      if (own && fs::remove(folder_ / name, error)) {
         ++done.removed;
-      } else {
+      } else if (!own) {
         done.other.push_back(name);
+      } else {
+        done.stuck.push_back(name);
       }
     }
     return done;
@@ -187,9 +196,15 @@ std::vector<std::string> remarks(const FilmFrames& frames) {
   if (frames.removed > 0)
     lines.push_back(fmt::format("{} of a longer film that was there before are removed.",
                                 counted(static_cast<std::size_t>(frames.removed))));
+  if (!frames.stuck.empty())
+    lines.push_back(
+        fmt::format("{} of a longer film that was there before could not be removed, from {} on: take them "
+                    "away before this "
+                    "film is made.",
+                    counted(frames.stuck.size()), frames.stuck.front()));
   if (!frames.other.empty())
     lines.push_back(fmt::format(
-        "{} that Carom did not make stay there, from {} on: take them away before this film is made.",
+        "{} not made by Carom, from {} on, would become part of this film: take it out of the folder first.",
         counted(frames.other.size()), frames.other.front()));
   return lines;
 }

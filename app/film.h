@@ -46,6 +46,7 @@ struct FilmFrames {
   int removed = 0;  // of an older film by Carom, which was longer
   std::vector<std::string>
       other;  // further frames that Carom didn't make: they stay, and an encoder finds them
+  std::vector<std::string> stuck;   // of an older film by Carom, but not to be removed
   std::optional<std::string> lost;  // why the run could not go on, if so: the last frames show where it stands
 };
 // One line each for what of that a user should know, beside the number written.

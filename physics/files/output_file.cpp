@@ -140,7 +140,9 @@ void OutputFile::finish() {
 void OutputFile::commit() {
   finish();
   if (!temporary_) return;
-  if (const int error = temporary_->rename_to(place_.file); error != 0) fail(error);
+  if (const int error = temporary_->rename_to(place_.file, place_.kind == OutputPlace::Kind::kReplaced);
+      error != 0)
+    fail(error);
   temporary_.reset();
   if (!failure_.empty()) throw SceneError(failure_);
 }

@@ -25,7 +25,10 @@ fs::path folder_of(const fs::path& file, const std::string& name) {
   const fs::path parent = file.parent_path();
   fs::path folder = fs::canonical(parent.empty() ? "." : parent, error);
   if (error || !fs::is_directory(folder, error))
-    refuse_output(name, fmt::format("the folder {} is not there", parent.string()), "a folder that is there");
+    refuse_output(name,
+                  fmt::format("the folder {} is not there{}", parent.empty() ? "." : parent.string(),
+                              error == std::errc::permission_denied ? ", or shut" : ""),
+                  "a folder that is there");
   return folder;
 }
 

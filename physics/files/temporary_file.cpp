@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <fcntl.h>
 #include <poll.h>
 #include <random>
@@ -98,6 +99,11 @@ std::string random_name() {
   return name + ".part";
 }
 
+// Open files without a name, each of which takes one of the descriptors that a process may have (often 1024):
+// beyond this they get names, and are closed, as soon as they are whole.
+constexpr int kMostNameless = 100;
+std::atomic<int> nameless_open = 0;
+
 std::string open_file(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
 
 }  // namespace
@@ -123,7 +129,11 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& folder, mode_t mode)
   // Only the list of open files can give it a name later.
   if (descriptor_ >= 0 && access(open_file(descriptor_).c_str(), F_OK) != 0)
     close(std::exchange(descriptor_, -1));
-  if (descriptor_ >= 0) return;
+  if (descriptor_ >= 0) {
+    nameless_ = true;
+    ++nameless_open;
+    return;
+  }
   const int error = take_name([&](const char* path) {
     descriptor_ = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, mode);
     return descriptor_ >= 0;
@@ -132,29 +142,54 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& folder, mode_t mode)
 }
 
 TemporaryFile::~TemporaryFile() {
-  if (descriptor_ >= 0) close(descriptor_);
+  if (descriptor_ >= 0) close_it();
   forget(entry_, true);
+}
+
+// 0, or errno.
+int TemporaryFile::close_it() {
+  if (nameless_) --nameless_open;
+  nameless_ = false;
+  return close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno;
+}
+
+// 0, or errno. The file has none yet.
+int TemporaryFile::give_name() {
+  const std::string source = open_file(descriptor_);
+  return take_name([&](const char* path) {
+    return linkat(AT_FDCWD, source.c_str(), AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0;
+  });
 }
 
 int TemporaryFile::sync() {
   int synced = fsync(descriptor_) == 0 ? 0 : errno;
   if (synced == EINVAL || synced == ENOSYS || synced == ENOTSUP)
     synced = 0;  // this file system has no such thing
+  if (synced == 0 && entry_ == nullptr && nameless_open > kMostNameless) synced = give_name();
   if (entry_ == nullptr) return synced;
   // Over a network a full disk may show only here.
-  const int closed = close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno;
+  const int closed = close_it();
   return synced != 0 ? synced : closed;
 }
 
-int TemporaryFile::rename_to(const std::filesystem::path& file) {
-  if (entry_ == nullptr) {
+int TemporaryFile::rename_to(const std::filesystem::path& file, bool replace) {
+  if (entry_ == nullptr && !replace) {
     const std::string source = open_file(descriptor_);
-    const int error = take_name([&](const char* path) {
-      return linkat(AT_FDCWD, source.c_str(), AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0;
-    });
-    if (error != 0) return error;
+    return linkat(AT_FDCWD, source.c_str(), AT_FDCWD, file.c_str(), AT_SYMLINK_FOLLOW) == 0 ? 0 : errno;
   }
-  if (std::rename(entry_->path.c_str(), file.c_str()) != 0) return errno;
+  if (entry_ == nullptr) {
+    if (const int error = give_name(); error != 0) return error;
+  }
+  const char* const from = entry_->path.c_str();
+  if (!replace) {
+    if (renameat2(AT_FDCWD, from, AT_FDCWD, file.c_str(), RENAME_NOREPLACE) == 0) {
+      forget(entry_, false);
+      return 0;
+    }
+    // A file system that cannot do so replaces.
+    if (errno != EINVAL && errno != ENOSYS) return errno;
+  }
+  if (std::rename(from, file.c_str()) != 0) return errno;
   forget(entry_, false);
   return 0;
 }

@@ -5,8 +5,9 @@
 
 namespace carom {
 
-// A new file in a folder, open for writing: without a name, so that no end of the process leaves it behind, or,
-// where the file system has no such files, under one of its own (.carom-XXXXXXXXXXXX.part). It goes with this
+// A new file in a folder, open for writing: without a name, so that no end of the process leaves it behind, but
+// in the moment in which it replaces another. Where the file system has no such files, or very many are made at
+// once, it has a name of its own (.carom-XXXXXXXXXXXX.part). It goes with this
 // object, unless it was renamed, and where remove_temporaries_on_signals() was called also where a signal ends
 // the process. One thread at a time may use an object; different objects know nothing of each other.
 class TemporaryFile {
@@ -20,7 +21,8 @@ class TemporaryFile {
   [[nodiscard]] int descriptor() const { return descriptor_; }
   // 0, or errno. Nothing is written after sync().
   [[nodiscard]] int sync();
-  [[nodiscard]] int rename_to(const std::filesystem::path& file);
+  // Without `replace` EEXIST where the file is there by now, if the file system can tell.
+  [[nodiscard]] int rename_to(const std::filesystem::path& file, bool replace);
 
   struct Entry;
 
@@ -29,10 +31,13 @@ class TemporaryFile {
   // into the list.
   template <class Make>
   int take_name(const Make& make);
+  int give_name();
+  int close_it();
 
   std::filesystem::path folder_;
   Entry* entry_ = nullptr;  // in the list of all temporary files, while it has a name of its own
   int descriptor_ = -1;
+  bool nameless_ = false;
 };
 
 // A folder that goes, if it is empty then, on the same ends; keep() takes that back.

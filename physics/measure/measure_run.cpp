@@ -140,7 +140,13 @@ class Measuring {
       const std::int64_t impacts = run_.simulation.impact_count();
       const double start = run_.simulation.time();
       run_.step();
-      if (run_.simulation.lost()) break;  // what was not read so far never will be
+      if (run_.simulation.lost()) {
+        // What was not read so far never will be: a part of a run has no extremes, means or fits.
+        for (Measurement& m : all_) {
+          if (!m.done) m.value = kNever;
+        }
+        break;
+      }
       read_impacts(start, impacts);
       look();
     }

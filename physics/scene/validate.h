@@ -48,7 +48,9 @@ inline constexpr auto kRules = std::to_array<RuleText>({
     {Rule::kReferences,
      "Names of bodies and materials are those of the file; links, springs and forces act on bodies that are "
      "neither fixed nor driven, and not on one body twice."},
-    {Rule::kKeysTogether, "Of the keys of fixed, driven and massless bodies, and forces that stand once."},
+    {Rule::kKeysTogether,
+     "Some keys exclude others: a fixed body has no velocity, a driven one no mass, a massless one no density; "
+     "drag and attraction stand once."},
     {Rule::kShapeOfPolygon, "The vertices of a polygon are those of a convex one, in order."},
     {Rule::kOrderOfNumbers,
      "static_friction is at least kinetic_friction, the largest radius at least the least one, an end no "

@@ -41,6 +41,7 @@ void Simulation::step_with_located_impacts(double h) {
     epoch_length_ = std::max(epoch_length_, std::exp2(std::ceil(std::log2(h / kMostEpochs))));
     deferred_.clear();
     last_impact_ = -1.0;
+    stretch_ = 1.0;
     lay_all(steps ? h : kNever);
     running_ = true;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 
 #include "physics/motion/integrators.h"
@@ -114,6 +115,10 @@ void Simulation::go_on_from(const SavedRun& saved) {
 }
 
 Scene saved_scene(const Scene& document, const Simulation& simulation) {
+  if (const auto& lost = simulation.lost()) {
+    throw SceneError("the run cannot be saved as it stands: it is " +
+                     lost->text(simulation.bodies(), simulation.time()));
+  }
   Scene out = document;
   out.generators.clear();
   out.expect.clear();
@@ -122,16 +127,14 @@ Scene saved_scene(const Scene& document, const Simulation& simulation) {
   const State& state = simulation.state();
   // What a file may leave to the start must be said now.
   out.links = simulation.links();
+  std::unordered_map<std::string_view, double> angles;  // by body
+  for (const Body& b : out.bodies) angles.emplace(b.name, b.angle);
   for (std::size_t i = 0; i < out.links.size(); ++i) {
     Link& link = out.links[i];
     if (link.kind == LinkKind::kRod || link.kind == LinkKind::kString) {
       link.length = simulation.length(static_cast<int>(i));
     } else if (link.kind == LinkKind::kWeld && !link.angle) {
-      const auto angle_of = [&](const std::string& name) {
-        return std::find_if(out.bodies.begin(), out.bodies.end(), [&](const Body& b) { return b.name == name; })
-            ->angle;
-      };
-      link.angle = angle_of(link.body) - (link.to.empty() ? 0.0 : angle_of(link.to));
+      link.angle = angles.at(link.body) - (link.to.empty() ? 0.0 : angles.at(link.to));
     }
   }
   for (int i = 0; i < state.size(); ++i) {
@@ -143,14 +146,11 @@ Scene saved_scene(const Scene& document, const Simulation& simulation) {
     b.spin = state.v(2, i);
   }
   out.saved = SavedRun{.time = simulation.time()};
-  // Of a run that is lost only the last good step's end is left.
-  if (!simulation.lost()) {
-    out.saved->state = std::make_shared<RunState>(simulation.run_state());
-    out.saved->fingerprint = fingerprint(out);
-  }
+  out.saved->state = std::make_shared<RunState>(simulation.run_state());
+  out.saved->fingerprint = fingerprint(out);
   try {
     validate(out);
-    if (out.saved->state) check_state(out, *out.saved->state);
+    check_state(out, *out.saved->state);
   } catch (const SceneError& error) {
     throw SceneError(std::string("the run cannot be saved as it stands: ") + error.what());
   }

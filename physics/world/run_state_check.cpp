@@ -107,6 +107,9 @@ void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const 
       std::frexp(ahead.epoch_length, &exponent) != 0.5) {
     refuse("ahead/epoch_length", fmt::format("{} is no such length", ahead.epoch_length));
   }
+  constexpr double kMostStretch = 0x1p60;
+  if (!(ahead.stretch >= 1.0 && ahead.stretch <= kMostStretch) || std::frexp(ahead.stretch, &exponent) != 0.5)
+    refuse("ahead/stretch", fmt::format("{} is no power of two from 1 on", ahead.stretch));
   if (!(s.time - s.tracks.epoch <= ahead.epoch_length))
     refuse("tracks/epoch", fmt::format("{} is too long before the time", s.tracks.epoch));
   for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -51,7 +51,7 @@ void Simulation::lay_out() {
     driven_.push_back(body.drive ? 1 : 0);
   }
   materials_ = static_cast<int>(materials.size());
-  mixed_ = meetings(scene_, materials);
+  mixed_ = std::make_shared<const std::vector<Material>>(meetings(scene_, materials));
 
   bounds_.resize(bodies_.size());
   stamp_.assign(bodies_.size(), 0);
@@ -375,6 +375,9 @@ void Simulation::restore_links(int island) {
 // The state must be published.
 void Simulation::resolve_at_end(const std::vector<WaitingPair>& pairs, double h) {
   const double now = step_end_ - tracks_.epoch();
+  // Each push changes the energy of attraction with all bodies: of many pairs their sum is taken at once.
+  const bool all_at_once = field().attracts() && !needs_.links && pairs.size() > bodies_.size();
+  if (all_at_once) ledger_.overlap_correction -= field().potential_energy(state_.q);
   for (const auto& [a, b, resting] : pairs) {
     work_.pass(1);
     if (!shapes_.can_meet(a, b)) continue;  // joined meanwhile
@@ -402,13 +405,16 @@ void Simulation::resolve_at_end(const std::vector<WaitingPair>& pairs, double h)
       if (immovable(i)) continue;
       const Vec2 x = tracks_.settled(i).head<2>();
       const Vec2 moved = x + (i == a ? -1.0 : 1.0) * mass_.inverse_mass[i] * push;
-      ledger_.overlap_correction +=
-          field().potential_energy_of(i, moved, state_.q) - field().potential_energy_of(i, x, state_.q);
+      if (!all_at_once) {
+        ledger_.overlap_correction +=
+            field().potential_energy_of(i, moved, state_.q) - field().potential_energy_of(i, x, state_.q);
+      }
       tracks_.set_pose(i, {moved.x(), moved.y(), tracks_.settled(i)[2]});
       state_.q.col(i).head<2>() = moved;
       if (tracks_.is_linked(i)) restore_links(tracks_.island_of(i));
     }
   }
+  if (all_at_once) ledger_.overlap_correction += field().potential_energy(state_.q);
 }
 
 }  // namespace carom

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -271,7 +272,7 @@ class Simulation {
   // Of the settled bodies; gaps up to `tolerance` (m) beyond the least one count as touch.
   [[nodiscard]] Approach approach(int a, int b, double tolerance) const;
   [[nodiscard]] const Material& material_between(int a, int b) const {
-    return mixed_[static_cast<std::size_t>(material_[a] * materials_ + material_[b])];
+    return (*mixed_)[static_cast<std::size_t>(material_[a] * materials_ + material_[b])];
   }
   [[nodiscard]] bool immovable(int body) const { return shapes_.fixed[body] != 0; }
 
@@ -352,7 +353,7 @@ class Simulation {
   Tracks tracks_;
   std::vector<std::uint8_t> driven_;
   std::vector<int> material_;
-  std::vector<Material> mixed_;  // material pairs, row by row
+  std::shared_ptr<const std::vector<Material>> mixed_;  // material pairs, row by row; of all copies the same
   int materials_ = 0;
 
   State state_;  // at time_

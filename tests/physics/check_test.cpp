@@ -92,6 +92,28 @@ TEST(MeasureRun, ReductionsOverTime) {
   EXPECT_TRUE(std::isnan(measured(s, e)));  // one reading has no slope
 }
 
+// The part of a run before it is lost has extremes, but they are not the run's.
+TEST(MeasureRun, OfALostRunNothingIsMeasuredButWhatWasDone) {
+  Scene s = test::scene({test::disc("a", {1, 0}, {0, 0})});
+  Spring spring;
+  spring.body = "a";
+  spring.stiffness = 1e6;
+  s.forces.springs = {spring};
+  s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kImpulse, 0.005};
+  s.duration = 1.0;
+  std::vector<Expectation> expectations;
+  for (const Reduction reduction :
+       {Reduction::kMaximum, Reduction::kMean, Reduction::kCount, Reduction::kFinal}) {
+    Expectation e;
+    e.observable = "x";
+    e.bodies = {"a"};
+    e.reduction = reduction;
+    if (reduction == Reduction::kCount) e.above = 0.0;
+    expectations.push_back(e);
+  }
+  for (const double value : measure_run(s, expectations)) EXPECT_TRUE(std::isnan(value)) << value;
+}
+
 // Impacts far from the last copy of the run, and a step with several of them.
 TEST(MeasureRun, ImpactsAreReachedFromCopies) {
   Scene s = scene({wall("left", {-1.5, 0}, 1, 1), wall("right", {1.5, 0}, 1, 1), disc("ball", {0, 0}, {1, 0})});

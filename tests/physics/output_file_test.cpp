@@ -76,6 +76,38 @@ TEST_F(OutputFiles, TakeTheirPlaceWholeOrNotAtAll) {
   EXPECT_EQ(names(), std::vector<std::string>{"a"});
 }
 
+// As a film has frames: more than a process may have open files.
+TEST_F(OutputFiles, ManyAtOnceHoldFewDescriptors) {
+  const auto open_files = [] {
+    return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
+  };
+  const auto before = open_files();
+  constexpr int kMany = 300;
+  std::vector<std::unique_ptr<OutputFile>> files;
+  for (int i = 0; i < kMany; ++i) {
+    files.push_back(std::make_unique<OutputFile>(path(std::to_string(i))));
+    files.back()->line("new");
+    files.back()->finish();
+  }
+  EXPECT_LT(open_files() - before, kMany / 2);
+  EXPECT_FALSE(fs::exists(path("0")));
+  for (const auto& file : files) file->commit();
+  files.clear();
+  EXPECT_EQ(names().size(), static_cast<std::size_t>(kMany));
+  EXPECT_EQ(content(path("299")), "new\n");
+  EXPECT_EQ(open_files(), before);
+}
+
+// A user's file that came while a run went on is no file of ours.
+TEST_F(OutputFiles, ANewOneReplacesNothingThatCameMeanwhile) {
+  OutputFile file(path("a"));
+  file.line("new");
+  std::ofstream(path("a")) << "mine";
+  expect_part(refusal([&] { file.commit(); }), "File exists");
+  EXPECT_EQ(content(path("a")), "mine");
+  EXPECT_EQ(names(), std::vector<std::string>{"a"});
+}
+
 TEST_F(OutputFiles, LeaveFilesWithLikeNamesAlone) {
   put("a.part", "mine");
   put("a~", "mine too");
