@@ -90,9 +90,11 @@ int run_command(const RunOptions& options) {
   }
   if (save != nullptr) {
     try {
-      save->write(write_preset(saved_scene(scene, simulation)));
+      const std::string text = write_preset(saved_scene(scene, simulation));
+      (void)parse_preset(text, save->name());
+      save->write(text);
     } catch (const SceneError& error) {
-      save->give_up(fmt::format("{}: {}", save->name(), error.what()));  // the other files are good
+      save->give_up(error.what());  // the other files are good
     }
   }
   const std::string failures = outputs.commit();

@@ -24,6 +24,7 @@
 #include "physics/motion/integrators.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/needs.h"
+#include "physics/scene/validate.h"
 #include "widgets/compare_panel.h"
 #include "widgets/experiment_list.h"
 #include "widgets/ledger_table.h"
@@ -242,7 +243,7 @@ void LabWindow::choose_step() {
 }
 
 void LabWindow::spawn(double x, double y) {
-  const Scene scene = worker_->scene();
+  Scene scene = worker_->scene();
   // A disc like those that are there, between half and one and a half times their radius; in a scene without
   // any, a twentieth of the view.
   Body body;
@@ -250,7 +251,7 @@ void LabWindow::spawn(double x, double y) {
   body.density = 1.0;
   for (const Body& b : before_) {
     const auto* disc = std::get_if<Disc>(&b.shape);
-    if (is_immovable(b) || disc == nullptr) continue;
+    if (is_immovable(b) || disc == nullptr || disc->radius == 0.0) continue;
     radius = disc->radius;
     body.density = mass_of(b) / area(b.shape);
     body.material = b.material;
@@ -259,6 +260,12 @@ void LabWindow::spawn(double x, double y) {
   body.name = free_body_name(scene, "new");
   body.shape = Disc{radius * (0.5 + QRandomGenerator::global()->generateDouble())};
   body.position = {x, y};
+  scene.bodies.push_back(body);
+  try {
+    validate(scene);
+  } catch (const SceneError& error) {
+    return tell(this, tr("No body can be put here"), QString::fromStdString(error.what()));
+  }
   worker_->add_body(body);
   before_.push_back(body);
   plots_->set_bodies(before_);

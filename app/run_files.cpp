@@ -83,8 +83,9 @@ std::string csv_line(double time, std::span<const double> values, char separator
 }
 
 std::string csv_line(const std::vector<Quantity>& columns, const Simulation& simulation) {
-  const ImpactTally none;
-  const Reading now = reading_of(simulation, none);
+  ImpactTally tally;
+  tally.begin(simulation);
+  const Reading now = reading_of(simulation, tally);
   std::vector<double> values;
   for (const Quantity& column : columns) values.push_back(column.value(now));
   return csv_line(now.time, values);

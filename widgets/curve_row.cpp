@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "physics/scene/limits.h"
 #include "widgets/plain_text.h"
 #include "widgets/quantity_picker.h"
 
@@ -64,6 +65,7 @@ CurveRow::CurveRow(const std::vector<Body>& bodies, QWidget* parent)
   connect(open_, &QToolButton::clicked, this, [this](bool shown) {
     if (shown) theory_->setFocus();
   });
+  theory_->setMaxLength(kLongestTitle);
   connect(theory_, &QLineEdit::textChanged, this, &CurveRow::changed);
   connect(residual_, &QCheckBox::toggled, this, &CurveRow::changed);
 }

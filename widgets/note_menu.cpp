@@ -9,6 +9,7 @@
 #include <qwt_axis.h>
 #include <qwt_plot.h>
 
+#include "physics/scene/limits.h"
 #include "widgets/run_plot.h"
 
 namespace carom {
@@ -18,12 +19,14 @@ QString tr(const char* text) { return QCoreApplication::translate("NoteMenu", te
 
 // The words, or none where the reader thought better of it.
 std::optional<std::string> ask(QWidget* parent, const std::string& now) {
-  bool accepted = false;
-  const QString text =
-      QInputDialog::getText(parent, tr("Note"), tr("What is to stand at this point of the plot"),
-                            QLineEdit::Normal, QString::fromStdString(now), &accepted)
-          .trimmed();
-  if (!accepted || text.isEmpty()) return std::nullopt;
+  QInputDialog dialog(parent);
+  dialog.setWindowTitle(tr("Note"));
+  dialog.setLabelText(tr("What is to stand at this point of the plot"));
+  dialog.setTextValue(QString::fromStdString(now));
+  if (auto* line = dialog.findChild<QLineEdit*>()) line->setMaxLength(kLongestTitle);
+  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+  const QString text = dialog.textValue().trimmed();
+  if (text.isEmpty()) return std::nullopt;
   return text.toStdString();
 }
 
@@ -65,8 +68,13 @@ void add_note_entries(QMenu& menu, RunPlot& plot, const QPoint& at, QWidget* par
     now.push_back(note);
     put(now);
   });
-  here->setEnabled(plot.plot()->canvas()->rect().contains(at));
-  if (!here->isEnabled()) here->setToolTip(tr("Right click within the plot's axes"));
+  const bool inside = plot.plot()->canvas()->rect().contains(at);
+  here->setEnabled(inside && notes.size() < kMostNotes);
+  if (!inside) {
+    here->setToolTip(tr("Right click within the plot's axes"));
+  } else if (!here->isEnabled()) {
+    here->setToolTip(tr("A plot has up to %1 notes").arg(kMostNotes));
+  }
 }
 
 }  // namespace carom

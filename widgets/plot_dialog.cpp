@@ -37,6 +37,7 @@ PlotDialog::PlotDialog(const std::vector<Body>& bodies, QWidget* parent) : QDial
   logarithmic_ = new QCheckBox(tr("Logarithmic axis, of the magnitudes"), this);
   form->addRow(QString(), logarithmic_);
   title_ = new QLineEdit(this);
+  title_->setMaxLength(kLongestTitle);
   form->addRow(tr("Title"), title_);
   column->addLayout(form);
   message_ = new PlainLabel(this);

@@ -27,6 +27,7 @@ Sampler::Sampler(std::vector<Curve> curves, const std::vector<Curve>& later) {
 
 void Sampler::begin(const Simulation& simulation) {
   rows_.from_the_start = true;
+  tally_.begin(simulation);
   look(simulation);
   take_speeds(simulation);
 }

@@ -1,16 +1,13 @@
 #include "physics/measure/impact_tally.h"
 
-#include <algorithm>
-
 namespace carom {
 
-void ImpactTally::watch(int a, int b) {
-  if (!watches(a, b)) pairs_.push_back({std::min(a, b), std::max(a, b), 0});
-}
-
-bool ImpactTally::watches(int a, int b) const {
-  return std::any_of(pairs_.begin(), pairs_.end(),
-                     [&](const Pair& p) { return p.a == std::min(a, b) && p.b == std::max(a, b); });
+void ImpactTally::begin(const Simulation& simulation) {
+  ImpactCounts counts = simulation.impact_counts();
+  for (const ImpactCounts::Pair& p : counts_.pairs)
+    counts.watch(p.a, p.b, simulation.impact_count() == 0 ? 0 : ImpactCounts::kNotKnown);
+  counts_ = std::move(counts);
+  happened(simulation.impact_count());
 }
 
 void ImpactTally::add(const Simulation& simulation) {
@@ -18,25 +15,10 @@ void ImpactTally::add(const Simulation& simulation) {
   happened(simulation.impact_count());
 }
 
-void ImpactTally::add(const ImpactRecord& impact, const MassProperties& mass) {
-  ++counted_;
-  for (Pair& p : pairs_) {
-    if (std::min(impact.a, impact.b) == p.a && std::max(impact.a, impact.b) == p.b) ++p.count;
-  }
-  if (mass.inverse_mass[impact.a] > 0.0 && mass.inverse_mass[impact.b] > 0.0) {
-    ++mutual_;
-  } else {
-    ++walls_;
-    wall_impulse_ += impact.normal_impulse;
-  }
-}
-
 double ImpactTally::between(int a, int b) const {
-  if (a > b) std::swap(a, b);
-  for (const Pair& p : pairs_) {
-    if (p.a == a && p.b == b) return known(static_cast<double>(p.count));
-  }
-  return 0.0;
+  const ImpactCounts::Pair* pair = counts_.find(a, b);
+  return pair != nullptr && pair->known() ? known(static_cast<double>(pair->count))
+                                          : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace carom

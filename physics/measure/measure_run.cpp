@@ -120,6 +120,7 @@ std::vector<Measurement> prepare(const Scene& scene, const std::vector<Expectati
     if (m.bodies.size() == 2) run.tally.watch(m.bodies[0], m.bodies[1]);
     all.push_back(std::move(m));
   }
+  run.tally.begin(run.simulation);
   return all;
 }
 

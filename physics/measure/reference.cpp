@@ -20,6 +20,11 @@ constexpr int kMostHalvings = 16;
 // Of the scene's step: no row of a study is then the reference itself.
 constexpr double kOffTheRows = 0.7;
 
+// A run that blew up says nothing about that time.
+bool ended_before(const RecordedRun& run, double time) {
+  return run.blew_up_at >= 0.0 && run.blew_up_at < time;
+}
+
 }  // namespace
 
 Method reference_method(const Scene& scene) {
@@ -57,8 +62,12 @@ Reference make_reference(const Scene& scene, const Chaos& chaos, double time, do
   const bool lasts = contacts_last(best.method, needs_of(scene));
   if (best.method.integrator == IntegratorId::kExactFlight && !lasts) {
     best.exact = true;
-    best.converged = true;
     best.run = record_run(scene, best.method, time, until, limit, stop);
+    best.converged = !ended_before(best.run, time);
+    if (!best.converged) {
+      best.position_error = best.velocity_error = best.energy_error = std::numeric_limits<double>::infinity();
+      return best;
+    }
     best.position_error = kEpsilon * chaos.length * chaos.growth_at(time);
     best.velocity_error = kEpsilon * chaos.largest_speed * chaos.growth_at(time);
     best.energy_error = kEpsilon * std::max(chaos.largest_kinetic, std::abs(best.run.energy));
@@ -79,6 +88,11 @@ Reference make_reference(const Scene& scene, const Chaos& chaos, double time, do
     const double work = until / method.step * static_cast<double>(moving.size());
     if (method.step < kLeastStep || (work > kMostReferenceWork && halvings > 1)) break;
     RecordedRun run = record_run(scene, method, time, until, limit, stop);
+    if (ended_before(run, time) || ended_before(coarser, time)) {
+      coarser = std::move(run);
+      ++no_better;
+      continue;
+    }
     const Comparison c = compare(coarser, run, moving, time);
     coarser = run;
     // Falling, at order 1 to the half, but for a run whose windows leave nothing to compare.

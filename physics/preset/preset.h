@@ -21,8 +21,8 @@ inline constexpr int kPresetVersion = 1;
 // number.
 [[nodiscard]] std::string write_preset(const Scene& scene);
 
-// `file` is the old one or the new one, never half of it (see OutputFile). Throws SceneError if that fails; the
-// old file stays.
+// `file` is the old one or the new one, never half of it (see OutputFile). Throws SceneError if that fails, or
+// where read_preset() would refuse what it wrote; the old file stays.
 void save_preset(const Scene& scene, const std::filesystem::path& file);
 
 }  // namespace carom

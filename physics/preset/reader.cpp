@@ -107,7 +107,7 @@ void read_body(FieldReader& r, Body& b) {
 
 void read_generator(FieldReader& r, GridGenerator& g) {
   r.cases({"type", "the kind of generator"}, {"grid"}, [&](std::size_t, FieldReader& k) {
-    k.require({"name", "the stem of the bodies' names"}, g.name, kName);
+    k.require({"name", "the stem of the bodies' names"}, g.name, kStem);
     k.read({"columns", "discs side by side"}, g.columns, Whole{1, kMostBodies});
     k.read({"rows", "discs one over the other"}, g.rows, Whole{1, kMostBodies});
     k.require({"origin", "the first disc's centre, two numbers, [x, y]"}, g.origin, any_number("m"));

@@ -59,6 +59,10 @@ class StateWriter {
     json[key] = std::move(inner.json);
   }
   template <class T, class Describe>
+  void later(const char* key, const T& value, const Describe& describe) {
+    object(key, value, describe);
+  }
+  template <class T, class Describe>
   void optional(const char* key, const std::optional<T>& value, const Describe& describe) {
     if (value) object(key, *value, describe);
   }
@@ -175,6 +179,10 @@ class StateReader {
     StateReader inner(required(key), reader_.at(key));
     describe(inner, value);
     inner.finish();
+  }
+  template <class T, class Describe>
+  void later(const char* key, T& value, const Describe& describe) {
+    if (reader_.find(key) != nullptr) object(key, value, describe);
   }
   template <class T, class Describe>
   void optional(const char* key, std::optional<T>& value, const Describe& describe) {
@@ -298,6 +306,20 @@ constexpr auto kNotices = [](auto& a, auto& notices) {
   a.later("contacts_left", contacts_left);
 };
 
+constexpr auto kImpactCounts = [](auto& a, auto& counts) {
+  auto& [counted, walls, mutual, wall_impulse, pairs] = counts;
+  a.value("counted", counted);
+  a.value("walls", walls);
+  a.value("mutual", mutual);
+  a.value("wall_impulse", wall_impulse);
+  a.tuples("pairs", pairs, kFree, [](const auto& each, auto& pair) {
+    auto& [body, other, count] = pair;
+    each(body);
+    each(other);
+    each(count);
+  });
+};
+
 constexpr auto kWork = [](auto& a, auto& work) {
   auto& [scarce, reserve] = work;
   a.value("scarce", scarce);
@@ -404,8 +426,9 @@ const auto kAhead = [](const Sizes& size) {
 
 template <class Archive, class Kept>
 void describe(Archive& a, Kept& state, const Sizes& size) {
-  auto& [method, time, origin, origin_step, steps_since_origin, steps, impact_count, at_once, work, motions,
-         ledger, gravity_since, peak_kinetic, energy_doubts, notices, tracks, contacts, ahead] = state;
+  auto& [method, time, origin, origin_step, steps_since_origin, steps, impact_count, impact_counts, at_once,
+         work, motions, ledger, gravity_since, peak_kinetic, energy_doubts, notices, tracks, contacts, ahead] =
+      state;
   a.value("method", method);
   // The time stands at the head of the section.
   a.value("origin", origin);
@@ -413,6 +436,7 @@ void describe(Archive& a, Kept& state, const Sizes& size) {
   a.value("steps_since_origin", steps_since_origin);
   a.value("steps", steps);
   a.value("impacts", impact_count);
+  a.later("impact_counts", impact_counts, kImpactCounts);
   a.value("at_once", at_once);
   a.object("work", work, kWork);
   a.rows("positions", motions.q, size.bodies);

@@ -27,6 +27,7 @@ struct Count {
 };
 
 inline constexpr Count kName{1, kLongestName};
+inline constexpr Count kStem{1, kLongestStem};
 inline constexpr Count kPerhapsName{0, kLongestName};
 inline constexpr Count kWords{0, kLongestTitle};
 inline constexpr Count kText{0, kLongestText};

@@ -160,8 +160,10 @@ std::string write_preset(const Scene& scene) {
 }
 
 void save_preset(const Scene& scene, const std::filesystem::path& file) {
+  const std::string text = write_preset(scene);
+  (void)parse_preset(text, file.string());
   OutputFile out(file.string());
-  out.write(write_preset(scene));
+  out.write(text);
   out.commit();
 }
 

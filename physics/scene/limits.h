@@ -57,7 +57,8 @@ inline constexpr std::size_t kMostSweepValues = 10'000;
 
 // Characters of UTF-8 that a text may have.
 inline constexpr std::size_t kLongestName = 200;
-inline constexpr std::size_t kLongestTitle = 1'000;  // also of a closed form
+inline constexpr std::size_t kLongestStem = kLongestName - 7;  // of generated names: "-100000" comes after it
+inline constexpr std::size_t kLongestTitle = 1'000;            // also of a closed form
 inline constexpr std::size_t kLongestText = 100'000;
 
 }  // namespace carom

@@ -31,10 +31,10 @@ void check_order(const std::string& place, double value, double least, const std
             fmt::format("{} = {} or more", what, least));
 }
 
-void check_name(const std::string& place, const std::string& name) {
+void check_name(const std::string& place, const std::string& name, std::size_t longest = kLongestName) {
   if (name.empty()) refuse_value(place, "an empty name", "a name");
-  if (characters(name) > kLongestName)
-    refuse_value(place, "\"" + name + "\"", fmt::format("a name of up to {} characters", kLongestName));
+  if (characters(name) > longest)
+    refuse_value(place, "\"" + name + "\"", fmt::format("a name of up to {} characters", longest));
 }
 
 void check_own_name(std::unordered_set<std::string>& names, const std::string& place, const std::string& name) {
@@ -170,7 +170,7 @@ void check_generators(const Scene& scene, const MaterialNames& materials) {
   for (std::size_t i = 0; i < scene.generators.size(); ++i) {
     const GridGenerator& g = scene.generators[i];
     const std::string at = fmt::format("/generators/{}", i);
-    check_name(at + "/name", g.name);
+    check_name(at + "/name", g.name, kLongestStem);
     check_range(at + "/columns", g.columns, {1, kMostBodies});
     check_range(at + "/rows", g.rows, {1, kMostBodies});
     count += static_cast<double>(g.columns) * g.rows;

@@ -31,7 +31,7 @@ void each_kept_of_contacts(Contacts& lasting, Kept& kept, const Each& each) {
 template <class Self, class Kept, class Each>
 void Simulation::each_kept(Self& simulation, Kept& kept, const Each& each) {
   auto& [scene, method, needs, bodies, mass, shapes, tracks, driven, material, mixed, materials,  // the model
-         state, time, step_end, origin, origin_step, steps_since_origin, steps, impact_count,
+         state, time, step_end, origin, origin_step, steps_since_origin, steps, impact_count, impact_counts,
          impacts_before_step, ledger, gravity_since, peak_kinetic, energy_doubts, notices, lost, last_good,
          work, impacts, jumps,
          watch_impacts,  // the run
@@ -47,6 +47,7 @@ void Simulation::each_kept(Self& simulation, Kept& kept, const Each& each) {
   each(steps_since_origin, kept.steps_since_origin);
   each(steps, kept.steps);
   each(impact_count, kept.impact_count);
+  each(impact_counts, kept.impact_counts);
   each(at_once, kept.at_once);
   each(state, kept.motions);
   each(ledger, kept.ledger);

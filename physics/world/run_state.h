@@ -55,6 +55,7 @@ struct RunState {
   std::int64_t steps_since_origin = 0;
   std::int64_t steps = 0;
   std::int64_t impact_count = 0;
+  ImpactCounts impact_counts;
   int at_once = 0;  // impacts before the last one at the same time
   StepWork::Kept work;
   State motions;               // at `time`

@@ -57,6 +57,23 @@ void check_clock(const RunState& s) {
   if (!(s.tracks.epoch <= s.time)) refuse("tracks/epoch", fmt::format("{} is after the time", s.tracks.epoch));
 }
 
+void check_counts(const std::vector<Body>& bodies, std::int64_t impacts, const ImpactCounts& s) {
+  check_least("impact_counts/walls", static_cast<double>(s.walls), 0.0);
+  check_least("impact_counts/mutual", static_cast<double>(s.mutual), 0.0);
+  if (s.counted > impacts || s.counted != s.walls + s.mutual)
+    refuse("impact_counts/counted", fmt::format("{} of {} impacts", s.counted, impacts));
+  if (s.pairs.size() > ImpactCounts::kMostPairs)
+    refuse("impact_counts/pairs", fmt::format("{} are more than {}", s.pairs.size(), ImpactCounts::kMostPairs));
+  for (std::size_t i = 0; i < s.pairs.size(); ++i) {
+    const std::string at = fmt::format("impact_counts/pairs/{}", i);
+    const auto& [a, b, count] = s.pairs[i];
+    check_body(at, bodies, a);
+    check_body(at, bodies, b);
+    if (a >= b) refuse(at, fmt::format("body {} is not before body {}", a, b));
+    if (s.find(a, b) != &s.pairs[i]) refuse(at, "a pair for the second time");
+  }
+}
+
 void check_forces(const Scene& scene, const TrackState& s) {
   for (std::size_t i = 0; i < scene.forces.applied.size(); ++i) {
     const int phase = s.phase[i];
@@ -149,6 +166,7 @@ void check_state(const Scene& scene, const RunState& state) {
   if (state.time != start_time(scene)) refuse("time", fmt::format("the state is of t = {} s", state.time));
   const std::vector<Body> bodies = all_bodies(scene);
   check_clock(state);
+  check_counts(bodies, state.impact_count, state.impact_counts);
   constexpr double kMostAhead = 1e15;         // m and m/s: a track may lead far off before it is cut
   constexpr double kMostAcceleration = 1e30;  // m/s²
   check_motions("positions", state.motions.q, kLargestNumber);

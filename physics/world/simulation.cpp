@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 
@@ -31,6 +32,27 @@ Simulation::Simulation(const Scene& scene, const Needs& needs)
   ledger_.initial = totals().energy();
   ledger_.initial_momentum = totals().momentum;
   if (scene.saved) go_on_from(*scene.saved);
+  watch_plotted_pairs();
+}
+
+void Simulation::watch_plotted_pairs() {
+  std::unordered_map<std::string_view, int> index;
+  for (const Body& body : bodies_) index.emplace(body.name, static_cast<int>(index.size()));
+  const ImpactCounts saved = impact_counts_;
+  impact_counts_.pairs.clear();
+  const std::int64_t before = impact_count_ == 0 ? 0 : ImpactCounts::kNotKnown;
+  const auto watch = [&](const QuantityName& quantity) {
+    if (quantity.bodies.size() != 2) return;
+    const auto a = index.find(quantity.bodies[0]);
+    const auto b = index.find(quantity.bodies[1]);
+    if (a == index.end() || b == index.end()) return;
+    const ImpactCounts::Pair* known = saved.find(a->second, b->second);
+    impact_counts_.watch(a->second, b->second, known != nullptr ? known->count : before);
+  };
+  for (const Plot& plot : scene_.plots) {
+    for (const QuantityName& y : plot.y) watch(y);
+    if (plot.x) watch(*plot.x);
+  }
 }
 
 void Simulation::lay_out() {
@@ -171,6 +193,7 @@ void Simulation::step(double h) {
   last_good_.ledger = ledger_;
   last_good_.notices = notices_;
   last_good_.impact_count = impact_count_;
+  last_good_.impact_counts = impact_counts_;
   tracks_.begin_step();
   work_.begin(static_cast<int>(bodies_.size()), h);
   try {
@@ -186,6 +209,7 @@ void Simulation::give_up(const LostMotion& lost) {
   ledger_ = last_good_.ledger;
   notices_ = last_good_.notices;
   impact_count_ = last_good_.impact_count;
+  impact_counts_ = last_good_.impact_counts;
   tracks_.give_back();
   impacts_.clear();
   jumps_.clear();
@@ -280,6 +304,7 @@ void Simulation::collide(int a, int b, const Contact& contact, const Material& m
 void Simulation::book(int a, int b, const Contact& contact, const Impact& impact, double closing,
                       double within) {
   ++impact_count_;
+  impact_counts_.add(a, b, impact.normal, mass_);
   ImpactRecord record;
   record.time = std::min(tracks_.epoch() + within, step_end_);  // the sum may round beyond the end
   record.a = a;

@@ -20,6 +20,7 @@
 #include "physics/scene/needs.h"
 #include "physics/scene/scene.h"
 #include "physics/world/event_queue.h"
+#include "physics/world/impact_counts.h"
 #include "physics/world/lasting_contacts.h"
 #include "physics/world/ledger.h"
 #include "physics/world/lost_run.h"
@@ -187,6 +188,8 @@ class Simulation {
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] std::int64_t impact_count() const { return impact_count_; }
+  // With the pairs that the scene's plots name.
+  [[nodiscard]] const ImpactCounts& impact_counts() const { return impact_counts_; }
   // Of the right-hand side, a body each; and steps that the error control took back.
   [[nodiscard]] std::int64_t evaluations() const { return tracks_.evaluations(); }
   [[nodiscard]] std::int64_t rejected_steps() const { return tracks_.rejected_steps(); }
@@ -239,6 +242,7 @@ class Simulation {
     Ledger ledger;
     Notices notices;
     std::int64_t impact_count = 0;
+    ImpactCounts impact_counts;
   };
 
   template <class Self, class Kept, class Each>
@@ -247,6 +251,7 @@ class Simulation {
   [[nodiscard]] bool runs_on() const;  // tracks run on across the ends of steps
 
   void lay_out();  // arrays from bodies_
+  void watch_plotted_pairs();
   void publish(double within);
   void check_motions() const;  // throws LostMotion
   void check_energy();
@@ -364,6 +369,7 @@ class Simulation {
   std::int64_t steps_since_origin_ = 0;
   std::int64_t steps_ = 0;
   std::int64_t impact_count_ = 0;
+  ImpactCounts impact_counts_;
   std::int64_t impacts_before_step_ = 0;
   Ledger ledger_;               // without the work of the smooth forces, which the state carries
   double gravity_since_ = 0.0;  // s: ledger_.momentum_from_gravity holds what came before

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "physics/experiment/run_log.h"
+#include "tests/physics/resumed_run.h"
 #include "tests/physics/scenes.h"
 
 namespace carom {
@@ -158,6 +159,39 @@ TEST(Sampler, ReadsOverlapsAndContacts) {
   const Sampled held = run(resting, 0.1, {curve("contacts"), curve("contact_force", {0, 1})});
   EXPECT_EQ(held.at(held.rows.size() - 1, 0), 1.0);
   EXPECT_NEAR(held.at(held.rows.size() - 1, 1), 9.81, 1e-12);
+}
+
+// Sums over the impacts, of a pair that is plotted, and of one that is not.
+TEST(Sampler, CountsGoOnInASavedRun) {
+  Scene scene = lossy();
+  const auto number = [](const char* name, std::vector<std::string> bodies) {
+    QuantityName quantity;
+    quantity.observable = name;
+    quantity.bodies = std::move(bodies);
+    return quantity;
+  };
+  Plot plot;
+  plot.y = {number("impacts_between", {"b", "a"}), number("wall_impacts", {})};
+  scene.plots = {plot};
+  const int n = static_cast<int>(scene.bodies.size());
+  const std::vector<Curve> curves = {curve("impacts_between", {n - 1, n - 2}),
+                                     curve("impacts_between", {0, n - 2}),
+                                     curve("wall_impacts"),
+                                     curve("mutual_impacts"),
+                                     curve("wall_impulse"),
+                                     curve("impacts")};
+  const Sampled whole = run(scene, 4.0, curves);
+  Simulation half(scene);
+  half.advance_to(2.0);
+  const Scene saved = test::saved_and_read(scene, half);
+  const Sampled rest = run(saved, 4.0, curves);
+  const std::size_t first = whole.rows.size() - rest.rows.size();
+  EXPECT_GT(rest.at(0, 0), 0.0);
+  for (std::size_t row = 0; row < rest.rows.size(); ++row) {
+    for (const std::size_t column : {0U, 2U, 3U, 4U, 5U})
+      ASSERT_EQ(rest.at(row, column), whole.at(first + row, column)) << row << " " << column;
+    ASSERT_TRUE(std::isnan(rest.at(row, 1)));  // nobody has counted it
+  }
 }
 
 }  // namespace

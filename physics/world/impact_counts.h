@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "physics/motion/state.h"
+#include "physics/scene/limits.h"
+
+namespace carom {
+
+// What the impacts of a run add up to.
+struct ImpactCounts {
+  struct Pair {
+    int a = 0;  // < b
+    int b = 0;
+    std::int64_t count = 0;
+    [[nodiscard]] bool known() const { return count >= 0; }
+  };
+  static constexpr std::size_t kMostPairs = 2 * kMostCurvesInAll;
+  // Of a pair that is watched from amid a run on: far enough below 0 to stay there.
+  static constexpr std::int64_t kNotKnown = -4'000'000'000'000'000;
+
+  std::int64_t counted = 0;   // impacts that are in the sums
+  std::int64_t walls = 0;     // with fixed and driven bodies
+  std::int64_t mutual = 0;    // of two free bodies
+  double wall_impulse = 0.0;  // N s, sum of the normal ones
+  std::vector<Pair> pairs;    // those that are watched, at most kMostPairs
+
+  [[nodiscard]] const Pair* find(int a, int b) const {
+    for (const Pair& p : pairs) {
+      if (p.a == std::min(a, b) && p.b == std::max(a, b)) return &p;
+    }
+    return nullptr;
+  }
+  // Watches this pair of bodies, which has had `count` impacts. Once is enough.
+  void watch(int a, int b, std::int64_t count) {
+    if (find(a, b) == nullptr) pairs.push_back({std::min(a, b), std::max(a, b), count});
+  }
+  void add(int a, int b, double normal_impulse, const MassProperties& mass) {
+    ++counted;
+    for (Pair& p : pairs) {
+      if (std::min(a, b) == p.a && std::max(a, b) == p.b) ++p.count;
+    }
+    if (mass.inverse_mass[a] > 0.0 && mass.inverse_mass[b] > 0.0) {
+      ++mutual;
+    } else {
+      ++walls;
+      wall_impulse += normal_impulse;
+    }
+  }
+};
+
+}  // namespace carom
