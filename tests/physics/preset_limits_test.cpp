@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <string>
@@ -119,6 +120,40 @@ TEST(PresetLimits, LinksThatHoldOnToOneAnotherAreCounted) {
     return fmt::format(R"({{"type":"string","body":"a","anchor":[{},0],"length":2000}})", i);
   };
   EXPECT_NE(refusal(with_list("links", 501, hung, kTwoDiscs)), "");
+}
+
+// The names that a generator makes have room, so that a run of them can be saved.
+TEST(PresetLimits, StemsLeaveRoomForNumbers) {
+  const auto generated = [](std::size_t length) {
+    return with_list("generators", 1, [length](std::size_t) {
+      return fmt::format(
+          R"({{"type":"grid","name":"{}","columns":500,"rows":200,"origin":[0,0],"spacing":[1,1],)"
+          R"("radius":[0.1,0.1]}})",
+          std::string(length, 'x'));
+    });
+  };
+  EXPECT_NE(refusal(generated(kLongestStem + 1)).find("/generators/0/name: "), std::string::npos);
+  const Scene scene = parse_preset(generated(kLongestStem), "p");
+  EXPECT_EQ(all_bodies(scene).back().name.size(), kLongestName);
+}
+
+// What the reader would refuse is not written, and the old file stays.
+TEST(PresetLimits, HoldForWhatIsSaved) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "held-limits.json";
+  Scene scene = parse_preset(with_list("bodies", 1, body), "p");
+  save_preset(scene, file);
+  Plot plot;
+  plot.id = "energy";
+  plot.notes.assign(kMostNotes + 1, {0.0, 0.0, "a note"});
+  scene.plots = {plot};
+  try {
+    save_preset(scene, file);
+    FAIL() << "saved";
+  } catch (const SceneError& error) {
+    EXPECT_NE(std::string(error.what()).find("/plots/0/notes: "), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(read_preset(file).plots.empty());
+  std::filesystem::remove(file);
 }
 
 // Two chains whose ends meet and stick: the run may be saved and go on, but none may begin so.
