@@ -9,13 +9,15 @@
 namespace carom {
 namespace {
 
-constexpr int kGap = 4;           // px
-constexpr int kMorePadding = 24;  // px, with the arrow
+constexpr int kGap = 4;          // px
+constexpr int kMorePadding = 8;  // px
+constexpr int kReadable = 90;    // px: of a curve, where some go to the menu
 
 }  // namespace
 
 LegendRow::LegendRow(QWidget* parent) : QWidget(parent), more_(new QToolButton(this)) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  more_->setObjectName("more");
   more_->setPopupMode(QToolButton::InstantPopup);
   more_->setMenu(new QMenu(more_));
   more_->setToolTip(tr("Curves that have no room here"));
@@ -64,29 +66,37 @@ bool LegendRow::event(QEvent* event) {
 }
 
 void LegendRow::place() {
-  const auto more_text = [](std::size_t count) { return tr("+ %1 more").arg(count); };
+  const auto more_text = [](std::size_t count) { return tr("+ %1 more ▾").arg(count); };
   const int more_width = more_->fontMetrics().horizontalAdvance(more_text(buttons_.size())) + kMorePadding;
-  const auto least = [](const LegendButton* button) { return button->minimumSizeHint().width() + kGap; };
-  int needed = 0;
-  for (const LegendButton* button : buttons_) needed += least(button);
+  const auto least = [this](const LegendButton* button) {
+    const int shortest = button->minimumSizeHint().width();
+    return shown_ == buttons_.size() ? shortest
+                                     : std::min(std::max(shortest, kReadable), button->sizeHint().width());
+  };
+  const auto needed_by_shown = [&] {
+    int needed = 0;
+    for (std::size_t i = 0; i < shown_; ++i) needed += least(buttons_[i]) + kGap;
+    return needed;
+  };
   shown_ = buttons_.size();
   int room = width() + kGap;
-  if (needed > room) {
+  if (needed_by_shown() > room) {
     room -= more_width + kGap;
-    while (shown_ > 0 && needed > room) needed -= least(buttons_[--shown_]);
+    do --shown_;
+    while (shown_ > 0 && needed_by_shown() > room);
   }
 
   // What is left over the least widths goes to the names, in turn.
-  int spare = room - needed;
+  int spare = room - needed_by_shown();
   int x = 0;
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     LegendButton* button = buttons_[i];
     button->setVisible(i < shown_);
     if (i >= shown_) continue;
-    const int wish = button->sizeHint().width() - button->minimumSizeHint().width();
-    const int share = std::min(wish, spare / static_cast<int>(shown_ - i));
+    const int wish = button->sizeHint().width() - least(button);
+    const int share = std::clamp(spare / static_cast<int>(shown_ - i), 0, wish);
     spare -= share;
-    const int width = button->minimumSizeHint().width() + share;
+    const int width = least(button) + share;
     button->setGeometry(x, (height() - button->sizeHint().height()) / 2, width, button->sizeHint().height());
     x += width + kGap;
   }

@@ -56,6 +56,8 @@ QToolButton:hover { background: %7; }
 QToolButton:checked { background: %7; color: %6; }
 QToolButton:disabled { color: %5; }
 QToolButton#choice { border: 1px solid %3; padding: 4px 10px; background: %1; }
+QToolButton#more { padding: 0 4px; font-size: 11px; color: %5; }
+QToolButton#more::menu-indicator { image: none; }
 QToolButton#choice:hover { border-color: %6; }
 QToolButton#choice::menu-indicator { image: none; }
 QFrame#panel { background: %2; border: 1px solid %3; border-radius: 6px; }

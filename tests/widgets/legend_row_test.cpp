@@ -50,7 +50,7 @@ TEST_F(LegendRowTest, ManyCurvesKeepTheRowNarrow) {
   EXPECT_GT(shown(), 2);
   EXPECT_LT(shown(), 20);
   ASSERT_TRUE(more()->isVisible());
-  EXPECT_EQ(more()->text(), QString("+ %1 more").arg(100 - shown()));
+  EXPECT_EQ(more()->text(), QString("+ %1 more ▾").arg(100 - shown()));
   for (const LegendButton* b : buttons) {
     if (b->isVisible()) {
       EXPECT_LT(b->geometry().right(), more()->geometry().left());
