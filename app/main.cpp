@@ -1,5 +1,5 @@
-#include "app/command_line.h"
-#include "app/standard_output.h"
+#include "app/cli/command_line.h"
+#include "app/cli/standard_output.h"
 
 int main(int argc, char** argv) {
   carom::prepare_process();

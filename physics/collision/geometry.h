@@ -7,7 +7,7 @@
 
 #include "physics/collision/contact.h"
 #include "physics/collision/convex.h"
-#include "physics/motion/state.h"
+#include "physics/dynamics/state.h"
 #include "physics/scene/scene.h"
 
 namespace carom {

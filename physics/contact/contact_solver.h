@@ -10,7 +10,7 @@
 #include "physics/contact/crowd_sweeps.h"
 #include "physics/contact/islands.h"
 #include "physics/contact/newton_finish.h"
-#include "physics/motion/state.h"
+#include "physics/dynamics/state.h"
 
 namespace carom {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "physics/contact/block_lu.h"
 #include "physics/contact/contact_rows.h"
+#include "physics/math/block_lu.h"
 
 namespace carom {
 

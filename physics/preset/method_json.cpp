@@ -1,6 +1,6 @@
 #include "physics/preset/method_json.h"
 
-#include "physics/motion/integrators.h"
+#include "physics/dynamics/integrators/integrators.h"
 
 namespace carom {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <map>
 
-#include "physics/measure/observables.h"
+#include "physics/observe/observables.h"
 
 namespace carom {
 namespace {

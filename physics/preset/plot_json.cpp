@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "physics/measure/expression.h"
+#include "physics/observe/expression.h"
 #include "physics/preset/names.h"
 #include "physics/preset/object_writer.h"
 #include "physics/preset/observable_json.h"

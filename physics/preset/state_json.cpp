@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <limits>
 
-#include "physics/motion/integrators.h"
+#include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/method_json.h"
 #include "physics/preset/object_reader.h"
 #include "physics/preset/object_writer.h"

@@ -154,7 +154,8 @@ enum class IntegratorId {
 enum class ImpactsId { kStepEnd, kLocated };
 enum class ContactsId { kImpulse, kLasting };
 
-// How a run is computed: three named choices and the step. See physics/motion/integrators.h and physics/world/.
+// How a run is computed: three named choices and the step. See physics/dynamics/integrators/integrators.h and
+// physics/world/.
 struct Method {
   IntegratorId integrator = IntegratorId::kRk4;
   ImpactsId impacts = ImpactsId::kLocated;
@@ -220,7 +221,7 @@ struct Sweep {
 // A statement that the experiment must fulfil: what `observable` shows, reduced to one number, beside theory.
 struct Expectation {
   enum class Reduction { kAt, kAtImpact, kMaximum, kMinimum, kMean, kFinal, kCount, kFit };
-  std::string observable;           // a name of physics/measure/observables.h
+  std::string observable;           // a name of physics/observe/observables.h
   std::vector<std::string> bodies;  // the bodies it looks at; as many as the observable asks for
   Reduction reduction = Reduction::kFinal;
   double time = 0.0;              // s, for kAt
@@ -243,9 +244,9 @@ struct View {
 
 // An observable of certain bodies, by their names.
 struct QuantityName {
-  std::string observable;           // a name of physics/measure/observables.h
+  std::string observable;           // a name of physics/observe/observables.h
   std::vector<std::string> bodies;  // as many as the observable asks for
-  // On a plot: its closed form in t (s) and, over another quantity, in x (see physics/measure/expression.h).
+  // On a plot: its closed form in t (s) and, over another quantity, in x (see physics/observe/expression.h).
   std::string theory{};
   bool residual = false;  // what is shown is the observable less the theory
 

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
 
-namespace carom {
+#include "physics/math/vectors.h"
 
-using Vec2 = Eigen::Vector2d;
+namespace carom {
 
 // The shapes of bodies, in the body's own frame. The centre of mass is the frame's origin.
 

@@ -9,7 +9,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "physics/scene/needs.h"
+#include "physics/scene/facts.h"
 #include "physics/scene/polygon.h"
 #include "physics/scene/validate_links.h"
 
@@ -332,23 +332,6 @@ void check_integrator(const std::string& place, const Scene& scene, const Method
 }
 
 }  // namespace
-
-namespace {
-
-std::string refusal(const std::string& place, const std::string& found, const std::string& allowed) {
-  return fmt::format("{}: {} is not allowed; allowed: {}", place.empty() ? "/" : shortened(place),
-                     shortened(found), shortened(allowed, 300));
-}
-
-}  // namespace
-
-void refuse_value(const std::string& place, const std::string& found, const std::string& allowed) {
-  throw SceneError(refusal(place, found, allowed));
-}
-
-void refuse_by(Rule rule, const std::string& place, const std::string& found, const std::string& allowed) {
-  throw RuleError(rule, refusal(place, found, allowed));
-}
 
 ForcePlaces written_places(const Forces& forces) {
   ForcePlaces places;

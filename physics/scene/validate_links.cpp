@@ -8,7 +8,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "physics/motion/link_geometry.h"
+#include "physics/math/vectors.h"
+#include "physics/scene/drive.h"
 #include "physics/scene/fingerprint.h"
 #include "physics/scene/validate.h"
 
@@ -76,18 +77,20 @@ void check_weld(const std::string& at, const Link& link, const Body& body, const
 
 // Where the ends are at the start, and how they move.
 void check_start(const std::string& at, const Link& link, const Body& body, const Body* other, double time) {
-  const Motion a = initial_motion(body, time);
-  const Motion b = other != nullptr ? initial_motion(*other, time) : Motion(Motion::Zero());
-  const Vec2 arm_a = turned_by(a[2], link.point);
-  const Vec2 arm_b = turned_by(b[2], link.anchor);
-  const Vec2 d = a.head<2>() + arm_a - b.head<2>() - arm_b;
-  const Vec2 u = a.segment<2>(3) + a[5] * crossed(arm_a) - b.segment<2>(3) - b[5] * crossed(arm_b);
+  Body plane;
+  plane.fixed = true;
+  const Body a = driven_to(body, time);
+  const Body b = other != nullptr ? driven_to(*other, time) : plane;
+  const Vec2 arm_a = turned_by(a.angle, link.point);
+  const Vec2 arm_b = turned_by(b.angle, link.anchor);
+  const Vec2 d = a.position + arm_a - b.position - arm_b;
+  const Vec2 u = a.velocity + a.spin * crossed(arm_a) - b.velocity - b.spin * crossed(arm_b);
   const double distance = d.norm();
-  const double speeds = a.segment<2>(3).norm() + b.segment<2>(3).norm() + std::abs(a[5]) * arm_a.norm() +
-                        std::abs(b[5]) * arm_b.norm();
+  const double speeds =
+      a.velocity.norm() + b.velocity.norm() + std::abs(a.spin) * arm_a.norm() + std::abs(b.spin) * arm_b.norm();
   if (link.kind == LinkKind::kPin || link.kind == LinkKind::kWeld) {
     const std::string_view kind = name_of_kind(link.kind);
-    const double size = a.head<2>().norm() + b.head<2>().norm() + arm_a.norm() + arm_b.norm();
+    const double size = a.position.norm() + b.position.norm() + arm_a.norm() + arm_b.norm();
     if (distance > kSlack * size)
       refuse_by(Rule::kLinkedStart, at, fmt::format("a {} whose ends are {} m apart", kind, distance),
                 "ends at one place");

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/motion/state.h"
+#include "physics/dynamics/state.h"
 #include "physics/scene/limits.h"
 
 namespace carom {

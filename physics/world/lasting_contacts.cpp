@@ -6,8 +6,8 @@
 
 #include "physics/collision/pair_contact.h"
 #include "physics/collision/time_of_impact.h"
-#include "physics/motion/drive.h"
-#include "physics/motion/integrators.h"
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/scene/drive.h"
 #include "physics/world/simulation.h"
 
 // The contacts that last of a simulation: see LastingContacts.

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "physics/motion/state.h"
+#include "physics/dynamics/state.h"
 #include "physics/scene/scene.h"
 
 namespace carom {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "physics/motion/integrators.h"
+#include "physics/dynamics/integrators/integrators.h"
 #include "physics/world/simulation.h"
 
 // Impacts at their own time: the event queue of a simulation.

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/motion/lost_motion.h"
+#include "physics/dynamics/lost_motion.h"
 #include "physics/scene/scene.h"
 
 namespace carom {

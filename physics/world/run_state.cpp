@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "physics/motion/integrators.h"
+#include "physics/dynamics/integrators/integrators.h"
 #include "physics/scene/fingerprint.h"
 #include "physics/scene/validate.h"
 #include "physics/world/simulation.h"

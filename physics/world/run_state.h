@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "physics/collision/cell_grid.h"
-#include "physics/motion/state.h"
-#include "physics/motion/track_state.h"
+#include "physics/dynamics/state.h"
+#include "physics/dynamics/track_state.h"
 #include "physics/scene/scene.h"
 #include "physics/world/simulation.h"
 

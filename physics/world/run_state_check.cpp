@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "physics/collision/geometry.h"
-#include "physics/scene/needs.h"
+#include "physics/model/needs.h"
 #include "physics/scene/validate.h"
 #include "physics/world/run_state.h"
 

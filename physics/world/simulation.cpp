@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "physics/motion/integrators.h"
-#include "physics/world/linked_impact.h"
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/impact/linked_impact.h"
 
 namespace carom {
 namespace {

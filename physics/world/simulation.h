@@ -14,10 +14,10 @@
 #include "physics/collision/broad_phase.h"
 #include "physics/collision/cell_grid.h"
 #include "physics/collision/geometry.h"
-#include "physics/contact/impact_law.h"
-#include "physics/contact/simultaneous_impact.h"
-#include "physics/motion/tracks.h"
-#include "physics/scene/needs.h"
+#include "physics/dynamics/tracks.h"
+#include "physics/impact/impact_law.h"
+#include "physics/impact/simultaneous_impact.h"
+#include "physics/model/needs.h"
 #include "physics/scene/scene.h"
 #include "physics/world/event_queue.h"
 #include "physics/world/impact_counts.h"
@@ -106,13 +106,13 @@ struct Notices {
 // kOverlapFraction of its overlap, shared by inverse mass.
 //
 // Impacts at their own time: each body, or each group that forces couple, keeps a time of its own, that of its
-// last impact, and a track from there on (physics/motion/tracks.h). The first contact of two tracks is searched
-// on the integrator's own map (physics/collision/time_of_impact.h); the earliest of all is resolved; only the
-// bodies of an impact are touched, and only their neighbours searched again. The state at an impact is a true
-// step of the method, so the integrator keeps its order through impacts. Impacts at one time go pair by pair,
-// in the order of index pairs. Integrators with a step lay all tracks anew at each step's end. The adaptive one
-// and exact flight need no common step: their tracks run on across it, and `step` is only the interval at which
-// the state is looked at.
+// last impact, and a track from there on (physics/dynamics/tracks.h). The first contact of two tracks is
+// searched on the integrator's own map (physics/collision/time_of_impact.h); the earliest of all is resolved;
+// only the bodies of an impact are touched, and only their neighbours searched again. The state at an impact is
+// a true step of the method, so the integrator keeps its order through impacts. Impacts at one time go pair by
+// pair, in the order of index pairs. Integrators with a step lay all tracks anew at each step's end. The
+// adaptive one and exact flight need no common step: their tracks run on across it, and `step` is only the
+// interval at which the state is looked at.
 //
 // Where surfaces stick an impact puts a weld between its two bodies, into this run alone. From that moment on,
 // which stays exact, all bodies have tracks anew.

@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "physics/motion/link_geometry.h"
+#include "physics/math/vectors.h"
 #include "physics/world/simulation.h"
 
 // Bodies that stay joined from their first impact on.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "physics/motion/force_field.h"
-#include "physics/motion/state.h"
+#include "physics/dynamics/force_field.h"
+#include "physics/dynamics/state.h"
 
 namespace carom {
 

@@ -2,8 +2,8 @@
 #include <cstring>
 #include <gtest/gtest.h>
 
-#include "app/standard_output.h"
-#include "widgets/print_blocks.h"
+#include "app/cli/standard_output.h"
+#include "widgets/print/print_blocks.h"
 
 namespace {
 

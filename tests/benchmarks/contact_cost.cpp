@@ -3,8 +3,8 @@
 
 #include "physics/collision/geometry.h"
 #include "physics/collision/turning_pair.h"
-#include "tests/physics/convex_reference.h"
-#include "tests/physics/scenes.h"
+#include "tests/support/convex_reference.h"
+#include "tests/support/scenes.h"
 
 // CPU time of one query of a pair: gap, contact and manifold by kinds of shape, and one search for the first
 // contact. Bodies near each other, half of them overlapping. No figure here is a test.

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-#include "tests/physics/contact_scenes.h"
+#include "tests/support/contact_scenes.h"
 
 namespace carom {
 namespace {

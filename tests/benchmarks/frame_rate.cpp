@@ -6,11 +6,11 @@
 #include <array>
 #include <fmt/format.h>
 
-#include "app/lab_window.h"
+#include "app/lab/lab_window.h"
 #include "physics/scene/validate.h"
-#include "widgets/plot_panel.h"
-#include "widgets/scene_view.h"
-#include "widgets/transport_bar.h"
+#include "widgets/plot/plot_panel.h"
+#include "widgets/run/transport_bar.h"
+#include "widgets/scene/scene_view.h"
 
 using namespace carom;
 

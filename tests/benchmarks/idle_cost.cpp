@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "physics/scene/needs.h"
+#include "physics/model/needs.h"
 #include "physics/world/simulation.h"
-#include "tests/physics/scenes.h"
+#include "tests/support/scenes.h"
 
 // What a part of the model costs where it has nothing to do, as the ratio of its CPU time to the trimmed run's;
 // and collisions a second. Repeats take turns, so that a change of the machine's pace meets all alike; the

@@ -8,9 +8,9 @@
 #include <qwt_plot.h>
 #include <qwt_plot_curve.h>
 
-#include "widgets/plot_panel.h"
-#include "widgets/run_plot.h"
-#include "widgets/theme.h"
+#include "widgets/plot/plot_panel.h"
+#include "widgets/plot/run_plot.h"
+#include "widgets/theme/theme.h"
 
 using namespace carom;
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "tests/fuzz/targets.h"
-#include "tests/physics/preset_files.h"
+#include "tests/support/preset_files.h"
 
 namespace carom::fuzz {
 namespace {

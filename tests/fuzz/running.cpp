@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
-#include "physics/motion/integrators.h"
+#include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
+#include "physics/scene/facts.h"
 
 namespace carom::fuzz {
 namespace {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "physics/measure/stress_scenes.h"
+#include "physics/stress/stress_scenes.h"
 #include "tests/peers/cases.h"
 
 // Carom in the same scenes: RK4 and contacts that last, with impacts at the step's end, as the peers have them,

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "app/cli/commands.h"
+#include "app/cli/count_progress.h"
+#include "app/cli/standard_output.h"
+#include "app/cli/text_table.h"
+#include "app/export/run_files.h"
+#include "app/lab/preset_library.h"
+#include "physics/check/check.h"
+#include "physics/files/output_set.h"
+#include "physics/math/parallel.h"
+#include "physics/model/needs.h"
+#include "physics/preset/preset.h"
+#include "physics/scene/facts.h"
+#include "physics/scene/validate.h"
+
+namespace carom {
+namespace {
+
+struct CheckedPreset {
+  std::filesystem::path file;
+  std::string name;
+  Scene scene;
+  ExpectationCheck check;
+};
+
+// One row of the table, as text.
+struct Row {
+  std::string preset;
+  std::string expectation;
+  std::string measured;
+  std::string expected;
+  std::string error;
+  std::string tolerance;
+  std::string verdict;
+};
+
+// Bytes of an expectation's words in the table; the CSV file has them whole.
+constexpr std::size_t kMostWords = 76;
+
+// Eleven digits tell apart all that a tolerance of 1e-10 does; exact numbers stay short.
+std::string figure(double value) { return fmt::format("{:.11g}", value == 0.0 ? 0.0 : value); }
+
+std::string rough(double value) { return value == 0.0 ? "0" : fmt::format("{:.1e}", value); }
+
+Row table_row(const std::string& preset, const Scene& scene, const Expectation& e, const Outcome& o) {
+  const bool came = !std::isnan(o.measured);
+  const std::string unit = o.unit.empty() || o.unit == "1" ? "" : " " + o.unit;
+  return {preset,
+          text_of(e, scene),
+          came ? figure(o.measured) : "-",
+          figure(e.value) + unit,
+          came ? rough(o.error) : "-",
+          rough(e.tolerance),
+          o.good ? "good"
+          : came ? "FELL SHORT"
+                 : "NEVER CAME"};
+}
+
+void print_rows(const std::vector<Row>& rows) {
+  static constexpr auto kColumns = std::to_array(
+      {Align::kLeft, Align::kLeft, Align::kRight, Align::kLeft, Align::kRight, Align::kRight, Align::kLeft});
+  std::vector<std::vector<std::string>> cells;
+  for (const Row& r : rows) {
+    cells.push_back({r.preset, shortened(r.expectation, kMostWords), r.measured, r.expected, r.error,
+                     r.tolerance, r.verdict});
+  }
+  print_table(cells, kColumns);
+}
+
+// The scene of a preset under the method that is asked for.
+Scene read_scene(const std::filesystem::path& file, const CheckOptions& options) {
+  constexpr std::string_view kStep = "/method/step";
+  Scene scene = scene_with_method(file.string(), options.method);
+  const auto divide = [&](double& step) { step = std::max(step / options.finer, kLeastStep); };
+  divide(scene.method.step);
+  for (Expectation& e : scene.expect) {
+    for (Setting& setting : e.settings) {
+      if (setting.place == kStep) divide(setting.value);
+    }
+    if (e.over && e.over->place == kStep) {
+      for (double& step : e.over->values) divide(step);
+    }
+  }
+  return scene;
+}
+
+std::vector<CheckedPreset> read_presets(const CheckOptions& options) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : options.presets) files.push_back(find_preset(name));
+  if (options.presets.empty()) {
+    for (const LibraryEntry& entry : preset_library()) files.push_back(entry.file);
+  }
+  std::vector<CheckedPreset> presets;
+  for (const std::filesystem::path& file : files) {
+    const bool asked_for = !options.presets.empty();
+    const auto integrator = options.method.integrator;
+    if (!asked_for && integrator && why_not(read_preset(file), *integrator)) continue;
+    Scene scene = read_scene(file, options);
+    try {
+      ExpectationCheck check(scene);
+      presets.push_back({file, file.stem().string(), std::move(scene), std::move(check)});
+    } catch (const SceneError& error) {
+      throw SceneError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+  }
+  return presets;
+}
+
+// The runs of all presets, on all cores.
+void run_all(std::vector<CheckedPreset>& presets) {
+  struct Job {
+    CheckedPreset* preset;
+    int run;
+  };
+  std::vector<Job> jobs;
+  for (CheckedPreset& p : presets) {
+    for (int run = 0; run < p.check.runs(); ++run) jobs.push_back({&p, run});
+  }
+  CountProgress progress(static_cast<int>(jobs.size()));
+  parallel_for(static_cast<int>(jobs.size()), 0, [&](int i) {
+    jobs[static_cast<std::size_t>(i)].preset->check.run(jobs[static_cast<std::size_t>(i)].run);
+    progress.one_more();
+  });
+}
+
+}  // namespace
+
+int check_command(const CheckOptions& options) {
+  std::vector<CheckedPreset> presets = read_presets(options);
+  std::vector<std::filesystem::path> files;
+  for (const CheckedPreset& p : presets) files.push_back(p.file);
+  OutputSet outputs(files);
+  OutputFile* csv = outputs.open(options.csv);
+  if (csv != nullptr) csv->line("preset,expectation,measured,expected,error,tolerance,verdict");
+  run_all(presets);
+
+  std::vector<Row> rows = {{"preset", "expectation", "measured", "expected", "error", "tolerance", "verdict"}};
+  int all = 0;
+  int good = 0;
+  for (const CheckedPreset& p : presets) {
+    const std::vector<Outcome> outcomes = p.check.outcomes();
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      const Expectation& e = p.scene.expect[i];
+      const Outcome& o = outcomes[i];
+      ++all;
+      good += o.good ? 1 : 0;
+      rows.push_back(table_row(p.name, p.scene, e, o));
+      if (csv != nullptr) {
+        csv->line(fmt::format("{},{},{},{},{},{},{}", csv_field(p.name), csv_field(rows.back().expectation),
+                              o.measured, e.value, o.error, e.tolerance, o.good ? "good" : "fell short"));
+      }
+    }
+  }
+  const std::string failures = outputs.commit();
+  print_rows(rows);
+  print_out("\n{} of {} expectations of {} preset{} are met.\n", good, all, presets.size(),
+            presets.size() == 1 ? "" : "s");
+  if (!failures.empty()) throw SceneError(failures);
+  return good == all ? kGood : kFellShort;
+}
+
+}  // namespace carom

@@ -1,0 +1,60 @@
+#include <array>
+#include <fmt/format.h>
+
+#include "app/cli/commands.h"
+#include "app/cli/count_progress.h"
+#include "app/cli/standard_output.h"
+#include "app/cli/text_table.h"
+#include "physics/files/output_set.h"
+#include "physics/math/parallel.h"
+#include "physics/scene/validate.h"
+#include "physics/stress/stress_page.h"
+#include "physics/stress/stress_table.h"
+
+namespace carom {
+namespace {
+
+void print_lines(const std::vector<StressLine>& lines) {
+  static constexpr auto kColumns =
+      std::to_array({Align::kLeft, Align::kLeft, Align::kLeft, Align::kRight, Align::kRight, Align::kRight,
+                     Align::kRight, Align::kLeft, Align::kRight, Align::kLeft});
+  std::vector<std::vector<std::string>> rows;
+  for (const StressLine& l : lines) {
+    rows.push_back(
+        {l.case_id, l.figure, l.method, l.coarse, l.fine, l.change, l.limit, l.verdict, l.cpu_time, l.peers});
+  }
+  print_table(rows, kColumns);
+}
+
+}  // namespace
+
+int stress_command(const StressOptions& options) {
+  const std::vector<StressCase> cases = stress_cases(options.cases);
+  // Opened first: minutes of work must not end at a file that cannot be written.
+  OutputSet outputs;
+  OutputFile* csv = outputs.open(options.csv);
+  OutputFile* page = outputs.open(options.page);
+  StressSuite suite(cases, options.longer);
+  {
+    CountProgress progress(suite.runs());
+    parallel_for(suite.runs(), 0, [&](int i) {
+      suite.run(i);
+      progress.one_more();
+    });
+  }
+  const std::vector<StressRow> rows = suite.rows();
+  const auto write = [](OutputFile* file, const std::vector<std::string>& lines) {
+    if (file == nullptr) return;
+    for (const std::string& line : lines) file->line(line);
+  };
+  write(csv, stress_csv(rows));
+  write(page, stress_page(cases, rows));
+  const std::string failures = outputs.commit();
+  print_lines(stress_lines(rows));
+  const StressCount count = count_of(rows);
+  print_out("\n{}\n", count_text(count));
+  if (!failures.empty()) throw SceneError(failures);
+  return count.within == count.bounded ? kGood : kFellShort;
+}
+
+}  // namespace carom

@@ -1,0 +1,22 @@
+#include "app/cli/no_screen.h"
+
+#include <QString>
+#include <QtGlobal>
+#include <fmt/format.h>
+
+namespace carom {
+namespace {
+
+// A platform without a screen says so in warnings that mean nothing to whoever asked for a picture.
+void quiet_messages(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {
+  if (type == QtCriticalMsg || type == QtFatalMsg) fmt::print(stderr, "carom: {}\n", message.toStdString());
+}
+
+}  // namespace
+
+void use_no_screen() {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  qInstallMessageHandler(quiet_messages);
+}
+
+}  // namespace carom

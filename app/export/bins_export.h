@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "widgets/plot/distribution.h"
+
+namespace carom {
+
+// The bins of a histogram plot as a table, a header and one line a bin: which distribution, from, to, count,
+// share over the width and, beside a law, the count that it expects; all digits. `unit` is that of the values.
+[[nodiscard]] std::vector<std::string> bins_table(const std::vector<ShownBins>& shown, const std::string& unit,
+                                                  char separator);
+
+// The same as a CSV file (RFC 4180). Throws SceneError if the file cannot be written.
+void export_bins(const std::vector<ShownBins>& shown, const std::string& unit, const std::string& file);
+
+}  // namespace carom

@@ -1,0 +1,285 @@
+#include "app/export/lab_report.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/model/needs.h"
+#include "physics/record/run_moments.h"
+#include "widgets/plot/plot_export.h"
+#include "widgets/plot/run_plot.h"
+#include "widgets/print/print_blocks.h"
+#include "widgets/theme/figure_table.h"
+#include "widgets/theme/number_text.h"
+
+namespace carom {
+namespace {
+
+constexpr int kMostRows = 24;      // of a table
+constexpr double kGap = 18.0;      // px between two pictures
+constexpr double kCaption = 20.0;  // px
+constexpr double kPlot = 210.0;    // px, height of a plot
+
+QString tr(const char* text) { return QCoreApplication::translate("LabReport", text); }
+QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
+
+// How far from an impact a moment just before or after it is, s: a round part of a step.
+double near_by(const Method& method) { return std::pow(10.0, std::floor(std::log10(method.step) + 1e-9)); }
+
+QString step_text(const Method& m) {
+  const IntegratorChoice& integrator = choice_of(kIntegrators, m.integrator);
+  const QString step = short_figure(1e3 * m.step) + " ms";
+  if (integrator.adaptive) return tr("tolerance %1 m and m/s a step").arg(short_figure(m.tolerance));
+  return integrator.order == 0 ? tr("none; results every %1").arg(step) : "h = " + step;
+}
+
+template <class Choice>
+QString choice_text(const Choice& choice) {
+  return text_of(choice.label) + ": " + text_of(choice.tip);
+}
+
+// "RK4, impacts at their own time, ...": all of a method in a line.
+QString method_line(const Method& m) {
+  return QStringList{text_of(choice_of(kIntegrators, m.integrator).label),
+                     text_of(choice_of(kImpacts, m.impacts).label),
+                     text_of(choice_of(kContacts, m.contacts).label), step_text(m)}
+      .join(", ");
+}
+
+// Of each run its frame at one time.
+using Moment = std::vector<Frame>;
+
+// The report's pieces, from the first to the last.
+class Writer {
+ public:
+  explicit Writer(const LabReport& report) : report_(report) {}
+
+  std::vector<PrintBlock> write(const std::vector<Moment>& moments) {
+    head();
+    if (!report_.questions.isEmpty()) question(report_.questions.front());
+    scenes(moments);
+    plots();
+    tables();
+    method();
+    for (const QString& text : report_.questions.mid(1)) question(text);
+    return std::move(blocks_);
+  }
+
+ private:
+  void add(PrintBlock block, std::optional<double> gap = {}) {
+    if (gap) block.gap = *gap;
+    blocks_.push_back(std::move(block));
+  }
+
+  void head() {
+    const Theme& theme = light_theme();
+    add(print_text(tr("Lab report"), print_font(12), theme.muted));
+    add(print_text(report_.title, print_font(26, true), theme.text), 2.0);
+    add(print_fields({{tr("Name"), report_.name, 0.48},
+                      {tr("Class"), report_.form, 0.22},
+                      {tr("Date"), report_.date, 0.30}}));
+  }
+
+  void question(const QString& text) {
+    add(print_heading(text));
+    constexpr int kLeastLines = 4;
+    add(print_ruled(kLeastLines));
+  }
+
+  void scenes(const std::vector<Moment>& moments) {
+    if (moments.empty()) return;
+    add(print_heading(tr("The run")));
+    const bool alone = moments.size() == 1;
+    const int columns = alone ? 1 : 2;
+    const double width = (PrintPages::kTextWidth - kGap * (columns - 1)) / columns;
+    const QSizeF window = report_.look.camera.viewport;
+    const double height = width * std::clamp(window.height() / window.width(), 0.3, 0.75);
+    SceneLook look = report_.look;
+    look.theme = light_theme();
+    look.options.text_size = 9.0;
+    look.options.line_scale = 0.8;
+    look = on_viewport(look, {width, height});
+    std::vector<PrintBlock> row;
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+      row.push_back(scene(moments[i], look));
+      if (static_cast<int>(row.size()) < columns && i + 1 < moments.size()) continue;
+      add(print_row(std::move(row), columns, kGap), i < 2 ? 8.0 : 12.0);
+      row.clear();
+    }
+  }
+
+  [[nodiscard]] PrintBlock scene(const Moment& moment, const SceneLook& look) const {
+    PrintBlock block;
+    block.height = look.camera.viewport.height() + kCaption;
+    const QString time = QString("t = %1 s").arg(short_figure(moment.front().time, 6));
+    const QString what = moment_text(moment.front().time, report_);
+    block.paint = [moment, look, time, what](QPainter& painter, const QRectF& where) {
+      const Theme& theme = light_theme();
+      const QRectF frame(where.topLeft(), look.camera.viewport);
+      painter.save();
+      painter.setClipRect(frame);
+      painter.translate(frame.topLeft());
+      SceneLook own = look;
+      paint_scene(painter, moment.front(), own, std::span(moment).subspan(1));
+      painter.restore();
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(theme.border, 0.75));
+      painter.drawRect(frame);
+      const double base = where.bottom() - 4.0;
+      painter.setFont(print_font(11, true));
+      painter.setPen(theme.text);
+      painter.drawText(QPointF(where.left(), base), time);
+      const double end = where.left() + QFontMetricsF(painter.font()).horizontalAdvance(time);
+      painter.setFont(print_font(11));
+      painter.setPen(theme.muted);
+      painter.drawText(QPointF(end + 10.0, base), what);
+    };
+    return block;
+  }
+
+  void plots() {
+    if (report_.plots.empty()) return;
+    add(print_heading(tr("Plots")));
+    for (RunPlot* plot : report_.plots) {
+      PrintBlock block;
+      block.height = kPlot;
+      block.paint = [plot](QPainter& painter, const QRectF& where) { paint_plot(*plot, painter, where); };
+      add(std::move(block), plot == report_.plots.front() ? 8.0 : 16.0);
+    }
+  }
+
+  void tables() {
+    if (report_.bodies != nullptr) {
+      add(print_heading(tr("Before and after")));
+      add(print_text(tr("Before: t = 0. Now: t = %1 s.").arg(short_figure(report_.ends.front().time, 6)),
+                     print_font(12), light_theme().muted),
+          4.0);
+      blocks_.back().with_next = true;
+      add(print_table(*report_.bodies, kMostRows));
+    }
+    if (report_.ledger == nullptr) return;
+    add(print_heading(tr("Where energy and momentum went")));
+    add(print_table(*report_.ledger, kMostRows));
+    const double drift = report_.ends.front().ledger.numerical_drift(report_.ends.front().totals.energy());
+    const double energy = report_.ends.front().scales.energy;
+    QString text = tr("The numerical drift is what the method itself gained or lost: %1 J").arg(figure(drift));
+    if (energy > 0.0)
+      text += tr(", which is %1 of the largest energy of the run, %2 J")
+                  .arg(figure(std::abs(drift) / energy, 2), figure(energy));
+    add(print_text(text + ".", print_font(12), light_theme().muted), 8.0);
+  }
+
+  void method() {
+    const Scene& start = report_.runs.front().start;
+    const Method& m = start.method;
+    add(print_heading(tr("The method")));
+    const auto entry = [&](const QString& name, const QString& text) {
+      blocks_.back().with_next = true;  // it is a whole
+      add(print_entry(name, text));
+    };
+    if (!report_.observe.isEmpty()) entry(tr("To be seen"), report_.observe);
+    entry(tr("Integrator"), choice_text(choice_of(kIntegrators, m.integrator)));
+    entry(tr("Step"), step_text(m));
+    entry(tr("Impacts"), choice_text(choice_of(kImpacts, m.impacts)));
+    entry(tr("Contacts"), choice_text(choice_of(kContacts, m.contacts)));
+    const NeedsText needs = text_of_needs(start);
+    const auto joined = [](const std::vector<std::string>& parts) {
+      QStringList all;
+      for (const std::string& part : parts) all << QString::fromStdString(part);
+      return all.isEmpty() ? tr("nothing") : all.join(", ");
+    };
+    entry(tr("Modelled"), joined(needs.modelled));
+    entry(tr("Not needed"), joined(needs.not_needed));
+    changes();
+    entry(tr("The run"), tr("%1 s in %2 steps with %3 impacts; %4 evaluations of a body's acceleration")
+                             .arg(short_figure(report_.ends.front().time, 6))
+                             .arg(report_.ends.front().steps)
+                             .arg(report_.ends.front().impact_count)
+                             .arg(report_.ends.front().evaluations));
+    compared();
+    if (report_.ends.front().status != "ok")
+      entry(tr("Notices"), QString::fromStdString(report_.ends.front().status));
+  }
+
+  // The other methods, as outlines beside the scene's own.
+  void compared() {
+    for (std::size_t i = 1; i < report_.runs.size(); ++i) {
+      const Frame& end = report_.ends[i];
+      blocks_.back().with_next = true;
+      add(print_entry(
+          i == 1 ? tr("Compared with") : QString(),
+          tr("%1: numerical drift %2 J")
+              .arg(method_line(end.method), figure(end.ledger.numerical_drift(end.totals.energy())))));
+    }
+  }
+
+  static NeedsText text_of_needs(const Scene& scene) { return carom::text_of(needs_of(scene), scene); }
+
+  // What was done to the run on its way, as far as a page takes it.
+  void changes() {
+    constexpr std::size_t kMostChanges = 12;
+    const std::vector<Edit>& edits = report_.runs.front().edits;
+    QStringList lines;
+    for (std::size_t i = 0; i < std::min(edits.size(), kMostChanges); ++i) {
+      const auto* method = std::get_if<Method>(&edits[i].what);
+      const QString what =
+          method != nullptr ? method_line(*method)
+                            : tr("%1 put in").arg(QString::fromStdString(std::get<Body>(edits[i].what).name));
+      lines << tr("from t = %1 s: %2").arg(short_figure(edits[i].time, 6), what);
+    }
+    if (edits.size() > kMostChanges) lines << tr("and %1 more").arg(edits.size() - kMostChanges);
+    for (qsizetype i = 0; i < lines.size(); ++i) {
+      blocks_.back().with_next = true;
+      add(print_entry(i == 0 ? tr("Changed") : QString(), lines[i]));
+    }
+  }
+
+  const LabReport& report_;
+  std::vector<PrintBlock> blocks_;
+};
+
+}  // namespace
+
+std::vector<double> report_times(const Method& method, std::optional<double> first_impact, double end) {
+  std::vector<double> times{0.0};
+  if (first_impact && method.impacts == ImpactsId::kLocated) {
+    const double near = near_by(method);
+    const double before = std::ceil(*first_impact / near - 1e-6) - 1.0;
+    times.insert(times.end(), {before * near, (std::floor(*first_impact / near + 1e-6) + 1.0) * near});
+  } else if (first_impact) {
+    times.insert(times.end(), {*first_impact - method.step, *first_impact});
+  } else {
+    for (const int third : {1, 2}) times.push_back(short_figure(third * end / 3.0, 3).toDouble());
+  }
+  times.push_back(end);
+  std::erase_if(times, [end](double t) { return t < 0.0 || t > end; });
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+QString moment_text(double time, const LabReport& report) {
+  if (time == 0.0) return tr("start");
+  if (report.first_impact) {
+    const double off = time - *report.first_impact;
+    const Method& method = report.runs.front().start.method;
+    const double near = 1.001 * (method.impacts == ImpactsId::kLocated ? near_by(method) : method.step);
+    if (off < 0.0 && off >= -near) return tr("just before the first impact");
+    if (off >= 0.0 && off <= near) return tr("just after the first impact");
+  }
+  return time == report.ends.front().time ? tr("end") : QString();
+}
+
+std::optional<PrintPages> report_pages(const LabReport& report, const std::function<bool(double)>& progress) {
+  std::vector<Moment> moments;
+  const auto keep = [&](std::span<const Frame> runs) {
+    moments.emplace_back(runs.begin(), runs.end());
+    return true;
+  };
+  const double end = report.times.empty() ? 1.0 : std::max(report.times.back(), 1e-12);
+  const auto go_on = [&](double time) { return progress(std::min(1.0, time / end)); };
+  if (!visit_moments(report.runs, report.times, kImpactShown, keep, go_on)) return std::nullopt;
+  return PrintPages(Writer(report).write(moments), "Carom · " + report.title);
+}
+
+}  // namespace carom

@@ -1,0 +1,95 @@
+#include "app/export/run_export.h"
+
+#include <span>
+
+#include "app/export/run_files.h"
+#include "physics/files/output_file.h"
+#include "physics/record/sampler.h"
+
+namespace carom {
+namespace {
+
+// Goes through the run and tells `put` line by line, the header first. Where one of the two answers false it is
+// left, and the answer is false.
+bool write_lines(const DataExport& what, char separator, const std::function<bool(const std::string&)>& put,
+                 const std::function<bool(double)>& progress) {
+  std::vector<Curve> curves;
+  for (const Quantity& column : what.columns) curves.push_back({column, std::nullopt});
+  const bool impacts = curves.empty();
+  const auto wanted = [&](double time) { return time >= what.from && time <= what.to; };
+  const std::shared_ptr<const KeyFrame> moment = latest_before(what.key_frames, what.from, curves);
+  Replay replay = moment ? Replay(moment->simulation, moment->edits) : Replay(what.log.start);
+  const Simulation& simulation = replay.simulation();
+  Sampler sampler(curves);
+  if (moment) {
+    sampler = moment->sampler;
+    sampler.set_curves(curves);
+  } else {
+    if (what.reference != ReferenceId::kNone) sampler.compare_with(Companion(what.log.start, what.reference));
+    sampler.begin(simulation);
+  }
+  std::vector<Body> bodies = all_bodies(what.log.start);
+  for (const Edit& edit : what.log.edits) {
+    if (const auto* body = std::get_if<Body>(&edit.what)) bodies.push_back(*body);
+  }
+  if (!put(impacts ? events_csv_header(separator) : csv_header(what.columns, bodies, separator))) return false;
+  while (true) {
+    while (const Edit* edit = replay.edit(what.log)) sampler.after_edit(simulation, *edit);
+    const Rows rows = sampler.take();
+    for (std::size_t i = 0; i < rows.size() && !impacts; ++i) {
+      const auto values = std::span(rows.values).subspan(i * curves.size(), curves.size());
+      if (wanted(rows.times[i]) && !put(csv_line(rows.times[i], values, separator))) return false;
+    }
+    const std::int64_t done = simulation.steps();
+    if (done >= what.steps || simulation.time() > what.to) return true;
+    if (done % 64 == 0 && !progress(static_cast<double>(done) / static_cast<double>(what.steps))) return false;
+    replay.step();
+    sampler.after_step(simulation);
+    for (const ImpactRecord& impact : simulation.last_impacts()) {
+      if (impacts && wanted(impact.time) && !put(events_csv_line(simulation, impact, separator))) return false;
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Simulation> run_at(const RunLog& log,
+                                 const std::vector<std::shared_ptr<const KeyFrame>>& key_frames, double time,
+                                 std::int64_t steps, const std::function<bool(double)>& progress) {
+  const std::shared_ptr<const KeyFrame> moment = latest_before(key_frames, time, {});
+  Replay replay = moment ? Replay(moment->simulation, moment->edits) : Replay(log.start);
+  while (true) {
+    while (replay.edit(log) != nullptr) {
+    }
+    const std::int64_t done = replay.simulation().steps();
+    if (done >= steps) return replay.simulation();
+    if (done % 64 == 0 && !progress(static_cast<double>(done) / static_cast<double>(steps)))
+      return std::nullopt;
+    replay.step();
+  }
+}
+
+bool export_data(const DataExport& what, const std::string& file, const std::function<bool(double)>& progress) {
+  OutputFile out(file);
+  const auto put = [&](const std::string& line) {
+    out.line(line);
+    return !out.failed();
+  };
+  if (!write_lines(what, ',', put, progress) && !out.failed()) return false;
+  out.commit();
+  return true;
+}
+
+Copied copy_data(const DataExport& what, std::string& text, const std::function<bool(double)>& progress) {
+  std::size_t lines = 0;  // with the header
+  const auto put = [&](const std::string& line) {
+    if (lines++ > kMostCopied) return false;
+    text += line;
+    text += '\n';
+    return true;
+  };
+  if (write_lines(what, '\t', put, progress)) return Copied::kAll;
+  return lines > kMostCopied + 1 ? Copied::kTooMany : Copied::kCancelled;
+}
+
+}  // namespace carom

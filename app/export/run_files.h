@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physics/observe/quantity.h"
+#include "physics/world/simulation.h"
+
+namespace carom {
+
+// A text as a field of a CSV file: in quotes where it needs them.
+[[nodiscard]] std::string csv_field(const std::string& text, char separator = ',');
+
+// The CSV files of a run: RFC 4180, units in brackets in the header, every number with all its digits, an empty
+// field where there is none. For the clipboard the separator is a tab.
+//
+// The columns of a run beside its time: sums of the scene, then x, y, angle, velocity and spin of each body
+// that is not fixed, for up to kMostPaths of them (a larger crowd's file would be some 100 MB; its sums are
+// written), then the ledger.
+inline constexpr int kMostPaths = 50;
+[[nodiscard]] std::vector<Quantity> run_columns(const std::vector<Body>& bodies);
+
+[[nodiscard]] std::string csv_header(const std::vector<Quantity>& columns, const std::vector<Body>& bodies,
+                                     char separator = ',');
+[[nodiscard]] std::string csv_line(double time, std::span<const double> values, char separator = ',');
+// Of the run as it stands.
+[[nodiscard]] std::string csv_line(const std::vector<Quantity>& columns, const Simulation& simulation);
+
+[[nodiscard]] std::string events_csv_header(char separator = ',');
+[[nodiscard]] std::string events_csv_line(const Simulation& simulation, const ImpactRecord& impact,
+                                          char separator = ',');
+
+}  // namespace carom

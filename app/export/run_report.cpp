@@ -1,0 +1,180 @@
+#include "app/export/run_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/scene/plain_text.h"
+
+namespace carom {
+namespace {
+
+// Six significant digits, right aligned; never "-0".
+std::string figure(double value) { return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value); }
+
+double kinetic(const Simulation& s, int i) {
+  const double spin = s.state().v(2, i);
+  return 0.5 * s.mass().mass[i] * s.state().velocity(i).squaredNorm() + 0.5 * s.mass().inertia[i] * spin * spin;
+}
+
+// 1 step, 2 steps.
+std::string counted(std::int64_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+// What is computed how, and what it cost.
+std::string method_text(const Simulation& s) {
+  const Method& m = s.method();
+  const IntegratorChoice& integrator = choice_of(kIntegrators, m.integrator);
+  const std::string size = integrator.adaptive     ? fmt::format("tolerance {}", m.tolerance)
+                           : integrator.order == 0 ? fmt::format("results every {} s", m.step)
+                                                   : fmt::format("h = {} s", m.step);
+  return fmt::format("{}, {}, {}, {}\n{}, {} of a body's acceleration, {}\n", integrator.label,
+                     choice_of(kImpacts, m.impacts).label, choice_of(kContacts, m.contacts).label, size,
+                     integrator.order > 0 ? fmt::format("order {}", integrator.order) : "exact",
+                     counted(s.evaluations(), "evaluation"), counted(s.rejected_steps(), "rejected step"));
+}
+
+std::string ledger_text(const Ledger& ledger, const Totals& now) {
+  std::string out = "\nwhere the energy went / J\n";
+  const auto entry = [&](const char* what, double value) {
+    out += fmt::format("{:<34} {:>14}\n", what, figure(value));
+  };
+  entry("initial", ledger.initial);
+  entry("lost to restitution", ledger.lost_to_restitution);
+  entry("lost to friction", ledger.lost_to_friction);
+  entry("lost to rolling", ledger.lost_to_rolling);
+  entry("lost to sticking", ledger.lost_to_sticking);
+  entry("lost to drag", ledger.lost_to_drag);
+  entry("lost to dampers", ledger.lost_to_dampers);
+  entry("lost to links", ledger.lost_to_links);
+  entry("overlap correction", ledger.overlap_correction);
+  entry("put in by drives", ledger.put_in_by_drives);
+  entry("put in by the user", ledger.put_in_by_user);
+  entry("numerical drift", ledger.numerical_drift(now.energy()));
+
+  out += fmt::format("\n{:<34} {:>14} {:>14}\n", "where the momentum went / N s", "x", "y");
+  const auto pair = [&](const char* what, const Vec2& value) {
+    out += fmt::format("{:<34} {:>14} {:>14}\n", what, figure(value.x()), figure(value.y()));
+  };
+  pair("initial", ledger.initial_momentum);
+  pair("from gravity", ledger.momentum_from_gravity);
+  pair("from forces", ledger.momentum_from_forces);
+  pair("from the user", ledger.momentum_from_user);
+  pair("to walls", ledger.momentum_to_walls);
+  pair("numerical drift", ledger.momentum_drift(now.momentum));
+  return out;
+}
+
+}  // namespace
+
+std::string report_text(const Scene& scene, const Simulation& start, const Simulation& end) {
+  std::string out = fmt::format("{}\n{}", printable(scene.title), method_text(end));
+  out += fmt::format("t = {} s after {}, {}\n\n", figure(end.time()), counted(end.steps(), "step"),
+                     counted(end.impact_count(), "impact"));
+
+  std::size_t name_width = 4;
+  for (const Body& b : end.bodies()) {
+    if (!is_immovable(b))
+      name_width = std::max(name_width, std::min<std::size_t>(characters(printable(b.name)), 16));
+  }
+  out += fmt::format("{:<{}} {:>9} {:>22} {:>22} {:>11} {:>11} {:>11}\n", "body", name_width, "m / kg",
+                     "v before / m/s", "v after / m/s", "spin / 1/s", "K before/J", "K after/J");
+  int moving = 0;
+  double mass = 0.0;
+  for (int i = 0; i < end.state().size(); ++i) {
+    if (is_immovable(end.bodies()[i])) continue;
+    mass += end.mass().mass[i];
+    if (++moving > kMostRows) continue;
+    const auto velocity = [i](const Simulation& s) {
+      return fmt::format("{:>10} {:>10}", figure(s.state().v(0, i)), figure(s.state().v(1, i)));
+    };
+    out += fmt::format("{:<{}.{}} {:>9} {:>22} {:>22} {:>11} {:>11} {:>11}\n", printable(end.bodies()[i].name),
+                       name_width, name_width, figure(end.mass().mass[i]), velocity(start), velocity(end),
+                       figure(end.state().v(2, i)), figure(kinetic(start, i)), figure(kinetic(end, i)));
+  }
+  if (moving > kMostRows) out += fmt::format("... and {} more\n", moving - kMostRows);
+  const Totals before = start.totals();
+  const Totals after = end.totals();
+  out += fmt::format("{:<{}} {:>9} {:>22} {:>22} {:>11} {:>11} {:>11}\n\n", "sum", name_width, figure(mass), "",
+                     "", "", figure(before.kinetic()), figure(after.kinetic()));
+
+  const auto row = [&](const char* what, double from, double to) {
+    out += fmt::format("{:<34} {:>14} {:>14}\n", what, figure(from), figure(to));
+  };
+  out += fmt::format("{:<34} {:>14} {:>14}\n", "", "before", "after");
+  row("kinetic energy / J", before.kinetic(), after.kinetic());
+  row("  of rotation / J", before.rotational, after.rotational);
+  row("potential energy / J", before.potential, after.potential);
+  row("total energy / J", before.energy(), after.energy());
+  row("momentum x / N s", before.momentum.x(), after.momentum.x());
+  row("momentum y / N s", before.momentum.y(), after.momentum.y());
+  row("angular momentum / kg m²/s", before.angular_momentum, after.angular_momentum);
+
+  out += ledger_text(end.ledger(), after);
+  out += fmt::format("\nstatus: {}\n", end.status());
+  return out;
+}
+
+std::string report_json(const std::string& preset, const Simulation& end) {
+  using Json = nlohmann::ordered_json;
+  const auto pair = [](const Vec2& v) { return Json::array({v.x(), v.y()}); };
+  const Method& m = end.method();
+  const Totals totals = end.totals();
+  const Ledger ledger = end.ledger();
+  Json j;
+  j["preset"] = preset;  // may be no UTF-8
+  j["method"] = {{"integrator", choice_of(kIntegrators, m.integrator).name},
+                 {"impacts", choice_of(kImpacts, m.impacts).name},
+                 {"contacts", choice_of(kContacts, m.contacts).name}};
+  if (choice_of(kIntegrators, m.integrator).adaptive) {
+    j["method"]["tolerance"] = m.tolerance;
+  } else {
+    j["method"]["step"] = m.step;
+  }
+  j["order"] = choice_of(kIntegrators, m.integrator).order;
+  j["time"] = end.time();
+  j["steps"] = end.steps();
+  j["rejected_steps"] = end.rejected_steps();
+  j["evaluations"] = end.evaluations();
+  j["impacts"] = end.impact_count();
+  j["bodies"] = Json::array();
+  for (int i = 0; i < end.state().size(); ++i) {
+    j["bodies"].push_back({{"name", end.bodies()[i].name},
+                           {"position", pair(end.state().position(i))},
+                           {"angle", end.state().q(2, i)},
+                           {"velocity", pair(end.state().velocity(i))},
+                           {"spin", end.state().v(2, i)}});
+  }
+  j["kinetic_energy"] = totals.kinetic();
+  j["rotational_energy"] = totals.rotational;
+  j["potential_energy"] = totals.potential;
+  j["total_energy"] = totals.energy();
+  j["momentum"] = pair(totals.momentum);
+  j["angular_momentum"] = totals.angular_momentum;
+  j["ledger"] = {{"initial", ledger.initial},
+                 {"lost_to_restitution", ledger.lost_to_restitution},
+                 {"lost_to_friction", ledger.lost_to_friction},
+                 {"lost_to_rolling", ledger.lost_to_rolling},
+                 {"lost_to_sticking", ledger.lost_to_sticking},
+                 {"lost_to_drag", ledger.lost_to_drag},
+                 {"lost_to_dampers", ledger.lost_to_dampers},
+                 {"lost_to_links", ledger.lost_to_links},
+                 {"overlap_correction", ledger.overlap_correction},
+                 {"put_in_by_drives", ledger.put_in_by_drives},
+                 {"put_in_by_user", ledger.put_in_by_user},
+                 {"numerical_drift", ledger.numerical_drift(totals.energy())},
+                 {"momentum",
+                  {{"initial", pair(ledger.initial_momentum)},
+                   {"from_gravity", pair(ledger.momentum_from_gravity)},
+                   {"from_forces", pair(ledger.momentum_from_forces)},
+                   {"from_user", pair(ledger.momentum_from_user)},
+                   {"to_walls", pair(ledger.momentum_to_walls)},
+                   {"numerical_drift", pair(ledger.momentum_drift(totals.momentum))}}}};
+  j["status"] = end.status();
+  return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace carom

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QDialog>
+
+#include "app/export/film.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace carom {
+
+// Which part of a run is to become a film, how fast, how large, and where its frames go. It tells all the while
+// what will come of it, or what is not allowed.
+class FilmDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  FilmDialog(const Film& suggestion, const QString& folder, QWidget* parent);
+
+  [[nodiscard]] Film film() const;
+  [[nodiscard]] QString folder() const;
+  // The frames that the folder has already may go.
+  [[nodiscard]] bool may_replace() const { return may_replace_; }
+
+ public slots:
+  void accept() override;  // asks before frames are replaced
+
+ private:
+  void choose_folder();
+  void tell();
+
+  Film suggestion_;
+  bool may_replace_ = false;
+  QDoubleSpinBox* from_;
+  QDoubleSpinBox* to_;
+  QDoubleSpinBox* rate_;
+  QDoubleSpinBox* speed_;
+  QSpinBox* width_;
+  QSpinBox* height_;
+  QComboBox* shown_;
+  QLineEdit* folder_;
+  QLabel* summary_;
+  QPushButton* make_ = nullptr;
+};
+
+}  // namespace carom

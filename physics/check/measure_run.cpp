@@ -1,0 +1,246 @@
+#include "physics/check/measure_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "physics/math/stopped.h"
+#include "physics/observe/impact_tally.h"
+#include "physics/observe/observables.h"
+#include "physics/scene/validate.h"
+#include "physics/world/simulation.h"
+
+namespace carom {
+namespace {
+
+using Reduction = Expectation::Reduction;
+
+constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+// Of a step: moments nearer than this are the same, as in Simulation::advance_to().
+constexpr double kSameMoment = 1e-9;
+// Steps between two copies of a run from which impacts are reached again: rare enough to cost nothing, near
+// enough to repeat the steps in between.
+constexpr int kStepsBetweenCopies = 64;
+
+// A simulation and what its impacts add up to. A copy goes its own way.
+struct Run {
+  explicit Run(const Scene& scene) : simulation(scene) {}
+
+  void step() {
+    simulation.step();
+    tally.add(simulation);
+  }
+  void step(double h) {
+    simulation.step(h);
+    tally.add(simulation);
+  }
+  void advance_to(double time) {
+    simulation.advance_to(time, [this] { tally.add(simulation); });
+  }
+  [[nodiscard]] Reading reading() const { return reading_of(simulation, tally); }
+
+  Simulation simulation;
+  ImpactTally tally;
+};
+
+// One expectation while its run goes on.
+struct Measurement {
+  const Expectation* expectation = nullptr;
+  const Observable* observable = nullptr;
+  std::vector<int> bodies;
+  double moment = 0.0;  // s: when it is read (at, final), or its last reading
+  double value = kNever;
+  bool done = false;
+  // Of the readings so far: their number, those above the bound, the means of time and value, and their centred
+  // sums of squares.
+  std::int64_t count = 0;
+  std::int64_t above = 0;
+  double mean_time = 0.0;
+  double mean = 0.0;
+  double time_time = 0.0;
+  double time_value = 0.0;
+
+  [[nodiscard]] bool at_a_moment() const {
+    return expectation->reduction == Reduction::kAt || expectation->reduction == Reduction::kFinal;
+  }
+  [[nodiscard]] bool at_an_impact() const { return expectation->reduction == Reduction::kAtImpact; }
+
+  // A reading at the end of a step, for what is reduced over time.
+  void take(const Reading& r) {
+    const double y = observable->value(r, bodies);
+    ++count;
+    if (y > expectation->above) ++above;
+    const double dt = r.time - mean_time;
+    const double dy = y - mean;
+    const auto n = static_cast<double>(count);
+    mean_time += dt / n;
+    mean += dy / n;
+    time_time += dt * (r.time - mean_time);
+    time_value += dt * (y - mean);
+    switch (expectation->reduction) {
+      case Reduction::kMaximum:
+        value = count == 1 ? y : std::max(value, y);
+        break;
+      case Reduction::kMinimum:
+        value = count == 1 ? y : std::min(value, y);
+        break;
+      case Reduction::kMean:
+        value = mean;
+        break;
+      case Reduction::kCount:
+        value = static_cast<double>(above) / n;
+        break;
+      case Reduction::kFit:
+        value = count < 2 ? kNever : time_value / time_time;
+        break;
+      case Reduction::kAt:
+      case Reduction::kAtImpact:
+      case Reduction::kFinal:
+        break;
+    }
+  }
+};
+
+std::vector<Measurement> prepare(const Scene& scene, const std::vector<Expectation>& expectations, Run& run) {
+  std::vector<Measurement> all;
+  const std::vector<Body>& bodies = run.simulation.bodies();
+  for (const Expectation& e : expectations) {
+    Measurement m;
+    m.expectation = &e;
+    m.observable = find_observable(e.observable);
+    m.moment = e.reduction == Reduction::kAt ? e.time : e.until.value_or(scene.duration);
+    for (const std::string& name : e.bodies) {
+      const auto found =
+          std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
+      if (found == bodies.end())
+        throw SceneError("the body \"" + shortened(name) + "\" is not there; allowed: the name of a body");
+      m.bodies.push_back(static_cast<int>(found - bodies.begin()));
+    }
+    if (m.bodies.size() == 2) run.tally.watch(m.bodies[0], m.bodies[1]);
+    all.push_back(std::move(m));
+  }
+  run.tally.begin(run.simulation);
+  return all;
+}
+
+class Measuring {
+ public:
+  Measuring(const Scene& scene, const std::vector<Expectation>& expectations)
+      : run_(scene), step_(scene.method.step), all_(prepare(scene, expectations, run_)) {
+    copied_ = std::any_of(all_.begin(), all_.end(), [](const Measurement& m) { return m.at_an_impact(); });
+  }
+
+  std::vector<double> values(const std::stop_token& stop) {
+    look();
+    for (std::int64_t steps = 0; !done(); ++steps) {
+      throw_if_stopped(stop);
+      if (copied_ && steps % kStepsBetweenCopies == 0) copy_ = std::make_unique<Run>(run_);
+      read_moments_within_the_step();
+      if (done()) break;
+      const std::int64_t impacts = run_.simulation.impact_count();
+      const double start = run_.simulation.time();
+      run_.step();
+      if (run_.simulation.lost()) {
+        // What was not read so far never will be: a part of a run has no extremes, means or fits.
+        for (Measurement& m : all_) {
+          if (!m.done) m.value = kNever;
+        }
+        break;
+      }
+      read_impacts(start, impacts);
+      look();
+    }
+    std::vector<double> values;
+    for (const Measurement& m : all_) values.push_back(m.value);
+    return values;
+  }
+
+ private:
+  [[nodiscard]] bool done() const {
+    return std::all_of(all_.begin(), all_.end(), [](const Measurement& m) { return m.done; });
+  }
+
+  static void read(const Run& at, Measurement& m) {
+    m.value = m.observable->value(at.reading(), m.bodies);
+    m.done = true;
+  }
+
+  // What is asked for at the moment that the run has reached.
+  void look() {
+    const double time = run_.simulation.time();
+    const double same = kSameMoment * step_;
+    std::vector<Measurement*> looking;
+    for (Measurement& m : all_) {
+      if (m.done) continue;
+      const bool reached = time >= m.moment - same;
+      if (m.at_a_moment()
+              ? reached
+              : !m.at_an_impact() && time >= m.expectation->from - same && time <= m.moment + same) {
+        looking.push_back(&m);
+      }
+      m.done = reached;
+    }
+    if (looking.empty()) return;
+    const Reading r = run_.reading();
+    for (Measurement* m : looking) {
+      if (m->at_a_moment()) {
+        m->value = m->observable->value(r, m->bodies);
+      } else {
+        m->take(r);
+      }
+    }
+  }
+
+  // Moments between two steps are reached by a copy, so that the run itself keeps its steps.
+  void read_moments_within_the_step() {
+    const double end = run_.simulation.time() + (1.0 - kSameMoment) * step_;
+    for (Measurement& m : all_) {
+      if (m.done || !m.at_a_moment() || m.moment >= end) continue;
+      Run copy = run_;
+      copy.advance_to(m.moment);
+      if (!copy.simulation.lost()) read(copy, m);
+      m.done = true;
+    }
+  }
+
+  // The impacts of the last step, which began at `start` after `before` impacts.
+  void read_impacts(double start, std::int64_t before) {
+    const double same = kSameMoment * step_;
+    for (Measurement& m : all_) {
+      if (!m.at_an_impact() || !std::isnan(m.value)) continue;
+      const std::int64_t index = m.expectation->impact - before - 1;
+      if (index < 0 || run_.simulation.impact_count() < m.expectation->impact) continue;
+      const auto& logged = run_.simulation.last_impacts();
+      if (static_cast<std::size_t>(index) >= logged.size()) continue;
+      const double time = logged[static_cast<std::size_t>(index)].time;
+      if (time > m.moment + same) continue;
+      if (m.expectation->observable == "time") {
+        m.value = time;
+        m.done = true;
+        continue;
+      }
+      // A step that ends just after the impact holds the state that it left. advance_to() would take an impact
+      // at the very start of a step for rounding.
+      Run copy = *copy_;
+      while (copy.simulation.time() < start && !copy.simulation.lost()) copy.step();
+      copy.step(std::nextafter(time, std::numeric_limits<double>::infinity()) - start);
+      read(copy, m);
+    }
+  }
+
+  Run run_;
+  double step_;
+  std::vector<Measurement> all_;
+  bool copied_ = false;
+  std::unique_ptr<Run> copy_;  // as the run was up to kStepsBetweenCopies steps ago
+};
+
+}  // namespace
+
+std::vector<double> measure_run(const Scene& scene, const std::vector<Expectation>& expectations,
+                                const std::stop_token& stop) {
+  return Measuring(scene, expectations).values(stop);
+}
+
+}  // namespace carom

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "physics/scene/scene.h"
+
+namespace carom {
+
+// Runs the scene once under its own method and reduces what each of `expectations` observes to one number, in
+// their order; NaN if the moment never came. Their settings and sweeps are not looked at (see
+// physics/check/check.h). Each looks at the run up to its own end (`until`, else the scene's duration).
+// Maximum, minimum, mean, count and fit go over the ends of the steps between `from` and there, the start
+// included; the other reductions read the moment itself, also between two steps, and don't disturb the run.
+// Throws SceneError if a body is not there, and Stopped at the next step when `stop` asks for it.
+[[nodiscard]] std::vector<double> measure_run(const Scene& scene, const std::vector<Expectation>& expectations,
+                                              const std::stop_token& stop = {});
+
+}  // namespace carom

@@ -1,0 +1,173 @@
+#include "physics/compare/companion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/compare/chaos.h"
+#include "physics/model/needs.h"
+
+namespace carom {
+namespace {
+
+Scene with_method(Scene scene, const Method& method) {
+  scene.method = method;
+  return scene;
+}
+
+// Steps of a reference for one of the run.
+int steps_of(const Method& reference, const Method& run) {
+  return static_cast<int>(std::lround(run.step / reference.step));
+}
+
+// Infinite where one of the two has blown up.
+double apart(const Vec2& a, const Vec2& b) {
+  const double distance = (a - b).norm();
+  return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
+}
+
+double distance(const State& a, const State& b, const std::vector<int>& moving) {
+  double largest = 0.0;
+  for (const int i : moving) largest = std::fmax(largest, apart(a.position(i), b.position(i)));
+  return largest;
+}
+
+Scene beside(const Scene& start, const Method& method) {
+  const Scene scene = with_method(start, method);
+  if (method.integrator != IntegratorId::kExactFlight) return scene;
+  const std::vector<Body> bodies = all_bodies(scene);
+  const double length = reach(Simulation(scene).state(), bodies, moving_bodies(bodies));
+  return displaced(scene, Companion::kDisplaced * length);
+}
+
+Method less_refined(Method reference, bool lasts) {
+  if (reference.integrator == IntegratorId::kExactFlight) return reference;
+  if (lasts) {
+    reference.step *= 2.0;
+  } else {
+    reference.tolerance *= 100.0;
+  }
+  return reference;
+}
+
+}  // namespace
+
+std::optional<std::string> why_not(const Scene& scene, ReferenceId reference) {
+  if (reference != ReferenceId::kExactFlight) return std::nullopt;
+  if (contacts_last(scene.method, needs_of(scene))) return "a refined run, as contacts last here";
+  return why_not(scene, IntegratorId::kExactFlight);
+}
+
+ReferenceId usual_reference(const Scene& scene) {
+  return why_not(scene, ReferenceId::kExactFlight) ? ReferenceId::kRefined : ReferenceId::kExactFlight;
+}
+
+Method reference_for(const Scene& scene, const Method& method, ReferenceId reference) {
+  Method best = method;
+  best.impacts = ImpactsId::kLocated;
+  if (contacts_last(method, needs_of(scene))) {
+    best.integrator = IntegratorId::kDormandPrince;
+    best.step = method.step / kFineSteps;
+  } else if (reference == ReferenceId::kExactFlight) {
+    best.integrator = IntegratorId::kExactFlight;
+  } else {
+    best.integrator = IntegratorId::kAdaptiveDormandPrince;
+    best.tolerance = kFineTolerance;
+  }
+  return best;
+}
+
+Companion::Companion(const Scene& start, ReferenceId reference)
+    : scene_(start),
+      id_(reference),
+      fine_(with_method(start, reference_for(start, start.method, reference))),
+      check_(beside(start, less_refined(fine_.method(), contacts_last(start.method, needs_of(start))))),
+      moving_(moving_bodies(fine_.bodies())),
+      awaiting_(fine_.bodies().size(), 0) {
+  length_ = reach(fine_.state(), fine_.bodies(), moving_);
+  size_ = length_;
+  for (const int i : moving_) {
+    size_ = std::min(size_, bounding_radius(fine_.bodies()[static_cast<std::size_t>(i)].shape));
+  }
+  energy_ = fine_.totals().energy();
+  error_.position = error_.velocity = error_.energy = 0.0;
+}
+
+void Companion::edit(const Edit& edit) {
+  if (const auto* method = std::get_if<Method>(&edit.what)) {
+    scene_.method = *method;
+    take_methods();
+  }
+  if (const auto* body = std::get_if<Body>(&edit.what)) {
+    scene_.bodies.push_back(*body);
+    fine_.add_body(*body);
+    check_.add_body(*body);
+    moving_ = moving_bodies(fine_.bodies());
+    awaiting_.push_back(0);
+    take_methods();  // contacts may last now
+    length_ = std::fmax(length_, reach(fine_.state(), fine_.bodies(), moving_));
+    size_ = size_ > 0.0 ? size_ : length_;
+    if (!is_immovable(*body)) size_ = std::min(size_, bounding_radius(body->shape));
+    energy_ = fine_.totals().energy();
+  }
+}
+
+void Companion::take_methods() {
+  const Method fine = reference_for(scene_, scene_.method, id_);
+  const Method check = less_refined(fine, contacts_last(scene_.method, needs_of(scene_)));
+  if (!(fine == fine_.method())) fine_.set_method(fine);
+  if (!(check == check_.method())) check_.set_method(check);
+}
+
+void Companion::follow(const Simulation& run) {
+  const int steps = steps_of(fine_.method(), run.method());
+  const bool match = !contacts_last(run.method(), run.needs());  // else a landing may be no impact at all
+  for (int i = 0; i < steps; ++i) {
+    fine_.step();
+    if (!match) continue;
+    for (const ImpactRecord& impact : fine_.last_impacts()) {
+      matcher_.add(ImpactMatcher::From::kReference, impact.a, impact.b, impact.time);
+    }
+  }
+  for (int i = 0; i < steps_of(check_.method(), run.method()); ++i) check_.step();
+  if (match) {
+    for (const ImpactRecord& impact : run.last_impacts()) {
+      matcher_.add(ImpactMatcher::From::kRun, impact.a, impact.b, impact.time);
+    }
+    matcher_.give_up(run.time() - kPatience * run.method().step);
+  } else {
+    matcher_.give_all_up();
+  }
+  compare(run);
+}
+
+void Companion::compare(const Simulation& run) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (fine_.lost() || check_.lost()) {
+    error_.position = error_.velocity = error_.energy = error_.uncertainty = kNone;
+    return;
+  }
+  const State& ours = run.state();
+  const State& theirs = fine_.state();
+  energy_ = fine_.totals().energy();
+  error_.position = error_.velocity = kNone;
+  matcher_.mark(awaiting_);
+  for (const int i : moving_) {
+    if (awaiting_[static_cast<std::size_t>(i)] != 0) continue;
+    error_.position = std::fmax(error_.position, apart(ours.position(i), theirs.position(i)));
+    error_.velocity = std::fmax(error_.velocity, apart(ours.velocity(i), theirs.velocity(i)));
+  }
+  error_.energy = matcher_.awaits_any() ? kNone : std::abs(run.totals().energy() - energy_);
+  error_.largest_position = std::fmax(error_.largest_position, error_.position);
+  error_.impact_time = matcher_.largest_difference();
+  error_.matched = matcher_.matched();
+  error_.unmatched = matcher_.unmatched();
+  error_.of_itself = run.method() == fine_.method();
+
+  constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+  const double parted = distance(theirs, check_.state(), moving_);
+  const bool like_rounding =
+      fine_.method().integrator == IntegratorId::kExactFlight && parted < kVisible * size_;
+  error_.uncertainty = std::fmax(like_rounding ? parted * kEpsilon / kDisplaced : parted, kEpsilon * length_);
+}
+
+}  // namespace carom

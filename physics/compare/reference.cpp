@@ -1,0 +1,111 @@
+#include "physics/compare/reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/model/needs.h"
+#include "physics/scene/facts.h"
+
+namespace carom {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kAgreement = 1e-13;  // of the length
+constexpr int kMostHalvings = 16;
+// Of the scene's step: no row of a study is then the reference itself.
+constexpr double kOffTheRows = 0.7;
+
+// A run that blew up says nothing about that time.
+bool ended_before(const RecordedRun& run, double time) {
+  return run.blew_up_at >= 0.0 && run.blew_up_at < time;
+}
+
+}  // namespace
+
+Method reference_method(const Scene& scene) {
+  Method method = scene.method;
+  method.impacts = ImpactsId::kLocated;
+  int order = -1;
+  for (const IntegratorChoice& choice : kIntegrators) {
+    if (choice.order == 0 && !why_not(scene, choice.id)) {
+      method.integrator = choice.id;
+      return method;
+    }
+    if (choice.order == 0 || choice.adaptive) continue;
+    if (choice.order > order) {
+      order = choice.order;
+      method.integrator = choice.id;
+    }
+  }
+  return method;
+}
+
+double blown_up_above(const Chaos& chaos) {
+  constexpr double kBeyondAnyReason = 1e4;
+  return chaos.largest_kinetic > 0.0 ? kBeyondAnyReason * chaos.largest_kinetic
+                                     : std::numeric_limits<double>::max();
+}
+
+Reference make_reference(const Scene& scene, const Chaos& chaos, double time, double until,
+                         const std::stop_token& stop) {
+  const std::vector<Body> bodies = all_bodies(scene);
+  const std::vector<int> moving = moving_bodies(bodies);
+  const double limit = blown_up_above(chaos);
+  Reference best;
+  best.method = reference_method(scene);
+  best.method.step *= kOffTheRows;
+  const bool lasts = contacts_last(best.method, needs_of(scene));
+  if (best.method.integrator == IntegratorId::kExactFlight && !lasts) {
+    best.exact = true;
+    best.run = record_run(scene, best.method, time, until, limit, stop);
+    best.converged = !ended_before(best.run, time);
+    if (!best.converged) {
+      best.position_error = best.velocity_error = best.energy_error = std::numeric_limits<double>::infinity();
+      return best;
+    }
+    best.position_error = kEpsilon * chaos.length * chaos.growth_at(time);
+    best.velocity_error = kEpsilon * chaos.largest_speed * chaos.growth_at(time);
+    best.energy_error = kEpsilon * std::max(chaos.largest_kinetic, std::abs(best.run.energy));
+    return best;
+  }
+
+  Method method = best.method;
+  RecordedRun coarser = record_run(scene, method, time, until, limit, stop);
+  best.run = coarser;
+  best.position_error = best.velocity_error = best.energy_error = std::numeric_limits<double>::infinity();
+  constexpr double kRounding = 1e4;  // rounding errors that the steps of a run may add up to
+  const double enough = std::max(kAgreement, kRounding * kEpsilon * chaos.growth_at(time)) * chaos.length;
+  int no_better = 0;
+  for (int halvings = 1; halvings <= kMostHalvings; ++halvings) {
+    // A difference may fail to fall by chance, but hardly where it is rounding.
+    if (no_better >= (best.position_error <= enough ? 1 : 2)) break;
+    method.step *= 0.5;
+    const double work = until / method.step * static_cast<double>(moving.size());
+    if (method.step < kLeastStep || (work > kMostReferenceWork && halvings > 1)) break;
+    RecordedRun run = record_run(scene, method, time, until, limit, stop);
+    if (ended_before(run, time) || ended_before(coarser, time)) {
+      coarser = std::move(run);
+      ++no_better;
+      continue;
+    }
+    const Comparison c = compare(coarser, run, moving, time);
+    coarser = run;
+    // Falling, at order 1 to the half, but for a run whose windows leave nothing to compare.
+    no_better = c.position_error < 0.75 * best.position_error ? 0 : no_better + 1;
+    if (c.position_error < best.position_error) {
+      best.run = std::move(run);
+      best.method = method;
+      best.halvings = halvings;
+      best.position_error = c.position_error;
+      best.velocity_error = c.velocity_error;
+      best.energy_error = c.energy_error;
+    }
+    if (c.position_error <= kAgreement * chaos.length) break;
+  }
+  best.converged = best.position_error <= enough;
+  return best;
+}
+
+}  // namespace carom

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "physics/compare/chaos.h"
+#include "physics/compare/impact_matching.h"
+
+namespace carom {
+
+// What runs are compared with, and how far it may be trusted.
+struct Reference {
+  RecordedRun run;
+  Method method;
+  bool exact = false;      // exact flight, without contacts that last
+  bool converged = false;  // the last two refinements agree as far as rounding lets them
+  int halvings = 0;        // of the first step, in the run that is used
+  // Exact flight: rounding times growth. A refined run: its difference to the one of twice the step.
+  double position_error = 0.0;  // m
+  double velocity_error = 0.0;  // m/s
+  double energy_error = 0.0;    // J
+};
+
+// The method that a reference is computed by: impacts at their own time; exact flight where the scene allows
+// it, else the integrator of the highest order at a fixed step. The step is the scene's own.
+[[nodiscard]] Method reference_method(const Scene& scene);
+
+// The state of the scene at `time` and its impacts up to `until`. Where that depends on the step it is halved
+// until two runs differ by less than 1e-13 of the scene's length, or the difference has stopped to fall, or the
+// next run would take more than kMostReferenceWork steps of a body; the finer run of the pair with the least
+// difference is the reference.
+inline constexpr double kMostReferenceWork = 2e7;
+[[nodiscard]] Reference make_reference(const Scene& scene, const Chaos& chaos, double time, double until,
+                                       const std::stop_token& stop = {});
+
+// The kinetic energy in J beyond which a run of the scene has blown up.
+[[nodiscard]] double blown_up_above(const Chaos& chaos);
+
+}  // namespace carom

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "physics/dynamics/force_field.h"
+#include "physics/dynamics/links.h"
+
+// The right-hand sides that integrators are given along a track, f(t, y, k) with t in s from the epoch on.
+namespace carom {
+
+// A body that no force couples to another.
+struct OneBody {
+  const ForceField& field;
+  int body;
+  double epoch;
+  template <class Y>
+  void operator()(double t, const Y& y, Y& k) const {
+    field.external_rate(body, epoch + t, y, k);
+  }
+  [[nodiscard]] bool keeps_books() const { return field.keeps_books(); }
+};
+
+// The bodies of a group, a column each.
+struct Together {
+  const ForceField& field;
+  Links& links;
+  int group;
+  std::span<const int> members;
+  double epoch;
+  void operator()(double t, const Motions& y, Motions& k) const {
+    for (std::size_t j = 0; j < members.size(); ++j)
+      field.external_rate(members[j], epoch + t, y.col(j), k.col(j));
+    field.add_couplings(members, y, k);
+    links.add_forces(group, epoch + t, y, k);
+  }
+  [[nodiscard]] bool keeps_books() const { return field.keeps_books(); }
+};
+
+}  // namespace carom

@@ -1,0 +1,428 @@
+#include "physics/dynamics/tracks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "physics/dynamics/flight_rates.h"
+#include "physics/math/roots.h"
+
+namespace carom {
+namespace {
+
+// Below this the adaptive integrator's step is rounding, and the tolerance counts as out of reach.
+double shortest_step(double time) {
+  return 1e-15 + 16.0 * std::numeric_limits<double>::epsilon() * std::abs(time);
+}
+// A driven body's track is at most this fraction of a radian of its swing long, so that its bend stays small.
+constexpr double kSwing = 0.5;
+// A track in which nothing moves ends some time.
+constexpr double kLongestTrack = 1e6;  // s
+
+// The time after which a body of this speed and acceleration has moved by `reach` at the most.
+double time_to_move(double reach, double speed, double acceleration) {
+  return std::min(kLongestTrack, 2.0 * reach / (speed + std::sqrt(speed * speed + 2.0 * acceleration * reach)));
+}
+
+}  // namespace
+
+Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs& needs)
+    : field_(scene.forces, bodies, !scene.links.empty(), start_time(scene)),
+      links_(scene.links, bodies, start_time(scene)),
+      bodies_(bodies),
+      general_(needs.untrimmed),
+      let_go_at_(scene.links.size(), -1.0) {
+  const int n = static_cast<int>(bodies.size());
+  island_of_.assign(n, -1);
+  settled_.resize(Eigen::NoChange, n);
+  constant_ = Eigen::Matrix3Xd::Zero(3, n);
+  bend_ = Eigen::VectorXd::Zero(n);
+  turn_ = Eigen::VectorXd::Zero(n);
+  for (const Body& body : bodies) turns_corners_.push_back(std::holds_alternative<Disc>(body.shape) ? 0 : 1);
+  std::vector<std::vector<int>> groups;
+  if (needs.coupled_forces || needs.links) groups = field_.coupled_groups(links_.joined());
+  if (general_) {
+    groups.assign(1, {});
+    for (int i = 0; i < n; ++i) {
+      if (!is_immovable(bodies[i])) groups[0].push_back(i);
+    }
+    if (groups[0].empty()) groups.clear();
+  }
+  const auto add_island = [&](const std::vector<int>& members) -> Island& {
+    for (const int i : members) island_of_[i] = static_cast<int>(islands_.size());
+    Island& island = islands_.emplace_back();
+    island.first = static_cast<int>(members_.size());
+    island.count = static_cast<int>(members.size());
+    members_.insert(members_.end(), members.begin(), members.end());
+    return island;
+  };
+  for (const std::vector<int>& members : groups) {
+    add_island(members).group = static_cast<int>(groups_.size());
+    Group& group = groups_.emplace_back();
+    group.from.resize(Eigen::NoChange, static_cast<Eigen::Index>(members.size()));
+    group.now = group.from;
+    group.change.resize(Eigen::NoChange, static_cast<Eigen::Index>(members.size()));
+    group.stages.resize(static_cast<int>(members.size()));
+  }
+  links_.set_groups(groups);
+  for (int i = 0; i < n; ++i) {
+    settled_.col(i) = initial_motion(bodies[i], start_time(scene));
+    constant_.col(i) = field_.constant_acceleration(i);
+    if (!bodies[i].fixed && island_of_[i] < 0) add_island({i}).driven = bodies[i].drive.has_value();
+  }
+  at_end_ = settled_;
+  set_method(scene.method);
+}
+
+void Tracks::set_method(const Method& method) {
+  const IntegratorChoice& choice = choice_of(kIntegrators, method.integrator);
+  integrator_ = method.integrator;
+  adaptive_ = choice.adaptive;
+  evaluations_a_flight_ = choice.evaluations - (choice.adaptive ? 1 : 0);
+  // Without any acceleration every integrator goes straight.
+  const bool straight = constant_.isZero(0.0) && method.contacts == ContactsId::kImpulse;
+  parabolic_ = !general_ && field_.is_constant() && (choice.exact_under_gravity || straight);
+  tolerance_ = method.tolerance;
+  for (Island& island : islands_) island.next_step = 0.0;
+}
+
+void Tracks::begin(double epoch) {
+  epoch_ = epoch;
+  for (Island& island : islands_) {
+    island.start = island.end = 0.0;
+    forget(island);
+    for (const int i : members_of(island)) field_.set_phase(i, epoch);
+  }
+}
+
+void Tracks::begin_step() {
+  flight_work_ = 0;
+  step_start_.springs = field_.switches();
+  step_start_.taut = links_.strings_taut();
+  step_start_.lost_to_links = lost_to_links_;
+}
+
+void Tracks::give_back() {
+  field_.set_switches(step_start_.springs);
+  links_.set_strings_taut(step_start_.taut);
+  lost_to_links_ = step_start_.lost_to_links;
+}
+
+void Tracks::lose(const Island& island, LossReason reason) const {
+  const auto members = members_of(island);
+  const auto lost = std::find_if(members.begin(), members.end(),
+                                 [this](int i) { return !has_finite_squares(at_end_.col(i)); });
+  throw LostMotion{reason, lost == members.end() ? members.front() : *lost, epoch_ + island.start};
+}
+
+// The track that has been laid.
+void Tracks::check_flight(const Island& island) const {
+  for (const int i : members_of(island)) {
+    if (!has_finite_squares(at_end_.col(i))) lose(island, LossReason::kTooLarge);
+  }
+  if (!adaptive_) return;
+  if (flight_work_ > kMostFlightWork + kMostFlightWorkPerBody * static_cast<std::int64_t>(bodies_.size()))
+    lose(island, LossReason::kTooManySteps);
+}
+
+void Tracks::take_over(Tracks& other, double time) {
+  for (int i = 0; i < static_cast<int>(other.bodies_.size()); ++i) settled_.col(i) = other.at(i, time);
+  field_.take_over(other.field_);
+  links_.take_over(other.links_);
+  if (other.field_.in_contact()) {
+    for (int i = 0; i < static_cast<int>(other.bodies_.size()); ++i)
+      set_contact_acceleration(i, other.field_.contact_acceleration(i));
+  }
+  lost_to_links_ = other.lost_to_links_;
+  links_missed_since_ = other.links_missed_since_;
+  switches_missed_since_ = other.switches_missed_since_;
+  evaluations_ = other.evaluations_;
+  flight_work_ = other.flight_work_;
+  step_start_ = other.step_start_;
+  rejected_steps_ = other.rejected_steps_;
+  tolerance_missed_since_ = other.tolerance_missed_since_;
+  begin(other.epoch_);
+  for (Island& island : islands_) {
+    island.start = island.end = time;
+    for (const int i : members_of(island)) field_.set_phase(i, epoch_ + time);
+    if (island.driven) settled_.col(body_of(island)) = at(body_of(island), time);
+  }
+}
+
+void Tracks::shift_epoch(double by) {
+  epoch_ += by;
+  for (Island& island : islands_) {
+    island.start -= by;
+    island.end -= by;
+    forget(island);
+  }
+}
+
+Eigen::Index Tracks::column_of(const Island& island, int body) const {
+  const auto members = members_of(island);
+  return std::lower_bound(members.begin(), members.end(), body) - members.begin();
+}
+
+void Tracks::gather(const Island& island) {
+  Motions& from = groups_[island.group].from;
+  for (int j = 0; j < island.count; ++j) from.col(j) = settled_.col(members_[island.first + j]);
+}
+
+// --- along a track
+// ------------------------------------------------------------------------------------------------
+
+void Tracks::fly_one(const Island& island, double time, Motion& out) {
+  const int body = body_of(island);
+  if (island.driven) {
+    const Body& b = bodies_[body];
+    out = settled_.col(body);
+    out.head<2>() = drive_position(*b.drive, b.position, epoch_ + time);
+    out.segment<2>(3) = drive_velocity(*b.drive, epoch_ + time);
+    return;
+  }
+  evaluations_ += evaluations_a_flight_;
+  flight_work_ += evaluations_a_flight_;
+  if (parabolic_ && !field_.keeps_books()) {
+    // Every such method's flight, whatever way it goes.
+    out << parabola(body, time), parabola_velocity(body, time), settled_.col(body).tail<kBooks>();
+    return;
+  }
+  const OneBody f{field_, body, epoch_};
+  const double h = time - island.start;
+  if (field_.keeps_books()) {
+    const Motion from = settled_.col(body);
+    Stages<Motion> stages;
+    integrator_step(integrator_, f, island.start, from, h, stages, out);
+  } else {
+    // Under gravity alone the books stay what they are.
+    using Flight = Eigen::Matrix<double, kRows - kBooks, 1>;
+    const Flight from = settled_.col(body).head<kRows - kBooks>();
+    Stages<Flight> stages;
+    Flight to;
+    integrator_step(integrator_, f, island.start, from, h, stages, to);
+    out << to, settled_.col(body).tail<kBooks>();
+  }
+}
+
+const Motions& Tracks::fly_group(const Island& island, double time) {
+  Group& group = groups_[island.group];
+  if (group.cached != time) {
+    group.cached = time;
+    gather(island);
+    integrator_step(integrator_, Together{field_, links_, island.group, members_of(island), epoch_},
+                    island.start, group.from, time - island.start, group.stages, group.now);
+    const std::int64_t evaluations = evaluations_a_flight_ * static_cast<std::int64_t>(island.count);
+    evaluations_ += evaluations;
+    flight_work_ += evaluations * (field_.attracts() ? 1 + island.count / 8 : 1) +
+                    evaluations_a_flight_ * links_.evaluation_work(island.group) - links_.restoring_work();
+    group.missed = !links_.restore(island.group, epoch_ + time, group.now);
+    flight_work_ += links_.restoring_work();
+  }
+  return group.now;
+}
+
+Motion Tracks::at(int body, double time) {
+  const int k = island_of_[body];
+  if (k < 0) return settled_.col(body);
+  const Island& island = islands_[k];
+  if (!island.driven) {
+    if (time == island.start) return settled_.col(body);
+    if (time == island.end) return at_end_.col(body);
+  }
+  if (island.group < 0) {
+    Motion out;
+    fly_one(island, time, out);
+    return out;
+  }
+  return fly_group(island, time).col(column_of(island, body));
+}
+
+Eigen::Vector3d Tracks::acceleration(int body) {
+  const int k = island_of_[body];
+  if (k < 0 || islands_[k].driven) return Eigen::Vector3d::Zero();
+  if (parabolic_) return constant_.col(body);
+  const Island& island = islands_[k];
+  if (island.group < 0) {
+    const Motion y = settled_.col(body);
+    Motion rate;
+    OneBody{field_, body, epoch_}(island.start, y, rate);
+    return rate.segment<3>(3);
+  }
+  Group& group = groups_[island.group];
+  if (!group.rates_known) {
+    group.start_rates = rates_of(island, island.start, group_at(island, island.start));
+    group.rates_known = true;
+  }
+  return group.start_rates.col(column_of(island, body)).segment<3>(3);
+}
+
+const Motions& Tracks::rates_of(const Island& island, double time, const Motions& y) {
+  Motions& rates = groups_[island.group].stages.k[0];
+  Together{field_, links_, island.group, members_of(island), epoch_}(time, y, rates);
+  flight_work_ += island.count + links_.evaluation_work(island.group);
+  return rates;
+}
+
+const Motions& Tracks::group_at(const Island& island, double time) {
+  if (time != island.start) return fly_group(island, time);
+  gather(island);
+  return groups_[island.group].from;
+}
+
+void Tracks::settle(int k, double time) {
+  Island& island = islands_[k];
+  if (island.group < 0) {
+    settled_.col(body_of(island)) = at(body_of(island), time);
+  } else if (time != island.start) {
+    for (const int i : members_of(island)) at_end_.col(i) = at(i, time);
+    for (const int i : members_of(island)) settled_.col(i) = at_end_.col(i);
+  }
+  island.start = island.end = time;
+  island.switching = -1;
+  forget(island);
+}
+
+double Tracks::settle_at_end(int k) {
+  const Island& island = islands_[k];
+  const int a_switch = island.switching;
+  settle(k, island.end);
+  if (field_.has_breaks()) {
+    for (const int i : members_of(island)) field_.set_phase(i, epoch_ + island.start);
+  }
+  return a_switch < 0 ? 0.0 : flip(island, a_switch, island.start);
+}
+
+void Tracks::set_velocity(int body, const Vec2& velocity, double spin) {
+  settled_.col(body).segment<3>(3) << velocity, spin;
+  if (island_of_[body] >= 0) forget(islands_[island_of_[body]]);
+}
+
+void Tracks::set_contact_acceleration(int body, const Eigen::Vector3d& by) {
+  field_.set_contact_acceleration(body, by);
+  constant_.col(body) = field_.constant_acceleration(body) + by;
+  if (island_of_[body] >= 0) forget(islands_[island_of_[body]]);
+}
+
+void Tracks::set_pose(int body, const Eigen::Vector3d& q) {
+  settled_.col(body).head<3>() = q;
+  if (island_of_[body] >= 0) forget(islands_[island_of_[body]]);
+}
+
+// --- laying a track
+// -----------------------------------------------------------------------------------------------
+
+void Tracks::lay(int k, double horizon, double reach, double turn) {
+  Island& island = islands_[k];
+  island.switching = -1;
+  forget(island);
+  island.end = horizon;
+  // Where no step ends the track, its path's length does.
+  if (!(horizon < kForever)) {
+    island.end =
+        island.start + (adaptive_ && is_lost(island) ? kLongestTrack : time_to_end(island, reach, turn));
+  }
+  if (field_.has_breaks()) {
+    for (const int i : members_of(island))
+      island.end = std::min(island.end, field_.next_break(i, epoch_ + island.start) - epoch_);
+  }
+  if (adaptive_ && !island.driven) lay_adaptive(island);
+  if (island.group < 0) {
+    Motion out;
+    fly_one(island, island.end, out);
+    at_end_.col(body_of(island)) = out;
+  } else {
+    const Motions& now = fly_group(island, island.end);
+    for (int j = 0; j < island.count; ++j) at_end_.col(members_[island.first + j]) = now.col(j);
+    if (groups_[island.group].missed && links_missed_since_ < 0.0) links_missed_since_ = epoch_ + island.start;
+  }
+  check_flight(island);
+  if (has_switches(island) && !island.driven && follows_switches(island)) find_switch(island);
+}
+
+double Tracks::time_to_end(const Island& island, double reach, double turn) const {
+  double most = kLongestTrack;
+  for (const int i : members_of(island)) {
+    if (island.driven) {
+      const Drive& d = *bodies_[i].drive;
+      most = std::min(most,
+                      time_to_move(reach, d.velocity.norm() + d.angular_frequency * d.amplitude.norm(), 0.0));
+      if (d.angular_frequency > 0.0) most = std::min(most, kSwing / d.angular_frequency);
+    } else {
+      most = std::min(
+          most, time_to_move(reach, settled_.col(i).segment<2>(3).norm(), constant_.col(i).head<2>().norm()));
+      if (turns_corners_[i] != 0) most = std::min(most, turn / std::abs(settled_(5, i)));
+    }
+  }
+  return most;
+}
+
+// The error estimate of the step that ends at `time`.
+double Tracks::error_of(const Island& island, double time) {
+  const double h = time - island.start;
+  evaluations_ += island.count;
+  if (island.group < 0) {
+    const Motion from = settled_.col(body_of(island));
+    const OneBody f{field_, body_of(island), epoch_};
+    Stages<Motion> stages;
+    Motion out;
+    integrator_step(integrator_, f, island.start, from, h, stages, out);
+    evaluations_ += evaluations_a_flight_;
+    return dormand_prince_error(f, island.start, h, stages, out);
+  }
+  fly_group(island, time);
+  Group& group = groups_[island.group];
+  return dormand_prince_error(Together{field_, links_, island.group, members_of(island), epoch_}, island.start,
+                              h, group.stages, group.now);
+}
+
+// A cautious first try, from the time in which the velocities would change by themselves.
+double Tracks::first_step(const Island& island) {
+  double time = kLongestTrack;
+  for (const int i : members_of(island)) {
+    const double speed = settled_.col(i).segment<3>(3).norm();
+    const double change = acceleration(i).head<2>().norm();
+    if (change > 0.0) time = std::min(time, speed > 0.0 ? speed / change : 1.0);
+  }
+  return std::pow(tolerance_, 0.2) * time;
+}
+
+// Rounding alone is far beyond the tolerance: the run has blown up, and goes on in whole tracks, as they come.
+bool Tracks::is_lost(const Island& island) const {
+  constexpr double kFarBeyond = 1e3;
+  const double largest = kFarBeyond * tolerance_ / std::numeric_limits<double>::epsilon();
+  const auto members = members_of(island);
+  return std::any_of(members.begin(), members.end(), [&](int i) {
+    const auto moved = settled_.col(i).head<6>();
+    return !moved.allFinite() || moved.cwiseAbs().maxCoeff() > largest;
+  });
+}
+
+// Shortens the track to one step whose error estimate keeps the tolerance.
+void Tracks::lay_adaptive(Island& island) {
+  const double most = island.end - island.start;
+  if (island.next_step == 0.0) island.next_step = first_step(island);
+  double h = std::min(island.next_step, most);
+  if (is_lost(island)) {
+    if (tolerance_missed_since_ < 0.0) tolerance_missed_since_ = epoch_ + island.start;
+    return;
+  }
+  while (true) {
+    forget(island);
+    const double error = error_of(island, island.start + h);
+    const double next = next_adaptive_step(h, error, tolerance_);
+    const bool shortest = !std::isfinite(error) || h < shortest_step(epoch_ + island.start);
+    if (error <= tolerance_ || shortest) {
+      if (!(error <= tolerance_) && tolerance_missed_since_ < 0.0)
+        tolerance_missed_since_ = epoch_ + island.start;
+      // A step that was cut short tells little about the next one.
+      if (h < most || next < island.next_step) island.next_step = next;
+      break;
+    }
+    ++rejected_steps_;
+    h = next;
+  }
+  if (h < most) island.end = island.start + h;
+}
+
+}  // namespace carom

@@ -1,0 +1,100 @@
+#include "physics/impact/impact_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/impact/newton_law.h"
+#include "physics/impact/routh_path.h"
+
+namespace carom {
+namespace {
+
+// The normal's length is 1 within rounding only. Left out, or itself rounded to a number near 1, whose
+// neighbours are not equally far, |n|² - 1 would add up to a drift of the energy over millions of impacts.
+double excess_of(const Vec2& normal) {
+  return std::fma(normal.x(), normal.x(), std::fma(normal.y(), normal.y(), -1.0));
+}
+
+bool unturned_by_normal(const ImpactSide& s) { return s.lever == 0.0 || s.inverse_inertia == 0.0; }
+
+Impact resolve_central(ImpactSide& a, ImpactSide& b, const Vec2& normal, const RelativeVelocity& u,
+                       const Material& material) {
+  Impact impact;
+  if (u.normal >= 0.0) return impact;
+
+  const double excess = excess_of(normal);
+  const double k_nn = a.inverse_mass + b.inverse_mass;
+  const double of_unit_normal = -(1.0 + material.restitution) * u.normal / k_nn;
+  impact.normal = of_unit_normal - excess * of_unit_normal;
+  impact.lost_to_restitution = -0.5 * impact.normal * (2.0 * u.normal + k_nn * of_unit_normal);
+  Vec2 j = impact.normal * normal;
+  if (material.kinetic_friction > 0.0) {
+    const double k_tt =
+        k_nn + excess * k_nn + a.arm * a.arm * a.inverse_inertia + b.arm * b.arm * b.inverse_inertia;
+    const double most = material.kinetic_friction * impact.normal;
+    impact.tangential = std::clamp(-(1.0 + material.tangential_restitution) * u.tangential / k_tt, -most, most);
+    impact.lost_to_friction = -0.5 * impact.tangential * (2.0 * u.tangential + k_tt * impact.tangential);
+    j += impact.tangential * Vec2(-normal.y(), normal.x());
+    a.spin -= a.inverse_inertia * a.arm * impact.tangential;
+    b.spin -= b.inverse_inertia * b.arm * impact.tangential;
+  }
+  a.velocity -= a.inverse_mass * j;
+  b.velocity += b.inverse_mass * j;
+  return impact;
+}
+
+// Below this share of K_nn (K_nn + K_tt) a determinant is rounding.
+constexpr double kHeld = 1e-14;
+
+}  // namespace
+
+RelativeVelocity relative_velocity(const ImpactSide& a, const ImpactSide& b, const Vec2& normal) {
+  const Vec2 tangent(-normal.y(), normal.x());
+  const Vec2 u = b.velocity - a.velocity;
+  return {u.dot(normal) - a.spin * a.lever - b.spin * b.lever,
+          u.dot(tangent) - a.spin * a.arm - b.spin * b.arm};
+}
+
+ContactMatrix contact_matrix(const ImpactSide& a, const ImpactSide& b, const Vec2& normal) {
+  const double central = a.inverse_mass + b.inverse_mass;
+  const double correction = excess_of(normal) * central;
+  const double nn = a.lever * a.lever * a.inverse_inertia + b.lever * b.lever * b.inverse_inertia;
+  const double tt = a.arm * a.arm * a.inverse_inertia + b.arm * b.arm * b.inverse_inertia;
+  const double cross = a.lever * b.arm - a.arm * b.lever;
+  ContactMatrix k;
+  k.nn = central + nn + correction;
+  k.tt = central + tt + correction;
+  k.nt = a.lever * a.arm * a.inverse_inertia + b.lever * b.arm * b.inverse_inertia;
+  const double mass_part = central + correction;
+  k.determinant = mass_part * (mass_part + nn + tt) + cross * cross * a.inverse_inertia * b.inverse_inertia;
+  return k;
+}
+
+Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const Material& material, ImpactLawId law) {
+  if (!(k.determinant > kHeld * k.nn * (k.nn + k.tt))) {
+    Impact impact;
+    if (u.normal >= 0.0 || !(k.nn > 0.0)) return impact;
+    const double e = material.restitution;
+    impact.normal = -(1.0 + e) * u.normal / k.nn;
+    impact.lost_to_restitution = 0.5 * (1.0 - e * e) * u.normal * u.normal / k.nn;
+    return impact;
+  }
+  return law == ImpactLawId::kNewton ? newton_impact(k, u, material) : energetic_impact(k, u, material);
+}
+
+Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Material& material,
+                      ImpactLawId law) {
+  const RelativeVelocity u = relative_velocity(a, b, normal);
+  if (unturned_by_normal(a) && unturned_by_normal(b)) {
+    return resolve_central(a, b, normal, u, material);
+  }
+  const Impact impact = impact_by(contact_matrix(a, b, normal), u, material, law);
+  const Vec2 j = impact.normal * normal + impact.tangential * Vec2(-normal.y(), normal.x());
+  a.velocity -= a.inverse_mass * j;
+  b.velocity += b.inverse_mass * j;
+  a.spin -= a.inverse_inertia * (a.lever * impact.normal + a.arm * impact.tangential);
+  b.spin -= b.inverse_inertia * (b.lever * impact.normal + b.arm * impact.tangential);
+  return impact;
+}
+
+}  // namespace carom

@@ -1,0 +1,225 @@
+#include "physics/impact/simultaneous_impact.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+constexpr double kNoGain = 1e-13;  // of the energy of the hardest impact: rounding
+constexpr int kMostHalvings = 50;  // of e
+
+using Row = ClusterScratch::Row;
+
+double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
+
+// The contacts of a cluster. Rows 2i and 2i + 1 are the normal and the tangent of contact i.
+class Cluster {
+ public:
+  Cluster(Eigen::Ref<Eigen::Matrix3Xd> velocities, const Eigen::Ref<const Eigen::VectorXd>& inverse_mass,
+          const Eigen::Ref<const Eigen::VectorXd>& inverse_inertia, std::span<const ClusterContact> contacts,
+          ClusterScratch& s)
+      : v_(velocities),
+        inverse_mass_(inverse_mass),
+        inverse_inertia_(inverse_inertia),
+        contacts_(contacts),
+        s_(s) {
+    const int m = static_cast<int>(contacts.size());
+    s_.rows.clear();
+    for (const ClusterContact& c : contacts) {
+      for (const Vec2& d : {c.normal, Vec2(-c.normal.y(), c.normal.x())}) {
+        s_.rows.push_back({c.a, c.b, d, cross(c.from_a, d), cross(c.from_b, d)});
+      }
+    }
+    s_.response.resize(4 * m * m);
+    for (int i = 0; i < 2 * m; ++i) {
+      for (int j = 0; j <= i; ++j) s_.response[i * 2 * m + j] = s_.response[j * 2 * m + i] = coupling(i, j);
+    }
+    s_.scale.resize(m);
+    s_.rubbing.clear();
+    for (int i = 0; i < m; ++i) {
+      const double k_nn = response(2 * i, 2 * i);
+      s_.scale[i] = k_nn > 0.0 ? 1.0 / std::sqrt(k_nn) : 0.0;
+      if (k_nn > 0.0 && contacts[i].kinetic_friction > 0.0) s_.rubbing.push_back(i);
+    }
+    s_.velocity.resize(2 * m);
+    s_.after.resize(2 * m);
+    s_.impulse.resize(2 * m);
+  }
+
+  [[nodiscard]] bool takes_part(int contact) const { return s_.scale[contact] > 0.0; }
+
+  // Reads the velocities of the contacts; true if one that takes part approaches.
+  [[nodiscard]] bool read() {
+    bool approaches = false;
+    for (int i = 0; i < rows(); ++i) {
+      s_.velocity[i] = speed_along(s_.rows[i]);
+      approaches = approaches || (i % 2 == 0 && takes_part(i / 2) && s_.velocity[i] < 0.0);
+    }
+    return approaches;
+  }
+
+  // Finds impulses with this e and the velocities after them, which are not applied yet.
+  [[nodiscard]] bool solve(double e);
+  // Whether those impulses put energy into the bodies.
+  [[nodiscard]] bool gains() const {
+    double work = 0.0;
+    for (int i = 0; i < rows(); ++i) work += 0.5 * s_.impulse[i] * (s_.velocity[i] + s_.after[i]);
+    return work > kNoGain * size_ * size_;
+  }
+  void apply(std::span<Impact> impacts);
+
+ private:
+  // What the normal velocity has to be after the impact, at least.
+  [[nodiscard]] double rebound(int contact, double e) const {
+    return e * std::max(-s_.velocity[2 * contact], 0.0);
+  }
+
+  // m/s: of the bodies' velocities as they are now.
+  [[nodiscard]] double speed_along(const Row& r) const {
+    return r.direction.dot(v_.col(r.b).head<2>() - v_.col(r.a).head<2>()) + r.turn_b * v_(2, r.b) -
+           r.turn_a * v_(2, r.a);
+  }
+
+  [[nodiscard]] int rows() const { return static_cast<int>(s_.rows.size()); }
+  [[nodiscard]] double response(int i, int j) const { return s_.response[i * rows() + j]; }
+
+  [[nodiscard]] double coupling(int i, int j) const {
+    const Row& p = s_.rows[i];
+    const Row& q = s_.rows[j];
+    const double along = p.direction.dot(q.direction);
+    const auto shared = [&](int body, double turn_p, double turn_q) {
+      return inverse_mass_[body] * along + inverse_inertia_[body] * turn_p * turn_q;
+    };
+    double sum = 0.0;
+    if (p.a == q.a) sum += shared(p.a, p.turn_a, q.turn_a);
+    if (p.b == q.b) sum += shared(p.b, p.turn_b, q.turn_b);
+    if (p.a == q.b) sum -= shared(p.a, p.turn_a, q.turn_b);
+    if (p.b == q.a) sum -= shared(p.b, p.turn_b, q.turn_a);
+    return sum;
+  }
+
+  Eigen::Ref<Eigen::Matrix3Xd> v_;
+  Eigen::Ref<const Eigen::VectorXd> inverse_mass_;
+  Eigen::Ref<const Eigen::VectorXd> inverse_inertia_;
+  std::span<const ClusterContact> contacts_;
+  ClusterScratch& s_;
+  double size_ = 0.0;  // of the scaled velocities: its square is twice the energy of the hardest impact
+};
+
+// Unknowns, scaled by √K_nn of their contact and by the fastest contact: j_n of all contacts, then j_t+, j_t-
+// and λ of those with friction, j_t = j_t+ - j_t-, λ the slip that is left:
+//   w_n = u_n' + e min(u_n, 0),   w_+ = u_t' + λ,   w_- = -u_t' + λ,   w_λ = μ j_n - j_t+ - j_t-
+bool Cluster::solve(double e) {
+  const int m = static_cast<int>(contacts_.size());
+  const int rubbing = static_cast<int>(s_.rubbing.size());
+  const int n = m + 3 * rubbing;
+  s_.matrix.assign(n * n, 0.0);
+  s_.vector.assign(n, 0.0);
+  Eigen::Map<Eigen::MatrixXd> matrix(s_.matrix.data(), n, n);
+  Eigen::Map<Eigen::VectorXd> vector(s_.vector.data(), n);
+  const auto scaled = [&](int i, int j) { return s_.scale[i / 2] * s_.scale[j / 2] * response(i, j); };
+  const auto scaled_velocity = [&](int i) { return s_.scale[i / 2] * s_.velocity[i]; };
+  for (int i = 0; i < m; ++i) {
+    for (int j = 0; j < m; ++j) matrix(i, j) = scaled(2 * i, 2 * j);
+    vector[i] = scaled_velocity(2 * i) - s_.scale[i] * rebound(i, e);
+  }
+  for (int p = 0; p < rubbing; ++p) {
+    const int i = s_.rubbing[p];
+    const int plus = m + 3 * p, minus = plus + 1, left = plus + 2;
+    for (int j = 0; j < m; ++j) {
+      const double k = scaled(2 * i + 1, 2 * j);
+      matrix(plus, j) = matrix(j, plus) = k;
+      matrix(minus, j) = matrix(j, minus) = -k;
+    }
+    for (int q = 0; q < rubbing; ++q) {
+      const double k = scaled(2 * i + 1, 2 * s_.rubbing[q] + 1);
+      matrix(plus, m + 3 * q) = matrix(minus, m + 3 * q + 1) = k;
+      matrix(plus, m + 3 * q + 1) = matrix(minus, m + 3 * q) = -k;
+    }
+    matrix(plus, left) = matrix(minus, left) = 1.0;
+    matrix(left, plus) = matrix(left, minus) = -1.0;
+    matrix(left, i) = contacts_[i].kinetic_friction;
+    vector[plus] = scaled_velocity(2 * i + 1);
+    vector[minus] = -vector[plus];
+  }
+  size_ = vector.cwiseAbs().maxCoeff();
+  vector /= size_;
+  if (!s_.lcp.solve(matrix, vector)) return false;
+  const Eigen::Map<const Eigen::VectorXd> z = s_.lcp.solution();
+  for (int i = 0; i < m; ++i) {
+    s_.impulse[2 * i] = size_ * s_.scale[i] * z[i];
+    s_.impulse[2 * i + 1] = 0.0;
+  }
+  for (int p = 0; p < rubbing; ++p) {
+    const int i = s_.rubbing[p];
+    const double most = contacts_[i].kinetic_friction * s_.impulse[2 * i];
+    s_.impulse[2 * i + 1] = std::clamp(size_ * s_.scale[i] * (z[m + 3 * p] - z[m + 3 * p + 1]), -most,
+                                       most);  // kept in rounding too
+  }
+  for (int i = 0; i < rows(); ++i) {
+    s_.after[i] = s_.velocity[i];
+    for (int j = 0; j < rows(); ++j) s_.after[i] += response(i, j) * s_.impulse[j];
+  }
+  return true;
+}
+
+// The work is that of the velocities as they have become: where heavy bodies press through a light one, those
+// that the impulses promise are off by far more than the energy's rounding.
+void Cluster::apply(std::span<Impact> impacts) {
+  for (int i = 0; i < rows(); ++i) {
+    const Row& r = s_.rows[i];
+    const double j = s_.impulse[i];
+    v_.col(r.a).head<2>() -= inverse_mass_[r.a] * j * r.direction;
+    v_.col(r.b).head<2>() += inverse_mass_[r.b] * j * r.direction;
+    v_(2, r.a) -= inverse_inertia_[r.a] * r.turn_a * j;
+    v_(2, r.b) += inverse_inertia_[r.b] * r.turn_b * j;
+  }
+  for (int i = 0; i < rows(); ++i) {
+    const double j = s_.impulse[i];
+    const double lost = -0.5 * j * (s_.velocity[i] + speed_along(s_.rows[i]));
+    Impact& impact = impacts[i / 2];
+    (i % 2 == 0 ? impact.normal : impact.tangential) = j;
+    (i % 2 == 0 ? impact.lost_to_restitution : impact.lost_to_friction) = lost;
+  }
+}
+
+}  // namespace
+
+ClusterOutcome resolve_simultaneous(Eigen::Ref<Eigen::Matrix3Xd> velocities,
+                                    const Eigen::Ref<const Eigen::VectorXd>& inverse_mass,
+                                    const Eigen::Ref<const Eigen::VectorXd>& inverse_inertia,
+                                    std::span<const ClusterContact> contacts, std::span<Impact> impacts,
+                                    ClusterScratch& scratch) {
+  assert(impacts.size() == contacts.size());
+  std::fill(impacts.begin(), impacts.end(), Impact{});
+  ClusterOutcome outcome;
+  Cluster cluster(velocities, inverse_mass, inverse_inertia, contacts, scratch);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (cluster.takes_part(static_cast<int>(i))) {
+      outcome.restitution = std::min(outcome.restitution, contacts[i].restitution);
+    }
+  }
+  if (!cluster.read()) return outcome;
+  // Without a solution at this e, one at a smaller e > 0 would be at its edge, with impulses out of all
+  // measure.
+  const bool solvable = cluster.solve(outcome.restitution);
+  if (!solvable || cluster.gains()) {
+    double high = solvable ? outcome.restitution : 0.0;
+    outcome.restitution = 0.0;
+    outcome.lowered = true;
+    for (int i = 0; high > 0.0 && i < kMostHalvings; ++i) {
+      const double middle = 0.5 * (outcome.restitution + high);
+      (cluster.solve(middle) && !cluster.gains() ? outcome.restitution : high) = middle;
+    }
+    if (!cluster.solve(outcome.restitution)) {
+      outcome.solved = false;
+      return outcome;
+    }
+  }
+  cluster.apply(impacts);
+  return outcome;
+}
+
+}  // namespace carom

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "physics/impact/impact_law.h"
+#include "physics/math/lcp.h"
+
+namespace carom {
+
+// A contact of a cluster, between two of its bodies (columns of the velocities).
+struct ClusterContact {
+  int a = 0;
+  int b = 0;
+  Vec2 normal = Vec2::Zero();  // unit, from A to B
+  Vec2 from_a = Vec2::Zero();  // m, from A's centre to the contact point
+  Vec2 from_b = Vec2::Zero();  // m, from B's centre to it
+  double restitution = 1.0;
+  double kinetic_friction = 0.0;
+};
+
+struct ClusterOutcome {
+  bool solved =
+      true;  // false: no impulses satisfy the law, as for a body between two driven ones; nothing changed
+  double restitution = 1.0;  // the one e used: the smallest of the contacts, or what it was lowered to
+  bool lowered = false;      // e was lowered to keep energy from being gained, or to find a solution at all
+};
+
+// Buffers that are kept between calls, so that a call of no greater size allocates nothing.
+struct ClusterScratch {
+  struct Row {  // one direction at one contact
+    int a, b;
+    Vec2 direction;
+    double turn_a, turn_b;  // r × direction, m
+  };
+  std::vector<Row> rows;
+  std::vector<double> response;  // K: velocity of row i by an impulse along row j, 1/kg
+  std::vector<double> velocity;  // of each row before, m/s
+  std::vector<double> after;     // and after it
+  std::vector<double> impulse;   // of each row, N s
+  std::vector<double> scale;     // of each contact, 1/√K_nn
+  std::vector<int> rubbing;      // contacts with friction
+  std::vector<double> matrix, vector;
+  LcpSolver lcp;
+};
+
+// Resolves all contacts of a cluster at once: with one e, the smallest of the contacts that take part (K_nn >
+// 0),
+//   0 <= u_n' + e min(u_n, 0)   ⊥   j_n >= 0       (Moreau; Glocker, Set-Valued Force Laws, 2001)
+//   |j_t| <= μ_k j_n, j_t against u_t' where it is on the border, u_t' = 0 inside
+// Newton's law with Coulomb's cone, of one contact, is the special case (and μ_k is the only friction it
+// knows). Moreau has u_n in place of min(u_n, 0), which would leave a contact that separates before approaching
+// after. Both lines are one linear complementarity problem, exact in two dimensions (Stewart and Trinkle,
+// International Journal for Numerical Methods in Engineering 39 (1996) 2673). Without friction the velocities
+// after it are unique. Friction, or contacts that separate before, may make it gain energy: then e is lowered
+// by bisection until it does not, and at e = 0 it never does. Where no impulses comply with the e of the
+// contacts, as in a wedge that closes, e = 0 at once. The impulses of redundant contacts are one choice of
+// many.
+//
+// `velocities` is 3 x n: v_x, v_y in m/s and spin in rad/s; it is changed. Immovable bodies have zero inverse
+// mass and inertia. `impacts` gets the impulses and losses of each contact; of those losses only the sum is
+// sure not to be negative where there is friction.
+[[nodiscard]] ClusterOutcome resolve_simultaneous(Eigen::Ref<Eigen::Matrix3Xd> velocities,
+                                                  const Eigen::Ref<const Eigen::VectorXd>& inverse_mass,
+                                                  const Eigen::Ref<const Eigen::VectorXd>& inverse_inertia,
+                                                  std::span<const ClusterContact> contacts,
+                                                  std::span<Impact> impacts, ClusterScratch& scratch);
+
+}  // namespace carom

@@ -1,0 +1,146 @@
+#include "physics/math/lcp.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+// In units of the scaled problem.
+constexpr std::array<double, 3> kProximal = {0.0, 1e-5, 1e-3};  // ε of each attempt
+constexpr double kComplied = 1e-10;    // -w, and the smaller of w and z, per unit of the largest z
+constexpr double kSettled = 1e-13;     // what a further round is not worth
+constexpr double kLeastPivot = 1e-10;  // less is a zero of a singular matrix seen through rounding
+constexpr double kTie = 1e-12;         // ratios nearer than this are the same
+constexpr int kMostRounds = 30;
+constexpr int kMostPivotsPerRow = 50;  // usual is about one or two
+constexpr int kRefinements = 2;
+
+}  // namespace
+
+void LcpSolver::pivot(int row, int column) {
+  const double inverse = 1.0 / at(row, column);
+  double* const pivot_row = &at(row, 0);
+  for (int c = 0; c < columns_; ++c) pivot_row[c] *= inverse;
+  for (int r = 0; r < size_; ++r) {
+    if (r == row) continue;
+    double* const other = &at(r, 0);
+    const double factor = other[column];
+    if (factor == 0.0) continue;
+    for (int c = 0; c < columns_; ++c) other[c] -= factor * pivot_row[c];
+    other[column] = 0.0;
+  }
+  basis_[row] = column;
+}
+
+// The row of the least ratio right-hand side / pivot; ties are broken by the columns of w in order, which hold
+// the inverse of the basis. The covering variable leaves whenever it may. -1 if no pivot is positive.
+int LcpSolver::leaving_row(int column) {
+  const int covering = 2 * size_;
+  candidates_.clear();
+  for (int r = 0; r < size_; ++r) {
+    if (at(r, column) > kLeastPivot) candidates_.push_back(r);
+  }
+  for (int key = -1; key < size_ && candidates_.size() > 1; ++key) {
+    const int of = key < 0 ? covering + 1 : key;
+    const auto ratio = [&](int r) { return at(r, of) / at(r, column); };
+    double least = ratio(candidates_.front());
+    for (const int r : candidates_) least = std::min(least, ratio(r));
+    const double limit = least + kTie * (1.0 + std::abs(least));
+    std::erase_if(candidates_, [&](int r) { return ratio(r) > limit; });
+    for (const int r : candidates_) {
+      if (basis_[r] == covering) return r;
+    }
+  }
+  return candidates_.empty() ? -1 : candidates_.front();
+}
+
+// Basic variables x with B x = q, B made of columns of I, -(M + ε I): the tableau holds B⁻¹.
+void LcpSolver::read_basis(const Eigen::Ref<const Eigen::MatrixXd>& m, double epsilon) {
+  value_.resize(size_);
+  for (int r = 0; r < size_; ++r) value_[r] = at(r, columns_ - 1);
+  for (int refinement = 0; refinement < kRefinements; ++refinement) {
+    residual_ = proximal_;
+    for (int r = 0; r < size_; ++r) {
+      const int variable = basis_[r] - size_;
+      if (variable < 0) {
+        residual_[basis_[r]] -= value_[r];
+      } else {
+        for (int i = 0; i < size_; ++i) residual_[i] += m(i, variable) * value_[r];
+        residual_[variable] += epsilon * value_[r];
+      }
+    }
+    for (int r = 0; r < size_; ++r) {
+      for (int i = 0; i < size_; ++i) value_[r] += at(r, i) * residual_[i];
+    }
+  }
+  z_.assign(size_, 0.0);
+  for (int r = 0; r < size_; ++r) {
+    if (basis_[r] >= size_) z_[basis_[r] - size_] = std::max(value_[r], 0.0);
+  }
+}
+
+bool LcpSolver::pivot_to_solution(const Eigen::Ref<const Eigen::MatrixXd>& m, double epsilon) {
+  // w - (M + ε I) z - (1, ..., 1) z_0 = q - ε z_k
+  const int covering = 2 * size_;
+  tableau_.assign(size_ * columns_, 0.0);
+  basis_.resize(size_);
+  candidates_.reserve(size_);
+  int row = 0;  // of equal ones the last: the lexicographically least of [q, I]
+  for (int r = 0; r < size_; ++r) {
+    at(r, r) = 1.0;
+    for (int c = 0; c < size_; ++c) at(r, size_ + c) = -m(r, c);
+    at(r, size_ + r) -= epsilon;
+    at(r, covering) = -1.0;
+    at(r, columns_ - 1) = proximal_[r];
+    basis_[r] = r;
+    if (proximal_[r] <= proximal_[row]) row = r;
+  }
+  int entering = covering;
+  for (int pivots = 0; pivots < kMostPivotsPerRow * (size_ + 1); ++pivots) {
+    const int leaving = basis_[row];
+    pivot(row, entering);
+    if (leaving == covering) return true;
+    entering = leaving < size_ ? leaving + size_ : leaving - size_;  // the complement of what left
+    row = leaving_row(entering);
+    if (row < 0) return false;
+  }
+  return false;
+}
+
+bool LcpSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& m, const Eigen::Ref<const Eigen::VectorXd>& q) {
+  size_ = static_cast<int>(q.size());
+  columns_ = 2 * size_ + 2;
+  z_.assign(size_, 0.0);
+  if (size_ == 0 || q.minCoeff() >= 0.0) return true;
+  for (const double epsilon : kProximal) {
+    if (solve_with(m, q, epsilon)) return true;
+  }
+  return false;
+}
+
+bool LcpSolver::solve_with(const Eigen::Ref<const Eigen::MatrixXd>& m,
+                           const Eigen::Ref<const Eigen::VectorXd>& q, double epsilon) {
+  z_.assign(size_, 0.0);
+  proximal_.resize(size_);
+  double worst = 0.0;
+  for (int round = 0; round < (epsilon > 0.0 ? kMostRounds : 1); ++round) {
+    for (int i = 0; i < size_; ++i) proximal_[i] = q[i] - epsilon * z_[i];
+    if (!pivot_to_solution(m, epsilon)) return false;
+    read_basis(m, epsilon);
+    worst = 0.0;
+    double largest = 1.0;
+    for (int i = 0; i < size_; ++i) {
+      double w = q[i];
+      for (int j = 0; j < size_; ++j) w += m(i, j) * z_[j];
+      worst = std::max(worst, std::max(-w, std::min(w, z_[i])));
+      largest = std::max(largest, z_[i]);
+    }
+    worst /= largest;
+    if (worst <= kSettled) return true;
+  }
+  return worst <= kComplied;
+}
+
+}  // namespace carom

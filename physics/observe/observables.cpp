@@ -1,0 +1,273 @@
+#include "physics/observe/observables.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "physics/collision/approach.h"
+#include "physics/collision/broad_phase.h"
+
+namespace carom {
+namespace {
+
+using Ids = std::span<const int>;
+
+// The largest value(i) over the moving bodies; zero if there are none.
+template <class Value>
+double largest(const Reading& r, const Value& value) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < r.state.size(); ++i) {
+    if (r.mass.inverse_mass[i] > 0.0) most = std::max(most, value(i));
+  }
+  return std::isinf(most) ? 0.0 : most;
+}
+
+double rms_spin(const Reading& r) {
+  double sum = 0.0;
+  int moving = 0;
+  for (int i = 0; i < r.state.size(); ++i) {
+    if (!(r.mass.inverse_mass[i] > 0.0)) continue;
+    sum += r.state.v(2, i) * r.state.v(2, i);
+    ++moving;
+  }
+  return moving == 0 ? 0.0 : std::sqrt(sum / moving);
+}
+
+Bounds bounds_at(const Reading& r, int i) {
+  return bounds_of(r.shapes.shapes, i, pose_of(r.shapes.shapes, i, r.state.q.col(i)));
+}
+
+// J; an immovable body has none to give.
+double body_kinetic_energy(const Reading& r, int i) {
+  if (!(r.mass.inverse_mass[i] > 0.0)) return 0.0;
+  const double spin = r.state.v(2, i);
+  return 0.5 * r.mass.mass[i] * r.state.velocity(i).squaredNorm() + 0.5 * r.mass.inertia[i] * spin * spin;
+}
+
+// The sum over the contacts of two bodies, in whatever order they are named.
+template <class Value>
+double between(const Reading& r, Ids pair, const Value& value) {
+  const int a = std::min(pair[0], pair[1]);
+  const int b = std::max(pair[0], pair[1]);
+  double sum = 0.0;
+  for (const ContactForce& f : r.contacts) {
+    if (f.a == a && f.b == b) sum += value(f);
+  }
+  return sum;
+}
+
+// The largest depth by which two bodies overlap, m; 0 if none do. Joined bodies and those of one group don't
+// count.
+double largest_overlap(const Reading& r) {
+  std::vector<Bounds> bounds;
+  for (int i = 0; i < r.state.size(); ++i) bounds.push_back(bounds_at(r, i));
+  BroadPhase broad_phase;
+  double most = 0.0;
+  for (const auto& [a, b] : broad_phase.pairs(bounds, r.shapes.fixed)) {
+    if (!r.shapes.can_meet(a, b)) continue;
+    const Approach at = approach_of(r.shapes, a, r.state.q.col(a), {}, b, r.state.q.col(b), {}, 0.0);
+    most = std::max(most, -at.contact.gap);
+  }
+  return most;
+}
+
+// Of a pair's contacts that last: the normal force pushes the two apart; the tangential one acts
+// on the body that comes later in the scene, along the normal towards it turned by +90°. Both are sums over all
+// points, means over the last step.
+double normal_force(const Reading& r, Ids pair) {
+  return between(r, pair, [](const ContactForce& f) { return f.normal_force; });
+}
+double tangential_force(const Reading& r, Ids pair) {
+  return between(r, pair, [](const ContactForce& f) { return f.tangential_force; });
+}
+
+Vec2 body_momentum(const Reading& r, int i) {
+  return r.mass.inverse_mass[i] > 0.0 ? Vec2(r.mass.mass[i] * r.state.velocity(i)) : Vec2(0.0, 0.0);
+}
+
+double angle_between(const Reading& r, Ids b) {
+  const Vec2 u = r.state.velocity(b[0]);
+  const Vec2 v = r.state.velocity(b[1]);
+  return std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v)));
+}
+
+double distance(const Reading& r, Ids b) { return (r.state.position(b[1]) - r.state.position(b[0])).norm(); }
+
+double lost_in_flight(const Ledger& l) {
+  return l.lost_to_drag + l.lost_to_dampers + l.lost_to_rolling + l.lost_to_links;
+}
+
+// How far one body, or the farthest moving one, is from where it is in the reference; NaN while that cannot be
+// told: without a reference, and for bodies that wait for an impact.
+template <class Distance>
+double error_of(const Reading& r, int body, const Distance& distance) {
+  if (r.reference == nullptr || r.reference->awaiting[static_cast<std::size_t>(body)] != 0) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return distance(r.state, r.reference->state, body);
+}
+template <class Distance>
+double largest_error(const Reading& r, const Distance& distance) {
+  double most = std::numeric_limits<double>::quiet_NaN();
+  for (int i = 0; i < r.state.size(); ++i) {
+    if (r.mass.inverse_mass[i] > 0.0) most = std::fmax(most, error_of(r, i, distance));
+  }
+  return most;
+}
+
+double finite_or_infinite(double value) {
+  return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
+}
+
+double position_error(const State& ours, const State& theirs, int body) {
+  return finite_or_infinite((ours.position(body) - theirs.position(body)).norm());
+}
+double velocity_error(const State& ours, const State& theirs, int body) {
+  return finite_or_infinite((ours.velocity(body) - theirs.velocity(body)).norm());
+}
+
+double energy_error(const Reading& r) {
+  if (r.reference == nullptr) return std::numeric_limits<double>::quiet_NaN();
+  const auto& awaiting = r.reference->awaiting;
+  const bool compared = std::none_of(awaiting.begin(), awaiting.end(), [](std::uint8_t a) { return a != 0; });
+  return compared ? std::abs(r.totals.energy() - r.reference->energy)
+                  : std::numeric_limits<double>::quiet_NaN();
+}
+
+using R = const Reading&;
+
+constexpr auto kObservables = std::to_array<Observable>({
+    {"x", "x", "m", 1, Topic::kBody, [](R r, Ids b) { return r.state.q(0, b[0]); }},
+    {"y", "y", "m", 1, Topic::kBody, [](R r, Ids b) { return r.state.q(1, b[0]); }},
+    {"angle", "angle", "rad", 1, Topic::kBody, [](R r, Ids b) { return r.state.q(2, b[0]); }},
+    {"velocity_x", "velocity x", "m/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.v(0, b[0]); }},
+    {"velocity_y", "velocity y", "m/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.v(1, b[0]); }},
+    {"speed", "speed", "m/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.velocity(b[0]).norm(); }},
+    {"direction", "direction of motion", "rad", 1, Topic::kBody,
+     [](R r, Ids b) { return std::atan2(r.state.v(1, b[0]), r.state.v(0, b[0])); }},
+    {"spin", "spin", "rad/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.v(2, b[0]); }},
+    {"body_kinetic_energy", "kinetic energy", "J", 1, Topic::kBody,
+     [](R r, Ids b) { return body_kinetic_energy(r, b[0]); }},
+    {"body_momentum_x", "momentum x", "N s", 1, Topic::kBody,
+     [](R r, Ids b) { return body_momentum(r, b[0]).x(); }},
+    {"body_momentum_y", "momentum y", "N s", 1, Topic::kBody,
+     [](R r, Ids b) { return body_momentum(r, b[0]).y(); }},
+    {"body_momentum", "momentum", "N s", 1, Topic::kBody,
+     [](R r, Ids b) { return body_momentum(r, b[0]).norm(); }},
+    {"angle_between", "angle between the velocities", "rad", 2, Topic::kPair,
+     [](R r, Ids b) { return angle_between(r, b); }},
+    {"distance", "distance of the centres", "m", 2, Topic::kPair, [](R r, Ids b) { return distance(r, b); }},
+    {"impacts_between", "impacts so far", "1", 2, Topic::kPair,
+     [](R r, Ids b) { return r.tally.between(b[0], b[1]); }},
+    {"contact_force", "normal contact force", "N", 2, Topic::kPair,
+     [](R r, Ids b) { return normal_force(r, b); }},
+    {"friction_force", "tangential contact force", "N", 2, Topic::kPair,
+     [](R r, Ids b) { return tangential_force(r, b); }},
+    {"kinetic_energy", "kinetic energy", "J", 0, Topic::kEnergy, [](R r, Ids) { return r.totals.kinetic(); }},
+    {"rotational_energy", "energy of rotation", "J", 0, Topic::kEnergy,
+     [](R r, Ids) { return r.totals.rotational; }},
+    {"potential_energy", "potential energy", "J", 0, Topic::kEnergy,
+     [](R r, Ids) { return r.totals.potential; }},
+    {"total_energy", "total energy", "J", 0, Topic::kEnergy, [](R r, Ids) { return r.totals.energy(); }},
+    {"momentum_x", "momentum x", "N s", 0, Topic::kMomentum, [](R r, Ids) { return r.totals.momentum.x(); }},
+    {"momentum_y", "momentum y", "N s", 0, Topic::kMomentum, [](R r, Ids) { return r.totals.momentum.y(); }},
+    {"momentum", "momentum", "N s", 0, Topic::kMomentum, [](R r, Ids) { return r.totals.momentum.norm(); }},
+    {"angular_momentum", "angular momentum", "kg m²/s", 0, Topic::kMomentum,
+     [](R r, Ids) { return r.totals.angular_momentum; }},
+    {"momentum_to_walls_x", "momentum to walls x", "N s", 0, Topic::kMomentum,
+     [](R r, Ids) { return r.ledger.momentum_to_walls.x(); }},
+    {"momentum_to_walls_y", "momentum to walls y", "N s", 0, Topic::kMomentum,
+     [](R r, Ids) { return r.ledger.momentum_to_walls.y(); }},
+    {"momentum_drift_x", "momentum drift x", "N s", 0, Topic::kMomentum,
+     [](R r, Ids) { return r.momentum_drift.x(); }},
+    {"momentum_drift_y", "momentum drift y", "N s", 0, Topic::kMomentum,
+     [](R r, Ids) { return r.momentum_drift.y(); }},
+    {"lost_to_restitution", "lost to restitution", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_restitution; }},
+    {"lost_to_friction", "lost to friction", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_friction; }},
+    {"lost_to_rolling", "lost to rolling resistance", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_rolling; }},
+    {"lost_to_sticking", "lost to sticking", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_sticking; }},
+    {"lost_to_drag", "lost to drag", "J", 0, Topic::kLedger, [](R r, Ids) { return r.ledger.lost_to_drag; }},
+    {"lost_to_dampers", "lost to dampers", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_dampers; }},
+    {"lost_to_links", "lost to strings that jerk", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_links; }},
+    {"lost_in_impacts", "lost in impacts but to friction", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.lost_to_restitution + r.ledger.lost_to_sticking; }},
+    {"lost_in_flight", "lost between impacts", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return lost_in_flight(r.ledger); }},
+    {"put_in_by_drives", "put in by drives and forces", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.put_in_by_drives; }},
+    {"put_in_by_user", "put in by the user", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.put_in_by_user; }},
+    {"overlap_correction", "put in by pushing overlaps apart", "J", 0, Topic::kLedger,
+     [](R r, Ids) { return r.ledger.overlap_correction; }},
+    {"put_in", "put in, all together", "J", 0, Topic::kLedger,
+     [](R r,
+        Ids) { return r.ledger.put_in_by_drives + r.ledger.put_in_by_user + r.ledger.overlap_correction; }},
+    {"numerical_drift", "numerical drift", "J", 0, Topic::kLedger, [](R r, Ids) { return r.energy_drift; }},
+    {"rms_spin", "root mean square spin", "rad/s", 0, Topic::kCrowd, [](R r, Ids) { return rms_spin(r); }},
+    {"fastest", "largest speed", "m/s", 0, Topic::kCrowd,
+     [](R r, Ids) { return largest(r, [&](int i) { return r.state.velocity(i).norm(); }); }},
+    {"lowest_y", "lowest point", "m", 0, Topic::kCrowd,
+     [](R r, Ids) { return -largest(r, [&](int i) { return -bounds_at(r, i).low.y(); }); }},
+    {"highest_y", "highest point", "m", 0, Topic::kCrowd,
+     [](R r, Ids) { return largest(r, [&](int i) { return bounds_at(r, i).high.y(); }); }},
+    {"leftmost_x", "leftmost point", "m", 0, Topic::kCrowd,
+     [](R r, Ids) { return -largest(r, [&](int i) { return -bounds_at(r, i).low.x(); }); }},
+    {"rightmost_x", "rightmost point", "m", 0, Topic::kCrowd,
+     [](R r, Ids) { return largest(r, [&](int i) { return bounds_at(r, i).high.x(); }); }},
+    {"overlap", "largest overlap", "m", 0, Topic::kCrowd, [](R r, Ids) { return largest_overlap(r); }},
+    {"contacts", "contact points that hold", "1", 0, Topic::kCrowd,
+     [](R r, Ids) { return static_cast<double>(r.contacts.size()); }},
+    {"time", "time", "s", 0, Topic::kRun, [](R r, Ids) { return r.time; }},
+    {"impacts", "impacts so far", "1", 0, Topic::kRun, [](R r, Ids) { return static_cast<double>(r.impacts); }},
+    {"wall_impacts", "impacts with walls so far", "1", 0, Topic::kRun,
+     [](R r, Ids) { return r.tally.with_walls(); }},
+    {"mutual_impacts", "impacts between free bodies so far", "1", 0, Topic::kRun,
+     [](R r, Ids) { return r.tally.mutual(); }},
+    {"wall_impulse", "normal impulses on walls so far", "N s", 0, Topic::kRun,
+     [](R r, Ids) { return r.tally.wall_impulse(); }},
+    {"position_error", "distance from the reference", "m", 0, Topic::kError,
+     [](R r, Ids) { return largest_error(r, position_error); }},
+    {"velocity_error", "error of the velocities", "m/s", 0, Topic::kError,
+     [](R r, Ids) { return largest_error(r, velocity_error); }},
+    {"energy_error", "error of the energy", "J", 0, Topic::kError, [](R r, Ids) { return energy_error(r); }},
+    {"body_position_error", "distance from the reference", "m", 1, Topic::kError,
+     [](R r, Ids b) { return error_of(r, b[0], position_error); }},
+    {"body_velocity_error", "error of the velocity", "m/s", 1, Topic::kError,
+     [](R r, Ids b) { return error_of(r, b[0], velocity_error); }},
+});
+
+}  // namespace
+
+Reading reading_of(const Simulation& simulation, const ImpactTally& tally) {
+  const Totals totals = simulation.totals();
+  const Ledger ledger = simulation.ledger();
+  return {simulation.state(),
+          tally,
+          simulation.time(),
+          simulation.impact_count(),
+          totals,
+          ledger,
+          ledger.numerical_drift(totals.energy()),
+          ledger.momentum_drift(totals.momentum),
+          simulation.mass(),
+          simulation.shapes(),
+          simulation.contact_forces()};
+}
+
+std::span<const Observable> observables() { return kObservables; }
+
+const Observable* find_observable(std::string_view name) {
+  const auto found = std::find_if(kObservables.begin(), kObservables.end(),
+                                  [&](const Observable& o) { return o.name == name; });
+  return found == kObservables.end() ? nullptr : &*found;
+}
+
+}  // namespace carom

@@ -1,0 +1,154 @@
+#include "physics/record/sampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace carom {
+namespace {
+
+Ledger without_books(const Reading& reading) {
+  Ledger ledger = reading.ledger;
+  ledger.add(-1.0, ledger_of_books(reading.state));
+  return ledger;
+}
+
+}  // namespace
+
+Sampler::Sampler(std::vector<Curve> curves, const std::vector<Curve>& later) {
+  for (const std::vector<Curve>* all : {&std::as_const(curves), &later}) {
+    for (const Curve& curve : *all) {
+      if (curve.y.bodies.size() == 2) tally_.watch(curve.y.bodies[0], curve.y.bodies[1]);
+      if (curve.x && curve.x->bodies.size() == 2) tally_.watch(curve.x->bodies[0], curve.x->bodies[1]);
+    }
+  }
+  set_curves(std::move(curves));
+}
+
+void Sampler::begin(const Simulation& simulation) {
+  rows_.from_the_start = true;
+  tally_.begin(simulation);
+  look(simulation);
+  take_speeds(simulation);
+}
+
+void Sampler::after_edit(const Simulation& simulation, const Edit& edit) {
+  if (companion_) companion_->edit(edit);
+  look(simulation);
+}
+
+void Sampler::look(const Simulation& simulation) {
+  mass_ = 0.0;
+  for (int i = 0; i < simulation.state().size(); ++i) {
+    if (simulation.mass().inverse_mass[i] > 0.0) mass_ += simulation.mass().mass[i];
+  }
+  Reading now = reading_of(simulation, tally_);
+  std::optional<ReferenceReading> reference;
+  if (companion_) now.reference = &reference.emplace(companion_->reading());
+  append(now);
+  remember(now);
+}
+
+void Sampler::after_step(const Simulation& simulation) {
+  const std::vector<Jump>& jumps = simulation.last_jumps();
+  const std::vector<ImpactRecord>& impacts = simulation.last_impacts();
+  Reading end = reading_of(simulation, tally_);
+  if (!jumps.empty()) {
+    Ledger smooth = without_books(end);  // what the step changed beside the jumps
+    smooth.add(-1.0, ledger_);
+    for (const Jump& jump : jumps) smooth.add(-1.0, jump.change);
+    Ledger jumped = ledger_;
+    for (std::size_t i = 0; i < jumps.size(); ++i) {
+      const Jump& jump = jumps[i];
+      const double share = end.time > time_ ? (jump.time - time_) / (end.time - time_) : 1.0;
+      for (const State* state : {&jump.before, &jump.after}) {
+        if (state == &jump.after) {
+          jumped.add(1.0, jump.change);
+          tally_.add(impacts[i], simulation.mass());
+          ++impacts_;
+        }
+        Reading at{*state,
+                   tally_,
+                   jump.time,
+                   impacts_,
+                   simulation.totals_of(*state),
+                   jumped,
+                   energy_drift_ + share * (end.energy_drift - energy_drift_),
+                   momentum_drift_ + share * (end.momentum_drift - momentum_drift_),
+                   end.mass,
+                   end.shapes,
+                   end.contacts};
+        at.ledger.add(share, smooth);
+        at.ledger.add(1.0, ledger_of_books(*state));
+        append(at);
+      }
+    }
+  }
+  for (std::size_t i = jumps.size(); i < impacts.size(); ++i) tally_.add(impacts[i], simulation.mass());
+  tally_.happened(simulation.impact_count());
+  for (const ImpactRecord& impact : impacts) {
+    scales_.impulse = std::max(scales_.impulse, impact.normal_impulse);
+  }
+  std::optional<ReferenceReading> reference;
+  if (companion_) {
+    companion_->follow(simulation);
+    end.reference = &reference.emplace(companion_->reading());
+  }
+  append(end);
+  remember(end);
+  if (is_moment(simulation.steps())) take_speeds(simulation);
+}
+
+void Sampler::take_speeds(const Simulation& simulation) {
+  SpeedMoment& moment = rows_.moments.emplace_back();
+  moment.step = simulation.steps();
+  moment.time = simulation.time();
+  for (int i = 0; i < simulation.state().size(); ++i) {
+    if (simulation.mass().inverse_mass[i] > 0.0) {
+      moment.speeds.push_back(static_cast<float>(simulation.state().velocity(i).norm()));
+    }
+  }
+}
+
+void Sampler::remember(const Reading& end) {
+  time_ = end.time;
+  impacts_ = end.impacts;
+  ledger_ = without_books(end);
+  energy_drift_ = end.energy_drift;
+  momentum_drift_ = end.momentum_drift;
+}
+
+void Sampler::append(const Reading& reading) {
+  const double kinetic = reading.totals.kinetic();
+  scales_.energy = std::max(scales_.energy, kinetic + std::abs(reading.totals.potential));
+  scales_.momentum = std::max(scales_.momentum, std::sqrt(2.0 * mass_ * kinetic));
+  rows_.times.push_back(reading.time);
+  for (const Curve& curve : *rows_.curves) {
+    rows_.values.push_back(curve.y.value(reading));
+    if (curve.x) rows_.values.push_back(curve.x->value(reading));
+  }
+}
+
+bool Sampler::can_read(const std::vector<Curve>& curves) const {
+  const auto known = [this](const Quantity& q) {
+    if (q.observable->is_error() && !companion_) return false;
+    return q.bodies.size() != 2 || tally_.watches(q.bodies[0], q.bodies[1]);
+  };
+  return std::all_of(curves.begin(), curves.end(),
+                     [&](const Curve& curve) { return known(curve.y) && (!curve.x || known(*curve.x)); });
+}
+
+void Sampler::set_curves(std::vector<Curve> curves) {
+  rows_ = {std::make_shared<const std::vector<Curve>>(std::move(curves)), false, {}, {}};
+}
+
+Rows Sampler::take() {
+  Rows rows = rows_;
+  rows_.from_the_start = false;
+  rows_.times.clear();
+  rows_.values.clear();
+  rows_.moments.clear();
+  return rows;
+}
+
+}  // namespace carom

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "physics/compare/companion.h"
+#include "physics/observe/impact_tally.h"
+#include "physics/observe/quantity.h"
+#include "physics/record/run_log.h"
+#include "physics/record/speed_record.h"
+#include "physics/world/simulation.h"
+
+namespace carom {
+
+// How large a run's quantities are: against these a plot tells a value from rounding.
+struct Scales {
+  double energy = 0.0;    // J: the most of kinetic energy and size of the potential one
+  double momentum = 0.0;  // N s: √(2 M K), which the sum of all sizes m|v| never exceeds
+  double impulse = 0.0;   // N s: the strongest impact
+};
+
+// What curves did, moment by moment in the order of time. Two rows of one time are an upright jump.
+struct Rows {
+  std::shared_ptr<const std::vector<Curve>> curves;
+  bool from_the_start = false;  // they begin at t = 0: what is known of these curves is to be forgotten
+  std::vector<double> times;    // s
+  std::vector<double> values;   // row by row: of each curve y and, if it has one, x
+  std::vector<SpeedMoment> moments{};
+
+  [[nodiscard]] std::size_t size() const { return times.size(); }
+};
+
+// Reads curves off a run: at its start, at the end of each step, and before and after each impact that the
+// simulation watches; and all speeds at some of the steps' ends. There the ledger jumps by what the impact
+// changed; the work of smooth forces is that of the moment, what contacts that last take, and the drift, is
+// taken for linear within the step.
+class Sampler {
+ public:
+  // Reads `curves`, and is ready for `later` too, of which it must know the run from its start on.
+  explicit Sampler(std::vector<Curve> curves, const std::vector<Curve>& later = {});
+
+  // Before begin(): goes along with the run from its start on, and gives its errors.
+  void compare_with(Companion reference) { companion_ = std::move(reference); }
+
+  void interrupt_on(const std::stop_token& stop) {
+    if (companion_) companion_->interrupt_on(stop);
+  }
+
+  void begin(const Simulation& simulation);
+  void after_step(const Simulation& simulation);
+  void after_edit(const Simulation& simulation, const Edit& edit);
+
+  // Whether it knows enough of the run so far to read these too from now on.
+  [[nodiscard]] bool can_read(const std::vector<Curve>& curves) const;
+  // From now on reads others. Rows that wait must be taken before.
+  void set_curves(std::vector<Curve> curves);
+  // The rows since the last call.
+  [[nodiscard]] Rows take();
+  [[nodiscard]] const std::vector<Curve>& curves() const { return *rows_.curves; }
+  [[nodiscard]] const Scales& scales() const { return scales_; }
+  // What the run is compared with.
+  [[nodiscard]] ReferenceId reference() const { return companion_ ? companion_->id() : ReferenceId::kNone; }
+  // Of a run that is compared, at its last step's end.
+  [[nodiscard]] std::optional<RunError> error() const {
+    return companion_ ? std::optional(companion_->error()) : std::nullopt;
+  }
+
+ private:
+  void look(const Simulation& simulation);  // between steps
+  void append(const Reading& reading);
+  void remember(const Reading& end);  // for the jumps of the next step
+  void take_speeds(const Simulation& simulation);
+
+  Rows rows_;
+  ImpactTally tally_;
+  std::optional<Companion> companion_;
+  Scales scales_;
+  double mass_ = 0.0;  // kg, of all that moves freely
+  // At the end of the last step.
+  double time_ = 0.0;
+  std::int64_t impacts_ = 0;
+  Ledger ledger_;  // without the bodies' books
+  double energy_drift_ = 0.0;
+  Vec2 momentum_drift_ = Vec2::Zero();
+};
+
+}  // namespace carom

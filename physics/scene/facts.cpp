@@ -1,0 +1,117 @@
+#include "physics/scene/facts.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <unordered_set>
+#include <vector>
+
+namespace carom {
+namespace {
+
+// Bodies can meet if one of them moves. Which of them ever do, is left open.
+void look_at_materials(const Scene& scene, const std::vector<Body>& bodies, SceneFacts& facts) {
+  struct Users {
+    int all = 0;
+    int moving = 0;
+  };
+  std::map<std::string, Users> users;
+  for (const Body& b : bodies) {
+    Users& u = users[b.material];
+    ++u.all;
+    if (!is_immovable(b)) ++u.moving;
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, u] : users) names.push_back(name);
+  const std::vector<Material> surfaces = meetings(scene, names);
+  auto surface = surfaces.begin();
+  for (const auto& [name_a, a] : users) {
+    for (const auto& [name_b, b] : users) {
+      const Material& m = *surface++;
+      const bool meet = a.moving > 0 && (&a == &b ? a.all > 1 : b.all > 0);
+      if (!meet) continue;
+      facts.rub = facts.rub || m.kinetic_friction > 0.0;
+      facts.yield = facts.yield || m.restitution < 1.0;
+      facts.sticks = facts.sticks || m.sticks;
+    }
+  }
+  facts.sticky = has_sticking_surface(scene);
+}
+
+void look_at_forces(const Scene& scene, const std::vector<Body>& bodies, SceneFacts& facts) {
+  const Forces& f = scene.forces;
+  facts.drag = facts.moving > 0 && (f.linear_drag > 0.0 || f.quadratic_drag > 0.0);
+  facts.attraction = f.attraction.has_value() && facts.moving > 1;
+  std::unordered_set<std::string> moving;
+  if (!f.springs.empty()) {
+    for (const Body& b : bodies) {
+      if (!is_immovable(b)) moving.insert(b.name);
+    }
+  }
+  for (const Spring& s : f.springs) {
+    facts.springs = true;
+    facts.dampers = facts.dampers || s.damping > 0.0;
+    facts.switched = facts.switched || s.acts != SpringActs::kBoth;
+    facts.coupling_springs = facts.coupling_springs || moving.contains(s.to);
+  }
+  for (const AppliedForce& a : f.applied) {
+    const bool push = !a.force.isZero(0.0);
+    const bool torque = a.torque != 0.0;
+    if (!push && !torque) continue;
+    facts.pushes = facts.pushes || push;
+    facts.torques = facts.torques || torque;
+    facts.timed = facts.timed || a.start > 0.0 || a.rise > 0.0 || a.end.has_value();
+  }
+  facts.switched = facts.switched || facts.timed;
+}
+
+void look_at_links(const Scene& scene, SceneFacts& facts) {
+  for (const Link& l : scene.links) {
+    facts.links = true;
+    facts.strings = facts.strings || l.kind == LinkKind::kString;
+    facts.turning_links = facts.turning_links || l.kind == LinkKind::kWeld || !l.point.isZero(0.0) ||
+                          (!l.to.empty() && !l.anchor.isZero(0.0));
+  }
+  facts.switched = facts.switched || facts.strings;
+}
+
+}  // namespace
+
+SceneFacts facts_of(const Scene& scene) {
+  const std::vector<Body> bodies = all_bodies(scene);
+  SceneFacts facts;
+  for (const Body& b : bodies) {
+    ++(is_immovable(b) ? facts.immovable : facts.moving);
+    if (!is_immovable(b)) {
+      facts.spinning = facts.spinning || b.spin != 0.0;
+      facts.cornered = facts.cornered || !std::holds_alternative<Disc>(b.shape);
+    }
+    if (!b.drive) continue;
+    // A drive with an amplitude and no frequency still shifts its body, by A sin φ.
+    facts.driven = facts.driven || !b.drive->velocity.isZero(0.0) || !b.drive->amplitude.isZero(0.0);
+    facts.accelerating =
+        facts.accelerating || (!b.drive->amplitude.isZero(0.0) && b.drive->angular_frequency > 0.0);
+  }
+  look_at_materials(scene, bodies, facts);
+  look_at_forces(scene, bodies, facts);
+  look_at_links(scene, facts);
+  return facts;
+}
+
+std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator) {
+  if (integrator != IntegratorId::kExactFlight) return std::nullopt;
+  const SceneFacts f = facts_of(scene);
+  std::vector<std::string> with;
+  if (f.drag) with.emplace_back("drag");
+  if (f.springs) with.emplace_back("springs");
+  if (f.links) with.emplace_back("links");
+  if (f.sticky) with.emplace_back("surfaces that stick");
+  if (f.attraction) with.emplace_back("attraction");
+  if (f.timed) with.emplace_back("forces that start, rise or end");
+  if (with.empty()) return std::nullopt;
+  return fmt::format(
+      "exact flight is not possible with {}; allowed: gravity and constant forces alone, or another integrator",
+      fmt::join(with, " and "));
+}
+
+}  // namespace carom

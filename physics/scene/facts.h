@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "physics/scene/scene.h"
+
+namespace carom {
+
+// What is in a scene that decides how its motion can be computed, gathered in one pass over the bodies.
+struct SceneFacts {
+  int moving = 0;
+  int immovable = 0;
+  bool spinning = false;      // a moving body turns
+  bool cornered = false;      // a moving body is no disc: impacts beside its centre turn it
+  bool driven = false;        // an immovable body moves
+  bool accelerating = false;  // ... and changes its velocity
+  bool rub = false;           // two bodies that can meet have kinetic friction
+  bool yield = false;         // two bodies that can meet have restitution below 1
+  bool sticks = false;        // two bodies that can meet would stay joined
+  bool sticky = false;        // a surface of the scene sticks, whether a body has it or not
+  bool springs = false;
+  bool coupling_springs = false;
+  bool dampers = false;
+  bool drag = false;
+  bool attraction = false;
+  bool links = false;
+  bool strings = false;
+  bool turning_links = false;  // links turn bodies
+  bool pushes = false;         // applied forces
+  bool torques = false;        // applied torques
+  bool switched = false;       // forces that start, rise, end or act one way
+  bool timed = false;          // applied forces that start, rise or end
+};
+
+[[nodiscard]] SceneFacts facts_of(const Scene& scene);
+
+// Why the scene can't be run under this method, as "allowed: ..." would follow; nothing if it can. Exact flight
+// needs a flight in closed form.
+[[nodiscard]] std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator);
+
+}  // namespace carom

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "physics/record/frame.h"
+#include "physics/scene/scene.h"
+
+namespace carom {
+
+// Runs a scene under one method, or under several side by side, on a thread of its own and at a chosen pace,
+// and publishes whole frames. Calls return at once: they are carried out between two steps, in their order. The
+// lock guards only the hand-over of commands and of the newest frames; nobody holds it while stepping or
+// painting. A load, a restart and the end don't wait for the step under way: they interrupt it. The runs wait
+// while nobody takes their frames and too much is waiting there (kMostWaiting).
+//
+// Of several runs the one that is farthest behind goes first; one that is begun later starts at t = 0 and the
+// others wait for it. The first run is the scene's own: it sets the pace. A run that is lost stands still and
+// says why in its frames (Frame::lost); playing stops when one is. So it does where the thread runs out of
+// memory or meets any other error: then all runs stand until the next load or restart.
+class Worker {
+ public:
+  // The scene must be valid; `curves` are read off its runs from the start on.
+  explicit Worker(const Scene& scene, const std::vector<Curve>& curves = {});
+  ~Worker();
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  // Stops at t = 0, with the methods that the scene names.
+  void load(const Scene& scene, const std::vector<Curve>& curves = {},
+            ReferenceId reference = ReferenceId::kNone);
+  // The same scene, stopped at t = 0; bodies that were added come in again at their time.
+  void restart();
+  // The same under other methods.
+  void restart(const Method& method, const std::vector<Method>& compare, const std::vector<Curve>& curves,
+               ReferenceId reference);
+  // Plays at the chosen pace, until `until` if that lies ahead; or stops.
+  void set_playing(bool playing, double until = std::numeric_limits<double>::infinity());
+  void step_once();                                            // one step of the first run's method, stopped
+  void set_speed(double speed);                                // simulated seconds per second, > 0
+  void set_method(const Method& method, std::size_t run = 0);  // from now on
+  void add_method(const Method& method);  // one more run; not beyond kMostCompared besides the first
+  void remove_method(std::size_t run);    // not the first
+  void set_reference(ReferenceId reference);
+  void add_body(const Body& body);
+  void run_until(double time);  // as fast as it goes, then stopped; frames come on the way
+  // Which curves to read off the runs from now on. Those that were not read before come from the start on: the
+  // run waits while it is gone through once more.
+  void record(const std::vector<Curve>& curves);
+
+  // Numbers in rows, and impacts, that wait at the most, but for those of one step.
+  static constexpr std::size_t kMostWaiting = 1'000'000;
+
+  // What happened since the last call, a frame for each run; none if nothing did. Never of before the last load
+  // or restart.
+  [[nodiscard]] std::vector<std::shared_ptr<const Frame>> take_frames();
+  // The scene as it would be saved now: with the methods in force and the bodies that were added.
+  [[nodiscard]] Scene scene() const;
+
+ private:
+  struct Lab;  // what belongs to the thread
+  struct Command {
+    std::function<void(Lab&)> what;
+    bool begins = false;  // all runs anew, whatever became of those before
+  };
+  void post(std::function<void(Lab&)> command);
+  // Interrupts the step under way; the command is given the token for the next runs.
+  void post_begin(const std::function<void(Lab&, std::stop_token)>& command);
+  void work(const std::stop_token& stop, const Scene& first, const std::vector<Curve>& curves,
+            std::stop_token interrupt);
+  void work_once(const std::stop_token& stop, Lab& lab, std::vector<Command>& commands);
+  void carry_out(Lab& lab, std::vector<Command>& commands);
+  void publish(Lab& lab);
+  void publish_failure(Lab& lab, const std::string& why);
+  [[nodiscard]] bool too_much_waits() const;  // with the lock held
+
+  mutable std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::vector<Command> commands_;
+  std::stop_source interrupt_;  // of the runs that were begun last
+  std::vector<std::shared_ptr<Frame>> newest_;
+  std::uint64_t newest_start_ = 0;  // of the frames: the value of starts_ then
+  Scene scene_;
+  std::uint64_t starts_ = 1;  // loads and restarts so far, and the first start
+  std::jthread thread_;       // last: it uses all of the above
+};
+
+}  // namespace carom

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "physics/scene/scene.h"
+#include "physics/stress/stress.h"
+#include "physics/world/simulation.h"
+
+// What the cases build their scenes from and read off their runs.
+namespace carom::stress {
+
+inline constexpr double kGravity = 9.81;  // m/s²
+// m: a body that moves less is at rest. It is what the block on an incline below the friction cone may creep.
+inline constexpr double kRest = 1e-6;
+// m and m/s: what counts as rounding, of scenes of metres and metres a second; a contact solve is stated to it.
+inline constexpr double kRounding = 1e-9;
+
+// The half-plane whose surface passes through `point`, turned by `angle` from a floor.
+[[nodiscard]] Body half_plane(const std::string& name, Vec2 point, double angle = 0.0);
+[[nodiscard]] Body box(const std::string& name, Vec2 position, double width, double height, double mass = 1.0);
+[[nodiscard]] Body disc(const std::string& name, Vec2 position, double radius, double mass = 1.0);
+// A homogeneous convex plate with these corners in the plane, at rest.
+[[nodiscard]] Body plate(const std::string& name, const std::vector<Vec2>& corners, double mass);
+// Of one material with one coefficient of friction.
+[[nodiscard]] Scene scene(const StressSetting& setting, std::vector<Body> bodies, double restitution,
+                          double friction, double gravity = kGravity);
+
+// m, of all pairs that overlap now; zero if there are none.
+struct Overlaps {
+  double largest = 0.0;
+  double mean = 0.0;
+};
+[[nodiscard]] Overlaps overlaps_of(const Simulation& simulation);
+
+// kg, of all that moves.
+[[nodiscard]] double moving_mass(const Simulation& simulation);
+
+// How much a scene of falling bodies gains in one step, beside what drives and pushes out of overlaps put in.
+// Its unit is ½ M g² h², M being the moving mass: what a step of explicit Euler gains in free fall (x' = x + h
+// v, v' = v - h g). No impact and no friction adds to it, so by theory the largest is 1 under explicit Euler
+// and 0 where gravity is integrated exactly; contacts that last are of order 1 and may use up the same.
+class EnergyRise {
+ public:
+  explicit EnergyRise(const Simulation& simulation);
+  // After each step.
+  void look(const Simulation& simulation);
+  [[nodiscard]] double largest() const { return largest_ / unit_; }
+
+ private:
+  double unit_;  // J
+  double before_;
+  double largest_ = 0.0;  // J
+};
+// For rounding, beside that 1.
+inline constexpr double kLargestRise = 1.0 + 1e-6;
+
+}  // namespace carom::stress

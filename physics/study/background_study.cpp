@@ -1,0 +1,60 @@
+#include "physics/study/background_study.h"
+
+#include <algorithm>
+
+#include "physics/math/stopped.h"
+
+namespace carom {
+
+BackgroundStudy::BackgroundStudy(Scene scene, std::string preset, StudyOptions options)
+    : thread_([this, scene = std::move(scene), preset = std::move(preset), options = std::move(options)](
+                  const std::stop_token& stop) { run(scene, preset, options, stop); }) {}
+
+StudySoFar BackgroundStudy::so_far() const {
+  const std::lock_guard lock(mutex_);
+  return so_far_;
+}
+
+void BackgroundStudy::run(const Scene& scene, const std::string& preset, const StudyOptions& options,
+                          const std::stop_token& stop) {
+  StudyWatch watch;
+  watch.stop = stop;
+  watch.progress = [this](std::string_view stage, int done, int of) {
+    const std::lock_guard lock(mutex_);
+    so_far_.stage = stage;
+    so_far_.done = done;
+    so_far_.of = of;
+    ++so_far_.changes;
+  };
+  watch.row = [this](const StudyFacts& facts, const StudyRow& row) { take(facts, row); };
+  const auto end = [this](StudySoFar::Phase phase, const std::string& refusal) {
+    const std::lock_guard lock(mutex_);
+    so_far_.phase = phase;
+    so_far_.refusal = refusal;
+    ++so_far_.changes;
+  };
+  try {
+    (void)run_study(scene, preset, options, watch);
+    end(StudySoFar::Phase::kDone, {});
+  } catch (const Stopped&) {
+    end(StudySoFar::Phase::kStopped, {});
+  } catch (const std::exception& error) {
+    end(StudySoFar::Phase::kRefused, error.what());
+  }
+}
+
+void BackgroundStudy::take(const StudyFacts& facts, const StudyRow& row) {
+  const std::lock_guard lock(mutex_);
+  StudyTable& table = so_far_.table;
+  if (table.rows.empty()) table.facts = facts;
+  const auto place = std::lower_bound(table.rows.begin(), table.rows.end(), row.index,
+                                      [](const StudyRow& other, int index) { return other.index < index; });
+  if (place != table.rows.end() && place->index == row.index) {
+    *place = row;
+  } else {
+    table.rows.insert(place, row);
+  }
+  ++so_far_.changes;
+}
+
+}  // namespace carom

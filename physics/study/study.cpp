@@ -1,0 +1,354 @@
+#include "physics/study/study.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <mutex>
+
+#include "physics/compare/chaos.h"
+#include "physics/compare/impact_matching.h"
+#include "physics/compare/reference.h"
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/math/parallel.h"
+#include "physics/math/stopped.h"
+#include "physics/model/needs.h"
+#include "physics/preset/preset.h"
+#include "physics/scene/facts.h"
+#include "physics/scene/validate.h"
+#include "physics/study/stated_figures.h"
+
+namespace carom {
+namespace {
+
+constexpr double kPast = 0.1;  // of the compared time: how far a run goes on to find late impacts
+// A chaotic scene is compared where neighbours have parted so much: the errors of methods, larger than
+// rounding, are then still small beside the scene.
+constexpr double kMostGrowth = 300.0;
+// An end that comes earlier in the run is none to compare at.
+constexpr double kLeastOfRun = 0.05;  // an end that comes earlier in the run is none to compare at
+
+constexpr double kCoarsestStep = 16.0;  // of the default ones, times the scene's own
+constexpr double kLeastSteps = 8.0;     // that a run takes at the coarsest
+
+bool contains(const auto& list, const auto& value) {
+  return list.empty() || std::find(list.begin(), list.end(), value) != list.end();
+}
+
+// FNV-1a, 64 bits: a name for a plan, not a secret.
+std::string hash_of(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : text) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 0x100000001b3U;
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+std::string plan_id(const Scene& scene, const StudyOptions& options, const std::vector<Method>& methods) {
+  std::string text = write_preset(scene);
+  for (const Method& m : methods) {
+    text += fmt::format("{} {} {} {} {}\n", static_cast<int>(m.integrator), static_cast<int>(m.impacts),
+                        static_cast<int>(m.contacts), m.step, m.tolerance);
+  }
+  text += fmt::format("{} {}", options.until.value_or(-1.0), options.repeats);
+  return hash_of(text);
+}
+
+void add_remark(std::string& remarks, const std::string& more) {
+  if (!remarks.empty()) remarks += "; ";
+  remarks += more;
+}
+
+double distance_to_impacts(const std::vector<TimedImpact>& impacts, double time) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const TimedImpact& i : impacts) least = std::min(least, std::abs(i.time - time));
+  return least;
+}
+
+// Where to compare, and in words why not at the end of the run.
+double compared_time(const Scene& scene, const StudyOptions& options, const Chaos& chaos, StudyFacts& facts) {
+  std::string& remarks = facts.remarks;
+  const double wanted = options.until.value_or(scene.duration);
+  const bool rests = chaos.resting_since > kLeastOfRun * wanted && chaos.resting_since < wanted;
+  const bool chaotic = chaos.horizon < wanted;
+  const std::string resting = fmt::format(
+      "from t = {:.4g} s on bounces come faster than they can be told apart (Zeno)", chaos.resting_since);
+  if (options.until) {
+    if (chaotic) {
+      add_remark(remarks, fmt::format("WARNING: the compared time lies beyond the horizon, {:.3g} s: the "
+                                      "errors there say nothing about the methods",
+                                      chaos.horizon));
+    }
+    if (rests) add_remark(remarks, resting + ": impacts can't be matched there");
+    const double near = distance_to_impacts(chaos.impacts, wanted);
+    if (near < 1e-3 * wanted) {
+      add_remark(remarks, fmt::format("an impact lies {:.2g} s from the compared time", near));
+    }
+    return wanted;
+  }
+  double end = wanted;
+  if (rests) {
+    end = chaos.resting_since;
+    add_remark(remarks, resting + ": compared before");
+  }
+  if (std::isfinite(chaos.horizon)) {
+    const auto late = std::find_if(chaos.growth.begin(), chaos.growth.end(),
+                                   [](double growth) { return growth > kMostGrowth; });
+    const double parted =
+        late == chaos.growth.end() ? end : chaos.time[static_cast<std::size_t>(late - chaos.growth.begin())];
+    const double sane = std::min(parted, 0.5 * chaos.horizon);
+    if (sane < end) {
+      end = sane;
+      add_remark(
+          remarks,
+          fmt::format("{}: compared {}", chaotic ? "the run lasts beyond the horizon" : "the motion is chaotic",
+                      sane < parted
+                          ? std::string("well before it")
+                          : fmt::format("while neighbours have parted {:g}-fold or less", kMostGrowth)));
+    }
+  }
+  const double time = plan_time(chaos.impacts, end);
+  if (time < end) add_remark(remarks, "moved away from impacts");
+  return time;
+}
+
+std::string words_for(const Reference& r, const Chaos& chaos) {
+  const auto& integrator = choice_of(kIntegrators, r.method.integrator);
+  if (r.exact) return fmt::format("{}, impacts at their own time", integrator.label);
+  const std::string made = fmt::format("{}, impacts at their own time, h = {:.4g} s after {} halving{}",
+                                       integrator.label, r.method.step, r.halvings, r.halvings == 1 ? "" : "s");
+  if (r.converged) return made;
+  return fmt::format("{}; NOT CONVERGED: two refinements differ by {:.1g} of the length", made,
+                     r.position_error / chaos.length);
+}
+
+// The largest difference beside all that the file states.
+std::string words_for(const std::vector<StatedFigure>& figures) {
+  if (figures.empty()) return {};
+  const auto worst = std::max_element(
+      figures.begin(), figures.end(),
+      [](const StatedFigure& x, const StatedFigure& y) { return x.difference < y.difference; });
+  return fmt::format("off the file's own figure{} by {}{:.1e} {} ({})", figures.size() == 1 ? "" : "s",
+                     figures.size() == 1 ? "" : "at most ", worst->difference, worst->unit, worst->text);
+}
+
+void measure_accuracy(StudyRow& row, const Scene& scene, const Reference& reference, const Chaos& chaos,
+                      std::span<const int> moving, double time, const std::stop_token& stop) {
+  const RecordedRun run =
+      record_run(scene, row.method, time, (1.0 + kPast) * time, blown_up_above(chaos), stop);
+  const Comparison c = compare(run, reference.run, moving, time);
+  row.position_error = c.position_error;
+  row.velocity_error = c.velocity_error;
+  row.energy_error = c.energy_error;
+  row.impact_time_error = c.impact_time_error;
+  row.matched = c.matched;
+  row.unmatched = c.unmatched;
+  row.left_out = c.left_out;
+  row.steps = run.steps;
+  row.evaluations = run.evaluations;
+  row.rejected_steps = run.rejected_steps;
+  row.impacts = run.impact_count;
+  row.status = run.status;
+}
+
+// Seconds that one run to `time` takes. Short ones are run until they add up to what a clock can measure.
+double time_once(const Simulation& start, double time, const std::stop_token& stop) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double kMeasurable = 2e-3;  // s
+  double sum = 0.0;
+  int runs = 0;
+  do {
+    Simulation run = start;
+    const auto from = Clock::now();
+    if (stop.stop_possible()) {
+      run.advance_to(time, [&stop] { throw_if_stopped(stop); });
+    } else {
+      run.advance_to(time);
+    }
+    sum += std::chrono::duration<double>(Clock::now() - from).count();
+    ++runs;
+  } while (sum < kMeasurable);
+  return sum / runs;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+void measure_times(StudyTable& table, const Scene& scene, const StudyWatch& watch) {
+  std::vector<StudyRow>& rows = table.rows;
+  std::vector<std::vector<double>> times(rows.size());
+  const int all = table.facts.repeats * static_cast<int>(rows.size());
+  for (int k = 0; k < all; ++k) {
+    const auto i = static_cast<std::size_t>(k) % rows.size();
+    if (rows[i].status.starts_with("blew up")) continue;  // no run to the compared time
+    Scene with_method = scene;
+    with_method.method = rows[i].method;
+    times[i].push_back(time_once(Simulation(with_method), table.facts.time, watch.stop));
+    rows[i].wall_time = median(times[i]);
+    rows[i].wall_least = *std::min_element(times[i].begin(), times[i].end());
+    rows[i].wall_most = *std::max_element(times[i].begin(), times[i].end());
+    if (watch.row) watch.row(table.facts, rows[i]);
+    if (watch.progress) watch.progress("times, alone", k + 1, all);
+  }
+}
+
+}  // namespace
+
+std::vector<Method> plan_methods(const Scene& scene, const StudyOptions& options) {
+  std::vector<double> steps = options.steps;
+  if (steps.empty()) {
+    double h = std::min({kCoarsestStep * scene.method.step, scene.duration / kLeastSteps, kLargestStep});
+    for (int k = 0; k < kDefaultSteps && h >= kLeastStep; ++k, h *= 0.5) steps.push_back(h);
+  }
+  std::vector<double> tolerances = options.tolerances;
+  if (tolerances.empty()) {
+    for (int digits = 3; digits <= 12; ++digits) tolerances.push_back(std::pow(10.0, -digits));
+  }
+  std::sort(steps.begin(), steps.end(), std::greater<>());
+  std::sort(tolerances.begin(), tolerances.end(), std::greater<>());
+
+  const Needs needs = needs_of(scene);
+  std::vector<Method> methods;
+  for (const IntegratorChoice& integrator : kIntegrators) {
+    if (!contains(options.integrators, integrator.id)) continue;
+    if (const auto refused = why_not(scene, integrator.id)) {
+      if (options.integrators.empty()) continue;
+      throw SceneError("--integrators: " + *refused);
+    }
+    for (const auto& impacts : kImpacts) {
+      if (!contains(options.impacts, impacts.id)) continue;
+      Method m = scene.method;
+      m.integrator = integrator.id;
+      m.impacts = impacts.id;
+      if (integrator.order == 0 && impacts.id != ImpactsId::kLocated) continue;
+      if (!needs.lasting_contacts) m.contacts = ContactsId::kImpulse;
+      switch (error_knob(m)) {
+        case ErrorKnob::kStep:
+          for (const double step : steps) {
+            m.step = step;
+            methods.push_back(m);
+          }
+          break;
+        case ErrorKnob::kTolerance:
+          for (const double tolerance : tolerances) {
+            m.tolerance = tolerance;
+            methods.push_back(m);
+          }
+          break;
+        case ErrorKnob::kNone:
+          methods.push_back(m);
+          break;
+      }
+    }
+  }
+  if (methods.empty()) {
+    throw SceneError(
+        "--impacts: exact-flight with step-end is not allowed; allowed: located, exact flight is nothing else");
+  }
+  return methods;
+}
+
+double plan_time(const std::vector<TimedImpact>& impacts, double end) {
+  const double from = 0.75 * end;
+  std::vector<double> times;
+  for (const TimedImpact& i : impacts) times.push_back(i.time);
+  std::sort(times.begin(), times.end());
+  const auto room = [&](double t) {  // s, to the nearest impact
+    const auto after = std::lower_bound(times.begin(), times.end(), t);
+    double least = std::numeric_limits<double>::infinity();
+    if (after != times.end()) least = *after - t;
+    if (after != times.begin()) least = std::min(least, t - *std::prev(after));
+    return least;
+  };
+  // Halfway between two bounces a ball turns round, and errors of its time don't show in its position.
+  constexpr double kOffTheMiddle = 0.35;
+  double best = end;
+  double most = 0.0;
+  const auto consider = [&](double t) {
+    if (t < from || t > end || room(t) <= most) return;
+    best = t;
+    most = room(t);
+  };
+  consider(from);
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    consider(std::lerp(times[i], times[i + 1], kOffTheMiddle));
+  }
+  if (room(end) >= 0.5 * most) return end;
+  const double grain = 1e-4 * std::pow(10.0, std::ceil(std::log10(end)));
+  const double rounded = std::round(best / grain) * grain;
+  return rounded > 0.0 && rounded < end && room(rounded) >= 0.9 * most ? rounded : best;
+}
+
+StudyTable run_study(const Scene& scene, const std::string& preset, const StudyOptions& options,
+                     const StudyWatch& watch) {
+  const auto tell = [&](std::string_view stage, int done, int of) {
+    throw_if_stopped(watch.stop);
+    if (watch.progress) watch.progress(stage, done, of);
+  };
+  const std::vector<Method> methods = plan_methods(scene, options);
+  if (options.shards > static_cast<int>(methods.size())) {
+    throw SceneError(fmt::format("--shard: {}/{} is not allowed; allowed: up to {} shards, one for each row",
+                                 options.shard, options.shards, methods.size()));
+  }
+  StudyTable table;
+  StudyFacts& facts = table.facts;
+  facts.plan = plan_id(scene, options, methods);
+  facts.planned = static_cast<int>(methods.size());
+  facts.preset = preset;
+  facts.title = scene.title;
+  facts.repeats = options.repeats;
+  facts.duration = options.until.value_or(scene.duration);
+
+  tell("neighbours", 0, 1);
+  const Chaos chaos = follow_neighbours(scene, reference_method(scene), (1.0 + kPast) * facts.duration,
+                                        options.threads, watch.stop);
+  facts.time = compared_time(scene, options, chaos, facts);
+  facts.length = chaos.length;
+  facts.exponent = chaos.exponent;
+  facts.growth = chaos.growth_at(facts.time);
+  facts.horizon = chaos.horizon;
+
+  tell("reference", 0, 1);
+  const Reference reference = make_reference(scene, chaos, facts.time, (1.0 + kPast) * facts.time, watch.stop);
+  facts.reference = words_for(reference, chaos);
+  facts.reference_position_error = reference.position_error;
+  facts.reference_velocity_error = reference.velocity_error;
+  facts.reference_energy_error = reference.energy_error;
+  facts.stated =
+      words_for(check_stated_figures(scene, reference, std::min(facts.duration, chaos.horizon), watch.stop));
+
+  for (int i = 0; i < facts.planned; ++i) {
+    if (i % options.shards != options.shard - 1) continue;
+    StudyRow row;
+    row.index = i;
+    row.method = methods[static_cast<std::size_t>(i)];
+    table.rows.push_back(row);
+  }
+  // The longest runs first, so that no core waits long at the end.
+  std::vector<std::size_t> order(table.rows.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
+    return table.rows[x].method.step < table.rows[y].method.step;
+  });
+  const std::vector<int> moving = moving_bodies(all_bodies(scene));
+  std::mutex mutex;
+  int done = 0;
+  const int all = static_cast<int>(order.size());
+  tell("accuracy", 0, all);
+  parallel_for(all, options.threads, [&](int k) {
+    throw_if_stopped(watch.stop);
+    StudyRow& row = table.rows[order[static_cast<std::size_t>(k)]];
+    measure_accuracy(row, scene, reference, chaos, moving, facts.time, watch.stop);
+    const std::lock_guard lock(mutex);
+    if (watch.row) watch.row(facts, row);
+    tell("accuracy", ++done, all);
+  });
+  measure_times(table, scene, watch);
+  return table;
+}
+
+}  // namespace carom

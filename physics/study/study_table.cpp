@@ -1,0 +1,369 @@
+#include "physics/study/study_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
+#include <map>
+
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/scene/validate.h"
+
+namespace carom {
+namespace {
+
+// A number as its field holds it; nothing where there is none.
+std::string field(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
+std::string field(std::int64_t value) { return fmt::format("{}", value); }
+std::string field(int value) { return fmt::format("{}", value); }
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out + '"';
+}
+
+// Throws std::string, what is allowed: the caller knows the place.
+void read(const std::string& text, double& to) {
+  if (text.empty()) return;  // stays at what stands for none
+  char* end = nullptr;
+  to = std::strtod(text.c_str(), &end);
+  if (end != text.c_str() + text.size() || !std::isfinite(to)) throw std::string("a number");
+}
+template <class Integer>
+void read_integer(const std::string& text, Integer& to) {
+  char* end = nullptr;
+  const long long value = std::strtoll(text.c_str(), &end, 10);
+  if (text.empty() || end != text.c_str() + text.size() || value < 0 ||
+      value > std::numeric_limits<Integer>::max()) {
+    throw std::string("a whole number, 0 or more");
+  }
+  to = static_cast<Integer>(value);
+}
+void read(const std::string& text, std::int64_t& to) { read_integer(text, to); }
+void read(const std::string& text, int& to) { read_integer(text, to); }
+void read(const std::string& text, std::string& to) { to = text; }
+
+template <class Table, class Id>
+void read_choice(const Table& table, const std::string& text, Id& to) {
+  std::vector<std::string_view> names;
+  for (const auto& choice : table) {
+    if (choice.name == text) {
+      to = choice.id;
+      return;
+    }
+    names.push_back(choice.name);
+  }
+  throw fmt::format("one of {}", fmt::join(names, ", "));
+}
+
+struct Column {
+  const char* name;
+  std::string (*write)(const StudyFacts&, const StudyRow&, const OrderFit*);
+  void (*read)(const std::string&, StudyFacts&, StudyRow&);  // null: it is computed again
+};
+
+template <auto Member>
+constexpr Column row_column(const char* name) {
+  return {name, [](const StudyFacts&, const StudyRow& r, const OrderFit*) { return field(r.*Member); },
+          [](const std::string& text, StudyFacts&, StudyRow& r) { read(text, r.*Member); }};
+}
+template <auto Member>
+constexpr Column facts_column(const char* name) {
+  return {name, [](const StudyFacts& f, const StudyRow&, const OrderFit*) { return field(f.*Member); },
+          [](const std::string& text, StudyFacts& f, StudyRow&) { read(text, f.*Member); }};
+}
+// What a fit with a number says.
+template <auto Member>
+constexpr Column fit_column(const char* name) {
+  return {name,
+          [](const StudyFacts&, const StudyRow&, const OrderFit* fit) {
+            return fit != nullptr && fit->kind == OrderFit::Kind::kOrder ? field(fit->*Member) : std::string();
+          },
+          nullptr};
+}
+
+std::string write_order(const StudyFacts& /*facts*/, const StudyRow& /*row*/, const OrderFit* fit) {
+  if (fit == nullptr) return {};
+  return fit->kind == OrderFit::Kind::kOrder ? field(fit->order) : text_of(*fit);
+}
+
+void read_step(const std::string& text, StudyFacts& /*facts*/, StudyRow& r) {
+  read(text, error_knob(r.method) == ErrorKnob::kTolerance ? r.method.tolerance : r.method.step);
+}
+
+constexpr auto kColumns = std::to_array<Column>({
+    {"integrator",
+     [](const StudyFacts&, const StudyRow& r, const OrderFit*) {
+       return std::string(choice_of(kIntegrators, r.method.integrator).name);
+     },
+     [](const std::string& text, StudyFacts&, StudyRow& r) {
+       read_choice(kIntegrators, text, r.method.integrator);
+     }},
+    {"impacts",
+     [](const StudyFacts&, const StudyRow& r, const OrderFit*) {
+       return std::string(choice_of(kImpacts, r.method.impacts).name);
+     },
+     [](const std::string& text, StudyFacts&, StudyRow& r) { read_choice(kImpacts, text, r.method.impacts); }},
+    {"contacts",
+     [](const StudyFacts&, const StudyRow& r, const OrderFit*) {
+       return std::string(choice_of(kContacts, r.method.contacts).name);
+     },
+     [](const std::string& text, StudyFacts&, StudyRow& r) {
+       read_choice(kContacts, text, r.method.contacts);
+     }},
+    {"step [s] or tolerance [m]",
+     [](const StudyFacts&, const StudyRow& r, const OrderFit*) {
+       const auto value = r.step_or_tolerance();
+       return value ? field(*value) : std::string();
+     },
+     read_step},
+    row_column<&StudyRow::position_error>("position error [m]"),
+    row_column<&StudyRow::velocity_error>("velocity error [m/s]"),
+    row_column<&StudyRow::energy_error>("energy error [J]"),
+    row_column<&StudyRow::impact_time_error>("impact-time error [s]"),
+    row_column<&StudyRow::wall_time>("wall time [s]"),
+    row_column<&StudyRow::evaluations>("evaluations [1]"),
+    row_column<&StudyRow::impacts>("number of impacts [1]"),
+    {"fitted order [1]", write_order, nullptr},
+    fit_column<&OrderFit::uncertainty>("standard error of the order [1]"),
+    fit_column<&OrderFit::from>("fitted from step [s]"),
+    fit_column<&OrderFit::to>("fitted to step [s]"),
+    fit_column<&OrderFit::points>("fitted points [1]"),
+    row_column<&StudyRow::wall_least>("least wall time [s]"),
+    row_column<&StudyRow::wall_most>("largest wall time [s]"),
+    facts_column<&StudyFacts::repeats>("repeats [1]"),
+    row_column<&StudyRow::steps>("steps [1]"),
+    row_column<&StudyRow::rejected_steps>("rejected steps [1]"),
+    row_column<&StudyRow::matched>("matched impacts [1]"),
+    row_column<&StudyRow::unmatched>("unmatched impacts [1]"),
+    row_column<&StudyRow::left_out>("bodies left out [1]"),
+    row_column<&StudyRow::status>("status"),
+    facts_column<&StudyFacts::time>("compared time [s]"),
+    facts_column<&StudyFacts::duration>("duration [s]"),
+    facts_column<&StudyFacts::reference>("reference"),
+    facts_column<&StudyFacts::reference_position_error>("reference position error [m]"),
+    facts_column<&StudyFacts::reference_velocity_error>("reference velocity error [m/s]"),
+    facts_column<&StudyFacts::reference_energy_error>("reference energy error [J]"),
+    facts_column<&StudyFacts::stated>("figures of the file"),
+    facts_column<&StudyFacts::length>("length [m]"),
+    facts_column<&StudyFacts::growth>("growth [1]"),
+    facts_column<&StudyFacts::exponent>("Lyapunov exponent [1/s]"),
+    facts_column<&StudyFacts::horizon>("horizon [s]"),
+    facts_column<&StudyFacts::remarks>("remarks"),
+    facts_column<&StudyFacts::preset>("preset"),
+    facts_column<&StudyFacts::title>("title"),
+    facts_column<&StudyFacts::plan>("plan"),
+    facts_column<&StudyFacts::planned>("rows of the plan [1]"),
+    row_column<&StudyRow::index>("row [1]"),
+});
+
+// The lines of a CSV text, each a list of fields. Quoted fields may hold commas, quotes and line ends.
+std::vector<std::vector<std::string>> split_csv(std::string_view text) {
+  std::vector<std::vector<std::string>> lines;
+  std::vector<std::string> line;
+  std::string one;
+  bool quoted = false;
+  const auto end_line = [&] {
+    line.push_back(std::move(one));
+    one.clear();
+    lines.push_back(std::move(line));
+    line.clear();
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c != '"') {
+        one += c;
+      } else if (i + 1 < text.size() && text[i + 1] == '"') {
+        one += text[++i];
+      } else {
+        quoted = false;
+      }
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == ',') {
+      line.push_back(std::move(one));
+      one.clear();
+    } else if (c == '\n') {
+      end_line();
+    } else if (c != '\r') {
+      one += c;
+    }
+  }
+  if (!one.empty() || !line.empty()) end_line();
+  return lines;
+}
+
+bool same_method(const Method& x, const Method& y) {
+  return x.integrator == y.integrator && x.impacts == y.impacts && x.contacts == y.contacts;
+}
+
+// "3, 4 and 9", cut where there are many.
+std::string list_of(const std::vector<int>& numbers) {
+  constexpr std::size_t kMostListed = 8;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(numbers.size(), kMostListed); ++i) {
+    out += fmt::format("{}{}", i == 0 ? "" : ", ", numbers[i]);
+  }
+  return numbers.size() > kMostListed ? out + ", ..." : out;
+}
+
+}  // namespace
+
+ErrorKnob error_knob(const Method& method) {
+  const IntegratorChoice& integrator = choice_of(kIntegrators, method.integrator);
+  if (method.contacts == ContactsId::kLasting) return ErrorKnob::kStep;
+  if (integrator.adaptive) return ErrorKnob::kTolerance;
+  return integrator.order == 0 ? ErrorKnob::kNone : ErrorKnob::kStep;
+}
+
+std::optional<double> StudyRow::step_or_tolerance() const {
+  switch (error_knob(method)) {
+    case ErrorKnob::kStep:
+      return method.step;
+    case ErrorKnob::kTolerance:
+      return method.tolerance;
+    case ErrorKnob::kNone:
+      break;
+  }
+  return std::nullopt;
+}
+
+double StudyFacts::rounding_floor() const { return std::numeric_limits<double>::epsilon() * length * growth; }
+
+std::vector<StudyGroup> groups_of(const StudyTable& table) {
+  std::vector<StudyGroup> groups;
+  for (const StudyRow& row : table.rows) {
+    const auto mine = std::find_if(groups.begin(), groups.end(), [&](const StudyGroup& g) {
+      return same_method(g.rows.front().method, row.method);
+    });
+    if (mine != groups.end()) {
+      mine->rows.push_back(row);
+    } else {
+      groups.push_back({row.method.integrator, row.method.impacts, row.method.contacts, {row}, {}});
+    }
+  }
+  for (StudyGroup& g : groups) {
+    std::vector<ErrorAtStep> errors;
+    for (const StudyRow& row : g.rows) {
+      // A run with other impacts than the reference's is another motion: its error is no part of an order.
+      const double error =
+          row.unmatched == 0 ? row.position_error : std::fmax(row.position_error, table.facts.largest_error());
+      errors.push_back({row.step_or_tolerance().value_or(row.method.step), error});
+    }
+    // The reference's own error is a floor too.
+    const double floor = table.facts.rounding_floor();
+    const double fitted = std::max(floor, 0.1 * table.facts.reference_position_error);
+    g.fit = fit_order(errors, floor, table.facts.largest_error());
+    if (g.fit.kind != OrderFit::Kind::kExact && fitted > floor) {
+      g.fit = fit_order(errors, fitted, table.facts.largest_error());
+      if (g.fit.kind == OrderFit::Kind::kExact) g.fit = {};
+    }
+  }
+  return groups;
+}
+
+std::vector<std::string> study_csv(const StudyTable& table) {
+  std::vector<std::string> lines;
+  std::vector<std::string> fields;
+  for (const Column& column : kColumns) fields.emplace_back(column.name);
+  lines.push_back(fmt::format("{}", fmt::join(fields, ",")));
+  const std::vector<StudyGroup> groups = groups_of(table);
+  for (const StudyRow& row : table.rows) {
+    const auto mine = std::find_if(groups.begin(), groups.end(), [&](const StudyGroup& g) {
+      return same_method(g.rows.front().method, row.method);
+    });
+    const OrderFit* fit = table.whole() ? &mine->fit : nullptr;
+    fields.clear();
+    for (const Column& column : kColumns) fields.push_back(column.write(table.facts, row, fit));
+    lines.push_back(fmt::format("{}", fmt::join(fields, ",")));
+  }
+  return lines;
+}
+
+StudyTable read_study_csv(std::string_view text, const std::string& origin) {
+  const auto lines = split_csv(text);
+  const auto fits = [](const std::vector<std::string>& names) {
+    return std::equal(names.begin(), names.end(), kColumns.begin(), kColumns.end(),
+                      [](const std::string& name, const Column& column) { return name == column.name; });
+  };
+  if (lines.empty() || !fits(lines.front())) {
+    throw SceneError(
+        fmt::format("{}: line 1: these are not the columns of a study; allowed: a file that "
+                    "carom study --csv has written",
+                    origin));
+  }
+  if (lines.size() < 2) {
+    throw SceneError(fmt::format("{}: line 2: missing; allowed: a line for each row", origin));
+  }
+  StudyTable table;
+  for (std::size_t number = 1; number < lines.size(); ++number) {
+    const std::vector<std::string>& fields = lines[number];
+    if (fields.size() != kColumns.size()) {
+      throw SceneError(fmt::format("{}: line {}: {} fields; allowed: {}", origin, number + 1, fields.size(),
+                                   kColumns.size()));
+    }
+    StudyRow row;
+    StudyFacts facts;
+    // The integrator, in the first column, tells what the step's column holds; the rest is in any order.
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      try {
+        if (kColumns[i].read != nullptr) kColumns[i].read(fields[i], facts, row);
+      } catch (const std::string& allowed) {
+        throw SceneError(fmt::format("{}: line {}, {}: {} is not allowed; allowed: {}", origin, number + 1,
+                                     kColumns[i].name, shortened(fields[i]), allowed));
+      }
+    }
+    if (number == 1) table.facts = facts;
+    if (facts.plan != table.facts.plan || facts.planned != table.facts.planned || row.index >= facts.planned) {
+      throw SceneError(
+          fmt::format("{}: line {}: row {} of a plan of {} rows; allowed: rows of the plan of line 2", origin,
+                      number + 1, row.index, facts.planned));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+StudyTable merge_studies(const std::vector<StudyPart>& parts) {
+  const StudyPart& first = parts.front();
+  StudyTable whole;
+  whole.facts = first.table.facts;
+  std::map<int, const StudyPart*> taken;
+  for (const StudyPart& part : parts) {
+    const StudyFacts& facts = part.table.facts;
+    if (facts.plan != whole.facts.plan) {
+      throw SceneError(fmt::format("{}: plan {} of {}, but {} has plan {} of {}; allowed: shards of one study",
+                                   part.origin, facts.plan, facts.preset, first.origin, whole.facts.plan,
+                                   whole.facts.preset));
+    }
+    for (const StudyRow& row : part.table.rows) {
+      const auto [place, is_new] = taken.emplace(row.index, &part);
+      if (!is_new) {
+        throw SceneError(fmt::format("{}: row {} stands in {} too; allowed: each row once", part.origin,
+                                     row.index, place->second->origin));
+      }
+      whole.rows.push_back(row);
+    }
+  }
+  std::vector<int> missing;
+  for (int i = 0; i < whole.facts.planned; ++i) {
+    if (!taken.contains(i)) missing.push_back(i);
+  }
+  if (!missing.empty()) {
+    throw SceneError(fmt::format("{} of {} rows are missing (rows {}); allowed: all shards of the study",
+                                 missing.size(), whole.facts.planned, list_of(missing)));
+  }
+  std::sort(whole.rows.begin(), whole.rows.end(),
+            [](const StudyRow& x, const StudyRow& y) { return x.index < y.index; });
+  return whole;
+}
+
+}  // namespace carom

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "physics/compare/order_fit.h"
+#include "physics/scene/scene.h"
+
+namespace carom {
+
+// What the error of a method hangs on. The adaptive integrator has its tolerance and exact flight nothing, but
+// contact forces that last are found for a whole step under every method.
+enum class ErrorKnob { kStep, kTolerance, kNone };
+[[nodiscard]] ErrorKnob error_knob(const Method& method);
+
+// One run of a study beside the reference. Errors are NaN where there is nothing to compare.
+struct StudyRow {
+  int index = 0;  // in the plan, from 0
+  Method method;
+  double position_error = std::numeric_limits<double>::quiet_NaN();     // m
+  double velocity_error = std::numeric_limits<double>::quiet_NaN();     // m/s
+  double energy_error = std::numeric_limits<double>::quiet_NaN();       // J
+  double impact_time_error = std::numeric_limits<double>::quiet_NaN();  // s
+  std::int64_t matched = 0;                                             // impacts, with the reference's
+  std::int64_t unmatched = 0;
+  std::int64_t left_out = 0;  // bodies that were within the window of an impact
+  std::int64_t steps = 0;     // up to the compared time, as all that follows
+  std::int64_t evaluations = 0;
+  std::int64_t rejected_steps = 0;
+  std::int64_t impacts = 0;
+  double wall_time = std::numeric_limits<double>::quiet_NaN();  // s, median of the repeats
+  double wall_least = std::numeric_limits<double>::quiet_NaN();
+  double wall_most = std::numeric_limits<double>::quiet_NaN();
+  std::string status = "ok";
+
+  // s or m, see error_knob(); nothing where the method has neither.
+  [[nodiscard]] std::optional<double> step_or_tolerance() const;
+};
+
+// What holds for all rows of a study.
+struct StudyFacts {
+  std::string plan;    // a hash of scene and plan: shards of one study have the same
+  int planned = 0;     // rows of the whole study
+  std::string preset;  // its name
+  std::string title;
+  double time = 0.0;                      // s: the compared time
+  double duration = 0.0;                  // s: of the run that was meant to be compared
+  std::string reference;                  // in words
+  double reference_position_error = 0.0;  // m
+  double reference_velocity_error = 0.0;  // m/s
+  double reference_energy_error = 0.0;    // J
+  std::string stated;                     // the file's own figures beside the reference, in words
+  double length = 0.0;                    // m: as in Chaos
+  double exponent = 0.0;                  // 1/s: as in Chaos
+  double growth = 1.0;                    // of a neighbour's distance up to the compared time, dimensionless
+  double horizon = std::numeric_limits<double>::infinity();  // s: as in Chaos
+  std::string remarks;  // why the compared time is not the end of the run; what the reader is warned of
+  int repeats = 0;      // of the timing
+
+  // m: what rounding at the start grows to until the compared time.
+  [[nodiscard]] double rounding_floor() const;
+  // m: an error beyond it, a tenth of the length, says no more than that the run is wrong.
+  [[nodiscard]] double largest_error() const { return 0.1 * length; }
+};
+
+struct StudyTable {
+  StudyFacts facts;
+  std::vector<StudyRow> rows;  // by index
+
+  [[nodiscard]] bool whole() const { return static_cast<int>(rows.size()) == facts.planned; }
+};
+
+// The rows of one method at its steps, from the coarsest on, and the order that they show in position.
+struct StudyGroup {
+  IntegratorId integrator = IntegratorId::kRk4;
+  ImpactsId impacts = ImpactsId::kLocated;
+  ContactsId contacts = ContactsId::kImpulse;
+  std::vector<StudyRow> rows;
+  OrderFit fit;
+};
+
+// In the order of the plan. The orders are fitted here, so that shards need none; a row with impacts that have
+// no partner in the reference does not count.
+[[nodiscard]] std::vector<StudyGroup> groups_of(const StudyTable& table);
+
+// CSV, RFC 4180, line by line: a header with units in brackets, then a line for each row, every number with all
+// its digits, an empty field where there is none. The orders stand in every row of their method, but not in a
+// shard's file.
+[[nodiscard]] std::vector<std::string> study_csv(const StudyTable& table);
+
+// Reads it back. Throws SceneError that begins with `origin` (a file's name) and says line and column.
+[[nodiscard]] StudyTable read_study_csv(std::string_view text, const std::string& origin);
+
+// A table of the rows of all parts, each with its file's name. Throws SceneError where parts are of different
+// studies, a row comes twice or one is missing.
+struct StudyPart {
+  std::string origin;
+  StudyTable table;
+};
+[[nodiscard]] StudyTable merge_studies(const std::vector<StudyPart>& parts);
+
+}  // namespace carom

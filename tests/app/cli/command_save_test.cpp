@@ -1,0 +1,118 @@
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/program.h"
+
+// A run that `run --save` wrote on its way goes on as the run in one go.
+namespace carom {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kHead = R"({"format": "carom-preset", "version": 1, "title": "t", "duration": 2.0,)";
+constexpr const char* kFloor =
+    R"({"name": "floor", "shape": {"type": "box", "width": 9, "height": 1}, "position": [0, -0.5], "fixed": true})";
+
+std::string with(const std::string& more) { return std::string(kHead) + more + "}"; }
+std::string disc(const std::string& name, const std::string& position, const std::string& velocity) {
+  return R"({"name": ")" + name + R"(", "shape": {"type": "disc", "radius": 0.1}, "position": )" + position +
+         R"(, "velocity": )" + velocity + R"(, "mass": 1})";
+}
+
+class CommandSave : public testing::Test {
+ protected:
+  [[nodiscard]] Json run(const QStringList& arguments) const {
+    const ProgramResult result = carom_(QStringList{"run"} + arguments + QStringList{"--json"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    Json j = Json::parse(result.out, nullptr, false);
+    j.erase("preset");
+    return j;
+  }
+  // The lines of a table after its header whose first column lies beyond `time`.
+  [[nodiscard]] std::vector<QByteArray> lines_after(const QString& file, double time) const {
+    std::vector<QByteArray> lines;
+    for (const QByteArray& line : carom_.read(file).split('\n')) {
+      bool number = false;
+      const double at = line.split(',').constFirst().toDouble(&number);
+      if (number && at > time) lines.push_back(line);
+    }
+    return lines;
+  }
+  void expect_same(const std::string& preset, const QStringList& method = {}) const {
+    carom_.write("whole.json", QByteArray::fromStdString(preset));
+    const Json whole =
+        run(QStringList{"whole.json", "--until", "1.2", "--csv", "whole.csv", "--events", "whole-events.csv"} +
+            method);
+    (void)run(QStringList{"whole.json", "--until", "0.6", "--save", "mid.json"} + method);
+    EXPECT_EQ(run({"mid.json", "--until", "1.2", "--csv", "rest.csv", "--events", "rest-events.csv"}), whole);
+    EXPECT_EQ(whole["status"], run({"mid.json", "--until", "1.2"})["status"]);
+    EXPECT_EQ(lines_after("rest.csv", 0.601), lines_after("whole.csv", 0.601));
+    EXPECT_FALSE(lines_after("rest.csv", 0.601).empty());
+    EXPECT_EQ(lines_after("rest-events.csv", 0.6), lines_after("whole-events.csv", 0.6));
+    EXPECT_DOUBLE_EQ(run({"mid.json"})["time"].get<double>(), 2.0);  // the run's duration
+  }
+  Program carom_;
+};
+
+TEST_F(CommandSave, ADrivenBody) {
+  const std::string preset = with(
+      R"("gravity": [0, -9.81], "materials": [{"name": "default", "restitution": 0.7}], "bodies": [
+      {"name": "table", "shape": {"type": "box", "width": 4, "height": 1}, "position": [0, -0.5],
+       "drive": {"velocity": [0.1, 0], "amplitude": [0, 0.05], "angular_frequency": 12, "phase": 0.3}},)" +
+      disc("ball", "[0, 0.5]", "[0.1, 0]") + "]");
+  expect_same(preset);
+  expect_same(preset, {"--integrator", "exact-flight"});
+  expect_same(preset, {"--integrator", "dormand-prince-adaptive"});
+}
+
+TEST_F(CommandSave, ATimedForce) {
+  expect_same(
+      with(R"("bodies": [)" + disc("ball", "[0, 0]", "[0.1, 0]") +
+           R"(], "forces": [{"type": "force", "body": "ball", "force": [1, 2], "torque": 0.1, "start": 0.4,
+      "rise": 0.5, "end": 1.1}])"));
+}
+
+TEST_F(CommandSave, WhatHasStuck) {
+  expect_same(with(R"("gravity": [0, -9.81], "materials": [{"name": "default", "sticks": true}], "bodies": [)" +
+                   std::string(kFloor) + "," + disc("a", "[-1, 1.2]", "[2, 0]") + "," +
+                   disc("b", "[1, 1.2]", "[-2, 0]") + "]"));
+}
+
+TEST_F(CommandSave, TautAndSlackStrings) {
+  expect_same(with(R"("gravity": [0, -9.81], "bodies": [)" + disc("a", "[1, 0]", "[0, 0]") + "," +
+                   disc("b", "[2.3, 0]", "[0.4, 1]") +
+                   R"(], "links": [{"type": "string", "body": "a", "anchor": [0, 0], "length": 1},
+      {"type": "string", "body": "b", "anchor": [2, 0], "length": 1}])"));
+}
+
+TEST_F(CommandSave, AStackWithFriction) {
+  std::string boxes = kFloor;
+  for (int i = 0; i < 4; ++i) {
+    boxes += R"(,{"name": "box-)" + std::to_string(i) +
+             R"(", "shape": {"type": "box", "width": 0.4, "height": 0.4},
+        "position": [)" +
+             std::to_string(0.05 * i) + "," + std::to_string(0.2 + 0.41 * i) + R"(], "mass": 1})";
+  }
+  expect_same(
+      with(R"("gravity": [0, -9.81], "method": {"contacts": "lasting"}, "materials": [{"name": "default",
+      "restitution": 0.2, "kinetic_friction": 0.4}], "bodies": [)" +
+           boxes + "]"));
+}
+
+TEST_F(CommandSave, AChangedFileSaysSo) {
+  carom_.write("whole.json",
+               QByteArray::fromStdString(with(R"("bodies": [)" + disc("a", "[0, 0]", "[1, 0]") + "]")));
+  (void)run({"whole.json", "--until", "0.5", "--save", "mid.json"});
+  QByteArray text = carom_.read("mid.json");
+  text.replace(R"("mass": 1.0)", R"("mass": 2.0)");
+  carom_.write("mid.json", text);
+  const Json j = run({"mid.json", "--until", "1"});
+  EXPECT_NE(j["status"].get<std::string>().find("the scene was changed after the run was saved"),
+            std::string::npos);
+  EXPECT_EQ(j["time"], 1.0);
+  EXPECT_NEAR(j["bodies"][0]["position"][0].get<double>(), 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace carom

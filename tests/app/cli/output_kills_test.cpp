@@ -1,0 +1,147 @@
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <map>
+#include <random>
+
+#include "tests/support/faults.h"
+#include "tests/support/program.h"
+
+namespace carom {
+namespace {
+
+// Commands that are killed at any moment leave each file as it was or as it is to be, and where they can,
+// nothing else. Where each shot falls is chance; what must hold holds for all.
+class OutputKills : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/first-collisions/head-on.json", carom_.path("a.json")));
+    environment_.remove("DISPLAY");
+    environment_.remove("WAYLAND_DISPLAY");
+    environment_.remove("QT_QPA_PLATFORM");
+  }
+
+  // `old_way` and `new_way` write the same files in the folder "out".
+  void shoot(const QStringList& old_way, const QStringList& new_way, int times) {
+    const auto files_after = [&](const QStringList& arguments) {
+      EXPECT_EQ(carom_(arguments).code, 0);
+      return files();
+    };
+    ASSERT_TRUE(QDir(carom_.path("")).mkpath("out"));
+    const std::map<QString, QByteArray> old_files = files_after(old_way);
+    QElapsedTimer clock;
+    clock.start();
+    const std::map<QString, QByteArray> new_files = files_after(new_way);
+    const auto whole = static_cast<unsigned>(1000 * clock.elapsed() * 5 / 4 + 1);  // us, and some more
+    ASSERT_FALSE(old_files.empty());
+    ASSERT_NE(old_files, new_files);
+    std::mt19937 random(static_cast<unsigned>(new_way.size()));
+    for (int k = 0; k < times; ++k) {
+      QDir(carom_.path("out")).removeRecursively();
+      ASSERT_TRUE(QDir(carom_.path("")).mkpath("out"));
+      for (const auto& [name, bytes] : old_files) carom_.write("out/" + name, bytes);
+      QProcess process;
+      process.setProcessEnvironment(environment_);
+      process.setWorkingDirectory(carom_.path(""));
+      process.start(CAROM_PROGRAM, new_way);
+      ASSERT_TRUE(process.waitForStarted());
+      usleep(static_cast<useconds_t>(random() % whole));
+      const int signal = test::random_signal(random);
+      kill(static_cast<pid_t>(process.processId()), signal);
+      ASSERT_TRUE(process.waitForFinished());
+      std::map<QString, QByteArray> left = files();
+      for (const auto& [name, bytes] : old_files) {
+        ASSERT_TRUE(left[name] == bytes || left[name] == new_files.at(name))
+            << name.toStdString() << " is neither the old one nor the new one after signal " << signal
+            << ", shot " << k;
+        left.erase(name);
+      }
+      for (const auto& [name, bytes] : left) {
+        const bool orphan = signal == SIGKILL && name.startsWith(".carom-") && name.endsWith(".part");
+        EXPECT_TRUE(orphan) << name.toStdString() << " stayed after signal " << signal;
+      }
+    }
+  }
+
+  [[nodiscard]] std::map<QString, QByteArray> files() const {
+    std::map<QString, QByteArray> all;
+    for (const QString& name : QDir(carom_.path("out")).entryList(QDir::Files | QDir::Hidden))
+      all[name] = carom_.read("out/" + name);
+    return all;
+  }
+
+  Program carom_;
+
+ private:
+  QProcessEnvironment environment_ = QProcessEnvironment::systemEnvironment();
+};
+
+TEST_F(OutputKills, Saving) {
+  shoot({"run", "a.json", "--until", "0.5", "--save", "out/s.json"}, {"run", "a.json", "--save", "out/s.json"},
+        test::kills(20));
+}
+
+TEST_F(OutputKills, WritingCsv) {
+  shoot({"run", "a.json", "--csv", "out/x.csv", "--events", "out/e.csv", "--step", "0.002"},
+        {"run", "a.json", "--csv", "out/x.csv", "--events", "out/e.csv", "--step", "0.0001"}, test::kills(20));
+}
+
+TEST_F(OutputKills, Filming) {
+  const QStringList film = {"film",     "a.json", "--to",      "0.4", "--width", "200",
+                            "--height", "200",    "--replace", "-o",  "out"};
+  shoot(film, film + QStringList{"--dark"}, test::kills(20));
+}
+
+TEST_F(OutputKills, Reporting) {
+  ASSERT_EQ(carom_({"study", "a.json", "--until", "1", "--repeats", "1", "--integrators", "rk4", "--steps",
+                    "0.01,0.005", "--csv", "rows.csv"})
+                .code,
+            0);
+  ASSERT_EQ(carom_({"study", "a.json", "--until", "1", "--repeats", "1", "--integrators", "explicit-euler",
+                    "--steps", "0.01,0.005", "--csv", "others.csv"})
+                .code,
+            0);
+  shoot({"study", "--merge", "others.csv", "--csv", "out/s.csv", "--plot", "out/s.svg"},
+        {"study", "--merge", "rows.csv", "--csv", "out/s.csv", "--plot", "out/s.svg"}, test::kills(20));
+}
+
+// The lab's report, by a process that writes nothing else.
+TEST_F(OutputKills, ReportsOfTheLab) {
+  ASSERT_TRUE(QDir(carom_.path("")).mkpath("out"));
+  carom_.write("out/report.pdf", "old");
+  std::mt19937 random(3);
+  for (int k = 0; k < test::kills(20); ++k) {
+    QProcess process;
+    process.start(QCoreApplication::applicationFilePath(), {"--write-reports", carom_.path("out/report.pdf")});
+    ASSERT_TRUE(process.waitForStarted());
+    usleep(static_cast<useconds_t>(random() % 400'000));
+    const int signal = test::random_signal(random);
+    kill(static_cast<pid_t>(process.processId()), signal);
+    ASSERT_TRUE(process.waitForFinished());
+    const QByteArray left = carom_.read("out/report.pdf");
+    const bool pdf = left.startsWith("%PDF-") && left.endsWith("%%EOF\n") && left.contains("/Count ");
+    ASSERT_TRUE(left == "old" || pdf) << left.size() << " bytes after signal " << signal << ", shot " << k;
+    for (const auto& [name, bytes] : files()) {
+      if (name != "report.pdf") {
+        EXPECT_TRUE(signal == SIGKILL && name.endsWith(".part")) << name.toStdString();
+        QFile::remove(carom_.path("out/" + name));
+      }
+    }
+  }
+}
+
+// Whoever interrupts a run in its midst, which is known by what it sends, finds no trace of it.
+TEST_F(OutputKills, AnInterruptedRunLeavesNothing) {
+  for (const auto& [name, number] : {std::pair("INT", 130), std::pair("TERM", 143), std::pair("HUP", 129)}) {
+    const ProgramResult result = carom_.shell(QString("mkfifo pipe; env --default-signal=INT,TERM,HUP $carom "
+                                                      "run bouncing-ball --until 1e9 --csv x.csv --save "
+                                                      "s.json --events pipe & exec 3< pipe; head -c 100 <&3 "
+                                                      ">/dev/null; kill -%1 $!; wait $!; e=$?; rm pipe; "
+                                                      "exit $e")
+                                                  .arg(name));
+    EXPECT_EQ(result.code, number);
+    EXPECT_EQ(carom_.files(), QStringList{"a.json"}) << name;
+  }
+}
+
+}  // namespace
+}  // namespace carom

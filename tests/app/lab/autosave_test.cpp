@@ -1,0 +1,176 @@
+#include "app/lab/autosave.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <gtest/gtest.h>
+
+#include "app/lab/lab_window.h"
+#include "app/lab/notice_bar.h"
+#include "app/lab/preset_library.h"
+#include "physics/preset/preset.h"
+#include "widgets/plot/plot_panel.h"
+#include "widgets/scene/scene_view.h"
+
+namespace carom {
+namespace {
+
+class AutosaveTest : public testing::Test {
+ protected:
+  [[nodiscard]] QString kept() const { return folder_.filePath("kept"); }
+  [[nodiscard]] QStringList files() const { return QDir(kept()).entryList({"*.json"}, QDir::Files); }
+
+  static std::unique_ptr<LabWindow> lab(const QString& folder) {
+    auto window = std::make_unique<LabWindow>(light_theme());
+    window->show();
+    EXPECT_TRUE(window->open("head-on"));
+    window->keep_work(folder);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window->frame() != nullptr; }));
+    return window;
+  }
+  static void put_in(LabWindow& window) { emit window.scene_view().spawnRequested(0.3, 1.0); }
+  static NoticeBar* bar(const LabWindow& window) { return window.findChild<NoticeBar*>("notice"); }
+  static QString said(const LabWindow& window) { return bar(window)->findChild<QLabel*>()->text(); }
+  static void click(const LabWindow& window, const QString& text) {
+    for (auto* button : bar(window)->findChildren<QPushButton*>()) {
+      if (button->text() == text) button->click();
+    }
+  }
+  // What a process that was killed leaves: its file, and a lock with the number of a process that is no more.
+  void leave_work(const QString& name, const QByteArray& text) const {
+    QProcess gone;
+    gone.start("true", QStringList());
+    const qint64 pid = gone.processId();
+    ASSERT_TRUE(gone.waitForFinished());
+    QDir().mkpath(kept());
+    QFile file(kept() + "/" + name);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    QFile lock(file.fileName() + ".lock");
+    ASSERT_TRUE(lock.open(QIODevice::WriteOnly));
+    lock.write(QByteArray::number(pid) + "\ncarom_app_tests\n" + QSysInfo::machineHostName().toUtf8() +
+               "\n\n\n");
+  }
+  static QByteArray work(const std::string& title) {
+    Scene scene = read_preset(find_preset("head-on"));
+    scene.title = title;
+    return QByteArray::fromStdString(write_preset(scene));
+  }
+  QTemporaryDir folder_;
+};
+
+TEST_F(AutosaveTest, KeepsEditsUntilTheyAreSavedOrGivenUp) {
+  const auto window = lab(kept());
+  window->keep_now();
+  EXPECT_TRUE(files().isEmpty()) << "nothing was changed";
+  put_in(*window);
+  window->findChild<PlotPanel*>()->set_shown("drift", true);
+  window->keep_now();
+  ASSERT_EQ(files().size(), 1);
+  const QString file = kept() + "/" + files().constFirst();
+  const Scene scene = read_preset(file.toStdString());
+  EXPECT_EQ(scene.bodies.size(), window->scene().bodies.size());
+  EXPECT_EQ(scene.plots, window->scene().plots);
+  QTimer::singleShot(0, [] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(box, nullptr);
+    box->button(QMessageBox::Discard)->click();
+  });
+  EXPECT_TRUE(window->close());
+  EXPECT_TRUE(QDir(kept()).entryList(QDir::Files).isEmpty());
+}
+
+TEST_F(AutosaveTest, WritesNothingWhereNothingIsNew) {
+  const auto window = lab(kept());
+  put_in(*window);
+  window->keep_now();
+  ASSERT_EQ(files().size(), 1);
+  const QString file = kept() + "/" + files().constFirst();
+  QFile::remove(file);
+  window->keep_now();
+  EXPECT_FALSE(QFile::exists(file));
+  put_in(*window);
+  window->keep_now();
+  EXPECT_TRUE(QFile::exists(file));
+}
+
+TEST_F(AutosaveTest, TheNextStartOffersTheWork) {
+  leave_work("work-1-0.json", work("Lost work"));
+  const auto window = lab(kept());
+  ASSERT_TRUE(bar(*window)->isVisible());
+  EXPECT_TRUE(said(*window).contains("“Lost work”")) << said(*window).toStdString();
+  EXPECT_NE(window->scene().title, "Lost work");
+  click(*window, "Restore");
+  EXPECT_EQ(window->scene().title, "Lost work");
+  EXPECT_TRUE(window->isWindowModified());
+  EXPECT_FALSE(bar(*window)->isVisible());
+  EXPECT_FALSE(files().contains("work-1-0.json"));
+  EXPECT_EQ(files().size(), 1) << "kept as this window's own";
+}
+
+TEST_F(AutosaveTest, WorkThatIsNotWantedIsOfferedOnce) {
+  leave_work("work-1-0.json", work("One"));
+  leave_work("work-2-0.json", work("Two"));
+  {
+    const auto window = lab(kept());
+    click(*window, "Discard");
+    EXPECT_TRUE(bar(*window)->isVisible()) << "there is another";
+    EXPECT_EQ(files().size(), 1);
+  }
+  const auto window = lab(kept());
+  EXPECT_TRUE(bar(*window)->isVisible()) << "an offer without an answer comes again";
+  click(*window, "Discard");
+  EXPECT_FALSE(bar(*window)->isVisible());
+  EXPECT_TRUE(files().isEmpty());
+}
+
+TEST_F(AutosaveTest, WindowsLeaveOneAnothersWorkAlone) {
+  const auto one = lab(kept());
+  put_in(*one);
+  one->keep_now();
+  const auto two = lab(kept());
+  EXPECT_FALSE(bar(*two)->isVisible());
+  put_in(*two);
+  two->keep_now();
+  EXPECT_EQ(files().size(), 2);
+  // An offer is made by one window at a time.
+  leave_work("work-1-0.json", work("Lost work"));
+  const auto three = lab(kept());
+  const auto four = lab(kept());
+  EXPECT_TRUE(bar(*three)->isVisible());
+  EXPECT_FALSE(bar(*four)->isVisible());
+}
+
+TEST_F(AutosaveTest, DamagedWorkIsToldAndSetAside) {
+  leave_work("work-1-0.json", work("Lost work").left(200));
+  leave_work("work-2-0.json", work("Whole"));
+  const auto window = lab(kept());
+  ASSERT_TRUE(bar(*window)->isVisible());
+  EXPECT_TRUE(said(*window).contains("cannot be brought back")) << said(*window).toStdString();
+  EXPECT_EQ(QDir(kept()).entryList({"*.damaged"}).size(), 1);
+  click(*window, "OK");
+  EXPECT_TRUE(said(*window).contains("“Whole”")) << said(*window).toStdString();
+}
+
+TEST_F(AutosaveTest, AFolderThatCannotBeWrittenIsTold) {
+  QFile in_the_way(kept());
+  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
+  const auto window = lab(kept());
+  put_in(*window);
+  window->keep_now();
+  bool told = false;
+  for (const QLabel* label : window->findChildren<QLabel*>())
+    told = told || label->toolTip().contains("Unsaved work is not kept");
+  EXPECT_TRUE(told);
+}
+
+}  // namespace
+}  // namespace carom

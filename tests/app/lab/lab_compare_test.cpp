@@ -1,0 +1,131 @@
+#include <QAction>
+#include <QTabWidget>
+#include <QTest>
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "app/lab/lab_window.h"
+#include "physics/preset/preset.h"
+#include "widgets/compare/compare_panel.h"
+#include "widgets/compare/compare_table.h"
+#include "widgets/plot/legend_button.h"
+#include "widgets/plot/plot_panel.h"
+
+namespace carom {
+namespace {
+
+class LabCompareTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    window_.resize(1280, 800);
+    window_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
+    ASSERT_TRUE(window_.open("bouncing-ball"));
+    window_.run_until(0.0);
+  }
+  QAction* usual() {
+    for (QAction* a : window_.findChildren<QAction*>()) {
+      if (a->shortcut() == QKeySequence(Qt::Key_C)) return a;
+    }
+    return nullptr;
+  }
+  [[nodiscard]] double cell(int row, int column) const {
+    const auto* table = window_.findChild<CompareTable*>();
+    const QString tip = table->model()->index(row, column).data(Qt::ToolTipRole).toString();
+    return tip.section('\n', 0, 0).replace(QChar(0x2212), '-').toDouble();
+  }
+  [[nodiscard]] int rows() const { return window_.findChild<CompareTable*>()->model()->rowCount(); }
+
+  LabWindow window_{light_theme()};
+};
+
+// One key, and the same key back.
+TEST_F(LabCompareTest, OneKeyMakesEulerRk4AndTheExactRun) {
+  const Method own = window_.scene().method;
+  usual()->trigger();
+  window_.run_until(1.0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 3 && cell(2, 5) > 0.0; }, 5000));
+  const Scene compared = window_.scene();
+  EXPECT_EQ(compared.method.integrator, IntegratorId::kExactFlight);
+  ASSERT_EQ(compared.compare.size(), 2U);
+  EXPECT_EQ(compared.compare[0].integrator, IntegratorId::kExplicitEuler);
+  EXPECT_EQ(compared.compare[1].integrator, IntegratorId::kRk4);
+  EXPECT_EQ(compared.plots.back().id, "error");
+  // Under gravity Euler is off by g h t/2 in flight; RK4 and exact flight only by rounding.
+  EXPECT_GT(cell(1, 2), 1e-3);
+  EXPECT_LT(cell(2, 2), 1e-12);
+  EXPECT_EQ(window_.findChild<CompareTable*>()->model()->index(0, 1).data().toString(), "reference");
+  usual()->trigger();
+  EXPECT_EQ(window_.scene().method, own);
+  EXPECT_TRUE(window_.scene().compare.empty());
+}
+
+TEST_F(LabCompareTest, APresetOpensWithItsComparison) {
+  ASSERT_TRUE(window_.open("drag-projectile"));
+  EXPECT_EQ(window_.findChild<QTabWidget*>()->currentWidget(), window_.findChild<ComparePanel*>());
+  window_.run_until(1.0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 3 && cell(2, 2) > 0.0; }, 5000));
+  EXPECT_LT(cell(0, 2), 1e-8) << "RK4";
+  EXPECT_GT(cell(1, 2), 1e-3) << "explicit Euler";
+  EXPECT_GT(cell(2, 2), 1e-3) << "impacts at the step's end";
+  ASSERT_TRUE(window_.open("head-on"));
+  window_.run_until(0.1);
+  EXPECT_TRUE(window_.scene().compare.empty());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 1; }, 5000));
+}
+
+// And back to what a preset compares by itself.
+TEST_F(LabCompareTest, TheSameKeyGoesBackToThePresetsOwnComparison) {
+  ASSERT_TRUE(window_.open("drag-projectile"));
+  const Scene own = window_.scene();
+  usual()->trigger();
+  EXPECT_NE(window_.scene().method, own.method);
+  usual()->trigger();
+  EXPECT_EQ(window_.scene().method, own.method);
+  EXPECT_EQ(window_.scene().compare, own.compare);
+}
+
+// A run that is taken out takes no other's past with it; one that is left alone is seen.
+TEST_F(LabCompareTest, TheOthersKeepTheirPast) {
+  ASSERT_TRUE(window_.open("drag-projectile"));
+  window_.run_until(1.0);
+  auto* plots = window_.findChild<PlotPanel*>();
+  const auto legend = plots->findChildren<LegendButton*>();
+  const auto first =
+      std::find_if(legend.begin(), legend.end(), [](const auto* b) { return b->text() == "RK4, located"; });
+  ASSERT_NE(first, legend.end());
+  (*first)->click();
+  auto* panel = window_.findChild<ComparePanel*>();
+  emit panel->methodRemoved(1);
+  window_.run_until(1.2);
+  ASSERT_EQ(plots->runs().size(), 2U);
+  EXPECT_FALSE(plots->runs()[0].shown);
+  const Curve energy{{find_observable("kinetic_energy"), {}}, std::nullopt};
+  ASSERT_NE(plots->runs()[1].recorder->series(energy), nullptr);
+  EXPECT_LE(plots->runs()[1].recorder->series(energy)->at(0.01)->at, 0.01);
+  EXPECT_NE(plots->runs()[1].recorder->series(energy)->at(0.01), nullptr);
+  emit panel->methodRemoved(1);
+  window_.run_until(1.3);
+  ASSERT_EQ(plots->runs().size(), 1U);
+  EXPECT_TRUE(plots->runs()[0].shown);
+}
+
+TEST_F(LabCompareTest, MethodsComeAndGoWhileItRuns) {
+  window_.run_until(0.5);
+  auto* panel = window_.findChild<ComparePanel*>();
+  window_.findChild<QTabWidget*>()->setCurrentWidget(panel);
+  Method euler = window_.scene().method;
+  euler.integrator = IntegratorId::kExplicitEuler;
+  emit panel->methodAdded(euler);
+  window_.run_until(1.0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 2 && cell(1, 2) > 1e-4; }, 5000));
+  euler.step *= 0.5;
+  emit panel->methodChanged(euler, 1);
+  EXPECT_EQ(window_.scene().compare.front().step, euler.step);
+  emit panel->methodRemoved(1);
+  window_.run_until(1.1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 1; }, 5000));
+}
+
+}  // namespace
+}  // namespace carom

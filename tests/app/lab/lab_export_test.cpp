@@ -1,0 +1,275 @@
+#include <QClipboard>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPointer>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <algorithm>
+#include <functional>
+#include <gtest/gtest.h>
+#include <qwt_plot.h>
+
+#include "app/export/run_export.h"
+#include "app/lab/film_dialog.h"
+#include "app/lab/lab_window.h"
+#include "physics/preset/preset.h"
+#include "widgets/plot/plot_panel.h"
+#include "widgets/plot/run_plot.h"
+#include "widgets/scene/scene_view.h"
+
+namespace carom {
+namespace {
+
+// What is taken away from the window, through its menus and dialogs as the user does.
+class LabExportTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    window_.resize(1280, 800);
+    window_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
+    ASSERT_TRUE(window_.open("bouncing-ball"));
+    panel_ = window_.findChild<PlotPanel*>();
+    QGuiApplication::clipboard()->clear();
+  }
+
+  // While `what` runs, each dialog that opens is answered.
+  static void with_answers(const std::function<void(QWidget*)>& answer, const std::function<void()>& what) {
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&] {
+      if (QWidget* dialog = QApplication::activeModalWidget(); dialog != nullptr) answer(dialog);
+    });
+    timer.start(50);
+    what();
+  }
+  void trigger(const QString& text) {
+    for (QAction* action : window_.findChildren<QAction*>()) {
+      if (action->text().remove('&') == text) return action->trigger();
+    }
+    ADD_FAILURE() << "no action " << text.toStdString();
+  }
+  // Of the first plot's context menu.
+  void trigger_in_plot(std::size_t plot, const QString& text) {
+    QContextMenuEvent event(QContextMenuEvent::Mouse, panel_->plots()[plot]->geometry().center(),
+                            panel_->mapToGlobal(panel_->plots()[plot]->geometry().center()));
+    QApplication::sendEvent(panel_, &event);
+    for (QMenu* menu : panel_->findChildren<QMenu*>()) {
+      if (menu == panel_->menu() || !menu->isVisible()) continue;
+      const QList<QAction*> actions = menu->actions();
+      const auto found = std::find_if(actions.begin(), actions.end(),
+                                      [&](const QAction* a) { return a->text().remove('&') == text; });
+      ASSERT_NE(found, actions.end());
+      // What takes long looks at events meanwhile, among them the end of the menu.
+      const QPointer<QMenu> open(menu);
+      (*found)->trigger();
+      if (open) open->close();
+      return;
+    }
+    FAIL() << "no menu";
+  }
+  [[nodiscard]] static QStringList clipboard_lines() {
+    return QGuiApplication::clipboard()->text().trimmed().split('\n');
+  }
+
+  LabWindow window_{light_theme()};
+  PlotPanel* panel_ = nullptr;
+};
+
+TEST_F(LabExportTest, ThePictureOfTheSceneIsCopied) {
+  window_.run_until(0.5);
+  trigger("Copy the picture of the scene");
+  const QImage copied = QGuiApplication::clipboard()->image();
+  EXPECT_EQ(copied.size(), window_.scene_view().size() * 2);
+  EXPECT_EQ(copied.convertToFormat(QImage::Format_RGB32), window_.scene_view().picture());
+  window_.set_theme(dark_theme());
+  EXPECT_GT(window_.scene_view().picture().pixelColor(3, 3).lightnessF(), 0.9F) << "on white";
+}
+
+// With tabs, units in the header and every digit; the whole run, or what is shown of it.
+TEST_F(LabExportTest, ThePlotsDataAreCopied) {
+  window_.run_until(1.0);
+  trigger_in_plot(0, "Copy all the data");
+  const QStringList all = clipboard_lines();
+  EXPECT_EQ(all.front(), "time [s]\tkinetic_energy [J]\tpotential_energy [J]\ttotal_energy [J]");
+  ASSERT_EQ(all.size(), 1 + 201 + 2) << "the start, 200 steps, before and after one impact";
+  Simulation run(window_.scene());
+  run.step();
+  const QStringList second = all[2].split('\t');
+  ASSERT_EQ(second.size(), 4);
+  EXPECT_EQ(second[0].toDouble(), run.time());
+  EXPECT_EQ(second[1].toDouble(), run.totals().kinetic());
+
+  QTest::keyClick(panel_, Qt::Key_Home);
+  QWidget* canvas = panel_->plots().front()->plot()->canvas();
+  QWheelEvent wheel({canvas->width() / 2.0, 20.0}, canvas->mapToGlobal(QPointF(canvas->width() / 2.0, 20.0)),
+                    {}, {0, 240}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(canvas, &wheel);
+  QTest::qWait(20);
+  trigger_in_plot(0, "Copy the data that is shown");
+  const QStringList shown = clipboard_lines();
+  const ReadingMarks marks = panel_->marks();
+  EXPECT_GT(marks.from, 0.0);
+  EXPECT_GT(shown.size(), 20);
+  EXPECT_LT(shown.size(), all.size());
+  EXPECT_GE(shown[1].split('\t')[0].toDouble(), marks.from);
+  EXPECT_TRUE(all.contains(shown[1]));
+}
+
+TEST_F(LabExportTest, TheImpactsOfAPlotAreCopied) {
+  panel_->set_shown("impulse", true);
+  window_.run_until(1.5);
+  std::size_t impulses = 0;
+  while (panel_->plots()[impulses]->content().plot.id != "impulse") ++impulses;
+  trigger_in_plot(impulses, "Copy all the data");
+  const QStringList lines = clipboard_lines();
+  EXPECT_TRUE(lines.front().startsWith("time [s]\tbody_a\tbody_b\t")) << lines.front().toStdString();
+  ASSERT_EQ(lines.size(), 1 + window_.frame()->impact_count);
+  EXPECT_EQ(lines[1].split('\t').size(), 13);
+}
+
+// Not a table of a million rows: one line says where they go.
+TEST_F(LabExportTest, TooMuchForTheClipboardIsSaid) {
+  window_.run_until(0.005 * static_cast<double>(kMostCopied + 10));
+  QString said;
+  with_answers(
+      [&](QWidget* dialog) {
+        if (auto* box = qobject_cast<QMessageBox*>(dialog)) {
+          said = box->text();
+          box->accept();
+        }
+      },
+      [&] { trigger_in_plot(0, "Copy all the data"); });
+  EXPECT_TRUE(said.contains("100000 rows")) << said.toStdString();
+  EXPECT_TRUE(said.contains("Save the data"));
+  EXPECT_EQ(QGuiApplication::clipboard()->text(), "");
+}
+
+// Frames as the window shows them: the last is what stands there.
+TEST_F(LabExportTest, AFilmIsMade) {
+  // A film's frames have even sizes: so must what they are compared with.
+  const auto odd = [this] {
+    const QSize size = window_.scene_view().size();
+    return QSize(size.width() % 2, size.height() % 2);
+  };
+  for (int i = 0; i < 8 && odd() != QSize(0, 0); ++i) {
+    window_.resize(window_.size() + odd());
+    QApplication::processEvents();
+  }
+  ASSERT_EQ(odd(), QSize(0, 0));
+  window_.run_until(1.35);  // shortly after an impact, whose arrow stands there still
+  const QImage shown = window_.scene_view().picture();
+  EXPECT_FALSE(window_.scene_view().drawing().arrows.empty());
+  QTemporaryDir dir;
+  const QString folder = dir.filePath("ball");
+  QString said;
+  const auto answer = [&](QWidget* dialog) {
+    if (auto* film = qobject_cast<FilmDialog*>(dialog)) {
+      const QList<QDoubleSpinBox*> numbers = film->findChildren<QDoubleSpinBox*>();
+      EXPECT_EQ(film->film().to, window_.frame()->time);
+      numbers[0]->setValue(1.15);
+      numbers[1]->setValue(1.35);
+      numbers[2]->setValue(0.5);   // speed
+      numbers[3]->setValue(20.0);  // frames a second
+      const QList<QSpinBox*> pixels = film->findChildren<QSpinBox*>();
+      pixels[0]->setValue(shown.width());
+      pixels[1]->setValue(shown.height());
+      film->findChild<QLineEdit*>("folder")->setText(folder);
+      film->accept();
+    } else if (auto* box = qobject_cast<QMessageBox*>(dialog)) {
+      said = box->text() + box->informativeText();
+      box->accept();
+    }
+  };
+  with_answers(answer, [&] { trigger("Film..."); });
+  EXPECT_TRUE(said.contains("9 frames")) << said.toStdString();
+  EXPECT_TRUE(said.contains("ffmpeg -framerate 20")) << said.toStdString();
+  const QStringList frames = frames_in(folder);
+  ASSERT_EQ(frames.size(), 9);
+  EXPECT_EQ(QImage(folder + "/" + frames.back()), shown);
+  EXPECT_NE(QImage(folder + "/" + frames.front()), shown);
+}
+
+// The preset goes on from there, and a restart goes back there; what "Save as" keeps begins at the beginning.
+TEST_F(LabExportTest, TheRunIsSavedAsItStands) {
+  window_.run_until(1.0);
+  const State shown = window_.frame()->state;
+  QTemporaryDir dir;
+  const auto answer = [&](QWidget* dialog) {
+    auto* where = qobject_cast<QFileDialog*>(dialog);
+    if (where == nullptr) return;
+    where->setDirectory(dir.path());
+    where->findChild<QLineEdit*>("fileNameEdit")->setText("mid.json");
+    QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
+  };
+  with_answers(answer, [&] { trigger("Save the run as it stands..."); });
+  const std::string file = dir.filePath("mid.json").toStdString();
+  const Scene saved = read_preset(file);
+  ASSERT_TRUE(saved.saved && saved.saved->state);
+  EXPECT_FALSE(window_.scene().saved);
+
+  window_.run_until(1.5);
+  const State later = window_.frame()->state;
+  ASSERT_TRUE(window_.open(file));
+  window_.run_until(1.5);
+  EXPECT_EQ(window_.frame()->state.q, later.q);
+  EXPECT_EQ(window_.frame()->status, "ok");
+  trigger("Restart");
+  for (int i = 0; i < 200 && window_.frame()->time > 1.2; ++i) QTest::qWait(10);
+  EXPECT_NEAR(window_.frame()->time, 1.0, 0.01);
+  EXPECT_EQ(window_.frame()->state.q, shown.q);
+}
+
+TEST_F(LabExportTest, TheFilmDialogTellsWhatWillCome) {
+  window_.run_until(0.1);
+  Film film;
+  film.runs.emplace_back();
+  film.to = 2.0;
+  film.look = window_.scene_view().look();
+  QTemporaryDir dir;
+  FilmDialog dialog(film, dir.path(), &window_);
+  const auto* summary = dialog.findChild<QLabel*>("summary");
+  const auto* make = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save);
+  EXPECT_TRUE(summary->text().contains("51 frames")) << summary->text().toStdString();
+  const QList<QDoubleSpinBox*> numbers = dialog.findChildren<QDoubleSpinBox*>();
+  numbers[2]->setValue(0.1);
+  EXPECT_TRUE(summary->text().contains("501 frames, a film of 20.04 s; 250 frames in a second of the run"))
+      << summary->text().toStdString();
+  numbers[0]->setValue(3.0);
+  EXPECT_TRUE(summary->text().contains("a time not before the film's start"));
+  EXPECT_FALSE(make->isEnabled());
+  numbers[0]->setValue(1.0);
+  EXPECT_TRUE(make->isEnabled());
+
+  // Frames that are there are replaced only where the user says so.
+  QFile old(dir.filePath("frame-0001.png"));
+  ASSERT_TRUE(old.open(QIODevice::WriteOnly));
+  old.close();
+  const auto press = [&](bool replace) {
+    with_answers(
+        [&](QWidget* widget) {
+          auto* box = qobject_cast<QMessageBox*>(widget);
+          ASSERT_NE(box, nullptr);
+          for (QAbstractButton* button : box->buttons()) {
+            if ((button->text() == "Replace") == replace) button->click();
+          }
+        },
+        [&] { dialog.accept(); });
+  };
+  press(false);
+  EXPECT_NE(dialog.result(), QDialog::Accepted);
+  press(true);
+  EXPECT_EQ(dialog.result(), QDialog::Accepted);
+  EXPECT_TRUE(dialog.may_replace());
+}
+
+}  // namespace
+}  // namespace carom

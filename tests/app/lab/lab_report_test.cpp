@@ -1,0 +1,203 @@
+#include "app/export/lab_report.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QFileDialog>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <gtest/gtest.h>
+
+#include "app/lab/lab_window.h"
+#include "app/lab/report_dialog.h"
+#include "physics/scene/validate.h"
+#include "widgets/plot/plot_panel.h"
+#include "widgets/run/run_tables.h"
+#include "widgets/scene/scene_view.h"
+
+namespace carom {
+namespace {
+
+const auto kGoOn = [](double) { return true; };
+
+TEST(ReportTimes, AreAboutTheFirstImpact) {
+  Method method;
+  method.step = 0.005;
+  using Times = std::vector<double>;
+  const Times located = report_times(method, 0.45123, 2.0);
+  ASSERT_EQ(located.size(), 4U);
+  EXPECT_EQ(located[0], 0.0);
+  EXPECT_DOUBLE_EQ(located[1], 0.451);
+  EXPECT_DOUBLE_EQ(located[2], 0.452);
+  EXPECT_EQ(located[3], 2.0);
+  // An impact at a round time is after the moment before it, and before the one after it.
+  EXPECT_DOUBLE_EQ(report_times(method, 0.45, 2.0)[1], 0.449);
+  EXPECT_DOUBLE_EQ(report_times(method, 0.45, 2.0)[2], 0.451);
+  EXPECT_EQ(report_times(method, std::nullopt, 3.0), (Times{0.0, 1.0, 2.0, 3.0}));
+  EXPECT_EQ(report_times(method, 0.0001, 0.0005), (Times{0.0, 0.0005})) << "none beyond the run";
+  // Where impacts are resolved at a step's end: the step before, and this one.
+  method.impacts = ImpactsId::kStepEnd;
+  EXPECT_DOUBLE_EQ(report_times(method, 0.45, 2.0)[1], 0.445);
+  EXPECT_DOUBLE_EQ(report_times(method, 0.45, 2.0)[2], 0.45);
+}
+
+TEST(ReportTimes, AreReadAsPeopleWriteThem) {
+  using Times = std::vector<double>;
+  EXPECT_EQ(times_of("0; 0.25;1.5", 2.0), (Times{0.0, 0.25, 1.5}));
+  EXPECT_EQ(times_of("1.5, 0.25, 0, 0.25", 2.0), (Times{0.0, 0.25, 1.5}));
+  EXPECT_EQ(times_of(" 0,25  1,5 ", 2.0), (Times{0.25, 1.5}));
+  EXPECT_EQ(times_of("", 2.0), Times());
+  for (const char* bad : {"0; x", "-1", "2.5", "nan", "1..2"})
+    EXPECT_THROW((void)times_of(bad, 2.0), SceneError) << bad;
+  EXPECT_THROW((void)times_of("0 .1 .2 .3 .4 .5 .6 .7 .8 .9 1 1.1 1.2", 2.0), SceneError);
+}
+
+class LabReportTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    window_.resize(1280, 800);
+    window_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
+  }
+  // Makes the report through its dialogs, as the user does.
+  void make(const QString& file, const std::function<void(ReportDialog&)>& fill = {}) {
+    QTimer answer;
+    QObject::connect(&answer, &QTimer::timeout, [&] {
+      QWidget* dialog = QApplication::activeModalWidget();
+      if (auto* report = qobject_cast<ReportDialog*>(dialog)) {
+        if (fill) fill(*report);
+        report_ = report->report();
+        report->accept();
+      } else if (auto* where = qobject_cast<QFileDialog*>(dialog)) {
+        where->setDirectory(dir_.path());
+        where->findChild<QLineEdit*>("fileNameEdit")->setText(file);
+        QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
+      } else if (auto* box = qobject_cast<QMessageBox*>(dialog)) {
+        said_ = box->text();
+        box->accept();
+      }
+    });
+    answer.start(50);
+    report_.reset();
+    for (QAction* action : window_.findChildren<QAction*>()) {
+      if (action->text().remove('&') == "Lab report...") action->trigger();
+    }
+    // A run that goes on stands still first.
+    ASSERT_TRUE(QTest::qWaitFor([&] { return report_ || !said_.isEmpty(); }));
+  }
+  [[nodiscard]] QByteArray bytes(const QString& file) const {
+    QFile pdf(dir_.filePath(file));
+    return pdf.open(QIODevice::ReadOnly) ? pdf.readAll() : QByteArray();
+  }
+  [[nodiscard]] static QImage page(const PrintPages& pages, int number) {
+    QImage image(static_cast<int>(PrintPages::kWidth), static_cast<int>(PrintPages::kHeight),
+                 QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    pages.paint(number, painter);
+    return image;
+  }
+
+  LabWindow window_{dark_theme()};
+  QTemporaryDir dir_;
+  std::optional<LabReport> report_;
+  QString said_;
+};
+
+TEST_F(LabReportTest, IsAPdfOfVectorsAndText) {
+  ASSERT_TRUE(window_.open("bouncing-ball"));
+  window_.run_until(1.5);
+  make("ball.pdf");
+  const QByteArray pdf = bytes("ball.pdf");
+  EXPECT_TRUE(pdf.startsWith("%PDF-"));
+  EXPECT_TRUE(pdf.trimmed().endsWith("%%EOF"));
+  EXPECT_TRUE(pdf.contains("/ToUnicode")) << "text can be selected";
+  EXPECT_FALSE(pdf.contains("/Subtype /Image"));
+  const std::optional<PrintPages> pages = report_pages(*report_, kGoOn);
+  ASSERT_TRUE(pages);
+  EXPECT_TRUE(pdf.contains(QString("/Count %1").arg(pages->count()).toLatin1()));
+  ASSERT_EQ(report_->times.size(), 4U);
+  ASSERT_TRUE(report_->first_impact);
+  EXPECT_NEAR(*report_->first_impact, 0.45, 0.1);
+  EXPECT_EQ(moment_text(report_->times[1], *report_), "just before the first impact");
+  EXPECT_EQ(moment_text(report_->times[2], *report_), "just after the first impact");
+  EXPECT_EQ(moment_text(report_->times[3], *report_), "end");
+}
+
+// On white whatever the window's colours; nothing stands out of the text's room.
+TEST_F(LabReportTest, KeepsItsMargins) {
+  for (const char* name : {"bouncing-ball", "newtons-cradle-hung", "billiard-break", "drag-projectile"}) {
+    ASSERT_TRUE(window_.open(name));
+    window_.run_until(0.7);
+    make(QString(name) + ".pdf");
+    const std::optional<PrintPages> pages = report_pages(*report_, kGoOn);
+    ASSERT_TRUE(pages);
+    EXPECT_GE(pages->count(), 3) << name;
+    for (int number = 0; number < pages->count(); ++number) {
+      const QImage image = page(*pages, number);
+      int ink = 0;
+      for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+          if (image.pixelColor(x, y).lightness() > 240) continue;
+          ++ink;
+          ASSERT_GE(x, PrintPages::kSide - 2.0) << name << ", page " << number + 1 << ", y " << y;
+          ASSERT_LE(x, PrintPages::kSide + PrintPages::kTextWidth + 2.0) << name << ", page " << number + 1;
+          ASSERT_GE(y, PrintPages::kTop - 2.0) << name << ", page " << number + 1;
+          ASSERT_LE(y, PrintPages::kHeight - 20.0) << name << ", page " << number + 1;
+        }
+      }
+      EXPECT_GT(ink, 3000) << name << ", page " << number + 1;
+      EXPECT_LT(ink, image.width() * image.height() / 4) << name << ", page " << number + 1;
+    }
+  }
+}
+
+TEST_F(LabReportTest, HasWhatIsAskedFor) {
+  ASSERT_TRUE(window_.open("bouncing-ball"));
+  window_.run_until(1.0);
+  make("all.pdf");
+  const int all = report_pages(*report_, kGoOn)->count();
+  make("few.pdf", [](ReportDialog& dialog) {
+    dialog.findChild<QLineEdit*>("times")->setText("0.1, 0.2");
+    dialog.findChild<QPlainTextEdit*>("questions")->setPlainText("Only this?\n\n");
+    for (QCheckBox* part : dialog.findChildren<QCheckBox*>()) part->setChecked(false);
+  });
+  EXPECT_EQ(report_->times, (std::vector<double>{0.1, 0.2}));
+  EXPECT_EQ(report_->questions, QStringList{"Only this?"});
+  EXPECT_TRUE(report_->plots.empty());
+  EXPECT_EQ(report_->bodies, nullptr);
+  const std::optional<PrintPages> few = report_pages(*report_, kGoOn);
+  EXPECT_LT(few->count(), all);
+  EXPECT_FALSE(report_pages(*report_, [](double) { return false; })) << "cancelled";
+}
+
+TEST_F(LabReportTest, SaysWhatIsMissing) {
+  ASSERT_TRUE(window_.open("bouncing-ball"));
+  QTest::qWait(100);
+  make("none.pdf");
+  EXPECT_TRUE(said_.contains("play it first")) << said_.toStdString();
+  EXPECT_FALSE(report_);
+  window_.run_until(0.3);
+  make("no-such-folder/report.pdf");
+  EXPECT_TRUE(bytes("no-such-folder/report.pdf").isEmpty());
+}
+
+// A playing run stands still for its report: everything in it is of one moment.
+TEST_F(LabReportTest, IsOfOneMoment) {
+  ASSERT_TRUE(window_.open("bouncing-ball"));
+  QTest::keyClick(&window_.scene_view(), Qt::Key_Space);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.frame() && window_.frame()->time > 0.1; }, 5000));
+  make("now.pdf");
+  ASSERT_TRUE(report_);
+  EXPECT_FALSE(window_.frame()->playing);
+  EXPECT_EQ(report_->ends.front().time, window_.frame()->time);
+  EXPECT_EQ(report_->times.back(), report_->ends.front().time);
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,84 @@
+#include <QTabWidget>
+#include <QTest>
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "app/lab/lab_window.h"
+#include "physics/scene/validate.h"
+#include "widgets/compare/error_plot.h"
+#include "widgets/compare/study_panel.h"
+
+namespace carom {
+namespace {
+
+StudyOptions quick() {
+  StudyOptions o;
+  o.integrators = {IntegratorId::kExplicitEuler, IntegratorId::kRk4};
+  o.impacts = {ImpactsId::kLocated};
+  o.steps = {0.02, 0.01, 0.005};
+  o.repeats = 1;
+  return o;
+}
+
+class LabStudyTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    window_ = std::make_unique<LabWindow>(light_theme());
+    window_->resize(1000, 700);
+    window_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    ASSERT_TRUE(window_->open("drag-projectile"));
+    panel_ = window_->findChild<StudyPanel*>();
+    ASSERT_NE(panel_, nullptr);
+    auto* tabs = window_->findChild<QTabWidget*>();
+    tabs->setCurrentWidget(panel_);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return panel_->isVisible(); }, 5000));
+  }
+  std::unique_ptr<LabWindow> window_;
+  StudyPanel* panel_ = nullptr;
+};
+
+TEST_F(LabStudyTest, AClickOnAPointTakesItsMethodIntoTheComparison) {
+  panel_->start(quick());
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !panel_->running(); }, 20000));
+  ASSERT_EQ(panel_->so_far().phase, StudySoFar::Phase::kDone);
+  EXPECT_EQ(panel_->so_far().table.facts.preset, "drag-projectile");
+  EXPECT_FALSE(window_->isWindowModified());
+  for (const StudyRow& row : std::vector<StudyRow>(panel_->so_far().table.rows)) {
+    const auto pixel = panel_->plot().pixel_of(row);
+    ASSERT_TRUE(pixel.has_value());
+    for (int i = 0; i < 2; ++i) {  // the second time it is there already
+      QTest::mouseClick(panel_->plot().canvas(), Qt::LeftButton, {}, pixel->toPoint());
+      const Scene scene = window_->scene();
+      std::vector<Method> methods = scene.compare;
+      methods.push_back(scene.method);
+      EXPECT_EQ(std::count(methods.begin(), methods.end(), row.method), 1) << row.index;
+    }
+    EXPECT_TRUE(panel_->of_the_scene_shown());
+  }
+  EXPECT_EQ(window_->scene().compare.size(), kMostCompared);
+  EXPECT_TRUE(window_->isWindowModified());
+}
+
+TEST_F(LabStudyTest, TheLastStudyStaysWhenAnotherSceneIsShown) {
+  panel_->start(quick());
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !panel_->running(); }, 20000));
+  ASSERT_TRUE(window_->open("head-on"));
+  EXPECT_FALSE(panel_->of_the_scene_shown());
+  EXPECT_TRUE(panel_->words().contains("Projectile with drag")) << panel_->words().toStdString();
+  ASSERT_TRUE(window_->open("drag-projectile"));
+  EXPECT_TRUE(panel_->of_the_scene_shown());
+}
+
+TEST_F(LabStudyTest, TheWindowClosesWhileAStudyRuns) {
+  StudyOptions endless = quick();
+  endless.steps = {kLeastStep};
+  panel_->start(endless);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return panel_->so_far().stage == "accuracy"; }, 20000));
+  window_.reset();
+}
+
+TEST_F(LabStudyTest, TheTabNeedsNoLargerWindow) { EXPECT_EQ(window_->size(), QSize(1000, 700)); }
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,350 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sstream>
+
+#include "physics/check/check.h"
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/observe/observables.h"
+#include "physics/preset/names.h"
+#include "physics/preset/preset.h"
+#include "physics/preset/setting.h"
+#include "tests/support/preset_files.h"
+#include "tests/support/scenes.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+using test::content;
+using test::preset_files;
+using test::PresetFiles;
+
+// Characters, not bytes.
+std::size_t length(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+TEST(Presets, MeetTheirExpectations) {
+  ASSERT_GE(preset_files().size(), 41U);
+  for (const fs::path& file : preset_files()) {
+    const Scene s = read_preset(file);
+    EXPECT_FALSE(s.expect.empty()) << file;
+    const std::vector<Outcome> outcomes = check_expectations(s);
+    ASSERT_EQ(outcomes.size(), s.expect.size());
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      EXPECT_TRUE(outcomes[i].good) << file << " /expect/" << i << " " << s.expect[i].observable
+                                    << ": measured " << outcomes[i].measured << ", expected "
+                                    << s.expect[i].value;
+      EXPECT_FALSE(s.expect[i].source.empty()) << file;
+    }
+  }
+}
+
+TEST(Presets, AreWrittenForPeople) {
+  for (const fs::path& file : preset_files()) {
+    const Scene s = read_preset(file);
+    EXPECT_GE(length(s.title), 4U) << file;
+    EXPECT_LE(length(s.title), 30U) << file;
+    EXPECT_GE(length(s.observe), 4U) << file;
+    EXPECT_LE(length(s.observe), 34U) << file;
+    EXPECT_GE(length(s.about), 200U) << file;
+    EXPECT_FALSE(s.plots.empty()) << file;
+    EXPECT_TRUE(s.view.has_value()) << file;
+    EXPECT_EQ(s.topic, file.parent_path().filename().string());
+  }
+}
+
+TEST_F(PresetFiles, LoadingWhatWasSavedGivesTheSameScene) {
+  std::vector<Scene> scenes;
+  for (const fs::path& file : preset_files()) scenes.push_back(read_preset(file));
+  Scene odd = test::scene({test::disc("a \"quoted\", näme: \\", {0.1, 1.0 / 3.0}, {1e-300, -0.0})}, 0.1, 0.2);
+  odd.bodies[0].angle = 1e-17;
+  odd.extra = R"({"kept":[1,{"as":"it is, : \" "}],"x":null})";
+  odd.view = View{{0.1, 0.2}, 3.0};
+  scenes.push_back(odd);
+  for (const Scene& s : scenes) {
+    const std::string text = write_preset(s);
+    EXPECT_EQ(write_preset(parse_preset(text, "again")), text);
+    save_preset(s, folder_ / "saved.json");
+    const Scene again = read_preset(folder_ / "saved.json");
+    EXPECT_EQ(write_preset(again), text);
+    EXPECT_EQ(again.extra, s.extra);
+    ASSERT_EQ(again.bodies.size(), s.bodies.size());
+    for (std::size_t i = 0; i < s.bodies.size(); ++i) {
+      EXPECT_EQ(again.bodies[i].name, s.bodies[i].name);
+      EXPECT_EQ(again.bodies[i].position, s.bodies[i].position);
+      EXPECT_EQ(again.bodies[i].velocity, s.bodies[i].velocity);
+      EXPECT_EQ(again.bodies[i].angle, s.bodies[i].angle);
+      EXPECT_EQ(again.bodies[i].mass, s.bodies[i].mass);
+    }
+    Simulation one(s);
+    Simulation two(again);
+    for (int i = 0; i < 20; ++i) {
+      one.step();
+      two.step();
+    }
+    EXPECT_TRUE(test::same_bytes(one.state(), two.state())) << s.title;
+  }
+}
+
+// A scene with every key that a preset can have, none at its default.
+constexpr const char* kEveryKey = R"({
+  "format": "carom-preset", "version": 1, "title": "all", "about": "about", "observe": "look", "duration": 2,
+  "gravity": [0.5, -9.81], "method": {"integrator": "explicit-euler", "impacts": "step-end", "step": 0.01},
+  "compare": [{"integrator": "velocity-verlet", "impacts": "step-end", "contacts": "lasting", "step": 0.25}],
+  "materials": [{"name": "m", "restitution": 0.5, "tangential_restitution": 0.25, "static_friction": 0.5,
+                 "kinetic_friction": 0.25}, {"name": "ice"}, {"name": "clay", "sticks": true}],
+  "impact_law": "newton",
+  "material_pairs": [{"materials": ["ice", "m"], "restitution": 0.75, "kinetic_friction": 0.125,
+                      "sticks": true}],
+  "bodies": [
+    {"name": "a", "shape": {"type": "disc", "radius": 1}, "position": [0, 0], "angle": 1, "velocity": [1, 2],
+     "spin": 3, "mass": 4, "material": "m"},
+    {"name": "b", "shape": {"type": "disc", "radius": 1}, "position": [9, 0], "density": 5},
+    {"name": "piston", "shape": {"type": "box", "width": 1, "height": 2}, "position": [-9, 0], "angle": 0.5,
+     "drive": {"velocity": [1, 2], "amplitude": [3, 4], "angular_frequency": 5, "phase": -6}},
+    {"name": "w", "shape": {"type": "box", "width": 1, "height": 2}, "position": [-9, 9], "fixed": true},
+    {"name": "tile", "shape": {"type": "polygon", "vertices": [[0, 0], [2, 0], [0, 1]], "rounding": 0.5},
+     "position": [30, 0], "density": 2, "inertia": 3, "group": "tiles"},
+    {"name": "plank", "shape": {"type": "wall", "length": 4}, "position": [40, 0], "mass": 2, "group": "tiles"},
+    {"name": "ground", "shape": {"type": "wall"}, "position": [0, -50], "fixed": true},
+    {"name": "c", "shape": {"type": "disc", "radius": 1}, "position": [9, -20], "mass": 1}],
+  "forces": [
+    {"type": "force", "body": "a", "force": [1, 2], "torque": 3, "start": 4, "rise": 5, "end": 6},
+    {"type": "spring", "name": "s", "body": "a", "to": "piston", "stiffness": 1, "damping": 2, "rest_length": 3,
+     "acts": "while-short"},
+    {"type": "attraction", "constant": 1, "softening": 2},
+    {"type": "quadratic_drag", "coefficient": 0.5},
+    {"type": "spring", "body": "b", "anchor": [1, 2], "stiffness": 7, "acts": "push"},
+    {"type": "spring", "body": "b", "to": "a", "stiffness": 8, "acts": "pull"},
+    {"type": "linear_drag", "coefficient": 0.25},
+    {"type": "force", "body": "b"}],
+  "generators": [{"type": "grid", "name": "g", "columns": 2, "rows": 3, "origin": [20, 20], "spacing": [3, 4],
+                  "jitter": 0.5, "radius": [0.1, 0.2], "speed": 1, "density": 2, "material": "m", "seed": 7}],
+  "links": [
+    {"type": "rod", "name": "r", "body": "c", "point": [0.5, 0.25], "to": "w", "anchor": [-0.5, 0],
+     "length": 34.461029},
+    {"type": "string", "body": "c", "anchor": [9, -18], "length": 4},
+    {"type": "pin", "body": "c", "point": [0.5, 0], "anchor": [9.5, -20]},
+    {"type": "weld", "body": "plank", "point": [-2, 0], "to": "ground", "anchor": [38, 50], "angle": 0}],
+  "plots": ["energy", {"title": "both", "y": [{"observable": "speed", "bodies": ["a"]}, {"observable": "time"}],
+    "x": {"observable": "kinetic_energy"}, "logarithmic": true},
+    {"y": [{"observable": "time", "theory": "t"}, {"observable": "time", "theory": "2*t", "residual": true}],
+     "notes": [{"at": [1, 2], "text": "here"}]},
+    {"plot": "drift", "notes": [{"at": [1, -2.5], "text": "a"}, {"at": [3, 0], "text": "b"}]}], "view": {"center": [1, 2], "width": 3},
+  "expect": [
+    {"observable": "speed", "bodies": ["a"], "reduction": "count", "above": 1.5, "from": 0.5, "until": 1.5,
+     "with": {"/bodies/0/mass": 100, "/forces/4/stiffness": 9},
+     "over": {"place": "/generators/0/seed", "values": [3, 1, 2], "reduction": "mean"},
+     "value": 0.5, "tolerance": 0.1, "source": "made up"},
+    {"observable": "time", "reduction": "fit", "value": 1, "tolerance": 0},
+    {"observable": "time", "reduction": "impact", "impact": 3, "until": 7, "value": 1, "tolerance": 0,
+     "over": {"place": "/forces/6/coefficient", "values": [1, 2, 4], "reduction": "exponent"}}]
+})";
+
+void expect_every_key(const Scene& s) {
+  const Body& piston = s.bodies[2];
+  ASSERT_TRUE(piston.drive.has_value());
+  EXPECT_EQ(piston.drive->velocity, Vec2(1, 2));
+  EXPECT_EQ(piston.drive->amplitude, Vec2(3, 4));
+  EXPECT_EQ(piston.drive->angular_frequency, 5);
+  EXPECT_EQ(piston.drive->phase, -6);
+  EXPECT_TRUE(is_immovable(piston));
+  const auto& tile = std::get<Polygon>(s.bodies[4].shape);
+  EXPECT_EQ(tile.vertices, (std::vector<Vec2>{{0, 0}, {2, 0}, {0, 1}}));
+  EXPECT_EQ(tile.rounding, 0.5);
+  EXPECT_EQ(s.bodies[4].inertia, 3);
+  EXPECT_EQ(s.bodies[4].group, "tiles");
+  EXPECT_EQ(std::get<Wall>(s.bodies[5].shape).length, 4);
+  EXPECT_EQ(std::get<Wall>(s.bodies[6].shape).length, std::nullopt);
+  EXPECT_EQ(s.impact_law, ImpactLawId::kNewton);
+  ASSERT_EQ(s.compare.size(), 1U);
+  EXPECT_EQ(s.compare[0].integrator, IntegratorId::kVelocityVerlet);
+  EXPECT_EQ(s.compare[0].contacts, ContactsId::kLasting);
+  EXPECT_EQ(s.compare[0].step, 0.25);
+  const Plot both{"", "both", {{"speed", {"a"}}, {"time", {}}}, QuantityName{"kinetic_energy", {}}, true};
+  const Plot theories{"",           "",    {{"time", {}, "t"}, {"time", {}, "2*t", true}},
+                      std::nullopt, false, {{1, 2, "here"}}};
+  const Plot drift{"drift", "", {}, std::nullopt, false, {{1, -2.5, "a"}, {3, 0, "b"}}};
+  EXPECT_EQ(s.plots, (std::vector<Plot>{{"energy", "", {}, {}, false}, both, theories, drift}));
+  ASSERT_EQ(s.pairs.size(), 1U);
+  EXPECT_EQ(s.pairs[0].a, "ice");
+  EXPECT_EQ(s.pairs[0].b, "m");
+  EXPECT_EQ(meeting(s, "m", "ice").restitution, 0.75);
+  EXPECT_EQ(meeting(s, "ice", "m").static_friction, 0.125);
+  EXPECT_EQ(meeting(s, "m", "m").restitution, 0.5);
+  const Forces& f = s.forces;
+  EXPECT_EQ(f.linear_drag, 0.25);
+  EXPECT_EQ(f.quadratic_drag, 0.5);
+  ASSERT_TRUE(f.attraction.has_value());
+  EXPECT_EQ(f.attraction->constant, 1);
+  EXPECT_EQ(f.attraction->softening, 2);
+  ASSERT_EQ(f.springs.size(), 3U);
+  EXPECT_EQ(f.springs[0].name, "s");
+  EXPECT_EQ(f.springs[0].to, "piston");
+  EXPECT_EQ(f.springs[0].damping, 2);
+  EXPECT_EQ(f.springs[0].rest_length, 3);
+  EXPECT_EQ(f.springs[0].acts, SpringActs::kWhileShort);
+  EXPECT_EQ(f.springs[1].anchor, Vec2(1, 2));
+  EXPECT_EQ(f.springs[1].acts, SpringActs::kPush);
+  EXPECT_EQ(f.springs[2].acts, SpringActs::kPull);
+  ASSERT_EQ(f.applied.size(), 2U);
+  EXPECT_EQ(f.applied[0].force, Vec2(1, 2));
+  EXPECT_EQ(f.applied[0].torque, 3);
+  EXPECT_EQ(f.applied[0].start, 4);
+  EXPECT_EQ(f.applied[0].rise, 5);
+  EXPECT_EQ(f.applied[0].end, 6);
+  EXPECT_EQ(f.applied[1].end, std::nullopt);
+
+  ASSERT_EQ(s.links.size(), 4U);
+  EXPECT_EQ(s.links[0].kind, LinkKind::kRod);
+  EXPECT_EQ(s.links[0].name, "r");
+  EXPECT_EQ(s.links[0].body, "c");
+  EXPECT_EQ(s.links[0].point, Vec2(0.5, 0.25));
+  EXPECT_EQ(s.links[0].to, "w");
+  EXPECT_EQ(s.links[0].anchor, Vec2(-0.5, 0));
+  EXPECT_EQ(s.links[0].length, 34.461029);
+  EXPECT_EQ(s.links[1].kind, LinkKind::kString);
+  EXPECT_EQ(s.links[1].anchor, Vec2(9, -18));
+  EXPECT_EQ(s.links[2].kind, LinkKind::kPin);
+  EXPECT_EQ(s.links[2].length, std::nullopt);
+  EXPECT_EQ(s.links[2].angle, std::nullopt);
+  EXPECT_EQ(s.links[3].kind, LinkKind::kWeld);
+  EXPECT_EQ(s.links[3].angle, 0.0);
+  EXPECT_TRUE(meeting(s, "m", "ice").sticks);
+  EXPECT_TRUE(meeting(s, "m", "clay").sticks);
+  EXPECT_FALSE(meeting(s, "m", "m").sticks);
+
+  ASSERT_EQ(s.expect.size(), 3U);
+  const Expectation& e = s.expect[0];
+  EXPECT_EQ(e.reduction, Expectation::Reduction::kCount);
+  EXPECT_EQ(e.above, 1.5);
+  EXPECT_EQ(e.from, 0.5);
+  EXPECT_EQ(e.until, 1.5);
+  ASSERT_EQ(e.settings.size(), 2U);
+  EXPECT_EQ(e.settings[0].place, "/bodies/0/mass");
+  EXPECT_EQ(e.settings[0].value, 100);
+  ASSERT_TRUE(e.over.has_value());
+  EXPECT_EQ(e.over->values, (std::vector<double>{3, 1, 2}));
+  EXPECT_EQ(e.over->reduction, Sweep::Reduction::kMean);
+  EXPECT_EQ(s.expect[1].reduction, Expectation::Reduction::kFit);
+  EXPECT_EQ(s.expect[2].over->reduction, Sweep::Reduction::kExponent);
+}
+
+TEST(Preset, EveryKeyIsReadAndWritten) {
+  const Scene s = parse_preset(kEveryKey, "every.json");
+  expect_every_key(s);
+  const std::string text = write_preset(s);
+  const Scene again = parse_preset(text, "again");
+  expect_every_key(again);
+  EXPECT_EQ(write_preset(again), text);
+}
+
+TEST(Preset, DefaultsAreLeftOut) {
+  Scene s = test::scene({test::disc("a", {0, 0}, {0, 0}), test::disc("b", {9, 0}, {0, 0})});
+  s.bodies.push_back(test::wall("table", {0, -9}, 1, 1));
+  s.bodies.back().fixed = false;
+  s.bodies.back().drive = Drive{};
+  s.forces.springs.resize(1);
+  s.forces.springs[0].body = "a";
+  s.forces.springs[0].to = "b";
+  s.forces.applied.resize(1);
+  s.forces.applied[0].body = "a";
+  const std::string text = write_preset(s);
+  EXPECT_NE(text.find(R"({"type": "spring", "body": "a", "to": "b", "stiffness": 1.0})"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find(R"({"type": "force", "body": "a"})"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"("drive": {})"), std::string::npos) << text;
+  EXPECT_EQ(text.find("\"tolerance\""), std::string::npos) << text;
+  s.method.integrator = IntegratorId::kAdaptiveDormandPrince;
+  EXPECT_NE(write_preset(s).find("\"tolerance\": 1e-09"), std::string::npos) << write_preset(s);
+}
+
+// Places of forces are those of the file, also where Carom writes them in another order.
+TEST(Preset, VariantsChangeTheNumberThatTheFileNames) {
+  const Scene s = parse_preset(kEveryKey, "every.json");
+  Scene v = variant(s, s.expect[0].settings);
+  EXPECT_EQ(v.bodies[0].mass, 100);
+  EXPECT_EQ(v.forces.springs[1].stiffness, 9);
+  EXPECT_EQ(v.forces.springs[0].stiffness, 1);
+  EXPECT_TRUE(v.expect.empty());
+  v = variant(s, {{s.expect[2].over->place, 3.5}});
+  EXPECT_EQ(v.forces.linear_drag, 3.5);
+  // Again after a file that Carom wrote.
+  const Scene again = parse_preset(write_preset(s), "again");
+  EXPECT_EQ(variant(again, again.expect[0].settings).forces.springs[1].stiffness, 9);
+
+  // What a file leaves out has its place too, and whole numbers stay whole.
+  v = variant(s, {{"/bodies/1/angle", 2.0}, {"/bodies/1/velocity/1", 3.0}, {"/generators/0/seed", 11}});
+  EXPECT_EQ(v.bodies[1].angle, 2.0);
+  EXPECT_EQ(v.bodies[1].velocity, Vec2(0, 3));
+  EXPECT_EQ(v.generators[0].seed, 11U);
+  EXPECT_EQ(variant(s, {{"/method/tolerance", 1e-6}}).method.tolerance, 1e-6);
+  EXPECT_EQ(variant(s, {{"/links/1/length", 3.0}}).links[1].length, 3.0);
+  EXPECT_THROW((void)variant(s, {{"/bodies/0/name", 1}}), SceneError);
+  EXPECT_THROW((void)variant(s, {{"/bodies/0/mass", -1}}), SceneError);
+  EXPECT_THROW((void)variant(s, {{"/generators/0/seed", 1.5}}), SceneError);
+}
+
+TEST(Preset, SimultaneousImpactsKeepTheirWord) {
+  Scene s = test::scene({test::disc("a", {0, 0}, {0, 0})});
+  s.several_impacts = SeveralImpactsId::kSimultaneous;
+  EXPECT_EQ(parse_preset(write_preset(s), "again").several_impacts, SeveralImpactsId::kSimultaneous);
+}
+
+TEST(Preset, ExactFlightIsRefusedWhereItIsNotPossible) {
+  Scene s = test::scene({test::disc("a", {0, 0}, {0, 0})});
+  s.method.integrator = IntegratorId::kExactFlight;
+  validate(s);
+  s.forces.linear_drag = 1.0;
+  try {
+    validate(s);
+    ADD_FAILURE() << "accepted";
+  } catch (const SceneError& error) {
+    EXPECT_EQ(std::string(error.what())
+                  .rfind("/method/integrator: exact flight is not possible with drag; allowed: ", 0),
+              0U)
+        << error.what();
+  }
+}
+
+TEST_F(PresetFiles, AFailedSaveLeavesTheOldFile) {
+  const Scene s = test::scene({test::disc("a", {0, 0}, {1, 0})});
+  const fs::path file = folder_ / "old.json";
+  save_preset(s, file);
+  const std::string before = content(file);
+  fs::permissions(file, fs::perms::owner_read);
+  EXPECT_THROW(save_preset(Scene(), file), SceneError);
+  EXPECT_EQ(content(file), before);
+  EXPECT_THROW(save_preset(s, folder_ / "no such folder" / "a.json"), SceneError);
+  EXPECT_THROW(save_preset(s, folder_), SceneError);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+// The reference for people names every word that a file can hold, and its example is a good preset.
+TEST(PresetHelp, NamesEveryWordAndItsExampleIsMet) {
+  const std::string page = content(fs::path(CAROM_PRESET_DIR) / "../app/help/presets.md");
+  const auto expect_word = [&](std::string_view word) {
+    EXPECT_NE(page.find("`" + std::string(word) + "`"), std::string::npos) << word;
+  };
+  for (const Observable& o : observables()) expect_word(o.name);
+  for (const auto& [id, name] : kReductionNames) expect_word(name);
+  for (const auto& [id, name] : kSweepNames) expect_word(name);
+  for (const auto& [id, name] : kSpringActsNames) expect_word(name);
+  for (const auto& [id, name] : kLinkNames) expect_word(name);
+  for (const auto& choice : kIntegrators) expect_word(choice.name);
+  for (const auto& choice : kImpacts) expect_word(choice.name);
+  for (const auto& choice : kContacts) expect_word(choice.name);
+
+  const std::size_t from = page.find("```json\n") + 8;
+  const Scene s = parse_preset(page.substr(from, page.find("```", from) - from), "presets.md");
+  ASSERT_EQ(s.expect.size(), 1U);
+  EXPECT_TRUE(check_expectations(s)[0].good) << check_expectations(s)[0].measured;
+}
+
+}  // namespace
+}  // namespace carom

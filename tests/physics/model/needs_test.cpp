@@ -1,0 +1,254 @@
+#include "physics/model/needs.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "physics/scene/facts.h"
+#include "tests/support/scenes.h"
+
+namespace carom {
+namespace {
+
+using test::disc;
+using test::wall;
+
+// Two discs and a wall, elastic and smooth, without any force.
+Scene plain() {
+  return test::scene({disc("a", {0, 0}, {1, 0}), disc("b", {3, 0}, {0, 0}), wall("w", {9, 0}, 1, 1)});
+}
+
+Spring spring(const std::string& body, const std::string& to = "") {
+  Spring s;
+  s.body = body;
+  s.to = to;
+  return s;
+}
+
+AppliedForce push(const std::string& body, const Vec2& force, double torque = 0.0) {
+  AppliedForce f;
+  f.body = body;
+  f.force = force;
+  f.torque = torque;
+  return f;
+}
+
+bool holds(const std::vector<std::string>& list, const std::string& noun) {
+  return std::find(list.begin(), list.end(), noun) != list.end();
+}
+
+TEST(Needs, OfAPlainSceneAreNone) {
+  const Needs n = needs_of(plain());
+  EXPECT_FALSE(n.rotation);
+  EXPECT_FALSE(n.friction);
+  EXPECT_FALSE(n.smooth_forces);
+  EXPECT_FALSE(n.velocity_forces);
+  EXPECT_FALSE(n.coupled_forces);
+  EXPECT_FALSE(n.drives);
+  EXPECT_FALSE(n.switching);
+  EXPECT_FALSE(n.lasting_contacts);
+  EXPECT_TRUE(n.closed_form_flight);
+  EXPECT_FALSE(needs_of(Scene{}).lasting_contacts);
+}
+
+TEST(Needs, RotationBySpinTorqueOrFriction) {
+  Scene s = plain();
+  s.bodies[1].spin = -0.1;
+  EXPECT_TRUE(needs_of(s).rotation);
+  EXPECT_FALSE(needs_of(s).friction);
+
+  s = plain();
+  s.forces.applied = {push("a", {0, 0}, 1.0)};
+  EXPECT_TRUE(needs_of(s).rotation);
+  s.forces.applied[0] = push("a", {1, 0});
+  EXPECT_FALSE(needs_of(s).rotation);
+
+  s = plain();
+  s.materials[0].kinetic_friction = s.materials[0].static_friction = 0.1;
+  EXPECT_TRUE(needs_of(s).rotation);
+  EXPECT_TRUE(needs_of(s).friction);
+}
+
+TEST(Needs, FrictionOnlyBetweenMaterialsThatCanMeet) {
+  Scene s = plain();
+  s.materials.push_back({"rough", 1.0, 0.0, 0.5, 0.5});
+  // A rough wall and smooth discs: the geometric mean is zero.
+  s.bodies[2].material = "rough";
+  EXPECT_FALSE(needs_of(s).friction);
+  // Two rough walls never meet.
+  s.bodies.push_back(wall("w2", {9, 0}, 1, 1));
+  s.bodies[3].material = "rough";
+  EXPECT_FALSE(needs_of(s).friction);
+  // The only rough body has nothing rough to meet; a second one has.
+  s = plain();
+  s.materials.push_back({"rough", 1.0, 0.0, 0.5, 0.5});
+  s.bodies[0].material = "rough";
+  EXPECT_FALSE(needs_of(s).friction);
+  s.bodies[1].material = "rough";
+  EXPECT_TRUE(needs_of(s).friction);
+  // Static friction or tangential restitution alone do nothing.
+  s = plain();
+  s.materials[0].static_friction = 0.5;
+  s.materials[0].tangential_restitution = 1.0;
+  EXPECT_FALSE(needs_of(s).friction);
+  EXPECT_FALSE(needs_of(s).rotation);
+}
+
+TEST(Needs, ForcesInFlight) {
+  Scene s = plain();
+  s.forces.gravity = {0, -9.81};
+  EXPECT_FALSE(needs_of(s).smooth_forces);
+  EXPECT_TRUE(needs_of(s).closed_form_flight);
+
+  for (double Forces::*drag : {&Forces::linear_drag, &Forces::quadratic_drag}) {
+    s = plain();
+    s.forces.*drag = 0.1;
+    const Needs n = needs_of(s);
+    EXPECT_TRUE(n.smooth_forces && n.velocity_forces);
+    EXPECT_FALSE(n.coupled_forces || n.drives || n.switching || n.closed_form_flight);
+  }
+
+  s = plain();
+  s.forces.springs = {spring("a")};
+  EXPECT_TRUE(needs_of(s).smooth_forces);
+  EXPECT_FALSE(needs_of(s).velocity_forces || needs_of(s).coupled_forces || needs_of(s).closed_form_flight);
+  s.forces.springs[0].damping = 1.0;
+  EXPECT_TRUE(needs_of(s).velocity_forces);
+
+  s = plain();
+  s.forces.applied = {push("a", {1, 0})};
+  EXPECT_TRUE(needs_of(s).smooth_forces && needs_of(s).drives && needs_of(s).closed_form_flight);
+  EXPECT_FALSE(needs_of(s).switching);
+  s.forces.applied[0].force = {0, 0};
+  s.forces.applied[0].start = 1.0;
+  EXPECT_EQ(needs_of(s), needs_of(plain()));
+}
+
+TEST(Needs, CoupledForces) {
+  Scene s = plain();
+  s.forces.springs = {spring("a", "b")};
+  EXPECT_TRUE(needs_of(s).coupled_forces);
+  s.forces.springs[0].to = "w";
+  EXPECT_FALSE(needs_of(s).coupled_forces);
+
+  s = plain();
+  s.forces.attraction = Attraction{};
+  EXPECT_TRUE(needs_of(s).coupled_forces && needs_of(s).smooth_forces);
+  EXPECT_FALSE(needs_of(s).closed_form_flight);
+  // One body has nobody to attract.
+  s.bodies.erase(s.bodies.begin() + 1);
+  EXPECT_FALSE(needs_of(s).coupled_forces || needs_of(s).smooth_forces);
+  EXPECT_TRUE(needs_of(s).closed_form_flight);
+}
+
+TEST(Needs, Drives) {
+  Scene s = plain();
+  s.bodies[2].fixed = false;
+  s.bodies[2].drive = Drive{};
+  EXPECT_FALSE(needs_of(s).drives);  // it stands still
+  s.bodies[2].drive->velocity = {1, 0};
+  EXPECT_TRUE(needs_of(s).drives && needs_of(s).closed_form_flight);
+  s.bodies[2].drive->velocity = {0, 0};
+  s.bodies[2].drive->amplitude = {0, 1};
+  EXPECT_TRUE(needs_of(s).drives);
+}
+
+TEST(Needs, Switching) {
+  Scene s = plain();
+  s.forces.springs = {spring("a")};
+  s.forces.springs[0].acts = SpringActs::kPush;
+  EXPECT_TRUE(needs_of(s).switching);
+  AppliedForce late = push("a", {1, 0});
+  late.start = 1.0;
+  AppliedForce slow = push("a", {0, 0}, 1.0);
+  slow.rise = 1.0;
+  AppliedForce brief = push("a", {1, 0});
+  brief.end = 1.0;
+  for (const AppliedForce& f : {late, slow, brief}) {
+    s = plain();
+    s.forces.applied = {f};
+    EXPECT_TRUE(needs_of(s).switching);
+    EXPECT_FALSE(needs_of(s).closed_form_flight);
+  }
+}
+
+TEST(Needs, LastingContacts) {
+  Scene s = plain();
+  s.materials[0].restitution = 0.9;
+  EXPECT_TRUE(needs_of(s).lasting_contacts);  // inelastic collapse
+
+  s = plain();
+  s.forces.gravity = {0, -9.81};
+  EXPECT_TRUE(needs_of(s).lasting_contacts);
+  s.bodies.pop_back();  // nothing to be pressed against: all fall alike
+  EXPECT_FALSE(needs_of(s).lasting_contacts);
+  s.forces.linear_drag = 0.1;  // they don't
+  EXPECT_TRUE(needs_of(s).lasting_contacts);
+
+  s = plain();
+  s.bodies[2].fixed = false;
+  s.bodies[2].drive.emplace().velocity = {1, 0};
+  EXPECT_FALSE(needs_of(s).lasting_contacts);
+  s.bodies[2].drive->amplitude = {1, 0};
+  s.bodies[2].drive->angular_frequency = 1.0;
+  EXPECT_TRUE(needs_of(s).lasting_contacts);
+
+  s = plain();
+  s.bodies.resize(1);
+  s.forces.gravity = {0, -9.81};
+  s.materials[0].restitution = 0.5;
+  EXPECT_FALSE(needs_of(s).lasting_contacts);  // nobody to meet
+}
+
+TEST(Needs, InWords) {
+  Scene s = plain();
+  s.forces.linear_drag = 0.1;
+  const NeedsText trimmed = text_of(needs_of(s), s);
+  EXPECT_TRUE(holds(trimmed.modelled, "normal impulses"));
+  EXPECT_TRUE(holds(trimmed.modelled, "drag"));
+  EXPECT_TRUE(holds(trimmed.not_needed, "rotation"));
+  EXPECT_TRUE(holds(trimmed.not_needed, "friction"));
+  const NeedsText whole = text_of(all_needs(), s);
+  EXPECT_TRUE(holds(whole.modelled, "rotation"));
+  EXPECT_TRUE(holds(whole.modelled, "friction"));
+  EXPECT_TRUE(holds(whole.modelled, "lasting contacts (as repeated impacts)"));
+  EXPECT_TRUE(whole.not_needed.empty());
+  for (const std::string& noun : trimmed.not_needed) EXPECT_FALSE(holds(trimmed.modelled, noun)) << noun;
+
+  s.forces.linear_drag = 0.0;
+  s.forces.springs = {spring("a")};
+  s.forces.springs[0].damping = 1.0;
+  const NeedsText sprung = text_of(needs_of(s), s);
+  EXPECT_TRUE(holds(sprung.modelled, "springs"));
+  EXPECT_TRUE(holds(sprung.modelled, "dampers"));
+  EXPECT_TRUE(holds(sprung.not_needed, "drag"));
+  // A body alone hits nothing.
+  EXPECT_FALSE(holds(
+      text_of(needs_of(test::scene({disc("a", {0, 0}, {0, 0})})), test::scene({disc("a", {0, 0}, {0, 0})}))
+          .modelled,
+      "normal impulses"));
+  EXPECT_TRUE(holds(text_of(needs_of(plain()), plain()).not_needed, "lasting contacts"));
+}
+
+TEST(WhyNot, ExactFlightNamesEveryReason) {
+  Scene s = plain();
+  s.forces.gravity = {0, -9.81};
+  s.forces.applied = {push("a", {1, 0}, 2.0)};
+  for (int id = 0; id <= static_cast<int>(IntegratorId::kExactFlight); ++id)
+    EXPECT_EQ(why_not(s, static_cast<IntegratorId>(id)), std::nullopt);
+
+  s.forces.quadratic_drag = 0.1;
+  EXPECT_NE(why_not(s, IntegratorId::kExactFlight)->find("not possible with drag; allowed: "),
+            std::string::npos);
+  EXPECT_EQ(why_not(s, IntegratorId::kRk4), std::nullopt);
+  s.forces.springs = {spring("a")};
+  s.forces.attraction = Attraction{};
+  s.forces.applied[0].end = 1.0;
+  EXPECT_NE(why_not(s, IntegratorId::kExactFlight)
+                ->find("drag and springs and attraction and forces that start, rise or end; allowed: "),
+            std::string::npos)
+      << *why_not(s, IntegratorId::kExactFlight);
+  EXPECT_EQ(why_not(s, IntegratorId::kExactFlight).has_value(), !needs_of(s).closed_form_flight);
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,159 @@
+#include "physics/record/run_moments.h"
+
+#include <array>
+#include <gtest/gtest.h>
+#include <span>
+#include <variant>
+
+#include "tests/support/scenes.h"
+
+namespace carom {
+namespace {
+
+using test::disc;
+using test::room;
+
+constexpr double kSpan = 0.25;  // s
+const auto kGoOn = [](double) { return true; };
+
+Edit edit_after(std::int64_t step, const std::variant<Method, Body>& what) {
+  Edit edit;
+  edit.step = step;
+  edit.what = what;
+  return edit;
+}
+
+// Two discs in a box, to which a third comes after 30 steps, and another method after 60.
+RunLog edited_run() {
+  std::vector<Body> bodies = room(1.0, 0.5);
+  bodies.push_back(disc("a", {-0.5, 0.1}, {3.0, 1.0}));
+  bodies.push_back(disc("b", {0.5, -0.1}, {-2.0, 2.0}));
+  RunLog log;
+  log.start = test::scene(std::move(bodies), 0.9, 0.2);
+  log.start.forces.gravity = {0.0, -9.81};
+  log.start.method.step = 0.01;
+  Method other = log.start.method;
+  other.integrator = IntegratorId::kVelocityVerlet;
+  other.step = 0.004;
+  log.edits.push_back(edit_after(30, disc("c", {0.0, 0.3}, {0.5, 0.5})));
+  log.edits.push_back(edit_after(60, other));
+  return log;
+}
+
+std::vector<Frame> moments(const RunLog& log, const std::vector<double>& times) {
+  std::vector<Frame> frames;
+  const auto keep = [&](std::span<const Frame> moment) {
+    frames.push_back(moment.front());
+    return true;
+  };
+  EXPECT_TRUE(visit_moments(std::array{log}, times, kSpan, keep, kGoOn));
+  return frames;
+}
+
+// At steps' ends the bits are those of the run; between them a look changes nothing that follows.
+TEST(RunMoments, AreThoseOfTheRun) {
+  const RunLog log = edited_run();
+  Replay replay(log.start);
+  const auto run_to = [&](std::int64_t steps) {
+    while (true) {
+      while (replay.edit(log)) {
+      }
+      if (replay.simulation().steps() == steps) return replay.simulation();
+      replay.step();
+    }
+  };
+  const Simulation at_30 = run_to(30);
+  const Simulation at_100 = run_to(100);
+  const std::vector<Frame> frames = moments(log, {0.0, 0.1234, 0.3, 0.3, 0.55551, 0.6 + 40 * 0.004});
+  ASSERT_EQ(frames.size(), 6U);
+  EXPECT_EQ(frames[0].steps, 0);
+  EXPECT_DOUBLE_EQ(frames[1].time, 0.1234);
+  EXPECT_EQ(frames[2].state.q, at_30.state().q);
+  EXPECT_EQ(frames[3].state.q, at_30.state().q);
+  EXPECT_EQ(frames[2].bodies->size(), log.start.bodies.size() + 1) << "a body stands there at once";
+  EXPECT_EQ(frames[5].steps, 100);
+  EXPECT_EQ(frames[5].state.q, at_100.state().q);
+  EXPECT_EQ(frames[5].state.v, at_100.state().v);
+  EXPECT_EQ(frames[5].impact_count, at_100.impact_count());
+}
+
+// Between two steps: what a run that ends there has.
+TEST(RunMoments, BetweenStepsIsAStepOfTheMethod) {
+  RunLog log = edited_run();
+  log.edits.clear();
+  Simulation run(log.start);
+  run.advance_to(0.2345);
+  const Frame frame = moments(log, {0.2345}).front();
+  EXPECT_EQ(frame.state.q, run.state().q);
+  EXPECT_EQ(frame.time, run.time());
+}
+
+TEST(RunMoments, HaveTheImpactsOfLate) {
+  RunLog log = edited_run();
+  std::vector<double> times;
+  for (int i = 1; i <= 200; ++i) times.push_back(0.0083 * i);
+  std::size_t seen = 0;
+  for (const Frame& frame : moments(log, times)) {
+    for (const ImpactRecord& i : frame.impacts) {
+      EXPECT_LE(i.time, frame.time);
+      EXPECT_GT(i.time, frame.time - kSpan - log.start.method.step);
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 100U);
+}
+
+// Each at its own steps, all at the same times.
+TEST(RunMoments, OfSeveralRunsStandSideBySide) {
+  std::array<RunLog, 2> runs{edited_run(), edited_run()};
+  runs[1].start.method.integrator = IntegratorId::kExplicitEuler;
+  runs[1].start.method.step = 0.003;
+  runs[1].edits.clear();
+  const std::vector<double> times{0.1, 0.35, 0.7};
+  const std::vector<Frame> first = moments(runs[0], times);
+  const std::vector<Frame> second = moments(runs[1], times);
+  std::size_t shown = 0;
+  const auto compare = [&](std::span<const Frame> both) {
+    EXPECT_EQ(both.size(), 2U);
+    EXPECT_EQ(both[0].state.q, first[shown].state.q);
+    EXPECT_EQ(both[1].state.q, second[shown].state.q);
+    EXPECT_EQ(both[1].time, second[shown].time);
+    ++shown;
+    return true;
+  };
+  EXPECT_TRUE(visit_moments(runs, times, kSpan, compare, kGoOn));
+  EXPECT_EQ(shown, 3U);
+}
+
+TEST(RunMoments, StopWhereTheyAreToldTo) {
+  double told = -1.0;
+  int shown = 0;
+  const std::vector<double> times{0.1, 0.5, 1.0};
+  const auto count = [&](std::span<const Frame>) { return ++shown < 3; };
+  EXPECT_FALSE(visit_moments(std::array{edited_run()}, times, kSpan, count, [&](double time) {
+    EXPECT_GT(time, told);
+    told = time;
+    return time < 0.3;
+  }));
+  EXPECT_EQ(shown, 1);
+  shown = 0;
+  EXPECT_FALSE(visit_moments(std::array{edited_run()}, std::vector<double>(10, 0.1), kSpan, count, kGoOn));
+  EXPECT_EQ(shown, 3);
+}
+
+TEST(RunMoments, KeepTheNewestThousand) {
+  std::vector<ImpactRecord> kept(600);
+  for (ImpactRecord& i : kept) i.time = 1.0;
+  kept.front().time = 0.7;
+  kept.back().time = 1.3;
+  std::vector<ImpactRecord> fresh(700);
+  for (std::size_t i = 0; i < fresh.size(); ++i) fresh[i].time = 1.1;
+  keep_recent(kept, fresh, 1.1, 0.25);
+  ASSERT_EQ(kept.size(), kMostRecent);
+  EXPECT_EQ(kept.front().time, 1.0);
+  EXPECT_EQ(kept[299].time, 1.0);
+  EXPECT_EQ(kept[300].time, 1.1);
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,439 @@
+#include "physics/study/study.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "physics/compare/chaos.h"
+#include "physics/compare/impact_matching.h"
+#include "physics/compare/reference.h"
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/preset/preset.h"
+#include "physics/study/stated_figures.h"
+#include "physics/study/study_text.h"
+#include "tests/support/scenes.h"
+
+namespace carom {
+namespace {
+
+using test::disc;
+using test::wall;
+
+// --- fitted orders
+
+std::vector<ErrorAtStep> errors_of(const auto& error) {
+  std::vector<ErrorAtStep> out;
+  for (double h = 0.1; h > 5e-4; h *= 0.5) out.push_back({h, error(h)});
+  return out;
+}
+
+TEST(OrderFit, FindsAPower) {
+  const OrderFit fit = fit_order(errors_of([](double h) { return 3.0 * std::pow(h, 4.0); }), 1e-18, 1.0);
+  ASSERT_EQ(fit.kind, OrderFit::Kind::kOrder);
+  EXPECT_NEAR(fit.order, 4.0, 1e-12);
+  EXPECT_NEAR(fit.uncertainty, 0.0, 1e-12);
+  EXPECT_EQ(fit.points, 8);
+  EXPECT_NEAR(fit.to, 0.1, 1e-15);
+  EXPECT_NEAR(fit.from, 0.1 / 128.0, 1e-15);
+}
+
+TEST(OrderFit, LeavesOutWhatIsNearRoundingOrTooLarge) {
+  const auto error = [](double h) { return h > 0.04 ? 0.6 : std::max(h * h * h, 1e-8); };
+  const OrderFit fit = fit_order(errors_of(error), 2e-9, 0.5);
+  EXPECT_NEAR(fit.order, 3.0, 1e-9);
+  EXPECT_EQ(fit.points, 3);  // those with 2e-7 < h³ < 0.5: 0.025, 0.0125, 0.00625
+}
+
+TEST(OrderFit, LeavesOutStepsTooCoarseForTheOrderToShow) {
+  const OrderFit fit = fit_order(errors_of([](double h) { return h + 40.0 * h * h; }), 1e-16, 10.0);
+  EXPECT_LT(fit.to, 0.1);
+  EXPECT_NEAR(fit.from, 0.1 / 128.0, 1e-15);
+  EXPECT_LT(fit.order, 1.45);
+}
+
+TEST(OrderFit, TakesAllOfScatteredErrors) {
+  int k = 0;
+  const OrderFit fit =
+      fit_order(errors_of([&k](double h) { return h * (++k % 2 == 0 ? 3.0 : 1.0); }), 1e-16, 10.0);
+  EXPECT_EQ(fit.points, 8);
+  EXPECT_NEAR(fit.order, 1.0, 0.3);
+  EXPECT_GT(fit.uncertainty, 0.05);
+}
+
+TEST(OrderFit, RoundingAtEveryStepIsExact) {
+  const OrderFit fit = fit_order(errors_of([](double h) { return 1e-15 / h; }), 2e-15, 1.0);
+  EXPECT_EQ(fit.kind, OrderFit::Kind::kExact);
+  EXPECT_EQ(text_of(fit), "exact here");
+}
+
+TEST(OrderFit, FewerThanThreeErrorsHaveNoOrder) {
+  const OrderFit fit = fit_order(errors_of([](double h) { return h > 0.03 ? h : 1.0; }), 1e-16, 0.5);
+  EXPECT_EQ(fit.kind, OrderFit::Kind::kNone);
+  EXPECT_EQ(text_of(fit), "no order");
+  EXPECT_EQ(fit_order({}, 1e-16, 1.0).kind, OrderFit::Kind::kNone);
+}
+
+// --- matched impacts
+
+RecordedRun recorded(std::vector<TimedImpact> impacts, double x, double v) {
+  RecordedRun run;
+  run.state.resize(3);
+  run.state.q.setZero();
+  run.state.v.setZero();
+  run.state.q(0, 1) = x;
+  run.state.v(0, 1) = v;
+  run.state.q(0, 2) = 2.0 * x;
+  run.impacts = std::move(impacts);
+  run.energy = x;
+  return run;
+}
+
+const std::vector<int> kMoving = {1, 2};
+
+TEST(Compare, PairsTheKthImpactsOfAPair) {
+  const auto reference = recorded({{0.5, 0, 1}, {0.6, 0, 2}, {1.5, 0, 1}, {3.0, 0, 1}}, 1.0, 1.0);
+  const auto run = recorded({{0.51, 0, 1}, {0.597, 0, 2}, {1.46, 0, 1}, {3.2, 0, 1}}, 1.1, 0.7);
+  const Comparison c = compare(run, reference, kMoving, 2.0);
+  EXPECT_EQ(c.matched, 3);
+  EXPECT_EQ(c.unmatched, 0);
+  EXPECT_NEAR(c.impact_time_error, 0.04, 1e-12);
+  EXPECT_NEAR(c.position_error, 0.2, 1e-12);  // of body 2, the worst
+  EXPECT_NEAR(c.velocity_error, 0.3, 1e-12);
+  EXPECT_NEAR(c.energy_error, 0.1, 1e-12);
+}
+
+TEST(Compare, LeavesOutABodyWithinAnImpactsWindow) {
+  const auto reference = recorded({{1.99, 0, 2}}, 1.0, 1.0);
+  const auto run = recorded({{2.01, 0, 2}}, 1.1, 0.7);
+  const Comparison c = compare(run, reference, kMoving, 2.0);
+  EXPECT_EQ(c.left_out, 1);
+  EXPECT_EQ(c.matched, 1);
+  EXPECT_NEAR(c.impact_time_error, 0.02, 1e-12);
+  EXPECT_NEAR(c.position_error, 0.1, 1e-12);  // of body 1 alone
+  EXPECT_TRUE(std::isnan(c.energy_error));
+}
+
+TEST(Compare, CountsImpactsWithoutAPartner) {
+  const auto reference = recorded({{0.5, 0, 1}, {0.6, 0, 1}, {0.7, 1, 2}}, 1.0, 1.0);
+  const auto run = recorded({{0.5, 0, 1}, {0.9, 0, 2}, {1.0, 0, 2}}, 1.0, 1.0);
+  const Comparison c = compare(run, reference, kMoving, 2.0);
+  EXPECT_EQ(c.matched, 1);
+  EXPECT_EQ(c.unmatched, 4);
+  EXPECT_EQ(c.impact_time_error, 0.0);
+}
+
+TEST(PlanTime, KeepsAwayFromImpacts) {
+  EXPECT_EQ(plan_time({}, 2.0), 2.0);
+  EXPECT_EQ(plan_time({{1.2, 0, 1}}, 2.0), 2.0);
+  // Just before an impact that comes after the end, the widest gap of the last quarter is taken.
+  EXPECT_NEAR(plan_time({{1.6, 0, 1}, {1.9, 0, 1}, {2.001, 0, 1}}, 2.0), 1.705, 1e-12);
+  EXPECT_NEAR(plan_time({{1.0, 0, 1}, {1.9, 0, 1}, {2.001, 0, 1}}, 2.0), 1.5, 1e-12);
+}
+
+// --- neighbours
+
+Method located(IntegratorId id, double step) {
+  Method m;
+  m.integrator = id;
+  m.impacts = ImpactsId::kLocated;
+  m.step = step;
+  return m;
+}
+
+// A ball between two fixed discs on the line of their centres: an unstable periodic orbit. With the distance L
+// that its centre goes and the sum a of the radii, neighbours part by 1 + L/a + √((L/a)² + 2L/a) a flight (the
+// curvature of a front of neighbours, κ ↦ κ/(1 + Lκ) + 2/a, at its fixed point grows by 1 + Lκ).
+TEST(Chaos, ExponentOfABallBetweenTwoDiscs) {
+  Scene s =
+      test::scene({disc("left", {-1.0, 0.0}, Vec2::Zero(), 0.5), disc("right", {1.0, 0.0}, Vec2::Zero(), 0.5),
+                   disc("ball", {0.0, 0.0}, {1.0, 0.0}, 0.1)});
+  s.bodies[0].fixed = s.bodies[1].fixed = true;
+  constexpr double kA = 0.6;
+  constexpr double kL = 2.0 - 2.0 * kA;
+  const double factor = 1.0 + kL / kA + std::sqrt(kL / kA * kL / kA + 2.0 * kL / kA);
+  const double exponent = std::log(factor) / kL;  // at 1 m/s
+  const Chaos c = follow_neighbours(s, located(IntegratorId::kRk4, 0.01), 30.0, 1);
+  EXPECT_NEAR(c.exponent, exponent, 0.05 * exponent);
+  // Rounding of the length, some 0.5 m, grows to 1e-3 of 0.1 m.
+  const double expected = std::log(kVisible * 0.1 / (2.2e-16 * c.length)) / exponent;
+  EXPECT_NEAR(c.horizon, expected, 0.15 * expected);
+  EXPECT_NEAR(std::log(c.growth_at(8.0) / c.growth_at(4.0)), 4.0 * exponent, 0.15 * 4.0 * exponent);
+}
+
+TEST(Chaos, AFallingBallHasNone) {
+  Scene s = test::scene({wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("ball", {0.0, 1.0}, {0.1, 0.0})}, 0.9);
+  s.forces.gravity = {0.0, -9.81};
+  const Chaos c = follow_neighbours(s, located(IntegratorId::kRk4, 0.01), 2.0, 1);
+  EXPECT_EQ(c.exponent, 0.0);
+  EXPECT_TRUE(std::isinf(c.horizon));
+  EXPECT_LT(c.growth_at(2.0), 30.0);
+  EXPECT_EQ(c.followed, 2.0);
+  EXPECT_NEAR(c.size, 0.1, 1e-15);
+}
+
+TEST(Chaos, IsTheSameWithAnyNumberOfThreads) {
+  const Scene s = test::scene({disc("a", {-1.0, 0.0}, {1.0, 0.0}), disc("b", {1.0, 0.05}, {-1.0, 0.0})});
+  const Method m = located(IntegratorId::kRk4, 0.01);
+  EXPECT_EQ(follow_neighbours(s, m, 3.0, 1).growth, follow_neighbours(s, m, 3.0, 4).growth);
+}
+
+// --- reference and study
+
+// A disc on a spring, x'' = -25 x, with and without the wall at x = 0 that it meets at its fastest.
+Scene spring_scene() {
+  Scene s = test::scene({disc("disc", {1.0, 0.0}, Vec2::Zero())});
+  s.forces.springs.push_back({"", "disc", "", Vec2::Zero(), 25.0, 0.0, 0.0, SpringActs::kBoth});
+  s.method = located(IntegratorId::kRk4, 0.05);
+  s.duration = 3.0;
+  return s;
+}
+
+TEST(Reference, ItsOwnErrorIsHonest) {
+  const Scene s = spring_scene();
+  const Chaos chaos = follow_neighbours(s, reference_method(s), 3.0, 1);
+  const Reference r = make_reference(s, chaos, 3.0, 3.3);
+  EXPECT_TRUE(r.converged);
+  EXPECT_FALSE(r.exact);
+  EXPECT_GT(r.halvings, 1);
+  EXPECT_LT(r.position_error, 1e-12);
+  EXPECT_NEAR(r.run.state.q(0, 0), std::cos(5.0 * 3.0), 30.0 * r.position_error + 1e-14);
+}
+
+TEST(Reference, IsExactFlightWhereThatIsAllowed) {
+  Scene s = spring_scene();
+  EXPECT_NE(reference_method(s).integrator, IntegratorId::kExactFlight);
+  s.forces.springs.clear();
+  EXPECT_EQ(reference_method(s).integrator, IntegratorId::kExactFlight);
+  EXPECT_EQ(reference_method(s).impacts, ImpactsId::kLocated);
+}
+
+// Contact forces are found for a whole step: not even exact flight is free of it.
+TEST(Reference, IsRefinedWhereContactsLast) {
+  Scene s = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
+  constexpr double kRolls = 0.52;  // s: just after the slip has ended
+  const Chaos chaos = follow_neighbours(s, reference_method(s), kRolls, 1);
+  const Reference r = make_reference(s, chaos, kRolls, kRolls);
+  EXPECT_EQ(r.method.integrator, IntegratorId::kExactFlight);
+  EXPECT_FALSE(r.exact);
+  EXPECT_GT(r.halvings, 3);
+  EXPECT_LT(r.position_error, 1e-9);
+  const std::vector<StatedFigure> figures = check_stated_figures(s, r, kRolls);
+  EXPECT_FALSE(figures.empty());
+  for (const StatedFigure& f : figures) EXPECT_LT(f.difference, 1e-9) << f.text;
+  s.method.contacts = ContactsId::kImpulse;
+  EXPECT_TRUE(make_reference(s, chaos, kRolls, kRolls).exact);
+}
+
+StudyOptions quick() {
+  StudyOptions o;
+  o.steps = {0.08, 0.04, 0.02, 0.01, 0.005, 0.0025};
+  o.tolerances = {1e-5, 1e-8};
+  o.repeats = 1;
+  o.threads = 2;
+  return o;
+}
+
+const StudyGroup& group_of(const std::vector<StudyGroup>& groups, IntegratorId integrator, ImpactsId impacts) {
+  for (const StudyGroup& g : groups) {
+    if (g.integrator == integrator && g.impacts == impacts) return g;
+  }
+  throw std::out_of_range("no such group");
+}
+
+TEST(Study, ShowsWhatLocatedImpactsAreWorth) {
+  const Scene s = read_preset(CAROM_PRESET_DIR "/numerical-methods/drag-projectile.json");
+  const StudyTable table = run_study(s, "drag-projectile", quick());
+  ASSERT_TRUE(table.whole());
+  const auto groups = groups_of(table);
+  for (const IntegratorChoice& integrator : kIntegrators) {
+    if (integrator.adaptive || integrator.order == 0) continue;
+    const StudyGroup& located_ones = group_of(groups, integrator.id, ImpactsId::kLocated);
+    EXPECT_NEAR(located_ones.fit.order, integrator.order, 0.15) << integrator.label;
+    const StudyGroup& late = group_of(groups, integrator.id, ImpactsId::kStepEnd);
+    EXPECT_LT(late.fit.order, 1.6) << integrator.label;
+    EXPECT_GT(late.rows.back().position_error, 1e-3) << integrator.label;
+  }
+  EXPECT_LT(group_of(groups, IntegratorId::kRk4, ImpactsId::kLocated).rows.back().position_error, 1e-10);
+  EXPECT_EQ(table.facts.time, 2.0);
+  EXPECT_NE(table.facts.stated.find("own figures"), std::string::npos);
+  EXPECT_TRUE(std::isinf(table.facts.horizon));
+  // The Eulers' disc may come to rest at a coarse step; no run may blow up.
+  for (const StudyRow& row : table.rows) EXPECT_FALSE(row.status.starts_with("blew up")) << row.status;
+}
+
+TEST(Study, SaysExactHereWhereAMethodIs) {
+  const Scene s = read_preset(CAROM_PRESET_DIR "/bounces/bouncing-ball.json");
+  const StudyTable table = run_study(s, "bouncing-ball", quick());
+  EXPECT_LT(table.facts.time, 4.06);  // before the ball comes to rest
+  for (const StudyGroup& g : groups_of(table)) {
+    const IntegratorChoice& integrator = choice_of(kIntegrators, g.integrator);
+    const bool exact = integrator.exact_under_gravity && g.impacts == ImpactsId::kLocated;
+    EXPECT_EQ(g.fit.kind == OrderFit::Kind::kExact, exact) << integrator.label;
+    if (integrator.order == 0) {
+      EXPECT_EQ(g.rows.size(), 1U);
+    }
+  }
+}
+
+// A disc slides and then rolls. Where the slip ends within a step the mean of its friction acts for all of it,
+// and the position is off by up to μ g h²/8; the rest is exact, but for the Eulers' own error.
+TEST(Study, TellsTheOrderWhereContactsLast) {
+  const Scene s = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
+  const double slowing = s.materials[0].kinetic_friction * 9.81;  // m/s²
+  StudyOptions options = quick();
+  options.until = 0.55;  // just after the slip has ended
+  const StudyTable table = run_study(s, "slide-to-roll", options);
+  const auto groups = groups_of(table);
+  for (const StudyGroup& g : groups) {
+    const IntegratorChoice& integrator = choice_of(kIntegrators, g.integrator);
+    ASSERT_EQ(g.rows.size(), options.steps.size()) << integrator.label;
+    EXPECT_EQ(g.rows.front().step_or_tolerance(), options.steps.front()) << integrator.label;
+    if (!integrator.exact_under_gravity) {
+      EXPECT_NEAR(g.fit.order, 1.0, 0.05) << integrator.label;
+      continue;
+    }
+    for (const StudyRow& r : g.rows) {
+      EXPECT_LT(r.position_error, slowing * r.method.step * r.method.step / 8.0 + 1e-10) << integrator.label;
+    }
+  }
+  const std::vector<Method> without = plan_methods(spring_scene(), quick());
+  for (const Method& m : without) EXPECT_EQ(m.contacts, ContactsId::kImpulse);
+}
+
+TEST(Study, SaysWhenARunBlewUp) {
+  StudyOptions o = quick();
+  o.integrators = {IntegratorId::kExplicitEuler};
+  o.steps = {0.5, 0.001};
+  Scene s = spring_scene();
+  s.duration = 20.0;
+  const StudyTable table = run_study(s, "spring", o);
+  for (const StudyGroup& g : groups_of(table)) {
+    EXPECT_TRUE(g.rows[0].status.starts_with("blew up")) << g.rows[0].status;
+    EXPECT_TRUE(std::isnan(g.rows[0].position_error));
+    EXPECT_TRUE(std::isnan(g.rows[0].wall_time));
+    EXPECT_EQ(g.rows[1].status, "ok");
+  }
+}
+
+// All that must not depend on clock, threads and shards.
+std::string without_times(StudyTable table) {
+  for (StudyRow& row : table.rows) row.wall_time = row.wall_least = row.wall_most = 0.0;
+  std::string out;
+  for (const std::string& line : study_csv(table)) out += line + '\n';
+  return out;
+}
+
+std::string csv_of(const StudyTable& table) {
+  std::string out;
+  for (const std::string& line : study_csv(table)) out += line + '\n';
+  return out;
+}
+
+TEST(Study, ShardsPutTogetherAreTheWhole) {
+  const Scene s = read_preset(CAROM_PRESET_DIR "/numerical-methods/drag-projectile.json");
+  StudyOptions o = quick();
+  o.threads = 1;
+  const StudyTable whole = run_study(s, "drag-projectile", o);
+  std::vector<StudyPart> parts;
+  o.shards = 3;
+  o.threads = 3;
+  for (o.shard = 3; o.shard >= 1; --o.shard) {
+    const StudyTable part = run_study(s, "drag-projectile", o);
+    EXPECT_FALSE(part.whole());
+    parts.push_back({"part.csv", read_study_csv(csv_of(part), "part.csv")});
+  }
+  const StudyTable merged = merge_studies(parts);
+  EXPECT_TRUE(merged.whole());
+  EXPECT_EQ(without_times(merged), without_times(whole));
+  EXPECT_EQ(csv_of(read_study_csv(csv_of(whole), "whole.csv")), csv_of(whole));
+}
+
+std::string refusal(const auto& action) {
+  try {
+    action();
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+TEST(Study, RefusesShardsThatDontBelongTogether) {
+  const Scene s = spring_scene();
+  StudyOptions o = quick();
+  o.integrators = {IntegratorId::kRk4};
+  o.shards = 2;
+  const StudyPart first{"a.csv", run_study(s, "spring", o)};
+  o.shard = 2;
+  const StudyPart second{"b.csv", run_study(s, "spring", o)};
+  o.steps = {0.02, 0.01};
+  const StudyPart other{"c.csv", run_study(s, "spring", o)};
+  EXPECT_NO_THROW((void)merge_studies({first, second}));
+  EXPECT_NE(
+      refusal([&] { (void)merge_studies({first}); }).find("6 of 12 rows are missing (rows 1, 3, 5, 7, 9, 11)"),
+      std::string::npos);
+  EXPECT_NE(refusal([&] {
+              (void)merge_studies({first, first});
+            }).find("a.csv: row 0 stands in a.csv too"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] { (void)merge_studies({first, other}); }).find("c.csv: plan "), std::string::npos);
+  o.shards = 5;  // of 4 rows
+  EXPECT_NE(refusal([&] { (void)run_study(s, "spring", o); }).find("--shard: 2/5"), std::string::npos);
+}
+
+TEST(Study, RefusesExactFlightByNameWhereItCannotBe) {
+  StudyOptions o = quick();
+  for (const Method& m : plan_methods(spring_scene(), o)) EXPECT_NE(m.integrator, IntegratorId::kExactFlight);
+  o.integrators = {IntegratorId::kExactFlight};
+  EXPECT_NE(refusal([&] { (void)plan_methods(spring_scene(), o); }).find("spring"), std::string::npos);
+}
+
+TEST(Study, RefusesAFileThatIsNoStudy) {
+  const auto why = [](const std::string& text) {
+    return refusal([&] { (void)read_study_csv(text, "x.csv"); });
+  };
+  EXPECT_NE(why("").find("x.csv: line 1"), std::string::npos);
+  EXPECT_NE(why("a,b\n1,2\n").find("x.csv: line 1"), std::string::npos);
+  StudyTable table;
+  table.facts.planned = 1;
+  table.rows.resize(1);
+  std::string good = csv_of(table);
+  EXPECT_EQ(why(good), "nothing was refused");
+  EXPECT_NE(why(good.substr(0, good.find('\n') + 1)).find("x.csv: line 2"), std::string::npos);
+  EXPECT_NE(why(good.replace(good.rfind("rk4"), 3, "rk5")).find("x.csv: line 2, integrator: rk5"),
+            std::string::npos);
+}
+
+// A gas of hard discs is chaotic: it is compared well before its horizon, and the text says so.
+TEST(Study, OfAGasKeepsBeforeItsHorizon) {
+  Scene s = test::scene(test::room(1.0, 0.2));
+  GridGenerator g;
+  g.columns = g.rows = 4;
+  g.origin = {-0.6, -0.6};
+  g.spacing = {0.4, 0.4};
+  g.jitter = 0.02;
+  g.radius_min = g.radius_max = 0.08;
+  g.speed_max = 1.0;
+  s.generators.push_back(g);
+  s.method = located(IntegratorId::kRk4, 0.01);
+  s.duration = 30.0;
+  StudyOptions o = quick();
+  o.integrators = {IntegratorId::kRk4, IntegratorId::kExactFlight};
+  const StudyTable table = run_study(s, "gas", o);
+  EXPECT_GT(table.facts.exponent, 0.5);
+  EXPECT_LT(table.facts.horizon, 30.0);
+  EXPECT_LT(table.facts.time, 0.51 * table.facts.horizon);
+  EXPECT_LT(table.facts.growth, 500.0);
+  const std::string text = study_text(table);
+  EXPECT_NE(text.find("CHAOTIC"), std::string::npos);
+  EXPECT_EQ(group_of(groups_of(table), IntegratorId::kRk4, ImpactsId::kLocated).fit.kind,
+            OrderFit::Kind::kExact);
+  o.until = 30.0;
+  o.integrators = {IntegratorId::kRk4};
+  o.impacts = {ImpactsId::kLocated};
+  const StudyTable late = run_study(s, "gas", o);
+  EXPECT_EQ(late.facts.time, 30.0);
+  EXPECT_NE(late.facts.remarks.find("WARNING"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,80 @@
+#include "tests/support/golden.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <map>
+#include <string>
+
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/preset/preset.h"
+#include "physics/scene/facts.h"
+#include "physics/world/simulation.h"
+#include "tests/support/preset_files.h"
+
+// The bytes of every preset's run under every method: final state, impacts, ledger and notices, as hashes in
+// golden.txt. A change that is to keep results keeps them all. One that is not calls
+//   CAROM_WRITE_GOLDEN=1 build/release/bin/carom_physics_tests --gtest_filter='*Golden*'
+// and says in its commit which lines of golden.txt are others, and why.
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMostTime = 0.5;  // s
+constexpr int kMostSteps = 200;
+
+std::string hash_of_run(const Scene& scene) {
+  Simulation run(scene);
+  test::Hash hash;
+  const double h = scene.method.step;
+  const double until = std::min({scene.duration, kMostTime, kMostSteps * h});
+  run.advance_to(run.time() + until, [&] {
+    for (const ImpactRecord& i : run.last_impacts()) {
+      for (const double x : {i.time, static_cast<double>(i.a), static_cast<double>(i.b), i.normal_impulse,
+                             i.tangential_impulse, i.lost_to_restitution, i.lost_to_friction}) {
+        hash.add(x);
+      }
+    }
+  });
+  hash.add_all(run.state().q);
+  hash.add_all(run.state().v);
+  const Ledger ledger = run.ledger();
+  for (double Ledger::*entry : Ledger::energies()) hash.add(ledger.*entry);
+  for (const double x : {run.totals().energy(), ledger.momentum_to_walls.x(), ledger.momentum_to_walls.y(),
+                         static_cast<double>(run.impact_count()), static_cast<double>(run.evaluations())}) {
+    hash.add(x);
+  }
+  hash.add(run.status());
+  return hash.text();
+}
+
+// Name and method to hash, of one preset.
+std::map<std::string, std::string> hashes_of(const fs::path& file) {
+  std::map<std::string, std::string> hashes;
+  Scene scene = read_preset(file);
+  for (const IntegratorChoice& integrator : kIntegrators) {
+    if (why_not(scene, integrator.id)) continue;
+    for (const auto& impacts : kImpacts) {
+      for (const auto& contacts : kContacts) {
+        scene.method.integrator = integrator.id;
+        scene.method.impacts = impacts.id;
+        scene.method.contacts = contacts.id;
+        hashes[fmt::format("{} {} {} {}", file.stem().string(), integrator.name, impacts.name, contacts.name)] =
+            hash_of_run(scene);
+      }
+    }
+  }
+  return hashes;
+}
+
+class Golden : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Golden, RunsKeepTheirBytes) {
+  test::expect_golden(CAROM_GOLDEN_FILE, GetParam().stem().string(), hashes_of(GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, Golden, testing::ValuesIn(test::preset_files()), test::preset_test_name);
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <random>
+
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/scene/facts.h"
+#include "tests/support/preset_files.h"
+#include "tests/support/random_scene.h"
+#include "tests/support/resumed_run.h"
+
+// A run that is saved on its way, read and gone on with is the run in one go, to the last bit: every preset
+// under every method, and random scenes. CAROM_LONG_TESTS=1 in the environment runs presets for their whole
+// duration in their own steps, and 2000 scenes, not 60.
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+using test::all_of;
+using test::events_of;
+using test::parting;
+using test::preset_files;
+using test::saved_and_read;
+
+bool long_tests() { return std::getenv("CAROM_LONG_TESTS") != nullptr; }
+
+// Runs in one go until the time, or until so many impacts, with the steps it takes; then once more, saved after
+// each of `parts` but the last. What differed, or nothing.
+std::string difference(const Scene& scene, int parts, std::int64_t most_impacts, std::int64_t most_steps) {
+  Simulation whole(scene);
+  std::vector<std::string> events;
+  while (whole.time() < scene.duration - 1e-9 * scene.method.step && whole.impact_count() < most_impacts &&
+         whole.steps() < most_steps && !whole.lost()) {
+    whole.step();
+    events.push_back(events_of(whole));
+  }
+  Simulation run(scene);
+  std::size_t done = 0;
+  for (int part = 1; part <= parts; ++part) {
+    for (const std::size_t until = events.size() * part / parts; done < until; ++done) {
+      run.step();
+      if (events_of(run) != events[done]) return fmt::format("impacts of step {}", done + 1);
+    }
+    if (part < parts) run = Simulation(saved_and_read(scene, run));
+  }
+  return parting(all_of(scene, whole), all_of(scene, run));
+}
+
+class PresetRunState : public testing::TestWithParam<fs::path> {};
+
+TEST_P(PresetRunState, GoesOnForTheSameBytesUnderEveryMethod) {
+  Scene scene = read_preset(GetParam());
+  // Some steps over the whole duration.
+  const std::int64_t steps = long_tests() ? std::numeric_limits<std::int64_t>::max() : 40;
+  if (!long_tests()) scene.method.step = std::clamp(scene.duration / 40.0, scene.method.step, 0.05);
+  for (const IntegratorChoice& integrator : kIntegrators) {
+    if (why_not(scene, integrator.id)) continue;
+    for (const auto& impacts : kImpacts) {
+      for (const auto& contacts : kContacts) {
+        scene.method.integrator = integrator.id;
+        scene.method.impacts = impacts.id;
+        scene.method.contacts = contacts.id;
+        EXPECT_EQ(difference(scene, 2, long_tests() ? 5000 : 200, steps), "")
+            << integrator.name << ", " << impacts.name << ", " << contacts.name;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PresetRunState, testing::ValuesIn(preset_files()), test::preset_test_name);
+
+// A random scene that may have strings, rods that hold bodies at rest, and surfaces that stick.
+Scene linked_scene(std::uint64_t seed) {
+  Scene scene = test::random_scene(seed).scene;
+  std::mt19937_64 random(seed);
+  const auto chance = [&](double p) { return static_cast<double>(random() >> 11) * 0x1p-53 < p; };
+  const Scene bare = scene;
+  if (chance(0.3)) scene.materials[0].sticks = true;
+  if (chance(0.5)) {
+    Body* last = nullptr;
+    for (Body& body : scene.bodies) {
+      if (is_immovable(body)) continue;
+      if (last != nullptr && chance(0.5)) {
+        Link link;
+        link.kind = chance(0.7) ? LinkKind::kString : LinkKind::kRod;
+        link.body = body.name;
+        link.to = last->name;
+        if (link.kind == LinkKind::kRod) {
+          body.velocity = last->velocity = Vec2::Zero();
+        } else {
+          link.length = (body.position - last->position).norm() * (chance(0.3) ? 1.0 : 1.3);
+        }
+        scene.links.push_back(link);
+      }
+      last = &body;
+    }
+  }
+  if (!scene.links.empty() || scene.materials[0].sticks) scene.several_impacts = SeveralImpactsId::kPairwise;
+  try {
+    validate(scene);
+  } catch (const SceneError&) {
+    return bare;  // rods at bodies that move
+  }
+  return scene;
+}
+
+TEST(RunState, RandomScenesGoOnForTheSameBytes) {
+  const std::uint64_t count = long_tests() ? 2000 : 60;
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    Scene scene = linked_scene(seed);
+    scene.method.integrator = kIntegrators[seed % std::size(kIntegrators)].id;
+    if (why_not(scene, scene.method.integrator)) scene.method.integrator = IntegratorId::kAdaptiveDormandPrince;
+    scene.method.impacts = seed / 7 % 3 == 0 ? ImpactsId::kStepEnd : ImpactsId::kLocated;
+    scene.method.contacts = seed / 21 % 2 == 0 ? ContactsId::kImpulse : ContactsId::kLasting;
+    EXPECT_EQ(difference(scene, 3, 1000, 1'000'000), "") << write_preset(scene);
+  }
+}
+
+}  // namespace
+}  // namespace carom

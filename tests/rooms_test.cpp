@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The rooms of the code, and which of them may know which.
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The code's libraries and the folders in each: a file may include files of its own folder and of those that
+// stand before it here.
+struct Library {
+  std::string_view name;
+  std::vector<std::string_view> rooms;
+};
+const std::array<Library, 3> kLibraries = {
+    {{"physics",
+      {"math", "scene", "files", "model", "dynamics", "collision", "impact", "contact", "world", "observe",
+       "compare", "record", "preset", "check", "study", "session", "stress"}},
+     {"widgets", {"theme", "print", "scene", "plot", "compare", "run"}},
+     {"app", {"export", "help", "lab", "cli"}}}};
+
+// The room's place in the order of all of them; -1: none, the file stands beside the rooms or isn't ours.
+int place_of(const fs::path& file) {
+  auto part = file.begin();
+  int place = 0;
+  for (const Library& library : kLibraries) {
+    if (part->string() == library.name) {
+      const std::string room = std::next(part)->string();
+      const auto found = std::find(library.rooms.begin(), library.rooms.end(), room);
+      return found == library.rooms.end() ? -1 : place + static_cast<int>(found - library.rooms.begin());
+    }
+    place += static_cast<int>(library.rooms.size());
+  }
+  return -1;
+}
+
+std::vector<fs::path> sources() {
+  std::vector<fs::path> files;
+  for (const Library& library : kLibraries) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(CAROM_SOURCE_DIR) / library.name)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension == ".h" || extension == ".cpp")
+        files.push_back(fs::relative(entry.path(), CAROM_SOURCE_DIR));
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+TEST(Rooms, IncludeOnlyWhatStandsBeforeThem) {
+  constexpr std::string_view kInclude = "#include \"";
+  int arrows = 0;
+  for (const fs::path& file : sources()) {
+    const int place = place_of(file);
+    EXPECT_TRUE(place >= 0 || file == "app/main.cpp") << file << " stands in none of the rooms";
+    std::ifstream in(fs::path(CAROM_SOURCE_DIR) / file);
+    for (std::string line; std::getline(in, line);) {
+      if (!line.starts_with(kInclude)) continue;
+      const fs::path included = line.substr(kInclude.size(), line.rfind('"') - kInclude.size());
+      const int other = place_of(included);
+      if (place < 0 || other < 0) continue;
+      ++arrows;
+      EXPECT_LE(other, place) << file << " includes " << included;
+    }
+  }
+  EXPECT_GT(arrows, 500);  // they were found at all
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "tests/support/scenes.h"
+
+namespace carom::test {
+
+// Discs that all lie at one place, with speeds up to `speed` (m/s).
+inline Scene heap(int columns, int rows, double speed = 0.0) {
+  GridGenerator discs;
+  discs.columns = columns;
+  discs.rows = rows;
+  discs.spacing = {0, 0};
+  discs.speed_max = speed;
+  Scene s = scene({});
+  s.generators = {discs};
+  s.method = {.step = 0.005};
+  return s;
+}
+
+}  // namespace carom::test

@@ -1,0 +1,221 @@
+#include "tests/support/random_scene.h"
+
+#include <fmt/format.h>
+#include <numbers>
+#include <random>
+
+#include "physics/collision/geometry.h"
+#include "tests/support/scenes.h"
+
+namespace carom::test {
+namespace {
+
+// Draws that are the same with every standard library.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : random_(seed) {}
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
+  }
+  bool chance(double probability) { return between(0.0, 1.0) < probability; }
+  int up_to(int most) { return static_cast<int>(random_() % static_cast<std::uint64_t>(most + 1)); }
+  Vec2 in_square(double half) {
+    const double x = between(-half, half);
+    return {x, between(-half, half)};
+  }
+  double angle() { return between(0.0, 2.0 * std::numbers::pi); }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+// s; a multiple of the longest step, so that no scene is too stiff for an integrator.
+constexpr double kSlow = 0.2;
+constexpr double kLargestRadius = 0.25;  // of a disc, in units
+constexpr double kLongestRun = 2.0;      // s: 60 of the longest steps
+
+// True if the last body overlaps one before it that it could meet.
+bool last_overlaps(const std::vector<Body>& bodies) {
+  const Geometry shapes = geometry(bodies);
+  const State state = initial_state(bodies);
+  const int last = static_cast<int>(bodies.size()) - 1;
+  for (int i = 0; i < last; ++i) {
+    if (is_immovable(bodies[i]) && is_immovable(bodies[last])) continue;
+    if (contact_between(shapes, i, state.q.col(i), last, state.q.col(last)).gap <= 0.0) return true;
+  }
+  return false;
+}
+
+// True if a driven body leaves room for two discs of any size between itself and what is fixed, as long as a
+// run may last: discs that are crushed have no motion without an overlap. Its shape is taken as the circle
+// around it.
+bool never_crushes(const Body& driven, const std::vector<Body>& fixed, double unit) {
+  std::vector<Body> bodies = fixed;
+  bodies.push_back(
+      disc("around", driven.position, {0.0, 0.0}, bounding_radius(driven.shape) + 4.0 * kLargestRadius * unit));
+  const Geometry shapes = geometry(bodies);
+  State state = initial_state(bodies);
+  const int last = static_cast<int>(fixed.size());
+  for (double t = 0.0; t < kLongestRun; t += 0.01) {
+    const Vec2 position =
+        driven.position + t * driven.drive->velocity +
+        std::sin(driven.drive->angular_frequency * t + driven.drive->phase) * driven.drive->amplitude;
+    state.q.col(last).head<2>() = position;
+    for (int i = 0; i < last; ++i) {
+      if (contact_between(shapes, i, state.q.col(i), last, state.q.col(last)).gap <= 0.0) return false;
+    }
+  }
+  return true;
+}
+
+void add_boxes(Dice& dice, double unit, Scene& s) {
+  if (dice.chance(0.7)) s.bodies = room(unit, dice.chance(0.2) ? 0.01 * unit : 0.5 * unit);
+  for (int i = dice.up_to(3); i > 0; --i) {
+    s.bodies.push_back(wall(fmt::format("box-{}", i), dice.in_square(unit), dice.between(0.01, 0.6) * unit,
+                            dice.between(0.01, 0.6) * unit, dice.angle()));
+  }
+  if (!dice.chance(0.4)) return;
+  for (int tries = 0; tries < 10; ++tries) {
+    Body driven = wall("driven", dice.in_square(unit), dice.between(0.1, 0.6) * unit, 0.2 * unit, dice.angle());
+    driven.fixed = false;
+    Drive drive;
+    if (dice.chance(0.6)) drive.velocity = dice.in_square(unit);
+    if (dice.chance(0.6)) {
+      drive.amplitude = dice.in_square(0.2 * unit);
+      drive.angular_frequency = dice.between(0.5, 10.0);
+      drive.phase = dice.angle();
+    }
+    driven.drive = drive;
+    if (!never_crushes(driven, s.bodies, unit)) continue;
+    s.bodies.push_back(driven);
+    return;
+  }
+}
+
+// A box, a capsule, a triangle or a thin wall, as large as a disc of this radius.
+Shape cornered_shape(Dice& dice, double radius) {
+  const double thin = dice.between(0.2, 1.0) * radius;
+  switch (dice.up_to(3)) {
+    case 0:
+      return Box{1.8 * radius, 1.5 * thin};
+    case 1:
+      return Polygon{{{0.0, 0.0}, {radius, 0.0}}, 0.5 * thin};
+    case 2:
+      return Polygon{{{0.0, 0.0}, {1.5 * radius, 0.0}, {0.3 * radius, thin}},
+                     dice.chance(0.5) ? 0.1 * radius : 0.0};
+    default:
+      return Wall{2.0 * radius};
+  }
+}
+
+std::vector<std::string> add_bodies(Dice& dice, double unit, bool may_overlap, RandomScene& random) {
+  std::vector<Body>& bodies = random.scene.bodies;
+  std::vector<std::string> names;
+  const int wanted = 1 + dice.up_to(11);
+  const double speed = dice.chance(0.1) ? 0.0 : dice.between(0.1, 4.0) * unit;
+  random.cornered = dice.chance(0.4);
+  for (int tries = 0; tries < 200 && static_cast<int>(names.size()) < wanted; ++tries) {
+    const double radius = std::exp(dice.between(std::log(0.02), std::log(kLargestRadius))) * unit;
+    const double mass = std::exp(dice.between(std::log(0.01), std::log(100.0)));
+    const std::string name = fmt::format("disc-{}", names.size() + 1);
+    bodies.push_back(disc(name, dice.in_square(unit), dice.in_square(speed), radius, mass));
+    if (dice.chance(0.3)) bodies.back().spin = dice.between(-10.0, 10.0);
+    if (random.cornered && dice.chance(0.5)) {
+      bodies.back().shape = cornered_shape(dice, radius);
+      bodies.back().angle = dice.angle();
+    }
+    if (last_overlaps(bodies)) {
+      if (!may_overlap) {
+        bodies.pop_back();
+        continue;
+      }
+      random.overlaps = true;
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, bool cornered, Scene& s) {
+  const auto mass = [&](const std::string& name) {
+    for (const Body& b : s.bodies) {
+      if (b.name == name) return *b.mass;
+    }
+    return 1.0;
+  };
+  const auto any = [&]() -> const std::string& {
+    return discs[dice.up_to(static_cast<int>(discs.size()) - 1)];
+  };
+  if (dice.chance(0.5))
+    s.forces.gravity = dice.chance(0.7) ? Vec2(0.0, -9.81 * unit) : dice.in_square(5.0 * unit);
+  if (discs.empty()) return;
+  double lightest = mass(discs[0]);
+  for (const std::string& name : discs) lightest = std::min(lightest, mass(name));
+  if (dice.chance(0.15)) s.forces.linear_drag = dice.between(0.0, 1.0) * lightest / kSlow;
+  if (dice.chance(0.15)) s.forces.quadratic_drag = dice.between(0.0, 0.3) * lightest / unit;
+  if (dice.chance(0.3)) {
+    for (int i = dice.up_to(3); i >= 0; --i) {
+      Spring spring;
+      spring.name = fmt::format("spring-{}", i);
+      spring.body = any();
+      spring.to = any();
+      if (spring.to == spring.body) {
+        spring.to.clear();
+        spring.anchor = dice.in_square(unit);
+      }
+      const double light = spring.to.empty() ? mass(spring.body) : std::min(mass(spring.body), mass(spring.to));
+      spring.stiffness = dice.between(0.01, 1.0) * light / (kSlow * kSlow);
+      if (dice.chance(0.5)) spring.damping = dice.between(0.0, 1.0) * light / kSlow;
+      if (dice.chance(0.7)) spring.rest_length = dice.between(0.1, 1.5) * unit;
+      spring.acts = static_cast<SpringActs>(dice.up_to(3));
+      s.forces.springs.push_back(spring);
+    }
+  }
+  // Not of bodies with corners: the search for contacts of thin ones that such a pull throws about is slow.
+  if (dice.chance(0.1) && !cornered) {
+    // The heaviest pulls a neighbour at 0.3 units as strongly as gravity does.
+    s.forces.attraction = Attraction{dice.between(0.1, 1.0) * unit * unit * unit / 100.0,
+                                     dice.chance(0.5) ? dice.between(0.05, 0.3) * unit : 0.0};
+  }
+  if (dice.chance(0.15)) {
+    AppliedForce force;
+    force.body = any();
+    force.force = dice.in_square(10.0 * unit) * mass(force.body);
+    if (dice.chance(0.5)) force.start = dice.between(0.0, 0.5);
+    if (dice.chance(0.5)) force.rise = dice.between(0.0, 0.5);
+    if (dice.chance(0.5)) force.end = force.start + dice.between(0.0, 0.5);
+    if (dice.chance(0.3)) force.torque = dice.between(-1.0, 1.0) * lightest * unit * unit;
+    s.forces.applied.push_back(force);
+  }
+}
+
+}  // namespace
+
+RandomScene random_scene(std::uint64_t seed) {
+  Dice dice(seed);
+  RandomScene random;
+  Scene& s = random.scene;
+  s.title = fmt::format("random scene {}", seed);
+  double unit = 1.0;  // m
+  if (dice.chance(0.1)) unit = 1e-3;
+  if (dice.chance(0.1)) unit = 1e3;
+  Material material;
+  material.restitution = dice.chance(0.4) ? 1.0 : dice.chance(0.15) ? 0.0 : dice.between(0.0, 1.0);
+  if (dice.chance(0.5)) {
+    material.kinetic_friction = dice.between(0.0, 1.0);
+    material.static_friction = material.kinetic_friction + (dice.chance(0.5) ? dice.between(0.0, 0.5) : 0.0);
+    if (dice.chance(0.3)) material.tangential_restitution = dice.between(-1.0, 1.0);
+  }
+  s.materials = {material};
+  if (dice.chance(0.2)) s.several_impacts = SeveralImpactsId::kSimultaneous;
+  add_boxes(dice, unit, s);
+  const bool may_overlap = dice.chance(0.05);
+  const std::vector<std::string> discs = add_bodies(dice, unit, may_overlap, random);
+  add_forces(dice, unit, discs, random.cornered, s);
+  s.method.step = dice.chance(0.5) ? 1.0 / 120.0 : dice.between(1.0 / 480.0, 1.0 / 30.0);
+  s.method.tolerance = 1e-8 * unit;
+  s.duration = 1.0;
+  return random;
+}
+
+}  // namespace carom::test

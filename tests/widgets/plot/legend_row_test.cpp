@@ -1,0 +1,79 @@
+#include "widgets/plot/legend_row.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QMenu>
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "widgets/plot/legend_button.h"
+
+namespace carom {
+namespace {
+
+class LegendRowTest : public testing::Test {
+ protected:
+  void fill(int curves) {
+    for (int i = 0; i < curves; ++i) {
+      buttons.push_back(new LegendButton(QString("curve & %1").arg(i)));
+      row.add(buttons.back());
+    }
+    row.resize(400, row.sizeHint().height());
+    row.show();
+    QApplication::processEvents();
+  }
+  [[nodiscard]] int shown() const {
+    return static_cast<int>(
+        std::count_if(buttons.begin(), buttons.end(), [](const auto* b) { return b->isVisible(); }));
+  }
+  [[nodiscard]] QToolButton* more() const {
+    for (auto* b : row.findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly)) {
+      if (b->menu() != nullptr) return b;
+    }
+    return nullptr;
+  }
+  LegendRow row;
+  std::vector<LegendButton*> buttons;
+};
+
+TEST_F(LegendRowTest, FewCurvesHaveTheirWholeNames) {
+  fill(3);
+  EXPECT_EQ(shown(), 3);
+  EXPECT_FALSE(more()->isVisible());
+  for (const LegendButton* b : buttons) EXPECT_EQ(b->width(), b->sizeHint().width());
+}
+
+TEST_F(LegendRowTest, ManyCurvesKeepTheRowNarrow) {
+  fill(100);
+  EXPECT_LE(row.minimumSizeHint().width(), LegendRow::kLeastWidth);
+  EXPECT_GT(shown(), 2);
+  EXPECT_LT(shown(), 20);
+  ASSERT_TRUE(more()->isVisible());
+  EXPECT_EQ(more()->text(), QString("+ %1 more ▾").arg(100 - shown()));
+  for (const LegendButton* b : buttons) {
+    if (b->isVisible()) {
+      EXPECT_LT(b->geometry().right(), more()->geometry().left());
+    }
+  }
+  EXPECT_LE(more()->geometry().right(), row.width());
+
+  // The menu hides and shows the others.
+  emit more()->menu()->aboutToShow();
+  ASSERT_EQ(more()->menu()->actions().size(), 100 - shown());
+  QAction* last = more()->menu()->actions().back();
+  EXPECT_EQ(last->text(), "curve && 99");
+  last->trigger();
+  EXPECT_FALSE(buttons.back()->isChecked());
+
+  row.resize(40, row.height());
+  QApplication::processEvents();
+  EXPECT_EQ(shown(), 0);
+  row.resize(20'000, row.height());
+  QApplication::processEvents();
+  EXPECT_EQ(shown(), 100);
+  EXPECT_FALSE(more()->isVisible());
+}
+
+}  // namespace
+}  // namespace carom

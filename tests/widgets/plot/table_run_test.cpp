@@ -1,0 +1,120 @@
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QScrollBar>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "tests/support/run_fixture.h"
+#include "widgets/run/run_tables.h"
+#include "widgets/theme/theme.h"
+
+namespace carom {
+namespace {
+
+QString cell(const QTableView& table, int row, int column) {
+  return table.model()->index(row, column).data().toString();
+}
+
+TEST(RunTables, BodiesBeforeAndAfterAHeadOnCollision) {
+  const Scene scene = head_on_scene();
+  BodiesTable table;
+  table.update_from(run_to(scene, 0.5), scene.bodies);
+  ASSERT_EQ(table.model()->rowCount(), 3);
+  const QStringList expected[] = {{"A", "1.000", "3.00, 0.00", "−1.00, 0.00", "−1.00, 0.00", "4.500", "0.5000"},
+                                  {"B", "2.000", "0, 0", "2.00, 0.00", "4.00, 0.00", "0", "4.000"},
+                                  {"sum", "3.000", "", "", "3.00, 0.00", "4.500", "4.500"}};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 7; ++column) {
+      EXPECT_EQ(cell(table, row, column), expected[row][column]) << row << ", " << column;
+    }
+  }
+  EXPECT_TRUE(table.model()->index(2, 0).data(Qt::FontRole).value<QFont>().bold());
+}
+
+TEST(RunTables, AreCopiedWithEveryDigit) {
+  const Scene scene = head_on_scene();
+  const Frame frame = run_to(scene, 0.5);
+  BodiesTable table;
+  table.update_from(frame, scene.bodies);
+  table.show();
+  QTest::keySequence(&table, QKeySequence::Copy);
+  const QStringList lines = QGuiApplication::clipboard()->text().split('\n');
+  ASSERT_EQ(lines.size(), 1 + 3 + 1) << "each with its end";
+  EXPECT_EQ(lines[0],
+            "body\tm / kg\tv before / m/s, x\tv before / m/s, y\tv now / m/s, x\tv now / m/s, y\t"
+            "p now / kg·m/s, x\tp now / kg·m/s, y\tK before / J\tK now / J");
+  const QStringList a = lines[1].split('\t');
+  ASSERT_EQ(a.size(), 10);
+  EXPECT_EQ(a[4].toDouble(), frame.state.v(0, 0));
+  EXPECT_EQ(lines[3].split('\t').size(), 10) << "the sums";
+  EXPECT_EQ(lines[3].split('\t')[2], "");
+}
+
+TEST(RunTables, ABodyAddedLaterHasNoBefore) {
+  const Scene scene = head_on_scene();
+  BodiesTable table;
+  table.update_from(run_to(scene, 0.1), {scene.bodies.front()});
+  EXPECT_EQ(cell(table, 0, 2), "3.00, 0.00");
+  EXPECT_EQ(cell(table, 1, 2), "");
+  EXPECT_EQ(cell(table, 2, 5), "4.500");
+}
+
+TEST(RunTables, ImpactsNewestFirst) {
+  const Frame frame = run_to(head_on_scene(), 0.5);
+  Recorder recorder;
+  recorder.add(frame);
+  ImpactsTable table;
+  table.update_from(frame, recorder);
+  ASSERT_EQ(table.model()->rowCount(), 1);
+  const QStringList expected = {"1", "0.200000", "A – B", "3.000", "4.000", "0"};
+  for (int column = 0; column < expected.size(); ++column) EXPECT_EQ(cell(table, 0, column), expected[column]);
+
+  Frame many = frame;
+  many.impacts.assign(700, frame.impacts.front());
+  many.impacts.back().closing_speed = 7.0;
+  many.impact_count = 701;
+  recorder.add(many);
+  table.update_from(many, recorder);
+  ASSERT_EQ(table.model()->rowCount(), ImpactsTable::kMostRows);
+  EXPECT_EQ(cell(table, 0, 0), "701");
+  EXPECT_EQ(cell(table, 0, 3), "7.000");
+  EXPECT_EQ(cell(table, 499, 0), "202");
+
+  Frame restarted = frame;
+  restarted.run = 2;
+  restarted.impact_count = 0;
+  restarted.impacts.clear();
+  recorder.add(restarted);
+  table.update_from(restarted, recorder);
+  EXPECT_EQ(table.model()->rowCount(), 0);
+}
+
+// A driven body has no momentum of its own to tell.
+TEST(RunTables, SumsAreOfTheBodiesThatMoveFreely) {
+  const Scene scene = head_on_scene();
+  Frame frame = run_to(scene, 0.1);
+  std::vector<Body> bodies = *frame.bodies;
+  bodies[0].drive = Drive{.velocity = Vec2(3.0, 0.0)};
+  frame.bodies = std::make_shared<const std::vector<Body>>(bodies);
+  BodiesTable table;
+  table.update_from(frame, bodies);
+  ASSERT_EQ(table.model()->rowCount(), 2);
+  EXPECT_EQ(cell(table, 0, 0), "B");
+  EXPECT_EQ(cell(table, 1, 1), "2.000");
+}
+
+TEST(RunTables, ColumnsShareTheWidth) {
+  const Scene scene = head_on_scene();
+  BodiesTable table;
+  table.resize(620, 200);
+  table.update_from(run_to(scene, 0.5), scene.bodies);
+  table.show();
+  QApplication::processEvents();
+  EXPECT_EQ(table.horizontalHeader()->length(), table.viewport()->width());
+  EXPECT_EQ(table.rowHeight(0), 26);
+  EXPECT_FALSE(table.verticalHeader()->isVisible());
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,129 @@
+#include <QImage>
+#include <QPainter>
+#include <gtest/gtest.h>
+
+#include "tests/support/scene_fixture.h"
+#include "widgets/scene/drawing.h"
+#include "widgets/scene/paint_drawing.h"
+
+namespace carom {
+namespace {
+
+class DrawingOf : public testing::Test {
+ protected:
+  [[nodiscard]] Drawing drawing(std::span<const ImpactRecord> impacts = {}) const {
+    return make_drawing({*frame_, impacts, camera_, options_, light_theme(), ArrowScale{0.1, 0.5}});
+  }
+
+  void SetUp() override {
+    camera_.center = Vec2(2.0, 1.0);
+    camera_.scale = 100.0;
+  }
+
+  std::shared_ptr<Frame> frame_ = frame_of(Simulation(two_discs()));
+  Camera camera_;
+  DrawingOptions options_;
+};
+
+TEST_F(DrawingOf, HasEveryBodyWhereItIs) {
+  const Drawing d = drawing();
+  ASSERT_EQ(d.boxes.size(), 1U);
+  ASSERT_EQ(d.discs.size(), 2U);
+  EXPECT_EQ(d.boxes[0].center, Vec2(2.0, -0.1));
+  EXPECT_EQ(d.boxes[0].half, Vec2(2.0, 0.1));
+  EXPECT_EQ(d.boxes[0].fill, light_theme().wall_fill);
+  EXPECT_EQ(d.discs[0].center, Vec2(1.0, 1.0));
+  EXPECT_EQ(d.discs[0].radius, 0.5);
+  EXPECT_EQ(d.discs[0].fill, light_theme().body_fill);
+  EXPECT_TRUE(d.discs[0].oriented);
+}
+
+TEST_F(DrawingOf, NamesMovingBodiesBelowThem) {
+  const Drawing d = drawing();
+  ASSERT_EQ(d.labels.size(), 2U);
+  EXPECT_EQ(d.labels[1].text, "B");
+  EXPECT_EQ(d.labels[1].anchor, Vec2(3.0, 0.75));
+}
+
+TEST_F(DrawingOf, NamesNothingWhereItWouldBeClutter) {
+  camera_.scale = 100.0;
+  Scene scene;
+  scene.generators = {{.columns = 8, .rows = 8, .spacing = Vec2(0.3, 0.3)}};
+  frame_ = frame_of(Simulation(scene));
+  EXPECT_TRUE(drawing().labels.empty());
+  frame_ = frame_of(Simulation(two_discs()));
+  camera_.scale = 20.0;
+  EXPECT_EQ(drawing().labels.size(), 1U) << "a disc of 5 px is too small to name";
+}
+
+TEST_F(DrawingOf, NamesThatWouldLieOverOneAnotherAreLeftOut) {
+  camera_.viewport = QSizeF(400, 300);
+  const auto picture = [&](const Drawing& d) {
+    QImage image(camera_.viewport.toSize(), QImage::Format_RGB32);
+    QPainter painter(&image);
+    paint_drawing(painter, d, camera_, light_theme());
+    return image;
+  };
+  Drawing d = drawing();
+  const QImage apart = picture(d);
+  d.labels.push_back(d.labels[1]);
+  d.labels.back().text = "domino";
+  EXPECT_EQ(picture(d), apart);
+  d.labels.back().drop += 30.0;
+  EXPECT_NE(picture(d), apart);
+}
+
+TEST_F(DrawingOf, ArrowsAreVelocitiesInScale) {
+  const Drawing d = drawing();
+  ASSERT_EQ(d.arrows.size(), 1U) << "the disc at rest has none";
+  EXPECT_EQ(d.arrows[0].from, Vec2(1.0, 1.0));
+  EXPECT_TRUE(d.arrows[0].to.isApprox(Vec2(1.0, 1.2), 1e-12));
+}
+
+TEST_F(DrawingOf, OptionsTakeThingsAway) {
+  options_ = {.grid = false, .velocities = false, .contacts = false, .names = false};
+  const Drawing d = drawing();
+  EXPECT_FALSE(d.has_grid);
+  EXPECT_TRUE(d.arrows.empty());
+  EXPECT_TRUE(d.labels.empty());
+  EXPECT_EQ(d.discs.size(), 2U);
+}
+
+TEST_F(DrawingOf, ImpactsPushTheMovingBodyAndFade) {
+  options_.velocities = false;
+  frame_->time = 1.0;
+  ImpactRecord impact;
+  impact.time = 1.0 - kImpactShown / 2;
+  impact.a = 0;  // the floor
+  impact.b = 1;
+  impact.point = Vec2(1.0, 0.0);
+  impact.normal = Vec2::UnitY();
+  impact.normal_impulse = 0.8;
+  ImpactRecord old = impact;
+  old.time = 1.0 - 2 * kImpactShown;
+  const std::vector<ImpactRecord> impacts = {old, impact};
+  const Drawing d = drawing(impacts);
+  ASSERT_EQ(d.arrows.size(), 1U);
+  EXPECT_TRUE(d.arrows[0].to.isApprox(Vec2(1.0, 0.4), 1e-12));
+  EXPECT_NEAR(d.arrows[0].color.alphaF(), 0.5, 0.01);
+}
+
+TEST_F(DrawingOf, LeavesOutWhatTheCameraDoesNotSee) {
+  camera_.center = Vec2(100.0, 100.0);
+  const Drawing d = drawing();
+  EXPECT_TRUE(d.discs.empty());
+  EXPECT_TRUE(d.boxes.empty());
+  EXPECT_TRUE(d.labels.empty());
+  EXPECT_FALSE(d.grid.lines.empty());
+}
+
+TEST(ArrowScale, KeepsThePeakReadable) {
+  for (double speed = 1e-3; speed < 1e4; speed *= 3.0) {
+    const double length = arrow_scale({.speed = speed, .impulse = 0.0, .moving = 2}, 4.0).seconds * speed;
+    EXPECT_LT(length, 0.25 * 4.0);
+    EXPECT_GT(length, 0.08 * 4.0);
+  }
+}
+
+}  // namespace
+}  // namespace carom

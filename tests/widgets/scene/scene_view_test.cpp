@@ -1,0 +1,210 @@
+#include "widgets/scene/scene_view.h"
+
+#include <QGuiApplication>
+#include <QHelpEvent>
+#include <QImage>
+#include <QPixmap>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolTip>
+#include <QWheelEvent>
+#include <gtest/gtest.h>
+
+#include "tests/support/scene_fixture.h"
+#include "widgets/scene/paint_drawing.h"
+
+namespace carom {
+namespace {
+
+// 600×400 px, 100 px/m: the world's (2, 1) stands at (300, 200).
+class SceneViewTest : public testing::Test {
+ protected:
+  void SetUp() override { open(view_); }
+
+  static void open(SceneView& view) {
+    view.resize(600, 400);
+    view.set_view(View{Vec2(2.0, 1.0), 6.0});
+    view.set_frame(frame_of(Simulation(two_discs())));
+    view.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  }
+
+  void wheel(const QPoint& at, int delta) {
+    QWheelEvent event(at, view_.mapToGlobal(at), {}, {0, delta}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QGuiApplication::sendEvent(&view_, &event);
+  }
+
+  SceneView view_{light_theme()};
+  QSignalSpy spawned_{&view_, &SceneView::spawnRequested};
+  QSignalSpy clicked_{&view_, &SceneView::bodyClicked};
+};
+
+TEST_F(SceneViewTest, PaintsBodiesOnTheGround) {
+  DrawingOptions options;
+  options.grid = false;
+  options.velocities = false;
+  view_.set_options(options);
+  const QImage image = view_.grab().toImage();
+  EXPECT_EQ(image.pixelColor(180, 210), light_theme().body_fill);
+  EXPECT_EQ(image.pixelColor(300, 310), light_theme().wall_fill);
+  EXPECT_EQ(image.pixelColor(300, 100), light_theme().scene_ground);
+  view_.set_theme(dark_theme());
+  EXPECT_EQ(view_.grab().toImage().pixelColor(180, 210), dark_theme().body_fill);
+}
+
+TEST_F(SceneViewTest, ArrowsAreThoseOfTheSceneNotOfTheOneBefore) {
+  const double slow = view_.look().peaks.speed;
+  Scene fast = two_discs();
+  for (Body& body : fast.bodies) body.velocity *= 100.0;
+  auto frame = frame_of(Simulation(fast));
+  frame->run = 1;
+  view_.set_frame(frame);
+  ASSERT_GT(view_.look().peaks.speed, slow);
+  view_.set_view(View{Vec2(2.0, 1.0), 6.0});
+  frame = frame_of(Simulation(two_discs()));
+  frame->run = 2;
+  view_.set_frame(frame);
+  EXPECT_EQ(view_.look().peaks.speed, slow);
+}
+
+TEST_F(SceneViewTest, ClickOnEmptySpaceAsksForABody) {
+  QTest::mouseClick(&view_, Qt::LeftButton, {}, QPoint(350, 100));
+  ASSERT_EQ(spawned_.count(), 1);
+  EXPECT_NEAR(spawned_[0][0].toDouble(), 2.5, 1e-9);
+  EXPECT_NEAR(spawned_[0][1].toDouble(), 2.0, 1e-9);
+  EXPECT_EQ(clicked_.count(), 0);
+}
+
+TEST_F(SceneViewTest, ClickOnABodyNamesIt) {
+  QTest::mouseClick(&view_, Qt::LeftButton, {}, QPoint(200, 180));
+  QTest::mouseClick(&view_, Qt::LeftButton, {}, QPoint(300, 310));
+  ASSERT_EQ(clicked_.count(), 2);
+  EXPECT_EQ(clicked_[0][0].toInt(), 1);
+  EXPECT_EQ(clicked_[1][0].toInt(), 0);
+  EXPECT_EQ(spawned_.count(), 0);
+  EXPECT_EQ(view_.body_at(QPointF(300, 100)), -1);
+}
+
+TEST_F(SceneViewTest, DoubleClickSpawnsOnce) {
+  const QPoint at(350, 100);
+  QTest::mouseClick(&view_, Qt::LeftButton, {}, at);
+  QTest::mouseDClick(&view_, Qt::LeftButton, {}, at);
+  QTest::mouseRelease(&view_, Qt::LeftButton, {}, at);
+  EXPECT_EQ(spawned_.count(), 1);
+}
+
+TEST_F(SceneViewTest, DragPansAndAsksForNothing) {
+  for (const Qt::MouseButton button : {Qt::LeftButton, Qt::MiddleButton}) {
+    const Vec2 before = view_.camera().center;
+    QTest::mousePress(&view_, button, {}, QPoint(350, 100));
+    for (int x = 350; x <= 450; x += 10) {
+      const QPointF at(x, 100);
+      QMouseEvent move(QEvent::MouseMove, at, view_.mapToGlobal(at), Qt::NoButton, button, {});
+      QGuiApplication::sendEvent(&view_, &move);
+    }
+    QTest::mouseRelease(&view_, button, {}, QPoint(450, 100));
+    EXPECT_NEAR(view_.camera().center.x(), before.x() - 1.0, 1e-9);
+    EXPECT_NEAR(view_.camera().center.y(), before.y(), 1e-9);
+  }
+  EXPECT_EQ(spawned_.count() + clicked_.count(), 0);
+}
+
+TEST_F(SceneViewTest, WheelZoomsAtTheCursorWithinLimits) {
+  const QPoint at(420, 90);
+  const Vec2 held = view_.camera().to_world(at);
+  wheel(at, 120);
+  EXPECT_GT(view_.camera().scale, 100.0);
+  EXPECT_TRUE(view_.camera().to_world(at).isApprox(held, 1e-12));
+  for (int i = 0; i < 200; ++i) wheel(at, 120);
+  EXPECT_LE(view_.camera().scale, 100.0 * 100.0 * 1.001);
+  for (int i = 0; i < 200; ++i) wheel(at, -120);
+  EXPECT_GE(view_.camera().scale, 100.0 / 50.0 * 0.999);
+}
+
+TEST_F(SceneViewTest, FitsUntilTheUserMovesTheCamera) {
+  QTest::keyClick(&view_, Qt::Key_F);
+  const double fitted = view_.camera().scale;
+  view_.resize(900, 600);
+  EXPECT_GT(view_.camera().scale, fitted);
+  for (const Vec2& corner : {Vec2(0.0, -0.2), Vec2(4.0, 1.5)}) {
+    EXPECT_TRUE(QRectF(view_.rect()).contains(view_.camera().to_screen(corner)));
+  }
+  QTest::keyClick(&view_, Qt::Key_Plus);
+  const double zoomed = view_.camera().scale;
+  view_.resize(600, 400);
+  EXPECT_EQ(view_.camera().scale, zoomed);
+  QTest::keyClick(&view_, Qt::Key_Home);
+  EXPECT_NEAR(view_.camera().scale, fitted, 1e-9);
+}
+
+TEST_F(SceneViewTest, TooltipTellsAboutTheBody) {
+  const QPoint at(200, 180);
+  QHelpEvent help(QEvent::ToolTip, at, view_.mapToGlobal(at));
+  QGuiApplication::sendEvent(&view_, &help);
+  const QString text = QToolTip::text();
+  for (const char* part : {"A", "0.7854 kg", "(1, 1) m", "(0, 2) m/s", "0 rad/s"}) {
+    EXPECT_TRUE(text.contains(part)) << part << " in " << text.toStdString();
+  }
+}
+
+TEST_F(SceneViewTest, ShowsThatTheKeyboardCameByTab) {
+  EXPECT_NE(view_.grab().toImage().pixelColor(1, 100), light_theme().accent);
+  QFocusEvent in(QEvent::FocusIn, Qt::TabFocusReason);
+  QGuiApplication::sendEvent(&view_, &in);
+  EXPECT_EQ(view_.grab().toImage().pixelColor(1, 100), light_theme().accent);
+  QFocusEvent out(QEvent::FocusOut, Qt::TabFocusReason);
+  QGuiApplication::sendEvent(&view_, &out);
+  EXPECT_NE(view_.grab().toImage().pixelColor(1, 100), light_theme().accent);
+}
+
+TEST_F(SceneViewTest, KeepsImpactsOfTheLastMoments) {
+  auto frame = std::make_shared<Frame>(*frame_of(Simulation(two_discs())));
+  frame->time = 1.0;
+  ImpactRecord impact;
+  impact.time = 0.9;
+  impact.a = 1;
+  impact.b = 2;
+  impact.normal_impulse = 1.0;
+  impact.point = Vec2(2.0, 1.0);
+  frame->impacts = {impact};
+  view_.set_frame(frame);
+  EXPECT_EQ(view_.drawing().segments.size(), 1U);
+  auto later = std::make_shared<Frame>(*frame);
+  later->impacts.clear();
+  later->time = 1.1;
+  view_.set_frame(later);
+  EXPECT_EQ(view_.drawing().segments.size(), 1U);
+  auto restarted = std::make_shared<Frame>(*later);
+  restarted->run += 1;
+  view_.set_frame(restarted);
+  EXPECT_TRUE(view_.drawing().segments.empty());
+}
+
+TEST_F(SceneViewTest, OpenGlPaintsLikeQPainter) {
+  if (QGuiApplication::platformName() != "xcb") GTEST_SKIP() << "needs OpenGL: run under X with xcb";
+  ASSERT_TRUE(view_.uses_opengl());
+  qputenv("CAROM_PAINTER", "qpainter");
+  SceneView twin(light_theme());
+  qunsetenv("CAROM_PAINTER");
+  EXPECT_FALSE(twin.uses_opengl());
+  open(twin);
+  const QImage gl = view_.grab().toImage();
+  const QImage painter = twin.grab().toImage();
+  ASSERT_EQ(gl.size(), painter.size());
+  // Disc, its orientation line, velocity arrow, floor, its outline, grid, ground.
+  for (const QPoint at : {QPoint(180, 210), QPoint(230, 200), QPoint(200, 180), QPoint(300, 311),
+                          QPoint(300, 300), QPoint(300, 50), QPoint(311, 53)}) {
+    const QColor a = gl.pixelColor(at);
+    const QColor b = painter.pixelColor(at);
+    EXPECT_NEAR(a.red(), b.red(), 12) << at.x() << "," << at.y();
+    EXPECT_NEAR(a.green(), b.green(), 12) << at.x() << "," << at.y();
+    EXPECT_NEAR(a.blue(), b.blue(), 12) << at.x() << "," << at.y();
+  }
+  // The scale bar comes with the text.
+  EXPECT_LT(painter.pixelColor(60, 384).lightness(), 180);
+  EXPECT_LT(gl.pixelColor(60, 384).lightness(), 180);
+}
+
+}  // namespace
+}  // namespace carom

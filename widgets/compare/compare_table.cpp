@@ -1,0 +1,106 @@
+#include "widgets/compare/compare_table.h"
+
+#include <QPainter>
+#include <QPixmap>
+#include <cmath>
+
+#include "widgets/theme/method_names.h"
+#include "widgets/theme/plotted_run.h"
+
+namespace carom {
+namespace {
+
+class CompareModel : public FigureModel {
+ public:
+  using FigureModel::FigureModel;
+
+  void set(const std::vector<std::shared_ptr<const Frame>>& frames) {
+    frames_ = frames;
+    std::vector<Method> methods;
+    for (const auto& frame : frames_) methods.push_back(frame->method);
+    names_ = names_of(methods);
+    rows_changed(static_cast<int>(frames_.size()));
+  }
+  void set_theme(const Theme& theme) {
+    theme_ = theme;
+    rows_changed(static_cast<int>(frames_.size()));
+  }
+
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override {
+    if (role != Qt::DecorationRole || index.column() != 0) return FigureModel::data(index, role);
+    constexpr QSize kSample(22, 12);  // px
+    constexpr int kDots = 2;
+    QPixmap sample(kSample * kDots);
+    sample.setDevicePixelRatio(kDots);
+    sample.fill(Qt::transparent);
+    QPainter painter(&sample);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(pen_of_run(static_cast<std::size_t>(index.row()), theme_, 2.2));
+    painter.drawLine(QPointF(0.0, 6.0), QPointF(kSample.width(), 6.0));
+    return sample;
+  }
+
+  [[nodiscard]] bool is_sum(int) const override { return false; }
+  [[nodiscard]] QString tip(int row, int column) const override {
+    const Frame& frame = *frames_[static_cast<std::size_t>(row)];
+    if (column == 0) return description_of(frame.method);
+    const bool of_itself = frame.error && frame.error->of_itself;
+    if (of_itself && column < 4) return tr("This run goes by the method of the reference itself");
+    if (column == 1) return tr("The largest distance of a body from where it is in the reference, now");
+    if (column == 2) {
+      return tr(
+          "The same, at its largest so far; bodies that wait for an impact in one of the two runs are left "
+          "out");
+    }
+    if (column == 3) {
+      if (!frame.error) return {};
+      return tr("The most by which an impact came too early or too late: %1 impacts found their partner, %2 "
+                "did not")
+          .arg(frame.error->matched)
+          .arg(frame.error->unmatched);
+    }
+    if (column == 4) return tr("Energy that the method itself gained or lost");
+    return tr("Seconds of computing for a second of the scene; %1 steps so far").arg(frame.steps);
+  }
+
+  [[nodiscard]] Cell cell(int row, int column) const override {
+    const Frame& frame = *frames_[static_cast<std::size_t>(row)];
+    const auto known = [](double value) { return std::isnan(value) ? Cell() : Cell(value); };
+    if (column == 0) return names_[static_cast<std::size_t>(row)];
+    if (column == 4) return known(frame.ledger.numerical_drift(frame.totals.energy()));
+    if (column == 5) return frame.time > 0.0 ? Cell(frame.wall_time / frame.time) : Cell();
+    if (!frame.error) return {};
+    if (frame.error->of_itself) return column == 1 ? Cell(tr("reference")) : Cell();
+    if (column == 1) return known(frame.error->position);
+    if (column == 2) return known(frame.error->largest_position);
+    return frame.error->matched > 0 ? Cell(frame.error->impact_time) : Cell();
+  }
+
+ private:
+  std::vector<std::shared_ptr<const Frame>> frames_;
+  std::vector<QString> names_;
+  Theme theme_;
+};
+
+}  // namespace
+
+CompareTable::CompareTable(const Theme& theme, QWidget* parent)
+    : FigureTable(new CompareModel({{"method", 240, true},
+                                    {"error / m", 78, false, 3},
+                                    {"largest / m", 84, false, 3},
+                                    {"impacts / s", 84, false, 3},
+                                    {"drift / J", 84, false, 3},
+                                    {"CPU, s/s", 72, false, 2}},
+                                   nullptr),
+                  parent) {
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  set_theme(theme);
+}
+
+void CompareTable::set_theme(const Theme& theme) { static_cast<CompareModel*>(model())->set_theme(theme); }
+
+void CompareTable::update_from(const std::vector<std::shared_ptr<const Frame>>& frames) {
+  static_cast<CompareModel*>(model())->set(frames);
+}
+
+}  // namespace carom

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "physics/record/frame.h"
+#include "widgets/theme/figure_table.h"
+#include "widgets/theme/theme.h"
+
+namespace carom {
+
+// Of each run: its line and its method, how far it is from the reference, how much energy the method made up,
+// and what it costs.
+class CompareTable : public FigureTable {
+  Q_OBJECT
+
+ public:
+  explicit CompareTable(const Theme& theme, QWidget* parent = nullptr);
+  void set_theme(const Theme& theme);
+  void update_from(const std::vector<std::shared_ptr<const Frame>>& frames);
+};
+
+}  // namespace carom

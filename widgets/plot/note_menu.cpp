@@ -1,0 +1,80 @@
+#include "widgets/plot/note_menu.h"
+
+#include <QCoreApplication>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPointer>
+#include <optional>
+#include <qwt_axis.h>
+#include <qwt_plot.h>
+
+#include "physics/scene/limits.h"
+#include "widgets/plot/run_plot.h"
+
+namespace carom {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("NoteMenu", text); }
+
+// The words, or none where the reader thought better of it.
+std::optional<std::string> ask(QWidget* parent, const std::string& now) {
+  QInputDialog dialog(parent);
+  dialog.setWindowTitle(tr("Note"));
+  dialog.setLabelText(tr("What is to stand at this point of the plot"));
+  dialog.setTextValue(QString::fromStdString(now));
+  if (auto* line = dialog.findChild<QLineEdit*>()) line->setMaxLength(kLongestTitle);
+  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+  const QString text = dialog.textValue().trimmed();
+  if (text.isEmpty()) return std::nullopt;
+  return text.toStdString();
+}
+
+}  // namespace
+
+void add_note_entries(QMenu& menu, RunPlot& plot, const QPoint& at, QWidget* parent,
+                      const std::function<void()>& changed) {
+  const std::vector<PlotNote> notes = plot.content().plot.notes;
+  const QPointer<RunPlot> where = &plot;  // which may go while the reader writes
+  const auto put = [where, changed](const std::vector<PlotNote>& what) {
+    if (where == nullptr) return;
+    where->set_notes(what);
+    changed();
+  };
+  if (const std::optional<std::size_t> i = plot.note_at(at)) {
+    menu.addAction(tr("&Change this note..."), parent, [=] {
+      std::vector<PlotNote> now = notes;
+      const std::optional<std::string> text = ask(parent, now[*i].text);
+      if (!text) return;
+      now[*i].text = *text;
+      put(now);
+    });
+    menu.addAction(tr("Remove this &note"), parent, [=] {
+      std::vector<PlotNote> now = notes;
+      now.erase(now.begin() + static_cast<std::ptrdiff_t>(*i));
+      put(now);
+    });
+    return;
+  }
+  // Of the axes as they are now: a run that goes on moves them while the reader writes.
+  PlotNote note{plot.plot()->invTransform(QwtAxis::XBottom, at.x()),
+                plot.plot()->invTransform(QwtAxis::YLeft, at.y()),
+                {}};
+  QAction* here = menu.addAction(tr("&Note here..."), parent, [=]() mutable {
+    const std::optional<std::string> text = ask(parent, {});
+    if (!text) return;
+    note.text = *text;
+    std::vector<PlotNote> now = notes;
+    now.push_back(note);
+    put(now);
+  });
+  const bool inside = plot.plot()->canvas()->rect().contains(at);
+  here->setEnabled(inside && notes.size() < kMostNotes);
+  if (!inside) {
+    here->setToolTip(tr("Right click within the plot's axes"));
+  } else if (!here->isEnabled()) {
+    here->setToolTip(tr("A plot has up to %1 notes").arg(kMostNotes));
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,484 @@
+#include "widgets/plot/plot_panel.h"
+
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QGridLayout>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QPointer>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <qwt_plot.h>
+#include <utility>
+
+#include "widgets/plot/legend_button.h"
+#include "widgets/plot/note_menu.h"
+#include "widgets/plot/plot_content.h"
+#include "widgets/plot/plot_dialog.h"
+#include "widgets/plot/plot_export.h"
+#include "widgets/plot/plot_scale.h"
+#include "widgets/plot/run_plot.h"
+
+namespace carom {
+
+PlotPanel::PlotPanel(const Theme& theme, QWidget* parent) : QWidget(parent), theme_(theme) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  legend_ = new QWidget(this);
+  legend_grid_ = new QGridLayout(legend_);
+  legend_grid_->setContentsMargins(8, 0, 8, 0);
+  legend_grid_->setSpacing(2);
+  legend_->hide();
+  layout->addWidget(legend_);
+  timer_.setSingleShot(true);
+  timer_.setInterval(0);
+  connect(&timer_, &QTimer::timeout, this, &PlotPanel::refresh);
+  turn_.setSingleShot(true);
+  connect(&turn_, &QTimer::timeout, this, &PlotPanel::refresh_next);
+  menu_ = new QMenu(tr("&Plots"), this);
+  menu_->setToolTipsVisible(true);
+  for (const PlotContent& content : named_plots()) {
+    QAction* action = menu_->addAction(content.title);
+    action->setToolTip(content.tip);
+    action->setCheckable(true);
+    const std::string& id = content.plot.id;
+    action->setData(QString::fromStdString(id));
+    connect(action, &QAction::triggered, this, [this, &id](bool on) { set_shown(id, on); });
+  }
+  menu_->addSeparator();
+  QAction* another = menu_->addAction(tr("&New plot..."));
+  another->setToolTip(tr("Any quantity of the scene or of its bodies, over time or over another one"));
+  connect(another, &QAction::triggered, this, [this] { edit(nullptr); });
+  set_plots({}, {});
+}
+
+PlotPanel::~PlotPanel() {
+  for (RunPlot* plot : std::exchange(plots_, {})) {
+    plot->disconnect(this);
+    delete plot;
+  }
+}
+
+void PlotPanel::set_theme(const Theme& theme) {
+  theme_ = theme;
+  for (RunPlot* plot : plots_) plot->set_theme(theme);
+  show_legend();
+  schedule();
+}
+
+void PlotPanel::set_plots(const std::vector<Plot>& plots, const std::vector<Body>& bodies) {
+  std::vector<PlotContent> contents;
+  for (const Plot& plot : plots.empty() ? default_plots() : plots) contents.push_back(content_of(plot, bodies));
+  bodies_ = bodies;
+  mark_a_.reset();
+  mark_b_.reset();
+  zoomed_.clear();
+  time_zoom_.reset();
+  for (RunPlot* plot : std::exchange(plots_, {})) put_away(plot);
+  for (const PlotContent& content : contents) insert(plots_.size(), content);
+  mark_menu();
+  schedule();
+}
+
+void PlotPanel::set_bodies(const std::vector<Body>& bodies) { bodies_ = bodies; }
+
+void PlotPanel::insert(std::size_t place, const PlotContent& content) {
+  auto* plot = new RunPlot(content, theme_, this);
+  static_cast<QVBoxLayout*>(layout())->insertWidget(static_cast<int>(place) + 1, plot, 1);
+  plots_.insert(plots_.begin() + static_cast<std::ptrdiff_t>(place), plot);
+  connect_plot(plot);
+}
+
+void PlotPanel::drop(RunPlot* plot) {
+  std::erase(plots_, plot);
+  std::erase(zoomed_, plot);
+  if (zoomed_.empty()) time_zoom_.reset();
+  put_away(plot);
+}
+
+// No list has it any more: where it lay under the mouse, hiding it tells the one below of the mouse, which may
+// ask for all plots. It goes when nobody is in the midst of one of its calls.
+void PlotPanel::put_away(RunPlot* plot) {
+  plot->disconnect(this);
+  plot->hide();
+  plot->deleteLater();
+}
+
+void PlotPanel::changed() {
+  mark_menu();
+  schedule();
+  emit layoutChanged();
+}
+
+void PlotPanel::add(const Plot& plot) {
+  insert(plots_.size(), content_of(plot, bodies_));
+  changed();
+}
+
+void PlotPanel::replace(RunPlot* old, const Plot& plot) {
+  const PlotContent content = content_of(plot, bodies_);
+  const auto place = static_cast<std::size_t>(std::find(plots_.begin(), plots_.end(), old) - plots_.begin());
+  drop(old);
+  insert(place, content);
+  changed();
+}
+
+void PlotPanel::remove(RunPlot* plot) {
+  if (plots_.size() < 2) return;
+  drop(plot);
+  changed();
+}
+
+bool PlotPanel::has(const RunPlot* plot) const {
+  return std::find(plots_.begin(), plots_.end(), plot) != plots_.end();
+}
+
+std::vector<Plot> PlotPanel::chosen() const {
+  std::vector<Plot> all;
+  for (const RunPlot* plot : plots_) all.push_back(plot->content().plot);
+  return all;
+}
+
+std::vector<Curve> PlotPanel::curves() const {
+  std::vector<Curve> all;
+  for (const RunPlot* plot : plots_) {
+    for (const PlotLine& line : plot->content().lines) {
+      if (line.curve && std::find(all.begin(), all.end(), *line.curve) == all.end()) all.push_back(*line.curve);
+    }
+  }
+  return all;
+}
+
+bool PlotPanel::shows(std::string_view id) const {
+  return std::any_of(plots_.begin(), plots_.end(),
+                     [id](const RunPlot* plot) { return plot->content().plot.id == id; });
+}
+
+// A named plot stands among the named ones in the order of their table, and before all others.
+void PlotPanel::set_shown(std::string_view id, bool shown) {
+  if (shown == shows(id)) return;
+  const std::span<const PlotContent> table = named_plots();
+  const auto rank = [&](std::string_view wanted) {
+    return std::find_if(table.begin(), table.end(), [&](const PlotContent& c) { return c.plot.id == wanted; }) -
+           table.begin();
+  };
+  const auto place = std::find_if(plots_.begin(), plots_.end(), [&](const RunPlot* plot) {
+    return rank(plot->content().plot.id) >= rank(id);
+  });
+  if (!shown) {
+    remove(*place);
+    mark_menu();
+    return;
+  }
+  insert(static_cast<std::size_t>(place - plots_.begin()), table[static_cast<std::size_t>(rank(id))]);
+  changed();
+}
+
+void PlotPanel::mark_menu() {
+  for (QAction* action : menu_->actions()) {
+    if (!action->isCheckable()) continue;
+    const bool shown = shows(action->data().toString().toStdString());
+    action->setChecked(shown);
+    action->setEnabled(!shown || plots_.size() > 1);
+  }
+}
+
+void PlotPanel::edit(RunPlot* plot) {
+  PlotDialog dialog(bodies_, this);
+  const QPointer<RunPlot> changed = plot;  // which may go while the dialog is open
+  if (plot != nullptr) dialog.set_plot(plot->content().plot);
+  if (dialog.exec() != QDialog::Accepted) return;
+  if (plot == nullptr) {
+    add(dialog.plot());
+  } else if (changed != nullptr && has(changed)) {
+    replace(changed, dialog.plot());
+  }
+}
+
+// Of the plot under the mouse, and of all.
+void PlotPanel::contextMenuEvent(QContextMenuEvent* event) {
+  const auto under = std::find_if(plots_.begin(), plots_.end(),
+                                  [&](const RunPlot* plot) { return plot->geometry().contains(event->pos()); });
+  if (under == plots_.end()) {
+    menu_->popup(event->globalPos());
+    return;
+  }
+  RunPlot* plot = *under;
+  // What the menu offers is of this plot, as long as it is there.
+  const auto with_plot = [this, there = QPointer<RunPlot>(plot)](auto&& what) {
+    return [this, there, what] {
+      if (there != nullptr && has(there)) what(there.data());
+    };
+  };
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setToolTipsVisible(true);
+  QAction* change =
+      menu->addAction(tr("&Change this plot..."), this, with_plot([this](RunPlot* it) { edit(it); }));
+  change->setEnabled(plot->content().plot.id.empty());
+  if (!change->isEnabled()) change->setToolTip(tr("A named plot stays as it is: make a new one"));
+  QAction* away =
+      menu->addAction(tr("&Remove this plot"), this, with_plot([this](RunPlot* it) { remove(it); }));
+  away->setEnabled(plots_.size() > 1);
+  menu->addSeparator();
+  QWidget* canvas = plot->plot()->canvas();
+  add_note_entries(*menu, *plot, canvas->mapFromGlobal(event->globalPos()), this, [this] { changed(); });
+  menu->addSeparator();
+  menu->addAction(tr("&Save the picture..."), this, with_plot([this](RunPlot* it) { emit pictureAsked(it); }));
+  menu->addAction(tr("&Copy the picture"), this, with_plot([this](RunPlot* it) {
+                    show_now();
+                    QGuiApplication::clipboard()->setPixmap(plot_picture(*it));
+                  }));
+  menu->addAction(tr("Save the &data..."), this, with_plot([this](RunPlot* it) { emit dataAsked(it); }));
+  menu->addAction(tr("Copy &all the data"), this,
+                  with_plot([this](RunPlot* it) { emit dataCopyAsked(it, false); }))
+      ->setToolTip(tr("As a table for a spreadsheet, with every digit, from the start until now"));
+  menu->addAction(tr("Copy the data that is s&hown"), this,
+                  with_plot([this](RunPlot* it) { emit dataCopyAsked(it, true); }))
+      ->setToolTip(tr("The same of the time that the plots show"));
+  menu->addSeparator();
+  menu->addActions(menu_->actions());
+  menu->popup(event->globalPos());
+}
+
+void PlotPanel::connect_plot(RunPlot* plot) {
+  connect(plot, &RunPlot::timeZoomAsked, this, [this, plot](double at, double factor) {
+    if (!plot->over_time()) {
+      plot->axes().zoom_x(at, factor);
+      mark_zoomed(plot);
+      return;
+    }
+    const QwtInterval now = time_range();
+    set_time_zoom(plot, {at + (now.minValue() - at) * factor, at + (now.maxValue() - at) * factor});
+  });
+  connect(plot, &RunPlot::valueZoomAsked, this, [this, plot](double at, double factor) {
+    plot->axes().zoom_values(at, factor);
+    mark_zoomed(plot);
+  });
+  connect(plot, &RunPlot::panAsked, this, [this, plot](const QPointF& from, const QPointF& to) {
+    plot->axes().pan_values(from.y(), to.y());
+    if (!plot->over_time()) {
+      plot->axes().pan_x(from.x(), to.x());
+      mark_zoomed(plot);
+      return;
+    }
+    const QwtInterval now = time_range();
+    const double by = from.x() - to.x();
+    set_time_zoom(plot, {now.minValue() + by, now.maxValue() + by});
+  });
+  connect(plot, &RunPlot::boxAsked, this, [this, plot](const QRectF& box) {
+    const QwtInterval x(box.left(), box.right());
+    plot->axes().zoom_to(plot->over_time() ? QwtInterval() : x, QwtInterval(box.top(), box.bottom()));
+    if (plot->over_time()) set_time_zoom(plot, x);
+    mark_zoomed(plot);
+  });
+  connect(plot, &RunPlot::resetAsked, this, &PlotPanel::reset_zoom);
+  connect(plot, &RunPlot::curvesChanged, this, &PlotPanel::schedule);
+  connect(plot, &RunPlot::timeHovered, this, [this](const std::optional<double>& time) {
+    for (RunPlot* each : plots_) each->set_cursor(time);
+    schedule();
+  });
+  connect(plot, &RunPlot::timeClicked, this, &PlotPanel::set_mark);
+}
+
+void PlotPanel::set_mark(double time, bool second) {
+  (second ? mark_b_ : mark_a_) = time;
+  schedule();
+  emit marksChanged();
+}
+
+// To the next record of the first curve, or the one before.
+void PlotPanel::move_mark(int by, bool second) {
+  const std::optional<double>& mark = second ? mark_b_ : mark_a_;
+  if (!mark) return;
+  for (const Curve& curve : curves()) {
+    const Series<1>* series = runs_.front().recorder->series(curve);
+    if (series == nullptr) continue;
+    const SeriesPoint<1>* to = by > 0 ? series->after(*mark) : series->at(std::nextafter(*mark, -1.0));
+    if (to != nullptr) set_mark(to->at, second);
+    return;
+  }
+}
+
+void PlotPanel::clear_marks() {
+  mark_a_.reset();
+  mark_b_.reset();
+  schedule();
+  emit marksChanged();
+}
+
+ReadingMarks PlotPanel::marks() const {
+  const QwtInterval shown = time_range();
+  return {mark_a_, mark_b_, shown.minValue(), shown.maxValue()};
+}
+
+std::vector<PlotContent> PlotPanel::contents() const {
+  std::vector<PlotContent> all;
+  for (const RunPlot* plot : plots_) all.push_back(plot->content());
+  return all;
+}
+
+void PlotPanel::update_from(const std::vector<PlottedRun>& runs) {
+  const std::vector<PlottedRun> before = std::exchange(runs_, runs);
+  bool same = before.size() == runs_.size();
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const auto known = std::find_if(before.begin(), before.end(),
+                                    [&](const PlottedRun& other) { return other.run() == runs_[i].run(); });
+    runs_[i].shown = known == before.end() || known->shown || runs_.size() == 1;
+    same = same && before[i].name == runs_[i].name && before[i].shown == runs_[i].shown;
+  }
+  if (!same) {
+    show_legend();
+    schedule();
+  }
+  schedule_next();
+}
+
+void PlotPanel::show_legend() {
+  legend_->setVisible(runs_.size() > 1);
+  while (legend_buttons_.size() > runs_.size()) {
+    LegendButton* button = legend_buttons_.back();
+    legend_buttons_.pop_back();
+    button->disconnect(this);
+    button->hide();
+    button->deleteLater();
+  }
+  for (std::size_t i = legend_buttons_.size(); i < runs_.size(); ++i) {
+    auto* button = new LegendButton(runs_[i].name, {}, legend_);
+    legend_buttons_.push_back(button);
+    connect(button, &LegendButton::toggled, this, [this, i](bool shown) {
+      runs_[i].shown = shown;
+      schedule();
+    });
+  }
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const QSignalBlocker quiet(legend_buttons_[i]);
+    legend_buttons_[i]->setChecked(runs_[i].shown);
+    legend_buttons_[i]->setText(runs_[i].name);
+    legend_buttons_[i]->set_look(pen_of_run(i, theme_, 2.2), theme_.text);
+  }
+  place_legend();
+}
+
+// In as many columns as have room for the names.
+void PlotPanel::place_legend() {
+  int widest = 1;
+  for (const LegendButton* button : legend_buttons_) widest = std::max(widest, button->sizeHint().width());
+  const int count = std::max(static_cast<int>(legend_buttons_.size()), 1);
+  const int columns = std::clamp(width() / (widest + legend_grid_->spacing()), 1, count);
+  for (int i = 0; i < static_cast<int>(legend_buttons_.size()); ++i) {
+    legend_grid_->addWidget(legend_buttons_[static_cast<std::size_t>(i)], i / columns, i % columns);
+  }
+}
+
+void PlotPanel::reset_zoom() {
+  zoomed_.clear();
+  time_zoom_.reset();
+  for (RunPlot* plot : plots_) {
+    plot->set_chip_visible(false);
+    plot->axes().forget_values();
+  }
+  schedule();
+}
+
+void PlotPanel::set_time_zoom(RunPlot* plot, const QwtInterval& range) {
+  // Further in, pixels would share one double; further out there is nothing to see.
+  const double magnitude = std::max(std::abs(range.minValue()), std::abs(range.maxValue()));
+  constexpr double kLongest = 1e9;  // s
+  if (range.width() < 1e-12 * magnitude || magnitude > kLongest) return;
+  time_zoom_ = range;
+  mark_zoomed(plot);
+}
+
+void PlotPanel::mark_zoomed(RunPlot* plot) {
+  if (std::find(zoomed_.begin(), zoomed_.end(), plot) == zoomed_.end()) zoomed_.push_back(plot);
+  plot->set_chip_visible(true);
+  schedule();
+}
+
+QwtInterval PlotPanel::time_range() const {
+  if (time_zoom_) return *time_zoom_;
+  return {0.0, nice_time_end(runs_.front().recorder->time())};
+}
+
+void PlotPanel::schedule() {
+  if (isVisible() && !timer_.isActive()) timer_.start();
+}
+
+void PlotPanel::schedule_next() {
+  waiting_ = plots_.size();
+  if (isVisible() && !timer_.isActive()) turn_.start(0);
+}
+
+void PlotPanel::refresh() {
+  timer_.stop();
+  turn_.stop();
+  waiting_ = 0;
+  shown_ = time_range();
+  for (RunPlot* plot : plots_) take_news(plot, shown_);
+  align();
+  for (RunPlot* plot : plots_) plot->replot();
+}
+
+// Where the axis of time changes, or all are to be drawn anyway, all are.
+void PlotPanel::refresh_next() {
+  if (timer_.isActive()) return;
+  if (!(time_range() == shown_)) {
+    refresh();
+    return;
+  }
+  next_ = next_ + 1 < plots_.size() ? next_ + 1 : 0;
+  take_news(plots_[next_], shown_);
+  align();
+  plots_[next_]->replot();
+  constexpr int kQuiet = 25;  // ms without news
+  if (--waiting_ > 0) turn_.start(kQuiet);
+}
+
+void PlotPanel::take_news(RunPlot* plot, const QwtInterval& range) {
+  plot->set_time_range(range);
+  // A histogram goes with the time that is shown.
+  const bool hold = (time_zoom_ && plot->distribution() == nullptr) ||
+                    std::find(zoomed_.begin(), zoomed_.end(), plot) != zoomed_.end();
+  plot->update_from(runs_, hold);
+  plot->set_marks(mark_a_, mark_b_);
+}
+
+// Room for labels in steps, so that the canvases don't shift with each new one.
+void PlotPanel::align() {
+  int extent = 0;
+  for (const RunPlot* plot : plots_) extent = std::max(extent, plot->axes().label_extent());
+  constexpr int kExtentStep = 8;  // px
+  extent = (extent + kExtentStep - 1) / kExtentStep * kExtentStep;
+  for (RunPlot* plot : plots_) plot->axes().set_label_extent(extent);
+}
+
+void PlotPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  place_legend();
+  schedule();
+}
+
+void PlotPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  schedule();
+}
+
+void PlotPanel::keyPressEvent(QKeyEvent* event) {
+  const bool second = event->modifiers().testFlag(Qt::ShiftModifier);
+  if (event->key() == Qt::Key_Home) {
+    reset_zoom();
+  } else if (event->key() == Qt::Key_Right || event->key() == Qt::Key_Left) {
+    move_mark(event->key() == Qt::Key_Right ? 1 : -1, second);
+  } else if (event->key() == Qt::Key_Escape && (mark_a_ || mark_b_)) {
+    clear_marks();
+  } else {
+    QWidget::keyPressEvent(event);
+  }
+}
+
+}  // namespace carom

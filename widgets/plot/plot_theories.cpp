@@ -1,0 +1,76 @@
+#include "widgets/plot/plot_theories.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+#include <qwt_plot.h>
+
+#include "widgets/plot/legend_button.h"
+#include "widgets/plot/theory_curve.h"
+
+namespace carom {
+
+PlotTheories::PlotTheories(const PlotContent& content, QwtPlot* plot, QWidget* parent) {
+  QStringList formulas;
+  for (const PlotLine& line : content.lines) {
+    if (line.theory.empty()) continue;
+    auto curve = std::make_unique<TheoryCurve>(line.theory.formula, content.plot.x.has_value(),
+                                               content.plot.logarithmic);
+    constexpr double kBelow = 15.0;  // curves have 20
+    curve->setZ(kBelow);
+    curve->attach(plot);
+    curves_.emplace_back(*line.curve, std::move(curve));
+    const QString formula = QString::fromStdString(line.theory.formula.text());
+    formulas << (line.label.isEmpty() ? formula : line.label + ": " + formula);
+  }
+  if (curves_.empty()) return;
+  button_ =
+      new LegendButton(QCoreApplication::translate("PlotTheories", "theory"), formulas.join('\n'), parent);
+}
+
+PlotTheories::~PlotTheories() = default;
+
+void PlotTheories::set_shown(bool shown) {
+  shown_ = shown;
+  for (auto& [curve, item] : curves_) item->setVisible(shown);
+}
+
+void PlotTheories::set_theme(const Theme& theme) {
+  constexpr double kWidth = 1.2;  // px
+  pen_ = QPen(theme.text, kWidth, Qt::CustomDashLine);
+  pen_.setDashPattern({5.0, 4.0});
+  for (auto& [curve, item] : curves_) item->set_pen(pen_);
+  if (button_ != nullptr) button_->set_look(pen_, theme.muted);
+}
+
+void PlotTheories::update_from(const Recorder& recorder, const QwtInterval& time) {
+  for (auto& [curve, item] : curves_) {
+    const Series<2>* path = item->needs_path() ? recorder.path(curve) : nullptr;
+    if (path != nullptr) item->take(*path, time);
+  }
+}
+
+QwtInterval PlotTheories::spread(const QwtInterval& x, const QwtInterval& measured) const {
+  QwtInterval all = measured;
+  if (!shown_ || !x.isValid()) return all;
+  const double low = measured.minValue() - measured.width();
+  const double high = measured.maxValue() + measured.width();
+  for (const auto& [curve, item] : curves_) {
+    const QwtInterval theory = item->spread(x);
+    if (!theory.isValid()) continue;
+    if (!measured.isValid()) {
+      all |= theory;
+      continue;
+    }
+    all |= std::clamp(theory.minValue(), low, high);
+    all |= std::clamp(theory.maxValue(), low, high);
+  }
+  return all;
+}
+
+std::vector<std::pair<QString, QPen>> PlotTheories::legend() const {
+  if (button_ == nullptr || !shown_) return {};
+  return {{button_->text(), pen_}};
+}
+
+}  // namespace carom

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QPen>
+#include <QString>
+#include <memory>
+#include <qwt_interval.h>
+#include <utility>
+#include <vector>
+
+#include "physics/record/recorder.h"
+#include "widgets/plot/plot_content.h"
+#include "widgets/theme/theme.h"
+
+class QwtPlot;
+
+namespace carom {
+
+class LegendButton;
+class TheoryCurve;
+
+// The closed forms of a plot's lines, drawn below what was measured, and their one entry in the legend.
+class PlotTheories {
+ public:
+  PlotTheories(const PlotContent& content, QwtPlot* plot, QWidget* parent);
+  ~PlotTheories();
+
+  [[nodiscard]] LegendButton* button() const { return button_; }  // nullptr: there are none
+  void set_shown(bool shown);
+  void set_theme(const Theme& theme);
+  void update_from(const Recorder& recorder, const QwtInterval& time);
+  // What the value axis is to show of them over `x` beside what was measured: not beyond its height on either
+  // side, since a closed form may run away where nobody looks.
+  [[nodiscard]] QwtInterval spread(const QwtInterval& x, const QwtInterval& measured) const;
+  // Name and line, of those that are shown.
+  [[nodiscard]] std::vector<std::pair<QString, QPen>> legend() const;
+
+ private:
+  std::vector<std::pair<Curve, std::unique_ptr<TheoryCurve>>> curves_;
+  LegendButton* button_ = nullptr;
+  QPen pen_;
+  bool shown_ = true;
+};
+
+}  // namespace carom

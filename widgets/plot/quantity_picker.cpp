@@ -1,0 +1,121 @@
+#include "widgets/plot/quantity_picker.h"
+
+#include <QComboBox>
+#include <QCompleter>
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStandardItemModel>
+#include <array>
+
+#include "physics/observe/observables.h"
+#include "widgets/plot/plot_content.h"
+
+namespace carom {
+namespace {
+
+constexpr std::array<std::pair<Topic, const char*>, 8> kTopics = {{
+    {Topic::kBody, "of one body"},
+    {Topic::kPair, "of two bodies"},
+    {Topic::kEnergy, "energy of all bodies"},
+    {Topic::kMomentum, "momentum of all bodies"},
+    {Topic::kLedger, "where the energy went"},
+    {Topic::kCrowd, "over all moving bodies"},
+    {Topic::kRun, "of the run"},
+    {Topic::kError, "against the reference"},
+}};
+
+void add_topics(QComboBox* box) {
+  auto* model = static_cast<QStandardItemModel*>(box->model());
+  for (const auto& [topic, title] : kTopics) {
+    auto* head = new QStandardItem(QCoreApplication::translate("QuantityPicker", title));
+    head->setFlags(Qt::NoItemFlags);
+    model->appendRow(head);
+    for (const Observable& o : observables()) {
+      if (o.topic != topic) continue;
+      const QString label = QString::fromUtf8(o.label.data(), static_cast<qsizetype>(o.label.size()));
+      const QString unit = unit_text(o);
+      box->addItem("   " + (unit.isEmpty() ? label : label + " / " + unit),
+                   QString::fromUtf8(o.name.data(), static_cast<qsizetype>(o.name.size())));
+    }
+  }
+}
+
+// Searched by typing: there may be a thousand bodies.
+QComboBox* body_box(const std::vector<Body>& bodies, QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setEditable(true);
+  box->setInsertPolicy(QComboBox::NoInsert);
+  box->completer()->setCompletionMode(QCompleter::PopupCompletion);
+  box->completer()->setFilterMode(Qt::MatchContains);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(8);
+  for (const Body& body : bodies) box->addItem(QString::fromStdString(body.name));
+  // Moving bodies are what people look at.
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (is_immovable(bodies[i])) continue;
+    box->setCurrentIndex(static_cast<int>(i));
+    break;
+  }
+  return box;
+}
+
+}  // namespace
+
+QuantityPicker::QuantityPicker(const std::vector<Body>& bodies, const QString& none, QWidget* parent)
+    : QWidget(parent),
+      observable_(new QComboBox(this)),
+      first_(body_box(bodies, this)),
+      second_(body_box(bodies, this)) {
+  if (!none.isEmpty()) observable_->addItem(none, QString());
+  add_topics(observable_);
+  observable_->setMaxVisibleItems(24);
+  observable_->setAccessibleName(tr("Quantity"));
+  first_->setAccessibleName(tr("Body"));
+  second_->setAccessibleName(tr("Other body"));
+  // The second choice is another body than the first.
+  for (std::size_t i = static_cast<std::size_t>(first_->currentIndex()) + 1; i < bodies.size(); ++i) {
+    if (is_immovable(bodies[i])) continue;
+    second_->setCurrentIndex(static_cast<int>(i));
+    break;
+  }
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(6);
+  row->addWidget(observable_, 3);
+  row->addWidget(first_, 2);
+  row->addWidget(second_, 2);
+  connect(observable_, &QComboBox::currentIndexChanged, this, [this] {
+    show_bodies();
+    emit changed();
+  });
+  for (QComboBox* box : {first_, second_}) {
+    connect(box, &QComboBox::currentTextChanged, this, &QuantityPicker::changed);
+  }
+  if (none.isEmpty()) observable_->setCurrentIndex(1);
+  show_bodies();
+}
+
+void QuantityPicker::show_bodies() {
+  const Observable* observable = find_observable(observable_->currentData().toString().toStdString());
+  first_->setVisible(observable != nullptr && observable->bodies > 0);
+  second_->setVisible(observable != nullptr && observable->bodies > 1);
+}
+
+void QuantityPicker::set_quantity(const QuantityName& quantity) {
+  observable_->setCurrentIndex(observable_->findData(QString::fromStdString(quantity.observable)));
+  if (!quantity.bodies.empty()) first_->setCurrentText(QString::fromStdString(quantity.bodies[0]));
+  if (quantity.bodies.size() > 1) second_->setCurrentText(QString::fromStdString(quantity.bodies[1]));
+}
+
+QuantityName QuantityPicker::quantity() const {
+  QuantityName quantity;
+  quantity.observable = observable_->currentData().toString().toStdString();
+  const Observable* observable = find_observable(quantity.observable);
+  if (observable == nullptr) return quantity;
+  if (observable->bodies > 0) quantity.bodies.push_back(first_->currentText().toStdString());
+  if (observable->bodies > 1) quantity.bodies.push_back(second_->currentText().toStdString());
+  return quantity;
+}
+
+}  // namespace carom

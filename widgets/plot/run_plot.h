@@ -1,0 +1,127 @@
+#pragma once
+
+#include <QFrame>
+#include <QPen>
+#include <QPointF>
+#include <array>
+#include <memory>
+#include <optional>
+#include <qwt_interval.h>
+#include <vector>
+
+#include "physics/record/recorder.h"
+#include "widgets/plot/plot_axes.h"
+#include "widgets/plot/plot_content.h"
+#include "widgets/theme/plotted_run.h"
+#include "widgets/theme/theme.h"
+
+class QLabel;
+class QwtPlot;
+class QwtPlotCurve;
+class QwtPlotGrid;
+class QwtPlotMarker;
+
+namespace carom {
+
+class DecimatedSeries;
+class Distribution;
+class LegendButton;
+class PlotNotes;
+class PlotTheories;
+class ZoomBox;
+
+// One plot with title, unit and legend. Over time, the time axis is its owner's to set: several plots share it.
+// Over another quantity it shows the path within that time, with an axis of its own. Changes show at the next
+// replot().
+class RunPlot : public QFrame {
+  Q_OBJECT
+
+ public:
+  RunPlot(PlotContent content, const Theme& theme, QWidget* parent = nullptr);
+  ~RunPlot() override;
+
+  void set_theme(const Theme& theme);
+  void set_time_range(const QwtInterval& range);
+  // Reads what the time range shows, now and whenever the reader looks; fits the axes that are not time to the
+  // visible curves unless `hold`. Of several runs each has its own colour and dash.
+  void update_from(const std::vector<PlottedRun>& runs, bool hold);
+  // Where the reader looks: a line at that time, and what the curves that are shown are there.
+  void set_cursor(std::optional<double> time);
+  // The reader's two marks, A and B.
+  void set_marks(std::optional<double> a, std::optional<double> b);
+  void set_chip_visible(bool visible);
+  void replot();
+
+  [[nodiscard]] PlotAxes& axes() { return *axes_; }
+  [[nodiscard]] const PlotAxes& axes() const { return *axes_; }
+  // The reader's remarks, which are part of the plot; the one at a point of the canvas, in px.
+  void set_notes(const std::vector<PlotNote>& notes);
+  [[nodiscard]] std::optional<std::size_t> note_at(const QPointF& pixel) const;
+  [[nodiscard]] const PlotContent& content() const { return content_; }
+  // The x axis is time.
+  [[nodiscard]] bool over_time() const { return !content_.plot.x && distribution_ == nullptr; }
+  // Of a histogram; nullptr for lines.
+  [[nodiscard]] const Distribution* distribution() const { return distribution_.get(); }
+  [[nodiscard]] QwtInterval time_range() const { return time_range_; }
+  [[nodiscard]] QwtInterval value_range() const { return axes_->values(); }
+  [[nodiscard]] QwtPlot* plot() const { return plot_; }
+  [[nodiscard]] const Theme& theme() const { return theme_; }
+  // The name and the line of each run, if there are several, and of each curve that is shown and has a name.
+  [[nodiscard]] std::vector<std::pair<QString, QPen>> legend() const;
+  // The time of the newest record that is not after `time`; the time itself where nothing is recorded.
+  [[nodiscard]] double snapped(double time) const;
+
+ signals:
+  void timeZoomAsked(double at, double factor);
+  void valueZoomAsked(double at, double factor);
+  void panAsked(const QPointF& from, const QPointF& to);
+  void boxAsked(const QRectF& box);  // in the axes' units
+  void resetAsked();
+  void curvesChanged();  // one was shown or hidden
+  void timeHovered(const std::optional<double>& time);
+  void timeClicked(double time, bool second);  // second: with Shift
+
+ private:
+  struct Item {
+    std::unique_ptr<QwtPlotCurve> item;
+    DecimatedSeries* series;  // owned by the item
+  };
+  struct Line {
+    LegendButton* button;
+    std::vector<Item> items;  // of each run
+  };
+
+  [[nodiscard]] bool is_main(std::size_t line) const;
+  [[nodiscard]] QPen pen(std::size_t line, std::size_t run) const;
+  void set_runs(const std::vector<PlottedRun>& runs);
+  void set_looks();
+  [[nodiscard]] bool shows(std::size_t line) const;
+  void set_heads(const Item& curve);
+  void update_distribution(const Recorder& recorder, bool hold);
+  void build_header();
+  void build_plot();
+  void show_readout();
+  void hover(const std::optional<QPointF>& at);
+  [[nodiscard]] const Series<1>* series_of(std::size_t line, std::size_t run) const;
+
+  PlotContent content_;
+  Theme theme_;
+  std::vector<PlottedRun> runs_;  // of the last update
+  std::optional<double> cursor_time_;
+  QwtInterval time_range_{0.0, 1.0};
+  QLabel* unit_ = nullptr;
+  QwtPlot* plot_ = nullptr;
+  std::unique_ptr<PlotAxes> axes_;
+  ZoomBox* zoom_box_ = nullptr;
+  QLabel* chip_ = nullptr;
+  QLabel* readout_ = nullptr;
+  std::unique_ptr<QwtPlotGrid> grid_;
+  std::unique_ptr<QwtPlotMarker> cursor_;
+  std::array<std::unique_ptr<QwtPlotMarker>, 2> marks_;
+  std::vector<Line> lines_;
+  std::unique_ptr<PlotTheories> theories_;
+  std::unique_ptr<Distribution> distribution_;
+  std::unique_ptr<PlotNotes> notes_;
+};
+
+}  // namespace carom

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QPen>
+#include <QPolygonF>
+#include <optional>
+#include <qwt_interval.h>
+#include <qwt_plot_item.h>
+#include <vector>
+
+#include "physics/observe/quantity.h"
+#include "physics/record/series.h"
+
+namespace carom {
+
+// A closed form as a line over what the axis below shows, asked at each pixel: it has no points of its own.
+// Where it jumps the line stands upright at the jump's place; it is broken at a pole and where there is no
+// value.
+class TheoryCurve : public QwtPlotItem {
+ public:
+  // `over_x`: over the theory's x, not over time. `magnitudes`: |y|, for a logarithmic axis.
+  TheoryCurve(const Expression& formula, bool over_x, bool magnitudes);
+
+  void set_pen(const QPen& pen);
+  // Over x a theory that hangs on time is drawn where the run was: over its x, at the times of the path.
+  void take(const Series<2>& path, const QwtInterval& time);
+  [[nodiscard]] bool needs_path() const { return over_x_ && formula_.uses_t(); }
+  // The values over `x`.
+  [[nodiscard]] QwtInterval spread(const QwtInterval& x) const;
+
+  [[nodiscard]] int rtti() const override { return Rtti_PlotUserItem; }
+  void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const override;
+  // The line in px, piece by piece.
+  [[nodiscard]] std::vector<QPolygonF> pieces(const QwtScaleMap& x, const QwtScaleMap& y,
+                                              const QRectF& canvas) const;
+
+ private:
+  [[nodiscard]] double value(double at) const;
+  [[nodiscard]] double shown(double value) const;
+
+  Expression formula_;
+  bool over_x_;
+  bool magnitudes_;
+  QPen pen_;
+  std::vector<QPointF> points_;  // of a theory that needs the path
+};
+
+}  // namespace carom

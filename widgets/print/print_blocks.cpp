@@ -1,0 +1,212 @@
+#include "widgets/print/print_blocks.h"
+
+#include <QCoreApplication>
+#include <QTextLayout>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "widgets/theme/figure_table.h"
+#include "widgets/theme/theme.h"
+
+namespace carom {
+namespace {
+
+constexpr int kText = 12;         // px, size of plain text
+constexpr double kNames = 104.0;  // px, room of an entry's name
+constexpr double kRule = 30.0;    // px between lines to write on
+constexpr double kRow = 20.0;     // px, of a table
+constexpr double kInset = 5.0;    // px, of a table's cells
+constexpr double kLine = 0.75;    // px
+
+const Theme& theme() { return light_theme(); }
+
+// Text that is divided into lines once, for whatever it is painted on.
+struct Lines {
+  Lines(const QString& text, const QFont& font, double width) : layout(text, font) {
+    QTextOption option;
+    option.setUseDesignMetrics(true);
+    layout.setTextOption(option);
+    layout.beginLayout();
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+      line.setLineWidth(width);
+      line.setPosition({0.0, height});
+      height += std::ceil(1.12 * line.height());
+    }
+    layout.endLayout();
+  }
+  QTextLayout layout;
+  double height = 0.0;
+};
+
+}  // namespace
+
+QFont print_font(int size, bool bold) {
+  QFont font;
+  font.setPixelSize(size);
+  font.setBold(bold);
+  font.setHintingPreference(QFont::PreferNoHinting);
+  return font;
+}
+
+PrintBlock print_text(const QString& text, const QFont& font, const QColor& color) {
+  auto lines = std::make_shared<Lines>(text, font, PrintPages::kTextWidth);
+  PrintBlock block;
+  block.height = lines->height;
+  block.paint = [lines, color](QPainter& painter, const QRectF& where) {
+    painter.setPen(color);
+    lines->layout.draw(&painter, where.topLeft());
+  };
+  return block;
+}
+
+PrintBlock print_heading(const QString& text) {
+  PrintBlock block = print_text(text, print_font(16, true), theme().text);
+  block.gap = 24.0;
+  block.with_next = true;
+  return block;
+}
+
+PrintBlock print_entry(const QString& name, const QString& text) {
+  auto lines = std::make_shared<Lines>(text, print_font(kText), PrintPages::kTextWidth - kNames);
+  PrintBlock block;
+  block.height = lines->height;
+  block.gap = 5.0;
+  block.paint = [lines, name](QPainter& painter, const QRectF& where) {
+    const Lines label(name, print_font(kText), kNames - 8.0);
+    painter.setPen(theme().muted);
+    label.layout.draw(&painter, where.topLeft());
+    painter.setPen(theme().text);
+    lines->layout.draw(&painter, where.topLeft() + QPointF(kNames, 0.0));
+  };
+  return block;
+}
+
+PrintBlock print_ruled(int lines) {
+  PrintBlock block;
+  block.height = lines * kRule;
+  block.gap = 4.0;
+  block.grows = true;
+  block.paint = [](QPainter& painter, const QRectF& where) {
+    painter.setPen(QPen(theme().strong_grid, kLine));
+    for (double y = where.top() + kRule; y <= where.bottom() + 1e-6; y += kRule)
+      painter.drawLine(QPointF(where.left(), y), QPointF(where.right(), y));
+  };
+  return block;
+}
+
+PrintBlock print_fields(const std::vector<PrintField>& fields) {
+  PrintBlock block;
+  block.height = 24.0;
+  block.gap = 18.0;
+  block.paint = [fields](QPainter& painter, const QRectF& where) {
+    constexpr double kGap = 20.0;
+    constexpr double kBase = 6.0;  // px of the words above the line's foot
+    const double room = where.width() - kGap * static_cast<double>(fields.size() - 1);
+    double x = where.left();
+    for (const PrintField& field : fields) {
+      const double end = x + field.share * room;
+      painter.setFont(print_font(kText));
+      painter.setPen(theme().muted);
+      painter.drawText(QPointF(x, where.bottom() - kBase), field.name);
+      const double start = x + QFontMetricsF(painter.font()).horizontalAdvance(field.name) + 8.0;
+      painter.setPen(QPen(theme().muted, kLine));
+      painter.drawLine(QPointF(start, where.bottom() - 2.0), QPointF(end, where.bottom() - 2.0));
+      painter.setPen(theme().text);
+      const QFontMetricsF metrics(painter.font());
+      painter.drawText(QPointF(start + 4.0, where.bottom() - kBase),
+                       metrics.elidedText(field.text, Qt::ElideRight, end - start - 8.0));
+      x = end + kGap;
+    }
+  };
+  return block;
+}
+
+PrintBlock print_table(const FigureModel& table, int most) {
+  struct Cell {
+    QString text;
+    bool left;
+    bool pale;
+  };
+  struct Row {
+    std::vector<Cell> cells;
+    bool sum = false;
+  };
+  std::vector<Row> rows(1);
+  std::vector<double> widths;
+  double weights = 0.0;
+  const int columns = table.columnCount();
+  const auto left = [&](int column) {
+    return (table.headerData(column, Qt::Horizontal, Qt::TextAlignmentRole).toInt() & Qt::AlignLeft) != 0;
+  };
+  for (int c = 0; c < columns; ++c) {
+    rows[0].cells.push_back({table.headerData(c, Qt::Horizontal, Qt::DisplayRole).toString(), left(c), true});
+    weights += table.weight(c);
+  }
+  for (int c = 0; c < columns; ++c) widths.push_back(table.weight(c) / weights * PrintPages::kTextWidth);
+  int more = 0;
+  for (int r = 0; r < table.rowCount(); ++r) {
+    Row row;
+    row.sum = table.is_sum(r);
+    bool tells = false;
+    for (int c = 0; c < columns; ++c) {
+      row.cells.push_back({table.index(r, c).data().toString(), left(c), table.is_idle(r, c)});
+      tells = tells || (!row.cells.back().pale && !row.cells.back().text.isEmpty());
+    }
+    if (!tells) continue;
+    const bool too_many = !row.sum && static_cast<int>(rows.size()) > most;
+    if (row.sum && more > 0) {
+      Row note;
+      note.cells.push_back({QCoreApplication::translate("PrintTable", "and %1 more").arg(more), true, true});
+      rows.push_back(note);
+    }
+    more += too_many ? 1 : 0;
+    if (!too_many) rows.push_back(std::move(row));
+  }
+  PrintBlock block;
+  block.height = kRow * static_cast<double>(rows.size());
+  block.gap = 8.0;
+  block.paint = [rows, widths](QPainter& painter, const QRectF& where) {
+    double y = where.top();
+    for (std::size_t r = 0; r < rows.size(); ++r, y += kRow) {
+      if (r == 1 || rows[r].sum) {
+        painter.setPen(QPen(r == 1 ? theme().muted : theme().border, kLine));
+        painter.drawLine(QPointF(where.left(), y), QPointF(where.right(), y));
+      }
+      double x = where.left();
+      painter.setFont(print_font(r == 0 ? 10 : 11, rows[r].sum));
+      const QFontMetricsF metrics(painter.font());
+      // At the edges the text stands where that of the page does.
+      for (std::size_t c = 0; c < rows[r].cells.size(); ++c) {
+        const Cell& cell = rows[r].cells[c];
+        const bool alone = rows[r].cells.size() == 1;
+        const double width = alone ? where.width() : widths[c];
+        const double before = c == 0 ? 0.0 : kInset;
+        const double after = c + 1 == widths.size() || alone ? 0.0 : kInset;
+        const QRectF place(x + before, y, width - before - after, kRow);
+        painter.setPen(cell.pale ? theme().muted : theme().text);
+        painter.drawText(place, (cell.left ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,
+                         metrics.elidedText(cell.text, Qt::ElideRight, place.width() + 0.5));
+        x += width;
+      }
+    }
+  };
+  return block;
+}
+
+PrintBlock print_row(std::vector<PrintBlock> blocks, int columns, double gap) {
+  PrintBlock row;
+  for (const PrintBlock& block : blocks) row.height = std::max(row.height, block.height);
+  row.paint = [blocks = std::move(blocks), columns, gap](QPainter& painter, const QRectF& where) {
+    const double width = (where.width() - gap * (columns - 1)) / columns;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      painter.save();
+      blocks[i].paint(painter, QRectF(where.left() + static_cast<double>(i) * (width + gap), where.top(), width,
+                                      blocks[i].height));
+      painter.restore();
+    }
+  };
+  return row;
+}
+
+}  // namespace carom

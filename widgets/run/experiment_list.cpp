@@ -1,0 +1,173 @@
+#include "widgets/run/experiment_list.h"
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+
+#include "widgets/theme/plain_text.h"
+
+namespace carom {
+namespace {
+
+enum Role { kName = Qt::UserRole, kTitle, kObserve, kPicture };
+
+constexpr int kRowHeight = 50;
+constexpr int kTallRowHeight = 64;  // where the title takes two lines
+constexpr int kTopicHeight = 30;
+constexpr int kTextLeft = 79;  // from the row's left side to its text
+constexpr int kTextRight = 12;
+constexpr int kPictureWidth = 52;
+constexpr int kPictureHeight = 36;
+
+// Draws a topic's caption, or an experiment with picture, title and what to observe.
+class ExperimentDelegate : public QStyledItemDelegate {
+ public:
+  ExperimentDelegate(const Theme* theme, QObject* parent) : QStyledItemDelegate(parent), theme_(theme) {}
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    if (index.data(kName).toString().isEmpty()) return {100, kTopicHeight};
+    const auto* view = qobject_cast<const QAbstractItemView*>(option.widget);
+    const int width = view == nullptr ? 0 : view->viewport()->width() - kTextLeft - kTextRight;
+    QFont bold = option.font;
+    bold.setBold(true);
+    return {100, QFontMetrics(bold).horizontalAdvance(index.data(kTitle).toString()) > width ? kTallRowHeight
+                                                                                             : kRowHeight};
+  }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const QRect r = option.rect;
+    QFont small = option.font;
+    small.setPixelSize(11);
+    if (index.data(kName).toString().isEmpty()) {
+      painter->setFont(small);
+      painter->setPen(theme_->muted);
+      painter->drawText(r.adjusted(14, 0, -8, -6), Qt::AlignLeft | Qt::AlignBottom,
+                        index.data(kTitle).toString());
+      painter->restore();
+      return;
+    }
+    const QRect row = r.adjusted(10, 1, -10, -1);
+    if ((option.state & (QStyle::State_Selected | QStyle::State_MouseOver)) != 0) {
+      QColor ground = theme_->accent_ground;
+      if ((option.state & QStyle::State_Selected) == 0) ground.setAlphaF(0.5F);
+      painter->setPen(Qt::NoPen);
+      painter->setBrush(ground);
+      painter->drawRoundedRect(row, 6, 6);
+      if ((option.state & QStyle::State_Selected) != 0) {
+        painter->setBrush(theme_->accent);
+        painter->drawRoundedRect(QRectF(row.left(), row.top() + 4, 3, row.height() - 8), 1.5, 1.5);
+      }
+    }
+    const QRect frame(row.left() + 7, row.center().y() - kPictureHeight / 2 + 1, kPictureWidth, kPictureHeight);
+    const auto picture = index.data(kPicture).value<QPixmap>();
+    if (!picture.isNull()) painter->drawPixmap(frame, picture);
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(theme_->border);
+    painter->drawRoundedRect(QRectF(frame).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+
+    const QRect text(r.left() + kTextLeft, row.top() + 6, r.width() - kTextLeft - kTextRight,
+                     row.height() - 12);
+    QFont bold = option.font;
+    bold.setBold(true);
+    painter->setFont(bold);
+    painter->setPen(theme_->text);
+    painter->drawText(text, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, index.data(kTitle).toString());
+    painter->setFont(small);
+    painter->setPen(theme_->muted);
+    const QFontMetrics small_metrics(small);
+    painter->drawText(text, Qt::AlignLeft | Qt::AlignBottom,
+                      small_metrics.elidedText(index.data(kObserve).toString(), Qt::ElideRight, text.width()));
+    painter->restore();
+  }
+
+ private:
+  const Theme* theme_;
+};
+
+}  // namespace
+
+ExperimentList::ExperimentList(const Theme& theme, QWidget* parent)
+    : QFrame(parent), theme_(theme), search_(new QLineEdit(this)), list_(new QListWidget(this)) {
+  setObjectName("sidebar");
+  search_->setPlaceholderText(tr("Search experiments"));
+  search_->setClearButtonEnabled(true);
+  list_->setItemDelegate(new ExperimentDelegate(&theme_, list_));
+  list_->setMouseTracking(true);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 10, 1, 0);
+  column->setSpacing(4);
+  auto* field = new QVBoxLayout;
+  field->setContentsMargins(10, 0, 10, 0);
+  field->addWidget(search_);
+  column->addLayout(field);
+  column->addWidget(list_, 1);
+  connect(search_, &QLineEdit::textChanged, this, &ExperimentList::fill);
+  const auto open = [this](QListWidgetItem* item) {
+    const QString name = item->data(kName).toString();
+    if (name.isEmpty()) return;
+    emit openRequested(name);
+    set_current(current_);  // the mark stays with what is open, also where this one was not opened
+  };
+  connect(list_, &QListWidget::itemClicked, this, open);
+  connect(list_, &QListWidget::itemActivated, this, open);
+}
+
+void ExperimentList::set_theme(const Theme& theme) {
+  theme_ = theme;
+  list_->viewport()->update();
+}
+
+void ExperimentList::set_items(std::vector<ExperimentItem> items) {
+  items_ = std::move(items);
+  fill();
+}
+
+void ExperimentList::set_pictures(const std::vector<QPixmap>& pictures) {
+  pictures_ = pictures;
+  fill();
+}
+
+void ExperimentList::set_current(const QString& name) {
+  current_ = name;
+  QListWidgetItem* found = nullptr;
+  for (int row = 0; row < list_->count(); ++row) {
+    if (!name.isEmpty() && list_->item(row)->data(kName).toString() == name) found = list_->item(row);
+  }
+  list_->setCurrentItem(found);
+  if (found == nullptr) list_->clearSelection();
+}
+
+void ExperimentList::fill() {
+  const QString wanted = search_->text().trimmed();
+  list_->clear();
+  QString topic;
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    const ExperimentItem& item = items_[i];
+    const bool match = wanted.isEmpty() || item.title.contains(wanted, Qt::CaseInsensitive) ||
+                       item.observe.contains(wanted, Qt::CaseInsensitive) ||
+                       item.topic.contains(wanted, Qt::CaseInsensitive) ||
+                       item.name.contains(wanted, Qt::CaseInsensitive);
+    if (!match) continue;
+    if (item.topic != topic) {
+      topic = item.topic;
+      auto* caption = new QListWidgetItem(list_);
+      caption->setData(kTitle, topic);
+      caption->setFlags(Qt::NoItemFlags);
+    }
+    auto* row = new QListWidgetItem(list_);
+    row->setData(kName, item.name);
+    row->setData(kTitle, item.title);
+    row->setData(kObserve, item.observe);
+    row->setToolTip(plain_tip(item.title + (item.observe.isEmpty() ? QString() : "\n" + item.observe)));
+    if (i < pictures_.size()) row->setData(kPicture, pictures_[i]);
+  }
+  set_current(current_);
+}
+
+}  // namespace carom

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QFrame>
+#include <QPixmap>
+#include <vector>
+
+#include "widgets/theme/theme.h"
+
+class QLineEdit;
+class QListWidget;
+
+namespace carom {
+
+// One line of the list of experiments.
+struct ExperimentItem {
+  QString name;  // what openRequested() says
+  QString topic;
+  QString title;
+  QString observe;  // one short line under the title
+};
+
+// The experiments under their topics, each with a small picture, and a field that searches them. One click
+// opens.
+class ExperimentList : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit ExperimentList(const Theme& theme, QWidget* parent = nullptr);
+  void set_theme(const Theme& theme);
+  void set_items(std::vector<ExperimentItem> items);
+  // 52×36 px in logical pixels, in the order of the items.
+  void set_pictures(const std::vector<QPixmap>& pictures);
+  // Marks the experiment that is open; none for an unknown name.
+  void set_current(const QString& name);
+
+ signals:
+  void openRequested(const QString& name);
+
+ private:
+  void fill();
+
+  Theme theme_;
+  QLineEdit* search_;
+  QListWidget* list_;
+  std::vector<ExperimentItem> items_;
+  std::vector<QPixmap> pictures_;
+  QString current_;
+};
+
+}  // namespace carom

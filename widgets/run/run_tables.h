@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "physics/record/frame.h"
+#include "physics/record/recorder.h"
+#include "widgets/theme/figure_table.h"
+
+namespace carom {
+
+// Each moving body before (at t = 0) and now, and the sums.
+class BodiesTable : public FigureTable {
+  Q_OBJECT
+
+ public:
+  explicit BodiesTable(QWidget* parent = nullptr);
+  // `before`: the bodies at t = 0, in the order of the frame's; later ones were added since.
+  void update_from(const Frame& frame, const std::vector<Body>& before);
+};
+
+// The last kMostRows impacts, the newest first.
+class ImpactsTable : public FigureTable {
+  Q_OBJECT
+
+ public:
+  static constexpr int kMostRows = 500;
+  explicit ImpactsTable(QWidget* parent = nullptr);
+  void update_from(const Frame& frame, const Recorder& recorder);
+};
+
+}  // namespace carom

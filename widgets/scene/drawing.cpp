@@ -1,0 +1,239 @@
+#include "widgets/scene/drawing.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/scene/drawing_forces.h"
+#include "widgets/scene/drawing_links.h"
+#include "widgets/scene/drawing_others.h"
+
+namespace carom {
+namespace {
+
+constexpr double kArrowWidth = 2.0;           // px
+constexpr double kLeastArrow = 6.0;           // px, shorter ones are left out
+constexpr double kLongestShare = 0.22;        // of the view's shorter side, for a peak's arrow
+constexpr double kLongestInCrowd = 1.5;       // of the mean distance of bodies that fill a square view
+constexpr double kLeastNamedRadius = 6.0;     // px
+constexpr double kLeastOrientedRadius = 4.0;  // px
+constexpr double kNameDrop = 3.0;             // px below the body
+constexpr double kContactDot = 5.0;           // px
+constexpr double kPointRadius = 2.0;          // px, of the dot that shows a body too small to be seen
+constexpr double kThinWall = 3.0;             // px
+
+class Builder {
+ public:
+  Builder(const DrawingInput& input, Drawing& out) : in_(input), out_(out), seen_(input.camera.visible()) {
+    if (in_.frame.bodies) bodies_ = *in_.frame.bodies;
+  }
+
+  void build() {
+    out_.outline = 1.5 * in_.options.line_scale;
+    out_.text_size = in_.options.text_size;
+    out_.has_grid = in_.options.grid;
+    if (out_.has_grid) lay_grid(in_.camera, out_.grid);
+    for (int i = 0; i < count(); ++i) add_body(i);
+    add_springs(in_, seen_, out_);
+    add_drives(in_, seen_, out_);
+    add_links(in_, seen_, out_);
+    add_other_runs(in_, seen_, out_);
+    if (in_.options.names) add_names();
+    if (in_.options.velocities) add_velocities();
+    if (in_.options.forces) add_applied_forces(in_, seen_, out_);
+    if (in_.options.contacts) {
+      add_contact_forces(in_, seen_, out_);
+      add_impacts();
+    }
+  }
+
+ private:
+  // A frame's state and bodies agree but for a moment's mistake of its maker; never read past either.
+  [[nodiscard]] int count() const { return std::min(in_.frame.state.size(), static_cast<int>(bodies_.size())); }
+  [[nodiscard]] bool fixed(int i) const { return bodies_[static_cast<std::size_t>(i)].fixed; }
+  // Moves as impacts and forces tell it.
+  [[nodiscard]] bool free(int i) const { return !is_immovable(bodies_[static_cast<std::size_t>(i)]); }
+
+  void add_body(int i) {
+    const Body& body = bodies_[static_cast<std::size_t>(i)];
+    const Vec2 at = in_.frame.state.position(i);
+    const double angle = in_.frame.state.q(2, i);
+    if (!seen_.meets(at, bounding_radius(body.shape) + out_.outline / in_.camera.scale)) return;
+    const QColor& fill = free(i) ? in_.theme.body_fill : in_.theme.wall_fill;
+    const QColor& line = free(i) ? in_.theme.body_line : in_.theme.wall_line;
+    if (const Disc* disc = std::get_if<Disc>(&body.shape)) {
+      const bool oriented = free(i) && disc->radius * in_.camera.scale >= kLeastOrientedRadius;
+      out_.discs.push_back({at, disc->radius, angle, fill, line, oriented});
+      if (disc->radius * in_.camera.scale < kPointRadius)
+        out_.segments.push_back({at, at, line, 2.0 * kPointRadius * in_.options.line_scale});
+    } else if (const Box* box = std::get_if<Box>(&body.shape)) {
+      out_.boxes.push_back({at, Vec2(box->width, box->height) / 2, angle, fill, line});
+    } else if (const Polygon* polygon = std::get_if<Polygon>(&body.shape)) {
+      add_polygon(*polygon, at, angle, fill, line);
+    } else {
+      add_wall(std::get<Wall>(body.shape), at, angle, fill, line);
+    }
+  }
+
+  void add_polygon(const Polygon& polygon, const Vec2& at, double angle, const QColor& fill,
+                   const QColor& line) {
+    const Outline outline = outline_of(polygon);
+    const Eigen::Rotation2Dd turned(angle);
+    const int first = static_cast<int>(out_.vertices.size());
+    for (const Vec2& v : outline.vertices) out_.vertices.push_back(at + turned * v);
+    out_.polygons.push_back({first, static_cast<int>(outline.vertices.size()), outline.rounding, fill, line});
+  }
+
+  // Of a half-plane, as much as fills the view.
+  void add_wall(const Wall& wall, const Vec2& at, double angle, const QColor& fill, const QColor& line) {
+    const Vec2 along(std::cos(angle), std::sin(angle));
+    if (wall.length) {
+      const Vec2 half = 0.5 * *wall.length * along;
+      out_.lines.push_back({at - half, at + half, line, kThinWall * in_.options.line_scale});
+      return;
+    }
+    const Vec2 middle = 0.5 * (seen_.lower + seen_.upper);
+    const double radius = (seen_.upper - seen_.lower).norm();
+    const Vec2 inwards(along.y(), -along.x());
+    const double depth = inwards.dot(middle - at) + radius;  // of the farthest point in the view
+    if (!(depth > 0.0)) return;
+    const Vec2 surface = at + along.dot(middle - at) * along;
+    out_.boxes.push_back({surface + 0.5 * depth * inwards, {radius, 0.5 * depth}, angle, fill, line});
+  }
+
+  void add_names() {
+    if (std::count_if(bodies_.begin(), bodies_.end(), [](const Body& b) { return !b.fixed; }) > kMostNames) {
+      return;
+    }
+    // Softer than text, yet readable on walls too.
+    const QColor color = blend(in_.theme.text, in_.theme.scene_ground, 0.25);
+    for (int i = 0; i < count(); ++i) {
+      const Body& body = bodies_[static_cast<std::size_t>(i)];
+      const Vec2 half = half_extent(body.shape, in_.frame.state.q(2, i));
+      const Vec2 at = in_.frame.state.position(i);
+      if (body.fixed || half.minCoeff() * in_.camera.scale < kLeastNamedRadius) continue;
+      if (!seen_.meets(at, bounding_radius(body.shape))) continue;
+      out_.labels.push_back(
+          {at - Vec2(0.0, half.y()), kNameDrop + out_.outline / 2, QString::fromStdString(body.name), color});
+    }
+  }
+
+  void add_velocities() {
+    for (int i = 0; i < count(); ++i) {
+      if (!fixed(i)) {
+        add_arrow(in_.frame.state.position(i), in_.frame.state.velocity(i) * in_.arrows.seconds,
+                  in_.theme.series[0]);
+      }
+    }
+  }
+
+  // The normal impulse on each moving body of an impact, away from where it was touched.
+  void add_impacts() {
+    for (const ImpactRecord& impact : in_.impacts) {
+      const double age = in_.frame.time - impact.time;
+      if (age < 0.0 || age >= kImpactShown) continue;
+      if (impact.a < 0 || impact.b < 0 || impact.a >= count() || impact.b >= count()) continue;
+      QColor color = in_.theme.series[1];
+      color.setAlphaF(static_cast<float>(1.0 - age / kImpactShown));
+      const Vec2 push = impact.normal * (impact.normal_impulse * in_.arrows.metres_per_impulse);
+      bool shown = false;
+      if (free(impact.a)) shown = add_arrow(impact.point, -push, color) || shown;
+      if (free(impact.b)) shown = add_arrow(impact.point, push, color) || shown;
+      if (shown) {
+        out_.segments.push_back({impact.point, impact.point, color, kContactDot * in_.options.line_scale});
+      }
+    }
+  }
+
+  bool add_arrow(const Vec2& from, const Vec2& along, const QColor& color) {
+    const double length = along.norm();
+    if (!(length * in_.camera.scale >= kLeastArrow) || !seen_.meets(from, length)) return false;
+    out_.arrows.push_back({from, from + along, color, kArrowWidth * in_.options.line_scale});
+    return true;
+  }
+
+  const DrawingInput& in_;
+  Drawing& out_;
+  WorldRect seen_;
+  std::span<const Body> bodies_;
+};
+
+}  // namespace
+
+void Drawing::clear() {
+  has_grid = false;
+  boxes.clear();
+  vertices.clear();
+  polygons.clear();
+  discs.clear();
+  lines.clear();
+  segments.clear();
+  arrows.clear();
+  labels.clear();
+  force_key = {};
+}
+
+void Peaks::observe(const Frame& frame) {
+  if (!frame.bodies) return;
+  double mass = 0.0;
+  moving = 0;
+  const int count = std::min(frame.state.size(), static_cast<int>(frame.bodies->size()));
+  for (int i = 0; i < count; ++i) {
+    const Body& body = (*frame.bodies)[static_cast<std::size_t>(i)];
+    if (body.fixed) continue;
+    ++moving;
+    if (!body.drive) mass += mass_of(body);
+    speed = std::max(speed, frame.state.velocity(i).norm());
+  }
+  const double energy = frame.totals.energy();
+  if (mass > 0.0 && energy > 0.0) speed = std::max(speed, std::sqrt(2.0 * energy / mass));
+  for (const ImpactRecord& impact : frame.impacts) impulse = std::max(impulse, impact.normal_impulse);
+  contact_force *= frame.time < time ? 0.0 : std::exp((time - frame.time) / kContactMemory);
+  time = frame.time;
+  for (const ContactForce& contact : frame.contacts) {
+    contact_force = std::max(contact_force, force_on_b(contact).norm());
+  }
+  largest_contact_force = std::max(largest_contact_force, contact_force);
+  contact_force = std::max(contact_force, kLeastShare * largest_contact_force);
+  if (!frame.forces) return;
+  for (const AppliedForce& applied : frame.forces->applied) force = std::max(force, applied.force.norm());
+}
+
+ArrowScale arrow_scale(const Peaks& peaks, double side) {
+  ArrowScale scale;
+  const double longest = side * std::min(kLongestShare, kLongestInCrowd / std::sqrt(std::max(1, peaks.moving)));
+  if (peaks.speed > 0.0) scale.seconds = step_not_above(longest / peaks.speed);
+  if (peaks.impulse > 0.0) scale.metres_per_impulse = step_not_above(longest / peaks.impulse);
+  const double force = std::max(peaks.force, peaks.contact_force);
+  if (force > 0.0) scale.metres_per_newton = step_not_above(longest / force);
+  return scale;
+}
+
+Drawing make_drawing(const DrawingInput& input, Drawing reuse) {
+  reuse.clear();
+  Builder(input, reuse).build();
+  return reuse;
+}
+
+WorldRect bounds(const Frame& frame) {
+  WorldRect rect;
+  if (!frame.bodies) return rect;
+  const int count = std::min(frame.state.size(), static_cast<int>(frame.bodies->size()));
+  for (int i = 0; i < count; ++i) {
+    if (!frame.state.q.col(i).allFinite()) continue;
+    const Vec2 half = half_extent((*frame.bodies)[static_cast<std::size_t>(i)].shape, frame.state.q(2, i));
+    // Of a half-plane, the point that it was placed by.
+    rect.include(frame.state.position(i), half.allFinite() ? half : Vec2(Vec2::Zero()));
+  }
+  if (frame.forces) {
+    for (const Spring& spring : frame.forces->springs) {
+      if (spring.to.empty()) rect.include(spring.anchor, Vec2::Zero());
+    }
+  }
+  for (const LinkState& link : frame.links) {
+    if (link.in_plane) rect.include(link.from, Vec2::Zero());
+  }
+  return rect;
+}
+
+}  // namespace carom

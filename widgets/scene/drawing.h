@@ -1,0 +1,158 @@
+#pragma once
+
+#include <QColor>
+#include <QPointF>
+#include <QString>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "physics/record/frame.h"
+#include "widgets/scene/camera.h"
+#include "widgets/scene/grid.h"
+#include "widgets/theme/theme.h"
+
+namespace carom {
+
+// What the scene looks like as a list of plain shapes: in world metres, with colours, and widths in logical
+// pixels. OpenGL and QPainter paint the same list. Painted in this order: grid, boxes, polygons, springs and
+// thin walls, discs, links and contact points, arrows, text.
+struct Drawing {
+  struct DiscItem {
+    Vec2 center;
+    double radius;
+    double angle;  // rad, of the orientation line
+    QColor fill;
+    QColor line;
+    bool oriented;  // has the line from its centre to its rim
+  };
+  struct BoxItem {
+    Vec2 center;
+    Vec2 half;  // m, half width and half height
+    double angle;
+    QColor fill;
+    QColor line;
+  };
+  // A convex polygon, its corners rounded.
+  struct PolygonItem {
+    int first;  // of its vertices in `vertices`, counter-clockwise
+    int count;
+    double rounding;  // m, which grows it
+    QColor fill;
+    QColor line;
+  };
+  // A straight line with round ends; a dot where its ends coincide.
+  struct SegmentItem {
+    Vec2 from;
+    Vec2 to;
+    QColor color;
+    double width;  // px
+  };
+  struct ArrowItem {
+    Vec2 from;
+    Vec2 to;
+    QColor color;
+    double width;  // px, of the shaft
+  };
+  // Text centred under a point of the world.
+  struct LabelItem {
+    Vec2 anchor;
+    double drop;  // px below the anchor
+    QString text;
+    QColor color;
+  };
+  // How long an arrow is for a round force; stands beside the scale bar.
+  struct ForceKey {
+    double newtons = 0.0;  // 0: no key
+    double length = 0.0;   // px
+    double width = 0.0;    // px, of the shaft
+    QColor color;
+  };
+
+  bool has_grid = false;
+  Grid grid;
+  std::vector<BoxItem> boxes;
+  std::vector<Vec2> vertices;  // of the polygons, m, in the world
+  std::vector<PolygonItem> polygons;
+  std::vector<SegmentItem> lines;  // over the boxes, under the discs
+  std::vector<DiscItem> discs;
+  std::vector<SegmentItem> segments;
+  std::vector<ArrowItem> arrows;
+  std::vector<LabelItem> labels;
+  ForceKey force_key;
+  double outline = 1.5;   // px, of bodies
+  double text_size = 11;  // px
+
+  void clear();  // keeps the capacities
+  [[nodiscard]] std::span<const Vec2> corners(const PolygonItem& polygon) const {
+    return {vertices.data() + polygon.first, static_cast<std::size_t>(polygon.count)};
+  }
+};
+
+struct DrawingOptions {
+  bool grid = true;
+  bool velocities = true;
+  bool forces = true;    // applied ones
+  bool contacts = true;  // impulses of impacts, forces of contacts that last
+  bool names = true;
+  double line_scale = 1.0;  // dimensionless: 2 in projector mode
+  double text_size = 11.0;  // px
+
+  bool operator==(const DrawingOptions&) const = default;
+};
+
+// How long arrows are.
+struct ArrowScale {
+  double seconds = 0.1;             // m of arrow per m/s
+  double metres_per_impulse = 0.1;  // m of arrow per N s
+  double metres_per_newton = 0.1;
+};
+
+// The largest speed, impulse and force that a scene has shown, which set the length of its arrows. Where
+// something lands the force of a contact that lasts is large for a moment: of these, the largest of late
+// counts.
+struct Peaks {
+  double speed = 0.0;                  // m/s
+  double impulse = 0.0;                // N s
+  double force = 0.0;                  // N, applied
+  double contact_force = 0.0;          // N, falls by e in kContactMemory
+  double largest_contact_force = 0.0;  // N, ever: far below it is rounding
+  int moving = 0;                      // bodies; a crowd's arrows are shorter
+  double time = 0.0;                   // s, of the frame that was observed last
+
+  static constexpr double kContactMemory = 0.1;  // s
+  static constexpr double kLeastShare = 1e-3;    // of the largest contact force, that the newest falls to
+
+  // Takes what the frame has and, from its energy, the speed that is to be expected of it.
+  void observe(const Frame& frame);
+};
+
+// A round scale at which the peaks' arrows are readable in a view whose shorter side is `side` m.
+[[nodiscard]] ArrowScale arrow_scale(const Peaks& peaks, double side);
+
+// How long an impact is shown, in simulated seconds; it fades on the way.
+inline constexpr double kImpactShown = 0.25;
+// With more moving bodies than this, names are clutter.
+inline constexpr int kMostNames = 40;
+
+// Other runs of the same scene, beside the one that is drawn whole.
+using OtherRuns = std::vector<std::shared_ptr<const Frame>>;
+
+struct DrawingInput {
+  const Frame& frame;
+  std::span<const ImpactRecord> impacts;  // the recent ones
+  const Camera& camera;
+  const DrawingOptions& options;
+  const Theme& theme;
+  ArrowScale arrows;
+  std::span<const std::shared_ptr<const Frame>> others =
+      {};  // as outlines, in the colours of the runs after the first
+};
+
+// Leaves out what the camera doesn't see. The memory of `reuse` serves the new list.
+[[nodiscard]] Drawing make_drawing(const DrawingInput& input, Drawing reuse = {});
+
+// All bodies of the frame and the points that springs and links hang on.
+[[nodiscard]] WorldRect bounds(const Frame& frame);
+
+}  // namespace carom

@@ -1,0 +1,63 @@
+#include "widgets/scene/drawing_others.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/theme/number_text.h"
+#include "widgets/theme/plotted_run.h"
+
+namespace carom {
+namespace {
+
+constexpr double kDistanceWidth = 1.2;   // px
+constexpr double kLeastDistance = 3.0;   // px, shorter ones are left out
+constexpr double kLeastLabelled = 40.0;  // px
+constexpr int kMostLabelled = 3;         // moving bodies
+constexpr double kAtOnce = 1e-9;         // s
+const QColor kNoFill(0, 0, 0, 0);
+
+void add_outline(const Shape& shape, const Vec2& at, double angle, const QColor& color, Drawing& out) {
+  if (const Disc* disc = std::get_if<Disc>(&shape)) {
+    out.discs.push_back({at, disc->radius, angle, kNoFill, color, false});
+  } else if (const Box* box = std::get_if<Box>(&shape)) {
+    out.boxes.push_back({at, Vec2(box->width, box->height) / 2, angle, kNoFill, color});
+  } else if (const Polygon* polygon = std::get_if<Polygon>(&shape)) {
+    const Outline outline = outline_of(*polygon);
+    const int first = static_cast<int>(out.vertices.size());
+    for (const Vec2& v : outline.vertices) out.vertices.push_back(at + Eigen::Rotation2Dd(angle) * v);
+    out.polygons.push_back(
+        {first, static_cast<int>(outline.vertices.size()), outline.rounding, kNoFill, color});
+  }
+}
+
+}  // namespace
+
+void add_other_runs(const DrawingInput& in, const WorldRect& seen, Drawing& out) {
+  for (std::size_t k = 0; k < in.others.size(); ++k) {
+    const Frame& other = *in.others[k];
+    const QColor color = pen_of_run(k + 1, in.theme).color();
+    const std::vector<Body>& bodies = *other.bodies;
+    const State& there = other.state;
+    const auto moving =
+        std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return !is_immovable(b); });
+    const int count = std::min({there.size(), in.frame.state.size(), static_cast<int>(bodies.size())});
+    for (int i = 0; i < count; ++i) {
+      const Body& body = bodies[static_cast<std::size_t>(i)];
+      if (is_immovable(body) || !there.q.col(i).allFinite()) continue;
+      const Vec2 at = there.position(i);
+      const Vec2 from = in.frame.state.position(i);
+      const double distance = from.allFinite() ? (at - from).norm() : 0.0;
+      if (!seen.meets(at, bounding_radius(body.shape) + distance)) continue;
+      add_outline(body.shape, at, there.q(2, i), color, out);
+      if (!(distance * in.camera.scale >= kLeastDistance)) continue;
+      out.segments.push_back({from, at, color, kDistanceWidth * in.options.line_scale});
+      // Between steps of different lengths a distance would be one in time, too.
+      const bool at_once = std::abs(other.time - in.frame.time) < kAtOnce;
+      if (!at_once || moving > kMostLabelled || distance * in.camera.scale < kLeastLabelled) continue;
+      out.labels.push_back({0.5 * (from + at), 3.0, figure(distance, 3) + " m", color});
+    }
+  }
+}
+
+}  // namespace carom

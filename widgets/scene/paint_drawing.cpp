@@ -1,0 +1,267 @@
+#include "widgets/scene/paint_drawing.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace carom {
+namespace {
+
+constexpr double kNameGap = 2.0;  // px, left free on both sides of a name
+
+// Arrow heads, in widths of the shaft, and never longer than this share of the arrow.
+constexpr double kHeadLength = 5.5;
+constexpr double kHeadHalfWidth = 2.3;
+constexpr double kHeadShare = 0.7;
+
+// Where the quiet text at the edges stands, in px.
+constexpr double kEdge = 6.0;
+constexpr double kScaleBarLeft = 26.0;
+constexpr double kScaleBarBottom = 16.0;
+constexpr double kBarGap = 6.0;    // to a bar's text
+constexpr double kBarsGap = 18.0;  // between two bars
+
+void paint_grid(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
+  const double ratio = painter.device()->devicePixelRatioF();
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  for (const Grid::Line& line : drawing.grid.lines) {
+    painter.fillRect(line_rect(line, camera, grid_line_width(drawing), ratio),
+                     line.strong ? theme.strong_grid : theme.grid);
+  }
+  painter.setRenderHint(QPainter::Antialiasing, true);
+}
+
+void paint_boxes(QPainter& painter, const Drawing& drawing, const Camera& camera) {
+  for (const Drawing::BoxItem& box : drawing.boxes) {
+    const Vec2 half = box.half * camera.scale;
+    const double corner = std::min(kCornerRadius, half.minCoeff());
+    painter.save();
+    painter.translate(camera.to_screen(box.center));
+    painter.rotate(-box.angle * 180.0 / std::numbers::pi);
+    painter.setPen(QPen(box.line, drawing.outline));
+    painter.setBrush(box.fill);
+    painter.drawRoundedRect(QRectF(-half.x(), -half.y(), 2 * half.x(), 2 * half.y()), corner, corner);
+    painter.restore();
+  }
+}
+
+// The polygon grown by its rounding: an arc about each vertex, joined by the edges.
+QPainterPath polygon_path(std::span<const Vec2> vertices, double rounding, const Camera& camera) {
+  const double radius = rounding * camera.scale;
+  const auto count = vertices.size();
+  QPainterPath path;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec2 in = vertices[k] - vertices[(k + count - 1) % count];
+    const Vec2 out = vertices[(k + 1) % count] - vertices[k];
+    const QPointF at = camera.to_screen(vertices[k]);
+    // Outward normals of the two edges, as angles in degrees.
+    const double from = std::atan2(-in.x(), in.y()) * 180.0 / std::numbers::pi;
+    double turn = std::atan2(-out.x(), out.y()) * 180.0 / std::numbers::pi - from;
+    if (turn < 0.0) turn += 360.0;
+    if (radius > 0.0) {
+      const QRectF circle(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius);
+      if (k == 0) path.arcMoveTo(circle, from);
+      path.arcTo(circle, from, turn);
+    } else if (k == 0) {
+      path.moveTo(at);
+    } else {
+      path.lineTo(at);
+    }
+  }
+  path.closeSubpath();
+  return path;
+}
+
+void paint_polygons(QPainter& painter, const Drawing& drawing, const Camera& camera) {
+  for (const Drawing::PolygonItem& polygon : drawing.polygons) {
+    painter.setPen(QPen(polygon.line, drawing.outline, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.setBrush(polygon.fill);
+    painter.drawPath(polygon_path(drawing.corners(polygon), polygon.rounding, camera));
+  }
+}
+
+void paint_discs(QPainter& painter, const Drawing& drawing, const Camera& camera) {
+  for (const Drawing::DiscItem& disc : drawing.discs) {
+    const QPointF center = camera.to_screen(disc.center);
+    const double radius = disc.radius * camera.scale;
+    painter.setPen(QPen(disc.line, drawing.outline, Qt::SolidLine, Qt::RoundCap));
+    painter.setBrush(disc.fill);
+    painter.drawEllipse(center, radius, radius);
+    if (disc.oriented) {
+      painter.drawLine(center, center + radius * QPointF(std::cos(disc.angle), -std::sin(disc.angle)));
+    }
+  }
+}
+
+void paint_segments(QPainter& painter, const std::vector<Drawing::SegmentItem>& segments,
+                    const Camera& camera) {
+  for (const Drawing::SegmentItem& segment : segments) {
+    const QPointF from = camera.to_screen(segment.from);
+    const QPointF to = camera.to_screen(segment.to);
+    if (from == to) {
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(segment.color);
+      painter.drawEllipse(from, segment.width / 2, segment.width / 2);
+    } else {
+      painter.setPen(QPen(segment.color, segment.width, Qt::SolidLine, Qt::RoundCap));
+      painter.drawLine(from, to);
+    }
+  }
+}
+
+void paint_arrow(QPainter& painter, const ArrowOnScreen& a, double width, const QColor& color) {
+  const QPointF along = (a.tip - a.from) / QLineF(a.from, a.tip).length();
+  const QPointF across(-along.y(), along.x());
+  const QPointF base = a.tip - along * a.head_length;
+  painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(a.from, a.shaft_end);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  const QPointF head[] = {a.tip, base + across * a.head_half_width, base - across * a.head_half_width};
+  painter.drawConvexPolygon(head, 3);
+}
+
+ArrowOnScreen arrow_between(const QPointF& from, const QPointF& tip, double width) {
+  ArrowOnScreen a;
+  a.from = from;
+  a.tip = tip;
+  const double length = QLineF(from, tip).length();
+  a.head_length = std::min(kHeadLength * width, kHeadShare * length);
+  a.head_half_width = a.head_length * kHeadHalfWidth / kHeadLength;
+  a.shaft_end = tip - (tip - from) * (0.9 * a.head_length / length);
+  return a;
+}
+
+// Under text at the edges, so that it can be read on a wall.
+void paint_ground(QPainter& painter, const Theme& theme, const QRectF& text) {
+  QColor ground = theme.scene_ground;
+  ground.setAlphaF(0.85F);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(text.adjusted(-4.0, -1.0, 4.0, 1.0), 4.0, 4.0);
+}
+
+// What a bar or an arrow of this length (px) is worth, at its right, and a ground for both. The end of all.
+double paint_bar_text(QPainter& painter, const Theme& theme, const QPointF& from, double length,
+                      const QString& text) {
+  const QFontMetricsF metrics(painter.font());
+  const QPointF at(from.x() + length + kBarGap, from.y() + metrics.capHeight() / 2);
+  const double end = at.x() + metrics.horizontalAdvance(text);
+  paint_ground(painter, theme,
+               QRectF(QPointF(from.x(), from.y() - metrics.height() / 2),
+                      QPointF(end, from.y() + metrics.height() / 2)));
+  painter.setPen(theme.muted);
+  painter.drawText(at, text);
+  return end;
+}
+
+// At the lower left, `left` being where there is room yet; it moves on.
+void paint_scale_bar(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
+                     double& left) {
+  const double length = drawing.grid.scale_bar * camera.scale;
+  const QPointF from(left, camera.viewport.height() - kScaleBarBottom);
+  left = paint_bar_text(painter, theme, from, length, length_text(drawing.grid.scale_bar));
+  painter.setPen(QPen(theme.muted, drawing.outline, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(from, from + QPointF(length, 0.0));
+}
+
+// Beside the scale bar.
+void paint_force_key(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
+                     double& left) {
+  const Drawing::ForceKey& key = drawing.force_key;
+  const QPointF from(left, camera.viewport.height() - kScaleBarBottom);
+  left = paint_bar_text(painter, theme, from, key.length, number_text(key.newtons) + QStringLiteral(" N"));
+  paint_arrow(painter, arrow_between(from, from + QPointF(key.length, 0.0), key.width), key.width, key.color);
+}
+
+// Coordinates at the strong lines, along the lower and left edges, where the scale bar leaves room.
+void paint_numbers(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
+                   double bars_end) {
+  const QFontMetricsF metrics(painter.font());
+  const double bottom = camera.viewport.height() - kEdge;
+  for (const Grid::Line& line : drawing.grid.lines) {
+    if (!line.strong) continue;
+    const QPointF at = camera.to_screen(Vec2::Constant(line.at));
+    const QString text = number_text(line.at);
+    const double width = metrics.horizontalAdvance(text);
+    QPointF place(kEdge, at.y() + metrics.capHeight() / 2);
+    if (line.vertical) {
+      place = QPointF(at.x() - width / 2, bottom);
+      if (place.x() < bars_end + 12.0 || place.x() + width > camera.viewport.width() - kEdge) continue;
+    } else if (at.y() < 2 * metrics.height() || at.y() > bottom - 3 * metrics.height()) {
+      continue;
+    }
+    paint_ground(painter, theme, QRectF(place.x(), place.y() - metrics.ascent(), width, metrics.height()));
+    painter.setPen(theme.muted);
+    painter.drawText(place, text);
+  }
+}
+
+void set_text_size(QPainter& painter, double pixels, int weight) {
+  QFont font = painter.font();
+  font.setPixelSize(std::max(1, static_cast<int>(std::lround(pixels))));
+  font.setWeight(static_cast<QFont::Weight>(weight));
+  painter.setFont(font);
+}
+
+}  // namespace
+
+ArrowOnScreen arrow_on_screen(const Drawing::ArrowItem& arrow, const Camera& camera) {
+  return arrow_between(camera.to_screen(arrow.from), camera.to_screen(arrow.to), arrow.width);
+}
+
+double grid_line_width(const Drawing& drawing) { return drawing.outline / 1.5; }
+
+void paint_drawing(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
+  paint_shapes(painter, drawing, camera, theme);
+  paint_text(painter, drawing, camera, theme);
+}
+
+void paint_shapes(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
+  painter.fillRect(QRectF(QPointF(), camera.viewport), theme.scene_ground);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (drawing.has_grid) paint_grid(painter, drawing, camera, theme);
+  paint_boxes(painter, drawing, camera);
+  paint_polygons(painter, drawing, camera);
+  paint_segments(painter, drawing.lines, camera);
+  paint_discs(painter, drawing, camera);
+  paint_segments(painter, drawing.segments, camera);
+  for (const Drawing::ArrowItem& arrow : drawing.arrows) {
+    paint_arrow(painter, arrow_on_screen(arrow, camera), arrow.width, arrow.color);
+  }
+}
+
+void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  double left = kScaleBarLeft;
+  set_text_size(painter, drawing.text_size, QFont::Normal);
+  if (drawing.has_grid) paint_scale_bar(painter, drawing, camera, theme, left);
+  if (drawing.force_key.newtons > 0.0) {
+    if (drawing.has_grid) left += kBarsGap;
+    paint_force_key(painter, drawing, camera, theme, left);
+  }
+  if (drawing.has_grid) {
+    set_text_size(painter, drawing.text_size - 1.0, QFont::Normal);
+    paint_numbers(painter, drawing, camera, theme, left);
+  }
+  set_text_size(painter, drawing.text_size, QFont::DemiBold);
+  const QFontMetricsF metrics(painter.font());
+  std::vector<QRectF> written;
+  for (const Drawing::LabelItem& label : drawing.labels) {
+    const double width = metrics.horizontalAdvance(label.text);
+    const QPointF at = camera.to_screen(label.anchor) + QPointF(-width / 2, label.drop);
+    const QRectF place(at - QPointF(kNameGap, 0.0), QSizeF(width + 2 * kNameGap, metrics.ascent()));
+    // A name over another can't be read, and neither can the other.
+    if (std::any_of(written.begin(), written.end(), [&](const QRectF& r) { return r.intersects(place); }))
+      continue;
+    written.push_back(place);
+    painter.setPen(label.color);
+    painter.drawText(at + QPointF(0.0, metrics.ascent()), label.text);
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/scene/drawing.h"
+
+class QPainter;
+
+namespace carom {
+
+// What a canvas shows; the scene view owns it and outlives the canvas.
+struct Picture {
+  Drawing drawing;
+  Camera camera;
+  Theme theme;
+  bool focus_frame = false;  // the keyboard came here by Tab
+};
+
+// What a screen has on top of the shapes: text, and the frame of keyboard focus.
+void paint_overlay(QPainter& painter, const Picture& picture);
+
+// Paints the picture by QPainter, where there is no OpenGL.
+class QPainterCanvas : public QWidget {
+ public:
+  explicit QPainterCanvas(const Picture& picture, QWidget* parent = nullptr);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  const Picture& picture_;
+};
+
+}  // namespace carom

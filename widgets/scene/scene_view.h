@@ -1,0 +1,107 @@
+#pragma once
+
+#include <QImage>
+#include <QPoint>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "physics/record/frame.h"
+#include "widgets/scene/drawing.h"
+#include "widgets/scene/qpainter_canvas.h"
+#include "widgets/scene/scene_export.h"
+
+namespace carom {
+
+// The scene of a run: shows the frames that it is given, zooms and pans. It changes nothing; clicks are told by
+// signals, in world metres. Painted by OpenGL, or by QPainter where OpenGL is not to be had or the environment
+// says CAROM_PAINTER=qpainter.
+class SceneView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneView(const Theme& theme, QWidget* parent = nullptr);
+
+  void set_theme(const Theme& theme);
+  // And other runs beside it.
+  void set_frame(std::shared_ptr<const Frame> frame, OtherRuns others = {});
+  // Nothing to show, until the next frame.
+  void clear();
+  void set_options(const DrawingOptions& options);
+  [[nodiscard]] const DrawingOptions& options() const { return options_; }
+  // What to show from here on, for a new scene: a view of its own, or all its bodies. Arrows are scaled anew.
+  void set_view(const std::optional<View>& view);
+  // What the camera shows now, where the user has moved it.
+  [[nodiscard]] std::optional<View> moved_view() const;
+  // All bodies with a margin; again at each new size and run until the user zooms or pans.
+  void fit();
+  // What is shown, on white: to a file (see save_picture()), and for the clipboard.
+  [[nodiscard]] bool save(const QString& path, QString* error) const;
+  [[nodiscard]] QImage picture() const;
+  // How it is shown, in the window's own colours.
+  [[nodiscard]] SceneLook look() const;
+  void zoom_in();
+  void zoom_out();
+
+  [[nodiscard]] bool uses_opengl() const { return uses_opengl_; }
+  [[nodiscard]] const Camera& camera() const { return picture_.camera; }
+  [[nodiscard]] const Drawing& drawing() const { return picture_.drawing; }
+  // The topmost body at a point of the widget; -1 if there is none.
+  [[nodiscard]] int body_at(const QPointF& position) const;
+
+  [[nodiscard]] QSize sizeHint() const override { return {640, 460}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
+
+ signals:
+  void spawnRequested(double x, double y);  // m
+  void bodyClicked(int index);
+  void cursorMoved(double x, double y);  // m
+  void cursorLeft();
+
+ protected:
+  bool event(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  enum class Press { kNone, kClick, kMute, kPan };  // kMute: may become a drag, but is no click
+
+  void go_home();  // the camera to the scene's view, unless the user has moved it
+  void zoom(const QPointF& at, double factor);
+  void pan(const QPointF& delta);
+  void paint_on_paper(QPainter& painter) const;
+  void refresh();
+  [[nodiscard]] QString body_text(int index) const;
+  void follow_tip();  // the shown tooltip tells the new frame, or goes with its body
+
+  Picture picture_;
+  DrawingOptions options_;
+  std::shared_ptr<const Frame> frame_;
+  OtherRuns others_;
+  std::vector<ImpactRecord> impacts_;  // recent ones, in the order of time
+  Peaks peaks_;
+  std::optional<View> view_;
+  bool home_ = true;           // the user has not moved the camera
+  double home_scale_ = 100.0;  // px/m when nothing is zoomed
+  double home_side_ = 4.0;     // m, the shorter side of the view then
+  bool uses_opengl_ = false;
+  QWidget* canvas_ = nullptr;
+
+  Press press_ = Press::kNone;
+  QPointF press_at_;
+  QPointF last_at_;
+  int tip_body_ = -1;  // that the tooltip tells about
+  QPoint tip_at_;
+};
+
+}  // namespace carom

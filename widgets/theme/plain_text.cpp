@@ -1,0 +1,51 @@
+#include "widgets/theme/plain_text.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QMessageBox>
+#include <QTextDocument>
+
+namespace carom {
+namespace {
+
+class PlainMessages : public QObject {
+ public:
+  using QObject::QObject;
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    // Before it is laid out, which is when a picture of its text would be read.
+    if (event->type() == QEvent::Polish && watched->isWidgetType()) {
+      auto* label = qobject_cast<QLabel*>(watched);
+      if (label != nullptr && qobject_cast<QMessageBox*>(label->parentWidget()) != nullptr &&
+          label->textFormat() == Qt::AutoText)
+        label->setTextFormat(Qt::PlainText);
+    }
+    return QObject::eventFilter(watched, event);
+  }
+};
+
+}  // namespace
+
+QString plain_tip(const QString& text) {
+  if (!Qt::mightBeRichText(text)) return text;
+  return "<span>" + text.toHtmlEscaped().replace('\n', "<br>") + "</span>";
+}
+
+void tell(QWidget* parent, const QString& title, const QString& text, const QString& details) {
+  QMessageBox box(parent);
+  box.setWindowTitle(title);
+  box.setTextFormat(Qt::PlainText);
+  box.setText(details.isEmpty() ? text : text + "\n\n" + details);
+  box.setTextInteractionFlags(Qt::TextSelectableByMouse);
+  box.exec();
+}
+
+void keep_messages_plain() {
+  static const char* const kName = "plain-messages";
+  if (qApp->findChild<QObject*>(kName, Qt::FindDirectChildrenOnly) != nullptr) return;
+  auto* filter = new PlainMessages(qApp);
+  filter->setObjectName(kName);
+  qApp->installEventFilter(filter);
+}
+
+}  // namespace carom
