@@ -14,6 +14,7 @@
 #include "physics/math/parallel.h"
 #include "physics/model/needs.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/validate.h"
 
@@ -23,7 +24,7 @@ namespace {
 struct CheckedPreset {
   std::filesystem::path file;
   std::string name;
-  Scene scene;
+  Preset preset;
   ExpectationCheck check;
 };
 
@@ -46,11 +47,11 @@ std::string figure(double value) { return fmt::format("{:.11g}", value == 0.0 ? 
 
 std::string rough(double value) { return value == 0.0 ? "0" : fmt::format("{:.1e}", value); }
 
-Row table_row(const std::string& preset, const Scene& scene, const Expectation& e, const Outcome& o) {
+Row table_row(const std::string& name, const Preset& preset, const Expectation& e, const Outcome& o) {
   const bool came = !std::isnan(o.measured);
   const std::string unit = o.unit.empty() || o.unit == "1" ? "" : " " + o.unit;
-  return {preset,
-          text_of(e, scene),
+  return {name,
+          text_of(e, preset),
           came ? figure(o.measured) : "-",
           figure(e.value) + unit,
           came ? rough(o.error) : "-",
@@ -71,13 +72,13 @@ void print_rows(const std::vector<Row>& rows) {
   print_table(cells, kColumns);
 }
 
-// The scene of a preset under the method that is asked for.
-Scene read_scene(const std::filesystem::path& file, const CheckOptions& options) {
+// A preset under the method that is asked for.
+Preset read_checked(const std::filesystem::path& file, const CheckOptions& options) {
   constexpr std::string_view kStep = "/method/step";
-  Scene scene = scene_with_method(file.string(), options.method);
+  Preset preset = preset_with_method(file.string(), options.method);
   const auto divide = [&](double& step) { step = std::max(step / options.finer, kLeastStep); };
-  divide(scene.method.step);
-  for (Expectation& e : scene.expect) {
+  divide(preset.method.step);
+  for (Expectation& e : preset.expect) {
     for (Setting& setting : e.settings) {
       if (setting.place == kStep) divide(setting.value);
     }
@@ -85,7 +86,7 @@ Scene read_scene(const std::filesystem::path& file, const CheckOptions& options)
       for (double& step : e.over->values) divide(step);
     }
   }
-  return scene;
+  return preset;
 }
 
 std::vector<CheckedPreset> read_presets(const CheckOptions& options) {
@@ -98,11 +99,11 @@ std::vector<CheckedPreset> read_presets(const CheckOptions& options) {
   for (const std::filesystem::path& file : files) {
     const bool asked_for = !options.presets.empty();
     const auto integrator = options.method.integrator;
-    if (!asked_for && integrator && why_not(read_preset(file), *integrator)) continue;
-    Scene scene = read_scene(file, options);
+    if (!asked_for && integrator && why_not(read_preset(file).scene, *integrator)) continue;
+    Preset preset = read_checked(file, options);
     try {
-      ExpectationCheck check(scene);
-      presets.push_back({file, file.stem().string(), std::move(scene), std::move(check)});
+      ExpectationCheck check(preset);
+      presets.push_back({file, file.stem().string(), std::move(preset), std::move(check)});
     } catch (const SceneError& error) {
       throw SceneError(fmt::format("{}: {}", file.string(), error.what()));
     }
@@ -144,11 +145,11 @@ int check_command(const CheckOptions& options) {
   for (const CheckedPreset& p : presets) {
     const std::vector<Outcome> outcomes = p.check.outcomes();
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      const Expectation& e = p.scene.expect[i];
+      const Expectation& e = p.preset.expect[i];
       const Outcome& o = outcomes[i];
       ++all;
       good += o.good ? 1 : 0;
-      rows.push_back(table_row(p.name, p.scene, e, o));
+      rows.push_back(table_row(p.name, p.preset, e, o));
       if (csv != nullptr) {
         csv->line(fmt::format("{},{},{},{},{},{},{}", csv_field(p.name), csv_field(rows.back().expectation),
                               o.measured, e.value, o.error, e.tolerance, o.good ? "good" : "fell short"));

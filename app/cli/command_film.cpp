@@ -7,16 +7,17 @@
 #include "app/cli/standard_output.h"
 #include "app/export/film.h"
 #include "app/lab/preset_library.h"
+#include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
 
 namespace carom {
 
 int film_command(int& argc, char** argv, const FilmOptions& options) {
   Film film;
-  const Scene scene = scene_with_method(options.preset, options.method);
-  film.runs = {{scene, {}}};
+  const Preset preset = preset_with_method(options.preset, options.method);
+  film.runs = {{setup_of(preset), {}}};
   film.from = options.from;
-  film.to = options.to.value_or(scene.duration);
+  film.to = options.to.value_or(preset.duration);
   film.rate = options.rate;
   film.speed = options.speed;
   film.pixels = {options.width, options.height};
@@ -26,7 +27,7 @@ int film_command(int& argc, char** argv, const FilmOptions& options) {
   const QApplication application(argc, argv);
   const Theme& theme = options.dark ? dark_theme() : light_theme();
   apply_theme(*qApp, theme);
-  const std::optional<View>& view = scene.view;
+  const std::optional<View>& view = preset.view;
   film.look = scene_look({}, view, {}, theme, film.pixels);
   film.whole = !view;
   std::optional<FilmFrames> frames;

@@ -13,7 +13,9 @@
 #include "app/lab/preset_library.h"
 #include "physics/files/output_set.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/record/run_moments.h"
+#include "physics/scene/plain_text.h"
 #include "widgets/print/save_file.h"
 #include "widgets/scene/scene_export.h"
 #include "widgets/scene/scene_view.h"
@@ -37,11 +39,11 @@ QSize size_of(const PictureOptions& options) {
 }
 
 // The whole window at one moment of a run, as the bytes of a PNG file.
-QByteArray window_picture(const Scene& scene, const QString& name, double time, const PictureOptions& options,
+QByteArray window_picture(const Preset& preset, const QString& name, double time, const PictureOptions& options,
                           const Theme& theme) {
   LabWindow window(theme);
   window.resize(size_of(options));
-  window.show_scene(scene, name, {});
+  window.show_scene(preset, name, {});
   window.show();
   window.run_until(time);
   for (int i = 0; i < 5; ++i) QApplication::processEvents();
@@ -52,13 +54,13 @@ QByteArray window_picture(const Scene& scene, const QString& name, double time, 
   return bytes.data();
 }
 
-Frame frame_at(const Scene& scene, double time) {
+Frame frame_at(const Preset& preset, double time) {
   Frame moment;
   const auto take = [&](std::span<const Frame> frames) {
     moment = frames.front();
     return true;
   };
-  (void)visit_moments(std::array{RunLog{scene, {}}}, std::array{time}, kImpactShown, take,
+  (void)visit_moments(std::array{RunLog{setup_of(preset), {}}}, std::array{time}, kImpactShown, take,
                       [](double) { return true; });
   return moment;
 }
@@ -66,7 +68,7 @@ Frame frame_at(const Scene& scene, double time) {
 }  // namespace
 
 int picture_command(int& argc, char** argv, const PictureOptions& options) {
-  const Scene scene = scene_with_method(options.preset, options.method);
+  const Preset preset = preset_with_method(options.preset, options.method);
   const QString output = QString::fromStdString(options.output);
   const QString suffix = QFileInfo(output).suffix().toLower();
   if (options.window && suffix != "png") {
@@ -76,7 +78,7 @@ int picture_command(int& argc, char** argv, const PictureOptions& options) {
   if (suffix != "png" && suffix != "svg" && suffix != "pdf") {
     throw SceneError(fmt::format("{}: not a kind of picture; allowed: .png, .svg, .pdf", options.output));
   }
-  const double time = options.at.value_or(scene.duration);
+  const double time = options.at.value_or(preset.duration);
   OutputSet outputs({find_preset(options.preset)});
   OutputFile& file = *outputs.open(options.output);
   use_no_screen();
@@ -85,12 +87,12 @@ int picture_command(int& argc, char** argv, const PictureOptions& options) {
   apply_theme(application, theme);
   if (options.window) {
     const QString name = QString::fromStdString(find_preset(options.preset).stem().string());
-    write_bytes(file, window_picture(scene, name, time, options, theme));
+    write_bytes(file, window_picture(preset, name, time, options, theme));
   } else {
-    write_scene_picture(file, frame_at(scene, time), scene.view, {}, theme, size_of(options));
+    write_scene_picture(file, frame_at(preset, time), preset.view, {}, theme, size_of(options));
   }
   file.commit();
-  if (const Frame moment = frame_at(scene, time); moment.lost) throw RunLostError(*moment.lost);
+  if (const Frame moment = frame_at(preset, time); moment.lost) throw RunLostError(*moment.lost);
   return kGood;
 }
 

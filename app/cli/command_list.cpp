@@ -5,6 +5,8 @@
 #include "app/cli/standard_output.h"
 #include "app/lab/preset_library.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
+#include "physics/scene/plain_text.h"
 
 namespace carom {
 
@@ -24,8 +26,8 @@ int list_command() {
   std::vector<Line> lines;
   for (const LibraryEntry& entry : library) {
     try {
-      const Scene scene = read_preset(entry.file);
-      const std::string text = scene.title + (scene.observe.empty() ? "" : ": ") + scene.observe;
+      const Preset preset = read_preset(entry.file);
+      const std::string text = preset.title + (preset.observe.empty() ? "" : ": ") + preset.observe;
       lines.push_back({printable(entry.topic), printable(entry.name), printable(text)});
     } catch (const SceneError& error) {
       faults.emplace_back(error.what());

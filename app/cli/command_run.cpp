@@ -9,6 +9,8 @@
 #include "app/lab/preset_library.h"
 #include "physics/files/output_set.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
+#include "physics/preset/saved_preset.h"
 #include "physics/scene/facts.h"
 #include "physics/world/run_state.h"
 
@@ -40,11 +42,11 @@ class Progress {
 
 }  // namespace
 
-Scene scene_with_method(const std::string& preset, const MethodOptions& method) {
-  Scene scene = read_preset(find_preset(preset));
-  scene.method.integrator = method.integrator.value_or(scene.method.integrator);
-  scene.method.impacts = method.impacts.value_or(scene.method.impacts);
-  scene.method.contacts = method.contacts.value_or(scene.method.contacts);
+Preset preset_with_method(const std::string& name, const MethodOptions& method) {
+  Preset preset = read_preset(find_preset(name));
+  preset.method.integrator = method.integrator.value_or(preset.method.integrator);
+  preset.method.impacts = method.impacts.value_or(preset.method.impacts);
+  preset.method.contacts = method.contacts.value_or(preset.method.contacts);
   const auto put = [](const char* option, const std::optional<double>& value, double least, double largest,
                       const char* unit, double& to) {
     if (!value) return;
@@ -54,15 +56,17 @@ Scene scene_with_method(const std::string& preset, const MethodOptions& method) 
     }
     to = *value;
   };
-  put("--step", method.step, kLeastStep, kLargestStep, "s", scene.method.step);
-  put("--tolerance", method.tolerance, kLeastTolerance, kLargestTolerance, "m and m/s", scene.method.tolerance);
-  if (const auto reason = why_not(scene, scene.method.integrator)) throw SceneError("--integrator: " + *reason);
-  return scene;
+  put("--step", method.step, kLeastStep, kLargestStep, "s", preset.method.step);
+  put("--tolerance", method.tolerance, kLeastTolerance, kLargestTolerance, "m and m/s",
+      preset.method.tolerance);
+  if (const auto reason = why_not(preset.scene, preset.method.integrator))
+    throw SceneError("--integrator: " + *reason);
+  return preset;
 }
 
 int run_command(const RunOptions& options) {
-  const Scene scene = scene_with_method(options.preset, options.method);
-  const Simulation start(scene);
+  const Preset preset = preset_with_method(options.preset, options.method);
+  const Simulation start(setup_of(preset));
   Simulation simulation = start;
 
   const std::vector<Quantity> columns = run_columns(simulation.bodies());
@@ -76,7 +80,7 @@ int run_command(const RunOptions& options) {
     csv->line(csv_line(columns, simulation));
   }
   if (events != nullptr) events->line(events_csv_header());
-  const double end = options.until.value_or(scene.duration);
+  const double end = options.until.value_or(preset.duration);
   {
     Progress progress(end);
     simulation.advance_to(end, [&] {
@@ -90,7 +94,7 @@ int run_command(const RunOptions& options) {
   }
   if (save != nullptr) {
     try {
-      const std::string text = write_preset(saved_scene(scene, simulation));
+      const std::string text = write_preset(saved_preset(preset, simulation));
       (void)parse_preset(text, save->name());
       save->write(text);
     } catch (const SceneError& error) {
@@ -99,7 +103,7 @@ int run_command(const RunOptions& options) {
   }
   const std::string failures = outputs.commit();
   write_out(options.json ? report_json(find_preset(options.preset).stem().string(), simulation)
-                         : report_text(scene, start, simulation));
+                         : report_text(preset, start, simulation));
   if (const auto& lost = simulation.lost()) {
     const std::string text = lost->text(simulation.bodies(), simulation.time());
     throw RunLostError(failures.empty() ? text : text + "; " + failures);

@@ -12,6 +12,7 @@
 #include "physics/files/output_set.h"
 #include "physics/preset/file_text.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/study/study_text.h"
 #include "widgets/compare/study_plot.h"
 #include "widgets/print/picture_file.h"
@@ -82,13 +83,13 @@ int study_command(int& argc, char** argv, const StudyCommandOptions& options) {
     table = merged(options.merge);
     open_outputs();
   } else {
-    const Scene scene = read_preset(file);
-    (void)plan_methods(scene, options.study);
+    const Preset preset = read_preset(file);
+    (void)plan_methods(preset, options.study);
     open_outputs();
     StudyProgressLine line;
     StudyWatch watch;
     watch.progress = [&line](std::string_view stage, int done, int of) { line.show(stage, done, of); };
-    table = run_study(scene, file.stem().string(), options.study, watch);
+    table = run_study(preset, file.stem().string(), options.study, watch);
   }
   if (csv != nullptr) {
     for (const std::string& line : study_csv(table)) csv->line(line);

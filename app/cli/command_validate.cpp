@@ -1,7 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/standard_output.h"
 #include "app/lab/preset_library.h"
-#include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/preset/schema.h"
 #include "physics/scene/validate.h"
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/preset/preset.h"
 #include "physics/scene/scene.h"
 #include "physics/study/study.h"
 
@@ -95,7 +96,7 @@ struct StudyCommandOptions {
 };
 
 // The scene of a preset with the chosen method, validated.
-[[nodiscard]] Scene scene_with_method(const std::string& preset, const MethodOptions& method);
+[[nodiscard]] Preset preset_with_method(const std::string& preset, const MethodOptions& method);
 
 // One line on stderr, whatever it holds: what a terminal would not show is escaped, and the middle of a very
 // long one is left out.

@@ -6,6 +6,7 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/model/needs.h"
+#include "physics/preset/preset.h"
 #include "physics/record/run_moments.h"
 #include "widgets/plot/plot_export.h"
 #include "widgets/plot/run_plot.h"
@@ -171,7 +172,7 @@ class Writer {
   }
 
   void method() {
-    const Scene& start = report_.runs.front().start;
+    const RunSetup& start = report_.runs.front().start;
     const Method& m = start.method;
     add(print_heading(tr("The method")));
     const auto entry = [&](const QString& name, const QString& text) {
@@ -214,7 +215,9 @@ class Writer {
     }
   }
 
-  static NeedsText text_of_needs(const Scene& scene) { return carom::text_of(needs_of(scene), scene); }
+  static NeedsText text_of_needs(const RunSetup& setup) {
+    return carom::text_of(needs_of(setup.scene), setup.scene, setup.method.contacts);
+  }
 
   // What was done to the run on its way, as far as a page takes it.
   void changes() {

@@ -28,7 +28,7 @@ bool write_lines(const DataExport& what, char separator, const std::function<boo
     if (what.reference != ReferenceId::kNone) sampler.compare_with(Companion(what.log.start, what.reference));
     sampler.begin(simulation);
   }
-  std::vector<Body> bodies = all_bodies(what.log.start);
+  std::vector<Body> bodies = all_bodies(what.log.start.scene);
   for (const Edit& edit : what.log.edits) {
     if (const auto* body = std::get_if<Body>(&edit.what)) bodies.push_back(*body);
   }

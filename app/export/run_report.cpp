@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/preset/preset.h"
 #include "physics/scene/plain_text.h"
 
 namespace carom {
@@ -70,8 +71,8 @@ std::string ledger_text(const Ledger& ledger, const Totals& now) {
 
 }  // namespace
 
-std::string report_text(const Scene& scene, const Simulation& start, const Simulation& end) {
-  std::string out = fmt::format("{}\n{}", printable(scene.title), method_text(end));
+std::string report_text(const Preset& preset, const Simulation& start, const Simulation& end) {
+  std::string out = fmt::format("{}\n{}", printable(preset.title), method_text(end));
   out += fmt::format("t = {} s after {}, {}\n\n", figure(end.time()), counted(end.steps(), "step"),
                      counted(end.impact_count(), "impact"));
 

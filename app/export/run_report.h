@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/preset/preset.h"
 #include "physics/world/simulation.h"
 
 namespace carom {
@@ -11,7 +12,7 @@ namespace carom {
 // ledger of energy and momentum, status.
 // Of many bodies the first kMostRows are listed; the sums hold all.
 inline constexpr int kMostRows = 20;
-[[nodiscard]] std::string report_text(const Scene& scene, const Simulation& start, const Simulation& end);
+[[nodiscard]] std::string report_text(const Preset& preset, const Simulation& start, const Simulation& end);
 
 // The same for programs, one JSON object: preset, method {integrator, impacts, contacts, step or tolerance},
 // order (0: exact), time, steps, rejected_steps, evaluations, impacts, bodies [{name, position, angle,

@@ -12,6 +12,8 @@
 #include <array>
 #include <utility>
 
+#include "physics/preset/preset.h"
+
 // Resources of a static library are linked only where this is called; it must stand outside of any namespace.
 static void load_help() { Q_INIT_RESOURCE(help); }
 

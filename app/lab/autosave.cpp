@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 
 namespace carom {
 namespace {
@@ -35,7 +36,7 @@ QString autosave_folder() {
 KeptWork::KeptWork(const QString& file, std::unique_ptr<QLockFile> lock)
     : file_(file), time_(QFileInfo(file).lastModified()), lock_(std::move(lock)) {}
 
-Scene KeptWork::scene() const { return read_preset(file_.toStdString()); }
+Preset KeptWork::preset() const { return read_preset(file_.toStdString()); }
 
 void KeptWork::remove() {
   QFile::remove(file_);
@@ -61,11 +62,11 @@ std::vector<KeptWork> kept_work(const QString& folder) {
   return all;
 }
 
-void Autosave::keep(const Scene& scene) {
-  std::string text = write_preset(scene);
+void Autosave::keep(const Preset& preset) {
+  std::string text = write_preset(preset);
   if (!file_.isEmpty() && text == written_) return;
   if (file_.isEmpty()) choose_file();
-  save_preset(scene, file_.toStdString());
+  save_preset(preset, file_.toStdString());
   written_ = std::move(text);
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "physics/preset/preset.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -21,7 +22,7 @@ class KeptWork {
 
   [[nodiscard]] const QDateTime& time() const { return time_; }  // when it was kept
   // Throws SceneError where the file cannot be read.
-  [[nodiscard]] Scene scene() const;
+  [[nodiscard]] Preset preset() const;
   void remove();
   // It is not offered again, but stays for somebody to look at: as *.damaged in the same folder.
   void set_aside();
@@ -45,7 +46,7 @@ class Autosave {
   Autosave& operator=(const Autosave&) = delete;
 
   // Writes the scene unless it is there already. Throws SceneError if it cannot be written.
-  void keep(const Scene& scene);
+  void keep(const Preset& preset);
   void forget();
   [[nodiscard]] const QString& file() const { return file_; }  // empty while nothing is kept
 

@@ -21,6 +21,8 @@
 #include "app/lab/report_dialog.h"
 #include "physics/files/output_set.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
+#include "physics/preset/saved_preset.h"
 #include "physics/scene/validate.h"
 #include "physics/world/run_state.h"
 #include "widgets/plot/plot_export.h"
@@ -114,14 +116,14 @@ void LabWindow::save_run() {
   if (frame_ == nullptr || frame_->log == nullptr) return;
   // Of the moment when it was asked for, while the run goes on.
   const std::shared_ptr<const Frame> frame = frame_;
-  const Scene document = scene();
+  const Preset document = preset();
   const QString file =
       ask_for_file(tr("Save the run as it stands"), "run.json", tr("Carom presets (*.json)"), "json");
   if (file.isEmpty()) return;
   RunProgress progress(tr("Save the run"), this);
   try {
     if (const auto run = run_at(*frame->log, frame->key_frames, frame->time, frame->steps, std::ref(progress)))
-      save_preset(saved_scene(document, *run), file.toStdString());
+      save_preset(saved_preset(document, *run), file.toStdString());
   } catch (const SceneError& error) {
     tell(this, tr("The run cannot be saved"), QString::fromUtf8(error.what()));
   }
@@ -246,8 +248,8 @@ void LabWindow::write_report() {
   LabReport report;
   report.runs = runs();
   for (const auto& frame : frames_) report.ends.push_back(*frame);
-  report.title = QString::fromStdString(report.runs.front().start.title);
-  report.observe = QString::fromStdString(report.runs.front().start.observe);
+  report.title = QString::fromStdString(worker_->preset().title);
+  report.observe = QString::fromStdString(worker_->preset().observe);
   report.date = QLocale().toString(QDate::currentDate(), "d MMMM yyyy");
   report.questions = {tr("What did you expect?"), tr("What do you see?"), tr("Why?")};
   std::vector<SeriesPoint<1>> impacts;

@@ -13,6 +13,7 @@
 #include "app/lab/notice_bar.h"
 #include "app/lab/preset_library.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/study_panel.h"
 #include "widgets/plot/plot_panel.h"
@@ -132,7 +133,7 @@ void LabWindow::make_body() {
     for (const auto& recorder : recorders_) recorder->keep(curves);
     worker_->record(curves);
     // Which of the named plots of a built-in experiment are open is no work that could be lost.
-    if (own_plots(plots_->chosen()) != own_plots(worker_->scene().plots) || !file_.isEmpty())
+    if (own_plots(plots_->chosen()) != own_plots(worker_->preset().plots) || !file_.isEmpty())
       mark_changed(true);
   });
   connect(plots_, &PlotPanel::marksChanged, this, [this] {
@@ -264,9 +265,9 @@ void LabWindow::fill_library() {
   std::vector<ExperimentItem> items;
   for (const LibraryEntry& entry : preset_library()) {
     try {
-      const Scene scene = read_preset(entry.file);
+      const Preset preset = read_preset(entry.file);
       items.push_back({QString::fromStdString(entry.name), QString::fromStdString(entry.topic),
-                       QString::fromStdString(scene.title), QString::fromStdString(scene.observe)});
+                       QString::fromStdString(preset.title), QString::fromStdString(preset.observe)});
     } catch (const SceneError& error) {
       items.push_back({QString::fromStdString(entry.name), QString::fromStdString(entry.topic),
                        QString::fromStdString(entry.name), QString::fromStdString(error.what())});
@@ -281,12 +282,12 @@ void LabWindow::draw_thumbnails() {
   for (const LibraryEntry& entry : preset_library()) {
     QPixmap picture;
     try {
-      const Scene scene = read_preset(entry.file);
-      const Simulation simulation(scene);
+      const Preset preset = read_preset(entry.file);
+      const Simulation simulation(setup_of(preset));
       Frame frame;
       take_moment(simulation, frame);
       frame.bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
-      frame.forces = std::make_shared<const Forces>(scene.forces);
+      frame.forces = std::make_shared<const Forces>(preset.scene.forces);
       picture = scene_thumbnail(frame, theme_, {52, 36}, devicePixelRatioF());
     } catch (const SceneError&) {
       picture = QPixmap();

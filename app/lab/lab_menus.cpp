@@ -115,12 +115,12 @@ void LabWindow::make_menus() {
       action->setCheckable(true);
       group->addAction(action);
       connect(action, &QAction::triggered, this, [this, member, id = choice.id] {
-        Method method = worker_->scene().method;
+        Method method = worker_->preset().method;
         method.*member = id;
         change_method(method);
       });
       connect(menu, &QMenu::aboutToShow, action, [this, action, member, id = choice.id] {
-        action->setChecked(worker_->scene().method.*member == id);
+        action->setChecked(worker_->preset().method.*member == id);
       });
     }
     return menu;
@@ -142,7 +142,7 @@ void LabWindow::make_menus() {
   steps_ = methods->addMenu(tr("&Step"));
   for (const double step : kSteps) {
     steps_->addAction(QString("h = %1 ms").arg(1e3 * step, 0, 'g', 4), this, [this, step] {
-      Method method = worker_->scene().method;
+      Method method = worker_->preset().method;
       method.step = step;
       change_method(method);
     });
@@ -152,7 +152,7 @@ void LabWindow::make_menus() {
   tolerances_ = methods->addMenu(tr("&Tolerance"));
   for (const double tolerance : kTolerances) {
     tolerances_->addAction(tr("tolerance %1").arg(short_figure(tolerance)), this, [this, tolerance] {
-      Method method = worker_->scene().method;
+      Method method = worker_->preset().method;
       method.tolerance = tolerance;
       change_method(method);
     });

@@ -24,6 +24,8 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/model/needs.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
+#include "physics/preset/validate_preset.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/validate.h"
 #include "widgets/compare/compare_panel.h"
@@ -43,7 +45,7 @@ namespace carom {
 
 LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   keep_messages_plain();
-  Scene empty;
+  Preset empty;
   empty.title = "Empty scene";
   worker_ = std::make_unique<Worker>(empty);
   make_actions();
@@ -70,7 +72,7 @@ LabWindow::~LabWindow() {
 bool LabWindow::open(const std::string& file_or_name) {
   try {
     const std::filesystem::path file = find_preset(file_or_name);
-    const Scene scene = read_preset(file);
+    const Preset preset = read_preset(file);
     if (!may_discard()) {
       list_->set_current(name_);
       return false;
@@ -78,7 +80,7 @@ bool LabWindow::open(const std::string& file_or_name) {
     const std::vector<LibraryEntry> library = preset_library();
     const bool built_in =
         std::any_of(library.begin(), library.end(), [&](const auto& e) { return e.file == file; });
-    show_scene(scene, QString::fromStdString(built_in ? file.stem().string() : ""),
+    show_scene(preset, QString::fromStdString(built_in ? file.stem().string() : ""),
                built_in ? QString() : QString::fromStdString(file.string()));
     return true;
   } catch (const SceneError& error) {
@@ -89,31 +91,31 @@ bool LabWindow::open(const std::string& file_or_name) {
   }
 }
 
-void LabWindow::show_scene(const Scene& scene, const QString& name, const QString& file) {
-  plots_->set_plots(scene.plots, all_bodies(scene));
+void LabWindow::show_scene(const Preset& preset, const QString& name, const QString& file) {
+  plots_->set_plots(preset.plots, all_bodies(preset.scene));
   forget_wait();
   name_ = name;
   file_ = file;
-  before_ = all_bodies(scene);
-  duration_ = scene.duration;
+  before_ = all_bodies(preset.scene);
+  duration_ = preset.duration;
   recorders_.clear();
   frames_.clear();
   frame_.reset();
   before_usual_.reset();
-  reference_ = scene.compare.empty() ? ReferenceId::kNone : usual_reference(scene);
-  worker_->load(scene, plots_->curves(), reference_);
+  reference_ = preset.compare.empty() ? ReferenceId::kNone : usual_reference(setup_of(preset));
+  worker_->load(preset, plots_->curves(), reference_);
   constexpr int kSoon = 200;  // ms: a scene that is there by then flashes no notice
   QTimer::singleShot(kSoon, this, &LabWindow::show_preparing);
-  view_->set_view(scene.view);
+  view_->set_view(preset.view);
   transport_->set_duration(duration_);
   list_->set_current(name);
-  setWindowTitle(QString("%1[*] – Carom").arg(QString::fromStdString(scene.title)));
+  setWindowTitle(QString("%1[*] – Carom").arg(QString::fromStdString(preset.title)));
   about_->setText(QString("<p><b>%1</b></p><p>%2</p><p>%3</p>")
-                      .arg(QString::fromStdString(scene.title).toHtmlEscaped(),
-                           QString::fromStdString(scene.observe).toHtmlEscaped(),
-                           QString::fromStdString(scene.about).toHtmlEscaped().replace("\n", "<br>")));
-  study_->set_scene(scene, name.isEmpty() ? QFileInfo(file).completeBaseName() : name);
-  if (!scene.compare.empty()) tabs_->setCurrentWidget(compare_);
+                      .arg(QString::fromStdString(preset.title).toHtmlEscaped(),
+                           QString::fromStdString(preset.observe).toHtmlEscaped(),
+                           QString::fromStdString(preset.about).toHtmlEscaped().replace("\n", "<br>")));
+  study_->set_scene(preset, name.isEmpty() ? QFileInfo(file).completeBaseName() : name);
+  if (!preset.compare.empty()) tabs_->setCurrentWidget(compare_);
   mark_changed(false);
   show_method();
   show_needs();
@@ -128,10 +130,10 @@ void LabWindow::show_preparing() {
   show_notices();
 }
 
-Scene LabWindow::scene() const {
-  Scene scene = worker_->scene();
-  scene.plots = plots_->chosen();
-  return scene;
+Preset LabWindow::preset() const {
+  Preset preset = worker_->preset();
+  preset.plots = plots_->chosen();
+  return preset;
 }
 
 void LabWindow::choose_file() {
@@ -142,7 +144,7 @@ void LabWindow::choose_file() {
 
 bool LabWindow::write(const QString& file) {
   try {
-    save_preset(scene(), file.toStdString());
+    save_preset(preset(), file.toStdString());
   } catch (const SceneError& error) {
     tell(this, tr("This preset cannot be saved"), QString::fromStdString(error.what()));
     return false;
@@ -233,7 +235,7 @@ void LabWindow::change_method(const Method& method, std::size_t run) {
 }
 
 void LabWindow::choose_step() {
-  Method method = worker_->scene().method;
+  Method method = worker_->preset().method;
   bool chosen = false;
   const double ms =
       QInputDialog::getDouble(this, tr("Length of a step"), tr("h in ms, from 0.000001 to 1000:"),
@@ -244,11 +246,11 @@ void LabWindow::choose_step() {
 }
 
 void LabWindow::spawn(double x, double y) {
-  Scene scene = worker_->scene();
+  Preset preset = worker_->preset();
   // A disc like those that are there, between half and one and a half times their radius; in a scene without
   // any, a twentieth of the view.
   Body body;
-  double radius = scene.view ? scene.view->width / 20.0 : 0.1;
+  double radius = preset.view ? preset.view->width / 20.0 : 0.1;
   body.density = 1.0;
   for (const Body& b : before_) {
     const auto* disc = std::get_if<Disc>(&b.shape);
@@ -258,12 +260,12 @@ void LabWindow::spawn(double x, double y) {
     body.material = b.material;
     break;
   }
-  body.name = free_body_name(scene, "new");
+  body.name = free_body_name(preset.scene, "new");
   body.shape = Disc{radius * (0.5 + QRandomGenerator::global()->generateDouble())};
   body.position = {x, y};
-  scene.bodies.push_back(body);
+  preset.scene.bodies.push_back(body);
   try {
-    validate(scene);
+    validate(preset);
   } catch (const SceneError& error) {
     return tell(this, tr("No body can be put here"), QString::fromStdString(error.what()));
   }
@@ -276,7 +278,7 @@ void LabWindow::spawn(double x, double y) {
 
 void LabWindow::run_until(double time) {
   worker_->run_until(time);
-  const double step = worker_->scene().method.step;
+  const double step = worker_->preset().method.step;
   QElapsedTimer shown;
   shown.start();
   // Until the worker has stopped at the time; the first frames may still be of the moment before.
@@ -390,7 +392,7 @@ void LabWindow::show_lost() {
 }
 
 void LabWindow::show_method() {
-  const Method m = worker_->scene().method;
+  const Method m = worker_->preset().method;
   const auto set = [](QToolButton* button, std::string_view s) {
     button->setText(QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())) + QStringLiteral(" ▾"));
   };
@@ -427,8 +429,8 @@ void LabWindow::show_method() {
 }
 
 void LabWindow::show_needs() {
-  const Scene scene = worker_->scene();
-  const NeedsText text = text_of(needs_of(scene), scene);
+  const Preset preset = worker_->preset();
+  const NeedsText text = text_of(needs_of(preset.scene), preset.scene, preset.method.contacts);
   const auto joined = [](const std::vector<std::string>& parts) {
     QStringList list;
     for (const std::string& part : parts) list << QString::fromStdString(part);
@@ -437,12 +439,12 @@ void LabWindow::show_needs() {
   needs_ = tr("modelled: %1 · not needed: %2").arg(joined(text.modelled), joined(text.not_needed));
   needs_chip_->setToolTip(plain_tip(
       tr("Modelled: %1.\nNot needed by this scene: %2.").arg(joined(text.modelled), joined(text.not_needed))));
-  ledger_->set_scene(scene);
-  study_->edit_scene(scene);
-  compare_->set_scene(scene, reference_);
+  ledger_->set_scene(preset);
+  study_->edit_scene(preset);
+  compare_->set_scene(preset, reference_);
   for (QAction* action : integrators_->actions()) {
     const auto id = static_cast<IntegratorId>(action->data().toInt());
-    const std::optional<std::string> reason = why_not(scene, id);
+    const std::optional<std::string> reason = why_not(preset.scene, id);
     const std::string_view tip = choice_of(kIntegrators, id).tip;
     action->setEnabled(!reason);
     action->setToolTip(plain_tip(reason ? QString::fromStdString(*reason)

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/lab/autosave.h"
+#include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "physics/scene/scene.h"
 #include "physics/session/worker.h"
@@ -47,7 +48,7 @@ class LabWindow : public QMainWindow {
   // Opens a built-in experiment or a file, or says in a message why not and keeps the scene that is there.
   bool open(const std::string& file_or_name);
   // Shows a scene whose source is known; `name` marks it in the list.
-  void show_scene(const Scene& scene, const QString& name, const QString& file);
+  void show_scene(const Preset& preset, const QString& name, const QString& file);
   // Runs on to `time` as fast as it goes and returns when it is shown, or when the run is lost before.
   void run_until(double time);
   // Keeps unsaved work in `folder` from now on, at most ten seconds behind, and offers what lies there of
@@ -57,7 +58,7 @@ class LabWindow : public QMainWindow {
   void set_theme(const Theme& theme);
   [[nodiscard]] SceneView& scene_view() { return *view_; }
   [[nodiscard]] const std::shared_ptr<const Frame>& frame() const { return frame_; }
-  [[nodiscard]] Scene scene() const;  // as it would be saved now
+  [[nodiscard]] Preset preset() const;  // as it would be saved now
 
  public slots:
   bool save();

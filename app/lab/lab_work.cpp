@@ -4,6 +4,7 @@
 #include "app/lab/autosave.h"
 #include "app/lab/lab_window.h"
 #include "app/lab/notice_bar.h"
+#include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/scene/scene_view.h"
@@ -33,7 +34,7 @@ void LabWindow::keep_work(const QString& folder) {
 void LabWindow::keep_now() {
   if (autosave_ == nullptr || !isWindowModified() || edits_ == kept_edits_) return;
   try {
-    Scene work = scene();
+    Preset work = preset();
     if (const std::optional<View> view = view_->moved_view()) work.view = view;
     autosave_->keep(work);
     kept_edits_ = edits_;
@@ -51,7 +52,7 @@ void LabWindow::offer_work() {
   const QString time = time_text(work.time());
   try {
     restore_bar_->say(tr("Carom ended unexpectedly. The work of %1 on “%2” can be brought back.")
-                          .arg(time, QString::fromStdString(work.scene().title)),
+                          .arg(time, QString::fromStdString(work.preset().title)),
                       tr("Restore"), tr("Discard"));
   } catch (const SceneError& error) {
     restore_bar_->say(tr("Carom ended unexpectedly. The work of %1 cannot be brought back: %2")
@@ -64,7 +65,7 @@ void LabWindow::offer_work() {
 void LabWindow::restore_work() {
   if (offered_.empty()) return;
   try {
-    const Scene work = offered_.front().scene();
+    const Preset work = offered_.front().preset();
     if (!may_discard()) return;
     show_scene(work, {}, {});
     mark_changed(true);

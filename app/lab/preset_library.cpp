@@ -9,6 +9,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
 
 namespace carom {

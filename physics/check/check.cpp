@@ -9,6 +9,7 @@
 #include "physics/math/parallel.h"
 #include "physics/observe/observables.h"
 #include "physics/preset/names.h"
+#include "physics/preset/preset.h"
 #include "physics/preset/setting.h"
 
 namespace carom {
@@ -104,21 +105,22 @@ std::string unit_of(const Expectation& e) {
 }
 
 // "/bodies/0/mass" as "mass of ball", other places without the leading slash.
-std::string place_text(const std::string& place, const Scene& scene) {
+std::string place_text(const std::string& place, const Preset& preset) {
   constexpr std::string_view kBodies = "/bodies/";
   if (place.starts_with(kBodies)) {
     const std::size_t slash = place.find('/', kBodies.size());
     const int index = std::atoi(place.c_str() + kBodies.size());
-    if (slash != std::string::npos && index >= 0 && static_cast<std::size_t>(index) < scene.bodies.size())
+    if (slash != std::string::npos && index >= 0 &&
+        static_cast<std::size_t>(index) < preset.scene.bodies.size())
       return fmt::format("{} of {}", place.substr(slash + 1),
-                         scene.bodies[static_cast<std::size_t>(index)].name);
+                         preset.scene.bodies[static_cast<std::size_t>(index)].name);
   }
   return place.substr(place.starts_with('/') ? 1 : 0);
 }
 
 }  // namespace
 
-std::string text_of(const Expectation& e, const Scene& scene) {
+std::string text_of(const Expectation& e, const Preset& preset) {
   std::string what = e.observable;
   for (std::size_t i = 0; i < e.bodies.size(); ++i) what += (i == 0 ? " of " : " and ") + e.bodies[i];
   std::string text;
@@ -148,27 +150,27 @@ std::string text_of(const Expectation& e, const Scene& scene) {
   if (e.until && e.reduction != Reduction::kAt && e.reduction != Reduction::kFinal)
     text += fmt::format(" until {} s", *e.until);
   for (std::size_t i = 0; i < e.settings.size(); ++i) {
-    text += fmt::format("{} {} = {}", i == 0 ? ", with" : ",", place_text(e.settings[i].place, scene),
+    text += fmt::format("{} {} = {}", i == 0 ? ", with" : ",", place_text(e.settings[i].place, preset),
                         e.settings[i].value);
   }
   if (e.over) {
     const auto [least, most] = std::minmax_element(e.over->values.begin(), e.over->values.end());
     text += fmt::format("; {} over {} = {}...{}", name_of(kSweepNames, e.over->reduction),
-                        place_text(e.over->place, scene), *least, *most);
+                        place_text(e.over->place, preset), *least, *most);
   }
   return text;
 }
 
-ExpectationCheck::ExpectationCheck(const Scene& scene) : scene_(scene) {
-  for (std::size_t i = 0; i < scene.expect.size(); ++i) {
-    const Expectation& e = scene.expect[i];
+ExpectationCheck::ExpectationCheck(const Preset& preset) : preset_(preset) {
+  for (std::size_t i = 0; i < preset.expect.size(); ++i) {
+    const Expectation& e = preset.expect[i];
     std::vector<Source>& sources = sources_.emplace_back();
     const auto add_run = [&](const std::vector<Setting>& settings) {
       auto run = std::find_if(runs_.begin(), runs_.end(),
                               [&](const Run& r) { return same_settings(r.settings, settings); });
       if (run == runs_.end()) {
         try {
-          if (!settings.empty()) (void)variant(scene, settings);
+          if (!settings.empty()) (void)variant(preset, settings);
         } catch (const SceneError& error) {
           throw SceneError(fmt::format("/expect/{}: with its settings: {}", i, error.what()));
         }
@@ -193,13 +195,13 @@ ExpectationCheck::ExpectationCheck(const Scene& scene) : scene_(scene) {
 
 void ExpectationCheck::run(int index) {
   Run& r = runs_[static_cast<std::size_t>(index)];
-  r.values = measure_run(r.settings.empty() ? scene_ : variant(scene_, r.settings), r.expectations);
+  r.values = measure_run(r.settings.empty() ? preset_ : variant(preset_, r.settings), r.expectations);
 }
 
 std::vector<Outcome> ExpectationCheck::outcomes() const {
   std::vector<Outcome> outcomes;
-  for (std::size_t i = 0; i < scene_.expect.size(); ++i) {
-    const Expectation& e = scene_.expect[i];
+  for (std::size_t i = 0; i < preset_.expect.size(); ++i) {
+    const Expectation& e = preset_.expect[i];
     std::vector<double> values;
     for (const Source& s : sources_[i]) values.push_back(runs_[s.run].values[s.index]);
     Outcome o;
@@ -212,8 +214,8 @@ std::vector<Outcome> ExpectationCheck::outcomes() const {
   return outcomes;
 }
 
-std::vector<Outcome> check_expectations(const Scene& scene, int threads) {
-  ExpectationCheck check(scene);
+std::vector<Outcome> check_expectations(const Preset& preset, int threads) {
+  ExpectationCheck check(preset);
   parallel_for(check.runs(), threads, [&](int i) { check.run(i); });
   return check.outcomes();
 }

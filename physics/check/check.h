@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/preset/preset.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -17,14 +18,14 @@ struct Outcome {
 
 // For people: what an expectation is about, without its value: "maximum of speed of ball from 1 s, with mass of
 // ball = 2".
-[[nodiscard]] std::string text_of(const Expectation& expectation, const Scene& scene);
+[[nodiscard]] std::string text_of(const Expectation& expectation, const Preset& preset);
 
 // All expectations of a scene, with their settings and sweeps: the runs that they need, each to be done once,
 // in any order and on any thread, and what comes of them. Expectations with the same settings share a run.
 class ExpectationCheck {
  public:
   // Throws SceneError, with the place of the expectation, if the scene does not allow a setting.
-  explicit ExpectationCheck(const Scene& scene);
+  explicit ExpectationCheck(const Preset& preset);
 
   [[nodiscard]] int runs() const { return static_cast<int>(runs_.size()); }
   // Different runs may go on at the same time.
@@ -43,12 +44,12 @@ class ExpectationCheck {
     int run;
     int index;
   };
-  Scene scene_;
+  Preset preset_;
   std::vector<Run> runs_;
   std::vector<std::vector<Source>> sources_;  // of each expectation, one for each value of its sweep
 };
 
 // Runs and reduces all expectations of a scene, on as many threads (0: as many as the machine has cores).
-[[nodiscard]] std::vector<Outcome> check_expectations(const Scene& scene, int threads = 0);
+[[nodiscard]] std::vector<Outcome> check_expectations(const Preset& preset, int threads = 0);
 
 }  // namespace carom

@@ -8,6 +8,7 @@
 #include "physics/math/stopped.h"
 #include "physics/observe/impact_tally.h"
 #include "physics/observe/observables.h"
+#include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
 #include "physics/world/simulation.h"
 
@@ -25,7 +26,7 @@ constexpr int kStepsBetweenCopies = 64;
 
 // A simulation and what its impacts add up to. A copy goes its own way.
 struct Run {
-  explicit Run(const Scene& scene) : simulation(scene) {}
+  explicit Run(const Preset& preset) : simulation(setup_of(preset)) {}
 
   void step() {
     simulation.step();
@@ -102,14 +103,14 @@ struct Measurement {
   }
 };
 
-std::vector<Measurement> prepare(const Scene& scene, const std::vector<Expectation>& expectations, Run& run) {
+std::vector<Measurement> prepare(const Preset& preset, const std::vector<Expectation>& expectations, Run& run) {
   std::vector<Measurement> all;
   const std::vector<Body>& bodies = run.simulation.bodies();
   for (const Expectation& e : expectations) {
     Measurement m;
     m.expectation = &e;
     m.observable = find_observable(e.observable);
-    m.moment = e.reduction == Reduction::kAt ? e.time : e.until.value_or(scene.duration);
+    m.moment = e.reduction == Reduction::kAt ? e.time : e.until.value_or(preset.duration);
     for (const std::string& name : e.bodies) {
       const auto found =
           std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
@@ -126,8 +127,8 @@ std::vector<Measurement> prepare(const Scene& scene, const std::vector<Expectati
 
 class Measuring {
  public:
-  Measuring(const Scene& scene, const std::vector<Expectation>& expectations)
-      : run_(scene), step_(scene.method.step), all_(prepare(scene, expectations, run_)) {
+  Measuring(const Preset& preset, const std::vector<Expectation>& expectations)
+      : run_(preset), step_(preset.method.step), all_(prepare(preset, expectations, run_)) {
     copied_ = std::any_of(all_.begin(), all_.end(), [](const Measurement& m) { return m.at_an_impact(); });
   }
 
@@ -238,9 +239,9 @@ class Measuring {
 
 }  // namespace
 
-std::vector<double> measure_run(const Scene& scene, const std::vector<Expectation>& expectations,
+std::vector<double> measure_run(const Preset& preset, const std::vector<Expectation>& expectations,
                                 const std::stop_token& stop) {
-  return Measuring(scene, expectations).values(stop);
+  return Measuring(preset, expectations).values(stop);
 }
 
 }  // namespace carom

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/preset/preset.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -14,7 +15,8 @@ namespace carom {
 // Maximum, minimum, mean, count and fit go over the ends of the steps between `from` and there, the start
 // included; the other reductions read the moment itself, also between two steps, and don't disturb the run.
 // Throws SceneError if a body is not there, and Stopped at the next step when `stop` asks for it.
-[[nodiscard]] std::vector<double> measure_run(const Scene& scene, const std::vector<Expectation>& expectations,
+[[nodiscard]] std::vector<double> measure_run(const Preset& preset,
+                                              const std::vector<Expectation>& expectations,
                                               const std::stop_token& stop = {});
 
 }  // namespace carom

@@ -8,6 +8,7 @@
 
 #include "physics/math/parallel.h"
 #include "physics/math/stopped.h"
+#include "physics/world/run_setup.h"
 
 namespace carom {
 namespace {
@@ -63,14 +64,14 @@ double reach(const State& state, const std::vector<Body>& bodies, const std::vec
   return length;
 }
 
-Scene displaced(const Scene& scene, double distance) {
-  Scene beside = scene;
-  beside.bodies = all_bodies(scene);
-  beside.generators.clear();
-  const std::vector<Vec2> where = directions(beside.bodies.size());
-  for (const int i : moving_bodies(beside.bodies)) {
+RunSetup displaced(const RunSetup& setup, double distance) {
+  RunSetup beside = setup;
+  beside.scene.bodies = all_bodies(setup.scene);
+  beside.scene.generators.clear();
+  const std::vector<Vec2> where = directions(beside.scene.bodies.size());
+  for (const int i : moving_bodies(beside.scene.bodies)) {
     const auto body = static_cast<std::size_t>(i);
-    beside.bodies[body].position += distance * where[body];
+    beside.scene.bodies[body].position += distance * where[body];
   }
   return beside;
 }
@@ -84,13 +85,13 @@ double Chaos::growth_at(double t) const {
   return std::exp(std::lerp(std::log(growth[k - 1]), std::log(growth[k]), share));
 }
 
-Chaos follow_neighbours(const Scene& scene, const Method& method, double until, int threads,
+Chaos follow_neighbours(const RunSetup& setup, const Method& method, double until, int threads,
                         const std::stop_token& stop) {
-  Scene plain = scene;
+  RunSetup plain = setup;
   plain.method = method;
-  plain.bodies = all_bodies(scene);
-  plain.generators.clear();
-  const std::vector<int> moving = moving_bodies(plain.bodies);
+  plain.scene.bodies = all_bodies(setup.scene);
+  plain.scene.generators.clear();
+  const std::vector<int> moving = moving_bodies(plain.scene.bodies);
 
   Chaos c;
   c.time = {0.0};
@@ -98,10 +99,10 @@ Chaos follow_neighbours(const Scene& scene, const Method& method, double until, 
   std::vector<Simulation> runs;
   runs.emplace_back(plain);
   c.largest_kinetic = runs.front().totals().kinetic();
-  c.length = reach(runs.front().state(), plain.bodies, moving);
+  c.length = reach(runs.front().state(), plain.scene.bodies, moving);
   c.size = c.length;
   for (const int i : moving) {
-    c.size = std::min(c.size, bounding_radius(plain.bodies[static_cast<std::size_t>(i)].shape));
+    c.size = std::min(c.size, bounding_radius(plain.scene.bodies[static_cast<std::size_t>(i)].shape));
   }
   const double first_length = c.length;
   for (const double displacement : kDisplacements) {
@@ -133,7 +134,7 @@ Chaos follow_neighbours(const Scene& scene, const Method& method, double until, 
       break;
     }
     c.followed = time;
-    c.length = std::max(c.length, reach(base, plain.bodies, moving));
+    c.length = std::max(c.length, reach(base, plain.scene.bodies, moving));
     for (const int i : moving) c.largest_speed = std::fmax(c.largest_speed, base.velocity(i).norm());
 
     const double linear = kVisible * c.size;  // m: as far as bodies beside one another do alike

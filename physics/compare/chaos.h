@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/compare/recorded_run.h"
+#include "physics/world/run_setup.h"
 
 namespace carom {
 
@@ -45,7 +46,7 @@ inline constexpr double kVisible = 1e-3;
 
 // Runs the scene and its neighbours under `method` up to `until`, or until rounding would be visible. Throws
 // Stopped at the next step when `stop` asks for it, as do make_reference() and record_run().
-[[nodiscard]] Chaos follow_neighbours(const Scene& scene, const Method& method, double until, int threads,
+[[nodiscard]] Chaos follow_neighbours(const RunSetup& setup, const Method& method, double until, int threads,
                                       const std::stop_token& stop = {});
 
 // m: the largest coordinate of a body of `moving`, with its size.
@@ -53,6 +54,6 @@ inline constexpr double kVisible = 1e-3;
 
 // The scene with its moving bodies displaced by `distance` (m), each in a direction of its own that is the same
 // on every machine. Its bodies stand in a list.
-[[nodiscard]] Scene displaced(const Scene& scene, double distance);
+[[nodiscard]] RunSetup displaced(const RunSetup& setup, double distance);
 
 }  // namespace carom

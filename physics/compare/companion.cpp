@@ -5,13 +5,14 @@
 
 #include "physics/compare/chaos.h"
 #include "physics/model/needs.h"
+#include "physics/world/run_setup.h"
 
 namespace carom {
 namespace {
 
-Scene with_method(Scene scene, const Method& method) {
-  scene.method = method;
-  return scene;
+RunSetup with_method(RunSetup setup, const Method& method) {
+  setup.method = method;
+  return setup;
 }
 
 // Steps of a reference for one of the run.
@@ -31,12 +32,12 @@ double distance(const State& a, const State& b, const std::vector<int>& moving) 
   return largest;
 }
 
-Scene beside(const Scene& start, const Method& method) {
-  const Scene scene = with_method(start, method);
-  if (method.integrator != IntegratorId::kExactFlight) return scene;
-  const std::vector<Body> bodies = all_bodies(scene);
-  const double length = reach(Simulation(scene).state(), bodies, moving_bodies(bodies));
-  return displaced(scene, Companion::kDisplaced * length);
+RunSetup beside(const RunSetup& start, const Method& method) {
+  const RunSetup setup = with_method(start, method);
+  if (method.integrator != IntegratorId::kExactFlight) return setup;
+  const std::vector<Body> bodies = all_bodies(setup.scene);
+  const double length = reach(Simulation(setup).state(), bodies, moving_bodies(bodies));
+  return displaced(setup, Companion::kDisplaced * length);
 }
 
 Method less_refined(Method reference, bool lasts) {
@@ -51,20 +52,20 @@ Method less_refined(Method reference, bool lasts) {
 
 }  // namespace
 
-std::optional<std::string> why_not(const Scene& scene, ReferenceId reference) {
+std::optional<std::string> why_not(const RunSetup& setup, ReferenceId reference) {
   if (reference != ReferenceId::kExactFlight) return std::nullopt;
-  if (contacts_last(scene.method, needs_of(scene))) return "a refined run, as contacts last here";
-  return why_not(scene, IntegratorId::kExactFlight);
+  if (contacts_last(setup.method, needs_of(setup.scene))) return "a refined run, as contacts last here";
+  return why_not(setup.scene, IntegratorId::kExactFlight);
 }
 
-ReferenceId usual_reference(const Scene& scene) {
-  return why_not(scene, ReferenceId::kExactFlight) ? ReferenceId::kRefined : ReferenceId::kExactFlight;
+ReferenceId usual_reference(const RunSetup& setup) {
+  return why_not(setup, ReferenceId::kExactFlight) ? ReferenceId::kRefined : ReferenceId::kExactFlight;
 }
 
-Method reference_for(const Scene& scene, const Method& method, ReferenceId reference) {
+Method reference_for(const RunSetup& setup, const Method& method, ReferenceId reference) {
   Method best = method;
   best.impacts = ImpactsId::kLocated;
-  if (contacts_last(method, needs_of(scene))) {
+  if (contacts_last(method, needs_of(setup.scene))) {
     best.integrator = IntegratorId::kDormandPrince;
     best.step = method.step / kFineSteps;
   } else if (reference == ReferenceId::kExactFlight) {
@@ -76,11 +77,11 @@ Method reference_for(const Scene& scene, const Method& method, ReferenceId refer
   return best;
 }
 
-Companion::Companion(const Scene& start, ReferenceId reference)
-    : scene_(start),
+Companion::Companion(const RunSetup& start, ReferenceId reference)
+    : setup_(start),
       id_(reference),
       fine_(with_method(start, reference_for(start, start.method, reference))),
-      check_(beside(start, less_refined(fine_.method(), contacts_last(start.method, needs_of(start))))),
+      check_(beside(start, less_refined(fine_.method(), contacts_last(start.method, needs_of(start.scene))))),
       moving_(moving_bodies(fine_.bodies())),
       awaiting_(fine_.bodies().size(), 0) {
   length_ = reach(fine_.state(), fine_.bodies(), moving_);
@@ -94,11 +95,11 @@ Companion::Companion(const Scene& start, ReferenceId reference)
 
 void Companion::edit(const Edit& edit) {
   if (const auto* method = std::get_if<Method>(&edit.what)) {
-    scene_.method = *method;
+    setup_.method = *method;
     take_methods();
   }
   if (const auto* body = std::get_if<Body>(&edit.what)) {
-    scene_.bodies.push_back(*body);
+    setup_.scene.bodies.push_back(*body);
     fine_.add_body(*body);
     check_.add_body(*body);
     moving_ = moving_bodies(fine_.bodies());
@@ -112,8 +113,8 @@ void Companion::edit(const Edit& edit) {
 }
 
 void Companion::take_methods() {
-  const Method fine = reference_for(scene_, scene_.method, id_);
-  const Method check = less_refined(fine, contacts_last(scene_.method, needs_of(scene_)));
+  const Method fine = reference_for(setup_, setup_.method, id_);
+  const Method check = less_refined(fine, contacts_last(setup_.method, needs_of(setup_.scene)));
   if (!(fine == fine_.method())) fine_.set_method(fine);
   if (!(check == check_.method())) check_.set_method(check);
 }

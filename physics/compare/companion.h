@@ -20,16 +20,16 @@ namespace carom {
 enum class ReferenceId { kNone, kExactFlight, kRefined };
 
 // The best that the scene allows: exact flight, else a refined run.
-[[nodiscard]] ReferenceId usual_reference(const Scene& scene);
+[[nodiscard]] ReferenceId usual_reference(const RunSetup& setup);
 // Why a scene has no such reference, as "allowed: ..." would follow; nothing if it has.
-[[nodiscard]] std::optional<std::string> why_not(const Scene& scene, ReferenceId reference);
+[[nodiscard]] std::optional<std::string> why_not(const RunSetup& setup, ReferenceId reference);
 
 // The method of the reference for a run under `method`, impacts at their own time. A refined run: the adaptive
 // integrator at kFineTolerance; where contacts last, which hang on the step, the fifth order at an eighth of
 // it.
 inline constexpr double kFineTolerance = 1e-12;  // m and m/s
 inline constexpr int kFineSteps = 8;
-[[nodiscard]] Method reference_for(const Scene& scene, const Method& method, ReferenceId reference);
+[[nodiscard]] Method reference_for(const RunSetup& setup, const Method& method, ReferenceId reference);
 
 // How far a run is from its reference. Bodies that wait for one run's impact in the other are left out; what
 // leaves nothing to compare is NaN.
@@ -56,7 +56,7 @@ class Companion {
   static constexpr int kPatience = 20;
 
   // Of a run of `start` under the scene's method.
-  Companion(const Scene& start, ReferenceId reference);
+  Companion(const RunSetup& start, ReferenceId reference);
 
   void interrupt_on(const std::stop_token& stop) {
     fine_.interrupt_on(stop);
@@ -76,7 +76,7 @@ class Companion {
   void compare(const Simulation& run);
   void take_methods();
 
-  Scene scene_;
+  RunSetup setup_;
   ReferenceId id_;
   Simulation fine_;
   Simulation check_;

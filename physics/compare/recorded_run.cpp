@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include "physics/math/stopped.h"
+#include "physics/world/run_setup.h"
 
 namespace carom {
 
-RecordedRun record_run(const Scene& scene, const Method& method, double time, double until,
+RecordedRun record_run(const RunSetup& setup, const Method& method, double time, double until,
                        double blown_up_above, const std::stop_token& stop) {
-  Scene with_method = scene;
+  RunSetup with_method = setup;
   with_method.method = method;
   Simulation s(with_method);
   RecordedRun run;

@@ -34,7 +34,7 @@ struct RecordedRun {
 };
 
 // A run whose kinetic energy passes this, or any number of it stops being finite, is ended: it has blown up.
-[[nodiscard]] RecordedRun record_run(const Scene& scene, const Method& method, double time, double until,
+[[nodiscard]] RecordedRun record_run(const RunSetup& setup, const Method& method, double time, double until,
                                      double blown_up_above, const std::stop_token& stop = {});
 
 // Indices of the bodies that anything can move.

@@ -7,6 +7,7 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/model/needs.h"
 #include "physics/scene/facts.h"
+#include "physics/world/run_setup.h"
 
 namespace carom {
 namespace {
@@ -24,12 +25,12 @@ bool ended_before(const RecordedRun& run, double time) {
 
 }  // namespace
 
-Method reference_method(const Scene& scene) {
-  Method method = scene.method;
+Method reference_method(const RunSetup& setup) {
+  Method method = setup.method;
   method.impacts = ImpactsId::kLocated;
   int order = -1;
   for (const IntegratorChoice& choice : kIntegrators) {
-    if (choice.order == 0 && !why_not(scene, choice.id)) {
+    if (choice.order == 0 && !why_not(setup.scene, choice.id)) {
       method.integrator = choice.id;
       return method;
     }
@@ -48,18 +49,18 @@ double blown_up_above(const Chaos& chaos) {
                                      : std::numeric_limits<double>::max();
 }
 
-Reference make_reference(const Scene& scene, const Chaos& chaos, double time, double until,
+Reference make_reference(const RunSetup& setup, const Chaos& chaos, double time, double until,
                          const std::stop_token& stop) {
-  const std::vector<Body> bodies = all_bodies(scene);
+  const std::vector<Body> bodies = all_bodies(setup.scene);
   const std::vector<int> moving = moving_bodies(bodies);
   const double limit = blown_up_above(chaos);
   Reference best;
-  best.method = reference_method(scene);
+  best.method = reference_method(setup);
   best.method.step *= kOffTheRows;
-  const bool lasts = contacts_last(best.method, needs_of(scene));
+  const bool lasts = contacts_last(best.method, needs_of(setup.scene));
   if (best.method.integrator == IntegratorId::kExactFlight && !lasts) {
     best.exact = true;
-    best.run = record_run(scene, best.method, time, until, limit, stop);
+    best.run = record_run(setup, best.method, time, until, limit, stop);
     best.converged = !ended_before(best.run, time);
     if (!best.converged) {
       best.position_error = best.velocity_error = best.energy_error = std::numeric_limits<double>::infinity();
@@ -72,7 +73,7 @@ Reference make_reference(const Scene& scene, const Chaos& chaos, double time, do
   }
 
   Method method = best.method;
-  RecordedRun coarser = record_run(scene, method, time, until, limit, stop);
+  RecordedRun coarser = record_run(setup, method, time, until, limit, stop);
   best.run = coarser;
   best.position_error = best.velocity_error = best.energy_error = std::numeric_limits<double>::infinity();
   constexpr double kRounding = 1e4;  // rounding errors that the steps of a run may add up to
@@ -84,7 +85,7 @@ Reference make_reference(const Scene& scene, const Chaos& chaos, double time, do
     method.step *= 0.5;
     const double work = until / method.step * static_cast<double>(moving.size());
     if (method.step < kLeastStep || (work > kMostReferenceWork && halvings > 1)) break;
-    RecordedRun run = record_run(scene, method, time, until, limit, stop);
+    RecordedRun run = record_run(setup, method, time, until, limit, stop);
     if (ended_before(run, time) || ended_before(coarser, time)) {
       coarser = std::move(run);
       ++no_better;

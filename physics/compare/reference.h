@@ -2,6 +2,7 @@
 
 #include "physics/compare/chaos.h"
 #include "physics/compare/impact_matching.h"
+#include "physics/world/run_setup.h"
 
 namespace carom {
 
@@ -20,14 +21,14 @@ struct Reference {
 
 // The method that a reference is computed by: impacts at their own time; exact flight where the scene allows
 // it, else the integrator of the highest order at a fixed step. The step is the scene's own.
-[[nodiscard]] Method reference_method(const Scene& scene);
+[[nodiscard]] Method reference_method(const RunSetup& setup);
 
 // The state of the scene at `time` and its impacts up to `until`. Where that depends on the step it is halved
 // until two runs differ by less than 1e-13 of the scene's length, or the difference has stopped to fall, or the
 // next run would take more than kMostReferenceWork steps of a body; the finer run of the pair with the least
 // difference is the reference.
 inline constexpr double kMostReferenceWork = 2e7;
-[[nodiscard]] Reference make_reference(const Scene& scene, const Chaos& chaos, double time, double until,
+[[nodiscard]] Reference make_reference(const RunSetup& setup, const Chaos& chaos, double time, double until,
                                        const std::stop_token& stop = {});
 
 // The kinetic energy in J beyond which a run of the scene has blown up.

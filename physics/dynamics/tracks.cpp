@@ -7,6 +7,7 @@
 
 #include "physics/dynamics/flight_rates.h"
 #include "physics/math/roots.h"
+#include "physics/scene/method.h"
 
 namespace carom {
 namespace {
@@ -27,9 +28,10 @@ double time_to_move(double reach, double speed, double acceleration) {
 
 }  // namespace
 
-Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs& needs)
-    : field_(scene.forces, bodies, !scene.links.empty(), start_time(scene)),
-      links_(scene.links, bodies, start_time(scene)),
+Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs& needs, const Method& method,
+               double time)
+    : field_(scene.forces, bodies, !scene.links.empty(), time),
+      links_(scene.links, bodies, time),
       bodies_(bodies),
       general_(needs.untrimmed),
       let_go_at_(scene.links.size(), -1.0) {
@@ -67,12 +69,12 @@ Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs&
   }
   links_.set_groups(groups);
   for (int i = 0; i < n; ++i) {
-    settled_.col(i) = initial_motion(bodies[i], start_time(scene));
+    settled_.col(i) = initial_motion(bodies[i], time);
     constant_.col(i) = field_.constant_acceleration(i);
     if (!bodies[i].fixed && island_of_[i] < 0) add_island({i}).driven = bodies[i].drive.has_value();
   }
   at_end_ = settled_;
-  set_method(scene.method);
+  set_method(method);
 }
 
 void Tracks::set_method(const Method& method) {

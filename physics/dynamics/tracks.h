@@ -12,6 +12,7 @@
 #include "physics/dynamics/state.h"
 #include "physics/dynamics/track_state.h"
 #include "physics/model/needs.h"
+#include "physics/scene/method.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -34,7 +35,9 @@ namespace carom {
 class Tracks {
  public:
   Tracks() = default;
-  Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs& needs);
+  // At the start of a run at `time` (s), from the positions and velocities of the bodies.
+  Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs& needs, const Method& method,
+         double time);
 
   void set_method(const Method& method);
   [[nodiscard]] const ForceField& field() const { return field_; }

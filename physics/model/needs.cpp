@@ -1,6 +1,7 @@
 #include "physics/model/needs.h"
 
 #include "physics/scene/facts.h"
+#include "physics/scene/method.h"
 
 namespace carom {
 
@@ -29,7 +30,7 @@ Needs needs_of(const Scene& scene) {
   return n;
 }
 
-NeedsText text_of(const Needs& needs, const Scene& scene) {
+NeedsText text_of(const Needs& needs, const Scene& scene, ContactsId contacts) {
   const SceneFacts f = facts_of(scene);
   NeedsText text;
   const auto modelled = [&](const char* noun, bool is) {
@@ -53,7 +54,7 @@ NeedsText text_of(const Needs& needs, const Scene& scene) {
   either("coupled forces", needs.coupled_forces);
   either("driven bodies", needs.drives && (f.driven || !(f.pushes || f.torques)));
   either("switched forces", needs.switching);
-  const bool as_impacts = needs.lasting_contacts && scene.method.contacts == ContactsId::kImpulse;
+  const bool as_impacts = needs.lasting_contacts && contacts == ContactsId::kImpulse;
   either(as_impacts ? "lasting contacts (as repeated impacts)" : "lasting contacts", needs.lasting_contacts);
   return text;
 }

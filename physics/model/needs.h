@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/scene/method.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -45,6 +46,6 @@ struct NeedsText {
   std::vector<std::string> modelled;
   std::vector<std::string> not_needed;
 };
-[[nodiscard]] NeedsText text_of(const Needs& needs, const Scene& scene);
+[[nodiscard]] NeedsText text_of(const Needs& needs, const Scene& scene, ContactsId contacts);
 
 }  // namespace carom

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "physics/observe/quantity_name.h"
 #include "physics/scene/validate.h"
 
 namespace carom {

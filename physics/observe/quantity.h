@@ -8,6 +8,7 @@
 
 #include "physics/observe/expression.h"
 #include "physics/observe/observables.h"
+#include "physics/observe/quantity_name.h"
 #include "physics/scene/scene.h"
 
 namespace carom {

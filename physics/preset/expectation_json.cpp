@@ -5,6 +5,7 @@
 #include "physics/preset/names.h"
 #include "physics/preset/object_writer.h"
 #include "physics/preset/observable_json.h"
+#include "physics/preset/preset.h"
 
 namespace carom {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "physics/preset/preset.h"
 #include "physics/preset/value_reader.h"
 #include "physics/scene/scene.h"
 

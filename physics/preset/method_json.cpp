@@ -1,6 +1,7 @@
 #include "physics/preset/method_json.h"
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/scene/method.h"
 
 namespace carom {
 

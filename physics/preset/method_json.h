@@ -1,6 +1,7 @@
 #pragma once
 
 #include "physics/preset/value_reader.h"
+#include "physics/scene/method.h"
 #include "physics/scene/scene.h"
 
 namespace carom {

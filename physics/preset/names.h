@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "physics/preset/preset.h"
 #include "physics/scene/scene.h"
 
 // The words of a preset file that stand for a choice, shared by its reader and its writer.

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "physics/preset/preset.h"
 #include "physics/preset/value_reader.h"
-#include "physics/scene/scene.h"
 
 namespace carom {
 

@@ -1,28 +1,104 @@
 #pragma once
 
-#include <filesystem>
+#include <cstddef>
+#include <optional>
 #include <string>
-#include <string_view>
+#include <vector>
 
+#include "physics/observe/quantity_name.h"
+#include "physics/scene/method.h"
 #include "physics/scene/scene.h"
-#include "physics/scene/validate.h"
+#include "physics/world/run_setup.h"
 
-// Preset files: JSON, SI units, "format": "carom-preset", "version": 1. Unknown and duplicate keys are errors,
-// but for the free object `extra`, which is kept as it is.
 namespace carom {
 
-inline constexpr int kPresetVersion = 1;
+// One number of the preset file put in place of what stands there: a JSON pointer such as /bodies/0/mass.
+struct Setting {
+  std::string place;
+  double value = 0.0;
+};
 
-// Reads and validates. Throws SceneError whose one line begins with `origin` (a file's name).
-[[nodiscard]] Scene parse_preset(std::string_view text, const std::string& origin);
-[[nodiscard]] Scene read_preset(const std::filesystem::path& file);
+// One run for each of `values` at `place`, and what the numbers that they give are reduced to.
+struct Sweep {
+  enum class Reduction {
+    kMean,
+    kMaximum,
+    kMinimum,
+    kWhereMaximum,  // the value at `place` that gives the largest number, by the parabola through three
+    kWhereMinimum,
+    kExponent  // slope of ln(number) over ln(value at `place`)
+  };
+  std::string place;
+  std::vector<double> values;
+  Reduction reduction = Reduction::kMean;
+};
 
-// The text of a preset file; parse_preset(write_preset(s)) gives the same scene, to the last bit of every
-// number.
-[[nodiscard]] std::string write_preset(const Scene& scene);
+// A statement that the experiment must fulfil: what `observable` shows, reduced to one number, beside theory.
+struct Expectation {
+  enum class Reduction { kAt, kAtImpact, kMaximum, kMinimum, kMean, kFinal, kCount, kFit };
+  std::string observable;           // a name of physics/observe/observables.h
+  std::vector<std::string> bodies;  // the bodies it looks at; as many as the observable asks for
+  Reduction reduction = Reduction::kFinal;
+  double time = 0.0;              // s, for kAt
+  int impact = 0;                 // 1, 2, ... for kAtImpact: the value just after the n-th impact
+  double above = 0.0;             // for kCount: the share of the readings that lie above this
+  double from = 0.0;              // s: maximum, minimum, mean, count and fit look from here on
+  std::optional<double> until;    // s: the run's end for this expectation; none: the scene's duration
+  std::vector<Setting> settings;  // how its runs differ from the scene
+  std::optional<Sweep> over;      // many runs instead of one
+  double value = 0.0;             // in the observable's unit
+  double tolerance = 0.0;         // same unit, >= 0
+  std::string source;             // where the value comes from
+};
 
-// `file` is the old one or the new one, never half of it (see OutputFile). Throws SceneError if that fails, or
-// where read_preset() would refuse what it wrote; the old file stays.
-void save_preset(const Scene& scene, const std::filesystem::path& file);
+// What the window shows at first; without it the scene is fitted.
+struct View {
+  Vec2 center = Vec2::Zero();  // m
+  double width = 0.0;          // m, > 0
+};
+
+// A reader's remark at a point of a plot, in the units of its axes.
+struct PlotNote {
+  double x = 0.0;
+  double y = 0.0;
+  std::string text;
+
+  bool operator==(const PlotNote&) const = default;
+};
+
+// A plot to open with the scene: one of the named ones, or its own choice of quantities.
+struct Plot {
+  std::string id;                 // of physics/preset/names.h; empty: what follows says what it shows
+  std::string title;              // empty: made of what it shows
+  std::vector<QuantityName> y;    // a curve each
+  std::optional<QuantityName> x;  // what they are drawn over; none: time
+  bool logarithmic = false;       // the axis of y
+  std::vector<PlotNote> notes{};
+
+  bool operator==(const Plot&) const = default;
+};
+
+// Methods beside the scene's own.
+inline constexpr std::size_t kMostCompared = 5;
+
+// An experiment as a document: its physics, how it is computed, and what people read, look at and expect.
+struct Preset {
+  std::string title;
+  std::string about;      // what it is, a paragraph
+  std::string observe;    // what to look at
+  std::string topic;      // the folder it stands in; not stored in the file
+  double duration = 5.0;  // s, > 0: how long a run lasts if nothing else is said
+  Scene scene;
+  Method method;
+  std::vector<Method> compare;  // other methods to run beside it, at most kMostCompared
+  std::vector<Expectation> expect;
+  std::vector<Plot> plots;  // to open with; none: the usual ones
+  std::optional<View> view;
+  std::optional<SavedRun> saved;
+  std::string extra;  // a JSON object kept as it is; empty if there is none
+};
+
+// What a run of it starts from; the pairs of bodies that its plots name are counted.
+[[nodiscard]] RunSetup setup_of(const Preset& preset);
 
 }  // namespace carom

@@ -8,10 +8,12 @@
 #include "physics/preset/names.h"
 #include "physics/preset/plot_json.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/preset/preset_json.h"
 #include "physics/preset/schema.h"
 #include "physics/preset/setting.h"
 #include "physics/preset/state_json.h"
+#include "physics/preset/validate_preset.h"
 #include "physics/preset/value_reader.h"
 #include "physics/scene/fingerprint.h"
 #include "physics/scene/polygon.h"
@@ -148,73 +150,75 @@ void of_saved_run(const Read& read) {
   }
 }
 
-void read_scene(FieldReader& r, Scene& scene, ForcePlaces& places) {
+void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
   read_format(r);
-  r.require({"title", "a few words"}, scene.title, kWords);
-  r.read({"about", "what the experiment is, a paragraph"}, scene.about, kText);
-  r.read({"observe", "what to look at, a few words"}, scene.observe, kText);
-  r.read({"duration", "how long a run lasts"}, scene.duration, positive("s"));
-  r.read({"gravity", "[x, y]"}, scene.forces.gravity, any_number("m/s²"));
+  r.require({"title", "a few words"}, preset.title, kWords);
+  r.read({"about", "what the experiment is, a paragraph"}, preset.about, kText);
+  r.read({"observe", "what to look at, a few words"}, preset.observe, kText);
+  r.read({"duration", "how long a run lasts"}, preset.duration, positive("s"));
+  r.read({"gravity", "[x, y]"}, preset.scene.forces.gravity, any_number("m/s²"));
   r.member({"method", "how the run is computed"},
-           [&](const ValueReader& v) { v.object([&](FieldReader& m) { read_method(m, scene.method); }); });
+           [&](const ValueReader& v) { v.object([&](FieldReader& m) { read_method(m, preset.method); }); });
   const auto each = [](auto& list, const auto& read) {
     return [&list, read](FieldReader& element, const std::string&) { read(element, list.emplace_back()); };
   };
   r.read_objects({"compare", "other methods to run beside it"}, kMostCompared,
-                 each(scene.compare, read_method));
-  r.read_objects({"materials", "surfaces"}, kMostMaterials, each(scene.materials, read_material));
-  r.read_objects({"bodies", "what moves, and what it meets"}, kMostBodies, each(scene.bodies, read_body));
+                 each(preset.compare, read_method));
+  r.read_objects({"materials", "surfaces"}, kMostMaterials, each(preset.scene.materials, read_material));
+  r.read_objects({"bodies", "what moves, and what it meets"}, kMostBodies,
+                 each(preset.scene.bodies, read_body));
   int forces = 0;
   r.read_objects({"forces", "beside gravity"}, kMostForces, [&](FieldReader& element, const std::string& at) {
-    read_force(element, at, forces++, scene.forces, places);
+    read_force(element, at, forces++, preset.scene.forces, places);
   });
   r.read_objects({"material_pairs", "how two materials meet"}, kMostMaterialPairs,
-                 each(scene.pairs, read_pair));
-  r.read_choice({"impact_law", "of impacts off the line of centres"}, kImpactLawNames, scene.impact_law);
+                 each(preset.scene.pairs, read_pair));
+  r.read_choice({"impact_law", "of impacts off the line of centres"}, kImpactLawNames, preset.scene.impact_law);
   r.read_choice({"several_impacts", "contacts that close at one time"}, kSeveralImpactsNames,
-                scene.several_impacts);
+                preset.scene.several_impacts);
   r.read_objects({"generators", "many bodies from a few numbers"}, kMostBodies,
-                 each(scene.generators, read_generator));
-  r.read_objects({"links", "rods, strings, pins and welds"}, kMostSceneLinks, each(scene.links, read_link));
+                 each(preset.scene.generators, read_generator));
+  r.read_objects({"links", "rods, strings, pins and welds"}, kMostSceneLinks,
+                 each(preset.scene.links, read_link));
   r.member({"plots", "to open with"}, [&](const ValueReader& v) {
-    v.list({0, kMostPlots}, [&](const ValueReader& plot) { scene.plots.push_back(read_plot(plot)); });
+    v.list({0, kMostPlots}, [&](const ValueReader& plot) { preset.plots.push_back(read_plot(plot)); });
   });
   r.member({"view", "what the window shows at first"}, [&](const ValueReader& v) {
     v.object([&](FieldReader& view) {
-      scene.view.emplace();
-      view.read({"center", "[x, y]"}, scene.view->center, any_number("m"));
-      view.require({"width", "of the part that is shown"}, scene.view->width, positive("m"));
+      preset.view.emplace();
+      view.read({"center", "[x, y]"}, preset.view->center, any_number("m"));
+      view.require({"width", "of the part that is shown"}, preset.view->width, positive("m"));
     });
   });
   r.read_objects({"expect", "what the experiment must show"}, kMostExpectations,
-                 each(scene.expect, read_expectation));
+                 each(preset.expect, read_expectation));
   r.member({"state", "where a saved run goes on"}, [&](const ValueReader& v) {
     if (v.has_value()) {
-      of_saved_run([&] { scene.saved = read_clock(v.value()); });
+      of_saved_run([&] { preset.saved = read_clock(v.value()); });
     } else {
       (void)v.free_object();
     }
   });
-  r.member({"extra", "kept as it is"}, [&](const ValueReader& v) { scene.extra = v.free_object(); });
+  r.member({"extra", "kept as it is"}, [&](const ValueReader& v) { preset.extra = v.free_object(); });
 }
 
 }  // namespace
 
-Scene scene_of(const Json& json) {
-  Scene scene;
+Preset preset_of(const Json& json) {
+  Preset preset;
   ForcePlaces places;
-  ValueReader(json, "").object([&](FieldReader& r) { read_scene(r, scene, places); });
-  validate(scene, places);
-  if (state_belongs(scene)) of_saved_run([&] { read_state(json.at("state"), scene); });
-  settle_places(scene, places);
-  return scene;
+  ValueReader(json, "").object([&](FieldReader& r) { read_preset_object(r, preset, places); });
+  validate(preset, places);
+  if (state_belongs(preset.scene, preset.saved)) of_saved_run([&] { read_state(json.at("state"), preset); });
+  settle_places(preset, places);
+  return preset;
 }
 
 Json preset_schema() {
-  Scene scene;
+  Preset preset;
   ForcePlaces places;
   FieldReader description;
-  read_scene(description, scene, places);
+  read_preset_object(description, preset, places);
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                  {"title", "Carom preset"},
                  {"description", "An experiment of colliding bodies in a plane, in SI units"}};
@@ -225,12 +229,12 @@ Json preset_schema() {
   return schema;
 }
 
-Scene parse_preset(std::string_view text, const std::string& origin) {
+Preset parse_preset(std::string_view text, const std::string& origin) {
   const auto named = [&](const SceneError& error) {
     return fmt::format("{}: {}", shortened(origin, kMostOfFileName), error.what());
   };
   try {
-    return scene_of(parse_json(text));
+    return preset_of(parse_json(text));
   } catch (const RuleError& error) {
     throw RuleError(error.rule, named(error));
   } catch (const SceneError& error) {
@@ -238,10 +242,10 @@ Scene parse_preset(std::string_view text, const std::string& origin) {
   }
 }
 
-Scene read_preset(const std::filesystem::path& file) {
-  Scene scene = parse_preset(file_text(file, "a preset file"), file.string());
-  scene.topic = valid_utf8(file.parent_path().filename().string());
-  return scene;
+Preset read_preset(const std::filesystem::path& file) {
+  Preset preset = parse_preset(file_text(file, "a preset file"), file.string());
+  preset.topic = valid_utf8(file.parent_path().filename().string());
+  return preset;
 }
 
 }  // namespace carom

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <map>
 
+#include "physics/preset/preset.h"
 #include "physics/preset/preset_json.h"
 
 namespace carom {
@@ -53,8 +54,8 @@ std::string moved(const std::string& place, const std::map<int, int>& moves) {
   return found == moves.end() ? place : fmt::format("{}{}{}", kForces, found->second, std::string(rest, end));
 }
 
-Json full_json(const Scene& scene) {
-  Json json = preset_json(scene, true);
+Json full_json(const Preset& preset) {
+  Json json = preset_json(preset, true);
   json.erase("expect");
   json.erase("extra");
   return json;
@@ -62,8 +63,8 @@ Json full_json(const Scene& scene) {
 
 }  // namespace
 
-Scene variant(const Scene& scene, const std::vector<Setting>& settings) {
-  Json json = full_json(scene);
+Preset variant(const Preset& preset, const std::vector<Setting>& settings) {
+  Json json = full_json(preset);
   for (const Setting& s : settings) {
     Json* number = number_at(json, s.place);
     if (number == nullptr) refuse_by(Rule::kPlaces, s.place, "a setting where no number stands", kPlaceAllowed);
@@ -74,23 +75,23 @@ Scene variant(const Scene& scene, const std::vector<Setting>& settings) {
       *number = s.value;
     }
   }
-  Scene changed = scene_of(json);
-  changed.topic = scene.topic;
+  Preset changed = preset_of(json);
+  changed.topic = preset.topic;
   return changed;
 }
 
-void settle_places(Scene& scene, const ForcePlaces& places) {
+void settle_places(Preset& preset, const ForcePlaces& places) {
   const auto has_places = [](const Expectation& e) { return e.over || !e.settings.empty(); };
-  if (std::none_of(scene.expect.begin(), scene.expect.end(), has_places)) return;
-  Json json = full_json(scene);
-  const auto pairs = moves(scene.forces, places);
+  if (std::none_of(preset.expect.begin(), preset.expect.end(), has_places)) return;
+  Json json = full_json(preset);
+  const auto pairs = moves(preset.scene.forces, places);
   const auto settle = [&](const std::string& at, std::string& place) {
     std::string now = moved(place, pairs);
     if (number_at(json, now) == nullptr) refuse_by(Rule::kPlaces, at, "\"" + place + "\"", kPlaceAllowed);
     place = std::move(now);
   };
-  for (std::size_t i = 0; i < scene.expect.size(); ++i) {
-    Expectation& e = scene.expect[i];
+  for (std::size_t i = 0; i < preset.expect.size(); ++i) {
+    Expectation& e = preset.expect[i];
     for (Setting& s : e.settings) settle(fmt::format("/expect/{}/with", i), s.place);
     if (e.over) settle(fmt::format("/expect/{}/over/place", i), e.over->place);
   }

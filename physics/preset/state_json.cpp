@@ -10,6 +10,7 @@
 #include "physics/preset/method_json.h"
 #include "physics/preset/object_reader.h"
 #include "physics/preset/object_writer.h"
+#include "physics/preset/preset.h"
 #include "physics/world/run_state.h"
 
 namespace carom {
@@ -474,11 +475,13 @@ SavedRun read_clock(const Json& json) {
   return saved;
 }
 
-void read_state(const Json& json, Scene& scene) {
-  const std::vector<Body> bodies = all_bodies(scene);
-  const Tracks tracks(scene, bodies, needs_of(scene));
-  const Sizes sizes{bodies.size(), static_cast<std::size_t>(tracks.islands()), scene.forces.springs.size(),
-                    scene.links.size(), scene.forces.applied.size()};
+void read_state(const Json& json, Preset& preset) {
+  const std::vector<Body> bodies = all_bodies(preset.scene);
+  const double start = start_time(preset.saved);
+  const Tracks tracks(preset.scene, bodies, needs_of(preset.scene), preset.method, start);
+  const Sizes sizes{bodies.size(), static_cast<std::size_t>(tracks.islands()),
+                    preset.scene.forces.springs.size(), preset.scene.links.size(),
+                    preset.scene.forces.applied.size()};
   Json rest = json;
   rest.erase("time");
   rest.erase("fingerprint");
@@ -486,9 +489,9 @@ void read_state(const Json& json, Scene& scene) {
   auto state = std::make_shared<RunState>();
   describe(reader, *state, sizes);
   reader.finish();
-  state->time = scene.saved->time;
-  check_state(scene, *state);
-  scene.saved->state = std::move(state);
+  state->time = preset.saved->time;
+  check_state(preset.scene, start, *state);
+  preset.saved->state = std::move(state);
 }
 
 Json state_json(const SavedRun& saved) {

@@ -7,6 +7,7 @@
 #include "physics/preset/object_writer.h"
 #include "physics/preset/plot_json.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/preset/preset_json.h"
 #include "physics/preset/state_json.h"
 
@@ -123,44 +124,46 @@ void write_value(std::string& out, const Json& value, int depth) {
 
 }  // namespace
 
-Json preset_json(const Scene& scene, bool all) {
+Json preset_json(const Preset& preset, bool all) {
   Json j;
   j["format"] = "carom-preset";
   j["version"] = kPresetVersion;
-  j["title"] = scene.title;
-  if (!scene.about.empty()) j["about"] = scene.about;
-  if (!scene.observe.empty()) j["observe"] = scene.observe;
-  j["duration"] = scene.duration;
-  j["gravity"] = pair_json(scene.forces.gravity);
-  j["method"] = method_json(scene.method, all);
-  for (const Method& m : scene.compare) j["compare"].push_back(method_json(m, all));
-  for (const Material& m : scene.materials) j["materials"].push_back(surface_json({{"name", m.name}}, m));
-  for (const MaterialPair& p : scene.pairs)
+  j["title"] = preset.title;
+  if (!preset.about.empty()) j["about"] = preset.about;
+  if (!preset.observe.empty()) j["observe"] = preset.observe;
+  j["duration"] = preset.duration;
+  j["gravity"] = pair_json(preset.scene.forces.gravity);
+  j["method"] = method_json(preset.method, all);
+  for (const Method& m : preset.compare) j["compare"].push_back(method_json(m, all));
+  for (const Material& m : preset.scene.materials)
+    j["materials"].push_back(surface_json({{"name", m.name}}, m));
+  for (const MaterialPair& p : preset.scene.pairs)
     j["material_pairs"].push_back(surface_json({{"materials", {p.a, p.b}}}, p.surface));
-  if (scene.impact_law != ImpactLawId::kEnergetic) j["impact_law"] = name_of(kImpactLawNames, scene.impact_law);
-  if (scene.several_impacts != SeveralImpactsId::kPairwise)
-    j["several_impacts"] = name_of(kSeveralImpactsNames, scene.several_impacts);
-  for (const Body& b : scene.bodies) j["bodies"].push_back(body_json(b, all));
-  if (Json forces = forces_json(scene.forces, all); !forces.empty()) j["forces"] = std::move(forces);
-  for (const GridGenerator& g : scene.generators) j["generators"].push_back(generator_json(g));
-  for (const Link& l : scene.links) j["links"].push_back(link_json(l, all));
-  for (const Plot& plot : scene.plots) j["plots"].push_back(plot_json(plot));
-  if (scene.view) j["view"] = {{"center", pair_json(scene.view->center)}, {"width", scene.view->width}};
-  for (const Expectation& e : scene.expect) j["expect"].push_back(expectation_json(e));
-  if (scene.saved) j["state"] = state_json(*scene.saved);
-  if (!scene.extra.empty()) j["extra"] = Json::parse(scene.extra);
+  if (preset.scene.impact_law != ImpactLawId::kEnergetic)
+    j["impact_law"] = name_of(kImpactLawNames, preset.scene.impact_law);
+  if (preset.scene.several_impacts != SeveralImpactsId::kPairwise)
+    j["several_impacts"] = name_of(kSeveralImpactsNames, preset.scene.several_impacts);
+  for (const Body& b : preset.scene.bodies) j["bodies"].push_back(body_json(b, all));
+  if (Json forces = forces_json(preset.scene.forces, all); !forces.empty()) j["forces"] = std::move(forces);
+  for (const GridGenerator& g : preset.scene.generators) j["generators"].push_back(generator_json(g));
+  for (const Link& l : preset.scene.links) j["links"].push_back(link_json(l, all));
+  for (const Plot& plot : preset.plots) j["plots"].push_back(plot_json(plot));
+  if (preset.view) j["view"] = {{"center", pair_json(preset.view->center)}, {"width", preset.view->width}};
+  for (const Expectation& e : preset.expect) j["expect"].push_back(expectation_json(e));
+  if (preset.saved) j["state"] = state_json(*preset.saved);
+  if (!preset.extra.empty()) j["extra"] = Json::parse(preset.extra);
   return j;
 }
 
-std::string write_preset(const Scene& scene) {
+std::string write_preset(const Preset& preset) {
   std::string text;
-  write_value(text, preset_json(scene, false), 0);
+  write_value(text, preset_json(preset, false), 0);
   text += '\n';
   return text;
 }
 
-void save_preset(const Scene& scene, const std::filesystem::path& file) {
-  const std::string text = write_preset(scene);
+void save_preset(const Preset& preset, const std::filesystem::path& file) {
+  const std::string text = write_preset(preset);
   (void)parse_preset(text, file.string());
   OutputFile out(file.string());
   out.write(text);

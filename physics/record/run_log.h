@@ -12,14 +12,14 @@ namespace carom {
 // All that a run is made of: where it started, and what was done to it, in order. Whole steps from there give
 // the same bytes again.
 struct RunLog {
-  Scene start;
+  RunSetup start;
   std::vector<Edit> edits;
 };
 
 // A run gone through once more, step by step.
 class Replay {
  public:
-  explicit Replay(const Scene& start, const std::stop_token& interrupt = {}) : simulation_(start) {
+  explicit Replay(const RunSetup& start, const std::stop_token& interrupt = {}) : simulation_(start) {
     simulation_.watch_impacts(true);
     simulation_.interrupt_on(interrupt);
   }

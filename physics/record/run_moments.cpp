@@ -22,7 +22,10 @@ namespace {
 class Walk {
  public:
   Walk(const RunLog& log, double span)
-      : log_(log), replay_(log.start), forces_(std::make_shared<const Forces>(log.start.forces)), span_(span) {}
+      : log_(log),
+        replay_(log.start),
+        forces_(std::make_shared<const Forces>(log.start.scene.forces)),
+        span_(span) {}
 
   bool go_to(double time, Frame& frame, const std::function<bool(double)>& go_on) {
     const Simulation& simulation = replay_.simulation();

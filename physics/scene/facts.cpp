@@ -6,6 +6,8 @@
 #include <unordered_set>
 #include <vector>
 
+#include "physics/scene/method.h"
+
 namespace carom {
 namespace {
 

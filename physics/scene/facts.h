@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "physics/scene/method.h"
 #include "physics/scene/scene.h"
 
 namespace carom {

@@ -110,16 +110,11 @@ class Fingerprint {
 
 }  // namespace
 
-std::uint64_t fingerprint(const Scene& scene) {
-  const auto& [title, about, observe, topic, duration, method, compare, forces, materials, pairs, impact_law,
-               several_impacts, bodies, generators, links, expect, plots, view, saved, extra] = scene;
+std::uint64_t fingerprint(const Scene& scene, double start_time) {
+  const auto& [forces, materials, pairs, impact_law, several_impacts, bodies, generators, links] = scene;
   Fingerprint f;
-  f.add_all(start_time(scene), forces, materials, pairs, impact_law, several_impacts, all_bodies(scene), links);
+  f.add_all(start_time, forces, materials, pairs, impact_law, several_impacts, all_bodies(scene), links);
   return f.value();
-}
-
-bool state_belongs(const Scene& scene) {
-  return scene.saved && scene.saved->fingerprint != 0 && scene.saved->fingerprint == fingerprint(scene);
 }
 
 }  // namespace carom

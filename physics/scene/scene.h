@@ -8,7 +8,7 @@
 
 #include "physics/scene/shape.h"
 
-// What an experiment is before anything moves: plain values in SI units, as a preset file states them.
+// What an experiment is made of before anything moves: plain values in SI units, as a preset file states them.
 // x points right, y up, angles are counter-clockwise in radians.
 namespace carom {
 
@@ -142,31 +142,6 @@ struct Forces {
   std::vector<AppliedForce> applied;
 };
 
-enum class IntegratorId {
-  kExplicitEuler,
-  kSemiImplicitEuler,
-  kVelocityVerlet,
-  kRk4,
-  kDormandPrince,
-  kAdaptiveDormandPrince,
-  kExactFlight
-};
-enum class ImpactsId { kStepEnd, kLocated };
-enum class ContactsId { kImpulse, kLasting };
-
-// How a run is computed: three named choices and the step. See physics/dynamics/integrators/integrators.h and
-// physics/world/.
-struct Method {
-  IntegratorId integrator = IntegratorId::kRk4;
-  ImpactsId impacts = ImpactsId::kLocated;
-  ContactsId contacts = ContactsId::kImpulse;
-  // s, > 0. For an integrator without a step of its own (adaptive, exact flight) the interval of the results.
-  double step = 0.005;
-  double tolerance = 1e-9;  // m and m/s a step, > 0: of the adaptive integrator
-
-  bool operator==(const Method&) const = default;
-};
-
 // What ends an impact away from the line of the centres, where the normal impulse turns the bodies and so
 // changes the slip. Without friction, and for discs, both are the same law.
 enum class ImpactLawId {
@@ -197,105 +172,8 @@ struct GridGenerator {
   std::uint64_t seed = 1;
 };
 
-// One number of the preset file put in place of what stands there: a JSON pointer such as /bodies/0/mass.
-struct Setting {
-  std::string place;
-  double value = 0.0;
-};
-
-// One run for each of `values` at `place`, and what the numbers that they give are reduced to.
-struct Sweep {
-  enum class Reduction {
-    kMean,
-    kMaximum,
-    kMinimum,
-    kWhereMaximum,  // the value at `place` that gives the largest number, by the parabola through three
-    kWhereMinimum,
-    kExponent  // slope of ln(number) over ln(value at `place`)
-  };
-  std::string place;
-  std::vector<double> values;
-  Reduction reduction = Reduction::kMean;
-};
-
-// A statement that the experiment must fulfil: what `observable` shows, reduced to one number, beside theory.
-struct Expectation {
-  enum class Reduction { kAt, kAtImpact, kMaximum, kMinimum, kMean, kFinal, kCount, kFit };
-  std::string observable;           // a name of physics/observe/observables.h
-  std::vector<std::string> bodies;  // the bodies it looks at; as many as the observable asks for
-  Reduction reduction = Reduction::kFinal;
-  double time = 0.0;              // s, for kAt
-  int impact = 0;                 // 1, 2, ... for kAtImpact: the value just after the n-th impact
-  double above = 0.0;             // for kCount: the share of the readings that lie above this
-  double from = 0.0;              // s: maximum, minimum, mean, count and fit look from here on
-  std::optional<double> until;    // s: the run's end for this expectation; none: the scene's duration
-  std::vector<Setting> settings;  // how its runs differ from the scene
-  std::optional<Sweep> over;      // many runs instead of one
-  double value = 0.0;             // in the observable's unit
-  double tolerance = 0.0;         // same unit, >= 0
-  std::string source;             // where the value comes from
-};
-
-// What the window shows at first; without it the scene is fitted.
-struct View {
-  Vec2 center = Vec2::Zero();  // m
-  double width = 0.0;          // m, > 0
-};
-
-// An observable of certain bodies, by their names.
-struct QuantityName {
-  std::string observable;           // a name of physics/observe/observables.h
-  std::vector<std::string> bodies;  // as many as the observable asks for
-  // On a plot: its closed form in t (s) and, over another quantity, in x (see physics/observe/expression.h).
-  std::string theory{};
-  bool residual = false;  // what is shown is the observable less the theory
-
-  bool operator==(const QuantityName&) const = default;
-};
-
-// A reader's remark at a point of a plot, in the units of its axes.
-struct PlotNote {
-  double x = 0.0;
-  double y = 0.0;
-  std::string text;
-
-  bool operator==(const PlotNote&) const = default;
-};
-
-// A plot to open with the scene: one of the named ones, or its own choice of quantities.
-struct Plot {
-  std::string id;                 // of physics/preset/names.h; empty: what follows says what it shows
-  std::string title;              // empty: made of what it shows
-  std::vector<QuantityName> y;    // a curve each
-  std::optional<QuantityName> x;  // what they are drawn over; none: time
-  bool logarithmic = false;       // the axis of y
-  std::vector<PlotNote> notes{};
-
-  bool operator==(const Plot&) const = default;
-};
-
-struct RunState;  // physics/world/run_state.h
-
-// Where a run goes on that was saved on its way.
-struct SavedRun {
-  double time = 0.0;  // s, >= 0: what the clock shows at the start; drives and timed forces count from 0
-  // Of the scene that the state belongs to (physics/scene/fingerprint.h); 0: a clock alone.
-  std::uint64_t fingerprint = 0;
-  // None where the scene was changed since: the run goes on from its bodies and its clock alone.
-  std::shared_ptr<const RunState> state{};
-};
-
-// Methods beside the scene's own.
-inline constexpr std::size_t kMostCompared = 5;
-
+// The physics of an experiment, as people write it.
 struct Scene {
-  std::string title;
-  std::string about;      // what it is, a paragraph
-  std::string observe;    // what to look at
-  std::string topic;      // the folder it stands in; not stored in the file
-  double duration = 5.0;  // s, > 0: how long a run lasts if nothing else is said
-  Method method;
-  std::vector<Method> compare;  // other methods to run beside it, at most kMostCompared
   Forces forces;
   std::vector<Material> materials;
   std::vector<MaterialPair> pairs;
@@ -304,15 +182,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<GridGenerator> generators;
   std::vector<Link> links;
-  std::vector<Expectation> expect;
-  std::vector<Plot> plots;  // to open with; none: the usual ones
-  std::optional<View> view;
-  std::optional<SavedRun> saved;
-  std::string extra;  // a JSON object kept as it is; empty if there is none
 };
-
-// s: what the clock shows at the start of a run.
-[[nodiscard]] inline double start_time(const Scene& scene) { return scene.saved ? scene.saved->time : 0.0; }
 
 // The material called `name`; "default" exists in every scene. Throws std::out_of_range for another unknown
 // name.

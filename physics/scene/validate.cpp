@@ -10,42 +10,13 @@
 #include <utility>
 
 #include "physics/scene/facts.h"
+#include "physics/scene/method.h"
 #include "physics/scene/polygon.h"
 #include "physics/scene/validate_links.h"
+#include "physics/scene/value_checks.h"
 
 namespace carom {
 namespace {
-
-void check_range(const std::string& place, double value, const Range& range) {
-  if (!range.holds(value)) refuse_value(place, fmt::format("{}", value), range.text());
-}
-
-void check_vector(const std::string& place, const Vec2& value, std::string_view unit) {
-  for (int i = 0; i < 2; ++i) check_range(fmt::format("{}/{}", place, i), value[i], any_number(unit));
-}
-
-// A number that another one of the scene is a bound of.
-void check_order(const std::string& place, double value, double least, const std::string& what) {
-  if (value >= least) return;
-  refuse_by(Rule::kOrderOfNumbers, place, fmt::format("{}", value),
-            fmt::format("{} = {} or more", what, least));
-}
-
-void check_name(const std::string& place, const std::string& name, std::size_t longest = kLongestName) {
-  if (name.empty()) refuse_value(place, "an empty name", "a name");
-  if (characters(name) > longest)
-    refuse_value(place, "\"" + name + "\"", fmt::format("a name of up to {} characters", longest));
-}
-
-void check_own_name(std::unordered_set<std::string>& names, const std::string& place, const std::string& name) {
-  if (!names.insert(name).second)
-    refuse_by(Rule::kOwnNames, place, fmt::format("\"{}\", used before,", shortened(name, 40)),
-              "a name of its own");
-}
-
-void check_count(const std::string& place, std::size_t count, std::size_t most, const char* what) {
-  if (count > most) refuse_value(place, fmt::format("{} {}", count, what), fmt::format("up to {}", most));
-}
 
 // The names of materials that a scene has.
 using MaterialNames = std::unordered_set<std::string>;
@@ -189,22 +160,13 @@ void check_generators(const Scene& scene, const MaterialNames& materials) {
   }
 }
 
-// Bodies by name.
-using Bodies = std::unordered_map<std::string, const Body*>;
-
-const Body& named_body(const Bodies& bodies, const std::string& place, const std::string& name) {
-  const auto found = bodies.find(name);
-  if (found == bodies.end()) refuse_by(Rule::kReferences, place, "\"" + name + "\"", "the name of a body");
-  return *found->second;
-}
-
-void check_movable(const Bodies& bodies, const std::string& place, const std::string& name) {
+void check_movable(const NamedBodies& bodies, const std::string& place, const std::string& name) {
   if (is_immovable(named_body(bodies, place, name)))
     refuse_by(Rule::kReferences, place, fmt::format("\"{}\", which no force moves,", shortened(name, 40)),
               "a body that is neither fixed nor driven");
 }
 
-void check_springs(const Forces& forces, const ForcePlaces& places, const Bodies& bodies) {
+void check_springs(const Forces& forces, const ForcePlaces& places, const NamedBodies& bodies) {
   std::unordered_set<std::string> names;
   for (std::size_t i = 0; i < forces.springs.size(); ++i) {
     const Spring& s = forces.springs[i];
@@ -222,7 +184,7 @@ void check_springs(const Forces& forces, const ForcePlaces& places, const Bodies
   }
 }
 
-void check_applied(const Forces& forces, const ForcePlaces& places, const Bodies& bodies) {
+void check_applied(const Forces& forces, const ForcePlaces& places, const NamedBodies& bodies) {
   for (std::size_t i = 0; i < forces.applied.size(); ++i) {
     const AppliedForce& f = forces.applied[i];
     const std::string at = fmt::format("/forces/{}", places.applied[i]);
@@ -240,7 +202,7 @@ void check_applied(const Forces& forces, const ForcePlaces& places, const Bodies
 // Each pair pulls: an evaluation of so many takes some 20 ms.
 constexpr std::size_t kMostAttracted = 2'000;
 
-void check_forces(const Forces& forces, const ForcePlaces& places, const Bodies& bodies) {
+void check_forces(const Forces& forces, const ForcePlaces& places, const NamedBodies& bodies) {
   check_vector("/gravity", forces.gravity, "m/s²");
   check_range(fmt::format("/forces/{}/coefficient", places.linear_drag.value_or(0)), forces.linear_drag,
               from_zero("kg/s"));
@@ -259,78 +221,6 @@ void check_forces(const Forces& forces, const ForcePlaces& places, const Bodies&
   check_applied(forces, places, bodies);
 }
 
-void check_sweep(const std::string& at, const Sweep& sweep) {
-  using Reduction = Sweep::Reduction;
-  const bool parabola =
-      sweep.reduction == Reduction::kWhereMaximum || sweep.reduction == Reduction::kWhereMinimum;
-  const std::size_t least = parabola ? 3 : sweep.reduction == Reduction::kExponent ? 2 : 1;
-  if (sweep.values.size() < least || sweep.values.size() > kMostSweepValues) {
-    refuse_by(Rule::kOrderOfNumbers, at + "/values", fmt::format("{} values", sweep.values.size()),
-              fmt::format("{} to {} for this reduction", least, kMostSweepValues));
-  }
-  for (std::size_t i = 0; i < sweep.values.size(); ++i) {
-    const std::string place = fmt::format("{}/values/{}", at, i);
-    check_range(place, sweep.values[i], any_number(""));
-    if (sweep.reduction == Reduction::kExponent && !(sweep.values[i] >= kLeastPositive))
-      refuse_by(Rule::kOrderOfNumbers, place, fmt::format("{}", sweep.values[i]), positive("").text());
-    if (i > 0 && least > 1 && !(sweep.values[i] > sweep.values[i - 1]))
-      refuse_by(Rule::kOrderOfNumbers, place, fmt::format("{}", sweep.values[i]),
-                "values in rising order for this reduction");
-  }
-}
-
-void check_expectation(const std::string& at, const Expectation& e, const Bodies& bodies) {
-  for (std::size_t k = 0; k < e.bodies.size(); ++k)
-    (void)named_body(bodies, fmt::format("{}/bodies/{}", at, k), e.bodies[k]);
-  check_range(at + "/tolerance", e.tolerance, from_zero(""));
-  check_range(at + "/time", e.time, from_zero("s"));
-  check_range(at + "/from", e.from, from_zero("s"));
-  if (e.until) {
-    check_range(at + "/until", *e.until, from_zero("s"));
-    check_order(at + "/until", *e.until, e.from, "from");
-  }
-  if (e.reduction == Expectation::Reduction::kAtImpact && e.impact < 1)
-    refuse_value(at + "/impact", fmt::format("{}", e.impact), "1, 2, ...");
-  for (const Setting& s : e.settings) {
-    check_range(fmt::format("{}/with {}", at, s.place), s.value, any_number(""));
-  }
-  if (e.over) check_sweep(at + "/over", *e.over);
-}
-
-void check_plot(const std::string& at, const Plot& plot, const Bodies& bodies) {
-  const auto check = [&](const std::string& place, const QuantityName& quantity) {
-    for (std::size_t k = 0; k < quantity.bodies.size(); ++k)
-      (void)named_body(bodies, fmt::format("{}/bodies/{}", place, k), quantity.bodies[k]);
-  };
-  for (std::size_t i = 0; i < plot.y.size(); ++i) check(fmt::format("{}/y/{}", at, i), plot.y[i]);
-  if (plot.x) check(at + "/x", *plot.x);
-}
-
-// How many there are.
-void check_plots(const std::vector<Plot>& plots) {
-  check_count("/plots", plots.size(), kMostPlots, "plots");
-  std::size_t curves = 0;
-  for (std::size_t i = 0; i < plots.size(); ++i) {
-    curves += plots[i].y.size();
-    check_count(fmt::format("/plots/{}/y", i), plots[i].y.size(), kMostPlotCurves, "curves");
-    if (curves > kMostCurvesInAll) {
-      refuse_by(Rule::kCountInAll, fmt::format("/plots/{}/y", i),
-                fmt::format("{} curves in all plots so far", curves),
-                fmt::format("up to {}", kMostCurvesInAll));
-    }
-  }
-}
-
-void check_method(const std::string& place, const Method& method) {
-  check_range(place + "/step", method.step, kStepRange);
-  check_range(place + "/tolerance", method.tolerance, kToleranceRange);
-}
-
-void check_integrator(const std::string& place, const Scene& scene, const Method& method) {
-  if (const auto reason = why_not(scene, method.integrator))
-    throw RuleError(Rule::kModelled, place + "/integrator: " + *reason);
-}
-
 }  // namespace
 
 ForcePlaces written_places(const Forces& forces) {
@@ -344,24 +234,13 @@ ForcePlaces written_places(const Forces& forces) {
   return places;
 }
 
-void validate(const Scene& scene, const ForcePlaces& places) {
-  check_method("/method", scene.method);
-  if (scene.compare.size() > kMostCompared) {
-    refuse_value("/compare", fmt::format("{} methods", scene.compare.size()),
-                 fmt::format("up to {}", kMostCompared));
-  }
-  for (std::size_t i = 0; i < scene.compare.size(); ++i) {
-    check_method(fmt::format("/compare/{}", i), scene.compare[i]);
-  }
-  check_range("/duration", scene.duration, positive("s"));
-  if (scene.saved && !from_zero("s").holds(scene.saved->time))
-    refuse_by(Rule::kSavedRun, "/state/time", fmt::format("{}", scene.saved->time), from_zero("s").text());
+void validate(const Scene& scene, const ForcePlaces& places, const RunBegin& begin) {
   const MaterialNames materials = check_materials(scene);
   check_pairs(scene, materials);
   check_bodies(scene, materials);
   check_generators(scene, materials);
   const std::vector<Body> all = all_bodies(scene);
-  Bodies bodies;
+  NamedBodies bodies;
   for (const Body& b : all) {
     if (!bodies.emplace(b.name, &b).second) {
       refuse_by(Rule::kOwnNames, "/generators",
@@ -369,34 +248,25 @@ void validate(const Scene& scene, const ForcePlaces& places) {
     }
   }
   check_forces(scene.forces, places, bodies);
-  check_links(scene, all);
+  check_links(scene, all, begin);
   if (scene.several_impacts == SeveralImpactsId::kSimultaneous &&
       (!scene.links.empty() || has_sticking_surface(scene))) {
     refuse_by(Rule::kModelled, "/several_impacts",
               fmt::format("\"simultaneous\" with {}", scene.links.empty() ? "surfaces that stick" : "links"),
               "\"pairwise\": impacts of linked bodies go pair by pair");
   }
-  check_integrator("/method", scene, scene.method);
-  for (std::size_t i = 0; i < scene.compare.size(); ++i) {
-    check_integrator(fmt::format("/compare/{}", i), scene, scene.compare[i]);
-  }
-  check_count("/expect", scene.expect.size(), kMostExpectations, "expectations");
-  for (std::size_t i = 0; i < scene.expect.size(); ++i)
-    check_expectation(fmt::format("/expect/{}", i), scene.expect[i], bodies);
-  check_plots(scene.plots);
-  for (std::size_t i = 0; i < scene.plots.size(); ++i)
-    check_plot(fmt::format("/plots/{}", i), scene.plots[i], bodies);
-  if (scene.view) {
-    check_vector("/view/center", scene.view->center, "m");
-    check_range("/view/width", scene.view->width, positive("m"));
-  }
-}
-
-void validate_method(const std::string& place, const Scene& scene, const Method& method) {
-  check_method(place, method);
-  check_integrator(place, scene, method);
 }
 
 void validate(const Scene& scene) { validate(scene, written_places(scene.forces)); }
+
+void check_method(const std::string& place, const Method& method) {
+  check_range(place + "/step", method.step, kStepRange);
+  check_range(place + "/tolerance", method.tolerance, kToleranceRange);
+}
+
+void check_integrator(const std::string& place, const Scene& scene, const Method& method) {
+  if (const auto reason = why_not(scene, method.integrator))
+    throw RuleError(Rule::kModelled, place + "/integrator: " + *reason);
+}
 
 }  // namespace carom

@@ -10,22 +10,13 @@
 
 #include "physics/math/vectors.h"
 #include "physics/scene/drive.h"
-#include "physics/scene/fingerprint.h"
-#include "physics/scene/validate.h"
+#include "physics/scene/value_checks.h"
 
 namespace carom {
 namespace {
 
 // Of the length, of the coordinates and of the speeds: what a file with some seven digits can mean to be exact.
 constexpr double kSlack = 1e-6;
-
-void check_range(const std::string& place, double value, const Range& range) {
-  if (!range.holds(value)) refuse_value(place, fmt::format("{}", value), range.text());
-}
-
-void check_vector(const std::string& place, const Vec2& value) {
-  for (int i = 0; i < 2; ++i) check_range(fmt::format("{}/{}", place, i), value[i], any_number("m"));
-}
 
 // Links that hold on to one another are solved together, at a cost that grows with the cube of their number.
 constexpr int kMostLinkedTogether = 500;
@@ -122,30 +113,17 @@ void check_start(const std::string& at, const Link& link, const Body& body, cons
 
 }  // namespace
 
-void check_links(const Scene& scene, const std::vector<Body>& bodies) {
-  std::unordered_map<std::string, const Body*> named;
+void check_links(const Scene& scene, const std::vector<Body>& bodies, const RunBegin& begin) {
+  NamedBodies named;
   for (const Body& b : bodies) named.emplace(b.name, &b);
-  const auto body_called = [&](const std::string& place, const std::string& name) {
-    const auto found = named.find(name);
-    if (found == named.end()) refuse_by(Rule::kReferences, place, "\"" + name + "\"", "the name of a body");
-    return found->second;
-  };
-  if (scene.links.size() > kMostSceneLinks) {
-    refuse_value("/links", fmt::format("{} links", scene.links.size()),
-                 fmt::format("up to {}", kMostSceneLinks));
-  }
-  // What a run has made of its links is right, even a slack string that a push left too long, and as many as
-  // stuck together.
-  const bool goes_on = state_belongs(scene);
+  check_count("/links", scene.links.size(), kMostSceneLinks, "links");
   std::unordered_set<std::string> names;
   Groups groups(bodies.size());
   for (std::size_t i = 0; i < scene.links.size(); ++i) {
     const Link& link = scene.links[i];
     const std::string at = fmt::format("/links/{}", i);
-    if (!link.name.empty() && !names.insert(link.name).second)
-      refuse_by(Rule::kOwnNames, at + "/name", fmt::format("\"{}\", used before,", shortened(link.name, 40)),
-                "a name of its own");
-    const Body* body = body_called(at + "/body", link.body);
+    if (!link.name.empty()) check_own_name(names, at + "/name", link.name);
+    const Body* body = &named_body(named, at + "/body", link.body);
     if (is_immovable(*body)) {
       refuse_by(Rule::kReferences, at + "/body",
                 fmt::format("\"{}\", which no force moves,", shortened(link.body, 40)),
@@ -153,19 +131,19 @@ void check_links(const Scene& scene, const std::vector<Body>& bodies) {
     }
     const Body* other = nullptr;
     if (!link.to.empty()) {
-      other = body_called(at + "/to", link.to);
+      other = &named_body(named, at + "/to", link.to);
       if (link.to == link.body) refuse_by(Rule::kReferences, at + "/to", "the link's own body", "another body");
     }
     const auto index = [&](const Body* b) { return static_cast<std::size_t>(b - bodies.data()); };
     const bool between = other != nullptr && !is_immovable(*other);
     const int together = groups.join(index(body), index(between ? other : body));
-    if (!goes_on && together > kMostLinkedTogether) {
+    if (!begin.goes_on && together > kMostLinkedTogether) {
       refuse_by(Rule::kCountInAll, at,
                 fmt::format("link {} of bodies that are linked with one another", together),
                 fmt::format("up to {} of them", kMostLinkedTogether));
     }
-    check_vector(at + "/point", link.point);
-    check_vector(at + "/anchor", link.anchor);
+    check_vector(at + "/point", link.point, "m");
+    check_vector(at + "/anchor", link.anchor, "m");
     if (link.length) {
       if (link.kind == LinkKind::kPin || link.kind == LinkKind::kWeld) {
         refuse_value(at + "/length", fmt::format("the length of a {}", name_of_kind(link.kind)), "none");
@@ -177,7 +155,7 @@ void check_links(const Scene& scene, const std::vector<Body>& bodies) {
         refuse_value(at + "/angle", "the angle of what turns", "none but a weld's");
       check_range(at + "/angle", *link.angle, any_number("rad"));
     }
-    if (!goes_on) check_start(at, link, *body, other, start_time(scene));
+    if (!begin.goes_on) check_start(at, link, *body, other, begin.time);
   }
 }
 

@@ -10,13 +10,13 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-Lane::Lane(const Scene& start, const std::vector<Curve>& curves, ReferenceId reference,
+Lane::Lane(const RunSetup& start, const std::vector<Curve>& curves, ReferenceId reference,
            std::stop_token interrupt)
     : interrupt_(std::move(interrupt)),
       log_(std::make_shared<RunLog>(RunLog{start, {}})),
       simulation_(start),
       bodies_(std::make_shared<const std::vector<Body>>(simulation_.bodies())),
-      forces_(std::make_shared<const Forces>(start.forces)),
+      forces_(std::make_shared<const Forces>(start.scene.forces)),
       curves_(curves),
       reference_(reference),
       sampler_(begin_sampler(simulation_, curves, {})) {

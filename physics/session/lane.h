@@ -21,7 +21,7 @@ class Lane {
  public:
   // Stands at the start.
   // Its steps throw StepInterrupted once `interrupt` asks for it; then it can only be thrown away.
-  Lane(const Scene& start, const std::vector<Curve>& curves, ReferenceId reference,
+  Lane(const RunSetup& start, const std::vector<Curve>& curves, ReferenceId reference,
        std::stop_token interrupt = {});
 
   // Of a run that is lost does nothing.

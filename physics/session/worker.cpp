@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "physics/preset/preset.h"
 #include "physics/session/lane.h"
 
 namespace carom {
@@ -53,21 +54,22 @@ struct Worker::Lab {
     stands = false;
     playing = false;
     end = std::numeric_limits<double>::infinity();
-    start = scene;
-    start.bodies.resize(start.bodies.size() - put_in.size());
+    start = preset;
+    start.scene.bodies.resize(start.scene.bodies.size() - put_in.size());
     runs.clear();
     last.clear();
-    add_run(scene.method);
-    for (const Method& method : scene.compare) add_run(method);
+    add_run(preset.method);
+    for (const Method& method : preset.compare) add_run(method);
     set_rate();
     changed = true;
   }
   // The scene as it would be saved now. Bodies that runs which stand could not take come in when they did
   // stand.
-  void take_scene(const Scene& now) {
+  void take_scene(const Preset& now) {
     const double time = runs.empty() ? 0.0 : first().time();
-    for (std::size_t i = scene.bodies.size(); i < now.bodies.size(); ++i) (void)put_in_at(time, now.bodies[i]);
-    scene = now;
+    for (std::size_t i = preset.scene.bodies.size(); i < now.scene.bodies.size(); ++i)
+      (void)put_in_at(time, now.scene.bodies[i]);
+    preset = now;
   }
   // At its place in the order of times.
   std::size_t put_in_at(double time, const Body& body) {
@@ -76,17 +78,17 @@ struct Worker::Lab {
     return static_cast<std::size_t>(put_in.insert(at, {time, body}) - put_in.begin());
   }
   void add_run(const Method& method) {
-    Scene alone = start;
+    Preset alone = start;
     alone.method = method;
     alone.compare.clear();
-    runs.push_back({Lane(alone, curves, reference, interrupt), ++ids});
+    runs.push_back({Lane(setup_of(alone), curves, reference, interrupt), ++ids});
     give_bodies(runs.back());
     changed = true;
   }
   [[nodiscard]] Lane& first() { return runs.front().lane; }
   // Bodies that were put in before a restart may be still to come.
   void put(const Body& body) {
-    scene.bodies.push_back(body);
+    preset.scene.bodies.push_back(body);
     const std::size_t place = put_in_at(first().time(), body);
     for (Run& run : runs) {
       if (place < run.given) {  // it is ahead, and has been given one of later
@@ -160,8 +162,8 @@ struct Worker::Lab {
 
   std::stop_token interrupt;
   bool stands = false;  // the runs were left in the midst of a step: nothing can be done with them
-  Scene scene;          // as it would be saved now
-  Scene start;          // at t = 0 of these runs
+  Preset preset;        // as it would be saved now
+  Preset start;         // at t = 0 of these runs
   std::vector<Curve> curves;
   ReferenceId reference = ReferenceId::kNone;
   std::vector<Run> runs;
@@ -181,10 +183,10 @@ struct Worker::Lab {
   double realised_speed = 0.0;
 };
 
-Worker::Worker(const Scene& scene, const std::vector<Curve>& curves)
-    : scene_(scene),
-      thread_([this, scene, curves, interrupt = interrupt_.get_token()](const std::stop_token& stop) {
-        work(stop, scene, curves, interrupt);
+Worker::Worker(const Preset& preset, const std::vector<Curve>& curves)
+    : preset_(preset),
+      thread_([this, preset, curves, interrupt = interrupt_.get_token()](const std::stop_token& stop) {
+        work(stop, preset, curves, interrupt);
       }) {}
 
 Worker::~Worker() {
@@ -215,13 +217,13 @@ void Worker::post_begin(const std::function<void(Lab&, std::stop_token)>& comman
   wake_.notify_all();
 }
 
-void Worker::load(const Scene& scene, const std::vector<Curve>& curves, ReferenceId reference) {
+void Worker::load(const Preset& preset, const std::vector<Curve>& curves, ReferenceId reference) {
   {
     const std::lock_guard lock(mutex_);
-    scene_ = scene;
+    preset_ = preset;
   }
-  post_begin([scene, curves, reference](Lab& lab, std::stop_token interrupt) {
-    lab.scene = scene;
+  post_begin([preset, curves, reference](Lab& lab, std::stop_token interrupt) {
+    lab.preset = preset;
     lab.put_in.clear();
     lab.curves = curves;
     lab.reference = reference;
@@ -230,8 +232,8 @@ void Worker::load(const Scene& scene, const std::vector<Curve>& curves, Referenc
 }
 
 void Worker::restart() {
-  post_begin([scene = scene()](Lab& lab, std::stop_token interrupt) {
-    lab.take_scene(scene);
+  post_begin([preset = preset()](Lab& lab, std::stop_token interrupt) {
+    lab.take_scene(preset);
     lab.begin(std::move(interrupt));
   });
 }
@@ -240,11 +242,11 @@ void Worker::restart(const Method& method, const std::vector<Method>& compare, c
                      ReferenceId reference) {
   {
     const std::lock_guard lock(mutex_);
-    scene_.method = method;
-    scene_.compare = compare;
+    preset_.method = method;
+    preset_.compare = compare;
   }
-  post_begin([scene = scene(), curves, reference](Lab& lab, std::stop_token interrupt) {
-    lab.take_scene(scene);
+  post_begin([preset = preset(), curves, reference](Lab& lab, std::stop_token interrupt) {
+    lab.take_scene(preset);
     lab.curves = curves;
     lab.reference = reference;
     lab.begin(std::move(interrupt));
@@ -279,16 +281,16 @@ void Worker::set_speed(double speed) {
 }
 
 void Worker::set_method(const Method& method, std::size_t run) {
-  const auto set = [method, run](Scene& scene) {
-    if (run == 0) scene.method = method;
-    if (run > 0 && run <= scene.compare.size()) scene.compare[run - 1] = method;
+  const auto set = [method, run](Preset& preset) {
+    if (run == 0) preset.method = method;
+    if (run > 0 && run <= preset.compare.size()) preset.compare[run - 1] = method;
   };
   {
     const std::lock_guard lock(mutex_);
-    set(scene_);
+    set(preset_);
   }
   post([method, run, set](Lab& lab) {
-    set(lab.scene);
+    set(lab.preset);
     if (run >= lab.runs.size()) return;
     lab.runs[run].lane.edit(method);
     lab.changed = true;
@@ -298,26 +300,26 @@ void Worker::set_method(const Method& method, std::size_t run) {
 void Worker::add_method(const Method& method) {
   {
     const std::lock_guard lock(mutex_);
-    if (scene_.compare.size() >= kMostCompared) return;
-    scene_.compare.push_back(method);
+    if (preset_.compare.size() >= kMostCompared) return;
+    preset_.compare.push_back(method);
   }
   post([method](Lab& lab) {
-    lab.scene.compare.push_back(method);
+    lab.preset.compare.push_back(method);
     lab.add_run(method);
   });
 }
 
 void Worker::remove_method(std::size_t run) {
-  const auto remove = [run](Scene& scene) {
-    if (run > 0 && run <= scene.compare.size())
-      scene.compare.erase(scene.compare.begin() + static_cast<std::ptrdiff_t>(run) - 1);
+  const auto remove = [run](Preset& preset) {
+    if (run > 0 && run <= preset.compare.size())
+      preset.compare.erase(preset.compare.begin() + static_cast<std::ptrdiff_t>(run) - 1);
   };
   {
     const std::lock_guard lock(mutex_);
-    remove(scene_);
+    remove(preset_);
   }
   post([run, remove](Lab& lab) {
-    remove(lab.scene);
+    remove(lab.preset);
     if (run == 0 || run >= lab.runs.size()) return;
     lab.runs.erase(lab.runs.begin() + static_cast<std::ptrdiff_t>(run));
     lab.changed = true;
@@ -334,7 +336,7 @@ void Worker::set_reference(ReferenceId reference) {
 void Worker::add_body(const Body& body) {
   {
     const std::lock_guard lock(mutex_);
-    scene_.bodies.push_back(body);
+    preset_.scene.bodies.push_back(body);
   }
   post([body](Lab& lab) { lab.put(body); });
 }
@@ -356,9 +358,9 @@ void Worker::record(const std::vector<Curve>& curves) {
   });
 }
 
-Scene Worker::scene() const {
+Preset Worker::preset() const {
   const std::lock_guard lock(mutex_);
-  return scene_;
+  return preset_;
 }
 
 std::vector<std::shared_ptr<const Frame>> Worker::take_frames() {
@@ -426,7 +428,7 @@ void Worker::publish_failure(Lab& lab, const std::string& why) {
     frames.front()->run = ++lab.ids;
     frames.front()->bodies = std::make_shared<const std::vector<Body>>();
     frames.front()->forces = std::make_shared<const Forces>();
-    frames.front()->log = std::make_shared<const RunLog>(RunLog{lab.scene, {}});
+    frames.front()->log = std::make_shared<const RunLog>(RunLog{setup_of(lab.preset), {}});
   }
   for (const std::shared_ptr<Frame>& frame : frames) {
     frame->playing = false;
@@ -448,10 +450,10 @@ void Worker::carry_out(Lab& lab, std::vector<Command>& commands) {
   }
 }
 
-void Worker::work(const std::stop_token& stop, const Scene& first, const std::vector<Curve>& curves,
+void Worker::work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,
                   std::stop_token interrupt) {
   Lab lab;
-  lab.scene = first;  // not scene_, which calls may have changed already
+  lab.preset = first;  // not scene_, which calls may have changed already
   lab.curves = curves;
   std::vector<Command> commands = {{[&interrupt](Lab& l) { l.begin(std::move(interrupt)); }, true}};
   const auto fails = [&](const std::string& why) {

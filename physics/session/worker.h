@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "physics/preset/preset.h"
 #include "physics/record/frame.h"
 #include "physics/scene/scene.h"
 
@@ -29,13 +30,13 @@ namespace carom {
 class Worker {
  public:
   // The scene must be valid; `curves` are read off its runs from the start on.
-  explicit Worker(const Scene& scene, const std::vector<Curve>& curves = {});
+  explicit Worker(const Preset& preset, const std::vector<Curve>& curves = {});
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
   // Stops at t = 0, with the methods that the scene names.
-  void load(const Scene& scene, const std::vector<Curve>& curves = {},
+  void load(const Preset& preset, const std::vector<Curve>& curves = {},
             ReferenceId reference = ReferenceId::kNone);
   // The same scene, stopped at t = 0; bodies that were added come in again at their time.
   void restart();
@@ -63,7 +64,7 @@ class Worker {
   // or restart.
   [[nodiscard]] std::vector<std::shared_ptr<const Frame>> take_frames();
   // The scene as it would be saved now: with the methods in force and the bodies that were added.
-  [[nodiscard]] Scene scene() const;
+  [[nodiscard]] Preset preset() const;
 
  private:
   struct Lab;  // what belongs to the thread
@@ -74,7 +75,7 @@ class Worker {
   void post(std::function<void(Lab&)> command);
   // Interrupts the step under way; the command is given the token for the next runs.
   void post_begin(const std::function<void(Lab&, std::stop_token)>& command);
-  void work(const std::stop_token& stop, const Scene& first, const std::vector<Curve>& curves,
+  void work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,
             std::stop_token interrupt);
   void work_once(const std::stop_token& stop, Lab& lab, std::vector<Command>& commands);
   void carry_out(Lab& lab, std::vector<Command>& commands);
@@ -88,7 +89,7 @@ class Worker {
   std::stop_source interrupt_;  // of the runs that were begun last
   std::vector<std::shared_ptr<Frame>> newest_;
   std::uint64_t newest_start_ = 0;  // of the frames: the value of starts_ then
-  Scene scene_;
+  Preset preset_;
   std::uint64_t starts_ = 1;  // loads and restarts so far, and the first start
   std::jthread thread_;       // last: it uses all of the above
 };

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "physics/scene/method.h"
 #include "physics/scene/validate.h"
 #include "physics/stress/stress_cases.h"
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "physics/scene/method.h"
 #include "physics/scene/scene.h"
 
 // The hard cases: scenes at which contact, friction, impacts and integrators are known to fail, each with

@@ -4,6 +4,7 @@
 
 #include "physics/stress/stress_cases.h"
 #include "physics/stress/stress_scenes.h"
+#include "physics/world/run_setup.h"
 
 // Slopes at the limit of friction, rolling and sliding, a table that swings.
 namespace carom::stress {
@@ -120,8 +121,8 @@ Simulation disc_on_floor(const StressSetting& setting, double velocity, double s
   Body body = disc("disc", {0.0, kDiscRadius}, kDiscRadius);
   body.velocity = {velocity, 0.0};
   body.spin = spin;
-  Scene s = scene(setting, {half_plane("floor", {0, 0}), body}, 0.0, kGrip);
-  s.materials[0].rolling_resistance = rolling;
+  RunSetup s = scene(setting, {half_plane("floor", {0, 0}), body}, 0.0, kGrip);
+  s.scene.materials[0].rolling_resistance = rolling;
   Simulation simulation(s);
   simulation.advance_to(time);
   return simulation;

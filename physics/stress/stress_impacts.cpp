@@ -4,6 +4,7 @@
 
 #include "physics/stress/stress_cases.h"
 #include "physics/stress/stress_scenes.h"
+#include "physics/world/run_setup.h"
 
 // Impacts that are fast, many at once, or endlessly many.
 namespace carom::stress {
@@ -25,7 +26,7 @@ std::vector<double> bullet(const StressSetting& setting) {
   };
   Body ball = disc("ball", {0, 0}, kRadius);
   ball.velocity = {kSpeed, 0.0};
-  Scene s = scene(setting, {wall("left", -kHalf), wall("right", kHalf), ball}, 1.0, 0.0, 0.0);
+  RunSetup s = scene(setting, {wall("left", -kHalf), wall("right", kHalf), ball}, 1.0, 0.0, 0.0);
   Simulation simulation(s);
   double beyond = 0.0;
   simulation.advance_to(

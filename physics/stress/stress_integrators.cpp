@@ -3,6 +3,7 @@
 
 #include "physics/stress/stress_cases.h"
 #include "physics/stress/stress_scenes.h"
+#include "physics/world/run_setup.h"
 
 // Integrators on either side of where they are stable, beside their stability functions.
 namespace carom::stress {
@@ -39,8 +40,8 @@ double spring_theory(IntegratorId integrator, double z, int steps) {
 }
 
 std::vector<double> spring_z(const StressSetting& setting) {
-  Scene s = scene(setting, {disc("disc", {1.0, 0.0}, 0.1)}, 1.0, 0.0, 0.0);
-  Spring& spring = s.forces.springs.emplace_back();
+  RunSetup s = scene(setting, {disc("disc", {1.0, 0.0}, 0.1)}, 1.0, 0.0, 0.0);
+  Spring& spring = s.scene.forces.springs.emplace_back();
   spring.body = "disc";
   spring.stiffness = kRate * kRate;
   Simulation simulation(s);
@@ -62,8 +63,8 @@ constexpr StressFigure kSpringFigures[] = {
 std::vector<double> stiff_drag(const StressSetting& setting) {
   Body body = disc("disc", {0, 0}, 0.1);
   body.velocity = {1.0, 0.0};
-  Scene s = scene(setting, {body}, 1.0, 0.0, 0.0);
-  s.forces.linear_drag = kRate;
+  RunSetup s = scene(setting, {body}, 1.0, 0.0, 0.0);
+  s.scene.forces.linear_drag = kRate;
   Simulation simulation(s);
   simulation.advance_to(kSteps * setting.method.step);
   const auto steps = static_cast<double>(simulation.steps());  // fewer where the run is lost

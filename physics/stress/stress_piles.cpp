@@ -6,6 +6,7 @@
 
 #include "physics/stress/stress_cases.h"
 #include "physics/stress/stress_scenes.h"
+#include "physics/world/run_setup.h"
 
 // Crowds: a pile, discs that start inside one another, discs of very different sizes, a gas.
 namespace carom::stress {
@@ -16,15 +17,15 @@ constexpr double kRadius = 0.25;      // m, of the discs of pile and gas
 
 // 1000 discs dropped from a jittered grid into a closed container as wide as the grid: the set-up with which
 // the peers were measured, but for the lid.
-Scene pile_scene(const StressSetting& setting, double rolling) {
+RunSetup pile_scene(const StressSetting& setting, double rolling) {
   constexpr int kColumns = 32;
   constexpr double kWidth = kColumns * 0.55;
-  Scene s = scene(
+  RunSetup s = scene(
       setting,
       {half_plane("floor", {0, 0}), half_plane("left", {0, 0}, -0.5 * std::numbers::pi),
        half_plane("right", {kWidth, 0}, 0.5 * std::numbers::pi), half_plane("lid", {0, 30}, std::numbers::pi)},
       0.0, 0.5);
-  s.materials[0].rolling_resistance = rolling;
+  s.scene.materials[0].rolling_resistance = rolling;
   const GridGenerator rows{.name = "disc",
                            .columns = kColumns,
                            .rows = 31,
@@ -40,7 +41,7 @@ Scene pile_scene(const StressSetting& setting, double rolling) {
   last.rows = 1;
   last.origin.y() += 31 * rows.spacing.y();
   last.seed = 2;
-  s.generators = {rows, last};
+  s.scene.generators = {rows, last};
   return s;
 }
 
@@ -89,13 +90,13 @@ constexpr StressFigure kNoRollingFigures[] = {
 // A square of discs a quarter of a diameter inside one another, without gravity.
 std::vector<double> overlapping_start(const StressSetting& setting) {
   constexpr double kSmall = 0.1;  // m
-  Scene s = scene(setting, {}, 0.5, 0.3, 0.0);
-  s.generators = {{.columns = 10,
-                   .rows = 10,
-                   .spacing = Vec2::Constant(1.5 * kSmall),
-                   .jitter = 0.01 * kSmall,
-                   .radius_min = kSmall,
-                   .radius_max = kSmall}};
+  RunSetup s = scene(setting, {}, 0.5, 0.3, 0.0);
+  s.scene.generators = {{.columns = 10,
+                         .rows = 10,
+                         .spacing = Vec2::Constant(1.5 * kSmall),
+                         .jitter = 0.01 * kSmall,
+                         .radius_min = kSmall,
+                         .radius_max = kSmall}};
   Simulation simulation(s);
   double fastest = 0.0;
   simulation.advance_to(

@@ -5,6 +5,7 @@
 
 #include "physics/stress/stress_cases.h"
 #include "physics/stress/stress_scenes.h"
+#include "physics/world/run_setup.h"
 
 // Rods: one whose tip sticks into the floor, one that falls on it, a chain with a heavy end.
 namespace carom::stress {
@@ -78,15 +79,15 @@ double chain_moment(int power) {
 std::vector<double> chain(const StressSetting& setting, double angle) {
   constexpr double kLength = kChain / kRods;
   const Vec2 along(std::sin(angle), -std::cos(angle));
-  Scene s = scene(setting, {}, 0.0, 0.0);
+  RunSetup s = scene(setting, {}, 0.0, 0.0);
   for (int i = 1; i <= kRods; ++i) {
     Body bead = disc(fmt::format("bead-{}", i), kLength * i * along, 0.01, i == kRods ? kHeavyEnd : kBead);
     bead.group = "chain";
-    Link& rod = s.links.emplace_back();
+    Link& rod = s.scene.links.emplace_back();
     rod.body = bead.name;
     rod.length = kLength;
-    if (i > 1) rod.to = s.bodies.back().name;
-    s.bodies.push_back(bead);
+    if (i > 1) rod.to = s.scene.bodies.back().name;
+    s.scene.bodies.push_back(bead);
   }
   Simulation simulation(s);
   const double before = simulation.totals().energy();

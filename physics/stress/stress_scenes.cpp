@@ -5,6 +5,7 @@
 
 #include "physics/collision/broad_phase.h"
 #include "physics/scene/polygon.h"
+#include "physics/world/run_setup.h"
 
 namespace carom::stress {
 namespace {
@@ -53,16 +54,16 @@ Body plate(const std::string& name, const std::vector<Vec2>& corners, double mas
   return b;
 }
 
-Scene scene(const StressSetting& setting, std::vector<Body> bodies, double restitution, double friction,
-            double gravity) {
-  Scene s;
+RunSetup scene(const StressSetting& setting, std::vector<Body> bodies, double restitution, double friction,
+               double gravity) {
+  RunSetup s;
   s.method = setting.method;
-  s.forces.gravity = {0.0, -gravity};
-  s.materials = {{.name = "default",
-                  .restitution = restitution,
-                  .static_friction = friction,
-                  .kinetic_friction = friction}};
-  s.bodies = std::move(bodies);
+  s.scene.forces.gravity = {0.0, -gravity};
+  s.scene.materials = {{.name = "default",
+                        .restitution = restitution,
+                        .static_friction = friction,
+                        .kinetic_friction = friction}};
+  s.scene.bodies = std::move(bodies);
   return s;
 }
 

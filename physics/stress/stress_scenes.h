@@ -23,8 +23,8 @@ inline constexpr double kRounding = 1e-9;
 // A homogeneous convex plate with these corners in the plane, at rest.
 [[nodiscard]] Body plate(const std::string& name, const std::vector<Vec2>& corners, double mass);
 // Of one material with one coefficient of friction.
-[[nodiscard]] Scene scene(const StressSetting& setting, std::vector<Body> bodies, double restitution,
-                          double friction, double gravity = kGravity);
+[[nodiscard]] RunSetup scene(const StressSetting& setting, std::vector<Body> bodies, double restitution,
+                             double friction, double gravity = kGravity);
 
 // m, of all pairs that overlap now; zero if there are none.
 struct Overlaps {

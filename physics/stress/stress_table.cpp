@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/scene/method.h"
 #include "physics/stress/stress_peers.h"
 
 namespace carom {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "physics/scene/method.h"
 #include "physics/stress/stress.h"
 
 // What the rows of a stress suite look like in words.

@@ -3,19 +3,20 @@
 #include <algorithm>
 
 #include "physics/math/stopped.h"
+#include "physics/preset/preset.h"
 
 namespace carom {
 
-BackgroundStudy::BackgroundStudy(Scene scene, std::string preset, StudyOptions options)
-    : thread_([this, scene = std::move(scene), preset = std::move(preset), options = std::move(options)](
-                  const std::stop_token& stop) { run(scene, preset, options, stop); }) {}
+BackgroundStudy::BackgroundStudy(Preset preset, std::string name, StudyOptions options)
+    : thread_([this, preset = std::move(preset), name = std::move(name), options = std::move(options)](
+                  const std::stop_token& stop) { run(preset, name, options, stop); }) {}
 
 StudySoFar BackgroundStudy::so_far() const {
   const std::lock_guard lock(mutex_);
   return so_far_;
 }
 
-void BackgroundStudy::run(const Scene& scene, const std::string& preset, const StudyOptions& options,
+void BackgroundStudy::run(const Preset& preset, const std::string& name, const StudyOptions& options,
                           const std::stop_token& stop) {
   StudyWatch watch;
   watch.stop = stop;
@@ -34,7 +35,7 @@ void BackgroundStudy::run(const Scene& scene, const std::string& preset, const S
     ++so_far_.changes;
   };
   try {
-    (void)run_study(scene, preset, options, watch);
+    (void)run_study(preset, name, options, watch);
     end(StudySoFar::Phase::kDone, {});
   } catch (const Stopped&) {
     end(StudySoFar::Phase::kStopped, {});

@@ -4,6 +4,7 @@
 #include <string>
 #include <thread>
 
+#include "physics/preset/preset.h"
 #include "physics/study/study.h"
 
 namespace carom {
@@ -23,7 +24,7 @@ struct StudySoFar {
 // run_study() on a thread of its own. It works on copies and can be looked at from any thread.
 class BackgroundStudy {
  public:
-  BackgroundStudy(Scene scene, std::string preset, StudyOptions options);
+  BackgroundStudy(Preset preset, std::string name, StudyOptions options);
   // Stops it, which takes a step of the simulation on each core.
   ~BackgroundStudy() = default;
   BackgroundStudy(const BackgroundStudy&) = delete;
@@ -34,7 +35,7 @@ class BackgroundStudy {
   [[nodiscard]] StudySoFar so_far() const;
 
  private:
-  void run(const Scene& scene, const std::string& preset, const StudyOptions& options,
+  void run(const Preset& preset, const std::string& name, const StudyOptions& options,
            const std::stop_token& stop);
   void take(const StudyFacts& facts, const StudyRow& row);
 

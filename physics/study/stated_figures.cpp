@@ -6,15 +6,16 @@
 
 #include "physics/check/measure_run.h"
 #include "physics/observe/observables.h"
+#include "physics/preset/preset.h"
 
 namespace carom {
 
-std::vector<StatedFigure> check_stated_figures(const Scene& scene, const Reference& reference, double until,
+std::vector<StatedFigure> check_stated_figures(const Preset& preset, const Reference& reference, double until,
                                                const std::stop_token& stop) {
-  Scene with_method = scene;
+  Preset with_method = preset;
   with_method.method = reference.method;
   std::vector<Expectation> stated;
-  for (const Expectation& e : scene.expect) {
+  for (const Expectation& e : preset.expect) {
     const bool of_this_run = e.settings.empty() && !e.over;
     if (e.reduction == Expectation::Reduction::kAt && of_this_run && e.time <= until) stated.push_back(e);
   }

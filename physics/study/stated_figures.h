@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/compare/reference.h"
+#include "physics/preset/preset.h"
 
 namespace carom {
 
@@ -17,7 +18,7 @@ struct StatedFigure {
 
 // All expectations of the kind "at" of the scene itself, up to `until`, read off a run of the reference's
 // method.
-[[nodiscard]] std::vector<StatedFigure> check_stated_figures(const Scene& scene, const Reference& reference,
+[[nodiscard]] std::vector<StatedFigure> check_stated_figures(const Preset& preset, const Reference& reference,
                                                              double until, const std::stop_token& stop = {});
 
 }  // namespace carom

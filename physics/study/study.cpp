@@ -14,6 +14,7 @@
 #include "physics/math/stopped.h"
 #include "physics/model/needs.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/validate.h"
 #include "physics/study/stated_figures.h"
@@ -45,8 +46,8 @@ std::string hash_of(std::string_view text) {
   return fmt::format("{:016x}", hash);
 }
 
-std::string plan_id(const Scene& scene, const StudyOptions& options, const std::vector<Method>& methods) {
-  std::string text = write_preset(scene);
+std::string plan_id(const Preset& preset, const StudyOptions& options, const std::vector<Method>& methods) {
+  std::string text = write_preset(preset);
   for (const Method& m : methods) {
     text += fmt::format("{} {} {} {} {}\n", static_cast<int>(m.integrator), static_cast<int>(m.impacts),
                         static_cast<int>(m.contacts), m.step, m.tolerance);
@@ -67,9 +68,9 @@ double distance_to_impacts(const std::vector<TimedImpact>& impacts, double time)
 }
 
 // Where to compare, and in words why not at the end of the run.
-double compared_time(const Scene& scene, const StudyOptions& options, const Chaos& chaos, StudyFacts& facts) {
+double compared_time(const Preset& preset, const StudyOptions& options, const Chaos& chaos, StudyFacts& facts) {
   std::string& remarks = facts.remarks;
-  const double wanted = options.until.value_or(scene.duration);
+  const double wanted = options.until.value_or(preset.duration);
   const bool rests = chaos.resting_since > kLeastOfRun * wanted && chaos.resting_since < wanted;
   const bool chaotic = chaos.horizon < wanted;
   const std::string resting = fmt::format(
@@ -133,10 +134,10 @@ std::string words_for(const std::vector<StatedFigure>& figures) {
                      figures.size() == 1 ? "" : "at most ", worst->difference, worst->unit, worst->text);
 }
 
-void measure_accuracy(StudyRow& row, const Scene& scene, const Reference& reference, const Chaos& chaos,
+void measure_accuracy(StudyRow& row, const RunSetup& setup, const Reference& reference, const Chaos& chaos,
                       std::span<const int> moving, double time, const std::stop_token& stop) {
   const RecordedRun run =
-      record_run(scene, row.method, time, (1.0 + kPast) * time, blown_up_above(chaos), stop);
+      record_run(setup, row.method, time, (1.0 + kPast) * time, blown_up_above(chaos), stop);
   const Comparison c = compare(run, reference.run, moving, time);
   row.position_error = c.position_error;
   row.velocity_error = c.velocity_error;
@@ -178,16 +179,16 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-void measure_times(StudyTable& table, const Scene& scene, const StudyWatch& watch) {
+void measure_times(StudyTable& table, const Preset& preset, const StudyWatch& watch) {
   std::vector<StudyRow>& rows = table.rows;
   std::vector<std::vector<double>> times(rows.size());
   const int all = table.facts.repeats * static_cast<int>(rows.size());
   for (int k = 0; k < all; ++k) {
     const auto i = static_cast<std::size_t>(k) % rows.size();
     if (rows[i].status.starts_with("blew up")) continue;  // no run to the compared time
-    Scene with_method = scene;
+    Preset with_method = preset;
     with_method.method = rows[i].method;
-    times[i].push_back(time_once(Simulation(with_method), table.facts.time, watch.stop));
+    times[i].push_back(time_once(Simulation(setup_of(with_method)), table.facts.time, watch.stop));
     rows[i].wall_time = median(times[i]);
     rows[i].wall_least = *std::min_element(times[i].begin(), times[i].end());
     rows[i].wall_most = *std::max_element(times[i].begin(), times[i].end());
@@ -198,10 +199,10 @@ void measure_times(StudyTable& table, const Scene& scene, const StudyWatch& watc
 
 }  // namespace
 
-std::vector<Method> plan_methods(const Scene& scene, const StudyOptions& options) {
+std::vector<Method> plan_methods(const Preset& preset, const StudyOptions& options) {
   std::vector<double> steps = options.steps;
   if (steps.empty()) {
-    double h = std::min({kCoarsestStep * scene.method.step, scene.duration / kLeastSteps, kLargestStep});
+    double h = std::min({kCoarsestStep * preset.method.step, preset.duration / kLeastSteps, kLargestStep});
     for (int k = 0; k < kDefaultSteps && h >= kLeastStep; ++k, h *= 0.5) steps.push_back(h);
   }
   std::vector<double> tolerances = options.tolerances;
@@ -211,17 +212,17 @@ std::vector<Method> plan_methods(const Scene& scene, const StudyOptions& options
   std::sort(steps.begin(), steps.end(), std::greater<>());
   std::sort(tolerances.begin(), tolerances.end(), std::greater<>());
 
-  const Needs needs = needs_of(scene);
+  const Needs needs = needs_of(preset.scene);
   std::vector<Method> methods;
   for (const IntegratorChoice& integrator : kIntegrators) {
     if (!contains(options.integrators, integrator.id)) continue;
-    if (const auto refused = why_not(scene, integrator.id)) {
+    if (const auto refused = why_not(preset.scene, integrator.id)) {
       if (options.integrators.empty()) continue;
       throw SceneError("--integrators: " + *refused);
     }
     for (const auto& impacts : kImpacts) {
       if (!contains(options.impacts, impacts.id)) continue;
-      Method m = scene.method;
+      Method m = preset.method;
       m.integrator = integrator.id;
       m.impacts = impacts.id;
       if (integrator.order == 0 && impacts.id != ImpactsId::kLocated) continue;
@@ -283,43 +284,44 @@ double plan_time(const std::vector<TimedImpact>& impacts, double end) {
   return rounded > 0.0 && rounded < end && room(rounded) >= 0.9 * most ? rounded : best;
 }
 
-StudyTable run_study(const Scene& scene, const std::string& preset, const StudyOptions& options,
+StudyTable run_study(const Preset& preset, const std::string& name, const StudyOptions& options,
                      const StudyWatch& watch) {
   const auto tell = [&](std::string_view stage, int done, int of) {
     throw_if_stopped(watch.stop);
     if (watch.progress) watch.progress(stage, done, of);
   };
-  const std::vector<Method> methods = plan_methods(scene, options);
+  const std::vector<Method> methods = plan_methods(preset, options);
   if (options.shards > static_cast<int>(methods.size())) {
     throw SceneError(fmt::format("--shard: {}/{} is not allowed; allowed: up to {} shards, one for each row",
                                  options.shard, options.shards, methods.size()));
   }
   StudyTable table;
   StudyFacts& facts = table.facts;
-  facts.plan = plan_id(scene, options, methods);
+  facts.plan = plan_id(preset, options, methods);
   facts.planned = static_cast<int>(methods.size());
-  facts.preset = preset;
-  facts.title = scene.title;
+  facts.preset = name;
+  facts.title = preset.title;
   facts.repeats = options.repeats;
-  facts.duration = options.until.value_or(scene.duration);
+  facts.duration = options.until.value_or(preset.duration);
 
+  const RunSetup setup = setup_of(preset);
   tell("neighbours", 0, 1);
-  const Chaos chaos = follow_neighbours(scene, reference_method(scene), (1.0 + kPast) * facts.duration,
+  const Chaos chaos = follow_neighbours(setup, reference_method(setup), (1.0 + kPast) * facts.duration,
                                         options.threads, watch.stop);
-  facts.time = compared_time(scene, options, chaos, facts);
+  facts.time = compared_time(preset, options, chaos, facts);
   facts.length = chaos.length;
   facts.exponent = chaos.exponent;
   facts.growth = chaos.growth_at(facts.time);
   facts.horizon = chaos.horizon;
 
   tell("reference", 0, 1);
-  const Reference reference = make_reference(scene, chaos, facts.time, (1.0 + kPast) * facts.time, watch.stop);
+  const Reference reference = make_reference(setup, chaos, facts.time, (1.0 + kPast) * facts.time, watch.stop);
   facts.reference = words_for(reference, chaos);
   facts.reference_position_error = reference.position_error;
   facts.reference_velocity_error = reference.velocity_error;
   facts.reference_energy_error = reference.energy_error;
   facts.stated =
-      words_for(check_stated_figures(scene, reference, std::min(facts.duration, chaos.horizon), watch.stop));
+      words_for(check_stated_figures(preset, reference, std::min(facts.duration, chaos.horizon), watch.stop));
 
   for (int i = 0; i < facts.planned; ++i) {
     if (i % options.shards != options.shard - 1) continue;
@@ -334,7 +336,7 @@ StudyTable run_study(const Scene& scene, const std::string& preset, const StudyO
   std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
     return table.rows[x].method.step < table.rows[y].method.step;
   });
-  const std::vector<int> moving = moving_bodies(all_bodies(scene));
+  const std::vector<int> moving = moving_bodies(all_bodies(preset.scene));
   std::mutex mutex;
   int done = 0;
   const int all = static_cast<int>(order.size());
@@ -342,12 +344,12 @@ StudyTable run_study(const Scene& scene, const std::string& preset, const StudyO
   parallel_for(all, options.threads, [&](int k) {
     throw_if_stopped(watch.stop);
     StudyRow& row = table.rows[order[static_cast<std::size_t>(k)]];
-    measure_accuracy(row, scene, reference, chaos, moving, facts.time, watch.stop);
+    measure_accuracy(row, setup, reference, chaos, moving, facts.time, watch.stop);
     const std::lock_guard lock(mutex);
     if (watch.row) watch.row(facts, row);
     tell("accuracy", ++done, all);
   });
-  measure_times(table, scene, watch);
+  measure_times(table, preset, watch);
   return table;
 }
 

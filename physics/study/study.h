@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/compare/recorded_run.h"
+#include "physics/preset/preset.h"
 #include "physics/study/study_table.h"
 
 namespace carom {
@@ -32,7 +33,7 @@ inline constexpr int kDefaultSteps = 10;
 // scene's own step); exact flight has one row, with impacts at their own time. Where contacts last, all have
 // steps (see error_knob()), the adaptive integrator at the scene's own tolerance.
 // Throws SceneError where an integrator that is asked for by name can't run the scene.
-[[nodiscard]] std::vector<Method> plan_methods(const Scene& scene, const StudyOptions& options);
+[[nodiscard]] std::vector<Method> plan_methods(const Preset& preset, const StudyOptions& options);
 
 // The moment to compare at, in s. In the last quarter before `end` it is the one that has the most room
 // to the impacts (off the middle between two, where a bouncing ball turns round), rounded to four digits; `end`
@@ -55,7 +56,7 @@ struct StudyWatch {
 // repeat of every row, the second of every row, and so on, so that a machine that changes its pace shows in
 // the spread. All but the times is the same whatever the number of threads. A row goes on past the compared
 // time by a tenth, to find the partners of late impacts; the timed runs end there.
-[[nodiscard]] StudyTable run_study(const Scene& scene, const std::string& preset, const StudyOptions& options,
+[[nodiscard]] StudyTable run_study(const Preset& preset, const std::string& name, const StudyOptions& options,
                                    const StudyWatch& watch = {});
 
 }  // namespace carom

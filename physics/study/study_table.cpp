@@ -10,6 +10,7 @@
 #include <map>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/scene/method.h"
 #include "physics/scene/validate.h"
 
 namespace carom {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/compare/order_fit.h"
+#include "physics/scene/method.h"
 #include "physics/scene/scene.h"
 
 namespace carom {

@@ -1,5 +1,7 @@
 #include "physics/world/edit.h"
 
+#include "physics/scene/method.h"
+
 namespace carom {
 
 void apply(const Edit& edit, Simulation& simulation) {

@@ -30,7 +30,8 @@ void each_kept_of_contacts(Contacts& lasting, Kept& kept, const Each& each) {
 
 template <class Self, class Kept, class Each>
 void Simulation::each_kept(Self& simulation, Kept& kept, const Each& each) {
-  auto& [scene, method, needs, bodies, mass, shapes, tracks, driven, material, mixed, materials,  // the model
+  auto& [scene, start, method, needs, bodies, mass, shapes, tracks, driven, material, mixed,
+         materials,  // the model
          state, time, step_end, origin, origin_step, steps_since_origin, steps, impact_count, impact_counts,
          impacts_before_step, ledger, gravity_since, peak_kinetic, energy_doubts, notices, lost, last_good,
          work, impacts, jumps,
@@ -89,16 +90,14 @@ RunState Simulation::run_state() const {
 }
 
 void Simulation::go_on_from(const SavedRun& saved) {
-  scene_.saved = SavedRun{.time = saved.time};
   if (saved.fingerprint == 0) return;
   const RunState* state = saved.state.get();
-  if (state == nullptr || needs_.untrimmed || saved.fingerprint != fingerprint(scene_)) {
+  if (state == nullptr || needs_.untrimmed || saved.fingerprint != fingerprint(scene_, saved.time)) {
     notices_.state_left_since = saved.time;
     return;
   }
   const Method method = method_;
   if (!(state->method == method)) {
-    scene_.method = state->method;
     tracks_.set_method(state->method);
   }
   each_kept(*this, *state, [](auto& own, const auto& from) { own = from; });
@@ -115,47 +114,8 @@ void Simulation::go_on_from(const SavedRun& saved) {
   if (!(state->method == method)) set_method(method);
 }
 
-Scene saved_scene(const Scene& document, const Simulation& simulation) {
-  if (const auto& lost = simulation.lost()) {
-    throw SceneError("the run cannot be saved as it stands: it is " +
-                     lost->text(simulation.bodies(), simulation.time()));
-  }
-  Scene out = document;
-  out.generators.clear();
-  out.expect.clear();
-  out.method = simulation.method();
-  out.bodies = simulation.bodies();
-  const State& state = simulation.state();
-  // What a file may leave to the start must be said now.
-  out.links = simulation.links();
-  std::unordered_map<std::string_view, double> angles;  // by body
-  for (const Body& b : out.bodies) angles.emplace(b.name, b.angle);
-  for (std::size_t i = 0; i < out.links.size(); ++i) {
-    Link& link = out.links[i];
-    if (link.kind == LinkKind::kRod || link.kind == LinkKind::kString) {
-      link.length = simulation.length(static_cast<int>(i));
-    } else if (link.kind == LinkKind::kWeld && !link.angle) {
-      link.angle = angles.at(link.body) - (link.to.empty() ? 0.0 : angles.at(link.to));
-    }
-  }
-  for (int i = 0; i < state.size(); ++i) {
-    Body& b = out.bodies[static_cast<std::size_t>(i)];
-    if (is_immovable(b)) continue;
-    b.position = state.position(i);
-    b.angle = state.q(2, i);
-    b.velocity = state.velocity(i);
-    b.spin = state.v(2, i);
-  }
-  out.saved = SavedRun{.time = simulation.time()};
-  out.saved->state = std::make_shared<RunState>(simulation.run_state());
-  out.saved->fingerprint = fingerprint(out);
-  try {
-    validate(out);
-    check_state(out, *out.saved->state);
-  } catch (const SceneError& error) {
-    throw SceneError(std::string("the run cannot be saved as it stands: ") + error.what());
-  }
-  return out;
+bool state_belongs(const Scene& scene, const std::optional<SavedRun>& saved) {
+  return saved && saved->fingerprint != 0 && saved->fingerprint == fingerprint(scene, saved->time);
 }
 
 }  // namespace carom

@@ -71,12 +71,6 @@ struct RunState {
 
 // Throws SceneError, with the place under /state, where a state is none that a run of this scene can have. All
 // sizes must be those of the scene already, but for lists whose length is free.
-void check_state(const Scene& scene, const RunState& state);
-
-// The preset that goes on where the run stands now: `document` with the bodies where they are, the clock, what
-// has stuck together among the links, and the state. Driven bodies keep the position that their drive counts
-// from. Expectations are about the run from its start, and are left out. Throws SceneError for a run that has
-// numbers which no preset can have.
-[[nodiscard]] Scene saved_scene(const Scene& document, const Simulation& simulation);
+void check_state(const Scene& scene, double start_time, const RunState& state);
 
 }  // namespace carom

@@ -161,9 +161,10 @@ void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const 
 
 }  // namespace
 
-void check_state(const Scene& scene, const RunState& state) {
-  validate_method("/state/method", scene, state.method);
-  if (state.time != start_time(scene)) refuse("time", fmt::format("the state is of t = {} s", state.time));
+void check_state(const Scene& scene, double start_time, const RunState& state) {
+  check_method("/state/method", state.method);
+  check_integrator("/state/method", scene, state.method);
+  if (state.time != start_time) refuse("time", fmt::format("the state is of t = {} s", state.time));
   const std::vector<Body> bodies = all_bodies(scene);
   check_clock(state);
   check_counts(bodies, state.impact_count, state.impact_counts);
@@ -181,9 +182,7 @@ void check_state(const Scene& scene, const RunState& state) {
   }
   check_forces(scene, state.tracks);
   check_contacts(bodies, state.contacts);
-  Scene own = scene;
-  own.method = state.method;
-  const Tracks tracks(own, bodies, needs_of(own));
+  const Tracks tracks(scene, bodies, needs_of(scene), state.method, start_time);
   if (const auto fault = tracks.fault_of(state.tracks, state.ahead ? &state.ahead->tracks : nullptr)) {
     const auto colon = fault->find(": ");
     refuse(fault->substr(0, colon), fault->substr(colon + 2));

@@ -17,41 +17,39 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene, const Needs& needs)
-    : scene_(scene), method_(scene.method), needs_(needs), bodies_(all_bodies(scene)) {
-  const double start = start_time(scene);
-  tracks_ = Tracks(scene_, bodies_, needs_);
-  tracks_.begin(start);
+Simulation::Simulation(const RunSetup& setup, const Needs& needs)
+    : scene_(setup.scene),
+      start_(start_time(setup.saved)),
+      method_(setup.method),
+      needs_(needs),
+      bodies_(all_bodies(setup.scene)) {
+  tracks_ = Tracks(scene_, bodies_, needs_, method_, start_);
+  tracks_.begin(start_);
   // Seven digits of a file are not where links hold their ends within rounding.
   for (int k = 0; k < tracks_.islands(); ++k) tracks_.restore_links(k);
   lay_out();
-  tracks_.begin(start);
+  tracks_.begin(start_);
   publish(0.0);
   peak_kinetic_ = kinetic_energy(state_, mass_);
-  time_ = step_end_ = origin_ = gravity_since_ = start;
+  time_ = step_end_ = origin_ = gravity_since_ = start_;
   ledger_.initial = totals().energy();
   ledger_.initial_momentum = totals().momentum;
-  if (scene.saved) go_on_from(*scene.saved);
-  watch_plotted_pairs();
+  if (setup.saved) go_on_from(*setup.saved);
+  count_pairs(setup.counted_pairs);
 }
 
-void Simulation::watch_plotted_pairs() {
+void Simulation::count_pairs(const std::vector<std::pair<std::string, std::string>>& names) {
   std::unordered_map<std::string_view, int> index;
   for (const Body& body : bodies_) index.emplace(body.name, static_cast<int>(index.size()));
   const ImpactCounts saved = impact_counts_;
   impact_counts_.pairs.clear();
   const std::int64_t before = impact_count_ == 0 ? 0 : ImpactCounts::kNotKnown;
-  const auto watch = [&](const QuantityName& quantity) {
-    if (quantity.bodies.size() != 2) return;
-    const auto a = index.find(quantity.bodies[0]);
-    const auto b = index.find(quantity.bodies[1]);
-    if (a == index.end() || b == index.end()) return;
+  for (const auto& [first, second] : names) {
+    const auto a = index.find(first);
+    const auto b = index.find(second);
+    if (a == index.end() || b == index.end()) continue;
     const ImpactCounts::Pair* known = saved.find(a->second, b->second);
     impact_counts_.watch(a->second, b->second, known != nullptr ? known->count : before);
-  };
-  for (const Plot& plot : scene_.plots) {
-    for (const QuantityName& y : plot.y) watch(y);
-    if (plot.x) watch(*plot.x);
   }
 }
 
@@ -85,7 +83,6 @@ void Simulation::lay_out() {
 void Simulation::set_method(const Method& method) {
   if (lost_) return;
   method_ = method;
-  scene_.method = method;
   // Tracks that run on are settled here; all others were at the step's end.
   for (int k = 0; k < tracks_.islands(); ++k) tracks_.settle(k, time_ - tracks_.epoch());
   for (const int i : lasting_.pushed) tracks_.set_contact_acceleration(i, Eigen::Vector3d::Zero());
@@ -104,7 +101,7 @@ void Simulation::add_body(const Body& body) {
   scene_.bodies = bodies_;
   scene_.generators.clear();
   if (!needs_.untrimmed) needs_ = needs_of(scene_);
-  Tracks tracks(scene_, bodies_, needs_);
+  Tracks tracks(scene_, bodies_, needs_, method_, start_);
   tracks.take_over(tracks_, time_ - tracks_.epoch());
   tracks.begin(time_);
   tracks_ = std::move(tracks);

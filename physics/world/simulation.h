@@ -18,6 +18,7 @@
 #include "physics/impact/impact_law.h"
 #include "physics/impact/simultaneous_impact.h"
 #include "physics/model/needs.h"
+#include "physics/scene/method.h"
 #include "physics/scene/scene.h"
 #include "physics/world/event_queue.h"
 #include "physics/world/impact_counts.h"
@@ -25,6 +26,7 @@
 #include "physics/world/ledger.h"
 #include "physics/world/lost_run.h"
 #include "physics/world/pair_list.h"
+#include "physics/world/run_setup.h"
 #include "physics/world/step_work.h"
 #include "physics/world/totals.h"
 
@@ -159,10 +161,10 @@ class Simulation {
   static constexpr std::size_t kMostLogged = 1'000'000;
 
   // The scene must be valid (see validate() in physics/scene/validate.h). `needs` says which parts of the model
-  // are put in. Where the scene is that of a saved run, the run goes on from there: with its state, under the
-  // scene's method as if it had been chosen at that moment.
-  explicit Simulation(const Scene& scene) : Simulation(scene, needs_of(scene)) {}
-  Simulation(const Scene& scene, const Needs& needs);
+  // are put in. Of a saved run, the run goes on from there: with its state, under the setup's method as if it
+  // had been chosen at that moment.
+  explicit Simulation(const RunSetup& setup) : Simulation(setup, needs_of(setup.scene)) {}
+  Simulation(const RunSetup& setup, const Needs& needs);
 
   void step() { step(method_.step); }
   // Throws StepInterrupted if interrupt_on() asked for it; the simulation can only be thrown away then. A run
@@ -188,7 +190,7 @@ class Simulation {
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] std::int64_t impact_count() const { return impact_count_; }
-  // With the pairs that the scene's plots name.
+  // With the pairs that the setup names.
   [[nodiscard]] const ImpactCounts& impact_counts() const { return impact_counts_; }
   // Of the right-hand side, a body each; and steps that the error control took back.
   [[nodiscard]] std::int64_t evaluations() const { return tracks_.evaluations(); }
@@ -251,7 +253,7 @@ class Simulation {
   [[nodiscard]] bool runs_on() const;  // tracks run on across the ends of steps
 
   void lay_out();  // arrays from bodies_
-  void watch_plotted_pairs();
+  void count_pairs(const std::vector<std::pair<std::string, std::string>>& names);
   void publish(double within);
   void check_motions() const;  // throws LostMotion
   void check_energy();
@@ -349,7 +351,8 @@ class Simulation {
     if (notices_.*notice < 0.0) notices_.*notice = time;
   }
 
-  Scene scene_;
+  Scene scene_;   // with the bodies and welds that came in on the way
+  double start_;  // s, of the run
   Method method_;
   Needs needs_;
   std::vector<Body> bodies_;

@@ -20,7 +20,7 @@ Impact Simulation::join(int a, int b, const Contact& contact) {
   weld.angle = q[2] - q_other[2];
   scene_.links.push_back(std::move(weld));
 
-  Tracks tracks(scene_, bodies_, needs_);
+  Tracks tracks(scene_, bodies_, needs_, method_, start_);
   tracks.take_over(tracks_, tracks_.start(body));
   tracks_ = std::move(tracks);
   shapes_ = geometry(bodies_, scene_.links);

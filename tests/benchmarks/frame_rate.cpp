@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "app/lab/lab_window.h"
+#include "physics/preset/preset.h"
+#include "physics/preset/validate_preset.h"
 #include "physics/scene/validate.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/run/transport_bar.h"
@@ -25,14 +27,14 @@ Body wall(const char* name, double width, double height, const Vec2& position) {
   return b;
 }
 
-Scene thousand_discs() {
-  Scene s;
+Preset thousand_discs() {
+  Preset s;
   s.title = "A thousand discs";
   s.duration = 1e6;
   s.method.integrator = IntegratorId::kVelocityVerlet;
   s.method.step = 0.01;
-  s.bodies = {wall("left", 1.0, 24.0, {-20.5, 0.0}), wall("right", 1.0, 24.0, {20.5, 0.0}),
-              wall("floor", 40.0, 1.0, {0.0, -12.5}), wall("ceiling", 40.0, 1.0, {0.0, 12.5})};
+  s.scene.bodies = {wall("left", 1.0, 24.0, {-20.5, 0.0}), wall("right", 1.0, 24.0, {20.5, 0.0}),
+                    wall("floor", 40.0, 1.0, {0.0, -12.5}), wall("ceiling", 40.0, 1.0, {0.0, 12.5})};
   GridGenerator grid;
   grid.columns = 40;
   grid.rows = 25;
@@ -40,7 +42,7 @@ Scene thousand_discs() {
   grid.spacing = {0.97, 0.93};
   grid.radius_min = grid.radius_max = 0.25;
   grid.speed_max = 1.0;
-  s.generators = {grid};
+  s.scene.generators = {grid};
   validate(s);
   return s;
 }

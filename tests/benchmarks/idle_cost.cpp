@@ -20,7 +20,7 @@ namespace {
 constexpr int kRepeats = 10;
 
 // Frictionless elastic discs in a square room, over a fifth of its area, at random speeds.
-Scene gas(int columns, IntegratorId integrator) {
+RunSetup gas(int columns, IntegratorId integrator) {
   const double spacing = 0.1;
   const double radius = spacing * std::sqrt(0.2 / M_PI);
   const double half = 0.5 * spacing * columns;
@@ -32,7 +32,7 @@ Scene gas(int columns, IntegratorId integrator) {
     const double x = draw();
     bodies.push_back(test::disc(fmt::format("disc-{}", i), home, {x, draw()}, radius));
   }
-  Scene s = test::scene(std::move(bodies));
+  RunSetup s = test::setup_with(std::move(bodies));
   s.method = {integrator, ImpactsId::kLocated, ContactsId::kImpulse, 1.0 / 60.0};
   return s;
 }
@@ -53,7 +53,7 @@ struct Variant {
   Needs needs;
 };
 
-std::vector<Variant> variants(const Scene& scene, bool with_all) {
+std::vector<Variant> variants(const RunSetup& setup, bool with_all) {
   const std::pair<const char*, bool Needs::*> parts[] = {{"rotation", &Needs::rotation},
                                                          {"friction", &Needs::friction},
                                                          {"smooth forces", &Needs::smooth_forces},
@@ -63,9 +63,9 @@ std::vector<Variant> variants(const Scene& scene, bool with_all) {
                                                          {"switched forces", &Needs::switching},
                                                          {"lasting contacts", &Needs::lasting_contacts}};
   // The trimmed run stands twice in the table: the second one shows what the figures are worth.
-  std::vector<Variant> list = {{"trimmed", needs_of(scene)}, {"trimmed again", needs_of(scene)}};
+  std::vector<Variant> list = {{"trimmed", needs_of(setup.scene)}, {"trimmed again", needs_of(setup.scene)}};
   for (const auto& [name, part] : parts) {
-    Needs needs = needs_of(scene);
+    Needs needs = needs_of(setup.scene);
     needs.*part = true;
     list.push_back({name, needs});
   }
@@ -73,14 +73,14 @@ std::vector<Variant> variants(const Scene& scene, bool with_all) {
   return list;
 }
 
-void idle_cost(const std::string& title, const Scene& scene, double until, bool with_all) {
-  const std::vector<Variant> list = variants(scene, with_all);
+void idle_cost(const std::string& title, const RunSetup& setup, double until, bool with_all) {
+  const std::vector<Variant> list = variants(setup, with_all);
   std::vector<std::vector<double>> seconds(list.size());
   std::int64_t impacts = 0;
   for (int repeat = 0; repeat < kRepeats; ++repeat) {
     for (std::size_t turn = 0; turn < list.size(); ++turn) {
       const std::size_t k = (turn + static_cast<std::size_t>(repeat)) % list.size();
-      Simulation run(scene, list[k].needs);
+      Simulation run(setup, list[k].needs);
       seconds[k].push_back(cpu_seconds([&] { run.advance_to(until); }));
       impacts = run.impact_count();
     }
@@ -92,10 +92,10 @@ void idle_cost(const std::string& title, const Scene& scene, double until, bool 
 }
 
 void collisions_a_second(int columns) {
-  const Scene scene = gas(columns, IntegratorId::kExactFlight);
+  const RunSetup setup = gas(columns, IntegratorId::kExactFlight);
   std::vector<double> rates;
   for (int repeat = 0; repeat < 5; ++repeat) {
-    Simulation run(scene);
+    Simulation run(setup);
     run.advance_to(0.1);  // warm
     const std::int64_t before = run.impact_count();
     const double seconds = cpu_seconds([&] {
@@ -115,8 +115,8 @@ int main() {
   idle_cost("1024 discs, exact flight", gas(32, IntegratorId::kExactFlight), 6.0, false);
   // Untrimmed, every impact touches all bodies: so few discs, and so short.
   idle_cost("25 discs, exact flight", gas(5, IntegratorId::kExactFlight), 20.0, true);
-  Scene drag = gas(5, IntegratorId::kRk4);
-  drag.forces.linear_drag = 0.01;
+  RunSetup drag = gas(5, IntegratorId::kRk4);
+  drag.scene.forces.linear_drag = 0.01;
   idle_cost("25 discs with drag, RK4", drag, 4.0, true);
   fmt::print("Frictionless discs over a fifth of the area, exact flight, h = 1/60 s:\n");
   for (const int columns : {10, 32, 100}) collisions_a_second(columns);

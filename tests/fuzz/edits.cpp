@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
+#include "physics/preset/preset.h"
 #include "tests/fuzz/running.h"
 #include "tests/fuzz/targets.h"
 
@@ -8,10 +9,10 @@ namespace carom::fuzz {
 namespace {
 
 // Another method, or one more body like one that is there, somewhere near it.
-void edit(Simulation& run, const Scene& scene, Draws& draws) {
+void edit(Simulation& run, const Preset& preset, Draws& draws) {
   const int what = draws.below(8);
   if (what < 2) {
-    run.set_method(draw_method(scene, draws));
+    run.set_method(draw_method(preset, draws));
   } else if (what == 2 && !run.bodies().empty() && run.bodies().size() < 24) {
     Body body = run.bodies()[static_cast<std::size_t>(draws.below(static_cast<int>(run.bodies().size())))];
     body.name = fmt::format("{}+{}", body.name, run.bodies().size());
@@ -25,10 +26,10 @@ void edit(Simulation& run, const Scene& scene, Draws& draws) {
 
 // The same edits of the same scene give the same bytes, by a copy on the way too.
 void try_edits(std::string_view bytes) {
-  const std::optional<Scene> scene = small_scene(bytes);
+  const std::optional<Preset> scene = small_scene(bytes);
   if (!scene) return;
-  Simulation first(*scene);
-  Simulation second(*scene);
+  Simulation first(setup_of(*scene));
+  Simulation second(setup_of(*scene));
   Draws of_first(bytes);
   Draws of_second(bytes);
   for (int k = 0; k < kMostSteps && first.time() < kMostTime && !first.lost(); ++k) {

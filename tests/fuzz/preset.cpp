@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "physics/preset/preset_file.h"
 #include "tests/fuzz/targets.h"
 
 namespace carom::fuzz {
@@ -22,14 +23,14 @@ void check_line(const std::string& line) {
 }  // namespace
 
 void try_preset(std::string_view bytes) {
-  Scene scene;
+  Preset preset;
   try {
-    scene = parse_preset(bytes, "input");
+    preset = parse_preset(bytes, "input");
   } catch (const SceneError& error) {
     check_line(error.what());
     return;
   }
-  const std::string written = write_preset(scene);
+  const std::string written = write_preset(preset);
   std::string again;
   try {
     again = write_preset(parse_preset(written, "written"));

@@ -6,6 +6,7 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/scene/facts.h"
 
 namespace carom::fuzz {
@@ -27,25 +28,25 @@ auto pick(const Table& table, Draws& draws) {
 
 Draws::Draws(std::string_view bytes) : random_(hash(bytes)) {}
 
-std::optional<Scene> small_scene(std::string_view bytes) {
+std::optional<Preset> small_scene(std::string_view bytes) {
   constexpr double kMostBodies = 20.0;
   try {
-    Scene scene = parse_preset(bytes, "input");
-    double bodies = static_cast<double>(scene.bodies.size());
-    for (const GridGenerator& g : scene.generators) bodies += static_cast<double>(g.columns) * g.rows;
+    Preset preset = parse_preset(bytes, "input");
+    double bodies = static_cast<double>(preset.scene.bodies.size());
+    for (const GridGenerator& g : preset.scene.generators) bodies += static_cast<double>(g.columns) * g.rows;
     if (bodies > kMostBodies) return std::nullopt;
-    return scene;
+    return preset;
   } catch (const SceneError&) {
     return std::nullopt;
   }
 }
 
-Method draw_method(const Scene& scene, Draws& draws) {
-  Method m = scene.method;
+Method draw_method(const Preset& preset, Draws& draws) {
+  Method m = preset.method;
   m.integrator = pick(kIntegrators, draws);
   m.impacts = pick(kImpacts, draws);
   m.contacts = pick(kContacts, draws);
-  if (why_not(scene, m.integrator)) m.integrator = IntegratorId::kRk4;
+  if (why_not(preset.scene, m.integrator)) m.integrator = IntegratorId::kRk4;
   return m;
 }
 

@@ -4,6 +4,7 @@
 #include <random>
 #include <string_view>
 
+#include "physics/preset/preset.h"
 #include "physics/world/simulation.h"
 
 // What the targets that run scenes share.
@@ -26,10 +27,10 @@ class Draws {
 };
 
 // The scene that the bytes are, if they are one of no more than 20 bodies.
-[[nodiscard]] std::optional<Scene> small_scene(std::string_view bytes);
+[[nodiscard]] std::optional<Preset> small_scene(std::string_view bytes);
 
 // A method that the scene allows, with the scene's own step and tolerance.
-[[nodiscard]] Method draw_method(const Scene& scene, Draws& draws);
+[[nodiscard]] Method draw_method(const Preset& preset, Draws& draws);
 
 // One step, and what holds after every one; throws std::logic_error where it doesn't.
 void checked_step(Simulation& run);

@@ -4,12 +4,12 @@
 
 int main() {
   carom::Scene scene;
-  scene.method = {
-      .integrator = carom::IntegratorId::kRk4, .impacts = carom::ImpactsId::kLocated, .step = 0.005};
   scene.materials = {{.name = "default", .restitution = 0.8}};
   scene.bodies = {{.name = "A", .shape = carom::Disc{0.1}, .position = {0, 0}, .velocity = {2, 0}, .mass = 1.0},
                   {.name = "B", .shape = carom::Disc{0.1}, .position = {1, 0}, .mass = 3.0}};
-  carom::Simulation simulation(scene);
+  const carom::Method method{
+      .integrator = carom::IntegratorId::kRk4, .impacts = carom::ImpactsId::kLocated, .step = 0.005};
+  carom::Simulation simulation({.scene = scene, .method = method});
   simulation.advance_to(1.0);
   std::printf("A leaves with %+.3f m/s, B with %+.3f m/s\n", simulation.state().v(0, 0),
               simulation.state().v(0, 1));

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "physics/stress/stress_scenes.h"
+#include "physics/world/run_setup.h"
 #include "tests/peers/cases.h"
 
 // Carom in the same scenes: RK4 and contacts that last, with impacts at the step's end, as the peers have them,
@@ -22,15 +23,16 @@ carom::Body body_of(const Body& body, int index) {
   return b;
 }
 
-carom::Scene scene_of(const Scene& scene, ImpactsId impacts) {
-  carom::Scene s;
+carom::RunSetup scene_of(const Scene& scene, ImpactsId impacts) {
+  carom::RunSetup s;
   s.method = {.integrator = IntegratorId::kRk4, .impacts = impacts, .contacts = ContactsId::kLasting};
-  s.forces.gravity = {scene.gx, scene.gy};
-  s.materials = {{.name = "default",
-                  .restitution = scene.restitution,
-                  .static_friction = scene.friction,
-                  .kinetic_friction = scene.friction}};
-  for (const Body& body : scene.bodies) s.bodies.push_back(body_of(body, static_cast<int>(s.bodies.size())));
+  s.scene.forces.gravity = {scene.gx, scene.gy};
+  s.scene.materials = {{.name = "default",
+                        .restitution = scene.restitution,
+                        .static_friction = scene.friction,
+                        .kinetic_friction = scene.friction}};
+  for (const Body& body : scene.bodies)
+    s.scene.bodies.push_back(body_of(body, static_cast<int>(s.scene.bodies.size())));
   return s;
 }
 

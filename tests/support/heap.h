@@ -1,18 +1,19 @@
 #pragma once
 
+#include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
 namespace carom::test {
 
 // Discs that all lie at one place, with speeds up to `speed` (m/s).
-inline Scene heap(int columns, int rows, double speed = 0.0) {
+inline RunSetup heap(int columns, int rows, double speed = 0.0) {
   GridGenerator discs;
   discs.columns = columns;
   discs.rows = rows;
   discs.spacing = {0, 0};
   discs.speed_max = speed;
-  Scene s = scene({});
-  s.generators = {discs};
+  RunSetup s = setup_with({});
+  s.scene.generators = {discs};
   s.method = {.step = 0.005};
   return s;
 }

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "physics/collision/geometry.h"
+#include "physics/preset/preset.h"
 #include "tests/support/scenes.h"
 
 namespace carom::test {
@@ -68,11 +69,12 @@ bool never_crushes(const Body& driven, const std::vector<Body>& fixed, double un
   return true;
 }
 
-void add_boxes(Dice& dice, double unit, Scene& s) {
-  if (dice.chance(0.7)) s.bodies = room(unit, dice.chance(0.2) ? 0.01 * unit : 0.5 * unit);
+void add_boxes(Dice& dice, double unit, Preset& s) {
+  if (dice.chance(0.7)) s.scene.bodies = room(unit, dice.chance(0.2) ? 0.01 * unit : 0.5 * unit);
   for (int i = dice.up_to(3); i > 0; --i) {
-    s.bodies.push_back(wall(fmt::format("box-{}", i), dice.in_square(unit), dice.between(0.01, 0.6) * unit,
-                            dice.between(0.01, 0.6) * unit, dice.angle()));
+    s.scene.bodies.push_back(wall(fmt::format("box-{}", i), dice.in_square(unit),
+                                  dice.between(0.01, 0.6) * unit, dice.between(0.01, 0.6) * unit,
+                                  dice.angle()));
   }
   if (!dice.chance(0.4)) return;
   for (int tries = 0; tries < 10; ++tries) {
@@ -86,8 +88,8 @@ void add_boxes(Dice& dice, double unit, Scene& s) {
       drive.phase = dice.angle();
     }
     driven.drive = drive;
-    if (!never_crushes(driven, s.bodies, unit)) continue;
-    s.bodies.push_back(driven);
+    if (!never_crushes(driven, s.scene.bodies, unit)) continue;
+    s.scene.bodies.push_back(driven);
     return;
   }
 }
@@ -109,7 +111,7 @@ Shape cornered_shape(Dice& dice, double radius) {
 }
 
 std::vector<std::string> add_bodies(Dice& dice, double unit, bool may_overlap, RandomScene& random) {
-  std::vector<Body>& bodies = random.scene.bodies;
+  std::vector<Body>& bodies = random.preset.scene.bodies;
   std::vector<std::string> names;
   const int wanted = 1 + dice.up_to(11);
   const double speed = dice.chance(0.1) ? 0.0 : dice.between(0.1, 4.0) * unit;
@@ -136,9 +138,9 @@ std::vector<std::string> add_bodies(Dice& dice, double unit, bool may_overlap, R
   return names;
 }
 
-void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, bool cornered, Scene& s) {
+void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, bool cornered, Preset& s) {
   const auto mass = [&](const std::string& name) {
-    for (const Body& b : s.bodies) {
+    for (const Body& b : s.scene.bodies) {
       if (b.name == name) return *b.mass;
     }
     return 1.0;
@@ -147,12 +149,12 @@ void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, 
     return discs[dice.up_to(static_cast<int>(discs.size()) - 1)];
   };
   if (dice.chance(0.5))
-    s.forces.gravity = dice.chance(0.7) ? Vec2(0.0, -9.81 * unit) : dice.in_square(5.0 * unit);
+    s.scene.forces.gravity = dice.chance(0.7) ? Vec2(0.0, -9.81 * unit) : dice.in_square(5.0 * unit);
   if (discs.empty()) return;
   double lightest = mass(discs[0]);
   for (const std::string& name : discs) lightest = std::min(lightest, mass(name));
-  if (dice.chance(0.15)) s.forces.linear_drag = dice.between(0.0, 1.0) * lightest / kSlow;
-  if (dice.chance(0.15)) s.forces.quadratic_drag = dice.between(0.0, 0.3) * lightest / unit;
+  if (dice.chance(0.15)) s.scene.forces.linear_drag = dice.between(0.0, 1.0) * lightest / kSlow;
+  if (dice.chance(0.15)) s.scene.forces.quadratic_drag = dice.between(0.0, 0.3) * lightest / unit;
   if (dice.chance(0.3)) {
     for (int i = dice.up_to(3); i >= 0; --i) {
       Spring spring;
@@ -168,14 +170,14 @@ void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, 
       if (dice.chance(0.5)) spring.damping = dice.between(0.0, 1.0) * light / kSlow;
       if (dice.chance(0.7)) spring.rest_length = dice.between(0.1, 1.5) * unit;
       spring.acts = static_cast<SpringActs>(dice.up_to(3));
-      s.forces.springs.push_back(spring);
+      s.scene.forces.springs.push_back(spring);
     }
   }
   // Not of bodies with corners: the search for contacts of thin ones that such a pull throws about is slow.
   if (dice.chance(0.1) && !cornered) {
     // The heaviest pulls a neighbour at 0.3 units as strongly as gravity does.
-    s.forces.attraction = Attraction{dice.between(0.1, 1.0) * unit * unit * unit / 100.0,
-                                     dice.chance(0.5) ? dice.between(0.05, 0.3) * unit : 0.0};
+    s.scene.forces.attraction = Attraction{dice.between(0.1, 1.0) * unit * unit * unit / 100.0,
+                                           dice.chance(0.5) ? dice.between(0.05, 0.3) * unit : 0.0};
   }
   if (dice.chance(0.15)) {
     AppliedForce force;
@@ -185,7 +187,7 @@ void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, 
     if (dice.chance(0.5)) force.rise = dice.between(0.0, 0.5);
     if (dice.chance(0.5)) force.end = force.start + dice.between(0.0, 0.5);
     if (dice.chance(0.3)) force.torque = dice.between(-1.0, 1.0) * lightest * unit * unit;
-    s.forces.applied.push_back(force);
+    s.scene.forces.applied.push_back(force);
   }
 }
 
@@ -194,7 +196,7 @@ void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, 
 RandomScene random_scene(std::uint64_t seed) {
   Dice dice(seed);
   RandomScene random;
-  Scene& s = random.scene;
+  Preset& s = random.preset;
   s.title = fmt::format("random scene {}", seed);
   double unit = 1.0;  // m
   if (dice.chance(0.1)) unit = 1e-3;
@@ -206,8 +208,8 @@ RandomScene random_scene(std::uint64_t seed) {
     material.static_friction = material.kinetic_friction + (dice.chance(0.5) ? dice.between(0.0, 0.5) : 0.0);
     if (dice.chance(0.3)) material.tangential_restitution = dice.between(-1.0, 1.0);
   }
-  s.materials = {material};
-  if (dice.chance(0.2)) s.several_impacts = SeveralImpactsId::kSimultaneous;
+  s.scene.materials = {material};
+  if (dice.chance(0.2)) s.scene.several_impacts = SeveralImpactsId::kSimultaneous;
   add_boxes(dice, unit, s);
   const bool may_overlap = dice.chance(0.05);
   const std::vector<std::string> discs = add_bodies(dice, unit, may_overlap, random);

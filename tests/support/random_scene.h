@@ -2,12 +2,13 @@
 
 #include <cstdint>
 
+#include "physics/preset/preset.h"
 #include "physics/scene/scene.h"
 
 namespace carom::test {
 
 struct RandomScene {
-  Scene scene;
+  Preset preset;
   bool overlaps = false;  // some bodies overlap at t = 0
   bool cornered = false;  // some moving bodies may be no discs
 };

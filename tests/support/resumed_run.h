@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
+#include "physics/preset/saved_preset.h"
 #include "physics/scene/validate.h"
 #include "physics/world/run_state.h"
 
@@ -12,12 +14,12 @@
 namespace carom::test {
 
 // Through a file's text, to the last bit.
-inline Scene saved_and_read(const Scene& document, const Simulation& simulation) {
-  return parse_preset(write_preset(saved_scene(document, simulation)), "saved");
+inline Preset saved_and_read(const Preset& document, const Simulation& simulation) {
+  return parse_preset(write_preset(saved_preset(document, simulation)), "saved");
 }
 
 // Everything that a run can be asked for, and everything that it goes on from: two runs of one text are one.
-inline std::string all_of(const Scene& document, const Simulation& s) {
+inline std::string all_of(const Preset& document, const Simulation& s) {
   std::string text = s.notices().text() + "\n";
   const auto bytes = [&](const auto& matrix) {
     text.append(reinterpret_cast<const char*>(matrix.data()), sizeof(double) * matrix.size());
@@ -28,7 +30,7 @@ inline std::string all_of(const Scene& document, const Simulation& s) {
   const Ledger ledger = s.ledger();
   text.append(reinterpret_cast<const char*>(&ledger), sizeof(ledger));
   try {
-    text += write_preset(saved_scene(document, s));
+    text += write_preset(saved_preset(document, s));
   } catch (const SceneError& error) {
     text += error.what();  // it has blown up
   }

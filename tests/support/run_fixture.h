@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/preset/preset.h"
 #include "physics/record/frame.h"
 #include "physics/record/recorder.h"
 #include "physics/world/simulation.h"
@@ -21,16 +22,16 @@ inline Body disc(const std::string& name, const Vec2& position, const Vec2& velo
 }
 
 // 1 kg at 3 m/s runs into 2 kg at rest at t = 0.2 s: elastically, so that they leave at -1 and 2 m/s.
-inline Scene head_on_scene() {
-  Scene scene;
-  scene.title = "Head-on";
-  scene.bodies = {disc("A", {-1.0, 0.0}, {3.0, 0.0}, 1.0), disc("B", {0.0, 0.0}, {0.0, 0.0}, 2.0)};
-  return scene;
+inline Preset head_on_scene() {
+  Preset preset;
+  preset.title = "Head-on";
+  preset.scene.bodies = {disc("A", {-1.0, 0.0}, {3.0, 0.0}, 1.0), disc("B", {0.0, 0.0}, {0.0, 0.0}, 2.0)};
+  return preset;
 }
 
 // The frame of a run from the start to `time`, as the simulation's thread would publish it.
-inline Frame run_to(const Scene& scene, double time, const std::vector<Curve>& curves = {}) {
-  Simulation simulation(scene);
+inline Frame run_to(const Preset& preset, double time, const std::vector<Curve>& curves = {}) {
+  Simulation simulation(setup_of(preset));
   simulation.watch_impacts(true);
   Frame frame;
   frame.run = 1;
@@ -46,7 +47,7 @@ inline Frame run_to(const Scene& scene, double time, const std::vector<Curve>& c
   frame.rows_known_until = frame.time;
   frame.scales = sampler.scales();
   frame.bodies = std::make_shared<const std::vector<Body>>(simulation.bodies());
-  frame.forces = std::make_shared<const Forces>(scene.forces);
+  frame.forces = std::make_shared<const Forces>(preset.scene.forces);
   return frame;
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "physics/preset/preset.h"
 #include "physics/record/frame.h"
 
 namespace carom {
@@ -19,8 +20,8 @@ inline std::shared_ptr<Frame> frame_of(const Simulation& simulation) {
 
 // A floor from x = 0 to 4 m with its top at y = 0, a disc of 0.5 m about (1, 1) that moves up, and one of
 // 0.25 m about (3, 1) at rest.
-inline Scene two_discs() {
-  Scene scene;
+inline Preset two_discs() {
+  Preset preset;
   Body floor;
   floor.name = "floor";
   floor.shape = Box{4.0, 0.2};
@@ -35,8 +36,8 @@ inline Scene two_discs() {
   b.name = "B";
   b.shape = Disc{0.25};
   b.position = Vec2(3.0, 1.0);
-  scene.bodies = {floor, a, b};
-  return scene;
+  preset.scene.bodies = {floor, a, b};
+  return preset;
 }
 
 }  // namespace carom

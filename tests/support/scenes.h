@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/preset/preset.h"
 #include "physics/scene/scene.h"
 #include "physics/world/simulation.h"
 
@@ -32,12 +33,20 @@ inline Body wall(const std::string& name, Vec2 position, double width, double he
 }
 
 // A scene whose default material is the given one.
-inline Scene scene(std::vector<Body> bodies, double restitution = 1.0, double friction = 0.0) {
+inline Scene scene_with(std::vector<Body> bodies, double restitution = 1.0, double friction = 0.0) {
   Scene s;
-  s.title = "test";
   s.bodies = std::move(bodies);
   s.materials = {{"default", restitution, 0.0, friction, friction}};
   return s;
+}
+inline RunSetup setup_with(std::vector<Body> bodies, double restitution = 1.0, double friction = 0.0) {
+  return {scene_with(std::move(bodies), restitution, friction), {}, {}};
+}
+inline Preset preset_with(std::vector<Body> bodies, double restitution = 1.0, double friction = 0.0) {
+  Preset preset;
+  preset.title = "test";
+  preset.scene = scene_with(std::move(bodies), restitution, friction);
+  return preset;
 }
 
 // Four walls of the given thickness around the rectangle [-half, half]².

@@ -19,6 +19,7 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/model/needs.h"
+#include "physics/preset/preset.h"
 #include "physics/scene/facts.h"
 #include "widgets/compare/compare_table.h"
 #include "widgets/theme/number_text.h"
@@ -205,19 +206,20 @@ QSize ComparePanel::minimumSizeHint() const {
 
 void ComparePanel::set_theme(const Theme& theme) { table_->set_theme(theme); }
 
-void ComparePanel::set_scene(const Scene& scene, ReferenceId reference) {
-  if (scene.title != scene_.title) step_timer_.stop();
-  const bool more = 1 + scene.compare.size() > methods_.size() && !methods_.empty();
-  scene_ = scene;
+void ComparePanel::set_scene(const Preset& preset, ReferenceId reference) {
+  if (preset.title != preset_.title) step_timer_.stop();
+  const bool more = 1 + preset.compare.size() > methods_.size() && !methods_.empty();
+  preset_ = preset;
   reference_ = reference;
-  methods_ = {scene.method};
-  methods_.insert(methods_.end(), scene.compare.begin(), scene.compare.end());
+  methods_ = {preset.method};
+  methods_.insert(methods_.end(), preset.compare.begin(), preset.compare.end());
   for (std::size_t i = 0; i < kReferences.size(); ++i) {
-    set_enabled(references_, static_cast<int>(i), why_not(scene, kReferences[i].id), tr(kReferences[i].tip));
+    set_enabled(references_, static_cast<int>(i), why_not(setup_of(preset), kReferences[i].id),
+                tr(kReferences[i].tip));
     if (kReferences[i].id == reference) references_->setCurrentIndex(static_cast<int>(i));
   }
   for (std::size_t i = 0; i < kIntegrators.size(); ++i) {
-    set_enabled(integrators_, static_cast<int>(i), why_not(scene, kIntegrators[i].id),
+    set_enabled(integrators_, static_cast<int>(i), why_not(preset.scene, kIntegrators[i].id),
                 text_of(kIntegrators[i].tip));
   }
   if (more && table_->model()->rowCount() >= static_cast<int>(methods_.size())) {

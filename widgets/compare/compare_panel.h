@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "physics/preset/preset.h"
 #include "physics/record/frame.h"
 #include "widgets/theme/theme.h"
 
@@ -31,7 +32,7 @@ class ComparePanel : public QScrollArea {
   // As high as it needs to be; sideways it scrolls.
   [[nodiscard]] QSize minimumSizeHint() const override;
   // The scene with its methods in force, and what they are compared with.
-  void set_scene(const Scene& scene, ReferenceId reference);
+  void set_scene(const Preset& preset, ReferenceId reference);
   void update_from(const std::vector<std::shared_ptr<const Frame>>& frames);
 
  signals:
@@ -50,7 +51,7 @@ class ComparePanel : public QScrollArea {
   void show_chosen();
   void take_step();
 
-  Scene scene_;
+  Preset preset_;
   std::vector<Method> methods_;
   ReferenceId reference_ = ReferenceId::kNone;
   CompareTable* table_ = nullptr;

@@ -17,6 +17,7 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/study/study_text.h"
 #include "widgets/compare/error_plot.h"
 #include "widgets/compare/log_scale.h"
@@ -42,7 +43,7 @@ constexpr int kNarrow = 480;          // px: a low panel that is narrower has no
 QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
 
 // The same motion is meant: all but what a study goes through anyway.
-bool same_to_a_study(const Scene& one, Scene other) {
+bool same_to_a_study(const Preset& one, Preset other) {
   const ContactsId contacts = other.method.contacts;
   other.compare = one.compare;
   other.method = one.method;
@@ -176,15 +177,15 @@ void StudyPanel::set_theme(const Theme& theme) {
 // --- the study
 // -----------------------------------------------------------------------------------------------------------
 
-void StudyPanel::set_scene(const Scene& scene, const QString& name) {
+void StudyPanel::set_scene(const Preset& preset, const QString& name) {
   name_ = name;
-  own_ = scene.method;
-  edit_scene(scene);
+  own_ = preset.method;
+  edit_scene(preset);
 }
 
-void StudyPanel::edit_scene(const Scene& scene) {
-  scene_ = scene;
-  current_ = studied_ && same_to_a_study(*studied_, scene_);
+void StudyPanel::edit_scene(const Preset& preset) {
+  preset_ = preset;
+  current_ = studied_ && same_to_a_study(*studied_, preset_);
   show_words();
 }
 
@@ -193,7 +194,7 @@ QString StudyPanel::words() const { return words_->whole(); }
 void StudyPanel::start(StudyOptions options) {
   cancel();
   study_.reset();
-  studied_ = scene_;
+  studied_ = preset_;
   current_ = true;
   studied_->method.step = own_.step;
   studied_->method.tolerance = own_.tolerance;
@@ -245,7 +246,7 @@ void StudyPanel::show_words() {
       running()
           ? tr("Stop the study; what it has found stays")
           : plain_tip(
-                tr("Run “%1” under every method that it allows").arg(QString::fromStdString(scene_.title))));
+                tr("Run “%1” under every method that it allows").arg(QString::fromStdString(preset_.title))));
   export_button_->setEnabled(!running() && !table.rows.empty());
   const bool refused = so_far_.phase == Phase::kRefused;
   hint_->setText(
@@ -258,9 +259,9 @@ void StudyPanel::show_words() {
 
   below_->setCurrentIndex(running() ? 0 : 1);
   const QString title = studied_ ? QString::fromStdString(studied_->title) : QString();
-  const QString other = current_ || !studied_             ? QString()
-                        : studied_->title == scene_.title ? tr("Before this scene was edited: ")
-                                                          : tr("Not the scene shown, but %1: ").arg(title);
+  const QString other = current_ || !studied_              ? QString()
+                        : studied_->title == preset_.title ? tr("Before this scene was edited: ")
+                                                           : tr("Not the scene shown, but %1: ").arg(title);
   if (running()) {
     const QString stage = so_far_.stage.empty() ? tr("start") : QString::fromStdString(so_far_.stage);
     stage_->set_whole(

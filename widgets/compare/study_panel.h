@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "physics/preset/preset.h"
 #include "physics/study/background_study.h"
 #include "widgets/theme/theme.h"
 
@@ -32,9 +33,9 @@ class StudyPanel : public QWidget {
 
   void set_theme(const Theme& theme);
   // Another scene, with the name of its preset. Its method tells around which step to study.
-  void set_scene(const Scene& scene, const QString& name);
+  void set_scene(const Preset& preset, const QString& name);
   // The same scene with bodies or another method; a study's steps stay where the preset has its own.
-  void edit_scene(const Scene& scene);
+  void edit_scene(const Preset& preset);
 
   // What the study has found so far: by its suffix the table with all digits (.csv) or the picture (.svg, .pdf,
   // .png). The file is replaced only when the whole is ready; else the answer is false and `error` says why.
@@ -71,11 +72,11 @@ class StudyPanel : public QWidget {
   void choose_file();
   [[nodiscard]] QString tip_of(const StudyRow& row) const;
 
-  Scene scene_;  // that is shown
+  Preset preset_;  // that is shown
   QString name_;
-  Method own_;                    // the preset's
-  std::optional<Scene> studied_;  // what so_far_ is about
-  bool current_ = false;          // it is the scene that is shown, but for its method
+  Method own_;                     // the preset's
+  std::optional<Preset> studied_;  // what so_far_ is about
+  bool current_ = false;           // it is the scene that is shown, but for its method
   StudySoFar so_far_;
   std::size_t error_ = 0;  // of kStudyErrors
   bool against_time_ = false;

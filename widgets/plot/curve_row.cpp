@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "physics/observe/quantity_name.h"
 #include "physics/scene/limits.h"
 #include "widgets/plot/quantity_picker.h"
 #include "widgets/theme/plain_text.h"

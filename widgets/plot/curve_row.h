@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <vector>
 
+#include "physics/observe/quantity_name.h"
 #include "physics/scene/scene.h"
 
 class QCheckBox;

@@ -9,6 +9,7 @@
 #include <qwt_axis.h>
 #include <qwt_plot.h>
 
+#include "physics/preset/preset.h"
 #include "physics/scene/limits.h"
 #include "widgets/plot/run_plot.h"
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "physics/observe/quantity_name.h"
+#include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
 
 namespace carom {

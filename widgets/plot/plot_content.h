@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "physics/observe/quantity.h"
+#include "physics/observe/quantity_name.h"
+#include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "physics/scene/scene.h"
 

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "physics/observe/quantity_name.h"
 #include "physics/scene/validate.h"
 #include "widgets/plot/curve_row.h"
 #include "widgets/plot/plot_content.h"

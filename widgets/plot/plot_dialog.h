@@ -3,6 +3,7 @@
 #include <QDialog>
 #include <vector>
 
+#include "physics/preset/preset.h"
 #include "physics/scene/scene.h"
 
 class QCheckBox;

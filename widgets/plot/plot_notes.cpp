@@ -7,6 +7,8 @@
 #include <qwt_plot.h>
 #include <qwt_scale_map.h>
 
+#include "physics/preset/preset.h"
+
 namespace carom {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <qwt_plot_item.h>
 #include <vector>
 
+#include "physics/preset/preset.h"
 #include "physics/scene/scene.h"
 #include "widgets/theme/theme.h"
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "physics/observe/quantity.h"
+#include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "widgets/plot/reading_table.h"
 #include "widgets/plot/run_plot.h"

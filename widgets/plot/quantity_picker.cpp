@@ -9,6 +9,7 @@
 #include <array>
 
 #include "physics/observe/observables.h"
+#include "physics/observe/quantity_name.h"
 #include "widgets/plot/plot_content.h"
 
 namespace carom {

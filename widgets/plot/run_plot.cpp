@@ -16,6 +16,7 @@
 #include <qwt_symbol.h>
 #include <qwt_text.h>
 
+#include "physics/preset/preset.h"
 #include "widgets/plot/distribution.h"
 #include "widgets/plot/legend_button.h"
 #include "widgets/plot/legend_row.h"

@@ -9,6 +9,7 @@
 #include <qwt_interval.h>
 #include <vector>
 
+#include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "widgets/plot/plot_axes.h"
 #include "widgets/plot/plot_content.h"

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "physics/model/needs.h"
+#include "physics/preset/preset.h"
 
 namespace carom {
 namespace {
@@ -16,24 +17,24 @@ struct Entry {
   const char* name = nullptr;
   const char* tip = nullptr;
   Value (*value)(const Ledger& ledger, const Totals& now) = nullptr;
-  bool (*idle)(const Scene& scene, const Needs& needs) = nullptr;
+  bool (*idle)(const Preset& preset, const Needs& needs) = nullptr;
 };
 
-bool has_dampers(const Scene& scene) {
-  return std::any_of(scene.forces.springs.begin(), scene.forces.springs.end(),
+bool has_dampers(const Preset& preset) {
+  return std::any_of(preset.scene.forces.springs.begin(), preset.scene.forces.springs.end(),
                      [](const Spring& spring) { return spring.damping > 0.0; });
 }
 
-bool has_drag(const Scene& scene) {
-  return scene.forces.linear_drag > 0.0 || scene.forces.quadratic_drag > 0.0;
+bool has_drag(const Preset& preset) {
+  return preset.scene.forces.linear_drag > 0.0 || preset.scene.forces.quadratic_drag > 0.0;
 }
 
 // Of contacts that last only.
-bool has_rolling_resistance(const Scene& scene) {
-  if (scene.method.contacts != ContactsId::kLasting) return false;
+bool has_rolling_resistance(const Preset& preset) {
+  if (preset.method.contacts != ContactsId::kLasting) return false;
   const auto resists = [](const Material& material) { return material.rolling_resistance > 0.0; };
-  return std::any_of(scene.materials.begin(), scene.materials.end(), resists) ||
-         std::any_of(scene.pairs.begin(), scene.pairs.end(),
+  return std::any_of(preset.scene.materials.begin(), preset.scene.materials.end(), resists) ||
+         std::any_of(preset.scene.pairs.begin(), preset.scene.pairs.end(),
                      [&](const MaterialPair& pair) { return resists(pair.surface); });
 }
 
@@ -50,28 +51,28 @@ constexpr std::array<Entry<double>, kEntries> kEnergy = {{
      QT_TRANSLATE_NOOP("LedgerTable",
                        "Work of the tangential impulses of impacts and of friction where contacts last"),
      [](const Ledger& l, const Totals&) { return l.lost_to_friction; },
-     [](const Scene&, const Needs& needs) { return !needs.friction; }},
+     [](const Preset&, const Needs& needs) { return !needs.friction; }},
     {QT_TRANSLATE_NOOP("LedgerTable", "lost to rolling"),
      QT_TRANSLATE_NOOP("LedgerTable", "Work of the moment that resists rolling at contacts that last"),
      [](const Ledger& l, const Totals&) { return l.lost_to_rolling; },
-     [](const Scene& scene, const Needs&) { return !has_rolling_resistance(scene); }},
+     [](const Preset& preset, const Needs&) { return !has_rolling_resistance(preset); }},
     {QT_TRANSLATE_NOOP("LedgerTable", "lost to drag"),
      QT_TRANSLATE_NOOP("LedgerTable", "Work of linear and quadratic drag, integrated along with the motion"),
      [](const Ledger& l, const Totals&) { return l.lost_to_drag; },
-     [](const Scene& scene, const Needs&) { return !has_drag(scene); }},
+     [](const Preset& preset, const Needs&) { return !has_drag(preset); }},
     {QT_TRANSLATE_NOOP("LedgerTable", "lost to dampers"),
      QT_TRANSLATE_NOOP("LedgerTable", "Work of the dampers of springs, integrated along with the motion"),
      [](const Ledger& l, const Totals&) { return l.lost_to_dampers; },
-     [](const Scene& scene, const Needs&) { return !has_dampers(scene); }},
+     [](const Preset& preset, const Needs&) { return !has_dampers(preset); }},
     {QT_TRANSLATE_NOOP("LedgerTable", "lost to sticking"),
      QT_TRANSLATE_NOOP("LedgerTable", "Taken by impacts after which the bodies stay joined"),
      [](const Ledger& l, const Totals&) { return l.lost_to_sticking; },
-     [](const Scene& scene, const Needs&) { return !has_sticking_surface(scene); }},
+     [](const Preset& preset, const Needs&) { return !has_sticking_surface(preset.scene); }},
     {QT_TRANSLATE_NOOP("LedgerTable", "lost to links"),
      QT_TRANSLATE_NOOP("LedgerTable", "Taken where strings jerked taut"),
      [](const Ledger& l, const Totals&) { return l.lost_to_links; },
-     [](const Scene& scene, const Needs&) {
-       return std::none_of(scene.links.begin(), scene.links.end(),
+     [](const Preset& preset, const Needs&) {
+       return std::none_of(preset.scene.links.begin(), preset.scene.links.end(),
                            [](const Link& link) { return link.kind == LinkKind::kString; });
      }},
     {QT_TRANSLATE_NOOP("LedgerTable", "overlap correction"),
@@ -81,7 +82,7 @@ constexpr std::array<Entry<double>, kEntries> kEnergy = {{
     {QT_TRANSLATE_NOOP("LedgerTable", "put in by drives"),
      QT_TRANSLATE_NOOP("LedgerTable", "Work of driven bodies and of applied forces and torques"),
      [](const Ledger& l, const Totals&) { return l.put_in_by_drives; },
-     [](const Scene&, const Needs& needs) { return !needs.drives; }},
+     [](const Preset&, const Needs& needs) { return !needs.drives; }},
     {QT_TRANSLATE_NOOP("LedgerTable", "put in by the user"),
      QT_TRANSLATE_NOOP("LedgerTable", "Energy of the bodies that were added during the run"),
      [](const Ledger& l, const Totals&) { return l.put_in_by_user; }},
@@ -106,15 +107,15 @@ constexpr std::array<Entry<Vec2>, kEntries> kMomentum = {{
     {QT_TRANSLATE_NOOP("LedgerTable", "from gravity"),
      QT_TRANSLATE_NOOP("LedgerTable", "Given by uniform gravity: its force times the time"),
      [](const Ledger& l, const Totals&) -> Vec2 { return l.momentum_from_gravity; },
-     [](const Scene& scene, const Needs&) { return scene.forces.gravity.isZero(0.0); }},
+     [](const Preset& preset, const Needs&) { return preset.scene.forces.gravity.isZero(0.0); }},
     {QT_TRANSLATE_NOOP("LedgerTable", "from forces"),
      QT_TRANSLATE_NOOP(
          "LedgerTable",
          "Given by drag, by springs and links to fixed points and driven bodies, and by applied forces"),
      [](const Ledger& l, const Totals&) -> Vec2 { return l.momentum_from_forces; },
-     [](const Scene& scene, const Needs&) {
-       return !has_drag(scene) && scene.forces.springs.empty() && scene.links.empty() &&
-              scene.forces.applied.empty();
+     [](const Preset& preset, const Needs&) {
+       return !has_drag(preset) && preset.scene.forces.springs.empty() && preset.scene.links.empty() &&
+              preset.scene.forces.applied.empty();
      }},
     {QT_TRANSLATE_NOOP("LedgerTable", "from the user"),
      QT_TRANSLATE_NOOP("LedgerTable", "Of the bodies that were added during the run"),
@@ -122,8 +123,8 @@ constexpr std::array<Entry<Vec2>, kEntries> kMomentum = {{
     {QT_TRANSLATE_NOOP("LedgerTable", "to walls"),
      QT_TRANSLATE_NOOP("LedgerTable", "What impacts gave to fixed and driven bodies; it is taken from the sum"),
      [](const Ledger& l, const Totals&) -> Vec2 { return l.momentum_to_walls; },
-     [](const Scene& scene, const Needs&) {
-       return std::none_of(scene.bodies.begin(), scene.bodies.end(), is_immovable);
+     [](const Preset& preset, const Needs&) {
+       return std::none_of(preset.scene.bodies.begin(), preset.scene.bodies.end(), is_immovable);
      }},
     {},
     {},
@@ -153,11 +154,11 @@ class LedgerModel : public FigureModel {
  public:
   using FigureModel::FigureModel;
 
-  void set(const Scene& scene) {
-    const Needs needs = needs_of(scene);
+  void set(const Preset& preset) {
+    const Needs needs = needs_of(preset.scene);
     for (std::size_t i = 0; i < kEntries; ++i) {
-      energy_idle_[i] = kEnergy[i].idle != nullptr && kEnergy[i].idle(scene, needs);
-      momentum_idle_[i] = kMomentum[i].idle != nullptr && kMomentum[i].idle(scene, needs);
+      energy_idle_[i] = kEnergy[i].idle != nullptr && kEnergy[i].idle(preset, needs);
+      momentum_idle_[i] = kMomentum[i].idle != nullptr && kMomentum[i].idle(preset, needs);
     }
     rows_changed(kEntries);
   }
@@ -217,7 +218,7 @@ LedgerTable::LedgerTable(QWidget* parent)
                                   nullptr),
                   parent) {}
 
-void LedgerTable::set_scene(const Scene& scene) { static_cast<LedgerModel*>(model())->set(scene); }
+void LedgerTable::set_scene(const Preset& preset) { static_cast<LedgerModel*>(model())->set(preset); }
 
 void LedgerTable::update_from(const Frame& frame) { static_cast<LedgerModel*>(model())->set(frame); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "physics/preset/preset.h"
 #include "physics/record/frame.h"
 #include "widgets/theme/figure_table.h"
 
@@ -13,7 +14,7 @@ class LedgerTable : public FigureTable {
  public:
   explicit LedgerTable(QWidget* parent = nullptr);
   // The scene as it is now, after each edit.
-  void set_scene(const Scene& scene);
+  void set_scene(const Preset& preset);
   void update_from(const Frame& frame);
 };
 

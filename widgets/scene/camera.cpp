@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "physics/preset/preset.h"
+
 namespace carom {
 
 void WorldRect::include(const Vec2& point, const Vec2& half_extent) {

@@ -4,6 +4,7 @@
 #include <QPointF>
 #include <QSizeF>
 
+#include "physics/preset/preset.h"
 #include "physics/scene/scene.h"
 
 namespace carom {

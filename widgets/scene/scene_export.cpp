@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "physics/preset/preset.h"
 #include "widgets/print/picture_file.h"
 #include "widgets/print/save_file.h"
 #include "widgets/scene/paint_drawing.h"

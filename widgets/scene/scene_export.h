@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "physics/preset/preset.h"
 #include "widgets/scene/drawing.h"
 
 class QPainter;

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <utility>
 
+#include "physics/preset/preset.h"
 #include "physics/record/run_moments.h"
 #include "widgets/print/picture_file.h"
 #include "widgets/scene/drawing_forces.h"

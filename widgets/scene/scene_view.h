@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "physics/preset/preset.h"
 #include "physics/record/frame.h"
 #include "widgets/scene/drawing.h"
 #include "widgets/scene/qpainter_canvas.h"

@@ -4,7 +4,7 @@
 #include <QPen>
 #include <qwt_symbol.h>
 
-#include "physics/scene/scene.h"
+#include "physics/scene/method.h"
 #include "widgets/theme/theme.h"
 
 class QPainter;

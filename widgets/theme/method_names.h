@@ -3,7 +3,7 @@
 #include <QString>
 #include <vector>
 
-#include "physics/scene/scene.h"
+#include "physics/scene/method.h"
 
 namespace carom {
 

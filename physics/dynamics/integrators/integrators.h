@@ -9,7 +9,7 @@
 #include "physics/dynamics/integrators/rk4.h"
 #include "physics/dynamics/integrators/semi_implicit_euler.h"
 #include "physics/dynamics/integrators/velocity_verlet.h"
-#include "physics/scene/scene.h"
+#include "physics/scene/method.h"
 
 namespace carom {
 

@@ -38,12 +38,12 @@ double number(const std::string& text) {
   return value;
 }
 
-Scene box() {
-  Scene scene;
-  scene.title = "box";
-  scene.materials = {{"default", 0.9, 0.0, 0.2, 0.2}};
-  scene.forces.gravity = {0.0, -9.81};
-  scene.forces.quadratic_drag = 0.01;
+Preset box() {
+  Preset preset;
+  preset.title = "box";
+  preset.scene.materials = {{"default", 0.9, 0.0, 0.2, 0.2}};
+  preset.scene.forces.gravity = {0.0, -9.81};
+  preset.scene.forces.quadratic_drag = 0.01;
   for (int i = 0; i < 3; ++i) {
     Body body;
     body.name = std::string(1, static_cast<char>('A' + i));
@@ -51,15 +51,15 @@ Scene box() {
     body.position = {0.4 * i, 0.5 + 0.1 * i};
     body.velocity = {1.0 - i, 0.3};
     body.mass = 1.0;
-    scene.bodies.push_back(body);
+    preset.scene.bodies.push_back(body);
   }
   Body floor;
   floor.name = "floor";
   floor.shape = Box{10.0, 1.0};
   floor.position = {0.0, -0.5};
   floor.fixed = true;
-  scene.bodies.push_back(floor);
-  return scene;
+  preset.scene.bodies.push_back(floor);
+  return preset;
 }
 
 const auto kGoOn = [](double) { return true; };
@@ -67,16 +67,16 @@ const auto kGoOn = [](double) { return true; };
 // A long run with edits, read back bit for bit: the file has what the run had, however long ago, and the cursor
 // of the plots reads the same.
 TEST(RunExport, HasEveryDigitOfALongPast) {
-  Body late = box().bodies[0];
+  Body late = box().scene.bodies[0];
   late.name = "late, \"D\"";
   late.position = {-1.0, 3.0};
   const Method method{IntegratorId::kVelocityVerlet, ImpactsId::kLocated, ContactsId::kImpulse, 0.001};
   DataExport what;
-  what.log = {box(), {{100, 0.0, late}, {200, 0.0, method}}};
+  what.log = {setup_of(box()), {{100, 0.0, late}, {200, 0.0, method}}};
   what.steps = 60'000;
   what.to = 1e9;
   what.columns = run_columns([&] {
-    std::vector<Body> all = box().bodies;
+    std::vector<Body> all = box().scene.bodies;
     all.push_back(late);
     return all;
   }());
@@ -138,7 +138,7 @@ TEST(RunExport, HasEveryDigitOfALongPast) {
 
 TEST(RunExport, WritesThePartThatIsAskedFor) {
   DataExport what;
-  what.log.start = box();
+  what.log.start = setup_of(box());
   what.steps = 400;
   what.columns = {{find_observable("distance"), {0, 2}}, {find_observable("total_energy"), {}}};
   what.from = 0.5;
@@ -156,10 +156,10 @@ TEST(RunExport, WritesThePartThatIsAskedFor) {
 // Of a residual, whose header has its theory.
 TEST(RunExport, WritesAResidualAsAColumnOfItsOwn) {
   DataExport what;
-  what.log.start = box();
+  what.log.start = setup_of(box());
   what.steps = 20;
   what.to = 1.0;
-  const std::vector<Body> bodies = box().bodies;
+  const std::vector<Body> bodies = box().scene.bodies;
   const QuantityName height{"y", {"A"}, "max(0.5, 2*t)"};
   const QuantityName place{"x", {"A"}, "2*x"};
   const Quantity measured = quantity_of(height, bodies);
@@ -184,7 +184,7 @@ TEST(RunExport, WritesAResidualAsAColumnOfItsOwn) {
 
 TEST(RunExport, CancelsWithoutAFileAndSaysWhatIsWrong) {
   DataExport what;
-  what.log.start = box();
+  what.log.start = setup_of(box());
   what.steps = 1000;
   what.to = 1e9;
   what.columns = {{find_observable("time"), {}}};
@@ -204,7 +204,7 @@ TEST(RunExport, CancelsWithoutAFileAndSaysWhatIsWrong) {
 // From a key frame a late piece of a long run has the bytes that the whole has: with edits, impacts, counts of
 // impacts and errors against a reference.
 TEST(RunExport, APieceFromAKeyFrameIsThatOfTheWhole) {
-  Body late = box().bodies[0];
+  Body late = box().scene.bodies[0];
   late.name = "late";
   late.position = {-1.0, 3.0};
   const Quantity drift{find_observable("numerical_drift"), {}};
@@ -212,8 +212,8 @@ TEST(RunExport, APieceFromAKeyFrameIsThatOfTheWhole) {
   const Quantity met{find_observable("impacts_between"), {0, 1}};
   std::vector<Curve> curves;
   for (const Quantity& q : {drift, error, met}) curves.push_back({q, std::nullopt});
-  const ReferenceId reference = usual_reference(box());
-  Lane lane(box(), curves, reference);
+  const ReferenceId reference = usual_reference(setup_of(box()));
+  Lane lane(setup_of(box()), curves, reference);
   while (lane.simulation().steps() < 40'000) {
     if (lane.simulation().steps() == 20'000) lane.edit(late);
     lane.step();
@@ -233,7 +233,7 @@ TEST(RunExport, APieceFromAKeyFrameIsThatOfTheWhole) {
   const auto whole = lines_of(what, "whole.csv");
   ASSERT_GE(whole.size(), 1001U);
   what.key_frames = frame->key_frames;
-  what.log.start.bodies[0].position.x() += 0.125;  // it doesn't begin there
+  what.log.start.scene.bodies[0].position.x() += 0.125;  // it doesn't begin there
   EXPECT_EQ(lines_of(what, "piece.csv"), whole);
   // What was not counted from the start on is not in a key frame.
   const Quantity other{find_observable("impacts_between"), {0, 2}};

@@ -17,6 +17,7 @@
 #include "app/lab/notice_bar.h"
 #include "app/lab/preset_library.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/scene/scene_view.h"
 
@@ -60,9 +61,9 @@ class AutosaveTest : public testing::Test {
                "\n\n\n");
   }
   static QByteArray work(const std::string& title) {
-    Scene scene = read_preset(find_preset("head-on"));
-    scene.title = title;
-    return QByteArray::fromStdString(write_preset(scene));
+    Preset preset = read_preset(find_preset("head-on"));
+    preset.title = title;
+    return QByteArray::fromStdString(write_preset(preset));
   }
   QTemporaryDir folder_;
 };
@@ -76,9 +77,9 @@ TEST_F(AutosaveTest, KeepsEditsUntilTheyAreSavedOrGivenUp) {
   window->keep_now();
   ASSERT_EQ(files().size(), 1);
   const QString file = kept() + "/" + files().constFirst();
-  const Scene scene = read_preset(file.toStdString());
-  EXPECT_EQ(scene.bodies.size(), window->scene().bodies.size());
-  EXPECT_EQ(scene.plots, window->scene().plots);
+  const Preset preset = read_preset(file.toStdString());
+  EXPECT_EQ(preset.scene.bodies.size(), window->preset().scene.bodies.size());
+  EXPECT_EQ(preset.plots, window->preset().plots);
   QTimer::singleShot(0, [] {
     auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
     ASSERT_NE(box, nullptr);
@@ -107,9 +108,9 @@ TEST_F(AutosaveTest, TheNextStartOffersTheWork) {
   const auto window = lab(kept());
   ASSERT_TRUE(bar(*window)->isVisible());
   EXPECT_TRUE(said(*window).contains("“Lost work”")) << said(*window).toStdString();
-  EXPECT_NE(window->scene().title, "Lost work");
+  EXPECT_NE(window->preset().title, "Lost work");
   click(*window, "Restore");
-  EXPECT_EQ(window->scene().title, "Lost work");
+  EXPECT_EQ(window->preset().title, "Lost work");
   EXPECT_TRUE(window->isWindowModified());
   EXPECT_FALSE(bar(*window)->isVisible());
   EXPECT_FALSE(files().contains("work-1-0.json"));

@@ -41,11 +41,11 @@ class LabCompareTest : public testing::Test {
 
 // One key, and the same key back.
 TEST_F(LabCompareTest, OneKeyMakesEulerRk4AndTheExactRun) {
-  const Method own = window_.scene().method;
+  const Method own = window_.preset().method;
   usual()->trigger();
   window_.run_until(1.0);
   ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 3 && cell(2, 5) > 0.0; }, 5000));
-  const Scene compared = window_.scene();
+  const Preset compared = window_.preset();
   EXPECT_EQ(compared.method.integrator, IntegratorId::kExactFlight);
   ASSERT_EQ(compared.compare.size(), 2U);
   EXPECT_EQ(compared.compare[0].integrator, IntegratorId::kExplicitEuler);
@@ -56,8 +56,8 @@ TEST_F(LabCompareTest, OneKeyMakesEulerRk4AndTheExactRun) {
   EXPECT_LT(cell(2, 2), 1e-12);
   EXPECT_EQ(window_.findChild<CompareTable*>()->model()->index(0, 1).data().toString(), "reference");
   usual()->trigger();
-  EXPECT_EQ(window_.scene().method, own);
-  EXPECT_TRUE(window_.scene().compare.empty());
+  EXPECT_EQ(window_.preset().method, own);
+  EXPECT_TRUE(window_.preset().compare.empty());
 }
 
 TEST_F(LabCompareTest, APresetOpensWithItsComparison) {
@@ -70,19 +70,19 @@ TEST_F(LabCompareTest, APresetOpensWithItsComparison) {
   EXPECT_GT(cell(2, 2), 1e-3) << "impacts at the step's end";
   ASSERT_TRUE(window_.open("head-on"));
   window_.run_until(0.1);
-  EXPECT_TRUE(window_.scene().compare.empty());
+  EXPECT_TRUE(window_.preset().compare.empty());
   ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 1; }, 5000));
 }
 
 // And back to what a preset compares by itself.
 TEST_F(LabCompareTest, TheSameKeyGoesBackToThePresetsOwnComparison) {
   ASSERT_TRUE(window_.open("drag-projectile"));
-  const Scene own = window_.scene();
+  const Preset own = window_.preset();
   usual()->trigger();
-  EXPECT_NE(window_.scene().method, own.method);
+  EXPECT_NE(window_.preset().method, own.method);
   usual()->trigger();
-  EXPECT_EQ(window_.scene().method, own.method);
-  EXPECT_EQ(window_.scene().compare, own.compare);
+  EXPECT_EQ(window_.preset().method, own.method);
+  EXPECT_EQ(window_.preset().compare, own.compare);
 }
 
 // A run that is taken out takes no other's past with it; one that is left alone is seen.
@@ -114,14 +114,14 @@ TEST_F(LabCompareTest, MethodsComeAndGoWhileItRuns) {
   window_.run_until(0.5);
   auto* panel = window_.findChild<ComparePanel*>();
   window_.findChild<QTabWidget*>()->setCurrentWidget(panel);
-  Method euler = window_.scene().method;
+  Method euler = window_.preset().method;
   euler.integrator = IntegratorId::kExplicitEuler;
   emit panel->methodAdded(euler);
   window_.run_until(1.0);
   ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 2 && cell(1, 2) > 1e-4; }, 5000));
   euler.step *= 0.5;
   emit panel->methodChanged(euler, 1);
-  EXPECT_EQ(window_.scene().compare.front().step, euler.step);
+  EXPECT_EQ(window_.preset().compare.front().step, euler.step);
   emit panel->methodRemoved(1);
   window_.run_until(1.1);
   ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 1; }, 5000));

@@ -23,6 +23,7 @@
 #include "app/lab/film_dialog.h"
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/run_plot.h"
 #include "widgets/scene/scene_view.h"
@@ -101,7 +102,7 @@ TEST_F(LabExportTest, ThePlotsDataAreCopied) {
   const QStringList all = clipboard_lines();
   EXPECT_EQ(all.front(), "time [s]\tkinetic_energy [J]\tpotential_energy [J]\ttotal_energy [J]");
   ASSERT_EQ(all.size(), 1 + 201 + 2) << "the start, 200 steps, before and after one impact";
-  Simulation run(window_.scene());
+  Simulation run(setup_of(window_.preset()));
   run.step();
   const QStringList second = all[2].split('\t');
   ASSERT_EQ(second.size(), 4);
@@ -212,9 +213,9 @@ TEST_F(LabExportTest, TheRunIsSavedAsItStands) {
   };
   with_answers(answer, [&] { trigger("Save the run as it stands..."); });
   const std::string file = dir.filePath("mid.json").toStdString();
-  const Scene saved = read_preset(file);
+  const Preset saved = read_preset(file);
   ASSERT_TRUE(saved.saved && saved.saved->state);
-  EXPECT_FALSE(window_.scene().saved);
+  EXPECT_FALSE(window_.preset().saved);
 
   window_.run_until(1.5);
   const State later = window_.frame()->state;

@@ -19,6 +19,7 @@
 #include "app/lab/lab_window.h"
 #include "app/lab/preset_library.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 
 // A preset from a stranger: every text in it is a page that shows a picture from this machine.
 namespace carom {
@@ -32,24 +33,25 @@ class LabPlainText : public testing::Test {
     watch_ = inotify_init1(IN_NONBLOCK);
     inotify_add_watch(watch_, picture_.toUtf8().constData(), IN_OPEN);
     html_ = "<img src=\"" + picture_.toStdString() + "\"><b>x</b>";
-    Scene scene = read_preset(find_preset("head-on"));
-    scene.title = scene.about = scene.observe = html_;
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) scene.bodies[i].name = html_ + std::to_string(i);
-    scene.expect.clear();
+    Preset preset = read_preset(find_preset("head-on"));
+    preset.title = preset.about = preset.observe = html_;
+    for (std::size_t i = 0; i < preset.scene.bodies.size(); ++i)
+      preset.scene.bodies[i].name = html_ + std::to_string(i);
+    preset.expect.clear();
     Plot plot;
     plot.title = html_;
-    plot.y = {{.observable = "speed", .bodies = {scene.bodies[0].name}},
-              {.observable = "speed", .bodies = {scene.bodies[1].name}}};
+    plot.y = {{.observable = "speed", .bodies = {preset.scene.bodies[0].name}},
+              {.observable = "speed", .bodies = {preset.scene.bodies[1].name}}};
     plot.notes = {{0.0, 0.0, html_}};
     Plot untitled = plot;
     untitled.title.clear();
     Plot over = untitled;
     over.x = plot.y[0];
     over.y.pop_back();
-    scene.plots = {plot, untitled, over};
+    preset.plots = {plot, untitled, over};
     QDir(folder_.path()).mkpath("presets/<b>topic");
     file_ = folder_.filePath("presets/<b>topic/<img src=a>.json");
-    save_preset(scene, file_.toStdString());
+    save_preset(preset, file_.toStdString());
     qputenv("CAROM_PRESETS", folder_.filePath("presets").toUtf8());
   }
   ~LabPlainText() override {

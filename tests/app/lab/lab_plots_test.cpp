@@ -13,6 +13,7 @@
 #include "app/lab/export_dialog.h"
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/reading_table.h"
 #include "widgets/plot/run_plot.h"
@@ -59,7 +60,7 @@ TEST_F(LabPlotsTest, APlotMadeLateIsWholeAndSaved) {
 
   QTemporaryDir dir;
   const std::string file = dir.filePath("mine.json").toStdString();
-  save_preset(window_.scene(), file);
+  save_preset(window_.preset(), file);
   EXPECT_EQ(read_preset(file).plots.back(), height_);
   ASSERT_TRUE(panel_->plots().size() > 1);
   panel_->remove(panel_->plots().back());
@@ -121,8 +122,8 @@ TEST_F(LabPlotsTest, NotesAreSavedWithThePreset) {
   EXPECT_TRUE(window_.isWindowModified());
   QTemporaryDir dir;
   const std::string file = dir.filePath("mine.json").toStdString();
-  save_preset(window_.scene(), file);
-  const Scene saved = read_preset(file);
+  save_preset(window_.preset(), file);
+  const Preset saved = read_preset(file);
   EXPECT_EQ(saved.plots.size(), panel_->plots().size());
   bool found = false;
   for (const Plot& plot : saved.plots) {

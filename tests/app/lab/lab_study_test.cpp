@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/lab/lab_window.h"
+#include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
 #include "widgets/compare/error_plot.h"
 #include "widgets/compare/study_panel.h"
@@ -49,14 +50,14 @@ TEST_F(LabStudyTest, AClickOnAPointTakesItsMethodIntoTheComparison) {
     ASSERT_TRUE(pixel.has_value());
     for (int i = 0; i < 2; ++i) {  // the second time it is there already
       QTest::mouseClick(panel_->plot().canvas(), Qt::LeftButton, {}, pixel->toPoint());
-      const Scene scene = window_->scene();
-      std::vector<Method> methods = scene.compare;
-      methods.push_back(scene.method);
+      const Preset preset = window_->preset();
+      std::vector<Method> methods = preset.compare;
+      methods.push_back(preset.method);
       EXPECT_EQ(std::count(methods.begin(), methods.end(), row.method), 1) << row.index;
     }
     EXPECT_TRUE(panel_->of_the_scene_shown());
   }
-  EXPECT_EQ(window_->scene().compare.size(), kMostCompared);
+  EXPECT_EQ(window_->preset().compare.size(), kMostCompared);
   EXPECT_TRUE(window_->isWindowModified());
 }
 

@@ -16,6 +16,7 @@
 #include <stdexcept>
 
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/run/experiment_list.h"
 #include "widgets/scene/scene_view.h"
@@ -143,7 +144,7 @@ TEST_F(LabWindowTest, BadFileIsToldAndTheOldSceneStays) {
   EXPECT_FALSE(window_.open(file.toStdString()));
   ASSERT_EQ(boxes_.size(), 1U);
   EXPECT_TRUE(boxes_[0].contains("bad.json") && boxes_[0].contains("/colour")) << boxes_[0].toStdString();
-  EXPECT_EQ(window_.scene().title, read_preset(CAROM_PRESET_DIR "/first-collisions/head-on.json").title);
+  EXPECT_EQ(window_.preset().title, read_preset(CAROM_PRESET_DIR "/first-collisions/head-on.json").title);
   window_.run_until(0.4);
   EXPECT_NEAR(time(), 0.4, 1e-9);
   EXPECT_EQ(window_.frame()->bodies->size(), 2U);
@@ -152,17 +153,17 @@ TEST_F(LabWindowTest, BadFileIsToldAndTheOldSceneStays) {
 }
 
 TEST_F(LabWindowTest, MethodsAreChosenFromTheMenus) {
-  ASSERT_EQ(window_.scene().method.integrator, IntegratorId::kRk4);
+  ASSERT_EQ(window_.preset().method.integrator, IntegratorId::kRk4);
   action("Explicit Euler")->trigger();
-  EXPECT_EQ(window_.scene().method.integrator, IntegratorId::kExplicitEuler);
+  EXPECT_EQ(window_.preset().method.integrator, IntegratorId::kExplicitEuler);
   EXPECT_TRUE(window_.isWindowModified());
   action("impacts at the step's end")->trigger();
-  EXPECT_EQ(window_.scene().method.impacts, ImpactsId::kStepEnd);
+  EXPECT_EQ(window_.preset().method.impacts, ImpactsId::kStepEnd);
   action("contacts that last")->trigger();
-  EXPECT_EQ(window_.scene().method.contacts, ContactsId::kLasting);
+  EXPECT_EQ(window_.preset().method.contacts, ContactsId::kLasting);
   action("h = 10 ms")->trigger();
-  EXPECT_EQ(window_.scene().method.step, 0.01);
-  EXPECT_EQ(window_.scene().method.integrator, IntegratorId::kExplicitEuler);
+  EXPECT_EQ(window_.preset().method.step, 0.01);
+  EXPECT_EQ(window_.preset().method.integrator, IntegratorId::kExplicitEuler);
   // The worker goes by it: 0.3 s are 30 steps.
   window_.run_until(0.3);
   EXPECT_EQ(steps(), 30);
@@ -171,19 +172,19 @@ TEST_F(LabWindowTest, MethodsAreChosenFromTheMenus) {
 // A disc on a floor, with friction.
 TEST_F(LabWindowTest, ContactsAreChosenBesideTheImpacts) {
   EXPECT_EQ(button("What holds bodies that touch")->text(), "impulses only ▾");
-  Scene scene;
-  scene.forces.gravity = Vec2(0.0, -10.0);
-  scene.bodies.resize(2);
-  scene.bodies[0].name = "floor";
-  scene.bodies[0].shape = Box{4.0, 0.2};
-  scene.bodies[0].position = Vec2(0.0, -0.1);
-  scene.bodies[0].fixed = true;
-  scene.bodies[1].name = "block";
-  scene.bodies[1].shape = Box{0.4, 0.4};
-  scene.bodies[1].position = Vec2(0.0, 0.2);
-  scene.bodies[1].mass = 3.0;
-  scene.materials = {{.restitution = 0.5}};
-  window_.show_scene(scene, {}, {});
+  Preset preset;
+  preset.scene.forces.gravity = Vec2(0.0, -10.0);
+  preset.scene.bodies.resize(2);
+  preset.scene.bodies[0].name = "floor";
+  preset.scene.bodies[0].shape = Box{4.0, 0.2};
+  preset.scene.bodies[0].position = Vec2(0.0, -0.1);
+  preset.scene.bodies[0].fixed = true;
+  preset.scene.bodies[1].name = "block";
+  preset.scene.bodies[1].shape = Box{0.4, 0.4};
+  preset.scene.bodies[1].position = Vec2(0.0, 0.2);
+  preset.scene.bodies[1].mass = 3.0;
+  preset.scene.materials = {{.restitution = 0.5}};
+  window_.show_scene(preset, {}, {});
   window_.run_until(0.1);
   EXPECT_TRUE(window_.frame()->contacts.empty());
   EXPECT_TRUE(chip("What is modelled")->toolTip().contains("as repeated impacts"));
@@ -201,7 +202,7 @@ TEST_F(LabWindowTest, ContactsAreChosenBesideTheImpacts) {
   EXPECT_NEAR(held, 30.0, 1e-6);
   EXPECT_FALSE(window_.scene_view().drawing().arrows.empty());
   action("impulses only")->trigger();
-  EXPECT_EQ(window_.scene().method.contacts, ContactsId::kImpulse);
+  EXPECT_EQ(window_.preset().method.contacts, ContactsId::kImpulse);
   window_.run_until(0.3);
   EXPECT_TRUE(window_.frame()->contacts.empty());
 }
@@ -230,7 +231,7 @@ TEST_F(LabWindowTest, TheStepButtonGoesByTheIntegrator) {
   action("Dormand-Prince 5(4), adaptive")->trigger();
   EXPECT_EQ(button("Largest error of a step")->text(), "tolerance 1e−9 ▾");
   action("tolerance 1e−6")->trigger();
-  EXPECT_EQ(window_.scene().method.tolerance, 1e-6);
+  EXPECT_EQ(window_.preset().method.tolerance, 1e-6);
   EXPECT_EQ(button("Largest error of a step")->text(), "tolerance 1e−6 ▾");
   action("Exact flight")->trigger();
   EXPECT_EQ(button("Exact flight needs no step")->text(), "results every 5 ms ▾");
@@ -268,7 +269,7 @@ TEST_F(LabWindowTest, WhatIsModelledIsToldAndAskedAgain) {
 
 TEST_F(LabWindowTest, PlotsAreChosenFromTheMenu) {
   const auto plots = [this] { return window_.findChild<PlotPanel*>()->plots().size(); };
-  EXPECT_EQ(plots(), window_.scene().plots.size());
+  EXPECT_EQ(plots(), window_.preset().plots.size());
   const int height = window_.height();
   for (const char* title : {"Ledger", "Energy drift", "Momentum drift"}) {
     const std::size_t before = plots();
@@ -279,7 +280,7 @@ TEST_F(LabWindowTest, PlotsAreChosenFromTheMenu) {
   EXPECT_EQ(window_.height(), height) << "more plots are scrolled";
   EXPECT_FALSE(window_.isWindowModified());
   ASSERT_TRUE(window_.open("spring-box"));
-  EXPECT_EQ(plots(), window_.scene().plots.size());
+  EXPECT_EQ(plots(), window_.preset().plots.size());
 }
 
 TEST_F(LabWindowTest, ClickOnEmptySpaceAddsADisc) {
@@ -294,7 +295,7 @@ TEST_F(LabWindowTest, ClickOnEmptySpaceAddsADisc) {
   ASSERT_TRUE(std::holds_alternative<Disc>(added.shape));
   // A click on a body adds none.
   click_scene({0.1, 0.4});
-  EXPECT_EQ(window_.scene().bodies.size(), 3U);
+  EXPECT_EQ(window_.preset().scene.bodies.size(), 3U);
   // It stays through a restart.
   window_.run_until(0.1);
   click_button("Restart");
@@ -311,12 +312,12 @@ TEST_F(LabWindowTest, SavedFileHoldsWhatWasChanged) {
   action("Semi-implicit Euler")->trigger();
   ASSERT_TRUE(window_.save());
   EXPECT_FALSE(window_.isWindowModified());
-  const Scene saved = read_preset(file.toStdString());
-  ASSERT_EQ(saved.bodies.size(), 3U);
-  EXPECT_EQ(saved.bodies[2].position, window_.scene().bodies[2].position);
-  EXPECT_EQ(saved.bodies[2].name, window_.scene().bodies[2].name);
-  EXPECT_EQ(saved.method, window_.scene().method);
-  EXPECT_EQ(saved.expect.size(), window_.scene().expect.size());
+  const Preset saved = read_preset(file.toStdString());
+  ASSERT_EQ(saved.scene.bodies.size(), 3U);
+  EXPECT_EQ(saved.scene.bodies[2].position, window_.preset().scene.bodies[2].position);
+  EXPECT_EQ(saved.scene.bodies[2].name, window_.preset().scene.bodies[2].name);
+  EXPECT_EQ(saved.method, window_.preset().method);
+  EXPECT_EQ(saved.expect.size(), window_.preset().expect.size());
   EXPECT_TRUE(boxes_.empty());
 }
 
@@ -324,8 +325,8 @@ TEST_F(LabWindowTest, BuiltInExperimentIsSavedUnderANewName) {
   click_scene({0.1, 0.4});
   chosen_file_ = folder_.filePath("new");
   ASSERT_TRUE(window_.save());
-  EXPECT_EQ(read_preset(folder_.filePath("new.json").toStdString()).bodies.size(), 3U);
-  EXPECT_EQ(read_preset(CAROM_PRESET_DIR "/first-collisions/head-on.json").bodies.size(), 2U);
+  EXPECT_EQ(read_preset(folder_.filePath("new.json").toStdString()).scene.bodies.size(), 3U);
+  EXPECT_EQ(read_preset(CAROM_PRESET_DIR "/first-collisions/head-on.json").scene.bodies.size(), 2U);
 }
 
 TEST_F(LabWindowTest, ReplacingAFileIsAskedFirst) {
@@ -415,7 +416,7 @@ TEST_F(LabWindowTest, ClickInTheListOpensAnExperiment) {
   window_.run_until(0.5);
   click_experiment("newtons-cradle");
   EXPECT_EQ(marked_experiment(), "newtons-cradle");
-  EXPECT_EQ(window_.scene().title,
+  EXPECT_EQ(window_.preset().title,
             read_preset(CAROM_PRESET_DIR "/chains-and-cradles/newtons-cradle.json").title);
   ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 5; }));
   EXPECT_EQ(time(), 0.0);
@@ -435,13 +436,13 @@ TEST_F(LabWindowTest, ChangesAreAskedAboutBeforeAnotherExperiment) {
   button_ = QMessageBox::Cancel;
   click_experiment("glancing");
   EXPECT_EQ(boxes_.size(), 1U);
-  EXPECT_EQ(window_.scene().bodies.size(), 3U);
+  EXPECT_EQ(window_.preset().scene.bodies.size(), 3U);
   EXPECT_TRUE(window_.isWindowModified());
   EXPECT_EQ(marked_experiment(), "head-on");
   button_ = QMessageBox::Discard;
   click_experiment("glancing");
   EXPECT_EQ(boxes_.size(), 2U);
-  EXPECT_EQ(window_.scene().title, read_preset(CAROM_PRESET_DIR "/first-collisions/glancing.json").title);
+  EXPECT_EQ(window_.preset().title, read_preset(CAROM_PRESET_DIR "/first-collisions/glancing.json").title);
   EXPECT_FALSE(window_.isWindowModified());
   EXPECT_EQ(marked_experiment(), "glancing");
 }
@@ -457,16 +458,16 @@ TEST_F(LabWindowTest, ChangesAreAskedAboutBeforeTheWindowCloses) {
 }
 
 TEST_F(LabWindowTest, SaysOverTheSceneWhyARunIsLost) {
-  Scene s;
+  Preset s;
   s.title = "Stiff spring";
   Body body;
   body.name = "a";
   body.position = {1, 0};
-  s.bodies = {body};
+  s.scene.bodies = {body};
   Spring spring;
   spring.body = "a";
   spring.stiffness = 1e6;
-  s.forces.springs = {spring};
+  s.scene.forces.springs = {spring};
   window_.show_scene(s, "stiff", {});
   ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 1; }));
   window_.run_until(1.0);

@@ -11,6 +11,7 @@
 
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
@@ -49,11 +50,11 @@ TEST(NoticeBar, IsAnsweredByKeyboard) {
 
 // A spring far too stiff for the step.
 TEST(LostBar, ComesBackWhereItIsPlayedAgain) {
-  Scene s = test::scene({test::disc("a", {1, 0}, {0, 0})});
+  Preset s = test::preset_with({test::disc("a", {1, 0}, {0, 0})});
   Spring spring;
   spring.body = "a";
   spring.stiffness = 1e6;
-  s.forces.springs = {spring};
+  s.scene.forces.springs = {spring};
   s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kImpulse, 0.005};
   const QTemporaryDir folder;
   const std::string file = folder.filePath("lost.json").toStdString();

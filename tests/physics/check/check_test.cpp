@@ -7,6 +7,7 @@
 
 #include "physics/check/measure_run.h"
 #include "physics/math/parallel.h"
+#include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
 #include "tests/support/scenes.h"
 
@@ -15,8 +16,8 @@ namespace {
 
 using Reduction = Expectation::Reduction;
 using test::disc;
+using test::preset_with;
 using test::room;
-using test::scene;
 using test::wall;
 
 Expectation expect(const std::string& observable, Reduction reduction, std::vector<std::string> bodies = {}) {
@@ -48,18 +49,18 @@ Sweep sweep(const std::string& place, std::vector<double> values, Sweep::Reducti
 }
 
 // A disc of 2 kg that falls from y = 0 for two seconds with g = 10 m/s², nothing below it.
-Scene fall() {
-  Scene s = scene({disc("ball", {0, 0}, {3, 0}, 0.1, 2.0)});
-  s.forces.gravity = {0, -10};
+Preset fall() {
+  Preset s = preset_with({disc("ball", {0, 0}, {3, 0}, 0.1, 2.0)});
+  s.scene.forces.gravity = {0, -10};
   s.duration = 2.0;
   s.method.step = 0.01;
   return s;
 }
 
-double measured(const Scene& s, const Expectation& e) { return measure_run(s, {e})[0]; }
+double measured(const Preset& s, const Expectation& e) { return measure_run(s, {e})[0]; }
 
 TEST(MeasureRun, MomentsOnAndBetweenSteps) {
-  const Scene s = fall();
+  const Preset s = fall();
   for (const double t : {0.0, 0.01, 0.0137, 1.0, 1.2345, 2.0, 2.5}) {
     EXPECT_NEAR(measured(s, at("y", t, {"ball"})), -5.0 * t * t, 1e-12) << t;
     EXPECT_NEAR(measured(s, at("time", t)), t, 1e-14) << t;
@@ -71,7 +72,7 @@ TEST(MeasureRun, MomentsOnAndBetweenSteps) {
 }
 
 TEST(MeasureRun, ReductionsOverTime) {
-  const Scene s = fall();
+  const Preset s = fall();
   Expectation e = expect("velocity_y", Reduction::kFit, {"ball"});
   EXPECT_NEAR(measured(s, e), -10.0, 1e-12);
   e.reduction = Reduction::kMaximum;
@@ -94,11 +95,11 @@ TEST(MeasureRun, ReductionsOverTime) {
 
 // The part of a run before it is lost has extremes, but they are not the run's.
 TEST(MeasureRun, OfALostRunNothingIsMeasuredButWhatWasDone) {
-  Scene s = test::scene({test::disc("a", {1, 0}, {0, 0})});
+  Preset s = test::preset_with({test::disc("a", {1, 0}, {0, 0})});
   Spring spring;
   spring.body = "a";
   spring.stiffness = 1e6;
-  s.forces.springs = {spring};
+  s.scene.forces.springs = {spring};
   s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kImpulse, 0.005};
   s.duration = 1.0;
   std::vector<Expectation> expectations;
@@ -116,7 +117,8 @@ TEST(MeasureRun, OfALostRunNothingIsMeasuredButWhatWasDone) {
 
 // Impacts far from the last copy of the run, and a step with several of them.
 TEST(MeasureRun, ImpactsAreReachedFromCopies) {
-  Scene s = scene({wall("left", {-1.5, 0}, 1, 1), wall("right", {1.5, 0}, 1, 1), disc("ball", {0, 0}, {1, 0})});
+  Preset s =
+      preset_with({wall("left", {-1.5, 0}, 1, 1), wall("right", {1.5, 0}, 1, 1), disc("ball", {0, 0}, {1, 0})});
   s.duration = 20.0;
   s.method.step = 0.003;
   for (const double step : {0.003, 0.9, 5.0}) {
@@ -136,9 +138,9 @@ TEST(MeasureRun, ImpactsAreReachedFromCopies) {
 }
 
 TEST(MeasureRun, ManyExpectationsOfOneRunDontDisturbOneAnother) {
-  Scene s = scene(room(1.0, 0.5), 0.9, 0.2);
-  s.bodies.push_back(disc("a", {-0.5, 0.1}, {3, 1}));
-  s.bodies.push_back(disc("b", {0.5, -0.1}, {-1, 2}));
+  Preset s = preset_with(room(1.0, 0.5), 0.9, 0.2);
+  s.scene.bodies.push_back(disc("a", {-0.5, 0.1}, {3, 1}));
+  s.scene.bodies.push_back(disc("b", {0.5, -0.1}, {-1, 2}));
   s.duration = 3.0;
   std::vector<Expectation> all = {at("x", 1.2345, {"a"}),
                                   after_impact("speed", 7, {"b"}),
@@ -156,10 +158,10 @@ TEST(MeasureRun, ABodyThatIsNotThereIsRefused) {
 }
 
 TEST(Observables, OfBodiesAndTheLedger) {
-  Scene s = scene({disc("a", {-1, 0}, {2, 0}, 0.1, 1.0), disc("b", {1, 0.0}, {-1, 0}, 0.1, 2.5),
-                   wall("w", {-3.6, 0}, 1, 1)},
-                  0.6);
-  s.bodies[1].spin = 4.0;
+  Preset s = preset_with({disc("a", {-1, 0}, {2, 0}, 0.1, 1.0), disc("b", {1, 0.0}, {-1, 0}, 0.1, 2.5),
+                          wall("w", {-3.6, 0}, 1, 1)},
+                         0.6);
+  s.scene.bodies[1].spin = 4.0;
   s.duration = 3.0;
   EXPECT_EQ(measured(s, at("distance", 0, {"a", "b"})), 2.0);
   EXPECT_NEAR(measured(s, at("body_kinetic_energy", 0, {"b"})), 1.25 + 0.5 * 0.5 * 2.5 * 0.01 * 16.0, 1e-14);
@@ -195,7 +197,7 @@ TEST(ParallelFor, DoesEachOnceAndThrowsTheFirstError) {
 
 // The fall in t s with other gravities: y = -g t²/2.
 TEST(Check, SettingsAndSweeps) {
-  Scene s = fall();
+  Preset s = fall();
   Expectation e = at("y", 1.0, {"ball"});
   e.settings = {{"/gravity/1", -4.0}, {"/bodies/0/position/1", 7.0}};
   e.value = 5.0;
@@ -207,7 +209,7 @@ TEST(Check, SettingsAndSweeps) {
   EXPECT_NEAR(check_expectations(s)[0].error, -0.1, 1e-12);
 
   const auto reduced = [&](const std::string& place, std::vector<double> values, Sweep::Reduction reduction) {
-    Scene swept = fall();
+    Preset swept = fall();
     Expectation x = at("y", 1.0, {"ball"});
     x.over = sweep(place, std::move(values), reduction);
     swept.expect = {x};
@@ -229,23 +231,23 @@ TEST(Check, SettingsAndSweeps) {
 
 // The height y = t - 5 t² is a parabola in the run's duration, largest at 0.1 s.
 TEST(Check, ParabolasAreFoundBetweenTheValues) {
-  Scene s = fall();
-  s.bodies[0].velocity = {0, 1};
+  Preset s = fall();
+  s.scene.bodies[0].velocity = {0, 1};
   s.method.step = 0.001;
   Expectation e = expect("y", Reduction::kFinal, {"ball"});
   e.over = sweep("/duration", {0.01, 0.07, 0.12, 0.3}, Sweep::Reduction::kWhereMaximum);
   s.expect = {e};
   EXPECT_NEAR(check_expectations(s)[0].measured, 0.1, 1e-9);
-  s.forces.gravity = {0, 10};
-  s.bodies[0].velocity = {0, -1};
+  s.scene.forces.gravity = {0, 10};
+  s.scene.bodies[0].velocity = {0, -1};
   s.expect[0].over->reduction = Sweep::Reduction::kWhereMinimum;
   EXPECT_NEAR(check_expectations(s)[0].measured, 0.1, 1e-9);
 }
 
 TEST(Check, SameSettingsShareARunAndThreadsDontMatter) {
-  Scene s = scene(room(1.0, 0.5), 0.9, 0.2);
-  s.generators.resize(1);
-  GridGenerator& g = s.generators[0];
+  Preset s = preset_with(room(1.0, 0.5), 0.9, 0.2);
+  s.scene.generators.resize(1);
+  GridGenerator& g = s.scene.generators[0];
   g.columns = g.rows = 3;
   g.origin = {-0.6, -0.6};
   g.spacing = {0.6, 0.6};
@@ -265,7 +267,7 @@ TEST(Check, SameSettingsShareARunAndThreadsDontMatter) {
 }
 
 TEST(Check, ASettingThatTheSceneDoesNotAllowIsNamed) {
-  Scene s = fall();
+  Preset s = fall();
   s.expect = {at("x", 1.0, {"ball"}), at("x", 1.0, {"ball"})};
   s.expect[1].settings = {{"/bodies/0/mass", -1.0}};
   try {
@@ -279,7 +281,7 @@ TEST(Check, ASettingThatTheSceneDoesNotAllowIsNamed) {
 }
 
 TEST(Check, ExpectationsInWords) {
-  const Scene s = fall();
+  const Preset s = fall();
   Expectation e = expect("speed", Reduction::kMaximum, {"ball"});
   e.from = 1.0;
   e.settings = {{"/bodies/0/mass", 2.0}, {"/gravity/1", -1.5}};

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/world/simulation.h"
 
 // What presets of lasting contacts say of contact forces, which no expectation can read.
@@ -31,7 +31,7 @@ std::pair<double, double> load(const Simulation& s, const std::string& a, const 
 }
 
 TEST(PresetsContactForces, EachBoxBearsTheWeightAbove) {
-  Simulation s(read_preset(std::filesystem::path(CAROM_PRESET_DIR) / "piles/stacked-boxes.json"));
+  Simulation s(setup_of(read_preset(std::filesystem::path(CAROM_PRESET_DIR) / "piles/stacked-boxes.json")));
   const double g = 9.81;
   // To what contact forces are solved, 1e-10 m g and some.
   const double within = 1e-8;

@@ -10,7 +10,9 @@
 #include "physics/observe/observables.h"
 #include "physics/preset/names.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/preset/setting.h"
+#include "physics/preset/validate_preset.h"
 #include "tests/support/preset_files.h"
 #include "tests/support/scenes.h"
 
@@ -31,7 +33,7 @@ std::size_t length(const std::string& text) {
 TEST(Presets, MeetTheirExpectations) {
   ASSERT_GE(preset_files().size(), 41U);
   for (const fs::path& file : preset_files()) {
-    const Scene s = read_preset(file);
+    const Preset s = read_preset(file);
     EXPECT_FALSE(s.expect.empty()) << file;
     const std::vector<Outcome> outcomes = check_expectations(s);
     ASSERT_EQ(outcomes.size(), s.expect.size());
@@ -46,7 +48,7 @@ TEST(Presets, MeetTheirExpectations) {
 
 TEST(Presets, AreWrittenForPeople) {
   for (const fs::path& file : preset_files()) {
-    const Scene s = read_preset(file);
+    const Preset s = read_preset(file);
     EXPECT_GE(length(s.title), 4U) << file;
     EXPECT_LE(length(s.title), 30U) << file;
     EXPECT_GE(length(s.observe), 4U) << file;
@@ -59,30 +61,31 @@ TEST(Presets, AreWrittenForPeople) {
 }
 
 TEST_F(PresetFiles, LoadingWhatWasSavedGivesTheSameScene) {
-  std::vector<Scene> scenes;
+  std::vector<Preset> scenes;
   for (const fs::path& file : preset_files()) scenes.push_back(read_preset(file));
-  Scene odd = test::scene({test::disc("a \"quoted\", näme: \\", {0.1, 1.0 / 3.0}, {1e-300, -0.0})}, 0.1, 0.2);
-  odd.bodies[0].angle = 1e-17;
+  Preset odd =
+      test::preset_with({test::disc("a \"quoted\", näme: \\", {0.1, 1.0 / 3.0}, {1e-300, -0.0})}, 0.1, 0.2);
+  odd.scene.bodies[0].angle = 1e-17;
   odd.extra = R"({"kept":[1,{"as":"it is, : \" "}],"x":null})";
   odd.view = View{{0.1, 0.2}, 3.0};
   scenes.push_back(odd);
-  for (const Scene& s : scenes) {
+  for (const Preset& s : scenes) {
     const std::string text = write_preset(s);
     EXPECT_EQ(write_preset(parse_preset(text, "again")), text);
     save_preset(s, folder_ / "saved.json");
-    const Scene again = read_preset(folder_ / "saved.json");
+    const Preset again = read_preset(folder_ / "saved.json");
     EXPECT_EQ(write_preset(again), text);
     EXPECT_EQ(again.extra, s.extra);
-    ASSERT_EQ(again.bodies.size(), s.bodies.size());
-    for (std::size_t i = 0; i < s.bodies.size(); ++i) {
-      EXPECT_EQ(again.bodies[i].name, s.bodies[i].name);
-      EXPECT_EQ(again.bodies[i].position, s.bodies[i].position);
-      EXPECT_EQ(again.bodies[i].velocity, s.bodies[i].velocity);
-      EXPECT_EQ(again.bodies[i].angle, s.bodies[i].angle);
-      EXPECT_EQ(again.bodies[i].mass, s.bodies[i].mass);
+    ASSERT_EQ(again.scene.bodies.size(), s.scene.bodies.size());
+    for (std::size_t i = 0; i < s.scene.bodies.size(); ++i) {
+      EXPECT_EQ(again.scene.bodies[i].name, s.scene.bodies[i].name);
+      EXPECT_EQ(again.scene.bodies[i].position, s.scene.bodies[i].position);
+      EXPECT_EQ(again.scene.bodies[i].velocity, s.scene.bodies[i].velocity);
+      EXPECT_EQ(again.scene.bodies[i].angle, s.scene.bodies[i].angle);
+      EXPECT_EQ(again.scene.bodies[i].mass, s.scene.bodies[i].mass);
     }
-    Simulation one(s);
-    Simulation two(again);
+    Simulation one(setup_of(s));
+    Simulation two(setup_of(again));
     for (int i = 0; i < 20; ++i) {
       one.step();
       two.step();
@@ -146,22 +149,22 @@ constexpr const char* kEveryKey = R"({
      "over": {"place": "/forces/6/coefficient", "values": [1, 2, 4], "reduction": "exponent"}}]
 })";
 
-void expect_every_key(const Scene& s) {
-  const Body& piston = s.bodies[2];
+void expect_every_key(const Preset& s) {
+  const Body& piston = s.scene.bodies[2];
   ASSERT_TRUE(piston.drive.has_value());
   EXPECT_EQ(piston.drive->velocity, Vec2(1, 2));
   EXPECT_EQ(piston.drive->amplitude, Vec2(3, 4));
   EXPECT_EQ(piston.drive->angular_frequency, 5);
   EXPECT_EQ(piston.drive->phase, -6);
   EXPECT_TRUE(is_immovable(piston));
-  const auto& tile = std::get<Polygon>(s.bodies[4].shape);
+  const auto& tile = std::get<Polygon>(s.scene.bodies[4].shape);
   EXPECT_EQ(tile.vertices, (std::vector<Vec2>{{0, 0}, {2, 0}, {0, 1}}));
   EXPECT_EQ(tile.rounding, 0.5);
-  EXPECT_EQ(s.bodies[4].inertia, 3);
-  EXPECT_EQ(s.bodies[4].group, "tiles");
-  EXPECT_EQ(std::get<Wall>(s.bodies[5].shape).length, 4);
-  EXPECT_EQ(std::get<Wall>(s.bodies[6].shape).length, std::nullopt);
-  EXPECT_EQ(s.impact_law, ImpactLawId::kNewton);
+  EXPECT_EQ(s.scene.bodies[4].inertia, 3);
+  EXPECT_EQ(s.scene.bodies[4].group, "tiles");
+  EXPECT_EQ(std::get<Wall>(s.scene.bodies[5].shape).length, 4);
+  EXPECT_EQ(std::get<Wall>(s.scene.bodies[6].shape).length, std::nullopt);
+  EXPECT_EQ(s.scene.impact_law, ImpactLawId::kNewton);
   ASSERT_EQ(s.compare.size(), 1U);
   EXPECT_EQ(s.compare[0].integrator, IntegratorId::kVelocityVerlet);
   EXPECT_EQ(s.compare[0].contacts, ContactsId::kLasting);
@@ -171,13 +174,13 @@ void expect_every_key(const Scene& s) {
                       std::nullopt, false, {{1, 2, "here"}}};
   const Plot drift{"drift", "", {}, std::nullopt, false, {{1, -2.5, "a"}, {3, 0, "b"}}};
   EXPECT_EQ(s.plots, (std::vector<Plot>{{"energy", "", {}, {}, false}, both, theories, drift}));
-  ASSERT_EQ(s.pairs.size(), 1U);
-  EXPECT_EQ(s.pairs[0].a, "ice");
-  EXPECT_EQ(s.pairs[0].b, "m");
-  EXPECT_EQ(meeting(s, "m", "ice").restitution, 0.75);
-  EXPECT_EQ(meeting(s, "ice", "m").static_friction, 0.125);
-  EXPECT_EQ(meeting(s, "m", "m").restitution, 0.5);
-  const Forces& f = s.forces;
+  ASSERT_EQ(s.scene.pairs.size(), 1U);
+  EXPECT_EQ(s.scene.pairs[0].a, "ice");
+  EXPECT_EQ(s.scene.pairs[0].b, "m");
+  EXPECT_EQ(meeting(s.scene, "m", "ice").restitution, 0.75);
+  EXPECT_EQ(meeting(s.scene, "ice", "m").static_friction, 0.125);
+  EXPECT_EQ(meeting(s.scene, "m", "m").restitution, 0.5);
+  const Forces& f = s.scene.forces;
   EXPECT_EQ(f.linear_drag, 0.25);
   EXPECT_EQ(f.quadratic_drag, 0.5);
   ASSERT_TRUE(f.attraction.has_value());
@@ -200,24 +203,24 @@ void expect_every_key(const Scene& s) {
   EXPECT_EQ(f.applied[0].end, 6);
   EXPECT_EQ(f.applied[1].end, std::nullopt);
 
-  ASSERT_EQ(s.links.size(), 4U);
-  EXPECT_EQ(s.links[0].kind, LinkKind::kRod);
-  EXPECT_EQ(s.links[0].name, "r");
-  EXPECT_EQ(s.links[0].body, "c");
-  EXPECT_EQ(s.links[0].point, Vec2(0.5, 0.25));
-  EXPECT_EQ(s.links[0].to, "w");
-  EXPECT_EQ(s.links[0].anchor, Vec2(-0.5, 0));
-  EXPECT_EQ(s.links[0].length, 34.461029);
-  EXPECT_EQ(s.links[1].kind, LinkKind::kString);
-  EXPECT_EQ(s.links[1].anchor, Vec2(9, -18));
-  EXPECT_EQ(s.links[2].kind, LinkKind::kPin);
-  EXPECT_EQ(s.links[2].length, std::nullopt);
-  EXPECT_EQ(s.links[2].angle, std::nullopt);
-  EXPECT_EQ(s.links[3].kind, LinkKind::kWeld);
-  EXPECT_EQ(s.links[3].angle, 0.0);
-  EXPECT_TRUE(meeting(s, "m", "ice").sticks);
-  EXPECT_TRUE(meeting(s, "m", "clay").sticks);
-  EXPECT_FALSE(meeting(s, "m", "m").sticks);
+  ASSERT_EQ(s.scene.links.size(), 4U);
+  EXPECT_EQ(s.scene.links[0].kind, LinkKind::kRod);
+  EXPECT_EQ(s.scene.links[0].name, "r");
+  EXPECT_EQ(s.scene.links[0].body, "c");
+  EXPECT_EQ(s.scene.links[0].point, Vec2(0.5, 0.25));
+  EXPECT_EQ(s.scene.links[0].to, "w");
+  EXPECT_EQ(s.scene.links[0].anchor, Vec2(-0.5, 0));
+  EXPECT_EQ(s.scene.links[0].length, 34.461029);
+  EXPECT_EQ(s.scene.links[1].kind, LinkKind::kString);
+  EXPECT_EQ(s.scene.links[1].anchor, Vec2(9, -18));
+  EXPECT_EQ(s.scene.links[2].kind, LinkKind::kPin);
+  EXPECT_EQ(s.scene.links[2].length, std::nullopt);
+  EXPECT_EQ(s.scene.links[2].angle, std::nullopt);
+  EXPECT_EQ(s.scene.links[3].kind, LinkKind::kWeld);
+  EXPECT_EQ(s.scene.links[3].angle, 0.0);
+  EXPECT_TRUE(meeting(s.scene, "m", "ice").sticks);
+  EXPECT_TRUE(meeting(s.scene, "m", "clay").sticks);
+  EXPECT_FALSE(meeting(s.scene, "m", "m").sticks);
 
   ASSERT_EQ(s.expect.size(), 3U);
   const Expectation& e = s.expect[0];
@@ -236,24 +239,24 @@ void expect_every_key(const Scene& s) {
 }
 
 TEST(Preset, EveryKeyIsReadAndWritten) {
-  const Scene s = parse_preset(kEveryKey, "every.json");
+  const Preset s = parse_preset(kEveryKey, "every.json");
   expect_every_key(s);
   const std::string text = write_preset(s);
-  const Scene again = parse_preset(text, "again");
+  const Preset again = parse_preset(text, "again");
   expect_every_key(again);
   EXPECT_EQ(write_preset(again), text);
 }
 
 TEST(Preset, DefaultsAreLeftOut) {
-  Scene s = test::scene({test::disc("a", {0, 0}, {0, 0}), test::disc("b", {9, 0}, {0, 0})});
-  s.bodies.push_back(test::wall("table", {0, -9}, 1, 1));
-  s.bodies.back().fixed = false;
-  s.bodies.back().drive = Drive{};
-  s.forces.springs.resize(1);
-  s.forces.springs[0].body = "a";
-  s.forces.springs[0].to = "b";
-  s.forces.applied.resize(1);
-  s.forces.applied[0].body = "a";
+  Preset s = test::preset_with({test::disc("a", {0, 0}, {0, 0}), test::disc("b", {9, 0}, {0, 0})});
+  s.scene.bodies.push_back(test::wall("table", {0, -9}, 1, 1));
+  s.scene.bodies.back().fixed = false;
+  s.scene.bodies.back().drive = Drive{};
+  s.scene.forces.springs.resize(1);
+  s.scene.forces.springs[0].body = "a";
+  s.scene.forces.springs[0].to = "b";
+  s.scene.forces.applied.resize(1);
+  s.scene.forces.applied[0].body = "a";
   const std::string text = write_preset(s);
   EXPECT_NE(text.find(R"({"type": "spring", "body": "a", "to": "b", "stiffness": 1.0})"), std::string::npos)
       << text;
@@ -266,41 +269,41 @@ TEST(Preset, DefaultsAreLeftOut) {
 
 // Places of forces are those of the file, also where Carom writes them in another order.
 TEST(Preset, VariantsChangeTheNumberThatTheFileNames) {
-  const Scene s = parse_preset(kEveryKey, "every.json");
-  Scene v = variant(s, s.expect[0].settings);
-  EXPECT_EQ(v.bodies[0].mass, 100);
-  EXPECT_EQ(v.forces.springs[1].stiffness, 9);
-  EXPECT_EQ(v.forces.springs[0].stiffness, 1);
+  const Preset s = parse_preset(kEveryKey, "every.json");
+  Preset v = variant(s, s.expect[0].settings);
+  EXPECT_EQ(v.scene.bodies[0].mass, 100);
+  EXPECT_EQ(v.scene.forces.springs[1].stiffness, 9);
+  EXPECT_EQ(v.scene.forces.springs[0].stiffness, 1);
   EXPECT_TRUE(v.expect.empty());
   v = variant(s, {{s.expect[2].over->place, 3.5}});
-  EXPECT_EQ(v.forces.linear_drag, 3.5);
+  EXPECT_EQ(v.scene.forces.linear_drag, 3.5);
   // Again after a file that Carom wrote.
-  const Scene again = parse_preset(write_preset(s), "again");
-  EXPECT_EQ(variant(again, again.expect[0].settings).forces.springs[1].stiffness, 9);
+  const Preset again = parse_preset(write_preset(s), "again");
+  EXPECT_EQ(variant(again, again.expect[0].settings).scene.forces.springs[1].stiffness, 9);
 
   // What a file leaves out has its place too, and whole numbers stay whole.
   v = variant(s, {{"/bodies/1/angle", 2.0}, {"/bodies/1/velocity/1", 3.0}, {"/generators/0/seed", 11}});
-  EXPECT_EQ(v.bodies[1].angle, 2.0);
-  EXPECT_EQ(v.bodies[1].velocity, Vec2(0, 3));
-  EXPECT_EQ(v.generators[0].seed, 11U);
+  EXPECT_EQ(v.scene.bodies[1].angle, 2.0);
+  EXPECT_EQ(v.scene.bodies[1].velocity, Vec2(0, 3));
+  EXPECT_EQ(v.scene.generators[0].seed, 11U);
   EXPECT_EQ(variant(s, {{"/method/tolerance", 1e-6}}).method.tolerance, 1e-6);
-  EXPECT_EQ(variant(s, {{"/links/1/length", 3.0}}).links[1].length, 3.0);
+  EXPECT_EQ(variant(s, {{"/links/1/length", 3.0}}).scene.links[1].length, 3.0);
   EXPECT_THROW((void)variant(s, {{"/bodies/0/name", 1}}), SceneError);
   EXPECT_THROW((void)variant(s, {{"/bodies/0/mass", -1}}), SceneError);
   EXPECT_THROW((void)variant(s, {{"/generators/0/seed", 1.5}}), SceneError);
 }
 
 TEST(Preset, SimultaneousImpactsKeepTheirWord) {
-  Scene s = test::scene({test::disc("a", {0, 0}, {0, 0})});
-  s.several_impacts = SeveralImpactsId::kSimultaneous;
-  EXPECT_EQ(parse_preset(write_preset(s), "again").several_impacts, SeveralImpactsId::kSimultaneous);
+  Preset s = test::preset_with({test::disc("a", {0, 0}, {0, 0})});
+  s.scene.several_impacts = SeveralImpactsId::kSimultaneous;
+  EXPECT_EQ(parse_preset(write_preset(s), "again").scene.several_impacts, SeveralImpactsId::kSimultaneous);
 }
 
 TEST(Preset, ExactFlightIsRefusedWhereItIsNotPossible) {
-  Scene s = test::scene({test::disc("a", {0, 0}, {0, 0})});
+  Preset s = test::preset_with({test::disc("a", {0, 0}, {0, 0})});
   s.method.integrator = IntegratorId::kExactFlight;
   validate(s);
-  s.forces.linear_drag = 1.0;
+  s.scene.forces.linear_drag = 1.0;
   try {
     validate(s);
     ADD_FAILURE() << "accepted";
@@ -313,12 +316,12 @@ TEST(Preset, ExactFlightIsRefusedWhereItIsNotPossible) {
 }
 
 TEST_F(PresetFiles, AFailedSaveLeavesTheOldFile) {
-  const Scene s = test::scene({test::disc("a", {0, 0}, {1, 0})});
+  const Preset s = test::preset_with({test::disc("a", {0, 0}, {1, 0})});
   const fs::path file = folder_ / "old.json";
   save_preset(s, file);
   const std::string before = content(file);
   fs::permissions(file, fs::perms::owner_read);
-  EXPECT_THROW(save_preset(Scene(), file), SceneError);
+  EXPECT_THROW(save_preset(Preset(), file), SceneError);
   EXPECT_EQ(content(file), before);
   EXPECT_THROW(save_preset(s, folder_ / "no such folder" / "a.json"), SceneError);
   EXPECT_THROW(save_preset(s, folder_), SceneError);
@@ -341,7 +344,7 @@ TEST(PresetHelp, NamesEveryWordAndItsExampleIsMet) {
   for (const auto& choice : kContacts) expect_word(choice.name);
 
   const std::size_t from = page.find("```json\n") + 8;
-  const Scene s = parse_preset(page.substr(from, page.find("```", from) - from), "presets.md");
+  const Preset s = parse_preset(page.substr(from, page.find("```", from) - from), "presets.md");
   ASSERT_EQ(s.expect.size(), 1U);
   EXPECT_TRUE(check_expectations(s)[0].good) << check_expectations(s)[0].measured;
 }

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/record/sampler.h"
 #include "physics/scene/validate.h"
 #include "tests/support/preset_files.h"
@@ -22,12 +23,12 @@ struct Residuals {
 
 // The largest residual of a line at all that the sampler sees, but for the times that `leave_out` names.
 template <class LeaveOut>
-Residuals residuals(const Scene& scene, const Quantity& quantity, const LeaveOut& leave_out) {
-  Simulation simulation(scene);
+Residuals residuals(const Preset& preset, const Quantity& quantity, const LeaveOut& leave_out) {
+  Simulation simulation(setup_of(preset));
   simulation.watch_impacts(true);
   Sampler sampler({{quantity, std::nullopt}});
   sampler.begin(simulation);
-  simulation.advance_to(scene.duration, [&] { sampler.after_step(simulation); });
+  simulation.advance_to(preset.duration, [&] { sampler.after_step(simulation); });
   const Rows rows = sampler.take();
   Residuals found;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -38,8 +39,8 @@ Residuals residuals(const Scene& scene, const Quantity& quantity, const LeaveOut
   return found;
 }
 
-Quantity residual_of(const QuantityName& line, const std::optional<QuantityName>& x, const Scene& scene) {
-  const std::vector<Body> bodies = all_bodies(scene);
+Quantity residual_of(const QuantityName& line, const std::optional<QuantityName>& x, const Preset& preset) {
+  const std::vector<Body> bodies = all_bodies(preset.scene);
   Quantity quantity = quantity_of(line, bodies);
   std::optional<Quantity> over;
   if (x) over = quantity_of(*x, bodies);
@@ -77,9 +78,9 @@ TEST(Theory, OfEachPresetIsWhatItsMethodGives) {
   std::size_t lines = 0;
   std::map<std::string, int> seen;
   for (const std::filesystem::path& file : test::preset_files()) {
-    const Scene scene = read_preset(file);
+    const Preset preset = read_preset(file);
     const std::string name = file.stem().string();
-    for (const Plot& plot : scene.plots) {
+    for (const Plot& plot : preset.plots) {
       for (const QuantityName& line : plot.y) {
         if (line.theory.empty()) continue;
         SCOPED_TRACE(name + ": " + line.theory);
@@ -87,9 +88,9 @@ TEST(Theory, OfEachPresetIsWhatItsMethodGives) {
         ++seen[name];
         const auto bound = kBounds.find(name);
         ASSERT_NE(bound, kBounds.end()) << "a theory without a bound";
-        const double h = scene.method.step;
+        const double h = preset.method.step;
         const auto near = [&](double t) { return std::abs(t - bound->second.but_at) <= h; };
-        const Residuals found = residuals(scene, residual_of(line, plot.x, scene), near);
+        const Residuals found = residuals(preset, residual_of(line, plot.x, preset), near);
         EXPECT_LE(found.largest, bound->second.most) << "at t = " << found.at << " s";
       }
     }
@@ -100,22 +101,22 @@ TEST(Theory, OfEachPresetIsWhatItsMethodGives) {
 
 // Near the end of the slip the residual is at most what friction does in a step.
 TEST(Theory, OfSlideToRollIsOffByNoMoreThanAStepWhereTheSlipEnds) {
-  const Scene scene = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
+  const Preset preset = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
   const QuantityName line{"velocity_x", {"disc"}, "max(2, 3 - 0.2*9.81*t)", true};
   const Residuals found =
-      residuals(scene, residual_of(line, std::nullopt, scene), [](double) { return false; });
-  EXPECT_LE(found.largest, 0.2 * 9.81 * scene.method.step);
-  EXPECT_NEAR(found.at, 3.0 / (3.0 * 0.2 * 9.81), scene.method.step);
+      residuals(preset, residual_of(line, std::nullopt, preset), [](double) { return false; });
+  EXPECT_LE(found.largest, 0.2 * 9.81 * preset.method.step);
+  EXPECT_NEAR(found.at, 3.0 / (3.0 * 0.2 * 9.81), preset.method.step);
 }
 
-Scene drag_scene(double step) {
-  Scene scene;
-  scene.bodies = {test::disc("a", {0.0, 0.0}, {2.0, 0.0})};
-  scene.bodies[0].mass = 3.0;
-  scene.forces.linear_drag = 1.0;
-  scene.duration = 3.0;
-  scene.method.step = step;
-  return scene;
+Preset drag_scene(double step) {
+  Preset preset;
+  preset.scene.bodies = {test::disc("a", {0.0, 0.0}, {2.0, 0.0})};
+  preset.scene.bodies[0].mass = 3.0;
+  preset.scene.forces.linear_drag = 1.0;
+  preset.duration = 3.0;
+  preset.method.step = step;
+  return preset;
 }
 
 // v = 2 exp(-t/3): RK4 has the Taylor polynomial of exp to the fourth order, so a step is off by (h/3)⁵/120 of
@@ -123,9 +124,9 @@ Scene drag_scene(double step) {
 TEST(Theory, OfLinearDragShowsTheMethodsOrder) {
   const QuantityName line{"velocity_x", {"a"}, "2*exp(-t/3)", true};
   for (const double h : {0.3, 0.1, 0.03}) {
-    const Scene scene = drag_scene(h);
+    const Preset preset = drag_scene(h);
     const Residuals found =
-        residuals(scene, residual_of(line, std::nullopt, scene), [](double) { return false; });
+        residuals(preset, residual_of(line, std::nullopt, preset), [](double) { return false; });
     const double expected = 2.0 * std::exp(-1.0) * 3.0 * std::pow(h, 4) / (243.0 * 120.0);
     EXPECT_NEAR(found.largest / expected, 1.0, 0.1) << h;
   }
@@ -133,43 +134,43 @@ TEST(Theory, OfLinearDragShowsTheMethodsOrder) {
 
 // Of a spring: the phase of RK4 falls behind by z⁴/120 of ωt, z = ωh, and the swing is 1 m.
 TEST(Theory, OfASpringShowsTheMethodsOrder) {
-  Scene scene = read_preset(CAROM_PRESET_DIR "/numerical-methods/spring-box.json");
+  Preset preset = read_preset(CAROM_PRESET_DIR "/numerical-methods/spring-box.json");
   const QuantityName line{"x", {"disc"}, "cos(5*t)", true};
   for (const double h : {0.02, 0.004}) {
-    scene.method.step = h;
+    preset.method.step = h;
     const Residuals found =
-        residuals(scene, residual_of(line, std::nullopt, scene), [](double) { return false; });
+        residuals(preset, residual_of(line, std::nullopt, preset), [](double) { return false; });
     EXPECT_NEAR(found.largest / (std::pow(5.0 * h, 4) / 120.0 * 50.0), 1.0, 0.05) << h;
   }
 }
 
 // v² = v₀² - 2 g (y - y₀), over the height instead of time.
 TEST(Theory, OverAnotherQuantityMayHangOnIt) {
-  Scene scene;
-  scene.bodies = {test::disc("a", {0.0, 1.0}, {0.0, 4.0})};
-  scene.forces.gravity = {0.0, -9.81};
-  scene.duration = 0.4;
-  scene.method.integrator = IntegratorId::kExactFlight;
+  Preset preset;
+  preset.scene.bodies = {test::disc("a", {0.0, 1.0}, {0.0, 4.0})};
+  preset.scene.forces.gravity = {0.0, -9.81};
+  preset.duration = 0.4;
+  preset.method.integrator = IntegratorId::kExactFlight;
   const QuantityName line{"velocity_y", {"a"}, "sqrt(16 - 2*9.81*(x - 1)) + 0*t", true};
   const Residuals found =
-      residuals(scene, residual_of(line, QuantityName{"y", {"a"}}, scene), [](double) { return false; });
+      residuals(preset, residual_of(line, QuantityName{"y", {"a"}}, preset), [](double) { return false; });
   EXPECT_LE(found.largest, 1e-13);
-  EXPECT_GT(
-      residuals(scene,
-                residual_of({"velocity_y", {"a"}, "sqrt(16 - 2*9.8*(x - 1))"}, QuantityName{"y", {"a"}}, scene),
-                [](double) { return false; })
-          .largest,
-      1e-3);
+  EXPECT_GT(residuals(preset,
+                      residual_of({"velocity_y", {"a"}, "sqrt(16 - 2*9.8*(x - 1))"}, QuantityName{"y", {"a"}},
+                                  preset),
+                      [](double) { return false; })
+                .largest,
+            1e-3);
 }
 
 // The residual is a quantity of its own, beside the measured one.
 TEST(Theory, MakesAQuantityOfItsOwn) {
-  const Scene scene = drag_scene(0.1);
-  const Quantity measured = quantity_of({"velocity_x", {"a"}}, scene.bodies);
-  const Quantity one = residual_of({"velocity_x", {"a"}, "2*exp(-t/3)"}, std::nullopt, scene);
+  const Preset preset = drag_scene(0.1);
+  const Quantity measured = quantity_of({"velocity_x", {"a"}}, preset.scene.bodies);
+  const Quantity one = residual_of({"velocity_x", {"a"}, "2*exp(-t/3)"}, std::nullopt, preset);
   EXPECT_NE(measured, one);
-  EXPECT_EQ(one, residual_of({"velocity_x", {"a"}, "2*exp(-t/3)"}, std::nullopt, scene));
-  EXPECT_NE(one, residual_of({"velocity_x", {"a"}, "2*exp(-t/4)"}, std::nullopt, scene));
+  EXPECT_EQ(one, residual_of({"velocity_x", {"a"}, "2*exp(-t/3)"}, std::nullopt, preset));
+  EXPECT_NE(one, residual_of({"velocity_x", {"a"}, "2*exp(-t/4)"}, std::nullopt, preset));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/scene/validate.h"
+#include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
 // Passes that just touch and just miss, several impacts at once, bodies that touch at t = 0, and tiny and huge
@@ -11,14 +12,14 @@ namespace carom {
 namespace {
 
 using test::disc;
-using test::scene;
+using test::setup_with;
 using test::wall;
 
-void each_integrator(Scene s, const std::function<void(Simulation&, const std::string&)>& look) {
+void each_integrator(RunSetup s, const std::function<void(Simulation&, const std::string&)>& look) {
   for (const IntegratorChoice& choice : kIntegrators) {
     s.method.integrator = choice.id;
     s.method.impacts = ImpactsId::kLocated;
-    ASSERT_NO_THROW(validate(s));
+    ASSERT_NO_THROW(validate(s.scene));
     Simulation run(s);
     look(run, std::string(choice.name));
   }
@@ -28,8 +29,9 @@ TEST(Grazing, DiscsPassStraight) {
   for (const double unit : {1e-6, 1.0, 1e6}) {
     for (const double offset : {-1e-9, 1e-9}) {
       const double sum = 0.4 * unit;
-      Scene s = scene({disc("still", {0.0, 0.0}, {0.0, 0.0}, 0.1 * unit),
-                       disc("passing", {-1.0 * unit, sum * (1.0 + offset)}, {2.0 * unit, 0.0}, 0.3 * unit)});
+      RunSetup s =
+          setup_with({disc("still", {0.0, 0.0}, {0.0, 0.0}, 0.1 * unit),
+                      disc("passing", {-1.0 * unit, sum * (1.0 + offset)}, {2.0 * unit, 0.0}, 0.3 * unit)});
       each_integrator(s, [&](Simulation& run, const std::string& name) {
         run.advance_to(1.0);
         EXPECT_EQ(run.impact_count(), offset < 0.0 ? 1 : 0) << name << unit << offset;
@@ -41,9 +43,9 @@ TEST(Grazing, DiscsPassStraight) {
 // The same while both fall: relative to each other they still go straight.
 TEST(Grazing, DiscsPassWhileTheyFall) {
   for (const double offset : {-1e-9, 1e-9}) {
-    Scene s = scene({disc("still", {0.0, 0.0}, {0.0, 0.0}, 0.1),
-                     disc("passing", {-1.0, 0.4 * (1.0 + offset)}, {2.0, 0.0}, 0.3)});
-    s.forces.gravity = {0.0, -9.81};
+    RunSetup s = setup_with({disc("still", {0.0, 0.0}, {0.0, 0.0}, 0.1),
+                             disc("passing", {-1.0, 0.4 * (1.0 + offset)}, {2.0, 0.0}, 0.3)});
+    s.scene.forces.gravity = {0.0, -9.81};
     each_integrator(s, [&](Simulation& run, const std::string& name) {
       run.advance_to(1.0);
       EXPECT_EQ(run.impact_count(), offset < 0.0 ? 1 : 0) << name << offset;
@@ -55,8 +57,8 @@ TEST(Grazing, DiscsPassWhileTheyFall) {
 // without the ceiling.
 TEST(Grazing, ParabolaUnderACeiling) {
   for (const double up : {3.0, 3.0000001, 2.37}) {
-    Scene s = scene({disc("thrown", {0.0, 0.0}, {0.7, up}, 0.25)});
-    s.forces.gravity = {0.0, -9.81};
+    RunSetup s = setup_with({disc("thrown", {0.0, 0.0}, {0.7, up}, 0.25)});
+    s.scene.forces.gravity = {0.0, -9.81};
     s.method.step = 1.0 / 64.0;
     for (const IntegratorChoice& choice : kIntegrators) {
       s.method.integrator = choice.id;
@@ -64,8 +66,8 @@ TEST(Grazing, ParabolaUnderACeiling) {
       if (!choice.exact_under_gravity) continue;
       const double top = 0.5 * up * up / 9.81 + 0.25;
       for (const double offset : {-1e-9, 1e-9}) {
-        Scene under = s;
-        under.bodies.push_back(wall("ceiling", {0.0, top * (1.0 + offset) + 0.5}, 4.0, 1.0));
+        RunSetup under = s;
+        under.scene.bodies.push_back(wall("ceiling", {0.0, top * (1.0 + offset) + 0.5}, 4.0, 1.0));
         Simulation run(under);
         run.advance_to(0.6);
         EXPECT_EQ(run.impact_count(), offset < 0.0 ? 1 : 0) << choice.name << up << offset;
@@ -81,8 +83,8 @@ TEST(Grazing, DiscPassesACorner) {
       // The box's highest point.
       const Vec2 corner(0.5 * std::cos(angle) - 0.5 * std::sin(angle),
                         0.5 * std::sin(angle) + 0.5 * std::cos(angle));
-      Scene s = scene({wall("box", {0.0, 0.0}, 1.0, 1.0, angle),
-                       disc("passing", {-2.0, corner.y() + 0.2 * (1.0 + offset)}, {5.0, 0.0}, 0.2)});
+      RunSetup s = setup_with({wall("box", {0.0, 0.0}, 1.0, 1.0, angle),
+                               disc("passing", {-2.0, corner.y() + 0.2 * (1.0 + offset)}, {5.0, 0.0}, 0.2)});
       each_integrator(s, [&](Simulation& run, const std::string& name) {
         run.advance_to(1.0);
         EXPECT_EQ(run.impact_count(), offset < 0.0 ? 1 : 0) << name << angle << offset;
@@ -93,8 +95,8 @@ TEST(Grazing, DiscPassesACorner) {
 
 TEST(Impacts, SeveralInOneStep) {
   // 0.2 m to move in, at 10 m/s in steps of 0.1 s: five impacts a step.
-  Scene s = scene({wall("left", {-1.0, 0.0}, 1.0, 1.0), wall("right", {0.4, 0.0}, 1.0, 1.0),
-                   disc("d", {-0.3, 0.0}, {10.0, 0.0}, 0.1)});
+  RunSetup s = setup_with({wall("left", {-1.0, 0.0}, 1.0, 1.0), wall("right", {0.4, 0.0}, 1.0, 1.0),
+                           disc("d", {-0.3, 0.0}, {10.0, 0.0}, 0.1)});
   s.method.step = 0.1;
   each_integrator(s, [&](Simulation& run, const std::string& name) {
     std::size_t most = 0;
@@ -111,10 +113,10 @@ TEST(Impacts, SeveralAtOneTime) {
   // Two pairs far apart, and one disc that reaches two others at once.
   const double y = 0.15;
   const double x = std::sqrt(0.04 - y * y);
-  Scene s = scene({disc("a1", {-0.6, 5.0}, {1.0, 0.0}), disc("a2", {0.6, 5.0}, {-1.0, 0.0}),
-                   disc("b1", {-0.6, 9.0}, {1.0, 0.0}), disc("b2", {0.6, 9.0}, {-1.0, 0.0}),
-                   disc("cue", {-x - 0.5, 0.0}, {1.0, 0.0}), disc("upper", {0.0, y}, {0.0, 0.0}),
-                   disc("lower", {0.0, -y}, {0.0, 0.0})});
+  RunSetup s = setup_with({disc("a1", {-0.6, 5.0}, {1.0, 0.0}), disc("a2", {0.6, 5.0}, {-1.0, 0.0}),
+                           disc("b1", {-0.6, 9.0}, {1.0, 0.0}), disc("b2", {0.6, 9.0}, {-1.0, 0.0}),
+                           disc("cue", {-x - 0.5, 0.0}, {1.0, 0.0}), disc("upper", {0.0, y}, {0.0, 0.0}),
+                           disc("lower", {0.0, -y}, {0.0, 0.0})});
   s.method.step = 0.2;
   each_integrator(s, [&](Simulation& run, const std::string& name) {
     std::vector<ImpactRecord> log;
@@ -142,9 +144,9 @@ TEST(Impacts, SeveralAtOneTime) {
 TEST(TouchingAtStart, ApproachingPartingResting) {
   for (const double unit : {1e-6, 1.0, 1e6}) {
     for (const double speed : {1.0, -1.0, 0.0}) {
-      Scene s = scene({disc("still", {0.0, 0.0}, {0.0, 0.0}, 0.1 * unit),
-                       disc("touching", {0.3 * unit, 0.0}, {-speed * unit, 0.0}, 0.2 * unit)},
-                      0.5);
+      RunSetup s = setup_with({disc("still", {0.0, 0.0}, {0.0, 0.0}, 0.1 * unit),
+                               disc("touching", {0.3 * unit, 0.0}, {-speed * unit, 0.0}, 0.2 * unit)},
+                              0.5);
       each_integrator(s, [&](Simulation& run, const std::string& name) {
         run.advance_to(0.5);
         EXPECT_EQ(run.impact_count(), speed > 0.0 ? 1 : 0) << name << unit << speed;
@@ -158,9 +160,10 @@ TEST(TouchingAtStart, ApproachingPartingResting) {
 
 TEST(TouchingAtStart, RestsOnAFloorAndRollsAlongIt) {
   for (const double speed : {0.0, 1.0}) {
-    Scene s = scene({wall("floor", {0.0, -0.5}, 40.0, 1.0), disc("d", {0.0, 0.1}, {speed, 0.0})}, 0.5, 0.3);
-    s.bodies[1].spin = -speed / 0.1;  // it rolls: no slip at the contact
-    s.forces.gravity = {0.0, -9.81};
+    RunSetup s =
+        setup_with({wall("floor", {0.0, -0.5}, 40.0, 1.0), disc("d", {0.0, 0.1}, {speed, 0.0})}, 0.5, 0.3);
+    s.scene.bodies[1].spin = -speed / 0.1;  // it rolls: no slip at the contact
+    s.scene.forces.gravity = {0.0, -9.81};
     // In each step gravity presses the disc in by up to g h², and the arm of friction is that much shorter.
     const double pressed = 9.81 * s.method.step * s.method.step;
     each_integrator(s, [&](Simulation& run, const std::string& name) {
@@ -176,8 +179,9 @@ TEST(TouchingAtStart, RestsOnAFloorAndRollsAlongIt) {
 TEST(TouchingAtStart, SlidesAlongAFloor) {
   for (const double gravity : {0.0, -9.81}) {
     for (const double restitution : {0.0, 0.5, 1.0}) {
-      Scene s = scene({wall("floor", {0.0, -0.5}, 40.0, 1.0), disc("d", {0.0, 0.1}, {3.0, 0.0})}, restitution);
-      s.forces.gravity = {0.0, gravity};
+      RunSetup s =
+          setup_with({wall("floor", {0.0, -0.5}, 40.0, 1.0), disc("d", {0.0, 0.1}, {3.0, 0.0})}, restitution);
+      s.scene.forces.gravity = {0.0, gravity};
       each_integrator(s, [&](Simulation& run, const std::string& name) {
         double lowest = 1.0;
         run.advance_to(1.0, [&] { lowest = std::min(lowest, run.state().position(1).y()); });
@@ -193,12 +197,12 @@ TEST(TouchingAtStart, SlidesAlongAFloor) {
 
 TEST(Sizes, TinyAndHugeDiscsMeetAsOthersDo) {
   for (const double unit : {1e-6, 1e-3, 1e3, 1e6}) {
-    Scene s = scene({disc("a", {-1.0 * unit, 0.05 * unit}, {1.0 * unit, 0.0}, 0.1 * unit, 2.0),
-                     disc("b", {1.0 * unit, 0.0}, {-1.0 * unit, 0.3 * unit}, 0.4 * unit, 3.0),
-                     wall("w", {0.0, 2.0 * unit}, 8.0 * unit, 1.0 * unit, 0.1)});
-    Scene one = s;
-    one.bodies = {disc("a", {-1.0, 0.05}, {1.0, 0.0}, 0.1, 2.0), disc("b", {1.0, 0.0}, {-1.0, 0.3}, 0.4, 3.0),
-                  wall("w", {0.0, 2.0}, 8.0, 1.0, 0.1)};
+    RunSetup s = setup_with({disc("a", {-1.0 * unit, 0.05 * unit}, {1.0 * unit, 0.0}, 0.1 * unit, 2.0),
+                             disc("b", {1.0 * unit, 0.0}, {-1.0 * unit, 0.3 * unit}, 0.4 * unit, 3.0),
+                             wall("w", {0.0, 2.0 * unit}, 8.0 * unit, 1.0 * unit, 0.1)});
+    RunSetup one = s;
+    one.scene.bodies = {disc("a", {-1.0, 0.05}, {1.0, 0.0}, 0.1, 2.0),
+                        disc("b", {1.0, 0.0}, {-1.0, 0.3}, 0.4, 3.0), wall("w", {0.0, 2.0}, 8.0, 1.0, 0.1)};
     for (const IntegratorChoice& choice : kIntegrators) {
       s.method.integrator = one.method.integrator = choice.id;
       s.method.tolerance = 1e-9 * unit;

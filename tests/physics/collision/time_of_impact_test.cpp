@@ -4,13 +4,14 @@
 #include <random>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
 namespace {
 
 using test::disc;
-using test::scene;
+using test::setup_with;
 using test::wall;
 
 double uniform(std::mt19937_64& random, double low, double high) {
@@ -123,18 +124,18 @@ TEST(FirstContact, GrazingIsNeitherMissedNorInvented) {
   for (const double depth : {1e-6, 1e-9, 1e-12}) {
     for (const double sign : {-1.0, 1.0}) {
       // Past a fixed disc on a straight line, and over a floor at the lowest point of a parabola.
-      Scene straight =
-          scene({disc("a", {0, 0}, {0, 0}, 0.25), disc("b", {-1.0, 0.5 - sign * depth}, {3.0, 0}, 0.25)});
-      straight.bodies[0].fixed = true;
+      RunSetup straight =
+          setup_with({disc("a", {0, 0}, {0, 0}, 0.25), disc("b", {-1.0, 0.5 - sign * depth}, {3.0, 0}, 0.25)});
+      straight.scene.bodies[0].fixed = true;
       straight.method.step = 1.0;
       Simulation one(straight);
       one.step();
       EXPECT_EQ(one.impact_count(), sign > 0.0 ? 1 : 0) << depth;
 
       // y = 0.25 - sign·depth + (t - 1/2)²/2 above a floor: gravity points up.
-      Scene bent = scene({wall("floor", {0, -0.5}, 9.0, 1.0),
-                          disc("b", {-1.0, 0.25 - sign * depth + 0.125}, {2.0, -0.5}, 0.25)});
-      bent.forces.gravity = {0.0, 1.0};
+      RunSetup bent = setup_with({wall("floor", {0, -0.5}, 9.0, 1.0),
+                                  disc("b", {-1.0, 0.25 - sign * depth + 0.125}, {2.0, -0.5}, 0.25)});
+      bent.scene.forces.gravity = {0.0, 1.0};
       bent.method.step = 1.0;
       Simulation two(bent);
       two.step();
@@ -146,7 +147,7 @@ TEST(FirstContact, GrazingIsNeitherMissedNorInvented) {
 TEST(FirstContact, CornerHit) {
   // Straight down on the corner of a box: contact at 45° above the corner, known in closed form.
   const double r = 0.2;
-  Scene s = scene({wall("box", {-0.5, -0.5}, 1.0, 1.0), disc("d", {0.1, 1.0}, {0.0, -1.0}, r)});
+  RunSetup s = setup_with({wall("box", {-0.5, -0.5}, 1.0, 1.0), disc("d", {0.1, 1.0}, {0.0, -1.0}, r)});
   s.method.step = 2.0;
   Simulation run(s);
   run.step();
@@ -159,7 +160,7 @@ TEST(FirstContact, CornerHit) {
 
 TEST(FirstContact, SeveralImpactsInOneStep) {
   // A disc between two walls for 1000 crossings in one step: the exact unfolding says where it ends.
-  Scene s = scene(
+  RunSetup s = setup_with(
       {wall("left", {-1.5, 0}, 1.0, 1.0), wall("right", {1.5, 0}, 1.0, 1.0), disc("d", {0, 0}, {1800.0, 0})});
   s.method.step = 1.0;
   Simulation run(s);

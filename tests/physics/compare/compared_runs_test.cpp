@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
+#include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "physics/session/worker.h"
 #include "tests/support/scenes.h"
@@ -27,24 +28,24 @@ Method method(IntegratorId integrator, ImpactsId impacts, double step) {
 }
 
 // Drag and springs between walls: every method has an error of its own.
-Scene crowd() {
+Preset crowd() {
   std::vector<Body> bodies = room(1.0, 0.5);
   for (int i = 0; i < 5; ++i) {
     bodies.push_back(
         disc("disc " + std::to_string(i), {-0.6 + 0.3 * i, 0.1 * i - 0.2}, {1.0 - 0.7 * i, 0.3 * i}));
   }
-  Scene s = test::scene(std::move(bodies), 0.95, 0.1);
-  s.forces.gravity = {0.0, -9.81};
-  s.forces.linear_drag = 0.1;
+  Preset s = test::preset_with(std::move(bodies), 0.95, 0.1);
+  s.scene.forces.gravity = {0.0, -9.81};
+  s.scene.forces.linear_drag = 0.1;
   s.method = method(IntegratorId::kRk4, ImpactsId::kLocated, 0.004);
   return s;
 }
 
 // x(t) = cos 5t.
-Scene oscillator(const Method& m) {
-  Scene s = test::scene({disc("disc", {1.0, 0.0}, Vec2::Zero())});
-  s.forces.springs.push_back({"", "disc", "", Vec2::Zero(), 25.0, 0.0, 0.0, SpringActs::kBoth});
-  s.bodies[0].mass = 1.0;
+Preset oscillator(const Method& m) {
+  Preset s = test::preset_with({disc("disc", {1.0, 0.0}, Vec2::Zero())});
+  s.scene.forces.springs.push_back({"", "disc", "", Vec2::Zero(), 25.0, 0.0, 0.0, SpringActs::kBoth});
+  s.scene.bodies[0].mass = 1.0;
   s.method = m;
   return s;
 }
@@ -99,7 +100,7 @@ TEST(ComparedRuns, EachHasTheBytesThatItHasAlone) {
       method(IntegratorId::kVelocityVerlet, ImpactsId::kStepEnd, 0.0007),
   };
   const std::vector<Curve> curves = {curve("kinetic_energy"), curve("y", {5}), curve("impacts")};
-  Scene s = crowd();
+  Preset s = crowd();
   s.compare = {methods[1], methods[2]};
   Worker worker(s, curves);
   worker.run_until(1.0);
@@ -110,7 +111,7 @@ TEST(ComparedRuns, EachHasTheBytesThatItHasAlone) {
     return window.frames.size() == 4 && !window.frames[0]->playing && window.frames[3]->time > 3.99;
   }));
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    Scene alone = crowd();
+    Preset alone = crowd();
     alone.method = methods[i];
     Worker single(alone, curves);
     single.run_until(4.0);
@@ -126,7 +127,7 @@ TEST(ComparedRuns, EachHasTheBytesThatItHasAlone) {
 }
 
 TEST(ComparedRuns, TakeBodiesAndMethodsAndGo) {
-  Scene s = crowd();
+  Preset s = crowd();
   s.compare = {method(IntegratorId::kExplicitEuler, ImpactsId::kLocated, 0.01)};
   Worker worker(s);
   worker.run_until(0.5);
@@ -143,8 +144,8 @@ TEST(ComparedRuns, TakeBodiesAndMethodsAndGo) {
   }
   // It came at the end of the first step that was not before.
   EXPECT_EQ(window.frames[2]->log->edits[0].step, 17);
-  EXPECT_EQ(worker.scene().compare.size(), 2U);
-  EXPECT_EQ(worker.scene().compare[0].step, 0.002);
+  EXPECT_EQ(worker.preset().compare.size(), 2U);
+  EXPECT_EQ(worker.preset().compare[0].step, 0.002);
   worker.remove_method(1);
   ASSERT_TRUE(window.wait([&] { return window.frames.size() == 2; }));
   EXPECT_EQ(window.frames[1]->method.integrator, IntegratorId::kVelocityVerlet);
@@ -153,11 +154,11 @@ TEST(ComparedRuns, TakeBodiesAndMethodsAndGo) {
   EXPECT_EQ(window.frames.size(), 2U);
   for (std::size_t i = 0; i < 2 * kMostCompared; ++i) worker.add_method(s.method);
   ASSERT_TRUE(window.wait([&] { return window.frames.size() == 1 + kMostCompared; }));
-  EXPECT_EQ(worker.scene().compare.size(), kMostCompared);
+  EXPECT_EQ(worker.preset().compare.size(), kMostCompared);
 }
 
 TEST(ComparedRuns, FollowASingleStepOfTheFirst) {
-  Scene s = crowd();
+  Preset s = crowd();
   s.compare = {method(IntegratorId::kRk4, ImpactsId::kLocated, 0.001)};
   Worker worker(s);
   worker.step_once();
@@ -171,7 +172,7 @@ TEST(ComparedRuns, FollowASingleStepOfTheFirst) {
 TEST(ComparedRuns, TellTheErrorOfAClosedForm) {
   const Curve error = curve("position_error");
   const Curve x = curve("x", {0});
-  const Scene s = oscillator(method(IntegratorId::kExplicitEuler, ImpactsId::kLocated, 0.01));
+  const Preset s = oscillator(method(IntegratorId::kExplicitEuler, ImpactsId::kLocated, 0.01));
   Worker worker(s);
   worker.load(s, {error, x}, ReferenceId::kRefined);
   worker.run_until(3.0);
@@ -199,17 +200,17 @@ TEST(ComparedRuns, TellTheErrorOfAClosedForm) {
 
 // An impact at the step's end comes late; until it has come in both runs the body is left out.
 TEST(ComparedRuns, MatchImpacts) {
-  Scene s = test::scene({disc("wall", {1.05, 0.0}, Vec2::Zero()), disc("disc", {0.0, 0.0}, {1.0, 0.0})});
-  s.bodies[0].fixed = true;
-  s.bodies[0].mass.reset();
+  Preset s = test::preset_with({disc("wall", {1.05, 0.0}, Vec2::Zero()), disc("disc", {0.0, 0.0}, {1.0, 0.0})});
+  s.scene.bodies[0].fixed = true;
+  s.scene.bodies[0].mass.reset();
   const double reach =
-      1.05 - std::get<Disc>(s.bodies[0].shape).radius - std::get<Disc>(s.bodies[1].shape).radius;
+      1.05 - std::get<Disc>(s.scene.bodies[0].shape).radius - std::get<Disc>(s.scene.bodies[1].shape).radius;
   s.method = method(IntegratorId::kRk4, ImpactsId::kStepEnd, 0.3);
   const double hit = reach;  // s, at 1 m/s
   const double late = 0.3 * std::ceil(hit / 0.3) - hit;
   ASSERT_GT(late, 0.01);
   Worker worker(s);
-  worker.load(s, {curve("velocity_error"), curve("position_error")}, usual_reference(s));
+  worker.load(s, {curve("velocity_error"), curve("position_error")}, usual_reference(setup_of(s)));
   worker.run_until(3.0);
   Window window(worker);
   ASSERT_TRUE(window.wait_until_all_stand());
@@ -257,10 +258,11 @@ TEST(ComparedRuns, MatchTheNearestImpacts) {
 // Step by step at rest, as impacts at the step's end hold a ball, and the reference bounces on: errors are
 // known again.
 TEST(ComparedRuns, KnowErrorsAgainAtRest) {
-  Scene s = test::scene({disc("ball", {0.0, 0.6}, Vec2::Zero()), disc("floor", {0.0, 0.0}, Vec2::Zero())}, 0.5);
-  s.bodies[1].fixed = true;
-  s.bodies[1].mass.reset();
-  s.forces.gravity = {0.0, -9.81};
+  Preset s =
+      test::preset_with({disc("ball", {0.0, 0.6}, Vec2::Zero()), disc("floor", {0.0, 0.0}, Vec2::Zero())}, 0.5);
+  s.scene.bodies[1].fixed = true;
+  s.scene.bodies[1].mass.reset();
+  s.scene.forces.gravity = {0.0, -9.81};
   s.method = method(IntegratorId::kRk4, ImpactsId::kStepEnd, 0.005);
   Worker worker(s);
   worker.load(s, {}, ReferenceId::kExactFlight);
@@ -306,9 +308,10 @@ TEST(ComparedRuns, BodiesOfTheStartAreThereAtOnce) {
 // method, and the runs beside it go on.
 TEST(ComparedRuns, ALostRunStandsAndTheOthersGoOn) {
   for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
-    Scene s = test::scene({disc("disc", {1.0, 0.0}, Vec2::Zero()), disc("other", {5.0, 0.0}, Vec2::Zero())});
-    s.forces.springs.push_back({"", "disc", "", Vec2::Zero(), 1e4, 0.0, 0.0, SpringActs::kBoth});
-    s.bodies[0].mass = 1.0;
+    Preset s =
+        test::preset_with({disc("disc", {1.0, 0.0}, Vec2::Zero()), disc("other", {5.0, 0.0}, Vec2::Zero())});
+    s.scene.forces.springs.push_back({"", "disc", "", Vec2::Zero(), 1e4, 0.0, 0.0, SpringActs::kBoth});
+    s.scene.bodies[0].mass = 1.0;
     s.method = method(IntegratorId::kRk4, impacts, 0.001);
     s.compare = {method(IntegratorId::kExplicitEuler, impacts, 0.01)};
     Worker worker(s);
@@ -335,12 +338,12 @@ TEST(ComparedRuns, ALostRunStandsAndTheOthersGoOn) {
 
 // Where neighbours part exponentially the reference says that it is lost.
 TEST(ComparedRuns, KnowHowFarTheReferenceIsToBeTrusted) {
-  Scene s = crowd();
-  s.forces = {};
-  s.materials.clear();
-  s.materials.push_back({.name = "default", .restitution = 1.0});
+  Preset s = crowd();
+  s.scene.forces = {};
+  s.scene.materials.clear();
+  s.scene.materials.push_back({.name = "default", .restitution = 1.0});
   s.method = method(IntegratorId::kRk4, ImpactsId::kLocated, 0.01);
-  ASSERT_EQ(usual_reference(s), ReferenceId::kExactFlight);
+  ASSERT_EQ(usual_reference(setup_of(s)), ReferenceId::kExactFlight);
   Worker worker(s);
   worker.load(s, {}, ReferenceId::kExactFlight);
   Window window(worker);
@@ -356,7 +359,7 @@ TEST(ComparedRuns, KnowHowFarTheReferenceIsToBeTrusted) {
 TEST(ComparedRuns, AskedForLateErrorsAreTheSame) {
   const Curve error = curve("position_error");
   const Curve energy = curve("kinetic_energy");
-  Scene s = crowd();
+  Preset s = crowd();
   s.compare = {method(IntegratorId::kExplicitEuler, ImpactsId::kStepEnd, 0.01)};
   Worker early(s);
   early.load(s, {error, energy}, ReferenceId::kRefined);
@@ -384,17 +387,18 @@ TEST(ComparedRuns, AskedForLateErrorsAreTheSame) {
 }
 
 TEST(ComparedRuns, ReferencesAreTheBestThatTheSceneAllows) {
-  Scene s = oscillator(method(IntegratorId::kRk4, ImpactsId::kStepEnd, 0.01));
-  EXPECT_EQ(usual_reference(s), ReferenceId::kRefined);
-  EXPECT_TRUE(why_not(s, ReferenceId::kExactFlight));
-  EXPECT_FALSE(why_not(s, ReferenceId::kRefined));
-  const Method fine = reference_for(s, s.method, ReferenceId::kRefined);
+  Preset s = oscillator(method(IntegratorId::kRk4, ImpactsId::kStepEnd, 0.01));
+  EXPECT_EQ(usual_reference(setup_of(s)), ReferenceId::kRefined);
+  EXPECT_TRUE(why_not(setup_of(s), ReferenceId::kExactFlight));
+  EXPECT_FALSE(why_not(setup_of(s), ReferenceId::kRefined));
+  const Method fine = reference_for(setup_of(s), s.method, ReferenceId::kRefined);
   EXPECT_EQ(fine.integrator, IntegratorId::kAdaptiveDormandPrince);
   EXPECT_EQ(fine.impacts, ImpactsId::kLocated);
   EXPECT_EQ(fine.tolerance, kFineTolerance);
-  s.forces.springs.clear();
-  EXPECT_EQ(usual_reference(s), ReferenceId::kExactFlight);
-  EXPECT_EQ(reference_for(s, s.method, ReferenceId::kExactFlight).integrator, IntegratorId::kExactFlight);
+  s.scene.forces.springs.clear();
+  EXPECT_EQ(usual_reference(setup_of(s)), ReferenceId::kExactFlight);
+  EXPECT_EQ(reference_for(setup_of(s), s.method, ReferenceId::kExactFlight).integrator,
+            IntegratorId::kExactFlight);
 }
 
 }  // namespace

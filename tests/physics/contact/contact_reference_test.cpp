@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/world/run_setup.h"
 #include "tests/support/contact_references.h"
 #include "tests/support/scenes.h"
 
@@ -27,7 +28,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kGapRounding = 32.0;
 constexpr int kFewSteps = 8;
 
-Scene scene_of(const ContactReference& c) {
+RunSetup scene_of(const ContactReference& c) {
   Body a;
   a.name = "a";
   if (c.disc_radius > 0.0) {
@@ -43,8 +44,8 @@ Scene scene_of(const ContactReference& c) {
   } else {
     a.velocity = {c.a[2], c.a[3]};
   }
-  Scene s = test::scene({a, test::disc("b", {c.b[0], c.b[1]}, {c.b[2], c.b[3]}, c.b_radius)});
-  s.forces.gravity = {0.0, -c.gravity};
+  RunSetup s = test::setup_with({a, test::disc("b", {c.b[0], c.b[1]}, {c.b[2], c.b[3]}, c.b_radius)});
+  s.scene.forces.gravity = {0.0, -c.gravity};
   return s;
 }
 
@@ -73,7 +74,7 @@ TEST_P(ContactReferences, FirstImpact) {
     if (!is_exact(integrator.id, c)) continue;
     for (const int steps : {1, kFewSteps}) {
       const double step = std::min(c.until / steps, 1.0);
-      Scene s = scene_of(c);
+      RunSetup s = scene_of(c);
       s.method.integrator = integrator.id;
       s.method.impacts = ImpactsId::kLocated;
       s.method.step = step;

@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
 namespace {
 
 // 100 frictionless elastic discs of unlike size and mass in a room.
-Scene hundred_discs() {
+RunSetup hundred_discs() {
   std::vector<Body> bodies = test::room(1.0, 0.5);
   std::mt19937_64 random(7);
   const auto draw = [&] { return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0; };
@@ -17,7 +18,7 @@ Scene hundred_discs() {
     bodies.push_back(test::disc(fmt::format("disc-{}", i), {-0.9 + 0.2 * (i % 10), -0.9 + 0.2 * (i / 10)},
                                 {draw(), draw()}, 0.03 + 0.0004 * i, 1.0 + 0.01 * i));
   }
-  Scene s = test::scene(std::move(bodies));
+  RunSetup s = test::setup_with(std::move(bodies));
   s.method = {IntegratorId::kExactFlight, ImpactsId::kLocated, ContactsId::kImpulse, 0.1};
   return s;
 }

@@ -5,13 +5,14 @@
 #include <gtest/gtest.h>
 
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
 namespace {
 
 using test::disc;
-using test::scene;
+using test::preset_with;
 
 // Slope of log error against log step, by least squares.
 double fitted_order(const std::vector<double>& steps, const std::vector<double>& errors) {
@@ -25,14 +26,14 @@ double fitted_order(const std::vector<double>& steps, const std::vector<double>&
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-State end_state(const Scene& s, const Method& m, double time) {
-  Simulation run(s);
+State end_state(const Preset& s, const Method& m, double time) {
+  Simulation run(setup_of(s));
   run.set_method(m);
   run.advance_to(time);
   return run.state();
 }
 
-double fitted_order(const Scene& s, Method m, const std::vector<double>& steps, const Vec2& exact, int body) {
+double fitted_order(const Preset& s, Method m, const std::vector<double>& steps, const Vec2& exact, int body) {
   std::vector<double> errors;
   for (const double h : steps) {
     m.step = h;
@@ -41,17 +42,17 @@ double fitted_order(const Scene& s, Method m, const std::vector<double>& steps, 
   return fitted_order(steps, errors);
 }
 
-Scene preset(const std::string& file) { return read_preset(fmt::format("{}/{}", CAROM_PRESET_DIR, file)); }
+Preset preset(const std::string& file) { return read_preset(fmt::format("{}/{}", CAROM_PRESET_DIR, file)); }
 
 TEST(Integrators, SmoothOrderIsThatOfTheTable) {
-  Scene s = scene({disc("d", {1.0, 0.0}, {0.0, 1.0}, 0.1, 0.5)});
+  Preset s = preset_with({disc("d", {1.0, 0.0}, {0.0, 1.0}, 0.1, 0.5)});
   Spring spring;
   spring.body = "d";
   spring.anchor = {-0.1, 0.05};
   spring.stiffness = 40.0;
   spring.damping = 0.3;
   spring.rest_length = 0.3;
-  s.forces.springs = {spring};
+  s.scene.forces.springs = {spring};
   const Method fine{IntegratorId::kDormandPrince, ImpactsId::kLocated, ContactsId::kImpulse, 1.0 / 4096};
   const Vec2 exact = end_state(s, fine, 2.0).position(0);
   for (const IntegratorChoice& choice : kIntegrators) {
@@ -67,7 +68,7 @@ TEST(Integrators, SmoothOrderIsThatOfTheTable) {
 
 // The finding that everything rests on: only located impacts keep the order.
 TEST(Integrators, OrderThroughImpacts) {
-  const Scene s = preset("numerical-methods/drag-projectile.json");
+  const Preset s = preset("numerical-methods/drag-projectile.json");
   const int body = 3;
   const Method fine{IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kImpulse, 1.0 / 4096};
   const Vec2 exact = end_state(s, fine, 2.0).position(body);
@@ -97,10 +98,10 @@ TEST(Integrators, OrderThroughImpacts) {
 
 // Energy of the spring box after n steps over that before, for z = ωh.
 double energy_ratio(IntegratorId id, double z, int steps) {
-  Scene s = preset("numerical-methods/spring-box.json");
-  s.bodies = {s.bodies[2]};  // without its walls
+  Preset s = preset("numerical-methods/spring-box.json");
+  s.scene.bodies = {s.scene.bodies[2]};  // without its walls
   s.method = {id, ImpactsId::kLocated, ContactsId::kImpulse, z / 5.0};
-  Simulation run(s);
+  Simulation run(setup_of(s));
   const double before = run.totals().energy();
   for (int i = 0; i < steps; ++i) run.step();
   return run.totals().energy() / before;

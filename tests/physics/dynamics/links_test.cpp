@@ -8,6 +8,7 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/vectors.h"
 #include "physics/scene/validate.h"
+#include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
 // Rods and pins in motion.
@@ -15,7 +16,7 @@ namespace carom {
 namespace {
 
 using test::disc;
-using test::scene;
+using test::setup_with;
 
 constexpr double kGravity = 9.81;
 
@@ -70,20 +71,20 @@ constexpr double kStart = 2.0;  // rad
 
 Vec2 on_circle(double angle, double length) { return length * Vec2(std::sin(angle), -std::cos(angle)); }
 
-Scene pendulum() {
-  Scene s = scene({disc("bob", on_circle(kStart, kLength), {0, 0}, 0.05, 0.3)});
-  s.forces.gravity = {0.0, -kGravity};
-  s.links = {rod("bob", {0, 0})};
+RunSetup pendulum() {
+  RunSetup s = setup_with({disc("bob", on_circle(kStart, kLength), {0, 0}, 0.05, 0.3)});
+  s.scene.forces.gravity = {0.0, -kGravity};
+  s.scene.links = {rod("bob", {0, 0})};
   return s;
 }
 
 // A disc that swings about a point on its rim: like a simple pendulum of length 3R/2.
 constexpr double kRadius = 0.4;
-Scene swinging_disc() {
-  Scene s = scene({disc("disc", on_circle(kStart, kRadius), {0, 0}, kRadius, 2.0)});
-  s.bodies[0].angle = 0.3;
-  s.forces.gravity = {0.0, -kGravity};
-  s.links = {pin("disc", turned_by(-0.3, -on_circle(kStart, kRadius)), {0, 0})};
+RunSetup swinging_disc() {
+  RunSetup s = setup_with({disc("disc", on_circle(kStart, kRadius), {0, 0}, kRadius, 2.0)});
+  s.scene.bodies[0].angle = 0.3;
+  s.scene.forces.gravity = {0.0, -kGravity};
+  s.scene.links = {pin("disc", turned_by(-0.3, -on_circle(kStart, kRadius)), {0, 0})};
   return s;
 }
 
@@ -92,22 +93,22 @@ Scene swinging_disc() {
 constexpr std::array<double, 3> kMasses = {2.0, 0.7, 0.3};
 constexpr std::array<double, 3> kDepths = {0.25, 0.6, 0.8};  // m, from the pin
 constexpr std::array<double, 3> kRadii = {0.2, 0.15, 0.0};
-Scene welded_pendulum() {
-  Scene s = scene({});
+RunSetup welded_pendulum() {
+  RunSetup s = setup_with({});
   const std::array<const char*, 3> names = {"a", "b", "c"};
   for (std::size_t i = 0; i < 3; ++i) {
-    s.bodies.push_back(disc(names[i], on_circle(kStart, kDepths[i]), {0, 0}, kRadii[i], kMasses[i]));
-    s.bodies[i].angle = 0.4 * static_cast<double>(i);
+    s.scene.bodies.push_back(disc(names[i], on_circle(kStart, kDepths[i]), {0, 0}, kRadii[i], kMasses[i]));
+    s.scene.bodies[i].angle = 0.4 * static_cast<double>(i);
   }
-  s.forces.gravity = {0.0, -kGravity};
-  s.links = {pin("a", -on_circle(kStart, kDepths[0]), {0, 0}), rod_to("a", "b"), rod_to("c", "b")};
+  s.scene.forces.gravity = {0.0, -kGravity};
+  s.scene.links = {pin("a", -on_circle(kStart, kDepths[0]), {0, 0}), rod_to("a", "b"), rod_to("c", "b")};
   for (std::size_t i = 1; i < 3; ++i) {
-    Link& weld = s.links[i];
-    const Body& body = s.bodies[i == 1 ? 0 : 2];
+    Link& weld = s.scene.links[i];
+    const Body& body = s.scene.bodies[i == 1 ? 0 : 2];
     const Vec2 place = body.position + Vec2(0.1, 0.05);
     weld.kind = LinkKind::kWeld;
     weld.point = turned_by(-body.angle, place - body.position);
-    weld.anchor = turned_by(-s.bodies[1].angle, place - s.bodies[1].position);
+    weld.anchor = turned_by(-s.scene.bodies[1].angle, place - s.scene.bodies[1].position);
   }
   return s;
 }
@@ -123,36 +124,36 @@ double welded_length() {
 }
 
 // Two bobs, the second on the first.
-Scene double_pendulum() {
-  Scene s = scene({disc("a", {0.6, 0.1}, {0, 0}, 0.05, 1.0), disc("b", {1.1, 0.3}, {0, 0}, 0.05, 0.4)});
-  s.forces.gravity = {0.0, -kGravity};
-  s.links = {rod("a", {0, 0}), rod_to("b", "a")};
+RunSetup double_pendulum() {
+  RunSetup s = setup_with({disc("a", {0.6, 0.1}, {0, 0}, 0.05, 1.0), disc("b", {1.1, 0.3}, {0, 0}, 0.05, 0.4)});
+  s.scene.forces.gravity = {0.0, -kGravity};
+  s.scene.links = {rod("a", {0, 0}), rod_to("b", "a")};
   return s;
 }
 
 // A disc pinned to the plane off its centre, another pinned to its rim and a third hung on a rod from that rim.
-Scene linked_discs() {
-  Scene s = scene({disc("a", {0.3, 0.0}, {0, 0}, 0.3, 2.0), disc("b", {0.6, 0.2}, {0, 0}, 0.2, 1.0),
-                   disc("c", {1.2, 0.2}, {0, 0}, 0.1, 0.5)});
-  s.forces.gravity = {0.0, -kGravity};
-  s.links = {pin("a", {-0.3, 0.0}, {0, 0}), pin("b", {0.0, -0.2}, {0.3, 0.0}), rod_to("c", "b")};
-  s.links[1].to = "a";
-  s.links[2].anchor = {0.2, 0.0};
-  s.links[2].point = {-0.1, 0.0};
+RunSetup linked_discs() {
+  RunSetup s = setup_with({disc("a", {0.3, 0.0}, {0, 0}, 0.3, 2.0), disc("b", {0.6, 0.2}, {0, 0}, 0.2, 1.0),
+                           disc("c", {1.2, 0.2}, {0, 0}, 0.1, 0.5)});
+  s.scene.forces.gravity = {0.0, -kGravity};
+  s.scene.links = {pin("a", {-0.3, 0.0}, {0, 0}), pin("b", {0.0, -0.2}, {0.3, 0.0}), rod_to("c", "b")};
+  s.scene.links[1].to = "a";
+  s.scene.links[2].anchor = {0.2, 0.0};
+  s.scene.links[2].point = {-0.1, 0.0};
   return s;
 }
 
 // A bob on a rod from a body that is driven to and fro.
-Scene driven_links() {
-  Scene s = scene({disc("mover", {0, 2}, {0, 0}, 0.1), disc("a", {0.5, 1.0}, {0, 0}, 0.05, 1.0)});
-  s.bodies[0].mass.reset();
-  s.bodies[0].drive = Drive{{0.0, 0.0}, {0.3, 0.2}, 20.0, 0.5 * std::numbers::pi};
-  s.forces.gravity = {0.0, -kGravity};
-  s.links = {rod_to("a", "mover")};
+RunSetup driven_links() {
+  RunSetup s = setup_with({disc("mover", {0, 2}, {0, 0}, 0.1), disc("a", {0.5, 1.0}, {0, 0}, 0.05, 1.0)});
+  s.scene.bodies[0].mass.reset();
+  s.scene.bodies[0].drive = Drive{{0.0, 0.0}, {0.3, 0.2}, 20.0, 0.5 * std::numbers::pi};
+  s.scene.forces.gravity = {0.0, -kGravity};
+  s.scene.links = {rod_to("a", "mover")};
   return s;
 }
 
-State state_at(Scene s, IntegratorId id, double h, double time) {
+State state_at(RunSetup s, IntegratorId id, double h, double time) {
   s.method.integrator = id;
   s.method.step = h;
   Simulation run(s);
@@ -175,7 +176,7 @@ double fitted_order(const std::vector<double>& steps, const std::vector<double>&
 constexpr int kMoments = 5;
 using Moments = std::array<Eigen::Matrix2Xd, kMoments>;
 
-Moments positions_of(Scene s, IntegratorId id, int steps_a_moment, double time) {
+Moments positions_of(RunSetup s, IntegratorId id, int steps_a_moment, double time) {
   s.method.integrator = id;
   s.method.step = time / (kMoments * steps_a_moment);
   Simulation run(s);
@@ -201,7 +202,7 @@ Moments on_circle_at(double time, double length, double equivalent_length) {
 }
 
 // Fits the order of the error in all positions up to `time` for every integrator with a step.
-void expect_orders(const Scene& s, double time, const Moments& exact, const char* what) {
+void expect_orders(const RunSetup& s, double time, const Moments& exact, const char* what) {
   for (const IntegratorChoice& choice : kIntegrators) {
     if (choice.order == 0 || choice.adaptive) continue;
     const int coarsest = choice.order == 1 ? 1600 : choice.order == 2 ? 200 : choice.order == 4 ? 100 : 32;
@@ -238,8 +239,8 @@ TEST(Links, EveryIntegratorKeepsItsOrderOnAPinnedDisc) {
 
 TEST(Links, EveryIntegratorKeepsItsOrderOnWeldedBodies) {
   const double time = 1.7;
-  const Scene s = welded_pendulum();
-  validate(s);
+  const RunSetup s = welded_pendulum();
+  validate(s.scene);
   Moments exact;
   for (int k = 0; k < kMoments; ++k) {
     exact[k].resize(2, 3);
@@ -252,15 +253,15 @@ TEST(Links, EveryIntegratorKeepsItsOrderOnWeldedBodies) {
 
 // A frame of welds that holds itself in a circle, fastened to the plane: nothing moves or turns.
 TEST(Links, WeldsInACircleHold) {
-  Scene s = scene({disc("a", {0, 1}, {0, 0}), disc("b", {1, 1}, {0, 0}), disc("c", {0.5, 2}, {0, 0})});
-  s.forces.gravity = {0.0, -kGravity};
-  s.links = {rod_to("a", "b"), rod_to("b", "c"), rod_to("c", "a"), rod("a", {0, 1})};
-  for (Link& l : s.links) l.kind = LinkKind::kWeld;
-  s.links[0].point = {1, 0};
-  s.links[1].anchor = {0.5, -1};
-  s.links[2].anchor = {0.5, 1};
+  RunSetup s = setup_with({disc("a", {0, 1}, {0, 0}), disc("b", {1, 1}, {0, 0}), disc("c", {0.5, 2}, {0, 0})});
+  s.scene.forces.gravity = {0.0, -kGravity};
+  s.scene.links = {rod_to("a", "b"), rod_to("b", "c"), rod_to("c", "a"), rod("a", {0, 1})};
+  for (Link& l : s.scene.links) l.kind = LinkKind::kWeld;
+  s.scene.links[0].point = {1, 0};
+  s.scene.links[1].anchor = {0.5, -1};
+  s.scene.links[2].anchor = {0.5, 1};
   s.method.step = 0.01;
-  validate(s);
+  validate(s.scene);
   Simulation run(s);
   const Eigen::Matrix3Xd q = run.state().q;
   run.advance_to(5.0);
@@ -285,7 +286,7 @@ TEST(Links, TheAdaptiveIntegratorFollowsItsTolerance) {
   const Vec2 exact = on_circle(pendulum_angle(kStart, kLength, time), kLength);
   double last = 1.0;
   for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
-    Scene s = pendulum();
+    RunSetup s = pendulum();
     s.method.tolerance = tolerance;
     const double error =
         (state_at(s, IntegratorId::kAdaptiveDormandPrince, 0.05, time).position(0) - exact).norm();
@@ -300,7 +301,7 @@ TEST(Links, AreKeptWithinRounding) {
   for (const IntegratorChoice& choice : kIntegrators) {
     if (choice.order == 0) continue;
     for (const auto& impacts : kImpacts) {
-      Scene s = double_pendulum();
+      RunSetup s = double_pendulum();
       s.method = {choice.id, impacts.id, ContactsId::kImpulse, choice.order == 1 ? 0.002 : 0.01};
       Simulation run(s);
       const double length = Vec2(0.5, 0.2).norm();
@@ -320,7 +321,7 @@ TEST(Links, AreKeptWithinRounding) {
   }
 }
 
-double drift(Scene s, double h, double time) {
+double drift(RunSetup s, double h, double time) {
   s.method.step = h;
   Simulation run(s);
   double most = 0.0;
@@ -331,7 +332,7 @@ double drift(Scene s, double h, double time) {
 
 // Links do no work: what the ledger does not name falls with the order of the method, drives included.
 TEST(Links, EnergyDriftFallsWithTheOrder) {
-  for (const Scene& s : {double_pendulum(), linked_discs(), driven_links()}) {
+  for (const RunSetup& s : {double_pendulum(), linked_discs(), driven_links()}) {
     const double coarse = drift(s, 1.0 / 256, 1.0);
     const double fine = drift(s, 1.0 / 512, 1.0);
     EXPECT_GT(coarse / fine, 11.0) << coarse;
@@ -342,8 +343,8 @@ TEST(Links, EnergyDriftFallsWithTheOrder) {
 
 // What the plane and drives gave through links stands in the ledger.
 TEST(Links, MomentumLedgerCloses) {
-  for (const Scene& s : {double_pendulum(), linked_discs(), driven_links()}) {
-    Scene fine = s;
+  for (const RunSetup& s : {double_pendulum(), linked_discs(), driven_links()}) {
+    RunSetup fine = s;
     fine.method.step = 1.0 / 4096;
     Simulation run(fine);
     run.advance_to(1.0);
@@ -354,8 +355,9 @@ TEST(Links, MomentumLedgerCloses) {
 
 // Two discs on a rod turn about their common centre.
 TEST(Links, ADumbbellTurnsFreely) {
-  Scene s = scene({disc("a", {1.0, 0}, {0.3, 2.0}, 0.1, 1.0), disc("b", {-0.5, 0}, {0.3, -1.0}, 0.1, 2.0)});
-  s.links = {rod_to("a", "b")};
+  RunSetup s =
+      setup_with({disc("a", {1.0, 0}, {0.3, 2.0}, 0.1, 1.0), disc("b", {-0.5, 0}, {0.3, -1.0}, 0.1, 2.0)});
+  s.scene.links = {rod_to("a", "b")};
   s.method.step = 1.0 / 1024;
   Simulation run(s);
   run.advance_to(2.0);
@@ -368,12 +370,14 @@ TEST(Links, ADumbbellTurnsFreely) {
 // Thirty rods and an end a thousand times as heavy as a joint.
 TEST(Links, AChainWithAHeavyEndStaysTogether) {
   for (const auto& impacts : kImpacts) {
-    Scene s = scene({});
-    s.forces.gravity = {0.0, -kGravity};
+    RunSetup s = setup_with({});
+    s.scene.forces.gravity = {0.0, -kGravity};
     const Vec2 along = Vec2(std::cos(0.2), -std::sin(0.2));
     for (int i = 1; i <= 30; ++i) {
-      s.bodies.push_back(disc(fmt::format("d{}", i), 0.1 * i * along, {0, 0}, 0.02, i == 30 ? 10.0 : 0.01));
-      s.links.push_back(i == 1 ? rod("d1", {0, 0}) : rod_to(fmt::format("d{}", i), fmt::format("d{}", i - 1)));
+      s.scene.bodies.push_back(
+          disc(fmt::format("d{}", i), 0.1 * i * along, {0, 0}, 0.02, i == 30 ? 10.0 : 0.01));
+      s.scene.links.push_back(i == 1 ? rod("d1", {0, 0})
+                                     : rod_to(fmt::format("d{}", i), fmt::format("d{}", i - 1)));
     }
     s.method = {IntegratorId::kRk4, impacts.id, ContactsId::kImpulse, 1.0 / 2000};
     Simulation run(s);
@@ -391,9 +395,9 @@ TEST(Links, AChainWithAHeavyEndStaysTogether) {
 
 // More rods than a frame needs: those that depend on the others get no force, and nothing moves.
 TEST(Links, AFrameWithSpareRodsStands) {
-  Scene s = scene({disc("a", {0, 1}, {0, 0}), disc("b", {1, 1}, {0, 0})});
-  s.forces.gravity = {0.0, -kGravity};
-  s.links = {rod("a", {0, 0}), rod("a", {1, 0}), rod("b", {1, 0}), rod("b", {0, 0}), rod_to("b", "a")};
+  RunSetup s = setup_with({disc("a", {0, 1}, {0, 0}), disc("b", {1, 1}, {0, 0})});
+  s.scene.forces.gravity = {0.0, -kGravity};
+  s.scene.links = {rod("a", {0, 0}), rod("a", {1, 0}), rod("b", {1, 0}), rod("b", {0, 0}), rod_to("b", "a")};
   s.method.step = 0.01;
   Simulation run(s);
   run.advance_to(5.0);
@@ -404,11 +408,11 @@ TEST(Links, AFrameWithSpareRodsStands) {
 
 // What hangs still does so wherever rounding leaves the balance of its forces.
 TEST(Links, WhatHangsStillIsNotTooFast) {
-  Scene s = scene({disc("a", {0, 0}, {0, 0}, 0.1, 0.9)});
-  s.forces.gravity = {0.0, -kGravity};
-  s.links = {rod("a", {-0.1, 1.1}), rod("a", {0.1, 1.1})};
-  s.links[0].point = {-0.1, 0.1};
-  s.links[1].point = {0.1, 0.1};
+  RunSetup s = setup_with({disc("a", {0, 0}, {0, 0}, 0.1, 0.9)});
+  s.scene.forces.gravity = {0.0, -kGravity};
+  s.scene.links = {rod("a", {-0.1, 1.1}), rod("a", {0.1, 1.1})};
+  s.scene.links[0].point = {-0.1, 0.1};
+  s.scene.links[1].point = {0.1, 0.1};
   s.method.step = 0.001;
   Simulation run(s);
   run.advance_to(0.1);
@@ -418,9 +422,9 @@ TEST(Links, WhatHangsStillIsNotTooFast) {
 
 // Seven digits in a file are enough, and the run starts on the links.
 TEST(Links, StartWithinRounding) {
-  Scene s = pendulum();
-  s.links[0].length = 0.7000001;
-  validate(s);
+  RunSetup s = pendulum();
+  s.scene.links[0].length = 0.7000001;
+  validate(s.scene);
   Simulation run(s);
   EXPECT_NEAR(run.state().position(0).norm(), 0.7000001, 2e-16);
   EXPECT_EQ(run.ledger().numerical_drift(run.totals().energy()), 0.0);
@@ -428,12 +432,12 @@ TEST(Links, StartWithinRounding) {
 
 // A step that no motion near the links resolves is told.
 TEST(Links, MissedLinksAreReported) {
-  Scene s = double_pendulum();
-  s.bodies[0].spin = 0.0;
-  s.bodies[1].velocity = 1e9 * crossed(Vec2(0.5, 0.2));
+  RunSetup s = double_pendulum();
+  s.scene.bodies[0].spin = 0.0;
+  s.scene.bodies[1].velocity = 1e9 * crossed(Vec2(0.5, 0.2));
   for (const auto& impacts : kImpacts) {
     s.method = {IntegratorId::kExplicitEuler, impacts.id, ContactsId::kImpulse, 1.0};
-    validate(s);
+    validate(s.scene);
     Simulation run(s);
     for (int i = 0; i < 50; ++i) run.step();
     EXPECT_NE(run.status().find("take shorter steps"), std::string::npos) << run.status();

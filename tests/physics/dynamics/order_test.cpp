@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
 // The order of every method through impacts, and what takes its place where there is no step.
@@ -13,12 +14,12 @@ namespace carom {
 namespace {
 
 using test::disc;
-using test::scene;
+using test::setup_with;
 using test::wall;
 
 struct Trial {
   const char* name;
-  Scene scene;
+  RunSetup setup;
   int body;     // whose position is compared
   double time;  // s, well away from impacts
   int impacts;  // at least
@@ -26,42 +27,43 @@ struct Trial {
 
 // Gravity and quadratic drag in a box; the disc always moves.
 Trial drag_in_a_box() {
-  Scene s = scene({wall("floor", {0.0, -0.1}, 2.4, 0.2), wall("left", {-1.1, 1.25}, 0.2, 2.5),
-                   wall("right", {1.1, 1.25}, 0.2, 2.5), disc("disc", {0.0, 1.0}, {13.0, 3.0}, 0.05, 0.5)},
-                  0.9);
-  s.forces.gravity = {0.0, -60.0};
-  s.forces.quadratic_drag = 0.12;
+  RunSetup s =
+      setup_with({wall("floor", {0.0, -0.1}, 2.4, 0.2), wall("left", {-1.1, 1.25}, 0.2, 2.5),
+                  wall("right", {1.1, 1.25}, 0.2, 2.5), disc("disc", {0.0, 1.0}, {13.0, 3.0}, 0.05, 0.5)},
+                 0.9);
+  s.scene.forces.gravity = {0.0, -60.0};
+  s.scene.forces.quadratic_drag = 0.12;
   return {"drag in a box", s, 3, 1.6, 5};
 }
 
 // A damped spring pulls a disc at a wall, which it meets over and over, with friction and drag.
 Trial spring_and_wall() {
-  Scene s =
-      scene({wall("wall", {0.0, -0.5}, 4.0, 1.0), disc("disc", {0.3, 0.9}, {0.5, 0.0}, 0.1, 0.7)}, 0.95, 0.1);
+  RunSetup s = setup_with({wall("wall", {0.0, -0.5}, 4.0, 1.0), disc("disc", {0.3, 0.9}, {0.5, 0.0}, 0.1, 0.7)},
+                          0.95, 0.1);
   Spring spring;
   spring.body = "disc";
   spring.anchor = {0.0, -0.1};
   spring.stiffness = 30.0;
   spring.damping = 0.05;
   spring.rest_length = 0.05;
-  s.forces.springs = {spring};
-  s.forces.linear_drag = 0.02;
+  s.scene.forces.springs = {spring};
+  s.scene.forces.linear_drag = 0.02;
   return {"spring and wall", s, 1, 2.5, 5};
 }
 
 // A spring pulls a disc onto a table that vibrates and rises.
 Trial moving_wall() {
-  Scene s =
-      scene({wall("table", {0.0, -0.5}, 4.0, 1.0), disc("disc", {0.3, 0.9}, {0.5, 0.0}, 0.1, 0.7)}, 0.9, 0.1);
-  s.bodies[0].fixed = false;
-  s.bodies[0].drive = Drive{{0.02, 0.05}, {0.0, 0.02}, 9.0, 0.4};
+  RunSetup s = setup_with(
+      {wall("table", {0.0, -0.5}, 4.0, 1.0), disc("disc", {0.3, 0.9}, {0.5, 0.0}, 0.1, 0.7)}, 0.9, 0.1);
+  s.scene.bodies[0].fixed = false;
+  s.scene.bodies[0].drive = Drive{{0.02, 0.05}, {0.0, 0.02}, 9.0, 0.4};
   Spring spring;
   spring.body = "disc";
   spring.anchor = {0.0, -0.1};
   spring.stiffness = 40.0;
   spring.rest_length = 0.05;
-  s.forces.springs = {spring};
-  s.forces.quadratic_drag = 0.05;
+  s.scene.forces.springs = {spring};
+  s.scene.forces.quadratic_drag = 0.05;
   return {"moving wall", s, 1, 2.5, 5};
 }
 
@@ -72,7 +74,7 @@ std::vector<Trial> trials() { return {drag_in_a_box(), spring_and_wall(), moving
 std::vector<Trial> throws_of(const Trial& t) {
   std::vector<Trial> all(8, t);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    all[i].scene.bodies[t.body].velocity += static_cast<double>(i) * Vec2(0.05, 0.11);
+    all[i].setup.scene.bodies[t.body].velocity += static_cast<double>(i) * Vec2(0.05, 0.11);
   }
   return all;
 }
@@ -89,7 +91,7 @@ struct Result {
 };
 
 Result run(const Trial& t, IntegratorId id, double step, double tolerance = 1e-9) {
-  Scene s = t.scene;
+  RunSetup s = t.setup;
   s.method.integrator = id;
   s.method.step = step;
   s.method.tolerance = tolerance;
@@ -234,10 +236,10 @@ TYPED_TEST(AdaptiveMethod, ErrorFollowsTheTolerance) {
 }
 
 TYPED_TEST(Method, CountsWhatItEvaluates) {
-  Scene s = scene({disc("d", {0, 0}, {7, 9})});
-  s.forces.gravity = {0.0, -9.81};
+  RunSetup s = setup_with({disc("d", {0, 0}, {7, 9})});
+  s.scene.forces.gravity = {0.0, -9.81};
   s.method = {.integrator = this->kId, .impacts = ImpactsId::kStepEnd, .step = 0.01};
-  if (this->kChoice.order > 0) s.forces.linear_drag = 0.1;
+  if (this->kChoice.order > 0) s.scene.forces.linear_drag = 0.1;
   Simulation simulation(s);
   for (int i = 0; i < 100; ++i) simulation.step();
   if (!this->kChoice.adaptive) {
@@ -250,11 +252,11 @@ TYPED_TEST(Method, CountsWhatItEvaluates) {
 
 // Discs under gravity between walls: every method that is exact there is, at any step.
 TYPED_TEST(Method, IsExactUnderGravityWhereItSaysSo) {
-  Scene s = scene({wall("floor", {0.0, -0.1}, 2.4, 0.2), wall("left", {-1.1, 1.25}, 0.2, 2.5),
-                   wall("right", {1.1, 1.25}, 0.2, 2.5), disc("a", {0.0, 1.0}, {2.0, 3.0}, 0.1, 0.5),
-                   disc("b", {0.5, 1.7}, {-1.0, 0.0}, 0.2, 1.0)},
-                  0.9);
-  s.forces.gravity = {0.0, -9.81};
+  RunSetup s = setup_with({wall("floor", {0.0, -0.1}, 2.4, 0.2), wall("left", {-1.1, 1.25}, 0.2, 2.5),
+                           wall("right", {1.1, 1.25}, 0.2, 2.5), disc("a", {0.0, 1.0}, {2.0, 3.0}, 0.1, 0.5),
+                           disc("b", {0.5, 1.7}, {-1.0, 0.0}, 0.2, 1.0)},
+                          0.9);
+  s.scene.forces.gravity = {0.0, -9.81};
   const Trial t{"gravity", s, 3, 1.5, 5};
   const Result exact = run(t, IntegratorId::kExactFlight, 0.01);
   EXPECT_GE(exact.impacts, 5);
@@ -270,8 +272,8 @@ TYPED_TEST(Method, IsExactUnderGravityWhereItSaysSo) {
 
 // Of the triangle wave that a disc makes in an empty box there is a formula.
 TYPED_TEST(Method, StraightFlightIsExact) {
-  Scene s = scene(test::room(1.0, 0.5));
-  s.bodies.push_back(disc("d", {0.1, 0.2}, {1.7, 0.9}, 0.25));
+  RunSetup s = setup_with(test::room(1.0, 0.5));
+  s.scene.bodies.push_back(disc("d", {0.1, 0.2}, {1.7, 0.9}, 0.25));
   s.method = {.integrator = this->kId, .step = 0.013};
   Simulation simulation(s);
   simulation.advance_to(100.0);

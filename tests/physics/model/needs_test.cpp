@@ -14,7 +14,7 @@ using test::wall;
 
 // Two discs and a wall, elastic and smooth, without any force.
 Scene plain() {
-  return test::scene({disc("a", {0, 0}, {1, 0}), disc("b", {3, 0}, {0, 0}), wall("w", {9, 0}, 1, 1)});
+  return test::scene_with({disc("a", {0, 0}, {1, 0}), disc("b", {3, 0}, {0, 0}), wall("w", {9, 0}, 1, 1)});
 }
 
 Spring spring(const std::string& body, const std::string& to = "") {
@@ -202,12 +202,12 @@ TEST(Needs, LastingContacts) {
 TEST(Needs, InWords) {
   Scene s = plain();
   s.forces.linear_drag = 0.1;
-  const NeedsText trimmed = text_of(needs_of(s), s);
+  const NeedsText trimmed = text_of(needs_of(s), s, ContactsId::kImpulse);
   EXPECT_TRUE(holds(trimmed.modelled, "normal impulses"));
   EXPECT_TRUE(holds(trimmed.modelled, "drag"));
   EXPECT_TRUE(holds(trimmed.not_needed, "rotation"));
   EXPECT_TRUE(holds(trimmed.not_needed, "friction"));
-  const NeedsText whole = text_of(all_needs(), s);
+  const NeedsText whole = text_of(all_needs(), s, ContactsId::kImpulse);
   EXPECT_TRUE(holds(whole.modelled, "rotation"));
   EXPECT_TRUE(holds(whole.modelled, "friction"));
   EXPECT_TRUE(holds(whole.modelled, "lasting contacts (as repeated impacts)"));
@@ -217,16 +217,14 @@ TEST(Needs, InWords) {
   s.forces.linear_drag = 0.0;
   s.forces.springs = {spring("a")};
   s.forces.springs[0].damping = 1.0;
-  const NeedsText sprung = text_of(needs_of(s), s);
+  const NeedsText sprung = text_of(needs_of(s), s, ContactsId::kImpulse);
   EXPECT_TRUE(holds(sprung.modelled, "springs"));
   EXPECT_TRUE(holds(sprung.modelled, "dampers"));
   EXPECT_TRUE(holds(sprung.not_needed, "drag"));
   // A body alone hits nothing.
-  EXPECT_FALSE(holds(
-      text_of(needs_of(test::scene({disc("a", {0, 0}, {0, 0})})), test::scene({disc("a", {0, 0}, {0, 0})}))
-          .modelled,
-      "normal impulses"));
-  EXPECT_TRUE(holds(text_of(needs_of(plain()), plain()).not_needed, "lasting contacts"));
+  const Scene alone = test::scene_with({disc("a", {0, 0}, {0, 0})});
+  EXPECT_FALSE(holds(text_of(needs_of(alone), alone, ContactsId::kImpulse).modelled, "normal impulses"));
+  EXPECT_TRUE(holds(text_of(needs_of(plain()), plain(), ContactsId::kImpulse).not_needed, "lasting contacts"));
 }
 
 TEST(WhyNot, ExactFlightNamesEveryReason) {

@@ -5,6 +5,7 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/scene/facts.h"
 #include "tests/support/preset_files.h"
 #include "tests/support/random_scene.h"
@@ -35,22 +36,22 @@ double scale_of(const Simulation& run) {
   return std::max(1e-3, run.state().q.topRows<2>().cwiseAbs().maxCoeff());
 }
 
-void expect_same(const Scene& scene, double until, const std::string& what, bool held) {
-  Simulation trimmed(scene);
+void expect_same(const Preset& preset, double until, const std::string& what, bool held) {
+  Simulation trimmed(setup_of(preset));
   trimmed.advance_to(until);
   // Held contacts jitter, and rounding decides their impacts.
   if (trimmed.notices().text() != "ok" && !held) return;
   for (const Part& part : kParts) {
-    Needs needs = needs_of(scene);
+    Needs needs = needs_of(preset.scene);
     if (needs.*part.field) continue;
     needs.*part.field = true;
     if (needs == all_needs()) continue;
-    Simulation run(scene, needs);
+    Simulation run(setup_of(preset), needs);
     run.advance_to(until);
     EXPECT_TRUE(same_bytes(run.state(), trimmed.state())) << what << ", with " << part.name;
     EXPECT_EQ(run.impact_count(), trimmed.impact_count()) << what << ", with " << part.name;
   }
-  Simulation all(scene, all_needs());
+  Simulation all(setup_of(preset), all_needs());
   all.advance_to(until);
   EXPECT_EQ(all.impact_count(), trimmed.impact_count()) << what;
   const double scale = scale_of(trimmed);
@@ -75,11 +76,11 @@ TEST(Trimmed, PresetsMoveAsUntrimmed) {
   int presets = 0;
   for (const std::filesystem::path& file : test::preset_files()) {
     ++presets;
-    const Scene scene = read_preset(file);
+    const Preset preset = read_preset(file);
     const std::string name = file.stem().string();
     const auto until = kUntil.find(name);
-    expect_same(scene, until == kUntil.end() ? scene.duration : std::min(until->second, scene.duration), name,
-                true);
+    expect_same(preset, until == kUntil.end() ? preset.duration : std::min(until->second, preset.duration),
+                name, true);
   }
   EXPECT_GT(presets, 20);
 }
@@ -88,18 +89,18 @@ TEST(Trimmed, PresetsMoveAsUntrimmed) {
 // compared is either free of such sub-steps or has steps so short that they don't show.
 TEST(Trimmed, RandomScenesMoveAsUntrimmed) {
   for (std::uint64_t seed = 1001; seed <= 1060; ++seed) {
-    Scene scene = test::random_scene(seed).scene;
-    const double step = scene.method.step;
-    const bool whole_steps = !needs_of(scene).switching;
+    Preset preset = test::random_scene(seed).preset;
+    const double step = preset.method.step;
+    const bool whole_steps = !needs_of(preset.scene).switching;
     for (const IntegratorChoice& integrator : kIntegrators) {
-      if (why_not(scene, integrator.id) || integrator.adaptive) continue;
+      if (why_not(preset.scene, integrator.id) || integrator.adaptive) continue;
       const bool fine = integrator.order == 0 || integrator.order == 5;
       for (const auto& impacts : kImpacts) {
         if (!fine && (impacts.id == ImpactsId::kLocated || !whole_steps)) continue;
-        scene.method.integrator = integrator.id;
-        scene.method.impacts = impacts.id;
-        scene.method.step = integrator.order == 5 ? step / 16.0 : step;
-        expect_same(scene, 12.0 * step, fmt::format("seed {}, {}, {}", seed, integrator.name, impacts.name),
+        preset.method.integrator = integrator.id;
+        preset.method.impacts = impacts.id;
+        preset.method.step = integrator.order == 5 ? step / 16.0 : step;
+        expect_same(preset, 12.0 * step, fmt::format("seed {}, {}, {}", seed, integrator.name, impacts.name),
                     false);
       }
     }

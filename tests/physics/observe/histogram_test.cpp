@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "physics/observe/maxwell.h"
+#include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "physics/session/worker.h"
 #include "tests/support/scenes.h"
@@ -77,10 +78,10 @@ TEST(Maxwell, HasTheGivenMeanEnergy) {
 }
 
 // A thousand discs with velocity components drawn evenly from ±1 m/s in a box of 8 by 8 m.
-Scene gas() {
-  Scene scene;
-  scene.materials = {{"default", 1.0}};
-  scene.bodies = test::room(4.0, 0.2);
+Preset gas() {
+  Preset preset;
+  preset.scene.materials = {{"default", 1.0}};
+  preset.scene.bodies = test::room(4.0, 0.2);
   GridGenerator grid;
   grid.columns = 40;
   grid.rows = 25;
@@ -90,10 +91,10 @@ Scene gas() {
   grid.radius_min = grid.radius_max = 0.04;
   grid.speed_max = 1.0;
   grid.density = 200.0;
-  scene.generators = {grid};
-  scene.method.integrator = IntegratorId::kExactFlight;
-  scene.method.step = 0.05;
-  return scene;
+  preset.scene.generators = {grid};
+  preset.method.integrator = IntegratorId::kExactFlight;
+  preset.method.step = 0.05;
+  return preset;
 }
 
 // Pearson's sum over the bins, those of an expectation below 5 with the one before; how many bins are left.
@@ -126,7 +127,7 @@ double bound(int freedom) {
 // After some 60 impacts of each disc the speeds follow Maxwell's law; at the start they don't. One is fitted:
 // kT.
 TEST(Maxwell, IsWhatAGasOfManyDiscsRelaxesTo) {
-  Simulation simulation(gas());
+  Simulation simulation(setup_of(gas()));
   simulation.watch_impacts(true);
   Sampler sampler({});
   sampler.begin(simulation);
@@ -192,10 +193,10 @@ TEST(SpeedRecord, KeepsMomentsAllOverTheRun) {
 // A run that is watched, frame by frame, has the moments of one that is not, also after it was gone through
 // once more for a plot that came late.
 TEST(SpeedRecord, IsTheSameHoweverTheRunIsWatched) {
-  Scene scene = gas();
-  scene.generators[0].columns = 4;
-  scene.generators[0].rows = 2;
-  Worker worker(scene);
+  Preset preset = gas();
+  preset.scene.generators[0].columns = 4;
+  preset.scene.generators[0].rows = 2;
+  Worker worker(preset);
   Recorder recorder;
   const auto watch_until = [&](double time) {
     worker.run_until(time);
@@ -211,7 +212,7 @@ TEST(SpeedRecord, IsTheSameHoweverTheRunIsWatched) {
   worker.record({{{find_observable("kinetic_energy"), {}}, std::nullopt}});
   watch_until(40.0);
 
-  Simulation simulation(scene);
+  Simulation simulation(setup_of(preset));
   Sampler sampler({});
   sampler.begin(simulation);
   SpeedRecord alone;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "tests/support/preset_files.h"
 
 namespace carom {

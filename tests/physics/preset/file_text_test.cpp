@@ -5,7 +5,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-#include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "tests/support/preset_files.h"
 
 namespace carom {

@@ -4,6 +4,8 @@
 #include <string>
 
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
+#include "physics/preset/saved_preset.h"
 #include "physics/scene/limits.h"
 #include "physics/world/run_state.h"
 #include "physics/world/simulation.h"
@@ -133,21 +135,21 @@ TEST(PresetLimits, StemsLeaveRoomForNumbers) {
     });
   };
   EXPECT_NE(refusal(generated(kLongestStem + 1)).find("/generators/0/name: "), std::string::npos);
-  const Scene scene = parse_preset(generated(kLongestStem), "p");
-  EXPECT_EQ(all_bodies(scene).back().name.size(), kLongestName);
+  const Preset preset = parse_preset(generated(kLongestStem), "p");
+  EXPECT_EQ(all_bodies(preset.scene).back().name.size(), kLongestName);
 }
 
 // What the reader would refuse is not written, and the old file stays.
 TEST(PresetLimits, HoldForWhatIsSaved) {
   const auto file = std::filesystem::path(testing::TempDir()) / "held-limits.json";
-  Scene scene = parse_preset(with_list("bodies", 1, body), "p");
-  save_preset(scene, file);
+  Preset preset = parse_preset(with_list("bodies", 1, body), "p");
+  save_preset(preset, file);
   Plot plot;
   plot.id = "energy";
   plot.notes.assign(kMostNotes + 1, {0.0, 0.0, "a note"});
-  scene.plots = {plot};
+  preset.plots = {plot};
   try {
-    save_preset(scene, file);
+    save_preset(preset, file);
     FAIL() << "saved";
   } catch (const SceneError& error) {
     EXPECT_NE(std::string(error.what()).find("/plots/0/notes: "), std::string::npos) << error.what();
@@ -158,26 +160,26 @@ TEST(PresetLimits, HoldForWhatIsSaved) {
 
 // Two chains whose ends meet and stick: the run may be saved and go on, but none may begin so.
 TEST(PresetLimits, WhatHasStuckTogetherInARunMayBeMore) {
-  Scene s;
+  Preset s;
   s.title = "t";
-  s.materials = {{.name = "glue", .sticks = true}};
+  s.scene.materials = {{.name = "glue", .sticks = true}};
   for (int i = 0; i <= 502; ++i) {
     if (i == 251) continue;  // the gap
     Body b = test::disc(fmt::format("b{}", i), {i < 251 ? i : i - 1.79, 0.0}, {i < 251 ? 1.0 : -1.0, 0.0});
     b.material = "glue";
-    s.bodies.push_back(b);
+    s.scene.bodies.push_back(b);
     if (i == 0 || i == 252) continue;
     Link l;
     l.kind = LinkKind::kRod;
     l.body = fmt::format("b{}", i - 1);
     l.to = b.name;
-    s.links.push_back(l);
+    s.scene.links.push_back(l);
   }
   s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kImpulse, 0.01};
-  Simulation run(s);
+  Simulation run(setup_of(s));
   run.step();
   ASSERT_EQ(run.links().size(), 501U) << run.status();
-  Scene saved = saved_scene(s, run);
+  Preset saved = saved_preset(s, run);
   EXPECT_EQ(refusal(write_preset(saved)), "");
   saved.saved.reset();
   EXPECT_NE(refusal(write_preset(saved)).find("linked with one another"), std::string::npos);

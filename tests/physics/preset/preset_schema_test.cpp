@@ -77,7 +77,7 @@ struct Verdict {
 
 Verdict reader_says(const Json& preset) {
   try {
-    (void)scene_of(preset);
+    (void)preset_of(preset);
     return {};
   } catch (const RuleError& error) {
     return {false, true, error.what()};

@@ -29,8 +29,8 @@ RunLog edited_run() {
   bodies.push_back(disc("a", {-0.5, 0.1}, {3.0, 1.0}));
   bodies.push_back(disc("b", {0.5, -0.1}, {-2.0, 2.0}));
   RunLog log;
-  log.start = test::scene(std::move(bodies), 0.9, 0.2);
-  log.start.forces.gravity = {0.0, -9.81};
+  log.start = test::setup_with(std::move(bodies), 0.9, 0.2);
+  log.start.scene.forces.gravity = {0.0, -9.81};
   log.start.method.step = 0.01;
   Method other = log.start.method;
   other.integrator = IntegratorId::kVelocityVerlet;
@@ -70,7 +70,7 @@ TEST(RunMoments, AreThoseOfTheRun) {
   EXPECT_DOUBLE_EQ(frames[1].time, 0.1234);
   EXPECT_EQ(frames[2].state.q, at_30.state().q);
   EXPECT_EQ(frames[3].state.q, at_30.state().q);
-  EXPECT_EQ(frames[2].bodies->size(), log.start.bodies.size() + 1) << "a body stands there at once";
+  EXPECT_EQ(frames[2].bodies->size(), log.start.scene.bodies.size() + 1) << "a body stands there at once";
   EXPECT_EQ(frames[5].steps, 100);
   EXPECT_EQ(frames[5].state.q, at_100.state().q);
   EXPECT_EQ(frames[5].state.v, at_100.state().v);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "physics/preset/preset.h"
 #include "physics/record/run_log.h"
 #include "tests/support/resumed_run.h"
 #include "tests/support/scenes.h"
@@ -19,13 +20,13 @@ Curve curve(const char* observable, std::vector<int> bodies = {}) {
 }
 
 // Drag, e < 1 and friction: every entry of the ledger grows.
-Scene lossy() {
+Preset lossy() {
   std::vector<Body> bodies = room(1.0, 0.5);
   bodies.push_back(disc("a", {-0.5, 0.1}, {3.0, 1.0}));
   bodies.push_back(disc("b", {0.5, -0.1}, {-2.0, 2.0}));
-  Scene s = test::scene(std::move(bodies), 0.8, 0.3);
-  s.forces.quadratic_drag = 0.05;
-  s.forces.gravity = {0.0, -1.0};
+  Preset s = test::preset_with(std::move(bodies), 0.8, 0.3);
+  s.scene.forces.quadratic_drag = 0.05;
+  s.scene.forces.gravity = {0.0, -1.0};
   s.method.step = 0.02;
   return s;
 }
@@ -44,8 +45,8 @@ struct Sampled {
   }
 };
 
-Sampled run(const Scene& scene, double time, const std::vector<Curve>& curves) {
-  Simulation simulation(scene);
+Sampled run(const Preset& preset, double time, const std::vector<Curve>& curves) {
+  Simulation simulation(setup_of(preset));
   simulation.watch_impacts(true);
   Sampler sampler(curves);
   sampler.begin(simulation);
@@ -107,9 +108,9 @@ TEST(Sampler, JumpsAtTheImpactsAlone) {
 
 // 1 kg at 3 m/s runs into 2 kg at rest at t = 0.2 s: -1 and 2 m/s. Bodies' own quantities jump there too.
 TEST(Sampler, ReadsBodiesAtAnImpact) {
-  Scene scene =
-      test::scene({disc("A", {-1.0, 0.0}, {3.0, 0.0}, 0.2, 1.0), disc("B", {0.0, 0.0}, {0.0, 0.0}, 0.2, 2.0)});
-  const Sampled s = run(scene, 0.5,
+  Preset preset = test::preset_with(
+      {disc("A", {-1.0, 0.0}, {3.0, 0.0}, 0.2, 1.0), disc("B", {0.0, 0.0}, {0.0, 0.0}, 0.2, 2.0)});
+  const Sampled s = run(preset, 0.5,
                         {curve("velocity_x", {0}), curve("body_kinetic_energy", {1}),
                          curve("impacts_between", {1, 0}), curve("body_momentum", {1})});
   ASSERT_EQ(s.impacts.size(), 1U);
@@ -129,7 +130,7 @@ TEST(Sampler, ReadsBodiesAtAnImpact) {
 
 // A path over another quantity has two values a row; a body that is put in stands upright in the sums.
 TEST(Sampler, ReadsPathsAndEdits) {
-  Simulation simulation(test::scene({disc("A", {0.0, 0.0}, {1.0, 0.5})}));
+  Simulation simulation(setup_of(test::preset_with({disc("A", {0.0, 0.0}, {1.0, 0.5})})));
   const Curve path{{find_observable("y"), {0}}, Quantity{find_observable("x"), {0}}};
   Sampler sampler({path, curve("kinetic_energy")});
   sampler.begin(simulation);
@@ -148,13 +149,13 @@ TEST(Sampler, ReadsPathsAndEdits) {
 
 // Two discs a centimetre into one another, and a pile's contacts.
 TEST(Sampler, ReadsOverlapsAndContacts) {
-  Scene scene = test::scene({disc("A", {0.0, 0.0}, {0.0, 0.0}), disc("B", {0.19, 0.0}, {0.0, 0.0})});
-  const Sampled s = run(scene, 0.005, {curve("overlap")});
+  Preset preset = test::preset_with({disc("A", {0.0, 0.0}, {0.0, 0.0}), disc("B", {0.19, 0.0}, {0.0, 0.0})});
+  const Sampled s = run(preset, 0.005, {curve("overlap")});
   EXPECT_NEAR(s.at(0, 0), 0.01, 1e-15);
 
-  Scene resting =
-      test::scene({test::wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("ball", {0.0, 0.1}, {0.0, 0.0})}, 0.0);
-  resting.forces.gravity = {0.0, -9.81};
+  Preset resting = test::preset_with(
+      {test::wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("ball", {0.0, 0.1}, {0.0, 0.0})}, 0.0);
+  resting.scene.forces.gravity = {0.0, -9.81};
   resting.method.contacts = ContactsId::kLasting;
   const Sampled held = run(resting, 0.1, {curve("contacts"), curve("contact_force", {0, 1})});
   EXPECT_EQ(held.at(held.rows.size() - 1, 0), 1.0);
@@ -163,7 +164,7 @@ TEST(Sampler, ReadsOverlapsAndContacts) {
 
 // Sums over the impacts, of a pair that is plotted, and of one that is not.
 TEST(Sampler, CountsGoOnInASavedRun) {
-  Scene scene = lossy();
+  Preset preset = lossy();
   const auto number = [](const char* name, std::vector<std::string> bodies) {
     QuantityName quantity;
     quantity.observable = name;
@@ -172,18 +173,18 @@ TEST(Sampler, CountsGoOnInASavedRun) {
   };
   Plot plot;
   plot.y = {number("impacts_between", {"b", "a"}), number("wall_impacts", {})};
-  scene.plots = {plot};
-  const int n = static_cast<int>(scene.bodies.size());
+  preset.plots = {plot};
+  const int n = static_cast<int>(preset.scene.bodies.size());
   const std::vector<Curve> curves = {curve("impacts_between", {n - 1, n - 2}),
                                      curve("impacts_between", {0, n - 2}),
                                      curve("wall_impacts"),
                                      curve("mutual_impacts"),
                                      curve("wall_impulse"),
                                      curve("impacts")};
-  const Sampled whole = run(scene, 4.0, curves);
-  Simulation half(scene);
+  const Sampled whole = run(preset, 4.0, curves);
+  Simulation half(setup_of(preset));
   half.advance_to(2.0);
-  const Scene saved = test::saved_and_read(scene, half);
+  const Preset saved = test::saved_and_read(preset, half);
   const Sampled rest = run(saved, 4.0, curves);
   const std::size_t first = whole.rows.size() - rest.rows.size();
   EXPECT_GT(rest.at(0, 0), 0.0);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
+#include "physics/preset/preset.h"
 #include "physics/session/worker.h"
 #include "tests/support/heap.h"
 #include "tests/support/scenes.h"
@@ -26,14 +27,14 @@ std::shared_ptr<const Frame> wait_for(Worker& worker, const Condition& fulfilled
   return nullptr;
 }
 
-Scene quiet() { return test::scene({disc("a", {0, 0}, {1, 0})}); }
+Preset quiet() { return test::preset_with({disc("a", {0, 0}, {1, 0})}); }
 
 TEST(WorkerStops, PausesWhereARunIsLost) {
-  Scene s = quiet();
+  Preset s = quiet();
   Spring spring;
   spring.body = "a";
   spring.stiffness = 1e6;
-  s.forces.springs = {spring};
+  s.scene.forces.springs = {spring};
   s.method = {.integrator = IntegratorId::kRk4, .step = 0.005};
   Worker worker(s);
   worker.run_until(5.0);
@@ -51,8 +52,8 @@ TEST(WorkerStops, PausesWhereARunIsLost) {
 }
 
 TEST(WorkerStops, SaysWhatAnErrorWas) {
-  Scene s = quiet();
-  s.bodies[0].material = "unknown";  // no valid scene
+  Preset s = quiet();
+  s.scene.bodies[0].material = "unknown";  // no valid scene
   Worker worker(s);
   const auto failed = wait_for(worker, [](const Frame& f) { return f.lost.has_value(); });
   ASSERT_TRUE(failed);
@@ -69,7 +70,10 @@ TEST(WorkerStops, SaysWhatAnErrorWas) {
 
 // A step of seconds: another scene comes at once, and so does the end.
 TEST(WorkerStops, LeavesAStepThatTakesLong) {
-  const Scene heavy = test::heap(100, 100, 1.0);
+  const RunSetup heap = test::heap(100, 100, 1.0);
+  Preset heavy;
+  heavy.scene = heap.scene;
+  heavy.method = heap.method;
   Worker worker(heavy);
   worker.set_playing(true);
   std::this_thread::sleep_for(100ms);

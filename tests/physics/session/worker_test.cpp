@@ -16,14 +16,14 @@ using namespace std::chrono_literals;
 using test::disc;
 using test::room;
 
-Scene small_gas() {
+Preset small_gas() {
   std::vector<Body> bodies = room(1.0, 0.5);
   for (int i = 0; i < 4; ++i) {
     bodies.push_back(disc("disc " + std::string(1, static_cast<char>('a' + i)), {-0.6 + 0.4 * i, 0.1 * i},
                           {1.0 - 0.7 * i, 0.3 + 0.4 * i}));
   }
-  Scene s = test::scene(std::move(bodies), 0.95, 0.1);
-  s.forces.gravity = {0.0, -9.81};
+  Preset s = test::preset_with(std::move(bodies), 0.95, 0.1);
+  s.scene.forces.gravity = {0.0, -9.81};
   return s;
 }
 
@@ -96,12 +96,12 @@ class Watcher {
 };
 
 TEST(Worker, RunUntilGivesTheBytesOfAPlainRun) {
-  const Scene s = small_gas();
+  const Preset s = small_gas();
   Worker worker(s, {energy()});
   Watcher watcher(worker);
   worker.run_until(20.0);
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return !f.playing && f.steps > 0; }));
-  Simulation plain(s);
+  Simulation plain(setup_of(s));
   plain.advance_to(20.0);
   EXPECT_EQ(watcher.last.steps, plain.steps());
   EXPECT_EQ(watcher.last.time, plain.time());
@@ -122,8 +122,8 @@ TEST(Worker, NewsOfFramesThatNobodyTookGoOn) {
 
 // A window that is asleep must not fill the memory: the run waits for it, and nothing is lost.
 TEST(Worker, WaitsWhereNobodyTakesItsFrames) {
-  Scene s;
-  s.bodies = {disc("a", {0.0, 0.0}, {1.0, 0.0})};
+  Preset s;
+  s.scene.bodies = {disc("a", {0.0, 0.0}, {1.0, 0.0})};
   s.method.step = 1e-6;
   Worker worker(s, {energy()});
   worker.run_until(1.0);
@@ -173,7 +173,7 @@ TEST(Worker, PlaysPausesStepsAndRestarts) {
 }
 
 TEST(Worker, ChangesTheMethodAndTakesBodies) {
-  const Scene s = small_gas();
+  const Preset s = small_gas();
   Worker worker(s);
   Watcher watcher(worker);
   const Method method{IntegratorId::kSemiImplicitEuler, ImpactsId::kStepEnd, ContactsId::kImpulse, 0.01};
@@ -183,13 +183,13 @@ TEST(Worker, ChangesTheMethodAndTakesBodies) {
   watcher.edits = 2;
   worker.run_until(2.0);
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return !f.playing && f.steps > 0; }));
-  Simulation plain(s);
+  Simulation plain(setup_of(s));
   plain.set_method(method);
   plain.add_body(body);
   plain.advance_to(2.0);
   EXPECT_TRUE(test::same_bytes(watcher.last.state, plain.state()));
-  EXPECT_EQ(worker.scene().method, method);
-  EXPECT_EQ(worker.scene().bodies.back().name, "new");
+  EXPECT_EQ(worker.preset().method, method);
+  EXPECT_EQ(worker.preset().scene.bodies.back().name, "new");
   watcher.edits = 1;  // the body comes in again
   worker.restart();
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return f.steps == 0; }));
@@ -219,7 +219,7 @@ TEST(Worker, BodiesComeInAgainAtTheirTimeAfterARestart) {
   worker.restart();
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return f.steps == 0; }));
   EXPECT_EQ(watcher.last.state.size(), 8);
-  EXPECT_EQ(worker.scene().bodies.back().name, "late") << "it is saved with the scene";
+  EXPECT_EQ(worker.preset().scene.bodies.back().name, "late") << "it is saved with the scene";
   ASSERT_TRUE(run_to(0.6));
   EXPECT_TRUE(test::same_bytes(watcher.last.state, first));
   worker.restart();
@@ -235,7 +235,7 @@ TEST(Worker, BodiesComeInAgainAtTheirTimeAfterARestart) {
 // The measured pace belongs to the time since playing began: not to a pause, nor to the run before.
 // A step that lasts longer than the lag that a slow machine is forgiven: it comes when it is due.
 TEST(Worker, PlaysStepsThatLast) {
-  Scene s = small_gas();
+  Preset s = small_gas();
   s.method.step = 0.2;
   Worker worker(s);
   Watcher watcher(worker);
@@ -282,7 +282,7 @@ TEST(Worker, TakesACrowdOfCommands) {
     if (i % 7 == 0) worker.restart();
     worker.set_playing(i % 3 != 0);
     worker.step_once();
-    (void)worker.scene();
+    (void)worker.preset();
   }
   worker.restart();
   worker.run_until(1.0);

@@ -8,6 +8,7 @@
 #include "physics/compare/reference.h"
 #include "physics/math/stopped.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
 #include "physics/study/background_study.h"
 #include "tests/support/scenes.h"
@@ -16,9 +17,9 @@ namespace carom {
 namespace {
 
 // A disc on a spring.
-Scene spring_scene() {
-  Scene s = test::scene({test::disc("disc", {1.0, 0.0}, Vec2::Zero())});
-  s.forces.springs.push_back({"", "disc", "", Vec2::Zero(), 25.0, 0.0, 0.0, SpringActs::kBoth});
+Preset spring_scene() {
+  Preset s = test::preset_with({test::disc("disc", {1.0, 0.0}, Vec2::Zero())});
+  s.scene.forces.springs.push_back({"", "disc", "", Vec2::Zero(), 25.0, 0.0, 0.0, SpringActs::kBoth});
   s.method.step = 0.05;
   s.duration = 3.0;
   return s;
@@ -48,7 +49,7 @@ std::string without_times(StudyTable table) {
 // --- followed and stopped
 
 TEST(Study, RowsThatComeOnTheWayAreTheTables) {
-  const Scene s = read_preset(CAROM_PRESET_DIR "/numerical-methods/drag-projectile.json");
+  const Preset s = read_preset(CAROM_PRESET_DIR "/numerical-methods/drag-projectile.json");
   StudyOptions o = quick();
   o.repeats = 3;
   o.threads = 3;
@@ -108,11 +109,12 @@ void expect_to_stop(const Work& work) {
 constexpr double kAges = 1e11;  // s, simulated: 2e12 steps
 
 TEST(Study, StopsWithinARun) {
-  Scene s = spring_scene();
-  const Method m = reference_method(s);
-  const Chaos chaos = follow_neighbours(s, m, 3.0, 1);
-  expect_to_stop([&](const std::stop_token& stop) { (void)follow_neighbours(s, m, kAges, 2, stop); });
-  expect_to_stop([&](const std::stop_token& stop) { (void)make_reference(s, chaos, kAges, kAges, stop); });
+  Preset s = spring_scene();
+  const Method m = reference_method(setup_of(s));
+  const Chaos chaos = follow_neighbours(setup_of(s), m, 3.0, 1);
+  expect_to_stop([&](const std::stop_token& stop) { (void)follow_neighbours(setup_of(s), m, kAges, 2, stop); });
+  expect_to_stop(
+      [&](const std::stop_token& stop) { (void)make_reference(setup_of(s), chaos, kAges, kAges, stop); });
   Expectation late;
   late.reduction = Expectation::Reduction::kAt;
   late.observable = "x";
@@ -130,7 +132,7 @@ TEST(Study, StopsWithinARun) {
 }
 
 TEST(Study, StopsBetweenRuns) {
-  const Scene s = spring_scene();
+  const Preset s = spring_scene();
   StudyOptions o = quick();
   o.threads = 2;
   for (const std::string_view last : {"neighbours", "reference", "accuracy", "times, alone"}) {

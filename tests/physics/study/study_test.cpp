@@ -9,6 +9,7 @@
 #include "physics/compare/reference.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/study/stated_figures.h"
 #include "physics/study/study_text.h"
 #include "tests/support/scenes.h"
@@ -144,15 +145,15 @@ Method located(IntegratorId id, double step) {
 // that its centre goes and the sum a of the radii, neighbours part by 1 + L/a + √((L/a)² + 2L/a) a flight (the
 // curvature of a front of neighbours, κ ↦ κ/(1 + Lκ) + 2/a, at its fixed point grows by 1 + Lκ).
 TEST(Chaos, ExponentOfABallBetweenTwoDiscs) {
-  Scene s =
-      test::scene({disc("left", {-1.0, 0.0}, Vec2::Zero(), 0.5), disc("right", {1.0, 0.0}, Vec2::Zero(), 0.5),
-                   disc("ball", {0.0, 0.0}, {1.0, 0.0}, 0.1)});
-  s.bodies[0].fixed = s.bodies[1].fixed = true;
+  Preset s = test::preset_with({disc("left", {-1.0, 0.0}, Vec2::Zero(), 0.5),
+                                disc("right", {1.0, 0.0}, Vec2::Zero(), 0.5),
+                                disc("ball", {0.0, 0.0}, {1.0, 0.0}, 0.1)});
+  s.scene.bodies[0].fixed = s.scene.bodies[1].fixed = true;
   constexpr double kA = 0.6;
   constexpr double kL = 2.0 - 2.0 * kA;
   const double factor = 1.0 + kL / kA + std::sqrt(kL / kA * kL / kA + 2.0 * kL / kA);
   const double exponent = std::log(factor) / kL;  // at 1 m/s
-  const Chaos c = follow_neighbours(s, located(IntegratorId::kRk4, 0.01), 30.0, 1);
+  const Chaos c = follow_neighbours(setup_of(s), located(IntegratorId::kRk4, 0.01), 30.0, 1);
   EXPECT_NEAR(c.exponent, exponent, 0.05 * exponent);
   // Rounding of the length, some 0.5 m, grows to 1e-3 of 0.1 m.
   const double expected = std::log(kVisible * 0.1 / (2.2e-16 * c.length)) / exponent;
@@ -161,9 +162,10 @@ TEST(Chaos, ExponentOfABallBetweenTwoDiscs) {
 }
 
 TEST(Chaos, AFallingBallHasNone) {
-  Scene s = test::scene({wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("ball", {0.0, 1.0}, {0.1, 0.0})}, 0.9);
-  s.forces.gravity = {0.0, -9.81};
-  const Chaos c = follow_neighbours(s, located(IntegratorId::kRk4, 0.01), 2.0, 1);
+  Preset s =
+      test::preset_with({wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("ball", {0.0, 1.0}, {0.1, 0.0})}, 0.9);
+  s.scene.forces.gravity = {0.0, -9.81};
+  const Chaos c = follow_neighbours(setup_of(s), located(IntegratorId::kRk4, 0.01), 2.0, 1);
   EXPECT_EQ(c.exponent, 0.0);
   EXPECT_TRUE(std::isinf(c.horizon));
   EXPECT_LT(c.growth_at(2.0), 30.0);
@@ -172,26 +174,26 @@ TEST(Chaos, AFallingBallHasNone) {
 }
 
 TEST(Chaos, IsTheSameWithAnyNumberOfThreads) {
-  const Scene s = test::scene({disc("a", {-1.0, 0.0}, {1.0, 0.0}), disc("b", {1.0, 0.05}, {-1.0, 0.0})});
+  const Preset s = test::preset_with({disc("a", {-1.0, 0.0}, {1.0, 0.0}), disc("b", {1.0, 0.05}, {-1.0, 0.0})});
   const Method m = located(IntegratorId::kRk4, 0.01);
-  EXPECT_EQ(follow_neighbours(s, m, 3.0, 1).growth, follow_neighbours(s, m, 3.0, 4).growth);
+  EXPECT_EQ(follow_neighbours(setup_of(s), m, 3.0, 1).growth, follow_neighbours(setup_of(s), m, 3.0, 4).growth);
 }
 
 // --- reference and study
 
 // A disc on a spring, x'' = -25 x, with and without the wall at x = 0 that it meets at its fastest.
-Scene spring_scene() {
-  Scene s = test::scene({disc("disc", {1.0, 0.0}, Vec2::Zero())});
-  s.forces.springs.push_back({"", "disc", "", Vec2::Zero(), 25.0, 0.0, 0.0, SpringActs::kBoth});
+Preset spring_scene() {
+  Preset s = test::preset_with({disc("disc", {1.0, 0.0}, Vec2::Zero())});
+  s.scene.forces.springs.push_back({"", "disc", "", Vec2::Zero(), 25.0, 0.0, 0.0, SpringActs::kBoth});
   s.method = located(IntegratorId::kRk4, 0.05);
   s.duration = 3.0;
   return s;
 }
 
 TEST(Reference, ItsOwnErrorIsHonest) {
-  const Scene s = spring_scene();
-  const Chaos chaos = follow_neighbours(s, reference_method(s), 3.0, 1);
-  const Reference r = make_reference(s, chaos, 3.0, 3.3);
+  const Preset s = spring_scene();
+  const Chaos chaos = follow_neighbours(setup_of(s), reference_method(setup_of(s)), 3.0, 1);
+  const Reference r = make_reference(setup_of(s), chaos, 3.0, 3.3);
   EXPECT_TRUE(r.converged);
   EXPECT_FALSE(r.exact);
   EXPECT_GT(r.halvings, 1);
@@ -200,19 +202,19 @@ TEST(Reference, ItsOwnErrorIsHonest) {
 }
 
 TEST(Reference, IsExactFlightWhereThatIsAllowed) {
-  Scene s = spring_scene();
-  EXPECT_NE(reference_method(s).integrator, IntegratorId::kExactFlight);
-  s.forces.springs.clear();
-  EXPECT_EQ(reference_method(s).integrator, IntegratorId::kExactFlight);
-  EXPECT_EQ(reference_method(s).impacts, ImpactsId::kLocated);
+  Preset s = spring_scene();
+  EXPECT_NE(reference_method(setup_of(s)).integrator, IntegratorId::kExactFlight);
+  s.scene.forces.springs.clear();
+  EXPECT_EQ(reference_method(setup_of(s)).integrator, IntegratorId::kExactFlight);
+  EXPECT_EQ(reference_method(setup_of(s)).impacts, ImpactsId::kLocated);
 }
 
 // Contact forces are found for a whole step: not even exact flight is free of it.
 TEST(Reference, IsRefinedWhereContactsLast) {
-  Scene s = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
+  Preset s = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
   constexpr double kRolls = 0.52;  // s: just after the slip has ended
-  const Chaos chaos = follow_neighbours(s, reference_method(s), kRolls, 1);
-  const Reference r = make_reference(s, chaos, kRolls, kRolls);
+  const Chaos chaos = follow_neighbours(setup_of(s), reference_method(setup_of(s)), kRolls, 1);
+  const Reference r = make_reference(setup_of(s), chaos, kRolls, kRolls);
   EXPECT_EQ(r.method.integrator, IntegratorId::kExactFlight);
   EXPECT_FALSE(r.exact);
   EXPECT_GT(r.halvings, 3);
@@ -221,7 +223,7 @@ TEST(Reference, IsRefinedWhereContactsLast) {
   EXPECT_FALSE(figures.empty());
   for (const StatedFigure& f : figures) EXPECT_LT(f.difference, 1e-9) << f.text;
   s.method.contacts = ContactsId::kImpulse;
-  EXPECT_TRUE(make_reference(s, chaos, kRolls, kRolls).exact);
+  EXPECT_TRUE(make_reference(setup_of(s), chaos, kRolls, kRolls).exact);
 }
 
 StudyOptions quick() {
@@ -241,7 +243,7 @@ const StudyGroup& group_of(const std::vector<StudyGroup>& groups, IntegratorId i
 }
 
 TEST(Study, ShowsWhatLocatedImpactsAreWorth) {
-  const Scene s = read_preset(CAROM_PRESET_DIR "/numerical-methods/drag-projectile.json");
+  const Preset s = read_preset(CAROM_PRESET_DIR "/numerical-methods/drag-projectile.json");
   const StudyTable table = run_study(s, "drag-projectile", quick());
   ASSERT_TRUE(table.whole());
   const auto groups = groups_of(table);
@@ -262,7 +264,7 @@ TEST(Study, ShowsWhatLocatedImpactsAreWorth) {
 }
 
 TEST(Study, SaysExactHereWhereAMethodIs) {
-  const Scene s = read_preset(CAROM_PRESET_DIR "/bounces/bouncing-ball.json");
+  const Preset s = read_preset(CAROM_PRESET_DIR "/bounces/bouncing-ball.json");
   const StudyTable table = run_study(s, "bouncing-ball", quick());
   EXPECT_LT(table.facts.time, 4.06);  // before the ball comes to rest
   for (const StudyGroup& g : groups_of(table)) {
@@ -278,8 +280,8 @@ TEST(Study, SaysExactHereWhereAMethodIs) {
 // A disc slides and then rolls. Where the slip ends within a step the mean of its friction acts for all of it,
 // and the position is off by up to μ g h²/8; the rest is exact, but for the Eulers' own error.
 TEST(Study, TellsTheOrderWhereContactsLast) {
-  const Scene s = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
-  const double slowing = s.materials[0].kinetic_friction * 9.81;  // m/s²
+  const Preset s = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
+  const double slowing = s.scene.materials[0].kinetic_friction * 9.81;  // m/s²
   StudyOptions options = quick();
   options.until = 0.55;  // just after the slip has ended
   const StudyTable table = run_study(s, "slide-to-roll", options);
@@ -304,7 +306,7 @@ TEST(Study, SaysWhenARunBlewUp) {
   StudyOptions o = quick();
   o.integrators = {IntegratorId::kExplicitEuler};
   o.steps = {0.5, 0.001};
-  Scene s = spring_scene();
+  Preset s = spring_scene();
   s.duration = 20.0;
   const StudyTable table = run_study(s, "spring", o);
   for (const StudyGroup& g : groups_of(table)) {
@@ -330,7 +332,7 @@ std::string csv_of(const StudyTable& table) {
 }
 
 TEST(Study, ShardsPutTogetherAreTheWhole) {
-  const Scene s = read_preset(CAROM_PRESET_DIR "/numerical-methods/drag-projectile.json");
+  const Preset s = read_preset(CAROM_PRESET_DIR "/numerical-methods/drag-projectile.json");
   StudyOptions o = quick();
   o.threads = 1;
   const StudyTable whole = run_study(s, "drag-projectile", o);
@@ -358,7 +360,7 @@ std::string refusal(const auto& action) {
 }
 
 TEST(Study, RefusesShardsThatDontBelongTogether) {
-  const Scene s = spring_scene();
+  const Preset s = spring_scene();
   StudyOptions o = quick();
   o.integrators = {IntegratorId::kRk4};
   o.shards = 2;
@@ -405,7 +407,7 @@ TEST(Study, RefusesAFileThatIsNoStudy) {
 
 // A gas of hard discs is chaotic: it is compared well before its horizon, and the text says so.
 TEST(Study, OfAGasKeepsBeforeItsHorizon) {
-  Scene s = test::scene(test::room(1.0, 0.2));
+  Preset s = test::preset_with(test::room(1.0, 0.2));
   GridGenerator g;
   g.columns = g.rows = 4;
   g.origin = {-0.6, -0.6};
@@ -413,7 +415,7 @@ TEST(Study, OfAGasKeepsBeforeItsHorizon) {
   g.jitter = 0.02;
   g.radius_min = g.radius_max = 0.08;
   g.speed_max = 1.0;
-  s.generators.push_back(g);
+  s.scene.generators.push_back(g);
   s.method = located(IntegratorId::kRk4, 0.01);
   s.duration = 30.0;
   StudyOptions o = quick();

@@ -4,6 +4,7 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/impact/simultaneous_impact.h"
+#include "physics/world/run_setup.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/scenes.h"
 
@@ -45,20 +46,20 @@ TEST(Allocation, NoneInAWarmStep) {
         bodies.push_back(test::disc(name, {-0.75 + 0.5 * (i % 4), -0.75 + 0.5 * (i / 4)},
                                     {1.0 - 0.1 * i, 0.1 * i * i - 8.0}));
       }
-      Scene s = test::scene(std::move(bodies), 1.0, 0.1);
+      RunSetup s = test::setup_with(std::move(bodies), 1.0, 0.1);
       if (integrator.order > 0) {
-        s.forces.quadratic_drag = 1e-6;
+        s.scene.forces.quadratic_drag = 1e-6;
         Link link;
         link.kind = LinkKind::kString;
         link.body = "a";
         link.to = "b";
         link.length = 0.8;
-        s.links.push_back(link);
+        s.scene.links.push_back(link);
         link = {};
         link.body = "c";
         link.to = "d";
-        s.links.push_back(link);
-        s.bodies[6].velocity = s.bodies[7].velocity;
+        s.scene.links.push_back(link);
+        s.scene.bodies[6].velocity = s.scene.bodies[7].velocity;
       }
       s.method = {integrator.id, impacts.id, ContactsId::kImpulse, 0.01};
       Simulation run(s);

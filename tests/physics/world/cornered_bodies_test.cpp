@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
 // Whole runs of bodies that are no discs.
@@ -43,8 +44,8 @@ TEST(FallingRod, OneEndLands) {
       const double height = 1.0;
       Body rod = shaped("rod", Wall{length}, {0.0, height + 0.5 * length * std::sin(angle)}, angle);
       rod.mass = 2.0;
-      Scene s = test::scene({ground("floor", {0.0, 0.0}, 0.0), rod}, e);
-      s.forces.gravity = {0.0, -9.81};
+      RunSetup s = test::setup_with({ground("floor", {0.0, 0.0}, 0.0), rod}, e);
+      s.scene.forces.gravity = {0.0, -9.81};
       s.method = exact_flight(0.01);
       Simulation run(s);
       while (run.impact_count() == 0) run.step();
@@ -63,8 +64,8 @@ TEST(FallingRod, OneEndLands) {
 
 TEST(CorneredBodies, BoxThatLandsFlatBouncesFlat) {
   Body box = shaped("box", Box{0.6, 0.4}, {0.0, 1.2});
-  Scene s = test::scene({ground("floor", {0.0, 0.0}, 0.0), box}, 1.0, 0.5);
-  s.forces.gravity = {0.0, -9.81};
+  RunSetup s = test::setup_with({ground("floor", {0.0, 0.0}, 0.0), box}, 1.0, 0.5);
+  s.scene.forces.gravity = {0.0, -9.81};
   s.method = exact_flight(0.01);
   Simulation run(s);
   run.advance_to(5.0);
@@ -90,7 +91,7 @@ TEST(CorneredBodies, GasKeepsEnergyAndMomentum) {
     bodies.push_back(b);
   }
   for (const bool located : {true, false}) {
-    Scene s = test::scene(bodies);
+    RunSetup s = test::setup_with(bodies);
     s.method = exact_flight(0.01);
     if (!located) s.method = {IntegratorId::kRk4, ImpactsId::kStepEnd, ContactsId::kImpulse, 0.001};
     Simulation run(s);
@@ -117,8 +118,8 @@ TEST(CorneredBodies, ComeToLieOnTheFloor) {
   for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
     Body box = shaped("box", Box{0.6, 0.4}, {0.0, 1.0}, 0.4);
     Body capsule = shaped("capsule", Polygon{{{0, 0}, {0.5, 0}}, 0.1}, {1.5, 1.0}, 1.0);
-    Scene s = test::scene({ground("floor", {0.0, 0.0}, 0.0), box, capsule}, 0.3, 0.6);
-    s.forces.gravity = {0.0, -9.81};
+    RunSetup s = test::setup_with({ground("floor", {0.0, 0.0}, 0.0), box, capsule}, 0.3, 0.6);
+    s.scene.forces.gravity = {0.0, -9.81};
     s.method = {IntegratorId::kRk4, impacts, ContactsId::kImpulse, 0.002};
     Simulation run(s);
     run.advance_to(6.0);
@@ -135,7 +136,7 @@ TEST(Groups, PassThroughEachOther) {
   a.group = b.group = "ghosts";
   const Body c = disc("c", {3.0, 0.0}, {-1.0, 0.0});
   for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
-    Scene s = test::scene({a, b, c});
+    RunSetup s = test::setup_with({a, b, c});
     s.method.impacts = impacts;
     Simulation run(s);
     run.advance_to(3.0);
@@ -150,7 +151,7 @@ TEST(Bodies, PointLikeAndWithAGivenInertia) {
   Body point = disc("point", {0.0, 0.3}, {1.0, 0.0}, 0.0);
   Body box = shaped("box", Box{1.0, 1.0}, {1.0, 0.0});
   box.inertia = 0.5;
-  Scene s = test::scene({point, box});
+  RunSetup s = test::setup_with({point, box});
   Simulation run(s);
   run.advance_to(1.0);
   ASSERT_EQ(run.impact_count(), 1);

@@ -1,12 +1,13 @@
 #include <gtest/gtest.h>
 
+#include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
 namespace {
 
 using test::disc;
-using test::scene;
+using test::setup_with;
 using test::wall;
 
 Method exact_flight(double step) {
@@ -18,8 +19,9 @@ Method exact_flight(double step) {
 TEST(Galperin, CountsAreExact) {
   double mass = 1.0;
   for (const std::int64_t digits : {3, 31, 314, 3141, 31415, 314159, 3141592}) {
-    Scene s = scene({wall("wall", {-0.1, 0.0}, 0.2, 1.4), disc("light", {0.6, 0.0}, {0.0, 0.0}, 0.1, 1.0),
-                     disc("heavy", {1.5, 0.0}, {-0.5, 0.0}, 0.3, mass)});
+    RunSetup s =
+        setup_with({wall("wall", {-0.1, 0.0}, 0.2, 1.4), disc("light", {0.6, 0.0}, {0.0, 0.0}, 0.1, 1.0),
+                    disc("heavy", {1.5, 0.0}, {-0.5, 0.0}, 0.3, mass)});
     s.method = exact_flight(0.005);
     Simulation run(s);
     run.advance_to(12.0);
@@ -38,11 +40,11 @@ TEST(Galperin, CountsAreExact) {
   }
 }
 
-Scene three_in_a_row(double restitution, double radius) {
-  Scene s = scene({disc("left", {-1.0 - 2.0 * radius, 0.0}, {1.0, 0.0}, radius),
-                   disc("middle", {0.0, 0.0}, {0.0, 0.0}, radius),
-                   disc("right", {1.0 + 2.0 * radius, 0.0}, {-0.4, 0.0}, radius)},
-                  restitution);
+RunSetup three_in_a_row(double restitution, double radius) {
+  RunSetup s = setup_with({disc("left", {-1.0 - 2.0 * radius, 0.0}, {1.0, 0.0}, radius),
+                           disc("middle", {0.0, 0.0}, {0.0, 0.0}, radius),
+                           disc("right", {1.0 + 2.0 * radius, 0.0}, {-0.4, 0.0}, radius)},
+                          restitution);
   s.method = exact_flight(0.005);
   return s;
 }
@@ -80,7 +82,7 @@ TEST(Crushed, EndsInWords) {
   Body piston = wall("piston", {-1.1, 0.0}, 0.2, 1.0);
   piston.fixed = false;
   piston.drive = Drive{{1.0, 0.0}, {0.0, 0.0}, 0.0, 0.0};
-  Scene s = scene({wall("wall", {1.1, 0.0}, 0.2, 1.0), piston, disc("disc", {0.0, 0.0}, {1.0, 0.0})});
+  RunSetup s = setup_with({wall("wall", {1.1, 0.0}, 0.2, 1.0), piston, disc("disc", {0.0, 0.0}, {1.0, 0.0})});
   s.method = exact_flight(0.01);
   Simulation run(s);
   run.advance_to(1.79);
@@ -92,8 +94,8 @@ TEST(Crushed, EndsInWords) {
 
 // A disc that starts inside two walls is thrown from one into the other, all at the same time.
 TEST(Crushed, BetweenTwoWallsItEndsInWordsToo) {
-  Scene s = scene({wall("left", {-1.0, 0.0}, 1.2, 1.0), wall("right", {1.0, 0.0}, 1.2, 1.0),
-                   disc("disc", {0.0, 0.0}, {1.0, 0.0}, 0.45)});
+  RunSetup s = setup_with({wall("left", {-1.0, 0.0}, 1.2, 1.0), wall("right", {1.0, 0.0}, 1.2, 1.0),
+                           disc("disc", {0.0, 0.0}, {1.0, 0.0}, 0.45)});
   s.method = exact_flight(0.01);
   Simulation run(s);
   run.step();

@@ -8,6 +8,7 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/scene/facts.h"
 #include "physics/world/simulation.h"
 #include "tests/support/preset_files.h"
@@ -24,11 +25,11 @@ namespace fs = std::filesystem;
 constexpr double kMostTime = 0.5;  // s
 constexpr int kMostSteps = 200;
 
-std::string hash_of_run(const Scene& scene) {
-  Simulation run(scene);
+std::string hash_of_run(const Preset& preset) {
+  Simulation run(setup_of(preset));
   test::Hash hash;
-  const double h = scene.method.step;
-  const double until = std::min({scene.duration, kMostTime, kMostSteps * h});
+  const double h = preset.method.step;
+  const double until = std::min({preset.duration, kMostTime, kMostSteps * h});
   run.advance_to(run.time() + until, [&] {
     for (const ImpactRecord& i : run.last_impacts()) {
       for (const double x : {i.time, static_cast<double>(i.a), static_cast<double>(i.b), i.normal_impulse,
@@ -52,16 +53,16 @@ std::string hash_of_run(const Scene& scene) {
 // Name and method to hash, of one preset.
 std::map<std::string, std::string> hashes_of(const fs::path& file) {
   std::map<std::string, std::string> hashes;
-  Scene scene = read_preset(file);
+  Preset preset = read_preset(file);
   for (const IntegratorChoice& integrator : kIntegrators) {
-    if (why_not(scene, integrator.id)) continue;
+    if (why_not(preset.scene, integrator.id)) continue;
     for (const auto& impacts : kImpacts) {
       for (const auto& contacts : kContacts) {
-        scene.method.integrator = integrator.id;
-        scene.method.impacts = impacts.id;
-        scene.method.contacts = contacts.id;
+        preset.method.integrator = integrator.id;
+        preset.method.impacts = impacts.id;
+        preset.method.contacts = contacts.id;
         hashes[fmt::format("{} {} {} {}", file.stem().string(), integrator.name, impacts.name, contacts.name)] =
-            hash_of_run(scene);
+            hash_of_run(preset);
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
 // Contacts that last, against closed forms.
@@ -46,16 +47,16 @@ Body round_body(const std::string& name, const Vec2& at, double radius) {
   return b;
 }
 
-Scene scene(const Material& material, std::vector<Body> bodies) {
-  Scene s;
-  s.forces.gravity = Vec2(0.0, -kG);
-  s.materials = {material};
-  s.bodies = std::move(bodies);
+RunSetup scene(const Material& material, std::vector<Body> bodies) {
+  RunSetup s;
+  s.scene.forces.gravity = Vec2(0.0, -kG);
+  s.scene.materials = {material};
+  s.scene.bodies = std::move(bodies);
   s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, kStep};
   return s;
 }
 
-Simulation run(const Scene& s, double until) {
+Simulation run(const RunSetup& s, double until) {
   Simulation simulation(s);
   simulation.advance_to(until);
   return simulation;
@@ -63,7 +64,7 @@ Simulation run(const Scene& s, double until) {
 
 // Every integrator, impacts both ways.
 template <class Check>
-void for_every_method(Scene s, const Check& check) {
+void for_every_method(RunSetup s, const Check& check) {
   for (const auto& integrator : kIntegrators) {
     for (const auto& impacts : kImpacts) {
       SCOPED_TRACE(std::string(integrator.name) + ", " + std::string(impacts.name));
@@ -74,7 +75,7 @@ void for_every_method(Scene s, const Check& check) {
   }
 }
 
-Scene incline(double slope, double friction) {
+RunSetup incline(double slope, double friction) {
   const double angle = std::atan(slope);
   Body block = box("block", 0.5 * Vec2(-std::sin(angle), std::cos(angle)));
   block.angle = angle;
@@ -84,8 +85,8 @@ Scene incline(double slope, double friction) {
 double drift(const Simulation& s) { return s.ledger().numerical_drift(s.totals().energy()); }
 
 TEST(LastingContacts, ABlockBelowTheFrictionConeStays) {
-  const Scene s = incline(0.995 * 0.5, 0.5);
-  for_every_method(s, [](const Scene& each) {
+  const RunSetup s = incline(0.995 * 0.5, 0.5);
+  for_every_method(s, [](const RunSetup& each) {
     const Simulation end = run(each, 60.0);
     EXPECT_LT((end.state().position(1) - end.bodies()[1].position).norm(), 1e-9);
     EXPECT_EQ(end.notices().text(), "ok");
@@ -95,7 +96,7 @@ TEST(LastingContacts, ABlockBelowTheFrictionConeStays) {
 TEST(LastingContacts, ABlockAboveTheFrictionConeSlidesAsItMust) {
   const double angle = std::atan(1.005 * 0.5);
   const double a = kG * (std::sin(angle) - 0.5 * std::cos(angle));
-  for_every_method(incline(1.005 * 0.5, 0.5), [&](const Scene& each) {
+  for_every_method(incline(1.005 * 0.5, 0.5), [&](const RunSetup& each) {
     const Simulation end = run(each, 10.0);
     EXPECT_NEAR(end.state().velocity(1).norm(), 10.0 * a, 1e-9 * 10.0 * a);
     EXPECT_NEAR(end.state().velocity(1).normalized().dot(Vec2(-std::cos(angle), -std::sin(angle))), 1.0, 1e-12);
@@ -104,11 +105,12 @@ TEST(LastingContacts, ABlockAboveTheFrictionConeSlidesAsItMust) {
 }
 
 TEST(LastingContacts, StaticFrictionHoldsWhatKineticFrictionDoesNot) {
-  Scene s = incline(0.45, 0.5);
-  s.materials[0].kinetic_friction = 0.4;
+  RunSetup s = incline(0.45, 0.5);
+  s.scene.materials[0].kinetic_friction = 0.4;
   EXPECT_LT(run(s, 10.0).state().velocity(1).norm(), 1e-10);
-  s.bodies[1].velocity = 0.1 * Vec2(-std::cos(s.bodies[1].angle), -std::sin(s.bodies[1].angle));
-  const double a = kG * (std::sin(s.bodies[1].angle) - 0.4 * std::cos(s.bodies[1].angle));
+  s.scene.bodies[1].velocity =
+      0.1 * Vec2(-std::cos(s.scene.bodies[1].angle), -std::sin(s.scene.bodies[1].angle));
+  const double a = kG * (std::sin(s.scene.bodies[1].angle) - 0.4 * std::cos(s.scene.bodies[1].angle));
   EXPECT_NEAR(run(s, 10.0).state().velocity(1).norm(), 0.1 + 10.0 * a, 1e-8);
 }
 
@@ -116,7 +118,7 @@ TEST(LastingContacts, StaticFrictionHoldsWhatKineticFrictionDoesNot) {
 TEST(LastingContacts, SlidingBecomesRolling) {
   Body disc = round_body("disc", {0.0, 0.25}, 0.25);
   disc.velocity = Vec2(3.0, 0.0);
-  for_every_method(scene(rough(0.3), {ground(), disc}), [](const Scene& each) {
+  for_every_method(scene(rough(0.3), {ground(), disc}), [](const RunSetup& each) {
     const Simulation end = run(each, 3.0);
     EXPECT_NEAR(end.state().velocity(1).x(), 2.0, 1e-12);
     EXPECT_NEAR(end.state().v(2, 1), -8.0, 1e-11);
@@ -142,8 +144,8 @@ TEST(LastingContacts, RollingResistanceStopsADisc) {
   Body disc = round_body("disc", {0.0, 0.25}, 0.25);
   disc.velocity = Vec2(1.0, 0.0);
   disc.spin = -4.0;
-  Scene s = scene(rough(0.5), {ground(), disc});
-  s.materials[0].rolling_resistance = 0.02;
+  RunSetup s = scene(rough(0.5), {ground(), disc});
+  s.scene.materials[0].rolling_resistance = 0.02;
   // The moment c R N against 3/2 m R² of inertia about the contact: a = 2/3 c g.
   const double a = 2.0 / 3.0 * 0.02 * kG;
   const Simulation half = run(s, 3.0);
@@ -156,9 +158,9 @@ TEST(LastingContacts, RollingResistanceStopsADisc) {
 }
 
 TEST(LastingContacts, AStackStands) {
-  Scene s = scene(rough(0.6), {ground()});
-  for (int i = 0; i < 20; ++i) s.bodies.push_back(box("box-" + std::to_string(i), {0.0, 0.5 + i}));
-  for_every_method(s, [](const Scene& each) {
+  RunSetup s = scene(rough(0.6), {ground()});
+  for (int i = 0; i < 20; ++i) s.scene.bodies.push_back(box("box-" + std::to_string(i), {0.0, 0.5 + i}));
+  for_every_method(s, [](const RunSetup& each) {
     const Simulation end = run(each, 5.0);
     for (int i = 1; i <= 20; ++i)
       EXPECT_LT((end.state().position(i) - end.bodies()[i].position).norm(), 1e-7) << i;
@@ -168,8 +170,8 @@ TEST(LastingContacts, AStackStands) {
 
 // Each face carries the weight above it.
 TEST(LastingContacts, ForcesAreTheWeightsAbove) {
-  Scene s = scene(rough(0.6), {ground()});
-  for (int i = 0; i < 5; ++i) s.bodies.push_back(box("box-" + std::to_string(i), {0.0, 0.5 + i}));
+  RunSetup s = scene(rough(0.6), {ground()});
+  for (int i = 0; i < 5; ++i) s.scene.bodies.push_back(box("box-" + std::to_string(i), {0.0, 0.5 + i}));
   const Simulation end = run(s, 1.0);
   for (int i = 0; i < 5; ++i) {
     double force = 0.0;
@@ -182,18 +184,18 @@ TEST(LastingContacts, ForcesAreTheWeightsAbove) {
 }
 
 TEST(LastingContacts, AHeavyBoxRestsOnALightOne) {
-  const Scene s = scene(rough(0.6), {ground(), box("light", {0.0, 0.5}), box("heavy", {0.0, 1.5}, 1e6)});
-  for_every_method(s, [](const Scene& each) {
+  const RunSetup s = scene(rough(0.6), {ground(), box("light", {0.0, 0.5}), box("heavy", {0.0, 1.5}, 1e6)});
+  for_every_method(s, [](const RunSetup& each) {
     const Simulation end = run(each, 10.0);
     EXPECT_NEAR(end.state().position(2).y(), 1.5, 1e-8);
   });
 }
 
 TEST(LastingContacts, BoxesComeToRestAndTheLedgerCloses) {
-  Scene s = scene(rough(0.4, 0.3), {ground()});
+  RunSetup s = scene(rough(0.4, 0.3), {ground()});
   for (int i = 0; i < 5; ++i) {
-    s.bodies.push_back(box("box-" + std::to_string(i), {0.3 * i, 1.5 + 1.6 * i}));
-    s.bodies.back().angle = 0.3 * i;
+    s.scene.bodies.push_back(box("box-" + std::to_string(i), {0.3 * i, 1.5 + 1.6 * i}));
+    s.scene.bodies.back().angle = 0.3 * i;
   }
   for (const auto& impacts : kImpacts) {
     s.method.impacts = impacts.id;
@@ -206,15 +208,15 @@ TEST(LastingContacts, BoxesComeToRestAndTheLedgerCloses) {
 
 // Discs made inside one another are pushed apart by moves that give them no speed.
 TEST(LastingContacts, OverlapsPartWithoutSpeed) {
-  Scene s = scene(rough(0.0), {});
-  s.forces.gravity.setZero();
+  RunSetup s = scene(rough(0.0), {});
+  s.scene.forces.gravity.setZero();
   for (int i = 0; i < 25; ++i)
-    s.bodies.push_back(round_body("disc-" + std::to_string(i), {0.375 * (i % 5), 0.375 * (i / 5)}, 0.25));
+    s.scene.bodies.push_back(round_body("disc-" + std::to_string(i), {0.375 * (i % 5), 0.375 * (i / 5)}, 0.25));
   Body press;  // something that may press: else no contact would last
   press = round_body("far", {50.0, 0.0}, 0.1);
   press.velocity = Vec2(0.0, 1.0);
-  s.bodies.push_back(press);
-  for_every_method(s, [](const Scene& each) {
+  s.scene.bodies.push_back(press);
+  for_every_method(s, [](const RunSetup& each) {
     Simulation simulation(each);
     for (int k = 0; k < 240; ++k) {
       simulation.step();
@@ -231,7 +233,7 @@ TEST(LastingContacts, ABoxRidesOnADrivenTable) {
   Body table = box("table", {0.0, -0.5});
   table.density.reset();
   table.drive = Drive{.amplitude = Vec2(0.0, 0.02), .angular_frequency = std::sqrt(0.9 * kG / 0.02)};
-  Scene s = scene(rough(0.5), {table, box("box", {0.0, 0.5})});
+  RunSetup s = scene(rough(0.5), {table, box("box", {0.0, 0.5})});
   for (const auto& impacts : kImpacts) {
     s.method.impacts = impacts.id;
     Simulation simulation(s);
@@ -242,7 +244,7 @@ TEST(LastingContacts, ABoxRidesOnADrivenTable) {
                       std::abs(simulation.state().position(1).y() - simulation.state().position(0).y() - 1.0));
     }
     // Between steps the forces are constant where the drive's acceleration changes by A ω³ h.
-    const double w = s.bodies[0].drive->angular_frequency;
+    const double w = s.scene.bodies[0].drive->angular_frequency;
     EXPECT_LT(most, 0.02 * w * w * w * kStep * kStep * kStep) << impacts.name;
   }
 }
@@ -256,9 +258,9 @@ TEST(LastingContacts, WhatLandsDoesNotSinkIn) {
   rod.density.reset();
   rod.mass = 1.0;
   rod.angle = 0.7;
-  Scene s = scene(rough(0.3), {ground(), tile, rod});
+  RunSetup s = scene(rough(0.3), {ground(), tile, rod});
   for (const double restitution : {0.0, 0.5}) {
-    s.materials[0].restitution = restitution;
+    s.scene.materials[0].restitution = restitution;
     Simulation simulation(s);
     while (simulation.time() < 3.0) {
       simulation.step();
@@ -289,28 +291,28 @@ TEST(LastingContacts, AThinWallLiesOnEitherSide) {
 }
 
 // Discs on a grid in a container just as wide, more than are solved exactly once they touch.
-Scene crowd(const Vec2& spacing) {
+RunSetup crowd(const Vec2& spacing) {
   constexpr int kColumns = 20;
   Body left = ground(-0.5 * std::numbers::pi);
   Body right = ground(0.5 * std::numbers::pi);
   left.name = "left";
   right.name = "right";
   right.position.x() = kColumns * spacing.x();
-  Scene s = scene(rough(0.5), {ground(), left, right});
-  s.materials[0].rolling_resistance = 0.05;
-  s.generators = {{.columns = kColumns,
-                   .rows = 12,
-                   .origin = 0.5 * spacing,
-                   .spacing = spacing,
-                   .jitter = 0.5 * (spacing.x() - 0.5),
-                   .radius_min = 0.25,
-                   .radius_max = 0.25,
-                   .seed = 1}};
+  RunSetup s = scene(rough(0.5), {ground(), left, right});
+  s.scene.materials[0].rolling_resistance = 0.05;
+  s.scene.generators = {{.columns = kColumns,
+                         .rows = 12,
+                         .origin = 0.5 * spacing,
+                         .spacing = spacing,
+                         .jitter = 0.5 * (spacing.x() - 0.5),
+                         .radius_min = 0.25,
+                         .radius_max = 0.25,
+                         .seed = 1}};
   return s;
 }
 
 TEST(LastingContacts, ShortStepsForgetNoContact) {
-  Scene s = crowd(Vec2(0.5, 0.5));
+  RunSetup s = crowd(Vec2(0.5, 0.5));
   for (const auto& impacts : kImpacts) {
     s.method.impacts = impacts.id;
     Simulation simulation(s);
@@ -325,7 +327,7 @@ TEST(LastingContacts, ShortStepsForgetNoContact) {
 
 // The forces found for a very short one are made of the solver's tolerance: no step may start from them.
 TEST(LastingContacts, ShortStepsLeaveNoBurst) {
-  Scene s = crowd(Vec2(0.55, 0.75));
+  RunSetup s = crowd(Vec2(0.55, 0.75));
   s.method.impacts = ImpactsId::kStepEnd;
   Simulation simulation(s);
   for (int k = 0; k < 150; ++k) {
@@ -338,9 +340,9 @@ TEST(LastingContacts, ShortStepsLeaveNoBurst) {
 }
 
 TEST(LastingContacts, TheSameRunGivesTheSameBits) {
-  Scene s = scene(rough(0.5), {ground()});
+  RunSetup s = scene(rough(0.5), {ground()});
   for (int i = 0; i < 30; ++i)
-    s.bodies.push_back(
+    s.scene.bodies.push_back(
         round_body("disc-" + std::to_string(i), {0.51 * (i % 6) + 0.01 * i, 0.3 + 0.55 * (i / 6)}, 0.25));
   const Simulation one = run(s, 2.0);
   Simulation begun(s);
@@ -357,7 +359,8 @@ TEST(LastingContacts, RollingOffARoundTopIsOfFirstOrder) {
   top.density.reset();
   top.fixed = true;
   const double start = 0.3;
-  Scene s = scene(rough(5.0), {top, round_body("disc", 1.25 * Vec2(std::sin(start), std::cos(start)), 0.25)});
+  RunSetup s =
+      scene(rough(5.0), {top, round_body("disc", 1.25 * Vec2(std::sin(start), std::cos(start)), 0.25)});
   // Rolling: ½ (3/2) m v² = m g 1.25 (cos θ0 - cos θ).
   std::vector<double> errors;
   for (const double h : {0.01, 0.005, 0.0025}) {

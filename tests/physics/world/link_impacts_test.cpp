@@ -5,6 +5,7 @@
 #include <random>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
 // Impacts of linked bodies, and strings.
@@ -12,7 +13,7 @@ namespace carom {
 namespace {
 
 using test::disc;
-using test::scene;
+using test::setup_with;
 
 constexpr double kGravity = 9.81;
 
@@ -44,8 +45,9 @@ TEST(LinkImpacts, DiscHitsABob) {
       const double e = 0.7;
       const double m_a = 0.8;
       const double m_b = 1.3;
-      Scene s = scene({disc("a", {-0.2001, 0}, {1.0, 0}, 0.1, m_a), disc("b", {0, 0}, {0, 0}, 0.1, m_b)}, e);
-      s.links = {link(LinkKind::kRod, "b", {std::cos(alpha), std::sin(alpha)})};
+      RunSetup s =
+          setup_with({disc("a", {-0.2001, 0}, {1.0, 0}, 0.1, m_a), disc("b", {0, 0}, {0, 0}, 0.1, m_b)}, e);
+      s.scene.links = {link(LinkKind::kRod, "b", {std::cos(alpha), std::sin(alpha)})};
       s.method = {IntegratorId::kRk4, impacts.id, ContactsId::kImpulse, 0.001};
       Simulation run(s);
       run.step();
@@ -66,9 +68,9 @@ TEST(LinkImpacts, DiscHitsABob) {
 
 // A disc hits the end of a dumbbell along its rod: the two answer as one body.
 TEST(LinkImpacts, DumbbellAnswersAsOne) {
-  Scene s = scene({disc("a", {-0.25, 0}, {2.0, 0}, 0.1, 1.0), disc("b", {0, 0}, {0, 0}, 0.1, 2.0),
-                   disc("c", {1, 0}, {0, 0}, 0.1, 3.0)});
-  s.links = {between(LinkKind::kRod, "b", "c")};
+  RunSetup s = setup_with({disc("a", {-0.25, 0}, {2.0, 0}, 0.1, 1.0), disc("b", {0, 0}, {0, 0}, 0.1, 2.0),
+                           disc("c", {1, 0}, {0, 0}, 0.1, 3.0)});
+  s.scene.links = {between(LinkKind::kRod, "b", "c")};
   s.method.step = 0.1;
   Simulation run(s);
   run.advance_to(0.1);
@@ -83,15 +85,15 @@ TEST(LinkImpacts, DumbbellAnswersAsOne) {
 TEST(LinkImpacts, HungCradle) {
   for (const IntegratorId id : {IntegratorId::kRk4, IntegratorId::kAdaptiveDormandPrince}) {
     for (int k = 1; k <= 4; ++k) {
-      Scene s = scene({});
-      s.forces.gravity = {0.0, -kGravity};
+      RunSetup s = setup_with({});
+      s.scene.forces.gravity = {0.0, -kGravity};
       const double angle = 0.5;
       for (int i = 0; i < 5; ++i) {
         const Vec2 top(0.2 * i, 1.0);
         const double aside = i < k ? angle : 0.0;
-        s.bodies.push_back(
+        s.scene.bodies.push_back(
             disc("d" + std::to_string(i), top - Vec2(std::sin(aside), std::cos(aside)), {0, 0}, 0.1, 0.7));
-        s.links.push_back(link(LinkKind::kRod, "d" + std::to_string(i), top));
+        s.scene.links.push_back(link(LinkKind::kRod, "d" + std::to_string(i), top));
       }
       s.method.integrator = id;
       s.method.step = 0.001;
@@ -124,17 +126,18 @@ TEST(LinkImpacts, RandomChainsKeepTheLaws) {
       return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
     };
     const double friction = seed % 2 == 0 ? 0.4 : 0.0;
-    Scene s = scene({}, seed % 3 == 0 ? 1.0 : 0.6, friction);
+    RunSetup s = setup_with({}, seed % 3 == 0 ? 1.0 : 0.6, friction);
     for (int c = 0; c < 2; ++c) {
       const Vec2 drift(c == 0 ? 1.0 : -1.0, 0.0);
       for (int i = 0; i < 3; ++i) {
         const std::string name = fmt::format("c{}-{}", c, i);
-        s.bodies.push_back(disc(name, Vec2(c == 0 ? -0.4 : 0.4, 0.5 * i - 0.5 + between_numbers(-0.1, 0.1)),
-                                drift, between_numbers(0.1, 0.2), between_numbers(0.2, 2.0)));
+        s.scene.bodies.push_back(disc(name,
+                                      Vec2(c == 0 ? -0.4 : 0.4, 0.5 * i - 0.5 + between_numbers(-0.1, 0.1)),
+                                      drift, between_numbers(0.1, 0.2), between_numbers(0.2, 2.0)));
         if (i == 0) continue;
-        s.links.push_back(
+        s.scene.links.push_back(
             between(seed % 5 == 0 ? LinkKind::kString : LinkKind::kRod, name, fmt::format("c{}-{}", c, i - 1)));
-        s.links.back().point = {between_numbers(-0.1, 0.1), between_numbers(-0.1, 0.1)};
+        s.scene.links.back().point = {between_numbers(-0.1, 0.1), between_numbers(-0.1, 0.1)};
       }
     }
     s.method = {IntegratorId::kDormandPrince, ImpactsId::kLocated, ContactsId::kImpulse, 1.0 / 512};
@@ -151,10 +154,10 @@ TEST(LinkImpacts, RandomChainsKeepTheLaws) {
 // Pinned discs overlap for good and don't collide.
 TEST(LinkImpacts, PinnedBodiesDontCollide) {
   for (const auto& impacts : kImpacts) {
-    Scene s = scene({disc("a", {0, 0}, {0, 0}, 0.3), disc("b", {0.3, 0}, {0, 0}, 0.3)});
-    s.bodies[1].spin = 2.0;
-    s.links = {between(LinkKind::kPin, "b", "a")};
-    s.links[0].anchor = {0.3, 0.0};
+    RunSetup s = setup_with({disc("a", {0, 0}, {0, 0}, 0.3), disc("b", {0.3, 0}, {0, 0}, 0.3)});
+    s.scene.bodies[1].spin = 2.0;
+    s.scene.links = {between(LinkKind::kPin, "b", "a")};
+    s.scene.links[0].anchor = {0.3, 0.0};
     s.method.impacts = impacts.id;
     Simulation run(s);
     run.advance_to(1.0);
@@ -165,9 +168,9 @@ TEST(LinkImpacts, PinnedBodiesDontCollide) {
 
 // A linked body that is pushed out of an overlap stays on its links, and the ledger says what that took.
 TEST(LinkImpacts, OverlapsPartAlongTheLinks) {
-  Scene s = scene({disc("a", {0, 0}, {0, 0}, 0.2), disc("b", {0.3, -0.1}, {0, 0}, 0.2)}, 0.5);
-  s.forces.gravity = {0.0, -kGravity};
-  s.links = {link(LinkKind::kRod, "a", {0, 1})};
+  RunSetup s = setup_with({disc("a", {0, 0}, {0, 0}, 0.2), disc("b", {0.3, -0.1}, {0, 0}, 0.2)}, 0.5);
+  s.scene.forces.gravity = {0.0, -kGravity};
+  s.scene.links = {link(LinkKind::kRod, "a", {0, 1})};
   s.method = {IntegratorId::kRk4, ImpactsId::kStepEnd, ContactsId::kImpulse, 1e-4};
   Simulation run(s);
   for (int i = 0; i < 300; ++i) {
@@ -193,10 +196,10 @@ TEST(Strings, JerkTautIsLocatedAndNamed) {
   for (const IntegratorChoice& choice : kIntegrators) {
     if (choice.order < 2) continue;
     for (const auto& impacts : kImpacts) {
-      Scene s = scene({disc("d", {x, 0}, {0, 0}, 0.1, m)});
-      s.forces.gravity = {0.0, -kGravity};
-      s.links = {link(LinkKind::kString, "d", {0, 0})};
-      s.links[0].length = length;
+      RunSetup s = setup_with({disc("d", {x, 0}, {0, 0}, 0.1, m)});
+      s.scene.forces.gravity = {0.0, -kGravity};
+      s.scene.links = {link(LinkKind::kString, "d", {0, 0})};
+      s.scene.links[0].length = length;
       s.method = {choice.id, impacts.id, ContactsId::kImpulse, 0.01};
       Simulation run(s);
       run.advance_to(0.45);
@@ -222,9 +225,9 @@ TEST(Strings, GoesSlackWhereTheTensionEnds) {
     if (choice.order < 4) continue;
     std::vector<double> errors;
     for (const double h : {0.002, 0.0005}) {
-      Scene s = scene({disc("d", {0, -length}, {v, 0}, 0.1, 0.4)});
-      s.forces.gravity = {0.0, -kGravity};
-      s.links = {link(LinkKind::kString, "d", {0, 0})};
+      RunSetup s = setup_with({disc("d", {0, -length}, {v, 0}, 0.1, 0.4)});
+      s.scene.forces.gravity = {0.0, -kGravity};
+      s.scene.links = {link(LinkKind::kString, "d", {0, 0})};
       s.method.integrator = choice.id;
       s.method.step = h;
       Simulation run(s);
@@ -246,9 +249,9 @@ TEST(Strings, GoesSlackWhereTheTensionEnds) {
 // Two bodies thrown apart on a string go on together along it: ½ μ u² is lost, momentum stays.
 TEST(Strings, JoinTwoBodies) {
   for (const auto& impacts : kImpacts) {
-    Scene s = scene({disc("a", {0, 0}, {-1.0, 0}, 0.1, 1.0), disc("b", {1, 0}, {2.0, 0}, 0.1, 2.0)});
-    s.links = {between(LinkKind::kString, "a", "b")};
-    s.links[0].length = 2.0;
+    RunSetup s = setup_with({disc("a", {0, 0}, {-1.0, 0}, 0.1, 1.0), disc("b", {1, 0}, {2.0, 0}, 0.1, 2.0)});
+    s.scene.links = {between(LinkKind::kString, "a", "b")};
+    s.scene.links[0].length = 2.0;
     s.method.impacts = impacts.id;
     s.method.step = 0.01;
     Simulation run(s);
@@ -264,9 +267,9 @@ TEST(Strings, JoinTwoBodies) {
 // Hit from below a hanging ball flies up as if it were free; hit from above its string holds it.
 TEST(Strings, OnlyPullInAnImpact) {
   for (const double side : {-1.0, 1.0}) {
-    Scene s =
-        scene({disc("hung", {0, 0}, {0, 0}, 0.1, 1.0), disc("d", {0, 0.3 * side}, {0, -2.0 * side}, 0.1, 1.0)});
-    s.links = {link(LinkKind::kString, "hung", {0, 1.0})};
+    RunSetup s = setup_with(
+        {disc("hung", {0, 0}, {0, 0}, 0.1, 1.0), disc("d", {0, 0.3 * side}, {0, -2.0 * side}, 0.1, 1.0)});
+    s.scene.links = {link(LinkKind::kString, "hung", {0, 1.0})};
     s.method.step = 0.01;
     Simulation run(s);
     run.advance_to(0.1);
@@ -279,9 +282,9 @@ TEST(Strings, OnlyPullInAnImpact) {
 
 // A ball that hangs still stays where it is, and its string stays taut.
 TEST(Strings, HoldWhatHangs) {
-  Scene s = scene({disc("d", {0.3, -0.4}, {0, 0}, 0.1, 2.0), disc("e", {0.3, -0.9}, {0, 0}, 0.1, 1.0)});
-  s.forces.gravity = {0.0, -kGravity};
-  s.links = {link(LinkKind::kString, "d", {0.3, 0.0}), between(LinkKind::kString, "e", "d")};
+  RunSetup s = setup_with({disc("d", {0.3, -0.4}, {0, 0}, 0.1, 2.0), disc("e", {0.3, -0.9}, {0, 0}, 0.1, 1.0)});
+  s.scene.forces.gravity = {0.0, -kGravity};
+  s.scene.links = {link(LinkKind::kString, "d", {0.3, 0.0}), between(LinkKind::kString, "e", "d")};
   s.method.step = 0.01;
   Simulation run(s);
   run.advance_to(10.0);

@@ -15,12 +15,12 @@ namespace {
 using test::disc;
 
 // A spring far too stiff for the step: every explicit method doubles its swing many times a step.
-Scene stiff_spring(IntegratorId integrator) {
-  Scene s = test::scene({disc("a", {1, 0}, {0, 0}), disc("b", {5, 0}, {0, 1})});
+RunSetup stiff_spring(IntegratorId integrator) {
+  RunSetup s = test::setup_with({disc("a", {1, 0}, {0, 0}), disc("b", {5, 0}, {0, 1})});
   Spring spring;
   spring.body = "a";
   spring.stiffness = 1e6;
-  s.forces.springs = {spring};
+  s.scene.forces.springs = {spring};
   s.method = {.integrator = integrator, .impacts = ImpactsId::kLocated, .step = 0.005};
   return s;
 }
@@ -30,7 +30,7 @@ TEST(LostRun, StandsAtItsLastGoodStepAndSaysWhy) {
        {IntegratorId::kExplicitEuler, IntegratorId::kSemiImplicitEuler, IntegratorId::kVelocityVerlet,
         IntegratorId::kRk4, IntegratorId::kDormandPrince}) {
     for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
-      Scene s = stiff_spring(id);
+      RunSetup s = stiff_spring(id);
       s.method.impacts = impacts;
       Simulation run(s);
       run.advance_to(5.0);
@@ -64,7 +64,7 @@ TEST(LostRun, StandsAtItsLastGoodStepAndSaysWhy) {
 }
 
 TEST(LostRun, AStepThatResolvesTheSpringIsNotLost) {
-  Scene s = stiff_spring(IntegratorId::kRk4);
+  RunSetup s = stiff_spring(IntegratorId::kRk4);
   s.method.step = 5e-4;
   Simulation run(s);
   run.advance_to(0.1);
@@ -74,7 +74,7 @@ TEST(LostRun, AStepThatResolvesTheSpringIsNotLost) {
 
 TEST(LostRun, FarIsNoLoss) {
   // Fast, but every digit means something.
-  Scene s = test::scene({disc("a", {0, 0}, {1e9, 0})});
+  RunSetup s = test::setup_with({disc("a", {0, 0}, {1e9, 0})});
   s.method = {.integrator = IntegratorId::kExactFlight, .step = 1.0};
   Simulation run(s);
   run.advance_to(1000.0);
@@ -84,8 +84,8 @@ TEST(LostRun, FarIsNoLoss) {
 
 // Whoever can't keep his tolerance says so instead of taking steps for ever.
 TEST(LostRun, TheAdaptiveMethodSaysThatItNeedsTooManySteps) {
-  Scene s = test::scene({disc("a", {0, 0}, {1, 0})});
-  s.forces.linear_drag = 1e12;
+  RunSetup s = test::setup_with({disc("a", {0, 0}, {1, 0})});
+  s.scene.forces.linear_drag = 1e12;
   s.method = {.integrator = IntegratorId::kAdaptiveDormandPrince, .step = 0.005, .tolerance = 1e-12};
   Simulation run(s);
   run.advance_to(0.2);
@@ -97,24 +97,24 @@ TEST(LostRun, TheAdaptiveMethodSaysThatItNeedsTooManySteps) {
 
 // Forces so strong that coordinates stop being numbers within a step.
 TEST(LostRun, CoordinatesThatAreNoNumbersEndNoProgram) {
-  std::vector<Scene> scenes;
-  Scene drag = test::scene({disc("A", {0, 0.5}, {1, 3}), disc("B", {0.5, 0.6}, {-1, 1})});
-  drag.bodies[0].shape = Box{0.2, 0.1};
-  drag.bodies[1].shape = Polygon{{{0, 0}, {0.2, 0}, {0.1, 0.2}}};
+  std::vector<RunSetup> scenes;
+  RunSetup drag = test::setup_with({disc("A", {0, 0.5}, {1, 3}), disc("B", {0.5, 0.6}, {-1, 1})});
+  drag.scene.bodies[0].shape = Box{0.2, 0.1};
+  drag.scene.bodies[1].shape = Polygon{{{0, 0}, {0.2, 0}, {0.1, 0.2}}};
   scenes.push_back(drag);
-  scenes.back().forces.quadratic_drag = 30.0;
+  scenes.back().scene.forces.quadratic_drag = 30.0;
   scenes.push_back(drag);
-  scenes.back().forces.gravity = {0, -1e12};
+  scenes.back().scene.forces.gravity = {0, -1e12};
   scenes.push_back(drag);
   Spring spring;
   spring.body = "A";
   spring.to = "B";
   spring.stiffness = 100.0;
   spring.rest_length = 1e12;
-  scenes.back().forces.springs = {spring};
-  for (Scene s : scenes) {
+  scenes.back().scene.forces.springs = {spring};
+  for (RunSetup s : scenes) {
     for (const IntegratorChoice& integrator : kIntegrators) {
-      if (why_not(s, integrator.id)) continue;
+      if (why_not(s.scene, integrator.id)) continue;
       for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
         for (const ContactsId contacts : {ContactsId::kImpulse, ContactsId::kLasting}) {
           s.method = {.integrator = integrator.id, .impacts = impacts, .contacts = contacts, .step = 0.05};
@@ -129,10 +129,10 @@ TEST(LostRun, CoordinatesThatAreNoNumbersEndNoProgram) {
 }
 
 TEST(LostRun, PosesThatAreNoNumbersLieNowhereNear) {
-  Scene s = test::scene({disc("a", {0, 0}, {0, 0}), disc("b", {1, 0}, {0, 0})});
-  s.bodies[0].shape = Polygon{{{0, 0}, {0.2, 0}, {0.1, 0.2}}};
-  s.bodies[1].shape = Polygon{{{0, 0}, {0.2, 0}, {0.1, 0.2}}};
-  const Geometry g = geometry(s.bodies, {});
+  RunSetup s = test::setup_with({disc("a", {0, 0}, {0, 0}), disc("b", {1, 0}, {0, 0})});
+  s.scene.bodies[0].shape = Polygon{{{0, 0}, {0.2, 0}, {0.1, 0.2}}};
+  s.scene.bodies[1].shape = Polygon{{{0, 0}, {0.2, 0}, {0.1, 0.2}}};
+  const Geometry g = geometry(s.scene.bodies, {});
   const double nan = std::nan("");
   EXPECT_FALSE(contact_between(g, 0, {nan, 0, 0}, 1, {1, 0, 0}).gap <= 0.0);
   EXPECT_FALSE(contact_between(g, 0, {0, 0, 0}, 1, {1, nan, nan}).gap <= 0.0);
@@ -155,11 +155,11 @@ TEST(LostRun, EnergyThatTheMethodMakesIsSaid) {
 
 TEST(LostRun, EnergyThatTheSceneHasIsNotTheMethods) {
   // Falls 20 m, bounces and comes to rest; and a swing under a method that keeps its energy within bounds.
-  Scene falls = test::scene({disc("a", {0, 20}, {1, 0}), test::wall("floor", {0, -1}, 80, 2)}, 0.5);
-  falls.forces.gravity = {0, -9.81};
-  Scene swings = stiff_spring(IntegratorId::kVelocityVerlet);
-  swings.forces.springs[0].stiffness = 100.0;
-  for (Scene s : {falls, swings}) {
+  RunSetup falls = test::setup_with({disc("a", {0, 20}, {1, 0}), test::wall("floor", {0, -1}, 80, 2)}, 0.5);
+  falls.scene.forces.gravity = {0, -9.81};
+  RunSetup swings = stiff_spring(IntegratorId::kVelocityVerlet);
+  swings.scene.forces.springs[0].stiffness = 100.0;
+  for (RunSetup s : {falls, swings}) {
     for (const ContactsId contacts : {ContactsId::kImpulse, ContactsId::kLasting}) {
       s.method.contacts = contacts;
       s.method.step = 0.01;

@@ -5,6 +5,8 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
+#include "physics/preset/validate_preset.h"
 #include "physics/scene/facts.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
@@ -23,8 +25,8 @@ bool finite(const Simulation& run) {
 // What a run broke first; empty if it kept every law.
 class Laws {
  public:
-  Laws(const Scene& scene, const Simulation& run, bool overlaps)
-      : overlaps_(overlaps), at_once_(scene.several_impacts == SeveralImpactsId::kSimultaneous) {
+  Laws(const Preset& preset, const Simulation& run, bool overlaps)
+      : overlaps_(overlaps), at_once_(preset.scene.several_impacts == SeveralImpactsId::kSimultaneous) {
     look_at_sums(run);
   }
 
@@ -147,11 +149,11 @@ class Laws {
 constexpr int kSteps = 60;
 
 // Runs a scene twice, once with its impacts watched; the law that was broken, or nothing.
-std::string broken_law(const Scene& scene, bool overlaps) {
-  Simulation run(scene);
-  Simulation again(scene);
+std::string broken_law(const Preset& preset, bool overlaps) {
+  Simulation run(setup_of(preset));
+  Simulation again(setup_of(preset));
   run.watch_impacts(true);
-  Laws laws(scene, run, overlaps);
+  Laws laws(preset, run, overlaps);
   for (int i = 0; i < kSteps; ++i) {
     run.step();
     again.step();
@@ -165,14 +167,14 @@ std::string broken_law(const Scene& scene, bool overlaps) {
 // What a random scene breaks under any method: a line each.
 std::vector<std::string> broken_laws(std::uint64_t seed) {
   test::RandomScene random = test::random_scene(seed);
-  EXPECT_NO_THROW(validate(random.scene)) << write_preset(random.scene);
+  EXPECT_NO_THROW(validate(random.preset)) << write_preset(random.preset);
   std::vector<std::string> all;
   for (const IntegratorChoice& integrator : kIntegrators) {
-    if (why_not(random.scene, integrator.id)) continue;
+    if (why_not(random.preset.scene, integrator.id)) continue;
     for (const auto& impacts : kImpacts) {
-      random.scene.method.integrator = integrator.id;
-      random.scene.method.impacts = impacts.id;
-      const std::string broken = broken_law(random.scene, random.overlaps);
+      random.preset.method.integrator = integrator.id;
+      random.preset.method.impacts = impacts.id;
+      const std::string broken = broken_law(random.preset, random.overlaps);
       if (!broken.empty())
         all.push_back(fmt::format("seed {}, {}, {}: {}", seed, integrator.name, impacts.name, broken));
     }

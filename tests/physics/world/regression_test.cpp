@@ -6,13 +6,15 @@
 #include "physics/collision/time_of_impact.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
+#include "physics/preset/validate_preset.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
 namespace {
 
 using test::disc;
-using test::scene;
+using test::preset_with;
 using test::wall;
 
 // The secant from a tiny f(b) rounds to b itself; the search must go on and not fall back to a.
@@ -28,9 +30,9 @@ TEST(Regression, RootBesideTheEndOfTheBracketIsFound) {
 
 // The energies beside an impact that is resolved at the end of a located step are those of that moment.
 TEST(Regression, TotalsOfADeferredImpactAreOfItsOwnMoment) {
-  Scene s = scene({wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("ball", {0.0, 0.1}, {0.0, 0.0})}, 0.5);
-  s.forces.gravity = {0.0, -9.81};
-  Simulation run(s);
+  Preset s = preset_with({wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("ball", {0.0, 0.1}, {0.0, 0.0})}, 0.5);
+  s.scene.forces.gravity = {0.0, -9.81};
+  Simulation run(setup_of(s));
   run.watch_impacts(true);
   run.step();
   run.step();
@@ -41,10 +43,10 @@ TEST(Regression, TotalsOfADeferredImpactAreOfItsOwnMoment) {
 
 // A small disc wholly inside a large one: the contact lies beyond its centre, so its arm is negative.
 TEST(Regression, DeepOverlapKeepsAngularMomentum) {
-  Scene s = scene(
+  Preset s = preset_with(
       {disc("large", {0.0, 0.0}, {0.0, 0.0}, 1.0, 3.0), disc("small", {0.5, 0.0}, {-1.0, 0.7}, 0.1)}, 0.5, 0.4);
-  s.bodies[1].spin = 3.0;
-  Simulation run(s);
+  s.scene.bodies[1].spin = 3.0;
+  Simulation run(setup_of(s));
   run.watch_impacts(true);
   run.step();
   ASSERT_EQ(run.impact_count(), 1);
@@ -56,7 +58,8 @@ TEST(Regression, DeepOverlapKeepsAngularMomentum) {
 
 // Discs that touch and approach at t = 0: the value just after the first impact is not the one before it.
 TEST(Regression, ExpectationAfterAnImpactAtTheStepsStart) {
-  Scene s = scene({disc("a", {-0.125, 0.0}, {1.0, 0.0}, 0.125), disc("b", {0.125, 0.0}, {0.0, 0.0}, 0.125)});
+  Preset s =
+      preset_with({disc("a", {-0.125, 0.0}, {1.0, 0.0}, 0.125), disc("b", {0.125, 0.0}, {0.0, 0.0}, 0.125)});
   Expectation e;
   e.observable = "velocity_x";
   e.bodies = {"b"};
@@ -70,11 +73,11 @@ TEST(Regression, ExpectationAfterAnImpactAtTheStepsStart) {
 // A disc at rest on a thin floor is struck from above: the floor holds.
 TEST(Regression, RestingDiscStruckHardStaysOnAThinFloor) {
   for (const double restitution : {0.0, 0.5, 0.9}) {
-    Scene s = scene({wall("floor", {0.0, -0.005}, 4.0, 0.01), disc("resting", {0.0, 0.1}, {0.0, 0.0}),
-                     disc("hammer", {0.0, 100.4}, {0.0, -200.0}, 0.1, 50.0)},
-                    restitution);
-    s.forces.gravity = {0.0, -9.81};
-    Simulation run(s);
+    Preset s = preset_with({wall("floor", {0.0, -0.005}, 4.0, 0.01), disc("resting", {0.0, 0.1}, {0.0, 0.0}),
+                            disc("hammer", {0.0, 100.4}, {0.0, -200.0}, 0.1, 50.0)},
+                           restitution);
+    s.scene.forces.gravity = {0.0, -9.81};
+    Simulation run(setup_of(s));
     run.advance_to(1.0);
     EXPECT_GT(run.state().position(1).y(), 0.0) << restitution;
     EXPECT_GT(run.state().position(2).y(), 0.0) << restitution;
@@ -83,10 +86,10 @@ TEST(Regression, RestingDiscStruckHardStaysOnAThinFloor) {
 
 // Semi-implicit Euler's path from an overlap closes again while its velocity still parts the bodies: no impact.
 TEST(Regression, EveryImpactOfTheLogCloses) {
-  Scene s = scene({wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("d", {0.0, 0.0999}, {0.0, 0.5886})});
-  s.forces.gravity = {0.0, -9.81};
+  Preset s = preset_with({wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("d", {0.0, 0.0999}, {0.0, 0.5886})});
+  s.scene.forces.gravity = {0.0, -9.81};
   s.method = {IntegratorId::kSemiImplicitEuler, ImpactsId::kLocated, ContactsId::kImpulse, 0.1};
-  Simulation run(s);
+  Simulation run(setup_of(s));
   run.advance_to(0.5, [&] {
     for (const ImpactRecord& r : run.last_impacts()) EXPECT_GT(r.closing_speed, 0.0) << r.time;
   });
@@ -94,8 +97,8 @@ TEST(Regression, EveryImpactOfTheLogCloses) {
 
 // Two bumpers of one disc engage and let go at the same moments, to the last bit.
 TEST(Regression, SpringsThatSwitchTogether) {
-  Scene s = scene({disc("left", {-1.0, 0.0}, {1.0, 0.0}), disc("middle", {0.0, 0.0}, {0.0, 0.0}),
-                   disc("right", {1.0, 0.0}, {-1.0, 0.0})});
+  Preset s = preset_with({disc("left", {-1.0, 0.0}, {1.0, 0.0}), disc("middle", {0.0, 0.0}, {0.0, 0.0}),
+                          disc("right", {1.0, 0.0}, {-1.0, 0.0})});
   for (const char* side : {"left", "right"}) {
     Spring bumper;
     bumper.name = side;
@@ -104,12 +107,12 @@ TEST(Regression, SpringsThatSwitchTogether) {
     bumper.stiffness = 30.0;
     bumper.rest_length = 0.5;
     bumper.acts = SpringActs::kPush;
-    s.forces.springs.push_back(bumper);
+    s.scene.forces.springs.push_back(bumper);
   }
   for (const IntegratorId id : {IntegratorId::kRk4, IntegratorId::kDormandPrince}) {
     for (const ImpactsId impacts : {ImpactsId::kStepEnd, ImpactsId::kLocated}) {
       s.method = {id, impacts, ContactsId::kImpulse, 0.005};
-      Simulation run(s);
+      Simulation run(setup_of(s));
       run.advance_to(2.0);
       EXPECT_EQ(run.impact_count(), 0);
       EXPECT_NEAR(run.state().velocity(0).x(), -1.0, 1e-8);
@@ -121,7 +124,7 @@ TEST(Regression, SpringsThatSwitchTogether) {
 
 // A body rebounds faster than its damped bumper pushes: the bumper lets go at the impact.
 TEST(Regression, ImpactLetsABumperGo) {
-  Scene s = scene({wall("wall", {1.5, 0.0}, 1.0, 1.0), disc("d", {0.6, 0.0}, {2.0, 0.0})});
+  Preset s = preset_with({wall("wall", {1.5, 0.0}, 1.0, 1.0), disc("d", {0.6, 0.0}, {2.0, 0.0})});
   Spring bumper;
   bumper.body = "d";
   bumper.anchor = {1.5, 0.0};
@@ -129,11 +132,11 @@ TEST(Regression, ImpactLetsABumperGo) {
   bumper.damping = 1.0;
   bumper.rest_length = 0.8;
   bumper.acts = SpringActs::kPush;
-  s.forces.springs = {bumper};
+  s.scene.forces.springs = {bumper};
   for (const IntegratorChoice& choice : kIntegrators) {
     if (choice.order == 0) continue;
     s.method = {choice.id, ImpactsId::kLocated, ContactsId::kImpulse, 0.005};
-    Simulation run(s);
+    Simulation run(setup_of(s));
     double rebound = 0.0;
     run.advance_to(1.0, [&] {
       for (const ImpactRecord& r : run.last_impacts()) rebound = r.closing_speed;
@@ -145,10 +148,10 @@ TEST(Regression, ImpactLetsABumperGo) {
 }
 
 TEST(Regression, MassesTooSmallForArithmeticAreRefused) {
-  Scene s = scene({disc("a", {0.0, 0.0}, {0.0, 0.0}, 1e-200)});
-  s.bodies[0].mass.reset();
+  Preset s = preset_with({disc("a", {0.0, 0.0}, {0.0, 0.0}, 1e-200)});
+  s.scene.bodies[0].mass.reset();
   EXPECT_THROW(validate(s), SceneError);
-  s = scene({disc("a", {0.0, 0.0}, {0.0, 0.0}, 0.1, 1e-310)});
+  s = preset_with({disc("a", {0.0, 0.0}, {0.0, 0.0}, 0.1, 1e-310)});
   EXPECT_THROW(validate(s), SceneError);
 }
 

@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/preset/preset_json.h"
+#include "physics/preset/saved_preset.h"
 #include "physics/scene/fingerprint.h"
 #include "tests/support/resumed_run.h"
 #include "tests/support/scenes.h"
@@ -14,51 +17,52 @@ namespace {
 using test::all_of;
 using test::disc;
 using test::parting;
+using test::preset_with;
 using test::saved_and_read;
-using test::scene;
 using test::wall;
 
 // A piston, a timed force, a spring and a string, a pair that rests: something of everything.
-Scene busy(const Method& method) {
-  Scene s = scene({wall("floor", {0, -0.5}, 20.0, 1.0), wall("piston", {-2, 0.2}, 0.2, 0.4),
+Preset busy(const Method& method) {
+  Preset s =
+      preset_with({wall("floor", {0, -0.5}, 20.0, 1.0), wall("piston", {-2, 0.2}, 0.2, 0.4),
                    disc("a", {0, 0.1}, {-1, 0}), disc("b", {1, 0.3}, {0, 0}), disc("c", {2, 0.6}, {0.3, 0})},
                   0.5, 0.3);
-  s.bodies[1].fixed = false;
-  s.bodies[1].drive = Drive{.velocity = {0.4, 0.0}, .amplitude = {0.05, 0.0}, .angular_frequency = 9.0};
-  if (method.contacts == ContactsId::kLasting) s.bodies[3].shape = Box{0.2, 0.2};
-  s.forces.gravity = {0.0, -9.81};
-  s.forces.springs = {{"band", "b", "c", Vec2::Zero(), 5.0, 0.1, 0.5, SpringActs::kPull}};
-  s.forces.applied = {{"a", {0.0, 5.0}, 0.1, 0.3, 0.4, 0.9}};
+  s.scene.bodies[1].fixed = false;
+  s.scene.bodies[1].drive = Drive{.velocity = {0.4, 0.0}, .amplitude = {0.05, 0.0}, .angular_frequency = 9.0};
+  if (method.contacts == ContactsId::kLasting) s.scene.bodies[3].shape = Box{0.2, 0.2};
+  s.scene.forces.gravity = {0.0, -9.81};
+  s.scene.forces.springs = {{"band", "b", "c", Vec2::Zero(), 5.0, 0.1, 0.5, SpringActs::kPull}};
+  s.scene.forces.applied = {{"a", {0.0, 5.0}, 0.1, 0.3, 0.4, 0.9}};
   Link string;
   string.kind = LinkKind::kString;
   string.body = "c";
   string.anchor = {2.0, 1.5};
   string.length = 1.0;
-  s.links = {string};
+  s.scene.links = {string};
   s.method = method;
   s.duration = 2.0;
   return s;
 }
 
-Scene ahead() {
+Preset ahead() {
   return busy({IntegratorId::kAdaptiveDormandPrince, ImpactsId::kLocated, ContactsId::kImpulse, 0.01, 1e-7});
 }
-Scene held() { return busy({IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, 0.01}); }
+Preset held() { return busy({IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, 0.01}); }
 
-Scene saved_at(const Scene& s, double time) {
-  Simulation run(s);
+Preset saved_at(const Preset& s, double time) {
+  Simulation run(setup_of(s));
   run.advance_to(time);
-  return saved_scene(s, run);
+  return saved_preset(s, run);
 }
 
 TEST(RunStateFile, WhatIsReadIsWrittenAgain) {
-  for (const Scene& s : {ahead(), held()}) {
-    const Scene saved = saved_at(s, 0.6);
+  for (const Preset& s : {ahead(), held()}) {
+    const Preset saved = saved_at(s, 0.6);
     const std::string text = write_preset(saved);
     EXPECT_EQ(write_preset(parse_preset(text, "again")), text);
     EXPECT_EQ(saved.duration, s.duration);
   }
-  Scene clock = ahead();
+  Preset clock = ahead();
   clock.saved = SavedRun{.time = 0.25};
   EXPECT_EQ(write_preset(parse_preset(write_preset(clock), "again")), write_preset(clock));
   EXPECT_EQ(write_preset(ahead()).find("\"state\""), std::string::npos);
@@ -66,7 +70,7 @@ TEST(RunStateFile, WhatIsReadIsWrittenAgain) {
 
 // All notices come back, also those that no scene here has.
 TEST(RunStateFile, NoticesAndSumsStay) {
-  Scene saved = saved_at(held(), 0.6);
+  Preset saved = saved_at(held(), 0.6);
   RunState state = *saved.saved->state;
   double next = 0.1;
   for (double Notices::*entry :
@@ -79,8 +83,8 @@ TEST(RunStateFile, NoticesAndSumsStay) {
   state.tracks.tolerance_missed_since = 0.07;
   state.tracks.links_missed_since = 0.08;
   saved.saved->state = std::make_shared<RunState>(state);
-  const Simulation one(saved);
-  const Simulation two(parse_preset(write_preset(saved), "saved"));
+  const Simulation one(setup_of(saved));
+  const Simulation two(setup_of(parse_preset(write_preset(saved), "saved")));
   EXPECT_EQ(parting(all_of(saved, one), all_of(saved, two)), "");
   const std::string text = two.notices().text();
   EXPECT_EQ(text.find("scene was changed"), std::string::npos) << text;
@@ -88,16 +92,16 @@ TEST(RunStateFile, NoticesAndSumsStay) {
 }
 
 TEST(RunStateFile, WhatIsNoPhysicsMayChange) {
-  const Scene s = ahead();
-  Scene saved = saved_at(s, 0.6);
+  const Preset s = ahead();
+  Preset saved = saved_at(s, 0.6);
   saved.title = "another";
   saved.about = saved.observe = "text";
   saved.duration = 7.0;
   saved.view = View{{1, 1}, 3.0};
   saved.extra = R"({"kept":1})";
-  Simulation whole(s);
+  Simulation whole(setup_of(s));
   whole.advance_to(1.1);
-  Simulation resumed(parse_preset(write_preset(saved), "saved"));
+  Simulation resumed(setup_of(parse_preset(write_preset(saved), "saved")));
   resumed.advance_to(1.1);
   EXPECT_EQ(parting(all_of(s, whole), all_of(s, resumed)), "");
 }
@@ -124,20 +128,20 @@ TEST(RunStateFile, ChangedByHandItGoesOnFromBodiesAndClock) {
         j["bodies"][2]["position"][0] = 0.31;
       },
   };
-  for (const Scene& s : {ahead(), held()}) {
+  for (const Preset& s : {ahead(), held()}) {
     const Json saved = preset_json(saved_at(s, 0.6), false);
     for (std::size_t i = 0; i < changes.size(); ++i) {
       Json changed = saved;
       changes[i](changed);
-      const Scene read = scene_of(changed);
+      const Preset read = preset_of(changed);
       EXPECT_EQ(read.saved->state, nullptr) << i;
-      Simulation run(read);
+      Simulation run(setup_of(read));
       EXPECT_NE(run.notices().text().find("the scene was changed after the run was saved"), std::string::npos)
           << i;
       EXPECT_EQ(run.time(), changed["state"]["time"]) << i;
       EXPECT_EQ(run.steps(), 0) << i;
       changed["state"] = {{"time", changed["state"]["time"]}};
-      Simulation clock(scene_of(changed));
+      Simulation clock(setup_of(preset_of(changed)));
       EXPECT_EQ(clock.notices().text(), "ok") << i;
       for (Simulation* each : {&run, &clock}) each->advance_to(1.0);
       EXPECT_TRUE(test::same_bytes(run.state(), clock.state())) << i;
@@ -150,26 +154,26 @@ TEST(RunStateFile, ChangedByHandItGoesOnFromBodiesAndClock) {
 
 // A scene changed after it was read is no scene of that state either.
 TEST(RunStateFile, ChangedInMemory) {
-  Scene saved = saved_and_read(ahead(), Simulation(ahead()));
-  EXPECT_TRUE(state_belongs(saved));
-  EXPECT_EQ(Simulation(saved).notices().text(), "ok");
-  saved.bodies[2].velocity.x() += 1e-9;
-  EXPECT_FALSE(state_belongs(saved));
-  EXPECT_NE(Simulation(saved).notices().text(), "ok");
+  Preset saved = saved_and_read(ahead(), Simulation(setup_of(ahead())));
+  EXPECT_TRUE(state_belongs(saved.scene, saved.saved));
+  EXPECT_EQ(Simulation(setup_of(saved)).notices().text(), "ok");
+  saved.scene.bodies[2].velocity.x() += 1e-9;
+  EXPECT_FALSE(state_belongs(saved.scene, saved.saved));
+  EXPECT_NE(Simulation(setup_of(saved)).notices().text(), "ok");
 }
 
 TEST(RunStateFile, ARunThatHasBlownUpIsNotSaved) {
-  Scene s = scene({disc("a", {0, 0}, {1, 0})});
-  s.forces.springs = {{"stiff", "a", "", Vec2::Zero(), 1e6, 0.0, 0.0, SpringActs::kBoth}};
+  Preset s = preset_with({disc("a", {0, 0}, {1, 0})});
+  s.scene.forces.springs = {{"stiff", "a", "", Vec2::Zero(), 1e6, 0.0, 0.0, SpringActs::kBoth}};
   s.method = {IntegratorId::kExplicitEuler, ImpactsId::kStepEnd, ContactsId::kImpulse, 0.1};
-  Simulation run(s);
+  Simulation run(setup_of(s));
   run.advance_to(3.0);
-  EXPECT_THROW((void)saved_scene(s, run), SceneError);
+  EXPECT_THROW((void)saved_preset(s, run), SceneError);
 }
 
 // Every value of the section in turn becomes something that it can't be, or might: what isn't put back is
 // refused in one line that says where.
-void mutilate(const Scene& saved, const std::vector<Json>& values) {
+void mutilate(const Preset& saved, const std::vector<Json>& values) {
   const Json whole = preset_json(saved, false);
   std::vector<Json::json_pointer> places;
   const std::function<void(const Json&, const Json::json_pointer&)> collect =
@@ -185,7 +189,7 @@ void mutilate(const Scene& saved, const std::vector<Json>& values) {
   int refused = 0;
   const auto look = [&](const Json& changed, const std::string& what) {
     try {
-      Simulation run(scene_of(changed));
+      Simulation run(setup_of(preset_of(changed)));
       for (int k = 0; k < 3; ++k) run.step();
     } catch (const SceneError& error) {
       ++refused;

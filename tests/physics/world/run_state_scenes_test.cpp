@@ -3,6 +3,7 @@
 #include <map>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/preset/preset.h"
 #include "physics/scene/facts.h"
 #include "tests/support/resumed_run.h"
 #include "tests/support/scenes.h"
@@ -14,8 +15,8 @@ namespace {
 using test::all_of;
 using test::disc;
 using test::parting;
+using test::preset_with;
 using test::saved_and_read;
-using test::scene;
 using test::wall;
 
 Link string_to(const std::string& body, const Vec2& anchor, double length) {
@@ -34,62 +35,62 @@ Body driven(Body body, const Drive& drive) {
 }
 
 // A scene of each kind, which has its kind's moment at about 0.5 s.
-std::map<std::string, Scene> scenes() {
-  std::map<std::string, Scene> all;
+std::map<std::string, Preset> scenes() {
+  std::map<std::string, Preset> all;
   const auto floor = [] { return wall("floor", {0, -0.5}, 20.0, 1.0); };
-  const auto falling = [&](Scene s) {
-    s.forces.gravity = {0.0, -9.81};
+  const auto falling = [&](Preset s) {
+    s.scene.forces.gravity = {0.0, -9.81};
     return s;
   };
-  all["piston"] = scene({driven(wall("piston", {-1, 0}, 0.2, 2.0), {.velocity = {0.5, 0.1}}),
-                         disc("ball", {0, 0}, {-1, 0.05}), wall("end", {1.5, 0}, 0.2, 2.0)});
-  all["table"] = falling(scene(
+  all["piston"] = preset_with({driven(wall("piston", {-1, 0}, 0.2, 2.0), {.velocity = {0.5, 0.1}}),
+                               disc("ball", {0, 0}, {-1, 0.05}), wall("end", {1.5, 0}, 0.2, 2.0)});
+  all["table"] = falling(preset_with(
       {driven(wall("table", {0, -0.5}, 4.0, 1.0),
               {.velocity = Vec2::Zero(), .amplitude = {0.0, 0.05}, .angular_frequency = 12.0, .phase = 0.3}),
        disc("ball", {0, 0.5}, {0.1, 0})},
       0.7, 0.3));
   {
-    Scene s = falling(scene({floor(), disc("a", {0, 0.5}, {0, 0}), disc("b", {1, 0.5}, {0, 0}),
-                             disc("c", {2, 0.5}, {0, 0}), disc("d", {3, 0.5}, {0.2, 0})},
-                            0.5, 0.2));
-    s.forces.applied = {{"a", {3.0, 5.0}, 0.02, 0.3, 0.4, 0.9},  // rising at 0.5 s
-                        {"b", {1.0, 12.0}, 0.0, 0.7, 0.0, {}},   // not yet
-                        {"c", {0.0, 9.0}, 0.1, 0.1, 0.1, 0.4},   // over
-                        {"d", {0.0, 3.0}, 0.0, 0.0, 0.0, 0.6}};  // full
+    Preset s = falling(preset_with({floor(), disc("a", {0, 0.5}, {0, 0}), disc("b", {1, 0.5}, {0, 0}),
+                                    disc("c", {2, 0.5}, {0, 0}), disc("d", {3, 0.5}, {0.2, 0})},
+                                   0.5, 0.2));
+    s.scene.forces.applied = {{"a", {3.0, 5.0}, 0.02, 0.3, 0.4, 0.9},  // rising at 0.5 s
+                              {"b", {1.0, 12.0}, 0.0, 0.7, 0.0, {}},   // not yet
+                              {"c", {0.0, 9.0}, 0.1, 0.1, 0.1, 0.4},   // over
+                              {"d", {0.0, 3.0}, 0.0, 0.0, 0.0, 0.6}};  // full
     all["timed forces"] = s;
   }
   {
-    Scene s = falling(scene({floor(), disc("a", {0, 1}, {1, 0}), disc("b", {1, 0.9}, {-1, 0}),
-                             disc("c", {0.4, 3.0}, {0, 0}, 0.15)}));
-    s.materials[0].sticks = true;
+    Preset s = falling(preset_with({floor(), disc("a", {0, 1}, {1, 0}), disc("b", {1, 0.9}, {-1, 0}),
+                                    disc("c", {0.4, 3.0}, {0, 0}, 0.15)}));
+    s.scene.materials[0].sticks = true;
     all["sticking"] = s;
   }
   {
-    Scene s = falling(scene({disc("taut", {1.0, 0.0}, {0, 0}), disc("slack", {2.3, 0.0}, {0.4, 1.0}),
-                             disc("hit", {1.2, -1.1}, {-0.3, 1.5})}));
-    s.links = {string_to("taut", {0.0, 0.0}, 1.0), string_to("slack", {2.0, 0.0}, 1.0)};
+    Preset s = falling(preset_with({disc("taut", {1.0, 0.0}, {0, 0}), disc("slack", {2.3, 0.0}, {0.4, 1.0}),
+                                    disc("hit", {1.2, -1.1}, {-0.3, 1.5})}));
+    s.scene.links = {string_to("taut", {0.0, 0.0}, 1.0), string_to("slack", {2.0, 0.0}, 1.0)};
     all["strings"] = s;
   }
   {
-    Scene s =
-        scene({disc("a", {0, 0}, {1.2, 0.1}), disc("b", {1, 0}, {-1, 0}), disc("c", {0, 2}, {0.3, -1.0})}, 0.8);
-    s.forces.springs = {{"push", "a", "b", Vec2::Zero(), 40.0, 0.5, 0.8, SpringActs::kPush},
-                        {"pull", "b", "", {1.0, 0.3}, 30.0, 0.2, 0.3, SpringActs::kPull},
-                        {"short", "c", "", {0.0, 0.0}, 25.0, 1.0, 1.5, SpringActs::kWhileShort},
-                        {"both", "c", "a", Vec2::Zero(), 3.0, 0.0, 1.0, SpringActs::kBoth}};
+    Preset s = preset_with(
+        {disc("a", {0, 0}, {1.2, 0.1}), disc("b", {1, 0}, {-1, 0}), disc("c", {0, 2}, {0.3, -1.0})}, 0.8);
+    s.scene.forces.springs = {{"push", "a", "b", Vec2::Zero(), 40.0, 0.5, 0.8, SpringActs::kPush},
+                              {"pull", "b", "", {1.0, 0.3}, 30.0, 0.2, 0.3, SpringActs::kPull},
+                              {"short", "c", "", {0.0, 0.0}, 25.0, 1.0, 1.5, SpringActs::kWhileShort},
+                              {"both", "c", "a", Vec2::Zero(), 3.0, 0.0, 1.0, SpringActs::kBoth}};
     all["springs"] = s;
   }
   {
-    Scene s =
-        scene({disc("a", {-1, 0}, {0, 0.6}), disc("b", {1, 0}, {0, -0.6}), disc("c", {0, 1.4}, {0.2, 0})}, 0.9);
-    s.forces.attraction = Attraction{2.0, 0.05};
-    s.forces.linear_drag = 0.1;
+    Preset s = preset_with(
+        {disc("a", {-1, 0}, {0, 0.6}), disc("b", {1, 0}, {0, -0.6}), disc("c", {0, 1.4}, {0.2, 0})}, 0.9);
+    s.scene.forces.attraction = Attraction{2.0, 0.05};
+    s.scene.forces.linear_drag = 0.1;
     all["attraction and drag"] = s;
   }
   {
-    Scene s = falling(scene({floor(), disc("bob", {1, 2}, {0, 0}), disc("end", {1.6, 2}, {0, 0}, 0.08),
-                             disc("third", {2.0, 2.0}, {0, 0}, 0.05)},
-                            0.6, 0.1));
+    Preset s = falling(preset_with({floor(), disc("bob", {1, 2}, {0, 0}), disc("end", {1.6, 2}, {0, 0}, 0.08),
+                                    disc("third", {2.0, 2.0}, {0, 0}, 0.05)},
+                                   0.6, 0.1));
     Link rod;
     rod.body = "bob";
     rod.anchor = {0, 2};
@@ -103,51 +104,52 @@ std::map<std::string, Scene> scenes() {
     weld.body = "third";
     weld.to = "end";
     weld.anchor = {0.4, 0.0};
-    s.links = {rod, pin, weld};
+    s.scene.links = {rod, pin, weld};
     all["links"] = s;
   }
   {
-    Scene s = falling(scene({floor()}, 0.3, 0.5));
+    Preset s = falling(preset_with({floor()}, 0.3, 0.5));
     for (int i = 0; i < 6; ++i) {
       Body box = disc("box-" + std::to_string(i), {0.02 * i, 0.2 + 0.41 * i}, {0, 0});
       box.shape = Box{0.4, 0.4};
-      s.bodies.push_back(box);
+      s.scene.bodies.push_back(box);
     }
     all["stack"] = s;
   }
   {
-    Scene s = falling(scene({floor()}, 0.6, 0.2));
-    s.generators = {{.name = "g",
-                     .columns = 4,
-                     .rows = 3,
-                     .origin = {0, 0.3},
-                     .spacing = {0.3, 0.3},
-                     .jitter = 0.03,
-                     .speed_max = 1.0}};
+    Preset s = falling(preset_with({floor()}, 0.6, 0.2));
+    s.scene.generators = {{.name = "g",
+                           .columns = 4,
+                           .rows = 3,
+                           .origin = {0, 0.3},
+                           .spacing = {0.3, 0.3},
+                           .jitter = 0.03,
+                           .speed_max = 1.0}};
     all["generator"] = s;
   }
   {
-    Scene s = falling(scene({floor(), disc("a", {0, 0.3}, {0, 0})}, 0.5));
+    Preset s = falling(preset_with({floor(), disc("a", {0, 0.3}, {0, 0})}, 0.5));
     all["coming to rest"] = s;
   }
   {
-    Scene s = scene({}, 1.0);
-    for (int i = 0; i < 5; ++i) s.bodies.push_back(disc("ball-" + std::to_string(i), {0.2 * i, 0}, {0, 0}));
-    s.bodies[0].position.x() = -1.0;
-    s.bodies[0].velocity.x() = 2.0;
-    s.several_impacts = SeveralImpactsId::kSimultaneous;
+    Preset s = preset_with({}, 1.0);
+    for (int i = 0; i < 5; ++i)
+      s.scene.bodies.push_back(disc("ball-" + std::to_string(i), {0.2 * i, 0}, {0, 0}));
+    s.scene.bodies[0].position.x() = -1.0;
+    s.scene.bodies[0].velocity.x() = 2.0;
+    s.scene.several_impacts = SeveralImpactsId::kSimultaneous;
     all["at once"] = s;
   }
   {
-    Scene s =
-        falling(scene({wall("slope", {0, -0.5}, 20.0, 1.0, -0.2), disc("a", {0, 0.2}, {1, 0})}, 1.0, 0.4));
-    s.bodies[1].shape = Box{0.3, 0.1};
-    s.impact_law = ImpactLawId::kNewton;
+    Preset s = falling(
+        preset_with({wall("slope", {0, -0.5}, 20.0, 1.0, -0.2), disc("a", {0, 0.2}, {1, 0})}, 1.0, 0.4));
+    s.scene.bodies[1].shape = Box{0.3, 0.1};
+    s.scene.impact_law = ImpactLawId::kNewton;
     all["gains"] = s;
   }
   {
-    Scene s =
-        scene({disc("a", {0, 0}, {0, 0}, 0.3), disc("b", {0.2, 0.1}, {0, 0}, 0.3), disc("c", {3, 0}, {-1, 0})});
+    Preset s = preset_with(
+        {disc("a", {0, 0}, {0, 0}, 0.3), disc("b", {0.2, 0.1}, {0, 0}, 0.3), disc("c", {3, 0}, {-1, 0})});
     all["overlap"] = s;
   }
   for (auto& [name, s] : all) s.title = name;
@@ -155,11 +157,11 @@ std::map<std::string, Scene> scenes() {
 }
 
 // Calls check(scene, name) for every scene under every method that it allows.
-void for_all(const std::function<void(const Scene&, const std::string&)>& check) {
+void for_all(const std::function<void(const Preset&, const std::string&)>& check) {
   for (auto [name, s] : scenes()) {
     for (const IntegratorChoice& integrator : kIntegrators) {
       // Strings chatter under the methods of low order.
-      if (why_not(s, integrator.id) || (name == "strings" && integrator.order < 4)) continue;
+      if (why_not(s.scene, integrator.id) || (name == "strings" && integrator.order < 4)) continue;
       for (const auto& impacts : kImpacts) {
         for (const auto& contacts : kContacts) {
           s.method = {integrator.id, impacts.id, contacts.id, 0.01, 1e-9};
@@ -175,10 +177,10 @@ void for_all(const std::function<void(const Scene&, const std::string&)>& check)
 }
 
 TEST(RunState, EveryKindOfSceneGoesOnForTheSameBytes) {
-  for_all([](const Scene& s, const std::string& what) {
-    Simulation whole(s);
+  for_all([](const Preset& s, const std::string& what) {
+    Simulation whole(setup_of(s));
     whole.advance_to(0.5);
-    Simulation resumed(saved_and_read(s, whole));
+    Simulation resumed(setup_of(saved_and_read(s, whole)));
     EXPECT_EQ(parting(all_of(s, whole), all_of(s, resumed)), "") << what << ", at once";
     whole.advance_to(1.2);
     resumed.advance_to(1.2);
@@ -187,13 +189,13 @@ TEST(RunState, EveryKindOfSceneGoesOnForTheSameBytes) {
 }
 
 TEST(RunState, SavedAtTheStartBetweenStepsAndTwiceInARow) {
-  for_all([](const Scene& s, const std::string& what) {
-    Simulation whole(s);
-    Simulation resumed(saved_and_read(s, whole));
+  for_all([](const Preset& s, const std::string& what) {
+    Simulation whole(setup_of(s));
+    Simulation resumed(setup_of(saved_and_read(s, whole)));
     whole.advance_to(0.3137);
     resumed.advance_to(0.3137);
-    resumed = Simulation(saved_and_read(s, resumed));
-    resumed = Simulation(saved_and_read(s, resumed));
+    resumed = Simulation(setup_of(saved_and_read(s, resumed)));
+    resumed = Simulation(setup_of(saved_and_read(s, resumed)));
     whole.advance_to(0.6);
     resumed.advance_to(0.6);
     EXPECT_EQ(parting(all_of(s, whole), all_of(s, resumed)), "") << what;
@@ -202,8 +204,8 @@ TEST(RunState, SavedAtTheStartBetweenStepsAndTwiceInARow) {
 
 // As if it had been chosen at the moment of saving.
 TEST(RunState, AnotherMethodTakesOver) {
-  for_all([](const Scene& s, const std::string& what) {
-    Simulation whole(s);
+  for_all([](const Preset& s, const std::string& what) {
+    Simulation whole(setup_of(s));
     whole.advance_to(0.5);
     // Corners that rest by impacts alone: minutes.
     const ContactsId contacts = s.title == "stack" ? ContactsId::kLasting : ContactsId::kImpulse;
@@ -211,9 +213,9 @@ TEST(RunState, AnotherMethodTakesOver) {
          {Method{IntegratorId::kRk4, ImpactsId::kLocated, contacts, 0.007},
           Method{IntegratorId::kAdaptiveDormandPrince, ImpactsId::kLocated, contacts, 0.01, 1e-7},
           Method{IntegratorId::kDormandPrince, ImpactsId::kStepEnd, ContactsId::kLasting, 0.01}}) {
-      Scene saved = saved_and_read(s, whole);
+      Preset saved = saved_and_read(s, whole);
       saved.method = next;
-      Simulation resumed(saved);
+      Simulation resumed(setup_of(saved));
       Simulation changed = whole;
       if (!(next == s.method)) changed.set_method(next);
       changed.advance_to(0.8);
@@ -224,8 +226,8 @@ TEST(RunState, AnotherMethodTakesOver) {
 }
 
 TEST(RunState, BodiesPutInAndMethodsChangedBeforeAndAfter) {
-  for_all([](const Scene& s, const std::string& what) {
-    Simulation whole(s);
+  for_all([](const Preset& s, const std::string& what) {
+    Simulation whole(setup_of(s));
     whole.advance_to(0.2);
     whole.add_body(disc("first", {0.3, 1.5}, {0, -1}, 0.12));
     whole.advance_to(0.4);
@@ -233,7 +235,7 @@ TEST(RunState, BodiesPutInAndMethodsChangedBeforeAndAfter) {
     method.step = 0.008;
     whole.set_method(method);
     whole.advance_to(0.5);
-    Simulation resumed(saved_and_read(s, whole));
+    Simulation resumed(setup_of(saved_and_read(s, whole)));
     for (Simulation* run : {&whole, &resumed}) {
       run->advance_to(0.6);
       run->add_body(disc("second", {-0.4, 2.0}, {0.1, -2}, 0.09));
@@ -249,9 +251,9 @@ TEST(RunState, BodiesPutInAndMethodsChangedBeforeAndAfter) {
 TEST(RunState, TheScenesHaveTheirMoments) {
   const auto all = scenes();
   const auto at = [&](const std::string& name, ContactsId contacts = ContactsId::kImpulse) {
-    Scene s = all.at(name);
+    Preset s = all.at(name);
     s.method = {IntegratorId::kRk4, ImpactsId::kLocated, contacts, 0.01, 1e-9};
-    Simulation run(s);
+    Simulation run(setup_of(s));
     run.advance_to(0.5);
     return run;
   };

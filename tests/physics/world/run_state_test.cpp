@@ -7,6 +7,9 @@
 #include <random>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
+#include "physics/preset/validate_preset.h"
 #include "physics/scene/facts.h"
 #include "tests/support/preset_files.h"
 #include "tests/support/random_scene.h"
@@ -29,41 +32,41 @@ bool long_tests() { return std::getenv("CAROM_LONG_TESTS") != nullptr; }
 
 // Runs in one go until the time, or until so many impacts, with the steps it takes; then once more, saved after
 // each of `parts` but the last. What differed, or nothing.
-std::string difference(const Scene& scene, int parts, std::int64_t most_impacts, std::int64_t most_steps) {
-  Simulation whole(scene);
+std::string difference(const Preset& preset, int parts, std::int64_t most_impacts, std::int64_t most_steps) {
+  Simulation whole(setup_of(preset));
   std::vector<std::string> events;
-  while (whole.time() < scene.duration - 1e-9 * scene.method.step && whole.impact_count() < most_impacts &&
+  while (whole.time() < preset.duration - 1e-9 * preset.method.step && whole.impact_count() < most_impacts &&
          whole.steps() < most_steps && !whole.lost()) {
     whole.step();
     events.push_back(events_of(whole));
   }
-  Simulation run(scene);
+  Simulation run(setup_of(preset));
   std::size_t done = 0;
   for (int part = 1; part <= parts; ++part) {
     for (const std::size_t until = events.size() * part / parts; done < until; ++done) {
       run.step();
       if (events_of(run) != events[done]) return fmt::format("impacts of step {}", done + 1);
     }
-    if (part < parts) run = Simulation(saved_and_read(scene, run));
+    if (part < parts) run = Simulation(setup_of(saved_and_read(preset, run)));
   }
-  return parting(all_of(scene, whole), all_of(scene, run));
+  return parting(all_of(preset, whole), all_of(preset, run));
 }
 
 class PresetRunState : public testing::TestWithParam<fs::path> {};
 
 TEST_P(PresetRunState, GoesOnForTheSameBytesUnderEveryMethod) {
-  Scene scene = read_preset(GetParam());
+  Preset preset = read_preset(GetParam());
   // Some steps over the whole duration.
   const std::int64_t steps = long_tests() ? std::numeric_limits<std::int64_t>::max() : 40;
-  if (!long_tests()) scene.method.step = std::clamp(scene.duration / 40.0, scene.method.step, 0.05);
+  if (!long_tests()) preset.method.step = std::clamp(preset.duration / 40.0, preset.method.step, 0.05);
   for (const IntegratorChoice& integrator : kIntegrators) {
-    if (why_not(scene, integrator.id)) continue;
+    if (why_not(preset.scene, integrator.id)) continue;
     for (const auto& impacts : kImpacts) {
       for (const auto& contacts : kContacts) {
-        scene.method.integrator = integrator.id;
-        scene.method.impacts = impacts.id;
-        scene.method.contacts = contacts.id;
-        EXPECT_EQ(difference(scene, 2, long_tests() ? 5000 : 200, steps), "")
+        preset.method.integrator = integrator.id;
+        preset.method.impacts = impacts.id;
+        preset.method.contacts = contacts.id;
+        EXPECT_EQ(difference(preset, 2, long_tests() ? 5000 : 200, steps), "")
             << integrator.name << ", " << impacts.name << ", " << contacts.name;
       }
     }
@@ -73,15 +76,15 @@ TEST_P(PresetRunState, GoesOnForTheSameBytesUnderEveryMethod) {
 INSTANTIATE_TEST_SUITE_P(All, PresetRunState, testing::ValuesIn(preset_files()), test::preset_test_name);
 
 // A random scene that may have strings, rods that hold bodies at rest, and surfaces that stick.
-Scene linked_scene(std::uint64_t seed) {
-  Scene scene = test::random_scene(seed).scene;
+Preset linked_scene(std::uint64_t seed) {
+  Preset preset = test::random_scene(seed).preset;
   std::mt19937_64 random(seed);
   const auto chance = [&](double p) { return static_cast<double>(random() >> 11) * 0x1p-53 < p; };
-  const Scene bare = scene;
-  if (chance(0.3)) scene.materials[0].sticks = true;
+  const Preset bare = preset;
+  if (chance(0.3)) preset.scene.materials[0].sticks = true;
   if (chance(0.5)) {
     Body* last = nullptr;
-    for (Body& body : scene.bodies) {
+    for (Body& body : preset.scene.bodies) {
       if (is_immovable(body)) continue;
       if (last != nullptr && chance(0.5)) {
         Link link;
@@ -93,29 +96,31 @@ Scene linked_scene(std::uint64_t seed) {
         } else {
           link.length = (body.position - last->position).norm() * (chance(0.3) ? 1.0 : 1.3);
         }
-        scene.links.push_back(link);
+        preset.scene.links.push_back(link);
       }
       last = &body;
     }
   }
-  if (!scene.links.empty() || scene.materials[0].sticks) scene.several_impacts = SeveralImpactsId::kPairwise;
+  if (!preset.scene.links.empty() || preset.scene.materials[0].sticks)
+    preset.scene.several_impacts = SeveralImpactsId::kPairwise;
   try {
-    validate(scene);
+    validate(preset);
   } catch (const SceneError&) {
     return bare;  // rods at bodies that move
   }
-  return scene;
+  return preset;
 }
 
 TEST(RunState, RandomScenesGoOnForTheSameBytes) {
   const std::uint64_t count = long_tests() ? 2000 : 60;
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
-    Scene scene = linked_scene(seed);
-    scene.method.integrator = kIntegrators[seed % std::size(kIntegrators)].id;
-    if (why_not(scene, scene.method.integrator)) scene.method.integrator = IntegratorId::kAdaptiveDormandPrince;
-    scene.method.impacts = seed / 7 % 3 == 0 ? ImpactsId::kStepEnd : ImpactsId::kLocated;
-    scene.method.contacts = seed / 21 % 2 == 0 ? ContactsId::kImpulse : ContactsId::kLasting;
-    EXPECT_EQ(difference(scene, 3, 1000, 1'000'000), "") << write_preset(scene);
+    Preset preset = linked_scene(seed);
+    preset.method.integrator = kIntegrators[seed % std::size(kIntegrators)].id;
+    if (why_not(preset.scene, preset.method.integrator))
+      preset.method.integrator = IntegratorId::kAdaptiveDormandPrince;
+    preset.method.impacts = seed / 7 % 3 == 0 ? ImpactsId::kStepEnd : ImpactsId::kLocated;
+    preset.method.contacts = seed / 21 % 2 == 0 ? ContactsId::kImpulse : ContactsId::kLasting;
+    EXPECT_EQ(difference(preset, 3, 1000, 1'000'000), "") << write_preset(preset);
   }
 }
 

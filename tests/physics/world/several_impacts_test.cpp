@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
 // Several contacts at one time, under both choices of a scene, and the choice of the law off the centre.
@@ -9,17 +10,17 @@ namespace {
 
 using test::disc;
 
-Scene three(SeveralImpactsId several, double restitution = 1.0) {
-  Scene s = test::scene({disc("left", {-0.8, 0.0}, {1.0, 0.0}), disc("middle", {0.0, 0.0}, {0.0, 0.0}),
-                         disc("right", {0.2, 0.0}, {0.0, 0.0})},
-                        restitution);
-  s.several_impacts = several;
+RunSetup three(SeveralImpactsId several, double restitution = 1.0) {
+  RunSetup s = test::setup_with({disc("left", {-0.8, 0.0}, {1.0, 0.0}), disc("middle", {0.0, 0.0}, {0.0, 0.0}),
+                                 disc("right", {0.2, 0.0}, {0.0, 0.0})},
+                                restitution);
+  s.scene.several_impacts = several;
   return s;
 }
 
 TEST(SeveralImpacts, TwoLawsKeepMomentumAndEnergy) {
   for (const IntegratorId integrator : {IntegratorId::kRk4, IntegratorId::kExactFlight}) {
-    Scene s = three(SeveralImpactsId::kPairwise);
+    RunSetup s = three(SeveralImpactsId::kPairwise);
     s.method.integrator = integrator;
     Simulation pairwise(s);
     pairwise.advance_to(1.0);
@@ -43,10 +44,10 @@ TEST(SeveralImpacts, TwoLawsKeepMomentumAndEnergy) {
 // pair by pair it is not.
 TEST(SeveralImpacts, KeepASymmetry) {
   Body floor = test::wall("floor", {0.0, -0.5}, 4.0, 1.0);
-  Scene s = test::scene({floor, disc("a", {-0.1, 0.1}, {0.0, 0.0}), disc("b", {0.1, 0.1}, {0.0, 0.0}),
-                         disc("top", {0.0, 1.0}, {0.0, -1.0})},
-                        0.8);
-  s.several_impacts = SeveralImpactsId::kSimultaneous;
+  RunSetup s = test::setup_with({floor, disc("a", {-0.1, 0.1}, {0.0, 0.0}), disc("b", {0.1, 0.1}, {0.0, 0.0}),
+                                 disc("top", {0.0, 1.0}, {0.0, -1.0})},
+                                0.8);
+  s.scene.several_impacts = SeveralImpactsId::kSimultaneous;
   s.method.integrator = IntegratorId::kExactFlight;
   Simulation run(s);
   run.advance_to(1.0);
@@ -80,9 +81,9 @@ TEST(ImpactLaw, NewtonTellsWhatItGains) {
     Body rod = disc("rod", {0.0, 1.0}, {-3.0 + 0.03 * k, -1.0});
     rod.shape = Wall{1.0};
     rod.angle = 1.1;
-    Scene s = test::scene({floor, rod}, 0.9, 0.6);
+    RunSetup s = test::setup_with({floor, rod}, 0.9, 0.6);
     for (const ImpactLawId law : {ImpactLawId::kNewton, ImpactLawId::kEnergetic}) {
-      s.impact_law = law;
+      s.scene.impact_law = law;
       s.method.integrator = IntegratorId::kExactFlight;
       Simulation run(s);
       while (run.impact_count() == 0 && run.time() < 5.0) run.step();

@@ -8,24 +8,25 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/observe/observables.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
 namespace {
 
 using test::disc;
+using test::preset_with;
 using test::room;
 using test::same_bytes;
-using test::scene;
 using test::wall;
 
-Scene preset(const std::string& file) { return read_preset(std::string(CAROM_PRESET_DIR) + "/" + file); }
+Preset preset(const std::string& file) { return read_preset(std::string(CAROM_PRESET_DIR) + "/" + file); }
 
 double observed(const Simulation& s, std::string_view name) {
   return find_observable(name)->value(reading_of(s, {}), {});
 }
 
-Scene gas(double restitution, double friction) {
+Preset gas(double restitution, double friction) {
   std::vector<Body> bodies = room(1.0, 0.5);
   std::mt19937_64 random(5);
   const auto draw = [&] { return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0; };
@@ -33,11 +34,11 @@ Scene gas(double restitution, double friction) {
     bodies.push_back(disc(fmt::format("d{}", i), {-0.6 + 0.6 * (i % 3), -0.6 + 0.6 * (i / 3)}, {draw(), draw()},
                           0.1 + 0.01 * i, 1.0 + 0.2 * i));
   }
-  return scene(std::move(bodies), restitution, friction);
+  return preset_with(std::move(bodies), restitution, friction);
 }
 
 TEST(Gas, HundredThousandElasticImpacts) {
-  Simulation run(gas(1.0, 0.0));
+  Simulation run(setup_of(gas(1.0, 0.0)));
   const Totals start = run.totals();
   double momentum_scale = 0.0;
   for (int i = 0; i < run.state().size(); ++i) {
@@ -67,10 +68,10 @@ TEST(Simulation, ThousandRadiiAStepStayInTheRoom) {
         std::vector<Body> bodies = room(1.0, thickness);
         const double h = 0.01;
         bodies.push_back(disc("d", {0.1, 0.2}, Vec2(0.8, 0.6) * 1000.0 * 0.02 / h, 0.02));
-        Scene s = scene(std::move(bodies));
-        s.forces.gravity = gravity;
+        Preset s = preset_with(std::move(bodies));
+        s.scene.forces.gravity = gravity;
         s.method = {choice.id, ImpactsId::kLocated, ContactsId::kImpulse, h};
-        Simulation run(s);
+        Simulation run(setup_of(s));
         for (int i = 0; i < 1000; ++i) {
           run.step();
           ASSERT_LT(run.state().position(4).cwiseAbs().maxCoeff(), 0.98 + 1e-9)
@@ -83,8 +84,8 @@ TEST(Simulation, ThousandRadiiAStepStayInTheRoom) {
 }
 
 TEST(Ledger, DriftIsNothingWhereTheMethodIsExact) {
-  Scene s = preset("bounces/bouncing-ball.json");
-  Simulation run(s);
+  Preset s = preset("bounces/bouncing-ball.json");
+  Simulation run(setup_of(s));
   run.advance_to(3.9);  // before the ball rests
   EXPECT_GT(run.impact_count(), 10);
   EXPECT_LT(std::abs(run.ledger().numerical_drift(run.totals().energy())), 1e-12 * run.ledger().initial);
@@ -92,10 +93,10 @@ TEST(Ledger, DriftIsNothingWhereTheMethodIsExact) {
 }
 
 TEST(Ledger, DragDriftFallsWithTheFourthPower) {
-  Scene s = preset("numerical-methods/drag-projectile.json");
+  Preset s = preset("numerical-methods/drag-projectile.json");
   const auto drift = [&](double h) {
     s.method.step = h;
-    Simulation run(s);
+    Simulation run(setup_of(s));
     run.advance_to(2.0);
     EXPECT_GT(run.ledger().lost_to_drag, 1.0);
     return std::abs(run.ledger().numerical_drift(run.totals().energy()));
@@ -108,9 +109,9 @@ TEST(Ledger, DragDriftFallsWithTheFourthPower) {
 
 TEST(Ledger, LossesAddUp) {
   for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
-    Scene s = gas(0.9, 0.3);
+    Preset s = gas(0.9, 0.3);
     s.method.impacts = impacts;
-    Simulation run(s);
+    Simulation run(setup_of(s));
     double restitution = 0.0;
     double friction = 0.0;
     for (int i = 0; i < 1000; ++i) {
@@ -130,9 +131,9 @@ TEST(Ledger, LossesAddUp) {
 }
 
 TEST(Ledger, BodiesOfTheUserBringTheirEnergy) {
-  Scene s = gas(0.9, 0.3);
-  s.forces.gravity = {0.0, -9.81};
-  Simulation run(s);
+  Preset s = gas(0.9, 0.3);
+  s.scene.forces.gravity = {0.0, -9.81};
+  Simulation run(setup_of(s));
   run.advance_to(0.5);
   const double drift = run.ledger().numerical_drift(run.totals().energy());
   const Body body = disc("new", {0.05, 0.9}, {1.0, 2.0}, 0.02, 3.0);
@@ -145,11 +146,11 @@ TEST(Ledger, BodiesOfTheUserBringTheirEnergy) {
 
 TEST(Simulation, SameBytesTwiceAndCopiesGoSeparateWays) {
   for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
-    Scene s = gas(0.95, 0.2);
-    s.forces.quadratic_drag = 0.01;
+    Preset s = gas(0.95, 0.2);
+    s.scene.forces.quadratic_drag = 0.01;
     s.method.impacts = impacts;
-    Simulation one(s);
-    Simulation two(s);
+    Simulation one(setup_of(s));
+    Simulation two(setup_of(s));
     two.watch_impacts(true);
     one.advance_to(1.0);
     Simulation copy = one;
@@ -164,11 +165,11 @@ TEST(Simulation, SameBytesTwiceAndCopiesGoSeparateWays) {
 }
 
 TEST(Zeno, BouncingBallComesToRestAndSaysSo) {
-  Scene s = preset("bounces/bouncing-ball.json");
+  Preset s = preset("bounces/bouncing-ball.json");
   const double rest = std::sqrt(2.0 / 9.81) * 9.0;
   for (const IntegratorChoice& choice : kIntegrators) {
     s.method.integrator = choice.id;
-    Simulation run(s);
+    Simulation run(setup_of(s));
     run.advance_to(2.0 * rest);
     if (choice.order < 4) continue;  // Euler's own bounces need not die out; it must not hang
     EXPECT_NEAR(run.notices().resting_since, rest, 1e-3);
@@ -181,9 +182,9 @@ TEST(Zeno, BouncingBallComesToRestAndSaysSo) {
 }
 
 TEST(Zeno, ElasticBallNeverRests) {
-  Scene s = preset("bounces/bouncing-ball.json");
-  s.materials[0].restitution = 1.0;
-  Simulation run(s);
+  Preset s = preset("bounces/bouncing-ball.json");
+  s.scene.materials[0].restitution = 1.0;
+  Simulation run(setup_of(s));
   run.advance_to(20.0);
   EXPECT_EQ(run.notices().text(), "ok");
   EXPECT_NEAR(run.totals().energy() / run.ledger().initial, 1.0, 1e-12);
@@ -191,13 +192,13 @@ TEST(Zeno, ElasticBallNeverRests) {
 
 TEST(Overlap, PartsWithoutABurstOfSpeed) {
   for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
-    Scene s = scene({wall("box", {0, 0}, 2.0, 1.0), disc("in the wall", {0, 0.5}, {0, 0}),
-                     disc("in the other", {0.05, 0.6}, {0, 0}), disc("inside", {0.7, 0.1}, {0, 0}),
-                     disc("one", {5, 5}, {0, 0}), disc("same place", {5, 5}, {0, 0}),
-                     disc("centre of box", {-0.5, 0.0}, {0, 0})},
-                    0.5, 0.3);
+    Preset s = preset_with({wall("box", {0, 0}, 2.0, 1.0), disc("in the wall", {0, 0.5}, {0, 0}),
+                            disc("in the other", {0.05, 0.6}, {0, 0}), disc("inside", {0.7, 0.1}, {0, 0}),
+                            disc("one", {5, 5}, {0, 0}), disc("same place", {5, 5}, {0, 0}),
+                            disc("centre of box", {-0.5, 0.0}, {0, 0})},
+                           0.5, 0.3);
     s.method.impacts = impacts;
-    Simulation run(s);
+    Simulation run(setup_of(s));
     for (int i = 0; i < 300; ++i) {
       run.step();
       ASSERT_TRUE(run.state().q.allFinite());
@@ -214,10 +215,10 @@ TEST(Overlap, PartsWithoutABurstOfSpeed) {
 }
 
 TEST(Pile, NoDiscGoesThroughAWall) {
-  Scene s = preset("piles/pile.json");
+  Preset s = preset("piles/pile.json");
   for (const IntegratorId id : {IntegratorId::kSemiImplicitEuler, IntegratorId::kRk4}) {
     s.method.integrator = id;
-    Simulation run(s);
+    Simulation run(setup_of(s));
     double worst = 0.0;
     run.advance_to(20.0, [&] {
       worst = std::max({worst, -3.0 - observed(run, "leftmost_x"), observed(run, "rightmost_x") - 3.0,
@@ -230,12 +231,12 @@ TEST(Pile, NoDiscGoesThroughAWall) {
 
 // A settling pile collapses inelastically over and over; located impacts must not drown in it.
 TEST(Pile, LocatedImpactsGetThrough) {
-  Scene s = preset("piles/pile.json");
+  Preset s = preset("piles/pile.json");
   s.method.impacts = ImpactsId::kLocated;
   s.method.integrator = IntegratorId::kRk4;
-  s.generators[0].columns = 10;
-  s.generators[0].rows = 5;
-  Simulation run(s);
+  s.scene.generators[0].columns = 10;
+  s.scene.generators[0].rows = 5;
+  Simulation run(setup_of(s));
   run.advance_to(3.0);
   EXPECT_LT(run.impact_count(), 500'000);
   EXPECT_NE(run.notices().text().find("Zeno"), std::string::npos);
@@ -244,7 +245,7 @@ TEST(Pile, LocatedImpactsGetThrough) {
 }
 
 TEST(Simulation, RemaindersKeepTheGridOfTime) {
-  Simulation run(scene({disc("d", {0, 0}, {1, 0})}));
+  Simulation run(setup_of(preset_with({disc("d", {0, 0}, {1, 0})})));
   run.advance_to(1.0);
   EXPECT_EQ(run.time(), 1.0);
   EXPECT_EQ(run.steps(), 200);

@@ -10,6 +10,7 @@
 #include "physics/collision/time_of_impact.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/scene/facts.h"
 #include "physics/world/pair_list.h"
 #include "physics/world/simulation.h"
@@ -26,15 +27,15 @@ using test::disc;
 TEST(StepWork, HardScenesEnd) {
   int scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(CAROM_HARD_SCENES)) {
-    Scene s = read_preset(entry.path());
+    Preset s = read_preset(entry.path());
     ++scenes;
     for (const IntegratorChoice& integrator : kIntegrators) {
-      if (why_not(s, integrator.id)) continue;
+      if (why_not(s.scene, integrator.id)) continue;
       for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
         for (const ContactsId contacts : {ContactsId::kImpulse, ContactsId::kLasting}) {
           const double step = s.method.step;
           s.method = {.integrator = integrator.id, .impacts = impacts, .contacts = contacts, .step = step};
-          Simulation run(s);
+          Simulation run(setup_of(s));
           for (int k = 0; k < 4; ++k) run.step();
           EXPECT_TRUE(run.steps() == 4 || run.lost()) << entry.path();
         }
@@ -45,17 +46,17 @@ TEST(StepWork, HardScenesEnd) {
 }
 
 TEST(StepWork, WhatIsLeftIsSaid) {
-  Scene s = read_preset(std::filesystem::path(CAROM_HARD_SCENES) / "hang-strong-gravity.json");
+  Preset s = read_preset(std::filesystem::path(CAROM_HARD_SCENES) / "hang-strong-gravity.json");
   s.method.contacts = ContactsId::kImpulse;
   s.method.step = 0.2;
-  Simulation run(s);
+  Simulation run(setup_of(s));
   run.step();
   EXPECT_GE(run.notices().work_spent_since, 0.0);
   EXPECT_NE(run.status().find("takes more than a step may cost"), std::string::npos);
 }
 
 TEST(StepWork, BodiesAtOnePlaceAreLookedAtInPart) {
-  Scene s = test::heap(50, 40);
+  RunSetup s = test::heap(50, 40);
   for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
     s.method = {.impacts = impacts, .step = 0.005};
     Simulation run(s);
@@ -98,11 +99,11 @@ TEST(StepWork, SearchesEndAtTheirLimit) {
 
 // Fast flight through an empty plane ends no more tracks than few.
 TEST(StepWork, FastBodiesCostNoMoreThanSlowOnes) {
-  Scene s = test::scene({disc("a", {0, 0}, {1e12, 0}), disc("b", {5, 0}, {0, 1e12})});
-  s.bodies[1].shape = Box{0.2, 0.1};
-  s.bodies[1].spin = 1e9;
+  Preset s = test::preset_with({disc("a", {0, 0}, {1e12, 0}), disc("b", {5, 0}, {0, 1e12})});
+  s.scene.bodies[1].shape = Box{0.2, 0.1};
+  s.scene.bodies[1].spin = 1e9;
   s.method = {.integrator = IntegratorId::kExactFlight, .step = 0.005};
-  Simulation run(s);
+  Simulation run(setup_of(s));
   run.advance_to(0.05);
   EXPECT_NEAR(run.state().position(0).x(), 5e10, 0.05);
   EXPECT_LT(run.evaluations(), 1'000'000);
@@ -110,21 +111,21 @@ TEST(StepWork, FastBodiesCostNoMoreThanSlowOnes) {
 
 TEST(StepWork, ManySwitchesAreFollowedInPart) {
   // A chain of strings whose beads fly about: each that jerks taut lets others go.
-  Scene s = test::scene({});
-  s.forces.gravity = {0, -9.81};
+  Preset s = test::preset_with({});
+  s.scene.forces.gravity = {0, -9.81};
   for (int i = 0; i <= 200; ++i) {
-    s.bodies.push_back(
+    s.scene.bodies.push_back(
         disc(fmt::format("b{}", i), {0.25 * i, 0}, {std::sin(7.0 * i), std::cos(5.0 * i)}, 0.05));
     if (i == 0) continue;
     Link link;
     link.kind = LinkKind::kString;
-    link.body = s.bodies[static_cast<std::size_t>(i) - 1].name;
-    link.to = s.bodies.back().name;
+    link.body = s.scene.bodies[static_cast<std::size_t>(i) - 1].name;
+    link.to = s.scene.bodies.back().name;
     link.length = 0.26;
-    s.links.push_back(link);
+    s.scene.links.push_back(link);
   }
   s.method = {.integrator = IntegratorId::kRk4, .step = 0.005};
-  Simulation run(s);
+  Simulation run(setup_of(s));
   for (int k = 0; k < 10; ++k) run.step();
   EXPECT_EQ(run.steps(), 10);
 }

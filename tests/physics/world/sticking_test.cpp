@@ -9,6 +9,7 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/vectors.h"
 #include "physics/scene/validate.h"
+#include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
 // Bodies that stay joined from their first impact on.
@@ -16,7 +17,7 @@ namespace carom {
 namespace {
 
 using test::disc;
-using test::scene;
+using test::setup_with;
 using test::wall;
 
 class Draw {
@@ -31,9 +32,9 @@ class Draw {
   std::mt19937_64 random_;
 };
 
-Scene clay(std::vector<Body> bodies) {
-  Scene s = scene(std::move(bodies));
-  s.materials[0].sticks = true;
+RunSetup clay(std::vector<Body> bodies) {
+  RunSetup s = setup_with(std::move(bodies));
+  s.scene.materials[0].sticks = true;
   return s;
 }
 
@@ -65,7 +66,7 @@ Eigen::Vector3d place_of(const State& state, int a, int b) {
 enum class Held { kFree, kByARod, kByAPin };
 
 // A disc or a box each; the second comes in past the first one's centre.
-Scene random_pair(Draw& draw, Held held) {
+RunSetup random_pair(Draw& draw, Held held) {
   const auto body = [&](const char* name, const Vec2& position, const Vec2& velocity) {
     const double size = draw.between(0.1, 0.5);
     const double mass = std::exp(draw.between(-3.0, 3.0));
@@ -79,17 +80,17 @@ Scene random_pair(Draw& draw, Held held) {
   const Vec2 towards = draw.direction();
   const Vec2 home(draw.between(-1.0, 1.0), draw.between(-1.0, 1.0));
   const Vec2 drift(draw.between(-0.3, 0.3), draw.between(-0.3, 0.3));
-  Scene s = clay({body("a", home, drift)});
-  s.bodies.push_back(body("b", home - 1.6 * towards + draw.between(-0.05, 0.05) * crossed(towards),
-                          drift + draw.between(1.0, 4.0) * towards));
+  RunSetup s = clay({body("a", home, drift)});
+  s.scene.bodies.push_back(body("b", home - 1.6 * towards + draw.between(-0.05, 0.05) * crossed(towards),
+                                drift + draw.between(1.0, 4.0) * towards));
   s.method.step = 0.05;
   if (held == Held::kFree) return s;
-  Body& a = s.bodies[0];
+  Body& a = s.scene.bodies[0];
   if (held == Held::kByAPin) {
     // About the origin, about which angular momentum is taken.
-    s.links = {pin_to_plane("a", turned_by(-a.angle, -a.position), {0, 0})};
+    s.scene.links = {pin_to_plane("a", turned_by(-a.angle, -a.position), {0, 0})};
     a.velocity = a.spin * crossed(a.position);
-    s.bodies[1].velocity = draw.between(1.0, 4.0) * towards;
+    s.scene.bodies[1].velocity = draw.between(1.0, 4.0) * towards;
     a.spin *= 0.1;
     a.velocity *= 0.1;
     return s;
@@ -102,8 +103,8 @@ Scene random_pair(Draw& draw, Held held) {
   rod.body = "a";
   rod.point = turned_by(-a.angle, arm);
   rod.to = "c";
-  s.bodies.push_back(c);
-  s.links = {rod};
+  s.scene.bodies.push_back(c);
+  s.scene.links = {rod};
   return s;
 }
 
@@ -113,7 +114,7 @@ TEST(Sticking, KeepsTheLaws) {
   int linked = 0;
   for (int i = 0; i < 10'000; ++i) {
     const Held held = i % 4 == 1 ? Held::kByARod : i % 4 == 3 ? Held::kByAPin : Held::kFree;
-    const Scene s = random_pair(draw, held);
+    const RunSetup s = random_pair(draw, held);
     Simulation run(s);
     run.watch_impacts(true);
     while (run.impact_count() == 0 && run.time() < 2.0) run.step();
@@ -137,7 +138,7 @@ TEST(Sticking, KeepsTheLaws) {
     ASSERT_GT(record.lost_to_sticking, 0.0) << "case " << i;
     ASSERT_EQ(record.lost_to_restitution, 0.0);
     ASSERT_EQ(run.ledger().lost_to_sticking, record.lost_to_sticking);
-    ASSERT_EQ(run.links().size(), s.links.size() + 1);
+    ASSERT_EQ(run.links().size(), s.scene.links.size() + 1);
     const double spin = run.state().v(2, record.a);
     ASSERT_NEAR(spin, run.state().v(2, record.b), 1e-13 * (1.0 + std::abs(spin))) << "case " << i;
   }
@@ -150,15 +151,15 @@ TEST(Sticking, KeepsTheLaws) {
 TEST(Sticking, TwoBodiesTurnAsOne) {
   Draw draw(43);
   for (int i = 0; i < 300; ++i) {
-    Scene s = random_pair(draw, Held::kFree);
+    RunSetup s = random_pair(draw, Held::kFree);
     s.method.step = 0.001;  // up to its end the spin stays what it is, within rounding
     Simulation run(s);
     while (run.impact_count() == 0 && run.time() < 2.0) run.step();
     if (run.impact_count() == 0) continue;
     const ImpactRecord& record = run.last_impacts()[0];
     const MassProperties& mass = run.mass();
-    const Body& a = s.bodies[0];
-    const Body& b = s.bodies[1];
+    const Body& a = s.scene.bodies[0];
+    const Body& b = s.scene.bodies[1];
     const Vec2 xa = a.position + record.time * a.velocity;
     const Vec2 xb = b.position + record.time * b.velocity;
     const double m = mass.mass[0] + mass.mass[1];
@@ -186,19 +187,19 @@ TEST(Sticking, TwoBodiesTurnAsOne) {
 // -----------------------------------------------------------------------------------------------
 
 // A box on a spring, and a disc and a bar that fall onto it one after the other.
-Scene lumps() {
-  Scene s = clay({box("box", {0, 0}, {0.2, 0}, 0.4, 0.3, 1.0), disc("disc", {0.15, 0.8}, {0, -1}, 0.1, 0.5),
-                  box("bar", {-0.9, 0.1}, {0.9, 0.1}, 0.5, 0.1, 0.3)});
-  s.bodies[0].spin = 1.0;
-  s.bodies[1].spin = 3.0;
-  s.bodies[2].angle = 0.4;
+RunSetup lumps() {
+  RunSetup s = clay({box("box", {0, 0}, {0.2, 0}, 0.4, 0.3, 1.0), disc("disc", {0.15, 0.8}, {0, -1}, 0.1, 0.5),
+                     box("bar", {-0.9, 0.1}, {0.9, 0.1}, 0.5, 0.1, 0.3)});
+  s.scene.bodies[0].spin = 1.0;
+  s.scene.bodies[1].spin = 3.0;
+  s.scene.bodies[2].angle = 0.4;
   Spring spring;
   spring.body = "box";
   spring.anchor = {0.1, 0.3};
   spring.stiffness = 8.0;
   spring.rest_length = 0.1;
-  s.forces.springs = {spring};
-  s.forces.quadratic_drag = 0.05;
+  s.scene.forces.springs = {spring};
+  s.scene.forces.quadratic_drag = 0.05;
   return s;
 }
 
@@ -206,7 +207,7 @@ TEST(Sticking, JoinedBodiesKeepTheirPlace) {
   for (const IntegratorChoice& choice : kIntegrators) {
     if (choice.order == 0) continue;
     for (const auto& impacts : kImpacts) {
-      Scene s = lumps();
+      RunSetup s = lumps();
       s.method = {choice.id, impacts.id, ContactsId::kImpulse, choice.order == 1 ? 0.001 : 0.01};
       Simulation run(s);
       while (run.impact_count() < 2 && run.time() < 3.0) run.step();
@@ -233,7 +234,7 @@ TEST(Sticking, JoinedBodiesKeepTheirPlace) {
 }
 
 Eigen::Matrix3Xd end_of(IntegratorId id, double h) {
-  Scene s = lumps();
+  RunSetup s = lumps();
   s.method.integrator = id;
   s.method.step = h;
   Simulation run(s);
@@ -268,7 +269,7 @@ TEST(Sticking, KeepsTheOrderOfEveryIntegrator) {
 TEST(Sticking, TheAdaptiveIntegratorFollowsItsTolerance) {
   const Eigen::Matrix3Xd exact = end_of(IntegratorId::kDormandPrince, 1.0 / 2048);
   for (const double tolerance : {1e-7, 1e-9, 1e-11}) {
-    Scene s = lumps();
+    RunSetup s = lumps();
     s.method.integrator = IntegratorId::kAdaptiveDormandPrince;
     s.method.tolerance = tolerance;
     s.method.step = 0.13;
@@ -288,11 +289,11 @@ TEST(Sticking, AChainGathersBallByBall) {
   for (const IntegratorChoice& choice : kIntegrators) {
     if (choice.order == 0) continue;
     for (const auto& impacts : kImpacts) {
-      Scene s = clay({disc("d0", {0, 0}, {3.0, 0}, 0.1, 1.0)});
+      RunSetup s = clay({disc("d0", {0, 0}, {3.0, 0}, 0.1, 1.0)});
       for (int i = 1; i < 8; ++i)
-        s.bodies.push_back(disc(fmt::format("d{}", i), {0.3 * i, 0}, {0, 0}, 0.1, 1.0));
+        s.scene.bodies.push_back(disc(fmt::format("d{}", i), {0.3 * i, 0}, {0, 0}, 0.1, 1.0));
       // Two that touch from the start, of which the second one feels nothing before the first is hit.
-      s.bodies[7].position.x() = s.bodies[6].position.x() + 0.2;
+      s.scene.bodies[7].position.x() = s.scene.bodies[6].position.x() + 0.2;
       s.method = {choice.id, impacts.id, ContactsId::kImpulse, 0.005};
       Simulation run(s);
       for (int k = 2; k <= 8; ++k) {
@@ -314,11 +315,11 @@ TEST(Sticking, AChainGathersBallByBall) {
 
 // What hits a lump meets it as one body: an elastic impact on the line of centres turns the lot back.
 TEST(Sticking, ALumpIsHitAsOneBody) {
-  Scene s = clay({disc("a", {0, 0}, {1.0, 0}, 0.1, 1.0), disc("b", {0.5, 0}, {-1.0, 0}, 0.1, 1.0),
-                  disc("c", {-1.0, 0}, {2.0, 0}, 0.1, 1.0)});
-  s.materials.push_back({"steel", 1.0});
-  s.bodies[2].material = "steel";
-  s.pairs = {{"steel", "default", {"", 1.0}}};
+  RunSetup s = clay({disc("a", {0, 0}, {1.0, 0}, 0.1, 1.0), disc("b", {0.5, 0}, {-1.0, 0}, 0.1, 1.0),
+                     disc("c", {-1.0, 0}, {2.0, 0}, 0.1, 1.0)});
+  s.scene.materials.push_back({"steel", 1.0});
+  s.scene.bodies[2].material = "steel";
+  s.scene.pairs = {{"steel", "default", {"", 1.0}}};
   s.method.step = 0.01;
   Simulation run(s);
   run.advance_to(1.0);
@@ -331,13 +332,13 @@ TEST(Sticking, ALumpIsHitAsOneBody) {
 
 // Two materials stick if one of them does, and a pair of its own need not.
 TEST(Sticking, IsAMatterOfBothSurfaces) {
-  Scene s = clay({});
-  s.materials.push_back({"steel", 1.0});
-  EXPECT_TRUE(meeting(s, "steel", "default").sticks);
-  EXPECT_TRUE(meeting(s, "default", "steel").sticks);
-  EXPECT_FALSE(meeting(s, "steel", "steel").sticks);
-  s.pairs = {{"steel", "default", {}}};
-  EXPECT_FALSE(meeting(s, "steel", "default").sticks);
+  RunSetup s = clay({});
+  s.scene.materials.push_back({"steel", 1.0});
+  EXPECT_TRUE(meeting(s.scene, "steel", "default").sticks);
+  EXPECT_TRUE(meeting(s.scene, "default", "steel").sticks);
+  EXPECT_FALSE(meeting(s.scene, "steel", "steel").sticks);
+  s.scene.pairs = {{"steel", "default", {}}};
+  EXPECT_FALSE(meeting(s.scene, "steel", "default").sticks);
 }
 
 // --- what does not move
@@ -345,11 +346,12 @@ TEST(Sticking, IsAMatterOfBothSurfaces) {
 
 TEST(Sticking, ABodyStaysOnAFixedOne) {
   for (const auto& impacts : kImpacts) {
-    Scene s = clay({wall("floor", {0, -0.5}, 10.0, 1.0, 0.0), box("box", {0, 0.5}, {1.0, -1.0}, 0.4, 0.2, 2.0),
-                    disc("ball", {-0.35, 2.0}, {1.0, 0.0}, 0.1, 1.0)});
-    s.bodies[1].angle = 0.5;
-    s.bodies[1].spin = 2.0;
-    s.forces.gravity = {0.0, -9.81};
+    RunSetup s =
+        clay({wall("floor", {0, -0.5}, 10.0, 1.0, 0.0), box("box", {0, 0.5}, {1.0, -1.0}, 0.4, 0.2, 2.0),
+              disc("ball", {-0.35, 2.0}, {1.0, 0.0}, 0.1, 1.0)});
+    s.scene.bodies[1].angle = 0.5;
+    s.scene.bodies[1].spin = 2.0;
+    s.scene.forces.gravity = {0.0, -9.81};
     s.method = {IntegratorId::kRk4, impacts.id, ContactsId::kImpulse, 0.002};
     Simulation run(s);
     const double energy = run.totals().energy();
@@ -369,9 +371,9 @@ TEST(Sticking, ABodyStaysOnAFixedOne) {
 // start them anew then, and the ball that falls onto the first one meets it at its time.
 TEST(Sticking, WhatLiesThereIsJoinedToo) {
   for (const IntegratorId id : {IntegratorId::kRk4, IntegratorId::kAdaptiveDormandPrince}) {
-    Scene s = clay({wall("floor", {0, -0.5}, 10.0, 1.0), disc("low", {0, 0.1}, {0, 0}, 0.1, 1.0),
-                    disc("high", {0, 1.3}, {0, 0}, 0.1, 1.0), disc("far", {2, 3.1}, {0, 0}, 0.1, 1.0)});
-    s.forces.gravity = {0.0, -9.81};
+    RunSetup s = clay({wall("floor", {0, -0.5}, 10.0, 1.0), disc("low", {0, 0.1}, {0, 0}, 0.1, 1.0),
+                       disc("high", {0, 1.3}, {0, 0}, 0.1, 1.0), disc("far", {2, 3.1}, {0, 0}, 0.1, 1.0)});
+    s.scene.forces.gravity = {0.0, -9.81};
     s.method.integrator = id;
     s.method.step = 0.01;
     Simulation run(s);
@@ -391,10 +393,10 @@ TEST(Sticking, WhatLiesThereIsJoinedToo) {
 
 TEST(Sticking, ABodyGoesWithADrivenOne) {
   for (const auto& impacts : kImpacts) {
-    Scene s = clay({wall("table", {0, -0.5}, 4.0, 1.0), disc("ball", {0.3, 0.6}, {0.4, 0}, 0.1, 0.7)});
-    s.bodies[0].fixed = false;
-    s.bodies[0].drive = Drive{{0.1, 0.0}, {0.0, 0.05}, 9.0, 0.4};
-    s.forces.gravity = {0.0, -9.81};
+    RunSetup s = clay({wall("table", {0, -0.5}, 4.0, 1.0), disc("ball", {0.3, 0.6}, {0.4, 0}, 0.1, 0.7)});
+    s.scene.bodies[0].fixed = false;
+    s.scene.bodies[0].drive = Drive{{0.1, 0.0}, {0.0, 0.05}, 9.0, 0.4};
+    s.scene.forces.gravity = {0.0, -9.81};
     s.method = {IntegratorId::kRk4, impacts.id, ContactsId::kImpulse, 1.0 / 1024};
     Simulation run(s);
     run.advance_to(1.0);
@@ -412,7 +414,8 @@ TEST(Sticking, ABodyGoesWithADrivenOne) {
 
 // A point that sticks off the centre of a box goes round with it; its own angle is nothing.
 TEST(Sticking, APointGoesRoundWithWhatItHit) {
-  Scene s = clay({box("box", {0, 0}, {0, 0}, 1.0, 0.2, 1.0), disc("point", {0.4, 1.0}, {0, -2.0}, 0.0, 0.5)});
+  RunSetup s =
+      clay({box("box", {0, 0}, {0, 0}, 1.0, 0.2, 1.0), disc("point", {0.4, 1.0}, {0, -2.0}, 0.0, 0.5)});
   s.method.step = 0.002;
   Simulation run(s);
   run.advance_to(3.0);
@@ -428,7 +431,7 @@ TEST(Sticking, APointGoesRoundWithWhatItHit) {
 
 TEST(Sticking, CopiesGoTheirOwnWaysAndARestartIsUnjoined) {
   for (const IntegratorId id : {IntegratorId::kRk4, IntegratorId::kAdaptiveDormandPrince}) {
-    Scene s = lumps();
+    RunSetup s = lumps();
     s.method.integrator = id;
     s.method.step = 0.01;
     Simulation run(s);
@@ -448,7 +451,7 @@ TEST(Sticking, CopiesGoTheirOwnWaysAndARestartIsUnjoined) {
 
 // What is put in later, and another method, leave the joined bodies joined.
 TEST(Sticking, OutlastsEdits) {
-  Scene s = lumps();
+  RunSetup s = lumps();
   s.method.step = 0.01;
   Simulation run(s);
   while (run.impact_count() < 2) run.step();
@@ -463,8 +466,8 @@ TEST(Sticking, OutlastsEdits) {
 
 // All bodies advanced together, with every part of the model: the same motion.
 TEST(Sticking, TrimmedAndUntrimmedRunsAgree) {
-  Scene s = lumps();
-  s.bodies.push_back(disc("alone", {3.0, 3.0}, {0.1, 0.0}));
+  RunSetup s = lumps();
+  s.scene.bodies.push_back(disc("alone", {3.0, 3.0}, {0.1, 0.0}));
   s.method.step = 1.0 / 512;
   Simulation trimmed(s);
   Simulation whole(s, all_needs());

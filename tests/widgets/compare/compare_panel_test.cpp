@@ -12,6 +12,7 @@
 #include <qwt_plot_curve.h>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/preset/preset.h"
 #include "tests/support/run_fixture.h"
 #include "tests/support/scene_fixture.h"
 #include "widgets/compare/compare_table.h"
@@ -46,15 +47,15 @@ TEST(MethodNames, TellOnlyWhatDiffers) {
 class ComparePanelTest : public testing::Test {
  protected:
   void SetUp() override {
-    scene_ = head_on_scene();
-    scene_.method = method(IntegratorId::kRk4);
-    scene_.compare = {method(IntegratorId::kExplicitEuler),
-                      method(IntegratorId::kRk4, ImpactsId::kStepEnd, 0.3)};
-    panel_.set_scene(scene_, ReferenceId::kExactFlight);
+    preset_ = head_on_scene();
+    preset_.method = method(IntegratorId::kRk4);
+    preset_.compare = {method(IntegratorId::kExplicitEuler),
+                       method(IntegratorId::kRk4, ImpactsId::kStepEnd, 0.3)};
+    panel_.set_scene(preset_, ReferenceId::kExactFlight);
     std::vector<std::shared_ptr<const Frame>> frames;
     for (std::size_t i = 0; i < 3; ++i) {
-      auto frame = std::make_shared<Frame>(run_to(scene_, 1.0));
-      frame->method = i == 0 ? scene_.method : scene_.compare[i - 1];
+      auto frame = std::make_shared<Frame>(run_to(preset_, 1.0));
+      frame->method = i == 0 ? preset_.method : preset_.compare[i - 1];
       frame->wall_time = 0.25 * static_cast<double>(i);
       frame->error.emplace();
       frame->error->position = 0.125 * static_cast<double>(i);
@@ -86,7 +87,7 @@ class ComparePanelTest : public testing::Test {
     emit b->activated(b->currentIndex());
   }
 
-  Scene scene_;
+  Preset preset_;
   ComparePanel panel_{light_theme()};
 };
 
@@ -111,7 +112,7 @@ TEST_F(ComparePanelTest, ChangesTheChosenMethod) {
   EXPECT_EQ(box("RK4")->currentText(), "RK4");
   choose("Velocity Verlet");
   ASSERT_EQ(changed.size(), 1);
-  Method expected = scene_.compare[1];
+  Method expected = preset_.compare[1];
   expected.integrator = IntegratorId::kVelocityVerlet;
   EXPECT_EQ(changed[0][0].value<Method>(), expected);
   EXPECT_EQ(changed[0][1].value<std::size_t>(), 2U);
@@ -145,21 +146,21 @@ TEST_F(ComparePanelTest, TheFirstMethodStaysAndSixAreEnough) {
   table()->selectRow(1);
   EXPECT_TRUE(button("Takes the chosen")->isEnabled());
   EXPECT_TRUE(button("One more")->isEnabled());
-  scene_.compare.resize(kMostCompared);
-  panel_.set_scene(scene_, ReferenceId::kNone);
+  preset_.compare.resize(kMostCompared);
+  panel_.set_scene(preset_, ReferenceId::kNone);
   EXPECT_FALSE(button("One more")->isEnabled());
 }
 
 // In every plot a curve of each run, in the run's colour; the legend hides a run in all of them.
 TEST(PlotsOfSeveralRuns, HaveACurveOfEach) {
   PlotPanel panel(light_theme());
-  Scene scene = head_on_scene();
+  Preset preset = head_on_scene();
   std::vector<PlottedRun> runs;
   for (const char* name : {"one", "two"}) {
     auto recorder = std::make_shared<Recorder>();
-    recorder->add(run_to(scene, 1.0, panel.curves()));
+    recorder->add(run_to(preset, 1.0, panel.curves()));
     runs.push_back({recorder, name});
-    scene.bodies[0].velocity.x() = 2.0;
+    preset.scene.bodies[0].velocity.x() = 2.0;
   }
   panel.resize(420, 600);
   panel.show();
@@ -191,8 +192,8 @@ TEST(PlotsOfSeveralRuns, HaveACurveOfEach) {
 }
 
 TEST(OtherRuns, AreOutlinesWithTheirDistance) {
-  const auto frame = frame_of(Simulation(two_discs()));
-  auto beside = frame_of(Simulation(two_discs()));
+  const auto frame = frame_of(Simulation(setup_of(two_discs())));
+  auto beside = frame_of(Simulation(setup_of(two_discs())));
   beside->state.q(0, 1) += 0.5;
   const OtherRuns others = {beside};
   Camera camera;

@@ -21,12 +21,12 @@ namespace carom {
 namespace {
 
 // Discs that fly through a drag, so that every method has an error.
-Scene drag_scene() {
-  Scene scene = head_on_scene();
-  scene.forces.gravity = {0.0, -9.81};
-  scene.forces.linear_drag = 0.4;
-  scene.duration = 0.5;
-  return scene;
+Preset drag_scene() {
+  Preset preset = head_on_scene();
+  preset.scene.forces.gravity = {0.0, -9.81};
+  preset.scene.forces.linear_drag = 0.4;
+  preset.duration = 0.5;
+  return preset;
 }
 
 StudyOptions quick() {
@@ -111,7 +111,7 @@ TEST_F(StudyPanelTest, AClickOnAPointChoosesItsMethod) {
 // A step that a click has chosen moves no later study's steps; a scene with another method is the same scene.
 TEST_F(StudyPanelTest, AChosenMethodIsNoOtherScene) {
   run_to_its_end();
-  Scene with_method = drag_scene();
+  Preset with_method = drag_scene();
   with_method.method.integrator = IntegratorId::kExplicitEuler;
   with_method.method.step = 0.001;
   panel_.edit_scene(with_method);
@@ -127,12 +127,12 @@ TEST_F(StudyPanelTest, AChosenMethodIsNoOtherScene) {
 
 TEST_F(StudyPanelTest, AStudyOfAnotherSceneSaysSoAndChoosesNothing) {
   run_to_its_end();
-  Scene edited = drag_scene();
-  edited.bodies.push_back(disc("C", {1.0, 1.0}, {0.0, 0.0}, 1.0));
+  Preset edited = drag_scene();
+  edited.scene.bodies.push_back(disc("C", {1.0, 1.0}, {0.0, 0.0}, 1.0));
   panel_.edit_scene(edited);
   EXPECT_FALSE(panel_.of_the_scene_shown());
   EXPECT_TRUE(panel_.words().startsWith("Before this scene was edited")) << panel_.words().toStdString();
-  Scene other = edited;
+  Preset other = edited;
   other.title = "Another";
   panel_.set_scene(other, "another");
   EXPECT_TRUE(panel_.words().startsWith("Not the scene shown, but Head-on")) << panel_.words().toStdString();
@@ -222,7 +222,7 @@ TEST(ErrorPlot, SaysThatNothingMoves) {
   QString error;
   StudyPanel panel(light_theme());
   panel.show();
-  panel.set_scene(Scene(), "empty");
+  panel.set_scene(Preset(), "empty");
   panel.start(quick());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.running(); }, 20000));
   EXPECT_TRUE(panel.save(file, &error)) << error.toStdString();
@@ -231,12 +231,12 @@ TEST(ErrorPlot, SaysThatNothingMoves) {
 
 // Every error over time and step: each row that has both is found where it is drawn.
 TEST(ErrorPlot, FindsItsPoints) {
-  Scene scene = head_on_scene();
-  scene.forces.gravity = {0.0, -1.0};
-  scene.duration = 0.5;
+  Preset preset = head_on_scene();
+  preset.scene.forces.gravity = {0.0, -1.0};
+  preset.duration = 0.5;
   StudyOptions options = quick();
   options.integrators.push_back(IntegratorId::kExactFlight);
-  const StudyTable table = run_study(scene, "head-on", options);
+  const StudyTable table = run_study(preset, "head-on", options);
   ErrorPlot plot(light_theme(), ErrorPlot::Place::kWindow);
   plot.resize(400, 300);
   plot.show();

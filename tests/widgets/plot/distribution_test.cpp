@@ -10,6 +10,7 @@
 #include <numeric>
 #include <qwt_plot.h>
 
+#include "physics/preset/preset.h"
 #include "tests/support/run_fixture.h"
 #include "widgets/plot/legend_button.h"
 #include "widgets/plot/plot_panel.h"
@@ -19,20 +20,20 @@ namespace carom {
 namespace {
 
 // Forty discs of two masses that fly apart, and two that collide.
-Scene crowd() {
-  Scene scene = head_on_scene();
+Preset crowd() {
+  Preset preset = head_on_scene();
   for (int i = 0; i < 40; ++i) {
     Body body = disc(fmt::format("d{}", i), {10.0 + i, 5.0}, {0.0, 0.05 * (i + 1)}, i % 2 == 0 ? 1.0 : 4.0);
-    scene.bodies.push_back(body);
+    preset.scene.bodies.push_back(body);
   }
-  return scene;
+  return preset;
 }
 
 class DistributionPlot : public testing::Test {
  protected:
   DistributionPlot() {
-    panel.set_plots({named("speeds"), named("impulses"), named("energy")}, scene.bodies);
-    recorder->add(run_to(scene, 1.0, panel.curves()));
+    panel.set_plots({named("speeds"), named("impulses"), named("energy")}, preset.scene.bodies);
+    recorder->add(run_to(preset, 1.0, panel.curves()));
     panel.resize(500, 700);
     panel.show();
     show();
@@ -46,7 +47,7 @@ class DistributionPlot : public testing::Test {
     return std::accumulate(h.counts.begin(), h.counts.end(), std::int64_t{0});
   }
 
-  Scene scene = crowd();
+  Preset preset = crowd();
   std::shared_ptr<Recorder> recorder = std::make_shared<Recorder>();
   PlotPanel panel{light_theme()};
 };
@@ -79,7 +80,7 @@ TEST_F(DistributionPlot, ItsMeanIsOverTheTimeThatIsShown) {
 TEST_F(DistributionPlot, BinsStandStillFromFrameToFrame) {
   const double width = plot(0)->distribution()->bins()[0].bins.width;
   for (const double time : {1.1, 1.2, 1.3}) {
-    recorder->add(run_to(scene, time, panel.curves()));
+    recorder->add(run_to(preset, time, panel.curves()));
     show();
     EXPECT_EQ(plot(0)->distribution()->bins()[0].bins.width, width);
   }
@@ -110,8 +111,8 @@ TEST(Distribution, OfNothingIsEmpty) {
   panel.show();
   QApplication::processEvents();
   const auto recorder = std::make_shared<Recorder>();
-  Scene still;
-  still.bodies = {disc("A", {0.0, 0.0}, {0.0, 0.0}, 1.0)};
+  Preset still;
+  still.scene.bodies = {disc("A", {0.0, 0.0}, {0.0, 0.0}, 1.0)};
   recorder->add(run_to(still, 0.0));
   panel.update_from({{recorder, "run"}});
   QApplication::processEvents();

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <qwt_plot.h>
 
+#include "physics/preset/preset.h"
 #include "tests/support/run_fixture.h"
 #include "widgets/plot/note_menu.h"
 #include "widgets/plot/plot_export.h"
@@ -24,8 +25,8 @@ class PlotNotesTest : public testing::Test {
   PlotNotesTest() {
     Plot energy = named("energy");
     energy.notes = {{0.5, 2.0, "half a second"}};
-    panel.set_plots({energy}, scene.bodies);
-    recorder->add(run_to(scene, 1.0, panel.curves()));
+    panel.set_plots({energy}, preset.scene.bodies);
+    recorder->add(run_to(preset, 1.0, panel.curves()));
     panel.resize(600, 300);
     panel.show();
     show();
@@ -55,7 +56,7 @@ class PlotNotesTest : public testing::Test {
     QApplication::processEvents();
   }
 
-  Scene scene = head_on_scene();
+  Preset preset = head_on_scene();
   std::shared_ptr<Recorder> recorder = std::make_shared<Recorder>();
   PlotPanel panel{light_theme()};
   int changes = 0;

@@ -16,6 +16,7 @@
 #include <qwt_scale_widget.h>
 
 #include "physics/preset/names.h"
+#include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
 #include "tests/support/run_fixture.h"
 #include "widgets/plot/legend_button.h"
@@ -121,24 +122,24 @@ TEST_F(PlotPanelTest, NamesOfPresetFilesAreThePlots) {
 
 // 1e-6 kg in millimetres: 1e-11 J and 1e-9 N s.
 TEST_F(PlotPanelTest, ASmallSceneIsNoNoise) {
-  Scene scene = head_on_scene();
-  for (Body& body : scene.bodies) {
+  Preset preset = head_on_scene();
+  for (Body& body : preset.scene.bodies) {
     body.shape = Disc{0.2e-3};
     body.position *= 1e-3;
     body.velocity *= 1e-3;
     *body.mass *= 1e-6;
   }
-  show(run_to(scene, 0.45, panel.curves()));
+  show(run_to(preset, 0.45, panel.curves()));
   EXPECT_NEAR(plot(0)->value_range().maxValue(), 5e-12, 1e-12);
   EXPECT_NEAR(plot(1)->value_range().maxValue(), 3e-9, 1.1e-9);
   EXPECT_NEAR(plot(2)->value_range().maxValue(), 4e-9, 1.1e-9);
 }
 
 TEST_F(PlotPanelTest, AConservedZeroIsAFlatLine) {
-  Scene scene = head_on_scene();
-  scene.bodies[0].velocity = Vec2(1.0, 0.7);
-  scene.bodies[1].velocity = Vec2(-0.5, -0.35);  // no momentum in sum
-  Frame frame = run_to(scene, 1.0, panel.curves());
+  Preset preset = head_on_scene();
+  preset.scene.bodies[0].velocity = Vec2(1.0, 0.7);
+  preset.scene.bodies[1].velocity = Vec2(-0.5, -0.35);  // no momentum in sum
+  Frame frame = run_to(preset, 1.0, panel.curves());
   set_values(frame, "momentum_x", [](double row) { return 1e-16 * std::fmod(row, 7.0); });
   set_values(frame, "momentum_y", [](double) { return -1e-16; });
   show(frame);
@@ -245,9 +246,9 @@ TEST_F(PlotPanelTest, DragMovesTimeOfAllAndValuesOfOne) {
 }
 
 TEST_F(PlotPanelTest, ConstantDataHaveARange) {
-  Scene scene;
-  scene.bodies = {disc("A", {0.0, 0.0}, {0.1, 0.0}, 3.0)};
-  show(run_to(scene, 1.0, panel.curves()));
+  Preset preset;
+  preset.scene.bodies = {disc("A", {0.0, 0.0}, {0.1, 0.0}, 3.0)};
+  show(run_to(preset, 1.0, panel.curves()));
   const QwtInterval energy = plot(0)->value_range();
   EXPECT_TRUE(std::isfinite(energy.width()));
   EXPECT_LE(energy.minValue(), 0.0);
@@ -258,7 +259,7 @@ TEST_F(PlotPanelTest, ConstantDataHaveARange) {
 
 // A quantity of a body, two in one plot, and a path: what the lines and the title say.
 TEST_F(PlotPanelTest, PlotsOfAnyQuantity) {
-  const std::vector<Body> bodies = head_on_scene().bodies;
+  const std::vector<Body> bodies = head_on_scene().scene.bodies;
   Plot speeds;
   speeds.y = {{"speed", {"A"}}, {"speed", {"B"}}};
   Plot path;
@@ -297,7 +298,7 @@ TEST_F(PlotPanelTest, PlotsOfAnyQuantity) {
 TEST_F(PlotPanelTest, MarksAreRead) {
   Plot momentum;
   momentum.y = {{"body_momentum_x", {"A"}}};
-  panel.set_plots({named("energy"), momentum}, head_on_scene().bodies);
+  panel.set_plots({named("energy"), momentum}, head_on_scene().scene.bodies);
   show(run_to(head_on_scene(), 1.0, panel.curves()));
   const auto click = [&](double time, Qt::KeyboardModifiers modifiers) {
     const auto x = static_cast<int>(std::lround(plot(0)->plot()->transform(QwtAxis::XBottom, time)));
@@ -338,7 +339,7 @@ TEST_F(PlotPanelTest, MarksAreRead) {
 }
 
 TEST_F(PlotPanelTest, PlotsComeChangeAndGo) {
-  panel.set_plots({named("energy")}, head_on_scene().bodies);
+  panel.set_plots({named("energy")}, head_on_scene().scene.bodies);
   int changes = 0;
   QObject::connect(&panel, &PlotPanel::layoutChanged, [&] { ++changes; });
   Plot spin;
@@ -360,7 +361,7 @@ TEST_F(PlotPanelTest, PlotsComeChangeAndGo) {
 }
 
 TEST(PlotDialog, AnotherCurveIsOfTheNextBody) {
-  std::vector<Body> bodies = head_on_scene().bodies;
+  std::vector<Body> bodies = head_on_scene().scene.bodies;
   bodies[1].fixed = true;
   bodies.push_back(disc("C", {5.0, 0.0}, {0.0, 0.0}, 1.0));
   PlotDialog dialog(bodies);
@@ -374,7 +375,7 @@ TEST(PlotDialog, AnotherCurveIsOfTheNextBody) {
 }
 
 TEST(PlotDialog, PutsAPlotTogether) {
-  const std::vector<Body> bodies = head_on_scene().bodies;
+  const std::vector<Body> bodies = head_on_scene().scene.bodies;
   PlotDialog dialog(bodies);
   auto* ok = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
   EXPECT_TRUE(ok->isEnabled());

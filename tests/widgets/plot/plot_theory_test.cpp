@@ -12,6 +12,7 @@
 #include <qwt_plot.h>
 #include <qwt_scale_map.h>
 
+#include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
 #include "tests/support/run_fixture.h"
 #include "widgets/plot/curve_row.h"
@@ -84,10 +85,10 @@ TEST(TheoryCurve, DoesNotLookForEver) {
 class PlotTheory : public testing::Test {
  protected:
   PlotTheory() {
-    panel.set_plots({plot}, scene.bodies);
+    panel.set_plots({plot}, preset.scene.bodies);
     panel.resize(500, 300);
     panel.show();
-    recorder->add(run_to(scene, 1.0, panel.curves()));
+    recorder->add(run_to(preset, 1.0, panel.curves()));
     panel.update_from({{recorder, "run"}});
     QApplication::processEvents();
   }
@@ -102,7 +103,7 @@ class PlotTheory : public testing::Test {
     return names;
   }
 
-  Scene scene = head_on_scene();
+  Preset preset = head_on_scene();
   Plot plot = plot_of(false);
   std::shared_ptr<Recorder> recorder = std::make_shared<Recorder>();
   PlotPanel panel{light_theme()};
@@ -140,10 +141,10 @@ TEST_F(PlotTheory, IsToldUnderTheMouse) {
 
 TEST_F(PlotTheory, ResidualIsALineOfItsOwnWithEveryDigit) {
   const Plot residual = plot_of(true);
-  panel.set_plots({residual}, scene.bodies);
+  panel.set_plots({residual}, preset.scene.bodies);
   ASSERT_EQ(panel.curves().size(), 1u);
   recorder->clear();
-  recorder->add(run_to(scene, 1.0, panel.curves()));
+  recorder->add(run_to(preset, 1.0, panel.curves()));
   panel.update_from({{recorder, "run"}});
   QApplication::processEvents();
   const Series<1>* series = recorder->series(panel.curves()[0]);
@@ -162,16 +163,16 @@ TEST_F(PlotTheory, OverAnotherQuantityFollowsTheRunWhereItHangsOnTime) {
   Plot over = plot;
   over.x = QuantityName{"x", {"B"}};
   over.y[0].theory = "-1 + 3*t + 0*x";
-  panel.set_plots({over}, scene.bodies);
+  panel.set_plots({over}, preset.scene.bodies);
   recorder->clear();
-  recorder->add(run_to(scene, 0.5, panel.curves()));
+  recorder->add(run_to(preset, 0.5, panel.curves()));
   panel.update_from({{recorder, "run"}});
   QApplication::processEvents();
   EXPECT_EQ(legend(panel.plots()[0]), QStringList{"theory"});
 }
 
 TEST(PlotTheoryDialog, TakesATheoryAndSaysWhatIsWrong) {
-  PlotDialog dialog(head_on_scene().bodies);
+  PlotDialog dialog(head_on_scene().scene.bodies);
   dialog.show();
   auto* ok = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
   auto* row = dialog.findChild<CurveRow*>();

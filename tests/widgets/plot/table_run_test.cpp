@@ -5,6 +5,7 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include "physics/preset/preset.h"
 #include "tests/support/run_fixture.h"
 #include "widgets/run/run_tables.h"
 #include "widgets/theme/theme.h"
@@ -17,9 +18,9 @@ QString cell(const QTableView& table, int row, int column) {
 }
 
 TEST(RunTables, BodiesBeforeAndAfterAHeadOnCollision) {
-  const Scene scene = head_on_scene();
+  const Preset preset = head_on_scene();
   BodiesTable table;
-  table.update_from(run_to(scene, 0.5), scene.bodies);
+  table.update_from(run_to(preset, 0.5), preset.scene.bodies);
   ASSERT_EQ(table.model()->rowCount(), 3);
   const QStringList expected[] = {{"A", "1.000", "3.00, 0.00", "−1.00, 0.00", "−1.00, 0.00", "4.500", "0.5000"},
                                   {"B", "2.000", "0, 0", "2.00, 0.00", "4.00, 0.00", "0", "4.000"},
@@ -33,10 +34,10 @@ TEST(RunTables, BodiesBeforeAndAfterAHeadOnCollision) {
 }
 
 TEST(RunTables, AreCopiedWithEveryDigit) {
-  const Scene scene = head_on_scene();
-  const Frame frame = run_to(scene, 0.5);
+  const Preset preset = head_on_scene();
+  const Frame frame = run_to(preset, 0.5);
   BodiesTable table;
-  table.update_from(frame, scene.bodies);
+  table.update_from(frame, preset.scene.bodies);
   table.show();
   QTest::keySequence(&table, QKeySequence::Copy);
   const QStringList lines = QGuiApplication::clipboard()->text().split('\n');
@@ -52,9 +53,9 @@ TEST(RunTables, AreCopiedWithEveryDigit) {
 }
 
 TEST(RunTables, ABodyAddedLaterHasNoBefore) {
-  const Scene scene = head_on_scene();
+  const Preset preset = head_on_scene();
   BodiesTable table;
-  table.update_from(run_to(scene, 0.1), {scene.bodies.front()});
+  table.update_from(run_to(preset, 0.1), {preset.scene.bodies.front()});
   EXPECT_EQ(cell(table, 0, 2), "3.00, 0.00");
   EXPECT_EQ(cell(table, 1, 2), "");
   EXPECT_EQ(cell(table, 2, 5), "4.500");
@@ -92,8 +93,8 @@ TEST(RunTables, ImpactsNewestFirst) {
 
 // A driven body has no momentum of its own to tell.
 TEST(RunTables, SumsAreOfTheBodiesThatMoveFreely) {
-  const Scene scene = head_on_scene();
-  Frame frame = run_to(scene, 0.1);
+  const Preset preset = head_on_scene();
+  Frame frame = run_to(preset, 0.1);
   std::vector<Body> bodies = *frame.bodies;
   bodies[0].drive = Drive{.velocity = Vec2(3.0, 0.0)};
   frame.bodies = std::make_shared<const std::vector<Body>>(bodies);
@@ -105,10 +106,10 @@ TEST(RunTables, SumsAreOfTheBodiesThatMoveFreely) {
 }
 
 TEST(RunTables, ColumnsShareTheWidth) {
-  const Scene scene = head_on_scene();
+  const Preset preset = head_on_scene();
   BodiesTable table;
   table.resize(620, 200);
-  table.update_from(run_to(scene, 0.5), scene.bodies);
+  table.update_from(run_to(preset, 0.5), preset.scene.bodies);
   table.show();
   QApplication::processEvents();
   EXPECT_EQ(table.horizontalHeader()->length(), table.viewport()->width());

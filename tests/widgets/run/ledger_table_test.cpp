@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "physics/preset/preset.h"
 #include "tests/support/run_fixture.h"
 
 namespace carom {
@@ -15,12 +16,12 @@ QString tip(const QTableView& table, int row, int column) {
 }
 
 TEST(LedgerTable, ClosesOnTheDrift) {
-  Scene scene = head_on_scene();
+  Preset preset = head_on_scene();
   Material dull;
   dull.restitution = 0.5;
-  scene.materials = {dull};
+  preset.scene.materials = {dull};
   LedgerTable table;
-  table.update_from(run_to(scene, 0.5));
+  table.update_from(run_to(preset, 0.5));
   ASSERT_EQ(table.model()->rowCount(), 14);
   EXPECT_EQ(cell(table, 0, 1), "4.500");
   EXPECT_EQ(cell(table, 1, 1), "2.250");  // (1 - e²)/2 · 2/3 kg · (3 m/s)²
@@ -77,11 +78,11 @@ TEST(LedgerTable, HasEveryEntryOfTheLedger) {
 }
 
 TEST(LedgerTable, IdleEntriesArePaleAndSaySoButAreThere) {
-  Scene scene = head_on_scene();
+  Preset preset = head_on_scene();
   LedgerTable table;
-  const Frame frame = run_to(scene, 0.1);
+  const Frame frame = run_to(preset, 0.1);
   table.update_from(frame);
-  table.set_scene(scene);
+  table.set_scene(preset);
   const auto idle = [&](int row, int column) {
     return static_cast<const FigureModel*>(table.model())->is_idle(row, column);
   };
@@ -94,28 +95,28 @@ TEST(LedgerTable, IdleEntriesArePaleAndSaySoButAreThere) {
   EXPECT_TRUE(idle(1, 4)) << "gravity";
   EXPECT_TRUE(idle(4, 4)) << "walls";
 
-  scene.forces.quadratic_drag = 0.1;
-  scene.forces.gravity = Vec2(0.0, -9.81);
+  preset.scene.forces.quadratic_drag = 0.1;
+  preset.scene.forces.gravity = Vec2(0.0, -9.81);
   Spring spring;
   spring.body = "A";
   spring.to = "B";
   spring.damping = 1.0;
-  scene.forces.springs = {spring};
+  preset.scene.forces.springs = {spring};
   Link string;
   string.kind = LinkKind::kString;
   string.body = "A";
   string.to = "B";
-  scene.links = {string};
-  scene.materials = {{"default", 1.0, 0.0, 0.5, 0.5}};
-  Material pair = scene.materials[0];
+  preset.scene.links = {string};
+  preset.scene.materials = {{"default", 1.0, 0.0, 0.5, 0.5}};
+  Material pair = preset.scene.materials[0];
   pair.rolling_resistance = 0.01;
   pair.sticks = true;
-  scene.pairs = {{"default", "default", pair}};
-  scene.bodies[1].drive = Drive{.velocity = Vec2(1.0, 0.0)};
-  table.set_scene(scene);
+  preset.scene.pairs = {{"default", "default", pair}};
+  preset.scene.bodies[1].drive = Drive{.velocity = Vec2(1.0, 0.0)};
+  table.set_scene(preset);
   EXPECT_TRUE(idle(3, 0)) << "impulses alone don't resist rolling";
-  scene.method.contacts = ContactsId::kLasting;
-  table.set_scene(scene);
+  preset.method.contacts = ContactsId::kLasting;
+  table.set_scene(preset);
   for (int row = 0; row < 14; ++row) EXPECT_FALSE(idle(row, 0) || idle(row, 3)) << row;
 
   // What was lost before the drag was taken away stays plain.

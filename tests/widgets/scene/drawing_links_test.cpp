@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "physics/preset/preset.h"
 #include "tests/support/run_fixture.h"
 
 namespace carom {
@@ -100,12 +101,12 @@ TEST_F(LinksDrawn, AWeldIsADot) {
 
 // A weld that an impact makes is among the links from then on.
 TEST_F(LinksDrawn, AFrameHasTheWeldsOfBodiesThatStick) {
-  Scene scene = head_on_scene();
+  Preset preset = head_on_scene();
   Material glue;
   glue.sticks = true;
-  scene.materials = {glue};
-  EXPECT_TRUE(run_to(scene, 0.1).links.empty());
-  const Frame frame = run_to(scene, 0.5);
+  preset.scene.materials = {glue};
+  EXPECT_TRUE(run_to(preset, 0.1).links.empty());
+  const Frame frame = run_to(preset, 0.5);
   ASSERT_EQ(frame.links.size(), 1U);
   EXPECT_EQ(frame.links[0].kind, LinkKind::kWeld);
   EXPECT_NEAR(frame.links[0].to.x(), 0.5 * (frame.state.position(0).x() + frame.state.position(1).x()), 1e-9);
@@ -125,13 +126,13 @@ TEST_F(LinksDrawn, OutOfSightNothingIsDrawn) {
 }
 
 // A bob on a rod from (0, 1), a box pinned by its corner, a disc that falls until its string is taut.
-Scene linked_scene() {
-  Scene scene;
-  scene.forces.gravity = Vec2(0.0, -10.0);
-  scene.bodies = {disc("bob", {1.0, 1.0}, {0.0, 0.0}, 1.0), disc("box", {3.0, 0.0}, {0.0, 0.0}, 1.0),
-                  disc("hung", {6.0, 0.0}, {0.0, 0.0}, 1.0)};
-  scene.bodies[1].shape = Box{0.4, 0.2};
-  scene.bodies[1].angle = 0.5;
+Preset linked_scene() {
+  Preset preset;
+  preset.scene.forces.gravity = Vec2(0.0, -10.0);
+  preset.scene.bodies = {disc("bob", {1.0, 1.0}, {0.0, 0.0}, 1.0), disc("box", {3.0, 0.0}, {0.0, 0.0}, 1.0),
+                         disc("hung", {6.0, 0.0}, {0.0, 0.0}, 1.0)};
+  preset.scene.bodies[1].shape = Box{0.4, 0.2};
+  preset.scene.bodies[1].angle = 0.5;
   Link rod;
   rod.body = "bob";
   rod.anchor = Vec2(0.0, 1.0);
@@ -145,14 +146,14 @@ Scene linked_scene() {
   string.body = "hung";
   string.anchor = Vec2(6.0, 1.0);
   string.length = 2.0;
-  scene.links = {rod, pin, string};
-  return scene;
+  preset.scene.links = {rod, pin, string};
+  return preset;
 }
 
 TEST_F(LinksDrawn, AFrameTellsWhereLinksAreAndWhichStringsAreTaut) {
-  const Scene scene = linked_scene();
+  const Preset preset = linked_scene();
   for (const double time : {0.0, 0.3, 0.6}) {
-    const Frame frame = run_to(scene, time);
+    const Frame frame = run_to(preset, time);
     ASSERT_EQ(frame.links.size(), 3U);
     EXPECT_EQ(frame.links[0].from, Vec2(0.0, 1.0));
     EXPECT_EQ(frame.links[0].to, frame.state.position(0));

@@ -2,6 +2,7 @@
 #include <QPainter>
 #include <gtest/gtest.h>
 
+#include "physics/preset/preset.h"
 #include "tests/support/scene_fixture.h"
 #include "widgets/scene/drawing.h"
 #include "widgets/scene/paint_drawing.h"
@@ -20,7 +21,7 @@ class DrawingOf : public testing::Test {
     camera_.scale = 100.0;
   }
 
-  std::shared_ptr<Frame> frame_ = frame_of(Simulation(two_discs()));
+  std::shared_ptr<Frame> frame_ = frame_of(Simulation(setup_of(two_discs())));
   Camera camera_;
   DrawingOptions options_;
 };
@@ -47,11 +48,11 @@ TEST_F(DrawingOf, NamesMovingBodiesBelowThem) {
 
 TEST_F(DrawingOf, NamesNothingWhereItWouldBeClutter) {
   camera_.scale = 100.0;
-  Scene scene;
-  scene.generators = {{.columns = 8, .rows = 8, .spacing = Vec2(0.3, 0.3)}};
-  frame_ = frame_of(Simulation(scene));
+  Preset preset;
+  preset.scene.generators = {{.columns = 8, .rows = 8, .spacing = Vec2(0.3, 0.3)}};
+  frame_ = frame_of(Simulation(setup_of(preset)));
   EXPECT_TRUE(drawing().labels.empty());
-  frame_ = frame_of(Simulation(two_discs()));
+  frame_ = frame_of(Simulation(setup_of(two_discs())));
   camera_.scale = 20.0;
   EXPECT_EQ(drawing().labels.size(), 1U) << "a disc of 5 px is too small to name";
 }

@@ -16,8 +16,8 @@ class SceneExport : public testing::Test {
  protected:
   bool save(const QString& name) {
     path_ = folder_.filePath(name);
-    return save_scene_picture(*frame_of(Simulation(two_discs())), View{Vec2(2.0, 1.0), 6.0}, {}, light_theme(),
-                              QSize(600, 400), path_, &error_);
+    return save_scene_picture(*frame_of(Simulation(setup_of(two_discs()))), View{Vec2(2.0, 1.0), 6.0}, {},
+                              light_theme(), QSize(600, 400), path_, &error_);
   }
   [[nodiscard]] QByteArray bytes() const {
     QFile file(path_);
@@ -56,7 +56,7 @@ TEST_F(SceneExport, PdfIsVectors) {
 
 // Other runs of the scene are outlines, in the colours of their curves.
 TEST_F(SceneExport, OtherRunsAreOutlines) {
-  const Frame frame = *frame_of(Simulation(two_discs()));
+  const Frame frame = *frame_of(Simulation(setup_of(two_discs())));
   Frame other = frame;
   other.state.q(0, 2) += 1.5;  // B, at the right
   const auto picture = [&](std::span<const Frame> others) {
@@ -77,7 +77,7 @@ TEST_F(SceneExport, OtherRunsAreOutlines) {
 
 // The same part of the world, and no less, on paper of another shape.
 TEST_F(SceneExport, ALookFitsOtherSizes) {
-  const Frame frame = *frame_of(Simulation(two_discs()));
+  const Frame frame = *frame_of(Simulation(setup_of(two_discs())));
   const SceneLook look = scene_look(frame, View{Vec2(2.0, 1.0), 6.0}, {}, light_theme(), QSize(600, 400));
   const WorldRect seen = look.camera.visible();
   for (const QSizeF size : {QSizeF(300, 200), QSizeF(800, 100), QSizeF(100, 800)}) {

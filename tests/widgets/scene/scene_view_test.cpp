@@ -10,6 +10,7 @@
 #include <QWheelEvent>
 #include <gtest/gtest.h>
 
+#include "physics/preset/preset.h"
 #include "tests/support/scene_fixture.h"
 #include "widgets/scene/paint_drawing.h"
 
@@ -24,7 +25,7 @@ class SceneViewTest : public testing::Test {
   static void open(SceneView& view) {
     view.resize(600, 400);
     view.set_view(View{Vec2(2.0, 1.0), 6.0});
-    view.set_frame(frame_of(Simulation(two_discs())));
+    view.set_frame(frame_of(Simulation(setup_of(two_discs()))));
     view.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
   }
@@ -55,14 +56,14 @@ TEST_F(SceneViewTest, PaintsBodiesOnTheGround) {
 
 TEST_F(SceneViewTest, ArrowsAreThoseOfTheSceneNotOfTheOneBefore) {
   const double slow = view_.look().peaks.speed;
-  Scene fast = two_discs();
-  for (Body& body : fast.bodies) body.velocity *= 100.0;
-  auto frame = frame_of(Simulation(fast));
+  Preset fast = two_discs();
+  for (Body& body : fast.scene.bodies) body.velocity *= 100.0;
+  auto frame = frame_of(Simulation(setup_of(fast)));
   frame->run = 1;
   view_.set_frame(frame);
   ASSERT_GT(view_.look().peaks.speed, slow);
   view_.set_view(View{Vec2(2.0, 1.0), 6.0});
-  frame = frame_of(Simulation(two_discs()));
+  frame = frame_of(Simulation(setup_of(two_discs())));
   frame->run = 2;
   view_.set_frame(frame);
   EXPECT_EQ(view_.look().peaks.speed, slow);
@@ -159,7 +160,7 @@ TEST_F(SceneViewTest, ShowsThatTheKeyboardCameByTab) {
 }
 
 TEST_F(SceneViewTest, KeepsImpactsOfTheLastMoments) {
-  auto frame = std::make_shared<Frame>(*frame_of(Simulation(two_discs())));
+  auto frame = std::make_shared<Frame>(*frame_of(Simulation(setup_of(two_discs()))));
   frame->time = 1.0;
   ImpactRecord impact;
   impact.time = 0.9;

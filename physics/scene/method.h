@@ -1,0 +1,30 @@
+#pragma once
+
+namespace carom {
+
+enum class IntegratorId {
+  kExplicitEuler,
+  kSemiImplicitEuler,
+  kVelocityVerlet,
+  kRk4,
+  kDormandPrince,
+  kAdaptiveDormandPrince,
+  kExactFlight
+};
+enum class ImpactsId { kStepEnd, kLocated };
+enum class ContactsId { kImpulse, kLasting };
+
+// How a run is computed: three named choices and the step. See physics/dynamics/integrators/integrators.h and
+// physics/world/.
+struct Method {
+  IntegratorId integrator = IntegratorId::kRk4;
+  ImpactsId impacts = ImpactsId::kLocated;
+  ContactsId contacts = ContactsId::kImpulse;
+  // s, > 0. For an integrator without a step of its own (adaptive, exact flight) the interval of the results.
+  double step = 0.005;
+  double tolerance = 1e-9;  // m and m/s a step, > 0: of the adaptive integrator
+
+  bool operator==(const Method&) const = default;
+};
+
+}  // namespace carom

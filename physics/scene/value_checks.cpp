@@ -1,0 +1,46 @@
+#include "physics/scene/value_checks.h"
+
+#include <fmt/format.h>
+
+#include "physics/scene/plain_text.h"
+#include "physics/scene/scene_error.h"
+
+namespace carom {
+
+void check_range(const std::string& place, double value, const Range& range) {
+  if (!range.holds(value)) refuse_value(place, fmt::format("{}", value), range.text());
+}
+
+void check_vector(const std::string& place, const Vec2& value, std::string_view unit) {
+  for (int i = 0; i < 2; ++i) check_range(fmt::format("{}/{}", place, i), value[i], any_number(unit));
+}
+
+void check_order(const std::string& place, double value, double least, const std::string& what) {
+  if (value >= least) return;
+  refuse_by(Rule::kOrderOfNumbers, place, fmt::format("{}", value),
+            fmt::format("{} = {} or more", what, least));
+}
+
+void check_name(const std::string& place, const std::string& name, std::size_t longest) {
+  if (name.empty()) refuse_value(place, "an empty name", "a name");
+  if (characters(name) > longest)
+    refuse_value(place, "\"" + name + "\"", fmt::format("a name of up to {} characters", longest));
+}
+
+void check_own_name(std::unordered_set<std::string>& names, const std::string& place, const std::string& name) {
+  if (!names.insert(name).second)
+    refuse_by(Rule::kOwnNames, place, fmt::format("\"{}\", used before,", shortened(name, 40)),
+              "a name of its own");
+}
+
+void check_count(const std::string& place, std::size_t count, std::size_t most, const char* what) {
+  if (count > most) refuse_value(place, fmt::format("{} {}", count, what), fmt::format("up to {}", most));
+}
+
+const Body& named_body(const NamedBodies& bodies, const std::string& place, const std::string& name) {
+  const auto found = bodies.find(name);
+  if (found == bodies.end()) refuse_by(Rule::kReferences, place, "\"" + name + "\"", "the name of a body");
+  return *found->second;
+}
+
+}  // namespace carom
