@@ -4,6 +4,7 @@
 
 #include "app/export/run_files.h"
 #include "physics/files/output_file.h"
+#include "physics/record/replay.h"
 #include "physics/record/sampler.h"
 
 namespace carom {
@@ -18,7 +19,7 @@ bool write_lines(const DataExport& what, char separator, const std::function<boo
   const bool impacts = curves.empty();
   const auto wanted = [&](double time) { return time >= what.from && time <= what.to; };
   const std::shared_ptr<const KeyFrame> moment = latest_before(what.key_frames, what.from, curves);
-  Replay replay = moment ? Replay(moment->simulation, moment->edits) : Replay(what.log.start);
+  Replay replay = moment ? Replay(*moment) : Replay(what.log.start);
   const Simulation& simulation = replay.simulation();
   Sampler sampler(curves);
   if (moment) {
@@ -57,7 +58,7 @@ std::optional<Simulation> run_at(const RunLog& log,
                                  const std::vector<std::shared_ptr<const KeyFrame>>& key_frames, double time,
                                  std::int64_t steps, const std::function<bool(double)>& progress) {
   const std::shared_ptr<const KeyFrame> moment = latest_before(key_frames, time, {});
-  Replay replay = moment ? Replay(moment->simulation, moment->edits) : Replay(log.start);
+  Replay replay = moment ? Replay(*moment) : Replay(log.start);
   while (true) {
     while (replay.edit(log) != nullptr) {
     }

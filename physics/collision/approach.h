@@ -1,6 +1,7 @@
 #pragma once
 
-#include "physics/collision/geometry.h"
+#include "physics/collision/contact.h"
+#include "physics/model/geometry.h"
 
 namespace carom {
 

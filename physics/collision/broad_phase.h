@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "physics/collision/bounds.h"
 #include "physics/collision/cell_grid.h"
+#include "physics/math/bounds.h"
 
 namespace carom {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/collision/bounds.h"
+#include "physics/math/bounds.h"
 
 namespace carom {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "physics/collision/convex.h"
+#include "physics/model/convex.h"
 
 namespace carom {
 

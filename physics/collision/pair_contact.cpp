@@ -310,4 +310,8 @@ Manifold manifold(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, 
   return result;
 }
 
+Contact contact_between(const Geometry& g, int a, const Eigen::Vector3d& qa, int b, const Eigen::Vector3d& qb) {
+  return contact_between(g.shapes, a, pose_of(g.shapes, a, qa), b, pose_of(g.shapes, b, qb));
+}
+
 }  // namespace carom

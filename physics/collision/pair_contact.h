@@ -4,7 +4,8 @@
 #include <cstdint>
 
 #include "physics/collision/contact.h"
-#include "physics/collision/convex.h"
+#include "physics/model/convex.h"
+#include "physics/model/geometry.h"
 
 // How two convex bodies lie to each other. One of the two may be a half-plane.
 namespace carom {
@@ -23,6 +24,10 @@ struct Gap {
 // the stretch that they share. A disc in a box leaves by the nearest face.
 [[nodiscard]] Contact contact_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b,
                                       const Pose& pose_b);
+
+// Of bodies a and b at q = (x, y, angle).
+[[nodiscard]] Contact contact_between(const Geometry& g, int a, const Eigen::Vector3d& qa, int b,
+                                      const Eigen::Vector3d& qb);
 
 // One point of a manifold.
 struct ManifoldPoint {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <span>
 
+#include "physics/model/mass.h"
+
 namespace carom {
 
 namespace {

@@ -11,6 +11,7 @@
 #include "physics/contact/islands.h"
 #include "physics/contact/newton_finish.h"
 #include "physics/dynamics/state.h"
+#include "physics/model/mass.h"
 
 namespace carom {
 

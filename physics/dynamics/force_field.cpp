@@ -18,42 +18,14 @@ std::array<double, 3> breaks_of(const AppliedForce& f) {
 
 }  // namespace
 
-ForceField::ForceField(const Forces& forces, const std::vector<Body>& bodies, bool linked, double time)
-    : gravity_(forces.gravity),
-      linear_drag_(forces.linear_drag),
-      quadratic_drag_(forces.quadratic_drag),
-      attraction_(forces.attraction),
-      contact_(Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(bodies.size()))),
-      outside_(bodies.size()),
-      between_(bodies.size()),
-      switching_(bodies.size()),
-      applied_to_(bodies.size()),
-      mass_(mass_properties(bodies)) {
-  std::unordered_map<std::string, int> index;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    index.emplace(bodies[i].name, static_cast<int>(i));
-    drives_.push_back(bodies[i].drive);
-  }
-  for (const Spring& s : forces.springs) {
-    const int body = index.at(s.body);
-    Link link{body, -1, -1, s.anchor, s.stiffness, s.damping, s.rest_length, s.acts};
-    const int spring = static_cast<int>(springs_.size());
-    if (!s.to.empty()) {
-      const int other = index.at(s.to);
-      link.anchor = bodies[other].position;
-      if (bodies[other].drive) link.drive = other;
-      if (!is_immovable(bodies[other])) link.other = other;
-    }
-    (link.other < 0 ? outside_ : between_)[body].push_back(spring);
-    if (link.other >= 0) between_[link.other].push_back(spring);
-    if (s.acts != SpringActs::kBoth) {
-      switching_[body].push_back(spring);
-      if (link.other >= 0) switching_[link.other].push_back(spring);
-      any_switching_ = true;
-    }
-    springs_.push_back(link);
-    const Motion a = initial_motion(bodies[body], time);
-    const Motion b = link.other >= 0 ? initial_motion(bodies[link.other], time) : spring_end(spring, time);
+ForceField::ForceField(std::shared_ptr<const ForceTerms> terms, const std::vector<Body>& bodies, double time)
+    : terms_(std::move(terms)),
+      phase_(terms_->applied.size(), 0),
+      contact_(Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(bodies.size()))) {
+  for (int spring = 0; spring < springs(); ++spring) {
+    const SpringTerm& s = terms_->springs[spring];
+    const Motion a = initial_motion(bodies[s.body], time);
+    const Motion b = s.other >= 0 ? initial_motion(bodies[s.other], time) : spring_end(spring, time);
     // At the very edge a spring acts if its ends move into it.
     double margin = switch_margin(spring, a, b);
     if (margin == 0.0) {
@@ -62,49 +34,39 @@ ForceField::ForceField(const Forces& forces, const std::vector<Body>& bodies, bo
     }
     engaged_.push_back(s.acts == SpringActs::kBoth || margin > 0.0 ? 1 : 0);
   }
-  for (const AppliedForce& f : forces.applied) {
-    const int body = index.at(f.body);
-    applied_to_[body].push_back(static_cast<int>(applied_.size()));
-    applied_.push_back({body, f, 0});
-    set_phase(body, time);
-    constant_ = constant_ && f.start == 0.0 && f.rise == 0.0 && !f.end;
-  }
-  const bool smooth =
-      linked || linear_drag_ > 0.0 || quadratic_drag_ > 0.0 || !springs_.empty() || attraction_.has_value();
-  constant_ = constant_ && !smooth;
-  gravity_only_ = !smooth && applied_.empty();
+  for (const AppliedTerm& a : terms_->applied) set_phase(a.body, time);
 }
 
 // --- forces
 // ------------------------------------------------------------------------------------------------------
 
-ForceField::Pull ForceField::pull(const Link& link, const Vec2& d, const Vec2& u) const {
-  if (link.rest_length == 0.0 && link.damping == 0.0) return {-link.stiffness * d, 0.0};
+ForceField::Pull ForceField::pull(const SpringTerm& spring, const Vec2& d, const Vec2& u) const {
+  if (spring.rest_length == 0.0 && spring.damping == 0.0) return {-spring.stiffness * d, 0.0};
   const double length = d.norm();
   if (!(length > 0.0)) return {Vec2::Zero(), 0.0};
   const Vec2 direction = d / length;
   const double rate = direction.dot(u);
-  const double force = -link.stiffness * (length - link.rest_length) - link.damping * rate;
-  return {force * direction, link.damping * rate * rate};
+  const double force = -spring.stiffness * (length - spring.rest_length) - spring.damping * rate;
+  return {force * direction, spring.damping * rate * rate};
 }
 
 void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const {
   Vec2 force = Vec2::Zero();
   double torque = 0.0;
   Eigen::Map<Eigen::Matrix<double, kBooks, 1>> books(k + 6);
-  if (linear_drag_ > 0.0 || quadratic_drag_ > 0.0) {
-    const double coefficient = linear_drag_ + quadratic_drag_ * v.norm();
+  if (terms_->linear_drag > 0.0 || terms_->quadratic_drag > 0.0) {
+    const double coefficient = terms_->linear_drag + terms_->quadratic_drag * v.norm();
     force -= coefficient * v;
     books[kDragLoss] = coefficient * v.squaredNorm();
   }
-  for (const int i : outside_[body]) {
+  for (const int i : terms_->outside[body]) {
     if (engaged_[i] == 0) continue;
-    const Link& link = springs_[i];
+    const SpringTerm& link = terms_->springs[i];
     Vec2 end = link.anchor;
     Vec2 end_velocity = Vec2::Zero();
     if (link.drive >= 0) {
-      end = drive_position(*drives_[link.drive], link.anchor, t);
-      end_velocity = drive_velocity(*drives_[link.drive], t);
+      end = drive_position(*terms_->drives[link.drive], link.anchor, t);
+      end_velocity = drive_velocity(*terms_->drives[link.drive], t);
     }
     const Pull p = pull(link, x - end, v - end_velocity);
     force += p.force;
@@ -112,17 +74,17 @@ void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, 
     // The drive's share: what becomes of kinetic and spring energy beside the damper's loss.
     books[kWorkIn] += p.force.dot(end_velocity);
   }
-  for (const int i : applied_to_[body]) {
-    const Applied& a = applied_[i];
-    if (a.phase == 0 || a.phase == 3) continue;
-    const double share = a.phase == 1 ? (t - a.law.start) / a.law.rise : 1.0;
+  for (const int i : terms_->applied_to[body]) {
+    const AppliedTerm& a = terms_->applied[i];
+    if (phase_[i] == 0 || phase_[i] == 3) continue;
+    const double share = phase_[i] == 1 ? (t - a.law.start) / a.law.rise : 1.0;
     force += share * a.law.force;
     torque += share * a.law.torque;
     books[kWorkIn] += share * (a.law.force.dot(v) + a.law.torque * spin);
   }
-  k[3] += mass_.inverse_mass[body] * force.x();
-  k[4] += mass_.inverse_mass[body] * force.y();
-  k[5] += mass_.inverse_inertia[body] * torque;
+  k[3] += terms_->mass.inverse_mass[body] * force.x();
+  k[4] += terms_->mass.inverse_mass[body] * force.y();
+  k[5] += terms_->mass.inverse_inertia[body] * torque;
   books[kImpulseX] = force.x();
   books[kImpulseY] = force.y();
 }
@@ -133,44 +95,44 @@ void ForceField::add_couplings(std::span<const int> members, const Motions& y, M
   };
   const int n = static_cast<int>(members.size());
   for (int i = 0; i < n; ++i) {
-    for (const int s : between_[members[i]]) {
-      const Link& link = springs_[s];
+    for (const int s : terms_->between[members[i]]) {
+      const SpringTerm& link = terms_->springs[s];
       if (link.body != members[i] || engaged_[s] == 0) continue;
       const auto j = column_of(link.other);
       const Pull p =
           pull(link, y.col(i).head<2>() - y.col(j).head<2>(), y.col(i).segment<2>(3) - y.col(j).segment<2>(3));
-      k.col(i).segment<2>(3) += mass_.inverse_mass[link.body] * p.force;
-      k.col(j).segment<2>(3) -= mass_.inverse_mass[link.other] * p.force;
+      k.col(i).segment<2>(3) += terms_->mass.inverse_mass[link.body] * p.force;
+      k.col(j).segment<2>(3) -= terms_->mass.inverse_mass[link.other] * p.force;
       k(6 + kDamperLoss, i) += p.loss;
     }
   }
-  if (!attraction_) return;
-  const double softening = attraction_->softening * attraction_->softening;
+  if (!terms_->attraction) return;
+  const double softening = terms_->attraction->softening * terms_->attraction->softening;
   for (int i = 0; i < n; ++i) {
     for (int j = i + 1; j < n; ++j) {
       const Vec2 d = y.col(j).head<2>() - y.col(i).head<2>();
       const double square = d.squaredNorm() + softening;
       if (!(square > 0.0)) continue;
-      const Vec2 pull = (attraction_->constant / (square * std::sqrt(square))) * d;
-      k.col(i).segment<2>(3) += mass_.mass[members[j]] * pull;
-      k.col(j).segment<2>(3) -= mass_.mass[members[i]] * pull;
+      const Vec2 pull = (terms_->attraction->constant / (square * std::sqrt(square))) * d;
+      k.col(i).segment<2>(3) += terms_->mass.mass[members[j]] * pull;
+      k.col(j).segment<2>(3) -= terms_->mass.mass[members[i]] * pull;
     }
   }
 }
 
 Eigen::Vector3d ForceField::constant_acceleration(int body) const {
   Eigen::Vector3d a = Eigen::Vector3d::Zero();
-  if (!(mass_.inverse_mass[body] > 0.0)) return a;
-  a.head<2>() = gravity_;
-  for (const int i : applied_to_[body]) {
-    a.head<2>() += mass_.inverse_mass[body] * applied_[i].law.force;
-    a[2] += mass_.inverse_inertia[body] * applied_[i].law.torque;
+  if (!(terms_->mass.inverse_mass[body] > 0.0)) return a;
+  a.head<2>() = terms_->gravity;
+  for (const int i : terms_->applied_to[body]) {
+    a.head<2>() += terms_->mass.inverse_mass[body] * terms_->applied[i].law.force;
+    a[2] += terms_->mass.inverse_inertia[body] * terms_->applied[i].law.torque;
   }
   return a;
 }
 
 std::vector<std::vector<int>> ForceField::coupled_groups(const std::vector<std::pair<int, int>>& pairs) const {
-  const int n = static_cast<int>(between_.size());
+  const int n = static_cast<int>(terms_->between.size());
   std::vector<int> parent(n);
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int i) {
@@ -179,8 +141,9 @@ std::vector<std::vector<int>> ForceField::coupled_groups(const std::vector<std::
   };
   int first_free = -1;
   for (int i = 0; i < n; ++i) {
-    for (const int s : between_[i]) parent[root(springs_[s].other)] = root(springs_[s].body);
-    if (attraction_ && mass_.inverse_mass[i] > 0.0) {
+    for (const int s : terms_->between[i])
+      parent[root(terms_->springs[s].other)] = root(terms_->springs[s].body);
+    if (terms_->attraction && terms_->mass.inverse_mass[i] > 0.0) {
       if (first_free < 0) first_free = i;
       parent[root(i)] = root(first_free);
     }
@@ -201,12 +164,12 @@ std::vector<std::vector<int>> ForceField::coupled_groups(const std::vector<std::
 // ------------------------------------------------------------------------------------------------------
 
 double ForceField::spring_energy(int spring, double length) const {
-  const double stretch = length - springs_[spring].rest_length;
-  return engaged_[spring] != 0 ? 0.5 * springs_[spring].stiffness * stretch * stretch : 0.0;
+  const double stretch = length - terms_->springs[spring].rest_length;
+  return engaged_[spring] != 0 ? 0.5 * terms_->springs[spring].stiffness * stretch * stretch : 0.0;
 }
 
 double ForceField::link_energy(int spring, const Eigen::Matrix3Xd& q) const {
-  const Link& link = springs_[spring];
+  const SpringTerm& link = terms_->springs[spring];
   Vec2 end = link.anchor;
   if (link.drive >= 0) end = q.col(link.drive).head<2>();
   if (link.other >= 0) end = q.col(link.other).head<2>();
@@ -214,21 +177,24 @@ double ForceField::link_energy(int spring, const Eigen::Matrix3Xd& q) const {
 }
 
 double ForceField::attraction_energy(int a, int b, const Vec2& d) const {
-  const double distance = std::sqrt(d.squaredNorm() + attraction_->softening * attraction_->softening);
-  return distance > 0.0 ? -attraction_->constant * mass_.mass[a] * mass_.mass[b] / distance : 0.0;
+  const double distance =
+      std::sqrt(d.squaredNorm() + terms_->attraction->softening * terms_->attraction->softening);
+  return distance > 0.0 ? -terms_->attraction->constant * terms_->mass.mass[a] * terms_->mass.mass[b] / distance
+                        : 0.0;
 }
 
 double ForceField::potential_energy(const Eigen::Matrix3Xd& q) const {
   const int n = static_cast<int>(q.cols());
   double energy = 0.0;
   for (int i = 0; i < n; ++i) {
-    if (mass_.inverse_mass[i] > 0.0) energy -= mass_.mass[i] * gravity_.dot(q.col(i).head<2>());
+    if (terms_->mass.inverse_mass[i] > 0.0)
+      energy -= terms_->mass.mass[i] * terms_->gravity.dot(q.col(i).head<2>());
   }
-  for (int s = 0; s < static_cast<int>(springs_.size()); ++s) energy += link_energy(s, q);
-  if (!attraction_) return energy;
+  for (int s = 0; s < static_cast<int>(terms_->springs.size()); ++s) energy += link_energy(s, q);
+  if (!terms_->attraction) return energy;
   for (int a = 0; a < n; ++a) {
     for (int b = a + 1; b < n; ++b) {
-      if (mass_.inverse_mass[a] > 0.0 && mass_.inverse_mass[b] > 0.0)
+      if (terms_->mass.inverse_mass[a] > 0.0 && terms_->mass.inverse_mass[b] > 0.0)
         energy += attraction_energy(a, b, q.col(a).head<2>() - q.col(b).head<2>());
     }
   }
@@ -236,20 +202,20 @@ double ForceField::potential_energy(const Eigen::Matrix3Xd& q) const {
 }
 
 double ForceField::potential_energy_of(int body, const Vec2& position, const Eigen::Matrix3Xd& q) const {
-  if (!(mass_.inverse_mass[body] > 0.0)) return 0.0;
-  double energy = -mass_.mass[body] * gravity_.dot(position);
-  for (const auto* list : {&outside_[body], &between_[body]}) {
+  if (!(terms_->mass.inverse_mass[body] > 0.0)) return 0.0;
+  double energy = -terms_->mass.mass[body] * terms_->gravity.dot(position);
+  for (const auto* list : {&terms_->outside[body], &terms_->between[body]}) {
     for (const int s : *list) {
-      const Link& link = springs_[s];
+      const SpringTerm& link = terms_->springs[s];
       Vec2 end = link.anchor;
       if (link.drive >= 0) end = q.col(link.drive).head<2>();
       if (link.other >= 0) end = q.col(link.other == body ? link.body : link.other).head<2>();
       energy += spring_energy(s, (position - end).norm());
     }
   }
-  if (!attraction_) return energy;
+  if (!terms_->attraction) return energy;
   for (int b = 0; b < static_cast<int>(q.cols()); ++b) {
-    if (b != body && mass_.inverse_mass[b] > 0.0)
+    if (b != body && terms_->mass.inverse_mass[b] > 0.0)
       energy += attraction_energy(body, b, position - q.col(b).head<2>());
   }
   return energy;
@@ -261,8 +227,8 @@ double ForceField::potential_energy_of(int body, const Vec2& position, const Eig
 double ForceField::next_break(int body, double t) const {
   double next = kInfinity;
   const double now = t + 8.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
-  for (const int i : applied_to_[body]) {
-    for (const double moment : breaks_of(applied_[i].law)) {
+  for (const int i : terms_->applied_to[body]) {
+    for (const double moment : breaks_of(terms_->applied[i].law)) {
       if (moment > now) next = std::min(next, moment);
     }
   }
@@ -271,28 +237,28 @@ double ForceField::next_break(int body, double t) const {
 
 void ForceField::set_phase(int body, double t) {
   const double now = t + 8.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
-  for (const int i : applied_to_[body]) {
-    const auto moments = breaks_of(applied_[i].law);
-    applied_[i].phase = static_cast<int>(
+  for (const int i : terms_->applied_to[body]) {
+    const auto moments = breaks_of(terms_->applied[i].law);
+    phase_[i] = static_cast<int>(
         std::count_if(moments.begin(), moments.end(), [now](double moment) { return now >= moment; }));
     // A force may end while it rises.
-    if (now >= moments[2]) applied_[i].phase = 3;
+    if (now >= moments[2]) phase_[i] = 3;
   }
 }
 
 Motion ForceField::spring_end(int spring, double t) const {
-  const Link& link = springs_[spring];
+  const SpringTerm& link = terms_->springs[spring];
   Motion end = Motion::Zero();
   end.head<2>() = link.anchor;
   if (link.drive >= 0) {
-    end.head<2>() = drive_position(*drives_[link.drive], link.anchor, t);
-    end.segment<2>(3) = drive_velocity(*drives_[link.drive], t);
+    end.head<2>() = drive_position(*terms_->drives[link.drive], link.anchor, t);
+    end.segment<2>(3) = drive_velocity(*terms_->drives[link.drive], t);
   }
   return end;
 }
 
 double ForceField::switch_margin(int spring, const Motion& body, const Motion& other) const {
-  const Link& link = springs_[spring];
+  const SpringTerm& link = terms_->springs[spring];
   const Vec2 d = body.head<2>() - other.head<2>();
   const double length = d.norm();
   const double stretch = length - link.rest_length;

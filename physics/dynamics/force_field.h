@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <type_traits>
 #include <vector>
 
 #include "physics/dynamics/state.h"
+#include "physics/model/force_terms.h"
 #include "physics/scene/drive.h"
 #include "physics/scene/scene.h"
 
@@ -21,20 +23,20 @@ namespace carom {
 class ForceField {
  public:
   ForceField() = default;
-  // `linked`: links act beside these forces (physics/dynamics/links.h). The laws are those in force at `time`
-  // (s).
-  ForceField(const Forces& forces, const std::vector<Body>& bodies, bool linked = false, double time = 0.0);
+  // The laws are those in force at `time` (s), where the bodies are as they have it then.
+  ForceField(std::shared_ptr<const ForceTerms> terms, const std::vector<Body>& bodies, double time = 0.0);
 
   // Rate of a movable body at absolute time t (s) under the forces from outside; y and k are columns of kRows,
   // or without the books where keeps_books() is false.
   template <class Y, class K>
   void external_rate(int body, double t, const Y& y, K&& k) const {
     k.template head<3>() = y.template segment<3>(3);
-    k.template segment<3>(3) << gravity_, 0.0;
+    k.template segment<3>(3) << terms_->gravity, 0.0;
     if (in_contact_) k.template segment<3>(3) += contact_.col(body);
     if constexpr (std::decay_t<K>::RowsAtCompileTime == kRows) {
       k.template tail<kBooks>().setZero();
-      if (!gravity_only_) add_external(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
+      if (!terms_->gravity_only)
+        add_external(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
     }
   }
   // m/s², m/s², rad/s²: what contacts that last do to a body, from now on.
@@ -48,9 +50,9 @@ class ForceField {
   void add_couplings(std::span<const int> members, const Motions& y, Motions& k) const;
 
   // True if books are more than zeros.
-  [[nodiscard]] bool keeps_books() const { return !gravity_only_; }
+  [[nodiscard]] bool keeps_books() const { return !terms_->gravity_only; }
   // True if nothing but uniform gravity and constant forces acts, for good: flight is a parabola.
-  [[nodiscard]] bool is_constant() const { return constant_; }
+  [[nodiscard]] bool is_constant() const { return terms_->constant; }
   // m/s², m/s², rad/s²; of a movable body where is_constant(), zero for others.
   [[nodiscard]] Eigen::Vector3d constant_acceleration(int body) const;
 
@@ -64,16 +66,16 @@ class ForceField {
   // J: the part of it that changes when `body` is moved to `position` and all others stay.
   [[nodiscard]] double potential_energy_of(int body, const Vec2& position, const Eigen::Matrix3Xd& q) const;
 
-  [[nodiscard]] bool has_breaks() const { return !applied_.empty(); }
+  [[nodiscard]] bool has_breaks() const { return !terms_->applied.empty(); }
   // s: the next moment after t at which an applied force on the body changes its law; infinite if there is
   // none.
   [[nodiscard]] double next_break(int body, double t) const;
   void set_phase(int body, double t);  // the laws in force just after t
 
-  [[nodiscard]] int springs() const { return static_cast<int>(springs_.size()); }
+  [[nodiscard]] int springs() const { return static_cast<int>(terms_->springs.size()); }
   // One-sided springs that have an end at `body`.
-  [[nodiscard]] const std::vector<int>& switching_springs(int body) const { return switching_[body]; }
-  [[nodiscard]] bool has_switching_springs() const { return any_switching_; }
+  [[nodiscard]] const std::vector<int>& switching_springs(int body) const { return terms_->switching[body]; }
+  [[nodiscard]] bool has_switching_springs() const { return terms_->one_sided; }
   // > 0 where the spring acts, < 0 where it doesn't, in N or m; for positions and velocities of its ends.
   [[nodiscard]] double switch_margin(int spring, const Motion& body, const Motion& other) const;
   [[nodiscard]] bool engaged(int spring) const { return engaged_[spring] != 0; }
@@ -82,11 +84,11 @@ class ForceField {
   using Switches = std::vector<std::uint8_t>;
   [[nodiscard]] const Switches& switches() const { return engaged_; }
   void set_switches(const Switches& engaged) { engaged_ = engaged; }
-  [[nodiscard]] bool attracts() const { return attraction_.has_value(); }
+  [[nodiscard]] bool attracts() const { return terms_->attraction.has_value(); }
   void set_engaged(int spring, bool on) { engaged_[spring] = on ? 1 : 0; }
   [[nodiscard]] double spring_energy(int spring, double length) const;  // J, where it acts
-  [[nodiscard]] int spring_body(int spring) const { return springs_[spring].body; }
-  [[nodiscard]] int spring_other(int spring) const { return springs_[spring].other; }  // -1: a point
+  [[nodiscard]] int spring_body(int spring) const { return terms_->springs[spring].body; }
+  [[nodiscard]] int spring_other(int spring) const { return terms_->springs[spring].other; }  // -1: a point
   // Where a spring's other end is if it is a point or an immovable body: position and velocity.
   [[nodiscard]] Motion spring_end(int spring, double t) const;
 
@@ -95,48 +97,20 @@ class ForceField {
   template <class Self, class Kept, class Each>
   static void each_kept(Self& field, Kept& kept, const Each& each);
 
-  struct Link {
-    int body;
-    int other;    // a movable body, or -1
-    int drive;    // a driven body at the other end, or -1
-    Vec2 anchor;  // m, of a point or an immovable body's home
-    double stiffness;
-    double damping;
-    double rest_length;
-    SpringActs acts;
-  };
   struct Pull {
     Vec2 force;   // N, on `body`
     double loss;  // W, of the damper
   };
-  struct Applied {
-    int body;
-    AppliedForce law;
-    int phase;  // 0 before, 1 rising, 2 full, 3 after
-  };
   void add_external(int body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const;
-  [[nodiscard]] Pull pull(const Link& link, const Vec2& d, const Vec2& u) const;
+  [[nodiscard]] Pull pull(const SpringTerm& spring, const Vec2& d, const Vec2& u) const;
   [[nodiscard]] double link_energy(int spring, const Eigen::Matrix3Xd& q) const;
   [[nodiscard]] double attraction_energy(int a, int b, const Vec2& d) const;
 
-  Vec2 gravity_ = Vec2::Zero();
-  double linear_drag_ = 0.0;
-  double quadratic_drag_ = 0.0;
-  std::optional<Attraction> attraction_;
-  bool gravity_only_ = true;
-  bool constant_ = true;
+  std::shared_ptr<const ForceTerms> terms_;
+  std::vector<std::uint8_t> engaged_;  // by spring
+  std::vector<int> phase_;             // by applied force: 0 before, 1 rising, 2 full, 3 after
   bool in_contact_ = false;
   Eigen::Matrix3Xd contact_;
-  bool any_switching_ = false;
-  std::vector<Link> springs_;
-  std::vector<std::uint8_t> engaged_;
-  std::vector<std::vector<int>> outside_;    // springs to points and immovable bodies, by body
-  std::vector<std::vector<int>> between_;    // springs to free bodies, by both their bodies
-  std::vector<std::vector<int>> switching_;  // one-sided springs, by both their bodies
-  std::vector<Applied> applied_;
-  std::vector<std::vector<int>> applied_to_;  // by body
-  std::vector<std::optional<Drive>> drives_;
-  MassProperties mass_;
 };
 
 }  // namespace carom

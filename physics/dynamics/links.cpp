@@ -34,69 +34,28 @@ constexpr double kTautAtStart = 1e-6;
 
 }  // namespace
 
-Links::Links(const std::vector<Link>& links, const std::vector<Body>& bodies, double time)
-    : mass_(mass_properties(bodies)) {
-  std::unordered_map<std::string, int> index;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    index.emplace(bodies[i].name, static_cast<int>(i));
-    drives_.push_back(bodies[i].drive);
-  }
-  for (const Link& l : links) {
-    Laid laid{l.kind, index.at(l.body), -1, -1, l.point, l.anchor, 0.0, 0.0, 1};
-    if (l.kind == LinkKind::kPin) laid.rows = 2;
-    if (!l.to.empty()) {
-      const int other = index.at(l.to);
-      if (!is_immovable(bodies[other])) {
-        laid.other = other;
-      } else {
-        laid.anchor = bodies[other].position + turned_by(bodies[other].angle, l.anchor);
-        if (bodies[other].drive) laid.drive = other;
-      }
-    }
-    if (l.kind == LinkKind::kWeld)
-      lay_weld(laid, l, bodies[laid.body].angle, l.to.empty() ? 0.0 : bodies[index.at(l.to)].angle);
+Links::Links(std::shared_ptr<const Joints> joints, const std::vector<Link>& links,
+             const std::vector<Body>& bodies, double time)
+    : joints_(std::move(joints)) {
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const Joint& joint = joints_->all[i];
     Motions ends(kRows, 2);
-    ends.col(0) = initial_motion(bodies[laid.body], time);
-    ends.col(1) = laid.other >= 0 ? initial_motion(bodies[laid.other]) : Motion(Motion::Zero());
-    const Ends e = ends_of(laid, time, ends, 0, laid.other >= 0 ? 1 : -1);
+    ends.col(0) = initial_motion(bodies[joint.body], time);
+    ends.col(1) = joint.other >= 0 ? initial_motion(bodies[joint.other]) : Motion(Motion::Zero());
+    const Ends e = ends_of(joint, time, ends, 0, joint.other >= 0 ? 1 : -1);
     const double distance = e.d.norm();
-    laid.length = l.length.value_or(distance);
-    links_.push_back(laid);
     const double speeds = ends.middleRows<2>(3).norm() + e.end_velocity.norm();
-    const bool at_length = distance >= (1.0 - kTautAtStart) * laid.length;
+    const bool at_length = distance >= (1.0 - kTautAtStart) * joint.length;
     const bool stays = std::abs(e.d.dot(e.u)) <= kTautAtStart * distance * speeds;
-    taut_.push_back(l.kind != LinkKind::kString || (at_length && stays) ? 1 : 0);
+    taut_.push_back(joint.kind != LinkKind::kString || (at_length && stays) ? 1 : 0);
   }
-}
-
-// Wherever the file puts it, a weld is the same if it is laid at the centre of one of its bodies. At that of
-// the lesser inertia (0 of a point-like body, which gets no row for its angle) the rows depend least on each
-// other. The angles are those of the bodies at the start, and `laid` is that of a pin so far.
-void Links::lay_weld(Laid& laid, const Link& link, double angle, double other_angle) const {
-  laid.angle = link.angle.value_or(angle - other_angle);
-  laid.point = Vec2::Zero();
-  if (laid.other >= 0 && mass_.inertia[laid.body] > mass_.inertia[laid.other]) {
-    laid.anchor = link.point - turned_by(-laid.angle, link.anchor);
-    laid.angle = -laid.angle;
-    std::swap(laid.body, laid.other);
-  } else {
-    if (laid.other < 0) laid.angle += other_angle;
-    laid.anchor -= turned_by(laid.angle, link.point);
-  }
-  laid.rows = mass_.inertia[laid.body] > 0.0 ? 3 : 2;
-}
-
-std::vector<std::pair<int, int>> Links::joined() const {
-  std::vector<std::pair<int, int>> pairs;
-  for (const Laid& l : links_) pairs.emplace_back(l.body, l.other >= 0 ? l.other : l.body);
-  return pairs;
 }
 
 void Links::set_groups(const std::vector<std::vector<int>>& groups) {
   groups_.clear();
-  first_row_.assign(links_.size(), -1);
-  std::vector<std::vector<int>> links_at(mass_.mass.size());  // by the body that they are laid at
-  for (int l = 0; l < static_cast<int>(links_.size()); ++l) links_at[links_[l].body].push_back(l);
+  first_row_.assign(joints_->all.size(), -1);
+  std::vector<std::vector<int>> links_at(joints_->mass.mass.size());  // by the body that they are laid at
+  for (int l = 0; l < static_cast<int>(joints_->all.size()); ++l) links_at[joints_->all[l].body].push_back(l);
   for (const std::vector<int>& members : groups) {
     Group& g = groups_.emplace_back();
     const auto column_of = [&](int body) {
@@ -109,11 +68,11 @@ void Links::set_groups(const std::vector<std::vector<int>>& groups) {
     for (const int body : members) own.insert(own.end(), links_at[body].begin(), links_at[body].end());
     std::sort(own.begin(), own.end());
     for (const int l : own) {
-      const int a = column_of(links_[l].body);
-      const int b = links_[l].other >= 0 ? column_of(links_[l].other) : -1;
-      if (links_[l].kind == LinkKind::kString) g.strings.push_back(l);
+      const int a = column_of(joints_->all[l].body);
+      const int b = joints_->all[l].other >= 0 ? column_of(joints_->all[l].other) : -1;
+      if (joints_->all[l].kind == LinkKind::kString) g.strings.push_back(l);
       first_row_[l] = static_cast<int>(g.rows.size());
-      for (int axis = 0; axis < links_[l].rows; ++axis) {
+      for (int axis = 0; axis < joints_->all[l].rows; ++axis) {
         const int i = static_cast<int>(g.rows.size());
         int first = i;
         for (const int column : {a, b}) {
@@ -136,8 +95,8 @@ void Links::set_groups(const std::vector<std::vector<int>>& groups) {
     g.rest.setZero(3, static_cast<Eigen::Index>(members.size()));
     g.inverse_mass.resize(3, static_cast<Eigen::Index>(members.size()));
     for (std::size_t j = 0; j < members.size(); ++j) {
-      const double w = mass_.inverse_mass[members[j]];
-      g.inverse_mass.col(static_cast<Eigen::Index>(j)) << w, w, mass_.inverse_inertia[members[j]];
+      const double w = joints_->mass.inverse_mass[members[j]];
+      g.inverse_mass.col(static_cast<Eigen::Index>(j)) << w, w, joints_->mass.inverse_inertia[members[j]];
     }
     for (Eigen::Matrix3Xd* m : {&g.ja, &g.jb}) m->setZero(3, rows);
     g.normal.setZero(2, rows);
@@ -150,7 +109,7 @@ void Links::set_groups(const std::vector<std::vector<int>>& groups) {
 // --- the rows
 // ---------------------------------------------------------------------------------------------------
 
-Links::Ends Links::ends_of(const Laid& link, double t, const Motions& y, int a, int b) const {
+Links::Ends Links::ends_of(const Joint& link, double t, const Motions& y, int a, int b) const {
   Ends e;
   const auto ya = y.col(a);
   e.arm_a = turned_by(ya[2], link.point);
@@ -171,7 +130,7 @@ Links::Ends Links::ends_of(const Laid& link, double t, const Motions& y, int a, 
   }
   Vec2 end = link.anchor;
   if (link.drive >= 0) {
-    const Drive& drive = *drives_[link.drive];
+    const Drive& drive = *joints_->drives[link.drive];
     end = drive_position(drive, link.anchor, t);
     e.end_velocity = drive_velocity(drive, t);
     e.bend -= drive_acceleration(drive, t);
@@ -185,7 +144,7 @@ Links::Ends Links::ends_of(const Laid& link, double t, const Motions& y, int a, 
 // Jacobian, gaps and what else the rows need at a time and at motions.
 void Links::lay_row(Group& g, int i, double t, const Motions& y) const {
   const Row& row = g.rows[i];
-  const Laid& link = links_[row.link];
+  const Joint& link = joints_->all[row.link];
   if (row.axis == 2) {
     const double angle_a = y(2, row.a);
     const double angle_b = row.b >= 0 ? y(2, row.b) : 0.0;
@@ -390,7 +349,7 @@ bool Links::share(int group, double t, const Eigen::Matrix3Xd& change, Motions& 
   const double most = rows > 0 ? g.force.cwiseAbs().maxCoeff() : 0.0;
   int pushes = -1;
   for (int i = 0; i < rows; ++i) {
-    if (links_[g.rows[i].link].kind != LinkKind::kString || !(g.force[i] > kPush * most)) continue;
+    if (joints_->all[g.rows[i].link].kind != LinkKind::kString || !(g.force[i] > kPush * most)) continue;
     if (pushes < 0 || g.force[i] > g.force[pushes]) pushes = i;
   }
   if (pushes >= 0) {
@@ -431,15 +390,15 @@ Vec2 Links::impulse(int group, int link, int body) const {
     const auto row = static_cast<Eigen::Index>(i);
     if (g.rows[i].link == link) sum += g.force[row] * g.normal.col(row);
   }
-  return links_[link].body == body ? sum : Vec2(-sum);
+  return joints_->all[link].body == body ? sum : Vec2(-sum);
 }
 
 double Links::tension(int group, int link) const { return -groups_[group].force[first_row_[link]]; }
 
 double Links::overstretch(int group, int link, double t, const Motions& y) const {
   const Row& row = groups_[group].rows[first_row_[link]];
-  const Ends e = ends_of(links_[link], t, y, row.a, row.b);
-  return e.d.norm() - links_[link].length - kAtLength * (e.size + links_[link].length);
+  const Ends e = ends_of(joints_->all[link], t, y, row.a, row.b);
+  return e.d.norm() - joints_->all[link].length - kAtLength * (e.size + joints_->all[link].length);
 }
 
 }  // namespace carom

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "physics/dynamics/state.h"
+#include "physics/model/joints.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -36,11 +37,10 @@ class Links {
  public:
   Links() = default;
   // As the bodies are at the start, at `time` (s).
-  Links(const std::vector<Link>& links, const std::vector<Body>& bodies, double time = 0.0);
+  Links(std::shared_ptr<const Joints> joints, const std::vector<Link>& links, const std::vector<Body>& bodies,
+        double time = 0.0);
 
-  [[nodiscard]] bool empty() const { return links_.empty(); }
-  // The movable bodies of each link; twice the same where the other end is no movable body.
-  [[nodiscard]] std::vector<std::pair<int, int>> joined() const;
+  [[nodiscard]] bool empty() const { return joints_->all.empty(); }
 
   // The bodies that are advanced together, each list in rising order; from here on a group is an index of it.
   void set_groups(const std::vector<std::vector<int>>& groups);
@@ -66,7 +66,7 @@ class Links {
 
   // The strings of a group, as indices of links.
   [[nodiscard]] const std::vector<int>& strings(int group) const { return groups_[group].strings; }
-  [[nodiscard]] double length(int link) const { return links_[link].length; }  // m, of a rod or a string
+  [[nodiscard]] double length(int link) const { return joints_->all[link].length; }  // m, of a rod or a string
   [[nodiscard]] bool taut(int link) const { return taut_[link] != 0; }
   void set_taut(int link, bool on) { taut_[link] = on ? 1 : 0; }
   // Of all links, those that are no strings are taut; of links that are new since then nothing is changed.
@@ -88,17 +88,6 @@ class Links {
   template <class Self, class Kept, class Each>
   static void each_kept(Self& links, Kept& kept, const Each& each);
 
-  struct Laid {
-    LinkKind kind;
-    int body;
-    int other;  // a movable body, or -1
-    int drive;  // a driven body at the other end, or -1
-    Vec2 point;
-    Vec2 anchor;    // on the other body, or of the plane; where a driven body's home is added
-    double length;  // m
-    double angle;   // rad, of a weld
-    int rows;
-  };
   struct Ends {
     Vec2 arm_a, arm_b;  // m, turned
     Vec2 d;             // m
@@ -129,8 +118,7 @@ class Links {
     Eigen::VectorXd inverse_pivot;
   };
 
-  void lay_weld(Laid& laid, const Link& link, double angle, double other_angle) const;
-  [[nodiscard]] Ends ends_of(const Laid& link, double t, const Motions& y, int a, int b) const;
+  [[nodiscard]] Ends ends_of(const Joint& link, double t, const Motions& y, int a, int b) const;
   void lay_row(Group& g, int row, double t, const Motions& y) const;
   void lay_rows(Group& g, double t, const Motions& y) const;
   void relax(Group& g, double t, Motions& y) const;
@@ -143,12 +131,10 @@ class Links {
   static void apply(const Group& g, Columns&& v);  // v += M⁻¹Jᵀ force
   static void keep_books(const Group& g, Motions& y);
 
-  std::vector<Laid> links_;
+  std::shared_ptr<const Joints> joints_;
   std::vector<int> first_row_;  // by link, in its group
   std::vector<std::uint8_t> taut_;
   std::vector<Group> groups_;
-  std::vector<std::optional<Drive>> drives_;  // by body
-  MassProperties mass_;
   std::int64_t restoring_work_ = 0;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 #include <vector>
 
 #include "physics/scene/scene.h"
@@ -59,15 +58,5 @@ struct State {
 [[nodiscard]] Motion initial_motion(const Body& body, double time = 0.0);
 
 [[nodiscard]] State initial_state(const std::vector<Body>& bodies);
-
-// Inverse masses and inertias, zero for immovable bodies, whose masses are infinite.
-struct MassProperties {
-  Eigen::VectorXd inverse_mass;     // 1/kg
-  Eigen::VectorXd inverse_inertia;  // 1/(kg m²), about the centre
-  Eigen::VectorXd mass;             // kg
-  Eigen::VectorXd inertia;          // kg m²
-};
-
-[[nodiscard]] MassProperties mass_properties(const std::vector<Body>& bodies);
 
 }  // namespace carom

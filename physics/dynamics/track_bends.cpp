@@ -38,7 +38,7 @@ bool Tracks::outruns_links(const Island& island) {
 void Tracks::bound_bend(int k) {
   const Island& island = islands_[k];
   if (island.driven) {
-    const Drive& d = *bodies_[body_of(island)].drive;
+    const Drive& d = *bodies()[body_of(island)].drive;
     bend_[body_of(island)] = d.angular_frequency * d.angular_frequency * d.amplitude.norm();
     return;
   }

@@ -24,12 +24,9 @@ void make_room(Values& values, std::size_t size) {
 
 template <class Self, class Kept, class Each>
 void ForceField::each_kept(Self& field, Kept& kept, const Each& each) {
-  auto& [gravity, linear_drag, quadratic_drag, attraction, gravity_only, constant, in_contact, contact,
-         any_switching, springs, engaged, outside, between, switching, applied, applied_to, drives, mass] =
-      field;
+  auto& [terms, engaged, phase, in_contact, contact] = field;
   each(engaged, kept.engaged);
-  make_room(kept.phase, applied.size());
-  for (std::size_t i = 0; i < applied.size(); ++i) each(applied[i].phase, kept.phase[i]);
+  each(phase, kept.phase);
   if constexpr (std::is_const_v<Self>) {
     if (in_contact) kept.contact = contact;
   } else if (kept.contact.size() > 0) {
@@ -41,15 +38,15 @@ void ForceField::each_kept(Self& field, Kept& kept, const Each& each) {
 template <class Self, class Kept, class Each>
 void Links::each_kept(Self& links, Kept& kept, const Each& each) {
   // What the groups hold is made anew before it is read.
-  auto& [laid, first_row, taut, groups, drives, mass, restoring_work] = links;
+  auto& [joints, first_row, taut, groups, restoring_work] = links;
   each(taut, kept.taut);
 }
 
 template <class Self, class Kept, class Ahead, class Each>
 void Tracks::each_kept(Self& tracks, Kept& kept, Ahead* ahead, const Each& each) {
-  auto& [field, links, bodies, islands, members, groups, island_of, settled, at_end, constant, bend, turn,
-         turns_corners, integrator, adaptive, parabolic, general, evaluations_a_flight, tolerance, epoch,
-         evaluations, flight_work, switches, margins, margins_at_first, leaving, step_start, rejected_steps,
+  auto& [model, field, links, islands, members, groups, island_of, settled, at_end, constant, bend, turn,
+         integrator, adaptive, parabolic, general, evaluations_a_flight, tolerance, epoch, evaluations,
+         flight_work, switches, margins, margins_at_first, leaving, step_start, rejected_steps,
          tolerance_missed_since, links_missed_since, switches_missed_since, lost_to_links, let_go_at] = tracks;
   ForceField::each_kept(field, kept, each);
   Links::each_kept(links, kept, each);
@@ -76,9 +73,9 @@ void Tracks::each_kept(Self& tracks, Kept& kept, Ahead* ahead, const Each& each)
   each(lost_to_links, kept.lost_to_links);
   if (ahead == nullptr) return;
   each(at_end, ahead->at_end);
-  make_room(ahead->bend, bodies.size());
-  make_room(ahead->turn, bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  make_room(ahead->bend, model->bodies().size());
+  make_room(ahead->turn, model->bodies().size());
+  for (std::size_t i = 0; i < model->bodies().size(); ++i) {
     each(bend[static_cast<Eigen::Index>(i)], ahead->bend[i]);
     each(turn[static_cast<Eigen::Index>(i)], ahead->turn[i]);
   }

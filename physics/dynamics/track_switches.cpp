@@ -61,7 +61,7 @@ double Tracks::margin_at(const Island& island, int a_switch, double time) {
 }
 
 bool Tracks::follows_switches(const Island& island) {
-  std::int64_t most = kMostSwitchWork + kMostSwitchWorkPerBody * static_cast<std::int64_t>(bodies_.size());
+  std::int64_t most = kMostSwitchWork + kMostSwitchWorkPerBody * static_cast<std::int64_t>(bodies().size());
   if (switches_missed_since_ >= 0.0) most /= 50;
   if (flight_work_ <= most) return true;
   if (switches_missed_since_ < 0.0) switches_missed_since_ = epoch_ + island.start;

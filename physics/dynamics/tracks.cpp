@@ -28,22 +28,22 @@ double time_to_move(double reach, double speed, double acceleration) {
 
 }  // namespace
 
-Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs& needs, const Method& method,
-               double time)
-    : field_(scene.forces, bodies, !scene.links.empty(), time),
-      links_(scene.links, bodies, time),
-      bodies_(bodies),
-      general_(needs.untrimmed),
-      let_go_at_(scene.links.size(), -1.0) {
+Tracks::Tracks(std::shared_ptr<const Model> model, const Method& method)
+    : model_(std::move(model)),
+      field_({model_, &model_->forces}, bodies(), model_->start_time),
+      links_({model_, &model_->joints}, model_->scene.links, bodies(), model_->start_time),
+      general_(model_->needs.untrimmed),
+      let_go_at_(model_->scene.links.size(), -1.0) {
+  const std::vector<Body>& bodies = model_->bodies();
+  const Needs& needs = model_->needs;
   const int n = static_cast<int>(bodies.size());
   island_of_.assign(n, -1);
   settled_.resize(Eigen::NoChange, n);
   constant_ = Eigen::Matrix3Xd::Zero(3, n);
   bend_ = Eigen::VectorXd::Zero(n);
   turn_ = Eigen::VectorXd::Zero(n);
-  for (const Body& body : bodies) turns_corners_.push_back(std::holds_alternative<Disc>(body.shape) ? 0 : 1);
   std::vector<std::vector<int>> groups;
-  if (needs.coupled_forces || needs.links) groups = field_.coupled_groups(links_.joined());
+  if (needs.coupled_forces || needs.links) groups = field_.coupled_groups(model_->joints.joined());
   if (general_) {
     groups.assign(1, {});
     for (int i = 0; i < n; ++i) {
@@ -69,7 +69,7 @@ Tracks::Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs&
   }
   links_.set_groups(groups);
   for (int i = 0; i < n; ++i) {
-    settled_.col(i) = initial_motion(bodies[i], time);
+    settled_.col(i) = initial_motion(bodies[i], model_->start_time);
     constant_.col(i) = field_.constant_acceleration(i);
     if (!bodies[i].fixed && island_of_[i] < 0) add_island({i}).driven = bodies[i].drive.has_value();
   }
@@ -124,16 +124,16 @@ void Tracks::check_flight(const Island& island) const {
     if (!has_finite_squares(at_end_.col(i))) lose(island, LossReason::kTooLarge);
   }
   if (!adaptive_) return;
-  if (flight_work_ > kMostFlightWork + kMostFlightWorkPerBody * static_cast<std::int64_t>(bodies_.size()))
+  if (flight_work_ > kMostFlightWork + kMostFlightWorkPerBody * static_cast<std::int64_t>(bodies().size()))
     lose(island, LossReason::kTooManySteps);
 }
 
 void Tracks::take_over(Tracks& other, double time) {
-  for (int i = 0; i < static_cast<int>(other.bodies_.size()); ++i) settled_.col(i) = other.at(i, time);
+  for (int i = 0; i < static_cast<int>(other.bodies().size()); ++i) settled_.col(i) = other.at(i, time);
   field_.take_over(other.field_);
   links_.take_over(other.links_);
   if (other.field_.in_contact()) {
-    for (int i = 0; i < static_cast<int>(other.bodies_.size()); ++i)
+    for (int i = 0; i < static_cast<int>(other.bodies().size()); ++i)
       set_contact_acceleration(i, other.field_.contact_acceleration(i));
   }
   lost_to_links_ = other.lost_to_links_;
@@ -177,7 +177,7 @@ void Tracks::gather(const Island& island) {
 void Tracks::fly_one(const Island& island, double time, Motion& out) {
   const int body = body_of(island);
   if (island.driven) {
-    const Body& b = bodies_[body];
+    const Body& b = bodies()[body];
     out = settled_.col(body);
     out.head<2>() = drive_position(*b.drive, b.position, epoch_ + time);
     out.segment<2>(3) = drive_velocity(*b.drive, epoch_ + time);
@@ -346,14 +346,14 @@ double Tracks::time_to_end(const Island& island, double reach, double turn) cons
   double most = kLongestTrack;
   for (const int i : members_of(island)) {
     if (island.driven) {
-      const Drive& d = *bodies_[i].drive;
+      const Drive& d = *bodies()[i].drive;
       most = std::min(most,
                       time_to_move(reach, d.velocity.norm() + d.angular_frequency * d.amplitude.norm(), 0.0));
       if (d.angular_frequency > 0.0) most = std::min(most, kSwing / d.angular_frequency);
     } else {
       most = std::min(
           most, time_to_move(reach, settled_.col(i).segment<2>(3).norm(), constant_.col(i).head<2>().norm()));
-      if (turns_corners_[i] != 0) most = std::min(most, turn / std::abs(settled_(5, i)));
+      if (!model_->shapes.is_disc(i)) most = std::min(most, turn / std::abs(settled_(5, i)));
     }
   }
   return most;

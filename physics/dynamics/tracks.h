@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,7 +12,7 @@
 #include "physics/dynamics/lost_motion.h"
 #include "physics/dynamics/state.h"
 #include "physics/dynamics/track_state.h"
-#include "physics/model/needs.h"
+#include "physics/model/model.h"
 #include "physics/scene/method.h"
 #include "physics/scene/scene.h"
 
@@ -35,9 +36,8 @@ namespace carom {
 class Tracks {
  public:
   Tracks() = default;
-  // At the start of a run at `time` (s), from the positions and velocities of the bodies.
-  Tracks(const Scene& scene, const std::vector<Body>& bodies, const Needs& needs, const Method& method,
-         double time);
+  // At the start of a run, from the positions and velocities of the bodies.
+  Tracks(std::shared_ptr<const Model> model, const Method& method);
 
   void set_method(const Method& method);
   [[nodiscard]] const ForceField& field() const { return field_; }
@@ -200,6 +200,7 @@ class Tracks {
     groups_[island.group].cached = -kForever;
     groups_[island.group].rates_known = false;
   }
+  [[nodiscard]] const std::vector<Body>& bodies() const { return model_->bodies(); }
   [[nodiscard]] Eigen::Index column_of(const Island& island, int body) const;
   [[nodiscard]] int body_of(const Island& island) const { return members_[island.first]; }
   const Motions& rates_of(const Island& island, double time, const Motions& y);  // of a group
@@ -235,9 +236,9 @@ class Tracks {
   void set_on(int a_switch, bool on);
   int lay_change(int body, const Eigen::Vector3d& by);
 
+  std::shared_ptr<const Model> model_;
   ForceField field_;
   Links links_;
-  std::vector<Body> bodies_;
   std::vector<Island> islands_;
   std::vector<int> members_;
   std::vector<Group> groups_;
@@ -247,7 +248,6 @@ class Tracks {
   Eigen::Matrix3Xd constant_;
   Eigen::VectorXd bend_;
   Eigen::VectorXd turn_;
-  std::vector<std::uint8_t> turns_corners_;  // by body: no disc, so that turning moves its surface
   IntegratorId integrator_ = IntegratorId::kRk4;
   bool adaptive_ = false;
   bool parabolic_ = false;

@@ -2,7 +2,9 @@
 
 #include <array>
 
+#include "physics/collision/contact.h"
 #include "physics/math/vectors.h"
+#include "physics/model/mass.h"
 
 namespace carom {
 namespace {

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "physics/collision/geometry.h"
+#include "physics/collision/contact.h"
 #include "physics/dynamics/tracks.h"
 #include "physics/impact/impact_law.h"
+#include "physics/model/geometry.h"
 
 namespace carom {
 

@@ -4,8 +4,9 @@
 #include <span>
 #include <string_view>
 
-#include "physics/collision/geometry.h"
 #include "physics/dynamics/state.h"
+#include "physics/model/geometry.h"
+#include "physics/model/mass.h"
 #include "physics/observe/impact_tally.h"
 #include "physics/world/lasting_contacts.h"
 #include "physics/world/ledger.h"

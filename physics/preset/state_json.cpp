@@ -478,7 +478,7 @@ SavedRun read_clock(const Json& json) {
 void read_state(const Json& json, Preset& preset) {
   const std::vector<Body> bodies = all_bodies(preset.scene);
   const double start = start_time(preset.saved);
-  const Tracks tracks(preset.scene, bodies, needs_of(preset.scene), preset.method, start);
+  const Tracks tracks(compile(preset.scene, needs_of(preset.scene), start), preset.method);
   const Sizes sizes{bodies.size(), static_cast<std::size_t>(tracks.islands()),
                     preset.scene.forces.springs.size(), preset.scene.links.size(),
                     preset.scene.forces.applied.size()};

@@ -7,13 +7,15 @@
 #include <vector>
 
 #include "physics/record/sampler.h"
+#include "physics/world/run_state.h"
 #include "physics/world/simulation.h"
 
 namespace carom {
 
 // A run at the end of one of its steps, with all that is needed to go on from there.
 struct KeyFrame {
-  Simulation simulation;
+  std::shared_ptr<const Model> model;
+  RunState state;
   Sampler sampler;
   std::size_t edits = 0;  // of its log, carried out so far
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "physics/record/replay.h"
+
 namespace carom {
 
 void keep_recent(std::vector<ImpactRecord>& impacts, std::span<const ImpactRecord> fresh, double now,

@@ -8,8 +8,8 @@
 #include "physics/compare/companion.h"
 #include "physics/observe/impact_tally.h"
 #include "physics/observe/quantity.h"
-#include "physics/record/run_log.h"
 #include "physics/record/speed_record.h"
+#include "physics/world/edit.h"
 #include "physics/world/simulation.h"
 
 namespace carom {

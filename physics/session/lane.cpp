@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "physics/record/replay.h"
+
 namespace carom {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physics/collision/broad_phase.h"
+#include "physics/collision/pair_contact.h"
 #include "physics/scene/polygon.h"
 #include "physics/world/run_setup.h"
 

@@ -60,8 +60,8 @@ class Paid {
 
 double Simulation::pressing(int a, int b, const Contact& contact, double within) {
   const auto acceleration = [&](int i) -> Eigen::Vector3d {
-    if (!driven_[i]) return tracks_.acceleration(i);
-    const Vec2 driven = drive_acceleration(*bodies_[i].drive, tracks_.epoch() + within);
+    if (!model_->driven[i]) return tracks_.acceleration(i);
+    const Vec2 driven = drive_acceleration(*bodies()[i].drive, tracks_.epoch() + within);
     return {driven.x(), driven.y(), 0.0};
   };
   const Eigen::Vector3d acceleration_a = acceleration(a);
@@ -73,7 +73,7 @@ double Simulation::pressing(int a, int b, const Contact& contact, double within)
   double bend = 0.0;
   for (const auto& [i, by] : {std::pair(a, acceleration_a), std::pair(b, acceleration_b)}) {
     bend += by.head<2>().norm();
-    if (!immovable(i)) bend += turning_curvature(shapes_.shapes, i, tracks_.settled(i)[5], by[2]);
+    if (!immovable(i)) bend += turning_curvature(shapes().shapes, i, tracks_.settled(i)[5], by[2]);
   }
   if (bend == 0.0) return 0.0;
   const double wait = std::min(method_.step, std::sqrt(2e4 * touch_tolerance(a, b, within) / bend));
@@ -81,7 +81,7 @@ double Simulation::pressing(int a, int b, const Contact& contact, double within)
     const auto& y = tracks_.settled(i);
     return y.head<3>() + wait * (y.segment<3>(3) + 0.5 * wait * by);
   };
-  const double gap = contact_between(shapes_, a, flown(a, acceleration_a), b, flown(b, acceleration_b)).gap;
+  const double gap = contact_between(shapes(), a, flown(a, acceleration_a), b, flown(b, acceleration_b)).gap;
   const double speed = relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
   return -2.0 * (gap - contact.gap - speed * wait) / (wait * wait);
 }
@@ -89,7 +89,7 @@ double Simulation::pressing(int a, int b, const Contact& contact, double within)
 double Simulation::curvature(int a, int b, double of_centres) const {
   double sum = of_centres;
   for (const int i : {a, b}) {
-    if (tracks_.turn(i) > 0.0) sum += tracks_.turn(i) * shapes_.shapes.core_radius[i];
+    if (tracks_.turn(i) > 0.0) sum += tracks_.turn(i) * shapes().shapes.core_radius[i];
   }
   return sum;
 }
@@ -103,13 +103,13 @@ double Simulation::touch_tolerance(int a, int b, double end) const {
   const double time = std::max(std::abs(end), method_.step);
   const auto ya = tracks_.settled(a);
   const auto yb = tracks_.settled(b);
-  double reach = ya.head<2>().lpNorm<1>() + yb.head<2>().lpNorm<1>() + shapes_.size[a] + shapes_.size[b];
+  double reach = ya.head<2>().lpNorm<1>() + yb.head<2>().lpNorm<1>() + shapes().size[a] + shapes().size[b];
   double speeds = ya.segment<2>(3).norm() + yb.segment<2>(3).norm();
   for (const int i : {a, b}) {
-    if (shapes_.is_disc(i)) continue;
+    if (shapes().is_disc(i)) continue;
     // The rounding of an angle moves a corner.
-    reach += std::abs(tracks_.settled(i)[2]) * shapes_.size[i];
-    speeds += std::abs(tracks_.settled(i)[5]) * shapes_.size[i];
+    reach += std::abs(tracks_.settled(i)[2]) * shapes().size[i];
+    speeds += std::abs(tracks_.settled(i)[5]) * shapes().size[i];
   }
   return 16.0 * kEpsilon * (reach + speeds * time);
 }
@@ -123,7 +123,7 @@ void Simulation::search_discs(int a, int b, double start, double end) {
   const Vec2 va = tracks_.parabola_velocity(a, start).head<2>();
   const Vec2 vb = tracks_.parabola_velocity(b, start).head<2>();
   const Vec2 u = vb - va;
-  const double touch = shapes_.shapes.rounding[a] + shapes_.shapes.rounding[b];
+  const double touch = shapes().shapes.rounding[a] + shapes().shapes.rounding[b];
   const bool approach = d.dot(u) < 0.0;
   const bool apart = d.squaredNorm() > touch * touch;
   if (apart && !approach) return;
@@ -154,7 +154,7 @@ bool Simulation::stays_held(int a, int b) const {
   double speed = u.norm();
   double press = 0.0;
   for (const int i : {a, b}) {
-    if (tracks_.settled(i)[5] != 0.0) speed += std::abs(tracks_.settled(i)[5]) * shapes_.shapes.core_radius[i];
+    if (tracks_.settled(i)[5] != 0.0) speed += std::abs(tracks_.settled(i)[5]) * shapes().shapes.core_radius[i];
     press = std::max(press, lasting_.acceleration.col(i).head<2>().norm());
   }
   return speed <= press * step_length_;
@@ -163,7 +163,7 @@ bool Simulation::stays_held(int a, int b) const {
 // Foresees the next impact of a and b on their tracks, if there is one.
 void Simulation::search(int a, int b) {
   if (a > b) std::swap(a, b);
-  if (!shapes_.can_meet(a, b) || stays_held(a, b)) return;
+  if (!shapes().can_meet(a, b) || stays_held(a, b)) return;
   if (work_.spent()) {
     note(&Notices::work_spent_since, time_);
     deferred_.add(a, b, false);
@@ -172,8 +172,8 @@ void Simulation::search(int a, int b) {
   double start = std::max(tracks_.start(a), tracks_.start(b));
   const double end = std::min(tracks_.end(a), tracks_.end(b));
   if (!(start <= end)) return;
-  const bool parabolic = tracks_.is_parabolic() && !driven_[a] && !driven_[b];
-  if (parabolic && shapes_.is_disc(a) && shapes_.is_disc(b) &&
+  const bool parabolic = tracks_.is_parabolic() && !model_->driven[a] && !model_->driven[b];
+  if (parabolic && shapes().is_disc(a) && shapes().is_disc(b) &&
       tracks_.constant_acceleration(a).head<2>() == tracks_.constant_acceleration(b).head<2>()) {
     search_discs(a, b, start, end);
     return;
@@ -196,7 +196,7 @@ void Simulation::search(int a, int b) {
   constexpr double kBlownUp = 1e100;  // m/s²
   if (!(bend < kBlownUp)) return;
   const TurningPair pair(
-      shapes_.shapes, a, [&](double t) { return pose(a, t); }, b, [&](double t) { return pose(b, t); },
+      shapes().shapes, a, [&](double t) { return pose(a, t); }, b, [&](double t) { return pose(b, t); },
       path_bend);
   const double tolerance = touch_tolerance(a, b, end);
   const bool resting = rests(a, b);
@@ -205,7 +205,7 @@ void Simulation::search(int a, int b) {
   if (first.gap <= tolerance) {
     const Twist ta = twist(a, start);
     const Twist tb = twist(b, start);
-    const Approach meeting = approach_of(shapes_, a, pose(a, start), ta, b, pose(b, start), tb, tolerance);
+    const Approach meeting = approach_of(shapes(), a, pose(a, start), ta, b, pose(b, start), tb, tolerance);
     if (waits(-meeting.speed)) return;
     if (meeting.speed < -closing_share() * meeting.scale) {
       foresee(start, a, b);
@@ -217,7 +217,7 @@ void Simulation::search(int a, int b) {
     }
     // They part, and cannot be back before some time: search from the half of that on.
     const double began = start;
-    const double until = apart_until(shapes_.shapes, a, first.a, ta, b, first.b, tb, first.normal, bend);
+    const double until = apart_until(shapes().shapes, a, first.a, ta, b, first.b, tb, first.normal, bend);
     start += 0.5 * until;
     if (start >= end) return;
     const bool touching = first.gap >= -tolerance;
@@ -247,7 +247,7 @@ void Simulation::search(int a, int b) {
   if (limit.reached && !resting) note(&Notices::search_cut_since, tracks_.epoch() + start);
   if (time) {
     if (resting) {
-      const Approach meeting = approach_of(shapes_, a, pose(a, *time), twist(a, *time), b, pose(b, *time),
+      const Approach meeting = approach_of(shapes(), a, pose(a, *time), twist(a, *time), b, pose(b, *time),
                                            twist(b, *time), tolerance);
       if (waits(-meeting.speed)) return;
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/dynamics/state.h"
+#include "physics/model/mass.h"
 #include "physics/scene/limits.h"
 
 namespace carom {

@@ -78,20 +78,20 @@ double Simulation::rest_speed(int a, int b, const Vec2& normal, double restituti
 
 void Simulation::hold_contacts(double h) {
   LastingContacts& l = lasting_;
-  const int n = static_cast<int>(bodies_.size());
+  const int n = static_cast<int>(bodies().size());
   for (const int i : l.pushed) tracks_.set_contact_acceleration(i, Eigen::Vector3d::Zero());
   l.pushed.clear();
   l.acceleration.setZero(3, n);
   for (int i = 0; i < n; ++i) {
     if (!immovable(i)) {
       l.acceleration.col(i) = tracks_.acceleration(i);
-    } else if (driven_[i] != 0) {
-      l.acceleration.col(i).head<2>() = drive_acceleration(*bodies_[i].drive, tracks_.epoch());
+    } else if (model_->driven[i] != 0) {
+      l.acceleration.col(i).head<2>() = drive_acceleration(*bodies()[i].drive, tracks_.epoch());
     }
   }
   l.held.resize(n, 0);
   find_contacts(h);
-  prepare_contacts(mass_, l.contacts,
+  prepare_contacts(mass(), l.contacts,
                    {.most_exact = kMostExact,
                     .most_slow = kMostExactAtRest,
                     .slow_speed = kSlow * change_by_forces(l, step_length_),
@@ -105,8 +105,8 @@ void Simulation::hold_contacts(double h) {
 // Fills the contacts of this step, with the impulses that the last one ended with.
 void Simulation::find_contacts(double h) {
   LastingContacts& l = lasting_;
-  const int n = static_cast<int>(bodies_.size());
-  const ConvexShapes& shapes = shapes_.shapes;
+  const int n = static_cast<int>(bodies().size());
+  const ConvexShapes& convex = shapes().shapes;
   const bool located = method_.impacts == ImpactsId::kLocated;
   // Part of a step looks as far as a whole one, so that it forgets no contact.
   const double whole = step_length_;
@@ -115,11 +115,11 @@ void Simulation::find_contacts(double h) {
   for (int i = 0; i < n; ++i) {
     const Eigen::Vector3d q = tracks_.settled(i).head<3>();
     const Eigen::Vector3d v = tracks_.settled(i).segment<3>(3);
-    const double turning = v[2] != 0.0 ? std::abs(v[2]) * shapes.core_radius[i] : 0.0;
+    const double turning = v[2] != 0.0 ? std::abs(v[2]) * convex.core_radius[i] : 0.0;
     l.reach[i] =
         (v.head<2>().norm() + turning) * whole + l.acceleration.col(i).head<2>().norm() * whole * whole;
-    l.poses[i] = pose_of(shapes, i, q);
-    const Eigen::Array2d margin = shapes_.extent.col(i).array() + l.reach[i];
+    l.poses[i] = pose_of(convex, i, q);
+    const Eigen::Array2d margin = shapes().extent.col(i).array() + l.reach[i];
     bounds_[i] = {q.head<2>().array() - margin, q.head<2>().array() + margin};
   }
   Contacts& c = l.contacts;
@@ -132,12 +132,12 @@ void Simulation::find_contacts(double h) {
   l.landings.clear();
   std::size_t last = 0;
   for (const auto& [a, b] : near_pairs()) {
-    if (!shapes_.can_meet(a, b)) continue;
+    if (!shapes().can_meet(a, b)) continue;
     l.near.emplace_back(a, b);
-    const double size = shapes_.size[a] + shapes_.size[b];
+    const double size = shapes().size[a] + shapes().size[b];
     const double rounding =
         kOverlap * (size + tracks_.settled(a).head<2>().lpNorm<1>() + tracks_.settled(b).head<2>().lpNorm<1>());
-    const Manifold m = manifold(shapes, a, l.poses[a], b, l.poses[b], l.reach[a] + l.reach[b] + rounding);
+    const Manifold m = manifold(convex, a, l.poses[a], b, l.poses[b], l.reach[a] + l.reach[b] + rounding);
     if (m.count == 0) continue;
     const Material& material = material_between(a, b);
     const double rest = rest_speed(a, b, m.normal, material.restitution);
@@ -195,14 +195,14 @@ double Simulation::first_landing(double end, Landing& first) {
   double time = end;
   for (const Landing& l : lasting_.landings) {
     const auto gap = [&](double t) {
-      const ConvexShapes& shapes = shapes_.shapes;
+      const ConvexShapes& convex = shapes().shapes;
       const Manifold m =
-          manifold(shapes, l.a, pose_of(shapes, l.a, tracks_.at(l.a, t).head<3>()), l.b,
-                   pose_of(shapes, l.b, tracks_.at(l.b, t).head<3>()), std::numeric_limits<double>::infinity());
+          manifold(convex, l.a, pose_of(convex, l.a, tracks_.at(l.a, t).head<3>()), l.b,
+                   pose_of(convex, l.b, tracks_.at(l.b, t).head<3>()), std::numeric_limits<double>::infinity());
       for (int k = 0; k < m.count; ++k) {
         if (m.points[k].id == l.id) return m.points[k].gap;
       }
-      return shapes_.size[l.a] + shapes_.size[l.b];
+      return shapes().size[l.a] + shapes().size[l.b];
     };
     const double at_start = gap(0.0);
     const double at_end = gap(time);
@@ -225,7 +225,8 @@ void Simulation::land(const Landing& l, double within) {
 double Simulation::rolling_radius(int a, int b) const {
   double curvature = 0.0;
   for (const int i : {a, b}) {
-    if (shapes_.is_disc(i) && shapes_.shapes.rounding[i] > 0.0) curvature += 1.0 / shapes_.shapes.rounding[i];
+    if (shapes().is_disc(i) && shapes().shapes.rounding[i] > 0.0)
+      curvature += 1.0 / shapes().shapes.rounding[i];
   }
   return curvature > 0.0 ? 1.0 / curvature : 0.0;
 }
@@ -253,7 +254,7 @@ void Simulation::project_contacts() {
   double size = 0.0;     // m, the least of an overlapping pair
   for (int i = 0; i < l.contacts.size(); ++i) {
     if (!(l.contacts.gap[i] < 0.0)) continue;
-    const double of_pair = shapes_.size[l.contacts.a[i]] + shapes_.size[l.contacts.b[i]];
+    const double of_pair = shapes().size[l.contacts.a[i]] + shapes().size[l.contacts.b[i]];
     deepest = std::max(deepest, -l.contacts.gap[i] / of_pair);
     size = size > 0.0 ? std::min(size, of_pair) : of_pair;
   }
@@ -263,7 +264,7 @@ void Simulation::project_contacts() {
   options.tolerance = kOverlap * size;
   options.crowd_tolerance = kCrowdOverlap * size;
   options.crowd_motion = nullptr;
-  project_prepared(mass_, l.contacts, deepest > kDeep ? kOverlapFraction : 1.0, l.moved, options, l.workspace);
+  project_prepared(mass(), l.contacts, deepest > kDeep ? kOverlapFraction : 1.0, l.moved, options, l.workspace);
   const double before = field().potential_energy(state_.q);
   for (int i = 0; i < state_.size(); ++i) {
     if (immovable(i) || l.moved.col(i).isZero(0.0)) continue;
@@ -285,7 +286,7 @@ void Simulation::book_contact_forces(double passed, double share) {
   l.mean = l.before + 0.5 * share * (l.after - l.before);
   if (choice_of(kIntegrators, method_.integrator).exact_under_gravity) {
     for (int i = 0; i < state_.size(); ++i) {
-      if (!immovable(i) || driven_[i] != 0)
+      if (!immovable(i) || model_->driven[i] != 0)
         l.mean.col(i) = (tracks_.at(i, passed).head<3>() - state_.q.col(i)) / passed;
     }
   }
@@ -316,7 +317,7 @@ void Simulation::book_contacts(double share) {
 void Simulation::touch_down(double h) {
   LastingContacts& l = lasting_;
   Contacts& c = l.contacts;
-  const int n = static_cast<int>(bodies_.size());
+  const int n = static_cast<int>(bodies().size());
   l.before.resize(3, n);
   for (int i = 0; i < n; ++i) l.before.col(i) = tracks_.settled(i).segment<3>(3);
   l.forces.clear();
@@ -328,7 +329,7 @@ void Simulation::touch_down(double h) {
   }
   l.after = l.before;
   if (worst > 2.0 * (has_crowd(l) ? options.crowd_tolerance : options.tolerance)) {
-    tell_residual(solve_prepared(mass_, c, l.after, options, l.workspace));
+    tell_residual(solve_prepared(mass(), c, l.after, options, l.workspace));
     l.mean = 0.5 * (l.before + l.after);
     book_contacts(1.0);
     for (int i = 0; i < n; ++i) {
@@ -346,7 +347,7 @@ void Simulation::touch_down(double h) {
 void Simulation::find_contact_forces(double h) {
   LastingContacts& l = lasting_;
   Contacts& c = l.contacts;
-  const int n = static_cast<int>(bodies_.size());
+  const int n = static_cast<int>(bodies().size());
   std::fill(l.held.begin(), l.held.end(), 0);
   l.hold.clear();
   if (c.size() == 0) return;
@@ -369,7 +370,7 @@ void Simulation::find_contact_forces(double h) {
   for (int round = 0; round < kMostRounds; ++round) {
     l.after = l.free;
     c.sticks = l.sticks;
-    report = solve_prepared(mass_, c, l.after, options, l.workspace);
+    report = solve_prepared(mass(), c, l.after, options, l.workspace);
     for (const int i : l.pushed) tracks_.set_contact_acceleration(i, (l.after.col(i) - l.free.col(i)) / h);
     if (tracks_.is_parabolic()) break;
     double off = 0.0;
@@ -412,8 +413,8 @@ void Simulation::rebound_at_end(const std::vector<std::pair<int, int>>& pairs) {
   const double now = step_end_ - tracks_.epoch();
   for (const auto& [a, b] : pairs) {
     const Material& material = material_between(a, b);
-    if (material.restitution == 0.0 || !shapes_.can_meet(a, b)) continue;  // or joined meanwhile
-    const int most = shapes_.is_disc(a) || shapes_.is_disc(b) ? 1 : 3;
+    if (material.restitution == 0.0 || !shapes().can_meet(a, b)) continue;  // or joined meanwhile
+    const int most = shapes().is_disc(a) || shapes().is_disc(b) ? 1 : 3;
     for (int k = 0; k < most; ++k) {
       const Approach at = approach(a, b, 0.0);
       if (at.contact.gap >= 0.0) break;

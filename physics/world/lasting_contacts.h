@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "physics/collision/convex.h"
 #include "physics/contact/contact_solver.h"
+#include "physics/model/convex.h"
 
 namespace carom {
 

@@ -80,7 +80,7 @@ void Simulation::step_with_located_impacts(double h) {
   if (lasts_ || due.empty()) return;
   check_motions();
   resolve_at_end(due, h);
-  if (std::any_of(due.begin(), due.end(), [&](const WaitingPair& d) { return !shapes_.can_meet(d.a, d.b); })) {
+  if (std::any_of(due.begin(), due.end(), [&](const WaitingPair& d) { return !shapes().can_meet(d.a, d.b); })) {
     // Bodies have stuck together: islands are others.
     publish(target);
     running_ = false;
@@ -140,10 +140,10 @@ void Simulation::choose_cells(double horizon) {
   double path = 0.0;
   int moving = 0;
   Bounds all{Eigen::Array2d::Constant(kNever), Eigen::Array2d::Constant(-kNever)};
-  const int n = static_cast<int>(bodies_.size());
+  const int n = static_cast<int>(bodies().size());
   for (int i = 0; i < n; ++i) {
     const Eigen::Array2d x = tracks_.settled(i).head<2>().array();
-    const Eigen::Array2d extent = shapes_.extent.col(i).array();
+    const Eigen::Array2d extent = shapes().extent.col(i).array();
     if (!extent.allFinite()) continue;
     all.low = all.low.min(x - extent);
     all.high = all.high.max(x + extent);
@@ -172,15 +172,15 @@ void Simulation::choose_cells(double horizon) {
 
 void Simulation::lay_all(double horizon) {
   queue_.clear();
-  for (int i = 0; i < static_cast<int>(bodies_.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(bodies().size()); ++i) {
     if (tracks_.island_of(i) >= 0) continue;
     const Eigen::Array2d x = tracks_.settled(i).head<2>().array();
-    grid_.put(i, {x - shapes_.extent.col(i).array(), x + shapes_.extent.col(i).array()});
+    grid_.put(i, {x - shapes().extent.col(i).array(), x + shapes().extent.col(i).array()});
   }
   for (int k = 0; k < tracks_.islands(); ++k) lay(k, horizon);
   // Each pair once: from its movable body of the higher index, or from the only movable one.
-  std::size_t left = BroadPhase::most_pairs(bodies_.size());
-  for (int i = 0; i < static_cast<int>(bodies_.size()) && left > 0; ++i) {
+  std::size_t left = BroadPhase::most_pairs(bodies().size());
+  for (int i = 0; i < static_cast<int>(bodies().size()) && left > 0; ++i) {
     if (immovable(i)) continue;
     grid_.each_near(i, [&](int other) {
       if (left == 0 || !(other < i || immovable(other))) return;
@@ -202,7 +202,7 @@ void Simulation::lay(int island, double horizon) {
     const Eigen::Array2d from = tracks_.settled(i).head<2>().array();
     const Eigen::Array2d to = tracks_.at_end(i).head<2>().array();
     const double left = end - begin;
-    const Eigen::Array2d margin = shapes_.extent.col(i).array() + tracks_.bend(i) * left * left / 8.0 +
+    const Eigen::Array2d margin = shapes().extent.col(i).array() + tracks_.bend(i) * left * left / 8.0 +
                                   32.0 * kEpsilon * (from.abs() + to.abs());
     grid_.put(i, {from.min(to) - margin, from.max(to) + margin});
   }
@@ -230,9 +230,9 @@ void Simulation::foresee(double time, int a, int b) { queue_.push({time, a, b, s
 
 void Simulation::process_until(double target, double horizon, double h, const Landing* awaited) {
   const std::int64_t crowd =
-      kCrowdedImpacts + kCrowdedImpactsPerBody * static_cast<std::int64_t>(bodies_.size());
+      kCrowdedImpacts + kCrowdedImpactsPerBody * static_cast<std::int64_t>(bodies().size());
   const std::int64_t before = impacts_before_step_;
-  const int most_track_ends = kMostTrackEnds + kMostTrackEndsPerBody * static_cast<int>(bodies_.size());
+  const int most_track_ends = kMostTrackEnds + kMostTrackEndsPerBody * static_cast<int>(bodies().size());
   while (!queue_.empty() && queue_.next().time <= target) {
     const Event next = queue_.next();
     queue_.pop();
@@ -274,7 +274,7 @@ void Simulation::process_until(double target, double horizon, double h, const La
 
 // The impact of a foreseen pair.
 void Simulation::meet(int a, int b, double time, double horizon, bool crowd, double h) {
-  if (!crowd && scene_.several_impacts == SeveralImpactsId::kSimultaneous &&
+  if (!crowd && model_->scene.several_impacts == SeveralImpactsId::kSimultaneous &&
       meet_all(a, b, time, horizon, crowd, h))
     return;
   for (const int i : {a, b}) {
@@ -283,7 +283,7 @@ void Simulation::meet(int a, int b, double time, double horizon, bool crowd, dou
   const Contact contact = approach(a, b, touch_tolerance(a, b, time)).contact;
   const Material& material = material_between(a, b);
   collide(a, b, contact, material, time);
-  if (!shapes_.can_meet(a, b)) {
+  if (!shapes().can_meet(a, b)) {
     // They have stuck together: islands are others, and all of them start now.
     last_impact_ = time;
     lay_all(horizon);

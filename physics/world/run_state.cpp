@@ -30,11 +30,9 @@ void each_kept_of_contacts(Contacts& lasting, Kept& kept, const Each& each) {
 
 template <class Self, class Kept, class Each>
 void Simulation::each_kept(Self& simulation, Kept& kept, const Each& each) {
-  auto& [scene, start, method, needs, bodies, mass, shapes, tracks, driven, material, mixed,
-         materials,  // the model
-         state, time, step_end, origin, origin_step, steps_since_origin, steps, impact_count, impact_counts,
-         impacts_before_step, ledger, gravity_since, peak_kinetic, energy_doubts, notices, lost, last_good,
-         work, impacts, jumps,
+  auto& [model, method, tracks, state, time, step_end, origin, origin_step, steps_since_origin, steps,
+         impact_count, impact_counts, impacts_before_step, ledger, gravity_since, peak_kinetic, energy_doubts,
+         notices, lost, last_good, work, impacts, jumps,
          watch_impacts,  // the run
          running, reach, epoch_length, last_impact, at_once, grid, queue, stamp, deferred, due, due_islands,
          is_due, near_pairs, track_ends, stretch, touches, cluster,
@@ -66,7 +64,7 @@ void Simulation::each_kept(Self& simulation, Kept& kept, const Each& each) {
 
 bool Simulation::runs_on() const {
   const IntegratorChoice& choice = choice_of(kIntegrators, method_.integrator);
-  return running_ && method_.impacts == ImpactsId::kLocated && !contacts_last(method_, needs_) &&
+  return running_ && method_.impacts == ImpactsId::kLocated && !contacts_last(method_, needs()) &&
          (choice.order == 0 || choice.adaptive);
 }
 
@@ -89,29 +87,35 @@ RunState Simulation::run_state() const {
   return kept;
 }
 
+Simulation::Simulation(std::shared_ptr<const Model> model, const RunState& state)
+    : Simulation(std::move(model), state.method) {
+  put_back(state);
+}
+
+void Simulation::put_back(const RunState& state) {
+  if (!(state.method == method_)) tracks_.set_method(state.method);
+  each_kept(*this, state, [](auto& own, const auto& from) { own = from; });
+  work_.put_back(state.work);
+  tracks_.put_back(state.tracks, state.ahead ? &state.ahead->tracks : nullptr);
+  step_end_ = time_;
+  if (!state.ahead) return;
+  (void)grid_.put_back(static_cast<int>(bodies().size()), state.ahead->grid);
+  // The stamps of all islands are 0 yet.
+  for (const auto& [time, a, b] : state.ahead->events) queue_.push({time, a, b, 0, 0});
+  for (const auto& [a, b, resting] : state.ahead->waiting) deferred_.add(a, b, resting);
+  running_ = true;
+}
+
 void Simulation::go_on_from(const SavedRun& saved) {
   if (saved.fingerprint == 0) return;
-  const RunState* state = saved.state.get();
-  if (state == nullptr || needs_.untrimmed || saved.fingerprint != fingerprint(scene_, saved.time)) {
+  if (saved.state == nullptr || needs().untrimmed ||
+      saved.fingerprint != fingerprint(model_->scene, saved.time)) {
     notices_.state_left_since = saved.time;
     return;
   }
   const Method method = method_;
-  if (!(state->method == method)) {
-    tracks_.set_method(state->method);
-  }
-  each_kept(*this, *state, [](auto& own, const auto& from) { own = from; });
-  work_.put_back(state->work);
-  tracks_.put_back(state->tracks, state->ahead ? &state->ahead->tracks : nullptr);
-  step_end_ = time_;
-  if (state->ahead) {
-    (void)grid_.put_back(static_cast<int>(bodies_.size()), state->ahead->grid);
-    // The stamps of all islands are 0 yet.
-    for (const auto& [time, a, b] : state->ahead->events) queue_.push({time, a, b, 0, 0});
-    for (const auto& [a, b, resting] : state->ahead->waiting) deferred_.add(a, b, resting);
-    running_ = true;
-  }
-  if (!(state->method == method)) set_method(method);
+  put_back(*saved.state);
+  if (!(method_ == method)) set_method(method);
 }
 
 bool state_belongs(const Scene& scene, const std::optional<SavedRun>& saved) {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <limits>
 
-#include "physics/collision/geometry.h"
+#include "physics/model/geometry.h"
 #include "physics/model/needs.h"
 #include "physics/scene/validate.h"
 #include "physics/world/run_state.h"
@@ -182,12 +182,13 @@ void check_state(const Scene& scene, double start_time, const RunState& state) {
   }
   check_forces(scene, state.tracks);
   check_contacts(bodies, state.contacts);
-  const Tracks tracks(scene, bodies, needs_of(scene), state.method, start_time);
+  const auto model = compile(scene, needs_of(scene), start_time);
+  const Tracks tracks(model, state.method);
   if (const auto fault = tracks.fault_of(state.tracks, state.ahead ? &state.ahead->tracks : nullptr)) {
     const auto colon = fault->find(": ");
     refuse(fault->substr(0, colon), fault->substr(colon + 2));
   }
-  if (state.ahead) check_ahead(bodies, geometry(bodies, scene.links), tracks, state);
+  if (state.ahead) check_ahead(bodies, model->shapes, tracks, state);
 }
 
 }  // namespace carom

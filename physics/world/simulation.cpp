@@ -18,29 +18,29 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 }  // namespace
 
 Simulation::Simulation(const RunSetup& setup, const Needs& needs)
-    : scene_(setup.scene),
-      start_(start_time(setup.saved)),
-      method_(setup.method),
-      needs_(needs),
-      bodies_(all_bodies(setup.scene)) {
-  tracks_ = Tracks(scene_, bodies_, needs_, method_, start_);
-  tracks_.begin(start_);
-  // Seven digits of a file are not where links hold their ends within rounding.
-  for (int k = 0; k < tracks_.islands(); ++k) tracks_.restore_links(k);
-  lay_out();
-  tracks_.begin(start_);
-  publish(0.0);
-  peak_kinetic_ = kinetic_energy(state_, mass_);
-  time_ = step_end_ = origin_ = gravity_since_ = start_;
-  ledger_.initial = totals().energy();
-  ledger_.initial_momentum = totals().momentum;
+    : Simulation(compile(setup.scene, needs, start_time(setup.saved)), setup.method) {
   if (setup.saved) go_on_from(*setup.saved);
   count_pairs(setup.counted_pairs);
 }
 
+Simulation::Simulation(std::shared_ptr<const Model> model, const Method& method)
+    : model_(std::move(model)), method_(method), tracks_(model_, method_) {
+  const double start = model_->start_time;
+  tracks_.begin(start);
+  // Seven digits of a file are not where links hold their ends within rounding.
+  for (int k = 0; k < tracks_.islands(); ++k) tracks_.restore_links(k);
+  lay_out();
+  tracks_.begin(start);
+  publish(0.0);
+  peak_kinetic_ = kinetic_energy(state_, mass());
+  time_ = step_end_ = origin_ = gravity_since_ = start;
+  ledger_.initial = totals().energy();
+  ledger_.initial_momentum = totals().momentum;
+}
+
 void Simulation::count_pairs(const std::vector<std::pair<std::string, std::string>>& names) {
   std::unordered_map<std::string_view, int> index;
-  for (const Body& body : bodies_) index.emplace(body.name, static_cast<int>(index.size()));
+  for (const Body& body : bodies()) index.emplace(body.name, static_cast<int>(index.size()));
   const ImpactCounts saved = impact_counts_;
   impact_counts_.pairs.clear();
   const std::int64_t before = impact_count_ == 0 ? 0 : ImpactCounts::kNotKnown;
@@ -54,30 +54,18 @@ void Simulation::count_pairs(const std::vector<std::pair<std::string, std::strin
 }
 
 void Simulation::lay_out() {
-  mass_ = mass_properties(bodies_);
-  shapes_ = geometry(bodies_, scene_.links);
-
-  std::vector<std::string> materials;
-  std::unordered_map<std::string, int> index;
-  const auto index_of = [&](const std::string& name) {
-    const auto [at, is_new] = index.try_emplace(name, static_cast<int>(materials.size()));
-    if (is_new) materials.push_back(name);
-    return at->second;
-  };
-  material_.clear();
-  driven_.clear();
-  for (const Body& body : bodies_) {
-    material_.push_back(index_of(body.material));
-    driven_.push_back(body.drive ? 1 : 0);
-  }
-  materials_ = static_cast<int>(materials.size());
-  mixed_ = std::make_shared<const std::vector<Material>>(meetings(scene_, materials));
-
-  bounds_.resize(bodies_.size());
-  stamp_.assign(bodies_.size(), 0);
-  state_.resize(static_cast<int>(bodies_.size()));
+  bounds_.resize(bodies().size());
+  stamp_.assign(bodies().size(), 0);
+  state_.resize(static_cast<int>(bodies().size()));
   state_.books.setZero();
   running_ = false;
+}
+
+void Simulation::recompile(Scene scene, const Needs& needs, double within) {
+  model_ = compile(std::move(scene), needs, model_->start_time);
+  Tracks tracks(model_, method_);
+  tracks.take_over(tracks_, within);
+  tracks_ = std::move(tracks);
 }
 
 void Simulation::set_method(const Method& method) {
@@ -97,14 +85,11 @@ void Simulation::add_body(const Body& body) {
   const Totals before = totals();
   ledger_.momentum_from_gravity = ledger().momentum_from_gravity;
   gravity_since_ = time_;
-  bodies_.push_back(body);
-  scene_.bodies = bodies_;
-  scene_.generators.clear();
-  if (!needs_.untrimmed) needs_ = needs_of(scene_);
-  Tracks tracks(scene_, bodies_, needs_, method_, start_);
-  tracks.take_over(tracks_, time_ - tracks_.epoch());
-  tracks.begin(time_);
-  tracks_ = std::move(tracks);
+  Scene scene = model_->scene;
+  scene.bodies.push_back(body);
+  const Needs needs = this->needs().untrimmed ? this->needs() : needs_of(scene);
+  recompile(std::move(scene), needs, time_ - tracks_.epoch());
+  tracks_.begin(time_);
   lay_out();
   publish(0.0);
   const Totals after = totals();
@@ -124,17 +109,17 @@ Ledger Simulation::ledger() const {
   Ledger ledger = ledger_;
   ledger.add(1.0, ledger_of_books(state_));
   ledger.lost_to_links = tracks_.lost_to_links();
-  double mass = 0.0;
+  double total = 0.0;
   for (int i = 0; i < state_.size(); ++i) {
-    if (!immovable(i)) mass += mass_.mass[i];
+    if (!immovable(i)) total += mass().mass[i];
   }
-  ledger.momentum_from_gravity += mass * (time_ - gravity_since_) * scene_.forces.gravity;
+  ledger.momentum_from_gravity += total * (time_ - gravity_since_) * model_->scene.forces.gravity;
   return ledger;
 }
 
 void Simulation::publish(double within) {
   for (int i = 0; i < state_.size(); ++i) {
-    if (tracks_.is_parabolic() && driven_[i] == 0 && !field().keeps_books()) {
+    if (tracks_.is_parabolic() && model_->driven[i] == 0 && !field().keeps_books()) {
       state_.q.col(i) = tracks_.parabola(i, within);
       state_.v.col(i) = tracks_.parabola_velocity(i, within);
     } else {
@@ -166,7 +151,7 @@ void Simulation::check_energy() {
   constexpr double kMade = 0.75;  // of the kinetic energy
   // Of the energies in the ledger: less is rounding.
   constexpr double kRounding = 1e-9;
-  const double kinetic = kinetic_energy(state_, mass_);
+  const double kinetic = kinetic_energy(state_, mass());
   const double peak = std::exchange(peak_kinetic_, std::max(peak_kinetic_, kinetic));
   if (notices_.energy_made_since >= 0.0 || std::ilogb(kinetic) / 2 <= std::ilogb(peak) / 2) return;
   const Ledger now = ledger();
@@ -178,7 +163,7 @@ void Simulation::check_energy() {
 std::string Simulation::status() const {
   const std::string notices = this->notices().text();
   if (!lost_) return notices;
-  const std::string lost = lost_->text(bodies_, time_);
+  const std::string lost = lost_->text(bodies(), time_);
   return notices == "ok" ? lost : lost + "; " + notices;
 }
 
@@ -192,7 +177,7 @@ void Simulation::step(double h) {
   last_good_.impact_count = impact_count_;
   last_good_.impact_counts = impact_counts_;
   tracks_.begin_step();
-  work_.begin(static_cast<int>(bodies_.size()), h);
+  work_.begin(static_cast<int>(bodies().size()), h);
   try {
     make_step(h);
   } catch (const LostMotion& lost) {
@@ -222,7 +207,7 @@ void Simulation::make_step(double h) {
   ++steps_since_origin_;
   step_end_ = origin_ + static_cast<double>(steps_since_origin_) * h;
   impacts_before_step_ = impact_count_;
-  lasts_ = contacts_last(method_, needs_);
+  lasts_ = contacts_last(method_, needs());
   if (lasts_) {
     step_length_ = std::max(h, method_.step);
     tracks_.begin(time_);
@@ -247,15 +232,15 @@ ImpactSide Simulation::side(int body, const Contact& contact, double towards) co
   const Vec2 r = contact.point - y.head<2>();
   const Vec2& n = contact.normal;
   // The normal of a disc's contact passes through its centre, but for rounding.
-  const double lever = shapes_.is_disc(body) ? 0.0 : towards * (r.x() * n.y() - r.y() * n.x());
-  return {y.segment<2>(3),    y[5], mass_.inverse_mass[body], mass_.inverse_inertia[body],
+  const double lever = shapes().is_disc(body) ? 0.0 : towards * (r.x() * n.y() - r.y() * n.x());
+  return {y.segment<2>(3),    y[5], mass().inverse_mass[body], mass().inverse_inertia[body],
           towards * r.dot(n), lever};
 }
 
 Approach Simulation::approach(int a, int b, double tolerance) const {
   const auto ya = tracks_.settled(a);
   const auto yb = tracks_.settled(b);
-  return approach_of(shapes_, a, ya.head<3>(), {ya.segment<2>(3), ya[5]}, b, yb.head<3>(),
+  return approach_of(shapes(), a, ya.head<3>(), {ya.segment<2>(3), ya[5]}, b, yb.head<3>(),
                      {yb.segment<2>(3), yb[5]}, tolerance);
 }
 
@@ -276,9 +261,9 @@ void Simulation::collide(int a, int b, const Contact& contact, const Material& m
   if (material.sticks) {
     impact = join(a, b, contact);
   } else if (tracks_.is_linked(a) || tracks_.is_linked(b)) {
-    impact = resolve_linked_impact(tracks_, mass_, a, b, contact, material, scene_.impact_law);
+    impact = resolve_linked_impact(tracks_, mass(), a, b, contact, material, model_->scene.impact_law);
   } else {
-    impact = resolve_impact(side_a, side_b, contact.normal, material, scene_.impact_law);
+    impact = resolve_impact(side_a, side_b, contact.normal, material, model_->scene.impact_law);
     if (!immovable(a)) tracks_.set_velocity(a, side_a.velocity, side_a.spin);
     if (!immovable(b)) tracks_.set_velocity(b, side_b.velocity, side_b.spin);
   }
@@ -301,7 +286,7 @@ void Simulation::collide(int a, int b, const Contact& contact, const Material& m
 void Simulation::book(int a, int b, const Contact& contact, const Impact& impact, double closing,
                       double within) {
   ++impact_count_;
-  impact_counts_.add(a, b, impact.normal, mass_);
+  impact_counts_.add(a, b, impact.normal, mass());
   ImpactRecord record;
   record.time = std::min(tracks_.epoch() + within, step_end_);  // the sum may round beyond the end
   record.a = a;
@@ -327,7 +312,7 @@ void Simulation::book(int a, int b, const Contact& contact, const Impact& impact
   ledger_.lost_to_friction += impact.lost_to_friction;
   ledger_.lost_to_sticking += impact.lost_to_sticking;
   // What comes through a link, so through the weld of two that have stuck, stands in the bodies' own books.
-  if (!shapes_.can_meet(a, b)) return;
+  if (!shapes().can_meet(a, b)) return;
   const Vec2 tangent(-contact.normal.y(), contact.normal.x());
   const Vec2 j = impact.normal * contact.normal + impact.tangential * tangent;
   if (immovable(a)) {
@@ -361,11 +346,11 @@ void Simulation::step_with_impacts_at_end(double h) {
   }
   for (int i = 0; i < state_.size(); ++i) {
     const Eigen::Array2d x = tracks_.settled(i).head<2>().array();
-    bounds_[i] = {x - shapes_.extent.col(i).array(), x + shapes_.extent.col(i).array()};
+    bounds_[i] = {x - shapes().extent.col(i).array(), x + shapes().extent.col(i).array()};
   }
   near_pairs_.clear();
   for (const auto& [a, b] : near_pairs()) {
-    if (shapes_.can_meet(a, b)) near_pairs_.push_back({a, b, false});
+    if (shapes().can_meet(a, b)) near_pairs_.push_back({a, b, false});
   }
   publish(h);
   check_motions();
@@ -375,7 +360,7 @@ void Simulation::step_with_impacts_at_end(double h) {
 
 // Of bounds_, in rising order.
 const std::vector<std::pair<int, int>>& Simulation::near_pairs() {
-  const auto& pairs = broad_phase_.pairs(bounds_, shapes_.fixed);
+  const auto& pairs = broad_phase_.pairs(bounds_, shapes().fixed);
   if (broad_phase_.cut()) note(&Notices::pairs_cut_since, time_);
   return pairs;
 }
@@ -398,18 +383,18 @@ void Simulation::restore_links(int island) {
 void Simulation::resolve_at_end(const std::vector<WaitingPair>& pairs, double h) {
   const double now = step_end_ - tracks_.epoch();
   // Each push changes the energy of attraction with all bodies: of many pairs their sum is taken at once.
-  const bool all_at_once = field().attracts() && !needs_.links && pairs.size() > bodies_.size();
+  const bool all_at_once = field().attracts() && !needs().links && pairs.size() > bodies().size();
   if (all_at_once) ledger_.overlap_correction -= field().potential_energy(state_.q);
   for (const auto& [a, b, resting] : pairs) {
     work_.pass(1);
-    if (!shapes_.can_meet(a, b)) continue;  // joined meanwhile
+    if (!shapes().can_meet(a, b)) continue;  // joined meanwhile
     Approach at = approach(a, b, 0.0);
     const double gap = at.contact.gap;
     if (gap >= 0.0) continue;
     const Vec2 normal = at.contact.normal;
 
     // Bodies with corners may overlap at two: once for the middle, then for the one that still approaches.
-    const int most = shapes_.is_disc(a) || shapes_.is_disc(b) ? 1 : 3;
+    const int most = shapes().is_disc(a) || shapes().is_disc(b) ? 1 : 3;
     for (int k = 0; k < most; ++k) {
       if (k > 0) at = approach(a, b, -gap);
       if (!(at.speed < (k == 0 ? 0.0 : -16.0 * kEpsilon * at.scale))) break;
@@ -417,16 +402,16 @@ void Simulation::resolve_at_end(const std::vector<WaitingPair>& pairs, double h)
       // What gravity pressed in during this step must not bounce; a true impact on a resting pair must.
       if (resting && -at.speed <= pressed_in(a, b, h)) material.restitution = 0.0;
       collide(a, b, at.contact, material, now);
-      if (!shapes_.can_meet(a, b)) break;
+      if (!shapes().can_meet(a, b)) break;
     }
-    if (!shapes_.can_meet(a, b)) continue;
+    if (!shapes().can_meet(a, b)) continue;
 
-    const double share = mass_.inverse_mass[a] + mass_.inverse_mass[b];
+    const double share = mass().inverse_mass[a] + mass().inverse_mass[b];
     const Vec2 push = (resting ? 1.0 : kOverlapFraction) * -gap / share * normal;
     for (const int i : {a, b}) {
       if (immovable(i)) continue;
       const Vec2 x = tracks_.settled(i).head<2>();
-      const Vec2 moved = x + (i == a ? -1.0 : 1.0) * mass_.inverse_mass[i] * push;
+      const Vec2 moved = x + (i == a ? -1.0 : 1.0) * mass().inverse_mass[i] * push;
       if (!all_at_once) {
         ledger_.overlap_correction +=
             field().potential_energy_of(i, moved, state_.q) - field().potential_energy_of(i, x, state_.q);

@@ -13,11 +13,10 @@
 #include "physics/collision/approach.h"
 #include "physics/collision/broad_phase.h"
 #include "physics/collision/cell_grid.h"
-#include "physics/collision/geometry.h"
 #include "physics/dynamics/tracks.h"
 #include "physics/impact/impact_law.h"
 #include "physics/impact/simultaneous_impact.h"
-#include "physics/model/needs.h"
+#include "physics/model/model.h"
 #include "physics/scene/method.h"
 #include "physics/scene/scene.h"
 #include "physics/world/event_queue.h"
@@ -165,6 +164,10 @@ class Simulation {
   // had been chosen at that moment.
   explicit Simulation(const RunSetup& setup) : Simulation(setup, needs_of(setup.scene)) {}
   Simulation(const RunSetup& setup, const Needs& needs);
+  // At the start of a run of this model.
+  Simulation(std::shared_ptr<const Model> model, const Method& method);
+  // At a later moment: `state` is that of a run of the same model, which goes on here for the same bytes.
+  Simulation(std::shared_ptr<const Model> model, const RunState& state);
 
   void step() { step(method_.step); }
   // Throws StepInterrupted if interrupt_on() asked for it; the simulation can only be thrown away then. A run
@@ -187,6 +190,7 @@ class Simulation {
     advance_to(time, [] {});
   }
 
+  [[nodiscard]] const std::shared_ptr<const Model>& model() const { return model_; }
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] std::int64_t impact_count() const { return impact_count_; }
@@ -196,22 +200,22 @@ class Simulation {
   [[nodiscard]] std::int64_t evaluations() const { return tracks_.evaluations(); }
   [[nodiscard]] std::int64_t rejected_steps() const { return tracks_.rejected_steps(); }
   [[nodiscard]] const State& state() const { return state_; }
-  [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
-  [[nodiscard]] const MassProperties& mass() const { return mass_; }
-  [[nodiscard]] const Geometry& shapes() const { return shapes_; }
+  [[nodiscard]] const std::vector<Body>& bodies() const { return model_->bodies(); }
+  [[nodiscard]] const MassProperties& mass() const { return model_->mass; }
+  [[nodiscard]] const Geometry& shapes() const { return model_->shapes; }
   // The scene's, and after them a weld for each impact after which two bodies have stuck together.
-  [[nodiscard]] const std::vector<Link>& links() const { return scene_.links; }
+  [[nodiscard]] const std::vector<Link>& links() const { return model_->scene.links; }
   [[nodiscard]] bool is_taut(int link) const { return tracks_.is_taut(link); }  // of a string
   [[nodiscard]] const ForceField& field() const { return tracks_.field(); }
   [[nodiscard]] const Method& method() const { return method_; }
-  [[nodiscard]] const Needs& needs() const { return needs_; }
+  [[nodiscard]] const Needs& needs() const { return model_->needs; }
   [[nodiscard]] Notices notices() const;
   // Why the run can't go on; nothing while it can.
   [[nodiscard]] const std::optional<LostRun>& lost() const { return lost_; }
   // What the run has to say about itself, in one line: "ok" if nothing.
   [[nodiscard]] std::string status() const;
   [[nodiscard]] Totals totals() const { return totals_of(state_); }
-  [[nodiscard]] Totals totals_of(const State& state) const { return carom::totals(state, mass_, field()); }
+  [[nodiscard]] Totals totals_of(const State& state) const { return carom::totals(state, mass(), field()); }
   // With the work of the smooth forces up to now.
   [[nodiscard]] Ledger ledger() const;
   // The impacts of the last call of step(), in the order of time.
@@ -250,9 +254,12 @@ class Simulation {
   template <class Self, class Kept, class Each>
   static void each_kept(Self& simulation, Kept& kept, const Each& each);
   void go_on_from(const SavedRun& saved);
+  void put_back(const RunState& state);
   [[nodiscard]] bool runs_on() const;  // tracks run on across the ends of steps
 
-  void lay_out();  // arrays from bodies_
+  void lay_out();  // arrays for the bodies of the model
+  // Goes on with this scene: one body or one weld more.
+  void recompile(Scene scene, const Needs& needs, double within);
   void count_pairs(const std::vector<std::pair<std::string, std::string>>& names);
   void publish(double within);
   void check_motions() const;  // throws LostMotion
@@ -270,18 +277,15 @@ class Simulation {
   void book(int a, int b, const Contact& contact, const Impact& impact, double closing, double within);
   [[nodiscard]] State state_at(double within);
   [[nodiscard]] bool watches_more() const {
-    const std::size_t bodies = std::max<std::size_t>(bodies_.size(), 1);
-    return watch_impacts_ &&
-           jumps_.size() < std::clamp(kMostWatchedMotions / bodies, kLeastWatched, kMostWatched);
+    const std::size_t all = std::max<std::size_t>(bodies().size(), 1);
+    return watch_impacts_ && jumps_.size() < std::clamp(kMostWatchedMotions / all, kLeastWatched, kMostWatched);
   }
   // One side of a contact; `towards` is +1 for its body a, -1 for b: the way that the normal points from there.
   [[nodiscard]] ImpactSide side(int body, const Contact& contact, double towards) const;
   // Of the settled bodies; gaps up to `tolerance` (m) beyond the least one count as touch.
   [[nodiscard]] Approach approach(int a, int b, double tolerance) const;
-  [[nodiscard]] const Material& material_between(int a, int b) const {
-    return (*mixed_)[static_cast<std::size_t>(material_[a] * materials_ + material_[b])];
-  }
-  [[nodiscard]] bool immovable(int body) const { return shapes_.fixed[body] != 0; }
+  [[nodiscard]] const Material& material_between(int a, int b) const { return model_->surfaces.between(a, b); }
+  [[nodiscard]] bool immovable(int body) const { return model_->immovable(body); }
 
   // Contacts that last (lasting_contacts.cpp).
   void hold_contacts(double h);
@@ -330,7 +334,7 @@ class Simulation {
   [[nodiscard]] bool is_stale(const Event& event) const;
   // Whether one of them is no disc and moves.
   [[nodiscard]] bool has_moving_corners(int a, int b) const {
-    return (!immovable(a) && !shapes_.is_disc(a)) || (!immovable(b) && !shapes_.is_disc(b));
+    return (!immovable(a) && !shapes().is_disc(a)) || (!immovable(b) && !shapes().is_disc(b));
   }
   // m/s²: how the settled pair's forces, and a drive, press it together along the normal; negative if they part
   // it.
@@ -351,18 +355,9 @@ class Simulation {
     if (notices_.*notice < 0.0) notices_.*notice = time;
   }
 
-  Scene scene_;   // with the bodies and welds that came in on the way
-  double start_;  // s, of the run
+  std::shared_ptr<const Model> model_;
   Method method_;
-  Needs needs_;
-  std::vector<Body> bodies_;
-  MassProperties mass_;
-  Geometry shapes_;
   Tracks tracks_;
-  std::vector<std::uint8_t> driven_;
-  std::vector<int> material_;
-  std::shared_ptr<const std::vector<Material>> mixed_;  // material pairs, row by row; of all copies the same
-  int materials_ = 0;
 
   State state_;  // at time_
   double time_ = 0.0;

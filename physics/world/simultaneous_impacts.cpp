@@ -9,17 +9,17 @@ namespace carom {
 // Puts the contacts of two bodies at `time` on the list, if they touch.
 void Simulation::touching(int a, int b, double time) {
   if (a > b) std::swap(a, b);
-  if (!shapes_.can_meet(a, b)) return;
+  if (!shapes().can_meet(a, b)) return;
   const Eigen::Vector3d qa = tracks_.at(a, time).head<3>();
   const Eigen::Vector3d qb = tracks_.at(b, time).head<3>();
   const double tolerance = touch_tolerance(a, b, time);
-  if (shapes_.is_disc(a) || shapes_.is_disc(b)) {
-    const Contact contact = contact_between(shapes_, a, qa, b, qb);
+  if (shapes().is_disc(a) || shapes().is_disc(b)) {
+    const Contact contact = contact_between(shapes(), a, qa, b, qb);
     if (contact.gap <= tolerance) touches_.push_back({a, b, contact});
     return;
   }
-  const Manifold ends =
-      manifold(shapes_.shapes, a, pose_of(shapes_.shapes, a, qa), b, pose_of(shapes_.shapes, b, qb), tolerance);
+  const Manifold ends = manifold(shapes().shapes, a, pose_of(shapes().shapes, a, qa), b,
+                                 pose_of(shapes().shapes, b, qb), tolerance);
   for (int k = 0; k < ends.count; ++k)
     touches_.push_back({a, b, {ends.points[k].gap, ends.normal, ends.points[k].point}});
 }
@@ -62,8 +62,8 @@ bool Simulation::meet_all(int a, int b, double time, double horizon, bool crowd,
   for (Eigen::Index k = 0; k < n; ++k) {
     const int i = cluster_[static_cast<std::size_t>(k)];
     velocities.col(k) = tracks_.settled(i).segment<3>(3);
-    inverse_mass[k] = mass_.inverse_mass[i];
-    inverse_inertia[k] = mass_.inverse_inertia[i];
+    inverse_mass[k] = mass().inverse_mass[i];
+    inverse_inertia[k] = mass().inverse_inertia[i];
   }
   const auto column = [&](int i) {
     return static_cast<int>(std::find(cluster_.begin(), cluster_.end(), i) - cluster_.begin());

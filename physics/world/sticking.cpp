@@ -13,21 +13,18 @@ Impact Simulation::join(int a, int b, const Contact& contact) {
   const Eigen::Vector3d q_other = tracks_.settled(other).head<3>();
   Link weld;
   weld.kind = LinkKind::kWeld;
-  weld.body = bodies_[body].name;
+  weld.body = bodies()[body].name;
   weld.point = turned_by(-q[2], contact.point - q.head<2>());
-  weld.to = bodies_[other].name;
+  weld.to = bodies()[other].name;
   weld.anchor = turned_by(-q_other[2], contact.point - q_other.head<2>());
   weld.angle = q[2] - q_other[2];
-  scene_.links.push_back(std::move(weld));
-
-  Tracks tracks(scene_, bodies_, needs_, method_, start_);
-  tracks.take_over(tracks_, tracks_.start(body));
-  tracks_ = std::move(tracks);
-  shapes_ = geometry(bodies_, scene_.links);
+  Scene scene = model_->scene;
+  scene.links.push_back(std::move(weld));
+  recompile(std::move(scene), needs(), tracks_.start(body));
 
   // The impact is wholly plastic, and the two turn as one after it: it is what the weld does to motions that it
   // finds as they are.
-  const auto [taken, impulse] = tracks_.catch_by(static_cast<int>(scene_.links.size()) - 1, body);
+  const auto [taken, impulse] = tracks_.catch_by(static_cast<int>(links().size()) - 1, body);
   const Vec2 on_b = body == b ? impulse : Vec2(-impulse);
   Impact impact;
   impact.normal = on_b.dot(contact.normal);

@@ -1,5 +1,7 @@
 #include "physics/world/totals.h"
 
+#include "physics/model/mass.h"
+
 namespace carom {
 
 Totals totals(const State& state, const MassProperties& mass, const ForceField& field) {

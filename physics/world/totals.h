@@ -2,6 +2,7 @@
 
 #include "physics/dynamics/force_field.h"
 #include "physics/dynamics/state.h"
+#include "physics/model/mass.h"
 
 namespace carom {
 

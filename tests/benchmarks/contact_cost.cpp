@@ -1,8 +1,9 @@
 #include <ctime>
 #include <fmt/format.h>
 
-#include "physics/collision/geometry.h"
+#include "physics/collision/pair_contact.h"
 #include "physics/collision/turning_pair.h"
+#include "physics/model/geometry.h"
 #include "tests/support/convex_reference.h"
 #include "tests/support/scenes.h"
 
@@ -75,8 +76,8 @@ void discs_and_boxes() {
       q.emplace_back(uniform(random, -0.8, 0.8), uniform(random, -0.8, 0.8), uniform(random, -3.0, 3.0));
     }
     const Geometry g = geometry(bodies);
-    fmt::print("{:>16} {:<16} {:>8} {:8.0f}   of physics/collision/geometry.h\n", boxed ? "box" : "disc",
-               "disc", "", cost(kPairs, [&](int i) {
+    fmt::print("{:>16} {:<16} {:>8} {:8.0f}   of physics/model/geometry.h\n", boxed ? "box" : "disc", "disc",
+               "", cost(kPairs, [&](int i) {
                  return contact_between(g, 2 * i, q[2 * i], 2 * i + 1, q[2 * i + 1]).point.x();
                }));
   }

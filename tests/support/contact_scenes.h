@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/contact/contact_solver.h"
+#include "physics/model/mass.h"
 
 // Bodies and their contacts for the contact solver, without a scene or a stepper.
 namespace carom::test {

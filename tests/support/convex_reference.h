@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "physics/collision/convex.h"
+#include "physics/model/convex.h"
 
 // Random convex shapes, and slow and obvious answers for pairs of them.
 namespace carom::test {

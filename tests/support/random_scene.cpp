@@ -4,7 +4,8 @@
 #include <numbers>
 #include <random>
 
-#include "physics/collision/geometry.h"
+#include "physics/collision/pair_contact.h"
+#include "physics/model/geometry.h"
 #include "physics/preset/preset.h"
 #include "tests/support/scenes.h"
 

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <memory>
 
+#include "physics/model/mass.h"
+
 namespace carom {
 namespace {
 

@@ -1,4 +1,4 @@
-#include "physics/collision/geometry.h"
+#include "physics/model/geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,8 @@
 #include <random>
 
 #include "physics/collision/broad_phase.h"
+#include "physics/collision/contact.h"
+#include "physics/collision/pair_contact.h"
 #include "tests/support/scenes.h"
 
 namespace carom {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-#include "physics/collision/geometry.h"
+#include "physics/model/geometry.h"
 #include "tests/support/convex_reference.h"
 #include "tests/support/scenes.h"
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include "physics/collision/contact.h"
+#include "physics/collision/pair_contact.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
@@ -53,7 +55,9 @@ struct Flight {
   double h;
 
   [[nodiscard]] auto sampler(IntegratorId id) const {
-    return [this, id, g = geometry(bodies), field = ForceField(forces, bodies)](double t) {
+    return [this, id, g = geometry(bodies),
+            field =
+                ForceField(std::make_shared<const ForceTerms>(force_terms(forces, bodies)), bodies)](double t) {
       const auto flown = [&](int body) -> Eigen::Vector3d {
         const Motion from = initial_motion(bodies[body]);
         if (bodies[body].fixed) return from.head<3>();

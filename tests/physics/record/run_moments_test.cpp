@@ -5,6 +5,7 @@
 #include <span>
 #include <variant>
 
+#include "physics/record/replay.h"
 #include "tests/support/scenes.h"
 
 namespace carom {

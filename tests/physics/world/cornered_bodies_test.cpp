@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include "physics/collision/pair_contact.h"
 #include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "physics/collision/contact.h"
+#include "physics/collision/pair_contact.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"

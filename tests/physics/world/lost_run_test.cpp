@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "physics/collision/pair_contact.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/facts.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "physics/collision/pair_contact.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include "physics/collision/pair_contact.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/observe/observables.h"
 #include "physics/preset/preset.h"

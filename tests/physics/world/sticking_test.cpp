@@ -8,6 +8,7 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/vectors.h"
+#include "physics/model/mass.h"
 #include "physics/scene/validate.h"
 #include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"

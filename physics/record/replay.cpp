@@ -1,4 +1,4 @@
-#include "physics/record/run_log.h"
+#include "physics/record/replay.h"
 
 namespace carom {
 

@@ -5,9 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/collision/contact.h"
-#include "physics/collision/convex.h"
-#include "physics/dynamics/state.h"
+#include "physics/model/convex.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -37,9 +35,5 @@ struct Geometry {
 };
 
 [[nodiscard]] Geometry geometry(const std::vector<Body>& bodies, const std::vector<Link>& links = {});
-
-// Of bodies a and b at q = (x, y, angle); see pair_contact.h.
-[[nodiscard]] Contact contact_between(const Geometry& g, int a, const Eigen::Vector3d& qa, int b,
-                                      const Eigen::Vector3d& qb);
 
 }  // namespace carom

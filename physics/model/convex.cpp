@@ -1,4 +1,4 @@
-#include "physics/collision/convex.h"
+#include "physics/model/convex.h"
 
 #include <algorithm>
 #include <cassert>

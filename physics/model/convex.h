@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/collision/bounds.h"
+#include "physics/math/bounds.h"
 #include "physics/scene/polygon.h"
 #include "physics/scene/scene.h"
 

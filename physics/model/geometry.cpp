@@ -1,10 +1,8 @@
-#include "physics/collision/geometry.h"
+#include "physics/model/geometry.h"
 
 #include <cmath>
 #include <string>
 #include <unordered_map>
-
-#include "physics/collision/pair_contact.h"
 
 namespace carom {
 namespace {
@@ -64,10 +62,6 @@ Geometry geometry(const std::vector<Body>& bodies, const std::vector<Link>& link
   }
   std::sort(g.pinned.begin(), g.pinned.end());
   return g;
-}
-
-Contact contact_between(const Geometry& g, int a, const Eigen::Vector3d& qa, int b, const Eigen::Vector3d& qb) {
-  return contact_between(g.shapes, a, pose_of(g.shapes, a, qa), b, pose_of(g.shapes, b, qb));
 }
 
 }  // namespace carom

@@ -1,0 +1,53 @@
+#include "physics/model/force_terms.h"
+
+#include <string>
+#include <unordered_map>
+
+namespace carom {
+
+ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, bool linked) {
+  ForceTerms t;
+  t.gravity = forces.gravity;
+  t.linear_drag = forces.linear_drag;
+  t.quadratic_drag = forces.quadratic_drag;
+  t.attraction = forces.attraction;
+  for (auto* by_body : {&t.outside, &t.between, &t.switching, &t.applied_to}) by_body->resize(bodies.size());
+  t.mass = mass_properties(bodies);
+  std::unordered_map<std::string, int> index;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    index.emplace(bodies[i].name, static_cast<int>(i));
+    t.drives.push_back(bodies[i].drive);
+  }
+  for (const Spring& s : forces.springs) {
+    const int body = index.at(s.body);
+    SpringTerm term{body, -1, -1, s.anchor, s.stiffness, s.damping, s.rest_length, s.acts};
+    const int spring = static_cast<int>(t.springs.size());
+    if (!s.to.empty()) {
+      const int other = index.at(s.to);
+      term.anchor = bodies[other].position;
+      if (bodies[other].drive) term.drive = other;
+      if (!is_immovable(bodies[other])) term.other = other;
+    }
+    (term.other < 0 ? t.outside : t.between)[body].push_back(spring);
+    if (term.other >= 0) t.between[term.other].push_back(spring);
+    if (s.acts != SpringActs::kBoth) {
+      t.switching[body].push_back(spring);
+      if (term.other >= 0) t.switching[term.other].push_back(spring);
+      t.one_sided = true;
+    }
+    t.springs.push_back(term);
+  }
+  for (const AppliedForce& f : forces.applied) {
+    const int body = index.at(f.body);
+    t.applied_to[body].push_back(static_cast<int>(t.applied.size()));
+    t.applied.push_back({body, f});
+    t.constant = t.constant && f.start == 0.0 && f.rise == 0.0 && !f.end;
+  }
+  const bool smooth =
+      linked || t.linear_drag > 0.0 || t.quadratic_drag > 0.0 || !t.springs.empty() || t.attraction.has_value();
+  t.constant = t.constant && !smooth;
+  t.gravity_only = !smooth && t.applied.empty();
+  return t;
+}
+
+}  // namespace carom

@@ -1,0 +1,23 @@
+#include "physics/model/model.h"
+
+#include <utility>
+
+namespace carom {
+
+std::shared_ptr<const Model> compile(Scene scene, const Needs& needs, double start_time) {
+  auto model = std::make_shared<Model>();
+  scene.bodies = all_bodies(scene);
+  scene.generators.clear();
+  model->needs = needs;
+  model->start_time = start_time;
+  model->mass = mass_properties(scene.bodies);
+  model->shapes = geometry(scene.bodies, scene.links);
+  model->surfaces = surfaces_of(scene, scene.bodies);
+  model->forces = force_terms(scene.forces, scene.bodies, !scene.links.empty());
+  model->joints = joints_of(scene.links, scene.bodies, start_time);
+  for (const Body& body : scene.bodies) model->driven.push_back(body.drive ? 1 : 0);
+  model->scene = std::move(scene);
+  return model;
+}
+
+}  // namespace carom
