@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "physics/world/ledger_entries.h"
+
 namespace carom {
 namespace {
 
@@ -42,10 +44,14 @@ std::vector<Quantity> run_columns(const std::vector<Body>& bodies) {
       }
     }
   }
+  for (const EnergyEntry::Kind kind :
+       {EnergyEntry::Kind::kLoss, EnergyEntry::Kind::kInput, EnergyEntry::Kind::kCorrection}) {
+    for (const EnergyEntry& entry : kEnergyEntries) {
+      if (entry.kind == kind) add(entry.key);
+    }
+  }
   for (const char* name :
-       {"lost_to_restitution", "lost_to_friction", "lost_to_rolling", "lost_to_sticking", "lost_to_drag",
-        "lost_to_dampers", "lost_to_links", "put_in_by_drives", "put_in_by_user", "overlap_correction",
-        "momentum_drift_x", "momentum_drift_y", "momentum_to_walls_x", "momentum_to_walls_y"}) {
+       {"momentum_drift_x", "momentum_drift_y", "momentum_to_walls_x", "momentum_to_walls_y"}) {
     add(name);
   }
   return columns;

@@ -8,6 +8,7 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/plain_text.h"
+#include "physics/world/ledger_entries.h"
 
 namespace carom {
 namespace {
@@ -40,32 +41,18 @@ std::string method_text(const Simulation& s) {
 
 std::string ledger_text(const Ledger& ledger, const Totals& now) {
   std::string out = "\nwhere the energy went / J\n";
-  const auto entry = [&](const char* what, double value) {
+  const auto energy = [&](std::string_view what, double value) {
     out += fmt::format("{:<34} {:>14}\n", what, figure(value));
   };
-  entry("initial", ledger.initial);
-  entry("lost to restitution", ledger.lost_to_restitution);
-  entry("lost to friction", ledger.lost_to_friction);
-  entry("lost to rolling", ledger.lost_to_rolling);
-  entry("lost to sticking", ledger.lost_to_sticking);
-  entry("lost to drag", ledger.lost_to_drag);
-  entry("lost to dampers", ledger.lost_to_dampers);
-  entry("lost to links", ledger.lost_to_links);
-  entry("overlap correction", ledger.overlap_correction);
-  entry("put in by drives", ledger.put_in_by_drives);
-  entry("put in by the user", ledger.put_in_by_user);
-  entry("numerical drift", ledger.numerical_drift(now.energy()));
+  for (const EnergyEntry& entry : kEnergyEntries) energy(entry.name, ledger.*entry.value);
+  energy("numerical drift", ledger.numerical_drift(now.energy()));
 
   out += fmt::format("\n{:<34} {:>14} {:>14}\n", "where the momentum went / N s", "x", "y");
-  const auto pair = [&](const char* what, const Vec2& value) {
+  const auto momentum = [&](std::string_view what, const Vec2& value) {
     out += fmt::format("{:<34} {:>14} {:>14}\n", what, figure(value.x()), figure(value.y()));
   };
-  pair("initial", ledger.initial_momentum);
-  pair("from gravity", ledger.momentum_from_gravity);
-  pair("from forces", ledger.momentum_from_forces);
-  pair("from the user", ledger.momentum_from_user);
-  pair("to walls", ledger.momentum_to_walls);
-  pair("numerical drift", ledger.momentum_drift(now.momentum));
+  for (const MomentumEntry& entry : kMomentumEntries) momentum(entry.name, ledger.*entry.value);
+  momentum("numerical drift", ledger.momentum_drift(now.momentum));
   return out;
 }
 
@@ -155,25 +142,13 @@ std::string report_json(const std::string& preset, const Simulation& end) {
   j["total_energy"] = totals.energy();
   j["momentum"] = pair(totals.momentum);
   j["angular_momentum"] = totals.angular_momentum;
-  j["ledger"] = {{"initial", ledger.initial},
-                 {"lost_to_restitution", ledger.lost_to_restitution},
-                 {"lost_to_friction", ledger.lost_to_friction},
-                 {"lost_to_rolling", ledger.lost_to_rolling},
-                 {"lost_to_sticking", ledger.lost_to_sticking},
-                 {"lost_to_drag", ledger.lost_to_drag},
-                 {"lost_to_dampers", ledger.lost_to_dampers},
-                 {"lost_to_links", ledger.lost_to_links},
-                 {"overlap_correction", ledger.overlap_correction},
-                 {"put_in_by_drives", ledger.put_in_by_drives},
-                 {"put_in_by_user", ledger.put_in_by_user},
-                 {"numerical_drift", ledger.numerical_drift(totals.energy())},
-                 {"momentum",
-                  {{"initial", pair(ledger.initial_momentum)},
-                   {"from_gravity", pair(ledger.momentum_from_gravity)},
-                   {"from_forces", pair(ledger.momentum_from_forces)},
-                   {"from_user", pair(ledger.momentum_from_user)},
-                   {"to_walls", pair(ledger.momentum_to_walls)},
-                   {"numerical_drift", pair(ledger.momentum_drift(totals.momentum))}}}};
+  Json& books = j["ledger"];
+  for (const EnergyEntry& entry : kEnergyEntries) books[std::string(entry.key)] = ledger.*entry.value;
+  books["numerical_drift"] = ledger.numerical_drift(totals.energy());
+  Json& given = books["momentum"];
+  for (const MomentumEntry& entry : kMomentumEntries)
+    given[std::string(entry.report_key)] = pair(ledger.*entry.value);
+  given["numerical_drift"] = pair(ledger.momentum_drift(totals.momentum));
   j["status"] = end.status();
   return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -8,6 +8,7 @@
 
 #include "physics/collision/approach.h"
 #include "physics/collision/broad_phase.h"
+#include "physics/world/ledger_entries.h"
 
 namespace carom {
 namespace {
@@ -138,7 +139,7 @@ double energy_error(const Reading& r) {
 
 using R = const Reading&;
 
-constexpr auto kObservables = std::to_array<Observable>({
+constexpr auto kOwn = std::to_array<Observable>({
     {"x", "x", "m", 1, Topic::kBody, [](R r, Ids b) { return r.state.q(0, b[0]); }},
     {"y", "y", "m", 1, Topic::kBody, [](R r, Ids b) { return r.state.q(1, b[0]); }},
     {"angle", "angle", "rad", 1, Topic::kBody, [](R r, Ids b) { return r.state.q(2, b[0]); }},
@@ -184,29 +185,10 @@ constexpr auto kObservables = std::to_array<Observable>({
      [](R r, Ids) { return r.momentum_drift.x(); }},
     {"momentum_drift_y", "momentum drift y", "N s", 0, Topic::kMomentum,
      [](R r, Ids) { return r.momentum_drift.y(); }},
-    {"lost_to_restitution", "lost to restitution", "J", 0, Topic::kLedger,
-     [](R r, Ids) { return r.ledger.lost_to_restitution; }},
-    {"lost_to_friction", "lost to friction", "J", 0, Topic::kLedger,
-     [](R r, Ids) { return r.ledger.lost_to_friction; }},
-    {"lost_to_rolling", "lost to rolling resistance", "J", 0, Topic::kLedger,
-     [](R r, Ids) { return r.ledger.lost_to_rolling; }},
-    {"lost_to_sticking", "lost to sticking", "J", 0, Topic::kLedger,
-     [](R r, Ids) { return r.ledger.lost_to_sticking; }},
-    {"lost_to_drag", "lost to drag", "J", 0, Topic::kLedger, [](R r, Ids) { return r.ledger.lost_to_drag; }},
-    {"lost_to_dampers", "lost to dampers", "J", 0, Topic::kLedger,
-     [](R r, Ids) { return r.ledger.lost_to_dampers; }},
-    {"lost_to_links", "lost to strings that jerk", "J", 0, Topic::kLedger,
-     [](R r, Ids) { return r.ledger.lost_to_links; }},
     {"lost_in_impacts", "lost in impacts but to friction", "J", 0, Topic::kLedger,
      [](R r, Ids) { return r.ledger.lost_to_restitution + r.ledger.lost_to_sticking; }},
     {"lost_in_flight", "lost between impacts", "J", 0, Topic::kLedger,
      [](R r, Ids) { return lost_in_flight(r.ledger); }},
-    {"put_in_by_drives", "put in by drives and forces", "J", 0, Topic::kLedger,
-     [](R r, Ids) { return r.ledger.put_in_by_drives; }},
-    {"put_in_by_user", "put in by the user", "J", 0, Topic::kLedger,
-     [](R r, Ids) { return r.ledger.put_in_by_user; }},
-    {"overlap_correction", "put in by pushing overlaps apart", "J", 0, Topic::kLedger,
-     [](R r, Ids) { return r.ledger.overlap_correction; }},
     {"put_in", "put in, all together", "J", 0, Topic::kLedger,
      [](R r,
         Ids) { return r.ledger.put_in_by_drives + r.ledger.put_in_by_user + r.ledger.overlap_correction; }},
@@ -243,6 +225,26 @@ constexpr auto kObservables = std::to_array<Observable>({
     {"body_velocity_error", "error of the velocity", "m/s", 1, Topic::kError,
      [](R r, Ids b) { return error_of(r, b[0], velocity_error); }},
 });
+
+// The entries of the ledger, but for the first: what they change is seen.
+constexpr std::size_t kFromLedger = kEnergyEntries.size() - 1;
+
+template <std::size_t... kEntry>
+constexpr std::array<Observable, kFromLedger> from_ledger(std::index_sequence<kEntry...> /*entries*/) {
+  return {Observable{kEnergyEntries[kEntry + 1].key, kEnergyEntries[kEntry + 1].label, "J", 0, Topic::kLedger,
+                     [](R r, Ids) { return r.ledger.*kEnergyEntries[kEntry + 1].value; }}...};
+}
+
+constexpr auto kObservables = [] {
+  std::array<Observable, kOwn.size() + kFromLedger> all{};
+  const auto entries = from_ledger(std::make_index_sequence<kFromLedger>());
+  const auto first =
+      std::find_if(kOwn.begin(), kOwn.end(), [](const Observable& o) { return o.topic == Topic::kLedger; });
+  auto next = std::copy(kOwn.begin(), first, all.begin());
+  next = std::copy(entries.begin(), entries.end(), next);
+  std::copy(first, kOwn.end(), next);
+  return all;
+}();
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "physics/preset/object_reader.h"
 #include "physics/preset/object_writer.h"
 #include "physics/preset/preset.h"
+#include "physics/world/ledger_entries.h"
 #include "physics/world/run_state.h"
 
 namespace carom {
@@ -263,24 +264,8 @@ struct Sizes {
 };
 
 constexpr auto kLedger = [](auto& a, auto& ledger) {
-  auto& [initial, restitution, friction, rolling, sticking, drag, dampers, links, overlap, drives, user,
-         initial_momentum, from_gravity, from_forces, from_user, to_walls] = ledger;
-  a.value("initial", initial);
-  a.value("lost_to_restitution", restitution);
-  a.value("lost_to_friction", friction);
-  a.value("lost_to_rolling", rolling);
-  a.value("lost_to_sticking", sticking);
-  a.value("lost_to_drag", drag);
-  a.value("lost_to_dampers", dampers);
-  a.value("lost_to_links", links);
-  a.value("overlap_correction", overlap);
-  a.value("put_in_by_drives", drives);
-  a.value("put_in_by_user", user);
-  a.value("initial_momentum", initial_momentum);
-  a.value("momentum_from_gravity", from_gravity);
-  a.value("momentum_from_forces", from_forces);
-  a.value("momentum_from_user", from_user);
-  a.value("momentum_to_walls", to_walls);
+  for (const EnergyEntry& entry : kEnergyEntries) a.value(entry.key.data(), ledger.*entry.value);
+  for (const MomentumEntry& entry : kMomentumEntries) a.value(entry.key.data(), ledger.*entry.value);
 };
 
 constexpr auto kNotices = [](auto& a, auto& notices) {

@@ -93,11 +93,38 @@ Material meeting(const Scene& scene, const std::string& a, const std::string& b)
   return a == b ? meetings(scene, {a})[0] : meetings(scene, {a, b})[1];
 }
 
-bool has_sticking_surface(const Scene& scene) {
-  return std::any_of(scene.materials.begin(), scene.materials.end(),
-                     [](const Material& m) { return m.sticks; }) ||
+namespace {
+
+// Whether a material or a pair of materials has it.
+template <class Property>
+bool any_surface(const Scene& scene, const Property& has) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), has) ||
          std::any_of(scene.pairs.begin(), scene.pairs.end(),
-                     [](const MaterialPair& p) { return p.surface.sticks; });
+                     [&](const MaterialPair& p) { return has(p.surface); });
+}
+
+}  // namespace
+
+bool has_sticking_surface(const Scene& scene) {
+  return any_surface(scene, [](const Material& m) { return m.sticks; });
+}
+
+bool has_rolling_resistance(const Scene& scene) {
+  return any_surface(scene, [](const Material& m) { return m.rolling_resistance > 0.0; });
+}
+
+bool has_drag(const Scene& scene) {
+  return scene.forces.linear_drag > 0.0 || scene.forces.quadratic_drag > 0.0;
+}
+
+bool has_dampers(const Scene& scene) {
+  return std::any_of(scene.forces.springs.begin(), scene.forces.springs.end(),
+                     [](const Spring& spring) { return spring.damping > 0.0; });
+}
+
+bool has_strings(const Scene& scene) {
+  return std::any_of(scene.links.begin(), scene.links.end(),
+                     [](const Link& link) { return link.kind == LinkKind::kString; });
 }
 
 std::vector<Body> all_bodies(const Scene& scene) {

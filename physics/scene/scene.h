@@ -194,6 +194,11 @@ struct Scene {
 
 // True if a material or a pair of materials sticks, whether any body has it or not.
 [[nodiscard]] bool has_sticking_surface(const Scene& scene);
+// Likewise one that resists rolling.
+[[nodiscard]] bool has_rolling_resistance(const Scene& scene);
+[[nodiscard]] bool has_drag(const Scene& scene);
+[[nodiscard]] bool has_dampers(const Scene& scene);
+[[nodiscard]] bool has_strings(const Scene& scene);
 
 // All bodies: those of the list, then those of the generators in order.
 [[nodiscard]] std::vector<Body> all_bodies(const Scene& scene);

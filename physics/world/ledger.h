@@ -1,14 +1,11 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-
 #include "physics/dynamics/state.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
 
-// Where the energy of a run went since it began, in J:
+// Where the energy of a run went since it began, in J (what each entry is: physics/world/ledger_entries.h):
 //   E(t) = initial - lost_to_restitution - lost_to_friction - lost_to_drag - lost_to_dampers
 //          - lost_to_rolling - lost_to_sticking - lost_to_links + overlap_correction + put_in_by_drives
 //          + put_in_by_user + numerical drift,
@@ -34,52 +31,17 @@ struct Ledger {
   Vec2 momentum_from_user = Vec2::Zero();
   Vec2 momentum_to_walls = Vec2::Zero();  // what impacts gave to fixed and driven bodies
 
-  [[nodiscard]] static constexpr auto energies() {
-    return std::array{&Ledger::initial,          &Ledger::lost_to_restitution, &Ledger::lost_to_friction,
-                      &Ledger::lost_to_rolling,  &Ledger::lost_to_sticking,    &Ledger::lost_to_drag,
-                      &Ledger::lost_to_dampers,  &Ledger::lost_to_links,       &Ledger::overlap_correction,
-                      &Ledger::put_in_by_drives, &Ledger::put_in_by_user};
-  }
-
   // J: the sum of the energies' sizes; what is far below it may be rounding.
-  [[nodiscard]] double turnover() const {
-    double sum = 0.0;
-    for (double Ledger::*entry : energies()) sum += std::abs(this->*entry);
-    return sum;
-  }
-
+  [[nodiscard]] double turnover() const;
   // Adds `share` times each entry of another one.
-  void add(double share, const Ledger& other) {
-    for (double Ledger::*entry : energies()) this->*entry += share * other.*entry;
-    for (Vec2 Ledger::*entry :
-         {&Ledger::initial_momentum, &Ledger::momentum_from_gravity, &Ledger::momentum_from_forces,
-          &Ledger::momentum_from_user, &Ledger::momentum_to_walls}) {
-      this->*entry += share * other.*entry;
-    }
-  }
-
-  [[nodiscard]] double expected() const {
-    return initial - lost_to_restitution - lost_to_friction - lost_to_rolling - lost_to_sticking -
-           lost_to_drag - lost_to_dampers - lost_to_links + overlap_correction + put_in_by_drives +
-           put_in_by_user;
-  }
+  void add(double share, const Ledger& other);
+  [[nodiscard]] double expected() const;
   [[nodiscard]] double numerical_drift(double total_energy) const { return total_energy - expected(); }
-  [[nodiscard]] Vec2 expected_momentum() const {
-    return initial_momentum + momentum_from_gravity + momentum_from_forces + momentum_from_user -
-           momentum_to_walls;
-  }
+  [[nodiscard]] Vec2 expected_momentum() const;
   [[nodiscard]] Vec2 momentum_drift(const Vec2& momentum) const { return momentum - expected_momentum(); }
 };
 
 // The entries that the bodies' own books carry.
-[[nodiscard]] inline Ledger ledger_of_books(const State& state) {
-  const Eigen::Matrix<double, kBooks, 1> sums = state.books.rowwise().sum();
-  Ledger ledger;
-  ledger.lost_to_drag = sums[kDragLoss];
-  ledger.lost_to_dampers = sums[kDamperLoss];
-  ledger.put_in_by_drives = sums[kWorkIn];
-  ledger.momentum_from_forces = Vec2(sums[kImpulseX], sums[kImpulseY]);
-  return ledger;
-}
+[[nodiscard]] Ledger ledger_of_books(const State& state);
 
 }  // namespace carom

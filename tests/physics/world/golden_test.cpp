@@ -10,6 +10,7 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/facts.h"
+#include "physics/world/ledger_entries.h"
 #include "physics/world/simulation.h"
 #include "tests/support/preset_files.h"
 
@@ -41,7 +42,7 @@ std::string hash_of_run(const Preset& preset) {
   hash.add_all(run.state().q);
   hash.add_all(run.state().v);
   const Ledger ledger = run.ledger();
-  for (double Ledger::*entry : Ledger::energies()) hash.add(ledger.*entry);
+  for (const EnergyEntry& entry : kEnergyEntries) hash.add(ledger.*entry.value);
   for (const double x : {run.totals().energy(), ledger.momentum_to_walls.x(), ledger.momentum_to_walls.y(),
                          static_cast<double>(run.impact_count()), static_cast<double>(run.evaluations())}) {
     hash.add(x);

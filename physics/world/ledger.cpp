@@ -1,0 +1,45 @@
+#include "physics/world/ledger.h"
+
+#include <cmath>
+
+#include "physics/world/ledger_entries.h"
+
+namespace carom {
+
+double Ledger::turnover() const {
+  double sum = 0.0;
+  for (const EnergyEntry& entry : kEnergyEntries) sum += std::abs(this->*entry.value);
+  return sum;
+}
+
+void Ledger::add(double share, const Ledger& other) {
+  // All members by name: one that is new doesn't compile here until the lists have it too.
+  [[maybe_unused]] const auto& [e1, e2, e3, e4, e5, e6, e7, e8, e9, e10, e11, m1, m2, m3, m4, m5] = other;
+  static_assert(kEnergyEntries.size() == 11 && kMomentumEntries.size() == 5);
+  for (const EnergyEntry& entry : kEnergyEntries) this->*entry.value += share * other.*entry.value;
+  for (const MomentumEntry& entry : kMomentumEntries) this->*entry.value += share * other.*entry.value;
+}
+
+double Ledger::expected() const {
+  double sum = 0.0;
+  for (const EnergyEntry& entry : kEnergyEntries) sum += entry.sign() * this->*entry.value;
+  return sum;
+}
+
+Vec2 Ledger::expected_momentum() const {
+  Vec2 sum = Vec2::Zero();
+  for (const MomentumEntry& entry : kMomentumEntries) sum += entry.sign * this->*entry.value;
+  return sum;
+}
+
+Ledger ledger_of_books(const State& state) {
+  const Eigen::Matrix<double, kBooks, 1> sums = state.books.rowwise().sum();
+  Ledger ledger;
+  ledger.lost_to_drag = sums[kDragLoss];
+  ledger.lost_to_dampers = sums[kDamperLoss];
+  ledger.put_in_by_drives = sums[kWorkIn];
+  ledger.momentum_from_forces = Vec2(sums[kImpulseX], sums[kImpulseY]);
+  return ledger;
+}
+
+}  // namespace carom

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "physics/model/needs.h"
+#include "physics/scene/method.h"
+#include "physics/scene/scene.h"
+#include "physics/world/ledger.h"
+
+// What a ledger has entries for, one line each: files, observables, tables and reports go by these lists.
+namespace carom {
+
+struct EnergyEntry {
+  enum class Kind { kInitial, kLoss, kCorrection, kInput };
+  Kind kind;
+  std::string_view key;    // in files, and as an observable
+  std::string_view name;   // in tables
+  std::string_view label;  // as an observable, for people
+  std::string_view tip;
+  double Ledger::*value;  // J
+  // True if no run of the scene can change the entry; nullptr: in any scene something can.
+  bool (*idle)(const Scene& scene, ContactsId contacts, const Needs& needs);
+
+  [[nodiscard]] constexpr double sign() const { return kind == Kind::kLoss ? -1.0 : 1.0; }
+};
+
+struct MomentumEntry {
+  std::string_view key;         // in a saved state
+  std::string_view report_key;  // in a report, in the section of the momentum
+  std::string_view name;
+  std::string_view tip;
+  Vec2 Ledger::*value;  // N s
+  double sign;          // in the sum
+  bool (*idle)(const Scene& scene);
+};
+
+using Kind = EnergyEntry::Kind;
+
+// In the order in which they are summed up.
+inline constexpr auto kEnergyEntries = std::to_array<EnergyEntry>({
+    {Kind::kInitial, "initial", "initial", "initial energy",
+     "Kinetic and potential energy at the start of the run", &Ledger::initial, nullptr},
+    {Kind::kLoss, "lost_to_restitution", "lost to restitution", "lost to restitution",
+     "Taken by impacts with a restitution below 1: ½ μ (1 − e²) uₙ² each", &Ledger::lost_to_restitution,
+     nullptr},
+    {Kind::kLoss, "lost_to_friction", "lost to friction", "lost to friction",
+     "Work of the tangential impulses of impacts and of friction where contacts last",
+     &Ledger::lost_to_friction, [](const Scene&, ContactsId, const Needs& needs) { return !needs.friction; }},
+    {Kind::kLoss, "lost_to_rolling", "lost to rolling", "lost to rolling resistance",
+     "Work of the moment that resists rolling at contacts that last", &Ledger::lost_to_rolling,
+     [](const Scene& scene, ContactsId contacts, const Needs&) {
+       return contacts != ContactsId::kLasting || !has_rolling_resistance(scene);
+     }},
+    {Kind::kLoss, "lost_to_sticking", "lost to sticking", "lost to sticking",
+     "Taken by impacts after which the bodies stay joined", &Ledger::lost_to_sticking,
+     [](const Scene& scene, ContactsId, const Needs&) { return !has_sticking_surface(scene); }},
+    {Kind::kLoss, "lost_to_drag", "lost to drag", "lost to drag",
+     "Work of linear and quadratic drag, integrated along with the motion", &Ledger::lost_to_drag,
+     [](const Scene& scene, ContactsId, const Needs&) { return !has_drag(scene); }},
+    {Kind::kLoss, "lost_to_dampers", "lost to dampers", "lost to dampers",
+     "Work of the dampers of springs, integrated along with the motion", &Ledger::lost_to_dampers,
+     [](const Scene& scene, ContactsId, const Needs&) { return !has_dampers(scene); }},
+    {Kind::kLoss, "lost_to_links", "lost to links", "lost to strings that jerk",
+     "Taken where strings jerked taut", &Ledger::lost_to_links,
+     [](const Scene& scene, ContactsId, const Needs&) { return !has_strings(scene); }},
+    {Kind::kCorrection, "overlap_correction", "overlap correction", "put in by pushing overlaps apart",
+     "Potential energy that changed where overlapping bodies were pushed apart", &Ledger::overlap_correction,
+     nullptr},
+    {Kind::kInput, "put_in_by_drives", "put in by drives", "put in by drives and forces",
+     "Work of driven bodies and of applied forces and torques", &Ledger::put_in_by_drives,
+     [](const Scene&, ContactsId, const Needs& needs) { return !needs.drives; }},
+    {Kind::kInput, "put_in_by_user", "put in by the user", "put in by the user",
+     "Energy of the bodies that were added during the run", &Ledger::put_in_by_user, nullptr},
+});
+
+inline constexpr auto kMomentumEntries = std::to_array<MomentumEntry>({
+    {"initial_momentum", "initial", "initial",
+     "Momentum of all bodies that move freely at the start of the run", &Ledger::initial_momentum, 1.0,
+     nullptr},
+    {"momentum_from_gravity", "from_gravity", "from gravity",
+     "Given by uniform gravity: its force times the time", &Ledger::momentum_from_gravity, 1.0,
+     [](const Scene& scene) { return scene.forces.gravity.isZero(0.0); }},
+    {"momentum_from_forces", "from_forces", "from forces",
+     "Given by drag, by springs and links to fixed points and driven bodies, and by applied forces",
+     &Ledger::momentum_from_forces, 1.0,
+     [](const Scene& scene) {
+       return !has_drag(scene) && scene.forces.springs.empty() && scene.links.empty() &&
+              scene.forces.applied.empty();
+     }},
+    {"momentum_from_user", "from_user", "from the user", "Of the bodies that were added during the run",
+     &Ledger::momentum_from_user, 1.0, nullptr},
+    {"momentum_to_walls", "to_walls", "to walls",
+     "What impacts gave to fixed and driven bodies; it is taken from the sum", &Ledger::momentum_to_walls, -1.0,
+     [](const Scene& scene) { return std::none_of(scene.bodies.begin(), scene.bodies.end(), is_immovable); }},
+});
+
+}  // namespace carom
