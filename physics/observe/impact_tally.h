@@ -9,7 +9,7 @@
 namespace carom {
 
 // What the impacts of a run add up to, from the moment begin() and fed after each of its steps. Where a step
-// had more impacts than it logs (Simulation::kMostLogged) the sums are not known, and the numbers that show
+// had more impacts than it logs (kMostLogged) the sums are not known, and the numbers that show
 // them are NaN from there on; so is the number of a pair which a run that was saved on its way has not counted.
 class ImpactTally {
  public:

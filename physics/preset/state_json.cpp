@@ -269,27 +269,10 @@ constexpr auto kLedger = [](auto& a, auto& ledger) {
 };
 
 constexpr auto kNotices = [](auto& a, auto& notices) {
-  auto& [resting, collapsed, impacts_capped, log_cut, tolerance_missed, search_cut, gained_since, gained,
-         unsolved, lowered, links_missed, state_left, switches_missed, work_spent, energy_made, pairs_cut,
-         contacts_left_since, contacts_left] = notices;
-  a.later("resting_since", resting);
-  a.later("collapsed_since", collapsed);
-  a.later("impacts_capped_since", impacts_capped);
-  a.later("log_cut_since", log_cut);
-  a.later("tolerance_missed_since", tolerance_missed);
-  a.later("search_cut_since", search_cut);
-  a.later("gained_since", gained_since);
-  a.later("gained", gained);
-  a.later("cluster_unsolved_since", unsolved);
-  a.later("restitution_lowered_since", lowered);
-  a.later("links_missed_since", links_missed);
-  a.later("state_left_since", state_left);
-  a.later("switches_missed_since", switches_missed);
-  a.later("work_spent_since", work_spent);
-  a.later("energy_made_since", energy_made);
-  a.later("pairs_cut_since", pairs_cut);
-  a.later("contacts_left_since", contacts_left_since);
-  a.later("contacts_left", contacts_left);
+  for (const NoticeEntry& entry : notice_entries()) {
+    a.later(entry.key.data(), notices.*entry.since);
+    if (entry.number != nullptr) a.later(entry.number_key.data(), notices.*entry.number);
+  }
 };
 
 constexpr auto kImpactCounts = [](auto& a, auto& counts) {

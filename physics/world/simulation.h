@@ -21,84 +21,18 @@
 #include "physics/scene/scene.h"
 #include "physics/world/event_queue.h"
 #include "physics/world/impact_counts.h"
+#include "physics/world/impact_record.h"
 #include "physics/world/lasting_contacts.h"
 #include "physics/world/ledger.h"
 #include "physics/world/lost_run.h"
+#include "physics/world/notices.h"
 #include "physics/world/pair_list.h"
 #include "physics/world/run_setup.h"
+#include "physics/world/step_limits.h"
 #include "physics/world/step_work.h"
 #include "physics/world/totals.h"
 
 namespace carom {
-
-// One impact of a run, as the log keeps it. Bodies are indices into Simulation::bodies(), a < b; the normal
-// points from a to b and the impulse acts on b. Times in s, points in m, impulses in N s, energies in J.
-struct ImpactRecord {
-  double time = 0.0;
-  int a = 0;
-  int b = 0;
-  Vec2 point = Vec2::Zero();
-  Vec2 normal = Vec2::UnitX();
-  double normal_impulse = 0.0;
-  double tangential_impulse = 0.0;
-  double closing_speed = 0.0;  // m/s, > 0; of impacts at once also below, where the others drive it together
-  double lost_to_restitution = 0.0;
-  double lost_to_friction = 0.0;
-  double lost_to_sticking = 0.0;
-};
-
-// The scene just before and after an impact, so that plots jump where the motion does, and what the impact
-// changed in the ledger.
-struct Jump {
-  double time = 0.0;
-  State before;
-  State after;
-  Ledger change;
-};
-
-// What a run has to say about itself beside its numbers: each is an expected numerical outcome, never an error.
-// Times in s, at which it first happened; negative: never.
-struct Notices {
-  // Bounces came to follow one another faster than the method resolves (Zeno); from there the pair is held by
-  // inelastic impacts at the end of each step.
-  double resting_since = -1.0;
-  // Impacts without anything that presses came to follow one another faster than doubles can tell apart.
-  double collapsed_since = -1.0;
-  // The limit kMostImpactsPerStep was reached; the rest of that step was resolved at its end.
-  double impacts_capped_since = -1.0;
-  // A step had more impacts than the log keeps; they all happened, and are counted.
-  double log_cut_since = -1.0;
-  // The adaptive integrator could not keep its tolerance with the shortest step.
-  double tolerance_missed_since = -1.0;
-  // A path bent too fast for its step: the search for contacts on it was given up, one may have been missed.
-  double search_cut_since = -1.0;
-  // Newton's law let impacts gain energy, in J all together.
-  double gained_since = -1.0;
-  double gained = 0.0;
-  // No impulses would have met the law of simultaneous impacts; they were taken pair by pair.
-  double cluster_unsolved_since = -1.0;
-  // The restitution of simultaneous impacts was lowered, so that friction would not make them gain energy.
-  double restitution_lowered_since = -1.0;
-  // A step led so far off that links could not be restored after it, or turned links by many radians.
-  double links_missed_since = -1.0;
-  // The scene was changed after the run was saved: it goes on from its bodies and its clock alone.
-  double state_left_since = -1.0;
-  // Springs or strings switched more often than is followed in a step.
-  double switches_missed_since = -1.0;
-  // The search for impacts cost more than a step may (StepWork): what was left of them was resolved at its end.
-  double work_spent_since = -1.0;
-  // The method itself has made three quarters of the kinetic energy.
-  double energy_made_since = -1.0;
-  // More bodies lay within one another than BroadPhase::most_pairs() allows: the other pairs were left alone.
-  double pairs_cut_since = -1.0;
-
-  // Contact forces were left with a residual beyond rounding, at the most `contacts_left` m/s.
-  double contacts_left_since = -1.0;
-  double contacts_left = 0.0;
-
-  // One line for people; "ok" if there is nothing to tell.
-  [[nodiscard]] std::string text() const;
-};
 
 // A scene in motion: one world under one method. It is a value: copies go separate ways and share nothing.
 //
@@ -147,17 +81,6 @@ class Simulation {
   // Parts of a step that touch-downs divide it into; what touches down in the last one is held from the next
   // step on.
   static constexpr int kMostHolds = 8;
-  // Located impacts in one step before the rest of it is resolved at its end: some seconds of work. Galperin's
-  // billiard with a mass ratio of 10¹² has 3 141 592.
-  static constexpr int kMostImpactsPerStep = 4'000'000;
-  // Likewise at one time, to the last bit: an elastic disc that starts inside two bodies bounces between them
-  // for ever.
-  static constexpr int kMostImpactsAtOnce = 200'000;
-  // And of a pair with corners, for which a millisecond may go into looking ahead: a light one may be crushed
-  // between two for as long as friction takes what it gains.
-  static constexpr int kMostCornersAtOnce = 20'000;
-  // Impacts of a step that are kept in last_impacts(), some 100 MB.
-  static constexpr std::size_t kMostLogged = 1'000'000;
 
   // The scene must be valid (see validate() in physics/scene/validate.h). `needs` says which parts of the model
   // are put in. Of a saved run, the run goes on from there: with its state, under the setup's method as if it

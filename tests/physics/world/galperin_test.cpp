@@ -30,7 +30,7 @@ TEST(Galperin, CountsAreExact) {
     EXPECT_EQ(run.notices().collapsed_since, -1.0) << mass;
     EXPECT_EQ(run.notices().impacts_capped_since, -1.0) << mass;
     // Nearly all of the last one's impacts happen within 10 µs, more than the log of a step keeps.
-    if (digits < static_cast<std::int64_t>(Simulation::kMostLogged)) {
+    if (digits < static_cast<std::int64_t>(kMostLogged)) {
       EXPECT_EQ(run.notices().text(), "ok") << mass;
     }
     EXPECT_NEAR(run.totals().kinetic() / run.ledger().initial, 1.0, 1e-9) << mass;
@@ -100,10 +100,10 @@ TEST(Crushed, BetweenTwoWallsItEndsInWordsToo) {
   Simulation run(s);
   run.step();
   EXPECT_EQ(run.notices().impacts_capped_since, 0.0);
-  EXPECT_LT(run.impact_count(), 2 * Simulation::kMostImpactsAtOnce);
+  EXPECT_LT(run.impact_count(), 2 * kMostImpactsAtOnce);
   const std::int64_t first = run.impact_count();
   for (int i = 0; i < 20; ++i) run.step();
-  EXPECT_LT(run.impact_count() - first, Simulation::kMostImpactsAtOnce);
+  EXPECT_LT(run.impact_count() - first, kMostImpactsAtOnce);
   EXPECT_TRUE(run.state().q.allFinite() && run.state().v.allFinite());
 }
 
