@@ -34,22 +34,32 @@ bool write_lines(const DataExport& what, char separator, const std::function<boo
     if (const auto* body = std::get_if<Body>(&edit.what)) bodies.push_back(*body);
   }
   if (!put(impacts ? events_csv_header(separator) : csv_header(what.columns, bodies, separator))) return false;
-  while (true) {
-    while (const Edit* edit = replay.edit(what.log)) sampler.after_edit(simulation, *edit);
+  bool whole = true;
+  const auto put_rows = [&] {
     const Rows rows = sampler.take();
     for (std::size_t i = 0; i < rows.size() && !impacts; ++i) {
       const auto values = std::span(rows.values).subspan(i * curves.size(), curves.size());
       if (wanted(rows.times[i]) && !put(csv_line(rows.times[i], values, separator))) return false;
     }
-    const std::int64_t done = simulation.steps();
-    if (done >= what.steps || simulation.time() > what.to) return true;
-    if (done % 64 == 0 && !progress(static_cast<double>(done) / static_cast<double>(what.steps))) return false;
-    replay.step();
-    sampler.after_step(simulation);
-    for (const ImpactRecord& impact : simulation.last_impacts()) {
-      if (impacts && wanted(impact.time) && !put(events_csv_line(simulation, impact, separator))) return false;
-    }
-  }
+    return true;
+  };
+  replay.go_through(
+      what.log, [&](const Edit& edit) { sampler.after_edit(simulation, edit); },
+      [&](const Simulation& s) {
+        whole = whole && put_rows();
+        const bool ends = s.steps() >= what.steps || s.time() > what.to;
+        if (!ends && s.steps() % 64 == 0) {
+          whole = whole && progress(static_cast<double>(s.steps()) / static_cast<double>(what.steps));
+        }
+        return whole && !ends;
+      },
+      [&](const Simulation& s) {
+        sampler.after_step(s);
+        for (const ImpactRecord& impact : s.last_impacts()) {
+          if (impacts && wanted(impact.time)) whole = whole && put(events_csv_line(s, impact, separator));
+        }
+      });
+  return whole;
 }
 
 }  // namespace
@@ -59,15 +69,18 @@ std::optional<Simulation> run_at(const RunLog& log,
                                  std::int64_t steps, const std::function<bool(double)>& progress) {
   const std::shared_ptr<const KeyFrame> moment = latest_before(key_frames, time, {});
   Replay replay = moment ? Replay(*moment) : Replay(log.start);
-  while (true) {
-    while (replay.edit(log) != nullptr) {
-    }
-    const std::int64_t done = replay.simulation().steps();
-    if (done >= steps) return replay.simulation();
-    if (done % 64 == 0 && !progress(static_cast<double>(done) / static_cast<double>(steps)))
-      return std::nullopt;
-    replay.step();
-  }
+  bool cancelled = false;
+  replay.go_through(
+      log, [](const Edit&) {},
+      [&](const Simulation& s) {
+        if (s.steps() >= steps) return false;
+        cancelled =
+            s.steps() % 64 == 0 && !progress(static_cast<double>(s.steps()) / static_cast<double>(steps));
+        return !cancelled;
+      },
+      [](const Simulation&) {});
+  if (cancelled) return std::nullopt;
+  return replay.simulation();
 }
 
 bool export_data(const DataExport& what, const std::string& file, const std::function<bool(double)>& progress) {

@@ -21,9 +21,20 @@ class Replay {
     simulation_.watch_impacts(true);
   }
 
-  // Carries out the next edit that is due after the steps so far, and tells which; nullptr if there is none.
-  const Edit* edit(const RunLog& log);
-  void step() { simulation_.step(); }
+  // Step by step through the run: what was done to it at the end of a step, then on_edit(edit); then
+  // go_on(simulation), which ends it with false; then the next step, and after_step(simulation).
+  template <class OnEdit, class GoOn, class AfterStep>
+  void go_through(const RunLog& log, const OnEdit& on_edit, const GoOn& go_on, const AfterStep& after_step) {
+    while (true) {
+      for (; next_ < log.edits.size() && log.edits[next_].step <= simulation_.steps(); ++next_) {
+        apply(log.edits[next_], simulation_);
+        on_edit(log.edits[next_]);
+      }
+      if (!go_on(simulation_)) return;
+      simulation_.step();
+      after_step(simulation_);
+    }
+  }
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
 
  private:

@@ -31,15 +31,17 @@ class Walk {
 
   bool go_to(double time, Frame& frame, const std::function<bool(double)>& go_on) {
     const Simulation& simulation = replay_.simulation();
-    while (true) {
-      while (replay_.edit(log_) != nullptr) {
-      }
-      // As Simulation::advance_to() divides the time.
-      if (simulation.lost() || time - simulation.time() <= (1.0 - 1e-9) * simulation.method().step) break;
-      if (!go_on(simulation.time())) return false;
-      replay_.step();
-      keep_recent(impacts_, simulation.last_impacts(), simulation.time(), span_);
-    }
+    bool cancelled = false;
+    replay_.go_through(
+        log_, [](const Edit&) {},
+        [&](const Simulation& s) {
+          // As Simulation::advance_to() divides the time.
+          if (s.lost() || time - s.time() <= (1.0 - 1e-9) * s.method().step) return false;
+          cancelled = !go_on(s.time());
+          return !cancelled;
+        },
+        [&](const Simulation& s) { keep_recent(impacts_, s.last_impacts(), s.time(), span_); });
+    if (cancelled) return false;
     frame.impacts = impacts_;
     const double left = time - simulation.time();
     if (simulation.lost() || left <= 1e-9 * simulation.method().step) {

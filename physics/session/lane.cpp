@@ -84,19 +84,22 @@ void Lane::catch_up(Clock::duration duration) {
   const auto begin = Clock::now();
   Replay& replay = catch_up_->replay;
   Sampler& past = catch_up_->sampler;
-  do {
-    while (const Edit* edit = replay.edit(*log_)) past.after_edit(replay.simulation(), *edit);
-    if (replay.simulation().steps() == simulation_.steps()) {
-      rows_.push_back(sampler_.take());
-      rows_.push_back(past.take());
-      sampler_ = std::move(past);
-      sampler_.set_curves(curves_);
-      catch_up_.reset();
-      return;
-    }
-    replay.step();
-    if (!replay.simulation().lost()) past.after_step(replay.simulation());
-  } while (Clock::now() - begin < duration);
+  const auto is_there = [&] { return replay.simulation().steps() == simulation_.steps(); };
+  bool any = false;  // at least one step, however short the time
+  replay.go_through(
+      *log_, [&](const Edit& edit) { past.after_edit(replay.simulation(), edit); },
+      [&](const Simulation&) {
+        return !is_there() && (!std::exchange(any, true) || Clock::now() - begin < duration);
+      },
+      [&](const Simulation& simulation) {
+        if (!simulation.lost()) past.after_step(simulation);
+      });
+  if (!is_there()) return;
+  rows_.push_back(sampler_.take());
+  rows_.push_back(past.take());
+  sampler_ = std::move(past);
+  sampler_.set_curves(curves_);
+  catch_up_.reset();
 }
 
 std::shared_ptr<Frame> Lane::take_frame() {

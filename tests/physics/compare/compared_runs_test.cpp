@@ -7,6 +7,7 @@
 #include "physics/record/recorder.h"
 #include "physics/session/worker.h"
 #include "tests/support/scenes.h"
+#include "tests/support/wait.h"
 
 namespace carom {
 namespace {
@@ -56,18 +57,14 @@ struct Window {
 
   template <class Condition>
   bool wait(const Condition& condition) {
-    const auto end = std::chrono::steady_clock::now() + 30s;
-    while (std::chrono::steady_clock::now() < end) {
+    return test::wait_until([&] {
       const auto news = worker.take_frames();
-      if (!news.empty()) {
-        frames = news;
-        recorders.resize(frames.size());
-        for (std::size_t i = 0; i < frames.size(); ++i) recorders[i].add(*frames[i]);
-        if (condition()) return true;
-      }
-      std::this_thread::sleep_for(1ms);
-    }
-    return false;
+      if (news.empty()) return false;
+      frames = news;
+      recorders.resize(frames.size());
+      for (std::size_t i = 0; i < frames.size(); ++i) recorders[i].add(*frames[i]);
+      return condition();
+    });
   }
   bool wait_until_all_stand() {
     return wait([this] {

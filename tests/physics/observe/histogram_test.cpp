@@ -12,6 +12,7 @@
 #include "physics/record/recorder.h"
 #include "physics/session/worker.h"
 #include "tests/support/scenes.h"
+#include "tests/support/wait.h"
 
 namespace carom {
 namespace {
@@ -201,11 +202,10 @@ TEST(SpeedRecord, IsTheSameHoweverTheRunIsWatched) {
   const auto watch_until = [&](double time) {
     worker.run_until(time);
     std::this_thread::sleep_for(std::chrono::milliseconds(60));  // frames that nobody takes become one
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (recorder.time() < time - 1e-9 && std::chrono::steady_clock::now() < end) {
+    ASSERT_TRUE(test::wait_until([&] {
       for (const auto& frame : worker.take_frames()) recorder.add(*frame);
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
+      return recorder.time() >= time - 1e-9;
+    }));
     ASSERT_NEAR(recorder.time(), time, 1e-9);
   };
   watch_until(10.0);

@@ -56,12 +56,10 @@ TEST(RunMoments, AreThoseOfTheRun) {
   const RunLog log = edited_run();
   Replay replay(log.start);
   const auto run_to = [&](std::int64_t steps) {
-    while (true) {
-      while (replay.edit(log)) {
-      }
-      if (replay.simulation().steps() == steps) return replay.simulation();
-      replay.step();
-    }
+    replay.go_through(
+        log, [](const Edit&) {}, [&](const Simulation& s) { return s.steps() < steps; },
+        [](const Simulation&) {});
+    return replay.simulation();
   };
   const Simulation at_30 = run_to(30);
   const Simulation at_100 = run_to(100);

@@ -6,6 +6,7 @@
 #include "physics/session/worker.h"
 #include "tests/support/heap.h"
 #include "tests/support/scenes.h"
+#include "tests/support/wait.h"
 
 // What stops a worker's runs: a loss, an error, and whoever asks for others.
 namespace carom {
@@ -17,14 +18,14 @@ using test::disc;
 // The newest frame for which `fulfilled` holds; nullptr if none comes in a minute.
 template <class Condition>
 std::shared_ptr<const Frame> wait_for(Worker& worker, const Condition& fulfilled) {
-  const auto end = std::chrono::steady_clock::now() + 60s;
-  while (std::chrono::steady_clock::now() < end) {
+  std::shared_ptr<const Frame> found;
+  (void)test::wait_until([&] {
     for (const auto& frame : worker.take_frames()) {
-      if (fulfilled(*frame)) return frame;
+      if (!found && fulfilled(*frame)) found = frame;
     }
-    std::this_thread::sleep_for(1ms);
-  }
-  return nullptr;
+    return found != nullptr;
+  });
+  return found;
 }
 
 Preset quiet() { return test::preset_with({disc("a", {0, 0}, {1, 0})}); }

@@ -8,6 +8,7 @@
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "tests/support/scenes.h"
+#include "tests/support/wait.h"
 
 namespace carom {
 namespace {
@@ -43,15 +44,11 @@ class Watcher {
 
   template <class Condition>
   bool wait(const Condition& condition) {
-    const auto end = std::chrono::steady_clock::now() + 20s;
-    while (std::chrono::steady_clock::now() < end) {
-      if (const auto frame = take_frame(worker_)) {
-        take(*frame);
-        if (condition(*frame)) return true;
-      }
-      std::this_thread::sleep_for(1ms);
-    }
-    return false;
+    return test::wait_until([&] {
+      const auto frame = take_frame(worker_);
+      if (frame) take(*frame);
+      return frame && condition(*frame);
+    });
   }
 
   std::vector<double> times;  // of the rows of the first curve
@@ -301,15 +298,12 @@ TEST(Worker, CurvesThatAreAskedForLateComeFromTheStartOn) {
   const auto run = [&](Recorder& recorder, bool at_once) {
     Worker worker(small_gas(), at_once ? all : std::vector<Curve>{energy()});
     const auto wait = [&] {
-      const auto end = std::chrono::steady_clock::now() + 20s;
-      while (std::chrono::steady_clock::now() < end) {
+      EXPECT_TRUE(test::wait_until([&] {
         const auto frame = take_frame(worker);
         if (frame != nullptr) recorder.add(*frame);
-        if (frame != nullptr && !frame->playing && frame->steps > 0 && frame->rows_known_until == frame->time)
-          return;
-        std::this_thread::sleep_for(1ms);
-      }
-      ADD_FAILURE() << "it did not end";
+        return frame != nullptr && !frame->playing && frame->steps > 0 &&
+               frame->rows_known_until == frame->time;
+      })) << "it did not end";
     };
     worker.run_until(3.0);
     wait();
