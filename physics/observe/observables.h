@@ -8,7 +8,7 @@
 #include "physics/model/geometry.h"
 #include "physics/model/mass.h"
 #include "physics/observe/impact_tally.h"
-#include "physics/world/lasting_contacts.h"
+#include "physics/world/contact_force.h"
 #include "physics/world/ledger.h"
 #include "physics/world/totals.h"
 

@@ -395,9 +395,10 @@ const auto kAhead = [](const Sizes& size) {
 
 template <class Archive, class Kept>
 void describe(Archive& a, Kept& state, const Sizes& size) {
-  auto& [method, time, origin, origin_step, steps_since_origin, steps, impact_count, impact_counts, at_once,
-         work, motions, ledger, gravity_since, peak_kinetic, energy_doubts, notices, tracks, contacts, ahead] =
-      state;
+  auto& [method, clock, sums, at_once, work, motions, tracks, contacts, ahead] = state;
+  // The end of the step under way is made anew in each step.
+  auto& [time, step_end, origin, origin_step, steps_since_origin, steps] = clock;
+  auto& [impact_count, impact_counts, ledger, gravity_since, peak_kinetic, energy_doubts, notices] = sums;
   a.value("method", method);
   // The time stands at the head of the section.
   a.value("origin", origin);
@@ -457,7 +458,7 @@ void read_state(const Json& json, Preset& preset) {
   auto state = std::make_shared<RunState>();
   describe(reader, *state, sizes);
   reader.finish();
-  state->time = preset.saved->time;
+  state->clock.time = preset.saved->time;
   check_state(preset.scene, start, *state);
   preset.saved->state = std::move(state);
 }

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 #include "physics/dynamics/state.h"
 #include "physics/math/vectors.h"
 #include "physics/world/ledger.h"
@@ -28,6 +32,28 @@ struct Jump {
   State before;
   State after;
   Ledger change;
+};
+
+// The impacts of the last step.
+struct ImpactLog {
+  // Jumps are recorded for the first impacts of a step, at the cost of two evaluations of the whole state each:
+  // up to kMostJumps of a few bodies, fewer of many, but kLeastJumps.
+  static constexpr std::size_t kMostJumps = 64;
+  static constexpr std::size_t kLeastJumps = 4;
+  static constexpr std::size_t kMostJumpedMotions = 8192;
+
+  std::vector<ImpactRecord> records;  // in the order of time
+  std::vector<Jump> jumps;            // of the first of them, one each
+  bool records_jumps = false;
+
+  [[nodiscard]] bool wants_jump(std::size_t bodies) const {
+    return records_jumps && jumps.size() < std::clamp(kMostJumpedMotions / std::max<std::size_t>(bodies, 1),
+                                                      kLeastJumps, kMostJumps);
+  }
+  void clear() {
+    records.clear();
+    jumps.clear();
+  }
 };
 
 }  // namespace carom

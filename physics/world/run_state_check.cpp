@@ -45,16 +45,17 @@ void check_motions(const std::string& place, const Eigen::Matrix3Xd& m, double m
 }
 
 void check_clock(const RunState& s) {
-  check_least("steps_since_origin", static_cast<double>(s.steps_since_origin), 0.0);
-  check_least("steps", static_cast<double>(s.steps), 0.0);
-  check_least("impacts", static_cast<double>(s.impact_count), 0.0);
+  check_least("steps_since_origin", static_cast<double>(s.clock.steps_since_origin), 0.0);
+  check_least("steps", static_cast<double>(s.clock.steps), 0.0);
+  check_least("impacts", static_cast<double>(s.sums.impact_count), 0.0);
   check_least("at_once", s.at_once, 0.0);
-  check_least("origin_step", s.origin_step, 0.0);
-  if (s.time != s.origin + static_cast<double>(s.steps_since_origin) * s.origin_step)
-    refuse("steps_since_origin", fmt::format("these steps don't end at the time, {} s", s.time));
+  check_least("origin_step", s.clock.origin_step, 0.0);
+  if (s.clock.time != s.clock.origin + static_cast<double>(s.clock.steps_since_origin) * s.clock.origin_step)
+    refuse("steps_since_origin", fmt::format("these steps don't end at the time, {} s", s.clock.time));
   check_least("tracks/evaluations", static_cast<double>(s.tracks.evaluations), 0.0);
   check_least("tracks/rejected_steps", static_cast<double>(s.tracks.rejected_steps), 0.0);
-  if (!(s.tracks.epoch <= s.time)) refuse("tracks/epoch", fmt::format("{} is after the time", s.tracks.epoch));
+  if (!(s.tracks.epoch <= s.clock.time))
+    refuse("tracks/epoch", fmt::format("{} is after the time", s.tracks.epoch));
 }
 
 void check_counts(const std::vector<Body>& bodies, std::int64_t impacts, const ImpactCounts& s) {
@@ -127,7 +128,7 @@ void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const 
   constexpr double kMostStretch = 0x1p60;
   if (!(ahead.stretch >= 1.0 && ahead.stretch <= kMostStretch) || std::frexp(ahead.stretch, &exponent) != 0.5)
     refuse("ahead/stretch", fmt::format("{} is no power of two from 1 on", ahead.stretch));
-  if (!(s.time - s.tracks.epoch <= ahead.epoch_length))
+  if (!(s.clock.time - s.tracks.epoch <= ahead.epoch_length))
     refuse("tracks/epoch", fmt::format("{} is too long before the time", s.tracks.epoch));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     check_least(fmt::format("ahead/bend/{}", i), ahead.tracks.bend[i], 0.0);
@@ -135,7 +136,7 @@ void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const 
   }
   for (std::size_t i = 0; i < ahead.events.size(); ++i) {
     const std::string at = fmt::format("ahead/events/{}", i);
-    const RunAhead::Foreseen& e = ahead.events[i];
+    const RunAhead::Scheduled& e = ahead.events[i];
     check_least(at, e.time, 0.0);
     if (e.b >= 0) {
       check_pair(at, bodies, e.a, e.b);
@@ -164,10 +165,10 @@ void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const 
 void check_state(const Scene& scene, double start_time, const RunState& state) {
   check_method("/state/method", state.method);
   check_integrator("/state/method", scene, state.method);
-  if (state.time != start_time) refuse("time", fmt::format("the state is of t = {} s", state.time));
+  if (state.clock.time != start_time) refuse("time", fmt::format("the state is of t = {} s", state.clock.time));
   const std::vector<Body> bodies = all_bodies(scene);
   check_clock(state);
-  check_counts(bodies, state.impact_count, state.impact_counts);
+  check_counts(bodies, state.sums.impact_count, state.sums.impact_counts);
   constexpr double kMostAhead = 1e15;         // m and m/s: a track may lead far off before it is cut
   constexpr double kMostAcceleration = 1e30;  // m/s²
   check_motions("positions", state.motions.q, kLargestNumber);

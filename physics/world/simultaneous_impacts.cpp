@@ -1,58 +1,66 @@
 #include <algorithm>
+#include <utility>
 
 #include "physics/collision/pair_contact.h"
-#include "physics/world/simulation.h"
+#include "physics/world/apply_impact.h"
+#include "physics/world/event_driven_impacts.h"
+#include "physics/world/pair_motion.h"
 
 // Impacts of all bodies that touch at one time.
 namespace carom {
 
 // Puts the contacts of two bodies at `time` on the list, if they touch.
-void Simulation::touching(int a, int b, double time) {
+void EventDrivenImpacts::find_touches(World& world, int a, int b, double time) {
+  Tracks& tracks = world.tracks;
+  const Geometry& shapes = world.shapes();
   if (a > b) std::swap(a, b);
-  if (!shapes().can_meet(a, b)) return;
-  const Eigen::Vector3d qa = tracks_.at(a, time).head<3>();
-  const Eigen::Vector3d qb = tracks_.at(b, time).head<3>();
-  const double tolerance = touch_tolerance(a, b, time);
-  if (shapes().is_disc(a) || shapes().is_disc(b)) {
-    const Contact contact = contact_between(shapes(), a, qa, b, qb);
+  if (!shapes.can_meet(a, b)) return;
+  const Eigen::Vector3d qa = tracks.at(a, time).head<3>();
+  const Eigen::Vector3d qb = tracks.at(b, time).head<3>();
+  const double tolerance = touch_tolerance(world, a, b, time);
+  if (shapes.is_disc(a) || shapes.is_disc(b)) {
+    const Contact contact = contact_between(shapes, a, qa, b, qb);
     if (contact.gap <= tolerance) touches_.push_back({a, b, contact});
     return;
   }
-  const Manifold ends = manifold(shapes().shapes, a, pose_of(shapes().shapes, a, qa), b,
-                                 pose_of(shapes().shapes, b, qb), tolerance);
+  const Manifold ends =
+      manifold(shapes.shapes, a, pose_of(shapes.shapes, a, qa), b, pose_of(shapes.shapes, b, qb), tolerance);
   for (int k = 0; k < ends.count; ++k)
     touches_.push_back({a, b, {ends.points[k].gap, ends.normal, ends.points[k].point}});
 }
 
-bool Simulation::meet_all(int a, int b, double time, double horizon, bool crowd, double h) {
+std::optional<bool> EventDrivenImpacts::resolve_cluster(const Step& step, int a, int b, double time,
+                                                        bool crowded) {
+  World& world = step.world;
+  Tracks& tracks = world.tracks;
   // Outwards from the pair, over bodies that move.
   touches_.clear();
   cluster_.assign({a, b});
   for (std::size_t k = 0; k < cluster_.size(); ++k) {
     const int body = cluster_[k];
-    if (immovable(body)) continue;
+    if (world.immovable(body)) continue;
     grid_.each_near(body, [&](int other) {
       const auto known = std::find(cluster_.begin(), cluster_.end(), other);
       // Pairs of which the other one has been looked at are there already.
-      if (known < cluster_.begin() + static_cast<std::ptrdiff_t>(k) && !immovable(other)) return;
+      if (known < cluster_.begin() + static_cast<std::ptrdiff_t>(k) && !world.immovable(other)) return;
       const std::size_t before = touches_.size();
-      touching(body, other, time);
+      find_touches(world, body, other, time);
       if (touches_.size() > before && known == cluster_.end()) cluster_.push_back(other);
     });
   }
-  if (touches_.size() < 2) return false;
+  if (touches_.size() < 2) return std::nullopt;
   std::sort(touches_.begin(), touches_.end(),
             [](const Touch& x, const Touch& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
 
   std::vector<int> islands;
   for (const int i : cluster_) {
-    const int island = tracks_.island_of(i);
+    const int island = tracks.island_of(i);
     if (island < 0 || std::find(islands.begin(), islands.end(), island) != islands.end()) continue;
     islands.push_back(island);
   }
   std::sort(islands.begin(), islands.end());
   for (const int island : islands) {
-    if (tracks_.start(tracks_.members(island).front()) != time) tracks_.settle(island, time);
+    if (tracks.start(tracks.members(island).front()) != time) tracks.settle(island, time);
   }
 
   const auto n = static_cast<Eigen::Index>(cluster_.size());
@@ -61,9 +69,9 @@ bool Simulation::meet_all(int a, int b, double time, double horizon, bool crowd,
   Eigen::VectorXd inverse_inertia(n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const int i = cluster_[static_cast<std::size_t>(k)];
-    velocities.col(k) = tracks_.settled(i).segment<3>(3);
-    inverse_mass[k] = mass().inverse_mass[i];
-    inverse_inertia[k] = mass().inverse_inertia[i];
+    velocities.col(k) = tracks.settled(i).segment<3>(3);
+    inverse_mass[k] = world.mass().inverse_mass[i];
+    inverse_inertia[k] = world.mass().inverse_inertia[i];
   }
   const auto column = [&](int i) {
     return static_cast<int>(std::find(cluster_.begin(), cluster_.end(), i) - cluster_.begin());
@@ -71,57 +79,58 @@ bool Simulation::meet_all(int a, int b, double time, double horizon, bool crowd,
   std::vector<ClusterContact> contacts;
   std::vector<double> closing;
   for (const Touch& t : touches_) {
-    const Material& material = material_between(t.a, t.b);
+    const Material& material = world.material(t.a, t.b);
     contacts.push_back(
-        {column(t.a), column(t.b), t.contact.normal, t.contact.point - tracks_.settled(t.a).head<2>(),
-         t.contact.point - tracks_.settled(t.b).head<2>(), material.restitution, material.kinetic_friction});
-    closing.push_back(
-        -relative_velocity(side(t.a, t.contact, 1.0), side(t.b, t.contact, -1.0), t.contact.normal).normal);
+        {column(t.a), column(t.b), t.contact.normal, t.contact.point - tracks.settled(t.a).head<2>(),
+         t.contact.point - tracks.settled(t.b).head<2>(), material.restitution, material.kinetic_friction});
+    closing.push_back(-world.parting_speed(t.a, t.b, t.contact));
   }
   std::vector<Impact> impacts(contacts.size());
-  const bool watched = watches_more();
+  const bool wants_jump = world.log.wants_jump(world.model->bodies().size());
   Jump jump;
-  if (watched) jump.before = state_at(time);
-  Ledger booked = ledger_;
+  if (wants_jump) jump.before = world.state_at(time);
+  Ledger& ledger = world.sums.ledger;
+  Ledger booked = ledger;
   const ClusterOutcome outcome =
       resolve_simultaneous(velocities, inverse_mass, inverse_inertia, contacts, impacts, cluster_scratch_);
   if (!outcome.solved) {
-    if (notices_.cluster_unsolved_since < 0.0) notices_.cluster_unsolved_since = tracks_.epoch() + time;
-    return false;
+    world.note(&Notices::cluster_unsolved_since, tracks.epoch() + time);
+    return std::nullopt;
   }
   // Closing speeds may be so small that the solution rounds to nothing; pair by pair they still come to an end.
   if (std::none_of(impacts.begin(), impacts.end(), [](const Impact& i) { return i.normal > 0.0; }))
-    return false;
-  if (outcome.lowered && notices_.restitution_lowered_since < 0.0)
-    notices_.restitution_lowered_since = tracks_.epoch() + time;
+    return std::nullopt;
+  if (outcome.lowered) world.note(&Notices::restitution_lowered_since, tracks.epoch() + time);
   for (Eigen::Index k = 0; k < n; ++k) {
     const int i = cluster_[static_cast<std::size_t>(k)];
-    if (!immovable(i)) tracks_.set_velocity(i, velocities.col(k).head<2>(), velocities(2, k));
+    if (!world.immovable(i)) tracks.set_velocity(i, velocities.col(k).head<2>(), velocities(2, k));
   }
   for (const int island : islands) {
-    if (field().has_switching_springs()) ledger_.lost_to_dampers += tracks_.recheck_switches(island);
+    if (world.field().has_switching_springs()) ledger.lost_to_dampers += tracks.recheck_switches(island);
   }
   // One jump for each entry of the log: the first one has all of the motion.
-  if (watched) jump.after = state_at(time);
-  jump.time = std::min(tracks_.epoch() + time, step_end_);
+  if (wants_jump) jump.after = world.state_at(time);
+  jump.time = std::min(tracks.epoch() + time, world.clock.step_end);
   for (std::size_t k = 0; k < touches_.size(); ++k) {
     const Touch& t = touches_[k];
     if (!(impacts[k].normal > 0.0)) continue;
-    book(t.a, t.b, t.contact, impacts[k], closing[k], time);
-    if (!watched || !watches_more()) continue;
-    jump.change = ledger_;
+    record_impact(world, t.a, t.b, t.contact, impacts[k], closing[k], time);
+    if (!wants_jump || !world.log.wants_jump(world.model->bodies().size())) continue;
+    jump.change = ledger;
     jump.change.add(-1.0, booked);
-    booked = ledger_;
-    jumps_.push_back(jump);
+    booked = ledger;
+    world.log.jumps.push_back(jump);
     jump.before = jump.after;
   }
+  bool divides = false;
   for (std::size_t k = 0; k < touches_.size(); ++k) {
     const Touch& t = touches_[k];
-    if (impacts[k].normal > 0.0) judge(t.a, t.b, t.contact, material_between(t.a, t.b), time, crowd, h);
+    if (!(impacts[k].normal > 0.0)) continue;
+    divides |= classify_rebound(step, t.a, t.b, t.contact, world.material(t.a, t.b), time, crowded);
   }
   last_impact_ = time;
-  go_on(islands, horizon);
-  return true;
+  rebuild_and_search(step, islands);
+  return divides;
 }
 
 }  // namespace carom

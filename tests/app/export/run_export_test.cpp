@@ -238,7 +238,7 @@ TEST(RunExport, APieceFromAKeyFrameIsThatOfTheWhole) {
   // What was not counted from the start on is not in a key frame.
   const Quantity other{find_observable("impacts_between"), {0, 2}};
   EXPECT_EQ(latest_before(frame->key_frames, 150.0, {{other, std::nullopt}}), nullptr);
-  EXPECT_GT(latest_before(frame->key_frames, 150.0, curves)->state.time, 120.0);
+  EXPECT_GT(latest_before(frame->key_frames, 150.0, curves)->state.clock.time, 120.0);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "physics/world/run_setup.h"
+#include "physics/world/step_limits.h"
 #include "tests/support/scenes.h"
 
 namespace carom {

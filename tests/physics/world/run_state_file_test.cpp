@@ -78,7 +78,7 @@ TEST(RunStateFile, NoticesAndSumsStay) {
         &Notices::log_cut_since, &Notices::search_cut_since, &Notices::gained_since, &Notices::gained,
         &Notices::energy_made_since, &Notices::cluster_unsolved_since, &Notices::restitution_lowered_since,
         &Notices::contacts_left_since, &Notices::contacts_left}) {
-    state.notices.*entry = next *= 1.1;
+    state.sums.notices.*entry = next *= 1.1;
   }
   state.tracks.tolerance_missed_since = 0.07;
   state.tracks.links_missed_since = 0.08;

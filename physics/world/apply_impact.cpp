@@ -1,0 +1,132 @@
+#include "physics/world/apply_impact.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "physics/impact/linked_impact.h"
+#include "physics/math/vectors.h"
+#include "physics/world/step_limits.h"
+
+namespace carom {
+namespace {
+
+// Puts a weld between two settled bodies that have stuck together. From then on they can't meet, and islands
+// are others.
+Impact join(World& world, int a, int b, const Contact& contact) {
+  const int body = world.immovable(a) ? b : a;
+  const int other = body == a ? b : a;
+  const Eigen::Vector3d q = world.tracks.settled(body).head<3>();
+  const Eigen::Vector3d q_other = world.tracks.settled(other).head<3>();
+  Link weld;
+  weld.kind = LinkKind::kWeld;
+  weld.body = world.model->bodies()[body].name;
+  weld.point = turned_by(-q[2], contact.point - q.head<2>());
+  weld.to = world.model->bodies()[other].name;
+  weld.anchor = turned_by(-q_other[2], contact.point - q_other.head<2>());
+  weld.angle = q[2] - q_other[2];
+  Scene scene = world.model->scene;
+  scene.links.push_back(std::move(weld));
+  const int last = static_cast<int>(scene.links.size()) - 1;
+  world.recompile(std::move(scene), world.model->needs, world.tracks.start(body));
+
+  // The impact is wholly plastic, and the two turn as one after it: it is what the weld does to motions that it
+  // finds as they are.
+  const auto [taken, impulse] = world.tracks.catch_by(last, body);
+  const Vec2 on_b = body == b ? impulse : Vec2(-impulse);
+  Impact impact;
+  impact.normal = on_b.dot(contact.normal);
+  impact.tangential = on_b.dot(crossed(contact.normal));
+  impact.lost_to_sticking = taken;
+  return impact;
+}
+
+}  // namespace
+
+void apply_impact(World& world, int a, int b, const Contact& contact, const Material& material, double within) {
+  Tracks& tracks = world.tracks;
+  ImpactSide side_a = world.side(a, contact, 1.0);
+  ImpactSide side_b = world.side(b, contact, -1.0);
+  const double closing = -relative_velocity(side_a, side_b, contact.normal).normal;
+  // Semi-implicit Euler's path x + t v(t) may close again, from an overlap, while v(t) still parts the bodies.
+  if (!(closing > 0.0)) return;
+  Ledger& ledger = world.sums.ledger;
+  const bool wants_jump = world.log.wants_jump(world.model->bodies().size());
+  Jump jump;
+  if (wants_jump) {
+    jump.before = world.state_at(within);
+    jump.change.add(-1.0, ledger);
+  }
+
+  Impact impact;
+  if (material.sticks) {
+    impact = join(world, a, b, contact);
+  } else if (tracks.is_linked(a) || tracks.is_linked(b)) {
+    impact =
+        resolve_linked_impact(tracks, world.mass(), a, b, contact, material, world.model->scene.impact_law);
+  } else {
+    impact = resolve_impact(side_a, side_b, contact.normal, material, world.model->scene.impact_law);
+    if (!world.immovable(a)) tracks.set_velocity(a, side_a.velocity, side_a.spin);
+    if (!world.immovable(b)) tracks.set_velocity(b, side_b.velocity, side_b.spin);
+  }
+
+  if (world.field().has_switching_springs()) {
+    for (const int i : {a, b}) {
+      if (!world.immovable(i)) ledger.lost_to_dampers += tracks.recheck_switches(tracks.island_of(i));
+    }
+  }
+
+  record_impact(world, a, b, contact, impact, closing, within);
+  if (wants_jump) {
+    jump.time = std::min(tracks.epoch() + within, world.clock.step_end);
+    jump.after = world.state_at(within);
+    jump.change.add(1.0, ledger);
+    world.log.jumps.push_back(std::move(jump));
+  }
+}
+
+void record_impact(World& world, int a, int b, const Contact& contact, const Impact& impact, double closing,
+                   double within) {
+  RunSums& sums = world.sums;
+  ++sums.impact_count;
+  sums.impact_counts.add(a, b, impact.normal, world.mass());
+  ImpactRecord record;
+  // The sum may round beyond the end.
+  record.time = std::min(world.tracks.epoch() + within, world.clock.step_end);
+  record.a = a;
+  record.b = b;
+  record.point = contact.point;
+  record.normal = contact.normal;
+  record.closing_speed = closing;
+  record.normal_impulse = impact.normal;
+  record.tangential_impulse = impact.tangential;
+  record.lost_to_restitution = impact.lost_to_restitution;
+  record.lost_to_friction = impact.lost_to_friction;
+  record.lost_to_sticking = impact.lost_to_sticking;
+  if (world.log.records.size() < kMostLogged) {
+    world.log.records.push_back(record);
+  } else {
+    world.note(&Notices::log_cut_since, record.time);
+  }
+  if (impact.energy_gain > 0.0) {
+    world.note(&Notices::gained_since, record.time);
+    sums.notices.gained += impact.energy_gain;
+  }
+  Ledger& ledger = sums.ledger;
+  ledger.lost_to_restitution += impact.lost_to_restitution;
+  ledger.lost_to_friction += impact.lost_to_friction;
+  ledger.lost_to_sticking += impact.lost_to_sticking;
+  // What comes through a link, so through the weld of two that have stuck, is in the quadratures of the bodies.
+  if (!world.shapes().can_meet(a, b)) return;
+  const Vec2 tangent(-contact.normal.y(), contact.normal.x());
+  const Vec2 j = impact.normal * contact.normal + impact.tangential * tangent;
+  if (world.immovable(a)) {
+    ledger.momentum_to_walls -= j;
+    ledger.put_in_by_drives += j.dot(world.tracks.settled(a).segment<2>(3));
+  }
+  if (world.immovable(b)) {
+    ledger.momentum_to_walls += j;
+    ledger.put_in_by_drives -= j.dot(world.tracks.settled(b).segment<2>(3));
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,449 @@
+#include "physics/world/event_driven_impacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "physics/collision/broad_phase.h"
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/world/apply_impact.h"
+#include "physics/world/contact_search.h"
+#include "physics/world/pair_motion.h"
+#include "physics/world/penetrations.h"
+#include "physics/world/step_limits.h"
+
+namespace carom {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kNever = std::numeric_limits<double>::infinity();
+// Inelastic collapse: a pair with e < 1 parts slower than this share of its own speed, in less time after the
+// impact before than doubles can tell apart.
+constexpr double kCollapseShare = 1e-12;
+// Impacts at one time, to the last bit, after which closing speeds below that share are rounding: a light body
+// between two whose speeds it is too light to change would bounce to and fro for ever.
+constexpr int kMostAtOnce = 10'000;
+// After more than kCrowdedImpacts + kCrowdedImpactsPerBody * N impacts in one step, the guard against inelastic
+// collapse acts: a pair with e < 1 that rebounds slower than its forces can press it together in a step rests
+// until the step's end. A settling pile would otherwise need millions of impacts a step.
+constexpr int kCrowdedImpacts = 100;
+constexpr int kCrowdedImpactsPerBody = 4;
+// Parts of a step that beginning supports divide it into; what stops in the last one is supported from the next
+// step on.
+constexpr int kMostParts = 8;
+// Up to this many bodies a track that no step ends may cross the whole scene: every pair is looked at anyway.
+constexpr int kFewBodies = 12;
+// A run that has reached kMostImpactsPerStep or kMostImpactsAtOnce once (a piston crushing an elastic disc,
+// say) gets no more than these in each later step, so that it still goes on.
+constexpr int kMostImpactsOnceCapped = 20'000;
+constexpr int kMostImpactsAtOnceCapped = 1'000;
+// Of a step: two times of one landing, found in two ways, differ by less.
+constexpr double kSameTime = 1e-9;
+// Tracks that end in one step, beside some of each body, before they become twice as long: what flies or turns
+// far faster than the scene is large would end millions.
+constexpr int kMostTrackEnds = 1'000;
+constexpr int kMostTrackEndsPerBody = 20;
+// Searches after an impact that come for free.
+constexpr std::int64_t kFewNeighbours = 16;
+// Epochs in one step, at the most.
+constexpr double kMostEpochs = 1024.0;
+
+}  // namespace
+
+bool EventDrivenImpacts::tracks_run_on(const World& world, const RestingContacts* resting) {
+  const IntegratorChoice& choice = choice_of(kIntegrators, world.method.integrator);
+  return resting == nullptr && (choice.order == 0 || choice.adaptive);
+}
+
+void EventDrivenImpacts::reset(int bodies) {
+  stamp_.assign(bodies, 0);
+  running_ = false;
+}
+
+double EventDrivenImpacts::closing_share() const {
+  return at_once_ >= kMostAtOnce ? kCollapseShare : 16.0 * kEpsilon;
+}
+
+void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) {
+  Tracks& tracks = world.tracks;
+  const bool run_on = tracks_run_on(world, resting);
+  Step step{world, resting, h, run_on ? kNever : h, world.sums.impact_count};
+  track_ends_ = 0;
+  if (!run_on || !running_) {
+    if (!run_on) tracks.begin(world.clock.time);
+    choose_cells(world, step.horizon);
+    epoch_length_ = std::max(epoch_length_, std::exp2(std::ceil(std::log2(h / kMostEpochs))));
+    end_of_step_.clear();
+    last_impact_ = -1.0;
+    stretch_ = 1.0;
+    rebuild_all(step);
+    running_ = true;
+  }
+  // Where tracks run on, the epoch follows in leaps that don't depend on h: times stay small, and with them the
+  // rounding of each impact's time, which would add up over millions of bounces.
+  while (run_on && world.clock.step_end - tracks.epoch() > epoch_length_) {
+    process_until(step, epoch_length_);
+    tracks.shift_epoch(epoch_length_);
+    queue_.shift(epoch_length_);
+    last_impact_ -= epoch_length_;
+  }
+  if (resting != nullptr) {
+    const double left = process_with_supports(step);
+    for (int k = 0; k < tracks.islands(); ++k) tracks.settle(k, left);
+    due_.swap(end_of_step_);
+    end_of_step_.clear();
+    std::vector<std::pair<int, int>> pairs = resting->supported();
+    for (const WaitingPair& d : due_.all()) pairs.emplace_back(d.a, d.b);
+    resting->rebound_at_end(world, pairs);
+    world.publish(left);
+    return;
+  }
+  const double target = run_on ? world.clock.step_end - tracks.epoch() : h;
+  process_until(step, target);
+  finish_pairs(step, target);
+}
+
+// What rests or penetrates at the step's end is resolved then.
+void EventDrivenImpacts::finish_pairs(const Step& step, double target) {
+  World& world = step.world;
+  Tracks& tracks = world.tracks;
+  const bool run_on = step.horizon == kNever;
+  due_.swap(end_of_step_);
+  end_of_step_.clear();
+  const std::vector<WaitingPair>& due = due_.all();
+  due_islands_.clear();
+  if (run_on) {
+    // The islands of these pairs, each once, in the order in which they come.
+    is_due_.assign(static_cast<std::size_t>(tracks.islands()), false);
+    for (const WaitingPair& d : due) {
+      for (const int i : {d.a, d.b}) {
+        const int island = tracks.island_of(i);
+        if (island < 0 || is_due_[static_cast<std::size_t>(island)]) continue;
+        is_due_[static_cast<std::size_t>(island)] = true;
+        due_islands_.push_back(island);
+      }
+    }
+    for (const int island : due_islands_) tracks.settle(island, target);
+  } else {
+    for (int k = 0; k < tracks.islands(); ++k) tracks.settle(k, target);
+  }
+  world.publish(target);
+  if (due.empty()) return;
+  world.check_motions();
+  resolve_penetrations(world, due, step.h);
+  if (std::any_of(due.begin(), due.end(),
+                  [&](const WaitingPair& d) { return !world.shapes().can_meet(d.a, d.b); })) {
+    // Bodies have stuck together: islands are others.
+    world.publish(target);
+    running_ = false;
+    return;
+  }
+  for (const WaitingPair& d : due) {
+    for (const int i : {d.a, d.b}) world.state.set_motion(i, tracks.at(i, target));
+  }
+  if (run_on) rebuild_and_search(step, due_islands_);
+}
+
+// A step with resting contacts. What stops on a support within it is supported from that moment on: there the
+// step is divided, up to kMostParts times. The length in s of its last part, from the epoch on.
+double EventDrivenImpacts::process_with_supports(Step& step) {
+  World& world = step.world;
+  Tracks& tracks = world.tracks;
+  RestingContacts& resting = *step.resting;
+  for (int part = 1;; ++part) {
+    const double left = step.h;
+    step.may_divide = part < kMostParts;
+    std::optional<LandingTime> landing;
+    if (step.may_divide) landing = resting.first_landing(world, left);
+    if (landing && !(landing->time < left)) landing.reset();
+    const std::optional<double> stops =
+        process_until(step, landing ? landing->time : left, landing ? &landing->landing : nullptr);
+    if (stops) landing.reset();
+    const bool divides = stops || landing;
+    const double passed = stops ? *stops : landing ? landing->time : left;
+    resting.book_forces(world, passed, passed / left);
+    if (!divides) return left;
+    for (int k = 0; k < tracks.islands(); ++k) tracks.settle(k, passed);
+    if (landing) resting.land(world, *landing);
+    world.publish(passed);
+    step.h = step.horizon = left - passed;
+    tracks.begin(world.clock.step_end - step.h);
+    resting.support(world, step.h);
+    choose_cells(world, step.h);
+    end_of_step_.clear();
+    last_impact_ = -1.0;
+    rebuild_all(step);
+  }
+}
+
+// Cells about as large as what a body and its track cover.
+void EventDrivenImpacts::choose_cells(const World& world, double horizon) {
+  double size = 0.0;
+  double path = 0.0;
+  int moving = 0;
+  Bounds all{Eigen::Array2d::Constant(kNever), Eigen::Array2d::Constant(-kNever)};
+  const int n = world.bodies();
+  for (int i = 0; i < n; ++i) {
+    const Eigen::Array2d x = world.tracks.settled(i).head<2>().array();
+    const Eigen::Array2d extent = world.shapes().extent.col(i).array();
+    if (!extent.allFinite()) continue;
+    all.low = all.low.min(x - extent);
+    all.high = all.high.max(x + extent);
+    if (world.immovable(i)) continue;
+    ++moving;
+    size += 2.0 * extent.maxCoeff();
+    path += world.tracks.settled(i).segment<2>(3).norm();
+  }
+  const bool finite = (all.high >= all.low).all();  // something but half-planes is there
+  const double across = finite ? (all.high - all.low).matrix().norm() : 1.0;
+  if (moving == 0) moving = 1;
+  size /= moving;
+  if (size == 0.0) size = across;
+  double cell = 1.5 * size;
+  if (horizon < kNever) {
+    cell = size + path / moving * horizon;
+  } else {
+    // In a thin gas longer tracks save more than larger cells cost.
+    cell = std::clamp(1.1 * std::sqrt((all.high - all.low).prod() / moving), size, 4.0 * size);
+  }
+  const double crossing = path > 0.0 ? std::clamp(across * moving / path, 1e-6, 1e6) : 1.0;
+  epoch_length_ = std::exp2(std::ceil(std::log2(crossing)));
+  reach_ = moving <= kFewBodies ? 4.0 * across : 0.6 * cell;
+  grid_.reset(n, cell);
+}
+
+void EventDrivenImpacts::rebuild_all(const Step& step) {
+  World& world = step.world;
+  const int n = world.bodies();
+  queue_.clear();
+  for (int i = 0; i < n; ++i) {
+    if (world.tracks.island_of(i) >= 0) continue;
+    const Eigen::Array2d x = world.tracks.settled(i).head<2>().array();
+    grid_.put(i, {x - world.shapes().extent.col(i).array(), x + world.shapes().extent.col(i).array()});
+  }
+  for (int k = 0; k < world.tracks.islands(); ++k) rebuild(step, k);
+  // Each pair once: from its movable body of the higher index, or from the only movable one.
+  std::size_t left = BroadPhase::most_pairs(world.model->bodies().size());
+  for (int i = 0; i < n && left > 0; ++i) {
+    if (world.immovable(i)) continue;
+    grid_.each_near(i, [&](int other) {
+      if (left == 0 || !(other < i || world.immovable(other))) return;
+      search(step, i, other);
+      if (--left == 0) world.note(&Notices::pairs_cut_since, world.clock.time);
+    });
+  }
+}
+
+void EventDrivenImpacts::rebuild(const Step& step, int island) {
+  Tracks& tracks = step.world.tracks;
+  const Geometry& shapes = step.world.shapes();
+  tracks.lay(island, step.horizon, stretch_ * reach_, stretch_ * Tracks::kUsualTurn);
+  tracks.bound_bend(island);
+  const int first = tracks.members(island).front();
+  const double begin = tracks.start(first);
+  const double end = tracks.end(first);
+  for (const int i : tracks.members(island)) {
+    ++stamp_[i];
+    const Eigen::Array2d from = tracks.settled(i).head<2>().array();
+    const Eigen::Array2d to = tracks.at_end(i).head<2>().array();
+    const double left = end - begin;
+    const Eigen::Array2d margin = shapes.extent.col(i).array() + tracks.bend(i) * left * left / 8.0 +
+                                  32.0 * kEpsilon * (from.abs() + to.abs());
+    grid_.put(i, {from.min(to) - margin, from.max(to) + margin});
+  }
+  if (end < step.horizon) queue_.push({end, first, -1, stamp_[first], 0});
+}
+
+void EventDrivenImpacts::rebuild_and_search(const Step& step, std::span<const int> islands) {
+  for (const int island : islands) rebuild(step, island);
+  for (const int island : islands) search_island(step, island);
+}
+
+void EventDrivenImpacts::search_island(const Step& step, int island) {
+  World& world = step.world;
+  std::int64_t neighbours = 0;
+  for (const int i : world.tracks.members(island)) {
+    grid_.each_near(i, [&](int other) {
+      if (world.immovable(i) && world.immovable(other)) return;
+      ++neighbours;
+      search(step, i, other);
+    });
+  }
+  // An impact of a few bodies costs nothing of it: their number has a limit of its own.
+  world.work.spend(std::max<std::int64_t>(0, neighbours - kFewNeighbours));
+}
+
+// Schedules the next impact of a and b on their tracks, if there is one.
+void EventDrivenImpacts::search(const Step& step, int a, int b) {
+  World& world = step.world;
+  if (a > b) std::swap(a, b);
+  if (!world.shapes().can_meet(a, b)) return;
+  if (step.resting != nullptr && step.resting->stays_supported(world, a, b)) return;
+  if (world.work.spent()) {
+    world.note(&Notices::work_spent_since, world.clock.time);
+    end_of_step_.add(a, b, false);
+    return;
+  }
+  const NextContact next = next_contact(world, {end_of_step_, step.resting, closing_share()}, a, b);
+  switch (next.kind) {
+    case NextContact::kNone:
+      break;
+    case NextContact::kImpact:
+      queue_.push({next.time, a, b, stamp_[a], stamp_[b]});
+      break;
+    case NextContact::kPressed:
+      if (step.resting == nullptr) world.note(&Notices::resting_since, world.tracks.epoch() + next.time);
+      [[fallthrough]];
+    case NextContact::kPenetrating:
+      end_of_step_.add(a, b, next.kind == NextContact::kPressed);
+      break;
+  }
+}
+
+std::optional<double> EventDrivenImpacts::process_until(const Step& step, double target,
+                                                        const Landing* awaited) {
+  World& world = step.world;
+  Tracks& tracks = world.tracks;
+  const std::int64_t crowd =
+      kCrowdedImpacts + kCrowdedImpactsPerBody * static_cast<std::int64_t>(world.bodies());
+  const int most_track_ends = kMostTrackEnds + kMostTrackEndsPerBody * world.bodies();
+  while (!queue_.empty() && queue_.next().time <= target) {
+    const Event next = queue_.next();
+    queue_.pop();
+    queue_.sweep([&](const Event& event) { return is_stale(event); });
+    if (is_stale(next)) continue;
+    world.work.pass(5);
+    // Scheduled here too, and only rounding could say which comes first.
+    if (awaited != nullptr && awaited->a == std::min(next.a, next.b) &&
+        awaited->b == std::max(next.a, next.b) && target - next.time <= kSameTime * step.h) {
+      continue;
+    }
+    if (next.b < 0) {
+      const int island = tracks.island_of(next.a);
+      world.sums.ledger.lost_to_dampers += tracks.settle_at_end(island);
+      if (++track_ends_ % most_track_ends == 0) stretch_ *= 2.0;
+      rebuild(step, island);
+      search_island(step, island);
+      continue;
+    }
+    if (world.work.spent()) {
+      world.note(&Notices::work_spent_since, tracks.epoch() + next.time);
+      end_of_step_.add(next.a, next.b, false);
+      continue;
+    }
+    const bool capped = world.sums.notices.impacts_capped_since >= 0.0;
+    const int most_at_once = capped                                     ? kMostImpactsAtOnceCapped
+                             : world.has_moving_corners(next.a, next.b) ? kMostCornersAtOnce
+                                                                        : kMostImpactsAtOnce;
+    const bool at_once = next.time == last_impact_ && at_once_ >= most_at_once;
+    const std::int64_t impacts = world.sums.impact_count - step.impacts_begin;
+    if (at_once || impacts >= (capped ? kMostImpactsOnceCapped : kMostImpactsPerStep)) {
+      world.note(&Notices::impacts_capped_since, tracks.epoch() + next.time);
+      end_of_step_.add(next.a, next.b, false);
+      continue;
+    }
+    if (resolve(step, next.a, next.b, next.time, impacts >= crowd)) return next.time;
+  }
+  return std::nullopt;
+}
+
+bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bool crowded) {
+  World& world = step.world;
+  Tracks& tracks = world.tracks;
+  if (!crowded && world.model->scene.several_impacts == SeveralImpactsId::kSimultaneous) {
+    if (const std::optional<bool> divides = resolve_cluster(step, a, b, time, crowded)) return *divides;
+  }
+  for (const int i : {a, b}) {
+    if (tracks.island_of(i) >= 0 && tracks.start(i) != time) tracks.settle(tracks.island_of(i), time);
+  }
+  const Contact contact = world.approach(a, b, touch_tolerance(world, a, b, time)).contact;
+  apply_impact(world, a, b, contact, world.material(a, b), time);
+  if (!world.shapes().can_meet(a, b)) {
+    // They have stuck together: islands are others, and all of them start now.
+    last_impact_ = time;
+    rebuild_all(step);
+    return false;
+  }
+  const bool divides = classify_rebound(step, a, b, contact, world.material(a, b), time, crowded);
+  at_once_ = time == last_impact_ ? at_once_ + 1 : 0;
+  if (at_once_ == kMostAtOnce) world.note(&Notices::collapsed_since, tracks.epoch() + time);
+  last_impact_ = time;
+  const int island_a = tracks.island_of(a);
+  const int island_b = tracks.island_of(b);
+  if (island_a >= 0 && island_b >= 0 && island_a != island_b) {
+    rebuild_and_search(step, std::array{island_a, island_b});
+  } else {
+    rebuild_and_search(step, std::array{std::max(island_a, island_b)});
+  }
+  return divides;
+}
+
+bool EventDrivenImpacts::classify_rebound(const Step& step, int a, int b, const Contact& contact,
+                                          const Material& material, double time, bool crowded) {
+  World& world = step.world;
+  if (!(material.restitution < 1.0)) return false;
+  const double rebound = world.parting_speed(a, b, contact);
+  const double press = pressing(world, a, b, contact, time);
+  const double now = world.tracks.epoch() + time;
+  double rest = kRestSpeed;
+  if (world.method.integrator == IntegratorId::kExplicitEuler) {
+    const double e = material.restitution;
+    rest = std::max(rest, std::min(kRestRebound * e / (1.0 - e), kMostRestRebound) * press * step.h);
+  }
+  if (step.resting != nullptr)
+    rest = std::max(rest, step.resting->rest_speed(world, a, b, contact.normal, material.restitution));
+  if (press > 0.0 && rebound < rest) {
+    // Where the bounces that are left out can be summed up they would last that long.
+    const bool exact = choice_of(kIntegrators, world.method.integrator).exact_under_gravity;
+    const double left = exact ? 2.0 * rebound / (press * (1.0 - material.restitution)) : 0.0;
+    if (step.resting == nullptr) world.note(&Notices::resting_since, now + left);
+    end_of_step_.add(a, b, true);
+    return step.resting != nullptr && step.may_divide && time < step.h;
+  }
+  if (crowded && rebound < pressed_in(world, a, b, step.h)) {
+    if (step.resting == nullptr) world.note(&Notices::resting_since, now);
+    end_of_step_.add(a, b, true);
+  } else if (rebound < kCollapseShare * (world.tracks.settled(a).segment<2>(3).norm() +
+                                         world.tracks.settled(b).segment<2>(3).norm()) &&
+             time - last_impact_ <= 64.0 * kEpsilon * (std::abs(time) + step.h)) {
+    world.note(&Notices::collapsed_since, now);
+  }
+  return false;
+}
+
+std::optional<RunAhead> EventDrivenImpacts::ahead(const World& world) const {
+  if (!running_ || !tracks_run_on(world, nullptr)) return std::nullopt;
+  RunAhead ahead;
+  ahead.grid = grid_.order();
+  for (const Event& event : queue_.all()) {
+    if (!is_stale(event)) ahead.events.push_back({event.time, event.a, event.b});
+  }
+  std::sort(ahead.events.begin(), ahead.events.end(), [](const auto& x, const auto& y) {
+    return std::tie(x.time, x.a, x.b) < std::tie(y.time, y.a, y.b);
+  });
+  for (const auto& [a, b, resting] : end_of_step_.all()) ahead.waiting.push_back({a, b, resting});
+  ahead.reach = reach_;
+  ahead.stretch = stretch_;
+  ahead.epoch_length = epoch_length_;
+  ahead.last_impact = last_impact_;
+  return ahead;
+}
+
+void EventDrivenImpacts::put_back(int bodies, int at_once, const std::optional<RunAhead>& ahead) {
+  reset(bodies);
+  at_once_ = at_once;
+  if (!ahead) return;
+  reach_ = ahead->reach;
+  stretch_ = ahead->stretch;
+  epoch_length_ = ahead->epoch_length;
+  last_impact_ = ahead->last_impact;
+  (void)grid_.put_back(bodies, ahead->grid);
+  // The stamps of all islands are 0 yet.
+  for (const auto& [time, a, b] : ahead->events) queue_.push({time, a, b, 0, 0});
+  for (const auto& [a, b, resting] : ahead->waiting) end_of_step_.add(a, b, resting);
+  running_ = true;
+}
+
+}  // namespace carom

@@ -1,0 +1,77 @@
+#include "physics/world/pair_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "physics/collision/pair_contact.h"
+#include "physics/scene/drive.h"
+
+namespace carom {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+double touch_tolerance(const World& world, int a, int b, double end) {
+  const Geometry& shapes = world.shapes();
+  const double time = std::max(std::abs(end), world.method.step);
+  const auto ya = world.tracks.settled(a);
+  const auto yb = world.tracks.settled(b);
+  double reach = ya.head<2>().lpNorm<1>() + yb.head<2>().lpNorm<1>() + shapes.size[a] + shapes.size[b];
+  double speeds = ya.segment<2>(3).norm() + yb.segment<2>(3).norm();
+  for (const int i : {a, b}) {
+    if (shapes.is_disc(i)) continue;
+    // The rounding of an angle moves a corner.
+    reach += std::abs(world.tracks.settled(i)[2]) * shapes.size[i];
+    speeds += std::abs(world.tracks.settled(i)[5]) * shapes.size[i];
+  }
+  return 16.0 * kEpsilon * (reach + speeds * time);
+}
+
+double curvature(const World& world, int a, int b, double of_centres) {
+  double sum = of_centres;
+  for (const int i : {a, b}) {
+    if (world.tracks.turn(i) > 0.0) sum += world.tracks.turn(i) * world.shapes().shapes.core_radius[i];
+  }
+  return sum;
+}
+
+double pressed_in(const World& world, int a, int b, double h) {
+  return curvature(world, a, b, world.tracks.bend(a) + world.tracks.bend(b)) * h + kRestSpeed;
+}
+
+double pressing(World& world, int a, int b, const Contact& contact, double within) {
+  Tracks& tracks = world.tracks;
+  const auto acceleration = [&](int i) -> Eigen::Vector3d {
+    if (!world.model->driven[i]) return tracks.acceleration(i);
+    const Vec2 driven = drive_acceleration(*world.model->bodies()[i].drive, tracks.epoch() + within);
+    return {driven.x(), driven.y(), 0.0};
+  };
+  const Eigen::Vector3d acceleration_a = acceleration(a);
+  const Eigen::Vector3d acceleration_b = acceleration(b);
+  if (!world.has_moving_corners(a, b)) return -contact.normal.dot((acceleration_b - acceleration_a).head<2>());
+
+  // Where corners move, the point of contact wanders over the surfaces: the second difference of the gap, along
+  // the flight from here on, knows it all. It is taken over as long as the gap's rounding allows.
+  double bound = 0.0;
+  for (const auto& [i, by] : {std::pair(a, acceleration_a), std::pair(b, acceleration_b)}) {
+    bound += by.head<2>().norm();
+    if (!world.immovable(i)) bound += turning_curvature(world.shapes().shapes, i, tracks.settled(i)[5], by[2]);
+  }
+  if (bound == 0.0) return 0.0;
+  const double wait =
+      std::min(world.method.step, std::sqrt(2e4 * touch_tolerance(world, a, b, within) / bound));
+  const auto flown = [&](int i, const Eigen::Vector3d& by) -> Eigen::Vector3d {
+    const auto& y = tracks.settled(i);
+    return y.head<3>() + wait * (y.segment<3>(3) + 0.5 * wait * by);
+  };
+  const double gap =
+      contact_between(world.shapes(), a, flown(a, acceleration_a), b, flown(b, acceleration_b)).gap;
+  const double speed = world.parting_speed(a, b, contact);
+  return -2.0 * (gap - contact.gap - speed * wait) / (wait * wait);
+}
+
+}  // namespace carom

@@ -1,0 +1,64 @@
+#include "physics/world/penetrations.h"
+
+#include <limits>
+
+#include "physics/world/apply_impact.h"
+#include "physics/world/pair_motion.h"
+
+namespace carom {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, double h) {
+  Tracks& tracks = world.tracks;
+  const ForceField& field = world.field();
+  double& correction = world.sums.ledger.overlap_correction;
+  const double now = world.clock.step_end - tracks.epoch();
+  // Each push changes the energy of attraction with all bodies: of many pairs their sum is taken at once.
+  const bool all_at_once =
+      field.attracts() && !world.model->needs.links && pairs.size() > world.model->bodies().size();
+  if (all_at_once) correction -= field.potential_energy(world.state.q);
+  for (const auto& [a, b, resting] : pairs) {
+    world.work.pass(1);
+    if (!world.shapes().can_meet(a, b)) continue;  // joined meanwhile
+    Approach at = world.approach(a, b, 0.0);
+    const double gap = at.contact.gap;
+    if (gap >= 0.0) continue;
+    const Vec2 normal = at.contact.normal;
+
+    // Bodies with corners may penetrate at two: once for the middle, then for the one that still approaches.
+    const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
+    for (int k = 0; k < most; ++k) {
+      if (k > 0) at = world.approach(a, b, -gap);
+      if (!(at.speed < (k == 0 ? 0.0 : -16.0 * kEpsilon * at.scale))) break;
+      Material material = world.material(a, b);
+      // What gravity pressed in during this step must not bounce; a true impact on a resting pair must.
+      if (resting && -at.speed <= pressed_in(world, a, b, h)) material.restitution = 0.0;
+      apply_impact(world, a, b, at.contact, material, now);
+      if (!world.shapes().can_meet(a, b)) break;
+    }
+    if (!world.shapes().can_meet(a, b)) continue;
+
+    const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;  // of the model as it is now
+    const double share = inverse_mass[a] + inverse_mass[b];
+    const Vec2 push = (resting ? 1.0 : kPenetrationFraction) * -gap / share * normal;
+    for (const int i : {a, b}) {
+      if (world.immovable(i)) continue;
+      const Vec2 x = tracks.settled(i).head<2>();
+      const Vec2 moved = x + (i == a ? -1.0 : 1.0) * inverse_mass[i] * push;
+      if (!all_at_once) {
+        correction +=
+            field.potential_energy_of(i, moved, world.state.q) - field.potential_energy_of(i, x, world.state.q);
+      }
+      tracks.set_pose(i, {moved.x(), moved.y(), tracks.settled(i)[2]});
+      world.state.q.col(i).head<2>() = moved;
+      if (tracks.is_linked(i)) world.restore_links(tracks.island_of(i));
+    }
+  }
+  if (all_at_once) correction += field.potential_energy(world.state.q);
+}
+
+}  // namespace carom

@@ -1,0 +1,449 @@
+#include "physics/world/resting_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "physics/collision/pair_contact.h"
+#include "physics/collision/time_of_impact.h"
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/scene/drive.h"
+#include "physics/world/apply_impact.h"
+#include "physics/world/pair_motion.h"
+#include "physics/world/penetrations.h"
+
+namespace carom {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+// Of what the forces change of a speed in a step: to this the contact forces are solved.
+constexpr double kSolved = 1e-10;
+// Likewise: a contact that slips slower than this sticks.
+constexpr double kStuck = 1e-6;
+// Of the size: a smaller overlap is rounding, and one beyond kDeep is taken away in parts.
+constexpr double kOverlap = 1e-12;
+constexpr double kDeep = 1e-3;
+// Contacts of an island up to which it is solved exactly, always or where its rms velocity is at most kSlow of
+// what the forces change of a speed in a step. In a crowd, a larger one, the tolerance is kCrowdMotion of its
+// speeds, at most kCrowdSolved of what the forces change of a speed in a step: as it comes to rest it is solved
+// better and better, each step from the forces of the one before.
+constexpr int kMostExact = 64;
+constexpr int kMostExactAtRest = 400;
+constexpr double kSlow = 1e-5;
+constexpr double kCrowdMotion = 0.1;
+constexpr double kCrowdSolved = 1e-2;
+constexpr double kCrowdRest = 1e-9;
+constexpr double kCrowdOverlap = 1e-6;  // of the size
+// Sweeps of a crowd, more of a small one.
+constexpr int kCrowdSweeps = 20;
+constexpr int kCrowdContactSweeps = 10'000;
+// Where the integrator's flight is not linear in the contact forces they are corrected this often.
+constexpr int kMostRounds = 12;
+// Room for contacts to begin with.
+constexpr int kFewContacts = 64;
+
+double cross(const Vec2& r, const Vec2& d) { return r.x() * d.y() - r.y() * d.x(); }
+
+// Of a contact, for the velocities v of all bodies.
+RowVelocity velocity_at(const Contacts& c, int i, const Eigen::Matrix3Xd& v) {
+  const Eigen::Vector3d a = v.col(c.a[i]);
+  const Eigen::Vector3d b = v.col(c.b[i]);
+  const Vec2 n = c.normal[i];
+  const Vec2 d = (b - a).head<2>();
+  return {d.dot(n) + b[2] * cross(c.arm_b[i], n) - a[2] * cross(c.arm_a[i], n),
+          cross(n, d) + b[2] * c.arm_b[i].dot(n) - a[2] * c.arm_a[i].dot(n), b[2] - a[2]};
+}
+
+// m: of the disc that would roll on a plane as these two roll on each other; 0 if neither is a disc.
+double rolling_radius(const Geometry& shapes, int a, int b) {
+  double curvature = 0.0;
+  for (const int i : {a, b}) {
+    if (shapes.is_disc(i) && shapes.shapes.rounding[i] > 0.0) curvature += 1.0 / shapes.shapes.rounding[i];
+  }
+  return curvature > 0.0 ? 1.0 / curvature : 0.0;
+}
+
+void report_residual(World& world, const ContactSolverReport& report) {
+  if (report.missed_islands == 0) return;
+  world.note(&Notices::contacts_left_since, world.clock.time);
+  double& left = world.sums.notices.contacts_left;
+  left = std::max(left, report.residual);
+}
+
+}  // namespace
+
+double RestingContacts::rest_speed(const World& world, int a, int b, const Vec2& normal,
+                                   double restitution) const {
+  const Eigen::Matrix3Xd& by = acceleration_;
+  double press = std::max(0.0, -normal.dot((by.col(b) - by.col(a)).head<2>()));
+  for (const int i : {a, b}) {
+    if (memory_.held[i] != 0) press = std::max(press, by.col(i).head<2>().norm());
+  }
+  if (!(press > 0.0)) return kRestSpeed;
+  double share = 1.0;
+  // Explicit Euler's rebounds don't die out below this.
+  if (world.method.integrator == IntegratorId::kExplicitEuler && restitution < 1.0)
+    share = std::clamp(kRestRebound * restitution / (1.0 - restitution), 1.0, kMostRestRebound);
+  return std::max(kRestSpeed, share * press * step_length_);
+}
+
+void RestingContacts::begin_step(World& world, double h) {
+  step_length_ = std::max(h, world.method.step);
+  world.tracks.begin(world.clock.time);
+}
+
+void RestingContacts::support(World& world, double h) {
+  const int n = world.bodies();
+  for (const int i : memory_.pushed) world.tracks.set_contact_acceleration(i, Eigen::Vector3d::Zero());
+  memory_.pushed.clear();
+  acceleration_.setZero(3, n);
+  for (int i = 0; i < n; ++i) {
+    if (!world.immovable(i)) {
+      acceleration_.col(i) = world.tracks.acceleration(i);
+    } else if (world.model->driven[i] != 0) {
+      acceleration_.col(i).head<2>() =
+          drive_acceleration(*world.model->bodies()[i].drive, world.tracks.epoch());
+    }
+  }
+  memory_.held.resize(n, 0);
+  find_contacts(world, h);
+  prepare_contacts(world.mass(), contacts_,
+                   {.most_exact = kMostExact,
+                    .most_slow = kMostExactAtRest,
+                    .slow_speed = kSlow * change_by_forces(),
+                    .motion = &world.state.v},
+                   workspace_);
+  project_penetrations(world);
+  stop_approaches(world, h);
+  find_forces(world, h);
+}
+
+// Fills the contacts of this step, with the forces that the last one ended with as a first guess.
+void RestingContacts::find_contacts(World& world, double h) {
+  const int n = world.bodies();
+  const ConvexShapes& convex = world.shapes().shapes;
+  // Part of a step looks as far as a whole one, so that it forgets no contact.
+  const double whole = step_length_;
+  poses_.resize(n);
+  reach_.resize(n);
+  for (int i = 0; i < n; ++i) {
+    const Eigen::Vector3d q = world.tracks.settled(i).head<3>();
+    const Eigen::Vector3d v = world.tracks.settled(i).segment<3>(3);
+    const double turning = v[2] != 0.0 ? std::abs(v[2]) * convex.core_radius[i] : 0.0;
+    reach_[i] = (v.head<2>().norm() + turning) * whole + acceleration_.col(i).head<2>().norm() * whole * whole;
+    poses_[i] = pose_of(convex, i, q);
+  }
+  id_.clear();
+  guess_.clear();
+  point_.clear();
+  near_.clear();
+  supported_.clear();
+  landings_.clear();
+  std::size_t last = 0;  // of the forces before
+  for (const auto& [a, b] : near_pairs_.find(world, [&](int i) { return reach_[i]; })) {
+    if (!world.shapes().can_meet(a, b)) continue;
+    near_.emplace_back(a, b);
+    const double size = world.shapes().size[a] + world.shapes().size[b];
+    const double rounding = kOverlap * (size + world.tracks.settled(a).head<2>().lpNorm<1>() +
+                                        world.tracks.settled(b).head<2>().lpNorm<1>());
+    const Manifold m = manifold(convex, a, poses_[a], b, poses_[b], reach_[a] + reach_[b] + rounding);
+    if (m.count == 0) continue;
+    const auto& forces = memory_.forces;
+    while (last < forces.size() && std::pair(forces[last].a, forces[last].b) < std::pair(a, b)) ++last;
+    const std::size_t landings = landings_.size();
+    add_contacts(world, a, b, m, rounding, h, last);
+    // What nothing supports yet is the event queue's matter.
+    if (supported_.empty() || supported_.back() != std::pair(a, b)) landings_.resize(landings);
+  }
+  contacts_.resize(static_cast<int>(id_.size()));
+}
+
+// The points of a manifold that rest, and those that will land; `last` is the pair's first force before.
+void RestingContacts::add_contacts(World& world, int a, int b, const Manifold& m, double rounding, double h,
+                                   std::size_t last) {
+  Contacts& c = contacts_;
+  const auto& forces = memory_.forces;
+  const Material& material = world.material(a, b);
+  const double rest = rest_speed(world, a, b, m.normal, material.restitution);
+  const bool located = world.method.impacts == ImpactsId::kLocated;
+  for (int k = 0; k < m.count; ++k) {
+    const ManifoldPoint& at = m.points[k];
+    const int i = static_cast<int>(id_.size());
+    if (i == c.size()) c.resize(std::max(kFewContacts, 2 * i));
+    c.a[i] = a;
+    c.b[i] = b;
+    c.normal[i] = m.normal;
+    c.arm_a[i] = at.point - poses_[a].position;
+    c.arm_b[i] = at.point - poses_[b].position;
+    c.gap[i] = at.gap;
+    const RowVelocity u = velocity_at(c, i, world.state.v);
+    const double closing = -u.normal;
+    const bool slow = material.restitution * closing <= rest;
+    // At their own time fast impacts are the event queue's matter.
+    const bool open = at.gap > rounding;
+    const bool near = !open || (at.gap <= (std::max(closing, 0.0) + rest) * step_length_ &&
+                                (!located || closing <= 2.0 * rest));
+    if (!near || (!slow && at.gap >= -rounding)) {
+      if (located && open && closing > rest) landings_.push_back({a, b, at.id});
+      continue;
+    }
+    // A fast one that penetrates is pushed out, and left to the impacts at the step's end.
+    c.target[i] = slow ? -std::max(at.gap, 0.0) / h : -std::numeric_limits<double>::infinity();
+    c.static_friction[i] = material.static_friction;
+    c.kinetic_friction[i] = material.kinetic_friction;
+    c.rolling[i] = material.rolling_resistance * rolling_radius(world.shapes(), a, b);
+    c.sticks[i] = std::abs(u.tangential) <= kRestSpeed ? 1 : 0;
+    c.normal_impulse[i] = c.tangential_impulse[i] = c.rolling_impulse[i] = 0.0;
+    guess_.emplace_back(Eigen::Vector3d::Zero());
+    for (std::size_t j = last; j < forces.size() && forces[j].a == a && forces[j].b == b; ++j) {
+      if (forces[j].id != at.id) continue;
+      c.sticks[i] = forces[j].sticks;
+      guess_.back() = memory_.hold[j];
+    }
+    id_.push_back(at.id);
+    point_.push_back(at.point);
+    if (slow && (supported_.empty() || supported_.back() != std::pair(a, b))) supported_.emplace_back(a, b);
+  }
+}
+
+std::optional<LandingTime> RestingContacts::first_landing(World& world, double end) const {
+  std::optional<LandingTime> first;
+  double time = end;
+  const ConvexShapes& convex = world.shapes().shapes;
+  for (const Landing& landing : landings_) {
+    const auto& [a, b, id] = landing;
+    const auto gap = [&, a = a, b = b, id = id](double t) {
+      const Manifold m = manifold(convex, a, pose_of(convex, a, world.tracks.at(a, t).head<3>()), b,
+                                  pose_of(convex, b, world.tracks.at(b, t).head<3>()),
+                                  std::numeric_limits<double>::infinity());
+      for (int k = 0; k < m.count; ++k) {
+        if (m.points[k].id == id) return m.points[k].gap;
+      }
+      return world.shapes().size[a] + world.shapes().size[b];
+    };
+    const double at_start = gap(0.0);
+    const double at_end = gap(time);
+    if (!(at_start > 0.0 && at_end < 0.0)) continue;
+    time = bracketed_root(gap, 0.0, at_start, time, at_end);
+    first = {landing, time};
+  }
+  return first;
+}
+
+void RestingContacts::land(World& world, const LandingTime& landing) const {
+  const auto& [a, b, id] = landing.landing;
+  const Approach at = world.approach(a, b, touch_tolerance(world, a, b, landing.time));
+  const Material& material = world.material(a, b);
+  if (material.restitution * -at.speed > rest_speed(world, a, b, at.contact.normal, material.restitution))
+    apply_impact(world, a, b, at.contact, material, landing.time);
+}
+
+ContactSolverOptions RestingContacts::solver_options() const {
+  const double by_forces = change_by_forces();
+  ContactSolverOptions options;
+  const double rounding = 16.0 * kEpsilon * before_.topRows<2>().cwiseAbs().maxCoeff();
+  options.tolerance = kSolved * by_forces + rounding;
+  options.crowd_sweeps = kCrowdSweeps;
+  options.crowd_contact_sweeps = kCrowdContactSweeps;
+  options.crowd_tolerance = kCrowdRest * by_forces + rounding;
+  options.crowd_motion = &before_;
+  options.crowd_share = kCrowdMotion;
+  options.crowd_coarsest = kCrowdSolved * by_forces + rounding;
+  options.slip_speed = kStuck * by_forces + options.tolerance;
+  return options;
+}
+
+// Positions move out of overlaps; velocities stay.
+void RestingContacts::project_penetrations(World& world) {
+  double deepest = 0.0;  // of the size
+  double size = 0.0;     // m, the least of an overlapping pair
+  for (int i = 0; i < contacts_.size(); ++i) {
+    if (!(contacts_.gap[i] < 0.0)) continue;
+    const double of_pair = world.shapes().size[contacts_.a[i]] + world.shapes().size[contacts_.b[i]];
+    deepest = std::max(deepest, -contacts_.gap[i] / of_pair);
+    size = size > 0.0 ? std::min(size, of_pair) : of_pair;
+  }
+  if (!(deepest > (has_large_island() ? kCrowdOverlap : 16.0 * kOverlap))) return;
+  before_ = world.state.v;
+  ContactSolverOptions options = solver_options();
+  options.tolerance = kOverlap * size;
+  options.crowd_tolerance = kCrowdOverlap * size;
+  options.crowd_motion = nullptr;
+  project_prepared(world.mass(), contacts_, deepest > kDeep ? kPenetrationFraction : 1.0, moved_, options,
+                   workspace_);
+  const double before = world.field().potential_energy(world.state.q);
+  for (int i = 0; i < world.state.size(); ++i) {
+    if (world.immovable(i) || moved_.col(i).isZero(0.0)) continue;
+    world.tracks.set_pose(i, world.tracks.settled(i).head<3>() + moved_.col(i));
+    world.state.q.col(i) = world.tracks.settled(i).head<3>();
+  }
+  world.sums.ledger.overlap_correction += world.field().potential_energy(world.state.q) - before;
+  for (int k = 0; k < world.tracks.islands(); ++k) {
+    if (world.tracks.is_linked(world.tracks.members(k).front())) world.restore_links(k);
+  }
+  for (int i = 0; i < contacts_.size(); ++i) contacts_.gap[i] += velocity_at(contacts_, i, moved_).normal;
+}
+
+// Books what the contact forces did up to `passed`, a share of the time that they were found for. Their work is
+// theirs along the paths as they have become, with all impacts on the way. Under the Euler methods, whose paths
+// are not those of their velocities, it is that along the velocities without impacts.
+void RestingContacts::book_forces(World& world, double passed, double share) {
+  mean_ = before_ + 0.5 * share * (after_ - before_);
+  if (choice_of(kIntegrators, world.method.integrator).exact_under_gravity) {
+    for (int i = 0; i < world.state.size(); ++i) {
+      if (!world.immovable(i) || world.model->driven[i] != 0)
+        mean_.col(i) = (world.tracks.at(i, passed).head<3>() - world.state.q.col(i)) / passed;
+    }
+  }
+  book_impulses(world, share);
+}
+
+// Books what a share of the impulses of all contacts did at the velocities `mean`.
+void RestingContacts::book_impulses(World& world, double share) const {
+  const Contacts& c = contacts_;
+  for (int i = 0; i < c.size(); ++i) {
+    const double jn = share * c.normal_impulse[i];
+    const double jt = share * c.tangential_impulse[i];
+    if (jn == 0.0) continue;
+    const RowVelocity u = velocity_at(c, i, mean_);
+    world.sums.ledger.lost_to_restitution -= jn * u.normal;
+    world.sums.ledger.lost_to_friction -= jt * u.tangential;
+    world.sums.ledger.lost_to_rolling -= share * c.rolling_impulse[i] * u.spin;
+    const Vec2 j = jn * c.normal[i] + jt * Vec2(-c.normal[i].y(), c.normal[i].x());
+    for (const auto& [body, sign] : {std::pair(c.a[i], -1.0), std::pair(c.b[i], 1.0)}) {
+      if (!world.immovable(body)) continue;
+      world.sums.ledger.momentum_to_walls += sign * j;
+      world.sums.ledger.put_in_by_drives -= sign * j.dot(mean_.col(body).head<2>());
+    }
+  }
+}
+
+// What touches, or would within the step, loses its closing speed now.
+void RestingContacts::stop_approaches(World& world, double h) {
+  Contacts& c = contacts_;
+  const int n = world.bodies();
+  before_.resize(3, n);
+  for (int i = 0; i < n; ++i) before_.col(i) = world.tracks.settled(i).segment<3>(3);
+  memory_.forces.clear();
+  const ContactSolverOptions options = solver_options();
+  double worst = 0.0;
+  for (int i = 0; i < c.size(); ++i) {
+    if (std::isfinite(c.target[i])) c.target[i] = -std::max(c.gap[i], 0.0) / h;
+    worst = std::max(worst, c.target[i] - velocity_at(c, i, before_).normal);
+  }
+  after_ = before_;
+  if (worst > 2.0 * (has_large_island() ? options.crowd_tolerance : options.tolerance)) {
+    report_residual(world, solve_prepared(world.mass(), c, after_, options, workspace_));
+    mean_ = 0.5 * (before_ + after_);
+    book_impulses(world, 1.0);
+    for (int i = 0; i < n; ++i) {
+      if (world.immovable(i) || after_.col(i) == before_.col(i)) continue;
+      world.tracks.set_velocity(i, after_.col(i).head<2>(), after_(2, i));
+    }
+  }
+  for (int i = 0; i < c.size(); ++i) {
+    memory_.forces.push_back({c.a[i], c.b[i], id_[i], point_[i], c.normal[i], c.normal_impulse[i] / h,
+                              c.tangential_impulse[i] / h, c.rolling_impulse[i] / h, true});
+  }
+}
+
+// Forces on the tracks such that velocities fit the contacts again at the step's end.
+void RestingContacts::find_forces(World& world, double h) {
+  Contacts& c = contacts_;
+  const int n = world.bodies();
+  std::fill(memory_.held.begin(), memory_.held.end(), 0);
+  memory_.hold.clear();
+  if (c.size() == 0) return;
+  before_ = after_;
+  for (int i = 0; i < c.size(); ++i) {
+    c.normal_impulse[i] = h * guess_[i][0];
+    c.tangential_impulse[i] = h * guess_[i][1];
+    c.rolling_impulse[i] = h * guess_[i][2];
+    for (const int body : {c.a[i], c.b[i]}) {
+      if (world.immovable(body) || memory_.held[body] != 0) continue;
+      memory_.held[body] = 1;
+      memory_.pushed.push_back(body);
+    }
+  }
+  free_.resize(3, n);
+  for (int i = 0; i < n; ++i) free_.col(i) = world.tracks.at(i, h).segment<3>(3);
+  const ContactSolverOptions options = solver_options();
+  sticks_ = c.sticks;
+  ContactSolverReport report;
+  for (int round = 0; round < kMostRounds; ++round) {
+    after_ = free_;
+    c.sticks = sticks_;
+    report = solve_prepared(world.mass(), c, after_, options, workspace_);
+    for (const int i : memory_.pushed)
+      world.tracks.set_contact_acceleration(i, (after_.col(i) - free_.col(i)) / h);
+    if (world.tracks.is_parabolic()) break;
+    double off = 0.0;
+    for (const int i : memory_.pushed) {
+      const Eigen::Vector3d by = world.tracks.at(i, h).segment<3>(3) - after_.col(i);
+      off = std::max(off, by.head<2>().norm());
+      free_.col(i) += by;
+    }
+    if (off <= options.tolerance) break;
+    report.residual = std::max(report.residual, off);
+    if (round == kMostRounds - 1) ++report.missed_islands;
+  }
+  report_residual(world, report);
+  std::fill(memory_.held.begin(), memory_.held.end(), 0);
+  for (int i = 0; i < c.size(); ++i) {
+    const Eigen::Vector3d by =
+        Eigen::Vector3d(c.normal_impulse[i], c.tangential_impulse[i], c.rolling_impulse[i]) / h;
+    ContactForce& f = memory_.forces[i];
+    f.normal_force += by[0];
+    f.tangential_force += by[1];
+    f.rolling_moment += by[2];
+    f.sticks = c.sticks[i] != 0;
+    memory_.hold.push_back(guess_[i] + h / step_length_ * (by - guess_[i]));
+    if (memory_.hold[i][0] > 0.0) memory_.held[c.a[i]] = memory_.held[c.b[i]] = 1;
+  }
+}
+
+void RestingContacts::release(World& world) {
+  for (const int i : memory_.pushed) world.tracks.set_contact_acceleration(i, Eigen::Vector3d::Zero());
+  *this = {};
+}
+
+double RestingContacts::change_by_forces() const {
+  return step_length_ * acceleration_.topRows<2>().colwise().norm().maxCoeff();
+}
+
+bool RestingContacts::supports(int a, int b) const {
+  return std::binary_search(supported_.begin(), supported_.end(), std::pair(a, b));
+}
+
+bool RestingContacts::stays_supported(const World& world, int a, int b) const {
+  if (!supports(a, b)) return false;
+  const Vec2 u = world.tracks.settled(b).segment<2>(3) - world.tracks.settled(a).segment<2>(3);
+  double speed = u.norm();
+  double press = 0.0;
+  for (const int i : {a, b}) {
+    const double spin = world.tracks.settled(i)[5];
+    if (spin != 0.0) speed += std::abs(spin) * world.shapes().shapes.core_radius[i];
+    press = std::max(press, acceleration_.col(i).head<2>().norm());
+  }
+  return speed <= press * step_length_;
+}
+
+// Bodies that overlap at the step's end and close faster than contacts take up rebound by the law of impacts.
+void RestingContacts::rebound_at_end(World& world, const std::vector<std::pair<int, int>>& pairs) const {
+  const double now = world.clock.step_end - world.tracks.epoch();
+  for (const auto& [a, b] : pairs) {
+    const double restitution = world.material(a, b).restitution;
+    if (restitution == 0.0 || !world.shapes().can_meet(a, b)) continue;  // or joined meanwhile
+    const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
+    for (int k = 0; k < most; ++k) {
+      const Approach at = world.approach(a, b, 0.0);
+      if (at.contact.gap >= 0.0) break;
+      const double rest = rest_speed(world, a, b, at.contact.normal, restitution);
+      if (!(-restitution * at.speed > rest)) break;
+      apply_impact(world, a, b, at.contact, world.material(a, b), now);
+      if (!world.shapes().can_meet(a, b)) break;
+    }
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+namespace carom {
+
+// The time of a run, in s. Whole steps keep time = origin + k h, without summing.
+struct RunClock {
+  double time = 0.0;         // at the end of the last step
+  double step_end = 0.0;     // of the step under way
+  double origin = 0.0;       // time = origin + steps_since_origin * origin_step
+  double origin_step = 0.0;  // the length of all steps since the origin
+  std::int64_t steps_since_origin = 0;
+  std::int64_t steps = 0;
+
+  void start(double at) { time = step_end = origin = at; }
+  void begin_step(double h) {
+    if (h != origin_step) {
+      origin = time;
+      origin_step = h;
+      steps_since_origin = 0;
+    }
+    ++steps_since_origin;
+    step_end = origin + static_cast<double>(steps_since_origin) * h;
+  }
+  void end_step() {
+    time = step_end;
+    ++steps;
+  }
+};
+
+}  // namespace carom

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "physics/world/near_pairs.h"
+#include "physics/world/pair_list.h"
+#include "physics/world/world.h"
+
+namespace carom {
+
+class RestingContacts;
+
+// Impacts at the step's end (the founding report's loop): all bodies fly for h, then each penetrating pair, in
+// the order of index pairs, gets its impulse if it approaches, and a pseudo-spring moves it apart.
+class StepEndImpacts {
+ public:
+  // A step of h s; `resting` has supported it already, or is null without resting contacts, which otherwise
+  // take up all penetrations.
+  void step(World& world, RestingContacts* resting, double h);
+
+ private:
+  NearPairs near_pairs_;
+  std::vector<WaitingPair> pairs_;
+};
+
+}  // namespace carom

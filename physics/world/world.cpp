@@ -1,0 +1,127 @@
+#include "physics/world/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "physics/dynamics/lost_motion.h"
+
+namespace carom {
+
+World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
+    : model(std::move(compiled)), method(chosen), tracks(model, method) {
+  const double start = model->start_time;
+  tracks.begin(start);
+  // Seven digits of a file are not where links hold their ends within rounding.
+  for (int k = 0; k < tracks.islands(); ++k) tracks.restore_links(k);
+  resize_state();
+  tracks.begin(start);
+  publish(0.0);
+  clock.start(start);
+  sums.gravity_since = start;
+  sums.peak_kinetic = kinetic_energy(state, mass());
+  sums.ledger.initial = totals().energy();
+  sums.ledger.initial_momentum = totals().momentum;
+}
+
+void World::recompile(Scene scene, const Needs& needs, double within) {
+  model = compile(std::move(scene), needs, model->start_time);
+  Tracks anew(model, method);
+  anew.take_over(tracks, within);
+  tracks = std::move(anew);
+}
+
+void World::resize_state() {
+  state.resize(bodies());
+  state.books.setZero();
+}
+
+void World::publish(double within) {
+  for (int i = 0; i < state.size(); ++i) {
+    if (tracks.is_parabolic() && model->driven[i] == 0 && !field().keeps_books()) {
+      state.q.col(i) = tracks.parabola(i, within);
+      state.v.col(i) = tracks.parabola_velocity(i, within);
+    } else {
+      state.set_motion(i, tracks.at(i, within));
+    }
+  }
+}
+
+State World::state_at(double within) {
+  State all;
+  all.resize(state.size());
+  for (int i = 0; i < all.size(); ++i) all.set_motion(i, tracks.at(i, std::max(within, tracks.start(i))));
+  return all;
+}
+
+ImpactSide World::side(int body, const Contact& contact, double towards) const {
+  const auto y = tracks.settled(body);
+  const Vec2 r = contact.point - y.head<2>();
+  const Vec2& n = contact.normal;
+  // The normal of a disc's contact passes through its centre, but for rounding.
+  const double lever = shapes().is_disc(body) ? 0.0 : towards * (r.x() * n.y() - r.y() * n.x());
+  return {y.segment<2>(3),    y[5], mass().inverse_mass[body], mass().inverse_inertia[body],
+          towards * r.dot(n), lever};
+}
+
+double World::parting_speed(int a, int b, const Contact& contact) const {
+  return relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
+}
+
+Approach World::approach(int a, int b, double tolerance) const {
+  const auto ya = tracks.settled(a);
+  const auto yb = tracks.settled(b);
+  return approach_of(shapes(), a, ya.head<3>(), {ya.segment<2>(3), ya[5]}, b, yb.head<3>(),
+                     {yb.segment<2>(3), yb[5]}, tolerance);
+}
+
+void World::restore_links(int island) {
+  const auto totals_now = [&] {
+    for (const int i : tracks.members(island)) state.set_motion(i, tracks.settled(i));
+    return totals();
+  };
+  const Totals before = totals_now();
+  tracks.restore_links(island);
+  const Totals after = totals_now();
+  sums.ledger.overlap_correction += after.energy() - before.energy();
+  sums.ledger.momentum_to_walls -= after.momentum - before.momentum;
+}
+
+Ledger World::ledger() const {
+  Ledger ledger = sums.ledger;
+  ledger.add(1.0, ledger_of_books(state));
+  ledger.lost_to_links = tracks.lost_to_links();
+  double total = 0.0;
+  for (int i = 0; i < state.size(); ++i) {
+    if (!immovable(i)) total += mass().mass[i];
+  }
+  ledger.momentum_from_gravity += total * (clock.time - sums.gravity_since) * model->scene.forces.gravity;
+  return ledger;
+}
+
+void World::check_motions() const {
+  const auto beyond = [](const auto& m) { return !(m.array().abs() <= kLostBeyond).all(); };
+  if (!beyond(state.q) && !beyond(state.v) && state.books.allFinite()) return;
+  for (int i = 0; i < state.size(); ++i) {
+    if (beyond(state.q.col(i)) || beyond(state.v.col(i)) || !state.books.col(i).allFinite())
+      throw LostMotion{LossReason::kTooLarge, i, clock.step_end};
+  }
+}
+
+// Looks at the ledger each time that the kinetic energy passes its peak by a power of four, so that most steps
+// do without the potential energy, which costs n² under attraction. Twice in a row, as Euler's first step from
+// rest is all of its own making: it moves nothing yet.
+void World::check_energy() {
+  constexpr double kMade = 0.75;  // of the kinetic energy
+  // Of the energies in the ledger: less is rounding.
+  constexpr double kRounding = 1e-9;
+  const double kinetic = kinetic_energy(state, mass());
+  const double peak = std::exchange(sums.peak_kinetic, std::max(sums.peak_kinetic, kinetic));
+  if (sums.notices.energy_made_since >= 0.0 || std::ilogb(kinetic) / 2 <= std::ilogb(peak) / 2) return;
+  const Ledger now = ledger();
+  const double made = now.numerical_drift(totals().energy());
+  sums.energy_doubts = made > kMade * kinetic && made > kRounding * now.turnover() ? sums.energy_doubts + 1 : 0;
+  if (sums.energy_doubts == 2) note(&Notices::energy_made_since, clock.step_end);
+}
+
+}  // namespace carom
