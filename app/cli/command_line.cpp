@@ -254,6 +254,15 @@ int run_command_line(int argc, char** argv) {
       ->check(kOutput)
       ->type_name("F");
 
+  NeedsOptions needs_options;
+  CLI::App& needs =
+      *program.add_subcommand("needs", "which parts of the model an experiment needs, and what each costs");
+  needs.add_option("preset", needs_options.preset, "a preset file or the name of an experiment")
+      ->required()
+      ->type_name("FILE|NAME");
+  const MethodArguments needs_method(needs);
+  needs.add_flag("--json", needs_options.json, "print one JSON object instead of a table");
+
   PictureOptions picture_options;
   CLI::App& picture = *program.add_subcommand("picture", "a picture of an experiment at one moment");
   picture.add_option("preset", picture_options.preset, "a preset file or the name of an experiment")
@@ -334,6 +343,10 @@ int run_command_line(int argc, char** argv) {
       return check_command(check_options);
     }
     if (stress.parsed()) return stress_command(stress_options);
+    if (needs.parsed()) {
+      needs_options.method = needs_method.options();
+      return needs_command(needs_options);
+    }
     if (picture.parsed()) {
       picture_options.method = picture_method.options();
       return picture_command(argc, argv, picture_options);

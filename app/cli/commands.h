@@ -62,6 +62,12 @@ struct StressOptions {
   std::string page;                // file for the help's page of figures, Markdown
 };
 
+struct NeedsOptions {
+  std::string preset;
+  MethodOptions method;
+  bool json = false;
+};
+
 struct PictureOptions {
   std::string preset;
   MethodOptions method;
@@ -112,6 +118,8 @@ int check_command(const CheckOptions& options);
 int study_command(int& argc, char** argv, const StudyCommandOptions& options);
 // The hard cases: each figure beside its limit.
 int stress_command(const StressOptions& options);
+// Which parts of the model an experiment needs, why, and what each costs a step.
+int needs_command(const NeedsOptions& options);
 int picture_command(int& argc, char** argv, const PictureOptions& options);
 // Numbered pictures of a part of the run, to make a film of.
 int film_command(int& argc, char** argv, const FilmOptions& options);

@@ -18,10 +18,13 @@ std::array<double, 3> breaks_of(const AppliedForce& f) {
 
 }  // namespace
 
-ForceField::ForceField(std::shared_ptr<const ForceTerms> terms, const std::vector<Body>& bodies, double time)
-    : terms_(std::move(terms)),
-      phase_(terms_->applied.size(), 0),
-      contact_(Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(bodies.size()))) {
+ForceField::ForceField(std::shared_ptr<const Model> model)
+    : model_(std::move(model)),
+      terms_(&model_->forces),
+      add_external_(add_external_of(model_->needs)),
+      phase_(terms_->applied.size(), 0) {
+  const std::vector<Body>& bodies = model_->bodies();
+  const double time = model_->start_time;
   for (int spring = 0; spring < springs(); ++spring) {
     const SpringTerm& s = terms_->springs[spring];
     const Motion a = initial_motion(bodies[s.body], time);
@@ -50,43 +53,59 @@ ForceField::Pull ForceField::pull(const SpringTerm& spring, const Vec2& d, const
   return {force * direction, spring.damping * rate * rate};
 }
 
+template <bool kDrag, bool kSprings, bool kApplied>
 void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const {
   Vec2 force = Vec2::Zero();
   double torque = 0.0;
   Eigen::Map<Eigen::Matrix<double, kBooks, 1>> books(k + 6);
-  if (terms_->linear_drag > 0.0 || terms_->quadratic_drag > 0.0) {
+  if constexpr (kDrag) {
     const double coefficient = terms_->linear_drag + terms_->quadratic_drag * v.norm();
     force -= coefficient * v;
     books[kDragLoss] = coefficient * v.squaredNorm();
   }
-  for (const int i : terms_->outside[body]) {
-    if (engaged_[i] == 0) continue;
-    const SpringTerm& link = terms_->springs[i];
-    Vec2 end = link.anchor;
-    Vec2 end_velocity = Vec2::Zero();
-    if (link.drive >= 0) {
-      end = drive_position(*terms_->drives[link.drive], link.anchor, t);
-      end_velocity = drive_velocity(*terms_->drives[link.drive], t);
+  if constexpr (kSprings) {
+    for (const int i : terms_->outside[body]) {
+      if (engaged_[i] == 0) continue;
+      const SpringTerm& link = terms_->springs[i];
+      Vec2 end = link.anchor;
+      Vec2 end_velocity = Vec2::Zero();
+      if (link.drive >= 0) {
+        end = drive_position(model_->drive(link.drive), link.anchor, t);
+        end_velocity = drive_velocity(model_->drive(link.drive), t);
+      }
+      const Pull p = pull(link, x - end, v - end_velocity);
+      force += p.force;
+      books[kDamperLoss] += p.loss;
+      // The drive's share: what becomes of kinetic and spring energy beside the damper's loss.
+      books[kWorkIn] += p.force.dot(end_velocity);
     }
-    const Pull p = pull(link, x - end, v - end_velocity);
-    force += p.force;
-    books[kDamperLoss] += p.loss;
-    // The drive's share: what becomes of kinetic and spring energy beside the damper's loss.
-    books[kWorkIn] += p.force.dot(end_velocity);
   }
-  for (const int i : terms_->applied_to[body]) {
-    const AppliedTerm& a = terms_->applied[i];
-    if (phase_[i] == 0 || phase_[i] == 3) continue;
-    const double share = phase_[i] == 1 ? (t - a.law.start) / a.law.rise : 1.0;
-    force += share * a.law.force;
-    torque += share * a.law.torque;
-    books[kWorkIn] += share * (a.law.force.dot(v) + a.law.torque * spin);
+  if constexpr (kApplied) {
+    for (const int i : terms_->applied_to[body]) {
+      const AppliedTerm& a = terms_->applied[i];
+      if (phase_[i] == 0 || phase_[i] == 3) continue;
+      const double share = phase_[i] == 1 ? (t - a.law.start) / a.law.rise : 1.0;
+      force += share * a.law.force;
+      torque += share * a.law.torque;
+      books[kWorkIn] += share * (a.law.force.dot(v) + a.law.torque * spin);
+    }
   }
-  k[3] += terms_->mass.inverse_mass[body] * force.x();
-  k[4] += terms_->mass.inverse_mass[body] * force.y();
-  k[5] += terms_->mass.inverse_inertia[body] * torque;
+  k[3] += model_->mass.inverse_mass[body] * force.x();
+  k[4] += model_->mass.inverse_mass[body] * force.y();
+  k[5] += model_->mass.inverse_inertia[body] * torque;
   books[kImpulseX] = force.x();
   books[kImpulseY] = force.y();
+}
+
+ForceField::AddExternal ForceField::add_external_of(const Needs& needs) {
+  const auto with = [&]<bool kDrag, bool kSprings>(std::bool_constant<kDrag>, std::bool_constant<kSprings>) {
+    return needs.has(Part::kAppliedForces) ? &ForceField::add_external<kDrag, kSprings, true>
+                                           : &ForceField::add_external<kDrag, kSprings, false>;
+  };
+  const std::true_type in;
+  const std::false_type out;
+  if (needs.has(Part::kDrag)) return needs.has(Part::kSprings) ? with(in, in) : with(in, out);
+  return needs.has(Part::kSprings) ? with(out, in) : with(out, out);
 }
 
 void ForceField::add_couplings(std::span<const int> members, const Motions& y, Motions& k) const {
@@ -94,15 +113,15 @@ void ForceField::add_couplings(std::span<const int> members, const Motions& y, M
     return std::lower_bound(members.begin(), members.end(), body) - members.begin();
   };
   const int n = static_cast<int>(members.size());
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n && !terms_->between.empty(); ++i) {
     for (const int s : terms_->between[members[i]]) {
       const SpringTerm& link = terms_->springs[s];
       if (link.body != members[i] || engaged_[s] == 0) continue;
       const auto j = column_of(link.other);
       const Pull p =
           pull(link, y.col(i).head<2>() - y.col(j).head<2>(), y.col(i).segment<2>(3) - y.col(j).segment<2>(3));
-      k.col(i).segment<2>(3) += terms_->mass.inverse_mass[link.body] * p.force;
-      k.col(j).segment<2>(3) -= terms_->mass.inverse_mass[link.other] * p.force;
+      k.col(i).segment<2>(3) += model_->mass.inverse_mass[link.body] * p.force;
+      k.col(j).segment<2>(3) -= model_->mass.inverse_mass[link.other] * p.force;
       k(6 + kDamperLoss, i) += p.loss;
     }
   }
@@ -114,25 +133,26 @@ void ForceField::add_couplings(std::span<const int> members, const Motions& y, M
       const double square = d.squaredNorm() + softening;
       if (!(square > 0.0)) continue;
       const Vec2 pull = (terms_->attraction->constant / (square * std::sqrt(square))) * d;
-      k.col(i).segment<2>(3) += terms_->mass.mass[members[j]] * pull;
-      k.col(j).segment<2>(3) -= terms_->mass.mass[members[i]] * pull;
+      k.col(i).segment<2>(3) += model_->mass.mass[members[j]] * pull;
+      k.col(j).segment<2>(3) -= model_->mass.mass[members[i]] * pull;
     }
   }
 }
 
 Eigen::Vector3d ForceField::constant_acceleration(int body) const {
   Eigen::Vector3d a = Eigen::Vector3d::Zero();
-  if (!(terms_->mass.inverse_mass[body] > 0.0)) return a;
+  if (!(model_->mass.inverse_mass[body] > 0.0)) return a;
   a.head<2>() = terms_->gravity;
+  if (terms_->applied.empty()) return a;
   for (const int i : terms_->applied_to[body]) {
-    a.head<2>() += terms_->mass.inverse_mass[body] * terms_->applied[i].law.force;
-    a[2] += terms_->mass.inverse_inertia[body] * terms_->applied[i].law.torque;
+    a.head<2>() += model_->mass.inverse_mass[body] * terms_->applied[i].law.force;
+    a[2] += model_->mass.inverse_inertia[body] * terms_->applied[i].law.torque;
   }
   return a;
 }
 
 std::vector<std::vector<int>> ForceField::coupled_groups(const std::vector<std::pair<int, int>>& pairs) const {
-  const int n = static_cast<int>(terms_->between.size());
+  const int n = static_cast<int>(model_->bodies().size());
   std::vector<int> parent(n);
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int i) {
@@ -141,9 +161,11 @@ std::vector<std::vector<int>> ForceField::coupled_groups(const std::vector<std::
   };
   int first_free = -1;
   for (int i = 0; i < n; ++i) {
-    for (const int s : terms_->between[i])
-      parent[root(terms_->springs[s].other)] = root(terms_->springs[s].body);
-    if (terms_->attraction && terms_->mass.inverse_mass[i] > 0.0) {
+    if (!terms_->between.empty()) {
+      for (const int s : terms_->between[i])
+        parent[root(terms_->springs[s].other)] = root(terms_->springs[s].body);
+    }
+    if (terms_->attraction && model_->mass.inverse_mass[i] > 0.0) {
       if (first_free < 0) first_free = i;
       parent[root(i)] = root(first_free);
     }
@@ -179,7 +201,7 @@ double ForceField::link_energy(int spring, const Eigen::Matrix3Xd& q) const {
 double ForceField::attraction_energy(int a, int b, const Vec2& d) const {
   const double distance =
       std::sqrt(d.squaredNorm() + terms_->attraction->softening * terms_->attraction->softening);
-  return distance > 0.0 ? -terms_->attraction->constant * terms_->mass.mass[a] * terms_->mass.mass[b] / distance
+  return distance > 0.0 ? -terms_->attraction->constant * model_->mass.mass[a] * model_->mass.mass[b] / distance
                         : 0.0;
 }
 
@@ -187,14 +209,14 @@ double ForceField::potential_energy(const Eigen::Matrix3Xd& q) const {
   const int n = static_cast<int>(q.cols());
   double energy = 0.0;
   for (int i = 0; i < n; ++i) {
-    if (terms_->mass.inverse_mass[i] > 0.0)
-      energy -= terms_->mass.mass[i] * terms_->gravity.dot(q.col(i).head<2>());
+    if (model_->mass.inverse_mass[i] > 0.0)
+      energy -= model_->mass.mass[i] * terms_->gravity.dot(q.col(i).head<2>());
   }
   for (int s = 0; s < static_cast<int>(terms_->springs.size()); ++s) energy += link_energy(s, q);
   if (!terms_->attraction) return energy;
   for (int a = 0; a < n; ++a) {
     for (int b = a + 1; b < n; ++b) {
-      if (terms_->mass.inverse_mass[a] > 0.0 && terms_->mass.inverse_mass[b] > 0.0)
+      if (model_->mass.inverse_mass[a] > 0.0 && model_->mass.inverse_mass[b] > 0.0)
         energy += attraction_energy(a, b, q.col(a).head<2>() - q.col(b).head<2>());
     }
   }
@@ -202,10 +224,11 @@ double ForceField::potential_energy(const Eigen::Matrix3Xd& q) const {
 }
 
 double ForceField::potential_energy_of(int body, const Vec2& position, const Eigen::Matrix3Xd& q) const {
-  if (!(terms_->mass.inverse_mass[body] > 0.0)) return 0.0;
-  double energy = -terms_->mass.mass[body] * terms_->gravity.dot(position);
-  for (const auto* list : {&terms_->outside[body], &terms_->between[body]}) {
-    for (const int s : *list) {
+  if (!(model_->mass.inverse_mass[body] > 0.0)) return 0.0;
+  double energy = -model_->mass.mass[body] * terms_->gravity.dot(position);
+  for (const auto* lists : {&terms_->outside, &terms_->between}) {
+    if (lists->empty()) break;
+    for (const int s : (*lists)[body]) {
       const SpringTerm& link = terms_->springs[s];
       Vec2 end = link.anchor;
       if (link.drive >= 0) end = q.col(link.drive).head<2>();
@@ -215,7 +238,7 @@ double ForceField::potential_energy_of(int body, const Vec2& position, const Eig
   }
   if (!terms_->attraction) return energy;
   for (int b = 0; b < static_cast<int>(q.cols()); ++b) {
-    if (b != body && terms_->mass.inverse_mass[b] > 0.0)
+    if (b != body && model_->mass.inverse_mass[b] > 0.0)
       energy += attraction_energy(body, b, position - q.col(b).head<2>());
   }
   return energy;
@@ -226,6 +249,7 @@ double ForceField::potential_energy_of(int body, const Vec2& position, const Eig
 
 double ForceField::next_break(int body, double t) const {
   double next = kInfinity;
+  if (!has_breaks()) return next;
   const double now = t + 8.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
   for (const int i : terms_->applied_to[body]) {
     for (const double moment : breaks_of(terms_->applied[i].law)) {
@@ -236,6 +260,7 @@ double ForceField::next_break(int body, double t) const {
 }
 
 void ForceField::set_phase(int body, double t) {
+  if (!has_breaks()) return;
   const double now = t + 8.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
   for (const int i : terms_->applied_to[body]) {
     const auto moments = breaks_of(terms_->applied[i].law);
@@ -251,8 +276,8 @@ Motion ForceField::spring_end(int spring, double t) const {
   Motion end = Motion::Zero();
   end.head<2>() = link.anchor;
   if (link.drive >= 0) {
-    end.head<2>() = drive_position(*terms_->drives[link.drive], link.anchor, t);
-    end.segment<2>(3) = drive_velocity(*terms_->drives[link.drive], t);
+    end.head<2>() = drive_position(model_->drive(link.drive), link.anchor, t);
+    end.segment<2>(3) = drive_velocity(model_->drive(link.drive), t);
   }
   return end;
 }

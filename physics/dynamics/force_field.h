@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "physics/dynamics/state.h"
-#include "physics/model/force_terms.h"
+#include "physics/model/model.h"
 #include "physics/scene/drive.h"
 #include "physics/scene/scene.h"
 
@@ -23,8 +23,8 @@ namespace carom {
 class ForceField {
  public:
   ForceField() = default;
-  // The laws are those in force at `time` (s), where the bodies are as they have it then.
-  ForceField(std::shared_ptr<const ForceTerms> terms, const std::vector<Body>& bodies, double time = 0.0);
+  // The laws are those in force at the start of a run, where the bodies are as they have it then.
+  explicit ForceField(std::shared_ptr<const Model> model);
 
   // Rate of a movable body at absolute time t (s) under the forces from outside; y and k are columns of kRows,
   // or without the books where keeps_books() is false.
@@ -36,13 +36,14 @@ class ForceField {
     if constexpr (std::decay_t<K>::RowsAtCompileTime == kRows) {
       k.template tail<kBooks>().setZero();
       if (!terms_->gravity_only)
-        add_external(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
+        (this->*add_external_)(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
     }
   }
   // m/s², m/s², rad/s²: what contacts that last do to a body, from now on.
   [[nodiscard]] bool in_contact() const { return in_contact_; }
   [[nodiscard]] auto contact_acceleration(int body) const { return contact_.col(body); }
   void set_contact_acceleration(int body, const Eigen::Vector3d& by) {
+    if (!in_contact_) contact_ = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(model_->bodies().size()));
     in_contact_ = true;
     contact_.col(body) = by;
   }
@@ -74,7 +75,9 @@ class ForceField {
 
   [[nodiscard]] int springs() const { return static_cast<int>(terms_->springs.size()); }
   // One-sided springs that have an end at `body`.
-  [[nodiscard]] const std::vector<int>& switching_springs(int body) const { return terms_->switching[body]; }
+  [[nodiscard]] std::span<const int> switching_springs(int body) const {
+    return terms_->switching.empty() ? std::span<const int>() : terms_->switching[body];
+  }
   [[nodiscard]] bool has_switching_springs() const { return terms_->one_sided; }
   // > 0 where the spring acts, < 0 where it doesn't, in N or m; for positions and velocities of its ends.
   [[nodiscard]] double switch_margin(int spring, const Motion& body, const Motion& other) const;
@@ -101,12 +104,18 @@ class ForceField {
     Vec2 force;   // N, on `body`
     double loss;  // W, of the damper
   };
+  // With code for the parts that are in the model, and for no other.
+  using AddExternal = void (ForceField::*)(int, double, const Vec2&, const Vec2&, double, double*) const;
+  template <bool kDrag, bool kSprings, bool kApplied>
   void add_external(int body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const;
+  static AddExternal add_external_of(const Needs& needs);
   [[nodiscard]] Pull pull(const SpringTerm& spring, const Vec2& d, const Vec2& u) const;
   [[nodiscard]] double link_energy(int spring, const Eigen::Matrix3Xd& q) const;
   [[nodiscard]] double attraction_energy(int a, int b, const Vec2& d) const;
 
-  std::shared_ptr<const ForceTerms> terms_;
+  std::shared_ptr<const Model> model_;
+  const ForceTerms* terms_ = nullptr;  // the model's
+  AddExternal add_external_ = nullptr;
   std::vector<std::uint8_t> engaged_;  // by spring
   std::vector<int> phase_;             // by applied force: 0 before, 1 rising, 2 full, 3 after
   bool in_contact_ = false;

@@ -34,11 +34,10 @@ constexpr double kTautAtStart = 1e-6;
 
 }  // namespace
 
-Links::Links(std::shared_ptr<const Joints> joints, const std::vector<Link>& links,
-             const std::vector<Body>& bodies, double time)
-    : joints_(std::move(joints)) {
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const Joint& joint = joints_->all[i];
+Links::Links(std::shared_ptr<const Model> model) : model_(std::move(model)), joints_(&model_->joints) {
+  const std::vector<Body>& bodies = model_->bodies();
+  const double time = model_->start_time;
+  for (const Joint& joint : joints_->all) {
     Motions ends(kRows, 2);
     ends.col(0) = initial_motion(bodies[joint.body], time);
     ends.col(1) = joint.other >= 0 ? initial_motion(bodies[joint.other]) : Motion(Motion::Zero());
@@ -54,7 +53,7 @@ Links::Links(std::shared_ptr<const Joints> joints, const std::vector<Link>& link
 void Links::set_groups(const std::vector<std::vector<int>>& groups) {
   groups_.clear();
   first_row_.assign(joints_->all.size(), -1);
-  std::vector<std::vector<int>> links_at(joints_->mass.mass.size());  // by the body that they are laid at
+  std::vector<std::vector<int>> links_at(model_->mass.mass.size());  // by the body that they are laid at
   for (int l = 0; l < static_cast<int>(joints_->all.size()); ++l) links_at[joints_->all[l].body].push_back(l);
   for (const std::vector<int>& members : groups) {
     Group& g = groups_.emplace_back();
@@ -95,8 +94,8 @@ void Links::set_groups(const std::vector<std::vector<int>>& groups) {
     g.rest.setZero(3, static_cast<Eigen::Index>(members.size()));
     g.inverse_mass.resize(3, static_cast<Eigen::Index>(members.size()));
     for (std::size_t j = 0; j < members.size(); ++j) {
-      const double w = joints_->mass.inverse_mass[members[j]];
-      g.inverse_mass.col(static_cast<Eigen::Index>(j)) << w, w, joints_->mass.inverse_inertia[members[j]];
+      const double w = model_->mass.inverse_mass[members[j]];
+      g.inverse_mass.col(static_cast<Eigen::Index>(j)) << w, w, model_->mass.inverse_inertia[members[j]];
     }
     for (Eigen::Matrix3Xd* m : {&g.ja, &g.jb}) m->setZero(3, rows);
     g.normal.setZero(2, rows);
@@ -130,7 +129,7 @@ Links::Ends Links::ends_of(const Joint& link, double t, const Motions& y, int a,
   }
   Vec2 end = link.anchor;
   if (link.drive >= 0) {
-    const Drive& drive = *joints_->drives[link.drive];
+    const Drive& drive = model_->drive(link.drive);
     end = drive_position(drive, link.anchor, t);
     e.end_velocity = drive_velocity(drive, t);
     e.bend -= drive_acceleration(drive, t);

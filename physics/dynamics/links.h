@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "physics/dynamics/state.h"
-#include "physics/model/joints.h"
+#include "physics/model/model.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -36,9 +36,8 @@ namespace carom {
 class Links {
  public:
   Links() = default;
-  // As the bodies are at the start, at `time` (s).
-  Links(std::shared_ptr<const Joints> joints, const std::vector<Link>& links, const std::vector<Body>& bodies,
-        double time = 0.0);
+  // As the bodies are at the start of a run.
+  explicit Links(std::shared_ptr<const Model> model);
 
   [[nodiscard]] bool empty() const { return joints_->all.empty(); }
 
@@ -131,8 +130,9 @@ class Links {
   static void apply(const Group& g, Columns&& v);  // v += M⁻¹Jᵀ force
   static void keep_books(const Group& g, Motions& y);
 
-  std::shared_ptr<const Joints> joints_;
-  std::vector<int> first_row_;  // by link, in its group
+  std::shared_ptr<const Model> model_;
+  const Joints* joints_ = nullptr;  // the model's
+  std::vector<int> first_row_;      // by link, in its group
   std::vector<std::uint8_t> taut_;
   std::vector<Group> groups_;
   std::int64_t restoring_work_ = 0;

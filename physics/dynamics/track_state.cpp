@@ -24,7 +24,7 @@ void make_room(Values& values, std::size_t size) {
 
 template <class Self, class Kept, class Each>
 void ForceField::each_kept(Self& field, Kept& kept, const Each& each) {
-  auto& [terms, engaged, phase, in_contact, contact] = field;
+  auto& [model, terms, add_external, engaged, phase, in_contact, contact] = field;
   each(engaged, kept.engaged);
   each(phase, kept.phase);
   if constexpr (std::is_const_v<Self>) {
@@ -38,7 +38,7 @@ void ForceField::each_kept(Self& field, Kept& kept, const Each& each) {
 template <class Self, class Kept, class Each>
 void Links::each_kept(Self& links, Kept& kept, const Each& each) {
   // What the groups hold is made anew before it is read.
-  auto& [joints, first_row, taut, groups, restoring_work] = links;
+  auto& [model, joints, first_row, taut, groups, restoring_work] = links;
   each(taut, kept.taut);
 }
 
@@ -120,7 +120,7 @@ std::optional<std::string> Tracks::fault_of(const TrackState& state, const Track
     if (a_switch >= 0 && a_switch < field_.springs()) {
       const auto members = members_of(island);
       known = !island.driven && std::any_of(members.begin(), members.end(), [&](int i) {
-        const std::vector<int>& own = field_.switching_springs(i);
+        const std::span<const int> own = field_.switching_springs(i);
         return std::find(own.begin(), own.end(), a_switch) != own.end();
       });
     } else if (a_switch >= field_.springs() && island.group >= 0) {

@@ -30,8 +30,8 @@ double time_to_move(double reach, double speed, double acceleration) {
 
 Tracks::Tracks(std::shared_ptr<const Model> model, const Method& method)
     : model_(std::move(model)),
-      field_({model_, &model_->forces}, bodies(), model_->start_time),
-      links_({model_, &model_->joints}, model_->scene.links, bodies(), model_->start_time),
+      field_(model_),
+      links_(model_),
       general_(model_->needs.untrimmed),
       let_go_at_(model_->scene.links.size(), -1.0) {
   const std::vector<Body>& bodies = model_->bodies();
@@ -43,7 +43,8 @@ Tracks::Tracks(std::shared_ptr<const Model> model, const Method& method)
   bend_ = Eigen::VectorXd::Zero(n);
   turn_ = Eigen::VectorXd::Zero(n);
   std::vector<std::vector<int>> groups;
-  if (needs.coupled_forces || needs.links) groups = field_.coupled_groups(model_->joints.joined());
+  if (needs.has(Part::kSprings) || needs.has(Part::kAttraction) || needs.has(Part::kLinks))
+    groups = field_.coupled_groups(model_->joints.joined());
   if (general_) {
     groups.assign(1, {});
     for (int i = 0; i < n; ++i) {

@@ -225,6 +225,7 @@ class Tracks {
   // Switches are the springs, by their indices, and then the links, of which strings switch.
   [[nodiscard]] bool is_link(int a_switch) const { return a_switch >= field_.springs(); }
   [[nodiscard]] bool has_switches(const Island& island) const {
+    if (!model_->needs.has(Part::kSwitching)) return false;
     return field_.has_switching_springs() || (island.group >= 0 && !links_.strings(island.group).empty());
   }
   double flip(const Island& island, int a_switch, double time);

@@ -17,16 +17,21 @@ double excess_of(const Vec2& normal) {
 
 bool unturned_by_normal(const ImpactSide& s) { return s.lever == 0.0 || s.inverse_inertia == 0.0; }
 
+// The normal impulse of an impact whose normal turns nothing, for the closing velocity u_n < 0.
+Impact normal_impact(double u_n, double k_nn, double excess, double restitution) {
+  Impact impact;
+  const double of_unit_normal = -(1.0 + restitution) * u_n / k_nn;
+  impact.normal = of_unit_normal - excess * of_unit_normal;
+  impact.lost_to_restitution = -0.5 * impact.normal * (2.0 * u_n + k_nn * of_unit_normal);
+  return impact;
+}
+
 Impact resolve_central(ImpactSide& a, ImpactSide& b, const Vec2& normal, const RelativeVelocity& u,
                        const Material& material) {
-  Impact impact;
-  if (u.normal >= 0.0) return impact;
-
+  if (u.normal >= 0.0) return {};
   const double excess = excess_of(normal);
   const double k_nn = a.inverse_mass + b.inverse_mass;
-  const double of_unit_normal = -(1.0 + material.restitution) * u.normal / k_nn;
-  impact.normal = of_unit_normal - excess * of_unit_normal;
-  impact.lost_to_restitution = -0.5 * impact.normal * (2.0 * u.normal + k_nn * of_unit_normal);
+  Impact impact = normal_impact(u.normal, k_nn, excess, material.restitution);
   Vec2 j = impact.normal * normal;
   if (material.kinetic_friction > 0.0) {
     const double k_tt =
@@ -80,6 +85,17 @@ Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const Materi
     return impact;
   }
   return law == ImpactLawId::kNewton ? newton_impact(k, u, material) : energetic_impact(k, u, material);
+}
+
+Impact resolve_smooth_impact(Vec2& velocity_a, double inverse_mass_a, Vec2& velocity_b, double inverse_mass_b,
+                             const Vec2& normal, double restitution) {
+  const double closing = Vec2(velocity_b - velocity_a).dot(normal);
+  if (closing >= 0.0) return {};
+  const Impact impact = normal_impact(closing, inverse_mass_a + inverse_mass_b, excess_of(normal), restitution);
+  const Vec2 j = impact.normal * normal;
+  velocity_a -= inverse_mass_a * j;
+  velocity_b += inverse_mass_b * j;
+  return impact;
 }
 
 Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Material& material,

@@ -60,6 +60,11 @@ struct ContactMatrix {
 [[nodiscard]] Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const Material& material,
                                ImpactLawId law);
 
+// The impact of two bodies along the line of their centres, without friction: changes their velocities alone.
+// By the law of resolve_impact(), to the same bits.
+[[nodiscard]] Impact resolve_smooth_impact(Vec2& velocity_a, double inverse_mass_a, Vec2& velocity_b,
+                                           double inverse_mass_b, const Vec2& normal, double restitution);
+
 // Resolves one impact: changes both velocities and spins and says by which impulse. At least one side must be
 // movable. Bodies that separate (u_n > 0) get no impulse.
 //

@@ -5,19 +5,20 @@
 
 namespace carom {
 
-ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, bool linked) {
+ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, const Needs& needs) {
   ForceTerms t;
   t.gravity = forces.gravity;
+  t.drag = needs.has(Part::kDrag);
   t.linear_drag = forces.linear_drag;
   t.quadratic_drag = forces.quadratic_drag;
   t.attraction = forces.attraction;
-  for (auto* by_body : {&t.outside, &t.between, &t.switching, &t.applied_to}) by_body->resize(bodies.size());
-  t.mass = mass_properties(bodies);
-  std::unordered_map<std::string, int> index;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    index.emplace(bodies[i].name, static_cast<int>(i));
-    t.drives.push_back(bodies[i].drive);
+  if (needs.has(Part::kSprings)) {
+    for (auto* by_body : {&t.outside, &t.between}) by_body->resize(bodies.size());
   }
+  if (needs.has(Part::kSwitching)) t.switching.resize(bodies.size());
+  if (needs.has(Part::kAppliedForces)) t.applied_to.resize(bodies.size());
+  std::unordered_map<std::string, int> index;
+  for (std::size_t i = 0; i < bodies.size(); ++i) index.emplace(bodies[i].name, static_cast<int>(i));
   for (const Spring& s : forces.springs) {
     const int body = index.at(s.body);
     SpringTerm term{body, -1, -1, s.anchor, s.stiffness, s.damping, s.rest_length, s.acts};
@@ -43,10 +44,11 @@ ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, bo
     t.applied.push_back({body, f});
     t.constant = t.constant && f.start == 0.0 && f.rise == 0.0 && !f.end;
   }
-  const bool smooth =
-      linked || t.linear_drag > 0.0 || t.quadratic_drag > 0.0 || !t.springs.empty() || t.attraction.has_value();
+  bool smooth = false;
+  for (const Part part : {Part::kDrag, Part::kSprings, Part::kAttraction, Part::kLinks})
+    smooth = smooth || needs.has(part);
   t.constant = t.constant && !smooth;
-  t.gravity_only = !smooth && t.applied.empty();
+  t.gravity_only = !smooth && !needs.has(Part::kAppliedForces);
   return t;
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "physics/model/mass.h"
+#include "physics/model/needs.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -25,8 +25,10 @@ struct AppliedTerm {
   AppliedForce law;
 };
 
-// The smooth forces of a scene, laid out for evaluation.
+// The smooth forces of a scene, laid out for evaluation. Of a part that is left out the lists are empty, those
+// by body too.
 struct ForceTerms {
+  bool drag = false;  // Part::kDrag is in
   Vec2 gravity = Vec2::Zero();
   double linear_drag = 0.0;
   double quadratic_drag = 0.0;
@@ -40,12 +42,8 @@ struct ForceTerms {
   std::vector<std::vector<int>> switching;  // one-sided springs, by both their bodies
   std::vector<AppliedTerm> applied;
   std::vector<std::vector<int>> applied_to;  // by body
-  std::vector<std::optional<Drive>> drives;  // by body
-  MassProperties mass;
 };
 
-// `linked`: links act beside these forces.
-[[nodiscard]] ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies,
-                                     bool linked = false);
+[[nodiscard]] ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, const Needs& needs);
 
 }  // namespace carom

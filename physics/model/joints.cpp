@@ -43,14 +43,11 @@ double distance_of(const Joint& joint, const std::vector<Body>& bodies, double t
 
 }  // namespace
 
-Joints joints_of(const std::vector<Link>& links, const std::vector<Body>& bodies, double time) {
+Joints joints_of(const std::vector<Link>& links, const std::vector<Body>& bodies, const MassProperties& mass,
+                 double time) {
   Joints joints;
-  joints.mass = mass_properties(bodies);
   std::unordered_map<std::string, int> index;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    index.emplace(bodies[i].name, static_cast<int>(i));
-    joints.drives.push_back(bodies[i].drive);
-  }
+  for (std::size_t i = 0; i < bodies.size(); ++i) index.emplace(bodies[i].name, static_cast<int>(i));
   for (const Link& l : links) {
     Joint joint{l.kind, index.at(l.body), -1, -1, l.point, l.anchor, 0.0, 0.0, 1};
     if (l.kind == LinkKind::kPin) joint.rows = 2;
@@ -64,8 +61,7 @@ Joints joints_of(const std::vector<Link>& links, const std::vector<Body>& bodies
       }
     }
     if (l.kind == LinkKind::kWeld) {
-      lay_weld(joint, l, bodies[joint.body].angle, l.to.empty() ? 0.0 : bodies[index.at(l.to)].angle,
-               joints.mass);
+      lay_weld(joint, l, bodies[joint.body].angle, l.to.empty() ? 0.0 : bodies[index.at(l.to)].angle, mass);
     }
     joint.length = l.length.value_or(distance_of(joint, bodies, time));
     joints.all.push_back(joint);

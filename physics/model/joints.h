@@ -26,14 +26,13 @@ struct Joint {
 // The links of a scene, laid out for evaluation.
 struct Joints {
   std::vector<Joint> all;
-  std::vector<std::optional<Drive>> drives;  // by body
-  MassProperties mass;
 
   // The movable bodies of each link; twice the same where the other end is no movable body.
   [[nodiscard]] std::vector<std::pair<int, int>> joined() const;
 };
 
 // Lengths that the scene leaves open are those at `time` (s), the start of the run.
-[[nodiscard]] Joints joints_of(const std::vector<Link>& links, const std::vector<Body>& bodies, double time);
+[[nodiscard]] Joints joints_of(const std::vector<Link>& links, const std::vector<Body>& bodies,
+                               const MassProperties& mass, double time);
 
 }  // namespace carom

@@ -25,10 +25,13 @@ struct Model {
   Surfaces surfaces;
   ForceTerms forces;
   Joints joints;
-  std::vector<std::uint8_t> driven;  // by body
+  std::vector<std::uint8_t> driven;  // by body; empty without driven bodies
+  bool smooth_discs = false;         // impacts are between centres: nothing turns, rubs, sticks or is joined
   double start_time = 0.0;           // s, of a run
 
   [[nodiscard]] const std::vector<Body>& bodies() const { return scene.bodies; }
+  [[nodiscard]] bool is_driven(int body) const { return !driven.empty() && driven[body] != 0; }
+  [[nodiscard]] const Drive& drive(int body) const { return *scene.bodies[body].drive; }
   [[nodiscard]] bool immovable(int body) const { return shapes.fixed[body] != 0; }
 };
 

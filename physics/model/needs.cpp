@@ -1,61 +1,118 @@
 #include "physics/model/needs.h"
 
-#include "physics/scene/facts.h"
-#include "physics/scene/method.h"
+#include <array>
 
 namespace carom {
+namespace {
+
+bool meet(const SceneFacts& f) { return f.moving > 0 && f.moving + f.immovable > 1; }
+
+// Two bodies can get different accelerations. Uniform gravity gives two free bodies the same: it presses only
+// against immovable ones.
+bool accelerate_apart(const SceneFacts& f, const Scene& scene) {
+  return f.drag || f.springs || f.links || f.sticks || f.attraction || f.pushes || f.accelerating ||
+         (!scene.forces.gravity.isZero(0.0) && f.immovable > 0);
+}
+
+template <class Change>
+void change_materials(Scene& scene, const Change& change) {
+  for (Material& m : scene.materials) change(m);
+  for (MaterialPair& pair : scene.pairs) change(pair.surface);
+}
+
+constexpr std::array<PartEntry, kPartCount> kEntries = {{
+    // Without friction nothing turns a disc but a torque, and impacts turn all other shapes.
+    {Part::kRotation, "rotation", "rotation", "impacts with arms and spins, not between the centres alone",
+     "something turns, or an impact, friction or a torque can turn it",
+     "nothing turns, and nothing can turn it",
+     [](const SceneFacts& f, const Scene&) {
+       return f.spinning || f.torques || f.rub || f.turning_links || f.sticks || (meet(f) && f.cornered);
+     },
+     nullptr},
+    // Tangential restitution acts only within the bound that kinetic friction sets, so it needs friction too.
+    {Part::kFriction, "friction", "friction", "tangential impulses and forces",
+     "two bodies that can meet have kinetic friction", "no two bodies that can meet have friction",
+     [](const SceneFacts& f, const Scene&) { return f.rub; },
+     [](Scene& scene) {
+       change_materials(scene, [](Material& m) {
+         m.static_friction = m.kinetic_friction = m.rolling_resistance = m.tangential_restitution = 0.0;
+       });
+     }},
+    {Part::kSticking, "sticking", "sticking", "welds that impacts make",
+     "two bodies that can meet have a surface that sticks", "no surface sticks",
+     [](const SceneFacts& f, const Scene&) { return f.sticks; },
+     [](Scene& scene) { change_materials(scene, [](Material& m) { m.sticks = false; }); }},
+    {Part::kDrag, "drag", "drag", "a force on each body, and its work",
+     "the scene has linear or quadratic drag", "there is no drag",
+     [](const SceneFacts& f, const Scene&) { return f.drag; },
+     [](Scene& scene) { scene.forces.linear_drag = scene.forces.quadratic_drag = 0.0; }},
+    {Part::kSprings, "springs", "springs",
+     "springs by their bodies; those between two moving bodies couple them", "the scene has springs",
+     "there are no springs", [](const SceneFacts& f, const Scene&) { return f.springs; },
+     [](Scene& scene) { scene.forces.springs.clear(); }},
+    {Part::kAttraction, "attraction", "attraction", "a force between any two bodies: all are advanced together",
+     "bodies attract each other", "nothing attracts",
+     [](const SceneFacts& f, const Scene&) { return f.attraction; },
+     [](Scene& scene) { scene.forces.attraction.reset(); }},
+    {Part::kAppliedForces, "applied_forces", "applied forces",
+     "forces and torques by their bodies, and their work", "the scene applies forces or torques",
+     "no force or torque is applied",
+     [](const SceneFacts&, const Scene& scene) { return !scene.forces.applied.empty(); },
+     [](Scene& scene) { scene.forces.applied.clear(); }},
+    {Part::kSwitching, "switching", "switched forces", "each flight is searched for the moment of a switch",
+     "some springs act one way only, or there are strings", "no spring or link lets go",
+     [](const SceneFacts& f, const Scene&) { return f.one_sided || f.strings; }, nullptr},
+    {Part::kDrives, "drives", "driven bodies", "bodies that move as they are told", "some bodies are driven",
+     "no body is driven", [](const SceneFacts& f, const Scene&) { return f.drives; },
+     [](Scene& scene) {
+       for (Body& body : scene.bodies) {
+         if (body.drive) body.fixed = true;
+         body.drive.reset();
+       }
+     }},
+    {Part::kLinks, "links", "links", "linear equations for what rods, strings, pins and welds do",
+     "the scene has links", "there are no links", [](const SceneFacts& f, const Scene&) { return f.links; },
+     [](Scene& scene) { scene.links.clear(); }},
+    // With e = 1 and no relative acceleration every impact parts its pair for good; with e < 1 several bodies
+    // can
+    // collapse onto one another.
+    {Part::kRestingContacts, "resting_contacts", "lasting contacts",
+     "a search for contacts and a solver of their forces in each step", "something can press bodies together",
+     "nothing presses bodies together for a while",
+     [](const SceneFacts& f, const Scene& scene) { return meet(f) && (accelerate_apart(f, scene) || f.yield); },
+     nullptr},
+}};
+
+}  // namespace
+
+std::span<const PartEntry> part_entries() { return kEntries; }
 
 Needs needs_of(const Scene& scene) {
-  const SceneFacts f = facts_of(scene);
-  const bool meet = f.moving > 0 && f.moving + f.immovable > 1;
-  Needs n;
-  // Without friction nothing turns a disc but a torque, and impacts turn all other shapes. Tangential
-  // restitution acts only within the bound that kinetic friction sets, so it needs friction as well.
-  n.friction = f.rub;
-  n.rotation = f.spinning || f.torques || f.rub || f.turning_links || f.sticks || (meet && f.cornered);
-  const bool links = f.links || f.sticks;
-  n.smooth_forces = f.drag || f.springs || links || f.attraction || f.pushes || f.torques;
-  n.velocity_forces = f.drag || f.dampers;
-  n.coupled_forces = f.coupling_springs || f.attraction;
-  n.links = links;
-  n.drives = f.driven || f.pushes || f.torques;
-  n.switching = f.switched;
-  // Uniform gravity gives two free bodies the same acceleration: it presses only against immovable ones. With
-  // e = 1 and no relative acceleration every impact parts its pair for good; with e < 1 several bodies can
-  // collapse onto one another.
-  const bool relative_acceleration = f.drag || f.springs || links || f.attraction || f.pushes ||
-                                     f.accelerating || (!scene.forces.gravity.isZero(0.0) && f.immovable > 0);
-  n.lasting_contacts = meet && (relative_acceleration || f.yield);
-  n.closed_form_flight = !f.drag && !f.springs && !f.links && !f.sticky && !f.attraction && !f.timed;
-  return n;
+  const SceneFacts facts = facts_of(scene);
+  Needs needs;
+  for (const PartEntry& entry : kEntries) needs.set(entry.part, entry.needed(facts, scene));
+  return needs;
+}
+
+Needs all_needs() {
+  Needs needs;
+  for (const PartEntry& entry : kEntries) needs.set(entry.part);
+  needs.untrimmed = true;
+  return needs;
 }
 
 NeedsText text_of(const Needs& needs, const Scene& scene, ContactsId contacts) {
   const SceneFacts f = facts_of(scene);
   NeedsText text;
-  const auto modelled = [&](const char* noun, bool is) {
-    if (is) text.modelled.emplace_back(noun);
-  };
-  // Parts that every scene is asked about.
-  const auto either = [&](const char* noun, bool is) {
-    (is ? text.modelled : text.not_needed).emplace_back(noun);
-  };
-  modelled("normal impulses", f.moving > 0 && f.moving + f.immovable > 1);
-  modelled("gravity", f.moving > 0 && !scene.forces.gravity.isZero(0.0));
-  modelled("springs", f.springs);
-  modelled("dampers", f.dampers);
-  modelled("links", f.links);
-  modelled("sticking", f.sticks);
-  modelled("attraction", f.attraction);
-  modelled("applied forces", f.pushes || f.torques);
-  either("rotation", needs.rotation);
-  either("friction", needs.friction);
-  either("drag", needs.velocity_forces && (f.drag || !f.dampers));
-  either("coupled forces", needs.coupled_forces);
-  either("driven bodies", needs.drives && (f.driven || !(f.pushes || f.torques)));
-  either("switched forces", needs.switching);
-  const bool as_impacts = needs.lasting_contacts && contacts == ContactsId::kImpulse;
-  either(as_impacts ? "lasting contacts (as repeated impacts)" : "lasting contacts", needs.lasting_contacts);
+  if (meet(f)) text.modelled.emplace_back("normal impulses");
+  if (f.moving > 0 && !scene.forces.gravity.isZero(0.0)) text.modelled.emplace_back("gravity");
+  for (const PartEntry& entry : kEntries) {
+    std::string noun(entry.noun);
+    const bool in = needs.has(entry.part);
+    if (in && entry.part == Part::kRestingContacts && contacts == ContactsId::kImpulse)
+      noun += " (as repeated impacts)";
+    (in ? text.modelled : text.not_needed).push_back(std::move(noun));
+  }
   return text;
 }
 

@@ -1,45 +1,77 @@
 #pragma once
 
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "physics/scene/facts.h"
 #include "physics/scene/method.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
 
-// Which parts of the model a scene needs. A part may be dropped only where it provably stays idle for as long
-// as nobody edits the scene; the integrator that the user chose is never dropped.
-struct Needs {
-  bool rotation = true;          // something turns, or can be made to turn
-  bool friction = true;          // impacts have a tangential impulse
-  bool smooth_forces = true;     // anything but uniform gravity acts in flight
-  bool velocity_forces = true;   // drag or dampers: forces that take energy in flight
-  bool coupled_forces = true;    // springs between free bodies, attraction: bodies can't be advanced one by one
-  bool links = true;             // rods, strings, pins, welds, bodies that stick: can't be advanced one by one
-  bool drives = true;            // bodies that move as they are told, or applied forces
-  bool switching = true;         // one-sided springs, forces that start or end: moments to be located
-  bool lasting_contacts = true;  // something can press bodies together for a while
+// The parts of a model that not every scene needs. What each one puts into it is said in part_entries().
+enum class Part : std::uint8_t {
+  kRotation,
+  kFriction,
+  kSticking,
+  kDrag,
+  kSprings,
+  kAttraction,
+  kAppliedForces,
+  kSwitching,
+  kDrives,
+  kLinks,
+  kRestingContacts
+};
+inline constexpr std::size_t kPartCount = 11;
 
-  // True where free flight has a closed form: uniform gravity and constant forces only.
-  bool closed_form_flight = false;
+// Which parts are put into a model. A part may be left out only where it provably stays idle for as long as
+// nobody edits the scene; the integrator that the user chose is never left out.
+class Needs {
+ public:
+  [[nodiscard]] bool has(Part part) const { return parts_[static_cast<std::size_t>(part)]; }
+  void set(Part part, bool needed = true) { parts_[static_cast<std::size_t>(part)] = needed; }
+  bool operator==(const Needs&) const = default;
 
   // Not even the short cuts are taken that change nothing but rounding: all bodies are advanced together.
   bool untrimmed = false;
 
-  bool operator==(const Needs&) const = default;
+ private:
+  std::bitset<kPartCount> parts_;
 };
+
+// One part, for the model, for people and for measurements.
+struct PartEntry {
+  Part part;
+  std::string_view key;      // in JSON
+  std::string_view noun;     // for people
+  std::string_view brings;   // what it puts into the model, and what a step does for it
+  std::string_view why;      // where it is needed
+  std::string_view why_not;  // where it is not
+  bool (*needed)(const SceneFacts&, const Scene&);
+  // Takes out of a scene what needs the part, where that leaves a scene that can run; nullptr where it does
+  // not.
+  void (*remove)(Scene&);
+};
+
+// In the order of Part.
+[[nodiscard]] std::span<const PartEntry> part_entries();
 
 // What `scene` needs: a pure function of its bodies, materials and forces.
 [[nodiscard]] Needs needs_of(const Scene& scene);
 
-// True if forces hold what touches: the method asks for contacts that last, and the scene needs them.
-[[nodiscard]] inline bool contacts_last(const Method& method, const Needs& needs) {
-  return method.contacts == ContactsId::kLasting && needs.lasting_contacts;
-}
+// Everything that can be modelled, whatever the scene: for comparison.
+[[nodiscard]] Needs all_needs();
 
-// Everything that is modelled, whatever the scene: for comparison.
-[[nodiscard]] constexpr Needs all_needs() { return {.untrimmed = true}; }
+// True if forces hold what rests: the method asks for resting contacts, and the scene needs them.
+[[nodiscard]] inline bool contacts_last(const Method& method, const Needs& needs) {
+  return method.contacts == ContactsId::kLasting && needs.has(Part::kRestingContacts);
+}
 
 // For people: the parts that are modelled and those that are not needed, each a short noun.
 struct NeedsText {

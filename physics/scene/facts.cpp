@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
-#include <unordered_set>
 #include <vector>
 
 #include "physics/scene/method.h"
@@ -40,21 +39,13 @@ void look_at_materials(const Scene& scene, const std::vector<Body>& bodies, Scen
   facts.sticky = has_sticking_surface(scene);
 }
 
-void look_at_forces(const Scene& scene, const std::vector<Body>& bodies, SceneFacts& facts) {
+void look_at_forces(const Scene& scene, SceneFacts& facts) {
   const Forces& f = scene.forces;
   facts.drag = facts.moving > 0 && (f.linear_drag > 0.0 || f.quadratic_drag > 0.0);
   facts.attraction = f.attraction.has_value() && facts.moving > 1;
-  std::unordered_set<std::string> moving;
-  if (!f.springs.empty()) {
-    for (const Body& b : bodies) {
-      if (!is_immovable(b)) moving.insert(b.name);
-    }
-  }
   for (const Spring& s : f.springs) {
     facts.springs = true;
-    facts.dampers = facts.dampers || s.damping > 0.0;
-    facts.switched = facts.switched || s.acts != SpringActs::kBoth;
-    facts.coupling_springs = facts.coupling_springs || moving.contains(s.to);
+    facts.one_sided = facts.one_sided || s.acts != SpringActs::kBoth;
   }
   for (const AppliedForce& a : f.applied) {
     const bool push = !a.force.isZero(0.0);
@@ -64,7 +55,6 @@ void look_at_forces(const Scene& scene, const std::vector<Body>& bodies, SceneFa
     facts.torques = facts.torques || torque;
     facts.timed = facts.timed || a.start > 0.0 || a.rise > 0.0 || a.end.has_value();
   }
-  facts.switched = facts.switched || facts.timed;
 }
 
 void look_at_links(const Scene& scene, SceneFacts& facts) {
@@ -74,7 +64,6 @@ void look_at_links(const Scene& scene, SceneFacts& facts) {
     facts.turning_links = facts.turning_links || l.kind == LinkKind::kWeld || !l.point.isZero(0.0) ||
                           (!l.to.empty() && !l.anchor.isZero(0.0));
   }
-  facts.switched = facts.switched || facts.strings;
 }
 
 }  // namespace
@@ -89,13 +78,12 @@ SceneFacts facts_of(const Scene& scene) {
       facts.cornered = facts.cornered || !std::holds_alternative<Disc>(b.shape);
     }
     if (!b.drive) continue;
-    // A drive with an amplitude and no frequency still shifts its body, by A sin φ.
-    facts.driven = facts.driven || !b.drive->velocity.isZero(0.0) || !b.drive->amplitude.isZero(0.0);
+    facts.drives = true;
     facts.accelerating =
         facts.accelerating || (!b.drive->amplitude.isZero(0.0) && b.drive->angular_frequency > 0.0);
   }
   look_at_materials(scene, bodies, facts);
-  look_at_forces(scene, bodies, facts);
+  look_at_forces(scene, facts);
   look_at_links(scene, facts);
   return facts;
 }

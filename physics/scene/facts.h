@@ -14,15 +14,14 @@ struct SceneFacts {
   int immovable = 0;
   bool spinning = false;      // a moving body turns
   bool cornered = false;      // a moving body is no disc: impacts beside its centre turn it
-  bool driven = false;        // an immovable body moves
+  bool drives = false;        // a body is driven, be it to stand still
   bool accelerating = false;  // ... and changes its velocity
   bool rub = false;           // two bodies that can meet have kinetic friction
   bool yield = false;         // two bodies that can meet have restitution below 1
   bool sticks = false;        // two bodies that can meet would stay joined
   bool sticky = false;        // a surface of the scene sticks, whether a body has it or not
   bool springs = false;
-  bool coupling_springs = false;
-  bool dampers = false;
+  bool one_sided = false;  // a spring pushes or pulls only
   bool drag = false;
   bool attraction = false;
   bool links = false;
@@ -30,7 +29,6 @@ struct SceneFacts {
   bool turning_links = false;  // links turn bodies
   bool pushes = false;         // applied forces
   bool torques = false;        // applied torques
-  bool switched = false;       // forces that start, rise, end or act one way
   bool timed = false;          // applied forces that start, rise or end
 };
 

@@ -226,7 +226,7 @@ std::vector<Method> plan_methods(const Preset& preset, const StudyOptions& optio
       m.integrator = integrator.id;
       m.impacts = impacts.id;
       if (integrator.order == 0 && impacts.id != ImpactsId::kLocated) continue;
-      if (!needs.lasting_contacts) m.contacts = ContactsId::kImpulse;
+      if (!needs.has(Part::kRestingContacts)) m.contacts = ContactsId::kImpulse;
       switch (error_knob(m)) {
         case ErrorKnob::kStep:
           for (const double step : steps) {

@@ -27,7 +27,9 @@ Impact join(World& world, int a, int b, const Contact& contact) {
   Scene scene = world.model->scene;
   scene.links.push_back(std::move(weld));
   const int last = static_cast<int>(scene.links.size()) - 1;
-  world.recompile(std::move(scene), world.model->needs, world.tracks.start(body));
+  Needs needs = world.model->needs;
+  needs.set(Part::kLinks);
+  world.recompile(std::move(scene), needs, world.tracks.start(body));
 
   // The impact is wholly plastic, and the two turn as one after it: it is what the weld does to motions that it
   // finds as they are.
@@ -40,48 +42,86 @@ Impact join(World& world, int a, int b, const Contact& contact) {
   return impact;
 }
 
-}  // namespace
+// Of discs that nothing turns, rubs, joins or switches: see Model::smooth_discs. The closing speed in m/s.
+struct SmoothImpact {
+  Vec2 velocity_a, velocity_b;
+  const Vec2& normal;
 
-void apply_impact(World& world, int a, int b, const Contact& contact, const Material& material, double within) {
-  Tracks& tracks = world.tracks;
-  ImpactSide side_a = world.side(a, contact, 1.0);
-  ImpactSide side_b = world.side(b, contact, -1.0);
-  const double closing = -relative_velocity(side_a, side_b, contact.normal).normal;
-  // Semi-implicit Euler's path x + t v(t) may close again, from an overlap, while v(t) still parts the bodies.
+  SmoothImpact(const World& world, int a, int b, const Contact& contact)
+      : velocity_a(world.tracks.settled(a).segment<2>(3)),
+        velocity_b(world.tracks.settled(b).segment<2>(3)),
+        normal(contact.normal) {}
+  [[nodiscard]] double closing() const { return -Vec2(velocity_b - velocity_a).dot(normal); }
+  Impact resolve(World& world, int a, int b, const Contact&, const Material& material) {
+    const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;
+    const Impact impact = resolve_smooth_impact(velocity_a, inverse_mass[a], velocity_b, inverse_mass[b],
+                                                normal, material.restitution);
+    if (!world.immovable(a)) world.tracks.set_velocity(a, velocity_a, world.tracks.settled(a)[5]);
+    if (!world.immovable(b)) world.tracks.set_velocity(b, velocity_b, world.tracks.settled(b)[5]);
+    return impact;
+  }
+};
+
+// Of any two bodies.
+struct GeneralImpact {
+  ImpactSide side_a, side_b;
+  double closing_speed;
+
+  GeneralImpact(const World& world, int a, int b, const Contact& contact)
+      : side_a(world.side(a, contact, 1.0)),
+        side_b(world.side(b, contact, -1.0)),
+        closing_speed(-relative_velocity(side_a, side_b, contact.normal).normal) {}
+  [[nodiscard]] double closing() const { return closing_speed; }
+  Impact resolve(World& world, int a, int b, const Contact& contact, const Material& material) {
+    Tracks& tracks = world.tracks;
+    const ImpactLawId law = world.model->scene.impact_law;
+    Impact impact;
+    if (material.sticks) {
+      impact = join(world, a, b, contact);
+    } else if (tracks.is_linked(a) || tracks.is_linked(b)) {
+      impact = resolve_linked_impact(tracks, world.mass(), a, b, contact, material, law);
+    } else {
+      impact = resolve_impact(side_a, side_b, contact.normal, material, law);
+      if (!world.immovable(a)) tracks.set_velocity(a, side_a.velocity, side_a.spin);
+      if (!world.immovable(b)) tracks.set_velocity(b, side_b.velocity, side_b.spin);
+    }
+    if (world.field().has_switching_springs()) {
+      for (const int i : {a, b}) {
+        if (world.immovable(i)) continue;
+        world.sums.ledger.lost_to_dampers += tracks.recheck_switches(tracks.island_of(i));
+      }
+    }
+    return impact;
+  }
+};
+
+template <class Kind>
+void apply(World& world, int a, int b, const Contact& contact, const Material& material, double within) {
+  Kind of_pair(world, a, b, contact);
+  const double closing = of_pair.closing();
+  // Semi-implicit Euler's path x + t v(t) may close again, from a penetration, while v(t) still parts the
+  // bodies.
   if (!(closing > 0.0)) return;
-  Ledger& ledger = world.sums.ledger;
+  const Ledger& ledger = world.sums.ledger;
   const bool wants_jump = world.log.wants_jump(world.model->bodies().size());
   Jump jump;
   if (wants_jump) {
     jump.before = world.state_at(within);
     jump.change.add(-1.0, ledger);
   }
-
-  Impact impact;
-  if (material.sticks) {
-    impact = join(world, a, b, contact);
-  } else if (tracks.is_linked(a) || tracks.is_linked(b)) {
-    impact =
-        resolve_linked_impact(tracks, world.mass(), a, b, contact, material, world.model->scene.impact_law);
-  } else {
-    impact = resolve_impact(side_a, side_b, contact.normal, material, world.model->scene.impact_law);
-    if (!world.immovable(a)) tracks.set_velocity(a, side_a.velocity, side_a.spin);
-    if (!world.immovable(b)) tracks.set_velocity(b, side_b.velocity, side_b.spin);
-  }
-
-  if (world.field().has_switching_springs()) {
-    for (const int i : {a, b}) {
-      if (!world.immovable(i)) ledger.lost_to_dampers += tracks.recheck_switches(tracks.island_of(i));
-    }
-  }
-
+  const Impact impact = of_pair.resolve(world, a, b, contact, material);
   record_impact(world, a, b, contact, impact, closing, within);
-  if (wants_jump) {
-    jump.time = std::min(tracks.epoch() + within, world.clock.step_end);
-    jump.after = world.state_at(within);
-    jump.change.add(1.0, ledger);
-    world.log.jumps.push_back(std::move(jump));
-  }
+  if (!wants_jump) return;
+  jump.time = std::min(world.tracks.epoch() + within, world.clock.step_end);
+  jump.after = world.state_at(within);
+  jump.change.add(1.0, ledger);
+  world.log.jumps.push_back(std::move(jump));
+}
+
+}  // namespace
+
+ApplyImpact apply_impact_of(const Model& model) {
+  return model.smooth_discs ? &apply<SmoothImpact> : &apply<GeneralImpact>;
 }
 
 void record_impact(World& world, int a, int b, const Contact& contact, const Impact& impact, double closing,

@@ -120,7 +120,7 @@ NextContact next_contact(World& world, const SearchRules& rules, int a, int b) {
   const double begin = std::max(tracks.start(a), tracks.start(b));
   const double end = std::min(tracks.end(a), tracks.end(b));
   if (!(begin <= end)) return {};
-  const bool parabolic = tracks.is_parabolic() && !world.model->driven[a] && !world.model->driven[b];
+  const bool parabolic = tracks.is_parabolic() && !world.model->is_driven(a) && !world.model->is_driven(b);
   if (parabolic && shapes.is_disc(a) && shapes.is_disc(b) &&
       tracks.constant_acceleration(a).head<2>() == tracks.constant_acceleration(b).head<2>()) {
     return next_contact_of_discs(world, rules, a, b, begin, end);

@@ -47,7 +47,8 @@ inline constexpr auto kEnergyEntries = std::to_array<EnergyEntry>({
      nullptr},
     {Kind::kLoss, "lost_to_friction", "lost to friction", "lost to friction",
      "Work of the tangential impulses of impacts and of friction where contacts last",
-     &Ledger::lost_to_friction, [](const Scene&, ContactsId, const Needs& needs) { return !needs.friction; }},
+     &Ledger::lost_to_friction,
+     [](const Scene&, ContactsId, const Needs& needs) { return !needs.has(Part::kFriction); }},
     {Kind::kLoss, "lost_to_rolling", "lost to rolling", "lost to rolling resistance",
      "Work of the moment that resists rolling at contacts that last", &Ledger::lost_to_rolling,
      [](const Scene& scene, ContactsId contacts, const Needs&) {
@@ -70,7 +71,9 @@ inline constexpr auto kEnergyEntries = std::to_array<EnergyEntry>({
      nullptr},
     {Kind::kInput, "put_in_by_drives", "put in by drives", "put in by drives and forces",
      "Work of driven bodies and of applied forces and torques", &Ledger::put_in_by_drives,
-     [](const Scene&, ContactsId, const Needs& needs) { return !needs.drives; }},
+     [](const Scene&, ContactsId, const Needs& needs) {
+       return !needs.has(Part::kDrives) && !needs.has(Part::kAppliedForces);
+     }},
     {Kind::kInput, "put_in_by_user", "put in by the user", "put in by the user",
      "Energy of the bodies that were added during the run", &Ledger::put_in_by_user, nullptr},
 });

@@ -46,8 +46,8 @@ double pressed_in(const World& world, int a, int b, double h) {
 double pressing(World& world, int a, int b, const Contact& contact, double within) {
   Tracks& tracks = world.tracks;
   const auto acceleration = [&](int i) -> Eigen::Vector3d {
-    if (!world.model->driven[i]) return tracks.acceleration(i);
-    const Vec2 driven = drive_acceleration(*world.model->bodies()[i].drive, tracks.epoch() + within);
+    if (!world.model->is_driven(i)) return tracks.acceleration(i);
+    const Vec2 driven = drive_acceleration(world.model->drive(i), tracks.epoch() + within);
     return {driven.x(), driven.y(), 0.0};
   };
   const Eigen::Vector3d acceleration_a = acceleration(a);

@@ -18,8 +18,9 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, d
   double& correction = world.sums.ledger.overlap_correction;
   const double now = world.clock.step_end - tracks.epoch();
   // Each push changes the energy of attraction with all bodies: of many pairs their sum is taken at once.
-  const bool all_at_once =
-      field.attracts() && !world.model->needs.links && pairs.size() > world.model->bodies().size();
+  const Needs& needs = world.model->needs;
+  const bool all_at_once = field.attracts() && !needs.has(Part::kLinks) && !needs.has(Part::kSticking) &&
+                           pairs.size() > world.model->bodies().size();
   if (all_at_once) correction -= field.potential_energy(world.state.q);
   for (const auto& [a, b, resting] : pairs) {
     world.work.pass(1);

@@ -100,9 +100,8 @@ void RestingContacts::support(World& world, double h) {
   for (int i = 0; i < n; ++i) {
     if (!world.immovable(i)) {
       acceleration_.col(i) = world.tracks.acceleration(i);
-    } else if (world.model->driven[i] != 0) {
-      acceleration_.col(i).head<2>() =
-          drive_acceleration(*world.model->bodies()[i].drive, world.tracks.epoch());
+    } else if (world.model->is_driven(i)) {
+      acceleration_.col(i).head<2>() = drive_acceleration(world.model->drive(i), world.tracks.epoch());
     }
   }
   memory_.held.resize(n, 0);
@@ -291,7 +290,7 @@ void RestingContacts::book_forces(World& world, double passed, double share) {
   mean_ = before_ + 0.5 * share * (after_ - before_);
   if (choice_of(kIntegrators, world.method.integrator).exact_under_gravity) {
     for (int i = 0; i < world.state.size(); ++i) {
-      if (!world.immovable(i) || world.model->driven[i] != 0)
+      if (!world.immovable(i) || world.model->is_driven(i))
         mean_.col(i) = (world.tracks.at(i, passed).head<3>() - world.state.q.col(i)) / passed;
     }
   }

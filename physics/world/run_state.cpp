@@ -12,7 +12,7 @@ namespace carom {
 RunState Simulation::run_state() const {
   // All members by name: one that is new doesn't compile here until it is either kept or known to be made anew
   // before it is read.
-  [[maybe_unused]] const auto& [model, method, tracks, state, clock, sums, log, work] = world_;
+  [[maybe_unused]] const auto& [model, method, apply_impact, tracks, state, clock, sums, log, work] = world_;
   RunState kept;
   kept.method = method;
   kept.clock = clock;

@@ -5,11 +5,12 @@
 #include <utility>
 
 #include "physics/dynamics/lost_motion.h"
+#include "physics/world/apply_impact.h"
 
 namespace carom {
 
 World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
-    : model(std::move(compiled)), method(chosen), tracks(model, method) {
+    : model(std::move(compiled)), method(chosen), apply_impact(apply_impact_of(*model)), tracks(model, method) {
   const double start = model->start_time;
   tracks.begin(start);
   // Seven digits of a file are not where links hold their ends within rounding.
@@ -26,6 +27,7 @@ World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
 
 void World::recompile(Scene scene, const Needs& needs, double within) {
   model = compile(std::move(scene), needs, model->start_time);
+  apply_impact = apply_impact_of(*model);
   Tracks anew(model, method);
   anew.take_over(tracks, within);
   tracks = std::move(anew);
@@ -37,12 +39,16 @@ void World::resize_state() {
 }
 
 void World::publish(double within) {
+  if (!tracks.is_parabolic() || field().keeps_books()) {
+    for (int i = 0; i < state.size(); ++i) state.set_motion(i, tracks.at(i, within));
+    return;
+  }
   for (int i = 0; i < state.size(); ++i) {
-    if (tracks.is_parabolic() && model->driven[i] == 0 && !field().keeps_books()) {
+    if (model->is_driven(i)) {
+      state.set_motion(i, tracks.at(i, within));
+    } else {
       state.q.col(i) = tracks.parabola(i, within);
       state.v.col(i) = tracks.parabola_velocity(i, within);
-    } else {
-      state.set_motion(i, tracks.at(i, within));
     }
   }
 }

@@ -15,6 +15,10 @@
 
 namespace carom {
 
+struct World;
+// Resolves one impact (apply_impact.h).
+using ApplyImpact = void (*)(World&, int a, int b, const Contact&, const Material&, double within);
+
 // What every part of a step works on: the model, where its bodies are, and what the run has counted. A value:
 // copies share the model alone.
 struct World {
@@ -23,6 +27,7 @@ struct World {
 
   std::shared_ptr<const Model> model;
   Method method;
+  ApplyImpact apply_impact;  // of the model
   Tracks tracks;
   State state;  // at clock.time; the parts of a step publish it where they need it
   RunClock clock;

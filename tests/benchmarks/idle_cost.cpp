@@ -54,20 +54,12 @@ struct Variant {
 };
 
 std::vector<Variant> variants(const RunSetup& setup, bool with_all) {
-  const std::pair<const char*, bool Needs::*> parts[] = {{"rotation", &Needs::rotation},
-                                                         {"friction", &Needs::friction},
-                                                         {"smooth forces", &Needs::smooth_forces},
-                                                         {"velocity forces", &Needs::velocity_forces},
-                                                         {"coupled forces", &Needs::coupled_forces},
-                                                         {"drives", &Needs::drives},
-                                                         {"switched forces", &Needs::switching},
-                                                         {"lasting contacts", &Needs::lasting_contacts}};
   // The trimmed run stands twice in the table: the second one shows what the figures are worth.
   std::vector<Variant> list = {{"trimmed", needs_of(setup.scene)}, {"trimmed again", needs_of(setup.scene)}};
-  for (const auto& [name, part] : parts) {
+  for (const PartEntry& entry : part_entries()) {
     Needs needs = needs_of(setup.scene);
-    needs.*part = true;
-    list.push_back({name, needs});
+    needs.set(entry.part);
+    list.push_back({std::string(entry.noun), needs});
   }
   if (with_all) list.push_back({"all", all_needs()});
   return list;

@@ -54,10 +54,14 @@ struct Flight {
   Forces forces;
   double h;
 
+  [[nodiscard]] std::shared_ptr<const Model> compiled() const {
+    Scene scene = test::scene_with(bodies);
+    scene.forces = forces;
+    const Needs needs = needs_of(scene);
+    return compile(std::move(scene), needs);
+  }
   [[nodiscard]] auto sampler(IntegratorId id) const {
-    return [this, id, g = geometry(bodies),
-            field =
-                ForceField(std::make_shared<const ForceTerms>(force_terms(forces, bodies)), bodies)](double t) {
+    return [this, id, g = geometry(bodies), field = ForceField(compiled())](double t) {
       const auto flown = [&](int body) -> Eigen::Vector3d {
         const Motion from = initial_motion(bodies[body]);
         if (bodies[body].fixed) return from.head<3>();

@@ -36,36 +36,29 @@ bool holds(const std::vector<std::string>& list, const std::string& noun) {
   return std::find(list.begin(), list.end(), noun) != list.end();
 }
 
+bool needs(const Scene& scene, Part part) { return needs_of(scene).has(part); }
+
 TEST(Needs, OfAPlainSceneAreNone) {
-  const Needs n = needs_of(plain());
-  EXPECT_FALSE(n.rotation);
-  EXPECT_FALSE(n.friction);
-  EXPECT_FALSE(n.smooth_forces);
-  EXPECT_FALSE(n.velocity_forces);
-  EXPECT_FALSE(n.coupled_forces);
-  EXPECT_FALSE(n.drives);
-  EXPECT_FALSE(n.switching);
-  EXPECT_FALSE(n.lasting_contacts);
-  EXPECT_TRUE(n.closed_form_flight);
-  EXPECT_FALSE(needs_of(Scene{}).lasting_contacts);
+  EXPECT_EQ(needs_of(plain()), Needs());
+  EXPECT_EQ(needs_of(Scene{}), Needs());
 }
 
 TEST(Needs, RotationBySpinTorqueOrFriction) {
   Scene s = plain();
   s.bodies[1].spin = -0.1;
-  EXPECT_TRUE(needs_of(s).rotation);
-  EXPECT_FALSE(needs_of(s).friction);
+  EXPECT_TRUE(needs(s, Part::kRotation));
+  EXPECT_FALSE(needs(s, Part::kFriction));
 
   s = plain();
   s.forces.applied = {push("a", {0, 0}, 1.0)};
-  EXPECT_TRUE(needs_of(s).rotation);
+  EXPECT_TRUE(needs(s, Part::kRotation));
   s.forces.applied[0] = push("a", {1, 0});
-  EXPECT_FALSE(needs_of(s).rotation);
+  EXPECT_FALSE(needs(s, Part::kRotation));
 
   s = plain();
   s.materials[0].kinetic_friction = s.materials[0].static_friction = 0.1;
-  EXPECT_TRUE(needs_of(s).rotation);
-  EXPECT_TRUE(needs_of(s).friction);
+  EXPECT_TRUE(needs(s, Part::kRotation));
+  EXPECT_TRUE(needs(s, Part::kFriction));
 }
 
 TEST(Needs, FrictionOnlyBetweenMaterialsThatCanMeet) {
@@ -73,130 +66,106 @@ TEST(Needs, FrictionOnlyBetweenMaterialsThatCanMeet) {
   s.materials.push_back({"rough", 1.0, 0.0, 0.5, 0.5});
   // A rough wall and smooth discs: the geometric mean is zero.
   s.bodies[2].material = "rough";
-  EXPECT_FALSE(needs_of(s).friction);
+  EXPECT_FALSE(needs(s, Part::kFriction));
   // Two rough walls never meet.
   s.bodies.push_back(wall("w2", {9, 0}, 1, 1));
   s.bodies[3].material = "rough";
-  EXPECT_FALSE(needs_of(s).friction);
+  EXPECT_FALSE(needs(s, Part::kFriction));
   // The only rough body has nothing rough to meet; a second one has.
   s = plain();
   s.materials.push_back({"rough", 1.0, 0.0, 0.5, 0.5});
   s.bodies[0].material = "rough";
-  EXPECT_FALSE(needs_of(s).friction);
+  EXPECT_FALSE(needs(s, Part::kFriction));
   s.bodies[1].material = "rough";
-  EXPECT_TRUE(needs_of(s).friction);
+  EXPECT_TRUE(needs(s, Part::kFriction));
   // Static friction or tangential restitution alone do nothing.
   s = plain();
   s.materials[0].static_friction = 0.5;
   s.materials[0].tangential_restitution = 1.0;
-  EXPECT_FALSE(needs_of(s).friction);
-  EXPECT_FALSE(needs_of(s).rotation);
+  EXPECT_FALSE(needs(s, Part::kFriction));
+  EXPECT_FALSE(needs(s, Part::kRotation));
 }
 
 TEST(Needs, ForcesInFlight) {
   Scene s = plain();
   s.forces.gravity = {0, -9.81};
-  EXPECT_FALSE(needs_of(s).smooth_forces);
-  EXPECT_TRUE(needs_of(s).closed_form_flight);
+  for (const Part part : {Part::kDrag, Part::kSprings, Part::kAttraction, Part::kAppliedForces})
+    EXPECT_FALSE(needs(s, part));
 
   for (double Forces::*drag : {&Forces::linear_drag, &Forces::quadratic_drag}) {
     s = plain();
     s.forces.*drag = 0.1;
-    const Needs n = needs_of(s);
-    EXPECT_TRUE(n.smooth_forces && n.velocity_forces);
-    EXPECT_FALSE(n.coupled_forces || n.drives || n.switching || n.closed_form_flight);
+    EXPECT_TRUE(needs(s, Part::kDrag));
+    EXPECT_FALSE(needs(s, Part::kSprings) || needs(s, Part::kAppliedForces));
   }
 
   s = plain();
   s.forces.springs = {spring("a")};
-  EXPECT_TRUE(needs_of(s).smooth_forces);
-  EXPECT_FALSE(needs_of(s).velocity_forces || needs_of(s).coupled_forces || needs_of(s).closed_form_flight);
-  s.forces.springs[0].damping = 1.0;
-  EXPECT_TRUE(needs_of(s).velocity_forces);
+  EXPECT_TRUE(needs(s, Part::kSprings));
+  EXPECT_FALSE(needs(s, Part::kDrag) || needs(s, Part::kSwitching));
 
   s = plain();
   s.forces.applied = {push("a", {1, 0})};
-  EXPECT_TRUE(needs_of(s).smooth_forces && needs_of(s).drives && needs_of(s).closed_form_flight);
-  EXPECT_FALSE(needs_of(s).switching);
-  s.forces.applied[0].force = {0, 0};
-  s.forces.applied[0].start = 1.0;
-  EXPECT_EQ(needs_of(s), needs_of(plain()));
-}
-
-TEST(Needs, CoupledForces) {
-  Scene s = plain();
-  s.forces.springs = {spring("a", "b")};
-  EXPECT_TRUE(needs_of(s).coupled_forces);
-  s.forces.springs[0].to = "w";
-  EXPECT_FALSE(needs_of(s).coupled_forces);
+  EXPECT_TRUE(needs(s, Part::kAppliedForces));
+  EXPECT_FALSE(needs(s, Part::kDrives));
 
   s = plain();
   s.forces.attraction = Attraction{};
-  EXPECT_TRUE(needs_of(s).coupled_forces && needs_of(s).smooth_forces);
-  EXPECT_FALSE(needs_of(s).closed_form_flight);
+  EXPECT_TRUE(needs(s, Part::kAttraction));
   // One body has nobody to attract.
   s.bodies.erase(s.bodies.begin() + 1);
-  EXPECT_FALSE(needs_of(s).coupled_forces || needs_of(s).smooth_forces);
-  EXPECT_TRUE(needs_of(s).closed_form_flight);
+  EXPECT_FALSE(needs(s, Part::kAttraction));
 }
 
 TEST(Needs, Drives) {
   Scene s = plain();
   s.bodies[2].fixed = false;
-  s.bodies[2].drive = Drive{};
-  EXPECT_FALSE(needs_of(s).drives);  // it stands still
-  s.bodies[2].drive->velocity = {1, 0};
-  EXPECT_TRUE(needs_of(s).drives && needs_of(s).closed_form_flight);
-  s.bodies[2].drive->velocity = {0, 0};
-  s.bodies[2].drive->amplitude = {0, 1};
-  EXPECT_TRUE(needs_of(s).drives);
+  s.bodies[2].drive.emplace().velocity = {1, 0};
+  EXPECT_TRUE(needs(s, Part::kDrives));
 }
 
 TEST(Needs, Switching) {
   Scene s = plain();
   s.forces.springs = {spring("a")};
+  EXPECT_FALSE(needs(s, Part::kSwitching));
   s.forces.springs[0].acts = SpringActs::kPush;
-  EXPECT_TRUE(needs_of(s).switching);
-  AppliedForce late = push("a", {1, 0});
-  late.start = 1.0;
-  AppliedForce slow = push("a", {0, 0}, 1.0);
-  slow.rise = 1.0;
-  AppliedForce brief = push("a", {1, 0});
-  brief.end = 1.0;
-  for (const AppliedForce& f : {late, slow, brief}) {
-    s = plain();
-    s.forces.applied = {f};
-    EXPECT_TRUE(needs_of(s).switching);
-    EXPECT_FALSE(needs_of(s).closed_form_flight);
-  }
+  EXPECT_TRUE(needs(s, Part::kSwitching));
+  s = plain();
+  Link string;
+  string.kind = LinkKind::kString;
+  string.body = "a";
+  s.links = {string};
+  EXPECT_TRUE(needs(s, Part::kSwitching) && needs(s, Part::kLinks));
+  s.links[0].kind = LinkKind::kRod;
+  EXPECT_FALSE(needs(s, Part::kSwitching));
 }
 
 TEST(Needs, LastingContacts) {
   Scene s = plain();
   s.materials[0].restitution = 0.9;
-  EXPECT_TRUE(needs_of(s).lasting_contacts);  // inelastic collapse
+  EXPECT_TRUE(needs(s, Part::kRestingContacts));  // inelastic collapse
 
   s = plain();
   s.forces.gravity = {0, -9.81};
-  EXPECT_TRUE(needs_of(s).lasting_contacts);
+  EXPECT_TRUE(needs(s, Part::kRestingContacts));
   s.bodies.pop_back();  // nothing to be pressed against: all fall alike
-  EXPECT_FALSE(needs_of(s).lasting_contacts);
+  EXPECT_FALSE(needs(s, Part::kRestingContacts));
   s.forces.linear_drag = 0.1;  // they don't
-  EXPECT_TRUE(needs_of(s).lasting_contacts);
+  EXPECT_TRUE(needs(s, Part::kRestingContacts));
 
   s = plain();
   s.bodies[2].fixed = false;
   s.bodies[2].drive.emplace().velocity = {1, 0};
-  EXPECT_FALSE(needs_of(s).lasting_contacts);
+  EXPECT_FALSE(needs(s, Part::kRestingContacts));
   s.bodies[2].drive->amplitude = {1, 0};
   s.bodies[2].drive->angular_frequency = 1.0;
-  EXPECT_TRUE(needs_of(s).lasting_contacts);
+  EXPECT_TRUE(needs(s, Part::kRestingContacts));
 
   s = plain();
   s.bodies.resize(1);
   s.forces.gravity = {0, -9.81};
   s.materials[0].restitution = 0.5;
-  EXPECT_FALSE(needs_of(s).lasting_contacts);  // nobody to meet
+  EXPECT_FALSE(needs(s, Part::kRestingContacts));  // nobody to meet
 }
 
 TEST(Needs, InWords) {
@@ -219,7 +188,6 @@ TEST(Needs, InWords) {
   s.forces.springs[0].damping = 1.0;
   const NeedsText sprung = text_of(needs_of(s), s, ContactsId::kImpulse);
   EXPECT_TRUE(holds(sprung.modelled, "springs"));
-  EXPECT_TRUE(holds(sprung.modelled, "dampers"));
   EXPECT_TRUE(holds(sprung.not_needed, "drag"));
   // A body alone hits nothing.
   const Scene alone = test::scene_with({disc("a", {0, 0}, {0, 0})});
@@ -245,7 +213,6 @@ TEST(WhyNot, ExactFlightNamesEveryReason) {
                 ->find("drag and springs and attraction and forces that start, rise or end; allowed: "),
             std::string::npos)
       << *why_not(s, IntegratorId::kExactFlight);
-  EXPECT_EQ(why_not(s, IntegratorId::kExactFlight).has_value(), !needs_of(s).closed_form_flight);
 }
 
 }  // namespace

@@ -108,7 +108,8 @@ class Laws {
     const double momentum = ledger.momentum_drift(totals.momentum).norm();
     if (!(momentum <= 1e-11 * (momentum_ + impulses_)))
       return fmt::format("momentum drifted by {} N s of {} N s", momentum, momentum_ + impulses_);
-    const bool exact = run.method().integrator == IntegratorId::kExactFlight && !run.needs().drives;
+    const bool exact = run.method().integrator == IntegratorId::kExactFlight &&
+                       !run.needs().has(Part::kDrives) && !run.needs().has(Part::kAppliedForces);
     const double energy = std::abs(ledger.numerical_drift(totals.energy()));
     if (exact && !(energy <= 1e-11 * energy_))
       return fmt::format("energy drifted by {} J of {} J", energy, energy_);

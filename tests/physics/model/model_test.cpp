@@ -1,0 +1,89 @@
+#include "physics/model/model.h"
+
+#include <gtest/gtest.h>
+
+#include "physics/preset/preset_file.h"
+#include "physics/world/run_state.h"
+#include "physics/world/simulation.h"
+#include "tests/support/preset_files.h"
+#include "tests/support/scenes.h"
+
+// What a scene does not need is absent from its model.
+namespace carom {
+namespace {
+
+// Whether the model has anything of a part.
+bool has_any(const Model& m, Part part) {
+  switch (part) {
+    case Part::kRotation:
+    case Part::kFriction:
+    case Part::kSticking:
+      return !m.smooth_discs;
+    case Part::kDrag:
+      return m.forces.drag || m.forces.linear_drag > 0.0 || m.forces.quadratic_drag > 0.0;
+    case Part::kSprings:
+      return !m.forces.springs.empty() || !m.forces.outside.empty() || !m.forces.between.empty();
+    case Part::kAttraction:
+      return m.forces.attraction.has_value();
+    case Part::kAppliedForces:
+      return !m.forces.applied.empty() || !m.forces.applied_to.empty();
+    case Part::kSwitching:
+      return !m.forces.switching.empty() || m.forces.one_sided;
+    case Part::kDrives:
+      return !m.driven.empty();
+    case Part::kLinks:
+      return !m.joints.all.empty();
+    case Part::kRestingContacts:
+      return m.needs.has(part);
+  }
+  return true;
+}
+
+TEST(Model, HasNothingOfAPartThatIsNotNeeded) {
+  for (const auto& file : test::preset_files()) {
+    const Scene scene = read_preset(file).scene;
+    const Needs needs = needs_of(scene);
+    const auto model = compile(scene, needs);
+    const bool any_turns = needs.has(Part::kRotation) || needs.has(Part::kFriction) ||
+                           needs.has(Part::kSticking) || needs.has(Part::kLinks) || needs.has(Part::kSwitching);
+    EXPECT_EQ(model->smooth_discs, !any_turns) << file;
+    for (const PartEntry& entry : part_entries()) {
+      const bool alone =
+          entry.part == Part::kRotation || entry.part == Part::kFriction || entry.part == Part::kSticking;
+      if (needs.has(entry.part) || (alone && any_turns)) continue;
+      EXPECT_FALSE(has_any(*model, entry.part)) << file << ": " << entry.noun;
+    }
+  }
+}
+
+TEST(Model, HasEachPartThatIsNeeded) {
+  std::vector<Scene> scenes;
+  for (const auto& file : test::preset_files()) scenes.push_back(read_preset(file).scene);
+  scenes.push_back(test::scene_with({test::disc("a", {0, 0}, {0, 0}), test::disc("b", {3, 0}, {0, 0})}));
+  scenes.back().forces.attraction = Attraction{};
+  for (const PartEntry& entry : part_entries()) {
+    bool seen = false;
+    for (const Scene& scene : scenes) {
+      const Needs needs = needs_of(scene);
+      if (!needs.has(entry.part)) continue;
+      seen = true;
+      EXPECT_TRUE(has_any(*compile(scene, needs), entry.part)) << entry.noun;
+    }
+    EXPECT_TRUE(seen) << entry.noun;
+  }
+}
+
+// A part that is left out makes no memory, and one that is in does: resting contacts are there only where the
+// method asks for them and the scene needs them.
+TEST(Model, ContactsRestOnlyWhereTheyAreNeeded) {
+  for (const auto& file : test::preset_files()) {
+    Preset preset = read_preset(file);
+    preset.method.contacts = ContactsId::kLasting;
+    Simulation run(setup_of(preset));
+    for (int i = 0; i < 3; ++i) run.step();
+    EXPECT_EQ(run.run_state().contacts.held.empty(), !run.needs().has(Part::kRestingContacts)) << file;
+  }
+}
+
+}  // namespace
+}  // namespace carom
