@@ -68,7 +68,7 @@ QString LabWindow::ask_for_export(const QString& title, const QString& suggestio
   const QString file = ask_for_file(title, suggestion, filter, suffix);
   if (file.isEmpty()) return {};
   try {
-    OutputSet({file_.toStdString()}).reserve(file.toStdString());
+    OutputSet({session_.file().toStdString()}).reserve(file.toStdString());
     return file;
   } catch (const SceneError& error) {
     tell(this, title, QString::fromUtf8(error.what()));
@@ -113,9 +113,9 @@ void LabWindow::save_bins(const RunPlot& plot) {
 }
 
 void LabWindow::save_run() {
-  if (frame_ == nullptr || frame_->log == nullptr) return;
+  if (frame() == nullptr || frame()->log == nullptr) return;
   // Of the moment when it was asked for, while the run goes on.
-  const std::shared_ptr<const Frame> frame = frame_;
+  const std::shared_ptr<const Frame> frame = this->frame();
   const Preset document = preset();
   const QString file =
       ask_for_file(tr("Save the run as it stands"), "run.json", tr("Carom presets (*.json)"), "json");
@@ -130,11 +130,11 @@ void LabWindow::save_run() {
 }
 
 void LabWindow::save_data(const RunPlot* plot) {
-  if (frame_ == nullptr || frame_->log == nullptr) return;
+  if (frame() == nullptr || frame()->log == nullptr) return;
   if (plot != nullptr && plot->distribution() != nullptr) return save_bins(*plot);
   const ReadingMarks marks = plots_->marks();
   // Of the moment when it was asked for, while the run goes on.
-  const std::vector<std::shared_ptr<const Frame>> frames = frames_;
+  const std::vector<std::shared_ptr<const Frame>> frames = session_.frames();
   std::vector<Method> methods;
   for (const auto& each : frames) methods.push_back(each->method);
   ExportDialog dialog(plot == nullptr ? QString() : plot->content().title, marks.a && marks.b,
@@ -142,7 +142,7 @@ void LabWindow::save_data(const RunPlot* plot) {
   if (dialog.exec() != QDialog::Accepted) return;
 
   const Frame& frame = *frames[dialog.run()];
-  DataExport what{*frame.log, frame.key_frames, reference_, frame.steps, {}, 0.0, frame.time};
+  DataExport what{*frame.log, frame.key_frames, session_.reference(), frame.steps, {}, 0.0, frame.time};
   if (dialog.what() == ExportDialog::What::kRun) what.columns = run_columns(*frame.bodies);
   for (const RunPlot* each : plots_->plots()) {
     const bool wanted = dialog.what() == ExportDialog::What::kPlots ||
@@ -168,7 +168,7 @@ void LabWindow::save_data(const RunPlot* plot) {
 }
 
 void LabWindow::copy_data(const RunPlot* plot, bool shown) {
-  if (frame_ == nullptr || frame_->log == nullptr) return;
+  if (frame() == nullptr || frame()->log == nullptr) return;
   if (plot->distribution() != nullptr) {
     plots_->show_now();
     QStringList lines;
@@ -178,7 +178,8 @@ void LabWindow::copy_data(const RunPlot* plot, bool shown) {
     QGuiApplication::clipboard()->setText(lines.join('\n') + '\n');
     return;
   }
-  DataExport what{*frame_->log, frame_->key_frames, reference_, frame_->steps, {}, 0.0, frame_->time};
+  DataExport what{*frame()->log, frame()->key_frames, session_.reference(), frame()->steps, {},
+                  0.0,           frame()->time};
   add_columns(plot->content(), what.columns);
   if (shown) {
     what.from = plots_->marks().from;
@@ -196,30 +197,31 @@ void LabWindow::copy_data(const RunPlot* plot, bool shown) {
 
 std::vector<RunLog> LabWindow::runs() const {
   std::vector<RunLog> all;
-  for (const auto& frame : frames_) all.push_back(*frame->log);
+  for (const auto& frame : session_.frames()) all.push_back(*frame->log);
   return all;
 }
 
 void LabWindow::make_film() {
-  if (frame_ == nullptr || frame_->log == nullptr) return;
+  if (frame() == nullptr || frame()->log == nullptr) return;
   Film film;
   film.runs = runs();
-  film.to = frame_->time > 0.0 ? frame_->time : duration_;
-  film.speed = speed_;
+  film.to = frame()->time > 0.0 ? frame()->time : preset().duration;
+  film.speed = session_.speed();
   film.look = view_->look();
   constexpr int kWidth = 1280;  // px
   const QSizeF seen = film.look.camera.viewport;
   film.pixels = QSize(kWidth, static_cast<int>(kWidth * seen.height() / seen.width())) / 2 * 2;
-  const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) + "/" +
-                         (name_.isEmpty() ? QFileInfo(file_).completeBaseName() : name_) + "-film";
+  const QString folder =
+      QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) + "/" +
+      (session_.name().isEmpty() ? QFileInfo(session_.file()).completeBaseName() : session_.name()) + "-film";
   FilmDialog dialog(film, QDir::cleanPath(folder), this);
   if (dialog.exec() != QDialog::Accepted) return;
   film = dialog.film();
   std::optional<FilmFrames> frames;
   try {
     RunProgress progress(tr("Film"), this);
-    frames = save_film(film, dialog.folder().toStdString(), dialog.may_replace(), {file_.toStdString()},
-                       std::ref(progress));
+    frames = save_film(film, dialog.folder().toStdString(), dialog.may_replace(),
+                       {session_.file().toStdString()}, std::ref(progress));
   } catch (const SceneError& error) {
     tell(this, tr("The frames cannot be made"), QString::fromUtf8(error.what()));
     return;
@@ -232,30 +234,30 @@ void LabWindow::make_film() {
 }
 
 void LabWindow::make_report() {
-  if (frame_ == nullptr || frame_->log == nullptr) return;
-  if (frame_->steps == 0 && !frame_->playing) {
+  if (frame() == nullptr || frame()->log == nullptr) return;
+  if (frame()->steps == 0 && !frame()->playing) {
     tell(this, tr("Lab report"), tr("The run has not begun: play it first."));
     return;
   }
   // So that plots and tables are of one moment.
-  when_still(tr("the report waits for the step that is under way"), [this] { write_report(); });
+  session_.when_still(tr("the report waits for the step that is under way"), [this] { write_report(); });
 }
 
 void LabWindow::write_report() {
-  if (frame_ == nullptr || frame_->log == nullptr || frame_->steps == 0) return;
-  bodies_->update_from(*frame_, before_);
-  ledger_->update_from(*frame_);
+  if (frame() == nullptr || frame()->log == nullptr || frame()->steps == 0) return;
+  bodies_->update_from(*frame(), session_.bodies());
+  ledger_->update_from(*frame());
   LabReport report;
   report.runs = runs();
-  for (const auto& frame : frames_) report.ends.push_back(*frame);
-  report.title = QString::fromStdString(worker_->preset().title);
-  report.observe = QString::fromStdString(worker_->preset().observe);
+  for (const auto& frame : session_.frames()) report.ends.push_back(*frame);
+  report.title = QString::fromStdString(preset().title);
+  report.observe = QString::fromStdString(preset().observe);
   report.date = QLocale().toString(QDate::currentDate(), "d MMMM yyyy");
   report.questions = {tr("What did you expect?"), tr("What do you see?"), tr("Why?")};
   std::vector<SeriesPoint<1>> impacts;
-  recorders_.front()->impulses().read(0.0, frame_->time, impacts);
+  session_.recorders().front()->impulses().read(0.0, frame()->time, impacts);
   if (!impacts.empty()) report.first_impact = impacts.front().at;
-  report.times = report_times(report.runs.front().start.method, report.first_impact, frame_->time);
+  report.times = report_times(report.runs.front().start.method, report.first_impact, frame()->time);
   report.look = view_->look();
   report.plots = plots_->plots();
   report.bodies = static_cast<const FigureModel*>(bodies_->model());

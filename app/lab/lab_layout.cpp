@@ -54,12 +54,6 @@ class PlotArea : public QScrollArea {
   }
 };
 
-// What somebody made: plots of their own, and notes.
-std::vector<Plot> own_plots(std::vector<Plot> plots) {
-  std::erase_if(plots, [](const Plot& plot) { return !plot.id.empty() && plot.notes.empty(); });
-  return plots;
-}
-
 }  // namespace
 
 void LabWindow::make_body() {
@@ -79,12 +73,13 @@ void LabWindow::make_body() {
   impacts_ = new ImpactsTable;
   ledger_ = new LedgerTable;
   study_ = new StudyPanel(theme_);
-  connect(study_, &StudyPanel::methodChosen, this, &LabWindow::compare_with);
+  connect(study_, &StudyPanel::methodChosen, &session_, &Session::compare_with);
   compare_ = new ComparePanel(theme_);
-  connect(compare_, &ComparePanel::methodAdded, this, &LabWindow::add_method);
-  connect(compare_, &ComparePanel::methodRemoved, this, &LabWindow::remove_method);
-  connect(compare_, &ComparePanel::methodChanged, this, &LabWindow::change_method);
-  connect(compare_, &ComparePanel::referenceChosen, this, &LabWindow::choose_reference);
+  connect(compare_, &ComparePanel::methodAdded, &session_, &Session::add_method);
+  connect(compare_, &ComparePanel::methodRemoved, &session_, &Session::remove_method);
+  connect(compare_, &ComparePanel::methodChanged, &session_, &Session::change_method);
+  connect(compare_, &ComparePanel::stepChanged, &session_, &Session::change_step);
+  connect(compare_, &ComparePanel::referenceChosen, &session_, &Session::choose_reference);
   connect(compare_, &ComparePanel::usualAsked, this, &LabWindow::compare_usual);
   about_ = new QLabel;
   about_->setWordWrap(true);
@@ -106,9 +101,7 @@ void LabWindow::make_body() {
   tabs_->addTab(compare_, tr("Compare"));
   tabs_->addTab(study_, tr("Study"));
   tabs_->addTab(about_area, tr("About"));
-  connect(tabs_, &QTabWidget::currentChanged, this, [this] {
-    if (frame_ != nullptr) show_frame();
-  });
+  connect(tabs_, &QTabWidget::currentChanged, this, &LabWindow::show_frame);
 
   auto* drawer = with_frame(tabs_, 0);
   drawer->layout()->setContentsMargins(12, 4, 12, 8);
@@ -129,16 +122,12 @@ void LabWindow::make_body() {
 
   plots_ = new PlotPanel(theme_);
   connect(plots_, &PlotPanel::layoutChanged, this, [this] {
-    const std::vector<Curve> curves = plots_->curves();
-    for (const auto& recorder : recorders_) recorder->keep(curves);
-    worker_->record(curves);
-    // Which of the named plots of a built-in experiment are open is no work that could be lost.
-    if (own_plots(plots_->chosen()) != own_plots(worker_->preset().plots) || !file_.isEmpty())
-      mark_changed(true);
+    session_.change_plots(plots_->chosen());
+    session_.record(plots_->curves());
   });
   connect(plots_, &PlotPanel::marksChanged, this, [this] {
     tabs_->setCurrentWidget(reading_);
-    if (frame_ != nullptr) show_frame();
+    show_frame();
   });
   connect(plots_, &PlotPanel::pictureAsked, this, &LabWindow::save_plot);
   connect(plots_, &PlotPanel::dataAsked, this, &LabWindow::save_data);
@@ -167,7 +156,7 @@ void LabWindow::make_body() {
   inner->setSpacing(8);
   inner->addWidget(restore_bar_);
   lost_bar_ = new NoticeBar;
-  connect(lost_bar_, &NoticeBar::accepted, this, &LabWindow::restart);
+  connect(lost_bar_, &NoticeBar::accepted, &session_, &Session::restart);
   connect(lost_bar_, &NoticeBar::dismissed, this, [this] {
     lost_bar_->hide();
     show_notices();
@@ -209,12 +198,11 @@ void LabWindow::make_body() {
   connect(list_, &ExperimentList::openRequested, this,
           [this](const QString& name) { open(name.toStdString()); });
   connect(transport_, &TransportBar::playClicked, this, &LabWindow::set_playing);
-  connect(transport_, &TransportBar::restartClicked, this, [this] { restart(); });
-  connect(transport_, &TransportBar::stepClicked, this, [this] { worker_->step_once(); });
+  connect(transport_, &TransportBar::restartClicked, &session_, &Session::restart);
+  connect(transport_, &TransportBar::stepClicked, &session_, &Session::step_once);
   connect(transport_, &TransportBar::speedChosen, this, [this](double speed) {
-    speed_ = speed;
-    worker_->set_speed(speed);
-    if (frame_ != nullptr) show_frame();
+    session_.set_speed(speed);
+    show_frame();
   });
 }
 

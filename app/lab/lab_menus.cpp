@@ -62,6 +62,13 @@ void LabWindow::make_menus() {
   file->addSeparator();
   add(file, "", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  QAction* undo = session_.edits().createUndoAction(this, tr("&Undo"));
+  undo->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
+  QAction* redo = session_.edits().createRedoAction(this, tr("&Redo"));
+  redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+  edit->addActions({undo, redo});
+
   QMenu* view = menuBar()->addMenu(tr("&View"));
   add(view, "fit", tr("&Fit the scene"), QKeySequence(Qt::Key_F), [this] { view_->fit(); });
   add(view, "", tr("&Reset the plots' zoom"), QKeySequence(Qt::Key_Home), [this] { plots_->reset_zoom(); });
@@ -99,9 +106,9 @@ void LabWindow::make_menus() {
 
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   add(run, "", tr("&Play or pause"), QKeySequence(Qt::Key_Space),
-      [this] { set_playing(frame_ == nullptr || !frame_->playing); });
-  add(run, "", tr("One &step"), QKeySequence(Qt::Key_Period), [this] { worker_->step_once(); });
-  add(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { restart(); });
+      [this] { set_playing(frame() == nullptr || !frame()->playing); });
+  add(run, "", tr("One &step"), QKeySequence(Qt::Key_Period), [this] { session_.step_once(); });
+  add(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { session_.restart(); });
 
   QMenu* methods = menuBar()->addMenu(tr("&Method"));
   const auto add_choices = [this, methods](const QString& title, const auto& table, auto member) {
@@ -115,13 +122,12 @@ void LabWindow::make_menus() {
       action->setCheckable(true);
       group->addAction(action);
       connect(action, &QAction::triggered, this, [this, member, id = choice.id] {
-        Method method = worker_->preset().method;
+        Method method = preset().method;
         method.*member = id;
-        change_method(method);
+        session_.change_method(method);
       });
-      connect(menu, &QMenu::aboutToShow, action, [this, action, member, id = choice.id] {
-        action->setChecked(worker_->preset().method.*member == id);
-      });
+      connect(menu, &QMenu::aboutToShow, action,
+              [this, action, member, id = choice.id] { action->setChecked(preset().method.*member == id); });
     }
     return menu;
   };
@@ -142,9 +148,9 @@ void LabWindow::make_menus() {
   steps_ = methods->addMenu(tr("&Step"));
   for (const double step : kSteps) {
     steps_->addAction(QString("h = %1 ms").arg(1e3 * step, 0, 'g', 4), this, [this, step] {
-      Method method = worker_->preset().method;
+      Method method = preset().method;
       method.step = step;
-      change_method(method);
+      session_.change_method(method);
     });
   }
   steps_->addSeparator();
@@ -152,9 +158,9 @@ void LabWindow::make_menus() {
   tolerances_ = methods->addMenu(tr("&Tolerance"));
   for (const double tolerance : kTolerances) {
     tolerances_->addAction(tr("tolerance %1").arg(short_figure(tolerance)), this, [this, tolerance] {
-      Method method = worker_->preset().method;
+      Method method = preset().method;
       method.tolerance = tolerance;
-      change_method(method);
+      session_.change_method(method);
     });
   }
   methods->addSeparator();

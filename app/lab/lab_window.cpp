@@ -3,21 +3,18 @@
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QElapsedTimer>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
-#include <QRandomGenerator>
+#include <QSignalBlocker>
 #include <QStringList>
 #include <QTabWidget>
-#include <QThread>
 #include <QToolBar>
 #include <QToolButton>
 #include <algorithm>
-#include <cmath>
 
 #include "app/lab/notice_bar.h"
 #include "app/lab/preset_library.h"
@@ -25,7 +22,6 @@
 #include "physics/model/needs.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
-#include "physics/preset/validate_preset.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/validate.h"
 #include "widgets/compare/compare_panel.h"
@@ -37,6 +33,7 @@
 #include "widgets/run/run_tables.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/theme/method_names.h"
 #include "widgets/theme/number_text.h"
 #include "widgets/theme/plain_text.h"
 
@@ -45,9 +42,6 @@ namespace carom {
 
 LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   keep_messages_plain();
-  Preset empty;
-  empty.title = "Empty scene";
-  worker_ = std::make_unique<Worker>(empty);
   make_actions();
   make_body();
   make_menus();
@@ -56,14 +50,33 @@ LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   setMinimumSize(900, 600);  // below it the tool bar is cut
   resize(1280, 800);
   view_->setFocus();  // so that the keys of the scene work at once
-  connect(&timer_, &QTimer::timeout, this, &LabWindow::poll);
-  timer_.start(16);
+  connect_session();
 }
 
 // What goes, piece by piece, tells the window nothing any more.
 LabWindow::~LabWindow() {
   hide();
+  session_.disconnect(this);
   for (const QObject* child : findChildren<QObject*>()) child->disconnect(this);
+}
+
+void LabWindow::connect_session() {
+  connect(&session_, &Session::framesChanged, this, &LabWindow::show_frame);
+  connect(&session_, &Session::noticesChanged, this, &LabWindow::show_notices);
+  connect(&session_, &Session::documentChanged, this, &LabWindow::show_method);
+  connect(&session_, &Session::documentChanged, this, &LabWindow::show_needs);
+  connect(&session_, &Session::modifiedChanged, this, [this](bool modified) {
+    setWindowModified(modified);
+    if (!modified && autosave_ != nullptr) autosave_->forget();
+  });
+  connect(&session_, &Session::plotsChanged, this, [this] {
+    plots_->change_plots(preset().plots);
+    session_.record(plots_->curves());
+  });
+  connect(&session_, &Session::bodiesChanged, this, [this] {
+    plots_->set_bodies(session_.bodies());
+    session_.record(plots_->curves());
+  });
 }
 
 // --- scenes
@@ -74,7 +87,7 @@ bool LabWindow::open(const std::string& file_or_name) {
     const std::filesystem::path file = find_preset(file_or_name);
     const Preset preset = read_preset(file);
     if (!may_discard()) {
-      list_->set_current(name_);
+      list_->set_current(session_.name());
       return false;
     }
     const std::vector<LibraryEntry> library = preset_library();
@@ -86,28 +99,18 @@ bool LabWindow::open(const std::string& file_or_name) {
   } catch (const SceneError& error) {
     tell(this, tr("This preset cannot be opened"), tr("This preset cannot be opened."),
          QString::fromStdString(error.what()));
-    list_->set_current(name_);
+    list_->set_current(session_.name());
     return false;
   }
 }
 
 void LabWindow::show_scene(const Preset& preset, const QString& name, const QString& file) {
   plots_->set_plots(preset.plots, all_bodies(preset.scene));
-  forget_wait();
-  name_ = name;
-  file_ = file;
-  before_ = all_bodies(preset.scene);
-  duration_ = preset.duration;
-  recorders_.clear();
-  frames_.clear();
-  frame_.reset();
-  before_usual_.reset();
-  reference_ = preset.compare.empty() ? ReferenceId::kNone : usual_reference(setup_of(preset));
-  worker_->load(preset, plots_->curves(), reference_);
+  session_.open(preset, plots_->chosen(), plots_->curves(), name, file);
   constexpr int kSoon = 200;  // ms: a scene that is there by then flashes no notice
   QTimer::singleShot(kSoon, this, &LabWindow::show_preparing);
   view_->set_view(preset.view);
-  transport_->set_duration(duration_);
+  transport_->set_duration(preset.duration);
   list_->set_current(name);
   setWindowTitle(QString("%1[*] – Carom").arg(QString::fromStdString(preset.title)));
   about_->setText(QString("<p><b>%1</b></p><p>%2</p><p>%3</p>")
@@ -116,56 +119,41 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
                            QString::fromStdString(preset.about).toHtmlEscaped().replace("\n", "<br>")));
   study_->set_scene(preset, name.isEmpty() ? QFileInfo(file).completeBaseName() : name);
   if (!preset.compare.empty()) tabs_->setCurrentWidget(compare_);
-  mark_changed(false);
-  show_method();
-  show_needs();
 }
 
 // A large scene takes seconds to be ready; nothing of the one before may stand for it.
 void LabWindow::show_preparing() {
-  if (frame_ != nullptr) return;
+  if (frame() != nullptr) return;
   view_->clear();
   time_chip_->setText("t = …");
-  speed_chip_->setText(TransportBar::speed_text(speed_));
+  speed_chip_->setText(TransportBar::speed_text(session_.speed()));
   show_notices();
 }
 
-Preset LabWindow::preset() const {
-  Preset preset = worker_->preset();
-  preset.plots = plots_->chosen();
-  return preset;
-}
-
 void LabWindow::choose_file() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open a preset"), QFileInfo(file_).path(),
-                                                    tr("Carom presets (*.json);;All files (*)"));
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Open a preset"), QFileInfo(session_.file()).path(),
+                                   tr("Carom presets (*.json);;All files (*)"));
   if (!file.isEmpty()) open(QFileInfo(file).absoluteFilePath().toStdString());
 }
 
 bool LabWindow::write(const QString& file) {
   try {
-    save_preset(preset(), file.toStdString());
+    session_.save(file);
+    return true;
   } catch (const SceneError& error) {
     tell(this, tr("This preset cannot be saved"), QString::fromStdString(error.what()));
     return false;
   }
-  file_ = file;
-  mark_changed(false);
-  return true;
 }
 
-bool LabWindow::save() { return file_.isEmpty() ? saveAs() : write(file_); }
+bool LabWindow::save() { return session_.file().isEmpty() ? saveAs() : write(session_.file()); }
 
 bool LabWindow::saveAs() {
-  const QString file = ask_for_file(tr("Save the preset"), file_.isEmpty() ? "experiment.json" : file_,
-                                    tr("Carom presets (*.json)"), "json");
+  const QString file =
+      ask_for_file(tr("Save the preset"), session_.file().isEmpty() ? "experiment.json" : session_.file(),
+                   tr("Carom presets (*.json)"), "json");
   return !file.isEmpty() && write(file);
-}
-
-void LabWindow::mark_changed(bool changed) {
-  setWindowModified(changed);
-  if (changed) ++edits_;
-  if (!changed && autosave_ != nullptr) autosave_->forget();
 }
 
 bool LabWindow::may_discard() {
@@ -181,8 +169,9 @@ bool LabWindow::may_discard() {
 
 void LabWindow::closeEvent(QCloseEvent* event) {
   if (!may_discard()) return event->ignore();
-  forget_wait();
-  mark_changed(false);
+  session_.forget_wait();
+  setWindowModified(false);
+  if (autosave_ != nullptr) autosave_->forget();
   event->accept();
 }
 
@@ -190,187 +179,98 @@ void LabWindow::closeEvent(QCloseEvent* event) {
 // ----------------------------------------------------------------------------------------------------------
 
 void LabWindow::set_playing(bool playing) {
-  if (playing) forget_wait();
   // Nothing moves any more: what to do about it is said once more.
-  if (playing && frame_ != nullptr && frame_->lost) {
+  if (playing && frame() != nullptr && frame()->lost) {
     lost_bar_->show();
     return show_notices();
   }
-  // Play stops at the experiment's end; pressed again there, it goes on.
-  worker_->set_playing(playing, duration_);
+  session_.set_playing(playing);
 }
 
-void LabWindow::restart() {
-  forget_wait();
-  worker_->restart();
-}
-
-void LabWindow::when_still(const QString& what, std::function<void()> then) {
-  set_playing(false);
-  forget_wait();
-  if (!frame_->playing) return then();
-  then_ = std::move(then);
-  waits_ = what;
-  show_notices();
-}
-
-// Not from within what told of the frame.
-void LabWindow::go_on() {
-  QTimer::singleShot(0, this, std::exchange(then_, nullptr));
-  forget_wait();
-}
-
-void LabWindow::forget_wait() {
-  then_ = nullptr;
-  if (waits_.isEmpty()) return;
-  waits_.clear();
-  show_notices();
-}
-
-void LabWindow::change_method(const Method& method, std::size_t run) {
-  worker_->set_method(method, run);
-  mark_changed(true);
-  show_method();
-  show_needs();
+void LabWindow::compare_usual() {
+  if (!session_.compares_usual()) {
+    tabs_->setCurrentWidget(compare_);
+    const QSignalBlocker part_of_this_edit(plots_);
+    if (session_.first_reference() != ReferenceId::kNone) plots_->set_shown("error", true);
+  }
+  session_.compare_usual(plots_->chosen(), plots_->curves());
 }
 
 void LabWindow::choose_step() {
-  Method method = worker_->preset().method;
+  Method method = preset().method;
   bool chosen = false;
   const double ms =
       QInputDialog::getDouble(this, tr("Length of a step"), tr("h in ms, from 0.000001 to 1000:"),
                               1e3 * method.step, 1e3 * kLeastStep, 1e3 * kLargestStep, 6, &chosen);
   if (!chosen) return;
   method.step = 1e-3 * ms;
-  change_method(method);
+  session_.change_method(method);
 }
 
 void LabWindow::spawn(double x, double y) {
-  Preset preset = worker_->preset();
-  // A disc like those that are there, between half and one and a half times their radius; in a scene without
-  // any, a twentieth of the view.
-  Body body;
-  double radius = preset.view ? preset.view->width / 20.0 : 0.1;
-  body.density = 1.0;
-  for (const Body& b : before_) {
-    const auto* disc = std::get_if<Disc>(&b.shape);
-    if (is_immovable(b) || disc == nullptr || disc->radius == 0.0) continue;
-    radius = disc->radius;
-    body.density = mass_of(b) / area(b.shape);
-    body.material = b.material;
-    break;
-  }
-  body.name = free_body_name(preset.scene, "new");
-  body.shape = Disc{radius * (0.5 + QRandomGenerator::global()->generateDouble())};
-  body.position = {x, y};
-  preset.scene.bodies.push_back(body);
   try {
-    validate(preset);
+    session_.put_in(x, y);
   } catch (const SceneError& error) {
-    return tell(this, tr("No body can be put here"), QString::fromStdString(error.what()));
+    tell(this, tr("No body can be put here"), QString::fromStdString(error.what()));
   }
-  worker_->add_body(body);
-  before_.push_back(body);
-  plots_->set_bodies(before_);
-  mark_changed(true);
-  show_needs();
 }
 
 void LabWindow::run_until(double time) {
-  worker_->run_until(time);
-  const double step = worker_->preset().method.step;
-  QElapsedTimer shown;
-  shown.start();
-  // Until the worker has stopped at the time; the first frames may still be of the moment before.
-  const auto lost = [this] {
-    return std::any_of(frames_.begin(), frames_.end(),
-                       [](const auto& frame) { return frame->lost.has_value(); });
-  };
-  while (frame_ == nullptr || frame_->playing || (frame_->time < time - (1.0 + 1e-9) * step && !lost())) {
-    QThread::msleep(2);
-    poll();
-    QApplication::processEvents();
-  }
+  session_.run_until(time);
   plots_->show_now();
 }
 
-void LabWindow::poll() {
-  const std::vector<std::shared_ptr<const Frame>> news = worker_->take_frames();
-  if (news.empty()) return;
-  // Each run keeps its recorder, whatever runs were put in or taken out before it.
-  std::vector<std::shared_ptr<Recorder>> recorders;
-  for (const auto& frame : news) {
-    const auto own = std::find_if(recorders_.begin(), recorders_.end(),
-                                  [&](const auto& recorder) { return recorder->run() == frame->run; });
-    recorders.push_back(own == recorders_.end() ? std::make_shared<Recorder>() : *own);
-    recorders.back()->add(*frame);
-  }
-  recorders_ = std::move(recorders);
-  frames_ = news;
-  frame_ = news.front();
-  show_frame();
-  if (then_ != nullptr && !frame_->playing) go_on();
-}
-
 void LabWindow::show_frame() {
-  const Recorder& recorder = *recorders_.front();
-  follow_bodies();
-  show_compared();
-  transport_->update_from(*frame_, recorder);
+  const auto& frames = session_.frames();
+  if (frames.empty()) return;
+  const Frame& frame = *frames.front();
+  const auto& recorders = session_.recorders();
+  std::vector<Method> methods;
+  for (const auto& each : frames) methods.push_back(each->method);
+  const std::vector<QString> names = names_of(methods);
+  std::vector<PlottedRun> plotted;
+  for (std::size_t i = 0; i < frames.size(); ++i) plotted.push_back({recorders[i], names[i]});
+  plots_->update_from(plotted);
+  view_->set_frame(frames.front(), {frames.begin() + 1, frames.end()});
+  transport_->update_from(frame, *recorders.front());
   QWidget* tab = tabs_->currentWidget();
-  if (tab == bodies_) bodies_->update_from(*frame_, before_);
-  if (tab == impacts_) impacts_->update_from(*frame_, recorder);
-  if (tab == ledger_) ledger_->update_from(*frame_);
+  if (tab == bodies_) bodies_->update_from(frame, session_.bodies());
+  if (tab == impacts_) impacts_->update_from(frame, *recorders.front());
+  if (tab == ledger_) ledger_->update_from(frame);
   if (tab == reading_) reading_->update_from(plots_->runs(), plots_->contents(), plots_->marks());
-  if (tab == compare_) compare_->update_from(frames_);
-  tabs_->setTabText(1, tr("Impacts (%1)").arg(frame_->impact_count));
+  if (tab == compare_) compare_->update_from(frames);
+  tabs_->setTabText(1, tr("Impacts (%1)").arg(frame.impact_count));
 
   time_chip_->setToolTip(tr("Simulated time\n%1 steps, %2 rejected\n%3 evaluations of a body's acceleration")
-                             .arg(frame_->steps)
-                             .arg(frame_->rejected_steps)
-                             .arg(frame_->evaluations));
-  time_chip_->setText(QString("t = %1 s").arg(frame_->time, 0, 'f', 3));
+                             .arg(frame.steps)
+                             .arg(frame.rejected_steps)
+                             .arg(frame.evaluations));
+  time_chip_->setText(QString("t = %1 s").arg(frame.time, 0, 'f', 3));
   // What was asked for, or what this machine can give if that is clearly less.
-  QString speed = TransportBar::speed_text(speed_);
-  const bool slow = frame_->playing && frame_->realised_speed > 0.0 && frame_->realised_speed < 0.85 * speed_;
-  if (slow) speed += tr(", runs at ×%1").arg(frame_->realised_speed, 0, 'g', 2);
+  QString speed = TransportBar::speed_text(session_.speed());
+  const bool slow =
+      frame.playing && frame.realised_speed > 0.0 && frame.realised_speed < 0.85 * session_.speed();
+  if (slow) speed += tr(", runs at ×%1").arg(frame.realised_speed, 0, 'g', 2);
   speed_chip_->setText(speed);
   show_notices();
 }
 
-// They come in the order of their times, which is another where one was put in before another that is still to
-// come: plots know bodies by their place.
-void LabWindow::follow_bodies() {
-  if (frame_->bodies == bodies_shown_) return;
-  bodies_shown_ = frame_->bodies;
-  const std::vector<Body>& now = *bodies_shown_;
-  const auto same_name = [](const Body& a, const Body& b) { return a.name == b.name; };
-  if (now.size() <= before_.size() && std::equal(now.begin(), now.end(), before_.begin(), same_name)) return;
-  auto next = before_.begin();
-  for (const Body& body : now) {
-    const auto at = std::find_if(next, before_.end(), [&](const Body& b) { return b.name == body.name; });
-    if (at == before_.end()) continue;
-    std::rotate(next, at, at + 1);
-    ++next;
-  }
-  plots_->set_plots(plots_->chosen(), before_);
-  worker_->record(plots_->curves());
-}
-
 void LabWindow::show_notices() {
+  const auto frame = this->frame();
   QStringList notices;
-  if (frame_ == nullptr) notices << tr("preparing the scene …");
-  if (!waits_.isEmpty()) notices << waits_;
+  if (frame == nullptr) notices << tr("preparing the scene …");
+  if (!session_.waits().isEmpty()) notices << session_.waits();
   if (!not_kept_.isEmpty()) notices << not_kept_;
+  if (session_.again()) notices << tr("the run goes there again: t = %1 s").arg(*session_.again(), 0, 'f', 1);
   show_lost();
   // The bar says it whole.
-  const bool said = frame_ != nullptr && frame_->lost && lost_bar_->isVisibleTo(this);
-  if (frame_ != nullptr && frame_->status != "ok" && !said) notices << QString::fromStdString(frame_->status);
-  for (const auto& frame : frames_) {
-    if (frame->rows_known_until < frame->time) {
-      notices << tr("going through the run again: t = %1 s").arg(frame->rows_known_until, 0, 'f', 1);
-    } else if (!frame->lost && frame->time + frame->method.step <= frame_->time) {
-      notices << tr("another method catches up: t = %1 s").arg(frame->time, 0, 'f', 1);
+  const bool said = frame != nullptr && frame->lost && lost_bar_->isVisibleTo(this);
+  if (frame != nullptr && frame->status != "ok" && !said) notices << QString::fromStdString(frame->status);
+  for (const auto& each : session_.frames()) {
+    if (each->rows_known_until < each->time) {
+      notices << tr("going through the run again: t = %1 s").arg(each->rows_known_until, 0, 'f', 1);
+    } else if (!each->lost && each->time + each->method.step <= frame->time) {
+      notices << tr("another method catches up: t = %1 s").arg(each->time, 0, 'f', 1);
     }
   }
   status_ = notices.join("; ");
@@ -381,18 +281,17 @@ void LabWindow::show_notices() {
 
 // Said once for each loss, so that a bar that was dismissed stays away.
 void LabWindow::show_lost() {
-  const auto lost =
-      std::find_if(frames_.begin(), frames_.end(), [](const auto& frame) { return frame->lost.has_value(); });
-  const QString why = lost == frames_.end() ? QString() : QString::fromStdString(*(*lost)->lost);
+  const Frame* lost = session_.lost();
+  const QString why = lost == nullptr ? QString() : QString::fromStdString(*lost->lost);
   if (why == lost_) return;
   lost_ = why;
   if (why.isEmpty()) return lost_bar_->hide();
-  lost_bar_->say(frames_.size() > 1 ? tr("A run is %1").arg(why) : tr("The run is %1").arg(why), tr("Restart"),
-                 tr("Dismiss"));
+  lost_bar_->say(session_.frames().size() > 1 ? tr("A run is %1").arg(why) : tr("The run is %1").arg(why),
+                 tr("Restart"), tr("Dismiss"));
 }
 
 void LabWindow::show_method() {
-  const Method m = worker_->preset().method;
+  const Method m = preset().method;
   const auto set = [](QToolButton* button, std::string_view s) {
     button->setText(QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())) + QStringLiteral(" ▾"));
   };
@@ -429,7 +328,7 @@ void LabWindow::show_method() {
 }
 
 void LabWindow::show_needs() {
-  const Preset preset = worker_->preset();
+  const Preset& preset = this->preset();
   const NeedsText text = text_of(needs_of(preset.scene), preset.scene, preset.method.contacts);
   const auto joined = [](const std::vector<std::string>& parts) {
     QStringList list;
@@ -441,7 +340,7 @@ void LabWindow::show_needs() {
       tr("Modelled: %1.\nNot needed by this scene: %2.").arg(joined(text.modelled), joined(text.not_needed))));
   ledger_->set_scene(preset);
   study_->edit_scene(preset);
-  compare_->set_scene(preset, reference_);
+  compare_->set_scene(preset, session_.reference());
   for (QAction* action : integrators_->actions()) {
     const auto id = static_cast<IntegratorId>(action->data().toInt());
     const std::optional<std::string> reason = why_not(preset.scene, id);

@@ -8,10 +8,8 @@
 #include <string>
 
 #include "app/lab/autosave.h"
+#include "app/lab/session.h"
 #include "physics/preset/preset.h"
-#include "physics/record/recorder.h"
-#include "physics/scene/scene.h"
-#include "physics/session/worker.h"
 #include "widgets/theme/theme.h"
 
 class QAction;
@@ -36,8 +34,8 @@ class SceneView;
 class StudyPanel;
 class TransportBar;
 
-// The lab: experiments, scene over transport over tables, plots. It forwards what the user does to the worker
-// and shows the frames that come back; one timer polls for them.
+// The lab: experiments, scene over transport over tables, plots. It shows a session, and forwards to it what
+// the user does.
 class LabWindow : public QMainWindow {
   Q_OBJECT
 
@@ -57,8 +55,9 @@ class LabWindow : public QMainWindow {
 
   void set_theme(const Theme& theme);
   [[nodiscard]] SceneView& scene_view() { return *view_; }
-  [[nodiscard]] const std::shared_ptr<const Frame>& frame() const { return frame_; }
-  [[nodiscard]] Preset preset() const;  // as it would be saved now
+  [[nodiscard]] Session& session() { return session_; }
+  [[nodiscard]] std::shared_ptr<const Frame> frame() const { return session_.frame(); }
+  [[nodiscard]] const Preset& preset() const { return session_.document(); }
 
  public slots:
   bool save();
@@ -76,7 +75,7 @@ class LabWindow : public QMainWindow {
   void fill_library();
   void draw_thumbnails();
 
-  void poll();
+  void connect_session();
   void show_frame();
   void show_method();  // as wide as the tool bar has room for
   // What the edited scene needs: chips, ledger and the methods that it allows.
@@ -87,14 +86,7 @@ class LabWindow : public QMainWindow {
   void choose_file();
   bool may_discard();  // asks to save what the user changed; false: stay
   bool write(const QString& file);
-  void change_method(const Method& method, std::size_t run = 0);
-  // Several methods side by side (lab_compare.cpp).
-  void add_method(const Method& method);
-  void compare_with(const Method& method);
-  void remove_method(std::size_t run);
-  void choose_reference(ReferenceId reference);
   void compare_usual();
-  void show_compared();
   void choose_step();
   void set_playing(bool playing);
   void spawn(double x, double y);
@@ -116,50 +108,22 @@ class LabWindow : public QMainWindow {
   void make_film();
   void make_report();
   void write_report();
-  // Stops the run, and goes on with `then` when the newest moment is shown. A step that is under way may take
-  // long: meanwhile the window is the user's, and whatever makes the run another one or goes on with it forgets
-  // `then`.
-  void when_still(const QString& what, std::function<void()> then);
-  void go_on();
-  void forget_wait();
   [[nodiscard]] std::vector<RunLog> runs() const;
-  void mark_changed(bool changed);
-  void restart();
   void show_preparing();
   void show_notices();
   void show_lost();
-  void follow_bodies();  // those that come in again after a restart
   // Unsaved work (lab_work.cpp).
   void offer_work();
   void restore_work();
   void discard_work();
 
   Theme theme_;
-  std::unique_ptr<Worker> worker_;
-  std::vector<std::shared_ptr<const Frame>> frames_;  // of each run
-  std::shared_ptr<const Frame> frame_;                // of the first, the scene's own
-  std::vector<std::shared_ptr<Recorder>> recorders_;  // of each run
-  ReferenceId reference_ = ReferenceId::kNone;
-  struct Compared {
-    Method method;
-    std::vector<Method> others;
-    ReferenceId reference;
-  };
-  std::optional<Compared> before_usual_;  // Euler, RK4 and the exact run were asked for
-  std::vector<Body> before_;              // the bodies as they came in
-  std::shared_ptr<const std::vector<Body>> bodies_shown_;
-  double duration_ = 1.0;
-  double speed_ = 1.0;
-  QString name_;  // of the built-in experiment that is shown; empty for a file
-  QString file_;  // where save() writes; empty for a built-in experiment
-  QTimer timer_;
-  std::function<void()> then_;  // waits for the run to stand still
-  QString waits_;               // for what: told meanwhile
+  Session session_;
   QTimer keeping_;
   std::unique_ptr<Autosave> autosave_;
   std::vector<KeptWork> offered_;
-  QString not_kept_;                          // why unsaved work is not kept; empty if it is
-  std::uint64_t edits_ = 0, kept_edits_ = 0;  // since the window was opened
+  QString not_kept_;        // why unsaved work is not kept; empty if it is
+  std::uint64_t kept_ = 0;  // the session's revision then
 
   ExperimentList* list_ = nullptr;
   SceneView* view_ = nullptr;

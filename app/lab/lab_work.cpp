@@ -32,12 +32,12 @@ void LabWindow::keep_work(const QString& folder) {
 }
 
 void LabWindow::keep_now() {
-  if (autosave_ == nullptr || !isWindowModified() || edits_ == kept_edits_) return;
+  if (autosave_ == nullptr || !isWindowModified() || session_.revision() == kept_) return;
   try {
     Preset work = preset();
     if (const std::optional<View> view = view_->moved_view()) work.view = view;
     autosave_->keep(work);
-    kept_edits_ = edits_;
+    kept_ = session_.revision();
     not_kept_.clear();
   } catch (const SceneError& error) {
     not_kept_ = tr("Unsaved work is not kept: %1").arg(QString::fromStdString(error.what()));
@@ -68,7 +68,7 @@ void LabWindow::restore_work() {
     const Preset work = offered_.front().preset();
     if (!may_discard()) return;
     show_scene(work, {}, {});
-    mark_changed(true);
+    session_.mark_modified();
     keep_now();
     // It goes when it is kept as this window's own.
     if (not_kept_.isEmpty()) offered_.front().remove();

@@ -48,6 +48,7 @@ bool same_to_a_study(const Preset& one, Preset other) {
   other.compare = one.compare;
   other.method = one.method;
   other.method.contacts = contacts;
+  other.plots = one.plots;
   return write_preset(one) == write_preset(other);
 }
 

@@ -84,7 +84,38 @@ void PlotPanel::set_plots(const std::vector<Plot>& plots, const std::vector<Body
   schedule();
 }
 
-void PlotPanel::set_bodies(const std::vector<Body>& bodies) { bodies_ = bodies; }
+// Plots know bodies by their place.
+void PlotPanel::set_bodies(const std::vector<Body>& bodies) {
+  const auto end = static_cast<std::ptrdiff_t>(std::min(bodies.size(), bodies_.size()));
+  const bool same_places = std::equal(bodies.begin(), bodies.begin() + end, bodies_.begin(),
+                                      [](const Body& a, const Body& b) { return a.name == b.name; });
+  bodies_ = bodies;
+  if (!same_places) set_plots(chosen(), bodies);
+}
+
+void PlotPanel::change_plots(const std::vector<Plot>& plots) {
+  if (plots == chosen()) return;
+  const auto same = [](Plot a, const Plot& b) {
+    a.notes = b.notes;
+    return a == b;
+  };
+  std::vector<RunPlot*> old = std::exchange(plots_, {});
+  for (const Plot& plot : plots) {
+    const auto shown = std::find_if(old.begin(), old.end(),
+                                    [&](const RunPlot* each) { return same(each->content().plot, plot); });
+    if (shown == old.end()) {
+      insert(plots_.size(), content_of(plot, bodies_));
+      continue;
+    }
+    plots_.push_back(*shown);
+    old.erase(shown);
+    plots_.back()->set_notes(plot.notes);
+    static_cast<QVBoxLayout*>(layout())->insertWidget(static_cast<int>(plots_.size()), plots_.back(), 1);
+  }
+  for (RunPlot* plot : old) drop(plot);
+  mark_menu();
+  schedule();
+}
 
 void PlotPanel::insert(std::size_t place, const PlotContent& content) {
   auto* plot = new RunPlot(content, theme_, this);

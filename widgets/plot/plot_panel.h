@@ -37,7 +37,9 @@ class PlotPanel : public QWidget {
   void set_theme(const Theme& theme);
   // Those that a scene with these bodies asks for; none: default_plots(). Nothing stays zoomed.
   void set_plots(const std::vector<Plot>& plots, const std::vector<Body>& bodies);
-  void set_bodies(const std::vector<Body>& bodies);  // there are more now
+  // The same with other bodies; and with other plots, of which those that are shown already stay as they are.
+  void set_bodies(const std::vector<Body>& bodies);
+  void change_plots(const std::vector<Plot>& plots);
   // What is shown, as a scene would ask for it, and the curves that it needs.
   [[nodiscard]] std::vector<Plot> chosen() const;
   [[nodiscard]] std::vector<Curve> curves() const;

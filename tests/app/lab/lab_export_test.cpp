@@ -60,6 +60,7 @@ class LabExportTest : public testing::Test {
   }
   // Of the first plot's context menu.
   void trigger_in_plot(std::size_t plot, const QString& text) {
+    QApplication::processEvents();  // a new plot is given its place
     QContextMenuEvent event(QContextMenuEvent::Mouse, panel_->plots()[plot]->geometry().center(),
                             panel_->mapToGlobal(panel_->plots()[plot]->geometry().center()));
     QApplication::sendEvent(panel_, &event);
