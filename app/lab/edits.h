@@ -38,7 +38,7 @@ class DocumentEdit : public QUndoCommand {
   };
 
   DocumentEdit(Session& session, const What& what, Edited before, Edited after);
-  [[nodiscard]] bool is_work() const { return what_.is_work; }
+  [[nodiscard]] const What& what() const { return what_; }
 
   void undo() override;
   void redo() override;

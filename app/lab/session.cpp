@@ -92,7 +92,7 @@ bool Session::modified() const {
   if (clean < 0) return true;
   const auto [from, to] = std::minmax({clean, edits_.index()});
   for (int i = from; i < to; ++i) {
-    if (static_cast<const DocumentEdit*>(edits_.command(i))->is_work()) return true;
+    if (static_cast<const DocumentEdit*>(edits_.command(i))->what().is_work) return true;
   }
   return false;
 }
@@ -182,7 +182,13 @@ void Session::change_step(double step, const std::vector<std::size_t>& runs, int
     Method& now = run == 0 ? after.methods.own : after.methods.others[run - 1];
     if (std::exchange(now.step, step) != step) changed.emplace_back(run, now);
   }
-  if (!changed.empty()) push({tr("change of step"), worker_.set_methods(changed), true, drag}, after);
+  if (changed.empty()) return;
+  // As the stack joins them: not with what is saved.
+  const int last = edits_.index() == edits_.cleanIndex() ? -1 : edits_.index() - 1;
+  const auto* before = last < 0 ? nullptr : static_cast<const DocumentEdit*>(edits_.command(last));
+  const bool same_drag = before != nullptr && before->what().drag == drag;
+  const Worker::EditId edit = worker_.set_methods(changed, same_drag ? before->what().runs : 0);
+  push({tr("change of step"), edit, true, drag}, after);
 }
 
 void Session::add_method(const Method& method) {
@@ -307,17 +313,19 @@ void Session::set_speed(double speed) {
 }
 
 void Session::run_until(double time) {
+  const auto wait_until = [this](const auto& fulfilled) {
+    while (!fulfilled()) {
+      worker_.wait_for_frames(std::chrono::milliseconds(100));
+      poll();
+    }
+  };
+  wait_until([this] { return !frames_.empty(); });  // the start is seen too
   worker_.run_until(time);
   // Until the worker has stopped at the time; the first frames may still be of the moment before.
-  const auto there = [&] {
-    const auto now = frame();
-    return now != nullptr && !now->playing &&
-           (now->time >= time - (1.0 + 1e-9) * document_.method.step || lost() != nullptr);
-  };
-  while (!there()) {
-    worker_.wait_for_frames(std::chrono::milliseconds(100));
-    poll();
-  }
+  wait_until([&] {
+    const Frame& now = *frames_.front();
+    return !now.playing && (now.time >= time - (1.0 + 1e-9) * document_.method.step || lost() != nullptr);
+  });
 }
 
 void Session::record(const std::vector<Curve>& curves) {

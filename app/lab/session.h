@@ -24,6 +24,7 @@ class Session : public QObject {
 
  public:
   explicit Session(QObject* parent = nullptr);
+  ~Session() override { edits_.disconnect(this); }
 
   // Another document, at t = 0, with the plots that are shown of it and the curves that they need. `name` is
   // that of a built-in experiment, `file` where save() would write; both may be empty. Nothing can be undone.

@@ -338,10 +338,10 @@ void Worker::post_to_runs(const std::function<void(Lab&)>& command) {
   });
 }
 
-Worker::EditId Worker::post_edit(const std::function<void(Lab&, EditId)>& command) {
-  const EditId edit = ++edits_;
-  post([command, edit](Lab& lab) {
-    lab.past[edit].before = lab.plan();
+Worker::EditId Worker::post_edit(const std::function<void(Lab&, EditId)>& command, EditId part_of) {
+  const EditId edit = part_of != 0 ? part_of : ++edits_;
+  post([=](Lab& lab) {
+    if (part_of == 0) lab.past[edit].before = lab.plan();
     command(lab, edit);
   });
   return edit;
@@ -426,10 +426,11 @@ void Worker::set_speed(double speed) {
   });
 }
 
-Worker::EditId Worker::set_methods(const std::vector<std::pair<std::size_t, Method>>& methods) {
-  return post_edit([methods](Lab& lab, EditId edit) {
+Worker::EditId Worker::set_methods(const std::vector<std::pair<std::size_t, Method>>& methods, EditId part_of) {
+  const auto set = [methods](Lab& lab, EditId edit) {
     for (const auto& [run, method] : methods) lab.set_method(run, method, edit);
-  });
+  };
+  return post_edit(set, part_of);
 }
 
 Worker::EditId Worker::add_method(const Method& method) {

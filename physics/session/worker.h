@@ -56,7 +56,8 @@ class Worker {
   void set_playing(bool playing, double until = std::numeric_limits<double>::infinity());
   void step_once();              // one step of the first run's method, stopped
   void set_speed(double speed);  // simulated seconds per second, > 0
-  EditId set_methods(const std::vector<std::pair<std::size_t, Method>>& methods);  // of these runs, from now on
+  // Of these runs, from now on; as a part of the last edit if that is named.
+  EditId set_methods(const std::vector<std::pair<std::size_t, Method>>& methods, EditId part_of = 0);
   EditId set_method(const Method& method, std::size_t run = 0) { return set_methods({{run, method}}); }
   EditId add_method(const Method& method);  // one more run; not beyond kMostCompared besides the first
   EditId remove_method(std::size_t run);    // not the first
@@ -94,7 +95,7 @@ class Worker {
   // Nothing where the runs stand in the midst of a step.
   void post_to_runs(const std::function<void(Lab&)>& command);
   // With what the runs were before, so that it can be taken back.
-  EditId post_edit(const std::function<void(Lab&, EditId)>& command);
+  EditId post_edit(const std::function<void(Lab&, EditId)>& command, EditId part_of = 0);
   void post_restored(EditId edit, ReferenceId reference, bool back);
   // Interrupts the step under way; the command is given the token for the next runs.
   void post_begin(const std::function<void(Lab&, std::stop_token)>& command);

@@ -294,6 +294,7 @@ TEST_F(SessionTest, TheStepsOfOneDragAreOneEdit) {
   EXPECT_EQ(session_.frame()->log->edits.size(), 0U);
   redo();
   EXPECT_EQ(session_.document().method.step, 0.002);
+  EXPECT_EQ(session_.frame()->log->edits.size(), 3U);
 }
 
 TEST_F(SessionTest, TheMarkOfChangesFollowsUndoAndSave) {
