@@ -1,28 +1,19 @@
 #include "app/lab/lab_window.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QCloseEvent>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QInputDialog>
 #include <QLabel>
-#include <QMenu>
-#include <QMessageBox>
 #include <QSignalBlocker>
-#include <QStringList>
 #include <QTabWidget>
-#include <QToolBar>
-#include <QToolButton>
-#include <algorithm>
+#include <QTimer>
 
+#include "app/lab/document_files.h"
+#include "app/lab/lab_exports.h"
+#include "app/lab/library_items.h"
+#include "app/lab/method_bar.h"
 #include "app/lab/notice_bar.h"
-#include "app/lab/preset_library.h"
-#include "physics/dynamics/integrators/integrators.h"
-#include "physics/model/needs.h"
-#include "physics/preset/preset.h"
-#include "physics/preset/preset_file.h"
-#include "physics/scene/facts.h"
+#include "app/lab/scene_chips.h"
+#include "app/lab/work_recovery.h"
 #include "physics/scene/validate.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/study_panel.h"
@@ -33,42 +24,48 @@
 #include "widgets/run/run_tables.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/theme/ask.h"
 #include "widgets/theme/method_names.h"
-#include "widgets/theme/number_text.h"
 #include "widgets/theme/plain_text.h"
 
-// The layout of the window is in lab_layout.cpp; here is what it does.
+// Where things stand is in lab_layout.cpp, the menus are in lab_menus.cpp; here is what the window does.
 namespace carom {
 
 LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   keep_messages_plain();
-  make_actions();
   make_body();
-  make_menus();
+  chips_ = new SceneChips(*view_);
+  files_ = new DocumentFiles(this, session_);
+  exports_ = new LabExports(this, session_, {*view_, *plots_, *bodies_, *ledger_});
+  recovery_ = new WorkRecovery(
+      session_, *restore_bar_, [this] { return view_->moved_view(); }, this);
+  make_file_menu();
+  make_edit_menu();
+  make_view_menu();
+  make_run_menus();
+  make_help_menu();
   make_tool_bar();
-  fill_library();
+  connect_views();
+  connect_session();
+  list_->set_items(library_items());
+  set_theme(theme);
   setMinimumSize(900, 600);  // below it the tool bar is cut
   resize(1280, 800);
   view_->setFocus();  // so that the keys of the scene work at once
-  connect_session();
 }
 
 // What goes, piece by piece, tells the window nothing any more.
 LabWindow::~LabWindow() {
   hide();
-  session_.disconnect(this);
+  session_.disconnect();
   for (const QObject* child : findChildren<QObject*>()) child->disconnect(this);
 }
 
 void LabWindow::connect_session() {
   connect(&session_, &Session::framesChanged, this, &LabWindow::show_frame);
   connect(&session_, &Session::noticesChanged, this, &LabWindow::show_notices);
-  connect(&session_, &Session::documentChanged, this, &LabWindow::show_method);
-  connect(&session_, &Session::documentChanged, this, &LabWindow::show_needs);
-  connect(&session_, &Session::modifiedChanged, this, [this](bool modified) {
-    setWindowModified(modified);
-    if (!modified && autosave_ != nullptr) autosave_->forget();
-  });
+  connect(&session_, &Session::documentChanged, this, &LabWindow::show_document);
+  connect(&session_, &Session::modifiedChanged, this, &LabWindow::setWindowModified);
   connect(&session_, &Session::plotsChanged, this, [this] {
     plots_->change_plots(preset().plots);
     session_.record(plots_->curves());
@@ -77,32 +74,28 @@ void LabWindow::connect_session() {
     plots_->set_bodies(session_.bodies());
     session_.record(plots_->curves());
   });
+  connect(files_, &DocumentFiles::opened, this, &LabWindow::show_scene);
+  connect(files_, &DocumentFiles::stayed, this, [this] { list_->set_current(session_.name()); });
+  connect(recovery_, &WorkRecovery::keptChanged, this, &LabWindow::show_notices);
+  connect(recovery_, &WorkRecovery::restoreAsked, this, [this](const Preset& work) {
+    files_->when_saved([this, work] {
+      show_scene(work, {}, {});
+      session_.mark_modified();
+      recovery_->restored();
+    });
+  });
 }
 
-// --- scenes
+// --- the document
 // -----------------------------------------------------------------------------------------------------------
 
-bool LabWindow::open(const std::string& file_or_name) {
-  try {
-    const std::filesystem::path file = find_preset(file_or_name);
-    const Preset preset = read_preset(file);
-    if (!may_discard()) {
-      list_->set_current(session_.name());
-      return false;
-    }
-    const std::vector<LibraryEntry> library = preset_library();
-    const bool built_in =
-        std::any_of(library.begin(), library.end(), [&](const auto& e) { return e.file == file; });
-    show_scene(preset, QString::fromStdString(built_in ? file.stem().string() : ""),
-               built_in ? QString() : QString::fromStdString(file.string()));
-    return true;
-  } catch (const SceneError& error) {
-    tell(this, tr("This preset cannot be opened"), tr("This preset cannot be opened."),
-         QString::fromStdString(error.what()));
-    list_->set_current(session_.name());
-    return false;
-  }
-}
+bool LabWindow::open(const std::string& file_or_name) { return files_->open(file_or_name); }
+
+bool LabWindow::save() { return files_->save(); }
+
+void LabWindow::keep_work(const QString& folder) { recovery_->begin(folder); }
+
+void LabWindow::keep_now() { recovery_->keep_now(); }
 
 void LabWindow::show_scene(const Preset& preset, const QString& name, const QString& file) {
   plots_->set_plots(preset.plots, all_bodies(preset.scene));
@@ -125,58 +118,33 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
 void LabWindow::show_preparing() {
   if (frame() != nullptr) return;
   view_->clear();
-  time_chip_->setText("t = …");
-  speed_chip_->setText(TransportBar::speed_text(session_.speed()));
+  chips_->show_time(session_);
   show_notices();
 }
 
-void LabWindow::choose_file() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Open a preset"), QFileInfo(session_.file()).path(),
-                                   tr("Carom presets (*.json);;All files (*)"));
-  if (!file.isEmpty()) open(QFileInfo(file).absoluteFilePath().toStdString());
-}
-
-bool LabWindow::write(const QString& file) {
-  try {
-    session_.save(file);
-    return true;
-  } catch (const SceneError& error) {
-    tell(this, tr("This preset cannot be saved"), QString::fromStdString(error.what()));
-    return false;
-  }
-}
-
-bool LabWindow::save() { return session_.file().isEmpty() ? saveAs() : write(session_.file()); }
-
-bool LabWindow::saveAs() {
-  const QString file =
-      ask_for_file(tr("Save the preset"), session_.file().isEmpty() ? "experiment.json" : session_.file(),
-                   tr("Carom presets (*.json)"), "json");
-  return !file.isEmpty() && write(file);
-}
-
-bool LabWindow::may_discard() {
-  if (!isWindowModified()) return true;
-  QMessageBox box(QMessageBox::NoIcon, tr("Save the changes?"),
-                  tr("This experiment was changed. Save it before it is closed?"),
-                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-  box.setDefaultButton(QMessageBox::Save);
-  const int answer = box.exec();
-  if (answer == QMessageBox::Save) return save();
-  return answer == QMessageBox::Discard;
+void LabWindow::show_document() {
+  methods_->show_document(preset());
+  chips_->show_needs(preset());
+  ledger_->set_scene(preset());
+  study_->edit_scene(preset());
+  compare_->set_scene(preset(), session_.reference());
 }
 
 void LabWindow::closeEvent(QCloseEvent* event) {
-  if (!may_discard()) return event->ignore();
+  if (isWindowModified()) {
+    event->ignore();
+    return files_->when_saved([this] {
+      setWindowModified(false);
+      close();
+    });
+  }
   session_.forget_wait();
-  setWindowModified(false);
-  if (autosave_ != nullptr) autosave_->forget();
+  recovery_->end();
   event->accept();
 }
 
-// --- running
-// ----------------------------------------------------------------------------------------------------------
+// --- the run
+// -----------------------------------------------------------------------------------------------------------
 
 void LabWindow::set_playing(bool playing) {
   // Nothing moves any more: what to do about it is said once more.
@@ -194,25 +162,6 @@ void LabWindow::compare_usual() {
     if (session_.first_reference() != ReferenceId::kNone) plots_->set_shown("error", true);
   }
   session_.compare_usual(plots_->chosen(), plots_->curves());
-}
-
-void LabWindow::choose_step() {
-  Method method = preset().method;
-  bool chosen = false;
-  const double ms =
-      QInputDialog::getDouble(this, tr("Length of a step"), tr("h in ms, from 0.000001 to 1000:"),
-                              1e3 * method.step, 1e3 * kLeastStep, 1e3 * kLargestStep, 6, &chosen);
-  if (!chosen) return;
-  method.step = 1e-3 * ms;
-  session_.change_method(method);
-}
-
-void LabWindow::spawn(double x, double y) {
-  try {
-    session_.put_in(x, y);
-  } catch (const SceneError& error) {
-    tell(this, tr("No body can be put here"), QString::fromStdString(error.what()));
-  }
 }
 
 void LabWindow::run_until(double time) {
@@ -240,116 +189,21 @@ void LabWindow::show_frame() {
   if (tab == reading_) reading_->update_from(plots_->runs(), plots_->contents(), plots_->marks());
   if (tab == compare_) compare_->update_from(frames);
   tabs_->setTabText(1, tr("Impacts (%1)").arg(frame.impact_count));
-
-  time_chip_->setToolTip(tr("Simulated time\n%1 steps, %2 rejected\n%3 evaluations of a body's acceleration")
-                             .arg(frame.steps)
-                             .arg(frame.rejected_steps)
-                             .arg(frame.evaluations));
-  time_chip_->setText(QString("t = %1 s").arg(frame.time, 0, 'f', 3));
-  // What was asked for, or what this machine can give if that is clearly less.
-  QString speed = TransportBar::speed_text(session_.speed());
-  const bool slow =
-      frame.playing && frame.realised_speed > 0.0 && frame.realised_speed < 0.85 * session_.speed();
-  if (slow) speed += tr(", runs at ×%1").arg(frame.realised_speed, 0, 'g', 2);
-  speed_chip_->setText(speed);
+  chips_->show_time(session_);
   show_notices();
 }
 
+// A loss is said once, so that a bar that was dismissed stays away.
 void LabWindow::show_notices() {
-  const auto frame = this->frame();
-  QStringList notices;
-  if (frame == nullptr) notices << tr("preparing the scene …");
-  if (!session_.waits().isEmpty()) notices << session_.waits();
-  if (!not_kept_.isEmpty()) notices << not_kept_;
-  if (session_.again()) notices << tr("the run goes there again: t = %1 s").arg(*session_.again(), 0, 'f', 1);
-  show_lost();
-  // The bar says it whole.
-  const bool said = frame != nullptr && frame->lost && lost_bar_->isVisibleTo(this);
-  if (frame != nullptr && frame->status != "ok" && !said) notices << QString::fromStdString(frame->status);
-  for (const auto& each : session_.frames()) {
-    if (each->rows_known_until < each->time) {
-      notices << tr("going through the run again: t = %1 s").arg(each->rows_known_until, 0, 'f', 1);
-    } else if (!each->lost && each->time + each->method.step <= frame->time) {
-      notices << tr("another method catches up: t = %1 s").arg(each->time, 0, 'f', 1);
-    }
-  }
-  status_ = notices.join("; ");
-  status_chip_->setVisible(!status_.isEmpty());
-  status_chip_->setToolTip(plain_tip(status_));
-  place_chips();
-}
-
-// Said once for each loss, so that a bar that was dismissed stays away.
-void LabWindow::show_lost() {
   const Frame* lost = session_.lost();
   const QString why = lost == nullptr ? QString() : QString::fromStdString(*lost->lost);
-  if (why == lost_) return;
-  lost_ = why;
-  if (why.isEmpty()) return lost_bar_->hide();
-  lost_bar_->say(session_.frames().size() > 1 ? tr("A run is %1").arg(why) : tr("The run is %1").arg(why),
-                 tr("Restart"), tr("Dismiss"));
-}
-
-void LabWindow::show_method() {
-  const Method m = preset().method;
-  const auto set = [](QToolButton* button, std::string_view s) {
-    button->setText(QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())) + QStringLiteral(" ▾"));
-  };
-  const IntegratorChoice& integrator = choice_of(kIntegrators, m.integrator);
-  const auto& impacts = choice_of(kImpacts, m.impacts);
-  const auto& contacts = choice_of(kContacts, m.contacts);
-  set(integrator_button_, integrator.label);
-  set(impacts_button_, impacts.label);
-  set(contacts_button_, contacts.label);
-  const bool adaptive = integrator.adaptive;
-  const bool exact = integrator.order == 0;
-  const QString step = QString("%1 ms ▾").arg(1e3 * m.step, 0, 'g', 4);
-  step_button_->setText(adaptive ? tr("tolerance %1 ▾").arg(short_figure(m.tolerance))
-                        : exact  ? tr("results every %1").arg(step)
-                                 : "h = " + step);
-  step_button_->setToolTip(
-      adaptive ? tr("Largest error of a step, in m and m/s; holds from now on")
-      : exact  ? tr("Exact flight needs no step: this is only the interval of the results; holds from now on")
-               : tr("Length of a step; holds from now on"));
-  step_button_->setMenu(adaptive ? tolerances_ : steps_);
-  tolerances_->menuAction()->setEnabled(adaptive);
-
-  // In a narrow window names stand for labels, and of the integrator's what fits.
-  const auto missing = [this] { return tool_bar_->sizeHint().width() - tool_bar_->width(); };
-  if (missing() <= 0) return;
-  set(impacts_button_, impacts.name);
-  set(contacts_button_, contacts.name);
-  if (const int more = missing(); more > 0) {
-    const QFontMetrics metrics = integrator_button_->fontMetrics();
-    const QString text = integrator_button_->text();
-    integrator_button_->setText(
-        metrics.elidedText(text, Qt::ElideMiddle, metrics.horizontalAdvance(text) - more));
+  if (std::exchange(lost_, why) != why) {
+    const bool several = session_.frames().size() > 1;
+    lost_bar_->say(several ? tr("A run is %1").arg(why) : tr("The run is %1").arg(why), tr("Restart"),
+                   tr("Dismiss"));
+    lost_bar_->setVisible(!why.isEmpty());
   }
-}
-
-void LabWindow::show_needs() {
-  const Preset& preset = this->preset();
-  const NeedsText text = text_of(needs_of(preset.scene), preset.scene, preset.method.contacts);
-  const auto joined = [](const std::vector<std::string>& parts) {
-    QStringList list;
-    for (const std::string& part : parts) list << QString::fromStdString(part);
-    return list.isEmpty() ? tr("nothing") : list.join(", ");
-  };
-  needs_ = tr("modelled: %1 · not needed: %2").arg(joined(text.modelled), joined(text.not_needed));
-  needs_chip_->setToolTip(plain_tip(
-      tr("Modelled: %1.\nNot needed by this scene: %2.").arg(joined(text.modelled), joined(text.not_needed))));
-  ledger_->set_scene(preset);
-  study_->edit_scene(preset);
-  compare_->set_scene(preset, session_.reference());
-  for (QAction* action : integrators_->actions()) {
-    const auto id = static_cast<IntegratorId>(action->data().toInt());
-    const std::optional<std::string> reason = why_not(preset.scene, id);
-    const std::string_view tip = choice_of(kIntegrators, id).tip;
-    action->setEnabled(!reason);
-    action->setToolTip(plain_tip(reason ? QString::fromStdString(*reason)
-                                        : QString::fromUtf8(tip.data(), static_cast<qsizetype>(tip.size()))));
-  }
-  place_chips();
+  chips_->show_notices(session_, recovery_->not_kept(), lost_bar_->isVisibleTo(this));
 }
 
 }  // namespace carom

@@ -23,6 +23,7 @@
 #include "physics/preset/preset.h"
 #include "physics/scene/facts.h"
 #include "widgets/compare/compare_table.h"
+#include "widgets/theme/method_names.h"
 #include "widgets/theme/number_text.h"
 #include "widgets/theme/plain_text.h"
 
@@ -45,8 +46,6 @@ int place_of(double step) {
   const double place = kPlaces * std::log10(step / kLeastOfSlider);
   return static_cast<int>(std::lround(std::clamp(place, 0.0, 1.0 * kDecades * kPlaces)));
 }
-
-QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
 
 struct ReferenceText {
   ReferenceId id;

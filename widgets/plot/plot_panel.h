@@ -16,12 +16,11 @@
 #include "widgets/plot/run_plot.h"
 #include "widgets/theme/theme.h"
 
-class QGridLayout;
 class QMenu;
 
 namespace carom {
 
-class LegendButton;
+class RunsLegend;
 
 // The plots of a run, one above the other over one time axis. Wheel: zoom in time about the cursor; with Ctrl:
 // zoom that plot's values; Ctrl and a drag: zoom to a box; drag: move; double click or Home: back to showing
@@ -85,8 +84,6 @@ class PlotPanel : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void show_legend();
-  void place_legend();
   void insert(std::size_t place, const PlotContent& content);
   void drop(RunPlot* plot);
   void put_away(RunPlot* plot);
@@ -110,9 +107,7 @@ class PlotPanel : public QWidget {
   Theme theme_;
   QMenu* menu_;  // which plots are shown
   std::vector<Body> bodies_;
-  QWidget* legend_;  // of the runs, if there are several
-  QGridLayout* legend_grid_;
-  std::vector<LegendButton*> legend_buttons_;
+  RunsLegend* legend_;
   std::vector<PlottedRun> runs_{{std::make_shared<const Recorder>(), {}}};
   std::vector<RunPlot*> plots_;
   std::vector<RunPlot*> zoomed_;           // those on which the user zoomed or moved

@@ -24,6 +24,7 @@
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "tests/support/wait.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/run_plot.h"
 #include "widgets/scene/scene_view.h"
@@ -43,14 +44,19 @@ class LabExportTest : public testing::Test {
     QGuiApplication::clipboard()->clear();
   }
 
-  // While `what` runs, each dialog that opens is answered.
-  static void with_answers(const std::function<void(QWidget*)>& answer, const std::function<void()>& what) {
+  // Does `what` and answers each dialog that opens, until no more come and `done` holds.
+  static void with_answers(const std::function<void(QWidget*)>& answer, const std::function<void()>& what,
+                           const std::function<bool()>& done) {
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, [&] {
       if (QWidget* dialog = QApplication::activeModalWidget(); dialog != nullptr) answer(dialog);
     });
     timer.start(50);
     what();
+    EXPECT_TRUE(test::wait_until([&] {
+      QApplication::processEvents();
+      return QApplication::activeModalWidget() == nullptr && done();
+    }));
   }
   void trigger(const QString& text) {
     for (QAction* action : window_.findChildren<QAction*>()) {
@@ -70,7 +76,6 @@ class LabExportTest : public testing::Test {
       const auto found = std::find_if(actions.begin(), actions.end(),
                                       [&](const QAction* a) { return a->text().remove('&') == text; });
       ASSERT_NE(found, actions.end());
-      // What takes long looks at events meanwhile, among them the end of the menu.
       const QPointer<QMenu> open(menu);
       (*found)->trigger();
       if (open) open->close();
@@ -149,7 +154,7 @@ TEST_F(LabExportTest, TooMuchForTheClipboardIsSaid) {
           box->accept();
         }
       },
-      [&] { trigger_in_plot(0, "Copy all the data"); });
+      [&] { trigger_in_plot(0, "Copy all the data"); }, [&] { return !said.isEmpty(); });
   EXPECT_TRUE(said.contains("100000 rows")) << said.toStdString();
   EXPECT_TRUE(said.contains("Save the data"));
   EXPECT_EQ(QGuiApplication::clipboard()->text(), "");
@@ -191,7 +196,8 @@ TEST_F(LabExportTest, AFilmIsMade) {
       box->accept();
     }
   };
-  with_answers(answer, [&] { trigger("Film..."); });
+  with_answers(
+      answer, [&] { trigger("Film..."); }, [&] { return !said.isEmpty(); });
   EXPECT_TRUE(said.contains("9 frames")) << said.toStdString();
   EXPECT_TRUE(said.contains("ffmpeg -framerate 20")) << said.toStdString();
   const QStringList frames = frames_in(folder);
@@ -212,8 +218,10 @@ TEST_F(LabExportTest, TheRunIsSavedAsItStands) {
     where->findChild<QLineEdit*>("fileNameEdit")->setText("mid.json");
     QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
   };
-  with_answers(answer, [&] { trigger("Save the run as it stands..."); });
   const std::string file = dir.filePath("mid.json").toStdString();
+  with_answers(
+      answer, [&] { trigger("Save the run as it stands..."); },
+      [&] { return QFile::exists(QString::fromStdString(file)); });
   const Preset saved = read_preset(file);
   ASSERT_TRUE(saved.saved && saved.saved->state);
   EXPECT_FALSE(window_.preset().saved);
@@ -264,7 +272,7 @@ TEST_F(LabExportTest, TheFilmDialogTellsWhatWillCome) {
             if ((button->text() == "Replace") == replace) button->click();
           }
         },
-        [&] { dialog.accept(); });
+        [&] { dialog.accept(); }, [&] { return QApplication::activeModalWidget() == nullptr; });
   };
   press(false);
   EXPECT_NE(dialog.result(), QDialog::Accepted);
