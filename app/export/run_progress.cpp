@@ -80,10 +80,10 @@ void with_progress(QWidget* window, const QString& title, const QString& failure
   auto* bar = new QProgressBar;
   dialog->setBar(bar);
   bar->setRange(0, kParts);
-  QObject::connect(dialog, &QProgressDialog::canceled, dialog, [job] { job->stop(); });
   auto* timer = new QTimer(dialog);
   QObject::connect(timer, &QTimer::timeout, dialog, [=] {
     bar->setValue(static_cast<int>(kParts * job->share()));
+    if (dialog->wasCanceled()) job->stop();
     if (!job->done_in(std::chrono::milliseconds(0))) return;
     timer->stop();
     dialog->hide();

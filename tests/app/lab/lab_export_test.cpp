@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPointer>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -17,9 +18,13 @@
 #include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
+#include <memory>
 #include <qwt_plot.h>
+#include <thread>
 
 #include "app/export/run_export.h"
+#include "app/export/run_progress.h"
+#include "app/lab/export_dialog.h"
 #include "app/lab/film_dialog.h"
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
@@ -279,6 +284,63 @@ TEST_F(LabExportTest, TheFilmDialogTellsWhatWillCome) {
   press(true);
   EXPECT_EQ(dialog.result(), QDialog::Accepted);
   EXPECT_TRUE(dialog.may_replace());
+}
+
+// What takes long goes on beside the window: a dialog tells how far it is, and Cancel leaves nothing behind.
+TEST_F(LabExportTest, WhatTakesLongIsCancelled) {
+  window_.run_until(500.0);
+  QTemporaryDir dir;
+  bool cancel = true;
+  int cancelled = 0;
+  const auto answer = [&](QWidget* dialog) {
+    if (auto* what = qobject_cast<ExportDialog*>(dialog)) {
+      what->accept();
+    } else if (auto* where = qobject_cast<QFileDialog*>(dialog)) {
+      where->setDirectory(dir.path());
+      where->findChild<QLineEdit*>("fileNameEdit")->setText("run.csv");
+      QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
+    } else if (auto* progress = qobject_cast<QProgressDialog*>(dialog); progress != nullptr && cancel) {
+      ++cancelled;
+      progress->cancel();
+    }
+  };
+  with_answers(
+      answer, [&] { trigger("Save data..."); }, [&] { return cancelled > 0; });
+  EXPECT_TRUE(QDir(dir.path()).isEmpty());
+  cancel = false;
+  with_answers(
+      answer, [&] { trigger("Save data..."); }, [&] { return QFile::exists(dir.filePath("run.csv")); });
+}
+
+// Whatever is asked or under way goes with the window.
+TEST(LabWindowGoes, WhileItAsksOrWorks) {
+  for (const char* text : {"Open...", "Save as...", "Film...", "Save data...", "About Carom", "Another..."}) {
+    auto window = std::make_unique<LabWindow>(light_theme());
+    window->show();
+    ASSERT_TRUE(window->open("bouncing-ball"));
+    window->run_until(1.0);
+    for (QAction* action : window->findChildren<QAction*>()) {
+      if (action->text().remove('&') == text) action->trigger();
+    }
+    QApplication::processEvents();
+    window.reset();
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << text;
+  }
+  auto window = std::make_unique<QWidget>();
+  window->show();
+  bool left = false;
+  bool after = false;
+  with_progress(
+      window.get(), "Work", "Failed",
+      [&](const Progress& go_on) {
+        while (go_on(0.5)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        left = true;
+      },
+      [&] { after = true; });
+  EXPECT_NE(QApplication::activeModalWidget(), nullptr);
+  window.reset();
+  EXPECT_TRUE(left);
+  EXPECT_FALSE(after);
 }
 
 }  // namespace
