@@ -73,5 +73,25 @@ TEST(Rooms, IncludeOnlyWhatStandsBeforeThem) {
   EXPECT_GT(arrows, 500);  // they were found at all
 }
 
+// Windows and dialogs wait in the one event loop of the program: within it no other one runs.
+TEST(Rooms, RunNoEventLoopWithinAnother) {
+  constexpr std::array<std::string_view, 13> kLoops = {
+      "exec()",     "processEvents",  "QEventLoop",           "getOpenFileName", "getSaveFileName",
+      "getText(",   "getDouble(",     "getExistingDirectory", "getInt(",         "QMessageBox::question",
+      "::warning(", "::information(", "::critical("};
+  int programs = 0;
+  for (const fs::path& file : sources()) {
+    if (*file.begin() == "physics") continue;
+    std::ifstream in(fs::path(CAROM_SOURCE_DIR) / file);
+    for (std::string line; std::getline(in, line);) {
+      const bool program = line.find("QApplication::exec()") != std::string::npos;
+      programs += program ? 1 : 0;
+      for (const std::string_view loop : kLoops)
+        EXPECT_TRUE(program || line.find(loop) == std::string::npos) << file << ": " << line;
+    }
+  }
+  EXPECT_EQ(programs, 2);  // the lab's, and that of a picture of its window
+}
+
 }  // namespace
 }  // namespace carom

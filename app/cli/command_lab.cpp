@@ -2,6 +2,7 @@
 #include <QBuffer>
 #include <QDir>
 #include <QFileInfo>
+#include <QTimer>
 #include <array>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/no_screen.h"
 #include "app/cli/standard_output.h"
+#include "app/lab/autosave.h"
 #include "app/lab/lab_window.h"
 #include "app/lab/preset_library.h"
 #include "physics/files/output_set.h"
@@ -46,7 +48,10 @@ QByteArray window_picture(const Preset& preset, const QString& name, double time
   window.show_scene(preset, name, {});
   window.show();
   window.run_until(time);
-  for (int i = 0; i < 5; ++i) QApplication::processEvents();
+  // When all is laid out and the plots are drawn.
+  QTimer::singleShot(0,
+                     [] { QTimer::singleShot(0, [] { QTimer::singleShot(0, qApp, &QApplication::quit); }); });
+  QApplication::exec();
   QBuffer bytes;
   bytes.open(QIODevice::WriteOnly);
   if (!window.grab().save(&bytes, "PNG"))

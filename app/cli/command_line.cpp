@@ -7,7 +7,8 @@
 #include <cstdlib>
 #include <exception>
 #include <fmt/format.h>
-#include <map>
+#include <functional>
+#include <memory>
 #include <sstream>
 
 #include "app/cli/commands.h"
@@ -76,6 +77,23 @@ const CLI::Validator kOutput([](const std::string& text)
                                  -> std::string { return text.empty() ? "the name of a file is needed" : ""; },
                              "F", "output");
 
+void add_preset(CLI::App& command, std::string& to) {
+  command.add_option("preset", to, "a preset file or the name of an experiment")
+      ->required()
+      ->type_name("FILE|NAME");
+}
+template <class Time>
+void add_time(CLI::App& command, const char* option, Time& to, const char* what) {
+  command.add_option(option, to, what)->check(kTime)->type_name("T");
+}
+CLI::Option* add_output(CLI::App& command, const char* option, std::string& to, const char* what) {
+  return command.add_option(option, to, what)->check(kOutput)->type_name("F");
+}
+void add_count(CLI::App& command, const char* option, int& to, const char* what, int least, int most,
+               const char* type = "N") {
+  command.add_option(option, to, what)->check(CLI::Range(least, most))->type_name(type);
+}
+
 // What `carom study` takes: lists with commas, checked item by item.
 class StudyArguments {
  public:
@@ -88,20 +106,13 @@ class StudyArguments {
         ->check(CLI::IsMember(names_of(kImpacts)));
     list(command, "--steps", steps_, "steps, s (default: 10, from 16 times the preset's own down, each half)");
     list(command, "--tolerances", tolerances_, "of the adaptive integrator, m (default: 1e-3 to 1e-12)");
-    command
-        .add_option("--until", options_.study.until, "the compared time, s (default: near the preset's end)")
-        ->check(kTime)
-        ->type_name("T");
-    command.add_option("--repeats", options_.study.repeats, "timed runs of each row, 1 to 1000 (default: 5)")
-        ->check(CLI::Range(1, 1000))
-        ->type_name("N");
-    command.add_option("--threads", options_.study.threads, "for all but the timing (default: one a core)")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
-    command.add_option("--csv", options_.csv, "write a line for each row")->check(kOutput)->type_name("F");
-    command.add_option("--plot", options_.plot, "draw error against time and step, .svg, .pdf or .png")
-        ->check(kOutput)
-        ->type_name("F");
+    add_time(command, "--until", options_.study.until, "the compared time, s (default: near the preset's end)");
+    add_count(command, "--repeats", options_.study.repeats, "timed runs of each row, 1 to 1000 (default: 5)", 1,
+              1000);
+    add_count(command, "--threads", options_.study.threads, "for all but the timing (default: one a core)", 1,
+              1024);
+    add_output(command, "--csv", options_.csv, "write a line for each row");
+    add_output(command, "--plot", options_.plot, "draw error against time and step, .svg, .pdf or .png");
     command.add_option("--shard", shard_, "do only the i-th of n parts of the rows")->type_name("I/N");
     command.add_option("--merge", options_.merge, "put the CSV files of all shards together")->type_name("F");
   }
@@ -190,6 +201,119 @@ void print_error(const std::string& line) {
 
 namespace {
 
+// What the line asks for, once it is read.
+using Action = std::function<int()>;
+
+// Each of the following adds a command, which sets the action if the line names it.
+void add_validate(CLI::App& program, Action& action) {
+  const auto options = std::make_shared<ValidateOptions>();
+  CLI::App& validate = *program.add_subcommand("validate", "whether preset files are good, or what is wrong");
+  validate.add_option("preset", options->presets, "preset files or names of experiments")
+      ->type_name("FILE|NAME");
+  validate.add_flag("--schema", options->schema, "print the JSON Schema of preset files");
+  validate.callback([=, &action] { action = [=] { return validate_command(*options); }; });
+}
+
+void add_run(CLI::App& program, Action& action) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App& run = *program.add_subcommand("run", "run an experiment and print what was before and after");
+  add_preset(run, options->preset);
+  add_time(run, "--until", options->until, "end of the run, s (default: the preset's duration)");
+  const auto method = std::make_shared<MethodArguments>(run);
+  run.add_flag("--json", options->json, "print one JSON object instead of tables");
+  add_output(run, "--csv", options->csv, "write sums and paths of every step");
+  add_output(run, "--events", options->events, "write every impact");
+  add_output(run, "--save", options->save,
+             "write the run as it stands at the end, as a preset that goes on from there");
+  run.callback([=, &action] {
+    options->method = method->options();
+    action = [=] { return run_command(*options); };
+  });
+}
+
+void add_check(CLI::App& program, Action& action) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App& check =
+      *program.add_subcommand("check", "what experiments show beside what theory expects of them");
+  check.add_option("preset", options->presets, "preset files or names of experiments (default: all built-in)")
+      ->type_name("FILE|NAME");
+  const auto method = std::make_shared<MethodArguments>(check);
+  add_count(check, "--finer", options->finer, "divide every step by N, 1 to 1000", 1, 1000);
+  add_output(check, "--csv", options->csv, "write the table with all digits");
+  check.callback([=, &action] {
+    options->method = method->options();
+    action = [=] { return check_command(*options); };
+  });
+}
+
+void add_stress(CLI::App& program, Action& action) {
+  const auto options = std::make_shared<StressOptions>();
+  CLI::App& stress = *program.add_subcommand(
+      "stress", "the hard cases: what each shows beside its limit, at a step and a quarter");
+  stress.add_option("case", options->cases, "ids of cases (default: all)")->type_name("CASE");
+  stress.add_flag("--long", options->longer, "1e6 impacts of the gas instead of 1e5");
+  add_output(stress, "--csv", options->csv, "write the table with all digits");
+  add_output(stress, "--page", options->page, "write the help's page of figures, Markdown");
+  stress.callback([=, &action] { action = [=] { return stress_command(*options); }; });
+}
+
+// The two that draw need what the line had.
+void add_picture(CLI::App& program, Action& action, int& argc, char** argv) {
+  const auto options = std::make_shared<PictureOptions>();
+  CLI::App& picture = *program.add_subcommand("picture", "a picture of an experiment at one moment");
+  add_preset(picture, options->preset);
+  add_time(picture, "--at", options->at, "moment, s (default: the preset's duration)");
+  const auto method = std::make_shared<MethodArguments>(picture);
+  add_output(picture, "-o,--output", options->output, "a .png, .svg or .pdf file")->required();
+  picture.add_flag("--window", options->window, "the whole lab window (.png)");
+  picture.add_flag("--dark", options->dark, "in the dark colours");
+  add_count(picture, "--width", options->width, "px, 200 to 8000", 200, 8000, "W");
+  add_count(picture, "--height", options->height, "px, 200 to 8000", 200, 8000, "H");
+  picture.callback([=, &action, &argc] {
+    options->method = method->options();
+    action = [=, &argc] { return picture_command(argc, argv, *options); };
+  });
+}
+
+void add_film(CLI::App& program, Action& action, int& argc, char** argv) {
+  const auto options = std::make_shared<FilmOptions>();
+  CLI::App& film = *program.add_subcommand("film", "numbered pictures of a run, to make a film of");
+  add_preset(film, options->preset);
+  add_time(film, "--from", options->from, "first moment, s (default: 0)");
+  add_time(film, "--to", options->to, "end, s (default: the preset's duration)");
+  const auto method = std::make_shared<MethodArguments>(film);
+  film.add_option("--rate", options->rate, "frames a second of the film (default: 25)")->type_name("N");
+  film.add_option("--speed", options->speed,
+                  "seconds of the run in one of the film, below 1 for slow motion (default: 1)")
+      ->type_name("X");
+  add_output(film, "-o,--output", options->output, "a folder for frame-0001.png, frame-0002.png ...")
+      ->required()
+      ->type_name("DIR");
+  film.add_flag("--replace", options->replace, "frames that the folder has already");
+  film.add_flag("--dark", options->dark, "in the dark colours");
+  add_count(film, "--width", options->width, "px, even, 200 to 8000 (default: 1280)", 200, 8000, "W");
+  add_count(film, "--height", options->height, "px, even, 200 to 8000 (default: 720)", 200, 8000, "H");
+  film.callback([=, &action, &argc] {
+    options->method = method->options();
+    action = [=, &argc] { return film_command(argc, argv, *options); };
+  });
+}
+
+// Its exit code; what goes wrong is said in one line.
+int carry_out(const Action& action) {
+  try {
+    return action();
+  } catch (const RunLostError& error) {
+    print_error(error.what());
+    return kLost;
+  } catch (const std::bad_alloc&) {
+    print_error("there is not enough memory for this");
+  } catch (const std::exception& error) {
+    print_error(error.what());
+  }
+  return kBadInput;
+}
+
 int run_command_line(int argc, char** argv) {
   CLI::App program{
       "Carom: a lab for two-dimensional rigid-body collisions.\n"
@@ -199,121 +323,17 @@ int run_command_line(int argc, char** argv) {
   std::string preset;
   program.add_option("preset", preset, "a preset file, or the name of a built-in experiment")
       ->type_name("FILE|NAME");
-
-  CLI::App& list = *program.add_subcommand("list", "the built-in experiments");
-
-  ValidateOptions validate_options;
-  CLI::App& validate = *program.add_subcommand("validate", "whether preset files are good, or what is wrong");
-  validate.add_option("preset", validate_options.presets, "preset files or names of experiments")
-      ->type_name("FILE|NAME");
-  validate.add_flag("--schema", validate_options.schema, "print the JSON Schema of preset files");
-
-  RunOptions run_options;
-  CLI::App& run = *program.add_subcommand("run", "run an experiment and print what was before and after");
-  run.add_option("preset", run_options.preset, "a preset file or the name of an experiment")
-      ->required()
-      ->type_name("FILE|NAME");
-  run.add_option("--until", run_options.until, "end of the run, s (default: the preset's duration)")
-      ->check(kTime)
-      ->type_name("T");
-  const MethodArguments run_method(run);
-  run.add_flag("--json", run_options.json, "print one JSON object instead of tables");
-  run.add_option("--csv", run_options.csv, "write sums and paths of every step")
-      ->check(kOutput)
-      ->type_name("F");
-  run.add_option("--events", run_options.events, "write every impact")->check(kOutput)->type_name("F");
-  run.add_option("--save", run_options.save,
-                 "write the run as it stands at the end, as a preset that goes on from there")
-      ->check(kOutput)
-      ->type_name("F");
-
-  CheckOptions check_options;
-  CLI::App& check =
-      *program.add_subcommand("check", "what experiments show beside what theory expects of them");
-  check
-      .add_option("preset", check_options.presets,
-                  "preset files or names of experiments (default: all built-in)")
-      ->type_name("FILE|NAME");
-  const MethodArguments check_method(check);
-  check.add_option("--finer", check_options.finer, "divide every step by N, 1 to 1000")
-      ->check(CLI::Range(1, 1000))
-      ->type_name("N");
-  check.add_option("--csv", check_options.csv, "write the table with all digits")
-      ->check(kOutput)
-      ->type_name("F");
-
-  StressOptions stress_options;
-  CLI::App& stress = *program.add_subcommand(
-      "stress", "the hard cases: what each shows beside its limit, at a step and a quarter");
-  stress.add_option("case", stress_options.cases, "ids of cases (default: all)")->type_name("CASE");
-  stress.add_flag("--long", stress_options.longer, "1e6 impacts of the gas instead of 1e5");
-  stress.add_option("--csv", stress_options.csv, "write the table with all digits")
-      ->check(kOutput)
-      ->type_name("F");
-  stress.add_option("--page", stress_options.page, "write the help's page of figures, Markdown")
-      ->check(kOutput)
-      ->type_name("F");
-
-  NeedsOptions needs_options;
-  CLI::App& needs =
-      *program.add_subcommand("needs", "which parts of the model an experiment needs, and what each costs");
-  needs.add_option("preset", needs_options.preset, "a preset file or the name of an experiment")
-      ->required()
-      ->type_name("FILE|NAME");
-  const MethodArguments needs_method(needs);
-  needs.add_flag("--json", needs_options.json, "print one JSON object instead of a table");
-
-  PictureOptions picture_options;
-  CLI::App& picture = *program.add_subcommand("picture", "a picture of an experiment at one moment");
-  picture.add_option("preset", picture_options.preset, "a preset file or the name of an experiment")
-      ->required()
-      ->type_name("FILE|NAME");
-  picture.add_option("--at", picture_options.at, "moment, s (default: the preset's duration)")
-      ->check(kTime)
-      ->type_name("T");
-  const MethodArguments picture_method(picture);
-  picture.add_option("-o,--output", picture_options.output, "a .png, .svg or .pdf file")
-      ->required()
-      ->check(kOutput)
-      ->type_name("F");
-  picture.add_flag("--window", picture_options.window, "the whole lab window (.png)");
-  picture.add_flag("--dark", picture_options.dark, "in the dark colours");
-  picture.add_option("--width", picture_options.width, "px, 200 to 8000")
-      ->check(CLI::Range(200, 8000))
-      ->type_name("W");
-  picture.add_option("--height", picture_options.height, "px, 200 to 8000")
-      ->check(CLI::Range(200, 8000))
-      ->type_name("H");
-
-  FilmOptions film_options;
-  CLI::App& film = *program.add_subcommand("film", "numbered pictures of a run, to make a film of");
-  film.add_option("preset", film_options.preset, "a preset file or the name of an experiment")
-      ->required()
-      ->type_name("FILE|NAME");
-  film.add_option("--from", film_options.from, "first moment, s (default: 0)")->check(kTime)->type_name("T");
-  film.add_option("--to", film_options.to, "end, s (default: the preset's duration)")
-      ->check(kTime)
-      ->type_name("T");
-  const MethodArguments film_method(film);
-  film.add_option("--rate", film_options.rate, "frames a second of the film (default: 25)")->type_name("N");
-  film.add_option("--speed", film_options.speed,
-                  "seconds of the run in one of the film, below 1 for slow motion (default: 1)")
-      ->type_name("X");
-  film.add_option("-o,--output", film_options.output, "a folder for frame-0001.png, frame-0002.png ...")
-      ->required()
-      ->check(kOutput)
-      ->type_name("DIR");
-  film.add_flag("--replace", film_options.replace, "frames that the folder has already");
-  film.add_flag("--dark", film_options.dark, "in the dark colours");
-  film.add_option("--width", film_options.width, "px, even, 200 to 8000 (default: 1280)")
-      ->check(CLI::Range(200, 8000))
-      ->type_name("W");
-  film.add_option("--height", film_options.height, "px, even, 200 to 8000 (default: 720)")
-      ->check(CLI::Range(200, 8000))
-      ->type_name("H");
-
+  Action action = [&] { return lab_command(argc, argv, preset); };
+  program.add_subcommand("list", "the built-in experiments")->callback([&] { action = list_command; });
+  add_validate(program, action);
+  add_run(program, action);
+  add_check(program, action);
+  add_stress(program, action);
+  add_picture(program, action, argc, argv);
+  add_film(program, action, argc, argv);
   CLI::App& study = *program.add_subcommand("study", "one experiment under every method: speed against error");
   const StudyArguments study_arguments(study);
+  study.callback([&] { action = [&] { return study_command(argc, argv, study_arguments.options()); }; });
 
   // A word that names a command is a command; any other first word is a preset.
   program.require_subcommand(0, 1);
@@ -329,46 +349,7 @@ int run_command_line(int argc, char** argv) {
     print_error(std::string(error.what()) + "; see carom --help");
     return kBadInput;
   }
-
-  try {
-    if (list.parsed()) return list_command();
-    if (validate.parsed()) return validate_command(validate_options);
-    if (run.parsed()) {
-      run_options.method = run_method.options();
-      return run_command(run_options);
-    }
-    if (study.parsed()) return study_command(argc, argv, study_arguments.options());
-    if (check.parsed()) {
-      check_options.method = check_method.options();
-      return check_command(check_options);
-    }
-    if (stress.parsed()) return stress_command(stress_options);
-    if (needs.parsed()) {
-      needs_options.method = needs_method.options();
-      return needs_command(needs_options);
-    }
-    if (picture.parsed()) {
-      picture_options.method = picture_method.options();
-      return picture_command(argc, argv, picture_options);
-    }
-    if (film.parsed()) {
-      film_options.method = film_method.options();
-      return film_command(argc, argv, film_options);
-    }
-    return lab_command(argc, argv, preset);
-  } catch (const SceneError& error) {
-    print_error(error.what());
-    return kBadInput;
-  } catch (const RunLostError& error) {
-    print_error(error.what());
-    return kLost;
-  } catch (const std::bad_alloc&) {
-    print_error("there is not enough memory for this");
-    return kBadInput;
-  } catch (const std::exception& error) {
-    print_error(error.what());
-    return kBadInput;
-  }
+  return carry_out(action);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "widgets/plot/run_plot.h"
 #include "widgets/print/print_blocks.h"
 #include "widgets/theme/figure_table.h"
+#include "widgets/theme/method_names.h"
 #include "widgets/theme/number_text.h"
 
 namespace carom {
@@ -23,7 +24,6 @@ constexpr double kCaption = 20.0;  // px
 constexpr double kPlot = 210.0;    // px, height of a plot
 
 QString tr(const char* text) { return QCoreApplication::translate("LabReport", text); }
-QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
 
 // How far from an impact a moment just before or after it is, s: a round part of a step.
 double near_by(const Method& method) { return std::pow(10.0, std::floor(std::log10(method.step) + 1e-9)); }
@@ -48,15 +48,12 @@ QString method_line(const Method& m) {
       .join(", ");
 }
 
-// Of each run its frame at one time.
-using Moment = std::vector<Frame>;
-
 // The report's pieces, from the first to the last.
 class Writer {
  public:
   explicit Writer(const LabReport& report) : report_(report) {}
 
-  std::vector<PrintBlock> write(const std::vector<Moment>& moments) {
+  std::vector<PrintBlock> write(const ReportMoments& moments) {
     head();
     if (!report_.questions.isEmpty()) question(report_.questions.front());
     scenes(moments);
@@ -88,7 +85,7 @@ class Writer {
     add(print_ruled(kLeastLines));
   }
 
-  void scenes(const std::vector<Moment>& moments) {
+  void scenes(const ReportMoments& moments) {
     if (moments.empty()) return;
     add(print_heading(tr("The run")));
     const bool alone = moments.size() == 1;
@@ -110,7 +107,7 @@ class Writer {
     }
   }
 
-  [[nodiscard]] PrintBlock scene(const Moment& moment, const SceneLook& look) const {
+  [[nodiscard]] PrintBlock scene(const std::vector<Frame>& moment, const SceneLook& look) const {
     PrintBlock block;
     block.height = look.camera.viewport.height() + kCaption;
     const QString time = QString("t = %1 s").arg(short_figure(moment.front().time, 6));
@@ -216,7 +213,7 @@ class Writer {
   }
 
   static NeedsText text_of_needs(const RunSetup& setup) {
-    return carom::text_of(needs_of(setup.scene), setup.scene, setup.method.contacts);
+    return text_of(needs_of(setup.scene), setup.scene, setup.method.contacts);
   }
 
   // What was done to the run on its way, as far as a page takes it.
@@ -273,8 +270,9 @@ QString moment_text(double time, const LabReport& report) {
   return time == report.ends.front().time ? tr("end") : QString();
 }
 
-std::optional<PrintPages> report_pages(const LabReport& report, const std::function<bool(double)>& progress) {
-  std::vector<Moment> moments;
+std::optional<ReportMoments> report_moments(const LabReport& report,
+                                            const std::function<bool(double)>& progress) {
+  ReportMoments moments;
   const auto keep = [&](std::span<const Frame> runs) {
     moments.emplace_back(runs.begin(), runs.end());
     return true;
@@ -282,6 +280,10 @@ std::optional<PrintPages> report_pages(const LabReport& report, const std::funct
   const double end = report.times.empty() ? 1.0 : std::max(report.times.back(), 1e-12);
   const auto go_on = [&](double time) { return progress(std::min(1.0, time / end)); };
   if (!visit_moments(report.runs, report.times, kImpactShown, keep, go_on)) return std::nullopt;
+  return moments;
+}
+
+PrintPages report_pages(const LabReport& report, const ReportMoments& moments) {
   return PrintPages(Writer(report).write(moments), "Carom · " + report.title);
 }
 

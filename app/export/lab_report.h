@@ -41,9 +41,12 @@ struct LabReport {
 // What a moment is beside its time: "just before the first impact"; empty where it is nothing of the kind.
 [[nodiscard]] QString moment_text(double time, const LabReport& report);
 
-// Its pages, for as long as the plots live. The run is gone through once more for the moments; where `progress`
-// answers false there are none.
-[[nodiscard]] std::optional<PrintPages> report_pages(const LabReport& report,
-                                                     const std::function<bool(double)>& progress);
+// The scene at the times of a report: of each run its frame. None where `progress` answers false, which is told
+// the share that is done, 0 to 1: the run is gone through once more for them. From any thread.
+using ReportMoments = std::vector<std::vector<Frame>>;
+[[nodiscard]] std::optional<ReportMoments> report_moments(const LabReport& report,
+                                                          const std::function<bool(double)>& progress);
+// The pages, for as long as the plots live.
+[[nodiscard]] PrintPages report_pages(const LabReport& report, const ReportMoments& moments);
 
 }  // namespace carom

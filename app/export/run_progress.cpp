@@ -1,32 +1,97 @@
 #include "app/export/run_progress.h"
 
 #include <QCoreApplication>
+#include <QProgressBar>
+#include <QProgressDialog>
+#include <QTimer>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+
+#include "widgets/theme/ask.h"
 
 namespace carom {
 namespace {
 
 constexpr int kParts = 1000;
-constexpr int kPeriod = 30;       // ms between two looks at the window's events
-constexpr int kShownAfter = 500;  // ms
+constexpr int kPeriod = 30;                      // ms between two looks at the work
+constexpr std::chrono::milliseconds kSoon{300};  // work that is done by then shows no dialog
+
+// Work on a thread. It is told to stop, and waited for, when this goes.
+class Job {
+ public:
+  explicit Job(const std::function<void(const Progress&)>& work)
+      : thread_([this, work](const std::stop_token& stop) { run(work, stop); }) {}
+
+  void stop() { thread_.request_stop(); }
+  [[nodiscard]] bool stopped() const { return thread_.get_stop_token().stop_requested(); }
+  [[nodiscard]] bool done_in(std::chrono::milliseconds time) {
+    std::unique_lock lock(mutex_);
+    return ended_.wait_for(lock, time, [this] { return done_; });
+  }
+  [[nodiscard]] double share() const { return share_; }
+  [[nodiscard]] const QString& error() const { return error_; }  // once it is done; empty if there was none
+
+ private:
+  void run(const std::function<void(const Progress&)>& work, const std::stop_token& stop) {
+    try {
+      work([&](double share) {
+        share_ = share;
+        return !stop.stop_requested();
+      });
+    } catch (const std::exception& error) {
+      error_ = QString::fromUtf8(error.what());
+    }
+    const std::lock_guard lock(mutex_);
+    done_ = true;
+    ended_.notify_all();
+  }
+
+  std::atomic<double> share_ = 0.0;
+  QString error_;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool done_ = false;
+  std::jthread thread_;  // last: it uses all of the above
+};
+
+void finish(const Job& job, QWidget* window, const QString& failure, const std::function<void()>& then) {
+  if (!job.error().isEmpty()) {
+    tell(window, failure, job.error());
+  } else if (!job.stopped() && then) {
+    then();
+  }
+}
 
 }  // namespace
 
-RunProgress::RunProgress(const QString& title, QWidget* parent)
-    : dialog_(QCoreApplication::translate("RunProgress", "Going through the run once more"),
-              QCoreApplication::translate("RunProgress", "Cancel"), 0, kParts, parent) {
-  dialog_.setWindowTitle(title);
-  dialog_.setWindowModality(Qt::WindowModal);
-  dialog_.setMinimumDuration(kShownAfter);
-  told_.start();
-}
-
-bool RunProgress::operator()(double share) {
-  if (told_.elapsed() >= kPeriod) {
-    dialog_.setValue(static_cast<int>(kParts * share));
-    QCoreApplication::processEvents();
-    told_.restart();
-  }
-  return !dialog_.wasCanceled();
+void with_progress(QWidget* window, const QString& title, const QString& failure,
+                   const std::function<void(const Progress&)>& work, const std::function<void()>& then) {
+  const auto job = std::make_shared<Job>(work);
+  if (job->done_in(kSoon)) return finish(*job, window, failure, then);
+  const auto tr = [](const char* text) { return QCoreApplication::translate("RunProgress", text); };
+  auto* dialog = new QProgressDialog(tr("Going through the run once more"), tr("Cancel"), 0, kParts, window);
+  dialog->setWindowTitle(title);
+  // Its own setValue() would run the event loop.
+  auto* bar = new QProgressBar;
+  dialog->setBar(bar);
+  bar->setRange(0, kParts);
+  auto* timer = new QTimer(dialog);
+  QObject::connect(timer, &QTimer::timeout, dialog, [=] {
+    bar->setValue(static_cast<int>(kParts * job->share()));
+    if (dialog->wasCanceled()) job->stop();
+    if (!job->done_in(std::chrono::milliseconds(0))) return;
+    timer->stop();
+    dialog->hide();
+    dialog->deleteLater();
+    finish(*job, window, failure, then);
+  });
+  timer->start(kPeriod);
+  dialog->open();
 }
 
 }  // namespace carom

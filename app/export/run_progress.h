@@ -1,21 +1,20 @@
 #pragma once
 
-#include <QElapsedTimer>
-#include <QProgressDialog>
+#include <QString>
+#include <functional>
+
+class QWidget;
 
 namespace carom {
 
-// Tells how far something is that goes through a run once more, with a way to cancel it; shown only where that
-// takes a while. Meanwhile the window goes on.
-class RunProgress {
- public:
-  RunProgress(const QString& title, QWidget* parent);
-  // `share` of the work is done, 0 to 1. False: the user has cancelled it.
-  bool operator()(double share);
+// Told now and then which share of some work is done, 0 to 1. False: the work is to be left.
+using Progress = std::function<bool(double share)>;
 
- private:
-  QProgressDialog dialog_;
-  QElapsedTimer told_;
-};
+// Does work that goes through a run once more on a thread of its own, then calls `then` here. Where it takes
+// long, a dialog over the window tells how far it is and can cancel it: the event loop goes on meanwhile. What
+// the work throws is told as a message under the title `failure`. `then` isn't called after that, nor after
+// Cancel, nor when the window is gone.
+void with_progress(QWidget* window, const QString& title, const QString& failure,
+                   const std::function<void(const Progress&)>& work, const std::function<void()>& then = {});
 
 }  // namespace carom

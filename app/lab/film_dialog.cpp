@@ -13,6 +13,7 @@
 #include <QSpinBox>
 
 #include "physics/scene/validate.h"
+#include "widgets/theme/ask.h"
 #include "widgets/theme/number_text.h"
 #include "widgets/theme/plain_text.h"
 
@@ -139,8 +140,10 @@ Film FilmDialog::film() const {
 QString FilmDialog::folder() const { return QDir::cleanPath(folder_->text().trimmed()); }
 
 void FilmDialog::choose_folder() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("The frames' folder"), folder_->text());
-  if (!folder.isEmpty()) folder_->setText(folder);
+  auto* dialog = new QFileDialog(this, tr("The frames' folder"), folder_->text());
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  ask(dialog, [this, dialog] { folder_->setText(dialog->selectedFiles().constFirst()); });
 }
 
 void FilmDialog::tell() {
@@ -161,17 +164,16 @@ void FilmDialog::tell() {
 
 void FilmDialog::accept() {
   const auto there = frames_in(folder()).size();
-  if (there > 0) {
-    QMessageBox box(QMessageBox::NoIcon, tr("Replace the frames?"),
-                    tr("The folder has %1 frames already. Replace them?").arg(there), QMessageBox::Cancel,
-                    this);
-    const QAbstractButton* replace = box.addButton(tr("Replace"), QMessageBox::AcceptRole);
-    box.setDefaultButton(QMessageBox::Cancel);
-    box.exec();
-    if (box.clickedButton() != replace) return;
-  }
-  may_replace_ = there > 0;
-  QDialog::accept();
+  if (there == 0) return QDialog::accept();
+  auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Replace the frames?"),
+                              tr("The folder has %1 frames already. Replace them?").arg(there),
+                              QMessageBox::Cancel, this);
+  box->addButton(tr("Replace"), QMessageBox::AcceptRole);
+  box->setDefaultButton(QMessageBox::Cancel);
+  ask(box, [this] {
+    may_replace_ = true;
+    QDialog::accept();
+  });
 }
 
 }  // namespace carom

@@ -1,43 +1,43 @@
 #pragma once
 
 #include <QMainWindow>
-#include <QTimer>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "app/lab/autosave.h"
+#include "app/lab/session.h"
 #include "physics/preset/preset.h"
-#include "physics/record/recorder.h"
-#include "physics/scene/scene.h"
-#include "physics/session/worker.h"
 #include "widgets/theme/theme.h"
 
 class QAction;
+class QKeySequence;
 class QLabel;
 class QMenu;
 class QTabWidget;
-class QToolBar;
-class QToolButton;
 
 namespace carom {
 
 class BodiesTable;
 class ComparePanel;
+class DocumentFiles;
 class ExperimentList;
 class ImpactsTable;
+class LabExports;
 class LedgerTable;
+class MethodBar;
 class NoticeBar;
 class PlotPanel;
 class ReadingTable;
-class RunPlot;
+class SceneChips;
 class SceneView;
 class StudyPanel;
 class TransportBar;
+class WorkRecovery;
 
-// The lab: experiments, scene over transport over tables, plots. It forwards what the user does to the worker
-// and shows the frames that come back; one timer polls for them.
+// The lab: experiments, scene over transport over tables, plots. It shows a session, and forwards to it what
+// the user does.
 class LabWindow : public QMainWindow {
   Q_OBJECT
 
@@ -45,7 +45,8 @@ class LabWindow : public QMainWindow {
   explicit LabWindow(const Theme& theme);
   ~LabWindow() override;
 
-  // Opens a built-in experiment or a file, or says in a message why not and keeps the scene that is there.
+  // Opens a built-in experiment or a file, or says in a message why not and keeps the scene that is there. True
+  // if it is shown at once: what was changed is asked about first.
   bool open(const std::string& file_or_name);
   // Shows a scene whose source is known; `name` marks it in the list.
   void show_scene(const Preset& preset, const QString& name, const QString& file);
@@ -57,112 +58,51 @@ class LabWindow : public QMainWindow {
 
   void set_theme(const Theme& theme);
   [[nodiscard]] SceneView& scene_view() { return *view_; }
-  [[nodiscard]] const std::shared_ptr<const Frame>& frame() const { return frame_; }
-  [[nodiscard]] Preset preset() const;  // as it would be saved now
+  [[nodiscard]] Session& session() { return session_; }
+  [[nodiscard]] std::shared_ptr<const Frame> frame() const { return session_.frame(); }
+  [[nodiscard]] const Preset& preset() const { return session_.document(); }
 
  public slots:
-  bool save();
-  bool saveAs();
+  bool save();      // true if it is written: a document without a file asks for one
   void keep_now();  // what has changed since it was last kept, if keep_work() was called
 
  protected:
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  void make_actions();
-  void make_menus();
-  void make_tool_bar();
+  // What stands where (lab_layout.cpp).
   void make_body();
-  void fill_library();
-  void draw_thumbnails();
+  [[nodiscard]] QWidget* make_middle();
+  [[nodiscard]] QWidget* make_tabs();
+  [[nodiscard]] QWidget* make_plots();
+  void connect_views();
+  // Menus and the tool bar (lab_menus.cpp).
+  QAction* add_action(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& key,
+                      const std::function<void()>& slot);
+  void make_file_menu();
+  void make_edit_menu();
+  void make_view_menu();
+  void make_run_menus();
+  void make_help_menu();
+  void make_tool_bar();
 
-  void poll();
+  void connect_session();
+  void show_document();
   void show_frame();
-  void show_method();  // as wide as the tool bar has room for
-  // What the edited scene needs: chips, ledger and the methods that it allows.
-  void show_needs();
-  void place_chips();
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
-  void choose_file();
-  bool may_discard();  // asks to save what the user changed; false: stay
-  bool write(const QString& file);
-  void change_method(const Method& method, std::size_t run = 0);
-  // Several methods side by side (lab_compare.cpp).
-  void add_method(const Method& method);
-  void compare_with(const Method& method);
-  void remove_method(std::size_t run);
-  void choose_reference(ReferenceId reference);
-  void compare_usual();
-  void show_compared();
-  void choose_step();
-  void set_playing(bool playing);
-  void spawn(double x, double y);
-
-  // What can be taken away (lab_export.cpp); each asks for a file and tells in a message what went wrong.
-  [[nodiscard]] QString ask_for_file(const QString& title, const QString& suggestion, const QString& filter,
-                                     const QString& suffix);
-  // The same for what is not the preset, which therefore never takes the place of the open one.
-  [[nodiscard]] QString ask_for_export(const QString& title, const QString& suggestion, const QString& filter,
-                                       const QString& suffix);
-  void save_picture_as(const QString& stem, const std::function<bool(const QString&, QString*)>& save);
-  void save_scene_picture();
-  void save_plot(RunPlot* plot);
-  void save_bins(const RunPlot& plot);  // of a histogram
-  void save_run();                      // a preset that goes on from the moment that is shown
-  void save_data(const RunPlot* plot);  // nullptr: of no plot in particular
-  void copy_data(const RunPlot* plot, bool shown);
-  void copy_scene_picture();
-  void make_film();
-  void make_report();
-  void write_report();
-  // Stops the run, and goes on with `then` when the newest moment is shown. A step that is under way may take
-  // long: meanwhile the window is the user's, and whatever makes the run another one or goes on with it forgets
-  // `then`.
-  void when_still(const QString& what, std::function<void()> then);
-  void go_on();
-  void forget_wait();
-  [[nodiscard]] std::vector<RunLog> runs() const;
-  void mark_changed(bool changed);
-  void restart();
   void show_preparing();
   void show_notices();
-  void show_lost();
-  void follow_bodies();  // those that come in again after a restart
-  // Unsaved work (lab_work.cpp).
-  void offer_work();
-  void restore_work();
-  void discard_work();
+  void compare_usual();
+  void set_playing(bool playing);
 
   Theme theme_;
-  std::unique_ptr<Worker> worker_;
-  std::vector<std::shared_ptr<const Frame>> frames_;  // of each run
-  std::shared_ptr<const Frame> frame_;                // of the first, the scene's own
-  std::vector<std::shared_ptr<Recorder>> recorders_;  // of each run
-  ReferenceId reference_ = ReferenceId::kNone;
-  struct Compared {
-    Method method;
-    std::vector<Method> others;
-    ReferenceId reference;
-  };
-  std::optional<Compared> before_usual_;  // Euler, RK4 and the exact run were asked for
-  std::vector<Body> before_;              // the bodies as they came in
-  std::shared_ptr<const std::vector<Body>> bodies_shown_;
-  double duration_ = 1.0;
-  double speed_ = 1.0;
-  QString name_;  // of the built-in experiment that is shown; empty for a file
-  QString file_;  // where save() writes; empty for a built-in experiment
-  QTimer timer_;
-  std::function<void()> then_;  // waits for the run to stand still
-  QString waits_;               // for what: told meanwhile
-  QTimer keeping_;
-  std::unique_ptr<Autosave> autosave_;
-  std::vector<KeptWork> offered_;
-  QString not_kept_;                          // why unsaved work is not kept; empty if it is
-  std::uint64_t edits_ = 0, kept_edits_ = 0;  // since the window was opened
+  Session session_;
+  DocumentFiles* files_ = nullptr;
+  LabExports* exports_ = nullptr;
+  WorkRecovery* recovery_ = nullptr;
 
   ExperimentList* list_ = nullptr;
   SceneView* view_ = nullptr;
+  SceneChips* chips_ = nullptr;
   TransportBar* transport_ = nullptr;
   PlotPanel* plots_ = nullptr;
   QTabWidget* tabs_ = nullptr;
@@ -176,23 +116,7 @@ class LabWindow : public QMainWindow {
   NoticeBar* restore_bar_ = nullptr;
   NoticeBar* lost_bar_ = nullptr;  // why a run can't go on
   QString lost_;                   // as it was said last; empty while no run is lost
-  QWidget* chips_ = nullptr;
-  QLabel* needs_chip_ = nullptr;
-  QString needs_;   // whole, where the chip is elided
-  QString status_;  // likewise
-  QLabel* time_chip_ = nullptr;
-  QLabel* speed_chip_ = nullptr;
-  QLabel* status_chip_ = nullptr;
-  QLabel* position_ = nullptr;
-  QToolBar* tool_bar_ = nullptr;
-  QToolButton* integrator_button_ = nullptr;
-  QToolButton* impacts_button_ = nullptr;
-  QToolButton* contacts_button_ = nullptr;
-  QToolButton* step_button_ = nullptr;
-  QToolButton* plots_button_ = nullptr;
-  QMenu* integrators_ = nullptr;
-  QMenu* steps_ = nullptr;
-  QMenu* tolerances_ = nullptr;
+  MethodBar* methods_ = nullptr;
   QAction* theme_action_ = nullptr;
   std::vector<std::pair<QAction*, QString>> icon_actions_;  // with the icon's name, drawn anew with the theme
 };

@@ -42,6 +42,8 @@ struct Frame {
   std::string status = "ok";
   std::optional<std::string>
       lost;  // why the run can't go on, if so: it stands at the end of its last good step
+  // s: the first run goes through its past again, after an edit was taken back or put back, until here.
+  std::optional<double> again;
   bool playing = false;
   double realised_speed = 0.0;    // simulated seconds per second, while playing
   Method method;                  // in force

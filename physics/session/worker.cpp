@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <new>
+#include <optional>
 #include <utility>
 
 #include "physics/preset/preset.h"
@@ -37,15 +40,39 @@ void append(Rows rows, std::vector<Rows>& all) {
 }  // namespace
 
 struct Worker::Lab {
-  // A run, and how many of the bodies that were put in it has been given.
+  // What is done to a run on its way.
+  struct Coming {
+    static constexpr std::int64_t kByTime = -1;
+
+    EditId edit = 0;
+    std::int64_t step = kByTime;  // after so many; by time: at the first step's end that is not before `time`
+    double time = 0.0;            // s
+    std::variant<Method, Body> what;
+  };
   struct Run {
     Lane lane;
     std::uint64_t id;
-    std::size_t given = 0;
+    std::vector<EditId> edits;   // of its log
+    std::vector<Coming> coming;  // in the order of time
   };
   struct PutIn {
+    EditId edit;
     double time;  // s, of the first run
     Body body;
+  };
+  // A run as a whole, and all of them, however far they have come.
+  struct RunPlan {
+    Method start;
+    std::vector<Coming> edits;
+  };
+  struct Plan {
+    std::uint64_t starts = 0;
+    std::vector<Method> methods;
+    std::vector<PutIn> put_in;
+    std::vector<RunPlan> runs;
+  };
+  struct Past {
+    Plan before, after;
   };
 
   void begin(std::stop_token token) {
@@ -53,60 +80,142 @@ struct Worker::Lab {
     ++starts;
     stands = false;
     playing = false;
+    again.reset();
     end = std::numeric_limits<double>::infinity();
-    start = preset;
-    start.scene.bodies.resize(start.scene.bodies.size() - put_in.size());
     runs.clear();
     last.clear();
-    add_run(preset.method);
-    for (const Method& method : preset.compare) add_run(method);
+    for (RunPlan& run : from_the_start()) begin_run(std::move(run));
     set_rate();
     changed = true;
   }
-  // The scene as it would be saved now. Bodies that runs which stand could not take come in when they did
-  // stand.
-  void take_scene(const Preset& now) {
-    const double time = runs.empty() ? 0.0 : first().time();
-    for (std::size_t i = preset.scene.bodies.size(); i < now.scene.bodies.size(); ++i)
-      (void)put_in_at(time, now.scene.bodies[i]);
-    preset = now;
+  // Under the methods in force; bodies that were put in come in again at their time.
+  [[nodiscard]] std::vector<RunPlan> from_the_start() const {
+    std::vector<RunPlan> plans;
+    for (const Method& method : methods) {
+      plans.push_back({method, {}});
+      for (const PutIn& each : put_in)
+        plans.back().edits.push_back({each.edit, Coming::kByTime, each.time, each.body});
+    }
+    return plans;
   }
-  // At its place in the order of times.
-  std::size_t put_in_at(double time, const Body& body) {
-    const auto at = std::upper_bound(put_in.begin(), put_in.end(), time,
-                                     [](double t, const PutIn& other) { return t < other.time; });
-    return static_cast<std::size_t>(put_in.insert(at, {time, body}) - put_in.begin());
+  void begin_run(RunPlan plan) {
+    Preset alone = start;
+    alone.method = plan.start;
+    runs.push_back({Lane(setup_of(alone), curves, reference, interrupt), ++ids, {}, std::move(plan.edits)});
+    give(runs.back());
+    changed = true;
   }
   void add_run(const Method& method) {
-    Preset alone = start;
-    alone.method = method;
-    alone.compare.clear();
-    runs.push_back({Lane(setup_of(alone), curves, reference, interrupt), ++ids});
-    give_bodies(runs.back());
+    methods.push_back(method);
+    if (stands) return;
+    RunPlan plan = from_the_start().back();
+    begin_run(std::move(plan));
+  }
+  void remove_run(std::size_t run) {
+    if (run == 0 || run >= methods.size()) return;
+    methods.erase(methods.begin() + static_cast<std::ptrdiff_t>(run));
+    if (stands) return;
+    runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(run));
     changed = true;
   }
-  [[nodiscard]] Lane& first() { return runs.front().lane; }
+  void set_method(std::size_t run, const Method& method, EditId edit) {
+    if (run >= methods.size()) return;
+    methods[run] = method;
+    if (stands) return;
+    // A run that catches up gets it when it is there.
+    const bool behind = runs[run].lane.next() <= shown() + kRounding * methods[run].step;
+    if (behind) {
+      add_coming(runs[run], {edit, Coming::kByTime, shown(), method});
+    } else {
+      give(runs[run], edit, method);
+    }
+    changed = true;
+  }
   // Bodies that were put in before a restart may be still to come.
-  void put(const Body& body) {
-    preset.scene.bodies.push_back(body);
-    const std::size_t place = put_in_at(first().time(), body);
+  void put(const Body& body, EditId edit) {
+    const double time = runs.empty() ? 0.0 : shown();
+    put_in.insert(std::upper_bound(put_in.begin(), put_in.end(), time,
+                                   [](double t, const PutIn& other) { return t < other.time; }),
+                  {edit, time, body});
+    if (stands) return;
     for (Run& run : runs) {
-      if (place < run.given) {  // it is ahead, and has been given one of later
-        run.lane.edit(body);
-        ++run.given;
+      add_coming(run, {edit, Coming::kByTime, time, body});
+      give(run);
+    }
+    changed = true;
+  }
+  static void add_coming(Run& run, const Coming& one) {
+    run.coming.insert(std::upper_bound(run.coming.begin(), run.coming.end(), one.time,
+                                       [](double t, const Coming& other) { return t < other.time; }),
+                      one);
+  }
+  // What is due. Methods by time: where the run stands when the first one is at that time.
+  static void give(Run& run) {
+    while (!run.coming.empty()) {
+      const Coming next = run.coming.front();
+      const Simulation& now = run.lane.simulation();
+      const bool is_method = std::holds_alternative<Method>(next.what);
+      const double rounding = kRounding * now.method().step;
+      const bool due = next.step != Coming::kByTime ? next.step <= now.steps()
+                       : is_method                  ? next.time + rounding < run.lane.next()
+                                                    : next.time <= now.time() + rounding;
+      if (!due) return;
+      run.coming.erase(run.coming.begin());
+      give(run, next.edit, next.what);
+    }
+  }
+  static void give(Run& run, EditId edit, const std::variant<Method, Body>& what) {
+    run.lane.edit(what);
+    if (run.lane.log().edits.size() > run.edits.size()) run.edits.push_back(edit);
+  }
+
+  [[nodiscard]] static RunPlan plan_of(const Run& run) {
+    RunPlan plan{run.lane.log().start.method, {}};
+    for (std::size_t i = 0; i < run.edits.size(); ++i) {
+      const Edit& edit = run.lane.log().edits[i];
+      plan.edits.push_back({run.edits[i], edit.step, edit.time, edit.what});
+    }
+    plan.edits.insert(plan.edits.end(), run.coming.begin(), run.coming.end());
+    return plan;
+  }
+  // Nothing else was done to it, so that it has the same bytes.
+  [[nodiscard]] static bool is(const Run& run, const RunPlan& plan) {
+    const std::vector<Coming>& all = plan.edits;
+    const auto same = [](EditId edit, const Coming& coming) { return edit == coming.edit; };
+    const auto same_coming = [](const Coming& a, const Coming& b) { return a.edit == b.edit; };
+    const auto done = static_cast<std::ptrdiff_t>(std::min(run.edits.size(), all.size()));
+    return run.lane.log().start.method == plan.start &&
+           std::equal(run.edits.begin(), run.edits.end(), all.begin(), all.begin() + done, same) &&
+           std::equal(run.coming.begin(), run.coming.end(), all.begin() + done, all.end(), same_coming);
+  }
+  [[nodiscard]] Plan plan() const {
+    Plan all{starts, methods, put_in, {}};
+    for (const Run& run : runs) all.runs.push_back(plan_of(run));
+    return all;
+  }
+  // Runs that it doesn't change go on as they are; runs that stand follow at the next restart.
+  void restore(const Plan& plan) {
+    methods = plan.methods;
+    put_in = plan.put_in;
+    if (stands) return;
+    const double time = shown();
+    std::vector<Run> old = std::exchange(runs, {});
+    for (RunPlan& each : plan.starts == starts ? std::vector<RunPlan>(plan.runs) : from_the_start()) {
+      const auto same = std::find_if(old.begin(), old.end(), [&](const Run& run) { return is(run, each); });
+      if (same == old.end()) {
+        begin_run(std::move(each));
       } else {
-        give_bodies(run);
+        runs.push_back(std::move(*same));
+        old.erase(same);
       }
     }
+    if (first().time() < time) again = time;
     changed = true;
   }
-  // Bodies come in at the first step's end that is not before they came into the first run.
-  void give_bodies(Run& run) {
-    while (run.given < put_in.size() &&
-           put_in[run.given].time <= run.lane.time() + kRounding * run.lane.simulation().method().step) {
-      run.lane.edit(put_in[run.given++].body);
-    }
-  }
+  // s, of the first run: where it stands, or where it is to be again.
+  [[nodiscard]] double shown() const { return again.value_or(runs.front().lane.time()); }
+
+  [[nodiscard]] Lane& first() { return runs.front().lane; }
   // Steps the runs that are not lost, that which is farthest behind first, until all of them are at `time`:
   // within a step of it. False if it was `deadline` before.
   template <class Stop>
@@ -118,8 +227,23 @@ struct Worker::Lab {
       if (Clock::now() >= deadline || stop()) return false;
       step(run);
       if (run.lane.lost()) return false;
-      give_bodies(run);
+      give(run);
     }
+  }
+  void load(const Preset& preset, const std::vector<Curve>& what) {
+    start = preset;
+    methods = {preset.method};
+    methods.insert(methods.end(), preset.compare.begin(), preset.compare.end());
+    put_in.clear();
+    past.clear();
+    curves = what;
+  }
+  // Until the next begin(): the runs were left in the midst of a step.
+  void stand() {
+    stands = true;
+    playing = false;
+    changed = false;
+    again.reset();
   }
   void step(Run& run) {
     run.lane.step();
@@ -136,6 +260,7 @@ struct Worker::Lab {
     return std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.lane.behind(); });
   }
   void record() {
+    if (stands) return;
     for (Run& run : runs) run.lane.record(curves, reference);
     changed = true;
   }
@@ -161,14 +286,16 @@ struct Worker::Lab {
   }
 
   std::stop_token interrupt;
-  bool stands = false;  // the runs were left in the midst of a step: nothing can be done with them
-  Preset preset;        // as it would be saved now
-  Preset start;         // at t = 0 of these runs
+  bool stands = false;          // the runs were left in the midst of a step: nothing can be done with them
+  Preset start;                 // as it was loaded
+  std::vector<Method> methods;  // in force, of all runs
   std::vector<Curve> curves;
   ReferenceId reference = ReferenceId::kNone;
   std::vector<Run> runs;
   std::vector<std::shared_ptr<const Frame>> last;  // published
-  std::vector<PutIn> put_in;
+  std::vector<PutIn> put_in;                       // in the order of time
+  std::map<EditId, Past> past;
+  std::optional<double> again;  // s: a first run that was begun anew goes there first
   std::uint64_t starts = 0;
   std::uint64_t ids = 0;
   bool playing = false;
@@ -184,8 +311,7 @@ struct Worker::Lab {
 };
 
 Worker::Worker(const Preset& preset, const std::vector<Curve>& curves)
-    : preset_(preset),
-      thread_([this, preset, curves, interrupt = interrupt_.get_token()](const std::stop_token& stop) {
+    : thread_([this, preset, curves, interrupt = interrupt_.get_token()](const std::stop_token& stop) {
         work(stop, preset, curves, interrupt);
       }) {}
 
@@ -198,12 +324,40 @@ Worker::~Worker() {
   wake_.notify_all();
 }
 
-void Worker::post(std::function<void(Lab&)> command) {
+void Worker::post(std::function<void(Lab&)> command, Command::When when) {
   {
     const std::lock_guard lock(mutex_);
-    commands_.push_back({std::move(command), false});
+    commands_.push_back({std::move(command), when});
   }
   wake_.notify_all();
+}
+
+void Worker::post_to_runs(const std::function<void(Lab&)>& command) {
+  post([command](Lab& lab) {
+    if (!lab.stands) command(lab);
+  });
+}
+
+Worker::EditId Worker::post_edit(const std::function<void(Lab&, EditId)>& command, EditId part_of) {
+  const EditId edit = part_of != 0 ? part_of : ++edits_;
+  post([=](Lab& lab) {
+    if (part_of == 0) lab.past[edit].before = lab.plan();
+    command(lab, edit);
+  });
+  return edit;
+}
+
+void Worker::post_restored(EditId edit, ReferenceId reference, bool back) {
+  post(
+      [=](Lab& lab) {
+        const auto past = lab.past.find(edit);
+        if (past == lab.past.end()) return;
+        if (back) past->second.after = lab.plan();
+        const bool other = std::exchange(lab.reference, reference) != reference;
+        lab.restore(back ? past->second.before : past->second.after);
+        if (other) lab.record();
+      },
+      Command::When::kAtOnce);
 }
 
 void Worker::post_begin(const std::function<void(Lab&, std::stop_token)>& command) {
@@ -212,49 +366,40 @@ void Worker::post_begin(const std::function<void(Lab&, std::stop_token)>& comman
     ++starts_;
     interrupt_.request_stop();
     interrupt_ = std::stop_source();
-    commands_.push_back({[command, token = interrupt_.get_token()](Lab& lab) { command(lab, token); }, true});
+    commands_.push_back(
+        {[command, token = interrupt_.get_token()](Lab& lab) { command(lab, token); }, Command::When::kBegins});
   }
   wake_.notify_all();
 }
 
 void Worker::load(const Preset& preset, const std::vector<Curve>& curves, ReferenceId reference) {
-  {
-    const std::lock_guard lock(mutex_);
-    preset_ = preset;
-  }
   post_begin([preset, curves, reference](Lab& lab, std::stop_token interrupt) {
-    lab.preset = preset;
-    lab.put_in.clear();
-    lab.curves = curves;
+    lab.load(preset, curves);
     lab.reference = reference;
     lab.begin(std::move(interrupt));
   });
 }
 
 void Worker::restart() {
-  post_begin([preset = preset()](Lab& lab, std::stop_token interrupt) {
-    lab.take_scene(preset);
-    lab.begin(std::move(interrupt));
-  });
+  post_begin([](Lab& lab, std::stop_token interrupt) { lab.begin(std::move(interrupt)); });
 }
 
-void Worker::restart(const Method& method, const std::vector<Method>& compare, const std::vector<Curve>& curves,
-                     ReferenceId reference) {
-  {
-    const std::lock_guard lock(mutex_);
-    preset_.method = method;
-    preset_.compare = compare;
-  }
-  post_begin([preset = preset(), curves, reference](Lab& lab, std::stop_token interrupt) {
-    lab.take_scene(preset);
+Worker::EditId Worker::restart(const Method& method, const std::vector<Method>& compare,
+                               const std::vector<Curve>& curves, ReferenceId reference) {
+  const EditId edit = ++edits_;
+  post_begin([=](Lab& lab, std::stop_token interrupt) {
+    lab.past[edit].before = lab.plan();
+    lab.methods = {method};
+    lab.methods.insert(lab.methods.end(), compare.begin(), compare.end());
     lab.curves = curves;
     lab.reference = reference;
     lab.begin(std::move(interrupt));
   });
+  return edit;
 }
 
 void Worker::set_playing(bool playing, double until) {
-  post([playing, until](Lab& lab) {
+  post_to_runs([playing, until](Lab& lab) {
     lab.playing = playing && !lab.first().lost();
     lab.full_speed = false;
     const double rounding = kRounding * lab.first().simulation().method().step;
@@ -266,7 +411,7 @@ void Worker::set_playing(bool playing, double until) {
 }
 
 void Worker::step_once() {
-  post([](Lab& lab) {
+  post_to_runs([](Lab& lab) {
     lab.playing = false;
     lab.step(lab.runs.front());  // the others follow
   });
@@ -275,55 +420,27 @@ void Worker::step_once() {
 void Worker::set_speed(double speed) {
   post([speed](Lab& lab) {
     lab.speed = speed;
+    if (lab.stands) return;
     lab.set_pace();
     lab.set_rate();
   });
 }
 
-void Worker::set_method(const Method& method, std::size_t run) {
-  const auto set = [method, run](Preset& preset) {
-    if (run == 0) preset.method = method;
-    if (run > 0 && run <= preset.compare.size()) preset.compare[run - 1] = method;
+Worker::EditId Worker::set_methods(const std::vector<std::pair<std::size_t, Method>>& methods, EditId part_of) {
+  const auto set = [methods](Lab& lab, EditId edit) {
+    for (const auto& [run, method] : methods) lab.set_method(run, method, edit);
   };
-  {
-    const std::lock_guard lock(mutex_);
-    set(preset_);
-  }
-  post([method, run, set](Lab& lab) {
-    set(lab.preset);
-    if (run >= lab.runs.size()) return;
-    lab.runs[run].lane.edit(method);
-    lab.changed = true;
+  return post_edit(set, part_of);
+}
+
+Worker::EditId Worker::add_method(const Method& method) {
+  return post_edit([method](Lab& lab, EditId) {
+    if (lab.methods.size() <= kMostCompared) lab.add_run(method);
   });
 }
 
-void Worker::add_method(const Method& method) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (preset_.compare.size() >= kMostCompared) return;
-    preset_.compare.push_back(method);
-  }
-  post([method](Lab& lab) {
-    lab.preset.compare.push_back(method);
-    lab.add_run(method);
-  });
-}
-
-void Worker::remove_method(std::size_t run) {
-  const auto remove = [run](Preset& preset) {
-    if (run > 0 && run <= preset.compare.size())
-      preset.compare.erase(preset.compare.begin() + static_cast<std::ptrdiff_t>(run) - 1);
-  };
-  {
-    const std::lock_guard lock(mutex_);
-    remove(preset_);
-  }
-  post([run, remove](Lab& lab) {
-    remove(lab.preset);
-    if (run == 0 || run >= lab.runs.size()) return;
-    lab.runs.erase(lab.runs.begin() + static_cast<std::ptrdiff_t>(run));
-    lab.changed = true;
-  });
+Worker::EditId Worker::remove_method(std::size_t run) {
+  return post_edit([run](Lab& lab, EditId) { lab.remove_run(run); });
 }
 
 void Worker::set_reference(ReferenceId reference) {
@@ -333,16 +450,16 @@ void Worker::set_reference(ReferenceId reference) {
   });
 }
 
-void Worker::add_body(const Body& body) {
-  {
-    const std::lock_guard lock(mutex_);
-    preset_.scene.bodies.push_back(body);
-  }
-  post([body](Lab& lab) { lab.put(body); });
+Worker::EditId Worker::add_body(const Body& body) {
+  return post_edit([body](Lab& lab, EditId edit) { lab.put(body, edit); });
 }
 
+void Worker::take_back(EditId edit, ReferenceId reference) { post_restored(edit, reference, true); }
+
+void Worker::put_back(EditId edit, ReferenceId reference) { post_restored(edit, reference, false); }
+
 void Worker::run_until(double time) {
-  post([time](Lab& lab) {
+  post_to_runs([time](Lab& lab) {
     lab.playing = !lab.first().lost();
     lab.changed = true;
     lab.full_speed = true;
@@ -358,17 +475,17 @@ void Worker::record(const std::vector<Curve>& curves) {
   });
 }
 
-Preset Worker::preset() const {
-  const std::lock_guard lock(mutex_);
-  return preset_;
-}
-
 std::vector<std::shared_ptr<const Frame>> Worker::take_frames() {
   const std::lock_guard lock(mutex_);
   if (newest_start_ != starts_) return {};  // of before the last load or restart
   if (too_much_waits()) wake_.notify_all();
   const auto taken = std::exchange(newest_, {});
   return {taken.begin(), taken.end()};
+}
+
+void Worker::wait_for_frames(std::chrono::milliseconds longest) {
+  std::unique_lock lock(mutex_);
+  published_.wait_for(lock, longest, [this] { return !newest_.empty() && newest_start_ == starts_; });
 }
 
 bool Worker::too_much_waits() const {
@@ -387,6 +504,7 @@ void Worker::publish(Lab& lab) {
     frame->run = run.id;
     frame->playing = lab.playing;
     frame->realised_speed = lab.realised_speed;
+    frame->again = lab.again;
     frames.push_back(frame);
   }
   lab.changed = false;
@@ -411,6 +529,7 @@ void Worker::publish(Lab& lab) {
   const std::lock_guard lock(mutex_);
   newest_ = std::move(frames);
   newest_start_ = lab.starts;
+  published_.notify_all();
 }
 
 // Says in the frames of all runs, as they were published last, why they stand.
@@ -428,7 +547,7 @@ void Worker::publish_failure(Lab& lab, const std::string& why) {
     frames.front()->run = ++lab.ids;
     frames.front()->bodies = std::make_shared<const std::vector<Body>>();
     frames.front()->forces = std::make_shared<const Forces>();
-    frames.front()->log = std::make_shared<const RunLog>(RunLog{setup_of(lab.preset), {}});
+    frames.front()->log = std::make_shared<const RunLog>(RunLog{setup_of(lab.start), {}});
   }
   for (const std::shared_ptr<Frame>& frame : frames) {
     frame->playing = false;
@@ -439,27 +558,29 @@ void Worker::publish_failure(Lab& lab, const std::string& why) {
   const std::lock_guard lock(mutex_);
   newest_ = std::move(frames);
   newest_start_ = lab.starts;
+  published_.notify_all();
 }
 
-// Of runs that stand, only what begins all anew.
+// While a run is gone through again, only what takes more back, or begins all anew.
 void Worker::carry_out(Lab& lab, std::vector<Command>& commands) {
-  while (!commands.empty()) {
+  if (std::any_of(commands.begin(), commands.end(),
+                  [](const Command& each) { return each.when == Command::When::kBegins; }))
+    lab.again.reset();
+  while (!commands.empty() && !(lab.again && commands.front().when == Command::When::kShown)) {
     const Command command = std::move(commands.front());
     commands.erase(commands.begin());
-    if (!lab.stands || command.begins) command.what(lab);
+    command.what(lab);
   }
 }
 
 void Worker::work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,
                   std::stop_token interrupt) {
   Lab lab;
-  lab.preset = first;  // not scene_, which calls may have changed already
-  lab.curves = curves;
-  std::vector<Command> commands = {{[&interrupt](Lab& l) { l.begin(std::move(interrupt)); }, true}};
+  lab.load(first, curves);
+  std::vector<Command> commands = {
+      {[&interrupt](Lab& l) { l.begin(std::move(interrupt)); }, Command::When::kBegins}};
   const auto fails = [&](const std::string& why) {
-    lab.stands = true;
-    lab.playing = false;
-    lab.changed = false;
+    lab.stand();
     try {
       publish_failure(lab, why);
     } catch (const std::exception&) {
@@ -472,10 +593,7 @@ void Worker::work(const std::stop_token& stop, const Preset& first, const std::v
     try {
       work_once(stop, lab, commands);
     } catch (const StepInterrupted&) {
-      // A load or a restart comes next, or the end.
-      lab.stands = true;
-      lab.playing = false;
-      lab.changed = false;
+      lab.stand();  // a load or a restart comes next, or the end
     } catch (const std::bad_alloc&) {
       fails("stopped: there is not enough memory to go on; restart, or open a smaller scene");
     } catch (const std::exception& error) {
@@ -494,7 +612,7 @@ void Worker::work_once(const std::stop_token& stop, Lab& lab, std::vector<Comman
       wake_.wait(lock, stop, something_to_do);
     } else if (too_much_waits()) {
       wake_.wait(lock, stop, [&] { return something_to_do() || !too_much_waits(); });
-    } else if (lab.some_behind() || lab.some_lag()) {
+    } else if (lab.again || lab.some_behind() || lab.some_lag()) {
       // goes on at once
     } else if (!lab.playing) {
       wake_.wait(lock, stop, something_to_do);
@@ -506,7 +624,8 @@ void Worker::work_once(const std::stop_token& stop, Lab& lab, std::vector<Comman
                             (Clock::now() - lab.pace_wall));
       if (pause > Clock::duration::zero()) wake_.wait_for(lock, stop, pause, something_to_do);
     }
-    std::swap(commands, commands_);
+    std::move(commands_.begin(), commands_.end(), std::back_inserter(commands));
+    commands_.clear();
   }
   carry_out(lab, commands);
   if (lab.stands) return;
@@ -517,6 +636,14 @@ void Worker::work_once(const std::stop_token& stop, Lab& lab, std::vector<Comman
   }
   const auto begin = Clock::now();
   const auto stops = [&stop] { return stop.stop_requested(); };
+  if (lab.again) {
+    lab.changed = true;
+    if (!lab.go_to(*lab.again, begin + kFramePeriod, stops)) return;
+    lab.again.reset();
+    lab.set_pace();
+    lab.set_rate();
+    return;
+  }
   if (!lab.playing) {
     (void)lab.go_to(lab.first().time(), begin + kFramePeriod, stops);  // those that lag
     return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -9,6 +10,7 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "physics/preset/preset.h"
@@ -27,8 +29,15 @@ namespace carom {
 // others wait for it. The first run is the scene's own: it sets the pace. A run that is lost stands still and
 // says why in its frames (Frame::lost); playing stops when one is. So it does where the thread runs out of
 // memory or meets any other error: then all runs stand until the next load or restart.
+//
+// What is done to the runs can be taken back, the last first, and put back: the runs that it changed go once
+// more from t = 0 to the moment that is shown, at full speed, as if it had never been done (Frame::again). What
+// was done before a restart is taken back from the start.
 class Worker {
  public:
+  // Names what was done to the runs since the last load.
+  using EditId = std::uint64_t;
+
   // The scene must be valid; `curves` are read off its runs from the start on.
   explicit Worker(const Preset& preset, const std::vector<Curve>& curves = {});
   ~Worker();
@@ -41,17 +50,22 @@ class Worker {
   // The same scene, stopped at t = 0; bodies that were added come in again at their time.
   void restart();
   // The same under other methods.
-  void restart(const Method& method, const std::vector<Method>& compare, const std::vector<Curve>& curves,
-               ReferenceId reference);
+  EditId restart(const Method& method, const std::vector<Method>& compare, const std::vector<Curve>& curves,
+                 ReferenceId reference);
   // Plays at the chosen pace, until `until` if that lies ahead; or stops.
   void set_playing(bool playing, double until = std::numeric_limits<double>::infinity());
-  void step_once();                                            // one step of the first run's method, stopped
-  void set_speed(double speed);                                // simulated seconds per second, > 0
-  void set_method(const Method& method, std::size_t run = 0);  // from now on
-  void add_method(const Method& method);  // one more run; not beyond kMostCompared besides the first
-  void remove_method(std::size_t run);    // not the first
+  void step_once();              // one step of the first run's method, stopped
+  void set_speed(double speed);  // simulated seconds per second, > 0
+  // Of these runs, from now on; as a part of the last edit if that is named.
+  EditId set_methods(const std::vector<std::pair<std::size_t, Method>>& methods, EditId part_of = 0);
+  EditId set_method(const Method& method, std::size_t run = 0) { return set_methods({{run, method}}); }
+  EditId add_method(const Method& method);  // one more run; not beyond kMostCompared besides the first
+  EditId remove_method(std::size_t run);    // not the first
   void set_reference(ReferenceId reference);
-  void add_body(const Body& body);
+  EditId add_body(const Body& body);
+  // The last edit that was not taken back yet; the last one that was. `reference` is what holds then.
+  void take_back(EditId edit, ReferenceId reference);
+  void put_back(EditId edit, ReferenceId reference);
   void run_until(double time);  // as fast as it goes, then stopped; frames come on the way
   // Which curves to read off the runs from now on. Those that were not read before come from the start on: the
   // run waits while it is gone through once more.
@@ -63,16 +77,26 @@ class Worker {
   // What happened since the last call, a frame for each run; none if nothing did. Never of before the last load
   // or restart.
   [[nodiscard]] std::vector<std::shared_ptr<const Frame>> take_frames();
-  // The scene as it would be saved now: with the methods in force and the bodies that were added.
-  [[nodiscard]] Preset preset() const;
+  // Returns when take_frames() has something to give, or after so long.
+  void wait_for_frames(std::chrono::milliseconds longest);
 
  private:
   struct Lab;  // what belongs to the thread
   struct Command {
+    enum class When {
+      kShown,  // where the runs are at the moment that is shown
+      kAtOnce,
+      kBegins  // all runs anew, whatever became of those before
+    };
     std::function<void(Lab&)> what;
-    bool begins = false;  // all runs anew, whatever became of those before
+    When when = When::kShown;
   };
-  void post(std::function<void(Lab&)> command);
+  void post(std::function<void(Lab&)> command, Command::When when = Command::When::kShown);
+  // Nothing where the runs stand in the midst of a step.
+  void post_to_runs(const std::function<void(Lab&)>& command);
+  // With what the runs were before, so that it can be taken back.
+  EditId post_edit(const std::function<void(Lab&, EditId)>& command, EditId part_of = 0);
+  void post_restored(EditId edit, ReferenceId reference, bool back);
   // Interrupts the step under way; the command is given the token for the next runs.
   void post_begin(const std::function<void(Lab&, std::stop_token)>& command);
   void work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,
@@ -83,15 +107,16 @@ class Worker {
   void publish_failure(Lab& lab, const std::string& why);
   [[nodiscard]] bool too_much_waits() const;  // with the lock held
 
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   std::condition_variable_any wake_;
+  std::condition_variable published_;
   std::vector<Command> commands_;
   std::stop_source interrupt_;  // of the runs that were begun last
   std::vector<std::shared_ptr<Frame>> newest_;
   std::uint64_t newest_start_ = 0;  // of the frames: the value of starts_ then
-  Preset preset_;
-  std::uint64_t starts_ = 1;  // loads and restarts so far, and the first start
-  std::jthread thread_;       // last: it uses all of the above
+  std::uint64_t starts_ = 1;        // loads and restarts so far, and the first start
+  EditId edits_ = 0;
+  std::jthread thread_;  // last: it uses all of the above
 };
 
 }  // namespace carom

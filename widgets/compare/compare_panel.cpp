@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "physics/dynamics/integrators/integrators.h"
@@ -22,6 +23,7 @@
 #include "physics/preset/preset.h"
 #include "physics/scene/facts.h"
 #include "widgets/compare/compare_table.h"
+#include "widgets/theme/method_names.h"
 #include "widgets/theme/number_text.h"
 #include "widgets/theme/plain_text.h"
 
@@ -44,8 +46,6 @@ int place_of(double step) {
   const double place = kPlaces * std::log10(step / kLeastOfSlider);
   return static_cast<int>(std::lround(std::clamp(place, 0.0, 1.0 * kDecades * kPlaces)));
 }
-
-QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
 
 struct ReferenceText {
   ReferenceId id;
@@ -175,6 +175,7 @@ QWidget* ComparePanel::make_choices() {
     if (!step_timer_.isActive()) step_timer_.start();
     step_of_ = chosen();
   });
+  connect(step_, &QSlider::sliderPressed, this, [this] { ++drag_; });
   row->addWidget(integrators_, 5);
   for (QComboBox* box : {impacts_, contacts_}) row->addWidget(box, 2);
   row->addWidget(step_, 2);
@@ -184,14 +185,12 @@ QWidget* ComparePanel::make_choices() {
 }
 
 void ComparePanel::take_step() {
-  const double step = step_at(step_->value());
-  for (std::size_t i = 0; i < methods_.size(); ++i) {
-    if (!all_->isChecked() && i != step_of_) continue;
-    Method method = methods_[i];
-    if (method.step == step) continue;
-    method.step = step;
-    emit methodChanged(method, i);
+  std::vector<std::size_t> runs = {step_of_};
+  if (all_->isChecked()) {
+    runs.resize(methods_.size());
+    std::iota(runs.begin(), runs.end(), std::size_t{0});
   }
+  emit stepChanged(step_at(step_->value()), runs, drag_);
 }
 
 std::size_t ComparePanel::chosen() const {

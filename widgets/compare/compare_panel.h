@@ -39,6 +39,7 @@ class ComparePanel : public QScrollArea {
   void methodAdded(const carom::Method& method);
   void methodRemoved(std::size_t run);
   void methodChanged(const carom::Method& method, std::size_t run);
+  void stepChanged(double step, const std::vector<std::size_t>& runs, int drag);  // s, in one drag many times
   void referenceChosen(carom::ReferenceId reference);
   void usualAsked();  // Euler, RK4 and the exact run; or back
 
@@ -67,6 +68,7 @@ class ComparePanel : public QScrollArea {
   QLabel* step_text_ = nullptr;
   QCheckBox* all_ = nullptr;
   std::size_t step_of_ = 0;  // whose step the slider sets
+  int drag_ = 0;             // of the slider
   QTimer step_timer_;        // while the slider moves, steps are taken in moderation
 };
 

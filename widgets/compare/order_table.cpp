@@ -8,6 +8,7 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "widgets/theme/method_look.h"
+#include "widgets/theme/method_names.h"
 #include "widgets/theme/number_text.h"
 #include "widgets/theme/plain_text.h"
 
@@ -22,8 +23,6 @@ constexpr double kNarrowColumn = 38.0;
 constexpr double kLeastName = 96.0;
 constexpr double kSampleWidth = 26.0;
 constexpr int kMarker = 6;
-
-QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
 
 bool is_order(const StudyGroup& group) { return group.fit.kind == OrderFit::Kind::kOrder; }
 bool by_tolerance(const StudyGroup& group) {
@@ -42,7 +41,7 @@ QString order_tip(const StudyGroup& group) {
       break;
   }
   return method + OrderTable::tr("\norder %1 in position, fitted on %2 %3 from %4 to %5 %6")
-                      .arg(QString::fromStdString(carom::text_of(group.fit)))
+                      .arg(QString::fromStdString(text_of(group.fit)))
                       .arg(group.fit.points)
                       .arg(by_tolerance(group) ? OrderTable::tr("tolerances") : OrderTable::tr("steps"),
                            short_figure(group.fit.from), short_figure(group.fit.to),
@@ -129,9 +128,8 @@ void OrderTable::draw_row(QPainter& painter, const QRectF& where, const Row& row
                       where.height());
     QString text = group->fit.kind == OrderFit::Kind::kExact ? tr("exact") : QString("–");
     if (is_order(*group)) {
-      text = column_width() < kWideColumn || by_tolerance(*group)
-                 ? QString::number(group->fit.order, 'f', 2)
-                 : QString::fromStdString(carom::text_of(group->fit));
+      text = column_width() < kWideColumn || by_tolerance(*group) ? QString::number(group->fit.order, 'f', 2)
+                                                                  : QString::fromStdString(text_of(group->fit));
     }
     text.replace('-', kMinus);
     painter.setPen(group->fit.kind == OrderFit::Kind::kNone ? theme_.muted : theme_.text);

@@ -1,7 +1,6 @@
 #include "widgets/compare/study_panel.h"
 
 #include <QActionGroup>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenu>
@@ -24,7 +23,9 @@
 #include "widgets/compare/order_table.h"
 #include "widgets/compare/study_plot.h"
 #include "widgets/print/save_file.h"
+#include "widgets/theme/ask.h"
 #include "widgets/theme/elided_label.h"
+#include "widgets/theme/method_names.h"
 #include "widgets/theme/number_text.h"
 #include "widgets/theme/plain_text.h"
 
@@ -40,14 +41,13 @@ constexpr int kButton = 23;           // px, high
 constexpr int kLow = 230;             // px: a lower panel has its buttons at the side
 constexpr int kNarrow = 480;          // px: a low panel that is narrower has no room for the table
 
-QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
-
 // The same motion is meant: all but what a study goes through anyway.
 bool same_to_a_study(const Preset& one, Preset other) {
   const ContactsId contacts = other.method.contacts;
   other.compare = one.compare;
   other.method = one.method;
   other.method.contacts = contacts;
+  other.plots = one.plots;
   return write_preset(one) == write_preset(other);
 }
 
@@ -366,27 +366,15 @@ bool StudyPanel::save(const QString& file, QString* error) const {
 }
 
 void StudyPanel::choose_file() {
-  const std::array filters = {std::pair{tr("SVG picture (*.svg)"), "svg"}, std::pair{tr("PDF (*.pdf)"), "pdf"},
-                              std::pair{tr("PNG picture (*.png)"), "png"},
-                              std::pair{tr("CSV table, every digit (*.csv)"), "csv"}};
-  QFileDialog dialog(this, tr("Save the study"));
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  QStringList names;
-  for (const auto& [filter, suffix] : filters) names << filter;
-  dialog.setNameFilters(names);
-  dialog.setDefaultSuffix(
-      filters.front().second);  // the dialog's own, so that it asks before a file is replaced
-  connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString& chosen) {
-    for (const auto& [filter, suffix] : filters) {
-      if (filter == chosen) dialog.setDefaultSuffix(suffix);
-    }
-  });
-  dialog.selectFile(QString::fromStdString(so_far_.table.facts.preset) + "-study");
-  if (dialog.exec() != QDialog::Accepted) return;
-  QString error;
-  if (!save(dialog.selectedFiles().constFirst(), &error)) {
-    tell(this, tr("The study cannot be saved"), error);
-  }
+  const std::vector<FileKind> kinds = {{tr("SVG picture (*.svg)"), "svg"},
+                                       {tr("PDF (*.pdf)"), "pdf"},
+                                       {tr("PNG picture (*.png)"), "png"},
+                                       {tr("CSV table, every digit (*.csv)"), "csv"}};
+  ask_for_file(this, tr("Save the study"), QString::fromStdString(so_far_.table.facts.preset) + "-study", kinds,
+               [this](const QString& file) {
+                 QString error;
+                 if (!save(file, &error)) tell(this, tr("The study cannot be saved"), error);
+               });
 }
 
 }  // namespace carom

@@ -12,23 +12,24 @@
 #include "physics/preset/preset.h"
 #include "physics/scene/limits.h"
 #include "widgets/plot/run_plot.h"
+#include "widgets/theme/ask.h"
 
 namespace carom {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("NoteMenu", text); }
 
-// The words, or none where the reader thought better of it.
-std::optional<std::string> ask(QWidget* parent, const std::string& now) {
-  QInputDialog dialog(parent);
-  dialog.setWindowTitle(tr("Note"));
-  dialog.setLabelText(tr("What is to stand at this point of the plot"));
-  dialog.setTextValue(QString::fromStdString(now));
-  if (auto* line = dialog.findChild<QLineEdit*>()) line->setMaxLength(kLongestTitle);
-  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
-  const QString text = dialog.textValue().trimmed();
-  if (text.isEmpty()) return std::nullopt;
-  return text.toStdString();
+// The words, unless the reader thinks better of it.
+void ask_for_words(QWidget* parent, const std::string& now, const std::function<void(std::string)>& then) {
+  auto* dialog = new QInputDialog(parent);
+  dialog->setWindowTitle(tr("Note"));
+  dialog->setLabelText(tr("What is to stand at this point of the plot"));
+  dialog->setTextValue(QString::fromStdString(now));
+  if (auto* line = dialog->findChild<QLineEdit*>()) line->setMaxLength(kLongestTitle);
+  ask(dialog, [dialog, then] {
+    const QString text = dialog->textValue().trimmed();
+    if (!text.isEmpty()) then(text.toStdString());
+  });
 }
 
 }  // namespace
@@ -44,11 +45,11 @@ void add_note_entries(QMenu& menu, RunPlot& plot, const QPoint& at, QWidget* par
   };
   if (const std::optional<std::size_t> i = plot.note_at(at)) {
     menu.addAction(tr("&Change this note..."), parent, [=] {
-      std::vector<PlotNote> now = notes;
-      const std::optional<std::string> text = ask(parent, now[*i].text);
-      if (!text) return;
-      now[*i].text = *text;
-      put(now);
+      ask_for_words(parent, notes[*i].text, [=](const std::string& words) {
+        std::vector<PlotNote> now = notes;
+        now[*i].text = words;
+        put(now);
+      });
     });
     menu.addAction(tr("Remove this &note"), parent, [=] {
       std::vector<PlotNote> now = notes;
@@ -58,16 +59,15 @@ void add_note_entries(QMenu& menu, RunPlot& plot, const QPoint& at, QWidget* par
     return;
   }
   // Of the axes as they are now: a run that goes on moves them while the reader writes.
-  PlotNote note{plot.plot()->invTransform(QwtAxis::XBottom, at.x()),
-                plot.plot()->invTransform(QwtAxis::YLeft, at.y()),
-                {}};
-  QAction* here = menu.addAction(tr("&Note here..."), parent, [=]() mutable {
-    const std::optional<std::string> text = ask(parent, {});
-    if (!text) return;
-    note.text = *text;
-    std::vector<PlotNote> now = notes;
-    now.push_back(note);
-    put(now);
+  const PlotNote note{plot.plot()->invTransform(QwtAxis::XBottom, at.x()),
+                      plot.plot()->invTransform(QwtAxis::YLeft, at.y()),
+                      {}};
+  QAction* here = menu.addAction(tr("&Note here..."), parent, [=] {
+    ask_for_words(parent, {}, [=](const std::string& words) {
+      std::vector<PlotNote> now = notes;
+      now.push_back({note.x, note.y, words});
+      put(now);
+    });
   });
   const bool inside = plot.plot()->canvas()->rect().contains(at);
   here->setEnabled(inside && notes.size() < kMostNotes);

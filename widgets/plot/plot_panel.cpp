@@ -2,25 +2,24 @@
 
 #include <QClipboard>
 #include <QContextMenuEvent>
-#include <QGridLayout>
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QPointer>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <qwt_plot.h>
 #include <utility>
 
-#include "widgets/plot/legend_button.h"
 #include "widgets/plot/note_menu.h"
 #include "widgets/plot/plot_content.h"
 #include "widgets/plot/plot_dialog.h"
 #include "widgets/plot/plot_export.h"
 #include "widgets/plot/plot_scale.h"
 #include "widgets/plot/run_plot.h"
+#include "widgets/plot/runs_legend.h"
+#include "widgets/theme/ask.h"
 
 namespace carom {
 
@@ -28,11 +27,11 @@ PlotPanel::PlotPanel(const Theme& theme, QWidget* parent) : QWidget(parent), the
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
-  legend_ = new QWidget(this);
-  legend_grid_ = new QGridLayout(legend_);
-  legend_grid_->setContentsMargins(8, 0, 8, 0);
-  legend_grid_->setSpacing(2);
-  legend_->hide();
+  legend_ = new RunsLegend(this);
+  connect(legend_, &RunsLegend::toggled, this, [this](std::size_t run, bool shown) {
+    runs_[run].shown = shown;
+    schedule();
+  });
   layout->addWidget(legend_);
   timer_.setSingleShot(true);
   timer_.setInterval(0);
@@ -66,7 +65,7 @@ PlotPanel::~PlotPanel() {
 void PlotPanel::set_theme(const Theme& theme) {
   theme_ = theme;
   for (RunPlot* plot : plots_) plot->set_theme(theme);
-  show_legend();
+  legend_->show_runs(runs_, theme_);
   schedule();
 }
 
@@ -84,7 +83,38 @@ void PlotPanel::set_plots(const std::vector<Plot>& plots, const std::vector<Body
   schedule();
 }
 
-void PlotPanel::set_bodies(const std::vector<Body>& bodies) { bodies_ = bodies; }
+// Plots know bodies by their place.
+void PlotPanel::set_bodies(const std::vector<Body>& bodies) {
+  const auto end = static_cast<std::ptrdiff_t>(std::min(bodies.size(), bodies_.size()));
+  const bool same_places = std::equal(bodies.begin(), bodies.begin() + end, bodies_.begin(),
+                                      [](const Body& a, const Body& b) { return a.name == b.name; });
+  bodies_ = bodies;
+  if (!same_places) set_plots(chosen(), bodies);
+}
+
+void PlotPanel::change_plots(const std::vector<Plot>& plots) {
+  if (plots == chosen()) return;
+  const auto same = [](Plot a, const Plot& b) {
+    a.notes = b.notes;
+    return a == b;
+  };
+  std::vector<RunPlot*> old = std::exchange(plots_, {});
+  for (const Plot& plot : plots) {
+    const auto shown = std::find_if(old.begin(), old.end(),
+                                    [&](const RunPlot* each) { return same(each->content().plot, plot); });
+    if (shown == old.end()) {
+      insert(plots_.size(), content_of(plot, bodies_));
+      continue;
+    }
+    plots_.push_back(*shown);
+    old.erase(shown);
+    plots_.back()->set_notes(plot.notes);
+    static_cast<QVBoxLayout*>(layout())->insertWidget(static_cast<int>(plots_.size()), plots_.back(), 1);
+  }
+  for (RunPlot* plot : old) drop(plot);
+  mark_menu();
+  schedule();
+}
 
 void PlotPanel::insert(std::size_t place, const PlotContent& content) {
   auto* plot = new RunPlot(content, theme_, this);
@@ -188,15 +218,16 @@ void PlotPanel::mark_menu() {
 }
 
 void PlotPanel::edit(RunPlot* plot) {
-  PlotDialog dialog(bodies_, this);
-  const QPointer<RunPlot> changed = plot;  // which may go while the dialog is open
-  if (plot != nullptr) dialog.set_plot(plot->content().plot);
-  if (dialog.exec() != QDialog::Accepted) return;
-  if (plot == nullptr) {
-    add(dialog.plot());
-  } else if (changed != nullptr && has(changed)) {
-    replace(changed, dialog.plot());
-  }
+  auto* dialog = new PlotDialog(bodies_, this);
+  if (plot != nullptr) dialog->set_plot(plot->content().plot);
+  // The plot may go while the dialog is open.
+  ask(dialog, [this, dialog, is_new = plot == nullptr, changed = QPointer<RunPlot>(plot)] {
+    if (is_new) {
+      add(dialog->plot());
+    } else if (changed != nullptr && has(changed)) {
+      replace(changed, dialog->plot());
+    }
+  });
 }
 
 // Of the plot under the mouse, and of all.
@@ -332,47 +363,10 @@ void PlotPanel::update_from(const std::vector<PlottedRun>& runs) {
     same = same && before[i].name == runs_[i].name && before[i].shown == runs_[i].shown;
   }
   if (!same) {
-    show_legend();
+    legend_->show_runs(runs_, theme_);
     schedule();
   }
   schedule_next();
-}
-
-void PlotPanel::show_legend() {
-  legend_->setVisible(runs_.size() > 1);
-  while (legend_buttons_.size() > runs_.size()) {
-    LegendButton* button = legend_buttons_.back();
-    legend_buttons_.pop_back();
-    button->disconnect(this);
-    button->hide();
-    button->deleteLater();
-  }
-  for (std::size_t i = legend_buttons_.size(); i < runs_.size(); ++i) {
-    auto* button = new LegendButton(runs_[i].name, {}, legend_);
-    legend_buttons_.push_back(button);
-    connect(button, &LegendButton::toggled, this, [this, i](bool shown) {
-      runs_[i].shown = shown;
-      schedule();
-    });
-  }
-  for (std::size_t i = 0; i < runs_.size(); ++i) {
-    const QSignalBlocker quiet(legend_buttons_[i]);
-    legend_buttons_[i]->setChecked(runs_[i].shown);
-    legend_buttons_[i]->setText(runs_[i].name);
-    legend_buttons_[i]->set_look(pen_of_run(i, theme_, 2.2), theme_.text);
-  }
-  place_legend();
-}
-
-// In as many columns as have room for the names.
-void PlotPanel::place_legend() {
-  int widest = 1;
-  for (const LegendButton* button : legend_buttons_) widest = std::max(widest, button->sizeHint().width());
-  const int count = std::max(static_cast<int>(legend_buttons_.size()), 1);
-  const int columns = std::clamp(width() / (widest + legend_grid_->spacing()), 1, count);
-  for (int i = 0; i < static_cast<int>(legend_buttons_.size()); ++i) {
-    legend_grid_->addWidget(legend_buttons_[static_cast<std::size_t>(i)], i / columns, i % columns);
-  }
 }
 
 void PlotPanel::reset_zoom() {
@@ -459,7 +453,6 @@ void PlotPanel::align() {
 
 void PlotPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  place_legend();
   schedule();
 }
 

@@ -16,12 +16,11 @@
 #include "widgets/plot/run_plot.h"
 #include "widgets/theme/theme.h"
 
-class QGridLayout;
 class QMenu;
 
 namespace carom {
 
-class LegendButton;
+class RunsLegend;
 
 // The plots of a run, one above the other over one time axis. Wheel: zoom in time about the cursor; with Ctrl:
 // zoom that plot's values; Ctrl and a drag: zoom to a box; drag: move; double click or Home: back to showing
@@ -37,7 +36,9 @@ class PlotPanel : public QWidget {
   void set_theme(const Theme& theme);
   // Those that a scene with these bodies asks for; none: default_plots(). Nothing stays zoomed.
   void set_plots(const std::vector<Plot>& plots, const std::vector<Body>& bodies);
-  void set_bodies(const std::vector<Body>& bodies);  // there are more now
+  // The same with other bodies; and with other plots, of which those that are shown already stay as they are.
+  void set_bodies(const std::vector<Body>& bodies);
+  void change_plots(const std::vector<Plot>& plots);
   // What is shown, as a scene would ask for it, and the curves that it needs.
   [[nodiscard]] std::vector<Plot> chosen() const;
   [[nodiscard]] std::vector<Curve> curves() const;
@@ -83,8 +84,6 @@ class PlotPanel : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void show_legend();
-  void place_legend();
   void insert(std::size_t place, const PlotContent& content);
   void drop(RunPlot* plot);
   void put_away(RunPlot* plot);
@@ -108,9 +107,7 @@ class PlotPanel : public QWidget {
   Theme theme_;
   QMenu* menu_;  // which plots are shown
   std::vector<Body> bodies_;
-  QWidget* legend_;  // of the runs, if there are several
-  QGridLayout* legend_grid_;
-  std::vector<LegendButton*> legend_buttons_;
+  RunsLegend* legend_;
   std::vector<PlottedRun> runs_{{std::make_shared<const Recorder>(), {}}};
   std::vector<RunPlot*> plots_;
   std::vector<RunPlot*> zoomed_;           // those on which the user zoomed or moved

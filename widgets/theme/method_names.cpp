@@ -9,8 +9,6 @@
 namespace carom {
 namespace {
 
-QString text_of(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
-
 QString step_text(const Method& m) {
   if (choice_of(kIntegrators, m.integrator).adaptive) {
     return QCoreApplication::translate("MethodNames", "tolerance %1").arg(short_figure(m.tolerance));

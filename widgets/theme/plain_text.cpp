@@ -31,15 +31,6 @@ QString plain_tip(const QString& text) {
   return "<span>" + text.toHtmlEscaped().replace('\n', "<br>") + "</span>";
 }
 
-void tell(QWidget* parent, const QString& title, const QString& text, const QString& details) {
-  QMessageBox box(parent);
-  box.setWindowTitle(title);
-  box.setTextFormat(Qt::PlainText);
-  box.setText(details.isEmpty() ? text : text + "\n\n" + details);
-  box.setTextInteractionFlags(Qt::TextSelectableByMouse);
-  box.exec();
-}
-
 void keep_messages_plain() {
   static const char* const kName = "plain-messages";
   if (qApp->findChild<QObject*>(kName, Qt::FindDirectChildrenOnly) != nullptr) return;

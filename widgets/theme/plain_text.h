@@ -3,8 +3,6 @@
 #include <QLabel>
 #include <QString>
 
-class QWidget;
-
 namespace carom {
 
 // What somebody else wrote, such as the title of a preset or the name of a file, is shown letter for letter. Qt
@@ -22,9 +20,6 @@ class PlainLabel : public QLabel {
 
 // A tooltip that shows `text` as it is, also where Qt guesses its format: lines stay lines, long ones wrap.
 [[nodiscard]] QString plain_tip(const QString& text);
-
-// A message with one button, shown until the reader answers: `text` in a line, `details` below it.
-void tell(QWidget* parent, const QString& title, const QString& text, const QString& details = {});
 
 // From now on message boxes of Qt's own, such as a file dialog's that names a file, show plain text as well.
 void keep_messages_plain();

@@ -85,7 +85,8 @@ TEST_F(AutosaveTest, KeepsEditsUntilTheyAreSavedOrGivenUp) {
     ASSERT_NE(box, nullptr);
     box->button(QMessageBox::Discard)->click();
   });
-  EXPECT_TRUE(window->close());
+  window->close();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !window->isVisible(); }));
   EXPECT_TRUE(QDir(kept()).entryList(QDir::Files).isEmpty());
 }
 
@@ -101,6 +102,20 @@ TEST_F(AutosaveTest, WritesNothingWhereNothingIsNew) {
   put_in(*window);
   window->keep_now();
   EXPECT_TRUE(QFile::exists(file));
+}
+
+// Where nothing is left that could be lost, nothing is kept; what is done again is.
+TEST_F(AutosaveTest, FollowsUndoAndRedo) {
+  const auto window = lab(kept());
+  put_in(*window);
+  window->keep_now();
+  ASSERT_EQ(files().size(), 1);
+  window->session().edits().undo();
+  EXPECT_TRUE(files().isEmpty());
+  window->session().edits().redo();
+  window->keep_now();
+  ASSERT_EQ(files().size(), 1);
+  EXPECT_EQ(read_preset((kept() + "/" + files().constFirst()).toStdString()).scene.bodies.size(), 3U);
 }
 
 TEST_F(AutosaveTest, TheNextStartOffersTheWork) {

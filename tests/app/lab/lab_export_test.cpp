@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPointer>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -17,13 +18,18 @@
 #include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
+#include <memory>
 #include <qwt_plot.h>
+#include <thread>
 
 #include "app/export/run_export.h"
+#include "app/export/run_progress.h"
+#include "app/lab/export_dialog.h"
 #include "app/lab/film_dialog.h"
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "tests/support/wait.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/run_plot.h"
 #include "widgets/scene/scene_view.h"
@@ -43,14 +49,19 @@ class LabExportTest : public testing::Test {
     QGuiApplication::clipboard()->clear();
   }
 
-  // While `what` runs, each dialog that opens is answered.
-  static void with_answers(const std::function<void(QWidget*)>& answer, const std::function<void()>& what) {
+  // Does `what` and answers each dialog that opens, until no more come and `done` holds.
+  static void with_answers(const std::function<void(QWidget*)>& answer, const std::function<void()>& what,
+                           const std::function<bool()>& done) {
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, [&] {
       if (QWidget* dialog = QApplication::activeModalWidget(); dialog != nullptr) answer(dialog);
     });
     timer.start(50);
     what();
+    EXPECT_TRUE(test::wait_until([&] {
+      QApplication::processEvents();
+      return QApplication::activeModalWidget() == nullptr && done();
+    }));
   }
   void trigger(const QString& text) {
     for (QAction* action : window_.findChildren<QAction*>()) {
@@ -60,6 +71,7 @@ class LabExportTest : public testing::Test {
   }
   // Of the first plot's context menu.
   void trigger_in_plot(std::size_t plot, const QString& text) {
+    QApplication::processEvents();  // a new plot is given its place
     QContextMenuEvent event(QContextMenuEvent::Mouse, panel_->plots()[plot]->geometry().center(),
                             panel_->mapToGlobal(panel_->plots()[plot]->geometry().center()));
     QApplication::sendEvent(panel_, &event);
@@ -69,7 +81,6 @@ class LabExportTest : public testing::Test {
       const auto found = std::find_if(actions.begin(), actions.end(),
                                       [&](const QAction* a) { return a->text().remove('&') == text; });
       ASSERT_NE(found, actions.end());
-      // What takes long looks at events meanwhile, among them the end of the menu.
       const QPointer<QMenu> open(menu);
       (*found)->trigger();
       if (open) open->close();
@@ -148,7 +159,7 @@ TEST_F(LabExportTest, TooMuchForTheClipboardIsSaid) {
           box->accept();
         }
       },
-      [&] { trigger_in_plot(0, "Copy all the data"); });
+      [&] { trigger_in_plot(0, "Copy all the data"); }, [&] { return !said.isEmpty(); });
   EXPECT_TRUE(said.contains("100000 rows")) << said.toStdString();
   EXPECT_TRUE(said.contains("Save the data"));
   EXPECT_EQ(QGuiApplication::clipboard()->text(), "");
@@ -190,7 +201,8 @@ TEST_F(LabExportTest, AFilmIsMade) {
       box->accept();
     }
   };
-  with_answers(answer, [&] { trigger("Film..."); });
+  with_answers(
+      answer, [&] { trigger("Film..."); }, [&] { return !said.isEmpty(); });
   EXPECT_TRUE(said.contains("9 frames")) << said.toStdString();
   EXPECT_TRUE(said.contains("ffmpeg -framerate 20")) << said.toStdString();
   const QStringList frames = frames_in(folder);
@@ -211,8 +223,10 @@ TEST_F(LabExportTest, TheRunIsSavedAsItStands) {
     where->findChild<QLineEdit*>("fileNameEdit")->setText("mid.json");
     QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
   };
-  with_answers(answer, [&] { trigger("Save the run as it stands..."); });
   const std::string file = dir.filePath("mid.json").toStdString();
+  with_answers(
+      answer, [&] { trigger("Save the run as it stands..."); },
+      [&] { return QFile::exists(QString::fromStdString(file)); });
   const Preset saved = read_preset(file);
   ASSERT_TRUE(saved.saved && saved.saved->state);
   EXPECT_FALSE(window_.preset().saved);
@@ -263,13 +277,70 @@ TEST_F(LabExportTest, TheFilmDialogTellsWhatWillCome) {
             if ((button->text() == "Replace") == replace) button->click();
           }
         },
-        [&] { dialog.accept(); });
+        [&] { dialog.accept(); }, [&] { return QApplication::activeModalWidget() == nullptr; });
   };
   press(false);
   EXPECT_NE(dialog.result(), QDialog::Accepted);
   press(true);
   EXPECT_EQ(dialog.result(), QDialog::Accepted);
   EXPECT_TRUE(dialog.may_replace());
+}
+
+// What takes long goes on beside the window: a dialog tells how far it is, and Cancel leaves nothing behind.
+TEST_F(LabExportTest, WhatTakesLongIsCancelled) {
+  window_.run_until(500.0);
+  QTemporaryDir dir;
+  bool cancel = true;
+  int cancelled = 0;
+  const auto answer = [&](QWidget* dialog) {
+    if (auto* what = qobject_cast<ExportDialog*>(dialog)) {
+      what->accept();
+    } else if (auto* where = qobject_cast<QFileDialog*>(dialog)) {
+      where->setDirectory(dir.path());
+      where->findChild<QLineEdit*>("fileNameEdit")->setText("run.csv");
+      QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
+    } else if (auto* progress = qobject_cast<QProgressDialog*>(dialog); progress != nullptr && cancel) {
+      ++cancelled;
+      progress->cancel();
+    }
+  };
+  with_answers(
+      answer, [&] { trigger("Save data..."); }, [&] { return cancelled > 0; });
+  EXPECT_TRUE(QDir(dir.path()).isEmpty());
+  cancel = false;
+  with_answers(
+      answer, [&] { trigger("Save data..."); }, [&] { return QFile::exists(dir.filePath("run.csv")); });
+}
+
+// Whatever is asked or under way goes with the window.
+TEST(LabWindowGoes, WhileItAsksOrWorks) {
+  for (const char* text : {"Open...", "Save as...", "Film...", "Save data...", "About Carom", "Another..."}) {
+    auto window = std::make_unique<LabWindow>(light_theme());
+    window->show();
+    ASSERT_TRUE(window->open("bouncing-ball"));
+    window->run_until(1.0);
+    for (QAction* action : window->findChildren<QAction*>()) {
+      if (action->text().remove('&') == text) action->trigger();
+    }
+    QApplication::processEvents();
+    window.reset();
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << text;
+  }
+  auto window = std::make_unique<QWidget>();
+  window->show();
+  bool left = false;
+  bool after = false;
+  with_progress(
+      window.get(), "Work", "Failed",
+      [&](const Progress& go_on) {
+        while (go_on(0.5)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        left = true;
+      },
+      [&] { after = true; });
+  EXPECT_NE(QApplication::activeModalWidget(), nullptr);
+  window.reset();
+  EXPECT_TRUE(left);
+  EXPECT_FALSE(after);
 }
 
 }  // namespace

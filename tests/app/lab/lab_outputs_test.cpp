@@ -14,6 +14,7 @@
 #include "app/lab/lab_window.h"
 #include "app/lab/report_dialog.h"
 #include "tests/support/faults.h"
+#include "tests/support/wait.h"
 
 namespace carom {
 namespace {
@@ -65,6 +66,12 @@ class LabOutputs : public testing::Test {
         break;
       }
     }
+    // Dialogs follow one another in one turn of the event loop.
+    const bool done = test::wait_until([] {
+      QApplication::processEvents();
+      return QApplication::activeModalWidget() == nullptr;
+    });
+    EXPECT_TRUE(done) << action.toStdString();
     return said;
   }
 

@@ -99,6 +99,7 @@ TEST_F(LabPlotsTest, DataAreSavedFromTheWindow) {
   });
   answer.start(50);
   emit panel_->dataAsked(panel_->plots().front());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(file); }));
   answer.stop();
   QFile data(file);
   ASSERT_TRUE(data.open(QIODevice::ReadOnly));

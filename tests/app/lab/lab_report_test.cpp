@@ -23,7 +23,10 @@
 namespace carom {
 namespace {
 
-const auto kGoOn = [](double) { return true; };
+std::optional<PrintPages> pages_of(const LabReport& report) {
+  const auto moments = report_moments(report, [](double) { return true; });
+  return moments ? std::optional(report_pages(report, *moments)) : std::nullopt;
+}
 
 TEST(ReportTimes, AreAboutTheFirstImpact) {
   Method method;
@@ -89,6 +92,7 @@ class LabReportTest : public testing::Test {
     }
     // A run that goes on stands still first.
     ASSERT_TRUE(QTest::qWaitFor([&] { return report_ || !said_.isEmpty(); }));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::activeModalWidget() == nullptr; }));
   }
   [[nodiscard]] QByteArray bytes(const QString& file) const {
     QFile pdf(dir_.filePath(file));
@@ -118,7 +122,7 @@ TEST_F(LabReportTest, IsAPdfOfVectorsAndText) {
   EXPECT_TRUE(pdf.trimmed().endsWith("%%EOF"));
   EXPECT_TRUE(pdf.contains("/ToUnicode")) << "text can be selected";
   EXPECT_FALSE(pdf.contains("/Subtype /Image"));
-  const std::optional<PrintPages> pages = report_pages(*report_, kGoOn);
+  const std::optional<PrintPages> pages = pages_of(*report_);
   ASSERT_TRUE(pages);
   EXPECT_TRUE(pdf.contains(QString("/Count %1").arg(pages->count()).toLatin1()));
   ASSERT_EQ(report_->times.size(), 4U);
@@ -135,7 +139,7 @@ TEST_F(LabReportTest, KeepsItsMargins) {
     ASSERT_TRUE(window_.open(name));
     window_.run_until(0.7);
     make(QString(name) + ".pdf");
-    const std::optional<PrintPages> pages = report_pages(*report_, kGoOn);
+    const std::optional<PrintPages> pages = pages_of(*report_);
     ASSERT_TRUE(pages);
     EXPECT_GE(pages->count(), 3) << name;
     for (int number = 0; number < pages->count(); ++number) {
@@ -161,7 +165,7 @@ TEST_F(LabReportTest, HasWhatIsAskedFor) {
   ASSERT_TRUE(window_.open("bouncing-ball"));
   window_.run_until(1.0);
   make("all.pdf");
-  const int all = report_pages(*report_, kGoOn)->count();
+  const int all = pages_of(*report_)->count();
   make("few.pdf", [](ReportDialog& dialog) {
     dialog.findChild<QLineEdit*>("times")->setText("0.1, 0.2");
     dialog.findChild<QPlainTextEdit*>("questions")->setPlainText("Only this?\n\n");
@@ -171,9 +175,9 @@ TEST_F(LabReportTest, HasWhatIsAskedFor) {
   EXPECT_EQ(report_->questions, QStringList{"Only this?"});
   EXPECT_TRUE(report_->plots.empty());
   EXPECT_EQ(report_->bodies, nullptr);
-  const std::optional<PrintPages> few = report_pages(*report_, kGoOn);
+  const std::optional<PrintPages> few = pages_of(*report_);
   EXPECT_LT(few->count(), all);
-  EXPECT_FALSE(report_pages(*report_, [](double) { return false; })) << "cancelled";
+  EXPECT_FALSE(report_moments(*report_, [](double) { return false; })) << "cancelled";
 }
 
 TEST_F(LabReportTest, SaysWhatIsMissing) {

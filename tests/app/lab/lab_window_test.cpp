@@ -18,6 +18,7 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "widgets/plot/plot_panel.h"
+#include "widgets/plot/run_plot.h"
 #include "widgets/run/experiment_list.h"
 #include "widgets/scene/scene_view.h"
 
@@ -37,6 +38,11 @@ class LabWindowTest : public testing::Test {
     window_.scene_view().setFocus();
   }
 
+  // Until so many questions were asked in all, and answered.
+  [[nodiscard]] bool wait_for_boxes(std::size_t count) {
+    return QTest::qWaitFor(
+        [&] { return boxes_.size() >= count && QApplication::activeModalWidget() == nullptr; }, 5000);
+  }
   // True as soon as there is a frame for which `fulfilled` holds; false if that takes too long.
   template <class Condition>
   bool wait_for(const Condition& fulfilled) {
@@ -142,14 +148,14 @@ TEST_F(LabWindowTest, BadFileIsToldAndTheOldSceneStays) {
   bad.write(R"({"format": "carom-preset", "version": 1, "title": "<b>", "colour": 1})");
   bad.close();
   EXPECT_FALSE(window_.open(file.toStdString()));
-  ASSERT_EQ(boxes_.size(), 1U);
+  ASSERT_TRUE(wait_for_boxes(1));
   EXPECT_TRUE(boxes_[0].contains("bad.json") && boxes_[0].contains("/colour")) << boxes_[0].toStdString();
   EXPECT_EQ(window_.preset().title, read_preset(CAROM_PRESET_DIR "/first-collisions/head-on.json").title);
   window_.run_until(0.4);
   EXPECT_NEAR(time(), 0.4, 1e-9);
   EXPECT_EQ(window_.frame()->bodies->size(), 2U);
   EXPECT_FALSE(window_.open("no-such-experiment"));
-  EXPECT_EQ(boxes_.size(), 2U);
+  EXPECT_TRUE(wait_for_boxes(2));
 }
 
 TEST_F(LabWindowTest, MethodsAreChosenFromTheMenus) {
@@ -324,7 +330,8 @@ TEST_F(LabWindowTest, SavedFileHoldsWhatWasChanged) {
 TEST_F(LabWindowTest, BuiltInExperimentIsSavedUnderANewName) {
   click_scene({0.1, 0.4});
   chosen_file_ = folder_.filePath("new");
-  ASSERT_TRUE(window_.save());
+  EXPECT_FALSE(window_.save()) << "it asks first";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.isWindowModified(); }));
   EXPECT_EQ(read_preset(folder_.filePath("new.json").toStdString()).scene.bodies.size(), 3U);
   EXPECT_EQ(read_preset(CAROM_PRESET_DIR "/first-collisions/head-on.json").scene.bodies.size(), 2U);
 }
@@ -337,7 +344,7 @@ TEST_F(LabWindowTest, ReplacingAFileIsAskedFirst) {
     button_ = QMessageBox::No;
     boxes_.clear();
     EXPECT_FALSE(window_.save()) << typed;
-    EXPECT_EQ(boxes_.size(), 1U) << typed;
+    EXPECT_TRUE(wait_for_boxes(1)) << typed;
     EXPECT_EQ(read_preset(file.toStdString()).title, read_preset(CAROM_PRESET_DIR "/piles/pile.json").title)
         << typed;
   }
@@ -351,7 +358,7 @@ TEST_F(LabWindowTest, UnwritableFileIsTold) {
   click_scene({0.1, 0.4});
   ASSERT_TRUE(QDir(folder_.filePath("gone")).removeRecursively());
   EXPECT_FALSE(window_.save());
-  ASSERT_EQ(boxes_.size(), 1U);
+  ASSERT_TRUE(wait_for_boxes(1));
   EXPECT_TRUE(boxes_[0].contains("mine.json"));
   EXPECT_TRUE(window_.isWindowModified());
 }
@@ -435,13 +442,13 @@ TEST_F(LabWindowTest, ChangesAreAskedAboutBeforeAnotherExperiment) {
   click_scene({0.1, 0.4});
   button_ = QMessageBox::Cancel;
   click_experiment("glancing");
-  EXPECT_EQ(boxes_.size(), 1U);
+  EXPECT_TRUE(wait_for_boxes(1));
   EXPECT_EQ(window_.preset().scene.bodies.size(), 3U);
   EXPECT_TRUE(window_.isWindowModified());
   EXPECT_EQ(marked_experiment(), "head-on");
   button_ = QMessageBox::Discard;
   click_experiment("glancing");
-  EXPECT_EQ(boxes_.size(), 2U);
+  EXPECT_TRUE(wait_for_boxes(2));
   EXPECT_EQ(window_.preset().title, read_preset(CAROM_PRESET_DIR "/first-collisions/glancing.json").title);
   EXPECT_FALSE(window_.isWindowModified());
   EXPECT_EQ(marked_experiment(), "glancing");
@@ -451,10 +458,76 @@ TEST_F(LabWindowTest, ChangesAreAskedAboutBeforeTheWindowCloses) {
   action("Explicit Euler")->trigger();
   button_ = QMessageBox::Cancel;
   EXPECT_FALSE(window_.close());
+  EXPECT_TRUE(wait_for_boxes(1));
   EXPECT_TRUE(window_.isVisible());
   button_ = QMessageBox::Discard;
-  EXPECT_TRUE(window_.close());
+  EXPECT_FALSE(window_.close()) << "it asks first";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !window_.isVisible(); }));
   EXPECT_EQ(boxes_.size(), 2U);
+}
+
+// Saved on the way out: under a name that is asked for.
+TEST_F(LabWindowTest, ChangesAreSavedBeforeTheWindowCloses) {
+  action("Explicit Euler")->trigger();
+  button_ = QMessageBox::Save;
+  chosen_file_ = folder_.filePath("last.json");
+  EXPECT_FALSE(window_.close());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.isVisible(); }));
+  EXPECT_EQ(read_preset(folder_.filePath("last.json").toStdString()).method.integrator,
+            IntegratorId::kExplicitEuler);
+}
+
+// The menu says what is undone; the mark of changes goes with it, and what is shown too.
+TEST_F(LabWindowTest, EditsAreUndoneFromTheMenu) {
+  const auto trigger = [&](const QKeySequence& key) {
+    for (QAction* a : window_.findChildren<QAction*>()) {
+      if (a->shortcut() == key) return a->trigger();
+    }
+  };
+  const QKeySequence undo(Qt::CTRL | Qt::Key_Z);
+  const QKeySequence redo(Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
+  EXPECT_FALSE(action("Undo")->isEnabled());
+  window_.run_until(0.1);
+  action("Explicit Euler")->trigger();
+  EXPECT_EQ(button("How free motion is advanced")->text(), "Explicit Euler ▾");
+  click_scene({0.1, 0.4});
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 3; }));
+  plot_action("Ledger")->trigger();
+  auto* plots = window_.findChild<PlotPanel*>();
+  EXPECT_TRUE(plots->shows("ledger"));
+  EXPECT_TRUE(action("Undo change of plots")->isEnabled());
+  trigger(undo);
+  EXPECT_FALSE(plots->shows("ledger"));
+  EXPECT_TRUE(action("Redo change of plots")->isEnabled());
+  EXPECT_TRUE(action("Undo added body")->isEnabled());
+  trigger(undo);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
+  EXPECT_EQ(window_.preset().scene.bodies.size(), 2U);
+  EXPECT_TRUE(window_.isWindowModified());
+  trigger(undo);
+  EXPECT_FALSE(window_.isWindowModified());
+  EXPECT_EQ(button("How free motion is advanced")->text(), "RK4 ▾");
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->log->edits.empty(); }));
+  EXPECT_NEAR(time(), 0.1, 1e-9);
+  for (int i = 0; i < 3; ++i) trigger(redo);
+  EXPECT_TRUE(plots->shows("ledger"));
+  EXPECT_TRUE(window_.isWindowModified());
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->log->edits.size() == 2; }));
+}
+
+// A plot's notes, and its zoom, stay where another one is put in or taken out.
+TEST_F(LabWindowTest, UndoOfANoteLeavesThePlotsAsTheyAre) {
+  auto* plots = window_.findChild<PlotPanel*>();
+  RunPlot* first = plots->plots().front();
+  first->set_notes({{0.5, 1.0, "here"}});
+  emit plots->layoutChanged();
+  EXPECT_TRUE(window_.isWindowModified());
+  action("Undo change of notes")->trigger();
+  EXPECT_EQ(plots->plots().front(), first);
+  EXPECT_TRUE(first->content().plot.notes.empty());
+  EXPECT_FALSE(window_.isWindowModified());
+  action("Redo change of notes")->trigger();
+  EXPECT_EQ(first->content().plot.notes.size(), 1U);
 }
 
 TEST_F(LabWindowTest, SaysOverTheSceneWhyARunIsLost) {

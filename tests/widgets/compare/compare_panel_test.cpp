@@ -119,19 +119,22 @@ TEST_F(ComparePanelTest, ChangesTheChosenMethod) {
 }
 
 TEST_F(ComparePanelTest, TheSliderSetsTheStepOfOneOrOfAll) {
-  QSignalSpy changed(&panel_, &ComparePanel::methodChanged);
+  using Runs = std::vector<std::size_t>;
+  QSignalSpy changed(&panel_, &ComparePanel::stepChanged);
   auto* slider = panel_.findChild<QSlider*>();
   table()->selectRow(1);
   slider->setValue(200);  // two decades above 0.1 ms
   ASSERT_TRUE(changed.wait(2000));
   ASSERT_EQ(changed.size(), 1);
-  EXPECT_EQ(changed[0][0].value<Method>().step, 0.01);
+  EXPECT_EQ(changed[0][0].value<double>(), 0.01);
+  EXPECT_EQ(changed[0][1].value<Runs>(), Runs{1});
   panel_.findChild<QCheckBox*>()->setChecked(true);
   slider->setValue(230);
   ASSERT_TRUE(changed.wait(2000));
-  ASSERT_EQ(changed.size(), 4);
-  EXPECT_NEAR(changed[3][0].value<Method>().step, 0.02, 1e-17);
-  EXPECT_EQ(changed[3][1].value<std::size_t>(), 2U);
+  ASSERT_EQ(changed.size(), 2);
+  EXPECT_NEAR(changed[1][0].value<double>(), 0.02, 1e-17);
+  EXPECT_EQ(changed[1][1].value<Runs>(), (Runs{0, 1, 2}));
+  EXPECT_EQ(changed[0][2], changed[1][2]) << "no drag began";
 }
 
 TEST_F(ComparePanelTest, TheFirstMethodStaysAndSixAreEnough) {

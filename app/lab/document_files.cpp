@@ -1,0 +1,96 @@
+#include "app/lab/document_files.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <algorithm>
+#include <memory>
+
+#include "app/lab/preset_library.h"
+#include "app/lab/session.h"
+#include "physics/preset/preset_file.h"
+#include "physics/scene/validate.h"
+#include "widgets/theme/ask.h"
+
+namespace carom {
+
+DocumentFiles::DocumentFiles(QWidget* window, Session& session)
+    : QObject(window), window_(window), session_(session) {}
+
+bool DocumentFiles::open(const std::string& file_or_name) {
+  try {
+    const std::filesystem::path file = find_preset(file_or_name);
+    const Preset preset = read_preset(file);
+    const std::vector<LibraryEntry> library = preset_library();
+    const bool built_in =
+        std::any_of(library.begin(), library.end(), [&](const auto& e) { return e.file == file; });
+    const auto name = QString::fromStdString(built_in ? file.stem().string() : "");
+    const auto own = built_in ? QString() : QString::fromStdString(file.string());
+    const auto done = std::make_shared<bool>(false);
+    when_saved([=, this] {
+      *done = true;
+      emit opened(preset, name, own);
+    });
+    return *done;
+  } catch (const SceneError& error) {
+    tell(window_, tr("This preset cannot be opened"), tr("This preset cannot be opened."),
+         QString::fromStdString(error.what()));
+    emit stayed();
+    return false;
+  }
+}
+
+void DocumentFiles::choose() {
+  auto* dialog = new QFileDialog(window_, tr("Open a preset"), QFileInfo(session_.file()).path(),
+                                 tr("Carom presets (*.json);;All files (*)"));
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  ask(dialog, [this, dialog] {
+    open(QFileInfo(dialog->selectedFiles().constFirst()).absoluteFilePath().toStdString());
+  });
+}
+
+bool DocumentFiles::write(const QString& file) {
+  try {
+    session_.save(file);
+    return true;
+  } catch (const SceneError& error) {
+    tell(window_, tr("This preset cannot be saved"), QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+bool DocumentFiles::save(const std::function<void()>& then) {
+  if (session_.file().isEmpty()) {
+    save_as(then);
+    return false;
+  }
+  const bool written = write(session_.file());
+  if (written) then();
+  return written;
+}
+
+void DocumentFiles::save_as(const std::function<void()>& then) {
+  ask_for_file(window_, tr("Save the preset"),
+               session_.file().isEmpty() ? QStringLiteral("experiment.json") : session_.file(),
+               {{tr("Carom presets (*.json)"), "json"}}, [this, then](const QString& file) {
+                 if (write(file)) then();
+               });
+}
+
+void DocumentFiles::when_saved(const std::function<void()>& then) {
+  if (!session_.modified()) return then();
+  if (asking_ != nullptr) return;
+  asking_ = new QMessageBox(QMessageBox::NoIcon, tr("Save the changes?"),
+                            tr("This experiment was changed. Save it before it is closed?"),
+                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+  asking_->setDefaultButton(QMessageBox::Save);
+  asking_->setAttribute(Qt::WA_DeleteOnClose);
+  connect(asking_, &QMessageBox::finished, this, [this, then](int answer) {
+    asking_ = nullptr;
+    emit stayed();
+    if (answer == QMessageBox::Save) save(then);
+    if (answer == QMessageBox::Discard) then();
+  });
+  asking_->open();
+}
+
+}  // namespace carom

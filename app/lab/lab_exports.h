@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <vector>
+
+#include "physics/record/run_log.h"
+
+namespace carom {
+
+class BodiesTable;
+class LedgerTable;
+class PlotPanel;
+class RunPlot;
+class SceneView;
+class Session;
+struct Film;
+struct FilmFrames;
+struct LabReport;
+
+// What can be taken away from the lab. Each asks for a file and tells in a message what went wrong; what is
+// written is of the moment when it was asked for, while the run goes on. None takes the place of the open
+// preset.
+class LabExports : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Views {
+    SceneView& scene;
+    PlotPanel& plots;
+    BodiesTable& bodies;
+    LedgerTable& ledger;
+  };
+  LabExports(QWidget* window, Session& session, const Views& views);
+
+  void save_scene_picture();
+  void copy_scene_picture();
+  void save_plot(RunPlot* plot);
+  void save_data(const RunPlot* plot);  // nullptr: of no plot in particular
+  void copy_data(const RunPlot* plot, bool shown);
+  void save_run();  // a preset that goes on from the moment that is shown
+  void make_film();
+  void make_report();  // of a run that stands still: waits for the step that is under way
+
+ private:
+  using Then = std::function<void(const QString& file)>;
+  void ask_for_export(const QString& title, const QString& suggestion, const QString& filter, const Then& then);
+  void save_picture_as(const QString& stem, const std::function<bool(const QString&, QString*)>& save);
+  void save_bins(const RunPlot& plot);  // of a histogram
+  void copy_bins(const RunPlot& plot);
+  void save_film_of(const Film& film, const QString& folder, bool replace);
+  void write_report();
+  void save_report(const LabReport& report, const QString& file);
+  [[nodiscard]] bool has_run() const;
+  [[nodiscard]] std::vector<RunLog> runs() const;
+
+  QWidget* window_;
+  Session& session_;
+  Views views_;
+};
+
+}  // namespace carom

@@ -1,0 +1,170 @@
+#include "app/lab/method_bar.h"
+
+#include <QActionGroup>
+#include <QEvent>
+#include <QInputDialog>
+#include <QMenu>
+#include <QToolBar>
+#include <QToolButton>
+#include <array>
+#include <optional>
+
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/scene/facts.h"
+#include "physics/scene/validate.h"
+#include "widgets/theme/ask.h"
+#include "widgets/theme/method_names.h"
+#include "widgets/theme/number_text.h"
+#include "widgets/theme/plain_text.h"
+
+namespace carom {
+namespace {
+
+// Steps to choose from, in s.
+constexpr std::array kSteps = {0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05};
+// Tolerances of the adaptive integrator to choose from, in m and m/s.
+constexpr std::array kTolerances = {1e-2, 1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
+                                    1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14};
+
+void name(QToolButton* button, std::string_view text) { button->setText(text_of(text) + QStringLiteral(" ▾")); }
+
+QToolButton* make_button(QWidget* window, QMenu* menu, const QString& tip) {
+  auto* button = new QToolButton(window);
+  button->setObjectName("choice");
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setMenu(menu);
+  button->setToolTip(tip);
+  return button;
+}
+
+}  // namespace
+
+MethodBar::MethodBar(QMenu* methods, QWidget* window) : QObject(window), window_(window) {
+  integrator_menu_ = add_choices(methods, tr("&Integrator"), kIntegrators, &Method::integrator);
+  integrator_ = make_button(window, integrator_menu_, tr("How free motion is advanced; holds from now on"));
+  impacts_ = make_button(window, add_choices(methods, tr("&Impacts"), kImpacts, &Method::impacts),
+                         tr("When impacts are resolved; holds from now on"));
+  contacts_ = make_button(window, add_choices(methods, tr("&Contacts"), kContacts, &Method::contacts),
+                          tr("What holds bodies that touch; holds from now on"));
+  add_steps(methods);
+  step_ = make_button(window, steps_, {});
+}
+
+template <class Table, class Member>
+QMenu* MethodBar::add_choices(QMenu* methods, const QString& title, const Table& table, Member member) {
+  QMenu* menu = methods->addMenu(title);
+  menu->setToolTipsVisible(true);
+  auto* group = new QActionGroup(menu);
+  for (const auto& choice : table) {
+    QAction* action = group->addAction(menu->addAction(text_of(choice.label)));
+    action->setToolTip(text_of(choice.tip));
+    action->setData(static_cast<int>(choice.id));
+    action->setCheckable(true);
+    connect(action, &QAction::triggered, this, [this, member, id = choice.id] {
+      Method method = method_;
+      method.*member = id;
+      emit methodChosen(method);
+    });
+    connect(menu, &QMenu::aboutToShow, action,
+            [this, action, member, id = choice.id] { action->setChecked(method_.*member == id); });
+  }
+  return menu;
+}
+
+void MethodBar::add_steps(QMenu* methods) {
+  steps_ = methods->addMenu(tr("&Step"));
+  for (const double step : kSteps) {
+    steps_->addAction(QString("h = %1 ms").arg(1e3 * step, 0, 'g', 4), this,
+                      [this, step] { choose(&Method::step, step); });
+  }
+  steps_->addSeparator();
+  steps_->addAction(tr("Another..."), this, &MethodBar::ask_for_step);
+  tolerances_ = methods->addMenu(tr("&Tolerance"));
+  for (const double tolerance : kTolerances) {
+    tolerances_->addAction(tr("tolerance %1").arg(short_figure(tolerance)), this,
+                           [this, tolerance] { choose(&Method::tolerance, tolerance); });
+  }
+}
+
+void MethodBar::choose(double Method::*member, double value) {
+  Method method = method_;
+  method.*member = value;
+  emit methodChosen(method);
+}
+
+void MethodBar::ask_for_step() {
+  auto* dialog = new QInputDialog(window_);
+  dialog->setWindowTitle(tr("Length of a step"));
+  dialog->setLabelText(tr("h in ms, from 0.000001 to 1000:"));
+  dialog->setInputMode(QInputDialog::DoubleInput);
+  dialog->setDoubleDecimals(6);
+  dialog->setDoubleRange(1e3 * kLeastStep, 1e3 * kLargestStep);
+  dialog->setDoubleValue(1e3 * method_.step);
+  ask(dialog, [this, dialog] { choose(&Method::step, 1e-3 * dialog->doubleValue()); });
+}
+
+void MethodBar::add_to(QToolBar* bar) {
+  bar_ = bar;
+  bar->installEventFilter(this);
+  for (QToolButton* choice : {integrator_, impacts_, contacts_, step_}) {
+    bar->addWidget(choice);
+    auto* gap = new QWidget;
+    gap->setFixedWidth(4);
+    bar->addWidget(gap);
+  }
+}
+
+bool MethodBar::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) show_names();
+  return QObject::eventFilter(watched, event);
+}
+
+void MethodBar::show_document(const Preset& document) {
+  method_ = document.method;
+  show_names();
+  show_allowed(document.scene);
+}
+
+void MethodBar::show_names() {
+  const IntegratorChoice& integrator = choice_of(kIntegrators, method_.integrator);
+  const auto& impacts = choice_of(kImpacts, method_.impacts);
+  const auto& contacts = choice_of(kContacts, method_.contacts);
+  name(integrator_, integrator.label);
+  name(impacts_, impacts.label);
+  name(contacts_, contacts.label);
+  const bool adaptive = integrator.adaptive;
+  const bool exact = integrator.order == 0;
+  const QString step = QString("%1 ms ▾").arg(1e3 * method_.step, 0, 'g', 4);
+  step_->setText(adaptive ? tr("tolerance %1 ▾").arg(short_figure(method_.tolerance))
+                 : exact  ? tr("results every %1").arg(step)
+                          : "h = " + step);
+  step_->setToolTip(
+      adaptive ? tr("Largest error of a step, in m and m/s; holds from now on")
+      : exact  ? tr("Exact flight needs no step: this is only the interval of the results; holds from now on")
+               : tr("Length of a step; holds from now on"));
+  step_->setMenu(adaptive ? tolerances_ : steps_);
+  tolerances_->menuAction()->setEnabled(adaptive);
+
+  // In a narrow window names stand for labels, and of the integrator's what fits.
+  const auto missing = [this] { return bar_->sizeHint().width() - bar_->width(); };
+  if (missing() <= 0) return;
+  name(impacts_, impacts.name);
+  name(contacts_, contacts.name);
+  if (const int more = missing(); more > 0) {
+    const QFontMetrics metrics = integrator_->fontMetrics();
+    const QString text = integrator_->text();
+    integrator_->setText(metrics.elidedText(text, Qt::ElideMiddle, metrics.horizontalAdvance(text) - more));
+  }
+}
+
+void MethodBar::show_allowed(const Scene& scene) {
+  for (QAction* action : integrator_menu_->actions()) {
+    const auto id = static_cast<IntegratorId>(action->data().toInt());
+    const std::optional<std::string> reason = why_not(scene, id);
+    action->setEnabled(!reason);
+    action->setToolTip(
+        plain_tip(reason ? QString::fromStdString(*reason) : text_of(choice_of(kIntegrators, id).tip)));
+  }
+}
+
+}  // namespace carom

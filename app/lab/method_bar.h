@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QObject>
+
+#include "physics/preset/preset.h"
+
+class QMenu;
+class QToolBar;
+class QToolButton;
+
+namespace carom {
+
+// What a scene can be run under: a menu of the methods, and a button of the tool bar for each of the four
+// choices. It changes nothing itself: a signal tells what the user wants.
+class MethodBar : public QObject {
+  Q_OBJECT
+
+ public:
+  // Adds its choices to the menu.
+  MethodBar(QMenu* methods, QWidget* window);
+  void add_to(QToolBar* bar);
+  // The method in force, and the ones that the scene allows.
+  void show_document(const Preset& document);
+
+ signals:
+  void methodChosen(const carom::Method& method);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  template <class Table, class Member>
+  [[nodiscard]] QMenu* add_choices(QMenu* methods, const QString& title, const Table& table, Member member);
+  void add_steps(QMenu* methods);
+  void ask_for_step();
+  void choose(double Method::*member, double value);
+  void show_names();  // as wide as the tool bar has room for
+  void show_allowed(const Scene& scene);
+
+  QWidget* window_;
+  Method method_;
+  QToolBar* bar_ = nullptr;
+  QMenu* integrator_menu_ = nullptr;
+  QMenu* steps_ = nullptr;
+  QMenu* tolerances_ = nullptr;
+  QToolButton* integrator_ = nullptr;
+  QToolButton* impacts_ = nullptr;
+  QToolButton* contacts_ = nullptr;
+  QToolButton* step_ = nullptr;
+};
+
+}  // namespace carom

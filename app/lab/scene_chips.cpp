@@ -1,0 +1,138 @@
+#include "app/lab/scene_chips.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <algorithm>
+
+#include "app/lab/session.h"
+#include "physics/model/needs.h"
+#include "widgets/run/transport_bar.h"
+#include "widgets/scene/scene_view.h"
+#include "widgets/theme/plain_text.h"
+
+namespace carom {
+namespace {
+
+QLabel* make_chip(QWidget* parent, const char* look = "chip") {
+  auto* chip = new PlainLabel(parent);
+  chip->setObjectName(look);
+  return chip;
+}
+
+QString joined(const std::vector<std::string>& parts) {
+  QStringList list;
+  for (const std::string& part : parts) list << QString::fromStdString(part);
+  return list.isEmpty() ? SceneChips::tr("nothing") : list.join(", ");
+}
+
+}  // namespace
+
+SceneChips::SceneChips(SceneView& view)
+    : QObject(&view),
+      view_(view),
+      row_(new QWidget(&view)),
+      time_(make_chip(row_)),
+      speed_(make_chip(row_)),
+      needs_(make_chip(row_)),
+      status_(make_chip(&view)),
+      position_(make_chip(&view, "caption")) {
+  auto* row = new QHBoxLayout(row_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(6);
+  for (QLabel* chip : {time_, speed_, needs_}) row->addWidget(chip);
+  time_->setStyleSheet("font-weight: bold;");
+  speed_->setToolTip(tr("Simulated seconds per second"));
+  needs_->setAccessibleName(tr("What is modelled"));
+  status_->hide();
+  view.installEventFilter(this);
+  connect(&view, &SceneView::cursorMoved, this, &SceneChips::show_position);
+  connect(&view, &SceneView::cursorLeft, position_, &QLabel::hide);
+}
+
+bool SceneChips::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) place();
+  return QObject::eventFilter(watched, event);
+}
+
+void SceneChips::show_position(double x, double y) {
+  position_->setText(
+      QString("x = %1 m, y = %2 m").arg(x, 0, 'f', 3).arg(y, 0, 'f', 3).replace('-', QChar(0x2212)));
+  position_->show();
+  place();
+}
+
+void SceneChips::show_needs(const Preset& document) {
+  const NeedsText text = text_of(needs_of(document.scene), document.scene, document.method.contacts);
+  const QString modelled = joined(text.modelled);
+  const QString other = joined(text.not_needed);
+  needs_text_ = tr("modelled: %1 · not needed: %2").arg(modelled, other);
+  needs_->setToolTip(plain_tip(tr("Modelled: %1.\nNot needed by this scene: %2.").arg(modelled, other)));
+  place();
+}
+
+void SceneChips::show_time(const Session& session) {
+  QString speed = TransportBar::speed_text(session.speed());
+  if (const auto frame = session.frame()) {
+    time_->setToolTip(tr("Simulated time\n%1 steps, %2 rejected\n%3 evaluations of a body's acceleration")
+                          .arg(frame->steps)
+                          .arg(frame->rejected_steps)
+                          .arg(frame->evaluations));
+    time_->setText(QString("t = %1 s").arg(frame->time, 0, 'f', 3));
+    // What was asked for, or what this machine can give if that is clearly less.
+    const bool slow =
+        frame->playing && frame->realised_speed > 0.0 && frame->realised_speed < 0.85 * session.speed();
+    if (slow) speed += tr(", runs at ×%1").arg(frame->realised_speed, 0, 'g', 2);
+  } else {
+    time_->setText("t = …");
+  }
+  speed_->setText(speed);
+}
+
+void SceneChips::show_notices(const Session& session, const QString& more, bool lost_told) {
+  const auto frame = session.frame();
+  QStringList notices;
+  if (frame == nullptr) notices << tr("preparing the scene …");
+  for (const QString& notice : {session.waits(), more}) {
+    if (!notice.isEmpty()) notices << notice;
+  }
+  if (session.again()) notices << tr("the run goes there again: t = %1 s").arg(*session.again(), 0, 'f', 1);
+  if (frame != nullptr && frame->status != "ok" && !(frame->lost && lost_told))
+    notices << QString::fromStdString(frame->status);
+  for (const auto& each : session.frames()) {
+    if (each->rows_known_until < each->time) {
+      notices << tr("going through the run again: t = %1 s").arg(each->rows_known_until, 0, 'f', 1);
+    } else if (!each->lost && each->time + each->method.step <= frame->time) {
+      notices << tr("another method catches up: t = %1 s").arg(each->time, 0, 'f', 1);
+    }
+  }
+  status_text_ = notices.join("; ");
+  status_->setVisible(!status_text_.isEmpty());
+  status_->setToolTip(plain_tip(status_text_));
+  place();
+}
+
+void SceneChips::place() {
+  constexpr int kEdge = 10;       // px
+  constexpr int kGap = 6;         // px between chips
+  constexpr int kPadding = 22;    // px, of a chip's text left and right, with its border
+  constexpr int kLeastRoom = 60;  // px
+  const auto elide = [&](QLabel* chip, const QString& text, int room) {
+    chip->setText(chip->fontMetrics().elidedText(text, Qt::ElideRight, std::max(room, kLeastRoom) - kPadding));
+  };
+  const int before = time_->sizeHint().width() + speed_->sizeHint().width() + 2 * kGap;
+  elide(needs_, needs_text_, view_.width() - 2 * kEdge - before);
+  row_->adjustSize();
+  row_->move(kEdge, kEdge);
+  row_->raise();
+  const int second_row = kEdge + row_->height() + kGap;
+  position_->adjustSize();
+  position_->move(view_.width() - position_->width() - kEdge - 2, second_row + 4);
+  position_->raise();
+  elide(status_, status_text_, view_.width() - 3 * kEdge - (position_->isVisible() ? position_->width() : 0));
+  status_->adjustSize();
+  status_->move(kEdge, second_row);
+  status_->raise();
+}
+
+}  // namespace carom

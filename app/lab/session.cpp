@@ -1,0 +1,409 @@
+#include "app/lab/session.h"
+
+#include <QRandomGenerator>
+#include <algorithm>
+#include <utility>
+
+#include "physics/model/mass.h"
+#include "physics/preset/preset_file.h"
+#include "physics/preset/validate_preset.h"
+#include "physics/scene/facts.h"
+#include "physics/scene/validate.h"
+
+namespace carom {
+namespace {
+
+// Beyond so many moving bodies nobody asks for the reference's cost without saying so.
+constexpr std::ptrdiff_t kMostWithReference = 200;
+
+// What somebody made: plots of their own, and notes.
+std::vector<Plot> own_plots(std::vector<Plot> plots) {
+  std::erase_if(plots, [](const Plot& plot) { return !plot.id.empty() && plot.notes.empty(); });
+  return plots;
+}
+
+std::vector<Plot> without_notes(std::vector<Plot> plots) {
+  for (Plot& plot : plots) plot.notes.clear();
+  return plots;
+}
+
+QString text_of_change(const Method& from, Method to) {
+  Method same = from;
+  same.step = to.step;
+  if (same == to) return Session::tr("change of step");
+  same.tolerance = std::exchange(to.tolerance, from.tolerance);
+  return to == from ? Session::tr("change of tolerance") : Session::tr("change of method");
+}
+
+bool same_name(const Body& a, const Body& b) { return a.name == b.name; }
+
+Preset empty_document() {
+  Preset empty;
+  empty.title = "Empty scene";
+  return empty;
+}
+
+}  // namespace
+
+Session::Session(QObject* parent) : QObject(parent), worker_(empty_document()), document_(empty_document()) {
+  connect(&edits_, &QUndoStack::indexChanged, this, &Session::check_modified);
+  connect(&edits_, &QUndoStack::cleanChanged, this, &Session::check_modified);
+  connect(&timer_, &QTimer::timeout, this, &Session::poll);
+  constexpr int kPeriod = 16;  // ms
+  timer_.start(kPeriod);
+}
+
+// --- the document
+// -----------------------------------------------------------------------------------------------------------
+
+void Session::open(const Preset& preset, const std::vector<Plot>& plots, const std::vector<Curve>& curves,
+                   const QString& name, const QString& file) {
+  forget_wait();
+  document_ = preset;
+  document_.plots = plots;
+  own_bodies_ = preset.scene.bodies.size();
+  name_ = name;
+  file_ = file;
+  bodies_ = all_bodies(preset.scene);
+  before_usual_.reset();
+  reference_ = preset.compare.empty() ? ReferenceId::kNone : usual_reference(setup_of(preset));
+  frames_.clear();
+  recorders_.clear();
+  arriving_.clear();
+  again_.reset();
+  followed_.reset();
+  curves_ = curves;
+  worker_.load(preset, curves, reference_);
+  ++revision_;
+  edits_.clear();
+  edits_.setClean();
+  check_modified();
+  emit documentChanged();
+}
+
+void Session::save(const QString& file) {
+  save_preset(document_, file.toStdString());
+  file_ = file;
+  edits_.setClean();
+}
+
+bool Session::modified() const {
+  const int clean = edits_.cleanIndex();
+  if (clean < 0) return true;
+  const auto [from, to] = std::minmax({clean, edits_.index()});
+  for (int i = from; i < to; ++i) {
+    if (static_cast<const DocumentEdit*>(edits_.command(i))->what().is_work) return true;
+  }
+  return false;
+}
+
+void Session::check_modified() {
+  const bool now = modified();
+  if (std::exchange(was_modified_, now) != now) emit modifiedChanged(now);
+}
+
+// --- edits
+// -----------------------------------------------------------------------------------------------------------
+
+Edited Session::edited() const {
+  const auto own = document_.scene.bodies.begin() + static_cast<std::ptrdiff_t>(own_bodies_);
+  return {{document_.method, document_.compare, reference_},
+          before_usual_,
+          {own, document_.scene.bodies.end()},
+          document_.plots};
+}
+
+void Session::push(const DocumentEdit::What& what, const Edited& after) {
+  auto edit = std::make_unique<DocumentEdit>(*this, what, edited(), after);
+  assign(after);
+  edits_.push(edit.release());
+}
+
+void Session::assign(const Edited& to) {
+  document_.method = to.methods.own;
+  document_.compare = to.methods.others;
+  reference_ = to.methods.reference;
+  before_usual_ = to.before_usual;
+  const bool other_plots = std::exchange(document_.plots, to.plots) != to.plots;
+  assign_bodies(to.put_in);
+  ++revision_;
+  if (other_plots) emit plotsChanged();
+  emit documentChanged();
+}
+
+void Session::assign_bodies(const std::vector<Body>& put_in) {
+  std::vector<Body>& bodies = document_.scene.bodies;
+  const std::vector<Body> old(bodies.begin() + static_cast<std::ptrdiff_t>(own_bodies_), bodies.end());
+  if (std::equal(old.begin(), old.end(), put_in.begin(), put_in.end(), same_name)) return;
+  for (const Body& body : old) std::erase_if(bodies_, [&](const Body& b) { return same_name(b, body); });
+  bodies.resize(own_bodies_);
+  for (const Body& body : put_in) {
+    bodies.push_back(body);
+    bodies_.push_back(body);
+  }
+  followed_.reset();
+  emit bodiesChanged();
+}
+
+void Session::take_back(const Edited& before, Worker::EditId runs) {
+  forget_wait();
+  if (runs != 0) {
+    worker_.take_back(runs, before.methods.reference);
+  } else if (before.methods.reference != reference_) {
+    worker_.set_reference(before.methods.reference);
+  }
+  assign(before);
+}
+
+void Session::put_back(const Edited& after, Worker::EditId runs) {
+  forget_wait();
+  if (runs != 0) {
+    worker_.put_back(runs, after.methods.reference);
+  } else if (after.methods.reference != reference_) {
+    worker_.set_reference(after.methods.reference);
+  }
+  assign(after);
+}
+
+void Session::change_method(const Method& method, std::size_t run) {
+  if (run > document_.compare.size()) return;
+  Edited after = edited();
+  Method& now = run == 0 ? after.methods.own : after.methods.others[run - 1];
+  const Method before = std::exchange(now, method);
+  if (before == method) return;
+  push({text_of_change(before, method), worker_.set_method(method, run)}, after);
+}
+
+void Session::change_step(double step, const std::vector<std::size_t>& runs, int drag) {
+  Edited after = edited();
+  std::vector<std::pair<std::size_t, Method>> changed;
+  for (const std::size_t run : runs) {
+    if (run > document_.compare.size()) continue;
+    Method& now = run == 0 ? after.methods.own : after.methods.others[run - 1];
+    if (std::exchange(now.step, step) != step) changed.emplace_back(run, now);
+  }
+  if (changed.empty()) return;
+  // As the stack joins them: not with what is saved.
+  const int last = edits_.index() == edits_.cleanIndex() ? -1 : edits_.index() - 1;
+  const auto* before = last < 0 ? nullptr : static_cast<const DocumentEdit*>(edits_.command(last));
+  const bool same_drag = before != nullptr && before->what().drag == drag;
+  const Worker::EditId edit = worker_.set_methods(changed, same_drag ? before->what().runs : 0);
+  push({tr("change of step"), edit, true, drag}, after);
+}
+
+void Session::add_method(const Method& method) {
+  Edited after = edited();
+  const bool full = after.methods.others.size() == kMostCompared;
+  if (full) after.methods.others.pop_back();
+  after.methods.others.push_back(method);
+  const Worker::EditId runs = full ? worker_.set_method(method, kMostCompared) : worker_.add_method(method);
+  if (reference_ == ReferenceId::kNone) {
+    after.methods.reference = first_reference();
+    worker_.set_reference(after.methods.reference);
+  }
+  push({tr("added method"), runs}, after);
+}
+
+void Session::compare_with(const Method& method) {
+  const std::vector<Method>& others = document_.compare;
+  const bool there =
+      document_.method == method || std::find(others.begin(), others.end(), method) != others.end();
+  if (!there) add_method(method);
+}
+
+void Session::remove_method(std::size_t run) {
+  if (run == 0 || run > document_.compare.size()) return;
+  Edited after = edited();
+  after.methods.others.erase(after.methods.others.begin() + static_cast<std::ptrdiff_t>(run) - 1);
+  push({tr("removed method"), worker_.remove_method(run)}, after);
+}
+
+void Session::choose_reference(ReferenceId reference) {
+  if (reference == reference_) return;
+  Edited after = edited();
+  after.methods.reference = reference;
+  worker_.set_reference(reference);
+  push({tr("choice of reference"), 0, false}, after);  // no file keeps it
+}
+
+ReferenceId Session::first_reference() const {
+  const std::vector<Body> bodies = all_bodies(document_.scene);
+  const auto moving =
+      std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return !is_immovable(b); });
+  return moving > kMostWithReference ? ReferenceId::kNone : usual_reference(setup_of(document_));
+}
+
+// The exact run is the scene's own meanwhile: the others are seen beside what they should be, and a preset that
+// is saved then stays as good as it was.
+void Session::compare_usual(const std::vector<Plot>& plots, const std::vector<Curve>& curves) {
+  forget_wait();
+  Edited after = edited();
+  after.plots = plots;
+  if (before_usual_) {
+    after.methods = *std::exchange(after.before_usual, std::nullopt);
+  } else {
+    after.before_usual = after.methods;
+    Method euler = document_.method;
+    euler.integrator = IntegratorId::kExplicitEuler;
+    Method rk4 = document_.method;
+    rk4.integrator = IntegratorId::kRk4;
+    const RunSetup setup = setup_of(document_);
+    after.methods = {
+        reference_for(setup, document_.method, usual_reference(setup)), {euler, rk4}, first_reference()};
+  }
+  curves_ = curves;
+  const Worker::EditId runs =
+      worker_.restart(after.methods.own, after.methods.others, curves, after.methods.reference);
+  push({tr("comparison with the exact run"), runs}, after);
+}
+
+void Session::put_in(double x, double y) {
+  Preset with = document_;
+  // A disc like those that are there, between half and one and a half times their radius; in a scene without
+  // any, a twentieth of the view.
+  Body body;
+  double radius = with.view ? with.view->width / 20.0 : 0.1;
+  body.density = 1.0;
+  for (const Body& b : bodies_) {
+    const auto* disc = std::get_if<Disc>(&b.shape);
+    if (is_immovable(b) || disc == nullptr || disc->radius == 0.0) continue;
+    radius = disc->radius;
+    body.density = mass_of(b) / area(b.shape);
+    body.material = b.material;
+    break;
+  }
+  body.name = free_body_name(with.scene, "new");
+  body.shape = Disc{radius * (0.5 + QRandomGenerator::global()->generateDouble())};
+  body.position = {x, y};
+  with.scene.bodies.push_back(body);
+  validate(with);
+  Edited after = edited();
+  after.put_in.push_back(body);
+  push({tr("added body"), worker_.add_body(body)}, after);
+}
+
+// Which of the named plots of a built-in experiment are open is no work that could be lost.
+void Session::change_plots(const std::vector<Plot>& plots) {
+  if (plots == document_.plots) return;
+  Edited after = edited();
+  after.plots = plots;
+  const bool is_work = !file_.isEmpty() || own_plots(plots) != own_plots(document_.plots);
+  const bool notes = without_notes(plots) == without_notes(document_.plots);
+  push({notes ? tr("change of notes") : tr("change of plots"), 0, is_work}, after);
+}
+
+// --- the runs
+// -----------------------------------------------------------------------------------------------------------
+
+void Session::set_playing(bool playing) {
+  if (playing) forget_wait();
+  worker_.set_playing(playing, document_.duration);
+}
+
+void Session::restart() {
+  forget_wait();
+  again_.reset();
+  arriving_.clear();
+  worker_.restart();
+}
+
+void Session::set_speed(double speed) {
+  speed_ = speed;
+  worker_.set_speed(speed);
+}
+
+void Session::run_until(double time) {
+  const auto wait_until = [this](const auto& fulfilled) {
+    while (!fulfilled()) {
+      worker_.wait_for_frames(std::chrono::milliseconds(100));
+      poll();
+    }
+  };
+  wait_until([this] { return !frames_.empty(); });  // the start is seen too
+  worker_.run_until(time);
+  // Until the worker has stopped at the time; the first frames may still be of the moment before.
+  wait_until([&] {
+    const Frame& now = *frames_.front();
+    return !now.playing && (now.time >= time - (1.0 + 1e-9) * document_.method.step || lost() != nullptr);
+  });
+}
+
+void Session::record(const std::vector<Curve>& curves) {
+  if (std::exchange(curves_, curves) == curves) return;
+  for (const auto& recorder : recorders_) recorder->keep(curves);
+  for (const auto& recorder : arriving_) recorder->keep(curves);
+  worker_.record(curves);
+}
+
+const Frame* Session::lost() const {
+  const auto lost =
+      std::find_if(frames_.begin(), frames_.end(), [](const auto& frame) { return frame->lost.has_value(); });
+  return lost == frames_.end() ? nullptr : lost->get();
+}
+
+void Session::poll() {
+  const std::vector<std::shared_ptr<const Frame>> news = worker_.take_frames();
+  if (news.empty()) return;
+  // Each run keeps its recorder, whatever runs were put in or taken out before it.
+  std::vector<std::shared_ptr<Recorder>> known = recorders_;
+  known.insert(known.end(), arriving_.begin(), arriving_.end());
+  std::vector<std::shared_ptr<Recorder>> recorders;
+  for (const auto& frame : news) {
+    const auto own = std::find_if(known.begin(), known.end(),
+                                  [&](const auto& recorder) { return recorder->run() == frame->run; });
+    recorders.push_back(own == known.end() ? std::make_shared<Recorder>() : *own);
+    recorders.back()->add(*frame);
+  }
+  again_.reset();
+  if (news.front()->again && !frames_.empty()) {
+    again_ = news.front()->time;
+    arriving_ = std::move(recorders);
+    emit noticesChanged();
+    return;
+  }
+  arriving_.clear();
+  recorders_ = std::move(recorders);
+  frames_ = news;
+  follow_bodies();
+  emit framesChanged();
+  // Not from within what told of the frame.
+  if (then_ != nullptr && !frames_.front()->playing) {
+    QTimer::singleShot(0, this, std::exchange(then_, nullptr));
+    forget_wait();
+  }
+}
+
+// They come in the order of their times, which is another where one was put in before another that is still to
+// come: plots know bodies by their place.
+void Session::follow_bodies() {
+  const std::shared_ptr<const std::vector<Body>>& now = frames_.front()->bodies;
+  if (now == followed_) return;
+  followed_ = now;
+  if (now->size() <= bodies_.size() && std::equal(now->begin(), now->end(), bodies_.begin(), same_name)) return;
+  auto next = bodies_.begin();
+  for (const Body& body : *now) {
+    const auto at = std::find_if(next, bodies_.end(), [&](const Body& b) { return same_name(b, body); });
+    if (at == bodies_.end()) continue;
+    std::rotate(next, at, at + 1);
+    ++next;
+  }
+  emit bodiesChanged();
+}
+
+void Session::when_still(const QString& what, std::function<void()> then) {
+  set_playing(false);
+  forget_wait();
+  if (!frames_.front()->playing) return then();
+  then_ = std::move(then);
+  waits_ = what;
+  emit noticesChanged();
+}
+
+void Session::forget_wait() {
+  then_ = nullptr;
+  if (waits_.isEmpty()) return;
+  waits_.clear();
+  emit noticesChanged();
+}
+
+}  // namespace carom

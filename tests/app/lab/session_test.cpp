@@ -1,0 +1,336 @@
+#include "app/lab/session.h"
+
+#include <QCoreApplication>
+#include <QTemporaryDir>
+#include <QTest>
+#include <functional>
+#include <gtest/gtest.h>
+
+#include "app/lab/preset_library.h"
+#include "physics/preset/preset_file.h"
+#include "tests/support/scenes.h"
+#include "tests/support/wait.h"
+
+// Every edit of a session is undone and done again: the document is what it was, and so are its runs.
+namespace carom {
+namespace {
+
+constexpr double kEdit = 0.3;  // s
+constexpr double kEnd = 0.6;   // s
+
+// All of a session that an edit can change. Names of runs are not compared: they are anew.
+struct Snapshot {
+  std::string document;
+  ReferenceId reference;
+  std::vector<std::string> bodies;
+  struct Run {
+    std::int64_t steps;
+    State state;
+    Method start;
+    std::vector<Edit> edits;
+    std::vector<std::string> names;
+  };
+  std::vector<Run> runs;
+};
+
+std::vector<std::string> names_of(const std::vector<Body>& bodies) {
+  std::vector<std::string> names;
+  for (const Body& body : bodies) names.push_back(body.name);
+  return names;
+}
+
+bool same(const Edit& a, const Edit& b) {
+  const auto* method = std::get_if<Method>(&a.what);
+  const auto* other = std::get_if<Method>(&b.what);
+  if (a.step != b.step || a.time != b.time || (method == nullptr) != (other == nullptr)) return false;
+  if (method != nullptr) return *method == *other;
+  return std::get<Body>(a.what).name == std::get<Body>(b.what).name;
+}
+
+void expect_same(const Snapshot& a, const Snapshot& b) {
+  EXPECT_EQ(a.document, b.document);
+  EXPECT_EQ(a.reference, b.reference);
+  EXPECT_EQ(a.bodies, b.bodies);
+  ASSERT_EQ(a.runs.size(), b.runs.size());
+  for (std::size_t i = 0; i < a.runs.size(); ++i) {
+    EXPECT_EQ(a.runs[i].steps, b.runs[i].steps) << i;
+    EXPECT_TRUE(test::same_bytes(a.runs[i].state, b.runs[i].state)) << i;
+    EXPECT_EQ(a.runs[i].start, b.runs[i].start) << i;
+    EXPECT_EQ(a.runs[i].names, b.runs[i].names) << i;
+    EXPECT_TRUE(std::equal(a.runs[i].edits.begin(), a.runs[i].edits.end(), b.runs[i].edits.begin(),
+                           b.runs[i].edits.end(), same))
+        << i;
+  }
+}
+
+class SessionTest : public testing::Test {
+ protected:
+  SessionTest() { open(); }
+  void open() {
+    const Preset preset = read_preset(find_preset("drag-projectile"));
+    session_.open(preset, preset.plots, {}, "drag-projectile", {});
+  }
+  // Until all runs have come to the moment that is shown, and nothing more comes.
+  void settle() {
+    QTest::qWait(40);
+    ASSERT_TRUE(test::wait_until([&] {
+      QCoreApplication::processEvents();
+      if (session_.frames().size() != 1 + session_.document().compare.size() || session_.again()) return false;
+      for (std::size_t i = 0; i < session_.frames().size(); ++i) {
+        const Frame& frame = *session_.frames()[i];
+        if (frame.method != method(i) || frame.time + frame.method.step <= session_.frame()->time) return false;
+        if (frame.rows_known_until < frame.time || frame.bodies->size() > session_.bodies().size())
+          return false;
+      }
+      return !session_.frame()->playing;
+    }));
+  }
+  [[nodiscard]] const Method& method(std::size_t run) const {
+    return run == 0 ? session_.document().method : session_.document().compare[run - 1];
+  }
+  void run_to(double time) {
+    session_.run_until(time);
+    settle();
+  }
+  [[nodiscard]] Snapshot snapshot() const {
+    Snapshot now{write_preset(session_.document()), session_.reference(), names_of(session_.bodies()), {}};
+    for (const auto& frame : session_.frames()) {
+      now.runs.push_back(
+          {frame->steps, frame->state, frame->log->start.method, frame->log->edits, names_of(*frame->bodies)});
+    }
+    return now;
+  }
+  void undo() {
+    session_.edits().undo();
+    settle();
+  }
+  void redo() {
+    session_.edits().redo();
+    settle();
+  }
+
+  Session session_;
+};
+
+Plot named(const char* id) {
+  Plot plot;
+  plot.id = id;
+  return plot;
+}
+
+struct Case {
+  const char* name;
+  const char* text;
+  std::function<void(Session&)> edit;
+  bool is_work = true;
+};
+
+Method euler(const Session& session, double step) {
+  Method method = session.document().method;
+  method.integrator = IntegratorId::kExplicitEuler;
+  method.step = step;
+  return method;
+}
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all = {
+      {"Method", "change of method", [](Session& s) { s.change_method(euler(s, s.document().method.step)); }},
+      {"MethodOfAComparedRun", "change of method",
+       [](Session& s) { s.change_method(Method{.integrator = IntegratorId::kVelocityVerlet}, 1); }},
+      {"Step", "change of step", [](Session& s) { s.change_step(0.002, {0}, 1); }},
+      {"StepOfAll", "change of step",
+       [](Session& s) {
+         s.change_step(0.0025, {0, 1, 2}, 1);
+       }},
+      {"AddedMethod", "added method", [](Session& s) { s.add_method(euler(s, 0.004)); }},
+      {"RemovedMethod", "removed method", [](Session& s) { s.remove_method(1); }},
+      {"Reference", "choice of reference", [](Session& s) { s.choose_reference(ReferenceId::kNone); }, false},
+      {"Body", "added body", [](Session& s) { s.put_in(0.3, 1.5); }},
+      {"Plots", "change of plots", [](Session& s) { s.change_plots({named("energy")}); }, false},
+      {"Notes", "change of notes",
+       [](Session& s) {
+         std::vector<Plot> plots = s.document().plots;
+         plots.front().notes = {{0.1, 0.2, "here"}};
+         s.change_plots(plots);
+       }},
+  };
+  return all;
+}
+
+TEST_F(SessionTest, EachEditIsUndoneAsIfItHadNeverBeen) {
+  run_to(kEnd);
+  const Snapshot never = snapshot();
+  for (const Case& each : cases()) {
+    SCOPED_TRACE(each.name);
+    open();
+    run_to(kEdit);
+    EXPECT_FALSE(session_.modified());
+    each.edit(session_);
+    EXPECT_EQ(session_.edits().undoText(), each.text);
+    EXPECT_EQ(session_.modified(), each.is_work);
+    run_to(kEnd);
+    const Snapshot with = snapshot();
+    undo();
+    expect_same(snapshot(), never);
+    EXPECT_FALSE(session_.modified());
+    redo();
+    expect_same(snapshot(), with);
+    undo();
+    expect_same(snapshot(), never);
+  }
+}
+
+// The run begins anew with it, and so it does without.
+TEST_F(SessionTest, TheUsualComparisonIsUndone) {
+  run_to(kEnd);
+  const Snapshot never = snapshot();
+  session_.compare_usual(session_.document().plots, {});
+  run_to(kEnd);
+  const Snapshot with = snapshot();
+  ASSERT_EQ(with.runs.size(), 3U);
+  undo();
+  expect_same(snapshot(), never);
+  EXPECT_FALSE(session_.compares_usual());
+  redo();
+  expect_same(snapshot(), with);
+  EXPECT_TRUE(session_.compares_usual());
+  session_.compare_usual(session_.document().plots, {});
+  run_to(kEnd);
+  undo();
+  expect_same(snapshot(), with);
+}
+
+// One on top of another, and back without waiting for the runs.
+TEST_F(SessionTest, ManyEditsAreUndoneAtOnce) {
+  run_to(kEnd);
+  const Snapshot never = snapshot();
+  open();
+  double time = 0.0;
+  for (const Case& each : cases()) {
+    run_to(time += kEnd / 12.0);
+    each.edit(session_);
+  }
+  run_to(kEnd);
+  const Snapshot with = snapshot();
+  for (std::size_t i = 0; i < cases().size(); ++i) session_.edits().undo();
+  EXPECT_FALSE(session_.edits().canUndo());
+  settle();
+  expect_same(snapshot(), never);
+  for (std::size_t i = 0; i < cases().size(); ++i) session_.edits().redo();
+  settle();
+  expect_same(snapshot(), with);
+}
+
+TEST_F(SessionTest, UndoWhileARunPlays) {
+  session_.set_speed(0.5);
+  session_.set_playing(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.frame() && session_.frame()->time > 0.05; }));
+  session_.put_in(0.3, 1.5);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.frame()->log->edits.size() == 1; }));
+  session_.change_method(euler(session_, 0.004));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.frame()->log->edits.size() == 2; }));
+  const double time = session_.frame()->time;
+  session_.edits().undo();
+  session_.edits().undo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.frame()->log->edits.empty(); }));
+  EXPECT_GT(session_.frame()->time, time - 0.01) << "the moments on the way are not shown";
+  EXPECT_TRUE(session_.frame()->playing);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.frame()->time > time + 0.05; }));
+  session_.set_playing(false);
+  settle();
+  const Snapshot undone = snapshot();
+  open();
+  run_to(session_.document().method.step * static_cast<double>(undone.runs[0].steps));
+  EXPECT_TRUE(test::same_bytes(snapshot().runs[0].state, undone.runs[0].state));
+}
+
+// A restart begins with the methods in force; what is undone then is undone from the start.
+TEST_F(SessionTest, UndoAfterARestart) {
+  run_to(kEnd);
+  const Snapshot never = snapshot();
+  open();
+  run_to(kEdit);
+  session_.change_method(euler(session_, 0.004));
+  session_.put_in(0.3, 1.5);
+  session_.restart();
+  run_to(kEnd);
+  const Snapshot with = snapshot();
+  EXPECT_EQ(with.runs[0].start.integrator, IntegratorId::kExplicitEuler);
+  undo();
+  undo();
+  expect_same(snapshot(), never);
+  session_.restart();
+  run_to(kEnd);
+  expect_same(snapshot(), never);
+  redo();
+  redo();
+  expect_same(snapshot(), with);
+}
+
+TEST_F(SessionTest, AnEditAfterAnUndoTakesThePlaceOfWhatWasUndone) {
+  run_to(kEdit);
+  session_.put_in(0.3, 1.5);
+  session_.edits().undo();
+  session_.change_method(euler(session_, 0.004));
+  EXPECT_FALSE(session_.edits().canRedo());
+  run_to(kEnd);
+  const Snapshot with = snapshot();
+  EXPECT_EQ(with.runs[0].edits.size(), 1U);
+  EXPECT_NEAR(with.runs[0].edits[0].time, kEdit, 1e-9);
+  undo();
+  redo();
+  expect_same(snapshot(), with);
+}
+
+TEST_F(SessionTest, TheStepsOfOneDragAreOneEdit) {
+  run_to(kEdit);
+  for (const double step : {0.004, 0.003, 0.002}) session_.change_step(step, {0}, 7);
+  EXPECT_EQ(session_.edits().count(), 1);
+  session_.change_step(0.001, {0}, 8);
+  EXPECT_EQ(session_.edits().count(), 2);
+  session_.edits().undo();
+  EXPECT_EQ(session_.document().method.step, 0.002);
+  undo();
+  EXPECT_EQ(session_.frame()->log->edits.size(), 0U);
+  redo();
+  EXPECT_EQ(session_.document().method.step, 0.002);
+  EXPECT_EQ(session_.frame()->log->edits.size(), 3U);
+}
+
+TEST_F(SessionTest, TheMarkOfChangesFollowsUndoAndSave) {
+  std::vector<bool> marks;
+  QObject::connect(&session_, &Session::modifiedChanged, [&](bool modified) { marks.push_back(modified); });
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("mine.json");
+  session_.put_in(0.3, 1.5);
+  session_.save(file);
+  EXPECT_EQ(session_.file(), file);
+  EXPECT_FALSE(session_.modified());
+  session_.edits().undo();
+  EXPECT_TRUE(session_.modified());
+  session_.edits().redo();
+  EXPECT_FALSE(session_.modified());
+  session_.edits().undo();
+  session_.change_plots({named("energy")});
+  EXPECT_TRUE(session_.modified());
+  session_.edits().undo();
+  EXPECT_TRUE(session_.modified()) << "what was saved can't be reached any more";
+  EXPECT_EQ(marks, (std::vector<bool>{true, false, true, false, true}));
+  open();
+  EXPECT_FALSE(session_.modified());
+  EXPECT_FALSE(session_.edits().canUndo());
+  session_.mark_modified();
+  EXPECT_TRUE(session_.modified());
+}
+
+// Of a built-in experiment the named plots that are open are nothing that could be lost.
+TEST_F(SessionTest, WhichNamedPlotsAreOpenIsUndoneButNoWork) {
+  session_.change_plots({named("energy"), named("ledger")});
+  EXPECT_FALSE(session_.modified());
+  EXPECT_TRUE(session_.edits().canUndo());
+  session_.edits().undo();
+  EXPECT_FALSE(session_.modified());
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "widgets/theme/plotted_run.h"
+#include "widgets/theme/theme.h"
+
+class QGridLayout;
+
+namespace carom {
+
+class LegendButton;
+
+// The names of runs that plots show side by side, each with its line; a click shows or hides one. Of a single
+// run there is no legend.
+class RunsLegend : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RunsLegend(QWidget* parent = nullptr);
+  void show_runs(const std::vector<PlottedRun>& runs, const Theme& theme);
+
+ signals:
+  void toggled(std::size_t run, bool shown);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void place();  // in as many columns as have room for the names
+
+  QGridLayout* grid_;
+  std::vector<LegendButton*> buttons_;
+};
+
+}  // namespace carom
