@@ -2,9 +2,11 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
 
 #include "app/cli/commands.h"
 #include "app/cli/count_progress.h"
+#include "app/cli/options.h"
 #include "app/cli/standard_output.h"
 #include "app/cli/text_table.h"
 #include "app/export/run_files.h"
@@ -20,6 +22,13 @@
 
 namespace carom {
 namespace {
+
+struct CheckOptions {
+  std::vector<std::string> presets;  // empty: all built-in experiments
+  MethodOptions method;
+  int finer = 1;    // divides every step, also where an expectation sets it
+  std::string csv;  // file for the table, with all digits
+};
 
 struct CheckedPreset {
   std::filesystem::path file;
@@ -128,9 +137,7 @@ void run_all(std::vector<CheckedPreset>& presets) {
   });
 }
 
-}  // namespace
-
-int check_command(const CheckOptions& options) {
+int check(const CheckOptions& options) {
   std::vector<CheckedPreset> presets = read_presets(options);
   std::vector<std::filesystem::path> files;
   for (const CheckedPreset& p : presets) files.push_back(p.file);
@@ -162,6 +169,23 @@ int check_command(const CheckOptions& options) {
             presets.size() == 1 ? "" : "s");
   if (!failures.empty()) throw SceneError(failures);
   return good == all ? kGood : kFellShort;
+}
+
+}  // namespace
+
+Command add_check_command(CLI::App& program, Arguments /*arguments*/) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App& command =
+      *program.add_subcommand("check", "what experiments show beside what theory expects of them");
+  command
+      .add_option("preset", options->presets, "preset files or names of experiments (default: all built-in)")
+      ->type_name("FILE|NAME");
+  add_method_options(command, options->method);
+  command.add_option("--finer", options->finer, "divide every step by N, 1 to 1000")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  add_output_option(command, "--csv", options->csv, "write the table with all digits");
+  return {&command, [options] { return check(*options); }};
 }
 
 }  // namespace carom

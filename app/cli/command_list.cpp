@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -9,8 +10,9 @@
 #include "physics/scene/plain_text.h"
 
 namespace carom {
+namespace {
 
-int list_command() {
+int list_presets() {
   std::vector<std::string> faults;
   const std::vector<LibraryEntry> library = preset_library(&faults);
   if (library.empty()) {
@@ -45,6 +47,12 @@ int list_command() {
   }
   for (const std::string& fault : faults) print_error(fault);
   return kGood;
+}
+
+}  // namespace
+
+Command add_list_command(CLI::App& program, Arguments /*arguments*/) {
+  return {program.add_subcommand("list", "the built-in experiments"), list_presets};
 }
 
 }  // namespace carom

@@ -1,9 +1,11 @@
 #include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/options.h"
 #include "app/cli/standard_output.h"
 #include "app/cli/text_table.h"
 #include "physics/check/part_costs.h"
@@ -13,6 +15,12 @@
 
 namespace carom {
 namespace {
+
+struct NeedsOptions {
+  std::string preset;
+  MethodOptions method;
+  bool json = false;
+};
 
 std::string micro_seconds(double seconds) { return fmt::format("{:.3g} µs", 1e6 * seconds); }
 
@@ -41,9 +49,7 @@ void print_json(const Preset& preset, const std::vector<PartCost>& costs) {
   print_out("{}\n", nlohmann::ordered_json{{"preset", preset.title}, {"parts", parts}}.dump(2));
 }
 
-}  // namespace
-
-int needs_command(const NeedsOptions& options) {
+int show_needs(const NeedsOptions& options) {
   const Preset preset = preset_with_method(options.preset, options.method);
   const RunSetup setup = setup_of(preset);
   const std::vector<PartCost> costs = part_costs(setup, start_time(setup.saved) + preset.duration);
@@ -68,6 +74,18 @@ int needs_command(const NeedsOptions& options) {
       "model;\n"
       "of one that is, the same run without what needs it, \"-\" where there is no such run.\n");
   return kGood;
+}
+
+}  // namespace
+
+Command add_needs_command(CLI::App& program, Arguments /*arguments*/) {
+  const auto options = std::make_shared<NeedsOptions>();
+  CLI::App& command =
+      *program.add_subcommand("needs", "which parts of the model an experiment needs, and what each costs");
+  add_preset_option(command, options->preset)->required();
+  add_method_options(command, options->method);
+  command.add_flag("--json", options->json, "print one JSON object instead of a table");
+  return {&command, [options] { return show_needs(*options); }};
 }
 
 }  // namespace carom

@@ -1,8 +1,10 @@
 #include <chrono>
 #include <fmt/format.h>
+#include <memory>
 #include <unistd.h>
 
 #include "app/cli/commands.h"
+#include "app/cli/options.h"
 #include "app/cli/standard_output.h"
 #include "app/export/run_files.h"
 #include "app/export/run_report.h"
@@ -11,11 +13,20 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/preset/saved_preset.h"
-#include "physics/scene/facts.h"
 #include "physics/world/run_state.h"
 
 namespace carom {
 namespace {
+
+struct RunOptions {
+  std::string preset;
+  MethodOptions method;
+  std::optional<double> until;  // s; without it the preset's duration
+  bool json = false;
+  std::string csv;     // file for the run's sums and paths, step by step
+  std::string events;  // file for its impacts
+  std::string save;    // preset file for the state at the end
+};
 
 // A line on a terminal that says how far a long run is; nothing in a pipe.
 class Progress {
@@ -40,31 +51,7 @@ class Progress {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace
-
-Preset preset_with_method(const std::string& name, const MethodOptions& method) {
-  Preset preset = read_preset(find_preset(name));
-  preset.method.integrator = method.integrator.value_or(preset.method.integrator);
-  preset.method.impacts = method.impacts.value_or(preset.method.impacts);
-  preset.method.contacts = method.contacts.value_or(preset.method.contacts);
-  const auto put = [](const char* option, const std::optional<double>& value, double least, double largest,
-                      const char* unit, double& to) {
-    if (!value) return;
-    if (!(*value >= least && *value <= largest)) {
-      throw SceneError(fmt::format("{}: {} is not allowed; allowed: from {} to {} {}", option, *value, least,
-                                   largest, unit));
-    }
-    to = *value;
-  };
-  put("--step", method.step, kLeastStep, kLargestStep, "s", preset.method.step);
-  put("--tolerance", method.tolerance, kLeastTolerance, kLargestTolerance, "m and m/s",
-      preset.method.tolerance);
-  if (const auto reason = why_not(preset.scene, preset.method.integrator))
-    throw SceneError("--integrator: " + *reason);
-  return preset;
-}
-
-int run_command(const RunOptions& options) {
+int run(const RunOptions& options) {
   const Preset preset = preset_with_method(options.preset, options.method);
   const Simulation start(setup_of(preset));
   Simulation simulation = start;
@@ -110,6 +97,28 @@ int run_command(const RunOptions& options) {
   }
   if (!failures.empty()) throw SceneError(failures);
   return kGood;
+}
+
+}  // namespace
+
+Command add_run_command(CLI::App& program, Arguments /*arguments*/) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App& command = *program.add_subcommand("run", "run an experiment and print what was before and after");
+  add_preset_option(command, options->preset)->required();
+  add_time_option(command, "--until", options->until, "end of the run, s (default: the preset's duration)");
+  add_method_options(command, options->method);
+  command.add_flag("--json", options->json, "print one JSON object instead of tables");
+  add_output_option(command, "--csv", options->csv, "write sums and paths of every step");
+  add_output_option(command, "--events", options->events, "write every impact");
+  add_output_option(command, "--save", options->save,
+                    "write the run as it stands at the end, as a preset that goes on from there");
+  return {&command, [options] { return run(*options); }};
+}
+
+int run_preset(const std::string& preset) {
+  RunOptions options;
+  options.preset = preset;
+  return run(options);
 }
 
 }  // namespace carom

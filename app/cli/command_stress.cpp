@@ -1,8 +1,10 @@
 #include <array>
 #include <fmt/format.h>
+#include <memory>
 
 #include "app/cli/commands.h"
 #include "app/cli/count_progress.h"
+#include "app/cli/options.h"
 #include "app/cli/standard_output.h"
 #include "app/cli/text_table.h"
 #include "physics/files/output_set.h"
@@ -13,6 +15,13 @@
 
 namespace carom {
 namespace {
+
+struct StressOptions {
+  std::vector<std::string> cases;  // ids of physics/stress/stress.h; empty: all
+  bool longer = false;             // the long runs of cases that have one
+  std::string csv;                 // file for the rows, with all digits
+  std::string page;                // file for the help's page of figures, Markdown
+};
 
 void print_lines(const std::vector<StressLine>& lines) {
   static constexpr auto kColumns =
@@ -26,9 +35,7 @@ void print_lines(const std::vector<StressLine>& lines) {
   print_table(rows, kColumns);
 }
 
-}  // namespace
-
-int stress_command(const StressOptions& options) {
+int stress(const StressOptions& options) {
   const std::vector<StressCase> cases = stress_cases(options.cases);
   // Opened first: minutes of work must not end at a file that cannot be written.
   OutputSet outputs;
@@ -55,6 +62,19 @@ int stress_command(const StressOptions& options) {
   print_out("\n{}\n", count_text(count));
   if (!failures.empty()) throw SceneError(failures);
   return count.within == count.bounded ? kGood : kFellShort;
+}
+
+}  // namespace
+
+Command add_stress_command(CLI::App& program, Arguments /*arguments*/) {
+  const auto options = std::make_shared<StressOptions>();
+  CLI::App& command = *program.add_subcommand(
+      "stress", "the hard cases: what each shows beside its limit, at a step and a quarter");
+  command.add_option("case", options->cases, "ids of cases (default: all)")->type_name("CASE");
+  command.add_flag("--long", options->longer, "1e6 impacts of the gas instead of 1e5");
+  add_output_option(command, "--csv", options->csv, "write the table with all digits");
+  add_output_option(command, "--page", options->page, "write the help's page of figures, Markdown");
+  return {&command, [options] { return stress(*options); }};
 }
 
 }  // namespace carom

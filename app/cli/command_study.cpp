@@ -1,24 +1,96 @@
 #include <QApplication>
 #include <QFileInfo>
+#include <algorithm>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
+#include <memory>
 #include <unistd.h>
 
 #include "app/cli/commands.h"
 #include "app/cli/no_screen.h"
+#include "app/cli/options.h"
 #include "app/cli/standard_output.h"
 #include "app/lab/preset_library.h"
+#include "physics/dynamics/integrators/integrators.h"
 #include "physics/files/output_set.h"
 #include "physics/preset/file_text.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "physics/scene/plain_text.h"
+#include "physics/scene/validate.h"
+#include "physics/study/study.h"
 #include "physics/study/study_text.h"
 #include "widgets/compare/study_plot.h"
 #include "widgets/print/picture_file.h"
 
 namespace carom {
 namespace {
+
+// Lists come with commas and are checked item by item.
+struct StudyCommandOptions {
+  std::string preset;              // empty: merge
+  std::vector<std::string> merge;  // CSV files of shards
+  StudyOptions study;
+  std::vector<std::string> integrators;
+  std::vector<std::string> impacts;
+  std::vector<std::string> steps;
+  std::vector<std::string> tolerances;
+  std::string shard;
+  std::string csv;   // file for the rows
+  std::string plot;  // .svg, .pdf or .png
+};
+
+std::vector<double> numbers(const char* option, const std::vector<std::string>& texts, double least,
+                            double most, const char* unit) {
+  std::vector<double> values;
+  for (const std::string& text : texts) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (end == text.c_str() || *end != '\0' || !(value >= least && value <= most)) {
+      throw SceneError(fmt::format("{}: {} is not allowed; allowed: from {} to {} {}", option, shortened(text),
+                                   least, most, unit));
+    }
+    if (std::find(values.begin(), values.end(), value) != values.end()) {
+      throw SceneError(fmt::format("{}: {} comes twice; allowed: each once", option, shortened(text)));
+    }
+    values.push_back(value);
+  }
+  return values;
+}
+
+void read_shard(const std::string& text, StudyOptions& study) {
+  int used = 0;
+  const bool good = std::sscanf(text.c_str(), "%5d/%5d%n", &study.shard, &study.shards, &used) == 2 &&
+                    used == static_cast<int>(text.size()) && study.shard >= 1 && study.shard <= study.shards;
+  if (!good) {
+    throw SceneError(fmt::format("--shard: {} is not allowed; allowed: i/n with i from 1 to n, such as 1/4",
+                                 shortened(text)));
+  }
+}
+
+// What the words say. Throws SceneError.
+StudyOptions study_options(const StudyCommandOptions& o) {
+  StudyOptions study = o.study;
+  for (const std::string& name : o.integrators) study.integrators.push_back(id_of(kIntegrators, name));
+  for (const std::string& name : o.impacts) study.impacts.push_back(id_of(kImpacts, name));
+  study.steps = numbers("--steps", o.steps, kLeastStep, kLargestStep, "s");
+  study.tolerances = numbers("--tolerances", o.tolerances, kLeastTolerance, kLargestTolerance, "m");
+  if (!o.shard.empty()) read_shard(o.shard, study);
+  if (study.until && !(*study.until > 0.0)) {
+    throw SceneError(
+        "--until: 0 is not allowed; allowed: a time above 0, there is nothing to compare at the start");
+  }
+  if (o.preset.empty() == o.merge.empty()) {
+    throw SceneError("study: one thing to do is needed; allowed: FILE|NAME, or --merge FILE...");
+  }
+  if (!o.merge.empty() && !o.shard.empty()) {
+    throw SceneError("--shard: not allowed with --merge; allowed: with FILE|NAME");
+  }
+  return study;
+}
 
 // A line on a terminal that says what a study is doing; nothing in a pipe.
 class StudyProgressLine {
@@ -55,15 +127,14 @@ StudyTable merged(const std::vector<std::string>& files) {
   return merge_studies(parts);
 }
 
-}  // namespace
-
-int study_command(int& argc, char** argv, const StudyCommandOptions& options) {
+int run_study_command(Arguments arguments, const StudyCommandOptions& options) {
+  const StudyOptions study = study_options(options);
   const QString plot = QString::fromStdString(options.plot);
   if (!options.plot.empty()) {
     if (!is_picture_name(plot)) {
       throw SceneError(fmt::format("{}: not a kind of picture; allowed: .png, .svg, .pdf", options.plot));
     }
-    if (options.study.shards > 1) {
+    if (study.shards > 1) {
       throw SceneError("--plot: not allowed with --shard; allowed: with --merge, when all rows are there");
     }
   }
@@ -84,19 +155,19 @@ int study_command(int& argc, char** argv, const StudyCommandOptions& options) {
     open_outputs();
   } else {
     const Preset preset = read_preset(file);
-    (void)plan_methods(preset, options.study);
+    (void)plan_methods(preset, study);
     open_outputs();
     StudyProgressLine line;
     StudyWatch watch;
     watch.progress = [&line](std::string_view stage, int done, int of) { line.show(stage, done, of); };
-    table = run_study(preset, file.stem().string(), options.study, watch);
+    table = run_study(preset, file.stem().string(), study, watch);
   }
   if (csv != nullptr) {
     for (const std::string& line : study_csv(table)) csv->line(line);
   }
   if (picture != nullptr) {
     use_no_screen();
-    const QApplication application(argc, argv);
+    const QApplication application(arguments.argc, arguments.argv);
     try {
       write_study_picture(*picture, table, light_theme());
     } catch (const SceneError& error) {
@@ -107,6 +178,37 @@ int study_command(int& argc, char** argv, const StudyCommandOptions& options) {
   write_out(study_text(table));
   if (!failures.empty()) throw SceneError(failures);
   return kGood;
+}
+
+}  // namespace
+
+Command add_study_command(CLI::App& program, Arguments arguments) {
+  const auto options = std::make_shared<StudyCommandOptions>();
+  CLI::App& command =
+      *program.add_subcommand("study", "one experiment under every method: speed against error");
+  const auto add_list = [&](const std::string& name, std::vector<std::string>& to, const std::string& what) {
+    return command.add_option(name, to, what)->delimiter(',')->type_name("A,B,...")->allow_extra_args(false);
+  };
+  add_preset_option(command, options->preset);
+  add_list("--integrators", options->integrators, "integrators to compare (default: all that the scene allows)")
+      ->check(CLI::IsMember(names_of(kIntegrators)));
+  add_list("--impacts", options->impacts, "choices of impacts to compare (default: all)")
+      ->check(CLI::IsMember(names_of(kImpacts)));
+  add_list("--steps", options->steps, "steps, s (default: 10, from 16 times the preset's own down, each half)");
+  add_list("--tolerances", options->tolerances, "of the adaptive integrator, m (default: 1e-3 to 1e-12)");
+  add_time_option(command, "--until", options->study.until,
+                  "the compared time, s (default: near the preset's end)");
+  command.add_option("--repeats", options->study.repeats, "timed runs of each row, 1 to 1000 (default: 5)")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  command.add_option("--threads", options->study.threads, "for all but the timing (default: one a core)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  add_output_option(command, "--csv", options->csv, "write a line for each row");
+  add_output_option(command, "--plot", options->plot, "draw error against time and step, .svg, .pdf or .png");
+  command.add_option("--shard", options->shard, "do only the i-th of n parts of the rows")->type_name("I/N");
+  command.add_option("--merge", options->merge, "put the CSV files of all shards together")->type_name("F");
+  return {&command, [options, arguments] { return run_study_command(arguments, *options); }};
 }
 
 }  // namespace carom

@@ -1,3 +1,6 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
 #include "app/cli/commands.h"
 #include "app/cli/standard_output.h"
 #include "app/lab/preset_library.h"
@@ -6,8 +9,14 @@
 #include "physics/scene/validate.h"
 
 namespace carom {
+namespace {
 
-int validate_command(const ValidateOptions& options) {
+struct ValidateOptions {
+  std::vector<std::string> presets;
+  bool schema = false;
+};
+
+int validate(const ValidateOptions& options) {
   if (options.schema == !options.presets.empty())
     throw SceneError("validate: one thing to do is needed; allowed: FILE|NAME..., or --schema");
   if (options.schema) {
@@ -25,6 +34,17 @@ int validate_command(const ValidateOptions& options) {
     }
   }
   return code;
+}
+
+}  // namespace
+
+Command add_validate_command(CLI::App& program, Arguments /*arguments*/) {
+  const auto options = std::make_shared<ValidateOptions>();
+  CLI::App& command = *program.add_subcommand("validate", "whether preset files are good, or what is wrong");
+  command.add_option("preset", options->presets, "preset files or names of experiments")
+      ->type_name("FILE|NAME");
+  command.add_flag("--schema", options->schema, "print the JSON Schema of preset files");
+  return {&command, [options] { return validate(*options); }};
 }
 
 }  // namespace carom

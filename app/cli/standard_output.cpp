@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "physics/files/temporary_file.h"
+#include "physics/scene/plain_text.h"
 
 namespace carom {
 
@@ -37,5 +38,15 @@ std::optional<std::string> finish_stdout() {
 }
 
 void write_err(std::string_view text) { (void)std::fwrite(text.data(), 1, text.size(), stderr); }
+
+void print_error(const std::string& line) {
+  // A name at the front and what is wrong with it at the end are kept.
+  constexpr std::size_t kFront = 600;
+  constexpr std::size_t kEnd = 300;
+  const bool whole = line.size() <= kFront + kEnd;
+  const std::string end = whole ? "" : printable(std::string_view(line).substr(line.size() - kEnd));
+  write_err(whole ? fmt::format("carom: {}\n", printable(line))
+                  : fmt::format("carom: {} {}\n", shortened(line, kFront), end));
+}
 
 }  // namespace carom

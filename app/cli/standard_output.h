@@ -28,4 +28,8 @@ void print_out(fmt::format_string<Values...> format, Values&&... values) {
 // To stderr, which may be gone: then nobody is told.
 void write_err(std::string_view text);
 
+// One line on stderr, whatever it holds: what a terminal would not show is escaped, and the middle of a very
+// long one is left out.
+void print_error(const std::string& line);
+
 }  // namespace carom
