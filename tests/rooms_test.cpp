@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -91,6 +92,29 @@ TEST(Rooms, RunNoEventLoopWithinAnother) {
     }
   }
   EXPECT_EQ(programs, 2);  // the lab's, and that of a picture of its window
+}
+
+// Who builds against the installed library needs Eigen alone.
+TEST(Rooms, InstalledHeadersIncludeNoPrivateOnes) {
+  const std::regex is_private(CAROM_PRIVATE_HEADERS);
+  const std::regex include(R"(#include ["<](.*)[">])");
+  int installed = 0;
+  for (const fs::path& file : sources()) {
+    if (*file.begin() != "physics" || file.extension() != ".h") continue;
+    if (std::regex_search(file.string(), is_private)) continue;
+    ++installed;
+    std::ifstream in(fs::path(CAROM_SOURCE_DIR) / file);
+    std::smatch match;
+    for (std::string line; std::getline(in, line);) {
+      if (!std::regex_search(line, match, include)) continue;
+      const std::string included = match[1];
+      for (const char* library : {"nlohmann/", "fmt/", "muParser"}) {
+        EXPECT_FALSE(included.starts_with(library)) << file << " includes " << included;
+      }
+      EXPECT_FALSE(std::regex_search(included, is_private)) << file << " includes " << included;
+    }
+  }
+  EXPECT_GT(installed, 50);
 }
 
 }  // namespace

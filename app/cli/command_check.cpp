@@ -9,9 +9,9 @@
 #include "app/cli/options.h"
 #include "app/cli/standard_output.h"
 #include "app/cli/text_table.h"
-#include "app/export/run_files.h"
 #include "app/lab/preset_library.h"
 #include "physics/check/check.h"
+#include "physics/files/csv.h"
 #include "physics/files/output_set.h"
 #include "physics/math/parallel.h"
 #include "physics/model/needs.h"
@@ -158,8 +158,11 @@ int check(const CheckOptions& options) {
       good += o.good ? 1 : 0;
       rows.push_back(table_row(p.name, p.preset, e, o));
       if (csv != nullptr) {
-        csv->line(fmt::format("{},{},{},{},{},{},{}", csv_field(p.name), csv_field(rows.back().expectation),
-                              o.measured, e.value, o.error, e.tolerance, o.good ? "good" : "fell short"));
+        CsvLine line;
+        line.add(p.name).add(rows.back().expectation);
+        for (const double value : {o.measured, e.value, o.error, e.tolerance})
+          line.add_field(csv_number(value));
+        csv->line(line.add(o.good ? "good" : "fell short").text());
       }
     }
   }

@@ -26,7 +26,8 @@ bool write_lines(const DataExport& what, char separator, const std::function<boo
     sampler = moment->sampler;
     sampler.set_curves(curves);
   } else {
-    if (what.reference != ReferenceId::kNone) sampler.compare_with(Companion(what.log.start, what.reference));
+    if (what.reference != ReferenceId::kNone)
+      sampler.compare_with(ReferenceRun(what.log.start, what.reference));
     sampler.begin(simulation);
   }
   std::vector<Body> bodies = all_bodies(what.log.start.scene);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/compare/companion.h"
+#include "physics/compare/reference_run.h"
 #include "physics/observe/quantity.h"
 #include "physics/record/key_frames.h"
 #include "physics/record/run_log.h"

@@ -1,30 +1,34 @@
 #include "app/export/run_files.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <fmt/format.h>
 
+#include "physics/files/csv.h"
 #include "physics/world/ledger_entries.h"
 
 namespace carom {
 namespace {
 
-// Never "-0", which a law leaves where nothing happened.
-double plain(double value) { return value == 0.0 ? 0.0 : value; }
+// A column of an impact's row after its time and its bodies.
+struct ImpactColumn {
+  const char* heading;
+  double (*value)(const ImpactRecord&);
+};
+constexpr auto kImpactColumns = std::to_array<ImpactColumn>({
+    {"point_x [m]", [](const ImpactRecord& i) { return i.point.x(); }},
+    {"point_y [m]", [](const ImpactRecord& i) { return i.point.y(); }},
+    {"normal_x [1]", [](const ImpactRecord& i) { return i.normal.x(); }},
+    {"normal_y [1]", [](const ImpactRecord& i) { return i.normal.y(); }},
+    {"normal_impulse [N s]", [](const ImpactRecord& i) { return i.normal_impulse; }},
+    {"tangential_impulse [N s]", [](const ImpactRecord& i) { return i.tangential_impulse; }},
+    {"closing_speed [m/s]", [](const ImpactRecord& i) { return i.closing_speed; }},
+    {"lost_to_restitution [J]", [](const ImpactRecord& i) { return i.lost_to_restitution; }},
+    {"lost_to_friction [J]", [](const ImpactRecord& i) { return i.lost_to_friction; }},
+    {"lost_to_sticking [J]", [](const ImpactRecord& i) { return i.lost_to_sticking; }},
+});
 
 }  // namespace
-
-std::string csv_field(const std::string& text, char separator) {
-  const char special[] = {separator, '"', '\n', '\r', '\0'};
-  if (text.find_first_of(special) == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  out += '"';
-  return out;
-}
 
 std::vector<Quantity> run_columns(const std::vector<Body>& bodies) {
   std::vector<Quantity> columns;
@@ -63,29 +67,24 @@ std::string csv_header(const std::vector<Quantity>& columns, const std::vector<B
     for (const int body : of) name += bodies[static_cast<std::size_t>(body)].name + " ";
     return name + std::string(observable.name);
   };
-  std::string line = "time [s]";
+  CsvLine line(separator);
+  line.add("time [s]");
   for (const Quantity& column : columns) {
     std::string heading = name_of(*column.observable, column.bodies);
     if (!column.less.empty()) {
       heading += fmt::format(" - ({})", column.less.formula.text());
       if (column.less.x != nullptr) heading += ", x = " + name_of(*column.less.x, column.less.x_bodies);
     }
-    std::string unit(column.observable->unit);
-    for (std::size_t at; (at = unit.find("²")) != std::string::npos;)
-      unit = fmt::format("{}^2{}", unit.substr(0, at), unit.substr(at + 2));
-    line += separator;
-    line += csv_field(fmt::format("{} [{}]", heading, unit), separator);
+    line.add(csv_heading(heading, column.observable->unit));
   }
-  return line;
+  return line.text();
 }
 
 std::string csv_line(double time, std::span<const double> values, char separator) {
-  std::string line = fmt::format("{}", time);
-  for (const double value : values) {
-    line += separator;
-    if (!std::isnan(value)) line += fmt::format("{}", plain(value));
-  }
-  return line;
+  CsvLine line(separator);
+  line.add(time);
+  for (const double value : values) line.add(value);
+  return line.text();
 }
 
 std::string csv_line(const std::vector<Quantity>& columns, const Simulation& simulation) {
@@ -98,27 +97,18 @@ std::string csv_line(const std::vector<Quantity>& columns, const Simulation& sim
 }
 
 std::string events_csv_header(char separator) {
-  std::string header =
-      "time [s],body_a,body_b,point_x [m],point_y [m],normal_x [1],normal_y [1],normal_impulse [N s],"
-      "tangential_impulse [N s],closing_speed [m/s],lost_to_restitution [J],lost_to_friction [J],"
-      "lost_to_sticking [J]";
-  std::replace(header.begin(), header.end(), ',', separator);
-  return header;
+  CsvLine line(separator);
+  line.add("time [s]").add("body_a").add("body_b");
+  for (const ImpactColumn& column : kImpactColumns) line.add(column.heading);
+  return line.text();
 }
 
 std::string events_csv_line(const Simulation& s, const ImpactRecord& i, char separator) {
-  std::string line = fmt::format("{}", i.time);
-  for (const int body : {i.a, i.b}) {
-    line += separator;
-    line += csv_field(s.bodies()[static_cast<std::size_t>(body)].name, separator);
-  }
-  for (const double value :
-       {i.point.x(), i.point.y(), i.normal.x(), i.normal.y(), i.normal_impulse, i.tangential_impulse,
-        i.closing_speed, i.lost_to_restitution, i.lost_to_friction, i.lost_to_sticking}) {
-    line += separator;
-    line += fmt::format("{}", plain(value));
-  }
-  return line;
+  CsvLine line(separator);
+  line.add(i.time);
+  for (const int body : {i.a, i.b}) line.add(s.bodies()[static_cast<std::size_t>(body)].name);
+  for (const ImpactColumn& column : kImpactColumns) line.add(column.value(i));
+  return line.text();
 }
 
 }  // namespace carom

@@ -9,11 +9,7 @@
 
 namespace carom {
 
-// A text as a field of a CSV file: in quotes where it needs them.
-[[nodiscard]] std::string csv_field(const std::string& text, char separator = ',');
-
-// The CSV files of a run: RFC 4180, units in brackets in the header, every number with all its digits, an empty
-// field where there is none. For the clipboard the separator is a tab.
+// The CSV files of a run, by the rules of physics/files/csv.h. For the clipboard the separator is a tab.
 //
 // The columns of a run beside its time: sums of the scene, then x, y, angle, velocity and spin of each body
 // that is not fixed, for up to kMostPaths of them (a larger crowd's file would be some 100 MB; its sums are

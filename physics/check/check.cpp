@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "physics/check/measure_run.h"
+#include "physics/math/least_squares.h"
 #include "physics/math/parallel.h"
 #include "physics/observe/observables.h"
 #include "physics/preset/names.h"
@@ -40,21 +41,10 @@ double where_largest(const std::vector<double>& x, const std::vector<double>& y)
 
 // Slope of ln y over ln x by least squares; NaN if a y is not positive.
 double exponent(const std::vector<double>& x, const std::vector<double>& y) {
-  double mean_x = 0.0;
-  double mean_y = 0.0;
-  const auto n = static_cast<double>(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    mean_x += std::log(x[i]) / n;
-    mean_y += std::log(y[i]) / n;
-  }
-  double xx = 0.0;
-  double xy = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double dx = std::log(x[i]) - mean_x;
-    xx += dx * dx;
-    xy += dx * (std::log(y[i]) - mean_y);
-  }
-  return std::isfinite(mean_y) ? xy / xx : std::numeric_limits<double>::quiet_NaN();
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i < x.size(); ++i) points.emplace_back(std::log(x[i]), std::log(y[i]));
+  const double slope = fit_line(points).slope;
+  return std::isfinite(slope) ? slope : std::numeric_limits<double>::quiet_NaN();
 }
 
 double reduced(const Sweep& sweep, std::vector<double> y) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "physics/math/least_squares.h"
 #include "physics/math/stopped.h"
 #include "physics/observe/impact_tally.h"
 #include "physics/observe/observables.h"
@@ -53,14 +54,10 @@ struct Measurement {
   double moment = 0.0;  // s: when it is read (at, final), or its last reading
   double value = kNever;
   bool done = false;
-  // Of the readings so far: their number, those above the bound, the means of time and value, and their centred
-  // sums of squares.
+  // Of the readings so far: their number, those above the bound, and the line of value over time.
   std::int64_t count = 0;
   std::int64_t above = 0;
-  double mean_time = 0.0;
-  double mean = 0.0;
-  double time_time = 0.0;
-  double time_value = 0.0;
+  RunningLine line;
 
   [[nodiscard]] bool at_a_moment() const {
     return expectation->reduction == Reduction::kAt || expectation->reduction == Reduction::kFinal;
@@ -72,13 +69,7 @@ struct Measurement {
     const double y = observable->value(r, bodies);
     ++count;
     if (y > expectation->above) ++above;
-    const double dt = r.time - mean_time;
-    const double dy = y - mean;
-    const auto n = static_cast<double>(count);
-    mean_time += dt / n;
-    mean += dy / n;
-    time_time += dt * (r.time - mean_time);
-    time_value += dt * (y - mean);
+    line.add(r.time, y);
     switch (expectation->reduction) {
       case Reduction::kMaximum:
         value = count == 1 ? y : std::max(value, y);
@@ -87,13 +78,13 @@ struct Measurement {
         value = count == 1 ? y : std::min(value, y);
         break;
       case Reduction::kMean:
-        value = mean;
+        value = line.mean();
         break;
       case Reduction::kCount:
-        value = static_cast<double>(above) / n;
+        value = static_cast<double>(above) / static_cast<double>(count);
         break;
       case Reduction::kFit:
-        value = count < 2 ? kNever : time_value / time_time;
+        value = line.slope();
         break;
       case Reduction::kAt:
       case Reduction::kAtImpact:

@@ -15,7 +15,7 @@ Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const 
     double speed = twist.velocity.dot(c.normal);
     if (g.is_disc(i) || twist.spin == 0.0) return speed;
     const Vec2 r = c.point - q.head<2>();
-    return speed + twist.spin * (r.x() * c.normal.y() - r.y() * c.normal.x());
+    return speed + twist.spin * cross(r, c.normal);
   };
   const auto parting = [&](const Contact& c) {
     return normal_speed(b, qb, twist_b, c) - normal_speed(a, qa, twist_a, c);

@@ -10,8 +10,6 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kRounding = 8.0 * kEpsilon;  // of a separation, relative to the frame's scale
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 // An edge of the sum: it starts at b's vertex j minus a's vertex i and is an edge of b or of -a.
 struct SumEdge {
   Vec2 start;

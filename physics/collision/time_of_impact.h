@@ -27,7 +27,7 @@ struct GapSample {
   const double approach = -d.dot(u);
   if (!(approach > 0.0)) return std::nullopt;
   const double speed = u.norm();
-  const double aside = std::abs(d.x() * u.y() - d.y() * u.x());
+  const double aside = std::abs(cross(d, u));
   const double discriminant = (speed * distance - aside) * (speed * distance + aside);
   if (!(discriminant > 0.0)) return std::nullopt;
   const double apart = d.norm();

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "physics/math/least_squares.h"
 #include "physics/math/parallel.h"
 #include "physics/math/stopped.h"
 #include "physics/world/run_setup.h"
@@ -35,22 +36,12 @@ std::vector<Vec2> directions(std::size_t count) {
 // Slope of ln growth over time, from where it has left its first tenth.
 double slope(const Chaos& c) {
   const double last = std::log(c.growth.back());
-  double n = 0.0;
-  double st = 0.0;
-  double sy = 0.0;
-  double stt = 0.0;
-  double sty = 0.0;
+  std::vector<Vec2> points;
   for (std::size_t k = 0; k < c.time.size(); ++k) {
     const double y = std::log(c.growth[k]);
-    if (y < 0.1 * last) continue;
-    n += 1.0;
-    st += c.time[k];
-    sy += y;
-    stt += c.time[k] * c.time[k];
-    sty += c.time[k] * y;
+    if (y >= 0.1 * last) points.emplace_back(c.time[k], y);
   }
-  const double spread = n * stt - st * st;
-  return spread > 0.0 ? (n * sty - st * sy) / spread : 0.0;
+  return points.size() < 2 ? 0.0 : fit_line(points).slope;
 }
 
 }  // namespace

@@ -11,29 +11,39 @@
 
 namespace carom {
 
-// Tells of the impacts of two runs, as they come, which belong together: an impact of a pair of bodies belongs
-// to that of the pair in the other run which is the nearest in time of those that wait there; older ones have
-// no partner then. Until it comes the two bodies' velocities differ by as much as the impact changes them,
-// whatever the order of the method. What has waited too long has no partner either.
+// Tells which impacts of two runs belong together. Partners are impacts of the same two bodies, one in each
+// run: in order, the k-th of the pair with the k-th, or the nearest in time of those that wait in the other
+// run; older ones have no partner then. In order is right for runs of a scene that are known up to their end,
+// however late a coarse method is; the nearest for runs that go on, where one impact that is missed must not
+// shift all that follow. Until the partner comes the two bodies' velocities differ by as much as the impact
+// changes them, whatever the order of the method.
 class ImpactMatcher {
  public:
   enum class From { kRun, kReference };
+  enum class Partners { kInOrder, kNearest };
+
+  explicit ImpactMatcher(Partners partners) : partners_(partners) {}
 
   void add(From from, int a, int b, double time) {
+    if (take_partner(from, a, b, time)) return;
     Waiting& waiting = waiting_[key(a, b)];
-    if (waiting.times.empty() || waiting.from == from) {
-      waiting.from = from;
-      waiting.times.push_back(time);
-      return;
-    }
-    std::deque<double>& times = waiting.times;
-    while (times.size() > 1 && std::abs(times[1] - time) <= std::abs(times[0] - time)) {
+    waiting.from = from;
+    waiting.times.push_back(time);
+  }
+  // Matches the impact if its partner waits; else it is not kept.
+  bool take_partner(From from, int a, int b, double time) {
+    const auto found = waiting_.find(key(a, b));
+    if (found == waiting_.end() || found->second.times.empty() || found->second.from == from) return false;
+    std::deque<double>& times = found->second.times;
+    while (partners_ == Partners::kNearest && times.size() > 1 &&
+           std::abs(times[1] - time) <= std::abs(times[0] - time)) {
       times.pop_front();
       ++unmatched_;
     }
     largest_difference_ = std::max(largest_difference_, std::abs(time - times.front()));
     ++matched_;
     times.pop_front();
+    return true;
   }
   // Gives those up that wait since before `time`.
   void give_up(double time) {
@@ -74,6 +84,7 @@ class ImpactMatcher {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U | static_cast<std::uint32_t>(b);
   }
 
+  Partners partners_;
   std::unordered_map<std::uint64_t, Waiting> waiting_;
   std::int64_t matched_ = 0;
   std::int64_t unmatched_ = 0;

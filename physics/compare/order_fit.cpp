@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <vector>
 
+#include "physics/math/least_squares.h"
+
 namespace carom {
 namespace {
 
@@ -12,48 +14,11 @@ constexpr std::size_t kLeastPoints = 3;
 constexpr double kStraight = 0.05;  // of ln(error): largest distance from a line that counts as straight
 constexpr double kLeastShare = 0.5;
 
-struct Point {
-  double x;  // ln(step)
-  double y;  // ln(error)
-};
-
-struct Line {
-  double slope = 0.0;
-  double uncertainty = 0.0;
-  double farthest = 0.0;  // largest distance of a point, in y
-};
-
-Line line_through(std::span<const Point> points) {
-  const double n = static_cast<double>(points.size());
-  double mean_x = 0.0;
-  double mean_y = 0.0;
-  for (const Point& p : points) {
-    mean_x += p.x / n;
-    mean_y += p.y / n;
-  }
-  double xx = 0.0;
-  double xy = 0.0;
-  for (const Point& p : points) {
-    xx += (p.x - mean_x) * (p.x - mean_x);
-    xy += (p.x - mean_x) * (p.y - mean_y);
-  }
-  Line line;
-  line.slope = xy / xx;
-  double squares = 0.0;
-  for (const Point& p : points) {
-    const double off = p.y - mean_y - line.slope * (p.x - mean_x);
-    line.farthest = std::max(line.farthest, std::abs(off));
-    squares += off * off;
-  }
-  line.uncertainty = std::sqrt(squares / ((n - 2.0) * xx));
-  return line;
-}
-
 }  // namespace
 
 OrderFit fit_order(std::span<const ErrorAtStep> errors, double floor, double largest) {
   OrderFit fit;
-  std::vector<Point> points;
+  std::vector<Vec2> points;  // of ln(step) and ln(error)
   bool any = false;
   bool exact = true;
   for (const ErrorAtStep& e : errors) {
@@ -61,34 +26,34 @@ OrderFit fit_order(std::span<const ErrorAtStep> errors, double floor, double lar
     any = true;
     exact = exact && e.error <= kExactBelowFloor * floor;
     if (e.error > kFittedAboveFloor * floor && e.error < largest) {
-      points.push_back({std::log(e.step), std::log(e.error)});
+      points.emplace_back(std::log(e.step), std::log(e.error));
     }
   }
   if (any && exact) {
     fit.kind = OrderFit::Kind::kExact;
     return fit;
   }
-  std::sort(points.begin(), points.end(), [](const Point& p, const Point& q) { return p.x < q.x; });
+  std::sort(points.begin(), points.end(), [](const Vec2& p, const Vec2& q) { return p.x() < q.x(); });
   const auto same_step = std::adjacent_find(points.begin(), points.end(),
-                                            [](const Point& p, const Point& q) { return p.x == q.x; });
+                                            [](const Vec2& p, const Vec2& q) { return p.x() == q.x(); });
   if (points.size() < kLeastPoints || same_step != points.end()) return fit;
 
   // The finest steps always count: only from the coarse end is something left out.
-  std::span<const Point> best = points;
+  std::span<const Vec2> best = points;
   const auto needed = std::max(
       kLeastPoints, static_cast<std::size_t>(std::ceil(kLeastShare * static_cast<double>(points.size()))));
   for (std::size_t count = points.size(); count >= needed; --count) {
-    const auto finest = std::span<const Point>(points).first(count);
-    if (line_through(finest).farthest > kStraight) continue;
+    const auto finest = std::span<const Vec2>(points).first(count);
+    if (fit_line(finest).farthest > kStraight) continue;
     best = finest;
     break;
   }
-  const Line line = line_through(best);
+  const Line line = fit_line(best);
   fit.kind = OrderFit::Kind::kOrder;
   fit.order = std::abs(line.slope) < 5e-3 ? 0.0 : line.slope;  // not "-0.00" where nothing changes
   fit.uncertainty = line.uncertainty;
-  fit.from = std::exp(best.front().x);
-  fit.to = std::exp(best.back().x);
+  fit.from = std::exp(best.front().x());
+  fit.to = std::exp(best.back().x());
   fit.points = static_cast<int>(best.size());
   return fit;
 }

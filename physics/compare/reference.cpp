@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "physics/dynamics/integrators/integrators.h"
+#include "physics/compare/comparison.h"
 #include "physics/model/needs.h"
 #include "physics/scene/facts.h"
 #include "physics/world/run_setup.h"
@@ -25,21 +25,36 @@ bool ended_before(const RecordedRun& run, double time) {
 
 }  // namespace
 
+std::optional<std::string> why_not(const RunSetup& setup, ReferenceId reference) {
+  if (reference != ReferenceId::kExactFlight) return std::nullopt;
+  if (contacts_last(setup.method, needs_of(setup.scene))) return "a refined run, as contacts last here";
+  return why_not(setup.scene, IntegratorId::kExactFlight);
+}
+
+ReferenceId usual_reference(const RunSetup& setup) {
+  return why_not(setup, ReferenceId::kExactFlight) ? ReferenceId::kRefined : ReferenceId::kExactFlight;
+}
+
+Method reference_for(const RunSetup& setup, const Method& method, ReferenceId reference) {
+  Method best = method;
+  best.impacts = ImpactsId::kLocated;
+  if (contacts_last(method, needs_of(setup.scene))) {
+    best.integrator = IntegratorId::kDormandPrince;
+    best.step = method.step / kFineSteps;
+  } else if (reference == ReferenceId::kExactFlight) {
+    best.integrator = IntegratorId::kExactFlight;
+  } else {
+    best.integrator = IntegratorId::kAdaptiveDormandPrince;
+    best.tolerance = kFineTolerance;
+  }
+  return best;
+}
+
 Method reference_method(const RunSetup& setup) {
   Method method = setup.method;
   method.impacts = ImpactsId::kLocated;
-  int order = -1;
-  for (const IntegratorChoice& choice : kIntegrators) {
-    if (choice.order == 0 && !why_not(setup.scene, choice.id)) {
-      method.integrator = choice.id;
-      return method;
-    }
-    if (choice.order == 0 || choice.adaptive) continue;
-    if (choice.order > order) {
-      order = choice.order;
-      method.integrator = choice.id;
-    }
-  }
+  method.integrator = why_not(setup.scene, IntegratorId::kExactFlight) ? IntegratorId::kDormandPrince
+                                                                       : IntegratorId::kExactFlight;
   return method;
 }
 

@@ -18,8 +18,6 @@ constexpr int kSweepsToMeasure = 8;
 // makes it rough.
 constexpr int kSweepsToSmooth = 2;
 
-double cross(const Vec2& r, const Vec2& d) { return r.x() * d.y() - r.y() * d.x(); }
-
 // What an impulse changes; bodies that only turn cannot move along every normal.
 enum Moves : std::uint8_t { kAlongNormal = 1, kAlongTangent = 2, kTurns = 4 };
 

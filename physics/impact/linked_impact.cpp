@@ -11,7 +11,7 @@ namespace {
 
 // How (v, spin) of a free body changes by the impulse j at r from its centre.
 Eigen::Vector3d free_change(const MassProperties& mass, int body, const Vec2& r, const Vec2& j) {
-  const double turn = mass.inverse_inertia[body] * (r.x() * j.y() - r.y() * j.x());
+  const double turn = mass.inverse_inertia[body] * cross(r, j);
   return {mass.inverse_mass[body] * j.x(), mass.inverse_mass[body] * j.y(), turn};
 }
 

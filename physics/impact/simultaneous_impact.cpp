@@ -12,8 +12,6 @@ constexpr int kMostHalvings = 50;  // of e
 
 using Row = ClusterScratch::Row;
 
-double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
-
 // The contacts of a cluster. Rows 2i and 2i + 1 are the normal and the tangent of contact i.
 class Cluster {
  public:

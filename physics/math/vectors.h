@@ -16,4 +16,7 @@ using Vec2 = Eigen::Vector2d;
 // A vector turned by +90°: ω crossed(r) is the velocity that a spin ω gives the point r.
 [[nodiscard]] inline Vec2 crossed(const Vec2& v) { return {-v.y(), v.x()}; }
 
+// The third component of u × v.
+[[nodiscard]] inline double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
+
 }  // namespace carom

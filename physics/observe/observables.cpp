@@ -91,7 +91,7 @@ Vec2 body_momentum(const Reading& r, int i) {
 double angle_between(const Reading& r, Ids b) {
   const Vec2 u = r.state.velocity(b[0]);
   const Vec2 v = r.state.velocity(b[1]);
-  return std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v)));
+  return std::abs(std::atan2(cross(u, v), u.dot(v)));
 }
 
 double distance(const Reading& r, Ids b) { return (r.state.position(b[1]) - r.state.position(b[0])).norm(); }

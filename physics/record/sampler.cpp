@@ -33,7 +33,7 @@ void Sampler::begin(const Simulation& simulation) {
 }
 
 void Sampler::after_edit(const Simulation& simulation, const Edit& edit) {
-  if (companion_) companion_->edit(edit);
+  if (reference_run_) reference_run_->edit(edit);
   look(simulation);
 }
 
@@ -44,7 +44,7 @@ void Sampler::look(const Simulation& simulation) {
   }
   Reading now = reading_of(simulation, tally_);
   std::optional<ReferenceReading> reference;
-  if (companion_) now.reference = &reference.emplace(companion_->reading());
+  if (reference_run_) now.reference = &reference.emplace(reference_run_->reading());
   append(now);
   remember(now);
 }
@@ -90,9 +90,9 @@ void Sampler::after_step(const Simulation& simulation) {
     scales_.impulse = std::max(scales_.impulse, impact.normal_impulse);
   }
   std::optional<ReferenceReading> reference;
-  if (companion_) {
-    companion_->follow(simulation);
-    end.reference = &reference.emplace(companion_->reading());
+  if (reference_run_) {
+    reference_run_->follow(simulation);
+    end.reference = &reference.emplace(reference_run_->reading());
   }
   append(end);
   remember(end);
@@ -131,7 +131,7 @@ void Sampler::append(const Reading& reading) {
 
 bool Sampler::can_read(const std::vector<Curve>& curves) const {
   const auto known = [this](const Quantity& q) {
-    if (q.observable->is_error() && !companion_) return false;
+    if (q.observable->is_error() && !reference_run_) return false;
     return q.bodies.size() != 2 || tally_.watches(q.bodies[0], q.bodies[1]);
   };
   return std::all_of(curves.begin(), curves.end(),

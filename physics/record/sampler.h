@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "physics/compare/companion.h"
+#include "physics/compare/reference_run.h"
 #include "physics/observe/impact_tally.h"
 #include "physics/observe/quantity.h"
 #include "physics/record/speed_record.h"
@@ -42,10 +42,10 @@ class Sampler {
   explicit Sampler(std::vector<Curve> curves, const std::vector<Curve>& later = {});
 
   // Before begin(): goes along with the run from its start on, and gives its errors.
-  void compare_with(Companion reference) { companion_ = std::move(reference); }
+  void compare_with(ReferenceRun reference) { reference_run_ = std::move(reference); }
 
   void interrupt_on(const std::stop_token& stop) {
-    if (companion_) companion_->interrupt_on(stop);
+    if (reference_run_) reference_run_->interrupt_on(stop);
   }
 
   void begin(const Simulation& simulation);
@@ -61,10 +61,12 @@ class Sampler {
   [[nodiscard]] const std::vector<Curve>& curves() const { return *rows_.curves; }
   [[nodiscard]] const Scales& scales() const { return scales_; }
   // What the run is compared with.
-  [[nodiscard]] ReferenceId reference() const { return companion_ ? companion_->id() : ReferenceId::kNone; }
+  [[nodiscard]] ReferenceId reference() const {
+    return reference_run_ ? reference_run_->id() : ReferenceId::kNone;
+  }
   // Of a run that is compared, at its last step's end.
   [[nodiscard]] std::optional<RunError> error() const {
-    return companion_ ? std::optional(companion_->error()) : std::nullopt;
+    return reference_run_ ? std::optional(reference_run_->error()) : std::nullopt;
   }
 
  private:
@@ -75,7 +77,7 @@ class Sampler {
 
   Rows rows_;
   ImpactTally tally_;
-  std::optional<Companion> companion_;
+  std::optional<ReferenceRun> reference_run_;
   Scales scales_;
   double mass_ = 0.0;  // kg, of all that moves freely
   // At the end of the last step.

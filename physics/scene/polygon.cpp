@@ -4,14 +4,14 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "physics/math/vectors.h"
+
 namespace carom {
 namespace {
 
 using Eigen::Vector2d;
 
 constexpr double kSame = 1e-9;  // of the extent
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 Vector2d mean_of(std::span<const Vector2d> vertices) {
   Vector2d sum = Vector2d::Zero();

@@ -29,7 +29,7 @@ Lane::Lane(const RunSetup& start, const std::vector<Curve>& curves, ReferenceId 
 Sampler Lane::begin_sampler(const Simulation& simulation, const std::vector<Curve>& curves,
                             const std::vector<Curve>& later) const {
   Sampler sampler(curves, later);
-  if (reference_ != ReferenceId::kNone) sampler.compare_with(Companion(log_->start, reference_));
+  if (reference_ != ReferenceId::kNone) sampler.compare_with(ReferenceRun(log_->start, reference_));
   sampler.interrupt_on(interrupt_);
   sampler.begin(simulation);
   return sampler;

@@ -4,21 +4,12 @@
 #include <fmt/format.h>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/files/csv.h"
 #include "physics/scene/method.h"
 #include "physics/stress/stress_peers.h"
 
 namespace carom {
 namespace {
-
-std::string field(std::string_view text) {
-  if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  return out + '"';
-}
 
 // 1/240 s, where it is one over a whole number.
 std::string step_text(double step) {
@@ -92,11 +83,12 @@ std::vector<std::string> stress_csv(const std::vector<StressRow>& rows) {
   std::vector<std::string> lines = {
       "case,method,figure,unit,limit,verdict,figure_name,limit_from,peers,cpu_time [s]"};
   for (const StressRow& r : rows) {
-    lines.push_back(fmt::format("{},{},{},{},{},{},{},{},{},{}", field(r.id), field(method_text(r.method)),
-                                r.value == 0.0 ? 0.0 : r.value, field(r.figure.unit),
-                                std::isinf(r.limit) ? "" : fmt::format("{}", r.limit), name_of(r.verdict),
-                                field(r.figure.name), field(r.figure.limit_from),
-                                field(peers_text(r.id, r.figure.name, r.value)), r.cpu_time));
+    CsvLine line;
+    line.add(r.id).add(method_text(r.method)).add_field(csv_number(r.value)).add(r.figure.unit);
+    line.add_field(std::isinf(r.limit) ? std::string() : csv_number(r.limit)).add(name_of(r.verdict));
+    line.add(r.figure.name).add(r.figure.limit_from);
+    line.add(peers_text(r.id, r.figure.name, r.value)).add(r.cpu_time);
+    lines.push_back(line.text());
   }
   return lines;
 }

@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "physics/compare/chaos.h"
-#include "physics/compare/impact_matching.h"
+#include "physics/compare/comparison.h"
 #include "physics/compare/reference.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/parallel.h"

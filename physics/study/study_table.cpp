@@ -10,6 +10,7 @@
 #include <map>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/files/csv.h"
 #include "physics/scene/method.h"
 #include "physics/scene/validate.h"
 
@@ -17,18 +18,10 @@ namespace carom {
 namespace {
 
 // A number as its field holds it; nothing where there is none.
-std::string field(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
+std::string field(double value) { return std::isfinite(value) ? csv_number(value) : std::string(); }
 std::string field(std::int64_t value) { return fmt::format("{}", value); }
 std::string field(int value) { return fmt::format("{}", value); }
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  return out + '"';
-}
+std::string field(const std::string& text) { return csv_text(text); }
 
 // Throws std::string, what is allowed: the caller knows the place.
 void read(const std::string& text, double& to) {
@@ -165,43 +158,6 @@ constexpr auto kColumns = std::to_array<Column>({
     row_column<&StudyRow::index>("row [1]"),
 });
 
-// The lines of a CSV text, each a list of fields. Quoted fields may hold commas, quotes and line ends.
-std::vector<std::vector<std::string>> split_csv(std::string_view text) {
-  std::vector<std::vector<std::string>> lines;
-  std::vector<std::string> line;
-  std::string one;
-  bool quoted = false;
-  const auto end_line = [&] {
-    line.push_back(std::move(one));
-    one.clear();
-    lines.push_back(std::move(line));
-    line.clear();
-  };
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted) {
-      if (c != '"') {
-        one += c;
-      } else if (i + 1 < text.size() && text[i + 1] == '"') {
-        one += text[++i];
-      } else {
-        quoted = false;
-      }
-    } else if (c == '"') {
-      quoted = true;
-    } else if (c == ',') {
-      line.push_back(std::move(one));
-      one.clear();
-    } else if (c == '\n') {
-      end_line();
-    } else if (c != '\r') {
-      one += c;
-    }
-  }
-  if (!one.empty() || !line.empty()) end_line();
-  return lines;
-}
-
 bool same_method(const Method& x, const Method& y) {
   return x.integrator == y.integrator && x.impacts == y.impacts && x.contacts == y.contacts;
 }
@@ -273,18 +229,18 @@ std::vector<StudyGroup> groups_of(const StudyTable& table) {
 
 std::vector<std::string> study_csv(const StudyTable& table) {
   std::vector<std::string> lines;
-  std::vector<std::string> fields;
-  for (const Column& column : kColumns) fields.emplace_back(column.name);
-  lines.push_back(fmt::format("{}", fmt::join(fields, ",")));
+  CsvLine header;
+  for (const Column& column : kColumns) header.add(column.name);
+  lines.push_back(header.text());
   const std::vector<StudyGroup> groups = groups_of(table);
   for (const StudyRow& row : table.rows) {
     const auto mine = std::find_if(groups.begin(), groups.end(), [&](const StudyGroup& g) {
       return same_method(g.rows.front().method, row.method);
     });
     const OrderFit* fit = table.whole() ? &mine->fit : nullptr;
-    fields.clear();
-    for (const Column& column : kColumns) fields.push_back(column.write(table.facts, row, fit));
-    lines.push_back(fmt::format("{}", fmt::join(fields, ",")));
+    CsvLine line;
+    for (const Column& column : kColumns) line.add_field(column.write(table.facts, row, fit));
+    lines.push_back(line.text());
   }
   return lines;
 }

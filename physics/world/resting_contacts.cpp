@@ -7,6 +7,7 @@
 #include "physics/collision/pair_contact.h"
 #include "physics/collision/time_of_impact.h"
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/math/vectors.h"
 #include "physics/scene/drive.h"
 #include "physics/world/apply_impact.h"
 #include "physics/world/pair_motion.h"
@@ -41,8 +42,6 @@ constexpr int kCrowdContactSweeps = 10'000;
 constexpr int kMostRounds = 12;
 // Room for contacts to begin with.
 constexpr int kFewContacts = 64;
-
-double cross(const Vec2& r, const Vec2& d) { return r.x() * d.y() - r.y() * d.x(); }
 
 // Of a contact, for the velocities v of all bodies.
 RowVelocity velocity_at(const Contacts& c, int i, const Eigen::Matrix3Xd& v) {

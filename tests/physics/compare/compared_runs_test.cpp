@@ -222,7 +222,7 @@ TEST(ComparedRuns, MatchImpacts) {
 }
 
 TEST(ComparedRuns, GiveAnImpactUpThatNeverComes) {
-  ImpactMatcher matcher;
+  ImpactMatcher matcher(ImpactMatcher::Partners::kNearest);
   matcher.add(ImpactMatcher::From::kRun, 0, 1, 1.0);
   matcher.add(ImpactMatcher::From::kReference, 0, 2, 1.1);
   std::vector<std::uint8_t> awaiting(3);
@@ -241,7 +241,7 @@ TEST(ComparedRuns, GiveAnImpactUpThatNeverComes) {
 // Of bounces that follow one another ever faster the nearest ones belong together; what waits before them is
 // given up.
 TEST(ComparedRuns, MatchTheNearestImpacts) {
-  ImpactMatcher matcher;
+  ImpactMatcher matcher(ImpactMatcher::Partners::kNearest);
   for (const double time : {1.0, 1.1, 1.2, 2.0}) matcher.add(ImpactMatcher::From::kReference, 0, 1, time);
   matcher.add(ImpactMatcher::From::kRun, 0, 1, 1.21);
   EXPECT_EQ(matcher.matched(), 1);

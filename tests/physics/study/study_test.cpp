@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "physics/compare/chaos.h"
-#include "physics/compare/impact_matching.h"
+#include "physics/compare/comparison.h"
 #include "physics/compare/reference.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"

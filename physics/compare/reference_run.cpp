@@ -1,9 +1,10 @@
-#include "physics/compare/companion.h"
+#include "physics/compare/reference_run.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "physics/compare/chaos.h"
+#include "physics/compare/comparison.h"
 #include "physics/model/needs.h"
 #include "physics/world/run_setup.h"
 
@@ -20,24 +21,12 @@ int steps_of(const Method& reference, const Method& run) {
   return static_cast<int>(std::lround(run.step / reference.step));
 }
 
-// Infinite where one of the two has blown up.
-double apart(const Vec2& a, const Vec2& b) {
-  const double distance = (a - b).norm();
-  return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
-}
-
-double distance(const State& a, const State& b, const std::vector<int>& moving) {
-  double largest = 0.0;
-  for (const int i : moving) largest = std::fmax(largest, apart(a.position(i), b.position(i)));
-  return largest;
-}
-
 RunSetup beside(const RunSetup& start, const Method& method) {
   const RunSetup setup = with_method(start, method);
   if (method.integrator != IntegratorId::kExactFlight) return setup;
   const std::vector<Body> bodies = all_bodies(setup.scene);
   const double length = reach(Simulation(setup).state(), bodies, moving_bodies(bodies));
-  return displaced(setup, Companion::kDisplaced * length);
+  return displaced(setup, ReferenceRun::kDisplaced * length);
 }
 
 Method less_refined(Method reference, bool lasts) {
@@ -52,32 +41,7 @@ Method less_refined(Method reference, bool lasts) {
 
 }  // namespace
 
-std::optional<std::string> why_not(const RunSetup& setup, ReferenceId reference) {
-  if (reference != ReferenceId::kExactFlight) return std::nullopt;
-  if (contacts_last(setup.method, needs_of(setup.scene))) return "a refined run, as contacts last here";
-  return why_not(setup.scene, IntegratorId::kExactFlight);
-}
-
-ReferenceId usual_reference(const RunSetup& setup) {
-  return why_not(setup, ReferenceId::kExactFlight) ? ReferenceId::kRefined : ReferenceId::kExactFlight;
-}
-
-Method reference_for(const RunSetup& setup, const Method& method, ReferenceId reference) {
-  Method best = method;
-  best.impacts = ImpactsId::kLocated;
-  if (contacts_last(method, needs_of(setup.scene))) {
-    best.integrator = IntegratorId::kDormandPrince;
-    best.step = method.step / kFineSteps;
-  } else if (reference == ReferenceId::kExactFlight) {
-    best.integrator = IntegratorId::kExactFlight;
-  } else {
-    best.integrator = IntegratorId::kAdaptiveDormandPrince;
-    best.tolerance = kFineTolerance;
-  }
-  return best;
-}
-
-Companion::Companion(const RunSetup& start, ReferenceId reference)
+ReferenceRun::ReferenceRun(const RunSetup& start, ReferenceId reference)
     : setup_(start),
       id_(reference),
       fine_(with_method(start, reference_for(start, start.method, reference))),
@@ -93,7 +57,7 @@ Companion::Companion(const RunSetup& start, ReferenceId reference)
   error_.position = error_.velocity = error_.energy = 0.0;
 }
 
-void Companion::edit(const Edit& edit) {
+void ReferenceRun::edit(const Edit& edit) {
   if (const auto* method = std::get_if<Method>(&edit.what)) {
     setup_.method = *method;
     take_methods();
@@ -112,14 +76,14 @@ void Companion::edit(const Edit& edit) {
   }
 }
 
-void Companion::take_methods() {
+void ReferenceRun::take_methods() {
   const Method fine = reference_for(setup_, setup_.method, id_);
   const Method check = less_refined(fine, contacts_last(setup_.method, needs_of(setup_.scene)));
   if (!(fine == fine_.method())) fine_.set_method(fine);
   if (!(check == check_.method())) check_.set_method(check);
 }
 
-void Companion::follow(const Simulation& run) {
+void ReferenceRun::follow(const Simulation& run) {
   const int steps = steps_of(fine_.method(), run.method());
   const bool match = !contacts_last(run.method(), run.needs());  // else a landing may be no impact at all
   for (int i = 0; i < steps; ++i) {
@@ -141,23 +105,20 @@ void Companion::follow(const Simulation& run) {
   compare(run);
 }
 
-void Companion::compare(const Simulation& run) {
+void ReferenceRun::compare(const Simulation& run) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (fine_.lost() || check_.lost()) {
     error_.position = error_.velocity = error_.energy = error_.uncertainty = kNone;
     return;
   }
-  const State& ours = run.state();
   const State& theirs = fine_.state();
   energy_ = fine_.totals().energy();
-  error_.position = error_.velocity = kNone;
   matcher_.mark(awaiting_);
-  for (const int i : moving_) {
-    if (awaiting_[static_cast<std::size_t>(i)] != 0) continue;
-    error_.position = std::fmax(error_.position, apart(ours.position(i), theirs.position(i)));
-    error_.velocity = std::fmax(error_.velocity, apart(ours.velocity(i), theirs.velocity(i)));
-  }
-  error_.energy = matcher_.awaits_any() ? kNone : std::abs(run.totals().energy() - energy_);
+  const Comparison now =
+      compare_states(run.state(), run.totals().energy(), theirs, energy_, moving_, awaiting_);
+  error_.position = now.position_error;
+  error_.velocity = now.velocity_error;
+  error_.energy = now.energy_error;
   error_.largest_position = std::fmax(error_.largest_position, error_.position);
   error_.impact_time = matcher_.largest_difference();
   error_.matched = matcher_.matched();
@@ -165,7 +126,7 @@ void Companion::compare(const Simulation& run) {
   error_.of_itself = run.method() == fine_.method();
 
   constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-  const double parted = distance(theirs, check_.state(), moving_);
+  const double parted = compare_states(check_.state(), energy_, theirs, energy_, moving_, {}).position_error;
   const bool like_rounding =
       fine_.method().integrator == IntegratorId::kExactFlight && parted < kVisible * size_;
   error_.uncertainty = std::fmax(like_rounding ? parted * kEpsilon / kDisplaced : parted, kEpsilon * length_);

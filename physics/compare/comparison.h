@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -19,11 +20,15 @@ struct Comparison {
   int left_out = 0;   // bodies that are not compared
 };
 
-// Compares the states at `time` and the impacts up to then. The k-th impact of a pair of bodies in the run
-// belongs to the k-th of that pair in the reference, which may come after `time` in one of the two. In the
-// window between the two times of one impact the velocities differ by as much as the impact changes them,
-// whatever the order of the method: a body that is within such a window at `time` is left out, and so is the
-// energy.
+// The errors of a state beside the reference's, over the bodies of `moving` that no impact waits for; the other
+// ones are left out, and so is the energy where there are any. Infinite where one of the two has blown up.
+// `awaiting` is 1 for the bodies that one does wait for, or empty.
+[[nodiscard]] Comparison compare_states(const State& run, double run_energy, const State& reference,
+                                        double reference_energy, std::span<const int> moving,
+                                        std::span<const std::uint8_t> awaiting);
+
+// Compares the states at `time` and the impacts up to then, in order (see ImpactMatcher). A partner may come
+// after `time`: the two bodies are left out then.
 [[nodiscard]] Comparison compare(const RecordedRun& run, const RecordedRun& reference,
                                  std::span<const int> moving, double time);
 

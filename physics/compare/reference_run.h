@@ -1,35 +1,17 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <stop_token>
-#include <string_view>
 #include <vector>
 
 #include "physics/compare/impact_matcher.h"
+#include "physics/compare/reference.h"
 #include "physics/observe/observables.h"
-#include "physics/scene/facts.h"
 #include "physics/world/edit.h"
 #include "physics/world/simulation.h"
 
 namespace carom {
-
-// What a run is compared with.
-enum class ReferenceId { kNone, kExactFlight, kRefined };
-
-// The best that the scene allows: exact flight, else a refined run.
-[[nodiscard]] ReferenceId usual_reference(const RunSetup& setup);
-// Why a scene has no such reference, as "allowed: ..." would follow; nothing if it has.
-[[nodiscard]] std::optional<std::string> why_not(const RunSetup& setup, ReferenceId reference);
-
-// The method of the reference for a run under `method`, impacts at their own time. A refined run: the adaptive
-// integrator at kFineTolerance; where contacts last, which hang on the step, the fifth order at an eighth of
-// it.
-inline constexpr double kFineTolerance = 1e-12;  // m and m/s
-inline constexpr int kFineSteps = 8;
-[[nodiscard]] Method reference_for(const RunSetup& setup, const Method& method, ReferenceId reference);
 
 // How far a run is from its reference. Bodies that wait for one run's impact in the other are left out; what
 // leaves nothing to compare is NaN.
@@ -49,14 +31,14 @@ struct RunError {
 // Beside it goes a second run, whose distance tells what the reference may be wrong by: of a refined one, the
 // same less refined (tolerance 100 times as large, steps twice as long); of exact flight, a neighbour displaced
 // by kDisplaced of the scene's length, whose distance is scaled down to that of rounding while it is small.
-class Companion {
+class ReferenceRun {
  public:
   static constexpr double kDisplaced = 1e-12;
   // Steps of the run for which an impact waits for its partner.
   static constexpr int kPatience = 20;
 
   // Of a run of `start` under the scene's method.
-  Companion(const RunSetup& start, ReferenceId reference);
+  ReferenceRun(const RunSetup& start, ReferenceId reference);
 
   void interrupt_on(const std::stop_token& stop) {
     fine_.interrupt_on(stop);
@@ -85,7 +67,7 @@ class Companion {
   double energy_ = 0.0;  // J, of fine_
   std::vector<int> moving_;
   std::vector<std::uint8_t> awaiting_;  // by body
-  ImpactMatcher matcher_;
+  ImpactMatcher matcher_{ImpactMatcher::Partners::kNearest};
   RunError error_;
 };
 
