@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "physics/compare/companion.h"
+#include "physics/compare/reference.h"
 #include "physics/preset/preset.h"
 #include "physics/session/worker.h"
 
