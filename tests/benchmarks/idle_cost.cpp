@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "physics/model/needs.h"
+#include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/world/simulation.h"
 #include "tests/support/scenes.h"
 
 // What a part of the model costs where it has nothing to do, as the ratio of its CPU time to the trimmed run's;
 // and collisions a second. Repeats take turns, so that a change of the machine's pace meets all alike; the
-// median is told. No figure here is a test.
+// median is told. No figure here is a test. part_instructions counts instead, with `carom_idle_cost FILE KEY`.
 namespace carom {
 namespace {
 
@@ -98,11 +100,34 @@ void collisions_a_second(int columns) {
   fmt::print("  {:>6} discs: {:.0f} collisions a second\n", columns * columns, median(rates));
 }
 
+constexpr int kCountedSteps = 200;
+
+// Steps of a preset with the other choice for one part (its key): put into the model if the scene does not need
+// it, else taken out of the scene; of any other key, as it is.
+int count_steps(const char* file, std::string_view key) {
+  RunSetup setup = setup_of(read_preset(file));
+  Needs needs = needs_of(setup.scene);
+  for (const PartEntry& entry : part_entries()) {
+    if (entry.key != key) continue;
+    const bool needed = needs.has(entry.part);
+    if (needed && entry.remove == nullptr) return 1;
+    if (needed) {
+      entry.remove(setup.scene);
+      needs = needs_of(setup.scene);
+    }
+    needs.set(entry.part, !needed);
+  }
+  Simulation run(setup, needs);
+  for (int i = 0; i < kCountedSteps; ++i) run.step();
+  return 0;
+}
+
 }  // namespace
 }  // namespace carom
 
-int main() {
+int main(int argc, char** argv) {
   using namespace carom;
+  if (argc == 3) return count_steps(argv[1], argv[2]);
   fmt::print("Ratios of CPU time to the trimmed run's, medians of {} repeats that take turns:\n", kRepeats);
   idle_cost("1024 discs, exact flight", gas(32, IntegratorId::kExactFlight), 6.0, false);
   // Untrimmed, every impact touches all bodies: so few discs, and so short.
