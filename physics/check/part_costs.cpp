@@ -11,6 +11,7 @@ namespace {
 constexpr int kPieces = 7;
 constexpr double kPieceSeconds = 0.02;  // of CPU time
 constexpr int kFewSteps = 3;            // of a piece, however long they take
+constexpr double kLongEnough = 0.5;     // s of CPU time for one part: then no more pieces
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -67,7 +68,8 @@ std::vector<PartCost> part_costs(const RunSetup& setup, double until) {
     }
     // Pieces take turns, so that a change of the machine's pace meets both alike.
     std::vector<double> own, others;
-    for (int piece = 0; piece < kPieces; ++piece) {
+    const double began = cpu_seconds();
+    for (int piece = 0; piece < kPieces && (piece == 0 || cpu_seconds() - began < kLongEnough); ++piece) {
       own.push_back(seconds_a_step(as_it_is.setup, as_it_is.needs, until));
       if (other) others.push_back(seconds_a_step(other->setup, other->needs, until));
     }
