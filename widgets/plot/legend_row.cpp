@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QMenu>
 #include <algorithm>
+#include <vector>
 
 #include "widgets/plot/legend_button.h"
 
@@ -86,17 +87,24 @@ void LegendRow::place() {
     while (shown_ > 0 && needed_by_shown() > room);
   }
 
-  // What is left over the least widths goes to the names, in turn.
+  // What is left over the least widths goes to the names: to each what it lacks, or an equal share.
+  const auto lacks = [&](const LegendButton* button) { return button->sizeHint().width() - least(button); };
+  std::vector<int> lacking;
+  for (std::size_t i = 0; i < shown_; ++i) lacking.push_back(lacks(buttons_[i]));
+  std::sort(lacking.begin(), lacking.end());
   int spare = room - needed_by_shown();
+  int most = spare;
+  for (std::size_t i = 0; i < lacking.size(); ++i) {
+    most = std::max(spare, 0) / static_cast<int>(lacking.size() - i);
+    if (lacking[i] > most) break;
+    spare -= most = lacking[i];
+  }
   int x = 0;
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     LegendButton* button = buttons_[i];
     button->setVisible(i < shown_);
     if (i >= shown_) continue;
-    const int wish = button->sizeHint().width() - least(button);
-    const int share = std::clamp(spare / static_cast<int>(shown_ - i), 0, wish);
-    spare -= share;
-    const int width = least(button) + share;
+    const int width = least(button) + std::min(lacks(button), most);
     button->setGeometry(x, (height() - button->sizeHint().height()) / 2, width, button->sizeHint().height());
     x += width + kGap;
   }

@@ -44,6 +44,17 @@ TEST_F(LegendRowTest, FewCurvesHaveTheirWholeNames) {
   for (const LegendButton* b : buttons) EXPECT_EQ(b->width(), b->sizeHint().width());
 }
 
+TEST_F(LegendRowTest, NamesOfAnyLengthAreWholeWhereTheRowHasRoomForThem) {
+  for (const char* name : {"kinetic", "a name that is far longer than the others", "total"}) {
+    buttons.push_back(new LegendButton(name));
+    row.add(buttons.back());
+  }
+  row.resize(row.sizeHint());
+  row.show();
+  QApplication::processEvents();
+  for (const LegendButton* b : buttons) EXPECT_EQ(b->width(), b->sizeHint().width()) << b->text().toStdString();
+}
+
 TEST_F(LegendRowTest, ManyCurvesKeepTheRowNarrow) {
   fill(100);
   EXPECT_LE(row.minimumSizeHint().width(), LegendRow::kLeastWidth);
