@@ -140,7 +140,7 @@ TEST(Needs, Switching) {
   EXPECT_FALSE(needs(s, Part::kSwitching));
 }
 
-TEST(Needs, LastingContacts) {
+TEST(Needs, RestingContacts) {
   Scene s = plain();
   s.materials[0].restitution = 0.9;
   EXPECT_TRUE(needs(s, Part::kRestingContacts));  // inelastic collapse

@@ -86,7 +86,7 @@ RunSetup incline(double slope, double friction) {
 
 double drift(const Simulation& s) { return s.ledger().numerical_drift(s.totals().energy()); }
 
-TEST(LastingContacts, ABlockBelowTheFrictionConeStays) {
+TEST(RestingContacts, ABlockBelowTheFrictionConeStays) {
   const RunSetup s = incline(0.995 * 0.5, 0.5);
   for_every_method(s, [](const RunSetup& each) {
     const Simulation end = run(each, 60.0);
@@ -95,7 +95,7 @@ TEST(LastingContacts, ABlockBelowTheFrictionConeStays) {
   });
 }
 
-TEST(LastingContacts, ABlockAboveTheFrictionConeSlidesAsItMust) {
+TEST(RestingContacts, ABlockAboveTheFrictionConeSlidesAsItMust) {
   const double angle = std::atan(1.005 * 0.5);
   const double a = kG * (std::sin(angle) - 0.5 * std::cos(angle));
   for_every_method(incline(1.005 * 0.5, 0.5), [&](const RunSetup& each) {
@@ -106,7 +106,7 @@ TEST(LastingContacts, ABlockAboveTheFrictionConeSlidesAsItMust) {
   });
 }
 
-TEST(LastingContacts, StaticFrictionHoldsWhatKineticFrictionDoesNot) {
+TEST(RestingContacts, StaticFrictionHoldsWhatKineticFrictionDoesNot) {
   RunSetup s = incline(0.45, 0.5);
   s.scene.materials[0].kinetic_friction = 0.4;
   EXPECT_LT(run(s, 10.0).state().velocity(1).norm(), 1e-10);
@@ -117,7 +117,7 @@ TEST(LastingContacts, StaticFrictionHoldsWhatKineticFrictionDoesNot) {
 }
 
 // v = v0/(1 + 1/β) with β = 1/2, whatever the friction.
-TEST(LastingContacts, SlidingBecomesRolling) {
+TEST(RestingContacts, SlidingBecomesRolling) {
   Body disc = round_body("disc", {0.0, 0.25}, 0.25);
   disc.velocity = Vec2(3.0, 0.0);
   for_every_method(scene(rough(0.3), {ground(), disc}), [](const RunSetup& each) {
@@ -129,7 +129,7 @@ TEST(LastingContacts, SlidingBecomesRolling) {
   });
 }
 
-TEST(LastingContacts, ADiscRollsUpToThriceTheFrictionAngle) {
+TEST(RestingContacts, ADiscRollsUpToThriceTheFrictionAngle) {
   for (const double share : {0.99, 1.01}) {
     const double angle = std::atan(share * 3.0 * 0.2);
     const Body disc = round_body("disc", 0.25 * Vec2(-std::sin(angle), std::cos(angle)), 0.25);
@@ -142,7 +142,7 @@ TEST(LastingContacts, ADiscRollsUpToThriceTheFrictionAngle) {
   }
 }
 
-TEST(LastingContacts, RollingResistanceStopsADisc) {
+TEST(RestingContacts, RollingResistanceStopsADisc) {
   Body disc = round_body("disc", {0.0, 0.25}, 0.25);
   disc.velocity = Vec2(1.0, 0.0);
   disc.spin = -4.0;
@@ -159,7 +159,7 @@ TEST(LastingContacts, RollingResistanceStopsADisc) {
   EXPECT_NEAR(end.state().position(1).x(), 0.5 / a, 1e-3);
 }
 
-TEST(LastingContacts, AStackStands) {
+TEST(RestingContacts, AStackStands) {
   RunSetup s = scene(rough(0.6), {ground()});
   for (int i = 0; i < 20; ++i) s.scene.bodies.push_back(box("box-" + std::to_string(i), {0.0, 0.5 + i}));
   for_every_method(s, [](const RunSetup& each) {
@@ -171,7 +171,7 @@ TEST(LastingContacts, AStackStands) {
 }
 
 // Each face carries the weight above it.
-TEST(LastingContacts, ForcesAreTheWeightsAbove) {
+TEST(RestingContacts, ForcesAreTheWeightsAbove) {
   RunSetup s = scene(rough(0.6), {ground()});
   for (int i = 0; i < 5; ++i) s.scene.bodies.push_back(box("box-" + std::to_string(i), {0.0, 0.5 + i}));
   const Simulation end = run(s, 1.0);
@@ -185,7 +185,7 @@ TEST(LastingContacts, ForcesAreTheWeightsAbove) {
   }
 }
 
-TEST(LastingContacts, AHeavyBoxRestsOnALightOne) {
+TEST(RestingContacts, AHeavyBoxRestsOnALightOne) {
   const RunSetup s = scene(rough(0.6), {ground(), box("light", {0.0, 0.5}), box("heavy", {0.0, 1.5}, 1e6)});
   for_every_method(s, [](const RunSetup& each) {
     const Simulation end = run(each, 10.0);
@@ -193,7 +193,7 @@ TEST(LastingContacts, AHeavyBoxRestsOnALightOne) {
   });
 }
 
-TEST(LastingContacts, BoxesComeToRestAndTheLedgerCloses) {
+TEST(RestingContacts, BoxesComeToRestAndTheLedgerCloses) {
   RunSetup s = scene(rough(0.4, 0.3), {ground()});
   for (int i = 0; i < 5; ++i) {
     s.scene.bodies.push_back(box("box-" + std::to_string(i), {0.3 * i, 1.5 + 1.6 * i}));
@@ -209,7 +209,7 @@ TEST(LastingContacts, BoxesComeToRestAndTheLedgerCloses) {
 }
 
 // Discs made inside one another are pushed apart by moves that give them no speed.
-TEST(LastingContacts, OverlapsPartWithoutSpeed) {
+TEST(RestingContacts, OverlapsPartWithoutSpeed) {
   RunSetup s = scene(rough(0.0), {});
   s.scene.forces.gravity.setZero();
   for (int i = 0; i < 25; ++i)
@@ -231,7 +231,7 @@ TEST(LastingContacts, OverlapsPartWithoutSpeed) {
   });
 }
 
-TEST(LastingContacts, ABoxRidesOnADrivenTable) {
+TEST(RestingContacts, ABoxRidesOnADrivenTable) {
   Body table = box("table", {0.0, -0.5});
   table.density.reset();
   table.drive = Drive{.amplitude = Vec2(0.0, 0.02), .angular_frequency = std::sqrt(0.9 * kG / 0.02)};
@@ -252,7 +252,7 @@ TEST(LastingContacts, ABoxRidesOnADrivenTable) {
 }
 
 // A box falls onto a face corner by corner, a thin rod onto its other tip: the second landing is located too.
-TEST(LastingContacts, WhatLandsDoesNotSinkIn) {
+TEST(RestingContacts, WhatLandsDoesNotSinkIn) {
   Body tile = box("tile", {0.0, 1.0});
   tile.angle = 0.5;
   Body rod = box("rod", {3.0, 0.6});
@@ -278,7 +278,7 @@ TEST(LastingContacts, WhatLandsDoesNotSinkIn) {
 }
 
 // Both sides of a thin wall lie on a floor with both ends.
-TEST(LastingContacts, AThinWallLiesOnEitherSide) {
+TEST(RestingContacts, AThinWallLiesOnEitherSide) {
   for (const double angle : {0.0, std::numbers::pi}) {
     Body rod = box("rod", {0.0, 0.0});
     rod.shape = Wall{1.0};
@@ -313,7 +313,7 @@ RunSetup crowd(const Vec2& spacing) {
   return s;
 }
 
-TEST(LastingContacts, ShortStepsForgetNoContact) {
+TEST(RestingContacts, ShortStepsForgetNoContact) {
   RunSetup s = crowd(Vec2(0.5, 0.5));
   for (const auto& impacts : kImpacts) {
     s.method.impacts = impacts.id;
@@ -328,7 +328,7 @@ TEST(LastingContacts, ShortStepsForgetNoContact) {
 }
 
 // The forces found for a very short one are made of the solver's tolerance: no step may start from them.
-TEST(LastingContacts, ShortStepsLeaveNoBurst) {
+TEST(RestingContacts, ShortStepsLeaveNoBurst) {
   RunSetup s = crowd(Vec2(0.55, 0.75));
   s.method.impacts = ImpactsId::kStepEnd;
   Simulation simulation(s);
@@ -341,7 +341,7 @@ TEST(LastingContacts, ShortStepsLeaveNoBurst) {
   EXPECT_LT(simulation.totals().kinetic(), 1e-2 * simulation.ledger().initial);
 }
 
-TEST(LastingContacts, TheSameRunGivesTheSameBits) {
+TEST(RestingContacts, TheSameRunGivesTheSameBits) {
   RunSetup s = scene(rough(0.5), {ground()});
   for (int i = 0; i < 30; ++i)
     s.scene.bodies.push_back(
@@ -356,7 +356,7 @@ TEST(LastingContacts, TheSameRunGivesTheSameBits) {
 }
 
 // Where the normal turns with the motion.
-TEST(LastingContacts, RollingOffARoundTopIsOfFirstOrder) {
+TEST(RestingContacts, RollingOffARoundTopIsOfFirstOrder) {
   Body top = round_body("top", {0.0, 0.0}, 1.0);
   top.density.reset();
   top.fixed = true;
