@@ -65,7 +65,7 @@ std::string report_text(const Preset& preset, const Simulation& start, const Sim
 
   std::size_t name_width = 4;
   for (const Body& b : end.bodies()) {
-    if (!is_immovable(b))
+    if (!has_infinite_mass(b))
       name_width = std::max(name_width, std::min<std::size_t>(characters(printable(b.name)), 16));
   }
   out += fmt::format("{:<{}} {:>9} {:>22} {:>22} {:>11} {:>11} {:>11}\n", "body", name_width, "m / kg",
@@ -73,7 +73,7 @@ std::string report_text(const Preset& preset, const Simulation& start, const Sim
   int moving = 0;
   double mass = 0.0;
   for (int i = 0; i < end.state().size(); ++i) {
-    if (is_immovable(end.bodies()[i])) continue;
+    if (has_infinite_mass(end.bodies()[i])) continue;
     mass += end.mass().mass[i];
     if (++moving > kMostRows) continue;
     const auto velocity = [i](const Simulation& s) {
@@ -142,10 +142,10 @@ std::string report_json(const std::string& preset, const Simulation& end) {
   j["total_energy"] = totals.energy();
   j["momentum"] = pair(totals.momentum);
   j["angular_momentum"] = totals.angular_momentum;
-  Json& books = j["ledger"];
-  for (const EnergyEntry& entry : kEnergyEntries) books[std::string(entry.key)] = ledger.*entry.value;
-  books["numerical_drift"] = ledger.numerical_drift(totals.energy());
-  Json& given = books["momentum"];
+  Json& quadratures = j["ledger"];
+  for (const EnergyEntry& entry : kEnergyEntries) quadratures[std::string(entry.key)] = ledger.*entry.value;
+  quadratures["numerical_drift"] = ledger.numerical_drift(totals.energy());
+  Json& given = quadratures["momentum"];
   for (const MomentumEntry& entry : kMomentumEntries)
     given[std::string(entry.report_key)] = pair(ledger.*entry.value);
   given["numerical_drift"] = pair(ledger.momentum_drift(totals.momentum));

@@ -229,7 +229,7 @@ void Session::choose_reference(ReferenceId reference) {
 ReferenceId Session::first_reference() const {
   const std::vector<Body> bodies = all_bodies(document_.scene);
   const auto moving =
-      std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return !is_immovable(b); });
+      std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return !has_infinite_mass(b); });
   return moving > kMostWithReference ? ReferenceId::kNone : usual_reference(setup_of(document_));
 }
 
@@ -266,7 +266,7 @@ void Session::put_in(double x, double y) {
   body.density = 1.0;
   for (const Body& b : bodies_) {
     const auto* disc = std::get_if<Disc>(&b.shape);
-    if (is_immovable(b) || disc == nullptr || disc->radius == 0.0) continue;
+    if (has_infinite_mass(b) || disc == nullptr || disc->radius == 0.0) continue;
     radius = disc->radius;
     body.density = mass_of(b) / area(b.shape);
     body.material = b.material;

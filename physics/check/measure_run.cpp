@@ -5,8 +5,8 @@
 #include <limits>
 #include <memory>
 
+#include "physics/math/cancelled.h"
 #include "physics/math/least_squares.h"
-#include "physics/math/stopped.h"
 #include "physics/observe/impact_tally.h"
 #include "physics/observe/observables.h"
 #include "physics/preset/preset.h"
@@ -126,7 +126,7 @@ class Measuring {
   std::vector<double> values(const std::stop_token& stop) {
     look();
     for (std::int64_t steps = 0; !done(); ++steps) {
-      throw_if_stopped(stop);
+      throw_if_cancelled(stop);
       if (copied_ && steps % kStepsBetweenCopies == 0) copy_ = std::make_unique<Run>(run_);
       read_moments_within_the_step();
       if (done()) break;

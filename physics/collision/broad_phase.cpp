@@ -51,7 +51,7 @@ void BroadPhase::find_candidates(const std::vector<Bounds>& bounds, const std::v
 const std::vector<std::pair<int, int>>& BroadPhase::pairs(const std::vector<Bounds>& bounds,
                                                           const std::vector<std::uint8_t>& fixed) {
   bool kept = bounds.size() == skins_.size() && fixed == fixed_;
-  for (std::size_t i = 0; kept && i < bounds.size(); ++i) kept = skins_[i].holds(bounds[i]);
+  for (std::size_t i = 0; kept && i < bounds.size(); ++i) kept = skins_[i].contains(bounds[i]);
   if (!kept) {
     find_candidates(bounds, fixed);
     fixed_ = fixed;

@@ -32,9 +32,9 @@ struct ClosestFeatures {
 };
 
 // By the Minkowski sum of b and -a, the set of all x_b - x_a: its distance to the origin is the cores'
-// distance, and its depth around the origin is the overlap. Its edges are those of b and of -a in the order of
-// their directions (de Berg et al., Computational Geometry, section 13.3), so all cases are exact and take time
-// linear in the number of edges. Of several edges that part overlapping cores over the same way within
+// distance, and its depth around the origin is the penetration. Its edges are those of b and of -a in the order
+// of their directions (de Berg et al., Computational Geometry, section 13.3), so all cases are exact and take
+// time linear in the number of edges. Of several edges that part overlapping cores over the same way within
 // rounding, those of a go before those of b. At least one of the cores must have edges.
 [[nodiscard]] ClosestFeatures closest_features(const PairFrame& frame);
 

@@ -222,7 +222,7 @@ Gap gap_to_centre(const ConvexShapes& shapes, int core, const Pose& pose_core, i
 // A pair of which one is a disc, the other no half-plane.
 Contact disc_contact(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
   // The body with a core is the frame of reference; of two discs it is a. The point is from the disc's centre
-  // back along the normal to the middle of gap or overlap.
+  // back along the normal to the middle of gap or penetration.
   const double rounding = shapes.rounding[a] + shapes.rounding[b];
   if (shapes.core[b] == Core::kPoint) {
     const Gap to_b = gap_to_centre(shapes, a, pose_a, b, pose_b);

@@ -77,7 +77,7 @@ struct SearchLimit {
 // positive holds no root, any other is halved at the point where the lines meet. A root r found by bracketing
 // is the first one if s(n_r, a)/(r-a) exceeds K (r-a)/2, by the same bound on [a, r], else the interval before
 // it is searched. So a grazing pass is neither missed nor invented, beyond `tolerance`: a pass that would
-// overlap by less (m, the rounding of a gap) is no impact.
+// penetration by less (m, the rounding of a gap) is no impact.
 //
 // A sampler may also have clear(from, to, width): true if bounds of its own show that there is no contact
 // between two samples.
@@ -115,17 +115,17 @@ template <class Sampler, class Sample>
     }
     const double slope_a = parting_rate(sample, ga, gb, width);
     const double slope_b = -parting_rate(sample, gb, ga, width);
-    double meet = 0.5 * width;
+    double crossing = 0.5 * width;
     if (slope_a < slope_b) {
-      meet = std::clamp((gb.gap - ga.gap - slope_b * width) / (slope_a - slope_b), 0.0, width);
+      crossing = std::clamp((gb.gap - ga.gap - slope_b * width) / (slope_a - slope_b), 0.0, width);
     }
-    const double least = std::min(least_over_chord(ga.gap, slope_a, curvature, width, meet),
-                                  least_over_chord(gb.gap, -slope_b, curvature, width, width - meet));
+    const double least = std::min(least_over_chord(ga.gap, slope_a, curvature, width, crossing),
+                                  least_over_chord(gb.gap, -slope_b, curvature, width, width - crossing));
     if (least > -tolerance || ends_here()) return std::nullopt;
     const double stray = curvature * width * width / 8.0;
     // Both curves touch their chord at the ends: where the stray dominates, the middle is the better place.
-    if (!(meet > 0.05 * width && meet < 0.95 * width) || stray > 0.5 * ga.gap) meet = 0.5 * width;
-    const double m = a + meet;
+    if (!(crossing > 0.05 * width && crossing < 0.95 * width) || stray > 0.5 * ga.gap) crossing = 0.5 * width;
+    const double m = a + crossing;
     const Sample gm = sample(m);
     if (gm.gap <= 0.0) return search(a, ga, m, gm);
     if (const auto root = search(a, ga, m, gm)) return root;

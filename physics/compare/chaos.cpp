@@ -6,9 +6,9 @@
 #include <numbers>
 #include <random>
 
+#include "physics/math/cancelled.h"
 #include "physics/math/least_squares.h"
 #include "physics/math/parallel.h"
-#include "physics/math/stopped.h"
 #include "physics/world/run_setup.h"
 
 namespace carom {
@@ -113,7 +113,7 @@ Chaos follow_neighbours(const RunSetup& setup, const Method& method, double unti
       if (k > 0 && !near[static_cast<std::size_t>(k - 1)]) return;
       Simulation& s = runs[static_cast<std::size_t>(k)];
       s.advance_to(time, [&] {
-        throw_if_stopped(stop);
+        throw_if_cancelled(stop);
         if (k > 0) return;
         for (const ImpactRecord& i : s.last_impacts()) c.impacts.push_back({i.time, i.a, i.b});
         c.largest_kinetic = std::fmax(c.largest_kinetic, s.totals().kinetic());

@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "physics/compare/recorded_run.h"
+#include "physics/compare/run_summary.h"
 #include "physics/world/run_setup.h"
 
 namespace carom {
@@ -45,7 +45,7 @@ struct Chaos {
 inline constexpr double kVisible = 1e-3;
 
 // Runs the scene and its neighbours under `method` up to `until`, or until rounding would be visible. Throws
-// Stopped at the next step when `stop` asks for it, as do make_reference() and record_run().
+// Stopped at the next step when `stop` asks for it, as do make_reference() and run_and_summarize().
 [[nodiscard]] Chaos follow_neighbours(const RunSetup& setup, const Method& method, double until, int threads,
                                       const std::stop_token& stop = {});
 

@@ -30,7 +30,7 @@ Comparison compare_states(const State& run, double run_energy, const State& refe
   return c;
 }
 
-Comparison compare(const RecordedRun& run, const RecordedRun& reference, std::span<const int> moving,
+Comparison compare(const RunSummary& run, const RunSummary& reference, std::span<const int> moving,
                    double time) {
   Comparison c;
   if (run.blew_up_at >= 0.0 && run.blew_up_at < time) {
@@ -42,7 +42,7 @@ Comparison compare(const RecordedRun& run, const RecordedRun& reference, std::sp
   using From = ImpactMatcher::From;
   ImpactMatcher matcher(ImpactMatcher::Partners::kInOrder);
   std::vector<std::uint8_t> awaiting(static_cast<std::size_t>(run.state.size()), 0);
-  const auto each = [](const RecordedRun& of, From from, const auto& take) {
+  const auto each = [](const RunSummary& of, From from, const auto& take) {
     for (const TimedImpact& i : of.impacts) take(i, from);
   };
   const auto take_early = [&](const TimedImpact& i, From from) {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "physics/compare/recorded_run.h"
+#include "physics/compare/run_summary.h"
 
 namespace carom {
 
@@ -29,7 +29,7 @@ struct Comparison {
 
 // Compares the states at `time` and the impacts up to then, in order (see ImpactMatcher). A partner may come
 // after `time`: the two bodies are left out then.
-[[nodiscard]] Comparison compare(const RecordedRun& run, const RecordedRun& reference,
+[[nodiscard]] Comparison compare(const RunSummary& run, const RunSummary& reference,
                                  std::span<const int> moving, double time);
 
 }  // namespace carom

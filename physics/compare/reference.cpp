@@ -19,9 +19,7 @@ constexpr int kMostHalvings = 16;
 constexpr double kOffTheRows = 0.7;
 
 // A run that blew up says nothing about that time.
-bool ended_before(const RecordedRun& run, double time) {
-  return run.blew_up_at >= 0.0 && run.blew_up_at < time;
-}
+bool ended_before(const RunSummary& run, double time) { return run.blew_up_at >= 0.0 && run.blew_up_at < time; }
 
 }  // namespace
 
@@ -75,7 +73,7 @@ Reference make_reference(const RunSetup& setup, const Chaos& chaos, double time,
   const bool lasts = contacts_last(best.method, needs_of(setup.scene));
   if (best.method.integrator == IntegratorId::kExactFlight && !lasts) {
     best.exact = true;
-    best.run = record_run(setup, best.method, time, until, limit, stop);
+    best.run = run_and_summarize(setup, best.method, time, until, limit, stop);
     best.converged = !ended_before(best.run, time);
     if (!best.converged) {
       best.position_error = best.velocity_error = best.energy_error = std::numeric_limits<double>::infinity();
@@ -88,7 +86,7 @@ Reference make_reference(const RunSetup& setup, const Chaos& chaos, double time,
   }
 
   Method method = best.method;
-  RecordedRun coarser = record_run(setup, method, time, until, limit, stop);
+  RunSummary coarser = run_and_summarize(setup, method, time, until, limit, stop);
   best.run = coarser;
   best.position_error = best.velocity_error = best.energy_error = std::numeric_limits<double>::infinity();
   constexpr double kRounding = 1e4;  // rounding errors that the steps of a run may add up to
@@ -100,7 +98,7 @@ Reference make_reference(const RunSetup& setup, const Chaos& chaos, double time,
     method.step *= 0.5;
     const double work = until / method.step * static_cast<double>(moving.size());
     if (method.step < kLeastStep || (work > kMostReferenceWork && halvings > 1)) break;
-    RecordedRun run = record_run(setup, method, time, until, limit, stop);
+    RunSummary run = run_and_summarize(setup, method, time, until, limit, stop);
     if (ended_before(run, time) || ended_before(coarser, time)) {
       coarser = std::move(run);
       ++no_better;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "physics/compare/chaos.h"
-#include "physics/compare/recorded_run.h"
+#include "physics/compare/run_summary.h"
 #include "physics/scene/facts.h"
 #include "physics/world/run_setup.h"
 
@@ -31,7 +31,7 @@ inline constexpr int kFineSteps = 8;
 
 // What the runs of a study are compared with, and how far it may be trusted.
 struct Reference {
-  RecordedRun run;
+  RunSummary run;
   Method method;
   bool exact = false;      // exact flight, without contacts that last
   bool converged = false;  // the last two refinements agree as far as rounding lets them

@@ -71,7 +71,7 @@ void ReferenceRun::edit(const Edit& edit) {
     take_methods();  // contacts may last now
     length_ = std::fmax(length_, reach(fine_.state(), fine_.bodies(), moving_));
     size_ = size_ > 0.0 ? size_ : length_;
-    if (!is_immovable(*body)) size_ = std::min(size_, bounding_radius(body->shape));
+    if (!has_infinite_mass(*body)) size_ = std::min(size_, bounding_radius(body->shape));
     energy_ = fine_.totals().energy();
   }
 }

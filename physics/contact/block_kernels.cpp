@@ -77,8 +77,8 @@ CAROM_INLINE void relative(const ContactBlock& k, const Velocities& a, const Vel
                            Pack& u_t) {
   const Pack dx = b.x - a.x;
   const Pack dy = b.y - a.y;
-  u_n = pack(k.nx) * dx + pack(k.ny) * dy + (pack(k.turn_nb) * b.spin - pack(k.turn_na) * a.spin);
-  u_t = pack(k.nx) * dy - pack(k.ny) * dx + (pack(k.turn_tb) * b.spin - pack(k.turn_ta) * a.spin);
+  u_n = pack(k.nx) * dx + pack(k.ny) * dy + (pack(k.arm_nb) * b.spin - pack(k.arm_na) * a.spin);
+  u_t = pack(k.nx) * dy - pack(k.ny) * dx + (pack(k.arm_tb) * b.spin - pack(k.arm_ta) * a.spin);
 }
 
 template <BlockLaw kLaw>
@@ -96,20 +96,20 @@ CAROM_INLINE void solve_block(ContactBlock& k, double* velocity) {
   pack(k.normal) = normal;
   Pack jx = pack(k.nx) * dn;
   Pack jy = pack(k.ny) * dn;
-  Pack turn_a = pack(k.turn_na) * dn;
-  Pack turn_b = pack(k.turn_nb) * dn;
+  Pack turn_a = pack(k.arm_na) * dn;
+  Pack turn_b = pack(k.arm_nb) * dn;
   if constexpr (kRubs) {
     // u_t as the normal impulse leaves it.
-    const Pack k_nt = pack(k.inverse_inertia_a) * pack(k.turn_na) * pack(k.turn_ta) +
-                      pack(k.inverse_inertia_b) * pack(k.turn_nb) * pack(k.turn_tb);
+    const Pack k_nt = pack(k.inverse_inertia_a) * pack(k.arm_na) * pack(k.arm_ta) +
+                      pack(k.inverse_inertia_b) * pack(k.arm_nb) * pack(k.arm_tb);
     Pack tangential = pack(k.tangential) - (u_t + k_nt * dn) * pack(k.mass_t);
     clamp(tangential, pack(k.friction) * normal);
     const Pack dt = tangential - pack(k.tangential);
     pack(k.tangential) = tangential;
     jx = jx - pack(k.ny) * dt;
     jy = jy + pack(k.nx) * dt;
-    turn_a = turn_a + pack(k.turn_ta) * dt;
-    turn_b = turn_b + pack(k.turn_tb) * dt;
+    turn_a = turn_a + pack(k.arm_ta) * dt;
+    turn_b = turn_b + pack(k.arm_tb) * dt;
   }
   a.x -= pack(k.inverse_mass_a) * jx;
   a.y -= pack(k.inverse_mass_a) * jy;
@@ -152,11 +152,11 @@ CAROM_INLINE void apply_blocks(std::span<const ContactBlock> blocks, double* vel
     a.x -= pack(k.inverse_mass_a) * jx;
     a.y -= pack(k.inverse_mass_a) * jy;
     a.spin -= pack(k.inverse_inertia_a) *
-              (pack(k.turn_na) * pack(k.normal) + pack(k.turn_ta) * pack(k.tangential) + pack(k.moment));
+              (pack(k.arm_na) * pack(k.normal) + pack(k.arm_ta) * pack(k.tangential) + pack(k.moment));
     b.x += pack(k.inverse_mass_b) * jx;
     b.y += pack(k.inverse_mass_b) * jy;
     b.spin += pack(k.inverse_inertia_b) *
-              (pack(k.turn_nb) * pack(k.normal) + pack(k.turn_tb) * pack(k.tangential) + pack(k.moment));
+              (pack(k.arm_nb) * pack(k.normal) + pack(k.arm_tb) * pack(k.tangential) + pack(k.moment));
     scatter(a, k.a, velocity);
     scatter(b, k.b, velocity);
   }

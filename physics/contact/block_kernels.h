@@ -18,14 +18,14 @@ using Lanes = std::array<T, kLanes>;
 struct alignas(64) ContactBlock {
   Lanes<std::uint32_t> a{}, b{};  // where the bodies' velocities start: 4 × body
   Lanes<double> nx{}, ny{};
-  Lanes<double> turn_na{}, turn_nb{}, turn_ta{}, turn_tb{};  // r×n and r×t, m
-  Lanes<double> inverse_mass_a{}, inverse_mass_b{};          // 1/kg; 0 for immovable bodies
-  Lanes<double> inverse_inertia_a{}, inverse_inertia_b{};    // 1/(kg m²)
-  Lanes<double> mass_n{}, mass_t{}, mass_r{};                // kg, kg, kg m²
-  Lanes<double> target{};                                    // m/s
-  Lanes<double> normal{};                                    // N s
-  Lanes<double> friction{}, tangential{};                    // dimensionless, N s
-  Lanes<double> rolling{}, moment{};                         // m, N m s
+  Lanes<double> arm_na{}, arm_nb{}, arm_ta{}, arm_tb{};    // r×n and r×t, m
+  Lanes<double> inverse_mass_a{}, inverse_mass_b{};        // 1/kg; 0 for immovable bodies
+  Lanes<double> inverse_inertia_a{}, inverse_inertia_b{};  // 1/(kg m²)
+  Lanes<double> mass_n{}, mass_t{}, mass_r{};              // kg, kg, kg m²
+  Lanes<double> target{};                                  // m/s
+  Lanes<double> normal{};                                  // N s
+  Lanes<double> friction{}, tangential{};                  // dimensionless, N s
+  Lanes<double> rolling{}, moment{};                       // m, N m s
 };
 
 struct alignas(32) BodyVelocity {

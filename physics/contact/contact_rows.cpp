@@ -13,8 +13,7 @@ inline void solve_row(ContactRow& row, SolverBody& a, SolverBody& b) {
   const double normal = std::max(0.0, row.normal - (u.normal - row.target) * row.mass_n);
   const double dn = normal - row.normal;
   // u_t as the normal impulse leaves it.
-  const double k_nt =
-      a.inverse_inertia * row.turn_na * row.turn_ta + b.inverse_inertia * row.turn_nb * row.turn_tb;
+  const double k_nt = a.inverse_inertia * row.arm_na * row.arm_ta + b.inverse_inertia * row.arm_nb * row.arm_tb;
   const double limit = row.friction * normal;
   const double slip = u.tangential + k_nt * dn;
   const double tangential = std::min(std::max(row.tangential - slip * row.mass_t, -limit), limit);
@@ -86,22 +85,20 @@ double rounding_level(std::span<const ContactRow> rows, std::span<SolverBody> bo
   }
   for (const ContactRow& row : rows) {
     const double push = row.normal + std::abs(row.tangential);
-    const auto add = [&](SolverBody& body, double turn_n, double turn_t) {
+    const auto add = [&](SolverBody& body, double arm_n, double arm_t) {
       body.vx += body.inverse_mass * push;
       body.spin += body.inverse_inertia *
-                   (std::abs(turn_n) * row.normal + std::abs(turn_t * row.tangential) + std::abs(row.moment));
+                   (std::abs(arm_n) * row.normal + std::abs(arm_t * row.tangential) + std::abs(row.moment));
     };
-    add(bodies[row.a], row.turn_na, row.turn_ta);
-    add(bodies[row.b], row.turn_nb, row.turn_tb);
+    add(bodies[row.a], row.arm_na, row.arm_ta);
+    add(bodies[row.b], row.arm_nb, row.arm_tb);
   }
   double largest = 0.0;
   for (const ContactRow& row : rows) {
     const SolverBody& a = bodies[row.a];
     const SolverBody& b = bodies[row.b];
-    const double arm_a =
-        std::max(std::sqrt(row.turn_na * row.turn_na + row.turn_ta * row.turn_ta), row.rolling);
-    const double arm_b =
-        std::max(std::sqrt(row.turn_nb * row.turn_nb + row.turn_tb * row.turn_tb), row.rolling);
+    const double arm_a = std::max(std::sqrt(row.arm_na * row.arm_na + row.arm_ta * row.arm_ta), row.rolling);
+    const double arm_b = std::max(std::sqrt(row.arm_nb * row.arm_nb + row.arm_tb * row.arm_tb), row.rolling);
     largest = std::max(largest, a.vx + b.vx + arm_a * a.spin + arm_b * b.spin);
   }
   return 8.0 * std::numeric_limits<double>::epsilon() * largest;

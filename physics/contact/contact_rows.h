@@ -17,8 +17,8 @@ struct alignas(64) SolverBody {
 struct alignas(64) ContactRow {
   int a = 0, b = 0;
   double nx = 0.0, ny = 0.0;
-  double turn_na = 0.0, turn_nb = 0.0;                  // r_A×n and r_B×n, m
-  double turn_ta = 0.0, turn_tb = 0.0;                  // r_A×t and r_B×t, m
+  double arm_na = 0.0, arm_nb = 0.0;                    // r_A×n and r_B×n, m
+  double arm_ta = 0.0, arm_tb = 0.0;                    // r_A×t and r_B×t, m
   double mass_n = 0.0, mass_t = 0.0, mass_r = 0.0;      // 1/K_nn and 1/K_tt in kg, 1/K_rr in kg m²
   double target = 0.0;                                  // m/s
   double friction = 0.0;                                // dimensionless
@@ -34,8 +34,8 @@ struct RowVelocity {
 [[nodiscard]] inline RowVelocity row_velocity(const ContactRow& row, const SolverBody& a, const SolverBody& b) {
   const double dx = b.vx - a.vx;
   const double dy = b.vy - a.vy;
-  return {row.nx * dx + row.ny * dy + (row.turn_nb * b.spin - row.turn_na * a.spin),
-          row.nx * dy - row.ny * dx + (row.turn_tb * b.spin - row.turn_ta * a.spin), b.spin - a.spin};
+  return {row.nx * dx + row.ny * dy + (row.arm_nb * b.spin - row.arm_na * a.spin),
+          row.nx * dy - row.ny * dx + (row.arm_tb * b.spin - row.arm_ta * a.spin), b.spin - a.spin};
 }
 
 inline void apply_impulse(const ContactRow& row, double normal, double tangential, double moment, SolverBody& a,
@@ -44,10 +44,10 @@ inline void apply_impulse(const ContactRow& row, double normal, double tangentia
   const double jy = row.ny * normal + row.nx * tangential;
   a.vx -= a.inverse_mass * jx;
   a.vy -= a.inverse_mass * jy;
-  a.spin -= a.inverse_inertia * (row.turn_na * normal + row.turn_ta * tangential + moment);
+  a.spin -= a.inverse_inertia * (row.arm_na * normal + row.arm_ta * tangential + moment);
   b.vx += b.inverse_mass * jx;
   b.vy += b.inverse_mass * jy;
-  b.spin += b.inverse_inertia * (row.turn_nb * normal + row.turn_tb * tangential + moment);
+  b.spin += b.inverse_inertia * (row.arm_nb * normal + row.arm_tb * tangential + moment);
 }
 
 // Puts the bodies of these contacts at their free velocities plus what the impulses give.

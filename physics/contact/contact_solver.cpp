@@ -27,15 +27,15 @@ std::uint8_t set_geometry(const Contacts& contacts, int c, const MassProperties&
   const Vec2& n = contacts.normal[c];
   row.nx = n.x();
   row.ny = n.y();
-  row.turn_na = cross(contacts.arm_a[c], n);
-  row.turn_nb = cross(contacts.arm_b[c], n);
-  row.turn_ta = contacts.arm_a[c].dot(n);
-  row.turn_tb = contacts.arm_b[c].dot(n);
+  row.arm_na = cross(contacts.arm_a[c], n);
+  row.arm_nb = cross(contacts.arm_b[c], n);
+  row.arm_ta = contacts.arm_a[c].dot(n);
+  row.arm_tb = contacts.arm_b[c].dot(n);
   const double k = mass.inverse_mass[row.a] + mass.inverse_mass[row.b];
   const double turn_a = mass.inverse_inertia[row.a];
   const double turn_b = mass.inverse_inertia[row.b];
-  const double k_nn = k + turn_a * row.turn_na * row.turn_na + turn_b * row.turn_nb * row.turn_nb;
-  const double k_tt = k + turn_a * row.turn_ta * row.turn_ta + turn_b * row.turn_tb * row.turn_tb;
+  const double k_nn = k + turn_a * row.arm_na * row.arm_na + turn_b * row.arm_nb * row.arm_nb;
+  const double k_tt = k + turn_a * row.arm_ta * row.arm_ta + turn_b * row.arm_tb * row.arm_tb;
   const double k_rr = turn_a + turn_b;
   row.mass_n = k_nn > 0.0 ? 1.0 / k_nn : 1.0;
   row.mass_t = k_tt > 0.0 ? 1.0 / k_tt : 1.0;
@@ -105,7 +105,7 @@ Swept gauss_seidel(const Sweep& sweep_once, const Measure& measure, double toler
   return swept;
 }
 
-bool is_crowd(const ContactWorkspace& w, int island) {
+bool is_large(const ContactWorkspace& w, int island) {
   return w.first_block[island + 1] > w.first_block[island];
 }
 
@@ -116,20 +116,20 @@ std::span<ContactRow> rows_of(ContactWorkspace& w, int island) {
 
 std::span<ContactBlock> blocks_of(ContactWorkspace& w, int island) {
   const int first = w.first_block[island];
-  return {w.crowds.blocks.data() + first, static_cast<std::size_t>(w.first_block[island + 1] - first)};
+  return {w.large_islands.blocks.data() + first, static_cast<std::size_t>(w.first_block[island + 1] - first)};
 }
 
 std::span<const int> bodies_of(const ContactWorkspace& w, int island) {
   const int first = w.first_body[island];
-  return {w.crowds.bodies.data() + first, static_cast<std::size_t>(w.first_body[island + 1] - first)};
+  return {w.large_islands.bodies.data() + first, static_cast<std::size_t>(w.first_body[island + 1] - first)};
 }
 
 // Calls visit(contact, block, lane) for the contacts of the blocks from..to - 1.
 template <class Visit>
-void each_lane(CrowdBlocks& crowds, int from, int to, const Visit& visit) {
+void each_lane(ContactBlocks& large_islands, int from, int to, const Visit& visit) {
   for (int k = from; k < to; ++k) {
-    for (std::size_t lane = 0; lane < kLanes && crowds.contacts[k][lane] >= 0; ++lane)
-      visit(crowds.contacts[k][lane], crowds.blocks[k], lane);
+    for (std::size_t lane = 0; lane < kLanes && large_islands.contacts[k][lane] >= 0; ++lane)
+      visit(large_islands.contacts[k][lane], large_islands.blocks[k], lane);
   }
 }
 
@@ -138,21 +138,22 @@ template <class Set>
 void load(const MassProperties& mass, const Eigen::Matrix3Xd& v, ContactWorkspace& w, const Set& set) {
   load_bodies(mass, v, w.bodies);
   for (Eigen::Index i = 0; i < v.cols(); ++i)
-    w.crowds.velocity[static_cast<std::size_t>(i)] = {v(0, i), v(1, i), v(2, i)};
+    w.large_islands.velocity[static_cast<std::size_t>(i)] = {v(0, i), v(1, i), v(2, i)};
   for (int i = 0; i < w.islands.size(); ++i) {
-    if (!is_crowd(w, i)) {
+    if (!is_large(w, i)) {
       for (int k = w.islands.first[i]; k < w.islands.first[i + 1]; ++k) set(w.islands.contacts[k], w.rows[k]);
       continue;
     }
     double rubs = 0.0;
     double rolls = 0.0;
-    each_lane(w.crowds, w.first_block[i], w.first_block[i + 1], [&](int c, ContactBlock& block, std::size_t k) {
-      ContactRow row;
-      set(c, row);
-      set_law(row, k, block);
-      rubs = std::max(rubs, row.friction);
-      rolls = std::max(rolls, row.rolling);
-    });
+    each_lane(w.large_islands, w.first_block[i], w.first_block[i + 1],
+              [&](int c, ContactBlock& block, std::size_t k) {
+                ContactRow row;
+                set(c, row);
+                set_law(row, k, block);
+                rubs = std::max(rubs, row.friction);
+                rolls = std::max(rolls, row.rolling);
+              });
     w.law[i] = rolls > 0.0 ? BlockLaw::kRolling : rubs > 0.0 ? BlockLaw::kFriction : BlockLaw::kNormal;
   }
 }
@@ -160,8 +161,8 @@ void load(const MassProperties& mass, const Eigen::Matrix3Xd& v, ContactWorkspac
 void store_bodies(const ContactWorkspace& w, Eigen::Matrix3Xd& v) {
   for (std::size_t i = 0; i < w.bodies.size(); ++i) {
     const auto col = static_cast<Eigen::Index>(i);
-    if (w.crowds.in_blocks[i] != 0) {
-      const BodyVelocity& u = w.crowds.velocity[i];
+    if (w.large_islands.in_blocks[i] != 0) {
+      const BodyVelocity& u = w.large_islands.velocity[i];
       v.col(col) << u.x, u.y, u.spin;
     } else {
       v.col(col) << w.bodies[i].vx, w.bodies[i].vy, w.bodies[i].spin;
@@ -197,21 +198,21 @@ Solved solve_exactly(const ContactSolverOptions& options, std::span<ContactRow> 
   return solved;
 }
 
-double crowd_tolerance(const ContactSolverOptions& options, std::span<const int> bodies) {
-  if (options.crowd_motion == nullptr) return options.crowd_tolerance;
+double large_tolerance(const ContactSolverOptions& options, std::span<const int> bodies) {
+  if (options.large_motion == nullptr) return options.large_tolerance;
   double squares = 0.0;
-  for (const int i : bodies) squares += options.crowd_motion->col(i).head<2>().squaredNorm();
+  for (const int i : bodies) squares += options.large_motion->col(i).head<2>().squaredNorm();
   const double rms = std::sqrt(squares / static_cast<double>(bodies.size()));
-  return std::clamp(options.crowd_share * rms, options.crowd_tolerance, options.crowd_coarsest);
+  return std::clamp(options.large_share * rms, options.large_tolerance, options.large_coarsest);
 }
 
-Solved solve_crowd(const ContactSolverOptions& options, int island, ContactWorkspace& w) {
+Solved solve_large(const ContactSolverOptions& options, int island, ContactWorkspace& w) {
   const std::span<ContactBlock> blocks = blocks_of(w, island);
-  block_kernels().apply(blocks, &w.crowds.velocity.data()->x);
+  block_kernels().apply(blocks, &w.large_islands.velocity.data()->x);
   const int contacts = static_cast<int>(w.islands.of(island).size());
-  const int budget = std::max(options.crowd_sweeps, options.crowd_contact_sweeps / contacts);
-  const double tolerance = crowd_tolerance(options, bodies_of(w, island));
-  CrowdSweeps sweeps(blocks, bodies_of(w, island), w.law[island], w.crowds.velocity, w.momentum);
+  const int budget = std::max(options.large_sweeps, options.large_contact_sweeps / contacts);
+  const double tolerance = large_tolerance(options, bodies_of(w, island));
+  BlockSweeps sweeps(blocks, bodies_of(w, island), w.law[island], w.large_islands.velocity, w.momentum);
   int left = budget;
   const Swept swept = gauss_seidel([&](bool backwards) { sweeps.sweep(backwards, --left >= kSweepsToSmooth); },
                                    [&] { return sweeps.residual(); }, tolerance, budget, false);
@@ -223,7 +224,7 @@ ContactSolverReport solve_islands(const ContactSolverOptions& options, ContactWo
   report.islands = w.islands.size();
   for (int i = 0; i < w.islands.size(); ++i) {
     const Solved solved =
-        is_crowd(w, i) ? solve_crowd(options, i, w) : solve_exactly(options, rows_of(w, i), w, report);
+        is_large(w, i) ? solve_large(options, i, w) : solve_exactly(options, rows_of(w, i), w, report);
     report.sweeps = std::max(report.sweeps, solved.swept.sweeps);
     report.contact_sweeps += solved.swept.sweeps * static_cast<std::int64_t>(w.islands.of(i).size());
     report.missed_islands += solved.missed ? 1 : 0;
@@ -232,7 +233,7 @@ ContactSolverReport solve_islands(const ContactSolverOptions& options, ContactWo
   return report;
 }
 
-bool becomes_crowd(const CrowdChoice& choice, const Contacts& contacts, std::span<const int> island) {
+bool becomes_large(const LargeIslandChoice& choice, const Contacts& contacts, std::span<const int> island) {
   const int size = static_cast<int>(island.size());
   if (size <= choice.most_exact) return false;
   if (size > choice.most_slow || choice.motion == nullptr) return true;
@@ -246,10 +247,10 @@ bool becomes_crowd(const CrowdChoice& choice, const Contacts& contacts, std::spa
 
 }  // namespace
 
-void prepare_contacts(const MassProperties& mass, const Contacts& contacts, const CrowdChoice& choice,
+void prepare_contacts(const MassProperties& mass, const Contacts& contacts, const LargeIslandChoice& choice,
                       ContactWorkspace& w) {
   find_islands(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, w.islands);
-  clear_blocks(static_cast<int>(mass.inverse_mass.size()), w.crowds);
+  clear_blocks(static_cast<int>(mass.inverse_mass.size()), w.large_islands);
   w.rows.resize(w.islands.contacts.size());
   w.moves.resize(contacts.a.size());
   w.law.resize(w.islands.size());
@@ -258,9 +259,9 @@ void prepare_contacts(const MassProperties& mass, const Contacts& contacts, cons
   for (int i = 0; i < w.islands.size(); ++i) {
     const std::span<const int> of_island = w.islands.of(i);
     const int first = w.first_block.back();
-    if (becomes_crowd(choice, contacts, of_island)) {
-      add_blocks(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, of_island, w.crowds);
-      each_lane(w.crowds, first, static_cast<int>(w.crowds.blocks.size()),
+    if (becomes_large(choice, contacts, of_island)) {
+      add_blocks(contacts.a, contacts.b, mass.inverse_mass, mass.inverse_inertia, of_island, w.large_islands);
+      each_lane(w.large_islands, first, static_cast<int>(w.large_islands.blocks.size()),
                 [&](int c, ContactBlock& block, std::size_t lane) {
                   ContactRow row;
                   w.moves[c] = set_geometry(contacts, c, mass, row);
@@ -276,8 +277,8 @@ void prepare_contacts(const MassProperties& mass, const Contacts& contacts, cons
       ContactRow* row = w.rows.data() + w.islands.first[i];
       for (const int c : of_island) w.moves[c] = set_geometry(contacts, c, mass, *row++);
     }
-    w.first_block.push_back(static_cast<int>(w.crowds.blocks.size()));
-    w.first_body.push_back(static_cast<int>(w.crowds.bodies.size()));
+    w.first_block.push_back(static_cast<int>(w.large_islands.blocks.size()));
+    w.first_body.push_back(static_cast<int>(w.large_islands.bodies.size()));
   }
 }
 
@@ -296,14 +297,14 @@ ContactSolverReport solve_prepared(const MassProperties& mass, Contacts& contact
     contacts.sticks[c] = std::abs(slip) <= options.slip_speed ? 1 : 0;
   };
   for (int i = 0; i < w.islands.size(); ++i) {
-    if (is_crowd(w, i)) continue;
+    if (is_large(w, i)) continue;
     const std::span<const ContactRow> rows = rows_of(w, i);
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const RowVelocity u = row_velocity(rows[k], w.bodies[rows[k].a], w.bodies[rows[k].b]);
       keep(w.islands.of(i)[k], rows[k], u.tangential);
     }
   }
-  each_lane(w.crowds, 0, w.first_block.back(), [&](int c, const ContactBlock& block, std::size_t lane) {
+  each_lane(w.large_islands, 0, w.first_block.back(), [&](int c, const ContactBlock& block, std::size_t lane) {
     const ContactRow row = row_of(block, lane);
     SolverBody a, b;
     a.vx = v(0, row.a), a.vy = v(1, row.a), a.spin = v(2, row.a);
@@ -329,9 +330,9 @@ ContactSolverReport project_prepared(const MassProperties& mass, const Contacts&
   return report;
 }
 
-ContactSolverReport project_overlaps(const MassProperties& mass, const Contacts& contacts, double fraction,
-                                     Eigen::Matrix3Xd& dq, const ContactSolverOptions& options,
-                                     ContactWorkspace& workspace) {
+ContactSolverReport project_penetrations(const MassProperties& mass, const Contacts& contacts, double fraction,
+                                         Eigen::Matrix3Xd& dq, const ContactSolverOptions& options,
+                                         ContactWorkspace& workspace) {
   prepare_contacts(mass, contacts, {.most_exact = options.most_exact}, workspace);
   return project_prepared(mass, contacts, fraction, dq, options, workspace);
 }

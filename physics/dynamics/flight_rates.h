@@ -4,9 +4,9 @@
 #include <span>
 
 #include "physics/dynamics/force_field.h"
-#include "physics/dynamics/links.h"
+#include "physics/dynamics/joint_constraints.h"
 
-// The right-hand sides that integrators are given along a track, f(t, y, k) with t in s from the epoch on.
+// The right-hand sides that integrators are given along a trajectory, f(t, y, k) with t in s from the epoch on.
 namespace carom {
 
 // A body that no force couples to another.
@@ -18,13 +18,13 @@ struct OneBody {
   void operator()(double t, const Y& y, Y& k) const {
     field.external_rate(body, epoch + t, y, k);
   }
-  [[nodiscard]] bool keeps_books() const { return field.keeps_books(); }
+  [[nodiscard]] bool has_quadratures() const { return field.has_quadratures(); }
 };
 
 // The bodies of a group, a column each.
 struct Together {
   const ForceField& field;
-  Links& links;
+  JointConstraints& joints;
   int group;
   std::span<const int> members;
   double epoch;
@@ -32,9 +32,9 @@ struct Together {
     for (std::size_t j = 0; j < members.size(); ++j)
       field.external_rate(members[j], epoch + t, y.col(j), k.col(j));
     field.add_couplings(members, y, k);
-    links.add_forces(group, epoch + t, y, k);
+    joints.add_forces(group, epoch + t, y, k);
   }
-  [[nodiscard]] bool keeps_books() const { return field.keeps_books(); }
+  [[nodiscard]] bool has_quadratures() const { return field.has_quadratures(); }
 };
 
 }  // namespace carom

@@ -57,27 +57,27 @@ template <bool kDrag, bool kSprings, bool kApplied>
 void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const {
   Vec2 force = Vec2::Zero();
   double torque = 0.0;
-  Eigen::Map<Eigen::Matrix<double, kBooks, 1>> books(k + 6);
+  Eigen::Map<Eigen::Matrix<double, kQuadratures, 1>> quadratures(k + 6);
   if constexpr (kDrag) {
     const double coefficient = terms_->linear_drag + terms_->quadratic_drag * v.norm();
     force -= coefficient * v;
-    books[kDragLoss] = coefficient * v.squaredNorm();
+    quadratures[kDragLoss] = coefficient * v.squaredNorm();
   }
   if constexpr (kSprings) {
     for (const int i : terms_->outside[body]) {
       if (engaged_[i] == 0) continue;
-      const SpringTerm& link = terms_->springs[i];
-      Vec2 end = link.anchor;
+      const SpringTerm& joint = terms_->springs[i];
+      Vec2 end = joint.anchor;
       Vec2 end_velocity = Vec2::Zero();
-      if (link.drive >= 0) {
-        end = drive_position(model_->drive(link.drive), link.anchor, t);
-        end_velocity = drive_velocity(model_->drive(link.drive), t);
+      if (joint.drive >= 0) {
+        end = drive_position(model_->drive(joint.drive), joint.anchor, t);
+        end_velocity = drive_velocity(model_->drive(joint.drive), t);
       }
-      const Pull p = pull(link, x - end, v - end_velocity);
+      const Pull p = pull(joint, x - end, v - end_velocity);
       force += p.force;
-      books[kDamperLoss] += p.loss;
+      quadratures[kDamperLoss] += p.loss;
       // The drive's share: what becomes of kinetic and spring energy beside the damper's loss.
-      books[kWorkIn] += p.force.dot(end_velocity);
+      quadratures[kWorkIn] += p.force.dot(end_velocity);
     }
   }
   if constexpr (kApplied) {
@@ -87,14 +87,14 @@ void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, 
       const double share = phase_[i] == 1 ? (t - a.law.start) / a.law.rise : 1.0;
       force += share * a.law.force;
       torque += share * a.law.torque;
-      books[kWorkIn] += share * (a.law.force.dot(v) + a.law.torque * spin);
+      quadratures[kWorkIn] += share * (a.law.force.dot(v) + a.law.torque * spin);
     }
   }
   k[3] += model_->mass.inverse_mass[body] * force.x();
   k[4] += model_->mass.inverse_mass[body] * force.y();
   k[5] += model_->mass.inverse_inertia[body] * torque;
-  books[kImpulseX] = force.x();
-  books[kImpulseY] = force.y();
+  quadratures[kImpulseX] = force.x();
+  quadratures[kImpulseY] = force.y();
 }
 
 ForceField::AddExternal ForceField::add_external_of(const Needs& needs) {
@@ -115,13 +115,13 @@ void ForceField::add_couplings(std::span<const int> members, const Motions& y, M
   const int n = static_cast<int>(members.size());
   for (int i = 0; i < n && !terms_->between.empty(); ++i) {
     for (const int s : terms_->between[members[i]]) {
-      const SpringTerm& link = terms_->springs[s];
-      if (link.body != members[i] || engaged_[s] == 0) continue;
-      const auto j = column_of(link.other);
+      const SpringTerm& joint = terms_->springs[s];
+      if (joint.body != members[i] || engaged_[s] == 0) continue;
+      const auto j = column_of(joint.other);
       const Pull p =
-          pull(link, y.col(i).head<2>() - y.col(j).head<2>(), y.col(i).segment<2>(3) - y.col(j).segment<2>(3));
-      k.col(i).segment<2>(3) += model_->mass.inverse_mass[link.body] * p.force;
-      k.col(j).segment<2>(3) -= model_->mass.inverse_mass[link.other] * p.force;
+          pull(joint, y.col(i).head<2>() - y.col(j).head<2>(), y.col(i).segment<2>(3) - y.col(j).segment<2>(3));
+      k.col(i).segment<2>(3) += model_->mass.inverse_mass[joint.body] * p.force;
+      k.col(j).segment<2>(3) -= model_->mass.inverse_mass[joint.other] * p.force;
       k(6 + kDamperLoss, i) += p.loss;
     }
   }
@@ -190,12 +190,12 @@ double ForceField::spring_energy(int spring, double length) const {
   return engaged_[spring] != 0 ? 0.5 * terms_->springs[spring].stiffness * stretch * stretch : 0.0;
 }
 
-double ForceField::link_energy(int spring, const Eigen::Matrix3Xd& q) const {
-  const SpringTerm& link = terms_->springs[spring];
-  Vec2 end = link.anchor;
-  if (link.drive >= 0) end = q.col(link.drive).head<2>();
-  if (link.other >= 0) end = q.col(link.other).head<2>();
-  return spring_energy(spring, (q.col(link.body).head<2>() - end).norm());
+double ForceField::coupling_energy(int spring, const Eigen::Matrix3Xd& q) const {
+  const SpringTerm& joint = terms_->springs[spring];
+  Vec2 end = joint.anchor;
+  if (joint.drive >= 0) end = q.col(joint.drive).head<2>();
+  if (joint.other >= 0) end = q.col(joint.other).head<2>();
+  return spring_energy(spring, (q.col(joint.body).head<2>() - end).norm());
 }
 
 double ForceField::attraction_energy(int a, int b, const Vec2& d) const {
@@ -212,7 +212,7 @@ double ForceField::potential_energy(const Eigen::Matrix3Xd& q) const {
     if (model_->mass.inverse_mass[i] > 0.0)
       energy -= model_->mass.mass[i] * terms_->gravity.dot(q.col(i).head<2>());
   }
-  for (int s = 0; s < static_cast<int>(terms_->springs.size()); ++s) energy += link_energy(s, q);
+  for (int s = 0; s < static_cast<int>(terms_->springs.size()); ++s) energy += coupling_energy(s, q);
   if (!terms_->attraction) return energy;
   for (int a = 0; a < n; ++a) {
     for (int b = a + 1; b < n; ++b) {
@@ -229,10 +229,10 @@ double ForceField::potential_energy_of(int body, const Vec2& position, const Eig
   for (const auto* lists : {&terms_->outside, &terms_->between}) {
     if (lists->empty()) break;
     for (const int s : (*lists)[body]) {
-      const SpringTerm& link = terms_->springs[s];
-      Vec2 end = link.anchor;
-      if (link.drive >= 0) end = q.col(link.drive).head<2>();
-      if (link.other >= 0) end = q.col(link.other == body ? link.body : link.other).head<2>();
+      const SpringTerm& joint = terms_->springs[s];
+      Vec2 end = joint.anchor;
+      if (joint.drive >= 0) end = q.col(joint.drive).head<2>();
+      if (joint.other >= 0) end = q.col(joint.other == body ? joint.body : joint.other).head<2>();
       energy += spring_energy(s, (position - end).norm());
     }
   }
@@ -272,24 +272,24 @@ void ForceField::set_phase(int body, double t) {
 }
 
 Motion ForceField::spring_end(int spring, double t) const {
-  const SpringTerm& link = terms_->springs[spring];
+  const SpringTerm& joint = terms_->springs[spring];
   Motion end = Motion::Zero();
-  end.head<2>() = link.anchor;
-  if (link.drive >= 0) {
-    end.head<2>() = drive_position(model_->drive(link.drive), link.anchor, t);
-    end.segment<2>(3) = drive_velocity(model_->drive(link.drive), t);
+  end.head<2>() = joint.anchor;
+  if (joint.drive >= 0) {
+    end.head<2>() = drive_position(model_->drive(joint.drive), joint.anchor, t);
+    end.segment<2>(3) = drive_velocity(model_->drive(joint.drive), t);
   }
   return end;
 }
 
 double ForceField::switch_margin(int spring, const Motion& body, const Motion& other) const {
-  const SpringTerm& link = terms_->springs[spring];
+  const SpringTerm& joint = terms_->springs[spring];
   const Vec2 d = body.head<2>() - other.head<2>();
   const double length = d.norm();
-  const double stretch = length - link.rest_length;
+  const double stretch = length - joint.rest_length;
   const double rate = length > 0.0 ? d.dot(body.segment<2>(3) - other.segment<2>(3)) / length : 0.0;
-  const double tension = link.stiffness * stretch + link.damping * rate;  // N, pulls if positive
-  switch (link.acts) {
+  const double tension = joint.stiffness * stretch + joint.damping * rate;  // N, pulls if positive
+  switch (joint.acts) {
     case SpringActs::kBoth:
       return 1.0;
     case SpringActs::kPush:

@@ -27,14 +27,14 @@ class ForceField {
   explicit ForceField(std::shared_ptr<const Model> model);
 
   // Rate of a movable body at absolute time t (s) under the forces from outside; y and k are columns of kRows,
-  // or without the books where keeps_books() is false.
+  // or without the quadratures where has_quadratures() is false.
   template <class Y, class K>
   void external_rate(int body, double t, const Y& y, K&& k) const {
     k.template head<3>() = y.template segment<3>(3);
     k.template segment<3>(3) << terms_->gravity, 0.0;
     if (in_contact_) k.template segment<3>(3) += contact_.col(body);
     if constexpr (std::decay_t<K>::RowsAtCompileTime == kRows) {
-      k.template tail<kBooks>().setZero();
+      k.template tail<kQuadratures>().setZero();
       if (!terms_->gravity_only)
         (this->*add_external_)(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
     }
@@ -50,8 +50,8 @@ class ForceField {
   // Adds the coupling forces among `members` to their rates; columns in the order of the members.
   void add_couplings(std::span<const int> members, const Motions& y, Motions& k) const;
 
-  // True if books are more than zeros.
-  [[nodiscard]] bool keeps_books() const { return !terms_->gravity_only; }
+  // True if quadratures are more than zeros.
+  [[nodiscard]] bool has_quadratures() const { return !terms_->gravity_only; }
   // True if nothing but uniform gravity and constant forces acts, for good: flight is a parabola.
   [[nodiscard]] bool is_constant() const { return terms_->constant; }
   // m/s², m/s², rad/s²; of a movable body where is_constant(), zero for others.
@@ -96,7 +96,7 @@ class ForceField {
   [[nodiscard]] Motion spring_end(int spring, double t) const;
 
  private:
-  friend class Tracks;  // for what it keeps
+  friend class Trajectories;  // for what it keeps
   template <class Self, class Kept, class Each>
   static void each_kept(Self& field, Kept& kept, const Each& each);
 
@@ -110,7 +110,7 @@ class ForceField {
   void add_external(int body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const;
   static AddExternal add_external_of(const Needs& needs);
   [[nodiscard]] Pull pull(const SpringTerm& spring, const Vec2& d, const Vec2& u) const;
-  [[nodiscard]] double link_energy(int spring, const Eigen::Matrix3Xd& q) const;
+  [[nodiscard]] double coupling_energy(int spring, const Eigen::Matrix3Xd& q) const;
   [[nodiscard]] double attraction_energy(int a, int b, const Vec2& d) const;
 
   std::shared_ptr<const Model> model_;

@@ -7,7 +7,7 @@ namespace carom {
 // Why a run can't go on.
 enum class LossReason {
   kTooLarge,     // a motion grew beyond kLostBeyond, or is no number any more
-  kTooManySteps  // the adaptive integrator would need more steps than Tracks::kMostFlightWork allows
+  kTooManySteps  // the adaptive integrator would need more steps than Trajectories::kMostFlightWork allows
 };
 
 // Beyond this a motion is lost, in m, m/s, rad and rad/s: doubles there lie 0.1 apart, so that nothing of it is

@@ -5,7 +5,7 @@
 namespace carom {
 
 Motion initial_motion(const Body& body, double time) {
-  const Body now = driven_to(body, time);
+  const Body now = moved_by_drive(body, time);
   Motion m = Motion::Zero();
   q_of(m) << now.position, now.angle;
   v_of(m) << now.velocity, now.spin;

@@ -8,12 +8,12 @@
 namespace carom {
 
 // The unknowns of one body as a column: rows 0-2 are q = (x, y, angle) in m, m, rad; rows 3-5 v = q' in m/s,
-// m/s, rad/s; rows 6-10 the books, which integrators advance with the rest so that the ledger closes:
+// m/s, rad/s; rows 6-10 the quadratures, which integrators advance with the rest so that the ledger closes:
 //   lost to drag (J), lost to dampers (J), put in by drives and applied forces (J), and the momentum x, y (N s)
 //   that external forces other than gravity gave.
 inline constexpr int kRows = 11;
-inline constexpr int kBooks = 5;
-enum BooksRow { kDragLoss, kDamperLoss, kWorkIn, kImpulseX, kImpulseY };
+inline constexpr int kQuadratures = 5;
+enum QuadratureRow { kDragLoss, kDamperLoss, kWorkIn, kImpulseX, kImpulseY };
 
 template <int kBodies>
 using Columns = Eigen::Matrix<double, kRows, kBodies>;
@@ -29,32 +29,32 @@ template <class Y>
   return std::forward<Y>(y).template middleRows<3>(3);
 }
 template <class Y>
-[[nodiscard]] auto books_of(Y&& y) {
-  return std::forward<Y>(y).template bottomRows<kBooks>();
+[[nodiscard]] auto quadratures_of(Y&& y) {
+  return std::forward<Y>(y).template bottomRows<kQuadratures>();
 }
 
 // The motions of N bodies at one time, as arrays with a column a body.
 struct State {
   Eigen::Matrix3Xd q;
   Eigen::Matrix3Xd v;
-  Eigen::Matrix<double, kBooks, Eigen::Dynamic> books;
+  Eigen::Matrix<double, kQuadratures, Eigen::Dynamic> quadratures;
 
   [[nodiscard]] int size() const { return static_cast<int>(q.cols()); }
   void resize(int bodies) {
     q.resize(3, bodies);
     v.resize(3, bodies);
-    books.resize(kBooks, bodies);
+    quadratures.resize(kQuadratures, bodies);
   }
   void set_motion(int i, const Motion& m) {
     q.col(i) = q_of(m);
     v.col(i) = v_of(m);
-    books.col(i) = books_of(m);
+    quadratures.col(i) = quadratures_of(m);
   }
   [[nodiscard]] Vec2 position(int i) const { return q.col(i).head<2>(); }
   [[nodiscard]] Vec2 velocity(int i) const { return v.col(i).head<2>(); }
 };
 
-// A body as the scene has it at the start; a driven one where its drive is at `time` (s), with its velocity.
+// A body as the scene has it at the start; a kinematic one where its drive is at `time` (s), with its velocity.
 [[nodiscard]] Motion initial_motion(const Body& body, double time = 0.0);
 
 [[nodiscard]] State initial_state(const std::vector<Body>& bodies);

@@ -6,7 +6,7 @@ namespace carom {
 
 // One side of an impact: velocity of the centre (m/s), spin (rad/s), inverse mass and inertia, and the two arms
 // of the contact point, r from the centre, in m, with n turned so that it points from this body to the other:
-//   arm   = r·n, of the tangential impulse; negative if the contact lies beyond the centre (a deep overlap)
+//   arm   = r·n, of the tangential impulse; negative if the contact lies beyond the centre (a deep penetration)
 //   lever = r×n, of the normal impulse; 0 for discs, whose normal passes through the centre
 // So arm = r_A·n and lever = r_A×n for A, arm = -r_B·n and lever = -r_B×n for B. A fixed body has zero inverse
 // mass and inertia.
@@ -55,7 +55,7 @@ struct ContactMatrix {
 [[nodiscard]] ContactMatrix contact_matrix(const ImpactSide& a, const ImpactSide& b, const Vec2& normal);
 
 // The impulse that resolves an impact with slip u of two bodies that answer to it by K; K need not be that of
-// two free bodies, links may hold them. See resolve_impact() for the laws. Tangential restitution is not used.
+// two free bodies, joints may hold them. See resolve_impact() for the laws. Tangential restitution is not used.
 // Where the contact point cannot move along the tangent (det K zero within rounding) friction has no part.
 [[nodiscard]] Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const Material& material,
                                ImpactLawId law);

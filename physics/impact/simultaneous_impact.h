@@ -22,7 +22,7 @@ struct ClusterContact {
 
 struct ClusterOutcome {
   bool solved =
-      true;  // false: no impulses satisfy the law, as for a body between two driven ones; nothing changed
+      true;  // false: no impulses satisfy the law, as for a body between two kinematic ones; nothing changed
   double restitution = 1.0;  // the one e used: the smallest of the contacts, or what it was lowered to
   bool lowered = false;      // e was lowered to keep energy from being gained, or to find a solution at all
 };

@@ -14,7 +14,7 @@ struct Bounds {
     return ((low.x() <= other.high.x()) & (other.low.x() <= high.x()) & (low.y() <= other.high.y()) &
             (other.low.y() <= high.y())) != 0;
   }
-  [[nodiscard]] bool holds(const Bounds& other) const {
+  [[nodiscard]] bool contains(const Bounds& other) const {
     return ((low.x() <= other.low.x()) & (low.y() <= other.low.y()) & (other.high.x() <= high.x()) &
             (other.high.y() <= high.y())) != 0;
   }

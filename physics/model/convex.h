@@ -101,10 +101,10 @@ struct Twist {
   double spin = 0.0;
 };
 
-// A time (s, from now, may be infinite) before which a and b cannot overlap along n, where their gap counts as
-// closed now: while they part at the contact with normal n, this is when they may be back at the earliest, with
-// any of their vertices. It is 0 if a vertex that touches does not part. `curvature` is that of first_contact.
-// From n·(x_q - x_p) >= max(0, f0) + f1 t - curvature t²/2 for each pair of vertices p, q.
+// A time (s, from now, may be infinite) before which a and b cannot penetration along n, where their gap counts
+// as closed now: while they part at the contact with normal n, this is when they may be back at the earliest,
+// with any of their vertices. It is 0 if a vertex that touches does not part. `curvature` is that of
+// first_contact. From n·(x_q - x_p) >= max(0, f0) + f1 t - curvature t²/2 for each pair of vertices p, q.
 [[nodiscard]] double apart_until(const ConvexShapes& shapes, int a, const Pose& pose_a, const Twist& twist_a,
                                  int b, const Pose& pose_b, const Twist& twist_b, const Vec2& n,
                                  double curvature);

@@ -27,7 +27,7 @@ ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, co
       const int other = index.at(s.to);
       term.anchor = bodies[other].position;
       if (bodies[other].drive) term.drive = other;
-      if (!is_immovable(bodies[other])) term.other = other;
+      if (!has_infinite_mass(bodies[other])) term.other = other;
     }
     (term.other < 0 ? t.outside : t.between)[body].push_back(spring);
     if (term.other >= 0) t.between[term.other].push_back(spring);
@@ -45,7 +45,7 @@ ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, co
     t.constant = t.constant && f.start == 0.0 && f.rise == 0.0 && !f.end;
   }
   bool smooth = false;
-  for (const Part part : {Part::kDrag, Part::kSprings, Part::kAttraction, Part::kLinks})
+  for (const Part part : {Part::kDrag, Part::kSprings, Part::kAttraction, Part::kJoints})
     smooth = smooth || needs.has(part);
   t.constant = t.constant && !smooth;
   t.gravity_only = !smooth && !needs.has(Part::kAppliedForces);

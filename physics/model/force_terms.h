@@ -12,7 +12,7 @@ namespace carom {
 struct SpringTerm {
   int body;
   int other;    // a movable body, or -1
-  int drive;    // a driven body at the other end, or -1
+  int drive;    // a kinematic body at the other end, or -1
   Vec2 anchor;  // m, of a point or an immovable body's home
   double stiffness;
   double damping;

@@ -19,7 +19,7 @@ ConvexShape convex_shape(const Shape& shape) {
 
 }  // namespace
 
-Geometry geometry(const std::vector<Body>& bodies, const std::vector<Link>& links) {
+Geometry geometry(const std::vector<Body>& bodies, const std::vector<Joint>& joints) {
   const auto n = static_cast<Eigen::Index>(bodies.size());
   Geometry g;
   g.extent.resize(2, n);
@@ -29,29 +29,29 @@ Geometry geometry(const std::vector<Body>& bodies, const std::vector<Link>& link
   for (Eigen::Index i = 0; i < n; ++i) {
     const Body& body = bodies[static_cast<std::size_t>(i)];
     shapes.push_back(convex_shape(body.shape));
-    const bool immovable = is_immovable(body);
-    if (immovable || std::holds_alternative<Disc>(body.shape)) {
+    const bool infinite_mass = has_infinite_mass(body);
+    if (infinite_mass || std::holds_alternative<Disc>(body.shape)) {
       g.extent.col(i) = half_extent(body.shape, body.angle);
     } else {
       g.extent.col(i).setConstant(bounding_radius(body.shape));
     }
     g.size[i] = g.extent.col(i).allFinite() ? g.extent.col(i).sum() : 0.0;
-    g.fixed.push_back(immovable ? 1 : 0);
+    g.fixed.push_back(infinite_mass ? 1 : 0);
     const int next = static_cast<int>(groups.size());
     g.group.push_back(body.group.empty() ? -1 : groups.try_emplace(body.group, next).first->second);
   }
   g.shapes = convex_shapes(shapes);
   std::unordered_map<std::string, int> index;
-  if (!links.empty()) {
+  if (!joints.empty()) {
     for (std::size_t i = 0; i < bodies.size(); ++i) index.emplace(bodies[i].name, static_cast<int>(i));
   }
   g.welded.assign(bodies.size(), -1);
-  for (const Link& link : links) {
-    if (link.to.empty()) continue;
-    const int a = index.at(link.body);
-    const int b = index.at(link.to);
-    if (link.kind == LinkKind::kPin) g.pinned.push_back(std::minmax({a, b}));
-    if (link.kind != LinkKind::kWeld) continue;
+  for (const Joint& joint : joints) {
+    if (joint.to.empty()) continue;
+    const int a = index.at(joint.body);
+    const int b = index.at(joint.to);
+    if (joint.kind == JointKind::kPin) g.pinned.push_back(std::minmax({a, b}));
+    if (joint.kind != JointKind::kWeld) continue;
     // Both and all that they were welded to get one number.
     const int from_a = g.welded[a];
     const int from_b = g.welded[b];

@@ -11,7 +11,7 @@ MassProperties mass_properties(const std::vector<Body>& bodies) {
                    Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity())};
   for (Eigen::Index i = 0; i < n; ++i) {
     const Body& b = bodies[static_cast<std::size_t>(i)];
-    if (is_immovable(b)) continue;
+    if (has_infinite_mass(b)) continue;
     m.mass[i] = mass_of(b);
     m.inertia[i] = inertia_of(b);
     m.inverse_mass[i] = 1.0 / m.mass[i];

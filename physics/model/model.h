@@ -6,7 +6,7 @@
 
 #include "physics/model/force_terms.h"
 #include "physics/model/geometry.h"
-#include "physics/model/joints.h"
+#include "physics/model/joint_terms.h"
 #include "physics/model/mass.h"
 #include "physics/model/needs.h"
 #include "physics/model/surfaces.h"
@@ -24,15 +24,15 @@ struct Model {
   Geometry shapes;
   Surfaces surfaces;
   ForceTerms forces;
-  Joints joints;
-  std::vector<std::uint8_t> driven;  // by body; empty without driven bodies
-  bool smooth_discs = false;         // impacts are between centres: nothing turns, rubs, sticks or is joined
-  double start_time = 0.0;           // s, of a run
+  JointTerms joint_terms;
+  std::vector<std::uint8_t> kinematic;  // by body; empty without kinematic bodies
+  bool smooth_discs = false;            // impacts are between centres: nothing turns, rubs, sticks or is joined
+  double start_time = 0.0;              // s, of a run
 
   [[nodiscard]] const std::vector<Body>& bodies() const { return scene.bodies; }
-  [[nodiscard]] bool is_driven(int body) const { return !driven.empty() && driven[body] != 0; }
+  [[nodiscard]] bool is_kinematic(int body) const { return !kinematic.empty() && kinematic[body] != 0; }
   [[nodiscard]] const Drive& drive(int body) const { return *scene.bodies[body].drive; }
-  [[nodiscard]] bool immovable(int body) const { return shapes.fixed[body] != 0; }
+  [[nodiscard]] bool infinite_mass(int body) const { return shapes.fixed[body] != 0; }
 };
 
 // The scene must be valid. A run of it starts at `start_time` (s), where its drives are then.

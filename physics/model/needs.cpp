@@ -5,13 +5,13 @@
 namespace carom {
 namespace {
 
-bool meet(const SceneFacts& f) { return f.moving > 0 && f.moving + f.immovable > 1; }
+bool can_collide(const SceneFacts& f) { return f.moving > 0 && f.moving + f.infinite_mass > 1; }
 
 // Two bodies can get different accelerations. Uniform gravity gives two free bodies the same: it presses only
 // against immovable ones.
 bool accelerate_apart(const SceneFacts& f, const Scene& scene) {
-  return f.drag || f.springs || f.links || f.sticks || f.attraction || f.pushes || f.accelerating ||
-         (!scene.forces.gravity.isZero(0.0) && f.immovable > 0);
+  return f.drag || f.springs || f.joints || f.sticks || f.attraction || f.pushes || f.accelerating ||
+         (!scene.forces.gravity.isZero(0.0) && f.infinite_mass > 0);
 }
 
 template <class Change>
@@ -26,7 +26,8 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
      "something turns, or an impact, friction or a torque can turn it",
      "nothing turns, and nothing can turn it",
      [](const SceneFacts& f, const Scene&) {
-       return f.spinning || f.torques || f.rub || f.turning_links || f.sticks || (meet(f) && f.cornered);
+       return f.spinning || f.torques || f.rub || f.turning_joints || f.sticks ||
+              (can_collide(f) && f.cornered);
      },
      nullptr},
     // Tangential restitution acts only within the bound that kinetic friction sets, so it needs friction too.
@@ -70,16 +71,18 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
          body.drive.reset();
        }
      }},
-    {Part::kLinks, "links", "links", "linear equations for what rods, strings, pins and welds do",
-     "the scene has links", "there are no links", [](const SceneFacts& f, const Scene&) { return f.links; },
-     [](Scene& scene) { scene.links.clear(); }},
+    {Part::kJoints, "links", "links", "linear equations for what rods, strings, pins and welds do",
+     "the scene has links", "there are no links", [](const SceneFacts& f, const Scene&) { return f.joints; },
+     [](Scene& scene) { scene.joints.clear(); }},
     // With e = 1 and no relative acceleration every impact parts its pair for good; with e < 1 several bodies
     // can
     // collapse onto one another.
     {Part::kRestingContacts, "resting_contacts", "lasting contacts",
      "a search for contacts and a solver of their forces in each step", "something can press bodies together",
      "nothing presses bodies together for a while",
-     [](const SceneFacts& f, const Scene& scene) { return meet(f) && (accelerate_apart(f, scene) || f.yield); },
+     [](const SceneFacts& f, const Scene& scene) {
+       return can_collide(f) && (accelerate_apart(f, scene) || f.yield);
+     },
      nullptr},
 }};
 
@@ -104,7 +107,7 @@ Needs all_needs() {
 NeedsText text_of(const Needs& needs, const Scene& scene, ContactsId contacts) {
   const SceneFacts f = facts_of(scene);
   NeedsText text;
-  if (meet(f)) text.modelled.emplace_back("normal impulses");
+  if (can_collide(f)) text.modelled.emplace_back("normal impulses");
   if (f.moving > 0 && !scene.forces.gravity.isZero(0.0)) text.modelled.emplace_back("gravity");
   for (const PartEntry& entry : kEntries) {
     std::string noun(entry.noun);

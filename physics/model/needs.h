@@ -25,7 +25,7 @@ enum class Part : std::uint8_t {
   kAppliedForces,
   kSwitching,
   kDrives,
-  kLinks,
+  kJoints,
   kRestingContacts
 };
 inline constexpr std::size_t kPartCount = 11;

@@ -15,7 +15,7 @@ Surfaces surfaces_of(const Scene& scene, const std::vector<Body>& bodies) {
     surfaces.material.push_back(at->second);
   }
   surfaces.materials = static_cast<int>(names.size());
-  surfaces.pairs = meetings(scene, names);
+  surfaces.pairs = combined_materials(scene, names);
   return surfaces;
 }
 

@@ -26,7 +26,7 @@ class ImpactTally {
   void happened(std::int64_t impacts) { happened_ = impacts; }
 
   [[nodiscard]] double between(int a, int b) const;  // of a watched pair; else NaN
-  // With fixed and driven bodies, and of two free ones.
+  // With fixed and kinematic bodies, and of two free ones.
   [[nodiscard]] double with_walls() const { return known(static_cast<double>(counts_.walls)); }
   [[nodiscard]] double mutual() const { return known(static_cast<double>(counts_.mutual)); }
   [[nodiscard]] double wall_impulse() const {

@@ -59,15 +59,15 @@ double between(const Reading& r, Ids pair, const Value& value) {
   return sum;
 }
 
-// The largest depth by which two bodies overlap, m; 0 if none do. Joined bodies and those of one group don't
-// count.
-double largest_overlap(const Reading& r) {
+// The largest depth by which two bodies penetration, m; 0 if none do. Joined bodies and those of one group
+// don't count.
+double largest_penetration(const Reading& r) {
   std::vector<Bounds> bounds;
   for (int i = 0; i < r.state.size(); ++i) bounds.push_back(bounds_at(r, i));
   BroadPhase broad_phase;
   double most = 0.0;
   for (const auto& [a, b] : broad_phase.pairs(bounds, r.shapes.fixed)) {
-    if (!r.shapes.can_meet(a, b)) continue;
+    if (!r.shapes.can_collide(a, b)) continue;
     const Approach at = approach_of(r.shapes, a, r.state.q.col(a), {}, b, r.state.q.col(b), {}, 0.0);
     most = std::max(most, -at.contact.gap);
   }
@@ -97,7 +97,7 @@ double angle_between(const Reading& r, Ids b) {
 double distance(const Reading& r, Ids b) { return (r.state.position(b[1]) - r.state.position(b[0])).norm(); }
 
 double lost_in_flight(const Ledger& l) {
-  return l.lost_to_drag + l.lost_to_dampers + l.lost_to_rolling + l.lost_to_links;
+  return l.lost_to_drag + l.lost_to_dampers + l.lost_to_rolling + l.lost_to_joints;
 }
 
 // How far one body, or the farthest moving one, is from where it is in the reference; NaN while that cannot be
@@ -191,21 +191,21 @@ constexpr auto kOwn = std::to_array<Observable>({
      [](R r, Ids) { return lost_in_flight(r.ledger); }},
     {"put_in", "put in, all together", "J", 0, Topic::kLedger,
      [](R r,
-        Ids) { return r.ledger.put_in_by_drives + r.ledger.put_in_by_user + r.ledger.overlap_correction; }},
+        Ids) { return r.ledger.put_in_by_drives + r.ledger.put_in_by_user + r.ledger.penetration_correction; }},
     {"numerical_drift", "numerical drift", "J", 0, Topic::kLedger, [](R r, Ids) { return r.energy_drift; }},
-    {"rms_spin", "root mean square spin", "rad/s", 0, Topic::kCrowd, [](R r, Ids) { return rms_spin(r); }},
-    {"fastest", "largest speed", "m/s", 0, Topic::kCrowd,
+    {"rms_spin", "root mean square spin", "rad/s", 0, Topic::kAllBodies, [](R r, Ids) { return rms_spin(r); }},
+    {"fastest", "largest speed", "m/s", 0, Topic::kAllBodies,
      [](R r, Ids) { return largest(r, [&](int i) { return r.state.velocity(i).norm(); }); }},
-    {"lowest_y", "lowest point", "m", 0, Topic::kCrowd,
+    {"lowest_y", "lowest point", "m", 0, Topic::kAllBodies,
      [](R r, Ids) { return -largest(r, [&](int i) { return -bounds_at(r, i).low.y(); }); }},
-    {"highest_y", "highest point", "m", 0, Topic::kCrowd,
+    {"highest_y", "highest point", "m", 0, Topic::kAllBodies,
      [](R r, Ids) { return largest(r, [&](int i) { return bounds_at(r, i).high.y(); }); }},
-    {"leftmost_x", "leftmost point", "m", 0, Topic::kCrowd,
+    {"leftmost_x", "leftmost point", "m", 0, Topic::kAllBodies,
      [](R r, Ids) { return -largest(r, [&](int i) { return -bounds_at(r, i).low.x(); }); }},
-    {"rightmost_x", "rightmost point", "m", 0, Topic::kCrowd,
+    {"rightmost_x", "rightmost point", "m", 0, Topic::kAllBodies,
      [](R r, Ids) { return largest(r, [&](int i) { return bounds_at(r, i).high.x(); }); }},
-    {"overlap", "largest overlap", "m", 0, Topic::kCrowd, [](R r, Ids) { return largest_overlap(r); }},
-    {"contacts", "contact points that hold", "1", 0, Topic::kCrowd,
+    {"overlap", "largest overlap", "m", 0, Topic::kAllBodies, [](R r, Ids) { return largest_penetration(r); }},
+    {"contacts", "contact points that hold", "1", 0, Topic::kAllBodies,
      [](R r, Ids) { return static_cast<double>(r.contacts.size()); }},
     {"time", "time", "s", 0, Topic::kRun, [](R r, Ids) { return r.time; }},
     {"impacts", "impacts so far", "1", 0, Topic::kRun, [](R r, Ids) { return static_cast<double>(r.impacts); }},

@@ -40,7 +40,7 @@ struct Reading {
 [[nodiscard]] Reading reading_of(const Simulation& simulation, const ImpactTally& tally);
 
 // What observables are about, for a menu of them.
-enum class Topic { kBody, kPair, kEnergy, kMomentum, kLedger, kCrowd, kRun, kError };
+enum class Topic { kBody, kPair, kEnergy, kMomentum, kLedger, kAllBodies, kRun, kError };
 
 // What an expectation or a plot can be about: a number read off a run at one moment.
 struct Observable {

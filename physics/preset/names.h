@@ -48,11 +48,11 @@ inline constexpr auto kSeveralImpactsNames = std::to_array<std::pair<SeveralImpa
     {SeveralImpactsId::kSimultaneous, "simultaneous"},
 });
 
-inline constexpr auto kLinkNames = std::to_array<std::pair<LinkKind, std::string_view>>({
-    {LinkKind::kRod, "rod"},
-    {LinkKind::kString, "string"},
-    {LinkKind::kPin, "pin"},
-    {LinkKind::kWeld, "weld"},
+inline constexpr auto kJointNames = std::to_array<std::pair<JointKind, std::string_view>>({
+    {JointKind::kRod, "rod"},
+    {JointKind::kString, "string"},
+    {JointKind::kPin, "pin"},
+    {JointKind::kWeld, "weld"},
 });
 
 inline constexpr auto kPlotNames = std::to_array<std::string_view>(

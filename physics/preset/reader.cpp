@@ -3,7 +3,7 @@
 #include "physics/preset/expectation_json.h"
 #include "physics/preset/file_text.h"
 #include "physics/preset/force_json.h"
-#include "physics/preset/link_json.h"
+#include "physics/preset/joint_json.h"
 #include "physics/preset/method_json.h"
 #include "physics/preset/names.h"
 #include "physics/preset/plot_json.h"
@@ -178,8 +178,8 @@ void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
                 preset.scene.several_impacts);
   r.read_objects({"generators", "many bodies from a few numbers"}, kMostBodies,
                  each(preset.scene.generators, read_generator));
-  r.read_objects({"links", "rods, strings, pins and welds"}, kMostSceneLinks,
-                 each(preset.scene.links, read_link));
+  r.read_objects({"links", "rods, strings, pins and welds"}, kMostJoints,
+                 each(preset.scene.joints, read_joint));
   r.member({"plots", "to open with"}, [&](const ValueReader& v) {
     v.list({0, kMostPlots}, [&](const ValueReader& plot) { preset.plots.push_back(read_plot(plot)); });
   });
@@ -210,7 +210,7 @@ Preset preset_of(const Json& json) {
   ValueReader(json, "").object([&](FieldReader& r) { read_preset_object(r, preset, places); });
   validate(preset, places);
   if (state_belongs(preset.scene, preset.saved)) of_saved_run([&] { read_state(json.at("state"), preset); });
-  settle_places(preset, places);
+  resolve_places(preset, places);
   return preset;
 }
 

@@ -23,20 +23,20 @@ Preset saved_preset(const Preset& document, const Simulation& simulation) {
   out.scene.bodies = simulation.bodies();
   const State& state = simulation.state();
   // What a file may leave to the start must be said now.
-  out.scene.links = simulation.links();
+  out.scene.joints = simulation.joints();
   std::unordered_map<std::string_view, double> angles;  // by body
   for (const Body& b : out.scene.bodies) angles.emplace(b.name, b.angle);
-  for (std::size_t i = 0; i < out.scene.links.size(); ++i) {
-    Link& link = out.scene.links[i];
-    if (link.kind == LinkKind::kRod || link.kind == LinkKind::kString) {
-      link.length = simulation.length(static_cast<int>(i));
-    } else if (link.kind == LinkKind::kWeld && !link.angle) {
-      link.angle = angles.at(link.body) - (link.to.empty() ? 0.0 : angles.at(link.to));
+  for (std::size_t i = 0; i < out.scene.joints.size(); ++i) {
+    Joint& joint = out.scene.joints[i];
+    if (joint.kind == JointKind::kRod || joint.kind == JointKind::kString) {
+      joint.length = simulation.length(static_cast<int>(i));
+    } else if (joint.kind == JointKind::kWeld && !joint.angle) {
+      joint.angle = angles.at(joint.body) - (joint.to.empty() ? 0.0 : angles.at(joint.to));
     }
   }
   for (int i = 0; i < state.size(); ++i) {
     Body& b = out.scene.bodies[static_cast<std::size_t>(i)];
-    if (is_immovable(b)) continue;
+    if (has_infinite_mass(b)) continue;
     b.position = state.position(i);
     b.angle = state.q(2, i);
     b.velocity = state.velocity(i);

@@ -80,20 +80,20 @@ Preset variant(const Preset& preset, const std::vector<Setting>& settings) {
   return changed;
 }
 
-void settle_places(Preset& preset, const ForcePlaces& places) {
+void resolve_places(Preset& preset, const ForcePlaces& places) {
   const auto has_places = [](const Expectation& e) { return e.over || !e.settings.empty(); };
   if (std::none_of(preset.expect.begin(), preset.expect.end(), has_places)) return;
   Json json = full_json(preset);
   const auto pairs = moves(preset.scene.forces, places);
-  const auto settle = [&](const std::string& at, std::string& place) {
+  const auto resolve = [&](const std::string& at, std::string& place) {
     std::string now = moved(place, pairs);
     if (number_at(json, now) == nullptr) refuse_by(Rule::kPlaces, at, "\"" + place + "\"", kPlaceAllowed);
     place = std::move(now);
   };
   for (std::size_t i = 0; i < preset.expect.size(); ++i) {
     Expectation& e = preset.expect[i];
-    for (Setting& s : e.settings) settle(fmt::format("/expect/{}/with", i), s.place);
-    if (e.over) settle(fmt::format("/expect/{}/over/place", i), e.over->place);
+    for (Setting& s : e.settings) resolve(fmt::format("/expect/{}/with", i), s.place);
+    if (e.over) resolve(fmt::format("/expect/{}/over/place", i), e.over->place);
   }
 }
 

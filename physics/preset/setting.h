@@ -15,6 +15,6 @@ namespace carom {
 
 // For the reader: refuses expectations whose settings or sweep name a place that holds no number, and turns the
 // places of forces from those of the file, `places`, to those of a file that Carom writes.
-void settle_places(Preset& preset, const ForcePlaces& places);
+void resolve_places(Preset& preset, const ForcePlaces& places);
 
 }  // namespace carom

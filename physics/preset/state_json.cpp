@@ -260,7 +260,7 @@ class StateReader {
 // structured binding, so that one that is new doesn't compile until it stands here.
 
 struct Sizes {
-  std::size_t bodies, islands, springs, links, applied;
+  std::size_t bodies, islands, springs, joints, applied;
 };
 
 constexpr auto kLedger = [](auto& a, auto& ledger) {
@@ -295,20 +295,20 @@ constexpr auto kWork = [](auto& a, auto& work) {
   a.value("reserve", reserve);
 };
 
-const auto kTracks = [](const Sizes& size) {
-  return [size](auto& a, auto& tracks) {
-    auto& [epoch, start, end, next_step, switching, settled, engaged, taut, let_go_at, phase, constant, contact,
-           evaluations, rejected_steps, tolerance_missed, links_missed, switches_missed, lost_to_links] =
-        tracks;
+const auto kTrajectories = [](const Sizes& size) {
+  return [size](auto& a, auto& trajectories) {
+    auto& [epoch, start, end, next_step, switching, at_start, engaged, taut, released_at, phase, constant,
+           contact, evaluations, rejected_steps, tolerance_missed, joints_missed, switches_missed,
+           lost_to_joints] = trajectories;
     a.value("epoch", epoch);
     a.list("start", start, size.islands);
     a.list("end", end, size.islands);
     a.list("next_step", next_step, size.islands);
     a.list("switching", switching, size.islands);
-    a.rows("settled", settled, size.bodies);
+    a.rows("settled", at_start, size.bodies);
     a.list("engaged", engaged, size.springs);
-    a.list("taut", taut, size.links);
-    a.list("let_go_at", let_go_at, size.links);
+    a.list("taut", taut, size.joints);
+    a.list("let_go_at", released_at, size.joints);
     a.list("phase", phase, size.applied);
     bool touched = contact.cols() > 0;
     a.value("touched", touched);
@@ -319,15 +319,15 @@ const auto kTracks = [](const Sizes& size) {
     a.value("evaluations", evaluations);
     a.value("rejected_steps", rejected_steps);
     a.value("tolerance_missed_since", tolerance_missed);
-    a.value("links_missed_since", links_missed);
+    a.value("links_missed_since", joints_missed);
     a.value("switches_missed_since", switches_missed);
-    a.value("lost_to_links", lost_to_links);
+    a.value("lost_to_links", lost_to_joints);
   };
 };
 
 const auto kContactMemory = [](const Sizes& size) {
   return [size](auto& a, auto& contacts) {
-    auto& [forces, hold, held, pushed] = contacts;
+    auto& [forces, support, held, pushed] = contacts;
     a.tuples("forces", forces, kFree, [](const auto& each, auto& force) {
       auto& [body, other, id, point, normal, normal_force, tangential_force, rolling_moment, sticks] = force;
       each(body);
@@ -342,7 +342,7 @@ const auto kContactMemory = [](const Sizes& size) {
       each(rolling_moment);
       each(sticks);
     });
-    a.tuples("hold", hold, kFree, [](const auto& each, auto& of) {
+    a.tuples("hold", support, kFree, [](const auto& each, auto& of) {
       each(of.x());
       each(of.y());
       each(of.z());
@@ -356,15 +356,15 @@ const auto kContactMemory = [](const Sizes& size) {
 
 const auto kAhead = [](const Sizes& size) {
   return [size](auto& a, auto& ahead) {
-    auto& [tracks, grid, events, waiting, reach, stretch, epoch_length, last_impact] = ahead;
-    auto& [at_end, bend, turn, cached] = tracks;
+    auto& [trajectories, grid, events, waiting, reach, stretch, epoch_length, last_impact] = ahead;
+    auto& [at_end, curvature_bound, turn_bound, cached] = trajectories;
     a.value("reach", reach);
     a.value("stretch", stretch);
     a.value("epoch_length", epoch_length);
     a.value("last_impact", last_impact);
     a.rows("at_end", at_end, size.bodies);
-    a.list("bend", bend, size.bodies);
-    a.list("turn", turn, size.bodies);
+    a.list("bend", curvature_bound, size.bodies);
+    a.list("turn", turn_bound, size.bodies);
     a.list("cached", cached, size.islands);
     a.tuples("events", events, kFree, [](const auto& each, auto& event) {
       auto& [time, body, other] = event;
@@ -395,7 +395,7 @@ const auto kAhead = [](const Sizes& size) {
 
 template <class Archive, class Kept>
 void describe(Archive& a, Kept& state, const Sizes& size) {
-  auto& [method, clock, sums, at_once, work, motions, tracks, contacts, ahead] = state;
+  auto& [method, clock, sums, at_once, work, motions, trajectories, contacts, ahead] = state;
   // The end of the step under way is made anew in each step.
   auto& [time, step_end, origin, origin_step, steps_since_origin, steps] = clock;
   auto& [impact_count, impact_counts, ledger, gravity_since, peak_kinetic, energy_doubts, notices] = sums;
@@ -411,13 +411,13 @@ void describe(Archive& a, Kept& state, const Sizes& size) {
   a.object("work", work, kWork);
   a.rows("positions", motions.q, size.bodies);
   a.rows("velocities", motions.v, size.bodies);
-  a.rows("books", motions.books, size.bodies);
+  a.rows("books", motions.quadratures, size.bodies);
   a.object("ledger", ledger, kLedger);
   a.value("gravity_since", gravity_since);
   a.later("peak_kinetic", peak_kinetic);
   a.later("energy_doubts", energy_doubts);
   a.object("notices", notices, kNotices);
-  a.object("tracks", tracks, kTracks(size));
+  a.object("tracks", trajectories, kTrajectories(size));
   a.object("contacts", contacts, kContactMemory(size));
   a.optional("ahead", ahead, kAhead(size));
 }
@@ -447,9 +447,9 @@ SavedRun read_clock(const Json& json) {
 void read_state(const Json& json, Preset& preset) {
   const std::vector<Body> bodies = all_bodies(preset.scene);
   const double start = start_time(preset.saved);
-  const Tracks tracks(compile(preset.scene, needs_of(preset.scene), start), preset.method);
-  const Sizes sizes{bodies.size(), static_cast<std::size_t>(tracks.islands()),
-                    preset.scene.forces.springs.size(), preset.scene.links.size(),
+  const Trajectories trajectories(compile(preset.scene, needs_of(preset.scene), start), preset.method);
+  const Sizes sizes{bodies.size(), static_cast<std::size_t>(trajectories.islands()),
+                    preset.scene.forces.springs.size(), preset.scene.joints.size(),
                     preset.scene.forces.applied.size()};
   Json rest = json;
   rest.erase("time");

@@ -79,7 +79,7 @@ void validate(const Preset& preset, const ForcePlaces& places) {
     check_method(fmt::format("/compare/{}", i), preset.compare[i]);
   }
   check_range("/duration", preset.duration, positive("s"));
-  if (preset.saved && !from_zero("s").holds(preset.saved->time))
+  if (preset.saved && !from_zero("s").contains(preset.saved->time))
     refuse_by(Rule::kSavedRun, "/state/time", fmt::format("{}", preset.saved->time), from_zero("s").text());
   validate(preset.scene, places, {start_time(preset.saved), state_belongs(preset.scene, preset.saved)});
   check_integrator("/method", preset.scene, preset.method);

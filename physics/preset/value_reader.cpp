@@ -39,7 +39,7 @@ double ValueReader::number(const Range& range) const {
   }
   if (!value_->is_number()) refuse("a number");
   const auto x = value_->get<double>();
-  if (!range.holds(x)) refuse_value(place_, fmt::format("{}", x), range.text());
+  if (!range.contains(x)) refuse_value(place_, fmt::format("{}", x), range.text());
   return x;
 }
 

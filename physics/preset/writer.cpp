@@ -1,7 +1,7 @@
 #include "physics/files/output_file.h"
 #include "physics/preset/expectation_json.h"
 #include "physics/preset/force_json.h"
-#include "physics/preset/link_json.h"
+#include "physics/preset/joint_json.h"
 #include "physics/preset/method_json.h"
 #include "physics/preset/names.h"
 #include "physics/preset/object_writer.h"
@@ -46,7 +46,7 @@ Json body_json(const Body& b, bool all) {
   w.json["shape"] = shape_json(b.shape);
   w.json["position"] = pair_json(b.position);
   w.put("angle", b.angle, 0.0);
-  w.all = all && !is_immovable(b);
+  w.all = all && !has_infinite_mass(b);
   w.put("velocity", b.velocity, Vec2(Vec2::Zero()));
   w.put("spin", b.spin, 0.0);
   if (b.mass) w.json["mass"] = *b.mass;
@@ -146,7 +146,7 @@ Json preset_json(const Preset& preset, bool all) {
   for (const Body& b : preset.scene.bodies) j["bodies"].push_back(body_json(b, all));
   if (Json forces = forces_json(preset.scene.forces, all); !forces.empty()) j["forces"] = std::move(forces);
   for (const GridGenerator& g : preset.scene.generators) j["generators"].push_back(generator_json(g));
-  for (const Link& l : preset.scene.links) j["links"].push_back(link_json(l, all));
+  for (const Joint& l : preset.scene.joints) j["links"].push_back(joint_json(l, all));
   for (const Plot& plot : preset.plots) j["plots"].push_back(plot_json(plot));
   if (preset.view) j["view"] = {{"center", pair_json(preset.view->center)}, {"width", preset.view->width}};
   for (const Expectation& e : preset.expect) j["expect"].push_back(expectation_json(e));

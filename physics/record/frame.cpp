@@ -8,10 +8,10 @@
 namespace carom {
 namespace {
 
-std::vector<LinkState> link_states(const Simulation& simulation) {
-  const std::vector<Link>& links = simulation.links();
-  std::vector<LinkState> states;
-  if (links.empty()) return states;
+std::vector<JointState> joint_states(const Simulation& simulation) {
+  const std::vector<Joint>& joints = simulation.joints();
+  std::vector<JointState> states;
+  if (joints.empty()) return states;
   std::unordered_map<std::string_view, int> index;
   for (const Body& body : simulation.bodies()) index.emplace(body.name, static_cast<int>(index.size()));
   const auto now = [&](int i) { return Eigen::Vector3d(simulation.state().q.col(i)); };
@@ -21,18 +21,18 @@ std::vector<LinkState> link_states(const Simulation& simulation) {
   const auto end = [](const Eigen::Vector3d& q, const Vec2& own) {
     return Vec2(q.head<2>() + turned_by(q[2], own));
   };
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const Link& link = links[i];
-    const int body = index.at(link.body);
-    const int other = link.to.empty() ? -1 : index.at(link.to);
-    LinkState& s = states.emplace_back();
-    s.kind = link.kind;
-    s.from = other < 0 ? link.anchor : end(now(other), link.anchor);
-    s.to = end(now(body), link.point);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const Joint& joint = joints[i];
+    const int body = index.at(joint.body);
+    const int other = joint.to.empty() ? -1 : index.at(joint.to);
+    JointState& s = states.emplace_back();
+    s.kind = joint.kind;
+    s.from = other < 0 ? joint.anchor : end(now(other), joint.anchor);
+    s.to = end(now(body), joint.point);
     s.in_plane = other < 0;
-    const Vec2 start = other < 0 ? link.anchor : end(at_start(other), link.anchor);
-    s.length = link.length.value_or((end(at_start(body), link.point) - start).norm());
-    s.taut = link.kind != LinkKind::kString || simulation.is_taut(static_cast<int>(i));
+    const Vec2 start = other < 0 ? joint.anchor : end(at_start(other), joint.anchor);
+    s.length = joint.length.value_or((end(at_start(body), joint.point) - start).norm());
+    s.taut = joint.kind != JointKind::kString || simulation.is_taut(static_cast<int>(i));
   }
   return states;
 }
@@ -47,7 +47,7 @@ void take_moment(const Simulation& simulation, Frame& frame) {
   frame.evaluations = simulation.evaluations();
   frame.rejected_steps = simulation.rejected_steps();
   frame.state = simulation.state();
-  frame.links = link_states(simulation);
+  frame.joints = joint_states(simulation);
   frame.contacts = simulation.contact_forces();
   frame.totals = simulation.totals();
   frame.ledger = simulation.ledger();

@@ -13,9 +13,9 @@
 
 namespace carom {
 
-// A link at one moment, in the world.
-struct LinkState {
-  LinkKind kind = LinkKind::kRod;
+// A joint at one moment, in the world.
+struct JointState {
+  JointKind kind = JointKind::kRod;
   Vec2 from = Vec2::Zero();  // m, its end on the other body or in the plane
   Vec2 to = Vec2::Zero();    // m, its end on its body
   bool in_plane = false;     // from is a point of the plane
@@ -35,7 +35,7 @@ struct Frame {
   State state;
   std::shared_ptr<const std::vector<Body>> bodies;
   std::shared_ptr<const Forces> forces;
-  std::vector<LinkState> links;
+  std::vector<JointState> joints;
   std::vector<ContactForce> contacts;  // of the last step; empty where contacts don't last
   Totals totals;
   Ledger ledger;

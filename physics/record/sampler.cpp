@@ -7,9 +7,9 @@
 namespace carom {
 namespace {
 
-Ledger without_books(const Reading& reading) {
+Ledger without_quadratures(const Reading& reading) {
   Ledger ledger = reading.ledger;
-  ledger.add(-1.0, ledger_of_books(reading.state));
+  ledger.add(-1.0, ledger_of_quadratures(reading.state));
   return ledger;
 }
 
@@ -54,7 +54,7 @@ void Sampler::after_step(const Simulation& simulation) {
   const std::vector<ImpactRecord>& impacts = simulation.last_impacts();
   Reading end = reading_of(simulation, tally_);
   if (!jumps.empty()) {
-    Ledger smooth = without_books(end);  // what the step changed beside the jumps
+    Ledger smooth = without_quadratures(end);  // what the step changed beside the jumps
     smooth.add(-1.0, ledger_);
     for (const Jump& jump : jumps) smooth.add(-1.0, jump.change);
     Ledger jumped = ledger_;
@@ -79,7 +79,7 @@ void Sampler::after_step(const Simulation& simulation) {
                    end.shapes,
                    end.contacts};
         at.ledger.add(share, smooth);
-        at.ledger.add(1.0, ledger_of_books(*state));
+        at.ledger.add(1.0, ledger_of_quadratures(*state));
         append(at);
       }
     }
@@ -113,7 +113,7 @@ void Sampler::take_speeds(const Simulation& simulation) {
 void Sampler::remember(const Reading& end) {
   time_ = end.time;
   impacts_ = end.impacts;
-  ledger_ = without_books(end);
+  ledger_ = without_quadratures(end);
   energy_drift_ = end.energy_drift;
   momentum_drift_ = end.momentum_drift;
 }

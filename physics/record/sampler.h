@@ -83,7 +83,7 @@ class Sampler {
   // At the end of the last step.
   double time_ = 0.0;
   std::int64_t impacts_ = 0;
-  Ledger ledger_;  // without the bodies' books
+  Ledger ledger_;  // without the bodies' quadratures
   double energy_drift_ = 0.0;
   Vec2 momentum_drift_ = Vec2::Zero();
 };

@@ -42,13 +42,13 @@ class Ring {
 
  private:
   // The first record for which `holds`, which it does for all that follow.
-  template <class Holds>
-  [[nodiscard]] std::size_t first(const Holds& holds) const {
+  template <class Predicate>
+  [[nodiscard]] std::size_t first(const Predicate& is_past) const {
     std::size_t low = 0;
     std::size_t high = size();
     while (low < high) {
       const std::size_t middle = (low + high) / 2;
-      if (holds((*this)[middle])) {
+      if (is_past((*this)[middle])) {
         high = middle;
       } else {
         low = middle + 1;

@@ -27,7 +27,7 @@ void SpeedRecord::set_now(const State& state, const std::vector<Body>& bodies) {
   now_.clear();
   masses_.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (is_immovable(bodies[i]) || static_cast<int>(i) >= state.size()) continue;
+    if (has_infinite_mass(bodies[i]) || static_cast<int>(i) >= state.size()) continue;
     now_.push_back(state.velocity(static_cast<int>(i)).norm());
     masses_.push_back(mass_of(bodies[i]));
   }

@@ -20,17 +20,17 @@ void look_at_materials(const Scene& scene, const std::vector<Body>& bodies, Scen
   for (const Body& b : bodies) {
     Users& u = users[b.material];
     ++u.all;
-    if (!is_immovable(b)) ++u.moving;
+    if (!has_infinite_mass(b)) ++u.moving;
   }
   std::vector<std::string> names;
   for (const auto& [name, u] : users) names.push_back(name);
-  const std::vector<Material> surfaces = meetings(scene, names);
+  const std::vector<Material> surfaces = combined_materials(scene, names);
   auto surface = surfaces.begin();
   for (const auto& [name_a, a] : users) {
     for (const auto& [name_b, b] : users) {
       const Material& m = *surface++;
-      const bool meet = a.moving > 0 && (&a == &b ? a.all > 1 : b.all > 0);
-      if (!meet) continue;
+      const bool can_collide = a.moving > 0 && (&a == &b ? a.all > 1 : b.all > 0);
+      if (!can_collide) continue;
       facts.rub = facts.rub || m.kinetic_friction > 0.0;
       facts.yield = facts.yield || m.restitution < 1.0;
       facts.sticks = facts.sticks || m.sticks;
@@ -57,12 +57,12 @@ void look_at_forces(const Scene& scene, SceneFacts& facts) {
   }
 }
 
-void look_at_links(const Scene& scene, SceneFacts& facts) {
-  for (const Link& l : scene.links) {
-    facts.links = true;
-    facts.strings = facts.strings || l.kind == LinkKind::kString;
-    facts.turning_links = facts.turning_links || l.kind == LinkKind::kWeld || !l.point.isZero(0.0) ||
-                          (!l.to.empty() && !l.anchor.isZero(0.0));
+void look_at_joints(const Scene& scene, SceneFacts& facts) {
+  for (const Joint& l : scene.joints) {
+    facts.joints = true;
+    facts.strings = facts.strings || l.kind == JointKind::kString;
+    facts.turning_joints = facts.turning_joints || l.kind == JointKind::kWeld || !l.point.isZero(0.0) ||
+                           (!l.to.empty() && !l.anchor.isZero(0.0));
   }
 }
 
@@ -72,8 +72,8 @@ SceneFacts facts_of(const Scene& scene) {
   const std::vector<Body> bodies = all_bodies(scene);
   SceneFacts facts;
   for (const Body& b : bodies) {
-    ++(is_immovable(b) ? facts.immovable : facts.moving);
-    if (!is_immovable(b)) {
+    ++(has_infinite_mass(b) ? facts.infinite_mass : facts.moving);
+    if (!has_infinite_mass(b)) {
       facts.spinning = facts.spinning || b.spin != 0.0;
       facts.cornered = facts.cornered || !std::holds_alternative<Disc>(b.shape);
     }
@@ -84,7 +84,7 @@ SceneFacts facts_of(const Scene& scene) {
   }
   look_at_materials(scene, bodies, facts);
   look_at_forces(scene, facts);
-  look_at_links(scene, facts);
+  look_at_joints(scene, facts);
   return facts;
 }
 
@@ -94,7 +94,7 @@ std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator) 
   std::vector<std::string> with;
   if (f.drag) with.emplace_back("drag");
   if (f.springs) with.emplace_back("springs");
-  if (f.links) with.emplace_back("links");
+  if (f.joints) with.emplace_back("links");
   if (f.sticky) with.emplace_back("surfaces that stick");
   if (f.attraction) with.emplace_back("attraction");
   if (f.timed) with.emplace_back("forces that start, rise or end");

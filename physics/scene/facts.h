@@ -11,10 +11,10 @@ namespace carom {
 // What is in a scene that decides how its motion can be computed, gathered in one pass over the bodies.
 struct SceneFacts {
   int moving = 0;
-  int immovable = 0;
+  int infinite_mass = 0;
   bool spinning = false;      // a moving body turns
   bool cornered = false;      // a moving body is no disc: impacts beside its centre turn it
-  bool drives = false;        // a body is driven, be it to stand still
+  bool drives = false;        // a body is kinematic, be it to stand still
   bool accelerating = false;  // ... and changes its velocity
   bool rub = false;           // two bodies that can meet have kinetic friction
   bool yield = false;         // two bodies that can meet have restitution below 1
@@ -24,12 +24,12 @@ struct SceneFacts {
   bool one_sided = false;  // a spring pushes or pulls only
   bool drag = false;
   bool attraction = false;
-  bool links = false;
+  bool joints = false;
   bool strings = false;
-  bool turning_links = false;  // links turn bodies
-  bool pushes = false;         // applied forces
-  bool torques = false;        // applied torques
-  bool timed = false;          // applied forces that start, rise or end
+  bool turning_joints = false;  // joints turn bodies
+  bool pushes = false;          // applied forces
+  bool torques = false;         // applied torques
+  bool timed = false;           // applied forces that start, rise or end
 };
 
 [[nodiscard]] SceneFacts facts_of(const Scene& scene);

@@ -78,8 +78,8 @@ class Fingerprint {
     const auto& [name, body, to, anchor, stiffness, damping, rest_length, acts] = spring;
     add_all(name, body, to, anchor, stiffness, damping, rest_length, acts);
   }
-  void add(const Link& link) {
-    const auto& [name, kind, body, point, to, anchor, length, angle] = link;
+  void add(const Joint& joint) {
+    const auto& [name, kind, body, point, to, anchor, length, angle] = joint;
     add_all(name, kind, body, point, to, anchor, length, angle);
   }
   void add(const Attraction& attraction) {
@@ -111,9 +111,9 @@ class Fingerprint {
 }  // namespace
 
 std::uint64_t fingerprint(const Scene& scene, double start_time) {
-  const auto& [forces, materials, pairs, impact_law, several_impacts, bodies, generators, links] = scene;
+  const auto& [forces, materials, pairs, impact_law, several_impacts, bodies, generators, joints] = scene;
   Fingerprint f;
-  f.add_all(start_time, forces, materials, pairs, impact_law, several_impacts, all_bodies(scene), links);
+  f.add_all(start_time, forces, materials, pairs, impact_law, several_impacts, all_bodies(scene), joints);
   return f.value();
 }
 

@@ -7,7 +7,7 @@
 namespace carom {
 
 // A number that tells scenes apart by all that has a part in their physics: bodies (those of the generators as
-// such), forces, surfaces, laws and links, and when the run starts (s). Never 0. FNV-1a, 64 bits; the same
+// such), forces, surfaces, laws and joints, and when the run starts (s). Never 0. FNV-1a, 64 bits; the same
 // everywhere.
 [[nodiscard]] std::uint64_t fingerprint(const Scene& scene, double start_time);
 

@@ -24,7 +24,7 @@ struct Range {
   std::string_view unit = "";
   bool or_zero = false;
 
-  [[nodiscard]] constexpr bool holds(double x) const {
+  [[nodiscard]] constexpr bool contains(double x) const {
     return (x >= low && x <= high) || (or_zero && x == 0.0);
   }
   // As a message says it: "0, or a number from 1e-12 to 1000000000000 m".
@@ -46,7 +46,7 @@ inline constexpr int kMostBodies = 100'000;  // of the list and the generators t
 inline constexpr std::size_t kMostMaterials = 1'000;
 inline constexpr std::size_t kMostMaterialPairs = 100'000;
 inline constexpr std::size_t kMostForces = 100'000;
-inline constexpr std::size_t kMostSceneLinks = 100'000;
+inline constexpr std::size_t kMostJoints = 100'000;
 inline constexpr std::size_t kMostPlots = 100;
 inline constexpr std::size_t kMostPlotCurves = 100;  // of one plot
 inline constexpr std::size_t kMostCurvesInAll = 200;

@@ -42,13 +42,13 @@ Material mixed(const Material& a, const Material& b) {
 }
 
 double mass_of(const Body& body) {
-  if (is_immovable(body)) return std::numeric_limits<double>::infinity();
+  if (has_infinite_mass(body)) return std::numeric_limits<double>::infinity();
   if (body.mass) return *body.mass;
   return body.density.value_or(1.0) * area(body.shape);
 }
 
 double inertia_of(const Body& body) {
-  if (is_immovable(body)) return std::numeric_limits<double>::infinity();
+  if (has_infinite_mass(body)) return std::numeric_limits<double>::infinity();
   if (body.inertia) return *body.inertia;
   return mass_of(body) * inertia_per_mass(body.shape);
 }
@@ -61,7 +61,7 @@ Material material_named(const Scene& scene, const std::string& name) {
   throw std::out_of_range("no material is called '" + name + "'");
 }
 
-std::vector<Material> meetings(const Scene& scene, const std::vector<std::string>& names) {
+std::vector<Material> combined_materials(const Scene& scene, const std::vector<std::string>& names) {
   std::vector<Material> materials;
   std::unordered_map<std::string, std::size_t> index;
   {
@@ -89,8 +89,8 @@ std::vector<Material> meetings(const Scene& scene, const std::vector<std::string
   return all;
 }
 
-Material meeting(const Scene& scene, const std::string& a, const std::string& b) {
-  return a == b ? meetings(scene, {a})[0] : meetings(scene, {a, b})[1];
+Material combined_material(const Scene& scene, const std::string& a, const std::string& b) {
+  return a == b ? combined_materials(scene, {a})[0] : combined_materials(scene, {a, b})[1];
 }
 
 namespace {
@@ -123,8 +123,8 @@ bool has_dampers(const Scene& scene) {
 }
 
 bool has_strings(const Scene& scene) {
-  return std::any_of(scene.links.begin(), scene.links.end(),
-                     [](const Link& link) { return link.kind == LinkKind::kString; });
+  return std::any_of(scene.joints.begin(), scene.joints.end(),
+                     [](const Joint& joint) { return joint.kind == JointKind::kString; });
 }
 
 std::vector<Body> all_bodies(const Scene& scene) {

@@ -65,8 +65,8 @@ struct Body {
   std::string group;  // bodies of one group, if it has a name, do not collide with each other
 };
 
-// True if nothing that happens to it changes its motion: fixed or driven.
-[[nodiscard]] inline bool is_immovable(const Body& body) { return body.fixed || body.drive.has_value(); }
+// True if nothing that happens to it changes its motion: fixed or kinematic.
+[[nodiscard]] inline bool has_infinite_mass(const Body& body) { return body.fixed || body.drive.has_value(); }
 
 // kg; infinite for an immovable body. A body with neither mass nor density has 1 kg/m².
 [[nodiscard]] double mass_of(const Body& body);
@@ -94,19 +94,19 @@ struct Spring {
   SpringActs acts = SpringActs::kBoth;
 };
 
-// What a link keeps between its two points.
-enum class LinkKind {
+// What a joint keeps between its two points.
+enum class JointKind {
   kRod,     // their distance
   kString,  // their distance from growing beyond the length: it pulls or hangs slack, and jerks taut
   kPin,     // both at one place: the bodies turn about it, and don't collide with one another
   kWeld     // both at one place, and the angle between the bodies: they move as one, and don't collide
 };
 
-// A link without mass between a point of a body and a point of another body or of the plane. Its forces do no
-// work but what a driven body puts in; a string that jerks taut takes the speed that would lengthen it.
-struct Link {
+// A joint without mass between a point of a body and a point of another body or of the plane. Its forces do no
+// work but what a kinematic body puts in; a string that jerks taut takes the speed that would lengthen it.
+struct Joint {
   std::string name;  // may be empty
-  LinkKind kind = LinkKind::kRod;
+  JointKind kind = JointKind::kRod;
   std::string body;              // a body that moves
   Vec2 point = Vec2::Zero();     // m, from its centre, along its own axes
   std::string to;                // the body at the other end; empty: the plane
@@ -181,16 +181,17 @@ struct Scene {
   SeveralImpactsId several_impacts = SeveralImpactsId::kPairwise;  // of impacts at their own time
   std::vector<Body> bodies;
   std::vector<GridGenerator> generators;
-  std::vector<Link> links;
+  std::vector<Joint> joints;
 };
 
 // The material called `name`; "default" exists in every scene. Throws std::out_of_range for another unknown
 // name.
 [[nodiscard]] Material material_named(const Scene& scene, const std::string& name);
 // How surfaces of these two materials meet: as a pair of the scene says, else by `mixed`.
-[[nodiscard]] Material meeting(const Scene& scene, const std::string& a, const std::string& b);
+[[nodiscard]] Material combined_material(const Scene& scene, const std::string& a, const std::string& b);
 // The same for all pairs of these materials, row by row.
-[[nodiscard]] std::vector<Material> meetings(const Scene& scene, const std::vector<std::string>& names);
+[[nodiscard]] std::vector<Material> combined_materials(const Scene& scene,
+                                                       const std::vector<std::string>& names);
 
 // True if a material or a pair of materials sticks, whether any body has it or not.
 [[nodiscard]] bool has_sticking_surface(const Scene& scene);

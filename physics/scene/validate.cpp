@@ -12,7 +12,7 @@
 #include "physics/scene/facts.h"
 #include "physics/scene/method.h"
 #include "physics/scene/polygon.h"
-#include "physics/scene/validate_links.h"
+#include "physics/scene/validate_joints.h"
 #include "physics/scene/value_checks.h"
 
 namespace carom {
@@ -69,7 +69,7 @@ void check_pairs(const Scene& scene, const MaterialNames& materials) {
   }
 }
 
-// A driven body's motion is its drive alone.
+// A kinematic body's motion is its drive alone.
 void check_drive(const std::string& at, const Body& b) {
   const auto refuse = [&](const char* key, const char* what) {
     refuse_by(Rule::kKeysTogether, fmt::format("{}/{}", at, key), fmt::format("{} beside a drive", what),
@@ -101,11 +101,11 @@ void check_shape(const std::string& at, const Body& b) {
       throw RuleError(Rule::kShapeOfPolygon, at + "/shape/vertices: " + *fault);
   } else if (const auto& wall = std::get<Wall>(b.shape); wall.length) {
     check_range(at + "/shape/length", *wall.length, positive("m"));
-  } else if (!is_immovable(b)) {
+  } else if (!has_infinite_mass(b)) {
     refuse_by(Rule::kKeysTogether, at + "/fixed", "false for a half-plane",
               "true, or a \"drive\", or a \"length\" that makes it a thin wall");
   }
-  if (!is_immovable(b) && !b.mass && area(b.shape) == 0.0)
+  if (!has_infinite_mass(b) && !b.mass && area(b.shape) == 0.0)
     refuse_by(Rule::kKeysTogether, at + "/mass", "no mass of a body without an area", "a \"mass\", in kg");
 }
 
@@ -161,7 +161,7 @@ void check_generators(const Scene& scene, const MaterialNames& materials) {
 }
 
 void check_movable(const NamedBodies& bodies, const std::string& place, const std::string& name) {
-  if (is_immovable(named_body(bodies, place, name)))
+  if (has_infinite_mass(named_body(bodies, place, name)))
     refuse_by(Rule::kReferences, place, fmt::format("\"{}\", which no force moves,", shortened(name, 40)),
               "a body that is neither fixed nor driven");
 }
@@ -248,11 +248,11 @@ void validate(const Scene& scene, const ForcePlaces& places, const RunBegin& beg
     }
   }
   check_forces(scene.forces, places, bodies);
-  check_links(scene, all, begin);
+  check_joints(scene, all, begin);
   if (scene.several_impacts == SeveralImpactsId::kSimultaneous &&
-      (!scene.links.empty() || has_sticking_surface(scene))) {
+      (!scene.joints.empty() || has_sticking_surface(scene))) {
     refuse_by(Rule::kModelled, "/several_impacts",
-              fmt::format("\"simultaneous\" with {}", scene.links.empty() ? "surfaces that stick" : "links"),
+              fmt::format("\"simultaneous\" with {}", scene.joints.empty() ? "surfaces that stick" : "links"),
               "\"pairwise\": impacts of linked bodies go pair by pair");
   }
 }

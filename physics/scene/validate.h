@@ -26,8 +26,8 @@ struct ForcePlaces {
 
 // When a run of the scene begins.
 struct RunBegin {
-  double time = 0.0;  // s: where drives are then, links must fit
-  // It goes on from a state that it was saved with: what a run has made of its links is right, even a slack
+  double time = 0.0;  // s: where drives are then, joints must fit
+  // It goes on from a state that it was saved with: what a run has made of its joints is right, even a slack
   // string that a push left too long, and as many as stuck together.
   bool goes_on = false;
 };

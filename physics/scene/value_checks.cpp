@@ -8,7 +8,7 @@
 namespace carom {
 
 void check_range(const std::string& place, double value, const Range& range) {
-  if (!range.holds(value)) refuse_value(place, fmt::format("{}", value), range.text());
+  if (!range.contains(value)) refuse_value(place, fmt::format("{}", value), range.text());
 }
 
 void check_vector(const std::string& place, const Vec2& value, std::string_view unit) {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "physics/preset/preset.h"
-#include "physics/session/lane.h"
+#include "physics/session/live_run.h"
 
 namespace carom {
 namespace {
@@ -39,7 +39,7 @@ void append(Rows rows, std::vector<Rows>& all) {
 
 }  // namespace
 
-struct Worker::Lab {
+struct Worker::Session {
   // What is done to a run on its way.
   struct Coming {
     static constexpr std::int64_t kByTime = -1;
@@ -50,7 +50,7 @@ struct Worker::Lab {
     std::variant<Method, Body> what;
   };
   struct Run {
-    Lane lane;
+    LiveRun live;
     std::uint64_t id;
     std::vector<EditId> edits;   // of its log
     std::vector<Coming> coming;  // in the order of time
@@ -101,7 +101,7 @@ struct Worker::Lab {
   void begin_run(RunPlan plan) {
     Preset alone = start;
     alone.method = plan.start;
-    runs.push_back({Lane(setup_of(alone), curves, reference, interrupt), ++ids, {}, std::move(plan.edits)});
+    runs.push_back({LiveRun(setup_of(alone), curves, reference, interrupt), ++ids, {}, std::move(plan.edits)});
     give(runs.back());
     changed = true;
   }
@@ -123,7 +123,7 @@ struct Worker::Lab {
     methods[run] = method;
     if (stands) return;
     // A run that catches up gets it when it is there.
-    const bool behind = runs[run].lane.next() <= shown() + kRounding * methods[run].step;
+    const bool behind = runs[run].live.next() <= shown() + kRounding * methods[run].step;
     if (behind) {
       add_coming(runs[run], {edit, Coming::kByTime, shown(), method});
     } else {
@@ -153,11 +153,11 @@ struct Worker::Lab {
   static void give(Run& run) {
     while (!run.coming.empty()) {
       const Coming next = run.coming.front();
-      const Simulation& now = run.lane.simulation();
+      const Simulation& now = run.live.simulation();
       const bool is_method = std::holds_alternative<Method>(next.what);
       const double rounding = kRounding * now.method().step;
       const bool due = next.step != Coming::kByTime ? next.step <= now.steps()
-                       : is_method                  ? next.time + rounding < run.lane.next()
+                       : is_method                  ? next.time + rounding < run.live.next()
                                                     : next.time <= now.time() + rounding;
       if (!due) return;
       run.coming.erase(run.coming.begin());
@@ -165,14 +165,14 @@ struct Worker::Lab {
     }
   }
   static void give(Run& run, EditId edit, const std::variant<Method, Body>& what) {
-    run.lane.edit(what);
-    if (run.lane.log().edits.size() > run.edits.size()) run.edits.push_back(edit);
+    run.live.edit(what);
+    if (run.live.log().edits.size() > run.edits.size()) run.edits.push_back(edit);
   }
 
   [[nodiscard]] static RunPlan plan_of(const Run& run) {
-    RunPlan plan{run.lane.log().start.method, {}};
+    RunPlan plan{run.live.log().start.method, {}};
     for (std::size_t i = 0; i < run.edits.size(); ++i) {
-      const Edit& edit = run.lane.log().edits[i];
+      const Edit& edit = run.live.log().edits[i];
       plan.edits.push_back({run.edits[i], edit.step, edit.time, edit.what});
     }
     plan.edits.insert(plan.edits.end(), run.coming.begin(), run.coming.end());
@@ -184,7 +184,7 @@ struct Worker::Lab {
     const auto same = [](EditId edit, const Coming& coming) { return edit == coming.edit; };
     const auto same_coming = [](const Coming& a, const Coming& b) { return a.edit == b.edit; };
     const auto done = static_cast<std::ptrdiff_t>(std::min(run.edits.size(), all.size()));
-    return run.lane.log().start.method == plan.start &&
+    return run.live.log().start.method == plan.start &&
            std::equal(run.edits.begin(), run.edits.end(), all.begin(), all.begin() + done, same) &&
            std::equal(run.coming.begin(), run.coming.end(), all.begin() + done, all.end(), same_coming);
   }
@@ -213,20 +213,20 @@ struct Worker::Lab {
     changed = true;
   }
   // s, of the first run: where it stands, or where it is to be again.
-  [[nodiscard]] double shown() const { return again.value_or(runs.front().lane.time()); }
+  [[nodiscard]] double shown() const { return again.value_or(runs.front().live.time()); }
 
-  [[nodiscard]] Lane& first() { return runs.front().lane; }
+  [[nodiscard]] LiveRun& first() { return runs.front().live; }
   // Steps the runs that are not lost, that which is farthest behind first, until all of them are at `time`:
   // within a step of it. False if it was `deadline` before.
   template <class Stop>
   bool go_to(double time, Clock::time_point deadline, const Stop& stop) {
     while (true) {
       Run& run = *std::min_element(runs.begin(), runs.end(),
-                                   [](const Run& a, const Run& b) { return a.lane.next() < b.lane.next(); });
-      if (run.lane.next() > time + kRounding * run.lane.simulation().method().step) return true;
+                                   [](const Run& a, const Run& b) { return a.live.next() < b.live.next(); });
+      if (run.live.next() > time + kRounding * run.live.simulation().method().step) return true;
       if (Clock::now() >= deadline || stop()) return false;
       step(run);
-      if (run.lane.lost()) return false;
+      if (run.live.lost()) return false;
       give(run);
     }
   }
@@ -246,29 +246,29 @@ struct Worker::Lab {
     again.reset();
   }
   void step(Run& run) {
-    run.lane.step();
+    run.live.step();
     changed = true;
-    if (run.lane.lost()) playing = false;
+    if (run.live.lost()) playing = false;
   }
   [[nodiscard]] bool some_lag() {
     const double time = first().time();
     return std::any_of(runs.begin(), runs.end(), [time](const Run& run) {
-      return run.lane.next() <= time + kRounding * run.lane.simulation().method().step;
+      return run.live.next() <= time + kRounding * run.live.simulation().method().step;
     });
   }
   [[nodiscard]] bool some_behind() const {
-    return std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.lane.behind(); });
+    return std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.live.behind(); });
   }
   void record() {
     if (stands) return;
-    for (Run& run : runs) run.lane.record(curves, reference);
+    for (Run& run : runs) run.live.record(curves, reference);
     changed = true;
   }
   // For about so long; the runs themselves wait for it.
   void catch_up(Clock::duration duration) {
-    const auto run = std::find_if(runs.begin(), runs.end(), [](const Run& r) { return r.lane.behind(); });
+    const auto run = std::find_if(runs.begin(), runs.end(), [](const Run& r) { return r.live.behind(); });
     if (run == runs.end()) return;
-    run->lane.catch_up(duration);
+    run->live.catch_up(duration);
     changed = true;
     set_pace();
     set_rate();
@@ -324,7 +324,7 @@ Worker::~Worker() {
   wake_.notify_all();
 }
 
-void Worker::post(std::function<void(Lab&)> command, Command::When when) {
+void Worker::post(std::function<void(Session&)> command, Command::When when) {
   {
     const std::lock_guard lock(mutex_);
     commands_.push_back({std::move(command), when});
@@ -332,126 +332,127 @@ void Worker::post(std::function<void(Lab&)> command, Command::When when) {
   wake_.notify_all();
 }
 
-void Worker::post_to_runs(const std::function<void(Lab&)>& command) {
-  post([command](Lab& lab) {
-    if (!lab.stands) command(lab);
+void Worker::post_to_runs(const std::function<void(Session&)>& command) {
+  post([command](Session& session) {
+    if (!session.stands) command(session);
   });
 }
 
-Worker::EditId Worker::post_edit(const std::function<void(Lab&, EditId)>& command, EditId part_of) {
+Worker::EditId Worker::post_edit(const std::function<void(Session&, EditId)>& command, EditId part_of) {
   const EditId edit = part_of != 0 ? part_of : ++edits_;
-  post([=](Lab& lab) {
-    if (part_of == 0) lab.past[edit].before = lab.plan();
-    command(lab, edit);
+  post([=](Session& session) {
+    if (part_of == 0) session.past[edit].before = session.plan();
+    command(session, edit);
   });
   return edit;
 }
 
 void Worker::post_restored(EditId edit, ReferenceId reference, bool back) {
   post(
-      [=](Lab& lab) {
-        const auto past = lab.past.find(edit);
-        if (past == lab.past.end()) return;
-        if (back) past->second.after = lab.plan();
-        const bool other = std::exchange(lab.reference, reference) != reference;
-        lab.restore(back ? past->second.before : past->second.after);
-        if (other) lab.record();
+      [=](Session& session) {
+        const auto past = session.past.find(edit);
+        if (past == session.past.end()) return;
+        if (back) past->second.after = session.plan();
+        const bool other = std::exchange(session.reference, reference) != reference;
+        session.restore(back ? past->second.before : past->second.after);
+        if (other) session.record();
       },
       Command::When::kAtOnce);
 }
 
-void Worker::post_begin(const std::function<void(Lab&, std::stop_token)>& command) {
+void Worker::post_begin(const std::function<void(Session&, std::stop_token)>& command) {
   {
     const std::lock_guard lock(mutex_);
     ++starts_;
     interrupt_.request_stop();
     interrupt_ = std::stop_source();
     commands_.push_back(
-        {[command, token = interrupt_.get_token()](Lab& lab) { command(lab, token); }, Command::When::kBegins});
+        {[command, token = interrupt_.get_token()](Session& session) { command(session, token); },
+         Command::When::kBegins});
   }
   wake_.notify_all();
 }
 
 void Worker::load(const Preset& preset, const std::vector<Curve>& curves, ReferenceId reference) {
-  post_begin([preset, curves, reference](Lab& lab, std::stop_token interrupt) {
-    lab.load(preset, curves);
-    lab.reference = reference;
-    lab.begin(std::move(interrupt));
+  post_begin([preset, curves, reference](Session& session, std::stop_token interrupt) {
+    session.load(preset, curves);
+    session.reference = reference;
+    session.begin(std::move(interrupt));
   });
 }
 
 void Worker::restart() {
-  post_begin([](Lab& lab, std::stop_token interrupt) { lab.begin(std::move(interrupt)); });
+  post_begin([](Session& session, std::stop_token interrupt) { session.begin(std::move(interrupt)); });
 }
 
 Worker::EditId Worker::restart(const Method& method, const std::vector<Method>& compare,
                                const std::vector<Curve>& curves, ReferenceId reference) {
   const EditId edit = ++edits_;
-  post_begin([=](Lab& lab, std::stop_token interrupt) {
-    lab.past[edit].before = lab.plan();
-    lab.methods = {method};
-    lab.methods.insert(lab.methods.end(), compare.begin(), compare.end());
-    lab.curves = curves;
-    lab.reference = reference;
-    lab.begin(std::move(interrupt));
+  post_begin([=](Session& session, std::stop_token interrupt) {
+    session.past[edit].before = session.plan();
+    session.methods = {method};
+    session.methods.insert(session.methods.end(), compare.begin(), compare.end());
+    session.curves = curves;
+    session.reference = reference;
+    session.begin(std::move(interrupt));
   });
   return edit;
 }
 
 void Worker::set_playing(bool playing, double until) {
-  post_to_runs([playing, until](Lab& lab) {
-    lab.playing = playing && !lab.first().lost();
-    lab.full_speed = false;
-    const double rounding = kRounding * lab.first().simulation().method().step;
-    lab.end = until >= lab.first().next() - rounding ? until : std::numeric_limits<double>::infinity();
-    lab.set_pace();
-    lab.set_rate();
-    lab.changed = true;
+  post_to_runs([playing, until](Session& session) {
+    session.playing = playing && !session.first().lost();
+    session.full_speed = false;
+    const double rounding = kRounding * session.first().simulation().method().step;
+    session.end = until >= session.first().next() - rounding ? until : std::numeric_limits<double>::infinity();
+    session.set_pace();
+    session.set_rate();
+    session.changed = true;
   });
 }
 
 void Worker::step_once() {
-  post_to_runs([](Lab& lab) {
-    lab.playing = false;
-    lab.step(lab.runs.front());  // the others follow
+  post_to_runs([](Session& session) {
+    session.playing = false;
+    session.step(session.runs.front());  // the others follow
   });
 }
 
 void Worker::set_speed(double speed) {
-  post([speed](Lab& lab) {
-    lab.speed = speed;
-    if (lab.stands) return;
-    lab.set_pace();
-    lab.set_rate();
+  post([speed](Session& session) {
+    session.speed = speed;
+    if (session.stands) return;
+    session.set_pace();
+    session.set_rate();
   });
 }
 
 Worker::EditId Worker::set_methods(const std::vector<std::pair<std::size_t, Method>>& methods, EditId part_of) {
-  const auto set = [methods](Lab& lab, EditId edit) {
-    for (const auto& [run, method] : methods) lab.set_method(run, method, edit);
+  const auto set = [methods](Session& session, EditId edit) {
+    for (const auto& [run, method] : methods) session.set_method(run, method, edit);
   };
   return post_edit(set, part_of);
 }
 
 Worker::EditId Worker::add_method(const Method& method) {
-  return post_edit([method](Lab& lab, EditId) {
-    if (lab.methods.size() <= kMostCompared) lab.add_run(method);
+  return post_edit([method](Session& session, EditId) {
+    if (session.methods.size() <= kMostCompared) session.add_run(method);
   });
 }
 
 Worker::EditId Worker::remove_method(std::size_t run) {
-  return post_edit([run](Lab& lab, EditId) { lab.remove_run(run); });
+  return post_edit([run](Session& session, EditId) { session.remove_run(run); });
 }
 
 void Worker::set_reference(ReferenceId reference) {
-  post([reference](Lab& lab) {
-    lab.reference = reference;
-    lab.record();
+  post([reference](Session& session) {
+    session.reference = reference;
+    session.record();
   });
 }
 
 Worker::EditId Worker::add_body(const Body& body) {
-  return post_edit([body](Lab& lab, EditId edit) { lab.put(body, edit); });
+  return post_edit([body](Session& session, EditId edit) { session.put(body, edit); });
 }
 
 void Worker::take_back(EditId edit, ReferenceId reference) { post_restored(edit, reference, true); }
@@ -459,19 +460,19 @@ void Worker::take_back(EditId edit, ReferenceId reference) { post_restored(edit,
 void Worker::put_back(EditId edit, ReferenceId reference) { post_restored(edit, reference, false); }
 
 void Worker::run_until(double time) {
-  post_to_runs([time](Lab& lab) {
-    lab.playing = !lab.first().lost();
-    lab.changed = true;
-    lab.full_speed = true;
-    lab.end = time;
-    lab.set_rate();
+  post_to_runs([time](Session& session) {
+    session.playing = !session.first().lost();
+    session.changed = true;
+    session.full_speed = true;
+    session.end = time;
+    session.set_rate();
   });
 }
 
 void Worker::record(const std::vector<Curve>& curves) {
-  post([curves](Lab& lab) {
-    lab.curves = curves;
-    lab.record();
+  post([curves](Session& session) {
+    session.curves = curves;
+    session.record();
   });
 }
 
@@ -497,17 +498,17 @@ bool Worker::too_much_waits() const {
   return numbers > kMostWaiting;
 }
 
-void Worker::publish(Lab& lab) {
+void Worker::publish(Session& session) {
   std::vector<std::shared_ptr<Frame>> frames;
-  for (Lab::Run& run : lab.runs) {
-    const std::shared_ptr<Frame> frame = run.lane.take_frame();
+  for (Session::Run& run : session.runs) {
+    const std::shared_ptr<Frame> frame = run.live.take_frame();
     frame->run = run.id;
-    frame->playing = lab.playing;
-    frame->realised_speed = lab.realised_speed;
-    frame->again = lab.again;
+    frame->playing = session.playing;
+    frame->realised_speed = session.realised_speed;
+    frame->again = session.again;
     frames.push_back(frame);
   }
-  lab.changed = false;
+  session.changed = false;
 
   std::vector<std::shared_ptr<Frame>> waiting;
   {
@@ -525,17 +526,17 @@ void Worker::publish(Lab& lab) {
     std::swap(frame.impacts, before->impacts);
     frame.impacts.insert(frame.impacts.end(), before->impacts.begin(), before->impacts.end());
   }
-  lab.last.assign(frames.begin(), frames.end());
+  session.last.assign(frames.begin(), frames.end());
   const std::lock_guard lock(mutex_);
   newest_ = std::move(frames);
-  newest_start_ = lab.starts;
+  newest_start_ = session.starts;
   published_.notify_all();
 }
 
 // Says in the frames of all runs, as they were published last, why they stand.
-void Worker::publish_failure(Lab& lab, const std::string& why) {
+void Worker::publish_failure(Session& session, const std::string& why) {
   std::vector<std::shared_ptr<Frame>> frames;
-  for (const std::shared_ptr<const Frame>& last : lab.last) {
+  for (const std::shared_ptr<const Frame>& last : session.last) {
     auto frame = std::make_shared<Frame>(*last);
     frame->rows.clear();
     frame->impacts.clear();
@@ -544,10 +545,10 @@ void Worker::publish_failure(Lab& lab, const std::string& why) {
   if (frames.empty()) {
     // Not even a first frame came about.
     frames.push_back(std::make_shared<Frame>());
-    frames.front()->run = ++lab.ids;
+    frames.front()->run = ++session.ids;
     frames.front()->bodies = std::make_shared<const std::vector<Body>>();
     frames.front()->forces = std::make_shared<const Forces>();
-    frames.front()->log = std::make_shared<const RunLog>(RunLog{setup_of(lab.start), {}});
+    frames.front()->log = std::make_shared<const RunLog>(RunLog{setup_of(session.start), {}});
   }
   for (const std::shared_ptr<Frame>& frame : frames) {
     frame->playing = false;
@@ -557,43 +558,43 @@ void Worker::publish_failure(Lab& lab, const std::string& why) {
   }
   const std::lock_guard lock(mutex_);
   newest_ = std::move(frames);
-  newest_start_ = lab.starts;
+  newest_start_ = session.starts;
   published_.notify_all();
 }
 
 // While a run is gone through again, only what takes more back, or begins all anew.
-void Worker::carry_out(Lab& lab, std::vector<Command>& commands) {
+void Worker::carry_out(Session& session, std::vector<Command>& commands) {
   if (std::any_of(commands.begin(), commands.end(),
                   [](const Command& each) { return each.when == Command::When::kBegins; }))
-    lab.again.reset();
-  while (!commands.empty() && !(lab.again && commands.front().when == Command::When::kShown)) {
+    session.again.reset();
+  while (!commands.empty() && !(session.again && commands.front().when == Command::When::kShown)) {
     const Command command = std::move(commands.front());
     commands.erase(commands.begin());
-    command.what(lab);
+    command.what(session);
   }
 }
 
 void Worker::work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,
                   std::stop_token interrupt) {
-  Lab lab;
-  lab.load(first, curves);
+  Session session;
+  session.load(first, curves);
   std::vector<Command> commands = {
-      {[&interrupt](Lab& l) { l.begin(std::move(interrupt)); }, Command::When::kBegins}};
+      {[&interrupt](Session& l) { l.begin(std::move(interrupt)); }, Command::When::kBegins}};
   const auto fails = [&](const std::string& why) {
-    lab.stand();
+    session.stand();
     try {
-      publish_failure(lab, why);
+      publish_failure(session, why);
     } catch (const std::exception&) {
-      lab.last.clear();
-      lab.runs.clear();  // room for one small frame
-      publish_failure(lab, why);
+      session.last.clear();
+      session.runs.clear();  // room for one small frame
+      publish_failure(session, why);
     }
   };
   while (!stop.stop_requested()) {
     try {
-      work_once(stop, lab, commands);
+      work_once(stop, session, commands);
     } catch (const StepInterrupted&) {
-      lab.stand();  // a load or a restart comes next, or the end
+      session.stand();  // a load or a restart comes next, or the end
     } catch (const std::bad_alloc&) {
       fails("stopped: there is not enough memory to go on; restart, or open a smaller scene");
     } catch (const std::exception& error) {
@@ -602,66 +603,68 @@ void Worker::work(const std::stop_token& stop, const Preset& first, const std::v
   }
 }
 
-void Worker::work_once(const std::stop_token& stop, Lab& lab, std::vector<Command>& commands) {
-  carry_out(lab, commands);
-  if (lab.changed) publish(lab);
+void Worker::work_once(const std::stop_token& stop, Session& session, std::vector<Command>& commands) {
+  carry_out(session, commands);
+  if (session.changed) publish(session);
   {
     std::unique_lock lock(mutex_);
     const auto something_to_do = [&] { return !commands_.empty(); };
-    if (lab.stands) {
+    if (session.stands) {
       wake_.wait(lock, stop, something_to_do);
     } else if (too_much_waits()) {
       wake_.wait(lock, stop, [&] { return something_to_do() || !too_much_waits(); });
-    } else if (lab.again || lab.some_behind() || lab.some_lag()) {
+    } else if (session.again || session.some_behind() || session.some_lag()) {
       // goes on at once
-    } else if (!lab.playing) {
+    } else if (!session.playing) {
       wake_.wait(lock, stop, something_to_do);
-    } else if (!lab.full_speed) {
+    } else if (!session.full_speed) {
       // Until the next step is due.
-      const double due = (lab.first().next() - lab.pace_time) / lab.speed;
+      const double due = (session.first().next() - session.pace_time) / session.speed;
       const auto pause = std::min<Clock::duration>(
           kFramePeriod, std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(due)) -
-                            (Clock::now() - lab.pace_wall));
+                            (Clock::now() - session.pace_wall));
       if (pause > Clock::duration::zero()) wake_.wait_for(lock, stop, pause, something_to_do);
     }
     std::move(commands_.begin(), commands_.end(), std::back_inserter(commands));
     commands_.clear();
   }
-  carry_out(lab, commands);
-  if (lab.stands) return;
+  carry_out(session, commands);
+  if (session.stands) return;
 
-  if (lab.some_behind()) {
-    lab.catch_up(kFramePeriod);
+  if (session.some_behind()) {
+    session.catch_up(kFramePeriod);
     return;
   }
   const auto begin = Clock::now();
   const auto stops = [&stop] { return stop.stop_requested(); };
-  if (lab.again) {
-    lab.changed = true;
-    if (!lab.go_to(*lab.again, begin + kFramePeriod, stops)) return;
-    lab.again.reset();
-    lab.set_pace();
-    lab.set_rate();
+  if (session.again) {
+    session.changed = true;
+    if (!session.go_to(*session.again, begin + kFramePeriod, stops)) return;
+    session.again.reset();
+    session.set_pace();
+    session.set_rate();
     return;
   }
-  if (!lab.playing) {
-    (void)lab.go_to(lab.first().time(), begin + kFramePeriod, stops);  // those that lag
+  if (!session.playing) {
+    (void)session.go_to(session.first().time(), begin + kFramePeriod, stops);  // those that lag
     return;
   }
   const double target =
-      lab.full_speed ? lab.end : std::min(lab.end, lab.pace_time + seconds(begin - lab.pace_wall) * lab.speed);
-  const bool there = lab.go_to(target, begin + kFramePeriod, stops);
-  const double time = lab.first().time();
-  if (there && target >= lab.end) {
-    lab.playing = false;
-    lab.changed = true;
-  } else if (!there && !lab.full_speed && (target - time) / lab.speed > kLargestLag) {
-    lab.set_pace();
+      session.full_speed
+          ? session.end
+          : std::min(session.end, session.pace_time + seconds(begin - session.pace_wall) * session.speed);
+  const bool there = session.go_to(target, begin + kFramePeriod, stops);
+  const double time = session.first().time();
+  if (there && target >= session.end) {
+    session.playing = false;
+    session.changed = true;
+  } else if (!there && !session.full_speed && (target - time) / session.speed > kLargestLag) {
+    session.set_pace();
   }
-  if (const double wall = seconds(Clock::now() - lab.rate_wall); wall > 0.5) {
-    lab.realised_speed = (time - lab.rate_time) / wall;
-    lab.rate_wall = Clock::now();
-    lab.rate_time = time;
+  if (const double wall = seconds(Clock::now() - session.rate_wall); wall > 0.5) {
+    session.realised_speed = (time - session.rate_time) / wall;
+    session.rate_wall = Clock::now();
+    session.rate_time = time;
   }
 }
 

@@ -81,30 +81,30 @@ class Worker {
   void wait_for_frames(std::chrono::milliseconds longest);
 
  private:
-  struct Lab;  // what belongs to the thread
+  struct Session;  // what belongs to the thread
   struct Command {
     enum class When {
       kShown,  // where the runs are at the moment that is shown
       kAtOnce,
       kBegins  // all runs anew, whatever became of those before
     };
-    std::function<void(Lab&)> what;
+    std::function<void(Session&)> what;
     When when = When::kShown;
   };
-  void post(std::function<void(Lab&)> command, Command::When when = Command::When::kShown);
+  void post(std::function<void(Session&)> command, Command::When when = Command::When::kShown);
   // Nothing where the runs stand in the midst of a step.
-  void post_to_runs(const std::function<void(Lab&)>& command);
+  void post_to_runs(const std::function<void(Session&)>& command);
   // With what the runs were before, so that it can be taken back.
-  EditId post_edit(const std::function<void(Lab&, EditId)>& command, EditId part_of = 0);
+  EditId post_edit(const std::function<void(Session&, EditId)>& command, EditId part_of = 0);
   void post_restored(EditId edit, ReferenceId reference, bool back);
   // Interrupts the step under way; the command is given the token for the next runs.
-  void post_begin(const std::function<void(Lab&, std::stop_token)>& command);
+  void post_begin(const std::function<void(Session&, std::stop_token)>& command);
   void work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,
             std::stop_token interrupt);
-  void work_once(const std::stop_token& stop, Lab& lab, std::vector<Command>& commands);
-  void carry_out(Lab& lab, std::vector<Command>& commands);
-  void publish(Lab& lab);
-  void publish_failure(Lab& lab, const std::string& why);
+  void work_once(const std::stop_token& stop, Session& session, std::vector<Command>& commands);
+  void carry_out(Session& session, std::vector<Command>& commands);
+  void publish(Session& session);
+  void publish_failure(Session& session, const std::string& why);
   [[nodiscard]] bool too_much_waits() const;  // with the lock held
 
   std::mutex mutex_;

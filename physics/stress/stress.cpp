@@ -49,7 +49,7 @@ std::vector<StressCase> stress_cases(const std::vector<std::string>& ids) {
 }
 
 StressVerdict verdict_of(double value, double limit) {
-  if (std::isinf(limit)) return StressVerdict::kOnlyTold;
+  if (std::isinf(limit)) return StressVerdict::kReportedOnly;
   return std::abs(value) <= limit ? StressVerdict::kWithin : StressVerdict::kBeyond;
 }
 

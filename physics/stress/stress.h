@@ -53,7 +53,7 @@ struct StressCase {
 // id.
 [[nodiscard]] std::vector<StressCase> stress_cases(const std::vector<std::string>& ids);
 
-enum class StressVerdict { kWithin, kBeyond, kOnlyTold };
+enum class StressVerdict { kWithin, kBeyond, kReportedOnly };
 
 // One figure of one run.
 struct StressRow {
@@ -63,7 +63,7 @@ struct StressRow {
   StressFigure figure;
   double value = std::numeric_limits<double>::quiet_NaN();
   double limit = kNoLimit;  // the one that holds for this method
-  StressVerdict verdict = StressVerdict::kOnlyTold;
+  StressVerdict verdict = StressVerdict::kReportedOnly;
   double cpu_time = 0.0;  // s, of the whole run
 };
 

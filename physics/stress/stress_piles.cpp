@@ -8,7 +8,7 @@
 #include "physics/stress/stress_scenes.h"
 #include "physics/world/run_setup.h"
 
-// Crowds: a pile, discs that start inside one another, discs of very different sizes, a gas.
+// large islands: a pile, discs that start inside one another, discs of very different sizes, a gas.
 namespace carom::stress {
 namespace {
 
@@ -60,7 +60,7 @@ std::vector<double> pile(const StressSetting& setting) {
   simulation.advance_to(50.0);
   const State then = simulation.state();
   simulation.advance_to(60.0);
-  const Overlaps overlaps = overlaps_of(simulation);
+  const Penetrations overlaps = penetrations_of(simulation);
   return {simulation.totals().kinetic() / moving_mass(simulation),
           simulation.state().v.row(2).cwiseAbs().maxCoeff(),
           farthest(simulation.state(), then),
@@ -101,7 +101,7 @@ std::vector<double> overlapping_start(const StressSetting& setting) {
   double fastest = 0.0;
   simulation.advance_to(
       2.0, [&] { fastest = std::max(fastest, simulation.state().v.topRows<2>().colwise().norm().maxCoeff()); });
-  return {fastest, kMillimetres * overlaps_of(simulation).largest};
+  return {fastest, kMillimetres * penetrations_of(simulation).largest};
 }
 constexpr StressFigure kOverlappingFigures[] = {
     {"largest speed gained", "m/s", kRounding,
@@ -126,7 +126,7 @@ std::vector<double> sizes(const StressSetting& setting) {
   }
   Simulation simulation(scene(setting, bodies, 0.0, 0.5));
   double largest = 0.0;
-  simulation.advance_to(5.0, [&] { largest = std::max(largest, overlaps_of(simulation).largest); });
+  simulation.advance_to(5.0, [&] { largest = std::max(largest, penetrations_of(simulation).largest); });
   return {largest / kSmall};
 }
 constexpr StressFigure kSizesFigures[] = {

@@ -33,7 +33,7 @@ std::vector<double> painleve(const StressSetting& setting) {
   double overlap = 0.0;
   simulation.advance_to(2.0, [&] {
     rise.look(simulation);
-    overlap = std::max(overlap, overlaps_of(simulation).largest);
+    overlap = std::max(overlap, penetrations_of(simulation).largest);
   });
   return {rise.largest(), overlap};
 }
@@ -50,7 +50,7 @@ std::vector<double> rod_tip(const StressSetting& setting) {
   double overlap = 0.0;
   simulation.advance_to(5.0, [&] {
     rise.look(simulation);
-    overlap = std::max(overlap, overlaps_of(simulation).largest);
+    overlap = std::max(overlap, penetrations_of(simulation).largest);
   });
   return {rise.largest(), simulation.notices().gained, overlap};
 }
@@ -83,7 +83,7 @@ std::vector<double> chain(const StressSetting& setting, double angle) {
   for (int i = 1; i <= kRods; ++i) {
     Body bead = disc(fmt::format("bead-{}", i), kLength * i * along, 0.01, i == kRods ? kHeavyEnd : kBead);
     bead.group = "chain";
-    Link& rod = s.scene.links.emplace_back();
+    Joint& rod = s.scene.joints.emplace_back();
     rod.body = bead.name;
     rod.length = kLength;
     if (i > 1) rod.to = s.scene.bodies.back().name;

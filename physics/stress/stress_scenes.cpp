@@ -13,7 +13,7 @@ namespace {
 
 double without_puts(const Simulation& s) {
   const Ledger ledger = s.ledger();
-  return s.totals().energy() - ledger.overlap_correction - ledger.put_in_by_drives;
+  return s.totals().energy() - ledger.penetration_correction - ledger.put_in_by_drives;
 }
 
 }  // namespace
@@ -68,18 +68,18 @@ RunSetup scene(const StressSetting& setting, std::vector<Body> bodies, double re
   return s;
 }
 
-Overlaps overlaps_of(const Simulation& s) {
+Penetrations penetrations_of(const Simulation& s) {
   const Geometry& g = s.shapes();
   std::vector<Bounds> bounds;
   for (int i = 0; i < s.state().size(); ++i) {
     const Eigen::Array2d x = s.state().position(i).array();
     bounds.push_back({x - g.extent.col(i).array(), x + g.extent.col(i).array()});
   }
-  Overlaps found;
+  Penetrations found;
   int count = 0;
   BroadPhase broad_phase;
   for (const auto& [a, b] : broad_phase.pairs(bounds, g.fixed)) {
-    if (!g.can_meet(a, b)) continue;
+    if (!g.can_collide(a, b)) continue;
     const double overlap = -contact_between(g, a, s.state().q.col(a), b, s.state().q.col(b)).gap;
     if (!(overlap > 0.0)) continue;
     found.largest = std::max(found.largest, overlap);

@@ -26,20 +26,20 @@ inline constexpr double kRounding = 1e-9;
 [[nodiscard]] RunSetup scene(const StressSetting& setting, std::vector<Body> bodies, double restitution,
                              double friction, double gravity = kGravity);
 
-// m, of all pairs that overlap now; zero if there are none.
-struct Overlaps {
+// m, of all pairs that penetration now; zero if there are none.
+struct Penetrations {
   double largest = 0.0;
   double mean = 0.0;
 };
-[[nodiscard]] Overlaps overlaps_of(const Simulation& simulation);
+[[nodiscard]] Penetrations penetrations_of(const Simulation& simulation);
 
 // kg, of all that moves.
 [[nodiscard]] double moving_mass(const Simulation& simulation);
 
-// How much a scene of falling bodies gains in one step, beside what drives and pushes out of overlaps put in.
-// Its unit is ½ M g² h², M being the moving mass: what a step of explicit Euler gains in free fall (x' = x + h
-// v, v' = v - h g). No impact and no friction adds to it, so by theory the largest is 1 under explicit Euler
-// and 0 where gravity is integrated exactly; contacts that last are of order 1 and may use up the same.
+// How much a scene of falling bodies gains in one step, beside what drives and pushes out of penetrations put
+// in. Its unit is ½ M g² h², M being the moving mass: what a step of explicit Euler gains in free fall (x' = x
+// + h v, v' = v - h g). No impact and no friction adds to it, so by theory the largest is 1 under explicit
+// Euler and 0 where gravity is integrated exactly; contacts that last are of order 1 and may use up the same.
 class EnergyRise {
  public:
   explicit EnergyRise(const Simulation& simulation);

@@ -20,7 +20,7 @@ constexpr std::string_view kAtRest =
     "theory: it stands inside the friction cone and does not move; 1e-6 m is rest here";
 
 // Boxes of 1 m, one on another, from the lowest up: how far the highest sinks, how far any goes aside, and what
-// overlaps at the end.
+// penetrations at the end.
 std::vector<double> stand(const StressSetting& setting, const std::vector<double>& masses) {
   std::vector<Body> bodies = {half_plane("floor", {0, 0})};
   for (std::size_t i = 0; i < masses.size(); ++i) {
@@ -31,7 +31,7 @@ std::vector<double> stand(const StressSetting& setting, const std::vector<double
   simulation.advance_to(kStanding);
   const Eigen::Matrix3Xd& q = simulation.state().q;
   return {kMillimetres * (static_cast<double>(masses.size()) - 0.5 - q(1, q.cols() - 1)),
-          kMillimetres * q.row(0).cwiseAbs().maxCoeff(), kMillimetres * overlaps_of(simulation).largest};
+          kMillimetres * q.row(0).cwiseAbs().maxCoeff(), kMillimetres * penetrations_of(simulation).largest};
 }
 
 constexpr StressFigure kStackFigures[] = {
@@ -81,7 +81,8 @@ std::vector<double> pyramid_20(const StressSetting& setting) {
   Simulation simulation(scene(setting, bodies, 0.0, kBoxFriction));
   simulation.advance_to(kStanding);
   const Vec2 moved = simulation.state().position(simulation.state().size() - 1) - start;
-  return {-kMillimetres * moved.y(), kMillimetres * moved.x(), kMillimetres * overlaps_of(simulation).largest};
+  return {-kMillimetres * moved.y(), kMillimetres * moved.x(),
+          kMillimetres * penetrations_of(simulation).largest};
 }
 
 constexpr StressFigure kPyramidFigures[] = {
@@ -110,7 +111,7 @@ std::vector<double> arch(const StressSetting& setting) {
   Simulation simulation(scene(setting, bodies, 0.0, kBoxFriction));
   simulation.advance_to(kStanding);
   return {kMillimetres * (start - simulation.state().q(1, kKeystone)),
-          kMillimetres * overlaps_of(simulation).largest};
+          kMillimetres * penetrations_of(simulation).largest};
 }
 
 constexpr std::string_view kHeyman =

@@ -34,7 +34,7 @@ std::string change_text(double coarse, double fine) {
 }
 
 std::string verdict_text(const StressRow& coarse, const StressRow& fine) {
-  if (coarse.verdict == StressVerdict::kOnlyTold) return "told";
+  if (coarse.verdict == StressVerdict::kReportedOnly) return "told";
   const bool at_step = coarse.verdict == StressVerdict::kWithin;
   const bool at_quarter = fine.verdict == StressVerdict::kWithin;
   if (at_step && at_quarter) return "good";
@@ -55,7 +55,7 @@ std::string_view name_of(StressVerdict verdict) {
       return "good";
     case StressVerdict::kBeyond:
       return "fell short";
-    case StressVerdict::kOnlyTold:
+    case StressVerdict::kReportedOnly:
       return "told";
   }
   return "";
@@ -67,7 +67,7 @@ StressCount count_of(const std::vector<StressRow>& rows) {
   for (const StressRow& r : rows) {
     if (r.id != id) ++count.cases;
     id = r.id;
-    if (r.verdict == StressVerdict::kOnlyTold) continue;
+    if (r.verdict == StressVerdict::kReportedOnly) continue;
     ++count.bounded;
     if (r.verdict == StressVerdict::kWithin) ++count.within;
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "physics/math/stopped.h"
+#include "physics/math/cancelled.h"
 #include "physics/preset/preset.h"
 
 namespace carom {
@@ -37,8 +37,8 @@ void BackgroundStudy::run(const Preset& preset, const std::string& name, const S
   try {
     (void)run_study(preset, name, options, watch);
     end(StudySoFar::Phase::kDone, {});
-  } catch (const Stopped&) {
-    end(StudySoFar::Phase::kStopped, {});
+  } catch (const Cancelled&) {
+    end(StudySoFar::Phase::kCancelled, {});
   } catch (const std::exception& error) {
     end(StudySoFar::Phase::kRefused, error.what());
   }

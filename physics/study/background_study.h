@@ -11,7 +11,7 @@ namespace carom {
 
 // What is known of a study while it runs, and when it has ended.
 struct StudySoFar {
-  enum class Phase { kRunning, kDone, kStopped, kRefused };
+  enum class Phase { kRunning, kDone, kCancelled, kRefused };
   Phase phase = Phase::kRunning;
   std::string stage;    // that is under way: of its runs
   int done = 0;         // so many are done

@@ -10,8 +10,8 @@
 #include "physics/compare/comparison.h"
 #include "physics/compare/reference.h"
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/math/cancelled.h"
 #include "physics/math/parallel.h"
-#include "physics/math/stopped.h"
 #include "physics/model/needs.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
@@ -136,8 +136,8 @@ std::string words_for(const std::vector<StatedFigure>& figures) {
 
 void measure_accuracy(StudyRow& row, const RunSetup& setup, const Reference& reference, const Chaos& chaos,
                       std::span<const int> moving, double time, const std::stop_token& stop) {
-  const RecordedRun run =
-      record_run(setup, row.method, time, (1.0 + kPast) * time, blown_up_above(chaos), stop);
+  const RunSummary run =
+      run_and_summarize(setup, row.method, time, (1.0 + kPast) * time, blown_up_above(chaos), stop);
   const Comparison c = compare(run, reference.run, moving, time);
   row.position_error = c.position_error;
   row.velocity_error = c.velocity_error;
@@ -163,7 +163,7 @@ double time_once(const Simulation& start, double time, const std::stop_token& st
     Simulation run = start;
     const auto from = Clock::now();
     if (stop.stop_possible()) {
-      run.advance_to(time, [&stop] { throw_if_stopped(stop); });
+      run.advance_to(time, [&stop] { throw_if_cancelled(stop); });
     } else {
       run.advance_to(time);
     }
@@ -287,7 +287,7 @@ double plan_time(const std::vector<TimedImpact>& impacts, double end) {
 StudyTable run_study(const Preset& preset, const std::string& name, const StudyOptions& options,
                      const StudyWatch& watch) {
   const auto tell = [&](std::string_view stage, int done, int of) {
-    throw_if_stopped(watch.stop);
+    throw_if_cancelled(watch.stop);
     if (watch.progress) watch.progress(stage, done, of);
   };
   const std::vector<Method> methods = plan_methods(preset, options);
@@ -342,7 +342,7 @@ StudyTable run_study(const Preset& preset, const std::string& name, const StudyO
   const int all = static_cast<int>(order.size());
   tell("accuracy", 0, all);
   parallel_for(all, options.threads, [&](int k) {
-    throw_if_stopped(watch.stop);
+    throw_if_cancelled(watch.stop);
     StudyRow& row = table.rows[order[static_cast<std::size_t>(k)]];
     measure_accuracy(row, setup, reference, chaos, moving, facts.time, watch.stop);
     const std::lock_guard lock(mutex);

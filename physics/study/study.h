@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "physics/compare/recorded_run.h"
+#include "physics/compare/run_summary.h"
 #include "physics/preset/preset.h"
 #include "physics/study/study_table.h"
 

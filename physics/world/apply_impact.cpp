@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "physics/impact/linked_impact.h"
+#include "physics/impact/jointed_impact.h"
 #include "physics/math/vectors.h"
 #include "physics/world/step_limits.h"
 
@@ -13,27 +13,27 @@ namespace {
 // Puts a weld between two settled bodies that have stuck together. From then on they can't meet, and islands
 // are others.
 Impact join(World& world, int a, int b, const Contact& contact) {
-  const int body = world.immovable(a) ? b : a;
+  const int body = world.infinite_mass(a) ? b : a;
   const int other = body == a ? b : a;
-  const Eigen::Vector3d q = world.tracks.settled(body).head<3>();
-  const Eigen::Vector3d q_other = world.tracks.settled(other).head<3>();
-  Link weld;
-  weld.kind = LinkKind::kWeld;
+  const Eigen::Vector3d q = world.trajectories.at_start(body).head<3>();
+  const Eigen::Vector3d q_other = world.trajectories.at_start(other).head<3>();
+  Joint weld;
+  weld.kind = JointKind::kWeld;
   weld.body = world.model->bodies()[body].name;
   weld.point = turned_by(-q[2], contact.point - q.head<2>());
   weld.to = world.model->bodies()[other].name;
   weld.anchor = turned_by(-q_other[2], contact.point - q_other.head<2>());
   weld.angle = q[2] - q_other[2];
   Scene scene = world.model->scene;
-  scene.links.push_back(std::move(weld));
-  const int last = static_cast<int>(scene.links.size()) - 1;
+  scene.joints.push_back(std::move(weld));
+  const int last = static_cast<int>(scene.joints.size()) - 1;
   Needs needs = world.model->needs;
-  needs.set(Part::kLinks);
-  world.recompile(std::move(scene), needs, world.tracks.start(body));
+  needs.set(Part::kJoints);
+  world.recompile(std::move(scene), needs, world.trajectories.start(body));
 
   // The impact is wholly plastic, and the two turn as one after it: it is what the weld does to motions that it
   // finds as they are.
-  const auto [taken, impulse] = world.tracks.catch_by(last, body);
+  const auto [taken, impulse] = world.trajectories.engage(last, body);
   const Vec2 on_b = body == b ? impulse : Vec2(-impulse);
   Impact impact;
   impact.normal = on_b.dot(contact.normal);
@@ -48,16 +48,18 @@ struct SmoothImpact {
   const Vec2& normal;
 
   SmoothImpact(const World& world, int a, int b, const Contact& contact)
-      : velocity_a(world.tracks.settled(a).segment<2>(3)),
-        velocity_b(world.tracks.settled(b).segment<2>(3)),
+      : velocity_a(world.trajectories.at_start(a).segment<2>(3)),
+        velocity_b(world.trajectories.at_start(b).segment<2>(3)),
         normal(contact.normal) {}
   [[nodiscard]] double closing() const { return -Vec2(velocity_b - velocity_a).dot(normal); }
   Impact resolve(World& world, int a, int b, const Contact&, const Material& material) {
     const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;
     const Impact impact = resolve_smooth_impact(velocity_a, inverse_mass[a], velocity_b, inverse_mass[b],
                                                 normal, material.restitution);
-    if (!world.immovable(a)) world.tracks.set_velocity(a, velocity_a, world.tracks.settled(a)[5]);
-    if (!world.immovable(b)) world.tracks.set_velocity(b, velocity_b, world.tracks.settled(b)[5]);
+    if (!world.infinite_mass(a))
+      world.trajectories.set_velocity(a, velocity_a, world.trajectories.at_start(a)[5]);
+    if (!world.infinite_mass(b))
+      world.trajectories.set_velocity(b, velocity_b, world.trajectories.at_start(b)[5]);
     return impact;
   }
 };
@@ -73,22 +75,22 @@ struct GeneralImpact {
         closing_speed(-relative_velocity(side_a, side_b, contact.normal).normal) {}
   [[nodiscard]] double closing() const { return closing_speed; }
   Impact resolve(World& world, int a, int b, const Contact& contact, const Material& material) {
-    Tracks& tracks = world.tracks;
+    Trajectories& trajectories = world.trajectories;
     const ImpactLawId law = world.model->scene.impact_law;
     Impact impact;
     if (material.sticks) {
       impact = join(world, a, b, contact);
-    } else if (tracks.is_linked(a) || tracks.is_linked(b)) {
-      impact = resolve_linked_impact(tracks, world.mass(), a, b, contact, material, law);
+    } else if (trajectories.is_jointed(a) || trajectories.is_jointed(b)) {
+      impact = resolve_jointed_impact(trajectories, world.mass(), a, b, contact, material, law);
     } else {
       impact = resolve_impact(side_a, side_b, contact.normal, material, law);
-      if (!world.immovable(a)) tracks.set_velocity(a, side_a.velocity, side_a.spin);
-      if (!world.immovable(b)) tracks.set_velocity(b, side_b.velocity, side_b.spin);
+      if (!world.infinite_mass(a)) trajectories.set_velocity(a, side_a.velocity, side_a.spin);
+      if (!world.infinite_mass(b)) trajectories.set_velocity(b, side_b.velocity, side_b.spin);
     }
     if (world.field().has_switching_springs()) {
       for (const int i : {a, b}) {
-        if (world.immovable(i)) continue;
-        world.sums.ledger.lost_to_dampers += tracks.recheck_switches(tracks.island_of(i));
+        if (world.infinite_mass(i)) continue;
+        world.sums.ledger.lost_to_dampers += trajectories.recheck_switches(trajectories.island_of(i));
       }
     }
     return impact;
@@ -112,7 +114,7 @@ void apply(World& world, int a, int b, const Contact& contact, const Material& m
   const Impact impact = of_pair.resolve(world, a, b, contact, material);
   record_impact(world, a, b, contact, impact, closing, within);
   if (!wants_jump) return;
-  jump.time = std::min(world.tracks.epoch() + within, world.clock.step_end);
+  jump.time = std::min(world.trajectories.epoch() + within, world.clock.step_end);
   jump.after = world.state_at(within);
   jump.change.add(1.0, ledger);
   world.log.jumps.push_back(std::move(jump));
@@ -131,7 +133,7 @@ void record_impact(World& world, int a, int b, const Contact& contact, const Imp
   sums.impact_counts.add(a, b, impact.normal, world.mass());
   ImpactRecord record;
   // The sum may round beyond the end.
-  record.time = std::min(world.tracks.epoch() + within, world.clock.step_end);
+  record.time = std::min(world.trajectories.epoch() + within, world.clock.step_end);
   record.a = a;
   record.b = b;
   record.point = contact.point;
@@ -155,17 +157,18 @@ void record_impact(World& world, int a, int b, const Contact& contact, const Imp
   ledger.lost_to_restitution += impact.lost_to_restitution;
   ledger.lost_to_friction += impact.lost_to_friction;
   ledger.lost_to_sticking += impact.lost_to_sticking;
-  // What comes through a link, so through the weld of two that have stuck, is in the quadratures of the bodies.
-  if (!world.shapes().can_meet(a, b)) return;
+  // What comes through a joint, so through the weld of two that have stuck, is in the quadratures of the
+  // bodies.
+  if (!world.shapes().can_collide(a, b)) return;
   const Vec2 tangent(-contact.normal.y(), contact.normal.x());
   const Vec2 j = impact.normal * contact.normal + impact.tangential * tangent;
-  if (world.immovable(a)) {
+  if (world.infinite_mass(a)) {
     ledger.momentum_to_walls -= j;
-    ledger.put_in_by_drives += j.dot(world.tracks.settled(a).segment<2>(3));
+    ledger.put_in_by_drives += j.dot(world.trajectories.at_start(a).segment<2>(3));
   }
-  if (world.immovable(b)) {
+  if (world.infinite_mass(b)) {
     ledger.momentum_to_walls += j;
-    ledger.put_in_by_drives -= j.dot(world.tracks.settled(b).segment<2>(3));
+    ledger.put_in_by_drives -= j.dot(world.trajectories.at_start(b).segment<2>(3));
   }
 }
 

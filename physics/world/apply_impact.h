@@ -10,7 +10,7 @@ namespace carom {
 
 // Resolves the impact of two bodies at their settled poses, `within` s after the epoch: changes their
 // velocities, records it and keeps the ledger. Nothing happens to a pair that does not close. Bodies whose
-// surfaces stick are joined from then on (can_meet() is false), under a model compiled anew.
+// surfaces stick are joined from then on (can_collide() is false), under a model compiled anew.
 inline void apply_impact(World& world, int a, int b, const Contact& contact, const Material& material,
                          double within) {
   world.apply_impact(world, a, b, contact, material, within);

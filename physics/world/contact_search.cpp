@@ -24,12 +24,12 @@ constexpr std::int64_t kLookWork = 10;
 template <class Pair>
 class Paid {
  public:
-  Paid(const Pair& pair, const Tracks& tracks, bool corners, StepWork& work, SearchLimit& limit)
-      : pair_(pair), tracks_(tracks), short_(corners ? 0 : kShort), work_(work), limit_(limit) {}
+  Paid(const Pair& pair, const Trajectories& trajectories, bool corners, StepWork& work, SearchLimit& limit)
+      : pair_(pair), trajectories_(trajectories), short_(corners ? 0 : kShort), work_(work), limit_(limit) {}
   [[nodiscard]] TurningSample operator()(double t) const {
-    const std::int64_t flown = tracks_.flight_work();
+    const std::int64_t flown = trajectories_.flight_work();
     const TurningSample sample = pair_(t);
-    const std::int64_t units = kLookWork + (tracks_.flight_work() - flown) / 2;
+    const std::int64_t units = kLookWork + (trajectories_.flight_work() - flown) / 2;
     if (short_ > 0) {
       --short_;
       work_.spend_reserve(units);
@@ -49,25 +49,25 @@ class Paid {
  private:
   static constexpr int kShort = 16;
   const Pair& pair_;
-  const Tracks& tracks_;
+  const Trajectories& trajectories_;
   mutable int short_;
   StepWork& work_;
   SearchLimit& limit_;
 };
 
-// Where bodies are on their tracks.
+// Where bodies are on their trajectories.
 struct Paths {
-  Tracks& tracks;
+  Trajectories& trajectories;
   const Geometry& shapes;
   bool parabolic;
 
   [[nodiscard]] Eigen::Vector3d pose(int i, double t) const {
-    if (parabolic) return tracks.parabola(i, t);
-    return tracks.at(i, t).head<3>();
+    if (parabolic) return trajectories.parabola(i, t);
+    return trajectories.at(i, t).head<3>();
   }
   [[nodiscard]] Twist twist(int i, double t) const {
-    const Eigen::Vector3d v = parabolic ? Eigen::Vector3d(tracks.parabola_velocity(i, t))
-                                        : Eigen::Vector3d(tracks.at(i, t).segment<3>(3));
+    const Eigen::Vector3d v = parabolic ? Eigen::Vector3d(trajectories.parabola_velocity(i, t))
+                                        : Eigen::Vector3d(trajectories.at(i, t).segment<3>(3));
     return {v.head<2>(), v[2]};
   }
   [[nodiscard]] Approach approach(int a, int b, double t, double tolerance) const {
@@ -79,11 +79,11 @@ struct Paths {
 // form.
 NextContact next_contact_of_discs(const World& world, const SearchRules& rules, int a, int b, double start,
                                   double end) {
-  const Tracks& tracks = world.tracks;
+  const Trajectories& trajectories = world.trajectories;
   const ConvexShapes& shapes = world.shapes().shapes;
-  const Vec2 d = (tracks.parabola(b, start) - tracks.parabola(a, start)).head<2>();
-  const Vec2 va = tracks.parabola_velocity(a, start).head<2>();
-  const Vec2 vb = tracks.parabola_velocity(b, start).head<2>();
+  const Vec2 d = (trajectories.parabola(b, start) - trajectories.parabola(a, start)).head<2>();
+  const Vec2 va = trajectories.parabola_velocity(a, start).head<2>();
+  const Vec2 vb = trajectories.parabola_velocity(b, start).head<2>();
   const Vec2 u = vb - va;
   const double touch = shapes.rounding[a] + shapes.rounding[b];
   const bool approach = d.dot(u) < 0.0;
@@ -107,33 +107,35 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
     }
     return {};
   }
-  const Vec2 meeting = d + *after * u;
-  if (waits(-meeting.dot(u) / touch)) return {};
+  const Vec2 at_contact = d + *after * u;
+  if (waits(-at_contact.dot(u) / touch)) return {};
   return {NextContact::kImpact, start + *after};
 }
 
 }  // namespace
 
 NextContact next_contact(World& world, const SearchRules& rules, int a, int b) {
-  Tracks& tracks = world.tracks;
+  Trajectories& trajectories = world.trajectories;
   const Geometry& shapes = world.shapes();
-  const double begin = std::max(tracks.start(a), tracks.start(b));
-  const double end = std::min(tracks.end(a), tracks.end(b));
+  const double begin = std::max(trajectories.start(a), trajectories.start(b));
+  const double end = std::min(trajectories.end(a), trajectories.end(b));
   if (!(begin <= end)) return {};
-  const bool parabolic = tracks.is_parabolic() && !world.model->is_driven(a) && !world.model->is_driven(b);
+  const bool parabolic =
+      trajectories.is_parabolic() && !world.model->is_kinematic(a) && !world.model->is_kinematic(b);
   if (parabolic && shapes.is_disc(a) && shapes.is_disc(b) &&
-      tracks.constant_acceleration(a).head<2>() == tracks.constant_acceleration(b).head<2>()) {
+      trajectories.constant_acceleration(a).head<2>() == trajectories.constant_acceleration(b).head<2>()) {
     return next_contact_of_discs(world, rules, a, b, begin, end);
   }
 
   const double path_bound =
-      parabolic ? (tracks.constant_acceleration(b) - tracks.constant_acceleration(a)).head<2>().norm()
-                : tracks.bend(a) + tracks.bend(b);
+      parabolic
+          ? (trajectories.constant_acceleration(b) - trajectories.constant_acceleration(a)).head<2>().norm()
+          : trajectories.curvature_bound(a) + trajectories.curvature_bound(b);
   const double bound = curvature(world, a, b, path_bound);
   // A run that has blown up: its squares overflow, and no contact means anything any more.
   constexpr double kBlownUp = 1e100;  // m/s²
   if (!(bound < kBlownUp)) return {};
-  const Paths paths{tracks, shapes, parabolic};
+  const Paths paths{trajectories, shapes, parabolic};
   const TurningPair pair(
       shapes.shapes, a, [&](double t) { return paths.pose(a, t); }, b,
       [&](double t) { return paths.pose(b, t); }, path_bound);
@@ -177,9 +179,9 @@ NextContact next_contact(World& world, const SearchRules& rules, int a, int b) {
   }
   const TurningSample last = pair(end);
   SearchLimit limit{.looks = resting ? kMostLooksAtRest : kMostLooks};
-  const Paid paid(pair, tracks, world.has_moving_corners(a, b), world.work, limit);
+  const Paid paid(pair, trajectories, world.has_moving_corners(a, b), world.work, limit);
   const auto time = first_contact(paid, start, first, end, last, bound, tolerance, limit);
-  if (limit.reached && !resting) world.note(&Notices::search_cut_since, tracks.epoch() + start);
+  if (limit.reached && !resting) world.note(&Notices::search_cut_since, trajectories.epoch() + start);
   if (!time || (resting && waits(-paths.approach(a, b, *time, tolerance).speed))) return {};
   return {NextContact::kImpact, *time};
 }

@@ -25,15 +25,16 @@ constexpr double kCollapseShare = 1e-12;
 // Impacts at one time, to the last bit, after which closing speeds below that share are rounding: a light body
 // between two whose speeds it is too light to change would bounce to and fro for ever.
 constexpr int kMostAtOnce = 10'000;
-// After more than kCrowdedImpacts + kCrowdedImpactsPerBody * N impacts in one step, the guard against inelastic
-// collapse acts: a pair with e < 1 that rebounds slower than its forces can press it together in a step rests
-// until the step's end. A settling pile would otherwise need millions of impacts a step.
-constexpr int kCrowdedImpacts = 100;
-constexpr int kCrowdedImpactsPerBody = 4;
+// After more than kImpactsBeforeGuard + kImpactsBeforeGuardPerBody * N impacts in one step, the guard against
+// inelastic collapse acts: a pair with e < 1 that rebounds slower than its forces can press it together in a
+// step rests until the step's end. A settling pile would otherwise need millions of impacts a step.
+constexpr int kImpactsBeforeGuard = 100;
+constexpr int kImpactsBeforeGuardPerBody = 4;
 // Parts of a step that beginning supports divide it into; what stops in the last one is supported from the next
 // step on.
 constexpr int kMostParts = 8;
-// Up to this many bodies a track that no step ends may cross the whole scene: every pair is looked at anyway.
+// Up to this many bodies a trajectory that no step ends may cross the whole scene: every pair is looked at
+// anyway.
 constexpr int kFewBodies = 12;
 // A run that has reached kMostImpactsPerStep or kMostImpactsAtOnce once (a piston crushing an elastic disc,
 // say) gets no more than these in each later step, so that it still goes on.
@@ -41,10 +42,10 @@ constexpr int kMostImpactsOnceCapped = 20'000;
 constexpr int kMostImpactsAtOnceCapped = 1'000;
 // Of a step: two times of one landing, found in two ways, differ by less.
 constexpr double kSameTime = 1e-9;
-// Tracks that end in one step, beside some of each body, before they become twice as long: what flies or turns
-// far faster than the scene is large would end millions.
-constexpr int kMostTrackEnds = 1'000;
-constexpr int kMostTrackEndsPerBody = 20;
+// Trajectories that end in one step, beside some of each body, before they become twice as long: what flies or
+// turns far faster than the scene is large would end millions.
+constexpr int kMostTrajectoryEnds = 1'000;
+constexpr int kMostTrajectoryEndsPerBody = 20;
 // Searches after an impact that come for free.
 constexpr std::int64_t kFewNeighbours = 16;
 // Epochs in one step, at the most.
@@ -52,7 +53,7 @@ constexpr double kMostEpochs = 1024.0;
 
 }  // namespace
 
-bool EventDrivenImpacts::tracks_run_on(const World& world, const RestingContacts* resting) {
+bool EventDrivenImpacts::trajectories_run_on(const World& world, const RestingContacts* resting) {
   const IntegratorChoice& choice = choice_of(kIntegrators, world.method.integrator);
   return resting == nullptr && (choice.order == 0 || choice.adaptive);
 }
@@ -67,12 +68,12 @@ double EventDrivenImpacts::closing_share() const {
 }
 
 void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) {
-  Tracks& tracks = world.tracks;
-  const bool run_on = tracks_run_on(world, resting);
+  Trajectories& trajectories = world.trajectories;
+  const bool run_on = trajectories_run_on(world, resting);
   Step step{world, resting, h, run_on ? kNever : h, world.sums.impact_count};
-  track_ends_ = 0;
+  trajectory_ends_ = 0;
   if (!run_on || !running_) {
-    if (!run_on) tracks.begin(world.clock.time);
+    if (!run_on) trajectories.begin(world.clock.time);
     choose_cells(world, step.horizon);
     epoch_length_ = std::max(epoch_length_, std::exp2(std::ceil(std::log2(h / kMostEpochs))));
     end_of_step_.clear();
@@ -81,76 +82,76 @@ void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) 
     rebuild_all(step);
     running_ = true;
   }
-  // Where tracks run on, the epoch follows in leaps that don't depend on h: times stay small, and with them the
-  // rounding of each impact's time, which would add up over millions of bounces.
-  while (run_on && world.clock.step_end - tracks.epoch() > epoch_length_) {
+  // Where trajectories run on, the epoch follows in leaps that don't depend on h: times stay small, and with
+  // them the rounding of each impact's time, which would add up over millions of bounces.
+  while (run_on && world.clock.step_end - trajectories.epoch() > epoch_length_) {
     process_until(step, epoch_length_);
-    tracks.shift_epoch(epoch_length_);
+    trajectories.shift_epoch(epoch_length_);
     queue_.shift(epoch_length_);
     last_impact_ -= epoch_length_;
   }
   if (resting != nullptr) {
     const double left = process_with_supports(step);
-    for (int k = 0; k < tracks.islands(); ++k) tracks.settle(k, left);
-    due_.swap(end_of_step_);
+    for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, left);
+    resolving_.swap(end_of_step_);
     end_of_step_.clear();
     std::vector<std::pair<int, int>> pairs = resting->supported();
-    for (const WaitingPair& d : due_.all()) pairs.emplace_back(d.a, d.b);
+    for (const WaitingPair& d : resolving_.all()) pairs.emplace_back(d.a, d.b);
     resting->rebound_at_end(world, pairs);
     world.publish(left);
     return;
   }
-  const double target = run_on ? world.clock.step_end - tracks.epoch() : h;
+  const double target = run_on ? world.clock.step_end - trajectories.epoch() : h;
   process_until(step, target);
-  finish_pairs(step, target);
+  resolve_end_of_step(step, target);
 }
 
 // What rests or penetrates at the step's end is resolved then.
-void EventDrivenImpacts::finish_pairs(const Step& step, double target) {
+void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
   World& world = step.world;
-  Tracks& tracks = world.tracks;
+  Trajectories& trajectories = world.trajectories;
   const bool run_on = step.horizon == kNever;
-  due_.swap(end_of_step_);
+  resolving_.swap(end_of_step_);
   end_of_step_.clear();
-  const std::vector<WaitingPair>& due = due_.all();
-  due_islands_.clear();
+  const std::vector<WaitingPair>& pairs = resolving_.all();
+  resolving_islands_.clear();
   if (run_on) {
     // The islands of these pairs, each once, in the order in which they come.
-    is_due_.assign(static_cast<std::size_t>(tracks.islands()), false);
-    for (const WaitingPair& d : due) {
+    is_resolving_.assign(static_cast<std::size_t>(trajectories.islands()), false);
+    for (const WaitingPair& d : pairs) {
       for (const int i : {d.a, d.b}) {
-        const int island = tracks.island_of(i);
-        if (island < 0 || is_due_[static_cast<std::size_t>(island)]) continue;
-        is_due_[static_cast<std::size_t>(island)] = true;
-        due_islands_.push_back(island);
+        const int island = trajectories.island_of(i);
+        if (island < 0 || is_resolving_[static_cast<std::size_t>(island)]) continue;
+        is_resolving_[static_cast<std::size_t>(island)] = true;
+        resolving_islands_.push_back(island);
       }
     }
-    for (const int island : due_islands_) tracks.settle(island, target);
+    for (const int island : resolving_islands_) trajectories.advance_to(island, target);
   } else {
-    for (int k = 0; k < tracks.islands(); ++k) tracks.settle(k, target);
+    for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, target);
   }
   world.publish(target);
-  if (due.empty()) return;
+  if (pairs.empty()) return;
   world.check_motions();
-  resolve_penetrations(world, due, step.h);
-  if (std::any_of(due.begin(), due.end(),
-                  [&](const WaitingPair& d) { return !world.shapes().can_meet(d.a, d.b); })) {
+  resolve_penetrations(world, pairs, step.h);
+  if (std::any_of(pairs.begin(), pairs.end(),
+                  [&](const WaitingPair& d) { return !world.shapes().can_collide(d.a, d.b); })) {
     // Bodies have stuck together: islands are others.
     world.publish(target);
     running_ = false;
     return;
   }
-  for (const WaitingPair& d : due) {
-    for (const int i : {d.a, d.b}) world.state.set_motion(i, tracks.at(i, target));
+  for (const WaitingPair& d : pairs) {
+    for (const int i : {d.a, d.b}) world.state.set_motion(i, trajectories.at(i, target));
   }
-  if (run_on) rebuild_and_search(step, due_islands_);
+  if (run_on) rebuild_and_search(step, resolving_islands_);
 }
 
 // A step with resting contacts. What stops on a support within it is supported from that moment on: there the
 // step is divided, up to kMostParts times. The length in s of its last part, from the epoch on.
 double EventDrivenImpacts::process_with_supports(Step& step) {
   World& world = step.world;
-  Tracks& tracks = world.tracks;
+  Trajectories& trajectories = world.trajectories;
   RestingContacts& resting = *step.resting;
   for (int part = 1;; ++part) {
     const double left = step.h;
@@ -163,13 +164,13 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
     if (stops) landing.reset();
     const bool divides = stops || landing;
     const double passed = stops ? *stops : landing ? landing->time : left;
-    resting.book_forces(world, passed, passed / left);
+    resting.record_forces(world, passed, passed / left);
     if (!divides) return left;
-    for (int k = 0; k < tracks.islands(); ++k) tracks.settle(k, passed);
+    for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, passed);
     if (landing) resting.land(world, *landing);
     world.publish(passed);
     step.h = step.horizon = left - passed;
-    tracks.begin(world.clock.step_end - step.h);
+    trajectories.begin(world.clock.step_end - step.h);
     resting.support(world, step.h);
     choose_cells(world, step.h);
     end_of_step_.clear();
@@ -178,7 +179,7 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
   }
 }
 
-// Cells about as large as what a body and its track cover.
+// Cells about as large as what a body and its trajectory cover.
 void EventDrivenImpacts::choose_cells(const World& world, double horizon) {
   double size = 0.0;
   double path = 0.0;
@@ -186,15 +187,15 @@ void EventDrivenImpacts::choose_cells(const World& world, double horizon) {
   Bounds all{Eigen::Array2d::Constant(kNever), Eigen::Array2d::Constant(-kNever)};
   const int n = world.bodies();
   for (int i = 0; i < n; ++i) {
-    const Eigen::Array2d x = world.tracks.settled(i).head<2>().array();
+    const Eigen::Array2d x = world.trajectories.at_start(i).head<2>().array();
     const Eigen::Array2d extent = world.shapes().extent.col(i).array();
     if (!extent.allFinite()) continue;
     all.low = all.low.min(x - extent);
     all.high = all.high.max(x + extent);
-    if (world.immovable(i)) continue;
+    if (world.infinite_mass(i)) continue;
     ++moving;
     size += 2.0 * extent.maxCoeff();
-    path += world.tracks.settled(i).segment<2>(3).norm();
+    path += world.trajectories.at_start(i).segment<2>(3).norm();
   }
   const bool finite = (all.high >= all.low).all();  // something but half-planes is there
   const double across = finite ? (all.high - all.low).matrix().norm() : 1.0;
@@ -205,7 +206,7 @@ void EventDrivenImpacts::choose_cells(const World& world, double horizon) {
   if (horizon < kNever) {
     cell = size + path / moving * horizon;
   } else {
-    // In a thin gas longer tracks save more than larger cells cost.
+    // In a thin gas longer trajectories save more than larger cells cost.
     cell = std::clamp(1.1 * std::sqrt((all.high - all.low).prod() / moving), size, 4.0 * size);
   }
   const double crossing = path > 0.0 ? std::clamp(across * moving / path, 1e-6, 1e6) : 1.0;
@@ -219,17 +220,17 @@ void EventDrivenImpacts::rebuild_all(const Step& step) {
   const int n = world.bodies();
   queue_.clear();
   for (int i = 0; i < n; ++i) {
-    if (world.tracks.island_of(i) >= 0) continue;
-    const Eigen::Array2d x = world.tracks.settled(i).head<2>().array();
+    if (world.trajectories.island_of(i) >= 0) continue;
+    const Eigen::Array2d x = world.trajectories.at_start(i).head<2>().array();
     grid_.put(i, {x - world.shapes().extent.col(i).array(), x + world.shapes().extent.col(i).array()});
   }
-  for (int k = 0; k < world.tracks.islands(); ++k) rebuild(step, k);
+  for (int k = 0; k < world.trajectories.islands(); ++k) rebuild(step, k);
   // Each pair once: from its movable body of the higher index, or from the only movable one.
   std::size_t left = BroadPhase::most_pairs(world.model->bodies().size());
   for (int i = 0; i < n && left > 0; ++i) {
-    if (world.immovable(i)) continue;
+    if (world.infinite_mass(i)) continue;
     grid_.each_near(i, [&](int other) {
-      if (left == 0 || !(other < i || world.immovable(other))) return;
+      if (left == 0 || !(other < i || world.infinite_mass(other))) return;
       search(step, i, other);
       if (--left == 0) world.note(&Notices::pairs_cut_since, world.clock.time);
     });
@@ -237,19 +238,20 @@ void EventDrivenImpacts::rebuild_all(const Step& step) {
 }
 
 void EventDrivenImpacts::rebuild(const Step& step, int island) {
-  Tracks& tracks = step.world.tracks;
+  Trajectories& trajectories = step.world.trajectories;
   const Geometry& shapes = step.world.shapes();
-  tracks.lay(island, step.horizon, stretch_ * reach_, stretch_ * Tracks::kUsualTurn);
-  tracks.bound_bend(island);
-  const int first = tracks.members(island).front();
-  const double begin = tracks.start(first);
-  const double end = tracks.end(first);
-  for (const int i : tracks.members(island)) {
+  trajectories.rebuild(island, step.horizon, stretch_ * reach_, stretch_ * Trajectories::kUsualTurn);
+  trajectories.bound_curvature(island);
+  const int first = trajectories.members(island).front();
+  const double begin = trajectories.start(first);
+  const double end = trajectories.end(first);
+  for (const int i : trajectories.members(island)) {
     ++stamp_[i];
-    const Eigen::Array2d from = tracks.settled(i).head<2>().array();
-    const Eigen::Array2d to = tracks.at_end(i).head<2>().array();
+    const Eigen::Array2d from = trajectories.at_start(i).head<2>().array();
+    const Eigen::Array2d to = trajectories.at_end(i).head<2>().array();
     const double left = end - begin;
-    const Eigen::Array2d margin = shapes.extent.col(i).array() + tracks.bend(i) * left * left / 8.0 +
+    const Eigen::Array2d margin = shapes.extent.col(i).array() +
+                                  trajectories.curvature_bound(i) * left * left / 8.0 +
                                   32.0 * kEpsilon * (from.abs() + to.abs());
     grid_.put(i, {from.min(to) - margin, from.max(to) + margin});
   }
@@ -264,9 +266,9 @@ void EventDrivenImpacts::rebuild_and_search(const Step& step, std::span<const in
 void EventDrivenImpacts::search_island(const Step& step, int island) {
   World& world = step.world;
   std::int64_t neighbours = 0;
-  for (const int i : world.tracks.members(island)) {
+  for (const int i : world.trajectories.members(island)) {
     grid_.each_near(i, [&](int other) {
-      if (world.immovable(i) && world.immovable(other)) return;
+      if (world.infinite_mass(i) && world.infinite_mass(other)) return;
       ++neighbours;
       search(step, i, other);
     });
@@ -275,11 +277,11 @@ void EventDrivenImpacts::search_island(const Step& step, int island) {
   world.work.spend(std::max<std::int64_t>(0, neighbours - kFewNeighbours));
 }
 
-// Schedules the next impact of a and b on their tracks, if there is one.
+// Schedules the next impact of a and b on their trajectories, if there is one.
 void EventDrivenImpacts::search(const Step& step, int a, int b) {
   World& world = step.world;
   if (a > b) std::swap(a, b);
-  if (!world.shapes().can_meet(a, b)) return;
+  if (!world.shapes().can_collide(a, b)) return;
   if (step.resting != nullptr && step.resting->stays_supported(world, a, b)) return;
   if (world.work.spent()) {
     world.note(&Notices::work_spent_since, world.clock.time);
@@ -294,7 +296,7 @@ void EventDrivenImpacts::search(const Step& step, int a, int b) {
       queue_.push({next.time, a, b, stamp_[a], stamp_[b]});
       break;
     case NextContact::kPressed:
-      if (step.resting == nullptr) world.note(&Notices::resting_since, world.tracks.epoch() + next.time);
+      if (step.resting == nullptr) world.note(&Notices::resting_since, world.trajectories.epoch() + next.time);
       [[fallthrough]];
     case NextContact::kPenetrating:
       end_of_step_.add(a, b, next.kind == NextContact::kPressed);
@@ -305,10 +307,10 @@ void EventDrivenImpacts::search(const Step& step, int a, int b) {
 std::optional<double> EventDrivenImpacts::process_until(const Step& step, double target,
                                                         const Landing* awaited) {
   World& world = step.world;
-  Tracks& tracks = world.tracks;
-  const std::int64_t crowd =
-      kCrowdedImpacts + kCrowdedImpactsPerBody * static_cast<std::int64_t>(world.bodies());
-  const int most_track_ends = kMostTrackEnds + kMostTrackEndsPerBody * world.bodies();
+  Trajectories& trajectories = world.trajectories;
+  const std::int64_t before_guard =
+      kImpactsBeforeGuard + kImpactsBeforeGuardPerBody * static_cast<std::int64_t>(world.bodies());
+  const int most_trajectory_ends = kMostTrajectoryEnds + kMostTrajectoryEndsPerBody * world.bodies();
   while (!queue_.empty() && queue_.next().time <= target) {
     const Event next = queue_.next();
     queue_.pop();
@@ -321,15 +323,15 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
       continue;
     }
     if (next.b < 0) {
-      const int island = tracks.island_of(next.a);
-      world.sums.ledger.lost_to_dampers += tracks.settle_at_end(island);
-      if (++track_ends_ % most_track_ends == 0) stretch_ *= 2.0;
+      const int island = trajectories.island_of(next.a);
+      world.sums.ledger.lost_to_dampers += trajectories.advance_to_end(island);
+      if (++trajectory_ends_ % most_trajectory_ends == 0) stretch_ *= 2.0;
       rebuild(step, island);
       search_island(step, island);
       continue;
     }
     if (world.work.spent()) {
-      world.note(&Notices::work_spent_since, tracks.epoch() + next.time);
+      world.note(&Notices::work_spent_since, trajectories.epoch() + next.time);
       end_of_step_.add(next.a, next.b, false);
       continue;
     }
@@ -340,38 +342,39 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
     const bool at_once = next.time == last_impact_ && at_once_ >= most_at_once;
     const std::int64_t impacts = world.sums.impact_count - step.impacts_begin;
     if (at_once || impacts >= (capped ? kMostImpactsOnceCapped : kMostImpactsPerStep)) {
-      world.note(&Notices::impacts_capped_since, tracks.epoch() + next.time);
+      world.note(&Notices::impacts_capped_since, trajectories.epoch() + next.time);
       end_of_step_.add(next.a, next.b, false);
       continue;
     }
-    if (resolve(step, next.a, next.b, next.time, impacts >= crowd)) return next.time;
+    if (resolve(step, next.a, next.b, next.time, impacts >= before_guard)) return next.time;
   }
   return std::nullopt;
 }
 
-bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bool crowded) {
+bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bool guarded) {
   World& world = step.world;
-  Tracks& tracks = world.tracks;
-  if (!crowded && world.model->scene.several_impacts == SeveralImpactsId::kSimultaneous) {
-    if (const std::optional<bool> divides = resolve_cluster(step, a, b, time, crowded)) return *divides;
+  Trajectories& trajectories = world.trajectories;
+  if (!guarded && world.model->scene.several_impacts == SeveralImpactsId::kSimultaneous) {
+    if (const std::optional<bool> divides = resolve_cluster(step, a, b, time, guarded)) return *divides;
   }
   for (const int i : {a, b}) {
-    if (tracks.island_of(i) >= 0 && tracks.start(i) != time) tracks.settle(tracks.island_of(i), time);
+    if (trajectories.island_of(i) >= 0 && trajectories.start(i) != time)
+      trajectories.advance_to(trajectories.island_of(i), time);
   }
   const Contact contact = world.approach(a, b, touch_tolerance(world, a, b, time)).contact;
   apply_impact(world, a, b, contact, world.material(a, b), time);
-  if (!world.shapes().can_meet(a, b)) {
+  if (!world.shapes().can_collide(a, b)) {
     // They have stuck together: islands are others, and all of them start now.
     last_impact_ = time;
     rebuild_all(step);
     return false;
   }
-  const bool divides = classify_rebound(step, a, b, contact, world.material(a, b), time, crowded);
+  const bool divides = classify_rebound(step, a, b, contact, world.material(a, b), time, guarded);
   at_once_ = time == last_impact_ ? at_once_ + 1 : 0;
-  if (at_once_ == kMostAtOnce) world.note(&Notices::collapsed_since, tracks.epoch() + time);
+  if (at_once_ == kMostAtOnce) world.note(&Notices::collapsed_since, trajectories.epoch() + time);
   last_impact_ = time;
-  const int island_a = tracks.island_of(a);
-  const int island_b = tracks.island_of(b);
+  const int island_a = trajectories.island_of(a);
+  const int island_b = trajectories.island_of(b);
   if (island_a >= 0 && island_b >= 0 && island_a != island_b) {
     rebuild_and_search(step, std::array{island_a, island_b});
   } else {
@@ -381,12 +384,12 @@ bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bo
 }
 
 bool EventDrivenImpacts::classify_rebound(const Step& step, int a, int b, const Contact& contact,
-                                          const Material& material, double time, bool crowded) {
+                                          const Material& material, double time, bool guarded) {
   World& world = step.world;
   if (!(material.restitution < 1.0)) return false;
   const double rebound = world.parting_speed(a, b, contact);
   const double press = pressing(world, a, b, contact, time);
-  const double now = world.tracks.epoch() + time;
+  const double now = world.trajectories.epoch() + time;
   double rest = kRestSpeed;
   if (world.method.integrator == IntegratorId::kExplicitEuler) {
     const double e = material.restitution;
@@ -402,11 +405,11 @@ bool EventDrivenImpacts::classify_rebound(const Step& step, int a, int b, const 
     end_of_step_.add(a, b, true);
     return step.resting != nullptr && step.may_divide && time < step.h;
   }
-  if (crowded && rebound < pressed_in(world, a, b, step.h)) {
+  if (guarded && rebound < pressed_in(world, a, b, step.h)) {
     if (step.resting == nullptr) world.note(&Notices::resting_since, now);
     end_of_step_.add(a, b, true);
-  } else if (rebound < kCollapseShare * (world.tracks.settled(a).segment<2>(3).norm() +
-                                         world.tracks.settled(b).segment<2>(3).norm()) &&
+  } else if (rebound < kCollapseShare * (world.trajectories.at_start(a).segment<2>(3).norm() +
+                                         world.trajectories.at_start(b).segment<2>(3).norm()) &&
              time - last_impact_ <= 64.0 * kEpsilon * (std::abs(time) + step.h)) {
     world.note(&Notices::collapsed_since, now);
   }
@@ -414,7 +417,7 @@ bool EventDrivenImpacts::classify_rebound(const Step& step, int a, int b, const 
 }
 
 std::optional<RunAhead> EventDrivenImpacts::ahead(const World& world) const {
-  if (!running_ || !tracks_run_on(world, nullptr)) return std::nullopt;
+  if (!running_ || !trajectories_run_on(world, nullptr)) return std::nullopt;
   RunAhead ahead;
   ahead.grid = grid_.order();
   for (const Event& event : queue_.all()) {

@@ -14,10 +14,10 @@
 
 namespace carom {
 
-// What lies ahead where tracks run on across the ends of steps: scheduled impacts, and pairs that wait for the
-// next step's end. Times in s after the epoch.
+// What lies ahead where trajectories run on across the ends of steps: scheduled impacts, and pairs that wait
+// for the next step's end. Times in s after the epoch.
 struct RunAhead {
-  // As Event has it: bodies a < b meet, or (b < 0) the track of a's island ends.
+  // As Event has it: bodies a < b meet, or (b < 0) the trajectory of a's island ends.
   struct Scheduled {
     double time = 0.0;
     int a = 0;
@@ -28,34 +28,34 @@ struct RunAhead {
     int b = 0;  // a < b
     bool resting = false;
   };
-  TracksAhead tracks;
+  TrajectoriesAhead trajectories;
   CellGrid::Order grid;
   std::vector<Scheduled> events;  // in the order of (time, a, b)
   std::vector<Waiting> waiting;
   double reach = 1.0;         // m
-  double stretch = 1.0;       // of tracks, where too many ended
+  double stretch = 1.0;       // of trajectories, where too many ended
   double epoch_length = 1.0;  // s, a power of two
   double last_impact = -1.0;
 };
 
 // Impacts at their own time: each body, or each group that forces couple, keeps a time of its own, that of its
-// last impact, and a track from there on (physics/dynamics/tracks.h). The first contact of two tracks is
-// searched on the integrator's own map (contact_search.h); the earliest of all is resolved; only the bodies of
-// an impact are touched, and only their neighbours searched again. The state at an impact is a true step of the
-// method, so the integrator keeps its order through impacts. Impacts at one time go pair by pair, in the order
-// of index pairs, or all at once where the scene asks for that (simultaneous_impacts.cpp).
+// last impact, and a trajectory from there on (physics/dynamics/trajectories.h). The first contact of two
+// trajectories is searched on the integrator's own map (contact_search.h); the earliest of all is resolved;
+// only the bodies of an impact are touched, and only their neighbours searched again. The state at an impact is
+// a true step of the method, so the integrator keeps its order through impacts. Impacts at one time go pair by
+// pair, in the order of index pairs, or all at once where the scene asks for that (simultaneous_impacts.cpp).
 //
-// Fixed-step integrators start every track anew at each step's end. The adaptive one and exact flight need no
-// common step: their tracks run on across it, and the step is only the interval at which the state is looked
-// at.
+// Fixed-step integrators start every trajectory anew at each step's end. The adaptive one and exact flight need
+// no common step: their trajectories run on across it, and the step is only the interval at which the state is
+// looked at.
 class EventDrivenImpacts {
  public:
-  // A step of h s. `resting` is null without resting contacts; with them all tracks start anew in each step,
-  // which is divided where something stops to move on a support.
+  // A step of h s. `resting` is null without resting contacts; with them all trajectories start anew in each
+  // step, which is divided where something stops to move on a support.
   void step(World& world, RestingContacts* resting, double h);
   // Bodies, islands or the method are others now: the next step begins anew.
   void reset(int bodies);
-  // What lies ahead, if tracks run on.
+  // What lies ahead, if trajectories run on.
   [[nodiscard]] std::optional<RunAhead> ahead(const World& world) const;
   // Impacts before the last one at the same time.
   [[nodiscard]] int at_once() const { return at_once_; }
@@ -67,30 +67,30 @@ class EventDrivenImpacts {
     World& world;
     RestingContacts* resting;
     double h;                    // s
-    double horizon;              // s after the epoch: where tracks end, infinite where they run on
+    double horizon;              // s after the epoch: where trajectories end, infinite where they run on
     std::int64_t impacts_begin;  // counted before the whole step
     bool may_divide = false;
   };
 
-  [[nodiscard]] static bool tracks_run_on(const World& world, const RestingContacts* resting);
+  [[nodiscard]] static bool trajectories_run_on(const World& world, const RestingContacts* resting);
   double process_with_supports(Step& step);
   // Resolves events up to `target` (s after the epoch), without the landing that is awaited there. The time at
   // which a support begins that divides the step: what came before is done.
   std::optional<double> process_until(const Step& step, double target, const Landing* awaited = nullptr);
   // Resolves the impact of a scheduled pair; true if a support begins with it that divides the step.
-  bool resolve(const Step& step, int a, int b, double time, bool crowded);
+  bool resolve(const Step& step, int a, int b, double time, bool guarded);
   // The same of all that touches a or b, or what they touch, and so on. Nothing if there is only the pair, or
   // no solution.
-  std::optional<bool> resolve_cluster(const Step& step, int a, int b, double time, bool crowded);
+  std::optional<bool> resolve_cluster(const Step& step, int a, int b, double time, bool guarded);
   void find_touches(World& world, int a, int b, double time);
   // After an impact with e < 1: whether the pair rests from now on, or has collapsed. True as resolve().
   bool classify_rebound(const Step& step, int a, int b, const Contact& contact, const Material& material,
-                        double time, bool crowded);
-  void finish_pairs(const Step& step, double target);
+                        double time, bool guarded);
+  void resolve_end_of_step(const Step& step, double target);
 
   void choose_cells(const World& world, double horizon);
   void rebuild_all(const Step& step);
-  // Lays an island's track anew and puts the bounds of its path into the grid.
+  // Lays an island's trajectory anew and puts the bounds of its path into the grid.
   void rebuild(const Step& step, int island);
   // Both for these islands, and schedules their next impacts.
   void rebuild_and_search(const Step& step, std::span<const int> islands);
@@ -101,8 +101,8 @@ class EventDrivenImpacts {
     return stamp_[event.a] != event.stamp_a || (event.b >= 0 && stamp_[event.b] != event.stamp_b);
   }
 
-  bool running_ = false;       // tracks, grid and queue hold since the last step
-  double reach_ = 1.0;         // m: length of a track that no step ends
+  bool running_ = false;       // trajectories, grid and queue hold since the last step
+  double reach_ = 1.0;         // m: length of a trajectory that no step ends
   double epoch_length_ = 1.0;  // s, a power of two
   double last_impact_ = -1.0;  // s within the epoch
   int at_once_ = 0;            // impacts before it at the same time
@@ -110,11 +110,11 @@ class EventDrivenImpacts {
   EventQueue queue_;
   std::vector<std::uint32_t> stamp_;  // by body, of its island; fixed bodies keep theirs
   PairList end_of_step_;
-  PairList due_;
-  std::vector<int> due_islands_;  // of due_, where tracks run on
-  std::vector<bool> is_due_;      // by island
-  int track_ends_ = 0;            // in this step
-  double stretch_ = 1.0;          // of tracks that no step ends, where too many ended
+  PairList resolving_;
+  std::vector<int> resolving_islands_;  // of resolving_, where trajectories run on
+  std::vector<bool> is_resolving_;      // by island
+  int trajectory_ends_ = 0;             // in this step
+  double stretch_ = 1.0;                // of trajectories that no step ends, where too many ended
   struct Touch {
     int a;
     int b;

@@ -8,8 +8,8 @@
 
 namespace carom {
 
-// Something that will happen if nothing comes before: bodies a and b meet, or (b < 0) the track of island a
-// ends. The stamps are those of the islands of a and b when it was foreseen; it is stale once one of them has
+// Something that will happen if nothing comes before: bodies a and b meet, or (b < 0) the trajectory of island
+// a ends. The stamps are those of the islands of a and b when it was foreseen; it is stale once one of them has
 // moved on.
 struct Event {
   double time = 0.0;  // s after the epoch
@@ -19,8 +19,8 @@ struct Event {
   std::uint32_t stamp_b = 0;
 };
 
-// Events in the order of time; at one time tracks end first, then impacts go in the order of index pairs. A
-// binary heap; stale events stay in it until their time has come or a sweep finds them.
+// Events in the order of time; at one time trajectories end first, then impacts go in the order of index pairs.
+// A binary heap; stale events stay in it until their time has come or a sweep finds them.
 class EventQueue {
  public:
   void clear() {
@@ -58,9 +58,9 @@ class EventQueue {
   struct Later {
     bool operator()(const Event& x, const Event& y) const {
       if (x.time != y.time) return x.time > y.time;
-      const bool x_meets = x.b >= 0;
-      const bool y_meets = y.b >= 0;
-      return std::tie(x_meets, x.a, x.b) > std::tie(y_meets, y.a, y.b);
+      const bool x_is_pair = x.b >= 0;
+      const bool y_is_pair = y.b >= 0;
+      return std::tie(x_is_pair, x.a, x.b) > std::tie(y_is_pair, y.a, y.b);
     }
   };
   static constexpr std::size_t kFewest = 1024;

@@ -23,7 +23,7 @@ struct ImpactCounts {
   static constexpr std::int64_t kNotKnown = -4'000'000'000'000'000;
 
   std::int64_t counted = 0;   // impacts that are in the sums
-  std::int64_t walls = 0;     // with fixed and driven bodies
+  std::int64_t walls = 0;     // with fixed and kinematic bodies
   std::int64_t mutual = 0;    // of two free bodies
   double wall_impulse = 0.0;  // N s, sum of the normal ones
   std::vector<Pair> pairs;    // those that are watched, at most kMostPairs

@@ -32,8 +32,8 @@ Vec2 Ledger::expected_momentum() const {
   return sum;
 }
 
-Ledger ledger_of_books(const State& state) {
-  const Eigen::Matrix<double, kBooks, 1> sums = state.books.rowwise().sum();
+Ledger ledger_of_quadratures(const State& state) {
+  const Eigen::Matrix<double, kQuadratures, 1> sums = state.quadratures.rowwise().sum();
   Ledger ledger;
   ledger.lost_to_drag = sums[kDragLoss];
   ledger.lost_to_dampers = sums[kDamperLoss];

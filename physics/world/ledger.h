@@ -7,7 +7,7 @@ namespace carom {
 
 // Where the energy of a run went since it began, in J (what each entry is: physics/world/ledger_entries.h):
 //   E(t) = initial - lost_to_restitution - lost_to_friction - lost_to_drag - lost_to_dampers
-//          - lost_to_rolling - lost_to_sticking - lost_to_links + overlap_correction + put_in_by_drives
+//          - lost_to_rolling - lost_to_sticking - lost_to_joints + penetration_correction + put_in_by_drives
 //          + put_in_by_user + numerical drift,
 // so the drift is what the method itself gained (+) or lost (-). The same for momentum, in N s:
 //   P(t) = initial_momentum + momentum_from_gravity + momentum_from_forces + momentum_from_user
@@ -19,17 +19,17 @@ struct Ledger {
   double lost_to_rolling = 0.0;   // to rolling resistance
   double lost_to_sticking = 0.0;  // by impacts after which bodies stay joined
   double lost_to_drag = 0.0;
-  double lost_to_dampers = 0.0;     // of springs
-  double lost_to_links = 0.0;       // by strings that jerked taut
-  double overlap_correction = 0.0;  // potential energy that the pseudo-spring's pushes changed
-  double put_in_by_drives = 0.0;    // by driven bodies and by applied forces and torques
+  double lost_to_dampers = 0.0;         // of springs
+  double lost_to_joints = 0.0;          // by strings that jerked taut
+  double penetration_correction = 0.0;  // potential energy that the pseudo-spring's pushes changed
+  double put_in_by_drives = 0.0;        // by kinematic bodies and by applied forces and torques
   double put_in_by_user = 0.0;
   Vec2 initial_momentum = Vec2::Zero();
   Vec2 momentum_from_gravity = Vec2::Zero();
   Vec2 momentum_from_forces =
-      Vec2::Zero();  // drag, springs and links to what is fixed or driven, applied forces
+      Vec2::Zero();  // drag, springs and joints to what is fixed or kinematic, applied forces
   Vec2 momentum_from_user = Vec2::Zero();
-  Vec2 momentum_to_walls = Vec2::Zero();  // what impacts gave to fixed and driven bodies
+  Vec2 momentum_to_walls = Vec2::Zero();  // what impacts gave to fixed and kinematic bodies
 
   // J: the sum of the energies' sizes; what is far below it may be rounding.
   [[nodiscard]] double turnover() const;
@@ -41,7 +41,7 @@ struct Ledger {
   [[nodiscard]] Vec2 momentum_drift(const Vec2& momentum) const { return momentum - expected_momentum(); }
 };
 
-// The entries that the bodies' own books carry.
-[[nodiscard]] Ledger ledger_of_books(const State& state);
+// The entries that the bodies' own quadratures carry.
+[[nodiscard]] Ledger ledger_of_quadratures(const State& state);
 
 }  // namespace carom

@@ -64,11 +64,11 @@ inline constexpr auto kEnergyEntries = std::to_array<EnergyEntry>({
      "Work of the dampers of springs, integrated along with the motion", &Ledger::lost_to_dampers,
      [](const Scene& scene, ContactsId, const Needs&) { return !has_dampers(scene); }},
     {Kind::kLoss, "lost_to_links", "lost to links", "lost to strings that jerk",
-     "Taken where strings jerked taut", &Ledger::lost_to_links,
+     "Taken where strings jerked taut", &Ledger::lost_to_joints,
      [](const Scene& scene, ContactsId, const Needs&) { return !has_strings(scene); }},
     {Kind::kCorrection, "overlap_correction", "overlap correction", "put in by pushing overlaps apart",
-     "Potential energy that changed where overlapping bodies were pushed apart", &Ledger::overlap_correction,
-     nullptr},
+     "Potential energy that changed where overlapping bodies were pushed apart",
+     &Ledger::penetration_correction, nullptr},
     {Kind::kInput, "put_in_by_drives", "put in by drives", "put in by drives and forces",
      "Work of driven bodies and of applied forces and torques", &Ledger::put_in_by_drives,
      [](const Scene&, ContactsId, const Needs& needs) {
@@ -89,14 +89,16 @@ inline constexpr auto kMomentumEntries = std::to_array<MomentumEntry>({
      "Given by drag, by springs and links to fixed points and driven bodies, and by applied forces",
      &Ledger::momentum_from_forces, 1.0,
      [](const Scene& scene) {
-       return !has_drag(scene) && scene.forces.springs.empty() && scene.links.empty() &&
+       return !has_drag(scene) && scene.forces.springs.empty() && scene.joints.empty() &&
               scene.forces.applied.empty();
      }},
     {"momentum_from_user", "from_user", "from the user", "Of the bodies that were added during the run",
      &Ledger::momentum_from_user, 1.0, nullptr},
     {"momentum_to_walls", "to_walls", "to walls",
      "What impacts gave to fixed and driven bodies; it is taken from the sum", &Ledger::momentum_to_walls, -1.0,
-     [](const Scene& scene) { return std::none_of(scene.bodies.begin(), scene.bodies.end(), is_immovable); }},
+     [](const Scene& scene) {
+       return std::none_of(scene.bodies.begin(), scene.bodies.end(), has_infinite_mass);
+     }},
 });
 
 }  // namespace carom

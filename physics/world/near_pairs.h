@@ -18,7 +18,7 @@ class NearPairs {
     const int n = world.bodies();
     bounds_.resize(n);
     for (int i = 0; i < n; ++i) {
-      const Eigen::Array2d x = world.tracks.settled(i).template head<2>().array();
+      const Eigen::Array2d x = world.trajectories.at_start(i).template head<2>().array();
       const Eigen::Array2d reach = world.shapes().extent.col(i).array() + margin(i);
       bounds_[i] = {x - reach, x + reach};
     }

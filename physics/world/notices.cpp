@@ -51,7 +51,7 @@ const auto kEntries = std::to_array<NoticeEntry>({
      &N::contacts_left, "contacts_left"},
     {"switches_missed_since", &N::switches_missed_since,
      "from t = {t:.6g} s springs or strings start and stop to act more often than is followed in a step"},
-    {"links_missed_since", &N::links_missed_since,
+    {"links_missed_since", &N::joints_missed_since,
      "at t = {t:.6g} s a step was too long for the links, and what follows means nothing: take shorter steps"},
     {"state_left_since", &N::state_left_since,
      "the scene was changed after the run was saved: from t = {t:.6g} s it goes on from its bodies and its "

@@ -29,8 +29,8 @@ struct Notices {
   double cluster_unsolved_since = -1.0;
   // The restitution of simultaneous impacts was lowered, so that friction would not make them gain energy.
   double restitution_lowered_since = -1.0;
-  // A step led so far off that links could not be restored after it, or turned links by many radians.
-  double links_missed_since = -1.0;
+  // A step led so far off that joints could not be restored after it, or turned joints by many radians.
+  double joints_missed_since = -1.0;
   // The scene was changed after the run was saved: it goes on from its bodies and its clock alone.
   double state_left_since = -1.0;
   // Springs or strings switched more often than is followed in a step.

@@ -13,18 +13,18 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 }  // namespace
 
 void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, double h) {
-  Tracks& tracks = world.tracks;
+  Trajectories& trajectories = world.trajectories;
   const ForceField& field = world.field();
-  double& correction = world.sums.ledger.overlap_correction;
-  const double now = world.clock.step_end - tracks.epoch();
+  double& correction = world.sums.ledger.penetration_correction;
+  const double now = world.clock.step_end - trajectories.epoch();
   // Each push changes the energy of attraction with all bodies: of many pairs their sum is taken at once.
   const Needs& needs = world.model->needs;
-  const bool all_at_once = field.attracts() && !needs.has(Part::kLinks) && !needs.has(Part::kSticking) &&
+  const bool all_at_once = field.attracts() && !needs.has(Part::kJoints) && !needs.has(Part::kSticking) &&
                            pairs.size() > world.model->bodies().size();
   if (all_at_once) correction -= field.potential_energy(world.state.q);
   for (const auto& [a, b, resting] : pairs) {
     world.work.pass(1);
-    if (!world.shapes().can_meet(a, b)) continue;  // joined meanwhile
+    if (!world.shapes().can_collide(a, b)) continue;  // joined meanwhile
     Approach at = world.approach(a, b, 0.0);
     const double gap = at.contact.gap;
     if (gap >= 0.0) continue;
@@ -39,24 +39,24 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, d
       // What gravity pressed in during this step must not bounce; a true impact on a resting pair must.
       if (resting && -at.speed <= pressed_in(world, a, b, h)) material.restitution = 0.0;
       apply_impact(world, a, b, at.contact, material, now);
-      if (!world.shapes().can_meet(a, b)) break;
+      if (!world.shapes().can_collide(a, b)) break;
     }
-    if (!world.shapes().can_meet(a, b)) continue;
+    if (!world.shapes().can_collide(a, b)) continue;
 
     const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;  // of the model as it is now
     const double share = inverse_mass[a] + inverse_mass[b];
     const Vec2 push = (resting ? 1.0 : kPenetrationFraction) * -gap / share * normal;
     for (const int i : {a, b}) {
-      if (world.immovable(i)) continue;
-      const Vec2 x = tracks.settled(i).head<2>();
+      if (world.infinite_mass(i)) continue;
+      const Vec2 x = trajectories.at_start(i).head<2>();
       const Vec2 moved = x + (i == a ? -1.0 : 1.0) * inverse_mass[i] * push;
       if (!all_at_once) {
         correction +=
             field.potential_energy_of(i, moved, world.state.q) - field.potential_energy_of(i, x, world.state.q);
       }
-      tracks.set_pose(i, {moved.x(), moved.y(), tracks.settled(i)[2]});
+      trajectories.set_pose(i, {moved.x(), moved.y(), trajectories.at_start(i)[2]});
       world.state.q.col(i).head<2>() = moved;
-      if (tracks.is_linked(i)) world.restore_links(tracks.island_of(i));
+      if (trajectories.is_jointed(i)) world.restore_joints(trajectories.island_of(i));
     }
   }
   if (all_at_once) correction += field.potential_energy(world.state.q);

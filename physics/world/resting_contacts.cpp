@@ -21,23 +21,23 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kSolved = 1e-10;
 // Likewise: a contact that slips slower than this sticks.
 constexpr double kStuck = 1e-6;
-// Of the size: a smaller overlap is rounding, and one beyond kDeep is taken away in parts.
-constexpr double kOverlap = 1e-12;
+// Of the size: a smaller penetration is rounding, and one beyond kDeep is taken away in parts.
+constexpr double kPenetration = 1e-12;
 constexpr double kDeep = 1e-3;
 // Contacts of an island up to which it is solved exactly, always or where its rms velocity is at most kSlow of
-// what the forces change of a speed in a step. In a crowd, a larger one, the tolerance is kCrowdMotion of its
-// speeds, at most kCrowdSolved of what the forces change of a speed in a step: as it comes to rest it is solved
+// what the forces change of a speed in a step. In a crowd, a larger one, the tolerance is kLargeMotion of its
+// speeds, at most kLargeSolved of what the forces change of a speed in a step: as it comes to rest it is solved
 // better and better, each step from the forces of the one before.
 constexpr int kMostExact = 64;
 constexpr int kMostExactAtRest = 400;
 constexpr double kSlow = 1e-5;
-constexpr double kCrowdMotion = 0.1;
-constexpr double kCrowdSolved = 1e-2;
-constexpr double kCrowdRest = 1e-9;
-constexpr double kCrowdOverlap = 1e-6;  // of the size
+constexpr double kLargeMotion = 0.1;
+constexpr double kLargeSolved = 1e-2;
+constexpr double kLargeRest = 1e-9;
+constexpr double kLargePenetration = 1e-6;  // of the size
 // Sweeps of a crowd, more of a small one.
-constexpr int kCrowdSweeps = 20;
-constexpr int kCrowdContactSweeps = 10'000;
+constexpr int kLargeSweeps = 20;
+constexpr int kLargeContactSweeps = 10'000;
 // Where the integrator's flight is not linear in the contact forces they are corrected this often.
 constexpr int kMostRounds = 12;
 // Room for contacts to begin with.
@@ -88,19 +88,19 @@ double RestingContacts::rest_speed(const World& world, int a, int b, const Vec2&
 
 void RestingContacts::begin_step(World& world, double h) {
   step_length_ = std::max(h, world.method.step);
-  world.tracks.begin(world.clock.time);
+  world.trajectories.begin(world.clock.time);
 }
 
 void RestingContacts::support(World& world, double h) {
   const int n = world.bodies();
-  for (const int i : memory_.pushed) world.tracks.set_contact_acceleration(i, Eigen::Vector3d::Zero());
+  for (const int i : memory_.pushed) world.trajectories.set_contact_acceleration(i, Eigen::Vector3d::Zero());
   memory_.pushed.clear();
   acceleration_.setZero(3, n);
   for (int i = 0; i < n; ++i) {
-    if (!world.immovable(i)) {
-      acceleration_.col(i) = world.tracks.acceleration(i);
-    } else if (world.model->is_driven(i)) {
-      acceleration_.col(i).head<2>() = drive_acceleration(world.model->drive(i), world.tracks.epoch());
+    if (!world.infinite_mass(i)) {
+      acceleration_.col(i) = world.trajectories.acceleration(i);
+    } else if (world.model->is_kinematic(i)) {
+      acceleration_.col(i).head<2>() = drive_acceleration(world.model->drive(i), world.trajectories.epoch());
     }
   }
   memory_.held.resize(n, 0);
@@ -125,8 +125,8 @@ void RestingContacts::find_contacts(World& world, double h) {
   poses_.resize(n);
   reach_.resize(n);
   for (int i = 0; i < n; ++i) {
-    const Eigen::Vector3d q = world.tracks.settled(i).head<3>();
-    const Eigen::Vector3d v = world.tracks.settled(i).segment<3>(3);
+    const Eigen::Vector3d q = world.trajectories.at_start(i).head<3>();
+    const Eigen::Vector3d v = world.trajectories.at_start(i).segment<3>(3);
     const double turning = v[2] != 0.0 ? std::abs(v[2]) * convex.core_radius[i] : 0.0;
     reach_[i] = (v.head<2>().norm() + turning) * whole + acceleration_.col(i).head<2>().norm() * whole * whole;
     poses_[i] = pose_of(convex, i, q);
@@ -139,11 +139,11 @@ void RestingContacts::find_contacts(World& world, double h) {
   landings_.clear();
   std::size_t last = 0;  // of the forces before
   for (const auto& [a, b] : near_pairs_.find(world, [&](int i) { return reach_[i]; })) {
-    if (!world.shapes().can_meet(a, b)) continue;
+    if (!world.shapes().can_collide(a, b)) continue;
     near_.emplace_back(a, b);
     const double size = world.shapes().size[a] + world.shapes().size[b];
-    const double rounding = kOverlap * (size + world.tracks.settled(a).head<2>().lpNorm<1>() +
-                                        world.tracks.settled(b).head<2>().lpNorm<1>());
+    const double rounding = kPenetration * (size + world.trajectories.at_start(a).head<2>().lpNorm<1>() +
+                                            world.trajectories.at_start(b).head<2>().lpNorm<1>());
     const Manifold m = manifold(convex, a, poses_[a], b, poses_[b], reach_[a] + reach_[b] + rounding);
     if (m.count == 0) continue;
     const auto& forces = memory_.forces;
@@ -196,7 +196,7 @@ void RestingContacts::add_contacts(World& world, int a, int b, const Manifold& m
     for (std::size_t j = last; j < forces.size() && forces[j].a == a && forces[j].b == b; ++j) {
       if (forces[j].id != at.id) continue;
       c.sticks[i] = forces[j].sticks;
-      guess_.back() = memory_.hold[j];
+      guess_.back() = memory_.support[j];
     }
     id_.push_back(at.id);
     point_.push_back(at.point);
@@ -211,8 +211,8 @@ std::optional<LandingTime> RestingContacts::first_landing(World& world, double e
   for (const Landing& landing : landings_) {
     const auto& [a, b, id] = landing;
     const auto gap = [&, a = a, b = b, id = id](double t) {
-      const Manifold m = manifold(convex, a, pose_of(convex, a, world.tracks.at(a, t).head<3>()), b,
-                                  pose_of(convex, b, world.tracks.at(b, t).head<3>()),
+      const Manifold m = manifold(convex, a, pose_of(convex, a, world.trajectories.at(a, t).head<3>()), b,
+                                  pose_of(convex, b, world.trajectories.at(b, t).head<3>()),
                                   std::numeric_limits<double>::infinity());
       for (int k = 0; k < m.count; ++k) {
         if (m.points[k].id == id) return m.points[k].gap;
@@ -241,17 +241,17 @@ ContactSolverOptions RestingContacts::solver_options() const {
   ContactSolverOptions options;
   const double rounding = 16.0 * kEpsilon * before_.topRows<2>().cwiseAbs().maxCoeff();
   options.tolerance = kSolved * by_forces + rounding;
-  options.crowd_sweeps = kCrowdSweeps;
-  options.crowd_contact_sweeps = kCrowdContactSweeps;
-  options.crowd_tolerance = kCrowdRest * by_forces + rounding;
-  options.crowd_motion = &before_;
-  options.crowd_share = kCrowdMotion;
-  options.crowd_coarsest = kCrowdSolved * by_forces + rounding;
+  options.large_sweeps = kLargeSweeps;
+  options.large_contact_sweeps = kLargeContactSweeps;
+  options.large_tolerance = kLargeRest * by_forces + rounding;
+  options.large_motion = &before_;
+  options.large_share = kLargeMotion;
+  options.large_coarsest = kLargeSolved * by_forces + rounding;
   options.slip_speed = kStuck * by_forces + options.tolerance;
   return options;
 }
 
-// Positions move out of overlaps; velocities stay.
+// Positions move out of penetrations; velocities stay.
 void RestingContacts::project_penetrations(World& world) {
   double deepest = 0.0;  // of the size
   double size = 0.0;     // m, the least of an overlapping pair
@@ -261,23 +261,23 @@ void RestingContacts::project_penetrations(World& world) {
     deepest = std::max(deepest, -contacts_.gap[i] / of_pair);
     size = size > 0.0 ? std::min(size, of_pair) : of_pair;
   }
-  if (!(deepest > (has_large_island() ? kCrowdOverlap : 16.0 * kOverlap))) return;
+  if (!(deepest > (has_large_island() ? kLargePenetration : 16.0 * kPenetration))) return;
   before_ = world.state.v;
   ContactSolverOptions options = solver_options();
-  options.tolerance = kOverlap * size;
-  options.crowd_tolerance = kCrowdOverlap * size;
-  options.crowd_motion = nullptr;
+  options.tolerance = kPenetration * size;
+  options.large_tolerance = kLargePenetration * size;
+  options.large_motion = nullptr;
   project_prepared(world.mass(), contacts_, deepest > kDeep ? kPenetrationFraction : 1.0, moved_, options,
                    workspace_);
   const double before = world.field().potential_energy(world.state.q);
   for (int i = 0; i < world.state.size(); ++i) {
-    if (world.immovable(i) || moved_.col(i).isZero(0.0)) continue;
-    world.tracks.set_pose(i, world.tracks.settled(i).head<3>() + moved_.col(i));
-    world.state.q.col(i) = world.tracks.settled(i).head<3>();
+    if (world.infinite_mass(i) || moved_.col(i).isZero(0.0)) continue;
+    world.trajectories.set_pose(i, world.trajectories.at_start(i).head<3>() + moved_.col(i));
+    world.state.q.col(i) = world.trajectories.at_start(i).head<3>();
   }
-  world.sums.ledger.overlap_correction += world.field().potential_energy(world.state.q) - before;
-  for (int k = 0; k < world.tracks.islands(); ++k) {
-    if (world.tracks.is_linked(world.tracks.members(k).front())) world.restore_links(k);
+  world.sums.ledger.penetration_correction += world.field().potential_energy(world.state.q) - before;
+  for (int k = 0; k < world.trajectories.islands(); ++k) {
+    if (world.trajectories.is_jointed(world.trajectories.members(k).front())) world.restore_joints(k);
   }
   for (int i = 0; i < contacts_.size(); ++i) contacts_.gap[i] += velocity_at(contacts_, i, moved_).normal;
 }
@@ -285,19 +285,19 @@ void RestingContacts::project_penetrations(World& world) {
 // Books what the contact forces did up to `passed`, a share of the time that they were found for. Their work is
 // theirs along the paths as they have become, with all impacts on the way. Under the Euler methods, whose paths
 // are not those of their velocities, it is that along the velocities without impacts.
-void RestingContacts::book_forces(World& world, double passed, double share) {
+void RestingContacts::record_forces(World& world, double passed, double share) {
   mean_ = before_ + 0.5 * share * (after_ - before_);
   if (choice_of(kIntegrators, world.method.integrator).exact_under_gravity) {
     for (int i = 0; i < world.state.size(); ++i) {
-      if (!world.immovable(i) || world.model->is_driven(i))
-        mean_.col(i) = (world.tracks.at(i, passed).head<3>() - world.state.q.col(i)) / passed;
+      if (!world.infinite_mass(i) || world.model->is_kinematic(i))
+        mean_.col(i) = (world.trajectories.at(i, passed).head<3>() - world.state.q.col(i)) / passed;
     }
   }
-  book_impulses(world, share);
+  record_impulses(world, share);
 }
 
 // Books what a share of the impulses of all contacts did at the velocities `mean`.
-void RestingContacts::book_impulses(World& world, double share) const {
+void RestingContacts::record_impulses(World& world, double share) const {
   const Contacts& c = contacts_;
   for (int i = 0; i < c.size(); ++i) {
     const double jn = share * c.normal_impulse[i];
@@ -309,7 +309,7 @@ void RestingContacts::book_impulses(World& world, double share) const {
     world.sums.ledger.lost_to_rolling -= share * c.rolling_impulse[i] * u.spin;
     const Vec2 j = jn * c.normal[i] + jt * Vec2(-c.normal[i].y(), c.normal[i].x());
     for (const auto& [body, sign] : {std::pair(c.a[i], -1.0), std::pair(c.b[i], 1.0)}) {
-      if (!world.immovable(body)) continue;
+      if (!world.infinite_mass(body)) continue;
       world.sums.ledger.momentum_to_walls += sign * j;
       world.sums.ledger.put_in_by_drives -= sign * j.dot(mean_.col(body).head<2>());
     }
@@ -321,7 +321,7 @@ void RestingContacts::stop_approaches(World& world, double h) {
   Contacts& c = contacts_;
   const int n = world.bodies();
   before_.resize(3, n);
-  for (int i = 0; i < n; ++i) before_.col(i) = world.tracks.settled(i).segment<3>(3);
+  for (int i = 0; i < n; ++i) before_.col(i) = world.trajectories.at_start(i).segment<3>(3);
   memory_.forces.clear();
   const ContactSolverOptions options = solver_options();
   double worst = 0.0;
@@ -330,13 +330,13 @@ void RestingContacts::stop_approaches(World& world, double h) {
     worst = std::max(worst, c.target[i] - velocity_at(c, i, before_).normal);
   }
   after_ = before_;
-  if (worst > 2.0 * (has_large_island() ? options.crowd_tolerance : options.tolerance)) {
+  if (worst > 2.0 * (has_large_island() ? options.large_tolerance : options.tolerance)) {
     report_residual(world, solve_prepared(world.mass(), c, after_, options, workspace_));
     mean_ = 0.5 * (before_ + after_);
-    book_impulses(world, 1.0);
+    record_impulses(world, 1.0);
     for (int i = 0; i < n; ++i) {
-      if (world.immovable(i) || after_.col(i) == before_.col(i)) continue;
-      world.tracks.set_velocity(i, after_.col(i).head<2>(), after_(2, i));
+      if (world.infinite_mass(i) || after_.col(i) == before_.col(i)) continue;
+      world.trajectories.set_velocity(i, after_.col(i).head<2>(), after_(2, i));
     }
   }
   for (int i = 0; i < c.size(); ++i) {
@@ -345,12 +345,12 @@ void RestingContacts::stop_approaches(World& world, double h) {
   }
 }
 
-// Forces on the tracks such that velocities fit the contacts again at the step's end.
+// Forces on the trajectories such that velocities fit the contacts again at the step's end.
 void RestingContacts::find_forces(World& world, double h) {
   Contacts& c = contacts_;
   const int n = world.bodies();
   std::fill(memory_.held.begin(), memory_.held.end(), 0);
-  memory_.hold.clear();
+  memory_.support.clear();
   if (c.size() == 0) return;
   before_ = after_;
   for (int i = 0; i < c.size(); ++i) {
@@ -358,13 +358,13 @@ void RestingContacts::find_forces(World& world, double h) {
     c.tangential_impulse[i] = h * guess_[i][1];
     c.rolling_impulse[i] = h * guess_[i][2];
     for (const int body : {c.a[i], c.b[i]}) {
-      if (world.immovable(body) || memory_.held[body] != 0) continue;
+      if (world.infinite_mass(body) || memory_.held[body] != 0) continue;
       memory_.held[body] = 1;
       memory_.pushed.push_back(body);
     }
   }
   free_.resize(3, n);
-  for (int i = 0; i < n; ++i) free_.col(i) = world.tracks.at(i, h).segment<3>(3);
+  for (int i = 0; i < n; ++i) free_.col(i) = world.trajectories.at(i, h).segment<3>(3);
   const ContactSolverOptions options = solver_options();
   sticks_ = c.sticks;
   ContactSolverReport report;
@@ -373,11 +373,11 @@ void RestingContacts::find_forces(World& world, double h) {
     c.sticks = sticks_;
     report = solve_prepared(world.mass(), c, after_, options, workspace_);
     for (const int i : memory_.pushed)
-      world.tracks.set_contact_acceleration(i, (after_.col(i) - free_.col(i)) / h);
-    if (world.tracks.is_parabolic()) break;
+      world.trajectories.set_contact_acceleration(i, (after_.col(i) - free_.col(i)) / h);
+    if (world.trajectories.is_parabolic()) break;
     double off = 0.0;
     for (const int i : memory_.pushed) {
-      const Eigen::Vector3d by = world.tracks.at(i, h).segment<3>(3) - after_.col(i);
+      const Eigen::Vector3d by = world.trajectories.at(i, h).segment<3>(3) - after_.col(i);
       off = std::max(off, by.head<2>().norm());
       free_.col(i) += by;
     }
@@ -395,13 +395,13 @@ void RestingContacts::find_forces(World& world, double h) {
     f.tangential_force += by[1];
     f.rolling_moment += by[2];
     f.sticks = c.sticks[i] != 0;
-    memory_.hold.push_back(guess_[i] + h / step_length_ * (by - guess_[i]));
-    if (memory_.hold[i][0] > 0.0) memory_.held[c.a[i]] = memory_.held[c.b[i]] = 1;
+    memory_.support.push_back(guess_[i] + h / step_length_ * (by - guess_[i]));
+    if (memory_.support[i][0] > 0.0) memory_.held[c.a[i]] = memory_.held[c.b[i]] = 1;
   }
 }
 
 void RestingContacts::release(World& world) {
-  for (const int i : memory_.pushed) world.tracks.set_contact_acceleration(i, Eigen::Vector3d::Zero());
+  for (const int i : memory_.pushed) world.trajectories.set_contact_acceleration(i, Eigen::Vector3d::Zero());
   *this = {};
 }
 
@@ -415,23 +415,24 @@ bool RestingContacts::supports(int a, int b) const {
 
 bool RestingContacts::stays_supported(const World& world, int a, int b) const {
   if (!supports(a, b)) return false;
-  const Vec2 u = world.tracks.settled(b).segment<2>(3) - world.tracks.settled(a).segment<2>(3);
+  const Vec2 u = world.trajectories.at_start(b).segment<2>(3) - world.trajectories.at_start(a).segment<2>(3);
   double speed = u.norm();
   double press = 0.0;
   for (const int i : {a, b}) {
-    const double spin = world.tracks.settled(i)[5];
+    const double spin = world.trajectories.at_start(i)[5];
     if (spin != 0.0) speed += std::abs(spin) * world.shapes().shapes.core_radius[i];
     press = std::max(press, acceleration_.col(i).head<2>().norm());
   }
   return speed <= press * step_length_;
 }
 
-// Bodies that overlap at the step's end and close faster than contacts take up rebound by the law of impacts.
+// Bodies that penetration at the step's end and close faster than contacts take up rebound by the law of
+// impacts.
 void RestingContacts::rebound_at_end(World& world, const std::vector<std::pair<int, int>>& pairs) const {
-  const double now = world.clock.step_end - world.tracks.epoch();
+  const double now = world.clock.step_end - world.trajectories.epoch();
   for (const auto& [a, b] : pairs) {
     const double restitution = world.material(a, b).restitution;
-    if (restitution == 0.0 || !world.shapes().can_meet(a, b)) continue;  // or joined meanwhile
+    if (restitution == 0.0 || !world.shapes().can_collide(a, b)) continue;  // or joined meanwhile
     const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
     for (int k = 0; k < most; ++k) {
       const Approach at = world.approach(a, b, 0.0);
@@ -439,7 +440,7 @@ void RestingContacts::rebound_at_end(World& world, const std::vector<std::pair<i
       const double rest = rest_speed(world, a, b, at.contact.normal, restitution);
       if (!(-restitution * at.speed > rest)) break;
       apply_impact(world, a, b, at.contact, world.material(a, b), now);
-      if (!world.shapes().can_meet(a, b)) break;
+      if (!world.shapes().can_collide(a, b)) break;
     }
   }
 }

@@ -17,10 +17,10 @@ namespace carom {
 
 // What resting contacts start from in the next step.
 struct ContactMemory {
-  std::vector<ContactForce> forces;   // of the last step, in the order of (a, b)
-  std::vector<Eigen::Vector3d> hold;  // N, N and N m, beside forces: the solver's first guess
-  std::vector<std::uint8_t> held;     // by body: a contact pressed it; empty before the first step
-  std::vector<int> pushed;            // bodies that contact forces act on
+  std::vector<ContactForce> forces;      // of the last step, in the order of (a, b)
+  std::vector<Eigen::Vector3d> support;  // N, N and N m, beside forces: the solver's first guess
+  std::vector<std::uint8_t> held;        // by body: a contact pressed it; empty before the first step
+  std::vector<int> pushed;               // bodies that contact forces act on
 };
 
 // A point of a pair that contacts hold elsewhere, which closes too fast to rest.
@@ -44,29 +44,29 @@ struct LandingTime {
 // 2. projects penetrations out: positions move, velocities don't;
 // 3. stops approaches: what closes, or would within the step, loses its closing speed at once;
 // 4. finds contact forces, constant during the step, such that at its end the velocities fit again, after the
-//    integrator's own flight. They act on the tracks as any other force does. A contact that is still open by a
-//    gap g may close at g/h.
+//    integrator's own flight. They act on the trajectories as any other force does. A contact that is still
+//    open by a gap g may close at g/h.
 // So sliding and resting under constant forces are exact; where contacts turn with the bodies the order is 1.
 //
-// Order of calls: begin_step(), then for each part of the step support(), the flight, book_forces(); at the end
-// rebound_at_end().
+// Order of calls: begin_step(), then for each part of the step support(), the flight, record_forces(); at the
+// end rebound_at_end().
 class RestingContacts {
  public:
   // A step of h s begins at the clock's time.
   void begin_step(World& world, double h);
-  // Supports what rests for the h s from the tracks' epoch on. The state must be published.
+  // Supports what rests for the h s from the trajectories' epoch on. The state must be published.
   void support(World& world, double h);
-  // On tracks that are laid: which of the fast points lands first before `end` (s after the epoch).
+  // On trajectories that are laid: which of the fast points lands first before `end` (s after the epoch).
   [[nodiscard]] std::optional<LandingTime> first_landing(World& world, double end) const;
   // The landed pair rebounds by the law of impacts, if it does so faster than what rests.
   void land(World& world, const LandingTime& landing) const;
   // Puts into the ledger what the contact forces did up to `passed`, a share of the time that they were found
   // for.
-  void book_forces(World& world, double passed, double share);
+  void record_forces(World& world, double passed, double share);
   // Of these pairs, those that penetrate at the step's end and close faster than contacts take up rebound by
   // the law of impacts.
   void rebound_at_end(World& world, const std::vector<std::pair<int, int>>& pairs) const;
-  // Takes all contact forces off the tracks and forgets the contacts.
+  // Takes all contact forces off the trajectories and forgets the contacts.
   void release(World& world);
   // After a step that was given up.
   void forget_forces() { memory_.forces.clear(); }
@@ -92,11 +92,11 @@ class RestingContacts {
   void project_penetrations(World& world);
   void stop_approaches(World& world, double h);
   void find_forces(World& world, double h);
-  void book_impulses(World& world, double share) const;
+  void record_impulses(World& world, double share) const;
   [[nodiscard]] ContactSolverOptions solver_options() const;
   // m/s: the most that the forces change of a speed in a step.
   [[nodiscard]] double change_by_forces() const;
-  [[nodiscard]] bool has_large_island() const { return !workspace_.crowds.blocks.empty(); }
+  [[nodiscard]] bool has_large_island() const { return !workspace_.large_islands.blocks.empty(); }
 
   double step_length_ = 0.0;  // s, of the step under way; of a whole one where it is shorter
   ContactMemory memory_;

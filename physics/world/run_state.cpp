@@ -12,7 +12,8 @@ namespace carom {
 RunState Simulation::run_state() const {
   // All members by name: one that is new doesn't compile here until it is either kept or known to be made anew
   // before it is read.
-  [[maybe_unused]] const auto& [model, method, apply_impact, tracks, state, clock, sums, log, work] = world_;
+  [[maybe_unused]] const auto& [model, method, apply_impact, trajectories, state, clock, sums, log, work] =
+      world_;
   RunState kept;
   kept.method = method;
   kept.clock = clock;
@@ -24,7 +25,7 @@ RunState Simulation::run_state() const {
     if (!resting_) kept.ahead = events->ahead(world_);
   }
   if (resting_) kept.contacts = resting_->memory();
-  tracks.keep(kept.tracks, kept.ahead ? &kept.ahead->tracks : nullptr);
+  trajectories.keep(kept.trajectories, kept.ahead ? &kept.ahead->trajectories : nullptr);
   return kept;
 }
 
@@ -36,7 +37,7 @@ Simulation::Simulation(std::shared_ptr<const Model> model, const RunState& state
 void Simulation::put_back(const RunState& state) {
   if (!(state.method == world_.method)) {
     world_.method = state.method;
-    world_.tracks.set_method(state.method);
+    world_.trajectories.set_method(state.method);
     choose_strategies();
   }
   world_.clock = state.clock;
@@ -44,7 +45,7 @@ void Simulation::put_back(const RunState& state) {
   world_.sums = state.sums;
   world_.work.put_back(state.work);
   world_.state = state.motions;
-  world_.tracks.put_back(state.tracks, state.ahead ? &state.ahead->tracks : nullptr);
+  world_.trajectories.put_back(state.trajectories, state.ahead ? &state.ahead->trajectories : nullptr);
   if (auto* events = std::get_if<EventDrivenImpacts>(&impacts_))
     events->put_back(world_.bodies(), state.at_once, state.ahead);
   if (resting_) resting_->put_back(state.contacts);

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "physics/dynamics/state.h"
-#include "physics/dynamics/track_state.h"
+#include "physics/dynamics/trajectory_state.h"
 #include "physics/scene/method.h"
 #include "physics/scene/scene.h"
 #include "physics/world/event_driven_impacts.h"
@@ -23,7 +23,7 @@ struct RunState {
   int at_once = 0;  // impacts before the last one at the same time
   StepWork::Kept work;
   State motions;  // at clock.time
-  TrackState tracks;
+  TrajectoryState trajectories;
   ContactMemory contacts;
   std::optional<RunAhead> ahead;  // none: the next step begins anew
 };

@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-// The epochs of tracks that run on: powers of two within these.
+// The epochs of trajectories that run on: powers of two within these.
 constexpr double kShortestEpoch = 0x1p-20;  // s
 constexpr double kLongestEpoch = 0x1p20;    // s
 
@@ -34,7 +34,8 @@ void check_pair(const std::string& place, const std::vector<Body>& bodies, int a
   check_body(place, bodies, a);
   check_body(place, bodies, b);
   if (a >= b) refuse(place, fmt::format("body {} is not before body {}", a, b));
-  if (is_immovable(bodies[static_cast<std::size_t>(a)]) && is_immovable(bodies[static_cast<std::size_t>(b)]))
+  if (has_infinite_mass(bodies[static_cast<std::size_t>(a)]) &&
+      has_infinite_mass(bodies[static_cast<std::size_t>(b)]))
     refuse(place, fmt::format("nothing moves bodies {} and {}", a, b));
 }
 
@@ -52,10 +53,10 @@ void check_clock(const RunState& s) {
   check_least("origin_step", s.clock.origin_step, 0.0);
   if (s.clock.time != s.clock.origin + static_cast<double>(s.clock.steps_since_origin) * s.clock.origin_step)
     refuse("steps_since_origin", fmt::format("these steps don't end at the time, {} s", s.clock.time));
-  check_least("tracks/evaluations", static_cast<double>(s.tracks.evaluations), 0.0);
-  check_least("tracks/rejected_steps", static_cast<double>(s.tracks.rejected_steps), 0.0);
-  if (!(s.tracks.epoch <= s.clock.time))
-    refuse("tracks/epoch", fmt::format("{} is after the time", s.tracks.epoch));
+  check_least("tracks/evaluations", static_cast<double>(s.trajectories.evaluations), 0.0);
+  check_least("tracks/rejected_steps", static_cast<double>(s.trajectories.rejected_steps), 0.0);
+  if (!(s.trajectories.epoch <= s.clock.time))
+    refuse("tracks/epoch", fmt::format("{} is after the time", s.trajectories.epoch));
 }
 
 void check_counts(const std::vector<Body>& bodies, std::int64_t impacts, const ImpactCounts& s) {
@@ -75,7 +76,7 @@ void check_counts(const std::vector<Body>& bodies, std::int64_t impacts, const I
   }
 }
 
-void check_forces(const Scene& scene, const TrackState& s) {
+void check_forces(const Scene& scene, const TrajectoryState& s) {
   for (std::size_t i = 0; i < scene.forces.applied.size(); ++i) {
     const int phase = s.phase[i];
     if (phase < 0 || phase > 3 || (phase == 1 && !(scene.forces.applied[i].rise > 0.0)))
@@ -85,8 +86,8 @@ void check_forces(const Scene& scene, const TrackState& s) {
     if (s.engaged[i] > 1 || (s.engaged[i] == 0 && scene.forces.springs[i].acts == SpringActs::kBoth))
       refuse(fmt::format("tracks/engaged/{}", i), fmt::format("{} of this spring", s.engaged[i]));
   }
-  for (std::size_t i = 0; i < scene.links.size(); ++i) {
-    if (s.taut[i] > 1 || (s.taut[i] == 0 && scene.links[i].kind != LinkKind::kString))
+  for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+    if (s.taut[i] > 1 || (s.taut[i] == 0 && scene.joints[i].kind != JointKind::kString))
       refuse(fmt::format("tracks/taut/{}", i), fmt::format("{} of this link", s.taut[i]));
   }
 }
@@ -99,23 +100,23 @@ void check_contacts(const std::vector<Body>& bodies, const ContactMemory& s) {
     if (i > 0 && std::pair(f.a, f.b) < std::pair(s.forces[i - 1].a, s.forces[i - 1].b))
       refuse(at, "the pairs are not in rising order");
   }
-  if (s.hold.size() != s.forces.size())
-    refuse("contacts", fmt::format("{} are held and {} have forces", s.hold.size(), s.forces.size()));
+  if (s.support.size() != s.forces.size())
+    refuse("contacts", fmt::format("{} are held and {} have forces", s.support.size(), s.forces.size()));
   for (const int i : s.pushed) {
     check_body("contacts/pushed", bodies, i);
-    if (is_immovable(bodies[static_cast<std::size_t>(i)]))
+    if (has_infinite_mass(bodies[static_cast<std::size_t>(i)]))
       refuse("contacts/pushed", fmt::format("nothing moves body {}", i));
   }
 }
 
-void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const Tracks& tracks,
+void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const Trajectories& trajectories,
                  const RunState& s) {
   const RunAhead& ahead = *s.ahead;
-  // Of the mean size of what moves: tracks far shorter than that would be endless many.
+  // Of the mean size of what moves: trajectories far shorter than that would be endless many.
   double size = 0.0;
   int moving = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (is_immovable(bodies[i])) continue;
+    if (has_infinite_mass(bodies[i])) continue;
     size += shapes.extent.col(static_cast<Eigen::Index>(i)).maxCoeff();
     ++moving;
   }
@@ -128,11 +129,11 @@ void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const 
   constexpr double kMostStretch = 0x1p60;
   if (!(ahead.stretch >= 1.0 && ahead.stretch <= kMostStretch) || std::frexp(ahead.stretch, &exponent) != 0.5)
     refuse("ahead/stretch", fmt::format("{} is no power of two from 1 on", ahead.stretch));
-  if (!(s.clock.time - s.tracks.epoch <= ahead.epoch_length))
-    refuse("tracks/epoch", fmt::format("{} is too long before the time", s.tracks.epoch));
+  if (!(s.clock.time - s.trajectories.epoch <= ahead.epoch_length))
+    refuse("tracks/epoch", fmt::format("{} is too long before the time", s.trajectories.epoch));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    check_least(fmt::format("ahead/bend/{}", i), ahead.tracks.bend[i], 0.0);
-    check_least(fmt::format("ahead/turn/{}", i), ahead.tracks.turn[i], 0.0);
+    check_least(fmt::format("ahead/bend/{}", i), ahead.trajectories.curvature_bound[i], 0.0);
+    check_least(fmt::format("ahead/turn/{}", i), ahead.trajectories.turn_bound[i], 0.0);
   }
   for (std::size_t i = 0; i < ahead.events.size(); ++i) {
     const std::string at = fmt::format("ahead/events/{}", i);
@@ -140,17 +141,17 @@ void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const 
     check_least(at, e.time, 0.0);
     if (e.b >= 0) {
       check_pair(at, bodies, e.a, e.b);
-      if (!shapes.can_meet(e.a, e.b)) refuse(at, fmt::format("bodies {} and {} can't meet", e.a, e.b));
+      if (!shapes.can_collide(e.a, e.b)) refuse(at, fmt::format("bodies {} and {} can't meet", e.a, e.b));
     } else {
       check_body(at, bodies, e.a);
-      if (tracks.island_of(e.a) < 0) refuse(at, fmt::format("nothing moves body {}", e.a));
+      if (trajectories.island_of(e.a) < 0) refuse(at, fmt::format("nothing moves body {}", e.a));
     }
   }
   for (std::size_t i = 0; i < ahead.waiting.size(); ++i) {
     const std::string at = fmt::format("ahead/waiting/{}", i);
     const RunAhead::Waiting& w = ahead.waiting[i];
     check_pair(at, bodies, w.a, w.b);
-    if (!shapes.can_meet(w.a, w.b)) refuse(at, fmt::format("bodies {} and {} can't meet", w.a, w.b));
+    if (!shapes.can_collide(w.a, w.b)) refuse(at, fmt::format("bodies {} and {} can't meet", w.a, w.b));
   }
   for (const Bounds& b : ahead.grid.bounds) {
     if (!(b.low <= b.high).all()) refuse("ahead/grid/bounds", "bounds that hold nothing");
@@ -169,27 +170,28 @@ void check_state(const Scene& scene, double start_time, const RunState& state) {
   const std::vector<Body> bodies = all_bodies(scene);
   check_clock(state);
   check_counts(bodies, state.sums.impact_count, state.sums.impact_counts);
-  constexpr double kMostAhead = 1e15;         // m and m/s: a track may lead far off before it is cut
+  constexpr double kMostAhead = 1e15;         // m and m/s: a trajectory may lead far off before it is cut
   constexpr double kMostAcceleration = 1e30;  // m/s²
   check_motions("positions", state.motions.q, kLargestNumber);
   check_motions("velocities", state.motions.v, kLargestNumber);
-  check_motions("tracks/settled", state.tracks.settled.topRows<3>(), kLargestNumber);
-  check_motions("tracks/settled", state.tracks.settled.middleRows<3>(3), kLargestNumber);
-  check_motions("tracks/constant", state.tracks.constant, kMostAcceleration);
-  check_motions("tracks/contact", state.tracks.contact, kMostAcceleration);
+  check_motions("tracks/settled", state.trajectories.at_start.topRows<3>(), kLargestNumber);
+  check_motions("tracks/settled", state.trajectories.at_start.middleRows<3>(3), kLargestNumber);
+  check_motions("tracks/constant", state.trajectories.constant, kMostAcceleration);
+  check_motions("tracks/contact", state.trajectories.contact, kMostAcceleration);
   if (state.ahead) {
-    check_motions("ahead/at_end", state.ahead->tracks.at_end.topRows<3>(), kMostAhead);
-    check_motions("ahead/at_end", state.ahead->tracks.at_end.middleRows<3>(3), kMostAhead);
+    check_motions("ahead/at_end", state.ahead->trajectories.at_end.topRows<3>(), kMostAhead);
+    check_motions("ahead/at_end", state.ahead->trajectories.at_end.middleRows<3>(3), kMostAhead);
   }
-  check_forces(scene, state.tracks);
+  check_forces(scene, state.trajectories);
   check_contacts(bodies, state.contacts);
   const auto model = compile(scene, needs_of(scene), start_time);
-  const Tracks tracks(model, state.method);
-  if (const auto fault = tracks.fault_of(state.tracks, state.ahead ? &state.ahead->tracks : nullptr)) {
+  const Trajectories trajectories(model, state.method);
+  if (const auto fault =
+          trajectories.fault_of(state.trajectories, state.ahead ? &state.ahead->trajectories : nullptr)) {
     const auto colon = fault->find(": ");
     refuse(fault->substr(0, colon), fault->substr(colon + 2));
   }
-  if (state.ahead) check_ahead(bodies, model->shapes, tracks, state);
+  if (state.ahead) check_ahead(bodies, model->shapes, trajectories, state);
 }
 
 }  // namespace carom

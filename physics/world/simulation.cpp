@@ -49,13 +49,13 @@ void Simulation::count_pairs(const std::vector<std::pair<std::string, std::strin
 
 void Simulation::set_method(const Method& method) {
   if (lost_) return;
-  Tracks& tracks = world_.tracks;
+  Trajectories& trajectories = world_.trajectories;
   world_.method = method;
-  // Tracks that run on are settled here; all others were at the step's end.
-  for (int k = 0; k < tracks.islands(); ++k) tracks.settle(k, time() - tracks.epoch());
+  // Trajectories that run on are settled here; all others were at the step's end.
+  for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, time() - trajectories.epoch());
   if (resting_) resting_->release(world_);
-  tracks.set_method(method);
-  tracks.begin(time());
+  trajectories.set_method(method);
+  trajectories.begin(time());
   choose_strategies();
 }
 
@@ -68,8 +68,8 @@ void Simulation::add_body(const Body& body) {
   Scene scene = world_.model->scene;
   scene.bodies.push_back(body);
   const Needs needs = this->needs().untrimmed ? this->needs() : needs_of(scene);
-  world_.recompile(std::move(scene), needs, time() - world_.tracks.epoch());
-  world_.tracks.begin(time());
+  world_.recompile(std::move(scene), needs, time() - world_.trajectories.epoch());
+  world_.trajectories.begin(time());
   world_.resize_state();
   world_.publish(0.0);
   if (auto* events = std::get_if<EventDrivenImpacts>(&impacts_)) events->reset(world_.bodies());
@@ -81,9 +81,9 @@ void Simulation::add_body(const Body& body) {
 
 Notices Simulation::notices() const {
   Notices notices = world_.sums.notices;
-  notices.tolerance_missed_since = world_.tracks.tolerance_missed_since();
-  notices.links_missed_since = world_.tracks.links_missed_since();
-  notices.switches_missed_since = world_.tracks.switches_missed_since();
+  notices.tolerance_missed_since = world_.trajectories.tolerance_missed_since();
+  notices.joints_missed_since = world_.trajectories.joints_missed_since();
+  notices.switches_missed_since = world_.trajectories.switches_missed_since();
   return notices;
 }
 
@@ -104,7 +104,7 @@ void Simulation::step(double h) {
   if (lost_) return;
   last_good_.state = world_.state;
   last_good_.sums = world_.sums;
-  world_.tracks.begin_step();
+  world_.trajectories.begin_step();
   world_.work.begin(world_.bodies(), h);
   try {
     make_step(h);
@@ -130,7 +130,7 @@ void Simulation::give_up(const LostMotion& lost) {
   lost_ = LostRun{lost.reason, lost.body, std::min(lost.time, world_.clock.step_end)};
   world_.state = last_good_.state;
   world_.sums = last_good_.sums;
-  world_.tracks.give_back();
+  world_.trajectories.undo_step();
   world_.log.clear();
   if (resting_) resting_->forget_forces();
 }

@@ -68,16 +68,18 @@ class Simulation {
   // With the pairs that the setup names.
   [[nodiscard]] const ImpactCounts& impact_counts() const { return world_.sums.impact_counts; }
   // Of the right-hand side, a body each; and steps that the error control took back.
-  [[nodiscard]] std::int64_t evaluations() const { return world_.tracks.evaluations(); }
-  [[nodiscard]] std::int64_t rejected_steps() const { return world_.tracks.rejected_steps(); }
+  [[nodiscard]] std::int64_t evaluations() const { return world_.trajectories.evaluations(); }
+  [[nodiscard]] std::int64_t rejected_steps() const { return world_.trajectories.rejected_steps(); }
   [[nodiscard]] const State& state() const { return world_.state; }
   [[nodiscard]] const std::vector<Body>& bodies() const { return world_.model->bodies(); }
   [[nodiscard]] const MassProperties& mass() const { return world_.mass(); }
   [[nodiscard]] const Geometry& shapes() const { return world_.shapes(); }
   // The scene's, and after them a weld for each impact after which two bodies have stuck together.
-  [[nodiscard]] const std::vector<Link>& links() const { return world_.model->scene.links; }
-  [[nodiscard]] bool is_taut(int link) const { return world_.tracks.is_taut(link); }  // of a string
-  [[nodiscard]] double length(int link) const { return world_.tracks.length(link); }  // m, of a rod or a string
+  [[nodiscard]] const std::vector<Joint>& joints() const { return world_.model->scene.joints; }
+  [[nodiscard]] bool is_taut(int joint) const { return world_.trajectories.is_taut(joint); }  // of a string
+  [[nodiscard]] double length(int joint) const {
+    return world_.trajectories.length(joint);
+  }  // m, of a rod or a string
   [[nodiscard]] const ForceField& field() const { return world_.field(); }
   [[nodiscard]] const Method& method() const { return world_.method; }
   [[nodiscard]] const Needs& needs() const { return world_.model->needs; }

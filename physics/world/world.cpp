@@ -10,13 +10,16 @@
 namespace carom {
 
 World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
-    : model(std::move(compiled)), method(chosen), apply_impact(apply_impact_of(*model)), tracks(model, method) {
+    : model(std::move(compiled)),
+      method(chosen),
+      apply_impact(apply_impact_of(*model)),
+      trajectories(model, method) {
   const double start = model->start_time;
-  tracks.begin(start);
-  // Seven digits of a file are not where links hold their ends within rounding.
-  for (int k = 0; k < tracks.islands(); ++k) tracks.restore_links(k);
+  trajectories.begin(start);
+  // Seven digits of a file are not where joints hold their ends within rounding.
+  for (int k = 0; k < trajectories.islands(); ++k) trajectories.restore_joints(k);
   resize_state();
-  tracks.begin(start);
+  trajectories.begin(start);
   publish(0.0);
   clock.start(start);
   sums.gravity_since = start;
@@ -28,27 +31,27 @@ World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
 void World::recompile(Scene scene, const Needs& needs, double within) {
   model = compile(std::move(scene), needs, model->start_time);
   apply_impact = apply_impact_of(*model);
-  Tracks anew(model, method);
-  anew.take_over(tracks, within);
-  tracks = std::move(anew);
+  Trajectories anew(model, method);
+  anew.take_over(trajectories, within);
+  trajectories = std::move(anew);
 }
 
 void World::resize_state() {
   state.resize(bodies());
-  state.books.setZero();
+  state.quadratures.setZero();
 }
 
 void World::publish(double within) {
-  if (!tracks.is_parabolic() || field().keeps_books()) {
-    for (int i = 0; i < state.size(); ++i) state.set_motion(i, tracks.at(i, within));
+  if (!trajectories.is_parabolic() || field().has_quadratures()) {
+    for (int i = 0; i < state.size(); ++i) state.set_motion(i, trajectories.at(i, within));
     return;
   }
   for (int i = 0; i < state.size(); ++i) {
-    if (model->is_driven(i)) {
-      state.set_motion(i, tracks.at(i, within));
+    if (model->is_kinematic(i)) {
+      state.set_motion(i, trajectories.at(i, within));
     } else {
-      state.q.col(i) = tracks.parabola(i, within);
-      state.v.col(i) = tracks.parabola_velocity(i, within);
+      state.q.col(i) = trajectories.parabola(i, within);
+      state.v.col(i) = trajectories.parabola_velocity(i, within);
     }
   }
 }
@@ -56,12 +59,13 @@ void World::publish(double within) {
 State World::state_at(double within) {
   State all;
   all.resize(state.size());
-  for (int i = 0; i < all.size(); ++i) all.set_motion(i, tracks.at(i, std::max(within, tracks.start(i))));
+  for (int i = 0; i < all.size(); ++i)
+    all.set_motion(i, trajectories.at(i, std::max(within, trajectories.start(i))));
   return all;
 }
 
 ImpactSide World::side(int body, const Contact& contact, double towards) const {
-  const auto y = tracks.settled(body);
+  const auto y = trajectories.at_start(body);
   const Vec2 r = contact.point - y.head<2>();
   const Vec2& n = contact.normal;
   // The normal of a disc's contact passes through its centre, but for rounding.
@@ -75,31 +79,31 @@ double World::parting_speed(int a, int b, const Contact& contact) const {
 }
 
 Approach World::approach(int a, int b, double tolerance) const {
-  const auto ya = tracks.settled(a);
-  const auto yb = tracks.settled(b);
+  const auto ya = trajectories.at_start(a);
+  const auto yb = trajectories.at_start(b);
   return approach_of(shapes(), a, ya.head<3>(), {ya.segment<2>(3), ya[5]}, b, yb.head<3>(),
                      {yb.segment<2>(3), yb[5]}, tolerance);
 }
 
-void World::restore_links(int island) {
+void World::restore_joints(int island) {
   const auto totals_now = [&] {
-    for (const int i : tracks.members(island)) state.set_motion(i, tracks.settled(i));
+    for (const int i : trajectories.members(island)) state.set_motion(i, trajectories.at_start(i));
     return totals();
   };
   const Totals before = totals_now();
-  tracks.restore_links(island);
+  trajectories.restore_joints(island);
   const Totals after = totals_now();
-  sums.ledger.overlap_correction += after.energy() - before.energy();
+  sums.ledger.penetration_correction += after.energy() - before.energy();
   sums.ledger.momentum_to_walls -= after.momentum - before.momentum;
 }
 
 Ledger World::ledger() const {
   Ledger ledger = sums.ledger;
-  ledger.add(1.0, ledger_of_books(state));
-  ledger.lost_to_links = tracks.lost_to_links();
+  ledger.add(1.0, ledger_of_quadratures(state));
+  ledger.lost_to_joints = trajectories.lost_to_joints();
   double total = 0.0;
   for (int i = 0; i < state.size(); ++i) {
-    if (!immovable(i)) total += mass().mass[i];
+    if (!infinite_mass(i)) total += mass().mass[i];
   }
   ledger.momentum_from_gravity += total * (clock.time - sums.gravity_since) * model->scene.forces.gravity;
   return ledger;
@@ -107,9 +111,9 @@ Ledger World::ledger() const {
 
 void World::check_motions() const {
   const auto beyond = [](const auto& m) { return !(m.array().abs() <= kLostBeyond).all(); };
-  if (!beyond(state.q) && !beyond(state.v) && state.books.allFinite()) return;
+  if (!beyond(state.q) && !beyond(state.v) && state.quadratures.allFinite()) return;
   for (int i = 0; i < state.size(); ++i) {
-    if (beyond(state.q.col(i)) || beyond(state.v.col(i)) || !state.books.col(i).allFinite())
+    if (beyond(state.q.col(i)) || beyond(state.v.col(i)) || !state.quadratures.col(i).allFinite())
       throw LostMotion{LossReason::kTooLarge, i, clock.step_end};
   }
 }

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "physics/collision/approach.h"
-#include "physics/dynamics/tracks.h"
+#include "physics/dynamics/trajectories.h"
 #include "physics/impact/impact_law.h"
 #include "physics/model/model.h"
 #include "physics/scene/method.h"
@@ -28,7 +28,7 @@ struct World {
   std::shared_ptr<const Model> model;
   Method method;
   ApplyImpact apply_impact;  // of the model
-  Tracks tracks;
+  Trajectories trajectories;
   State state;  // at clock.time; the parts of a step publish it where they need it
   RunClock clock;
   RunSums sums;
@@ -38,12 +38,12 @@ struct World {
   [[nodiscard]] int bodies() const { return static_cast<int>(model->bodies().size()); }
   [[nodiscard]] const MassProperties& mass() const { return model->mass; }
   [[nodiscard]] const Geometry& shapes() const { return model->shapes; }
-  [[nodiscard]] const ForceField& field() const { return tracks.field(); }
-  [[nodiscard]] bool immovable(int body) const { return model->immovable(body); }
+  [[nodiscard]] const ForceField& field() const { return trajectories.field(); }
+  [[nodiscard]] bool infinite_mass(int body) const { return model->infinite_mass(body); }
   [[nodiscard]] const Material& material(int a, int b) const { return model->surfaces.between(a, b); }
   // Whether one of them is no disc and moves.
   [[nodiscard]] bool has_moving_corners(int a, int b) const {
-    return (!immovable(a) && !shapes().is_disc(a)) || (!immovable(b) && !shapes().is_disc(b));
+    return (!infinite_mass(a) && !shapes().is_disc(a)) || (!infinite_mass(b) && !shapes().is_disc(b));
   }
 
   // Puts another scene in place of the model's, with one body or one weld more. `within` is a time (s after the
@@ -53,7 +53,7 @@ struct World {
   void resize_state();
   // Makes `state` the motions at this time, in s after the epoch.
   void publish(double within);
-  // All motions then, of bodies whose track starts later those at its start.
+  // All motions then, of bodies whose trajectory starts later those at its start.
   [[nodiscard]] State state_at(double within);
   // One side of a contact of settled bodies; `towards` is +1 for its body a, -1 for b: the way that the normal
   // points from there.
@@ -62,9 +62,9 @@ struct World {
   [[nodiscard]] double parting_speed(int a, int b, const Contact& contact) const;
   // Of the settled bodies; gaps up to `tolerance` (m) beyond the least one count as touch.
   [[nodiscard]] Approach approach(int a, int b, double tolerance) const;
-  // After a push moved one of its bodies: positions and velocities of an island go back onto its links. The
-  // energy is the push's, the momentum comes from what the links are fastened to.
-  void restore_links(int island);
+  // After a push moved one of its bodies: positions and velocities of an island go back onto its joints. The
+  // energy is the push's, the momentum comes from what the joints are fastened to.
+  void restore_joints(int island);
 
   // Of `state`.
   [[nodiscard]] Totals totals() const { return carom::totals(state, mass(), field()); }

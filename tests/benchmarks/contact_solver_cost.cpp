@@ -109,8 +109,8 @@ void sweep_cost(const ContactScene& scene, bool in_blocks) {
                                                          .max_sweeps = sweeps,
                                                          .max_newton = 0,
                                                          .most_exact = in_blocks ? 0 : 1 << 30,
-                                                         .crowd_sweeps = sweeps,
-                                                         .crowd_tolerance = 0.0},
+                                                         .large_sweeps = sweeps,
+                                                         .large_tolerance = 0.0},
                                                         w);
       return std::pair(now_ms() - start, report.contact_sweeps);
     };

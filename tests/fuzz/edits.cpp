@@ -17,7 +17,7 @@ void edit(Simulation& run, const Preset& preset, Draws& draws) {
     Body body = run.bodies()[static_cast<std::size_t>(draws.below(static_cast<int>(run.bodies().size())))];
     body.name = fmt::format("{}+{}", body.name, run.bodies().size());
     body.position += Vec2(draws.between(-1, 1), draws.between(-1, 1));
-    if (!is_immovable(body)) body.velocity = {draws.between(-10, 10), draws.between(-10, 10)};
+    if (!has_infinite_mass(body)) body.velocity = {draws.between(-10, 10), draws.between(-10, 10)};
     run.add_body(body);
   }
 }

@@ -54,7 +54,7 @@ void checked_step(Simulation& run) {
   const double before = run.time();
   run.step();
   const State& s = run.state();
-  if (!s.q.allFinite() || !s.v.allFinite() || !s.books.allFinite())
+  if (!s.q.allFinite() || !s.v.allFinite() || !s.quadratures.allFinite())
     throw std::logic_error("the state is not finite");
   if (run.lost() ? run.time() != before : !(run.time() > before))
     throw std::logic_error("time and the state of being lost don't fit");

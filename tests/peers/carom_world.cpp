@@ -56,7 +56,7 @@ class CaromWorld {
     return {q.x(), q.y(), q.z(), v.x(), v.y(), v.z()};
   }
 
-  [[nodiscard]] std::vector<double> overlaps() const { return {stress::overlaps_of(simulation_).largest}; }
+  [[nodiscard]] std::vector<double> overlaps() const { return {stress::penetrations_of(simulation_).largest}; }
 
   [[nodiscard]] long contacts_begun() const { return simulation_.impact_count(); }
 

@@ -13,7 +13,7 @@ std::vector<Figure> pile_case(int count, double h) {
   W world(p.scene);
   const StepTimes times = run(world, h, kWatched);
   const std::vector<Motion> end = motions(world, p.scene);
-  const Overlaps overlaps = disc_overlaps(p.scene, end, p.radius, {0.0, p.width, 0.0});
+  const Penetrations overlaps = disc_penetrations(p.scene, end, p.radius, {0.0, p.width, 0.0});
   return {{"step time mean", times.mean(), "ms"},
           {"step time mean of the last third", times.mean_of_last_third(), "ms"},
           {"largest overlap", kMillimetre * overlaps.largest, "mm"},
@@ -102,10 +102,10 @@ std::vector<Figure> overlapping_start_case(double h) {
     }
     last = now;
   });
-  return {
-      {"largest speed", fastest, "m/s"},
-      {"fastest correction", quickest, "m/s"},
-      {"largest overlap at the end", kMillimetre * disc_overlaps(scene, last, kDiscRadius, {}).largest, "mm"}};
+  return {{"largest speed", fastest, "m/s"},
+          {"fastest correction", quickest, "m/s"},
+          {"largest overlap at the end", kMillimetre * disc_penetrations(scene, last, kDiscRadius, {}).largest,
+           "mm"}};
 }
 
 // Galperin's billiard: a wall, a light disc at rest, a heavy one that comes at 1 m/s.

@@ -27,8 +27,8 @@ double rms_speed(const Scene& scene, const std::vector<Motion>& motions) {
   return std::sqrt(square / moving);
 }
 
-Overlaps disc_overlaps(const Scene& scene, const std::vector<Motion>& motions, double radius,
-                       const Container& container) {
+Penetrations disc_penetrations(const Scene& scene, const std::vector<Motion>& motions, double radius,
+                               const Container& container) {
   const double r = radius;
   std::vector<std::pair<double, double>> centres;
   for (std::size_t i = 0; i < motions.size(); ++i) {

@@ -86,11 +86,11 @@ struct Container {
 };
 
 // From the poses alone, over the pairs that touch, of discs of one radius with each other and the container.
-struct Overlaps {
+struct Penetrations {
   double largest = 0.0;  // m
   double mean = 0.0;     // m
 };
-[[nodiscard]] Overlaps disc_overlaps(const Scene& scene, const std::vector<Motion>& motions, double radius,
-                                     const Container& container);
+[[nodiscard]] Penetrations disc_penetrations(const Scene& scene, const std::vector<Motion>& motions,
+                                             double radius, const Container& container);
 
 }  // namespace carom::peers

@@ -16,7 +16,7 @@ struct ContactReference {
   double box[2];       // width and height
   double angle;
   bool fixed;
-  bool driven;         // else it flies, unless it is fixed
+  bool kinematic;         // else it flies, unless it is fixed
   double swing[4];     // amplitude x, y, angular frequency and phase of a driven A
   double gravity;      // downwards
   double until;        // how long to look

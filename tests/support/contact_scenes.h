@@ -129,7 +129,7 @@ struct RandomIsland {
   int most_contacts = 40;
   double mass_spread = 1.0;  // masses are e^±this
   double most_friction = 0.8;
-  bool driven = false;
+  bool kinematic = false;
 };
 
 // Bodies at random places and speeds, some of them immovable, with contacts between neighbours whose normals
@@ -143,7 +143,7 @@ inline ContactScene random_island(std::uint64_t seed, const RandomIsland& kind) 
     const Vec2 at(draw(0.0, room), draw(0.0, room));
     const double m = std::exp(draw(-kind.mass_spread, kind.mass_spread));
     if (i == 0 || draw(0.0, 1.0) < 0.15) {
-      const double speed = kind.driven ? 0.3 : 0.0;
+      const double speed = kind.kinematic ? 0.3 : 0.0;
       s.body(at, 0.0, 0.0, {draw(-speed, speed), draw(-speed, speed), 0.0});
     } else {
       s.body(at, m, m * draw(0.02, 0.2), {draw(-1.0, 1.0), draw(-1.0, 1.0), draw(-1.0, 1.0)});

@@ -132,7 +132,7 @@ inline Real core_distance(const Outline& a, const Outline& b) {
 }
 
 // The greatest separation along the edges' normals (both ways for those of a, whose outside is -n for b).
-inline Real core_overlap(const Outline& a, const Outline& b) {
+inline Real core_penetration(const Outline& a, const Outline& b) {
   Real most = -std::numeric_limits<Real>::infinity();
   for (const Point& n : a.normals) most = std::max(most, separation_along(a, b, n));
   for (const Point& n : b.normals) most = std::max(most, separation_along(a, b, {-n.x, -n.y}));
@@ -145,7 +145,7 @@ inline Real reference_gap(const Outline& a, const Outline& b) {
   if (a.half_plane) return separation_along(a, b, a.normals[0]);
   if (b.half_plane) return separation_along(a, b, {-b.normals[0].x, -b.normals[0].y});
   const Real rounding = a.rounding + b.rounding;
-  const Real overlap = core_overlap(a, b);
+  const Real overlap = core_penetration(a, b);
   const bool flat = a.vertices.size() <= 2 && b.vertices.size() <= 2;
   if (overlap > 0.0L || a.normals.empty() + b.normals.empty() == 2) return core_distance(a, b) - rounding;
   if (flat && overlap > -1e-18L) return core_distance(a, b) - rounding;

@@ -42,7 +42,7 @@ bool last_overlaps(const std::vector<Body>& bodies) {
   const State state = initial_state(bodies);
   const int last = static_cast<int>(bodies.size()) - 1;
   for (int i = 0; i < last; ++i) {
-    if (is_immovable(bodies[i]) && is_immovable(bodies[last])) continue;
+    if (has_infinite_mass(bodies[i]) && has_infinite_mass(bodies[last])) continue;
     if (contact_between(shapes, i, state.q.col(i), last, state.q.col(last)).gap <= 0.0) return true;
   }
   return false;
@@ -51,17 +51,17 @@ bool last_overlaps(const std::vector<Body>& bodies) {
 // True if a driven body leaves room for two discs of any size between itself and what is fixed, as long as a
 // run may last: discs that are crushed have no motion without an overlap. Its shape is taken as the circle
 // around it.
-bool never_crushes(const Body& driven, const std::vector<Body>& fixed, double unit) {
+bool never_crushes(const Body& kinematic, const std::vector<Body>& fixed, double unit) {
   std::vector<Body> bodies = fixed;
-  bodies.push_back(
-      disc("around", driven.position, {0.0, 0.0}, bounding_radius(driven.shape) + 4.0 * kLargestRadius * unit));
+  bodies.push_back(disc("around", kinematic.position, {0.0, 0.0},
+                        bounding_radius(kinematic.shape) + 4.0 * kLargestRadius * unit));
   const Geometry shapes = geometry(bodies);
   State state = initial_state(bodies);
   const int last = static_cast<int>(fixed.size());
   for (double t = 0.0; t < kLongestRun; t += 0.01) {
     const Vec2 position =
-        driven.position + t * driven.drive->velocity +
-        std::sin(driven.drive->angular_frequency * t + driven.drive->phase) * driven.drive->amplitude;
+        kinematic.position + t * kinematic.drive->velocity +
+        std::sin(kinematic.drive->angular_frequency * t + kinematic.drive->phase) * kinematic.drive->amplitude;
     state.q.col(last).head<2>() = position;
     for (int i = 0; i < last; ++i) {
       if (contact_between(shapes, i, state.q.col(i), last, state.q.col(last)).gap <= 0.0) return false;
@@ -79,8 +79,9 @@ void add_boxes(Dice& dice, double unit, Preset& s) {
   }
   if (!dice.chance(0.4)) return;
   for (int tries = 0; tries < 10; ++tries) {
-    Body driven = wall("driven", dice.in_square(unit), dice.between(0.1, 0.6) * unit, 0.2 * unit, dice.angle());
-    driven.fixed = false;
+    Body kinematic =
+        wall("driven", dice.in_square(unit), dice.between(0.1, 0.6) * unit, 0.2 * unit, dice.angle());
+    kinematic.fixed = false;
     Drive drive;
     if (dice.chance(0.6)) drive.velocity = dice.in_square(unit);
     if (dice.chance(0.6)) {
@@ -88,9 +89,9 @@ void add_boxes(Dice& dice, double unit, Preset& s) {
       drive.angular_frequency = dice.between(0.5, 10.0);
       drive.phase = dice.angle();
     }
-    driven.drive = drive;
-    if (!never_crushes(driven, s.scene.bodies, unit)) continue;
-    s.scene.bodies.push_back(driven);
+    kinematic.drive = drive;
+    if (!never_crushes(kinematic, s.scene.bodies, unit)) continue;
+    s.scene.bodies.push_back(kinematic);
     return;
   }
 }

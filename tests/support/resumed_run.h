@@ -26,7 +26,7 @@ inline std::string all_of(const Preset& document, const Simulation& s) {
   };
   bytes(s.state().q);
   bytes(s.state().v);
-  bytes(s.state().books);
+  bytes(s.state().quadratures);
   const Ledger ledger = s.ledger();
   text.append(reinterpret_cast<const char*>(&ledger), sizeof(ledger));
   try {

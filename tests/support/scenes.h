@@ -58,7 +58,7 @@ inline std::vector<Body> room(double half, double thickness) {
 }
 
 inline bool same_bytes(const State& a, const State& b) {
-  return a.q == b.q && a.v == b.v && a.books == b.books;
+  return a.q == b.q && a.v == b.v && a.quadratures == b.quadratures;
 }
 
 }  // namespace carom::test

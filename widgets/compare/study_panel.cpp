@@ -270,7 +270,7 @@ void StudyPanel::show_words() {
     progress_->setRange(0, so_far_.of > 1 ? so_far_.of : 0);  // to and fro where nothing can be counted
     progress_->setValue(so_far_.done);
   } else if (!table.rows.empty()) {
-    const QString stopped = so_far_.phase == Phase::kStopped ? tr("Stopped before it was done. ") : QString();
+    const QString stopped = so_far_.phase == Phase::kCancelled ? tr("Stopped before it was done. ") : QString();
     words_->set_whole(other + stopped + words_of(table.facts));
     words_->setToolTip("<p>" + (other + stopped).toHtmlEscaped() + "</p><p>" +
                        words_of(table.facts).toHtmlEscaped().replace("; ", ".</p><p>") + ".</p>");

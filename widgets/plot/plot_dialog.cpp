@@ -79,7 +79,7 @@ QuantityName PlotDialog::next_body(QuantityName quantity) const {
   if (quantity.bodies.size() != 1) return quantity;
   bool found = false;
   for (const Body& body : bodies_) {
-    if (found && !is_immovable(body)) {
+    if (found && !has_infinite_mass(body)) {
       quantity.bodies = {body.name};
       return quantity;
     }

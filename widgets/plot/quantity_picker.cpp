@@ -21,7 +21,7 @@ constexpr std::array<std::pair<Topic, const char*>, 8> kTopics = {{
     {Topic::kEnergy, "energy of all bodies"},
     {Topic::kMomentum, "momentum of all bodies"},
     {Topic::kLedger, "where the energy went"},
-    {Topic::kCrowd, "over all moving bodies"},
+    {Topic::kAllBodies, "over all moving bodies"},
     {Topic::kRun, "of the run"},
     {Topic::kError, "against the reference"},
 }};
@@ -54,7 +54,7 @@ QComboBox* body_box(const std::vector<Body>& bodies, QWidget* parent) {
   for (const Body& body : bodies) box->addItem(QString::fromStdString(body.name));
   // Moving bodies are what people look at.
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (is_immovable(bodies[i])) continue;
+    if (has_infinite_mass(bodies[i])) continue;
     box->setCurrentIndex(static_cast<int>(i));
     break;
   }
@@ -76,7 +76,7 @@ QuantityPicker::QuantityPicker(const std::vector<Body>& bodies, const QString& n
   second_->setAccessibleName(tr("Other body"));
   // The second choice is another body than the first.
   for (std::size_t i = static_cast<std::size_t>(first_->currentIndex()) + 1; i < bodies.size(); ++i) {
-    if (is_immovable(bodies[i])) continue;
+    if (has_infinite_mass(bodies[i])) continue;
     second_->setCurrentIndex(static_cast<int>(i));
     break;
   }

@@ -30,7 +30,7 @@ class BodiesModel : public FigureModel {
     total_mass_ = kinetic_before_ = kinetic_now_ = 0.0;
     moving_.clear();
     for (int i = 0; i < now_.size(); ++i) {
-      if (is_immovable((*bodies_)[static_cast<std::size_t>(i)])) continue;
+      if (has_infinite_mass((*bodies_)[static_cast<std::size_t>(i)])) continue;
       moving_.push_back(i);
       total_mass_ += mass_.mass[i];
       momentum_ += mass_.mass[i] * now_.velocity(i);

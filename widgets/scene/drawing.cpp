@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "widgets/scene/drawing_forces.h"
-#include "widgets/scene/drawing_links.h"
+#include "widgets/scene/drawing_joints.h"
 #include "widgets/scene/drawing_others.h"
 
 namespace carom {
@@ -32,11 +32,11 @@ class Builder {
     out_.outline = 1.5 * in_.options.line_scale;
     out_.text_size = in_.options.text_size;
     out_.has_grid = in_.options.grid;
-    if (out_.has_grid) lay_grid(in_.camera, out_.grid);
+    if (out_.has_grid) place_grid(in_.camera, out_.grid);
     for (int i = 0; i < count(); ++i) add_body(i);
     add_springs(in_, seen_, out_);
     add_drives(in_, seen_, out_);
-    add_links(in_, seen_, out_);
+    add_joints(in_, seen_, out_);
     add_other_runs(in_, seen_, out_);
     if (in_.options.names) add_names();
     if (in_.options.velocities) add_velocities();
@@ -52,7 +52,7 @@ class Builder {
   [[nodiscard]] int count() const { return std::min(in_.frame.state.size(), static_cast<int>(bodies_.size())); }
   [[nodiscard]] bool fixed(int i) const { return bodies_[static_cast<std::size_t>(i)].fixed; }
   // Moves as impacts and forces tell it.
-  [[nodiscard]] bool free(int i) const { return !is_immovable(bodies_[static_cast<std::size_t>(i)]); }
+  [[nodiscard]] bool free(int i) const { return !has_infinite_mass(bodies_[static_cast<std::size_t>(i)]); }
 
   void add_body(int i) {
     const Body& body = bodies_[static_cast<std::size_t>(i)];
@@ -230,8 +230,8 @@ WorldRect bounds(const Frame& frame) {
       if (spring.to.empty()) rect.include(spring.anchor, Vec2::Zero());
     }
   }
-  for (const LinkState& link : frame.links) {
-    if (link.in_plane) rect.include(link.from, Vec2::Zero());
+  for (const JointState& joint : frame.joints) {
+    if (joint.in_plane) rect.include(joint.from, Vec2::Zero());
   }
   return rect;
 }

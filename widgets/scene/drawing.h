@@ -16,7 +16,7 @@ namespace carom {
 
 // What the scene looks like as a list of plain shapes: in world metres, with colours, and widths in logical
 // pixels. OpenGL and QPainter paint the same list. Painted in this order: grid, boxes, polygons, springs and
-// thin walls, discs, links and contact points, arrows, text.
+// thin walls, discs, joints and contact points, arrows, text.
 struct Drawing {
   struct DiscItem {
     Vec2 center;
@@ -152,7 +152,7 @@ struct DrawingInput {
 // Leaves out what the camera doesn't see. The memory of `reuse` serves the new list.
 [[nodiscard]] Drawing make_drawing(const DrawingInput& input, Drawing reuse = {});
 
-// All bodies of the frame and the points that springs and links hang on.
+// All bodies of the frame and the points that springs and joints hang on.
 [[nodiscard]] WorldRect bounds(const Frame& frame);
 
 }  // namespace carom

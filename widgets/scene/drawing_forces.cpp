@@ -262,7 +262,7 @@ void add_contact_forces(const DrawingInput& in, const WorldRect& seen, Drawing& 
   const std::size_t before = out.arrows.size();
   for (const ContactForce& contact : in.frame.contacts) {
     if (contact.a < 0 || contact.b < 0 || contact.a >= count || contact.b >= count) continue;
-    const double side = is_immovable(body_of(in, contact.b)) ? -1.0 : 1.0;
+    const double side = has_infinite_mass(body_of(in, contact.b)) ? -1.0 : 1.0;
     const Vec2 arrow = side * in.arrows.metres_per_newton * force_on_b(contact);
     if (!(arrow.norm() * in.camera.scale >= kLeastContactArrow) || !seen.meets(contact.point, arrow.norm())) {
       continue;

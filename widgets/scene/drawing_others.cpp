@@ -40,11 +40,11 @@ void add_other_runs(const DrawingInput& in, const WorldRect& seen, Drawing& out)
     const std::vector<Body>& bodies = *other.bodies;
     const State& there = other.state;
     const auto moving =
-        std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return !is_immovable(b); });
+        std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return !has_infinite_mass(b); });
     const int count = std::min({there.size(), in.frame.state.size(), static_cast<int>(bodies.size())});
     for (int i = 0; i < count; ++i) {
       const Body& body = bodies[static_cast<std::size_t>(i)];
-      if (is_immovable(body) || !there.q.col(i).allFinite()) continue;
+      if (has_infinite_mass(body) || !there.q.col(i).allFinite()) continue;
       const Vec2 at = there.position(i);
       const Vec2 from = in.frame.state.position(i);
       const double distance = from.allFinite() ? (at - from).norm() : 0.0;

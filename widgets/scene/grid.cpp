@@ -27,7 +27,7 @@ double step_not_below(double value) {
   return below * kRounding >= value ? below : step_not_above(2.5 * below);
 }
 
-void lay_grid(const Camera& camera, Grid& grid) {
+void place_grid(const Camera& camera, Grid& grid) {
   grid.lines.clear();
   const double spacing = step_not_below(kLeastSpacing / camera.scale);
   grid.scale_bar = step_not_above(kLongestScaleBar / camera.scale);

@@ -25,7 +25,7 @@ struct Grid {
 };
 
 // Refills `grid`; its capacity is kept.
-void lay_grid(const Camera& camera, Grid& grid);
+void place_grid(const Camera& camera, Grid& grid);
 
 // Where a line stands on the screen, in logical pixels, on whole device pixels so that it is sharp.
 [[nodiscard]] QRectF line_rect(const Grid::Line& line, const Camera& camera, double width, double pixel_ratio);

@@ -94,7 +94,8 @@ template <class Table, class Id>
 }
 
 // One step of length h >= 0 from time t and `y` into `out`: the one place that dispatches on the integrator.
-// The adaptive one takes a step of this length too; the control of its error is in physics/dynamics/tracks.cpp.
+// The adaptive one takes a step of this length too; the control of its error is in
+// physics/dynamics/trajectories.cpp.
 template <class System, class Y>
 void integrator_step(IntegratorId id, const System& f, double t, const Y& y, double h, Stages<Y>& s, Y& out) {
   switch (id) {

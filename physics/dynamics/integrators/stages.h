@@ -19,6 +19,6 @@ struct Stages {
 };
 
 // The integrators beside this file share one form: step(f, t, y, h, s, out) advances y by h >= 0 from time t
-// into `out` (not y itself). f(t, y, k) writes the rate y' = (v, acceleration, books') into k.
+// into `out` (not y itself). f(t, y, k) writes the rate y' = (v, acceleration, quadratures') into k.
 
 }  // namespace carom

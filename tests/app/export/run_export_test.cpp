@@ -13,7 +13,7 @@
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "physics/scene/validate.h"
-#include "physics/session/lane.h"
+#include "physics/session/live_run.h"
 
 namespace carom {
 namespace {
@@ -213,7 +213,7 @@ TEST(RunExport, APieceFromAKeyFrameIsThatOfTheWhole) {
   std::vector<Curve> curves;
   for (const Quantity& q : {drift, error, met}) curves.push_back({q, std::nullopt});
   const ReferenceId reference = usual_reference(setup_of(box()));
-  Lane lane(setup_of(box()), curves, reference);
+  LiveRun lane(setup_of(box()), curves, reference);
   while (lane.simulation().steps() < 40'000) {
     if (lane.simulation().steps() == 20'000) lane.edit(late);
     lane.step();

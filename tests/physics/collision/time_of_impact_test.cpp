@@ -45,7 +45,7 @@ struct OneBody {
   const ForceField& field;
   int body;
   void operator()(double t, const Motion& y, Motion& k) const { field.external_rate(body, t, y, k); }
-  [[nodiscard]] bool keeps_books() const { return field.keeps_books(); }
+  [[nodiscard]] bool has_quadratures() const { return field.has_quadratures(); }
 };
 
 // One flight of two bodies over [0, h] under gravity, by an integrator's own map, as a gap function.

@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-constexpr ContactSolverOptions kInBlocks{.most_exact = 0, .crowd_sweeps = 4000, .crowd_tolerance = 1e-11};
+constexpr ContactSolverOptions kInBlocks{.most_exact = 0, .large_sweeps = 4000, .large_tolerance = 1e-11};
 
 // Random contacts between any bodies, many on the same few, with impulses to start from. Some bodies are
 // immovable, driven or only turn; `law` says which resistance there is.
@@ -50,8 +50,8 @@ test::ContactScene network(std::uint64_t seed, BlockLaw law) {
 // Block and lane of each contact, in the islands' order.
 std::vector<std::pair<std::size_t, std::size_t>> lanes_of(const ContactWorkspace& w) {
   std::map<int, std::pair<std::size_t, std::size_t>> lane_of;
-  for (std::size_t k = 0; k < w.crowds.blocks.size(); ++k) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) lane_of[w.crowds.contacts[k][lane]] = {k, lane};
+  for (std::size_t k = 0; k < w.large_islands.blocks.size(); ++k) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) lane_of[w.large_islands.contacts[k][lane]] = {k, lane};
   }
   std::vector<std::pair<std::size_t, std::size_t>> lanes;
   for (const int c : w.islands.contacts) lanes.push_back(lane_of.at(c));
@@ -64,8 +64,8 @@ TEST(ContactBlocks, HoldEachContactOnceAndAMovableBodyOnceABlock) {
     ContactWorkspace w;
     prepare_contacts(s.mass, s.contacts, {.most_exact = 0}, w);
     std::multiset<int> held;
-    ASSERT_EQ(w.crowds.blocks.size(), w.crowds.contacts.size());
-    for (const Lanes<int>& lanes : w.crowds.contacts) {
+    ASSERT_EQ(w.large_islands.blocks.size(), w.large_islands.contacts.size());
+    for (const Lanes<int>& lanes : w.large_islands.contacts) {
       std::set<int> bodies;
       for (const int c : lanes) {
         if (c < 0) continue;
@@ -91,7 +91,7 @@ TEST(ContactBlocks, AreFilledWellInALattice) {
   }
   ContactWorkspace w;
   prepare_contacts(s.mass, s.contacts, {.most_exact = 0}, w);
-  EXPECT_LE(kLanes * w.crowds.blocks.size(), 2U * static_cast<std::size_t>(s.contacts.size()));
+  EXPECT_LE(kLanes * w.large_islands.blocks.size(), 2U * static_cast<std::size_t>(s.contacts.size()));
 }
 
 // Each set of instructions against rows that are solved one after another.
@@ -106,14 +106,14 @@ TEST(ContactBlocks, GiveTheBytesOfOneContactAfterAnother) {
       ContactWorkspace w;
       test::ContactScene prepared = s;
       // Without a sweep the blocks are loaded, with the free velocities and what the first impulses give.
-      solve_contacts(prepared.mass, prepared.contacts, prepared.v, {.most_exact = 0, .crowd_sweeps = 0}, w);
-      for (std::size_t i = 0; i < w.crowds.velocity.size() - 1; ++i) {
+      solve_contacts(prepared.mass, prepared.contacts, prepared.v, {.most_exact = 0, .large_sweeps = 0}, w);
+      for (std::size_t i = 0; i < w.large_islands.velocity.size() - 1; ++i) {
         const auto v = s.v.col(static_cast<Eigen::Index>(i));
-        w.crowds.velocity[i] = {v[0], v[1], v[2]};
+        w.large_islands.velocity[i] = {v[0], v[1], v[2]};
       }
       const auto lanes = lanes_of(w);
       std::vector<ContactRow> rows;
-      for (const auto& [k, lane] : lanes) rows.push_back(row_of(w.crowds.blocks[k], lane));
+      for (const auto& [k, lane] : lanes) rows.push_back(row_of(w.large_islands.blocks[k], lane));
       std::vector<SolverBody> bodies;
       for (Eigen::Index i = 0; i < s.v.cols(); ++i) {
         const Eigen::Vector3d v = s.v.col(i);
@@ -122,22 +122,24 @@ TEST(ContactBlocks, GiveTheBytesOfOneContactAfterAnother) {
       }
 
       apply_all(rows, bodies);
-      kernels.apply(w.crowds.blocks, &w.crowds.velocity.data()->x);
-      EXPECT_EQ(residual(rows, bodies), kernels.residual(w.crowds.blocks, &w.crowds.velocity.data()->x));
+      kernels.apply(w.large_islands.blocks, &w.large_islands.velocity.data()->x);
+      EXPECT_EQ(residual(rows, bodies),
+                kernels.residual(w.large_islands.blocks, &w.large_islands.velocity.data()->x));
       for (const bool backwards : {false, true, false, true, true}) {
         sweep(rows, bodies, backwards);
-        kernels.sweep(w.crowds.blocks, &w.crowds.velocity.data()->x, law, backwards);
+        kernels.sweep(w.large_islands.blocks, &w.large_islands.velocity.data()->x, law, backwards);
       }
-      EXPECT_EQ(residual(rows, bodies), kernels.residual(w.crowds.blocks, &w.crowds.velocity.data()->x));
+      EXPECT_EQ(residual(rows, bodies),
+                kernels.residual(w.large_islands.blocks, &w.large_islands.velocity.data()->x));
       const std::string where = std::string(kernels.name) + ", seed " + std::to_string(seed);
       for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const BodyVelocity& v = w.crowds.velocity[i];
+        const BodyVelocity& v = w.large_islands.velocity[i];
         ASSERT_EQ(Eigen::Vector3d(bodies[i].vx, bodies[i].vy, bodies[i].spin),
                   Eigen::Vector3d(v.x, v.y, v.spin))
             << where << " body " << i;
       }
       for (std::size_t r = 0; r < rows.size(); ++r) {
-        const ContactBlock& block = w.crowds.blocks[lanes[r].first];
+        const ContactBlock& block = w.large_islands.blocks[lanes[r].first];
         const std::size_t lane = lanes[r].second;
         ASSERT_EQ(rows[r].normal, block.normal[lane]) << where;
         ASSERT_EQ(rows[r].tangential, block.tangential[lane]) << where;
@@ -209,30 +211,30 @@ TEST(ContactBlocks, CarryOnAsNumbersDo) {
 TEST(ContactBlocks, MomentumReachesTheBottomOfAHighColumn) {
   constexpr int kHigh = 100;
   constexpr int kSweeps = 400;
-  constexpr double kOverlap = 1e-3;
+  constexpr double kPenetration = 1e-3;
   test::ContactScene s;
   s.fixed();
   for (int i = 0; i < kHigh; ++i) s.disc(Vec2(0.0, 0.5 + i), 0.5, 1.0);
   for (int i = 0; i < kHigh; ++i) {
     const int c = s.contact(i, i + 1, Vec2(0.0, i), {0.0, 1.0}, 0.0);
-    s.contacts.gap[c] = -kOverlap;
+    s.contacts.gap[c] = -kPenetration;
   }
   Eigen::Matrix3Xd dq;
   ContactWorkspace w;
-  const ContactSolverOptions options{.most_exact = 0, .crowd_sweeps = kSweeps, .crowd_tolerance = 1e-12};
-  project_overlaps(s.mass, s.contacts, 1.0, dq, options, w);
+  const ContactSolverOptions options{.most_exact = 0, .large_sweeps = kSweeps, .large_tolerance = 1e-12};
+  project_penetrations(s.mass, s.contacts, 1.0, dq, options, w);
   // By theory the top moves up by the sum of all overlaps.
-  EXPECT_NEAR(dq(1, kHigh), kHigh * kOverlap, 0.01 * kHigh * kOverlap);
+  EXPECT_NEAR(dq(1, kHigh), kHigh * kPenetration, 0.01 * kHigh * kPenetration);
 
   std::vector<ContactRow> rows;
   std::vector<SolverBody> bodies;
   for (const auto& [k, lane] : lanes_of(w)) {
-    rows.push_back(row_of(w.crowds.blocks[k], lane));
+    rows.push_back(row_of(w.large_islands.blocks[k], lane));
     rows.back().normal = 0.0;
   }
   for (Eigen::Index i = 0; i < s.v.cols(); ++i) bodies.push_back({0.0, 0.0, 0.0, s.mass.inverse_mass[i]});
   for (int k = 0; k < kSweeps; ++k) sweep(rows, bodies, k % 2 == 1);
-  EXPECT_LT(bodies.back().vy, 0.5 * kHigh * kOverlap);
+  EXPECT_LT(bodies.back().vy, 0.5 * kHigh * kPenetration);
 }
 
 // Friction and rolling resistance that many share: what momentum leaves is less most times, and never much
@@ -244,21 +246,21 @@ TEST(ContactBlocks, MomentumLeavesLittleMoreThanSweepsAlone) {
     const auto law = static_cast<BlockLaw>(seed % 3);
     test::ContactScene s = network(seed, law);
     ContactWorkspace w;
-    solve_contacts(s.mass, s.contacts, s.v, {.most_exact = 0, .crowd_sweeps = 0}, w);
+    solve_contacts(s.mass, s.contacts, s.v, {.most_exact = 0, .large_sweeps = 0}, w);
     double left_alone = 0.0;
     double left_with = 0.0;
     for (int i = 0; i < w.islands.size(); ++i) {
-      const std::span<ContactBlock> blocks(w.crowds.blocks.data() + w.first_block[i],
-                                           w.crowds.blocks.data() + w.first_block[i + 1]);
-      const std::span<const int> bodies(w.crowds.bodies.data() + w.first_body[i],
-                                        w.crowds.bodies.data() + w.first_body[i + 1]);
+      const std::span<ContactBlock> blocks(w.large_islands.blocks.data() + w.first_block[i],
+                                           w.large_islands.blocks.data() + w.first_block[i + 1]);
+      const std::span<const int> bodies(w.large_islands.bodies.data() + w.first_body[i],
+                                        w.large_islands.bodies.data() + w.first_body[i + 1]);
       const std::vector<ContactBlock> start(blocks.begin(), blocks.end());
-      const std::vector<BodyVelocity> velocity = w.crowds.velocity;
+      const std::vector<BodyVelocity> velocity = w.large_islands.velocity;
       for (const bool with_momentum : {false, true}) {
         std::copy(start.begin(), start.end(), blocks.begin());
-        w.crowds.velocity = velocity;
-        CrowdMomentum momentum;
-        CrowdSweeps sweeps(blocks, bodies, law, w.crowds.velocity, momentum);
+        w.large_islands.velocity = velocity;
+        SweepMomentum momentum;
+        BlockSweeps sweeps(blocks, bodies, law, w.large_islands.velocity, momentum);
         for (int k = 0; k < kSweeps; ++k) sweeps.sweep(k % 2 == 1, with_momentum && k < kSweeps - 2);
         double& left = with_momentum ? left_with : left_alone;
         left = std::max(left, sweeps.residual());
@@ -273,7 +275,7 @@ TEST(ContactBlocks, MomentumLeavesLittleMoreThanSweepsAlone) {
 TEST(ContactBlocks, FindWhatTheExactSolverFinds) {
   int compared = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    const test::RandomIsland kind{.most_contacts = 60, .most_friction = 0.3, .driven = seed % 3 == 0};
+    const test::RandomIsland kind{.most_contacts = 60, .most_friction = 0.3, .kinematic = seed % 3 == 0};
     test::ContactScene exact = test::random_island(seed, kind);
     test::ContactScene in_blocks = exact;
     const ContactSolverReport one = exact.solve({.tolerance = 1e-13, .max_newton = 200});
@@ -298,7 +300,7 @@ TEST(ContactBlocks, StayPreparedFromSolveToSolve) {
       Eigen::Matrix3Xd dq, expected;
       prepare_contacts(s.mass, s.contacts, {.most_exact = most_exact}, w);
       project_prepared(s.mass, s.contacts, 0.5, dq, options, w);
-      project_overlaps(s.mass, s.contacts, 0.5, expected, options, other);
+      project_penetrations(s.mass, s.contacts, 0.5, expected, options, other);
       EXPECT_EQ(dq, expected) << "seed " << seed;
       for (int round = 0; round < 2; ++round) {
         solve_prepared(s.mass, s.contacts, s.v, options, w);

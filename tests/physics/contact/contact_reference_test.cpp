@@ -39,7 +39,7 @@ RunSetup scene_of(const ContactReference& c) {
   a.position = {c.a[0], c.a[1]};
   a.angle = c.angle;
   a.fixed = c.fixed;
-  if (c.driven) {
+  if (c.kinematic) {
     a.drive = Drive{{c.a[2], c.a[3]}, {c.swing[0], c.swing[1]}, c.swing[2], c.swing[3]};
   } else {
     a.velocity = {c.a[2], c.a[3]};

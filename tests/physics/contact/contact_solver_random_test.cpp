@@ -135,7 +135,7 @@ TEST(ContactSolverRandom, VelocitiesAgreeWithASlowReference) {
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
     // Beyond friction of about a half such islands may have several solutions.
     const test::RandomIsland kind{
-        .most_contacts = 40, .mass_spread = 1.0, .most_friction = 0.3, .driven = seed % 3 == 0};
+        .most_contacts = 40, .mass_spread = 1.0, .most_friction = 0.3, .kinematic = seed % 3 == 0};
     const ContactScene before = test::random_island(seed, kind);
     ContactScene after = before;
     const ContactSolverReport report = after.solve({.tolerance = 1e-13, .max_newton = 200});

@@ -263,7 +263,7 @@ TEST(ProjectOverlaps, IsTheLeastDisplacement) {
   s.v.setConstant(7.0);  // of no concern
   Eigen::Matrix3Xd dq;
   ContactWorkspace workspace;
-  const ContactSolverReport report = project_overlaps(s.mass, s.contacts, 0.5, dq, kExact, workspace);
+  const ContactSolverReport report = project_penetrations(s.mass, s.contacts, 0.5, dq, kExact, workspace);
   EXPECT_EQ(report.missed_islands, 0);
   EXPECT_NEAR(dq(0, a), -0.0375, 1e-16);
   EXPECT_NEAR(dq(0, b), 0.0125, 1e-16);
@@ -280,7 +280,7 @@ TEST(ProjectOverlaps, ColumnRisesAndNeighboursAreNotHit) {
     for (const int c : {20, 21}) s.contacts.gap[c] = room;
     Eigen::Matrix3Xd dq;
     ContactWorkspace workspace;
-    const ContactSolverReport report = project_overlaps(s.mass, s.contacts, 0.5, dq, {1e-12}, workspace);
+    const ContactSolverReport report = project_penetrations(s.mass, s.contacts, 0.5, dq, {1e-12}, workspace);
     EXPECT_EQ(report.missed_islands, room > 0.1 ? 0 : 1);
     if (room > 0.1) {
       EXPECT_NEAR(dq(1, 10), 0.1, 1e-11);

@@ -30,9 +30,9 @@ bool has_any(const Model& m, Part part) {
     case Part::kSwitching:
       return !m.forces.switching.empty() || m.forces.one_sided;
     case Part::kDrives:
-      return !m.driven.empty();
-    case Part::kLinks:
-      return !m.joints.all.empty();
+      return !m.kinematic.empty();
+    case Part::kJoints:
+      return !m.joint_terms.all.empty();
     case Part::kRestingContacts:
       return m.needs.has(part);
   }
@@ -45,7 +45,8 @@ TEST(Model, HasNothingOfAPartThatIsNotNeeded) {
     const Needs needs = needs_of(scene);
     const auto model = compile(scene, needs);
     const bool any_turns = needs.has(Part::kRotation) || needs.has(Part::kFriction) ||
-                           needs.has(Part::kSticking) || needs.has(Part::kLinks) || needs.has(Part::kSwitching);
+                           needs.has(Part::kSticking) || needs.has(Part::kJoints) ||
+                           needs.has(Part::kSwitching);
     EXPECT_EQ(model->smooth_discs, !any_turns) << file;
     for (const PartEntry& entry : part_entries()) {
       const bool alone =

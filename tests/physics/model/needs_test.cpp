@@ -131,12 +131,12 @@ TEST(Needs, Switching) {
   s.forces.springs[0].acts = SpringActs::kPush;
   EXPECT_TRUE(needs(s, Part::kSwitching));
   s = plain();
-  Link string;
-  string.kind = LinkKind::kString;
+  Joint string;
+  string.kind = JointKind::kString;
   string.body = "a";
-  s.links = {string};
-  EXPECT_TRUE(needs(s, Part::kSwitching) && needs(s, Part::kLinks));
-  s.links[0].kind = LinkKind::kRod;
+  s.joints = {string};
+  EXPECT_TRUE(needs(s, Part::kSwitching) && needs(s, Part::kJoints));
+  s.joints[0].kind = JointKind::kRod;
   EXPECT_FALSE(needs(s, Part::kSwitching));
 }
 

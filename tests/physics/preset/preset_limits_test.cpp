@@ -38,7 +38,7 @@ std::string body(std::size_t i) {
 std::string material(std::size_t i) { return fmt::format(R"({{"name":"m{}"}})", i); }
 std::string spring(std::size_t) { return R"({"type":"spring","body":"a","anchor":[0,1],"stiffness":1})"; }
 // 400 between two bodies, 400 between the next two, and so on.
-std::string link(std::size_t i) {
+std::string joint(std::size_t i) {
   return fmt::format(R"({{"type":"string","body":"b{}","to":"b{}","length":20}})", i / 400 * 2,
                      i / 400 * 2 + 1);
 }
@@ -78,8 +78,8 @@ TEST(PresetLimits, ListsAreRefusedBeyondThem) {
                with_list("materials", kMostMaterials + 1, material), "materials", kMostMaterials);
   expect_limit(with_list("forces", kMostForces, spring, kTwoDiscs),
                with_list("forces", kMostForces + 1, spring, kTwoDiscs), "forces", kMostForces);
-  expect_limit(with_list("links", kMostSceneLinks, link, bodies(502)),
-               with_list("links", kMostSceneLinks + 1, link, bodies(502)), "links", kMostSceneLinks);
+  expect_limit(with_list("links", kMostJoints, joint, bodies(502)),
+               with_list("links", kMostJoints + 1, joint, bodies(502)), "links", kMostJoints);
   expect_limit(with_list("plots", kMostPlots, plot), with_list("plots", kMostPlots + 1, plot), "plots",
                kMostPlots);
   expect_limit(with_list("expect", kMostExpectations, expectation),
@@ -99,8 +99,8 @@ TEST(PresetLimits, BodiesUnderAttractionAreCounted) {
             "p: /forces/0: attraction among 2020 bodies is not allowed; allowed: among up to 2000");
 }
 
-TEST(PresetLimits, LinksThatHoldOnToOneAnotherAreCounted) {
-  // A chain of 501 links, the last one in its middle: whole, and where one of its bodies is fixed.
+TEST(PresetLimits, JointsThatHoldOnToOneAnotherAreCounted) {
+  // A chain of 501 joints, the last one in its middle: whole, and where one of its bodies is fixed.
   const auto chain = [&](const std::string& all) {
     return with_list(
         "links", 501,
@@ -169,16 +169,16 @@ TEST(PresetLimits, WhatHasStuckTogetherInARunMayBeMore) {
     b.material = "glue";
     s.scene.bodies.push_back(b);
     if (i == 0 || i == 252) continue;
-    Link l;
-    l.kind = LinkKind::kRod;
+    Joint l;
+    l.kind = JointKind::kRod;
     l.body = fmt::format("b{}", i - 1);
     l.to = b.name;
-    s.scene.links.push_back(l);
+    s.scene.joints.push_back(l);
   }
   s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kImpulse, 0.01};
   Simulation run(setup_of(s));
   run.step();
-  ASSERT_EQ(run.links().size(), 501U) << run.status();
+  ASSERT_EQ(run.joints().size(), 501U) << run.status();
   Preset saved = saved_preset(s, run);
   EXPECT_EQ(refusal(write_preset(saved)), "");
   saved.saved.reset();

@@ -108,7 +108,7 @@ TEST(Stress, AFigureBeyondItsLimitFallsShort) {
   EXPECT_EQ(verdict_of(-1.1, 1.0), StressVerdict::kBeyond);
   EXPECT_EQ(verdict_of(1e-300, 0.0), StressVerdict::kBeyond);
   EXPECT_EQ(verdict_of(std::nan(""), 1.0), StressVerdict::kBeyond);
-  EXPECT_EQ(verdict_of(std::nan(""), kNoLimit), StressVerdict::kOnlyTold);
+  EXPECT_EQ(verdict_of(std::nan(""), kNoLimit), StressVerdict::kReportedOnly);
   EXPECT_EQ(verdict_of(std::numeric_limits<double>::infinity(), 1.0), StressVerdict::kBeyond);
 }
 
@@ -130,7 +130,7 @@ TEST(Stress, EachCaseRunsUnderItsMethodsAtAStepAndAQuarter) {
   EXPECT_EQ(rows[1].verdict, StressVerdict::kWithin);  // 0.25 s
   EXPECT_EQ(rows[5].limit, 0.125);
   EXPECT_EQ(rows[5].verdict, StressVerdict::kWithin);
-  EXPECT_EQ(rows[8].verdict, StressVerdict::kOnlyTold);
+  EXPECT_EQ(rows[8].verdict, StressVerdict::kReportedOnly);
   EXPECT_EQ(rows[8].value, 5.0);
   EXPECT_EQ(rows[12].verdict, StressVerdict::kBeyond);  // no number
   EXPECT_EQ(rows_of({kMade}, true)[8].value, 7.0);

@@ -6,7 +6,7 @@
 
 #include "physics/check/measure_run.h"
 #include "physics/compare/reference.h"
-#include "physics/math/stopped.h"
+#include "physics/math/cancelled.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
@@ -101,7 +101,7 @@ void expect_to_stop(const Work& work) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       stop.request_stop();
     });
-    EXPECT_THROW(work(stop.get_token()), Stopped);
+    EXPECT_THROW(work(stop.get_token()), Cancelled);
   }
   expect_no_more_threads_than(before);
 }
@@ -146,7 +146,7 @@ TEST(Study, StopsBetweenRuns) {
       if (stage == last) stop.request_stop();
     };
     watch.row = [&](const StudyFacts&, const StudyRow& row) { times += std::isnan(row.wall_time) ? 0 : 1; };
-    EXPECT_THROW((void)run_study(s, "spring", o, watch), Stopped) << last;
+    EXPECT_THROW((void)run_study(s, "spring", o, watch), Cancelled) << last;
     EXPECT_EQ(stages.back(), last);
     EXPECT_EQ(times, last == "times, alone" ? 1 : 0);
   }
@@ -181,7 +181,7 @@ TEST(Study, InTheBackgroundStopsAndKeepsWhatItHas) {
   }
   study.stop();
   const StudySoFar end = wait_for_its_end(study);
-  EXPECT_EQ(end.phase, StudySoFar::Phase::kStopped);
+  EXPECT_EQ(end.phase, StudySoFar::Phase::kCancelled);
   ASSERT_EQ(end.table.rows.size(), kRowsOfQuick);
   for (const StudyRow& row : end.table.rows) EXPECT_EQ(row.method.step, 0.02);
 }

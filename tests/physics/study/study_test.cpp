@@ -76,8 +76,8 @@ TEST(OrderFit, FewerThanThreeErrorsHaveNoOrder) {
 
 // --- matched impacts
 
-RecordedRun recorded(std::vector<TimedImpact> impacts, double x, double v) {
-  RecordedRun run;
+RunSummary recorded(std::vector<TimedImpact> impacts, double x, double v) {
+  RunSummary run;
   run.state.resize(3);
   run.state.q.setZero();
   run.state.v.setZero();

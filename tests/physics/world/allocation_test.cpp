@@ -49,16 +49,16 @@ TEST(Allocation, NoneInAWarmStep) {
       RunSetup s = test::setup_with(std::move(bodies), 1.0, 0.1);
       if (integrator.order > 0) {
         s.scene.forces.quadratic_drag = 1e-6;
-        Link link;
-        link.kind = LinkKind::kString;
-        link.body = "a";
-        link.to = "b";
-        link.length = 0.8;
-        s.scene.links.push_back(link);
-        link = {};
-        link.body = "c";
-        link.to = "d";
-        s.scene.links.push_back(link);
+        Joint joint;
+        joint.kind = JointKind::kString;
+        joint.body = "a";
+        joint.to = "b";
+        joint.length = 0.8;
+        s.scene.joints.push_back(joint);
+        joint = {};
+        joint.body = "c";
+        joint.to = "d";
+        s.scene.joints.push_back(joint);
         s.scene.bodies[6].velocity = s.scene.bodies[7].velocity;
       }
       s.method = {integrator.id, impacts.id, ContactsId::kImpulse, 0.01};
@@ -116,7 +116,7 @@ TEST(Allocation, NoneInAWarmContactSolve) {
     s.accelerate({0.0, -9.81}, 0.01);
     const ContactSolverReport report = solve_contacts(s.mass, s.contacts, s.v, {.tolerance = 1e-13}, workspace);
     EXPECT_GT(report.newton_iterations, 0);
-    project_overlaps(s.mass, s.contacts, 0.5, dq, {}, workspace);
+    project_penetrations(s.mass, s.contacts, 0.5, dq, {}, workspace);
     if (turn == 0) {
       EXPECT_GT(allocations, before);
     }

@@ -107,7 +107,7 @@ TEST(CorneredBodies, GasKeepsEnergyAndMomentum) {
     EXPECT_EQ(run.notices().text(), "ok");
     for (int a = 0; a < run.state().size(); ++a) {
       for (int b = a + 1; b < run.state().size(); ++b) {
-        if (!run.shapes().can_meet(a, b)) continue;
+        if (!run.shapes().can_collide(a, b)) continue;
         EXPECT_GT(contact_between(run.shapes(), a, run.state().q.col(a), b, run.state().q.col(b)).gap, -1e-12);
       }
     }

@@ -41,7 +41,8 @@ TEST(LostRun, StandsAtItsLastGoodStepAndSaysWhy) {
       EXPECT_GT(run.lost()->time, run.time() - 1e-12);
       EXPECT_NE(run.status().find("lost at t = "), std::string::npos);
       EXPECT_NE(run.status().find("\"a\""), std::string::npos);
-      EXPECT_TRUE(run.state().q.allFinite() && run.state().v.allFinite() && run.state().books.allFinite());
+      EXPECT_TRUE(run.state().q.allFinite() && run.state().v.allFinite() &&
+                  run.state().quadratures.allFinite());
 
       // All of it is what a run that ends there has.
       Simulation before(s);
@@ -80,7 +81,7 @@ TEST(LostRun, FarIsNoLoss) {
   Simulation run(s);
   run.advance_to(1000.0);
   EXPECT_FALSE(run.lost());
-  EXPECT_NEAR(run.state().position(0).x(), 1e12, 100.0);  // of 250 thousand tracks, a rounding each
+  EXPECT_NEAR(run.state().position(0).x(), 1e12, 100.0);  // of 250 thousand trajectories, a rounding each
 }
 
 // Whoever can't keep his tolerance says so instead of taking steps for ever.

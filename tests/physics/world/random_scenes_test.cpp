@@ -20,7 +20,7 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 bool finite(const Simulation& run) {
-  return run.state().q.allFinite() && run.state().v.allFinite() && run.state().books.allFinite();
+  return run.state().q.allFinite() && run.state().v.allFinite() && run.state().quadratures.allFinite();
 }
 
 // What a run broke first; empty if it kept every law.
@@ -36,7 +36,7 @@ class Laws {
     look_at_sums(run);
     std::string broken = impacts_of(run);
     if (broken.empty()) broken = sums_of(run);
-    if (broken.empty()) broken = overlaps_of(run);
+    if (broken.empty()) broken = penetrations_of(run);
     return broken;
   }
 
@@ -60,7 +60,7 @@ class Laws {
       }
     }
     energy_ = std::max({energy_, t.kinetic() + potential, ledger.lost_to_restitution, ledger.lost_to_friction,
-                        std::abs(ledger.overlap_correction)});
+                        std::abs(ledger.penetration_correction)});
   }
 
   // No impact gains energy, and the log says what the motion did.
@@ -81,20 +81,20 @@ class Laws {
     double missing = 0.0;
     double most = 0.0;  // of one time: a second impact has the rounding of the first
     double lost = 0.0;
-    bool driven = false;
+    bool kinematic = false;
     for (std::size_t k = 0; k < jumps.size(); ++k) {
       const ImpactRecord& r = run.last_impacts()[k];
       const bool same_time = k > 0 && jumps[k].time == jumps[k - 1].time;
       if (!same_time) most = 0.0;
-      if (!same_time || !at_once_) missing = lost = 0.0, driven = false;
-      driven = driven || run.bodies()[r.a].drive || run.bodies()[r.b].drive;
+      if (!same_time || !at_once_) missing = lost = 0.0, kinematic = false;
+      kinematic = kinematic || run.bodies()[r.a].drive || run.bodies()[r.b].drive;
       const double before = run.totals_of(jumps[k].before).kinetic();
       const double after = run.totals_of(jumps[k].after).kinetic();
       most = std::max(most, before);
       lost += r.lost_to_restitution + r.lost_to_friction;
       missing += before - after - r.lost_to_restitution - r.lost_to_friction;
       const bool last = at_once_ ? k + 1 < jumps.size() && jumps[k + 1].time != jumps[k].time : true;
-      if (!last || driven) continue;
+      if (!last || kinematic) continue;
       if (!(std::abs(missing) <= 1e-12 * most + std::numeric_limits<double>::min()))  // or what underflows
         return fmt::format("an impact took {} J more than it says, of {} J", missing, most);
       if (!(lost >= -1e-11 * most)) return fmt::format("impacts gained {} J of {} J", -lost, most);
@@ -118,7 +118,7 @@ class Laws {
 
   // Located impacts leave no overlap beyond rounding, but where bodies rest or the run says that there are too
   // many.
-  std::string overlaps_of(const Simulation& run) {
+  std::string penetrations_of(const Simulation& run) {
     if (overlaps_ || run.method().impacts != ImpactsId::kLocated) return {};
     const Notices notices = run.notices();
     const bool left =

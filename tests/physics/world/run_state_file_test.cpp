@@ -33,12 +33,12 @@ Preset busy(const Method& method) {
   s.scene.forces.gravity = {0.0, -9.81};
   s.scene.forces.springs = {{"band", "b", "c", Vec2::Zero(), 5.0, 0.1, 0.5, SpringActs::kPull}};
   s.scene.forces.applied = {{"a", {0.0, 5.0}, 0.1, 0.3, 0.4, 0.9}};
-  Link string;
-  string.kind = LinkKind::kString;
+  Joint string;
+  string.kind = JointKind::kString;
   string.body = "c";
   string.anchor = {2.0, 1.5};
   string.length = 1.0;
-  s.scene.links = {string};
+  s.scene.joints = {string};
   s.method = method;
   s.duration = 2.0;
   return s;
@@ -80,8 +80,8 @@ TEST(RunStateFile, NoticesAndSumsStay) {
         &Notices::contacts_left_since, &Notices::contacts_left}) {
     state.sums.notices.*entry = next *= 1.1;
   }
-  state.tracks.tolerance_missed_since = 0.07;
-  state.tracks.links_missed_since = 0.08;
+  state.trajectories.tolerance_missed_since = 0.07;
+  state.trajectories.joints_missed_since = 0.08;
   saved.saved->state = std::make_shared<RunState>(state);
   const Simulation one(setup_of(saved));
   const Simulation two(setup_of(parse_preset(write_preset(saved), "saved")));

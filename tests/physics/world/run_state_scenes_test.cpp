@@ -19,16 +19,16 @@ using test::preset_with;
 using test::saved_and_read;
 using test::wall;
 
-Link string_to(const std::string& body, const Vec2& anchor, double length) {
-  Link link;
-  link.kind = LinkKind::kString;
-  link.body = body;
-  link.anchor = anchor;
-  link.length = length;
-  return link;
+Joint string_to(const std::string& body, const Vec2& anchor, double length) {
+  Joint joint;
+  joint.kind = JointKind::kString;
+  joint.body = body;
+  joint.anchor = anchor;
+  joint.length = length;
+  return joint;
 }
 
-Body driven(Body body, const Drive& drive) {
+Body kinematic(Body body, const Drive& drive) {
   body.fixed = false;
   body.drive = drive;
   return body;
@@ -42,11 +42,11 @@ std::map<std::string, Preset> scenes() {
     s.scene.forces.gravity = {0.0, -9.81};
     return s;
   };
-  all["piston"] = preset_with({driven(wall("piston", {-1, 0}, 0.2, 2.0), {.velocity = {0.5, 0.1}}),
+  all["piston"] = preset_with({kinematic(wall("piston", {-1, 0}, 0.2, 2.0), {.velocity = {0.5, 0.1}}),
                                disc("ball", {0, 0}, {-1, 0.05}), wall("end", {1.5, 0}, 0.2, 2.0)});
   all["table"] = falling(preset_with(
-      {driven(wall("table", {0, -0.5}, 4.0, 1.0),
-              {.velocity = Vec2::Zero(), .amplitude = {0.0, 0.05}, .angular_frequency = 12.0, .phase = 0.3}),
+      {kinematic(wall("table", {0, -0.5}, 4.0, 1.0),
+                 {.velocity = Vec2::Zero(), .amplitude = {0.0, 0.05}, .angular_frequency = 12.0, .phase = 0.3}),
        disc("ball", {0, 0.5}, {0.1, 0})},
       0.7, 0.3));
   {
@@ -68,7 +68,7 @@ std::map<std::string, Preset> scenes() {
   {
     Preset s = falling(preset_with({disc("taut", {1.0, 0.0}, {0, 0}), disc("slack", {2.3, 0.0}, {0.4, 1.0}),
                                     disc("hit", {1.2, -1.1}, {-0.3, 1.5})}));
-    s.scene.links = {string_to("taut", {0.0, 0.0}, 1.0), string_to("slack", {2.0, 0.0}, 1.0)};
+    s.scene.joints = {string_to("taut", {0.0, 0.0}, 1.0), string_to("slack", {2.0, 0.0}, 1.0)};
     all["strings"] = s;
   }
   {
@@ -91,20 +91,20 @@ std::map<std::string, Preset> scenes() {
     Preset s = falling(preset_with({floor(), disc("bob", {1, 2}, {0, 0}), disc("end", {1.6, 2}, {0, 0}, 0.08),
                                     disc("third", {2.0, 2.0}, {0, 0}, 0.05)},
                                    0.6, 0.1));
-    Link rod;
+    Joint rod;
     rod.body = "bob";
     rod.anchor = {0, 2};
-    Link pin;
-    pin.kind = LinkKind::kPin;
+    Joint pin;
+    pin.kind = JointKind::kPin;
     pin.body = "end";
     pin.point = {-0.6, 0.0};
     pin.to = "bob";
-    Link weld;
-    weld.kind = LinkKind::kWeld;
+    Joint weld;
+    weld.kind = JointKind::kWeld;
     weld.body = "third";
     weld.to = "end";
     weld.anchor = {0.4, 0.0};
-    s.scene.links = {rod, pin, weld};
+    s.scene.joints = {rod, pin, weld};
     all["links"] = s;
   }
   {
@@ -257,15 +257,15 @@ TEST(RunState, TheScenesHaveTheirMoments) {
     run.advance_to(0.5);
     return run;
   };
-  EXPECT_GT(at("sticking").links().size(), 0U);
+  EXPECT_GT(at("sticking").joints().size(), 0U);
   EXPECT_TRUE(at("strings").is_taut(0));
   EXPECT_FALSE(at("strings").is_taut(1));
   EXPECT_GT(at("stack", ContactsId::kLasting).contact_forces().size(), 4U);
   EXPECT_GE(at("coming to rest").impact_count(), 1);
   EXPECT_GE(at("at once").impact_count(), 1);
   const RunState springs = at("springs").run_state();
-  EXPECT_NE(springs.tracks.engaged, std::vector<std::uint8_t>(4, 1));
-  EXPECT_EQ(at("timed forces").run_state().tracks.phase, (std::vector<int>{1, 0, 3, 2}));
+  EXPECT_NE(springs.trajectories.engaged, std::vector<std::uint8_t>(4, 1));
+  EXPECT_EQ(at("timed forces").run_state().trajectories.phase, (std::vector<int>{1, 0, 3, 2}));
 }
 
 }  // namespace

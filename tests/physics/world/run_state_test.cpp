@@ -76,7 +76,7 @@ TEST_P(PresetRunState, GoesOnForTheSameBytesUnderEveryMethod) {
 INSTANTIATE_TEST_SUITE_P(All, PresetRunState, testing::ValuesIn(preset_files()), test::preset_test_name);
 
 // A random scene that may have strings, rods that hold bodies at rest, and surfaces that stick.
-Preset linked_scene(std::uint64_t seed) {
+Preset jointed_scene(std::uint64_t seed) {
   Preset preset = test::random_scene(seed).preset;
   std::mt19937_64 random(seed);
   const auto chance = [&](double p) { return static_cast<double>(random() >> 11) * 0x1p-53 < p; };
@@ -85,23 +85,23 @@ Preset linked_scene(std::uint64_t seed) {
   if (chance(0.5)) {
     Body* last = nullptr;
     for (Body& body : preset.scene.bodies) {
-      if (is_immovable(body)) continue;
+      if (has_infinite_mass(body)) continue;
       if (last != nullptr && chance(0.5)) {
-        Link link;
-        link.kind = chance(0.7) ? LinkKind::kString : LinkKind::kRod;
-        link.body = body.name;
-        link.to = last->name;
-        if (link.kind == LinkKind::kRod) {
+        Joint joint;
+        joint.kind = chance(0.7) ? JointKind::kString : JointKind::kRod;
+        joint.body = body.name;
+        joint.to = last->name;
+        if (joint.kind == JointKind::kRod) {
           body.velocity = last->velocity = Vec2::Zero();
         } else {
-          link.length = (body.position - last->position).norm() * (chance(0.3) ? 1.0 : 1.3);
+          joint.length = (body.position - last->position).norm() * (chance(0.3) ? 1.0 : 1.3);
         }
-        preset.scene.links.push_back(link);
+        preset.scene.joints.push_back(joint);
       }
       last = &body;
     }
   }
-  if (!preset.scene.links.empty() || preset.scene.materials[0].sticks)
+  if (!preset.scene.joints.empty() || preset.scene.materials[0].sticks)
     preset.scene.several_impacts = SeveralImpactsId::kPairwise;
   try {
     validate(preset);
@@ -114,7 +114,7 @@ Preset linked_scene(std::uint64_t seed) {
 TEST(RunState, RandomScenesGoOnForTheSameBytes) {
   const std::uint64_t count = long_tests() ? 2000 : 60;
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
-    Preset preset = linked_scene(seed);
+    Preset preset = jointed_scene(seed);
     preset.method.integrator = kIntegrators[seed % std::size(kIntegrators)].id;
     if (why_not(preset.scene, preset.method.integrator))
       preset.method.integrator = IntegratorId::kAdaptiveDormandPrince;

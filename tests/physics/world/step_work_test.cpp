@@ -97,7 +97,7 @@ TEST(StepWork, SearchesEndAtTheirLimit) {
   EXPECT_NEAR(*found, 0.5, 1e-12);
 }
 
-// Fast flight through an empty plane ends no more tracks than few.
+// Fast flight through an empty plane ends no more trajectories than few.
 TEST(StepWork, FastBodiesCostNoMoreThanSlowOnes) {
   Preset s = test::preset_with({disc("a", {0, 0}, {1e12, 0}), disc("b", {5, 0}, {0, 1e12})});
   s.scene.bodies[1].shape = Box{0.2, 0.1};
@@ -117,12 +117,12 @@ TEST(StepWork, ManySwitchesAreFollowedInPart) {
     s.scene.bodies.push_back(
         disc(fmt::format("b{}", i), {0.25 * i, 0}, {std::sin(7.0 * i), std::cos(5.0 * i)}, 0.05));
     if (i == 0) continue;
-    Link link;
-    link.kind = LinkKind::kString;
-    link.body = s.scene.bodies[static_cast<std::size_t>(i) - 1].name;
-    link.to = s.scene.bodies.back().name;
-    link.length = 0.26;
-    s.scene.links.push_back(link);
+    Joint joint;
+    joint.kind = JointKind::kString;
+    joint.body = s.scene.bodies[static_cast<std::size_t>(i) - 1].name;
+    joint.to = s.scene.bodies.back().name;
+    joint.length = 0.26;
+    s.scene.joints.push_back(joint);
   }
   s.method = {.integrator = IntegratorId::kRk4, .step = 0.005};
   Simulation run(setup_of(s));

@@ -46,9 +46,9 @@ Body box(const std::string& name, const Vec2& position, const Vec2& velocity, do
   return b;
 }
 
-Link pin_to_plane(const std::string& body, const Vec2& point, const Vec2& anchor) {
-  Link l;
-  l.kind = LinkKind::kPin;
+Joint pin_to_plane(const std::string& body, const Vec2& point, const Vec2& anchor) {
+  Joint l;
+  l.kind = JointKind::kPin;
   l.body = body;
   l.point = point;
   l.anchor = anchor;
@@ -89,7 +89,7 @@ RunSetup random_pair(Draw& draw, Held held) {
   Body& a = s.scene.bodies[0];
   if (held == Held::kByAPin) {
     // About the origin, about which angular momentum is taken.
-    s.scene.links = {pin_to_plane("a", turned_by(-a.angle, -a.position), {0, 0})};
+    s.scene.joints = {pin_to_plane("a", turned_by(-a.angle, -a.position), {0, 0})};
     a.velocity = a.spin * crossed(a.position);
     s.scene.bodies[1].velocity = draw.between(1.0, 4.0) * towards;
     a.spin *= 0.1;
@@ -100,19 +100,19 @@ RunSetup random_pair(Draw& draw, Held held) {
   const Vec2 arm = 0.1 * towards;
   Body c = disc("c", a.position + 1.5 * towards, a.velocity, 0.1, std::exp(draw.between(-2.0, 2.0)));
   c.velocity += a.spin * crossed(Vec2(c.position - a.position));
-  Link rod;
+  Joint rod;
   rod.body = "a";
   rod.point = turned_by(-a.angle, arm);
   rod.to = "c";
   s.scene.bodies.push_back(c);
-  s.scene.links = {rod};
+  s.scene.joints = {rod};
   return s;
 }
 
 TEST(Sticking, KeepsTheLaws) {
   Draw draw(41);
   int met = 0;
-  int linked = 0;
+  int jointed = 0;
   for (int i = 0; i < 10'000; ++i) {
     const Held held = i % 4 == 1 ? Held::kByARod : i % 4 == 3 ? Held::kByAPin : Held::kFree;
     const RunSetup s = random_pair(draw, held);
@@ -121,7 +121,7 @@ TEST(Sticking, KeepsTheLaws) {
     while (run.impact_count() == 0 && run.time() < 2.0) run.step();
     if (run.impact_count() == 0) continue;
     ++met;
-    linked += held != Held::kFree ? 1 : 0;
+    jointed += held != Held::kFree ? 1 : 0;
     const Totals before = run.totals_of(run.last_jumps()[0].before);
     const Totals after = run.totals_of(run.last_jumps()[0].after);
     const ImpactRecord& record = run.last_impacts()[0];
@@ -139,12 +139,12 @@ TEST(Sticking, KeepsTheLaws) {
     ASSERT_GT(record.lost_to_sticking, 0.0) << "case " << i;
     ASSERT_EQ(record.lost_to_restitution, 0.0);
     ASSERT_EQ(run.ledger().lost_to_sticking, record.lost_to_sticking);
-    ASSERT_EQ(run.links().size(), s.scene.links.size() + 1);
+    ASSERT_EQ(run.joints().size(), s.scene.joints.size() + 1);
     const double spin = run.state().v(2, record.a);
     ASSERT_NEAR(spin, run.state().v(2, record.b), 1e-13 * (1.0 + std::abs(spin))) << "case " << i;
   }
   EXPECT_GT(met, 8'000);
-  EXPECT_GT(linked, 3'500);
+  EXPECT_GT(jointed, 3'500);
 }
 
 // Two free bodies: P = (m_a + m_b) v of the common centre, L about it = (I_a + I_b + μ d²) ω, and the impulse
@@ -212,7 +212,7 @@ TEST(Sticking, JoinedBodiesKeepTheirPlace) {
       s.method = {choice.id, impacts.id, ContactsId::kImpulse, choice.order == 1 ? 0.001 : 0.01};
       Simulation run(s);
       while (run.impact_count() < 2 && run.time() < 3.0) run.step();
-      ASSERT_EQ(run.links().size(), 2U) << choice.name;
+      ASSERT_EQ(run.joints().size(), 2U) << choice.name;
       const Eigen::Vector3d of_disc = place_of(run.state(), 1, 0);
       const Eigen::Vector3d of_bar = place_of(run.state(), 2, 0);
       double turned = 0.0;
@@ -240,7 +240,7 @@ Eigen::Matrix3Xd end_of(IntegratorId id, double h) {
   s.method.step = h;
   Simulation run(s);
   run.advance_to(2.0);
-  EXPECT_EQ(run.links().size(), 2U);
+  EXPECT_EQ(run.joints().size(), 2U);
   return run.state().q;
 }
 
@@ -266,7 +266,7 @@ TEST(Sticking, KeepsTheOrderOfEveryIntegrator) {
   }
 }
 
-// The adaptive integrator's queue and tracks run on across the joining.
+// The adaptive integrator's queue and trajectories run on across the joining.
 TEST(Sticking, TheAdaptiveIntegratorFollowsItsTolerance) {
   const Eigen::Matrix3Xd exact = end_of(IntegratorId::kDormandPrince, 1.0 / 2048);
   for (const double tolerance : {1e-7, 1e-9, 1e-11}) {
@@ -307,7 +307,7 @@ TEST(Sticking, AChainGathersBallByBall) {
         }
       }
       EXPECT_EQ(run.impact_count(), 7) << choice.name << ", " << impacts.name;
-      EXPECT_EQ(run.links().size(), 7U);
+      EXPECT_EQ(run.joints().size(), 7U);
       EXPECT_NEAR(run.ledger().lost_to_sticking, 0.5 * 9.0 * (1.0 - 1.0 / 8.0), 1e-12);
       EXPECT_LT(std::abs(run.ledger().numerical_drift(run.totals().energy())), 1e-12);
     }
@@ -325,7 +325,7 @@ TEST(Sticking, ALumpIsHitAsOneBody) {
   Simulation run(s);
   run.advance_to(1.0);
   ASSERT_EQ(run.impact_count(), 2);
-  EXPECT_EQ(run.links().size(), 1U);
+  EXPECT_EQ(run.joints().size(), 1U);
   EXPECT_NEAR(run.state().velocity(2).x(), -2.0 / 3.0, 1e-14);
   EXPECT_NEAR(run.state().velocity(0).x(), 4.0 / 3.0, 1e-14);
   EXPECT_NEAR(run.state().velocity(1).x(), 4.0 / 3.0, 1e-14);
@@ -335,11 +335,11 @@ TEST(Sticking, ALumpIsHitAsOneBody) {
 TEST(Sticking, IsAMatterOfBothSurfaces) {
   RunSetup s = clay({});
   s.scene.materials.push_back({"steel", 1.0});
-  EXPECT_TRUE(meeting(s.scene, "steel", "default").sticks);
-  EXPECT_TRUE(meeting(s.scene, "default", "steel").sticks);
-  EXPECT_FALSE(meeting(s.scene, "steel", "steel").sticks);
+  EXPECT_TRUE(combined_material(s.scene, "steel", "default").sticks);
+  EXPECT_TRUE(combined_material(s.scene, "default", "steel").sticks);
+  EXPECT_FALSE(combined_material(s.scene, "steel", "steel").sticks);
   s.scene.pairs = {{"steel", "default", {}}};
-  EXPECT_FALSE(meeting(s.scene, "steel", "default").sticks);
+  EXPECT_FALSE(combined_material(s.scene, "steel", "default").sticks);
 }
 
 // --- what does not move
@@ -357,10 +357,10 @@ TEST(Sticking, ABodyStaysOnAFixedOne) {
     Simulation run(s);
     const double energy = run.totals().energy();
     run.advance_to(1.0);
-    ASSERT_EQ(run.links().size(), 2U) << impacts.name;
+    ASSERT_EQ(run.joints().size(), 2U) << impacts.name;
     const Eigen::Matrix3Xd q = run.state().q;
     run.advance_to(10.0);
-    EXPECT_EQ(run.links().size(), 2U);
+    EXPECT_EQ(run.joints().size(), 2U);
     EXPECT_LT((run.state().q - q).norm(), 1e-13) << impacts.name;
     EXPECT_LT(run.state().v.norm(), 1e-13);
     EXPECT_NEAR(energy - run.totals().energy(), run.ledger().lost_to_sticking, 1e-12) << impacts.name;
@@ -368,8 +368,8 @@ TEST(Sticking, ABodyStaysOnAFixedOne) {
   }
 }
 
-// A ball that lies on clay from the start is joined at the end of a step; runs whose tracks go on across steps
-// start them anew then, and the ball that falls onto the first one meets it at its time.
+// A ball that lies on clay from the start is joined at the end of a step; runs whose trajectories go on across
+// steps start them anew then, and the ball that falls onto the first one meets it at its time.
 TEST(Sticking, WhatLiesThereIsJoinedToo) {
   for (const IntegratorId id : {IntegratorId::kRk4, IntegratorId::kAdaptiveDormandPrince}) {
     RunSetup s = clay({wall("floor", {0, -0.5}, 10.0, 1.0), disc("low", {0, 0.1}, {0, 0}, 0.1, 1.0),
@@ -386,7 +386,7 @@ TEST(Sticking, WhatLiesThereIsJoinedToo) {
     EXPECT_LE(times[0], 0.02);
     EXPECT_NEAR(times[1], std::sqrt(2.0 * 1.0 / 9.81), 1e-3);  // the low one has sunk in by gh²/2
     EXPECT_NEAR(times[2], std::sqrt(2.0 * 3.0 / 9.81), 1e-9);
-    EXPECT_EQ(run.links().size(), 3U);
+    EXPECT_EQ(run.joints().size(), 3U);
     EXPECT_LT(run.state().v.norm(), 1e-13);
     EXPECT_LT(std::abs(run.ledger().numerical_drift(run.totals().energy())), 1e-9);
   }
@@ -401,7 +401,7 @@ TEST(Sticking, ABodyGoesWithADrivenOne) {
     s.method = {IntegratorId::kRk4, impacts.id, ContactsId::kImpulse, 1.0 / 1024};
     Simulation run(s);
     run.advance_to(1.0);
-    ASSERT_EQ(run.links().size(), 1U);
+    ASSERT_EQ(run.joints().size(), 1U);
     const Vec2 place = run.state().position(1) - run.state().position(0);
     run.advance_to(5.0, [&] {
       ASSERT_LT((run.state().position(1) - run.state().position(0) - place).norm(), 2e-15) << run.time();
@@ -420,7 +420,7 @@ TEST(Sticking, APointGoesRoundWithWhatItHit) {
   s.method.step = 0.002;
   Simulation run(s);
   run.advance_to(3.0);
-  ASSERT_EQ(run.links().size(), 1U);
+  ASSERT_EQ(run.joints().size(), 1U);
   const double reduced = 1.0 * 0.5 / 1.5;
   const double spin = -reduced * 0.4 * 2.0 / ((1.0 + 0.04) / 12.0 + reduced * (0.16 + 0.01));
   EXPECT_NEAR(run.state().v(2, 0), spin, 1e-12);
@@ -439,12 +439,12 @@ TEST(Sticking, CopiesGoTheirOwnWaysAndARestartIsUnjoined) {
     while (run.impact_count() == 0) run.step();
     Simulation copy = run;
     run.advance_to(2.0);
-    EXPECT_EQ(copy.links().size(), 1U);
-    EXPECT_EQ(run.links().size(), 2U);
+    EXPECT_EQ(copy.joints().size(), 1U);
+    EXPECT_EQ(run.joints().size(), 2U);
     copy.advance_to(2.0);
     EXPECT_TRUE(test::same_bytes(run.state(), copy.state()));
     Simulation again(s);
-    EXPECT_TRUE(again.links().empty());
+    EXPECT_TRUE(again.joints().empty());
     again.advance_to(2.0);
     EXPECT_TRUE(test::same_bytes(run.state(), again.state()));
   }
@@ -460,7 +460,7 @@ TEST(Sticking, OutlastsEdits) {
   run.add_body(disc("late", {0.0, 1.5}, {0, -3.0}, 0.1, 0.2));
   run.set_method({IntegratorId::kAdaptiveDormandPrince, ImpactsId::kLocated, ContactsId::kImpulse, 0.02});
   run.advance_to(run.time() + 2.0);
-  EXPECT_EQ(run.links().size(), 3U);
+  EXPECT_EQ(run.joints().size(), 3U);
   EXPECT_LT((place_of(run.state(), 1, 0) - place).norm(), 1e-14);
   EXPECT_LT(std::abs(run.ledger().numerical_drift(run.totals().energy())), 1e-7);
 }
@@ -474,7 +474,7 @@ TEST(Sticking, TrimmedAndUntrimmedRunsAgree) {
   Simulation whole(s, all_needs());
   trimmed.advance_to(2.0);
   whole.advance_to(2.0);
-  EXPECT_EQ(whole.links().size(), 2U);
+  EXPECT_EQ(whole.joints().size(), 2U);
   EXPECT_LT((trimmed.state().q - whole.state().q).norm(), 1e-9);
 }
 

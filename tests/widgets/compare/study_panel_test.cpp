@@ -155,7 +155,7 @@ TEST_F(StudyPanelTest, CancelStopsAndKeepsWhatIsThere) {
   ASSERT_TRUE(QTest::qWaitFor([this] { return panel_.so_far().stage == "accuracy"; }, 20000));
   QTest::mouseClick(button("Cancel"), Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor([this] { return !panel_.running(); }, 20000));
-  EXPECT_EQ(panel_.so_far().phase, StudySoFar::Phase::kStopped);
+  EXPECT_EQ(panel_.so_far().phase, StudySoFar::Phase::kCancelled);
   EXPECT_NO_THROW((void)button("Run the study"));
   run_to_its_end();
 }

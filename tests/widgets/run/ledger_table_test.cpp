@@ -40,8 +40,8 @@ TEST(LedgerTable, HasEveryEntryOfTheLedger) {
   frame.ledger.lost_to_drag = 3.0;
   frame.ledger.lost_to_dampers = 4.0;
   frame.ledger.lost_to_sticking = 4.25;
-  frame.ledger.lost_to_links = 4.5;
-  frame.ledger.overlap_correction = 5.0;
+  frame.ledger.lost_to_joints = 4.5;
+  frame.ledger.penetration_correction = 5.0;
   frame.ledger.put_in_by_drives = 6.0;
   frame.ledger.put_in_by_user = 7.0;
   frame.ledger.initial_momentum = Vec2(10.0, 20.0);
@@ -102,11 +102,11 @@ TEST(LedgerTable, IdleEntriesArePaleAndSaySoButAreThere) {
   spring.to = "B";
   spring.damping = 1.0;
   preset.scene.forces.springs = {spring};
-  Link string;
-  string.kind = LinkKind::kString;
+  Joint string;
+  string.kind = JointKind::kString;
   string.body = "A";
   string.to = "B";
-  preset.scene.links = {string};
+  preset.scene.joints = {string};
   preset.scene.materials = {{"default", 1.0, 0.0, 0.5, 0.5}};
   Material pair = preset.scene.materials[0];
   pair.rolling_resistance = 0.01;

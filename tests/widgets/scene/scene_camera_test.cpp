@@ -72,7 +72,7 @@ TEST(Grid, EveryFifthLineIsStrongAtEveryZoom) {
   for (double scale = 0.01; scale < 1e4; scale *= 1.7) {
     Camera camera = sample_camera();
     camera.scale = scale;
-    lay_grid(camera, grid);
+    place_grid(camera, grid);
     const auto strong = std::count_if(grid.lines.begin(), grid.lines.end(), [](auto& l) { return l.strong; });
     EXPECT_NEAR(static_cast<double>(grid.lines.size()) / 5.0, static_cast<double>(strong), 2.0);
     EXPECT_LT(grid.lines.size(), 80U);

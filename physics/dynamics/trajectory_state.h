@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "physics/dynamics/state.h"
+
+namespace carom {
+
+// All that a step changes of trajectories (physics/dynamics/trajectories.h), as plain values. Times in s after
+// the epoch, where they are not absolute.
+struct TrajectoryState {
+  double epoch = 0.0;  // s, absolute
+  // By island.
+  std::vector<double> start, end;
+  std::vector<double> next_step;      // s, of the adaptive integrator; 0: not known yet
+  std::vector<int> switching;         // the switch that flips at the end, or -1
+  Motions at_start;                   // by body
+  std::vector<std::uint8_t> engaged;  // by spring: it acts
+  std::vector<std::uint8_t> taut;     // by joint
+  std::vector<double> released_at;    // s, absolute, by joint
+  std::vector<int> phase;             // by applied force
+  // By body, in m/s², m/s², rad/s²: all constant accelerations, and of those what contacts do; empty where
+  // contacts never acted.
+  Eigen::Matrix3Xd constant, contact;
+  std::int64_t evaluations = 0;
+  std::int64_t rejected_steps = 0;
+  double tolerance_missed_since = -1.0;  // s, absolute
+  double joints_missed_since = -1.0;     // s, absolute
+  double switches_missed_since = -1.0;   // s, absolute
+  double lost_to_joints = 0.0;           // J
+};
+
+// What is known of the time ahead, where trajectories run on across the ends of steps.
+struct TrajectoriesAhead {
+  Motions at_end;                       // by body
+  std::vector<double> curvature_bound;  // m/s², by body
+  std::vector<double> turn_bound;       // rad/s², by body
+  std::vector<double> cached;           // by island: the time at which a coupled island was last looked at
+};
+
+}  // namespace carom

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <stop_token>
+
+namespace carom {
+
+// Thrown by work that was asked to stop before it was done. It is no error, and nothing was computed.
+struct Cancelled {};
+
+inline void throw_if_cancelled(const std::stop_token& stop) {
+  if (stop.stop_requested()) throw Cancelled();
+}
+
+}  // namespace carom

@@ -1,0 +1,123 @@
+#include "physics/session/live_run.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "physics/record/replay.h"
+
+namespace carom {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+}  // namespace
+
+LiveRun::LiveRun(const RunSetup& start, const std::vector<Curve>& curves, ReferenceId reference,
+                 std::stop_token interrupt)
+    : interrupt_(std::move(interrupt)),
+      log_(std::make_shared<RunLog>(RunLog{start, {}})),
+      simulation_(start),
+      bodies_(std::make_shared<const std::vector<Body>>(simulation_.bodies())),
+      forces_(std::make_shared<const Forces>(start.scene.forces)),
+      curves_(curves),
+      reference_(reference),
+      sampler_(begin_sampler(simulation_, curves, {})) {
+  simulation_.watch_impacts(true);
+  simulation_.interrupt_on(interrupt_);
+}
+
+Sampler LiveRun::begin_sampler(const Simulation& simulation, const std::vector<Curve>& curves,
+                               const std::vector<Curve>& later) const {
+  Sampler sampler(curves, later);
+  if (reference_ != ReferenceId::kNone) sampler.compare_with(ReferenceRun(log_->start, reference_));
+  sampler.interrupt_on(interrupt_);
+  sampler.begin(simulation);
+  return sampler;
+}
+
+void LiveRun::step() {
+  if (lost()) return;
+  const auto begin = Clock::now();
+  simulation_.step();
+  if (lost()) return;
+  wall_time_ += std::chrono::duration<double>(Clock::now() - begin).count();
+  sampler_.after_step(simulation_);
+  key_frames_.take(simulation_, sampler_, log_->edits.size());
+  impacts_.insert(impacts_.end(), simulation_.last_impacts().begin(), simulation_.last_impacts().end());
+}
+
+void LiveRun::edit(const std::variant<Method, Body>& what) {
+  if (lost()) return;
+  const Edit edit{simulation_.steps(), simulation_.time(), what};
+  RunLog longer = *log_;  // frames hold the one before
+  longer.edits.push_back(edit);
+  log_ = std::make_shared<RunLog>(std::move(longer));
+  apply(edit, simulation_);
+  bodies_ = std::make_shared<const std::vector<Body>>(simulation_.bodies());
+  sampler_.after_edit(simulation_, edit);
+}
+
+void LiveRun::record(const std::vector<Curve>& curves, ReferenceId reference) {
+  reference_ = reference;
+  curves_ = curves;
+  const bool anew = sampler_.reference() != reference;
+  std::vector<Curve> missing;
+  std::vector<Curve> known;  // that the run goes on to be read for meanwhile
+  for (const Curve& curve : curves) {
+    const std::vector<Curve>& read = sampler_.curves();
+    const bool is_error = curve.y.observable->is_error() || (curve.x && curve.x->observable->is_error());
+    const bool is_known = std::find(read.begin(), read.end(), curve) != read.end() && !(anew && is_error);
+    (is_known ? known : missing).push_back(curve);
+  }
+  catch_up_.reset();
+  rows_.push_back(sampler_.take());
+  sampler_.set_curves(known);
+  if (missing.empty() && !anew) return;
+  if (anew) key_frames_ = {};
+  Replay replay(log_->start, interrupt_);
+  Sampler past = begin_sampler(replay.simulation(), missing, curves);
+  catch_up_.emplace(CatchUp{std::move(replay), std::move(past)});
+}
+
+void LiveRun::catch_up(Clock::duration duration) {
+  if (!catch_up_) return;
+  const auto begin = Clock::now();
+  Replay& replay = catch_up_->replay;
+  Sampler& past = catch_up_->sampler;
+  const auto is_there = [&] { return replay.simulation().steps() == simulation_.steps(); };
+  bool any = false;  // at least one step, however short the time
+  replay.go_through(
+      *log_, [&](const Edit& edit) { past.after_edit(replay.simulation(), edit); },
+      [&](const Simulation&) {
+        return !is_there() && (!std::exchange(any, true) || Clock::now() - begin < duration);
+      },
+      [&](const Simulation& simulation) {
+        if (!simulation.lost()) past.after_step(simulation);
+      });
+  if (!is_there()) return;
+  rows_.push_back(sampler_.take());
+  rows_.push_back(past.take());
+  sampler_ = std::move(past);
+  sampler_.set_curves(curves_);
+  catch_up_.reset();
+}
+
+std::shared_ptr<Frame> LiveRun::take_frame() {
+  auto frame = std::make_shared<Frame>();
+  take_moment(simulation_, *frame);
+  frame->bodies = bodies_;
+  frame->forces = forces_;
+  rows_.push_back(sampler_.take());
+  if (catch_up_) rows_.push_back(catch_up_->sampler.take());
+  frame->rows = std::exchange(rows_, {});
+  frame->rows_known_until = catch_up_ ? catch_up_->replay.simulation().time() : frame->time;
+  frame->impacts = std::exchange(impacts_, {});
+  frame->scales = sampler_.scales();
+  frame->wall_time = wall_time_;
+  if (!catch_up_) frame->error = sampler_.error();
+  frame->log = log_;
+  frame->key_frames = key_frames_.all();
+  return frame;
+}
+
+}  // namespace carom

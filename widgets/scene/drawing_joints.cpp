@@ -1,0 +1,112 @@
+#include "widgets/scene/drawing_joints.h"
+
+#include <array>
+
+namespace carom {
+namespace {
+
+constexpr double kRodWidth = 3.2;     // px
+constexpr double kStringWidth = 1.4;  // px
+constexpr double kEndDot = 5.0;       // px, where a rod or a string is fastened to a body
+constexpr double kPlaneDot = 8.0;     // px, and to the plane
+constexpr double kRing = 9.0;         // px, a pin's
+constexpr double kHole = 5.0;         // px
+constexpr int kPieces = 24;           // of a slack string
+
+using Curve = std::array<Vec2, kPieces + 1>;
+
+// The parabola between two ends that hangs `sag` below the middle of its chord, along `down`.
+Curve parabola(const JointState& joint, const Vec2& down, double sag) {
+  Curve curve;
+  for (int i = 0; i <= kPieces; ++i) {
+    const double share = static_cast<double>(i) / kPieces;
+    curve[static_cast<std::size_t>(i)] =
+        joint.from + share * (joint.to - joint.from) + 4.0 * share * (1.0 - share) * sag * down;
+  }
+  return curve;
+}
+
+double length_of(const Curve& curve) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < curve.size(); ++i) length += (curve[i] - curve[i - 1]).norm();
+  return length;
+}
+
+// As long as the string; what a light one would hang like.
+Curve slack(const JointState& joint, const Vec2& down) {
+  constexpr int kHalvings = 30;
+  double low = 0.0;
+  double high = joint.length;  // there and back it would be too long
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (length_of(parabola(joint, down, middle)) < joint.length ? low : high) = middle;
+  }
+  return parabola(joint, down, low);
+}
+
+class JointPen {
+ public:
+  JointPen(const DrawingInput& in, Drawing& out) : in_(in), out_(out) {}
+
+  void rod(const JointState& joint) {
+    line(joint.from, joint.to, kRodWidth, kFirm);
+    ends(joint);
+  }
+  void string(const JointState& joint) {
+    if (joint.taut) {
+      line(joint.from, joint.to, kStringWidth, kFirm);
+    } else {
+      const bool heavy = in_.frame.forces && !in_.frame.forces->gravity.isZero(0.0);
+      const Curve curve =
+          slack(joint, heavy ? Vec2(in_.frame.forces->gravity.normalized()) : Vec2(-Vec2::UnitY()));
+      for (std::size_t i = 1; i < curve.size(); ++i) line(curve[i - 1], curve[i], kStringWidth, kLoose);
+    }
+    ends(joint);
+  }
+  void pin(const JointState& joint) {
+    dot(joint.to, kRing, in_.theme.text);
+    dot(joint.to, kHole, in_.theme.scene_ground);
+    if (joint.in_plane) dot(joint.to, kHole / 2, in_.theme.text);
+  }
+  void weld(const JointState& joint) { dot(joint.to, joint.in_plane ? kPlaneDot : kEndDot, in_.theme.text); }
+
+ private:
+  static constexpr double kFirm = 0.3;  // of the way to the ground's colour
+  static constexpr double kLoose = 0.5;
+
+  void line(const Vec2& from, const Vec2& to, double width, double pale) {
+    out_.segments.push_back(
+        {from, to, blend(in_.theme.text, in_.theme.scene_ground, pale), width * in_.options.line_scale});
+  }
+  void dot(const Vec2& at, double size, const QColor& color) {
+    out_.segments.push_back({at, at, color, size * in_.options.line_scale});
+  }
+  void ends(const JointState& joint) {
+    dot(joint.from, joint.in_plane ? kPlaneDot : kEndDot, in_.theme.text);
+    dot(joint.to, kEndDot, in_.theme.text);
+  }
+
+  const DrawingInput& in_;
+  Drawing& out_;
+};
+
+}  // namespace
+
+void add_joints(const DrawingInput& in, const WorldRect& seen, Drawing& out) {
+  JointPen pen(in, out);
+  // Joints last: they lie over the bars that they join.
+  for (const bool joints : {false, true}) {
+    for (const JointState& joint : in.frame.joints) {
+      const bool line = joint.kind == JointKind::kRod || joint.kind == JointKind::kString;
+      const double room = kRing * in.options.line_scale / in.camera.scale;
+      if (line == joints || !seen.meets(0.5 * (joint.from + joint.to), (line ? joint.length : 0.0) + room))
+        continue;
+      if (joint.kind == JointKind::kRod) pen.rod(joint);
+      if (joint.kind == JointKind::kString) pen.string(joint);
+      if (joint.kind == JointKind::kPin) pen.pin(joint);
+      if (joint.kind == JointKind::kWeld) pen.weld(joint);
+    }
+  }
+}
+
+}  // namespace carom
