@@ -96,9 +96,7 @@ class ForceField {
   [[nodiscard]] Motion spring_end(int spring, double t) const;
 
  private:
-  friend class Trajectories;  // for what it keeps
-  template <class Self, class Kept, class Each>
-  static void each_kept(Self& field, Kept& kept, const Each& each);
+  friend struct KeptMembers;  // what a run keeps from step to step
 
   struct Pull {
     Vec2 force;   // N, on `body`

@@ -88,9 +88,7 @@ class JointConstraints {
   [[nodiscard]] double overstretch(int group, int joint, double t, const Motions& y) const;
 
  private:
-  friend class Trajectories;  // for what it keeps
-  template <class Self, class Kept, class Each>
-  static void each_kept(Self& joints, Kept& kept, const Each& each);
+  friend struct KeptMembers;  // what a run keeps from step to step
 
   struct Ends {
     Vec2 arm_a, arm_b;   // m, turned

@@ -22,96 +22,118 @@ void make_room(Values& values, std::size_t size) {
 
 }  // namespace
 
-template <class Self, class Kept, class Each>
-void ForceField::each_kept(Self& field, Kept& kept, const Each& each) {
-  auto& [model, terms, add_external, engaged, phase, in_contact, contact] = field;
-  each(engaged, kept.engaged);
-  each(phase, kept.phase);
-  if constexpr (std::is_const_v<Self>) {
-    if (in_contact) kept.contact = contact;
-  } else if (kept.contact.size() > 0) {
-    in_contact = true;
-    contact = kept.contact;
-  }
-}
-
-template <class Self, class Kept, class Each>
-void JointConstraints::each_kept(Self& joints, Kept& kept, const Each& each) {
-  // What the groups hold is made anew before it is read.
-  auto& [model, joint_terms, first_row, taut, groups, restoring_work] = joints;
-  each(taut, kept.taut);
-}
-
-template <class Self, class Kept, class Ahead, class Each>
-void Trajectories::each_kept(Self& trajectories, Kept& kept, Ahead* ahead, const Each& each) {
-  auto& [model, field, joints, islands, members, groups, island_of, at_start, at_end, constant, curvature_bound,
-         turn_bound, integrator, adaptive, parabolic, general, evaluations_a_flight, tolerance, epoch,
-         evaluations, flight_work, switches, margins, margins_at_first, leaving, step_start, rejected_steps,
-         tolerance_missed_since, joints_missed_since, switches_missed_since, lost_to_joints, released_at] =
-      trajectories;
-  ForceField::each_kept(field, kept, each);
-  JointConstraints::each_kept(joints, kept, each);
-  each(epoch, kept.epoch);
-  make_room(kept.start, islands.size());
-  make_room(kept.end, islands.size());
-  make_room(kept.next_step, islands.size());
-  make_room(kept.switching, islands.size());
-  for (std::size_t k = 0; k < islands.size(); ++k) {
-    auto& [start, end, next_step, first, count, group, a_switch, kinematic] = islands[k];
-    each(start, kept.start[k]);
-    each(end, kept.end[k]);
-    each(next_step, kept.next_step[k]);
-    each(a_switch, kept.switching[k]);
-  }
-  each(at_start, kept.at_start);
-  if (field.in_contact()) each(constant, kept.constant);
-  each(released_at, kept.released_at);
-  each(evaluations, kept.evaluations);
-  each(rejected_steps, kept.rejected_steps);
-  each(tolerance_missed_since, kept.tolerance_missed_since);
-  each(joints_missed_since, kept.joints_missed_since);
-  each(switches_missed_since, kept.switches_missed_since);
-  each(lost_to_joints, kept.lost_to_joints);
-  if (ahead == nullptr) return;
-  each(at_end, ahead->at_end);
-  make_room(ahead->curvature_bound, model->bodies().size());
-  make_room(ahead->turn_bound, model->bodies().size());
-  for (std::size_t i = 0; i < model->bodies().size(); ++i) {
-    each(curvature_bound[static_cast<Eigen::Index>(i)], ahead->curvature_bound[i]);
-    each(turn_bound[static_cast<Eigen::Index>(i)], ahead->turn_bound[i]);
-  }
-  make_room(ahead->cached, islands.size());
-  for (std::size_t k = 0; k < islands.size(); ++k) {
-    if (islands[k].group < 0) {
-      if constexpr (std::is_const_v<Self>) ahead->cached[k] = -kForever;
-      continue;
-    }
-    // All but the time follows from it.
-    auto& [cached, from, now, change, missed, rates_known, start_rates, stages] =
-        groups[static_cast<std::size_t>(islands[k].group)];
+struct KeptMembers {
+  template <class Self, class Kept, class Each>
+  static void of_field(Self& field, Kept& kept, const Each& each) {
+    auto& [model, terms, add_external, engaged, phase, in_contact, contact] = field;
+    each(engaged, kept.engaged);
+    each(phase, kept.phase);
     if constexpr (std::is_const_v<Self>) {
-      each(cached, ahead->cached[k]);
-    } else if (ahead->cached[k] != -kForever) {
-      (void)trajectories.fly_group(islands[k], ahead->cached[k]);
+      if (in_contact) kept.contact = contact;
+    } else if (kept.contact.size() > 0) {
+      in_contact = true;
+      contact = kept.contact;
     }
   }
-  // Which costs nothing that was not counted then.
-  each(evaluations, kept.evaluations);
-}
+
+  template <class Self, class Kept, class Each>
+  static void of_joints(Self& joints, Kept& kept, const Each& each) {
+    // What the groups hold is made anew before it is read.
+    auto& [model, joint_terms, first_row, taut, groups, restoring_work] = joints;
+    each(taut, kept.taut);
+  }
+
+  template <class Self, class Kept, class Each>
+  static void of_switches(Self& switches, Kept& kept, const Each& each) {
+    auto& [listed, margins, margins_at_first, leaving, missed_since, lost_to_joints, released_at] = switches;
+    each(missed_since, kept.switches_missed_since);
+    each(lost_to_joints, kept.lost_to_joints);
+    each(released_at, kept.released_at);
+  }
+
+  template <class Self, class Kept, class Each>
+  static void of_flights(Self& flights, Kept& kept, const Each& each) {
+    auto& [model, field, joints, islands, members, groups, island_of, at_start, at_end, constant, integrator,
+           adaptive, parabolic, general, evaluations_a_flight, tolerance, epoch, evaluations, flight_work] =
+        flights;
+    of_field(field, kept, each);
+    of_joints(joints, kept, each);
+    each(epoch, kept.epoch);
+    make_room(kept.start, islands.size());
+    make_room(kept.end, islands.size());
+    make_room(kept.next_step, islands.size());
+    make_room(kept.switching, islands.size());
+    for (std::size_t k = 0; k < islands.size(); ++k) {
+      auto& [start, end, next_step, first, count, group, a_switch, kinematic] = islands[k];
+      each(start, kept.start[k]);
+      each(end, kept.end[k]);
+      each(next_step, kept.next_step[k]);
+      each(a_switch, kept.switching[k]);
+    }
+    each(at_start, kept.at_start);
+    if (field.in_contact()) each(constant, kept.constant);
+    each(evaluations, kept.evaluations);
+  }
+
+  // Of a group all but the time of its last flight follows from it.
+  template <class Self, class Ahead, class Each>
+  static void of_flights_ahead(Self& flights, Ahead& ahead, const Each& each) {
+    each(flights.at_end, ahead.at_end);
+    make_room(ahead.cached, flights.islands.size());
+    for (std::size_t k = 0; k < flights.islands.size(); ++k) {
+      const Flights::Island& island = flights.islands[k];
+      if (island.group < 0) {
+        if constexpr (std::is_const_v<Self>) ahead.cached[k] = -Flights::kForever;
+        continue;
+      }
+      auto& [cached, from, now, change, missed, rates_known, start_rates, stages] =
+          flights.groups[static_cast<std::size_t>(island.group)];
+      if constexpr (std::is_const_v<Self>) {
+        each(cached, ahead.cached[k]);
+      } else if (ahead.cached[k] != -Flights::kForever) {
+        // What this counts was counted when the run was kept.
+        const std::int64_t counted = flights.evaluations;
+        (void)flights.fly_group(island, ahead.cached[k]);
+        flights.evaluations = counted;
+      }
+    }
+  }
+
+  template <class Self, class Kept, class Ahead, class Each>
+  static void of_trajectories(Self& trajectories, Kept& kept, Ahead* ahead, const Each& each) {
+    auto& [flights, switches, curvature_bound, turn_bound, step_start, rejected_steps, tolerance_missed_since,
+           joints_missed_since] = trajectories;
+    of_flights(flights, kept, each);
+    of_switches(switches, kept, each);
+    each(rejected_steps, kept.rejected_steps);
+    each(tolerance_missed_since, kept.tolerance_missed_since);
+    each(joints_missed_since, kept.joints_missed_since);
+    if (ahead == nullptr) return;
+    const std::size_t bodies = flights.bodies().size();
+    make_room(ahead->curvature_bound, bodies);
+    make_room(ahead->turn_bound, bodies);
+    for (std::size_t i = 0; i < bodies; ++i) {
+      each(curvature_bound[static_cast<Eigen::Index>(i)], ahead->curvature_bound[i]);
+      each(turn_bound[static_cast<Eigen::Index>(i)], ahead->turn_bound[i]);
+    }
+    of_flights_ahead(flights, *ahead, each);
+  }
+};
 
 void Trajectories::keep(TrajectoryState& to, TrajectoriesAhead* ahead) const {
-  each_kept(*this, to, ahead, [](const auto& own, auto& kept) { kept = own; });
+  KeptMembers::of_trajectories(*this, to, ahead, [](const auto& own, auto& kept) { kept = own; });
 }
 
 void Trajectories::put_back(const TrajectoryState& from, const TrajectoriesAhead* ahead) {
-  for (const Island& island : islands_) forget(island);
-  each_kept(*this, from, ahead, [](auto& own, const auto& kept) { own = kept; });
+  for (const Flights::Island& island : flights_.islands) flights_.forget(island);
+  KeptMembers::of_trajectories(*this, from, ahead, [](auto& own, const auto& kept) { own = kept; });
 }
 
 std::optional<std::string> Trajectories::fault_of(const TrajectoryState& state,
                                                   const TrajectoriesAhead* ahead) const {
-  for (std::size_t k = 0; k < islands_.size(); ++k) {
-    const Island& island = islands_[k];
+  const Flights& f = flights_;
+  for (std::size_t k = 0; k < f.islands.size(); ++k) {
+    const Flights::Island& island = f.islands[k];
     const auto at = [k](const char* key) { return fmt::format("tracks/{}/{}", key, k); };
     if (!(state.start[k] <= state.end[k]))
       return fmt::format("{}: {} is before the start, {}", at("end"), state.end[k], state.start[k]);
@@ -119,18 +141,18 @@ std::optional<std::string> Trajectories::fault_of(const TrajectoryState& state,
       return fmt::format("{}: {} is below 0", at("next_step"), state.next_step[k]);
     const int a_switch = state.switching[k];
     bool known = a_switch == -1;
-    if (a_switch >= 0 && a_switch < field_.springs()) {
-      const auto members = members_of(island);
+    if (a_switch >= 0 && a_switch < f.field.springs()) {
+      const auto members = f.members_of(island);
       known = !island.kinematic && std::any_of(members.begin(), members.end(), [&](int i) {
-        const std::span<const int> own = field_.switching_springs(i);
+        const std::span<const int> own = f.field.switching_springs(i);
         return std::find(own.begin(), own.end(), a_switch) != own.end();
       });
-    } else if (a_switch >= field_.springs() && island.group >= 0) {
-      const std::vector<int>& own = joints_.strings(island.group);
-      known = std::find(own.begin(), own.end(), a_switch - field_.springs()) != own.end();
+    } else if (a_switch >= f.field.springs() && island.group >= 0) {
+      const std::vector<int>& own = f.joints.strings(island.group);
+      known = std::find(own.begin(), own.end(), a_switch - f.field.springs()) != own.end();
     }
     if (!known) return fmt::format("{}: {} is no spring or string of these bodies", at("switching"), a_switch);
-    if (ahead == nullptr || ahead->cached[k] == -kForever) continue;
+    if (ahead == nullptr || ahead->cached[k] == -Flights::kForever) continue;
     if (!(std::abs(ahead->cached[k]) <= kFarthest))
       return fmt::format("ahead/cached/{}: {} is on no track", k, ahead->cached[k]);
   }

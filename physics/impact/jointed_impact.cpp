@@ -33,7 +33,7 @@ Impact resolve_jointed_impact(Trajectories& trajectories, const MassProperties& 
     for (int i = 0; i < 2; ++i) {
       Eigen::Vector3d a_by = free_change(mass, a, r_a, -axes[i]);
       Eigen::Vector3d b_by = free_change(mass, b, r_b, axes[i]);
-      trajectories.answer(a, b, a_by, b_by);
+      trajectories.project_changes(a, b, a_by, b_by);
       const Vec2 by = at_point(b_by, r_b) - at_point(a_by, r_a);
       k.col(i) << by.dot(axes[0]), by.dot(axes[1]);
     }
@@ -41,7 +41,7 @@ Impact resolve_jointed_impact(Trajectories& trajectories, const MassProperties& 
     const ContactMatrix answer{k(0, 0), nt, k(1, 1), k(0, 0) * k(1, 1) - nt * nt};
     const Impact impact = impact_by(answer, before, material, law);
     const Vec2 j = impact.normal * axes[0] + impact.tangential * axes[1];
-    if (trajectories.push(a, b, free_change(mass, a, r_a, -j), free_change(mass, b, r_b, j))) return impact;
+    if (trajectories.apply_changes(a, b, free_change(mass, a, r_a, -j), free_change(mass, b, r_b, j))) return impact;
   }
 }
 

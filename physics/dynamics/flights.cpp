@@ -1,0 +1,203 @@
+#include "physics/dynamics/flights.h"
+
+#include <algorithm>
+
+#include "physics/dynamics/flight_rates.h"
+
+namespace carom {
+
+Flights::Flights(std::shared_ptr<const Model> compiled, const Method& method)
+    : model(std::move(compiled)), field(model), joints(model), general(model->needs.untrimmed) {
+  const Needs& needs = model->needs;
+  const int n = static_cast<int>(bodies().size());
+  island_of.assign(n, -1);
+  at_start.resize(Eigen::NoChange, n);
+  constant = Eigen::Matrix3Xd::Zero(3, n);
+  std::vector<std::vector<int>> coupled;
+  if (needs.has(Part::kSprings) || needs.has(Part::kAttraction) || needs.has(Part::kJoints))
+    coupled = field.coupled_groups(model->joint_terms.joined());
+  if (general) {
+    coupled.assign(1, {});
+    for (int i = 0; i < n; ++i) {
+      if (!has_infinite_mass(bodies()[i])) coupled[0].push_back(i);
+    }
+    if (coupled[0].empty()) coupled.clear();
+  }
+  const auto add_island = [&](const std::vector<int>& of) -> Island& {
+    for (const int i : of) island_of[i] = static_cast<int>(islands.size());
+    Island& island = islands.emplace_back();
+    island.first = static_cast<int>(members.size());
+    island.count = static_cast<int>(of.size());
+    members.insert(members.end(), of.begin(), of.end());
+    return island;
+  };
+  for (const std::vector<int>& of : coupled) {
+    add_island(of).group = static_cast<int>(groups.size());
+    Group& group = groups.emplace_back();
+    group.from.resize(Eigen::NoChange, static_cast<Eigen::Index>(of.size()));
+    group.now = group.from;
+    group.change.resize(Eigen::NoChange, static_cast<Eigen::Index>(of.size()));
+    group.stages.resize(static_cast<int>(of.size()));
+  }
+  joints.set_groups(coupled);
+  for (int i = 0; i < n; ++i) {
+    at_start.col(i) = initial_motion(bodies()[i], model->start_time);
+    constant.col(i) = field.constant_acceleration(i);
+    if (!bodies()[i].fixed && island_of[i] < 0) add_island({i}).kinematic = bodies()[i].drive.has_value();
+  }
+  at_end = at_start;
+  set_method(method);
+}
+
+void Flights::set_method(const Method& method) {
+  const IntegratorChoice& choice = choice_of(kIntegrators, method.integrator);
+  integrator = method.integrator;
+  adaptive = choice.adaptive;
+  evaluations_a_flight = choice.evaluations - (choice.adaptive ? 1 : 0);
+  // Without any acceleration every integrator goes straight.
+  const bool straight = constant.isZero(0.0) && method.contacts == ContactsId::kImpulse;
+  parabolic = !general && field.is_constant() && (choice.exact_under_gravity || straight);
+  tolerance = method.tolerance;
+  for (Island& island : islands) island.next_step = 0.0;
+}
+
+Eigen::Index Flights::column_of(const Island& island, int body) const {
+  const auto of = members_of(island);
+  return std::lower_bound(of.begin(), of.end(), body) - of.begin();
+}
+
+void Flights::gather(const Island& island) {
+  Motions& from = groups[island.group].from;
+  for (int j = 0; j < island.count; ++j) from.col(j) = at_start.col(members[island.first + j]);
+}
+
+void Flights::spread(const Island& island) {
+  const Motions& from = groups[island.group].from;
+  for (int j = 0; j < island.count; ++j) at_start.col(members[island.first + j]) = from.col(j);
+  forget(island);
+}
+
+void Flights::fly_one(const Island& island, double time, Motion& out) {
+  const int body = body_of(island);
+  if (island.kinematic) {
+    const Body& b = bodies()[body];
+    out = at_start.col(body);
+    out.head<2>() = drive_position(*b.drive, b.position, epoch + time);
+    out.segment<2>(3) = drive_velocity(*b.drive, epoch + time);
+    return;
+  }
+  evaluations += evaluations_a_flight;
+  flight_work += evaluations_a_flight;
+  if (parabolic && !field.has_quadratures()) {
+    // Every such method's flight, whatever way it goes.
+    out << parabola(body, time), parabola_velocity(body, time), at_start.col(body).tail<kQuadratures>();
+    return;
+  }
+  const OneBody f{field, body, epoch};
+  const double h = time - island.start;
+  if (field.has_quadratures()) {
+    const Motion from = at_start.col(body);
+    Stages<Motion> stages;
+    integrator_step(integrator, f, island.start, from, h, stages, out);
+  } else {
+    // Under gravity alone the quadratures stay what they are.
+    using Flight = Eigen::Matrix<double, kRows - kQuadratures, 1>;
+    const Flight from = at_start.col(body).head<kRows - kQuadratures>();
+    Stages<Flight> stages;
+    Flight to;
+    integrator_step(integrator, f, island.start, from, h, stages, to);
+    out << to, at_start.col(body).tail<kQuadratures>();
+  }
+}
+
+const Motions& Flights::fly_group(const Island& island, double time) {
+  Group& group = groups[island.group];
+  if (group.cached != time) {
+    group.cached = time;
+    gather(island);
+    integrator_step(integrator, Together{field, joints, island.group, members_of(island), epoch}, island.start,
+                    group.from, time - island.start, group.stages, group.now);
+    const std::int64_t evaluated = evaluations_a_flight * static_cast<std::int64_t>(island.count);
+    evaluations += evaluated;
+    flight_work += evaluated * (field.attracts() ? 1 + island.count / 8 : 1) +
+                   evaluations_a_flight * joints.evaluation_work(island.group) - joints.restoring_work();
+    group.missed = !joints.restore(island.group, epoch + time, group.now);
+    flight_work += joints.restoring_work();
+  }
+  return group.now;
+}
+
+const Motions& Flights::group_at(const Island& island, double time) {
+  if (time != island.start) return fly_group(island, time);
+  gather(island);
+  return groups[island.group].from;
+}
+
+const Motions& Flights::rates_of(const Island& island, double time, const Motions& y) {
+  Motions& rates = groups[island.group].stages.k[0];
+  Together{field, joints, island.group, members_of(island), epoch}(time, y, rates);
+  flight_work += island.count + joints.evaluation_work(island.group);
+  return rates;
+}
+
+Motion Flights::at(int body, double time) {
+  const int k = island_of[body];
+  if (k < 0) return at_start.col(body);
+  const Island& island = islands[k];
+  if (!island.kinematic) {
+    if (time == island.start) return at_start.col(body);
+    if (time == island.end) return at_end.col(body);
+  }
+  if (island.group < 0) {
+    Motion out;
+    fly_one(island, time, out);
+    return out;
+  }
+  return fly_group(island, time).col(column_of(island, body));
+}
+
+Eigen::Vector3d Flights::acceleration(int body) {
+  const int k = island_of[body];
+  if (k < 0 || islands[k].kinematic) return Eigen::Vector3d::Zero();
+  if (parabolic) return constant.col(body);
+  const Island& island = islands[k];
+  if (island.group < 0) {
+    const Motion y = at_start.col(body);
+    Motion rate;
+    OneBody{field, body, epoch}(island.start, y, rate);
+    return rate.segment<3>(3);
+  }
+  Group& group = groups[island.group];
+  if (!group.rates_known) {
+    group.start_rates = rates_of(island, island.start, group_at(island, island.start));
+    group.rates_known = true;
+  }
+  return group.start_rates.col(column_of(island, body)).segment<3>(3);
+}
+
+double Flights::error_of(const Island& island, double time) {
+  const double h = time - island.start;
+  evaluations += island.count;
+  if (island.group < 0) {
+    const Motion from = at_start.col(body_of(island));
+    const OneBody f{field, body_of(island), epoch};
+    Stages<Motion> stages;
+    Motion out;
+    integrator_step(integrator, f, island.start, from, h, stages, out);
+    evaluations += evaluations_a_flight;
+    return dormand_prince_error(f, island.start, h, stages, out);
+  }
+  fly_group(island, time);
+  Group& group = groups[island.group];
+  return dormand_prince_error(Together{field, joints, island.group, members_of(island), epoch}, island.start, h,
+                              group.stages, group.now);
+}
+
+double Flights::apply_taut_impulse(const Island& island) {
+  gather(island);
+  const double taken = joints.apply_taut_impulse(island.group, epoch + island.start, groups[island.group].from);
+  spread(island);
+  return taken;
+}
+
+}  // namespace carom

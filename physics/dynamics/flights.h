@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "physics/dynamics/force_field.h"
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/dynamics/joint_constraints.h"
+#include "physics/dynamics/state.h"
+#include "physics/model/model.h"
+#include "physics/scene/method.h"
+
+namespace carom {
+
+// The flight of every body under the integrator: the context that all parts of the trajectories share
+// (physics/dynamics/trajectories.h).
+//
+// Bodies that forces or joints couple form an island and are advanced together; any other moving body is an
+// island of its own. Fixed bodies belong to no island; a kinematic body is an island that follows its drive.
+// The motion of an island at any time is one step of the integrator from the island's start, followed, where
+// joints hold its bodies, by a projection onto the joints.
+//
+// Times are in s after the epoch.
+struct Flights {
+  static constexpr double kForever = 1e300;  // s
+
+  struct Island {
+    double start = 0.0;
+    double end = 0.0;
+    double next_step = 0.0;  // s, of the adaptive integrator; 0: not known yet
+    int first = 0;           // its members start here in `members`
+    int count = 1;
+    int group = -1;      // index in `groups`, of more than one member
+    int switching = -1;  // the switch (spring or string) that flips at the end
+    bool kinematic = false;
+  };
+  // What an island of several members works with; a column a member.
+  struct Group {
+    double cached = -kForever;  // the time of `now`
+    Motions from, now;
+    Eigen::Matrix3Xd change;  // of velocities by an impact
+    bool missed = false;      // `now` is off the joints
+    bool rates_known = false;
+    Motions start_rates;  // at the island's start, where they are known
+    Stages<Motions> stages;
+  };
+
+  Flights() = default;
+  // At the start of a run, from the positions and velocities of the bodies.
+  Flights(std::shared_ptr<const Model> model, const Method& method);
+  void set_method(const Method& method);
+
+  [[nodiscard]] const std::vector<Body>& bodies() const { return model->bodies(); }
+  [[nodiscard]] std::span<const int> members_of(const Island& island) const {
+    return {members.data() + island.first, static_cast<std::size_t>(island.count)};
+  }
+  [[nodiscard]] int body_of(const Island& island) const { return members[island.first]; }
+  [[nodiscard]] Eigen::Index column_of(const Island& island, int body) const;
+  // Drops what is known of the island's flight, after its start has changed.
+  void forget(const Island& island) {
+    if (island.group < 0) return;
+    groups[island.group].cached = -kForever;
+    groups[island.group].rates_known = false;
+  }
+  void gather(const Island& island);  // motions at the start, into the group's `from`
+  void spread(const Island& island);  // and back
+
+  // The motion advanced to `time`: of an island of one body into `out`, of a group.
+  void fly_one(const Island& island, double time, Motion& out);
+  const Motions& fly_group(const Island& island, double time);
+  const Motions& group_at(const Island& island, double time);  // likewise, without a step at its start
+  const Motions& rates_of(const Island& island, double time, const Motions& y);  // of a group
+  [[nodiscard]] Motion at(int body, double time);
+  // On a parabola only: q in m and rad at a time, and v.
+  [[nodiscard]] Eigen::Vector3d parabola(int body, double time) const {
+    const double h = island_of[body] < 0 ? 0.0 : time - islands[island_of[body]].start;
+    return at_start.col(body).head<3>() + h * (at_start.col(body).segment<3>(3) + 0.5 * h * constant.col(body));
+  }
+  [[nodiscard]] Eigen::Vector3d parabola_velocity(int body, double time) const {
+    const double h = island_of[body] < 0 ? 0.0 : time - islands[island_of[body]].start;
+    return at_start.col(body).segment<3>(3) + h * constant.col(body);
+  }
+  // m/s², m/s², rad/s²: of a movable body at the start of its island.
+  [[nodiscard]] Eigen::Vector3d acceleration(int body);
+  // The error estimate of the adaptive integrator's step that ends at `time`, relative to its tolerance's unit.
+  double error_of(const Island& island, double time);
+  // The plastic impact that makes new joints and taut strings hold; the energy in J that it takes. A string
+  // that would have to push becomes slack.
+  double apply_taut_impulse(const Island& island);
+
+  std::shared_ptr<const Model> model;
+  ForceField field;
+  JointConstraints joints;
+  std::vector<Island> islands;
+  std::vector<int> members;
+  std::vector<Group> groups;
+  std::vector<int> island_of;  // by body; -1: fixed
+  Motions at_start, at_end;    // by body
+  Eigen::Matrix3Xd constant;   // accelerations by body: m/s², m/s², rad/s²
+  IntegratorId integrator = IntegratorId::kRk4;
+  bool adaptive = false;
+  bool parabolic = false;  // every free flight is a parabola
+  bool general = false;    // the untrimmed program: no short cut for parabolas
+  int evaluations_a_flight = 0;
+  double tolerance = 0.0;
+  double epoch = 0.0;  // s, absolute
+  std::int64_t evaluations = 0;
+  std::int64_t flight_work = 0;  // evaluations since the step began, weighted by their cost
+};
+
+}  // namespace carom

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "physics/dynamics/flights.h"
+
+namespace carom {
+
+// The moments at which one-sided springs and strings start and stop to act.
+//
+// A switch is a spring, by its index, or, after all springs, a joint, of which strings switch. Its margin is >
+// 0 where it acts and < 0 where it doesn't: in N the tension of a taut string, in m the stretch of a slack one.
+class SwitchSearch {
+ public:
+  // What flights may cost between two calls of Trajectories::begin_step(), in evaluations, before switches are
+  // not followed any more in that step; from then on a fiftieth of it.
+  static constexpr std::int64_t kMostWork = 5'000'000;
+  static constexpr std::int64_t kMostWorkPerBody = 20'000;
+
+  SwitchSearch() = default;
+  explicit SwitchSearch(const Model& model) : released_at_(model.scene.joints.size(), -1.0) {}
+
+  // Ends the trajectory of an island at the first moment at which one of its switches flips, unless following
+  // them has cost more than it may.
+  void end_at_first(Flights& flights, Flights::Island& island);
+  // Flips a switch; the energy in J that is gone with a spring. A string that becomes taut takes its impulse.
+  double flip(Flights& flights, const Flights::Island& island, int a_switch, double time);
+  // After an impact changed velocities: springs whose margin has jumped to the other side flip now; the energy
+  // in J that they release.
+  double recheck(Flights& flights, const Flights::Island& island);
+
+  [[nodiscard]] double lost_to_joints() const { return lost_to_joints_; }  // J: by taut impulses
+  void set_lost_to_joints(double lost) { lost_to_joints_ = lost; }
+  // s, absolute: when first switches flipped more often than is followed; negative: never.
+  [[nodiscard]] double missed_since() const { return missed_since_; }
+  // Of the same model, but that a last joint may be missing there.
+  void take_over(const SwitchSearch& other) {
+    lost_to_joints_ = other.lost_to_joints_;
+    missed_since_ = other.missed_since_;
+  }
+
+ private:
+  friend struct KeptMembers;
+
+  // A switch that leaves its state between two times at which the trajectory was sampled.
+  struct Leaving {
+    int a_switch = 0;
+    double before = 0.0, after = 0.0;  // s
+    double margin_before = 0.0, margin_after = 0.0;
+  };
+
+  [[nodiscard]] bool may_follow(const Flights& flights, const Flights::Island& island);
+  void list(const Flights& flights, const Flights::Island& island);
+  void sample(Flights& flights, const Flights::Island& island, double time, std::vector<double>& margins);
+  void find_leaving(Flights& flights, Flights::Island& island, double& first);
+  void find_roots(Flights& flights, Flights::Island& island, double& first);
+
+  std::vector<int> listed_;                     // the island's switches
+  std::array<std::vector<double>, 5> margins_;  // theirs at the trajectory's start, quarters and end
+  std::vector<double> margins_at_first_;
+  std::vector<Leaving> leaving_;
+  double missed_since_ = -1.0;
+  double lost_to_joints_ = 0.0;
+  // s, absolute, by joint: when a string last became taut and would have had to push.
+  std::vector<double> released_at_;
+};
+
+}  // namespace carom
