@@ -10,7 +10,6 @@
 #include "physics/files/output_set.h"
 #include "physics/math/parallel.h"
 #include "physics/scene/validate.h"
-#include "physics/stress/stress_page.h"
 #include "physics/stress/stress_table.h"
 
 namespace carom {

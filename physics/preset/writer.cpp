@@ -1,15 +1,10 @@
 #include "physics/files/output_file.h"
-#include "physics/preset/expectation_json.h"
-#include "physics/preset/force_json.h"
-#include "physics/preset/joint_json.h"
-#include "physics/preset/method_json.h"
 #include "physics/preset/names.h"
 #include "physics/preset/object_writer.h"
-#include "physics/preset/plot_json.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/preset/preset_json.h"
-#include "physics/preset/state_json.h"
+#include "physics/preset/sections_json.h"
 
 namespace carom {
 namespace {

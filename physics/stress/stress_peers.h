@@ -1,10 +1,10 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace carom {
 
@@ -15,14 +15,16 @@ namespace carom {
 // ("Cp"; 10 iterations), at 60 Hz unless the note says otherwise; sleeping off. The program carom_peers
 // (tests/peers) measures those of 2.4 and Cp again.
 struct StressPeer {
-  std::string_view id;      // of the case
-  std::string_view figure;  // its name there
   std::string_view engine;
   double value = std::numeric_limits<double>::quiet_NaN();  // the figure's unit; infinite: it fell
   std::string_view note = {};                               // how the peer's set-up differs
 };
-
-[[nodiscard]] std::span<const StressPeer> stress_peers();
+struct StressPeers {
+  std::string_view id;              // of the case
+  std::string_view figure;          // its name there
+  std::array<StressPeer, 4> peers;  // the last ones without an engine: none
+};
+[[nodiscard]] std::span<const StressPeers> stress_peers();
 
 // "v3 3.8*, 2.4 falls", those of one figure; a star after what is better than `value`, smaller in size. Empty
 // if there are none.

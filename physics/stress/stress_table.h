@@ -45,4 +45,10 @@ struct StressLine {
 // A heading, then the lines; `rows` as StressSuite::rows() gives them.
 [[nodiscard]] std::vector<StressLine> stress_lines(const std::vector<StressRow>& rows);
 
+// The help's page of figures, Markdown, line by line: a section for each case with the table of its rows, where
+// its limits come from and what peers show. Without CPU times: the same program makes the same page again.
+// `rows` as StressSuite::rows() gives them for `cases`.
+[[nodiscard]] std::vector<std::string> stress_page(const std::vector<StressCase>& cases,
+                                                   const std::vector<StressRow>& rows);
+
 }  // namespace carom
