@@ -10,9 +10,14 @@
 // The parts of a preset file and what they stand for.
 namespace carom {
 
+// These write, too (see `written`).
 void read_method(FieldReader& r, Method& m);
-// With the tolerance also where no integrator asks for it, if `all` is wanted.
-[[nodiscard]] Json method_json(const Method& method, bool all);
+void read_material(FieldReader& r, Material& m);
+void read_pair(FieldReader& r, MaterialPair& p);
+void read_body(FieldReader& r, Body& b);
+void read_generator(FieldReader& r, GridGenerator& g);
+void read_joint(FieldReader& r, Joint& joint);
+void read_expectation(FieldReader& r, Expectation& expectation);
 
 // Reads the force that stands at `at`, /forces/`index`, and notes its place.
 void read_force(FieldReader& r, const std::string& at, int index, Forces& forces, ForcePlaces& places);
@@ -20,17 +25,12 @@ void read_force(FieldReader& r, const std::string& at, int index, Forces& forces
 // The array, in the order of written_places(); with `all`, members that hold their default too.
 [[nodiscard]] Json forces_json(const Forces& forces, bool all);
 
-void read_joint(FieldReader& r, Joint& joint);
-
 // One element of the array; with `all`, members that hold their default too.
 [[nodiscard]] Json joint_json(const Joint& joint, bool all);
 
 // A plot of a preset file: the name of a known one, or an object. Bodies are not looked up here.
 [[nodiscard]] Plot read_plot(const ValueReader& value);
 [[nodiscard]] Json plot_json(const Plot& plot);
-
-void read_expectation(FieldReader& r, Expectation& expectation);
-[[nodiscard]] Json expectation_json(const Expectation& expectation);
 
 // The section "state": where a saved run goes on.
 

@@ -4,7 +4,6 @@
 #include "physics/observe/expression.h"
 #include "physics/observe/observables.h"
 #include "physics/preset/names.h"
-#include "physics/preset/object_writer.h"
 #include "physics/preset/sections_json.h"
 
 namespace carom {
@@ -16,6 +15,11 @@ constexpr std::size_t kMostObserved = 2;
 // The members "observable" and "bodies" of an object, as many bodies as the observable asks for. Errors against
 // a reference are there in plots only.
 void read_observable(FieldReader& r, bool in_plot, std::string& name, std::vector<std::string>& bodies) {
+  if (r.writes()) {
+    r.put("observable", name);
+    if (!bodies.empty()) r.put("bodies", bodies);
+    return;
+  }
   std::vector<std::string> names;
   std::map<int, std::vector<std::string>> by_bodies;
   for (const Observable& o : observables()) {
@@ -69,26 +73,18 @@ void read_notes(FieldReader& r, Plot& plot) {
                    Vec2 at = Vec2::Zero();
                    PlotNote& to = plot.notes.emplace_back();
                    note.require({"at", "two numbers, in the units of the axes"}, at, any_number(""));
-                   note.require({"text", "a few words"}, to.text, {1, kLongestTitle});
+                   note.require({"text", "a few words"}, to.text, Count{1, kLongestTitle});
                    to.x = at.x();
                    to.y = at.y();
                  });
 }
 
-Json note_json(const PlotNote& note) {
-  ObjectWriter w(false);
-  w.json["at"] = pair_json({note.x, note.y});
-  w.json["text"] = note.text;
-  return w.json;
-}
-
 Json quantity_json(const QuantityName& q) {
-  ObjectWriter w(false);
-  w.json["observable"] = q.observable;
-  if (!q.bodies.empty()) w.json["bodies"] = q.bodies;
-  w.put("theory", q.theory, std::string());
-  w.put("residual", q.residual, false);
-  return w.json;
+  Json j = {{"observable", q.observable}};
+  if (!q.bodies.empty()) j["bodies"] = q.bodies;
+  if (!q.theory.empty()) j["theory"] = q.theory;
+  if (q.residual) j["residual"] = true;
+  return j;
 }
 
 using Reduction = Expectation::Reduction;
@@ -114,8 +110,10 @@ void read_sweep(FieldReader& r, Sweep& s) {
   r.needed({"values", "an array of numbers"}, [&](const ValueReader& v) {
     v.list({1, kMostSweepValues}, [&](const ValueReader& x) { s.values.push_back(x.number(any_number(""))); });
   });
+  r.put("values", s.values);
   r.cases({"reduction", "what the numbers of the runs are reduced to"}, words_of(kSweepNames),
-          [&](std::size_t i, FieldReader&) { s.reduction = kSweepNames[i].first; });
+          index_of(kSweepNames, s.reduction),
+          [&](std::size_t i, FieldReader&) { s.reduction = kSweepNames[i].id; });
 }
 
 }  // namespace
@@ -154,68 +152,50 @@ Plot read_plot(const ValueReader& value) {
 
 Json plot_json(const Plot& plot) {
   if (!plot.id.empty() && plot.notes.empty()) return plot.id;
-  ObjectWriter w(false);
-  for (const PlotNote& note : plot.notes) w.json["notes"].push_back(note_json(note));
+  Json j;
+  for (const PlotNote& note : plot.notes)
+    j["notes"].push_back({{"at", pair_json({note.x, note.y})}, {"text", note.text}});
   if (!plot.id.empty()) {
-    w.json["plot"] = plot.id;
-    return w.json;
+    j["plot"] = plot.id;
+    return j;
   }
-  w.put("title", plot.title, std::string());
-  w.json["y"] = Json::array();
-  for (const QuantityName& q : plot.y) w.json["y"].push_back(quantity_json(q));
-  if (plot.x) w.json["x"] = quantity_json(*plot.x);
-  w.put("logarithmic", plot.logarithmic, false);
-  return w.json;
+  if (!plot.title.empty()) j["title"] = plot.title;
+  j["y"] = Json::array();
+  for (const QuantityName& q : plot.y) j["y"].push_back(quantity_json(q));
+  if (plot.x) j["x"] = quantity_json(*plot.x);
+  if (plot.logarithmic) j["logarithmic"] = true;
+  return j;
 }
 
 void read_expectation(FieldReader& r, Expectation& e) {
   read_observable(r, false, e.observable, e.bodies);
   r.cases({"reduction", "the number that is looked at"}, words_of(kReductionNames),
-          [&](std::size_t i, FieldReader& k) {
-            e.reduction = kReductionNames[i].first;
+          index_of(kReductionNames, e.reduction), [&](std::size_t i, FieldReader& k) {
+            e.reduction = kReductionNames[i].id;
             if (e.reduction == Reduction::kAt) k.require({"time", "when"}, e.time, from_zero("s"));
             if (e.reduction == Reduction::kAtImpact)
-              k.needed({"impact", "after which impact: 1, 2, ..."}, [&](const ValueReader& v) {
-                e.impact = static_cast<int>(v.whole({1, 1e9}));
-              });
+              k.require({"impact", "after which impact: 1, 2, ..."}, e.impact, Whole{1, 1e9});
             if (e.reduction == Reduction::kCount)
               k.require({"above", "in the observable's unit"}, e.above, any_number(""));
-            if (looks_over_time(e.reduction)) k.read({"from", "when it begins"}, e.from, from_zero("s"));
+            if (looks_over_time(e.reduction) && (!k.writes() || e.from != 0.0))
+              k.read({"from", "when it begins"}, e.from, from_zero("s"));
             if (e.reduction != Reduction::kAt) k.read({"until", "when it ends"}, e.until, from_zero("s"));
           });
+  Json with;
+  for (const Setting& s : e.settings) with[s.place] = s.value;
+  if (!with.is_null()) r.put("with", with);
   r.member({"with", "numbers of this file by their JSON pointers"}, [&](const ValueReader& v) {
     v.numbers(kMostSettings, any_number(""), [&](const std::string& place, double x) {
       e.settings.push_back({place, x});
     });
   });
+  if (r.writes() && e.over) r.put("over", written(*e.over, false, read_sweep));
   r.member({"over", "one run for each of several values"}, [&](const ValueReader& v) {
     v.object([&](FieldReader& sweep) { read_sweep(sweep, e.over.emplace()); });
   });
   r.require({"value", "in the observable's unit"}, e.value, any_number(""));
   r.require({"tolerance", "in the observable's unit"}, e.tolerance, from_zero(""));
   r.read({"source", "where the value comes from"}, e.source, kText);
-}
-
-Json expectation_json(const Expectation& e) {
-  ObjectWriter w(false);
-  w.json["observable"] = e.observable;
-  if (!e.bodies.empty()) w.json["bodies"] = e.bodies;
-  w.json["reduction"] = name_of(kReductionNames, e.reduction);
-  if (e.reduction == Reduction::kAt) w.json["time"] = e.time;
-  if (e.reduction == Reduction::kAtImpact) w.json["impact"] = e.impact;
-  if (e.reduction == Reduction::kCount) w.json["above"] = e.above;
-  if (looks_over_time(e.reduction)) w.put("from", e.from, 0.0);
-  if (e.until && e.reduction != Reduction::kAt) w.json["until"] = *e.until;
-  for (const Setting& s : e.settings) w.json["with"][s.place] = s.value;
-  if (e.over) {
-    w.json["over"] = {{"place", e.over->place},
-                      {"values", e.over->values},
-                      {"reduction", name_of(kSweepNames, e.over->reduction)}};
-  }
-  w.json["value"] = e.value;
-  w.json["tolerance"] = e.tolerance;
-  w.put("source", e.source, std::string());
-  return w.json;
 }
 
 }  // namespace carom

@@ -93,7 +93,7 @@ Json written(const char* key, const T& x) {
   } else if constexpr (std::is_same_v<T, Vec2>) {
     return Json::array({written(key, x.x()), written(key, x.y())});
   } else if constexpr (std::is_same_v<T, Method>) {
-    return method_json(x, true);
+    return carom::written(x, true, read_method);
   } else {
     return x;
   }
@@ -133,6 +133,7 @@ class StatePart {
   Json json = Json::object();
   Sizes size;
 
+  // A file may be older than a value that is not needed.
   template <class T>
   void value(const char* key, T& x, bool needed = true) {
     if constexpr (std::is_const_v<T>) {
@@ -140,11 +141,6 @@ class StatePart {
     } else {
       read(key, needed, [&](const ValueReader& v) { take(v, x); });
     }
-  }
-  // A file may be older than such a value.
-  template <class T>
-  void later(const char* key, T& x) {
-    value(key, x, false);
   }
   // Whether something follows.
   [[nodiscard]] bool flag(const char* key, bool now) {
@@ -270,8 +266,8 @@ constexpr auto kLedger = [](auto& a, auto& ledger) {
 
 constexpr auto kNotices = [](auto& a, auto& notices) {
   for (const NoticeEntry& entry : notice_entries()) {
-    a.later(entry.key.data(), notices.*entry.since);
-    if (entry.number != nullptr) a.later(entry.number_key.data(), notices.*entry.number);
+    a.value(entry.key.data(), notices.*entry.since, false);
+    if (entry.number != nullptr) a.value(entry.number_key.data(), notices.*entry.number, false);
   }
 };
 
@@ -382,8 +378,8 @@ constexpr auto kState = [](auto& a, auto& state) {
   a.rows("books", motions.quadratures, a.size.bodies);
   a.object("ledger", ledger, kLedger);
   a.value("gravity_since", gravity_since);
-  a.later("peak_kinetic", peak_kinetic);
-  a.later("energy_doubts", energy_doubts);
+  a.value("peak_kinetic", peak_kinetic, false);
+  a.value("energy_doubts", energy_doubts, false);
   a.object("notices", notices, kNotices);
   a.object("tracks", trajectories, kTrajectories);
   a.object("contacts", contacts, kContactMemory);

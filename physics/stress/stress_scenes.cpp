@@ -5,7 +5,7 @@
 
 #include "physics/collision/broad_phase.h"
 #include "physics/collision/pair_contact.h"
-#include "physics/scene/polygon.h"
+#include "physics/scene/shape.h"
 #include "physics/world/run_setup.h"
 
 namespace carom::stress {

@@ -8,7 +8,6 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/scene/validate.h"
-#include "physics/stress/stress_peers.h"
 #include "physics/stress/stress_table.h"
 
 namespace carom {

@@ -1,125 +1,17 @@
+#include "physics/preset/preset_file.h"
+
 #include <fmt/format.h>
 
-#include "physics/preset/file_text.h"
+#include "physics/files/output_file.h"
 #include "physics/preset/names.h"
 #include "physics/preset/preset.h"
-#include "physics/preset/preset_file.h"
 #include "physics/preset/preset_json.h"
 #include "physics/preset/sections_json.h"
-#include "physics/preset/setting.h"
-#include "physics/preset/validate_preset.h"
 #include "physics/preset/value_reader.h"
-#include "physics/scene/fingerprint.h"
-#include "physics/scene/polygon.h"
+#include "physics/scene/facts.h"
 
 namespace carom {
 namespace {
-
-// How a surface behaves: the keys that materials and pairs of materials share.
-void read_surface(FieldReader& r, Material& m) {
-  r.read({"restitution", "rebound speed over closing speed"}, m.restitution, kRestitutionRange);
-  r.read({"tangential_restitution", "reversed share of the slip"}, m.tangential_restitution,
-         kTangentialRestitution);
-  r.read({"kinetic_friction", "coefficient"}, m.kinetic_friction, kFrictionCoefficient);
-  m.static_friction = m.kinetic_friction;
-  r.read({"static_friction", "coefficient, kinetic_friction or more"}, m.static_friction, kFrictionCoefficient);
-  r.read({"rolling_resistance", "moment over radius and normal force"}, m.rolling_resistance,
-         kFrictionCoefficient);
-  r.read({"sticks", "bodies stay joined from their first impact on"}, m.sticks);
-}
-
-void read_material(FieldReader& r, Material& m) {
-  r.require({"name", "a name of its own"}, m.name, kName);
-  read_surface(r, m);
-}
-
-void read_pair(FieldReader& r, MaterialPair& p) {
-  r.needed({"materials", "the names of two materials, [\"a\", \"b\"]"}, [&](const ValueReader& names) {
-    std::vector<std::string> two;
-    names.list({2, 2}, [&](const ValueReader& name) { two.push_back(name.text(kName)); });
-    p.a = two.front();
-    p.b = two.back();
-  });
-  read_surface(r, p.surface);
-}
-
-void read_shape(FieldReader& r, Shape& shape) {
-  r.cases(
-      {"type", "the kind of shape"}, {"disc", "box", "polygon", "wall"}, [&](std::size_t kind, FieldReader& k) {
-        if (kind == 0) {
-          Disc disc;
-          k.require({"radius", "of the disc; 0 for a point-like body"}, disc.radius, kDiscRadius);
-          shape = disc;
-        } else if (kind == 1) {
-          Box box;
-          k.require({"width", "along its own x axis"}, box.width, positive("m"));
-          k.require({"height", "along its own y axis"}, box.height, positive("m"));
-          shape = box;
-        } else if (kind == 2) {
-          Polygon polygon;
-          k.needed({"vertices", "points of a convex polygon in order, [[x, y], ...], in m"},
-                   [&](const ValueReader& v) {
-                     v.list({2, kMostPolygonPoints},
-                            [&](const ValueReader& p) { polygon.vertices.push_back(p.pair(any_number("m"))); });
-                   });
-          k.read({"rounding", "by which it grows on all sides"}, polygon.rounding, from_zero("m"));
-          shape = std::move(polygon);
-        } else {
-          Wall wall;
-          k.read({"length", "of a thin wall; without it a half-plane"}, wall.length, positive("m"));
-          shape = wall;
-        }
-      });
-}
-
-void read_drive(FieldReader& r, Drive& d) {
-  r.read({"velocity", "[x, y]"}, d.velocity, any_number("m/s"));
-  r.read({"amplitude", "[x, y]"}, d.amplitude, any_number("m"));
-  r.read({"angular_frequency", "of the oscillation"}, d.angular_frequency, from_zero("rad/s"));
-  r.read({"phase", "of the oscillation"}, d.phase, any_number("rad"));
-}
-
-void read_body(FieldReader& r, Body& b) {
-  r.require({"name", "a name of its own"}, b.name, kName);
-  r.needed({"shape",
-            "{\"type\": \"disc\", \"radius\": r}, {\"type\": \"box\", \"width\": w, \"height\": h}, {\"type\": "
-            "\"polygon\", \"vertices\": [[x, y], ...]} or {\"type\": \"wall\"}"},
-           [&](const ValueReader& v) { v.object([&](FieldReader& shape) { read_shape(shape, b.shape); }); });
-  r.require({"position", "of the centre of mass, two numbers, [x, y]"}, b.position, any_number("m"));
-  r.read({"angle", "counter-clockwise"}, b.angle, any_number("rad"));
-  r.read({"velocity", "[x, y]"}, b.velocity, any_number("m/s"));
-  r.read({"spin", "counter-clockwise"}, b.spin, any_number("rad/s"));
-  r.read({"mass", "or a density"}, b.mass, positive("kg"));
-  r.read({"density", "or a mass"}, b.density, positive("kg/m²"));
-  r.also({{"not", {{"required", {"mass", "density"}}}}});
-  r.read({"inertia", "about the centre of mass"}, b.inertia, positive("kg m²"));
-  r.read({"fixed", "it never moves"}, b.fixed);
-  r.member({"drive", "it moves as it is told"}, [&](const ValueReader& v) {
-    v.object([&](FieldReader& drive) { read_drive(drive, b.drive.emplace()); });
-  });
-  r.read({"material", "the name of one"}, b.material, kName);
-  r.read({"group", "bodies of one group do not collide with each other"}, b.group, kPerhapsName);
-}
-
-void read_generator(FieldReader& r, GridGenerator& g) {
-  r.cases({"type", "the kind of generator"}, {"grid"}, [&](std::size_t, FieldReader& k) {
-    k.require({"name", "the stem of the bodies' names"}, g.name, kStem);
-    k.read({"columns", "discs side by side"}, g.columns, Whole{1, kMostBodies});
-    k.read({"rows", "discs one over the other"}, g.rows, Whole{1, kMostBodies});
-    k.require({"origin", "the first disc's centre, two numbers, [x, y]"}, g.origin, any_number("m"));
-    k.read({"spacing", "from disc to disc, [x, y]"}, g.spacing, any_number("m"));
-    k.read({"jitter", "by which each disc is moved at most"}, g.jitter, from_zero("m"));
-    k.needed({"radius", "two numbers, [least, largest]"}, [&](const ValueReader& v) {
-      const Vec2 radius = v.pair(positive("m"));
-      g.radius_min = radius.x();
-      g.radius_max = radius.y();
-    });
-    k.read({"speed", "largest velocity component"}, g.speed_max, from_zero("m/s"));
-    k.read({"density", "of each disc"}, g.density, positive("kg/m²"));
-    k.read({"material", "the name of one"}, g.material, kName);
-    k.read({"seed", "of the random numbers"}, g.seed, Whole{0.0, 9e15});
-  });
-}
 
 // The first two keys: what the file is.
 void read_format(FieldReader& r) {
@@ -196,6 +88,42 @@ void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
   r.member({"extra", "kept as it is"}, [&](const ValueReader& v) { preset.extra = v.free_object(); });
 }
 
+// Objects and arrays of the first two levels are spread over lines, deeper ones stay on one.
+void write_value(std::string& out, const Json& value, int depth) {
+  constexpr int kSpreadDepth = 2;
+  const bool spread = value.is_structured() && !value.empty() && depth < kSpreadDepth &&
+                      !(depth > 0 && value.is_array() && !value.front().is_structured());
+  if (!spread) {
+    std::string line = value.dump();
+    // A space after each separator outside of texts.
+    bool in_text = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      out += line[i];
+      if (line[i] == '\\') {
+        out += line[++i];
+      } else if (line[i] == '"') {
+        in_text = !in_text;
+      } else if (!in_text && (line[i] == ',' || line[i] == ':')) {
+        out += ' ';
+      }
+    }
+    return;
+  }
+  const std::string indent(static_cast<std::size_t>(2 * (depth + 1)), ' ');
+  out += value.is_array() ? '[' : '{';
+  bool first = true;
+  for (const auto& item : value.items()) {
+    out += first ? "\n" : ",\n";
+    first = false;
+    out += indent;
+    if (value.is_object()) out += Json(item.key()).dump() + ": ";
+    write_value(out, item.value(), depth + 1);
+  }
+  out += '\n';
+  out += indent.substr(2);
+  out += value.is_array() ? ']' : '}';
+}
+
 }  // namespace
 
 Preset preset_of(const Json& json) {
@@ -240,6 +168,53 @@ Preset read_preset(const std::filesystem::path& file) {
   Preset preset = parse_preset(file_text(file, "a preset file"), file.string());
   preset.topic = valid_utf8(file.parent_path().filename().string());
   return preset;
+}
+
+Json preset_json(const Preset& preset, bool all) {
+  Json j;
+  j["format"] = "carom-preset";
+  j["version"] = kPresetVersion;
+  j["title"] = preset.title;
+  if (!preset.about.empty()) j["about"] = preset.about;
+  if (!preset.observe.empty()) j["observe"] = preset.observe;
+  j["duration"] = preset.duration;
+  j["gravity"] = pair_json(preset.scene.forces.gravity);
+  j["method"] = written(preset.method, all, read_method);
+  for (const Method& m : preset.compare) j["compare"].push_back(written(m, all, read_method));
+  const auto put = [&](const char* key, const auto& list, bool whole, const auto& read) {
+    for (const auto& each : list) j[key].push_back(written(each, whole, read));
+  };
+  put("materials", preset.scene.materials, false, read_material);
+  put("material_pairs", preset.scene.pairs, false, read_pair);
+  if (preset.scene.impact_law != ImpactLawId::kEnergetic)
+    j["impact_law"] = name_of(kImpactLawNames, preset.scene.impact_law);
+  if (preset.scene.several_impacts != SeveralImpactsId::kPairwise)
+    j["several_impacts"] = name_of(kSeveralImpactsNames, preset.scene.several_impacts);
+  put("bodies", preset.scene.bodies, all, read_body);
+  if (Json forces = forces_json(preset.scene.forces, all); !forces.empty()) j["forces"] = std::move(forces);
+  put("generators", preset.scene.generators, true, read_generator);
+  for (const Joint& l : preset.scene.joints) j["links"].push_back(joint_json(l, all));
+  for (const Plot& plot : preset.plots) j["plots"].push_back(plot_json(plot));
+  if (preset.view) j["view"] = {{"center", pair_json(preset.view->center)}, {"width", preset.view->width}};
+  put("expect", preset.expect, false, read_expectation);
+  if (preset.saved) j["state"] = state_json(*preset.saved);
+  if (!preset.extra.empty()) j["extra"] = Json::parse(preset.extra);
+  return j;
+}
+
+std::string write_preset(const Preset& preset) {
+  std::string text;
+  write_value(text, preset_json(preset, false), 0);
+  text += '\n';
+  return text;
+}
+
+void save_preset(const Preset& preset, const std::filesystem::path& file) {
+  const std::string text = write_preset(preset);
+  (void)parse_preset(text, file.string());
+  OutputFile out(file.string());
+  out.write(text);
+  out.commit();
 }
 
 }  // namespace carom
