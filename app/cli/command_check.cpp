@@ -12,7 +12,7 @@
 #include "app/lab/preset_library.h"
 #include "physics/check/check.h"
 #include "physics/files/csv.h"
-#include "physics/files/output_set.h"
+#include "physics/files/output_file.h"
 #include "physics/math/parallel.h"
 #include "physics/model/needs.h"
 #include "physics/preset/preset.h"

@@ -9,11 +9,11 @@
 #include "app/export/run_files.h"
 #include "app/export/run_report.h"
 #include "app/lab/preset_library.h"
-#include "physics/files/output_set.h"
+#include "physics/files/output_file.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
-#include "physics/preset/saved_preset.h"
 #include "physics/world/run_state.h"
+#include "physics/world/simulation.h"
 
 namespace carom {
 namespace {

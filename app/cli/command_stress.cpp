@@ -7,10 +7,9 @@
 #include "app/cli/options.h"
 #include "app/cli/standard_output.h"
 #include "app/cli/text_table.h"
-#include "physics/files/output_set.h"
+#include "physics/files/output_file.h"
 #include "physics/math/parallel.h"
 #include "physics/scene/validate.h"
-#include "physics/stress/stress_page.h"
 #include "physics/stress/stress_table.h"
 
 namespace carom {

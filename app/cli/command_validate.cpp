@@ -5,7 +5,7 @@
 #include "app/cli/standard_output.h"
 #include "app/lab/preset_library.h"
 #include "physics/preset/preset_file.h"
-#include "physics/preset/schema.h"
+#include "physics/preset/preset_json.h"
 #include "physics/scene/validate.h"
 
 namespace carom {

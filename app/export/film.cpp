@@ -12,8 +12,8 @@
 #include <set>
 #include <system_error>
 
-#include "physics/files/output_set.h"
-#include "physics/record/run_moments.h"
+#include "physics/files/output_file.h"
+#include "physics/record/frame.h"
 #include "physics/scene/validate.h"
 #include "widgets/print/save_file.h"
 

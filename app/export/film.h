@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/record/run_log.h"
+#include "physics/record/replay.h"
 #include "widgets/scene/scene_export.h"
 
 namespace carom {

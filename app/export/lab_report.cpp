@@ -7,7 +7,7 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/model/needs.h"
 #include "physics/preset/preset.h"
-#include "physics/record/run_moments.h"
+#include "physics/record/frame.h"
 #include "widgets/plot/plot_export.h"
 #include "widgets/plot/run_plot.h"
 #include "widgets/print/print_blocks.h"

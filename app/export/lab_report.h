@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "physics/record/run_log.h"
+#include "physics/record/replay.h"
 #include "widgets/print/print_pages.h"
 #include "widgets/scene/scene_export.h"
 

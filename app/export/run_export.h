@@ -9,8 +9,7 @@
 
 #include "physics/compare/reference_run.h"
 #include "physics/observe/quantity.h"
-#include "physics/record/key_frames.h"
-#include "physics/record/run_log.h"
+#include "physics/record/replay.h"
 
 namespace carom {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "physics/record/run_log.h"
+#include "physics/record/replay.h"
 
 namespace carom {
 

@@ -6,7 +6,6 @@
 
 #include "physics/model/mass.h"
 #include "physics/preset/preset_file.h"
-#include "physics/preset/validate_preset.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/validate.h"
 

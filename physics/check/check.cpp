@@ -11,18 +11,12 @@
 #include "physics/observe/observables.h"
 #include "physics/preset/names.h"
 #include "physics/preset/preset.h"
-#include "physics/preset/setting.h"
+#include "physics/preset/preset_file.h"
 
 namespace carom {
 namespace {
 
 using Reduction = Expectation::Reduction;
-
-bool same_settings(const std::vector<Setting>& a, const std::vector<Setting>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Setting& x, const Setting& y) {
-    return x.place == y.place && x.value == y.value;
-  });
-}
 
 // Where the parabola through three points has its vertex.
 double vertex(double x0, double y0, double x1, double y1, double x2, double y2) {
@@ -83,11 +77,9 @@ std::string per_second(std::string_view unit) {
 
 std::string unit_of(const Expectation& e) {
   if (e.over) {
-    if (e.over->reduction == Sweep::Reduction::kExponent) return "1";
-    if (e.over->reduction == Sweep::Reduction::kWhereMaximum ||
-        e.over->reduction == Sweep::Reduction::kWhereMinimum) {
-      return "";
-    }
+    using enum Sweep::Reduction;
+    if (e.over->reduction == kExponent) return "1";
+    if (e.over->reduction == kWhereMaximum || e.over->reduction == kWhereMinimum) return "";
   }
   if (e.reduction == Reduction::kCount) return "1";
   const std::string_view unit = find_observable(e.observable)->unit;
@@ -156,8 +148,7 @@ ExpectationCheck::ExpectationCheck(const Preset& preset) : preset_(preset) {
     const Expectation& e = preset.expect[i];
     std::vector<Source>& sources = sources_.emplace_back();
     const auto add_run = [&](const std::vector<Setting>& settings) {
-      auto run = std::find_if(runs_.begin(), runs_.end(),
-                              [&](const Run& r) { return same_settings(r.settings, settings); });
+      auto run = std::find_if(runs_.begin(), runs_.end(), [&](const Run& r) { return r.settings == settings; });
       if (run == runs_.end()) {
         try {
           if (!settings.empty()) (void)variant(preset, settings);

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 #include <memory>
 
 #include "physics/math/cancelled.h"
 #include "physics/math/least_squares.h"
-#include "physics/observe/impact_tally.h"
 #include "physics/observe/observables.h"
+#include "physics/observe/quantity.h"
 #include "physics/preset/preset.h"
-#include "physics/scene/validate.h"
 #include "physics/world/simulation.h"
 
 namespace carom {
@@ -96,19 +97,12 @@ struct Measurement {
 
 std::vector<Measurement> prepare(const Preset& preset, const std::vector<Expectation>& expectations, Run& run) {
   std::vector<Measurement> all;
-  const std::vector<Body>& bodies = run.simulation.bodies();
   for (const Expectation& e : expectations) {
     Measurement m;
     m.expectation = &e;
     m.observable = find_observable(e.observable);
     m.moment = e.reduction == Reduction::kAt ? e.time : e.until.value_or(preset.duration);
-    for (const std::string& name : e.bodies) {
-      const auto found =
-          std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
-      if (found == bodies.end())
-        throw SceneError("the body \"" + shortened(name) + "\" is not there; allowed: the name of a body");
-      m.bodies.push_back(static_cast<int>(found - bodies.begin()));
-    }
+    m.bodies = indices_of(e.bodies, run.simulation.bodies());
     if (m.bodies.size() == 2) run.tally.watch(m.bodies[0], m.bodies[1]);
     all.push_back(std::move(m));
   }
@@ -233,6 +227,27 @@ class Measuring {
 std::vector<double> measure_run(const Preset& preset, const std::vector<Expectation>& expectations,
                                 const std::stop_token& stop) {
   return Measuring(preset, expectations).values(stop);
+}
+
+std::vector<StatedFigure> check_stated_figures(const Preset& preset, const Method& method, double until,
+                                               const std::stop_token& stop) {
+  Preset with_method = preset;
+  with_method.method = method;
+  std::vector<Expectation> stated;
+  for (const Expectation& e : preset.expect) {
+    const bool of_this_run = e.settings.empty() && !e.over;
+    if (e.reduction == Expectation::Reduction::kAt && of_this_run && e.time <= until) stated.push_back(e);
+  }
+  std::vector<StatedFigure> figures;
+  const std::vector<double> values = measure_run(with_method, stated, stop);
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    const Expectation& e = stated[i];
+    figures.push_back({std::abs(values[i] - e.value),
+                       fmt::format("{}{}{} at t = {:.6g} s", e.observable, e.bodies.empty() ? "" : " of ",
+                                   fmt::join(e.bodies, " and "), e.time),
+                       std::string(find_observable(e.observable)->unit)});
+  }
+  return figures;
 }
 
 }  // namespace carom

@@ -55,6 +55,11 @@ double reach(const State& state, const std::vector<Body>& bodies, const std::vec
   return length;
 }
 
+double smallest(const std::vector<Body>& bodies, const std::vector<int>& moving, double most) {
+  for (const int i : moving) most = std::min(most, bounding_radius(bodies[static_cast<std::size_t>(i)].shape));
+  return most;
+}
+
 RunSetup displaced(const RunSetup& setup, double distance) {
   RunSetup beside = setup;
   beside.scene.bodies = all_bodies(setup.scene);
@@ -91,10 +96,7 @@ Chaos follow_neighbours(const RunSetup& setup, const Method& method, double unti
   runs.emplace_back(plain);
   c.largest_kinetic = runs.front().totals().kinetic();
   c.length = reach(runs.front().state(), plain.scene.bodies, moving);
-  c.size = c.length;
-  for (const int i : moving) {
-    c.size = std::min(c.size, bounding_radius(plain.scene.bodies[static_cast<std::size_t>(i)].shape));
-  }
+  c.size = smallest(plain.scene.bodies, moving, c.length);
   const double first_length = c.length;
   for (const double displacement : kDisplacements) {
     runs.emplace_back(displaced(plain, displacement * first_length));

@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "physics/compare/run_summary.h"
+#include "physics/compare/comparison.h"
 #include "physics/world/run_setup.h"
 
 namespace carom {
@@ -51,6 +51,9 @@ inline constexpr double kVisible = 1e-3;
 
 // m: the largest coordinate of a body of `moving`, with its size.
 [[nodiscard]] double reach(const State& state, const std::vector<Body>& bodies, const std::vector<int>& moving);
+
+// m: radius of the smallest body of `moving`, up to `most`.
+[[nodiscard]] double smallest(const std::vector<Body>& bodies, const std::vector<int>& moving, double most);
 
 // The scene with its moving bodies displaced by `distance` (m), each in a direction of its own that is the same
 // on every machine. Its bodies stand in a list.

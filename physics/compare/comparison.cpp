@@ -1,9 +1,14 @@
 #include "physics/compare/comparison.h"
 
+#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <vector>
 
 #include "physics/compare/impact_matcher.h"
+#include "physics/math/cancelled.h"
+#include "physics/math/least_squares.h"
+#include "physics/world/run_setup.h"
 
 namespace carom {
 namespace {
@@ -12,6 +17,10 @@ double apart(const Vec2& a, const Vec2& b) {
   const double distance = (a - b).norm();
   return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
 }
+
+constexpr std::size_t kLeastPoints = 3;
+constexpr double kStraight = 0.05;  // of ln(error): largest distance from a line that counts as straight
+constexpr double kLeastShare = 0.5;
 
 }  // namespace
 
@@ -34,8 +43,8 @@ Comparison compare(const RunSummary& run, const RunSummary& reference, std::span
                    double time) {
   Comparison c;
   if (run.blew_up_at >= 0.0 && run.blew_up_at < time) {
-    c.unmatched = static_cast<int>(run.impact_count + reference.impact_count);
-    c.left_out = static_cast<int>(moving.size());
+    c.unmatched = run.impact_count + reference.impact_count;
+    c.left_out = static_cast<std::int64_t>(moving.size());
     return c;
   }
 
@@ -60,10 +69,118 @@ Comparison compare(const RunSummary& run, const RunSummary& reference, std::span
   matcher.give_all_up();
 
   c = compare_states(run.state, run.energy, reference.state, reference.energy, moving, awaiting);
-  c.matched = static_cast<int>(matcher.matched());
-  c.unmatched = static_cast<int>(matcher.unmatched());
+  c.matched = matcher.matched();
+  c.unmatched = matcher.unmatched();
   if (c.matched > 0) c.impact_time_error = matcher.largest_difference();
   return c;
+}
+
+RunSummary run_and_summarize(const RunSetup& setup, const Method& method, double time, double until,
+                             double blown_up_above, const std::stop_token& stop) {
+  RunSetup with_method = setup;
+  with_method.method = method;
+  Simulation s(with_method);
+  RunSummary run;
+  run.largest_kinetic = s.totals().kinetic();
+  const bool lasts = contacts_last(method, s.needs());
+  // Steps as Simulation::advance_to() takes them, with a look at each: a run that blows up would go on with
+  // millions of impacts a step.
+  const auto advance = [&](double to) {
+    const double h = method.step;
+    for (double left = to - s.time(); left > 1e-9 * h; left = to - s.time()) {
+      throw_if_cancelled(stop);
+      s.step(left > (1.0 - 1e-9) * h ? h : left);
+      if (s.lost()) {
+        run.blew_up_at = s.time();
+        return;
+      }
+      if (!lasts) {
+        for (const ImpactRecord& i : s.last_impacts()) run.impacts.push_back({i.time, i.a, i.b});
+      }
+      const double kinetic = s.totals().kinetic();
+      run.largest_kinetic = std::fmax(run.largest_kinetic, kinetic);
+      if (!(kinetic <= blown_up_above)) {
+        run.blew_up_at = s.time();
+        return;
+      }
+    }
+  };
+  advance(time);
+  run.state = s.state();
+  run.energy = s.totals().energy();
+  run.steps = s.steps();
+  run.impact_count = s.impact_count();
+  run.evaluations = s.evaluations();
+  run.rejected_steps = s.rejected_steps();
+  run.status = s.notices().text();
+  if (run.blew_up_at < 0.0) advance(until);
+  run.resting_since = s.notices().resting_since;
+  if (run.blew_up_at >= 0.0 && run.blew_up_at < time) {
+    run.status = fmt::format("blew up: ended at t = {:.6g} s", run.blew_up_at);
+  }
+  return run;
+}
+
+std::vector<int> moving_bodies(const std::vector<Body>& bodies) {
+  std::vector<int> moving;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!has_infinite_mass(bodies[i])) moving.push_back(static_cast<int>(i));
+  }
+  return moving;
+}
+
+OrderFit fit_order(std::span<const ErrorAtStep> errors, double floor, double largest) {
+  OrderFit fit;
+  std::vector<Vec2> points;  // of ln(step) and ln(error)
+  bool any = false;
+  bool exact = true;
+  for (const ErrorAtStep& e : errors) {
+    if (std::isnan(e.error)) continue;
+    any = true;
+    exact = exact && e.error <= kExactBelowFloor * floor;
+    if (e.error > kFittedAboveFloor * floor && e.error < largest) {
+      points.emplace_back(std::log(e.step), std::log(e.error));
+    }
+  }
+  if (any && exact) {
+    fit.kind = OrderFit::Kind::kExact;
+    return fit;
+  }
+  std::sort(points.begin(), points.end(), [](const Vec2& p, const Vec2& q) { return p.x() < q.x(); });
+  const auto same_step = std::adjacent_find(points.begin(), points.end(),
+                                            [](const Vec2& p, const Vec2& q) { return p.x() == q.x(); });
+  if (points.size() < kLeastPoints || same_step != points.end()) return fit;
+
+  // The finest steps always count: only from the coarse end is something left out.
+  std::span<const Vec2> best = points;
+  const auto needed = std::max(
+      kLeastPoints, static_cast<std::size_t>(std::ceil(kLeastShare * static_cast<double>(points.size()))));
+  for (std::size_t count = points.size(); count >= needed; --count) {
+    const auto finest = std::span<const Vec2>(points).first(count);
+    if (fit_line(finest).farthest > kStraight) continue;
+    best = finest;
+    break;
+  }
+  const Line line = fit_line(best);
+  fit.kind = OrderFit::Kind::kOrder;
+  fit.order = std::abs(line.slope) < 5e-3 ? 0.0 : line.slope;  // not "-0.00" where nothing changes
+  fit.uncertainty = line.uncertainty;
+  fit.from = std::exp(best.front().x());
+  fit.to = std::exp(best.back().x());
+  fit.points = static_cast<int>(best.size());
+  return fit;
+}
+
+std::string text_of(const OrderFit& fit) {
+  switch (fit.kind) {
+    case OrderFit::Kind::kExact:
+      return "exact here";
+    case OrderFit::Kind::kNone:
+      return "no order";
+    case OrderFit::Kind::kOrder:
+      break;
+  }
+  return fmt::format("{:.2f} ± {:.2f}", fit.order, fit.uncertainty);
 }
 
 }  // namespace carom

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "physics/compare/chaos.h"
-#include "physics/compare/run_summary.h"
+#include "physics/compare/comparison.h"
 #include "physics/scene/facts.h"
 #include "physics/world/run_setup.h"
 

@@ -49,10 +49,7 @@ ReferenceRun::ReferenceRun(const RunSetup& start, ReferenceId reference)
       moving_(moving_bodies(fine_.bodies())),
       awaiting_(fine_.bodies().size(), 0) {
   length_ = reach(fine_.state(), fine_.bodies(), moving_);
-  size_ = length_;
-  for (const int i : moving_) {
-    size_ = std::min(size_, bounding_radius(fine_.bodies()[static_cast<std::size_t>(i)].shape));
-  }
+  size_ = smallest(fine_.bodies(), moving_, length_);
   energy_ = fine_.totals().energy();
   error_.position = error_.velocity = error_.energy = 0.0;
 }

@@ -1,13 +1,51 @@
 #pragma once
 
+#include <compare>
+#include <deque>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <sys/stat.h>
+#include <utility>
+#include <vector>
 
-#include "physics/files/output_place.h"
 #include "physics/files/temporary_file.h"
 
 namespace carom {
+
+// Tells files apart whatever their names are: device and inode.
+struct FileId {
+  dev_t device = 0;
+  ino_t inode = 0;
+  friend auto operator<=>(const FileId&, const FileId&) = default;
+};
+[[nodiscard]] FileId id_of(const struct stat& facts);
+
+// Where the bytes of an output go, found by following its name through symbolic links.
+struct OutputPlace {
+  enum class Kind {
+    kNew,       // a file that is not there yet
+    kReplaced,  // a file that is there
+    kSpecial,   // a device, a pipe or a terminal
+    kStream,    // an open descriptor of this process, as /dev/stdout is
+  };
+  Kind kind = Kind::kNew;
+  std::string name;            // as the user wrote it
+  std::filesystem::path file;  // absolute and without links, but for what is special
+  FileId folder;               // that holds it; of kNew and kReplaced
+  struct stat facts = {};      // of what is there already; not of kNew
+  int descriptor = -1;         // of kStream
+};
+
+// Throws SceneError where no file of this name can be written: its folder is not there or may not be changed,
+// it is a folder itself, it is marked read-only (no right to write; for root: nobody has one), links lead
+// nowhere. Nothing is changed or opened for long.
+[[nodiscard]] OutputPlace output_place(const std::string& name);
+
+// Throws SceneError: "name: why; allowed: allowed".
+[[noreturn]] void refuse_output(const std::string& name, const std::string& why, const std::string& allowed);
 
 // A file that is written whole or not at all. The bytes go to a temporary file in the same folder, which
 // commit() puts in the place of the old one, with its mode and, where that is possible, its owner; symbolic
@@ -51,6 +89,31 @@ class OutputFile {
   bool unread_ = false;  // nobody reads stdout: nothing more is written, and nobody is told
   std::string buffer_;
   std::string failure_;
+};
+
+// All files that one command writes, to be opened before its work, so that hours of it don't end at a file that
+// cannot be written, and no output takes the place of an input or of another output, by whatever name:
+// relative, absolute, through symbolic links or hard links. Devices, such as /dev/null, may be named twice.
+class OutputSet {
+ public:
+  explicit OutputSet(const std::vector<std::filesystem::path>& inputs = {});
+  OutputSet(const OutputSet&) = delete;
+  OutputSet& operator=(const OutputSet&) = delete;
+
+  // Takes the name as one of this set's. Throws SceneError.
+  OutputPlace reserve(const std::string& name);
+  // Reserves and opens; without a name there is none. It lives as long as the set.
+  [[nodiscard]] OutputFile* open(const std::string& name);
+  // Puts every file in its place that could be written. The answer is one line about those that could not, else
+  // empty.
+  [[nodiscard]] std::string commit();
+
+ private:
+  // Names as the user wrote them, of what is there and of what is not there yet.
+  std::map<FileId, std::string> inputs_;
+  std::map<FileId, std::string> outputs_;
+  std::map<std::pair<FileId, std::string>, std::string> new_outputs_;
+  std::deque<OutputFile> files_;
 };
 
 }  // namespace carom

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "physics/math/bounds.h"
-#include "physics/scene/polygon.h"
 #include "physics/scene/scene.h"
+#include "physics/scene/shape.h"
 
 // Shapes for collision: every one is a convex core grown by a rounding radius, or a half-plane. Queries of a
 // pair (contact_between, manifold) are in pair_contact.h.
@@ -32,7 +32,7 @@ struct ConvexShape {
 [[nodiscard]] ConvexShape box_shape(double width, double height, double rounding = 0.0);
 // The two ends must differ.
 [[nodiscard]] ConvexShape segment_shape(const Vec2& from, const Vec2& to, double rounding = 0.0);
-// 3 to kMostVertices vertices as tidied() gives them (polygon.h).
+// 3 to kMostVertices vertices as tidied() gives them (physics/scene/shape.h).
 [[nodiscard]] ConvexShape polygon_shape(std::vector<Vec2> vertices, double rounding = 0.0);
 // The solid side is that of all x with normal·x <= offset; `normal` is a unit vector.
 [[nodiscard]] ConvexShape half_plane_shape(const Vec2& normal, double offset);

@@ -41,7 +41,8 @@ Bounds bounds_at(const Reading& r, int i) {
 }
 
 // J; an immovable body has none to give.
-double body_kinetic_energy(const Reading& r, int i) {
+double body_kinetic_energy(const Reading& r, Ids body) {
+  const int i = body[0];
   if (!(r.mass.inverse_mass[i] > 0.0)) return 0.0;
   const double spin = r.state.v(2, i);
   return 0.5 * r.mass.mass[i] * r.state.velocity(i).squaredNorm() + 0.5 * r.mass.inertia[i] * spin * spin;
@@ -149,23 +150,19 @@ constexpr auto kOwn = std::to_array<Observable>({
     {"direction", "direction of motion", "rad", 1, Topic::kBody,
      [](R r, Ids b) { return std::atan2(r.state.v(1, b[0]), r.state.v(0, b[0])); }},
     {"spin", "spin", "rad/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.v(2, b[0]); }},
-    {"body_kinetic_energy", "kinetic energy", "J", 1, Topic::kBody,
-     [](R r, Ids b) { return body_kinetic_energy(r, b[0]); }},
+    {"body_kinetic_energy", "kinetic energy", "J", 1, Topic::kBody, body_kinetic_energy},
     {"body_momentum_x", "momentum x", "N s", 1, Topic::kBody,
      [](R r, Ids b) { return body_momentum(r, b[0]).x(); }},
     {"body_momentum_y", "momentum y", "N s", 1, Topic::kBody,
      [](R r, Ids b) { return body_momentum(r, b[0]).y(); }},
     {"body_momentum", "momentum", "N s", 1, Topic::kBody,
      [](R r, Ids b) { return body_momentum(r, b[0]).norm(); }},
-    {"angle_between", "angle between the velocities", "rad", 2, Topic::kPair,
-     [](R r, Ids b) { return angle_between(r, b); }},
-    {"distance", "distance of the centres", "m", 2, Topic::kPair, [](R r, Ids b) { return distance(r, b); }},
+    {"angle_between", "angle between the velocities", "rad", 2, Topic::kPair, angle_between},
+    {"distance", "distance of the centres", "m", 2, Topic::kPair, distance},
     {"impacts_between", "impacts so far", "1", 2, Topic::kPair,
      [](R r, Ids b) { return r.tally.between(b[0], b[1]); }},
-    {"contact_force", "normal contact force", "N", 2, Topic::kPair,
-     [](R r, Ids b) { return normal_force(r, b); }},
-    {"friction_force", "tangential contact force", "N", 2, Topic::kPair,
-     [](R r, Ids b) { return tangential_force(r, b); }},
+    {"contact_force", "normal contact force", "N", 2, Topic::kPair, normal_force},
+    {"friction_force", "tangential contact force", "N", 2, Topic::kPair, tangential_force},
     {"kinetic_energy", "kinetic energy", "J", 0, Topic::kEnergy, [](R r, Ids) { return r.totals.kinetic(); }},
     {"rotational_energy", "energy of rotation", "J", 0, Topic::kEnergy,
      [](R r, Ids) { return r.totals.rotational; }},
@@ -270,6 +267,25 @@ const Observable* find_observable(std::string_view name) {
   const auto found = std::find_if(kObservables.begin(), kObservables.end(),
                                   [&](const Observable& o) { return o.name == name; });
   return found == kObservables.end() ? nullptr : &*found;
+}
+
+void ImpactTally::begin(const Simulation& simulation) {
+  ImpactCounts counts = simulation.impact_counts();
+  for (const ImpactCounts::Pair& p : counts_.pairs)
+    counts.watch(p.a, p.b, simulation.impact_count() == 0 ? 0 : ImpactCounts::kNotKnown);
+  counts_ = std::move(counts);
+  happened(simulation.impact_count());
+}
+
+void ImpactTally::add(const Simulation& simulation) {
+  for (const ImpactRecord& impact : simulation.last_impacts()) add(impact, simulation.mass());
+  happened(simulation.impact_count());
+}
+
+double ImpactTally::between(int a, int b) const {
+  const ImpactCounts::Pair* pair = counts_.find(a, b);
+  return pair != nullptr && pair->known() ? known(static_cast<double>(pair->count))
+                                          : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace carom

@@ -8,6 +8,20 @@
 
 namespace carom {
 
+std::vector<int> indices_of(const std::vector<std::string>& names, std::span<const Body> bodies) {
+  std::vector<int> indices;
+  for (const std::string& name : names) {
+    const auto found =
+        std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
+    if (found == bodies.end()) {
+      throw SceneError(
+          fmt::format("the body \"{}\" is not there; allowed: the name of a body", shortened(name)));
+    }
+    indices.push_back(static_cast<int>(found - bodies.begin()));
+  }
+  return indices;
+}
+
 Quantity quantity_of(const QuantityName& name, std::span<const Body> bodies) {
   Quantity quantity;
   quantity.observable = find_observable(name.observable);
@@ -19,15 +33,7 @@ Quantity quantity_of(const QuantityName& name, std::span<const Body> bodies) {
     throw SceneError(fmt::format("\"{}\" has {} bodies; allowed: {}", name.observable, name.bodies.size(),
                                  quantity.observable->bodies));
   }
-  for (const std::string& wanted : name.bodies) {
-    const auto found =
-        std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == wanted; });
-    if (found == bodies.end()) {
-      throw SceneError(
-          fmt::format("the body \"{}\" is not there; allowed: the name of a body", shortened(wanted)));
-    }
-    quantity.bodies.push_back(static_cast<int>(found - bodies.begin()));
-  }
+  quantity.bodies = indices_of(name.bodies, bodies);
   return quantity;
 }
 

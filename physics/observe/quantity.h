@@ -57,6 +57,9 @@ struct Curve {
   auto operator<=>(const Curve&) const = default;
 };
 
+// Of bodies by their names. Throws SceneError where one is not there.
+[[nodiscard]] std::vector<int> indices_of(const std::vector<std::string>& names, std::span<const Body> bodies);
+
 // The quantity that a file names. Throws SceneError where there is no such observable, it asks for another
 // number of bodies, or a body is not there.
 [[nodiscard]] Quantity quantity_of(const QuantityName& name, std::span<const Body> bodies);

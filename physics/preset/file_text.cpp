@@ -1,11 +1,10 @@
-#include "physics/preset/file_text.h"
-
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
 
 namespace carom {

@@ -3,7 +3,6 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "physics/preset/preset.h"
 #include "physics/scene/scene.h"
@@ -11,7 +10,13 @@
 // The words of a preset file that stand for a choice, shared by its reader and its writer.
 namespace carom {
 
-inline constexpr auto kReductionNames = std::to_array<std::pair<Expectation::Reduction, std::string_view>>({
+template <class Id>
+struct Named {
+  Id id;
+  std::string_view name;
+};
+
+inline constexpr auto kReductionNames = std::to_array<Named<Expectation::Reduction>>({
     {Expectation::Reduction::kAt, "at"},
     {Expectation::Reduction::kAtImpact, "impact"},
     {Expectation::Reduction::kMaximum, "maximum"},
@@ -22,7 +27,7 @@ inline constexpr auto kReductionNames = std::to_array<std::pair<Expectation::Red
     {Expectation::Reduction::kFit, "fit"},
 });
 
-inline constexpr auto kSweepNames = std::to_array<std::pair<Sweep::Reduction, std::string_view>>({
+inline constexpr auto kSweepNames = std::to_array<Named<Sweep::Reduction>>({
     {Sweep::Reduction::kMean, "mean"},
     {Sweep::Reduction::kMaximum, "maximum"},
     {Sweep::Reduction::kMinimum, "minimum"},
@@ -31,24 +36,24 @@ inline constexpr auto kSweepNames = std::to_array<std::pair<Sweep::Reduction, st
     {Sweep::Reduction::kExponent, "exponent"},
 });
 
-inline constexpr auto kSpringActsNames = std::to_array<std::pair<SpringActs, std::string_view>>({
+inline constexpr auto kSpringActsNames = std::to_array<Named<SpringActs>>({
     {SpringActs::kBoth, "both"},
     {SpringActs::kPush, "push"},
     {SpringActs::kPull, "pull"},
     {SpringActs::kWhileShort, "while-short"},
 });
 
-inline constexpr auto kImpactLawNames = std::to_array<std::pair<ImpactLawId, std::string_view>>({
+inline constexpr auto kImpactLawNames = std::to_array<Named<ImpactLawId>>({
     {ImpactLawId::kEnergetic, "energetic"},
     {ImpactLawId::kNewton, "newton"},
 });
 
-inline constexpr auto kSeveralImpactsNames = std::to_array<std::pair<SeveralImpactsId, std::string_view>>({
+inline constexpr auto kSeveralImpactsNames = std::to_array<Named<SeveralImpactsId>>({
     {SeveralImpactsId::kPairwise, "pairwise"},
     {SeveralImpactsId::kSimultaneous, "simultaneous"},
 });
 
-inline constexpr auto kJointNames = std::to_array<std::pair<JointKind, std::string_view>>({
+inline constexpr auto kJointNames = std::to_array<Named<JointKind>>({
     {JointKind::kRod, "rod"},
     {JointKind::kString, "string"},
     {JointKind::kPin, "pin"},
@@ -64,7 +69,7 @@ template <class Table, class Id>
   for (const auto& [known, name] : table) {
     if (known == id) return name;
   }
-  return table.front().second;
+  return table.front().name;
 }
 
 }  // namespace carom

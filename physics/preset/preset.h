@@ -16,6 +16,8 @@ namespace carom {
 struct Setting {
   std::string place;
   double value = 0.0;
+
+  bool operator==(const Setting&) const = default;
 };
 
 // One run for each of `values` at `place`, and what the numbers that they give are reduced to.

@@ -1,15 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "physics/preset/preset.h"
-#include "physics/scene/scene_error.h"
+#include "physics/scene/validate.h"
 
 // Preset files: JSON, SI units, "format": "carom-preset", "version": 1. Unknown and duplicate keys are errors,
 // but for the free object `extra`, which is kept as it is.
 namespace carom {
+
+class Simulation;
 
 inline constexpr int kPresetVersion = 1;
 
@@ -24,5 +28,34 @@ inline constexpr int kPresetVersion = 1;
 // `file` is the old one or the new one, never half of it (see OutputFile). Throws SceneError if that fails, or
 // where read_preset() would refuse what it wrote; the old file stays.
 void save_preset(const Preset& preset, const std::filesystem::path& file);
+
+// Checks all that a reader cannot see one value at a time: the scene (physics/scene/validate.h), whether the
+// methods can run it, expectations, plots and the view. Throws SceneError with the JSON pointer of the first
+// fault; `places` are those of the forces in its file.
+void validate(const Preset& preset, const ForcePlaces& places);
+void validate(const Preset& preset);
+
+// The scene of a preset file with other numbers in some places. Forces stand in the order of written_places(),
+// and members that hold their default stand there too. The expectations are left out. Throws SceneError if a
+// place holds no number, or if the scene does not allow the number.
+[[nodiscard]] Preset variant(const Preset& preset, const std::vector<Setting>& settings);
+
+// For the reader: refuses expectations whose settings or sweep name a place that holds no number, and turns the
+// places of forces from those of the file, `places`, to those of a file that Carom writes.
+void resolve_places(Preset& preset, const ForcePlaces& places);
+
+// The preset that goes on where the run stands now: `document` with the bodies where they are, the clock, what
+// has stuck together among the joints, and the state. Driven bodies keep the position that their drive counts
+// from. Expectations are about the run from its start, and are left out. Throws SceneError for a run that has
+// numbers which no preset can have.
+[[nodiscard]] Preset saved_preset(const Preset& document, const Simulation& simulation);
+
+// Bytes that a file may have to be read: far beyond any preset.
+inline constexpr std::size_t kLargestFile = 256'000'000;
+
+// The bytes of a regular file. Never waits for a pipe or a device. Throws SceneError, one line with the file's
+// name, if it is something else, too large or can't be read; `allowed` says what may stand there: "a preset
+// file".
+[[nodiscard]] std::string file_text(const std::filesystem::path& file, const char* allowed);
 
 }  // namespace carom

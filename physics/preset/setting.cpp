@@ -1,13 +1,19 @@
-#include "physics/preset/setting.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <string>
+#include <string_view>
+#include <unordered_map>
 
 #include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/preset/preset_json.h"
+#include "physics/scene/facts.h"
+#include "physics/scene/value_checks.h"
+#include "physics/world/run_state.h"
+#include "physics/world/simulation.h"
 
 namespace carom {
 namespace {
@@ -61,6 +67,68 @@ Json full_json(const Preset& preset) {
   return json;
 }
 
+void check_sweep(const std::string& at, const Sweep& sweep) {
+  using Reduction = Sweep::Reduction;
+  const bool parabola =
+      sweep.reduction == Reduction::kWhereMaximum || sweep.reduction == Reduction::kWhereMinimum;
+  const std::size_t least = parabola ? 3 : sweep.reduction == Reduction::kExponent ? 2 : 1;
+  if (sweep.values.size() < least || sweep.values.size() > kMostSweepValues) {
+    refuse_by(Rule::kOrderOfNumbers, at + "/values", fmt::format("{} values", sweep.values.size()),
+              fmt::format("{} to {} for this reduction", least, kMostSweepValues));
+  }
+  for (std::size_t i = 0; i < sweep.values.size(); ++i) {
+    const std::string place = fmt::format("{}/values/{}", at, i);
+    check_range(place, sweep.values[i], any_number(""));
+    if (sweep.reduction == Reduction::kExponent && !(sweep.values[i] >= kLeastPositive))
+      refuse_by(Rule::kOrderOfNumbers, place, fmt::format("{}", sweep.values[i]), positive("").text());
+    if (i > 0 && least > 1 && !(sweep.values[i] > sweep.values[i - 1]))
+      refuse_by(Rule::kOrderOfNumbers, place, fmt::format("{}", sweep.values[i]),
+                "values in rising order for this reduction");
+  }
+}
+
+void check_expectation(const std::string& at, const Expectation& e, const NamedBodies& bodies) {
+  for (std::size_t k = 0; k < e.bodies.size(); ++k)
+    (void)named_body(bodies, fmt::format("{}/bodies/{}", at, k), e.bodies[k]);
+  check_range(at + "/tolerance", e.tolerance, from_zero(""));
+  check_range(at + "/time", e.time, from_zero("s"));
+  check_range(at + "/from", e.from, from_zero("s"));
+  if (e.until) {
+    check_range(at + "/until", *e.until, from_zero("s"));
+    check_order(at + "/until", *e.until, e.from, "from");
+  }
+  if (e.reduction == Expectation::Reduction::kAtImpact && e.impact < 1)
+    refuse_value(at + "/impact", fmt::format("{}", e.impact), "1, 2, ...");
+  for (const Setting& s : e.settings) {
+    check_range(fmt::format("{}/with {}", at, s.place), s.value, any_number(""));
+  }
+  if (e.over) check_sweep(at + "/over", *e.over);
+}
+
+void check_plot(const std::string& at, const Plot& plot, const NamedBodies& bodies) {
+  const auto check = [&](const std::string& place, const QuantityName& quantity) {
+    for (std::size_t k = 0; k < quantity.bodies.size(); ++k)
+      (void)named_body(bodies, fmt::format("{}/bodies/{}", place, k), quantity.bodies[k]);
+  };
+  for (std::size_t i = 0; i < plot.y.size(); ++i) check(fmt::format("{}/y/{}", at, i), plot.y[i]);
+  if (plot.x) check(at + "/x", *plot.x);
+}
+
+// How many there are.
+void check_plots(const std::vector<Plot>& plots) {
+  check_count("/plots", plots.size(), kMostPlots, "plots");
+  std::size_t curves = 0;
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    curves += plots[i].y.size();
+    check_count(fmt::format("/plots/{}/y", i), plots[i].y.size(), kMostPlotCurves, "curves");
+    if (curves > kMostCurvesInAll) {
+      refuse_by(Rule::kCountInAll, fmt::format("/plots/{}/y", i),
+                fmt::format("{} curves in all plots so far", curves),
+                fmt::format("up to {}", kMostCurvesInAll));
+    }
+  }
+}
+
 }  // namespace
 
 Preset variant(const Preset& preset, const std::vector<Setting>& settings) {
@@ -95,6 +163,92 @@ void resolve_places(Preset& preset, const ForcePlaces& places) {
     for (Setting& s : e.settings) resolve(fmt::format("/expect/{}/with", i), s.place);
     if (e.over) resolve(fmt::format("/expect/{}/over/place", i), e.over->place);
   }
+}
+
+Preset saved_preset(const Preset& document, const Simulation& simulation) {
+  if (const auto& lost = simulation.lost()) {
+    throw SceneError("the run cannot be saved as it stands: it is " +
+                     lost->text(simulation.bodies(), simulation.time()));
+  }
+  Preset out = document;
+  out.scene.generators.clear();
+  out.expect.clear();
+  out.method = simulation.method();
+  out.scene.bodies = simulation.bodies();
+  const State& state = simulation.state();
+  // What a file may leave to the start must be said now.
+  out.scene.joints = simulation.joints();
+  std::unordered_map<std::string_view, double> angles;  // by body
+  for (const Body& b : out.scene.bodies) angles.emplace(b.name, b.angle);
+  for (std::size_t i = 0; i < out.scene.joints.size(); ++i) {
+    Joint& joint = out.scene.joints[i];
+    if (joint.kind == JointKind::kRod || joint.kind == JointKind::kString) {
+      joint.length = simulation.length(static_cast<int>(i));
+    } else if (joint.kind == JointKind::kWeld && !joint.angle) {
+      joint.angle = angles.at(joint.body) - (joint.to.empty() ? 0.0 : angles.at(joint.to));
+    }
+  }
+  for (int i = 0; i < state.size(); ++i) {
+    Body& b = out.scene.bodies[static_cast<std::size_t>(i)];
+    if (has_infinite_mass(b)) continue;
+    b.position = state.position(i);
+    b.angle = state.q(2, i);
+    b.velocity = state.velocity(i);
+    b.spin = state.v(2, i);
+  }
+  out.saved = SavedRun{.time = simulation.time()};
+  out.saved->state = std::make_shared<RunState>(simulation.run_state());
+  out.saved->fingerprint = fingerprint(out.scene, simulation.time());
+  try {
+    validate(out);
+    check_state(out.scene, simulation.time(), *out.saved->state);
+  } catch (const SceneError& error) {
+    throw SceneError(std::string("the run cannot be saved as it stands: ") + error.what());
+  }
+  return out;
+}
+
+void validate(const Preset& preset, const ForcePlaces& places) {
+  check_method("/method", preset.method);
+  check_count("/compare", preset.compare.size(), kMostCompared, "methods");
+  for (std::size_t i = 0; i < preset.compare.size(); ++i) {
+    check_method(fmt::format("/compare/{}", i), preset.compare[i]);
+  }
+  check_range("/duration", preset.duration, positive("s"));
+  if (preset.saved && !from_zero("s").contains(preset.saved->time))
+    refuse_by(Rule::kSavedRun, "/state/time", fmt::format("{}", preset.saved->time), from_zero("s").text());
+  validate(preset.scene, places, {start_time(preset.saved), state_belongs(preset.scene, preset.saved)});
+  check_integrator("/method", preset.scene, preset.method);
+  for (std::size_t i = 0; i < preset.compare.size(); ++i) {
+    check_integrator(fmt::format("/compare/{}", i), preset.scene, preset.compare[i]);
+  }
+  const std::vector<Body> all = all_bodies(preset.scene);
+  NamedBodies bodies;
+  for (const Body& b : all) bodies.emplace(b.name, &b);
+  check_count("/expect", preset.expect.size(), kMostExpectations, "expectations");
+  for (std::size_t i = 0; i < preset.expect.size(); ++i)
+    check_expectation(fmt::format("/expect/{}", i), preset.expect[i], bodies);
+  check_plots(preset.plots);
+  for (std::size_t i = 0; i < preset.plots.size(); ++i)
+    check_plot(fmt::format("/plots/{}", i), preset.plots[i], bodies);
+  if (preset.view) {
+    check_vector("/view/center", preset.view->center, "m");
+    check_range("/view/width", preset.view->width, positive("m"));
+  }
+}
+
+void validate(const Preset& preset) { validate(preset, written_places(preset.scene.forces)); }
+
+RunSetup setup_of(const Preset& preset) {
+  RunSetup setup{preset.scene, preset.method, preset.saved};
+  const auto count = [&](const QuantityName& quantity) {
+    if (quantity.bodies.size() == 2) setup.counted_pairs.emplace_back(quantity.bodies[0], quantity.bodies[1]);
+  };
+  for (const Plot& plot : preset.plots) {
+    for (const QuantityName& y : plot.y) count(y);
+    if (plot.x) count(*plot.x);
+  }
+  return setup;
 }
 
 }  // namespace carom

@@ -1,5 +1,3 @@
-#include "physics/preset/state_json.h"
-
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -7,10 +5,7 @@
 #include <limits>
 
 #include "physics/dynamics/integrators/integrators.h"
-#include "physics/preset/method_json.h"
-#include "physics/preset/object_reader.h"
-#include "physics/preset/object_writer.h"
-#include "physics/preset/preset.h"
+#include "physics/preset/sections_json.h"
 #include "physics/world/ledger_entries.h"
 #include "physics/world/run_state.h"
 
@@ -22,246 +17,247 @@ constexpr double kMostCount = 9e15;  // whole numbers that doubles hold exactly
 // How many values a list has: known from the scene; or free.
 constexpr std::size_t kFree = std::numeric_limits<std::size_t>::max();
 
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+struct Sizes {
+  std::size_t bodies, islands, springs, joints, applied;
+};
+
+ValueReader element(const ValueReader& list, std::size_t i) {
+  return {list.value()[i], fmt::format("{}/{}", list.place(), i)};
 }
 
-// Numbers go into the file with all their digits. Equal ones, of a list whose length the scene says, become
-// one.
-class StateWriter {
- public:
-  Json json = Json::object();
+void check_array(const ValueReader& v, std::size_t size) {
+  if (!v.value().is_array()) refuse_value(v.place(), quoted(v.value()), "an array, [...]");
+  if (size != kFree && v.value().size() != size)
+    refuse_value(v.place(), fmt::format("an array of {}", v.value().size()), fmt::format("{} values", size));
+}
 
-  void value(const char* key, double x) { json[key] = finite(key, x); }
-  template <class T>
-  void later(const char* key, T x) {
-    value(key, x);
+template <class T>
+void take(const ValueReader& v, T& x) {
+  const auto refuse = [&v](const std::string& allowed) { refuse_value(v.place(), quoted(v.value()), allowed); };
+  if constexpr (std::is_same_v<T, double>) {
+    if (!v.value().is_number()) refuse("a number");
+    x = v.value().get<double>();  // the parser has refused what is no double
+  } else if constexpr (std::is_same_v<T, bool>) {
+    if (!v.value().is_boolean()) refuse("true or false");
+    x = v.value().get<bool>();
+  } else if constexpr (std::is_integral_v<T>) {
+    const double most = std::min(kMostCount, static_cast<double>(std::numeric_limits<T>::max()));
+    if (!v.value().is_number_integer() || !(std::abs(v.value().get<double>()) <= most))
+      refuse(fmt::format("a whole number up to {}", most));
+    x = v.value().get<T>();
+  } else if constexpr (std::is_same_v<T, Vec2>) {
+    if (!v.value().is_array() || v.value().size() != 2) refuse("two numbers, [x, y]");
+    for (int i = 0; i < 2; ++i) take(element(v, static_cast<std::size_t>(i)), x[i]);
+  } else if constexpr (std::is_same_v<T, Method>) {
+    v.object([&](FieldReader& r) { read_method(r, x); });
+  } else {
+    check_array(v, kFree);
+    x.resize(v.value().size());
+    for (std::size_t i = 0; i < x.size(); ++i) take(element(v, i), x[i]);
   }
-  void value(const char* key, std::int64_t x) { json[key] = x; }
-  void value(const char* key, int x) { json[key] = x; }
-  void value(const char* key, bool x) { json[key] = x; }
-  void value(const char* key, const Vec2& x) { json[key] = {finite(key, x.x()), finite(key, x.y())}; }
-  void value(const char* key, const Method& method) { json[key] = method_json(method, true); }
-  template <class T>
-  void list(const char* key, const std::vector<T>& values, std::size_t size) {
-    json[key] = list_json(key, values.size(), size != kFree, [&](std::size_t i) { return values[i]; });
+}
+
+// One value may stand for all of a list whose length the scene says.
+template <class T>
+void take_list(const ValueReader& v, std::vector<T>& values, std::size_t size) {
+  if (v.value().is_array() || size == kFree) {
+    check_array(v, size);
+    take(v, values);
+    return;
   }
-  template <class Matrix>
-  void rows(const char* key, const Matrix& m, std::size_t) {
-    Json& to = json[key] = Json::array();
-    for (Eigen::Index row = 0; row < m.rows(); ++row) {
-      to.push_back(list_json(key, static_cast<std::size_t>(m.cols()), true,
-                             [&](std::size_t i) { return m(row, static_cast<Eigen::Index>(i)); }));
+  T all{};
+  take(v, all);
+  values.assign(size, all);
+}
+
+// Half-planes have no bounds.
+template <class T>
+void take_bound(const ValueReader& v, T& x) {
+  if constexpr (std::is_same_v<T, double>) {
+    if (v.value() == "inf" || v.value() == "-inf") {
+      x = std::copysign(std::numeric_limits<double>::infinity(), v.value() == "inf" ? 1.0 : -1.0);
+      return;
     }
   }
-  template <class T, class Describe>
-  void object(const char* key, const T& value, const Describe& describe) {
-    StateWriter inner;
-    describe(inner, value);
-    json[key] = std::move(inner.json);
-  }
-  template <class T, class Describe>
-  void later(const char* key, const T& value, const Describe& describe) {
-    object(key, value, describe);
-  }
-  template <class T, class Describe>
-  void optional(const char* key, const std::optional<T>& value, const Describe& describe) {
-    if (value) object(key, *value, describe);
-  }
-  // Each element an array of its values.
-  template <class T, class Describe>
-  void tuples(const char* key, const std::vector<T>& values, std::size_t, const Describe& describe) {
-    Json& to = json[key] = Json::array();
-    for (const T& value : values) {
-      Json tuple = Json::array();
-      describe([&](const auto& x) { tuple.push_back(element(key, x)); }, value);
-      to.push_back(std::move(tuple));
-    }
-  }
+  take(v, x);
+}
 
- private:
-  static double finite(const char* key, double x) {
+template <class T>
+Json written(const char* key, const T& x) {
+  if constexpr (std::is_same_v<T, double>) {
     if (!std::isfinite(x)) {
       throw SceneError(
           fmt::format("/state: {} has a number that is {}; allowed: a run that has not blown up", key, x));
     }
     return x;
+  } else if constexpr (std::is_same_v<T, Vec2>) {
+    return Json::array({written(key, x.x()), written(key, x.y())});
+  } else if constexpr (std::is_same_v<T, Method>) {
+    return carom::written(x, true, read_method);
+  } else {
+    return x;
   }
-  template <class T>
-  static Json element(const char* key, const T& x) {
+}
+
+template <class T>
+Json written_bound(const char* key, const T& x) {
+  if constexpr (std::is_same_v<T, double>) {
+    if (std::isinf(x)) return x > 0.0 ? "inf" : "-inf";
+  }
+  return written(key, x);
+}
+
+// Equal values, of a list whose length the scene says, become one.
+template <class T>
+Json written_list(const char* key, const std::vector<T>& values, std::size_t size) {
+  const auto same = [&](const T& x) {
     if constexpr (std::is_same_v<T, double>) {
-      // Half-planes have no bounds.
-      if (std::isinf(x)) return x > 0.0 ? "inf" : "-inf";
-      return finite(key, x);
+      return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(values[0]);
     } else {
-      return x;
+      return x == values[0];
     }
-  }
-  template <class At>
-  static Json list_json(const char* key, std::size_t size, bool may_shrink, const At& at) {
-    const auto same = [&](std::size_t i) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(at(0))>, double>) {
-        return same_bits(at(i), at(0));
-      } else {
-        return at(i) == at(0);
-      }
-    };
-    std::size_t equal = 0;
-    while (equal < size && same(equal)) ++equal;
-    Json list = Json::array();
-    for (std::size_t i = 0; i < size; ++i) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(at(0))>, double>) {
-        list.push_back(finite(key, at(i)));
-      } else {
-        list.push_back(at(i));
-      }
-      if (may_shrink && size > 1 && equal == size) return list[0];
-    }
-    return list;
-  }
-};
+  };
+  if (size != kFree && values.size() > 1 && std::all_of(values.begin(), values.end(), same))
+    return written(key, values[0]);
+  Json list = Json::array();
+  for (const T& x : values) list.push_back(written(key, x));
+  return list;
+}
 
-// Reads what StateWriter writes; each error is one line with the place.
-class StateReader {
+// A part of the state, member by member: constant ones are written, with all their digits; the others are read.
+// Each error is one line with the place.
+class StatePart {
  public:
-  StateReader(const Json& json, std::string place) : reader_(json, std::move(place)) {}
-  void finish() const { reader_.finish(); }
+  explicit StatePart(const Sizes& sizes, FieldReader* reader = nullptr) : size(sizes), reader_(reader) {}
 
-  void value(const char* key, double& x) { x = finite(required(key), reader_.at(key)); }
-  // A file may be older than such a value.
+  Json json = Json::object();
+  Sizes size;
+
+  // A file may be older than a value that is not needed.
   template <class T>
-  void later(const char* key, T& x) {
-    if (reader_.find(key) != nullptr) value(key, x);
-  }
-  void value(const char* key, std::int64_t& x) { x = whole<std::int64_t>(required(key), reader_.at(key)); }
-  void value(const char* key, int& x) { x = whole<int>(required(key), reader_.at(key)); }
-  void value(const char* key, bool& x) { x = flag(required(key), reader_.at(key)); }
-  void value(const char* key, Vec2& x) {
-    const Json& v = required(key);
-    if (!v.is_array() || v.size() != 2) refuse_value(reader_.at(key), quoted(v), "two numbers, [x, y]");
-    x = {finite(v[0], reader_.at(key) + "/0"), finite(v[1], reader_.at(key) + "/1")};
-  }
-  void value(const char* key, Method& method) {
-    ValueReader(required(key), reader_.at(key)).object([&](FieldReader& r) { read_method(r, method); });
-  }
-  template <class T>
-  void list(const char* key, std::vector<T>& values, std::size_t size) {
-    const Json& v = required(key);
-    if (!v.is_array() && size != kFree) {
-      values.assign(size, element<T>(v, reader_.at(key)));
-      return;
+  void value(const char* key, T& x, bool needed = true) {
+    if constexpr (std::is_const_v<T>) {
+      json[key] = written(key, x);
+    } else {
+      read(key, needed, [&](const ValueReader& v) { take(v, x); });
     }
-    check_array(v, reader_.at(key), size);
-    values.clear();
-    values.reserve(v.size());
-    for (std::size_t i = 0; i < v.size(); ++i)
-      values.push_back(element<T>(v[i], fmt::format("{}/{}", reader_.at(key), i)));
+  }
+  // Whether something follows.
+  [[nodiscard]] bool flag(const char* key, bool now) {
+    if (reader_ == nullptr) {
+      json[key] = now;
+    } else {
+      value(key, now);
+    }
+    return now;
+  }
+  template <class List>
+  void list(const char* key, List& values, std::size_t length) {
+    if constexpr (std::is_const_v<List>) {
+      json[key] = written_list(key, values, length);
+    } else {
+      read(key, true, [&](const ValueReader& v) { take_list(v, values, length); });
+    }
   }
   template <class Matrix>
   void rows(const char* key, Matrix& m, std::size_t columns) {
-    const Json& v = required(key);
-    constexpr auto kCount = static_cast<std::size_t>(Matrix::RowsAtCompileTime);
-    check_array(v, reader_.at(key), kCount);
-    m.resize(Eigen::NoChange, static_cast<Eigen::Index>(columns));
-    for (std::size_t row = 0; row < kCount; ++row) {
-      const std::string at = fmt::format("{}/{}", reader_.at(key), row);
-      if (!v[row].is_array()) {
-        m.row(static_cast<Eigen::Index>(row)).setConstant(finite(v[row], at));
-        continue;
+    constexpr Eigen::Index kRows = Matrix::RowsAtCompileTime;
+    if constexpr (std::is_const_v<Matrix>) {
+      json[key] = Json::array();
+      for (Eigen::Index row = 0; row < kRows; ++row) {
+        std::vector<double> values(static_cast<std::size_t>(m.cols()));
+        Eigen::RowVectorXd::Map(values.data(), m.cols()) = m.row(row);
+        json[key].push_back(written_list(key, values, values.size()));
       }
-      check_array(v[row], at, columns);
-      for (std::size_t i = 0; i < columns; ++i) {
-        m(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(i)) =
-            finite(v[row][i], fmt::format("{}/{}", at, i));
-      }
+    } else {
+      read(key, true, [&](const ValueReader& v) {
+        check_array(v, kRows);
+        m.resize(Eigen::NoChange, static_cast<Eigen::Index>(columns));
+        for (Eigen::Index row = 0; row < kRows; ++row) {
+          std::vector<double> values;
+          take_list(element(v, static_cast<std::size_t>(row)), values, columns);
+          m.row(row) = Eigen::RowVectorXd::Map(values.data(), m.cols());
+        }
+      });
     }
   }
   template <class T, class Describe>
-  void object(const char* key, T& value, const Describe& describe) {
-    StateReader inner(required(key), reader_.at(key));
-    describe(inner, value);
-    inner.finish();
+  void object(const char* key, T& value, const Describe& describe, bool needed = true) {
+    if constexpr (std::is_const_v<T>) {
+      StatePart inner(size);
+      describe(inner, value);
+      json[key] = std::move(inner.json);
+    } else {
+      read(key, needed, [&](const ValueReader& v) { take_object(v, value, describe); });
+    }
   }
   template <class T, class Describe>
-  void later(const char* key, T& value, const Describe& describe) {
-    if (reader_.find(key) != nullptr) object(key, value, describe);
+  void optional(const char* key, T& value, const Describe& describe) {
+    if constexpr (std::is_const_v<T>) {
+      if (value) object(key, *value, describe);
+    } else {
+      read(key, false, [&](const ValueReader& v) { take_object(v, value.emplace(), describe); });
+    }
   }
-  template <class T, class Describe>
-  void optional(const char* key, std::optional<T>& value, const Describe& describe) {
-    if (reader_.find(key) != nullptr) object(key, value.emplace(), describe);
-  }
-  template <class T, class Describe>
-  void tuples(const char* key, std::vector<T>& values, std::size_t size, const Describe& describe) {
-    const Json& v = required(key);
-    check_array(v, reader_.at(key), size);
-    values.clear();
-    for (std::size_t i = 0; i < v.size(); ++i) {
-      const std::string at = fmt::format("{}/{}", reader_.at(key), i);
-      if (!v[i].is_array()) refuse_value(at, quoted(v[i]), "an array, [...]");
-      std::size_t next = 0;
-      describe(
-          [&](auto& x) {
-            if (next >= v[i].size()) refuse_value(at, quoted(v[i]), "more numbers");
-            x = element<std::decay_t<decltype(x)>, true>(v[i][next], fmt::format("{}/{}", at, next));
-            ++next;
-          },
-          values.emplace_back());
-      if (next != v[i].size()) refuse_value(at, quoted(v[i]), fmt::format("{} values", next));
+  // Each element an array of its values.
+  template <class List, class Describe>
+  void tuples(const char* key, List& values, std::size_t length, const Describe& describe) {
+    if constexpr (std::is_const_v<List>) {
+      json[key] = Json::array();
+      for (const auto& value : values) {
+        Json tuple = Json::array();
+        describe([&](const auto&... x) { (tuple.push_back(written_bound(key, x)), ...); }, value);
+        json[key].push_back(std::move(tuple));
+      }
+    } else {
+      read(key, true, [&](const ValueReader& v) {
+        check_array(v, length);
+        values.clear();
+        for (std::size_t i = 0; i < v.value().size(); ++i)
+          take_tuple(element(v, i), values.emplace_back(), describe);
+      });
     }
   }
 
  private:
-  const Json& required(const char* key) { return reader_.require(key, "what a saved run leaves there"); }
-  static void check_array(const Json& v, const std::string& at, std::size_t size) {
-    if (!v.is_array()) refuse_value(at, quoted(v), "an array, [...]");
-    if (size != kFree && v.size() != size)
-      refuse_value(at, fmt::format("an array of {}", v.size()), fmt::format("{} values", size));
-  }
-  static double finite(const Json& v, const std::string& at) {
-    if (!v.is_number()) refuse_value(at, quoted(v), "a number");
-    return v.get<double>();  // the parser has refused what is no double
-  }
-  static bool flag(const Json& v, const std::string& at) {
-    if (!v.is_boolean()) refuse_value(at, quoted(v), "true or false");
-    return v.get<bool>();
-  }
-  template <class Integer>
-  static Integer whole(const Json& v, const std::string& at) {
-    const double most = std::min(kMostCount, static_cast<double>(std::numeric_limits<Integer>::max()));
-    if (!v.is_number_integer() || !(std::abs(v.get<double>()) <= most))
-      refuse_value(at, quoted(v), fmt::format("a whole number up to {}", most));
-    return v.get<Integer>();
-  }
-  template <class T, bool may_be_infinite = false>
-  static T element(const Json& v, const std::string& at) {
-    if constexpr (std::is_same_v<T, double>) {
-      if (may_be_infinite && v.is_string()) {
-        if (v == "inf") return std::numeric_limits<double>::infinity();
-        if (v == "-inf") return -std::numeric_limits<double>::infinity();
-      }
-      return finite(v, at);
-    } else if constexpr (std::is_same_v<T, bool>) {
-      return flag(v, at);
-    } else if constexpr (std::is_same_v<T, std::vector<int>>) {
-      check_array(v, at, kFree);
-      std::vector<int> inner;
-      for (std::size_t i = 0; i < v.size(); ++i) inner.push_back(whole<int>(v[i], fmt::format("{}/{}", at, i)));
-      return inner;
+  template <class Read>
+  void read(const char* key, bool needed, const Read& read) {
+    const auto take = [&](const ValueReader& v) {
+      if (v.has_value()) read(v);
+    };
+    if (needed) {
+      reader_->needed({key, "what a saved run leaves there"}, take);
     } else {
-      return whole<T>(v, at);
+      reader_->member({key, ""}, take);
     }
   }
-  ObjectReader reader_;
+  template <class T, class Describe>
+  void take_object(const ValueReader& v, T& value, const Describe& describe) const {
+    v.object([&](FieldReader& r) {
+      StatePart inner(size, &r);
+      describe(inner, value);
+    });
+  }
+  template <class T, class Describe>
+  static void take_tuple(const ValueReader& v, T& value, const Describe& describe) {
+    if (!v.value().is_array()) refuse_value(v.place(), quoted(v.value()), "an array, [...]");
+    std::size_t next = 0;
+    const auto take_next = [&](auto& x) {
+      if (next >= v.value().size()) refuse_value(v.place(), quoted(v.value()), "more numbers");
+      take_bound(element(v, next), x);
+      ++next;
+    };
+    describe([&](auto&... x) { (take_next(x), ...); }, value);
+    if (next != v.value().size()) refuse_value(v.place(), quoted(v.value()), fmt::format("{} values", next));
+  }
+
+  FieldReader* reader_;
 };
 
 // --- the lists
 // ----------------------------------------------------------------------------------------------------
 // What stands in a file, each member once, for writing and reading. Each names all members of its type in a
 // structured binding, so that one that is new doesn't compile until it stands here.
-
-struct Sizes {
-  std::size_t bodies, islands, springs, joints, applied;
-};
 
 constexpr auto kLedger = [](auto& a, auto& ledger) {
   for (const EnergyEntry& entry : kEnergyEntries) a.value(entry.key.data(), ledger.*entry.value);
@@ -270,8 +266,8 @@ constexpr auto kLedger = [](auto& a, auto& ledger) {
 
 constexpr auto kNotices = [](auto& a, auto& notices) {
   for (const NoticeEntry& entry : notice_entries()) {
-    a.later(entry.key.data(), notices.*entry.since);
-    if (entry.number != nullptr) a.later(entry.number_key.data(), notices.*entry.number);
+    a.value(entry.key.data(), notices.*entry.since, false);
+    if (entry.number != nullptr) a.value(entry.number_key.data(), notices.*entry.number, false);
   }
 };
 
@@ -283,9 +279,7 @@ constexpr auto kImpactCounts = [](auto& a, auto& counts) {
   a.value("wall_impulse", wall_impulse);
   a.tuples("pairs", pairs, kFree, [](const auto& each, auto& pair) {
     auto& [body, other, count] = pair;
-    each(body);
-    each(other);
-    each(count);
+    each(body, other, count);
   });
 };
 
@@ -295,106 +289,76 @@ constexpr auto kWork = [](auto& a, auto& work) {
   a.value("reserve", reserve);
 };
 
-const auto kTrajectories = [](const Sizes& size) {
-  return [size](auto& a, auto& trajectories) {
-    auto& [epoch, start, end, next_step, switching, at_start, engaged, taut, released_at, phase, constant,
-           contact, evaluations, rejected_steps, tolerance_missed, joints_missed, switches_missed,
-           lost_to_joints] = trajectories;
-    a.value("epoch", epoch);
-    a.list("start", start, size.islands);
-    a.list("end", end, size.islands);
-    a.list("next_step", next_step, size.islands);
-    a.list("switching", switching, size.islands);
-    a.rows("settled", at_start, size.bodies);
-    a.list("engaged", engaged, size.springs);
-    a.list("taut", taut, size.joints);
-    a.list("let_go_at", released_at, size.joints);
-    a.list("phase", phase, size.applied);
-    bool touched = contact.cols() > 0;
-    a.value("touched", touched);
-    if (touched) {
-      a.rows("constant", constant, size.bodies);
-      a.rows("contact", contact, size.bodies);
-    }
-    a.value("evaluations", evaluations);
-    a.value("rejected_steps", rejected_steps);
-    a.value("tolerance_missed_since", tolerance_missed);
-    a.value("links_missed_since", joints_missed);
-    a.value("switches_missed_since", switches_missed);
-    a.value("lost_to_links", lost_to_joints);
-  };
+constexpr auto kTrajectories = [](auto& a, auto& trajectories) {
+  auto& [epoch, start, end, next_step, switching, at_start, engaged, taut, released_at, phase, constant,
+         contact, evaluations, rejected_steps, tolerance_missed, joints_missed, switches_missed,
+         lost_to_joints] = trajectories;
+  a.value("epoch", epoch);
+  a.list("start", start, a.size.islands);
+  a.list("end", end, a.size.islands);
+  a.list("next_step", next_step, a.size.islands);
+  a.list("switching", switching, a.size.islands);
+  a.rows("settled", at_start, a.size.bodies);
+  a.list("engaged", engaged, a.size.springs);
+  a.list("taut", taut, a.size.joints);
+  a.list("let_go_at", released_at, a.size.joints);
+  a.list("phase", phase, a.size.applied);
+  if (a.flag("touched", contact.cols() > 0)) {
+    a.rows("constant", constant, a.size.bodies);
+    a.rows("contact", contact, a.size.bodies);
+  }
+  a.value("evaluations", evaluations);
+  a.value("rejected_steps", rejected_steps);
+  a.value("tolerance_missed_since", tolerance_missed);
+  a.value("links_missed_since", joints_missed);
+  a.value("switches_missed_since", switches_missed);
+  a.value("lost_to_links", lost_to_joints);
 };
 
-const auto kContactMemory = [](const Sizes& size) {
-  return [size](auto& a, auto& contacts) {
-    auto& [forces, support, held, pushed] = contacts;
-    a.tuples("forces", forces, kFree, [](const auto& each, auto& force) {
-      auto& [body, other, id, point, normal, normal_force, tangential_force, rolling_moment, sticks] = force;
-      each(body);
-      each(other);
-      each(id);
-      each(point.x());
-      each(point.y());
-      each(normal.x());
-      each(normal.y());
-      each(normal_force);
-      each(tangential_force);
-      each(rolling_moment);
-      each(sticks);
-    });
-    a.tuples("hold", support, kFree, [](const auto& each, auto& of) {
-      each(of.x());
-      each(of.y());
-      each(of.z());
-    });
-    bool stepped = !held.empty();
-    a.value("stepped", stepped);
-    if (stepped) a.list("held", held, size.bodies);
-    a.list("pushed", pushed, kFree);
-  };
+constexpr auto kContactMemory = [](auto& a, auto& contacts) {
+  auto& [forces, support, held, pushed] = contacts;
+  a.tuples("forces", forces, kFree, [](const auto& each, auto& force) {
+    auto& [body, other, id, point, normal, normal_force, tangential_force, rolling_moment, sticks] = force;
+    each(body, other, id, point.x(), point.y(), normal.x(), normal.y());
+    each(normal_force, tangential_force, rolling_moment, sticks);
+  });
+  a.tuples("hold", support, kFree, [](const auto& each, auto& of) { each(of.x(), of.y(), of.z()); });
+  if (a.flag("stepped", !held.empty())) a.list("held", held, a.size.bodies);
+  a.list("pushed", pushed, kFree);
 };
 
-const auto kAhead = [](const Sizes& size) {
-  return [size](auto& a, auto& ahead) {
-    auto& [trajectories, grid, events, waiting, reach, stretch, epoch_length, last_impact] = ahead;
-    auto& [at_end, curvature_bound, turn_bound, cached] = trajectories;
-    a.value("reach", reach);
-    a.value("stretch", stretch);
-    a.value("epoch_length", epoch_length);
-    a.value("last_impact", last_impact);
-    a.rows("at_end", at_end, size.bodies);
-    a.list("bend", curvature_bound, size.bodies);
-    a.list("turn", turn_bound, size.bodies);
-    a.list("cached", cached, size.islands);
-    a.tuples("events", events, kFree, [](const auto& each, auto& event) {
-      auto& [time, body, other] = event;
-      each(time);
-      each(body);
-      each(other);
-    });
-    a.tuples("waiting", waiting, kFree, [](const auto& each, auto& pair) {
-      auto& [body, other, resting] = pair;
-      each(body);
-      each(other);
-      each(resting);
-    });
-    a.object("grid", grid, [size](auto& inner, auto& order) {
-      auto& [inverse_size, bounds, cells, large] = order;
-      inner.value("inverse_size", inverse_size);
-      inner.tuples("bounds", bounds, size.bodies, [](const auto& each, auto& b) {
-        each(b.low.x());
-        each(b.low.y());
-        each(b.high.x());
-        each(b.high.y());
-      });
-      inner.list("cells", cells, kFree);
-      inner.list("large", large, kFree);
-    });
-  };
+constexpr auto kGrid = [](auto& a, auto& order) {
+  auto& [inverse_size, bounds, cells, large] = order;
+  a.value("inverse_size", inverse_size);
+  a.tuples("bounds", bounds, a.size.bodies,
+           [](const auto& each, auto& b) { each(b.low.x(), b.low.y(), b.high.x(), b.high.y()); });
+  a.list("cells", cells, kFree);
+  a.list("large", large, kFree);
 };
 
-template <class Archive, class Kept>
-void describe(Archive& a, Kept& state, const Sizes& size) {
+constexpr auto kAhead = [](auto& a, auto& ahead) {
+  auto& [trajectories, grid, events, waiting, reach, stretch, epoch_length, last_impact] = ahead;
+  auto& [at_end, curvature_bound, turn_bound, cached] = trajectories;
+  a.value("reach", reach);
+  a.value("stretch", stretch);
+  a.value("epoch_length", epoch_length);
+  a.value("last_impact", last_impact);
+  a.rows("at_end", at_end, a.size.bodies);
+  a.list("bend", curvature_bound, a.size.bodies);
+  a.list("turn", turn_bound, a.size.bodies);
+  a.list("cached", cached, a.size.islands);
+  a.tuples("events", events, kFree, [](const auto& each, auto& event) {
+    auto& [time, body, other] = event;
+    each(time, body, other);
+  });
+  a.tuples("waiting", waiting, kFree, [](const auto& each, auto& pair) {
+    auto& [body, other, resting] = pair;
+    each(body, other, resting);
+  });
+  a.object("grid", grid, kGrid);
+};
+
+constexpr auto kState = [](auto& a, auto& state) {
   auto& [method, clock, sums, at_once, work, motions, trajectories, contacts, ahead] = state;
   // The end of the step under way is made anew in each step.
   auto& [time, step_end, origin, origin_step, steps_since_origin, steps] = clock;
@@ -406,41 +370,44 @@ void describe(Archive& a, Kept& state, const Sizes& size) {
   a.value("steps_since_origin", steps_since_origin);
   a.value("steps", steps);
   a.value("impacts", impact_count);
-  a.later("impact_counts", impact_counts, kImpactCounts);
+  a.object("impact_counts", impact_counts, kImpactCounts, false);
   a.value("at_once", at_once);
   a.object("work", work, kWork);
-  a.rows("positions", motions.q, size.bodies);
-  a.rows("velocities", motions.v, size.bodies);
-  a.rows("books", motions.quadratures, size.bodies);
+  a.rows("positions", motions.q, a.size.bodies);
+  a.rows("velocities", motions.v, a.size.bodies);
+  a.rows("books", motions.quadratures, a.size.bodies);
   a.object("ledger", ledger, kLedger);
   a.value("gravity_since", gravity_since);
-  a.later("peak_kinetic", peak_kinetic);
-  a.later("energy_doubts", energy_doubts);
+  a.value("peak_kinetic", peak_kinetic, false);
+  a.value("energy_doubts", energy_doubts, false);
   a.object("notices", notices, kNotices);
-  a.object("tracks", trajectories, kTrajectories(size));
-  a.object("contacts", contacts, kContactMemory(size));
-  a.optional("ahead", ahead, kAhead(size));
-}
+  a.object("tracks", trajectories, kTrajectories);
+  a.object("contacts", contacts, kContactMemory);
+  a.optional("ahead", ahead, kAhead);
+};
 
 std::string hexadecimal(std::uint64_t number) { return fmt::format("{:016x}", number); }
 
 }  // namespace
 
 SavedRun read_clock(const Json& json) {
-  ObjectReader r(json, "/state");
+  FieldReader r(ValueReader(json, "/state"));
   SavedRun saved;
-  r.require_number("time", saved.time, "s");
-  const Json* mark = r.find("fingerprint");
-  if (mark == nullptr) {
-    r.finish();  // nothing but a clock
-    return saved;
-  }
-  const std::string text = ObjectReader::text(*mark, r.at("fingerprint"));
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), saved.fingerprint, 16);
-  if (error != std::errc() || end != text.data() + text.size() || hexadecimal(saved.fingerprint) != text ||
-      saved.fingerprint == 0) {
-    refuse_value(r.at("fingerprint"), quoted(*mark), "16 hexadecimal digits, as a saved run has them");
-  }
+  r.needed({"time", "a number, in s"}, [&](const ValueReader& v) {
+    if (!v.has_value()) return;
+    take(v, saved.time);
+    const Range range = any_number("");
+    if (!range.contains(saved.time)) refuse_value(v.place(), quoted(v.value()), range.text());
+  });
+  r.member({"fingerprint", ""}, [&](const ValueReader& v) {
+    const std::string text = v.text({0, kFree});
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), saved.fingerprint, 16);
+    if (error != std::errc() || end != text.data() + text.size() || hexadecimal(saved.fingerprint) != text ||
+        saved.fingerprint == 0) {
+      refuse_value(v.place(), quoted(v.value()), "16 hexadecimal digits, as a saved run has them");
+    }
+  });
+  if (saved.fingerprint == 0) r.finish();  // nothing but a clock
   return saved;
 }
 
@@ -454,10 +421,11 @@ void read_state(const Json& json, Preset& preset) {
   Json rest = json;
   rest.erase("time");
   rest.erase("fingerprint");
-  StateReader reader(rest, "/state");
   auto state = std::make_shared<RunState>();
-  describe(reader, *state, sizes);
-  reader.finish();
+  ValueReader(rest, "/state").object([&](FieldReader& r) {
+    StatePart part(sizes, &r);
+    kState(part, *state);
+  });
   state->clock.time = preset.saved->time;
   check_state(preset.scene, start, *state);
   preset.saved->state = std::move(state);
@@ -468,10 +436,9 @@ Json state_json(const SavedRun& saved) {
   if (saved.fingerprint == 0) return json;
   json["fingerprint"] = hexadecimal(saved.fingerprint);
   if (saved.state == nullptr) return json;
-  StateWriter writer;
-  const RunState& state = *saved.state;
-  describe(writer, state, Sizes{});
-  json.update(writer.json);
+  StatePart part({});
+  kState(part, *saved.state);
+  json.update(part.json);
   return json;
 }
 

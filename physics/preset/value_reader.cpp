@@ -191,10 +191,10 @@ void FieldReader::read_objects(const Key& key, std::size_t most,
   });
 }
 
-void FieldReader::cases(const Key& key, const std::vector<std::string>& words,
+void FieldReader::cases(const Key& key, const std::vector<std::string>& words, std::size_t chosen,
                         const std::function<void(std::size_t, FieldReader&)>& each) {
-  if (reads()) {
-    std::size_t chosen = 0;
+  if (reads() || writes()) {
+    put(key.name, words[chosen]);
     needed(key, [&](const ValueReader& v) { chosen = v.word(words); });
     each(chosen, *this);
     return;
@@ -226,6 +226,15 @@ void FieldReader::refuse_missing(const Key& key, const Json& description) const 
   }
   throw SceneError(fmt::format("{}: \"{}\" is missing; allowed: {}", place_.empty() ? "/" : place_, key.name,
                                shortened(allowed, 300)));
+}
+
+Json FieldReader::written_beside(const FieldReader& usual) const {
+  Json out = described_;
+  for (const auto& [key, value] : usual.described_.items()) {
+    const bool kept = std::find(required_.begin(), required_.end(), key) != required_.end();
+    if (!kept && out.contains(key) && out[key] == value) out.erase(key);
+  }
+  return out;
 }
 
 void FieldReader::finish() const {

@@ -45,14 +45,21 @@ template <class Table>
   for (const auto& row : table) {
     if constexpr (requires { row.name; }) {
       words.emplace_back(row.name);
-    } else if constexpr (requires { row.second; }) {
-      words.emplace_back(row.second);
     } else {
       words.emplace_back(row);
     }
   }
   return words;
 }
+
+template <class Table, class Id>
+[[nodiscard]] std::size_t index_of(const Table& table, Id id) {
+  std::size_t i = 0;
+  while (i + 1 < table.size() && table[i].id != id) ++i;
+  return i;
+}
+
+[[nodiscard]] inline Json pair_json(const Vec2& v) { return Json::array({v.x(), v.y()}); }
 
 // One value and its place.
 class ValueReader {
@@ -80,6 +87,14 @@ class ValueReader {
   // An object of numbers under keys of any name.
   void numbers(std::size_t most, const Range& range,
                const std::function<void(const std::string&, double)>& each) const;
+  void get(double& to, const Range& range) const { to = number(range); }
+  void get(std::optional<double>& to, const Range& range) const { to = number(range); }
+  void get(Vec2& to, const Range& range) const { to = pair(range); }
+  void get(std::string& to, const Count& length) const { to = text(length); }
+  template <class Integer>
+  void get(Integer& to, const Whole& range) const {
+    to = static_cast<Integer>(whole(range));
+  }
   // An object that is not looked into.
   [[nodiscard]] std::string free_object() const;
   // Reads the value as the chosen one of several forms, or describes all of them.
@@ -104,19 +119,25 @@ class FieldReader {
  public:
   explicit FieldReader(const ValueReader& value);
   FieldReader() : described_(Json::object()) {}  // describes
+  enum class Write { kAll, kUnusual };
+  explicit FieldReader(Write what) : write_(what), described_(Json::object()) {}
 
   [[nodiscard]] std::string at(std::string_view key) const { return place_ + "/" + pointer_token(key); }
   [[nodiscard]] bool reads() const { return object_ != nullptr; }
+  [[nodiscard]] bool writes() const { return write_.has_value(); }
+  [[nodiscard]] bool writes_all() const { return write_ == Write::kAll; }
   [[nodiscard]] bool has(const std::string& key) const { return reads() && object_->contains(key); }
 
   // Calls read(member) if the key is there, or to describe it.
   template <class Read>
   void member(const Key& key, const Read& read) {
+    if (writes()) return;
     if (const auto value = find(key)) read(*value);
   }
   template <class Read>
   void needed(const Key& key, const Read& read) {
     if (!reads()) required_.emplace_back(key.name);
+    if (writes()) return;
     if (const auto value = find(key)) {
       read(*value);
       return;
@@ -126,54 +147,58 @@ class FieldReader {
     refuse_missing(key, description);
   }
 
-  void read(const Key& key, double& to, const Range& range) {
-    member(key, [&](const ValueReader& v) { to = v.number(range); });
-  }
-  void read(const Key& key, std::optional<double>& to, const Range& range) {
-    member(key, [&](const ValueReader& v) { to = v.number(range); });
-  }
-  void read(const Key& key, Vec2& to, const Range& range) {
-    member(key, [&](const ValueReader& v) { to = v.pair(range); });
+  template <class T, class Kind>
+  void read(const Key& key, T& to, const Kind& kind) {
+    put(key.name, to);
+    member(key, [&](const ValueReader& v) { v.get(to, kind); });
   }
   void read(const Key& key, bool& to) {
+    put(key.name, to);
     member(key, [&](const ValueReader& v) { to = v.boolean(); });
   }
-  void read(const Key& key, std::string& to, const Count& length) {
-    member(key, [&](const ValueReader& v) { to = v.text(length); });
-  }
-  template <class Integer>
-  void read(const Key& key, Integer& to, const Whole& range) {
-    member(key, [&](const ValueReader& v) { to = static_cast<Integer>(v.whole(range)); });
-  }
-  void require(const Key& key, double& to, const Range& range) {
-    needed(key, [&](const ValueReader& v) { to = v.number(range); });
-  }
-  void require(const Key& key, Vec2& to, const Range& range) {
-    needed(key, [&](const ValueReader& v) { to = v.pair(range); });
-  }
-  void require(const Key& key, std::string& to, const Count& length) {
-    needed(key, [&](const ValueReader& v) { to = v.text(length); });
+  template <class T, class Kind>
+  void require(const Key& key, T& to, const Kind& kind) {
+    put(key.name, to);
+    needed(key, [&](const ValueReader& v) { v.get(to, kind); });
   }
   // One of the words of a table of ids.
   template <class Table, class Id>
   void read_choice(const Key& key, const Table& table, Id& to) {
-    member(key, [&](const ValueReader& v) { choose(v, table, to); });
-  }
-  template <class Table, class Id>
-  void require_choice(const Key& key, const Table& table, Id& to) {
-    needed(key, [&](const ValueReader& v) { choose(v, table, to); });
+    const std::vector<std::string> words = words_of(table);
+    if (writes()) put(key.name, words[index_of(table, to)]);
+    member(key, [&](const ValueReader& v) { to = table[v.word(words)].id; });
   }
   // Lists of objects.
   void read_objects(const Key& key, std::size_t most,
                     const std::function<void(FieldReader&, const std::string& place)>& each);
 
-  // A word under `key` that says which other keys there are: cases[i] for words[i].
-  void cases(const Key& key, const std::vector<std::string>& words,
+  // A word under `key` that says which other keys there are: cases[i] for words[i]; of what is written the
+  // chosen one.
+  void cases(const Key& key, const std::vector<std::string>& words, std::size_t chosen,
              const std::function<void(std::size_t, FieldReader&)>& each);
   // What holds of several keys together, as a JSON Schema says it; the reader looks at it on its own.
   void also(Json condition) {
     if (!reads()) conditions_.push_back(std::move(condition));
   }
+
+  // Writes a member, where it writes at all: also what it cannot write by itself.
+  template <class T>
+  void put(const char* key, const T& value) {
+    if (!writes()) return;
+    if constexpr (std::is_same_v<T, std::optional<double>>) {
+      if (value) described_[key] = *value;
+    } else if constexpr (std::is_same_v<T, Vec2>) {
+      described_[key] = pair_json(value);
+    } else {
+      described_[key] = value;
+    }
+  }
+  // Written even if it holds its default.
+  void keep(std::initializer_list<const char*> keys) {
+    if (writes()) required_.insert(required_.end(), keys.begin(), keys.end());
+  }
+  // What was written but for what is there by default.
+  [[nodiscard]] Json written_beside(const FieldReader& usual) const;
 
   // Refuses unknown keys.
   void finish() const;
@@ -181,27 +206,31 @@ class FieldReader {
   [[nodiscard]] Json schema() const;
 
  private:
-  template <class Table, class Id>
-  static void choose(const ValueReader& v, const Table& table, Id& to) {
-    const std::size_t i = v.word(words_of(table));
-    if constexpr (requires { table[i].id; }) {
-      to = table[i].id;
-    } else {
-      to = table[i].first;
-    }
-  }
   [[nodiscard]] std::optional<ValueReader> find(const Key& key);
   [[noreturn]] void refuse_missing(const Key& key, const Json& description) const;
 
   const Json* object_ = nullptr;
+  std::optional<Write> write_;
   std::string place_;
   std::vector<std::string> known_;
 
-  // Of a description: the keys, those that must be there, the cases as objects of their own.
+  // What is written. Of a description: the keys, those that must be there, the cases as objects of their own.
   Json described_;
   std::vector<std::string> required_;
   std::vector<FieldReader> cases_;
   std::vector<Json> conditions_;
 };
+
+// What `read` reads; members that hold their default are left out, as people leave them out, unless `all` of
+// them are asked for.
+template <class T, class Read>
+[[nodiscard]] Json written(T value, bool all, const Read& read) {
+  FieldReader members(all ? FieldReader::Write::kAll : FieldReader::Write::kUnusual);
+  read(members, value);
+  FieldReader usual(FieldReader::Write::kUnusual);
+  T plain{};
+  if (!all) read(usual, plain);
+  return members.written_beside(usual);
+}
 
 }  // namespace carom

@@ -5,7 +5,7 @@
 #include <string_view>
 
 // The bounds that the numbers, texts and lists of a scene keep. The reader of preset files, its description of
-// them (physics/preset/schema.h) and the validation of scenes all have them from here.
+// them (physics/preset/preset_json.h) and the validation of scenes all have them from here.
 namespace carom {
 
 inline constexpr double kLargestNumber =

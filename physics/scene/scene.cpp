@@ -16,10 +16,6 @@ double uniform(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
 }
 
-}  // namespace
-
-namespace {
-
 // Without a name.
 Material mixed_surface(const Material& a, const Material& b) {
   Material m;
@@ -31,6 +27,14 @@ Material mixed_surface(const Material& a, const Material& b) {
   m.rolling_resistance = std::sqrt(a.rolling_resistance * b.rolling_resistance);
   m.sticks = a.sticks || b.sticks;
   return m;
+}
+
+// Whether a material or a pair of materials has it.
+template <class Property>
+bool any_surface(const Scene& scene, const Property& has) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), has) ||
+         std::any_of(scene.pairs.begin(), scene.pairs.end(),
+                     [&](const MaterialPair& p) { return has(p.surface); });
 }
 
 }  // namespace
@@ -92,18 +96,6 @@ std::vector<Material> combined_materials(const Scene& scene, const std::vector<s
 Material combined_material(const Scene& scene, const std::string& a, const std::string& b) {
   return a == b ? combined_materials(scene, {a})[0] : combined_materials(scene, {a, b})[1];
 }
-
-namespace {
-
-// Whether a material or a pair of materials has it.
-template <class Property>
-bool any_surface(const Scene& scene, const Property& has) {
-  return std::any_of(scene.materials.begin(), scene.materials.end(), has) ||
-         std::any_of(scene.pairs.begin(), scene.pairs.end(),
-                     [&](const MaterialPair& p) { return has(p.surface); });
-}
-
-}  // namespace
 
 bool has_sticking_surface(const Scene& scene) {
   return any_surface(scene, [](const Material& m) { return m.sticks; });

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -52,7 +55,7 @@ struct Outline {
 // m, of the circle about the centre of mass that holds the shape; infinite for a half-plane.
 [[nodiscard]] double bounding_radius(const Shape& shape);
 // Moment of inertia about the centre of mass for a homogeneous body, divided by its mass, in m². Disc: r²/2;
-// box: (w² + h²)/12; thin wall: l²/12; polygon: see moments_of (polygon.h); 0 for a half-plane.
+// box: (w² + h²)/12; thin wall: l²/12; polygon: see moments_of; 0 for a half-plane.
 [[nodiscard]] double inertia_per_mass(const Shape& shape);
 // m, half of the upright rectangle around the shape turned by `angle`, which need not be centred: the largest
 // reach to either side. Infinite for a half-plane.
@@ -63,5 +66,29 @@ struct Outline {
 // Where the line from + s along, |along| = 1, enters and leaves the outline: s in m; nothing if it passes by.
 [[nodiscard]] std::optional<std::pair<double, double>> chord(const Outline& outline, const Vec2& from,
                                                              const Vec2& along);
+
+// Beyond this the contact search would be slow and the shape is better a disc.
+inline constexpr int kMostVertices = 16;
+// Before repeated ones and those on a line are left out.
+inline constexpr int kMostPolygonPoints = 4 * kMostVertices;
+
+// The vertices counter-clockwise, without repeated ones and without those on the line of their neighbours (both
+// within 1e-9 of the polygon's extent). What is not convex stays so.
+[[nodiscard]] std::vector<Eigen::Vector2d> tidied(std::span<const Eigen::Vector2d> vertices);
+
+// What makes the vertices no convex polygon with this rounding, in words: "..., allowed: ..."; nothing if they
+// are one. Two distinct vertices are one if they are rounded: a capsule.
+[[nodiscard]] std::optional<std::string> fault_of(std::span<const Eigen::Vector2d> vertices, double rounding);
+
+// The moments of a homogeneous plate.
+struct PlateMoments {
+  double area = 0.0;                                   // m²
+  Eigen::Vector2d centroid = Eigen::Vector2d::Zero();  // m
+  double second_moment = 0.0;                          // m⁴, polar, about the centroid
+};
+
+// Of a tidied convex polygon of at least two vertices (m), grown by `rounding` (m, >= 0). It is the sum of the
+// polygon, by Green's theorem over its edges, of a rectangle on each edge and of a sector about each vertex.
+[[nodiscard]] PlateMoments moments_of(std::span<const Eigen::Vector2d> vertices, double rounding);
 
 }  // namespace carom

@@ -11,8 +11,7 @@
 
 #include "physics/scene/facts.h"
 #include "physics/scene/method.h"
-#include "physics/scene/polygon.h"
-#include "physics/scene/validate_joints.h"
+#include "physics/scene/shape.h"
 #include "physics/scene/value_checks.h"
 
 namespace carom {
@@ -160,19 +159,13 @@ void check_generators(const Scene& scene, const MaterialNames& materials) {
   }
 }
 
-void check_movable(const NamedBodies& bodies, const std::string& place, const std::string& name) {
-  if (has_infinite_mass(named_body(bodies, place, name)))
-    refuse_by(Rule::kReferences, place, fmt::format("\"{}\", which no force moves,", shortened(name, 40)),
-              "a body that is neither fixed nor driven");
-}
-
 void check_springs(const Forces& forces, const ForcePlaces& places, const NamedBodies& bodies) {
   std::unordered_set<std::string> names;
   for (std::size_t i = 0; i < forces.springs.size(); ++i) {
     const Spring& s = forces.springs[i];
     const std::string at = fmt::format("/forces/{}", places.springs[i]);
     if (!s.name.empty()) check_own_name(names, at + "/name", s.name);
-    check_movable(bodies, at + "/body", s.body);
+    movable_body(bodies, at + "/body", s.body);
     if (!s.to.empty()) {
       (void)named_body(bodies, at + "/to", s.to);
       if (s.to == s.body) refuse_by(Rule::kReferences, at + "/to", "the spring's own body", "another body");
@@ -188,7 +181,7 @@ void check_applied(const Forces& forces, const ForcePlaces& places, const NamedB
   for (std::size_t i = 0; i < forces.applied.size(); ++i) {
     const AppliedForce& f = forces.applied[i];
     const std::string at = fmt::format("/forces/{}", places.applied[i]);
-    check_movable(bodies, at + "/body", f.body);
+    movable_body(bodies, at + "/body", f.body);
     check_vector(at + "/force", f.force, "N");
     check_range(at + "/torque", f.torque, any_number("N m"));
     check_range(at + "/start", f.start, from_zero("s"));

@@ -1,4 +1,3 @@
-#include "physics/scene/validate_joints.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -123,12 +122,7 @@ void check_joints(const Scene& scene, const std::vector<Body>& bodies, const Run
     const Joint& joint = scene.joints[i];
     const std::string at = fmt::format("/links/{}", i);
     if (!joint.name.empty()) check_own_name(names, at + "/name", joint.name);
-    const Body* body = &named_body(named, at + "/body", joint.body);
-    if (has_infinite_mass(*body)) {
-      refuse_by(Rule::kReferences, at + "/body",
-                fmt::format("\"{}\", which no force moves,", shortened(joint.body, 40)),
-                "a body that is neither fixed nor driven");
-    }
+    const Body* body = &movable_body(named, at + "/body", joint.body);
     const Body* other = nullptr;
     if (!joint.to.empty()) {
       other = &named_body(named, at + "/to", joint.to);

@@ -3,9 +3,30 @@
 #include <fmt/format.h>
 
 #include "physics/scene/plain_text.h"
-#include "physics/scene/scene_error.h"
+#include "physics/scene/validate.h"
 
 namespace carom {
+namespace {
+
+std::string refusal(const std::string& place, const std::string& found, const std::string& allowed) {
+  return fmt::format("{}: {} is not allowed; allowed: {}", place.empty() ? "/" : shortened(place),
+                     shortened(found), shortened(allowed, 300));
+}
+
+}  // namespace
+
+std::string Range::text() const {
+  return fmt::format("{}a number from {} to {}{}{}", or_zero ? "0, or " : "", low, high,
+                     unit.empty() ? "" : " ", unit);
+}
+
+void refuse_value(const std::string& place, const std::string& found, const std::string& allowed) {
+  throw SceneError(refusal(place, found, allowed));
+}
+
+void refuse_by(Rule rule, const std::string& place, const std::string& found, const std::string& allowed) {
+  throw RuleError(rule, refusal(place, found, allowed));
+}
 
 void check_range(const std::string& place, double value, const Range& range) {
   if (!range.contains(value)) refuse_value(place, fmt::format("{}", value), range.text());
@@ -41,6 +62,14 @@ const Body& named_body(const NamedBodies& bodies, const std::string& place, cons
   const auto found = bodies.find(name);
   if (found == bodies.end()) refuse_by(Rule::kReferences, place, "\"" + name + "\"", "the name of a body");
   return *found->second;
+}
+
+const Body& movable_body(const NamedBodies& bodies, const std::string& place, const std::string& name) {
+  const Body& body = named_body(bodies, place, name);
+  if (has_infinite_mass(body))
+    refuse_by(Rule::kReferences, place, fmt::format("\"{}\", which no force moves,", shortened(name, 40)),
+              "a body that is neither fixed nor driven");
+  return body;
 }
 
 }  // namespace carom

@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "physics/scene/limits.h"
 #include "physics/scene/scene.h"
+#include "physics/scene/validate.h"
 
 // Checks of single values of a scene or a preset. Each throws SceneError that names `place`.
 namespace carom {
@@ -24,5 +24,12 @@ void check_count(const std::string& place, std::size_t count, std::size_t most, 
 using NamedBodies = std::unordered_map<std::string, const Body*>;
 [[nodiscard]] const Body& named_body(const NamedBodies& bodies, const std::string& place,
                                      const std::string& name);
+// One that forces can move.
+const Body& movable_body(const NamedBodies& bodies, const std::string& place, const std::string& name);
+
+// Checks the joints of a scene whose bodies, `bodies`, are good: references, numbers, and that at the start the
+// ends are where the joints hold them and don't leave there. Throws SceneError with the JSON pointer of the
+// first fault.
+void check_joints(const Scene& scene, const std::vector<Body>& bodies, const RunBegin& begin);
 
 }  // namespace carom

@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "physics/record/frame.h"
-#include "physics/record/key_frames.h"
 #include "physics/record/replay.h"
-#include "physics/record/run_log.h"
 #include "physics/record/sampler.h"
 
 namespace carom {

@@ -8,7 +8,7 @@
 
 #include "physics/scene/method.h"
 #include "physics/scene/validate.h"
-#include "physics/stress/stress_cases.h"
+#include "physics/stress/stress_scenes.h"
 
 namespace carom {
 namespace {

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "physics/stress/stress_cases.h"
 #include "physics/stress/stress_scenes.h"
 #include "physics/world/run_setup.h"
 
@@ -37,8 +36,7 @@ Slid slide(const StressSetting& setting, double share, double time) {
   const Slope slope(share * kFriction);
   Body block = box("block", 0.5 * kHeight * slope.up, 1.0, kHeight);
   block.angle = -slope.angle;
-  Simulation simulation(scene(setting, {slope.surface(), block}, 0.0, kFriction));
-  simulation.advance_to(time);
+  const Simulation simulation = run(scene(setting, {slope.surface(), block}, 0.0, kFriction), time);
   const Vec2 moved = simulation.state().position(1) - block.position;
   return {moved.dot(slope.down), simulation.state().velocity(1).dot(slope.down),
           kGravity * (std::sin(slope.angle) - kFriction * std::cos(slope.angle))};
@@ -62,9 +60,8 @@ std::vector<double> rolling_threshold(const StressSetting& setting) {
   constexpr double kRadius = 0.1;  // m
   constexpr double kTime = 2.0;    // s
   const auto roll = [&](const Slope& slope) -> Vec2 {
-    Simulation simulation(
-        scene(setting, {slope.surface(), disc("disc", kRadius * slope.up, kRadius)}, 0.0, kFriction));
-    simulation.advance_to(kTime);
+    const Body body = disc("disc", kRadius * slope.up, kRadius);
+    const Simulation simulation = run(scene(setting, {slope.surface(), body}, 0.0, kFriction), kTime);
     const double v = simulation.state().velocity(1).dot(slope.down);
     return {v, v + kRadius * simulation.state().v(2, 1)};
   };
@@ -101,8 +98,7 @@ std::vector<double> wedge(const StressSetting& setting) {
   Body block = box("block", Vec2(0.5, 0.5 * (kThin + half)) + 0.5 * kHeight * normal, 1.0, kHeight, 100.0);
   block.angle = slope.angle;
   const Body ground = half_plane("ground", {0.0, -kThin}, -slope.angle);
-  Simulation simulation(scene(setting, {ground, wedge, block}, 0.0, kFriction));
-  simulation.advance_to(10.0);
+  const Simulation simulation = run(scene(setting, {ground, wedge, block}, 0.0, kFriction), 10.0);
   return {(simulation.state().position(1) - wedge.position).norm(),
           (simulation.state().position(2) - block.position).norm()};
 }
@@ -123,9 +119,7 @@ Simulation disc_on_floor(const StressSetting& setting, double velocity, double s
   body.spin = spin;
   RunSetup s = scene(setting, {half_plane("floor", {0, 0}), body}, 0.0, kGrip);
   s.scene.materials[0].rolling_resistance = rolling;
-  Simulation simulation(s);
-  simulation.advance_to(time);
-  return simulation;
+  return run(s, time);
 }
 
 std::vector<double> spinning_disc(const StressSetting& setting) {

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "physics/stress/stress_cases.h"
 #include "physics/stress/stress_scenes.h"
 #include "physics/world/run_setup.h"
 
@@ -26,8 +25,7 @@ std::vector<double> bullet(const StressSetting& setting) {
   };
   Body ball = disc("ball", {0, 0}, kRadius);
   ball.velocity = {kSpeed, 0.0};
-  RunSetup s = scene(setting, {wall("left", -kHalf), wall("right", kHalf), ball}, 1.0, 0.0, 0.0);
-  Simulation simulation(s);
+  Simulation simulation(scene(setting, {wall("left", -kHalf), wall("right", kHalf), ball}, 1.0, 0.0, 0.0));
   double beyond = 0.0;
   simulation.advance_to(
       kTime, [&] { beyond = std::max(beyond, std::abs(simulation.state().q(0, 2)) + kRadius - kHalf); });
@@ -54,8 +52,7 @@ std::vector<double> cradle(const StressSetting& setting, int count) {
     balls.push_back(disc(fmt::format("ball-{}", i + 1), {2.0 * kRadius * i, 0.0}, kRadius));
   balls[0].position.x() -= 1.0;
   balls[0].velocity = {1.0, 0.0};
-  Simulation simulation(scene(setting, balls, 1.0, 0.0, 0.0));
-  simulation.advance_to(2.0);
+  const Simulation simulation = run(scene(setting, balls, 1.0, 0.0, 0.0), 2.0);
   const Eigen::VectorXd v = simulation.state().v.row(0);
   return {v[count - 1] - 1.0, v.head(count - 1).cwiseAbs().maxCoeff(),
           2.0 * simulation.totals().kinetic() - 1.0};
@@ -92,8 +89,7 @@ std::vector<double> inelastic_collapse(const StressSetting& setting) {
                              disc("right", {1.2, 0.0}, 0.1)};
   discs[0].velocity = {1.0, 0.0};
   discs[2].velocity = {-0.4, 0.0};
-  Simulation simulation(scene(setting, discs, 0.065, 0.0, 0.0));
-  simulation.advance_to(3.0);
+  const Simulation simulation = run(scene(setting, discs, 0.065, 0.0, 0.0), 3.0);
   constexpr double kTogether = 0.2;  // m/s, of the centre of mass
   return {(simulation.state().v.row(0).array() - kTogether).abs().maxCoeff(),
           simulation.totals().momentum.x() / (3.0 * kTogether) - 1.0,

@@ -4,7 +4,6 @@
 #include <numbers>
 #include <random>
 
-#include "physics/stress/stress_cases.h"
 #include "physics/stress/stress_scenes.h"
 #include "physics/world/run_setup.h"
 
@@ -56,8 +55,7 @@ double drift_of(const Simulation& s) {
 }
 
 std::vector<double> pile(const StressSetting& setting) {
-  Simulation simulation(pile_scene(setting, 0.05));
-  simulation.advance_to(50.0);
+  Simulation simulation = run(pile_scene(setting, 0.05), 50.0);
   const State then = simulation.state();
   simulation.advance_to(60.0);
   const Penetrations overlaps = penetrations_of(simulation);
@@ -78,8 +76,7 @@ constexpr StressFigure kPileFigures[] = {
 };
 
 std::vector<double> pile_no_rolling(const StressSetting& setting) {
-  Simulation simulation(pile_scene(setting, 0.0));
-  simulation.advance_to(20.0);
+  const Simulation simulation = run(pile_scene(setting, 0.0), 20.0);
   return {simulation.totals().rotational / moving_mass(simulation), drift_of(simulation)};
 }
 constexpr StressFigure kNoRollingFigures[] = {

@@ -5,7 +5,7 @@
 
 #include "physics/collision/broad_phase.h"
 #include "physics/collision/pair_contact.h"
-#include "physics/scene/polygon.h"
+#include "physics/scene/shape.h"
 #include "physics/world/run_setup.h"
 
 namespace carom::stress {
@@ -16,43 +16,35 @@ double without_puts(const Simulation& s) {
   return s.totals().energy() - ledger.penetration_correction - ledger.put_in_by_drives;
 }
 
+Body body(const std::string& name, Shape shape, const Vec2& position, double mass) {
+  Body b;
+  b.name = name;
+  b.shape = std::move(shape);
+  b.position = position;
+  b.mass = mass;
+  return b;
+}
+
 }  // namespace
 
 Body half_plane(const std::string& name, Vec2 point, double angle) {
-  Body b;
-  b.name = name;
-  b.shape = Wall{};
-  b.position = point;
+  Body b = body(name, Wall{}, point, 0.0);
+  b.mass.reset();
   b.angle = angle;
   b.fixed = true;
   return b;
 }
 
 Body box(const std::string& name, Vec2 position, double width, double height, double mass) {
-  Body b;
-  b.name = name;
-  b.shape = Box{width, height};
-  b.position = position;
-  b.mass = mass;
-  return b;
+  return body(name, Box{width, height}, position, mass);
 }
 
 Body disc(const std::string& name, Vec2 position, double radius, double mass) {
-  Body b;
-  b.name = name;
-  b.shape = Disc{radius};
-  b.position = position;
-  b.mass = mass;
-  return b;
+  return body(name, Disc{radius}, position, mass);
 }
 
 Body plate(const std::string& name, const std::vector<Vec2>& corners, double mass) {
-  Body b;
-  b.name = name;
-  b.shape = Polygon{corners};
-  b.position = moments_of(tidied(corners), 0.0).centroid;
-  b.mass = mass;
-  return b;
+  return body(name, Polygon{corners}, moments_of(tidied(corners), 0.0).centroid, mass);
 }
 
 RunSetup scene(const StressSetting& setting, std::vector<Body> bodies, double restitution, double friction,
@@ -66,6 +58,12 @@ RunSetup scene(const StressSetting& setting, std::vector<Body> bodies, double re
                         .kinetic_friction = friction}};
   s.scene.bodies = std::move(bodies);
   return s;
+}
+
+Simulation run(const RunSetup& setup, double time) {
+  Simulation simulation(setup);
+  simulation.advance_to(time);
+  return simulation;
 }
 
 Penetrations penetrations_of(const Simulation& s) {
@@ -107,6 +105,16 @@ void EnergyRise::look(const Simulation& s) {
   // A run that has stopped being numbers must not pass for one that gained nothing.
   if (!(now - before_ <= largest_)) largest_ = now - before_;
   before_ = now;
+}
+
+RiseAndOverlap look_to(Simulation& simulation, double time) {
+  EnergyRise rise(simulation);
+  double overlap = 0.0;
+  simulation.advance_to(time, [&] {
+    rise.look(simulation);
+    overlap = std::max(overlap, penetrations_of(simulation).largest);
+  });
+  return {rise.largest(), overlap};
 }
 
 }  // namespace carom::stress

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,14 @@
 
 // What the cases build their scenes from and read off their runs.
 namespace carom::stress {
+
+// The cases of the suite by theme.
+[[nodiscard]] std::span<const StressCase> stacks();
+[[nodiscard]] std::span<const StressCase> piles();
+[[nodiscard]] std::span<const StressCase> friction();
+[[nodiscard]] std::span<const StressCase> impacts();
+[[nodiscard]] std::span<const StressCase> rods();
+[[nodiscard]] std::span<const StressCase> integrators();
 
 inline constexpr double kGravity = 9.81;  // m/s²
 // m: a body that moves less is at rest. It is what the block on an incline below the friction cone may creep.
@@ -25,6 +34,8 @@ inline constexpr double kRounding = 1e-9;
 // Of one material with one coefficient of friction.
 [[nodiscard]] RunSetup scene(const StressSetting& setting, std::vector<Body> bodies, double restitution,
                              double friction, double gravity = kGravity);
+// A run of it up to `time` (s).
+[[nodiscard]] Simulation run(const RunSetup& setup, double time);
 
 // m, of all pairs that penetration now; zero if there are none.
 struct Penetrations {
@@ -54,5 +65,12 @@ class EnergyRise {
 };
 // For rounding, beside that 1.
 inline constexpr double kLargestRise = 1.0 + 1e-6;
+
+// The largest rise, and the largest penetration (m) at the ends of the steps, of a run up to `time` (s).
+struct RiseAndOverlap {
+  double rise;
+  double overlap;
+};
+[[nodiscard]] RiseAndOverlap look_to(Simulation& simulation, double time);
 
 }  // namespace carom::stress

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <numbers>
 
-#include "physics/stress/stress_cases.h"
 #include "physics/stress/stress_scenes.h"
 
 // Boxes, stones and dominoes that lean on one another.
@@ -27,8 +26,7 @@ std::vector<double> stand(const StressSetting& setting, const std::vector<double
     bodies.push_back(
         box(fmt::format("box-{}", i + 1), {0.0, static_cast<double>(i) + 0.5}, 1.0, 1.0, masses[i]));
   }
-  Simulation simulation(scene(setting, bodies, 0.0, kBoxFriction));
-  simulation.advance_to(kStanding);
+  const Simulation simulation = run(scene(setting, bodies, 0.0, kBoxFriction), kStanding);
   const Eigen::Matrix3Xd& q = simulation.state().q;
   return {kMillimetres * (static_cast<double>(masses.size()) - 0.5 - q(1, q.cols() - 1)),
           kMillimetres * q.row(0).cwiseAbs().maxCoeff(), kMillimetres * penetrations_of(simulation).largest};
@@ -78,8 +76,7 @@ std::vector<double> pyramid_20(const StressSetting& setting) {
     }
   }
   const Vec2 start = bodies.back().position;
-  Simulation simulation(scene(setting, bodies, 0.0, kBoxFriction));
-  simulation.advance_to(kStanding);
+  const Simulation simulation = run(scene(setting, bodies, 0.0, kBoxFriction), kStanding);
   const Vec2 moved = simulation.state().position(simulation.state().size() - 1) - start;
   return {-kMillimetres * moved.y(), kMillimetres * moved.x(),
           kMillimetres * penetrations_of(simulation).largest};
@@ -108,8 +105,7 @@ std::vector<double> arch(const StressSetting& setting) {
   }
   constexpr int kKeystone = 1 + kStones / 2;
   const double start = bodies[kKeystone].position.y();
-  Simulation simulation(scene(setting, bodies, 0.0, kBoxFriction));
-  simulation.advance_to(kStanding);
+  const Simulation simulation = run(scene(setting, bodies, 0.0, kBoxFriction), kStanding);
   return {kMillimetres * (start - simulation.state().q(1, kKeystone)),
           kMillimetres * penetrations_of(simulation).largest};
 }

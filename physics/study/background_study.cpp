@@ -1,9 +1,8 @@
-#include "physics/study/background_study.h"
-
 #include <algorithm>
 
 #include "physics/math/cancelled.h"
 #include "physics/preset/preset.h"
+#include "physics/study/study.h"
 
 namespace carom {
 

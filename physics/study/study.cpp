@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <mutex>
 
+#include "physics/check/measure_run.h"
 #include "physics/compare/chaos.h"
 #include "physics/compare/comparison.h"
 #include "physics/compare/reference.h"
@@ -17,7 +18,6 @@
 #include "physics/preset/preset_file.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/validate.h"
-#include "physics/study/stated_figures.h"
 
 namespace carom {
 namespace {
@@ -138,14 +138,7 @@ void measure_accuracy(StudyRow& row, const RunSetup& setup, const Reference& ref
                       std::span<const int> moving, double time, const std::stop_token& stop) {
   const RunSummary run =
       run_and_summarize(setup, row.method, time, (1.0 + kPast) * time, blown_up_above(chaos), stop);
-  const Comparison c = compare(run, reference.run, moving, time);
-  row.position_error = c.position_error;
-  row.velocity_error = c.velocity_error;
-  row.energy_error = c.energy_error;
-  row.impact_time_error = c.impact_time_error;
-  row.matched = c.matched;
-  row.unmatched = c.unmatched;
-  row.left_out = c.left_out;
+  static_cast<Comparison&>(row) = compare(run, reference.run, moving, time);
   row.steps = run.steps;
   row.evaluations = run.evaluations;
   row.rejected_steps = run.rejected_steps;
@@ -320,8 +313,8 @@ StudyTable run_study(const Preset& preset, const std::string& name, const StudyO
   facts.reference_position_error = reference.position_error;
   facts.reference_velocity_error = reference.velocity_error;
   facts.reference_energy_error = reference.energy_error;
-  facts.stated =
-      words_for(check_stated_figures(preset, reference, std::min(facts.duration, chaos.horizon), watch.stop));
+  facts.stated = words_for(
+      check_stated_figures(preset, reference.method, std::min(facts.duration, chaos.horizon), watch.stop));
 
   for (int i = 0; i < facts.planned; ++i) {
     if (i % options.shards != options.shard - 1) continue;

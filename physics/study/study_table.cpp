@@ -73,6 +73,15 @@ constexpr Column facts_column(const char* name) {
   return {name, [](const StudyFacts& f, const StudyRow&, const OrderFit*) { return field(f.*Member); },
           [](const std::string& text, StudyFacts& f, StudyRow&) { read(text, f.*Member); }};
 }
+template <auto Member, const auto& kTable>
+constexpr Column choice_column(const char* name) {
+  return {
+      name,
+      [](const StudyFacts&, const StudyRow& r, const OrderFit*) {
+        return std::string(choice_of(kTable, r.method.*Member).name);
+      },
+      [](const std::string& text, StudyFacts&, StudyRow& r) { read_choice(kTable, text, r.method.*Member); }};
+}
 // What a fit with a number says.
 template <auto Member>
 constexpr Column fit_column(const char* name) {
@@ -93,25 +102,9 @@ void read_step(const std::string& text, StudyFacts& /*facts*/, StudyRow& r) {
 }
 
 constexpr auto kColumns = std::to_array<Column>({
-    {"integrator",
-     [](const StudyFacts&, const StudyRow& r, const OrderFit*) {
-       return std::string(choice_of(kIntegrators, r.method.integrator).name);
-     },
-     [](const std::string& text, StudyFacts&, StudyRow& r) {
-       read_choice(kIntegrators, text, r.method.integrator);
-     }},
-    {"impacts",
-     [](const StudyFacts&, const StudyRow& r, const OrderFit*) {
-       return std::string(choice_of(kImpacts, r.method.impacts).name);
-     },
-     [](const std::string& text, StudyFacts&, StudyRow& r) { read_choice(kImpacts, text, r.method.impacts); }},
-    {"contacts",
-     [](const StudyFacts&, const StudyRow& r, const OrderFit*) {
-       return std::string(choice_of(kContacts, r.method.contacts).name);
-     },
-     [](const std::string& text, StudyFacts&, StudyRow& r) {
-       read_choice(kContacts, text, r.method.contacts);
-     }},
+    choice_column<&Method::integrator, kIntegrators>("integrator"),
+    choice_column<&Method::impacts, kImpacts>("impacts"),
+    choice_column<&Method::contacts, kContacts>("contacts"),
     {"step [s] or tolerance [m]",
      [](const StudyFacts&, const StudyRow& r, const OrderFit*) {
        const auto value = r.step_or_tolerance();
@@ -162,6 +155,11 @@ bool same_method(const Method& x, const Method& y) {
   return x.integrator == y.integrator && x.impacts == y.impacts && x.contacts == y.contacts;
 }
 
+auto group_of(auto& groups, const StudyRow& row) {
+  return std::find_if(groups.begin(), groups.end(),
+                      [&](const StudyGroup& g) { return same_method(g.rows.front().method, row.method); });
+}
+
 // "3, 4 and 9", cut where there are many.
 std::string list_of(const std::vector<int>& numbers) {
   constexpr std::size_t kMostListed = 8;
@@ -198,9 +196,7 @@ double StudyFacts::rounding_floor() const { return std::numeric_limits<double>::
 std::vector<StudyGroup> groups_of(const StudyTable& table) {
   std::vector<StudyGroup> groups;
   for (const StudyRow& row : table.rows) {
-    const auto mine = std::find_if(groups.begin(), groups.end(), [&](const StudyGroup& g) {
-      return same_method(g.rows.front().method, row.method);
-    });
+    const auto mine = group_of(groups, row);
     if (mine != groups.end()) {
       mine->rows.push_back(row);
     } else {
@@ -234,9 +230,7 @@ std::vector<std::string> study_csv(const StudyTable& table) {
   lines.push_back(header.text());
   const std::vector<StudyGroup> groups = groups_of(table);
   for (const StudyRow& row : table.rows) {
-    const auto mine = std::find_if(groups.begin(), groups.end(), [&](const StudyGroup& g) {
-      return same_method(g.rows.front().method, row.method);
-    });
+    const auto mine = group_of(groups, row);
     const OrderFit* fit = table.whole() ? &mine->fit : nullptr;
     CsvLine line;
     for (const Column& column : kColumns) line.add_field(column.write(table.facts, row, fit));

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "physics/compare/order_fit.h"
+#include "physics/compare/comparison.h"
 #include "physics/scene/method.h"
 #include "physics/scene/scene.h"
 
@@ -19,17 +19,10 @@ enum class ErrorKnob { kStep, kTolerance, kNone };
 [[nodiscard]] ErrorKnob error_knob(const Method& method);
 
 // One run of a study beside the reference. Errors are NaN where there is nothing to compare.
-struct StudyRow {
+struct StudyRow : Comparison {
   int index = 0;  // in the plan, from 0
   Method method;
-  double position_error = std::numeric_limits<double>::quiet_NaN();     // m
-  double velocity_error = std::numeric_limits<double>::quiet_NaN();     // m/s
-  double energy_error = std::numeric_limits<double>::quiet_NaN();       // J
-  double impact_time_error = std::numeric_limits<double>::quiet_NaN();  // s
-  std::int64_t matched = 0;                                             // impacts, with the reference's
-  std::int64_t unmatched = 0;
-  std::int64_t left_out = 0;  // bodies that were within the window of an impact
-  std::int64_t steps = 0;     // up to the compared time, as all that follows
+  std::int64_t steps = 0;  // up to the compared time, as all that follows
   std::int64_t evaluations = 0;
   std::int64_t rejected_steps = 0;
   std::int64_t impacts = 0;
@@ -103,5 +96,17 @@ struct StudyPart {
   StudyTable table;
 };
 [[nodiscard]] StudyTable merge_studies(const std::vector<StudyPart>& parts);
+
+// Sentences about a study, for the terminal and the picture alike, without a full stop.
+
+// The compared time, and how long the run was meant to be.
+[[nodiscard]] std::string compared_text(const StudyFacts& facts);
+// The reference, its own error, and what the file states.
+[[nodiscard]] std::string reference_text(const StudyFacts& facts);
+// How neighbours part, and up to when a comparison means anything.
+[[nodiscard]] std::string horizon_text(const StudyFacts& facts);
+
+// The whole study as a table for each method, then the orders.
+[[nodiscard]] std::string study_text(const StudyTable& table);
 
 }  // namespace carom

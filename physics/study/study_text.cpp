@@ -1,11 +1,10 @@
-#include "physics/study/study_text.h"
-
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/scene/plain_text.h"
+#include "physics/study/study_table.h"
 
 namespace carom {
 namespace {

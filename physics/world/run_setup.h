@@ -17,7 +17,7 @@ struct RunState;  // physics/world/run_state.h
 // Where a run goes on that was saved on its way.
 struct SavedRun {
   double time = 0.0;  // s, >= 0: what the clock shows at the start; drives and timed forces count from 0
-  // Of the scene that the state belongs to (physics/scene/fingerprint.h); 0: a clock alone.
+  // Of the scene that the state belongs to (physics/scene/facts.h); 0: a clock alone.
   std::uint64_t fingerprint = 0;
   // None where the scene was changed since: the run goes on from its bodies and its clock alone.
   std::shared_ptr<const RunState> state{};

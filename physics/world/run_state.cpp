@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "physics/scene/fingerprint.h"
+#include "physics/scene/facts.h"
 #include "physics/scene/validate.h"
 #include "physics/world/simulation.h"
 

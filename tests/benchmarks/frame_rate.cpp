@@ -8,7 +8,7 @@
 
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
-#include "physics/preset/validate_preset.h"
+#include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/run/transport_bar.h"

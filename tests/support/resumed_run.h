@@ -6,9 +6,9 @@
 
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
-#include "physics/preset/saved_preset.h"
 #include "physics/scene/validate.h"
 #include "physics/world/run_state.h"
+#include "physics/world/simulation.h"
 
 // A run beside one that was saved on its way, read again, and gone on with.
 namespace carom::test {

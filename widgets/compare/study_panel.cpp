@@ -17,7 +17,7 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
-#include "physics/study/study_text.h"
+#include "physics/study/study_table.h"
 #include "widgets/compare/error_plot.h"
 #include "widgets/compare/log_scale.h"
 #include "widgets/compare/order_table.h"

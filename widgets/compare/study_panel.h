@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "physics/preset/preset.h"
-#include "physics/study/background_study.h"
+#include "physics/study/study.h"
 #include "widgets/theme/theme.h"
 
 class QBoxLayout;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "physics/dynamics/integrators/integrators.h"
-#include "physics/study/study_text.h"
+#include "physics/study/study_table.h"
 #include "widgets/compare/error_plot.h"
 #include "widgets/plot/plot_render.h"
 #include "widgets/print/picture_file.h"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "physics/observe/histogram.h"
-#include "physics/observe/maxwell.h"
 #include "physics/record/recorder.h"
 #include "widgets/plot/plot_content.h"
 #include "widgets/theme/theme.h"

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "physics/preset/preset.h"
-#include "physics/record/run_moments.h"
+#include "physics/record/frame.h"
 #include "widgets/print/picture_file.h"
 #include "widgets/scene/drawing_forces.h"
 #include "widgets/scene/gl_canvas.h"

@@ -11,8 +11,6 @@
 #include "physics/preset/names.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
-#include "physics/preset/setting.h"
-#include "physics/preset/validate_preset.h"
 #include "tests/support/preset_files.h"
 #include "tests/support/scenes.h"
 

@@ -1,3 +1,5 @@
+#include "physics/files/output_file.h"
+
 #include <algorithm>
 #include <atomic>
 #include <fcntl.h>
@@ -8,7 +10,6 @@
 #include <sys/sysmacros.h>
 #include <thread>
 
-#include "physics/files/output_set.h"
 #include "physics/scene/validate.h"
 #include "tests/support/faults.h"
 #include "tests/support/preset_files.h"

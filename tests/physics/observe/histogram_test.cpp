@@ -7,7 +7,6 @@
 #include <numeric>
 #include <thread>
 
-#include "physics/observe/maxwell.h"
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "physics/session/worker.h"

@@ -1,4 +1,3 @@
-#include "physics/preset/file_text.h"
 
 #include <sys/socket.h>
 #include <sys/stat.h>

@@ -5,7 +5,6 @@
 
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
-#include "physics/preset/saved_preset.h"
 #include "physics/scene/limits.h"
 #include "physics/world/run_state.h"
 #include "physics/world/simulation.h"

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "physics/preset/preset_json.h"
-#include "physics/preset/schema.h"
 #include "physics/scene/validate.h"
 #include "tests/fuzz/json_mutator.h"
 #include "tests/support/preset_files.h"

@@ -1,10 +1,9 @@
-#include "physics/record/run_moments.h"
-
 #include <array>
 #include <gtest/gtest.h>
 #include <span>
 #include <variant>
 
+#include "physics/record/frame.h"
 #include "physics/record/replay.h"
 #include "tests/support/scenes.h"
 

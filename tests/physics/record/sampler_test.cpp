@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "physics/preset/preset.h"
-#include "physics/record/run_log.h"
+#include "physics/record/replay.h"
 #include "tests/support/resumed_run.h"
 #include "tests/support/scenes.h"
 

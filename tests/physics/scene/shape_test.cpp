@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "physics/scene/polygon.h"
-
 namespace carom {
 namespace {
 

@@ -10,7 +10,7 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
-#include "physics/study/background_study.h"
+#include "physics/study/study.h"
 #include "tests/support/scenes.h"
 
 namespace carom {

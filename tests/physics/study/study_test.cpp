@@ -4,14 +4,14 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "physics/check/measure_run.h"
 #include "physics/compare/chaos.h"
 #include "physics/compare/comparison.h"
 #include "physics/compare/reference.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
-#include "physics/study/stated_figures.h"
-#include "physics/study/study_text.h"
+#include "physics/study/study_table.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
@@ -219,7 +219,7 @@ TEST(Reference, IsRefinedWhereContactsLast) {
   EXPECT_FALSE(r.exact);
   EXPECT_GT(r.halvings, 3);
   EXPECT_LT(r.position_error, 1e-9);
-  const std::vector<StatedFigure> figures = check_stated_figures(s, r, kRolls);
+  const std::vector<StatedFigure> figures = check_stated_figures(s, r.method, kRolls);
   EXPECT_FALSE(figures.empty());
   for (const StatedFigure& f : figures) EXPECT_LT(f.difference, 1e-9) << f.text;
   s.method.contacts = ContactsId::kImpulse;

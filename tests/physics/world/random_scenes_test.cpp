@@ -7,7 +7,6 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
-#include "physics/preset/validate_preset.h"
 #include "physics/scene/facts.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"

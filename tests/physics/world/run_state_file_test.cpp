@@ -5,8 +5,7 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/preset/preset_json.h"
-#include "physics/preset/saved_preset.h"
-#include "physics/scene/fingerprint.h"
+#include "physics/scene/facts.h"
 #include "tests/support/resumed_run.h"
 #include "tests/support/scenes.h"
 

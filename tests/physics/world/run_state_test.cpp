@@ -9,7 +9,6 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
-#include "physics/preset/validate_preset.h"
 #include "physics/scene/facts.h"
 #include "tests/support/preset_files.h"
 #include "tests/support/random_scene.h"

@@ -1,4 +1,4 @@
-#include "physics/record/key_frames.h"
+#include "physics/record/replay.h"
 
 #include <algorithm>
 

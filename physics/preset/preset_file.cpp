@@ -1,0 +1,220 @@
+#include "physics/preset/preset_file.h"
+
+#include <fmt/format.h>
+
+#include "physics/files/output_file.h"
+#include "physics/preset/names.h"
+#include "physics/preset/preset.h"
+#include "physics/preset/preset_json.h"
+#include "physics/preset/sections_json.h"
+#include "physics/preset/value_reader.h"
+#include "physics/scene/facts.h"
+
+namespace carom {
+namespace {
+
+// The first two keys: what the file is.
+void read_format(FieldReader& r) {
+  r.needed({"format", "\"carom-preset\""}, [](const ValueReader& v) { (void)v.word({"carom-preset"}); });
+  r.needed({"version", "1"}, [](const ValueReader& v) {
+    if (v.has_value() && v.value().is_number_integer() && v.value().get<double>() > kPresetVersion) {
+      throw SceneError(fmt::format(
+          "/version: this preset has version {}, made by a newer Carom; this one reads up to version {}",
+          quoted(v.value()), kPresetVersion));
+    }
+    (void)v.whole({kPresetVersion, kPresetVersion});
+  });
+}
+
+// The section of a saved run is written by Carom alone: a fault of it is one of a rule.
+template <class Read>
+void of_saved_run(const Read& read) {
+  try {
+    read();
+  } catch (const SceneError& error) {
+    throw RuleError(Rule::kSavedRun, error.what());
+  }
+}
+
+void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
+  read_format(r);
+  r.require({"title", "a few words"}, preset.title, kWords);
+  r.read({"about", "what the experiment is, a paragraph"}, preset.about, kText);
+  r.read({"observe", "what to look at, a few words"}, preset.observe, kText);
+  r.read({"duration", "how long a run lasts"}, preset.duration, positive("s"));
+  r.read({"gravity", "[x, y]"}, preset.scene.forces.gravity, any_number("m/s²"));
+  r.member({"method", "how the run is computed"},
+           [&](const ValueReader& v) { v.object([&](FieldReader& m) { read_method(m, preset.method); }); });
+  const auto each = [](auto& list, const auto& read) {
+    return [&list, read](FieldReader& element, const std::string&) { read(element, list.emplace_back()); };
+  };
+  r.read_objects({"compare", "other methods to run beside it"}, kMostCompared,
+                 each(preset.compare, read_method));
+  r.read_objects({"materials", "surfaces"}, kMostMaterials, each(preset.scene.materials, read_material));
+  r.read_objects({"bodies", "what moves, and what it meets"}, kMostBodies,
+                 each(preset.scene.bodies, read_body));
+  int forces = 0;
+  r.read_objects({"forces", "beside gravity"}, kMostForces, [&](FieldReader& element, const std::string& at) {
+    read_force(element, at, forces++, preset.scene.forces, places);
+  });
+  r.read_objects({"material_pairs", "how two materials meet"}, kMostMaterialPairs,
+                 each(preset.scene.pairs, read_pair));
+  r.read_choice({"impact_law", "of impacts off the line of centres"}, kImpactLawNames, preset.scene.impact_law);
+  r.read_choice({"several_impacts", "contacts that close at one time"}, kSeveralImpactsNames,
+                preset.scene.several_impacts);
+  r.read_objects({"generators", "many bodies from a few numbers"}, kMostBodies,
+                 each(preset.scene.generators, read_generator));
+  r.read_objects({"links", "rods, strings, pins and welds"}, kMostJoints,
+                 each(preset.scene.joints, read_joint));
+  r.member({"plots", "to open with"}, [&](const ValueReader& v) {
+    v.list({0, kMostPlots}, [&](const ValueReader& plot) { preset.plots.push_back(read_plot(plot)); });
+  });
+  r.member({"view", "what the window shows at first"}, [&](const ValueReader& v) {
+    v.object([&](FieldReader& view) {
+      preset.view.emplace();
+      view.read({"center", "[x, y]"}, preset.view->center, any_number("m"));
+      view.require({"width", "of the part that is shown"}, preset.view->width, positive("m"));
+    });
+  });
+  r.read_objects({"expect", "what the experiment must show"}, kMostExpectations,
+                 each(preset.expect, read_expectation));
+  r.member({"state", "where a saved run goes on"}, [&](const ValueReader& v) {
+    if (v.has_value()) {
+      of_saved_run([&] { preset.saved = read_clock(v.value()); });
+    } else {
+      (void)v.free_object();
+    }
+  });
+  r.member({"extra", "kept as it is"}, [&](const ValueReader& v) { preset.extra = v.free_object(); });
+}
+
+// Objects and arrays of the first two levels are spread over lines, deeper ones stay on one.
+void write_value(std::string& out, const Json& value, int depth) {
+  constexpr int kSpreadDepth = 2;
+  const bool spread = value.is_structured() && !value.empty() && depth < kSpreadDepth &&
+                      !(depth > 0 && value.is_array() && !value.front().is_structured());
+  if (!spread) {
+    std::string line = value.dump();
+    // A space after each separator outside of texts.
+    bool in_text = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      out += line[i];
+      if (line[i] == '\\') {
+        out += line[++i];
+      } else if (line[i] == '"') {
+        in_text = !in_text;
+      } else if (!in_text && (line[i] == ',' || line[i] == ':')) {
+        out += ' ';
+      }
+    }
+    return;
+  }
+  const std::string indent(static_cast<std::size_t>(2 * (depth + 1)), ' ');
+  out += value.is_array() ? '[' : '{';
+  bool first = true;
+  for (const auto& item : value.items()) {
+    out += first ? "\n" : ",\n";
+    first = false;
+    out += indent;
+    if (value.is_object()) out += Json(item.key()).dump() + ": ";
+    write_value(out, item.value(), depth + 1);
+  }
+  out += '\n';
+  out += indent.substr(2);
+  out += value.is_array() ? ']' : '}';
+}
+
+}  // namespace
+
+Preset preset_of(const Json& json) {
+  Preset preset;
+  ForcePlaces places;
+  ValueReader(json, "").object([&](FieldReader& r) { read_preset_object(r, preset, places); });
+  validate(preset, places);
+  if (state_belongs(preset.scene, preset.saved)) of_saved_run([&] { read_state(json.at("state"), preset); });
+  resolve_places(preset, places);
+  return preset;
+}
+
+Json preset_schema() {
+  Preset preset;
+  ForcePlaces places;
+  FieldReader description;
+  read_preset_object(description, preset, places);
+  Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                 {"title", "Carom preset"},
+                 {"description", "An experiment of colliding bodies in a plane, in SI units"}};
+  std::string rules = "The reader looks at these, too:";
+  for (const RuleText& rule : kRules) rules += fmt::format(" {}", rule.text);
+  schema["$comment"] = std::move(rules);
+  schema.update(description.schema());
+  return schema;
+}
+
+Preset parse_preset(std::string_view text, const std::string& origin) {
+  const auto named = [&](const SceneError& error) {
+    return fmt::format("{}: {}", shortened(origin, kMostOfFileName), error.what());
+  };
+  try {
+    return preset_of(parse_json(text));
+  } catch (const RuleError& error) {
+    throw RuleError(error.rule, named(error));
+  } catch (const SceneError& error) {
+    throw SceneError(named(error));
+  }
+}
+
+Preset read_preset(const std::filesystem::path& file) {
+  Preset preset = parse_preset(file_text(file, "a preset file"), file.string());
+  preset.topic = valid_utf8(file.parent_path().filename().string());
+  return preset;
+}
+
+Json preset_json(const Preset& preset, bool all) {
+  Json j;
+  j["format"] = "carom-preset";
+  j["version"] = kPresetVersion;
+  j["title"] = preset.title;
+  if (!preset.about.empty()) j["about"] = preset.about;
+  if (!preset.observe.empty()) j["observe"] = preset.observe;
+  j["duration"] = preset.duration;
+  j["gravity"] = pair_json(preset.scene.forces.gravity);
+  j["method"] = written(preset.method, all, read_method);
+  for (const Method& m : preset.compare) j["compare"].push_back(written(m, all, read_method));
+  const auto put = [&](const char* key, const auto& list, bool whole, const auto& read) {
+    for (const auto& each : list) j[key].push_back(written(each, whole, read));
+  };
+  put("materials", preset.scene.materials, false, read_material);
+  put("material_pairs", preset.scene.pairs, false, read_pair);
+  if (preset.scene.impact_law != ImpactLawId::kEnergetic)
+    j["impact_law"] = name_of(kImpactLawNames, preset.scene.impact_law);
+  if (preset.scene.several_impacts != SeveralImpactsId::kPairwise)
+    j["several_impacts"] = name_of(kSeveralImpactsNames, preset.scene.several_impacts);
+  put("bodies", preset.scene.bodies, all, read_body);
+  if (Json forces = forces_json(preset.scene.forces, all); !forces.empty()) j["forces"] = std::move(forces);
+  put("generators", preset.scene.generators, true, read_generator);
+  for (const Joint& l : preset.scene.joints) j["links"].push_back(joint_json(l, all));
+  for (const Plot& plot : preset.plots) j["plots"].push_back(plot_json(plot));
+  if (preset.view) j["view"] = {{"center", pair_json(preset.view->center)}, {"width", preset.view->width}};
+  put("expect", preset.expect, false, read_expectation);
+  if (preset.saved) j["state"] = state_json(*preset.saved);
+  if (!preset.extra.empty()) j["extra"] = Json::parse(preset.extra);
+  return j;
+}
+
+std::string write_preset(const Preset& preset) {
+  std::string text;
+  write_value(text, preset_json(preset, false), 0);
+  text += '\n';
+  return text;
+}
+
+void save_preset(const Preset& preset, const std::filesystem::path& file) {
+  const std::string text = write_preset(preset);
+  (void)parse_preset(text, file.string());
+  OutputFile out(file.string());
+  out.write(text);
+  out.commit();
+}
+
+}  // namespace carom

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "physics/preset/preset.h"
+#include "physics/preset/value_reader.h"
+#include "physics/scene/validate.h"
+
+// The parts of a preset file and what they stand for.
+namespace carom {
+
+// These write, too (see `written`).
+void read_method(FieldReader& r, Method& m);
+void read_material(FieldReader& r, Material& m);
+void read_pair(FieldReader& r, MaterialPair& p);
+void read_body(FieldReader& r, Body& b);
+void read_generator(FieldReader& r, GridGenerator& g);
+void read_joint(FieldReader& r, Joint& joint);
+void read_expectation(FieldReader& r, Expectation& expectation);
+
+// Reads the force that stands at `at`, /forces/`index`, and notes its place.
+void read_force(FieldReader& r, const std::string& at, int index, Forces& forces, ForcePlaces& places);
+
+// The array, in the order of written_places(); with `all`, members that hold their default too.
+[[nodiscard]] Json forces_json(const Forces& forces, bool all);
+
+// One element of the array; with `all`, members that hold their default too.
+[[nodiscard]] Json joint_json(const Joint& joint, bool all);
+
+// A plot of a preset file: the name of a known one, or an object. Bodies are not looked up here.
+[[nodiscard]] Plot read_plot(const ValueReader& value);
+[[nodiscard]] Json plot_json(const Plot& plot);
+
+// The section "state": where a saved run goes on.
+
+// The clock and, where there is one, the fingerprint. Throws SceneError.
+[[nodiscard]] SavedRun read_clock(const Json& json);
+
+// Reads the state itself, of a scene that is valid and that it belongs to (see state_belongs). Throws
+// SceneError where it is none of a run of this scene.
+void read_state(const Json& json, Preset& preset);
+
+[[nodiscard]] Json state_json(const SavedRun& saved);
+
+}  // namespace carom
