@@ -189,7 +189,7 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
   if (plot.logarithmic) content.title = "|" + content.title + "|";
   if (plot.x) content.title = QString("%1 over %2").arg(content.title, content.x_title);
   if (!plot.title.empty()) content.title = QString::fromStdString(plot.title);
-  // Except the x of a coordinate.
+  // A capital first letter, except for the x of a coordinate.
   if (content.title.size() > 1 && content.title[1] != ' ') content.title[0] = content.title[0].toUpper();
   return content;
 }
