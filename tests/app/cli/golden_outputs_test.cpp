@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-// Without the columns that a clock measured.
+// Without the columns of measured times.
 QByteArray without_times(const QByteArray& csv) {
   QByteArray out;
   QList<bool> timed;
@@ -39,7 +39,7 @@ std::string hash_of(const QByteArray& bytes) {
 class GoldenOutputs : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(GoldenOutputs, KeepTheirBytes) {
-  // A study of each takes minutes: of these, which know every kind of row.
+  // A study of every preset takes minutes: these have every kind of row.
   const std::set<std::string> studied = {"head-on",        "drag-projectile", "bouncing-ball",
                                          "newtons-cradle", "spring-box",      "overlapping-start"};
   const Program carom;
