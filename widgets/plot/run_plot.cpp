@@ -53,7 +53,7 @@ RunPlot::RunPlot(PlotContent content, const Theme& theme, QWidget* parent)
   set_time_range(time_range_);
 }
 
-// Whole when the mouse is told that it leaves.
+// The plot must still be complete when the leave event arrives.
 RunPlot::~RunPlot() { hide(); }
 
 void RunPlot::build_header() {

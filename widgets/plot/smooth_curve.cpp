@@ -19,8 +19,8 @@ void SmoothCurve::drawLines(QPainter* painter, const QwtScaleMap& x, const QwtSc
   QwtClipper::clipPolygonF(canvas.adjusted(-kMargin, -kMargin, kMargin, kMargin), line, false);
 
   // A line that goes up and down everywhere is drawn in pieces: with 1400 points over the full height that
-  // took 15 ms where one path took 90 ms. The dashes go on. A smooth line stays in one piece: seams would be
-  // visible on it.
+  // took 15 ms where one path took 90 ms. The dashes continue. A smooth line stays in one piece: seams would
+  // be visible on it.
   constexpr double kPiece = 3000.0;  // px
   QPen dashes = pen();
   dashes.setCapStyle(Qt::FlatCap);

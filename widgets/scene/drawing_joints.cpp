@@ -15,7 +15,7 @@ constexpr int kPieces = 24;           // of a slack string
 
 using Curve = std::array<Vec2, kPieces + 1>;
 
-// The parabola between two ends that hangs `sag` below the middle of its chord, along `down`.
+// The parabola between two ends with the sag `sag` below the middle of its chord, along `down`.
 Curve parabola(const JointState& joint, const Vec2& down, double sag) {
   Curve curve;
   for (int i = 0; i <= kPieces; ++i) {

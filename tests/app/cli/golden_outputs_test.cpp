@@ -7,8 +7,8 @@
 #include "tests/support/preset_files.h"
 #include "tests/support/program.h"
 
-// The bytes that the commands write of every preset under its own method, as hashes in golden_outputs.txt;
-// after a change that means to change them:
+// Hashes of the commands' output for every preset under its own method, in golden_outputs.txt. After an
+// intended change of the output:
 //   CAROM_WRITE_GOLDEN=1 build/release/bin/carom_app_tests --gtest_filter='*GoldenOutputs*'
 namespace carom {
 namespace {

@@ -1,7 +1,7 @@
 // Random actions on the lab window until something breaks:
 //   carom_monkey [--seed N] [--actions N] [--folder DIR]
-// The seed is printed; the same seed gives the same actions. A crash, and a window that doesn't answer, are
-// told with the last actions. Without --actions there are 300, or 20 000 where CAROM_LONG_TESTS is set.
+// The seed is printed; the same seed gives the same actions. A crash or a hanging window is reported with the
+// last actions. Without --actions there are 300, or 20 000 where CAROM_LONG_TESTS is set.
 #include <QApplication>
 #include <QDesktopServices>
 #include <QDir>

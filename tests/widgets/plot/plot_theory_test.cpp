@@ -26,7 +26,7 @@
 namespace carom {
 namespace {
 
-// Pieces of a theory in a plot of 100 by 100 px that shows 0 to 1 and -2 to 2.
+// A canvas of 100 by 100 px that shows 0 to 1 and -2 to 2.
 struct Canvas {
   QwtScaleMap x, y;
   QRectF area{0.0, 0.0, 100.0, 100.0};
