@@ -48,10 +48,10 @@ struct Row {
   std::string verdict;
 };
 
-// Bytes of an expectation's words in the table; the CSV file has them whole.
+// Length in bytes of an expectation's text in the table; the CSV file has it in full.
 constexpr std::size_t kMostWords = 76;
 
-// Eleven digits tell apart all that a tolerance of 1e-10 does; exact numbers stay short.
+// Eleven digits resolve a tolerance of 1e-10; exact numbers stay short.
 std::string figure(double value) { return fmt::format("{:.11g}", value == 0.0 ? 0.0 : value); }
 
 std::string rough(double value) { return value == 0.0 ? "0" : fmt::format("{:.1e}", value); }
@@ -81,7 +81,7 @@ void print_rows(const std::vector<Row>& rows) {
   print_table(cells, kColumns);
 }
 
-// A preset under the method that is asked for.
+// A preset under the requested method.
 Preset read_checked(const std::filesystem::path& file, const CheckOptions& options) {
   constexpr std::string_view kStep = "/method/step";
   Preset preset = preset_with_method(file.string(), options.method);
@@ -120,7 +120,7 @@ std::vector<CheckedPreset> read_presets(const CheckOptions& options) {
   return presets;
 }
 
-// The runs of all presets, on all cores.
+// Runs all presets, on all cores.
 void run_all(std::vector<CheckedPreset>& presets) {
   struct Job {
     CheckedPreset* preset;

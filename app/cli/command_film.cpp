@@ -23,7 +23,7 @@ struct FilmOptions {
   double rate = 25.0;          // frames a second of the film
   double speed = 1.0;          // seconds of the run a second of the film
   std::string output;          // folder
-  bool replace = false;        // frames that are there
+  bool replace = false;        // replace existing frames
   bool dark = false;
   int width = 1280;  // px
   int height = 720;

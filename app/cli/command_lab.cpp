@@ -25,7 +25,7 @@ bool has_display() {
 
 int open_lab(Arguments arguments, const std::string& preset) {
   const std::string wanted = preset.empty() ? kDefaultExperiment : preset;
-  (void)read_preset(find_preset(wanted));  // a bad file is told on the terminal, before anything else
+  (void)read_preset(find_preset(wanted));  // reports a bad file on the terminal first
   if (!has_display()) {
     print_out("There is no display: the experiment is run instead of the lab.\n\n");
     run_preset(wanted);

@@ -45,7 +45,7 @@ int run_command_line(Arguments arguments) {
     for (const Command& command : commands) {
       if (command.options->parsed()) return command.run();
     }
-    return kBadInput;  // not reached: the program itself is always parsed
+    return kBadInput;  // unreachable: the program itself is always parsed
   } catch (const RunLostError& error) {
     print_error(error.what());
     return kLost;
@@ -64,7 +64,7 @@ int run_program(int argc, char** argv) {
   const int code = run_command_line({argc, argv});
   const std::optional<std::string> failure = finish_stdout();
   if (!failure) return code;
-  if (!failure->empty() && code != kBadInput) print_error(*failure);  // else a line is said already
+  if (!failure->empty() && code != kBadInput) print_error(*failure);  // otherwise a line is printed already
   return kBadInput;
 }
 

@@ -24,7 +24,7 @@ struct NeedsOptions {
 
 std::string micro_seconds(double seconds) { return fmt::format("{:.3g} µs", 1e6 * seconds); }
 
-// What the part costs a step of this run: nothing where it is not in.
+// Cost of the part in a step of this run; empty if the model does not have it.
 std::string cost_of(const PartCost& cost, const Method& method) {
   if (!cost.needed) return "0";
   if (cost.entry->part == Part::kRestingContacts && method.contacts == ContactsId::kImpulse)

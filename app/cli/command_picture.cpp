@@ -40,7 +40,7 @@ QSize size_of(const PictureOptions& options) {
   return {options.width > 0 ? options.width : kWidth, options.height > 0 ? options.height : kHeight};
 }
 
-// The whole window at one moment of a run, as the bytes of a PNG file.
+// The whole window at one time of a run, as the bytes of a PNG file.
 QByteArray window_picture(const Preset& preset, const QString& name, double time, const PictureOptions& options,
                           const Theme& theme) {
   LabWindow window(theme);
@@ -48,7 +48,7 @@ QByteArray window_picture(const Preset& preset, const QString& name, double time
   window.show_scene(preset, name, {});
   window.show();
   window.run_until(time);
-  // When all is laid out and the plots are drawn.
+  // After the layout and the drawing of the plots.
   QTimer::singleShot(0,
                      [] { QTimer::singleShot(0, [] { QTimer::singleShot(0, qApp, &QApplication::quit); }); });
   QApplication::exec();

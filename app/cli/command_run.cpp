@@ -28,7 +28,7 @@ struct RunOptions {
   std::string save;    // preset file for the state at the end
 };
 
-// A line on a terminal that says how far a long run is; nothing in a pipe.
+// A progress line on a terminal for a long run; nothing in a pipe.
 class Progress {
  public:
   explicit Progress(double end) : end_(end), terminal_(isatty(STDERR_FILENO) != 0) {}
@@ -57,7 +57,7 @@ int run(const RunOptions& options) {
   Simulation simulation = start;
 
   const std::vector<Quantity> columns = run_columns(simulation.bodies());
-  // Opened first: hours of work must not end at a file that cannot be written.
+  // Opened first, so that hours of work are not lost to a file that cannot be written.
   OutputSet outputs({find_preset(options.preset)});
   OutputFile* csv = outputs.open(options.csv);
   OutputFile* events = outputs.open(options.events);
@@ -85,7 +85,7 @@ int run(const RunOptions& options) {
       (void)parse_preset(text, save->name());
       save->write(text);
     } catch (const SceneError& error) {
-      save->give_up(error.what());  // the other files are good
+      save->give_up(error.what());  // the other files are valid
     }
   }
   const std::string failures = outputs.commit();

@@ -36,7 +36,7 @@ void print_lines(const std::vector<StressLine>& lines) {
 
 int stress(const StressOptions& options) {
   const std::vector<StressCase> cases = stress_cases(options.cases);
-  // Opened first: minutes of work must not end at a file that cannot be written.
+  // Opened first, so that minutes of work are not lost to a file that cannot be written.
   OutputSet outputs;
   OutputFile* csv = outputs.open(options.csv);
   OutputFile* page = outputs.open(options.page);

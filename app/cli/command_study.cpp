@@ -28,7 +28,7 @@
 namespace carom {
 namespace {
 
-// Lists come with commas and are checked item by item.
+// Lists are separated by commas and checked item by item.
 struct StudyCommandOptions {
   std::string preset;              // empty: merge
   std::vector<std::string> merge;  // CSV files of shards
@@ -70,7 +70,7 @@ void read_shard(const std::string& text, StudyOptions& study) {
   }
 }
 
-// What the words say. Throws SceneError.
+// Parses the options. Throws SceneError.
 StudyOptions study_options(const StudyCommandOptions& o) {
   StudyOptions study = o.study;
   for (const std::string& name : o.integrators) study.integrators.push_back(id_of(kIntegrators, name));
@@ -91,7 +91,7 @@ StudyOptions study_options(const StudyCommandOptions& o) {
   return study;
 }
 
-// A line on a terminal that says what a study is doing; nothing in a pipe.
+// A progress line on a terminal; nothing in a pipe.
 class StudyProgressLine {
  public:
   void show(std::string_view stage, int done, int of) {
@@ -140,7 +140,7 @@ int run_study_command(Arguments arguments, const StudyCommandOptions& options) {
   StudyTable table;
   const bool merge = !options.merge.empty();
   const std::filesystem::path file = merge ? std::filesystem::path() : find_preset(options.preset);
-  // Opened before the work: hours of it must not end at a file that cannot be written.
+  // Opened first, so that hours of work are not lost to a file that cannot be written.
   OutputSet outputs(merge ? std::vector<std::filesystem::path>(options.merge.begin(), options.merge.end())
                           : std::vector{file});
   OutputFile* csv = nullptr;
@@ -170,7 +170,7 @@ int run_study_command(Arguments arguments, const StudyCommandOptions& options) {
     try {
       write_study_picture(*picture, table, light_theme());
     } catch (const SceneError& error) {
-      picture->give_up(error.what());  // the figures are good
+      picture->give_up(error.what());  // the figures are valid
     }
   }
   const std::string failures = outputs.commit();

@@ -4,7 +4,7 @@
 
 namespace carom {
 
-// A line on a terminal that says how much of the work is done, "3 of 12 runs"; nothing in a pipe.
+// A progress line on a terminal, "3 of 12 runs"; nothing in a pipe.
 class CountProgress {
  public:
   explicit CountProgress(int all, const char* what = "runs");

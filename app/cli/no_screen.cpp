@@ -7,7 +7,7 @@
 namespace carom {
 namespace {
 
-// A platform without a screen says so in warnings that mean nothing to whoever asked for a picture.
+// Drops Qt's warnings about a missing screen: they do not concern a user who asked for a picture.
 void quiet_messages(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {
   if (type == QtCriticalMsg || type == QtFatalMsg) fmt::print(stderr, "carom: {}\n", message.toStdString());
 }

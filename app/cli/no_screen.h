@@ -2,7 +2,8 @@
 
 namespace carom {
 
-// Before an application that only draws pictures is made: it needs no display, and says nothing of having none.
+// Call before creating an application that only draws pictures: it then needs no display and prints no warning
+// about it.
 void use_no_screen();
 
 }  // namespace carom

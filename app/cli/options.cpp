@@ -14,7 +14,7 @@
 namespace carom {
 namespace {
 
-// A time that a user asks for.
+// Check of a time option.
 const CLI::Validator kTime(
     [](const std::string& text) -> std::string {
       char* end = nullptr;

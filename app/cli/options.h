@@ -8,10 +8,10 @@
 #include "physics/preset/preset.h"
 #include "physics/scene/method.h"
 
-// Options that several commands have.
+// Options shared by several commands.
 namespace carom {
 
-// What the command line says in place of the file's own method.
+// Options that override the file's own method.
 struct MethodOptions {
   std::optional<IntegratorId> integrator;
   std::optional<ImpactsId> impacts;
@@ -19,7 +19,7 @@ struct MethodOptions {
   std::optional<double> step;       // s
   std::optional<double> tolerance;  // m and m/s a step
 };
-// One option for each part of a method. `method` must live until the command line is read.
+// Adds one option for each part of a method. `method` must exist until the command line is parsed.
 void add_method_options(CLI::App& command, MethodOptions& method);
 // The scene of a preset with the chosen method, validated. Throws SceneError.
 [[nodiscard]] Preset preset_with_method(const std::string& preset, const MethodOptions& method);
@@ -38,7 +38,7 @@ std::vector<std::string> names_of(const Table& table) {
   for (const auto& choice : table) names.emplace_back(choice.name);
   return names;
 }
-// Of a name that stands in the table.
+// The id of a name in the table.
 template <class Table>
 auto id_of(const Table& table, const std::string& name) {
   const auto named = [&name](const auto& choice) { return choice.name == name; };

@@ -14,7 +14,7 @@
 namespace carom {
 
 void prepare_process() {
-  // The lowest free descriptor is taken, so these are 0, 1 and 2; the first two cannot be written.
+  // open() takes the lowest free descriptor, so these are 0, 1 and 2; the first two cannot be written.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) < 0 && errno == EBADF)
       (void)open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
@@ -40,7 +40,7 @@ std::optional<std::string> finish_stdout() {
 void write_err(std::string_view text) { (void)std::fwrite(text.data(), 1, text.size(), stderr); }
 
 void print_error(const std::string& line) {
-  // A name at the front and what is wrong with it at the end are kept.
+  // Keeps the name at the front and the error at the end.
   constexpr std::size_t kFront = 600;
   constexpr std::size_t kEnd = 300;
   const bool whole = line.size() <= kFront + kEnd;

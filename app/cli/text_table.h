@@ -8,8 +8,8 @@ namespace carom {
 
 enum class Align { kLeft, kRight };
 
-// Prints rows of as many cells as there are columns, the cells of a column below one another, two blanks
-// between columns and none at the end of a line.
+// Prints rows of as many cells as there are columns, with aligned columns, two blanks between columns and none
+// at the end of a line.
 void print_table(const std::vector<std::vector<std::string>>& rows, std::span<const Align> columns);
 
 }  // namespace carom

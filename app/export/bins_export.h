@@ -7,8 +7,8 @@
 
 namespace carom {
 
-// The bins of a histogram plot as a table, a header and one line a bin: which distribution, from, to, count,
-// share over the width and, beside a law, the count that it expects; all digits. `unit` is that of the values.
+// The bins of a histogram plot as a table, a header and one line a bin: the distribution, from, to, count,
+// share per width and, with a law, the expected count; all digits. `unit` is the unit of the values.
 [[nodiscard]] std::vector<std::string> bins_table(const std::vector<ShownBins>& shown, const std::string& unit,
                                                   char separator);
 

@@ -20,11 +20,11 @@
 namespace carom {
 namespace {
 
-constexpr double kMargin = 40.0;  // px about what is shown whole
+constexpr double kMargin = 40.0;  // px around the bodies in the fitted view
 
 namespace fs = std::filesystem;
 
-// The text in a frame's file that tells whose it is.
+// The text in a frame's file that marks it as Carom's.
 constexpr const char* kMarkName = "Software";
 constexpr const char* kMark = "Carom film";
 
@@ -43,11 +43,11 @@ std::vector<std::string> names_of_frames(const fs::path& folder) {
 
 bool is_frame_of_carom(const fs::path& file) {
   std::error_code error;
-  if (!fs::is_regular_file(fs::symlink_status(file, error))) return false;  // a pipe would be waited for
+  if (!fs::is_regular_file(fs::symlink_status(file, error))) return false;  // opening a pipe would block
   return QImageReader(QString::fromStdString(file.string())).text(kMarkName) == kMark;
 }
 
-// A folder with those above it, as far as they are not there; they go again unless keep() is called.
+// Creates a folder with its missing parents; removes them again unless keep() is called.
 class MadeFolders {
  public:
   explicit MadeFolders(const fs::path& folder) {
@@ -84,10 +84,10 @@ class MadeFolders {
   std::vector<TemporaryFolder> made_;
 };
 
-// All frames of a film, none in its place before the last is whole.
+// All frames of a film; none is put in place before the last is complete.
 class FrameFiles {
  public:
-  // Asks for all places, and opens the first, before any work is done.
+  // Checks all places and opens the first before any work.
   FrameFiles(const fs::path& folder, int count, const std::vector<fs::path>& inputs)
       : folder_(folder), made_(folder), outputs_(inputs) {
     for (int k = 1; k <= count; ++k) {
@@ -136,7 +136,7 @@ class FrameFiles {
   std::deque<OutputFile> frames_;
 };
 
-// What all frames show: nothing of the run is out of the picture.
+// The view for all frames: it includes the whole run.
 WorldRect bounds_of(const Film& film, std::span<const double> times, const std::function<bool(double)>& go_on) {
   WorldRect all;
   const auto include = [&](std::span<const Frame> runs) {
@@ -219,7 +219,7 @@ std::optional<FilmFrames> save_film(const Film& film, const fs::path& folder, bo
   FrameFiles files(folder, count, inputs);
 
   SceneLook look = on_viewport(film.look, QSizeF(film.pixels) / film.dots);
-  // The run's own time, then the frames': the pass for the bounds is a part of the work.
+  // First the pass for the bounds, then the frames: both count as work.
   double done = 0.0;
   const double passes = film.whole ? 2.0 : 1.0;
   const double end = std::max(times.back(), 1e-12);

@@ -14,50 +14,47 @@
 
 namespace carom {
 
-// A part of a run as numbered pictures, of which a film can be made.
+// A part of a run as numbered pictures for a film.
 struct Film {
   static constexpr int kMostFrames = 100'000;
 
-  std::vector<RunLog> runs;  // of the scene's own method, and of those that are compared with it
+  std::vector<RunLog> runs;  // of the scene's own method, and of the compared methods
   double from = 0.0;         // s of the run
   double to = 1.0;           // s of the run: no frame is after it
   double rate = 25.0;        // frames a second of the film
   double speed = 1.0;        // seconds of the run in a second of the film: below 1 it is slow motion
-  QSize pixels{1280, 720};   // even numbers, which encoders of films ask for
-  double dots = 1.0;         // px of a picture for one of the look's
+  QSize pixels{1280, 720};   // even numbers, as video encoders require
+  double dots = 1.0;         // image px for each px of the look
   SceneLook look;            // of the first frame, on a viewport of any size
-  bool whole = false;        // all bodies in all frames, in place of what the look's camera sees
+  bool whole = false;        // fit all bodies in all frames, instead of the look's camera
 };
 
-// Moments of the frames, s: from, from + speed / rate, ... Throws SceneError where one of the above is not
-// allowed.
+// Times of the frames, s: from, from + speed / rate, ... Throws SceneError for values that are not allowed.
 [[nodiscard]] std::vector<double> film_times(const Film& film);
 
-// "frame-0001.png", with as many digits as the last of `count` frames needs, at least four.
+// "frame-0001.png", with the digits that the last of `count` frames needs, at least four.
 [[nodiscard]] QString frame_name(int number, int count);
-// The frames that a folder has already, "frame-" and four digits or more.
+// The existing frames of a folder, "frame-" and four digits or more.
 [[nodiscard]] QStringList frames_in(const QString& folder);
-// What makes a film of them, to be called in their folder.
+// The command that makes a film of them, to be run in their folder.
 [[nodiscard]] QString encoder_line(const Film& film, int count);
 
-// What became of a folder's frames.
+// Result for the folder's frames.
 struct FilmFrames {
   int written = 0;
-  int removed = 0;  // of an older film by Carom, which was longer
-  std::vector<std::string>
-      other;  // further frames that Carom didn't make: they stay, and an encoder finds them
-  std::vector<std::string> stuck;   // of an older film by Carom, but not to be removed
-  std::optional<std::string> lost;  // why the run could not go on, if so: the last frames show where it stands
+  int removed = 0;                  // of an older film by Carom, which was longer
+  std::vector<std::string> other;   // further frames not made by Carom: they stay, and an encoder finds them
+  std::vector<std::string> stuck;   // of an older film by Carom, but could not be removed
+  std::optional<std::string> lost;  // why the run was lost, if so: the last frames show its last state
 };
-// One line each for what of that a user should know, beside the number written.
+// The lines to show to the user, beside the number written.
 [[nodiscard]] std::vector<std::string> remarks(const FilmFrames& frames);
 
-// Goes through the run once more and writes its frames as PNG into a folder, which is made if it is not there.
-// They come under temporary names first: only when all are there they take the places of older ones, which stay
-// where something fails. What is left of an older film by Carom (its frames say so) goes too, no other file.
-// `progress` is told the share that is done; where it answers false nothing is left behind, and there is no
-// answer. Throws SceneError, also where frames are there and may not be replaced, or where one is among the
-// `inputs`.
+// Replays the run and writes its frames as PNG into a folder, which is created if necessary. The frames have
+// temporary names until all are complete; then they replace older ones, which stay if anything fails.
+// Remaining frames of an older film by Carom (marked in the file) are removed, no other file is. `progress`
+// receives the completed share; if it returns false nothing is left behind, and there is no result. Throws
+// SceneError, also if frames exist and may not be replaced, or if one is among the `inputs`.
 [[nodiscard]] std::optional<FilmFrames> save_film(const Film& film, const std::filesystem::path& folder,
                                                   bool replace,
                                                   const std::vector<std::filesystem::path>& inputs,

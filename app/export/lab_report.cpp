@@ -25,7 +25,7 @@ constexpr double kPlot = 210.0;    // px, height of a plot
 
 QString tr(const char* text) { return QCoreApplication::translate("LabReport", text); }
 
-// How far from an impact a moment just before or after it is, s: a round part of a step.
+// Distance in s of the moments just before and after an impact: a round part of a step.
 double near_by(const Method& method) { return std::pow(10.0, std::floor(std::log10(method.step) + 1e-9)); }
 
 QString step_text(const Method& m) {
@@ -40,7 +40,7 @@ QString choice_text(const Choice& choice) {
   return text_of(choice.label) + ": " + text_of(choice.tip);
 }
 
-// "RK4, impacts at their own time, ...": all of a method in a line.
+// "RK4, impacts at their own time, ...": the complete method in a line.
 QString method_line(const Method& m) {
   return QStringList{text_of(choice_of(kIntegrators, m.integrator).label),
                      text_of(choice_of(kImpacts, m.impacts).label),
@@ -48,7 +48,7 @@ QString method_line(const Method& m) {
       .join(", ");
 }
 
-// The report's pieces, from the first to the last.
+// Builds the report's blocks, in order.
 class Writer {
  public:
   explicit Writer(const LabReport& report) : report_(report) {}
@@ -173,7 +173,7 @@ class Writer {
     const Method& m = start.method;
     add(print_heading(tr("The method")));
     const auto entry = [&](const QString& name, const QString& text) {
-      blocks_.back().with_next = true;  // it is a whole
+      blocks_.back().with_next = true;  // keeps it together
       add(print_entry(name, text));
     };
     if (!report_.observe.isEmpty()) entry(tr("To be seen"), report_.observe);
@@ -216,7 +216,7 @@ class Writer {
     return text_of(needs_of(setup.scene), setup.scene, setup.method.contacts);
   }
 
-  // What was done to the run on its way, as far as a page takes it.
+  // The edits during the run, as far as a page has room.
   void changes() {
     constexpr std::size_t kMostChanges = 12;
     const std::vector<Edit>& edits = report_.runs.front().edits;

@@ -10,8 +10,8 @@
 namespace carom {
 namespace {
 
-// Goes through the run and tells `put` line by line, the header first. Where one of the two answers false it is
-// left, and the answer is false.
+// Replays the run and passes its rows to `put`, the header first. Stops and returns false if `put` or
+// `progress` returns false.
 bool write_lines(const DataExport& what, char separator, const std::function<bool(const std::string&)>& put,
                  const std::function<bool(double)>& progress) {
   std::vector<Curve> curves;

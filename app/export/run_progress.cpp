@@ -18,10 +18,10 @@ namespace carom {
 namespace {
 
 constexpr int kParts = 1000;
-constexpr int kPeriod = 30;                      // ms between two looks at the work
-constexpr std::chrono::milliseconds kSoon{300};  // work that is done by then shows no dialog
+constexpr int kPeriod = 30;                      // ms between two polls of the work
+constexpr std::chrono::milliseconds kSoon{300};  // shorter work shows no dialog
 
-// Work on a thread. It is told to stop, and waited for, when this goes.
+// Work on a thread. The destructor requests a stop and joins the thread.
 class Job {
  public:
   explicit Job(const std::function<void(const Progress&)>& work)
@@ -34,7 +34,7 @@ class Job {
     return ended_.wait_for(lock, time, [this] { return done_; });
   }
   [[nodiscard]] double share() const { return share_; }
-  [[nodiscard]] const QString& error() const { return error_; }  // once it is done; empty if there was none
+  [[nodiscard]] const QString& error() const { return error_; }  // when done; empty: no error
 
  private:
   void run(const std::function<void(const Progress&)>& work, const std::stop_token& stop) {
@@ -76,7 +76,7 @@ void with_progress(QWidget* window, const QString& title, const QString& failure
   const auto tr = [](const char* text) { return QCoreApplication::translate("RunProgress", text); };
   auto* dialog = new QProgressDialog(tr("Going through the run once more"), tr("Cancel"), 0, kParts, window);
   dialog->setWindowTitle(title);
-  // Its own setValue() would run the event loop.
+  // QProgressDialog::setValue() would run the event loop.
   auto* bar = new QProgressBar;
   dialog->setBar(bar);
   bar->setRange(0, kParts);

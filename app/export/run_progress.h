@@ -7,13 +7,13 @@ class QWidget;
 
 namespace carom {
 
-// Told now and then which share of some work is done, 0 to 1. False: the work is to be left.
+// Receives the completed share of some work, 0 to 1, now and then. Returns false to cancel the work.
 using Progress = std::function<bool(double share)>;
 
-// Does work that goes through a run once more on a thread of its own, then calls `then` here. Where it takes
-// long, a dialog over the window tells how far it is and can cancel it: the event loop goes on meanwhile. What
-// the work throws is told as a message under the title `failure`. `then` isn't called after that, nor after
-// Cancel, nor when the window is gone.
+// Runs long work, such as a replay, on a thread of its own, then calls `then` on this thread. If it takes
+// long, a dialog over the window shows its progress and can cancel it; the event loop keeps running. An
+// exception of the work is shown as a message with the title `failure`. `then` is not called after that, after
+// Cancel, or when the window is gone.
 void with_progress(QWidget* window, const QString& title, const QString& failure,
                    const std::function<void(const Progress&)>& work, const std::function<void()>& then = {});
 

@@ -26,7 +26,7 @@ std::string counted(std::int64_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-// What is computed how, and what it cost.
+// Method, options and cost.
 std::string method_text(const Simulation& s) {
   const Method& m = s.method();
   const IntegratorChoice& integrator = choice_of(kIntegrators, m.integrator);
@@ -113,7 +113,7 @@ std::string report_json(const std::string& preset, const Simulation& end) {
   const Totals totals = end.totals();
   const Ledger ledger = end.ledger();
   Json j;
-  j["preset"] = preset;  // may be no UTF-8
+  j["preset"] = preset;  // may not be UTF-8
   j["method"] = {{"integrator", choice_of(kIntegrators, m.integrator).name},
                  {"impacts", choice_of(kImpacts, m.impacts).name},
                  {"contacts", choice_of(kContacts, m.contacts).name}};

@@ -14,7 +14,7 @@
 
 #include "physics/preset/preset.h"
 
-// Resources of a static library are linked only where this is called; it must stand outside of any namespace.
+// Links the resources of a static library; must be called outside of any namespace.
 static void load_help() { Q_INIT_RESOURCE(help); }
 
 namespace carom {
@@ -31,7 +31,7 @@ constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
     {"stress-figures", QT_TRANSLATE_NOOP("QObject", "The hard cases: figures")},
 });
 
-// Room between paragraphs, before headings and in tables, which Markdown alone does not give.
+// Adds space between paragraphs, before headings and in tables, which Markdown cannot specify.
 void space_out(QTextDocument& document, const QColor& lines) {
   for (QTextFrame* frame : document.rootFrame()->childFrames()) {
     auto* table = qobject_cast<QTextTable*>(frame);

@@ -17,10 +17,10 @@ constexpr const char* kSuffix = ".json";
 
 QString lock_of(const QString& file) { return file + ".lock"; }
 
-// Nobody else's while this process has it; a process that has ended loses it.
+// Exclusive while this process holds it; released when the process ends.
 std::unique_ptr<QLockFile> locked(const QString& file) {
   auto lock = std::make_unique<QLockFile>(lock_of(file));
-  lock->setStaleLockTime(0);  // however old: a window may be open for days
+  lock->setStaleLockTime(0);  // never stale by age: a window may be open for days
   if (!lock->tryLock(0)) return nullptr;
   return lock;
 }
@@ -55,7 +55,7 @@ std::vector<KeptWork> kept_work(const QString& folder) {
   for (const QFileInfo& entry :
        dir.entryInfoList({QString("work-*") + kSuffix}, QDir::Files, QDir::Time | QDir::Reversed)) {
     std::unique_ptr<QLockFile> lock = locked(entry.absoluteFilePath());
-    // Taken away while this looked: by the window whose it was.
+    // Its own window may have removed it meanwhile.
     if (lock != nullptr && QFileInfo::exists(entry.absoluteFilePath()))
       all.emplace_back(entry.absoluteFilePath(), std::move(lock));
   }

@@ -11,11 +11,11 @@
 
 namespace carom {
 
-// Where unsaved work is kept: $CAROM_AUTOSAVE, else the user's folder for data of this program.
+// The folder of unsaved work: $CAROM_AUTOSAVE, or the program's data folder of the user.
 [[nodiscard]] QString autosave_folder();
 
-// Work of a window that ended without saying whether it is to be saved. Nobody else is offered it while this
-// lives.
+// Work of a window that ended without an answer whether to save it. No other window is offered it while this
+// object exists.
 class KeptWork {
  public:
   KeptWork(const QString& file, std::unique_ptr<QLockFile> lock);
@@ -24,7 +24,7 @@ class KeptWork {
   // Throws SceneError where the file cannot be read.
   [[nodiscard]] Preset preset() const;
   void remove();
-  // It is not offered again, but stays for somebody to look at: as *.damaged in the same folder.
+  // Keeps the file for inspection, as *.damaged in the same folder; it is not offered again.
   void set_aside();
 
  private:
@@ -33,11 +33,11 @@ class KeptWork {
   std::unique_ptr<QLockFile> lock_;
 };
 
-// What lies in the folder and belongs to no window that is open, the oldest first.
+// Work in the folder that belongs to no open window, the oldest first.
 [[nodiscard]] std::vector<KeptWork> kept_work(const QString& folder);
 
-// Keeps one window's unsaved work in a file of its own, which is a preset like any other. The file goes when
-// the work is saved or given up, and at a clean end.
+// Keeps one window's unsaved work in a file of its own, which is a preset like any other. The file is removed
+// when the work is saved or discarded, and at a normal exit.
 class Autosave {
  public:
   explicit Autosave(QString folder) : folder_(std::move(folder)) {}
@@ -45,7 +45,7 @@ class Autosave {
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  // Writes the scene unless it is there already. Throws SceneError if it cannot be written.
+  // Writes the scene unless the file has it already. Throws SceneError if it cannot be written.
   void keep(const Preset& preset);
   void forget();
   [[nodiscard]] const QString& file() const { return file_; }  // empty while nothing is kept

@@ -19,7 +19,7 @@ void DocumentEdit::redo() {
   if (!std::exchange(made_, false)) session_.put_back(after_, what_.runs);
 }
 
-// The runs go back to what they were before the first of them.
+// The runs return to their state before the first of them.
 bool DocumentEdit::mergeWith(const QUndoCommand* later) {
   const auto& other = static_cast<const DocumentEdit&>(*later);
   if (other.what_.drag != what_.drag) return false;

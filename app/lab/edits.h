@@ -12,14 +12,14 @@ namespace carom {
 
 class Session;
 
-// The methods that a scene runs under, side by side, and what they are compared with.
+// The methods of a scene's runs, side by side, and their reference.
 struct Methods {
   Method own;
   std::vector<Method> others;
   ReferenceId reference = ReferenceId::kNone;
 };
 
-// All of a document that edits change.
+// All parts of a document that edits change.
 struct Edited {
   Methods methods;
   std::optional<Methods> before_usual;  // while Euler, RK4 and the exact run are compared
@@ -27,14 +27,14 @@ struct Edited {
   std::vector<Plot> plots;
 };
 
-// One change of the document, made already when it comes onto the stack. What it did to the runs has a name.
+// One change of the document, already made when it is pushed on the stack. Its change of the runs has an id.
 class DocumentEdit : public QUndoCommand {
  public:
   struct What {
     QString text;               // "Undo ..."
-    Worker::EditId runs = 0;    // 0: they don't change
-    bool is_work = true;        // false: nothing that could be lost
-    std::optional<int> drag{};  // edits of one drag are undone as one
+    Worker::EditId runs = 0;    // 0: the runs do not change
+    bool is_work = true;        // false: not worth saving
+    std::optional<int> drag{};  // edits of one drag are undone together
   };
 
   DocumentEdit(Session& session, const What& what, Edited before, Edited after);

@@ -8,7 +8,7 @@ class QRadioButton;
 
 namespace carom {
 
-// Which data of a run are to be saved: of what, and of which time.
+// Chooses the data of a run to save, and their time.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
@@ -16,13 +16,13 @@ class ExportDialog : public QDialog {
   enum class What { kPlot, kPlots, kRun };
   enum class Time { kAll, kShown, kMarked };
 
-  // `plot`: the title of the plot that was asked for, or nothing; `marked`: there are two marks; `runs`: the
-  // names of the methods that are compared.
+  // `plot`: the title of the requested plot, or empty; `marked`: there are two marks; `runs`: the names of the
+  // compared methods.
   ExportDialog(const QString& plot, bool marked, const std::vector<QString>& runs, QWidget* parent);
 
   [[nodiscard]] What what() const;
   [[nodiscard]] Time time() const;
-  [[nodiscard]] std::size_t run() const;  // which of them
+  [[nodiscard]] std::size_t run() const;  // the chosen one
 
  private:
   QRadioButton* plot_;

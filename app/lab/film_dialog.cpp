@@ -20,7 +20,7 @@
 namespace carom {
 namespace {
 
-// Without the zeros that its decimals leave room for.
+// Without trailing zeros.
 class NumberBox : public QDoubleSpinBox {
  public:
   [[nodiscard]] QString textFromValue(double value) const override { return locale().toString(value, 'g', 10); }
@@ -45,7 +45,7 @@ QSpinBox* pixel_box(int value, const QString& tip) {
   box->setSuffix(" px");
   box->setValue(value);
   box->setToolTip(tip);
-  // Encoders of films ask for even numbers.
+  // Video encoders require even numbers.
   QObject::connect(box, &QSpinBox::editingFinished, box, [box] { box->setValue(box->value() / 2 * 2); });
   return box;
 }
@@ -131,7 +131,7 @@ Film FilmDialog::film() const {
   film.speed = speed_->value();
   film.pixels = QSize(width_->value(), height_->value()) / 2 * 2;
   film.whole = shown_->currentIndex() == 1;
-  // What is as large in the window is as large in the film.
+  // Sizes in the film are as in the window.
   const QSizeF window = film.look.camera.viewport;
   film.dots = std::min(film.pixels.width() / window.width(), film.pixels.height() / window.height());
   return film;

@@ -13,8 +13,8 @@ class QSpinBox;
 
 namespace carom {
 
-// Which part of a run is to become a film, how fast, how large, and where its frames go. It tells all the while
-// what will come of it, or what is not allowed.
+// Chooses the part of a run for a film, its speed and size, and the folder of its frames. A line always shows
+// the result, or what is not allowed.
 class FilmDialog : public QDialog {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class FilmDialog : public QDialog {
 
   [[nodiscard]] Film film() const;
   [[nodiscard]] QString folder() const;
-  // The frames that the folder has already may go.
+  // Whether existing frames in the folder may be replaced.
   [[nodiscard]] bool may_replace() const { return may_replace_; }
 
  public slots:

@@ -252,7 +252,7 @@ void LabExports::make_report() {
   if (!has_run()) return;
   if (session_.frame()->steps == 0 && !session_.frame()->playing)
     return tell(window_, tr("Lab report"), tr("The run has not begun: play it first."));
-  // So that plots and tables are of one moment.
+  // So that plots and tables have the same time.
   session_.when_still(tr("the report waits for the step that is under way"), [this] { write_report(); });
 }
 

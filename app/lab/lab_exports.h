@@ -18,9 +18,8 @@ struct Film;
 struct FilmFrames;
 struct LabReport;
 
-// What can be taken away from the lab. Each asks for a file and tells in a message what went wrong; what is
-// written is of the moment when it was asked for, while the run goes on. None takes the place of the open
-// preset.
+// The exports of the lab. Each asks for a file and shows errors in a message. It writes the state at the time
+// of the request, while the run continues. None replaces the open preset.
 class LabExports : public QObject {
   Q_OBJECT
 
@@ -36,11 +35,11 @@ class LabExports : public QObject {
   void save_scene_picture();
   void copy_scene_picture();
   void save_plot(RunPlot* plot);
-  void save_data(const RunPlot* plot);  // nullptr: of no plot in particular
+  void save_data(const RunPlot* plot);  // nullptr: no particular plot
   void copy_data(const RunPlot* plot, bool shown);
-  void save_run();  // a preset that goes on from the moment that is shown
+  void save_run();  // a preset that continues from the shown time
   void make_film();
-  void make_report();  // of a run that stands still: waits for the step that is under way
+  void make_report();  // of a paused run: waits for the current step
 
  private:
   using Then = std::function<void(const QString& file)>;

@@ -24,7 +24,7 @@
 #include "widgets/scene/scene_view.h"
 #include "widgets/theme/ask.h"
 
-// What stands where in the lab's window.
+// The layout of the lab's window.
 namespace carom {
 namespace {
 
@@ -37,7 +37,7 @@ QWidget* with_frame(QWidget* inside, int margin) {
   return frame;
 }
 
-// Scrolls what it holds, on the ground that is there.
+// Scrolls its content, with the parent's background.
 template <class Area>
 Area* scrolled(QWidget* inside) {
   auto* area = new Area;
@@ -48,7 +48,7 @@ Area* scrolled(QWidget* inside) {
   return area;
 }
 
-// Scrolls upright only: as wide as what it holds.
+// Scrolls vertically only: as wide as its content.
 class PlotArea : public QScrollArea {
  public:
   [[nodiscard]] QSize minimumSizeHint() const override {
@@ -136,7 +136,7 @@ QWidget* LabWindow::make_tabs() {
   return tabs_;
 }
 
-// More plots than the height shows well are scrolled.
+// Plots scroll if there are too many for the height.
 QWidget* LabWindow::make_plots() {
   plots_ = new PlotPanel(theme_);
   auto* area = scrolled<PlotArea>(plots_);

@@ -28,7 +28,7 @@
 #include "widgets/theme/method_names.h"
 #include "widgets/theme/plain_text.h"
 
-// Where things stand is in lab_layout.cpp, the menus are in lab_menus.cpp; here is what the window does.
+// The layout is in lab_layout.cpp, the menus are in lab_menus.cpp; this file has the window's actions.
 namespace carom {
 
 LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
@@ -49,12 +49,12 @@ LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   connect_session();
   list_->set_items(library_items());
   set_theme(theme);
-  setMinimumSize(900, 600);  // below it the tool bar is cut
+  setMinimumSize(900, 600);  // the tool bar would be cut in a smaller one
   resize(1280, 800);
   view_->setFocus();  // so that the keys of the scene work at once
 }
 
-// What goes, piece by piece, tells the window nothing any more.
+// Parts that are being destroyed send the window no more signals.
 LabWindow::~LabWindow() {
   hide();
   session_.disconnect();
@@ -100,7 +100,7 @@ void LabWindow::keep_now() { recovery_->keep_now(); }
 void LabWindow::show_scene(const Preset& preset, const QString& name, const QString& file) {
   plots_->set_plots(preset.plots, all_bodies(preset.scene));
   session_.open(preset, plots_->chosen(), plots_->curves(), name, file);
-  constexpr int kSoon = 200;  // ms: a scene that is there by then flashes no notice
+  constexpr int kSoon = 200;  // ms: a scene that is ready by then shows no notice
   QTimer::singleShot(kSoon, this, &LabWindow::show_preparing);
   view_->set_view(preset.view);
   transport_->set_duration(preset.duration);
@@ -114,7 +114,7 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
   if (!preset.compare.empty()) tabs_->setCurrentWidget(compare_);
 }
 
-// A large scene takes seconds to be ready; nothing of the one before may stand for it.
+// A large scene takes seconds to be ready; the old scene must not be shown meanwhile.
 void LabWindow::show_preparing() {
   if (frame() != nullptr) return;
   view_->clear();
@@ -147,7 +147,7 @@ void LabWindow::closeEvent(QCloseEvent* event) {
 // -----------------------------------------------------------------------------------------------------------
 
 void LabWindow::set_playing(bool playing) {
-  // Nothing moves any more: what to do about it is said once more.
+  // The lost run stands still: shows the advice again.
   if (playing && frame() != nullptr && frame()->lost) {
     lost_bar_->show();
     return show_notices();
@@ -193,7 +193,7 @@ void LabWindow::show_frame() {
   show_notices();
 }
 
-// A loss is said once, so that a bar that was dismissed stays away.
+// A loss is reported once, so that a dismissed bar stays hidden.
 void LabWindow::show_notices() {
   const Frame* lost = session_.lost();
   const QString why = lost == nullptr ? QString() : QString::fromStdString(*lost->lost);

@@ -36,8 +36,8 @@ class StudyPanel;
 class TransportBar;
 class WorkRecovery;
 
-// The lab: experiments, scene over transport over tables, plots. It shows a session, and forwards to it what
-// the user does.
+// The lab: experiments, scene over transport over tables, plots. It shows a session, and forwards the user's
+// actions to it.
 class LabWindow : public QMainWindow {
   Q_OBJECT
 
@@ -45,14 +45,14 @@ class LabWindow : public QMainWindow {
   explicit LabWindow(const Theme& theme);
   ~LabWindow() override;
 
-  // Opens a built-in experiment or a file, or says in a message why not and keeps the scene that is there. True
-  // if it is shown at once: what was changed is asked about first.
+  // Opens a built-in experiment or a file; on an error shows a message and keeps the present scene. Returns
+  // true if it is shown at once: the user is asked about unsaved changes first.
   bool open(const std::string& file_or_name);
-  // Shows a scene whose source is known; `name` marks it in the list.
+  // Shows a scene with a known source; `name` marks it in the list.
   void show_scene(const Preset& preset, const QString& name, const QString& file);
-  // Runs on to `time` as fast as it goes and returns when it is shown, or when the run is lost before.
+  // Runs to `time` as fast as possible and returns when it is shown, or when the run is lost.
   void run_until(double time);
-  // Keeps unsaved work in `folder` from now on, at most ten seconds behind, and offers what lies there of
+  // Keeps unsaved work in `folder` from now on, at most ten seconds behind, and offers work left there by
   // windows that ended unexpectedly.
   void keep_work(const QString& folder);
 
@@ -63,14 +63,14 @@ class LabWindow : public QMainWindow {
   [[nodiscard]] const Preset& preset() const { return session_.document(); }
 
  public slots:
-  bool save();      // true if it is written: a document without a file asks for one
-  void keep_now();  // what has changed since it was last kept, if keep_work() was called
+  bool save();      // true if written; a document without a file asks for one
+  void keep_now();  // changes since the last time, if keep_work() was called
 
  protected:
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  // What stands where (lab_layout.cpp).
+  // The layout (lab_layout.cpp).
   void make_body();
   [[nodiscard]] QWidget* make_middle();
   [[nodiscard]] QWidget* make_tabs();
@@ -114,11 +114,11 @@ class LabWindow : public QMainWindow {
   StudyPanel* study_ = nullptr;
   QLabel* about_ = nullptr;
   NoticeBar* restore_bar_ = nullptr;
-  NoticeBar* lost_bar_ = nullptr;  // why a run can't go on
-  QString lost_;                   // as it was said last; empty while no run is lost
+  NoticeBar* lost_bar_ = nullptr;  // why a run is lost
+  QString lost_;                   // its text; empty while no run is lost
   MethodBar* methods_ = nullptr;
   QAction* theme_action_ = nullptr;
-  std::vector<std::pair<QAction*, QString>> icon_actions_;  // with the icon's name, drawn anew with the theme
+  std::vector<std::pair<QAction*, QString>> icon_actions_;  // with the icon's name, redrawn with the theme
 };
 
 }  // namespace carom

@@ -37,7 +37,7 @@ std::vector<QPixmap> library_pictures(const Theme& theme, double pixels) {
       frame.forces = std::make_shared<const Forces>(preset.scene.forces);
       pictures.back() = scene_thumbnail(frame, theme, {52, 36}, pixels);
     } catch (const SceneError&) {
-      // The list says why.
+      // The list shows the reason.
     }
   }
   return pictures;

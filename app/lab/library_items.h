@@ -8,9 +8,9 @@
 
 namespace carom {
 
-// The built-in experiments for the list; of one that can't be read, why.
+// The built-in experiments for the list; for an unreadable one, the reason.
 [[nodiscard]] std::vector<ExperimentItem> library_items();
-// Their starts as small pictures, in the same order; `pixels` for one of the screen's.
+// Small pictures of their initial states, in the same order; `pixels` is the ratio of image to screen pixels.
 [[nodiscard]] std::vector<QPixmap> library_pictures(const Theme& theme, double pixels);
 
 }  // namespace carom

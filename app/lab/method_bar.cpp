@@ -145,7 +145,7 @@ void MethodBar::show_names() {
   step_->setMenu(adaptive ? tolerances_ : steps_);
   tolerances_->menuAction()->setEnabled(adaptive);
 
-  // In a narrow window names stand for labels, and of the integrator's what fits.
+  // In a narrow window short names replace labels, and the integrator's is elided.
   const auto missing = [this] { return bar_->sizeHint().width() - bar_->width(); };
   if (missing() <= 0) return;
   name(impacts_, impacts.name);

@@ -10,8 +10,8 @@ class QToolButton;
 
 namespace carom {
 
-// What a scene can be run under: a menu of the methods, and a button of the tool bar for each of the four
-// choices. It changes nothing itself: a signal tells what the user wants.
+// The choice of the method: a menu, and a tool bar button for each of the four choices. It changes nothing
+// itself: a signal reports the user's choice.
 class MethodBar : public QObject {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class MethodBar : public QObject {
   // Adds its choices to the menu.
   MethodBar(QMenu* methods, QWidget* window);
   void add_to(QToolBar* bar);
-  // The method in force, and the ones that the scene allows.
+  // Sets the current method and the methods that the scene allows.
   void show_document(const Preset& document);
 
  signals:
@@ -34,7 +34,7 @@ class MethodBar : public QObject {
   void add_steps(QMenu* methods);
   void ask_for_step();
   void choose(double Method::*member, double value);
-  void show_names();  // as wide as the tool bar has room for
+  void show_names();  // as wide as the tool bar allows
   void show_allowed(const Scene& scene);
 
   QWidget* window_;

@@ -26,7 +26,7 @@ NoticeBar::NoticeBar(QWidget* parent)
   hide();
 }
 
-// Keys that press the button which has the focus, though the window has other uses for them.
+// Keys that press the focused button, although the window uses them otherwise.
 bool NoticeBar::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
     return QFrame::eventFilter(watched, event);

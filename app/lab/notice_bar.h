@@ -7,15 +7,14 @@ class QPushButton;
 
 namespace carom {
 
-// A line over the lab that cannot be overlooked and doesn't stand in the way: something to be known, with one
-// button or two.
+// A line over the lab for important messages that do not block the window, with one or two buttons.
 class NoticeBar : public QFrame {
   Q_OBJECT
 
  public:
   explicit NoticeBar(QWidget* parent = nullptr);
 
-  // Shown until it is hidden. Without a text, `accept` has no button.
+  // Shown until it is hidden. If `accept` has no text it has no button.
   void say(const QString& text, const QString& accept, const QString& dismiss);
 
  signals:

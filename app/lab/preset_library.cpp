@@ -17,10 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What names of files that describe presets end in; they are no presets.
+// Suffixes of files that describe presets but are no presets.
 constexpr std::string_view kSchemaEnd = ".schema.json";
 
-// Folders in the order of a course; any other comes after, by its name.
+// Folders in the order of a course; others follow by name.
 constexpr auto kTopics = std::to_array<std::pair<const char*, const char*>>({
     {"first-collisions", "First collisions"},
     {"chains-and-cradles", "Chains and cradles"},
@@ -43,7 +43,7 @@ std::pair<std::size_t, std::string> rank_and_title(const std::string& folder) {
   return {kTopics.size(), title};
 }
 
-// Experiments of one topic go from the simple to the general where their names alone would not.
+// The order within a topic, from the simple to the general, where it is not alphabetical.
 constexpr auto kFirst = std::to_array<const char*>(
     {"head-on-equal", "head-on", "glancing", "newtons-cradle", "bouncing-ball", "explosion", "ball-in-a-box"});
 
@@ -51,12 +51,12 @@ std::size_t rank_of_name(const std::string& name) {
   return static_cast<std::size_t>(std::find(kFirst.begin(), kFirst.end(), name) - kFirst.begin());
 }
 
-// Folders below the presets' own that are looked into, and files that are taken.
+// Depth of folders that are searched, and number of files.
 constexpr int kDeepestFolder = 8;
 constexpr std::size_t kMostFiles = 10'000;
 
-// The preset files of a folder and those below it; what can't be read is left out and told in `faults`. Links
-// to folders are not followed.
+// The preset files of a folder and its subfolders; unreadable ones are left out and reported in `faults`.
+// Symbolic links to folders are not followed.
 void collect(const fs::path& folder, int depth, std::vector<fs::path>& files,
              std::vector<std::string>& faults) {
   std::error_code error;
@@ -123,7 +123,7 @@ std::vector<LibraryEntry> preset_library(std::vector<std::string>* skipped) {
 fs::path find_preset(const std::string& file_or_name) {
   std::error_code error;
   const auto looks_like_file = file_or_name.find('/') != std::string::npos || file_or_name.ends_with(".json");
-  if (looks_like_file) return file_or_name;  // read_preset says what is wrong with it
+  if (looks_like_file) return file_or_name;  // read_preset() reports the error
   std::vector<std::string> names;
   std::vector<std::string> skipped;
   for (const LibraryEntry& entry : preset_library(&skipped)) {

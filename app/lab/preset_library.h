@@ -8,12 +8,12 @@
 
 namespace carom {
 
-// The experiment that opens where nothing else is asked for.
+// The experiment that opens by default.
 inline constexpr const char* kDefaultExperiment = "drag-projectile";
 
 struct LibraryEntry {
   std::string name;   // of the file without .json: what `carom run NAME` takes
-  std::string topic;  // of its folder, for people
+  std::string topic;  // name of its folder, as shown
   std::filesystem::path file;
 };
 
@@ -21,8 +21,8 @@ struct LibraryEntry {
 // source's.
 [[nodiscard]] std::filesystem::path preset_folder();
 
-// The built-in experiments by topic, in the order in which a course takes them. Folders that can't be read and
-// what is no regular file are left out, each with a line in `skipped`.
+// The built-in experiments by topic, in the order of a course. Unreadable folders and files that are not
+// regular are left out, each with a line in `skipped`.
 [[nodiscard]] std::vector<LibraryEntry> preset_library(std::vector<std::string>* skipped = nullptr);
 
 // The file that FILE|NAME means: an existing file, or a built-in experiment. Throws SceneError with the known

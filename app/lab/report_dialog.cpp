@@ -20,7 +20,7 @@ std::vector<double> times_of(const QString& text, double end) {
   static const QRegularExpression between("[;\\s]+|,\\s+");
   std::vector<double> times;
   for (QString part : text.split(between, Qt::SkipEmptyParts)) {
-    part.replace(',', '.');  // as a decimal comma
+    part.replace(',', '.');  // a decimal comma
     bool good = false;
     const double time = part.toDouble(&good);
     if (!good || !(time >= 0.0 && time <= end)) {

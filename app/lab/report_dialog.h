@@ -12,16 +12,16 @@ class QPushButton;
 
 namespace carom {
 
-// Times as people write them, "0; 0.25; 1.5" or "0, 0.25, 1.5", in the order of time and each once. Throws
-// SceneError where one is no time from 0 to `end` (s), or there are more than LabReport::kMostMoments.
+// Parses times, "0; 0.25; 1.5" or "0, 0.25, 1.5"; returns them sorted and unique. Throws SceneError for a time
+// outside 0 to `end` (s), or for more than LabReport::kMostMoments.
 [[nodiscard]] std::vector<double> times_of(const QString& text, double end);
 
-// What is to stand in a lab report beside what the run says itself.
+// The user's part of a lab report, beside the data of the run.
 class ReportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  // `suggestion` has all parts; those that the user doesn't want are left out of report().
+  // `suggestion` has all parts; report() leaves out those that the user does not want.
   ReportDialog(const LabReport& suggestion, QWidget* parent);
 
   [[nodiscard]] LabReport report() const;

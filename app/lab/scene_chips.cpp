@@ -79,7 +79,7 @@ void SceneChips::show_time(const Session& session) {
                           .arg(frame->rejected_steps)
                           .arg(frame->evaluations));
     time_->setText(QString("t = %1 s").arg(frame->time, 0, 'f', 3));
-    // What was asked for, or what this machine can give if that is clearly less.
+    // The requested speed, or the machine's speed if that is clearly less.
     const bool slow =
         frame->playing && frame->realised_speed > 0.0 && frame->realised_speed < 0.85 * session.speed();
     if (slow) speed += tr(", runs at ×%1").arg(frame->realised_speed, 0, 'g', 2);

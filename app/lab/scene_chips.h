@@ -10,8 +10,8 @@ class SceneView;
 class Session;
 struct Preset;
 
-// Chips over the scene: time, speed and what is modelled; below, what the run has to say, and where the cursor
-// is. What has no room is elided, and stands whole in the tooltip.
+// Chips over the scene: time, speed and what is modelled; below, the run's notices and the cursor's position.
+// Long text is elided; the tooltip shows all of it.
 class SceneChips : public QObject {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class SceneChips : public QObject {
 
   void show_needs(const Preset& document);
   void show_time(const Session& session);
-  // `more`: what the window has to say beside; `lost_told`: why a run is lost is told elsewhere.
+  // `more`: further text of the window; `lost_told`: the reason of a lost run is shown elsewhere.
   void show_notices(const Session& session, const QString& more, bool lost_told);
 
  protected:

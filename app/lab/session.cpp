@@ -12,10 +12,10 @@
 namespace carom {
 namespace {
 
-// Beyond so many moving bodies nobody asks for the reference's cost without saying so.
+// With more moving bodies the costly reference runs only on request.
 constexpr std::ptrdiff_t kMostWithReference = 200;
 
-// What somebody made: plots of their own, and notes.
+// Whether the user made it: own plots and notes.
 std::vector<Plot> own_plots(std::vector<Plot> plots) {
   std::erase_if(plots, [](const Plot& plot) { return !plot.id.empty() && plot.notes.empty(); });
   return plots;
@@ -182,7 +182,7 @@ void Session::change_step(double step, const std::vector<std::size_t>& runs, int
     if (std::exchange(now.step, step) != step) changed.emplace_back(run, now);
   }
   if (changed.empty()) return;
-  // As the stack joins them: not with what is saved.
+  // As the undo stack merges them: not with a saved state.
   const int last = edits_.index() == edits_.cleanIndex() ? -1 : edits_.index() - 1;
   const auto* before = last < 0 ? nullptr : static_cast<const DocumentEdit*>(edits_.command(last));
   const bool same_drag = before != nullptr && before->what().drag == drag;
@@ -222,7 +222,7 @@ void Session::choose_reference(ReferenceId reference) {
   Edited after = edited();
   after.methods.reference = reference;
   worker_.set_reference(reference);
-  push({tr("choice of reference"), 0, false}, after);  // no file keeps it
+  push({tr("choice of reference"), 0, false}, after);  // not saved in files
 }
 
 ReferenceId Session::first_reference() const {
@@ -232,8 +232,8 @@ ReferenceId Session::first_reference() const {
   return moving > kMostWithReference ? ReferenceId::kNone : usual_reference(setup_of(document_));
 }
 
-// The exact run is the scene's own meanwhile: the others are seen beside what they should be, and a preset that
-// is saved then stays as good as it was.
+// The exact run becomes the scene's own run meanwhile: the others are compared with it, and a preset saved
+// then stays valid.
 void Session::compare_usual(const std::vector<Plot>& plots, const std::vector<Curve>& curves) {
   forget_wait();
   Edited after = edited();
@@ -258,8 +258,8 @@ void Session::compare_usual(const std::vector<Plot>& plots, const std::vector<Cu
 
 void Session::put_in(double x, double y) {
   Preset with = document_;
-  // A disc like those that are there, between half and one and a half times their radius; in a scene without
-  // any, a twentieth of the view.
+  // A disc like the existing ones, between half and one and a half times their radius; in a scene without any,
+  // a twentieth of the view.
   Body body;
   double radius = with.view ? with.view->width / 20.0 : 0.1;
   body.density = 1.0;
@@ -281,7 +281,7 @@ void Session::put_in(double x, double y) {
   push({tr("added body"), worker_.add_body(body)}, after);
 }
 
-// Which of the named plots of a built-in experiment are open is no work that could be lost.
+// The choice of named plots of a built-in experiment is not work that could be lost.
 void Session::change_plots(const std::vector<Plot>& plots) {
   if (plots == document_.plots) return;
   Edited after = edited();
@@ -318,9 +318,9 @@ void Session::run_until(double time) {
       poll();
     }
   };
-  wait_until([this] { return !frames_.empty(); });  // the start is seen too
+  wait_until([this] { return !frames_.empty(); });  // shows the start too
   worker_.run_until(time);
-  // Until the worker has stopped at the time; the first frames may still be of the moment before.
+  // Waits until the worker has stopped at the time; the first frames may still be older.
   wait_until([&] {
     const Frame& now = *frames_.front();
     return !now.playing && (now.time >= time - (1.0 + 1e-9) * document_.method.step || lost() != nullptr);
@@ -343,7 +343,7 @@ const Frame* Session::lost() const {
 void Session::poll() {
   const std::vector<std::shared_ptr<const Frame>> news = worker_.take_frames();
   if (news.empty()) return;
-  // Each run keeps its recorder, whatever runs were put in or taken out before it.
+  // Each run keeps its recorder, whatever runs were added or removed before it.
   std::vector<std::shared_ptr<Recorder>> known = recorders_;
   known.insert(known.end(), arriving_.begin(), arriving_.end());
   std::vector<std::shared_ptr<Recorder>> recorders;
@@ -365,15 +365,15 @@ void Session::poll() {
   frames_ = news;
   follow_bodies();
   emit framesChanged();
-  // Not from within what told of the frame.
+  // Deferred: not within the signal that reported the frame.
   if (then_ != nullptr && !frames_.front()->playing) {
     QTimer::singleShot(0, this, std::exchange(then_, nullptr));
     forget_wait();
   }
 }
 
-// They come in the order of their times, which is another where one was put in before another that is still to
-// come: plots know bodies by their place.
+// Bodies are ordered by their times. A body added before one that is still to come changes this order, and
+// plots know bodies by their index.
 void Session::follow_bodies() {
   const std::shared_ptr<const std::vector<Body>>& now = frames_.front()->bodies;
   if (now == followed_) return;

@@ -16,9 +16,9 @@
 
 namespace carom {
 
-// What the lab works on: a document, its runs side by side on a thread of their own, and what is recorded of
-// them. Every change of the document is an edit that can be undone. An edit holds in document() at once; the
-// runs follow when their thread gets to it, and their frames come by a timer.
+// The work of the lab: a document, its runs side by side on a thread of their own, and their records. Every
+// change of the document is an edit that can be undone. An edit is in document() at once; the runs follow when
+// their thread gets to it, and a timer takes their frames.
 class Session : public QObject {
   Q_OBJECT
 
@@ -26,43 +26,44 @@ class Session : public QObject {
   explicit Session(QObject* parent = nullptr);
   ~Session() override { edits_.disconnect(this); }
 
-  // Another document, at t = 0, with the plots that are shown of it and the curves that they need. `name` is
-  // that of a built-in experiment, `file` where save() would write; both may be empty. Nothing can be undone.
+  // Sets another document, at t = 0, with its visible plots and the curves that they need. `name` is that of a
+  // built-in experiment, `file` the target of save(); both may be empty. Clears the undo stack.
   void open(const Preset& preset, const std::vector<Plot>& plots, const std::vector<Curve>& curves,
             const QString& name, const QString& file);
-  // As it would be saved now.
+  // The document as save() would write it now.
   [[nodiscard]] const Preset& document() const { return document_; }
   [[nodiscard]] const QString& name() const { return name_; }
   [[nodiscard]] const QString& file() const { return file_; }
   [[nodiscard]] ReferenceId reference() const { return reference_; }
-  // All bodies as they came in, in the order that the runs have them.
+  // All bodies in their initial states, in the order of the runs.
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
-  // Throws SceneError if the file can't be written; the document stays what it is.
+  // Throws SceneError if the file can't be written; the document stays unchanged.
   void save(const QString& file);
 
-  // There is work that is not saved.
+  // Whether there is unsaved work.
   [[nodiscard]] bool modified() const;
   void mark_modified() { edits_.resetClean(); }                       // whatever is undone
-  [[nodiscard]] std::uint64_t revision() const { return revision_; }  // another one after each edit
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }  // changes with each edit
   [[nodiscard]] QUndoStack& edits() { return edits_; }
 
   // --- edits
-  // From now on. Of several runs: those of one `drag` are undone as one.
+  // Changes a method from now on, of one or several runs. Changes of one `drag` are undone together.
   void change_method(const Method& method, std::size_t run = 0);
   void change_step(double step, const std::vector<std::size_t>& runs, int drag);
-  // In the place of the last one if there are as many as there may be.
+  // Adds a method, or replaces the last one if there are too many.
   void add_method(const Method& method);
-  // Unless it is among the methods already.
+  // Adds a method unless it is present already.
   void compare_with(const Method& method);
   void remove_method(std::size_t run);
   void choose_reference(ReferenceId reference);
-  // From the start under the method of the reference, explicit Euler and RK4; or back to what was compared
-  // before. `plots` are shown then.
+  // Restarts under the method of the reference, explicit Euler and RK4; or returns to the earlier comparison.
+  // Shows `plots` then.
   void compare_usual(const std::vector<Plot>& plots, const std::vector<Curve>& curves);
   [[nodiscard]] bool compares_usual() const { return before_usual_.has_value(); }
-  // The best reference that the scene allows; none where it would cost much unasked.
+  // The best reference that the scene allows; none where it would be costly.
   [[nodiscard]] ReferenceId first_reference() const;
-  // A disc of random radius like those that are there, at this point (m). Throws SceneError where it can't be.
+  // Adds a disc of random radius like the existing ones at this point (m). Throws SceneError where it is not
+  // allowed.
   void put_in(double x, double y);
   void change_plots(const std::vector<Plot>& plots);
 
@@ -72,27 +73,27 @@ class Session : public QObject {
   void step_once() { worker_.step_once(); }
   void set_speed(double speed);
   [[nodiscard]] double speed() const { return speed_; }
-  // Runs on to `time` as fast as it goes; returns when it is there, or a run is lost before.
+  // Runs to `time` as fast as possible; returns when it is reached, or when a run is lost.
   void run_until(double time);
   void record(const std::vector<Curve>& curves);
-  // The newest of each run, the document's own method first; none until the scene is ready.
+  // The newest frame of each run, the document's own method first; none until the scene is ready.
   [[nodiscard]] const std::vector<std::shared_ptr<const Frame>>& frames() const { return frames_; }
   [[nodiscard]] std::shared_ptr<const Frame> frame() const {
     return frames_.empty() ? nullptr : frames_.front();
   }
   [[nodiscard]] const std::vector<std::shared_ptr<Recorder>>& recorders() const { return recorders_; }
-  [[nodiscard]] const Frame* lost() const;  // a run that can't go on
-  // s: how far the runs have come again that an undone edit made anew. What was before is shown meanwhile.
+  [[nodiscard]] const Frame* lost() const;  // a lost run, if any
+  // s: progress of the runs that are recomputed after an undone edit. The old frames are shown meanwhile.
   [[nodiscard]] std::optional<double> again() const { return again_; }
-  // Stops the run, and goes on with `then` when the newest moment has come. Whatever makes the run another one
-  // or goes on with it forgets `then`. `what` is told meanwhile.
+  // Pauses the run and calls `then` when its newest frame has arrived. Any change of the run, or playing,
+  // drops `then`. `what` is shown meanwhile.
   void when_still(const QString& what, std::function<void()> then);
   void forget_wait();
   [[nodiscard]] const QString& waits() const { return waits_; }
 
  signals:
   void documentChanged();
-  void bodiesChanged();  // there are others now, or in another order
+  void bodiesChanged();  // there are other bodies, or another order
   void plotsChanged();   // of the document
   void modifiedChanged(bool modified);
   void framesChanged();
@@ -113,7 +114,7 @@ class Session : public QObject {
 
   Worker worker_;
   Preset document_;
-  std::size_t own_bodies_ = 0;  // of the document's list: the others were put in
+  std::size_t own_bodies_ = 0;  // of the document's list; the others were added
   QString name_, file_;
   ReferenceId reference_ = ReferenceId::kNone;
   std::optional<Methods> before_usual_;
@@ -126,7 +127,7 @@ class Session : public QObject {
   std::vector<Curve> curves_;
   std::vector<std::shared_ptr<const Frame>> frames_;
   std::vector<std::shared_ptr<Recorder>> recorders_;
-  std::vector<std::shared_ptr<Recorder>> arriving_;  // of runs that are not shown yet
+  std::vector<std::shared_ptr<Recorder>> arriving_;  // for runs that are not shown yet
   std::optional<double> again_;
   double speed_ = 1.0;
   std::function<void()> then_;

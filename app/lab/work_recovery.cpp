@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-constexpr int kKeepPeriod = 5000;  // ms: half of what a crash may cost
+constexpr int kKeepPeriod = 5000;  // ms: half of the work that a crash may lose
 
 QString time_text(const QDateTime& time) {
   const QString clock = time.toString("HH:mm");
@@ -55,7 +55,7 @@ void WorkRecovery::keep_now() {
   emit keptChanged();
 }
 
-// One after the other; what cannot be read is told and set aside.
+// One after the other; unreadable work is reported and set aside.
 void WorkRecovery::offer() {
   if (offered_.empty()) return bar_.hide();
   const KeptWork& work = offered_.front();
@@ -77,13 +77,13 @@ void WorkRecovery::restore() {
   try {
     emit restoreAsked(offered_.front().preset());
   } catch (const SceneError&) {
-    offer();  // what could be read a moment ago is told now
+    offer();  // it was readable before: reports it now
   }
 }
 
 void WorkRecovery::restored() {
   keep_now();
-  // It goes when it is kept as this window's own.
+  // It is removed when this window has kept it as its own.
   if (not_kept_.isEmpty()) offered_.front().remove();
   offered_.erase(offered_.begin());
   offer();

@@ -14,23 +14,23 @@ namespace carom {
 class NoticeBar;
 class Session;
 
-// Unsaved work of a session: kept in a file while it goes on, at most ten seconds behind, and offered in a bar
-// after an end that nobody wanted.
+// Keeps the unsaved work of a session in a file, at most ten seconds behind, and offers it in a bar after a
+// crash.
 class WorkRecovery : public QObject {
   Q_OBJECT
 
  public:
-  // `view` is where the user looks, if the camera was moved: it is kept with the work.
+  // `view` is the user's view, if the camera was moved; it is kept with the work.
   WorkRecovery(Session& session, NoticeBar& bar, std::function<std::optional<View>()> view, QObject* parent);
 
-  // From now on work is kept in this folder; what lies there of windows that ended is offered.
+  // Keeps work in this folder from now on, and offers work left there by closed windows.
   void begin(const QString& folder);
   void keep_now();
-  // The session shows what restoreAsked() told of.
+  // The session shows the work of restoreAsked().
   void restored();
-  // Nothing more is kept: the work is saved, or given up.
+  // Stops keeping: the work is saved or discarded.
   void end();
-  // Why unsaved work is not kept; empty if it is.
+  // The reason why unsaved work is not kept; empty if it is kept.
   [[nodiscard]] const QString& not_kept() const { return not_kept_; }
 
  signals:
@@ -49,7 +49,7 @@ class WorkRecovery : public QObject {
   std::optional<Autosave> autosave_;
   std::vector<KeptWork> offered_;  // the first one is in the bar
   QString not_kept_;
-  std::uint64_t kept_ = 0;  // the session's revision then
+  std::uint64_t kept_ = 0;  // the session's revision at that time
 };
 
 }  // namespace carom

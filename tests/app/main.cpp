@@ -7,7 +7,7 @@
 
 namespace {
 
-// Saves one report after the other, of two lengths, until it is killed: what a test of that starts.
+// Saves reports of two lengths in turn until it is killed: the child process of a test.
 int write_reports(const QString& file) {
   const auto pages_of = [](int count) {
     std::vector<carom::PrintBlock> blocks;
@@ -26,7 +26,7 @@ int write_reports(const QString& file) {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  // Also for the listing of tests, which runs without their environment.
+  // Also needed to list the tests, which runs without their environment.
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   qunsetenv("CAROM_PRESETS");
   const QApplication application(argc, argv);

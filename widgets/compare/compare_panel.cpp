@@ -30,12 +30,12 @@
 namespace carom {
 namespace {
 
-// The slider goes from 0.1 to 100 ms, a hundred places a decade.
+// The slider covers 0.1 to 100 ms, with a hundred positions a decade.
 constexpr double kLeastOfSlider = 1e-4;  // s
 constexpr int kDecades = 3;
 constexpr int kPlaces = 100;
 
-// To two digits, as one would choose a step.
+// Rounded to two digits, as people choose steps.
 double step_at(int place) {
   const double step = kLeastOfSlider * std::pow(10.0, static_cast<double>(place) / kPlaces);
   const double unit = std::pow(10.0, std::floor(std::log10(step)) - 1.0);

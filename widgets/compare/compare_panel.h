@@ -20,8 +20,8 @@ namespace carom {
 
 class CompareTable;
 
-// The methods under which a scene runs side by side: a table of how far each is from the reference and what it
-// costs, and below it what the chosen one is. It changes nothing itself: signals tell what the user wants.
+// The methods under which a scene runs side by side: a table of their errors and costs, and controls for the
+// chosen one below. It changes nothing itself: signals report the user's choices.
 class ComparePanel : public QScrollArea {
   Q_OBJECT
 
@@ -29,9 +29,9 @@ class ComparePanel : public QScrollArea {
   explicit ComparePanel(const Theme& theme, QWidget* parent = nullptr);
 
   void set_theme(const Theme& theme);
-  // As high as it needs to be; sideways it scrolls.
+  // Has the height it needs; scrolls horizontally.
   [[nodiscard]] QSize minimumSizeHint() const override;
-  // The scene with its methods in force, and what they are compared with.
+  // The scene with its current methods, and their reference.
   void set_scene(const Preset& preset, ReferenceId reference);
   void update_from(const std::vector<std::shared_ptr<const Frame>>& frames);
 
@@ -39,9 +39,9 @@ class ComparePanel : public QScrollArea {
   void methodAdded(const carom::Method& method);
   void methodRemoved(std::size_t run);
   void methodChanged(const carom::Method& method, std::size_t run);
-  void stepChanged(double step, const std::vector<std::size_t>& runs, int drag);  // s, in one drag many times
+  void stepChanged(double step, const std::vector<std::size_t>& runs, int drag);  // s, many times in one drag
   void referenceChosen(carom::ReferenceId reference);
-  void usualAsked();  // Euler, RK4 and the exact run; or back
+  void usualAsked();  // to Euler, RK4 and the exact run, or back
 
  private:
   template <class Table, class Member>
@@ -67,9 +67,9 @@ class ComparePanel : public QScrollArea {
   QSlider* step_ = nullptr;
   QLabel* step_text_ = nullptr;
   QCheckBox* all_ = nullptr;
-  std::size_t step_of_ = 0;  // whose step the slider sets
+  std::size_t step_of_ = 0;  // run whose step the slider sets
   int drag_ = 0;             // of the slider
-  QTimer step_timer_;        // while the slider moves, steps are taken in moderation
+  QTimer step_timer_;        // limits the rate of changes while the slider moves
 };
 
 }  // namespace carom

@@ -9,8 +9,7 @@
 
 namespace carom {
 
-// Of each run: its line and its method, how far it is from the reference, how much energy the method made up,
-// and what it costs.
+// A row for each run: its line and method, its errors against the reference, its energy drift and its cost.
 class CompareTable : public FigureTable {
   Q_OBJECT
 

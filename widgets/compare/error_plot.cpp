@@ -21,12 +21,12 @@ namespace carom {
 namespace {
 
 constexpr int kMostTicks = 9;         // of an axis in a picture
-constexpr int kNear = 9;              // px: so near to a point, the mouse is on it
+constexpr int kNear = 9;              // px: within this distance the mouse is on a point
 constexpr int kNearLine = 4;          // px
 constexpr QSize kLabelRoom(280, 15);  // px: smaller bands have no label
 constexpr int kSlopeRoom = 170;       // px: in a lower plot slopes have none
 
-// Drawn from below: zones, the grid, what is no curve, curves.
+// Drawing order: zones, grid, other items, curves.
 constexpr double kZoneZ = 1.0;
 constexpr double kNoteZ = 14.0;
 constexpr double kLineZ = 15.0;
@@ -78,7 +78,7 @@ double ErrorPlot::abscissa(const StudyRow& row) const {
   return error_knob(row.method) == ErrorKnob::kStep ? row.method.step : std::nan("");
 }
 
-// Where an error stands on its axis: zero, too, just above the lower edge.
+// Position of an error on its axis; zero is just above the lower edge.
 double ErrorPlot::shown_error(const StudyRow& row) const {
   const double error = row.*error_.value;
   return std::isnan(error) ? error : std::clamp(error, 1.4 * errors_.low, 1e3 * errors_.high);
@@ -130,7 +130,7 @@ void ErrorPlot::set_ranges() {
   no_error_ = errors.empty();
   x_ = x.widened(against_ == ErrorAgainst::kStep ? 1.5 : 1.6);
   if (error_.value == &StudyRow::position_error && !groups_.empty()) {
-    // A floor that hardly any error comes near would leave half of the plot empty.
+    // If no error is near the floor, showing it would leave half of the plot empty.
     const double floor = facts_.rounding_floor();
     if (errors.empty()) errors = {floor, facts_.length};
     errors.low = std::max(errors.low, 0.01 * floor);
@@ -164,7 +164,7 @@ QString ErrorPlot::what_is_missing() const {
   return {};
 }
 
-// The labels stand where there are few curves: slow runs are seldom wrong, small steps neither.
+// Labels are placed where curves are rare: slow runs and small steps seldom have large errors.
 void ErrorPlot::add_zones() {
   const Qt::Alignment side = against_ == ErrorAgainst::kWallTime ? Qt::AlignRight : Qt::AlignLeft;
   const double floor = std::min(facts_.rounding_floor(), errors_.high);
@@ -188,7 +188,7 @@ void ErrorPlot::add_zone(double from, double to, const QString& label, Qt::Align
     const double high = std::abs(map.transform(from) - map.transform(to));
     if (high < kLabelRoom.height() || canvas()->width() < kLabelRoom.width()) return;
   }
-  // A label aligned to the right of its point stands at the left edge.
+  // A label aligned right of its point is at the left edge.
   const bool left = side == Qt::AlignLeft;
   add_note(label, left ? x_.low : x_.high, std::sqrt(from * to),
            (left ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
@@ -229,8 +229,7 @@ void ErrorPlot::add_line(const QVector<QPointF>& points, const QPen& pen) {
   line->attach(this);
 }
 
-// Lines that run down from one point: from where the largest errors that a fit can use are, at the coarsest
-// step.
+// Lines of the orders' slopes from one point: the largest errors that a fit can use, at the coarsest step.
 void ErrorPlot::add_slopes() {
   double from_error = 0.0;
   for (const StudyGroup& group : groups_) {
@@ -251,7 +250,7 @@ void ErrorPlot::add_slopes() {
     add_line({{to_step, to_error}, {x_.high, from_error}}, QPen(faint, 1.0, Qt::DotLine));
     if (place_ == Place::kWindow && height() < kSlopeRoom) continue;
     const bool leaves_below = to_error <= least * 1.0001;
-    const double share = leaves_below ? 0.035 : 0.03;  // of the line, so that the label stands inside
+    const double share = leaves_below ? 0.035 : 0.03;  // of the line, so that the label is inside
     add_note(QString("order %1").arg(order), to_step * std::pow(x_.high / to_step, share),
              to_error * std::pow(from_error / to_error, share),
              leaves_below ? Qt::AlignRight | Qt::AlignTop : Qt::AlignRight | Qt::AlignBottom);

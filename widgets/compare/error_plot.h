@@ -25,16 +25,15 @@ inline constexpr std::array<StudyError, 4> kStudyErrors = {{
     {"impact-time", "s", &StudyRow::impact_time_error},
 }};
 
-// What stands on the other axis.
+// The quantity of the other axis.
 enum class ErrorAgainst { kWallTime, kStep };
 
-// The errors of a study, both axes logarithmic, drawn by Qwt: a curve for each method, points from its coarsest
-// run on. Of the error in position also where it is rounding and where the run is wrong; against the step the
-// slopes of the orders 1, 2, 4 and 5. A method that has no step is a line at every step.
+// The errors of a study, both axes logarithmic, drawn by Qwt: a curve for each method, points from its
+// coarsest run on. For the error in position it marks the zones of rounding and of useless runs; against the
+// step, the slopes of the orders 1, 2, 4 and 5. A method without a step is a horizontal line.
 class ErrorPlot : public QwtPlot {
  public:
-  // In a picture that is made for paper, or in a window, where there is little room: without titles of the axes
-  // and with the labels that fit.
+  // For a printed picture, or for a window with little room: no axis titles and only the labels that fit.
   enum class Place { kPicture, kWindow };
   ErrorPlot(const Theme& theme, Place place, QWidget* parent = nullptr);
 
@@ -42,11 +41,11 @@ class ErrorPlot : public QwtPlot {
   void show_study(const StudyFacts& facts, std::vector<StudyGroup> groups, ErrorAgainst against,
                   std::size_t error);  // of kStudyErrors
 
-  // The run whose point, or line, is at this pixel of the canvas; valid until the next change.
+  // The run whose point or line is at this pixel of the canvas; valid until the next change.
   [[nodiscard]] const StudyRow* row_at(const QPointF& pixel) const;
-  // Where a run's point is, in pixels of the canvas; nothing where it has none.
+  // Position of a run's point in pixels of the canvas; empty if it has none.
   [[nodiscard]] std::optional<QPointF> pixel_of(const StudyRow& row) const;
-  // Draws a ring about its point; null: about none.
+  // Draws a ring around its point; null removes the ring.
   void mark(const StudyRow* row);
 
   [[nodiscard]] QSize sizeHint() const override { return {300, 100}; }
@@ -58,7 +57,7 @@ class ErrorPlot : public QwtPlot {
  private:
   void rebuild();
   void set_ranges();
-  [[nodiscard]] QString what_is_missing() const;  // where there is nothing to draw
+  [[nodiscard]] QString what_is_missing() const;  // text where there is nothing to draw
   void add_zones();
   void add_zone(double from, double to, const QString& label, Qt::Alignment side);
   void add_slopes();
@@ -80,7 +79,7 @@ class ErrorPlot : public QwtPlot {
   LogRange errors_{0.1, 1.0};
   bool no_abscissa_ = true;
   bool no_error_ = true;
-  int marked_ = -1;  // its place in the plan
+  int marked_ = -1;  // its index in the plan
 };
 
 }  // namespace carom

@@ -32,7 +32,7 @@ LogRange LogRange::whole_powers() const {
 }
 
 QString power_label(double value) {
-  if (!(value > 0.0)) return {};  // a scale that is not set yet
+  if (!(value > 0.0)) return {};  // the scale is not set yet
   const int power = static_cast<int>(std::floor(std::log10(value) + 1e-9));
   if (power >= -3 && power <= 3) return QString::number(value, 'g', 3);
   const int mantissa = static_cast<int>(std::lround(value / std::pow(10.0, power)));

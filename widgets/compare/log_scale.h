@@ -8,26 +8,26 @@
 
 namespace carom {
 
-// The least and the largest of positive numbers; those that have no logarithm don't count.
+// The least and the largest of positive numbers; others are ignored.
 struct LogRange {
   double low = std::numeric_limits<double>::infinity();
   double high = 0.0;
 
   [[nodiscard]] bool empty() const { return high == 0.0; }
   void take(double value);
-  // With room on both sides; 0.1 to 1 where it is empty.
+  // With a margin on both sides; 0.1 to 1 where it is empty.
   [[nodiscard]] LogRange widened(double factor) const;
-  // From power of ten to power of ten.
+  // Extended to whole powers of ten.
   [[nodiscard]] LogRange whole_powers() const;
 };
 
 // 10⁻⁵ or, with a mantissa, 2·10⁻⁵; plain from 0.001 to 1000.
 [[nodiscard]] QString power_label(double value);
-// A time in the unit that suits it: 20 µs.
+// A time in a suitable unit: 20 µs.
 [[nodiscard]] QString duration_label(double seconds);
 
-// Powers of ten, all of them or every n-th, so that there are hardly more than `most`; on a short axis the twos
-// and fives between, where there is room for them.
+// Powers of ten, all or every n-th, so that there are about `most` at most; on a short axis also the twos and
+// fives, where there is room.
 [[nodiscard]] QwtScaleDiv log_ticks(const LogRange& range, int most);
 
 // Labels only.

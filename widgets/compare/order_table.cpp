@@ -18,7 +18,7 @@ namespace {
 // px
 constexpr double kLowestRow = 13.0;
 constexpr double kHighestRow = 26.0;
-constexpr double kWideColumn = 84.0;  // has room for the uncertainty
+constexpr double kWideColumn = 84.0;  // wide enough for the uncertainty
 constexpr double kNarrowColumn = 38.0;
 constexpr double kLeastName = 96.0;
 constexpr double kSampleWidth = 26.0;

@@ -8,9 +8,9 @@
 
 namespace carom {
 
-// The fitted orders of a study, a row for each integrator, a column for each choice of impacts, and with that
-// the legend of its plot. Rows are as low as they have to be. Tooltips have the whole name, the uncertainty and
-// what the order was fitted on.
+// The fitted orders of a study, a row for each integrator, a column for each choice of impacts; also the
+// legend of its plot. Rows have minimal height. Tooltips show the whole name, the uncertainty and the range of
+// the fit.
 class OrderTable : public QWidget {
   Q_OBJECT
 

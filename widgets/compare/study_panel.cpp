@@ -33,7 +33,7 @@ namespace carom {
 namespace {
 
 constexpr int kPoll = 50;             // ms
-constexpr int kPollOfTimes = 250;     // ms: drawing is not to disturb what is timed
+constexpr int kPollOfTimes = 250;     // ms: drawing must not disturb the timed runs
 constexpr double kTableShare = 0.34;  // of the width
 constexpr int kNarrowestTable = 165;  // px
 constexpr int kWidestTable = 300;     // px
@@ -41,7 +41,7 @@ constexpr int kButton = 23;           // px, high
 constexpr int kLow = 230;             // px: a lower panel has its buttons at the side
 constexpr int kNarrow = 480;          // px: a low panel that is narrower has no room for the table
 
-// The same motion is meant: all but what a study goes through anyway.
+// Whether two scenes have the same motion, apart from what a study varies.
 bool same_to_a_study(const Preset& one, Preset other) {
   const ContactsId contacts = other.method.contacts;
   other.compare = one.compare;
@@ -198,7 +198,7 @@ void StudyPanel::start(StudyOptions options) {
   current_ = true;
   studied_->method.step = own_.step;
   studied_->method.tolerance = own_.tolerance;
-  // One core is left to the lab.
+  // Leaves one core to the lab.
   options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
   so_far_ = {};
   study_ = std::make_unique<BackgroundStudy>(*studied_, name_.toStdString(), std::move(options));
@@ -267,7 +267,7 @@ void StudyPanel::show_words() {
     stage_->set_whole(
         (so_far_.of > 1 ? tr("%1: %2 of %3").arg(stage).arg(so_far_.done).arg(so_far_.of) : stage) +
         (current_ ? QString() : " · " + title));
-    progress_->setRange(0, so_far_.of > 1 ? so_far_.of : 0);  // to and fro where nothing can be counted
+    progress_->setRange(0, so_far_.of > 1 ? so_far_.of : 0);  // busy indicator where nothing can be counted
     progress_->setValue(so_far_.done);
   } else if (!table.rows.empty()) {
     const QString stopped = so_far_.phase == Phase::kCancelled ? tr("Stopped before it was done. ") : QString();
@@ -348,7 +348,7 @@ bool StudyPanel::eventFilter(QObject* watched, QEvent* event) {
       const auto* mouse = static_cast<QMouseEvent*>(event);
       const StudyRow* row = plot_->row_at(mouse->position());
       if (mouse->button() != Qt::LeftButton || row == nullptr || !current_) break;
-      emit methodChosen(Method(row->method));  // a copy: what the click does may change the rows
+      emit methodChosen(Method(row->method));  // a copy, as the click may change the rows
       return true;
     }
     default:

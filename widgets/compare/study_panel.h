@@ -21,32 +21,32 @@ class ElidedLabel;
 class ErrorPlot;
 class OrderTable;
 
-// The study of the scene that is shown: every integrator, both choices for impacts, a row of steps. It runs on
-// threads of its own while the lab goes on; points come as runs end. What was studied stays when another scene
-// is shown or this one is edited, and says of which scene it is, until the next study.
+// The study of the scene that is shown: every integrator, both choices for impacts, a series of steps. It runs
+// on threads of its own beside the lab; points appear as runs end. When another scene is shown or this one is
+// edited, the results stay, labelled with their scene, until the next study.
 class StudyPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit StudyPanel(const Theme& theme, QWidget* parent = nullptr);
-  ~StudyPanel() override;  // stops what runs
+  ~StudyPanel() override;  // stops a running study
 
   void set_theme(const Theme& theme);
-  // Another scene, with the name of its preset. Its method tells around which step to study.
+  // Sets another scene, with the name of its preset. Its method's step is the centre of the study's steps.
   void set_scene(const Preset& preset, const QString& name);
-  // The same scene with bodies or another method; a study's steps stay where the preset has its own.
+  // The same scene with more bodies or another method; the study's steps stay around the preset's own.
   void edit_scene(const Preset& preset);
 
-  // What the study has found so far: by its suffix the table with all digits (.csv) or the picture (.svg, .pdf,
-  // .png). The file is replaced only when the whole is ready; else the answer is false and `error` says why.
+  // Saves the results so far; the suffix chooses the table with all digits (.csv) or the picture (.svg, .pdf,
+  // .png). The file is replaced only when it is complete; otherwise returns false with the reason in `error`.
   [[nodiscard]] bool save(const QString& file, QString* error) const;
 
   [[nodiscard]] bool running() const { return study_ != nullptr; }
   [[nodiscard]] const StudySoFar& so_far() const { return so_far_; }
   [[nodiscard]] ErrorPlot& plot() { return *plot_; }
-  // Whether so_far() is about the scene that is shown, as it is shown, but for its method.
+  // Whether so_far() belongs to the scene as shown, apart from its method.
   [[nodiscard]] bool of_the_scene_shown() const { return current_; }
-  // One line: what was compared with what, and which scene's it is.
+  // One line: the compared runs and their scene.
   [[nodiscard]] QString words() const;
 
   void start(StudyOptions options = {});
@@ -55,7 +55,7 @@ class StudyPanel : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return {200, 100}; }
 
  signals:
-  // A click on a point: the scene that is shown is to be run under its method too.
+  // A click on a point: asks to run the shown scene under its method too.
   void methodChosen(const carom::Method& method);
 
  protected:
@@ -75,25 +75,25 @@ class StudyPanel : public QWidget {
   Preset preset_;  // that is shown
   QString name_;
   Method own_;                     // the preset's
-  std::optional<Preset> studied_;  // what so_far_ is about
-  bool current_ = false;           // it is the scene that is shown, but for its method
+  std::optional<Preset> studied_;  // the preset of so_far_
+  bool current_ = false;           // so_far_ belongs to the shown scene, apart from its method
   StudySoFar so_far_;
   std::size_t error_ = 0;  // of kStudyErrors
   bool against_time_ = false;
-  bool stale_ = false;  // points have come that were not drawn yet
+  bool stale_ = false;  // there are points that are not drawn yet
   QTimer timer_;
 
-  QBoxLayout* layout_ = nullptr;  // the buttons above the study, or at its side
+  QBoxLayout* layout_ = nullptr;  // the buttons are above the study or at its side
   QBoxLayout* buttons_ = nullptr;
   QToolButton* run_button_ = nullptr;
   QToolButton* error_button_ = nullptr;
   QToolButton* against_button_ = nullptr;
   QToolButton* export_button_ = nullptr;
-  QStackedWidget* pages_ = nullptr;  // what a study is or why there is none; the study
+  QStackedWidget* pages_ = nullptr;  // explanation, or the study
   QLabel* hint_ = nullptr;
   ErrorPlot* plot_ = nullptr;
   OrderTable* orders_ = nullptr;
-  QStackedWidget* below_ = nullptr;  // progress; words
+  QStackedWidget* below_ = nullptr;  // progress bar, or text
   ElidedLabel* stage_ = nullptr;
   QProgressBar* progress_ = nullptr;
   ElidedLabel* words_ = nullptr;

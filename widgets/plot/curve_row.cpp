@@ -78,7 +78,7 @@ void CurveRow::set_quantity(const QuantityName& quantity) {
   open_->setChecked(!quantity.theory.empty());
 }
 
-// A theory that is folded away is none.
+// A theory whose line is closed counts as none.
 QuantityName CurveRow::quantity() const {
   QuantityName quantity = picker_->quantity();
   if (open_->isChecked()) quantity.theory = theory_->text().trimmed().toStdString();

@@ -15,8 +15,8 @@ namespace carom {
 
 class QuantityPicker;
 
-// One curve of a plot that is put together: its quantity and, below it once it is asked for, the closed form
-// beside it and whether what is drawn is the difference.
+// The dialog's row for one curve: its quantity and, if opened, a line for the closed form and the choice of
+// the residual.
 class CurveRow : public QWidget {
   Q_OBJECT
 

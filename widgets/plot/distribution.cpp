@@ -14,7 +14,7 @@
 namespace carom {
 namespace {
 
-constexpr double kMost = 0.999;  // share of the values that the axis holds at least
+constexpr double kMost = 0.999;  // least share of the values within the axis
 constexpr int kCurvePoints = 240;
 
 QString tr(const char* text) { return QCoreApplication::translate("Distribution", text); }
@@ -107,7 +107,7 @@ void Distribution::update_from(const Recorder& recorder, const QwtInterval& time
   }
   law_ = Maxwell(speeds.masses(), speeds.now());
   QVector<QPointF> points;
-  const double end = x_spread().maxValue() * 2.0;  // the axis is a round number beyond
+  const double end = x_spread().maxValue() * 2.0;  // the axis ends at the next round number
   for (int i = 0; i <= kCurvePoints && law_.thermal_energy() > 0.0; ++i) {
     const double v = end * i / kCurvePoints;
     points.append({v, law_.density(v)});

@@ -19,19 +19,18 @@ namespace carom {
 
 class LegendButton;
 
-// One distribution as it stands, with the law beside it if there is one.
+// The bins of one distribution, with the law beside it if there is one.
 struct ShownBins {
   QString name;
   Histogram bins;
-  Maxwell law;  // of nothing where there is none
+  Maxwell law;  // empty if there is none
 };
 
-// What a histogram draws: of the speeds of all moving bodies those of now as bars, Maxwell's law at their
-// energy, and the mean over the time that is shown as an outline; or the strengths of that time's impacts as
-// bars.
+// Draws a histogram: the present speeds of all moving bodies as bars, Maxwell's law at their energy as a
+// curve, and the mean over the visible time as an outline; or the strengths of that time's impacts as bars.
 class Distribution {
  public:
-  // Attached to the plot; `parent` gets the entries of the legend.
+  // Attaches itself to the plot; `parent` owns the entries of the legend.
   Distribution(PlotContent::Shows what, QwtPlot* plot, QWidget* parent);
   ~Distribution();
 
@@ -39,10 +38,10 @@ class Distribution {
   void set_shown(std::size_t button, bool shown);
   void set_theme(const Theme& theme);
   void update_from(const Recorder& recorder, const QwtInterval& time);
-  // What the axes are to hold: from zero on.
+  // Ranges for the axes, from zero on.
   [[nodiscard]] QwtInterval x_spread() const;
   [[nodiscard]] QwtInterval spread() const;
-  // What the bin of the bars at x holds.
+  // Content of the bin at x.
   [[nodiscard]] QString readout(double x) const;
   [[nodiscard]] std::vector<std::pair<QString, QPen>> legend() const;
   [[nodiscard]] std::vector<ShownBins> bins() const;
@@ -56,14 +55,14 @@ class Distribution {
   std::unique_ptr<QwtPlotHistogram> bars_;
   std::unique_ptr<QwtPlotHistogram> outline_;
   std::unique_ptr<QwtPlotCurve> curve_;
-  std::vector<LegendButton*> buttons_;  // of the bars, the outline, the curve; none for impacts
+  std::vector<LegendButton*> buttons_;  // for the bars, the outline, the curve; none for impacts
   std::vector<QPen> looks_;
   Histogram now_;   // bars
   Histogram mean_;  // outline
   Maxwell law_;
-  double now_width_ = 0.0;  // as they stood: bins don't flicker
+  double now_width_ = 0.0;  // previous widths, so that bins do not flicker
   double mean_width_ = 0.0;
-  // What the mean is of: with many bodies it takes some ms, and stays while nothing is new.
+  // Key of the cached mean: with many bodies it takes some ms to compute.
   const Recorder* mean_of_ = nullptr;
   std::uint64_t mean_version_ = 0;
   QwtInterval mean_time_;

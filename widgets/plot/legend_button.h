@@ -5,7 +5,7 @@
 
 namespace carom {
 
-// One curve in a plot's legend: a sample of its line and its name; `tip` tells more about it. Checked while the
+// One curve in a plot's legend: a sample of its line and its name; `tip` is its description. Checked while the
 // curve is shown.
 class LegendButton : public QToolButton {
   Q_OBJECT
@@ -15,7 +15,7 @@ class LegendButton : public QToolButton {
 
   void set_look(const QPen& line, const QColor& text);
   [[nodiscard]] QSize sizeHint() const override;
-  // Without room for the whole name its beginning is shown.
+  // The name is shortened if there is no room for all of it.
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  protected:

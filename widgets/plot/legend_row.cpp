@@ -58,7 +58,7 @@ void LegendRow::resizeEvent(QResizeEvent* event) {
 }
 
 bool LegendRow::event(QEvent* event) {
-  // A button's name or font is another.
+  // A button's name or font has changed.
   if (event->type() == QEvent::LayoutRequest) {
     updateGeometry();
     place();
@@ -87,7 +87,7 @@ void LegendRow::place() {
     while (shown_ > 0 && needed_by_shown() > room);
   }
 
-  // What is left over the least widths goes to the names: to each what it lacks, or an equal share.
+  // The room beyond the least widths goes to the names: to each its missing width, or an equal share.
   const auto lacks = [&](const LegendButton* button) { return button->sizeHint().width() - least(button); };
   std::vector<int> lacking;
   for (std::size_t i = 0; i < shown_; ++i) lacking.push_back(lacks(buttons_[i]));

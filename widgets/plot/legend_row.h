@@ -8,8 +8,8 @@ namespace carom {
 
 class LegendButton;
 
-// The legend over a plot, in one line. Names are shortened where room is short; what has no room at all stands
-// in the menu of a last button, "+ 12 more". However many curves there are, it needs no more than kLeastWidth.
+// The legend over a plot, in one line. Names are shortened where there is little room; the rest is in the menu
+// of a last button, "+ 12 more". Its least width is kLeastWidth, however many curves there are.
 class LegendRow : public QWidget {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class LegendRow : public QWidget {
 
   explicit LegendRow(QWidget* parent = nullptr);
 
-  // Takes it as its child. One without a name is never shown.
+  // Takes ownership. A button without a name is never shown.
   void add(LegendButton* button);
 
   [[nodiscard]] QSize sizeHint() const override;
@@ -34,7 +34,7 @@ class LegendRow : public QWidget {
   [[nodiscard]] int whole_width() const;  // px, of all names
 
   std::vector<LegendButton*> buttons_;
-  std::size_t shown_ = 0;  // the first ones; the others stand in the menu
+  std::size_t shown_ = 0;  // the first ones; the others are in the menu
   QToolButton* more_;
 };
 

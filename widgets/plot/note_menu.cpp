@@ -19,7 +19,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("NoteMenu", text); }
 
-// The words, unless the reader thinks better of it.
+// The text, unless the user cancels.
 void ask_for_words(QWidget* parent, const std::string& now, const std::function<void(std::string)>& then) {
   auto* dialog = new QInputDialog(parent);
   dialog->setWindowTitle(tr("Note"));
@@ -37,7 +37,7 @@ void ask_for_words(QWidget* parent, const std::string& now, const std::function<
 void add_note_entries(QMenu& menu, RunPlot& plot, const QPoint& at, QWidget* parent,
                       const std::function<void()>& changed) {
   const std::vector<PlotNote> notes = plot.content().plot.notes;
-  const QPointer<RunPlot> where = &plot;  // which may go while the reader writes
+  const QPointer<RunPlot> where = &plot;  // which may be deleted while the user writes
   const auto put = [where, changed](const std::vector<PlotNote>& what) {
     if (where == nullptr) return;
     where->set_notes(what);
@@ -58,7 +58,7 @@ void add_note_entries(QMenu& menu, RunPlot& plot, const QPoint& at, QWidget* par
     });
     return;
   }
-  // Of the axes as they are now: a run that goes on moves them while the reader writes.
+  // In the present axes: a running simulation moves them while the user writes.
   const PlotNote note{plot.plot()->invTransform(QwtAxis::XBottom, at.x()),
                       plot.plot()->invTransform(QwtAxis::YLeft, at.y()),
                       {}};

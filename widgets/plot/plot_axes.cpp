@@ -22,7 +22,7 @@ void make_quiet(QwtPlot* plot, int axis, const QString& unit, bool powers) {
   plot->axisWidget(axis)->setSpacing(0);
 }
 
-// Further in, neighbouring labels would be the same double; further out, squares overflow.
+// Zoomed in further, neighbouring labels would be the same double; further out, squares overflow.
 bool is_drawable(const QwtInterval& range) {
   const double magnitude = std::max(std::abs(range.minValue()), std::abs(range.maxValue()));
   return range.width() > 1e-12 * magnitude && magnitude < 1e100;

@@ -10,8 +10,8 @@ class QwtPlot;
 
 namespace carom {
 
-// The two axes of a plot: quiet labels, round ranges that hold what is shown without trembling, and what the
-// reader's zooming and moving makes of them. A range that could not be drawn is not taken.
+// The two axes of a plot: plain labels, steady round ranges, zooming and panning. A range that cannot be drawn
+// is refused.
 class PlotAxes {
  public:
   PlotAxes(QwtPlot* plot, const QString& x_unit, bool logarithmic);
@@ -21,19 +21,19 @@ class PlotAxes {
   [[nodiscard]] QwtInterval values() const;
   void set_x(const QwtInterval& range);
   void set_values(const QwtInterval& range);
-  // A range with room for `spread`, the one that is shown if it will do.
+  // A range that includes `spread`; the current one if it fits.
   void fit_x(const QwtInterval& spread);
   void fit_values(const QwtInterval& spread, const Zero& zero = {});
-  void forget_values() { fitted_ = QwtInterval(); }  // the next fit starts anew
+  void forget_values() { fitted_ = QwtInterval(); }  // the next fit ignores the old range
 
-  // To `factor` of the width, with `at` where it is; from one place to another; to what a box holds.
+  // Zooms by `factor` about `at`; pans from one place to another; zooms to a box.
   void zoom_x(double at, double factor);
   void zoom_values(double at, double factor);
   void pan_x(double from, double to);
   void pan_values(double from, double to);
   void zoom_to(const QwtInterval& x, const QwtInterval& values);
 
-  // The room in px that the value axis' labels take, and the room that they are to take at least.
+  // Width in px of the value axis' labels, and their minimum width.
   [[nodiscard]] int label_extent() const;
   void set_label_extent(int extent);
 
@@ -42,7 +42,7 @@ class PlotAxes {
 
   QwtPlot* plot_;
   bool logarithmic_;
-  QwtInterval fitted_;  // the values' last range
+  QwtInterval fitted_;  // last range of the values
 };
 
 }  // namespace carom

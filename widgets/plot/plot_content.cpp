@@ -12,9 +12,9 @@
 namespace carom {
 namespace {
 
-// Sums over a laboratory's bodies that should be zero show rounding below this part of what they sum.
+// Sums that should be zero are rounding below this part of their terms.
 constexpr Rounding kValues{1e-9, 1.0};
-// A drift is looked at down to rounding itself.
+// A drift is shown down to rounding.
 constexpr Rounding kDrift{1e-15, 1e-15};
 
 QString text(std::string_view s) { return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size())); }
@@ -172,7 +172,7 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
     });
     content.rounding = drifts ? kDrift : kValues;
   }
-  // What all lines share stands in the title instead.
+  // The part that all lines share is in the title instead.
   const bool one_body = plot.x && plot.x->bodies == plot.y.front().bodies && plot.y.size() == 1;
   if (content.lines.size() == 1) {
     content.title = one_body ? text(first.label) + residual_mark(plot.y.front()) : content.lines.front().label;
@@ -189,7 +189,7 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
   if (plot.logarithmic) content.title = "|" + content.title + "|";
   if (plot.x) content.title = QString("%1 over %2").arg(content.title, content.x_title);
   if (!plot.title.empty()) content.title = QString::fromStdString(plot.title);
-  // But not the x of a coordinate.
+  // A capital first letter, except for the x of a coordinate.
   if (content.title.size() > 1 && content.title[1] != ' ') content.title[0] = content.title[0].toUpper();
   return content;
 }

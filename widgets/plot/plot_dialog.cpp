@@ -72,9 +72,9 @@ CurveRow* PlotDialog::add_curve() {
   return row;
 }
 
-// Of one body: the same of the next one that moves, as people compare them.
+// For one body: the same quantity of the next moving body, as a likely comparison.
 QuantityName PlotDialog::next_body(QuantityName quantity) const {
-  quantity.theory.clear();  // which is of that body alone
+  quantity.theory.clear();  // a theory belongs to one body alone
   quantity.residual = false;
   if (quantity.bodies.size() != 1) return quantity;
   bool found = false;
@@ -100,7 +100,7 @@ void PlotDialog::check() {
   }
   message_->setText(wrong);
   if (!wrong.isEmpty()) {
-    // The form keeps its height, whatever there is to say.
+    // The form keeps its height, whatever the message.
     message_->setMinimumHeight(message_->heightForWidth(std::max(message_->width(), minimumWidth())));
     adjustSize();
   }

@@ -17,8 +17,8 @@ namespace carom {
 class CurveRow;
 class QuantityPicker;
 
-// Puts together a plot: quantities and closed forms beside them, what they are drawn over, a logarithmic axis,
-// a title. OK is open while it makes sense; what is wrong is said in a line.
+// Edits a plot: quantities and closed forms, the x axis, a logarithmic axis, a title. OK is enabled while the
+// plot is valid; otherwise a line shows the error.
 class PlotDialog : public QDialog {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class PlotDialog : public QDialog {
   std::vector<Body> bodies_;
   QVBoxLayout* rows_layout_;
   std::vector<CurveRow*> rows_;
-  std::vector<PlotNote> notes_;  // of the plot that is changed: they stay
+  std::vector<PlotNote> notes_;  // of the edited plot, kept unchanged
   QPushButton* another_;
   QuantityPicker* x_;
   QCheckBox* logarithmic_;

@@ -25,7 +25,7 @@ QFont font_of(int pixels, bool bold) {
   return font;
 }
 
-// Title, unit and legend, from the upper left; what doesn't fit goes on below.
+// Title, unit and legend, from the upper left; the legend continues in further rows.
 struct Header {
   static constexpr double kBase = 14.0;  // px
   const QFont title_font = font_of(13, true);
@@ -89,14 +89,14 @@ void paint(RunPlot& plot, QPainter& painter, const QRectF& where) {
   render_plot(*plot.plot(), painter, where.adjusted(0, header.height, 0, 0));
 }
 
-// Of the size on the screen, with margins, on white.
+// In the size on the screen, with margins, on white.
 void paint(RunPlot& plot, QPainter& painter) {
   const QSize size = size_of(plot);
   painter.fillRect(QRect(QPoint(), size), light_theme().panel);
   paint(plot, painter, QRectF(QPointF(), size).adjusted(kMargin, kMargin, -kMargin, -kMargin));
 }
 
-// In the colours of paper, and without the line under the mouse.
+// In the light colours, and without the line under the mouse.
 template <class Draw>
 void on_paper(RunPlot& plot, const Draw& draw) {
   const Theme theme = plot.theme();

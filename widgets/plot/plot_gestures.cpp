@@ -34,7 +34,7 @@ bool PlotGestures::eventFilter(QObject* watched, QEvent* event) {
     }
     case QEvent::MouseButtonPress: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
-      // With Ctrl it is the zoom box's.
+      // A drag with Ctrl belongs to the zoom box.
       const bool boxes = mouse->modifiers().testFlag(Qt::ControlModifier);
       if (mouse->button() == Qt::LeftButton && !boxes) grip_ = mouse->position();
       dragging_ = false;
@@ -42,7 +42,7 @@ bool PlotGestures::eventFilter(QObject* watched, QEvent* event) {
     }
     case QEvent::MouseMove: {
       const QPointF now = static_cast<QMouseEvent*>(event)->position();
-      // A click with a trembling hand is no drag.
+      // A smaller movement is a click, not a drag.
       constexpr double kLeastDrag = 3.0;  // px
       if (grip_ && (dragging_ || (now - *grip_).manhattanLength() >= kLeastDrag)) {
         dragging_ = true;

@@ -8,7 +8,7 @@ class QwtPlot;
 
 namespace carom {
 
-// Turns mouse and wheel on a plot's canvas into wishes about its axes, in the axes' units.
+// Turns mouse and wheel events on a plot's canvas into requests about its axes, in the axes' units.
 class PlotGestures : public QObject {
   Q_OBJECT
 
@@ -16,10 +16,10 @@ class PlotGestures : public QObject {
   explicit PlotGestures(QwtPlot* plot);
 
  signals:
-  // The axis' range is to become `factor` as wide, with `at` where it is.
+  // Asks to scale the axis' range by `factor`, with `at` fixed.
   void timeZoomAsked(double at, double factor);
   void valueZoomAsked(double at, double factor);
-  void panAsked(const QPointF& from, const QPointF& to);  // what was at `from` is to come to `to`
+  void panAsked(const QPointF& from, const QPointF& to);  // asks to move the point `from` to `to`
   void resetAsked();
   void clicked(const QPointF& at, Qt::KeyboardModifiers modifiers);  // not the end of a drag
   void hovered(const std::optional<QPointF>& at);
@@ -31,7 +31,7 @@ class PlotGestures : public QObject {
   [[nodiscard]] QPointF value_at(const QPointF& pixel) const;
 
   QwtPlot* plot_;
-  std::optional<QPointF> grip_;  // where the button went down or the drag was last, in pixels
+  std::optional<QPointF> grip_;  // position of the press or of the last drag event, in pixels
   bool dragging_ = false;
 };
 

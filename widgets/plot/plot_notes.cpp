@@ -38,7 +38,7 @@ void PlotNotes::set_notes(const std::vector<PlotNote>& notes) { notes_ = notes; 
 
 void PlotNotes::set_theme(const Theme& theme) { theme_ = theme; }
 
-// Right of the point and above it, else on the side where there is room.
+// Right of the point and above it, or on the side with room.
 std::optional<PlotNotes::Place> PlotNotes::place(const PlotNote& note, const QwtScaleMap& x,
                                                  const QwtScaleMap& y, const QRectF& canvas) const {
   const QPointF point = QwtScaleMap::transform(x, y, {note.x, note.y});

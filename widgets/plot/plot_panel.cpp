@@ -83,7 +83,7 @@ void PlotPanel::set_plots(const std::vector<Plot>& plots, const std::vector<Body
   schedule();
 }
 
-// Plots know bodies by their place.
+// Plots know bodies by their index.
 void PlotPanel::set_bodies(const std::vector<Body>& bodies) {
   const auto end = static_cast<std::ptrdiff_t>(std::min(bodies.size(), bodies_.size()));
   const bool same_places = std::equal(bodies.begin(), bodies.begin() + end, bodies_.begin(),
@@ -130,8 +130,8 @@ void PlotPanel::drop(RunPlot* plot) {
   put_away(plot);
 }
 
-// No list has it any more: where it lay under the mouse, hiding it tells the one below of the mouse, which may
-// ask for all plots. It goes when nobody is in the midst of one of its calls.
+// It is in no list any more. If it was under the mouse, hiding it sends a mouse event to the plot below, which
+// may ask for all plots. It is deleted later, when none of its functions is running.
 void PlotPanel::put_away(RunPlot* plot) {
   plot->disconnect(this);
   plot->hide();
@@ -188,7 +188,7 @@ bool PlotPanel::shows(std::string_view id) const {
                      [id](const RunPlot* plot) { return plot->content().plot.id == id; });
 }
 
-// A named plot stands among the named ones in the order of their table, and before all others.
+// Named plots come first, in the order of their table.
 void PlotPanel::set_shown(std::string_view id, bool shown) {
   if (shown == shows(id)) return;
   const std::span<const PlotContent> table = named_plots();
@@ -220,7 +220,7 @@ void PlotPanel::mark_menu() {
 void PlotPanel::edit(RunPlot* plot) {
   auto* dialog = new PlotDialog(bodies_, this);
   if (plot != nullptr) dialog->set_plot(plot->content().plot);
-  // The plot may go while the dialog is open.
+  // The plot may be deleted while the dialog is open.
   ask(dialog, [this, dialog, is_new = plot == nullptr, changed = QPointer<RunPlot>(plot)] {
     if (is_new) {
       add(dialog->plot());
@@ -230,7 +230,7 @@ void PlotPanel::edit(RunPlot* plot) {
   });
 }
 
-// Of the plot under the mouse, and of all.
+// Entries for the plot under the mouse, and for all plots.
 void PlotPanel::contextMenuEvent(QContextMenuEvent* event) {
   const auto under = std::find_if(plots_.begin(), plots_.end(),
                                   [&](const RunPlot* plot) { return plot->geometry().contains(event->pos()); });
@@ -239,7 +239,7 @@ void PlotPanel::contextMenuEvent(QContextMenuEvent* event) {
     return;
   }
   RunPlot* plot = *under;
-  // What the menu offers is of this plot, as long as it is there.
+  // The entries act on this plot while it exists.
   const auto with_plot = [this, there = QPointer<RunPlot>(plot)](auto&& what) {
     return [this, there, what] {
       if (there != nullptr && has(there)) what(there.data());
@@ -322,7 +322,7 @@ void PlotPanel::set_mark(double time, bool second) {
   emit marksChanged();
 }
 
-// To the next record of the first curve, or the one before.
+// Moves to the next or the previous record of the first curve.
 void PlotPanel::move_mark(int by, bool second) {
   const std::optional<double>& mark = second ? mark_b_ : mark_a_;
   if (!mark) return;
@@ -380,7 +380,7 @@ void PlotPanel::reset_zoom() {
 }
 
 void PlotPanel::set_time_zoom(RunPlot* plot, const QwtInterval& range) {
-  // Further in, pixels would share one double; further out there is nothing to see.
+  // Zoomed in further, pixels would share one double; further out there is nothing to see.
   const double magnitude = std::max(std::abs(range.minValue()), std::abs(range.maxValue()));
   constexpr double kLongest = 1e9;  // s
   if (range.width() < 1e-12 * magnitude || magnitude > kLongest) return;
@@ -418,7 +418,7 @@ void PlotPanel::refresh() {
   for (RunPlot* plot : plots_) plot->replot();
 }
 
-// Where the axis of time changes, or all are to be drawn anyway, all are.
+// All plots are drawn where the time axis changes or all are scheduled anyway.
 void PlotPanel::refresh_next() {
   if (timer_.isActive()) return;
   if (!(time_range() == shown_)) {
@@ -429,20 +429,20 @@ void PlotPanel::refresh_next() {
   take_news(plots_[next_], shown_);
   align();
   plots_[next_]->replot();
-  constexpr int kQuiet = 25;  // ms without news
+  constexpr int kQuiet = 25;  // ms without new frames
   if (--waiting_ > 0) turn_.start(kQuiet);
 }
 
 void PlotPanel::take_news(RunPlot* plot, const QwtInterval& range) {
   plot->set_time_range(range);
-  // A histogram goes with the time that is shown.
+  // A histogram depends on the visible time.
   const bool hold = (time_zoom_ && plot->distribution() == nullptr) ||
                     std::find(zoomed_.begin(), zoomed_.end(), plot) != zoomed_.end();
   plot->update_from(runs_, hold);
   plot->set_marks(mark_a_, mark_b_);
 }
 
-// Room for labels in steps, so that the canvases don't shift with each new one.
+// The labels' width grows in steps, so that the canvases do not shift with each new label.
 void PlotPanel::align() {
   int extent = 0;
   for (const RunPlot* plot : plots_) extent = std::max(extent, plot->axes().label_extent());

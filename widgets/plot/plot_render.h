@@ -7,8 +7,8 @@ class QwtPlot;
 
 namespace carom {
 
-// Paints a plot without ground and frame into `where`, in px of a painter that was scaled to px already, as
-// those of save_picture() are. Qwt itself would scale once more, to the resolution of the device.
+// Paints a plot without background and frame into `where`, in px, with a painter already scaled to px, as in
+// save_picture(). Qwt itself would scale again, to the resolution of the device.
 void render_plot(QwtPlot& plot, QPainter& painter, const QRectF& where);
 
 }  // namespace carom

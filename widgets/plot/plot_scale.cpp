@@ -16,7 +16,7 @@ template <std::size_t N>
 double round_up(double value, const std::array<double, N>& mantissas) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double mantissa : mantissas) {
-    // A value that is round but for its last bits counts as round.
+    // A value that is round up to its last bits counts as round.
     if (mantissa * power >= value * (1.0 - 1e-9)) return mantissa * power;
   }
   return 10.0 * power;
@@ -39,7 +39,7 @@ double nice_time_end(double newest) {
 
 QwtInterval nice_range(double low, double high, const Zero& zero) {
   constexpr std::array kMantissas = {1.0, 2.0, 5.0, 10.0};
-  constexpr double kLeast = 1e-300;  // any unit: below it, powers of ten are no longer exact
+  constexpr double kLeast = 1e-300;  // any unit: smaller powers of ten are not exact
   if (!std::isfinite(low) || !std::isfinite(high) || low > high) return {-1.0, 1.0};
   const double magnitude = std::max(std::abs(low), std::abs(high));
   if (magnitude <= std::max(zero.below, kLeast)) {

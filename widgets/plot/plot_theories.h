@@ -18,7 +18,7 @@ namespace carom {
 class LegendButton;
 class TheoryCurve;
 
-// The closed forms of a plot's lines, drawn below what was measured, and their one entry in the legend.
+// The closed forms of a plot's lines, drawn below the measured curves, and their one entry in the legend.
 class PlotTheories {
  public:
   PlotTheories(const PlotContent& content, QwtPlot* plot, QWidget* parent);
@@ -28,10 +28,10 @@ class PlotTheories {
   void set_shown(bool shown);
   void set_theme(const Theme& theme);
   void update_from(const Recorder& recorder, const QwtInterval& time);
-  // What the value axis is to show of them over `x` beside what was measured: not beyond its height on either
-  // side, since a closed form may run away where nobody looks.
+  // The range of the value axis that includes them over `x` beside the measured range: at most its height more
+  // on either side, since a closed form may diverge.
   [[nodiscard]] QwtInterval spread(const QwtInterval& x, const QwtInterval& measured) const;
-  // Name and line, of those that are shown.
+  // Name and line of the visible ones.
   [[nodiscard]] std::vector<std::pair<QString, QPen>> legend() const;
 
  private:

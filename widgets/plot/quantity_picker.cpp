@@ -52,7 +52,7 @@ QComboBox* body_box(const std::vector<Body>& bodies, QWidget* parent) {
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box->setMinimumContentsLength(8);
   for (const Body& body : bodies) box->addItem(QString::fromStdString(body.name));
-  // Moving bodies are what people look at.
+  // Moving bodies come first: people look at these.
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (has_infinite_mass(bodies[i])) continue;
     box->setCurrentIndex(static_cast<int>(i));
@@ -74,7 +74,7 @@ QuantityPicker::QuantityPicker(const std::vector<Body>& bodies, const QString& n
   observable_->setAccessibleName(tr("Quantity"));
   first_->setAccessibleName(tr("Body"));
   second_->setAccessibleName(tr("Other body"));
-  // The second choice is another body than the first.
+  // The second body differs from the first.
   for (std::size_t i = static_cast<std::size_t>(first_->currentIndex()) + 1; i < bodies.size(); ++i) {
     if (has_infinite_mass(bodies[i])) continue;
     second_->setCurrentIndex(static_cast<int>(i));

@@ -10,8 +10,8 @@ class QComboBox;
 
 namespace carom {
 
-// Chooses a quantity: what of all observables, and of which bodies. `none`, if it is given, is a first choice
-// that stands for no quantity.
+// Chooses a quantity: an observable and its bodies. `none`, if given, is the text of a first choice for no
+// quantity.
 class QuantityPicker : public QWidget {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class QuantityPicker : public QWidget {
   explicit QuantityPicker(const std::vector<Body>& bodies, const QString& none = {}, QWidget* parent = nullptr);
 
   void set_quantity(const QuantityName& quantity);
-  // Without an observable where there is none.
+  // Has no observable if none is chosen.
   [[nodiscard]] QuantityName quantity() const;
 
  signals:

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// What is read of one curve.
+// The readings of one curve.
 struct Row {
   QString name;
   double at_a = kNone;

@@ -9,7 +9,7 @@
 
 namespace carom {
 
-// Where the reader looks: two marks on the time axis, and the time that the plots show. All in s.
+// Two marks on the time axis, and the visible time. All in s.
 struct ReadingMarks {
   std::optional<double> a;
   std::optional<double> b;
@@ -19,9 +19,9 @@ struct ReadingMarks {
   bool operator==(const ReadingMarks&) const = default;
 };
 
-// Of each curve over time, of each run that is shown: its values at the marks, their difference and slope, and
-// over the time between the marks (without two of them: over the time that is shown) the area under it, its
-// mean, least and largest value. What comes from a part of the run of which only extremes are kept stands pale.
+// For each curve over time of each visible run: its values at the marks, their difference and slope, and over
+// the time between the marks (without two marks: over the visible time) the area under it, its mean, least and
+// largest value. Values from a part of the run with extremes only are pale.
 class ReadingTable : public FigureTable {
   Q_OBJECT
 

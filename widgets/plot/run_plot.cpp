@@ -53,7 +53,7 @@ RunPlot::RunPlot(PlotContent content, const Theme& theme, QWidget* parent)
   set_time_range(time_range_);
 }
 
-// Whole when the mouse is told that it leaves.
+// The plot must still be complete when the leave event arrives.
 RunPlot::~RunPlot() { hide(); }
 
 void RunPlot::build_header() {
@@ -136,7 +136,7 @@ void RunPlot::build_plot() {
     marks_[i]->attach(plot_);
   }
 
-  // Over the canvas, so that they take no room from it.
+  // Placed over the canvas, so that they take no room from it.
   auto* over = new QHBoxLayout(canvas);
   over->setContentsMargins(4, 2, 4, 2);
   readout_ = new PlainLabel(canvas);
@@ -183,7 +183,7 @@ void RunPlot::set_theme(const Theme& theme) {
   set_looks();
 }
 
-// Of a plot's lines the sum, or else the first one.
+// The sum among a plot's lines, or the first one.
 bool RunPlot::is_main(std::size_t line) const {
   const auto sum =
       std::find_if(content_.lines.begin(), content_.lines.end(), [](const PlotLine& l) { return l.sum; });
@@ -191,7 +191,7 @@ bool RunPlot::is_main(std::size_t line) const {
                                      : line == static_cast<std::size_t>(sum - content_.lines.begin());
 }
 
-// Of one run the lines have their own colours; of several the runs have, and lesser lines stand back.
+// With one run each line has its colour; with several each run has, and secondary lines are fainter.
 QPen RunPlot::pen(std::size_t line, std::size_t run) const {
   constexpr double kBack = 0.55;
   if (runs_.size() > 1) {
@@ -219,7 +219,7 @@ void RunPlot::set_looks() {
   }
 }
 
-// The first run's curves lie over the others'; a single run's sum lies behind its parts.
+// The first run's curves are drawn over the others'; a single run's sum is drawn behind its parts.
 void RunPlot::set_runs(const std::vector<PlottedRun>& runs) {
   const bool others = runs.size() != runs_.size() || lines_.front().items.empty();
   runs_ = runs;
@@ -243,7 +243,7 @@ void RunPlot::set_runs(const std::vector<PlottedRun>& runs) {
 
 bool RunPlot::shows(std::size_t line) const { return lines_[line].button->isChecked(); }
 
-// Heads on sticks, unless they would run into each other.
+// Bars have heads, unless these would overlap.
 void RunPlot::set_heads(const Item& curve) {
   constexpr int kPixelsPerHead = 4;
   const bool wanted = static_cast<int>(curve.series->size()) * kPixelsPerHead < plot_->canvas()->width();
@@ -298,12 +298,12 @@ void RunPlot::update_from(const std::vector<PlottedRun>& runs, bool hold) {
       const QRectF bounds = series.boundingRect();
       spread |= QwtInterval(bounds.top(), bounds.bottom());
       x_spread |= QwtInterval(bounds.left(), bounds.right());
-      if (!curve) spread |= 0.0;  // sticks stand on zero
+      if (!curve) spread |= 0.0;  // bars start at zero
     }
   }
   if (!runs.empty()) theories_->update_from(*runs.front().recorder, time_range_);
   if (hold) {
-    axes_->set_values(axes_->values());  // its ticks, where the size is another
+    axes_->set_values(axes_->values());  // recomputes the ticks for the new size
     return;
   }
   spread = theories_->spread(over_time() ? time_range_ : x_spread, spread);
@@ -392,7 +392,7 @@ void RunPlot::show_readout() {
       const Series<1>* series = series_of(i, k);
       const auto* point = series == nullptr ? nullptr : series->at(*cursor_time_);
       if (point == nullptr || !runs_[k].shown) continue;
-      // Where only extremes are kept the value is of a moment near by.
+      // Where only extremes are kept the value belongs to a nearby time.
       const bool near_by = *cursor_time_ < series->whole_since();
       of_runs << (near_by ? QStringLiteral("≈ ") : QString()) + figure(point->value[0]);
     }

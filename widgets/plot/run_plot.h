@@ -31,9 +31,9 @@ class PlotNotes;
 class PlotTheories;
 class ZoomBox;
 
-// One plot with title, unit and legend. Over time, the time axis is its owner's to set: several plots share it.
-// Over another quantity it shows the path within that time, with an axis of its own. Changes show at the next
-// replot().
+// One plot with title, unit and legend. Over time, the owner sets the time axis, which several plots share.
+// Over another quantity it shows the path within that time, with an x axis of its own. Changes appear at the
+// next replot().
 class RunPlot : public QFrame {
   Q_OBJECT
 
@@ -43,33 +43,33 @@ class RunPlot : public QFrame {
 
   void set_theme(const Theme& theme);
   void set_time_range(const QwtInterval& range);
-  // Reads what the time range shows, now and whenever the reader looks; fits the axes that are not time to the
-  // visible curves unless `hold`. Of several runs each has its own colour and dash.
+  // Reads the records within the time range; fits the other axes to the visible curves unless `hold`. Each of
+  // several runs has its own colour and dash.
   void update_from(const std::vector<PlottedRun>& runs, bool hold);
-  // Where the reader looks: a line at that time, and what the curves that are shown are there.
+  // The time under the mouse: a line there, and the values of the visible curves.
   void set_cursor(std::optional<double> time);
-  // The reader's two marks, A and B.
+  // The user's two marks, A and B.
   void set_marks(std::optional<double> a, std::optional<double> b);
   void set_chip_visible(bool visible);
   void replot();
 
   [[nodiscard]] PlotAxes& axes() { return *axes_; }
   [[nodiscard]] const PlotAxes& axes() const { return *axes_; }
-  // The reader's remarks, which are part of the plot; the one at a point of the canvas, in px.
+  // The user's notes, which are part of the plot; the note at a point of the canvas, in px.
   void set_notes(const std::vector<PlotNote>& notes);
   [[nodiscard]] std::optional<std::size_t> note_at(const QPointF& pixel) const;
   [[nodiscard]] const PlotContent& content() const { return content_; }
-  // The x axis is time.
+  // Whether the x axis is time.
   [[nodiscard]] bool over_time() const { return !content_.plot.x && distribution_ == nullptr; }
-  // Of a histogram; nullptr for lines.
+  // The histogram; nullptr for lines.
   [[nodiscard]] const Distribution* distribution() const { return distribution_.get(); }
   [[nodiscard]] QwtInterval time_range() const { return time_range_; }
   [[nodiscard]] QwtInterval value_range() const { return axes_->values(); }
   [[nodiscard]] QwtPlot* plot() const { return plot_; }
   [[nodiscard]] const Theme& theme() const { return theme_; }
-  // The name and the line of each run, if there are several, and of each curve that is shown and has a name.
+  // Name and line of each run, if there are several, and of each visible curve with a name.
   [[nodiscard]] std::vector<std::pair<QString, QPen>> legend() const;
-  // The time of the newest record that is not after `time`; the time itself where nothing is recorded.
+  // Time of the newest record not after `time`; `time` itself if nothing is recorded.
   [[nodiscard]] double snapped(double time) const;
 
  signals:
@@ -78,7 +78,7 @@ class RunPlot : public QFrame {
   void panAsked(const QPointF& from, const QPointF& to);
   void boxAsked(const QRectF& box);  // in the axes' units
   void resetAsked();
-  void curvesChanged();  // one was shown or hidden
+  void curvesChanged();  // a curve was shown or hidden
   void timeHovered(const std::optional<double>& time);
   void timeClicked(double time, bool second);  // second: with Shift
 

@@ -12,8 +12,8 @@ namespace carom {
 
 class LegendButton;
 
-// The names of runs that plots show side by side, each with its line; a click shows or hides one. Of a single
-// run there is no legend.
+// The names of the runs in all plots, each with its line; a click shows or hides a run. A single run has no
+// legend.
 class RunsLegend : public QWidget {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class RunsLegend : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void place();  // in as many columns as have room for the names
+  void place();  // in as many columns as the names allow
 
   QGridLayout* grid_;
   std::vector<LegendButton*> buttons_;

@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-// What a logarithmic axis can show of a value; NaN where it can show nothing.
+// The value on a logarithmic axis; NaN where it has none.
 double shown(double value, bool magnitudes) {
   if (!magnitudes) return value;
   return value == 0.0 ? std::nan("") : std::abs(value);

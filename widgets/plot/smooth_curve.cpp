@@ -14,12 +14,13 @@ void SmoothCurve::drawLines(QPainter* painter, const QwtScaleMap& x, const QwtSc
   QPolygonF line;
   line.reserve(to - from + 1);
   for (int i = from; i <= to; ++i) line.append(QwtScaleMap::transform(x, y, sample(i)));
-  // Far outside the dashes of a steep line would be countless.
+  // Clipped: the dashes of a steep line far outside would be countless.
   constexpr double kMargin = 10.0;  // px, more than the pen's width
   QwtClipper::clipPolygonF(canvas.adjusted(-kMargin, -kMargin, kMargin, kMargin), line, false);
 
-  // A line that goes up and down everywhere is drawn in pieces: with 1400 points over the full height that took
-  // 15 ms where one path took 90 ms. The dashes go on. A calm line stays whole: joints would show on it.
+  // A line that goes up and down everywhere is drawn in pieces: with 1400 points over the full height that
+  // took 15 ms where one path took 90 ms. The dashes continue. A smooth line stays in one piece: seams would
+  // be visible on it.
   constexpr double kPiece = 3000.0;  // px
   QPen dashes = pen();
   dashes.setCapStyle(Qt::FlatCap);

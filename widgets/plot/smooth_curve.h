@@ -5,7 +5,7 @@
 namespace carom {
 
 // A curve of lines drawn as one polyline at sub-pixel positions. QwtPlotCurve rounds to pixels and cuts the
-// line into short pieces, each of which would begin its dashes anew.
+// line into short pieces, each of which would restart its dashes.
 class SmoothCurve : public QwtPlotCurve {
  public:
   using QwtPlotCurve::QwtPlotCurve;

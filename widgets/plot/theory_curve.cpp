@@ -9,12 +9,12 @@
 namespace carom {
 namespace {
 
-constexpr double kSteep = 2.0;       // px: neighbours further apart are looked between
-constexpr int kHalvings = 6;         // of a pixel: as near as the eye sees
-constexpr int kPoleHalvings = 40;    // until a jump has kept its height and a pole has grown
-constexpr int kMostValues = 40'000;  // a picture: some 10 ms; beyond, a line that is all jumps stays coarse
+constexpr double kSteep = 2.0;       // px: intervals between neighbours further apart are refined
+constexpr int kHalvings = 6;         // of a pixel: below visibility
+constexpr int kPoleHalvings = 40;    // enough to tell a jump, which keeps its height, from a pole
+constexpr int kMostValues = 40'000;  // a picture: some 10 ms; a line full of jumps stays coarse beyond
 
-// Puts one line together, from left to right.
+// Builds one line, from left to right.
 template <class Value>
 class Tracer {
  public:
@@ -47,7 +47,7 @@ class Tracer {
     if (!piece_.isEmpty()) pieces_.push_back(std::exchange(piece_, {}));
   }
 
-  // From a, which is on the line already, to b.
+  // Extends the line from a, which is on it already, to b.
   void join(const QPointF& a, const QPointF& b, int halvings) {
     if (std::abs(b.y() - a.y()) > kSteep && asked_ < kMostValues) {
       if (halvings > 0) {
@@ -62,7 +62,7 @@ class Tracer {
     }
     put(b);
   }
-  // A jump keeps its height however near one looks, a pole grows.
+  // Under refinement a jump keeps its height and a pole grows.
   [[nodiscard]] bool is_pole(QPointF a, QPointF b) {
     const double height = std::abs(b.y() - a.y());
     for (int i = 0; i < kPoleHalvings; ++i) {
@@ -72,7 +72,7 @@ class Tracer {
     }
     return std::abs(b.y() - a.y()) > 1.5 * height;
   }
-  // Between a and b the line begins or ends.
+  // The line begins or ends between a and b.
   void edge(QPointF a, QPointF b) {
     const bool ends = !std::isnan(a.y());
     if (ends == !std::isnan(b.y())) return;

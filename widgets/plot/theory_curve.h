@@ -12,19 +12,18 @@
 
 namespace carom {
 
-// A closed form as a line over what the axis below shows, asked at each pixel: it has no points of its own.
-// Where it jumps the line stands upright at the jump's place; it is broken at a pole and where there is no
-// value.
+// A closed form as a line over the x axis, evaluated at each pixel: it has no points of its own. A jump is a
+// vertical line at its place; the line is broken at a pole and where there is no value.
 class TheoryCurve : public QwtPlotItem {
  public:
   // `over_x`: over the theory's x, not over time. `magnitudes`: |y|, for a logarithmic axis.
   TheoryCurve(const Expression& formula, bool over_x, bool magnitudes);
 
   void set_pen(const QPen& pen);
-  // Over x a theory that hangs on time is drawn where the run was: over its x, at the times of the path.
+  // Over x, a theory that depends on time is drawn along the run: over its x, at the times of the path.
   void take(const Series<2>& path, const QwtInterval& time);
   [[nodiscard]] bool needs_path() const { return over_x_ && formula_.uses_t(); }
-  // The values over `x`.
+  // Values over the range `x`.
   [[nodiscard]] QwtInterval spread(const QwtInterval& x) const;
 
   [[nodiscard]] int rtti() const override { return Rtti_PlotUserItem; }
@@ -41,7 +40,7 @@ class TheoryCurve : public QwtPlotItem {
   bool over_x_;
   bool magnitudes_;
   QPen pen_;
-  std::vector<QPointF> points_;  // of a theory that needs the path
+  std::vector<QPointF> points_;  // for a theory that needs the path
 };
 
 }  // namespace carom

@@ -28,7 +28,7 @@ bool ZoomBox::accept(QPolygon& box) const {
   return true;
 }
 
-// Qwt's picker would move the mouse with the arrow keys, which are the marks' here.
+// Qwt's picker would move the mouse with the arrow keys, which move the marks here.
 void ZoomBox::widgetKeyPressEvent(QKeyEvent* event) {
   if (isActive() && event->key() == Qt::Key_Escape) reset();
 }

@@ -4,8 +4,8 @@
 
 namespace carom {
 
-// Ctrl and a drag on a plot's canvas pull up a box; selected() tells what it holds, in the axes' units. A flat
-// box holds the whole height, a narrow one the whole width. Escape lets go of it.
+// Ctrl and a drag on a plot's canvas draw a box; selected() reports it in the axes' units. A flat box has the
+// whole height, a narrow one the whole width. Escape cancels it.
 class ZoomBox : public QwtPlotPicker {
  public:
   explicit ZoomBox(QwtPlot* plot);

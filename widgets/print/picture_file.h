@@ -14,12 +14,12 @@ class OutputFile;
 [[nodiscard]] bool is_picture_name(const QString& path);
 
 // Saves what `paint` paints on an area of `pixels`, by the file's suffix: .png, or .svg and .pdf as vectors
-// (96 px an inch). A PNG has `dots` by `dots` points for a pixel. Needs no display. The file is replaced only
-// when the whole picture is ready; else the answer is false and `error` says why.
+// (96 px an inch). A PNG has `dots` by `dots` image pixels for each of them. Needs no display. The file is
+// replaced only when the picture is complete; otherwise returns false with the reason in `error`.
 [[nodiscard]] bool save_picture(const QString& path, QSize pixels, const std::function<void(QPainter&)>& paint,
                                 QString* error, int dots = 1);
 
-// The same into a file that is open already, for its owner to commit. Throws SceneError.
+// Writes the same to an open file; the caller commits it. Throws SceneError.
 void write_picture(OutputFile& file, QSize pixels, const std::function<void(QPainter&)>& paint, int dots = 1);
 
 }  // namespace carom

@@ -21,7 +21,7 @@ constexpr double kLine = 0.75;    // px
 
 const Theme& theme() { return light_theme(); }
 
-// Text that is divided into lines once, for whatever it is painted on.
+// Text wrapped into lines once, for any paint device.
 struct Lines {
   Lines(const QString& text, const QFont& font, double width) : layout(text, font) {
     QTextOption option;
@@ -176,7 +176,7 @@ PrintBlock print_table(const FigureModel& table, int most) {
       double x = where.left();
       painter.setFont(print_font(r == 0 ? 10 : 11, rows[r].sum));
       const QFontMetricsF metrics(painter.font());
-      // At the edges the text stands where that of the page does.
+      // At the edges the cells' text is aligned with the page's text.
       for (std::size_t c = 0; c < rows[r].cells.size(); ++c) {
         const Cell& cell = rows[r].cells[c];
         const bool alone = rows[r].cells.size() == 1;

@@ -25,7 +25,7 @@ PrintPages::PrintPages(std::vector<PrintBlock> blocks, const QString& footer)
 void PrintPages::place() {
   double used = 0.0;
   for (std::size_t first = 0; first < blocks_.size();) {
-    // A block with what must stand below it.
+    // A block with the blocks that must follow on its page.
     std::size_t end = first;
     double height = 0.0;
     do {

@@ -11,14 +11,14 @@ namespace carom {
 // A piece of a printed page, as wide as its text: px of 1/96 inch.
 struct PrintBlock {
   double height = 0.0;
-  double gap = 0.0;        // above it, but at the top of a page
-  bool with_next = false;  // never the last on its page, as a heading
-  bool grows = false;      // shares with its like what the page has left
+  double gap = 0.0;        // above it, except at the top of a page
+  bool with_next = false;  // never the last on its page, like a heading
+  bool grows = false;      // shares the rest of the page with other such blocks
   std::function<void(QPainter& painter, const QRectF& where)> paint;
 };
 
-// Blocks on upright A4 pages, one below the other, none divided, with a line at the foot: `footer` at the left,
-// the page's number at the right.
+// Places blocks on portrait A4 pages, one below the other, undivided, with a footer: `footer` at the left, the
+// page's number at the right.
 class PrintPages {
  public:
   static constexpr double kPixelsPerInch = 96.0;
@@ -26,17 +26,17 @@ class PrintPages {
   static constexpr double kHeight = 11.69 * kPixelsPerInch;
   static constexpr double kSide = 72.0;    // left and right of the text
   static constexpr double kTop = 64.0;     // above it
-  static constexpr double kBottom = 76.0;  // below it, with the foot
+  static constexpr double kBottom = 76.0;  // below it, with the footer
   static constexpr double kTextWidth = kWidth - 2.0 * kSide;
   static constexpr double kTextHeight = kHeight - kTop - kBottom;
 
   PrintPages(std::vector<PrintBlock> blocks, const QString& footer);
 
   [[nodiscard]] int count() const { return static_cast<int>(pages_.size()); }
-  // On a painter that is scaled to px.
+  // Paints a page with a painter scaled to px.
   void paint(int page, QPainter& painter) const;
-  // As a PDF. The file is replaced only when the whole of it is ready; else the answer is false and `error`
-  // says why.
+  // Saves a PDF. The file is replaced only when it is complete; otherwise returns false with the reason in
+  // `error`.
   [[nodiscard]] bool save(const QString& path, const QString& title, QString* error) const;
 
  private:

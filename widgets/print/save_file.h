@@ -8,8 +8,8 @@
 
 namespace carom {
 
-// Saves what `write` writes. The file is replaced only when all of it is there; else the answer is false and
-// `error` says why. `write` may throw SceneError.
+// Saves the output of `write`. The file is replaced only when it is complete; otherwise returns false with the
+// reason in `error`. `write` may throw SceneError.
 [[nodiscard]] bool save_file(const QString& path, const std::function<void(OutputFile&)>& write,
                              QString* error);
 

@@ -14,7 +14,7 @@ namespace {
 enum Role { kName = Qt::UserRole, kTitle, kObserve, kPicture };
 
 constexpr int kRowHeight = 50;
-constexpr int kTallRowHeight = 64;  // where the title takes two lines
+constexpr int kTallRowHeight = 64;  // with a title of two lines
 constexpr int kTopicHeight = 30;
 constexpr int kTextLeft = 79;  // from the row's left side to its text
 constexpr int kTextRight = 12;
@@ -112,7 +112,7 @@ ExperimentList::ExperimentList(const Theme& theme, QWidget* parent)
     const QString name = item->data(kName).toString();
     if (name.isEmpty()) return;
     emit openRequested(name);
-    set_current(current_);  // the mark stays with what is open, also where this one was not opened
+    set_current(current_);  // the mark stays at the open experiment if this one was not opened
   };
   connect(list_, &QListWidget::itemClicked, this, open);
   connect(list_, &QListWidget::itemActivated, this, open);

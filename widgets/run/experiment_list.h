@@ -13,14 +13,14 @@ namespace carom {
 
 // One line of the list of experiments.
 struct ExperimentItem {
-  QString name;  // what openRequested() says
+  QString name;  // argument of openRequested()
   QString topic;
   QString title;
   QString observe;  // one short line under the title
 };
 
-// The experiments under their topics, each with a small picture, and a field that searches them. One click
-// opens.
+// The experiments under their topics, each with a small picture, and a search field. One click opens an
+// experiment.
 class ExperimentList : public QFrame {
   Q_OBJECT
 

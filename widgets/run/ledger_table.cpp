@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-// What follows from the entries of the ledger and ends each side, so that both end in the drift.
+// Rows derived from the ledger's entries; each side ends with the drift.
 struct Sum {
   const char* energy_name;
   const char* energy_tip;
@@ -53,7 +53,7 @@ constexpr int kMomentumName = 3;
 constexpr int kMomentumX = 4;
 
 QString in_words(std::string_view text) {
-  return QCoreApplication::translate("LedgerTable", text.data());  // of a literal, which ends
+  return QCoreApplication::translate("LedgerTable", text.data());  // a literal, so null-terminated
 }
 
 class LedgerModel : public FigureModel {
@@ -81,7 +81,7 @@ class LedgerModel : public FigureModel {
 
   [[nodiscard]] bool is_sum(int row) const override { return row == kRows - 1; }
 
-  // An entry that was touched before the scene was edited is not pale.
+  // An entry that changed before the scene was edited is not pale.
   [[nodiscard]] bool is_idle(int row, int column) const override {
     const auto i = static_cast<std::size_t>(row);
     if (column < kGap)

@@ -6,14 +6,14 @@
 
 namespace carom {
 
-// Where the energy of a run went, and its momentum beside it, each down to the numerical drift. Entries that
-// the scene cannot touch are pale, and say so in their tooltips.
+// The energy balance of a run and, beside it, the momentum balance, each ending with the numerical drift.
+// Entries that the scene cannot change are pale; their tooltips say so.
 class LedgerTable : public FigureTable {
   Q_OBJECT
 
  public:
   explicit LedgerTable(QWidget* parent = nullptr);
-  // The scene as it is now, after each edit.
+  // Sets the current scene, after each edit.
   void set_scene(const Preset& preset);
   void update_from(const Frame& frame);
 };

@@ -14,7 +14,7 @@ class BodiesTable : public FigureTable {
 
  public:
   explicit BodiesTable(QWidget* parent = nullptr);
-  // `before`: the bodies at t = 0, in the order of the frame's; later ones were added since.
+  // `before`: the bodies at t = 0, in the order of the frame; bodies after them were added later.
   void update_from(const Frame& frame, const std::vector<Body>& before);
 };
 

@@ -12,8 +12,8 @@ class QToolButton;
 
 namespace carom {
 
-// How far the run is: the experiment's duration as a line, the time so far filled, a tick for each impact. When
-// a run goes on past the duration the line grows in whole durations.
+// Progress of the run: the experiment's duration as a line, the time so far filled, a tick for each impact.
+// Where a run continues past the duration the line grows by whole durations.
 class Timeline : public QWidget {
   Q_OBJECT
 

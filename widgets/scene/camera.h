@@ -15,15 +15,15 @@ struct WorldRect {
   Vec2 upper = Vec2::Constant(-1.0);
 
   [[nodiscard]] bool empty() const { return (upper.array() < lower.array()).any(); }
-  // Grows to hold the disc of `radius` about `point`.
+  // Extends the rectangle by the disc of `radius` about `point`.
   void include(const Vec2& point, const Vec2& half_extent);
   [[nodiscard]] bool meets(const Vec2& point, double radius) const;
 };
 
-// Which part of the world stands on a viewport: the world's point at its centre, and a scale. Screen points are
-// in logical pixels from the upper left, y down.
+// Maps the world to a viewport: the world's point at its centre, and a scale. Screen points are in logical
+// pixels from the upper left, y down.
 struct Camera {
-  // px/m; from a planetary system in a thumbnail to a hair's breadth on the whole screen.
+  // px/m; limits from a planetary system in a thumbnail to a hair's breadth on the whole screen.
   static constexpr double kLeastScale = 1e-9;
   static constexpr double kLargestScale = 1e9;
 
@@ -35,12 +35,12 @@ struct Camera {
   [[nodiscard]] Vec2 to_world(const QPointF& point) const;
   [[nodiscard]] WorldRect visible() const;
 
-  // Multiplies the scale and leaves the world's point under `at` where it is.
+  // Multiplies the scale and keeps the world's point under `at` fixed.
   void zoom_at(const QPointF& at, double factor);
   // Moves the world by `delta` px on the screen.
   void pan(const QPointF& delta);
   void show(const View& view);
-  // Shows `rect` whole, as large as fits within the margins (px).
+  // Fits `rect` within the margins (px).
   void fit(const WorldRect& rect, const QMarginsF& margins);
 };
 

@@ -48,10 +48,10 @@ class Builder {
   }
 
  private:
-  // A frame's state and bodies agree but for a moment's mistake of its maker; never read past either.
+  // The frame's state and bodies should have one size; never read past the shorter one.
   [[nodiscard]] int count() const { return std::min(in_.frame.state.size(), static_cast<int>(bodies_.size())); }
   [[nodiscard]] bool fixed(int i) const { return bodies_[static_cast<std::size_t>(i)].fixed; }
-  // Moves as impacts and forces tell it.
+  // Moved by impacts and forces: neither fixed nor driven.
   [[nodiscard]] bool free(int i) const { return !has_infinite_mass(bodies_[static_cast<std::size_t>(i)]); }
 
   void add_body(int i) {
@@ -84,7 +84,7 @@ class Builder {
     out_.polygons.push_back({first, static_cast<int>(outline.vertices.size()), outline.rounding, fill, line});
   }
 
-  // Of a half-plane, as much as fills the view.
+  // The part of a half-plane that fills the view.
   void add_wall(const Wall& wall, const Vec2& at, double angle, const QColor& fill, const QColor& line) {
     const Vec2 along(std::cos(angle), std::sin(angle));
     if (wall.length) {
@@ -105,7 +105,7 @@ class Builder {
     if (std::count_if(bodies_.begin(), bodies_.end(), [](const Body& b) { return !b.fixed; }) > kMostNames) {
       return;
     }
-    // Softer than text, yet readable on walls too.
+    // Fainter than text, but readable on walls.
     const QColor color = blend(in_.theme.text, in_.theme.scene_ground, 0.25);
     for (int i = 0; i < count(); ++i) {
       const Body& body = bodies_[static_cast<std::size_t>(i)];
@@ -127,7 +127,7 @@ class Builder {
     }
   }
 
-  // The normal impulse on each moving body of an impact, away from where it was touched.
+  // The normal impulse on each moving body of an impact, pointing away from the contact point.
   void add_impacts() {
     for (const ImpactRecord& impact : in_.impacts) {
       const double age = in_.frame.time - impact.time;
@@ -222,7 +222,7 @@ WorldRect bounds(const Frame& frame) {
   for (int i = 0; i < count; ++i) {
     if (!frame.state.q.col(i).allFinite()) continue;
     const Vec2 half = half_extent((*frame.bodies)[static_cast<std::size_t>(i)].shape, frame.state.q(2, i));
-    // Of a half-plane, the point that it was placed by.
+    // A half-plane counts by its position.
     rect.include(frame.state.position(i), half.allFinite() ? half : Vec2(Vec2::Zero()));
   }
   if (frame.forces) {

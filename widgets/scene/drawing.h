@@ -14,9 +14,9 @@
 
 namespace carom {
 
-// What the scene looks like as a list of plain shapes: in world metres, with colours, and widths in logical
-// pixels. OpenGL and QPainter paint the same list. Painted in this order: grid, boxes, polygons, springs and
-// thin walls, discs, joints and contact points, arrows, text.
+// The scene as a list of plain shapes: in world metres, with colours, and widths in logical pixels. OpenGL and
+// QPainter paint the same list. Painted in this order: grid, boxes, polygons, springs and thin walls, discs,
+// joints and contact points, arrows, text.
 struct Drawing {
   struct DiscItem {
     Vec2 center;
@@ -24,7 +24,7 @@ struct Drawing {
     double angle;  // rad, of the orientation line
     QColor fill;
     QColor line;
-    bool oriented;  // has the line from its centre to its rim
+    bool oriented;  // draws the line from its centre to its rim
   };
   struct BoxItem {
     Vec2 center;
@@ -37,7 +37,7 @@ struct Drawing {
   struct PolygonItem {
     int first;  // of its vertices in `vertices`, counter-clockwise
     int count;
-    double rounding;  // m, which grows it
+    double rounding;  // m, added on all sides
     QColor fill;
     QColor line;
   };
@@ -61,7 +61,7 @@ struct Drawing {
     QString text;
     QColor color;
   };
-  // How long an arrow is for a round force; stands beside the scale bar.
+  // Length of an arrow for a round force; drawn beside the scale bar.
   struct ForceKey {
     double newtons = 0.0;  // 0: no key
     double length = 0.0;   // px
@@ -93,7 +93,7 @@ struct DrawingOptions {
   bool grid = true;
   bool velocities = true;
   bool forces = true;    // applied ones
-  bool contacts = true;  // impulses of impacts, forces of contacts that last
+  bool contacts = true;  // impulses of impacts, forces of resting contacts
   bool names = true;
   double line_scale = 1.0;  // dimensionless: 2 in projector mode
   double text_size = 11.0;  // px
@@ -101,41 +101,40 @@ struct DrawingOptions {
   bool operator==(const DrawingOptions&) const = default;
 };
 
-// How long arrows are.
+// Scales of the arrows.
 struct ArrowScale {
   double seconds = 0.1;             // m of arrow per m/s
   double metres_per_impulse = 0.1;  // m of arrow per N s
   double metres_per_newton = 0.1;
 };
 
-// The largest speed, impulse and force that a scene has shown, which set the length of its arrows. Where
-// something lands the force of a contact that lasts is large for a moment: of these, the largest of late
-// counts.
+// The largest speed, impulse and force shown so far; they set the length of the arrows. Forces of resting
+// contacts peak during a landing, so only their recent maximum counts.
 struct Peaks {
   double speed = 0.0;                  // m/s
   double impulse = 0.0;                // N s
   double force = 0.0;                  // N, applied
   double contact_force = 0.0;          // N, falls by e in kContactMemory
   double largest_contact_force = 0.0;  // N, ever: far below it is rounding
-  int moving = 0;                      // bodies; a crowd's arrows are shorter
-  double time = 0.0;                   // s, of the frame that was observed last
+  int moving = 0;                      // bodies; with many, arrows are shorter
+  double time = 0.0;                   // s, of the last observed frame
 
   static constexpr double kContactMemory = 0.1;  // s
-  static constexpr double kLeastShare = 1e-3;    // of the largest contact force, that the newest falls to
+  static constexpr double kLeastShare = 1e-3;    // of the largest contact force: lower bound of the recent one
 
-  // Takes what the frame has and, from its energy, the speed that is to be expected of it.
+  // Updates the peaks from the frame, and the expected speed from its energy.
   void observe(const Frame& frame);
 };
 
-// A round scale at which the peaks' arrows are readable in a view whose shorter side is `side` m.
+// Round scales that make the arrows of the peaks readable in a view whose shorter side is `side` m.
 [[nodiscard]] ArrowScale arrow_scale(const Peaks& peaks, double side);
 
-// How long an impact is shown, in simulated seconds; it fades on the way.
+// Simulated seconds for which an impact is shown, while it fades.
 inline constexpr double kImpactShown = 0.25;
-// With more moving bodies than this, names are clutter.
+// Names are hidden with more moving bodies than this.
 inline constexpr int kMostNames = 40;
 
-// Other runs of the same scene, beside the one that is drawn whole.
+// Other runs of the same scene, beside the one drawn in full.
 using OtherRuns = std::vector<std::shared_ptr<const Frame>>;
 
 struct DrawingInput {
@@ -146,13 +145,13 @@ struct DrawingInput {
   const Theme& theme;
   ArrowScale arrows;
   std::span<const std::shared_ptr<const Frame>> others =
-      {};  // as outlines, in the colours of the runs after the first
+      {};  // drawn as outlines, in the colours of the runs after the first
 };
 
-// Leaves out what the camera doesn't see. The memory of `reuse` serves the new list.
+// Builds the list of what the camera sees, reusing the memory of `reuse`.
 [[nodiscard]] Drawing make_drawing(const DrawingInput& input, Drawing reuse = {});
 
-// All bodies of the frame and the points that springs and joints hang on.
+// Bounds of all bodies of the frame and of the anchors of springs and joints.
 [[nodiscard]] WorldRect bounds(const Frame& frame);
 
 }  // namespace carom

@@ -60,7 +60,7 @@ double rim(const DrawingInput& in, int i, const Vec2& along) {
   return inside ? inside->second : 0.0;
 }
 
-// Lines of one look, in world metres.
+// Lines of one style, in world metres.
 class Pen {
  public:
   Pen(std::vector<Drawing::SegmentItem>& to, const QColor& color, double width)
@@ -106,7 +106,7 @@ void add_spring(const DrawingInput& in, const Spring& spring, int body, int othe
   const double pixel = 1.0 / in.camera.scale;
   const Vec2 along = (end - start) / length;
   const Vec2 from = other >= 0 ? Vec2(start + along * std::min(rim(in, other, along), length)) : start;
-  // A bumper ends where the body's rim is when it begins to push.
+  // A bumper ends where the body's rim is when it starts to push.
   const double reach = (short_only ? std::min(length, spring.rest_length) : length) - rim(in, body, -along);
   const Vec2 to = start + along * std::max(reach, (from - start).norm());
   const double visible = (to - from).norm();
@@ -166,7 +166,7 @@ void add_drive(const DrawingInput& in, int i, const Drive& drive, Drawing& out) 
   }
 }
 
-// How much of an applied force acts at a time: it rises linearly, stays and ends.
+// The share of an applied force at a time: it rises linearly, stays constant and ends.
 double share_at(const AppliedForce& force, double time) {
   if (time < force.start || (force.end && time >= *force.end)) return 0.0;
   return force.rise > 0.0 ? std::min(1.0, (time - force.start) / force.rise) : 1.0;
@@ -242,7 +242,7 @@ void add_applied_forces(const DrawingInput& in, const WorldRect& seen, Drawing& 
     if (!seen.meets(at, reach)) continue;
     if (arrow.norm() * in.camera.scale >= kLeastForceArrow) {
       out.arrows.push_back({at, at + arrow, color, kForceWidth * in.options.line_scale});
-      // Away from the shaft.
+      // On the side away from the shaft.
       const Vec2 label = at + arrow + Vec2(0.0, arrow.y() > 0.0 ? kLabelRoom / in.camera.scale : 0.0);
       add_label(in, label, number_text(force.norm(), 3) + QStringLiteral(" N"), color, out);
     }

@@ -4,15 +4,15 @@
 
 namespace carom {
 
-// The parts of a drawing that tell what acts on the bodies. Each adds to `out` what `seen` of the world shows.
+// The parts of a drawing that show forces and drives. Each adds to `out` the items within `seen`.
 
-// Between its ends' rims, a zigzag; a bumper (one that only pushes) stands at its free length with a plate
-// where it waits for the body; a rubber band (one that only pulls) is a straight line. One that rests is thin
-// and pale. An end at a point of the plane has a dot.
+// A spring is a zigzag between the rims of its ends. A bumper (push only) has its free length and a plate that
+// the body will meet; a rubber band (pull only) is a straight line. An idle spring is thin and pale. An end at
+// a point of the plane has a dot.
 void add_springs(const DrawingInput& input, const WorldRect& seen, Drawing& out);
 
-// Driven bodies are hatched. A double arrow shows how far a vibration goes, to scale where it can be seen, an
-// arrow where a steady drive goes.
+// Driven bodies are hatched. A double arrow shows the amplitude of a vibration, to scale where it is visible;
+// an arrow shows the direction of a steady drive.
 void add_drives(const DrawingInput& input, const WorldRect& seen, Drawing& out);
 
 // An arrow for each force that acts now and an arc about the body for each torque, with their values.
@@ -21,8 +21,8 @@ void add_applied_forces(const DrawingInput& input, const WorldRect& seen, Drawin
 // N: normal and tangential together, on the contact's body b.
 [[nodiscard]] Vec2 force_on_b(const ContactForce& contact);
 
-// The force of each contact that lasts, from its point: on the body b, or on a
-// where b moves as it is told. Where there is one, also the key to their length.
+// An arrow for the force of each resting contact, from its point: on the body b, or on a where b is kinematic.
+// With the key to the arrows' length if there is any.
 void add_contact_forces(const DrawingInput& input, const WorldRect& seen, Drawing& out);
 
 }  // namespace carom

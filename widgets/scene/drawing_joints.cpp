@@ -15,7 +15,7 @@ constexpr int kPieces = 24;           // of a slack string
 
 using Curve = std::array<Vec2, kPieces + 1>;
 
-// The parabola between two ends that hangs `sag` below the middle of its chord, along `down`.
+// The parabola between two ends with the sag `sag` below the middle of its chord, along `down`.
 Curve parabola(const JointState& joint, const Vec2& down, double sag) {
   Curve curve;
   for (int i = 0; i <= kPieces; ++i) {
@@ -32,11 +32,11 @@ double length_of(const Curve& curve) {
   return length;
 }
 
-// As long as the string; what a light one would hang like.
+// Its arc is as long as the string: close to the shape of a light one.
 Curve slack(const JointState& joint, const Vec2& down) {
   constexpr int kHalvings = 30;
   double low = 0.0;
-  double high = joint.length;  // there and back it would be too long
+  double high = joint.length;  // a string folded back on itself would be too long
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
     (length_of(parabola(joint, down, middle)) < joint.length ? low : high) = middle;
@@ -94,7 +94,7 @@ class JointPen {
 
 void add_joints(const DrawingInput& in, const WorldRect& seen, Drawing& out) {
   JointPen pen(in, out);
-  // Joints last: they lie over the bars that they join.
+  // The dots of joints come last, over the bars.
   for (const bool joints : {false, true}) {
     for (const JointState& joint : in.frame.joints) {
       const bool line = joint.kind == JointKind::kRod || joint.kind == JointKind::kString;

@@ -52,7 +52,7 @@ void add_other_runs(const DrawingInput& in, const WorldRect& seen, Drawing& out)
       add_outline(body.shape, at, there.q(2, i), color, out);
       if (!(distance * in.camera.scale >= kLeastDistance)) continue;
       out.segments.push_back({from, at, color, kDistanceWidth * in.options.line_scale});
-      // Between steps of different lengths a distance would be one in time, too.
+      // No label between frames of different times: the distance would include motion in time.
       const bool at_once = std::abs(other.time - in.frame.time) < kAtOnce;
       if (!at_once || moving > kMostLabelled || distance * in.camera.scale < kLeastLabelled) continue;
       out.labels.push_back({0.5 * (from + at), 3.0, figure(distance, 3) + " m", color});

@@ -103,7 +103,7 @@ GlCanvas::GlCanvas(const Picture& picture, QWidget* parent)
   QSurfaceFormat surface = format();
   surface.setVersion(3, 3);
   surface.setProfile(QSurfaceFormat::CoreProfile);
-  surface.setStencilBufferSize(8);  // QPainter's text wants it
+  surface.setStencilBufferSize(8);  // needed by QPainter's text
   setFormat(surface);
   setAttribute(Qt::WA_TransparentForMouseEvents);
 }
@@ -214,7 +214,7 @@ void GlCanvas::paintGL() {
   paint_overlay(painter, picture_);
 }
 
-// The list as quads. Points become pixels in double; only these, small numbers, go on as float.
+// Converts the list to quads. Positions become pixels in double; only pixels, small numbers, become float.
 void GlCanvas::collect() {
   ratio_ = devicePixelRatioF();
   instances_.clear();

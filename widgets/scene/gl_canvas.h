@@ -14,14 +14,14 @@
 namespace carom {
 
 // Paints the picture by OpenGL 3.3 core: every shape is one instance of a quad, drawn in the list's order by a
-// single call; the fragment shader covers it by its signed distance, with edges one device pixel soft. Text
-// comes on top by QPainter.
+// single call; the fragment shader covers it by its signed distance, with edges one device pixel soft.
+// QPainter draws text on top.
 class GlCanvas : public QOpenGLWidget, private QOpenGLFunctions_3_3_Core {
  public:
   explicit GlCanvas(const Picture& picture, QWidget* parent = nullptr);
   ~GlCanvas() override;
 
-  // Whether this platform can show a QOpenGLWidget and makes an OpenGL 3.3 context. Asks the driver.
+  // Whether this platform can show a QOpenGLWidget and create an OpenGL 3.3 context. Queries the driver.
   [[nodiscard]] static bool available();
 
  protected:
@@ -33,7 +33,7 @@ class GlCanvas : public QOpenGLWidget, private QOpenGLFunctions_3_3_Core {
   struct Instance {
     float center[2];
     float axis[2];  // unit vector of its own x
-    float half[2];  // of the core, which `rounding` grows
+    float half[2];  // of the core, without `rounding`
     float rounding;
     float line_width;
     float kind;
@@ -58,7 +58,7 @@ class GlCanvas : public QOpenGLWidget, private QOpenGLFunctions_3_3_Core {
   QOpenGLVertexArrayObject array_;
   QOpenGLBuffer buffer_;
   QOpenGLBuffer corner_buffer_;
-  unsigned int corner_texture_ = 0;  // gives the shader the corners
+  unsigned int corner_texture_ = 0;  // uploads the corners to the shader
   int to_clip_ = -1;
 };
 

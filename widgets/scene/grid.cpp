@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLeastSpacing = 18.0;      // px between neighbouring lines
 constexpr double kLongestScaleBar = 150.0;  // px
-constexpr double kRounding = 1.0 + 1e-9;    // a step is met if it is missed by rounding only
+constexpr double kRounding = 1.0 + 1e-9;    // tolerance for a step that misses by rounding only
 constexpr std::int64_t kLinesPerStrong = 5;
 
 }  // namespace

@@ -8,12 +8,11 @@
 
 namespace carom {
 
-// The largest of ..., 0.1, 0.2, 0.5, 1, 2, 5, ... that is not above `value`, and the smallest not below; value
-// > 0.
+// The largest of ..., 0.1, 0.2, 0.5, 1, 2, 5, ... not above `value`, and the smallest not below it; value > 0.
 [[nodiscard]] double step_not_above(double value);
 [[nodiscard]] double step_not_below(double value);
 
-// Lines at round metres over what a camera shows: 1-2-5 spacing, every fifth line strong.
+// Lines at round metres over the camera's view: 1-2-5 spacing, every fifth line strong.
 struct Grid {
   struct Line {
     bool vertical = false;
@@ -21,16 +20,16 @@ struct Grid {
     double at = 0.0;  // m, x of a vertical line, y of a horizontal one
   };
   std::vector<Line> lines;  // strong ones last
-  double scale_bar = 0.0;   // m, a round length that suits the screen; 0: none
+  double scale_bar = 0.0;   // m, a round length of the scale bar; 0: none
 };
 
-// Refills `grid`; its capacity is kept.
+// Refills `grid` and keeps its capacity.
 void place_grid(const Camera& camera, Grid& grid);
 
-// Where a line stands on the screen, in logical pixels, on whole device pixels so that it is sharp.
+// Position of a line on the screen in logical pixels, aligned to device pixels so that it is sharp.
 [[nodiscard]] QRectF line_rect(const Grid::Line& line, const Camera& camera, double width, double pixel_ratio);
 
-// A length with the unit that suits it: 2 mm, 50 cm, 1 m, 5 km.
+// A length with a suitable unit: 2 mm, 50 cm, 1 m, 5 km.
 [[nodiscard]] QString length_text(double metres);
 // A plain number with a true minus sign.
 [[nodiscard]] QString number_text(double value, int digits = 6);

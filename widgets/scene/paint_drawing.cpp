@@ -18,7 +18,7 @@ constexpr double kHeadLength = 5.5;
 constexpr double kHeadHalfWidth = 2.3;
 constexpr double kHeadShare = 0.7;
 
-// Where the quiet text at the edges stands, in px.
+// Positions of the muted text at the edges, in px.
 constexpr double kEdge = 6.0;
 constexpr double kScaleBarLeft = 26.0;
 constexpr double kScaleBarBottom = 16.0;
@@ -136,7 +136,7 @@ ArrowOnScreen arrow_between(const QPointF& from, const QPointF& tip, double widt
   return a;
 }
 
-// Under text at the edges, so that it can be read on a wall.
+// Background under text at the edges, readable on a wall.
 void paint_ground(QPainter& painter, const Theme& theme, const QRectF& text) {
   QColor ground = theme.scene_ground;
   ground.setAlphaF(0.85F);
@@ -145,7 +145,7 @@ void paint_ground(QPainter& painter, const Theme& theme, const QRectF& text) {
   painter.drawRoundedRect(text.adjusted(-4.0, -1.0, 4.0, 1.0), 4.0, 4.0);
 }
 
-// What a bar or an arrow of this length (px) is worth, at its right, and a ground for both. The end of all.
+// Label at the right of a bar or arrow of this length (px), and a background for both. Returns the right end.
 double paint_bar_text(QPainter& painter, const Theme& theme, const QPointF& from, double length,
                       const QString& text) {
   const QFontMetricsF metrics(painter.font());
@@ -159,7 +159,7 @@ double paint_bar_text(QPainter& painter, const Theme& theme, const QPointF& from
   return end;
 }
 
-// At the lower left, `left` being where there is room yet; it moves on.
+// Draws at the lower left from `left` on, and advances `left`.
 void paint_scale_bar(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
                      double& left) {
   const double length = drawing.grid.scale_bar * camera.scale;
@@ -178,7 +178,7 @@ void paint_force_key(QPainter& painter, const Drawing& drawing, const Camera& ca
   paint_arrow(painter, arrow_between(from, from + QPointF(key.length, 0.0), key.width), key.width, key.color);
 }
 
-// Coordinates at the strong lines, along the lower and left edges, where the scale bar leaves room.
+// Coordinates of the strong lines, along the lower and left edges, except under the scale bar.
 void paint_numbers(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
                    double bars_end) {
   const QFontMetricsF metrics(painter.font());
@@ -255,7 +255,7 @@ void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera,
     const double width = metrics.horizontalAdvance(label.text);
     const QPointF at = camera.to_screen(label.anchor) + QPointF(-width / 2, label.drop);
     const QRectF place(at - QPointF(kNameGap, 0.0), QSizeF(width + 2 * kNameGap, metrics.ascent()));
-    // A name over another can't be read, and neither can the other.
+    // Overlapping names are unreadable, so the later one is left out.
     if (std::any_of(written.begin(), written.end(), [&](const QRectF& r) { return r.intersects(place); }))
       continue;
     written.push_back(place);

@@ -25,10 +25,10 @@ struct ArrowOnScreen {
 // Widths of the grid's lines, in px.
 [[nodiscard]] double grid_line_width(const Drawing& drawing);
 
-// The one QPainter routine, for the screen without OpenGL and for pictures: its two parts below.
+// Paints everything by QPainter, on screens without OpenGL and in pictures: the two parts below.
 void paint_drawing(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme);
 
-// Ground, grid and shapes.
+// Background, grid and shapes.
 void paint_shapes(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme);
 // Names, the grid's numbers and the scale bar; also over OpenGL.
 void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme);

@@ -8,15 +8,15 @@ class QPainter;
 
 namespace carom {
 
-// What a canvas shows; the scene view owns it and outlives the canvas.
+// Content of a canvas, owned by the scene view, which outlives the canvas.
 struct Picture {
   Drawing drawing;
   Camera camera;
   Theme theme;
-  bool focus_frame = false;  // the keyboard came here by Tab
+  bool focus_frame = false;  // the focus came by Tab
 };
 
-// What a screen has on top of the shapes: text, and the frame of keyboard focus.
+// Paints the screen's overlay: text, and the frame of keyboard focus.
 void paint_overlay(QPainter& painter, const Picture& picture);
 
 // Paints the picture by QPainter, where there is no OpenGL.

@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-constexpr int kMargin = 40;  // px about a fitted scene
+constexpr int kMargin = 40;  // px around a fitted scene
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void paint_scene(QPainter& painter, const Frame& frame, SceneLook& look, std::sp
 
 void write_scene_picture(OutputFile& file, const Frame& frame, const std::optional<View>& view,
                          const DrawingOptions& options, const Theme& theme, QSize pixels) {
-  if (pixels.isEmpty()) return write_picture(file, pixels, {});  // which says what is wrong
+  if (pixels.isEmpty()) return write_picture(file, pixels, {});  // reports the error
   SceneLook look = scene_look(frame, view, options, theme, pixels);
   write_picture(file, pixels, [&](QPainter& painter) { paint_scene(painter, frame, look); });
 }

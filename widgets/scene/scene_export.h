@@ -14,7 +14,7 @@ namespace carom {
 
 class OutputFile;
 
-// How pictures of a run show its scene: the part of the world that the camera sees, on its viewport in px.
+// Options for pictures of a scene: camera with its viewport in px, and drawing options.
 struct SceneLook {
   Camera camera;
   double side = 4.0;  // m, the shorter side of the view that arrows are scaled for
@@ -23,25 +23,25 @@ struct SceneLook {
   Peaks peaks;  // of the moments that it has shown
 };
 
-// The view or, without one, all bodies of the frame, on `pixels`.
+// Look with the given view, or fitted to all bodies of the frame, on `pixels`.
 [[nodiscard]] SceneLook scene_look(const Frame& frame, const std::optional<View>& view,
                                    const DrawingOptions& options, const Theme& theme, QSize pixels);
 
-// The look of a viewport of another size, that shows no less.
+// The same look on a viewport of another size; it shows at least as much.
 [[nodiscard]] SceneLook on_viewport(SceneLook look, const QSizeF& viewport);
 
-// Paints a moment with the impacts that the frame has, on the look's viewport, and remembers its peaks. Other
-// runs of the scene at the same moment are outlines in their colours.
+// Paints one frame with its impacts on the look's viewport, and updates the look's peaks. Other runs of the
+// scene at the same time are drawn as outlines in their colours.
 void paint_scene(QPainter& painter, const Frame& frame, SceneLook& look, std::span<const Frame> others = {});
 
-// Saves the scene at one moment as a picture of `pixels`, by the file's suffix: .png, or .svg and .pdf as
+// Saves the scene at one time as a picture of `pixels`, by the file's suffix: .png, or .svg and .pdf as
 // vectors (96 px an inch). Without a view all bodies are shown. Needs no display. The file is replaced only
-// when the whole picture is ready; else the answer is false and `error` says why.
+// when the whole picture is ready; otherwise returns false with the reason in `error`.
 [[nodiscard]] bool save_scene_picture(const Frame& frame, const std::optional<View>& view,
                                       const DrawingOptions& options, const Theme& theme, QSize pixels,
                                       const QString& path, QString* error);
 
-// The same into a file that is open already, for its owner to commit. Throws SceneError.
+// Writes the same to an open file; the caller commits it. Throws SceneError.
 void write_scene_picture(OutputFile& file, const Frame& frame, const std::optional<View>& view,
                          const DrawingOptions& options, const Theme& theme, QSize pixels);
 

@@ -23,13 +23,13 @@
 namespace carom {
 namespace {
 
-constexpr double kMostZoomOut = 1.0 / 50.0;  // of the scale at which the whole scene is seen
+constexpr double kMostZoomOut = 1.0 / 50.0;  // of the scale that shows the whole scene
 constexpr double kMostZoomIn = 100.0;
 constexpr double kWheelFactor = 1.2;  // a notch of the wheel
 constexpr double kKeyFactor = 1.25;
 constexpr double kKeyPan = 40.0;     // px
-constexpr double kClickSlack = 3.0;  // px about a body that still count as the body
-constexpr int kDots = 2;             // of a picture, for a px of the window
+constexpr double kClickSlack = 3.0;  // px around a body that count as a click on it
+constexpr int kDots = 2;             // image pixels of a picture, for a px of the window
 
 const QMarginsF& fit_margins() {
   // Room for the window's chips above and the scale bar below.
@@ -145,7 +145,7 @@ void SceneView::pan(const QPointF& delta) {
 }
 
 void SceneView::refresh() {
-  if (!isVisible()) return;  // showEvent catches up
+  if (!isVisible()) return;  // showEvent() does it later
   static const Frame empty;
   picture_.drawing = make_drawing({frame_ ? *frame_ : empty, impacts_, picture_.camera, options_,
                                    picture_.theme, arrow_scale(peaks_, home_side_), others_},
@@ -181,7 +181,7 @@ int SceneView::body_at(const QPointF& position) const {
   if (!frame_ || !frame_->bodies) return -1;
   const Vec2 at = picture_.camera.to_world(position);
   const int count = std::min(frame_->state.size(), static_cast<int>(frame_->bodies->size()));
-  // Moving bodies are easily small and lie before fixed ones; the later of two is painted above.
+  // Moving bodies come before fixed ones, as they may be small; of two, the later one is painted on top.
   for (const bool fixed : {false, true}) {
     const double slack = fixed ? 0.0 : kClickSlack / picture_.camera.scale;
     for (int i = count - 1; i >= 0; --i) {
@@ -294,7 +294,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   }
 }
 
-// The second click of a double click would land in what the first one made.
+// The second click of a double click would hit the body added by the first.
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   mousePressEvent(event);
   if (press_ == Press::kClick) press_ = Press::kMute;

@@ -15,9 +15,9 @@
 
 namespace carom {
 
-// The scene of a run: shows the frames that it is given, zooms and pans. It changes nothing; clicks are told by
-// signals, in world metres. Painted by OpenGL, or by QPainter where OpenGL is not to be had or the environment
-// says CAROM_PAINTER=qpainter.
+// Shows the frames of a run, zooms and pans. It changes nothing itself; signals report clicks, in world
+// metres. Painted by OpenGL, or by QPainter where OpenGL is not available or the environment sets
+// CAROM_PAINTER=qpainter.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -25,22 +25,22 @@ class SceneView : public QWidget {
   explicit SceneView(const Theme& theme, QWidget* parent = nullptr);
 
   void set_theme(const Theme& theme);
-  // And other runs beside it.
+  // Shows a frame, with other runs beside it.
   void set_frame(std::shared_ptr<const Frame> frame, OtherRuns others = {});
-  // Nothing to show, until the next frame.
+  // Shows nothing until the next frame.
   void clear();
   void set_options(const DrawingOptions& options);
   [[nodiscard]] const DrawingOptions& options() const { return options_; }
-  // What to show from here on, for a new scene: a view of its own, or all its bodies. Arrows are scaled anew.
+  // Starts a new scene: with its own view, or fitted to all its bodies. Resets the scales of the arrows.
   void set_view(const std::optional<View>& view);
-  // What the camera shows now, where the user has moved it.
+  // The current view, if the user has moved the camera.
   [[nodiscard]] std::optional<View> moved_view() const;
-  // All bodies with a margin; again at each new size and run until the user zooms or pans.
+  // Fits all bodies with a margin, and repeats this at each new size and run until the user zooms or pans.
   void fit();
-  // What is shown, on white: to a file (see save_picture()), and for the clipboard.
+  // The shown picture on white: to a file (see save_picture()), and for the clipboard.
   [[nodiscard]] bool save(const QString& path, QString* error) const;
   [[nodiscard]] QImage picture() const;
-  // How it is shown, in the window's own colours.
+  // The look as shown, in the window's own colours.
   [[nodiscard]] SceneLook look() const;
   void zoom_in();
   void zoom_out();
@@ -75,15 +75,15 @@ class SceneView : public QWidget {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
-  enum class Press { kNone, kClick, kMute, kPan };  // kMute: may become a drag, but is no click
+  enum class Press { kNone, kClick, kMute, kPan };  // kMute: may become a drag, never a click
 
-  void go_home();  // the camera to the scene's view, unless the user has moved it
+  void go_home();  // moves the camera to the scene's view, unless the user has moved it
   void zoom(const QPointF& at, double factor);
   void pan(const QPointF& delta);
   void paint_on_paper(QPainter& painter) const;
   void refresh();
   [[nodiscard]] QString body_text(int index) const;
-  void follow_tip();  // the shown tooltip tells the new frame, or goes with its body
+  void follow_tip();  // updates the visible tooltip, or hides it if its body is gone
 
   Picture picture_;
   DrawingOptions options_;
@@ -101,7 +101,7 @@ class SceneView : public QWidget {
   Press press_ = Press::kNone;
   QPointF press_at_;
   QPointF last_at_;
-  int tip_body_ = -1;  // that the tooltip tells about
+  int tip_body_ = -1;  // the body of the tooltip
   QPoint tip_at_;
 };
 

@@ -28,7 +28,7 @@ void ask_for_file(QWidget* parent, const QString& title, const QString& suggesti
   for (const FileKind& kind : kinds) filters << kind.filter;
   dialog->setNameFilters(filters);
   dialog->setDefaultSuffix(
-      kinds.front().suffix);  // the dialog's own, so that it asks before a file is replaced
+      kinds.front().suffix);  // set in the dialog, so that it asks before it replaces a file
   QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, kinds](const QString& chosen) {
     for (const FileKind& kind : kinds) {
       if (kind.filter == chosen) dialog->setDefaultSuffix(kind.suffix);

@@ -9,21 +9,21 @@ class QWidget;
 
 namespace carom {
 
-// Questions to the reader. Each stands over the window of its parent and returns at once; the answer comes
-// later, or never where the reader cancels or the window goes. No event loop runs within another.
+// Questions to the user. Each function opens a dialog over the parent's window and returns at once; the answer
+// comes later, or never if the user cancels or the window closes. There are no nested event loops.
 
-// Shows a dialog, which is deleted after the answer; `then` is called if that is yes.
+// Shows a dialog and deletes it after the answer; `then` is called if the dialog was accepted.
 void ask(QDialog* dialog, const std::function<void()>& then);
 
-// A message with one button: `text` in a line, `details` below it.
+// A message with one button: `text` in one line, `details` below it.
 void tell(QWidget* parent, const QString& title, const QString& text, const QString& details = {});
 
-// What a dialog for files offers: "Pictures (*.png *.svg)", and what a name without a suffix is given.
+// A filter of a file dialog, "Pictures (*.png *.svg)", and the default suffix.
 struct FileKind {
   QString filter;
   QString suffix;
 };
-// Under which name to save. A file that is there is replaced only where the reader says so.
+// Asks for a name to save under. An existing file is replaced only if the user confirms it.
 void ask_for_file(QWidget* parent, const QString& title, const QString& suggestion,
                   const std::vector<FileKind>& kinds, const std::function<void(const QString&)>& then);
 

@@ -4,7 +4,7 @@
 
 namespace carom {
 
-// One line that ends in … where it has no room; its tooltip is the caller's.
+// One line of text, elided with …; the caller sets the tooltip.
 class ElidedLabel : public PlainLabel {
  public:
   using PlainLabel::PlainLabel;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kRowHeight = 26;  // px
 
-// Text under the text of the headings, no frame about the current cell, and a line above a sum.
+// Aligns text with the headings, draws no frame around the current cell, and a line above a sum.
 class CellDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -119,7 +119,7 @@ FigureTable::FigureTable(FigureModel* model, QWidget* parent) : QTableView(paren
   setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setCornerButtonEnabled(false);
-  setTabKeyNavigation(false);  // Tab leads on to the next widget
+  setTabKeyNavigation(false);  // Tab moves the focus to the next widget
   verticalHeader()->hide();
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   verticalHeader()->setDefaultSectionSize(kRowHeight);
@@ -187,7 +187,7 @@ void FigureTable::resizeEvent(QResizeEvent* event) {
   const int columns = model_->columnCount();
   int weights = 0;
   for (int c = 0; c < columns; ++c) weights += model_->weight(c);
-  // Columns share the room by weight; in a narrow window they keep nine tenths of it, and scroll.
+  // Columns divide the width by weight; in a narrow window they keep nine tenths of their width and scroll.
   int left = std::max(viewport()->width(), 9 * weights / 10);
   for (int c = 0; c < columns; ++c) {
     const int width = left * model_->weight(c) / weights;

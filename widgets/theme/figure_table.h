@@ -9,14 +9,14 @@
 
 namespace carom {
 
-// Rows of figures: headings carry the units, figures stand right, tooltips have the full digits. The text of a
-// cell is made when it is painted, so an update costs what is visible.
+// Rows of figures: headings have the units, figures are right-aligned, tooltips show all digits. The text of a
+// cell is made when it is painted, so an update costs only the visible cells.
 class FigureModel : public QAbstractTableModel {
  public:
   struct Column {
     const char* heading;  // UTF-8
     int weight;           // share of the width
-    bool text = false;    // stands left
+    bool text = false;    // left-aligned
     int digits = 4;       // significant digits of a figure, at most
   };
   using Cell = std::variant<std::monostate, QString, double, Vec2>;
@@ -32,11 +32,11 @@ class FigureModel : public QAbstractTableModel {
   [[nodiscard]] virtual Cell cell(int row, int column) const = 0;
   [[nodiscard]] virtual bool is_sum(int row) const = 0;                                    // bold, under a line
   [[nodiscard]] virtual bool is_idle(int /*row*/, int /*column*/) const { return false; }  // pale
-  // What the cell is about, for its tooltip.
+  // Description of the cell, for its tooltip.
   [[nodiscard]] virtual QString tip(int /*row*/, int /*column*/) const { return {}; }
 
  protected:
-  // All rows may have new contents, and there are now `rows` of them.
+  // Reports that all rows may have changed, and that there are now `rows`.
   void rows_changed(int rows);
 
  private:
@@ -44,14 +44,14 @@ class FigureModel : public QAbstractTableModel {
   int rows_ = 0;
 };
 
-// A quiet table that shares its width among the columns. Ctrl+C, or a right click, copies it.
+// A plain table that divides its width among the columns. Ctrl+C, or a right click, copies it.
 class FigureTable : public QTableView {
   Q_OBJECT
 
  public:
   FigureTable(FigureModel* model, QWidget* parent);
 
-  // As spreadsheets take it: tabs between the cells, every digit, two cells for a vector.
+  // Text for spreadsheets: tabs between the cells, every digit, two cells for a vector.
   [[nodiscard]] QString text() const;
 
  protected:

@@ -7,7 +7,7 @@
 namespace carom {
 
 QColor color_of(IntegratorId id, const Theme& theme) {
-  // By its place in the table of all; the theme has six, text is the seventh.
+  // Indexed by the table of all integrators; the theme has six colours, the text colour is the seventh.
   std::size_t place = 0;
   while (place < kIntegrators.size() && kIntegrators[place].id != id) ++place;
   return place < theme.series.size() ? theme.series[place] : theme.text;

@@ -11,14 +11,13 @@ class QPainter;
 
 namespace carom {
 
-// How the methods of a study are told apart: a colour for each integrator, a line and a marker for each choice
-// of impacts.
+// The look of a study's methods: a colour for each integrator, a line and a marker for each choice of impacts.
 [[nodiscard]] QColor color_of(IntegratorId id, const Theme& theme);
 [[nodiscard]] QPen line_of(const QColor& color, ImpactsId impacts);
 // `size` in px.
 [[nodiscard]] QwtSymbol symbol_of(const QColor& color, ImpactsId impacts, const Theme& theme, int size);
 
-// A piece of the line with its marker, `width` px wide.
+// A sample of the line with its marker, `width` px wide.
 void draw_sample(QPainter& painter, const QPointF& center, const QColor& color, ImpactsId impacts,
                  const Theme& theme, double width, int marker);
 

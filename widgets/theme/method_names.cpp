@@ -29,7 +29,7 @@ std::vector<QString> names_of(const std::vector<Method>& methods) {
   for (const Method& m : methods) {
     const IntegratorChoice& integrator = choice_of(kIntegrators, m.integrator);
     QString name = text_of(integrator.label);
-    // Exact flight has neither.
+    // Exact flight has neither step nor tolerance.
     const bool exact = integrator.order == 0;
     if (differ(methods, &Method::impacts) && !exact)
       name += ", " + text_of(choice_of(kImpacts, m.impacts).name);

@@ -13,13 +13,13 @@ QString short_exponent(const QString& text) {
 
 namespace {
 
-// The power of ten of the first digit, once rounded: 9.9996 has four digits as 10.00.
+// The power of ten of the first digit after rounding: 9.9996 with four digits is 10.00.
 int leading_power(double value, int digits) {
   const QString rounded = QString::number(value, 'e', digits - 1);
   return rounded.mid(rounded.indexOf('e') + 1).toInt();
 }
 
-// Whether fixed notation serves, from 0.01 up to what the digits can hold.
+// Whether to use fixed notation: from 0.01 up to what the digits can hold.
 bool is_handy(int power, int digits) { return power >= -2 && power < digits; }
 
 QString fixed(double value, int decimals) {

@@ -13,7 +13,7 @@ class PlainMessages : public QObject {
   using QObject::QObject;
 
   bool eventFilter(QObject* watched, QEvent* event) override {
-    // Before it is laid out, which is when a picture of its text would be read.
+    // Before the layout, which would read pictures in the text.
     if (event->type() == QEvent::Polish && watched->isWidgetType()) {
       auto* label = qobject_cast<QLabel*>(watched);
       if (label != nullptr && qobject_cast<QMessageBox*>(label->parentWidget()) != nullptr &&

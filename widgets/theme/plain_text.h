@@ -5,10 +5,10 @@
 
 namespace carom {
 
-// What somebody else wrote, such as the title of a preset or the name of a file, is shown letter for letter. Qt
-// takes a text that looks like HTML for HTML, and opens the files that it names.
+// Foreign text, such as the title of a preset or the name of a file, is shown letter for letter. Otherwise Qt
+// interprets text that looks like HTML, and opens the files that it names.
 
-// A label that never takes its text for HTML.
+// A label that never interprets its text as HTML.
 class PlainLabel : public QLabel {
  public:
   explicit PlainLabel(QWidget* parent = nullptr) : PlainLabel(QString(), parent) {}
@@ -18,10 +18,10 @@ class PlainLabel : public QLabel {
   }
 };
 
-// A tooltip that shows `text` as it is, also where Qt guesses its format: lines stay lines, long ones wrap.
+// A tooltip that shows `text` unchanged although Qt guesses the format: line breaks are kept, long lines wrap.
 [[nodiscard]] QString plain_tip(const QString& text);
 
-// From now on message boxes of Qt's own, such as a file dialog's that names a file, show plain text as well.
+// From now on Qt's own message boxes, such as that of a file dialog, show plain text too.
 void keep_messages_plain();
 
 }  // namespace carom

@@ -5,8 +5,8 @@
 
 namespace carom {
 
-// Pasting from an empty clipboard, or from an empty X11 selection by a middle click, does nothing. Qt 6.4 looks
-// at the first of the formats that are offered, also where there is none.
+// Pasting from an empty clipboard, or from an empty X11 selection by a middle click, does nothing. Qt 6.4
+// reads the first of the offered formats even where there is none.
 class PlainTextEdit : public QPlainTextEdit {
  public:
   using QPlainTextEdit::QPlainTextEdit;

@@ -9,7 +9,7 @@
 
 namespace carom {
 
-// One of the runs that plots show side by side, each by its method's name.
+// One of the runs that plots show side by side, named by its method.
 struct PlottedRun {
   std::shared_ptr<const Recorder> recorder;
   QString name;

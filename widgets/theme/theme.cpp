@@ -10,7 +10,7 @@
 #include <QSvgRenderer>
 #include <cmath>
 
-// Resources of a static library are linked only where this is called; it must stand outside of any namespace.
+// Links the resources of a static library; must be called outside of any namespace.
 static void load_icons() { Q_INIT_RESOURCE(icons); }
 
 namespace carom {

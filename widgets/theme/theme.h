@@ -26,10 +26,10 @@ struct Theme {
 [[nodiscard]] const Theme& light_theme();
 [[nodiscard]] const Theme& dark_theme();
 
-// The dash of the curve or outline number `index`: colour is never the only cue.
+// The dash of the curve or outline number `index`: colour is never the only distinction.
 [[nodiscard]] Qt::PenStyle series_dash(int index);
 
-// `share` of the way from one colour to the other.
+// Interpolates by `share` from one colour to the other.
 [[nodiscard]] QColor blend(const QColor& from, const QColor& to, double share);
 
 // Palette, font and style sheet of the whole program.

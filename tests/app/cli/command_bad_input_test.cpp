@@ -5,7 +5,7 @@
 namespace carom {
 namespace {
 
-// What a user can get wrong, and what the one line about it must name.
+// Wrong input, and the text that the one error line must contain.
 struct BadCall {
   const char* name;
   const char* arguments;  // separated by blanks
@@ -75,10 +75,10 @@ INSTANTIATE_TEST_SUITE_P(Calls, BadArguments,
                          })),
                          [](const auto& one) { return std::string(one.param.name); });
 
-// A preset file with one fault, and the place that the line about it must name.
+// A preset file with one fault, and the place that the error line must name.
 struct BadFile {
   const char* name;
-  const char* text;  // %start: the keys that all need; %ball: the keys of a good body
+  const char* text;  // %start: the keys that all need; %ball: the keys of a valid body
   const char* part;
 };
 

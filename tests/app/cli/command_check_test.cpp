@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-// A disc that moves at 2 m/s for a second, and what it is expected to show.
+// A disc that moves at 2 m/s for a second, and its expectations.
 QByteArray preset_with(const std::string& expectations) {
   return QByteArray::fromStdString(fmt::format(
       R"({{"format": "carom-preset", "version": 1, "title": "t", "duration": 1, "bodies": [{{"name": "a, b",
@@ -57,7 +57,7 @@ TEST(CheckCommand, AWrongExpectationGivesOne) {
   EXPECT_TRUE(holds(lines[0], "preset") && holds(lines[0], "verdict"));
   EXPECT_TRUE(holds(lines[1], "good")) << lines[1];
   EXPECT_TRUE(holds(lines[2], "FELL SHORT") && holds(lines[2], "-5.0e-01")) << lines[2];
-  // Columns stand below one another.
+  // Columns are aligned.
   EXPECT_EQ(lines[1].find("good"), lines[0].find("verdict"));
   EXPECT_EQ(lines[2].find("FELL SHORT"), lines[0].find("verdict"));
 }

@@ -16,7 +16,7 @@ class CommandFilm : public testing::Test {
   Program carom_;
 };
 
-// As many files as moments, each the picture of its moment: at steps' ends, between them, before and after the
+// One file for each time, with the picture of that time: at steps' ends, between them, before and after the
 // impact.
 TEST_F(CommandFilm, FramesAreThePicturesOfTheirMoments) {
   const ProgramResult result =

@@ -42,7 +42,7 @@ std::vector<std::string> lines_of(const QByteArray& bytes) {
 
 class CommandLine : public testing::Test {
  protected:
-  // The JSON of a run that must be good.
+  // The JSON of a run that must succeed.
   [[nodiscard]] Json run(const QStringList& arguments) const {
     const ProgramResult result = carom_(QStringList{"run"} + arguments + QStringList{"--json"});
     EXPECT_EQ(result.code, 0);
@@ -164,7 +164,7 @@ TEST_F(CommandLine, OptionsChangeTheMethodAndTheEnd) {
   EXPECT_EQ(run({"head-on", "--until", "0"})["steps"], 0);
 }
 
-// Every joule and every newton second is accounted for.
+// The ledger balances energy and momentum.
 TEST_F(CommandLine, LedgerClosesInJson) {
   const Json j = run({"drag-projectile"});
   const Json& l = j["ledger"];
@@ -237,7 +237,7 @@ TEST_F(CommandLine, CsvHasUnitsALineAStepAndAllDigits) {
       ASSERT_EQ(fmt::format("{}", value), field);
     }
   }
-  // The last line is the JSON's moment to the last bit.
+  // The last line equals the JSON's state to the last bit.
   std::map<std::string, double> last;
   const std::vector<std::string> fields = split(lines.back(), ',');
   for (std::size_t i = 0; i < names.size(); ++i) last[names[i]] = std::strtod(fields[i].c_str(), nullptr);
@@ -308,7 +308,7 @@ TEST_F(CommandLine, SavedEndRunsOn) {
   const Json again = run({"end.json", "--until", "0"});
   EXPECT_EQ(again["preset"], "end");
   EXPECT_EQ(again["bodies"], end["bodies"]);
-  // The clock goes on.
+  // The clock continues.
   const Json on = run({"./end.json", "--until", QString::number(end["time"].get<double>() + 0.7)});
   EXPECT_EQ(on["impacts"], end["impacts"]);
   EXPECT_NEAR(on["bodies"][1]["position"][0].get<double>(),

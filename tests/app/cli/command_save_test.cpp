@@ -4,7 +4,7 @@
 
 #include "tests/support/program.h"
 
-// A run that `run --save` wrote on its way goes on as the run in one go.
+// A run saved by `run --save` continues exactly like the uninterrupted run.
 namespace carom {
 namespace {
 
@@ -29,7 +29,7 @@ class CommandSave : public testing::Test {
     j.erase("preset");
     return j;
   }
-  // The lines of a table after its header whose first column lies beyond `time`.
+  // The lines of a table after its header with a first column beyond `time`.
   [[nodiscard]] std::vector<QByteArray> lines_after(const QString& file, double time) const {
     std::vector<QByteArray> lines;
     for (const QByteArray& line : carom_.read(file).split('\n')) {

@@ -28,7 +28,7 @@ TEST(StressCommand, CasesThatAreNamedRun) {
   ASSERT_EQ(table.size(), 13U);  // heading, 5 figures under 2 integrators, blank, sentence
   EXPECT_TRUE(holds(table[0], "at h/4") && holds(table[0], "verdict")) << table[0];
   EXPECT_TRUE(table[1].starts_with("galperin ")) << table[1];
-  // Columns stand below one another.
+  // Columns are aligned.
   EXPECT_EQ(table[1].find("good"), table[0].find("verdict"));
   const std::vector<std::string> page = lines_of(carom.read("out.md").toStdString());
   EXPECT_EQ(std::count(page.begin(), page.end(), "20 of 20 figures of 2 cases are within their limits."), 1);
@@ -39,7 +39,7 @@ TEST(StressCommand, CasesThatAreNamedRun) {
       << csv[1];
 }
 
-// The page of the help is made by hand of the command: a case that is new or has new figures must be in it.
+// The command generates the help page of figures, which must have every case and every figure.
 TEST(StressCommand, TheHelpsPageHasAllFiguresAndNoneFellShort) {
   QFile file(CAROM_STRESS_PAGE);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));

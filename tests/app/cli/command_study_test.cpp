@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-// Few short runs.
+// A study of few short runs.
 const QStringList kQuick = {"study",         "drag-projectile",
                             "--integrators", "explicit-euler,rk4",
                             "--steps",       "0.02,0.01,0.005",
@@ -21,7 +21,7 @@ QList<QStringList> rows_of(const QByteArray& csv) {
   return rows;
 }
 
-// Without what a clock measured.
+// Without measured times.
 QByteArray without_times(const QByteArray& csv) {
   QByteArray out;
   const QList<QStringList> rows = rows_of(csv);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kGoodPreset = R"({"format": "carom-preset", "version": 1, "title": "t"})";
 
-// The program with presets of its own.
+// Runs the program with its own presets.
 ProgramResult run_with_presets(const Program& carom, const QString& arguments) {
   return carom.shell("CAROM_PRESETS=$PWD/presets \"$carom\" " + arguments);
 }
@@ -94,7 +94,7 @@ TEST(Names, ReachTheTerminalEscapedAndJsonAsUtf8) {
     EXPECT_EQ((result.out + result.err).find("\u202e"), std::string::npos) << result.out;
   }
   EXPECT_NE(carom({"run", "names.json"}).out.find("\\x1b[31mred"), std::string::npos);
-  // Of a file whose name is no UTF-8.
+  // A file whose name is not UTF-8.
   const ProgramResult json =
       carom.shell(R"(mv names.json $'\xff\x1b.json' && "$carom" run $'\xff\x1b.json' --json)");
   EXPECT_EQ(json.code, 0) << json.err;
@@ -122,7 +122,7 @@ TEST(Arguments, LongOnesAreNotEchoedWhole) {
   }
 }
 
-// Neither waits for a writer.
+// Neither command blocks on a pipe.
 TEST(Pipes, AreRefused) {
   const Program carom;
   ASSERT_EQ(mkfifo(carom.path("pipe.json").toUtf8(), 0600), 0);

@@ -7,13 +7,13 @@
 #include "tests/support/preset_files.h"
 #include "tests/support/program.h"
 
-// The bytes that the commands write of every preset under its own method, as hashes in golden_outputs.txt;
-// after a change that means to change them:
+// Hashes of the commands' output for every preset under its own method, in golden_outputs.txt. After an
+// intended change of the output:
 //   CAROM_WRITE_GOLDEN=1 build/release/bin/carom_app_tests --gtest_filter='*GoldenOutputs*'
 namespace carom {
 namespace {
 
-// Without the columns that a clock measured.
+// Without the columns of measured times.
 QByteArray without_times(const QByteArray& csv) {
   QByteArray out;
   QList<bool> timed;
@@ -39,7 +39,7 @@ std::string hash_of(const QByteArray& bytes) {
 class GoldenOutputs : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(GoldenOutputs, KeepTheirBytes) {
-  // A study of each takes minutes: of these, which know every kind of row.
+  // A study of every preset takes minutes: these have every kind of row.
   const std::set<std::string> studied = {"head-on",        "drag-projectile", "bouncing-ball",
                                          "newtons-cradle", "spring-box",      "overlapping-start"};
   const Program carom;

@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-// Every command that writes files, into the folder $d, and whether it has results to print besides.
+// Every command that writes files into the folder $d, and whether it also prints results.
 struct Writer {
   const char* command;
   bool prints = true;
@@ -44,7 +44,7 @@ class OutputFaults : public testing::Test {
                   .code,
               0);
   }
-  // Older files of all the names that commands write, in a folder.
+  // Creates older files with all names that commands write, in a folder.
   void put_old_files(const QString& folder) const {
     const ProgramResult made =
         carom_.shell("d=" + folder +
@@ -58,7 +58,7 @@ class OutputFaults : public testing::Test {
         .shell("cd " + folder + "; find . -not -name fill -type f -exec cksum {} + | sort; ls -RA -I fill")
         .out;
   }
-  // The output fails in one line; what there is to print is printed, and nothing of the folder is changed.
+  // The failure is one line; results are still printed, and the folder is unchanged.
   void expect_failure(const Writer& writer, const QString& folder, const QString& before_it,
                       const std::string& part) const {
     SCOPED_TRACE(writer.command);
@@ -83,14 +83,14 @@ TEST_F(OutputFaults, OnAFullDiskTheResultsArePrintedAndOldFilesStay) {
     expect_failure(writer, "disk", "", "could not be written (No space left on device)");
 }
 
-// A limit of a file's size is a full disk for who may not mount one.
+// A file size limit simulates a full disk without mounting one.
 TEST_F(OutputFaults, WhereFilesMayNotGrowTheResultsArePrintedAndOldFilesStay) {
   put_old_files("there");
   for (const Writer& writer : kWriters)
     expect_failure(writer, "there", "ulimit -f 0;", "could not be written (File too large)");
 }
 
-// Room for some frames only: those of the older film stay, all of them.
+// Room for some frames only: all frames of the older film stay.
 TEST_F(OutputFaults, AFilmThatDoesNotFitLeavesTheOldOne) {
   const test::SmallDisk disk(carom_.path("disk").toStdString(), 64 << 10);
   if (!disk.mounted()) GTEST_SKIP() << "no disk may be mounted here";
@@ -120,9 +120,9 @@ TEST_F(OutputFaults, AFolderWithoutTheRightToWriteIsRefusedBeforeTheRun) {
     expect_failure({writer.command, false}, "there", user, writer.command[0] == 'f' ? "" : "; allowed: ");
 }
 
-// While the events go into a pipe that nobody empties, the folder of the other output goes.
+// The folder of one output is removed while the events wait in a pipe that nobody reads.
 TEST_F(OutputFaults, AFolderThatGoesInMidRunIsSaidBesideTheResults) {
-  // Its impacts are more than a pipe takes before it is read: the run can't end before the folder has gone.
+  // It has more impacts than a pipe holds, so that the run cannot end before the folder is removed.
   const ProgramResult result = carom_.shell(
       "mkdir sub; mkfifo pipe; $carom run gas --csv sub/x.csv --events pipe & exec 3< pipe; rm -r "
       "sub;"
@@ -149,7 +149,7 @@ TEST_F(OutputFaults, StdoutThatTakesNothingIsNoticedByEveryCommand) {
       EXPECT_TRUE(result.err.starts_with("carom: stdout: not everything could be written")) << result.err;
       EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
     }
-    // A reader that has gone before anything is written: no word, but no success.
+    // The reader is gone before anything is written: no message, but no success.
     const ProgramResult unread =
         carom_.shell("{ while [ ! -e gone ]; do :; done; " + line +
                      "; echo $? > code; } | { exec 0<&-; touch gone; }; rm gone; cat code");
@@ -158,7 +158,7 @@ TEST_F(OutputFaults, StdoutThatTakesNothingIsNoticedByEveryCommand) {
   }
 }
 
-// Both at once: one line, and files that could be written are there.
+// Both faults at once: one line, and the writable files are written.
 TEST_F(OutputFaults, FilesAreWrittenThoughStdoutIsFull) {
   for (const char* stdout_of : {"> /dev/full", ">&-"}) {
     const ProgramResult result =
@@ -173,7 +173,7 @@ TEST_F(OutputFaults, FilesAreWrittenThoughStdoutIsFull) {
   EXPECT_EQ(carom_.shell("$carom run a.json --csv no/x 2> /dev/full").code, 2);
 }
 
-// Only frames that this film replaces are touched, and what is left of a longer film by Carom.
+// Only the replaced frames and those left of a longer film by Carom are changed.
 TEST_F(OutputFaults, AFilmLeavesStrangersPicturesAlone) {
   const QString film = "$carom film a.json --width 200 --height 200 -o f ";
   ASSERT_EQ(carom_.shell(film + "--to 0.4").code, 0);
@@ -198,7 +198,7 @@ TEST_F(OutputFaults, AFilmLeavesStrangersPicturesAlone) {
             "frame-0001.png\nframe-0002.png\nframe-0003.png\nframe-0004.png\nframe-0005.png\nframe-0008.png\n"
             "frame-9999.png\nphoto.png\ntarget\nmine\nmine\nmine\ntarget\nPNG\n600\n");
 
-  // Not onto its own preset, nor onto what is marked read-only; then no frame is changed.
+  // Neither its own preset nor a read-only file is replaced; then no frame is changed.
   const QByteArray preset = carom_.read("a.json");
   for (const char* taken :
        {"rm f/frame-0003.png; ln a.json f/frame-0003.png", "ln -sf ../a.json f/frame-0003.png",

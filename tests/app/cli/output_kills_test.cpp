@@ -9,8 +9,8 @@
 namespace carom {
 namespace {
 
-// Commands that are killed at any moment leave each file as it was or as it is to be, and where they can,
-// nothing else. Where each shot falls is chance; what must hold holds for all.
+// A command killed at any time leaves each file in its old or its new version, and no other file if the signal
+// can be handled. The time of each kill is random; the conditions hold for every time.
 class OutputKills : public testing::Test {
  protected:
   void SetUp() override {
@@ -31,7 +31,7 @@ class OutputKills : public testing::Test {
     QElapsedTimer clock;
     clock.start();
     const std::map<QString, QByteArray> new_files = files_after(new_way);
-    const auto whole = static_cast<unsigned>(1000 * clock.elapsed() * 5 / 4 + 1);  // us, and some more
+    const auto whole = static_cast<unsigned>(1000 * clock.elapsed() * 5 / 4 + 1);  // us, with a margin
     ASSERT_FALSE(old_files.empty());
     ASSERT_NE(old_files, new_files);
     std::mt19937 random(static_cast<unsigned>(new_way.size()));
@@ -104,7 +104,7 @@ TEST_F(OutputKills, Reporting) {
         {"study", "--merge", "rows.csv", "--csv", "out/s.csv", "--plot", "out/s.svg"}, test::kills(20));
 }
 
-// The lab's report, by a process that writes nothing else.
+// The lab's report, written by a process that writes nothing else.
 TEST_F(OutputKills, ReportsOfTheLab) {
   ASSERT_TRUE(QDir(carom_.path("")).mkpath("out"));
   carom_.write("out/report.pdf", "old");
@@ -129,7 +129,7 @@ TEST_F(OutputKills, ReportsOfTheLab) {
   }
 }
 
-// Whoever interrupts a run in its midst, which is known by what it sends, finds no trace of it.
+// Interrupting a run after its first output leaves no trace of it.
 TEST_F(OutputKills, AnInterruptedRunLeavesNothing) {
   for (const auto& [name, number] : {std::pair("INT", 130), std::pair("TERM", 143), std::pair("HUP", 129)}) {
     const ProgramResult result = carom_.shell(QString("mkfifo pipe; env --default-signal=INT,TERM,HUP $carom "

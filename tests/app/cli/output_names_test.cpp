@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-// Which files a command may write, whatever they are called.
+// Which files a command may write, whatever their names.
 class OutputNames : public testing::Test {
  protected:
   void SetUp() override { copy("a.json"); }
@@ -14,7 +14,7 @@ class OutputNames : public testing::Test {
     QFile::remove(carom_.path(name));
     ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/first-collisions/head-on.json", carom_.path(name)));
   }
-  // The run would never end: all is refused before it.
+  // The run would never end: all names are refused before it.
   void expect_refused_before_the_run(const QString& line, const std::string& part) const {
     SCOPED_TRACE(line.toStdString());
     expect_refused(carom_.shell("timeout 60 " + line), part);
@@ -27,7 +27,7 @@ constexpr const char* kTwice = "goes to this file too";
 
 TEST_F(OutputNames, NoOutputTakesThePlaceOfThePreset) {
   const QByteArray preset = carom_.read("a.json");
-  // Pictures ask for names of their own.
+  // Pictures have their own rules for names.
   ASSERT_EQ(
       carom_.shell("mkdir s; for x in json png; do cp -n a.json a.$x; ln -s a.$x l.$x; ln a.$x h.$x; done")
           .code,

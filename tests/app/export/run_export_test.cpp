@@ -18,7 +18,7 @@
 namespace carom {
 namespace {
 
-// Lines of fields.
+// Rows of fields.
 std::vector<std::vector<std::string>> read(const std::string& file) {
   std::ifstream in(file);
   std::vector<std::vector<std::string>> lines;
@@ -64,8 +64,8 @@ Preset box() {
 
 const auto kGoOn = [](double) { return true; };
 
-// A long run with edits, read back bit for bit: the file has what the run had, however long ago, and the cursor
-// of the plots reads the same.
+// A long run with edits, read back bit for bit: the file has the values of the run, however old, and equals
+// the readings of the plots' cursor.
 TEST(RunExport, HasEveryDigitOfALongPast) {
   Body late = box().scene.bodies[0];
   late.name = "late, \"D\"";
@@ -124,7 +124,7 @@ TEST(RunExport, HasEveryDigitOfALongPast) {
       }
     }
   }
-  // The newest rows are in the recorder as they came: the cursor reads the last one of each time.
+  // The newest rows are in the recorder unchanged: the cursor reads the last one of each time.
   const Series<1>& energy = *recorder.series(curves[0]);
   EXPECT_GT(energy.whole_since(), 0.0);
   for (std::size_t i = rows.size() - 20'000; i < rows.size(); i += 97) {
@@ -153,7 +153,7 @@ TEST(RunExport, WritesThePartThatIsAskedFor) {
   EXPECT_GE(lines.size(), 102U);
 }
 
-// Of a residual, whose header has its theory.
+// A residual, whose header has its theory.
 TEST(RunExport, WritesAResidualAsAColumnOfItsOwn) {
   DataExport what;
   what.log.start = setup_of(box());
@@ -201,8 +201,8 @@ TEST(RunExport, CancelsWithoutAFileAndSaysWhatIsWrong) {
   EXPECT_THROW((void)export_data(what, dir.filePath("no/run.csv").toStdString(), kGoOn), SceneError);
 }
 
-// From a key frame a late piece of a long run has the bytes that the whole has: with edits, impacts, counts of
-// impacts and errors against a reference.
+// A late part of a long run, computed from a key frame, has the bytes of the whole export: with edits,
+// impacts, counts of impacts and errors against a reference.
 TEST(RunExport, APieceFromAKeyFrameIsThatOfTheWhole) {
   Body late = box().scene.bodies[0];
   late.name = "late";
@@ -233,9 +233,9 @@ TEST(RunExport, APieceFromAKeyFrameIsThatOfTheWhole) {
   const auto whole = lines_of(what, "whole.csv");
   ASSERT_GE(whole.size(), 1001U);
   what.key_frames = frame->key_frames;
-  what.log.start.scene.bodies[0].position.x() += 0.125;  // it doesn't begin there
+  what.log.start.scene.bodies[0].position.x() += 0.125;  // a different start than the key frames'
   EXPECT_EQ(lines_of(what, "piece.csv"), whole);
-  // What was not counted from the start on is not in a key frame.
+  // A key frame has no counts that were not requested from the start.
   const Quantity other{find_observable("impacts_between"), {0, 2}};
   EXPECT_EQ(latest_before(frame->key_frames, 150.0, {{other, std::nullopt}}), nullptr);
   EXPECT_GT(latest_before(frame->key_frames, 150.0, curves)->state.clock.time, 120.0);

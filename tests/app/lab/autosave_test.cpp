@@ -45,7 +45,7 @@ class AutosaveTest : public testing::Test {
       if (button->text() == text) button->click();
     }
   }
-  // What a process that was killed leaves: its file, and a lock with the number of a process that is no more.
+  // The remains of a killed process: its file, and a lock with the id of a dead process.
   void leave_work(const QString& name, const QByteArray& text) const {
     QProcess gone;
     gone.start("true", QStringList());
@@ -104,7 +104,7 @@ TEST_F(AutosaveTest, WritesNothingWhereNothingIsNew) {
   EXPECT_TRUE(QFile::exists(file));
 }
 
-// Where nothing is left that could be lost, nothing is kept; what is done again is.
+// After an undo of all work nothing is kept; after a redo it is.
 TEST_F(AutosaveTest, FollowsUndoAndRedo) {
   const auto window = lab(kept());
   put_in(*window);
@@ -157,7 +157,7 @@ TEST_F(AutosaveTest, WindowsLeaveOneAnothersWorkAlone) {
   put_in(*two);
   two->keep_now();
   EXPECT_EQ(files().size(), 2);
-  // An offer is made by one window at a time.
+  // Only one window at a time makes the offer.
   leave_work("work-1-0.json", work("Lost work"));
   const auto three = lab(kept());
   const auto four = lab(kept());

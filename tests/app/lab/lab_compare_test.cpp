@@ -39,7 +39,7 @@ class LabCompareTest : public testing::Test {
   LabWindow window_{light_theme()};
 };
 
-// One key, and the same key back.
+// One key starts the comparison, and the same key ends it.
 TEST_F(LabCompareTest, OneKeyMakesEulerRk4AndTheExactRun) {
   const Method own = window_.preset().method;
   usual()->trigger();
@@ -74,7 +74,7 @@ TEST_F(LabCompareTest, APresetOpensWithItsComparison) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 1; }, 5000));
 }
 
-// And back to what a preset compares by itself.
+// And back to the preset's own comparison.
 TEST_F(LabCompareTest, TheSameKeyGoesBackToThePresetsOwnComparison) {
   ASSERT_TRUE(window_.open("drag-projectile"));
   const Preset own = window_.preset();
@@ -85,7 +85,7 @@ TEST_F(LabCompareTest, TheSameKeyGoesBackToThePresetsOwnComparison) {
   EXPECT_EQ(window_.preset().compare, own.compare);
 }
 
-// A run that is taken out takes no other's past with it; one that is left alone is seen.
+// Removing a run keeps the records of the others; the last run stays visible.
 TEST_F(LabCompareTest, TheOthersKeepTheirPast) {
   ASSERT_TRUE(window_.open("drag-projectile"));
   window_.run_until(1.0);

@@ -37,7 +37,7 @@
 namespace carom {
 namespace {
 
-// What is taken away from the window, through its menus and dialogs as the user does.
+// Exports of the window, through its menus and dialogs, like a user.
 class LabExportTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -49,7 +49,7 @@ class LabExportTest : public testing::Test {
     QGuiApplication::clipboard()->clear();
   }
 
-  // Does `what` and answers each dialog that opens, until no more come and `done` holds.
+  // Runs `what` and answers each dialog that opens, until there are no more and `done` holds.
   static void with_answers(const std::function<void(QWidget*)>& answer, const std::function<void()>& what,
                            const std::function<bool()>& done) {
     QTimer timer;
@@ -69,9 +69,9 @@ class LabExportTest : public testing::Test {
     }
     ADD_FAILURE() << "no action " << text.toStdString();
   }
-  // Of the first plot's context menu.
+  // An entry of the first plot's context menu.
   void trigger_in_plot(std::size_t plot, const QString& text) {
-    QApplication::processEvents();  // a new plot is given its place
+    QApplication::processEvents();  // lays out a new plot
     QContextMenuEvent event(QContextMenuEvent::Mouse, panel_->plots()[plot]->geometry().center(),
                             panel_->mapToGlobal(panel_->plots()[plot]->geometry().center()));
     QApplication::sendEvent(panel_, &event);
@@ -106,7 +106,7 @@ TEST_F(LabExportTest, ThePictureOfTheSceneIsCopied) {
   EXPECT_GT(window_.scene_view().picture().pixelColor(3, 3).lightnessF(), 0.9F) << "on white";
 }
 
-// With tabs, units in the header and every digit; the whole run, or what is shown of it.
+// With tabs, units in the header and every digit; the whole run, or the visible part.
 TEST_F(LabExportTest, ThePlotsDataAreCopied) {
   window_.run_until(1.0);
   trigger_in_plot(0, "Copy all the data");
@@ -148,7 +148,7 @@ TEST_F(LabExportTest, TheImpactsOfAPlotAreCopied) {
   EXPECT_EQ(lines[1].split('\t').size(), 13);
 }
 
-// Not a table of a million rows: one line says where they go.
+// No table of a million rows: a message names the alternative.
 TEST_F(LabExportTest, TooMuchForTheClipboardIsSaid) {
   window_.run_until(0.005 * static_cast<double>(kMostCopied + 10));
   QString said;
@@ -165,9 +165,9 @@ TEST_F(LabExportTest, TooMuchForTheClipboardIsSaid) {
   EXPECT_EQ(QGuiApplication::clipboard()->text(), "");
 }
 
-// Frames as the window shows them: the last is what stands there.
+// Frames as the window shows them: the last one equals the window's picture.
 TEST_F(LabExportTest, AFilmIsMade) {
-  // A film's frames have even sizes: so must what they are compared with.
+  // A film's frames have even sizes, so the compared picture must too.
   const auto odd = [this] {
     const QSize size = window_.scene_view().size();
     return QSize(size.width() % 2, size.height() % 2);
@@ -177,7 +177,7 @@ TEST_F(LabExportTest, AFilmIsMade) {
     QApplication::processEvents();
   }
   ASSERT_EQ(odd(), QSize(0, 0));
-  window_.run_until(1.35);  // shortly after an impact, whose arrow stands there still
+  window_.run_until(1.35);  // shortly after an impact, whose arrow is still visible
   const QImage shown = window_.scene_view().picture();
   EXPECT_FALSE(window_.scene_view().drawing().arrows.empty());
   QTemporaryDir dir;
@@ -211,7 +211,8 @@ TEST_F(LabExportTest, AFilmIsMade) {
   EXPECT_NE(QImage(folder + "/" + frames.front()), shown);
 }
 
-// The preset goes on from there, and a restart goes back there; what "Save as" keeps begins at the beginning.
+// The saved preset continues from there, and its restart returns there; a preset of "Save as" begins at the
+// start.
 TEST_F(LabExportTest, TheRunIsSavedAsItStands) {
   window_.run_until(1.0);
   const State shown = window_.frame()->state;
@@ -264,7 +265,7 @@ TEST_F(LabExportTest, TheFilmDialogTellsWhatWillCome) {
   numbers[0]->setValue(1.0);
   EXPECT_TRUE(make->isEnabled());
 
-  // Frames that are there are replaced only where the user says so.
+  // Existing frames are replaced only if the user confirms it.
   QFile old(dir.filePath("frame-0001.png"));
   ASSERT_TRUE(old.open(QIODevice::WriteOnly));
   old.close();
@@ -286,7 +287,7 @@ TEST_F(LabExportTest, TheFilmDialogTellsWhatWillCome) {
   EXPECT_TRUE(dialog.may_replace());
 }
 
-// What takes long goes on beside the window: a dialog tells how far it is, and Cancel leaves nothing behind.
+// Long work runs beside the window: a dialog shows its progress, and Cancel leaves nothing behind.
 TEST_F(LabExportTest, WhatTakesLongIsCancelled) {
   window_.run_until(500.0);
   QTemporaryDir dir;
@@ -312,7 +313,7 @@ TEST_F(LabExportTest, WhatTakesLongIsCancelled) {
       answer, [&] { trigger("Save data..."); }, [&] { return QFile::exists(dir.filePath("run.csv")); });
 }
 
-// Whatever is asked or under way goes with the window.
+// Closing the window ends open questions and work.
 TEST(LabWindowGoes, WhileItAsksOrWorks) {
   for (const char* text : {"Open...", "Save as...", "Film...", "Save data...", "About Carom", "Another..."}) {
     auto window = std::make_unique<LabWindow>(light_theme());

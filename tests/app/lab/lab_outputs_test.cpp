@@ -19,7 +19,7 @@
 namespace carom {
 namespace {
 
-// What the window's files do to files that are there.
+// Saving over existing files.
 class LabOutputs : public testing::Test {
  protected:
   void SetUp() override {
@@ -35,8 +35,8 @@ class LabOutputs : public testing::Test {
     QFile file(path(name));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
-  // Triggers an action of the menus and gives `file` to the dialog that asks for one. The answer is what boxes
-  // said, but for the question whether a file is to be replaced, which is answered with yes.
+  // Triggers an action of the menus and gives `file` to the file dialog. Returns the texts of message boxes,
+  // except the question whether to replace a file, which is answered with yes.
   QString say(const QString& action, const QString& file) {
     QString said;
     QTimer timer;
@@ -66,7 +66,7 @@ class LabOutputs : public testing::Test {
         break;
       }
     }
-    // Dialogs follow one another in one turn of the event loop.
+    // Dialogs may follow one another within one turn of the event loop.
     const bool done = test::wait_until([] {
       QApplication::processEvents();
       return QApplication::activeModalWidget() == nullptr;

@@ -21,7 +21,7 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 
-// A preset from a stranger: every text in it is a page that shows a picture from this machine.
+// A malicious preset: every text in it is HTML that shows a picture from this machine.
 namespace carom {
 namespace {
 
@@ -65,7 +65,7 @@ class LabPlainText : public testing::Test {
   }
 
   static void expect_plain(const QString& text, const char* where) {
-    // A tooltip may be HTML of ours in which the text is escaped.
+    // A tooltip may be our own HTML with the text escaped.
     EXPECT_FALSE(Qt::mightBeRichText(text) && text.contains("<img")) << where << ": " << text.toStdString();
   }
   static void expect_plain(const QwtText& text, const char* where) {
@@ -73,7 +73,7 @@ class LabPlainText : public testing::Test {
     plain.setText(text.text(), QwtText::PlainText);
     if (!(text == plain)) expect_plain(text.text(), where);
   }
-  // Looks at `top` and all that is in it. The number of widgets that were looked at.
+  // Checks `top` and all widgets in it. Returns their number.
   static int look_at(QWidget* top) {
     (void)top->grab();
     int count = 1;
@@ -107,7 +107,7 @@ class LabPlainText : public testing::Test {
     for (const QAction* action : top->findChildren<QAction*>()) expect_plain(action->toolTip(), "action");
     return count;
   }
-  // Does something, looks at the dialog that comes, and leaves it.
+  // Runs an action, checks the dialog that opens, and closes it.
   template <class Ask>
   int look_at_dialog(const Ask& ask) {
     int seen = 0;
@@ -165,11 +165,11 @@ TEST_F(LabPlainText, NothingInItsDialogsIsHtml) {
       if (action->text() != text) continue;
       EXPECT_GT(look_at_dialog([&] { action->trigger(); }), 3) << text.toStdString();
       ++dialogs;
-      break;  // others may have gone meanwhile
+      break;  // others may be deleted by now
     }
   }
   EXPECT_EQ(dialogs, 5);
-  // What cannot be opened is quoted.
+  // The message quotes a file that cannot be opened.
   QFile bad(folder_.filePath("<img src=a>bad.json"));
   ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
   bad.write(("{\"" + html_ + "\": 1}").c_str());

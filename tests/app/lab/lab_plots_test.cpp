@@ -45,7 +45,7 @@ class LabPlotsTest : public testing::Test {
   Plot height_;
 };
 
-// A plot that is made in the midst of a run has the run from its start; it is saved with the preset.
+// A plot made during a run shows the run from its start; it is saved with the preset.
 TEST_F(LabPlotsTest, APlotMadeLateIsWholeAndSaved) {
   window_.run_until(2.0);
   panel_->add(height_);
@@ -79,12 +79,12 @@ TEST_F(LabPlotsTest, MarksOpenTheReading) {
   EXPECT_FALSE(table->model()->index(1, 3).data().toString().isEmpty());
 }
 
-// Through the dialogs, as the user does.
+// Through the dialogs, like a user.
 TEST_F(LabPlotsTest, DataAreSavedFromTheWindow) {
   window_.run_until(1.0);
   QTemporaryDir dir;
   const QString file = dir.filePath("ball.csv");
-  // Each dialog is answered when it stands.
+  // Answers each dialog when it is open.
   QTimer answer;
   QObject::connect(&answer, &QTimer::timeout, [&] {
     QWidget* dialog = QApplication::activeModalWidget();
@@ -108,7 +108,7 @@ TEST_F(LabPlotsTest, DataAreSavedFromTheWindow) {
   EXPECT_EQ(lines.size(), 1 + 201 + 2) << "the start, 200 steps, one impact";
 }
 
-// Notes are work; which of the named plots are open beside a preset's own is not.
+// Notes are work; the choice of named plots beside a preset's own is not.
 TEST_F(LabPlotsTest, NotesAreSavedWithThePreset) {
   ASSERT_TRUE(window_.open("spring-box"));
   panel_->set_shown("ledger", true);

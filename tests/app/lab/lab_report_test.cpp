@@ -38,12 +38,12 @@ TEST(ReportTimes, AreAboutTheFirstImpact) {
   EXPECT_DOUBLE_EQ(located[1], 0.451);
   EXPECT_DOUBLE_EQ(located[2], 0.452);
   EXPECT_EQ(located[3], 2.0);
-  // An impact at a round time is after the moment before it, and before the one after it.
+  // An impact at a round time is between the moments before and after it.
   EXPECT_DOUBLE_EQ(report_times(method, 0.45, 2.0)[1], 0.449);
   EXPECT_DOUBLE_EQ(report_times(method, 0.45, 2.0)[2], 0.451);
   EXPECT_EQ(report_times(method, std::nullopt, 3.0), (Times{0.0, 1.0, 2.0, 3.0}));
   EXPECT_EQ(report_times(method, 0.0001, 0.0005), (Times{0.0, 0.0005})) << "none beyond the run";
-  // Where impacts are resolved at a step's end: the step before, and this one.
+  // With impacts at the step's end: the step before, and this one.
   method.impacts = ImpactsId::kStepEnd;
   EXPECT_DOUBLE_EQ(report_times(method, 0.45, 2.0)[1], 0.445);
   EXPECT_DOUBLE_EQ(report_times(method, 0.45, 2.0)[2], 0.45);
@@ -67,7 +67,7 @@ class LabReportTest : public testing::Test {
     window_.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
   }
-  // Makes the report through its dialogs, as the user does.
+  // Makes the report through its dialogs, like a user.
   void make(const QString& file, const std::function<void(ReportDialog&)>& fill = {}) {
     QTimer answer;
     QObject::connect(&answer, &QTimer::timeout, [&] {
@@ -90,7 +90,7 @@ class LabReportTest : public testing::Test {
     for (QAction* action : window_.findChildren<QAction*>()) {
       if (action->text().remove('&') == "Lab report...") action->trigger();
     }
-    // A run that goes on stands still first.
+    // A playing run is paused first.
     ASSERT_TRUE(QTest::qWaitFor([&] { return report_ || !said_.isEmpty(); }));
     ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::activeModalWidget() == nullptr; }));
   }
@@ -133,7 +133,7 @@ TEST_F(LabReportTest, IsAPdfOfVectorsAndText) {
   EXPECT_EQ(moment_text(report_->times[3], *report_), "end");
 }
 
-// On white whatever the window's colours; nothing stands out of the text's room.
+// On white, whatever the window's colours; nothing extends beyond the margins.
 TEST_F(LabReportTest, KeepsItsMargins) {
   for (const char* name : {"bouncing-ball", "newtons-cradle-hung", "billiard-break", "drag-projectile"}) {
     ASSERT_TRUE(window_.open(name));
@@ -191,7 +191,7 @@ TEST_F(LabReportTest, SaysWhatIsMissing) {
   EXPECT_TRUE(bytes("no-such-folder/report.pdf").isEmpty());
 }
 
-// A playing run stands still for its report: everything in it is of one moment.
+// A playing run is paused for its report: everything in it has one time.
 TEST_F(LabReportTest, IsOfOneMoment) {
   ASSERT_TRUE(window_.open("bouncing-ball"));
   QTest::keyClick(&window_.scene_view(), Qt::Key_Space);

@@ -48,7 +48,7 @@ TEST_F(LabStudyTest, AClickOnAPointTakesItsMethodIntoTheComparison) {
   for (const StudyRow& row : std::vector<StudyRow>(panel_->so_far().table.rows)) {
     const auto pixel = panel_->plot().pixel_of(row);
     ASSERT_TRUE(pixel.has_value());
-    for (int i = 0; i < 2; ++i) {  // the second time it is there already
+    for (int i = 0; i < 2; ++i) {  // the second time the method is present already
       QTest::mouseClick(panel_->plot().canvas(), Qt::LeftButton, {}, pixel->toPoint());
       const Preset preset = window_->preset();
       std::vector<Method> methods = preset.compare;

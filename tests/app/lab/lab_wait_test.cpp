@@ -9,7 +9,7 @@
 #include "app/lab/report_dialog.h"
 #include "widgets/run/transport_bar.h"
 
-// The lab report waits for the run to stand still; the window never waits with it.
+// The lab report waits for the run to pause; the window stays responsive.
 namespace carom {
 namespace {
 
@@ -53,7 +53,7 @@ TEST_F(LabWait, TheReportComesWhenTheRunStandsStill) {
   EXPECT_FALSE(window_.frame()->playing);
 }
 
-// Before any frame of the pause can have come.
+// Before any frame of the pause can arrive.
 TEST_F(LabWait, AnotherExperimentForgetsTheReport) {
   QTimer::singleShot(0, [&] { window_.open("head-on"); });
   ask_for_report();

@@ -28,7 +28,7 @@ namespace {
 class LabWindowTest : public testing::Test {
  protected:
   void SetUp() override {
-    // Whatever asks is answered at once, so that no test can hang.
+    // Every question is answered at once, so that no test can hang.
     QObject::connect(&answering_, &QTimer::timeout, [this] { answer(); });
     answering_.start(10);
     window_.show();
@@ -38,12 +38,12 @@ class LabWindowTest : public testing::Test {
     window_.scene_view().setFocus();
   }
 
-  // Until so many questions were asked in all, and answered.
+  // Waits until this number of questions were asked and answered in all.
   [[nodiscard]] bool wait_for_boxes(std::size_t count) {
     return QTest::qWaitFor(
         [&] { return boxes_.size() >= count && QApplication::activeModalWidget() == nullptr; }, 5000);
   }
-  // True as soon as there is a frame for which `fulfilled` holds; false if that takes too long.
+  // Waits for a frame with `fulfilled`; returns false if that takes too long.
   template <class Condition>
   bool wait_for(const Condition& fulfilled) {
     return QTest::qWaitFor([&] { return window_.frame() != nullptr && fulfilled(); }, 5000);
@@ -99,7 +99,7 @@ class LabWindowTest : public testing::Test {
   }
 
   QTemporaryDir folder_;
-  std::vector<QString> boxes_;                                // texts of the message boxes that came
+  std::vector<QString> boxes_;                                // texts of the message boxes so far
   QMessageBox::StandardButton button_ = QMessageBox::Cancel;  // pressed in them
   QString chosen_file_;                                       // in a file dialog
   LabWindow window_{light_theme()};
@@ -121,7 +121,7 @@ class LabWindowTest : public testing::Test {
       dialog->setDirectory(QFileInfo(file).path());
       auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
       name->setText(QFileInfo(file).fileName());
-      // Not from here: what the dialog asks would wait for this timer's own turn to end.
+      // Deferred: a question of the dialog would wait for the end of this timer event.
       QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
     } else if (asking != nullptr) {
       asking->close();
@@ -170,7 +170,7 @@ TEST_F(LabWindowTest, MethodsAreChosenFromTheMenus) {
   action("h = 10 ms")->trigger();
   EXPECT_EQ(window_.preset().method.step, 0.01);
   EXPECT_EQ(window_.preset().method.integrator, IntegratorId::kExplicitEuler);
-  // The worker goes by it: 0.3 s are 30 steps.
+  // The worker uses it: 0.3 s are 30 steps.
   window_.run_until(0.3);
   EXPECT_EQ(steps(), 30);
 }
@@ -263,7 +263,7 @@ TEST_F(LabWindowTest, WhatIsModelledIsToldAndAskedAgain) {
   ASSERT_TRUE(window_.open("drag-projectile"));
   EXPECT_NE(chip("What is modelled")->toolTip(), before);
   EXPECT_TRUE(chip("What is modelled")->toolTip().startsWith("Modelled: normal impulses, gravity"));
-  // Nothing stands out of the scene, however narrow.
+  // Nothing extends beyond the scene, however narrow.
   for (const int width : {1280, 900, 700}) {
     window_.resize(width, 640);
     QApplication::processEvents();
@@ -299,10 +299,10 @@ TEST_F(LabWindowTest, ClickOnEmptySpaceAddsADisc) {
   EXPECT_NEAR(added.position.y(), 0.4, pixel);
   EXPECT_FALSE(added.fixed);
   ASSERT_TRUE(std::holds_alternative<Disc>(added.shape));
-  // A click on a body adds none.
+  // A click on a body adds no other.
   click_scene({0.1, 0.4});
   EXPECT_EQ(window_.preset().scene.bodies.size(), 3U);
-  // It stays through a restart.
+  // It survives a restart.
   window_.run_until(0.1);
   click_button("Restart");
   ASSERT_TRUE(wait_for([this] { return time() == 0.0; }));
@@ -466,7 +466,7 @@ TEST_F(LabWindowTest, ChangesAreAskedAboutBeforeTheWindowCloses) {
   EXPECT_EQ(boxes_.size(), 2U);
 }
 
-// Saved on the way out: under a name that is asked for.
+// Saved on closing, under a name from the dialog.
 TEST_F(LabWindowTest, ChangesAreSavedBeforeTheWindowCloses) {
   action("Explicit Euler")->trigger();
   button_ = QMessageBox::Save;
@@ -477,7 +477,7 @@ TEST_F(LabWindowTest, ChangesAreSavedBeforeTheWindowCloses) {
             IntegratorId::kExplicitEuler);
 }
 
-// The menu says what is undone; the mark of changes goes with it, and what is shown too.
+// The menu names the undone change; the modified mark and the picture follow.
 TEST_F(LabWindowTest, EditsAreUndoneFromTheMenu) {
   const auto trigger = [&](const QKeySequence& key) {
     for (QAction* a : window_.findChildren<QAction*>()) {
@@ -515,7 +515,7 @@ TEST_F(LabWindowTest, EditsAreUndoneFromTheMenu) {
   ASSERT_TRUE(wait_for([this] { return window_.frame()->log->edits.size() == 2; }));
 }
 
-// A plot's notes, and its zoom, stay where another one is put in or taken out.
+// A plot keeps its notes and its zoom where another plot is added or removed.
 TEST_F(LabWindowTest, UndoOfANoteLeavesThePlotsAsTheyAre) {
   auto* plots = window_.findChild<PlotPanel*>();
   RunPlot* first = plots->plots().front();

@@ -105,10 +105,10 @@ void Monkey::run() {
 void Monkey::act() {
   const int level = QThread::currentThread()->loopLevel();
   QTimer::singleShot(0, this, &Monkey::act);
-  if (acting_at_ == level) return;  // within an action that looks at events meanwhile
+  if (acting_at_ == level) return;  // within an action that processes events
   stay_inside();
   if (done_ >= options_.actions) {
-    // What still waits for an answer gets none.
+    // Open questions get no answer.
     if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
     if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) dialog->reject();
     return;
@@ -192,10 +192,10 @@ void Monkey::click_at(Qt::MouseButton button, int times) {
   if (window == nullptr) return;
   const QPoint at = place(*window);
   const Qt::KeyboardModifiers held = modifiers();
-  timestamp_ += 2000;  // two clicks that follow one another are no double click
+  timestamp_ += 2000;  // keeps two clicks from being a double click
   for (int i = 0; i < times; ++i) {
     for (const QEvent::Type type : {QEvent::MouseMove, QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
-      if (window == nullptr) return;  // closed by the step before
+      if (window == nullptr) return;  // closed by the previous step
       mouse(window, at, type == QEvent::MouseMove ? Qt::NoButton : button, type, held);
     }
   }
@@ -209,7 +209,7 @@ void Monkey::click() { click_at(Qt::LeftButton, 1); }
 void Monkey::double_click() { click_at(Qt::LeftButton, 2); }
 void Monkey::right_click() {
   click_at(Qt::RightButton, 1);
-  // The screen's own events bring this one.
+  // The screen's own events cause this one.
   QWidget* under = QApplication::widgetAt(QCursor::pos());
   if (under == nullptr ||
       (QApplication::activeModalWidget() != nullptr && under->window() != QApplication::activeModalWidget()))
@@ -341,7 +341,7 @@ void Monkey::button() {
   }
 }
 
-// Dialogs are left more often than chance would, else most actions would be lost on them.
+// Dialogs are closed more often than by chance, otherwise they would take most actions.
 void Monkey::answer() {
   const bool away = once_in(2);
   QWindow* window = with_focus();

@@ -18,17 +18,17 @@ namespace carom {
 
 class LabWindow;
 
-// Random mouse, keys, drags, drops, resizes and closings on the real lab window, in the order that a seed
-// gives. Events enter where those of the screen do, so that popups, modal dialogs and focus act as for people.
-// Each action is one turn of the innermost event loop: where a dialog waits, the next action goes to that
-// dialog. A window that was closed is followed by a new one.
+// Random mouse, keys, drags, drops, resizes and closings on the real lab window, in an order given by a seed.
+// Events enter at the same place as those of the screen, so that popups, modal dialogs and focus act as for
+// people. Each action is one turn of the innermost event loop: where a dialog waits, the next action goes to
+// it. A closed window is replaced by a new one.
 class Monkey : public QObject {
  public:
   struct Options {
     unsigned seed = 1;
     int actions = 300;
-    QString folder;                             // the only one that is written to, with files to open in it
-    std::function<void(const QString&)> about;  // is told each action before it is done
+    QString folder;                             // the only folder that is written to, with files to open
+    std::function<void(const QString&)> about;  // receives each action before it is done
   };
 
   explicit Monkey(Options options);
@@ -51,7 +51,7 @@ class Monkey : public QObject {
   void act();
   void tell(const QString& what);
   void open_window();
-  void stay_inside();  // file dialogs and folders' fields that have left the monkey's own folder
+  void stay_inside();  // resets file dialogs and folder fields that have left the monkey's folder
 
   // Whole numbers from 0 to below n, and true once in n.
   [[nodiscard]] int below(int n);
@@ -59,7 +59,7 @@ class Monkey : public QObject {
   [[nodiscard]] Qt::KeyboardModifiers modifiers();
   [[nodiscard]] QString file();
 
-  // What events go to: an open menu, else the dialog that waits, else any window.
+  // The target of events: an open menu, or else a waiting dialog, or else any window.
   [[nodiscard]] QWindow* target();
   [[nodiscard]] QPoint place(const QWindow& window);
   void mouse(QWindow* window, const QPoint& at, Qt::MouseButton button, QEvent::Type type,
@@ -96,7 +96,7 @@ class Monkey : public QObject {
   std::map<std::string, int> counts_;
   int done_ = 0;
   int windows_ = 0;
-  int acting_at_ = -1;  // the level of the event loop in which an action is under way
+  int acting_at_ = -1;  // the level of the event loop of the current action
   int timestamp_ = 1000;
   Qt::MouseButtons held_;
 };

@@ -1,7 +1,7 @@
 // Random actions on the lab window until something breaks:
 //   carom_monkey [--seed N] [--actions N] [--folder DIR]
-// The seed is printed; the same seed gives the same actions. A crash, and a window that doesn't answer, are
-// told with the last actions. Without --actions there are 300, or 20 000 where CAROM_LONG_TESTS is set.
+// The seed is printed; the same seed gives the same actions. A crash or a hanging window is reported with the
+// last actions. Without --actions there are 300, or 20 000 where CAROM_LONG_TESTS is set.
 #include <QApplication>
 #include <QDesktopServices>
 #include <QDir>
@@ -70,7 +70,7 @@ double seconds(clockid_t clock) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Ends the program where one action takes too long.
+// Ends the program if one action takes too long.
 void watch(const std::stop_token& stop, pthread_t main_thread) {
   clockid_t clock{};
   pthread_getcpuclockid(main_thread, &clock);
@@ -95,7 +95,7 @@ void watch(const std::stop_token& stop, pthread_t main_thread) {
   }
 }
 
-// Everything that the lab writes or reads beside its own experiments is in this folder.
+// The lab writes and reads only in this folder, apart from its own experiments.
 void make_sandbox(const QString& folder) {
   for (const auto& [name, sub] :
        std::to_array<std::pair<const char*, const char*>>({{"HOME", "home"},
@@ -120,7 +120,7 @@ void make_sandbox(const QString& folder) {
     QFile::copy(QString::fromStdString(find_preset(name).string()), folder + "/" + name + "-copy.json");
 }
 
-// Nothing that the monkey does can write what belongs to root.
+// The monkey cannot write files of root.
 void become_nobody(const QString& folder) {
   constexpr uid_t kNobody = 65534;
   if (geteuid() != 0) return;
@@ -138,7 +138,7 @@ int value_of(const QStringList& arguments, const QString& name, int otherwise) {
   return at >= 0 && at + 1 < arguments.size() ? arguments[at + 1].toInt() : otherwise;
 }
 
-// Links of the help pages go nowhere.
+// Links of the help pages open nothing.
 class NoBrowser : public QObject {
   Q_OBJECT
  public slots:

@@ -24,7 +24,7 @@ QPushButton* button(const QWidget& bar, const QString& text) {
   return nullptr;
 }
 
-// The window's own use of a key comes second to the button that has the focus.
+// The focused button takes a key before the window does.
 TEST(NoticeBar, IsAnsweredByKeyboard) {
   QMainWindow window;
   QAction play;

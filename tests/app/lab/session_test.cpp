@@ -11,14 +11,14 @@
 #include "tests/support/scenes.h"
 #include "tests/support/wait.h"
 
-// Every edit of a session is undone and done again: the document is what it was, and so are its runs.
+// Undo and redo of every edit of a session restore the document and its runs.
 namespace carom {
 namespace {
 
 constexpr double kEdit = 0.3;  // s
 constexpr double kEnd = 0.6;   // s
 
-// All of a session that an edit can change. Names of runs are not compared: they are anew.
+// All parts of a session that an edit can change. Names of runs are not compared: they are made again.
 struct Snapshot {
   std::string document;
   ReferenceId reference;
@@ -70,7 +70,7 @@ class SessionTest : public testing::Test {
     const Preset preset = read_preset(find_preset("drag-projectile"));
     session_.open(preset, preset.plots, {}, "drag-projectile", {});
   }
-  // Until all runs have come to the moment that is shown, and nothing more comes.
+  // Waits until all runs have reached the shown time, and no more frames come.
   void settle() {
     QTest::qWait(40);
     ASSERT_TRUE(test::wait_until([&] {
@@ -180,7 +180,7 @@ TEST_F(SessionTest, EachEditIsUndoneAsIfItHadNeverBeen) {
   }
 }
 
-// The run begins anew with it, and so it does without.
+// This edit restarts the run, and so does its undo.
 TEST_F(SessionTest, TheUsualComparisonIsUndone) {
   run_to(kEnd);
   const Snapshot never = snapshot();
@@ -200,7 +200,7 @@ TEST_F(SessionTest, TheUsualComparisonIsUndone) {
   expect_same(snapshot(), with);
 }
 
-// One on top of another, and back without waiting for the runs.
+// Several edits, undone without waiting for the runs.
 TEST_F(SessionTest, ManyEditsAreUndoneAtOnce) {
   run_to(kEnd);
   const Snapshot never = snapshot();
@@ -244,7 +244,7 @@ TEST_F(SessionTest, UndoWhileARunPlays) {
   EXPECT_TRUE(test::same_bytes(snapshot().runs[0].state, undone.runs[0].state));
 }
 
-// A restart begins with the methods in force; what is undone then is undone from the start.
+// A restart begins with the current methods; an undo after it acts from the start.
 TEST_F(SessionTest, UndoAfterARestart) {
   run_to(kEnd);
   const Snapshot never = snapshot();
@@ -323,7 +323,7 @@ TEST_F(SessionTest, TheMarkOfChangesFollowsUndoAndSave) {
   EXPECT_TRUE(session_.modified());
 }
 
-// Of a built-in experiment the named plots that are open are nothing that could be lost.
+// The choice of named plots of a built-in experiment is not work that could be lost.
 TEST_F(SessionTest, WhichNamedPlotsAreOpenIsUndoneButNoWork) {
   session_.change_plots({named("energy"), named("ledger")});
   EXPECT_FALSE(session_.modified());

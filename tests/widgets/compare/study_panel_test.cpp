@@ -108,7 +108,8 @@ TEST_F(StudyPanelTest, AClickOnAPointChoosesItsMethod) {
   EXPECT_TRUE(chosen_.empty());
 }
 
-// A step that a click has chosen moves no later study's steps; a scene with another method is the same scene.
+// A step chosen by a click does not change the steps of later studies; a scene with another method is the same
+// scene.
 TEST_F(StudyPanelTest, AChosenMethodIsNoOtherScene) {
   run_to_its_end();
   Preset with_method = drag_scene();
@@ -143,7 +144,7 @@ TEST_F(StudyPanelTest, AStudyOfAnotherSceneSaysSoAndChoosesNothing) {
   EXPECT_EQ(chosen_.size(), 1U);
 }
 
-// Runs that would take days: only a stop within a run ends them.
+// Runs of days: only a stop within a run can end them.
 StudyOptions endless() {
   StudyOptions o = quick();
   o.steps = {0.05, kLeastStep};
@@ -229,7 +230,7 @@ TEST(ErrorPlot, SaysThatNothingMoves) {
   EXPECT_EQ(panel.plot().row_at({50.0, 50.0}), nullptr);
 }
 
-// Every error over time and step: each row that has both is found where it is drawn.
+// Every error against time and step: each row with both values is found where it is drawn.
 TEST(ErrorPlot, FindsItsPoints) {
   Preset preset = head_on_scene();
   preset.scene.forces.gravity = {0.0, -1.0};

@@ -103,7 +103,7 @@ TEST_F(DistributionPlot, EachPartCanBeHidden) {
   EXPECT_NE(plot(0)->plot()->grab().toImage(), all);
 }
 
-// Before anything moves, and of nothing at all.
+// Before anything moves, and without any bodies.
 TEST(Distribution, OfNothingIsEmpty) {
   PlotPanel panel(light_theme());
   panel.set_plots({named("speeds"), named("impulses")}, {});
@@ -205,7 +205,7 @@ TEST_F(ZoomBoxTest, APlainDragStillMoves) {
   EXPECT_LT(plot(2)->time_range().minValue(), 0.0);
 }
 
-// A histogram's own axes.
+// The histogram's own axes.
 TEST_F(ZoomBoxTest, OfAHistogramStaysWithIt) {
   const QPointF low = value_at(0, {60, 70});
   drag(plot(0)->plot()->canvas(), {60, 70}, {160, 20}, Qt::ControlModifier);

@@ -69,7 +69,7 @@ TEST_F(LegendRowTest, ManyCurvesKeepTheRowNarrow) {
   }
   EXPECT_LE(more()->geometry().right(), row.width());
 
-  // The menu hides and shows the others.
+  // The menu hides and shows the curves without room.
   emit more()->menu()->aboutToShow();
   ASSERT_EQ(more()->menu()->actions().size(), 100 - shown());
   QAction* last = more()->menu()->actions().back();

@@ -48,14 +48,14 @@ TEST_F(PlotExportTest, PicturesAreWhole) {
   EXPECT_FALSE(error.isEmpty());
 }
 
-// The line under the mouse is the reader's, not the plot's.
+// The line under the mouse is not part of the exported plot.
 TEST_F(PlotExportTest, TheCursorStaysOut) {
   const QImage without = plot_picture(plot()).toImage();
   plot().set_cursor(0.5);
   EXPECT_EQ(plot_picture(plot()).toImage(), without);
 }
 
-// On a device of many dots an inch, as a PDF is, text is as large as in px: a tenth of the area is ink, not
+// On a device with many dots an inch, such as a PDF, text has its size in px: a tenth of the area is ink, not
 // all.
 TEST_F(PlotExportTest, TextFitsWhateverTheResolution) {
   plot().set_theme(light_theme());

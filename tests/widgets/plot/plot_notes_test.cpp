@@ -40,7 +40,7 @@ class PlotNotesTest : public testing::Test {
     return {qRound(plot()->plot()->transform(QwtAxis::XBottom, x)),
             qRound(plot()->plot()->transform(QwtAxis::YLeft, y))};
   }
-  // Chooses the entry that begins so, and answers the question that it asks.
+  // Chooses the entry with this beginning, and answers its question.
   void choose(const QPoint& at, const QString& entry, const QString& answer) {
     QMenu menu;
     add_note_entries(menu, *plot(), at, &panel, [this] { ++changes; });
@@ -67,7 +67,7 @@ TEST_F(PlotNotesTest, OfANamedPlotIsShownAndKept) {
   EXPECT_EQ(plot()->note_at(pixel(0.5, 2.0)), std::optional<std::size_t>(0));
   EXPECT_EQ(plot()->note_at(pixel(0.5, 2.0) + QPoint(20, -12)), std::optional<std::size_t>(0));  // its words
   EXPECT_EQ(plot()->note_at(pixel(0.2, 1.0)), std::nullopt);
-  // Out of sight it can't be met.
+  // A note out of view cannot be hit.
   emit plot()->boxAsked(QRectF(QPointF(0.6, 0.0), QPointF(0.9, 5.0)));
   QApplication::processEvents();
   EXPECT_EQ(plot()->note_at(pixel(0.5, 2.0)), std::nullopt);
@@ -82,7 +82,7 @@ TEST_F(PlotNotesTest, IsPutChangedAndRemovedByTheMenu) {
   EXPECT_NEAR(panel.chosen()[0].notes[1].y, 1.0, 0.1);
   choose(at, "Change this note", "there");
   EXPECT_EQ(panel.chosen()[0].notes[1].text, "there");
-  choose(at, "Change this note", "  ");  // no words: as it was
+  choose(at, "Change this note", "  ");  // empty text: unchanged
   EXPECT_EQ(panel.chosen()[0].notes[1].text, "there");
   choose(at, "Remove this note", {});
   EXPECT_EQ(panel.chosen()[0].notes.size(), 1u);
@@ -104,7 +104,7 @@ TEST_F(PlotNotesTest, StandsInPictures) {
   EXPECT_TRUE(file.readAll().contains("words of mine"));
 }
 
-// At every edge the words stay within the plot.
+// At every edge the text stays within the plot.
 TEST_F(PlotNotesTest, WordsStayWithinThePlot) {
   for (const double x : {0.001, 0.5, 0.999}) {
     for (const double share : {0.02, 0.5, 0.98}) {

@@ -8,7 +8,7 @@
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/run_plot.h"
 
-// Plots that go while the mouse is on them, or while something of theirs is still open.
+// Plots that are removed while the mouse is on them, or while their menu or dialog is open.
 namespace carom {
 namespace {
 
@@ -23,7 +23,7 @@ class PlotPanelMouse : public testing::Test {
     panel_.update_from({{recorder, "run"}});
     panel_.show_now();
   }
-  // As the screen tells of it, so that Qt knows what is under the mouse.
+  // Sent like a screen event, so that Qt knows the widget under the mouse.
   void rest_on(RunPlot* plot) {
     QWidget* canvas = plot->plot()->canvas();
     const QPoint at = canvas->mapTo(&panel_, canvas->rect().center());
@@ -65,7 +65,7 @@ TEST_F(PlotPanelMouse, PanelGoesWhileItRestsOnAPlot) {
   QCoreApplication::processEvents();
 }
 
-// The menu of a plot that is gone offers nothing that could be done to it.
+// The menu of a removed plot has no entries that act on it.
 TEST_F(PlotPanelMouse, MenuOutlivesItsPlot) {
   RunPlot* plot = panel_.plots().front();
   const QPoint at = plot->geometry().center();

@@ -38,7 +38,7 @@ void wheel(QWidget* widget, const QPoint& at, int notches, Qt::KeyboardModifiers
   QApplication::processEvents();
 }
 
-// Puts value(row) in the place of what the frame's rows have for an observable of the scene.
+// Replaces the values of a scene's observable in the frame's rows by value(row).
 template <class Value>
 void set_values(Frame& frame, std::string_view observable, const Value& value) {
   Rows& rows = frame.rows[0];
@@ -257,7 +257,7 @@ TEST_F(PlotPanelTest, ConstantDataHaveARange) {
   EXPECT_EQ(plot(2)->value_range(), QwtInterval(-1.0, 1.0));  // no impacts
 }
 
-// A quantity of a body, two in one plot, and a path: what the lines and the title say.
+// A quantity of a body, two in one plot, and a path: the texts of lines and title.
 TEST_F(PlotPanelTest, PlotsOfAnyQuantity) {
   const std::vector<Body> bodies = head_on_scene().scene.bodies;
   Plot speeds;
@@ -293,7 +293,7 @@ TEST_F(PlotPanelTest, PlotsOfAnyQuantity) {
   EXPECT_LT(plot(1)->plot()->axisScaleDiv(QwtAxis::XBottom).interval().width(), 0.9 * x.width());
 }
 
-// Clicks mark records, arrows go to the next one; the table tells what lies there: the kinetic energy of the
+// Clicks mark records, arrows move to the next one; the table has their values: the kinetic energy of the
 // head-on impact is 4.5 J before and after, the momentum of A alone falls from 3 to -1 N s.
 TEST_F(PlotPanelTest, MarksAreRead) {
   Plot momentum;
@@ -392,7 +392,7 @@ TEST(PlotDialog, PutsAPlotTogether) {
   }
   away->click();
   EXPECT_EQ(dialog.plot().y.size(), 2u);
-  // A body that is not there.
+  // A body that does not exist.
   dialog.findChildren<QComboBox*>()[1]->setCurrentText("nobody");
   EXPECT_FALSE(ok->isEnabled());
 }

@@ -34,7 +34,7 @@ TEST(PlotScale, NoiseIsNotBlownUp) {
   EXPECT_GT(constant.width(), 0.1);
 }
 
-// What counts as noise goes by the run's own size.
+// The noise level depends on the run's own scale.
 TEST(PlotScale, SmallIsNotZero) {
   const Zero tiny{.below = 1e-21, .range = 3e-12};
   EXPECT_EQ(nice_range(-2e-25, 3e-25, tiny), QwtInterval(-5e-12, 5e-12));

@@ -26,7 +26,7 @@
 namespace carom {
 namespace {
 
-// Of a plot of 100 by 100 px that shows 0 to 1 and -2 to 2.
+// A canvas of 100 by 100 px that shows 0 to 1 and -2 to 2.
 struct Canvas {
   QwtScaleMap x, y;
   QRectF area{0.0, 0.0, 100.0, 100.0};
@@ -74,7 +74,7 @@ TEST(TheoryCurve, IsBrokenAtAPoleAndWhereItHasNoValue) {
   EXPECT_TRUE(canvas.pieces("sqrt(-1 - x)").empty());
 }
 
-// However wild, a picture stays cheap.
+// Even a wildly oscillating form is cheap to draw.
 TEST(TheoryCurve, DoesNotLookForEver) {
   std::size_t points = 0;
   for (const QPolygonF& piece : Canvas().pieces("sin(1e9*x)")) points += static_cast<std::size_t>(piece.size());
@@ -121,7 +121,7 @@ TEST_F(PlotTheory, StandsInTheLegendAndCanBeHidden) {
   theory->click();
   QApplication::processEvents();
   EXPECT_TRUE(legend(panel.plots()[0]).isEmpty());
-  // The theory is seen beyond what was recorded only: make it differ.
+  // The theory is visible only beyond the record: make it differ.
   Plot other = plot;
   other.y[0].theory = "1";
   panel.replace(panel.plots()[0], other);
@@ -155,7 +155,7 @@ TEST_F(PlotTheory, ResidualIsALineOfItsOwnWithEveryDigit) {
   for (const SeriesPoint<1>& p : points) EXPECT_LT(std::abs(p.value[0]), 1e-14) << p.at;
   EXPECT_EQ(panel.contents()[0].title, QString::fromUtf8("x of A − theory"));
   EXPECT_TRUE(legend(panel.plots()[0]).isEmpty());
-  // Rounding is shown as what it is, not as zero.
+  // Rounding is shown, not replaced by zero.
   EXPECT_LT(panel.plots()[0]->value_range().width(), 1e-12);
 }
 

@@ -91,7 +91,7 @@ TEST(RunTables, ImpactsNewestFirst) {
   EXPECT_EQ(table.model()->rowCount(), 0);
 }
 
-// A driven body has no momentum of its own to tell.
+// A driven body has no momentum of its own.
 TEST(RunTables, SumsAreOfTheBodiesThatMoveFreely) {
   const Preset preset = head_on_scene();
   Frame frame = run_to(preset, 0.1);

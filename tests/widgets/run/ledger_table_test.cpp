@@ -30,7 +30,7 @@ TEST(LedgerTable, ClosesOnTheDrift) {
   EXPECT_EQ(cell(table, 13, 0), "numerical drift");
 }
 
-// Every entry stands where its name says.
+// Every entry is in the row of its name.
 TEST(LedgerTable, HasEveryEntryOfTheLedger) {
   Frame frame = run_to(head_on_scene(), 0.1);
   frame.ledger.initial = 100.0;

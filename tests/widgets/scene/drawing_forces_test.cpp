@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-// A disc of 0.1 m at (1, 0) and one at (2, 0), at 100 px/m; what acts on them is each test's.
+// A disc of 0.1 m at (1, 0) and one at (2, 0), at 100 px/m; each test adds its forces.
 class ForcesDrawn : public testing::Test {
  protected:
   void SetUp() override {
@@ -44,7 +44,7 @@ class ForcesDrawn : public testing::Test {
     }
     return widest;
   }
-  // The ends of what a spring draws, but for its dot and plate.
+  // The ends of a spring's drawing, without its dot and plate.
   [[nodiscard]] static std::pair<double, double> reach(const Drawing& d) {
     double low = 1e9;
     double high = -1e9;
@@ -106,7 +106,7 @@ TEST_F(ForcesDrawn, ABumperWaitsAtItsFreeLengthAndIsThinTillItPushes) {
     EXPECT_NEAR(reach(pressed).second, 0.9, 1e-12);
     EXPECT_NE(pressed.lines[1].color, idle.lines[1].color);
     EXPECT_GT(pressed.lines[1].width, idle.lines[1].width);
-    // The plate is upright, about the line.
+    // The plate is vertical, centred on the line.
     EXPECT_NEAR(pressed.lines.back().from.y(), -0.09, 1e-12);
     EXPECT_NEAR(pressed.lines.back().to.y(), 0.09, 1e-12);
   }
@@ -146,7 +146,7 @@ TEST_F(ForcesDrawn, ADrivenBodyIsHatchedWithinItsShape) {
     }
   }
   EXPECT_EQ(d.boxes[0].fill, light_theme().wall_fill);
-  // About the middle of the vibration, as long as it goes.
+  // Centred on the vibration, as long as its amplitude.
   ASSERT_EQ(d.arrows.size(), 2U);
   EXPECT_TRUE(d.arrows[0].from.isApprox(Vec2(1.0, -0.3), 1e-12));
   EXPECT_NEAR(d.arrows[0].to.y(), 0.0, 1e-12);

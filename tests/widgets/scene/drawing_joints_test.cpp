@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-// At 100 px/m; the joints are each test's.
+// At 100 px/m; each test adds its joints.
 class JointsDrawn : public testing::Test {
  protected:
   JointsDrawn() { camera_.scale = 100.0; }
@@ -100,7 +100,7 @@ TEST_F(JointsDrawn, AWeldIsADot) {
   EXPECT_EQ(d.segments[0].from, Vec2(0.5, 0.5));
 }
 
-// A weld that an impact makes is among the joints from then on.
+// A weld made by an impact is among the joints from then on.
 TEST_F(JointsDrawn, AFrameHasTheWeldsOfBodiesThatStick) {
   Preset preset = head_on_scene();
   Material glue;

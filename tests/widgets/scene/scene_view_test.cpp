@@ -202,7 +202,7 @@ TEST_F(SceneViewTest, OpenGlPaintsLikeQPainter) {
     EXPECT_NEAR(a.green(), b.green(), 12) << at.x() << "," << at.y();
     EXPECT_NEAR(a.blue(), b.blue(), 12) << at.x() << "," << at.y();
   }
-  // The scale bar comes with the text.
+  // The scale bar is drawn with the text.
   EXPECT_LT(painter.pixelColor(60, 384).lightness(), 180);
   EXPECT_LT(gl.pixelColor(60, 384).lightness(), 180);
 }

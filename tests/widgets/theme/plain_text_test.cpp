@@ -28,7 +28,7 @@ TEST(PlainText, TooltipSaysTheTextItself) {
   EXPECT_EQ(plain_tip({}), QString());
 }
 
-// Such as a file dialog's own, which asks whether a file of this name is to be replaced.
+// Such as a file dialog's own question whether to replace a file of this name.
 TEST(PlainText, MessageBoxesOfQtsOwnShowTagsAsTheyAre) {
   keep_messages_plain();
   QStringList rich;
