@@ -8,13 +8,13 @@
 namespace carom {
 namespace {
 
-// Takes in values one after the other. Each type's members are named in a structured binding, so that one that
-// is new and forgotten here doesn't compile.
+// Hashes values one after the other. A structured binding names all members of each type, so a new member
+// that is forgotten here does not compile.
 class Fingerprint {
  public:
   [[nodiscard]] std::uint64_t value() const { return hash_ != 0 ? hash_ : 1; }
 
-  void add(double value) { add_bits(std::bit_cast<std::uint64_t>(value + 0.0)); }  // -0 is 0 in a file
+  void add(double value) { add_bits(std::bit_cast<std::uint64_t>(value + 0.0)); }  // a file stores -0 as 0
   template <class Whole>
   requires std::integral<Whole> || std::is_enum_v<Whole>
   void add(Whole value) { add_bits(static_cast<std::uint64_t>(value)); }

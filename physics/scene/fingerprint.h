@@ -6,9 +6,8 @@
 
 namespace carom {
 
-// A number that tells scenes apart by all that has a part in their physics: bodies (those of the generators as
-// such), forces, surfaces, laws and joints, and when the run starts (s). Never 0. FNV-1a, 64 bits; the same
-// everywhere.
+// A hash of all that affects a scene's physics: bodies (those of the generators expanded), forces, surfaces,
+// laws, joints, and the start time of the run (s). Never 0. FNV-1a, 64 bits; the same on every platform.
 [[nodiscard]] std::uint64_t fingerprint(const Scene& scene, double start_time);
 
 }  // namespace carom

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSame = 1e-9;  // of the extent
+constexpr double kSame = 1e-9;  // relative to the extent
 
 Vector2d mean_of(std::span<const Vector2d> vertices) {
   Vector2d sum = Vector2d::Zero();
@@ -19,7 +19,7 @@ Vector2d mean_of(std::span<const Vector2d> vertices) {
   return sum / static_cast<double>(vertices.size());
 }
 
-// m: the largest distance from the mean.
+// Largest distance of a vertex from their mean, in m.
 double extent_of(std::span<const Vector2d> vertices) {
   const Vector2d mean = mean_of(vertices);
   double extent = 0.0;

@@ -8,17 +8,17 @@
 
 namespace carom {
 
-// Beyond this the contact search would be slow and the shape is better a disc.
+// With more vertices the contact search would be slow, and a disc is the better shape.
 inline constexpr int kMostVertices = 16;
-// Before repeated ones and those on a line are left out.
+// Before repeated and collinear points are dropped.
 inline constexpr int kMostPolygonPoints = 4 * kMostVertices;
 
-// The vertices counter-clockwise, without repeated ones and without those on the line of their neighbours (both
-// within 1e-9 of the polygon's extent). What is not convex stays so.
+// The vertices counter-clockwise, without repeated and collinear ones (both within 1e-9 of the polygon's
+// extent). A polygon that is not convex stays so.
 [[nodiscard]] std::vector<Eigen::Vector2d> tidied(std::span<const Eigen::Vector2d> vertices);
 
-// What makes the vertices no convex polygon with this rounding, in words: "..., allowed: ..."; nothing if they
-// are one. Two distinct vertices are one if they are rounded: a capsule.
+// Why the vertices are not a convex polygon with this rounding, as text: "..., allowed: ..."; nothing if they
+// are. Two distinct vertices are allowed if they are rounded: a capsule.
 [[nodiscard]] std::optional<std::string> fault_of(std::span<const Eigen::Vector2d> vertices, double rounding);
 
 // The moments of a homogeneous plate.
@@ -28,8 +28,9 @@ struct PlateMoments {
   double second_moment = 0.0;                          // m⁴, polar, about the centroid
 };
 
-// Of a tidied convex polygon of at least two vertices (m), grown by `rounding` (m, >= 0). It is the sum of the
-// polygon, by Green's theorem over its edges, of a rectangle on each edge and of a sector about each vertex.
+// Moments of a tidied convex polygon of at least two vertices (m), grown by `rounding` (m, >= 0): the sum of
+// the polygon, by Green's theorem over its edges, of a rectangle on each edge and of a sector about each
+// vertex.
 [[nodiscard]] PlateMoments moments_of(std::span<const Eigen::Vector2d> vertices, double rounding);
 
 }  // namespace carom

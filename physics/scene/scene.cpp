@@ -20,7 +20,7 @@ double uniform(std::mt19937_64& random, double low, double high) {
 
 namespace {
 
-// Without a name.
+// The result has no name.
 Material mixed_surface(const Material& a, const Material& b) {
   Material m;
   m.name.clear();
@@ -78,7 +78,7 @@ std::vector<Material> combined_materials(const Scene& scene, const std::vector<s
   for (const Material& a : materials) {
     for (const Material& b : materials) all.push_back(mixed_surface(a, b));
   }
-  // Of several for one pair the first counts.
+  // If a pair is listed several times, the first entry counts.
   for (auto pair = scene.pairs.rbegin(); pair != scene.pairs.rend(); ++pair) {
     const auto a = index.find(pair->a);
     const auto b = index.find(pair->b);
@@ -95,7 +95,7 @@ Material combined_material(const Scene& scene, const std::string& a, const std::
 
 namespace {
 
-// Whether a material or a pair of materials has it.
+// Whether any material or pair of materials has the property.
 template <class Property>
 bool any_surface(const Scene& scene, const Property& has) {
   return std::any_of(scene.materials.begin(), scene.materials.end(), has) ||

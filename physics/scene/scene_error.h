@@ -7,17 +7,17 @@
 
 namespace carom {
 
-// A scene or a preset file that cannot be used: one line that says where (a JSON pointer, a line for syntax),
+// A scene or a preset file is invalid. The message is one line: where (a JSON pointer, or a line for syntax),
 // what was found and what is allowed.
 class SceneError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// Throws the SceneError that refuses a value: where it stands, what was found and what is allowed.
+// Throws the SceneError for a value: its place, what was found and what is allowed.
 [[noreturn]] void refuse_value(const std::string& place, const std::string& found, const std::string& allowed);
 
-// What no table of keys and ranges can say: how parts of a scene must go together.
+// Rules that no table of keys and ranges can state: how the parts of a scene must fit together.
 enum class Rule {
   kOwnNames,
   kReferences,
@@ -60,14 +60,14 @@ inline constexpr auto kRules = std::to_array<RuleText>({
     {Rule::kSavedRun, "The state of a saved run is one that Carom wrote, of this scene."},
 });
 
-// A SceneError of one of these rules.
+// A SceneError for one of these rules.
 class RuleError : public SceneError {
  public:
   RuleError(Rule broken, const std::string& line) : SceneError(line), rule(broken) {}
   Rule rule;
 };
 
-// Throws the RuleError that refuses a value.
+// Throws the RuleError for a value.
 [[noreturn]] void refuse_by(Rule rule, const std::string& place, const std::string& found,
                             const std::string& allowed);
 

@@ -7,9 +7,9 @@
 
 namespace carom {
 
-// Checks the joints of a scene whose bodies, `bodies`, are good: references, numbers, and that at the start the
-// ends are where the joints hold them and don't leave there. Throws SceneError with the JSON pointer of the
-// first fault.
+// Checks the joints of a scene: references, numbers, and that the positions and velocities of their ends fit
+// at the start. `bodies` are all bodies of the scene, already valid. Throws SceneError with the JSON pointer
+// of the first fault.
 void check_joints(const Scene& scene, const std::vector<Body>& bodies, const RunBegin& begin);
 
 }  // namespace carom
