@@ -28,9 +28,9 @@ namespace carom {
 // - At an impact (share), velocities change at once such that J v = n·v_end holds after it; strings only
 //   pull.
 // - New joints and tightening strings (apply_taut_impulse) act by a perfectly plastic impact: of all
-//   velocities that the joints allow, it takes those nearest to the ones before, in the norm v·M v. Momentum
-//   and angular momentum of the joined bodies are conserved, and the energy lost is ½ uᵀ(J M⁻¹Jᵀ)⁻¹u, with u
-//   = J v - n·v_end before.
+//   velocities that the joints allow, it takes those nearest to the ones before, in the norm v·M v. What the
+//   bodies exchange through joints does not change their total momentum and angular momentum. The energy lost
+//   is ½ uᵀ(J M⁻¹Jᵀ)⁻¹u, with u = J v - n·v_end before.
 //
 // J M⁻¹Jᵀ is factored as L D Lᵀ within its skyline: the cost of a chain is proportional to its length. A row
 // that depends on those before it (a frame with more rods than it needs) gets no force of its own. Call
