@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLinks = 40;  // as the kernel has it
+constexpr int kMostLinks = 40;  // as in the kernel
 constexpr const char* kRightToWrite = "a place with the right to write";
 
 std::string text_of(int error) { return std::generic_category().message(error); }
@@ -32,7 +32,7 @@ fs::path folder_of(const fs::path& file, const std::string& name) {
   return folder;
 }
 
-// The number of an open descriptor of this process that a file stands for, else -1.
+// The open descriptor of this process that a file stands for, else -1.
 int descriptor_of(const fs::path& folder, const std::string& file) {
   if (folder != fmt::format("/proc/{}/fd", getpid())) return -1;
   int number = -1;
@@ -104,7 +104,7 @@ OutputPlace output_place(const std::string& name) {
     std::error_code error;
     const fs::path target = fs::read_symlink(place.file, error);
     if (error || links == kMostLinks) refuse_output(name, "its links lead nowhere", "a file");
-    // What another process has open is reached through a link that leads to no name.
+    // An open file of another process is a link whose target is not a name.
     if (folder.string().starts_with("/proc/")) {
       if (stat(place.file.c_str(), &place.facts) != 0)
         refuse_output(name, fmt::format("nothing can be written there ({})", text_of(errno)), kRightToWrite);

@@ -7,7 +7,7 @@
 
 namespace carom {
 
-// Tells files apart whatever their names are: device and inode.
+// Identifies a file, whatever its name: device and inode.
 struct FileId {
   dev_t device = 0;
   ino_t inode = 0;
@@ -21,19 +21,19 @@ struct OutputPlace {
     kNew,       // a file that is not there yet
     kReplaced,  // a file that is there
     kSpecial,   // a device, a pipe or a terminal
-    kStream,    // an open descriptor of this process, as /dev/stdout is
+    kStream,    // an open descriptor of this process, such as /dev/stdout
   };
   Kind kind = Kind::kNew;
   std::string name;            // as the user wrote it
-  std::filesystem::path file;  // absolute and without links, but for what is special
-  FileId folder;               // that holds it; of kNew and kReplaced
-  struct stat facts = {};      // of what is there already; not of kNew
-  int descriptor = -1;         // of kStream
+  std::filesystem::path file;  // absolute and without links, except for kSpecial
+  FileId folder;               // of the file; for kNew and kReplaced
+  struct stat facts = {};      // of the existing file; not for kNew
+  int descriptor = -1;         // for kStream
 };
 
-// Throws SceneError where no file of this name can be written: its folder is not there or may not be changed,
-// it is a folder itself, it is marked read-only (no right to write; for root: nobody has one), links lead
-// nowhere. Nothing is changed or opened for long.
+// Throws SceneError if no file of this name can be written: its folder is missing or may not be changed, it
+// is a folder itself, it is read-only (no right to write; for root: nobody has one), or its links lead
+// nowhere. Changes nothing and leaves nothing open.
 [[nodiscard]] OutputPlace output_place(const std::string& name);
 
 // Throws SceneError: "name: why; allowed: allowed".
