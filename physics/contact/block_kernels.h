@@ -19,7 +19,7 @@ struct alignas(64) ContactBlock {
   Lanes<std::uint32_t> a{}, b{};  // offsets of the bodies' velocities: 4 × body
   Lanes<double> nx{}, ny{};
   Lanes<double> arm_na{}, arm_nb{}, arm_ta{}, arm_tb{};    // r×n and r×t, m
-  Lanes<double> inverse_mass_a{}, inverse_mass_b{};        // 1/kg; 0 for immovable bodies
+  Lanes<double> inverse_mass_a{}, inverse_mass_b{};        // 1/kg; 0 for infinite mass
   Lanes<double> inverse_inertia_a{}, inverse_inertia_b{};  // 1/(kg m²)
   Lanes<double> mass_n{}, mass_t{}, mass_r{};              // kg, kg, kg m²
   Lanes<double> target{};                                  // m/s

@@ -6,7 +6,7 @@
 #include "physics/preset/value_reader.h"
 #include "physics/scene/scene.h"
 
-// One element of the array /expect of a preset file and an expectation of a scene.
+// Converts between an element of the array /expect of a preset file and an expectation.
 namespace carom {
 
 void read_expectation(FieldReader& r, Expectation& expectation);

@@ -6,12 +6,12 @@
 
 namespace carom {
 
-// Bytes that a file may have to be read: far beyond any preset.
+// The largest file that is read, in bytes: far beyond any preset.
 inline constexpr std::size_t kLargestFile = 256'000'000;
 
-// The bytes of a regular file. Never waits for a pipe or a device. Throws SceneError, one line with the file's
-// name, if it is something else, too large or can't be read; `allowed` says what may stand there: "a preset
-// file".
+// The bytes of a regular file. Never waits for a pipe or a device. Throws SceneError, one line with the
+// file's name, if it is not a regular file, too large or unreadable; `allowed` names what is expected: "a
+// preset file".
 [[nodiscard]] std::string file_text(const std::filesystem::path& file, const char* allowed);
 
 }  // namespace carom

@@ -4,13 +4,13 @@
 #include "physics/scene/scene.h"
 #include "physics/scene/validate.h"
 
-// The array /forces of a preset file and the forces of a scene.
+// Converts between the array /forces of a preset file and the forces of a scene.
 namespace carom {
 
-// Reads the force that stands at `at`, /forces/`index`, and notes its place.
+// Reads the force at `at`, which is /forces/`index`, and records its place.
 void read_force(FieldReader& r, const std::string& at, int index, Forces& forces, ForcePlaces& places);
 
-// The array, in the order of written_places(); with `all`, members that hold their default too.
+// The array, in the order of written_places(); with `all` also members with their default value.
 [[nodiscard]] Json forces_json(const Forces& forces, bool all);
 
 }  // namespace carom

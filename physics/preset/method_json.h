@@ -7,7 +7,7 @@
 namespace carom {
 
 void read_method(FieldReader& r, Method& m);
-// With the tolerance also where no integrator asks for it, if `all` is wanted.
+// With `all`, the tolerance is included even if the integrator does not use it.
 [[nodiscard]] Json method_json(const Method& method, bool all);
 
 }  // namespace carom

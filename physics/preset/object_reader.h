@@ -11,7 +11,7 @@
 #include "physics/scene/scene.h"
 #include "physics/scene/validate.h"
 
-// The values of a preset file, read one by one; each error is one line with the JSON pointer of the place.
+// Reads the values of a preset file one by one; each error is one line with the JSON pointer of the place.
 namespace carom {
 
 inline double number(const Json& value, const std::string& place) {
@@ -35,7 +35,7 @@ std::string quoted_names(const Table& table) {
   return names;
 }
 
-// Reads the members of one object and, at the end, refuses those that nobody asked for.
+// Reads the members of one object; finish() refuses keys that were not asked for.
 class ObjectReader {
  public:
   ObjectReader(const Json& object, std::string place) : object_(object), place_(std::move(place)) {

@@ -9,8 +9,7 @@ namespace carom {
 
 [[nodiscard]] inline Json pair_json(const Vec2& v) { return Json::array({v.x(), v.y()}); }
 
-// Puts together one object. Members that hold their default are left out, as people leave them out, unless
-// `all` of them are asked for.
+// Builds one object. Members with their default value are left out, unless `all` is set.
 struct ObjectWriter {
   explicit ObjectWriter(bool write_all) : all(write_all) {}
 

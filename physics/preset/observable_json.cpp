@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-// Bodies that any observable asks for, at most.
+// The most bodies that any observable needs.
 constexpr std::size_t kMostObserved = 2;
 
 }  // namespace

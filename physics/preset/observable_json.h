@@ -7,8 +7,8 @@
 
 namespace carom {
 
-// The members "observable" and "bodies" of an object, as many bodies as the observable asks for. Errors against
-// a reference are there in plots only.
+// Reads the members "observable" and "bodies" of an object; the observable decides the number of bodies.
+// Errors against a reference exist in plots only.
 void read_observable(FieldReader& r, bool in_plot, std::string& name, std::vector<std::string>& bodies);
 
 }  // namespace carom

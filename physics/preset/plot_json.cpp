@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-// A quantity that may have a closed form beside it; `with_x`: it is drawn over another one.
+// A quantity with an optional closed form; `with_x`: it is drawn over another quantity.
 void read_line(FieldReader& r, bool with_x, QuantityName& q) {
   read_observable(r, true, q.observable, q.bodies);
   r.member({"theory", "its closed form in t and, over another quantity, in x"}, [&](const ValueReader& v) {

@@ -140,7 +140,7 @@ void read_format(FieldReader& r) {
   });
 }
 
-// The section of a saved run is written by Carom alone: a fault of it is one of a rule.
+// Only Carom writes the section of a saved run, so any fault in it breaks the rule for saved runs.
 template <class Read>
 void of_saved_run(const Read& read) {
   try {

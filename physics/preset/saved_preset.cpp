@@ -22,7 +22,7 @@ Preset saved_preset(const Preset& document, const Simulation& simulation) {
   out.method = simulation.method();
   out.scene.bodies = simulation.bodies();
   const State& state = simulation.state();
-  // What a file may leave to the start must be said now.
+  // Values that a file may leave to the start must be explicit now.
   out.scene.joints = simulation.joints();
   std::unordered_map<std::string_view, double> angles;  // by body
   for (const Body& b : out.scene.bodies) angles.emplace(b.name, b.angle);

@@ -5,10 +5,10 @@
 
 namespace carom {
 
-// The preset that goes on where the run stands now: `document` with the bodies where they are, the clock, what
-// has stuck together among the joints, and the state. Driven bodies keep the position that their drive counts
-// from. Expectations are about the run from its start, and are left out. Throws SceneError for a run that has
-// numbers which no preset can have.
+// The preset that continues a run from now: `document` with the bodies as they are, the clock, the state, and
+// joints for what has stuck together. Kinematic bodies keep the position that their drive starts from.
+// Expectations are about the run from its start and are left out. Throws SceneError for a lost run, and for
+// numbers that no preset can have.
 [[nodiscard]] Preset saved_preset(const Preset& document, const Simulation& simulation);
 
 }  // namespace carom

@@ -19,15 +19,15 @@ namespace {
 
 constexpr double kMostCount = 9e15;  // whole numbers that doubles hold exactly
 
-// How many values a list has: known from the scene; or free.
+// The length of a list: known from the scene, or free.
 constexpr std::size_t kFree = std::numeric_limits<std::size_t>::max();
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-// Numbers go into the file with all their digits. Equal ones, of a list whose length the scene says, become
-// one.
+// Writes numbers with all their digits. A list of known length whose values are equal is written as one
+// value.
 class StateWriter {
  public:
   Json json = Json::object();
@@ -128,7 +128,7 @@ class StateReader {
   void finish() const { reader_.finish(); }
 
   void value(const char* key, double& x) { x = finite(required(key), reader_.at(key)); }
-  // A file may be older than such a value.
+  // A value that older files lack.
   template <class T>
   void later(const char* key, T& x) {
     if (reader_.find(key) != nullptr) value(key, x);
@@ -219,7 +219,7 @@ class StateReader {
   }
   static double finite(const Json& v, const std::string& at) {
     if (!v.is_number()) refuse_value(at, quoted(v), "a number");
-    return v.get<double>();  // the parser has refused what is no double
+    return v.get<double>();  // the parser has refused what is not a double
   }
   static bool flag(const Json& v, const std::string& at) {
     if (!v.is_boolean()) refuse_value(at, quoted(v), "true or false");
@@ -255,9 +255,8 @@ class StateReader {
 };
 
 // --- the lists
-// ----------------------------------------------------------------------------------------------------
-// What stands in a file, each member once, for writing and reading. Each names all members of its type in a
-// structured binding, so that one that is new doesn't compile until it stands here.
+// The content of the file: one function per type, for writing and reading. A structured binding names all
+// members of the type, so a new one does not compile until it is listed here.
 
 struct Sizes {
   std::size_t bodies, islands, springs, joints, applied;
@@ -396,11 +395,11 @@ const auto kAhead = [](const Sizes& size) {
 template <class Archive, class Kept>
 void describe(Archive& a, Kept& state, const Sizes& size) {
   auto& [method, clock, sums, at_once, work, motions, trajectories, contacts, ahead] = state;
-  // The end of the step under way is made anew in each step.
+  // The end of the current step is recomputed in each step.
   auto& [time, step_end, origin, origin_step, steps_since_origin, steps] = clock;
   auto& [impact_count, impact_counts, ledger, gravity_since, peak_kinetic, energy_doubts, notices] = sums;
   a.value("method", method);
-  // The time stands at the head of the section.
+  // The time is at the head of the section.
   a.value("origin", origin);
   a.value("origin_step", origin_step);
   a.value("steps_since_origin", steps_since_origin);

@@ -55,7 +55,7 @@ void check_plot(const std::string& at, const Plot& plot, const NamedBodies& bodi
   if (plot.x) check(at + "/x", *plot.x);
 }
 
-// How many there are.
+// Their number only.
 void check_plots(const std::vector<Plot>& plots) {
   check_count("/plots", plots.size(), kMostPlots, "plots");
   std::size_t curves = 0;

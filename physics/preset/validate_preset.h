@@ -5,9 +5,9 @@
 
 namespace carom {
 
-// Checks all that a reader cannot see one value at a time: the scene (physics/scene/validate.h), whether the
-// methods can run it, expectations, plots and the view. Throws SceneError with the JSON pointer of the first
-// fault; `places` are those of the forces in its file.
+// Checks the scene (physics/scene/validate.h), whether the methods can run it, expectations, plots and the
+// view. Throws SceneError with the JSON pointer of the first fault; `places` are those of the forces in its
+// file.
 void validate(const Preset& preset, const ForcePlaces& places);
 void validate(const Preset& preset);
 

@@ -13,14 +13,14 @@
 #include "physics/scene/scene.h"
 #include "physics/scene/validate.h"
 
-// Reading a preset file value by value; each error is one line with the JSON pointer of the place. The same
-// functions describe the format: a reader without a value reads nothing, and notes in a JSON Schema what it
-// would have read. So each key stands once, with its kind, range, unit and meaning.
+// Reads a preset file value by value; each error is one line with the JSON pointer of the place. The same
+// functions describe the format: a reader without a value records in a JSON Schema what it would have read.
+// So each key is stated once, with its kind, range, unit and meaning.
 namespace carom {
 
 class FieldReader;
 
-// How many elements a list, or characters a text, may have.
+// Limits of the number of elements of a list, or of characters of a text.
 struct Count {
   std::size_t least = 0;
   std::size_t most = 0;
@@ -60,7 +60,7 @@ class ValueReader {
   ValueReader(const Json& value, std::string place) : value_(&value), place_(std::move(place)) {}
   explicit ValueReader(Json& schema) : schema_(&schema) {}
 
-  // False where the format is described: then the other functions give what there is without a file.
+  // False while the format is described; the functions below then return placeholders.
   [[nodiscard]] bool has_value() const { return value_ != nullptr; }
   [[nodiscard]] bool is_object() const { return has_value() && value_->is_object(); }
   [[nodiscard]] bool has(const std::string& key) const { return is_object() && value_->contains(key); }
@@ -80,7 +80,7 @@ class ValueReader {
   // An object of numbers under keys of any name.
   void numbers(std::size_t most, const Range& range,
                const std::function<void(const std::string&, double)>& each) const;
-  // An object that is not looked into.
+  // An object whose members are not checked.
   [[nodiscard]] std::string free_object() const;
   // Reads the value as the chosen one of several forms, or describes all of them.
   void one_of(std::size_t chosen, std::initializer_list<std::function<void(const ValueReader&)>> forms) const;
@@ -93,13 +93,13 @@ class ValueReader {
   std::string place_;
 };
 
-// A key of an object, for those who read the format's description.
+// A key of an object, and its meaning for the description of the format.
 struct Key {
   const char* name;
   const char* meaning;
 };
 
-// Reads the members of one object and, at the end, refuses those that nobody asked for.
+// Reads the members of one object; finish() refuses keys that were not asked for.
 class FieldReader {
  public:
   explicit FieldReader(const ValueReader& value);
@@ -170,14 +170,14 @@ class FieldReader {
   // A word under `key` that says which other keys there are: cases[i] for words[i].
   void cases(const Key& key, const std::vector<std::string>& words,
              const std::function<void(std::size_t, FieldReader&)>& each);
-  // What holds of several keys together, as a JSON Schema says it; the reader looks at it on its own.
+  // A condition on several keys, as JSON Schema; the reader checks it separately.
   void also(Json condition) {
     if (!reads()) conditions_.push_back(std::move(condition));
   }
 
   // Refuses unknown keys.
   void finish() const;
-  // What has been described.
+  // The description so far.
   [[nodiscard]] Json schema() const;
 
  private:
@@ -197,7 +197,7 @@ class FieldReader {
   std::string place_;
   std::vector<std::string> known_;
 
-  // Of a description: the keys, those that must be there, the cases as objects of their own.
+  // Of a description: the keys, the required ones, the cases as separate objects.
   Json described_;
   std::vector<std::string> required_;
   std::vector<FieldReader> cases_;

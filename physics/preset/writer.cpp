@@ -60,7 +60,7 @@ Json body_json(const Body& b, bool all) {
   return w.json;
 }
 
-// Beside a name, or the names of two materials.
+// Adds a surface to `j`, which has a name or the names of two materials.
 Json surface_json(Json j, const Material& m) {
   j["restitution"] = m.restitution;
   j["tangential_restitution"] = m.tangential_restitution;
