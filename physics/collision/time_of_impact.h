@@ -60,7 +60,7 @@ template <class Sampler, class Sample>
 struct SearchLimit {
   int looks = std::numeric_limits<int>::max();  // samples, not counting those of a bracketed root
   int halvings = 64;                            // nested, of an interval; further ones reach rounding
-  bool reached = false;                         // set when the search ran out of looks
+  bool reached = false;                         // set when the search ran out of samples
 };
 
 // The first time in [a, b] at which the gap of two convex bodies closes, if there is one. The gap at `a` must

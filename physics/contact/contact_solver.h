@@ -59,7 +59,7 @@ struct ContactWorkspace {
   SemismoothNewton newton;
 };
 
-// Which islands are large: those with more than `most_exact` contacts that move, and all with more than
+// Which islands are large: those with more than `most_exact` contacts, if they move or have more than
 // `most_slow`. An island moves if the rms velocity of its contacts' bodies is above slow_speed in `motion`.
 struct LargeIslandChoice {
   int most_exact = 1 << 30;

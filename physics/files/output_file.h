@@ -14,9 +14,9 @@ namespace carom {
 // their target is replaced. Devices, pipes and terminals are written directly. A pipe must have a reader
 // within 5 s.
 //
-//   OutputFile file("run.csv");  // throws SceneError where it cannot be written
+//   OutputFile file("run.csv");  // throws SceneError if it cannot be written
 //   file.line("time [s]");
-//   file.commit();               // throws SceneError where not all of it could be
+//   file.commit();               // throws SceneError if a write failed
 //
 // A failed write is reported only by commit(), so that a run still reaches its results.
 class OutputFile {

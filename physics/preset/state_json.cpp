@@ -431,7 +431,7 @@ SavedRun read_clock(const Json& json) {
   r.require_number("time", saved.time, "s");
   const Json* mark = r.find("fingerprint");
   if (mark == nullptr) {
-    r.finish();  // nothing but a clock
+    r.finish();  // only a clock
     return saved;
   }
   const std::string text = ObjectReader::text(*mark, r.at("fingerprint"));

@@ -9,8 +9,8 @@ namespace carom {
 
 // Dormand and Prince's 5(4) pair, order 5. J. R. Dormand, P. J. Prince, Journal of Computational and Applied
 // Mathematics 6 (1980) 19; the coefficients also in Hairer, Nørsett, Wanner, Solving Ordinary Differential
-// Equations I, table II.5.2. The seventh stage serves the error estimate alone; it is not kept for the next
-// step, because an impact may come between.
+// Equations I, table II.5.2. The seventh stage is used only for the error estimate; it is not kept for the
+// next step, because an impact may come between.
 template <class System, class Y>
 void dormand_prince_step(const System& f, double t, const Y& y, double h, Stages<Y>& s, Y& out) {
   auto& k = s.k;

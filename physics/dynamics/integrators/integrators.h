@@ -84,7 +84,7 @@ inline constexpr std::array<Choice<ContactsId>, 2> kContacts = {{
      "forces hold what touches: static and kinetic friction, stacks that stand; order 1 while they act"},
 }};
 
-// The entry of a table with this id; the tables hold every id.
+// The entry of a table with this id; the tables contain every id.
 template <class Table, class Id>
 [[nodiscard]] constexpr const auto& choice_of(const Table& table, Id id) {
   for (const auto& choice : table) {
