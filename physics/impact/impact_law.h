@@ -4,11 +4,10 @@
 
 namespace carom {
 
-// One side of an impact: velocity of the centre (m/s), spin (rad/s), inverse mass and inertia (1/kg, 1/(kg
-// m²)), and two arms in m. With r from the centre to the contact point, and n turned so that it points from
-// this body to the other:
-//   arm   = r·n, of the tangential impulse; negative if the contact lies beyond the centre (a deep
-//   penetration)
+// One side of an impact: velocity of the centre (m/s), spin (rad/s), inverse mass (1/kg) and inertia
+// (1/(kg m²)), and two arms in m. With r from the centre to the contact point, and n turned so that it points
+// from this body to the other:
+//   arm   = r·n, of the tangential impulse; negative if the contact is beyond the centre (deep penetration)
 //   lever = r×n, of the normal impulse; 0 for discs, whose normal passes through the centre
 // So arm = r_A·n and lever = r_A×n for A, arm = -r_B·n and lever = -r_B×n for B. A fixed body has zero
 // inverse mass and inertia.
