@@ -10,7 +10,7 @@ namespace carom {
 
 Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const Twist& twist_a, int b,
                      const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance) {
-  // A disc's surface moves along the normal as its centre does.
+  // Along the normal a disc's surface moves like its centre.
   const auto normal_speed = [&](int i, const Eigen::Vector3d& q, const Twist& twist, const Contact& c) {
     double speed = twist.velocity.dot(c.normal);
     if (g.is_disc(i) || twist.spin == 0.0) return speed;

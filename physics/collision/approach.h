@@ -5,16 +5,16 @@
 
 namespace carom {
 
-// How two touching bodies move against each other.
+// The relative motion of two touching bodies along the normal.
 struct Approach {
   Contact contact;
   double speed = 0.0;  // m/s along the normal at the contact point; negative: they approach
-  double scale = 0.0;  // m/s: how fast their points move at the most, the sum of both; for its rounding
+  double scale = 0.0;  // m/s: sum of both bodies' largest point speeds, for the rounding
 };
 
-// Where bodies a and b, at q = (x, y, angle), approach each other if they do: the middle of what they touch at,
-// so that a face that lands flat is met as a whole; else that end of it which approaches fastest. Gaps up to
-// `tolerance` (m) beyond the least one count as touch.
+// Where bodies a and b, at q = (x, y, angle), approach each other: in the middle of the stretch at which they
+// touch, so that a face that lands flat is hit as a whole; if that does not approach, at the end that
+// approaches fastest. Points whose gap is within `tolerance` (m) of the least one touch.
 [[nodiscard]] Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const Twist& twist_a,
                                    int b, const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance);
 

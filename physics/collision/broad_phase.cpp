@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-// Of the mean size of what moves.
+// Relative to the mean size of moving bodies.
 constexpr double kCell = 1.2;
 constexpr double kSkin = 0.04;
 

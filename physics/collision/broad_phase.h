@@ -10,17 +10,17 @@
 
 namespace carom {
 
-// The pairs (a, b), a < b, whose bounds overlap and of which one at least can move, in the order of index
-// pairs. Kept from call to call are candidates, pairs whose bounds overlap with a skin around each, for as long
-// as all bounds stay within their skins, and the grid that these are found with.
+// Finds the pairs (a, b), a < b, whose bounds overlap and of which at least one body can move, in the order
+// of index pairs. The grid and the candidates (pairs whose bounds, each with a skin around it, overlap) are
+// kept from call to call for as long as all bounds stay within their skins.
 class BroadPhase {
  public:
-  // Bodies that don't overlap have some three neighbours each; N that lie at one place would have N²/2 pairs.
-  // Beyond this the last bodies get none.
+  // The limit of the number of pairs; beyond it the last bodies get none. Bodies that do not overlap have
+  // about three neighbours each, but N bodies at one place would have N²/2 pairs.
   [[nodiscard]] static std::size_t most_pairs(std::size_t bodies) { return 200'000 + 128 * bodies; }
   [[nodiscard]] const std::vector<std::pair<int, int>>& pairs(const std::vector<Bounds>& bounds,
                                                               const std::vector<std::uint8_t>& fixed);
-  // Whether there were more.
+  // Whether the last call left out pairs beyond the limit.
   [[nodiscard]] bool cut() const { return cut_; }
 
  private:
@@ -28,8 +28,8 @@ class BroadPhase {
 
   CellGrid grid_;
   double cell_ = 0.0;                // m
-  std::vector<Bounds> skins_;        // bounds as they were, those of what moves with a skin
-  std::vector<std::uint8_t> fixed_;  // as it was
+  std::vector<Bounds> skins_;        // bounds of the last search, with a skin around what moves
+  std::vector<std::uint8_t> fixed_;  // at the last search
   bool cut_ = false;
   std::vector<int> near_;
   std::vector<std::pair<int, int>> candidates_;

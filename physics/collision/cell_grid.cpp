@@ -5,7 +5,7 @@
 namespace carom {
 
 CellGrid::Order CellGrid::order() const {
-  // All members, so that one that is new doesn't compile until it is kept or known to be made anew.
+  // Names all members, so that a new one does not compile until it is handled here.
   const auto& [mask, inverse_size, cells, bounds, ranges, large, seen, query] = *this;
   Order order{inverse_size, bounds, {}, large};
   for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -22,7 +22,7 @@ bool CellGrid::put_back(int bodies, const Order& order) {
   inverse_size_ = order.inverse_size;
   bounds_ = order.bounds;
   for (int i = 0; i < bodies; ++i) range_[i] = range_of(bounds_[i]);
-  // Those that are too large for cells are in the list, and such as found no room.
+  // The list has the bodies that are too large for cells and those whose cells were full.
   std::size_t large = 0;
   for (const Range& range : range_) large += range.state == kLarge ? 1 : 0;
   std::vector<std::uint8_t> listed(bounds_.size(), 0);
@@ -34,7 +34,7 @@ bool CellGrid::put_back(int bodies, const Order& order) {
   }
   if (large != 0) return false;
   large_ = order.large;
-  // Each body once in each cell that its bounds lie in.
+  // Each body is once in each cell that its bounds touch.
   std::int64_t places = 0;
   for (const Range& r : range_) {
     if (r.state == kIn) places += (r.high_x - r.low_x + 1) * (r.high_y - r.low_y + 1);

@@ -12,24 +12,24 @@
 
 namespace carom {
 
-// Bodies by the square cells that their bounds lie in, so that the neighbours of one are found at a cost that
-// does not grow with their number. Cells wrap around (a hash of the coordinates that keeps neighbours apart),
-// so the plane needs no edge; bodies that wrap onto each other are told apart by their bounds. Bounds over more
-// than kMostCells cells are kept in one list that every query reads.
+// A grid of square cells, each with the bodies whose bounds touch it. Finding the neighbours of one body
+// costs a time that does not grow with their number. Cells wrap around (a hash of the coordinates that keeps
+// neighbours apart), so the plane has no edge; bodies that wrap onto each other are told apart by their
+// bounds. Bodies over more than kMostCells cells, or in full cells, are in one list that every query reads.
 class CellGrid {
  public:
-  // What the order in which neighbours are visited hangs on.
+  // All that decides the order in which neighbours are visited.
   struct Order {
     double inverse_size = 1.0;            // 1/m
     std::vector<Bounds> bounds;           // by body
-    std::vector<std::vector<int>> cells;  // the number of each cell that is not empty, and the bodies in it
+    std::vector<std::vector<int>> cells;  // for each cell that is not empty its number, then its bodies
     std::vector<int> large;
   };
   [[nodiscard]] Order order() const;
-  // False if it is the order of no grid of so many bodies, all of which are in it; the grid is of no use then.
+  // False if `order` is not that of a grid with all of so many bodies; the grid must then be reset.
   [[nodiscard]] bool put_back(int bodies, const Order& order);
 
-  // Empties the grid, for bodies 0 .. bodies - 1 and cells of `size` (m, > 0).
+  // Empties the grid and sizes it for bodies 0 .. bodies - 1 and cells of `size` (m, > 0).
   void reset(int bodies, double size) {
     const auto side = std::bit_ceil(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(bodies)) + 1.0));
     if (static_cast<int>(bounds_.size()) != bodies || side != mask_ + 1) {
@@ -46,7 +46,7 @@ class CellGrid {
     inverse_size_ = 1.0 / size;
   }
 
-  // Puts a body in, or moves it.
+  // Inserts a body, or moves it.
   void put(int body, const Bounds& bounds) {
     bounds_[body] = bounds;
     Range range = range_of(bounds);
@@ -110,7 +110,7 @@ class CellGrid {
   };
 
   [[nodiscard]] Range range_of(const Bounds& b) const {
-    // Far beyond any scene's coordinates a whole number would overflow.
+    // Clamped far beyond any scene's coordinates: the integers must not overflow.
     const Eigen::Array2d low = (b.low * inverse_size_).floor().max(-1e15).min(1e15);
     const Eigen::Array2d high = (b.high * inverse_size_).floor().max(-1e15).min(1e15);
     Range r{static_cast<std::int64_t>(low.x()), static_cast<std::int64_t>(low.y()),

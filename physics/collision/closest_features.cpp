@@ -19,7 +19,7 @@ struct SumEdge {
   int j;
   bool of_b;
 
-  // Where the origin lies along the edge, from its start on.
+  // Position of the origin along the edge, from its start.
   [[nodiscard]] double along() const { return normal.y() * start.x() - normal.x() * start.y(); }
   [[nodiscard]] double separation() const { return -normal.dot(start); }
 };
@@ -46,7 +46,7 @@ void add_up(const PairFrame& frame, Sum& sum) {
       const double reach = frame.normal[0].dot(frame.a[k].vertex);
       if (reach < least) least = reach, i = k;
     }
-    // A segment has two corners there: the one whose edge comes next.
+    // A segment has two corners there: take the one whose edge comes next.
     if (frame.edges_a > 0) {
       const int end = i == 0 ? frame.edges_a - 1 : i - 1;
       if (frame.a[end].length == 0.0) i = end;
@@ -89,7 +89,7 @@ void add_up(const PairFrame& frame, Sum& sum) {
   sum.farthest = prefer_a ? nearest_a : nearest_b;
   sum.separation = std::max(best_a, best_b);
   if (sum.farthest < 0) {
-    // Poses that are no numbers lie nowhere, so nowhere near.
+    // Poses with NaN are infinitely far from each other.
     sum.farthest = 0;
     sum.separation = std::numeric_limits<double>::infinity();
   }
@@ -127,10 +127,10 @@ ClosestFeatures closest_features(const PairFrame& frame) {
   const ClosestFeatures result = at_farthest(sum);
   if (sum.separation <= 0.0) return result;
 
-  // The origin is outside: from the edge that it is farthest beyond, go round to the feature it is nearest to.
+  // The origin is outside: from the edge that it is farthest beyond, walk to the nearest feature.
   const auto at_start_of = [&](const SumEdge& e) {
     const double distance = e.start.norm();
-    // Two vertices that touch have no direction of their own: the edge's normal stays.
+    // Touching vertices have no direction: keep the edge's normal.
     if (distance <= kRounding * frame.scale) return result;
     return ClosestFeatures{distance, e.start / distance, -1, -1, e.i, e.j};
   };

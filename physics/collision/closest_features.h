@@ -6,8 +6,8 @@
 
 namespace carom {
 
-// Two cores in the frame of the first: coordinates relative to it keep the rounding of a gap at that of the
-// bodies' own sizes and distance, wherever in the world they are. Not for half-planes.
+// Two cores in the frame of the first, so that the rounding of a gap depends only on the bodies' sizes and
+// distance, not on their place in the world. Not for half-planes.
 struct PairFrame {
   const Corner* a;  // with its edges; a point has none
   const Corner* b;
@@ -20,22 +20,22 @@ struct PairFrame {
   PairFrame(const ConvexShapes& shapes, int i, const Pose& pose_a, int j, const Pose& pose_b);
 };
 
-// The features of two cores that are nearest to each other, or whose edge parts overlapping cores over the
-// shortest way: a vertex and an edge, or two vertices.
+// The nearest features of two cores: a vertex and an edge, or two vertices. For penetrating cores, the edge
+// of least penetration and its vertex.
 struct ClosestFeatures {
   double separation;  // m, signed
   Vec2 normal;        // from a to b, in the frame of a
   int edge_a;         // -1 if it is a vertex
   int edge_b;
-  int vertex_a;  // the vertex; of an edge the one it starts at
+  int vertex_a;  // the vertex, or the start of the edge
   int vertex_b;
 };
 
-// By the Minkowski sum of b and -a, the set of all x_b - x_a: its distance to the origin is the cores'
-// distance, and its depth around the origin is the penetration. Its edges are those of b and of -a in the order
-// of their directions (de Berg et al., Computational Geometry, section 13.3), so all cases are exact and take
-// time linear in the number of edges. Of several edges that part overlapping cores over the same way within
-// rounding, those of a go before those of b. At least one of the cores must have edges.
+// Uses the Minkowski sum of b and -a, the set of all x_b - x_a: its distance to the origin is the distance of
+// the cores, and the depth of the origin in it is the penetration. Its edges are those of b and of -a in the
+// order of their directions (de Berg et al., Computational Geometry, section 13.3), so all cases are exact
+// and take time linear in the number of edges. Of several edges of least penetration within rounding, those
+// of a go before those of b. At least one of the cores must have edges.
 [[nodiscard]] ClosestFeatures closest_features(const PairFrame& frame);
 
 // The edge with the greatest separation: that of closest_features, unless two vertices are nearest.

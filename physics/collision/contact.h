@@ -6,7 +6,7 @@ namespace carom {
 
 // Where two bodies touch or come nearest.
 struct Contact {
-  double gap = 0.0;             // m, negative for a penetration: the least distance that would part them
+  double gap = 0.0;             // m; if negative, minus the penetration depth
   Vec2 normal = Vec2::UnitX();  // from A to B
   Vec2 point = Vec2::Zero();    // m, half-way between the surfaces
 };

@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-// Gaps at both ends of two faces that differ by no more than this share of the scale are equal.
+// Two faces are parallel if the gaps at both ends differ by no more than this share of the scale.
 constexpr double kFlat = 16.0 * std::numeric_limits<double>::epsilon();
 
 enum class Ends : std::uint32_t { kOne, kLow, kHigh, kVertices };
@@ -34,7 +34,7 @@ struct Touch {
 
 Vec2 tangent(const Vec2& normal) { return {-normal.y(), normal.x()}; }
 
-// Between the surfaces, from a point of b's core.
+// The point half-way between the surfaces, from a point of b's core.
 Vec2 between(const Vec2& on_b, double rounding_b, double gap, const Vec2& normal) {
   return on_b - (rounding_b + 0.5 * gap) * normal;
 }
@@ -57,8 +57,7 @@ Face face(const Vec2& low, const Vec2& high, const Vec2& normal) {
   return {along.dot(low), along.dot(high), normal.dot(low), normal.dot(high)};
 }
 
-// The stretch that two faces share. Where it is no longer than rounding nothing changes `touch`, which has one
-// point already.
+// Finds the stretch that two faces share. If it is no longer than rounding, `touch` keeps its one point.
 void clip(const Face& a, const Face& b, double rounding_a, double rounding_b, double scale, int edge_a,
           int edge_b, Touch& touch) {
   const double low = std::max(a.low, b.low);
@@ -75,21 +74,21 @@ void clip(const Face& a, const Face& b, double rounding_a, double rounding_b, do
   touch.flat = std::abs(touch.points[1].gap - touch.points[0].gap) <= kFlat * scale;
 }
 
-// Of the two edges at a corner the one that faces `normal` most.
+// The one of the two edges at a corner that faces `normal` most.
 int facing_edge(const Vec2& normal, const Vec2& here, const Vec2& before, int k, int count) {
   if (normal.dot(before) > normal.dot(here)) return k == 0 ? count - 1 : k - 1;
   return k;
 }
 
-// A segment has two corners at each end, 0 and 1 with its first side and 2 and 3 with its second: of the two at
-// one place the one with the side that faces. `facing` is how much the first side does.
+// A segment has two corners at each end: 0 and 1 on its first side, 2 and 3 on its second. Returns the corner
+// at the same place as k on the facing side; `facing` >= 0 if that is the first.
 int on_facing_side(int k, double facing) { return (facing >= 0.0) == (k < 2) ? k : 3 - k; }
 
 int before(int k, int count) { return k == 0 ? count - 1 : k - 1; }
 int after(int k, int count) { return k + 1 == count ? 0 : k + 1; }
 
-// The stretch that an edge of one core and the edge of the other that faces it most share; without one, `touch`
-// keeps its point.
+// Finds the stretch that an edge of one core shares with the edge of the other that faces it most; without
+// one, `touch` keeps its point.
 void clip_at(const PairFrame& frame, const ClosestFeatures& closest, double rounding_a, double rounding_b,
              Touch& touch) {
   int edge_a = closest.vertex_a;
@@ -112,7 +111,7 @@ void clip_at(const PairFrame& frame, const ClosestFeatures& closest, double roun
        rounding_b, frame.scale, edge_a, edge_b, touch);
 }
 
-// With `prefer_faces`, two faces that share a stretch touch there with the normal of one of them, also where
+// With `prefer_faces`, two faces that share a stretch touch there with the normal of one of them, even if
 // corners just beside it are nearest.
 Touch touch_of_cores(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
                      bool prefer_faces) {
@@ -122,7 +121,7 @@ Touch touch_of_cores(const ConvexShapes& shapes, int a, const Pose& pose_a, int 
   const double rounding_b = shapes.rounding[b];
   Touch touch{closest.normal, closest.separation - (rounding_a + rounding_b), Vec2::Zero(), false, 1, {}};
 
-  // The point of b's core, opposite a's vertex if that is what is nearest to an edge of b.
+  // The point of b's core; opposite a's vertex if that is nearest to an edge of b.
   Vec2 on_b = frame.vertex[closest.vertex_b];
   if (closest.edge_b >= 0) on_b = frame.a[closest.vertex_a].vertex + closest.separation * closest.normal;
   touch.point = between(on_b, rounding_b, touch.gap, touch.normal);
@@ -202,7 +201,8 @@ Gap nearest_on_rectangle(const Vec2& half, const Vec2& p) {
   return {-depth[axis], normal};
 }
 
-// From a core to a disc's centre, without roundings. Two discs have a closed form, and so has a disc on a box.
+// Gap from a core to a disc's centre, without roundings; in closed form for two discs and for a disc on a
+// box.
 Gap gap_to_centre(const ConvexShapes& shapes, int core, const Pose& pose_core, int disc,
                   const Pose& pose_disc) {
   const Vec2 d = pose_disc.position - pose_core.position;
@@ -219,10 +219,10 @@ Gap gap_to_centre(const ConvexShapes& shapes, int core, const Pose& pose_core, i
   return {closest.separation, pose_core.turned(closest.normal)};
 }
 
-// A pair of which one is a disc, the other no half-plane.
+// For a disc and a body that is not a half-plane.
 Contact disc_contact(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
-  // The body with a core is the frame of reference; of two discs it is a. The point is from the disc's centre
-  // back along the normal to the middle of gap or penetration.
+  // The body with a core is the frame of reference; of two discs it is a. From the disc's centre the contact
+  // point is back along the normal, in the middle of gap or penetration.
   const double rounding = shapes.rounding[a] + shapes.rounding[b];
   if (shapes.core[b] == Core::kPoint) {
     const Gap to_b = gap_to_centre(shapes, a, pose_a, b, pose_b);
@@ -243,7 +243,7 @@ bool has_half_plane(const ConvexShapes& shapes, int a, int b) {
   return shapes.core[a] == Core::kHalfPlane || shapes.core[b] == Core::kHalfPlane;
 }
 
-// In the world, for any pair.
+// For any pair, in world coordinates.
 Touch touch_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
                     bool prefer_faces) {
   if (has_half_plane(shapes, a, b)) {

@@ -7,12 +7,12 @@
 #include "physics/model/convex.h"
 #include "physics/model/geometry.h"
 
-// How two convex bodies lie to each other. One of the two may be a half-plane.
+// Distance and contacts of two convex bodies, one of which may be a half-plane.
 namespace carom {
 
 // The signed distance of two bodies, the greatest separation along any direction: the distance of their
-// surfaces, or minus the shortest way that parts them. Its error is a few ulp of the bodies' sizes and
-// distance.
+// surfaces, or minus the penetration depth (the shortest translation that separates them). Its error is a few
+// ulp of the bodies' sizes and distance.
 struct Gap {
   double gap;   // m
   Vec2 normal;  // unit, from a to b; +x for discs whose centres coincide
@@ -20,12 +20,12 @@ struct Gap {
 
 [[nodiscard]] Gap gap_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b);
 
-// The same with a contact point. Where two faces touch that are parallel within rounding, it is the middle of
-// the stretch that they share. A disc in a box leaves by the nearest face.
+// The same with a contact point. Between touching faces that are parallel within rounding, it is the middle
+// of the stretch that they share. A disc inside a box is separated through the nearest face.
 [[nodiscard]] Contact contact_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b,
                                       const Pose& pose_b);
 
-// Of bodies a and b at q = (x, y, angle).
+// For bodies a and b at q = (x, y, angle).
 [[nodiscard]] Contact contact_between(const Geometry& g, int a, const Eigen::Vector3d& qa, int b,
                                       const Eigen::Vector3d& qb);
 
@@ -36,25 +36,25 @@ struct ManifoldPoint {
   std::uint32_t id = 0;       // stays the same from step to step while the same features touch
 };
 
-// The points at which two bodies hold each other, along one normal: both ends of the stretch that two faces
-// share, or one point.
+// The contact points of two bodies, along one normal: both ends of the stretch that two faces share, or one
+// point.
 struct Manifold {
   Vec2 normal = Vec2::UnitX();  // unit, from a to b
   int count = 0;
   std::array<ManifoldPoint, 2> points;
 };
 
-// Points with a gap of more than `margin` (m) are left out; bodies whose bounding circles are farther apart
-// cost next to nothing. Normal and least gap are those of gap_between, but for one case: where two corners are
-// nearest and the faces beside them share a stretch nevertheless, as in a stack of equal boxes whose edges are
-// not quite flush, the normal is the one of the face that parts the bodies most, not the slanting one from
-// corner to corner. The gaps along it are smaller than or equal to the distance.
+// Points with a gap above `margin` (m) are left out; bodies whose bounding circles are farther apart cost
+// next to nothing. Normal and least gap are those of gap_between, with one exception: if two corners are
+// nearest but the faces beside them share a stretch, as in a stack of equal boxes whose edges are not quite
+// flush, the normal is that of the face with the greatest separation, not the slanted one from corner to
+// corner. The gaps along it are at most the distance.
 //
-// An edge of a and the edge of b that faces it most are clipped against each other along the tangent. A point's
-// id names the two edges and which end of the stretch it is, not whose corner ends the stretch there nor whose
-// edge gave the normal: so it survives rocking, where the normal changes sides, and stacks of equal boxes,
-// where the corners' order is a matter of rounding. No memory of earlier steps is needed. (Edge against edge as
-// in E. Catto, Computing Contact Manifolds, GDC 2007, which keeps reference and incident edge in the id.)
+// An edge of a and the edge of b that faces it most are clipped against each other along the tangent. A
+// point's id names the two edges and the end of the stretch, not whose corner that end is or whose edge gave
+// the normal. So it survives rocking, where the normal changes sides, and stacks of equal boxes, where
+// rounding decides the order of the corners. No memory of earlier steps is needed. (Edge against edge as in
+// E. Catto, Computing Contact Manifolds, GDC 2007, which keeps reference and incident edge in the id.)
 [[nodiscard]] Manifold manifold(const ConvexShapes& shapes, int a, const Pose& pose_a, int b,
                                 const Pose& pose_b, double margin);
 

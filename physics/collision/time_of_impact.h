@@ -10,19 +10,19 @@
 
 namespace carom {
 
-// What the search needs to know of a pair that does not turn, or of discs, at one time: the gap in m, the unit
-// normal from A to B, and the position of B relative to A in m. All three come from the integrator's own map,
-// so the state at the root is a true step of it. For bodies that turn see turning_pair.h.
+// One sample of a pair that does not turn, or of discs: the gap in m, the unit normal from A to B, and the
+// position of B relative to A in m. All three come from the integrator's own map, so the state at the root is
+// a true step of the integrator. For bodies that turn see turning_pair.h.
 struct GapSample {
   double gap;
   Vec2 normal;
   Vec2 relative;
 };
 
-// The time after which two points that are `d` apart (m) and move at `u` relative to each other (m/s) come as
-// near as `distance` (m, > 0), while they approach: the smaller root of |d + u τ| = distance. The gap |d| -
-// distance may be negative by its rounding; the time is then zero. The discriminant is formed from d × u, which
-// keeps a grazing pass apart from a miss where d·d - distance² would have cancelled.
+// The time after which two points at the relative position `d` (m) and velocity `u` (m/s) are at the
+// `distance` (m, > 0), while they approach: the smaller root of |d + u τ| = distance. The gap |d| - distance
+// may be negative by its rounding; the time is then zero. The discriminant is formed from d × u, which tells
+// a grazing pass from a miss where d·d - distance² would have cancelled.
 [[nodiscard]] inline std::optional<double> first_disc_contact(const Vec2& d, const Vec2& u, double distance) {
   const double approach = -d.dot(u);
   if (!(approach > 0.0)) return std::nullopt;
@@ -35,10 +35,10 @@ struct GapSample {
   return std::max(0.0, gap / (approach + std::sqrt(discriminant)));
 }
 
-// The mean rate in m/s at which two bodies part along the normal of one sample, over the `width` (s, signed)
-// from it to another: (s(n, to) - gap) / width with the separation s(n, t), the least n·(x_b - x_a) over all
-// points of both. Without turning all points go the same way. A sampler of bodies that turn gives separation(n,
-// sample).
+// The mean rate in m/s at which two bodies separate along the normal of one sample, over the `width` (s,
+// signed) from it to another: (s(n, to) - gap) / width with the separation s(n, t), the least n·(x_b - x_a)
+// over all points of both. Without rotation all points move alike. A sampler of bodies that turn provides
+// separation(n, sample).
 template <class Sampler, class Sample>
 [[nodiscard]] double parting_rate(const Sampler& sample, const Sample& from, const Sample& to, double width) {
   if constexpr (requires { sample.separation(from.normal, to); }) {
@@ -56,34 +56,33 @@ template <class Sampler, class Sample>
   return f + t * (slope - 0.5 * curvature * (width - t));
 }
 
-// How far a search may still go.
+// The budget of a search; the search counts it down.
 struct SearchLimit {
-  int looks = std::numeric_limits<int>::max();  // samples, but for those that a bracketed root takes
-  int halvings = 64;     // of an interval, one within the other: beyond, rounding is left
-  bool reached = false;  // set where the search ended for want of looks
+  int looks = std::numeric_limits<int>::max();  // samples, not counting those of a bracketed root
+  int halvings = 64;                            // nested, of an interval; further ones reach rounding
+  bool reached = false;                         // set when the search ran out of samples
 };
 
 // The first time in [a, b] at which the gap of two convex bodies closes, if there is one. The gap at `a` must
-// be positive. `sample(t)` gives a GapSample, or what the sampler's own separation() takes; `curvature` K in
-// m/s² bounds the second derivative of x_q - x_p for every point q of body B and p of body A, up to roundings:
-// of the cores' vertices. Where nothing turns that is the relative path, else see turning_pair.h.
+// be positive. `sample(t)` returns a GapSample, or whatever the sampler's own separation() takes. `curvature`
+// K in m/s² is a curvature bound: of the second derivative of x_q - x_p for all vertices q and p of the cores
+// of B and A. Without rotation that is the relative path; else see turning_pair.h.
 //
-// The gap of convex bodies, signed, is the greatest separation s(n, t) over all directions n, and s for the
-// normal n of their contact. For a fixed n and one pair of vertices the distance along n lies above its chord
-// over [a, b] less K (t-a)(b-t)/2; s(n, t) is the least of these distances, and the least of several lines lies
-// above the chord between its own ends. With n_a, n_b the normals at the ends therefore
+// The signed gap of convex bodies is the greatest separation s(n, t) over all directions n, and equals s for
+// the contact normal n. For a fixed n and one pair of vertices, the distance along n lies above its chord
+// over [a, b] less K (t-a)(b-t)/2. s(n, t) is the least of these distances, and the least of several lines
+// lies above the chord between its own ends. So with the normals n_a, n_b at the ends
 //   gap(t) >= max(line from gap(a) to s(n_a, b), line from s(n_b, a) to gap(b)) - K (t-a)(b-t)/2.
-// (Under straight translation these lines are the tangents of a convex function.) An interval whose bound stays
-// positive holds no root, any other is halved at the point where the lines meet. A root r found by bracketing
-// is the first one if s(n_r, a)/(r-a) exceeds K (r-a)/2, by the same bound on [a, r], else the interval before
-// it is searched. So a grazing pass is neither missed nor invented, beyond `tolerance`: a pass that would
-// penetration by less (m, the rounding of a gap) is no impact.
+// (Under straight translation these lines are the tangents of a convex function.) An interval whose bound
+// stays positive has no root; any other is halved where the lines intersect. A root r found by bracketing is
+// the first one if s(n_r, a)/(r-a) exceeds K (r-a)/2, by the same bound on [a, r]; else the interval before
+// it is searched. So grazing passes are neither missed nor invented, except for `tolerance`: a pass that
+// would penetrate by less (m, the rounding of a gap) is no impact.
 //
 // A sampler may also have clear(from, to, width): true if bounds of its own show that there is no contact
 // between two samples.
 //
-// Where the limit ends the search, the answer is a contact that is known to be there, if any is, though perhaps
-// not the first.
+// If the limit ends the search, the result is a known contact, if there is one, though perhaps not the first.
 template <class Sampler, class Sample>
 [[nodiscard]] std::optional<double> first_contact(const Sampler& sample, double a, const Sample& ga, double b,
                                                   const Sample& gb, double curvature, double tolerance,
@@ -123,7 +122,7 @@ template <class Sampler, class Sample>
                                   least_over_chord(gb.gap, -slope_b, curvature, width, width - crossing));
     if (least > -tolerance || ends_here()) return std::nullopt;
     const double stray = curvature * width * width / 8.0;
-    // Both curves touch their chord at the ends: where the stray dominates, the middle is the better place.
+    // Both curves touch their chord at the ends. Where the stray dominates, the middle is better.
     if (!(crossing > 0.05 * width && crossing < 0.95 * width) || stray > 0.5 * ga.gap) crossing = 0.5 * width;
     const double m = a + crossing;
     const Sample gm = sample(m);

@@ -15,13 +15,13 @@ struct TurningSample {
   Pose b;
 };
 
-// The sampler of first_contact for bodies that may turn. `path_a(t)` and `path_b(t)` give q = (x, y, angle), or
-// a Pose: that of a body that does not turn can be kept, which spares its sine and cosine.
+// The sampler of first_contact for bodies that may turn. `path_a(t)` and `path_b(t)` return q = (x, y,
+// angle), or a Pose, which saves sine and cosine for a body that does not turn.
 //
-// `path_curvature` in m/s² bounds the second derivative of the relative path of the centres. The curvature that
-// first_contact needs is larger by turning_curvature of both bodies, for the largest spin and angular
-// acceleration that they have within the interval: (ω² + |α|) r is how much a vertex's path about its centre
-// can bend. It is zero for discs, however fast they spin.
+// `path_curvature` in m/s² bounds the second derivative of the relative path of the centres. The curvature
+// bound for first_contact is larger by the turning_curvature of both bodies, for their largest spin and
+// angular acceleration within the interval: (ω² + |α|) r bounds the path of a vertex about its centre. It is
+// zero for discs, however fast they spin.
 template <class PathA, class PathB>
 class TurningPair {
  public:
@@ -39,8 +39,8 @@ class TurningPair {
     return carom::separation(shapes_, a_, at.a, b_, at.b, n);
   }
 
-  // Whether the circles around the bodies stay apart: the centres' relative path strays from its chord by up to
-  // path_curvature·width²/8. Spares bodies that turn fast and far from each other a search.
+  // Whether the circles around the bodies stay apart: the centres' relative path deviates from its chord by
+  // up to path_curvature·width²/8. Saves the search for bodies that turn fast but are far from each other.
   [[nodiscard]] bool clear(const TurningSample& from, const TurningSample& to, double width) const {
     const Vec2 d = from.b.position - from.a.position;
     const Vec2 way = to.b.position - to.a.position - d;

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstddef>
 
-// GCC takes vectors that are filled lane by lane for uninitialised.
+// GCC takes vectors filled lane by lane for uninitialised.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-// What is inlined below is compiled once for each set of instructions; nothing is passed between them.
+// The inlined functions are compiled once per instruction set; no vectors are passed between the versions.
 #define CAROM_INLINE inline __attribute__((always_inline))
 
 namespace carom {
@@ -26,7 +26,7 @@ struct Velocities {
   Pack x, y, spin;
 };
 
-// Four numbers a body.
+// Four numbers per body.
 CAROM_INLINE void load_two(const double* from, std::uint32_t first, std::uint32_t second, Pack& both) {
   const Quad low = *reinterpret_cast<const Quad*>(from + first);
   const Quad high = *reinterpret_cast<const Quad*>(from + second);
@@ -38,7 +38,7 @@ CAROM_INLINE void store_two(const Pack& both, std::uint32_t first, std::uint32_t
   *reinterpret_cast<Quad*>(to + second) = __builtin_shufflevector(both, both, 4, 5, 6, 7);
 }
 
-// A transposition, in an order that takes few shuffles.
+// A transposition with few shuffles.
 CAROM_INLINE void gather(const double* from, const Lanes<std::uint32_t>& at, Velocities& v) {
   Pack r02, r13, r46, r57;
   load_two(from, at[0], at[2], r02);
@@ -72,7 +72,7 @@ CAROM_INLINE void clamp(Pack& value, const Pack& limit) {
   value = limit < value ? limit : value;
 }
 
-// Of the contacts: of B relative to A.
+// Velocity of B relative to A at the contacts.
 CAROM_INLINE void relative(const ContactBlock& k, const Velocities& a, const Velocities& b, Pack& u_n,
                            Pack& u_t) {
   const Pack dx = b.x - a.x;
@@ -99,7 +99,7 @@ CAROM_INLINE void solve_block(ContactBlock& k, double* velocity) {
   Pack turn_a = pack(k.arm_na) * dn;
   Pack turn_b = pack(k.arm_nb) * dn;
   if constexpr (kRubs) {
-    // u_t as the normal impulse leaves it.
+    // u_t after the normal impulse.
     const Pack k_nt = pack(k.inverse_inertia_a) * pack(k.arm_na) * pack(k.arm_ta) +
                       pack(k.inverse_inertia_b) * pack(k.arm_nb) * pack(k.arm_tb);
     Pack tangential = pack(k.tangential) - (u_t + k_nt * dn) * pack(k.mass_t);
@@ -164,7 +164,7 @@ CAROM_INLINE void apply_blocks(std::span<const ContactBlock> blocks, double* vel
 
 CAROM_INLINE void magnitude(Pack& x) { x = x < 0.0 ? -x : x; }
 
-// The velocity where a clamp does not act, else by how much the impulse misses the limit.
+// The velocity if the clamp does not act, else how far the impulse is from the limit, as a velocity.
 CAROM_INLINE void miss(const Pack& impulse, const Pack& velocity, const Pack& mass, const Pack& limit,
                        Pack& result) {
   const Pack asked = impulse - velocity * mass;
@@ -193,7 +193,7 @@ CAROM_INLINE double residual_of_blocks(std::span<const ContactBlock> blocks, con
     miss(pack(k.moment), b.spin - a.spin, pack(k.mass_r), pack(k.rolling) * pack(k.normal), other);
     other = pack(k.rolling) > 0.0 ? pack(k.rolling) * other : Pack{};
     worst = worst < other ? other : worst;
-    // Written so that a NaN, from broken input, is not passed over.
+    // Keeps a NaN, which comes from invalid input.
     largest = worst <= largest ? largest : worst;
   }
   double most = 0.0;

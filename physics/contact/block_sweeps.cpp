@@ -6,8 +6,8 @@
 namespace carom {
 namespace {
 
-// The share of the last step that is gone on with is at most this. Of 0.95, 0.98, 0.99 and 1 piles settle
-// fastest with it; a column of hundreds would like more.
+// Upper limit of the share. Of 0.95, 0.98, 0.99 and 1, piles converge fastest with it; a column of hundreds
+// would need more.
 constexpr double kMostMomentum = 0.98;
 
 BodyVelocity difference(const BodyVelocity& to, const BodyVelocity& from) {
@@ -51,7 +51,7 @@ void BlockSweeps::carry_on() {
   const double share = with_it ? std::min(change.squared / squared_before_, kMostMomentum) : 0.0;
   squared_before_ = change.squared;
   kernels_.carry(blocks_, momentum_.blocks, share);
-  // The velocities are linear in the impulses, so that they go on alike.
+  // The velocities are linear in the impulses and take the same share.
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     BodyVelocity& v = velocity_[static_cast<std::size_t>(bodies_[i])];
     SweepMomentum::OfBody& m = momentum_.bodies[i];

@@ -7,7 +7,7 @@
 
 namespace carom {
 
-// What sweeps of a crowd remember; it may be reused.
+// Memory of the sweeps of a large island; it may be reused.
 struct SweepMomentum {
   struct OfBody {
     BodyVelocity last, step;
@@ -16,22 +16,22 @@ struct SweepMomentum {
   std::vector<OfBody> bodies;
 };
 
-// Sweeps of projected Gauss-Seidel over one crowd with momentum between them: a share of the step before is
-// gone on with, as long as the sweeps pull that way too. The share is the ratio of the squares of two
-// sweeps' changes, as in Fletcher and Reeves' conjugate gradients (M. Silcowitz-Hansen, S. Niebe, K. Erleben,
-// The Visual Computer 26 (2010) 893, whose projections and metric are others); momentum against the sweep is
-// given up (B. O'Donoghue, E. Candès, Foundations of Computational Mathematics 15 (2015) 715). A sweep comes
-// last, so that the impulses keep the laws' limits.
+// Sweeps of projected Gauss-Seidel over one large island, with momentum: before a sweep the impulses take a
+// share of the last step again, as long as the sweeps go that way too. The share is the ratio of the squares
+// of two sweeps' changes, as in the conjugate gradients of Fletcher and Reeves (M. Silcowitz-Hansen, S.
+// Niebe, K. Erleben, The Visual Computer 26 (2010) 893, whose projections and metric are others). Momentum
+// against the sweep is dropped (B. O'Donoghue, E. Candès, Foundations of Computational Mathematics 15 (2015)
+// 715). A sweep comes last, so that the impulses obey the laws' limits.
 //
-// A push through n contacts takes some n² sweeps, with momentum some 4n.
+// An impulse takes some n² sweeps to pass through n contacts, with momentum some 4n.
 class BlockSweeps {
  public:
-  // The blocks' impulses are in the velocities already; `bodies` are those that they move.
+  // `velocity` must already include the blocks' impulses; `bodies` are those that the blocks move.
   BlockSweeps(std::span<ContactBlock> blocks, std::span<const int> bodies, BlockLaw law,
               std::vector<BodyVelocity>& velocity, SweepMomentum& momentum);
-  // `with_momentum` first goes on with a share of the last step.
+  // `with_momentum`: first takes a share of the last step again.
   void sweep(bool backwards, bool with_momentum);
-  [[nodiscard]] double residual() const;  // as that of rows
+  [[nodiscard]] double residual() const;  // as in contact_rows.h
 
  private:
   void carry_on();

@@ -7,7 +7,7 @@ namespace carom {
 
 namespace {
 
-// Blocks that are open at a time, a bit of a mask each.
+// The number of open blocks; each has one bit of a mask.
 constexpr int kOpen = 64;
 
 }  // namespace
@@ -25,7 +25,7 @@ void add_blocks(const std::vector<int>& a, const std::vector<int>& b, const Eige
   const std::size_t first = large.contacts.size();
   large.open_with.assign(large.in_blocks.size(), 0);
   large.filled.clear();
-  // Block k of these has bit k % kOpen of the masks.
+  // Block k has bit k % kOpen of the masks.
   std::uint64_t with_room = 0;
   const auto close = [&](int block) {
     const std::uint64_t bit = std::uint64_t{1} << (block % kOpen);
@@ -39,7 +39,8 @@ void add_blocks(const std::vector<int>& a, const std::vector<int>& b, const Eige
   for (const int c : order) {
     int block = static_cast<int>(large.filled.size());
     const int oldest = std::max(block - kOpen, 0);
-    // From the oldest on: the blocks after the last one that one of the bodies is in, so that the order stays.
+    // Bits from the oldest block on. Only blocks after the last one with either body fit, which keeps the
+    // order.
     const std::uint64_t in = std::rotr(large.open_with[a[c]] | large.open_with[b[c]], oldest % kOpen);
     const int after = kOpen - std::countl_zero(in);
     const std::uint64_t later = after < kOpen ? ~std::uint64_t{0} << after : 0;

@@ -12,7 +12,7 @@ inline void solve_row(ContactRow& row, SolverBody& a, SolverBody& b) {
   const RowVelocity u = row_velocity(row, a, b);
   const double normal = std::max(0.0, row.normal - (u.normal - row.target) * row.mass_n);
   const double dn = normal - row.normal;
-  // u_t as the normal impulse leaves it.
+  // u_t after the normal impulse.
   const double k_nt = a.inverse_inertia * row.arm_na * row.arm_ta + b.inverse_inertia * row.arm_nb * row.arm_tb;
   const double limit = row.friction * normal;
   const double slip = u.tangential + k_nt * dn;
@@ -55,7 +55,8 @@ void sweep(std::span<ContactRow> rows, std::span<SolverBody> bodies, bool backwa
 }
 
 double residual(std::span<const ContactRow> rows, std::span<const SolverBody> bodies) {
-  // Where a clamp does not act its term is the velocity itself: differences of impulses would only round it.
+  // If a clamp does not act, its term is the velocity itself; a difference of impulses would only add
+  // rounding.
   const auto miss = [](double impulse, double velocity, double mass, double limit) {
     const double asked = impulse - velocity * mass;
     if (std::abs(asked) <= limit) return std::abs(velocity);
@@ -69,7 +70,7 @@ double residual(std::span<const ContactRow> rows, std::span<const SolverBody> bo
     worst = std::max(worst, miss(row.tangential, u.tangential, row.mass_t, row.friction * row.normal));
     if (row.rolling > 0.0)
       worst = std::max(worst, row.rolling * miss(row.moment, u.spin, row.mass_r, row.rolling * row.normal));
-    // Written so that a NaN, from broken input, is not passed over.
+    // Keeps a NaN, which comes from invalid input.
     if (!(worst <= largest)) largest = worst;
   }
   return largest;

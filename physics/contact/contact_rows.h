@@ -4,16 +4,16 @@
 
 namespace carom {
 
-// What the solver's loops read and write, packed for the cache: two lines a contact, one a body.
+// The data of the solver's loops, packed for the cache: two lines per contact, one per body.
 
 struct alignas(64) SolverBody {
   double vx = 0.0, vy = 0.0, spin = 0.0;                 // with the impulses so far, m/s and rad/s
-  double inverse_mass = 0.0, inverse_inertia = 0.0;      // 0 for immovable bodies
+  double inverse_mass = 0.0, inverse_inertia = 0.0;      // 0 for infinite mass
   double free_vx = 0.0, free_vy = 0.0, free_spin = 0.0;  // without contact impulses
 };
 
-// With J the derivative of the relative velocity by the bodies' velocities, K = J M⁻¹ Jᵀ is what a unit impulse
-// along a direction changes of the velocity along it. r×t = r·n.
+// J is the derivative of the relative velocity by the bodies' velocities, and K = J M⁻¹ Jᵀ the change of the
+// velocity along a direction by a unit impulse along it. r×t = r·n.
 struct alignas(64) ContactRow {
   int a = 0, b = 0;
   double nx = 0.0, ny = 0.0;
@@ -50,23 +50,23 @@ inline void apply_impulse(const ContactRow& row, double normal, double tangentia
   b.spin += b.inverse_inertia * (row.arm_nb * normal + row.arm_tb * tangential + moment);
 }
 
-// Puts the bodies of these contacts at their free velocities plus what the impulses give.
+// Sets the bodies of these contacts to their free velocities plus the effect of the impulses.
 void apply_all(std::span<const ContactRow> rows, std::span<SolverBody> bodies);
 
-// One sweep of projected Gauss-Seidel on the accumulated impulses, forwards or backwards: each contact in turn
-// gets the impulses that its own law asks for (Moreau; Jean, Computer Methods in Applied Mechanics and
+// One sweep of projected Gauss-Seidel on the accumulated impulses, forwards or backwards: each contact in
+// turn gets the impulses that satisfy its own law (Moreau; Jean, Computer Methods in Applied Mechanics and
 // Engineering 177 (1999) 235).
 void sweep(std::span<ContactRow> rows, std::span<SolverBody> bodies, bool backwards);
 
-// The largest change of a contact's own velocity, in m/s, that the law still asks for (the natural map of the
-// complementarity problem, made a velocity by K): the largest of
+// The largest change of a contact's own velocity, in m/s, that its law still requires (the natural map of the
+// complementarity problem, scaled to a velocity by K): the largest of
 //   K_nn |λ_n - max(0, λ_n - (u_n - b_n)/K_nn)|,  K_tt |λ_t - clamp(λ_t - u_t/K_tt, ±μ λ_n)|,
 //   ρ K_rr |M - clamp(M - w/K_rr, ±ρ λ_n)|.
 // 0 exactly at a solution.
 [[nodiscard]] double residual(std::span<const ContactRow> rows, std::span<const SolverBody> bodies);
 
-// What rounding alone may leave of the residual, in m/s: 8ε times the largest of |v| + Σ|λ|/m over the bodies,
-// turning included. `bodies` are changed and must be put back by apply_all.
+// The residual that rounding alone may leave, in m/s: 8ε times the largest of |v| + Σ|λ|/m over the bodies,
+// rotation included. Changes `bodies`; apply_all() restores them.
 [[nodiscard]] double rounding_level(std::span<const ContactRow> rows, std::span<SolverBody> bodies);
 
 }  // namespace carom

@@ -11,14 +11,14 @@ namespace carom {
 
 namespace {
 
-// A residual is measured after 1, 2, 4, 8 sweeps and then every 8 (where sweeps are all that is done, every 8):
-// measuring costs about half a sweep.
+// The residual is measured after 1, 2, 4, 8 sweeps and then every 8 (only every 8 if nothing follows the
+// sweeps): measuring costs about half a sweep.
 constexpr int kSweepsToMeasure = 8;
-// The last sweeps of a crowd's budget are without momentum: it spreads what is left over many contacts, but
-// makes it rough.
+// The last sweeps of a large island's budget are without momentum, which spreads the remaining error over
+// many contacts but makes it rough.
 constexpr int kSweepsToSmooth = 2;
 
-// What an impulse changes; bodies that only turn cannot move along every normal.
+// Directions in which an impulse has an effect: bodies that can only turn do not move along every normal.
 enum Moves : std::uint8_t { kAlongNormal = 1, kAlongTangent = 2, kTurns = 4 };
 
 std::uint8_t set_geometry(const Contacts& contacts, int c, const MassProperties& mass, ContactRow& row) {
@@ -79,8 +79,8 @@ struct Swept {
   double residual = 0.0;
 };
 
-// Sweeps until the tolerance is met or the budget spent; with `may_leave` also once the progress between two
-// measurements shows that the budget will not do.
+// Sweeps until the tolerance is met or the budget spent; with `may_leave` also until the progress between two
+// measurements shows that the budget will not suffice.
 template <class Sweep, class Measure>
 Swept gauss_seidel(const Sweep& sweep_once, const Measure& measure, double tolerance, int max_sweeps,
                    bool may_leave) {
@@ -133,7 +133,7 @@ void each_lane(ContactBlocks& large_islands, int from, int to, const Visit& visi
   }
 }
 
-// Puts bodies at their velocities and contacts at what set(contact, row) makes of their rows.
+// Loads the bodies with their velocities and the contacts with rows from set(contact, row).
 template <class Set>
 void load(const MassProperties& mass, const Eigen::Matrix3Xd& v, ContactWorkspace& w, const Set& set) {
   load_bodies(mass, v, w.bodies);
@@ -287,7 +287,7 @@ ContactSolverReport solve_prepared(const MassProperties& mass, Contacts& contact
   load(mass, v, w, [&](int c, ContactRow& row) { set_law(contacts, c, w.moves[c], row); });
   const ContactSolverReport report = solve_islands(options, w);
   store_bodies(w, v);
-  // Contacts between immovable bodies are in no island.
+  // Contacts without a movable body are in no island.
   for (auto* impulses : {&contacts.normal_impulse, &contacts.tangential_impulse, &contacts.rolling_impulse})
     std::fill(impulses->begin(), impulses->end(), 0.0);
   const auto keep = [&](int c, const ContactRow& row, double slip) {

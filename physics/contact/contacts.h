@@ -8,19 +8,20 @@
 
 namespace carom {
 
-// The lasting contacts of one (sub-)step, an array a quantity, in an order that the caller keeps from step to
-// step. With r the contact point less the body's centre, u = (v_B + ω_B×r_B) - (v_A + ω_A×r_A) is the relative
-// velocity and w = ω_B - ω_A the relative spin; t is n turned by +90°. The impulse +λ acts on B, -λ on A.
+// The resting contacts of one (sub-)step, one array per quantity, in an order that the caller keeps from step
+// to step. With r the contact point minus the body's centre, u = (v_B + ω_B×r_B) - (v_A + ω_A×r_A) is the
+// relative velocity and w = ω_B - ω_A the relative spin; t is n turned by +90°. The impulse +λ acts on B, -λ
+// on A.
 struct Contacts {
-  std::vector<int> a, b;           // bodies
-  std::vector<Vec2> normal;        // unit vectors from A to B
-  std::vector<Vec2> arm_a, arm_b;  // r_A and r_B, m
-  std::vector<double> gap;         // m, negative where the bodies penetration; only the projection reads it
-  std::vector<double> target;      // b_n: least normal velocity after the solve, m/s
+  std::vector<int> a, b;                 // bodies
+  std::vector<Vec2> normal;              // unit vectors from A to B
+  std::vector<Vec2> arm_a, arm_b;        // r_A and r_B, m
+  std::vector<double> gap;               // m, negative for a penetration; only the projection reads it
+  std::vector<double> target;            // b_n: least normal velocity after the solve, m/s
   std::vector<double> static_friction;   // μ_s, dimensionless; holds while the contact sticks
   std::vector<double> kinetic_friction;  // μ_k, dimensionless; holds while it slides
   std::vector<double> rolling;           // ρ >= 0: |M| <= ρ λ_n, m
-  std::vector<std::uint8_t> sticks;      // in: which friction holds; out: whether it does after this solve
+  std::vector<std::uint8_t> sticks;  // in: static friction applies; out: the contact sticks after this solve
   std::vector<double> normal_impulse, tangential_impulse;  // N s; in: the guess, out: the solution
   std::vector<double> rolling_impulse;                     // N m s; likewise
 

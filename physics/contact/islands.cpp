@@ -22,7 +22,7 @@ void find_islands(const std::vector<int>& a, const std::vector<int>& b, const Ei
   const int bodies = static_cast<int>(inverse_mass.size());
   const int contacts = static_cast<int>(a.size());
   std::vector<int>& parent = islands.parent;
-  // The second half names the island of each root.
+  // The second half has the island of each root.
   parent.assign(2 * static_cast<std::size_t>(bodies), -1);
   for (int i = 0; i < bodies; ++i) parent[i] = i;
   for (int c = 0; c < contacts; ++c) {

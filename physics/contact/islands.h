@@ -6,12 +6,12 @@
 
 namespace carom {
 
-// Contacts that can feel one another: connected components of the graph of contacts over movable bodies.
-// Immovable bodies join nothing.
+// Contacts that can affect one another: connected components of the graph of contacts over movable bodies.
+// Bodies of infinite mass connect nothing.
 struct Islands {
   std::vector<int> contacts;  // contact indices, island by island, in the given order within each
   std::vector<int> first;     // island i is contacts[first[i]] .. contacts[first[i + 1] - 1]
-  std::vector<int> parent;    // scratch, a body each
+  std::vector<int> parent;    // scratch, by body
 
   [[nodiscard]] int size() const { return static_cast<int>(first.size()) - 1; }
   [[nodiscard]] std::span<const int> of(int i) const {
@@ -20,8 +20,8 @@ struct Islands {
 };
 
 // Islands of the contacts between bodies a[c] and b[c], ordered by their first contact; a body is movable if
-// its inverse mass or inertia is above 0. Contacts between two immovable bodies are in none. Allocates nothing
-// once `islands` has held as many.
+// its inverse mass or inertia is above 0. Contacts without a movable body are in none. Allocates nothing once
+// `islands` has held as many.
 void find_islands(const std::vector<int>& a, const std::vector<int>& b, const Eigen::VectorXd& inverse_mass,
                   const Eigen::VectorXd& inverse_inertia, Islands& islands);
 

@@ -8,19 +8,20 @@ namespace carom {
 
 namespace {
 
-// The stiffness r K of a proximal step. Softly coupled contacts make an easy problem and a short step; it grows
-// while the steps succeed and falls back when one does not.
+// The stiffness r K of a proximal step. A low stiffness makes an easy problem and a short step; it grows
+// while the steps succeed and falls when one fails.
 constexpr double kFirstStiffness = 10.0;
 constexpr double kStiffer = 10.0;
 constexpr double kSofter = 30.0;
 constexpr double kLeastStiffness = 0.1;
 constexpr double kMostStiffness = 1e10;  // beyond it the factors have no digits left
 
-constexpr double kInnerAccuracy = 1e-4;  // of a proximal step; the next one takes the rest
+constexpr double kInnerAccuracy = 1e-4;  // of a proximal step; the next one removes the rest
 constexpr double kSlowProgress = 1e-2;   // of the residual from one proximal step to the next
 constexpr int kMostHalvings = 6;
 constexpr int kPatience = 3;  // proximal steps that may leave a larger residual
-// Proximal steps at the most stiffness, for errors of heavy bodies that hide below the rounding of light ones.
+// Proximal steps at the largest stiffness, for errors of heavy bodies hidden below the rounding of light
+// ones.
 constexpr int kPolish = 4;
 constexpr int kFirstSweeps = 32;  // after a failed step, then twice as many
 constexpr int kMostSweeps = 1024;
@@ -101,7 +102,7 @@ double SemismoothNewton::evaluate(std::span<const ContactRow> rows, const Eigen:
     const double un = s.na.dot(ya) + s.nb.dot(yb);
     const double ut = s.ta.dot(ya) + s.tb.dot(yb);
     const double spin = s.ra.z() * ya.z() + s.rb.z() * yb.z();
-    // Kept as changes: next to large impulses the small ones would be lost.
+    // Stored as changes: small ones would be lost next to large impulses.
     std::uint8_t state = kOpen;
     Impulses change{-row.normal, -row.tangential, -row.moment};
     const double normal = stiffness_ * row.mass_n * (miss_[c].normal - un);
@@ -155,7 +156,7 @@ bool SemismoothNewton::factorise(std::span<const ContactRow> rows) {
     };
     const std::uint8_t state = states_[c];
     if (!(state & kClosed)) continue;
-    // Where friction or rolling is at its limit its impulse moves with λ_n, along c = J_n ± μ J_t ± ρ J_r.
+    // An impulse of friction or rolling at its limit varies with λ_n, along c = J_n ± μ J_t ± ρ J_r.
     Eigen::Vector3d ca = s.na;
     Eigen::Vector3d cb = s.nb;
     if (state & kHeld) {
@@ -198,7 +199,7 @@ bool SemismoothNewton::search_states(std::span<const ContactRow> rows, int& left
     double share = 1.0;
     next_ = step_ + direction_;
     double next_norm = evaluate(rows, next_);
-    if (states_ == factorised_states_) {  // the linear system was the right one
+    if (states_ == factorised_states_) {  // the states were right: the step is exact
       step_.swap(next_);
       return true;
     }
@@ -237,8 +238,8 @@ NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverB
     apply_all(rows, bodies);
   };
   NewtonResult result{std::numeric_limits<double>::infinity(), 0, false};
-  // Measures the impulses of the rows and keeps them if they are the best so far. Among those that differ by
-  // rounding alone the last is the best.
+  // Measures the residual of the impulses and keeps the best ones. Of those that differ by rounding alone,
+  // the last are the best.
   bool rounded = false;
   const auto measure = [&] {
     const double now = residual(rows, bodies);

@@ -17,23 +17,25 @@ struct NewtonOptions {
 };
 
 struct NewtonResult {
-  double residual = 0.0;  // m/s, of the impulses that are left in the rows
+  double residual = 0.0;  // m/s, of the impulses returned in the rows
   int iterations = 0;     // linear systems solved
-  bool settled = false;   // the residual is at most the tolerance, or what rounding leaves of it
+  bool settled = false;   // the residual is at most the tolerance or the rounding level
 };
 
-// The exact finish of one island: semismooth Newton within the proximal-point (augmented Lagrangian) iteration
+// Semismooth Newton for one island, within the proximal-point (augmented Lagrangian) iteration
 //   λ⁺ = proj(λ + r (b - J v⁺)),  M (v⁺ - v) = Jᵀ(λ⁺ - λ),
-// where proj clips to the cone of Coulomb and rolling. The states of the contacts (open, sticking, sliding ±)
-// make it a linear system in v⁺, positive definite where nothing slides, whatever the redundancy; Newton's
-// method on v⁺ searches the states, the outer iteration takes away what 1/r left and raises r. All is solved
-// for increments, so the answer is exact to rounding. Where a step does not reduce the system's residual,
-// sweeps of Gauss-Seidel move on from the best impulses so far, and r falls. With friction nothing of this is
-// sure to end; the result tells. Alart and Curnier, Computer Methods in Applied Mechanics and Engineering 92
-// (1991) 353; Rockafellar, SIAM Journal on Control and Optimization 14 (1976) 877.
+// where proj clips to the cones of Coulomb and rolling friction. For known states of the contacts (open,
+// sticking, sliding ±) it is a linear system in v⁺, positive definite if nothing slides, however redundant.
+// Newton's method on v⁺ finds the states; the outer iteration removes the error that 1/r left and raises r.
+// All is solved for increments, so the answer is exact to rounding. If a step does not reduce the system's
+// residual, Gauss-Seidel sweeps continue from the best impulses so far, and r falls. With friction
+// convergence is not guaranteed; the result reports it. Alart and Curnier, Computer Methods in Applied
+// Mechanics and Engineering 92 (1991) 353; Rockafellar, SIAM Journal on Control and Optimization 14 (1976)
+// 877.
 class SemismoothNewton {
  public:
-  // Rows of one island; bodies as apply_all leaves them. Leaves the best impulses that were met, applied.
+  // Takes the rows of one island and bodies as apply_all() leaves them. Leaves the best impulses found,
+  // applied.
   NewtonResult run(std::span<ContactRow> rows, std::span<SolverBody> bodies, const NewtonOptions& options);
 
  private:
@@ -45,13 +47,13 @@ class SemismoothNewton {
   struct Impulses {
     double normal = 0.0, tangential = 0.0, moment = 0.0;
   };
-  struct Miss {  // target less velocity at the centre of the proximal step, m/s and rad/s
+  struct Miss {  // target minus velocity at the centre of the proximal step, m/s and rad/s
     double normal = 0.0, tangential = 0.0, spin = 0.0;
   };
 
   void number_bodies(std::span<const ContactRow> rows, std::span<const SolverBody> bodies);
   void centre(std::span<const ContactRow> rows, std::span<const SolverBody> bodies);
-  // Impulses, states and the system's residual at `step`; its norm is returned.
+  // Computes impulses, states and the system's residual at `step`; returns its norm.
   double evaluate(std::span<const ContactRow> rows, const Eigen::VectorXd& step);
   bool factorise(std::span<const ContactRow> rows);
   bool search_states(std::span<const ContactRow> rows, int& left);
@@ -59,7 +61,7 @@ class SemismoothNewton {
   double stiffness_ = 0.0;  // r K, dimensionless
   std::vector<int> local_of_;
   std::vector<int> bodies_;           // of the island, movable
-  Eigen::VectorXd root_, turn_root_;  // √(1/m), √(1/I) of the island's bodies and a last, immovable one
+  Eigen::VectorXd root_, turn_root_;  // √(1/m), √(1/I) of the island's bodies; last, 0 for infinite mass
   std::vector<Local> local_;
   std::vector<Miss> miss_;
   std::vector<Impulses> change_;

@@ -6,10 +6,10 @@
 #include "physics/dynamics/force_field.h"
 #include "physics/dynamics/joint_constraints.h"
 
-// The right-hand sides that integrators are given along a trajectory, f(t, y, k) with t in s from the epoch on.
+// The right-hand sides f(t, y, k) that integrators evaluate along a trajectory; t in s since the epoch.
 namespace carom {
 
-// A body that no force couples to another.
+// One body that no force couples to another.
 struct OneBody {
   const ForceField& field;
   int body;
@@ -21,7 +21,7 @@ struct OneBody {
   [[nodiscard]] bool has_quadratures() const { return field.has_quadratures(); }
 };
 
-// The bodies of a group, a column each.
+// The coupled bodies of a group, one column each.
 struct Together {
   const ForceField& field;
   JointConstraints& joints;

@@ -29,7 +29,7 @@ ForceField::ForceField(std::shared_ptr<const Model> model)
     const SpringTerm& s = terms_->springs[spring];
     const Motion a = initial_motion(bodies[s.body], time);
     const Motion b = s.other >= 0 ? initial_motion(bodies[s.other], time) : spring_end(spring, time);
-    // At the very edge a spring acts if its ends move into it.
+    // At a margin of zero a spring acts if its ends move into its range.
     double margin = switch_margin(spring, a, b);
     if (margin == 0.0) {
       const double closing = -(q_of(a) - q_of(b)).head<2>().dot((v_of(a) - v_of(b)).head<2>());
@@ -41,7 +41,6 @@ ForceField::ForceField(std::shared_ptr<const Model> model)
 }
 
 // --- forces
-// ------------------------------------------------------------------------------------------------------
 
 ForceField::Pull ForceField::pull(const SpringTerm& spring, const Vec2& d, const Vec2& u) const {
   if (spring.rest_length == 0.0 && spring.damping == 0.0) return {-spring.stiffness * d, 0.0};
@@ -76,7 +75,7 @@ void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, 
       const Pull p = pull(joint, x - end, v - end_velocity);
       force += p.force;
       quadratures[kDamperLoss] += p.loss;
-      // The drive's share: what becomes of kinetic and spring energy beside the damper's loss.
+      // Work of the drive: it becomes kinetic energy, spring energy and the damper's loss.
       quadratures[kWorkIn] += p.force.dot(end_velocity);
     }
   }
@@ -183,7 +182,6 @@ std::vector<std::vector<int>> ForceField::coupled_groups(const std::vector<std::
 }
 
 // --- energy
-// ------------------------------------------------------------------------------------------------------
 
 double ForceField::spring_energy(int spring, double length) const {
   const double stretch = length - terms_->springs[spring].rest_length;
@@ -245,7 +243,6 @@ double ForceField::potential_energy_of(int body, const Vec2& position, const Eig
 }
 
 // --- moments at which a law changes
-// ------------------------------------------------------------------------------
 
 double ForceField::next_break(int body, double t) const {
   double next = kInfinity;

@@ -13,21 +13,21 @@
 
 namespace carom {
 
-// The smooth forces of a scene, laid out for evaluation. Forces from outside (gravity, drag, springs to points
-// and to immovable bodies, applied forces) act body by body; springs between free bodies and attraction couple
-// bodies, which must then be advanced together (`coupled_groups`).
+// The smooth forces of a scene, arranged for evaluation. External forces (gravity, drag, springs to points
+// and to bodies of infinite mass, applied forces) act body by body. Springs between movable bodies and
+// attraction couple bodies, which must then be advanced together (`coupled_groups`).
 //
 // One-sided springs and forces that start, rise or end change their law at certain moments. Between two such
-// moments the law in force is kept, so that the right-hand side is smooth within a step; who advances the
-// motion ends a step at each (`next_break`, `switch_margin`) and then calls `set_phase` or `set_engaged`.
+// moments the law is kept, so the right-hand side is smooth within a step. The caller ends a step at each
+// moment (`next_break`, `switch_margin`) and then calls `set_phase` or `set_engaged`.
 class ForceField {
  public:
   ForceField() = default;
-  // The laws are those in force at the start of a run, where the bodies are as they have it then.
+  // Begins with the laws in force at the start of a run.
   explicit ForceField(std::shared_ptr<const Model> model);
 
-  // Rate of a movable body at absolute time t (s) under the forces from outside; y and k are columns of kRows,
-  // or without the quadratures where has_quadratures() is false.
+  // Rate of a movable body at absolute time t (s) under the external forces; y and k are columns of kRows, or
+  // without the quadratures if has_quadratures() is false.
   template <class Y, class K>
   void external_rate(int body, double t, const Y& y, K&& k) const {
     k.template head<3>() = y.template segment<3>(3);
@@ -39,7 +39,7 @@ class ForceField {
         (this->*add_external_)(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
     }
   }
-  // m/s², m/s², rad/s²: what contacts that last do to a body, from now on.
+  // m/s², m/s², rad/s²: the acceleration of a body by resting contacts, from now on.
   [[nodiscard]] bool in_contact() const { return in_contact_; }
   [[nodiscard]] auto contact_acceleration(int body) const { return contact_.col(body); }
   void set_contact_acceleration(int body, const Eigen::Vector3d& by) {
@@ -50,9 +50,9 @@ class ForceField {
   // Adds the coupling forces among `members` to their rates; columns in the order of the members.
   void add_couplings(std::span<const int> members, const Motions& y, Motions& k) const;
 
-  // True if quadratures are more than zeros.
+  // False if all quadratures stay zero.
   [[nodiscard]] bool has_quadratures() const { return !terms_->gravity_only; }
-  // True if nothing but uniform gravity and constant forces acts, for good: flight is a parabola.
+  // True if only gravity and forces that never change act: flight is a parabola.
   [[nodiscard]] bool is_constant() const { return terms_->constant; }
   // m/s², m/s², rad/s²; of a movable body where is_constant(), zero for others.
   [[nodiscard]] Eigen::Vector3d constant_acceleration(int body) const;
@@ -83,7 +83,7 @@ class ForceField {
   [[nodiscard]] double switch_margin(int spring, const Motion& body, const Motion& other) const;
   [[nodiscard]] bool engaged(int spring) const { return engaged_[spring] != 0; }
   void take_over(const ForceField& other) { engaged_ = other.engaged_; }  // of the same springs
-  // Which springs act, all of them.
+  // Which springs act, by spring.
   using Switches = std::vector<std::uint8_t>;
   [[nodiscard]] const Switches& switches() const { return engaged_; }
   void set_switches(const Switches& engaged) { engaged_ = engaged; }
@@ -92,7 +92,7 @@ class ForceField {
   [[nodiscard]] double spring_energy(int spring, double length) const;  // J, where it acts
   [[nodiscard]] int spring_body(int spring) const { return terms_->springs[spring].body; }
   [[nodiscard]] int spring_other(int spring) const { return terms_->springs[spring].other; }  // -1: a point
-  // Where a spring's other end is if it is a point or an immovable body: position and velocity.
+  // Position and velocity of a spring's other end if it is a point or a body of infinite mass.
   [[nodiscard]] Motion spring_end(int spring, double t) const;
 
  private:
@@ -102,7 +102,7 @@ class ForceField {
     Vec2 force;   // N, on `body`
     double loss;  // W, of the damper
   };
-  // With code for the parts that are in the model, and for no other.
+  // Has code only for the parts that the model has.
   using AddExternal = void (ForceField::*)(int, double, const Vec2&, const Vec2&, double, double*) const;
   template <bool kDrag, bool kSprings, bool kApplied>
   void add_external(int body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const;

@@ -15,19 +15,18 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // A pivot below this share of its diagonal element is rounding: the row depends on those before it. Masses that
 // differ by a factor of 10⁶ leave 10⁻⁶.
 constexpr double kDependent = 1e-12;
-// Newton's method squares the error: near the joints a handful of corrections ends in rounding.
+// Newton's method converges quadratically: near a solution a few corrections reach rounding.
 constexpr int kMostCorrections = 60;
-// Where it leads nowhere, each row is corrected by itself this often, which brings the ends nearer from
-// anywhere.
+// Where it fails, each row is corrected by itself this often, which brings the ends nearer from any position.
 constexpr int kSweeps = 8;
-// What it costs to lay a row, in units of Trajectories::flight_work().
+// Cost of setting up a row, in units of Trajectories::flight_work().
 constexpr std::int64_t kRowWork = 4;
-// Of the size: within this a gap is closed for good, and beyond kMissed the joints are said to be missed.
+// Relative to the size: a gap within kClosed is closed; with one beyond kMissed the projection has failed.
 constexpr double kClosed = 2.0 * kEpsilon;
 constexpr double kMissed = 1e-10;
 // A string at its length counts as no longer than that.
 constexpr double kAtLength = 32.0 * kEpsilon;
-// Of the largest impulse of the group: a push by a string below this is rounding.
+// Relative to the largest impulse of the group: a smaller push by a string is rounding.
 constexpr double kPush = 1e-12;
 // A string this near to its length (dimensionless) whose ends don't move along it is taut at the start.
 constexpr double kTautAtStart = 1e-6;
@@ -54,7 +53,7 @@ JointConstraints::JointConstraints(std::shared_ptr<const Model> model)
 void JointConstraints::set_groups(const std::vector<std::vector<int>>& groups) {
   groups_.clear();
   first_row_.assign(terms_->all.size(), -1);
-  std::vector<std::vector<int>> joints_at(model_->mass.mass.size());  // by the body that they are laid at
+  std::vector<std::vector<int>> joints_at(model_->mass.mass.size());  // by their first body
   for (int l = 0; l < static_cast<int>(terms_->all.size()); ++l) joints_at[terms_->all[l].body].push_back(l);
   for (const std::vector<int>& members : groups) {
     Group& g = groups_.emplace_back();
@@ -88,7 +87,7 @@ void JointConstraints::set_groups(const std::vector<std::vector<int>>& groups) {
         next = diagonal + 1;
       }
     }
-    // Two joints between the same two bodies share both of them.
+    // Joints between the same two bodies share both of them.
     std::sort(g.shared.begin(), g.shared.end());
     g.shared.erase(std::unique(g.shared.begin(), g.shared.end()), g.shared.end());
     const auto rows = static_cast<Eigen::Index>(g.rows.size());
@@ -107,7 +106,6 @@ void JointConstraints::set_groups(const std::vector<std::vector<int>>& groups) {
 }
 
 // --- the rows
-// ---------------------------------------------------------------------------------------------------
 
 JointConstraints::Ends JointConstraints::ends_of(const JointTerm& joint, double t, const Motions& y, int a,
                                                  int b) const {
@@ -142,7 +140,7 @@ JointConstraints::Ends JointConstraints::ends_of(const JointTerm& joint, double 
   return e;
 }
 
-// Jacobian, gaps and what else the rows need at a time and at motions.
+// Jacobian, gaps and all else that a row needs, at time t and motions y.
 void JointConstraints::fill_row(Group& g, int i, double t, const Motions& y) const {
   const Row& row = g.rows[i];
   const JointTerm& joint = terms_->all[row.joint];
@@ -200,7 +198,6 @@ void JointConstraints::apply(const Group& g, Columns&& v) {
 }
 
 // --- J M⁻¹Jᵀ
-// -------------------------------------------------------------------------------------------------------
 
 double JointConstraints::entry(const Group& g, int i, int j) {
   const Row& r = g.rows[i];
@@ -262,10 +259,9 @@ void JointConstraints::solve(Group& g) {
   }
 }
 
-// --- what they do
-// --------------------------------------------------------------------------------------------------
+// --- forces and impulses
 
-// What comes from the plane and from kinematic bodies: momentum and work, per s or at once.
+// Momentum and work from the plane and from kinematic bodies, as rates or at once.
 void JointConstraints::add_quadratures(const Group& g, Motions& y) {
   for (int i = 0; i < static_cast<int>(g.rows.size()); ++i) {
     const Row& r = g.rows[i];
@@ -292,7 +288,7 @@ std::int64_t JointConstraints::evaluation_work(int group) const {
   return kRowWork * static_cast<std::int64_t>(g.rows.size()) + g.matrix.size() / 2;
 }
 
-// Gauss and Seidel's way: row by row, each from where the last one left the bodies.
+// Gauss-Seidel: row by row, each from the result of the last.
 void JointConstraints::relax(Group& g, double t, Motions& y) const {
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (int i = 0; i < static_cast<int>(g.rows.size()); ++i) {
@@ -329,7 +325,7 @@ bool JointConstraints::restore(int group, double t, Motions& y) {
     solve(g);
     apply(g, q_of(y));
   }
-  // The second round takes away what rounding in the first one left.
+  // The second round removes the rounding error of the first.
   for (int round = 0; round < 2; ++round) {
     for (int i = 0; i < rows; ++i) g.force[i] = g.end_rate[i] - along(g, i, v_of(y));
     solve(g);
@@ -365,10 +361,10 @@ bool JointConstraints::share(int group, double t, const Eigen::Matrix3Xd& change
 }
 
 double JointConstraints::apply_taut_impulse(int group, double t, Motions& y) {
-  // Each round but the last lets one string go.
+  // Each round but the last makes one string slack.
   while (!share(group, t, groups_[group].rest, y)) {
   }
-  // Half of the impulses times what they changed: right to the second order in their rounding.
+  // Half of the impulses times the velocity changes: exact to second order in their rounding.
   const Group& g = groups_[group];
   double taken = 0.0;
   for (int i = 0; i < static_cast<int>(g.rows.size()); ++i)

@@ -7,10 +7,10 @@
 
 namespace carom {
 
-// The unknowns of one body as a column: rows 0-2 are q = (x, y, angle) in m, m, rad; rows 3-5 v = q' in m/s,
-// m/s, rad/s; rows 6-10 the quadratures, which integrators advance with the rest so that the ledger closes:
-//   lost to drag (J), lost to dampers (J), put in by drives and applied forces (J), and the momentum x, y (N s)
-//   that external forces other than gravity gave.
+// The unknowns of one body as a column: rows 0-2 are q = (x, y, angle) in m, m, rad; rows 3-5 are v = q' in
+// m/s, m/s, rad/s; rows 6-10 are quadratures, extra state components that integrators advance with the rest
+// so that the ledger closes: losses to drag and to dampers, work of drives and applied forces (all in J), and
+// the momentum x, y (N s) from external forces other than gravity.
 inline constexpr int kRows = 11;
 inline constexpr int kQuadratures = 5;
 enum QuadratureRow { kDragLoss, kDamperLoss, kWorkIn, kImpulseX, kImpulseY };
@@ -33,7 +33,7 @@ template <class Y>
   return std::forward<Y>(y).template bottomRows<kQuadratures>();
 }
 
-// The motions of N bodies at one time, as arrays with a column a body.
+// The motions of N bodies at one time, as arrays with one column per body.
 struct State {
   Eigen::Matrix3Xd q;
   Eigen::Matrix3Xd v;
@@ -54,7 +54,8 @@ struct State {
   [[nodiscard]] Vec2 velocity(int i) const { return v.col(i).head<2>(); }
 };
 
-// A body as the scene has it at the start; a kinematic one where its drive is at `time` (s), with its velocity.
+// The motion of a body as the scene states it; a kinematic one has the position and velocity of its drive at
+// `time` (s).
 [[nodiscard]] Motion initial_motion(const Body& body, double time = 0.0);
 
 [[nodiscard]] State initial_state(const std::vector<Body>& bodies);

@@ -8,7 +8,7 @@
 // with units in brackets, then a line for each row.
 namespace carom {
 
-// A number with all its digits, never "-0"; what is not finite is "nan" or "inf".
+// A number with all its digits, never "-0"; "nan" or "inf" if it is not finite.
 [[nodiscard]] std::string csv_number(double value);
 // A text, in quotes where it needs them.
 [[nodiscard]] std::string csv_text(std::string_view text, char separator = ',');

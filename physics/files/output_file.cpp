@@ -18,9 +18,10 @@ constexpr std::size_t kBuffer = 1 << 16;  // bytes
 constexpr mode_t kNewFile = 0666;
 constexpr mode_t kOwnFile = 0600;
 constexpr int kReaderWait = 5000;  // ms
-constexpr int kReaderLook = 10;    // ms between two looks
+constexpr int kReaderLook = 10;    // ms between two attempts
 
-// Owner and mode of the file that is replaced. A group that cannot be kept keeps no more than others' rights.
+// Copies owner and mode of the replaced file. If its group cannot be kept, the new group gets only the
+// others' rights.
 void take_over(int file, const struct stat& old) {
   mode_t mode = old.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
   const bool owner = fchown(file, old.st_uid, old.st_gid) == 0;
@@ -29,7 +30,7 @@ void take_over(int file, const struct stat& old) {
   } else if (fchown(file, static_cast<uid_t>(-1), old.st_gid) != 0) {
     mode = (mode & ~static_cast<mode_t>(S_IRWXG)) | ((mode & S_IRWXO) << 3);
   }
-  (void)fchmod(file, mode);  // a file system without modes has none to keep
+  (void)fchmod(file, mode);  // fails on file systems without modes
 }
 
 // 0, or errno.
@@ -220,7 +221,7 @@ void OutputFile::flush() {
 
 void OutputFile::fail(int error) {
   buffer_.clear();
-  temporary_.reset();  // others may need the room
+  temporary_.reset();  // frees the disk space
   if (error == EPIPE && place_.kind == OutputPlace::Kind::kStream && place_.descriptor == STDOUT_FILENO) {
     unread_ = true;
     return;
@@ -239,7 +240,7 @@ void OutputFile::finish() {
     if (const int error = temporary_->sync(); error != 0) fail(error);
   }
   if (failure_.empty() && through_ >= 0) {
-    // What has no disk behind it answers EINVAL.
+    // Files without a disk behind them return EINVAL.
     if (fsync(through_) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT)) fail(errno);
     if (close(std::exchange(through_, -1)) != 0 && failure_.empty()) fail(errno);
   }

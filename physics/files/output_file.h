@@ -52,28 +52,29 @@ struct OutputPlace {
 // links stay and what they lead to is replaced. Devices, pipes and terminals are written through. A pipe must
 // have a reader within 5 s.
 //
-//   OutputFile file("run.csv");  // throws SceneError where it cannot be written
+//   OutputFile file("run.csv");  // throws SceneError if it cannot be written
 //   file.line("time [s]");
-//   file.commit();               // throws SceneError where not all of it could be
+//   file.commit();               // throws SceneError if a write failed
 //
-// A write that fails is remembered until then, so that a run goes on to its results.
+// A failed write is reported only by commit(), so that a run still reaches its results.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& name) : OutputFile(output_place(name)) {}
   explicit OutputFile(OutputPlace place);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
-  ~OutputFile();  // without commit(): the old file, or none
+  ~OutputFile();  // without commit() the old file stays, or there is none
 
   [[nodiscard]] const std::string& name() const { return place_.name; }
   void write(std::string_view bytes);
   void line(std::string_view text);
-  // There is nothing good to write: the old file stays, and commit() throws `why`.
+  // The content is not usable: the old file stays, and commit() throws `why`.
   void give_up(const std::string& why) {
     if (failure_.empty()) failure_ = why;
   }
   [[nodiscard]] bool failed() const { return !failure_.empty(); }
-  // Everything is on the disk, but not yet in its place; nothing more may be written. Throws as commit() does.
+  // Writes everything to the disk, but not yet in its place; nothing more may be written. Throws like
+  // commit().
   void finish();
   void commit();
 
@@ -84,9 +85,9 @@ class OutputFile {
 
   OutputPlace place_;
   std::unique_ptr<TemporaryFile> temporary_;
-  int through_ = -1;  // descriptor of what is written through
+  int through_ = -1;  // descriptor of a device, pipe or terminal
   bool finished_ = false;
-  bool unread_ = false;  // nobody reads stdout: nothing more is written, and nobody is told
+  bool unread_ = false;  // stdout has no reader: nothing more is written, without an error
   std::string buffer_;
   std::string failure_;
 };

@@ -26,8 +26,8 @@ namespace {
 
 using Entry = TemporaryFile::Entry;
 
-// The one list of the process, since a signal is the process's: the newest first. Whoever changes it has all
-// signals blocked, so that the handler, in whatever thread it runs, never waits for its own thread.
+// One list per process, as signals are; the newest first. All signals are blocked while it changes, so that
+// the handler, in whatever thread it runs, never waits for its own thread.
 std::atomic_flag list_in_use = ATOMIC_FLAG_INIT;
 Entry* newest = nullptr;
 
@@ -75,7 +75,7 @@ void remove(const Entry& entry) {
   }
 }
 
-// Takes an entry off the list, with or without what it names.
+// Removes an entry from the list, with `and_remove` also what it names.
 void forget(Entry*& entry, bool and_remove) {
   if (entry == nullptr) return;
   const ListLock lock;
@@ -83,7 +83,7 @@ void forget(Entry*& entry, bool and_remove) {
   drop(std::exchange(entry, nullptr));
 }
 
-// Nothing but calls that a handler may make. The list stays taken: the process ends.
+// Makes only async-signal-safe calls. The list stays locked: the process ends.
 extern "C" void remove_all_and_end(int signal) {
   take_list();
   for (const Entry* entry = newest; entry != nullptr; entry = entry->older) remove(*entry);
@@ -99,8 +99,8 @@ std::string random_name() {
   return name + ".part";
 }
 
-// Open files without a name, each of which takes one of the descriptors that a process may have (often 1024):
-// beyond this they get names, and are closed, as soon as they are whole.
+// The most open files without a name. Each takes one of the process's descriptors (often 1024); beyond this
+// they get names, and are closed, as soon as they are complete.
 constexpr int kMostNameless = 100;
 std::atomic<int> nameless_open = 0;
 
@@ -126,7 +126,7 @@ int TemporaryFile::take_name(const Make& make) {
 TemporaryFile::TemporaryFile(const std::filesystem::path& folder, mode_t mode)
     : folder_(std::filesystem::absolute(folder)) {
   descriptor_ = open(folder_.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
-  // Only the list of open files can give it a name later.
+  // It can get a name later only through the list of open files.
   if (descriptor_ >= 0 && access(open_file(descriptor_).c_str(), F_OK) != 0)
     close(std::exchange(descriptor_, -1));
   if (descriptor_ >= 0) {
@@ -153,7 +153,7 @@ int TemporaryFile::close_it() {
   return close(std::exchange(descriptor_, -1)) == 0 ? 0 : errno;
 }
 
-// 0, or errno. The file has none yet.
+// Names a file that has no name yet. Returns 0 or errno.
 int TemporaryFile::give_name() {
   const std::string source = open_file(descriptor_);
   return take_name([&](const char* path) {
@@ -163,11 +163,10 @@ int TemporaryFile::give_name() {
 
 int TemporaryFile::sync() {
   int synced = fsync(descriptor_) == 0 ? 0 : errno;
-  if (synced == EINVAL || synced == ENOSYS || synced == ENOTSUP)
-    synced = 0;  // this file system has no such thing
+  if (synced == EINVAL || synced == ENOSYS || synced == ENOTSUP) synced = 0;  // this file system cannot sync
   if (synced == 0 && entry_ == nullptr && nameless_open > kMostNameless) synced = give_name();
   if (entry_ == nullptr) return synced;
-  // Over a network a full disk may show only here.
+  // On a network file system a full disk may show only here.
   const int closed = close_it();
   return synced != 0 ? synced : closed;
 }
@@ -186,7 +185,7 @@ int TemporaryFile::rename_to(const std::filesystem::path& file, bool replace) {
       forget(entry_, false);
       return 0;
     }
-    // A file system that cannot do so replaces.
+    // A file system without this option replaces the file.
     if (errno != EINVAL && errno != ENOSYS) return errno;
   }
   if (std::rename(from, file.c_str()) != 0) return errno;

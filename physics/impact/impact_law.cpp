@@ -9,15 +9,16 @@
 namespace carom {
 namespace {
 
-// The normal's length is 1 within rounding only. Left out, or itself rounded to a number near 1, whose
-// neighbours are not equally far, |n|² - 1 would add up to a drift of the energy over millions of impacts.
+// |n|² - 1, as the normal's length is 1 only within rounding. If it were left out, or |n|² itself rounded to
+// a double near 1, where those below and above are not equally spaced, the energy would drift over millions
+// of impacts.
 double excess_of(const Vec2& normal) {
   return std::fma(normal.x(), normal.x(), std::fma(normal.y(), normal.y(), -1.0));
 }
 
 bool unturned_by_normal(const ImpactSide& s) { return s.lever == 0.0 || s.inverse_inertia == 0.0; }
 
-// The normal impulse of an impact whose normal turns nothing, for the closing velocity u_n < 0.
+// The normal impulse of an impact that turns nothing, for the closing velocity u_n < 0.
 Impact normal_impact(double u_n, double k_nn, double excess, double restitution) {
   Impact impact;
   const double of_unit_normal = -(1.0 + restitution) * u_n / k_nn;

@@ -4,12 +4,13 @@
 
 namespace carom {
 
-// One side of an impact: velocity of the centre (m/s), spin (rad/s), inverse mass and inertia, and the two arms
-// of the contact point, r from the centre, in m, with n turned so that it points from this body to the other:
-//   arm   = r·n, of the tangential impulse; negative if the contact lies beyond the centre (a deep penetration)
+// One side of an impact: velocity of the centre (m/s), spin (rad/s), inverse mass (1/kg) and inertia
+// (1/(kg m²)), and two arms in m. With r from the centre to the contact point, and n turned so that it points
+// from this body to the other:
+//   arm   = r·n, of the tangential impulse; negative if the contact is beyond the centre (deep penetration)
 //   lever = r×n, of the normal impulse; 0 for discs, whose normal passes through the centre
-// So arm = r_A·n and lever = r_A×n for A, arm = -r_B·n and lever = -r_B×n for B. A fixed body has zero inverse
-// mass and inertia.
+// So arm = r_A·n and lever = r_A×n for A, arm = -r_B·n and lever = -r_B×n for B. A fixed body has zero
+// inverse mass and inertia.
 struct ImpactSide {
   Vec2 velocity = Vec2::Zero();
   double spin = 0.0;
@@ -25,10 +26,10 @@ struct RelativeVelocity {
   double tangential = 0.0;
 };
 
-// The impulse +j acts on B and -j on A, in N s. The energies, in J, are what restitution (the work of the
-// normal impulse), friction (that of the tangential one) and sticking took; their sum is the kinetic energy
-// lost. Only Newton's law with friction can make lost_to_friction negative; where the sum is, energy_gain says
-// how much.
+// The impulse +j acts on B and -j on A, in N s. The energies, in J, are the losses to restitution (work of
+// the normal impulse), to friction (work of the tangential one) and to sticking; their sum is the kinetic
+// energy lost. Only Newton's law with friction can make lost_to_friction negative; if the sum is negative,
+// energy_gain is its amount.
 struct Impact {
   double normal = 0.0;
   double tangential = 0.0;
@@ -39,11 +40,11 @@ struct Impact {
   bool jammed = false;  // friction drove the bodies together until the slip had stopped (Painlevé)
 };
 
-// The inverse mass that the contact point feels: the velocity u changes by K j, in 1/kg.
+// The inverse mass at the contact point, in 1/kg: an impulse j changes the relative velocity u by K j.
 //   K_nn = 1/m_A + 1/m_B + lever_A²/I_A + lever_B²/I_B
 //   K_tt = 1/m_A + 1/m_B + arm_A²/I_A + arm_B²/I_B
 //   K_nt = lever_A arm_A/I_A + lever_B arm_B/I_B
-// K is positive definite, and its determinant is summed from positive parts, so it stays so in rounding.
+// K is positive definite. Its determinant is summed from positive parts, so it stays positive in rounding.
 struct ContactMatrix {
   double nn = 0.0;
   double nt = 0.0;
@@ -54,27 +55,25 @@ struct ContactMatrix {
 [[nodiscard]] RelativeVelocity relative_velocity(const ImpactSide& a, const ImpactSide& b, const Vec2& normal);
 [[nodiscard]] ContactMatrix contact_matrix(const ImpactSide& a, const ImpactSide& b, const Vec2& normal);
 
-// The impulse that resolves an impact with slip u of two bodies that answer to it by K; K need not be that of
-// two free bodies, joints may hold them. See resolve_impact() for the laws. Tangential restitution is not used.
-// Where the contact point cannot move along the tangent (det K zero within rounding) friction has no part.
+// The impulse that resolves an impact with relative velocity u at a contact with matrix K, which may include
+// the effect of joints. See resolve_impact() for the laws. Tangential restitution is not used. If the contact
+// point cannot move along the tangent (det K zero within rounding), there is no friction.
 [[nodiscard]] Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const Material& material,
                                ImpactLawId law);
 
-// The impact of two bodies along the line of their centres, without friction: changes their velocities alone.
-// By the law of resolve_impact(), to the same bits.
+// A central impact without friction: changes only the velocities, to the same bits as resolve_impact().
 [[nodiscard]] Impact resolve_smooth_impact(Vec2& velocity_a, double inverse_mass_a, Vec2& velocity_b,
                                            double inverse_mass_b, const Vec2& normal, double restitution);
 
-// Resolves one impact: changes both velocities and spins and says by which impulse. At least one side must be
+// Resolves one impact: changes both velocities and spins and returns the impulse. At least one side must be
 // movable. Bodies that separate (u_n > 0) get no impulse.
 //
-// Where no normal impulse turns anything (lever or inverse inertia zero on both sides), the directions
+// Where the normal impulse turns nothing (lever or inverse inertia zero on both sides), the directions
 // decouple:
 //   j_n = -(1 + e) u_n / K_nn,   j_t = clamp(-(1 + e_t) u_t / K_tt, ±μ_k j_n)
-// Slip obeys μ_k throughout; μ_s decides only whether slip that has come to zero stays zero, which here it
-// does. Energy: W = j·(u + u')/2 for each direction. The law of Walton and Braun (1986) for discs, with
-// Newton's restitution; e_t as in Garwin, American Journal of Physics 37 (1969) 88. Tangential restitution is
-// known to this case alone: elsewhere e_t is not used.
+// Slip obeys μ_k throughout; μ_s decides only whether slip that has stopped stays zero, which it does here.
+// Energy: W = j·(u + u')/2 for each direction. The law of Walton and Braun (1986) for discs, with Newton's
+// restitution; e_t as in Garwin, American Journal of Physics 37 (1969) 88. Only this case uses e_t.
 //
 // Elsewhere `law` decides: see routh_path.h and newton_law.h. A contact at u_n = 0 that slips in a jam (K_nn <
 // μ_k |K_nt|, friction driving the bodies together) is resolved as the limit of u_n -> 0, an "impact without

@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-// How (v, spin) of a free body changes by the impulse j at r from its centre.
+// The change of (v, spin) of a free body by the impulse j at r from its centre.
 Eigen::Vector3d free_change(const MassProperties& mass, int body, const Vec2& r, const Vec2& j) {
   const double turn = mass.inverse_inertia[body] * cross(r, j);
   return {mass.inverse_mass[body] * j.x(), mass.inverse_mass[body] * j.y(), turn};
@@ -27,7 +27,7 @@ Impact resolve_jointed_impact(Trajectories& trajectories, const MassProperties& 
   const Vec2 u = at_point(trajectories.at_start(b).segment<3>(3), r_b) -
                  at_point(trajectories.at_start(a).segment<3>(3), r_a);
   const RelativeVelocity before{u.dot(axes[0]), u.dot(axes[1])};
-  // Each round but the last lets one string go slack.
+  // Each round but the last makes one string slack.
   while (true) {
     Eigen::Matrix2d k;
     for (int i = 0; i < 2; ++i) {

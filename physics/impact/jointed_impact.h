@@ -7,10 +7,10 @@
 
 namespace carom {
 
-// The impact of two at_start bodies a < b of which joints hold at least one: joints share the impulse at once,
-// so the contact answers with the mass that the jointed bodies have together. Changes the at_start motions of
-// all that share it. Body b is hit along the contact's normal. The impulse is zero if the bodies don't
-// approach.
+// The impact of bodies a < b at the start of their trajectories; at least one has joints. Joints transmit the
+// impulse at once, so the contact responds with the combined mass of the joined bodies. Changes the motions
+// at the start of all bodies that take part. Body b is hit along the contact's normal. The impulse is zero if
+// the bodies do not approach.
 [[nodiscard]] Impact resolve_jointed_impact(Trajectories& trajectories, const MassProperties& mass, int a,
                                             int b, const Contact& contact, const Material& material,
                                             ImpactLawId law);

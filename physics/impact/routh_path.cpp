@@ -46,8 +46,8 @@ Impact energetic_impact(const ContactMatrix& k, const RelativeVelocity& u, const
   }
   if (u.normal == 0.0 && !impact.jammed) return impact;
 
-  // Where the path ends, p_1 on the first leg and p_2 on the second, and the work of compression. Squares are
-  // taken apart, (a² - b²) = (a - b)(a + b): both factors are known without cancellation.
+  // Where the path ends, p_1 on the first leg and p_2 on the second, and the work of compression. Differences
+  // of squares are factored, (a² - b²) = (a - b)(a + b): both factors are known without cancellation.
   const double closing = -u.normal;
   double p_1 = first_length;
   double p_2 = 0.0;

@@ -60,7 +60,7 @@ class Cluster {
 
   // Finds impulses with this e and the velocities after them, which are not applied yet.
   [[nodiscard]] bool solve(double e);
-  // Whether those impulses put energy into the bodies.
+  // Whether these impulses increase the energy.
   [[nodiscard]] bool gains() const {
     double work = 0.0;
     for (int i = 0; i < rows(); ++i) work += 0.5 * s_.impulse[i] * (s_.velocity[i] + s_.after[i]);
@@ -69,12 +69,12 @@ class Cluster {
   void apply(std::span<Impact> impacts);
 
  private:
-  // What the normal velocity has to be after the impact, at least.
+  // The least normal velocity after the impact.
   [[nodiscard]] double rebound(int contact, double e) const {
     return e * std::max(-s_.velocity[2 * contact], 0.0);
   }
 
-  // m/s: of the bodies' velocities as they are now.
+  // m/s, from the bodies' current velocities.
   [[nodiscard]] double speed_along(const Row& r) const {
     return r.direction.dot(v_.col(r.b).head<2>() - v_.col(r.a).head<2>()) + r.turn_b * v_(2, r.b) -
            r.turn_a * v_(2, r.a);
@@ -163,8 +163,8 @@ bool Cluster::solve(double e) {
   return true;
 }
 
-// The work is that of the velocities as they have become: where heavy bodies press through a light one, those
-// that the impulses promise are off by far more than the energy's rounding.
+// The work is that of the velocities actually reached: where heavy bodies press through a light one, those
+// predicted from the impulses are off by far more than the energy's rounding.
 void Cluster::apply(std::span<Impact> impacts) {
   for (int i = 0; i < rows(); ++i) {
     const Row& r = s_.rows[i];
@@ -200,8 +200,8 @@ ClusterOutcome resolve_simultaneous(Eigen::Ref<Eigen::Matrix3Xd> velocities,
     }
   }
   if (!cluster.read()) return outcome;
-  // Without a solution at this e, one at a smaller e > 0 would be at its edge, with impulses out of all
-  // measure.
+  // If this e has no solution, one at a smaller e > 0 would be at the edge of solvability, with huge
+  // impulses.
   const bool solvable = cluster.solve(outcome.restitution);
   if (!solvable || cluster.gains()) {
     double high = solvable ? outcome.restitution : 0.0;

@@ -21,10 +21,9 @@ struct ClusterContact {
 };
 
 struct ClusterOutcome {
-  bool solved =
-      true;  // false: no impulses satisfy the law, as for a body between two kinematic ones; nothing changed
-  double restitution = 1.0;  // the one e used: the smallest of the contacts, or what it was lowered to
-  bool lowered = false;      // e was lowered to keep energy from being gained, or to find a solution at all
+  bool solved = true;  // false: no impulses satisfy the law, e.g. between kinematic bodies; nothing changed
+  double restitution = 1.0;  // the e used: the smallest of the contacts, or lowered
+  bool lowered = false;      // e was lowered so that energy is not gained, or to find a solution
 };
 
 // Buffers that are kept between calls, so that a call of no greater size allocates nothing.
@@ -45,22 +44,21 @@ struct ClusterScratch {
   LcpSolver lcp;
 };
 
-// Resolves all contacts of a cluster at once: with one e, the smallest of the contacts that take part (K_nn >
-// 0),
+// Resolves all contacts of a cluster at once with one e, the smallest of the contacts that take part (K_nn >
+// 0):
 //   0 <= u_n' + e min(u_n, 0)   ⊥   j_n >= 0       (Moreau; Glocker, Set-Valued Force Laws, 2001)
 //   |j_t| <= μ_k j_n, j_t against u_t' where it is on the border, u_t' = 0 inside
-// Newton's law with Coulomb's cone, of one contact, is the special case (and μ_k is the only friction it
-// knows). Moreau has u_n in place of min(u_n, 0), which would leave a contact that separates before approaching
-// after. Both lines are one linear complementarity problem, exact in two dimensions (Stewart and Trinkle,
-// International Journal for Numerical Methods in Engineering 39 (1996) 2673). Without friction the velocities
-// after it are unique. Friction, or contacts that separate before, may make it gain energy: then e is lowered
-// by bisection until it does not, and at e = 0 it never does. Where no impulses comply with the e of the
-// contacts, as in a wedge that closes, e = 0 at once. The impulses of redundant contacts are one choice of
-// many.
+// For one contact this is Newton's law with Coulomb's cone (μ_k is the only friction that it uses). Moreau
+// has u_n in place of min(u_n, 0), which would make a separating contact approach. Both lines are one linear
+// complementarity problem, exact in two dimensions (Stewart and Trinkle, International Journal for Numerical
+// Methods in Engineering 39 (1996) 2673). Without friction the velocities after it are unique. With friction,
+// or contacts that separate before, it may gain energy: then e is lowered by bisection until it does not; at
+// e = 0 it never does. If there is no solution with the e of the contacts, as in a wedge that closes, e = 0
+// at once. The impulses of redundant contacts are one choice of many.
 //
-// `velocities` is 3 x n: v_x, v_y in m/s and spin in rad/s; it is changed. Immovable bodies have zero inverse
-// mass and inertia. `impacts` gets the impulses and losses of each contact; of those losses only the sum is
-// sure not to be negative where there is friction.
+// `velocities` is 3×n, v_x, v_y in m/s and spin in rad/s, and is changed. Bodies of infinite mass have zero
+// inverse mass and inertia. `impacts` gets the impulses and losses of each contact; with friction, only the
+// sum of these losses is certain not to be negative.
 [[nodiscard]] ClusterOutcome resolve_simultaneous(Eigen::Ref<Eigen::Matrix3Xd> velocities,
                                                   const Eigen::Ref<const Eigen::VectorXd>& inverse_mass,
                                                   const Eigen::Ref<const Eigen::VectorXd>& inverse_inertia,

@@ -21,8 +21,8 @@ void BlockLu::analyse(int n, std::span<const std::pair<int, int>> edges) {
     near.erase(std::unique(near.begin(), near.end()), near.end());
   }
 
-  // A block that is eliminated joins its neighbours to one another. A heap of (degree, block), where entries
-  // whose degree has changed are passed over, finds the next.
+  // Eliminating a block makes its neighbours adjacent to one another. The next block comes from a heap of
+  // (degree, block); entries with an outdated degree are skipped.
   const auto degree = [&](int i) { return static_cast<int>(neighbours_[i].size()); };
   queue_.clear();
   for (int i = 0; i < n; ++i) queue_.emplace_back(degree(i), i);
@@ -86,7 +86,7 @@ bool BlockLu::factorise() {
       const Block scaled = lower_[s].lazyProduct(inverse);
       lower_[s] = scaled;
     }
-    // A(i, j) -= L(i, k) U(k, j) for all i and j of this row's pattern; the row of the smaller of the two has
+    // A(i, j) -= L(i, k) U(k, j) for all i and j in the pattern of row k. The row of the smaller index stores
     // both blocks, in the same order.
     for (int s = begin; s < end; ++s) {
       const int i = index_[s];

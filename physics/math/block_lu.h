@@ -7,10 +7,11 @@
 
 namespace carom {
 
-// LU factors of a sparse matrix of 3×3 blocks (one a body) whose pattern, not whose values, is symmetric.
-// Pivots within the diagonal blocks only: meant for matrices near to positive definite. The elimination order
-// is one of least degree (Tinney and Walker, Proceedings of the IEEE 55 (1967) 1801), which on the planar
-// graphs of piles costs about n^1.5 block products. Storage is kept and reused.
+// LU factorisation of a sparse matrix of 3×3 blocks, one per body. The pattern is symmetric, the values need
+// not be. Pivots are taken only within diagonal blocks, so the matrix should be nearly positive definite. The
+// elimination order is that of least degree (Tinney and Walker, Proceedings of the IEEE 55 (1967) 1801); on
+// the planar graphs of piles it costs about n^1.5 block products. Order of calls: analyse(), clear(), fill
+// the blocks, factorise(), solve(). Storage is kept and reused.
 class BlockLu {
  public:
   using Block = Eigen::Matrix3d;
@@ -20,7 +21,7 @@ class BlockLu {
 
   void clear();
   Block& diagonal(int i) { return diagonal_[place_[i]]; }
-  // The blocks (i, j) and (j, i), as (slot, whether i is eliminated before j).
+  // Where the blocks (i, j) and (j, i) are stored; `upper` if i is eliminated before j.
   struct Slot {
     int index = -1;
     bool upper = true;
@@ -35,10 +36,11 @@ class BlockLu {
   void solve(Eigen::Ref<Eigen::VectorXd> x);
 
  private:
-  std::vector<int> place_;            // of a block in the order of elimination
-  std::vector<int> first_, index_;    // row k of U, without its diagonal, is index_[first_[k] ..), sorted
-  std::vector<Block> diagonal_;       // after factorise(): the inverses of the pivots
-  std::vector<Block> upper_, lower_;  // U(k, j) and L(j, k) for j = index_[slot]
+  std::vector<int> place_;  // position of each block in the elimination order
+  // Row k of U without its diagonal has the columns index_[first_[k] .. first_[k + 1] - 1], sorted.
+  std::vector<int> first_, index_;
+  std::vector<Block> diagonal_;               // after factorise(): the inverses of the pivots
+  std::vector<Block> upper_, lower_;          // U(k, j) and L(j, k) for j = index_[slot]
   std::vector<std::vector<int>> neighbours_;  // scratch of analyse()
   std::vector<int> merged_, order_;
   std::vector<std::pair<int, int>> queue_;

@@ -10,7 +10,7 @@ struct Bounds {
   Eigen::Array2d high;
 
   [[nodiscard]] bool overlaps(const Bounds& other) const {
-    // All four without a branch: which of them fails can't be foreseen.
+    // Without branches, because it is unpredictable which comparison fails.
     return ((low.x() <= other.high.x()) & (other.low.x() <= high.x()) & (low.y() <= other.high.y()) &
             (other.low.y() <= high.y())) != 0;
   }

@@ -4,7 +4,7 @@
 
 namespace carom {
 
-// Thrown by work that was asked to stop before it was done. It is no error, and nothing was computed.
+// Thrown by work that was asked to stop before it finished. It is not an error; there is no result.
 struct Cancelled {};
 
 inline void throw_if_cancelled(const std::stop_token& stop) {

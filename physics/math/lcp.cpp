@@ -9,12 +9,12 @@ namespace {
 
 // In units of the scaled problem.
 constexpr std::array<double, 3> kProximal = {0.0, 1e-5, 1e-3};  // ε of each attempt
-constexpr double kComplied = 1e-10;    // -w, and the smaller of w and z, per unit of the largest z
-constexpr double kSettled = 1e-13;     // what a further round is not worth
-constexpr double kLeastPivot = 1e-10;  // less is a zero of a singular matrix seen through rounding
-constexpr double kTie = 1e-12;         // ratios nearer than this are the same
+constexpr double kComplied = 1e-10;    // accepted error: -w and min(w, z), per unit of the largest z
+constexpr double kSettled = 1e-13;     // the same: further rounds gain nothing
+constexpr double kLeastPivot = 1e-10;  // smaller pivots are zeros of a singular matrix plus rounding
+constexpr double kTie = 1e-12;         // ratios closer than this are ties
 constexpr int kMostRounds = 30;
-constexpr int kMostPivotsPerRow = 50;  // usual is about one or two
+constexpr int kMostPivotsPerRow = 50;  // one or two are usual
 constexpr int kRefinements = 2;
 
 }  // namespace
@@ -34,8 +34,9 @@ void LcpSolver::pivot(int row, int column) {
   basis_[row] = column;
 }
 
-// The row of the least ratio right-hand side / pivot; ties are broken by the columns of w in order, which hold
-// the inverse of the basis. The covering variable leaves whenever it may. -1 if no pivot is positive.
+// The row with the least ratio of right-hand side to pivot. Ties are broken by the columns of w in order,
+// which hold the inverse of the basis. The covering variable leaves whenever it can. -1 if no pivot is
+// positive.
 int LcpSolver::leaving_row(int column) {
   const int covering = 2 * size_;
   candidates_.clear();
@@ -56,7 +57,8 @@ int LcpSolver::leaving_row(int column) {
   return candidates_.empty() ? -1 : candidates_.front();
 }
 
-// Basic variables x with B x = q, B made of columns of I, -(M + ε I): the tableau holds B⁻¹.
+// Solves B x = q for the basic variables x and refines them with the tableau's B⁻¹. The columns of B are
+// columns of I and of -(M + ε I).
 void LcpSolver::read_basis(const Eigen::Ref<const Eigen::MatrixXd>& m, double epsilon) {
   value_.resize(size_);
   for (int r = 0; r < size_; ++r) value_[r] = at(r, columns_ - 1);
@@ -87,7 +89,7 @@ bool LcpSolver::pivot_to_solution(const Eigen::Ref<const Eigen::MatrixXd>& m, do
   tableau_.assign(size_ * columns_, 0.0);
   basis_.resize(size_);
   candidates_.reserve(size_);
-  int row = 0;  // of equal ones the last: the lexicographically least of [q, I]
+  int row = 0;  // the last of equal ones: lexicographically least of [q, I]
   for (int r = 0; r < size_; ++r) {
     at(r, r) = 1.0;
     for (int c = 0; c < size_; ++c) at(r, size_ + c) = -m(r, c);
@@ -102,7 +104,7 @@ bool LcpSolver::pivot_to_solution(const Eigen::Ref<const Eigen::MatrixXd>& m, do
     const int leaving = basis_[row];
     pivot(row, entering);
     if (leaving == covering) return true;
-    entering = leaving < size_ ? leaving + size_ : leaving - size_;  // the complement of what left
+    entering = leaving < size_ ? leaving + size_ : leaving - size_;  // the complement of the variable that left
     row = leaving_row(entering);
     if (row < 0) return false;
   }

@@ -7,7 +7,7 @@
 
 #include "physics/math/vectors.h"
 
-// Straight lines y = y0 + slope x by least squares: of points at hand, and of points as they come.
+// Straight lines y = y0 + slope x by least squares, from a list of points or point by point.
 namespace carom {
 
 struct Line {
@@ -16,7 +16,7 @@ struct Line {
   double farthest = 0.0;                                          // largest distance of a point, in y
 };
 
-// Of at least two points with different x; the uncertainty needs a third. What is not finite gives NaN.
+// Needs two points with different x, and a third for the uncertainty. Non-finite input gives NaN.
 [[nodiscard]] inline Line fit_line(std::span<const Vec2> points) {
   const auto n = static_cast<double>(points.size());
   Vec2 mean = Vec2::Zero();
@@ -39,8 +39,7 @@ struct Line {
   return line;
 }
 
-// The mean and the slope of points that are added one by one, none of which is kept (B. P. Welford,
-// Technometrics 4 (1962) 419).
+// Mean and slope of points added one by one; none is stored (B. P. Welford, Technometrics 4 (1962) 419).
 class RunningLine {
  public:
   void add(double x, double y) {
@@ -52,7 +51,7 @@ class RunningLine {
     xy_ += dx * (y - mean_y_);
   }
   [[nodiscard]] double mean() const { return mean_y_; }
-  // NaN of less than two points.
+  // NaN for fewer than two points.
   [[nodiscard]] double slope() const { return n_ < 2.0 ? std::numeric_limits<double>::quiet_NaN() : xy_ / xx_; }
 
  private:

@@ -8,8 +8,8 @@
 
 namespace carom {
 
-// Calls work(i) for i = 0 .. count - 1 on `threads` threads (0: as many as the machine has cores), each i once.
-// If calls throw, the exception of the smallest i is thrown again when all are done.
+// Calls work(i) once for each i = 0 .. count - 1, on `threads` threads (0: one per core), and waits for all.
+// If calls throw, the exception of the smallest i is rethrown at the end.
 template <class Work>
 void parallel_for(int count, int threads, const Work& work) {
   if (threads <= 0) threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));

@@ -6,8 +6,8 @@
 
 namespace carom {
 
-// A root of a function with f(a) > 0 >= f(b), to the last bit of the argument: the returned argument is on the
-// side of a, where f is still positive (or exactly zero), so that bodies are never left overlapping. T. R.
+// A root of f between a and b, where f(a) > 0 >= f(b), to the last bit of the argument. The result lies on
+// the side of a, where f is positive or exactly zero, so bodies are never left penetrating. T. R.
 // Chandrupatla, Advances in Engineering Software 28 (1997) 145: inverse quadratic interpolation where it is
 // safe, bisection elsewhere.
 template <class Function>
@@ -19,7 +19,7 @@ template <class Function>
   if (std::abs(fa - fb) > 0.0) t = fb / (fb - fa);
   for (int i = 0; i < 200; ++i) {
     double x = x1 + t * (x2 - x1);
-    // Where the guess rounds to an end, its neighbour decides.
+    // If the guess rounds to an end, take the neighbouring number.
     if (x == x1) x = std::nextafter(x1, x2);
     if (x == x2) x = std::nextafter(x2, x1);
     if (x == x1) break;
@@ -33,7 +33,7 @@ template <class Function>
       x2 = x1, f2 = f1;
     }
     x1 = x, f1 = fx;
-    // x1 is the newest point, x2 brackets with it, x3 is the one before.
+    // x1 is the newest point, x1 and x2 bracket the root, x3 is the point before.
     const double xi = (x1 - x2) / (x3 - x2);
     const double phi = (f1 - f2) / (f3 - f2);
     if (phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi) {

@@ -13,7 +13,7 @@ using Vec2 = Eigen::Vector2d;
   const double s = std::sin(angle);
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
-// A vector turned by +90°: ω crossed(r) is the velocity that a spin ω gives the point r.
+// A vector turned by +90°. A spin ω gives the point r the velocity ω crossed(r).
 [[nodiscard]] inline Vec2 crossed(const Vec2& v) { return {-v.y(), v.x()}; }
 
 // The third component of u × v.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// The half-plane's share of a separation along its own normal, or the core's: how far it reaches along n.
+// How far shape i reaches along n from its body's origin, in m. For a half-plane n must be its normal.
 double reach(const ConvexShapes& shapes, int i, const Pose& pose, const Vec2& n) {
   const Vec2 own = pose.turned_back(n);
   const Corner* corner = shapes.corners_of(i);
@@ -108,7 +108,7 @@ double apart_until(const ConvexShapes& shapes, int a, const Pose& pose_a, const 
       // n·(ω × r) = ω (r × n), in each body's own frame.
       const double f1 = approach + twist_b.spin * (q.x() * own_b.y() - q.y() * own_b.x()) -
                         twist_a.spin * (p.x() * own_a.y() - p.y() * own_a.x());
-      // The positive root of f0 + f1 t - K t²/2, in the form that does not cancel.
+      // The positive root of f0 + f1 t - K t²/2, in the form without cancellation.
       const double root = std::sqrt(f1 * f1 + 2.0 * curvature * f0);
       double time = kInfinite;
       if (f1 < 0.0) {

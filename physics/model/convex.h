@@ -8,8 +8,8 @@
 #include "physics/scene/scene.h"
 #include "physics/scene/shape.h"
 
-// Shapes for collision: every one is a convex core grown by a rounding radius, or a half-plane. Queries of a
-// pair (contact_between, manifold) are in pair_contact.h.
+// Collision shapes: a convex core grown by a rounding radius, or a half-plane. Queries of a pair
+// (contact_between, manifold) are in pair_contact.h.
 namespace carom {
 
 enum class Core : std::uint8_t {
@@ -25,7 +25,7 @@ struct ConvexShape {
   Core core = Core::kPoint;
   std::vector<Vec2> vertices = {Vec2::Zero()};  // m, strictly convex; of a half-plane one point of its edge
   double rounding = 0.0;                        // m, >= 0
-  Vec2 normal = Vec2::Zero();                   // unit, outward: of a half-plane alone
+  Vec2 normal = Vec2::Zero();                   // unit, outward; half-plane only
 };
 
 [[nodiscard]] ConvexShape disc_shape(double radius);
@@ -34,7 +34,7 @@ struct ConvexShape {
 [[nodiscard]] ConvexShape segment_shape(const Vec2& from, const Vec2& to, double rounding = 0.0);
 // 3 to kMostVertices vertices as tidied() gives them (physics/scene/shape.h).
 [[nodiscard]] ConvexShape polygon_shape(std::vector<Vec2> vertices, double rounding = 0.0);
-// The solid side is that of all x with normal·x <= offset; `normal` is a unit vector.
+// Solid where normal·x <= offset; `normal` is a unit vector.
 [[nodiscard]] ConvexShape half_plane_shape(const Vec2& normal, double offset);
 
 // A vertex, and the edge that starts there.
@@ -44,21 +44,21 @@ struct Corner {
   double length;  // m, of the edge; 0 at the ends of a segment
 };
 
-// The shapes of N bodies as arrays. Body i has the corners first[i] ... first[i] + corners[i] - 1 of `corner`.
-// A segment is kept as a rectangle of no width: four corners, v0 v1 v1 v0, two edges of its length, one for
-// each side, and an edge of no length at each end. So every core but a point has edges that turn by less than
-// 180°.
+// The shapes of N bodies as arrays. Body i has the corners first[i] ... first[i] + corners[i] - 1 of
+// `corner`. A segment is stored as a rectangle of zero width: four corners v0 v1 v1 v0, with an edge of its
+// length on each side and an edge of zero length at each end. So every core but a point has edges that turn
+// by less than 180°.
 struct ConvexShapes {
   std::vector<Corner> corner;
   std::vector<int> first;
   std::vector<int> corners;
   std::vector<Core> core;
   std::vector<double> rounding;     // m
-  std::vector<double> core_radius;  // m, of the circle about the origin that holds the core; 0 for a disc
-  std::vector<double> radius;       // m, of the circle that holds the body: infinite for a half-plane
+  std::vector<double> core_radius;  // m, of the circle about the origin that contains the core; 0 for a disc
+  std::vector<double> radius;       // m, of the circle that contains the body; infinite for a half-plane
 
   [[nodiscard]] const Corner* corners_of(int i) const { return corner.data() + first[i]; }
-  // How many edges the core has for the search: none for a point.
+  // Number of edges in the contact search: none for a point.
   [[nodiscard]] int edges(int i) const { return core[i] == Core::kPoint ? 0 : corners[i]; }
 };
 
@@ -70,7 +70,7 @@ struct Pose {
   double cos = 1.0;
   double sin = 0.0;
 
-  // A vector of the body's frame in the world's, and back.
+  // Turns a vector from the body's frame to the world's, and back.
   [[nodiscard]] Vec2 turned(const Vec2& v) const {
     return {cos * v.x() - sin * v.y(), sin * v.x() + cos * v.y()};
   }
@@ -79,19 +79,19 @@ struct Pose {
   }
 };
 
-// The pose of body i at q = (x, y, angle). A disc's angle is left out: nothing depends on it.
+// The pose of body i at q = (x, y, angle). A disc's angle is ignored: nothing depends on it.
 [[nodiscard]] inline Pose pose_of(const ConvexShapes& shapes, int i, const Eigen::Vector3d& q) {
   if (shapes.core[i] == Core::kPoint) return {q.head<2>(), 1.0, 0.0};
   return {q.head<2>(), std::cos(q[2]), std::sin(q[2])};
 }
 
-// The axis-aligned rectangle around a body in m. A half-plane reaches to infinity: to the back of its edge if
-// that lies along an axis, else everywhere.
+// The axis-aligned bounding rectangle of a body in m. That of a half-plane is infinite, except beyond an edge
+// that is parallel to an axis.
 [[nodiscard]] Bounds bounds_of(const ConvexShapes& shapes, int i, const Pose& pose);
 
 // The distance of a and b along a fixed unit vector n, in m: the least n·(x_b - x_a) over all points of both.
-// At most the gap, for every n; equal to it along the normal of their contact. Of a half-plane the sides beyond
-// its edge have no end: n must be its normal, or the opposite if it is b.
+// It is at most the gap for every n, and equals the gap along the contact normal. A half-plane is unbounded
+// except along its normal: n must be its normal, or the opposite if it is b.
 [[nodiscard]] double separation(const ConvexShapes& shapes, int a, const Pose& pose_a, int b,
                                 const Pose& pose_b, const Vec2& n);
 
@@ -101,16 +101,16 @@ struct Twist {
   double spin = 0.0;
 };
 
-// A time (s, from now, may be infinite) before which a and b cannot penetration along n, where their gap counts
-// as closed now: while they part at the contact with normal n, this is when they may be back at the earliest,
-// with any of their vertices. It is 0 if a vertex that touches does not part. `curvature` is that of
-// first_contact. From n·(x_q - x_p) >= max(0, f0) + f1 t - curvature t²/2 for each pair of vertices p, q.
+// A time (s from now, may be infinite) before which a and b cannot penetrate along n; their gap counts as
+// closed now. While they separate at the contact with normal n, no vertex can return earlier. It is 0 if a
+// touching vertex does not separate. `curvature` is that of first_contact. From n·(x_q - x_p) >= max(0, f0) +
+// f1 t - curvature t²/2 for each pair of vertices p, q.
 [[nodiscard]] double apart_until(const ConvexShapes& shapes, int a, const Pose& pose_a, const Twist& twist_a,
                                  int b, const Pose& pose_b, const Twist& twist_b, const Vec2& n,
                                  double curvature);
 
-// A bound in m/s² for the second derivative of a core vertex's path about its centre: (ω² + |α|) r. Zero for a
-// disc, whose vertex is the centre.
+// Curvature bound in m/s² for the path of a core vertex about its centre: (ω² + |α|) r. Zero for a disc,
+// whose vertex is the centre.
 [[nodiscard]] inline double turning_curvature(const ConvexShapes& shapes, int i, double spin,
                                               double angular_acceleration) {
   return (spin * spin + std::abs(angular_acceleration)) * shapes.core_radius[i];

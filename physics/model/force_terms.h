@@ -8,12 +8,12 @@
 
 namespace carom {
 
-// A spring, its ends as indices of bodies.
+// A spring with its ends as body indices.
 struct SpringTerm {
   int body;
   int other;    // a movable body, or -1
   int drive;    // a kinematic body at the other end, or -1
-  Vec2 anchor;  // m, of a point or an immovable body's home
+  Vec2 anchor;  // m, a point, or the scene's position of a fixed or kinematic body
   double stiffness;
   double damping;
   double rest_length;
@@ -25,20 +25,20 @@ struct AppliedTerm {
   AppliedForce law;
 };
 
-// The smooth forces of a scene, laid out for evaluation. Of a part that is left out the lists are empty, those
-// by body too.
+// The smooth forces of a scene, arranged for evaluation. All lists of a part that the model leaves out are
+// empty, including those by body.
 struct ForceTerms {
-  bool drag = false;  // Part::kDrag is in
+  bool drag = false;  // the model has Part::kDrag
   Vec2 gravity = Vec2::Zero();
   double linear_drag = 0.0;
   double quadratic_drag = 0.0;
   std::optional<Attraction> attraction;
-  bool gravity_only = true;  // nothing but uniform gravity acts: no work, no impulse to sum up
-  bool constant = true;      // nothing but gravity and constant forces, for good: flight is a parabola
+  bool gravity_only = true;  // only uniform gravity acts: the quadratures stay zero
+  bool constant = true;      // only gravity and forces that never change: flight is a parabola
   bool one_sided = false;    // some springs push or pull only
   std::vector<SpringTerm> springs;
-  std::vector<std::vector<int>> outside;    // springs to points and immovable bodies, by body
-  std::vector<std::vector<int>> between;    // springs to free bodies, by both their bodies
+  std::vector<std::vector<int>> outside;    // springs to points and to fixed or kinematic bodies, by body
+  std::vector<std::vector<int>> between;    // springs between movable bodies, by both their bodies
   std::vector<std::vector<int>> switching;  // one-sided springs, by both their bodies
   std::vector<AppliedTerm> applied;
   std::vector<std::vector<int>> applied_to;  // by body

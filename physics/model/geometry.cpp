@@ -52,7 +52,7 @@ Geometry geometry(const std::vector<Body>& bodies, const std::vector<Joint>& joi
     const int b = index.at(joint.to);
     if (joint.kind == JointKind::kPin) g.pinned.push_back(std::minmax({a, b}));
     if (joint.kind != JointKind::kWeld) continue;
-    // Both and all that they were welded to get one number.
+    // Both bodies and all that are welded to them get one number.
     const int from_a = g.welded[a];
     const int from_b = g.welded[b];
     for (int& number : g.welded) {

@@ -10,17 +10,17 @@
 
 namespace carom {
 
-// What collision needs to know of N bodies, as arrays.
+// What collision detection needs of N bodies, as arrays.
 struct Geometry {
   ConvexShapes shapes;
-  // m, 2×N: half of the upright rectangle about its centre that holds the body, at any angle that it can take.
-  // Infinite for a half-plane.
+  // m, 2×N: half width and height of the axis-aligned rectangle about the centre that contains the body at
+  // every angle that it can take. Infinite for a half-plane.
   Eigen::Matrix2Xd extent;
-  Eigen::VectorXd size;                     // m, about that of the body; 0 for a half-plane
-  std::vector<std::uint8_t> fixed;          // immovable: fixed or kinematic
+  Eigen::VectorXd size;                     // m, approximately; 0 for a half-plane
+  std::vector<std::uint8_t> fixed;          // infinite mass: fixed or kinematic
   std::vector<int> group;                   // bodies of one group >= 0 do not collide with each other
-  std::vector<std::pair<int, int>> pinned;  // nor those that a pin joins; a < b, in rising order
-  std::vector<int> welded;                  // nor those that welds make one, whose number >= 0 is the same
+  std::vector<std::pair<int, int>> pinned;  // nor do pairs that a pin joins; a < b, sorted
+  std::vector<int> welded;                  // nor do bodies welded into one, which share a number >= 0
 
   [[nodiscard]] bool is_disc(int i) const { return shapes.core[i] == Core::kPoint; }
   // Whether the two can collide at all.

@@ -9,9 +9,9 @@
 namespace carom {
 namespace {
 
-// Wherever the file puts it, a weld is the same if it is laid at the centre of one of its bodies. At that of
-// the lesser inertia (0 of a point-like body, which gets no row for its angle) the rows depend least on each
-// other. The angles are those of the bodies at the start, and `laid` is that of a pin so far.
+// A weld may be placed at the centre of either of its bodies. At the one with the smaller inertia (0 for a
+// point-like body, which gets no row for its angle) the rows depend least on each other. The angles are those
+// of the bodies at the start; `weld` is a pin so far.
 void place_weld(JointTerm& weld, const Joint& joint, double angle, double other_angle,
                 const MassProperties& mass) {
   weld.angle = joint.angle.value_or(angle - other_angle);
@@ -27,7 +27,7 @@ void place_weld(JointTerm& weld, const Joint& joint, double angle, double other_
   weld.rows = mass.inertia[weld.body] > 0.0 ? 3 : 2;
 }
 
-// m: how far the ends are apart at the start.
+// m, the distance of the ends at `time`.
 double distance_of(const JointTerm& joint, const std::vector<Body>& bodies, double time) {
   const Body a = moved_by_drive(bodies[joint.body], time);
   Vec2 d = a.position + turned_by(a.angle, joint.point);

@@ -9,29 +9,29 @@
 
 namespace carom {
 
-// A joint, its ends as indices of bodies. A rod or a string is one row, a pin two, a weld two or three: it is
-// laid at the centre of the body of the lesser inertia.
+// A joint with its ends as body indices. A rod or a string has one constraint row, a pin two, a weld two or
+// three. A weld is placed at the centre of the body with the smaller inertia.
 struct JointTerm {
   JointKind kind;
   int body;
   int other;  // a movable body, or -1
   int drive;  // a kinematic body at the other end, or -1
   Vec2 point;
-  Vec2 anchor;    // on the other body, or of the plane; where a kinematic body's home is added
+  Vec2 anchor;    // m, on the other body or in the plane; absolute if that body is kinematic
   double length;  // m
   double angle;   // rad, of a weld
   int rows;
 };
 
-// The joints of a scene, laid out for evaluation.
+// The joints of a scene, arranged for evaluation.
 struct JointTerms {
   std::vector<JointTerm> all;
 
-  // The movable bodies of each joint; twice the same where the other end is no movable body.
+  // The movable bodies of each joint; the same one twice if only one end is movable.
   [[nodiscard]] std::vector<std::pair<int, int>> joined() const;
 };
 
-// Lengths that the scene leaves open are those at `time` (s), the start of the run.
+// Lengths that the scene leaves out are those at `time` (s), the start of the run.
 [[nodiscard]] JointTerms joint_terms_of(const std::vector<Joint>& joints, const std::vector<Body>& bodies,
                                         const MassProperties& mass, double time);
 

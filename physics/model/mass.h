@@ -7,7 +7,8 @@
 
 namespace carom {
 
-// Inverse masses and inertias, zero for immovable bodies, whose masses are infinite.
+// Masses and inertias. Fixed and kinematic bodies have infinite ones, with inverses of 0. A point-like body
+// has inertia 0 and inverse inertia 0.
 struct MassProperties {
   Eigen::VectorXd inverse_mass;     // 1/kg
   Eigen::VectorXd inverse_inertia;  // 1/(kg m²), about the centre

@@ -14,11 +14,11 @@
 
 namespace carom {
 
-// What the step works on: a scene with indices in place of names, its masses, shapes and forces as arrays, and
-// only the parts that it needs. Compiled once, then shared by all runs and copies of a run; nobody changes it.
-// A run that gets one more body, or in which two stick together, goes on with a model compiled anew.
+// What the step works on: a scene with indices in place of names, its masses, shapes and forces as arrays,
+// and only the parts that it needs. Compiled once, then constant and shared by all runs and their copies, on
+// any thread. A run that gets a new body, or in which two bodies stick together, continues with a new model.
 struct Model {
-  Scene scene;  // whose bodies are all of them, those of the generators too
+  Scene scene;  // with all bodies listed, those of the generators too
   Needs needs;
   MassProperties mass;
   Geometry shapes;
@@ -26,7 +26,7 @@ struct Model {
   ForceTerms forces;
   JointTerms joint_terms;
   std::vector<std::uint8_t> kinematic;  // by body; empty without kinematic bodies
-  bool smooth_discs = false;            // impacts are between centres: nothing turns, rubs, sticks or is joined
+  bool smooth_discs = false;            // no rotation, friction, sticking, joints or switched forces
   double start_time = 0.0;              // s, of a run
 
   [[nodiscard]] const std::vector<Body>& bodies() const { return scene.bodies; }
@@ -35,7 +35,8 @@ struct Model {
   [[nodiscard]] bool infinite_mass(int body) const { return shapes.fixed[body] != 0; }
 };
 
-// The scene must be valid. A run of it starts at `start_time` (s), where its drives are then.
+// The scene must be valid (validate.h). A run of it starts at `start_time` (s), which sets the drives'
+// positions.
 [[nodiscard]] std::shared_ptr<const Model> compile(Scene scene, const Needs& needs, double start_time = 0.0);
 
 }  // namespace carom

@@ -7,8 +7,8 @@ namespace {
 
 bool can_collide(const SceneFacts& f) { return f.moving > 0 && f.moving + f.infinite_mass > 1; }
 
-// Two bodies can get different accelerations. Uniform gravity gives two free bodies the same: it presses only
-// against immovable ones.
+// Whether two bodies can have different accelerations. Uniform gravity accelerates two free bodies alike: it
+// presses bodies only against those of infinite mass.
 bool accelerate_apart(const SceneFacts& f, const Scene& scene) {
   return f.drag || f.springs || f.joints || f.sticks || f.attraction || f.pushes || f.accelerating ||
          (!scene.forces.gravity.isZero(0.0) && f.infinite_mass > 0);
@@ -21,7 +21,7 @@ void change_materials(Scene& scene, const Change& change) {
 }
 
 constexpr std::array<PartEntry, kPartCount> kEntries = {{
-    // Without friction nothing turns a disc but a torque, and impacts turn all other shapes.
+    // Without friction only a torque turns a disc, while impacts turn all other shapes.
     {Part::kRotation, "rotation", "rotation", "impacts with arms and spins, not between the centres alone",
      "something turns, or an impact, friction or a torque can turn it",
      "nothing turns, and nothing can turn it",
@@ -74,9 +74,8 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
     {Part::kJoints, "links", "links", "linear equations for what rods, strings, pins and welds do",
      "the scene has links", "there are no links", [](const SceneFacts& f, const Scene&) { return f.joints; },
      [](Scene& scene) { scene.joints.clear(); }},
-    // With e = 1 and no relative acceleration every impact parts its pair for good; with e < 1 several bodies
-    // can
-    // collapse onto one another.
+    // With e = 1 and no relative acceleration every impact separates its pair for good; with e < 1 several
+    // bodies can collapse onto one another.
     {Part::kRestingContacts, "resting_contacts", "lasting contacts",
      "a search for contacts and a solver of their forces in each step", "something can press bodies together",
      "nothing presses bodies together for a while",

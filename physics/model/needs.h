@@ -14,7 +14,7 @@
 
 namespace carom {
 
-// The parts of a model that not every scene needs. What each one puts into it is said in part_entries().
+// The parts of a model that not every scene needs. part_entries() says what each one adds.
 enum class Part : std::uint8_t {
   kRotation,
   kFriction,
@@ -30,22 +30,22 @@ enum class Part : std::uint8_t {
 };
 inline constexpr std::size_t kPartCount = 11;
 
-// Which parts are put into a model. A part may be left out only where it provably stays idle for as long as
-// nobody edits the scene; the integrator that the user chose is never left out.
+// The parts that a model has. A part may be left out only if it provably has no effect until the scene is
+// edited. The user's integrator is never replaced.
 class Needs {
  public:
   [[nodiscard]] bool has(Part part) const { return parts_[static_cast<std::size_t>(part)]; }
   void set(Part part, bool needed = true) { parts_[static_cast<std::size_t>(part)] = needed; }
   bool operator==(const Needs&) const = default;
 
-  // Not even the short cuts are taken that change nothing but rounding: all bodies are advanced together.
+  // Also without the short cuts that change only rounding: all bodies are advanced together.
   bool untrimmed = false;
 
  private:
   std::bitset<kPartCount> parts_;
 };
 
-// One part, for the model, for people and for measurements.
+// One part: what it is called, why it is needed, and how to find out.
 struct PartEntry {
   Part part;
   std::string_view key;      // in JSON
@@ -54,21 +54,20 @@ struct PartEntry {
   std::string_view why;      // where it is needed
   std::string_view why_not;  // where it is not
   bool (*needed)(const SceneFacts&, const Scene&);
-  // Takes out of a scene what needs the part, where that leaves a scene that can run; nullptr where it does
-  // not.
+  // Removes from a scene what needs the part; nullptr if the rest could not run.
   void (*remove)(Scene&);
 };
 
 // In the order of Part.
 [[nodiscard]] std::span<const PartEntry> part_entries();
 
-// What `scene` needs: a pure function of its bodies, materials and forces.
+// The parts that `scene` needs: a pure function of the scene.
 [[nodiscard]] Needs needs_of(const Scene& scene);
 
-// Everything that can be modelled, whatever the scene: for comparison.
+// All parts, whatever the scene, without short cuts; for comparison.
 [[nodiscard]] Needs all_needs();
 
-// True if forces hold what rests: the method asks for resting contacts, and the scene needs them.
+// True if forces support resting bodies: the method asks for resting contacts, and the scene needs them.
 [[nodiscard]] inline bool contacts_last(const Method& method, const Needs& needs) {
   return method.contacts == ContactsId::kLasting && needs.has(Part::kRestingContacts);
 }

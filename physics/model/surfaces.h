@@ -6,11 +6,11 @@
 
 namespace carom {
 
-// How the surfaces of any two bodies meet, looked up by index.
+// The surface law of any two bodies, looked up by index.
 struct Surfaces {
   std::vector<int> material;    // by body
-  int materials = 0;            // that bodies have
-  std::vector<Material> pairs;  // row by row
+  int materials = 0;            // number of materials that bodies have
+  std::vector<Material> pairs;  // materials × materials, row by row
 
   [[nodiscard]] const Material& between(int a, int b) const {
     return pairs[static_cast<std::size_t>(material[a] * materials + material[b])];

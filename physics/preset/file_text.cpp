@@ -14,7 +14,7 @@ namespace {
 class Descriptor {
  public:
   explicit Descriptor(const std::filesystem::path& file)
-      // Without O_NONBLOCK a pipe is waited for until somebody writes.
+      // Without O_NONBLOCK, opening a pipe waits for a writer.
       : number_(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {}
   ~Descriptor() {
     if (number_ >= 0) close(number_);
@@ -27,7 +27,7 @@ class Descriptor {
   int number_;
 };
 
-// What a file is that is not a regular one.
+// The kind of a file that is not a regular one.
 const char* kind_of(mode_t mode) {
   if (S_ISDIR(mode)) return "a folder";
   if (S_ISFIFO(mode)) return "a pipe";
@@ -42,7 +42,7 @@ std::string file_text(const std::filesystem::path& file, const char* allowed) {
   const auto refuse = [&](const std::string& what) {
     throw SceneError(fmt::format("{}: {}; allowed: {}", name, what, allowed));
   };
-  // A socket cannot be opened, so that it is asked for before.
+  // A socket cannot be opened, so its kind is checked first.
   struct stat about {};
   if (stat(file.c_str(), &about) == 0 && !S_ISREG(about.st_mode))
     refuse(fmt::format("this is {}", kind_of(about.st_mode)));

@@ -18,8 +18,7 @@ std::string line_and_column(std::string_view text, std::size_t position) {
   return fmt::format("line {}, column {}", line, before.size() - start + 1);
 }
 
-// Builds the tree. A key is looked up in a set of its own, since the tree's objects keep the order of people
-// and look through all their keys.
+// Builds the tree. Keys are looked up in a separate set, because ordered objects search all their keys.
 class TreeBuilder final : public nlohmann::json_sax<Json> {
  public:
   explicit TreeBuilder(std::string_view text) : text_(text) {}
@@ -107,7 +106,7 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
       array.push_back(std::move(value));
       return &array.back();
     }
-    // The list below the map: the map would look through all keys.
+    // Appends to the list below the map, which would search all keys.
     using Members = std::vector<Json::object_t::value_type>;
     auto& members = static_cast<Members&>(frame.value->get_ref<Json::object_t&>());
     members.emplace_back(frame.key, std::move(value));

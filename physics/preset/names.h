@@ -63,7 +63,7 @@ inline constexpr auto kJointNames = std::to_array<Named<JointKind>>({
 inline constexpr auto kPlotNames = std::to_array<std::string_view>(
     {"energy", "momentum", "impulse", "ledger", "drift", "momentum_drift", "error", "speeds", "impulses"});
 
-// The word of a table that stands for `id`; the tables hold every id.
+// The word for `id`; the tables contain every id.
 template <class Table, class Id>
 [[nodiscard]] constexpr std::string_view name_of(const Table& table, Id id) {
   for (const auto& [known, name] : table) {

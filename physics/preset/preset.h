@@ -12,7 +12,7 @@
 
 namespace carom {
 
-// One number of the preset file put in place of what stands there: a JSON pointer such as /bodies/0/mass.
+// A number that replaces another in the preset file; `place` is its JSON pointer, such as /bodies/0/mass.
 struct Setting {
   std::string place;
   double value = 0.0;
@@ -20,7 +20,7 @@ struct Setting {
   bool operator==(const Setting&) const = default;
 };
 
-// One run for each of `values` at `place`, and what the numbers that they give are reduced to.
+// One run for each of `values` at `place`; the numbers from these runs are reduced to one.
 struct Sweep {
   enum class Reduction {
     kMean,
@@ -35,7 +35,7 @@ struct Sweep {
   Reduction reduction = Reduction::kMean;
 };
 
-// A statement that the experiment must fulfil: what `observable` shows, reduced to one number, beside theory.
+// A statement that the experiment must fulfil: an observable, reduced to one number, beside theory.
 struct Expectation {
   enum class Reduction { kAt, kAtImpact, kMaximum, kMinimum, kMean, kFinal, kCount, kFit };
   std::string observable;           // a name of physics/observe/observables.h
@@ -43,8 +43,8 @@ struct Expectation {
   Reduction reduction = Reduction::kFinal;
   double time = 0.0;              // s, for kAt
   int impact = 0;                 // 1, 2, ... for kAtImpact: the value just after the n-th impact
-  double above = 0.0;             // for kCount: the share of the readings that lie above this
-  double from = 0.0;              // s: maximum, minimum, mean, count and fit look from here on
+  double above = 0.0;             // for kCount: the share of readings above this
+  double from = 0.0;              // s: maximum, minimum, mean, count and fit start here
   std::optional<double> until;    // s: the run's end for this expectation; none: the scene's duration
   std::vector<Setting> settings;  // how its runs differ from the scene
   std::optional<Sweep> over;      // many runs instead of one
@@ -59,7 +59,7 @@ struct View {
   double width = 0.0;          // m, > 0
 };
 
-// A reader's remark at a point of a plot, in the units of its axes.
+// A remark at a point of a plot, in the units of its axes.
 struct PlotNote {
   double x = 0.0;
   double y = 0.0;
@@ -70,10 +70,10 @@ struct PlotNote {
 
 // A plot to open with the scene: one of the named ones, or its own choice of quantities.
 struct Plot {
-  std::string id;                 // of physics/preset/names.h; empty: what follows says what it shows
+  std::string id;                 // of physics/preset/names.h; empty: the members below define it
   std::string title;              // empty: made of what it shows
   std::vector<QuantityName> y;    // a curve each
-  std::optional<QuantityName> x;  // what they are drawn over; none: time
+  std::optional<QuantityName> x;  // the horizontal axis; none: time
   bool logarithmic = false;       // the axis of y
   std::vector<PlotNote> notes{};
 
@@ -89,7 +89,7 @@ struct Preset {
   std::string about;      // what it is, a paragraph
   std::string observe;    // what to look at
   std::string topic;      // the folder it stands in; not stored in the file
-  double duration = 5.0;  // s, > 0: how long a run lasts if nothing else is said
+  double duration = 5.0;  // s, > 0: the default length of a run
   Scene scene;
   Method method;
   std::vector<Method> compare;  // other methods to run beside it, at most kMostCompared
@@ -100,7 +100,7 @@ struct Preset {
   std::string extra;  // a JSON object kept as it is; empty if there is none
 };
 
-// What a run of it starts from; the pairs of bodies that its plots name are counted.
+// The setup of a run. Impacts of the pairs of bodies that plots name are counted.
 [[nodiscard]] RunSetup setup_of(const Preset& preset);
 
 }  // namespace carom

@@ -9,8 +9,8 @@
 #include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
 
-// Preset files: JSON, SI units, "format": "carom-preset", "version": 1. Unknown and duplicate keys are errors,
-// but for the free object `extra`, which is kept as it is.
+// Preset files: JSON, SI units, "format": "carom-preset", "version": 1. Unknown and duplicate keys are
+// errors, except in the free object `extra`, which is kept as it is.
 namespace carom {
 
 class Simulation;
@@ -21,12 +21,11 @@ inline constexpr int kPresetVersion = 1;
 [[nodiscard]] Preset parse_preset(std::string_view text, const std::string& origin);
 [[nodiscard]] Preset read_preset(const std::filesystem::path& file);
 
-// The text of a preset file; parse_preset(write_preset(s)) gives the same scene, to the last bit of every
-// number.
+// The text of a preset file; parse_preset() of it gives the same preset, to the last bit of every number.
 [[nodiscard]] std::string write_preset(const Preset& preset);
 
-// `file` is the old one or the new one, never half of it (see OutputFile). Throws SceneError if that fails, or
-// where read_preset() would refuse what it wrote; the old file stays.
+// Writes `file` whole or not at all (see OutputFile). Throws SceneError if that fails, or if read_preset()
+// would refuse the new file; the old file stays.
 void save_preset(const Preset& preset, const std::filesystem::path& file);
 
 // Checks all that a reader cannot see one value at a time: the scene (physics/scene/validate.h), whether the

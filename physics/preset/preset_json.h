@@ -6,11 +6,11 @@
 
 namespace carom {
 
-// A preset file as a tree of JSON values. With `all`, members that hold their default stand in it too, so that
-// every number that a scene has can be found at its place.
+// A preset file as a tree of JSON values. With `all`, members with their default value are included, so that
+// every number of a scene has its place.
 [[nodiscard]] Json preset_json(const Preset& preset, bool all);
 
-// The scene that the tree states, validated. Throws SceneError.
+// The preset that the tree states, validated. Throws SceneError.
 [[nodiscard]] Preset preset_of(const Json& json);
 
 // The JSON Schema (draft 7) of preset files, made by the functions that read them. What it cannot say is listed

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMostCount = 9e15;  // whole numbers that doubles hold exactly
 
-// How many values a list has: known from the scene; or free.
+// The length of a list: known from the scene, or free.
 constexpr std::size_t kFree = std::numeric_limits<std::size_t>::max();
 
 struct Sizes {
@@ -255,9 +255,8 @@ class StatePart {
 };
 
 // --- the lists
-// ----------------------------------------------------------------------------------------------------
-// What stands in a file, each member once, for writing and reading. Each names all members of its type in a
-// structured binding, so that one that is new doesn't compile until it stands here.
+// The content of the file: one function per type, for writing and reading. A structured binding names all
+// members of the type, so a new one does not compile until it is listed here.
 
 constexpr auto kLedger = [](auto& a, auto& ledger) {
   for (const EnergyEntry& entry : kEnergyEntries) a.value(entry.key.data(), ledger.*entry.value);
@@ -360,11 +359,11 @@ constexpr auto kAhead = [](auto& a, auto& ahead) {
 
 constexpr auto kState = [](auto& a, auto& state) {
   auto& [method, clock, sums, at_once, work, motions, trajectories, contacts, ahead] = state;
-  // The end of the step under way is made anew in each step.
+  // The end of the current step is recomputed in each step.
   auto& [time, step_end, origin, origin_step, steps_since_origin, steps] = clock;
   auto& [impact_count, impact_counts, ledger, gravity_since, peak_kinetic, energy_doubts, notices] = sums;
   a.value("method", method);
-  // The time stands at the head of the section.
+  // The time is at the head of the section.
   a.value("origin", origin);
   a.value("origin_step", origin_step);
   a.value("steps_since_origin", steps_since_origin);

@@ -258,7 +258,7 @@ Json FieldReader::schema() const {
   if (cases_.empty()) {
     out = object(described_, required_);
   } else {
-    // A case repeats the keys of all: no other keys are allowed beside those of one object.
+    // A case repeats the common keys, because no keys are allowed beside those of one object.
     out["anyOf"] = Json::array();
     for (const FieldReader& one : cases_) {
       Json properties = described_;

@@ -13,14 +13,14 @@
 #include "physics/scene/scene.h"
 #include "physics/scene/validate.h"
 
-// Reading a preset file value by value; each error is one line with the JSON pointer of the place. The same
-// functions describe the format: a reader without a value reads nothing, and notes in a JSON Schema what it
-// would have read. So each key stands once, with its kind, range, unit and meaning.
+// Reads a preset file value by value; each error is one line with the JSON pointer of the place. The same
+// functions describe the format: a reader without a value records in a JSON Schema what it would have read.
+// So each key is stated once, with its kind, range, unit and meaning.
 namespace carom {
 
 class FieldReader;
 
-// How many elements a list, or characters a text, may have.
+// Limits of the number of elements of a list, or of characters of a text.
 struct Count {
   std::size_t least = 0;
   std::size_t most = 0;
@@ -67,7 +67,7 @@ class ValueReader {
   ValueReader(const Json& value, std::string place) : value_(&value), place_(std::move(place)) {}
   explicit ValueReader(Json& schema) : schema_(&schema) {}
 
-  // False where the format is described: then the other functions give what there is without a file.
+  // False while the format is described; the functions below then return placeholders.
   [[nodiscard]] bool has_value() const { return value_ != nullptr; }
   [[nodiscard]] bool is_object() const { return has_value() && value_->is_object(); }
   [[nodiscard]] bool has(const std::string& key) const { return is_object() && value_->contains(key); }
@@ -108,13 +108,13 @@ class ValueReader {
   std::string place_;
 };
 
-// A key of an object, for those who read the format's description.
+// A key of an object, and its meaning for the description of the format.
 struct Key {
   const char* name;
   const char* meaning;
 };
 
-// Reads the members of one object and, at the end, refuses those that nobody asked for.
+// Reads the members of one object; finish() refuses keys that were not asked for.
 class FieldReader {
  public:
   explicit FieldReader(const ValueReader& value);
@@ -176,7 +176,7 @@ class FieldReader {
   // chosen one.
   void cases(const Key& key, const std::vector<std::string>& words, std::size_t chosen,
              const std::function<void(std::size_t, FieldReader&)>& each);
-  // What holds of several keys together, as a JSON Schema says it; the reader looks at it on its own.
+  // A condition on several keys, as JSON Schema; the reader checks it separately.
   void also(Json condition) {
     if (!reads()) conditions_.push_back(std::move(condition));
   }
@@ -202,7 +202,7 @@ class FieldReader {
 
   // Refuses unknown keys.
   void finish() const;
-  // What has been described.
+  // The description so far.
   [[nodiscard]] Json schema() const;
 
  private:

@@ -6,8 +6,8 @@
 
 namespace carom {
 
-// Where a kinematic body is at time t (s), how fast it moves and how its velocity changes: the closed form and
-// its exact derivatives. `home` is the position that the scene gives the body.
+// Position, velocity and acceleration of a kinematic body at time t (s), in closed form. `home` is the
+// position that the scene gives the body.
 [[nodiscard]] inline Vec2 drive_position(const Drive& d, const Vec2& home, double t) {
   return home + t * d.velocity + std::sin(d.angular_frequency * t + d.phase) * d.amplitude;
 }
@@ -18,8 +18,8 @@ namespace carom {
   return -d.angular_frequency * d.angular_frequency * std::sin(d.angular_frequency * t + d.phase) * d.amplitude;
 }
 
-// The body as it is at time t (s): a kinematic one where its drive has moved it, with the drive's velocity; any
-// other as the scene has it at the start.
+// The body at time t (s). A kinematic one has the position and velocity of its drive; any other is as the
+// scene states it.
 [[nodiscard]] inline Body moved_by_drive(Body body, double t) {
   if (!body.drive) return body;
   body.velocity = drive_velocity(*body.drive, t);

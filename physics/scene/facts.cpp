@@ -14,7 +14,7 @@
 namespace carom {
 namespace {
 
-// Bodies can meet if one of them moves. Which of them ever do, is left open.
+// Two bodies can collide if one of them moves; whether they ever do is left open.
 void look_at_materials(const Scene& scene, const std::vector<Body>& bodies, SceneFacts& facts) {
   struct Users {
     int all = 0;

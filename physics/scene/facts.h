@@ -9,25 +9,25 @@
 
 namespace carom {
 
-// What is in a scene that decides how its motion can be computed, gathered in one pass over the bodies.
+// The properties of a scene that decide how its motion can be computed, gathered in one pass over the bodies.
 struct SceneFacts {
   int moving = 0;
   int infinite_mass = 0;
-  bool spinning = false;      // a moving body turns
-  bool cornered = false;      // a moving body is no disc: impacts beside its centre turn it
-  bool drives = false;        // a body is kinematic, be it to stand still
-  bool accelerating = false;  // ... and changes its velocity
-  bool rub = false;           // two bodies that can meet have kinetic friction
-  bool yield = false;         // two bodies that can meet have restitution below 1
-  bool sticks = false;        // two bodies that can meet would stay joined
-  bool sticky = false;        // a surface of the scene sticks, whether a body has it or not
+  bool spinning = false;      // a moving body has a spin at the start
+  bool cornered = false;      // a moving body is not a disc, so impacts off its centre turn it
+  bool drives = false;        // a body is kinematic, even if it stands still
+  bool accelerating = false;  // a kinematic body changes its velocity
+  bool rub = false;           // two bodies that can collide have kinetic friction
+  bool yield = false;         // two bodies that can collide have restitution below 1
+  bool sticks = false;        // two bodies that can collide would stay joined
+  bool sticky = false;        // some surface sticks, whether or not a body has it
   bool springs = false;
   bool one_sided = false;  // a spring pushes or pulls only
   bool drag = false;
   bool attraction = false;
   bool joints = false;
   bool strings = false;
-  bool turning_joints = false;  // joints turn bodies
+  bool turning_joints = false;  // joints can turn bodies
   bool pushes = false;          // applied forces
   bool torques = false;         // applied torques
   bool timed = false;           // applied forces that start, rise or end
@@ -35,8 +35,8 @@ struct SceneFacts {
 
 [[nodiscard]] SceneFacts facts_of(const Scene& scene);
 
-// Why the scene can't be run under this method, as "allowed: ..." would follow; nothing if it can. Exact flight
-// needs a flight in closed form.
+// Why this integrator cannot run the scene, with "allowed: ..."; nothing if it can. Exact flight needs a
+// flight in closed form.
 [[nodiscard]] std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator);
 
 // A number that tells scenes apart by all that has a part in their physics: bodies (those of the generators as

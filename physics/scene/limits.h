@@ -8,12 +8,10 @@
 // them (physics/preset/preset_json.h) and the validation of scenes all have them from here.
 namespace carom {
 
-inline constexpr double kLargestNumber =
-    1e12;  // of any quantity, SI: beyond it sums of squares lose their meaning
-inline constexpr double kLeastPositive =
-    1e-12;                                   // of a quantity that must be positive: its inverse stays finite
-inline constexpr double kLeastStep = 1e-9;   // s
-inline constexpr double kLargestStep = 1.0;  // s
+inline constexpr double kLargestNumber = 1e12;     // SI; sums of squares lose their meaning beyond
+inline constexpr double kLeastPositive = 1e-12;    // of a positive quantity; its inverse stays finite
+inline constexpr double kLeastStep = 1e-9;         // s
+inline constexpr double kLargestStep = 1.0;        // s
 inline constexpr double kLeastTolerance = 1e-14;   // m and m/s
 inline constexpr double kLargestTolerance = 1e-1;  // m and m/s
 
@@ -27,7 +25,7 @@ struct Range {
   [[nodiscard]] constexpr bool contains(double x) const {
     return (x >= low && x <= high) || (or_zero && x == 0.0);
   }
-  // As a message says it: "0, or a number from 1e-12 to 1000000000000 m".
+  // For messages: "0, or a number from 1e-12 to 1000000000000 m".
   [[nodiscard]] std::string text() const;
 };
 
@@ -55,9 +53,9 @@ inline constexpr std::size_t kMostExpectations = 1'000;
 inline constexpr std::size_t kMostSettings = 1'000;  // of one expectation
 inline constexpr std::size_t kMostSweepValues = 10'000;
 
-// Characters of UTF-8 that a text may have.
+// Lengths of texts, in characters of UTF-8.
 inline constexpr std::size_t kLongestName = 200;
-inline constexpr std::size_t kLongestStem = kLongestName - 7;  // of generated names: "-100000" comes after it
+inline constexpr std::size_t kLongestStem = kLongestName - 7;  // of generated names: up to "-100000" follows
 inline constexpr std::size_t kLongestTitle = 1'000;            // also of a closed form
 inline constexpr std::size_t kLongestText = 100'000;
 

@@ -20,9 +20,9 @@ struct Method {
   IntegratorId integrator = IntegratorId::kRk4;
   ImpactsId impacts = ImpactsId::kLocated;
   ContactsId contacts = ContactsId::kImpulse;
-  // s, > 0. For an integrator without a step of its own (adaptive, exact flight) the interval of the results.
+  // s, > 0. For integrators without a fixed step (adaptive, exact flight): the interval of the results.
   double step = 0.005;
-  double tolerance = 1e-9;  // m and m/s a step, > 0: of the adaptive integrator
+  double tolerance = 1e-9;  // m and m/s per step, > 0; adaptive integrator only
 
   bool operator==(const Method&) const = default;
 };

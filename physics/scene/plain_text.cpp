@@ -9,10 +9,10 @@ namespace {
 
 struct Character {
   std::uint32_t code;
-  std::size_t bytes;  // 0: the first byte is no UTF-8
+  std::size_t bytes;  // 0: the first byte is not UTF-8
 };
 
-// The character at the start of a text that is not empty: no longer forms than needed, no surrogates.
+// The first character of a text that is not empty. Overlong forms and surrogates are invalid.
 Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   const std::uint8_t lead = byte(0);
@@ -29,7 +29,7 @@ Character first_character(std::string_view text) {
   return {code, bytes};
 }
 
-// Controls of C0 and C1, separators of lines, marks that turn or hide what stands beside them, private tags.
+// C0 and C1 controls, line separators, bidirectional and invisible marks, tag characters.
 bool is_unseen(std::uint32_t c) {
   return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0xAD || c == 0x61C || c == 0x180E || c == 0x200B ||
          c == 0x200E || c == 0x200F || (c >= 0x2028 && c <= 0x202E) || (c >= 0x2060 && c <= 0x206F) ||

@@ -82,7 +82,7 @@ std::vector<Material> combined_materials(const Scene& scene, const std::vector<s
   for (const Material& a : materials) {
     for (const Material& b : materials) all.push_back(mixed_surface(a, b));
   }
-  // Of several for one pair the first counts.
+  // If a pair is listed several times, the first entry counts.
   for (auto pair = scene.pairs.rbegin(); pair != scene.pairs.rend(); ++pair) {
     const auto a = index.find(pair->a);
     const auto b = index.find(pair->b);

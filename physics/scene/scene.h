@@ -8,11 +8,11 @@
 
 #include "physics/scene/shape.h"
 
-// What an experiment is made of before anything moves: plain values in SI units, as a preset file states them.
-// x points right, y up, angles are counter-clockwise in radians.
+// The physics of an experiment as plain values in SI units, as a preset file states them. x points right, y
+// up; angles are counter-clockwise, in radians.
 namespace carom {
 
-// How a surface behaves in an impact. Two materials meet with the smaller restitution of the two and the
+// How a surface behaves in contact. Two materials combine to the smaller restitution of the two and the
 // geometric mean of each friction coefficient and of rolling resistance (see `mixed`).
 struct Material {
   std::string name = "default";
@@ -20,28 +20,28 @@ struct Material {
   double tangential_restitution = 0.0;  // dimensionless, -1..1: 0 stops the slip, 1 reverses it (superball)
   double static_friction = 0.0;         // dimensionless, >= kinetic_friction
   double kinetic_friction = 0.0;        // dimensionless, >= 0
-  // Dimensionless, >= 0: where a disc of radius R rolls under the normal force N, a moment of up to this times
-  // R N resists. Of lasting contacts only.
+  // Dimensionless, >= 0. A moment of up to this times R N resists the rolling of a disc of radius R under the
+  // normal force N. Resting contacts only.
   double rolling_resistance = 0.0;
-  // From their first impact on the two bodies stay joined; nothing else of the surface matters then. Two
+  // The two bodies stay joined from their first impact on; no other property of the surface matters then. Two
   // materials stick if one of them does.
   bool sticks = false;
 
   bool operator==(const Material&) const = default;
 };
 
-// The default rule for two materials that no pair of the scene names.
+// The default rule, for two materials that the scene does not list as a pair.
 [[nodiscard]] Material mixed(const Material& a, const Material& b);
 
-// Two materials whose surfaces meet in a way of their own, instead of by `mixed`.
+// Two materials with a surface law of their own, in place of `mixed`.
 struct MaterialPair {
   std::string a;
   std::string b;     // may be the same
   Material surface;  // its name is not used
 };
 
-// A motion that nothing disturbs: position(t) = position + velocity t + amplitude sin(ω t + φ), with its exact
-// velocity. A piston has a velocity, a vibrating table an amplitude.
+// A prescribed motion: position(t) = position + velocity t + amplitude sin(ω t + φ), with its exact velocity.
+// A piston has a velocity, a vibrating table an amplitude.
 struct Drive {
   Vec2 velocity = Vec2::Zero();    // m/s
   Vec2 amplitude = Vec2::Zero();   // m
@@ -60,17 +60,18 @@ struct Body {
   std::optional<double> density;  // kg/m² (a plane has no volume)
   std::optional<double> inertia;  // kg m² about the centre of mass, > 0; none: that of a homogeneous body
   bool fixed = false;             // never moves: infinite mass and inertia
-  std::optional<Drive> drive;     // moves as it is told: infinite mass and inertia
+  std::optional<Drive> drive;     // prescribed motion: infinite mass and inertia
   std::string material = "default";
-  std::string group;  // bodies of one group, if it has a name, do not collide with each other
+  std::string group;  // bodies of one group do not collide with each other; empty: no group
 };
 
-// True if nothing that happens to it changes its motion: fixed or kinematic.
+// True if no force or impact changes its motion: fixed or kinematic.
 [[nodiscard]] inline bool has_infinite_mass(const Body& body) { return body.fixed || body.drive.has_value(); }
 
-// kg; infinite for an immovable body. A body with neither mass nor density has 1 kg/m².
+// kg; infinite for a fixed or kinematic body. A body with neither mass nor density has 1 kg/m².
 [[nodiscard]] double mass_of(const Body& body);
-// kg m² about the centre of mass; infinite for an immovable body, 0 for a point-like one, which nothing turns.
+// kg m² about the centre of mass; infinite for a fixed or kinematic body, 0 for a point-like one, which
+// nothing turns.
 [[nodiscard]] double inertia_of(const Body& body);
 
 // Which way a spring acts along its line, with the stretch s = length - rest_length.
@@ -81,8 +82,9 @@ enum class SpringActs {
   kWhileShort  // while s < 0, also where its damper pulls
 };
 
-// A linear spring with a damper from a body's centre to another body's centre or to a point of the plane: a
-// force of -k s - c s' on the body along the line from the other end to it, the opposite one on the other body.
+// A linear spring with a damper, from a body's centre to another body's centre or to a point of the plane. It
+// exerts -k s - c s' on the body, along the line from the other end to it, and the opposite on the other
+// body.
 struct Spring {
   std::string name;            // may be empty
   std::string body;            // a body that moves
@@ -94,16 +96,16 @@ struct Spring {
   SpringActs acts = SpringActs::kBoth;
 };
 
-// What a joint keeps between its two points.
+// What a joint constrains between its two points.
 enum class JointKind {
   kRod,     // their distance
-  kString,  // their distance from growing beyond the length: it pulls or hangs slack, and jerks taut
-  kPin,     // both at one place: the bodies turn about it, and don't collide with one another
-  kWeld     // both at one place, and the angle between the bodies: they move as one, and don't collide
+  kString,  // their distance to at most its length; slack or pulling, with a taut impulse when it tightens
+  kPin,     // both at one place; the bodies turn about it and do not collide with one another
+  kWeld     // both at one place, and the angle between the bodies; they move as one and do not collide
 };
 
-// A joint without mass between a point of a body and a point of another body or of the plane. Its forces do no
-// work but what a kinematic body puts in; a string that jerks taut takes the speed that would lengthen it.
+// A massless joint between a point of a body and a point of another body or of the plane. Its forces do no
+// work, except through a kinematic body. A string's taut impulse removes the speed that would lengthen it.
 struct Joint {
   std::string name;  // may be empty
   JointKind kind = JointKind::kRod;
@@ -112,18 +114,20 @@ struct Joint {
   std::string to;                // the body at the other end; empty: the plane
   Vec2 anchor = Vec2::Zero();    // m, from that body's centre along its own axes, or a point of the plane
   std::optional<double> length;  // m, > 0, of a rod or a string; none: the distance at the start
-  // rad, of a weld: the body's angle less that of the body at the other end (0 of the plane); none: as at the
-  // start. A point-like body has no angle to keep.
+  // rad, weld only: the body's angle minus that of the other body (0 for the plane); none: as at the start. A
+  // point-like body has no angle.
   std::optional<double> angle;
 };
 
-// Every two moving bodies attract: F = G m_a m_b d / (d² + ε²)^(3/2) along the line of their centres (Plummer).
+// Attraction between every two moving bodies: F = G m_a m_b d / (d² + ε²)^(3/2) along the line of their
+// centres (Plummer).
 struct Attraction {
   double constant = 1.0;   // G in N m²/kg², > 0
   double softening = 0.0;  // ε in m, >= 0
 };
 
-// A force at a body's centre and a torque. They rise linearly from `start` on within `rise` and end at `end`.
+// A force at a body's centre and a torque. Both rise linearly from `start` over the time `rise` and end at
+// `end`.
 struct AppliedForce {
   std::string body;
   Vec2 force = Vec2::Zero();  // N
@@ -142,21 +146,21 @@ struct Forces {
   std::vector<AppliedForce> applied;
 };
 
-// What ends an impact away from the line of the centres, where the normal impulse turns the bodies and so
-// changes the slip. Without friction, and for discs, both are the same law.
+// How an impact ends whose normal misses a centre, so that the normal impulse turns the bodies and changes
+// the slip. Without friction, and for discs, both laws agree.
 enum class ImpactLawId {
-  kEnergetic,  // the path of Routh, ended by Stronge's energetic restitution; never gains energy
-  kNewton,     // u_n' = -e u_n whatever friction does; may gain energy, and then says so
+  kEnergetic,  // Routh's path with Stronge's energetic restitution; never gains energy
+  kNewton,     // u_n' = -e u_n whatever friction does; may gain energy, which is reported
 };
 
-// What happens where several contacts close at one time.
+// How contacts that close at the same time are resolved.
 enum class SeveralImpactsId {
-  kPairwise,     // pair by pair, in the order of index pairs, until none approaches: what a cradle does
-  kSimultaneous  // all that touch at once, with one restitution (Moreau)
+  kPairwise,     // pair by pair, in the order of index pairs, until none approaches: Newton's cradle
+  kSimultaneous  // all touching pairs at once, with one restitution (Moreau)
 };
 
-// Many bodies from a few numbers: columns × rows discs, row by row from the lower left, each moved by up to
-// `jitter` in x and y and with its radius and speed drawn uniformly, by a 64-bit Mersenne twister with `seed`.
+// A grid of columns × rows discs, row by row from the lower left. Each is displaced by up to `jitter` in x
+// and y; its radius and velocity are drawn uniformly, by a 64-bit Mersenne twister with `seed`.
 struct GridGenerator {
   std::string name = "disc";      // bodies are called name-1, name-2, ...
   int columns = 1;                // >= 1
@@ -178,24 +182,23 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<MaterialPair> pairs;
   ImpactLawId impact_law = ImpactLawId::kEnergetic;
-  SeveralImpactsId several_impacts = SeveralImpactsId::kPairwise;  // of impacts at their own time
+  SeveralImpactsId several_impacts = SeveralImpactsId::kPairwise;  // for located impacts
   std::vector<Body> bodies;
   std::vector<GridGenerator> generators;
   std::vector<Joint> joints;
 };
 
-// The material called `name`; "default" exists in every scene. Throws std::out_of_range for another unknown
-// name.
+// The material called `name`; "default" exists in every scene. Throws std::out_of_range if there is none.
 [[nodiscard]] Material material_named(const Scene& scene, const std::string& name);
-// How surfaces of these two materials meet: as a pair of the scene says, else by `mixed`.
+// The surface law of two materials: that of their pair in the scene, else `mixed`.
 [[nodiscard]] Material combined_material(const Scene& scene, const std::string& a, const std::string& b);
-// The same for all pairs of these materials, row by row.
+// The same for all pairs of these materials, an n×n table row by row.
 [[nodiscard]] std::vector<Material> combined_materials(const Scene& scene,
                                                        const std::vector<std::string>& names);
 
-// True if a material or a pair of materials sticks, whether any body has it or not.
+// True if a material or a pair of materials sticks, whether or not a body has it.
 [[nodiscard]] bool has_sticking_surface(const Scene& scene);
-// Likewise one that resists rolling.
+// Likewise for rolling resistance.
 [[nodiscard]] bool has_rolling_resistance(const Scene& scene);
 [[nodiscard]] bool has_drag(const Scene& scene);
 [[nodiscard]] bool has_dampers(const Scene& scene);
@@ -204,7 +207,7 @@ struct Scene {
 // All bodies: those of the list, then those of the generators in order.
 [[nodiscard]] std::vector<Body> all_bodies(const Scene& scene);
 
-// A name that no body of the scene has: `stem`-1, `stem`-2, ...
+// The first of `stem`-1, `stem`-2, ... that is no body's name.
 [[nodiscard]] std::string free_body_name(const Scene& scene, const std::string& stem);
 
 }  // namespace carom

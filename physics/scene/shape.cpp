@@ -125,7 +125,7 @@ Vec2 half_extent(const Shape& shape, double angle) {
 double signed_distance(const Outline& outline, const Vec2& point) {
   if (outline.half_plane) return point.y();
   double nearest = kInfinity;
-  double outside = -kInfinity;  // along the outward normal of the edge that is farthest from holding the point
+  double outside = -kInfinity;  // largest distance beyond an edge, times its length; <= 0 inside
   const std::size_t count = outline.vertices.size();
   for (std::size_t k = 0; k < count; ++k) {
     const Vec2& a = outline.vertices[k];
@@ -154,8 +154,8 @@ std::optional<std::pair<double, double>> chord(const Outline& outline, const Vec
     const double s = -from.y() / along.y();
     return along.y() > 0.0 ? std::pair(-kInfinity, s) : std::pair(s, kInfinity);
   }
-  // The shape is the hull of the discs about its vertices and of its edges moved outwards: what the line meets
-  // of these lies in it, and the first and last of it are the chord's ends.
+  // The shape is the convex hull of the discs about its vertices and of its edges moved outwards. The first
+  // and last intersections of the line with these are the ends of the chord.
   const std::size_t count = outline.vertices.size();
   const double r = outline.rounding;
   for (std::size_t k = 0; k < count; ++k) {

@@ -23,23 +23,23 @@ struct Box {
   double height = 1.0;  // m, > 0; along the body's own y axis
 };
 
-// A convex polygon whose corners and edges are grown outwards by `rounding`; with two vertices a capsule. The
-// vertices may be given in any frame and either way round: the shape is moved so that its centre of mass
-// becomes the origin.
+// A convex polygon grown outwards by `rounding`; with two vertices a capsule. The vertices may be given in
+// any frame and in either sense of rotation; the shape is moved so that its centre of mass becomes the
+// origin.
 struct Polygon {
   std::vector<Vec2> vertices;  // m
   double rounding = 0.0;       // m, >= 0
 };
 
-// Without a length the half-plane below the body's own x axis; else a thin wall of that length along it, which
-// is solid from both sides. Its origin lies on the surface, a thin wall's in its middle.
+// Without a length: the half-plane below the body's x axis, with the origin on its surface. With a length: a
+// thin wall along that axis, solid from both sides, with the origin in its middle.
 struct Wall {
   std::optional<double> length;  // m, > 0
 };
 
 using Shape = std::variant<Disc, Box, Polygon, Wall>;
 
-// What every shape comes down to: a convex core of one, two or more vertices, counter-clockwise, grown by a
+// The common form of all shapes: a convex core of one or more vertices, counter-clockwise, grown by a
 // rounding; or the half-plane y <= 0.
 struct Outline {
   std::vector<Vec2> vertices;  // m, from the centre of mass
@@ -52,18 +52,18 @@ struct Outline {
 
 // m², 0 for a thin wall or a point, infinite for a half-plane.
 [[nodiscard]] double area(const Shape& shape);
-// m, of the circle about the centre of mass that holds the shape; infinite for a half-plane.
+// m, radius of the circle about the centre of mass that contains the shape; infinite for a half-plane.
 [[nodiscard]] double bounding_radius(const Shape& shape);
 // Moment of inertia about the centre of mass for a homogeneous body, divided by its mass, in m². Disc: r²/2;
 // box: (w² + h²)/12; thin wall: l²/12; polygon: see moments_of; 0 for a half-plane.
 [[nodiscard]] double inertia_per_mass(const Shape& shape);
-// m, half of the upright rectangle around the shape turned by `angle`, which need not be centred: the largest
-// reach to either side. Infinite for a half-plane.
+// m, half width and height of the axis-aligned rectangle about the origin that contains the shape turned by
+// `angle`. Infinite for a half-plane.
 [[nodiscard]] Vec2 half_extent(const Shape& shape, double angle);
 
-// m, of a point from the outline, both in the body's frame; negative inside.
+// m, signed distance of a point from the outline, both in the body's frame; negative inside.
 [[nodiscard]] double signed_distance(const Outline& outline, const Vec2& point);
-// Where the line from + s along, |along| = 1, enters and leaves the outline: s in m; nothing if it passes by.
+// Where the line from + s along, |along| = 1, enters and leaves the outline: s in m; nothing if it misses.
 [[nodiscard]] std::optional<std::pair<double, double>> chord(const Outline& outline, const Vec2& from,
                                                              const Vec2& along);
 

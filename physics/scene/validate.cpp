@@ -17,7 +17,6 @@
 namespace carom {
 namespace {
 
-// The names of materials that a scene has.
 using MaterialNames = std::unordered_set<std::string>;
 
 void check_surface(const std::string& at, const Material& m) {
@@ -50,7 +49,7 @@ void check_material_reference(const MaterialNames& materials, const std::string&
   refuse_by(Rule::kReferences, place, "\"" + name + "\"", fmt::format("\"{}\"", fmt::join(sorted, "\", \"")));
 }
 
-// Pairs name known materials, each two at most once.
+// Pairs name known materials, and each pair is listed once.
 void check_pairs(const Scene& scene, const MaterialNames& materials) {
   check_count("/material_pairs", scene.pairs.size(), kMostMaterialPairs, "pairs");
   std::set<std::pair<std::string_view, std::string_view>> named;
@@ -68,7 +67,7 @@ void check_pairs(const Scene& scene, const MaterialNames& materials) {
   }
 }
 
-// A kinematic body's motion is its drive alone.
+// The drive alone decides a kinematic body's motion.
 void check_drive(const std::string& at, const Body& b) {
   const auto refuse = [&](const char* key, const char* what) {
     refuse_by(Rule::kKeysTogether, fmt::format("{}/{}", at, key), fmt::format("{} beside a drive", what),
@@ -134,7 +133,7 @@ void check_bodies(const Scene& scene, const MaterialNames& materials) {
   }
 }
 
-// Of all generators together, and the names of what they make.
+// Also the number of bodies of all generators together.
 void check_generators(const Scene& scene, const MaterialNames& materials) {
   double count = static_cast<double>(scene.bodies.size());
   for (std::size_t i = 0; i < scene.generators.size(); ++i) {
@@ -192,7 +191,7 @@ void check_applied(const Forces& forces, const ForcePlaces& places, const NamedB
   }
 }
 
-// Each pair pulls: an evaluation of so many takes some 20 ms.
+// Attraction acts between all pairs: one evaluation for so many bodies takes some 20 ms.
 constexpr std::size_t kMostAttracted = 2'000;
 
 void check_forces(const Forces& forces, const ForcePlaces& places, const NamedBodies& bodies) {

@@ -87,22 +87,22 @@ struct ForcePlaces {
   std::vector<int> applied;
 };
 
-// The places that forces have in a file that Carom writes: the drags, springs, attraction, applied forces.
+// The places in a file that Carom writes: first the drags, then springs, attraction, applied forces.
 [[nodiscard]] ForcePlaces written_places(const Forces& forces);
 
-// When a run of the scene begins.
+// How a run of the scene begins.
 struct RunBegin {
-  double time = 0.0;  // s: where drives are then, joints must fit
-  // It goes on from a state that it was saved with: what a run has made of its joints is right, even a slack
-  // string that a push left too long, and as many as stuck together.
+  double time = 0.0;  // s; joints must fit the positions of the drives at this time
+  // The run continues from a saved state. Its joints are accepted as they are: a slack string may be too long
+  // after a push, and any number of bodies may have stuck together.
   bool goes_on = false;
 };
 
-// Checks all that a reader cannot see one value at a time: ranges, unique names, references, and what is
-// modelled. Throws SceneError with the JSON pointer of the first fault.
+// Checks ranges, unique names, references, and whether the scene can be modelled. Throws SceneError with the
+// JSON pointer of the first fault; without `places` the pointers are those of written_places().
 void validate(const Scene& scene, const ForcePlaces& places, const RunBegin& begin = {});
 void validate(const Scene& scene);
-// The numbers of a method, and whether its integrator can run the scene, which is valid. Throw SceneError.
+// Check the numbers of a method, and whether its integrator can run a valid scene. Throw SceneError.
 void check_method(const std::string& place, const Method& method);
 void check_integrator(const std::string& place, const Scene& scene, const Method& method);
 

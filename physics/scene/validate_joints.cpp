@@ -14,19 +14,19 @@
 namespace carom {
 namespace {
 
-// Of the length, of the coordinates and of the speeds: what a file with some seven digits can mean to be exact.
+// Relative tolerance of lengths, coordinates and speeds: that of a file with some seven digits.
 constexpr double kSlack = 1e-6;
 
-// Joints that hold on to one another are solved together, at a cost that grows with the cube of their number.
+// Coupled joints are solved together, at a cost that grows with the cube of their number.
 constexpr int kMostJointedTogether = 500;
 
-// Groups of bodies that joints join: a forest of indices, each body's root standing for its group.
+// Groups of bodies that joints connect: a union-find forest of body indices.
 class Groups {
  public:
   explicit Groups(std::size_t bodies) : above_(bodies), joints_(bodies, 0) {
     std::iota(above_.begin(), above_.end(), std::size_t{0});
   }
-  // The joints of the group of `a` and `b` after one more between them.
+  // Adds a joint between `a` and `b`; returns the number of joints in their group.
   int join(std::size_t a, std::size_t b) {
     a = root(a);
     b = root(b);
@@ -43,12 +43,12 @@ class Groups {
     return i;
   }
   std::vector<std::size_t> above_;
-  std::vector<int> joints_;  // of roots
+  std::vector<int> joints_;  // by root
 };
 
 std::string_view name_of_kind(JointKind kind) { return kind == JointKind::kPin ? "pin" : "weld"; }
 
-// The angle of a weld at the start, and how it changes; a point-like body has none.
+// The angle of a weld at the start, and its rate; a point-like body has none.
 void check_weld(const std::string& at, const Joint& joint, const Body& body, const Body* other) {
   if (inertia_of(body) == 0.0 || (other != nullptr && inertia_of(*other) == 0.0)) return;
   const double angle = body.angle - (other != nullptr ? other->angle : 0.0);
@@ -65,7 +65,7 @@ void check_weld(const std::string& at, const Joint& joint, const Body& body, con
   }
 }
 
-// Where the ends are at the start, and how they move.
+// Positions and velocities of the ends at the start.
 void check_start(const std::string& at, const Joint& joint, const Body& body, const Body* other, double time) {
   Body plane;
   plane.fixed = true;

@@ -8,15 +8,15 @@
 #include "physics/scene/scene.h"
 #include "physics/scene/validate.h"
 
-// Checks of single values of a scene or a preset. Each throws SceneError that names `place`.
+// Checks of single values of a scene or a preset. Each throws a SceneError that names `place`.
 namespace carom {
 
 void check_range(const std::string& place, double value, const Range& range);
 void check_vector(const std::string& place, const Vec2& value, std::string_view unit);
-// A number that another one of the scene, called `what`, is a lower bound of.
+// `value` must be at least `least`, another number of the scene, which is called `what`.
 void check_order(const std::string& place, double value, double least, const std::string& what);
 void check_name(const std::string& place, const std::string& name, std::size_t longest = kLongestName);
-// Adds the name to those that are known.
+// Adds the name to `names`; it must be new there.
 void check_own_name(std::unordered_set<std::string>& names, const std::string& place, const std::string& name);
 void check_count(const std::string& place, std::size_t count, std::size_t most, const char* what);
 

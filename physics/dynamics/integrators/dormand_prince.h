@@ -9,8 +9,8 @@ namespace carom {
 
 // Dormand and Prince's 5(4) pair, order 5. J. R. Dormand, P. J. Prince, Journal of Computational and Applied
 // Mathematics 6 (1980) 19; the coefficients also in Hairer, Nørsett, Wanner, Solving Ordinary Differential
-// Equations I, table II.5.2. The seventh stage serves the error estimate alone; it is not kept for the next
-// step, because an impact may come between.
+// Equations I, table II.5.2. The seventh stage is used only for the error estimate; it is not kept for the
+// next step, because an impact may come between.
 template <class System, class Y>
 void dormand_prince_step(const System& f, double t, const Y& y, double h, Stages<Y>& s, Y& out) {
   auto& k = s.k;
@@ -32,7 +32,7 @@ void dormand_prince_step(const System& f, double t, const Y& y, double h, Stages
 }
 
 // The largest difference of the fifth- and the fourth-order result over positions and angles (m, rad) and
-// velocities and spins (m/s, rad/s), of the step that ended in `out`. Books are not looked at.
+// velocities and spins (m/s, rad/s), of the step that ended in `out`. Quadratures are ignored.
 template <class System, class Y>
 [[nodiscard]] double dormand_prince_error(const System& f, double t, double h, Stages<Y>& s, const Y& out) {
   auto& k = s.k;
@@ -42,8 +42,8 @@ template <class System, class Y>
   return s.y.template topRows<6>().cwiseAbs().maxCoeff();
 }
 
-// The step to try after one of length h with this error: five times longer or shorter at the most. Hairer,
-// Nørsett, Wanner, section II.4, (4.13), with the exponent of the fifth order of the estimate's local error.
+// The step to try after one of length h with this error, at most five times longer or shorter. Hairer,
+// Nørsett, Wanner, section II.4, (4.13), with the exponent for the fifth order of the estimate's local error.
 [[nodiscard]] inline double next_adaptive_step(double h, double error, double tolerance) {
   constexpr double kSafety = 0.9;
   constexpr double kMost = 5.0;

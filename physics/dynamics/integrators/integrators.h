@@ -24,12 +24,12 @@ struct Choice {
 
 struct IntegratorChoice : Choice<IntegratorId> {
   int order;                 // of the error of a smooth motion at a fixed time; 0: no error but rounding
-  int evaluations;           // of the right-hand side, a step and body
+  int evaluations;           // of the right-hand side, per step and body
   bool exact_under_gravity;  // a constant acceleration gives the parabola at any step
   bool adaptive;             // a tolerance takes the step's place
 };
 
-// The table that window, command line and tests iterate. One file a method beside this one.
+// The table that window, command line and tests iterate. Each method has a file beside this one.
 inline constexpr std::array<IntegratorChoice, 7> kIntegrators = {{
     {{IntegratorId::kExplicitEuler, "explicit-euler", "Explicit Euler",
       "order 1; gains energy in oscillations"},
@@ -84,7 +84,7 @@ inline constexpr std::array<Choice<ContactsId>, 2> kContacts = {{
      "forces hold what touches: static and kinetic friction, stacks that stand; order 1 while they act"},
 }};
 
-// The entry of a table with this id; the tables hold every id.
+// The entry of a table with this id; the tables contain every id.
 template <class Table, class Id>
 [[nodiscard]] constexpr const auto& choice_of(const Table& table, Id id) {
   for (const auto& choice : table) {
@@ -93,9 +93,8 @@ template <class Table, class Id>
   return table.front();
 }
 
-// One step of length h >= 0 from time t and `y` into `out`: the one place that dispatches on the integrator.
-// The adaptive one takes a step of this length too; the control of its error is in
-// physics/dynamics/trajectories.cpp.
+// One step of length h >= 0 from time t and `y` into `out`: the only dispatch on the integrator. The adaptive
+// one takes a step of exactly this length too; its error control is in trajectories.cpp.
 template <class System, class Y>
 void integrator_step(IntegratorId id, const System& f, double t, const Y& y, double h, Stages<Y>& s, Y& out) {
   switch (id) {

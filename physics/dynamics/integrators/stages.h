@@ -6,7 +6,7 @@
 
 namespace carom {
 
-// Room for the intermediate values of a step, so that none is allocated: Y is a Motion or Motions.
+// Storage for the intermediate values of a step, so that a step allocates nothing. Y is a Motion or Motions.
 template <class Y>
 struct Stages {
   Y y;                 // where a stage is evaluated

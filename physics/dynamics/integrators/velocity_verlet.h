@@ -6,9 +6,9 @@ namespace carom {
 
 // Velocity Verlet, order 2:
 //   q₁ = q₀ + h v₀ + ½h² a(q₀, v₀),   v₁ = v₀ + ½h (a(q₀, v₀) + a(q₁, v₀ + h a(q₀, v₀))).
-// The second acceleration is taken at a predicted velocity, whose error of h² keeps the order also where forces
-// depend on the velocity; where they don't, it is the classical, symplectic method. Swope, Andersen, Berens,
-// Wilson, Journal of Chemical Physics 76 (1982) 637; the predictor is our addition.
+// The second acceleration is taken at a predicted velocity, whose error of h² preserves the order also if
+// forces depend on the velocity. If they do not, it is the classical, symplectic method. Swope, Andersen,
+// Berens, Wilson, Journal of Chemical Physics 76 (1982) 637; the predictor is our addition.
 template <class System, class Y>
 void velocity_verlet_step(const System& f, double t, const Y& y, double h, Stages<Y>& s, Y& out) {
   f(t, y, s.k[0]);
