@@ -45,7 +45,7 @@ ExportDialog::ExportDialog(const QString& plot, bool marked, const std::vector<Q
   marked_->setToolTip(tr("Click into a plot for A, with Shift for B"));
   auto* note =
       new PlainLabel(tr("CSV, units in the header, every digit: one line for each step's end, two for each "
-                        "impact. The run is gone through once more."),
+                        "impact. The run is computed once more."),
                      this);
   note->setObjectName("muted");
   note->setWordWrap(true);

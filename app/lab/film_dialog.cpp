@@ -104,7 +104,7 @@ FilmDialog::FilmDialog(const Film& suggestion, const QString& folder, QWidget* p
   summary_->setWordWrap(true);
   column->addWidget(summary_);
   auto* note =
-      new PlainLabel(tr("Numbered PNG files. The run is gone through once more for them, so that its past "
+      new PlainLabel(tr("Numbered PNG files. The run is computed once more for them, so that its past "
                         "is exact however long ago."));
   note->setObjectName("muted");
   note->setWordWrap(true);

@@ -41,11 +41,11 @@ QToolButton* make_button(QWidget* window, QMenu* menu, const QString& tip) {
 
 MethodBar::MethodBar(QMenu* methods, QWidget* window) : QObject(window), window_(window) {
   integrator_menu_ = add_choices(methods, tr("&Integrator"), kIntegrators, &Method::integrator);
-  integrator_ = make_button(window, integrator_menu_, tr("How free motion is advanced; holds from now on"));
+  integrator_ = make_button(window, integrator_menu_, tr("How free motion is advanced; applies from now on"));
   impacts_ = make_button(window, add_choices(methods, tr("&Impacts"), kImpacts, &Method::impacts),
-                         tr("When impacts are resolved; holds from now on"));
+                         tr("When impacts are resolved; applies from now on"));
   contacts_ = make_button(window, add_choices(methods, tr("&Contacts"), kContacts, &Method::contacts),
-                          tr("What holds bodies that touch; holds from now on"));
+                          tr("What holds bodies that touch; applies from now on"));
   add_steps(methods);
   step_ = make_button(window, steps_, {});
 }
@@ -139,9 +139,9 @@ void MethodBar::show_names() {
                  : exact  ? tr("results every %1").arg(step)
                           : "h = " + step);
   step_->setToolTip(
-      adaptive ? tr("Largest error of a step, in m and m/s; holds from now on")
-      : exact  ? tr("Exact flight needs no step: this is only the interval of the results; holds from now on")
-               : tr("Length of a step; holds from now on"));
+      adaptive ? tr("Largest error of a step, in m and m/s; applies from now on")
+      : exact  ? tr("Exact flight needs no step: this is only the interval of the results; applies from now on")
+               : tr("Length of a step; applies from now on"));
   step_->setMenu(adaptive ? tolerances_ : steps_);
   tolerances_->menuAction()->setEnabled(adaptive);
 

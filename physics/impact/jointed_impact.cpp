@@ -41,7 +41,8 @@ Impact resolve_jointed_impact(Trajectories& trajectories, const MassProperties& 
     const ContactMatrix answer{k(0, 0), nt, k(1, 1), k(0, 0) * k(1, 1) - nt * nt};
     const Impact impact = impact_by(answer, before, material, law);
     const Vec2 j = impact.normal * axes[0] + impact.tangential * axes[1];
-    if (trajectories.apply_changes(a, b, free_change(mass, a, r_a, -j), free_change(mass, b, r_b, j))) return impact;
+    if (trajectories.apply_changes(a, b, free_change(mass, a, r_a, -j), free_change(mass, b, r_b, j)))
+      return impact;
   }
 }
 

@@ -82,6 +82,8 @@ class EventDrivenImpacts {
   // The same of all that touches a or b, or what they touch, and so on. Nothing if there is only the pair, or
   // no solution.
   std::optional<bool> resolve_cluster(const Step& step, int a, int b, double time, bool guarded);
+  // Fills cluster_ and touches_ with them.
+  void find_cluster(World& world, int a, int b, double time);
   void find_touches(World& world, int a, int b, double time);
   // After an impact with e < 1: whether the pair rests from now on, or has collapsed. True as resolve().
   bool classify_rebound(const Step& step, int a, int b, const Contact& contact, const Material& material,

@@ -8,6 +8,21 @@
 
 // Impacts of all bodies that touch at one time.
 namespace carom {
+namespace {
+
+// The islands of these bodies, in rising order.
+std::vector<int> islands_of(const Trajectories& trajectories, const std::vector<int>& bodies) {
+  std::vector<int> islands;
+  for (const int i : bodies) {
+    const int island = trajectories.island_of(i);
+    if (island < 0 || std::find(islands.begin(), islands.end(), island) != islands.end()) continue;
+    islands.push_back(island);
+  }
+  std::sort(islands.begin(), islands.end());
+  return islands;
+}
+
+}  // namespace
 
 // Puts the contacts of two bodies at `time` on the list, if they touch.
 void EventDrivenImpacts::find_touches(World& world, int a, int b, double time) {
@@ -29,11 +44,8 @@ void EventDrivenImpacts::find_touches(World& world, int a, int b, double time) {
     touches_.push_back({a, b, {ends.points[k].gap, ends.normal, ends.points[k].point}});
 }
 
-std::optional<bool> EventDrivenImpacts::resolve_cluster(const Step& step, int a, int b, double time,
-                                                        bool guarded) {
-  World& world = step.world;
-  Trajectories& trajectories = world.trajectories;
-  // Outwards from the pair, over bodies that move.
+// Outwards from the pair, over bodies that move.
+void EventDrivenImpacts::find_cluster(World& world, int a, int b, double time) {
   touches_.clear();
   cluster_.assign({a, b});
   for (std::size_t k = 0; k < cluster_.size(); ++k) {
@@ -48,17 +60,17 @@ std::optional<bool> EventDrivenImpacts::resolve_cluster(const Step& step, int a,
       if (touches_.size() > before && known == cluster_.end()) cluster_.push_back(other);
     });
   }
-  if (touches_.size() < 2) return std::nullopt;
   std::sort(touches_.begin(), touches_.end(),
             [](const Touch& x, const Touch& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
+}
 
-  std::vector<int> islands;
-  for (const int i : cluster_) {
-    const int island = trajectories.island_of(i);
-    if (island < 0 || std::find(islands.begin(), islands.end(), island) != islands.end()) continue;
-    islands.push_back(island);
-  }
-  std::sort(islands.begin(), islands.end());
+std::optional<bool> EventDrivenImpacts::resolve_cluster(const Step& step, int a, int b, double time,
+                                                        bool guarded) {
+  World& world = step.world;
+  Trajectories& trajectories = world.trajectories;
+  find_cluster(world, a, b, time);
+  if (touches_.size() < 2) return std::nullopt;
+  const std::vector<int> islands = islands_of(trajectories, cluster_);
   for (const int island : islands) {
     if (trajectories.start(trajectories.members(island).front()) != time) trajectories.advance_to(island, time);
   }

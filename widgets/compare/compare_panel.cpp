@@ -53,7 +53,7 @@ struct ReferenceText {
   const char* tip;
 };
 constexpr std::array<ReferenceText, 3> kReferences = {{
-    {ReferenceId::kNone, "no reference", "No errors are told, and no reference is computed"},
+    {ReferenceId::kNone, "no reference", "No reference is computed and no errors are shown"},
     {ReferenceId::kExactFlight, "against exact flight",
      "The parabola in closed form, impacts at their own time"},
     {ReferenceId::kRefined, "against a refined run",
@@ -121,7 +121,7 @@ QWidget* ComparePanel::make_actions() {
   uncertainty_ = new PlainLabel;
   uncertainty_->setObjectName("muted");
   uncertainty_->setToolTip(
-      tr("What the reference itself may be wrong by: the distance of a less refined run, or how far "
+      tr("Error of the reference itself: the distance of a less refined run, or how far "
          "rounding has grown"));
   for (QWidget* w : std::initializer_list<QWidget*>{usual_, add_, remove_}) row->addWidget(w);
   row->addStretch(1);

@@ -45,7 +45,7 @@ class CompareModel : public FigureModel {
     const Frame& frame = *frames_[static_cast<std::size_t>(row)];
     if (column == 0) return description_of(frame.method);
     const bool of_itself = frame.error && frame.error->of_itself;
-    if (of_itself && column < 4) return tr("This run goes by the method of the reference itself");
+    if (of_itself && column < 4) return tr("This run uses the method of the reference");
     if (column == 1) return tr("The largest distance of a body from where it is in the reference, now");
     if (column == 2) {
       return tr(

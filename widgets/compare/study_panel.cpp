@@ -74,7 +74,7 @@ StudyPanel::StudyPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
   layout_->addLayout(buttons_);
   run_button_ = make_button(tr("Run the study"), {});
   error_button_ = make_button({}, tr("Which error is drawn"));
-  against_button_ = make_button({}, tr("What stands on the other axis"));
+  against_button_ = make_button({}, tr("Quantity on the other axis"));
   export_button_ = make_button(tr("Export..."), tr("Save the table (CSV, every digit) or the picture"));
   for (QToolButton* button : {run_button_, error_button_, against_button_}) buttons_->addWidget(button);
   buttons_->addStretch();
@@ -323,7 +323,7 @@ QString StudyPanel::tip_of(const StudyRow& row) const {
                .arg(row.unmatched)
                .arg(row.evaluations);
   if (row.status != "ok") lines << QString::fromStdString(row.status);
-  lines << (current_ ? tr("Click: the scene goes on by this method")
+  lines << (current_ ? tr("Click: run the scene with this method")
                      : tr("This is not the scene shown: a click does nothing"));
   return lines.join('\n');
 }

@@ -23,7 +23,7 @@ QString tr(const char* text) { return QCoreApplication::translate("NoteMenu", te
 void ask_for_words(QWidget* parent, const std::string& now, const std::function<void(std::string)>& then) {
   auto* dialog = new QInputDialog(parent);
   dialog->setWindowTitle(tr("Note"));
-  dialog->setLabelText(tr("What is to stand at this point of the plot"));
+  dialog->setLabelText(tr("Text of the note at this point"));
   dialog->setTextValue(QString::fromStdString(now));
   if (auto* line = dialog->findChild<QLineEdit*>()) line->setMaxLength(kLongestTitle);
   ask(dialog, [dialog, then] {

@@ -114,7 +114,7 @@ void RunPlot::build_plot() {
   canvas->setToolTip(
       tr("Wheel: zoom in time. Ctrl+wheel: zoom the values. Ctrl+drag: zoom to a box.\n"
          "Drag: move. Double click or Home: show all again.\n"
-         "Click: mark A, with Shift: mark B; the Reading tab tells what lies there and between."));
+         "Click: mark A, with Shift: mark B; the Reading tab shows the values there and between."));
   axes_ = std::make_unique<PlotAxes>(plot_, over_time() ? "s" : content_.x_unit, content_.plot.logarithmic);
 
   grid_ = std::make_unique<QwtPlotGrid>();

@@ -136,8 +136,8 @@ void GlCanvas::initializeGL() {
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
   program_ = std::make_unique<QOpenGLShaderProgram>();
   const bool linked = program_->addShaderFromSourceCode(QOpenGLShader::Vertex, kVertexShader) &&
-                       program_->addShaderFromSourceCode(QOpenGLShader::Fragment, kFragmentShader) &&
-                       program_->link();
+                      program_->addShaderFromSourceCode(QOpenGLShader::Fragment, kFragmentShader) &&
+                      program_->link();
   if (!linked) qFatal("the scene's shaders don't build: %s", qPrintable(program_->log()));
   to_clip_ = program_->uniformLocation("to_clip");
   array_.create();
