@@ -9,7 +9,7 @@
 // Impacts of all bodies that touch at one time.
 namespace carom {
 
-// Puts the contacts of two bodies at `time` on the list, if they touch.
+// Adds the contacts of two bodies at `time` to the list, if they touch.
 void EventDrivenImpacts::find_touches(World& world, int a, int b, double time) {
   Trajectories& trajectories = world.trajectories;
   const Geometry& shapes = world.shapes();
@@ -33,7 +33,7 @@ std::optional<bool> EventDrivenImpacts::resolve_cluster(const Step& step, int a,
                                                         bool guarded) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
-  // Outwards from the pair, over bodies that move.
+  // Outwards from the pair, over moving bodies.
   touches_.clear();
   cluster_.assign({a, b});
   for (std::size_t k = 0; k < cluster_.size(); ++k) {
@@ -41,7 +41,7 @@ std::optional<bool> EventDrivenImpacts::resolve_cluster(const Step& step, int a,
     if (world.infinite_mass(body)) continue;
     grid_.each_near(body, [&](int other) {
       const auto known = std::find(cluster_.begin(), cluster_.end(), other);
-      // Pairs of which the other one has been looked at are there already.
+      // Pairs whose other body has been visited are already listed.
       if (known < cluster_.begin() + static_cast<std::ptrdiff_t>(k) && !world.infinite_mass(other)) return;
       const std::size_t before = touches_.size();
       find_touches(world, body, other, time);
@@ -98,7 +98,7 @@ std::optional<bool> EventDrivenImpacts::resolve_cluster(const Step& step, int a,
     world.note(&Notices::cluster_unsolved_since, trajectories.epoch() + time);
     return std::nullopt;
   }
-  // Closing speeds may be so small that the solution rounds to nothing; pair by pair they still come to an end.
+  // Closing speeds may be so small that the solution rounds to zero; pair by pair they still end.
   if (std::none_of(impacts.begin(), impacts.end(), [](const Impact& i) { return i.normal > 0.0; }))
     return std::nullopt;
   if (outcome.lowered) world.note(&Notices::restitution_lowered_since, trajectories.epoch() + time);
@@ -109,7 +109,7 @@ std::optional<bool> EventDrivenImpacts::resolve_cluster(const Step& step, int a,
   for (const int island : islands) {
     if (world.field().has_switching_springs()) ledger.lost_to_dampers += trajectories.recheck_switches(island);
   }
-  // One jump for each entry of the log: the first one has all of the motion.
+  // One jump for each log entry; the first has the whole motion.
   if (wants_jump) jump.after = world.state_at(time);
   jump.time = std::min(trajectories.epoch() + time, world.clock.step_end);
   for (std::size_t k = 0; k < touches_.size(); ++k) {
