@@ -45,8 +45,8 @@ struct Worker::Session {
     static constexpr std::int64_t kByTime = -1;
 
     EditId edit = 0;
-    std::int64_t step =
-        kByTime;        // after so many steps; by time: at the end of the first step not before `time`
+    // After so many steps; by time: at the end of the first step not before `time`.
+    std::int64_t step = kByTime;
     double time = 0.0;  // s
     std::variant<Method, Body> what;
   };

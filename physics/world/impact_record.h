@@ -20,8 +20,7 @@ struct ImpactRecord {
   Vec2 normal = Vec2::UnitX();
   double normal_impulse = 0.0;
   double tangential_impulse = 0.0;
-  double closing_speed =
-      0.0;  // m/s, > 0; may be below 0 in simultaneous impacts, where the others drive the pair together
+  double closing_speed = 0.0;  // m/s, > 0; any sign where simultaneous impacts drive a pair together
   double lost_to_restitution = 0.0;
   double lost_to_friction = 0.0;
   double lost_to_sticking = 0.0;
