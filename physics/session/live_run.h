@@ -25,7 +25,7 @@ class LiveRun {
   // Does nothing if the run is lost.
   void step();
   [[nodiscard]] bool lost() const { return simulation_.lost().has_value(); }
-  void edit(const std::variant<Method, Body>& what);  // likewise
+  void edit(const std::variant<Method, Body>& what);  // also nothing if lost
   // Sets the curves to record from now on and the reference. For a curve or reference that was not followed
   // so far, the run is replayed (catch_up) before it continues.
   void record(const std::vector<Curve>& curves, ReferenceId reference);

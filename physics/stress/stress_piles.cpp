@@ -7,7 +7,7 @@
 #include "physics/stress/stress_scenes.h"
 #include "physics/world/run_setup.h"
 
-// large islands: a pile, discs that start penetrating, discs of very different sizes, a gas.
+// Large islands: a pile, discs that start penetrating, discs of very different sizes, a gas.
 namespace carom::stress {
 namespace {
 

@@ -110,7 +110,7 @@ class EventDrivenImpacts {
   int at_once_ = 0;            // impacts before it at the same time
   CellGrid grid_;
   EventQueue queue_;
-  std::vector<std::uint32_t> stamp_;  // by body, that of its island; fixed for static bodies
+  std::vector<std::uint32_t> stamp_;  // by body, that of its island; constant for static bodies
   PairList end_of_step_;
   PairList resolving_;
   std::vector<int> resolving_islands_;  // of resolving_, if trajectories continue across steps

@@ -8,7 +8,7 @@
 #include "tests/support/scenes.h"
 
 // CPU time of one query of a pair: gap, contact and manifold by kinds of shape, and one search for the first
-// contact. The bodies are near each other, half of them overlapping. Prints figures, tests nothing.
+// contact. The bodies are near each other, half of them penetrating. Prints figures, tests nothing.
 namespace carom {
 namespace {
 

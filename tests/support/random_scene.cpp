@@ -36,7 +36,7 @@ constexpr double kSlow = 0.2;
 constexpr double kLargestRadius = 0.25;  // of a disc, in units
 constexpr double kLongestRun = 2.0;      // s: 60 of the longest steps
 
-// True if the last body overlaps an earlier one that it can collide with.
+// True if the last body penetrates an earlier one that it can collide with.
 bool last_overlaps(const std::vector<Body>& bodies) {
   const Geometry shapes = geometry(bodies);
   const State state = initial_state(bodies);

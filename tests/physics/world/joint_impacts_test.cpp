@@ -151,7 +151,7 @@ TEST(JointImpacts, RandomChainsKeepTheLaws) {
   }
 }
 
-// Pinned discs always overlap and don't collide.
+// Pinned discs always penetrate and don't collide.
 TEST(JointImpacts, PinnedBodiesDontCollide) {
   for (const auto& impacts : kImpacts) {
     RunSetup s = setup_with({disc("a", {0, 0}, {0, 0}, 0.3), disc("b", {0.3, 0}, {0, 0}, 0.3)});
