@@ -45,11 +45,9 @@ class Maxwell {
   // Masses (kg) and speeds (m/s) of the same bodies.
   Maxwell(std::span<const double> masses, std::span<const double> speeds);
 
-  [[nodiscard]] double thermal_energy() const {
-    return kt_;
-  }                                                  // kT in J; 0: nothing moves and there is no distribution
-  [[nodiscard]] double density(double speed) const;  // s/m
-  [[nodiscard]] double share_below(double speed) const;  // of all bodies
+  [[nodiscard]] double thermal_energy() const { return kt_; }  // kT in J; 0: nothing moves, no distribution
+  [[nodiscard]] double density(double speed) const;            // s/m
+  [[nodiscard]] double share_below(double speed) const;        // of all bodies
 
  private:
   struct Kind {

@@ -12,8 +12,7 @@ struct NextContact {
     kNone,         // no contact while both trajectories last
     kImpact,       // contact at `time`
     kPenetrating,  // they penetrate and do not separate: resolved at the step's end
-    kPressed  // they touch from `time` on and are pressed together: resolved at the step's end, as a resting
-              // pair
+    kPressed       // they touch from `time` on, pressed together: likewise, as a resting pair
   };
   Kind kind = kNone;
   double time = 0.0;  // s after the epoch

@@ -67,8 +67,8 @@ class EventDrivenImpacts {
   struct Step {
     World& world;
     RestingContacts* resting;
-    double h;        // s
-    double horizon;  // s after the epoch: where trajectories end; infinite if they continue across steps
+    double h;                    // s
+    double horizon;              // s after the epoch: where trajectories end, infinite if they continue
     std::int64_t impacts_begin;  // counted before the whole step
     bool may_divide = false;
   };

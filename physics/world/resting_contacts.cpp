@@ -35,7 +35,7 @@ constexpr double kLargeMotion = 0.1;
 constexpr double kLargeSolved = 1e-2;
 constexpr double kLargeRest = 1e-9;
 constexpr double kLargePenetration = 1e-6;  // relative to the size
-// Sweeps over a large island; a small one gets more.
+// Sweeps over a large island; more while contacts times sweeps stay below kLargeContactSweeps.
 constexpr int kLargeSweeps = 20;
 constexpr int kLargeContactSweeps = 10'000;
 // Corrections of the contact forces where the integrator's flight is not linear in them.
