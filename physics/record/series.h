@@ -135,8 +135,8 @@ class Series {
   }
 
   // Fills `out` with points for display within [from, to] and one beyond each end: the points themselves if
-  // they are still kept, otherwise those of the finest level that reaches back to `from`. At most some 33
-  // 000, in the order of time.
+  // they are still kept, otherwise those of the finest level that reaches back to `from`. At most some
+  // 33 000, in the order of time.
   void read(double from, double to, std::vector<Point>& out) const {
     out.clear();
     if (count_ == 0) return;
