@@ -18,22 +18,22 @@ namespace {
 
 using Reduction = Expectation::Reduction;
 
-// Where the parabola through three points has its vertex.
+// x of the vertex of the parabola through three points.
 double vertex(double x0, double y0, double x1, double y1, double x2, double y2) {
   const double a = (x1 - x0) * (y1 - y2);
   const double b = (x1 - x2) * (y1 - y0);
-  if (a == b) return x1;  // on one line
+  if (a == b) return x1;  // on a straight line
   return x1 - 0.5 * ((x1 - x0) * a - (x1 - x2) * b) / (a - b);
 }
 
-// Where y is largest. At an end of the sweep there is no parabola: the end itself.
+// x at the largest y, by a parabola; at an end of the sweep it is the end itself.
 double where_largest(const std::vector<double>& x, const std::vector<double>& y) {
   const auto i = static_cast<std::size_t>(std::max_element(y.begin(), y.end()) - y.begin());
   if (i == 0 || i + 1 == y.size()) return x[i];
   return vertex(x[i - 1], y[i - 1], x[i], y[i], x[i + 1], y[i + 1]);
 }
 
-// Slope of ln y over ln x by least squares; NaN if a y is not positive.
+// Slope of ln y over ln x by least squares; NaN if some y is not positive.
 double exponent(const std::vector<double>& x, const std::vector<double>& y) {
   std::vector<Vec2> points;
   for (std::size_t i = 0; i < x.size(); ++i) points.emplace_back(std::log(x[i]), std::log(y[i]));

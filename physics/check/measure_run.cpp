@@ -20,13 +20,13 @@ namespace {
 using Reduction = Expectation::Reduction;
 
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
-// Of a step: moments nearer than this are the same, as in Simulation::advance_to().
+// Of a step: closer moments are the same, as in Simulation::advance_to().
 constexpr double kSameMoment = 1e-9;
-// Steps between two copies of a run from which impacts are reached again: rare enough to cost nothing, near
-// enough to repeat the steps in between.
+// Steps between two copies of a run, from which impacts are reached again: many enough to make copies cheap,
+// few enough to repeat.
 constexpr int kStepsBetweenCopies = 64;
 
-// A simulation and what its impacts add up to. A copy goes its own way.
+// A simulation and the sums of its impacts. Copies are independent.
 struct Run {
   explicit Run(const Preset& preset) : simulation(setup_of(preset)) {}
 
@@ -47,7 +47,7 @@ struct Run {
   ImpactTally tally;
 };
 
-// One expectation while its run goes on.
+// One expectation during its run.
 struct Measurement {
   const Expectation* expectation = nullptr;
   const Observable* observable = nullptr;
@@ -65,7 +65,7 @@ struct Measurement {
   }
   [[nodiscard]] bool at_an_impact() const { return expectation->reduction == Reduction::kAtImpact; }
 
-  // A reading at the end of a step, for what is reduced over time.
+  // Adds a reading at the end of a step, for reductions over time.
   void take(const Reading& r) {
     const double y = observable->value(r, bodies);
     ++count;
@@ -128,7 +128,7 @@ class Measuring {
       const double start = run_.simulation.time();
       run_.step();
       if (run_.simulation.lost()) {
-        // What was not read so far never will be: a part of a run has no extremes, means or fits.
+        // Anything not read so far never will be: a part of a run has no extremes, means or fits.
         for (Measurement& m : all_) {
           if (!m.done) m.value = kNever;
         }
@@ -152,7 +152,7 @@ class Measuring {
     m.done = true;
   }
 
-  // What is asked for at the moment that the run has reached.
+  // Reads everything that is due at the time the run has reached.
   void look() {
     const double time = run_.simulation.time();
     const double same = kSameMoment * step_;
@@ -178,7 +178,7 @@ class Measuring {
     }
   }
 
-  // Moments between two steps are reached by a copy, so that the run itself keeps its steps.
+  // A copy reaches moments between two steps, so that the run keeps its own steps.
   void read_moments_within_the_step() {
     const double end = run_.simulation.time() + (1.0 - kSameMoment) * step_;
     for (Measurement& m : all_) {
@@ -190,7 +190,7 @@ class Measuring {
     }
   }
 
-  // The impacts of the last step, which began at `start` after `before` impacts.
+  // Reads the impacts of the last step, which began at `start` after `before` impacts.
   void read_impacts(double start, std::int64_t before) {
     const double same = kSameMoment * step_;
     for (Measurement& m : all_) {
@@ -206,8 +206,8 @@ class Measuring {
         m.done = true;
         continue;
       }
-      // A step that ends just after the impact holds the state that it left. advance_to() would take an impact
-      // at the very start of a step for rounding.
+      // A step that ends just after the impact has the state after it. advance_to() would treat an impact at
+      // the very start of a step as rounding.
       Run copy = *copy_;
       while (copy.simulation.time() < start && !copy.simulation.lost()) copy.step();
       copy.step(std::nextafter(time, std::numeric_limits<double>::infinity()) - start);
@@ -219,7 +219,7 @@ class Measuring {
   double step_;
   std::vector<Measurement> all_;
   bool copied_ = false;
-  std::unique_ptr<Run> copy_;  // as the run was up to kStepsBetweenCopies steps ago
+  std::unique_ptr<Run> copy_;  // the run at most kStepsBetweenCopies steps ago
 };
 
 }  // namespace

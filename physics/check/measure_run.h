@@ -9,25 +9,25 @@
 
 namespace carom {
 
-// Runs the scene once under its own method and reduces what each of `expectations` observes to one number, in
-// their order; NaN if the moment never came. Their settings and sweeps are not looked at (see
-// physics/check/check.h). Each looks at the run up to its own end (`until`, else the scene's duration).
-// Maximum, minimum, mean, count and fit go over the ends of the steps between `from` and there, the start
-// included; the other reductions read the moment itself, also between two steps, and don't disturb the run.
-// Throws SceneError if a body is not there, and Stopped at the next step when `stop` asks for it.
+// Runs the scene once under its own method and reduces the observable of each expectation to one number, in
+// their order; NaN if the moment never came. Settings and sweeps are ignored (see physics/check/check.h).
+// Each expectation ends at its own time (`until`, else the scene's duration). Maximum, minimum, mean, count
+// and fit use the ends of the steps from `from` to there, including the start. The other reductions read the
+// moment itself, also between two steps, without changing the run. Throws SceneError if a body does not
+// exist, and Cancelled at the next step once `stop` is requested.
 [[nodiscard]] std::vector<double> measure_run(const Preset& preset,
                                               const std::vector<Expectation>& expectations,
                                               const std::stop_token& stop = {});
 
-// A number that the file itself states at a given time, beside the reference.
+// Difference of the reference from a figure that the file states for a given time.
 struct StatedFigure {
-  double difference = 0.0;  // of the reference from what the file states, >= 0, in the observable's unit
+  double difference = 0.0;  // >= 0, in the observable's unit
   std::string text;         // "x of disc at t = 2 s"
   std::string unit;
 };
 
-// All expectations of the kind "at" of the scene itself, up to `until`, read off a run of the reference's
-// method.
+// All expectations of the kind "at" of the scene itself, up to `until`, compared with a run under the
+// reference's method.
 [[nodiscard]] std::vector<StatedFigure> check_stated_figures(const Preset& preset, const Method& method,
                                                              double until, const std::stop_token& stop = {});
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kPieces = 7;
 constexpr double kPieceSeconds = 0.02;  // of CPU time
-constexpr int kFewSteps = 3;            // of a piece, however long they take
+constexpr int kFewSteps = 3;            // of a piece, at least
 constexpr double kLongEnough = 0.5;     // s of CPU time for one part: then no more pieces
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -66,7 +66,7 @@ std::vector<PartCost> part_costs(const RunSetup& setup, double until) {
       entry.remove(other->setup.scene);
       other->needs = needs_of(other->setup.scene);
     }
-    // Pieces take turns, so that a change of the machine's pace meets both alike.
+    // Pieces alternate, so that a change of the machine's speed affects both alike.
     std::vector<double> own, others;
     const double began = cpu_seconds();
     for (int piece = 0; piece < kPieces && (piece == 0 || cpu_seconds() - began < kLongEnough); ++piece) {

@@ -8,19 +8,19 @@
 
 namespace carom {
 
-// What one part of the model costs a run.
+// Cost of one part of the model in a run.
 struct PartCost {
   const PartEntry* entry = nullptr;
   bool needed = false;
-  // s of CPU time a step, the medians of several pieces of the run. With: the run as it is, or (of a part that
-  // is not needed) with the part put into its model. Without: the scene without what needs the part, or the run
-  // as it is. None where the run can't be without.
+  // s of CPU time a step, medians over several pieces of the run. `with` is the run as it is, or with the
+  // part added to its model if the scene does not need it. `without` is the scene without whatever needs the
+  // part, or the run as it is. None if the run needs the part.
   double with = 0.0;
   std::optional<double> without;
 };
 
 // Measures each part, in the order of part_entries(), by runs of `setup` from its start to `until` (s),
-// repeated as long as a figure needs: some seconds in all. The setup must be valid.
+// repeated as often as needed: some seconds in all. The setup must be valid.
 [[nodiscard]] std::vector<PartCost> part_costs(const RunSetup& setup, double until);
 
 }  // namespace carom

@@ -15,10 +15,10 @@ namespace carom {
 namespace {
 
 constexpr std::array kDisplacements = {1e-7, 1e-9, 1e-11, 1e-13};  // of the length
-constexpr int kLooks = 400;                                        // at the neighbours, about
+constexpr int kLooks = 400;                                        // comparisons with the neighbours, about
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// Exponential growth adds as much to ln growth in the second half of the time as in the first; a power of the
-// time adds a small part of it.
+// Exponential growth adds as much to ln growth in the second half of the time as in the first; a power law
+// adds only a small part of it.
 constexpr double kLeastSecondHalf = 0.3;
 constexpr double kLeastGrowth = 100.0;
 
@@ -33,7 +33,7 @@ std::vector<Vec2> directions(std::size_t count) {
   return out;
 }
 
-// Slope of ln growth over time, from where it has left its first tenth.
+// Slope of ln growth over time, without its first tenth.
 double slope(const Chaos& c) {
   const double last = std::log(c.growth.back());
   std::vector<Vec2> points;
@@ -102,7 +102,7 @@ Chaos follow_neighbours(const RunSetup& setup, const Method& method, double unti
     runs.emplace_back(displaced(plain, displacement * first_length));
   }
 
-  // Whole steps between two looks.
+  // Whole steps between two comparisons.
   const double steps = std::max(1.0, std::round(until / kLooks / method.step));
   const double interval = std::min(until, steps * method.step);
   std::array<double, kDisplacements.size()> parted{};  // m
@@ -130,7 +130,7 @@ Chaos follow_neighbours(const RunSetup& setup, const Method& method, double unti
     c.length = std::max(c.length, reach(base, plain.scene.bodies, moving));
     for (const int i : moving) c.largest_speed = std::fmax(c.largest_speed, base.velocity(i).norm());
 
-    const double linear = kVisible * c.size;  // m: as far as bodies beside one another do alike
+    const double linear = kVisible * c.size;  // m: up to here neighbouring bodies move linearly
     double growth = 0.0;
     for (std::size_t k = 0; k < kDisplacements.size(); ++k) {
       if (!near[k]) continue;
@@ -156,7 +156,7 @@ Chaos follow_neighbours(const RunSetup& setup, const Method& method, double unti
   if (!std::isfinite(c.horizon) && c.exponent > 0.0) {
     c.horizon = c.time.back() + std::log(needed / most) / c.exponent;
   } else if (!std::isfinite(c.horizon) && !near.back()) {
-    c.horizon = c.time.back();  // the nearest neighbour left at once, as where impacts change their order
+    c.horizon = c.time.back();  // the nearest neighbour separated at once, as where impacts change their order
   }
   return c;
 }

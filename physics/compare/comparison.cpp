@@ -19,7 +19,7 @@ double apart(const Vec2& a, const Vec2& b) {
 }
 
 constexpr std::size_t kLeastPoints = 3;
-constexpr double kStraight = 0.05;  // of ln(error): largest distance from a line that counts as straight
+constexpr double kStraight = 0.05;  // of ln(error): largest distance from a straight line
 constexpr double kLeastShare = 0.5;
 
 }  // namespace
@@ -83,8 +83,8 @@ RunSummary run_and_summarize(const RunSetup& setup, const Method& method, double
   RunSummary run;
   run.largest_kinetic = s.totals().kinetic();
   const bool lasts = contacts_last(method, s.needs());
-  // Steps as Simulation::advance_to() takes them, with a look at each: a run that blows up would go on with
-  // millions of impacts a step.
+  // The same steps as Simulation::advance_to() takes, with a check after each: a run that blows up would
+  // continue with millions of impacts a step.
   const auto advance = [&](double to) {
     const double h = method.step;
     for (double left = to - s.time(); left > 1e-9 * h; left = to - s.time()) {
@@ -151,7 +151,7 @@ OrderFit fit_order(std::span<const ErrorAtStep> errors, double floor, double lar
                                             [](const Vec2& p, const Vec2& q) { return p.x() == q.x(); });
   if (points.size() < kLeastPoints || same_step != points.end()) return fit;
 
-  // The finest steps always count: only from the coarse end is something left out.
+  // The finest steps always count: only coarse steps are left out.
   std::span<const Vec2> best = points;
   const auto needed = std::max(
       kLeastPoints, static_cast<std::size_t>(std::ceil(kLeastShare * static_cast<double>(points.size()))));

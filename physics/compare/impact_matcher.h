@@ -11,12 +11,12 @@
 
 namespace carom {
 
-// Tells which impacts of two runs belong together. Partners are impacts of the same two bodies, one in each
-// run: in order, the k-th of the pair with the k-th, or the nearest in time of those that wait in the other
-// run; older ones have no partner then. In order is right for runs of a scene that are known up to their end,
-// however late a coarse method is; the nearest for runs that go on, where one impact that is missed must not
-// shift all that follow. Until the partner comes the two bodies' velocities differ by as much as the impact
-// changes them, whatever the order of the method.
+// Matches the impacts of two runs. Partners are impacts of the same two bodies, one in each run. In order,
+// the k-th impact of the pair belongs to the k-th: right for runs of a scene that are known up to their end,
+// however late a coarse method is. Nearest in time, an impact belongs to the nearest one that waits in the
+// other run, and older ones stay without a partner: right for runs that continue, where one missed impact
+// must not shift all that follow. Until the partner comes, the two bodies' velocities differ by the whole
+// change of the impact, whatever the order of the method.
 class ImpactMatcher {
  public:
   enum class From { kRun, kReference };
@@ -30,7 +30,7 @@ class ImpactMatcher {
     waiting.from = from;
     waiting.times.push_back(time);
   }
-  // Matches the impact if its partner waits; else it is not kept.
+  // Matches the impact if its partner waits; otherwise it is not stored.
   bool take_partner(From from, int a, int b, double time) {
     const auto found = waiting_.find(key(a, b));
     if (found == waiting_.end() || found->second.times.empty() || found->second.from == from) return false;
@@ -45,7 +45,7 @@ class ImpactMatcher {
     times.pop_front();
     return true;
   }
-  // Gives those up that wait since before `time`.
+  // Drops those that have waited since before `time`.
   void give_up(double time) {
     for (auto at = waiting_.begin(); at != waiting_.end();) {
       std::deque<double>& times = at->second.times;
@@ -57,7 +57,8 @@ class ImpactMatcher {
     }
   }
   void give_all_up() { give_up(std::numeric_limits<double>::infinity()); }
-  // Sets to 1 which bodies had an impact in one of the two runs only, so far; the others to 0.
+  // Sets `awaiting` to 1 for bodies that so far had an impact in one of the two runs only, and to 0 for the
+  // others.
   void mark(std::vector<std::uint8_t>& awaiting) const {
     std::fill(awaiting.begin(), awaiting.end(), std::uint8_t{0});
     for (const auto& [pair, waiting] : waiting_) {
@@ -75,7 +76,7 @@ class ImpactMatcher {
   [[nodiscard]] double largest_difference() const { return largest_difference_; }  // s, of matched ones
 
  private:
-  // Of one pair, from one of the two runs, in the order of time.
+  // Waiting impacts of one pair, from one of the two runs, in the order of time.
   struct Waiting {
     From from = From::kRun;
     std::deque<double> times;  // s

@@ -15,10 +15,10 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kAgreement = 1e-13;  // of the length
 constexpr int kMostHalvings = 16;
-// Of the scene's step: no row of a study is then the reference itself.
+// Of the scene's step: then no row of a study is the reference itself.
 constexpr double kOffTheRows = 0.7;
 
-// A run that blew up says nothing about that time.
+// A run that blew up says nothing about later times.
 bool ended_before(const RunSummary& run, double time) { return run.blew_up_at >= 0.0 && run.blew_up_at < time; }
 
 }  // namespace
@@ -93,7 +93,7 @@ Reference make_reference(const RunSetup& setup, const Chaos& chaos, double time,
   const double enough = std::max(kAgreement, kRounding * kEpsilon * chaos.growth_at(time)) * chaos.length;
   int no_better = 0;
   for (int halvings = 1; halvings <= kMostHalvings; ++halvings) {
-    // A difference may fail to fall by chance, but hardly where it is rounding.
+    // A difference may fail to fall by chance, but hardly if it is rounding.
     if (no_better >= (best.position_error <= enough ? 1 : 2)) break;
     method.step *= 0.5;
     const double work = until / method.step * static_cast<double>(moving.size());
@@ -106,7 +106,7 @@ Reference make_reference(const RunSetup& setup, const Chaos& chaos, double time,
     }
     const Comparison c = compare(coarser, run, moving, time);
     coarser = run;
-    // Falling, at order 1 to the half, but for a run whose windows leave nothing to compare.
+    // Falling by about order 1/2 or better; NaN, where nothing is left to compare, is not falling.
     no_better = c.position_error < 0.75 * best.position_error ? 0 : no_better + 1;
     if (c.position_error < best.position_error) {
       best.run = std::move(run);

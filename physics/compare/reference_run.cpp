@@ -16,7 +16,7 @@ RunSetup with_method(RunSetup setup, const Method& method) {
   return setup;
 }
 
-// Steps of a reference for one of the run.
+// Steps of a reference for one step of the run.
 int steps_of(const Method& reference, const Method& run) {
   return static_cast<int>(std::lround(run.step / reference.step));
 }
@@ -65,7 +65,7 @@ void ReferenceRun::edit(const Edit& edit) {
     check_.add_body(*body);
     moving_ = moving_bodies(fine_.bodies());
     awaiting_.push_back(0);
-    take_methods();  // contacts may last now
+    take_methods();  // contacts may rest now
     length_ = std::fmax(length_, reach(fine_.state(), fine_.bodies(), moving_));
     size_ = size_ > 0.0 ? size_ : length_;
     if (!has_infinite_mass(*body)) size_ = std::min(size_, bounding_radius(body->shape));
@@ -82,7 +82,7 @@ void ReferenceRun::take_methods() {
 
 void ReferenceRun::follow(const Simulation& run) {
   const int steps = steps_of(fine_.method(), run.method());
-  const bool match = !contacts_last(run.method(), run.needs());  // else a landing may be no impact at all
+  const bool match = !contacts_last(run.method(), run.needs());  // otherwise a landing need not be an impact
   for (int i = 0; i < steps; ++i) {
     fine_.step();
     if (!match) continue;

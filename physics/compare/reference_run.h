@@ -13,40 +13,40 @@
 
 namespace carom {
 
-// How far a run is from its reference. Bodies that wait for one run's impact in the other are left out; what
-// leaves nothing to compare is NaN.
+// Error of a run against its reference. Bodies with an impact in one of the two runs only are left out; NaN
+// if nothing is left to compare.
 struct RunError {
   double position = std::numeric_limits<double>::quiet_NaN();  // m, now: the largest over the moving bodies
   double velocity = std::numeric_limits<double>::quiet_NaN();  // m/s
   double energy = std::numeric_limits<double>::quiet_NaN();    // J
-  double largest_position = 0.0;                               // m, so far at the ends of steps
+  double largest_position = 0.0;                               // m, so far, at the ends of steps
   double impact_time = 0.0;                                    // s, largest of the matched impacts
   std::int64_t matched = 0;                                    // impacts
   std::int64_t unmatched = 0;
-  double uncertainty = 0.0;  // m, the reference's own
-  bool of_itself = false;    // the run goes by the reference's own method: its errors tell nothing
+  double uncertainty = 0.0;  // m, of the reference itself
+  bool of_itself = false;    // the run uses the reference's own method: its errors mean nothing
 };
 
-// The reference of a run, which goes along with it: at the end of each of the run's steps it is there too.
-// Beside it goes a second run, whose distance tells what the reference may be wrong by: of a refined one, the
-// same less refined (tolerance 100 times as large, steps twice as long); of exact flight, a neighbour displaced
-// by kDisplaced of the scene's length, whose distance is scaled down to that of rounding while it is small.
+// The reference of a run, which is advanced along with it to the end of each of its steps. A second run
+// beside it estimates the error of the reference. For a refined reference it is less refined (tolerance 100
+// times as large, steps twice as long). For exact flight it is a neighbour displaced by kDisplaced of the
+// scene's length, whose distance is scaled down to that of rounding while it is small.
 class ReferenceRun {
  public:
   static constexpr double kDisplaced = 1e-12;
   // Steps of the run for which an impact waits for its partner.
   static constexpr int kPatience = 20;
 
-  // Of a run of `start` under the scene's method.
+  // For a run of `start` under the scene's method.
   ReferenceRun(const RunSetup& start, ReferenceId reference);
 
   void interrupt_on(const std::stop_token& stop) {
     fine_.interrupt_on(stop);
     check_.interrupt_on(stop);
   }
-  // Does to itself what was done to the run.
+  // Applies an edit of the run to the reference too.
   void edit(const Edit& edit);
-  // After each step of the run.
+  // Call after each step of the run.
   void follow(const Simulation& run);
 
   // At the run's present time.

@@ -23,7 +23,7 @@ double mod_of(double a, double b) {
   return rest < 0.0 ? rest + std::abs(b) : rest;
 }
 
-// What stands at which place, in words of our own: the library's speak of its insides.
+// The error and its position, in our own words: the library's describe its internals.
 std::string reason_of(const mu::Parser::exception_type& error) {
   std::string found = error.GetToken();
   while (!found.empty() && found.back() == ' ') found.pop_back();
@@ -49,7 +49,7 @@ std::string reason_of(const mu::Parser::exception_type& error) {
 
 }  // namespace
 
-// The parser keeps its stack and reads the variables while it evaluates: one caller at a time.
+// The parser keeps its stack and reads the variables during evaluation: one caller at a time.
 struct Expression::Compiled {
   std::mutex mutex;
   double t = 0.0;
@@ -83,7 +83,7 @@ Expression::Expression(const std::string& text, bool with_x)
                                  compiled_->names()));
   };
   if (text.size() > kLongest) refuse(fmt::format("it is longer than {} characters", kLongest), -1);
-  // The library would take a lone = for an assignment.
+  // The library would read a lone = as an assignment.
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '=') continue;
     const bool compares = (i > 0 && std::string_view("=<>!").find(text[i - 1]) != std::string_view::npos) ||

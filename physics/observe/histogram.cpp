@@ -59,7 +59,7 @@ double steady_bin_width(double current, double wanted) {
   if (current > 0.0 && current <= kSteady * wanted && wanted <= kSteady * current) return current;
   const double power = std::pow(10.0, std::floor(std::log10(wanted)));
   const double mantissa = wanted / power;
-  // The nearest of them by their ratio.
+  // The nearest of them by ratio.
   return power * (mantissa < std::sqrt(2.0)    ? 1.0
                   : mantissa < std::sqrt(10.0) ? 2.0
                   : mantissa < std::sqrt(50.0) ? 5.0
@@ -70,7 +70,7 @@ Maxwell::Maxwell(std::span<const double> masses, std::span<const double> speeds)
   const std::size_t n = std::min(masses.size(), speeds.size());
   for (std::size_t i = 0; i < n; ++i) kt_ += 0.5 * masses[i] * speeds[i] * speeds[i] / static_cast<double>(n);
   if (!(kt_ > 0.0)) return;
-  // Masses within a per cent count as one, so that a crowd of any masses stays a short sum.
+  // Masses within one per cent count as one, so that many different masses give a short sum.
   struct Sum {
     double mass = 0.0;
     double count = 0.0;

@@ -40,7 +40,7 @@ Bounds bounds_at(const Reading& r, int i) {
   return bounds_of(r.shapes.shapes, i, pose_of(r.shapes.shapes, i, r.state.q.col(i)));
 }
 
-// J; an immovable body has none to give.
+// J; a static body has none.
 double body_kinetic_energy(const Reading& r, Ids body) {
   const int i = body[0];
   if (!(r.mass.inverse_mass[i] > 0.0)) return 0.0;
@@ -48,7 +48,7 @@ double body_kinetic_energy(const Reading& r, Ids body) {
   return 0.5 * r.mass.mass[i] * r.state.velocity(i).squaredNorm() + 0.5 * r.mass.inertia[i] * spin * spin;
 }
 
-// The sum over the contacts of two bodies, in whatever order they are named.
+// The sum over the contacts of two bodies, named in either order.
 template <class Value>
 double between(const Reading& r, Ids pair, const Value& value) {
   const int a = std::min(pair[0], pair[1]);
@@ -60,8 +60,8 @@ double between(const Reading& r, Ids pair, const Value& value) {
   return sum;
 }
 
-// The largest depth by which two bodies penetration, m; 0 if none do. Joined bodies and those of one group
-// don't count.
+// The largest penetration of two bodies, m; 0 if there is none. Joined bodies and those of one group don't
+// count.
 double largest_penetration(const Reading& r) {
   std::vector<Bounds> bounds;
   for (int i = 0; i < r.state.size(); ++i) bounds.push_back(bounds_at(r, i));
@@ -75,9 +75,9 @@ double largest_penetration(const Reading& r) {
   return most;
 }
 
-// Of a pair's contacts that last: the normal force pushes the two apart; the tangential one acts
-// on the body that comes later in the scene, along the normal towards it turned by +90°. Both are sums over all
-// points, means over the last step.
+// Of a pair's resting contacts. The normal force pushes the two apart; the tangential force acts on the body
+// that comes later in the scene, along the normal towards it turned by +90°. Both are sums over all points,
+// and means over the last step.
 double normal_force(const Reading& r, Ids pair) {
   return between(r, pair, [](const ContactForce& f) { return f.normal_force; });
 }
@@ -101,8 +101,8 @@ double lost_in_flight(const Ledger& l) {
   return l.lost_to_drag + l.lost_to_dampers + l.lost_to_rolling + l.lost_to_joints;
 }
 
-// How far one body, or the farthest moving one, is from where it is in the reference; NaN while that cannot be
-// told: without a reference, and for bodies that wait for an impact.
+// Distance of one body, or of the farthest moving one, from its place in the reference; NaN without a
+// reference and for bodies that wait for an impact.
 template <class Distance>
 double error_of(const Reading& r, int body, const Distance& distance) {
   if (r.reference == nullptr || r.reference->awaiting[static_cast<std::size_t>(body)] != 0) {
@@ -223,7 +223,7 @@ constexpr auto kOwn = std::to_array<Observable>({
      [](R r, Ids b) { return error_of(r, b[0], velocity_error); }},
 });
 
-// The entries of the ledger, but for the first: what they change is seen.
+// The entries of the ledger without the first, which is constant in a run.
 constexpr std::size_t kFromLedger = kEnergyEntries.size() - 1;
 
 template <std::size_t... kEntry>

@@ -16,30 +16,30 @@
 
 namespace carom {
 
-// What the impacts of a run add up to, from the moment begin() and fed after each of its steps. Where a step
-// had more impacts than it logs (kMostLogged) the sums are not known, and the numbers that show
-// them are NaN from there on; so is the number of a pair which a run that was saved on its way has not counted.
+// Sums over the impacts of a run: call begin() once, then add() after each step. After a step with more
+// impacts than its log has (kMostLogged) the sums are unknown, and the numbers from them are NaN from then
+// on. So is the count of a pair that a saved run has not counted.
 class ImpactTally {
  public:
-  // Before begin(): counts the impacts of this pair of bodies too.
+  // Before begin(): also counts the impacts of this pair of bodies.
   void watch(int a, int b) { counts_.watch(a, b, 0); }
   [[nodiscard]] bool watches(int a, int b) const { return counts_.find(a, b) != nullptr; }
-  // From what the run has counted up to now.
+  // Starts from the counts of the run up to now.
   void begin(const Simulation& simulation);
   void add(const Simulation& simulation);
-  // The same piece by piece: one impact, and then how many there were so far.
+  // The same in parts: one impact, then the total number so far.
   void add(const ImpactRecord& impact, const MassProperties& mass) {
     counts_.add(impact.a, impact.b, impact.normal_impulse, mass);
   }
   void happened(std::int64_t impacts) { happened_ = impacts; }
 
-  [[nodiscard]] double between(int a, int b) const;  // of a watched pair; else NaN
-  // With fixed and kinematic bodies, and of two free ones.
+  [[nodiscard]] double between(int a, int b) const;  // of a watched pair; otherwise NaN
+  // With static and kinematic bodies, and of two free bodies.
   [[nodiscard]] double with_walls() const { return known(static_cast<double>(counts_.walls)); }
   [[nodiscard]] double mutual() const { return known(static_cast<double>(counts_.mutual)); }
   [[nodiscard]] double wall_impulse() const {
     return known(counts_.wall_impulse);
-  }  // N s, sum of the normal ones
+  }  // N s, sum of the normal impulses
 
  private:
   [[nodiscard]] double known(double value) const {
@@ -50,14 +50,14 @@ class ImpactTally {
   std::int64_t happened_ = 0;
 };
 
-// What a run is compared with, at the same moment.
+// The reference of a run at the same moment.
 struct ReferenceReading {
   const State& state;
   double energy;                           // J
   std::span<const std::uint8_t> awaiting;  // by body: an impact has happened in one of the two runs only
 };
 
-// What an observable is read off: a run at one moment.
+// The data of a run at one moment, from which observables are read.
 struct Reading {
   const State& state;
   const ImpactTally& tally;
@@ -75,26 +75,26 @@ struct Reading {
 
 [[nodiscard]] Reading reading_of(const Simulation& simulation, const ImpactTally& tally);
 
-// What observables are about, for a menu of them.
+// Topics of observables, for a menu.
 enum class Topic { kBody, kPair, kEnergy, kMomentum, kLedger, kAllBodies, kRun, kError };
 
-// What an expectation or a plot can be about: a number read off a run at one moment.
+// A number read from a run at one moment, for expectations and plots.
 struct Observable {
   std::string_view name;   // in files
   std::string_view label;  // for people
   std::string_view unit;
-  int bodies;  // how many bodies it is about
+  int bodies;  // number of bodies it refers to
   Topic topic;
   double (*value)(const Reading& reading, std::span<const int> bodies);
 
-  // Of a run beside its reference: known at the ends of steps only.
+  // The error of a run against its reference: known at the ends of steps only.
   [[nodiscard]] bool is_error() const { return topic == Topic::kError; }
 };
 
 // All observables, each described in the table itself and in app/help/presets.md.
 [[nodiscard]] std::span<const Observable> observables();
 
-// nullptr if there is none of that name.
+// nullptr if there is none with that name.
 [[nodiscard]] const Observable* find_observable(std::string_view name);
 
 }  // namespace carom

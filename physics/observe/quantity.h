@@ -13,7 +13,7 @@
 
 namespace carom {
 
-// NaN while one of the bodies is not there yet.
+// NaN while one of the bodies does not exist yet.
 [[nodiscard]] inline double value_of(const Observable& observable, const std::vector<int>& bodies,
                                      const Reading& reading) {
   for (const int body : bodies) {
@@ -22,7 +22,7 @@ namespace carom {
   return observable.value(reading, bodies);
 }
 
-// A closed form that a quantity is set beside: of time and, where there is an x, of that observable too.
+// A formula to compare a quantity with: of time and, if there is an x, of that observable too.
 struct Theory {
   Expression formula;
   const Observable* x = nullptr;
@@ -39,9 +39,9 @@ struct Theory {
 struct Quantity {
   const Observable* observable = nullptr;
   std::vector<int> bodies;
-  Theory less{};  // if there is one the quantity is a residual: the observable less this
+  Theory less{};  // if present, the quantity is a residual: the observable less this
 
-  // NaN while one of the bodies is not there yet, and where the theory has no value.
+  // NaN while one of the bodies does not exist yet, and where the theory has no value.
   [[nodiscard]] double value(const Reading& reading) const {
     const double measured = value_of(*observable, bodies, reading);
     return less.empty() ? measured : measured - less.value(reading);
@@ -49,7 +49,7 @@ struct Quantity {
   auto operator<=>(const Quantity&) const = default;
 };
 
-// What a plot draws as one line: a quantity over time or, with `x`, over another one.
+// One line of a plot: a quantity over time or, with `x`, over another quantity.
 struct Curve {
   Quantity y;
   std::optional<Quantity> x;
@@ -57,14 +57,14 @@ struct Curve {
   auto operator<=>(const Curve&) const = default;
 };
 
-// Of bodies by their names. Throws SceneError where one is not there.
+// Indices of bodies by name. Throws SceneError if one does not exist.
 [[nodiscard]] std::vector<int> indices_of(const std::vector<std::string>& names, std::span<const Body> bodies);
 
-// The quantity that a file names. Throws SceneError where there is no such observable, it asks for another
-// number of bodies, or a body is not there.
+// The quantity that a file names. Throws SceneError if there is no such observable, if the number of bodies
+// is wrong, or if a body does not exist.
 [[nodiscard]] Quantity quantity_of(const QuantityName& name, std::span<const Body> bodies);
 
-// The theory of a line of a plot over `x`; empty if it has none. Throws SceneError where its text is wrong.
+// The theory of a plot's line over `x`; empty if it has none. Throws SceneError if its text is wrong.
 [[nodiscard]] Theory theory_of(const QuantityName& line, const std::optional<Quantity>& x);
 
 }  // namespace carom

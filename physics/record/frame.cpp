@@ -72,7 +72,7 @@ void keep_recent(std::vector<ImpactRecord>& impacts, std::span<const ImpactRecor
 
 namespace {
 
-// One run on its way through the moments.
+// The replay of one run through the moments.
 class Walk {
  public:
   Walk(const RunLog& log, double span)
@@ -87,7 +87,7 @@ class Walk {
     replay_.go_through(
         log_, [](const Edit&) {},
         [&](const Simulation& s) {
-          // As Simulation::advance_to() divides the time.
+          // The same division of time as in Simulation::advance_to().
           if (s.lost() || time - s.time() <= (1.0 - 1e-9) * s.method().step) return false;
           cancelled = !go_on(s.time());
           return !cancelled;

@@ -14,20 +14,20 @@
 
 namespace carom {
 
-// A joint at one moment, in the world.
+// A joint at one moment, in world coordinates.
 struct JointState {
   JointKind kind = JointKind::kRod;
   Vec2 from = Vec2::Zero();  // m, its end on the other body or in the plane
   Vec2 to = Vec2::Zero();    // m, its end on its body
   bool in_plane = false;     // from is a point of the plane
   double length = 0.0;       // m, of a rod or a string
-  bool taut = true;          // false: a string that hangs slack
+  bool taut = true;          // false: a slack string
 };
 
-// A moment of a run, whole, as the simulation's thread publishes it: what is now, and what happened since the
-// frame before. Nothing in it changes after it was published.
+// A complete moment of a run, as the simulation's thread publishes it: the present state, and the changes
+// since the previous frame. Constant once published.
 struct Frame {
-  std::uint64_t run = 0;  // counts loads and restarts: rows of different runs don't belong together
+  std::uint64_t run = 0;  // number of loads and restarts: rows of different runs don't belong together
   double time = 0.0;
   std::int64_t steps = 0;
   std::int64_t impact_count = 0;
@@ -37,43 +37,42 @@ struct Frame {
   std::shared_ptr<const std::vector<Body>> bodies;
   std::shared_ptr<const Forces> forces;
   std::vector<JointState> joints;
-  std::vector<ContactForce> contacts;  // of the last step; empty where contacts don't last
+  std::vector<ContactForce> contacts;  // of the last step; empty without resting contacts
   Totals totals;
   Ledger ledger;
   std::string status = "ok";
   std::optional<std::string>
-      lost;  // why the run can't go on, if so: it stands at the end of its last good step
-  // s: the first run goes through its past again, after an edit was taken back or put back, until here.
+      lost;  // why the run can't continue, if so: it stays at the end of its last good step
+  // s: the first run is replayed up to here, after an edit was undone or redone.
   std::optional<double> again;
   bool playing = false;
   double realised_speed = 0.0;    // simulated seconds per second, while playing
   Method method;                  // in force
-  double wall_time = 0.0;         // s, that its steps have taken
-  std::optional<RunError> error;  // of a run that is compared with a reference
-  // Since the frame before: of the recorded curves, and of curves that were asked for later, from the start on.
+  double wall_time = 0.0;         // s, spent on its steps
+  std::optional<RunError> error;  // if the run is compared with a reference
+  // Since the previous frame: of the recorded curves, and of curves requested later, from the start on.
   std::vector<Rows> rows;
-  double rows_known_until = 0.0;      // s: so far the latter have come; the frame's time if there are none
-  std::vector<ImpactRecord> impacts;  // since the frame before
+  double rows_known_until = 0.0;      // s: the latter are known up to here; the frame's time if there are none
+  std::vector<ImpactRecord> impacts;  // since the previous frame
   Scales scales;
   std::shared_ptr<const RunLog> log;  // of the run so far
   std::vector<std::shared_ptr<const KeyFrame>> key_frames;
 };
 
-// Fills in all that the simulation itself knows: not the run, its status of playing, nor what happened before.
+// Fills in everything that the simulation itself knows: not the run, the playing status or earlier rows.
 void take_moment(const Simulation& simulation, Frame& frame);
 
-// The newest impacts of a run, for showing: a resting heap makes thousands a second, of which the newest
-// kMostRecent are enough. Forgets those of `span` s or more before `now`, and any after it; then adds the fresh
+// Keeps the newest impacts of a run for display: a resting heap makes thousands a second, of which the newest
+// kMostRecent are enough. Removes those `span` s or more before `now`, and any after it; then adds the fresh
 // ones.
 inline constexpr std::size_t kMostRecent = 1000;
 void keep_recent(std::vector<ImpactRecord>& impacts, std::span<const ImpactRecord> fresh, double now,
                  double span);
 
-// Goes through runs once more, side by side, and shows them at `times` (s, ascending), on beyond where they
-// were left if these lie there. A time between two steps is reached by one shorter step of a copy, of which the
-// run knows nothing. The frames, one a run, have no rows; their impacts are the recent ones of the last `span`
-// s. Before each step `go_on` is told the time that is reached. Where one of the two answers false the runs are
-// left, and the answer is false.
+// Replays runs side by side and shows them at `times` (s, ascending), which may lie beyond their ends. A time
+// between two steps is reached by one shorter step of a copy, so the run itself is unchanged. The frames, one
+// for each run, have no rows; their impacts are those of the last `span` s. Before each step `go_on` gets the
+// time reached. If `show` or `go_on` returns false, the replay ends and returns false.
 [[nodiscard]] bool visit_moments(std::span<const RunLog> runs, std::span<const double> times, double span,
                                  const std::function<bool(std::span<const Frame>)>& show,
                                  const std::function<bool(double time)>& go_on);

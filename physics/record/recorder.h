@@ -9,20 +9,20 @@
 
 namespace carom {
 
-// What plots and tables show of a run: each curve as a series whose memory is bounded, and the newest impacts.
+// Data of a run for plots and tables: each curve as a series of bounded memory, and the newest impacts.
 class Recorder {
  public:
   static constexpr std::size_t kMostImpacts = 100'000;
 
   void clear();
-  // Forgets the other curves.
+  // Drops all other curves.
   void keep(const std::vector<Curve>& curves);
-  // Takes what happened since the frame before; a frame of another run starts anew.
+  // Adds the changes since the previous frame; a frame of another run clears everything first.
   void add(const Frame& frame);
 
-  // Of a curve over time; nullptr if it is not recorded.
+  // Series of a curve over time; nullptr if it is not recorded.
   [[nodiscard]] const Series<1>* series(const Curve& curve) const;
-  // Of a curve over another quantity: y, then x.
+  // Series of a curve over another quantity: y, then x.
   [[nodiscard]] const Series<2>* path(const Curve& curve) const;
   // The normal impulses of all impacts, N s.
   [[nodiscard]] const Series<1>& impulses() const { return impulses_; }
@@ -31,7 +31,7 @@ class Recorder {
   [[nodiscard]] const SpeedRecord& speeds() const { return speeds_; }
   [[nodiscard]] const Scales& scales() const { return scales_; }
   [[nodiscard]] double time() const { return time_; }       // s, of the newest frame
-  [[nodiscard]] std::uint64_t run() const { return run_; }  // whose frames it has; 0: none yet
+  [[nodiscard]] std::uint64_t run() const { return run_; }  // of its frames; 0: none yet
 
  private:
   void add(const Rows& rows);

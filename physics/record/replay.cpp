@@ -7,7 +7,7 @@ namespace carom {
 void KeyFrames::take(const Simulation& simulation, const Sampler& sampler, std::size_t edits) {
   if (simulation.steps() % interval_ != 0) return;
   KeyFrame frame{simulation.model(), simulation.run_state(), sampler, edits};
-  // Whoever goes on from here is not the run's own thread.
+  // A replay from here is on another thread than the run.
   frame.sampler.interrupt_on({});
   (void)frame.sampler.take();  // the rows so far belong to the run itself
   frames_.push_back(std::make_shared<const KeyFrame>(std::move(frame)));

@@ -54,7 +54,7 @@ void Sampler::after_step(const Simulation& simulation) {
   const std::vector<ImpactRecord>& impacts = simulation.last_impacts();
   Reading end = reading_of(simulation, tally_);
   if (!jumps.empty()) {
-    Ledger smooth = without_quadratures(end);  // what the step changed beside the jumps
+    Ledger smooth = without_quadratures(end);  // the step's changes other than jumps
     smooth.add(-1.0, ledger_);
     for (const Jump& jump : jumps) smooth.add(-1.0, jump.change);
     Ledger jumped = ledger_;

@@ -10,7 +10,7 @@
 
 namespace carom {
 
-// The newest `capacity` records of a row, oldest first.
+// The newest `capacity` records of a sequence, oldest first.
 template <class Record>
 class Ring {
  public:
@@ -23,7 +23,7 @@ class Ring {
     return records_[at < records_.size() ? at : at - records_.size()];
   }
   [[nodiscard]] const Record& back() const { return (*this)[size() - 1]; }
-  // A full ring forgets its oldest.
+  // A full ring drops its oldest record.
   void push(const Record& record) {
     if (!full()) {
       records_.push_back(record);
@@ -32,7 +32,7 @@ class Ring {
     records_[oldest_] = record;
     oldest_ = oldest_ + 1 == capacity_ ? 0 : oldest_ + 1;
   }
-  // The first record that is not before `time`, or that is after it, by the records' function time().
+  // The first record not before `time` (lower) or after it (upper), by the records' function time().
   [[nodiscard]] std::size_t lower_bound(double time) const {
     return first([time](const Record& r) { return r.time() >= time; });
   }
@@ -41,7 +41,7 @@ class Ring {
   }
 
  private:
-  // The first record for which `holds`, which it does for all that follow.
+  // The first record for which the predicate is true; it must be true for all that follow.
   template <class Predicate>
   [[nodiscard]] std::size_t first(const Predicate& is_past) const {
     std::size_t low = 0;
@@ -72,12 +72,12 @@ struct SeriesPoint {
   bool operator==(const SeriesPoint&) const = default;
 };
 
-// What K quantities did over time, in a memory that hardly grows however long the run is: the newest points as
-// they came, and of all points levels of buckets. A bucket keeps of the points that it stands for the first,
-// the last, and those with the least and the largest of each value, so that a spike of one point is seen from
-// any distance. A bucket of the finest level stands for 16 points, one of each further level for four of the
-// level before; each level keeps its newest 8192 buckets, and a coarser one is begun when a level is full. So
-// one level always reaches back to the start, with at least 2048 buckets.
+// K quantities over time in almost constant memory: the newest points, and levels of buckets for all points.
+// A bucket keeps the first and the last of its points and those with the smallest and the largest of each
+// value, so that a spike of one point is seen at any scale. A bucket of the finest level covers 16 points,
+// one of each further level four of the level before. Each level keeps its newest 8192 buckets; a coarser
+// level is added when a level is full. So one level always reaches back to the start, with at least 2048
+// buckets.
 template <int K>
 class Series {
  public:
@@ -87,7 +87,7 @@ class Series {
   static constexpr int kFirstFan = 16;  // points to a bucket of the finest level
   static constexpr int kFan = 4;        // buckets to one of the next
 
-  // In the order of time; equal times are an upright jump. A point with a value that is not finite is left out.
+  // In the order of time; equal times are a jump. A point with a non-finite value is left out.
   void append(const Point& point) {
     const bool finite =
         std::all_of(point.value.begin(), point.value.end(), [](double v) { return std::isfinite(v); });
@@ -103,12 +103,12 @@ class Series {
 
   [[nodiscard]] std::int64_t count() const { return count_; }
   [[nodiscard]] const Point& last() const { return points_.back(); }  // of at least one
-  // Every point from here on is still there as it came, s.
+  // s: from here on every point is kept.
   [[nodiscard]] double whole_since() const {
     return levels_.empty() || points_.size() == 0 ? -std::numeric_limits<double>::infinity() : points_[0].at;
   }
-  // The newest point that is not after `time`, of those that are still known; nullptr if there is none. Whether
-  // no other came after it can be told from whole_since() on.
+  // The newest known point that is not after `time`; nullptr if there is none. It is certain that no other
+  // point came after it only from whole_since() on.
   [[nodiscard]] const Point* at(double time) const {
     if (time >= whole_since()) {
       const std::size_t after = points_.upper_bound(time);
@@ -122,21 +122,21 @@ class Series {
     }
     return nullptr;
   }
-  // The oldest point after `time`, of those that are still there as they came; nullptr if there is none.
+  // The oldest point after `time` that is still kept; nullptr if there is none.
   [[nodiscard]] const Point* after(double time) const {
     const std::size_t next = points_.upper_bound(time);
     return next == points_.size() ? nullptr : &points_[next];
   }
-  // Bytes that the records take.
+  // Bytes used by the records.
   [[nodiscard]] std::size_t memory() const {
     std::size_t sum = points_.size() * sizeof(Point);
     for (const Level& level : levels_) sum += level.closed.size() * sizeof(Bucket);
     return sum;
   }
 
-  // Fills `out` with what shows the points within [from, to] and one beyond each end: the points themselves
-  // where they are still there, else those of the finest level that reaches back to `from`. At most some 33
-  // 000, in the order of time.
+  // Fills `out` with points for display within [from, to] and one beyond each end: the points themselves if
+  // they are still kept, otherwise those of the finest level that reaches back to `from`. At most some
+  // 33 000, in the order of time.
   void read(double from, double to, std::vector<Point>& out) const {
     out.clear();
     if (count_ == 0) return;
@@ -148,7 +148,8 @@ class Series {
     while (level + 1 < levels_.size() && from < levels_[level].closed[0].time()) ++level;
     const auto put = [&](const Bucket& bucket) { out.insert(out.end(), bucket.begin(), bucket.end()); };
     read_ring(levels_[level].closed, from, to, put);
-    // What the level has not closed yet stands in its open bucket and, after it, in those of the finer levels.
+    // Points not yet in a closed bucket of the level are in its open bucket and then in those of the finer
+    // levels.
     for (std::size_t k = level + 1; k-- > 0;) {
       const Open& open = levels_[k].open;
       if (open.taken == 0) continue;
@@ -158,7 +159,7 @@ class Series {
   }
 
  private:
-  // The points that a bucket keeps, in the order in which they came; some may come twice.
+  // The points of a bucket in the order of time; some may occur twice.
   struct Bucket : std::array<Point, 2 + 2 * K> {
     [[nodiscard]] double time() const { return this->front().at; }
   };

@@ -49,7 +49,7 @@ void LiveRun::step() {
 void LiveRun::edit(const std::variant<Method, Body>& what) {
   if (lost()) return;
   const Edit edit{simulation_.steps(), simulation_.time(), what};
-  RunLog longer = *log_;  // frames hold the one before
+  RunLog longer = *log_;  // frames share the previous one
   longer.edits.push_back(edit);
   log_ = std::make_shared<RunLog>(std::move(longer));
   apply(edit, simulation_);
@@ -62,7 +62,7 @@ void LiveRun::record(const std::vector<Curve>& curves, ReferenceId reference) {
   curves_ = curves;
   const bool anew = sampler_.reference() != reference;
   std::vector<Curve> missing;
-  std::vector<Curve> known;  // that the run goes on to be read for meanwhile
+  std::vector<Curve> known;  // curves that the run continues to record meanwhile
   for (const Curve& curve : curves) {
     const std::vector<Curve>& read = sampler_.curves();
     const bool is_error = curve.y.observable->is_error() || (curve.x && curve.x->observable->is_error());
@@ -85,7 +85,7 @@ void LiveRun::catch_up(Clock::duration duration) {
   Replay& replay = catch_up_->replay;
   Sampler& past = catch_up_->sampler;
   const auto is_there = [&] { return replay.simulation().steps() == simulation_.steps(); };
-  bool any = false;  // at least one step, however short the time
+  bool any = false;  // take at least one step, however short the time
   replay.go_through(
       *log_, [&](const Edit& edit) { past.after_edit(replay.simulation(), edit); },
       [&](const Simulation&) {

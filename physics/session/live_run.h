@@ -14,39 +14,38 @@
 
 namespace carom {
 
-// One run of those that go side by side: the simulation under its method, what is recorded of it, and its log.
-// It shares nothing with the others, so that its bytes are those of the run alone.
+// One of several runs side by side: the simulation under its method, its recorded data, and its log. It
+// shares nothing with the others, so its results are those of the run alone.
 class LiveRun {
  public:
-  // Stands at the start.
-  // Its steps throw StepInterrupted once `interrupt` asks for it; then it can only be thrown away.
+  // At the start. Steps throw StepInterrupted once `interrupt` is requested; the run is then unusable.
   LiveRun(const RunSetup& start, const std::vector<Curve>& curves, ReferenceId reference,
           std::stop_token interrupt = {});
 
-  // Of a run that is lost does nothing.
+  // Does nothing if the run is lost.
   void step();
   [[nodiscard]] bool lost() const { return simulation_.lost().has_value(); }
-  void edit(const std::variant<Method, Body>& what);  // likewise
-  // What to read off the run from now on, and what to compare it with. Where that was not known before, the run
-  // is to be gone through once more (catch_up) before it goes on.
+  void edit(const std::variant<Method, Body>& what);  // also nothing if lost
+  // Sets the curves to record from now on and the reference. For a curve or reference that was not followed
+  // so far, the run is replayed (catch_up) before it continues.
   void record(const std::vector<Curve>& curves, ReferenceId reference);
-  // For about so long.
+  // Replays for about this long.
   void catch_up(std::chrono::steady_clock::duration duration);
   [[nodiscard]] bool behind() const { return catch_up_.has_value(); }
 
-  // What happened since the last call, without what only the owner of the lanes knows: run, playing, speed.
+  // The changes since the last call, without the fields that only the owner knows: run, playing, speed.
   [[nodiscard]] std::shared_ptr<Frame> take_frame();
 
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
   [[nodiscard]] double time() const { return simulation_.time(); }
-  // s, of the next step's end; a lost run has none.
+  // s, end of the next step; infinite for a lost run.
   [[nodiscard]] double next() const {
     return lost() ? std::numeric_limits<double>::infinity() : simulation_.time() + simulation_.method().step;
   }
   [[nodiscard]] const RunLog& log() const { return *log_; }
 
  private:
-  // Goes through the run once more, for curves that were not recorded from its start on.
+  // Replay of the run, for curves that were not recorded from its start.
   struct CatchUp {
     Replay replay;
     Sampler sampler;
@@ -64,7 +63,7 @@ class LiveRun {
   ReferenceId reference_;
   Sampler sampler_;
   std::optional<CatchUp> catch_up_;
-  std::vector<Rows> rows_;  // that wait beside the samplers' own
+  std::vector<Rows> rows_;  // rows not yet taken by the owner
   KeyFrames key_frames_;
   std::vector<ImpactRecord> impacts_;
   double wall_time_ = 0.0;  // s, of all steps

@@ -17,15 +17,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Frames are published this often at the most; a window polls at 60 Hz.
+// Shortest time between frames; a window polls at 60 Hz.
 constexpr std::chrono::milliseconds kFramePeriod{8};
-// Behind by more than this, the pace gives up the time it could not keep, instead of racing after it later.
+// Beyond this lag the pace gives up the lost time, instead of catching up later.
 constexpr double kLargestLag = 0.1;  // s
 constexpr double kRounding = 1e-9;   // of a step
 
 double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
-// Rows of the same curves that follow one another become one table.
+// Consecutive rows of the same curves become one table.
 void append(Rows rows, std::vector<Rows>& all) {
   if (all.empty() || all.back().curves != rows.curves || rows.from_the_start) {
     all.push_back(std::move(rows));
@@ -40,13 +40,14 @@ void append(Rows rows, std::vector<Rows>& all) {
 }  // namespace
 
 struct Worker::Session {
-  // What is done to a run on its way.
+  // A pending edit of a run.
   struct Coming {
     static constexpr std::int64_t kByTime = -1;
 
     EditId edit = 0;
-    std::int64_t step = kByTime;  // after so many; by time: at the first step's end that is not before `time`
-    double time = 0.0;            // s
+    // After so many steps; by time: at the end of the first step not before `time`.
+    std::int64_t step = kByTime;
+    double time = 0.0;  // s
     std::variant<Method, Body> what;
   };
   struct Run {
@@ -60,7 +61,7 @@ struct Worker::Session {
     double time;  // s, of the first run
     Body body;
   };
-  // A run as a whole, and all of them, however far they have come.
+  // The complete edits of one run, and of all runs, however far they have come.
   struct RunPlan {
     Method start;
     std::vector<Coming> edits;
@@ -88,7 +89,7 @@ struct Worker::Session {
     set_rate();
     changed = true;
   }
-  // Under the methods in force; bodies that were put in come in again at their time.
+  // With the present methods; added bodies come in again at their time.
   [[nodiscard]] std::vector<RunPlan> from_the_start() const {
     std::vector<RunPlan> plans;
     for (const Method& method : methods) {
@@ -122,7 +123,7 @@ struct Worker::Session {
     if (run >= methods.size()) return;
     methods[run] = method;
     if (stands) return;
-    // A run that catches up gets it when it is there.
+    // A run that is behind gets it when it has caught up.
     const bool behind = runs[run].live.next() <= shown() + kRounding * methods[run].step;
     if (behind) {
       add_coming(runs[run], {edit, Coming::kByTime, shown(), method});
@@ -131,7 +132,7 @@ struct Worker::Session {
     }
     changed = true;
   }
-  // Bodies that were put in before a restart may be still to come.
+  // Bodies added before a restart may still be pending.
   void put(const Body& body, EditId edit) {
     const double time = runs.empty() ? 0.0 : shown();
     put_in.insert(std::upper_bound(put_in.begin(), put_in.end(), time,
@@ -149,7 +150,7 @@ struct Worker::Session {
                                        [](double t, const Coming& other) { return t < other.time; }),
                       one);
   }
-  // What is due. Methods by time: where the run stands when the first one is at that time.
+  // Applies the edits that are due. Methods by time: at the run's step when the first run is at that time.
   static void give(Run& run) {
     while (!run.coming.empty()) {
       const Coming next = run.coming.front();
@@ -178,7 +179,7 @@ struct Worker::Session {
     plan.edits.insert(plan.edits.end(), run.coming.begin(), run.coming.end());
     return plan;
   }
-  // Nothing else was done to it, so that it has the same bytes.
+  // True if the run has had exactly these edits, so that it is the same bit by bit.
   [[nodiscard]] static bool is(const Run& run, const RunPlan& plan) {
     const std::vector<Coming>& all = plan.edits;
     const auto same = [](EditId edit, const Coming& coming) { return edit == coming.edit; };
@@ -193,7 +194,7 @@ struct Worker::Session {
     for (const Run& run : runs) all.runs.push_back(plan_of(run));
     return all;
   }
-  // Runs that it doesn't change go on as they are; runs that stand follow at the next restart.
+  // Unchanged runs continue as they are; interrupted runs change at the next restart.
   void restore(const Plan& plan) {
     methods = plan.methods;
     put_in = plan.put_in;
@@ -212,12 +213,12 @@ struct Worker::Session {
     if (first().time() < time) again = time;
     changed = true;
   }
-  // s, of the first run: where it stands, or where it is to be again.
+  // s, of the first run: its time, or the time to which it is being replayed.
   [[nodiscard]] double shown() const { return again.value_or(runs.front().live.time()); }
 
   [[nodiscard]] LiveRun& first() { return runs.front().live; }
-  // Steps the runs that are not lost, that which is farthest behind first, until all of them are at `time`:
-  // within a step of it. False if it was `deadline` before.
+  // Steps the runs, the one farthest behind first, until all that are not lost are within a step of `time`.
+  // False if `deadline` came first.
   template <class Stop>
   bool go_to(double time, Clock::time_point deadline, const Stop& stop) {
     while (true) {
@@ -238,7 +239,7 @@ struct Worker::Session {
     past.clear();
     curves = what;
   }
-  // Until the next begin(): the runs were left in the midst of a step.
+  // Until the next begin(): the runs were interrupted in the middle of a step.
   void stand() {
     stands = true;
     playing = false;
@@ -264,7 +265,7 @@ struct Worker::Session {
     for (Run& run : runs) run.live.record(curves, reference);
     changed = true;
   }
-  // For about so long; the runs themselves wait for it.
+  // For about this long; the runs themselves wait.
   void catch_up(Clock::duration duration) {
     const auto run = std::find_if(runs.begin(), runs.end(), [](const Run& r) { return r.live.behind(); });
     if (run == runs.end()) return;
@@ -273,12 +274,12 @@ struct Worker::Session {
     set_pace();
     set_rate();
   }
-  // The pace is counted anew from here.
+  // Restarts the pace from here.
   void set_pace() {
     pace_wall = Clock::now();
     pace_time = first().time();
   }
-  // The realised speed is measured anew from here.
+  // Restarts the measurement of the realised speed from here.
   void set_rate() {
     realised_speed = 0.0;
     rate_wall = Clock::now();
@@ -286,8 +287,8 @@ struct Worker::Session {
   }
 
   std::stop_token interrupt;
-  bool stands = false;          // the runs were left in the midst of a step: nothing can be done with them
-  Preset start;                 // as it was loaded
+  bool stands = false;          // the runs were interrupted in the middle of a step and are unusable
+  Preset start;                 // as loaded
   std::vector<Method> methods;  // in force, of all runs
   std::vector<Curve> curves;
   ReferenceId reference = ReferenceId::kNone;
@@ -295,7 +296,7 @@ struct Worker::Session {
   std::vector<std::shared_ptr<const Frame>> last;  // published
   std::vector<PutIn> put_in;                       // in the order of time
   std::map<EditId, Past> past;
-  std::optional<double> again;  // s: a first run that was begun anew goes there first
+  std::optional<double> again;  // s: time to which a restarted first run is replayed
   std::uint64_t starts = 0;
   std::uint64_t ids = 0;
   bool playing = false;
@@ -478,7 +479,7 @@ void Worker::record(const std::vector<Curve>& curves) {
 
 std::vector<std::shared_ptr<const Frame>> Worker::take_frames() {
   const std::lock_guard lock(mutex_);
-  if (newest_start_ != starts_) return {};  // of before the last load or restart
+  if (newest_start_ != starts_) return {};  // from before the last load or restart
   if (too_much_waits()) wake_.notify_all();
   const auto taken = std::exchange(newest_, {});
   return {taken.begin(), taken.end()};
@@ -515,7 +516,7 @@ void Worker::publish(Session& session) {
     const std::lock_guard lock(mutex_);
     waiting = std::exchange(newest_, {});
   }
-  // Where nobody took the frames before, their news go on with these.
+  // Frames that nobody took are merged into these.
   for (const std::shared_ptr<Frame>& before : waiting) {
     const auto same = std::find_if(frames.begin(), frames.end(),
                                    [&](const auto& frame) { return frame->run == before->run; });
@@ -533,7 +534,7 @@ void Worker::publish(Session& session) {
   published_.notify_all();
 }
 
-// Says in the frames of all runs, as they were published last, why they stand.
+// Reports in the last published frames of all runs why they stopped.
 void Worker::publish_failure(Session& session, const std::string& why) {
   std::vector<std::shared_ptr<Frame>> frames;
   for (const std::shared_ptr<const Frame>& last : session.last) {
@@ -543,7 +544,7 @@ void Worker::publish_failure(Session& session, const std::string& why) {
     frames.push_back(std::move(frame));
   }
   if (frames.empty()) {
-    // Not even a first frame came about.
+    // There was not even a first frame.
     frames.push_back(std::make_shared<Frame>());
     frames.front()->run = ++session.ids;
     frames.front()->bodies = std::make_shared<const std::vector<Body>>();
@@ -562,7 +563,7 @@ void Worker::publish_failure(Session& session, const std::string& why) {
   published_.notify_all();
 }
 
-// While a run is gone through again, only what takes more back, or begins all anew.
+// During a replay only commands that undo more edits, or start all again, are carried out.
 void Worker::carry_out(Session& session, std::vector<Command>& commands) {
   if (std::any_of(commands.begin(), commands.end(),
                   [](const Command& each) { return each.when == Command::When::kBegins; }))
@@ -594,7 +595,7 @@ void Worker::work(const std::stop_token& stop, const Preset& first, const std::v
     try {
       work_once(stop, session, commands);
     } catch (const StepInterrupted&) {
-      session.stand();  // a load or a restart comes next, or the end
+      session.stand();  // a load, a restart or the end comes next
     } catch (const std::bad_alloc&) {
       fails("stopped: there is not enough memory to go on; restart, or open a smaller scene");
     } catch (const std::exception& error) {
@@ -614,11 +615,11 @@ void Worker::work_once(const std::stop_token& stop, Session& session, std::vecto
     } else if (too_much_waits()) {
       wake_.wait(lock, stop, [&] { return something_to_do() || !too_much_waits(); });
     } else if (session.again || session.some_behind() || session.some_lag()) {
-      // goes on at once
+      // continues at once
     } else if (!session.playing) {
       wake_.wait(lock, stop, something_to_do);
     } else if (!session.full_speed) {
-      // Until the next step is due.
+      // Wait until the next step is due.
       const double due = (session.first().next() - session.pace_time) / session.speed;
       const auto pause = std::min<Clock::duration>(
           kFramePeriod, std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(due)) -

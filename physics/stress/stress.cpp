@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-// s of this thread alone: the others of the suite don't count.
+// s of this thread alone, without the suite's other threads.
 double cpu_time() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

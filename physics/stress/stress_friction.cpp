@@ -5,13 +5,13 @@
 #include "physics/stress/stress_scenes.h"
 #include "physics/world/run_setup.h"
 
-// Slopes at the limit of friction, rolling and sliding, a table that swings.
+// Slopes at the limit of friction, rolling and sliding, a swinging table.
 namespace carom::stress {
 namespace {
 
 constexpr double kPercent = 100.0;
 
-// A slope that falls to the right by `angle`, through the origin.
+// A slope through the origin that falls to the right by `angle`.
 struct Slope {
   explicit Slope(double tangent)
       : angle(std::atan(tangent)),
@@ -21,14 +21,15 @@ struct Slope {
 
   double angle;  // rad
   Vec2 down;     // unit, along the slope
-  Vec2 up;       // unit, out of it
+  Vec2 up;       // unit, outward normal
 };
 
-// A flat box at rest on a slope of this share of its friction: where it is and how fast it goes down the slope.
+// A flat box, released at rest on a slope of `share` times its friction: its distance and speed down the
+// slope.
 struct Slid {
   double distance;      // m
   double speed;         // m/s
-  double acceleration;  // m/s², that of theory
+  double acceleration;  // m/s², by theory
 };
 Slid slide(const StressSetting& setting, double share, double time) {
   constexpr double kFriction = 0.5;
@@ -54,7 +55,7 @@ std::vector<double> incline_above(const StressSetting& s) {
 constexpr StressFigure kAboveFigures[] = {
     {"error of the acceleration", "%", 0.1, "theory: a = g(sin θ - μ cos θ); 0.1 % is asked for"}};
 
-// A disc let go on a slope; v along it and slip v + R ω after `time`, and what theory says of both.
+// A disc released on a slope: speed v and slip v + R ω after `time`, measured and by theory.
 std::vector<double> rolling_threshold(const StressSetting& setting) {
   constexpr double kFriction = 0.2;
   constexpr double kRadius = 0.1;  // m
@@ -84,8 +85,8 @@ constexpr StressFigure kRollingFigures[] = {
      "theory: the slip grows by g(sin θ - 3 μ cos θ); 0.1 % is asked for"},
 };
 
-// A wedge of the half angle α lies with its lower face on a slope that falls by α; on its upper face, which
-// rises by α, lies a block 100 times heavier. Block and wedge are both at the limit tan α = μ, for on either
+// A wedge of half angle α lies with its lower face on a slope that falls by α. On its upper face, which rises
+// by α, lies a block 100 times heavier. Block and wedge are both at the limit tan α = μ, because on either
 // face the force is the weight, straight down.
 std::vector<double> wedge(const StressSetting& setting) {
   constexpr double kFriction = 0.5;
@@ -111,7 +112,7 @@ constexpr StressFigure kWedgeFigures[] = {
 constexpr double kDiscRadius = 0.25;  // m
 constexpr double kGrip = 0.3;
 
-// A disc set on a floor with this velocity and spin.
+// A disc placed on a floor with this velocity and spin.
 Simulation disc_on_floor(const StressSetting& setting, double velocity, double spin, double rolling,
                          double time) {
   Body body = disc("disc", {0.0, kDiscRadius}, kDiscRadius);
@@ -148,7 +149,7 @@ constexpr StressFigure kSlideFigures[] = {{"error of the final speed", "m/s", kR
                                            "theory: 2v₀/3 whatever the friction does: the angular momentum "
                                            "about the floor is kept; 1e-9 is rounding"}};
 
-// A box at rest on a table that swings up and down by A sin ωt with Aω²/g = 0.9: gravity never lets go of it.
+// A box at rest on a table that swings up and down by A sin ωt with Aω²/g = 0.9: it never lifts off.
 constexpr double kSwing = 0.9;
 std::vector<double> driven_table(const StressSetting& setting) {
   constexpr double kThickness = 0.2;  // m, of table and box
@@ -172,7 +173,7 @@ std::vector<double> driven_table(const StressSetting& setting) {
   });
   return {gap, overlap, difference};
 }
-// What the largest relative acceleration can open or close within one step, order 1 in the velocity.
+// The largest relative acceleration opens or closes this much within one step, at order 1 in the velocity.
 double within_a_step(const Method& method) {
   return 0.5 * (1.0 + kSwing) * kGravity * method.step * method.step;
 }

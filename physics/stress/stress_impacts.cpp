@@ -5,14 +5,14 @@
 #include "physics/stress/stress_scenes.h"
 #include "physics/world/run_setup.h"
 
-// Impacts that are fast, many at once, or endlessly many.
+// Impacts that are fast, many at once, or infinitely many.
 namespace carom::stress {
 namespace {
 
-// Relative: what each impact keeps the energy to.
+// Relative error of the energy at each impact.
 constexpr double kPerImpact = 1e-12;
 
-// A disc of 1 cm that flies 1000 radii a step to and fro between two walls without thickness, for a second.
+// A disc of 1 cm that flies 1000 radii a step between two walls without thickness, for a second.
 std::vector<double> bullet(const StressSetting& setting) {
   constexpr double kRadius = 0.01;  // m
   constexpr double kSpeed = 1000.0 * kRadius * 60.0;
@@ -29,7 +29,7 @@ std::vector<double> bullet(const StressSetting& setting) {
   double beyond = 0.0;
   simulation.advance_to(
       kTime, [&] { beyond = std::max(beyond, std::abs(simulation.state().q(0, 2)) + kRadius - kHalf); });
-  // The path unfolded: the centre has the width w to itself and starts in its middle.
+  // The unfolded path: the centre has a free width w and starts in its middle.
   const double width = 2.0 * (kHalf - kRadius);
   const double unfolded = kSpeed * kTime / width + 0.5;
   const double bounces = std::floor(unfolded);
@@ -44,7 +44,7 @@ constexpr StressFigure kBulletFigures[] = {
     {"error of the place after 1 s", "m", kRounding, "theory: the path unfolded; 1e-9 m of 600 m is rounding"},
 };
 
-// `count` equal discs: all but the first touch, it comes in at 1 m/s.
+// `count` equal discs: all but the first touch each other; the first comes in at 1 m/s.
 std::vector<double> cradle(const StressSetting& setting, int count) {
   constexpr double kRadius = 0.125;  // m; sums of it are exact in doubles
   std::vector<Body> balls;
@@ -67,7 +67,7 @@ constexpr StressFigure kCradleFigures[] = {
 
 std::vector<double> galperin(const StressSetting& setting) {
   constexpr double kRatio = 1e4;
-  // Upright to the last bit: discs fly apart from any line that is not their own.
+  // Exactly upright: discs diverge from any line that is not their own.
   Body wall = box("wall", {-0.1, 0.0}, 0.2, 1.4);
   wall.fixed = true;
   Body heavy = disc("heavy", {1.5, 0.0}, 0.3, kRatio);
@@ -105,7 +105,7 @@ constexpr StressFigure kCollapseFigures[] = {
 constexpr double kDropHeight = 1.0;  // m
 constexpr double kDropTime = 5.0;    // s
 
-// Five boxes, one on another and touching, dropped on a floor; all elastic.
+// Five touching boxes in a stack, dropped on a floor; all elastic.
 std::vector<double> drop_stack(const StressSetting& setting) {
   constexpr int kBoxes = 5;
   std::vector<Body> bodies = {half_plane("floor", {0, 0})};
@@ -117,8 +117,8 @@ std::vector<double> drop_stack(const StressSetting& setting) {
   return {(simulation.totals().energy() - before) / (kBoxes * kGravity * kDropHeight),
           static_cast<double>(simulation.impact_count())};
 }
-// Explicit Euler gains ½ m g² τ² in a flight of τ, so at most ½ m g² h T in all. Where gravity is integrated
-// exactly nothing is left but the impacts, some hundred of them.
+// Explicit Euler gains ½ m g² τ² in a flight of τ, so at most ½ m g² h T in all. If gravity is integrated
+// exactly, only the error of the impacts is left, some hundred of them.
 double falling_gain(const Method& method) {
   if (method.integrator != IntegratorId::kExplicitEuler) return 100.0 * kPerImpact;
   return 0.5 * kGravity * method.step * kDropTime / kDropHeight;

@@ -7,15 +7,15 @@
 #include "physics/stress/stress_scenes.h"
 #include "physics/world/run_setup.h"
 
-// large islands: a pile, discs that start inside one another, discs of very different sizes, a gas.
+// Large islands: a pile, discs that start penetrating, discs of very different sizes, a gas.
 namespace carom::stress {
 namespace {
 
 constexpr double kMillimetres = 1e3;  // of a metre
 constexpr double kRadius = 0.25;      // m, of the discs of pile and gas
 
-// 1000 discs dropped from a jittered grid into a closed container as wide as the grid: the set-up with which
-// the peers were measured, but for the lid.
+// 1000 discs dropped from a jittered grid into a closed container as wide as the grid: the set-up of the
+// peers' measurements, plus a lid.
 RunSetup pile_scene(const StressSetting& setting, double rolling) {
   constexpr int kColumns = 32;
   constexpr double kWidth = kColumns * 0.55;
@@ -44,7 +44,7 @@ RunSetup pile_scene(const StressSetting& setting, double rolling) {
   return s;
 }
 
-// m: the farthest that any body has gone since.
+// m: the largest distance that any body has moved.
 double farthest(const State& now, const State& then) {
   return (now.q - then.q).topRows<2>().colwise().norm().maxCoeff();
 }
@@ -84,7 +84,7 @@ constexpr StressFigure kNoRollingFigures[] = {
     {"numerical drift over the energy at the start", "1"},
 };
 
-// A square of discs a quarter of a diameter inside one another, without gravity.
+// A square of discs that penetrate by a quarter of a diameter, without gravity.
 std::vector<double> overlapping_start(const StressSetting& setting) {
   constexpr double kSmall = 0.1;  // m
   RunSetup s = scene(setting, {}, 0.5, 0.3, 0.0);
@@ -106,8 +106,8 @@ constexpr StressFigure kOverlappingFigures[] = {
     {"overlap left after 2 s", "mm"},
 };
 
-// A disc of 1000 m on a floor; in the corner between them, where both touch it, one of a millimetre, another
-// one on the large disc's top, and five that fall on the floor nearby.
+// A disc of 1000 m on a floor; a disc of a millimetre in the corner between them, touching both; another on
+// top of the large disc; and five that fall on the floor nearby.
 std::vector<double> sizes(const StressSetting& setting) {
   constexpr double kLarge = 1e3;   // m
   constexpr double kSmall = 1e-3;  // m
@@ -138,7 +138,7 @@ double normal(std::mt19937_64& random) {
 }
 
 // 1000 frictionless discs in a square box of five times their area, rms speed 1 m/s, no net momentum: the
-// set-up with which the peers were measured.
+// set-up of the peers' measurements.
 std::vector<double> gas(const StressSetting& setting) {
   constexpr int kSide = 32;
   constexpr int kCount = 1000;
@@ -176,7 +176,7 @@ constexpr StressFigure kGasFigures[] = {
      "theory: elastic impacts keep it; each rounds by some 1e-16 and 1e6 of them at random by 1e-13"},
     {"impacts", "1"},
 };
-// Nothing acts between impacts, so that the step decides nothing but the cost.
+// Nothing acts between impacts, so that the step affects only the cost.
 constexpr double kGasSteps[] = {0.1};
 
 constexpr StressCase kCases[] = {

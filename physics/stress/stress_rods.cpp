@@ -7,11 +7,11 @@
 #include "physics/stress/stress_scenes.h"
 #include "physics/world/run_setup.h"
 
-// Rods: one whose tip sticks into the floor, one that falls on it, a chain with a heavy end. Springs and drag.
+// Rods: one whose tip jams on the floor, one that falls on it, a chain with a heavy end. Springs and drag.
 namespace carom::stress {
 namespace {
 
-// A thin rod of 1 m and 1 kg that leans to the right by `angle` from the floor, its lower tip `height` above
+// A thin rod of 1 m and 1 kg that leans to the right at `angle` to the floor, its lower tip `height` above
 // it.
 Body leaning_rod(double angle, double height) {
   Body b = disc("rod", {0.0, height + 0.5 * std::sin(angle)}, 0.0);
@@ -20,8 +20,8 @@ Body leaning_rod(double angle, double height) {
   return b;
 }
 
-// Its tip on the floor slides to the left, and friction presses it in: with tan θ = 2 no force of the floor is
-// consistent if μ > 4/3 (Painlevé 1895). An impact without collision is the way out.
+// Its tip slides to the left on the floor, and friction presses it in: with tan θ = 2 no force of the floor
+// is consistent if μ > 4/3 (Painlevé 1895). The solution is an impact without collision.
 std::vector<double> painleve(const StressSetting& setting) {
   Body rod = leaning_rod(std::atan(2.0), 0.0);
   rod.velocity = {-3.0, 0.0};
@@ -53,7 +53,7 @@ constexpr double kBead = 1e-3;              // kg
 constexpr double kHeavyEnd = 1.0;           // kg
 constexpr double kChainStep = 1.0 / 960.0;  // s
 
-// Σ m lᵖ of the beads and the end, l being the way along the chain: kg m, kg m².
+// Σ m lᵖ of the beads and the end, where l is the distance along the chain: kg m, kg m².
 double chain_moment(int power) {
   double sum = 0.0;
   for (int i = 1; i <= kRods; ++i)
@@ -61,8 +61,8 @@ double chain_moment(int power) {
   return sum;
 }
 
-// 30 rods end to end with a bead at each joint and a mass 1000 times a bead's at the end, let go at this angle
-// from hanging down.
+// 30 rods end to end with a bead at each joint and a mass 1000 times a bead's at the end, released at this
+// angle from the vertical.
 std::vector<double> chain(const StressSetting& setting, double angle) {
   constexpr double kLength = kChain / kRods;
   const Vec2 along(std::sin(angle), -std::cos(angle));
@@ -93,10 +93,10 @@ std::vector<double> chain(const StressSetting& setting, double angle) {
 }
 std::vector<double> chain_30(const StressSetting& s) { return chain(s, std::numbers::pi / 180.0); }
 std::vector<double> chain_30_swing(const StressSetting& s) { return chain(s, std::numbers::pi / 6.0); }
-// Semi-implicit Euler keeps v² + ω²x² - ωz xv of a small swing, z = ωh, so that the energy sways by z/2 of
-// itself to either side. The chain swings nearly as one rod: by its modes, Σ E z/(2 - z) over Σ E, the bound
-// for a very small swing is 1.0013 z/2. At 1° it is larger than that by some squares of the angle: so z is the
-// limit.
+// Semi-implicit Euler conserves v² + ω²x² - ωz xv of a small swing, z = ωh, so that the energy oscillates by
+// z/2 of itself to either side. The chain swings nearly as one rod: by its modes, Σ E z/(2 - z) over Σ E, the
+// bound for a very small swing is 1.0013 z/2. At 1° it is larger by terms of the square of the angle: so z is
+// the limit.
 double pendulum_sway(const Method& method) {
   return std::sqrt(kGravity * chain_moment(1) / chain_moment(2)) * method.step;
 }
@@ -107,11 +107,11 @@ constexpr StressFigure kChainFigures[] = {
      "allowed",
      pendulum_sway},
 };
-// The beads swing across the pull of the heavy end, the fastest at 2√(Mg/(ml)) = 626/s: z = ω h is 0.65.
-// Explicit Euler would multiply their energy by 1 + z² a step (see the case spring-z); so Euler is the
-// semi-implicit one. That takes the part of the rods' forces which grows with the square of the spin from the
-// step's start, which feeds the beads in a wide swing, the faster the longer the step: there an order 2 is
-// needed.
+// The beads oscillate across the pull of the heavy end, the fastest at 2√(Mg/(ml)) = 626/s: z = ω h is 0.65.
+// Explicit Euler would multiply their energy by 1 + z² a step (see the case spring-z), so the Euler method
+// here is the semi-implicit one. It takes the part of the rods' forces that grows with the square of the spin
+// from the step's start. In a wide swing that feeds energy to the beads, faster with a longer step: there
+// order 2 is needed.
 constexpr IntegratorId kHungIntegrators[] = {IntegratorId::kSemiImplicitEuler, IntegratorId::kRk4};
 constexpr IntegratorId kSwingIntegrators[] = {IntegratorId::kVelocityVerlet, IntegratorId::kRk4};
 constexpr double kChainSteps[] = {kChainStep};
@@ -125,14 +125,14 @@ constexpr StressCase kRodCases[] = {
     {"chain-30-swing", "the same let go at 30°", chain_30_swing, kChainFigures, kSwingIntegrators, kChainSteps},
 };
 
-// --- integrators on either side of where they are stable, beside their stability functions
+// --- integrators on either side of their stability limits, against their stability functions
 
 constexpr int kSteps = 20;
 constexpr double kRate = 10.0;  // ω of the spring, b/m of the drag, 1/s
-// Relative, a step: some roundings of 1e-16 each.
+// Relative, for each step: some roundings of 1e-16.
 constexpr double kStability = 1e-12;
 
-// Energy after so many steps of the spring x'' = -ω²x over that at the start, x = 1 and v = 0; z = ωh.
+// Energy after so many steps of the spring x'' = -ω²x over the initial energy, x = 1 and v = 0; z = ωh.
 double spring_theory(IntegratorId integrator, double z, int steps) {
   switch (integrator) {
     case IntegratorId::kExplicitEuler:
@@ -141,7 +141,7 @@ double spring_theory(IntegratorId integrator, double z, int steps) {
       return std::pow(1.0 - std::pow(z, 6) / 72.0 + std::pow(z, 8) / 576.0, steps);
     case IntegratorId::kSemiImplicitEuler: {
       // (x, v/ω) is multiplied by A = (1 - z², z; -z, 1) with det A = 1, so Aⁿ = s(n) A - s(n - 1) I with
-      // s(n) = sin nθ/sin θ and cos θ = 1 - z²/2; beyond z = 2 sinh takes the place of sin, with signs.
+      // s(n) = sin nθ/sin θ and cos θ = 1 - z²/2; beyond z = 2 sinh replaces sin, with signs.
       const double c = 1.0 - 0.5 * z * z;
       const auto ratio = [c](int n) {
         if (std::abs(c) < 1.0) return std::sin(n * std::acos(c)) / std::sin(std::acos(c));
@@ -165,7 +165,7 @@ std::vector<double> spring_z(const StressSetting& setting) {
   Simulation simulation(s);
   const double before = simulation.totals().energy();
   simulation.advance_to(kSteps * setting.method.step);
-  const auto steps = static_cast<int>(simulation.steps());  // fewer where the run is lost
+  const auto steps = static_cast<int>(simulation.steps());  // fewer if the run is lost
   const double grown = simulation.totals().energy() / before;
   const double theory = spring_theory(setting.method.integrator, kRate * setting.method.step, steps);
   return {std::pow(grown / theory, 1.0 / steps) - 1.0, std::pow(grown, 1.0 / steps)};
@@ -184,7 +184,7 @@ std::vector<double> stiff_drag(const StressSetting& setting) {
   RunSetup s = scene(setting, {body}, 1.0, 0.0, 0.0);
   s.scene.forces.linear_drag = kRate;
   const Simulation simulation = run(s, kSteps * setting.method.step);
-  const auto steps = static_cast<double>(simulation.steps());  // fewer where the run is lost
+  const auto steps = static_cast<double>(simulation.steps());  // fewer if the run is lost
   const double z = kRate * setting.method.step;
   const double factor = setting.method.integrator == IntegratorId::kRk4
                             ? 1.0 - z + z * z / 2.0 - z * z * z / 6.0 + z * z * z * z / 24.0

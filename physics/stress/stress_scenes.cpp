@@ -102,7 +102,7 @@ EnergyRise::EnergyRise(const Simulation& s)
 
 void EnergyRise::look(const Simulation& s) {
   const double now = without_puts(s);
-  // A run that has stopped being numbers must not pass for one that gained nothing.
+  // A run with NaN must not pass for one that gained nothing.
   if (!(now - before_ <= largest_)) largest_ = now - before_;
   before_ = now;
 }

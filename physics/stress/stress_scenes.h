@@ -8,7 +8,7 @@
 #include "physics/stress/stress.h"
 #include "physics/world/simulation.h"
 
-// What the cases build their scenes from and read off their runs.
+// Tools of the cases to build scenes and read figures from runs.
 namespace carom::stress {
 
 // The cases of the suite by theme.
@@ -20,9 +20,9 @@ namespace carom::stress {
 [[nodiscard]] std::span<const StressCase> integrators();
 
 inline constexpr double kGravity = 9.81;  // m/s²
-// m: a body that moves less is at rest. It is what the block on an incline below the friction cone may creep.
+// m: a body that moves less is at rest. A block on an incline below the friction cone may creep this far.
 inline constexpr double kRest = 1e-6;
-// m and m/s: what counts as rounding, of scenes of metres and metres a second; a contact solve is stated to it.
+// m and m/s: counts as rounding in scenes of metres and metres a second; the tolerance of a contact solve.
 inline constexpr double kRounding = 1e-9;
 
 // The half-plane whose surface passes through `point`, turned by `angle` from a floor.
@@ -31,30 +31,31 @@ inline constexpr double kRounding = 1e-9;
 [[nodiscard]] Body disc(const std::string& name, Vec2 position, double radius, double mass = 1.0);
 // A homogeneous convex plate with these corners in the plane, at rest.
 [[nodiscard]] Body plate(const std::string& name, const std::vector<Vec2>& corners, double mass);
-// Of one material with one coefficient of friction.
+// With one material and one coefficient of friction.
 [[nodiscard]] RunSetup scene(const StressSetting& setting, std::vector<Body> bodies, double restitution,
                              double friction, double gravity = kGravity);
-// A run of it up to `time` (s).
+// Runs it up to `time` (s).
 [[nodiscard]] Simulation run(const RunSetup& setup, double time);
 
-// m, of all pairs that penetration now; zero if there are none.
+// m, of all pairs that penetrate now; zero if there are none.
 struct Penetrations {
   double largest = 0.0;
   double mean = 0.0;
 };
 [[nodiscard]] Penetrations penetrations_of(const Simulation& simulation);
 
-// kg, of all that moves.
+// kg, of all moving bodies.
 [[nodiscard]] double moving_mass(const Simulation& simulation);
 
-// How much a scene of falling bodies gains in one step, beside what drives and pushes out of penetrations put
-// in. Its unit is ½ M g² h², M being the moving mass: what a step of explicit Euler gains in free fall (x' = x
-// + h v, v' = v - h g). No impact and no friction adds to it, so by theory the largest is 1 under explicit
-// Euler and 0 where gravity is integrated exactly; contacts that last are of order 1 and may use up the same.
+// Energy that a scene of falling bodies gains in one step, without that of drives and of pushes out of
+// penetrations. Its unit is ½ M g² h², where M is the moving mass: the gain of explicit Euler in a step of
+// free fall (x' = x + h v, v' = v - h g). Impacts and friction add nothing to it, so by theory the largest
+// gain is 1 under explicit Euler and 0 if gravity is integrated exactly. Resting contacts are of order 1 and
+// may also reach 1.
 class EnergyRise {
  public:
   explicit EnergyRise(const Simulation& simulation);
-  // After each step.
+  // Call after each step.
   void look(const Simulation& simulation);
   [[nodiscard]] double largest() const { return largest_ / unit_; }
 
@@ -63,10 +64,11 @@ class EnergyRise {
   double before_;
   double largest_ = 0.0;  // J
 };
-// For rounding, beside that 1.
+// Rounding above that 1.
 inline constexpr double kLargestRise = 1.0 + 1e-6;
 
-// The largest rise, and the largest penetration (m) at the ends of the steps, of a run up to `time` (s).
+// The largest energy gain, and the largest penetration (m) at the ends of the steps, of a run up to `time`
+// (s).
 struct RiseAndOverlap {
   double rise;
   double overlap;

@@ -5,7 +5,7 @@
 
 #include "physics/stress/stress_scenes.h"
 
-// Boxes, stones and dominoes that lean on one another.
+// Boxes, stones and dominoes that lean on each other.
 namespace carom::stress {
 namespace {
 
@@ -18,8 +18,8 @@ constexpr std::string_view kTuned40 =
 constexpr std::string_view kAtRest =
     "theory: it stands inside the friction cone and does not move; 1e-6 m is rest here";
 
-// Boxes of 1 m, one on another, from the lowest up: how far the highest sinks, how far any goes aside, and what
-// penetrations at the end.
+// A stack of boxes of 1 m, from the lowest up: how far the top sinks, how far any box moves sideways, and the
+// penetration at the end.
 std::vector<double> stand(const StressSetting& setting, const std::vector<double>& masses) {
   std::vector<Body> bodies = {half_plane("floor", {0, 0})};
   for (std::size_t i = 0; i < masses.size(); ++i) {
@@ -88,7 +88,7 @@ constexpr StressFigure kPyramidFigures[] = {
     {"largest overlap", "mm", 3.8, "peer: Box2D v3 at 60 Hz overlaps by 3.8 mm"},
 };
 
-// Half a ring of equal stones whose joints point at its middle.
+// Half a ring of equal stones whose joints point to its centre.
 std::vector<double> arch(const StressSetting& setting) {
   constexpr int kStones = 11;
   constexpr double kInner = 1.7;  // m
@@ -96,7 +96,7 @@ std::vector<double> arch(const StressSetting& setting) {
   std::vector<Body> bodies = {half_plane("ground", {0, 0})};
   const auto at = [](double radius, int joint) -> Vec2 {
     const double angle = std::numbers::pi * joint / kStones;
-    // The springers stand flat: sin(pi) is not 0 in doubles.
+    // The lowest stones stand flat: sin(pi) is not 0 in doubles.
     return {radius * std::cos(angle), joint == kStones ? 0.0 : radius * std::sin(angle)};
   };
   for (int i = 0; i < kStones; ++i) {
@@ -126,8 +126,9 @@ std::vector<double> dominoes(const StressSetting& setting) {
   for (int i = 0; i < kCount; ++i) {
     bodies.push_back(box(fmt::format("domino-{}", i + 1), {kSpacing * i, 0.5 * kHeight}, kThickness, kHeight));
   }
-  // Turned about its lower right edge by twice the energy that lifts it over the edge: ½ I ω² with the moment
-  // of inertia d²/3 about the edge, against g (d - h)/2 (experiment 23 of the presets: 3 g (d - h)/d²).
+  // Turns about its lower right edge with twice the energy that lifts it over the edge: ½ I ω² with the
+  // moment of inertia d²/3 about the edge, against g (d - h)/2 (experiment 23 of the presets: 3 g (d -
+  // h)/d²).
   const double d = std::hypot(kHeight, kThickness);
   const double spin = std::sqrt(2.0 * 3.0 * kGravity * (d - kHeight) / (d * d));
   bodies[1].spin = -spin;

@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-// 1/240 s, where it is one over a whole number.
+// "1/240 s" if the step is one over a whole number.
 std::string step_text(double step) {
   const double rate = std::round(1.0 / step);
   return std::abs(1.0 / step - rate) < 1e-9 * rate ? fmt::format("1/{:.0f} s", rate)
@@ -26,7 +26,7 @@ std::string figure(double value) {
 
 std::string limit_text(double limit) { return std::isinf(limit) ? "-" : fmt::format("{:.3g}", limit); }
 
-// How the figure changes with a quarter of the step: a method of order p leaves 1/4ᵖ of an error.
+// Ratio of the figure when the step is quartered: a method of order p leaves 1/4ᵖ of an error.
 std::string change_text(double coarse, double fine) {
   if (std::isnan(coarse) || std::isnan(fine)) return "-";
   if (coarse == fine) return "same";
@@ -48,8 +48,8 @@ std::string sentence(std::string_view text) {
   return s;
 }
 
-// Where the limits of a case come from, and what peers show: a line for each, told of one figure or of several
-// in a row that share it.
+// The source of a case's limits, and the peers' figures: a line for one figure, or for several in a row that
+// share it.
 void add_notes(const StressCase& of, const std::vector<StressRow>& rows, std::vector<std::string>& page) {
   std::string names;
   for (std::size_t f = 0; f < of.figures.size(); ++f) {
@@ -64,7 +64,7 @@ void add_notes(const StressCase& of, const std::vector<StressRow>& rows, std::ve
     double largest = 0.0;
     for (const StressRow& r : rows) {
       if (r.id != of.id || r.figure.name != figure.name || r.refined) continue;
-      // What is no number stays so: every peer is better.
+      // NaN stays NaN: every peer is better.
       if (!std::isnan(largest) && !(std::abs(r.value) <= largest)) largest = std::abs(r.value);
     }
     const std::string peers = peers_text(of.id, figure.name, largest);
@@ -72,7 +72,7 @@ void add_notes(const StressCase& of, const std::vector<StressRow>& rows, std::ve
   }
 }
 
-// Figures that differ by less are equal but for rounding, in any unit here.
+// A smaller difference between figures is rounding, in any unit here.
 constexpr double kSame = 1e-12;
 constexpr double kFalls = std::numeric_limits<double>::infinity();
 constexpr double kStands = std::numeric_limits<double>::quiet_NaN();
@@ -88,7 +88,7 @@ constexpr auto kPeers = std::to_array<StressPeers>({
     {"pyramid-20", "sag of the top", {{{"v3", 29.0}, {"2.4", -257.0}, {"Cp", 40.0}}}},
     {"pyramid-20", "sideways drift of the top", {{{"v3", 2.3}, {"2.4", 5.6}, {"Cp", -11.0}}}},
     {"pyramid-20", "largest overlap", {{{"v3", 3.8}, {"2.4", kStands, "gaps of 14"}, {"Cp", 7.4}}}},
-    // ½ of the squared rms speed; rolling not counted.
+    // ½ of the squared rms speed, without rotation.
     {"pile",
      "kinetic energy per mass",
      {{{"v3", 3.2e-11, "after 10 s"}, {"2.4", 1.1e-4, "after 10 s"}, {"Cp", 8e-8, "after 10 s"}}}},
@@ -107,7 +107,7 @@ constexpr auto kPeers = std::to_array<StressPeers>({
     {"incline-below",
      "creep in 60 s",
      {{{"v3", 3.9e-4, "10 s at 0.99"}, {"2.4", 1.1e-4, "10 s"}, {"Cp", 1.7e-3, "10 s"}}}},
-    // Of the distance in 10 s: 2.189 m, and 1.096 m at 1.005.
+    // From the distance in 10 s: 2.189 m, and 1.096 m at 1.005.
     {"incline-above", "error of the acceleration", {{{"v3", 2.3, "at 1.01"}, {"2.4", 1.7}, {"Cp", 3.2}}}},
     {"slide-to-roll", "error of the final speed", {{{"v3", -2e-3}, {"2.4", -1.5e-2}, {"Cp", 1.8e-15}}}},
     {"spinning-disc", "error of the final speed", {{{"2.4", 7.2e-3}, {"Cp", 1.3e-15}}}},

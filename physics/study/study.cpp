@@ -22,21 +22,21 @@
 namespace carom {
 namespace {
 
-constexpr double kPast = 0.1;  // of the compared time: how far a run goes on to find late impacts
-// A chaotic scene is compared where neighbours have parted so much: the errors of methods, larger than
-// rounding, are then still small beside the scene.
+constexpr double kPast = 0.1;  // of the compared time: how far a run continues to find late impacts
+// A chaotic scene is compared where neighbours have separated by this factor: errors of methods, larger than
+// rounding, are then still small against the scene.
 constexpr double kMostGrowth = 300.0;
-// An end that comes earlier in the run is none to compare at.
-constexpr double kLeastOfRun = 0.05;  // an end that comes earlier in the run is none to compare at
+// An end earlier in the run is no time to compare at.
+constexpr double kLeastOfRun = 0.05;
 
-constexpr double kCoarsestStep = 16.0;  // of the default ones, times the scene's own
-constexpr double kLeastSteps = 8.0;     // that a run takes at the coarsest
+constexpr double kCoarsestStep = 16.0;  // of the default steps, relative to the scene's own
+constexpr double kLeastSteps = 8.0;     // of a run at the coarsest step
 
 bool contains(const auto& list, const auto& value) {
   return list.empty() || std::find(list.begin(), list.end(), value) != list.end();
 }
 
-// FNV-1a, 64 bits: a name for a plan, not a secret.
+// FNV-1a, 64 bits: an identifier of a plan, not a secret.
 std::string hash_of(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   for (const char c : text) {
@@ -67,7 +67,7 @@ double distance_to_impacts(const std::vector<TimedImpact>& impacts, double time)
   return least;
 }
 
-// Where to compare, and in words why not at the end of the run.
+// The time to compare at, and in words why it is not the end of the run.
 double compared_time(const Preset& preset, const StudyOptions& options, const Chaos& chaos, StudyFacts& facts) {
   std::string& remarks = facts.remarks;
   const double wanted = options.until.value_or(preset.duration);
@@ -124,7 +124,7 @@ std::string words_for(const Reference& r, const Chaos& chaos) {
                      r.position_error / chaos.length);
 }
 
-// The largest difference beside all that the file states.
+// The largest difference from the file's figures.
 std::string words_for(const std::vector<StatedFigure>& figures) {
   if (figures.empty()) return {};
   const auto worst = std::max_element(
@@ -146,7 +146,7 @@ void measure_accuracy(StudyRow& row, const RunSetup& setup, const Reference& ref
   row.status = run.status;
 }
 
-// Seconds that one run to `time` takes. Short ones are run until they add up to what a clock can measure.
+// s of one run to `time`. Short runs are repeated until a clock can measure them.
 double time_once(const Simulation& start, double time, const std::stop_token& stop) {
   using Clock = std::chrono::steady_clock;
   constexpr double kMeasurable = 2e-3;  // s
@@ -178,7 +178,7 @@ void measure_times(StudyTable& table, const Preset& preset, const StudyWatch& wa
   const int all = table.facts.repeats * static_cast<int>(rows.size());
   for (int k = 0; k < all; ++k) {
     const auto i = static_cast<std::size_t>(k) % rows.size();
-    if (rows[i].status.starts_with("blew up")) continue;  // no run to the compared time
+    if (rows[i].status.starts_with("blew up")) continue;  // it never reached the compared time
     Preset with_method = preset;
     with_method.method = rows[i].method;
     times[i].push_back(time_once(Simulation(setup_of(with_method)), table.facts.time, watch.stop));
@@ -258,7 +258,7 @@ double plan_time(const std::vector<TimedImpact>& impacts, double end) {
     if (after != times.begin()) least = std::min(least, t - *std::prev(after));
     return least;
   };
-  // Halfway between two bounces a ball turns round, and errors of its time don't show in its position.
+  // Halfway between two bounces a ball turns round, and a time error does not show in its position.
   constexpr double kOffTheMiddle = 0.35;
   double best = end;
   double most = 0.0;
@@ -323,7 +323,7 @@ StudyTable run_study(const Preset& preset, const std::string& name, const StudyO
     row.method = methods[static_cast<std::size_t>(i)];
     table.rows.push_back(row);
   }
-  // The longest runs first, so that no core waits long at the end.
+  // The longest runs come first, so that no core waits long at the end.
   std::vector<std::size_t> order(table.rows.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {

@@ -17,7 +17,7 @@
 namespace carom {
 namespace {
 
-// A number as its field holds it; nothing where there is none.
+// A number as in its field; empty if there is none.
 std::string field(double value) { return std::isfinite(value) ? csv_number(value) : std::string(); }
 std::string field(std::int64_t value) { return fmt::format("{}", value); }
 std::string field(int value) { return fmt::format("{}", value); }
@@ -25,7 +25,7 @@ std::string field(const std::string& text) { return csv_text(text); }
 
 // Throws std::string, what is allowed: the caller knows the place.
 void read(const std::string& text, double& to) {
-  if (text.empty()) return;  // stays at what stands for none
+  if (text.empty()) return;  // keeps the value for none
   char* end = nullptr;
   to = std::strtod(text.c_str(), &end);
   if (end != text.c_str() + text.size() || !std::isfinite(to)) throw std::string("a number");
@@ -82,7 +82,7 @@ constexpr Column choice_column(const char* name) {
       },
       [](const std::string& text, StudyFacts&, StudyRow& r) { read_choice(kTable, text, r.method.*Member); }};
 }
-// What a fit with a number says.
+// A column of numbers from a fit.
 template <auto Member>
 constexpr Column fit_column(const char* name) {
   return {name,
@@ -160,7 +160,7 @@ auto group_of(auto& groups, const StudyRow& row) {
                       [&](const StudyGroup& g) { return same_method(g.rows.front().method, row.method); });
 }
 
-// "3, 4 and 9", cut where there are many.
+// "3, 4 and 9", cut if there are many.
 std::string list_of(const std::vector<int>& numbers) {
   constexpr std::size_t kMostListed = 8;
   std::string out;
@@ -206,7 +206,7 @@ std::vector<StudyGroup> groups_of(const StudyTable& table) {
   for (StudyGroup& g : groups) {
     std::vector<ErrorAtStep> errors;
     for (const StudyRow& row : g.rows) {
-      // A run with other impacts than the reference's is another motion: its error is no part of an order.
+      // A run whose impacts differ from the reference's is another motion: its error is no part of an order.
       const double error =
           row.unmatched == 0 ? row.position_error : std::fmax(row.position_error, table.facts.largest_error());
       errors.push_back({row.step_or_tolerance().value_or(row.method.step), error});
@@ -263,7 +263,7 @@ StudyTable read_study_csv(std::string_view text, const std::string& origin) {
     }
     StudyRow row;
     StudyFacts facts;
-    // The integrator, in the first column, tells what the step's column holds; the rest is in any order.
+    // The integrator, in the first column, says what the step's column contains; the rest is in any order.
     for (std::size_t i = 0; i < fields.size(); ++i) {
       try {
         if (kColumns[i].read != nullptr) kColumns[i].read(fields[i], facts, row);

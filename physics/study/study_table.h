@@ -13,12 +13,13 @@
 
 namespace carom {
 
-// What the error of a method hangs on. The adaptive integrator has its tolerance and exact flight nothing, but
-// contact forces that last are found for a whole step under every method.
+// The parameter that the error of a method depends on: the tolerance of the adaptive integrator, none for
+// exact flight. With resting contacts it is the step for every method, because contact forces are found for a
+// whole step.
 enum class ErrorKnob { kStep, kTolerance, kNone };
 [[nodiscard]] ErrorKnob error_knob(const Method& method);
 
-// One run of a study beside the reference. Errors are NaN where there is nothing to compare.
+// One run of a study against the reference. Errors are NaN if there is nothing to compare.
 struct StudyRow : Comparison {
   int index = 0;  // in the plan, from 0
   Method method;
@@ -31,33 +32,33 @@ struct StudyRow : Comparison {
   double wall_most = std::numeric_limits<double>::quiet_NaN();
   std::string status = "ok";
 
-  // s or m, see error_knob(); nothing where the method has neither.
+  // s or m, see error_knob(); nothing if the method has neither.
   [[nodiscard]] std::optional<double> step_or_tolerance() const;
 };
 
-// What holds for all rows of a study.
+// Data common to all rows of a study.
 struct StudyFacts {
-  std::string plan;    // a hash of scene and plan: shards of one study have the same
+  std::string plan;    // a hash of scene and plan, the same for all shards of a study
   int planned = 0;     // rows of the whole study
   std::string preset;  // its name
   std::string title;
   double time = 0.0;                      // s: the compared time
-  double duration = 0.0;                  // s: of the run that was meant to be compared
+  double duration = 0.0;                  // s: of the intended run
   std::string reference;                  // in words
   double reference_position_error = 0.0;  // m
   double reference_velocity_error = 0.0;  // m/s
   double reference_energy_error = 0.0;    // J
-  std::string stated;                     // the file's own figures beside the reference, in words
+  std::string stated;                     // the file's own figures against the reference, in words
   double length = 0.0;                    // m: as in Chaos
   double exponent = 0.0;                  // 1/s: as in Chaos
   double growth = 1.0;                    // of a neighbour's distance up to the compared time, dimensionless
   double horizon = std::numeric_limits<double>::infinity();  // s: as in Chaos
-  std::string remarks;  // why the compared time is not the end of the run; what the reader is warned of
+  std::string remarks;  // why the compared time is not the end of the run; warnings
   int repeats = 0;      // of the timing
 
-  // m: what rounding at the start grows to until the compared time.
+  // m: rounding at the start, grown until the compared time.
   [[nodiscard]] double rounding_floor() const;
-  // m: an error beyond it, a tenth of the length, says no more than that the run is wrong.
+  // m: a larger error, a tenth of the length, only says that the run is wrong.
   [[nodiscard]] double largest_error() const { return 0.1 * length; }
 };
 
@@ -68,7 +69,7 @@ struct StudyTable {
   [[nodiscard]] bool whole() const { return static_cast<int>(rows.size()) == facts.planned; }
 };
 
-// The rows of one method at its steps, from the coarsest on, and the order that they show in position.
+// The rows of one method at its steps, coarsest first, and their fitted order in position.
 struct StudyGroup {
   IntegratorId integrator = IntegratorId::kRk4;
   ImpactsId impacts = ImpactsId::kLocated;
@@ -77,33 +78,32 @@ struct StudyGroup {
   OrderFit fit;
 };
 
-// In the order of the plan. The orders are fitted here, so that shards need none; a row with impacts that have
-// no partner in the reference does not count.
+// In the order of the plan. The orders are fitted here, so that shards need none; a row with impacts that
+// have no partner in the reference does not count.
 [[nodiscard]] std::vector<StudyGroup> groups_of(const StudyTable& table);
 
-// CSV, RFC 4180, line by line: a header with units in brackets, then a line for each row, every number with all
-// its digits, an empty field where there is none. The orders stand in every row of their method, but not in a
-// shard's file.
+// CSV, RFC 4180, line by line: a header with units in brackets, then a line for each row, all digits of every
+// number, an empty field for none. The orders are in every row of their method, but not in a shard's file.
 [[nodiscard]] std::vector<std::string> study_csv(const StudyTable& table);
 
-// Reads it back. Throws SceneError that begins with `origin` (a file's name) and says line and column.
+// Reads it back. Throws SceneError that begins with `origin` (a file's name) and gives line and column.
 [[nodiscard]] StudyTable read_study_csv(std::string_view text, const std::string& origin);
 
-// A table of the rows of all parts, each with its file's name. Throws SceneError where parts are of different
-// studies, a row comes twice or one is missing.
+// A table of the rows of all parts, each with its file's name. Throws SceneError if parts are of different
+// studies, or if a row is duplicated or missing.
 struct StudyPart {
   std::string origin;
   StudyTable table;
 };
 [[nodiscard]] StudyTable merge_studies(const std::vector<StudyPart>& parts);
 
-// Sentences about a study, for the terminal and the picture alike, without a full stop.
+// Sentences about a study without a full stop, for the terminal and the picture.
 
-// The compared time, and how long the run was meant to be.
+// The compared time and the intended length of the run.
 [[nodiscard]] std::string compared_text(const StudyFacts& facts);
-// The reference, its own error, and what the file states.
+// The reference, its own error, and the file's figures.
 [[nodiscard]] std::string reference_text(const StudyFacts& facts);
-// How neighbours part, and up to when a comparison means anything.
+// How fast neighbours separate, and until when a comparison is meaningful.
 [[nodiscard]] std::string horizon_text(const StudyFacts& facts);
 
 // The whole study as a table for each method, then the orders.

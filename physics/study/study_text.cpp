@@ -11,7 +11,7 @@ namespace {
 
 std::string error(double value) { return std::isnan(value) ? "-" : fmt::format("{:.2e}", value); }
 
-// A time in the unit that suits it.
+// A time in a suitable unit.
 std::string duration(double seconds) {
   if (std::isnan(seconds)) return "-";
   if (seconds < 1e-3) return fmt::format("{:.3g} µs", seconds * 1e6);
@@ -19,7 +19,7 @@ std::string duration(double seconds) {
   return fmt::format("{:.3g} s", seconds);
 }
 
-// Right aligned by what is seen: µ and ± are two bytes.
+// Right-aligned by visible width: µ and ± have two bytes.
 std::string right(const std::string& text, std::size_t width) {
   const auto seen = static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));

@@ -10,8 +10,7 @@
 namespace carom {
 namespace {
 
-// Puts a weld between two settled bodies that have stuck together. From then on they can't meet, and islands
-// are others.
+// Welds two bodies that have stuck together. From then on they can't collide, and the islands are different.
 Impact join(World& world, int a, int b, const Contact& contact) {
   const int body = world.infinite_mass(a) ? b : a;
   const int other = body == a ? b : a;
@@ -31,8 +30,8 @@ Impact join(World& world, int a, int b, const Contact& contact) {
   needs.set(Part::kJoints);
   world.recompile(std::move(scene), needs, world.trajectories.start(body));
 
-  // The impact is wholly plastic, and the two turn as one after it: it is what the weld does to motions that it
-  // finds as they are.
+  // The impact is completely plastic, and the two turn as one body after it: the effect of the weld on the
+  // motions as they are.
   const auto [taken, impulse] = world.trajectories.engage(last, body);
   const Vec2 on_b = body == b ? impulse : Vec2(-impulse);
   Impact impact;
@@ -42,7 +41,7 @@ Impact join(World& world, int a, int b, const Contact& contact) {
   return impact;
 }
 
-// Of discs that nothing turns, rubs, joins or switches: see Model::smooth_discs. The closing speed in m/s.
+// For discs without spin, friction, joints or switches: see Model::smooth_discs. The closing speed is in m/s.
 struct SmoothImpact {
   Vec2 velocity_a, velocity_b;
   const Vec2& normal;
@@ -64,7 +63,7 @@ struct SmoothImpact {
   }
 };
 
-// Of any two bodies.
+// For any two bodies.
 struct GeneralImpact {
   ImpactSide side_a, side_b;
   double closing_speed;
@@ -101,7 +100,7 @@ template <class Kind>
 void apply(World& world, int a, int b, const Contact& contact, const Material& material, double within) {
   Kind of_pair(world, a, b, contact);
   const double closing = of_pair.closing();
-  // Semi-implicit Euler's path x + t v(t) may close again, from a penetration, while v(t) still parts the
+  // Semi-implicit Euler's path x + t v(t) may close again, from a penetration, while v(t) still separates the
   // bodies.
   if (!(closing > 0.0)) return;
   const Ledger& ledger = world.sums.ledger;
@@ -157,8 +156,8 @@ void record_impact(World& world, int a, int b, const Contact& contact, const Imp
   ledger.lost_to_restitution += impact.lost_to_restitution;
   ledger.lost_to_friction += impact.lost_to_friction;
   ledger.lost_to_sticking += impact.lost_to_sticking;
-  // What comes through a joint, so through the weld of two that have stuck, is in the quadratures of the
-  // bodies.
+  // What passes through a joint, such as the weld of two bodies that have stuck, is in the bodies'
+  // quadratures.
   if (!world.shapes().can_collide(a, b)) return;
   const Vec2 tangent(-contact.normal.y(), contact.normal.x());
   const Vec2 j = impact.normal * contact.normal + impact.tangential * tangent;

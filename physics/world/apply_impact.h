@@ -8,15 +8,16 @@ namespace carom {
 // How impacts of this model are resolved; chosen once a run.
 [[nodiscard]] ApplyImpact apply_impact_of(const Model& model);
 
-// Resolves the impact of two bodies at their settled poses, `within` s after the epoch: changes their
-// velocities, records it and keeps the ledger. Nothing happens to a pair that does not close. Bodies whose
-// surfaces stick are joined from then on (can_collide() is false), under a model compiled anew.
+// Resolves the impact of two bodies at the start of their trajectories, `within` s after the epoch: changes
+// their velocities, records the impact and keeps the ledger. Does nothing if the pair does not close. Bodies
+// whose surfaces stick are joined by a weld (can_collide() is false from then on) and the model is compiled
+// again.
 inline void apply_impact(World& world, int a, int b, const Contact& contact, const Material& material,
                          double within) {
   world.apply_impact(world, a, b, contact, material, within);
 }
 
-// Counts and records an impact that has been resolved, and keeps the ledger. `closing` in m/s.
+// Counts and records a resolved impact and keeps the ledger. `closing` in m/s.
 void record_impact(World& world, int a, int b, const Contact& contact, const Impact& impact, double closing,
                    double within);
 

@@ -6,11 +6,11 @@
 
 namespace carom {
 
-// What one point of contact does to two bodies during a step.
+// Force of one contact point on two bodies during a step.
 struct ContactForce {
   int a = 0;
   int b = 0;                      // a < b
-  std::uint32_t id = 0;           // of the manifold's point; stays while the same features touch
+  std::uint32_t id = 0;           // of the manifold point; constant while the same features touch
   Vec2 point = Vec2::Zero();      // m, at the step's start
   Vec2 normal = Vec2::UnitX();    // from a to b
   double normal_force = 0.0;      // N, mean over the step: the force on b along the normal

@@ -10,17 +10,17 @@
 namespace carom {
 namespace {
 
-// Looks at a pair in one search, far more than a hard one needs. Where forces change much within a
-// step the bound on how a path bends can be so large that a search would not end.
+// Gap evaluations in one search, far more than a hard one needs. Where forces change much within a step the
+// curvature bound can be so large that a search would not end.
 constexpr int kMostLooks = 20'000;
-// At a pair that rests, whose gap stays near zero: what is missed is resolved at the step's end.
+// For a resting pair, whose gap stays near zero: a missed contact is resolved at the step's end.
 constexpr int kMostLooksAtRest = 200;
 
-// What a look costs, in units of StepWork; an evaluation of a right-hand side costs half a unit.
+// Cost of a gap evaluation in units of StepWork; an evaluation of a right-hand side costs half a unit.
 constexpr std::int64_t kLookWork = 10;
 
-// A pair whose looks are paid for from the step's budget; at its end so is the search. Where no corners turn
-// the first kShort looks come from the run's reserve.
+// A pair whose gap evaluations are charged to the step's budget; the search ends when that is spent. Without
+// turning corners the first kShort evaluations are charged to the run's reserve.
 template <class Pair>
 class Paid {
  public:
@@ -55,7 +55,7 @@ class Paid {
   SearchLimit& limit_;
 };
 
-// Where bodies are on their trajectories.
+// Poses and velocities of bodies on their trajectories.
 struct Paths {
   Trajectories& trajectories;
   const Geometry& shapes;
@@ -75,8 +75,8 @@ struct Paths {
   }
 };
 
-// Two discs on parabolas of one acceleration go straight relative to each other: the next impact in closed
-// form.
+// Two discs on parabolas of the same acceleration move straight relative to each other: their next impact in
+// closed form.
 NextContact next_contact_of_discs(const World& world, const SearchRules& rules, int a, int b, double start,
                                   double end) {
   const Trajectories& trajectories = world.trajectories;
@@ -92,7 +92,7 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
   const auto after = first_disc_contact(d, u, touch);
   if (apart && (!after || start + *after > end)) return {};
 
-  // A resting pair waits for the step's end, unless something drives it together.
+  // A resting pair waits for the step's end, unless it closes faster than the forces alone make it.
   const auto waits = [&](double closing) {
     return rules.rests(a, b) && closing <= pressed_in(world, a, b, world.method.step);
   };
@@ -132,7 +132,7 @@ NextContact next_contact(World& world, const SearchRules& rules, int a, int b) {
           ? (trajectories.constant_acceleration(b) - trajectories.constant_acceleration(a)).head<2>().norm()
           : trajectories.curvature_bound(a) + trajectories.curvature_bound(b);
   const double bound = curvature(world, a, b, path_bound);
-  // A run that has blown up: its squares overflow, and no contact means anything any more.
+  // A run that has blown up: squares overflow, and no contact means anything.
   constexpr double kBlownUp = 1e100;  // m/s²
   if (!(bound < kBlownUp)) return {};
   const Paths paths{trajectories, shapes, parabolic};
@@ -157,14 +157,14 @@ NextContact next_contact(World& world, const SearchRules& rules, int a, int b) {
       if (first.gap < -tolerance) return {NextContact::kPenetrating, begin};
       return {};
     }
-    // They part, and cannot be back before some time: search from the half of that on.
+    // They separate and cannot be back before some time: search from half of that on.
     start += 0.5 * apart_until(shapes.shapes, a, first.a, twist_a, b, first.b, twist_b, first.normal, bound);
     if (start >= end) return {};
     const bool touching = first.gap >= -tolerance;
     first = pair(start);
     bool pressed = false;
     if (touching && world.has_moving_corners(a, b)) {
-      // Whether they part or press shows as soon as the gap is more than its rounding.
+      // Whether they separate or press shows once the gap exceeds its rounding.
       for (double wait = std::sqrt(tolerance / bound); first.gap <= 4.0 * tolerance && !pressed; wait *= 2.0) {
         if (start >= end) return {};
         start = std::min(start + wait, end);

@@ -6,30 +6,30 @@
 
 namespace carom {
 
-// What two bodies on their trajectories do next.
+// The next contact of two bodies on their trajectories.
 struct NextContact {
   enum Kind {
-    kNone,         // they do not meet while both trajectories last
-    kImpact,       // they meet at `time`
-    kPenetrating,  // they penetrate and do not part: left to the step's end
-    kPressed       // they touch from `time` on, and something presses them together: likewise, at rest
+    kNone,         // no contact while both trajectories last
+    kImpact,       // contact at `time`
+    kPenetrating,  // they penetrate and do not separate: resolved at the step's end
+    kPressed       // they touch from `time` on, pressed together: likewise, as a resting pair
   };
   Kind kind = kNone;
   double time = 0.0;  // s after the epoch
 };
 
-// What is known of pairs beside their trajectories.
+// What the search knows about pairs apart from their trajectories.
 struct SearchRules {
   const PairList& end_of_step;     // pairs that wait for the step's end
-  const RestingContacts* resting;  // null without
-  double closing_share;            // of the bodies' speeds: below this they don't close
+  const RestingContacts* resting;  // null without resting contacts
+  double closing_share;            // of the bodies' speeds: a smaller closing speed counts as zero
   [[nodiscard]] bool rests(int a, int b) const {
     return (resting != nullptr && resting->supports(a, b)) || end_of_step.rests(a, b);
   }
 };
 
-// Searches the first contact of a < b, which can meet, on their trajectories. Costs are taken from the step's
-// budget; a search that has to be given up is told by a notice.
+// Finds the first contact of bodies a < b, which can collide, on their trajectories. The cost is taken from
+// the step's budget; a search that is given up is reported by a notice.
 [[nodiscard]] NextContact next_contact(World& world, const SearchRules& rules, int a, int b);
 
 }  // namespace carom

@@ -8,7 +8,7 @@
 
 namespace carom {
 
-// What the user did to a run, after so many of its steps: another method from now on, or one more body.
+// A user's change to a run after `step` steps: a new method or an added body.
 struct Edit {
   std::int64_t step = 0;
   double time = 0.0;  // s, at that step's end

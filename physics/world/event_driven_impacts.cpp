@@ -19,36 +19,36 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kNever = std::numeric_limits<double>::infinity();
-// Inelastic collapse: a pair with e < 1 parts slower than this share of its own speed, in less time after the
-// impact before than doubles can tell apart.
+// Inelastic collapse: a pair with e < 1 separates slower than this share of its own speed, and the time since
+// the previous impact is less than doubles can distinguish.
 constexpr double kCollapseShare = 1e-12;
-// Impacts at one time, to the last bit, after which closing speeds below that share are rounding: a light body
-// between two whose speeds it is too light to change would bounce to and fro for ever.
+// Impacts at one time, to the last bit, after which closing speeds below that share are rounding: a body too
+// light to change the speeds of two others would bounce between them for ever.
 constexpr int kMostAtOnce = 10'000;
 // After more than kImpactsBeforeGuard + kImpactsBeforeGuardPerBody * N impacts in one step, the guard against
-// inelastic collapse acts: a pair with e < 1 that rebounds slower than its forces can press it together in a
-// step rests until the step's end. A settling pile would otherwise need millions of impacts a step.
+// inelastic collapse acts: a pair with e < 1 rests until the step's end if it rebounds slower than its forces
+// can press it together in a step. A settling pile would otherwise need millions of impacts a step.
 constexpr int kImpactsBeforeGuard = 100;
 constexpr int kImpactsBeforeGuardPerBody = 4;
-// Parts of a step that beginning supports divide it into; what stops in the last one is supported from the next
-// step on.
+// Parts into which new supports divide a step; a body that comes to rest in the last part is supported from
+// the next step on.
 constexpr int kMostParts = 8;
-// Up to this many bodies a trajectory that no step ends may cross the whole scene: every pair is looked at
+// Up to this many bodies a trajectory that no step ends may cross the whole scene: every pair is searched
 // anyway.
 constexpr int kFewBodies = 12;
-// A run that has reached kMostImpactsPerStep or kMostImpactsAtOnce once (a piston crushing an elastic disc,
-// say) gets no more than these in each later step, so that it still goes on.
+// Limits for each later step of a run that has once reached kMostImpactsPerStep or kMostImpactsAtOnce (a
+// piston crushing an elastic disc, say), so that it still advances.
 constexpr int kMostImpactsOnceCapped = 20'000;
 constexpr int kMostImpactsAtOnceCapped = 1'000;
 // Of a step: two times of one landing, found in two ways, differ by less.
 constexpr double kSameTime = 1e-9;
-// Trajectories that end in one step, beside some of each body, before they become twice as long: what flies or
-// turns far faster than the scene is large would end millions.
+// Trajectories that end in one step, beside some for each body, before they become twice as long: bodies that
+// fly or turn very fast for the size of the scene would end millions.
 constexpr int kMostTrajectoryEnds = 1'000;
 constexpr int kMostTrajectoryEndsPerBody = 20;
-// Searches after an impact that come for free.
+// Searches after an impact that cost nothing.
 constexpr std::int64_t kFewNeighbours = 16;
-// Epochs in one step, at the most.
+// Largest number of epochs in one step.
 constexpr double kMostEpochs = 1024.0;
 
 }  // namespace
@@ -82,8 +82,8 @@ void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) 
     rebuild_all(step);
     running_ = true;
   }
-  // Where trajectories run on, the epoch follows in leaps that don't depend on h: times stay small, and with
-  // them the rounding of each impact's time, which would add up over millions of bounces.
+  // Where trajectories continue across steps, the epoch advances by leaps that don't depend on h. Times stay
+  // small, and with them the rounding of each impact's time, which would add up over millions of bounces.
   while (run_on && world.clock.step_end - trajectories.epoch() > epoch_length_) {
     process_until(step, epoch_length_);
     trajectories.shift_epoch(epoch_length_);
@@ -106,7 +106,7 @@ void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) 
   resolve_end_of_step(step, target);
 }
 
-// What rests or penetrates at the step's end is resolved then.
+// Pairs that rest or penetrate at the step's end are resolved then.
 void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
@@ -116,7 +116,7 @@ void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
   const std::vector<WaitingPair>& pairs = resolving_.all();
   resolving_islands_.clear();
   if (run_on) {
-    // The islands of these pairs, each once, in the order in which they come.
+    // The islands of these pairs, without duplicates, in the order of the pairs.
     is_resolving_.assign(static_cast<std::size_t>(trajectories.islands()), false);
     for (const WaitingPair& d : pairs) {
       for (const int i : {d.a, d.b}) {
@@ -136,7 +136,7 @@ void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
   resolve_penetrations(world, pairs, step.h);
   if (std::any_of(pairs.begin(), pairs.end(),
                   [&](const WaitingPair& d) { return !world.shapes().can_collide(d.a, d.b); })) {
-    // Bodies have stuck together: islands are others.
+    // Bodies have stuck together: the islands are different.
     world.publish(target);
     running_ = false;
     return;
@@ -147,8 +147,8 @@ void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
   if (run_on) rebuild_and_search(step, resolving_islands_);
 }
 
-// A step with resting contacts. What stops on a support within it is supported from that moment on: there the
-// step is divided, up to kMostParts times. The length in s of its last part, from the epoch on.
+// A step with resting contacts. A body that comes to rest on a support is supported from that moment on: the
+// step is divided there, up to kMostParts times. Returns the length in s of the last part, from the epoch on.
 double EventDrivenImpacts::process_with_supports(Step& step) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
@@ -179,7 +179,7 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
   }
 }
 
-// Cells about as large as what a body and its trajectory cover.
+// Cells about as large as a body and its trajectory.
 void EventDrivenImpacts::choose_cells(const World& world, double horizon) {
   double size = 0.0;
   double path = 0.0;
@@ -197,7 +197,7 @@ void EventDrivenImpacts::choose_cells(const World& world, double horizon) {
     size += 2.0 * extent.maxCoeff();
     path += world.trajectories.at_start(i).segment<2>(3).norm();
   }
-  const bool finite = (all.high >= all.low).all();  // something but half-planes is there
+  const bool finite = (all.high >= all.low).all();  // there are bodies other than half-planes
   const double across = finite ? (all.high - all.low).matrix().norm() : 1.0;
   if (moving == 0) moving = 1;
   size /= moving;
@@ -225,7 +225,7 @@ void EventDrivenImpacts::rebuild_all(const Step& step) {
     grid_.put(i, {x - world.shapes().extent.col(i).array(), x + world.shapes().extent.col(i).array()});
   }
   for (int k = 0; k < world.trajectories.islands(); ++k) rebuild(step, k);
-  // Each pair once: from its movable body of the higher index, or from the only movable one.
+  // Each pair once: from its movable body with the higher index, or from its only movable body.
   std::size_t left = BroadPhase::most_pairs(world.model->bodies().size());
   for (int i = 0; i < n && left > 0; ++i) {
     if (world.infinite_mass(i)) continue;
@@ -273,7 +273,7 @@ void EventDrivenImpacts::search_island(const Step& step, int island) {
       search(step, i, other);
     });
   }
-  // An impact of a few bodies costs nothing of it: their number has a limit of its own.
+  // An impact of a few bodies is free: the number of impacts has its own limit.
   world.work.spend(std::max<std::int64_t>(0, neighbours - kFewNeighbours));
 }
 
@@ -317,7 +317,7 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
     queue_.sweep([&](const Event& event) { return is_stale(event); });
     if (is_stale(next)) continue;
     world.work.pass(5);
-    // Scheduled here too, and only rounding could say which comes first.
+    // It is scheduled here too, and only rounding could say which comes first.
     if (awaited != nullptr && awaited->a == std::min(next.a, next.b) &&
         awaited->b == std::max(next.a, next.b) && target - next.time <= kSameTime * step.h) {
       continue;
@@ -364,7 +364,7 @@ bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bo
   const Contact contact = world.approach(a, b, touch_tolerance(world, a, b, time)).contact;
   apply_impact(world, a, b, contact, world.material(a, b), time);
   if (!world.shapes().can_collide(a, b)) {
-    // They have stuck together: islands are others, and all of them start now.
+    // They have stuck together: the islands are different, and all of them start now.
     last_impact_ = time;
     rebuild_all(step);
     return false;
@@ -398,7 +398,7 @@ bool EventDrivenImpacts::classify_rebound(const Step& step, int a, int b, const 
   if (step.resting != nullptr)
     rest = std::max(rest, step.resting->rest_speed(world, a, b, contact.normal, material.restitution));
   if (press > 0.0 && rebound < rest) {
-    // Where the bounces that are left out can be summed up they would last that long.
+    // The time that the omitted bounces would last, where their sum is known.
     const bool exact = choice_of(kIntegrators, world.method.integrator).exact_under_gravity;
     const double left = exact ? 2.0 * rebound / (press * (1.0 - material.restitution)) : 0.0;
     if (step.resting == nullptr) world.note(&Notices::resting_since, now + left);
@@ -443,7 +443,7 @@ void EventDrivenImpacts::put_back(int bodies, int at_once, const std::optional<R
   epoch_length_ = ahead->epoch_length;
   last_impact_ = ahead->last_impact;
   (void)grid_.put_back(bodies, ahead->grid);
-  // The stamps of all islands are 0 yet.
+  // The stamps of all islands are still 0.
   for (const auto& [time, a, b] : ahead->events) queue_.push({time, a, b, 0, 0});
   for (const auto& [a, b, resting] : ahead->waiting) end_of_step_.add(a, b, resting);
   running_ = true;

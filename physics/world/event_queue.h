@@ -8,9 +8,8 @@
 
 namespace carom {
 
-// Something that will happen if nothing comes before: bodies a and b meet, or (b < 0) the trajectory of island
-// a ends. The stamps are those of the islands of a and b when it was foreseen; it is stale once one of them has
-// moved on.
+// A scheduled event: bodies a and b collide, or (b < 0) the trajectory of island a ends. The stamps are those
+// of the islands of a and b when the event was scheduled; it is stale once one of them has changed.
 struct Event {
   double time = 0.0;  // s after the epoch
   int a = 0;
@@ -19,8 +18,8 @@ struct Event {
   std::uint32_t stamp_b = 0;
 };
 
-// Events in the order of time; at one time trajectories end first, then impacts go in the order of index pairs.
-// A binary heap; stale events stay in it until their time has come or a sweep finds them.
+// Events in the order of time. At one time trajectories end first, then impacts follow in the order of index
+// pairs. A binary heap; stale events stay in it until their time comes or a sweep removes them.
 class EventQueue {
  public:
   void clear() {
@@ -30,14 +29,13 @@ class EventQueue {
   [[nodiscard]] bool empty() const { return heap_.empty(); }
   [[nodiscard]] const std::vector<Event>& all() const { return heap_; }  // in no order
   [[nodiscard]] const Event& next() const { return heap_.front(); }
-  // All times `by` earlier. Rounding may make two times equal, so the order is made anew.
+  // Makes all times `by` earlier. Rounding may make two times equal, so the heap is rebuilt.
   void shift(double by) {
     for (Event& event : heap_) event.time -= by;
     std::make_heap(heap_.begin(), heap_.end(), Later{});
   }
-  // Drops the events that is_stale(event) tells, once they may outnumber the others: in time that is constant
-  // for each event, whatever the run, and the queue stays within twice the most that were ever good (or
-  // kFewest).
+  // Drops the events for which is_stale(event) is true, once they may outnumber the others: in constant time
+  // per event, amortized. The queue never exceeds twice the largest number of valid events (or kFewest).
   template <class IsStale>
   void sweep(const IsStale& is_stale) {
     if (heap_.size() < sweep_at_) return;

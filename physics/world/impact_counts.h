@@ -10,7 +10,7 @@
 
 namespace carom {
 
-// What the impacts of a run add up to.
+// Sums over the impacts of a run.
 struct ImpactCounts {
   struct Pair {
     int a = 0;  // < b
@@ -19,14 +19,14 @@ struct ImpactCounts {
     [[nodiscard]] bool known() const { return count >= 0; }
   };
   static constexpr std::size_t kMostPairs = 2 * kMostCurvesInAll;
-  // Of a pair that is watched from amid a run on: far enough below 0 to stay there.
+  // Count of a pair that is watched from the middle of a run: so far below 0 that it stays negative.
   static constexpr std::int64_t kNotKnown = -4'000'000'000'000'000;
 
-  std::int64_t counted = 0;   // impacts that are in the sums
-  std::int64_t walls = 0;     // with fixed and kinematic bodies
+  std::int64_t counted = 0;   // impacts included in the sums
+  std::int64_t walls = 0;     // with static and kinematic bodies
   std::int64_t mutual = 0;    // of two free bodies
-  double wall_impulse = 0.0;  // N s, sum of the normal ones
-  std::vector<Pair> pairs;    // those that are watched, at most kMostPairs
+  double wall_impulse = 0.0;  // N s, sum of the normal impulses
+  std::vector<Pair> pairs;    // the watched pairs, at most kMostPairs
 
   [[nodiscard]] const Pair* find(int a, int b) const {
     for (const Pair& p : pairs) {
@@ -34,7 +34,7 @@ struct ImpactCounts {
     }
     return nullptr;
   }
-  // Watches this pair of bodies, which has had `count` impacts. Once is enough.
+  // Watches a pair of bodies that has had `count` impacts. Watching it again changes nothing.
   void watch(int a, int b, std::int64_t count) {
     if (find(a, b) == nullptr) pairs.push_back({std::min(a, b), std::max(a, b), count});
   }

@@ -5,7 +5,7 @@
 
 namespace carom {
 
-// Where the energy of a run went since it began, in J (what each entry is: physics/world/ledger_entries.h):
+// Energy balance of a run since its start, in J (physics/world/ledger_entries.h describes each entry):
 //   E(t) = initial - lost_to_restitution - lost_to_friction - lost_to_drag - lost_to_dampers
 //          - lost_to_rolling - lost_to_sticking - lost_to_joints + penetration_correction + put_in_by_drives
 //          + put_in_by_user + numerical drift,
@@ -20,20 +20,20 @@ struct Ledger {
   double lost_to_sticking = 0.0;  // by impacts after which bodies stay joined
   double lost_to_drag = 0.0;
   double lost_to_dampers = 0.0;         // of springs
-  double lost_to_joints = 0.0;          // by strings that jerked taut
-  double penetration_correction = 0.0;  // potential energy that the pseudo-spring's pushes changed
+  double lost_to_joints = 0.0;          // by taut impulses of strings
+  double penetration_correction = 0.0;  // change of potential energy by the pseudo-spring's pushes
   double put_in_by_drives = 0.0;        // by kinematic bodies and by applied forces and torques
   double put_in_by_user = 0.0;
   Vec2 initial_momentum = Vec2::Zero();
   Vec2 momentum_from_gravity = Vec2::Zero();
   Vec2 momentum_from_forces =
-      Vec2::Zero();  // drag, springs and joints to what is fixed or kinematic, applied forces
+      Vec2::Zero();  // drag, springs and joints to static or kinematic bodies, applied forces
   Vec2 momentum_from_user = Vec2::Zero();
-  Vec2 momentum_to_walls = Vec2::Zero();  // what impacts gave to fixed and kinematic bodies
+  Vec2 momentum_to_walls = Vec2::Zero();  // given by impacts to static and kinematic bodies
 
-  // J: the sum of the energies' sizes; what is far below it may be rounding.
+  // J: the sum of the entries' absolute values; a figure far below it may be rounding.
   [[nodiscard]] double turnover() const;
-  // Adds `share` times each entry of another one.
+  // Adds `share` times each entry of another ledger.
   void add(double share, const Ledger& other);
   [[nodiscard]] double expected() const;
   [[nodiscard]] double numerical_drift(double total_energy) const { return total_energy - expected(); }
@@ -41,7 +41,7 @@ struct Ledger {
   [[nodiscard]] Vec2 momentum_drift(const Vec2& momentum) const { return momentum - expected_momentum(); }
 };
 
-// The entries that the bodies' own quadratures carry.
+// The entries that are quadratures of the bodies' motion.
 [[nodiscard]] Ledger ledger_of_quadratures(const State& state);
 
 }  // namespace carom

@@ -9,7 +9,7 @@
 #include "physics/scene/scene.h"
 #include "physics/world/ledger.h"
 
-// What a ledger has entries for, one line each: files, observables, tables and reports go by these lists.
+// The entries of the ledger, one line each: files, observables, tables and reports use these lists.
 namespace carom {
 
 struct EnergyEntry {
@@ -20,7 +20,7 @@ struct EnergyEntry {
   std::string_view label;  // as an observable, for people
   std::string_view tip;
   double Ledger::*value;  // J
-  // True if no run of the scene can change the entry; nullptr: in any scene something can.
+  // True if the entry stays 0 in every run of the scene; nullptr: it may change in any scene.
   bool (*idle)(const Scene& scene, ContactsId contacts, const Needs& needs);
 
   [[nodiscard]] constexpr double sign() const { return kind == Kind::kLoss ? -1.0 : 1.0; }

@@ -8,11 +8,11 @@
 
 namespace carom {
 
-// A run that can't go on: it stands at the end of its last good step.
+// A run that can't continue: it stays at the end of its last good step.
 struct LostRun {
   LossReason reason = LossReason::kTooLarge;
-  int body = 0;       // the first one
-  double time = 0.0;  // s: when it was lost, within the step that was given up
+  int body = 0;       // the first one that failed
+  double time = 0.0;  // s: when it failed, within the step that was given up
 
   // One line for people; `stands_at` in s is the end of the last good step.
   [[nodiscard]] std::string text(const std::vector<Body>& bodies, double stands_at) const;

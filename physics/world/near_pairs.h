@@ -11,8 +11,9 @@ namespace carom {
 // The broad phase of a step without an event queue.
 class NearPairs {
  public:
-  // Pairs whose rectangles, each about its settled body and widened by margin(body) in m, touch; in rising
-  // order. More than BroadPhase::most_pairs() are not listed, which a notice tells.
+  // Pairs whose rectangles touch, in rising order. Each rectangle bounds a body at the start of its
+  // trajectory, widened by margin(body) in m. At most BroadPhase::most_pairs() pairs are listed; a notice
+  // reports that there were more.
   template <class Margin>
   const std::vector<std::pair<int, int>>& find(World& world, const Margin& margin) {
     const int n = world.bodies();

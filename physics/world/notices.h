@@ -6,47 +6,47 @@
 
 namespace carom {
 
-// What a run has to say about itself beside its numbers: each is an expected numerical outcome, never an error.
-// Times in s, at which it first happened; negative: never.
+// Notices of a run, each an expected numerical outcome, never an error. Times in s of the first occurrence;
+// negative: never.
 struct Notices {
-  // Bounces came to follow one another faster than the method resolves (Zeno); from there the pair is held by
-  // inelastic impacts at the end of each step.
+  // Bounces followed each other faster than the method resolves (Zeno); from then on inelastic impacts at
+  // each step's end support the pair.
   double resting_since = -1.0;
-  // Impacts without anything that presses came to follow one another faster than doubles can tell apart.
+  // Impacts that nothing presses followed each other faster than doubles can distinguish.
   double collapsed_since = -1.0;
   // The limit kMostImpactsPerStep was reached; the rest of that step was resolved at its end.
   double impacts_capped_since = -1.0;
-  // A step had more impacts than the log keeps; they all happened, and are counted.
+  // The log is truncated; the impacts themselves were applied and counted.
   double log_cut_since = -1.0;
   // The adaptive integrator could not keep its tolerance with the shortest step.
   double tolerance_missed_since = -1.0;
-  // A path bent too fast for its step: the search for contacts on it was given up, one may have been missed.
+  // A path curved too much for its step: the search for contacts on it was given up and may have missed one.
   double search_cut_since = -1.0;
-  // Newton's law let impacts gain energy, in J all together.
+  // Newton's law let impacts gain energy: `gained` J in total.
   double gained_since = -1.0;
   double gained = 0.0;
-  // No impulses would have met the law of simultaneous impacts; they were taken pair by pair.
+  // No impulses satisfied the law of simultaneous impacts; they were resolved pair by pair.
   double cluster_unsolved_since = -1.0;
-  // The restitution of simultaneous impacts was lowered, so that friction would not make them gain energy.
+  // The restitution of simultaneous impacts was lowered, so that they gain no energy from friction.
   double restitution_lowered_since = -1.0;
-  // A step led so far off that joints could not be restored after it, or turned joints by many radians.
+  // A step moved bodies so far that joints could not be restored after it, or turned joints by many radians.
   double joints_missed_since = -1.0;
-  // The scene was changed after the run was saved: it goes on from its bodies and its clock alone.
+  // The scene was changed after the run was saved: it continues from its bodies and its clock alone.
   double state_left_since = -1.0;
-  // Springs or strings switched more often than is followed in a step.
+  // Springs or strings switched more often than a step follows.
   double switches_missed_since = -1.0;
-  // The search for impacts cost more than a step may (StepWork): what was left of them was resolved at its end.
+  // The search for impacts used up the step's budget (StepWork); the rest was resolved at the step's end.
   double work_spent_since = -1.0;
   // The method itself has made three quarters of the kinetic energy.
   double energy_made_since = -1.0;
-  // More bodies lay within one another than BroadPhase::most_pairs() allows: the other pairs were left alone.
+  // More pairs of bodies were near each other than BroadPhase::most_pairs(): the rest were ignored.
   double pairs_cut_since = -1.0;
 
-  // Contact forces were left with a residual beyond rounding, at the most `contacts_left` m/s.
+  // Contact forces were left with a residual beyond rounding, at most `contacts_left` m/s.
   double contacts_left_since = -1.0;
   double contacts_left = 0.0;
 
-  // One line for people; "ok" if there is nothing to tell.
+  // One line for people; "ok" without notices.
   [[nodiscard]] std::string text() const;
 };
 
@@ -58,7 +58,7 @@ struct NoticeEntry {
   std::string_view number_key = {};
 };
 
-// In the order in which they are told.
+// In the order in which they are reported.
 [[nodiscard]] std::span<const NoticeEntry> notice_entries();
 
 }  // namespace carom

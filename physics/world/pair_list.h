@@ -16,11 +16,10 @@ struct WaitingPair {
   bool resting = false;
 };
 
-// Pairs in the order in which they came, each once; found in constant time. Keeps its memory when it is
-// cleared.
+// Pairs in the order of insertion, without duplicates; lookup takes constant time. clear() keeps the memory.
 class PairList {
  public:
-  // A pair that is there already rests if either says so.
+  // A pair that is already listed rests if either entry does.
   void add(int a, int b, bool resting) {
     if (2 * (pairs_.size() + 1) > slots_.size()) grow();
     int& slot = slots_[slot_of(a, b)];
@@ -49,12 +48,12 @@ class PairList {
 
  private:
   static constexpr int kEmpty = -1;
-  static constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15U;  // the golden ratio's
+  static constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15U;  // 2^64 over the golden ratio
 
-  // The slot that the pair has, or would get.
+  // The slot of the pair, or the one where it would go.
   [[nodiscard]] std::size_t slot_of(int a, int b) const {
-    // Multiples of odd numbers, of which the highest bits are mixed best; a's are folded before b comes in, as
-    // sums of two such rows have gaps.
+    // Multiples of odd numbers, whose highest bits are mixed best. The key of a is folded before b is added,
+    // because sums of two such sequences have gaps.
     std::uint64_t key = static_cast<std::uint32_t>(a) * kOdd;
     key = ((key ^ key >> 32U) + static_cast<std::uint32_t>(b)) * kOdd;
     std::size_t at = static_cast<std::size_t>(key >> shift_);
@@ -74,7 +73,7 @@ class PairList {
 
   std::vector<WaitingPair> pairs_;
   std::vector<int> slots_;  // a power of two of them
-  unsigned shift_ = 64;     // 64 less that power
+  unsigned shift_ = 64;     // 64 less the exponent of that power
 };
 
 }  // namespace carom

@@ -57,8 +57,8 @@ double pressing(World& world, int a, int b, const Contact& contact, double withi
   const Eigen::Vector3d acceleration_b = acceleration(b);
   if (!world.has_moving_corners(a, b)) return -contact.normal.dot((acceleration_b - acceleration_a).head<2>());
 
-  // Where corners move, the point of contact wanders over the surfaces: the second difference of the gap, along
-  // the flight from here on, knows it all. It is taken over as long as the gap's rounding allows.
+  // Where corners move, the contact point wanders over the surfaces. The second difference of the gap along
+  // the flight from here on includes that. It is taken over as long as the gap's rounding allows.
   double bound = 0.0;
   for (const auto& [i, by] : {std::pair(a, acceleration_a), std::pair(b, acceleration_b)}) {
     bound += by.head<2>().norm();

@@ -17,26 +17,27 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, d
   const ForceField& field = world.field();
   double& correction = world.sums.ledger.penetration_correction;
   const double now = world.clock.step_end - trajectories.epoch();
-  // Each push changes the energy of attraction with all bodies: of many pairs their sum is taken at once.
+  // Each push changes the energy of attraction to all bodies: for many pairs the sum is taken once.
   const Needs& needs = world.model->needs;
   const bool all_at_once = field.attracts() && !needs.has(Part::kJoints) && !needs.has(Part::kSticking) &&
                            pairs.size() > world.model->bodies().size();
   if (all_at_once) correction -= field.potential_energy(world.state.q);
   for (const auto& [a, b, resting] : pairs) {
     world.work.pass(1);
-    if (!world.shapes().can_collide(a, b)) continue;  // joined meanwhile
+    if (!world.shapes().can_collide(a, b)) continue;  // joined in the meantime
     Approach at = world.approach(a, b, 0.0);
     const double gap = at.contact.gap;
     if (gap >= 0.0) continue;
     const Vec2 normal = at.contact.normal;
 
-    // Bodies with corners may penetrate at two: once for the middle, then for the one that still approaches.
+    // Bodies with corners may penetrate at two points: one impact for the middle, then one for the point that
+    // still approaches.
     const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
     for (int k = 0; k < most; ++k) {
       if (k > 0) at = world.approach(a, b, -gap);
       if (!(at.speed < (k == 0 ? 0.0 : -16.0 * kEpsilon * at.scale))) break;
       Material material = world.material(a, b);
-      // What gravity pressed in during this step must not bounce; a true impact on a resting pair must.
+      // A closing speed from the forces of this step must not bounce; a true impact on a resting pair must.
       if (resting && -at.speed <= pressed_in(world, a, b, h)) material.restitution = 0.0;
       apply_impact(world, a, b, at.contact, material, now);
       if (!world.shapes().can_collide(a, b)) break;

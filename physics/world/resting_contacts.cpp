@@ -17,33 +17,33 @@ namespace carom {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// Of what the forces change of a speed in a step: to this the contact forces are solved.
+// Tolerance of the contact forces, relative to the change of a speed by forces in a step.
 constexpr double kSolved = 1e-10;
 // Likewise: a contact that slips slower than this sticks.
 constexpr double kStuck = 1e-6;
-// Of the size: a smaller penetration is rounding, and one beyond kDeep is taken away in parts.
+// Relative to the size: a smaller penetration is rounding, and one beyond kDeep is removed in several steps.
 constexpr double kPenetration = 1e-12;
 constexpr double kDeep = 1e-3;
-// Contacts of an island up to which it is solved exactly, always or where its rms velocity is at most kSlow of
-// what the forces change of a speed in a step. In a crowd, a larger one, the tolerance is kLargeMotion of its
-// speeds, at most kLargeSolved of what the forces change of a speed in a step: as it comes to rest it is solved
-// better and better, each step from the forces of the one before.
+// Number of contacts up to which an island is solved exactly: always, or if its rms velocity is at most kSlow
+// of the change of a speed by forces in a step. A large island has the tolerance kLargeMotion of its speeds,
+// at most kLargeSolved of that change: as it comes to rest its solution improves, each step starting from the
+// forces of the one before.
 constexpr int kMostExact = 64;
 constexpr int kMostExactAtRest = 400;
 constexpr double kSlow = 1e-5;
 constexpr double kLargeMotion = 0.1;
 constexpr double kLargeSolved = 1e-2;
 constexpr double kLargeRest = 1e-9;
-constexpr double kLargePenetration = 1e-6;  // of the size
-// Sweeps of a crowd, more of a small one.
+constexpr double kLargePenetration = 1e-6;  // relative to the size
+// Sweeps over a large island; more while contacts times sweeps stay below kLargeContactSweeps.
 constexpr int kLargeSweeps = 20;
 constexpr int kLargeContactSweeps = 10'000;
-// Where the integrator's flight is not linear in the contact forces they are corrected this often.
+// Corrections of the contact forces where the integrator's flight is not linear in them.
 constexpr int kMostRounds = 12;
-// Room for contacts to begin with.
+// Initial capacity for contacts.
 constexpr int kFewContacts = 64;
 
-// Of a contact, for the velocities v of all bodies.
+// Relative velocity at a contact for the velocities v of all bodies.
 RowVelocity velocity_at(const Contacts& c, int i, const Eigen::Matrix3Xd& v) {
   const Eigen::Vector3d a = v.col(c.a[i]);
   const Eigen::Vector3d b = v.col(c.b[i]);
@@ -53,7 +53,7 @@ RowVelocity velocity_at(const Contacts& c, int i, const Eigen::Matrix3Xd& v) {
           cross(n, d) + b[2] * c.arm_b[i].dot(n) - a[2] * c.arm_a[i].dot(n), b[2] - a[2]};
 }
 
-// m: of the disc that would roll on a plane as these two roll on each other; 0 if neither is a disc.
+// m: radius of the disc that would roll on a plane as these two roll on each other; 0 if neither is a disc.
 double rolling_radius(const Geometry& shapes, int a, int b) {
   double curvature = 0.0;
   for (const int i : {a, b}) {
@@ -116,11 +116,11 @@ void RestingContacts::support(World& world, double h) {
   find_forces(world, h);
 }
 
-// Fills the contacts of this step, with the forces that the last one ended with as a first guess.
+// Fills the contacts of this step, with the last forces of the previous step as initial guess.
 void RestingContacts::find_contacts(World& world, double h) {
   const int n = world.bodies();
   const ConvexShapes& convex = world.shapes().shapes;
-  // Part of a step looks as far as a whole one, so that it forgets no contact.
+  // Part of a step looks as far as a whole step, so that no contact is forgotten.
   const double whole = step_length_;
   poses_.resize(n);
   reach_.resize(n);
@@ -137,7 +137,7 @@ void RestingContacts::find_contacts(World& world, double h) {
   near_.clear();
   supported_.clear();
   landings_.clear();
-  std::size_t last = 0;  // of the forces before
+  std::size_t last = 0;  // of the previous forces
   for (const auto& [a, b] : near_pairs_.find(world, [&](int i) { return reach_[i]; })) {
     if (!world.shapes().can_collide(a, b)) continue;
     near_.emplace_back(a, b);
@@ -150,13 +150,13 @@ void RestingContacts::find_contacts(World& world, double h) {
     while (last < forces.size() && std::pair(forces[last].a, forces[last].b) < std::pair(a, b)) ++last;
     const std::size_t landings = landings_.size();
     add_contacts(world, a, b, m, rounding, h, last);
-    // What nothing supports yet is the event queue's matter.
+    // A pair without support is left to the event queue.
     if (supported_.empty() || supported_.back() != std::pair(a, b)) landings_.resize(landings);
   }
   contacts_.resize(static_cast<int>(id_.size()));
 }
 
-// The points of a manifold that rest, and those that will land; `last` is the pair's first force before.
+// The points of a manifold that rest, and those that will land; `last` is the pair's first previous force.
 void RestingContacts::add_contacts(World& world, int a, int b, const Manifold& m, double rounding, double h,
                                    std::size_t last) {
   Contacts& c = contacts_;
@@ -177,7 +177,7 @@ void RestingContacts::add_contacts(World& world, int a, int b, const Manifold& m
     const RowVelocity u = velocity_at(c, i, world.state.v);
     const double closing = -u.normal;
     const bool slow = material.restitution * closing <= rest;
-    // At their own time fast impacts are the event queue's matter.
+    // With impacts at their own time fast ones are left to the event queue.
     const bool open = at.gap > rounding;
     const bool near = !open || (at.gap <= (std::max(closing, 0.0) + rest) * step_length_ &&
                                 (!located || closing <= 2.0 * rest));
@@ -185,7 +185,7 @@ void RestingContacts::add_contacts(World& world, int a, int b, const Manifold& m
       if (located && open && closing > rest) landings_.push_back({a, b, at.id});
       continue;
     }
-    // A fast one that penetrates is pushed out, and left to the impacts at the step's end.
+    // A fast one that penetrates is projected out and left to the impacts at the step's end.
     c.target[i] = slow ? -std::max(at.gap, 0.0) / h : -std::numeric_limits<double>::infinity();
     c.static_friction[i] = material.static_friction;
     c.kinetic_friction[i] = material.kinetic_friction;
@@ -251,10 +251,10 @@ ContactSolverOptions RestingContacts::solver_options() const {
   return options;
 }
 
-// Positions move out of penetrations; velocities stay.
+// Projects positions out of penetrations; velocities stay.
 void RestingContacts::project_penetrations(World& world) {
   double deepest = 0.0;  // of the size
-  double size = 0.0;     // m, the least of an overlapping pair
+  double size = 0.0;     // m, the least of a penetrating pair
   for (int i = 0; i < contacts_.size(); ++i) {
     if (!(contacts_.gap[i] < 0.0)) continue;
     const double of_pair = world.shapes().size[contacts_.a[i]] + world.shapes().size[contacts_.b[i]];
@@ -282,9 +282,9 @@ void RestingContacts::project_penetrations(World& world) {
   for (int i = 0; i < contacts_.size(); ++i) contacts_.gap[i] += velocity_at(contacts_, i, moved_).normal;
 }
 
-// Books what the contact forces did up to `passed`, a share of the time that they were found for. Their work is
-// theirs along the paths as they have become, with all impacts on the way. Under the Euler methods, whose paths
-// are not those of their velocities, it is that along the velocities without impacts.
+// The work of the contact forces is taken along the actual paths, with all impacts on the way. Under the
+// Euler methods, whose paths are not those of their velocities, it is the work along the velocities without
+// impacts.
 void RestingContacts::record_forces(World& world, double passed, double share) {
   mean_ = before_ + 0.5 * share * (after_ - before_);
   if (choice_of(kIntegrators, world.method.integrator).exact_under_gravity) {
@@ -296,7 +296,7 @@ void RestingContacts::record_forces(World& world, double passed, double share) {
   record_impulses(world, share);
 }
 
-// Books what a share of the impulses of all contacts did at the velocities `mean`.
+// Enters the work of a share of all contacts' impulses at the velocities `mean`.
 void RestingContacts::record_impulses(World& world, double share) const {
   const Contacts& c = contacts_;
   for (int i = 0; i < c.size(); ++i) {
@@ -316,7 +316,7 @@ void RestingContacts::record_impulses(World& world, double share) const {
   }
 }
 
-// What touches, or would within the step, loses its closing speed now.
+// Contacts that close, or would within the step, lose their closing speed now.
 void RestingContacts::stop_approaches(World& world, double h) {
   Contacts& c = contacts_;
   const int n = world.bodies();
@@ -345,7 +345,7 @@ void RestingContacts::stop_approaches(World& world, double h) {
   }
 }
 
-// Forces on the trajectories such that velocities fit the contacts again at the step's end.
+// Finds forces on the trajectories such that the velocities satisfy the contacts at the step's end.
 void RestingContacts::find_forces(World& world, double h) {
   Contacts& c = contacts_;
   const int n = world.bodies();
@@ -426,13 +426,13 @@ bool RestingContacts::stays_supported(const World& world, int a, int b) const {
   return speed <= press * step_length_;
 }
 
-// Bodies that penetration at the step's end and close faster than contacts take up rebound by the law of
+// Bodies that penetrate at the step's end and close faster than a contact may rest rebound by the law of
 // impacts.
 void RestingContacts::rebound_at_end(World& world, const std::vector<std::pair<int, int>>& pairs) const {
   const double now = world.clock.step_end - world.trajectories.epoch();
   for (const auto& [a, b] : pairs) {
     const double restitution = world.material(a, b).restitution;
-    if (restitution == 0.0 || !world.shapes().can_collide(a, b)) continue;  // or joined meanwhile
+    if (restitution == 0.0 || !world.shapes().can_collide(a, b)) continue;  // or joined in the meantime
     const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
     for (int k = 0; k < most; ++k) {
       const Approach at = world.approach(a, b, 0.0);

@@ -9,7 +9,7 @@ struct RunClock {
   double time = 0.0;         // at the end of the last step
   double step_end = 0.0;     // of the step under way
   double origin = 0.0;       // time = origin + steps_since_origin * origin_step
-  double origin_step = 0.0;  // the length of all steps since the origin
+  double origin_step = 0.0;  // the length of each step since the origin
   std::int64_t steps_since_origin = 0;
   std::int64_t steps = 0;
 

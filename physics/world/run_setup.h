@@ -14,12 +14,12 @@ namespace carom {
 
 struct RunState;  // physics/world/run_state.h
 
-// Where a run goes on that was saved on its way.
+// Where a saved run continues.
 struct SavedRun {
-  double time = 0.0;  // s, >= 0: what the clock shows at the start; drives and timed forces count from 0
-  // Of the scene that the state belongs to (physics/scene/facts.h); 0: a clock alone.
+  double time = 0.0;  // s, >= 0: the clock at the start; drives and timed forces count from 0
+  // Of the state's scene (physics/scene/facts.h); 0: there is only a clock.
   std::uint64_t fingerprint = 0;
-  // None where the scene was changed since: the run goes on from its bodies and its clock alone.
+  // None if the scene was changed since: the run continues from its bodies and its clock alone.
   std::shared_ptr<const RunState> state{};
 };
 
@@ -28,11 +28,11 @@ struct RunSetup {
   Scene scene;
   Method method;
   std::optional<SavedRun> saved{};
-  // Names of two bodies each: the impacts between them are counted one pair by one (see ImpactCounts).
+  // Names of two bodies each: their impacts are counted separately (see ImpactCounts).
   std::vector<std::pair<std::string, std::string>> counted_pairs{};
 };
 
-// s: what the clock shows at the start of a run.
+// s: the clock at the start of a run.
 [[nodiscard]] inline double start_time(const std::optional<SavedRun>& saved) {
   return saved ? saved->time : 0.0;
 }

@@ -6,12 +6,12 @@
 #include "physics/scene/validate.h"
 #include "physics/world/simulation.h"
 
-// What a simulation keeps from step to step.
+// Saves and restores the state of a simulation between two steps.
 namespace carom {
 
 RunState Simulation::run_state() const {
-  // All members by name: one that is new doesn't compile here until it is either kept or known to be made anew
-  // before it is read.
+  // All members by name: a new member doesn't compile here until it is either saved or known to be set before
+  // it is read.
   [[maybe_unused]] const auto& [model, method, apply_impact, trajectories, state, clock, sums, log, work] =
       world_;
   RunState kept;

@@ -14,8 +14,8 @@
 
 namespace carom {
 
-// All that a step changes of a simulation, as plain values: between two steps nothing else is remembered. Put
-// back into a simulation of the same scene (see SavedRun), the run goes on for the same bytes.
+// Everything in a simulation that a step changes, as plain values. A simulation of the same scene that starts
+// from it (see SavedRun) continues the run bit by bit.
 struct RunState {
   Method method;
   RunClock clock;
@@ -25,11 +25,11 @@ struct RunState {
   State motions;  // at clock.time
   TrajectoryState trajectories;
   ContactMemory contacts;
-  std::optional<RunAhead> ahead;  // none: the next step begins anew
+  std::optional<RunAhead> ahead;  // none: the next step rebuilds all trajectories
 };
 
-// Throws SceneError, with the place under /state, where a state is none that a run of this scene can have. All
-// sizes must be those of the scene already, but for lists whose length is free.
+// Throws SceneError, with the place under /state, if no run of this scene can have this state. All sizes must
+// already be those of the scene, except for lists of free length.
 void check_state(const Scene& scene, double start_time, const RunState& state);
 
 }  // namespace carom

@@ -8,11 +8,11 @@
 #include "physics/scene/validate.h"
 #include "physics/world/run_state.h"
 
-// Whether a state can be put into a simulation: what is indexed by it stays in range, and time goes on.
+// Checks that a state fits a simulation: indices are in range, and time advances.
 namespace carom {
 namespace {
 
-// The epochs of trajectories that run on: powers of two within these.
+// Epochs of trajectories that continue across steps: powers of two in this range.
 constexpr double kShortestEpoch = 0x1p-20;  // s
 constexpr double kLongestEpoch = 0x1p20;    // s
 
@@ -29,7 +29,7 @@ void check_body(const std::string& place, const std::vector<Body>& bodies, int b
     refuse(place, fmt::format("there is no body {}", body));
 }
 
-// Bodies a < b one of which moves.
+// Bodies a < b, at least one of which moves.
 void check_pair(const std::string& place, const std::vector<Body>& bodies, int a, int b) {
   check_body(place, bodies, a);
   check_body(place, bodies, b);
@@ -39,7 +39,7 @@ void check_pair(const std::string& place, const std::vector<Body>& bodies, int a
     refuse(place, fmt::format("nothing moves bodies {} and {}", a, b));
 }
 
-// Motions that a preset can't have mean nothing.
+// Motions outside the range of a preset are meaningless.
 void check_motions(const std::string& place, const Eigen::Matrix3Xd& m, double most) {
   if (m.size() > 0 && !(m.cwiseAbs().maxCoeff() <= most))
     refuse(place, fmt::format("a number beyond ±{}", most));
@@ -112,7 +112,7 @@ void check_contacts(const std::vector<Body>& bodies, const ContactMemory& s) {
 void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const Trajectories& trajectories,
                  const RunState& s) {
   const RunAhead& ahead = *s.ahead;
-  // Of the mean size of what moves: trajectories far shorter than that would be endless many.
+  // Relative to the mean size of the moving bodies: far shorter trajectories would be endlessly many.
   double size = 0.0;
   int moving = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -170,7 +170,7 @@ void check_state(const Scene& scene, double start_time, const RunState& state) {
   const std::vector<Body> bodies = all_bodies(scene);
   check_clock(state);
   check_counts(bodies, state.sums.impact_count, state.sums.impact_counts);
-  constexpr double kMostAhead = 1e15;         // m and m/s: a trajectory may lead far off before it is cut
+  constexpr double kMostAhead = 1e15;         // m and m/s: a trajectory may lead far away before it is cut
   constexpr double kMostAcceleration = 1e30;  // m/s²
   check_motions("positions", state.motions.q, kLargestNumber);
   check_motions("velocities", state.motions.v, kLargestNumber);

@@ -8,13 +8,13 @@
 
 namespace carom {
 
-// What a run has added up since it began.
+// Sums over a run since its start.
 struct RunSums {
   std::int64_t impact_count = 0;
   ImpactCounts impact_counts;
-  Ledger ledger;               // without the work of the smooth forces, which the motions carry
-  double gravity_since = 0.0;  // s: ledger.momentum_from_gravity holds what came before
-  double peak_kinetic = 0.0;   // J: the most up to now
+  Ledger ledger;               // without the work of the smooth forces, a quadrature of the motions
+  double gravity_since = 0.0;  // s: ledger.momentum_from_gravity covers the time before
+  double peak_kinetic = 0.0;   // J: the largest so far
   int energy_doubts = 0;       // see World::check_energy()
   Notices notices;
 };

@@ -20,7 +20,7 @@ Simulation::Simulation(std::shared_ptr<const Model> model, const Method& method)
   choose_strategies();
 }
 
-// Those of the method, without anything to remember.
+// Chooses the strategies of the method, without any memory.
 void Simulation::choose_strategies() {
   if (world_.method.impacts == ImpactsId::kLocated) {
     impacts_.emplace<EventDrivenImpacts>().reset(world_.bodies());
@@ -51,7 +51,7 @@ void Simulation::set_method(const Method& method) {
   if (lost_) return;
   Trajectories& trajectories = world_.trajectories;
   world_.method = method;
-  // Trajectories that run on are settled here; all others were at the step's end.
+  // Trajectories that continue across steps are advanced here; the others were at the step's end.
   for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, time() - trajectories.epoch());
   if (resting_) resting_->release(world_);
   trajectories.set_method(method);

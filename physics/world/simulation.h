@@ -18,36 +18,36 @@
 
 namespace carom {
 
-// A scene in motion: one world under one method. It is a value: copies go separate ways and share the model
-// alone.
+// A scene in motion: one world under one method. A value: copies are independent and share only the model.
 //
-// The method chooses one of two strategies for impacts, at the step's end (step_end_impacts.h) or at their own
-// time (event_driven_impacts.h), and, where it asks for them and the scene needs them, resting contacts
-// (resting_contacts.h). Where surfaces stick an impact puts a weld between its two bodies, into this run alone.
+// The method chooses one of two strategies for impacts, at the step's end (step_end_impacts.h) or at their
+// own time (event_driven_impacts.h). Resting contacts (resting_contacts.h) are added if the method asks for
+// them and the scene needs them. Where surfaces stick, an impact adds a weld between its two bodies, in this
+// run alone.
 //
-// Use: construct, then step() or advance_to() as often as needed, reading state(), ledger(), last_impacts()
-// between two steps. Not for several threads at once, except that a stop given to interrupt_on() may be
-// requested from anywhere.
+// Use: construct, then call step() or advance_to() as often as needed, and read state(), ledger(),
+// last_impacts() between two steps. Not thread-safe, except that a stop of the token given to interrupt_on()
+// may be requested from any thread.
 class Simulation {
  public:
-  // The scene must be valid (see validate() in physics/scene/validate.h). `needs` says which parts of the model
-  // are put in. Of a saved run, the run goes on from there: with its state, under the setup's method as if it
-  // had been chosen at that moment.
+  // The scene must be valid (see validate() in physics/scene/validate.h). `needs` names the parts of the
+  // model to compile. A saved run continues with its state, under the setup's method as if it had been chosen
+  // then.
   explicit Simulation(const RunSetup& setup) : Simulation(setup, needs_of(setup.scene)) {}
   Simulation(const RunSetup& setup, const Needs& needs);
   // At the start of a run of this model.
   Simulation(std::shared_ptr<const Model> model, const Method& method);
-  // At a later moment: `state` is that of a run of the same model, which goes on here for the same bytes.
+  // At a later moment: `state` is from a run of the same model, which continues here bit by bit.
   Simulation(std::shared_ptr<const Model> model, const RunState& state);
 
   void step() { step(world_.method.step); }
-  // Throws StepInterrupted if interrupt_on() asked for it; the simulation can only be thrown away then. A run
-  // that is lost stands still: a step of it does nothing.
+  // Throws StepInterrupted if a stop was requested (interrupt_on()); the simulation is then unusable. A lost
+  // run stays where it is: a step does nothing.
   void step(double h);
   // Steps end early once a stop is requested.
   void interrupt_on(std::stop_token stop) { world_.work.stop_on(std::move(stop)); }
-  // Steps until `time`, with a last shorter step if needed, and calls after_step() after each. Whole steps keep
-  // time = start + k h without summing.
+  // Steps until `time`, with a last shorter step if needed, and calls after_step() after each. Whole steps
+  // keep time = start + k h without summing.
   template <class AfterStep>
   void advance_to(double time, const AfterStep& after_step) {
     const double h = world_.method.step;
@@ -65,16 +65,16 @@ class Simulation {
   [[nodiscard]] double time() const { return world_.clock.time; }
   [[nodiscard]] std::int64_t steps() const { return world_.clock.steps; }
   [[nodiscard]] std::int64_t impact_count() const { return world_.sums.impact_count; }
-  // With the pairs that the setup names.
+  // With the pairs named in the setup.
   [[nodiscard]] const ImpactCounts& impact_counts() const { return world_.sums.impact_counts; }
-  // Of the right-hand side, a body each; and steps that the error control took back.
+  // Evaluations of the right-hand side, each body counted, and steps rejected by the error control.
   [[nodiscard]] std::int64_t evaluations() const { return world_.trajectories.evaluations(); }
   [[nodiscard]] std::int64_t rejected_steps() const { return world_.trajectories.rejected_steps(); }
   [[nodiscard]] const State& state() const { return world_.state; }
   [[nodiscard]] const std::vector<Body>& bodies() const { return world_.model->bodies(); }
   [[nodiscard]] const MassProperties& mass() const { return world_.mass(); }
   [[nodiscard]] const Geometry& shapes() const { return world_.shapes(); }
-  // The scene's, and after them a weld for each impact after which two bodies have stuck together.
+  // Those of the scene, then a weld for each impact after which two bodies stuck together.
   [[nodiscard]] const std::vector<Joint>& joints() const { return world_.model->scene.joints; }
   [[nodiscard]] bool is_taut(int joint) const { return world_.trajectories.is_taut(joint); }  // of a string
   [[nodiscard]] double length(int joint) const {
@@ -84,9 +84,9 @@ class Simulation {
   [[nodiscard]] const Method& method() const { return world_.method; }
   [[nodiscard]] const Needs& needs() const { return world_.model->needs; }
   [[nodiscard]] Notices notices() const;
-  // Why the run can't go on; nothing while it can.
+  // Why the run can't continue; nothing while it can.
   [[nodiscard]] const std::optional<LostRun>& lost() const { return lost_; }
-  // What the run has to say about itself, in one line: "ok" if nothing.
+  // The notices of the run in one line; "ok" if there are none.
   [[nodiscard]] std::string status() const;
   [[nodiscard]] Totals totals() const { return world_.totals(); }
   [[nodiscard]] Totals totals_of(const State& state) const { return carom::totals(state, mass(), field()); }
@@ -94,21 +94,21 @@ class Simulation {
   [[nodiscard]] Ledger ledger() const { return world_.ledger(); }
   // The impacts of the last call of step(), in the order of time.
   [[nodiscard]] const std::vector<ImpactRecord>& last_impacts() const { return world_.log.records; }
-  // Those of the first of these, one each, once watch_impacts() asked for them.
+  // The jumps of the first of these, one each, if watch_impacts(true) was called.
   [[nodiscard]] const std::vector<Jump>& last_jumps() const { return world_.log.jumps; }
   void watch_impacts(bool on) { world_.log.records_jumps = on; }
-  // What held bodies together in the last step; empty without resting contacts.
+  // The contact forces of the last step; empty without resting contacts.
   [[nodiscard]] const std::vector<ContactForce>& contact_forces() const;
 
-  // From the next step on. A run that is lost stays as it is, here and with a body more.
+  // From the next step on. A lost run stays as it is, here and after add_body().
   void set_method(const Method& method);
-  // Puts in one more body now; its energy is the user's. Its name must be new and its material known.
+  // Adds a body now; its energy counts as the user's. Its name must be new and its material known.
   void add_body(const Body& body);
-  // All that the next step starts from (run_state.cpp).
+  // The complete state between two steps (run_state.cpp).
   [[nodiscard]] RunState run_state() const;
 
  private:
-  // The motions and the sums at the end of the last good step.
+  // Motions and sums at the end of the last good step.
   struct LastGood {
     State state;
     RunSums sums;

@@ -10,12 +10,12 @@ namespace carom {
 
 class RestingContacts;
 
-// Impacts at the step's end (the founding report's loop): all bodies fly for h, then each penetrating pair, in
-// the order of index pairs, gets its impulse if it approaches, and a pseudo-spring moves it apart.
+// Impacts at the step's end (the founding report's loop): all bodies fly for h. Then each penetrating pair,
+// in the order of index pairs, gets its impulse if it approaches, and a pseudo-spring moves it apart.
 class StepEndImpacts {
  public:
-  // A step of h s; `resting` has supported it already, or is null without resting contacts, which otherwise
-  // take up all penetrations.
+  // A step of h s. `resting` has already supported it, or is null without resting contacts, which otherwise
+  // remove all penetrations.
   void step(World& world, RestingContacts* resting, double h);
 
  private:

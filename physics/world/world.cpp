@@ -16,7 +16,7 @@ World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
       trajectories(model, method) {
   const double start = model->start_time;
   trajectories.begin(start);
-  // Seven digits of a file are not where joints hold their ends within rounding.
+  // A file's seven digits don't place joints' ends within rounding.
   for (int k = 0; k < trajectories.islands(); ++k) trajectories.restore_joints(k);
   resize_state();
   trajectories.begin(start);
@@ -118,12 +118,12 @@ void World::check_motions() const {
   }
 }
 
-// Looks at the ledger each time that the kinetic energy passes its peak by a power of four, so that most steps
-// do without the potential energy, which costs n² under attraction. Twice in a row, as Euler's first step from
-// rest is all of its own making: it moves nothing yet.
+// Checks the ledger each time the kinetic energy exceeds its peak by a power of four, so that most steps need
+// no potential energy, which costs n² under attraction. Two checks in a row must fail, because Euler's first
+// step from rest makes all of its energy: nothing has moved yet.
 void World::check_energy() {
   constexpr double kMade = 0.75;  // of the kinetic energy
-  // Of the energies in the ledger: less is rounding.
+  // Of the ledger's turnover: less is rounding.
   constexpr double kRounding = 1e-9;
   const double kinetic = kinetic_energy(state, mass());
   const double peak = std::exchange(sums.peak_kinetic, std::max(sums.peak_kinetic, kinetic));

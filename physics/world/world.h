@@ -19,8 +19,8 @@ struct World;
 // Resolves one impact (apply_impact.h).
 using ApplyImpact = void (*)(World&, int a, int b, const Contact&, const Material&, double within);
 
-// What every part of a step works on: the model, where its bodies are, and what the run has counted. A value:
-// copies share the model alone.
+// The data that every part of a step works on: the model, the motions of its bodies, and the sums of the run.
+// A value: copies share only the model.
 struct World {
   // At the start of a run of this model.
   World(std::shared_ptr<const Model> model, const Method& method);
@@ -29,7 +29,7 @@ struct World {
   Method method;
   ApplyImpact apply_impact;  // of the model
   Trajectories trajectories;
-  State state;  // at clock.time; the parts of a step publish it where they need it
+  State state;  // at clock.time; the parts of a step publish it when they need it
   RunClock clock;
   RunSums sums;
   ImpactLog log;
@@ -41,39 +41,39 @@ struct World {
   [[nodiscard]] const ForceField& field() const { return trajectories.field(); }
   [[nodiscard]] bool infinite_mass(int body) const { return model->infinite_mass(body); }
   [[nodiscard]] const Material& material(int a, int b) const { return model->surfaces.between(a, b); }
-  // Whether one of them is no disc and moves.
+  // Whether one of them moves and is not a disc.
   [[nodiscard]] bool has_moving_corners(int a, int b) const {
     return (!infinite_mass(a) && !shapes().is_disc(a)) || (!infinite_mass(b) && !shapes().is_disc(b));
   }
 
-  // Puts another scene in place of the model's, with one body or one weld more. `within` is a time (s after the
-  // epoch) at which all motions are known.
+  // Replaces the model's scene by one with one more body or weld. `within` is a time (s after the epoch) at
+  // which all motions are known.
   void recompile(Scene scene, const Needs& needs, double within);
-  // Empties the state for the bodies of the model.
+  // Clears the state and resizes it to the bodies of the model.
   void resize_state();
-  // Makes `state` the motions at this time, in s after the epoch.
+  // Sets `state` to the motions at this time, in s after the epoch.
   void publish(double within);
-  // All motions then, of bodies whose trajectory starts later those at its start.
+  // All motions at this time; a body whose trajectory starts later is taken at its start.
   [[nodiscard]] State state_at(double within);
-  // One side of a contact of settled bodies; `towards` is +1 for its body a, -1 for b: the way that the normal
-  // points from there.
+  // One side of a contact, at the start of the body's trajectory. `towards` is +1 for the contact's body a,
+  // -1 for b: the direction of the normal as seen from there.
   [[nodiscard]] ImpactSide side(int body, const Contact& contact, double towards) const;
-  // m/s: how fast the settled bodies part along the contact's normal.
+  // m/s: separation speed along the contact's normal, at the start of the trajectories.
   [[nodiscard]] double parting_speed(int a, int b, const Contact& contact) const;
-  // Of the settled bodies; gaps up to `tolerance` (m) beyond the least one count as touch.
+  // At the start of the trajectories; gaps up to `tolerance` (m) above the smallest count as touching.
   [[nodiscard]] Approach approach(int a, int b, double tolerance) const;
-  // After a push moved one of its bodies: positions and velocities of an island go back onto its joints. The
-  // energy is the push's, the momentum comes from what the joints are fastened to.
+  // After a push has moved a body: projects positions and velocities of its island onto the joints. The
+  // energy counts as the push's, the momentum as that of the joints' anchors.
   void restore_joints(int island);
 
   // Of `state`.
   [[nodiscard]] Totals totals() const { return carom::totals(state, mass(), field()); }
   [[nodiscard]] Ledger ledger() const;  // with the work of the smooth forces up to now
-  // Throws LostMotion where the state is beyond what can be computed with.
+  // Throws LostMotion if the state is out of the computable range.
   void check_motions() const;
-  // Tells by a notice that the method itself makes the energy.
+  // Notes it if the method itself makes the energy.
   void check_energy();
-  // Notes the time (s) at which something first happened.
+  // Notes the time (s) of the first occurrence.
   void note(double Notices::*notice, double time) {
     if (sums.notices.*notice < 0.0) sums.notices.*notice = time;
   }

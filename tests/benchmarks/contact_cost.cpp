@@ -8,7 +8,7 @@
 #include "tests/support/scenes.h"
 
 // CPU time of one query of a pair: gap, contact and manifold by kinds of shape, and one search for the first
-// contact. Bodies near each other, half of them overlapping. No figure here is a test.
+// contact. The bodies are near each other, half of them penetrating. Prints figures, tests nothing.
 namespace carom {
 namespace {
 
@@ -21,7 +21,7 @@ double now() {
   return static_cast<double>(t.tv_sec) * 1e9 + static_cast<double>(t.tv_nsec);
 }
 
-// ns a call, the best of some repeats; `call(i)` gives a number that must not be thrown away.
+// ns a call, the best of some repeats; the result of call(i) is used so that it is not optimised away.
 template <class Call>
 double cost(int pairs, const Call& call) {
   double best = 1e300;
@@ -91,7 +91,7 @@ struct Path {
   }
 };
 
-// Over one second, b falling past a fixed a; half of them meet.
+// Over one second, b falling past a static a; half of the pairs touch.
 void searches(ShapeKind a, ShapeKind b, double spin) {
   std::mt19937_64 random(1);
   std::vector<ConvexShape> list;

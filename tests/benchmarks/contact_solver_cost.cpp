@@ -1,4 +1,4 @@
-// What the contact solver costs: ns a contact and sweep, and sweeps, linear systems and time to a residual on a
+// Cost of the contact solver: ns for a contact and sweep; sweeps, linear systems and time to a residual on a
 // pile of discs, a pyramid, a stack and a mass ratio of 10⁶. Prints figures, tests nothing.
 #include <algorithm>
 #include <cmath>
@@ -21,9 +21,9 @@ constexpr double kStep = 1.0 / 60.0;
 // CPU time: the machine may be shared.
 double now_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Discs of r = 0.25 m, density 1, μ = 0.5 in an open container as wide as their grid, let fall on each other in
-// sub-steps of 1/240 s by the solver itself, with speculative contacts. The scene is left with one more step of
-// gravity to solve, from the impulses of the last where `warm`, else from zero.
+// Discs of r = 0.25 m, density 1, μ = 0.5 in an open container as wide as their grid. They fall on each other
+// in sub-steps of 1/240 s by the solver itself, with speculative contacts. One more step of gravity is left
+// to solve, from the last impulses if `warm`, else from zero.
 ContactScene pile(int n, double seconds, bool warm) {
   constexpr double kRadius = 0.25;
   constexpr double kMargin = 0.05;
@@ -100,7 +100,8 @@ void sweep_cost(const ContactScene& scene, bool in_blocks) {
   ContactWorkspace w;
   double best = 1e300;
   for (int round = 0; round < 5; ++round) {
-    // Sweeps alone: a solve with many less one with few. Islands of open contacts are done at once in both.
+    // The sweeps alone: a solve with many less one with few. Islands of open contacts are done at once in
+    // both.
     const auto solve = [&](int sweeps) {
       ContactScene s = scene;
       const double start = now_ms();

@@ -1,6 +1,5 @@
-// Whether the window keeps its frame rate with six plots in place of one, a thousand discs running: scene
-// pictures painted a second, alternating in one run. The lab's own OpenGL or, with CAROM_PAINTER=qpainter,
-// QPainter.
+// Frame rate of the window with six plots and with one, a thousand discs running: scene pictures painted a
+// second, alternating in one run. With the lab's own OpenGL or, with CAROM_PAINTER=qpainter, QPainter.
 #include <QApplication>
 #include <QElapsedTimer>
 #include <array>

@@ -13,9 +13,10 @@
 #include "physics/world/simulation.h"
 #include "tests/support/scenes.h"
 
-// What a part of the model costs where it has nothing to do, as the ratio of its CPU time to the trimmed run's;
-// and collisions a second. Repeats take turns, so that a change of the machine's pace meets all alike; the
-// median is told. No figure here is a test. part_instructions counts instead, with `carom_idle_cost FILE KEY`.
+// Cost of a part of the model with nothing to do, as the ratio of its CPU time to that of the trimmed run;
+// and collisions a second. Repeats alternate, so that a change of the machine's speed affects all alike;
+// prints medians, tests nothing. part_instructions counts instructions instead, with `carom_idle_cost FILE
+// KEY`.
 namespace carom {
 namespace {
 
@@ -56,7 +57,7 @@ struct Variant {
 };
 
 std::vector<Variant> variants(const RunSetup& setup, bool with_all) {
-  // The trimmed run stands twice in the table: the second one shows what the figures are worth.
+  // The trimmed run is listed twice: the second one shows the accuracy of the figures.
   std::vector<Variant> list = {{"trimmed", needs_of(setup.scene)}, {"trimmed again", needs_of(setup.scene)}};
   for (const PartEntry& entry : part_entries()) {
     Needs needs = needs_of(setup.scene);
@@ -90,7 +91,7 @@ void collisions_a_second(int columns) {
   std::vector<double> rates;
   for (int repeat = 0; repeat < 5; ++repeat) {
     Simulation run(setup);
-    run.advance_to(0.1);  // warm
+    run.advance_to(0.1);  // warm up
     const std::int64_t before = run.impact_count();
     const double seconds = cpu_seconds([&] {
       while (run.impact_count() - before < 300'000) run.step();
@@ -102,8 +103,8 @@ void collisions_a_second(int columns) {
 
 constexpr int kCountedSteps = 200;
 
-// Steps of a preset with the other choice for one part (its key): put into the model if the scene does not need
-// it, else taken out of the scene; of any other key, as it is.
+// Steps of a preset with one part (by its key) switched: added to the model if the scene does not need it,
+// otherwise removed from the scene. Any other key leaves the scene as it is.
 int count_steps(const char* file, std::string_view key) {
   RunSetup setup = setup_of(read_preset(file));
   Needs needs = needs_of(setup.scene);
@@ -130,7 +131,7 @@ int main(int argc, char** argv) {
   if (argc == 3) return count_steps(argv[1], argv[2]);
   fmt::print("Ratios of CPU time to the trimmed run's, medians of {} repeats that take turns:\n", kRepeats);
   idle_cost("1024 discs, exact flight", gas(32, IntegratorId::kExactFlight), 6.0, false);
-  // Untrimmed, every impact touches all bodies: so few discs, and so short.
+  // Untrimmed, every impact touches all bodies: therefore few discs and a short time.
   idle_cost("25 discs, exact flight", gas(5, IntegratorId::kExactFlight), 20.0, true);
   RunSetup drag = gas(5, IntegratorId::kRk4);
   drag.scene.forces.linear_drag = 0.01;

@@ -1,5 +1,5 @@
-// What a replot costs after ten thousand and after ten million recorded samples, in one run, alternating; what
-// the records take in memory; and whether a spike of one sample is still drawn.
+// Cost of a replot after ten thousand and after ten million recorded samples, in one run, alternating; the
+// memory of the records; and whether a spike of one sample is still drawn.
 #include <QApplication>
 #include <algorithm>
 #include <chrono>

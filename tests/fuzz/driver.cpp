@@ -1,5 +1,5 @@
-// The entry points of libFuzzer for one target, CAROM_FUZZ_TARGET: inputs that are presets are changed as JSON
-// values, others, and now and then these too, as bytes.
+// The entry points of libFuzzer for one target, CAROM_FUZZ_TARGET. Inputs that are presets are mutated as
+// JSON values; others, and now and then presets too, as bytes.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -20,11 +20,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
                                                unsigned seed) {
-  constexpr int kBytesEvery = 16;  // one change in so many is of bytes
+  constexpr int kBytesEvery = 16;  // one mutation in so many is of bytes
   constexpr int kMostChanges = 4;
   carom::fuzz::Random random(seed);
   if (random() % kBytesEvery == 0) return LLVMFuzzerMutate(data, size, most);
-  // What stands behind the object belongs to the target and stays.
+  // Bytes behind the object belong to the target and stay.
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const std::size_t end = bytes.rfind('}') + 1;  // npos + 1 is 0
   try {

@@ -8,7 +8,7 @@
 namespace carom::fuzz {
 namespace {
 
-// Another method, or one more body like one that is there, somewhere near it.
+// Another method, or one more body like an existing one, near it.
 void edit(Simulation& run, const Preset& preset, Draws& draws) {
   const int what = draws.below(8);
   if (what < 2) {
@@ -24,7 +24,7 @@ void edit(Simulation& run, const Preset& preset, Draws& draws) {
 
 }  // namespace
 
-// The same edits of the same scene give the same bytes, by a copy on the way too.
+// The same edits of the same scene give the same bytes, also through a copy on the way.
 void try_edits(std::string_view bytes) {
   const std::optional<Preset> scene = small_scene(bytes);
   if (!scene) return;

@@ -16,11 +16,11 @@ struct Target {
   void (*attempt)(std::string_view bytes);
 };
 
-// Of every target of targets.h.
+// All targets of targets.h.
 constexpr auto kTargets =
     std::to_array<Target>({{"preset", try_preset}, {"simulation", try_simulation}, {"edits", try_edits}});
 
-// What fuzzers have found stays mended.
+// Runs the fuzzers' finds again, which have been fixed.
 TEST(FuzzersFinds, BreakNothing) {
   int tried = 0;
   for (const Target& target : kTargets) {

@@ -7,13 +7,13 @@
 #include "physics/preset/preset.h"
 #include "physics/world/simulation.h"
 
-// What the targets that run scenes share.
+// Common parts of the targets that run scenes.
 namespace carom::fuzz {
 
 inline constexpr int kMostSteps = 40;
 inline constexpr double kMostTime = 0.2;  // s
 
-// Draws that hang on every byte of an input, so that each change of it also changes what is done with it.
+// Draws that depend on every byte of an input, so that each change of it also changes what is done with it.
 class Draws {
  public:
   explicit Draws(std::string_view bytes);
@@ -26,13 +26,13 @@ class Draws {
   std::mt19937_64 random_;
 };
 
-// The scene that the bytes are, if they are one of no more than 20 bodies.
+// The scene of these bytes, if they are a preset of at most 20 bodies.
 [[nodiscard]] std::optional<Preset> small_scene(std::string_view bytes);
 
 // A method that the scene allows, with the scene's own step and tolerance.
 [[nodiscard]] Method draw_method(const Preset& preset, Draws& draws);
 
-// One step, and what holds after every one; throws std::logic_error where it doesn't.
+// Steps once and checks the laws of every step; throws std::logic_error if one is broken.
 void checked_step(Simulation& run);
 
 }  // namespace carom::fuzz

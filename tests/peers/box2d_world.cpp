@@ -2,8 +2,8 @@
 
 #include "tests/peers/cases.h"
 
-// Box2D 2.4, with continuous collision on as it comes and sleeping off. Restitution holds at every speed; by
-// default it would at 1 m/s and more only.
+// Box2D 2.4, with continuous collision (its default) and without sleeping. Restitution acts at every speed;
+// by default it would only at 1 m/s and more.
 namespace carom::peers {
 namespace {
 
@@ -12,7 +12,7 @@ constexpr int kPositionIterations = 3;
 
 float single(double x) { return static_cast<float>(x); }
 
-// Box2D gives polygons a skin of b2_polygonRadius and tells separations between skins.
+// Box2D gives polygons a skin of b2_polygonRadius and reports separations between skins.
 float skin(const b2Fixture* fixture) {
   return fixture->GetType() == b2Shape::e_polygon ? fixture->GetShape()->m_radius : 0.0f;
 }
@@ -25,7 +25,7 @@ class Box2dWorld : private b2ContactListener {
     for (const Body& body : scene.bodies) add(scene, body);
   }
 
-  // The listener's address is the world's.
+  // The listener has the world's address.
   Box2dWorld(const Box2dWorld&) = delete;
   Box2dWorld& operator=(const Box2dWorld&) = delete;
 
@@ -37,7 +37,8 @@ class Box2dWorld : private b2ContactListener {
             b.GetLinearVelocity().x, b.GetLinearVelocity().y, b.GetAngularVelocity()};
   }
 
-  // The world manifold puts the contact's features at the poses of now; less the skins that is the true boxes'.
+  // The world manifold puts the contact's features at the present poses; without the skins it is that of the
+  // true boxes.
   [[nodiscard]] std::vector<double> overlaps() const {
     std::vector<double> list;
     for (const b2Contact* c = world_.GetContactList(); c != nullptr; c = c->GetNext()) {

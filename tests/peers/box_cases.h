@@ -4,14 +4,14 @@
 
 #include "tests/peers/measure.h"
 
-// Cases of boxes of 1 m that lie on each other or on an incline.
+// Cases of boxes of 1 m that stand on each other or on an incline.
 namespace carom::peers {
 
-inline constexpr double kWatched = 10.0;    // s, how long a case is watched
+inline constexpr double kWatched = 10.0;    // s, duration of a case
 inline constexpr double kFallen = 0.5;      // m sideways
 inline constexpr double kMillimetre = 1e3;  // mm/m
 
-// Of boxes left to themselves; the last body is the top. Lean is its drift to the right, sag its drift down.
+// Result of boxes at rest; the last body is the top. Lean is its drift to the right, sag its drift down.
 struct Settled {
   std::vector<Figure> figures;
   StepTimes times;

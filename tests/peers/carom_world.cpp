@@ -4,8 +4,8 @@
 #include "physics/world/run_setup.h"
 #include "tests/peers/cases.h"
 
-// Carom in the same scenes: RK4 and contacts that last, with impacts at the step's end, as the peers have them,
-// or at their own time.
+// Carom in the same scenes: RK4 and resting contacts, with impacts at the step's end, as in the peers, or at
+// their own time.
 namespace carom::peers {
 namespace {
 

@@ -3,7 +3,7 @@
 #include "tests/peers/box_cases.h"
 #include "tests/peers/disc_cases.h"
 
-// Every case, written once, for an engine's world.
+// All cases, written once, for the world of any engine.
 namespace carom::peers {
 
 template <World W>

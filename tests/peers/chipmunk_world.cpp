@@ -4,8 +4,8 @@
 
 #include "tests/peers/cases.h"
 
-// Chipmunk 7 as it comes: 10 iterations, a collision slop of 0.1 m, no sleeping. Debian builds it with its
-// assertions, which its times include.
+// Chipmunk 7 with its defaults: 10 iterations, a collision slop of 0.1 m, no sleeping. Debian builds it with
+// its assertions, which its times include.
 namespace carom::peers {
 namespace {
 
@@ -29,7 +29,7 @@ class ChipmunkWorld {
     if (scene.counts_contacts) count_contacts();
   }
 
-  // The counter's address is the handler's.
+  // The handler has the counter's address.
   ChipmunkWorld(const ChipmunkWorld&) = delete;
   ChipmunkWorld& operator=(const ChipmunkWorld&) = delete;
 
@@ -42,8 +42,8 @@ class ChipmunkWorld {
     return {p.x, p.y, cpBodyGetAngle(b), v.x, v.y, cpBodyGetAngularVelocity(b)};
   }
 
-  // A step moves the bodies first and collides them then, so that the contacts' depths are those of the poses
-  // of now; a negative depth overlaps. Every pair is told twice, once from each body.
+  // A step first moves the bodies and then collides them, so that the contacts' depths are those of the
+  // present poses; a negative depth is a penetration. Every pair is reported twice, once from each body.
   [[nodiscard]] std::vector<double> overlaps() const {
     std::vector<double> list;
     const auto tell = [](cpBody*, cpArbiter* arbiter, void* data) {
@@ -79,7 +79,7 @@ class ChipmunkWorld {
     cpSpaceAddShape(space_.get(), shape);
   }
 
-  // Only where asked for: a handler is looked up at every contact.
+  // Only on request: a handler is looked up at every contact.
   void count_contacts() {
     cpCollisionHandler* handler = cpSpaceAddCollisionHandler(space_.get(), 0, 0);
     handler->userData = &contacts_begun_;
@@ -91,7 +91,7 @@ class ChipmunkWorld {
 
   std::vector<Owned<cpBody>> bodies_;
   std::vector<Owned<cpShape>> shapes_;
-  Owned<cpSpace> space_;  // freed first: it looks at its bodies then
+  Owned<cpSpace> space_;  // freed first: it accesses its bodies then
   long contacts_begun_ = 0;
 };
 

@@ -23,7 +23,7 @@ std::vector<Figure> pile_case(int count, double h) {
 
 inline constexpr double kDiscRadius = 0.25;  // m
 
-// A disc set down on a floor with v (m/s, to the right) and a clockwise spin ω (rad/s); it ends rolling at
+// A disc placed on a floor with v (m/s, to the right) and a clockwise spin ω (rad/s); it ends up rolling at
 // (2v + Rω)/3.
 template <World W>
 std::vector<Figure> rolling_case(double v, double clockwise, double h) {
@@ -35,7 +35,7 @@ std::vector<Figure> rolling_case(double v, double clockwise, double h) {
   return {{"final speed error", world.motion(1).vx - rolling, "m/s"}};
 }
 
-// A bounce is told at the end of the step that turns the velocity upward.
+// A bounce counts at the end of the step that turns the velocity upward.
 template <World W>
 std::vector<Figure> bounce_case(double h) {
   constexpr double kHeight = 1.0;
@@ -67,7 +67,7 @@ std::vector<Figure> bullet_case(double h) {
   return {{"passes", passed ? 1.0 : 0.0, "1"}, {"final speed", speed(world.motion(1)), "m/s"}};
 }
 
-// `count` discs in all: the first, half a metre away, strikes the others, which touch.
+// `count` discs in all: the first, half a metre away, hits the others, which touch.
 template <World W>
 std::vector<Figure> cradle_case(int count, double h) {
   Scene scene{.restitution = 1.0, .gy = 0.0};
@@ -81,8 +81,8 @@ std::vector<Figure> cradle_case(int count, double h) {
           {"energy lost", 100.0 * (1.0 - kinetic_energy(scene, end) / before), "%"}};
 }
 
-// A grid of discs that overlap by a quarter of their diameters. A correction moves a disc whether or not its
-// velocity tells so.
+// A grid of discs that penetrate by a quarter of their diameters. A correction moves a disc whether or not
+// its velocity shows it.
 template <World W>
 std::vector<Figure> overlapping_start_case(double h) {
   constexpr int kSide = 10;
@@ -108,7 +108,7 @@ std::vector<Figure> overlapping_start_case(double h) {
            "mm"}};
 }
 
-// Galperin's billiard: a wall, a light disc at rest, a heavy one that comes at 1 m/s.
+// Galperin's billiard: a wall, a light disc at rest, a heavy disc that comes in at 1 m/s.
 template <World W>
 std::vector<Figure> galperin_case(double ratio, double h) {
   Scene scene{.restitution = 1.0, .gy = 0.0, .counts_contacts = true};

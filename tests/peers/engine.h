@@ -7,12 +7,11 @@
 
 #include "tests/peers/scene.h"
 
-// What the cases ask of an engine, and what they tell of it.
+// The interface of an engine to the cases, and its figures.
 namespace carom::peers {
 
-// overlaps(): of every contact point the engine has now, or of the deepest alone, how deep the true shapes are
-// in one another (m); a gap is negative. contacts_begun(): how many contacts have begun, where the scene counts
-// them.
+// overlaps(): penetration (m) of the true shapes at every contact point of the engine, or at the deepest
+// alone; a gap is negative. contacts_begun(): number of contacts that have begun, if the scene counts them.
 template <class W>
 concept World = std::constructible_from<W, const Scene&> &&
     requires(W world, const W& seen, int body, double h) {
@@ -41,7 +40,7 @@ struct Engine {
 
 [[nodiscard]] Engine carom_at_step_end();
 [[nodiscard]] Engine carom_located();
-// Each is defined only where its library was found.
+// Each is defined only if its library was found.
 [[nodiscard]] Engine box2d();
 [[nodiscard]] Engine chipmunk();
 

@@ -10,7 +10,7 @@
 
 #include "tests/peers/engine.h"
 
-// The hard cases in Carom and in other engines, side by side in one run. No figure here is a test.
+// The hard cases in Carom and in other engines, side by side in one run. Prints figures, tests nothing.
 namespace carom::peers {
 namespace {
 

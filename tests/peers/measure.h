@@ -8,7 +8,7 @@
 
 #include "tests/peers/engine.h"
 
-// Runs of a world, their time, and figures from the bodies' motions.
+// Runs of a world, their time, and figures of the bodies' motions.
 namespace carom::peers {
 
 inline constexpr double kNone = -std::numeric_limits<double>::infinity();
@@ -37,7 +37,7 @@ struct StepTimes {
   }
 };
 
-// Steps of h for `seconds`; `look(t)` after each is not timed.
+// Steps of h for `seconds`; look(t) after each is not timed.
 template <World W, class Look>
 StepTimes run(W& world, double h, double seconds, const Look& look) {
   using Clock = std::chrono::steady_clock;
@@ -65,7 +65,7 @@ std::vector<Motion> motions(const W& world, const Scene& scene) {
   return list;
 }
 
-// The deepest overlap of the engine's contact points (m); kNone without any.
+// The deepest penetration of the engine's contact points (m); kNone without any.
 template <World W>
 double deepest(const W& world) {
   double most = kNone;
@@ -75,7 +75,7 @@ double deepest(const W& world) {
 
 [[nodiscard]] double speed(const Motion& m);                                                  // m/s
 [[nodiscard]] double kinetic_energy(const Scene& scene, const std::vector<Motion>& motions);  // J
-// Of what can move, in m/s.
+// Of the movable bodies, in m/s.
 [[nodiscard]] double rms_speed(const Scene& scene, const std::vector<Motion>& motions);
 
 // Walls around discs: planes at these coordinates (m).
@@ -85,7 +85,7 @@ struct Container {
   double floor = -std::numeric_limits<double>::infinity();
 };
 
-// From the poses alone, over the pairs that touch, of discs of one radius with each other and the container.
+// From the poses alone, over touching pairs: discs of one radius with each other and with the container.
 struct Penetrations {
   double largest = 0.0;  // m
   double mean = 0.0;     // m

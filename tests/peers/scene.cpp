@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kFixedWalls = 4;
 
-// Draws that are the same with every standard library: the top 53 bits, and Box and Muller's transform.
+// The same draws with every standard library: the top 53 bits, and Box and Muller's transform.
 class Draws {
  public:
   explicit Draws(std::uint64_t seed) : random_(seed) {}

@@ -3,7 +3,7 @@
 #include <variant>
 #include <vector>
 
-// What an engine is given: bodies as values, in SI units. The engines' own types stay in their files.
+// The scene that an engine gets: bodies as values, in SI units. The engines' own types stay in their files.
 namespace carom::peers {
 
 // Position (m), angle (rad, counter-clockwise) and their rates.
@@ -28,8 +28,8 @@ struct Box {
 struct Body {
   Motion start;
   std::variant<Disc, Box> shape = Box{};
-  double density = 1.0;  // kg/m²; 0: the body is fixed
-  bool bullet = false;   // the engine's own continuous collision, where it is chosen body by body
+  double density = 1.0;  // kg/m²; 0: the body is static
+  bool bullet = false;   // the engine's own continuous collision, if it is enabled body by body
 };
 
 struct Scene {
@@ -46,23 +46,24 @@ struct Scene {
 [[nodiscard]] double mass(const Body& body);     // kg
 [[nodiscard]] double inertia(const Body& body);  // kg·m², about the centre
 
-// A fixed box, `width` wide and 1 m thick, about x = 0, whose top is y = 0.
+// A static box, `width` wide and 1 m thick, about x = 0, with its top at y = 0.
 [[nodiscard]] Body floor(double width);
 
-// A floor, body 0, and on it `count` boxes of 1 m, each touching the next.
+// A floor, body 0, and on it a column of `count` touching boxes of 1 m.
 [[nodiscard]] Scene stack(int count);
 
-// A floor, body 0, and rows of `base`, base − 1, ... 1 boxes of 1 m that touch; the last body is the top.
+// A floor, body 0, and rows of `base`, base − 1, ... 1 touching boxes of 1 m; the last body is the top.
 [[nodiscard]] Scene pyramid(int base);
 
 // A floor, body 0, and on it a box of 1 kg under one of `ratio` kg, both of 1 m.
 [[nodiscard]] Scene heavy_on_light(double ratio);
 
-// A fixed body 0 and a box of 1 m touching it, μ = 0.5. The incline is gravity's, or where `turned` the
-// bodies'.
+// A static body 0 and a box of 1 m touching it, μ = 0.5. The incline comes from gravity, or from the bodies
+// if `turned`.
 [[nodiscard]] Scene incline(double tan_theta, bool turned);
 
-// An open container of fixed boxes, bodies 0 to 2, whose inside is x in [0, width] and y > 0; then the discs.
+// An open container of static boxes, bodies 0 to 2, with the inside x in [0, width] and y > 0; then the
+// discs.
 struct Pile {
   Scene scene;
   double width = 0.0;   // m
@@ -70,7 +71,8 @@ struct Pile {
 };
 [[nodiscard]] Pile pile(int count);
 
-// Elastic discs, frictionless, in a closed square of five times their area: four fixed boxes, then the discs.
+// Elastic discs without friction in a closed square of five times their area: four static boxes, then the
+// discs.
 [[nodiscard]] Scene gas(int count);
 
 }  // namespace carom::peers

@@ -9,7 +9,7 @@
 #include "physics/contact/contact_solver.h"
 #include "physics/model/mass.h"
 
-// Bodies and their contacts for the contact solver, without a scene or a stepper.
+// Bodies and contacts for the contact solver, without a scene or a time step.
 namespace carom::test {
 
 class ContactScene {
@@ -19,7 +19,7 @@ class ContactScene {
   Contacts contacts;
   std::vector<Vec2> position;
 
-  // Masses of 0 mean immovable.
+  // A mass of 0 means static.
   int body(const Vec2& at, double m, double inertia, const Eigen::Vector3d& velocity = {0.0, 0.0, 0.0}) {
     const int i = static_cast<int>(position.size());
     position.push_back(at);
@@ -37,7 +37,7 @@ class ContactScene {
   }
   int disc(const Vec2& at, double radius, double m) { return body(at, m, 0.5 * m * radius * radius); }
 
-  // A contact at `point` with the normal from a to b, of one friction, that sticks at first.
+  // A contact at `point` with its normal from a to b, one friction coefficient, sticking at first.
   int contact(int a, int b, const Vec2& point, const Vec2& normal, double friction) {
     const int c = contacts.size();
     contacts.resize(c + 1);
@@ -50,7 +50,7 @@ class ContactScene {
     contacts.sticks[c] = 1;
     return c;
   }
-  // Both corners of a box's lower edge on what lies below.
+  // Both corners of a box's lower edge on the body below.
   void corners(int below, int above, double width, double height, double friction) {
     for (const double side : {-0.5, 0.5})
       contact(below, above, position[above] + Vec2(side * width, -0.5 * height), {0.0, 1.0}, friction);
@@ -75,7 +75,7 @@ class ContactScene {
   }
 };
 
-// A stack of boxes of side 1 m on a floor, from below; each on two corners.
+// A stack of boxes of side 1 m on a floor, masses from the bottom up; each rests on two corners.
 inline ContactScene stack_of(const std::vector<double>& masses, double friction) {
   ContactScene s;
   int below = s.fixed();
@@ -132,8 +132,8 @@ struct RandomIsland {
   bool kinematic = false;
 };
 
-// Bodies at random places and speeds, some of them immovable, with contacts between neighbours whose normals
-// are only roughly along the line of centres; some frictionless, some with rolling resistance, some with a gap.
+// Bodies at random places and speeds, some of them static, with contacts between neighbours whose normals are
+// only roughly along the line of centres; some frictionless, some with rolling resistance, some with a gap.
 inline ContactScene random_island(std::uint64_t seed, const RandomIsland& kind) {
   Uniform draw(seed);
   ContactScene s;

@@ -9,7 +9,7 @@
 
 #include "physics/model/convex.h"
 
-// Random convex shapes, and slow and obvious answers for pairs of them.
+// Random convex shapes, and slow but simple reference results for pairs of them.
 namespace carom::test {
 
 inline double uniform(std::mt19937_64& random, double low, double high) {
@@ -21,7 +21,7 @@ inline constexpr int kShapeKinds = 7;
 inline const char* const kShapeNames[kShapeKinds] = {"disc",    "box",     "polygon",   "rounded polygon",
                                                      "capsule", "segment", "half-plane"};
 
-// On an ellipse, so that every vertex is a corner: from nearly regular ones to needles.
+// On an ellipse, so that every vertex is a corner: from nearly regular polygons to needles.
 inline std::vector<Vec2> random_polygon(std::mt19937_64& random) {
   const int n = 3 + static_cast<int>(random() % (kMostVertices - 2));
   const Vec2 half(uniform(random, 0.1, 1.0), uniform(random, 0.1, 1.0));
@@ -66,7 +66,7 @@ struct Point {
 };
 struct Outline {
   std::vector<Point> vertices;
-  std::vector<Point> normals;  // outward, of the edges; of a segment both sides
+  std::vector<Point> normals;  // outward, of the edges; both sides of a segment
   Real rounding = 0.0L;
   bool half_plane = false;
   Point origin{0.0L, 0.0L};
@@ -97,7 +97,7 @@ inline Outline outline(const ConvexShape& shape, const Eigen::Vector3d& q) {
   return o;
 }
 
-// The least n·(x_b - x_a), from its definition.
+// The smallest n·(x_b - x_a), by definition.
 inline Real separation_along(const Outline& a, const Outline& b, const Point& n) {
   Real least = std::numeric_limits<Real>::infinity();
   for (const Point& p : a.vertices) {
@@ -131,7 +131,7 @@ inline Real core_distance(const Outline& a, const Outline& b) {
   return least;
 }
 
-// The greatest separation along the edges' normals (both ways for those of a, whose outside is -n for b).
+// The largest separation along the edges' normals (those of a and of b, where a's outside is -n for b).
 inline Real core_penetration(const Outline& a, const Outline& b) {
   Real most = -std::numeric_limits<Real>::infinity();
   for (const Point& n : a.normals) most = std::max(most, separation_along(a, b, n));
@@ -139,8 +139,8 @@ inline Real core_penetration(const Outline& a, const Outline& b) {
   return most + a.rounding + b.rounding;
 }
 
-// The signed gap. Cores overlap if no edge parts them; two points, and a point and a segment, or two segments
-// on one line, have a distance all the same.
+// The signed gap. Cores overlap if no edge separates them; two points, a point and a segment, or two
+// collinear segments always have a distance.
 inline Real reference_gap(const Outline& a, const Outline& b) {
   if (a.half_plane) return separation_along(a, b, a.normals[0]);
   if (b.half_plane) return separation_along(a, b, {-b.normals[0].x, -b.normals[0].y});
@@ -152,7 +152,7 @@ inline Real reference_gap(const Outline& a, const Outline& b) {
   return overlap - rounding;
 }
 
-// m: what the rounding of a gap is relative to: the sizes and the distance of both bodies' frames.
+// m: the scale of a gap's rounding: the sizes and the distance of both bodies' frames.
 inline double scale_of(const Outline& a, const Outline& b) {
   Real most = a.rounding + b.rounding + std::hypot(a.origin.x - b.origin.x, a.origin.y - b.origin.y);
   for (const Outline* o : {&a, &b}) {

@@ -11,10 +11,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-// What goes wrong about files: full disks, rights that are not there, kills at any moment.
+// Faults of files: full disks, missing rights, kills at any moment.
 namespace carom::test {
 
-// A disk of its own of so many bytes, for who may mount one.
+// A mounted disk of so many bytes, if the user may mount one.
 class SmallDisk {
  public:
   SmallDisk(const std::filesystem::path& folder, int bytes) : folder_(folder) {
@@ -28,7 +28,7 @@ class SmallDisk {
     if (mounted_) umount2(folder_.c_str(), MNT_DETACH);
   }
   [[nodiscard]] bool mounted() const { return mounted_; }
-  // Until nothing more fits but `left` bytes.
+  // Fills the disk up to `left` bytes.
   void fill(std::uintmax_t left = 0) const {
     const std::uintmax_t room = std::filesystem::space(folder_).available;
     if (room <= left) return;
@@ -41,8 +41,7 @@ class SmallDisk {
   bool mounted_ = false;
 };
 
-// What `act` answers in a process of its own, that of a user without rights where this one is root's; -1 if it
-// crashed.
+// Result of `act` in its own process, as a user without rights if this one is root; -1 if it crashed.
 template <class Act>
 int as_nobody(const Act& act) {
   constexpr uid_t kNobody = 65534;
@@ -56,7 +55,7 @@ int as_nobody(const Act& act) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-// How often something is killed: 300 times in the long tests.
+// How often to kill a process: 300 times in the long tests.
 inline int kills(int ordinary) { return std::getenv("CAROM_LONG_TESTS") != nullptr ? 300 : ordinary; }
 
 inline int random_signal(std::mt19937& random) {

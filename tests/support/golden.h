@@ -12,8 +12,8 @@
 #include <string>
 #include <string_view>
 
-// Hashes of what the program computes, kept in a file beside the test: what is to stay, byte for byte, when the
-// code is rearranged.
+// Hashes of the program's results, kept in a file beside the test: what must stay the same, byte for byte,
+// when the code is rearranged.
 namespace carom::test {
 
 // Fowler, Noll and Vo's hash, 64 bits, FNV-1a.
@@ -37,7 +37,7 @@ class Hash {
   std::uint64_t hash_ = 0xCBF29CE484222325U;
 };
 
-// What the machine's mathematical functions give, which no standard fixes to the last bit.
+// Results of the machine's mathematical functions, which no standard fixes to the last bit.
 inline std::string hash_of_functions() {
   Hash hash;
   for (int k = 1; k <= 2000; ++k) {
@@ -51,7 +51,7 @@ inline std::string hash_of_functions() {
 }
 
 // Compares the hashes of one preset, by name (each begins with the preset's and a space), with those in the
-// file. Where CAROM_WRITE_GOLDEN is set, writes them into the file instead.
+// file. If CAROM_WRITE_GOLDEN is set, writes them into the file instead.
 inline void expect_golden(const std::filesystem::path& file, const std::string& preset,
                           const std::map<std::string, std::string>& now) {
   const char* const functions = "functions";

@@ -5,7 +5,7 @@
 
 namespace carom::test {
 
-// Discs that all lie at one place, with speeds up to `speed` (m/s).
+// Discs all at the same place, with speeds up to `speed` (m/s).
 inline RunSetup heap(int columns, int rows, double speed = 0.0) {
   GridGenerator discs;
   discs.columns = columns;

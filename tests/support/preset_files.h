@@ -16,7 +16,7 @@ inline std::string content(const std::filesystem::path& file) {
   return text.str();
 }
 
-// All that Carom ships, in the order of their paths.
+// All presets that Carom ships, in the order of their paths.
 inline std::vector<std::filesystem::path> preset_files() {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(CAROM_PRESET_DIR)) {
@@ -26,14 +26,14 @@ inline std::vector<std::filesystem::path> preset_files() {
   return files;
 }
 
-// Of a test that has a preset for its parameter: letters and digits alone.
+// Name of a test with a preset as its parameter: letters and digits only.
 inline std::string preset_test_name(const testing::TestParamInfo<std::filesystem::path>& file) {
   std::string name = file.param.stem().string();
   std::erase(name, '-');
   return name;
 }
 
-// A folder of its own for a test, gone afterwards.
+// A temporary folder for a test.
 class PresetFiles : public testing::Test {
  protected:
   PresetFiles()

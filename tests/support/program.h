@@ -20,7 +20,7 @@ class Program {
  public:
   ProgramResult operator()(const QStringList& arguments) const { return run(CAROM_PROGRAM, arguments); }
 
-  // A line of the shell in the working folder, where $carom is the program.
+  // Runs a shell line in the working folder, where $carom is the program.
   [[nodiscard]] ProgramResult shell(const QString& line) const { return run("/bin/bash", {"-c", line}); }
 
   // A file in the working folder.
@@ -63,7 +63,7 @@ class Program {
   QTemporaryDir folder_;
 };
 
-// Bad input: exit code 2, one line that holds `part` on stderr, nothing on stdout.
+// Bad input: exit code 2, one line with `part` on stderr, nothing on stdout.
 inline void expect_refused(const ProgramResult& result, const std::string& part) {
   EXPECT_EQ(result.code, 2);
   EXPECT_EQ(result.out, "");

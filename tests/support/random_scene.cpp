@@ -36,7 +36,7 @@ constexpr double kSlow = 0.2;
 constexpr double kLargestRadius = 0.25;  // of a disc, in units
 constexpr double kLongestRun = 2.0;      // s: 60 of the longest steps
 
-// True if the last body overlaps one before it that it could meet.
+// True if the last body penetrates an earlier one that it can collide with.
 bool last_overlaps(const std::vector<Body>& bodies) {
   const Geometry shapes = geometry(bodies);
   const State state = initial_state(bodies);
@@ -48,9 +48,8 @@ bool last_overlaps(const std::vector<Body>& bodies) {
   return false;
 }
 
-// True if a driven body leaves room for two discs of any size between itself and what is fixed, as long as a
-// run may last: discs that are crushed have no motion without an overlap. Its shape is taken as the circle
-// around it.
+// True if a kinematic body leaves room for two discs of any size between itself and the static bodies, for
+// the longest run: crushed discs must penetrate. Its shape is taken as its bounding circle.
 bool never_crushes(const Body& kinematic, const std::vector<Body>& fixed, double unit) {
   std::vector<Body> bodies = fixed;
   bodies.push_back(disc("around", kinematic.position, {0.0, 0.0},
@@ -175,9 +174,9 @@ void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, 
       s.scene.forces.springs.push_back(spring);
     }
   }
-  // Not of bodies with corners: the search for contacts of thin ones that such a pull throws about is slow.
+  // Not for bodies with corners: the contact search is slow for thin bodies thrown about by such a pull.
   if (dice.chance(0.1) && !cornered) {
-    // The heaviest pulls a neighbour at 0.3 units as strongly as gravity does.
+    // The heaviest body pulls a neighbour at 0.3 units as strongly as gravity does.
     s.scene.forces.attraction = Attraction{dice.between(0.1, 1.0) * unit * unit * unit / 100.0,
                                            dice.chance(0.5) ? dice.between(0.05, 0.3) * unit : 0.0};
   }

@@ -10,15 +10,15 @@
 #include "physics/world/run_state.h"
 #include "physics/world/simulation.h"
 
-// A run beside one that was saved on its way, read again, and gone on with.
+// Compares a run with one that was saved, read again and continued.
 namespace carom::test {
 
-// Through a file's text, to the last bit.
+// Through a file's text, exact to the last bit.
 inline Preset saved_and_read(const Preset& document, const Simulation& simulation) {
   return parse_preset(write_preset(saved_preset(document, simulation)), "saved");
 }
 
-// Everything that a run can be asked for, and everything that it goes on from: two runs of one text are one.
+// All that a run reports and all that it continues from: two runs with the same text are equal.
 inline std::string all_of(const Preset& document, const Simulation& s) {
   std::string text = s.notices().text() + "\n";
   const auto bytes = [&](const auto& matrix) {
@@ -58,7 +58,7 @@ inline std::string events_of(const Simulation& s) {
   return text;
 }
 
-// Where two texts part, with what stands there.
+// The first place where two texts differ, with both texts there.
 inline std::string parting(const std::string& a, const std::string& b) {
   if (a == b) return {};
   std::size_t at = 0;

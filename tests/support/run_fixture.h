@@ -21,7 +21,7 @@ inline Body disc(const std::string& name, const Vec2& position, const Vec2& velo
   return body;
 }
 
-// 1 kg at 3 m/s runs into 2 kg at rest at t = 0.2 s: elastically, so that they leave at -1 and 2 m/s.
+// 1 kg at 3 m/s hits 2 kg at rest at t = 0.2 s, elastically: they leave at -1 and 2 m/s.
 inline Preset head_on_scene() {
   Preset preset;
   preset.title = "Head-on";
@@ -51,7 +51,7 @@ inline Frame run_to(const Preset& preset, double time, const std::vector<Curve>&
   return frame;
 }
 
-// One of the plots that have a name.
+// A plot by its name.
 inline Plot named(const std::string& id) {
   Plot plot;
   plot.id = id;

@@ -7,7 +7,7 @@
 
 namespace carom {
 
-// The moment that a simulation stands at, as a frame.
+// The present moment of a simulation as a frame.
 inline std::shared_ptr<Frame> frame_of(const Simulation& simulation) {
   auto frame = std::make_shared<Frame>();
   frame->time = simulation.time();
@@ -18,8 +18,8 @@ inline std::shared_ptr<Frame> frame_of(const Simulation& simulation) {
   return frame;
 }
 
-// A floor from x = 0 to 4 m with its top at y = 0, a disc of 0.5 m about (1, 1) that moves up, and one of
-// 0.25 m about (3, 1) at rest.
+// A floor from x = 0 to 4 m with its top at y = 0, a disc of 0.5 m at (1, 1) that moves up, and one of 0.25 m
+// at (3, 1) at rest.
 inline Preset two_discs() {
   Preset preset;
   Body floor;

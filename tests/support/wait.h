@@ -5,8 +5,7 @@
 
 namespace carom::test {
 
-// Asks again and again until `fulfilled` or a minute has passed, which is a failure of the test, not its
-// measure.
+// Polls `fulfilled` until it is true or a minute has passed; that limit is for failing tests, not a measure.
 template <class Condition>
 [[nodiscard]] bool wait_until(const Condition& fulfilled) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);

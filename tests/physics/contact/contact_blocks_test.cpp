@@ -6,14 +6,14 @@
 #include "physics/contact/contact_solver.h"
 #include "tests/support/contact_scenes.h"
 
-// Crowds in blocks of lanes, against one contact after another.
+// Large islands solved in blocks of SIMD lanes, against one contact after another.
 namespace carom {
 namespace {
 
 constexpr ContactSolverOptions kInBlocks{.most_exact = 0, .large_sweeps = 4000, .large_tolerance = 1e-11};
 
-// Random contacts between any bodies, many on the same few, with impulses to start from. Some bodies are
-// immovable, driven or only turn; `law` says which resistance there is.
+// Random contacts between any bodies, many on the same few, with initial impulses. Some bodies are static,
+// kinematic or only turn; `law` chooses the resistance.
 test::ContactScene network(std::uint64_t seed, BlockLaw law) {
   test::Uniform draw(seed);
   test::ContactScene s;
@@ -47,7 +47,7 @@ test::ContactScene network(std::uint64_t seed, BlockLaw law) {
   return s;
 }
 
-// Block and lane of each contact, in the islands' order.
+// Block and SIMD lane of each contact, in the order of the islands.
 std::vector<std::pair<std::size_t, std::size_t>> lanes_of(const ContactWorkspace& w) {
   std::map<int, std::pair<std::size_t, std::size_t>> lane_of;
   for (std::size_t k = 0; k < w.large_islands.blocks.size(); ++k) {
@@ -94,7 +94,7 @@ TEST(ContactBlocks, AreFilledWellInALattice) {
   EXPECT_LE(kLanes * w.large_islands.blocks.size(), 2U * static_cast<std::size_t>(s.contacts.size()));
 }
 
-// Each set of instructions against rows that are solved one after another.
+// Each instruction set against rows solved one after another.
 TEST(ContactBlocks, GiveTheBytesOfOneContactAfterAnother) {
   int sets = 0;
   for (const BlockKernels& kernels : all_block_kernels()) {
@@ -105,7 +105,7 @@ TEST(ContactBlocks, GiveTheBytesOfOneContactAfterAnother) {
       const test::ContactScene s = network(seed, law);
       ContactWorkspace w;
       test::ContactScene prepared = s;
-      // Without a sweep the blocks are loaded, with the free velocities and what the first impulses give.
+      // Without a sweep the blocks are loaded, with the free velocities and the effect of the first impulses.
       solve_contacts(prepared.mass, prepared.contacts, prepared.v, {.most_exact = 0, .large_sweeps = 0}, w);
       for (std::size_t i = 0; i < w.large_islands.velocity.size() - 1; ++i) {
         const auto v = s.v.col(static_cast<Eigen::Index>(i));
@@ -150,7 +150,7 @@ TEST(ContactBlocks, GiveTheBytesOfOneContactAfterAnother) {
   EXPECT_GE(sets, 1);
 }
 
-// Momentum lane by lane, each set of instructions against numbers one after another.
+// Momentum in each SIMD lane, each instruction set against scalar code.
 TEST(ContactBlocks, CarryOnAsNumbersDo) {
   for (const BlockKernels& kernels : all_block_kernels()) {
     if (!kernels.runs_here()) continue;
@@ -206,8 +206,8 @@ TEST(ContactBlocks, CarryOnAsNumbersDo) {
   }
 }
 
-// A column of discs, each overlapping the next by 1 mm, on a floor: each sweep passes the push on by about one
-// contact each way, and by more with momentum.
+// A column of discs on a floor, each penetrating the next by 1 mm: each sweep passes the push on by about one
+// contact in either direction, and by more with momentum.
 TEST(ContactBlocks, MomentumReachesTheBottomOfAHighColumn) {
   constexpr int kHigh = 100;
   constexpr int kSweeps = 400;
@@ -223,7 +223,7 @@ TEST(ContactBlocks, MomentumReachesTheBottomOfAHighColumn) {
   ContactWorkspace w;
   const ContactSolverOptions options{.most_exact = 0, .large_sweeps = kSweeps, .large_tolerance = 1e-12};
   project_penetrations(s.mass, s.contacts, 1.0, dq, options, w);
-  // By theory the top moves up by the sum of all overlaps.
+  // By theory the top moves up by the sum of all penetrations.
   EXPECT_NEAR(dq(1, kHigh), kHigh * kPenetration, 0.01 * kHigh * kPenetration);
 
   std::vector<ContactRow> rows;
@@ -237,8 +237,8 @@ TEST(ContactBlocks, MomentumReachesTheBottomOfAHighColumn) {
   EXPECT_LT(bodies.back().vy, 0.5 * kHigh * kPenetration);
 }
 
-// Friction and rolling resistance that many share: what momentum leaves is less most times, and never much
-// more.
+// Friction and rolling resistance shared by many contacts: with momentum the residual is mostly smaller, and
+// never much larger.
 TEST(ContactBlocks, MomentumLeavesLittleMoreThanSweepsAlone) {
   constexpr int kSweeps = 40;
   int better = 0;
@@ -289,7 +289,7 @@ TEST(ContactBlocks, FindWhatTheExactSolverFinds) {
   EXPECT_GT(compared, 70);
 }
 
-// What was prepared serves several solves, of velocities and of overlaps.
+// One preparation serves several solves, of velocities and of penetrations.
 TEST(ContactBlocks, StayPreparedFromSolveToSolve) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     for (const int most_exact : {0, 40, 1000}) {

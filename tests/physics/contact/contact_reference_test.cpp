@@ -13,7 +13,7 @@ namespace carom {
 
 namespace test {
 
-// What a failing test shows of its parameter.
+// Name of a failing test's parameter.
 void PrintTo(const ContactReference& reference, std::ostream* out) { *out << reference.name; }
 
 }  // namespace test
@@ -49,7 +49,7 @@ RunSetup scene_of(const ContactReference& c) {
   return s;
 }
 
-// m: all the lengths that a gap is computed from.
+// m: the sum of all lengths from which a gap is computed.
 double scale(const ContactReference& c) {
   double sum = c.b_radius + c.disc_radius + c.box[0] + c.box[1] + std::abs(c.swing[0]) + std::abs(c.swing[1]);
   for (int i = 0; i < 2; ++i) {
@@ -58,16 +58,16 @@ double scale(const ContactReference& c) {
   return sum + c.gravity * c.until * c.until;
 }
 
-// Euler's methods are of order 1: a parabola is not exact for them.
+// Euler's methods have order 1: a parabola is not exact for them.
 bool is_exact(IntegratorId id, const ContactReference& c) {
   return c.gravity == 0.0 || (id != IntegratorId::kExplicitEuler && id != IntegratorId::kSemiImplicitEuler);
 }
 
 class ContactReferences : public testing::TestWithParam<ContactReference> {};
 
-// Against roots in 100 digits: the first impact comes at its time, within the time that the rounding of the gap
-// leaves open; a pass that misses is no impact. Under every integrator that is exact for the motion, in a few
-// steps and in one.
+// Against roots in 100 digits: the first impact occurs at its time, within the uncertainty from the gap's
+// rounding; a near miss is no impact. Under every integrator that is exact for the motion, in a few steps and
+// in one.
 TEST_P(ContactReferences, FirstImpact) {
   const ContactReference& c = GetParam();
   for (const IntegratorChoice& integrator : kIntegrators) {
@@ -88,7 +88,7 @@ TEST_P(ContactReferences, FirstImpact) {
       const double rounding = kGapRounding * kEpsilon * scale(c);
       const ImpactRecord& impact = simulation.last_impacts().front();
       EXPECT_NEAR(impact.time, c.time, rounding / c.closing + 4.0 * kEpsilon * c.until) << what;
-      // Where the gap is off by its rounding the speed of a grazing contact has changed a little.
+      // Where rounding shifts the gap, the speed of a grazing contact has changed a little.
       EXPECT_NEAR(impact.closing_speed, c.closing, 1e-4 * c.closing) << what;
     }
   }

@@ -7,14 +7,14 @@
 #include "physics/contact/contact_solver.h"
 #include "tests/support/contact_scenes.h"
 
-// Random islands against slow and obvious references in long double.
+// Random islands against slow but simple references in long double.
 namespace carom {
 namespace {
 
 using test::ContactScene;
 using Real = long double;
 
-// One contact's rows of the Jacobian, spelled out from the definition of u; 6 columns: A, then B.
+// The rows of the Jacobian of one contact, written out from the definition of u; 6 columns: A, then B.
 struct Rows {
   std::array<Real, 6> normal, tangential, spin;
 };
@@ -29,7 +29,7 @@ Rows jacobian(const Contacts& c, int i) {
   return {row(nx, ny), row(-ny, nx), {0.0L, 0.0L, -1.0L, 0.0L, 0.0L, 1.0L}};
 }
 
-// Velocities in long double, and what an impulse along a row does to them.
+// Velocities in long double, and the effect of an impulse along a row.
 class LongMotion {
  public:
   LongMotion(const ContactScene& s) : scene_(s), v_(3 * s.position.size()) {
@@ -64,8 +64,8 @@ bool in_play(const ContactScene& s, int c) {
   return s.mass.inverse_mass[s.contacts.a[c]] > 0.0 || s.mass.inverse_mass[s.contacts.b[c]] > 0.0;
 }
 
-// The law's own words on a solution: how far, in m/s, each contact is from obeying. `before` holds the
-// velocities before the solve, `after` the impulses.
+// Residual of the contact law, from its definition: how far, in m/s, each contact violates it. `before` has
+// the velocities before the solve, `after` the impulses.
 double disobedience(const ContactScene& before, const ContactScene& after) {
   LongMotion v(before);
   const Contacts& c = after.contacts;
@@ -100,7 +100,7 @@ double disobedience(const ContactScene& before, const ContactScene& after) {
   return static_cast<double>(worst);
 }
 
-// Plain projected Gauss-Seidel from zero impulses until nothing changes any more; false if it does not settle.
+// Plain projected Gauss-Seidel from zero impulses until nothing changes; false if it does not converge.
 bool reference(const ContactScene& s, LongMotion& v) {
   const Contacts& c = s.contacts;
   std::vector<Real> normal(c.size()), tangential(c.size()), moment(c.size());
@@ -133,7 +133,7 @@ bool reference(const ContactScene& s, LongMotion& v) {
 TEST(ContactSolverRandom, VelocitiesAgreeWithASlowReference) {
   int compared = 0;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
-    // Beyond friction of about a half such islands may have several solutions.
+    // For friction above about one half such islands may have several solutions.
     const test::RandomIsland kind{
         .most_contacts = 40, .mass_spread = 1.0, .most_friction = 0.3, .kinematic = seed % 3 == 0};
     const ContactScene before = test::random_island(seed, kind);
@@ -154,7 +154,7 @@ TEST(ContactSolverRandom, VelocitiesAgreeWithASlowReference) {
 TEST(ContactSolverRandom, ObeysTheLawsAndAddsNoEnergy) {
   struct Kind {
     test::RandomIsland island;
-    int most_missed;  // of 300, as measured; friction of 3 has islands that jam in many ways
+    int most_missed;  // of 300, as measured; with a friction of 3 islands jam in many ways
   };
   const Kind kinds[] = {
       {{.most_friction = 0.3}, 0},
@@ -194,7 +194,7 @@ TEST(ContactSolverRandom, TheSameBytesAgainWhateverTheWorkspaceHeld) {
 }
 
 TEST(ContactSolverRandom, IslandsDoNotFeelOneAnother) {
-  // One scene alone and beside another that is far away: the same bytes.
+  // One scene alone, and together with another that is far away: the same bytes.
   int more = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     ContactScene alone = test::random_island(seed, {});

@@ -19,7 +19,7 @@ double both(const Contacts& contacts, int interface) {
   return contacts.normal_impulse[2 * interface] + contacts.normal_impulse[2 * interface + 1];
 }
 
-// Gravity for one step, then the impulses that each pair of contacts of a stack must bear.
+// Gravity for one step, then the impulses that each pair of contacts in a stack must carry.
 void expect_weights(ContactScene s, const std::vector<double>& masses, double relative) {
   s.accelerate({0.0, -kG}, kH);
   const ContactSolverReport report = s.solve(kExact);
@@ -63,7 +63,7 @@ TEST(ContactSolver, BlockSticksUpToTheConeAndSlidesBeyond) {
   constexpr double kMu = 0.5;
   for (const double share : {0.995, 1.005}) {
     for (const bool was_sticking : {true, false}) {
-      const double mu_k = was_sticking ? 0.3 : kMu;  // must not matter while the contacts stick
+      const double mu_k = was_sticking ? 0.3 : kMu;  // must have no effect while the contacts stick
       const Slope slope{std::atan(share * kMu)};
       ContactScene s;
       const int floor = s.fixed();
@@ -137,8 +137,8 @@ TEST(ContactSolver, PullingTheLowerOfTwoBoxes) {
 }
 
 TEST(ContactSolver, WedgeInAGroove) {
-  // A V of half angle α with two contacts a side; friction beyond tan α jams it. Pushed in it must rest. Pulled
-  // out it may stay or go, as the laws have both answers, but one of them it must be.
+  // A V of half angle α with two contacts a side; friction above tan α jams it. Pushed in, it must rest.
+  // Pulled out, it may stay or move, because the laws have both solutions, but it must be one of them.
   constexpr double kAlpha = 0.2;
   for (const double pull : {-1.0, 0.3, 1.0}) {
     ContactScene s;
@@ -188,7 +188,7 @@ TEST(ContactSolver, SpeculativeContacts) {
   for (const int disc : {slow, fast}) {
     const int c = s.contact(floor, disc, {s.position[disc].x(), 0.0}, {0.0, 1.0}, 0.5);
     s.contacts.target[c] = -0.1 / kH;
-    s.contacts.normal_impulse[c] = 0.3;  // a guess that has to go
+    s.contacts.normal_impulse[c] = 0.3;  // a guess that must vanish
   }
   s.v.col(slow) << 0.5, -5.0, 2.0;
   s.v.col(fast) << 0.0, -7.0, 0.0;
@@ -241,7 +241,7 @@ TEST(ContactSolver, AWarmSolutionIsKept) {
 }
 
 TEST(ContactSolver, WhatCannotBeIsTold) {
-  // A box in a gap that closes: no velocity is allowed.
+  // A box in a closing gap: no velocity is allowed.
   ContactScene s;
   const int left = s.body({-1.0, 0.0}, 0.0, 0.0, {1.0, 0.0, 0.0});
   const int right = s.body({1.0, 0.0}, 0.0, 0.0, {-1.0, 0.0, 0.0});
@@ -255,12 +255,12 @@ TEST(ContactSolver, WhatCannotBeIsTold) {
 }
 
 TEST(ProjectOverlaps, IsTheLeastDisplacement) {
-  // Two discs of masses 1 and 3 overlap by 0.1 and touch nothing else; shared by inverse mass.
+  // Two discs of masses 1 and 3 penetrate by 0.1 and touch nothing else; they share it by inverse mass.
   ContactScene s;
   const int a = s.disc({0.0, 0.0}, 0.5, 1.0);
   const int b = s.disc({0.9, 0.0}, 0.5, 3.0);
   s.contacts.gap[s.contact(a, b, {0.45, 0.0}, {1.0, 0.0}, 0.5)] = -0.1;
-  s.v.setConstant(7.0);  // of no concern
+  s.v.setConstant(7.0);  // without effect
   Eigen::Matrix3Xd dq;
   ContactWorkspace workspace;
   const ContactSolverReport report = project_penetrations(s.mass, s.contacts, 0.5, dq, kExact, workspace);
@@ -271,8 +271,8 @@ TEST(ProjectOverlaps, IsTheLeastDisplacement) {
 }
 
 TEST(ProjectOverlaps, ColumnRisesAndNeighboursAreNotHit) {
-  // Ten boxes, each sunk by 2 cm into what is below, under a ceiling: half of that put right, the top rises by
-  // 10 cm; with room for 6 cm it cannot be, and that is told.
+  // Ten boxes under a ceiling, each 2 cm deep in the one below. To correct half of that the top rises by 10
+  // cm; with room for 6 cm it is impossible, and that is reported.
   for (const double room : {0.15, 0.06}) {
     ContactScene s = test::stack_of(std::vector<double>(10, 1.0), 0.5);
     for (double& gap : s.contacts.gap) gap = -0.02;

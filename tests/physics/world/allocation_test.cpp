@@ -8,8 +8,8 @@
 #include "tests/support/contact_scenes.h"
 #include "tests/support/scenes.h"
 
-// Every allocation of this program is counted: operator new and Eigen both end in malloc. The sanitizers bring
-// a malloc of their own; the test skips there.
+// Every allocation of this program is counted: operator new and Eigen both end in malloc. The sanitizers have
+// their own malloc; the test is skipped there.
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define CAROM_COUNTS_ALLOCATIONS
 #endif

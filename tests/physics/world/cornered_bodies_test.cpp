@@ -7,7 +7,7 @@
 #include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
-// Whole runs of bodies that are no discs.
+// Complete runs of bodies that are not discs.
 namespace carom {
 namespace {
 
@@ -75,7 +75,8 @@ TEST(CorneredBodies, BoxThatLandsFlatBouncesFlat) {
   EXPECT_NEAR(run.ledger().numerical_drift(run.totals().energy()), 0.0, 1e-12);
 }
 
-// Elastic and without friction: a gas of all shapes keeps its energy, and its momentum with the walls' share.
+// Elastic and without friction: a gas of all shapes conserves energy, and momentum including that of the
+// walls.
 TEST(CorneredBodies, GasKeepsEnergyAndMomentum) {
   std::vector<Body> bodies = half_planes(2.0);
   std::mt19937_64 random(5);
@@ -114,7 +115,7 @@ TEST(CorneredBodies, GasKeepsEnergyAndMomentum) {
   }
 }
 
-// With e < 1 and friction they come to lie on the floor.
+// With e < 1 and friction they come to rest on the floor.
 TEST(CorneredBodies, ComeToLieOnTheFloor) {
   for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
     Body box = shaped("box", Box{0.6, 0.4}, {0.0, 1.0}, 0.4);
@@ -147,7 +148,7 @@ TEST(Groups, PassThroughEachOther) {
   }
 }
 
-// Two point-like bodies meet head on; a box turns by an inertia that is given.
+// Two point-like bodies collide head on; a box turns by a given moment of inertia.
 TEST(Bodies, PointLikeAndWithAGivenInertia) {
   Body point = disc("point", {0.0, 0.3}, {1.0, 0.0}, 0.0);
   Body box = shaped("box", Box{1.0, 1.0}, {1.0, 0.0});

@@ -15,8 +15,8 @@ Method exact_flight(double step) {
   return {IntegratorId::kExactFlight, ImpactsId::kLocated, ContactsId::kImpulse, step};
 }
 
-// G. Galperin, Regular and Chaotic Dynamics 8 (2003) 375: the impacts of a heavy disc, a light one and a wall
-// count the digits of pi.
+// G. Galperin, Regular and Chaotic Dynamics 8 (2003) 375: the number of impacts of a heavy disc, a light disc
+// and a wall has the digits of pi.
 TEST(Galperin, CountsAreExact) {
   double mass = 1.0;
   for (const std::int64_t digits : {3, 31, 314, 3141, 31415, 314159, 3141592}) {
@@ -30,12 +30,12 @@ TEST(Galperin, CountsAreExact) {
     EXPECT_EQ(run.notices().resting_since, -1.0) << mass;
     EXPECT_EQ(run.notices().collapsed_since, -1.0) << mass;
     EXPECT_EQ(run.notices().impacts_capped_since, -1.0) << mass;
-    // Nearly all of the last one's impacts happen within 10 µs, more than the log of a step keeps.
+    // Nearly all of the last run's impacts occur within 10 µs, more than the log of a step keeps.
     if (digits < static_cast<std::int64_t>(kMostLogged)) {
       EXPECT_EQ(run.notices().text(), "ok") << mass;
     }
     EXPECT_NEAR(run.totals().kinetic() / run.ledger().initial, 1.0, 1e-9) << mass;
-    // They part for good, the light one ahead of nobody.
+    // They separate for good, and the light disc does not catch up with the heavy one.
     EXPECT_LE(std::abs(run.state().velocity(1).x()), run.state().velocity(2).x()) << mass;
     mass *= 100.0;
   }
@@ -77,8 +77,8 @@ TEST(InelasticCollapse, EndsInWords) {
   }
 }
 
-// A disc between a wall and a piston that does not stop: no motion is without an overlap, so the run must tell,
-// and go on.
+// A disc between a wall and a piston that does not stop: every motion penetrates, so the run must report it
+// and continue.
 TEST(Crushed, EndsInWords) {
   Body piston = wall("piston", {-1.1, 0.0}, 0.2, 1.0);
   piston.fixed = false;
@@ -93,7 +93,7 @@ TEST(Crushed, EndsInWords) {
   EXPECT_TRUE(run.state().q.allFinite() && run.state().v.allFinite());
 }
 
-// A disc that starts inside two walls is thrown from one into the other, all at the same time.
+// A disc that starts inside two walls is thrown from one into the other, all at one time.
 TEST(Crushed, BetweenTwoWallsItEndsInWordsToo) {
   RunSetup s = setup_with({wall("left", {-1.0, 0.0}, 1.2, 1.0), wall("right", {1.0, 0.0}, 1.2, 1.0),
                            disc("disc", {0.0, 0.0}, {1.0, 0.0}, 0.45)});

@@ -14,10 +14,10 @@
 #include "physics/world/simulation.h"
 #include "tests/support/preset_files.h"
 
-// The bytes of every preset's run under every method: final state, impacts, ledger and notices, as hashes in
-// golden.txt. A change that is to keep results keeps them all. One that is not calls
+// Results of every preset under every method: final state, impacts, ledger and notices, as hashes in
+// golden.txt. A change that keeps results must keep them all. A change of results calls
 //   CAROM_WRITE_GOLDEN=1 build/release/bin/carom_physics_tests --gtest_filter='*Golden*'
-// and says in its commit which lines of golden.txt are others, and why.
+// and its commit says which lines of golden.txt change, and why.
 namespace carom {
 namespace {
 
@@ -51,7 +51,7 @@ std::string hash_of_run(const Preset& preset) {
   return hash.text();
 }
 
-// Name and method to hash, of one preset.
+// Hashes of one preset by name and method.
 std::map<std::string, std::string> hashes_of(const fs::path& file) {
   std::map<std::string, std::string> hashes;
   Preset preset = read_preset(file);

@@ -8,7 +8,7 @@
 #include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
-// Impacts of jointed bodies, and strings.
+// Impacts of joined bodies, and strings.
 namespace carom {
 namespace {
 
@@ -38,7 +38,7 @@ void expect_closed_ledger(const Simulation& run, double energy, double momentum)
   EXPECT_LT(run.ledger().momentum_drift(run.totals().momentum).norm(), momentum);
 }
 
-// A bob on a rod at the angle α from the normal answers along it with m/sin²α.
+// A bob on a rod at the angle α from the normal responds along the normal with the mass m/sin²α.
 TEST(JointImpacts, DiscHitsABob) {
   for (const auto& impacts : kImpacts) {
     for (const double alpha : {0.5 * std::numbers::pi, 1.2, 0.4}) {
@@ -66,7 +66,7 @@ TEST(JointImpacts, DiscHitsABob) {
   }
 }
 
-// A disc hits the end of a dumbbell along its rod: the two answer as one body.
+// A disc hits the end of a dumbbell along its rod: the two discs respond as one body.
 TEST(JointImpacts, DumbbellAnswersAsOne) {
   RunSetup s = setup_with({disc("a", {-0.25, 0}, {2.0, 0}, 0.1, 1.0), disc("b", {0, 0}, {0, 0}, 0.1, 2.0),
                            disc("c", {1, 0}, {0, 0}, 0.1, 3.0)});
@@ -117,8 +117,8 @@ TEST(JointImpacts, HungCradle) {
   }
 }
 
-// Chains that fly and hit one another: no energy and no momentum is made, with restitution and friction,
-// whatever the method of impacts; without gravity what drifts is the integrator's part alone.
+// Chains fly and hit each other: they gain no energy or momentum, with restitution and friction, under either
+// method of impacts. Without gravity the only drift is the integrator's.
 TEST(JointImpacts, RandomChainsKeepTheLaws) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     std::mt19937_64 random(seed);
@@ -151,7 +151,7 @@ TEST(JointImpacts, RandomChainsKeepTheLaws) {
   }
 }
 
-// Pinned discs overlap for good and don't collide.
+// Pinned discs always penetrate and don't collide.
 TEST(JointImpacts, PinnedBodiesDontCollide) {
   for (const auto& impacts : kImpacts) {
     RunSetup s = setup_with({disc("a", {0, 0}, {0, 0}, 0.3), disc("b", {0.3, 0}, {0, 0}, 0.3)});
@@ -166,7 +166,8 @@ TEST(JointImpacts, PinnedBodiesDontCollide) {
   }
 }
 
-// A jointed body that is pushed out of an overlap stays on its joints, and the ledger says what that took.
+// A joined body that is pushed out of a penetration stays on its joints, and the ledger has the energy of
+// that.
 TEST(JointImpacts, PenetrationsPartAlongTheJoints) {
   RunSetup s = setup_with({disc("a", {0, 0}, {0, 0}, 0.2), disc("b", {0.3, -0.1}, {0, 0}, 0.2)}, 0.5);
   s.scene.forces.gravity = {0.0, -kGravity};
@@ -183,8 +184,7 @@ TEST(JointImpacts, PenetrationsPartAlongTheJoints) {
 
 // --- strings
 
-// A ball falls beside its string's anchor until the string jerks: the part of its velocity along the string is
-// lost.
+// A ball falls beside its string's anchor until the string is taut: its velocity along the string is lost.
 TEST(Strings, JerkTautIsLocatedAndNamed) {
   const double m = 0.6;
   const double x = 0.5;
@@ -208,7 +208,7 @@ TEST(Strings, JerkTautIsLocatedAndNamed) {
       run.advance_to(0.7);
       EXPECT_NEAR(run.ledger().lost_to_joints, 0.5 * m * radial * radial, 1e-12) << choice.name;
       EXPECT_NEAR(run.state().position(0).norm(), length, 1e-14) << choice.name;
-      // The momentum that the anchor's pull of the jerk gave is in the ledger too.
+      // The ledger also has the momentum of the anchor's taut impulse.
       expect_closed_ledger(run, choice.order > 2 ? 1e-7 : 1e-3, choice.order > 2 ? 1e-6 : 1e-2);
     }
   }
@@ -236,7 +236,7 @@ TEST(Strings, GoesSlackWhereTheTensionEnds) {
       EXPECT_EQ(run.ledger().lost_to_joints, 0.0);
       errors.push_back(std::abs(run.state().velocity(0).x() - across));
       run.advance_to(2.0);
-      EXPECT_GT(run.ledger().lost_to_joints, 0.01);  // it jerked taut again
+      EXPECT_GT(run.ledger().lost_to_joints, 0.01);  // a second taut impulse
       EXPECT_LT(run.state().position(0).norm(), length + 1e-14);
     }
     EXPECT_LT(errors[0], 1e-4) << choice.name;
@@ -246,7 +246,7 @@ TEST(Strings, GoesSlackWhereTheTensionEnds) {
   }
 }
 
-// Two bodies thrown apart on a string go on together along it: ½ μ u² is lost, momentum stays.
+// Two bodies thrown apart on a string continue together along it: ½ μ u² is lost, momentum stays.
 TEST(Strings, JoinTwoBodies) {
   for (const auto& impacts : kImpacts) {
     RunSetup s = setup_with({disc("a", {0, 0}, {-1.0, 0}, 0.1, 1.0), disc("b", {1, 0}, {2.0, 0}, 0.1, 2.0)});
@@ -264,7 +264,7 @@ TEST(Strings, JoinTwoBodies) {
   }
 }
 
-// Hit from below a hanging ball flies up as if it were free; hit from above its string holds it.
+// Hit from below, a hanging ball flies up as if it were free; hit from above, its string supports it.
 TEST(Strings, OnlyPullInAnImpact) {
   for (const double side : {-1.0, 1.0}) {
     RunSetup s = setup_with(
@@ -280,7 +280,7 @@ TEST(Strings, OnlyPullInAnImpact) {
   }
 }
 
-// A ball that hangs still stays where it is, and its string stays taut.
+// A ball that hangs at rest stays there, and its string stays taut.
 TEST(Strings, HoldWhatHangs) {
   RunSetup s = setup_with({disc("d", {0.3, -0.4}, {0, 0}, 0.1, 2.0), disc("e", {0.3, -0.9}, {0, 0}, 0.1, 1.0)});
   s.scene.forces.gravity = {0.0, -kGravity};

@@ -9,13 +9,13 @@
 #include "physics/world/simulation.h"
 #include "tests/support/scenes.h"
 
-// Runs that can't go on: they stand at the end of their last good step and say why.
+// Runs that can't continue: they stay at the end of their last good step and report why.
 namespace carom {
 namespace {
 
 using test::disc;
 
-// A spring far too stiff for the step: every explicit method doubles its swing many times a step.
+// A spring far too stiff for the step: every explicit method multiplies its amplitude in each step.
 RunSetup stiff_spring(IntegratorId integrator) {
   RunSetup s = test::setup_with({disc("a", {1, 0}, {0, 0}), disc("b", {5, 0}, {0, 1})});
   Spring spring;
@@ -44,7 +44,7 @@ TEST(LostRun, StandsAtItsLastGoodStepAndSaysWhy) {
       EXPECT_TRUE(run.state().q.allFinite() && run.state().v.allFinite() &&
                   run.state().quadratures.allFinite());
 
-      // All of it is what a run that ends there has.
+      // All results are those of a run that ends there.
       Simulation before(s);
       for (std::int64_t k = 0; k < run.steps(); ++k) before.step();
       EXPECT_FALSE(before.lost());
@@ -54,7 +54,7 @@ TEST(LostRun, StandsAtItsLastGoodStepAndSaysWhy) {
       EXPECT_EQ(run.ledger().expected(), before.ledger().expected());
       EXPECT_EQ(run.impact_count(), before.impact_count());
 
-      // Nothing moves it any more.
+      // Nothing changes it any more.
       run.step();
       run.set_method({.integrator = IntegratorId::kExactFlight});
       run.add_body(disc("c", {0, 3}, {0, 0}));
@@ -75,16 +75,16 @@ TEST(LostRun, AStepThatResolvesTheSpringIsNotLost) {
 }
 
 TEST(LostRun, FarIsNoLoss) {
-  // Fast, but every digit means something.
+  // Fast, but every digit is significant.
   RunSetup s = test::setup_with({disc("a", {0, 0}, {1e9, 0})});
   s.method = {.integrator = IntegratorId::kExactFlight, .step = 1.0};
   Simulation run(s);
   run.advance_to(1000.0);
   EXPECT_FALSE(run.lost());
-  EXPECT_NEAR(run.state().position(0).x(), 1e12, 100.0);  // of 250 thousand trajectories, a rounding each
+  EXPECT_NEAR(run.state().position(0).x(), 1e12, 100.0);  // 250 thousand trajectories, each rounded once
 }
 
-// Whoever can't keep his tolerance says so instead of taking steps for ever.
+// A method that can't keep its tolerance reports it instead of stepping for ever.
 TEST(LostRun, TheAdaptiveMethodSaysThatItNeedsTooManySteps) {
   RunSetup s = test::setup_with({disc("a", {0, 0}, {1, 0})});
   s.scene.forces.linear_drag = 1e12;
@@ -97,7 +97,7 @@ TEST(LostRun, TheAdaptiveMethodSaysThatItNeedsTooManySteps) {
   EXPECT_EQ(run.time(), 0.0);
 }
 
-// Forces so strong that coordinates stop being numbers within a step.
+// Forces so strong that coordinates become infinite or NaN within a step.
 TEST(LostRun, CoordinatesThatAreNoNumbersEndNoProgram) {
   std::vector<RunSetup> scenes;
   RunSetup drag = test::setup_with({disc("A", {0, 0.5}, {1, 3}), disc("B", {0.5, 0.6}, {-1, 1})});
@@ -140,7 +140,7 @@ TEST(LostRun, PosesThatAreNoNumbersLieNowhereNear) {
   EXPECT_FALSE(contact_between(g, 0, {0, 0, 0}, 1, {1, nan, nan}).gap <= 0.0);
 }
 
-// Before it is lost, and where impacts keep it within bounds.
+// Reported before the run is lost, and also where impacts keep it bounded.
 TEST(LostRun, EnergyThatTheMethodMakesIsSaid) {
   for (const IntegratorId id : {IntegratorId::kExplicitEuler, IntegratorId::kSemiImplicitEuler,
                                 IntegratorId::kVelocityVerlet, IntegratorId::kRk4}) {
@@ -156,7 +156,7 @@ TEST(LostRun, EnergyThatTheMethodMakesIsSaid) {
 }
 
 TEST(LostRun, EnergyThatTheSceneHasIsNotTheMethods) {
-  // Falls 20 m, bounces and comes to rest; and a swing under a method that keeps its energy within bounds.
+  // Falls 20 m, bounces and comes to rest; and an oscillation under a method that keeps its energy bounded.
   RunSetup falls = test::setup_with({disc("a", {0, 20}, {1, 0}), test::wall("floor", {0, -1}, 80, 2)}, 0.5);
   falls.scene.forces.gravity = {0, -9.81};
   RunSetup swings = stiff_spring(IntegratorId::kVelocityVerlet);

@@ -11,8 +11,8 @@
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
 
-// Laws that hold in every scene under every method. Scenes are named by their seed; a failing one prints its
-// preset, which `carom run` plays again. CAROM_LONG_TESTS=1 in the environment runs 10 000 scenes, not 300.
+// Laws that every scene obeys under every method. Scenes are named by their seed; a failing one prints its
+// preset, which `carom run` repeats. CAROM_LONG_TESTS=1 in the environment runs 10 000 scenes instead of 300.
 namespace carom {
 namespace {
 
@@ -22,7 +22,7 @@ bool finite(const Simulation& run) {
   return run.state().q.allFinite() && run.state().v.allFinite() && run.state().quadratures.allFinite();
 }
 
-// What a run broke first; empty if it kept every law.
+// The first law that a run broke; empty if it obeyed all.
 class Laws {
  public:
   Laws(const Preset& preset, const Simulation& run, bool overlaps)
@@ -62,11 +62,11 @@ class Laws {
                         std::abs(ledger.penetration_correction)});
   }
 
-  // No impact gains energy, and the log says what the motion did.
+  // No impact gains energy, and the log agrees with the motion.
   std::string impacts_of(const Simulation& run) {
     for (const ImpactRecord& r : run.last_impacts()) {
       const double restitution = r.normal_impulse * r.closing_speed;
-      // Of several at once, one may be driven together by the others.
+      // One of several simultaneous impacts may be driven together by the others.
       if (!at_once_ && !(r.closing_speed > 0.0))
         return fmt::format("an impact that does not close: {}", r.closing_speed);
       if (at_once_) continue;
@@ -75,7 +75,7 @@ class Laws {
       if (!(r.lost_to_friction >= -1e-12 * energy_))
         return fmt::format("friction gained {} J", -r.lost_to_friction);
     }
-    // Impacts at once share one jump, which stands first.
+    // Simultaneous impacts share one jump, the first.
     const std::vector<Jump>& jumps = run.last_jumps();
     double missing = 0.0;
     double most = 0.0;  // of one time: a second impact has the rounding of the first
@@ -94,7 +94,7 @@ class Laws {
       missing += before - after - r.lost_to_restitution - r.lost_to_friction;
       const bool last = at_once_ ? k + 1 < jumps.size() && jumps[k + 1].time != jumps[k].time : true;
       if (!last || kinematic) continue;
-      if (!(std::abs(missing) <= 1e-12 * most + std::numeric_limits<double>::min()))  // or what underflows
+      if (!(std::abs(missing) <= 1e-12 * most + std::numeric_limits<double>::min()))  // or it underflows
         return fmt::format("an impact took {} J more than it says, of {} J", missing, most);
       if (!(lost >= -1e-11 * most)) return fmt::format("impacts gained {} J of {} J", -lost, most);
     }
@@ -115,8 +115,8 @@ class Laws {
     return {};
   }
 
-  // Located impacts leave no overlap beyond rounding, but where bodies rest or the run says that there are too
-  // many.
+  // Located impacts leave no penetration beyond rounding, except where bodies rest or the run reports too
+  // many impacts.
   std::string penetrations_of(const Simulation& run) {
     if (overlaps_ || run.method().impacts != ImpactsId::kLocated) return {};
     const Notices notices = run.notices();
@@ -141,7 +141,7 @@ class Laws {
   }
 
   bool overlaps_;
-  bool at_once_;  // several impacts at one time
+  bool at_once_;  // simultaneous impacts
   double momentum_ = 0.0;
   double impulses_ = 0.0;
   double energy_ = 0.0;
@@ -149,7 +149,7 @@ class Laws {
 
 constexpr int kSteps = 60;
 
-// Runs a scene twice, once with its impacts watched; the law that was broken, or nothing.
+// Runs a scene twice, once with its impacts recorded; the broken law, or nothing.
 std::string broken_law(const Preset& preset, bool overlaps) {
   Simulation run(setup_of(preset));
   Simulation again(setup_of(preset));
@@ -165,7 +165,7 @@ std::string broken_law(const Preset& preset, bool overlaps) {
   return {};
 }
 
-// What a random scene breaks under any method: a line each.
+// The laws that a random scene breaks under any method, a line each.
 std::vector<std::string> broken_laws(std::uint64_t seed) {
   test::RandomScene random = test::random_scene(seed);
   EXPECT_NO_THROW(validate(random.preset)) << write_preset(random.preset);
@@ -191,8 +191,8 @@ TEST(RandomScenes, KeepTheLawsUnderEveryMethod) {
   }
 }
 
-// 531: heavy bodies press through a light one at one time; 640: energies that underflow; 3380: discs that
-// attract meet and would pass through each other within a step; 5153: two impacts at one time with nearly no
+// 531: heavy bodies press through a light one at one time; 640: energies that underflow; 3380: discs attract
+// each other and would pass through each other within a step; 5153: two impacts at one time with almost no
 // energy left.
 TEST(RandomScenes, KeepTheLawsWhereTheyOnceDidNot) {
   for (const std::uint64_t seed : {531U, 640U, 3380U, 5153U}) {

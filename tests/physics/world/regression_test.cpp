@@ -16,7 +16,7 @@ using test::disc;
 using test::preset_with;
 using test::wall;
 
-// The secant from a tiny f(b) rounds to b itself; the search must go on and not fall back to a.
+// The secant from a tiny f(b) rounds to b itself; the search must continue and not fall back to a.
 TEST(Regression, RootBesideTheEndOfTheBracketIsFound) {
   const double end = 0.005;
   for (const double below : {-1e-16, -1e-17, -1e-18, -1e-20, -1e-30}) {
@@ -27,7 +27,7 @@ TEST(Regression, RootBesideTheEndOfTheBracketIsFound) {
   }
 }
 
-// The energies beside an impact that is resolved at the end of a located step are those of that moment.
+// The energies of an impact resolved at the end of a located step are those of that time.
 TEST(Regression, TotalsOfADeferredImpactAreOfItsOwnMoment) {
   Preset s = preset_with({wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("ball", {0.0, 0.1}, {0.0, 0.0})}, 0.5);
   s.scene.forces.gravity = {0.0, -9.81};
@@ -55,7 +55,7 @@ TEST(Regression, DeepOverlapKeepsAngularMomentum) {
   EXPECT_NEAR(run.totals_of(jump.after).angular_momentum, run.totals_of(jump.before).angular_momentum, 1e-14);
 }
 
-// Discs that touch and approach at t = 0: the value just after the first impact is not the one before it.
+// Discs that touch and approach at t = 0: the value just after the first impact differs from that before it.
 TEST(Regression, ExpectationAfterAnImpactAtTheStepsStart) {
   Preset s =
       preset_with({disc("a", {-0.125, 0.0}, {1.0, 0.0}, 0.125), disc("b", {0.125, 0.0}, {0.0, 0.0}, 0.125)});
@@ -69,7 +69,7 @@ TEST(Regression, ExpectationAfterAnImpactAtTheStepsStart) {
   EXPECT_TRUE(check_expectations(s)[0].good) << check_expectations(s)[0].measured;
 }
 
-// A disc at rest on a thin floor is struck from above: the floor holds.
+// A disc at rest on a thin floor is hit from above: it must not pass through the floor.
 TEST(Regression, RestingDiscStruckHardStaysOnAThinFloor) {
   for (const double restitution : {0.0, 0.5, 0.9}) {
     Preset s = preset_with({wall("floor", {0.0, -0.005}, 4.0, 0.01), disc("resting", {0.0, 0.1}, {0.0, 0.0}),
@@ -83,7 +83,8 @@ TEST(Regression, RestingDiscStruckHardStaysOnAThinFloor) {
   }
 }
 
-// Semi-implicit Euler's path from an overlap closes again while its velocity still parts the bodies: no impact.
+// Semi-implicit Euler's path from a penetration closes again while its velocity still separates the bodies:
+// no impact.
 TEST(Regression, EveryImpactOfTheLogCloses) {
   Preset s = preset_with({wall("floor", {0.0, -0.5}, 4.0, 1.0), disc("d", {0.0, 0.0999}, {0.0, 0.5886})});
   s.scene.forces.gravity = {0.0, -9.81};
@@ -94,7 +95,7 @@ TEST(Regression, EveryImpactOfTheLogCloses) {
   });
 }
 
-// Two bumpers of one disc engage and let go at the same moments, to the last bit.
+// Two bumpers of one disc engage and disengage at the same times, to the last bit.
 TEST(Regression, SpringsThatSwitchTogether) {
   Preset s = preset_with({disc("left", {-1.0, 0.0}, {1.0, 0.0}), disc("middle", {0.0, 0.0}, {0.0, 0.0}),
                           disc("right", {1.0, 0.0}, {-1.0, 0.0})});
@@ -121,7 +122,7 @@ TEST(Regression, SpringsThatSwitchTogether) {
   }
 }
 
-// A body rebounds faster than its damped bumper pushes: the bumper lets go at the impact.
+// A body rebounds faster than its damped bumper pushes: the bumper disengages at the impact.
 TEST(Regression, ImpactLetsABumperGo) {
   Preset s = preset_with({wall("wall", {1.5, 0.0}, 1.0, 1.0), disc("d", {0.6, 0.0}, {2.0, 0.0})});
   Spring bumper;
@@ -154,7 +155,7 @@ TEST(Regression, MassesTooSmallForArithmeticAreRefused) {
   EXPECT_THROW(validate(s), SceneError);
 }
 
-// Names and keys of the file cannot break an error's line or swamp it.
+// Names and keys in a file cannot break or flood an error's line.
 TEST(Regression, AwkwardNamesStayOnOneShortLine) {
   const std::string key = "a\\nb" + std::string(5000, 'x');
   const std::string body =

@@ -8,7 +8,7 @@
 #include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
-// Contacts that last, against closed forms.
+// Resting contacts against closed forms.
 namespace carom {
 namespace {
 
@@ -64,7 +64,7 @@ Simulation run(const RunSetup& s, double until) {
   return simulation;
 }
 
-// Every integrator, impacts both ways.
+// Every integrator, with both choices for impacts.
 template <class Check>
 void for_every_method(RunSetup s, const Check& check) {
   for (const auto& integrator : kIntegrators) {
@@ -116,7 +116,7 @@ TEST(RestingContacts, StaticFrictionHoldsWhatKineticFrictionDoesNot) {
   EXPECT_NEAR(run(s, 10.0).state().velocity(1).norm(), 0.1 + 10.0 * a, 1e-8);
 }
 
-// v = v0/(1 + 1/β) with β = 1/2, whatever the friction.
+// v = v0/(1 + 1/β) with β = 1/2, for any friction.
 TEST(RestingContacts, SlidingBecomesRolling) {
   Body disc = round_body("disc", {0.0, 0.25}, 0.25);
   disc.velocity = Vec2(3.0, 0.0);
@@ -148,7 +148,7 @@ TEST(RestingContacts, RollingResistanceStopsADisc) {
   disc.spin = -4.0;
   RunSetup s = scene(rough(0.5), {ground(), disc});
   s.scene.materials[0].rolling_resistance = 0.02;
-  // The moment c R N against 3/2 m R² of inertia about the contact: a = 2/3 c g.
+  // The moment c R N on the inertia 3/2 m R² about the contact: a = 2/3 c g.
   const double a = 2.0 / 3.0 * 0.02 * kG;
   const Simulation half = run(s, 3.0);
   EXPECT_NEAR(half.state().velocity(1).x(), 1.0 - 3.0 * a, 1e-10);
@@ -208,13 +208,13 @@ TEST(RestingContacts, BoxesComeToRestAndTheLedgerCloses) {
   }
 }
 
-// Discs made inside one another are pushed apart by moves that give them no speed.
+// Discs that start penetrating are pushed apart without gaining speed.
 TEST(RestingContacts, OverlapsPartWithoutSpeed) {
   RunSetup s = scene(rough(0.0), {});
   s.scene.forces.gravity.setZero();
   for (int i = 0; i < 25; ++i)
     s.scene.bodies.push_back(round_body("disc-" + std::to_string(i), {0.375 * (i % 5), 0.375 * (i / 5)}, 0.25));
-  Body press;  // something that may press: else no contact would last
+  Body press;  // a body that may press: otherwise the scene needs no resting contacts
   press = round_body("far", {50.0, 0.0}, 0.1);
   press.velocity = Vec2(0.0, 1.0);
   s.scene.bodies.push_back(press);
@@ -245,7 +245,7 @@ TEST(RestingContacts, ABoxRidesOnADrivenTable) {
       most = std::max(most,
                       std::abs(simulation.state().position(1).y() - simulation.state().position(0).y() - 1.0));
     }
-    // Between steps the forces are constant where the drive's acceleration changes by A ω³ h.
+    // Within a step the forces are constant, while the drive's acceleration changes by A ω³ h.
     const double w = s.scene.bodies[0].drive->angular_frequency;
     EXPECT_LT(most, 0.02 * w * w * w * kStep * kStep * kStep) << impacts.name;
   }
@@ -277,7 +277,7 @@ TEST(RestingContacts, WhatLandsDoesNotSinkIn) {
   }
 }
 
-// Both sides of a thin wall lie on a floor with both ends.
+// A thin wall rests on the floor with both ends, on either side.
 TEST(RestingContacts, AThinWallLiesOnEitherSide) {
   for (const double angle : {0.0, std::numbers::pi}) {
     Body rod = box("rod", {0.0, 0.0});
@@ -292,7 +292,7 @@ TEST(RestingContacts, AThinWallLiesOnEitherSide) {
   }
 }
 
-// Discs on a grid in a container just as wide, more than are solved exactly once they touch.
+// Discs on a grid in a container of the same width: a large island once they touch.
 RunSetup crowd(const Vec2& spacing) {
   constexpr int kColumns = 20;
   Body left = ground(-0.5 * std::numbers::pi);
@@ -318,7 +318,7 @@ TEST(RestingContacts, ShortStepsForgetNoContact) {
   for (const auto& impacts : kImpacts) {
     s.method.impacts = impacts.id;
     Simulation simulation(s);
-    simulation.advance_to(2.0);  // a crowd comes to rest by and by
+    simulation.advance_to(2.0);  // a large island comes to rest gradually
     for (const double share : {1.0, 1e-9, 1.0, 1e-6, 1.0, 1e-3, 1.0, 0.3, 1.0, 1.0}) {
       simulation.step(share * kStep);
       ASSERT_GT(simulation.contact_forces().size(), 400U);
@@ -327,7 +327,7 @@ TEST(RestingContacts, ShortStepsForgetNoContact) {
   }
 }
 
-// The forces found for a very short one are made of the solver's tolerance: no step may start from them.
+// The forces of a very short step are all solver tolerance: the next step must not start from them.
 TEST(RestingContacts, ShortStepsLeaveNoBurst) {
   RunSetup s = crowd(Vec2(0.55, 0.75));
   s.method.impacts = ImpactsId::kStepEnd;
@@ -355,7 +355,7 @@ TEST(RestingContacts, TheSameRunGivesTheSameBits) {
   EXPECT_EQ(one.state().v, copy.state().v);
 }
 
-// Where the normal turns with the motion.
+// The normal turns with the motion.
 TEST(RestingContacts, RollingOffARoundTopIsOfFirstOrder) {
   Body top = round_body("top", {0.0, 0.0}, 1.0);
   top.density.reset();

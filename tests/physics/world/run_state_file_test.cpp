@@ -9,7 +9,7 @@
 #include "tests/support/resumed_run.h"
 #include "tests/support/scenes.h"
 
-// The section "state" of a preset file: what a person may change beside it, and what is refused.
+// The section "state" of a preset file: what may be edited beside it, and what is refused.
 namespace carom {
 namespace {
 
@@ -20,7 +20,7 @@ using test::preset_with;
 using test::saved_and_read;
 using test::wall;
 
-// A piston, a timed force, a spring and a string, a pair that rests: something of everything.
+// A piston, a timed force, a spring, a string and a resting pair.
 Preset busy(const Method& method) {
   Preset s =
       preset_with({wall("floor", {0, -0.5}, 20.0, 1.0), wall("piston", {-2, 0.2}, 0.2, 0.4),
@@ -67,7 +67,7 @@ TEST(RunStateFile, WhatIsReadIsWrittenAgain) {
   EXPECT_EQ(write_preset(ahead()).find("\"state\""), std::string::npos);
 }
 
-// All notices come back, also those that no scene here has.
+// All notices are restored, also those that no scene here has.
 TEST(RunStateFile, NoticesAndSumsStay) {
   Preset saved = saved_at(held(), 0.6);
   RunState state = *saved.saved->state;
@@ -105,7 +105,7 @@ TEST(RunStateFile, WhatIsNoPhysicsMayChange) {
   EXPECT_EQ(parting(all_of(s, whole), all_of(s, resumed)), "");
 }
 
-// Bodies and clock alone, and the status says so.
+// From bodies and clock alone; the status reports it.
 TEST(RunStateFile, ChangedByHandItGoesOnFromBodiesAndClock) {
   const std::vector<std::function<void(Json&)>> changes = {
       [](Json& j) { j["bodies"][2]["position"][0] = 0.31; },
@@ -144,14 +144,14 @@ TEST(RunStateFile, ChangedByHandItGoesOnFromBodiesAndClock) {
       EXPECT_EQ(clock.notices().text(), "ok") << i;
       for (Simulation* each : {&run, &clock}) each->advance_to(1.0);
       EXPECT_TRUE(test::same_bytes(run.state(), clock.state())) << i;
-      // The piston is where its drive is by then.
+      // The piston is where its drive puts it at that time.
       EXPECT_NEAR(run.state().q(0, 1), -2.0 + 0.4 + 0.05 * std::sin(9.0), 1e-12) << i;
       EXPECT_EQ(write_preset(parse_preset(write_preset(read), "again")), write_preset(read)) << i;
     }
   }
 }
 
-// A scene changed after it was read is no scene of that state either.
+// The state does not belong to a scene changed after reading, either.
 TEST(RunStateFile, ChangedInMemory) {
   Preset saved = saved_and_read(ahead(), Simulation(setup_of(ahead())));
   EXPECT_TRUE(state_belongs(saved.scene, saved.saved));
@@ -170,8 +170,8 @@ TEST(RunStateFile, ARunThatHasBlownUpIsNotSaved) {
   EXPECT_THROW((void)saved_preset(s, run), SceneError);
 }
 
-// Every value of the section in turn becomes something that it can't be, or might: what isn't put back is
-// refused in one line that says where.
+// Each value of the section in turn becomes something invalid or doubtful: a value that is not restored must
+// be refused in one line that says where.
 void mutilate(const Preset& saved, const std::vector<Json>& values) {
   const Json whole = preset_json(saved, false);
   std::vector<Json::json_pointer> places;

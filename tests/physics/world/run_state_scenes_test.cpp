@@ -8,7 +8,7 @@
 #include "tests/support/resumed_run.h"
 #include "tests/support/scenes.h"
 
-// What a saved run must remember, kind by kind; and what is done to runs before and after they are saved.
+// What a saved run must keep, kind by kind; and edits of runs before and after they are saved.
 namespace carom {
 namespace {
 
@@ -34,7 +34,7 @@ Body kinematic(Body body, const Drive& drive) {
   return body;
 }
 
-// A scene of each kind, which has its kind's moment at about 0.5 s.
+// A scene of each kind, whose characteristic event is at about 0.5 s.
 std::map<std::string, Preset> scenes() {
   std::map<std::string, Preset> all;
   const auto floor = [] { return wall("floor", {0, -0.5}, 20.0, 1.0); };
@@ -160,12 +160,12 @@ std::map<std::string, Preset> scenes() {
 void for_all(const std::function<void(const Preset&, const std::string&)>& check) {
   for (auto [name, s] : scenes()) {
     for (const IntegratorChoice& integrator : kIntegrators) {
-      // Strings chatter under the methods of low order.
+      // Strings chatter under methods of low order.
       if (why_not(s.scene, integrator.id) || (name == "strings" && integrator.order < 4)) continue;
       for (const auto& impacts : kImpacts) {
         for (const auto& contacts : kContacts) {
           s.method = {integrator.id, impacts.id, contacts.id, 0.01, 1e-9};
-          // Corners that rest by impacts alone: minutes.
+          // Corners that rest by impacts alone take minutes.
           if (name == "stack" && impacts.id == ImpactsId::kLocated && contacts.id == ContactsId::kImpulse)
             continue;
           check(s, name + ", " + std::string(integrator.name) + ", " + std::string(impacts.name) + ", " +
@@ -202,12 +202,12 @@ TEST(RunState, SavedAtTheStartBetweenStepsAndTwiceInARow) {
   });
 }
 
-// As if it had been chosen at the moment of saving.
+// The same as if it had been chosen at the time of saving.
 TEST(RunState, AnotherMethodTakesOver) {
   for_all([](const Preset& s, const std::string& what) {
     Simulation whole(setup_of(s));
     whole.advance_to(0.5);
-    // Corners that rest by impacts alone: minutes.
+    // Corners that rest by impacts alone take minutes.
     const ContactsId contacts = s.title == "stack" ? ContactsId::kLasting : ContactsId::kImpulse;
     for (const Method& next :
          {Method{IntegratorId::kRk4, ImpactsId::kLocated, contacts, 0.007},
@@ -247,7 +247,7 @@ TEST(RunState, BodiesPutInAndMethodsChangedBeforeAndAfter) {
   });
 }
 
-// The scenes above come to what they are for.
+// The scenes above reach their events.
 TEST(RunState, TheScenesHaveTheirMoments) {
   const auto all = scenes();
   const auto at = [&](const std::string& name, ContactsId contacts = ContactsId::kImpulse) {

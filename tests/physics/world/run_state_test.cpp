@@ -14,9 +14,9 @@
 #include "tests/support/random_scene.h"
 #include "tests/support/resumed_run.h"
 
-// A run that is saved on its way, read and gone on with is the run in one go, to the last bit: every preset
-// under every method, and random scenes. CAROM_LONG_TESTS=1 in the environment runs presets for their whole
-// duration in their own steps, and 2000 scenes, not 60.
+// A run that is saved, read and continued equals the uninterrupted run to the last bit: every preset under
+// every method, and random scenes. CAROM_LONG_TESTS=1 in the environment runs presets for their whole
+// duration with their own steps, and 2000 scenes instead of 60.
 namespace carom {
 namespace {
 
@@ -29,8 +29,8 @@ using test::saved_and_read;
 
 bool long_tests() { return std::getenv("CAROM_LONG_TESTS") != nullptr; }
 
-// Runs in one go until the time, or until so many impacts, with the steps it takes; then once more, saved after
-// each of `parts` but the last. What differed, or nothing.
+// Runs without interruption until the time, or until so many impacts, with its steps; then again, saved after
+// each of `parts` but the last. The difference, or nothing.
 std::string difference(const Preset& preset, int parts, std::int64_t most_impacts, std::int64_t most_steps) {
   Simulation whole(setup_of(preset));
   std::vector<std::string> events;
@@ -55,7 +55,7 @@ class PresetRunState : public testing::TestWithParam<fs::path> {};
 
 TEST_P(PresetRunState, GoesOnForTheSameBytesUnderEveryMethod) {
   Preset preset = read_preset(GetParam());
-  // Some steps over the whole duration.
+  // A few steps over the whole duration.
   const std::int64_t steps = long_tests() ? std::numeric_limits<std::int64_t>::max() : 40;
   if (!long_tests()) preset.method.step = std::clamp(preset.duration / 40.0, preset.method.step, 0.05);
   for (const IntegratorChoice& integrator : kIntegrators) {
@@ -74,7 +74,7 @@ TEST_P(PresetRunState, GoesOnForTheSameBytesUnderEveryMethod) {
 
 INSTANTIATE_TEST_SUITE_P(All, PresetRunState, testing::ValuesIn(preset_files()), test::preset_test_name);
 
-// A random scene that may have strings, rods that hold bodies at rest, and surfaces that stick.
+// A random scene that may have strings, rods that support bodies, and surfaces that stick.
 Preset jointed_scene(std::uint64_t seed) {
   Preset preset = test::random_scene(seed).preset;
   std::mt19937_64 random(seed);
@@ -105,7 +105,7 @@ Preset jointed_scene(std::uint64_t seed) {
   try {
     validate(preset);
   } catch (const SceneError&) {
-    return bare;  // rods at bodies that move
+    return bare;  // rods at moving bodies
   }
   return preset;
 }

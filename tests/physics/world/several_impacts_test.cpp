@@ -4,7 +4,7 @@
 #include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
-// Several contacts at one time, under both choices of a scene, and the choice of the law off the centre.
+// Several contacts at one time, under both choices of a scene, and the law of eccentric impacts.
 namespace carom {
 namespace {
 
@@ -40,8 +40,8 @@ TEST(SeveralImpacts, TwoLawsKeepMomentumAndEnergy) {
   }
 }
 
-// A ball falls onto two that lie on the floor side by side: mirror symmetric under the simultaneous law, which
-// pair by pair it is not.
+// A ball falls onto two that lie side by side on the floor: mirror symmetric under the simultaneous law, but
+// not pair by pair.
 TEST(SeveralImpacts, KeepASymmetry) {
   Body floor = test::wall("floor", {0.0, -0.5}, 4.0, 1.0);
   RunSetup s = test::setup_with({floor, disc("a", {-0.1, 0.1}, {0.0, 0.0}), disc("b", {0.1, 0.1}, {0.0, 0.0}),
@@ -57,7 +57,7 @@ TEST(SeveralImpacts, KeepASymmetry) {
   EXPECT_NEAR(run.ledger().numerical_drift(run.totals().energy()), 0.0, 1e-13);
 }
 
-// The log and its jumps stay side by side where a cluster makes several entries at once.
+// The log and its jumps stay parallel where a cluster adds several entries.
 TEST(SeveralImpacts, EachEntryHasItsJump) {
   Simulation run(three(SeveralImpactsId::kSimultaneous, 0.5));
   run.watch_impacts(true);
@@ -69,8 +69,8 @@ TEST(SeveralImpacts, EachEntryHasItsJump) {
   EXPECT_NEAR(run.ledger().lost_to_restitution, 0.25, 1e-15);
 }
 
-// A rod thrown against the floor with friction: Newton's law may gain energy and then says so; the energetic
-// one never does.
+// A rod thrown against the floor with friction: Newton's law may gain energy and then reports it; the
+// energetic law never does.
 TEST(ImpactLaw, NewtonTellsWhatItGains) {
   int gained = 0;
   for (int k = 0; k < 200; ++k) {

@@ -172,7 +172,7 @@ TEST(Zeno, BouncingBallComesToRestAndSaysSo) {
     s.method.integrator = choice.id;
     Simulation run(setup_of(s));
     run.advance_to(2.0 * rest);
-    if (choice.order < 4) continue;  // Euler's own bounces need not die out; it must not hang
+    if (choice.order < 4) continue;  // Euler's own bounces need not die out; the test must not hang
     EXPECT_NEAR(run.notices().resting_since, rest, 1e-3);
     EXPECT_NE(run.notices().text().find("Zeno"), std::string::npos);
     EXPECT_EQ(run.notices().text().find('\n'), std::string::npos);
@@ -230,7 +230,7 @@ TEST(Pile, NoDiscGoesThroughAWall) {
   }
 }
 
-// A settling pile collapses inelastically over and over; located impacts must not drown in it.
+// A settling pile has repeated inelastic collapses; located impacts must cope with them.
 TEST(Pile, LocatedImpactsGetThrough) {
   Preset s = preset("piles/pile.json");
   s.method.impacts = ImpactsId::kLocated;

@@ -17,13 +17,13 @@
 #include "tests/support/heap.h"
 #include "tests/support/scenes.h"
 
-// A step ends, whatever the scene: what it may cost has bounds, and a run that meets one says so.
+// A step ends in every scene: its cost is bounded, and a run that reaches a bound reports it.
 namespace carom {
 namespace {
 
 using test::disc;
 
-// Scenes of which a step once took for ever, under every method that they allow.
+// Scenes in which a step once took for ever, under every method that they allow.
 TEST(StepWork, HardScenesEnd) {
   int scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(CAROM_HARD_SCENES)) {
@@ -79,7 +79,7 @@ TEST(StepWork, AStepStopsWhereItIsAskedTo) {
 }
 
 TEST(StepWork, SearchesEndAtTheirLimit) {
-  // Two points that slide along each other at a hair's breadth: bounds on a curved path never part them.
+  // Two points slide along each other very closely: curvature bounds never separate them.
   int looks = 0;
   const auto sample = [&](double t) {
     ++looks;
@@ -89,7 +89,7 @@ TEST(StepWork, SearchesEndAtTheirLimit) {
   EXPECT_FALSE(first_contact(sample, 0.0, sample(0.0), 1.0, sample(1.0), 1.0, 1e-15, limit));
   EXPECT_TRUE(limit.reached);
   EXPECT_EQ(looks, 102);
-  // What is known to be there is told even so.
+  // A known contact is still reported.
   const auto falls = [](double t) { return GapSample{0.5 - t, Vec2::UnitY(), Vec2(0.0, 0.5 - t)}; };
   SearchLimit none{.looks = 0};
   const auto found = first_contact(falls, 0.0, falls(0.0), 1.0, falls(1.0), 1e9, 1e-15, none);
@@ -97,7 +97,7 @@ TEST(StepWork, SearchesEndAtTheirLimit) {
   EXPECT_NEAR(*found, 0.5, 1e-12);
 }
 
-// Fast flight through an empty plane ends no more trajectories than few.
+// Fast flight through an empty plane ends only a few trajectories.
 TEST(StepWork, FastBodiesCostNoMoreThanSlowOnes) {
   Preset s = test::preset_with({disc("a", {0, 0}, {1e12, 0}), disc("b", {5, 0}, {0, 1e12})});
   s.scene.bodies[1].shape = Box{0.2, 0.1};
@@ -110,7 +110,7 @@ TEST(StepWork, FastBodiesCostNoMoreThanSlowOnes) {
 }
 
 TEST(StepWork, ManySwitchesAreFollowedInPart) {
-  // A chain of strings whose beads fly about: each that jerks taut lets others go.
+  // A chain of strings with flying beads: each taut impulse slackens others.
   Preset s = test::preset_with({});
   s.scene.forces.gravity = {0, -9.81};
   for (int i = 0; i <= 200; ++i) {

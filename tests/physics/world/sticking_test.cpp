@@ -55,18 +55,17 @@ Joint pin_to_plane(const std::string& body, const Vec2& point, const Vec2& ancho
   return l;
 }
 
-// Where body a is, seen from body b, and at which angle.
+// Position and angle of body a in the frame of body b.
 Eigen::Vector3d place_of(const State& state, int a, int b) {
   const Vec2 d = turned_by(-state.q(2, b), state.position(a) - state.position(b));
   return {d.x(), d.y(), state.q(2, a) - state.q(2, b)};
 }
 
 // --- one impact
-// ---------------------------------------------------------------------------------------------------
 
 enum class Held { kFree, kByARod, kByAPin };
 
-// A disc or a box each; the second comes in past the first one's centre.
+// A disc or a box each; the second one moves past the first one's centre.
 RunSetup random_pair(Draw& draw, Held held) {
   const auto body = [&](const char* name, const Vec2& position, const Vec2& velocity) {
     const double size = draw.between(0.1, 0.5);
@@ -88,7 +87,7 @@ RunSetup random_pair(Draw& draw, Held held) {
   if (held == Held::kFree) return s;
   Body& a = s.scene.bodies[0];
   if (held == Held::kByAPin) {
-    // About the origin, about which angular momentum is taken.
+    // About the origin, the reference point of the angular momentum.
     s.scene.joints = {pin_to_plane("a", turned_by(-a.angle, -a.position), {0, 0})};
     a.velocity = a.spin * crossed(a.position);
     s.scene.bodies[1].velocity = draw.between(1.0, 4.0) * towards;
@@ -96,7 +95,7 @@ RunSetup random_pair(Draw& draw, Held held) {
     a.velocity *= 0.1;
     return s;
   }
-  // A rod on the far side, from somewhere on the body to a disc, all of which move as one.
+  // A rod on the far side, from somewhere on the body to a disc, all moving as one.
   const Vec2 arm = 0.1 * towards;
   Body c = disc("c", a.position + 1.5 * towards, a.velocity, 0.1, std::exp(draw.between(-2.0, 2.0)));
   c.velocity += a.spin * crossed(Vec2(c.position - a.position));
@@ -148,12 +147,12 @@ TEST(Sticking, KeepsTheLaws) {
 }
 
 // Two free bodies: P = (m_a + m_b) v of the common centre, L about it = (I_a + I_b + μ d²) ω, and the impulse
-// is what body b gets.
+// is that on body b.
 TEST(Sticking, TwoBodiesTurnAsOne) {
   Draw draw(43);
   for (int i = 0; i < 300; ++i) {
     RunSetup s = random_pair(draw, Held::kFree);
-    s.method.step = 0.001;  // up to its end the spin stays what it is, within rounding
+    s.method.step = 0.001;  // up to its end the spin is constant within rounding
     Simulation run(s);
     while (run.impact_count() == 0 && run.time() < 2.0) run.step();
     if (run.impact_count() == 0) continue;
@@ -185,7 +184,6 @@ TEST(Sticking, TwoBodiesTurnAsOne) {
 }
 
 // --- what is joined
-// -----------------------------------------------------------------------------------------------
 
 // A box on a spring, and a disc and a bar that fall onto it one after the other.
 RunSetup lumps() {
@@ -244,7 +242,7 @@ Eigen::Matrix3Xd end_of(IntegratorId id, double h) {
   return run.state().q;
 }
 
-// The moments of the impacts fall anywhere within a step, which scatters each error: many steps are fitted.
+// The impacts' times fall anywhere within a step, which scatters each error: many steps are fitted.
 TEST(Sticking, KeepsTheOrderOfEveryIntegrator) {
   const Eigen::Matrix3Xd exact = end_of(IntegratorId::kDormandPrince, 1.0 / 2048);
   ASSERT_LT((end_of(IntegratorId::kDormandPrince, 1.0 / 1024) - exact).norm(), 1e-12);
@@ -266,7 +264,7 @@ TEST(Sticking, KeepsTheOrderOfEveryIntegrator) {
   }
 }
 
-// The adaptive integrator's queue and trajectories run on across the joining.
+// The adaptive integrator's queue and trajectories continue across the joining.
 TEST(Sticking, TheAdaptiveIntegratorFollowsItsTolerance) {
   const Eigen::Matrix3Xd exact = end_of(IntegratorId::kDormandPrince, 1.0 / 2048);
   for (const double tolerance : {1e-7, 1e-9, 1e-11}) {
@@ -277,7 +275,7 @@ TEST(Sticking, TheAdaptiveIntegratorFollowsItsTolerance) {
     Simulation run(s);
     run.advance_to(2.0);
     EXPECT_LT((run.state().q - exact).norm(), 300.0 * tolerance);
-    // Steps are only where the run is looked at.
+    // Steps are only the times at which the run is read.
     s.method.step = 0.5;
     Simulation other(s);
     other.advance_to(2.0);
@@ -285,7 +283,7 @@ TEST(Sticking, TheAdaptiveIntegratorFollowsItsTolerance) {
   }
 }
 
-// Balls of clay in a row, the first of which moves: after k of them have met all go on at v/k.
+// Balls of clay in a row, the first one moving: after k of them have collided all move at v/k.
 TEST(Sticking, AChainGathersBallByBall) {
   for (const IntegratorChoice& choice : kIntegrators) {
     if (choice.order == 0) continue;
@@ -293,7 +291,7 @@ TEST(Sticking, AChainGathersBallByBall) {
       RunSetup s = clay({disc("d0", {0, 0}, {3.0, 0}, 0.1, 1.0)});
       for (int i = 1; i < 8; ++i)
         s.scene.bodies.push_back(disc(fmt::format("d{}", i), {0.3 * i, 0}, {0, 0}, 0.1, 1.0));
-      // Two that touch from the start, of which the second one feels nothing before the first is hit.
+      // Two touch from the start, of which the second one feels nothing before the first is hit.
       s.scene.bodies[7].position.x() = s.scene.bodies[6].position.x() + 0.2;
       s.method = {choice.id, impacts.id, ContactsId::kImpulse, 0.005};
       Simulation run(s);
@@ -314,7 +312,7 @@ TEST(Sticking, AChainGathersBallByBall) {
   }
 }
 
-// What hits a lump meets it as one body: an elastic impact on the line of centres turns the lot back.
+// A lump is hit as one body: an elastic impact on the line of centres turns the whole of it back.
 TEST(Sticking, ALumpIsHitAsOneBody) {
   RunSetup s = clay({disc("a", {0, 0}, {1.0, 0}, 0.1, 1.0), disc("b", {0.5, 0}, {-1.0, 0}, 0.1, 1.0),
                      disc("c", {-1.0, 0}, {2.0, 0}, 0.1, 1.0)});
@@ -331,7 +329,7 @@ TEST(Sticking, ALumpIsHitAsOneBody) {
   EXPECT_NEAR(run.state().velocity(1).x(), 4.0 / 3.0, 1e-14);
 }
 
-// Two materials stick if one of them does, and a pair of its own need not.
+// Two materials stick if one of them does, unless their pair has its own rule.
 TEST(Sticking, IsAMatterOfBothSurfaces) {
   RunSetup s = clay({});
   s.scene.materials.push_back({"steel", 1.0});
@@ -343,7 +341,6 @@ TEST(Sticking, IsAMatterOfBothSurfaces) {
 }
 
 // --- what does not move
-// -------------------------------------------------------------------------------------------
 
 TEST(Sticking, ABodyStaysOnAFixedOne) {
   for (const auto& impacts : kImpacts) {
@@ -368,8 +365,8 @@ TEST(Sticking, ABodyStaysOnAFixedOne) {
   }
 }
 
-// A ball that lies on clay from the start is joined at the end of a step; runs whose trajectories go on across
-// steps start them anew then, and the ball that falls onto the first one meets it at its time.
+// A ball that rests on clay from the start is joined at the end of a step. Runs whose trajectories continue
+// across steps rebuild them then, and the ball that falls onto the first one hits it at its time.
 TEST(Sticking, WhatLiesThereIsJoinedToo) {
   for (const IntegratorId id : {IntegratorId::kRk4, IntegratorId::kAdaptiveDormandPrince}) {
     RunSetup s = clay({wall("floor", {0, -0.5}, 10.0, 1.0), disc("low", {0, 0.1}, {0, 0}, 0.1, 1.0),
@@ -384,7 +381,7 @@ TEST(Sticking, WhatLiesThereIsJoinedToo) {
     });
     ASSERT_EQ(times.size(), 3U) << run.notices().text();
     EXPECT_LE(times[0], 0.02);
-    EXPECT_NEAR(times[1], std::sqrt(2.0 * 1.0 / 9.81), 1e-3);  // the low one has sunk in by gh²/2
+    EXPECT_NEAR(times[1], std::sqrt(2.0 * 1.0 / 9.81), 1e-3);  // the low one has sunk by gh²/2
     EXPECT_NEAR(times[2], std::sqrt(2.0 * 3.0 / 9.81), 1e-9);
     EXPECT_EQ(run.joints().size(), 3U);
     EXPECT_LT(run.state().v.norm(), 1e-13);
@@ -413,7 +410,7 @@ TEST(Sticking, ABodyGoesWithADrivenOne) {
   }
 }
 
-// A point that sticks off the centre of a box goes round with it; its own angle is nothing.
+// A point that sticks off the centre of a box turns with it; its own angle has no effect.
 TEST(Sticking, APointGoesRoundWithWhatItHit) {
   RunSetup s =
       clay({box("box", {0, 0}, {0, 0}, 1.0, 0.2, 1.0), disc("point", {0.4, 1.0}, {0, -2.0}, 0.0, 0.5)});
@@ -428,7 +425,6 @@ TEST(Sticking, APointGoesRoundWithWhatItHit) {
 }
 
 // --- runs
-// ---------------------------------------------------------------------------------------------------------
 
 TEST(Sticking, CopiesGoTheirOwnWaysAndARestartIsUnjoined) {
   for (const IntegratorId id : {IntegratorId::kRk4, IntegratorId::kAdaptiveDormandPrince}) {
@@ -450,7 +446,7 @@ TEST(Sticking, CopiesGoTheirOwnWaysAndARestartIsUnjoined) {
   }
 }
 
-// What is put in later, and another method, leave the joined bodies joined.
+// Bodies added later, or another method, leave the joined bodies joined.
 TEST(Sticking, OutlastsEdits) {
   RunSetup s = lumps();
   s.method.step = 0.01;
