@@ -13,10 +13,10 @@ DocumentEdit::DocumentEdit(Session& session, const What& what, Edited before, Ed
       before_(std::move(before)),
       after_(std::move(after)) {}
 
-void DocumentEdit::undo() { session_.take_back(before_, what_.runs); }
+void DocumentEdit::undo() { session_.undo(before_, what_.runs); }
 
 void DocumentEdit::redo() {
-  if (!std::exchange(made_, false)) session_.put_back(after_, what_.runs);
+  if (!std::exchange(made_, false)) session_.redo(after_, what_.runs);
 }
 
 // The runs return to their state before the first of them.

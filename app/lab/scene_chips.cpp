@@ -96,8 +96,8 @@ void SceneChips::show_notices(const Session& session, const QString& more, bool 
   for (const QString& notice : {session.waits(), more}) {
     if (!notice.isEmpty()) notices << notice;
   }
-  if (session.again())
-    notices << tr("the run is computed up to there again: t = %1 s").arg(*session.again(), 0, 'f', 1);
+  if (session.replayed())
+    notices << tr("the run is computed up to there again: t = %1 s").arg(*session.replayed(), 0, 'f', 1);
   if (frame != nullptr && frame->status != "ok" && !(frame->lost && lost_told))
     notices << QString::fromStdString(frame->status);
   for (const auto& each : session.frames()) {

@@ -69,7 +69,7 @@ void Session::open(const Preset& preset, const std::vector<Plot>& plots, const s
   frames_.clear();
   recorders_.clear();
   arriving_.clear();
-  again_.reset();
+  replayed_.reset();
   followed_.reset();
   curves_ = curves;
   worker_.load(preset, curves, reference_);
@@ -144,20 +144,20 @@ void Session::assign_bodies(const std::vector<Body>& put_in) {
   emit bodiesChanged();
 }
 
-void Session::take_back(const Edited& before, Worker::EditId runs) {
+void Session::undo(const Edited& before, Worker::EditId runs) {
   forget_wait();
   if (runs != 0) {
-    worker_.take_back(runs, before.methods.reference);
+    worker_.undo(runs, before.methods.reference);
   } else if (before.methods.reference != reference_) {
     worker_.set_reference(before.methods.reference);
   }
   assign(before);
 }
 
-void Session::put_back(const Edited& after, Worker::EditId runs) {
+void Session::redo(const Edited& after, Worker::EditId runs) {
   forget_wait();
   if (runs != 0) {
-    worker_.put_back(runs, after.methods.reference);
+    worker_.redo(runs, after.methods.reference);
   } else if (after.methods.reference != reference_) {
     worker_.set_reference(after.methods.reference);
   }
@@ -301,7 +301,7 @@ void Session::set_playing(bool playing) {
 
 void Session::restart() {
   forget_wait();
-  again_.reset();
+  replayed_.reset();
   arriving_.clear();
   worker_.restart();
 }
@@ -353,9 +353,9 @@ void Session::poll() {
     recorders.push_back(own == known.end() ? std::make_shared<Recorder>() : *own);
     recorders.back()->add(*frame);
   }
-  again_.reset();
-  if (news.front()->again && !frames_.empty()) {
-    again_ = news.front()->time;
+  replayed_.reset();
+  if (news.front()->replay_until && !frames_.empty()) {
+    replayed_ = news.front()->time;
     arriving_ = std::move(recorders);
     emit noticesChanged();
     return;

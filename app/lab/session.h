@@ -84,7 +84,7 @@ class Session : public QObject {
   [[nodiscard]] const std::vector<std::shared_ptr<Recorder>>& recorders() const { return recorders_; }
   [[nodiscard]] const Frame* lost() const;  // a lost run, if any
   // s: progress of the runs that are recomputed after an undone edit. The old frames are shown meanwhile.
-  [[nodiscard]] std::optional<double> again() const { return again_; }
+  [[nodiscard]] std::optional<double> replayed() const { return replayed_; }
   // Pauses the run and calls `then` when its newest frame has arrived. Any change of the run, or playing,
   // drops `then`. `what` is shown meanwhile.
   void when_still(const QString& what, std::function<void()> then);
@@ -101,8 +101,8 @@ class Session : public QObject {
 
  private:
   friend class DocumentEdit;
-  void take_back(const Edited& before, Worker::EditId runs);
-  void put_back(const Edited& after, Worker::EditId runs);
+  void undo(const Edited& before, Worker::EditId runs);
+  void redo(const Edited& after, Worker::EditId runs);
 
   [[nodiscard]] Edited edited() const;
   void push(const DocumentEdit::What& what, const Edited& after);
@@ -128,7 +128,7 @@ class Session : public QObject {
   std::vector<std::shared_ptr<const Frame>> frames_;
   std::vector<std::shared_ptr<Recorder>> recorders_;
   std::vector<std::shared_ptr<Recorder>> arriving_;  // for runs that are not shown yet
-  std::optional<double> again_;
+  std::optional<double> replayed_;
   double speed_ = 1.0;
   std::function<void()> then_;
   QString waits_;

@@ -44,7 +44,7 @@ struct Frame {
   std::optional<std::string>
       lost;  // why the run can't continue, if so: it stays at the end of its last good step
   // s: the first run is replayed up to here, after an edit was undone or redone.
-  std::optional<double> again;
+  std::optional<double> replay_until;
   bool playing = false;
   double realised_speed = 0.0;    // simulated seconds per second, while playing
   Method method;                  // in force

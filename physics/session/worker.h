@@ -16,6 +16,7 @@
 #include "physics/preset/preset.h"
 #include "physics/record/frame.h"
 #include "physics/scene/scene.h"
+#include "physics/session/run_group.h"
 
 namespace carom {
 
@@ -31,12 +32,12 @@ namespace carom {
 // any other error: then all runs stay until the next load or restart.
 //
 // Edits of the runs can be undone, the last first, and redone: the runs that change are replayed from t = 0
-// to the present moment at full speed, as if the edit had never been made (Frame::again). An edit from before
-// a restart is undone from the start.
+// to the present moment at full speed, as if the edit had never been made (Frame::replay_until). An edit from
+// before a restart is undone from the start.
 class Worker {
  public:
   // Identifies an edit of the runs since the last load.
-  using EditId = std::uint64_t;
+  using EditId = RunGroup::EditId;
 
   // The scene must be valid; `curves` are recorded from the start of its runs.
   explicit Worker(const Preset& preset, const std::vector<Curve>& curves = {});
@@ -65,8 +66,8 @@ class Worker {
   EditId add_body(const Body& body);
   // Undoes the last edit that is not undone, or redoes the last one that is. `reference` is the one to use
   // then.
-  void take_back(EditId edit, ReferenceId reference);
-  void put_back(EditId edit, ReferenceId reference);
+  void undo(EditId edit, ReferenceId reference);
+  void redo(EditId edit, ReferenceId reference);
   void run_until(double time);  // at full speed, then stops; publishes frames on the way
   // Sets the curves to record from now on. Those that were not recorded before come from the start on: the
   // run waits while it is replayed.
@@ -85,27 +86,28 @@ class Worker {
   struct Session;  // the thread's own data
   struct Command {
     enum class When {
-      kShown,  // when the runs are at the displayed moment
+      kDisplayed,  // when the runs are at the displayed moment
       kAtOnce,
       kBegins  // starts all runs again, in whatever state they are
     };
     std::function<void(Session&)> what;
-    When when = When::kShown;
+    When when = When::kDisplayed;
   };
-  void post(std::function<void(Session&)> command, Command::When when = Command::When::kShown);
+  void post(std::function<void(Session&)> command, Command::When when = Command::When::kDisplayed);
   // Does nothing if the runs were interrupted in the middle of a step.
   void post_to_runs(const std::function<void(Session&)>& command);
   // Also saves the state of the runs before, so that the edit can be undone.
-  EditId post_edit(const std::function<void(Session&, EditId)>& command, EditId part_of = 0);
-  void post_restored(EditId edit, ReferenceId reference, bool back);
-  // Interrupts the step under way; the command gets the token for the next runs.
-  void post_begin(const std::function<void(Session&, std::stop_token)>& command);
+  EditId post_edit(const std::function<void(RunGroup&, EditId)>& command, EditId part_of = 0);
+  // Interrupts the step under way; all runs begin after the command.
+  void post_begin(const std::function<void(RunGroup&)>& command);
   void work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,
             std::stop_token interrupt);
-  void work_once(const std::stop_token& stop, Session& session, std::vector<Command>& commands);
-  void carry_out(Session& session, std::vector<Command>& commands);
+  void wait_for_work(const std::stop_token& stop, const Session& session, std::vector<Command>& commands);
+  static void advance(const std::stop_token& stop, Session& session);
+  static void carry_out(Session& session, std::vector<Command>& commands);
   void publish(Session& session);
   void publish_failure(Session& session, const std::string& why);
+  void hand_over(const Session& session, std::vector<std::shared_ptr<Frame>> frames);
   [[nodiscard]] bool too_much_waits() const;  // with the lock held
 
   std::mutex mutex_;

@@ -75,7 +75,8 @@ class SessionTest : public testing::Test {
     QTest::qWait(40);
     ASSERT_TRUE(test::wait_until([&] {
       QCoreApplication::processEvents();
-      if (session_.frames().size() != 1 + session_.document().compare.size() || session_.again()) return false;
+      if (session_.frames().size() != 1 + session_.document().compare.size() || session_.replayed())
+        return false;
       for (std::size_t i = 0; i < session_.frames().size(); ++i) {
         const Frame& frame = *session_.frames()[i];
         if (frame.method != method(i) || frame.time + frame.method.step <= session_.frame()->time) return false;

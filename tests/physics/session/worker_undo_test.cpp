@@ -62,7 +62,7 @@ class WorkerUndo : public testing::Test {
       for (const auto& frame : frames_) {
         if (frame->time + frame->method.step <= frames_[0]->time) return false;
       }
-      return !frames_[0]->again && fulfilled();
+      return !frames_[0]->replay_until && fulfilled();
     });
   }
   void run_to(double time) {
@@ -97,11 +97,11 @@ TEST_F(WorkerUndo, AMethodIsTakenBackAndPutBack) {
   const Moment with = moment(0);
   ASSERT_EQ(with.edits.size(), 1U);
   const std::uint64_t other = frames_[1]->run;
-  worker_.take_back(edit, ReferenceId::kNone);
+  worker_.undo(edit, ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 0));
   EXPECT_EQ(moment(0), never);
   EXPECT_EQ(frames_[1]->run, other) << "it goes on as it is";
-  worker_.put_back(edit, ReferenceId::kNone);
+  worker_.redo(edit, ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 1));
   EXPECT_EQ(moment(0), with);
 }
@@ -114,11 +114,11 @@ TEST_F(WorkerUndo, ABodyIsTakenBackFromAllRunsAndPutBack) {
   const Worker::EditId edit = worker_.add_body(kBody);
   run_to(1.0);
   const std::vector<Moment> with = {moment(0), moment(1)};
-  worker_.take_back(edit, ReferenceId::kNone);
+  worker_.undo(edit, ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(1, 0));
   EXPECT_EQ(moment(0), never[0]);
   EXPECT_EQ(moment(1), never[1]);
-  worker_.put_back(edit, ReferenceId::kNone);
+  worker_.redo(edit, ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(1, 1));
   EXPECT_EQ(moment(0), with[0]);
   EXPECT_EQ(moment(1), with[1]);
@@ -135,12 +135,12 @@ TEST_F(WorkerUndo, SeveralAreTakenBackInARow) {
   const Worker::EditId method = worker_.set_method(kVerlet);
   run_to(1.0);
   const Moment with = moment(0);
-  worker_.take_back(method, ReferenceId::kNone);
-  worker_.take_back(body, ReferenceId::kNone);
+  worker_.undo(method, ReferenceId::kNone);
+  worker_.undo(body, ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 0));
   EXPECT_EQ(moment(0), never);
-  worker_.put_back(body, ReferenceId::kNone);
-  worker_.put_back(method, ReferenceId::kNone);
+  worker_.redo(body, ReferenceId::kNone);
+  worker_.redo(method, ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 2));
   EXPECT_EQ(moment(0), with);
 }
@@ -154,12 +154,12 @@ TEST_F(WorkerUndo, AMethodOfAComparedRunLeavesTheFirstAlone) {
   run_to(1.0);
   const Moment with = moment(1);
   const std::uint64_t first = frames_[0]->run;
-  worker_.take_back(edit, ReferenceId::kNone);
+  worker_.undo(edit, ReferenceId::kNone);
   // "From now on" is the moment that is shown, however far back the run is on its way.
   const Worker::EditId again = worker_.set_method(kCoarse, 1);
   ASSERT_TRUE(wait_for_edits(1, 1));
   EXPECT_GE(frames_[1]->log->edits[0].time, 0.99);
-  worker_.take_back(again, ReferenceId::kNone);
+  worker_.undo(again, ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(1, 0));
   EXPECT_EQ(moment(1), never);
   EXPECT_EQ(frames_[0]->run, first);
@@ -172,16 +172,16 @@ TEST_F(WorkerUndo, ARunComesAndGoesWithItsPast) {
   const Moment with = moment(1);
   const Worker::EditId gone = worker_.remove_method(1);
   ASSERT_TRUE(wait([&] { return frames_.size() == 1; }));
-  worker_.take_back(gone, ReferenceId::kNone);
+  worker_.undo(gone, ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_.size() == 2; }));
   EXPECT_EQ(moment(1), with);
   const Worker::EditId more = worker_.add_method(kVerlet);
   ASSERT_TRUE(wait([&] { return frames_.size() == 3; }));
   const std::uint64_t run = frames_[1]->run;
-  worker_.take_back(more, ReferenceId::kNone);
+  worker_.undo(more, ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_.size() == 2; }));
   EXPECT_EQ(frames_[1]->run, run);
-  worker_.put_back(more, ReferenceId::kNone);
+  worker_.redo(more, ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_.size() == 3; }));
   EXPECT_EQ(frames_[2]->method, kVerlet);
 }
@@ -199,12 +199,12 @@ TEST_F(WorkerUndo, WhatWasDoneBeforeARestartIsTakenBackFromTheStart) {
   const Moment with = moment(0);
   EXPECT_EQ(with.edits.size(), 1U);
   EXPECT_EQ(frames_[0]->log->start.method, kVerlet);
-  worker_.take_back(body, ReferenceId::kNone);
-  worker_.take_back(method, ReferenceId::kNone);
+  worker_.undo(body, ReferenceId::kNone);
+  worker_.undo(method, ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_[0]->log->start.method != kVerlet; }));
   EXPECT_EQ(moment(0), never);
-  worker_.put_back(method, ReferenceId::kNone);
-  worker_.put_back(body, ReferenceId::kNone);
+  worker_.redo(method, ReferenceId::kNone);
+  worker_.redo(body, ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 1));
   EXPECT_EQ(moment(0), with);
 }
@@ -216,7 +216,7 @@ TEST_F(WorkerUndo, ARunThatPlaysGoesOn) {
   const Worker::EditId edit = worker_.set_method(kVerlet);
   ASSERT_TRUE(wait_for_edits(0, 1));
   const double time = frames_[0]->time;
-  worker_.take_back(edit, ReferenceId::kNone);
+  worker_.undo(edit, ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 0));
   EXPECT_GT(frames_[0]->time, time - 0.005);
   EXPECT_TRUE(frames_[0]->playing);
@@ -229,7 +229,7 @@ TEST_F(WorkerUndo, ARestartWithOtherMethodsIsTakenBack) {
   const Worker::EditId edit = worker_.restart(kVerlet, {kCoarse, kVerlet}, {kCurve}, ReferenceId::kNone);
   run_to(0.5);
   ASSERT_EQ(frames_.size(), 3U);
-  worker_.take_back(edit, ReferenceId::kNone);
+  worker_.undo(edit, ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_.size() == 2; }));
   EXPECT_EQ(moment(0), never);
 }
