@@ -44,7 +44,7 @@ void print_error(const std::string& line) {
   constexpr std::size_t kFront = 600;
   constexpr std::size_t kEnd = 300;
   const bool whole = line.size() <= kFront + kEnd;
-  const std::string end = whole ? "" : printable(std::string_view(line).substr(line.size() - kEnd));
+  const std::string end = whole ? "" : printable(line.substr(line.size() - kEnd));
   write_err(whole ? fmt::format("carom: {}\n", printable(line))
                   : fmt::format("carom: {} {}\n", shortened(line, kFront), end));
 }

@@ -92,7 +92,7 @@ fs::path preset_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) {
-    const fs::path installed = program.parent_path().parent_path() / "share" / "carom" / "presets";
+    fs::path installed = program.parent_path().parent_path() / "share" / "carom" / "presets";
     if (fs::is_directory(installed, error)) return installed;
   }
   return CAROM_SOURCE_PRESETS;

@@ -22,7 +22,7 @@ int steps_of(const Method& reference, const Method& run) {
 }
 
 RunSetup beside(const RunSetup& start, const Method& method) {
-  const RunSetup setup = with_method(start, method);
+  RunSetup setup = with_method(start, method);
   if (method.integrator != IntegratorId::kExactFlight) return setup;
   const std::vector<Body> bodies = all_bodies(setup.scene);
   const double length = reach(Simulation(setup).state(), bodies, moving_bodies(bodies));

@@ -66,7 +66,7 @@ bool is_blown_up(const Flights& f, const Island& island) {
 
 }  // namespace
 
-Trajectories::Trajectories(std::shared_ptr<const Model> model, const Method& method)
+Trajectories::Trajectories(const std::shared_ptr<const Model>& model, const Method& method)
     : flights_(model, method),
       switches_(*model),
       curvature_bound_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model->bodies().size()))),

@@ -31,7 +31,7 @@ class Trajectories {
  public:
   Trajectories() = default;
   // At the start of a run, from the positions and velocities of the bodies.
-  Trajectories(std::shared_ptr<const Model> model, const Method& method);
+  Trajectories(const std::shared_ptr<const Model>& model, const Method& method);
 
   void set_method(const Method& method) { flights_.set_method(method); }
   [[nodiscard]] const ForceField& field() const { return flights_.field; }

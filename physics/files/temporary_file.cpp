@@ -38,7 +38,7 @@ void take_list() {
 class ListLock {
  public:
   ListLock() {
-    sigset_t all;
+    sigset_t all{};
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, &before_);
     take_list();

@@ -11,12 +11,12 @@ struct Bounds {
 
   [[nodiscard]] bool overlaps(const Bounds& other) const {
     // Without branches, because it is unpredictable which comparison fails.
-    return ((low.x() <= other.high.x()) & (other.low.x() <= high.x()) & (low.y() <= other.high.y()) &
-            (other.low.y() <= high.y())) != 0;
+    return (int(low.x() <= other.high.x()) & int(other.low.x() <= high.x()) & int(low.y() <= other.high.y()) &
+            int(other.low.y() <= high.y())) != 0;
   }
   [[nodiscard]] bool contains(const Bounds& other) const {
-    return ((low.x() <= other.low.x()) & (low.y() <= other.low.y()) & (other.high.x() <= high.x()) &
-            (other.high.y() <= high.y())) != 0;
+    return (int(low.x() <= other.low.x()) & int(low.y() <= other.low.y()) & int(other.high.x() <= high.x()) &
+            int(other.high.y() <= high.y())) != 0;
   }
 };
 

@@ -63,16 +63,16 @@ class RunGroup {
   // True if the first run's next step would end after `time`.
   [[nodiscard]] bool reaches(double time) const { return !may_step(runs_.front(), time); }
   void step_first();
-  enum class Advance { kThere, kDeadline, kLost };
-  // Steps the runs until all that are not lost are within a step of `time`. kLost: a run was just lost.
+  enum class Advance { kReached, kDeadline, kRunLost };
+  // Steps the runs until all that are not lost are within a step of `time`. kRunLost: a run was just lost.
   template <class Stop>
   Advance advance_to(double time, Clock::time_point deadline, const Stop& stop) {
     while (true) {
       Run& run = farthest_behind();
-      if (!may_step(run, time)) return Advance::kThere;
+      if (!may_step(run, time)) return Advance::kReached;
       if (Clock::now() >= deadline || stop()) return Advance::kDeadline;
       step(run);
-      if (run.live.lost()) return Advance::kLost;
+      if (run.live.lost()) return Advance::kRunLost;
       apply_due_edits(run);
     }
   }

@@ -359,8 +359,8 @@ void Worker::advance(const std::stop_token& stop, Session& session) {
   const auto advance_to = [&](double time) {
     const RunGroup::Advance result =
         runs.advance_to(time, now + kFramePeriod, [&stop] { return stop.stop_requested(); });
-    if (result == RunGroup::Advance::kLost) session.playing = false;
-    return result == RunGroup::Advance::kThere;
+    if (result == RunGroup::Advance::kRunLost) session.playing = false;
+    return result == RunGroup::Advance::kReached;
   };
   if (const auto replay_until = runs.replay_until()) {
     session.changed = true;

@@ -150,7 +150,8 @@ std::vector<double> gas(const StressSetting& setting) {
   const double cell = width / kSide;
   for (int i = 0; i < kCount; ++i) {
     const Vec2 jitter(uniform(random) - 0.5, uniform(random) - 0.5);
-    Vec2 place(cell * (i % kSide + 0.5), cell * (i / kSide + 0.5));
+    const int row = i / kSide;
+    Vec2 place(cell * (i % kSide + 0.5), cell * (row + 0.5));
     place += 0.9 * (cell - 2.0 * kRadius) * jitter;
     bodies.push_back(disc(fmt::format("disc-{}", i + 1), place, kRadius));
     bodies.back().velocity = {normal(random), normal(random)};

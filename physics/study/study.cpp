@@ -117,8 +117,8 @@ double compared_time(const Preset& preset, const StudyOptions& options, const Ch
 std::string words_for(const Reference& r, const Chaos& chaos) {
   const auto& integrator = choice_of(kIntegrators, r.method.integrator);
   if (r.exact) return fmt::format("{}, impacts at their own time", integrator.label);
-  const std::string made = fmt::format("{}, impacts at their own time, h = {:.4g} s after {} halving{}",
-                                       integrator.label, r.method.step, r.halvings, r.halvings == 1 ? "" : "s");
+  std::string made = fmt::format("{}, impacts at their own time, h = {:.4g} s after {} halving{}",
+                                 integrator.label, r.method.step, r.halvings, r.halvings == 1 ? "" : "s");
   if (r.converged) return made;
   return fmt::format("{}; NOT CONVERGED: two refinements differ by {:.1g} of the length", made,
                      r.position_error / chaos.length);

@@ -28,7 +28,7 @@ class Paid {
       : pair_(pair), trajectories_(trajectories), short_(corners ? 0 : kShort), work_(work), limit_(limit) {}
   [[nodiscard]] TurningSample operator()(double t) const {
     const std::int64_t flown = trajectories_.flight_work();
-    const TurningSample sample = pair_(t);
+    TurningSample sample = pair_(t);
     const std::int64_t units = kLookWork + (trajectories_.flight_work() - flown) / 2;
     if (short_ > 0) {
       --short_;

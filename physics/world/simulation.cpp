@@ -88,7 +88,7 @@ Notices Simulation::notices() const {
 }
 
 std::string Simulation::status() const {
-  const std::string notices = this->notices().text();
+  std::string notices = this->notices().text();
   if (!lost_) return notices;
   const std::string lost = lost_->text(bodies(), time());
   return notices == "ok" ? lost : lost + "; " + notices;

@@ -6,6 +6,7 @@
 
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
+#include "tests/app/lab/lab_fixture.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/compare_table.h"
 #include "widgets/plot/legend_button.h"
@@ -14,13 +15,10 @@
 namespace carom {
 namespace {
 
-class LabCompareTest : public testing::Test {
+class LabCompareTest : public LabTest {
  protected:
   void SetUp() override {
-    window_.resize(1280, 800);
-    window_.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
-    ASSERT_TRUE(window_.open("bouncing-ball"));
+    ASSERT_NO_FATAL_FAILURE(show("bouncing-ball"));
     window_.run_until(0.0);
   }
   QAction* usual() {
@@ -35,8 +33,6 @@ class LabCompareTest : public testing::Test {
     return tip.section('\n', 0, 0).replace(QChar(0x2212), '-').toDouble();
   }
   [[nodiscard]] int rows() const { return window_.findChild<CompareTable*>()->model()->rowCount(); }
-
-  LabWindow window_{light_theme()};
 };
 
 // One key starts the comparison, and the same key ends it.

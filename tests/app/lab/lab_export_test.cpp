@@ -29,6 +29,7 @@
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "tests/app/lab/lab_fixture.h"
 #include "tests/support/wait.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/run_plot.h"
@@ -38,13 +39,10 @@ namespace carom {
 namespace {
 
 // Exports of the window, through its menus and dialogs, like a user.
-class LabExportTest : public testing::Test {
+class LabExportTest : public LabTest {
  protected:
   void SetUp() override {
-    window_.resize(1280, 800);
-    window_.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
-    ASSERT_TRUE(window_.open("bouncing-ball"));
+    ASSERT_NO_FATAL_FAILURE(show("bouncing-ball"));
     panel_ = window_.findChild<PlotPanel*>();
     QGuiApplication::clipboard()->clear();
   }
@@ -92,7 +90,6 @@ class LabExportTest : public testing::Test {
     return QGuiApplication::clipboard()->text().trimmed().split('\n');
   }
 
-  LabWindow window_{light_theme()};
   PlotPanel* panel_ = nullptr;
 };
 

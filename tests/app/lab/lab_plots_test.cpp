@@ -14,6 +14,7 @@
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "tests/app/lab/lab_fixture.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/reading_table.h"
 #include "widgets/plot/run_plot.h"
@@ -21,13 +22,10 @@
 namespace carom {
 namespace {
 
-class LabPlotsTest : public testing::Test {
+class LabPlotsTest : public LabTest {
  protected:
   void SetUp() override {
-    window_.resize(1280, 800);
-    window_.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
-    ASSERT_TRUE(window_.open("bouncing-ball"));
+    ASSERT_NO_FATAL_FAILURE(show("bouncing-ball"));
     panel_ = window_.findChild<PlotPanel*>();
     height_.y = {{"y", {"ball"}}};
   }
@@ -40,7 +38,6 @@ class LabPlotsTest : public testing::Test {
     return *static_cast<const QwtPlotCurve*>(plot->plot()->itemList(QwtPlotItem::Rtti_PlotCurve).front());
   }
 
-  LabWindow window_{light_theme()};
   PlotPanel* panel_ = nullptr;
   Plot height_;
 };

@@ -1,134 +1,20 @@
 #include "app/lab/lab_window.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QFile>
-#include <QFileDialog>
 #include <QLabel>
-#include <QLineEdit>
-#include <QListWidget>
-#include <QMenu>
-#include <QMessageBox>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <gtest/gtest.h>
-#include <stdexcept>
 
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "tests/app/lab/lab_fixture.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/run_plot.h"
-#include "widgets/run/experiment_list.h"
-#include "widgets/scene/scene_view.h"
 
 namespace carom {
 namespace {
-
-class LabWindowTest : public testing::Test {
- protected:
-  void SetUp() override {
-    // Every question is answered at once, so that no test can hang.
-    QObject::connect(&answering_, &QTimer::timeout, [this] { answer(); });
-    answering_.start(10);
-    window_.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
-    ASSERT_TRUE(window_.open("head-on"));
-    ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
-    window_.scene_view().setFocus();
-  }
-
-  // Waits until this number of questions were asked and answered in all.
-  [[nodiscard]] bool wait_for_boxes(std::size_t count) {
-    return QTest::qWaitFor(
-        [&] { return boxes_.size() >= count && QApplication::activeModalWidget() == nullptr; }, 5000);
-  }
-  // Waits for a frame with `fulfilled`; returns false if that takes too long.
-  template <class Condition>
-  bool wait_for(const Condition& fulfilled) {
-    return QTest::qWaitFor([&] { return window_.frame() != nullptr && fulfilled(); }, 5000);
-  }
-  [[nodiscard]] double time() const { return window_.frame()->time; }
-  [[nodiscard]] std::int64_t steps() const { return window_.frame()->steps; }
-
-  QAction* action(const QString& text) {
-    for (QAction* a : window_.findChildren<QAction*>()) {
-      if (a->text().remove('&') == text) return a;
-    }
-    ADD_FAILURE() << "no action " << text.toStdString();
-    return nullptr;
-  }
-  QToolButton* button(const QString& tip) {
-    for (QToolButton* b : window_.findChildren<QToolButton*>()) {
-      if (b->toolTip().startsWith(tip)) return b;
-    }
-    throw std::runtime_error("no button " + tip.toStdString());
-  }
-  void click_button(const QString& tip) { QTest::mouseClick(button(tip), Qt::LeftButton); }
-  QLabel* chip(const QString& name) {
-    for (QLabel* label : window_.findChildren<QLabel*>("chip")) {
-      if (label->accessibleName() == name) return label;
-    }
-    throw std::runtime_error("no chip " + name.toStdString());
-  }
-  QAction* plot_action(const QString& title) {
-    for (QAction* a : window_.findChild<PlotPanel*>()->menu()->actions()) {
-      if (a->text() == title) return a;
-    }
-    throw std::runtime_error("no plot " + title.toStdString());
-  }
-  void click_scene(const Vec2& world) {
-    const QPoint at = window_.scene_view().camera().to_screen(world).toPoint();
-    ASSERT_TRUE(window_.scene_view().rect().contains(at));
-    QTest::mouseClick(&window_.scene_view(), Qt::LeftButton, {}, at);
-  }
-  QListWidget* list() { return window_.findChild<ExperimentList*>()->findChild<QListWidget*>(); }
-  void click_experiment(const QString& name) {
-    for (int row = 0; row < list()->count(); ++row) {
-      QListWidgetItem* item = list()->item(row);
-      if (item->data(Qt::UserRole).toString() != name) continue;
-      list()->scrollToItem(item);
-      QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, list()->visualItemRect(item).center());
-      return;
-    }
-    ADD_FAILURE() << "no experiment " << name.toStdString();
-  }
-  [[nodiscard]] QString marked_experiment() {
-    const QListWidgetItem* item = list()->currentItem();
-    return item == nullptr ? QString() : item->data(Qt::UserRole).toString();
-  }
-
-  QTemporaryDir folder_;
-  std::vector<QString> boxes_;                                // texts of the message boxes so far
-  QMessageBox::StandardButton button_ = QMessageBox::Cancel;  // pressed in them
-  QString chosen_file_;                                       // in a file dialog
-  LabWindow window_{light_theme()};
-
- private:
-  void answer() {
-    QWidget* asking = QApplication::activeModalWidget();
-    if (auto* box = qobject_cast<QMessageBox*>(asking)) {
-      boxes_.push_back(box->text() + "\n" + box->informativeText());
-      QAbstractButton* button = box->button(button_);
-      if (button != nullptr) {
-        button->click();
-      } else {
-        box->reject();
-      }
-    } else if (auto* dialog = qobject_cast<QFileDialog*>(asking)) {
-      if (chosen_file_.isEmpty()) return dialog->reject();
-      const QString file = std::exchange(chosen_file_, {});
-      dialog->setDirectory(QFileInfo(file).path());
-      auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
-      name->setText(QFileInfo(file).fileName());
-      // Deferred: a question of the dialog would wait for the end of this timer event.
-      QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
-    } else if (asking != nullptr) {
-      asking->close();
-    }
-  }
-  QTimer answering_;
-};
 
 TEST_F(LabWindowTest, RunsAnExperimentToATime) {
   window_.run_until(1.0);
@@ -138,24 +24,6 @@ TEST_F(LabWindowTest, RunsAnExperimentToATime) {
   EXPECT_FALSE(window_.isWindowModified());
   EXPECT_EQ(marked_experiment(), "head-on");
   EXPECT_TRUE(boxes_.empty());
-}
-
-TEST_F(LabWindowTest, BadFileIsToldAndTheOldSceneStays) {
-  window_.run_until(0.2);
-  const QString file = folder_.filePath("bad.json");
-  QFile bad(file);
-  ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
-  bad.write(R"({"format": "carom-preset", "version": 1, "title": "<b>", "colour": 1})");
-  bad.close();
-  EXPECT_FALSE(window_.open(file.toStdString()));
-  ASSERT_TRUE(wait_for_boxes(1));
-  EXPECT_TRUE(boxes_[0].contains("bad.json") && boxes_[0].contains("/colour")) << boxes_[0].toStdString();
-  EXPECT_EQ(window_.preset().title, read_preset(CAROM_PRESET_DIR "/first-collisions/head-on.json").title);
-  window_.run_until(0.4);
-  EXPECT_NEAR(time(), 0.4, 1e-9);
-  EXPECT_EQ(window_.frame()->bodies->size(), 2U);
-  EXPECT_FALSE(window_.open("no-such-experiment"));
-  EXPECT_TRUE(wait_for_boxes(2));
 }
 
 TEST_F(LabWindowTest, MethodsAreChosenFromTheMenus) {
@@ -309,60 +177,6 @@ TEST_F(LabWindowTest, ClickOnEmptySpaceAddsADisc) {
   EXPECT_EQ(window_.frame()->bodies->size(), 3U);
 }
 
-TEST_F(LabWindowTest, SavedFileHoldsWhatWasChanged) {
-  const QString file = folder_.filePath("mine.json");
-  ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/first-collisions/head-on.json", file));
-  ASSERT_TRUE(window_.open(file.toStdString()));
-  EXPECT_EQ(marked_experiment(), "");
-  click_scene({0.1, 0.4});
-  action("Semi-implicit Euler")->trigger();
-  ASSERT_TRUE(window_.save());
-  EXPECT_FALSE(window_.isWindowModified());
-  const Preset saved = read_preset(file.toStdString());
-  ASSERT_EQ(saved.scene.bodies.size(), 3U);
-  EXPECT_EQ(saved.scene.bodies[2].position, window_.preset().scene.bodies[2].position);
-  EXPECT_EQ(saved.scene.bodies[2].name, window_.preset().scene.bodies[2].name);
-  EXPECT_EQ(saved.method, window_.preset().method);
-  EXPECT_EQ(saved.expect.size(), window_.preset().expect.size());
-  EXPECT_TRUE(boxes_.empty());
-}
-
-TEST_F(LabWindowTest, BuiltInExperimentIsSavedUnderANewName) {
-  click_scene({0.1, 0.4});
-  chosen_file_ = folder_.filePath("new");
-  EXPECT_FALSE(window_.save()) << "it asks first";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.isWindowModified(); }));
-  EXPECT_EQ(read_preset(folder_.filePath("new.json").toStdString()).scene.bodies.size(), 3U);
-  EXPECT_EQ(read_preset(CAROM_PRESET_DIR "/first-collisions/head-on.json").scene.bodies.size(), 2U);
-}
-
-TEST_F(LabWindowTest, ReplacingAFileIsAskedFirst) {
-  const QString file = folder_.filePath("mine.json");
-  ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/piles/pile.json", file));
-  for (const char* typed : {"mine.json", "mine"}) {
-    chosen_file_ = folder_.filePath(typed);
-    button_ = QMessageBox::No;
-    boxes_.clear();
-    EXPECT_FALSE(window_.save()) << typed;
-    EXPECT_TRUE(wait_for_boxes(1)) << typed;
-    EXPECT_EQ(read_preset(file.toStdString()).title, read_preset(CAROM_PRESET_DIR "/piles/pile.json").title)
-        << typed;
-  }
-}
-
-TEST_F(LabWindowTest, UnwritableFileIsTold) {
-  const QString file = folder_.filePath("gone/mine.json");
-  ASSERT_TRUE(QDir(folder_.path()).mkdir("gone"));
-  ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/first-collisions/head-on.json", file));
-  ASSERT_TRUE(window_.open(file.toStdString()));
-  click_scene({0.1, 0.4});
-  ASSERT_TRUE(QDir(folder_.filePath("gone")).removeRecursively());
-  EXPECT_FALSE(window_.save());
-  ASSERT_TRUE(wait_for_boxes(1));
-  EXPECT_TRUE(boxes_[0].contains("mine.json"));
-  EXPECT_TRUE(window_.isWindowModified());
-}
-
 TEST_F(LabWindowTest, PlaysPausesStepsAndRestarts) {
   click_button("Play");
   ASSERT_TRUE(wait_for([this] { return window_.frame()->playing && time() > 0.05; }));
@@ -438,45 +252,7 @@ TEST_F(LabWindowTest, NewExperimentRunsToItsOwnTime) {
   EXPECT_EQ(window_.frame()->bodies->size(), 5U);
 }
 
-TEST_F(LabWindowTest, ChangesAreAskedAboutBeforeAnotherExperiment) {
-  click_scene({0.1, 0.4});
-  button_ = QMessageBox::Cancel;
-  click_experiment("glancing");
-  EXPECT_TRUE(wait_for_boxes(1));
-  EXPECT_EQ(window_.preset().scene.bodies.size(), 3U);
-  EXPECT_TRUE(window_.isWindowModified());
-  EXPECT_EQ(marked_experiment(), "head-on");
-  button_ = QMessageBox::Discard;
-  click_experiment("glancing");
-  EXPECT_TRUE(wait_for_boxes(2));
-  EXPECT_EQ(window_.preset().title, read_preset(CAROM_PRESET_DIR "/first-collisions/glancing.json").title);
-  EXPECT_FALSE(window_.isWindowModified());
-  EXPECT_EQ(marked_experiment(), "glancing");
-}
-
-TEST_F(LabWindowTest, ChangesAreAskedAboutBeforeTheWindowCloses) {
-  action("Explicit Euler")->trigger();
-  button_ = QMessageBox::Cancel;
-  EXPECT_FALSE(window_.close());
-  EXPECT_TRUE(wait_for_boxes(1));
-  EXPECT_TRUE(window_.isVisible());
-  button_ = QMessageBox::Discard;
-  EXPECT_FALSE(window_.close()) << "it asks first";
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !window_.isVisible(); }));
-  EXPECT_EQ(boxes_.size(), 2U);
-}
-
 // Saved on closing, under a name from the dialog.
-TEST_F(LabWindowTest, ChangesAreSavedBeforeTheWindowCloses) {
-  action("Explicit Euler")->trigger();
-  button_ = QMessageBox::Save;
-  chosen_file_ = folder_.filePath("last.json");
-  EXPECT_FALSE(window_.close());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.isVisible(); }));
-  EXPECT_EQ(read_preset(folder_.filePath("last.json").toStdString()).method.integrator,
-            IntegratorId::kExplicitEuler);
-}
-
 // The menu names the undone change; the modified mark and the picture follow.
 TEST_F(LabWindowTest, EditsAreUndoneFromTheMenu) {
   const auto trigger = [&](const QKeySequence& key) {

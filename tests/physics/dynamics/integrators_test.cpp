@@ -6,25 +6,15 @@
 
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "tests/support/fitted_order.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
 namespace {
 
 using test::disc;
+using test::fitted_order;
 using test::preset_with;
-
-// Slope of log error against log step, by least squares.
-double fitted_order(const std::vector<double>& steps, const std::vector<double>& errors) {
-  double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const double x = std::log(steps[i]);
-    const double y = std::log(errors[i]);
-    sx += x, sy += y, sxx += x * x, sxy += x * y;
-  }
-  const double n = static_cast<double>(steps.size());
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
-}
 
 State end_state(const Preset& s, const Method& m, double time) {
   Simulation run(setup_of(s));

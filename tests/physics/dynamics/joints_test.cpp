@@ -9,6 +9,7 @@
 #include "physics/math/vectors.h"
 #include "physics/scene/validate.h"
 #include "physics/world/run_setup.h"
+#include "tests/support/fitted_order.h"
 #include "tests/support/scenes.h"
 
 // Rods and pins in motion.
@@ -16,6 +17,7 @@ namespace carom {
 namespace {
 
 using test::disc;
+using test::fitted_order;
 using test::setup_with;
 
 constexpr double kGravity = 9.81;
@@ -159,17 +161,6 @@ State state_at(RunSetup s, IntegratorId id, double h, double time) {
   Simulation run(s);
   run.advance_to(time);
   return run.state();
-}
-
-double fitted_order(const std::vector<double>& steps, const std::vector<double>& errors) {
-  double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const double x = std::log(steps[i]);
-    const double y = std::log(errors[i]);
-    sx += x, sy += y, sxx += x * x, sxy += x * y;
-  }
-  const double n = static_cast<double>(steps.size());
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
 // Errors are looked at at several moments, as at a single one they may happen to change their sign.

@@ -1,0 +1,127 @@
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+#include "physics/preset/preset.h"
+#include "physics/preset/preset_file.h"
+#include "tests/app/lab/lab_fixture.h"
+
+namespace carom {
+namespace {
+
+// Opening, saving and closing, with the questions that they ask.
+class LabFilesTest : public LabWindowTest {};
+
+TEST_F(LabFilesTest, BadFileIsToldAndTheOldSceneStays) {
+  window_.run_until(0.2);
+  const QString file = folder_.filePath("bad.json");
+  QFile bad(file);
+  ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+  bad.write(R"({"format": "carom-preset", "version": 1, "title": "<b>", "colour": 1})");
+  bad.close();
+  EXPECT_FALSE(window_.open(file.toStdString()));
+  ASSERT_TRUE(wait_for_boxes(1));
+  EXPECT_TRUE(boxes_[0].contains("bad.json") && boxes_[0].contains("/colour")) << boxes_[0].toStdString();
+  EXPECT_EQ(window_.preset().title, read_preset(CAROM_PRESET_DIR "/first-collisions/head-on.json").title);
+  window_.run_until(0.4);
+  EXPECT_NEAR(time(), 0.4, 1e-9);
+  EXPECT_EQ(window_.frame()->bodies->size(), 2U);
+  EXPECT_FALSE(window_.open("no-such-experiment"));
+  EXPECT_TRUE(wait_for_boxes(2));
+}
+
+TEST_F(LabFilesTest, SavedFileHoldsWhatWasChanged) {
+  const QString file = folder_.filePath("mine.json");
+  ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/first-collisions/head-on.json", file));
+  ASSERT_TRUE(window_.open(file.toStdString()));
+  EXPECT_EQ(marked_experiment(), "");
+  click_scene({0.1, 0.4});
+  action("Semi-implicit Euler")->trigger();
+  ASSERT_TRUE(window_.save());
+  EXPECT_FALSE(window_.isWindowModified());
+  const Preset saved = read_preset(file.toStdString());
+  ASSERT_EQ(saved.scene.bodies.size(), 3U);
+  EXPECT_EQ(saved.scene.bodies[2].position, window_.preset().scene.bodies[2].position);
+  EXPECT_EQ(saved.scene.bodies[2].name, window_.preset().scene.bodies[2].name);
+  EXPECT_EQ(saved.method, window_.preset().method);
+  EXPECT_EQ(saved.expect.size(), window_.preset().expect.size());
+  EXPECT_TRUE(boxes_.empty());
+}
+
+TEST_F(LabFilesTest, BuiltInExperimentIsSavedUnderANewName) {
+  click_scene({0.1, 0.4});
+  chosen_file_ = folder_.filePath("new");
+  EXPECT_FALSE(window_.save()) << "it asks first";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.isWindowModified(); }));
+  EXPECT_EQ(read_preset(folder_.filePath("new.json").toStdString()).scene.bodies.size(), 3U);
+  EXPECT_EQ(read_preset(CAROM_PRESET_DIR "/first-collisions/head-on.json").scene.bodies.size(), 2U);
+}
+
+TEST_F(LabFilesTest, ReplacingAFileIsAskedFirst) {
+  const QString file = folder_.filePath("mine.json");
+  ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/piles/pile.json", file));
+  for (const char* typed : {"mine.json", "mine"}) {
+    chosen_file_ = folder_.filePath(typed);
+    button_ = QMessageBox::No;
+    boxes_.clear();
+    EXPECT_FALSE(window_.save()) << typed;
+    EXPECT_TRUE(wait_for_boxes(1)) << typed;
+    EXPECT_EQ(read_preset(file.toStdString()).title, read_preset(CAROM_PRESET_DIR "/piles/pile.json").title)
+        << typed;
+  }
+}
+
+TEST_F(LabFilesTest, UnwritableFileIsTold) {
+  const QString file = folder_.filePath("gone/mine.json");
+  ASSERT_TRUE(QDir(folder_.path()).mkdir("gone"));
+  ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/first-collisions/head-on.json", file));
+  ASSERT_TRUE(window_.open(file.toStdString()));
+  click_scene({0.1, 0.4});
+  ASSERT_TRUE(QDir(folder_.filePath("gone")).removeRecursively());
+  EXPECT_FALSE(window_.save());
+  ASSERT_TRUE(wait_for_boxes(1));
+  EXPECT_TRUE(boxes_[0].contains("mine.json"));
+  EXPECT_TRUE(window_.isWindowModified());
+}
+
+TEST_F(LabFilesTest, ChangesAreAskedAboutBeforeAnotherExperiment) {
+  click_scene({0.1, 0.4});
+  button_ = QMessageBox::Cancel;
+  click_experiment("glancing");
+  EXPECT_TRUE(wait_for_boxes(1));
+  EXPECT_EQ(window_.preset().scene.bodies.size(), 3U);
+  EXPECT_TRUE(window_.isWindowModified());
+  EXPECT_EQ(marked_experiment(), "head-on");
+  button_ = QMessageBox::Discard;
+  click_experiment("glancing");
+  EXPECT_TRUE(wait_for_boxes(2));
+  EXPECT_EQ(window_.preset().title, read_preset(CAROM_PRESET_DIR "/first-collisions/glancing.json").title);
+  EXPECT_FALSE(window_.isWindowModified());
+  EXPECT_EQ(marked_experiment(), "glancing");
+}
+
+TEST_F(LabFilesTest, ChangesAreAskedAboutBeforeTheWindowCloses) {
+  action("Explicit Euler")->trigger();
+  button_ = QMessageBox::Cancel;
+  EXPECT_FALSE(window_.close());
+  EXPECT_TRUE(wait_for_boxes(1));
+  EXPECT_TRUE(window_.isVisible());
+  button_ = QMessageBox::Discard;
+  EXPECT_FALSE(window_.close()) << "it asks first";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !window_.isVisible(); }));
+  EXPECT_EQ(boxes_.size(), 2U);
+}
+
+TEST_F(LabFilesTest, ChangesAreSavedBeforeTheWindowCloses) {
+  action("Explicit Euler")->trigger();
+  button_ = QMessageBox::Save;
+  chosen_file_ = folder_.filePath("last.json");
+  EXPECT_FALSE(window_.close());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.isVisible(); }));
+  EXPECT_EQ(read_preset(folder_.filePath("last.json").toStdString()).method.integrator,
+            IntegratorId::kExplicitEuler);
+}
+
+}  // namespace
+}  // namespace carom
