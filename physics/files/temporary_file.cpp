@@ -51,7 +51,7 @@ class ListLock {
   }
 
  private:
-  sigset_t before_;
+  sigset_t before_{};
 };
 
 void add(Entry* entry) {

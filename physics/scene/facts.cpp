@@ -84,7 +84,7 @@ class Fingerprint {
     add_bits(text.size());
     for (const char c : text) add_byte(static_cast<unsigned char>(c));
   }
-  void add(const std::string& text) { add(std::string_view(text)); }
+  void add(const std::string& text) { add(std::string_view{text}); }
   void add(const Vec2& v) {
     add(v.x());
     add(v.y());

@@ -330,15 +330,14 @@ void Worker::wait_for_work(const std::stop_token& stop, const Session& session,
   const RunGroup& runs = session.runs;
   std::unique_lock lock(mutex_);
   const auto commanded = [&] { return !commands_.empty(); };
-  if (runs.interrupted()) {
-    wake_.wait(lock, stop, commanded);
-  } else if (too_much_waits()) {
+  const bool full = !runs.interrupted() && too_much_waits();
+  const bool at_once =
+      !runs.interrupted() && !full && (runs.replay_until() || runs.some_behind() || runs.lags());
+  if (full) {
     wake_.wait(lock, stop, [&] { return commanded() || !too_much_waits(); });
-  } else if (runs.replay_until() || runs.some_behind() || runs.lags()) {
-    // continues at once
-  } else if (!session.playing) {
+  } else if (!at_once && !session.playing) {
     wake_.wait(lock, stop, commanded);
-  } else if (!session.full_speed) {
+  } else if (!at_once && !session.full_speed) {
     const auto pause =
         std::min<Clock::duration>(kFramePeriod, session.pace.until(runs.first().next(), Clock::now()));
     if (pause > Clock::duration::zero()) wake_.wait_for(lock, stop, pause, commanded);

@@ -32,7 +32,7 @@ std::vector<StressCase> stress_cases() {
 }
 
 std::vector<StressCase> stress_cases(const std::vector<std::string>& ids) {
-  const std::vector<StressCase> all = stress_cases();
+  std::vector<StressCase> all = stress_cases();
   if (ids.empty()) return all;
   std::vector<StressCase> chosen;
   const auto named = [](const std::string& id) { return [&id](const StressCase& c) { return c.id == id; }; };
