@@ -157,9 +157,9 @@ int run_study_command(Arguments arguments, const StudyCommandOptions& options) {
     (void)plan_methods(preset, study);
     open_outputs();
     StudyProgressLine line;
-    StudyWatch watch;
-    watch.progress = [&line](std::string_view stage, int done, int of) { line.show(stage, done, of); };
-    table = run_study(preset, file.stem().string(), study, watch);
+    StudyCallbacks callbacks;
+    callbacks.progress = [&line](std::string_view stage, int done, int of) { line.show(stage, done, of); };
+    table = run_study(preset, file.stem().string(), study, callbacks);
   }
   if (csv != nullptr) {
     for (const std::string& line : study_csv(table)) csv->line(line);

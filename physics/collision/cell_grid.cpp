@@ -16,7 +16,7 @@ CellGrid::Order CellGrid::order() const {
   return order;
 }
 
-bool CellGrid::put_back(int bodies, const Order& order) {
+bool CellGrid::restore(int bodies, const Order& order) {
   if (!(order.inverse_size > 0.0) || order.bounds.size() != static_cast<std::size_t>(bodies)) return false;
   reset(bodies, 1.0);
   inverse_size_ = order.inverse_size;

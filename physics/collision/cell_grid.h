@@ -27,7 +27,7 @@ class CellGrid {
   };
   [[nodiscard]] Order order() const;
   // False if `order` is not that of a grid with all of so many bodies; the grid must then be reset.
-  [[nodiscard]] bool put_back(int bodies, const Order& order);
+  [[nodiscard]] bool restore(int bodies, const Order& order);
 
   // Empties the grid and sizes it for bodies 0 .. bodies - 1 and cells of `size` (m, > 0).
   void reset(int bodies, double size) {

@@ -10,7 +10,7 @@
 namespace carom {
 
 // One body that no force couples to another.
-struct OneBody {
+struct BodyRates {
   const ForceField& field;
   int body;
   double epoch;
@@ -22,7 +22,7 @@ struct OneBody {
 };
 
 // The coupled bodies of a group, one column each.
-struct Together {
+struct GroupRates {
   const ForceField& field;
   JointConstraints& joints;
   int group;

@@ -93,7 +93,7 @@ void Flights::fly_one(const Island& island, double time, Motion& out) {
     out << parabola(body, time), parabola_velocity(body, time), at_start.col(body).tail<kQuadratures>();
     return;
   }
-  const OneBody f{field, body, epoch};
+  const BodyRates f{field, body, epoch};
   const double h = time - island.start;
   if (field.has_quadratures()) {
     const Motion from = at_start.col(body);
@@ -115,7 +115,7 @@ const Motions& Flights::fly_group(const Island& island, double time) {
   if (group.cached != time) {
     group.cached = time;
     gather(island);
-    integrator_step(integrator, Together{field, joints, island.group, members_of(island), epoch}, island.start,
+    integrator_step(integrator, GroupRates{field, joints, island.group, members_of(island), epoch}, island.start,
                     group.from, time - island.start, group.stages, group.now);
     const std::int64_t evaluated = evaluations_a_flight * static_cast<std::int64_t>(island.count);
     evaluations += evaluated;
@@ -135,7 +135,7 @@ const Motions& Flights::group_at(const Island& island, double time) {
 
 const Motions& Flights::rates_of(const Island& island, double time, const Motions& y) {
   Motions& rates = groups[island.group].stages.k[0];
-  Together{field, joints, island.group, members_of(island), epoch}(time, y, rates);
+  GroupRates{field, joints, island.group, members_of(island), epoch}(time, y, rates);
   flight_work += island.count + joints.evaluation_work(island.group);
   return rates;
 }
@@ -164,7 +164,7 @@ Eigen::Vector3d Flights::acceleration(int body) {
   if (island.group < 0) {
     const Motion y = at_start.col(body);
     Motion rate;
-    OneBody{field, body, epoch}(island.start, y, rate);
+    BodyRates{field, body, epoch}(island.start, y, rate);
     return rate.segment<3>(3);
   }
   Group& group = groups[island.group];
@@ -180,7 +180,7 @@ double Flights::error_of(const Island& island, double time) {
   evaluations += island.count;
   if (island.group < 0) {
     const Motion from = at_start.col(body_of(island));
-    const OneBody f{field, body_of(island), epoch};
+    const BodyRates f{field, body_of(island), epoch};
     Stages<Motion> stages;
     Motion out;
     integrator_step(integrator, f, island.start, from, h, stages, out);
@@ -189,7 +189,7 @@ double Flights::error_of(const Island& island, double time) {
   }
   fly_group(island, time);
   Group& group = groups[island.group];
-  return dormand_prince_error(Together{field, joints, island.group, members_of(island), epoch}, island.start, h,
+  return dormand_prince_error(GroupRates{field, joints, island.group, members_of(island), epoch}, island.start, h,
                               group.stages, group.now);
 }
 

@@ -82,7 +82,7 @@ class ForceField {
   // > 0 where the spring acts, < 0 where it doesn't, in N or m; for positions and velocities of its ends.
   [[nodiscard]] double switch_margin(int spring, const Motion& body, const Motion& other) const;
   [[nodiscard]] bool engaged(int spring) const { return engaged_[spring] != 0; }
-  void take_over(const ForceField& other) { engaged_ = other.engaged_; }  // of the same springs
+  void adopt(const ForceField& other) { engaged_ = other.engaged_; }  // of the same springs
   // Which springs act, by spring.
   using Switches = std::vector<std::uint8_t>;
   [[nodiscard]] const Switches& switches() const { return engaged_; }

@@ -79,7 +79,7 @@ class JointConstraints {
     std::copy(taut.begin(), taut.end(), taut_.begin());
   }
   // Copies which strings are taut from `other`, which may lack the last joints.
-  void take_over(const JointConstraints& other) {
+  void adopt(const JointConstraints& other) {
     std::copy(other.taut_.begin(), other.taut_.end(), taut_.begin());
   }
   // N s, the impulse of a joint on `body`, at one of its ends, in the group's last share() or

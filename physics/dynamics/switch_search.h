@@ -36,7 +36,7 @@ class SwitchSearch {
   // s, absolute: when first switches flipped more often than is followed; negative: never.
   [[nodiscard]] double missed_since() const { return missed_since_; }
   // Of the same model, but that a last joint may be missing there.
-  void take_over(const SwitchSearch& other) {
+  void adopt(const SwitchSearch& other) {
     lost_to_joints_ = other.lost_to_joints_;
     missed_since_ = other.missed_since_;
   }

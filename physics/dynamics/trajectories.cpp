@@ -112,17 +112,17 @@ void Trajectories::check_flight(const Island& island) const {
     lose(island, LossReason::kTooManySteps);
 }
 
-void Trajectories::take_over(Trajectories& from, double time) {
+void Trajectories::adopt(Trajectories& from, double time) {
   Flights& f = flights_;
   Flights& other = from.flights_;
   for (int i = 0; i < static_cast<int>(other.bodies().size()); ++i) f.at_start.col(i) = other.at(i, time);
-  f.field.take_over(other.field);
-  f.joints.take_over(other.joints);
+  f.field.adopt(other.field);
+  f.joints.adopt(other.joints);
   if (other.field.in_contact()) {
     for (int i = 0; i < static_cast<int>(other.bodies().size()); ++i)
       set_contact_acceleration(i, other.field.contact_acceleration(i));
   }
-  switches_.take_over(from.switches_);
+  switches_.adopt(from.switches_);
   joints_missed_since_ = from.joints_missed_since_;
   f.evaluations = other.evaluations;
   f.flight_work = other.flight_work;

@@ -44,7 +44,7 @@ class Trajectories {
 
   // Takes over the epoch, switched springs and counts of other trajectories, and all motions as they are there
   // at a time at which each is known, settled. The last bodies and the last joint may be missing there.
-  void take_over(Trajectories& other, double time);
+  void adopt(Trajectories& other, double time);
   // All islands start anew at this absolute time, from the motions that they have.
   void begin(double epoch);
   [[nodiscard]] double epoch() const { return flights_.epoch; }
@@ -146,9 +146,9 @@ class Trajectories {
   [[nodiscard]] double lost_to_joints() const { return switches_.lost_to_joints(); }
 
   // All that changes in a run, and what is known of the time ahead (where `ahead` is given); put back into
-  // trajectories of the same scene, they go on for the same bytes (track_state.cpp).
+  // trajectories of the same scene, they go on for the same bytes (trajectory_state.cpp).
   void keep(TrajectoryState& to, TrajectoriesAhead* ahead) const;
-  void put_back(const TrajectoryState& from, const TrajectoriesAhead* ahead);
+  void restore(const TrajectoryState& from, const TrajectoriesAhead* ahead);
   // The first fault that makes a state none of these trajectories, as "place: what" (of its sizes all but these
   // are right); nothing if there is none.
   [[nodiscard]] std::optional<std::string> fault_of(const TrajectoryState& state,

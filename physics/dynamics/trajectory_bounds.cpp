@@ -63,7 +63,7 @@ void Trajectories::bound_curvature(int k) {
   // within a step that resolves the motion the acceleration varies by less than that.
   if (island.group < 0) {
     const int body = f.body_of(island);
-    const OneBody rates{f.field, body, f.epoch};
+    const BodyRates rates{f.field, body, f.epoch};
     Motion y = f.at_start.col(body);
     Motion rate;
     rates(island.start, y, rate);
@@ -76,7 +76,7 @@ void Trajectories::bound_curvature(int k) {
     bound_turn(body, angular);
     return;
   }
-  const Together rates{f.field, f.joints, island.group, f.members_of(island), f.epoch};
+  const GroupRates rates{f.field, f.joints, island.group, f.members_of(island), f.epoch};
   Flights::Group& group = f.groups[island.group];
   // Also where the step itself has looked: bodies that attract may pass each other between its ends.
   f.fly_group(island, island.end);

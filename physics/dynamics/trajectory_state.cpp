@@ -124,7 +124,7 @@ void Trajectories::keep(TrajectoryState& to, TrajectoriesAhead* ahead) const {
   KeptMembers::of_trajectories(*this, to, ahead, [](const auto& own, auto& kept) { kept = own; });
 }
 
-void Trajectories::put_back(const TrajectoryState& from, const TrajectoriesAhead* ahead) {
+void Trajectories::restore(const TrajectoryState& from, const TrajectoriesAhead* ahead) {
   for (const Flights::Island& island : flights_.islands) flights_.forget(island);
   KeptMembers::of_trajectories(*this, from, ahead, [](auto& own, const auto& kept) { own = kept; });
 }

@@ -22,7 +22,7 @@ constexpr int kReaderLook = 10;    // ms between two attempts
 
 // Copies owner and mode of the replaced file. If its group cannot be kept, the new group gets only the
 // others' rights.
-void take_over(int file, const struct stat& old) {
+void copy_owner_and_mode(int file, const struct stat& old) {
   mode_t mode = old.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
   const bool owner = fchown(file, old.st_uid, old.st_gid) == 0;
   if (owner) {
@@ -173,7 +173,7 @@ OutputFile::OutputFile(OutputPlace place) : place_(std::move(place)) {
     refuse_output(name(), fmt::format("the file cannot be written ({})", error.code().message()),
                   "a place with room and the right to write");
   }
-  if (replaced) take_over(temporary_->descriptor(), place_.facts);
+  if (replaced) copy_owner_and_mode(temporary_->descriptor(), place_.facts);
 }
 
 OutputFile::~OutputFile() {

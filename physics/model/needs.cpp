@@ -63,7 +63,7 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
     {Part::kSwitching, "switching", "switched forces", "each flight is searched for the moment of a switch",
      "some springs act one way only, or there are strings", "no spring or link lets go",
      [](const SceneFacts& f, const Scene&) { return f.one_sided || f.strings; }, nullptr},
-    {Part::kDrives, "drives", "driven bodies", "bodies that move as they are told", "some bodies are driven",
+    {Part::kDrives, "drives", "driven bodies", "bodies with a prescribed motion", "some bodies are driven",
      "no body is driven", [](const SceneFacts& f, const Scene&) { return f.drives; },
      [](Scene& scene) {
        for (Body& body : scene.bodies) {

@@ -153,7 +153,7 @@ void read_body(FieldReader& r, Body& b) {
   r.read({"inertia", "about the centre of mass"}, b.inertia, positive("kg m²"));
   r.read({"fixed", "it never moves"}, b.fixed);
   if (r.writes() && b.drive) r.put("drive", written(*b.drive, r.writes_all(), read_drive));
-  r.member({"drive", "it moves as it is told"}, [&](const ValueReader& v) {
+  r.member({"drive", "its prescribed motion"}, [&](const ValueReader& v) {
     v.object([&](FieldReader& drive) { read_drive(drive, b.drive.emplace()); });
   });
   r.read({"material", "the name of one"}, b.material, kName);

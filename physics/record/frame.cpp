@@ -73,9 +73,9 @@ void keep_recent(std::vector<ImpactRecord>& impacts, std::span<const ImpactRecor
 namespace {
 
 // The replay of one run through the moments.
-class Walk {
+class MomentReplay {
  public:
-  Walk(const RunLog& log, double span)
+  MomentReplay(const RunLog& log, double span)
       : log_(log),
         replay_(log.start),
         forces_(std::make_shared<const Forces>(log.start.scene.forces)),
@@ -130,12 +130,12 @@ class Walk {
 bool visit_moments(std::span<const RunLog> runs, std::span<const double> times, double span,
                    const std::function<bool(std::span<const Frame>)>& show,
                    const std::function<bool(double time)>& go_on) {
-  std::vector<Walk> walks;
-  for (const RunLog& log : runs) walks.emplace_back(log, span);
+  std::vector<MomentReplay> replays;
+  for (const RunLog& log : runs) replays.emplace_back(log, span);
   std::vector<Frame> frames(runs.size());
   for (const double time : times) {
-    for (std::size_t i = 0; i < walks.size(); ++i) {
-      if (!walks[i].go_to(time, frames[i], go_on)) return false;
+    for (std::size_t i = 0; i < replays.size(); ++i) {
+      if (!replays[i].go_to(time, frames[i], go_on)) return false;
     }
     if (!show(frames)) return false;
   }

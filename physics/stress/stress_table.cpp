@@ -35,7 +35,7 @@ std::string change_text(double coarse, double fine) {
 }
 
 std::string verdict_text(const StressRow& coarse, const StressRow& fine) {
-  if (coarse.verdict == StressVerdict::kReportedOnly) return "told";
+  if (coarse.verdict == StressVerdict::kReportedOnly) return "reported";
   const bool at_step = coarse.verdict == StressVerdict::kWithin;
   const bool at_quarter = fine.verdict == StressVerdict::kWithin;
   if (at_step && at_quarter) return "good";
@@ -156,7 +156,7 @@ std::string method_text(const Method& m) {
 }
 
 std::string_view name_of(StressVerdict verdict) {
-  if (verdict == StressVerdict::kReportedOnly) return "told";
+  if (verdict == StressVerdict::kReportedOnly) return "reported";
   return verdict == StressVerdict::kWithin ? "good" : "fell short";
 }
 
@@ -222,7 +222,7 @@ std::vector<std::string> stress_page(const std::vector<StressCase>& cases, const
       "# The hard cases: figures",
       "",
       "What `carom stress` showed last; `carom stress --page F` writes this page anew. What the cases and the",
-      "columns are is told under *The hard cases*.",
+      "columns mean is explained under *The hard cases*.",
       "",
       count_text(count_of(rows)),
   };

@@ -15,7 +15,7 @@ namespace carom {
 
 // "explicit-euler, located, lasting, 1/60 s".
 [[nodiscard]] std::string method_text(const Method& method);
-// "good", "fell short" or "told".
+// "good", "fell short" or "reported".
 [[nodiscard]] std::string_view name_of(StressVerdict verdict);
 
 // Of all rows with a limit, those within it.

@@ -17,16 +17,16 @@ StudySoFar BackgroundStudy::so_far() const {
 
 void BackgroundStudy::run(const Preset& preset, const std::string& name, const StudyOptions& options,
                           const std::stop_token& stop) {
-  StudyWatch watch;
-  watch.stop = stop;
-  watch.progress = [this](std::string_view stage, int done, int of) {
+  StudyCallbacks callbacks;
+  callbacks.stop = stop;
+  callbacks.progress = [this](std::string_view stage, int done, int of) {
     const std::lock_guard lock(mutex_);
     so_far_.stage = stage;
     so_far_.done = done;
     so_far_.of = of;
     ++so_far_.changes;
   };
-  watch.row = [this](const StudyFacts& facts, const StudyRow& row) { take(facts, row); };
+  callbacks.row = [this](const StudyFacts& facts, const StudyRow& row) { take(facts, row); };
   const auto end = [this](StudySoFar::Phase phase, const std::string& refusal) {
     const std::lock_guard lock(mutex_);
     so_far_.phase = phase;
@@ -34,7 +34,7 @@ void BackgroundStudy::run(const Preset& preset, const std::string& name, const S
     ++so_far_.changes;
   };
   try {
-    (void)run_study(preset, name, options, watch);
+    (void)run_study(preset, name, options, callbacks);
     end(StudySoFar::Phase::kDone, {});
   } catch (const Cancelled&) {
     end(StudySoFar::Phase::kCancelled, {});

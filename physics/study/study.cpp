@@ -172,7 +172,7 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-void measure_times(StudyTable& table, const Preset& preset, const StudyWatch& watch) {
+void measure_times(StudyTable& table, const Preset& preset, const StudyCallbacks& callbacks) {
   std::vector<StudyRow>& rows = table.rows;
   std::vector<std::vector<double>> times(rows.size());
   const int all = table.facts.repeats * static_cast<int>(rows.size());
@@ -181,12 +181,12 @@ void measure_times(StudyTable& table, const Preset& preset, const StudyWatch& wa
     if (rows[i].status.starts_with("blew up")) continue;  // it never reached the compared time
     Preset with_method = preset;
     with_method.method = rows[i].method;
-    times[i].push_back(time_once(Simulation(setup_of(with_method)), table.facts.time, watch.stop));
+    times[i].push_back(time_once(Simulation(setup_of(with_method)), table.facts.time, callbacks.stop));
     rows[i].wall_time = median(times[i]);
     rows[i].wall_least = *std::min_element(times[i].begin(), times[i].end());
     rows[i].wall_most = *std::max_element(times[i].begin(), times[i].end());
-    if (watch.row) watch.row(table.facts, rows[i]);
-    if (watch.progress) watch.progress("times, alone", k + 1, all);
+    if (callbacks.row) callbacks.row(table.facts, rows[i]);
+    if (callbacks.progress) callbacks.progress("times, alone", k + 1, all);
   }
 }
 
@@ -220,20 +220,20 @@ std::vector<Method> plan_methods(const Preset& preset, const StudyOptions& optio
       m.impacts = impacts.id;
       if (integrator.order == 0 && impacts.id != ImpactsId::kLocated) continue;
       if (!needs.has(Part::kRestingContacts)) m.contacts = ContactsId::kImpulse;
-      switch (error_knob(m)) {
-        case ErrorKnob::kStep:
+      switch (error_parameter(m)) {
+        case ErrorParameter::kStep:
           for (const double step : steps) {
             m.step = step;
             methods.push_back(m);
           }
           break;
-        case ErrorKnob::kTolerance:
+        case ErrorParameter::kTolerance:
           for (const double tolerance : tolerances) {
             m.tolerance = tolerance;
             methods.push_back(m);
           }
           break;
-        case ErrorKnob::kNone:
+        case ErrorParameter::kNone:
           methods.push_back(m);
           break;
       }
@@ -278,10 +278,10 @@ double plan_time(const std::vector<TimedImpact>& impacts, double end) {
 }
 
 StudyTable run_study(const Preset& preset, const std::string& name, const StudyOptions& options,
-                     const StudyWatch& watch) {
+                     const StudyCallbacks& callbacks) {
   const auto tell = [&](std::string_view stage, int done, int of) {
-    throw_if_cancelled(watch.stop);
-    if (watch.progress) watch.progress(stage, done, of);
+    throw_if_cancelled(callbacks.stop);
+    if (callbacks.progress) callbacks.progress(stage, done, of);
   };
   const std::vector<Method> methods = plan_methods(preset, options);
   if (options.shards > static_cast<int>(methods.size())) {
@@ -300,7 +300,7 @@ StudyTable run_study(const Preset& preset, const std::string& name, const StudyO
   const RunSetup setup = setup_of(preset);
   tell("neighbours", 0, 1);
   const Chaos chaos = follow_neighbours(setup, reference_method(setup), (1.0 + kPast) * facts.duration,
-                                        options.threads, watch.stop);
+                                        options.threads, callbacks.stop);
   facts.time = compared_time(preset, options, chaos, facts);
   facts.length = chaos.length;
   facts.exponent = chaos.exponent;
@@ -308,13 +308,13 @@ StudyTable run_study(const Preset& preset, const std::string& name, const StudyO
   facts.horizon = chaos.horizon;
 
   tell("reference", 0, 1);
-  const Reference reference = make_reference(setup, chaos, facts.time, (1.0 + kPast) * facts.time, watch.stop);
+  const Reference reference = make_reference(setup, chaos, facts.time, (1.0 + kPast) * facts.time, callbacks.stop);
   facts.reference = words_for(reference, chaos);
   facts.reference_position_error = reference.position_error;
   facts.reference_velocity_error = reference.velocity_error;
   facts.reference_energy_error = reference.energy_error;
   facts.stated = words_for(
-      check_stated_figures(preset, reference.method, std::min(facts.duration, chaos.horizon), watch.stop));
+      check_stated_figures(preset, reference.method, std::min(facts.duration, chaos.horizon), callbacks.stop));
 
   for (int i = 0; i < facts.planned; ++i) {
     if (i % options.shards != options.shard - 1) continue;
@@ -335,14 +335,14 @@ StudyTable run_study(const Preset& preset, const std::string& name, const StudyO
   const int all = static_cast<int>(order.size());
   tell("accuracy", 0, all);
   parallel_for(all, options.threads, [&](int k) {
-    throw_if_cancelled(watch.stop);
+    throw_if_cancelled(callbacks.stop);
     StudyRow& row = table.rows[order[static_cast<std::size_t>(k)]];
-    measure_accuracy(row, setup, reference, chaos, moving, facts.time, watch.stop);
+    measure_accuracy(row, setup, reference, chaos, moving, facts.time, callbacks.stop);
     const std::lock_guard lock(mutex);
-    if (watch.row) watch.row(facts, row);
+    if (callbacks.row) callbacks.row(facts, row);
     tell("accuracy", ++done, all);
   });
-  measure_times(table, preset, watch);
+  measure_times(table, preset, callbacks);
   return table;
 }
 

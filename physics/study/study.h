@@ -33,7 +33,7 @@ inline constexpr int kDefaultSteps = 10;
 // The complete rows of a study: every integrator under every impacts choice at every step. The adaptive
 // integrator has tolerances in place of steps (its results, and so impacts at the step's end, come at the
 // scene's own step); exact flight has one row, with impacts at their own time. With resting contacts all have
-// steps (see error_knob()), the adaptive integrator at the scene's own tolerance. Throws SceneError if a
+// steps (see error_parameter()), the adaptive integrator at the scene's own tolerance. Throws SceneError if a
 // requested integrator can't run the scene.
 [[nodiscard]] std::vector<Method> plan_methods(const Preset& preset, const StudyOptions& options);
 
@@ -43,7 +43,7 @@ inline constexpr int kDefaultSteps = 10;
 [[nodiscard]] double plan_time(const std::vector<TimedImpact>& impacts, double end);
 
 // Callbacks of a running study. Calls come from any thread, one at a time; each may be empty.
-struct StudyWatch {
+struct StudyCallbacks {
   // How many runs of the present stage are done.
   std::function<void(std::string_view stage, int done, int of)> progress;
   // A row whose accuracy is known; then again after each of its timed runs, with the times so far. The last
@@ -59,7 +59,7 @@ struct StudyWatch {
 // Everything but the times is independent of the number of threads. A row continues beyond the compared time
 // by a tenth, to find the partners of late impacts; the timed runs end at that time.
 [[nodiscard]] StudyTable run_study(const Preset& preset, const std::string& name, const StudyOptions& options,
-                                   const StudyWatch& watch = {});
+                                   const StudyCallbacks& callbacks = {});
 
 // State of a study while it runs and after it has ended.
 struct StudySoFar {

@@ -98,7 +98,7 @@ std::string write_order(const StudyFacts& /*facts*/, const StudyRow& /*row*/, co
 }
 
 void read_step(const std::string& text, StudyFacts& /*facts*/, StudyRow& r) {
-  read(text, error_knob(r.method) == ErrorKnob::kTolerance ? r.method.tolerance : r.method.step);
+  read(text, error_parameter(r.method) == ErrorParameter::kTolerance ? r.method.tolerance : r.method.step);
 }
 
 constexpr auto kColumns = std::to_array<Column>({
@@ -172,20 +172,20 @@ std::string list_of(const std::vector<int>& numbers) {
 
 }  // namespace
 
-ErrorKnob error_knob(const Method& method) {
+ErrorParameter error_parameter(const Method& method) {
   const IntegratorChoice& integrator = choice_of(kIntegrators, method.integrator);
-  if (method.contacts == ContactsId::kLasting) return ErrorKnob::kStep;
-  if (integrator.adaptive) return ErrorKnob::kTolerance;
-  return integrator.order == 0 ? ErrorKnob::kNone : ErrorKnob::kStep;
+  if (method.contacts == ContactsId::kLasting) return ErrorParameter::kStep;
+  if (integrator.adaptive) return ErrorParameter::kTolerance;
+  return integrator.order == 0 ? ErrorParameter::kNone : ErrorParameter::kStep;
 }
 
 std::optional<double> StudyRow::step_or_tolerance() const {
-  switch (error_knob(method)) {
-    case ErrorKnob::kStep:
+  switch (error_parameter(method)) {
+    case ErrorParameter::kStep:
       return method.step;
-    case ErrorKnob::kTolerance:
+    case ErrorParameter::kTolerance:
       return method.tolerance;
-    case ErrorKnob::kNone:
+    case ErrorParameter::kNone:
       break;
   }
   return std::nullopt;

@@ -16,8 +16,8 @@ namespace carom {
 // The parameter that the error of a method depends on: the tolerance of the adaptive integrator, none for
 // exact flight. With resting contacts it is the step for every method, because contact forces are found for a
 // whole step.
-enum class ErrorKnob { kStep, kTolerance, kNone };
-[[nodiscard]] ErrorKnob error_knob(const Method& method);
+enum class ErrorParameter { kStep, kTolerance, kNone };
+[[nodiscard]] ErrorParameter error_parameter(const Method& method);
 
 // One run of a study against the reference. Errors are NaN if there is nothing to compare.
 struct StudyRow : Comparison {
@@ -32,7 +32,7 @@ struct StudyRow : Comparison {
   double wall_most = std::numeric_limits<double>::quiet_NaN();
   std::string status = "ok";
 
-  // s or m, see error_knob(); nothing if the method has neither.
+  // s or m, see error_parameter(); nothing if the method has neither.
   [[nodiscard]] std::optional<double> step_or_tolerance() const;
 };
 

@@ -29,7 +29,7 @@ std::string right(const std::string& text, std::size_t width) {
 std::string range_text(const StudyGroup& g) {
   if (g.fit.kind == OrderFit::Kind::kExact) return ", no order: every error is rounding";
   if (g.fit.kind == OrderFit::Kind::kNone) return ": fewer than three errors between rounding and nonsense";
-  const bool adaptive = error_knob(g.rows.front().method) == ErrorKnob::kTolerance;
+  const bool adaptive = error_parameter(g.rows.front().method) == ErrorParameter::kTolerance;
   return fmt::format(" in position, fitted on {} from {:.3g} to {:.3g} {}, {} points",
                      adaptive ? "tolerances" : "steps", g.fit.from, g.fit.to, adaptive ? "m" : "s",
                      g.fit.points);
@@ -43,7 +43,7 @@ std::string group_text(const StudyGroup& g, bool whole) {
                        range_text(g));
   }
   out += '\n';
-  const bool adaptive = error_knob(g.rows.front().method) == ErrorKnob::kTolerance;
+  const bool adaptive = error_parameter(g.rows.front().method) == ErrorParameter::kTolerance;
   out += fmt::format("{:>10} {:>11} {:>13} {:>10} {:>14} {:>10} {:>21} {:>11} {:>9} {:>8} {:>7}\n",
                      adaptive ? "toler. / m" : "step / s", "position/m", "velocity/m/s", "energy/J",
                      "impact times/s", "wall time", "least to most", "evaluations", "rejected", "impacts",

@@ -416,9 +416,9 @@ bool EventDrivenImpacts::classify_rebound(const Step& step, int a, int b, const 
   return false;
 }
 
-std::optional<RunAhead> EventDrivenImpacts::ahead(const World& world) const {
+std::optional<ScheduleState> EventDrivenImpacts::ahead(const World& world) const {
   if (!running_ || !trajectories_run_on(world, nullptr)) return std::nullopt;
-  RunAhead ahead;
+  ScheduleState ahead;
   ahead.grid = grid_.order();
   for (const Event& event : queue_.all()) {
     if (!is_stale(event)) ahead.events.push_back({event.time, event.a, event.b});
@@ -434,7 +434,7 @@ std::optional<RunAhead> EventDrivenImpacts::ahead(const World& world) const {
   return ahead;
 }
 
-void EventDrivenImpacts::put_back(int bodies, int at_once, const std::optional<RunAhead>& ahead) {
+void EventDrivenImpacts::restore(int bodies, int at_once, const std::optional<ScheduleState>& ahead) {
   reset(bodies);
   at_once_ = at_once;
   if (!ahead) return;
@@ -442,7 +442,7 @@ void EventDrivenImpacts::put_back(int bodies, int at_once, const std::optional<R
   stretch_ = ahead->stretch;
   epoch_length_ = ahead->epoch_length;
   last_impact_ = ahead->last_impact;
-  (void)grid_.put_back(bodies, ahead->grid);
+  (void)grid_.restore(bodies, ahead->grid);
   // The stamps of all islands are still 0.
   for (const auto& [time, a, b] : ahead->events) queue_.push({time, a, b, 0, 0});
   for (const auto& [a, b, resting] : ahead->waiting) end_of_step_.add(a, b, resting);

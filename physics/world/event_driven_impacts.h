@@ -16,7 +16,7 @@ namespace carom {
 
 // Pending events of trajectories that continue across the ends of steps: scheduled impacts, and pairs that
 // wait for the next step's end. Times in s after the epoch.
-struct RunAhead {
+struct ScheduleState {
   // As in Event: bodies a < b collide, or (b < 0) the trajectory of a's island ends.
   struct Scheduled {
     double time = 0.0;
@@ -57,10 +57,10 @@ class EventDrivenImpacts {
   // For a change of bodies, islands or method: the next step starts from the state alone.
   void reset(int bodies);
   // Pending events, if trajectories continue across steps.
-  [[nodiscard]] std::optional<RunAhead> ahead(const World& world) const;
+  [[nodiscard]] std::optional<ScheduleState> ahead(const World& world) const;
   // Impacts before the last one at the same time.
   [[nodiscard]] int at_once() const { return at_once_; }
-  void put_back(int bodies, int at_once, const std::optional<RunAhead>& ahead);
+  void restore(int bodies, int at_once, const std::optional<ScheduleState>& ahead);
 
  private:
   // The step under way, or the part of it that starts with a support.

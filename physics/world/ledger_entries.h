@@ -63,7 +63,7 @@ inline constexpr auto kEnergyEntries = std::to_array<EnergyEntry>({
     {Kind::kLoss, "lost_to_dampers", "lost to dampers", "lost to dampers",
      "Work of the dampers of springs, integrated along with the motion", &Ledger::lost_to_dampers,
      [](const Scene& scene, ContactsId, const Needs&) { return !has_dampers(scene); }},
-    {Kind::kLoss, "lost_to_links", "lost to links", "lost to strings that jerk",
+    {Kind::kLoss, "lost_to_links", "lost to links", "lost to strings that jerk taut",
      "Taken where strings jerked taut", &Ledger::lost_to_joints,
      [](const Scene& scene, ContactsId, const Needs&) { return !has_strings(scene); }},
     {Kind::kCorrection, "overlap_correction", "overlap correction", "put in by pushing overlaps apart",

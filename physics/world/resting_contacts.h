@@ -84,7 +84,7 @@ class RestingContacts {
 
   [[nodiscard]] const std::vector<ContactForce>& forces() const { return memory_.forces; }  // of the last step
   [[nodiscard]] const ContactMemory& memory() const { return memory_; }
-  void put_back(const ContactMemory& memory) { memory_ = memory; }
+  void restore(const ContactMemory& memory) { memory_ = memory; }
 
  private:
   void find_contacts(World& world, double h);

@@ -31,10 +31,10 @@ RunState Simulation::run_state() const {
 
 Simulation::Simulation(std::shared_ptr<const Model> model, const RunState& state)
     : Simulation(std::move(model), state.method) {
-  put_back(state);
+  restore(state);
 }
 
-void Simulation::put_back(const RunState& state) {
+void Simulation::restore(const RunState& state) {
   if (!(state.method == world_.method)) {
     world_.method = state.method;
     world_.trajectories.set_method(state.method);
@@ -43,12 +43,12 @@ void Simulation::put_back(const RunState& state) {
   world_.clock = state.clock;
   world_.clock.step_end = state.clock.time;
   world_.sums = state.sums;
-  world_.work.put_back(state.work);
+  world_.work.restore(state.work);
   world_.state = state.motions;
-  world_.trajectories.put_back(state.trajectories, state.ahead ? &state.ahead->trajectories : nullptr);
+  world_.trajectories.restore(state.trajectories, state.ahead ? &state.ahead->trajectories : nullptr);
   if (auto* events = std::get_if<EventDrivenImpacts>(&impacts_))
-    events->put_back(world_.bodies(), state.at_once, state.ahead);
-  if (resting_) resting_->put_back(state.contacts);
+    events->restore(world_.bodies(), state.at_once, state.ahead);
+  if (resting_) resting_->restore(state.contacts);
 }
 
 void Simulation::go_on_from(const SavedRun& saved) {
@@ -59,7 +59,7 @@ void Simulation::go_on_from(const SavedRun& saved) {
     return;
   }
   const Method method = world_.method;
-  put_back(*saved.state);
+  restore(*saved.state);
   if (!(world_.method == method)) set_method(method);
 }
 

@@ -25,7 +25,7 @@ struct RunState {
   State motions;  // at clock.time
   TrajectoryState trajectories;
   ContactMemory contacts;
-  std::optional<RunAhead> ahead;  // none: the next step rebuilds all trajectories
+  std::optional<ScheduleState> ahead;  // none: the next step rebuilds all trajectories
 };
 
 // Throws SceneError, with the place under /state, if no run of this scene can have this state. All sizes must

@@ -111,7 +111,7 @@ void check_contacts(const std::vector<Body>& bodies, const ContactMemory& s) {
 
 void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const Trajectories& trajectories,
                  const RunState& s) {
-  const RunAhead& ahead = *s.ahead;
+  const ScheduleState& ahead = *s.ahead;
   // Relative to the mean size of the moving bodies: far shorter trajectories would be endlessly many.
   double size = 0.0;
   int moving = 0;
@@ -137,7 +137,7 @@ void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const 
   }
   for (std::size_t i = 0; i < ahead.events.size(); ++i) {
     const std::string at = fmt::format("ahead/events/{}", i);
-    const RunAhead::Scheduled& e = ahead.events[i];
+    const ScheduleState::Scheduled& e = ahead.events[i];
     check_least(at, e.time, 0.0);
     if (e.b >= 0) {
       check_pair(at, bodies, e.a, e.b);
@@ -149,7 +149,7 @@ void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const 
   }
   for (std::size_t i = 0; i < ahead.waiting.size(); ++i) {
     const std::string at = fmt::format("ahead/waiting/{}", i);
-    const RunAhead::Waiting& w = ahead.waiting[i];
+    const ScheduleState::Waiting& w = ahead.waiting[i];
     check_pair(at, bodies, w.a, w.b);
     if (!shapes.can_collide(w.a, w.b)) refuse(at, fmt::format("bodies {} and {} can't meet", w.a, w.b));
   }
@@ -157,7 +157,7 @@ void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const 
     if (!(b.low <= b.high).all()) refuse("ahead/grid/bounds", "bounds that hold nothing");
   }
   CellGrid grid;
-  if (!grid.put_back(static_cast<int>(bodies.size()), ahead.grid))
+  if (!grid.restore(static_cast<int>(bodies.size()), ahead.grid))
     refuse("ahead/grid", "these cells don't hold these bounds");
 }
 

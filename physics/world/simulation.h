@@ -119,7 +119,7 @@ class Simulation {
   void make_step(double h);
   void give_up(const LostMotion& lost);
   void go_on_from(const SavedRun& saved);
-  void put_back(const RunState& state);
+  void restore(const RunState& state);
 
   World world_;
   std::variant<StepEndImpacts, EventDrivenImpacts> impacts_;

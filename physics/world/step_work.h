@@ -30,7 +30,7 @@ class StepWork {
     std::int64_t reserve = kReserve;
   };
   [[nodiscard]] Kept kept() const { return {scarce_ || left_ <= 0, reserve_}; }
-  void put_back(const Kept& kept) {
+  void restore(const Kept& kept) {
     scarce_ = kept.scarce;
     reserve_ = kept.reserve;
     left_ = 1;

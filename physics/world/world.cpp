@@ -32,7 +32,7 @@ void World::recompile(Scene scene, const Needs& needs, double within) {
   model = compile(std::move(scene), needs, model->start_time);
   apply_impact = apply_impact_of(*model);
   Trajectories anew(model, method);
-  anew.take_over(trajectories, within);
+  anew.adopt(trajectories, within);
   trajectories = std::move(anew);
 }
 

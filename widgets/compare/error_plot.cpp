@@ -75,7 +75,7 @@ QFont ErrorPlot::font_of(int pixels) const {
 
 double ErrorPlot::abscissa(const StudyRow& row) const {
   if (against_ == ErrorAgainst::kWallTime) return row.wall_time;
-  return error_knob(row.method) == ErrorKnob::kStep ? row.method.step : std::nan("");
+  return error_parameter(row.method) == ErrorParameter::kStep ? row.method.step : std::nan("");
 }
 
 // Position of an error on its axis; zero is just above the lower edge.
@@ -265,7 +265,7 @@ void ErrorPlot::add_method(const StudyGroup& group) {
     if (!std::isnan(point.x()) && !std::isnan(point.y())) points.append(point);
   }
   const bool everywhere =
-      against_ == ErrorAgainst::kStep && error_knob(group.rows.front().method) == ErrorKnob::kNone;
+      against_ == ErrorAgainst::kStep && error_parameter(group.rows.front().method) == ErrorParameter::kNone;
   const double level = shown_error(group.rows.front());
   if (everywhere && !std::isnan(level)) {
     add_line({{x_.low, level}, {x_.high, level}}, line_of(color, group.impacts));
@@ -293,7 +293,7 @@ const StudyRow* ErrorPlot::row_at(const QPointF& pixel) const {
           least = distance;
           nearest = &row;
         }
-      } else if (against_ == ErrorAgainst::kStep && error_knob(row.method) == ErrorKnob::kNone) {
+      } else if (against_ == ErrorAgainst::kStep && error_parameter(row.method) == ErrorParameter::kNone) {
         const double level = canvasMap(QwtAxis::YLeft).transform(shown_error(row));
         if (std::abs(level - pixel.y()) <= kNearLine) on_line = &row;
       }

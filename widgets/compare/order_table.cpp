@@ -26,7 +26,7 @@ constexpr int kMarker = 6;
 
 bool is_order(const StudyGroup& group) { return group.fit.kind == OrderFit::Kind::kOrder; }
 bool by_tolerance(const StudyGroup& group) {
-  return error_knob(group.rows.front().method) == ErrorKnob::kTolerance;
+  return error_parameter(group.rows.front().method) == ErrorParameter::kTolerance;
 }
 
 QString order_tip(const StudyGroup& group) {

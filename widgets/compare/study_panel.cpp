@@ -300,14 +300,14 @@ QString StudyPanel::tip_of(const StudyRow& row) const {
   QStringList lines;
   lines << QString("%1, %2").arg(text_of(choice_of(kIntegrators, row.method.integrator).label),
                                  text_of(choice_of(kImpacts, row.method.impacts).label));
-  switch (error_knob(row.method)) {
-    case ErrorKnob::kStep:
+  switch (error_parameter(row.method)) {
+    case ErrorParameter::kStep:
       lines << tr("h = %1 s").arg(short_figure(row.method.step));
       break;
-    case ErrorKnob::kTolerance:
+    case ErrorParameter::kTolerance:
       lines << tr("tolerance %1 m").arg(short_figure(row.method.tolerance));
       break;
-    case ErrorKnob::kNone:
+    case ErrorParameter::kNone:
       lines << tr("no step: the same at every one");
       break;
   }

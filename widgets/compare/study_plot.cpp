@@ -95,7 +95,7 @@ void draw_orders(QPainter& painter, const QRectF& where, const std::vector<Study
       }
       draw_text(painter, cell.adjusted(0, 6, 0, -20), Qt::AlignCenter, order, font_of(15, true),
                 color.darker(115));
-      const QString below = error_knob(g->rows.front().method) == ErrorKnob::kTolerance
+      const QString below = error_parameter(g->rows.front().method) == ErrorParameter::kTolerance
                                 ? QString("of tolerance")
                                 : QString::fromUtf8("± %1").arg(QString::number(g->fit.uncertainty, 'f', 2));
       draw_text(painter, cell.adjusted(0, 27, 0, -5), Qt::AlignCenter, below, font_of(11), theme.muted);

@@ -41,7 +41,7 @@ TEST(BracketedRoot, ToTheLastBit) {
   check([](double t) { return 1.0 - t; }, 0.0, 1.0, 1.0);
 }
 
-struct OneBody {
+struct BodyRates {
   const ForceField& field;
   int body;
   void operator()(double t, const Motion& y, Motion& k) const { field.external_rate(body, t, y, k); }
@@ -67,7 +67,7 @@ struct Flight {
         if (bodies[body].fixed) return from.head<3>();
         Stages<Motion> stages;
         Motion to = Motion::Zero();
-        integrator_step(id, OneBody{field, body}, 0.0, from, t, stages, to);
+        integrator_step(id, BodyRates{field, body}, 0.0, from, t, stages, to);
         return to.head<3>();
       };
       const Eigen::Vector3d qa = flown(0);

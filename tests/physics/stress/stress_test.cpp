@@ -164,7 +164,7 @@ TEST(Stress, LinesTellWhatAQuarterOfTheStepChanges) {
   EXPECT_EQ(lines[3].verdict, "good");
   EXPECT_EQ(lines[5].change, "same");
   EXPECT_EQ(lines[5].limit, "-");
-  EXPECT_EQ(lines[5].verdict, "told");
+  EXPECT_EQ(lines[5].verdict, "reported");
   EXPECT_EQ(lines[7].coarse, "-");
   EXPECT_EQ(lines[7].verdict, "FELL SHORT");
 }

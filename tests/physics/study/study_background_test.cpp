@@ -55,7 +55,7 @@ TEST(Study, RowsThatComeOnTheWayAreTheTables) {
   o.threads = 3;
   std::map<int, std::vector<StudyRow>> seen;
   StudyTable followed;
-  StudyWatch watch;
+  StudyCallbacks watch;
   watch.row = [&](const StudyFacts& facts, const StudyRow& row) {
     seen[row.index].push_back(row);
     followed.facts = facts;
@@ -125,7 +125,7 @@ TEST(Study, StopsWithinARun) {
   o.steps = {kLeastStep};
   o.threads = 3;
   expect_to_stop([&](const std::stop_token& stop) {
-    StudyWatch watch;
+    StudyCallbacks watch;
     watch.stop = stop;
     (void)run_study(s, "spring", o, watch);
   });
@@ -139,7 +139,7 @@ TEST(Study, StopsBetweenRuns) {
     std::stop_source stop;
     std::vector<std::string> stages;
     int times = 0;
-    StudyWatch watch;
+    StudyCallbacks watch;
     watch.stop = stop.get_token();
     watch.progress = [&](std::string_view stage, int, int) {
       if (stages.empty() || stages.back() != stage) stages.emplace_back(stage);
