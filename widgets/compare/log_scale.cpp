@@ -48,7 +48,8 @@ QString duration_label(double seconds) {
 }
 
 QwtScaleDiv log_ticks(const LogRange& range, int most) {
-  const auto [low, high] = range;
+  const double low = range.low;
+  const double high = range.high;
   const int from = static_cast<int>(std::floor(std::log10(low) + 1e-9));
   const int to = static_cast<int>(std::ceil(std::log10(high) - 1e-9));
   QList<double> major;

@@ -270,7 +270,8 @@ void GlCanvas::add_polygon(const Drawing::PolygonItem& polygon) {
     around.setCoords(std::min(around.left(), at.x()), std::min(around.top(), at.y()),
                      std::max(around.right(), at.x()), std::max(around.bottom(), at.y()));
   }
-  const auto first = static_cast<float>(corners_.size() / 2);
+  const std::size_t known = corners_.size() / 2;
+  const auto first = static_cast<float>(known);
   for (const Vec2& corner : corners) {
     const QPointF at = (camera.to_screen(corner) - around.center()) * ratio_;
     corners_.push_back(static_cast<float>(at.x()));
