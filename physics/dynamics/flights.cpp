@@ -115,8 +115,8 @@ const Motions& Flights::fly_group(const Island& island, double time) {
   if (group.cached != time) {
     group.cached = time;
     gather(island);
-    integrator_step(integrator, GroupRates{field, joints, island.group, members_of(island), epoch}, island.start,
-                    group.from, time - island.start, group.stages, group.now);
+    integrator_step(integrator, GroupRates{field, joints, island.group, members_of(island), epoch},
+                    island.start, group.from, time - island.start, group.stages, group.now);
     const std::int64_t evaluated = evaluations_a_flight * static_cast<std::int64_t>(island.count);
     evaluations += evaluated;
     flight_work += evaluated * (field.attracts() ? 1 + island.count / 8 : 1) +
@@ -189,8 +189,8 @@ double Flights::error_of(const Island& island, double time) {
   }
   fly_group(island, time);
   Group& group = groups[island.group];
-  return dormand_prince_error(GroupRates{field, joints, island.group, members_of(island), epoch}, island.start, h,
-                              group.stages, group.now);
+  return dormand_prince_error(GroupRates{field, joints, island.group, members_of(island), epoch}, island.start,
+                              h, group.stages, group.now);
 }
 
 double Flights::apply_taut_impulse(const Island& island) {

@@ -308,7 +308,8 @@ StudyTable run_study(const Preset& preset, const std::string& name, const StudyO
   facts.horizon = chaos.horizon;
 
   tell("reference", 0, 1);
-  const Reference reference = make_reference(setup, chaos, facts.time, (1.0 + kPast) * facts.time, callbacks.stop);
+  const Reference reference =
+      make_reference(setup, chaos, facts.time, (1.0 + kPast) * facts.time, callbacks.stop);
   facts.reference = words_for(reference, chaos);
   facts.reference_position_error = reference.position_error;
   facts.reference_velocity_error = reference.velocity_error;

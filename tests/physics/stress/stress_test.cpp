@@ -145,7 +145,8 @@ TEST(Stress, CsvHasItsColumnsAndAllDigits) {
                            "twice the step,\"theory: a limit with, a comma\",,"))
       << lines[1];
   EXPECT_TRUE(lines[4].starts_with("made-up,\"rk4, located, lasting, 1/8 s\",0.25,s,0.5,good,")) << lines[4];
-  EXPECT_TRUE(lines[9].starts_with("made-up,\"explicit-euler, located, lasting, 1/2 s\",5,1,,reported,a number,,,"))
+  EXPECT_TRUE(
+      lines[9].starts_with("made-up,\"explicit-euler, located, lasting, 1/2 s\",5,1,,reported,a number,,,"))
       << lines[9];
   EXPECT_TRUE(lines[13].find(",nan,1,1,fell short,nothing,") != std::string::npos) << lines[13];
 }

@@ -246,8 +246,9 @@ TEST(ErrorPlot, FindsItsPoints) {
     for (std::size_t error = 0; error < kStudyErrors.size(); ++error) {
       plot.show_study(table.facts, groups_of(table), against, error);
       for (const StudyRow& r : table.rows) {
-        const bool drawn = !std::isnan(r.*kStudyErrors[error].value) &&
-                           (against == ErrorAgainst::kWallTime || error_parameter(r.method) == ErrorParameter::kStep);
+        const bool drawn =
+            !std::isnan(r.*kStudyErrors[error].value) &&
+            (against == ErrorAgainst::kWallTime || error_parameter(r.method) == ErrorParameter::kStep);
         const auto pixel = plot.pixel_of(r);
         ASSERT_EQ(pixel.has_value(), drawn) << r.index;
         if (!drawn) continue;
