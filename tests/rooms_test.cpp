@@ -55,7 +55,7 @@ std::vector<fs::path> sources() {
   return files;
 }
 
-TEST(Rooms, IncludeOnlyWhatStandsBeforeThem) {
+TEST(Rooms, IncludeOnlyRoomsBeforeThem) {
   constexpr std::string_view kInclude = "#include \"";
   int arrows = 0;
   for (const fs::path& file : sources()) {

@@ -27,7 +27,7 @@ int open_lab(Arguments arguments, const std::string& preset) {
   const std::string wanted = preset.empty() ? kDefaultExperiment : preset;
   (void)read_preset(find_preset(wanted));  // reports a bad file on the terminal first
   if (!has_display()) {
-    print_out("There is no display: the experiment is run instead of the lab.\n\n");
+    print_out("There is no display: the experiment runs here instead of in the lab.\n\n");
     run_preset(wanted);
     const std::string picture = QDir::current().filePath("carom-lab.png").toStdString();
     save_window_picture(arguments, wanted, picture);

@@ -70,9 +70,10 @@ int show_needs(const NeedsOptions& options) {
   print_table(
       rows, std::array{Align::kLeft, Align::kLeft, Align::kRight, Align::kRight, Align::kRight, Align::kLeft});
   print_out(
-      "\nCPU time, medians. With and without: of a part that is not needed, what it would cost put into the "
-      "model;\n"
-      "of one that is, the same run without what needs it, \"-\" where there is no such run.\n");
+      "\nCPU time, medians. A part that is not needed: a step with the part put into the model, and without "
+      "it.\n"
+      "A part that is needed: a step of this run, and of the run without what needs it; \"-\" if there is "
+      "none.\n");
   return kGood;
 }
 

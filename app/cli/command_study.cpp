@@ -83,7 +83,7 @@ StudyOptions study_options(const StudyCommandOptions& o) {
         "--until: 0 is not allowed; allowed: a time above 0, there is nothing to compare at the start");
   }
   if (o.preset.empty() == o.merge.empty()) {
-    throw SceneError("study: one thing to do is needed; allowed: FILE|NAME, or --merge FILE...");
+    throw SceneError("study: one input is needed; allowed: FILE|NAME, or --merge FILE...");
   }
   if (!o.merge.empty() && !o.shard.empty()) {
     throw SceneError("--shard: not allowed with --merge; allowed: with FILE|NAME");

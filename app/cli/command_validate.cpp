@@ -18,7 +18,7 @@ struct ValidateOptions {
 
 int validate(const ValidateOptions& options) {
   if (options.schema == !options.presets.empty())
-    throw SceneError("validate: one thing to do is needed; allowed: FILE|NAME..., or --schema");
+    throw SceneError("validate: one input is needed; allowed: FILE|NAME..., or --schema");
   if (options.schema) {
     print_out("{}\n", preset_schema().dump(2));
     return kGood;

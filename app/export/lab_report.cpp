@@ -223,9 +223,9 @@ class Writer {
     QStringList lines;
     for (std::size_t i = 0; i < std::min(edits.size(), kMostChanges); ++i) {
       const auto* method = std::get_if<Method>(&edits[i].what);
-      const QString what =
-          method != nullptr ? method_line(*method)
-                            : tr("%1 put in").arg(QString::fromStdString(std::get<Body>(edits[i].what).name));
+      const QString what = method != nullptr
+                               ? method_line(*method)
+                               : tr("%1 added").arg(QString::fromStdString(std::get<Body>(edits[i].what).name));
       lines << tr("from t = %1 s: %2").arg(short_figure(edits[i].time, 6), what);
     }
     if (edits.size() > kMostChanges) lines << tr("and %1 more").arg(edits.size() - kMostChanges);

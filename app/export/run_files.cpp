@@ -58,6 +58,10 @@ std::vector<Quantity> run_columns(const std::vector<Body>& bodies) {
        {"momentum_drift_x", "momentum_drift_y", "momentum_to_walls_x", "momentum_to_walls_y"}) {
     add(name);
   }
+  add("angular_momentum_drift");
+  for (const MomentumEntry& entry : kMomentumEntries) {
+    if (entry.angular != &Ledger::initial_angular_momentum) add(entry.angular_key);
+  }
   return columns;
 }
 

@@ -61,7 +61,7 @@ class Job {
 
 void finish(const Job& job, QWidget* window, const QString& failure, const std::function<void()>& then) {
   if (!job.error().isEmpty()) {
-    tell(window, failure, job.error());
+    show_message(window, failure, job.error());
   } else if (!job.stopped() && then) {
     then();
   }
@@ -74,7 +74,7 @@ void with_progress(QWidget* window, const QString& title, const QString& failure
   const auto job = std::make_shared<Job>(work);
   if (job->done_in(kSoon)) return finish(*job, window, failure, then);
   const auto tr = [](const char* text) { return QCoreApplication::translate("RunProgress", text); };
-  auto* dialog = new QProgressDialog(tr("Going through the run once more"), tr("Cancel"), 0, kParts, window);
+  auto* dialog = new QProgressDialog(tr("Replaying the run"), tr("Cancel"), 0, kParts, window);
   dialog->setWindowTitle(title);
   // QProgressDialog::setValue() would run the event loop.
   auto* bar = new QProgressBar;

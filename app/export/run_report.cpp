@@ -47,12 +47,16 @@ std::string ledger_text(const Ledger& ledger, const Totals& now) {
   for (const EnergyEntry& entry : kEnergyEntries) energy(entry.name, ledger.*entry.value);
   energy("numerical drift", ledger.numerical_drift(now.energy()));
 
-  out += fmt::format("\n{:<34} {:>14} {:>14}\n", "where the momentum went / N s", "x", "y");
-  const auto momentum = [&](std::string_view what, const Vec2& value) {
-    out += fmt::format("{:<34} {:>14} {:>14}\n", what, figure(value.x()), figure(value.y()));
+  out += fmt::format("\n{:<34} {:>14} {:>14} {:>18}\n", "where the momentum went / N s", "x", "y",
+                     "angular / kg m²/s");
+  const auto momentum = [&](std::string_view what, const Vec2& value, double angular) {
+    out += fmt::format("{:<34} {:>14} {:>14} {:>18}\n", what, figure(value.x()), figure(value.y()),
+                       figure(angular));
   };
-  for (const MomentumEntry& entry : kMomentumEntries) momentum(entry.name, ledger.*entry.value);
-  momentum("numerical drift", ledger.momentum_drift(now.momentum));
+  for (const MomentumEntry& entry : kMomentumEntries)
+    momentum(entry.name, ledger.*entry.value, ledger.*entry.angular);
+  momentum("numerical drift", ledger.momentum_drift(now.momentum),
+           ledger.angular_momentum_drift(now.angular_momentum));
   return out;
 }
 
@@ -149,6 +153,10 @@ std::string report_json(const std::string& preset, const Simulation& end) {
   for (const MomentumEntry& entry : kMomentumEntries)
     given[std::string(entry.report_key)] = pair(ledger.*entry.value);
   given["numerical_drift"] = pair(ledger.momentum_drift(totals.momentum));
+  Json& angular = quadratures["angular_momentum"];
+  for (const MomentumEntry& entry : kMomentumEntries)
+    angular[std::string(entry.report_key)] = ledger.*entry.angular;
+  angular["numerical_drift"] = ledger.angular_momentum_drift(totals.angular_momentum);
   j["status"] = end.status();
   return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -32,8 +32,8 @@ bool DocumentFiles::open(const std::string& file_or_name) {
     });
     return *done;
   } catch (const SceneError& error) {
-    tell(window_, tr("This preset cannot be opened"), tr("This preset cannot be opened."),
-         QString::fromStdString(error.what()));
+    show_message(window_, tr("This preset cannot be opened"), tr("This preset cannot be opened."),
+                 QString::fromStdString(error.what()));
     emit stayed();
     return false;
   }
@@ -53,7 +53,7 @@ bool DocumentFiles::write(const QString& file) {
     session_.save(file);
     return true;
   } catch (const SceneError& error) {
-    tell(window_, tr("This preset cannot be saved"), QString::fromStdString(error.what()));
+    show_message(window_, tr("This preset cannot be saved"), QString::fromStdString(error.what()));
     return false;
   }
 }

@@ -118,9 +118,9 @@ FilmDialog::FilmDialog(const Film& suggestion, const QString& folder, QWidget* p
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(choose, &QPushButton::clicked, this, &FilmDialog::choose_folder);
   for (QDoubleSpinBox* box : {from_, to_, rate_, speed_})
-    connect(box, &QDoubleSpinBox::valueChanged, this, &FilmDialog::tell);
-  connect(folder_, &QLineEdit::textChanged, this, &FilmDialog::tell);
-  tell();
+    connect(box, &QDoubleSpinBox::valueChanged, this, &FilmDialog::update_summary);
+  connect(folder_, &QLineEdit::textChanged, this, &FilmDialog::update_summary);
+  update_summary();
 }
 
 Film FilmDialog::film() const {
@@ -146,7 +146,7 @@ void FilmDialog::choose_folder() {
   ask(dialog, [this, dialog] { folder_->setText(dialog->selectedFiles().constFirst()); });
 }
 
-void FilmDialog::tell() {
+void FilmDialog::update_summary() {
   const bool named = !folder_->text().trimmed().isEmpty();
   try {
     const Film film = this->film();

@@ -31,7 +31,7 @@ class FilmDialog : public QDialog {
 
  private:
   void choose_folder();
-  void tell();
+  void update_summary();
 
   Film suggestion_;
   bool may_replace_ = false;

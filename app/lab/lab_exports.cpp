@@ -80,7 +80,7 @@ void LabExports::ask_for_export(const QString& title, const QString& suggestion,
     try {
       OutputSet({session_.file().toStdString()}).reserve(file.toStdString());
     } catch (const SceneError& error) {
-      return tell(window_, title, QString::fromUtf8(error.what()));
+      return show_message(window_, title, QString::fromUtf8(error.what()));
     }
     then(file);
   });
@@ -94,7 +94,7 @@ void LabExports::save_picture_as(const QString& stem,
   ask_for_export(tr("Save the picture"), stem + ".png", tr("Pictures (*.png *.svg *.pdf)"),
                  [this, save](const QString& file) {
                    QString error;
-                   if (!save(file, &error)) tell(window_, tr("The picture cannot be saved"), error);
+                   if (!save(file, &error)) show_message(window_, tr("The picture cannot be saved"), error);
                  });
 }
 
@@ -122,7 +122,7 @@ void LabExports::save_bins(const RunPlot& plot) {
                    try {
                      export_bins(bins, unit.toStdString(), file.toStdString());
                    } catch (const SceneError& error) {
-                     tell(window_, tr("The bins cannot be saved"), QString::fromUtf8(error.what()));
+                     show_message(window_, tr("The bins cannot be saved"), QString::fromUtf8(error.what()));
                    }
                  });
 }
@@ -190,9 +190,9 @@ void LabExports::copy_data(const RunPlot* plot, bool shown) {
         if (text->copied == Copied::kAll)
           QGuiApplication::clipboard()->setText(QString::fromStdString(text->text));
         if (text->copied == Copied::kTooMany) {
-          tell(window_, tr("Too much for the clipboard"),
-               tr("These are more than %1 rows: “Save the data...” takes them all into a file.")
-                   .arg(kMostCopied));
+          show_message(window_, tr("Too much for the clipboard"),
+                       tr("These are more than %1 rows: “Save the data...” takes them all into a file.")
+                           .arg(kMostCopied));
         }
       });
 }
@@ -243,15 +243,15 @@ void LabExports::save_film_of(const Film& film, const QString& folder, bool repl
         QString details =
             tr("There, this makes a film of them:") + "\n\n" + encoder_line(film, (*frames)->written);
         for (const std::string& line : remarks(**frames)) details += "\n\n" + QString::fromStdString(line);
-        tell(window_, tr("Film"), tr("%1 frames are in %2.").arg(QString::number((*frames)->written), folder),
-             details);
+        show_message(window_, tr("Film"),
+                     tr("%1 frames are in %2.").arg(QString::number((*frames)->written), folder), details);
       });
 }
 
 void LabExports::make_report() {
   if (!has_run()) return;
   if (session_.frame()->steps == 0 && !session_.frame()->playing)
-    return tell(window_, tr("Lab report"), tr("The run has not begun: play it first."));
+    return show_message(window_, tr("Lab report"), tr("The run has not begun: play it first."));
   // So that plots and tables have the same time.
   session_.when_still(tr("the report waits for the step that is under way"), [this] { write_report(); });
 }
@@ -292,7 +292,7 @@ void LabExports::save_report(const LabReport& report, const QString& file) {
         if (!*moments) return;
         QString error;
         if (!report_pages(report, **moments).save(file, report.title, &error))
-          tell(window_, tr("The report cannot be saved"), error);
+          show_message(window_, tr("The report cannot be saved"), error);
       });
 }
 

@@ -168,9 +168,9 @@ void LabWindow::connect_views() {
   });
   connect(view_, &SceneView::spawnRequested, this, [this](double x, double y) {
     try {
-      session_.put_in(x, y);
+      session_.add_body(x, y);
     } catch (const SceneError& error) {
-      tell(this, tr("No body can be put here"), QString::fromStdString(error.what()));
+      show_message(this, tr("No body can be put here"), QString::fromStdString(error.what()));
     }
   });
   connect(list_, &ExperimentList::openRequested, files_,

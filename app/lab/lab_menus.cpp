@@ -116,9 +116,9 @@ void LabWindow::make_help_menu() {
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   add_action(help, "help", tr("&Help pages"), QKeySequence::HelpContents, [this] { show_help(this); });
   add_action(help, "", tr("&About Carom"), QKeySequence(), [this] {
-    tell(this, tr("About Carom"), tr("Carom %1").arg(CAROM_VERSION),
-         tr("A lab for two-dimensional rigid-body collisions.\n\n"
-            "MIT licence. Plots by Qwt (Qwt licence), window by Qt (LGPL)."));
+    show_message(this, tr("About Carom"), tr("Carom %1").arg(CAROM_VERSION),
+                 tr("A lab for two-dimensional rigid-body collisions.\n\n"
+                    "MIT licence. Plots by Qwt (Qwt licence), window by Qt (LGPL)."));
   });
 }
 

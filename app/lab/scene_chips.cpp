@@ -89,7 +89,7 @@ void SceneChips::show_time(const Session& session) {
   speed_->setText(speed);
 }
 
-void SceneChips::show_notices(const Session& session, const QString& more, bool lost_told) {
+void SceneChips::show_notices(const Session& session, const QString& more, bool lost_shown) {
   const auto frame = session.frame();
   QStringList notices;
   if (frame == nullptr) notices << tr("preparing the scene …");
@@ -97,12 +97,12 @@ void SceneChips::show_notices(const Session& session, const QString& more, bool 
     if (!notice.isEmpty()) notices << notice;
   }
   if (session.replayed())
-    notices << tr("the run is computed up to there again: t = %1 s").arg(*session.replayed(), 0, 'f', 1);
-  if (frame != nullptr && frame->status != "ok" && !(frame->lost && lost_told))
+    notices << tr("replaying the run after an edit: t = %1 s").arg(*session.replayed(), 0, 'f', 1);
+  if (frame != nullptr && frame->status != "ok" && !(frame->lost && lost_shown))
     notices << QString::fromStdString(frame->status);
   for (const auto& each : session.frames()) {
     if (each->rows_known_until < each->time) {
-      notices << tr("going through the run again: t = %1 s").arg(each->rows_known_until, 0, 'f', 1);
+      notices << tr("replaying the run for new curves: t = %1 s").arg(each->rows_known_until, 0, 'f', 1);
     } else if (!each->lost && each->time + each->method.step <= frame->time) {
       notices << tr("another method catches up: t = %1 s").arg(each->time, 0, 'f', 1);
     }

@@ -20,8 +20,8 @@ class SceneChips : public QObject {
 
   void show_needs(const Preset& document);
   void show_time(const Session& session);
-  // `more`: further text of the window; `lost_told`: the reason of a lost run is shown elsewhere.
-  void show_notices(const Session& session, const QString& more, bool lost_told);
+  // `more`: further text of the window; `lost_shown`: the reason of a lost run is shown elsewhere.
+  void show_notices(const Session& session, const QString& more, bool lost_shown);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

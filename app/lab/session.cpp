@@ -124,19 +124,19 @@ void Session::assign(const Edited& to) {
   reference_ = to.methods.reference;
   before_usual_ = to.before_usual;
   const bool other_plots = std::exchange(document_.plots, to.plots) != to.plots;
-  assign_bodies(to.put_in);
+  assign_bodies(to.added);
   ++revision_;
   if (other_plots) emit plotsChanged();
   emit documentChanged();
 }
 
-void Session::assign_bodies(const std::vector<Body>& put_in) {
+void Session::assign_bodies(const std::vector<Body>& added) {
   std::vector<Body>& bodies = document_.scene.bodies;
   const std::vector<Body> old(bodies.begin() + static_cast<std::ptrdiff_t>(own_bodies_), bodies.end());
-  if (std::equal(old.begin(), old.end(), put_in.begin(), put_in.end(), same_name)) return;
+  if (std::equal(old.begin(), old.end(), added.begin(), added.end(), same_name)) return;
   for (const Body& body : old) std::erase_if(bodies_, [&](const Body& b) { return same_name(b, body); });
   bodies.resize(own_bodies_);
-  for (const Body& body : put_in) {
+  for (const Body& body : added) {
     bodies.push_back(body);
     bodies_.push_back(body);
   }
@@ -256,7 +256,7 @@ void Session::compare_usual(const std::vector<Plot>& plots, const std::vector<Cu
   push({tr("comparison with the exact run"), runs}, after);
 }
 
-void Session::put_in(double x, double y) {
+void Session::add_body(double x, double y) {
   Preset with = document_;
   // A disc like the existing ones, between half and one and a half times their radius; in a scene without any,
   // a twentieth of the view.
@@ -277,7 +277,7 @@ void Session::put_in(double x, double y) {
   with.scene.bodies.push_back(body);
   validate(with);
   Edited after = edited();
-  after.put_in.push_back(body);
+  after.added.push_back(body);
   push({tr("added body"), worker_.add_body(body)}, after);
 }
 

@@ -64,7 +64,7 @@ class Session : public QObject {
   [[nodiscard]] ReferenceId first_reference() const;
   // Adds a disc of random radius like the existing ones at this point (m). Throws SceneError where it is not
   // allowed.
-  void put_in(double x, double y);
+  void add_body(double x, double y);
   void change_plots(const std::vector<Plot>& plots);
 
   // --- the runs
@@ -107,7 +107,7 @@ class Session : public QObject {
   [[nodiscard]] Edited edited() const;
   void push(const DocumentEdit::What& what, const Edited& after);
   void assign(const Edited& to);
-  void assign_bodies(const std::vector<Body>& put_in);
+  void assign_bodies(const std::vector<Body>& added);
   void follow_bodies();
   void poll();
   void check_modified();

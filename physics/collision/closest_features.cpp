@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kRounding = 8.0 * kEpsilon;  // of a separation, relative to the frame's scale
+// Cosine of the angle between the normals of two edges that are no corner but two faces.
+constexpr double kFaces = 0.999;
 
 // An edge of the sum: it starts at b's vertex j minus a's vertex i and is an edge of b or of -a. Without
 // initialisers here and in Sum: add_up() sets what is read, and a pair's search would spend its time on them.
@@ -39,7 +41,7 @@ struct Sum {
   double separation;
 };
 
-void add_up(const PairFrame& frame, Sum& sum) {
+void add_up(const PairFrame& frame, double tie, Sum& sum) {
   // Start with b's first edge and the vertex of -a that is farthest out along its normal.
   int i = 0;
   int j = 0;
@@ -87,7 +89,10 @@ void add_up(const PairFrame& frame, Sum& sum) {
     }
     ++count;
   } while (left_a + left_b > 0);
-  const bool prefer_a = nearest_a >= 0 && best_a >= best_b - kRounding * frame.scale;
+  bool prefer_a = nearest_a >= 0 && best_a >= best_b - kRounding * frame.scale;
+  if (!prefer_a && nearest_a >= 0 && nearest_b >= 0 && std::abs(best_b) <= tie * frame.scale &&
+      best_a >= best_b - tie * frame.scale)
+    prefer_a = sum.edge[nearest_a].normal.dot(sum.edge[nearest_b].normal) < kFaces;
   sum.count = count;
   sum.farthest = prefer_a ? nearest_a : nearest_b;
   sum.separation = std::max(best_a, best_b);
@@ -118,15 +123,15 @@ PairFrame::PairFrame(const ConvexShapes& shapes, int i, const Pose& pose_a, int 
   }
 }
 
-ClosestFeatures parting_edge(const PairFrame& frame) {
+ClosestFeatures parting_edge(const PairFrame& frame, double tie) {
   Sum sum;
-  add_up(frame, sum);
+  add_up(frame, tie, sum);
   return at_farthest(sum);
 }
 
-ClosestFeatures closest_features(const PairFrame& frame) {
+ClosestFeatures closest_features(const PairFrame& frame, double tie) {
   Sum sum;
-  add_up(frame, sum);
+  add_up(frame, tie, sum);
   ClosestFeatures result = at_farthest(sum);
   if (sum.separation <= 0.0) return result;
 

@@ -36,9 +36,13 @@ struct ClosestFeatures {
 // order of their directions (de Berg et al., Computational Geometry, section 13.3), so all cases are exact
 // and take time linear in the number of edges. Of several edges of least penetration within rounding, those
 // of a go before those of b. At least one of the cores must have edges.
-[[nodiscard]] ClosestFeatures closest_features(const PairFrame& frame);
+//
+// Where two corners meet, an edge of either may part the bodies, and noise would change the normal from one to
+// the other. With a `tie` (relative to the scale) above rounding, an edge of a is taken there if it parts them
+// worse by no more than that.
+[[nodiscard]] ClosestFeatures closest_features(const PairFrame& frame, double tie = 0.0);
 
 // The edge with the greatest separation: that of closest_features, unless two vertices are nearest.
-[[nodiscard]] ClosestFeatures parting_edge(const PairFrame& frame);
+[[nodiscard]] ClosestFeatures parting_edge(const PairFrame& frame, double tie = 0.0);
 
 }  // namespace carom

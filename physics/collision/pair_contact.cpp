@@ -3,14 +3,25 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <optional>
 
 #include "physics/collision/closest_features.h"
+#include "physics/math/vectors.h"
 
 namespace carom {
 namespace {
 
-// Two faces are parallel if the gaps at both ends differ by no more than this share of the scale.
-constexpr double kFlat = 16.0 * std::numeric_limits<double>::epsilon();
+// Two faces are parallel if the gaps at both ends differ by no more than this share of the scale: a body that
+// rests on another is tilted by what the solver of its contact forces leaves, up to 1e-10.
+constexpr double kFlat = 1e-9;
+// A stretch shorter than this share of the scale is a point.
+constexpr double kShort = 16.0 * std::numeric_limits<double>::epsilon();
+// Corners meet tip to tip if they are no farther from each other than this share of the scale: rounding.
+constexpr double kTip = 32.0 * std::numeric_limits<double>::epsilon();
+// Between corners that are nearer than this share of the scale, the direction from one to the other is noise.
+constexpr double kBlunt = 1e-4;
+// Relative to the scale: where corners meet, edges that part two bodies equally well within this.
+constexpr double kTie = 1e-5;
 
 enum class Ends : std::uint32_t { kOne, kLow, kHigh, kVertices };
 
@@ -27,7 +38,7 @@ struct Touch {
   Vec2 normal;
   double gap;
   Vec2 point;  // where the gap is
-  bool flat;   // two faces that are parallel within rounding
+  bool flat;   // two parallel faces
   int count;
   std::array<ManifoldPoint, 2> points;
 };
@@ -57,13 +68,20 @@ Face face(const Vec2& low, const Vec2& high, const Vec2& normal) {
   return {along.dot(low), along.dot(high), normal.dot(low), normal.dot(high)};
 }
 
-// Finds the stretch that two faces share. If it is no longer than rounding, `touch` keeps its one point.
+// Finds the stretch that two faces share. If it is no longer than rounding, it is one point; without one,
+// `touch` keeps its point.
 void clip(const Face& a, const Face& b, double rounding_a, double rounding_b, double scale, int edge_a,
           int edge_b, Touch& touch) {
   const double low = std::max(a.low, b.low);
   const double high = std::min(a.high, b.high);
-  if (!(high - low > kFlat * scale)) return;
   const Vec2 along = tangent(touch.normal);
+  if (!(high - low > kShort * scale)) {
+    if (!(low - high <= kShort * scale)) return;
+    const double x = 0.5 * (low + high);
+    touch.point = between(x * along + b.height(x) * touch.normal, rounding_b, touch.gap, touch.normal);
+    touch.points[0].point = touch.point;
+    return;
+  }
   touch.count = 0;
   for (const double x : {low, high}) {
     const double on_b = b.height(x);
@@ -111,12 +129,47 @@ void clip_at(const PairFrame& frame, const ClosestFeatures& closest, double roun
        rounding_b, frame.scale, edge_a, edge_b, touch);
 }
 
+// The direction in the middle of those that are outward normals at a corner of a and inward ones at a corner of
+// b, in the frame of a; nothing if there are none. `next_*` is the corner's own edge, `last_*` the edge before
+// it.
+std::optional<Vec2> middle_normal(const Vec2& last_a, const Vec2& next_a, const Vec2& last_b,
+                                  const Vec2& next_b) {
+  const Vec2 low = cross(last_a, -last_b) > 0.0 ? Vec2(-last_b) : last_a;
+  const Vec2 high = cross(next_a, -next_b) < 0.0 ? Vec2(-next_b) : next_a;
+  if (cross(low, high) < 0.0 || last_a.dot(-last_b) < 0.0) return std::nullopt;
+  const Vec2 middle = low + high;
+  return middle.squaredNorm() > 0.0 ? std::optional<Vec2>(middle.normalized()) : std::nullopt;
+}
+
+// Two corners that meet tip to tip, and the normal in their middle: which of theirs is nearest is rounding.
+struct Tips {
+  Vec2 point;
+  Vec2 normal;
+};
+std::optional<Tips> tips_of(const PairFrame& frame, double separation, double rounding) {
+  const double near = kTip * frame.scale;
+  if (rounding > 0.0 || std::abs(separation) > near || frame.edges_a < 3 || frame.edges_b < 3)
+    return std::nullopt;
+  for (int i = 0; i < frame.edges_a; ++i) {
+    for (int k = 0; k < frame.edges_b; ++k) {
+      const auto j = static_cast<std::size_t>(k);
+      if ((frame.a[i].vertex - frame.vertex[j]).squaredNorm() > near * near) continue;
+      const auto middle =
+          middle_normal(frame.a[before(i, frame.edges_a)].normal, frame.a[i].normal,
+                        frame.normal[static_cast<std::size_t>(before(k, frame.edges_b))], frame.normal[j]);
+      if (!middle) return std::nullopt;
+      return Tips{0.5 * (frame.a[i].vertex + frame.vertex[j]), *middle};
+    }
+  }
+  return std::nullopt;
+}
+
 // With `prefer_faces`, two faces that share a stretch touch there with the normal of one of them, even if
 // corners just beside it are nearest.
 Touch touch_of_cores(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
                      bool prefer_faces) {
   const PairFrame frame(shapes, a, pose_a, b, pose_b);
-  const ClosestFeatures closest = closest_features(frame);
+  const ClosestFeatures closest = closest_features(frame, prefer_faces ? kTie : 0.0);
   const double rounding_a = shapes.rounding[a];
   const double rounding_b = shapes.rounding[b];
   Touch touch{closest.normal, closest.separation - (rounding_a + rounding_b), Vec2::Zero(), false, 1, {}};
@@ -126,14 +179,23 @@ Touch touch_of_cores(const ConvexShapes& shapes, int a, const Pose& pose_a, int 
   if (closest.edge_b >= 0) on_b = frame.a[closest.vertex_a].vertex + closest.separation * closest.normal;
   touch.point = between(on_b, rounding_b, touch.gap, touch.normal);
   touch.points[0] = {touch.point, touch.gap, feature_id(Ends::kVertices, closest.vertex_a, closest.vertex_b)};
-  if (closest.edge_a >= 0 || closest.edge_b >= 0) {
-    clip_at(frame, closest, rounding_a, rounding_b, touch);
-  } else if (prefer_faces) {
-    const ClosestFeatures edge = parting_edge(frame);
+  const bool corners = closest.edge_a < 0 && closest.edge_b < 0;
+  const bool blunt = closest.separation > 0.0 && closest.separation <= kBlunt * frame.scale;
+  if (prefer_faces && (corners || blunt)) {
+    const ClosestFeatures edge = parting_edge(frame, kTie);
     Touch faces = touch;
     faces.normal = edge.normal;
     clip_at(frame, edge, rounding_a, rounding_b, faces);
     if (faces.count == 2 && std::min(faces.points[0].gap, faces.points[1].gap) <= touch.gap) return faces;
+    if (blunt) {
+      if (faces.count == 1) faces.gap = faces.points[0].gap = edge.separation - (rounding_a + rounding_b);
+      return faces;
+    }
+  }
+  if (!corners) clip_at(frame, closest, rounding_a, rounding_b, touch);
+  if (const auto tips = tips_of(frame, closest.separation, rounding_a + rounding_b); tips && touch.count == 1) {
+    touch.normal = tips->normal;
+    touch.point = touch.points[0].point = tips->point;
   }
   return touch;
 }
@@ -284,8 +346,13 @@ Gap gap_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, co
     const Contact c = disc_contact(shapes, a, pose_a, b, pose_b);
     return {c.gap, c.normal};
   }
-  const ClosestFeatures closest = closest_features(PairFrame(shapes, a, pose_a, b, pose_b));
-  return {closest.separation - (shapes.rounding[a] + shapes.rounding[b]), pose_a.turned(closest.normal)};
+  const PairFrame frame(shapes, a, pose_a, b, pose_b);
+  const ClosestFeatures closest = closest_features(frame);
+  const double gap = closest.separation - (shapes.rounding[a] + shapes.rounding[b]);
+  // Corners may meet tip to tip.
+  if (std::abs(closest.separation) <= kTip * frame.scale)
+    return {gap, pose_a.turned(touch_of_cores(shapes, a, pose_a, b, pose_b, false).normal)};
+  return {gap, pose_a.turned(closest.normal)};
 }
 
 Contact contact_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
@@ -293,7 +360,8 @@ Contact contact_between(const ConvexShapes& shapes, int a, const Pose& pose_a, i
     return disc_contact(shapes, a, pose_a, b, pose_b);
   const Touch touch = touch_between(shapes, a, pose_a, b, pose_b, false);
   if (!touch.flat) return {touch.gap, touch.normal, touch.point};
-  return {touch.gap, touch.normal, 0.5 * (touch.points[0].point + touch.points[1].point)};
+  const Vec2 middle = 0.5 * (touch.points[0].point + touch.points[1].point);
+  return {touch.gap, touch.normal, middle + (touch.point - middle).dot(touch.normal) * touch.normal};
 }
 
 Manifold manifold(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
@@ -305,7 +373,7 @@ Manifold manifold(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, 
   if (touch.gap > margin) return result;
   result.normal = touch.normal;
   for (int k = 0; k < touch.count; ++k) {
-    if (touch.points[k].gap <= margin) result.points[result.count++] = touch.points[k];
+    if (touch.flat || touch.points[k].gap <= margin) result.points[result.count++] = touch.points[k];
   }
   return result;
 }

@@ -20,7 +20,7 @@ struct Gap {
 
 [[nodiscard]] Gap gap_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b);
 
-// The same with a contact point. Between touching faces that are parallel within rounding, it is the middle
+// The same with a contact point. Between touching faces that are parallel (to 1e-9), it is the middle
 // of the stretch that they share. A disc inside a box is separated through the nearest face.
 [[nodiscard]] Contact contact_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b,
                                       const Pose& pose_b);

@@ -33,6 +33,16 @@ std::vector<Vec2> directions(std::size_t count) {
   return out;
 }
 
+// m: the largest distance of a body from itself in another run, at its centre or, by its turn, at its rim.
+double largest_distance(const State& a, const State& b, const std::vector<MovingBody>& moving) {
+  double largest = 0.0;
+  for (const auto& [i, radius] : moving) {
+    largest = std::fmax(largest, (a.position(i) - b.position(i)).norm());
+    largest = std::fmax(largest, radius * std::abs(a.q(2, i) - b.q(2, i)));
+  }
+  return largest;
+}
+
 // Slope of ln growth over time, without its first tenth.
 double slope(const Chaos& c) {
   const double last = std::log(c.growth.back());
@@ -46,17 +56,18 @@ double slope(const Chaos& c) {
 
 }  // namespace
 
-double reach(const State& state, const std::vector<Body>& bodies, const std::vector<int>& moving) {
+double reach(const State& state, const std::vector<Body>& bodies, const std::vector<MovingBody>& moving) {
   double length = 0.0;
-  for (const int i : moving) {
-    const double radius = bounding_radius(bodies[static_cast<std::size_t>(i)].shape);
-    length = std::max(length, state.position(i).lpNorm<Eigen::Infinity>() + radius);
+  for (const MovingBody& m : moving) {
+    const double radius = bounding_radius(bodies[static_cast<std::size_t>(m.index)].shape);
+    length = std::max(length, state.position(m.index).lpNorm<Eigen::Infinity>() + radius);
   }
   return length;
 }
 
-double smallest(const std::vector<Body>& bodies, const std::vector<int>& moving, double most) {
-  for (const int i : moving) most = std::min(most, bounding_radius(bodies[static_cast<std::size_t>(i)].shape));
+double smallest(const std::vector<Body>& bodies, const std::vector<MovingBody>& moving, double most) {
+  for (const MovingBody& m : moving)
+    most = std::min(most, bounding_radius(bodies[static_cast<std::size_t>(m.index)].shape));
   return most;
 }
 
@@ -65,8 +76,8 @@ RunSetup displaced(const RunSetup& setup, double distance) {
   beside.scene.bodies = all_bodies(setup.scene);
   beside.scene.generators.clear();
   const std::vector<Vec2> where = directions(beside.scene.bodies.size());
-  for (const int i : moving_bodies(beside.scene.bodies)) {
-    const auto body = static_cast<std::size_t>(i);
+  for (const MovingBody& m : moving_bodies(beside.scene.bodies)) {
+    const auto body = static_cast<std::size_t>(m.index);
     beside.scene.bodies[body].position += distance * where[body];
   }
   return beside;
@@ -87,7 +98,7 @@ Chaos follow_neighbours(const RunSetup& setup, const Method& method, double unti
   plain.method = method;
   plain.scene.bodies = all_bodies(setup.scene);
   plain.scene.generators.clear();
-  const std::vector<int> moving = moving_bodies(plain.scene.bodies);
+  const std::vector<MovingBody> moving = moving_bodies(plain.scene.bodies);
 
   Chaos c;
   c.time = {0.0};
@@ -128,16 +139,17 @@ Chaos follow_neighbours(const RunSetup& setup, const Method& method, double unti
     }
     c.followed = time;
     c.length = std::max(c.length, reach(base, plain.scene.bodies, moving));
-    for (const int i : moving) c.largest_speed = std::fmax(c.largest_speed, base.velocity(i).norm());
+    for (const auto& [i, radius] : moving) {
+      c.largest_speed = std::fmax(c.largest_speed, base.velocity(i).norm());
+      c.largest_rim_speed = std::fmax(c.largest_rim_speed, radius * std::abs(base.v(2, i)));
+      c.arc = std::fmax(c.arc, radius * std::abs(base.q(2, i)));
+    }
 
     const double linear = kVisible * c.size;  // m: up to here neighbouring bodies move linearly
     double growth = 0.0;
     for (std::size_t k = 0; k < kDisplacements.size(); ++k) {
       if (!near[k]) continue;
-      parted[k] = 0.0;
-      for (const int i : moving) {
-        parted[k] = std::fmax(parted[k], (runs[k + 1].state().position(i) - base.position(i)).norm());
-      }
+      parted[k] = largest_distance(runs[k + 1].state(), base, moving);
       near[k] = parted[k] < linear;
       if (near[k] && growth == 0.0) growth = parted[k] / (kDisplacements[k] * first_length);
     }

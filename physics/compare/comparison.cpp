@@ -13,10 +13,10 @@
 namespace carom {
 namespace {
 
-double apart(const Vec2& a, const Vec2& b) {
-  const double distance = (a - b).norm();
+double finite_or_infinite(double distance) {
   return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
 }
+double apart(const Vec2& a, const Vec2& b) { return finite_or_infinite((a - b).norm()); }
 
 constexpr std::size_t kLeastPoints = 3;
 constexpr double kStraight = 0.05;  // of ln(error): largest distance from a straight line
@@ -25,21 +25,25 @@ constexpr double kLeastShare = 0.5;
 }  // namespace
 
 Comparison compare_states(const State& run, double run_energy, const State& reference, double reference_energy,
-                          std::span<const int> moving, std::span<const std::uint8_t> awaiting) {
+                          std::span<const MovingBody> moving, std::span<const std::uint8_t> awaiting) {
   Comparison c;
-  for (const int i : moving) {
+  for (const auto& [i, radius] : moving) {
     if (!awaiting.empty() && awaiting[static_cast<std::size_t>(i)] != 0) {
       ++c.left_out;
       continue;
     }
     c.position_error = std::fmax(c.position_error, apart(run.position(i), reference.position(i)));
     c.velocity_error = std::fmax(c.velocity_error, apart(run.velocity(i), reference.velocity(i)));
+    const double turned = run.q(2, i) - reference.q(2, i);
+    const double spin = run.v(2, i) - reference.v(2, i);
+    c.angle_error = std::fmax(c.angle_error, finite_or_infinite(radius * std::abs(turned)));
+    c.spin_error = std::fmax(c.spin_error, finite_or_infinite(radius * std::abs(spin)));
   }
   if (c.left_out == 0) c.energy_error = std::abs(run_energy - reference_energy);
   return c;
 }
 
-Comparison compare(const RunSummary& run, const RunSummary& reference, std::span<const int> moving,
+Comparison compare(const RunSummary& run, const RunSummary& reference, std::span<const MovingBody> moving,
                    double time) {
   Comparison c;
   if (run.blew_up_at >= 0.0 && run.blew_up_at < time) {
@@ -121,10 +125,10 @@ RunSummary run_and_summarize(const RunSetup& setup, const Method& method, double
   return run;
 }
 
-std::vector<int> moving_bodies(const std::vector<Body>& bodies) {
-  std::vector<int> moving;
+std::vector<MovingBody> moving_bodies(const std::vector<Body>& bodies) {
+  std::vector<MovingBody> moving;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!has_infinite_mass(bodies[i])) moving.push_back(static_cast<int>(i));
+    if (!has_infinite_mass(bodies[i])) moving.push_back({static_cast<int>(i), turning_radius(bodies[i])});
   }
   return moving;
 }

@@ -41,14 +41,22 @@ struct RunSummary {
                                            double until, double blown_up_above,
                                            const std::stop_token& stop = {});
 
-// Indices of the bodies that can move freely.
-[[nodiscard]] std::vector<int> moving_bodies(const std::vector<Body>& bodies);
+// A body that can move freely.
+struct MovingBody {
+  int index = 0;
+  double radius = 0.0;  // m: its turning_radius()
+};
+[[nodiscard]] std::vector<MovingBody> moving_bodies(const std::vector<Body>& bodies);
 
 // Difference of a run from the reference at one moment. NaN if there is nothing to compare.
 struct Comparison {
   // Largest distance over the compared bodies, of their centres in m and of the centres' velocities in m/s.
   double position_error = std::numeric_limits<double>::quiet_NaN();
   double velocity_error = std::numeric_limits<double>::quiet_NaN();
+  // Likewise of angles (m) and spins (m/s), times the body's turning_radius(): of the point of its outline that
+  // they move most.
+  double angle_error = std::numeric_limits<double>::quiet_NaN();
+  double spin_error = std::numeric_limits<double>::quiet_NaN();
   double energy_error = std::numeric_limits<double>::quiet_NaN();       // J, of the whole scene
   double impact_time_error = std::numeric_limits<double>::quiet_NaN();  // s, largest over the matched impacts
   std::int64_t matched = 0;    // impacts up to the moment, in either run, that have a partner in the other
@@ -60,13 +68,13 @@ struct Comparison {
 // are left out, and then so is the energy. Infinite if one of the two has blown up. `awaiting` is 1 for
 // bodies whose impact has happened in one run only, or empty.
 [[nodiscard]] Comparison compare_states(const State& run, double run_energy, const State& reference,
-                                        double reference_energy, std::span<const int> moving,
+                                        double reference_energy, std::span<const MovingBody> moving,
                                         std::span<const std::uint8_t> awaiting);
 
 // Compares the states at `time` and the impacts up to then, in order (see ImpactMatcher). If a partner comes
 // after `time`, the two bodies are left out.
 [[nodiscard]] Comparison compare(const RunSummary& run, const RunSummary& reference,
-                                 std::span<const int> moving, double time);
+                                 std::span<const MovingBody> moving, double time);
 
 // The error of a run of one method at one step.
 struct ErrorAtStep {

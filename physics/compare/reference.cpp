@@ -65,7 +65,7 @@ double blown_up_above(const Chaos& chaos) {
 Reference make_reference(const RunSetup& setup, const Chaos& chaos, double time, double until,
                          const std::stop_token& stop) {
   const std::vector<Body> bodies = all_bodies(setup.scene);
-  const std::vector<int> moving = moving_bodies(bodies);
+  const std::vector<MovingBody> moving = moving_bodies(bodies);
   const double limit = blown_up_above(chaos);
   Reference best;
   best.method = reference_method(setup);
@@ -76,11 +76,14 @@ Reference make_reference(const RunSetup& setup, const Chaos& chaos, double time,
     best.run = run_and_summarize(setup, best.method, time, until, limit, stop);
     best.converged = !ended_before(best.run, time);
     if (!best.converged) {
-      best.position_error = best.velocity_error = best.energy_error = std::numeric_limits<double>::infinity();
+      best.set_errors(std::numeric_limits<double>::infinity());
       return best;
     }
-    best.position_error = kEpsilon * chaos.length * chaos.growth_at(time);
-    best.velocity_error = kEpsilon * chaos.largest_speed * chaos.growth_at(time);
+    best.relative_error = kEpsilon * chaos.growth_at(time);
+    best.position_error = best.relative_error * chaos.length;
+    best.velocity_error = best.relative_error * chaos.largest_speed;
+    best.angle_error = best.relative_error * chaos.largest_arc();
+    best.spin_error = best.relative_error * std::max(chaos.largest_speed, chaos.largest_rim_speed);
     best.energy_error = kEpsilon * std::max(chaos.largest_kinetic, std::abs(best.run.energy));
     return best;
   }
@@ -88,13 +91,13 @@ Reference make_reference(const RunSetup& setup, const Chaos& chaos, double time,
   Method method = best.method;
   RunSummary coarser = run_and_summarize(setup, method, time, until, limit, stop);
   best.run = coarser;
-  best.position_error = best.velocity_error = best.energy_error = std::numeric_limits<double>::infinity();
+  best.set_errors(std::numeric_limits<double>::infinity());
   constexpr double kRounding = 1e4;  // rounding errors that the steps of a run may add up to
-  const double enough = std::max(kAgreement, kRounding * kEpsilon * chaos.growth_at(time)) * chaos.length;
+  const double enough = std::max(kAgreement, kRounding * kEpsilon * chaos.growth_at(time));
   int no_better = 0;
   for (int halvings = 1; halvings <= kMostHalvings; ++halvings) {
     // A difference may fail to fall by chance, but hardly if it is rounding.
-    if (no_better >= (best.position_error <= enough ? 1 : 2)) break;
+    if (no_better >= (best.relative_error <= enough ? 1 : 2)) break;
     method.step *= 0.5;
     const double work = until / method.step * static_cast<double>(moving.size());
     if (method.step < kLeastStep || (work > kMostReferenceWork && halvings > 1)) break;
@@ -105,20 +108,24 @@ Reference make_reference(const RunSetup& setup, const Chaos& chaos, double time,
       continue;
     }
     const Comparison c = compare(coarser, run, moving, time);
+    const double off = std::fmax(c.position_error / chaos.length, c.angle_error / chaos.largest_arc());
     coarser = run;
     // Falling by about order 1/2 or better; NaN, where nothing is left to compare, is not falling.
-    no_better = c.position_error < 0.75 * best.position_error ? 0 : no_better + 1;
-    if (c.position_error < best.position_error) {
+    no_better = off < 0.75 * best.relative_error ? 0 : no_better + 1;
+    if (off < best.relative_error) {
       best.run = std::move(run);
       best.method = method;
       best.halvings = halvings;
       best.position_error = c.position_error;
       best.velocity_error = c.velocity_error;
+      best.angle_error = c.angle_error;
+      best.spin_error = c.spin_error;
       best.energy_error = c.energy_error;
+      best.relative_error = off;
     }
-    if (c.position_error <= kAgreement * chaos.length) break;
+    if (off <= kAgreement) break;
   }
-  best.converged = best.position_error <= enough;
+  best.converged = best.relative_error <= enough;
   return best;
 }
 

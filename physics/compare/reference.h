@@ -39,13 +39,22 @@ struct Reference {
   // Exact flight: rounding times growth. A refined run: its difference from the run with twice the step.
   double position_error = 0.0;  // m
   double velocity_error = 0.0;  // m/s
+  double angle_error = 0.0;     // m, times the turning_radius()
+  double spin_error = 0.0;      // m/s, likewise
   double energy_error = 0.0;    // J
+  // Dimensionless: the larger of the position error over the scene's length and the angle error over its length
+  // or its longest arc.
+  double relative_error = 0.0;
+
+  void set_errors(double to) {
+    position_error = velocity_error = angle_error = spin_error = energy_error = relative_error = to;
+  }
 };
 
 // The state of the scene at `time` and its impacts up to `until`. If that depends on the step, the step is
-// halved until two runs differ by less than 1e-13 of the scene's length, or the difference has stopped
-// falling, or the next run would take more than kMostReferenceWork steps of a body. The reference is the
-// finer run of the pair with the least difference.
+// halved until two runs differ by less than 1e-13 (see relative_error), or the difference has stopped falling,
+// or the next run would take more than kMostReferenceWork steps of a body. The reference is the finer run of
+// the pair with the least difference.
 inline constexpr double kMostReferenceWork = 2e7;
 [[nodiscard]] Reference make_reference(const RunSetup& setup, const Chaos& chaos, double time, double until,
                                        const std::stop_token& stop = {});

@@ -51,7 +51,7 @@ ReferenceRun::ReferenceRun(const RunSetup& start, ReferenceId reference)
   length_ = reach(fine_.state(), fine_.bodies(), moving_);
   size_ = smallest(fine_.bodies(), moving_, length_);
   energy_ = fine_.totals().energy();
-  error_.position = error_.velocity = error_.energy = 0.0;
+  error_.position = error_.velocity = error_.angle = error_.spin = error_.energy = 0.0;
 }
 
 void ReferenceRun::edit(const Edit& edit) {
@@ -105,7 +105,7 @@ void ReferenceRun::follow(const Simulation& run) {
 void ReferenceRun::compare(const Simulation& run) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (fine_.lost() || check_.lost()) {
-    error_.position = error_.velocity = error_.energy = error_.uncertainty = kNone;
+    error_.position = error_.velocity = error_.angle = error_.spin = error_.energy = error_.uncertainty = kNone;
     return;
   }
   const State& theirs = fine_.state();
@@ -115,15 +115,19 @@ void ReferenceRun::compare(const Simulation& run) {
       compare_states(run.state(), run.totals().energy(), theirs, energy_, moving_, awaiting_);
   error_.position = now.position_error;
   error_.velocity = now.velocity_error;
+  error_.angle = now.angle_error;
+  error_.spin = now.spin_error;
   error_.energy = now.energy_error;
   error_.largest_position = std::fmax(error_.largest_position, error_.position);
+  error_.largest_angle = std::fmax(error_.largest_angle, error_.angle);
   error_.impact_time = matcher_.largest_difference();
   error_.matched = matcher_.matched();
   error_.unmatched = matcher_.unmatched();
   error_.of_itself = run.method() == fine_.method();
 
   constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-  const double parted = compare_states(check_.state(), energy_, theirs, energy_, moving_, {}).position_error;
+  const Comparison beside = compare_states(check_.state(), energy_, theirs, energy_, moving_, {});
+  const double parted = std::fmax(beside.position_error, beside.angle_error);
   const bool like_rounding =
       fine_.method().integrator == IntegratorId::kExactFlight && parted < kVisible * size_;
   error_.uncertainty = std::fmax(like_rounding ? parted * kEpsilon / kDisplaced : parted, kEpsilon * length_);

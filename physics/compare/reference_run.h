@@ -18,12 +18,15 @@ namespace carom {
 struct RunError {
   double position = std::numeric_limits<double>::quiet_NaN();  // m, now: the largest over the moving bodies
   double velocity = std::numeric_limits<double>::quiet_NaN();  // m/s
+  double angle = std::numeric_limits<double>::quiet_NaN();     // m, times the turning_radius()
+  double spin = std::numeric_limits<double>::quiet_NaN();      // m/s, likewise
   double energy = std::numeric_limits<double>::quiet_NaN();    // J
   double largest_position = 0.0;                               // m, so far, at the ends of steps
+  double largest_angle = 0.0;                                  // m, likewise
   double impact_time = 0.0;                                    // s, largest of the matched impacts
   std::int64_t matched = 0;                                    // impacts
   std::int64_t unmatched = 0;
-  double uncertainty = 0.0;  // m, of the reference itself
+  double uncertainty = 0.0;  // m, of the reference itself, in positions and angles
   bool of_itself = false;    // the run uses the reference's own method: its errors mean nothing
 };
 
@@ -65,7 +68,7 @@ class ReferenceRun {
   double length_ = 0.0;  // m
   double size_ = 0.0;    // m, of the smallest moving body
   double energy_ = 0.0;  // J, of fine_
-  std::vector<int> moving_;
+  std::vector<MovingBody> moving_;
   std::vector<std::uint8_t> awaiting_;  // by body
   ImpactMatcher matcher_{ImpactMatcher::Partners::kNearest};
   RunError error_;

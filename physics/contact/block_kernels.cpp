@@ -102,7 +102,7 @@ CAROM_INLINE void solve_block(ContactBlock& k, double* velocity) {
     // u_t after the normal impulse.
     const Pack k_nt = pack(k.inverse_inertia_a) * pack(k.arm_na) * pack(k.arm_ta) +
                       pack(k.inverse_inertia_b) * pack(k.arm_nb) * pack(k.arm_tb);
-    Pack tangential = pack(k.tangential) - (u_t + k_nt * dn) * pack(k.mass_t);
+    Pack tangential = pack(k.tangential) - (u_t - pack(k.slip_target) + k_nt * dn) * pack(k.mass_t);
     clamp(tangential, pack(k.friction) * normal);
     const Pack dt = tangential - pack(k.tangential);
     pack(k.tangential) = tangential;
@@ -188,7 +188,8 @@ CAROM_INLINE double residual_of_blocks(std::span<const ContactBlock> blocks, con
     magnitude(beyond);
     Pack worst = asked > 0.0 ? beyond : pack(k.normal) / pack(k.mass_n);
     Pack other;
-    miss(pack(k.tangential), u_t, pack(k.mass_t), pack(k.friction) * pack(k.normal), other);
+    miss(pack(k.tangential), u_t - pack(k.slip_target), pack(k.mass_t), pack(k.friction) * pack(k.normal),
+         other);
     worst = worst < other ? other : worst;
     miss(pack(k.moment), b.spin - a.spin, pack(k.mass_r), pack(k.rolling) * pack(k.normal), other);
     other = pack(k.rolling) > 0.0 ? pack(k.rolling) * other : Pack{};

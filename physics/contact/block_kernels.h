@@ -22,7 +22,7 @@ struct alignas(64) ContactBlock {
   Lanes<double> inverse_mass_a{}, inverse_mass_b{};        // 1/kg; 0 for infinite mass
   Lanes<double> inverse_inertia_a{}, inverse_inertia_b{};  // 1/(kg m²)
   Lanes<double> mass_n{}, mass_t{}, mass_r{};              // kg, kg, kg m²
-  Lanes<double> target{};                                  // m/s
+  Lanes<double> target{}, slip_target{};                   // m/s
   Lanes<double> normal{};                                  // N s
   Lanes<double> friction{}, tangential{};                  // dimensionless, N s
   Lanes<double> rolling{}, moment{};                       // m, N m s

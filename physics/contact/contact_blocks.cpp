@@ -85,7 +85,7 @@ ContactRow row_of(const ContactBlock& k, std::size_t i) {
   row.arm_na = k.arm_na[i], row.arm_nb = k.arm_nb[i];
   row.arm_ta = k.arm_ta[i], row.arm_tb = k.arm_tb[i];
   row.mass_n = k.mass_n[i], row.mass_t = k.mass_t[i], row.mass_r = k.mass_r[i];
-  row.target = k.target[i];
+  row.target = k.target[i], row.slip_target = k.slip_target[i];
   row.friction = k.friction[i];
   row.rolling = k.rolling[i];
   row.normal = k.normal[i], row.tangential = k.tangential[i], row.moment = k.moment[i];
@@ -105,7 +105,7 @@ void set_geometry(const ContactRow& row, const SolverBody& a, const SolverBody& 
 }
 
 void set_law(const ContactRow& row, std::size_t i, ContactBlock& k) {
-  k.target[i] = row.target;
+  k.target[i] = row.target, k.slip_target[i] = row.slip_target;
   k.friction[i] = row.friction;
   k.rolling[i] = row.rolling;
   k.normal[i] = row.normal, k.tangential[i] = row.tangential, k.moment[i] = row.moment;

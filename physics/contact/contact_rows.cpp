@@ -15,7 +15,7 @@ inline void solve_row(ContactRow& row, SolverBody& a, SolverBody& b) {
   // u_t after the normal impulse.
   const double k_nt = a.inverse_inertia * row.arm_na * row.arm_ta + b.inverse_inertia * row.arm_nb * row.arm_tb;
   const double limit = row.friction * normal;
-  const double slip = u.tangential + k_nt * dn;
+  const double slip = u.tangential - row.slip_target + k_nt * dn;
   const double tangential = std::min(std::max(row.tangential - slip * row.mass_t, -limit), limit);
   const double dt = tangential - row.tangential;
   row.normal = normal;
@@ -67,7 +67,8 @@ double residual(std::span<const ContactRow> rows, std::span<const SolverBody> bo
     const RowVelocity u = row_velocity(row, bodies[row.a], bodies[row.b]);
     const double beyond = u.normal - row.target;
     double worst = row.normal - beyond * row.mass_n > 0.0 ? std::abs(beyond) : row.normal / row.mass_n;
-    worst = std::max(worst, miss(row.tangential, u.tangential, row.mass_t, row.friction * row.normal));
+    worst = std::max(
+        worst, miss(row.tangential, u.tangential - row.slip_target, row.mass_t, row.friction * row.normal));
     if (row.rolling > 0.0)
       worst = std::max(worst, row.rolling * miss(row.moment, u.spin, row.mass_r, row.rolling * row.normal));
     // Keeps a NaN, which comes from invalid input.

@@ -4,7 +4,7 @@
 
 namespace carom {
 
-// The data of the solver's loops, packed for the cache: two lines per contact, one per body.
+// The data of the solver's loops, packed for the cache: three lines per contact, one per body.
 
 struct alignas(64) SolverBody {
   double vx = 0.0, vy = 0.0, spin = 0.0;                 // with the impulses so far, m/s and rad/s
@@ -20,12 +20,12 @@ struct alignas(64) ContactRow {
   double arm_na = 0.0, arm_nb = 0.0;                    // r_A×n and r_B×n, m
   double arm_ta = 0.0, arm_tb = 0.0;                    // r_A×t and r_B×t, m
   double mass_n = 0.0, mass_t = 0.0, mass_r = 0.0;      // 1/K_nn and 1/K_tt in kg, 1/K_rr in kg m²
-  double target = 0.0;                                  // m/s
+  double target = 0.0, slip_target = 0.0;               // m/s
   double friction = 0.0;                                // dimensionless
   double rolling = 0.0;                                 // m
   double normal = 0.0, tangential = 0.0, moment = 0.0;  // impulses, N s and N m s
 };
-static_assert(sizeof(ContactRow) == 128);
+static_assert(sizeof(ContactRow) == 192);
 
 struct RowVelocity {
   double normal = 0.0, tangential = 0.0, spin = 0.0;
@@ -60,7 +60,7 @@ void sweep(std::span<ContactRow> rows, std::span<SolverBody> bodies, bool backwa
 
 // The largest change of a contact's own velocity, in m/s, that its law still requires (the natural map of the
 // complementarity problem, scaled to a velocity by K): the largest of
-//   K_nn |λ_n - max(0, λ_n - (u_n - b_n)/K_nn)|,  K_tt |λ_t - clamp(λ_t - u_t/K_tt, ±μ λ_n)|,
+//   K_nn |λ_n - max(0, λ_n - (u_n - b_n)/K_nn)|,  K_tt |λ_t - clamp(λ_t - (u_t - b_t)/K_tt, ±μ λ_n)|,
 //   ρ K_rr |M - clamp(M - w/K_rr, ±ρ λ_n)|.
 // 0 exactly at a solution.
 [[nodiscard]] double residual(std::span<const ContactRow> rows, std::span<const SolverBody> bodies);

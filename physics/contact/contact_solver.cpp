@@ -48,6 +48,7 @@ std::uint8_t set_geometry(const Contacts& contacts, int c, const MassProperties&
 void set_law(const Contacts& contacts, int c, std::uint8_t moves, ContactRow& row) {
   constexpr double kNever = -std::numeric_limits<double>::infinity();
   row.target = (moves & kAlongNormal) != 0 ? contacts.target[c] : kNever;
+  row.slip_target = contacts.slip_target[c];
   const double friction = contacts.sticks[c] != 0 ? contacts.static_friction[c] : contacts.kinetic_friction[c];
   row.friction = (moves & kAlongTangent) != 0 ? friction : 0.0;
   row.rolling = (moves & kTurns) != 0 ? contacts.rolling[c] : 0.0;
@@ -62,7 +63,7 @@ void set_projection(const Contacts& contacts, int c, std::uint8_t moves, double 
   constexpr double kNever = -std::numeric_limits<double>::infinity();
   const double gap = contacts.gap[c];
   row.target = (moves & kAlongNormal) == 0 ? kNever : gap < 0.0 ? -fraction * gap : -gap;
-  row.friction = row.rolling = 0.0;
+  row.slip_target = row.friction = row.rolling = 0.0;
   row.normal = row.tangential = row.moment = 0.0;
 }
 
@@ -294,7 +295,7 @@ ContactSolverReport solve_prepared(const MassProperties& mass, Contacts& contact
     contacts.normal_impulse[c] = row.normal;
     contacts.tangential_impulse[c] = row.tangential;
     contacts.rolling_impulse[c] = row.moment;
-    contacts.sticks[c] = std::abs(slip) <= options.slip_speed ? 1 : 0;
+    contacts.sticks[c] = std::abs(slip - contacts.slip_target[c]) <= options.slip_speed ? 1 : 0;
   };
   for (int i = 0; i < w.islands.size(); ++i) {
     if (is_large(w, i)) continue;

@@ -77,8 +77,8 @@ void prepare_contacts(const MassProperties& mass, const Contacts& contacts, cons
 // which smooth forces have already been applied:
 //   v' = v + M⁻¹ Jᵀ λ,
 //   0 <= λ_n ⊥ u_n' - b_n >= 0,
-//   |λ_t| <= μ λ_n, and λ_t = -μ λ_n sign(u_t') where u_t' != 0,     μ = μ_s if the contact sticks, else μ_k
-//   |M| <= ρ λ_n,   and M = -ρ λ_n sign(w') where w' != 0.
+//   |λ_t| <= μ λ_n, and λ_t = -μ λ_n sign(u_t' - b_t) where u_t' != b_t,     μ = μ_s if the contact sticks,
+//   else μ_k |M| <= ρ λ_n,   and M = -ρ λ_n sign(w') where w' != 0.
 // Contacts are rigid: the only error is the residual. Each island has its own budget: warm-started projected
 // Gauss-Seidel (in a large island with momentum, see BlockSweeps), then semismooth Newton, unless the
 // tolerance is met or clearly will be. The laws leave the impulses of redundant contacts open; one choice is

@@ -18,6 +18,7 @@ struct Contacts {
   std::vector<Vec2> arm_a, arm_b;        // r_A and r_B, m
   std::vector<double> gap;               // m, negative for a penetration; only the projection reads it
   std::vector<double> target;            // b_n: least normal velocity after the solve, m/s
+  std::vector<double> slip_target;       // b_t: the tangential velocity after the solve that is no slip, m/s
   std::vector<double> static_friction;   // μ_s, dimensionless; holds while the contact sticks
   std::vector<double> kinetic_friction;  // μ_k, dimensionless; holds while it slides
   std::vector<double> rolling;           // ρ >= 0: |M| <= ρ λ_n, m
@@ -27,14 +28,14 @@ struct Contacts {
 
   [[nodiscard]] int size() const { return static_cast<int>(a.size()); }
 
-  // New entries are frictionless, without impulse, and touch at target 0.
+  // New entries are frictionless, without impulse, and touch at targets 0.
   void resize(int n) {
     const auto count = static_cast<std::size_t>(n);
     a.resize(count);
     b.resize(count);
     for (auto* vectors : {&normal, &arm_a, &arm_b}) vectors->resize(count, Vec2::Zero());
-    for (auto* numbers : {&gap, &target, &static_friction, &kinetic_friction, &rolling, &normal_impulse,
-                          &tangential_impulse, &rolling_impulse}) {
+    for (auto* numbers : {&gap, &target, &slip_target, &static_friction, &kinetic_friction, &rolling,
+                          &normal_impulse, &tangential_impulse, &rolling_impulse}) {
       numbers->resize(count, 0.0);
     }
     sticks.resize(count, 0);

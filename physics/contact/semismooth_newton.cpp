@@ -87,7 +87,7 @@ void SemismoothNewton::number_bodies(std::span<const ContactRow> rows, std::span
 void SemismoothNewton::centre(std::span<const ContactRow> rows, std::span<const SolverBody> bodies) {
   for (std::size_t c = 0; c < rows.size(); ++c) {
     const RowVelocity u = row_velocity(rows[c], bodies[rows[c].a], bodies[rows[c].b]);
-    miss_[c] = {rows[c].target - u.normal, -u.tangential, -u.spin};
+    miss_[c] = {rows[c].target - u.normal, rows[c].slip_target - u.tangential, -u.spin};
   }
 }
 

@@ -18,7 +18,6 @@ struct BodyRates {
   void operator()(double t, const Y& y, Y& k) const {
     field.external_rate(body, epoch + t, y, k);
   }
-  [[nodiscard]] bool has_quadratures() const { return field.has_quadratures(); }
 };
 
 // The coupled bodies of a group, one column each.
@@ -34,7 +33,6 @@ struct GroupRates {
     field.add_couplings(members, y, k);
     joints.add_forces(group, epoch + t, y, k);
   }
-  [[nodiscard]] bool has_quadratures() const { return field.has_quadratures(); }
 };
 
 }  // namespace carom

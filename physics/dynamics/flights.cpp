@@ -77,6 +77,18 @@ void Flights::spread(const Island& island) {
   forget(island);
 }
 
+template <int kGiven>
+void Flights::fly_rows(const Island& island, double h, Motion& out) {
+  using Flight = Eigen::Matrix<double, kGiven, 1>;
+  const int body = body_of(island);
+  const Flight from = at_start.col(body).head<kGiven>();
+  Stages<Flight> stages;
+  Flight to = from;
+  integrator_step(integrator, BodyRates{field, body, epoch}, island.start, from, h, stages, to);
+  out.head<kGiven>() = to;
+  out.tail<kRows - kGiven>() = at_start.col(body).tail<kRows - kGiven>();
+}
+
 void Flights::fly_one(const Island& island, double time, Motion& out) {
   const int body = body_of(island);
   if (island.kinematic) {
@@ -91,23 +103,22 @@ void Flights::fly_one(const Island& island, double time, Motion& out) {
   if (parabolic && !field.has_quadratures()) {
     // Every such method's flight, whatever way it goes.
     out << parabola(body, time), parabola_velocity(body, time), at_start.col(body).tail<kQuadratures>();
+    out[6 + kGravityAngularImpulse] = angular_impulse_of_gravity(body, time);
     return;
   }
-  const BodyRates f{field, body, epoch};
   const double h = time - island.start;
   if (field.has_quadratures()) {
-    const Motion from = at_start.col(body);
-    Stages<Motion> stages;
-    integrator_step(integrator, f, island.start, from, h, stages, out);
-  } else {
-    // Under gravity alone the quadratures stay what they are.
-    using Flight = Eigen::Matrix<double, kRows - kQuadratures, 1>;
-    const Flight from = at_start.col(body).head<kRows - kQuadratures>();
-    Stages<Flight> stages;
-    Flight to;
-    integrator_step(integrator, f, island.start, from, h, stages, to);
-    out << to, at_start.col(body).tail<kQuadratures>();
+    if (model->forces.gravity.isZero(0.0)) {
+      fly_rows<kRowsWithoutGravity>(island, h, out);
+    } else {
+      fly_rows<kRows>(island, h, out);
+    }
+    return;
   }
+  // Under gravity alone the only quadrature is that of gravity, here by explicit Euler: the other methods have
+  // parabolas.
+  fly_rows<kMotionRows>(island, h, out);
+  out[6 + kGravityAngularImpulse] += h * field.torque_of_gravity(body, at_start.col(body).head<2>());
 }
 
 const Motions& Flights::fly_group(const Island& island, double time) {

@@ -67,6 +67,9 @@ struct Flights {
   void gather(const Island& island);  // motions at the start, into the group's `from`
   void spread(const Island& island);  // and back
 
+  // The motion advanced by h with these rows; the others stay what they are.
+  template <int kGiven>
+  void fly_rows(const Island& island, double h, Motion& out);
   // The motion advanced to `time`: of an island of one body into `out`, of a group.
   void fly_one(const Island& island, double time, Motion& out);
   const Motions& fly_group(const Island& island, double time);
@@ -81,6 +84,16 @@ struct Flights {
   [[nodiscard]] Eigen::Vector3d parabola_velocity(int body, double time) const {
     const double h = island_of[body] < 0 ? 0.0 : time - islands[island_of[body]].start;
     return at_start.col(body).segment<3>(3) + h * constant.col(body);
+  }
+  // kg m²/s: what gravity has given to a body's angular momentum about the origin by this time, on a parabola
+  // and under gravity alone.
+  [[nodiscard]] double angular_impulse_of_gravity(int body, double time) const {
+    const double known = at_start(6 + kGravityAngularImpulse, body);
+    if (island_of[body] < 0 || model->forces.gravity.isZero(0.0)) return known;
+    const double h = time - islands[island_of[body]].start;
+    const auto y = at_start.col(body);
+    const Vec2 mean = y.head<2>() + h * (0.5 * y.segment<2>(3) + (h / 6.0) * constant.col(body).head<2>());
+    return known + h * field.torque_of_gravity(body, mean);
   }
   // m/s², m/s², rad/s²: of a movable body at the start of its island.
   [[nodiscard]] Eigen::Vector3d acceleration(int body);

@@ -94,6 +94,8 @@ void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, 
   k[5] += model_->mass.inverse_inertia[body] * torque;
   quadratures[kImpulseX] = force.x();
   quadratures[kImpulseY] = force.y();
+  // A point-like body takes no torque.
+  quadratures[kAngularImpulse] = cross(x, force) + (model_->mass.inverse_inertia[body] > 0.0 ? torque : 0.0);
 }
 
 ForceField::AddExternal ForceField::add_external_of(const Needs& needs) {

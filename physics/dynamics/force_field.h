@@ -27,17 +27,24 @@ class ForceField {
   explicit ForceField(std::shared_ptr<const Model> model);
 
   // Rate of a movable body at absolute time t (s) under the external forces; y and k are columns of kRows, or
-  // without the quadratures if has_quadratures() is false.
+  // of kRowsWithoutGravity, or of kMotionRows if has_quadratures() is false.
   template <class Y, class K>
   void external_rate(int body, double t, const Y& y, K&& k) const {
     k.template head<3>() = y.template segment<3>(3);
     k.template segment<3>(3) << terms_->gravity, 0.0;
     if (in_contact_) k.template segment<3>(3) += contact_.col(body);
-    if constexpr (std::decay_t<K>::RowsAtCompileTime == kRows) {
-      k.template tail<kQuadratures>().setZero();
+    constexpr int kGiven = std::decay_t<K>::RowsAtCompileTime;
+    if constexpr (kGiven > kMotionRows) {
+      k.template tail<kGiven - kMotionRows>().setZero();
+      if constexpr (kGiven == kRows)
+        k[6 + kGravityAngularImpulse] = torque_of_gravity(body, y.template head<2>());
       if (!terms_->gravity_only)
         (this->*add_external_)(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
     }
+  }
+  // N m: of uniform gravity about the origin, on a movable body at x (m).
+  [[nodiscard]] double torque_of_gravity(int body, const Vec2& x) const {
+    return model_->mass.mass[body] * cross(x, terms_->gravity);
   }
   // m/s², m/s², rad/s²: the acceleration of a body by resting contacts, from now on.
   [[nodiscard]] bool in_contact() const { return in_contact_; }
@@ -50,7 +57,7 @@ class ForceField {
   // Adds the coupling forces among `members` to their rates; columns in the order of the members.
   void add_couplings(std::span<const int> members, const Motions& y, Motions& k) const;
 
-  // False if all quadratures stay zero.
+  // False if all quadratures but that of gravity stay zero.
   [[nodiscard]] bool has_quadratures() const { return !terms_->gravity_only; }
   // True if only gravity and forces that never change act: flight is a parabola.
   [[nodiscard]] bool is_constant() const { return terms_->constant; }

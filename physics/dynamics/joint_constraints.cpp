@@ -261,13 +261,16 @@ void JointConstraints::solve(Group& g) {
 
 // --- forces and impulses
 
-// Momentum and work from the plane and from kinematic bodies, as rates or at once.
-void JointConstraints::add_quadratures(const Group& g, Motions& y) {
+// Momentum, angular momentum and work from the plane and from kinematic bodies, as rates or at once, of the
+// bodies at y.
+void JointConstraints::add_quadratures(const Group& g, const Motions& y, Motions& to) {
   for (int i = 0; i < static_cast<int>(g.rows.size()); ++i) {
     const Row& r = g.rows[i];
     if (r.b >= 0) continue;
-    y.col(r.a).segment<2>(6 + kImpulseX) += g.force[i] * g.normal.col(i);
-    y(6 + kWorkIn, r.a) += g.force[i] * g.end_rate[i];
+    to.col(r.a).segment<2>(6 + kImpulseX) += g.force[i] * g.normal.col(i);
+    const double moment = g.inverse_mass(2, r.a) > 0.0 ? g.ja(2, i) : 0.0;
+    to(6 + kAngularImpulse, r.a) += g.force[i] * (cross(y.col(r.a).head<2>(), g.normal.col(i)) + moment);
+    to(6 + kWorkIn, r.a) += g.force[i] * g.end_rate[i];
   }
 }
 
@@ -280,7 +283,7 @@ void JointConstraints::add_forces(int group, double t, const Motions& y, Motions
     g.force[i] = -(along(g, i, v_of(k)) + g.velocity_term[i]);
   solve(g);
   apply(g, v_of(k));
-  add_quadratures(g, k);
+  add_quadratures(g, y, k);
 }
 
 std::int64_t JointConstraints::evaluation_work(int group) const {
@@ -356,7 +359,7 @@ bool JointConstraints::share(int group, double t, const Eigen::Matrix3Xd& change
   }
   v_of(y) += change;
   apply(g, v_of(y));
-  add_quadratures(g, y);
+  add_quadratures(g, y, y);
   return true;
 }
 

@@ -134,7 +134,7 @@ class JointConstraints {
   static double along(const Group& g, int row, const Columns& v);  // (J v) of a row
   template <class Columns>
   static void apply(const Group& g, Columns&& v);  // v += M⁻¹Jᵀ force
-  static void add_quadratures(const Group& g, Motions& y);
+  static void add_quadratures(const Group& g, const Motions& y, Motions& to);
 
   std::shared_ptr<const Model> model_;
   const JointTerms* terms_ = nullptr;  // the model's

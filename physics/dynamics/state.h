@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <type_traits>
 #include <vector>
 
 #include "physics/scene/scene.h"
@@ -8,12 +9,26 @@
 namespace carom {
 
 // The unknowns of one body as a column: rows 0-2 are q = (x, y, angle) in m, m, rad; rows 3-5 are v = q' in
-// m/s, m/s, rad/s; rows 6-10 are quadratures, extra state components that integrators advance with the rest
-// so that the ledger closes: losses to drag and to dampers, work of drives and applied forces (all in J), and
-// the momentum x, y (N s) from external forces other than gravity.
-inline constexpr int kRows = 11;
-inline constexpr int kQuadratures = 5;
-enum QuadratureRow { kDragLoss, kDamperLoss, kWorkIn, kImpulseX, kImpulseY };
+// m/s, m/s, rad/s; rows 6-12 are quadratures, extra state components that integrators advance with the rest
+// so that the ledger closes: losses to drag and to dampers, work of drives and applied forces (all in J), the
+// momentum x, y (N s) from external forces other than gravity, and the angular momentum about the origin
+// (kg m²/s) from them and from gravity.
+inline constexpr int kRows = 13;
+inline constexpr int kQuadratures = 7;
+enum QuadratureRow {
+  kDragLoss,
+  kDamperLoss,
+  kWorkIn,
+  kImpulseX,
+  kImpulseY,
+  kAngularImpulse,
+  kGravityAngularImpulse
+};
+// The last two: under a constant force their rates are quadratic in time.
+inline constexpr int kAngularRows = 2;
+// Rows of a motion without quadratures, and of one without that of gravity.
+inline constexpr int kMotionRows = 6;
+inline constexpr int kRowsWithoutGravity = kRows - 1;
 
 template <int kBodies>
 using Columns = Eigen::Matrix<double, kRows, kBodies>;
@@ -30,7 +45,12 @@ template <class Y>
 }
 template <class Y>
 [[nodiscard]] auto quadratures_of(Y&& y) {
-  return std::forward<Y>(y).template bottomRows<kQuadratures>();
+  return std::forward<Y>(y).template bottomRows<std::decay_t<Y>::RowsAtCompileTime - kMotionRows>();
+}
+template <class Y>
+[[nodiscard]] auto angular_rows_of(Y&& y) {
+  constexpr int kFirst = kMotionRows + kAngularImpulse;
+  return std::forward<Y>(y).template bottomRows<std::decay_t<Y>::RowsAtCompileTime - kFirst>();
 }
 
 // The motions of N bodies at one time, as arrays with one column per body.

@@ -9,17 +9,17 @@ namespace {
 
 using Island = Flights::Island;
 
-// Below this the adaptive integrator's step is rounding, and the tolerance counts as out of reach.
+// Below this the adaptive integrator's step is rounding, and the tolerance cannot be kept.
 double shortest_step(double time) {
   return 1e-15 + 16.0 * std::numeric_limits<double>::epsilon() * std::abs(time);
 }
 // A kinematic body's trajectory is at most this fraction of a radian of its swing long, which bounds its
 // curvature.
 constexpr double kSwing = 0.5;
-// A trajectory in which nothing moves ends some time.
+// Length of a trajectory on which nothing moves.
 constexpr double kLongestTrajectory = 1e6;  // s
 
-// The time after which a body of this speed and acceleration has moved by `reach` at the most.
+// The longest time in which a body of this speed and acceleration moves by `reach` at most.
 double time_to_move(double reach, double speed, double acceleration) {
   return std::min(kLongestTrajectory,
                   2.0 * reach / (speed + std::sqrt(speed * speed + 2.0 * acceleration * reach)));
@@ -42,7 +42,7 @@ double time_to_end(const Flights& f, const Island& island, double reach, double 
   return most;
 }
 
-// A cautious first try, from the time in which the velocities would change by themselves.
+// A cautious first step, from the time in which velocities change by their own size.
 double first_step(Flights& f, const Island& island) {
   double time = kLongestTrajectory;
   for (const int i : f.members_of(island)) {
@@ -53,7 +53,7 @@ double first_step(Flights& f, const Island& island) {
   return std::pow(f.tolerance, 0.2) * time;
 }
 
-// True if rounding alone is far beyond the tolerance: the run has blown up. It goes on without step control.
+// True if rounding alone far exceeds the tolerance: the run has blown up. It continues without step control.
 bool is_blown_up(const Flights& f, const Island& island) {
   constexpr double kFarBeyond = 1e3;
   const double largest = kFarBeyond * f.tolerance / std::numeric_limits<double>::epsilon();
@@ -196,7 +196,7 @@ void Trajectories::rebuild(int k, double horizon, double reach, double turn) {
   island.switching = -1;
   f.forget(island);
   island.end = horizon;
-  // Where no step ends the trajectory, its path's length does.
+  // Where no step ends the trajectory, the length of its path does.
   if (!(horizon < Flights::kForever)) {
     const bool blown_up = f.adaptive && is_blown_up(f, island);
     island.end = island.start + (blown_up ? kLongestTrajectory : time_to_end(f, island, reach, turn));
@@ -238,7 +238,7 @@ void Trajectories::limit_to_adaptive_step(Island& island) {
     if (error <= f.tolerance || shortest) {
       if (!(error <= f.tolerance) && tolerance_missed_since_ < 0.0)
         tolerance_missed_since_ = f.epoch + island.start;
-      // A step that was cut short tells little about the next one.
+      // A step that was cut short says little about the next one.
       if (h < most || next < island.next_step) island.next_step = next;
       break;
     }

@@ -42,10 +42,10 @@ class Trajectories {
     return flights_.members_of(flights_.islands[island]);
   }
 
-  // Takes over the epoch, switched springs and counts of other trajectories, and all motions as they are there
-  // at a time at which each is known, settled. The last bodies and the last joint may be missing there.
+  // Copies the epoch, switched springs and counts of other trajectories, and all motions at a time at which
+  // each is known there. The last bodies and the last joint may be missing there.
   void adopt(Trajectories& other, double time);
-  // All islands start anew at this absolute time, from the motions that they have.
+  // Starts all islands at this absolute time, from their present motions.
   void begin(double epoch);
   [[nodiscard]] double epoch() const { return flights_.epoch; }
   // Moves the epoch on; no motion changes.
@@ -69,37 +69,41 @@ class Trajectories {
   [[nodiscard]] Eigen::Vector3d parabola_velocity(int body, double time) const {
     return flights_.parabola_velocity(body, time);
   }
+  // kg m²/s, under gravity alone: what it has given to the body's angular momentum about the origin.
+  [[nodiscard]] double angular_impulse_of_gravity(int body, double time) const {
+    return flights_.angular_impulse_of_gravity(body, time);
+  }
   // True if every free flight is a parabola, by the forces and under this integrator.
   [[nodiscard]] bool is_parabolic() const { return flights_.parabolic; }
   [[nodiscard]] Eigen::Vector3d constant_acceleration(int body) const { return flights_.constant.col(body); }
   // m/s², m/s², rad/s²: of a movable body at the start of its trajectory.
   [[nodiscard]] Eigen::Vector3d acceleration(int body) { return flights_.acceleration(body); }
-  // Bounds how much the paths of an island's bodies bend along its trajectory, for whoever searches on it:
-  // curvature_bound(body) in m/s² is of the centre's path, turn_bound(body) in rad/s² is ω² + |α|.
+  // Sets the bounds for a search on an island's trajectory: curvature_bound(body) in m/s² bounds the
+  // acceleration of the centre, turn_bound(body) in rad/s² bounds ω² + |α|.
   void bound_curvature(int island);
   [[nodiscard]] double curvature_bound(int body) const { return curvature_bound_[body]; }
   [[nodiscard]] double turn_bound(int body) const { return turn_bound_[body]; }
 
-  // Settles an island at a time of its trajectory; the trajectory is to be laid anew.
+  // Moves an island's start to a time of its trajectory; call rebuild() before the trajectory is used again.
   void advance_to(int island, double time);
-  // Puts a body's motion in place of the settled one: position and velocity as an impact or a push left them.
+  // Set a body's velocity or position at the island's start, after an impact or a push.
   void set_velocity(int body, const Vec2& velocity, double spin);
   void set_pose(int body, const Eigen::Vector3d& q);
-  // What contacts that last do to a body (m/s², m/s², rad/s²), on trajectories that are laid from now on.
+  // Acceleration of a body by resting contacts (m/s², m/s², rad/s²), for trajectories rebuilt from now on.
   void set_contact_acceleration(int body, const Eigen::Vector3d& by);
-  // What flights of the adaptive integrator may cost between two calls of begin_step(), in evaluations, of
-  // which attraction makes each cost more: about a second of work for few bodies.
+  // Budget of the adaptive integrator between two calls of begin_step(), in evaluations weighted by their cost
+  // (attraction makes each cost more): about a second of work for few bodies.
   static constexpr std::int64_t kMostFlightWork = 5'000'000;
   static constexpr std::int64_t kMostFlightWorkPerBody = 200'000;
-  // Counts the flights from here on, and remembers which springs and strings act, for undo_step().
+  // Resets flight_work() and saves for undo_step() which springs and strings act.
   void begin_step();
-  // After a step that was given up: springs, strings and what strings took are again as at its beginning.
-  // Motions are not.
+  // After an abandoned step: restores springs, strings and the loss to strings as at its beginning, but no
+  // motions.
   void undo_step();
   [[nodiscard]] std::int64_t flight_work() const { return flights_.flight_work; }  // since begin_step()
-  // Lays an island's trajectory from its start to `horizon` at the most. Where the step doesn't, `reach` in m
-  // bounds the path, and `turn` in rad how far bodies with corners turn. Throws LostMotion if the motion at its
-  // end could not be reckoned with, or where flights of the adaptive integrator have cost more than they may.
+  // Rebuilds an island's trajectory from its start, at most to `horizon`. Where no step limits it, `reach` in m
+  // bounds the path, and `turn_bound` in rad the rotation of bodies with corners. Throws LostMotion if the
+  // motion at its end is not finite or too large, or if the adaptive integrator has spent its budget.
   static constexpr double kUsualTurn = 6.0;  // rad
   void rebuild(int island, double horizon, double reach, double turn_bound = kUsualTurn);
   // True if joints hold the body.
@@ -112,45 +116,45 @@ class Trajectories {
   [[nodiscard]] double length(int joint) const {
     return flights_.joints.length(joint);
   }  // m, of a rod or a string
-  // An impact of two settled bodies, at least one of them jointed. `a_by` and `b_by` are how (v, spin) of the
-  // two would change were they free; zero for immovable ones. answer() makes of them how they change as joints
-  // share the impulse at once, push() changes the motions of all that share it. False if a string would have to
-  // push: it is slack from then on, and the answer is another one.
+  // An impact of two bodies at their islands' starts, at least one of them jointed. `a_by` and `b_by` are the
+  // changes of (v, spin) of the two without joints; zero for bodies of infinite mass. project_changes()
+  // replaces them by the changes with the joints' impulses, apply_changes() changes the motions of all jointed
+  // bodies. It returns false if a string would have to push: the string is slack from then on; project the
+  // changes again.
   void project_changes(int a, int b, Eigen::Vector3d& a_by, Eigen::Vector3d& b_by);
   [[nodiscard]] bool apply_changes(int a, int b, const Eigen::Vector3d& a_by, const Eigen::Vector3d& b_by);
-  // The plastic impact that makes a joint hold which has been put in, between settled bodies: the energy in J
-  // that it takes, and the impulse in N s on `body`, at one end of it.
+  // The plastic impact by which a newly added joint takes hold, at its bodies' starts.
   struct Engagement {
-    double taken;
-    Vec2 impulse;
+    double taken;  // J, lost
+    Vec2 impulse;  // N s, on `body`, at one end of the joint
   };
   [[nodiscard]] Engagement engage(int joint, int body);
-  // Settles a jointed island's positions and velocities onto its joints again, after positions were set.
+  // Projects a jointed island's positions and velocities onto its joints, after positions were set.
   void restore_joints(int island);
-  // Settles an island at its trajectory's end, where a spring may switch; the energy in J that a spring let go
-  // with it.
+  // Moves an island's start to its trajectory's end, where a spring may switch. Returns the energy in J that a
+  // spring released.
   double advance_to_end(int island);
-  // After an impact changed velocities: springs whose margin has jumped to the other side switch now; the
-  // energy in J that they let go.
+  // After an impact changed velocities: flips springs whose margin has changed its sign. Returns the energy in
+  // J that they released.
   double recheck_switches(int island) { return switches_.recheck(flights_, flights_.islands[island]); }
 
   [[nodiscard]] std::int64_t evaluations() const { return flights_.evaluations; }
   [[nodiscard]] std::int64_t rejected_steps() const { return rejected_steps_; }
   // s, absolute: when first the tolerance could not be kept; negative: never.
   [[nodiscard]] double tolerance_missed_since() const { return tolerance_missed_since_; }
-  // s, absolute: when first a step led so far off that joints could not be restored; negative: never.
+  // s, absolute: when first a step moved bodies so far that joints could not be restored; negative: never.
   [[nodiscard]] double joints_missed_since() const { return joints_missed_since_; }
   // s, absolute: when first springs or strings switched more often than is followed; negative: never.
   [[nodiscard]] double switches_missed_since() const { return switches_.missed_since(); }
-  // J: what strings took that jerked taut.
+  // J: loss in taut impulses of strings.
   [[nodiscard]] double lost_to_joints() const { return switches_.lost_to_joints(); }
 
-  // All that changes in a run, and what is known of the time ahead (where `ahead` is given); put back into
-  // trajectories of the same scene, they go on for the same bytes (trajectory_state.cpp).
+  // All that changes in a run and, where `ahead` is given, what is known of the time ahead. Restored into
+  // trajectories of the same scene, they continue with the same bytes (trajectory_state.cpp).
   void keep(TrajectoryState& to, TrajectoriesAhead* ahead) const;
   void restore(const TrajectoryState& from, const TrajectoriesAhead* ahead);
-  // The first fault that makes a state none of these trajectories, as "place: what" (of its sizes all but these
-  // are right); nothing if there is none.
+  // The first reason why a state cannot be one of these trajectories, as "place: what"; nothing if there is
+  // none. The sizes of its arrays by body must be right.
   [[nodiscard]] std::optional<std::string> fault_of(const TrajectoryState& state,
                                                     const TrajectoriesAhead* ahead) const;
 
@@ -161,7 +165,7 @@ class Trajectories {
   [[noreturn]] void lose(const Flights::Island& island, LossReason reason) const;
   void check_flight(const Flights::Island& island) const;
 
-  // What a step that is given up puts back.
+  // What undo_step() restores.
   struct StepStart {
     ForceField::Switches springs;
     std::vector<std::uint8_t> taut;

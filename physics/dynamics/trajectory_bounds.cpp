@@ -4,12 +4,12 @@
 #include "physics/dynamics/flight_rates.h"
 #include "physics/dynamics/trajectories.h"
 
-// How much the paths of trajectories bend: the bounds that the search for contacts goes by.
+// Curvature and turn bounds of trajectories, for the search for contacts.
 namespace carom {
 namespace {
 
-// True if joints bend the path by more than kMostTurns radians within the trajectory: no step that resolves the
-// motion does, and no search on it would end. The rates of both ends must stand in the stages k[0] and k[1].
+// True if joints bend the path by more than kMostTurns radians within the trajectory: the step does not resolve
+// the motion, and a search on it would not end. The stages k[0] and k[1] must hold the rates at both ends.
 bool outruns_joints(Flights& f, const Flights::Island& island) {
   constexpr double kMostTurns = 64.0;
   const Flights::Group& group = f.groups[island.group];
@@ -22,7 +22,7 @@ bool outruns_joints(Flights& f, const Flights::Island& island) {
         {change, group.stages.k[0].col(j).segment<2>(3).norm(), group.stages.k[1].col(j).segment<2>(3).norm()});
   }
   if (change * (island.end - island.start) <= kMostTurns * speed) return false;
-  // Where joints hold bodies at rest, of the accelerations rounding is left.
+  // Where joints hold bodies at rest, the accelerations are rounding.
   constexpr double kBalanced = 1e-9;
   double outside = 0.0;
   Motions& rates = f.groups[island.group].stages.k[2];
@@ -46,7 +46,7 @@ void Trajectories::bound_curvature(int k) {
     curvature_bound_[f.body_of(island)] = d.angular_frequency * d.angular_frequency * d.amplitude.norm();
     return;
   }
-  // Between its ends the spin goes beyond both by at most the half of what it may change within the trajectory.
+  // Between the ends the spin exceeds both by at most half of its largest change within the trajectory.
   const auto bound_turn = [&](int body, double angular_acceleration) {
     const double spin = std::max(std::abs(f.at_start(5, body)), std::abs(f.at_end(5, body))) +
                         0.5 * angular_acceleration * (island.end - island.start);
@@ -59,8 +59,8 @@ void Trajectories::bound_curvature(int k) {
     return;
   }
   f.evaluations += 2 * static_cast<std::int64_t>(island.count);
-  // Twice the largest of the accelerations at both ends: sub-steps of semi-implicit Euler bend by 2a, and
-  // within a step that resolves the motion the acceleration varies by less than that.
+  // Twice the largest of the accelerations at both ends: sub-steps of semi-implicit Euler have a curvature of
+  // 2a, and within a step that resolves the motion the acceleration varies by less than that.
   if (island.group < 0) {
     const int body = f.body_of(island);
     const BodyRates rates{f.field, body, f.epoch};
@@ -78,7 +78,7 @@ void Trajectories::bound_curvature(int k) {
   }
   const GroupRates rates{f.field, f.joints, island.group, f.members_of(island), f.epoch};
   Flights::Group& group = f.groups[island.group];
-  // Also where the step itself has looked: bodies that attract may pass each other between its ends.
+  // Also at the step's stages: bodies that attract may pass each other between its ends.
   f.fly_group(island, island.end);
   for (const int i : f.members_of(island)) curvature_bound_[i] = turn_bound_[i] = 0.0;
   for (int stage = 1; stage < f.evaluations_a_flight; ++stage) {

@@ -2,11 +2,11 @@
 
 #include "physics/dynamics/trajectories.h"
 
-// What joints do to motions at one moment: at the start, after a push out of a penetration, and at an impact.
+// Effect of joints on motions at one moment: at the start, after a push out of a penetration, and at an impact.
 namespace carom {
 namespace {
 
-// Sets how the velocities of a body's group would change were all its bodies free; the group, or -1: it has
+// Sets the changes of velocity in a body's group without its joints. Returns the group, or -1 if the body has
 // none.
 int set_change(Flights& f, int body, const Eigen::Vector3d& by) {
   const int k = f.island_of[body];

@@ -5,9 +5,9 @@
 
 #include "physics/dynamics/trajectories.h"
 
-// What trajectories, forces and joints keep from step to step. Each list below names every member of its class
-// in a structured binding, so that one that is new doesn't compile until it is either kept or known to be made
-// anew. Keeping and putting back take the same list: each(own, kept) copies one way or the other.
+// Members of trajectories, forces and joints that are saved with a run. Each list below names every member of
+// its class in a structured binding, so that a new member doesn't compile until the list either copies it or
+// leaves it out. Saving and restoring use the same list: each(own, kept) copies in one direction or the other.
 namespace carom {
 
 namespace {
@@ -38,7 +38,7 @@ struct KeptMembers {
 
   template <class Self, class Kept, class Each>
   static void of_joints(Self& joints, Kept& kept, const Each& each) {
-    // What the groups hold is made anew before it is read.
+    // The groups' arrays are computed before they are read.
     auto& [model, joint_terms, first_row, taut, groups, restoring_work] = joints;
     each(taut, kept.taut);
   }
@@ -75,7 +75,7 @@ struct KeptMembers {
     each(evaluations, kept.evaluations);
   }
 
-  // Of a group all but the time of its last flight follows from it.
+  // Everything else of a group follows from the time of its last evaluation.
   template <class Self, class Ahead, class Each>
   static void of_flights_ahead(Self& flights, Ahead& ahead, const Each& each) {
     each(flights.at_end, ahead.at_end);
@@ -91,7 +91,7 @@ struct KeptMembers {
       if constexpr (std::is_const_v<Self>) {
         each(cached, ahead.cached[k]);
       } else if (ahead.cached[k] != -Flights::kForever) {
-        // What this counts was counted when the run was kept.
+        // These evaluations were counted before the run was saved.
         const std::int64_t counted = flights.evaluations;
         (void)flights.fly_group(island, ahead.cached[k]);
         flights.evaluations = counted;

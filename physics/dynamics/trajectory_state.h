@@ -8,8 +8,8 @@
 
 namespace carom {
 
-// All that a step changes of trajectories (physics/dynamics/trajectories.h), as plain values. Times in s after
-// the epoch, where they are not absolute.
+// All members of trajectories (physics/dynamics/trajectories.h) that a step changes, as plain values. Times are
+// in s after the epoch unless absolute.
 struct TrajectoryState {
   double epoch = 0.0;  // s, absolute
   // By island.
@@ -21,8 +21,8 @@ struct TrajectoryState {
   std::vector<std::uint8_t> taut;     // by joint
   std::vector<double> released_at;    // s, absolute, by joint
   std::vector<int> phase;             // by applied force
-  // By body, in m/s², m/s², rad/s²: all constant accelerations, and of those what contacts do; empty where
-  // contacts never acted.
+  // By body, in m/s², m/s², rad/s²: all constant accelerations, and the part of contacts; empty if contacts
+  // never acted.
   Eigen::Matrix3Xd constant, contact;
   std::int64_t evaluations = 0;
   std::int64_t rejected_steps = 0;
@@ -32,12 +32,12 @@ struct TrajectoryState {
   double lost_to_joints = 0.0;           // J
 };
 
-// What is known of the time ahead, where trajectories run on across the ends of steps.
+// What is known of the time ahead, where trajectories extend across the ends of steps.
 struct TrajectoriesAhead {
   Motions at_end;                       // by body
   std::vector<double> curvature_bound;  // m/s², by body
   std::vector<double> turn_bound;       // rad/s², by body
-  std::vector<double> cached;           // by island: the time at which a coupled island was last looked at
+  std::vector<double> cached;           // by island: the time of a coupled island's last evaluation
 };
 
 }  // namespace carom

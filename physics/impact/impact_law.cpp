@@ -16,7 +16,13 @@ double excess_of(const Vec2& normal) {
   return std::fma(normal.x(), normal.x(), std::fma(normal.y(), normal.y(), -1.0));
 }
 
+// Relative to the distance of the contact: a normal impulse with a smaller lever turns by rounding alone.
+constexpr double kCentral = 1e-9;
+
 bool unturned_by_normal(const ImpactSide& s) { return s.lever == 0.0 || s.inverse_inertia == 0.0; }
+bool hardly_turned_by_normal(const ImpactSide& s) {
+  return unturned_by_normal(s) || std::abs(s.lever) <= kCentral * std::abs(s.arm);
+}
 
 // The normal impulse of an impact that turns nothing, for the closing velocity u_n < 0.
 Impact normal_impact(double u_n, double k_nn, double excess, double restitution) {
@@ -101,6 +107,10 @@ Impact resolve_smooth_impact(Vec2& velocity_a, double inverse_mass_a, Vec2& velo
 
 Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Material& material,
                       ImpactLawId law) {
+  // Tangential restitution belongs to impacts that turn nothing by their normal impulse: rounding must not
+  // decide.
+  if (material.tangential_restitution != 0.0 && hardly_turned_by_normal(a) && hardly_turned_by_normal(b))
+    a.lever = b.lever = 0.0;
   const RelativeVelocity u = relative_velocity(a, b, normal);
   if (unturned_by_normal(a) && unturned_by_normal(b)) {
     return resolve_central(a, b, normal, u, material);

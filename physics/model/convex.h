@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/math/bounds.h"
+#include "physics/math/vectors.h"
 #include "physics/scene/scene.h"
 #include "physics/scene/shape.h"
 
@@ -82,7 +83,8 @@ struct Pose {
 // The pose of body i at q = (x, y, angle). A disc's angle is ignored: nothing depends on it.
 [[nodiscard]] inline Pose pose_of(const ConvexShapes& shapes, int i, const Eigen::Vector3d& q) {
   if (shapes.core[i] == Core::kPoint) return {q.head<2>(), 1.0, 0.0};
-  return {q.head<2>(), std::cos(q[2]), std::sin(q[2])};
+  const Vec2 along = direction_at(q[2]);
+  return {q.head<2>(), along.x(), along.y()};
 }
 
 // The axis-aligned bounding rectangle of a body in m. That of a half-plane is infinite, except beyond an edge

@@ -33,7 +33,7 @@ struct ForceTerms {
   double linear_drag = 0.0;
   double quadratic_drag = 0.0;
   std::optional<Attraction> attraction;
-  bool gravity_only = true;  // only uniform gravity acts: the quadratures stay zero
+  bool gravity_only = true;  // only uniform gravity acts: all quadratures but its own stay zero
   bool constant = true;      // only gravity and forces that never change: flight is a parabola
   bool one_sided = false;    // some springs push or pull only
   std::vector<SpringTerm> springs;

@@ -22,9 +22,9 @@ void change_materials(Scene& scene, const Change& change) {
 
 constexpr std::array<PartEntry, kPartCount> kEntries = {{
     // Without friction only a torque turns a disc, while impacts turn all other shapes.
-    {Part::kRotation, "rotation", "rotation", "impacts with arms and spins, not between the centres alone",
-     "something turns, or an impact, friction or a torque can turn it",
-     "nothing turns, and nothing can turn it",
+    {Part::kRotation, "rotation", "rotation", "impacts with lever arms and spins, not only between centres",
+     "something spins, or an impact, friction or a torque can turn it",
+     "nothing spins, and nothing can turn it",
      [](const SceneFacts& f, const Scene&) {
        return f.spinning || f.torques || f.rub || f.turning_joints || f.sticks ||
               (can_collide(f) && f.cornered);
@@ -51,17 +51,18 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
      "springs by their bodies; those between two moving bodies couple them", "the scene has springs",
      "there are no springs", [](const SceneFacts& f, const Scene&) { return f.springs; },
      [](Scene& scene) { scene.forces.springs.clear(); }},
-    {Part::kAttraction, "attraction", "attraction", "a force between any two bodies: all are advanced together",
-     "bodies attract each other", "nothing attracts",
-     [](const SceneFacts& f, const Scene&) { return f.attraction; },
+    {Part::kAttraction, "attraction", "attraction",
+     "a force between every two bodies: all are advanced together", "bodies attract each other",
+     "nothing attracts", [](const SceneFacts& f, const Scene&) { return f.attraction; },
      [](Scene& scene) { scene.forces.attraction.reset(); }},
     {Part::kAppliedForces, "applied_forces", "applied forces",
      "forces and torques by their bodies, and their work", "the scene applies forces or torques",
      "no force or torque is applied",
      [](const SceneFacts&, const Scene& scene) { return !scene.forces.applied.empty(); },
      [](Scene& scene) { scene.forces.applied.clear(); }},
-    {Part::kSwitching, "switching", "switched forces", "each flight is searched for the moment of a switch",
-     "some springs act one way only, or there are strings", "no spring or link lets go",
+    {Part::kSwitching, "switching", "switched forces",
+     "each flight is searched for the times at which they switch",
+     "some springs act in one direction only, or there are strings", "no spring or link switches",
      [](const SceneFacts& f, const Scene&) { return f.one_sided || f.strings; }, nullptr},
     {Part::kDrives, "drives", "driven bodies", "bodies with a prescribed motion", "some bodies are driven",
      "no body is driven", [](const SceneFacts& f, const Scene&) { return f.drives; },
@@ -71,14 +72,14 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
          body.drive.reset();
        }
      }},
-    {Part::kJoints, "links", "links", "linear equations for what rods, strings, pins and welds do",
+    {Part::kJoints, "links", "links", "linear equations for the forces of rods, strings, pins and welds",
      "the scene has links", "there are no links", [](const SceneFacts& f, const Scene&) { return f.joints; },
      [](Scene& scene) { scene.joints.clear(); }},
     // With e = 1 and no relative acceleration every impact separates its pair for good; with e < 1 several
     // bodies can collapse onto one another.
     {Part::kRestingContacts, "resting_contacts", "lasting contacts",
-     "a search for contacts and a solver of their forces in each step", "something can press bodies together",
-     "nothing presses bodies together for a while",
+     "a contact search and a solver of contact forces in each step", "something can press bodies together",
+     "nothing keeps bodies pressed together",
      [](const SceneFacts& f, const Scene& scene) {
        return can_collide(f) && (accelerate_apart(f, scene) || f.yield);
      },

@@ -130,6 +130,23 @@ double velocity_error(const State& ours, const State& theirs, int body) {
   return finite_or_infinite((ours.velocity(body) - theirs.velocity(body)).norm());
 }
 
+// m: as turning_radius().
+double radius_of(const Reading& r, int body) {
+  const auto i = static_cast<std::size_t>(body);
+  return r.mass.inverse_inertia[body] > 0.0 ? r.shapes.shapes.core_radius[i] + r.shapes.shapes.rounding[i]
+                                            : 0.0;
+}
+auto angle_error(const Reading& r) {
+  return [&r](const State& ours, const State& theirs, int body) {
+    return finite_or_infinite(radius_of(r, body) * std::abs(ours.q(2, body) - theirs.q(2, body)));
+  };
+}
+auto spin_error(const Reading& r) {
+  return [&r](const State& ours, const State& theirs, int body) {
+    return finite_or_infinite(radius_of(r, body) * std::abs(ours.v(2, body) - theirs.v(2, body)));
+  };
+}
+
 double energy_error(const Reading& r) {
   if (r.reference == nullptr) return std::numeric_limits<double>::quiet_NaN();
   const auto& awaiting = r.reference->awaiting;
@@ -182,11 +199,13 @@ constexpr auto kOwn = std::to_array<Observable>({
      [](R r, Ids) { return r.momentum_drift.x(); }},
     {"momentum_drift_y", "momentum drift y", "N s", 0, Topic::kMomentum,
      [](R r, Ids) { return r.momentum_drift.y(); }},
-    {"lost_in_impacts", "lost in impacts but to friction", "J", 0, Topic::kLedger,
+    {"angular_momentum_drift", "angular momentum drift", "kg m²/s", 0, Topic::kMomentum,
+     [](R r, Ids) { return r.angular_momentum_drift; }},
+    {"lost_in_impacts", "lost in impacts, except to friction", "J", 0, Topic::kLedger,
      [](R r, Ids) { return r.ledger.lost_to_restitution + r.ledger.lost_to_sticking; }},
     {"lost_in_flight", "lost between impacts", "J", 0, Topic::kLedger,
      [](R r, Ids) { return lost_in_flight(r.ledger); }},
-    {"put_in", "put in, all together", "J", 0, Topic::kLedger,
+    {"put_in", "total put in", "J", 0, Topic::kLedger,
      [](R r,
         Ids) { return r.ledger.put_in_by_drives + r.ledger.put_in_by_user + r.ledger.penetration_correction; }},
     {"numerical_drift", "numerical drift", "J", 0, Topic::kLedger, [](R r, Ids) { return r.energy_drift; }},
@@ -202,7 +221,7 @@ constexpr auto kOwn = std::to_array<Observable>({
     {"rightmost_x", "rightmost point", "m", 0, Topic::kAllBodies,
      [](R r, Ids) { return largest(r, [&](int i) { return bounds_at(r, i).high.x(); }); }},
     {"overlap", "largest overlap", "m", 0, Topic::kAllBodies, [](R r, Ids) { return largest_penetration(r); }},
-    {"contacts", "contact points that hold", "1", 0, Topic::kAllBodies,
+    {"contacts", "resting contact points", "1", 0, Topic::kAllBodies,
      [](R r, Ids) { return static_cast<double>(r.contacts.size()); }},
     {"time", "time", "s", 0, Topic::kRun, [](R r, Ids) { return r.time; }},
     {"impacts", "impacts so far", "1", 0, Topic::kRun, [](R r, Ids) { return static_cast<double>(r.impacts); }},
@@ -216,29 +235,46 @@ constexpr auto kOwn = std::to_array<Observable>({
      [](R r, Ids) { return largest_error(r, position_error); }},
     {"velocity_error", "error of the velocities", "m/s", 0, Topic::kError,
      [](R r, Ids) { return largest_error(r, velocity_error); }},
+    {"angle_error", "error of the angles, times the radius", "m", 0, Topic::kError,
+     [](R r, Ids) { return largest_error(r, angle_error(r)); }},
+    {"spin_error", "error of the spins, times the radius", "m/s", 0, Topic::kError,
+     [](R r, Ids) { return largest_error(r, spin_error(r)); }},
     {"energy_error", "error of the energy", "J", 0, Topic::kError, [](R r, Ids) { return energy_error(r); }},
     {"body_position_error", "distance from the reference", "m", 1, Topic::kError,
      [](R r, Ids b) { return error_of(r, b[0], position_error); }},
     {"body_velocity_error", "error of the velocity", "m/s", 1, Topic::kError,
      [](R r, Ids b) { return error_of(r, b[0], velocity_error); }},
+    {"body_angle_error", "error of the angle, times the radius", "m", 1, Topic::kError,
+     [](R r, Ids b) { return error_of(r, b[0], angle_error(r)); }},
+    {"body_spin_error", "error of the spin, times the radius", "m/s", 1, Topic::kError,
+     [](R r, Ids b) { return error_of(r, b[0], spin_error(r)); }},
 });
 
 // The entries of the ledger without the first, which is constant in a run.
-constexpr std::size_t kFromLedger = kEnergyEntries.size() - 1;
+constexpr std::size_t kEnergies = kEnergyEntries.size() - 1;
+constexpr std::size_t kAngular = kMomentumEntries.size() - 1;
 
 template <std::size_t... kEntry>
-constexpr std::array<Observable, kFromLedger> from_ledger(std::index_sequence<kEntry...> /*entries*/) {
+constexpr std::array<Observable, kEnergies> of_energy(std::index_sequence<kEntry...> /*entries*/) {
   return {Observable{kEnergyEntries[kEntry + 1].key, kEnergyEntries[kEntry + 1].label, "J", 0, Topic::kLedger,
                      [](R r, Ids) { return r.ledger.*kEnergyEntries[kEntry + 1].value; }}...};
 }
+template <std::size_t... kEntry>
+constexpr std::array<Observable, kAngular> of_angular_momentum(std::index_sequence<kEntry...> /*entries*/) {
+  return {Observable{kMomentumEntries[kEntry + 1].angular_key, kMomentumEntries[kEntry + 1].angular_label,
+                     "kg m²/s", 0, Topic::kMomentum,
+                     [](R r, Ids) { return r.ledger.*kMomentumEntries[kEntry + 1].angular; }}...};
+}
 
 constexpr auto kObservables = [] {
-  std::array<Observable, kOwn.size() + kFromLedger> all{};
-  const auto entries = from_ledger(std::make_index_sequence<kFromLedger>());
+  std::array<Observable, kOwn.size() + kEnergies + kAngular> all{};
+  const auto energy = of_energy(std::make_index_sequence<kEnergies>());
+  const auto angular = of_angular_momentum(std::make_index_sequence<kAngular>());
   const auto first =
       std::find_if(kOwn.begin(), kOwn.end(), [](const Observable& o) { return o.topic == Topic::kLedger; });
   auto next = std::copy(kOwn.begin(), first, all.begin());
-  next = std::copy(entries.begin(), entries.end(), next);
+  next = std::copy(angular.begin(), angular.end(), next);
+  next = std::copy(energy.begin(), energy.end(), next);
   std::copy(first, kOwn.end(), next);
   return all;
 }();
@@ -256,6 +292,7 @@ Reading reading_of(const Simulation& simulation, const ImpactTally& tally) {
           ledger,
           ledger.numerical_drift(totals.energy()),
           ledger.momentum_drift(totals.momentum),
+          ledger.angular_momentum_drift(totals.angular_momentum),
           simulation.mass(),
           simulation.shapes(),
           simulation.contact_forces()};

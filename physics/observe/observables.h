@@ -65,8 +65,9 @@ struct Reading {
   std::int64_t impacts;
   Totals totals;
   Ledger ledger;
-  double energy_drift;  // J, numerical
-  Vec2 momentum_drift;  // N s
+  double energy_drift;            // J, numerical
+  Vec2 momentum_drift;            // N s
+  double angular_momentum_drift;  // kg m²/s
   const MassProperties& mass;
   const Geometry& shapes;
   std::span<const ContactForce> contacts;

@@ -142,6 +142,10 @@ class StatePart {
       read(key, needed, [&](const ValueReader& v) { take(v, x); });
     }
   }
+  // A key of older files that says nothing any more.
+  void dropped(const char* key) {
+    if (reader_ != nullptr) reader_->member({key, ""}, [](const ValueReader&) {});
+  }
   // Whether something follows.
   [[nodiscard]] bool flag(const char* key, bool now) {
     if (reader_ == nullptr) {
@@ -159,8 +163,9 @@ class StatePart {
       read(key, true, [&](const ValueReader& v) { take_list(v, values, length); });
     }
   }
+  // A file may be older than the last `newer` rows: they are 0 then.
   template <class Matrix>
-  void rows(const char* key, Matrix& m, std::size_t columns) {
+  void rows(const char* key, Matrix& m, std::size_t columns, Eigen::Index newer = 0) {
     constexpr Eigen::Index kRows = Matrix::RowsAtCompileTime;
     if constexpr (std::is_const_v<Matrix>) {
       json[key] = Json::array();
@@ -171,9 +176,12 @@ class StatePart {
       }
     } else {
       read(key, true, [&](const ValueReader& v) {
-        check_array(v, kRows);
-        m.resize(Eigen::NoChange, static_cast<Eigen::Index>(columns));
-        for (Eigen::Index row = 0; row < kRows; ++row) {
+        const bool old =
+            newer > 0 && v.value().is_array() && v.value().size() == static_cast<std::size_t>(kRows - newer);
+        const Eigen::Index known = old ? kRows - newer : kRows;
+        check_array(v, known);
+        m.setZero(kRows, static_cast<Eigen::Index>(columns));
+        for (Eigen::Index row = 0; row < known; ++row) {
           std::vector<double> values;
           take_list(element(v, static_cast<std::size_t>(row)), values, columns);
           m.row(row) = Eigen::RowVectorXd::Map(values.data(), m.cols());
@@ -261,6 +269,8 @@ class StatePart {
 constexpr auto kLedger = [](auto& a, auto& ledger) {
   for (const EnergyEntry& entry : kEnergyEntries) a.value(entry.key.data(), ledger.*entry.value);
   for (const MomentumEntry& entry : kMomentumEntries) a.value(entry.key.data(), ledger.*entry.value);
+  for (const MomentumEntry& entry : kMomentumEntries)
+    a.value(entry.angular_key.data(), ledger.*entry.angular, false);
 };
 
 constexpr auto kNotices = [](auto& a, auto& notices) {
@@ -297,7 +307,7 @@ constexpr auto kTrajectories = [](auto& a, auto& trajectories) {
   a.list("end", end, a.size.islands);
   a.list("next_step", next_step, a.size.islands);
   a.list("switching", switching, a.size.islands);
-  a.rows("settled", at_start, a.size.bodies);
+  a.rows("settled", at_start, a.size.bodies, kAngularRows);
   a.list("engaged", engaged, a.size.springs);
   a.list("taut", taut, a.size.joints);
   a.list("let_go_at", released_at, a.size.joints);
@@ -315,14 +325,15 @@ constexpr auto kTrajectories = [](auto& a, auto& trajectories) {
 };
 
 constexpr auto kContactMemory = [](auto& a, auto& contacts) {
-  auto& [forces, support, held, pushed] = contacts;
+  auto& [forces, support, pushed] = contacts;
   a.tuples("forces", forces, kFree, [](const auto& each, auto& force) {
     auto& [body, other, id, point, normal, normal_force, tangential_force, rolling_moment, sticks] = force;
     each(body, other, id, point.x(), point.y(), normal.x(), normal.y());
     each(normal_force, tangential_force, rolling_moment, sticks);
   });
   a.tuples("hold", support, kFree, [](const auto& each, auto& of) { each(of.x(), of.y(), of.z()); });
-  if (a.flag("stepped", !held.empty())) a.list("held", held, a.size.bodies);
+  a.dropped("stepped");
+  a.dropped("held");
   a.list("pushed", pushed, kFree);
 };
 
@@ -342,7 +353,7 @@ constexpr auto kAhead = [](auto& a, auto& ahead) {
   a.value("stretch", stretch);
   a.value("epoch_length", epoch_length);
   a.value("last_impact", last_impact);
-  a.rows("at_end", at_end, a.size.bodies);
+  a.rows("at_end", at_end, a.size.bodies, kAngularRows);
   a.list("bend", curvature_bound, a.size.bodies);
   a.list("turn", turn_bound, a.size.bodies);
   a.list("cached", cached, a.size.islands);
@@ -374,7 +385,7 @@ constexpr auto kState = [](auto& a, auto& state) {
   a.object("work", work, kWork);
   a.rows("positions", motions.q, a.size.bodies);
   a.rows("velocities", motions.v, a.size.bodies);
-  a.rows("books", motions.quadratures, a.size.bodies);
+  a.rows("books", motions.quadratures, a.size.bodies, kAngularRows);
   a.object("ledger", ledger, kLedger);
   a.value("gravity_since", gravity_since);
   a.value("peak_kinetic", peak_kinetic, false);
@@ -384,6 +395,19 @@ constexpr auto kState = [](auto& a, auto& state) {
   a.object("contacts", contacts, kContactMemory);
   a.optional("ahead", ahead, kAhead);
 };
+
+// A file that is older than the balance of angular momentum: the balance begins where the run was saved.
+void begin_angular_balance(Trajectories& trajectories, const Model& model, RunState& state) {
+  trajectories.restore(state.trajectories, state.ahead ? &state.ahead->trajectories : nullptr);
+  double given = 0.0;
+  for (int i = 0; i < state.motions.size(); ++i) {
+    const Motion now = trajectories.at(i, state.clock.time - trajectories.epoch());
+    state.motions.quadratures.col(i).bottomRows<kAngularRows>() = angular_rows_of(now);
+    given += angular_rows_of(now).sum();
+  }
+  state.sums.ledger.initial_angular_momentum =
+      totals(state.motions, model.mass, trajectories.field()).angular_momentum - given;
+}
 
 std::string hexadecimal(std::uint64_t number) { return fmt::format("{:016x}", number); }
 
@@ -413,7 +437,8 @@ SavedRun read_clock(const Json& json) {
 void read_state(const Json& json, Preset& preset) {
   const std::vector<Body> bodies = all_bodies(preset.scene);
   const double start = start_time(preset.saved);
-  const Trajectories trajectories(compile(preset.scene, needs_of(preset.scene), start), preset.method);
+  const std::shared_ptr<const Model> model = compile(preset.scene, needs_of(preset.scene), start);
+  Trajectories trajectories(model, preset.method);
   const Sizes sizes{bodies.size(), static_cast<std::size_t>(trajectories.islands()),
                     preset.scene.forces.springs.size(), preset.scene.joints.size(),
                     preset.scene.forces.applied.size()};
@@ -427,6 +452,10 @@ void read_state(const Json& json, Preset& preset) {
   });
   state->clock.time = preset.saved->time;
   check_state(preset.scene, start, *state);
+  if (!rest.at("ledger").contains("initial_angular_momentum")) {
+    trajectories.set_method(state->method);
+    begin_angular_balance(trajectories, *model, *state);
+  }
   preset.saved->state = std::move(state);
 }
 

@@ -75,6 +75,7 @@ void Sampler::after_step(const Simulation& simulation) {
                    jumped,
                    energy_drift_ + share * (end.energy_drift - energy_drift_),
                    momentum_drift_ + share * (end.momentum_drift - momentum_drift_),
+                   std::lerp(angular_momentum_drift_, end.angular_momentum_drift, share),
                    end.mass,
                    end.shapes,
                    end.contacts};
@@ -116,6 +117,7 @@ void Sampler::remember(const Reading& end) {
   ledger_ = without_quadratures(end);
   energy_drift_ = end.energy_drift;
   momentum_drift_ = end.momentum_drift;
+  angular_momentum_drift_ = end.angular_momentum_drift;
 }
 
 void Sampler::append(const Reading& reading) {

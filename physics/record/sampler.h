@@ -126,6 +126,7 @@ class Sampler {
   Ledger ledger_;  // without the bodies' quadratures
   double energy_drift_ = 0.0;
   Vec2 momentum_drift_ = Vec2::Zero();
+  double angular_momentum_drift_ = 0.0;
 };
 
 }  // namespace carom

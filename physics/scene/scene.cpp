@@ -57,6 +57,8 @@ double inertia_of(const Body& body) {
   return mass_of(body) * inertia_per_mass(body.shape);
 }
 
+double turning_radius(const Body& body) { return inertia_of(body) > 0.0 ? bounding_radius(body.shape) : 0.0; }
+
 Material material_named(const Scene& scene, const std::string& name) {
   const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
                                   [&](const Material& m) { return m.name == name; });

@@ -73,6 +73,9 @@ struct Body {
 // kg m² about the centre of mass; infinite for a fixed or kinematic body, 0 for a point-like one, which
 // nothing turns.
 [[nodiscard]] double inertia_of(const Body& body);
+// m: how far the outline reaches from the centre of mass, so that an error of the angle moves no point of it
+// farther than this times the error in rad. 0 for a point-like body.
+[[nodiscard]] double turning_radius(const Body& body);
 
 // Which way a spring acts along its line, with the stretch s = length - rest_length.
 enum class SpringActs {

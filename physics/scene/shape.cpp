@@ -114,11 +114,8 @@ Vec2 half_extent(const Shape& shape, double angle) {
   if (const auto* disc = std::get_if<Disc>(&shape)) return Vec2::Constant(disc->radius);
   const Outline outline = outline_of(shape);
   if (outline.half_plane) return Vec2::Constant(kInfinity);
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
   Vec2 reach = Vec2::Zero();
-  for (const Vec2& v : outline.vertices)
-    reach = reach.cwiseMax(Vec2(c * v.x() - s * v.y(), s * v.x() + c * v.y()).cwiseAbs());
+  for (const Vec2& v : outline.vertices) reach = reach.cwiseMax(turned_by(angle, v).cwiseAbs());
   return reach + Vec2::Constant(outline.rounding);
 }
 

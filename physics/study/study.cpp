@@ -74,7 +74,7 @@ double compared_time(const Preset& preset, const StudyOptions& options, const Ch
   const bool rests = chaos.resting_since > kLeastOfRun * wanted && chaos.resting_since < wanted;
   const bool chaotic = chaos.horizon < wanted;
   const std::string resting = fmt::format(
-      "from t = {:.4g} s on bounces come faster than they can be told apart (Zeno)", chaos.resting_since);
+      "from t = {:.4g} s on bounces follow faster than the method resolves (Zeno)", chaos.resting_since);
   if (options.until) {
     if (chaotic) {
       add_remark(remarks, fmt::format("WARNING: the compared time lies beyond the horizon, {:.3g} s: the "
@@ -114,14 +114,14 @@ double compared_time(const Preset& preset, const StudyOptions& options, const Ch
   return time;
 }
 
-std::string words_for(const Reference& r, const Chaos& chaos) {
+std::string words_for(const Reference& r) {
   const auto& integrator = choice_of(kIntegrators, r.method.integrator);
   if (r.exact) return fmt::format("{}, impacts at their own time", integrator.label);
   std::string made = fmt::format("{}, impacts at their own time, h = {:.4g} s after {} halving{}",
                                  integrator.label, r.method.step, r.halvings, r.halvings == 1 ? "" : "s");
   if (r.converged) return made;
   return fmt::format("{}; NOT CONVERGED: two refinements differ by {:.1g} of the length", made,
-                     r.position_error / chaos.length);
+                     r.relative_error);
 }
 
 // The largest difference from the file's figures.
@@ -135,7 +135,7 @@ std::string words_for(const std::vector<StatedFigure>& figures) {
 }
 
 void measure_accuracy(StudyRow& row, const RunSetup& setup, const Reference& reference, const Chaos& chaos,
-                      std::span<const int> moving, double time, const std::stop_token& stop) {
+                      std::span<const MovingBody> moving, double time, const std::stop_token& stop) {
   const RunSummary run =
       run_and_summarize(setup, row.method, time, (1.0 + kPast) * time, blown_up_above(chaos), stop);
   static_cast<Comparison&>(row) = compare(run, reference.run, moving, time);
@@ -279,7 +279,7 @@ double plan_time(const std::vector<TimedImpact>& impacts, double end) {
 
 StudyTable run_study(const Preset& preset, const std::string& name, const StudyOptions& options,
                      const StudyCallbacks& callbacks) {
-  const auto tell = [&](std::string_view stage, int done, int of) {
+  const auto report = [&](std::string_view stage, int done, int of) {
     throw_if_cancelled(callbacks.stop);
     if (callbacks.progress) callbacks.progress(stage, done, of);
   };
@@ -298,21 +298,24 @@ StudyTable run_study(const Preset& preset, const std::string& name, const StudyO
   facts.duration = options.until.value_or(preset.duration);
 
   const RunSetup setup = setup_of(preset);
-  tell("neighbours", 0, 1);
+  report("neighbours", 0, 1);
   const Chaos chaos = follow_neighbours(setup, reference_method(setup), (1.0 + kPast) * facts.duration,
                                         options.threads, callbacks.stop);
   facts.time = compared_time(preset, options, chaos, facts);
   facts.length = chaos.length;
+  facts.arc = chaos.largest_arc();
   facts.exponent = chaos.exponent;
   facts.growth = chaos.growth_at(facts.time);
   facts.horizon = chaos.horizon;
 
-  tell("reference", 0, 1);
+  report("reference", 0, 1);
   const Reference reference =
       make_reference(setup, chaos, facts.time, (1.0 + kPast) * facts.time, callbacks.stop);
-  facts.reference = words_for(reference, chaos);
+  facts.reference = words_for(reference);
   facts.reference_position_error = reference.position_error;
   facts.reference_velocity_error = reference.velocity_error;
+  facts.reference_angle_error = reference.angle_error;
+  facts.reference_spin_error = reference.spin_error;
   facts.reference_energy_error = reference.energy_error;
   facts.stated = words_for(
       check_stated_figures(preset, reference.method, std::min(facts.duration, chaos.horizon), callbacks.stop));
@@ -330,18 +333,18 @@ StudyTable run_study(const Preset& preset, const std::string& name, const StudyO
   std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
     return table.rows[x].method.step < table.rows[y].method.step;
   });
-  const std::vector<int> moving = moving_bodies(all_bodies(preset.scene));
+  const std::vector<MovingBody> moving = moving_bodies(all_bodies(preset.scene));
   std::mutex mutex;
   int done = 0;
   const int all = static_cast<int>(order.size());
-  tell("accuracy", 0, all);
+  report("accuracy", 0, all);
   parallel_for(all, options.threads, [&](int k) {
     throw_if_cancelled(callbacks.stop);
     StudyRow& row = table.rows[order[static_cast<std::size_t>(k)]];
     measure_accuracy(row, setup, reference, chaos, moving, facts.time, callbacks.stop);
     const std::lock_guard lock(mutex);
     if (callbacks.row) callbacks.row(facts, row);
-    tell("accuracy", ++done, all);
+    report("accuracy", ++done, all);
   });
   measure_times(table, preset, callbacks);
   return table;

@@ -59,42 +59,49 @@ void read_choice(const Table& table, const std::string& text, Id& to) {
 
 struct Column {
   const char* name;
-  std::string (*write)(const StudyFacts&, const StudyRow&, const OrderFit*);
-  void (*read)(const std::string&, StudyFacts&, StudyRow&);  // null: it is computed again
+  std::string (*write)(const StudyFacts&, const StudyRow&, const StudyGroup*);  // no group: no fit
+  void (*read)(const std::string&, StudyFacts&, StudyRow&);                     // null: it is computed again
 };
 
 template <auto Member>
 constexpr Column row_column(const char* name) {
-  return {name, [](const StudyFacts&, const StudyRow& r, const OrderFit*) { return field(r.*Member); },
+  return {name, [](const StudyFacts&, const StudyRow& r, const StudyGroup*) { return field(r.*Member); },
           [](const std::string& text, StudyFacts&, StudyRow& r) { read(text, r.*Member); }};
 }
 template <auto Member>
 constexpr Column facts_column(const char* name) {
-  return {name, [](const StudyFacts& f, const StudyRow&, const OrderFit*) { return field(f.*Member); },
+  return {name, [](const StudyFacts& f, const StudyRow&, const StudyGroup*) { return field(f.*Member); },
           [](const std::string& text, StudyFacts& f, StudyRow&) { read(text, f.*Member); }};
 }
 template <auto Member, const auto& kTable>
 constexpr Column choice_column(const char* name) {
   return {
       name,
-      [](const StudyFacts&, const StudyRow& r, const OrderFit*) {
+      [](const StudyFacts&, const StudyRow& r, const StudyGroup*) {
         return std::string(choice_of(kTable, r.method.*Member).name);
       },
       [](const std::string& text, StudyFacts&, StudyRow& r) { read_choice(kTable, text, r.method.*Member); }};
 }
 // A column of numbers from a fit.
-template <auto Member>
+template <auto Fit, auto Member>
 constexpr Column fit_column(const char* name) {
   return {name,
-          [](const StudyFacts&, const StudyRow&, const OrderFit* fit) {
-            return fit != nullptr && fit->kind == OrderFit::Kind::kOrder ? field(fit->*Member) : std::string();
+          [](const StudyFacts&, const StudyRow&, const StudyGroup* g) {
+            return g != nullptr && (g->*Fit).kind == OrderFit::Kind::kOrder ? field(g->*Fit.*Member)
+                                                                            : std::string();
           },
           nullptr};
 }
-
-std::string write_order(const StudyFacts& /*facts*/, const StudyRow& /*row*/, const OrderFit* fit) {
-  if (fit == nullptr) return {};
-  return fit->kind == OrderFit::Kind::kOrder ? field(fit->order) : text_of(*fit);
+template <auto Fit>
+constexpr Column order_column(const char* name) {
+  return {name,
+          [](const StudyFacts&, const StudyRow&, const StudyGroup* g) {
+            if (g == nullptr) return std::string();
+            const OrderFit& fit = g->*Fit;
+            if (&fit == &g->fit && g->is_of_angle()) return std::string("exact but for angles");
+            return fit.kind == OrderFit::Kind::kOrder ? field(fit.order) : text_of(fit);
+          },
+          nullptr};
 }
 
 void read_step(const std::string& text, StudyFacts& /*facts*/, StudyRow& r) {
@@ -106,7 +113,7 @@ constexpr auto kColumns = std::to_array<Column>({
     choice_column<&Method::impacts, kImpacts>("impacts"),
     choice_column<&Method::contacts, kContacts>("contacts"),
     {"step [s] or tolerance [m]",
-     [](const StudyFacts&, const StudyRow& r, const OrderFit*) {
+     [](const StudyFacts&, const StudyRow& r, const StudyGroup*) {
        const auto value = r.step_or_tolerance();
        return value ? field(*value) : std::string();
      },
@@ -118,11 +125,15 @@ constexpr auto kColumns = std::to_array<Column>({
     row_column<&StudyRow::wall_time>("wall time [s]"),
     row_column<&StudyRow::evaluations>("evaluations [1]"),
     row_column<&StudyRow::impacts>("number of impacts [1]"),
-    {"fitted order [1]", write_order, nullptr},
-    fit_column<&OrderFit::uncertainty>("standard error of the order [1]"),
-    fit_column<&OrderFit::from>("fitted from step [s]"),
-    fit_column<&OrderFit::to>("fitted to step [s]"),
-    fit_column<&OrderFit::points>("fitted points [1]"),
+    order_column<&StudyGroup::fit>("fitted order [1]"),
+    fit_column<&StudyGroup::fit, &OrderFit::uncertainty>("standard error of the order [1]"),
+    fit_column<&StudyGroup::fit, &OrderFit::from>("fitted from step [s]"),
+    fit_column<&StudyGroup::fit, &OrderFit::to>("fitted to step [s]"),
+    fit_column<&StudyGroup::fit, &OrderFit::points>("fitted points [1]"),
+    row_column<&StudyRow::angle_error>("angle error [m]"),
+    row_column<&StudyRow::spin_error>("spin error [m/s]"),
+    order_column<&StudyGroup::angle_fit>("fitted order of the angle [1]"),
+    fit_column<&StudyGroup::angle_fit, &OrderFit::uncertainty>("standard error of the order of the angle [1]"),
     row_column<&StudyRow::wall_least>("least wall time [s]"),
     row_column<&StudyRow::wall_most>("largest wall time [s]"),
     facts_column<&StudyFacts::repeats>("repeats [1]"),
@@ -137,9 +148,12 @@ constexpr auto kColumns = std::to_array<Column>({
     facts_column<&StudyFacts::reference>("reference"),
     facts_column<&StudyFacts::reference_position_error>("reference position error [m]"),
     facts_column<&StudyFacts::reference_velocity_error>("reference velocity error [m/s]"),
+    facts_column<&StudyFacts::reference_angle_error>("reference angle error [m]"),
+    facts_column<&StudyFacts::reference_spin_error>("reference spin error [m/s]"),
     facts_column<&StudyFacts::reference_energy_error>("reference energy error [J]"),
     facts_column<&StudyFacts::stated>("figures of the file"),
     facts_column<&StudyFacts::length>("length [m]"),
+    facts_column<&StudyFacts::arc>("longest arc [m]"),
     facts_column<&StudyFacts::growth>("growth [1]"),
     facts_column<&StudyFacts::exponent>("Lyapunov exponent [1/s]"),
     facts_column<&StudyFacts::horizon>("horizon [s]"),
@@ -158,6 +172,22 @@ bool same_method(const Method& x, const Method& y) {
 auto group_of(auto& groups, const StudyRow& row) {
   return std::find_if(groups.begin(), groups.end(),
                       [&](const StudyGroup& g) { return same_method(g.rows.front().method, row.method); });
+}
+
+// The order of an error; `floor` is rounding, and the reference's own error is a floor too (all in m).
+OrderFit fit_of(const StudyGroup& g, double StudyRow::*value, double floor, double of_reference,
+                double largest) {
+  std::vector<ErrorAtStep> errors;
+  for (const StudyRow& row : g.rows) {
+    // A run whose impacts differ from the reference's is another motion: its error is no part of an order.
+    const double error = row.unmatched == 0 ? row.*value : std::fmax(row.*value, largest);
+    errors.push_back({row.step_or_tolerance().value_or(row.method.step), error});
+  }
+  const double fitted = std::max(floor, 0.1 * of_reference);
+  OrderFit fit = fit_order(errors, floor, largest);
+  if (fit.kind == OrderFit::Kind::kExact || !(fitted > floor)) return fit;
+  fit = fit_order(errors, fitted, largest);
+  return fit.kind == OrderFit::Kind::kExact ? OrderFit{} : fit;
 }
 
 // "3, 4 and 9", cut if there are many.
@@ -192,6 +222,7 @@ std::optional<double> StudyRow::step_or_tolerance() const {
 }
 
 double StudyFacts::rounding_floor() const { return std::numeric_limits<double>::epsilon() * length * growth; }
+double StudyFacts::angle_floor() const { return std::numeric_limits<double>::epsilon() * arc * growth; }
 
 std::vector<StudyGroup> groups_of(const StudyTable& table) {
   std::vector<StudyGroup> groups;
@@ -200,25 +231,15 @@ std::vector<StudyGroup> groups_of(const StudyTable& table) {
     if (mine != groups.end()) {
       mine->rows.push_back(row);
     } else {
-      groups.push_back({row.method.integrator, row.method.impacts, row.method.contacts, {row}, {}});
+      groups.push_back({row.method.integrator, row.method.impacts, row.method.contacts, {row}, {}, {}});
     }
   }
+  const StudyFacts& f = table.facts;
   for (StudyGroup& g : groups) {
-    std::vector<ErrorAtStep> errors;
-    for (const StudyRow& row : g.rows) {
-      // A run whose impacts differ from the reference's is another motion: its error is no part of an order.
-      const double error =
-          row.unmatched == 0 ? row.position_error : std::fmax(row.position_error, table.facts.largest_error());
-      errors.push_back({row.step_or_tolerance().value_or(row.method.step), error});
-    }
-    // The reference's own error is a floor too.
-    const double floor = table.facts.rounding_floor();
-    const double fitted = std::max(floor, 0.1 * table.facts.reference_position_error);
-    g.fit = fit_order(errors, floor, table.facts.largest_error());
-    if (g.fit.kind != OrderFit::Kind::kExact && fitted > floor) {
-      g.fit = fit_order(errors, fitted, table.facts.largest_error());
-      if (g.fit.kind == OrderFit::Kind::kExact) g.fit = {};
-    }
+    g.fit =
+        fit_of(g, &StudyRow::position_error, f.rounding_floor(), f.reference_position_error, f.largest_error());
+    g.angle_fit =
+        fit_of(g, &StudyRow::angle_error, f.angle_floor(), f.reference_angle_error, f.largest_angle_error());
   }
   return groups;
 }
@@ -231,9 +252,9 @@ std::vector<std::string> study_csv(const StudyTable& table) {
   const std::vector<StudyGroup> groups = groups_of(table);
   for (const StudyRow& row : table.rows) {
     const auto mine = group_of(groups, row);
-    const OrderFit* fit = table.whole() ? &mine->fit : nullptr;
+    const StudyGroup* group = table.whole() ? &*mine : nullptr;
     CsvLine line;
-    for (const Column& column : kColumns) line.add_field(column.write(table.facts, row, fit));
+    for (const Column& column : kColumns) line.add_field(column.write(table.facts, row, group));
     lines.push_back(line.text());
   }
   return lines;

@@ -47,19 +47,24 @@ struct StudyFacts {
   std::string reference;                  // in words
   double reference_position_error = 0.0;  // m
   double reference_velocity_error = 0.0;  // m/s
+  double reference_angle_error = 0.0;     // m: as in Comparison
+  double reference_spin_error = 0.0;      // m/s: as in Comparison
   double reference_energy_error = 0.0;    // J
   std::string stated;                     // the file's own figures against the reference, in words
   double length = 0.0;                    // m: as in Chaos
+  double arc = 0.0;                       // m: as in Chaos, or the length if that is larger
   double exponent = 0.0;                  // 1/s: as in Chaos
   double growth = 1.0;                    // of a neighbour's distance up to the compared time, dimensionless
   double horizon = std::numeric_limits<double>::infinity();  // s: as in Chaos
   std::string remarks;  // why the compared time is not the end of the run; warnings
   int repeats = 0;      // of the timing
 
-  // m: rounding at the start, grown until the compared time.
+  // m: rounding at the start, grown until the compared time, in positions and in angles.
   [[nodiscard]] double rounding_floor() const;
+  [[nodiscard]] double angle_floor() const;
   // m: a larger error, a tenth of the length, only says that the run is wrong.
   [[nodiscard]] double largest_error() const { return 0.1 * length; }
+  [[nodiscard]] double largest_angle_error() const { return 0.1 * arc; }
 };
 
 struct StudyTable {
@@ -69,13 +74,20 @@ struct StudyTable {
   [[nodiscard]] bool whole() const { return static_cast<int>(rows.size()) == facts.planned; }
 };
 
-// The rows of one method at its steps, coarsest first, and their fitted order in position.
+// The rows of one method at its steps, coarsest first, and their fitted orders.
 struct StudyGroup {
   IntegratorId integrator = IntegratorId::kRk4;
   ImpactsId impacts = ImpactsId::kLocated;
   ContactsId contacts = ContactsId::kImpulse;
   std::vector<StudyRow> rows;
-  OrderFit fit;
+  OrderFit fit;        // in position
+  OrderFit angle_fit;  // in angle
+
+  // The verdict on the method: its order in position, or in angle where positions are exact and angles are not.
+  [[nodiscard]] bool is_of_angle() const {
+    return fit.kind == OrderFit::Kind::kExact && angle_fit.kind != OrderFit::Kind::kExact;
+  }
+  [[nodiscard]] const OrderFit& verdict() const { return is_of_angle() ? angle_fit : fit; }
 };
 
 // In the order of the plan. The orders are fitted here, so that shards need none; a row with impacts that

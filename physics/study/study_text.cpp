@@ -27,36 +27,38 @@ std::string right(const std::string& text, std::size_t width) {
 }
 
 std::string range_text(const StudyGroup& g) {
-  if (g.fit.kind == OrderFit::Kind::kExact) return ", no order: every error is rounding";
-  if (g.fit.kind == OrderFit::Kind::kNone) return ": fewer than three errors between rounding and nonsense";
+  const OrderFit& fit = g.verdict();
+  if (fit.kind == OrderFit::Kind::kExact) return ", no order: every error is rounding";
+  if (fit.kind == OrderFit::Kind::kNone) return ": fewer than three errors between rounding and nonsense";
   const bool adaptive = error_parameter(g.rows.front().method) == ErrorParameter::kTolerance;
-  return fmt::format(" in position, fitted on {} from {:.3g} to {:.3g} {}, {} points",
-                     adaptive ? "tolerances" : "steps", g.fit.from, g.fit.to, adaptive ? "m" : "s",
-                     g.fit.points);
+  return fmt::format(" in {}, fitted on {} from {:.3g} to {:.3g} {}, {} points",
+                     g.is_of_angle() ? "angle (positions are exact)" : "position",
+                     adaptive ? "tolerances" : "steps", fit.from, fit.to, adaptive ? "m" : "s", fit.points);
 }
 
 std::string group_text(const StudyGroup& g, bool whole) {
   const auto& integrator = choice_of(kIntegrators, g.integrator);
   std::string out = fmt::format("{}, {}", integrator.label, choice_of(kImpacts, g.impacts).label);
   if (whole) {
-    out += fmt::format(": {}{}{}", g.fit.kind == OrderFit::Kind::kOrder ? "order " : "", text_of(g.fit),
-                       range_text(g));
+    out += fmt::format(": {}{}{}", g.verdict().kind == OrderFit::Kind::kOrder ? "order " : "",
+                       text_of(g.verdict()), range_text(g));
   }
   out += '\n';
   const bool adaptive = error_parameter(g.rows.front().method) == ErrorParameter::kTolerance;
-  out += fmt::format("{:>10} {:>11} {:>13} {:>10} {:>14} {:>10} {:>21} {:>11} {:>9} {:>8} {:>7}\n",
-                     adaptive ? "toler. / m" : "step / s", "position/m", "velocity/m/s", "energy/J",
-                     "impact times/s", "wall time", "least to most", "evaluations", "rejected", "impacts",
-                     "no pair");
+  out += fmt::format(
+      "{:>10} {:>11} {:>13} {:>10} {:>10} {:>10} {:>14} {:>10} {:>21} {:>11} {:>9} {:>8} {:>7}\n",
+      adaptive ? "toler. / m" : "step / s", "position/m", "velocity/m/s", "angle/m", "spin/m/s", "energy/J",
+      "impact times/s", "wall time", "least to most", "evaluations", "rejected", "impacts", "no pair");
   for (const StudyRow& r : g.rows) {
     const auto step = r.step_or_tolerance();
     const std::string spread =
         std::isnan(r.wall_least) ? "-" : fmt::format("{} to {}", duration(r.wall_least), duration(r.wall_most));
-    out += fmt::format("{:>10} {:>11} {:>13} {:>10} {:>14} {} {} {:>11} {:>9} {:>8} {:>7}{}\n",
+    out += fmt::format("{:>10} {:>11} {:>13} {:>10} {:>10} {:>10} {:>14} {} {} {:>11} {:>9} {:>8} {:>7}{}\n",
                        step ? fmt::format("{:.4g}", *step) : "-", error(r.position_error),
-                       error(r.velocity_error), error(r.energy_error), error(r.impact_time_error),
-                       right(duration(r.wall_time), 10), right(spread, 21), r.evaluations, r.rejected_steps,
-                       r.impacts, r.unmatched, r.status == "ok" ? "" : "  " + r.status);
+                       error(r.velocity_error), error(r.angle_error), error(r.spin_error),
+                       error(r.energy_error), error(r.impact_time_error), right(duration(r.wall_time), 10),
+                       right(spread, 21), r.evaluations, r.rejected_steps, r.impacts, r.unmatched,
+                       r.status == "ok" ? "" : "  " + r.status);
     if (r.left_out > 0 && r.status == "ok") {
       out.pop_back();
       out += fmt::format("  {} bod{} left out, within an impact's window\n", r.left_out,
@@ -78,7 +80,7 @@ std::string orders_text(const std::vector<StudyGroup>& groups) {
         return one.integrator == integrator.id && one.impacts == impacts.id;
       });
       any = any || g != groups.end();
-      line += right(g == groups.end() ? "" : text_of(g->fit), 28);
+      line += right(g == groups.end() ? "" : text_of(g->verdict()) + (g->is_of_angle() ? " in angle" : ""), 28);
     }
     if (any) out += line + '\n';
   }
@@ -96,8 +98,9 @@ std::string compared_text(const StudyFacts& f) {
 
 std::string reference_text(const StudyFacts& f) {
   std::string out =
-      fmt::format("reference: {}; its own error about {:.1e} m, {:.1e} m/s, {:.1e} J", f.reference,
-                  f.reference_position_error, f.reference_velocity_error, f.reference_energy_error);
+      fmt::format("reference: {}; its own error about {:.1e} m, {:.1e} m/s, {:.1e} J, of angles {:.1e} m",
+                  f.reference, f.reference_position_error, f.reference_velocity_error, f.reference_energy_error,
+                  f.reference_angle_error);
   if (!f.stated.empty()) out += "; " + f.stated;
   return out;
 }
@@ -126,7 +129,9 @@ std::string study_text(const StudyTable& table) {
   std::string out =
       fmt::format("{}\n{}\n{}\n{}\n", printable(f.title), compared_text(f), reference_text(f), horizon_text(f));
   out += fmt::format(
-      "errors: the largest over the moving bodies' centres; times: median of {} run{} to the compared time\n\n",
+      "errors: the largest over the moving bodies' centres, and over their angles times how far they reach "
+      "from "
+      "them; times: median of {} run{} to the compared time\n\n",
       f.repeats, f.repeats == 1 ? "" : "s");
   const std::vector<StudyGroup> groups = groups_of(table);
   for (const StudyGroup& g : groups) out += group_text(g, table.whole());

@@ -5,6 +5,7 @@
 
 #include "physics/impact/jointed_impact.h"
 #include "physics/math/vectors.h"
+#include "physics/world/contact_patch.h"
 #include "physics/world/step_limits.h"
 
 namespace carom {
@@ -50,6 +51,7 @@ struct SmoothImpact {
       : velocity_a(world.trajectories.at_start(a).segment<2>(3)),
         velocity_b(world.trajectories.at_start(b).segment<2>(3)),
         normal(contact.normal) {}
+  static const Contact& acting_contact(World&, int, int, const Contact& touch) { return touch; }
   [[nodiscard]] double closing() const { return -Vec2(velocity_b - velocity_a).dot(normal); }
   Impact resolve(World& world, int a, int b, const Contact&, const Material& material) {
     const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;
@@ -72,6 +74,9 @@ struct GeneralImpact {
       : side_a(world.side(a, contact, 1.0)),
         side_b(world.side(b, contact, -1.0)),
         closing_speed(-relative_velocity(side_a, side_b, contact.normal).normal) {}
+  static Contact acting_contact(World& world, int a, int b, const Contact& touch) {
+    return pressed_contact(world, a, b, touch);
+  }
   [[nodiscard]] double closing() const { return closing_speed; }
   Impact resolve(World& world, int a, int b, const Contact& contact, const Material& material) {
     Trajectories& trajectories = world.trajectories;
@@ -97,7 +102,8 @@ struct GeneralImpact {
 };
 
 template <class Kind>
-void apply(World& world, int a, int b, const Contact& contact, const Material& material, double within) {
+void apply(World& world, int a, int b, const Contact& touch, const Material& material, double within) {
+  const Contact& contact = Kind::acting_contact(world, a, b, touch);  // a temporary lives as long
   Kind of_pair(world, a, b, contact);
   const double closing = of_pair.closing();
   // Semi-implicit Euler's path x + t v(t) may close again, from a penetration, while v(t) still separates the
@@ -161,6 +167,10 @@ void record_impact(World& world, int a, int b, const Contact& contact, const Imp
   if (!world.shapes().can_collide(a, b)) return;
   const Vec2 tangent(-contact.normal.y(), contact.normal.x());
   const Vec2 j = impact.normal * contact.normal + impact.tangential * tangent;
+  for (const auto& [body, sign] : {std::pair(a, -1.0), std::pair(b, 1.0)}) {
+    const Vec2 arm = contact.point - world.trajectories.at_start(body).head<2>();
+    world.record_angular_momentum(body, contact.point, arm, sign * j, 0.0);
+  }
   if (world.infinite_mass(a)) {
     ledger.momentum_to_walls -= j;
     ledger.put_in_by_drives += j.dot(world.trajectories.at_start(a).segment<2>(3));

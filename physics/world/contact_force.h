@@ -1,10 +1,15 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <vector>
 
 #include "physics/math/vectors.h"
 
 namespace carom {
+
+// Tolerance of the contact forces, relative to the change of a speed by forces in a step.
+inline constexpr double kContactTolerance = 1e-12;
 
 // Force of one contact point on two bodies during a step.
 struct ContactForce {
@@ -17,6 +22,13 @@ struct ContactForce {
   double tangential_force = 0.0;  // N, along the normal turned by +90°
   double rolling_moment = 0.0;    // N m
   bool sticks = false;            // did not slip
+};
+
+// State of resting contacts between two steps.
+struct ContactMemory {
+  std::vector<ContactForce> forces;      // of the last step, in the order of (a, b)
+  std::vector<Eigen::Vector3d> support;  // N, N and N m, parallel to forces: the solver's initial guess
+  std::vector<int> pushed;               // bodies that contact forces act on
 };
 
 }  // namespace carom

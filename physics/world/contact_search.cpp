@@ -117,7 +117,7 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
 NextContact next_contact(World& world, const SearchRules& rules, int a, int b) {
   Trajectories& trajectories = world.trajectories;
   const Geometry& shapes = world.shapes();
-  const double begin = std::max(trajectories.start(a), trajectories.start(b));
+  const double begin = std::max({trajectories.start(a), trajectories.start(b), rules.from});
   const double end = std::min(trajectories.end(a), trajectories.end(b));
   if (!(begin <= end)) return {};
   const bool parabolic =

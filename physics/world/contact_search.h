@@ -23,8 +23,9 @@ struct SearchRules {
   const PairList& end_of_step;     // pairs that wait for the step's end
   const RestingContacts* resting;  // null without resting contacts
   double closing_share;            // of the bodies' speeds: a smaller closing speed counts as zero
+  double from;                     // s after the epoch: earlier contacts don't count
   [[nodiscard]] bool rests(int a, int b) const {
-    return (resting != nullptr && resting->supports(a, b)) || end_of_step.rests(a, b);
+    return (resting != nullptr && resting->finder().supports(a, b)) || end_of_step.rests(a, b);
   }
 };
 

@@ -7,9 +7,11 @@
 #include <tuple>
 
 #include "physics/collision/broad_phase.h"
+#include "physics/collision/pair_contact.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/world/apply_impact.h"
 #include "physics/world/contact_search.h"
+#include "physics/world/neighbours.h"
 #include "physics/world/pair_motion.h"
 #include "physics/world/penetrations.h"
 #include "physics/world/step_limits.h"
@@ -48,6 +50,8 @@ constexpr int kMostTrajectoryEnds = 1'000;
 constexpr int kMostTrajectoryEndsPerBody = 20;
 // Searches after an impact that cost nothing.
 constexpr std::int64_t kFewNeighbours = 16;
+// Cost of an impact that is none, because a third body continues the surface.
+constexpr std::int64_t kInternalEdge = 20;
 // Largest number of epochs in one step.
 constexpr double kMostEpochs = 1024.0;
 
@@ -95,7 +99,7 @@ void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) 
     for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, left);
     resolving_.swap(end_of_step_);
     end_of_step_.clear();
-    std::vector<std::pair<int, int>> pairs = resting->supported();
+    std::vector<std::pair<int, int>> pairs = resting->finder().supported();
     for (const WaitingPair& d : resolving_.all()) pairs.emplace_back(d.a, d.b);
     resting->rebound_at_end(world, pairs);
     world.publish(left);
@@ -133,7 +137,7 @@ void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
   world.publish(target);
   if (pairs.empty()) return;
   world.check_motions();
-  resolve_penetrations(world, pairs, step.h);
+  resolve_penetrations(world, pairs, neighbours_, step.h);
   if (std::any_of(pairs.begin(), pairs.end(),
                   [&](const WaitingPair& d) { return !world.shapes().can_collide(d.a, d.b); })) {
     // Bodies have stuck together: the islands are different.
@@ -277,18 +281,19 @@ void EventDrivenImpacts::search_island(const Step& step, int island) {
   world.work.spend(std::max<std::int64_t>(0, neighbours - kFewNeighbours));
 }
 
-// Schedules the next impact of a and b on their trajectories, if there is one.
-void EventDrivenImpacts::search(const Step& step, int a, int b) {
+// Schedules the next impact of a and b on their trajectories from `from` on (s after the epoch), if there is
+// one.
+void EventDrivenImpacts::search(const Step& step, int a, int b, double from) {
   World& world = step.world;
   if (a > b) std::swap(a, b);
   if (!world.shapes().can_collide(a, b)) return;
-  if (step.resting != nullptr && step.resting->stays_supported(world, a, b)) return;
+  if (step.resting != nullptr && step.resting->finder().stays_supported(world, a, b)) return;
   if (world.work.spent()) {
     world.note(&Notices::work_spent_since, world.clock.time);
     end_of_step_.add(a, b, false);
     return;
   }
-  const NextContact next = next_contact(world, {end_of_step_, step.resting, closing_share()}, a, b);
+  const NextContact next = next_contact(world, {end_of_step_, step.resting, closing_share(), from}, a, b);
   switch (next.kind) {
     case NextContact::kNone:
       break;
@@ -351,9 +356,34 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
   return std::nullopt;
 }
 
+// Whether a third body continues the surface where a and b would touch at this time.
+bool EventDrivenImpacts::is_internal(World& world, int a, int b, double time) {
+  Trajectories& trajectories = world.trajectories;
+  near_.clear();
+  grid_.each_near(world.infinite_mass(a) ? b : a, [&](int other) {
+    if (other != a && other != b) near_.push_back(other);
+  });
+  if (near_.empty()) return false;
+  const auto pose = [&](int i) {
+    const double then = std::clamp(time, trajectories.start(i), trajectories.end(i));
+    return pose_of(world.shapes().shapes, i, trajectories.at(i, then).head<3>());
+  };
+  return on_internal_edge(world, a, b, contact_between(world.shapes().shapes, a, pose(a), b, pose(b)), near_,
+                          pose);
+}
+
 bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bool guarded) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
+  if (may_be_continued(world, a, b) && is_internal(world, a, b, time)) {
+    // Once past the edge they touch along the normal of the common surface.
+    const double past = 4.0 * kFlush * (world.shapes().size[a] + world.shapes().size[b]);
+    const Vec2 u = trajectories.at(b, time).segment<2>(3) - trajectories.at(a, time).segment<2>(3);
+    const double least = 64.0 * kEpsilon * (std::abs(time) + step.h);
+    world.work.spend(kInternalEdge);
+    search(step, a, b, time + std::clamp(past / u.norm(), least, step.h));
+    return false;
+  }
   if (!guarded && world.model->scene.several_impacts == SeveralImpactsId::kSimultaneous) {
     if (const std::optional<bool> divides = resolve_cluster(step, a, b, time, guarded)) return *divides;
   }
@@ -396,7 +426,8 @@ bool EventDrivenImpacts::classify_rebound(const Step& step, int a, int b, const 
     rest = std::max(rest, std::min(kRestRebound * e / (1.0 - e), kMostRestRebound) * press * step.h);
   }
   if (step.resting != nullptr)
-    rest = std::max(rest, step.resting->rest_speed(world, a, b, contact.normal, material.restitution));
+    rest = std::max(rest, step.resting->rest_speed(world, std::min(a, b), std::max(a, b), contact.point,
+                                                   contact.normal, material.restitution));
   if (press > 0.0 && rebound < rest) {
     // The time that the omitted bounces would last, where their sum is known.
     const bool exact = choice_of(kIntegrators, world.method.integrator).exact_under_gravity;

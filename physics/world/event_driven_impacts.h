@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "physics/collision/cell_grid.h"
 #include "physics/impact/simultaneous_impact.h"
 #include "physics/world/event_queue.h"
+#include "physics/world/neighbours.h"
 #include "physics/world/pair_list.h"
 #include "physics/world/resting_contacts.h"
 #include "physics/world/world.h"
@@ -99,7 +101,8 @@ class EventDrivenImpacts {
   // Rebuilds these islands and schedules their next impacts.
   void rebuild_and_search(const Step& step, std::span<const int> islands);
   void search_island(const Step& step, int island);
-  void search(const Step& step, int a, int b);
+  void search(const Step& step, int a, int b, double from = -std::numeric_limits<double>::infinity());
+  bool is_internal(World& world, int a, int b, double time);
   [[nodiscard]] double closing_share() const;
   [[nodiscard]] bool is_stale(const Event& event) const {
     return stamp_[event.a] != event.stamp_a || (event.b >= 0 && stamp_[event.b] != event.stamp_b);
@@ -127,6 +130,8 @@ class EventDrivenImpacts {
   std::vector<Touch> touches_;  // of a cluster
   std::vector<int> cluster_;    // its bodies
   ClusterScratch cluster_scratch_;
+  std::vector<int> near_;  // bodies near an impact
+  Neighbours neighbours_;
 };
 
 }  // namespace carom

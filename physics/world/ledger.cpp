@@ -14,10 +14,14 @@ double Ledger::turnover() const {
 
 void Ledger::add(double share, const Ledger& other) {
   // All members by name: a new member doesn't compile here until it is in the lists.
-  [[maybe_unused]] const auto& [e1, e2, e3, e4, e5, e6, e7, e8, e9, e10, e11, m1, m2, m3, m4, m5] = other;
+  [[maybe_unused]] const auto& [e1, e2, e3, e4, e5, e6, e7, e8, e9, e10, e11, m1, m2, m3, m4, m5, a1, a2, a3,
+                                a4, a5] = other;
   static_assert(kEnergyEntries.size() == 11 && kMomentumEntries.size() == 5);
   for (const EnergyEntry& entry : kEnergyEntries) this->*entry.value += share * other.*entry.value;
-  for (const MomentumEntry& entry : kMomentumEntries) this->*entry.value += share * other.*entry.value;
+  for (const MomentumEntry& entry : kMomentumEntries) {
+    this->*entry.value += share * other.*entry.value;
+    this->*entry.angular += share * other.*entry.angular;
+  }
 }
 
 double Ledger::expected() const {
@@ -32,6 +36,12 @@ Vec2 Ledger::expected_momentum() const {
   return sum;
 }
 
+double Ledger::expected_angular_momentum() const {
+  double sum = 0.0;
+  for (const MomentumEntry& entry : kMomentumEntries) sum += entry.sign * this->*entry.angular;
+  return sum;
+}
+
 Ledger ledger_of_quadratures(const State& state) {
   const Eigen::Matrix<double, kQuadratures, 1> sums = state.quadratures.rowwise().sum();
   Ledger ledger;
@@ -39,6 +49,8 @@ Ledger ledger_of_quadratures(const State& state) {
   ledger.lost_to_dampers = sums[kDamperLoss];
   ledger.put_in_by_drives = sums[kWorkIn];
   ledger.momentum_from_forces = Vec2(sums[kImpulseX], sums[kImpulseY]);
+  ledger.angular_momentum_from_forces = sums[kAngularImpulse];
+  ledger.angular_momentum_from_gravity = sums[kGravityAngularImpulse];
   return ledger;
 }
 

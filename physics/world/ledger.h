@@ -9,9 +9,12 @@ namespace carom {
 //   E(t) = initial - lost_to_restitution - lost_to_friction - lost_to_drag - lost_to_dampers
 //          - lost_to_rolling - lost_to_sticking - lost_to_joints + penetration_correction + put_in_by_drives
 //          + put_in_by_user + numerical drift,
-// so the drift is what the method itself gained (+) or lost (-). The same for momentum, in N s:
+// so the drift is what the method itself gained (+) or lost (-). The same for momentum, in N s, and for angular
+// momentum about the origin, in kg m²/s:
 //   P(t) = initial_momentum + momentum_from_gravity + momentum_from_forces + momentum_from_user
 //          - momentum_to_walls + numerical drift.
+// A push out of a penetration changes angular momentum: that is in the drift. A point-like body doesn't turn:
+// what would turn it counts as given to walls.
 struct Ledger {
   double initial = 0.0;
   double lost_to_restitution = 0.0;
@@ -30,6 +33,11 @@ struct Ledger {
       Vec2::Zero();  // drag, springs and joints to static or kinematic bodies, applied forces
   Vec2 momentum_from_user = Vec2::Zero();
   Vec2 momentum_to_walls = Vec2::Zero();  // given by impacts to static and kinematic bodies
+  double initial_angular_momentum = 0.0;
+  double angular_momentum_from_gravity = 0.0;
+  double angular_momentum_from_forces = 0.0;
+  double angular_momentum_from_user = 0.0;
+  double angular_momentum_to_walls = 0.0;
 
   // J: the sum of the entries' absolute values; a figure far below it may be rounding.
   [[nodiscard]] double turnover() const;
@@ -39,6 +47,10 @@ struct Ledger {
   [[nodiscard]] double numerical_drift(double total_energy) const { return total_energy - expected(); }
   [[nodiscard]] Vec2 expected_momentum() const;
   [[nodiscard]] Vec2 momentum_drift(const Vec2& momentum) const { return momentum - expected_momentum(); }
+  [[nodiscard]] double expected_angular_momentum() const;
+  [[nodiscard]] double angular_momentum_drift(double angular_momentum) const {
+    return angular_momentum - expected_angular_momentum();
+  }
 };
 
 // The entries that are quadratures of the bodies' motion.

@@ -15,6 +15,14 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
+double smaller_size(const World& world, int a, int b) {
+  double size = std::numeric_limits<double>::infinity();
+  for (const int i : {a, b}) {
+    if (!world.infinite_mass(i)) size = std::min(size, world.shapes().size[i]);
+  }
+  return size;
+}
+
 double touch_tolerance(const World& world, int a, int b, double end) {
   const Geometry& shapes = world.shapes();
   const double time = std::max(std::abs(end), world.method.step);

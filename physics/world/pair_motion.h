@@ -14,6 +14,8 @@ inline constexpr double kRestSpeed = 1e-6;
 inline constexpr double kRestRebound = 1.5;
 inline constexpr double kMostRestRebound = 5.0;
 
+// m: the size of the smaller body of the pair; bodies of infinite mass don't count.
+[[nodiscard]] double smaller_size(const World& world, int a, int b);
 // m: a smaller gap is closed within rounding, up to `end` s after the epoch.
 [[nodiscard]] double touch_tolerance(const World& world, int a, int b, double end);
 // m/s²: curvature bound of the relative paths of two bodies' points; `of_centres` is that of their centres.

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "physics/world/apply_impact.h"
+#include "physics/world/neighbours.h"
 #include "physics/world/pair_motion.h"
 
 namespace carom {
@@ -12,7 +13,8 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, double h) {
+void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, Neighbours& neighbours,
+                          double h) {
   Trajectories& trajectories = world.trajectories;
   const ForceField& field = world.field();
   double& correction = world.sums.ledger.penetration_correction;
@@ -22,12 +24,21 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, d
   const bool all_at_once = field.attracts() && !needs.has(Part::kJoints) && !needs.has(Part::kSticking) &&
                            pairs.size() > world.model->bodies().size();
   if (all_at_once) correction -= field.potential_energy(world.state.q);
+  bool listed = false;
+  const auto pose = [&](int i) {
+    return pose_of(world.shapes().shapes, i, trajectories.at_start(i).head<3>());
+  };
   for (const auto& [a, b, resting] : pairs) {
     world.work.pass(1);
     if (!world.shapes().can_collide(a, b)) continue;  // joined in the meantime
     Approach at = world.approach(a, b, 0.0);
     const double gap = at.contact.gap;
     if (gap >= 0.0) continue;
+    if (may_be_continued(world, a, b) && !listed) neighbours.build(world.bodies(), pairs), listed = true;
+    if (may_be_continued(world, a, b) &&
+        on_internal_edge(world, a, b, at.contact, neighbours.of_pair(world, a, b), pose)) {
+      continue;
+    }
     const Vec2 normal = at.contact.normal;
 
     // Bodies with corners may penetrate at two points: one impact for the middle, then one for the point that

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "physics/world/neighbours.h"
 #include "physics/world/pair_list.h"
 #include "physics/world/world.h"
 
@@ -14,7 +15,8 @@ inline constexpr double kPenetrationFraction = 0.2;
 
 // At the end of a step of h s, in the order of the list: each pair that penetrates gets its impulse if it
 // closes, and is moved apart, by inverse mass: a resting pair completely, another by kPenetrationFraction.
-// The state must be published; its positions are updated.
-void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, double h);
+// The state must be published; its positions are updated. `neighbours` is memory to work in.
+void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, Neighbours& neighbours,
+                          double h);
 
 }  // namespace carom

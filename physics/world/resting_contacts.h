@@ -6,29 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "physics/collision/pair_contact.h"
 #include "physics/contact/contact_solver.h"
-#include "physics/model/convex.h"
+#include "physics/world/contact_finder.h"
 #include "physics/world/contact_force.h"
-#include "physics/world/near_pairs.h"
+#include "physics/world/contact_pressing.h"
+#include "physics/world/contact_turning.h"
 #include "physics/world/world.h"
 
 namespace carom {
-
-// State of resting contacts between two steps.
-struct ContactMemory {
-  std::vector<ContactForce> forces;      // of the last step, in the order of (a, b)
-  std::vector<Eigen::Vector3d> support;  // N, N and N m, parallel to forces: the solver's initial guess
-  std::vector<std::uint8_t> held;        // by body: whether a contact pressed it; empty before the first step
-  std::vector<int> pushed;               // bodies that contact forces act on
-};
-
-// A contact point that closes too fast to rest, of a pair that is supported at other points.
-struct Landing {
-  int a = 0;
-  int b = 0;
-  std::uint32_t id = 0;  // of the manifold's point
-};
 
 struct LandingTime {
   Landing landing;
@@ -39,13 +24,14 @@ struct LandingTime {
 //
 // In each step, or part of one, support()
 // 1. finds the manifolds of all pairs that may touch within the step; a point that the forces can press
-//    together becomes a contact (rest_speed());
-// 2. projects penetrations out: positions move, velocities don't;
+//    together becomes a contact (contact_finder.h, contact_pressing.h);
+// 2. projects deep penetrations out: positions move, velocities don't;
 // 3. stops approaches: a contact that closes, or would within the step, loses its closing speed at once;
 // 4. finds contact forces, constant during the step, such that the velocities satisfy the contacts at its
-//    end, after the integrator's own flight. They act on the trajectories like any other force. A contact
-//    that is still open by a gap g may close at g/h.
-// So sliding and resting under constant forces are exact; where contacts turn with the bodies the order is 1.
+//    end, after the integrator's own flight (contact_turning.h). They act on the trajectories like any other
+//    force. A new contact that is still open by a gap g may close at g/h.
+// So sliding and resting under constant forces are exact; where contacts turn with the bodies the order is 2,
+// or the integrator's if that is lower.
 //
 // Order of calls: begin_step(), then for each part of the step support(), the flight, record_forces(); at the
 // end rebound_at_end().
@@ -55,6 +41,10 @@ class RestingContacts {
   void begin_step(World& world, double h);
   // Supports bodies for h s from the trajectories' epoch on. The state must be published.
   void support(World& world, double h);
+  // Likewise where impacts are not located in time, for a part of a step: at most `left` parts of kMostParts,
+  // fewer where bodies in a crowd move or turn so fast that contacts found now soon are others. How many.
+  int support_part(World& world, double step, int left);
+  static constexpr int kMostParts = 16;
   // On trajectories already built: the first landing before `end` (s after the epoch).
   [[nodiscard]] std::optional<LandingTime> first_landing(World& world, double end) const;
   // Lets the landed pair rebound by the law of impacts, if the rebound is faster than rest_speed().
@@ -70,17 +60,10 @@ class RestingContacts {
   // After a step that was given up.
   void forget_forces() { memory_.forces.clear(); }
 
-  // m/s: a contact that rebounds slower than this rests; the forces that press it would close it within a
-  // step.
-  [[nodiscard]] double rest_speed(const World& world, int a, int b, const Vec2& normal,
+  // m/s: a contact of the pair a < b that rebounds slower than this rests (ContactPressing::rest_speed).
+  [[nodiscard]] double rest_speed(const World& world, int a, int b, const Vec2& point, const Vec2& normal,
                                   double restitution) const;
-  // Whether a contact supports the pair in this step; a < b.
-  [[nodiscard]] bool supports(int a, int b) const;
-  // Whether a supported pair moves so slowly that any touch in this step rests.
-  [[nodiscard]] bool stays_supported(const World& world, int a, int b) const;
-  // Pairs that may touch in this step, and supported pairs; each in rising order.
-  [[nodiscard]] const std::vector<std::pair<int, int>>& near() const { return near_; }
-  [[nodiscard]] const std::vector<std::pair<int, int>>& supported() const { return supported_; }
+  [[nodiscard]] const ContactFinder& finder() const { return finder_; }
 
   [[nodiscard]] const std::vector<ContactForce>& forces() const { return memory_.forces; }  // of the last step
   [[nodiscard]] const ContactMemory& memory() const { return memory_; }
@@ -88,35 +71,36 @@ class RestingContacts {
 
  private:
   void find_contacts(World& world, double h);
-  void add_contacts(World& world, int a, int b, const Manifold& m, double rounding, double h, std::size_t last);
+  void hold(World& world, double h);
+  [[nodiscard]] int parts_at_once(const World& world, double h);
   void project_penetrations(World& world);
+  void strike(World& world, double h);
   void stop_approaches(World& world, double h);
   void find_forces(World& world, double h);
-  void record_impulses(World& world, double share) const;
+  ContactSolverReport solve_flight(World& world, double h, const ContactSolverOptions& options);
+  ContactSolverReport solve(const World& world, const Eigen::Matrix3Xd& from,
+                            const ContactSolverOptions& options);
+  void push_as_before(World& world);
+  void fly(World& world, double h);
   [[nodiscard]] ContactSolverOptions solver_options() const;
-  // m/s: the largest change of a speed by forces in a step.
-  [[nodiscard]] double change_by_forces() const;
   [[nodiscard]] bool has_large_island() const { return !workspace_.large_islands.blocks.empty(); }
+  void prepare(const World& world);
+  void read_velocities(const World& world);
 
   double step_length_ = 0.0;  // s: the method's step, or the step under way if that is longer
   ContactMemory memory_;
-  NearPairs near_pairs_;
-  Contacts contacts_;
-  // Parallel to contacts_.
-  std::vector<std::uint32_t> id_;
-  std::vector<Vec2> point_;
-  std::vector<Eigen::Vector3d> guess_;  // N, N and N m
-  std::vector<std::uint8_t> sticks_;
-
-  std::vector<std::pair<int, int>> near_;
-  std::vector<std::pair<int, int>> supported_;
-  std::vector<Landing> landings_;           // that may happen in this step
-  Eigen::Matrix3Xd acceleration_;           // m/s², rad/s²: of all other forces, at the step's start
+  ContactPressing pressing_;
+  ContactFinder finder_;
+  FoundContacts found_;
+  Contacts at_start_;  // as found
+  GuessedFlight flight_;
   Eigen::Matrix3Xd before_, after_, free_;  // velocities, m/s and rad/s
-  Eigen::Matrix3Xd mean_;                   // likewise, those at which the contacts' work is taken
-  Eigen::Matrix3Xd moved_;                  // m, rad
-  std::vector<Pose> poses_;
-  std::vector<double> reach_;  // m: how far each body may move within a whole step
+  Eigen::Matrix3Xd moved_;                  // m, rad; or per s
+  std::vector<std::uint8_t> sticks_;
+  std::vector<std::uint8_t> struck_;  // by body, in this step
+  std::vector<int> bodies_;           // of an island
+  std::vector<int> partners_;         // by body: how many others it may touch
+  bool prepared_ = false;
   ContactWorkspace workspace_;
 };
 

@@ -101,7 +101,7 @@ void check_contacts(const std::vector<Body>& bodies, const ContactMemory& s) {
       refuse(at, "the pairs are not in rising order");
   }
   if (s.support.size() != s.forces.size())
-    refuse("contacts", fmt::format("{} are held and {} have forces", s.support.size(), s.forces.size()));
+    refuse("contacts", fmt::format("{} have supports and {} have forces", s.support.size(), s.forces.size()));
   for (const int i : s.pushed) {
     check_body("contacts/pushed", bodies, i);
     if (has_infinite_mass(bodies[static_cast<std::size_t>(i)]))

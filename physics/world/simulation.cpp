@@ -77,6 +77,7 @@ void Simulation::add_body(const Body& body) {
   const Totals after = totals();
   sums.ledger.put_in_by_user += after.energy() - before.energy();
   sums.ledger.momentum_from_user += after.momentum - before.momentum;
+  sums.ledger.angular_momentum_from_user += after.angular_momentum - before.angular_momentum;
 }
 
 Notices Simulation::notices() const {
@@ -118,7 +119,8 @@ void Simulation::make_step(double h) {
   RestingContacts* resting = resting_ ? &*resting_ : nullptr;
   if (resting != nullptr) {
     resting->begin_step(world_, h);
-    resting->support(world_, h);
+    // Without it, a step's parts are supported one by one.
+    if (world_.method.impacts == ImpactsId::kLocated) resting->support(world_, h);
   }
   std::visit([&](auto& impacts) { impacts.step(world_, resting, h); }, impacts_);
   world_.check_motions();

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "physics/world/near_pairs.h"
+#include "physics/world/neighbours.h"
 #include "physics/world/pair_list.h"
 #include "physics/world/world.h"
 
@@ -14,12 +15,16 @@ class RestingContacts;
 // in the order of index pairs, gets its impulse if it approaches, and a pseudo-spring moves it apart.
 class StepEndImpacts {
  public:
-  // A step of h s. `resting` has already supported it, or is null without resting contacts, which otherwise
-  // remove all penetrations.
+  // A step of h s. `resting` has begun it and supports its parts, or is null without resting contacts, which
+  // otherwise remove all penetrations.
   void step(World& world, RestingContacts* resting, double h);
 
  private:
+  void step_with_contacts(World& world, RestingContacts& resting, double h);
+  static void fly(World& world, double start, double h);
+
   NearPairs near_pairs_;
+  Neighbours neighbours_;
   std::vector<WaitingPair> pairs_;
 };
 

@@ -26,6 +26,7 @@ World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
   sums.peak_kinetic = kinetic_energy(state, mass());
   sums.ledger.initial = totals().energy();
   sums.ledger.initial_momentum = totals().momentum;
+  sums.ledger.initial_angular_momentum = totals().angular_momentum;
 }
 
 void World::recompile(Scene scene, const Needs& needs, double within) {
@@ -53,6 +54,11 @@ void World::publish(double within) {
       state.q.col(i) = trajectories.parabola(i, within);
       state.v.col(i) = trajectories.parabola_velocity(i, within);
     }
+  }
+  if (model->forces.gravity.isZero(0.0)) return;
+  for (int i = 0; i < state.size(); ++i) {
+    if (infinite_mass(i)) continue;
+    state.quadratures(kGravityAngularImpulse, i) = trajectories.angular_impulse_of_gravity(i, within);
   }
 }
 
@@ -111,7 +117,9 @@ Ledger World::ledger() const {
 
 void World::check_motions() const {
   const auto beyond = [](const auto& m) { return !(m.array().abs() <= kLostBeyond).all(); };
-  if (!beyond(state.q) && !beyond(state.v) && state.quadratures.allFinite()) return;
+  // Under gravity alone they are finite where the positions are.
+  const bool finite = !field().has_quadratures() || state.quadratures.allFinite();
+  if (!beyond(state.q) && !beyond(state.v) && finite) return;
   for (int i = 0; i < state.size(); ++i) {
     if (beyond(state.q.col(i)) || beyond(state.v.col(i)) || !state.quadratures.col(i).allFinite())
       throw LostMotion{LossReason::kTooLarge, i, clock.step_end};

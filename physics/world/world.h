@@ -66,6 +66,14 @@ struct World {
   // energy counts as the push's, the momentum as that of the joints' anchors.
   void restore_joints(int island);
 
+  // Enters what bodies don't take of the angular momentum (about the origin) that an impulse j (N s) at a point
+  // (m) and a moment (kg m²/s) give to them: all of it for a body of infinite mass, the moment about its centre
+  // for a point-like one. `arm` (m) leads there from its centre.
+  void record_angular_momentum(int body, const Vec2& point, const Vec2& arm, const Vec2& j, double moment) {
+    if (mass().inverse_inertia[body] > 0.0) return;
+    sums.ledger.angular_momentum_to_walls += cross(infinite_mass(body) ? point : arm, j) + moment;
+  }
+
   // Of `state`.
   [[nodiscard]] Totals totals() const { return carom::totals(state, mass(), field()); }
   [[nodiscard]] Ledger ledger() const;  // with the work of the smooth forces up to now

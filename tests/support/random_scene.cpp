@@ -2,34 +2,15 @@
 
 #include <fmt/format.h>
 #include <numbers>
-#include <random>
 
 #include "physics/collision/pair_contact.h"
 #include "physics/model/geometry.h"
 #include "physics/preset/preset.h"
+#include "tests/support/draws.h"
 #include "tests/support/scenes.h"
 
 namespace carom::test {
 namespace {
-
-// Draws that are the same with every standard library.
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : random_(seed) {}
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
-  }
-  bool chance(double probability) { return between(0.0, 1.0) < probability; }
-  int up_to(int most) { return static_cast<int>(random_() % static_cast<std::uint64_t>(most + 1)); }
-  Vec2 in_square(double half) {
-    const double x = between(-half, half);
-    return {x, between(-half, half)};
-  }
-  double angle() { return between(0.0, 2.0 * std::numbers::pi); }
-
- private:
-  std::mt19937_64 random_;
-};
 
 // s; a multiple of the longest step, so that no scene is too stiff for an integrator.
 constexpr double kSlow = 0.2;
@@ -69,7 +50,7 @@ bool never_crushes(const Body& kinematic, const std::vector<Body>& fixed, double
   return true;
 }
 
-void add_boxes(Dice& dice, double unit, Preset& s) {
+void add_boxes(Draws& dice, double unit, Preset& s) {
   if (dice.chance(0.7)) s.scene.bodies = room(unit, dice.chance(0.2) ? 0.01 * unit : 0.5 * unit);
   for (int i = dice.up_to(3); i > 0; --i) {
     s.scene.bodies.push_back(wall(fmt::format("box-{}", i), dice.in_square(unit),
@@ -96,7 +77,7 @@ void add_boxes(Dice& dice, double unit, Preset& s) {
 }
 
 // A box, a capsule, a triangle or a thin wall, as large as a disc of this radius.
-Shape cornered_shape(Dice& dice, double radius) {
+Shape cornered_shape(Draws& dice, double radius) {
   const double thin = dice.between(0.2, 1.0) * radius;
   switch (dice.up_to(3)) {
     case 0:
@@ -111,7 +92,7 @@ Shape cornered_shape(Dice& dice, double radius) {
   }
 }
 
-std::vector<std::string> add_bodies(Dice& dice, double unit, bool may_overlap, RandomScene& random) {
+std::vector<std::string> add_bodies(Draws& dice, double unit, bool may_overlap, RandomScene& random) {
   std::vector<Body>& bodies = random.preset.scene.bodies;
   std::vector<std::string> names;
   const int wanted = 1 + dice.up_to(11);
@@ -139,7 +120,7 @@ std::vector<std::string> add_bodies(Dice& dice, double unit, bool may_overlap, R
   return names;
 }
 
-void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, bool cornered, Preset& s) {
+void add_forces(Draws& dice, double unit, const std::vector<std::string>& discs, bool cornered, Preset& s) {
   const auto mass = [&](const std::string& name) {
     for (const Body& b : s.scene.bodies) {
       if (b.name == name) return *b.mass;
@@ -195,7 +176,7 @@ void add_forces(Dice& dice, double unit, const std::vector<std::string>& discs, 
 }  // namespace
 
 RandomScene random_scene(std::uint64_t seed) {
-  Dice dice(seed);
+  Draws dice(seed);
   RandomScene random;
   Preset& s = random.preset;
   s.title = fmt::format("random scene {}", seed);

@@ -112,7 +112,7 @@ QWidget* ComparePanel::make_actions() {
   remove_ = new QToolButton;
   remove_->setText(QString(kMinus));
   for (QToolButton* button : {add_, remove_}) button->setObjectName("choice");
-  remove_->setToolTip(tr("Takes the chosen method out; the first one is the scene's own"));
+  remove_->setToolTip(tr("Removes the chosen method; the first one is the scene's own"));
   connect(remove_, &QToolButton::clicked, this, [this] { emit methodRemoved(chosen()); });
   references_ = new QComboBox;
   for (const ReferenceText& reference : kReferences) references_->addItem(tr(reference.label));

@@ -10,6 +10,11 @@
 namespace carom {
 namespace {
 
+constexpr int kAngle = 3;
+constexpr int kImpactTimes = 4;
+constexpr int kDrift = 5;
+constexpr int kCost = 6;
+
 class CompareModel : public FigureModel {
  public:
   using FigureModel::FigureModel;
@@ -45,21 +50,24 @@ class CompareModel : public FigureModel {
     const Frame& frame = *frames_[static_cast<std::size_t>(row)];
     if (column == 0) return description_of(frame.method);
     const bool of_itself = frame.error && frame.error->of_itself;
-    if (of_itself && column < 4) return tr("This run uses the method of the reference");
+    if (of_itself && column < kDrift) return tr("This run uses the method of the reference");
     if (column == 1) return tr("The largest distance of a body from where it is in the reference, now");
     if (column == 2) {
       return tr(
           "The same, at its largest so far; bodies that wait for an impact in one of the two runs are left "
           "out");
     }
-    if (column == 3) {
+    if (column == kAngle) {
+      return tr("The largest error of an angle in rad, now, times how far the body reaches from its centre");
+    }
+    if (column == kImpactTimes) {
       if (!frame.error) return {};
       return tr("The most by which an impact came too early or too late: %1 impacts found their partner, %2 "
                 "did not")
           .arg(frame.error->matched)
           .arg(frame.error->unmatched);
     }
-    if (column == 4) return tr("Energy that the method itself gained or lost");
+    if (column == kDrift) return tr("Energy that the method itself gained or lost");
     return tr("Seconds of computing for a second of the scene; %1 steps so far").arg(frame.steps);
   }
 
@@ -67,12 +75,13 @@ class CompareModel : public FigureModel {
     const Frame& frame = *frames_[static_cast<std::size_t>(row)];
     const auto known = [](double value) { return std::isnan(value) ? Cell() : Cell(value); };
     if (column == 0) return names_[static_cast<std::size_t>(row)];
-    if (column == 4) return known(frame.ledger.numerical_drift(frame.totals.energy()));
-    if (column == 5) return frame.time > 0.0 ? Cell(frame.wall_time / frame.time) : Cell();
+    if (column == kDrift) return known(frame.ledger.numerical_drift(frame.totals.energy()));
+    if (column == kCost) return frame.time > 0.0 ? Cell(frame.wall_time / frame.time) : Cell();
     if (!frame.error) return {};
     if (frame.error->of_itself) return column == 1 ? Cell(tr("reference")) : Cell();
     if (column == 1) return known(frame.error->position);
     if (column == 2) return known(frame.error->largest_position);
+    if (column == kAngle) return known(frame.error->angle);
     return frame.error->matched > 0 ? Cell(frame.error->impact_time) : Cell();
   }
 
@@ -88,6 +97,7 @@ CompareTable::CompareTable(const Theme& theme, QWidget* parent)
     : FigureTable(new CompareModel({{"method", 240, true},
                                     {"error / m", 78, false, 3},
                                     {"largest / m", 84, false, 3},
+                                    {"angle / m", 78, false, 3},
                                     {"impacts / s", 84, false, 3},
                                     {"drift / J", 84, false, 3},
                                     {"CPU, s/s", 72, false, 2}},

@@ -168,7 +168,7 @@ QString ErrorPlot::what_is_missing() const {
 void ErrorPlot::add_zones() {
   const Qt::Alignment side = against_ == ErrorAgainst::kWallTime ? Qt::AlignRight : Qt::AlignLeft;
   const double floor = std::min(facts_.rounding_floor(), errors_.high);
-  if (floor > errors_.low) add_zone(errors_.low, floor, "rounding, grown until then", side);
+  if (floor > errors_.low) add_zone(errors_.low, floor, "rounding, accumulated until then", side);
   if (facts_.largest_error() < errors_.high) {
     add_zone(std::max(facts_.largest_error(), errors_.low), errors_.high,
              "wrong by a tenth of the scene or more", side);
@@ -233,7 +233,7 @@ void ErrorPlot::add_line(const QVector<QPointF>& points, const QPen& pen) {
 void ErrorPlot::add_slopes() {
   double from_error = 0.0;
   for (const StudyGroup& group : groups_) {
-    if (group.fit.kind != OrderFit::Kind::kOrder) continue;
+    if (group.verdict().kind != OrderFit::Kind::kOrder) continue;
     for (const StudyRow& row : group.rows) {
       if (row.position_error < facts_.largest_error()) from_error = std::fmax(from_error, row.*error_.value);
     }

@@ -18,9 +18,11 @@ struct StudyError {
   const char* unit;
   double StudyRow::*value;
 };
-inline constexpr std::array<StudyError, 4> kStudyErrors = {{
+inline constexpr std::array<StudyError, 6> kStudyErrors = {{
     {"position", "m", &StudyRow::position_error},
     {"velocity", "m/s", &StudyRow::velocity_error},
+    {"angle", "m", &StudyRow::angle_error},
+    {"spin", "m/s", &StudyRow::spin_error},
     {"energy", "J", &StudyRow::energy_error},
     {"impact-time", "s", &StudyRow::impact_time_error},
 }};

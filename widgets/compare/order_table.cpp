@@ -24,7 +24,7 @@ constexpr double kLeastName = 96.0;
 constexpr double kSampleWidth = 26.0;
 constexpr int kMarker = 6;
 
-bool is_order(const StudyGroup& group) { return group.fit.kind == OrderFit::Kind::kOrder; }
+bool is_order(const StudyGroup& group) { return group.verdict().kind == OrderFit::Kind::kOrder; }
 bool by_tolerance(const StudyGroup& group) {
   return error_parameter(group.rows.front().method) == ErrorParameter::kTolerance;
 }
@@ -32,20 +32,26 @@ bool by_tolerance(const StudyGroup& group) {
 QString order_tip(const StudyGroup& group) {
   const QString method = QString("%1, %2").arg(text_of(choice_of(kIntegrators, group.integrator).label),
                                                text_of(choice_of(kImpacts, group.impacts).label));
-  switch (group.fit.kind) {
+  const OrderFit& fit = group.verdict();
+  switch (fit.kind) {
     case OrderFit::Kind::kExact:
-      return method + OrderTable::tr("\nexact here: every error in position is rounding, so there is no order");
+      return method + OrderTable::tr(
+                          "\nexact here: every error in position and angle is rounding, so there is no order");
     case OrderFit::Kind::kNone:
-      return method + OrderTable::tr("\nno order: fewer than three errors between rounding and nonsense");
+      return method +
+             OrderTable::tr(
+                 "\nno order: fewer than three errors lie above rounding and below a tenth of the scene");
     case OrderFit::Kind::kOrder:
       break;
   }
-  return method + OrderTable::tr("\norder %1 in position, fitted on %2 %3 from %4 to %5 %6")
-                      .arg(QString::fromStdString(text_of(group.fit)))
-                      .arg(group.fit.points)
-                      .arg(by_tolerance(group) ? OrderTable::tr("tolerances") : OrderTable::tr("steps"),
-                           short_figure(group.fit.from), short_figure(group.fit.to),
-                           by_tolerance(group) ? "m" : "s");
+  return method +
+         (group.is_of_angle()
+              ? OrderTable::tr("\npositions are exact; order %1 in angle, fitted on %2 %3 from %4 to %5 %6")
+              : OrderTable::tr("\norder %1 in position, fitted on %2 %3 from %4 to %5 %6"))
+             .arg(QString::fromStdString(text_of(fit)))
+             .arg(fit.points)
+             .arg(by_tolerance(group) ? OrderTable::tr("tolerances") : OrderTable::tr("steps"),
+                  short_figure(fit.from), short_figure(fit.to), by_tolerance(group) ? "m" : "s");
 }
 
 }  // namespace
@@ -126,13 +132,15 @@ void OrderTable::draw_row(QPainter& painter, const QRectF& where, const Row& row
     if (group == nullptr) continue;
     const QRectF cell(first_column() + static_cast<double>(i) * column_width(), where.top(), column_width(),
                       where.height());
-    QString text = group->fit.kind == OrderFit::Kind::kExact ? tr("exact") : QString("–");
+    const OrderFit& fit = group->verdict();
+    QString text = fit.kind == OrderFit::Kind::kExact ? tr("exact") : QString("–");
     if (is_order(*group)) {
-      text = column_width() < kWideColumn || by_tolerance(*group) ? QString::number(group->fit.order, 'f', 2)
-                                                                  : QString::fromStdString(text_of(group->fit));
+      text = column_width() < kWideColumn || by_tolerance(*group) ? QString::number(fit.order, 'f', 2)
+                                                                  : QString::fromStdString(text_of(fit));
     }
     text.replace('-', kMinus);
-    painter.setPen(group->fit.kind == OrderFit::Kind::kNone ? theme_.muted : theme_.text);
+    if (group->is_of_angle()) text += QString::fromUtf8(" ∠");
+    painter.setPen(fit.kind == OrderFit::Kind::kNone ? theme_.muted : theme_.text);
     painter.drawText(cell, Qt::AlignCenter, text);
   }
 }
@@ -148,7 +156,9 @@ bool OrderTable::event(QEvent* event) {
     }
   } else if (line == -1) {
     tips << tr(
-        "The order of the error in position: halving the step leaves 1/2ᵖ of it.\n"
+        "The order of the error in position: halving the step leaves 1/2ᵖ of it. With ∠: positions are exact, "
+        "and\n"
+        "it is the order of the error in angle.\n"
         "Left, dashed with squares: impacts at the step's end.\n"
         "Right, solid with discs: impacts at their own time.");
   }

@@ -244,7 +244,7 @@ void StudyPanel::show_words() {
   run_button_->setText(running() ? tr("Cancel") : tr("Run the study"));
   run_button_->setToolTip(
       running()
-          ? tr("Stop the study; what it has found stays")
+          ? tr("Stop the study; its results so far stay")
           : plain_tip(
                 tr("Run “%1” under every method that it allows").arg(QString::fromStdString(preset_.title))));
   export_button_->setEnabled(!running() && !table.rows.empty());
@@ -259,9 +259,10 @@ void StudyPanel::show_words() {
 
   below_->setCurrentIndex(running() ? 0 : 1);
   const QString title = studied_ ? QString::fromStdString(studied_->title) : QString();
-  const QString other = current_ || !studied_              ? QString()
-                        : studied_->title == preset_.title ? tr("Before this scene was edited: ")
-                                                           : tr("Not the scene shown, but %1: ").arg(title);
+  const QString other = current_ || !studied_ ? QString()
+                        : studied_->title == preset_.title
+                            ? tr("Before this scene was edited: ")
+                            : tr("Not for the scene shown, but for %1: ").arg(title);
   if (running()) {
     const QString stage = so_far_.stage.empty() ? tr("start") : QString::fromStdString(so_far_.stage);
     stage_->set_whole(
@@ -373,7 +374,7 @@ void StudyPanel::choose_file() {
   ask_for_file(this, tr("Save the study"), QString::fromStdString(so_far_.table.facts.preset) + "-study", kinds,
                [this](const QString& file) {
                  QString error;
-                 if (!save(file, &error)) tell(this, tr("The study cannot be saved"), error);
+                 if (!save(file, &error)) show_message(this, tr("The study cannot be saved"), error);
                });
 }
 

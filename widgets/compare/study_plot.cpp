@@ -27,6 +27,19 @@ constexpr int kGap = 24;
 constexpr double kSampleWidth = 34.0;
 constexpr int kMarker = 8;
 
+// Of kStudyErrors.
+constexpr std::size_t kPosition = 0;
+constexpr std::size_t kAngle = 2;
+
+// Positions, unless all are exact and angles are not.
+std::size_t shown_error(const std::vector<StudyGroup>& groups) {
+  const bool exact = std::all_of(groups.begin(), groups.end(),
+                                 [](const StudyGroup& g) { return g.fit.kind == OrderFit::Kind::kExact; });
+  const bool turns =
+      std::any_of(groups.begin(), groups.end(), [](const StudyGroup& g) { return g.is_of_angle(); });
+  return exact && turns ? kAngle : kPosition;
+}
+
 QFont font_of(int pixels, bool bold = false) {
   QFont font;
   font.setPixelSize(pixels);
@@ -85,19 +98,20 @@ void draw_orders(QPainter& painter, const QRectF& where, const std::vector<Study
       });
       if (g == groups.end()) continue;
       const QRectF cell(first + kColumn * static_cast<double>(i), y, kColumn, kRow);
-      const bool number = g->fit.kind == OrderFit::Kind::kOrder;
-      const QString order =
-          number ? QString::number(g->fit.order, 'f', 2) : QString::fromStdString(text_of(g->fit));
+      const OrderFit& fit = g->verdict();
+      const bool number = fit.kind == OrderFit::Kind::kOrder;
+      const QString order = number ? QString::number(fit.order, 'f', 2) : QString::fromStdString(text_of(fit));
       if (!number) {
-        draw_text(painter, cell, Qt::AlignCenter, order, font_of(12, g->fit.kind == OrderFit::Kind::kExact),
-                  g->fit.kind == OrderFit::Kind::kExact ? color.darker(115) : theme.muted);
+        draw_text(painter, cell, Qt::AlignCenter, order, font_of(12, fit.kind == OrderFit::Kind::kExact),
+                  fit.kind == OrderFit::Kind::kExact ? color.darker(115) : theme.muted);
         continue;
       }
       draw_text(painter, cell.adjusted(0, 6, 0, -20), Qt::AlignCenter, order, font_of(15, true),
                 color.darker(115));
-      const QString below = error_parameter(g->rows.front().method) == ErrorParameter::kTolerance
-                                ? QString("of tolerance")
-                                : QString::fromUtf8("± %1").arg(QString::number(g->fit.uncertainty, 'f', 2));
+      const QString below =
+          error_parameter(g->rows.front().method) == ErrorParameter::kTolerance ? QString("of tolerance")
+          : g->is_of_angle() ? QString::fromUtf8("± %1 in angle").arg(QString::number(fit.uncertainty, 'f', 2))
+                             : QString::fromUtf8("± %1").arg(QString::number(fit.uncertainty, 'f', 2));
       draw_text(painter, cell.adjusted(0, 27, 0, -5), Qt::AlignCenter, below, font_of(11), theme.muted);
     }
     y += kRow;
@@ -109,14 +123,17 @@ void draw_orders(QPainter& painter, const QRectF& where, const std::vector<Study
 void paint_study(QPainter& painter, const StudyTable& table, const std::vector<StudyGroup>& groups,
                  QwtPlot& against_time, QwtPlot& against_step, const Theme& theme) {
   painter.fillRect(QRectF(QPointF(), QSizeF(kSize)), theme.panel);
+  const std::size_t error = shown_error(groups);
   const StudyFacts& f = table.facts;
   const double width = kSize.width() - 2.0 * kMargin;
   draw_text(painter, {kMargin, 20, width, 30}, Qt::AlignLeft | Qt::AlignVCenter,
             QString::fromStdString(f.title) + QString::fromUtf8(": speed against error"), font_of(21, true),
             theme.text);
   draw_text(painter, {kMargin, 52, width, 20}, Qt::AlignLeft | Qt::AlignVCenter,
-            QString::fromUtf8("Error in position / m at t = %1 s: the largest over the moving bodies' centres")
-                .arg(f.time, 0, 'g', 5),
+            QString::fromUtf8("Error in %2 / m at t = %1 s: the largest over the moving bodies' %3")
+                .arg(QString::number(f.time, 'g', 5),
+                     error == kAngle ? QString::fromUtf8("angle × reach") : QString("position"),
+                     error == kAngle ? QString("outlines") : QString("centres")),
             font_of(13), theme.muted);
   const QRectF left(kMargin, kTop, kPlotWidth, kPlotHeight);
   const QRectF right = left.translated(kPlotWidth + kGap, 0);
@@ -156,9 +173,9 @@ void write_study_picture(OutputFile& file, const StudyTable& table, const Theme&
   const std::vector<StudyGroup> groups = groups_of(table);
   ErrorPlot against_time(theme, ErrorPlot::Place::kPicture);
   ErrorPlot against_step(theme, ErrorPlot::Place::kPicture);
-  constexpr std::size_t kPosition = 0;
-  against_time.show_study(table.facts, groups, ErrorAgainst::kWallTime, kPosition);
-  against_step.show_study(table.facts, groups, ErrorAgainst::kStep, kPosition);
+  const std::size_t error = shown_error(groups);
+  against_time.show_study(table.facts, groups, ErrorAgainst::kWallTime, error);
+  against_step.show_study(table.facts, groups, ErrorAgainst::kStep, error);
   const auto paint = [&](QPainter& painter) {
     paint_study(painter, table, groups, against_time, against_step, theme);
   };

@@ -30,7 +30,7 @@ CurveRow::CurveRow(const std::vector<Body>& bodies, QWidget* parent)
   away_->setAutoDefault(false);
   away_->setFixedWidth(32);
   away_->setStyleSheet("padding: 5px 0;");
-  away_->setToolTip(tr("Take this curve away"));
+  away_->setToolTip(tr("Remove this curve"));
   away_->setAccessibleName(away_->toolTip());
   theory_->setPlaceholderText(tr("closed form in t, as 2*exp(-t/3)"));
   theory_->setObjectName("theory");
@@ -39,7 +39,7 @@ CurveRow::CurveRow(const std::vector<Body>& bodies, QWidget* parent)
       tr("In SI units. + - * / ^, < > ?:, pi, sin, cos, tan, exp, ln, sqrt, abs, min, max, floor, mod and "
          "others.\n"
          "It is drawn as a thin dashed line."));
-  residual_->setToolTip(tr("Draw what was measured less the theory, instead of both"));
+  residual_->setToolTip(tr("Draw the measured values minus the theory, instead of both"));
 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

@@ -46,12 +46,12 @@ Distribution::Distribution(PlotContent::Shows what, QwtPlot* plot, QWidget* pare
   curve_ = std::make_unique<SmoothCurve>();
   curve_->setRenderHint(QwtPlotItem::RenderAntialiased);
   curve_->attach(plot);
-  buttons_ = {new LegendButton(tr("now"), tr("speeds of all bodies that move freely, at this moment"), parent),
+  buttons_ = {new LegendButton(tr("now"), tr("speeds of all freely moving bodies at this moment"), parent),
               new LegendButton(tr("mean"),
                                tr("mean over the time that the plots show: zoom in time to choose it"), parent),
               new LegendButton(tr("Maxwell"),
                                tr("f(v) = (m v/kT) exp(−m v²/2kT), kT being the mean kinetic energy "
-                                  "of the translation now; of several masses the mean of theirs"),
+                                  "of the translation now; with several masses, the mean of their laws"),
                                parent)};
 }
 

@@ -79,10 +79,10 @@ double Scales::*scale_of(const Observable& o) {
 
 std::span<const PlotContent> named_plots() {
   static const std::vector<PlotContent> table = {
-      named("energy", "Energy", "J", "Energy of all bodies that move freely", &Scales::energy, kValues,
+      named("energy", "Energy", "J", "Energy of all freely moving bodies", &Scales::energy, kValues,
             {line("kinetic", "kinetic_energy"), line("potential", "potential_energy"),
              line("total", "total_energy", "", true)}),
-      named("momentum", "Momentum", "kg·m/s", "Momentum of all bodies that move freely", &Scales::momentum,
+      named("momentum", "Momentum", "kg·m/s", "Momentum of all freely moving bodies", &Scales::momentum,
             kValues, {line("x", "momentum_x"), line("y", "momentum_y")}),
       named("impulse", "Contact impulses", "N·s", "The normal impulse of each impact", &Scales::impulse,
             kValues, {{"normal", QString::fromUtf8("N·s"), {}, std::nullopt, false}}),
@@ -91,9 +91,9 @@ std::span<const PlotContent> named_plots() {
                   "lost in impacts to restitution below 1, and where bodies stick together"),
              line("friction", "lost_to_friction", "lost to friction, in impacts and at contacts that last"),
              line("drag", "lost_in_flight",
-                  "lost to drag, to the dampers of springs, to rolling resistance and where strings jerk taut"),
+                  "lost to drag, to the dampers of springs, to rolling resistance and as strings become taut"),
              line("put in", "put_in",
-                  "put in by driven bodies, applied forces and the user, and by pushing overlaps apart")}),
+                  "put in by driven bodies, applied forces and the user, and by separating overlaps")}),
       named("drift", "Energy drift", "J",
             "Energy that the method itself gained or lost: what no entry of the ledger explains",
             &Scales::energy, kDrift, {line("numerical", "numerical_drift")}),
@@ -105,8 +105,8 @@ std::span<const PlotContent> named_plots() {
                 "The largest over the moving bodies, but those that wait for an impact in one of the two runs",
                 nullptr, kValues, {line("", "position_error")})),
       distribution("speeds", "Speeds", "s/m",
-                   "How often each speed comes among the bodies that move freely, beside Maxwell's law",
-                   "speed", "m/s", PlotContent::Shows::kSpeeds),
+                   "How often each speed occurs among the freely moving bodies, beside Maxwell's law", "speed",
+                   "m/s", PlotContent::Shows::kSpeeds),
       distribution("impulses", "Strengths of impacts", "impacts a bin",
                    "How many impacts of the time that is shown have each normal impulse", "normal impulse",
                    "N·s", PlotContent::Shows::kImpulses),
@@ -152,7 +152,7 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
     Quantity y = quantity_of(name, bodies);
     PlotLine line{label_of(name), unit_text(*y.observable), {}, std::nullopt, false, theory_of(name, x)};
     if (name.residual) {
-      line.tip = QObject::tr("measured less theory: %1").arg(QString::fromStdString(name.theory));
+      line.tip = QObject::tr("measured minus theory: %1").arg(QString::fromStdString(name.theory));
       y.less = std::exchange(line.theory, {});
     }
     line.curve = Curve{y, x};

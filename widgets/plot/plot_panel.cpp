@@ -251,7 +251,7 @@ void PlotPanel::contextMenuEvent(QContextMenuEvent* event) {
   QAction* change =
       menu->addAction(tr("&Change this plot..."), this, with_plot([this](RunPlot* it) { edit(it); }));
   change->setEnabled(plot->content().plot.id.empty());
-  if (!change->isEnabled()) change->setToolTip(tr("A named plot stays as it is: make a new one"));
+  if (!change->isEnabled()) change->setToolTip(tr("A built-in plot cannot be changed: make a new one"));
   QAction* away =
       menu->addAction(tr("&Remove this plot"), this, with_plot([this](RunPlot* it) { remove(it); }));
   away->setEnabled(plots_.size() > 1);

@@ -71,7 +71,7 @@ class ReadingModel : public FigureModel {
   [[nodiscard]] bool is_sum(int) const override { return false; }
   [[nodiscard]] bool is_idle(int row, int /*column*/) const override { return !at(row).exact; }
   [[nodiscard]] QString tip(int row, int /*column*/) const override {
-    return at(row).exact ? at(row).name : tr("%1: of this part only extremes are kept").arg(at(row).name);
+    return at(row).exact ? at(row).name : tr("%1: only extremes are kept of this part").arg(at(row).name);
   }
 
   [[nodiscard]] Cell cell(int row, int column) const override {

@@ -148,12 +148,12 @@ PrintBlock print_table(const FigureModel& table, int most) {
   for (int r = 0; r < table.rowCount(); ++r) {
     Row row;
     row.sum = table.is_sum(r);
-    bool tells = false;
+    bool has_values = false;
     for (int c = 0; c < columns; ++c) {
       row.cells.push_back({table.index(r, c).data().toString(), left(c), table.is_idle(r, c)});
-      tells = tells || (!row.cells.back().pale && !row.cells.back().text.isEmpty());
+      has_values = has_values || (!row.cells.back().pale && !row.cells.back().text.isEmpty());
     }
-    if (!tells) continue;
+    if (!has_values) continue;
     const bool too_many = !row.sum && static_cast<int>(rows.size()) > most;
     if (row.sum && more > 0) {
       Row note;

@@ -20,21 +20,25 @@ struct Sum {
   const char* momentum_name;
   const char* momentum_tip;
   Vec2 (*momentum)(const Ledger& ledger, const Totals& now);
+  double (*angular)(const Ledger& ledger, const Totals& now);
 };
 constexpr std::array<Sum, 3> kSums = {{
     {QT_TRANSLATE_NOOP("LedgerTable", "expected energy"),
      QT_TRANSLATE_NOOP("LedgerTable",
-                       "Initial energy less what was lost, with the correction and what was put in"),
+                       "Initial energy minus the losses, plus the correction and what was put in"),
      [](const Ledger& l, const Totals&) { return l.expected(); },
      QT_TRANSLATE_NOOP("LedgerTable", "expected momentum"),
-     QT_TRANSLATE_NOOP("LedgerTable", "Initial momentum with what was given, less what went to walls"),
-     [](const Ledger& l, const Totals&) -> Vec2 { return l.expected_momentum(); }},
+     QT_TRANSLATE_NOOP("LedgerTable", "Initial momentum plus the impulses of forces, minus those on walls"),
+     [](const Ledger& l, const Totals&) -> Vec2 { return l.expected_momentum(); },
+     [](const Ledger& l, const Totals&) { return l.expected_angular_momentum(); }},
     {QT_TRANSLATE_NOOP("LedgerTable", "energy now"),
      QT_TRANSLATE_NOOP("LedgerTable", "Kinetic and potential energy of the bodies as they move now"),
      [](const Ledger&, const Totals& now) { return now.energy(); },
      QT_TRANSLATE_NOOP("LedgerTable", "momentum now"),
-     QT_TRANSLATE_NOOP("LedgerTable", "Momentum of the bodies as they move now"),
-     [](const Ledger&, const Totals& now) -> Vec2 { return now.momentum; }},
+     QT_TRANSLATE_NOOP("LedgerTable",
+                       "Momentum of the bodies as they move now, and angular momentum about the origin"),
+     [](const Ledger&, const Totals& now) -> Vec2 { return now.momentum; },
+     [](const Ledger&, const Totals& now) { return now.angular_momentum; }},
     {QT_TRANSLATE_NOOP("LedgerTable", "numerical drift"),
      QT_TRANSLATE_NOOP("LedgerTable",
                        "Energy now less the expected one: what the method itself gained or lost"),
@@ -42,7 +46,8 @@ constexpr std::array<Sum, 3> kSums = {{
      QT_TRANSLATE_NOOP("LedgerTable", "numerical drift"),
      QT_TRANSLATE_NOOP("LedgerTable",
                        "Momentum now less the expected one: what the method itself gained or lost"),
-     [](const Ledger& l, const Totals& now) -> Vec2 { return l.momentum_drift(now.momentum); }},
+     [](const Ledger& l, const Totals& now) -> Vec2 { return l.momentum_drift(now.momentum); },
+     [](const Ledger& l, const Totals& now) { return l.angular_momentum_drift(now.angular_momentum); }},
 }};
 constexpr std::size_t kRows = kEnergyEntries.size() + kSums.size();
 
@@ -51,6 +56,7 @@ constexpr int kEnergyValue = 1;
 constexpr int kGap = 2;
 constexpr int kMomentumName = 3;
 constexpr int kMomentumX = 4;
+constexpr int kAngular = 6;
 
 QString in_words(std::string_view text) {
   return QCoreApplication::translate("LedgerTable", text.data());  // a literal, so null-terminated
@@ -86,7 +92,9 @@ class LedgerModel : public FigureModel {
     const auto i = static_cast<std::size_t>(row);
     if (column < kGap)
       return i < kEnergyEntries.size() && energy_idle_[i] && ledger_.*kEnergyEntries[i].value == 0.0;
-    return i < kMomentumEntries.size() && momentum_idle_[i] && (ledger_.*kMomentumEntries[i].value).isZero(0.0);
+    if (i >= kMomentumEntries.size() || !momentum_idle_[i]) return false;
+    const MomentumEntry& entry = kMomentumEntries[i];
+    return (ledger_.*entry.value).isZero(0.0) && ledger_.*entry.angular == 0.0;
   }
 
   [[nodiscard]] Cell cell(int row, int column) const override {
@@ -96,12 +104,14 @@ class LedgerModel : public FigureModel {
       if (column == kEnergyName) return in_words(sum->energy_name);
       if (column == kEnergyValue) return sum->energy(ledger_, now_);
       if (column == kMomentumName) return in_words(sum->momentum_name);
+      if (column == kAngular) return sum->angular(ledger_, now_);
       return sum->momentum(ledger_, now_)[column - kMomentumX];
     }
     if (column == kEnergyName) return in_words(kEnergyEntries[i].name);
     if (column == kEnergyValue) return ledger_.*kEnergyEntries[i].value;
     if (i >= kMomentumEntries.size()) return {};
     if (column == kMomentumName) return in_words(kMomentumEntries[i].name);
+    if (column == kAngular) return ledger_.*kMomentumEntries[i].angular;
     return (ledger_.*kMomentumEntries[i].value)[column - kMomentumX];
   }
 
@@ -141,7 +151,8 @@ LedgerTable::LedgerTable(QWidget* parent)
                                    {"", 20},
                                    {"momentum", 130, true},
                                    {"x / kg·m/s", 84},
-                                   {"y / kg·m/s", 84}},
+                                   {"y / kg·m/s", 84},
+                                   {"angular / kg·m²/s", 118}},
                                   nullptr),
                   parent) {}
 

@@ -11,7 +11,7 @@ void ask(QDialog* dialog, const std::function<void()>& then) {
   dialog->open();
 }
 
-void tell(QWidget* parent, const QString& title, const QString& text, const QString& details) {
+void show_message(QWidget* parent, const QString& title, const QString& text, const QString& details) {
   auto* box = new QMessageBox(parent);
   box->setWindowTitle(title);
   box->setTextFormat(Qt::PlainText);

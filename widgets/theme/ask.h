@@ -16,7 +16,7 @@ namespace carom {
 void ask(QDialog* dialog, const std::function<void()>& then);
 
 // A message with one button: `text` in one line, `details` below it.
-void tell(QWidget* parent, const QString& title, const QString& text, const QString& details = {});
+void show_message(QWidget* parent, const QString& title, const QString& text, const QString& details = {});
 
 // A filter of a file dialog, "Pictures (*.png *.svg)", and the default suffix.
 struct FileKind {

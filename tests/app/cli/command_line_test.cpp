@@ -85,7 +85,8 @@ TEST_F(CommandLine, JsonHasExactlyItsKeys) {
             (std::set<std::string>{"initial", "lost_to_restitution", "lost_to_friction", "lost_to_rolling",
                                    "lost_to_sticking", "lost_to_drag", "lost_to_dampers", "lost_to_links",
                                    "overlap_correction", "put_in_by_drives", "put_in_by_user",
-                                   "numerical_drift", "momentum"}));
+                                   "numerical_drift", "momentum", "angular_momentum"}));
+  EXPECT_EQ(keys_of(j["ledger"]["angular_momentum"]), keys_of(j["ledger"]["momentum"]));
   EXPECT_EQ(keys_of(j["ledger"]["momentum"]),
             (std::set<std::string>{"initial", "from_gravity", "from_forces", "from_user", "to_walls",
                                    "numerical_drift"}));
@@ -185,7 +186,7 @@ TEST_F(CommandLine, LedgerClosesInJson) {
   }
 }
 
-TEST_F(CommandLine, CostOfTheMethodIsTold) {
+TEST_F(CommandLine, CostOfTheMethodIsPrinted) {
   const Json rk4 = run({"spring-box", "--impacts", "step-end"});
   EXPECT_EQ(rk4["order"], 4);
   EXPECT_EQ(rk4["evaluations"], 4 * rk4["steps"].get<int>());
@@ -210,7 +211,7 @@ TEST_F(CommandLine, CostOfTheMethodIsTold) {
   EXPECT_NE(text({"--integrator", "exact-flight"}).find("results every 0.005 s\nexact, "), std::string::npos);
 }
 
-TEST_F(CommandLine, TextTellsBeforeAndAfter) {
+TEST_F(CommandLine, TextShowsBeforeAndAfter) {
   const ProgramResult result = carom_({"run", "head-on"});
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err, "");
@@ -253,12 +254,19 @@ TEST_F(CommandLine, CsvHasUnitsALineAStepAndAllDigits) {
   const Json& momentum = j["ledger"]["momentum"];
   EXPECT_EQ(last.at("momentum_drift_x [N s]"), momentum["numerical_drift"][0].get<double>());
   EXPECT_EQ(last.at("momentum_to_walls_y [N s]"), momentum["to_walls"][1].get<double>());
+  const Json& angular = j["ledger"]["angular_momentum"];
+  EXPECT_EQ(last.at("angular_momentum_drift [kg m^2/s]"), angular["numerical_drift"].get<double>());
+  for (const char* key : {"from_gravity", "from_forces", "from_user", "to_walls"}) {
+    EXPECT_EQ(last.at(fmt::format("angular_momentum_{} [kg m^2/s]", key)), angular[key].get<double>()) << key;
+  }
   bool found = false;
   for (const Json& body : j["bodies"]) {
     if (body["name"] != "disc") continue;
     found = true;
     EXPECT_EQ(last.at("disc x [m]"), body["position"][0].get<double>());
     EXPECT_EQ(last.at("disc velocity_y [m/s]"), body["velocity"][1].get<double>());
+    EXPECT_EQ(last.at("disc angle [rad]"), body["angle"].get<double>());
+    EXPECT_EQ(last.at("disc spin [rad/s]"), body["spin"].get<double>());
   }
   EXPECT_TRUE(found);
   EXPECT_EQ(carom_.files(), QStringList{"run.csv"});

@@ -100,7 +100,7 @@ TEST_F(CommandSave, AStackWithFriction) {
            boxes + "]"));
 }
 
-TEST_F(CommandSave, AChangedFileSaysSo) {
+TEST_F(CommandSave, AChangedFileIsReported) {
   carom_.write("whole.json",
                QByteArray::fromStdString(with(R"("bodies": [)" + disc("a", "[0, 0]", "[1, 0]") + "]")));
   (void)run({"whole.json", "--until", "0.5", "--save", "mid.json"});

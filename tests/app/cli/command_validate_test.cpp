@@ -39,7 +39,7 @@ TEST(Validate, PrintsTheSchema) {
   EXPECT_EQ(schema["properties"]["duration"]["maximum"], 1e12);
 }
 
-TEST(PresetFolder, WhatIsNoFileIsLeftOutAndTold) {
+TEST(PresetFolder, IrregularFilesAreSkippedAndReported) {
   const Program carom;
   QDir(carom.path(".")).mkpath("presets/topic/deeper");
   carom.write("presets/topic/one.json", kGoodPreset);
@@ -53,9 +53,9 @@ TEST(PresetFolder, WhatIsNoFileIsLeftOutAndTold) {
   EXPECT_EQ(list.code, 0);
   EXPECT_NE(list.out.find("one  t\n"), std::string::npos) << list.out;
   EXPECT_NE(list.out.find("two  t\n"), std::string::npos) << list.out;
-  for (const char* told : {"pipe.json: this is no regular file; left out\n",
+  for (const char* line : {"pipe.json: this is no regular file; left out\n",
                            "gone.json: this is no regular file; left out\n", "bad.json: line 1, column"}) {
-    EXPECT_NE(list.err.find(told), std::string::npos) << list.err;
+    EXPECT_NE(list.err.find(line), std::string::npos) << list.err;
   }
   EXPECT_EQ(std::count(list.err.begin(), list.err.end(), '\n'), 3) << list.err;
   const ProgramResult run = run_with_presets(carom, "run two");

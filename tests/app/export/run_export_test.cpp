@@ -190,14 +190,14 @@ TEST(RunExport, CancelsWithoutAFileAndSaysWhatIsWrong) {
   what.columns = {{find_observable("time"), {}}};
   QTemporaryDir dir;
   const std::string file = dir.filePath("run.csv").toStdString();
-  double told = -1.0;
+  double last = -1.0;
   EXPECT_FALSE(export_data(what, file, [&](double share) {
-    EXPECT_GT(share, told);
-    told = share;
+    EXPECT_GT(share, last);
+    last = share;
     return share < 0.5;
   }));
   EXPECT_TRUE(QDir(dir.path()).isEmpty());
-  EXPECT_GE(told, 0.5);
+  EXPECT_GE(last, 0.5);
   EXPECT_THROW((void)export_data(what, dir.filePath("no/run.csv").toStdString(), kGoOn), SceneError);
 }
 

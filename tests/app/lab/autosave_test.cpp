@@ -37,7 +37,7 @@ class AutosaveTest : public testing::Test {
     EXPECT_TRUE(QTest::qWaitFor([&] { return window->frame() != nullptr; }));
     return window;
   }
-  static void put_in(LabWindow& window) { emit window.scene_view().spawnRequested(0.3, 1.0); }
+  static void add_body(LabWindow& window) { emit window.scene_view().spawnRequested(0.3, 1.0); }
   static NoticeBar* bar(const LabWindow& window) { return window.findChild<NoticeBar*>("notice"); }
   static QString said(const LabWindow& window) { return bar(window)->findChild<QLabel*>()->text(); }
   static void click(const LabWindow& window, const QString& text) {
@@ -72,7 +72,7 @@ TEST_F(AutosaveTest, KeepsEditsUntilTheyAreSavedOrGivenUp) {
   const auto window = lab(kept());
   window->keep_now();
   EXPECT_TRUE(files().isEmpty()) << "nothing was changed";
-  put_in(*window);
+  add_body(*window);
   window->findChild<PlotPanel*>()->set_shown("drift", true);
   window->keep_now();
   ASSERT_EQ(files().size(), 1);
@@ -92,14 +92,14 @@ TEST_F(AutosaveTest, KeepsEditsUntilTheyAreSavedOrGivenUp) {
 
 TEST_F(AutosaveTest, WritesNothingWhereNothingIsNew) {
   const auto window = lab(kept());
-  put_in(*window);
+  add_body(*window);
   window->keep_now();
   ASSERT_EQ(files().size(), 1);
   const QString file = kept() + "/" + files().constFirst();
   QFile::remove(file);
   window->keep_now();
   EXPECT_FALSE(QFile::exists(file));
-  put_in(*window);
+  add_body(*window);
   window->keep_now();
   EXPECT_TRUE(QFile::exists(file));
 }
@@ -107,7 +107,7 @@ TEST_F(AutosaveTest, WritesNothingWhereNothingIsNew) {
 // After an undo of all work nothing is kept; after a redo it is.
 TEST_F(AutosaveTest, FollowsUndoAndRedo) {
   const auto window = lab(kept());
-  put_in(*window);
+  add_body(*window);
   window->keep_now();
   ASSERT_EQ(files().size(), 1);
   window->session().edits().undo();
@@ -150,11 +150,11 @@ TEST_F(AutosaveTest, WorkThatIsNotWantedIsOfferedOnce) {
 
 TEST_F(AutosaveTest, WindowsLeaveOneAnothersWorkAlone) {
   const auto one = lab(kept());
-  put_in(*one);
+  add_body(*one);
   one->keep_now();
   const auto two = lab(kept());
   EXPECT_FALSE(bar(*two)->isVisible());
-  put_in(*two);
+  add_body(*two);
   two->keep_now();
   EXPECT_EQ(files().size(), 2);
   // Only one window at a time makes the offer.
@@ -165,7 +165,7 @@ TEST_F(AutosaveTest, WindowsLeaveOneAnothersWorkAlone) {
   EXPECT_FALSE(bar(*four)->isVisible());
 }
 
-TEST_F(AutosaveTest, DamagedWorkIsToldAndSetAside) {
+TEST_F(AutosaveTest, DamagedWorkIsReportedAndSetAside) {
   leave_work("work-1-0.json", work("Lost work").left(200));
   leave_work("work-2-0.json", work("Whole"));
   const auto window = lab(kept());
@@ -176,16 +176,16 @@ TEST_F(AutosaveTest, DamagedWorkIsToldAndSetAside) {
   EXPECT_TRUE(said(*window).contains("“Whole”")) << said(*window).toStdString();
 }
 
-TEST_F(AutosaveTest, AFolderThatCannotBeWrittenIsTold) {
+TEST_F(AutosaveTest, AnUnwritableFolderIsReported) {
   QFile in_the_way(kept());
   ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
   const auto window = lab(kept());
-  put_in(*window);
+  add_body(*window);
   window->keep_now();
-  bool told = false;
+  bool reported = false;
   for (const QLabel* label : window->findChildren<QLabel*>())
-    told = told || label->toolTip().contains("Unsaved work is not kept");
-  EXPECT_TRUE(told);
+    reported = reported || label->toolTip().contains("Unsaved work is not kept");
+  EXPECT_TRUE(reported);
 }
 
 }  // namespace

@@ -210,7 +210,7 @@ TEST_F(LabExportTest, AFilmIsMade) {
 
 // The saved preset continues from there, and its restart returns there; a preset of "Save as" begins at the
 // start.
-TEST_F(LabExportTest, TheRunIsSavedAsItStands) {
+TEST_F(LabExportTest, TheRunIsSavedAtItsPresentTime) {
   window_.run_until(1.0);
   const State shown = window_.frame()->state;
   QTemporaryDir dir;
@@ -241,7 +241,7 @@ TEST_F(LabExportTest, TheRunIsSavedAsItStands) {
   EXPECT_EQ(window_.frame()->state.q, shown.q);
 }
 
-TEST_F(LabExportTest, TheFilmDialogTellsWhatWillCome) {
+TEST_F(LabExportTest, TheFilmDialogShowsNumberAndLengthOfFrames) {
   window_.run_until(0.1);
   Film film;
   film.runs.emplace_back();

@@ -13,7 +13,7 @@ namespace {
 // Opening, saving and closing, with the questions that they ask.
 class LabFilesTest : public LabWindowTest {};
 
-TEST_F(LabFilesTest, BadFileIsToldAndTheOldSceneStays) {
+TEST_F(LabFilesTest, BadFileIsReportedAndTheOldSceneStays) {
   window_.run_until(0.2);
   const QString file = folder_.filePath("bad.json");
   QFile bad(file);
@@ -72,7 +72,7 @@ TEST_F(LabFilesTest, ReplacingAFileIsAskedFirst) {
   }
 }
 
-TEST_F(LabFilesTest, UnwritableFileIsTold) {
+TEST_F(LabFilesTest, UnwritableFileIsReported) {
   const QString file = folder_.filePath("gone/mine.json");
   ASSERT_TRUE(QDir(folder_.path()).mkdir("gone"));
   ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/first-collisions/head-on.json", file));

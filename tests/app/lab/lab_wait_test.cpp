@@ -47,7 +47,7 @@ class LabWait : public testing::Test {
   bool report_ = false;
 };
 
-TEST_F(LabWait, TheReportComesWhenTheRunStandsStill) {
+TEST_F(LabWait, TheReportComesOnceTheRunHasStopped) {
   ask_for_report();
   EXPECT_TRUE(QTest::qWaitFor([&] { return report_; }));
   EXPECT_FALSE(window_.frame()->playing);

@@ -123,7 +123,7 @@ TEST_F(LabWindowTest, WhatASceneForbidsIsGreyAndSaysWhy) {
   EXPECT_TRUE(action("Exact flight")->isEnabled());
 }
 
-TEST_F(LabWindowTest, WhatIsModelledIsToldAndAskedAgain) {
+TEST_F(LabWindowTest, ModelledPartsAreShownAndUpdated) {
   EXPECT_TRUE(chip("What is modelled")->text().startsWith("modelled: normal impulses"));
   EXPECT_TRUE(chip("What is modelled")->toolTip().contains("Not needed by this scene"));
   EXPECT_TRUE(chip("What is modelled")->toolTip().contains("friction"));

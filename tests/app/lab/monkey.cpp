@@ -76,7 +76,7 @@ Qt::KeyboardModifiers Monkey::modifiers() {
   return kHeld[static_cast<std::size_t>(below(static_cast<int>(kHeld.size())))];
 }
 
-void Monkey::tell(const QString& what) {
+void Monkey::report(const QString& what) {
   if (options_.about) options_.about(QString("%1: %2").arg(done_).arg(what));
 }
 
@@ -98,7 +98,7 @@ void Monkey::run() {
   end.start(10);
   QTimer::singleShot(0, this, &Monkey::act);
   loop.exec();
-  tell("closing the window");
+  report("closing the window");
   window_.reset();
 }
 
@@ -116,7 +116,7 @@ void Monkey::act() {
   const int outer = std::exchange(acting_at_, level);
   ++done_;
   if (level == 1 && (window_ == nullptr || !window_->isVisible())) {
-    tell("a new window");
+    report("a new window");
     open_window();
   }
   int total = 0;
@@ -126,7 +126,7 @@ void Monkey::act() {
     chosen -= kind.weight;
     if (chosen >= 0) continue;
     ++counts_[kind.name];
-    tell(kind.name);
+    report(kind.name);
     (this->*kind.act)();
     break;
   }
@@ -300,7 +300,7 @@ void Monkey::shortcut() {
   const auto chosen = kKeys[static_cast<std::size_t>(below(static_cast<int>(kKeys.size())))];
   const Qt::KeyboardModifiers held =
       once_in(5) ? Qt::ControlModifier | Qt::ShiftModifier : Qt::KeyboardModifiers(Qt::ControlModifier);
-  tell(QString("Ctrl+%1").arg(QChar(chosen)));
+  report(QString("Ctrl+%1").arg(QChar(chosen)));
   if (QWindow* window = with_focus()) press_key(window, chosen, held);
 }
 
@@ -316,7 +316,7 @@ void Monkey::menu() {
   }
   if (all.isEmpty()) return;
   QAction* action = all[chosen % all.size()];
-  tell("“" + action->text() + "”");
+  report("“" + action->text() + "”");
   action->trigger();
 }
 
@@ -331,7 +331,7 @@ void Monkey::button() {
   }
   if (all.isEmpty()) return;
   QAbstractButton* each = all[chosen % all.size()];
-  tell("“" + each->text() + "” " + each->toolTip().left(30));
+  report("“" + each->text() + "” " + each->toolTip().left(30));
   const QPoint at = each->mapTo(each->window(), each->rect().center());
   QPointer<QWindow> window = each->window()->windowHandle();
   timestamp_ += 2000;
@@ -353,14 +353,14 @@ void Monkey::answer() {
 void Monkey::experiment() {
   const QString& name = names_[static_cast<std::size_t>(below(static_cast<int>(names_.size())))];
   if (window_ == nullptr || QApplication::activeModalWidget() != nullptr) return;
-  tell(name);
+  report(name);
   emit window_->findChild<ExperimentList*>()->openRequested(name);
 }
 
 void Monkey::open_file() {
   const QString chosen = file();
   if (window_ == nullptr || QApplication::activeModalWidget() != nullptr) return;
-  tell(chosen);
+  report(chosen);
   window_->open(chosen.toStdString());
 }
 

@@ -49,7 +49,7 @@ class Monkey : public QObject {
   static const std::vector<Kind>& kinds();
 
   void act();
-  void tell(const QString& what);
+  void report(const QString& what);
   void open_window();
   void stay_inside();  // resets file dialogs and folder fields that have left the monkey's folder
 

@@ -35,21 +35,21 @@ constexpr double kLongestSleep = 240.0;  // s without an action, however little 
 constexpr std::size_t kKept = 12;
 constexpr std::size_t kLength = 120;
 std::array<std::array<char, kLength>, kKept> last{};
-std::atomic<std::size_t> told = 0;
+std::atomic<std::size_t> reported = 0;
 unsigned seed_shown = 0;
 
 void remember(const QString& action) {
   const QByteArray text = action.toUtf8().left(kLength - 1);
-  auto& place = last[told % kKept];
+  auto& place = last[reported % kKept];
   place.fill('\0');
   std::memcpy(place.data(), text.constData(), static_cast<std::size_t>(text.size()));
-  ++told;
+  ++reported;
 }
 
 void write_out(const char* text) { (void)!::write(STDERR_FILENO, text, std::strlen(text)); }
 
 void show_last() {
-  const std::size_t count = told;
+  const std::size_t count = reported;
   for (std::size_t i = count > kKept ? count - kKept : 0; i < count; ++i) {
     write_out("  ");
     write_out(last[i % kKept].data());
@@ -74,13 +74,13 @@ double seconds(clockid_t clock) {
 void watch(const std::stop_token& stop, pthread_t main_thread) {
   clockid_t clock{};
   pthread_getcpuclockid(main_thread, &clock);
-  std::size_t seen = told;
+  std::size_t seen = reported;
   double since = seconds(clock);
   double since_wall = seconds(CLOCK_MONOTONIC);
   while (!stop.stop_requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    if (told != seen) {
-      seen = told;
+    if (reported != seen) {
+      seen = reported;
       since = seconds(clock);
       since_wall = seconds(CLOCK_MONOTONIC);
     }

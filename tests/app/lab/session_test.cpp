@@ -146,7 +146,7 @@ const std::vector<Case>& cases() {
       {"AddedMethod", "added method", [](Session& s) { s.add_method(euler(s, 0.004)); }},
       {"RemovedMethod", "removed method", [](Session& s) { s.remove_method(1); }},
       {"Reference", "choice of reference", [](Session& s) { s.choose_reference(ReferenceId::kNone); }, false},
-      {"Body", "added body", [](Session& s) { s.put_in(0.3, 1.5); }},
+      {"Body", "added body", [](Session& s) { s.add_body(0.3, 1.5); }},
       {"Plots", "change of plots", [](Session& s) { s.change_plots({named("energy")}); }, false},
       {"Notes", "change of notes",
        [](Session& s) {
@@ -226,7 +226,7 @@ TEST_F(SessionTest, UndoWhileARunPlays) {
   session_.set_speed(0.5);
   session_.set_playing(true);
   ASSERT_TRUE(QTest::qWaitFor([&] { return session_.frame() && session_.frame()->time > 0.05; }));
-  session_.put_in(0.3, 1.5);
+  session_.add_body(0.3, 1.5);
   ASSERT_TRUE(QTest::qWaitFor([&] { return session_.frame()->log->edits.size() == 1; }));
   session_.change_method(euler(session_, 0.004));
   ASSERT_TRUE(QTest::qWaitFor([&] { return session_.frame()->log->edits.size() == 2; }));
@@ -252,7 +252,7 @@ TEST_F(SessionTest, UndoAfterARestart) {
   open();
   run_to(kEdit);
   session_.change_method(euler(session_, 0.004));
-  session_.put_in(0.3, 1.5);
+  session_.add_body(0.3, 1.5);
   session_.restart();
   run_to(kEnd);
   const Snapshot with = snapshot();
@@ -270,7 +270,7 @@ TEST_F(SessionTest, UndoAfterARestart) {
 
 TEST_F(SessionTest, AnEditAfterAnUndoTakesThePlaceOfWhatWasUndone) {
   run_to(kEdit);
-  session_.put_in(0.3, 1.5);
+  session_.add_body(0.3, 1.5);
   session_.edits().undo();
   session_.change_method(euler(session_, 0.004));
   EXPECT_FALSE(session_.edits().canRedo());
@@ -303,7 +303,7 @@ TEST_F(SessionTest, TheMarkOfChangesFollowsUndoAndSave) {
   QObject::connect(&session_, &Session::modifiedChanged, [&](bool modified) { marks.push_back(modified); });
   const QTemporaryDir folder;
   const QString file = folder.filePath("mine.json");
-  session_.put_in(0.3, 1.5);
+  session_.add_body(0.3, 1.5);
   session_.save(file);
   EXPECT_EQ(session_.file(), file);
   EXPECT_FALSE(session_.modified());

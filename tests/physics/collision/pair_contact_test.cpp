@@ -92,9 +92,11 @@ TEST(PairContact, AgainstBruteForce) {
     ASSERT_EQ(gap.gap, c.gap) << name;
     ASSERT_EQ(gap.normal, c.normal) << name;
     if (expected > 0.0) {
+      // In the middle of faces that are parallel to 1e-9 the gap is as much wider.
+      const double flat = in_world + 1e-9 * test::scale_of(a, b);
       for (const Outline* o : {&a, &b}) {
         const Outline point{{{c.point.x(), c.point.y()}}, {}};
-        ASSERT_NEAR(static_cast<double>(test::reference_gap(*o, point)), 0.5 * expected, in_world) << name;
+        ASSERT_NEAR(static_cast<double>(test::reference_gap(*o, point)), 0.5 * expected, flat) << name;
       }
     }
     // No direction at all parts them more.

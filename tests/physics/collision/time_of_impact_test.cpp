@@ -45,7 +45,6 @@ struct BodyRates {
   const ForceField& field;
   int body;
   void operator()(double t, const Motion& y, Motion& k) const { field.external_rate(body, t, y, k); }
-  [[nodiscard]] bool has_quadratures() const { return field.has_quadratures(); }
 };
 
 // One flight of two bodies over [0, h] under gravity, by an integrator's own map, as a gap function.

@@ -164,7 +164,7 @@ TEST(ComparedRuns, FollowASingleStepOfTheFirst) {
 // --- against a reference
 
 // The error that is told is the distance from the closed form, to the reference's own uncertainty.
-TEST(ComparedRuns, TellTheErrorOfAClosedForm) {
+TEST(ComparedRuns, ShowTheErrorAgainstAClosedForm) {
   const Curve error = curve("position_error");
   const Curve x = curve("x", {0});
   const Preset s = oscillator(method(IntegratorId::kExplicitEuler, ImpactsId::kLocated, 0.01));
@@ -191,6 +191,28 @@ TEST(ComparedRuns, TellTheErrorOfAClosedForm) {
   EXPECT_EQ(end.largest_position, largest);
   const double energy = 12.5;
   EXPECT_NEAR(end.energy, window.frames[0]->totals.energy() - energy, 1e-9);
+}
+
+// The same of an angle, which counts at the outline.
+TEST(ComparedRuns, TellTheErrorOfAnAngle) {
+  Preset s = test::preset_with({disc("wheel", {0.0, 0.0}, Vec2::Zero(), 0.5, 2.0)});
+  s.scene.forces.applied.push_back({"wheel", Vec2::Zero(), 0.5, 0.0, 0.0, std::nullopt});
+  s.method = method(IntegratorId::kExplicitEuler, ImpactsId::kLocated, 0.01);
+  Worker worker(s);
+  const Curve angle = curve("angle_error");
+  const Curve spin = curve("body_spin_error", {0});
+  worker.load(s, {angle, spin}, ReferenceId::kRefined);
+  worker.run_until(3.0);
+  Window window(worker);
+  ASSERT_TRUE(window.wait_until_all_stand());
+  const RunError& end = *window.frames[0]->error;
+  // α = 2 rad/s²: the angle is α h t/2 behind.
+  EXPECT_NEAR(end.angle, 0.5 * 2.0 * 0.01 * 3.0 / 2.0, 1e-11);
+  EXPECT_EQ(end.largest_angle, end.angle);
+  EXPECT_EQ(end.position, 0.0);
+  EXPECT_LT(end.spin, 1e-12);
+  EXPECT_EQ(points(window.recorders[0], angle).back().value[0], end.angle);
+  EXPECT_EQ(points(window.recorders[0], spin).back().value[0], end.spin);
 }
 
 // An impact at the step's end comes late; until it has come in both runs the body is left out.
@@ -301,7 +323,7 @@ TEST(ComparedRuns, BodiesOfTheStartAreThereAtOnce) {
 
 // Explicit Euler on a spring too stiff for its step: the run stands at its last good step, also under another
 // method, and the runs beside it go on.
-TEST(ComparedRuns, ALostRunStandsAndTheOthersGoOn) {
+TEST(ComparedRuns, ALostRunStopsAndTheOthersContinue) {
   for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
     Preset s =
         test::preset_with({disc("disc", {1.0, 0.0}, Vec2::Zero()), disc("other", {5.0, 0.0}, Vec2::Zero())});

@@ -240,7 +240,7 @@ TEST(ContactSolver, AWarmSolutionIsKept) {
   EXPECT_EQ(again.contacts.normal_impulse, s.contacts.normal_impulse);
 }
 
-TEST(ContactSolver, WhatCannotBeIsTold) {
+TEST(ContactSolver, UnsolvableProblemsAreReported) {
   // A box in a closing gap: no velocity is allowed.
   ContactScene s;
   const int left = s.body({-1.0, 0.0}, 0.0, 0.0, {1.0, 0.0, 0.0});

@@ -251,7 +251,7 @@ TYPED_TEST(Method, CountsWhatItEvaluates) {
 }
 
 // Discs under gravity between walls: every method that is exact there is, at any step.
-TYPED_TEST(Method, IsExactUnderGravityWhereItSaysSo) {
+TYPED_TEST(Method, IsExactUnderGravityIfItsTableSaysSo) {
   RunSetup s = setup_with({wall("floor", {0.0, -0.1}, 2.4, 0.2), wall("left", {-1.1, 1.25}, 0.2, 2.5),
                            wall("right", {1.1, 1.25}, 0.2, 2.5), disc("a", {0.0, 1.0}, {2.0, 3.0}, 0.1, 0.5),
                            disc("b", {0.5, 1.7}, {-1.0, 0.0}, 0.2, 1.0)},

@@ -77,13 +77,17 @@ TEST(Model, HasEachPartThatIsNeeded) {
 // A part that is left out makes no memory, and one that is in does: resting contacts are there only where the
 // method asks for them and the scene needs them.
 TEST(Model, ContactsRestOnlyWhereTheyAreNeeded) {
+  int resting = 0;
   for (const auto& file : test::preset_files()) {
     Preset preset = read_preset(file);
     preset.method.contacts = ContactsId::kLasting;
     Simulation run(setup_of(preset));
     for (int i = 0; i < 3; ++i) run.step();
-    EXPECT_EQ(run.run_state().contacts.held.empty(), !run.needs().has(Part::kRestingContacts)) << file;
+    const bool rests = !run.run_state().contacts.forces.empty();
+    resting += rests ? 1 : 0;
+    EXPECT_TRUE(run.needs().has(Part::kRestingContacts) || !rests) << file;
   }
+  EXPECT_GT(resting, 3);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(Expression, IsReadAsPeopleWriteIt) {
   EXPECT_TRUE(std::isnan(Expression()(1.0)));
 }
 
-TEST(Expression, TellsWhetherItHangsOnTime) {
+TEST(Expression, KnowsWhetherItDependsOnTime) {
   EXPECT_TRUE(Expression("2*t + x", true).uses_t());
   EXPECT_FALSE(Expression("2*x", true).uses_t());
 }

@@ -123,14 +123,14 @@ TEST(RunMoments, OfSeveralRunsStandSideBySide) {
   EXPECT_EQ(shown, 3U);
 }
 
-TEST(RunMoments, StopWhereTheyAreToldTo) {
-  double told = -1.0;
+TEST(RunMoments, StopWhereCancelled) {
+  double last = -1.0;
   int shown = 0;
   const std::vector<double> times{0.1, 0.5, 1.0};
   const auto count = [&](std::span<const Frame>) { return ++shown < 3; };
   EXPECT_FALSE(visit_moments(std::array{edited_run()}, times, kSpan, count, [&](double time) {
-    EXPECT_GT(time, told);
-    told = time;
+    EXPECT_GT(time, last);
+    last = time;
     return time < 0.3;
   }));
   EXPECT_EQ(shown, 1);

@@ -75,7 +75,7 @@ TEST(Polygon, IsTidied) {
   EXPECT_EQ(tidied(std::vector<Vec2>{{1, 1}, {1, 1}, {2, 1}}).size(), 2U);
 }
 
-TEST(Polygon, FaultsAreTold) {
+TEST(Polygon, FaultsAreReported) {
   const auto fault = [](const std::vector<Vec2>& v, double rounding = 0.0) {
     return fault_of(v, rounding).value_or("");
   };

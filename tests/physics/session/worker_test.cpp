@@ -269,7 +269,7 @@ TEST(Worker, IsDestroyedWhilePlaying) {
   }
 }
 
-TEST(Worker, TakesACrowdOfCommands) {
+TEST(Worker, TakesManyCommandsAtOnce) {
   Worker worker(small_gas());
   Watcher watcher(worker);
   worker.set_playing(true);

@@ -151,7 +151,7 @@ TEST(Stress, CsvHasItsColumnsAndAllDigits) {
   EXPECT_TRUE(lines[13].find(",nan,1,1,fell short,nothing,") != std::string::npos) << lines[13];
 }
 
-TEST(Stress, LinesTellWhatAQuarterOfTheStepChanges) {
+TEST(Stress, LinesShowTheChangeByAQuarterOfTheStep) {
   const std::vector<StressLine> lines = stress_lines(rows_of({kMade}));
   ASSERT_EQ(lines.size(), 9U);
   EXPECT_EQ(lines[0].case_id, "case");

@@ -89,7 +89,7 @@ RunSummary recorded(std::vector<TimedImpact> impacts, double x, double v) {
   return run;
 }
 
-const std::vector<int> kMoving = {1, 2};
+const std::vector<MovingBody> kMoving = {{1, 0.1}, {2, 0.5}};
 
 TEST(Compare, PairsTheKthImpactsOfAPair) {
   const auto reference = recorded({{0.5, 0, 1}, {0.6, 0, 2}, {1.5, 0, 1}, {3.0, 0, 1}}, 1.0, 1.0);
@@ -101,6 +101,34 @@ TEST(Compare, PairsTheKthImpactsOfAPair) {
   EXPECT_NEAR(c.position_error, 0.2, 1e-12);  // of body 2, the worst
   EXPECT_NEAR(c.velocity_error, 0.3, 1e-12);
   EXPECT_NEAR(c.energy_error, 0.1, 1e-12);
+}
+
+// In metres, as the point of a body that its angle moves most.
+TEST(Compare, TellsAnglesAndSpinsApart) {
+  const auto reference = recorded({}, 1.0, 1.0);
+  auto run = reference;
+  run.state.q(2, 1) = -0.03;
+  run.state.q(2, 2) = 0.02;
+  run.state.v(2, 1) = 0.4;
+  Comparison c = compare(run, reference, kMoving, 2.0);
+  EXPECT_EQ(c.position_error, 0.0);
+  EXPECT_EQ(c.velocity_error, 0.0);
+  EXPECT_NEAR(c.angle_error, 0.5 * 0.02, 1e-15);
+  EXPECT_NEAR(c.spin_error, 0.1 * 0.4, 1e-15);
+  run.state.q(2, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isinf(compare(run, reference, kMoving, 2.0).angle_error));
+}
+
+TEST(Compare, AnglesCountAtTheOutline) {
+  Body box = disc("box", Vec2::Zero(), Vec2::Zero());
+  box.shape = Box{0.6, 0.8};
+  Body point = disc("point", Vec2::Zero(), Vec2::Zero());
+  point.inertia = 0.0;
+  const auto moving = moving_bodies({disc("disc", Vec2::Zero(), Vec2::Zero(), 0.3), box, point});
+  ASSERT_EQ(moving.size(), 3U);
+  EXPECT_EQ(moving[0].radius, 0.3);
+  EXPECT_NEAR(moving[1].radius, 0.5, 1e-15);
+  EXPECT_EQ(moving[2].radius, 0.0) << "it doesn't turn";
 }
 
 TEST(Compare, LeavesOutABodyWithinAnImpactsWindow) {
@@ -226,6 +254,29 @@ TEST(Reference, IsRefinedWhereContactsLast) {
   EXPECT_TRUE(make_reference(setup_of(s), chaos, kRolls, kRolls).exact);
 }
 
+// A torque that rises for 2 s turns a disc where it is: the angle is τ(t²/2 - t + 2/3)/I at t >= 2 s.
+Preset flywheel() {
+  Preset s = test::preset_with({disc("wheel", {0.0, 0.0}, Vec2::Zero(), 0.5, 2.0)});
+  s.scene.forces.applied.push_back({"wheel", Vec2::Zero(), 0.5, 0.0, 2.0, std::nullopt});
+  s.method = located(IntegratorId::kRk4, 0.02);
+  s.duration = 3.0;
+  return s;
+}
+
+// Neither the position nor the first pair of runs tells that the reference is right.
+TEST(Reference, IsRefinedUntilAnglesAgree) {
+  Preset s = flywheel();
+  s.scene.bodies[0].spin = 40.0;
+  const Chaos chaos = follow_neighbours(setup_of(s), reference_method(setup_of(s)), 3.0, 1);
+  EXPECT_NEAR(chaos.arc, 0.5 * (40.0 * 3.0 + 0.5 * (4.5 - 3.0 + 2.0 / 3.0) / 0.25), 1e-9);
+  EXPECT_NEAR(chaos.largest_rim_speed, 0.5 * (40.0 + 0.5 * 2.0 / 0.25), 1e-9);
+  const Reference r = make_reference(setup_of(s), chaos, 3.0, 3.3);
+  EXPECT_TRUE(r.converged);
+  EXPECT_EQ(r.position_error, 0.0);
+  EXPECT_LT(r.angle_error, 1e-10);
+  EXPECT_NEAR(r.run.state.q(2, 0), 120.0 + 0.5 * (4.5 - 3.0 + 2.0 / 3.0) / 0.25, 1e-11);
+}
+
 StudyOptions quick() {
   StudyOptions o;
   o.steps = {0.08, 0.04, 0.02, 0.01, 0.005, 0.0025};
@@ -277,9 +328,36 @@ TEST(Study, SaysExactHereWhereAMethodIs) {
   }
 }
 
+// Nothing of the flywheel moves but its angle. Explicit Euler's spin is behind by hα/2 from the torque's rise,
+// and its angle by h(ω + ∫α dt)/2 = hω: 0.08 rad at h = 20 ms.
+TEST(Study, SaysThatAFlywheelsAngleIsWrong) {
+  const StudyTable table = run_study(flywheel(), "flywheel", quick());
+  const auto groups = groups_of(table);
+  for (const StudyGroup& g : groups) {
+    const IntegratorChoice& integrator = choice_of(kIntegrators, g.integrator);
+    for (const StudyRow& row : g.rows) EXPECT_EQ(row.position_error, 0.0);
+    EXPECT_EQ(g.fit.kind, OrderFit::Kind::kExact);
+    if (integrator.id == IntegratorId::kExplicitEuler) {
+      ASSERT_EQ(g.verdict().kind, OrderFit::Kind::kOrder) << integrator.label;
+      EXPECT_TRUE(g.is_of_angle());
+      EXPECT_NEAR(g.verdict().order, 1.0, 0.05) << integrator.label;
+    } else if (integrator.order >= 4) {
+      EXPECT_EQ(g.verdict().kind, OrderFit::Kind::kExact) << integrator.label;
+    }
+  }
+  const StudyGroup& euler = group_of(groups, IntegratorId::kExplicitEuler, ImpactsId::kLocated);
+  EXPECT_NEAR(euler.rows[2].angle_error, 0.5 * 0.02 * 4.0, 5e-4);  // at the rim
+  EXPECT_NEAR(euler.rows[2].spin_error, 0.5 * 0.02 * 2.0 / 2.0, 1e-10);
+  const std::string text = study_text(table);
+  EXPECT_NE(text.find("order 1.00 ± 0.00 in angle (positions are exact)"), std::string::npos) << text;
+  const std::vector<std::string> csv = study_csv(table);
+  EXPECT_NE(csv[0].find("angle error [m],spin error [m/s],"), std::string::npos);
+  EXPECT_NE(csv[1].find(",exact but for angles,"), std::string::npos) << csv[1];
+}
+
 // A disc slides and then rolls. Where the slip ends within a step the mean of its friction acts for all of it,
 // and the position is off by up to μ g h²/8; the rest is exact, but for the Eulers' own error.
-TEST(Study, TellsTheOrderWhereContactsLast) {
+TEST(Study, FindsTheOrderWithRestingContacts) {
   const Preset s = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
   const double slowing = s.scene.materials[0].kinetic_friction * 9.81;  // m/s²
   StudyOptions options = quick();

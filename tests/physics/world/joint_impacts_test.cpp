@@ -185,7 +185,7 @@ TEST(JointImpacts, PenetrationsPartAlongTheJoints) {
 // --- strings
 
 // A ball falls beside its string's anchor until the string is taut: its velocity along the string is lost.
-TEST(Strings, JerkTautIsLocatedAndNamed) {
+TEST(Strings, TautImpulseIsLocatedAndRecorded) {
   const double m = 0.6;
   const double x = 0.5;
   const double length = 1.3;

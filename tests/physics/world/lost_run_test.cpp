@@ -26,7 +26,7 @@ RunSetup stiff_spring(IntegratorId integrator) {
   return s;
 }
 
-TEST(LostRun, StandsAtItsLastGoodStepAndSaysWhy) {
+TEST(LostRun, StopsAtItsLastGoodStepWithTheReason) {
   for (const IntegratorId id :
        {IntegratorId::kExplicitEuler, IntegratorId::kSemiImplicitEuler, IntegratorId::kVelocityVerlet,
         IntegratorId::kRk4, IntegratorId::kDormandPrince}) {
@@ -149,7 +149,7 @@ TEST(LostRun, EnergyThatTheMethodMakesIsSaid) {
     run.step();
     run.step();
     EXPECT_FALSE(run.lost());
-    EXPECT_NE(run.status().find("the method's own making"), std::string::npos)
+    EXPECT_NE(run.status().find("comes from the method's error"), std::string::npos)
         << choice_of(kIntegrators, id).name;
     EXPECT_LE(run.notices().energy_made_since, 0.015);
   }

@@ -46,9 +46,19 @@ class Laws {
     for (int i = 0; i < run.state().size(); ++i) {
       if (run.mass().inverse_mass[i] > 0.0) momentum += run.mass().mass[i] * run.state().velocity(i).norm();
     }
-    for (const ImpactRecord& r : run.last_impacts())
-      impulses_ += r.normal_impulse + std::abs(r.tangential_impulse);
+    double angular = 0.0;
+    for (int i = 0; i < run.state().size(); ++i) {
+      if (!(run.mass().inverse_mass[i] > 0.0)) continue;
+      angular += run.mass().mass[i] * run.state().velocity(i).norm() * run.state().position(i).norm() +
+                 run.mass().inertia[i] * std::abs(run.state().v(2, i));
+    }
+    for (const ImpactRecord& r : run.last_impacts()) {
+      const double impulse = r.normal_impulse + std::abs(r.tangential_impulse);
+      impulses_ += impulse;
+      angular_impulses_ += impulse * r.point.norm();
+    }
     const Ledger ledger = run.ledger();
+    angular_ = std::max({angular_, angular, std::abs(ledger.angular_momentum_from_gravity)});
     momentum_ = std::max({momentum_, momentum, ledger.momentum_from_gravity.norm()});
     const Totals t = run.totals();
     double potential = std::abs(t.potential);
@@ -112,6 +122,16 @@ class Laws {
     const double energy = std::abs(ledger.numerical_drift(totals.energy()));
     if (exact && !(energy <= 1e-11 * energy_))
       return fmt::format("energy drifted by {} J of {} J", energy, energy_);
+    // Pushes out of penetrations and the supports of resting contacts leave the angular momentum to the method.
+    const Notices notices = run.notices();
+    const bool pushed = overlaps_ || notices.resting_since >= 0.0 || notices.impacts_capped_since >= 0.0 ||
+                        notices.work_spent_since >= 0.0 || run.method().contacts != ContactsId::kImpulse ||
+                        run.method().impacts != ImpactsId::kLocated;
+    const double angular = std::abs(ledger.angular_momentum_drift(totals.angular_momentum));
+    if (exact && !pushed && !(angular <= 1e-11 * (angular_ + angular_impulses_))) {
+      return fmt::format("angular momentum drifted by {} kg m²/s of {} kg m²/s", angular,
+                         angular_ + angular_impulses_);
+    }
     return {};
   }
 
@@ -144,6 +164,8 @@ class Laws {
   bool at_once_;  // simultaneous impacts
   double momentum_ = 0.0;
   double impulses_ = 0.0;
+  double angular_ = 0.0;
+  double angular_impulses_ = 0.0;
   double energy_ = 0.0;
 };
 

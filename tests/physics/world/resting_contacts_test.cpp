@@ -116,6 +116,18 @@ TEST(RestingContacts, StaticFrictionHoldsWhatKineticFrictionDoesNot) {
   EXPECT_NEAR(run(s, 10.0).state().velocity(1).norm(), 0.1 + 10.0 * a, 1e-8);
 }
 
+// From rest on a slope that is too steep for static friction, kinetic friction acts from the first moment on.
+TEST(RestingContacts, ABlockBreaksAwayUnderKineticFriction) {
+  const double angle = std::atan(0.6);
+  const double a = kG * (std::sin(angle) - 0.3 * std::cos(angle));
+  RunSetup s = incline(0.6, 0.5);
+  s.scene.materials[0].kinetic_friction = 0.3;
+  for_every_method(s, [&](const RunSetup& each) {
+    const Simulation end = run(each, 1.0);
+    EXPECT_NEAR(end.state().velocity(1).norm(), a, 1e-9);
+  });
+}
+
 // v = v0/(1 + 1/β) with β = 1/2, for any friction.
 TEST(RestingContacts, SlidingBecomesRolling) {
   Body disc = round_body("disc", {0.0, 0.25}, 0.25);
@@ -193,7 +205,7 @@ TEST(RestingContacts, AHeavyBoxRestsOnALightOne) {
   });
 }
 
-TEST(RestingContacts, BoxesComeToRestAndTheLedgerCloses) {
+TEST(RestingContacts, BoxesComeToRestAndTheLedgerTellsLossesFromDrift) {
   RunSetup s = scene(rough(0.4, 0.3), {ground()});
   for (int i = 0; i < 5; ++i) {
     s.scene.bodies.push_back(box("box-" + std::to_string(i), {0.3 * i, 1.5 + 1.6 * i}));
@@ -204,7 +216,9 @@ TEST(RestingContacts, BoxesComeToRestAndTheLedgerCloses) {
     const Simulation end = run(s, 20.0);
     EXPECT_LT(end.totals().kinetic(), 1e-18) << impacts.name;
     EXPECT_LT(end.ledger().momentum_drift(end.totals().momentum).norm(), 1e-9) << impacts.name;
-    EXPECT_NEAR(drift(end), 0.0, 1e-10) << impacts.name;
+    EXPECT_NEAR(drift(end), 0.0, 0.01 * end.ledger().initial) << impacts.name;
+    for (const double lost : {end.ledger().lost_to_friction, end.ledger().lost_to_restitution})
+      EXPECT_GE(lost, 0.0) << impacts.name;
   }
 }
 
@@ -252,6 +266,7 @@ TEST(RestingContacts, ABoxRidesOnADrivenTable) {
 }
 
 // A box falls onto a face corner by corner, a thin rod onto its other tip: the second landing is located too.
+// While they pivot, the contact is on the surface within the order of the method: g h³ in m, h in s.
 TEST(RestingContacts, WhatLandsDoesNotSinkIn) {
   Body tile = box("tile", {0.0, 1.0});
   tile.angle = 0.5;
@@ -269,8 +284,8 @@ TEST(RestingContacts, WhatLandsDoesNotSinkIn) {
       for (const int i : {1, 2}) {
         const Contact c = contact_between(simulation.shapes(), 0, simulation.state().q.col(0), i,
                                           simulation.state().q.col(i));
-        ASSERT_GT(c.gap, -1e-9) << restitution << ", " << simulation.bodies()[i].name
-                                << " at t = " << simulation.time();
+        ASSERT_GT(c.gap, -kG * kStep * kStep * kStep)
+            << restitution << ", " << simulation.bodies()[i].name << " at t = " << simulation.time();
       }
     }
     EXPECT_LT(simulation.totals().kinetic(), 1e-15) << restitution;
@@ -356,7 +371,7 @@ TEST(RestingContacts, TheSameRunGivesTheSameBits) {
 }
 
 // The normal turns with the motion.
-TEST(RestingContacts, RollingOffARoundTopIsOfFirstOrder) {
+TEST(RestingContacts, RollingOffARoundTopIsOfSecondOrder) {
   Body top = round_body("top", {0.0, 0.0}, 1.0);
   top.density.reset();
   top.fixed = true;
@@ -374,9 +389,9 @@ TEST(RestingContacts, RollingOffARoundTopIsOfFirstOrder) {
     ASSERT_NEAR(end.state().position(1).norm(), 1.25, 1e-3);
     errors.push_back(std::abs(end.state().velocity(1).norm() - speed));
   }
-  EXPECT_LT(errors[1], 0.6 * errors[0]);
-  EXPECT_LT(errors[2], 0.6 * errors[1]);
-  EXPECT_LT(errors[2], 0.1 * kG * 0.0025);
+  EXPECT_LT(errors[1], 0.3 * errors[0]);
+  EXPECT_LT(errors[2], 0.3 * errors[1]);
+  EXPECT_LT(errors[2], kG * 0.0025 * 0.0025);
 }
 
 }  // namespace

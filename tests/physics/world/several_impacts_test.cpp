@@ -71,7 +71,7 @@ TEST(SeveralImpacts, EachEntryHasItsJump) {
 
 // A rod thrown against the floor with friction: Newton's law may gain energy and then reports it; the
 // energetic law never does.
-TEST(ImpactLaw, NewtonTellsWhatItGains) {
+TEST(ImpactLaw, NewtonReportsTheEnergyGained) {
   int gained = 0;
   for (int k = 0; k < 200; ++k) {
     Body floor = disc("floor", {0.0, 0.0}, {0.0, 0.0});

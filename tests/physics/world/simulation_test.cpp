@@ -165,7 +165,7 @@ TEST(Simulation, SameBytesTwiceAndCopiesGoSeparateWays) {
   }
 }
 
-TEST(Zeno, BouncingBallComesToRestAndSaysSo) {
+TEST(Zeno, BouncingBallComesToRestWithANotice) {
   Preset s = preset("bounces/bouncing-ball.json");
   const double rest = std::sqrt(2.0 / 9.81) * 9.0;
   for (const IntegratorChoice& choice : kIntegrators) {

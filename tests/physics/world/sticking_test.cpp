@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include "physics/dynamics/integrators/integrators.h"
@@ -11,6 +10,7 @@
 #include "physics/model/mass.h"
 #include "physics/scene/validate.h"
 #include "physics/world/run_setup.h"
+#include "tests/support/draws.h"
 #include "tests/support/scenes.h"
 
 // Bodies that stay joined from their first impact on.
@@ -18,20 +18,9 @@ namespace carom {
 namespace {
 
 using test::disc;
+using test::Draws;
 using test::setup_with;
 using test::wall;
-
-class Draw {
- public:
-  explicit Draw(std::uint64_t seed) : random_(seed) {}
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
-  }
-  Vec2 direction() { return turned_by(between(0.0, 2.0 * std::numbers::pi), Vec2::UnitX()); }
-
- private:
-  std::mt19937_64 random_;
-};
 
 RunSetup clay(std::vector<Body> bodies) {
   RunSetup s = setup_with(std::move(bodies));
@@ -66,7 +55,7 @@ Eigen::Vector3d place_of(const State& state, int a, int b) {
 enum class Held { kFree, kByARod, kByAPin };
 
 // A disc or a box each; the second one moves past the first one's centre.
-RunSetup random_pair(Draw& draw, Held held) {
+RunSetup random_pair(Draws& draw, Held held) {
   const auto body = [&](const char* name, const Vec2& position, const Vec2& velocity) {
     const double size = draw.between(0.1, 0.5);
     const double mass = std::exp(draw.between(-3.0, 3.0));
@@ -109,7 +98,7 @@ RunSetup random_pair(Draw& draw, Held held) {
 }
 
 TEST(Sticking, KeepsTheLaws) {
-  Draw draw(41);
+  Draws draw(41);
   int met = 0;
   int jointed = 0;
   for (int i = 0; i < 10'000; ++i) {
@@ -149,7 +138,7 @@ TEST(Sticking, KeepsTheLaws) {
 // Two free bodies: P = (m_a + m_b) v of the common centre, L about it = (I_a + I_b + μ d²) ω, and the impulse
 // is that on body b.
 TEST(Sticking, TwoBodiesTurnAsOne) {
-  Draw draw(43);
+  Draws draw(43);
   for (int i = 0; i < 300; ++i) {
     RunSetup s = random_pair(draw, Held::kFree);
     s.method.step = 0.001;  // up to its end the spin is constant within rounding

@@ -32,7 +32,7 @@ Method method(IntegratorId integrator, ImpactsId impacts = ImpactsId::kLocated, 
   return m;
 }
 
-TEST(MethodNames, TellOnlyWhatDiffers) {
+TEST(MethodNames, NameOnlyTheDifferences) {
   const Method euler = method(IntegratorId::kExplicitEuler);
   const Method rk4 = method(IntegratorId::kRk4);
   EXPECT_EQ(names_of({euler, rk4}), (std::vector<QString>{"Explicit Euler", "RK4"}));
@@ -60,6 +60,7 @@ class ComparePanelTest : public testing::Test {
       frame->error.emplace();
       frame->error->position = 0.125 * static_cast<double>(i);
       frame->error->largest_position = 0.5;
+      frame->error->angle = 0.375;
       frame->error->impact_time = 0.25;
       frame->error->matched = static_cast<int>(i);
       frame->error->unmatched = 7;
@@ -91,15 +92,16 @@ class ComparePanelTest : public testing::Test {
   ComparePanel panel_{light_theme()};
 };
 
-TEST_F(ComparePanelTest, TellsErrorsAndCostsOfEachMethod) {
+TEST_F(ComparePanelTest, ShowsErrorsAndCostsOfEachMethod) {
   ASSERT_EQ(table()->model()->rowCount(), 3);
   EXPECT_EQ(cell(2, 0), "RK4, step-end, 300 ms");
   EXPECT_EQ(cell(1, 1), "0.125");
   EXPECT_EQ(cell(1, 2), "0.500");
-  EXPECT_EQ(cell(1, 3), "0.250");
-  EXPECT_EQ(cell(0, 3), "") << "no impact has a partner yet";
-  EXPECT_EQ(cell(2, 5), "0.50");
-  EXPECT_TRUE(cell(1, 3, Qt::ToolTipRole).contains("1 impacts found their partner, 7 did not"));
+  EXPECT_EQ(cell(1, 3), "0.375");
+  EXPECT_EQ(cell(1, 4), "0.250");
+  EXPECT_EQ(cell(0, 4), "") << "no impact has a partner yet";
+  EXPECT_EQ(cell(2, 6), "0.50");
+  EXPECT_TRUE(cell(1, 4, Qt::ToolTipRole).contains("1 impacts found their partner, 7 did not"));
   bool told = false;
   for (const auto* label : panel_.findChildren<QLabel*>())
     told = told || label->text() == QStringLiteral("± 2e−9 m");
@@ -145,9 +147,9 @@ TEST_F(ComparePanelTest, TheFirstMethodStaysAndSixAreEnough) {
     return static_cast<QToolButton*>(nullptr);
   };
   table()->selectRow(0);
-  EXPECT_FALSE(button("Takes the chosen")->isEnabled());
+  EXPECT_FALSE(button("Removes the chosen")->isEnabled());
   table()->selectRow(1);
-  EXPECT_TRUE(button("Takes the chosen")->isEnabled());
+  EXPECT_TRUE(button("Removes the chosen")->isEnabled());
   EXPECT_TRUE(button("One more")->isEnabled());
   preset_.compare.resize(kMostCompared);
   panel_.set_scene(preset_, ReferenceId::kNone);

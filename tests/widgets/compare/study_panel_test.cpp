@@ -126,7 +126,7 @@ TEST_F(StudyPanelTest, AChosenMethodIsNoOtherScene) {
             std::min(16.0 * drag_scene().method.step, 0.5 / 8.0));
 }
 
-TEST_F(StudyPanelTest, AStudyOfAnotherSceneSaysSoAndChoosesNothing) {
+TEST_F(StudyPanelTest, AStudyOfAnotherSceneIsMarkedAndNotClickable) {
   run_to_its_end();
   Preset edited = drag_scene();
   edited.scene.bodies.push_back(disc("C", {1.0, 1.0}, {0.0, 0.0}, 1.0));
@@ -136,7 +136,8 @@ TEST_F(StudyPanelTest, AStudyOfAnotherSceneSaysSoAndChoosesNothing) {
   Preset other = edited;
   other.title = "Another";
   panel_.set_scene(other, "another");
-  EXPECT_TRUE(panel_.words().startsWith("Not the scene shown, but Head-on")) << panel_.words().toStdString();
+  EXPECT_TRUE(panel_.words().startsWith("Not for the scene shown, but for Head-on"))
+      << panel_.words().toStdString();
   click(row(IntegratorId::kRk4, ImpactsId::kLocated, 0.05));
   EXPECT_TRUE(chosen_.empty());
   panel_.set_scene(drag_scene(), "drag");

@@ -86,7 +86,7 @@ TEST_F(DistributionPlot, BinsStandStillFromFrameToFrame) {
   }
 }
 
-TEST_F(DistributionPlot, TellsWhatLiesUnderTheMouse) {
+TEST_F(DistributionPlot, ShowsValuesUnderTheMouse) {
   const QString text = plot(0)->distribution()->readout(0.01);
   EXPECT_TRUE(text.contains("of 42 bodies, by Maxwell ")) << text.toStdString();
   EXPECT_TRUE(plot(0)->distribution()->readout(1e6).isEmpty());

@@ -89,7 +89,7 @@ TEST_F(PlotNotesTest, IsPutChangedAndRemovedByTheMenu) {
   EXPECT_EQ(changes, 3);
 }
 
-TEST_F(PlotNotesTest, StandsInPictures) {
+TEST_F(PlotNotesTest, IsInPictures) {
   const QImage with = plot_picture(*plot()).toImage();
   plot()->set_notes({});
   EXPECT_NE(plot_picture(*plot()).toImage(), with);

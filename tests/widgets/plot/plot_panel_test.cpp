@@ -388,7 +388,7 @@ TEST(PlotDialog, PutsAPlotTogether) {
   EXPECT_EQ(dialog.plot(), wanted);
   QPushButton* away = dialog.findChildren<QPushButton*>(QString(), Qt::FindChildrenRecursively)[0];
   for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
-    if (button->toolTip().startsWith("Take")) away = button;
+    if (button->toolTip().startsWith("Remove this curve")) away = button;
   }
   away->click();
   EXPECT_EQ(dialog.plot().y.size(), 2u);

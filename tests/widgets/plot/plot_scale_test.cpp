@@ -59,7 +59,7 @@ TEST(PlotScale, RangeIsFiniteWhateverComes) {
   }
 }
 
-TEST(PlotScale, RangeStandsStillForSmallChanges) {
+TEST(PlotScale, RangeKeepsForSmallChanges) {
   const QwtInterval range = nice_range(0.0, 9.0);
   EXPECT_EQ(steady_range(range, 0.0, 8.0), range);
   EXPECT_NE(steady_range(range, 0.0, 11.0), range);

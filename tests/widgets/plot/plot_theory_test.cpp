@@ -51,7 +51,7 @@ TEST(TheoryCurve, PassesThroughItsValuesAtEachPixel) {
   }
 }
 
-TEST(TheoryCurve, StandsUprightWhereItJumps) {
+TEST(TheoryCurve, IsVerticalWhereItJumps) {
   const std::vector<QPolygonF> pieces = Canvas().pieces("x < 0.3333 ? -1 : 1");
   ASSERT_EQ(pieces.size(), 1u);
   double across = 100.0;  // px
@@ -109,7 +109,7 @@ class PlotTheory : public testing::Test {
   PlotPanel panel{light_theme()};
 };
 
-TEST_F(PlotTheory, StandsInTheLegendAndCanBeHidden) {
+TEST_F(PlotTheory, IsInTheLegendAndCanBeHidden) {
   EXPECT_EQ(legend(panel.plots()[0]), QStringList{"theory"});
   LegendButton* theory = nullptr;
   for (auto* button : panel.findChildren<LegendButton*>()) {
@@ -130,7 +130,7 @@ TEST_F(PlotTheory, StandsInTheLegendAndCanBeHidden) {
   EXPECT_GE(panel.plots()[0]->value_range().maxValue(), 0.0);
 }
 
-TEST_F(PlotTheory, IsToldUnderTheMouse) {
+TEST_F(PlotTheory, IsShownUnderTheMouse) {
   panel.plots()[0]->set_cursor(0.1);
   bool told = false;
   for (const auto* label : panel.findChildren<QLabel*>()) {

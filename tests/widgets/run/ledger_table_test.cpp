@@ -49,29 +49,35 @@ TEST(LedgerTable, HasEveryEntryOfTheLedger) {
   frame.ledger.momentum_from_forces = Vec2(2.0, 0.0);
   frame.ledger.momentum_from_user = Vec2(3.0, 0.0);
   frame.ledger.momentum_to_walls = Vec2(4.0, 5.0);
+  frame.ledger.initial_angular_momentum = 30.0;
+  frame.ledger.angular_momentum_from_gravity = -1.5;
+  frame.ledger.angular_momentum_from_forces = 8.0;
+  frame.ledger.angular_momentum_from_user = 9.0;
+  frame.ledger.angular_momentum_to_walls = 5.5;
   frame.totals = {};
   frame.totals.potential = 110.0;
   frame.totals.momentum = Vec2(12.0, 14.0);
+  frame.totals.angular_momentum = 42.0;
   LedgerTable table;
   table.update_from(frame);
   const QStringList rows[] = {
-      {"initial", "100.0", "", "initial", "10.00", "20.00"},
-      {"lost to restitution", "1.000", "", "from gravity", "0", "−1.000"},
-      {"lost to friction", "2.000", "", "from forces", "2.000", "0"},
-      {"lost to rolling", "2.500", "", "from the user", "3.000", "0"},
-      {"lost to sticking", "4.250", "", "to walls", "4.000", "5.000"},
-      {"lost to drag", "3.000", "", "", "", ""},
-      {"lost to dampers", "4.000", "", "", "", ""},
-      {"lost to links", "4.500", "", "", "", ""},
-      {"overlap correction", "5.000", "", "", "", ""},
-      {"put in by drives", "6.000", "", "", "", ""},
-      {"put in by the user", "7.000", "", "", "", ""},
-      {"expected energy", "96.75", "", "expected momentum", "11.00", "14.00"},
-      {"energy now", "110.0", "", "momentum now", "12.00", "14.00"},
-      {"numerical drift", "13.25", "", "numerical drift", "1.000", "0"},
+      {"initial", "100.0", "", "initial", "10.00", "20.00", "30.00"},
+      {"lost to restitution", "1.000", "", "from gravity", "0", "−1.000", "−1.500"},
+      {"lost to friction", "2.000", "", "from forces", "2.000", "0", "8.000"},
+      {"lost to rolling", "2.500", "", "from the user", "3.000", "0", "9.000"},
+      {"lost to sticking", "4.250", "", "to walls", "4.000", "5.000", "5.500"},
+      {"lost to drag", "3.000", "", "", "", "", ""},
+      {"lost to dampers", "4.000", "", "", "", "", ""},
+      {"lost to links", "4.500", "", "", "", "", ""},
+      {"overlap correction", "5.000", "", "", "", "", ""},
+      {"put in by drives", "6.000", "", "", "", "", ""},
+      {"put in by the user", "7.000", "", "", "", "", ""},
+      {"expected energy", "96.75", "", "expected momentum", "11.00", "14.00", "40.00"},
+      {"energy now", "110.0", "", "momentum now", "12.00", "14.00", "42.00"},
+      {"numerical drift", "13.25", "", "numerical drift", "1.000", "0", "2.000"},
   };
   for (int row = 0; row < 14; ++row) {
-    for (int column = 0; column < 6; ++column) {
+    for (int column = 0; column < 7; ++column) {
       EXPECT_EQ(cell(table, row, column), rows[row][column]) << row << ", " << column;
     }
   }

@@ -151,7 +151,7 @@ Preset jointed_scene() {
   return preset;
 }
 
-TEST_F(JointsDrawn, AFrameTellsWhereJointsAreAndWhichStringsAreTaut) {
+TEST_F(JointsDrawn, AFrameHasJointEndsAndTautStrings) {
   const Preset preset = jointed_scene();
   for (const double time : {0.0, 0.3, 0.6}) {
     const Frame frame = run_to(preset, time);

@@ -139,7 +139,7 @@ TEST_F(SceneViewTest, FitsUntilTheUserMovesTheCamera) {
   EXPECT_NEAR(view_.camera().scale, fitted, 1e-9);
 }
 
-TEST_F(SceneViewTest, TooltipTellsAboutTheBody) {
+TEST_F(SceneViewTest, TooltipDescribesTheBody) {
   const QPoint at(200, 180);
   QHelpEvent help(QEvent::ToolTip, at, view_.mapToGlobal(at));
   QGuiApplication::sendEvent(&view_, &help);

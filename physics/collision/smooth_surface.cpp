@@ -1,0 +1,127 @@
+#include "physics/collision/smooth_surface.h"
+
+#include <limits>
+#include <optional>
+
+#include "physics/math/vectors.h"
+
+namespace carom {
+namespace {
+
+// rad: two faces that press each other are parallel, and two flush ones smooth, within this.
+constexpr double kParallel = 1e-7;
+
+// Where a point lies relative to a body. On its surface, the body fills the directions d with low·d <= 0 and
+// high·d <= 0; `high` is `low` turned counter-clockwise by less than 180°, or equal to it on a face.
+struct Wedge {
+  enum Where { kOutside, kSurface, kInside };
+  Where where = kOutside;
+  Vec2 low = Vec2::Zero();
+  Vec2 high = Vec2::Zero();
+};
+
+Wedge smooth_wedge(double distance, const Vec2& normal, double tolerance) {
+  if (distance > tolerance) return {};
+  if (distance < -tolerance) return {Wedge::kInside};
+  return {Wedge::kSurface, normal, normal};
+}
+
+// A core without rounding. Of a segment, which is solid from both sides, the side that faces `towards`.
+Wedge wedge_at_edges(const ConvexShapes& shapes, int i, const Pose& pose, const Vec2& p, const Vec2& towards,
+                     double tolerance) {
+  const Corner* corner = shapes.corners_of(i);
+  const int count = shapes.corners[i];
+  const auto active = [&](int k) {
+    const bool far_side = shapes.core[i] == Core::kSegment && k % 2 == 0 && corner[k].normal.dot(towards) < 0.0;
+    return !far_side && corner[k].normal.dot(p - corner[k].vertex) >= -tolerance;
+  };
+  int first = -1;
+  bool any = false;
+  for (int k = 0; k < count; ++k) {
+    if (corner[k].normal.dot(p - corner[k].vertex) > tolerance) return {};
+    any = any || active(k);
+    if (active(k) && !active(k == 0 ? count - 1 : k - 1)) first = k;
+  }
+  if (!any) return {Wedge::kInside};
+  if (first < 0) return {};  // smaller than the tolerance
+  int last = first;
+  while (active((last + 1) % count)) last = (last + 1) % count;
+  return {Wedge::kSurface, pose.turned(corner[first].normal), pose.turned(corner[last].normal)};
+}
+
+Wedge wedge_at_rounded(const ConvexShapes& shapes, int i, const Pose& pose, const Vec2& p, double tolerance) {
+  const Corner* corner = shapes.corners_of(i);
+  double nearest = std::numeric_limits<double>::infinity();
+  bool outside = false;
+  Vec2 normal = Vec2::Zero();
+  for (int k = 0; k < shapes.corners[i]; ++k) {
+    const Vec2 d = p - corner[k].vertex;
+    const double height = corner[k].normal.dot(d);
+    outside = outside || height > 0.0;
+    const double along = cross(corner[k].normal, d);
+    if (height > 0.0 && along >= 0.0 && along <= corner[k].length)
+      return smooth_wedge(height - shapes.rounding[i], pose.turned(corner[k].normal), tolerance);
+    if (d.norm() < nearest) nearest = d.norm(), normal = d;
+  }
+  if (!outside) return {Wedge::kInside};
+  return smooth_wedge(nearest - shapes.rounding[i], pose.turned(normal / nearest), tolerance);
+}
+
+Wedge wedge_at(const ConvexShapes& shapes, int i, const Pose& pose, const Vec2& point, const Vec2& towards,
+               double tolerance) {
+  const Vec2 d = point - pose.position;
+  if (shapes.core[i] == Core::kPoint) {
+    const double distance = d.norm();
+    if (!(distance > 0.0)) return {Wedge::kInside};
+    return smooth_wedge(distance - shapes.rounding[i], d / distance, tolerance);
+  }
+  const Vec2 p = pose.turned_back(d);
+  if (shapes.core[i] == Core::kHalfPlane) {
+    const Corner& edge = *shapes.corners_of(i);
+    return smooth_wedge(edge.normal.dot(p - edge.vertex), pose.turned(edge.normal), tolerance);
+  }
+  if (shapes.rounding[i] > 0.0) return wedge_at_rounded(shapes, i, pose, p, tolerance);
+  return wedge_at_edges(shapes, i, pose, p, pose.turned_back(towards), tolerance);
+}
+
+bool opposite(const Vec2& m, const Vec2& n) { return (m + n).squaredNorm() <= kParallel * kParallel; }
+
+// Of the tolerance: a point that has sunk so far between two neighbours has done so from their edge.
+constexpr double kSunk = 1e3;
+
+enum class Cover { kNone, kRidge, kBetween, kInside };
+
+// How a neighbour covers a point of its owner: from inside, face to face, or by a ridge that both make.
+Cover cover_of(const Wedge& here, const Wedge& there, const Vec2& normal) {
+  if (there.where == Wedge::kOutside || here.where != Wedge::kSurface) return Cover::kNone;
+  if (there.where == Wedge::kInside) return Cover::kInside;
+  // Which of the two follows the other counter-clockwise: faces that press each other are opposite.
+  const bool follows = opposite(there.high, here.low);
+  const bool leads = opposite(there.low, here.high);
+  if (follows && leads) return Cover::kBetween;
+  if (!follows && !leads) return Cover::kNone;
+  const Vec2& low = follows ? there.low : here.low;
+  const Vec2& high = follows ? here.high : there.high;
+  if (cross(low, high) < -kParallel) return Cover::kNone;
+  const bool outside = cross(low, normal) < -kParallel || cross(normal, high) < -kParallel;
+  return outside ? Cover::kRidge : Cover::kNone;
+}
+
+}  // namespace
+
+bool neighbour_covers(const ConvexShapes& shapes, int owner, const Pose& pose_owner, int neighbour,
+                      const Pose& pose_neighbour, const Vec2& point, const Vec2& normal, double tolerance,
+                      bool may_overlap) {
+  const double reach = shapes.radius[neighbour] + tolerance;
+  if ((point - pose_neighbour.position).squaredNorm() > reach * reach) return false;
+  const auto cover = [&](double within) {
+    const Wedge there = wedge_at(shapes, neighbour, pose_neighbour, point, normal, within);
+    if (there.where == Wedge::kOutside) return Cover::kNone;
+    return cover_of(wedge_at(shapes, owner, pose_owner, point, normal, within), there, normal);
+  };
+  const Cover covered = cover(tolerance);
+  if (covered == Cover::kNone || covered == Cover::kRidge || may_overlap) return covered != Cover::kNone;
+  return covered == Cover::kBetween && cover(kSunk * tolerance) == Cover::kRidge;
+}
+
+}  // namespace carom

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "physics/model/convex.h"
+
+namespace carom {
+
+// Around a point of its surface, a body fills a wedge of directions: half of them at a face, fewer at a corner.
+// Where the wedges of two neighbours lie side by side and fill at most half of all directions together, as two
+// flush boxes of a floor do, their common surface is smooth there, or a ridge. Another body can touch it only
+// along a normal of the common wedge: the edges inside it do not catch.
+//
+// `point` lies on the surface of `owner`, in m, and `normal` is a unit vector out of it. True if `neighbour`
+// leaves no contact with this normal here: it covers the point, or the normal is none of the common wedge.
+// False at a step, where the two wedges fill more than half. `tolerance` in m: surfaces that are no farther
+// from the point pass through it. `may_overlap`: owner and neighbour don't
+// collide. Where they do, a point that has sunk between or into them has done so by the method's error. Then
+// its contact is needed, unless it is near the end of a seam that it should have passed.
+[[nodiscard]] bool neighbour_covers(const ConvexShapes& shapes, int owner, const Pose& pose_owner,
+                                    int neighbour, const Pose& pose_neighbour, const Vec2& point,
+                                    const Vec2& normal, double tolerance, bool may_overlap);
+
+}  // namespace carom
