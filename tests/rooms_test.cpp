@@ -8,6 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/include_graph.h"
+#include "tests/support/source_folder.h"
+
 // The rooms of the code, and which of them may know which.
 namespace carom {
 namespace {
@@ -45,10 +48,10 @@ int place_of(const fs::path& file) {
 std::vector<fs::path> sources() {
   std::vector<fs::path> files;
   for (const Library& library : kLibraries) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(CAROM_SOURCE_DIR) / library.name)) {
+    for (const auto& entry : fs::recursive_directory_iterator(test::source(library.name))) {
       const std::string extension = entry.path().extension().string();
       if (extension == ".h" || extension == ".cpp")
-        files.push_back(fs::relative(entry.path(), CAROM_SOURCE_DIR));
+        files.push_back(fs::relative(entry.path(), test::source("")));
     }
   }
   std::sort(files.begin(), files.end());
@@ -56,19 +59,17 @@ std::vector<fs::path> sources() {
 }
 
 TEST(Rooms, IncludeOnlyRoomsBeforeThem) {
-  constexpr std::string_view kInclude = "#include \"";
+  const test::IncludeGraph graph(test::source(""));
   int arrows = 0;
-  for (const fs::path& file : sources()) {
+  for (const auto& [file, included] : graph.includes()) {
+    if (*file.begin() == "tests") continue;
     const int place = place_of(file);
     EXPECT_TRUE(place >= 0 || file == "app/main.cpp") << file << " stands in none of the rooms";
-    std::ifstream in(fs::path(CAROM_SOURCE_DIR) / file);
-    for (std::string line; std::getline(in, line);) {
-      if (!line.starts_with(kInclude)) continue;
-      const fs::path included = line.substr(kInclude.size(), line.rfind('"') - kInclude.size());
-      const int other = place_of(included);
+    for (const fs::path& header : included) {
+      const int other = place_of(header);
       if (place < 0 || other < 0) continue;
       ++arrows;
-      EXPECT_LE(other, place) << file << " includes " << included;
+      EXPECT_LE(other, place) << file << " includes " << header;
     }
   }
   EXPECT_GT(arrows, 500);  // they were found at all
@@ -83,7 +84,7 @@ TEST(Rooms, RunNoEventLoopWithinAnother) {
   int programs = 0;
   for (const fs::path& file : sources()) {
     if (*file.begin() == "physics") continue;
-    std::ifstream in(fs::path(CAROM_SOURCE_DIR) / file);
+    std::ifstream in(test::source(file));
     for (std::string line; std::getline(in, line);) {
       const bool program = line.find("QApplication::exec()") != std::string::npos;
       programs += program ? 1 : 0;
@@ -103,7 +104,7 @@ TEST(Rooms, InstalledHeadersIncludeNoPrivateOnes) {
     if (*file.begin() != "physics" || file.extension() != ".h") continue;
     if (std::regex_search(file.string(), is_private)) continue;
     ++installed;
-    std::ifstream in(fs::path(CAROM_SOURCE_DIR) / file);
+    std::ifstream in(test::source(file));
     std::smatch match;
     for (std::string line; std::getline(in, line);) {
       if (!std::regex_search(line, match, include)) continue;

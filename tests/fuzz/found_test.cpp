@@ -5,6 +5,7 @@
 
 #include "tests/fuzz/targets.h"
 #include "tests/support/preset_files.h"
+#include "tests/support/source_folder.h"
 
 namespace carom::fuzz {
 namespace {
@@ -24,7 +25,7 @@ constexpr auto kTargets =
 TEST(FuzzersFinds, BreakNothing) {
   int tried = 0;
   for (const Target& target : kTargets) {
-    const fs::path folder = fs::path(CAROM_FUZZ_DIR) / "found" / target.name;
+    const fs::path folder = test::source("tests/fuzz/found") / target.name;
     if (!fs::exists(folder)) continue;
     for (const auto& entry : fs::directory_iterator(folder)) {
       SCOPED_TRACE(entry.path().string());

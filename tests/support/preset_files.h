@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/source_folder.h"
+
 namespace carom::test {
 
 inline std::string content(const std::filesystem::path& file) {
@@ -19,7 +21,7 @@ inline std::string content(const std::filesystem::path& file) {
 // All presets that Carom ships, in the order of their paths.
 inline std::vector<std::filesystem::path> preset_files() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(CAROM_PRESET_DIR)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(test::source("presets"))) {
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -18,7 +19,9 @@ struct ProgramResult {
 // The carom program with its own working folder, in an environment without a display.
 class Program {
  public:
-  ProgramResult operator()(const QStringList& arguments) const { return run(CAROM_PROGRAM, arguments); }
+  // It stands beside the tests.
+  static QString file() { return QCoreApplication::applicationDirPath() + "/carom"; }
+  ProgramResult operator()(const QStringList& arguments) const { return run(file(), arguments); }
 
   // Runs a shell line in the working folder, where $carom is the program.
   [[nodiscard]] ProgramResult shell(const QString& line) const { return run("/bin/bash", {"-c", line}); }
@@ -43,7 +46,7 @@ class Program {
          {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "QT_LOGGING_RULES", "CAROM_PRESETS"}) {
       environment.remove(name);
     }
-    environment.insert("carom", CAROM_PROGRAM);
+    environment.insert("carom", file());
     QProcess process;
     process.setProcessEnvironment(environment);
     process.setWorkingDirectory(folder_.path());

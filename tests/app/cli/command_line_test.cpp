@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/program.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -61,7 +62,7 @@ TEST_F(CommandLine, ListNamesEveryPreset) {
     if (line.starts_with("  ")) listed.insert(line.substr(2, line.find(' ', 2) - 2));
   }
   std::set<std::string> there;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(CAROM_PRESET_DIR)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(test::source("presets"))) {
     if (entry.path().extension() == ".json") there.insert(entry.path().stem().string());
   }
   EXPECT_FALSE(there.empty());

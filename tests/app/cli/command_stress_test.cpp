@@ -4,6 +4,7 @@
 
 #include "physics/stress/stress.h"
 #include "tests/support/program.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -41,7 +42,7 @@ TEST(StressCommand, CasesThatAreNamedRun) {
 
 // The command generates the help page of figures, which must have every case and every figure.
 TEST(StressCommand, TheHelpsPageHasAllFiguresAndNoneFellShort) {
-  QFile file(CAROM_STRESS_PAGE);
+  QFile file(test::source("app/help/stress-figures.md"));
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   const std::string page = file.readAll().toStdString();
   for (const StressCase& c : stress_cases()) {

@@ -2,6 +2,7 @@
 
 #include "tests/support/faults.h"
 #include "tests/support/program.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -38,7 +39,7 @@ constexpr Writer kWriters[] = {
 class OutputFaults : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/first-collisions/head-on.json", carom_.path("a.json")));
+    ASSERT_TRUE(QFile::copy(test::preset_file("first-collisions/head-on.json").c_str(), carom_.path("a.json")));
     ASSERT_EQ(carom_({"study", "a.json", "--until", "1", "--repeats", "1", "--integrators", "rk4", "--steps",
                       "0.01,0.005", "--csv", "rows.csv"})
                   .code,

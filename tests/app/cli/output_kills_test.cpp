@@ -5,6 +5,7 @@
 
 #include "tests/support/faults.h"
 #include "tests/support/program.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 class OutputKills : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/first-collisions/head-on.json", carom_.path("a.json")));
+    ASSERT_TRUE(QFile::copy(test::preset_file("first-collisions/head-on.json").c_str(), carom_.path("a.json")));
     environment_.remove("DISPLAY");
     environment_.remove("WAYLAND_DISPLAY");
     environment_.remove("QT_QPA_PLATFORM");
@@ -42,7 +43,7 @@ class OutputKills : public testing::Test {
       QProcess process;
       process.setProcessEnvironment(environment_);
       process.setWorkingDirectory(carom_.path(""));
-      process.start(CAROM_PROGRAM, new_way);
+      process.start(Program::file(), new_way);
       ASSERT_TRUE(process.waitForStarted());
       usleep(static_cast<useconds_t>(random() % whole));
       const int signal = test::random_signal(random);

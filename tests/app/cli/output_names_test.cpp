@@ -2,6 +2,7 @@
 #include <sys/stat.h>
 
 #include "tests/support/program.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -12,7 +13,7 @@ class OutputNames : public testing::Test {
   void SetUp() override { copy("a.json"); }
   void copy(const QString& name) const {
     QFile::remove(carom_.path(name));
-    ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/first-collisions/head-on.json", carom_.path(name)));
+    ASSERT_TRUE(QFile::copy(test::preset_file("first-collisions/head-on.json").c_str(), carom_.path(name)));
   }
   // The run would never end: all names are refused before it.
   void expect_refused_before_the_run(const QString& line, const std::string& part) const {

@@ -6,6 +6,7 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "tests/app/lab/lab_fixture.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -23,7 +24,7 @@ TEST_F(LabFilesTest, BadFileIsReportedAndTheOldSceneStays) {
   EXPECT_FALSE(window_.open(file.toStdString()));
   ASSERT_TRUE(wait_for_boxes(1));
   EXPECT_TRUE(boxes_[0].contains("bad.json") && boxes_[0].contains("/colour")) << boxes_[0].toStdString();
-  EXPECT_EQ(window_.preset().title, read_preset(CAROM_PRESET_DIR "/first-collisions/head-on.json").title);
+  EXPECT_EQ(window_.preset().title, read_preset(test::preset_file("first-collisions/head-on.json")).title);
   window_.run_until(0.4);
   EXPECT_NEAR(time(), 0.4, 1e-9);
   EXPECT_EQ(window_.frame()->bodies->size(), 2U);
@@ -33,7 +34,7 @@ TEST_F(LabFilesTest, BadFileIsReportedAndTheOldSceneStays) {
 
 TEST_F(LabFilesTest, SavedFileHoldsWhatWasChanged) {
   const QString file = folder_.filePath("mine.json");
-  ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/first-collisions/head-on.json", file));
+  ASSERT_TRUE(QFile::copy(test::preset_file("first-collisions/head-on.json").c_str(), file));
   ASSERT_TRUE(window_.open(file.toStdString()));
   EXPECT_EQ(marked_experiment(), "");
   click_scene({0.1, 0.4});
@@ -55,19 +56,19 @@ TEST_F(LabFilesTest, BuiltInExperimentIsSavedUnderANewName) {
   EXPECT_FALSE(window_.save()) << "it asks first";
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.isWindowModified(); }));
   EXPECT_EQ(read_preset(folder_.filePath("new.json").toStdString()).scene.bodies.size(), 3U);
-  EXPECT_EQ(read_preset(CAROM_PRESET_DIR "/first-collisions/head-on.json").scene.bodies.size(), 2U);
+  EXPECT_EQ(read_preset(test::preset_file("first-collisions/head-on.json")).scene.bodies.size(), 2U);
 }
 
 TEST_F(LabFilesTest, ReplacingAFileIsAskedFirst) {
   const QString file = folder_.filePath("mine.json");
-  ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/piles/pile.json", file));
+  ASSERT_TRUE(QFile::copy(test::preset_file("piles/pile.json").c_str(), file));
   for (const char* typed : {"mine.json", "mine"}) {
     chosen_file_ = folder_.filePath(typed);
     button_ = QMessageBox::No;
     boxes_.clear();
     EXPECT_FALSE(window_.save()) << typed;
     EXPECT_TRUE(wait_for_boxes(1)) << typed;
-    EXPECT_EQ(read_preset(file.toStdString()).title, read_preset(CAROM_PRESET_DIR "/piles/pile.json").title)
+    EXPECT_EQ(read_preset(file.toStdString()).title, read_preset(test::preset_file("piles/pile.json")).title)
         << typed;
   }
 }
@@ -75,7 +76,7 @@ TEST_F(LabFilesTest, ReplacingAFileIsAskedFirst) {
 TEST_F(LabFilesTest, UnwritableFileIsReported) {
   const QString file = folder_.filePath("gone/mine.json");
   ASSERT_TRUE(QDir(folder_.path()).mkdir("gone"));
-  ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/first-collisions/head-on.json", file));
+  ASSERT_TRUE(QFile::copy(test::preset_file("first-collisions/head-on.json").c_str(), file));
   ASSERT_TRUE(window_.open(file.toStdString()));
   click_scene({0.1, 0.4});
   ASSERT_TRUE(QDir(folder_.filePath("gone")).removeRecursively());
@@ -96,7 +97,7 @@ TEST_F(LabFilesTest, ChangesAreAskedAboutBeforeAnotherExperiment) {
   button_ = QMessageBox::Discard;
   click_experiment("glancing");
   EXPECT_TRUE(wait_for_boxes(2));
-  EXPECT_EQ(window_.preset().title, read_preset(CAROM_PRESET_DIR "/first-collisions/glancing.json").title);
+  EXPECT_EQ(window_.preset().title, read_preset(test::preset_file("first-collisions/glancing.json")).title);
   EXPECT_FALSE(window_.isWindowModified());
   EXPECT_EQ(marked_experiment(), "glancing");
 }

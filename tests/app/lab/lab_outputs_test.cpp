@@ -14,6 +14,7 @@
 #include "app/lab/lab_window.h"
 #include "app/lab/report_dialog.h"
 #include "tests/support/faults.h"
+#include "tests/support/source_folder.h"
 #include "tests/support/wait.h"
 
 namespace carom {
@@ -26,7 +27,7 @@ class LabOutputs : public testing::Test {
     window_.resize(1000, 700);
     window_.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
-    ASSERT_TRUE(QFile::copy(CAROM_PRESET_DIR "/bounces/bouncing-ball.json", path("mine.json")));
+    ASSERT_TRUE(QFile::copy(test::preset_file("bounces/bouncing-ball.json").c_str(), path("mine.json")));
     ASSERT_TRUE(window_.open(path("mine.json").toStdString()));
     window_.run_until(0.5);
   }

@@ -10,6 +10,7 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "tests/app/lab/lab_fixture.h"
+#include "tests/support/source_folder.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/run_plot.h"
 
@@ -238,7 +239,7 @@ TEST_F(LabWindowTest, ClickInTheListOpensAnExperiment) {
   click_experiment("newtons-cradle");
   EXPECT_EQ(marked_experiment(), "newtons-cradle");
   EXPECT_EQ(window_.preset().title,
-            read_preset(CAROM_PRESET_DIR "/chains-and-cradles/newtons-cradle.json").title);
+            read_preset(test::preset_file("chains-and-cradles/newtons-cradle.json")).title);
   ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 5; }));
   EXPECT_EQ(time(), 0.0);
   EXPECT_TRUE(boxes_.empty());

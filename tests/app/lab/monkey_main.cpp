@@ -174,7 +174,7 @@ int run(int argc, char** argv) {
   fmt::print("monkey: seed {}, {} actions, {}\n", options.seed, options.actions,
              QGuiApplication::platformName().toStdString());
   std::fflush(stdout);
-#if !defined(__SANITIZE_ADDRESS__)
+#ifndef CAROM_SANITIZED
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL}) std::signal(signal, on_crash);
 #endif
   std::signal(SIGABRT, on_crash);

@@ -5,6 +5,7 @@
 
 #include "physics/preset/preset_file.h"
 #include "physics/world/simulation.h"
+#include "tests/support/source_folder.h"
 
 // What presets of lasting contacts say of contact forces, which no expectation can read.
 namespace carom {
@@ -31,7 +32,7 @@ std::pair<double, double> load(const Simulation& s, const std::string& a, const 
 }
 
 TEST(PresetsContactForces, EachBoxBearsTheWeightAbove) {
-  Simulation s(setup_of(read_preset(std::filesystem::path(CAROM_PRESET_DIR) / "piles/stacked-boxes.json")));
+  Simulation s(setup_of(read_preset(test::preset_file("piles/stacked-boxes.json"))));
   const double g = 9.81;
   // To what contact forces are solved, 1e-10 m g and some.
   const double within = 1e-8;

@@ -13,6 +13,7 @@
 #include "physics/preset/preset_file.h"
 #include "tests/support/preset_files.h"
 #include "tests/support/scenes.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -328,7 +329,7 @@ TEST_F(PresetFiles, AFailedSaveLeavesTheOldFile) {
 
 // The reference for people names every word that a file can hold, and its example is a good preset.
 TEST(PresetHelp, NamesEveryWordAndItsExampleIsMet) {
-  const std::string page = content(fs::path(CAROM_PRESET_DIR) / "../app/help/presets.md");
+  const std::string page = content(test::source("app/help/presets.md"));
   const auto expect_word = [&](std::string_view word) {
     EXPECT_NE(page.find("`" + std::string(word) + "`"), std::string::npos) << word;
   };

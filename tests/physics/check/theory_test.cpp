@@ -11,6 +11,7 @@
 #include "physics/scene/validate.h"
 #include "tests/support/preset_files.h"
 #include "tests/support/scenes.h"
+#include "tests/support/source_folder.h"
 
 // Closed forms beside what is measured: their residuals, and that of every preset that states one.
 namespace carom {
@@ -101,7 +102,7 @@ TEST(Theory, OfEachPresetIsWhatItsMethodGives) {
 
 // Where the slip ends within a step, the velocity at the step's end is right.
 TEST(Theory, OfSlideToRollHoldsThroughTheStepInWhichTheSlipEnds) {
-  const Preset preset = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
+  const Preset preset = read_preset(test::preset_file("friction/slide-to-roll.json"));
   const QuantityName line{"velocity_x", {"disc"}, "max(2, 3 - 0.2*9.81*t)", true};
   const Residuals found =
       residuals(preset, residual_of(line, std::nullopt, preset), [](double) { return false; });
@@ -133,7 +134,7 @@ TEST(Theory, OfLinearDragShowsTheMethodsOrder) {
 
 // Of a spring: the phase of RK4 falls behind by z⁴/120 of ωt, z = ωh, and the swing is 1 m.
 TEST(Theory, OfASpringShowsTheMethodsOrder) {
-  Preset preset = read_preset(CAROM_PRESET_DIR "/numerical-methods/spring-box.json");
+  Preset preset = read_preset(test::preset_file("numerical-methods/spring-box.json"));
   const QuantityName line{"x", {"disc"}, "cos(5*t)", true};
   for (const double h : {0.02, 0.004}) {
     preset.method.step = h;

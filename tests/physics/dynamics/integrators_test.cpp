@@ -8,6 +8,7 @@
 #include "physics/preset/preset_file.h"
 #include "tests/support/fitted_order.h"
 #include "tests/support/scenes.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -32,7 +33,7 @@ double fitted_order(const Preset& s, Method m, const std::vector<double>& steps,
   return fitted_order(steps, errors);
 }
 
-Preset preset(const std::string& file) { return read_preset(fmt::format("{}/{}", CAROM_PRESET_DIR, file)); }
+Preset preset(const std::string& file) { return read_preset(test::preset_file(file)); }
 
 TEST(Integrators, SmoothOrderIsThatOfTheTable) {
   Preset s = preset_with({disc("d", {1.0, 0.0}, {0.0, 1.0}, 0.1, 0.5)});

@@ -5,6 +5,7 @@
 
 #include "physics/preset/preset_file.h"
 #include "tests/support/preset_files.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -355,7 +356,7 @@ TEST_F(PresetFiles, MissingFileAndFolder) {
 
 // Every way to cut or to damage a preset by one byte ends in a scene or in a SceneError.
 TEST(BadPresets, DamagedBytes) {
-  const std::string good = content(fs::path(CAROM_PRESET_DIR) / "first-collisions/head-on.json");
+  const std::string good = content(test::preset_file("first-collisions/head-on.json"));
   for (std::size_t i = 0; i < good.size(); i += 3) {
     std::string cut = good.substr(0, i);
     std::string damaged = good;

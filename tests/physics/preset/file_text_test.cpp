@@ -6,6 +6,7 @@
 
 #include "physics/preset/preset_file.h"
 #include "tests/support/preset_files.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -60,7 +61,7 @@ TEST_F(FileText, HugeFilesAreRefusedUnread) {
 TEST_F(FileText, AFileMayBeLongerThanItSays) { EXPECT_FALSE(file_text("/proc/self/status", "a file").empty()); }
 
 TEST_F(FileText, LinksToFilesAreFollowed) {
-  fs::create_symlink(fs::path(CAROM_PRESET_DIR) / "piles/pile.json", folder_ / "pile.json");
+  fs::create_symlink(test::preset_file("piles/pile.json"), folder_ / "pile.json");
   EXPECT_EQ(refusal(folder_ / "pile.json"), "read");
 }
 

@@ -16,6 +16,7 @@
 #include "physics/scene/validate.h"
 #include "tests/fuzz/json_mutator.h"
 #include "tests/support/preset_files.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -61,7 +62,7 @@ class SchemaValidator {
 std::vector<Json> good_presets() {
   std::vector<Json> presets;
   std::vector<fs::path> files = test::preset_files();
-  for (const auto& entry : fs::directory_iterator(fs::path(CAROM_FUZZ_DIR) / "seeds"))
+  for (const auto& entry : fs::directory_iterator(test::source("tests/fuzz/seeds")))
     files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) presets.push_back(parse_json(test::content(file)));
@@ -126,7 +127,7 @@ TEST(PresetSchema, AgreesWithTheReaderOnBrokenPresets) {
 
 // What every number of the schema claims is what the reader takes, to the last bit, and what its message says.
 TEST(PresetSchema, RangesAreThoseThatTheReaderKeeps) {
-  const Json whole = parse_json(test::content(fs::path(CAROM_FUZZ_DIR) / "seeds/every-key.json"));
+  const Json whole = parse_json(test::content(test::source("tests/fuzz/seeds/every-key.json")));
   const Json flat = whole.flatten();
   int numbers = 0;
   for (const auto& item : flat.items()) {
@@ -165,7 +166,7 @@ TEST(PresetSchema, RangesAreThoseThatTheReaderKeeps) {
 
 TEST(PresetSchema, DescribesEveryKey) {
   const std::string text = preset_schema().dump();
-  const Json whole = parse_json(test::content(fs::path(CAROM_FUZZ_DIR) / "seeds/every-key.json"));
+  const Json whole = parse_json(test::content(test::source("tests/fuzz/seeds/every-key.json")));
   const Json flat = whole.flatten();
   for (const auto& item : flat.items()) {
     const std::string key = item.key().substr(item.key().rfind('/') + 1);

@@ -12,6 +12,7 @@
 #include "physics/scene/validate.h"
 #include "physics/study/study.h"
 #include "tests/support/scenes.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -49,7 +50,7 @@ std::string without_times(StudyTable table) {
 // --- followed and stopped
 
 TEST(Study, RowsThatComeOnTheWayAreTheTables) {
-  const Preset s = read_preset(CAROM_PRESET_DIR "/numerical-methods/drag-projectile.json");
+  const Preset s = read_preset(test::preset_file("numerical-methods/drag-projectile.json"));
   StudyOptions o = quick();
   o.repeats = 3;
   o.threads = 3;

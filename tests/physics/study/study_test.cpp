@@ -13,6 +13,7 @@
 #include "physics/preset/preset_file.h"
 #include "physics/study/study_table.h"
 #include "tests/support/scenes.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -239,7 +240,7 @@ TEST(Reference, IsExactFlightWhereThatIsAllowed) {
 
 // Contact forces are found for a whole step: not even exact flight is free of it.
 TEST(Reference, IsRefinedWhereContactsLast) {
-  Preset s = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
+  Preset s = read_preset(test::preset_file("friction/slide-to-roll.json"));
   constexpr double kRolls = 0.52;  // s: just after the slip has ended
   const Chaos chaos = follow_neighbours(setup_of(s), reference_method(setup_of(s)), kRolls, 1);
   const Reference r = make_reference(setup_of(s), chaos, kRolls, kRolls);
@@ -294,7 +295,7 @@ const StudyGroup& group_of(const std::vector<StudyGroup>& groups, IntegratorId i
 }
 
 TEST(Study, ShowsWhatLocatedImpactsAreWorth) {
-  const Preset s = read_preset(CAROM_PRESET_DIR "/numerical-methods/drag-projectile.json");
+  const Preset s = read_preset(test::preset_file("numerical-methods/drag-projectile.json"));
   const StudyTable table = run_study(s, "drag-projectile", quick());
   ASSERT_TRUE(table.whole());
   const auto groups = groups_of(table);
@@ -315,7 +316,7 @@ TEST(Study, ShowsWhatLocatedImpactsAreWorth) {
 }
 
 TEST(Study, SaysExactHereWhereAMethodIs) {
-  const Preset s = read_preset(CAROM_PRESET_DIR "/bounces/bouncing-ball.json");
+  const Preset s = read_preset(test::preset_file("bounces/bouncing-ball.json"));
   const StudyTable table = run_study(s, "bouncing-ball", quick());
   EXPECT_LT(table.facts.time, 4.06);  // before the ball comes to rest
   for (const StudyGroup& g : groups_of(table)) {
@@ -358,7 +359,7 @@ TEST(Study, SaysThatAFlywheelsAngleIsWrong) {
 // A disc slides and then rolls. Where the slip ends within a step the mean of its friction acts for all of it,
 // and the position is off by up to μ g h²/8; the rest is exact, but for the Eulers' own error.
 TEST(Study, FindsTheOrderWithRestingContacts) {
-  const Preset s = read_preset(CAROM_PRESET_DIR "/friction/slide-to-roll.json");
+  const Preset s = read_preset(test::preset_file("friction/slide-to-roll.json"));
   const double slowing = s.scene.materials[0].kinetic_friction * 9.81;  // m/s²
   StudyOptions options = quick();
   options.until = 0.55;  // just after the slip has ended
@@ -410,7 +411,7 @@ std::string csv_of(const StudyTable& table) {
 }
 
 TEST(Study, ShardsPutTogetherAreTheWhole) {
-  const Preset s = read_preset(CAROM_PRESET_DIR "/numerical-methods/drag-projectile.json");
+  const Preset s = read_preset(test::preset_file("numerical-methods/drag-projectile.json"));
   StudyOptions o = quick();
   o.threads = 1;
   const StudyTable whole = run_study(s, "drag-projectile", o);

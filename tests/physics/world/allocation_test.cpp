@@ -10,7 +10,7 @@
 
 // Every allocation of this program is counted: operator new and Eigen both end in malloc. The sanitizers have
 // their own malloc; the test is skipped there.
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__GLIBC__) && !defined(CAROM_SANITIZED)
 #define CAROM_COUNTS_ALLOCATIONS
 #endif
 

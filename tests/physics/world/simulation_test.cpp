@@ -11,6 +11,7 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "tests/support/scenes.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -21,7 +22,7 @@ using test::room;
 using test::same_bytes;
 using test::wall;
 
-Preset preset(const std::string& file) { return read_preset(std::string(CAROM_PRESET_DIR) + "/" + file); }
+Preset preset(const std::string& file) { return read_preset(test::preset_file(file)); }
 
 double observed(const Simulation& s, std::string_view name) {
   return find_observable(name)->value(reading_of(s, {}), {});

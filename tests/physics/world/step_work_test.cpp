@@ -16,6 +16,7 @@
 #include "physics/world/simulation.h"
 #include "tests/support/heap.h"
 #include "tests/support/scenes.h"
+#include "tests/support/source_folder.h"
 
 // A step ends in every scene: its cost is bounded, and a run that reaches a bound reports it.
 namespace carom {
@@ -26,7 +27,7 @@ using test::disc;
 // Scenes in which a step once took for ever, under every method that they allow.
 TEST(StepWork, HardScenesEnd) {
   int scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(CAROM_HARD_SCENES)) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::source("tests/physics/world/hard"))) {
     Preset s = read_preset(entry.path());
     ++scenes;
     for (const IntegratorChoice& integrator : kIntegrators) {
@@ -46,7 +47,7 @@ TEST(StepWork, HardScenesEnd) {
 }
 
 TEST(StepWork, TheRestIsReported) {
-  Preset s = read_preset(std::filesystem::path(CAROM_HARD_SCENES) / "hang-strong-gravity.json");
+  Preset s = read_preset(test::source("tests/physics/world/hard") / "hang-strong-gravity.json");
   s.method.contacts = ContactsId::kImpulse;
   s.method.step = 0.2;
   Simulation run(setup_of(s));
