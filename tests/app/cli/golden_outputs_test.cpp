@@ -1,3 +1,4 @@
+#include <QRegularExpression>
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
@@ -6,10 +7,13 @@
 #include "tests/support/golden.h"
 #include "tests/support/preset_files.h"
 #include "tests/support/program.h"
+#include "tests/support/source_folder.h"
 
 // Hashes of the commands' output for every preset under its own method, in golden_outputs.txt. After an
 // intended change of the output:
 //   CAROM_WRITE_GOLDEN=1 build/release/bin/carom_app_tests --gtest_filter='*GoldenOutputs*'
+// Where mathematical functions round differently, the outputs but for their numbers are compared; these are the
+// physics' matter (tests/physics/world/golden_test.cpp).
 namespace carom {
 namespace {
 
@@ -36,6 +40,13 @@ std::string hash_of(const QByteArray& bytes) {
   return hash.text();
 }
 
+// Without numbers and notices: whether a run comes near a limit may hang on rounding.
+std::string loose_hash_of(const QByteArray& bytes) {
+  static const QRegularExpression number(R"((?<![A-Za-z_])-?\d+(\.\d+)?(e[-+]?\d+)?)");
+  static const QRegularExpression status(R"("status": "[^"]*")");
+  return hash_of(QString::fromUtf8(bytes).replace(number, "#").replace(status, "").toUtf8());
+}
+
 class GoldenOutputs : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(GoldenOutputs, KeepTheirBytes) {
@@ -45,21 +56,31 @@ TEST_P(GoldenOutputs, KeepTheirBytes) {
   const Program carom;
   const std::string name = GetParam().stem().string();
   const QString preset = QString::fromStdString(GetParam().string());
-  std::map<std::string, std::string> now;
+  std::map<std::string, QByteArray> outputs;
   const ProgramResult run = carom({"run", preset, "--json", "--csv", "run.csv", "--events", "events.csv"});
   EXPECT_EQ(run.code, 0) << run.err;
-  now[name + " run --json"] = hash_of(QByteArray::fromStdString(run.out));
-  now[name + " run --csv"] = hash_of(carom.read("run.csv"));
-  now[name + " run --events"] = hash_of(carom.read("events.csv"));
+  outputs[name + " run --json"] = QByteArray::fromStdString(run.out);
+  outputs[name + " run --csv"] = carom.read("run.csv");
+  outputs[name + " run --events"] = carom.read("events.csv");
   carom({"check", preset, "--csv", "check.csv"});
-  now[name + " check --csv"] = hash_of(carom.read("check.csv"));
+  outputs[name + " check --csv"] = carom.read("check.csv");
   if (studied.contains(name)) {
     const ProgramResult study = carom({"study", preset, "--repeats", "1", "--until", "0.5", "--steps",
                                        "0.02,0.01,0.005", "--tolerances", "1e-6,1e-8", "--csv", "study.csv"});
     EXPECT_EQ(study.code, 0) << study.err;
-    now[name + " study --csv"] = hash_of(without_times(carom.read("study.csv")));
+    outputs[name + " study --csv"] = without_times(carom.read("study.csv"));
   }
-  test::expect_golden(CAROM_GOLDEN_FILE, name, now);
+  std::map<std::string, std::string> hashes;
+  for (const auto& [output, bytes] : outputs) hashes[output] = hash_of(bytes);
+  const auto loose_of = [&](const std::string& output) { return loose_hash_of(outputs.at(output)); };
+  const auto compare_loosely = [&](const std::string& output, const std::string& loose) {
+    // How many impacts there are may hang on rounding.
+    if (!output.ends_with("--events")) {
+      EXPECT_EQ(loose, loose_of(output)) << output;
+    }
+  };
+  test::expect_golden(test::source("tests/app/cli/golden_outputs.txt"), name, hashes, loose_of,
+                      compare_loosely);
 }
 
 INSTANTIATE_TEST_SUITE_P(Presets, GoldenOutputs, testing::ValuesIn(test::preset_files()),
