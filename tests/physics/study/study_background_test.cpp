@@ -1,7 +1,7 @@
 #include <cmath>
-#include <filesystem>
 #include <gtest/gtest.h>
 #include <map>
+#include <stop_token>
 #include <thread>
 
 #include "physics/check/measure_run.h"
@@ -13,6 +13,8 @@
 #include "physics/study/study.h"
 #include "tests/support/scenes.h"
 #include "tests/support/source_folder.h"
+#include "tests/support/threads.h"
+#include "tests/support/wait.h"
 
 namespace carom {
 namespace {
@@ -73,33 +75,20 @@ TEST(Study, RowsThatComeOnTheWayAreTheTables) {
   EXPECT_EQ(without_times(run_study(s, "drag-projectile", o)), without_times(table));
 }
 
-std::size_t threads_of_this_process() {
-  // A sanitizer starts a thread of its own with the first one: let that be over.
-  static const bool first = (std::jthread([] {}).join(), true);
-  (void)first;
-  std::size_t count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task")) {
-    count += entry.exists() ? 1 : 0;
-  }
-  return count;
-}
-
 // The system lists a thread for a moment after it has been joined.
 void expect_no_more_threads_than(std::size_t before) {
-  for (int i = 0; i < 1000 && threads_of_this_process() > before; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  EXPECT_EQ(threads_of_this_process(), before);
+  EXPECT_TRUE(test::wait_until([before] { return test::threads_of_this_process() <= before; }));
 }
 
-// Runs what would take hours, asks it to stop from another thread and expects it to end without a result.
+// Runs what would take hours, asks it to stop from another thread once it is under way, and expects it to end
+// without a result.
 template <class Work>
 void expect_to_stop(const Work& work) {
-  const std::size_t before = threads_of_this_process();
+  const std::size_t before = test::threads_of_this_process();
   {
     std::stop_source stop;
     const std::jthread asking([&stop] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      EXPECT_TRUE(test::wait_for_work_of_other_threads());
       stop.request_stop();
     });
     EXPECT_THROW(work(stop.get_token()), Cancelled);
@@ -156,9 +145,7 @@ TEST(Study, StopsBetweenRuns) {
 // --- in the background
 
 StudySoFar wait_for_its_end(const BackgroundStudy& study) {
-  while (study.so_far().phase == StudySoFar::Phase::kRunning) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
+  EXPECT_TRUE(test::wait_until([&] { return study.so_far().phase != StudySoFar::Phase::kRunning; }));
   return study.so_far();
 }
 
@@ -177,9 +164,7 @@ TEST(Study, InTheBackgroundStopsAndKeepsWhatItHas) {
   o.steps = {0.02, kLeastStep};
   o.threads = 2 * kRowsOfQuick;
   BackgroundStudy study(spring_scene(), "spring", o);
-  while (study.so_far().table.rows.size() < kRowsOfQuick) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
+  EXPECT_TRUE(test::wait_until([&] { return study.so_far().table.rows.size() >= kRowsOfQuick; }));
   study.stop();
   const StudySoFar end = wait_for_its_end(study);
   EXPECT_EQ(end.phase, StudySoFar::Phase::kCancelled);
@@ -188,13 +173,13 @@ TEST(Study, InTheBackgroundStopsAndKeepsWhatItHas) {
 }
 
 TEST(Study, InTheBackgroundLeavesNoThreadBehind) {
-  const std::size_t before = threads_of_this_process();
+  const std::size_t before = test::threads_of_this_process();
   StudyOptions o = quick();
   o.steps = {kLeastStep};
   {
     const BackgroundStudy study(spring_scene(), "spring", o);
-    while (study.so_far().stage != "accuracy") std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    EXPECT_GT(threads_of_this_process(), before);
+    EXPECT_TRUE(test::wait_until([&] { return study.so_far().stage == "accuracy"; }));
+    EXPECT_GT(test::threads_of_this_process(), before);
   }
   expect_no_more_threads_than(before);
 }
