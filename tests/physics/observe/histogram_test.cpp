@@ -1,16 +1,15 @@
 #include "physics/observe/histogram.h"
 
-#include <chrono>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
-#include <thread>
 
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "physics/session/worker.h"
 #include "tests/support/scenes.h"
+#include "tests/support/threads.h"
 #include "tests/support/wait.h"
 
 namespace carom {
@@ -200,7 +199,7 @@ TEST(SpeedRecord, IsTheSameHoweverTheRunIsWatched) {
   Recorder recorder;
   const auto watch_until = [&](double time) {
     worker.run_until(time);
-    std::this_thread::sleep_for(std::chrono::milliseconds(60));  // frames that nobody takes become one
+    ASSERT_TRUE(test::wait_until_other_threads_sleep());  // frames that nobody takes become one
     ASSERT_TRUE(test::wait_until([&] {
       for (const auto& frame : worker.take_frames()) recorder.add(*frame);
       return recorder.time() >= time - 1e-9;
