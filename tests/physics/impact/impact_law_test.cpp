@@ -1,6 +1,7 @@
 #include "physics/impact/impact_law.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -56,6 +57,7 @@ double energy(const Pair& p) {
 }
 
 TEST(ImpactLaw, RandomImpactsKeepTheLaws) {
+  setenv("RC_PARAMS", "seed=1", 0);  // the same impacts in every run, unless others are asked for
   EXPECT_TRUE(rc::check("momentum, angular momentum, energy, cone", [] {
     Pair p = random_pair();
     const Pair before = p;
