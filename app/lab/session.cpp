@@ -1,6 +1,5 @@
 #include "app/lab/session.h"
 
-#include <QRandomGenerator>
 #include <algorithm>
 #include <utility>
 
@@ -272,7 +271,7 @@ void Session::add_body(double x, double y) {
     break;
   }
   body.name = free_body_name(with.scene, "new");
-  body.shape = Disc{radius * (0.5 + QRandomGenerator::global()->generateDouble())};
+  body.shape = Disc{radius * (0.5 + sizes_.generateDouble())};
   body.position = {x, y};
   with.scene.bodies.push_back(body);
   validate(with);

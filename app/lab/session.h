@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QRandomGenerator>
 #include <QTimer>
 #include <QUndoStack>
 #include <functional>
@@ -114,6 +115,7 @@ class Session : public QObject {
 
   Worker worker_;
   Preset document_;
+  QRandomGenerator sizes_{1};   // of the discs that are added: the same in every session
   std::size_t own_bodies_ = 0;  // of the document's list; the others were added
   QString name_, file_;
   ReferenceId reference_ = ReferenceId::kNone;
