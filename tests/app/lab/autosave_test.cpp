@@ -18,6 +18,7 @@
 #include "app/lab/preset_library.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "tests/support/wait_events.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/scene/scene_view.h"
 
@@ -34,7 +35,7 @@ class AutosaveTest : public testing::Test {
     window->show();
     EXPECT_TRUE(window->open("head-on"));
     window->keep_work(folder);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return window->frame() != nullptr; }));
+    EXPECT_TRUE(test::wait_in_event_loop([&] { return window->frame() != nullptr; }));
     return window;
   }
   static void add_body(LabWindow& window) { emit window.scene_view().spawnRequested(0.3, 1.0); }
@@ -86,7 +87,7 @@ TEST_F(AutosaveTest, KeepsEditsUntilTheyAreSavedOrGivenUp) {
     box->button(QMessageBox::Discard)->click();
   });
   window->close();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !window->isVisible(); }));
+  EXPECT_TRUE(test::wait_in_event_loop([&] { return !window->isVisible(); }));
   EXPECT_TRUE(QDir(kept()).entryList(QDir::Files).isEmpty());
 }
 

@@ -7,6 +7,7 @@
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
 #include "tests/app/lab/lab_fixture.h"
+#include "tests/support/wait_events.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/compare_table.h"
 #include "widgets/plot/legend_button.h"
@@ -42,7 +43,7 @@ TEST_F(LabCompareTest, OneKeyMakesEulerRk4AndTheExactRun) {
   const Method own = window_.preset().method;
   usual()->trigger();
   window_.run_until(1.0);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 3 && cell(2, "CPU, s/s") > 0.0; }, 5000));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return rows() == 3 && cell(2, "CPU, s/s") > 0.0; }));
   const Preset compared = window_.preset();
   EXPECT_EQ(compared.method.integrator, IntegratorId::kExactFlight);
   ASSERT_EQ(compared.compare.size(), 2U);
@@ -62,14 +63,14 @@ TEST_F(LabCompareTest, APresetOpensWithItsComparison) {
   ASSERT_TRUE(window_.open("drag-projectile"));
   EXPECT_EQ(window_.findChild<QTabWidget*>()->currentWidget(), window_.findChild<ComparePanel*>());
   window_.run_until(1.0);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 3 && cell(2, "largest / m") > 0.0; }, 5000));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return rows() == 3 && cell(2, "largest / m") > 0.0; }));
   EXPECT_LT(cell(0, "largest / m"), 1e-8) << "RK4";
   EXPECT_GT(cell(1, "largest / m"), 1e-3) << "explicit Euler";
   EXPECT_GT(cell(2, "largest / m"), 1e-3) << "impacts at the step's end";
   ASSERT_TRUE(window_.open("head-on"));
   window_.run_until(0.1);
   EXPECT_TRUE(window_.preset().compare.empty());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 1; }, 5000));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return rows() == 1; }));
 }
 
 // And back to the preset's own comparison.
@@ -116,13 +117,13 @@ TEST_F(LabCompareTest, MethodsComeAndGoWhileItRuns) {
   euler.integrator = IntegratorId::kExplicitEuler;
   emit panel->methodAdded(euler);
   window_.run_until(1.0);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 2 && cell(1, "largest / m") > 1e-4; }, 5000));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return rows() == 2 && cell(1, "largest / m") > 1e-4; }));
   euler.step *= 0.5;
   emit panel->methodChanged(euler, 1);
   EXPECT_EQ(window_.preset().compare.front().step, euler.step);
   emit panel->methodRemoved(1);
   window_.run_until(1.1);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 1; }, 5000));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return rows() == 1; }));
 }
 
 }  // namespace

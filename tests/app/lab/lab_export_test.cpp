@@ -20,7 +20,6 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <qwt_plot.h>
-#include <thread>
 
 #include "app/export/run_export.h"
 #include "app/export/run_progress.h"
@@ -31,6 +30,7 @@
 #include "physics/preset/preset_file.h"
 #include "tests/app/lab/lab_fixture.h"
 #include "tests/support/wait.h"
+#include "tests/support/wait_events.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/run_plot.h"
 #include "widgets/scene/scene_view.h"
@@ -122,7 +122,7 @@ TEST_F(LabExportTest, ThePlotsDataAreCopied) {
   QWheelEvent wheel({canvas->width() / 2.0, 20.0}, canvas->mapToGlobal(QPointF(canvas->width() / 2.0, 20.0)),
                     {}, {0, 240}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
   QApplication::sendEvent(canvas, &wheel);
-  QTest::qWait(20);
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return panel_->marks().from > 0.0; }));
   trigger_in_plot(0, "Copy the data that is shown");
   const QStringList shown = clipboard_lines();
   const ReadingMarks marks = panel_->marks();
@@ -236,7 +236,7 @@ TEST_F(LabExportTest, TheRunIsSavedAtItsPresentTime) {
   EXPECT_EQ(window_.frame()->state.q, later.q);
   EXPECT_EQ(window_.frame()->status, "ok");
   trigger("Restart");
-  for (int i = 0; i < 200 && window_.frame()->time > 1.2; ++i) QTest::qWait(10);
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return window_.frame()->time < 1.2; }));
   EXPECT_NEAR(window_.frame()->time, 1.0, 0.01);
   EXPECT_EQ(window_.frame()->state.q, shown.q);
 }
@@ -330,10 +330,7 @@ TEST(LabWindowGoes, WhileItAsksOrWorks) {
   bool after = false;
   with_progress(
       window.get(), "Work", "Failed",
-      [&](const Progress& go_on) {
-        while (go_on(0.5)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        left = true;
-      },
+      [&](const Progress& go_on) { left = test::wait_until([&] { return !go_on(0.5); }); },
       [&] { after = true; });
   EXPECT_NE(QApplication::activeModalWidget(), nullptr);
   window.reset();

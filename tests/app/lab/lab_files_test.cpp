@@ -7,6 +7,7 @@
 #include "physics/preset/preset_file.h"
 #include "tests/app/lab/lab_fixture.h"
 #include "tests/support/source_folder.h"
+#include "tests/support/wait_events.h"
 
 namespace carom {
 namespace {
@@ -54,7 +55,7 @@ TEST_F(LabFilesTest, BuiltInExperimentIsSavedUnderANewName) {
   click_scene({0.1, 0.4});
   chosen_file_ = folder_.filePath("new");
   EXPECT_FALSE(window_.save()) << "it asks first";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.isWindowModified(); }));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return !window_.isWindowModified(); }));
   EXPECT_EQ(read_preset(folder_.filePath("new.json").toStdString()).scene.bodies.size(), 3U);
   EXPECT_EQ(read_preset(test::preset_file("first-collisions/head-on.json")).scene.bodies.size(), 2U);
 }
@@ -110,7 +111,7 @@ TEST_F(LabFilesTest, ChangesAreAskedAboutBeforeTheWindowCloses) {
   EXPECT_TRUE(window_.isVisible());
   button_ = QMessageBox::Discard;
   EXPECT_FALSE(window_.close()) << "it asks first";
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !window_.isVisible(); }));
+  EXPECT_TRUE(test::wait_in_event_loop([&] { return !window_.isVisible(); }));
   EXPECT_EQ(boxes_.size(), 2U);
 }
 
@@ -119,7 +120,7 @@ TEST_F(LabFilesTest, ChangesAreSavedBeforeTheWindowCloses) {
   button_ = QMessageBox::Save;
   chosen_file_ = folder_.filePath("last.json");
   EXPECT_FALSE(window_.close());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.isVisible(); }));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return !window_.isVisible(); }));
   EXPECT_EQ(read_preset(folder_.filePath("last.json").toStdString()).method.integrator,
             IntegratorId::kExplicitEuler);
 }

@@ -19,8 +19,10 @@
 #include <vector>
 
 #include "app/lab/lab_window.h"
+#include "tests/support/wait_events.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/run/experiment_list.h"
+#include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
 
 namespace carom {
@@ -56,13 +58,13 @@ class LabWindowTest : public LabTest {
 
   // Waits until this number of questions were asked and answered in all.
   [[nodiscard]] bool wait_for_boxes(std::size_t count) {
-    return QTest::qWaitFor(
-        [&] { return boxes_.size() >= count && QApplication::activeModalWidget() == nullptr; }, 5000);
+    return test::wait_in_event_loop(
+        [&] { return boxes_.size() >= count && QApplication::activeModalWidget() == nullptr; });
   }
   // Waits for a frame with `fulfilled`; returns false if that takes too long.
   template <class Condition>
   bool wait_for(const Condition& fulfilled) {
-    return QTest::qWaitFor([&] { return window_.frame() != nullptr && fulfilled(); }, 5000);
+    return test::wait_in_event_loop([&] { return window_.frame() != nullptr && fulfilled(); });
   }
   [[nodiscard]] double time() const { return window_.frame()->time; }
   [[nodiscard]] std::int64_t steps() const { return window_.frame()->steps; }
@@ -74,6 +76,7 @@ class LabWindowTest : public LabTest {
     ADD_FAILURE() << "no action " << text.toStdString();
     return nullptr;
   }
+  void choose_speed(double speed) { action(TransportBar::speed_text(speed))->trigger(); }
   QToolButton* button(const QString& tip) {
     for (QToolButton* b : window_.findChildren<QToolButton*>()) {
       if (b->toolTip().startsWith(tip)) return b;

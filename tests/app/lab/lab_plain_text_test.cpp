@@ -20,6 +20,7 @@
 #include "app/lab/preset_library.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "tests/support/wait_events.h"
 
 // A malicious preset: every text in it is HTML that shows a picture from this machine.
 namespace carom {
@@ -120,7 +121,7 @@ class LabPlainText : public testing::Test {
     });
     looking.start(10);
     ask();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return seen > 0; }));
+    EXPECT_TRUE(test::wait_in_event_loop([&] { return seen > 0; }));
     return seen;
   }
 

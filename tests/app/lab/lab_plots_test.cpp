@@ -15,6 +15,7 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "tests/app/lab/lab_fixture.h"
+#include "tests/support/wait_events.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/reading_table.h"
 #include "widgets/plot/run_plot.h"
@@ -48,12 +49,12 @@ TEST_F(LabPlotsTest, APlotMadeLateIsWholeAndSaved) {
   panel_->add(height_);
   EXPECT_TRUE(window_.isWindowModified());
   const RunPlot* plot = panel_->plots().back();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return points(plot) > 100; }, 5000));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return points(plot) > 100; }));
   EXPECT_EQ(curve(plot).sample(0).x(), 0.0);
   EXPECT_NEAR(curve(plot).sample(static_cast<int>(curve(plot).dataSize()) - 1).x(), 2.0, 0.006);
   window_.run_until(2.5);
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return curve(plot).sample(static_cast<int>(curve(plot).dataSize()) - 1).x() > 2.49; }, 5000));
+  ASSERT_TRUE(test::wait_in_event_loop(
+      [&] { return curve(plot).sample(static_cast<int>(curve(plot).dataSize()) - 1).x() > 2.49; }));
 
   QTemporaryDir dir;
   const std::string file = dir.filePath("mine.json").toStdString();
@@ -96,7 +97,7 @@ TEST_F(LabPlotsTest, DataAreSavedFromTheWindow) {
   });
   answer.start(50);
   emit panel_->dataAsked(panel_->plots().front());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(file); }));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return QFile::exists(file); }));
   answer.stop();
   QFile data(file);
   ASSERT_TRUE(data.open(QIODevice::ReadOnly));

@@ -16,6 +16,7 @@
 #include "app/lab/lab_window.h"
 #include "app/lab/report_dialog.h"
 #include "physics/scene/validate.h"
+#include "tests/support/wait_events.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/run/run_tables.h"
 #include "widgets/scene/scene_view.h"
@@ -91,8 +92,8 @@ class LabReportTest : public testing::Test {
       if (action->text().remove('&') == "Lab report...") action->trigger();
     }
     // A playing run is paused first.
-    ASSERT_TRUE(QTest::qWaitFor([&] { return report_ || !said_.isEmpty(); }));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::activeModalWidget() == nullptr; }));
+    ASSERT_TRUE(test::wait_in_event_loop([&] { return report_ || !said_.isEmpty(); }));
+    ASSERT_TRUE(test::wait_in_event_loop([&] { return QApplication::activeModalWidget() == nullptr; }));
   }
   [[nodiscard]] QByteArray bytes(const QString& file) const {
     QFile pdf(dir_.filePath(file));
@@ -182,7 +183,7 @@ TEST_F(LabReportTest, HasWhatIsAskedFor) {
 
 TEST_F(LabReportTest, SaysWhatIsMissing) {
   ASSERT_TRUE(window_.open("bouncing-ball"));
-  QTest::qWait(100);
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return window_.frame() != nullptr; }));
   make("none.pdf");
   EXPECT_TRUE(said_.contains("play it first")) << said_.toStdString();
   EXPECT_FALSE(report_);
@@ -195,7 +196,7 @@ TEST_F(LabReportTest, SaysWhatIsMissing) {
 TEST_F(LabReportTest, IsOfOneMoment) {
   ASSERT_TRUE(window_.open("bouncing-ball"));
   QTest::keyClick(&window_.scene_view(), Qt::Key_Space);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.frame() && window_.frame()->time > 0.1; }, 5000));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return window_.frame() && window_.frame()->time > 0.1; }));
   make("now.pdf");
   ASSERT_TRUE(report_);
   EXPECT_FALSE(window_.frame()->playing);

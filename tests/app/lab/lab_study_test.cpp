@@ -6,6 +6,7 @@
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
+#include "tests/support/wait_events.h"
 #include "widgets/compare/error_plot.h"
 #include "widgets/compare/study_panel.h"
 
@@ -33,7 +34,7 @@ class LabStudyTest : public testing::Test {
     ASSERT_NE(panel_, nullptr);
     auto* tabs = window_->findChild<QTabWidget*>();
     tabs->setCurrentWidget(panel_);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return panel_->isVisible(); }, 5000));
+    ASSERT_TRUE(test::wait_in_event_loop([this] { return panel_->isVisible(); }));
   }
   std::unique_ptr<LabWindow> window_;
   StudyPanel* panel_ = nullptr;
@@ -41,7 +42,7 @@ class LabStudyTest : public testing::Test {
 
 TEST_F(LabStudyTest, AClickOnAPointTakesItsMethodIntoTheComparison) {
   panel_->start(quick());
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !panel_->running(); }, 20000));
+  ASSERT_TRUE(test::wait_in_event_loop([this] { return !panel_->running(); }));
   ASSERT_EQ(panel_->so_far().phase, StudySoFar::Phase::kDone);
   EXPECT_EQ(panel_->so_far().table.facts.preset, "drag-projectile");
   EXPECT_FALSE(window_->isWindowModified());
@@ -63,7 +64,7 @@ TEST_F(LabStudyTest, AClickOnAPointTakesItsMethodIntoTheComparison) {
 
 TEST_F(LabStudyTest, TheLastStudyStaysWhenAnotherSceneIsShown) {
   panel_->start(quick());
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !panel_->running(); }, 20000));
+  ASSERT_TRUE(test::wait_in_event_loop([this] { return !panel_->running(); }));
   ASSERT_TRUE(window_->open("head-on"));
   EXPECT_FALSE(panel_->of_the_scene_shown());
   EXPECT_TRUE(panel_->words().contains("Projectile with drag")) << panel_->words().toStdString();
@@ -75,7 +76,7 @@ TEST_F(LabStudyTest, TheWindowClosesWhileAStudyRuns) {
   StudyOptions endless = quick();
   endless.steps = {kLeastStep};
   panel_->start(endless);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return panel_->so_far().stage == "accuracy"; }, 20000));
+  ASSERT_TRUE(test::wait_in_event_loop([this] { return panel_->so_far().stage == "accuracy"; }));
   window_.reset();
 }
 

@@ -13,6 +13,7 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "tests/support/scenes.h"
+#include "tests/support/wait_events.h"
 
 namespace carom {
 namespace {
@@ -63,7 +64,7 @@ TEST(LostBar, ComesBackWhereItIsPlayedAgain) {
   LabWindow window(light_theme());
   window.show();
   ASSERT_TRUE(window.open(file));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window.frame() != nullptr; }));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return window.frame() != nullptr; }));
   const auto play = [&] {
     for (QAction* action : window.findChildren<QAction*>()) {
       if (action->shortcut() == QKeySequence(Qt::Key_Space)) action->trigger();
@@ -76,7 +77,7 @@ TEST(LostBar, ComesBackWhereItIsPlayedAgain) {
     return nullptr;
   };
   play();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window.frame()->lost && bar() != nullptr; }));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return window.frame()->lost && bar() != nullptr; }));
   const auto said_in_chip = [&] {
     for (const QLabel* label : window.findChildren<QLabel*>("chip")) {
       if (label->isVisible() && label->toolTip().contains("lost at t")) return true;

@@ -10,6 +10,7 @@
 #include "physics/preset/preset_file.h"
 #include "tests/support/scenes.h"
 #include "tests/support/wait.h"
+#include "tests/support/wait_events.h"
 
 // Undo and redo of every edit of a session restore the document and its runs.
 namespace carom {
@@ -70,9 +71,12 @@ class SessionTest : public testing::Test {
     const Preset preset = read_preset(find_preset("drag-projectile"));
     session_.open(preset, preset.plots, {}, "drag-projectile", {});
   }
-  // Waits until all runs have reached the shown time, and no more frames come.
+  // Waits until all that was asked for before is done, and all runs have reached the shown time. A curve that
+  // is asked for now comes after all that. It is another one than at the last time, and forgotten before.
   void settle() {
-    QTest::qWait(40);
+    const Curve curve{{find_observable(settled_++ % 2 == 0 ? "kinetic_energy" : "total_energy"), {}}, {}};
+    session_.record({});
+    session_.record({curve});
     ASSERT_TRUE(test::wait_until([&] {
       QCoreApplication::processEvents();
       if (session_.frames().size() != 1 + session_.document().compare.size() || session_.replayed())
@@ -80,7 +84,8 @@ class SessionTest : public testing::Test {
       for (std::size_t i = 0; i < session_.frames().size(); ++i) {
         const Frame& frame = *session_.frames()[i];
         if (frame.method != method(i) || frame.time + frame.method.step <= session_.frame()->time) return false;
-        if (frame.rows_known_until < frame.time || frame.bodies->size() > session_.bodies().size())
+        if (session_.recorders()[i]->series(curve) == nullptr || frame.rows_known_until < frame.time ||
+            frame.bodies->size() > session_.bodies().size())
           return false;
       }
       return !session_.frame()->playing;
@@ -111,6 +116,9 @@ class SessionTest : public testing::Test {
   }
 
   Session session_;
+
+ private:
+  int settled_ = 0;
 };
 
 Plot named(const char* id) {
@@ -223,20 +231,20 @@ TEST_F(SessionTest, ManyEditsAreUndoneAtOnce) {
 }
 
 TEST_F(SessionTest, UndoWhileARunPlays) {
-  session_.set_speed(0.5);
+  session_.set_speed(0.1);
   session_.set_playing(true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.frame() && session_.frame()->time > 0.05; }));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.frame() && session_.frame()->time > 0.05; }));
   session_.add_body(0.3, 1.5);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.frame()->log->edits.size() == 1; }));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.frame()->log->edits.size() == 1; }));
   session_.change_method(euler(session_, 0.004));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.frame()->log->edits.size() == 2; }));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.frame()->log->edits.size() == 2; }));
   const double time = session_.frame()->time;
   session_.edits().undo();
   session_.edits().undo();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.frame()->log->edits.empty(); }));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.frame()->log->edits.empty(); }));
   EXPECT_GT(session_.frame()->time, time - 0.01) << "the moments on the way are not shown";
   EXPECT_TRUE(session_.frame()->playing);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.frame()->time > time + 0.05; }));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.frame()->time > time + 0.05; }));
   session_.set_playing(false);
   settle();
   const Snapshot undone = snapshot();

@@ -14,6 +14,7 @@
 #include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
 #include "tests/support/run_fixture.h"
+#include "tests/support/wait_events.h"
 #include "widgets/compare/error_plot.h"
 #include "widgets/compare/order_table.h"
 
@@ -50,7 +51,7 @@ class StudyPanelTest : public testing::Test {
   void run_to_its_end(const StudyOptions& options = quick()) {
     panel_.start(options);
     EXPECT_TRUE(panel_.running());
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !panel_.running(); }, 20000));
+    ASSERT_TRUE(test::wait_in_event_loop([this] { return !panel_.running(); }));
     ASSERT_EQ(panel_.so_far().phase, StudySoFar::Phase::kDone) << panel_.so_far().refusal;
   }
   QToolButton* button(const QString& text) {
@@ -121,7 +122,7 @@ TEST_F(StudyPanelTest, AChosenMethodIsNoOtherScene) {
   of_the_scene.steps.clear();
   of_the_scene.integrators = {IntegratorId::kRk4};
   panel_.start(of_the_scene);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !panel_.running(); }, 20000));
+  ASSERT_TRUE(test::wait_in_event_loop([this] { return !panel_.running(); }));
   EXPECT_EQ(panel_.so_far().table.rows.front().method.step,
             std::min(16.0 * drag_scene().method.step, 0.5 / 8.0));
 }
@@ -154,9 +155,9 @@ StudyOptions endless() {
 
 TEST_F(StudyPanelTest, CancelStopsAndKeepsWhatIsThere) {
   panel_.start(endless());
-  ASSERT_TRUE(QTest::qWaitFor([this] { return panel_.so_far().stage == "accuracy"; }, 20000));
+  ASSERT_TRUE(test::wait_in_event_loop([this] { return panel_.so_far().stage == "accuracy"; }));
   QTest::mouseClick(button("Cancel"), Qt::LeftButton);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !panel_.running(); }, 20000));
+  ASSERT_TRUE(test::wait_in_event_loop([this] { return !panel_.running(); }));
   EXPECT_EQ(panel_.so_far().phase, StudySoFar::Phase::kCancelled);
   EXPECT_NO_THROW((void)button("Run the study"));
   run_to_its_end();
@@ -169,7 +170,7 @@ TEST(StudyPanel, GoesWhileAStudyRuns) {
     panel->set_scene(drag_scene(), "drag");
     panel->start(endless());
     if (started) {
-      ASSERT_TRUE(QTest::qWaitFor([&] { return panel->so_far().stage == "accuracy"; }, 20000));
+      ASSERT_TRUE(test::wait_in_event_loop([&] { return panel->so_far().stage == "accuracy"; }));
     }
     panel.reset();
   }
@@ -179,7 +180,7 @@ TEST_F(StudyPanelTest, AStudyThatCannotBeSaysWhy) {
   StudyOptions o = quick();
   o.integrators = {IntegratorId::kExactFlight};
   panel_.start(o);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !panel_.running(); }, 20000));
+  ASSERT_TRUE(test::wait_in_event_loop([this] { return !panel_.running(); }));
   bool said = false;
   for (const QLabel* label : panel_.findChildren<QLabel*>()) {
     said = said || (label->isVisible() && label->text().contains("xact flight"));
@@ -208,7 +209,7 @@ TEST_F(StudyPanelTest, TheMouseOnAPointShowsItsFigures) {
   run_to_its_end();
   const StudyRow& r = row(IntegratorId::kRk4, ImpactsId::kLocated, 0.025);
   QTest::mouseMove(panel_.plot().canvas(), panel_.plot().pixel_of(r)->toPoint());
-  ASSERT_TRUE(QTest::qWaitFor([] { return QToolTip::text().contains("RK4"); }, 2000));
+  ASSERT_TRUE(test::wait_in_event_loop([] { return QToolTip::text().contains("RK4"); }));
   EXPECT_TRUE(QToolTip::text().contains("h = 0.025 s")) << QToolTip::text().toStdString();
   EXPECT_TRUE(QToolTip::text().contains("wall time"));
 
@@ -226,7 +227,7 @@ TEST(ErrorPlot, SaysThatNothingMoves) {
   panel.show();
   panel.set_scene(Preset(), "empty");
   panel.start(quick());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !panel.running(); }, 20000));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return !panel.running(); }));
   EXPECT_TRUE(panel.save(file, &error)) << error.toStdString();
   EXPECT_EQ(panel.plot().row_at({50.0, 50.0}), nullptr);
 }
