@@ -11,6 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/support/effort.h"
+
 // Faults of files: full disks, missing rights, kills at any moment.
 namespace carom::test {
 
@@ -56,7 +58,7 @@ int as_nobody(const Act& act) {
 }
 
 // How often to kill a process: 300 times in the long tests.
-inline int kills(int ordinary) { return std::getenv("CAROM_LONG_TESTS") != nullptr ? 300 : ordinary; }
+inline int kills(int ordinary) { return by_effort(ordinary / 4, ordinary, 300); }
 
 inline int random_signal(std::mt19937& random) {
   static constexpr int kSignals[] = {SIGKILL, SIGINT, SIGTERM, SIGHUP};

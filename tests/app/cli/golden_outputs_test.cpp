@@ -62,7 +62,8 @@ TEST_P(GoldenOutputs, KeepTheirBytes) {
   outputs[name + " run --json"] = QByteArray::fromStdString(run.out);
   outputs[name + " run --csv"] = carom.read("run.csv");
   outputs[name + " run --events"] = carom.read("events.csv");
-  carom({"check", preset, "--csv", "check.csv"});
+  const ProgramResult check = carom({"check", preset, "--csv", "check.csv"});
+  EXPECT_EQ(check.code, 0) << check.out << check.err;
   outputs[name + " check --csv"] = carom.read("check.csv");
   if (studied.contains(name)) {
     const ProgramResult study = carom({"study", preset, "--repeats", "1", "--until", "0.5", "--steps",

@@ -1,7 +1,7 @@
 // Random actions on the lab window until something breaks:
 //   carom_monkey [--seed N] [--actions N] [--folder DIR]
 // The seed is printed; the same seed gives the same actions. A crash or a hanging window is reported with the
-// last actions. Without --actions there are 300, or 20 000 where CAROM_LONG_TESTS is set.
+// last actions. Without --actions there are 300, or 20 000 in the long tests.
 #include <QApplication>
 #include <QDesktopServices>
 #include <QDir>
@@ -22,6 +22,7 @@
 #include "app/lab/preset_library.h"
 #include "monkey.h"
 #include "physics/preset/preset.h"
+#include "tests/support/effort.h"
 
 namespace carom {
 namespace {
@@ -161,7 +162,7 @@ int run(int argc, char** argv) {
 
   const QStringList arguments = QApplication::arguments();
   Monkey::Options options;
-  const int ordinary = qEnvironmentVariableIsSet("CAROM_LONG_TESTS") ? kLongActions : kActions;
+  const int ordinary = test::by_effort(kActions, kActions, kLongActions);
   options.actions = value_of(arguments, "--actions", ordinary);
   options.seed = static_cast<unsigned>(value_of(arguments, "--seed", 1));
   options.folder = folder.path();

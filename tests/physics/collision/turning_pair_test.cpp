@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/convex_reference.h"
+#include "tests/support/effort.h"
 
 namespace carom {
 namespace {
@@ -72,12 +73,12 @@ Flight random_flight(std::mt19937_64& random, ShapeKind a, ShapeKind b) {
   return f;
 }
 
-// The first contact of 10⁵ random flights, of all pairs of kinds (10⁶ with CAROM_LONG_TESTS), against dense
+// The first contact of 10⁵ random flights, of all pairs of kinds (10⁶ in the long tests), against dense
 // sampling. The reference looks at the gap at equal steps of time. Where three samples have their least in the
 // middle, golden-section search goes down to the bottom between them. A sample or a bottom below -tolerance
 // before the time that was found, or without one, is a miss; so is a time at which the gap is not zero.
 TEST(TurningPair, RandomFlightsAgainstDenseSampling) {
-  const int pairs = std::getenv("CAROM_LONG_TESTS") != nullptr ? 1'000'000 : 100'000;
+  const int pairs = test::by_effort(20'000, 100'000, 1'000'000);
   constexpr int kSamples = 64;
   constexpr double kTolerance = 1e-13;
   int searched = 0;

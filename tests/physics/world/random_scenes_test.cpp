@@ -8,11 +8,12 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/facts.h"
+#include "tests/support/effort.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
 
 // Laws that every scene obeys under every method. Scenes are named by their seed; a failing one prints its
-// preset, which `carom run` repeats. CAROM_LONG_TESTS=1 in the environment runs 10 000 scenes instead of 300.
+// preset, which `carom run` repeats. The long tests run 10 000 scenes instead of 300.
 namespace carom {
 namespace {
 
@@ -206,8 +207,7 @@ std::vector<std::string> broken_laws(std::uint64_t seed) {
 }
 
 TEST(RandomScenes, KeepTheLawsUnderEveryMethod) {
-  const bool many = std::getenv("CAROM_LONG_TESTS") != nullptr;
-  const std::uint64_t scenes = many ? 10'000 : 300;
+  const std::uint64_t scenes = test::by_effort<std::uint64_t>(40, 300, 10'000);
   for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
     for (const std::string& broken : broken_laws(seed)) ADD_FAILURE() << broken;
   }

@@ -10,12 +10,13 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/facts.h"
+#include "tests/support/effort.h"
 #include "tests/support/preset_files.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/resumed_run.h"
 
 // A run that is saved, read and continued equals the uninterrupted run to the last bit: every preset under
-// every method, and random scenes. CAROM_LONG_TESTS=1 in the environment runs presets for their whole
+// every method, and random scenes. The long tests run presets for their whole
 // duration with their own steps, and 2000 scenes instead of 60.
 namespace carom {
 namespace {
@@ -23,11 +24,10 @@ namespace {
 namespace fs = std::filesystem;
 using test::all_of;
 using test::events_of;
+using test::long_tests;
 using test::parting;
 using test::preset_files;
 using test::saved_and_read;
-
-bool long_tests() { return std::getenv("CAROM_LONG_TESTS") != nullptr; }
 
 // Runs without interruption until the time, or until so many impacts, with its steps; then again, saved after
 // each of `parts` but the last. The difference, or nothing.
@@ -111,7 +111,7 @@ Preset jointed_scene(std::uint64_t seed) {
 }
 
 TEST(RunState, RandomScenesGoOnForTheSameBytes) {
-  const std::uint64_t count = long_tests() ? 2000 : 60;
+  const std::uint64_t count = test::by_effort<std::uint64_t>(60, 60, 2000);
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     Preset preset = jointed_scene(seed);
     preset.method.integrator = kIntegrators[seed % std::size(kIntegrators)].id;
