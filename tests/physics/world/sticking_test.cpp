@@ -11,6 +11,7 @@
 #include "physics/scene/validate.h"
 #include "physics/world/run_setup.h"
 #include "tests/support/draws.h"
+#include "tests/support/impacts.h"
 #include "tests/support/scenes.h"
 
 // Bodies that stay joined from their first impact on.
@@ -421,7 +422,7 @@ TEST(Sticking, CopiesGoTheirOwnWaysAndARestartIsUnjoined) {
     s.method.integrator = id;
     s.method.step = 0.01;
     Simulation run(s);
-    while (run.impact_count() == 0) run.step();
+    ASSERT_TRUE(test::step_to_impact(run, 1));
     Simulation copy = run;
     run.advance_to(2.0);
     EXPECT_EQ(copy.joints().size(), 1U);
@@ -440,7 +441,7 @@ TEST(Sticking, OutlastsEdits) {
   RunSetup s = lumps();
   s.method.step = 0.01;
   Simulation run(s);
-  while (run.impact_count() < 2) run.step();
+  ASSERT_TRUE(test::step_to_impact(run, 2));
   const Eigen::Vector3d place = place_of(run.state(), 1, 0);
   run.add_body(disc("late", {0.0, 1.5}, {0, -3.0}, 0.1, 0.2));
   run.set_method({IntegratorId::kAdaptiveDormandPrince, ImpactsId::kLocated, ContactsId::kImpulse, 0.02});
