@@ -14,6 +14,7 @@
 #include "physics/scene/facts.h"
 #include "physics/world/pair_list.h"
 #include "physics/world/simulation.h"
+#include "tests/support/effort.h"
 #include "tests/support/heap.h"
 #include "tests/support/scenes.h"
 #include "tests/support/source_folder.h"
@@ -26,6 +27,7 @@ using test::disc;
 
 // Scenes in which a step once took for ever, under every method that they allow.
 TEST(StepWork, HardScenesEnd) {
+  const int steps = test::by_effort(1, 4, 4);
   int scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(test::source("tests/physics/world/hard"))) {
     Preset s = read_preset(entry.path());
@@ -37,8 +39,8 @@ TEST(StepWork, HardScenesEnd) {
           const double step = s.method.step;
           s.method = {.integrator = integrator.id, .impacts = impacts, .contacts = contacts, .step = step};
           Simulation run(setup_of(s));
-          for (int k = 0; k < 4; ++k) run.step();
-          EXPECT_TRUE(run.steps() == 4 || run.lost()) << entry.path();
+          for (int k = 0; k < steps; ++k) run.step();
+          EXPECT_TRUE(run.steps() == steps || run.lost()) << entry.path();
         }
       }
     }
