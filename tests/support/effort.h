@@ -7,8 +7,8 @@ namespace carom::test {
 
 // How much to try: CAROM_EFFORT in the environment is `quick` for tests/quick, `long` for tests/long, else
 // ordinary.
-template <class Number>
-[[nodiscard]] Number by_effort(Number quick, Number ordinary, Number most) {
+template <class T>
+[[nodiscard]] T by_effort(T quick, T ordinary, T most) {
   const char* const effort = std::getenv("CAROM_EFFORT");
   if (effort == nullptr) return ordinary;
   return std::string_view(effort) == "long" ? most : std::string_view(effort) == "quick" ? quick : ordinary;
