@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/standard_output.h"
 #include "app/lab/preset_library.h"
+#include "physics/preset/key_table.h"
 #include "physics/preset/preset_file.h"
 #include "physics/preset/preset_json.h"
 #include "physics/scene/validate.h"
@@ -14,13 +15,18 @@ namespace {
 struct ValidateOptions {
   std::vector<std::string> presets;
   bool schema = false;
+  bool keys = false;
 };
 
 int validate(const ValidateOptions& options) {
-  if (options.schema == !options.presets.empty())
-    throw SceneError("validate: one input is needed; allowed: FILE|NAME..., or --schema");
+  if (int{options.schema} + int{options.keys} + int{!options.presets.empty()} != 1)
+    throw SceneError("validate: one input is needed; allowed: FILE|NAME..., --schema or --keys");
   if (options.schema) {
     print_out("{}\n", preset_schema().dump(2));
+    return kGood;
+  }
+  if (options.keys) {
+    for (const auto& [title, rows] : key_sections()) print_out("## {}\n\n{}\n", title, markdown_of(rows));
     return kGood;
   }
   int code = kGood;
@@ -44,6 +50,7 @@ Command add_validate_command(CLI::App& program, Arguments /*arguments*/) {
   command.add_option("preset", options->presets, "preset files or names of experiments")
       ->type_name("FILE|NAME");
   command.add_flag("--schema", options->schema, "print the JSON Schema of preset files");
+  command.add_flag("--keys", options->keys, "print all keys of a scene, with units, ranges and defaults");
   return {&command, [options] { return validate(*options); }};
 }
 

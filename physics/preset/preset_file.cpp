@@ -38,46 +38,36 @@ void of_saved_run(const Read& read) {
 
 void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
   read_format(r);
-  r.require({"title", "a few words"}, preset.title, kWords);
-  r.read({"about", "what the experiment is, a paragraph"}, preset.about, kText);
-  r.read({"observe", "what to look at, a few words"}, preset.observe, kText);
-  r.read({"duration", "how long a run lasts"}, preset.duration, positive("s"));
-  r.read({"gravity", "[x, y]"}, preset.scene.forces.gravity, any_number("m/s²"));
+  r.required({"title", "a few words"}, preset.title, kWords);
+  r.field({"about", "what the experiment is, a paragraph"}, preset.about, kText);
+  r.field({"observe", "what to look at, a few words"}, preset.observe, kText);
+  r.field({"duration", "how long a run lasts"}, preset.duration, kDuration);
+  r.field({"gravity", "[x, y]"}, preset.scene.forces.gravity, kGravity);
   r.member({"method", "how the run is computed"},
-           [&](const ValueReader& v) { v.object([&](FieldReader& m) { read_method(m, preset.method); }); });
-  const auto each = [](auto& list, const auto& read) {
-    return [&list, read](FieldReader& element, const std::string&) { read(element, list.emplace_back()); };
+           [&](const ValueReader& v) { v.object([&](FieldReader& m) { fields(m, preset.method); }); });
+  const auto each = [](auto& list) {
+    return [&list](FieldReader& element, const std::string&) { fields(element, list.emplace_back()); };
   };
-  r.read_objects({"compare", "other methods to run beside it"}, kMostCompared,
-                 each(preset.compare, read_method));
-  r.read_objects({"materials", "surfaces"}, kMostMaterials, each(preset.scene.materials, read_material));
-  r.read_objects({"bodies", "what moves, and what it meets"}, kMostBodies,
-                 each(preset.scene.bodies, read_body));
+  r.read_objects({"compare", "other methods to run beside it"}, kMostCompared, each(preset.compare));
+  r.read_objects({"materials", "surfaces"}, kMostMaterials, each(preset.scene.materials));
+  r.read_objects({"bodies", "what moves, and what it meets"}, kMostBodies, each(preset.scene.bodies));
   int forces = 0;
   r.read_objects({"forces", "beside gravity"}, kMostForces, [&](FieldReader& element, const std::string& at) {
     read_force(element, at, forces++, preset.scene.forces, places);
   });
-  r.read_objects({"material_pairs", "how two materials meet"}, kMostMaterialPairs,
-                 each(preset.scene.pairs, read_pair));
-  r.read_choice({"impact_law", "of impacts off the line of centres"}, kImpactLawNames, preset.scene.impact_law);
-  r.read_choice({"several_impacts", "contacts that close at one time"}, kSeveralImpactsNames,
-                preset.scene.several_impacts);
-  r.read_objects({"generators", "many bodies from a few numbers"}, kMostBodies,
-                 each(preset.scene.generators, read_generator));
-  r.read_objects({"links", "rods, strings, pins and welds"}, kMostJoints,
-                 each(preset.scene.joints, read_joint));
+  r.read_objects({"material_pairs", "how two materials meet"}, kMostMaterialPairs, each(preset.scene.pairs));
+  r.choice({"impact_law", "of impacts off the line of centres"}, kImpactLawNames, preset.scene.impact_law);
+  r.choice({"several_impacts", "contacts that close at one time"}, kSeveralImpactsNames,
+           preset.scene.several_impacts);
+  r.read_objects({"generators", "many bodies from a few numbers"}, kMostBodies, each(preset.scene.generators));
+  r.read_objects({"links", "rods, strings, pins and welds"}, kMostJoints, each(preset.scene.joints));
   r.member({"plots", "to open with"}, [&](const ValueReader& v) {
     v.list({0, kMostPlots}, [&](const ValueReader& plot) { preset.plots.push_back(read_plot(plot)); });
   });
-  r.member({"view", "what the window shows at first"}, [&](const ValueReader& v) {
-    v.object([&](FieldReader& view) {
-      preset.view.emplace();
-      view.read({"center", "[x, y]"}, preset.view->center, any_number("m"));
-      view.require({"width", "of the part that is shown"}, preset.view->width, positive("m"));
-    });
-  });
-  r.read_objects({"expect", "what the experiment must show"}, kMostExpectations,
-                 each(preset.expect, read_expectation));
+  r.object({"view", "what the window shows at first"}, preset.view);
+  r.read_objects(
+      {"expect", "what the experiment must show"}, kMostExpectations,
+      [&](FieldReader& e, const std::string&) { read_expectation(e, preset.expect.emplace_back()); });
   r.member({"state", "where a saved run goes on"}, [&](const ValueReader& v) {
     if (v.has_value()) {
       of_saved_run([&] { preset.saved = read_clock(v.value()); });
@@ -179,24 +169,24 @@ Json preset_json(const Preset& preset, bool all) {
   if (!preset.observe.empty()) j["observe"] = preset.observe;
   j["duration"] = preset.duration;
   j["gravity"] = pair_json(preset.scene.forces.gravity);
-  j["method"] = written(preset.method, all, read_method);
-  for (const Method& m : preset.compare) j["compare"].push_back(written(m, all, read_method));
-  const auto put = [&](const char* key, const auto& list, bool whole, const auto& read) {
-    for (const auto& each : list) j[key].push_back(written(each, whole, read));
+  j["method"] = written(preset.method, all);
+  for (const Method& m : preset.compare) j["compare"].push_back(written(m, all));
+  const auto put = [&](const char* key, const auto& list, bool whole) {
+    for (const auto& each : list) j[key].push_back(written(each, whole));
   };
-  put("materials", preset.scene.materials, false, read_material);
-  put("material_pairs", preset.scene.pairs, false, read_pair);
+  put("materials", preset.scene.materials, false);
+  put("material_pairs", preset.scene.pairs, false);
   if (preset.scene.impact_law != ImpactLawId::kEnergetic)
     j["impact_law"] = name_of(kImpactLawNames, preset.scene.impact_law);
   if (preset.scene.several_impacts != SeveralImpactsId::kPairwise)
     j["several_impacts"] = name_of(kSeveralImpactsNames, preset.scene.several_impacts);
-  put("bodies", preset.scene.bodies, all, read_body);
+  put("bodies", preset.scene.bodies, all);
   if (Json forces = forces_json(preset.scene.forces, all); !forces.empty()) j["forces"] = std::move(forces);
-  put("generators", preset.scene.generators, true, read_generator);
+  put("generators", preset.scene.generators, true);
   for (const Joint& l : preset.scene.joints) j["links"].push_back(joint_json(l, all));
   for (const Plot& plot : preset.plots) j["plots"].push_back(plot_json(plot));
   if (preset.view) j["view"] = {{"center", pair_json(preset.view->center)}, {"width", preset.view->width}};
-  put("expect", preset.expect, false, read_expectation);
+  for (const Expectation& e : preset.expect) j["expect"].push_back(written_by(e, false, read_expectation));
   if (preset.saved) j["state"] = state_json(*preset.saved);
   if (!preset.extra.empty()) j["extra"] = Json::parse(preset.extra);
   return j;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/dynamics/integrators/method_fields.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/value_reader.h"
 #include "physics/scene/validate.h"
@@ -10,13 +11,13 @@
 // The parts of a preset file and what they stand for.
 namespace carom {
 
-// These write, too (see `written`).
-void read_method(FieldReader& r, Method& m);
-void read_material(FieldReader& r, Material& m);
-void read_pair(FieldReader& r, MaterialPair& p);
-void read_body(FieldReader& r, Body& b);
-void read_generator(FieldReader& r, GridGenerator& g);
-void read_joint(FieldReader& r, Joint& joint);
+template <class V>
+void fields(V& v, Is<View> auto& view) {
+  v.field({"center", "[x, y]"}, view.center, any_number("m"));
+  v.required({"width", "of the part that is shown"}, view.width, positive("m"));
+}
+
+// This writes, too (see `written_by`).
 void read_expectation(FieldReader& r, Expectation& expectation);
 
 // Reads the force that stands at `at`, /forces/`index`, and notes its place.

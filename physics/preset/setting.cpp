@@ -10,7 +10,9 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/preset/preset_json.h"
+#include "physics/preset/sections_json.h"
 #include "physics/scene/facts.h"
+#include "physics/scene/range_check.h"
 #include "physics/scene/value_checks.h"
 #include "physics/world/run_state.h"
 #include "physics/world/simulation.h"
@@ -209,12 +211,12 @@ Preset saved_preset(const Preset& document, const Simulation& simulation) {
 }
 
 void validate(const Preset& preset, const ForcePlaces& places) {
-  check_method("/method", preset.method);
+  check_fields("/method", preset.method);
   check_count("/compare", preset.compare.size(), kMostCompared, "methods");
   for (std::size_t i = 0; i < preset.compare.size(); ++i) {
-    check_method(fmt::format("/compare/{}", i), preset.compare[i]);
+    check_fields(fmt::format("/compare/{}", i), preset.compare[i]);
   }
-  check_range("/duration", preset.duration, positive("s"));
+  check_range("/duration", preset.duration, kDuration);
   if (preset.saved && !from_zero("s").contains(preset.saved->time))
     refuse_by(Rule::kSavedRun, "/state/time", fmt::format("{}", preset.saved->time), from_zero("s").text());
   validate(preset.scene, places, {start_time(preset.saved), state_belongs(preset.scene, preset.saved)});
@@ -231,10 +233,7 @@ void validate(const Preset& preset, const ForcePlaces& places) {
   check_plots(preset.plots);
   for (std::size_t i = 0; i < preset.plots.size(); ++i)
     check_plot(fmt::format("/plots/{}", i), preset.plots[i], bodies);
-  if (preset.view) {
-    check_vector("/view/center", preset.view->center, "m");
-    check_range("/view/width", preset.view->width, positive("m"));
-  }
+  if (preset.view) check_fields("/view", *preset.view);
 }
 
 void validate(const Preset& preset) { validate(preset, written_places(preset.scene.forces)); }

@@ -60,7 +60,7 @@ void read_line(FieldReader& r, bool with_x, QuantityName& q) {
       throw RuleError(Rule::kClosedForm, fmt::format("{}: {}", v.place(), error.what()));
     }
   });
-  r.read({"residual", "what is shown is the observable less the theory"}, q.residual);
+  r.field({"residual", "what is shown is the observable less the theory"}, q.residual);
   r.also({{"if", {{"properties", {{"residual", {{"const", true}}}}}, {"required", Json::array({"residual"})}}},
           {"then", {{"required", Json::array({"theory"})}}}});
   if (q.residual && q.theory.empty())
@@ -72,8 +72,8 @@ void read_notes(FieldReader& r, Plot& plot) {
                  [&](FieldReader& note, const std::string&) {
                    Vec2 at = Vec2::Zero();
                    PlotNote& to = plot.notes.emplace_back();
-                   note.require({"at", "two numbers, in the units of the axes"}, at, any_number(""));
-                   note.require({"text", "a few words"}, to.text, Count{1, kLongestTitle});
+                   note.required({"at", "two numbers, in the units of the axes"}, at, any_number(""));
+                   note.required({"text", "a few words"}, to.text, Count{1, kLongestTitle});
                    to.x = at.x();
                    to.y = at.y();
                  });
@@ -106,7 +106,7 @@ bool looks_over_time(Reduction reduction) {
 }
 
 void read_sweep(FieldReader& r, Sweep& s) {
-  r.require({"place", "the JSON pointer of a number of this file"}, s.place, kWords);
+  r.required({"place", "the JSON pointer of a number of this file"}, s.place, kWords);
   r.needed({"values", "an array of numbers"}, [&](const ValueReader& v) {
     v.list({1, kMostSweepValues}, [&](const ValueReader& x) { s.values.push_back(x.number(any_number(""))); });
   });
@@ -130,7 +130,7 @@ Plot read_plot(const ValueReader& value) {
   const auto own = [&](const ValueReader& v) {
     v.object([&](FieldReader& r) {
       read_notes(r, plot);
-      r.read({"title", "made of what it shows if there is none"}, plot.title, kWords);
+      r.field({"title", "made of what it shows if there is none"}, plot.title, kWords);
       const bool with_x = r.has("x");
       r.needed({"y", "an array of {\"observable\": ..., \"bodies\": [...]}"}, [&](const ValueReader& y) {
         y.list({1, kMostPlotCurves}, [&](const ValueReader& line) {
@@ -143,7 +143,7 @@ Plot read_plot(const ValueReader& value) {
           read_observable(q, true, plot.x->observable, plot.x->bodies);
         });
       });
-      r.read({"logarithmic", "the axis of y"}, plot.logarithmic);
+      r.field({"logarithmic", "the axis of y"}, plot.logarithmic);
     });
   };
   value.one_of(!value.is_object() ? 0U : value.has("plot") ? 1U : 2U, {name, named, own});
@@ -172,14 +172,14 @@ void read_expectation(FieldReader& r, Expectation& e) {
   r.cases({"reduction", "the number that is looked at"}, words_of(kReductionNames),
           index_of(kReductionNames, e.reduction), [&](std::size_t i, FieldReader& k) {
             e.reduction = kReductionNames[i].id;
-            if (e.reduction == Reduction::kAt) k.require({"time", "when"}, e.time, from_zero("s"));
+            if (e.reduction == Reduction::kAt) k.required({"time", "when"}, e.time, from_zero("s"));
             if (e.reduction == Reduction::kAtImpact)
-              k.require({"impact", "after which impact: 1, 2, ..."}, e.impact, Whole{1, 1e9});
+              k.required({"impact", "after which impact: 1, 2, ..."}, e.impact, Whole{1, 1e9});
             if (e.reduction == Reduction::kCount)
-              k.require({"above", "in the observable's unit"}, e.above, any_number(""));
+              k.required({"above", "in the observable's unit"}, e.above, any_number(""));
             if (looks_over_time(e.reduction) && (!k.writes() || e.from != 0.0))
-              k.read({"from", "when it begins"}, e.from, from_zero("s"));
-            if (e.reduction != Reduction::kAt) k.read({"until", "when it ends"}, e.until, from_zero("s"));
+              k.field({"from", "when it begins"}, e.from, from_zero("s"));
+            if (e.reduction != Reduction::kAt) k.field({"until", "when it ends"}, e.until, from_zero("s"));
           });
   Json with;
   for (const Setting& s : e.settings) with[s.place] = s.value;
@@ -189,13 +189,13 @@ void read_expectation(FieldReader& r, Expectation& e) {
       e.settings.push_back({place, x});
     });
   });
-  if (r.writes() && e.over) r.put("over", written(*e.over, false, read_sweep));
+  if (r.writes() && e.over) r.put("over", written_by(*e.over, false, read_sweep));
   r.member({"over", "one run for each of several values"}, [&](const ValueReader& v) {
     v.object([&](FieldReader& sweep) { read_sweep(sweep, e.over.emplace()); });
   });
-  r.require({"value", "in the observable's unit"}, e.value, any_number(""));
-  r.require({"tolerance", "in the observable's unit"}, e.tolerance, from_zero(""));
-  r.read({"source", "where the value comes from"}, e.source, kText);
+  r.required({"value", "in the observable's unit"}, e.value, any_number(""));
+  r.required({"tolerance", "in the observable's unit"}, e.tolerance, from_zero(""));
+  r.field({"source", "where the value comes from"}, e.source, kText);
 }
 
 }  // namespace carom

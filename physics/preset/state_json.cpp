@@ -49,7 +49,7 @@ void take(const ValueReader& v, T& x) {
     if (!v.value().is_array() || v.value().size() != 2) refuse("two numbers, [x, y]");
     for (int i = 0; i < 2; ++i) take(element(v, static_cast<std::size_t>(i)), x[i]);
   } else if constexpr (std::is_same_v<T, Method>) {
-    v.object([&](FieldReader& r) { read_method(r, x); });
+    v.object([&](FieldReader& r) { fields(r, x); });
   } else {
     check_array(v, kFree);
     x.resize(v.value().size());
@@ -93,7 +93,7 @@ Json written(const char* key, const T& x) {
   } else if constexpr (std::is_same_v<T, Vec2>) {
     return Json::array({written(key, x.x()), written(key, x.y())});
   } else if constexpr (std::is_same_v<T, Method>) {
-    return carom::written(x, true, read_method);
+    return carom::written(x, true);
   } else {
     return x;
   }

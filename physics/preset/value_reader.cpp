@@ -207,6 +207,53 @@ void FieldReader::cases(const Key& key, const std::vector<std::string>& words, s
   }
 }
 
+void FieldReader::points(const Key& key, std::vector<Vec2>& list, const Count& count, const Range& range) {
+  Json written = Json::array();
+  for (const Vec2& point : list) written.push_back(pair_json(point));
+  put(key.name, written);
+  needed(key, [&](const ValueReader& v) {
+    v.list(count, [&](const ValueReader& point) { list.push_back(point.pair(range)); });
+  });
+}
+
+void FieldReader::ends_of_range(const Key& key, double& low, double& high, const Range& range) {
+  put(key.name, Vec2(low, high));
+  needed(key, [&](const ValueReader& v) {
+    const Vec2 ends = v.pair(range);
+    low = ends.x();
+    high = ends.y();
+  });
+}
+
+void FieldReader::two_names(const Key& key, std::string& a, std::string& b) {
+  put(key.name, Json::array({a, b}));
+  needed(key, [&](const ValueReader& v) {
+    std::vector<std::string> two;
+    v.list({2, 2}, [&](const ValueReader& name) { two.push_back(name.text(kName)); });
+    a = two.front();
+    b = two.back();
+  });
+}
+
+void FieldReader::together(const KeysTogether& rule) {
+  using Which = KeysTogether::Rule;
+  if (reads()) {
+    const bool first = has(rule.first);
+    const bool second = has(rule.second);
+    if (!first && !second && rule.rule != Which::kNotBoth)
+      refuse_value(at(rule.second), rule.neither, rule.allowed);
+    if (first && second && rule.rule != Which::kOneOrBoth)
+      refuse_value(at(rule.second), rule.both, rule.allowed);
+    return;
+  }
+  if (rule.rule == Which::kNotBoth) {
+    also({{"not", {{"required", {rule.first, rule.second}}}}});
+  } else {
+    const char* const word = rule.rule == Which::kExactlyOne ? "oneOf" : "anyOf";
+    also({{word, {{{"required", Json::array({rule.first})}}, {{"required", Json::array({rule.second})}}}}});
+  }
+}
+
 std::optional<ValueReader> FieldReader::find(const Key& key) {
   if (!reads()) {
     described_[key.name] = {{"description", key.meaning}};

@@ -9,55 +9,19 @@
 #include <vector>
 
 #include "physics/preset/json_text.h"
-#include "physics/scene/limits.h"
+#include "physics/scene/fields.h"
 #include "physics/scene/scene.h"
 #include "physics/scene/validate.h"
 
 // Reads a preset file value by value; each error is one line with the JSON pointer of the place. The same
 // functions describe the format: a reader without a value records in a JSON Schema what it would have read.
-// So each key is stated once, with its kind, range, unit and meaning.
+// The keys of a scene stand in physics/scene/fields.h.
 namespace carom {
 
 class FieldReader;
 
-// Limits of the number of elements of a list, or of characters of a text.
-struct Count {
-  std::size_t least = 0;
-  std::size_t most = 0;
-};
-
-inline constexpr Count kName{1, kLongestName};
-inline constexpr Count kStem{1, kLongestStem};
-inline constexpr Count kPerhapsName{0, kLongestName};
 inline constexpr Count kWords{0, kLongestTitle};
 inline constexpr Count kText{0, kLongestText};
-
-// Whole numbers from low to high.
-struct Whole {
-  double low;
-  double high;
-};
-
-// The words that stand for the ids of a table.
-template <class Table>
-[[nodiscard]] std::vector<std::string> words_of(const Table& table) {
-  std::vector<std::string> words;
-  for (const auto& row : table) {
-    if constexpr (requires { row.name; }) {
-      words.emplace_back(row.name);
-    } else {
-      words.emplace_back(row);
-    }
-  }
-  return words;
-}
-
-template <class Table, class Id>
-[[nodiscard]] std::size_t index_of(const Table& table, Id id) {
-  std::size_t i = 0;
-  while (i + 1 < table.size() && table[i].id != id) ++i;
-  return i;
-}
 
 [[nodiscard]] inline Json pair_json(const Vec2& v) { return Json::array({v.x(), v.y()}); }
 
@@ -108,13 +72,13 @@ class ValueReader {
   std::string place_;
 };
 
-// A key of an object, and its meaning for the description of the format.
-struct Key {
-  const char* name;
-  const char* meaning;
-};
+class FieldReader;
+// What fields() writes of a value (below).
+template <class T>
+[[nodiscard]] Json written(const T& value, bool all);
 
-// Reads the members of one object; finish() refuses keys that were not asked for.
+// The visitor of fields.h that reads the members of one object, or writes or describes them. After reading,
+// finish() refuses keys that were not asked for.
 class FieldReader {
  public:
   explicit FieldReader(const ValueReader& value);
@@ -148,26 +112,39 @@ class FieldReader {
   }
 
   template <class T, class Kind>
-  void read(const Key& key, T& to, const Kind& kind) {
+  void field(const Key& key, T& to, const Kind& kind) {
     put(key.name, to);
     member(key, [&](const ValueReader& v) { v.get(to, kind); });
   }
-  void read(const Key& key, bool& to) {
+  void field(const Key& key, bool& to) {
     put(key.name, to);
     member(key, [&](const ValueReader& v) { to = v.boolean(); });
   }
   template <class T, class Kind>
-  void require(const Key& key, T& to, const Kind& kind) {
+  void required(const Key& key, T& to, const Kind& kind) {
     put(key.name, to);
     needed(key, [&](const ValueReader& v) { v.get(to, kind); });
   }
   // One of the words of a table of ids.
   template <class Table, class Id>
-  void read_choice(const Key& key, const Table& table, Id& to) {
+  void choice(const Key& key, const Table& table, Id& to) {
     const std::vector<std::string> words = words_of(table);
     if (writes()) put(key.name, words[index_of(table, to)]);
     member(key, [&](const ValueReader& v) { to = table[v.word(words)].id; });
   }
+  template <class T>
+  void object(const Key& key, std::optional<T>& to) {
+    if (writes() && to) put(key.name, written(*to, writes_all()));
+    member(key, [&](const ValueReader& v) { v.object([&](FieldReader& r) { fields(r, to.emplace()); }); });
+  }
+  template <class T>
+  void required_object(const Key& key, T& to) {
+    if (writes()) put(key.name, written(to, false));
+    needed(key, [&](const ValueReader& v) { v.object([&](FieldReader& r) { fields(r, to); }); });
+  }
+  void points(const Key& key, std::vector<Vec2>& list, const Count& count, const Range& range);
+  void ends_of_range(const Key& key, double& low, double& high, const Range& range);
+  void two_names(const Key& key, std::string& a, std::string& b);
   // Lists of objects.
   void read_objects(const Key& key, std::size_t most,
                     const std::function<void(FieldReader&, const std::string& place)>& each);
@@ -176,6 +153,19 @@ class FieldReader {
   // chosen one.
   void cases(const Key& key, const std::vector<std::string>& words, std::size_t chosen,
              const std::function<void(std::size_t, FieldReader&)>& each);
+  void together(const KeysTogether& rule);
+  [[nodiscard]] bool shows(bool condition) const { return !writes() || condition; }
+  void follows(double& member, double other) const {
+    if (!writes()) member = other;
+  }
+  // Written where all members are: every number has a place then.
+  void stands_for(const char* key, double value, bool condition) {
+    if (writes_all() && condition) put(key, value);
+  }
+  template <class Id>
+  void chosen(Id& member, Id id) const {
+    member = id;
+  }
   // A condition on several keys, as JSON Schema; the reader checks it separately.
   void also(Json condition) {
     if (!reads()) conditions_.push_back(std::move(condition));
@@ -224,13 +214,18 @@ class FieldReader {
 // What `read` reads; members that hold their default are left out, as people leave them out, unless `all` of
 // them are asked for.
 template <class T, class Read>
-[[nodiscard]] Json written(T value, bool all, const Read& read) {
+[[nodiscard]] Json written_by(T value, bool all, const Read& read) {
   FieldReader members(all ? FieldReader::Write::kAll : FieldReader::Write::kUnusual);
   read(members, value);
   FieldReader usual(FieldReader::Write::kUnusual);
   T plain{};
   if (!all) read(usual, plain);
   return members.written_beside(usual);
+}
+
+template <class T>
+Json written(const T& value, bool all) {
+  return written_by(value, all, [](FieldReader& r, T& members) { fields(r, members); });
 }
 
 }  // namespace carom

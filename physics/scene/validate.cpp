@@ -11,6 +11,7 @@
 
 #include "physics/scene/facts.h"
 #include "physics/scene/method.h"
+#include "physics/scene/range_check.h"
 #include "physics/scene/shape.h"
 #include "physics/scene/value_checks.h"
 
@@ -20,12 +21,7 @@ namespace {
 using MaterialNames = std::unordered_set<std::string>;
 
 void check_surface(const std::string& at, const Material& m) {
-  check_range(at + "/restitution", m.restitution, kRestitutionRange);
-  check_range(at + "/tangential_restitution", m.tangential_restitution, kTangentialRestitution);
-  check_range(at + "/kinetic_friction", m.kinetic_friction, kFrictionCoefficient);
-  check_range(at + "/static_friction", m.static_friction, kFrictionCoefficient);
   check_order(at + "/static_friction", m.static_friction, m.kinetic_friction, "kinetic_friction");
-  check_range(at + "/rolling_resistance", m.rolling_resistance, kFrictionCoefficient);
 }
 
 MaterialNames check_materials(const Scene& scene) {
@@ -34,7 +30,7 @@ MaterialNames check_materials(const Scene& scene) {
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Material& m = scene.materials[i];
     const std::string at = fmt::format("/materials/{}", i);
-    check_name(at + "/name", m.name);
+    check_fields(at, m);
     check_own_name(names, at + "/name", m.name);
     check_surface(at, m);
   }
@@ -63,6 +59,7 @@ void check_pairs(const Scene& scene, const MaterialNames& materials) {
                 fmt::format("[\"{}\", \"{}\"], named before,", shortened(p.a, 15), shortened(p.b, 15)),
                 "each two materials once");
     }
+    check_fields(at, p);
     check_surface(at, p.surface);
   }
 }
@@ -79,27 +76,14 @@ void check_drive(const std::string& at, const Body& b) {
   if (b.mass) refuse("mass", "a mass");
   if (b.density) refuse("density", "a density");
   if (b.inertia) refuse("inertia", "an inertia");
-  check_vector(at + "/drive/velocity", b.drive->velocity, "m/s");
-  check_vector(at + "/drive/amplitude", b.drive->amplitude, "m");
-  check_range(at + "/drive/angular_frequency", b.drive->angular_frequency, from_zero("rad/s"));
-  check_range(at + "/drive/phase", b.drive->phase, any_number("rad"));
 }
 
 void check_shape(const std::string& at, const Body& b) {
-  if (const auto* disc = std::get_if<Disc>(&b.shape)) {
-    check_range(at + "/shape/radius", disc->radius, kDiscRadius);
-  } else if (const auto* box = std::get_if<Box>(&b.shape)) {
-    check_range(at + "/shape/width", box->width, positive("m"));
-    check_range(at + "/shape/height", box->height, positive("m"));
-  } else if (const auto* polygon = std::get_if<Polygon>(&b.shape)) {
-    check_range(at + "/shape/rounding", polygon->rounding, from_zero("m"));
-    for (std::size_t k = 0; k < polygon->vertices.size(); ++k)
-      check_vector(fmt::format("{}/shape/vertices/{}", at, k), polygon->vertices[k], "m");
+  if (const auto* polygon = std::get_if<Polygon>(&b.shape)) {
     if (const auto fault = fault_of(polygon->vertices, polygon->rounding))
       throw RuleError(Rule::kShapeOfPolygon, at + "/shape/vertices: " + *fault);
-  } else if (const auto& wall = std::get<Wall>(b.shape); wall.length) {
-    check_range(at + "/shape/length", *wall.length, positive("m"));
-  } else if (!has_infinite_mass(b)) {
+  } else if (const auto* wall = std::get_if<Wall>(&b.shape);
+             wall != nullptr && !wall->length && !has_infinite_mass(b)) {
     refuse_by(Rule::kKeysTogether, at + "/fixed", "false for a half-plane",
               "true, or a \"drive\", or a \"length\" that makes it a thin wall");
   }
@@ -113,22 +97,15 @@ void check_bodies(const Scene& scene, const MaterialNames& materials) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const Body& b = scene.bodies[i];
     const std::string at = fmt::format("/bodies/{}", i);
-    check_name(at + "/name", b.name);
+    check_fields(at, b);
     check_own_name(names, at + "/name", b.name);
     check_shape(at, b);
-    check_vector(at + "/position", b.position, "m");
-    check_vector(at + "/velocity", b.velocity, "m/s");
-    check_range(at + "/angle", b.angle, any_number("rad"));
-    check_range(at + "/spin", b.spin, any_number("rad/s"));
     if (b.fixed && (!b.velocity.isZero(0.0) || b.spin != 0.0)) {
       refuse_by(Rule::kKeysTogether, at + "/velocity", "a motion of a fixed body",
                 "no velocity and no spin, or \"fixed\": false");
     }
     if (b.drive) check_drive(at, b);
     if (b.mass && b.density) refuse_value(at + "/density", "a density beside a mass", "either of the two");
-    if (b.mass) check_range(at + "/mass", *b.mass, positive("kg"));
-    if (b.density) check_range(at + "/density", *b.density, positive("kg/m²"));
-    if (b.inertia) check_range(at + "/inertia", *b.inertia, positive("kg m²"));
     check_material_reference(materials, at + "/material", b.material);
   }
 }
@@ -139,21 +116,12 @@ void check_generators(const Scene& scene, const MaterialNames& materials) {
   for (std::size_t i = 0; i < scene.generators.size(); ++i) {
     const GridGenerator& g = scene.generators[i];
     const std::string at = fmt::format("/generators/{}", i);
-    check_name(at + "/name", g.name, kLongestStem);
-    check_range(at + "/columns", g.columns, {1, kMostBodies});
-    check_range(at + "/rows", g.rows, {1, kMostBodies});
+    check_fields(at, g);
     count += static_cast<double>(g.columns) * g.rows;
     if (count > kMostBodies)
       refuse_by(Rule::kCountInAll, at, fmt::format("{} bodies in all", count),
                 fmt::format("at most {}", kMostBodies));
-    check_vector(at + "/origin", g.origin, "m");
-    check_vector(at + "/spacing", g.spacing, "m");
-    check_range(at + "/jitter", g.jitter, from_zero("m"));
-    check_range(at + "/radius/0", g.radius_min, positive("m"));
-    check_range(at + "/radius/1", g.radius_max, positive("m"));
     check_order(at + "/radius/1", g.radius_max, g.radius_min, "the least radius");
-    check_range(at + "/speed", g.speed_max, from_zero("m/s"));
-    check_range(at + "/density", g.density, positive("kg/m²"));
     check_material_reference(materials, at + "/material", g.material);
   }
 }
@@ -163,16 +131,13 @@ void check_springs(const Forces& forces, const ForcePlaces& places, const NamedB
   for (std::size_t i = 0; i < forces.springs.size(); ++i) {
     const Spring& s = forces.springs[i];
     const std::string at = fmt::format("/forces/{}", places.springs[i]);
+    check_fields(at, s);
     if (!s.name.empty()) check_own_name(names, at + "/name", s.name);
     movable_body(bodies, at + "/body", s.body);
     if (!s.to.empty()) {
       (void)named_body(bodies, at + "/to", s.to);
       if (s.to == s.body) refuse_by(Rule::kReferences, at + "/to", "the spring's own body", "another body");
     }
-    check_vector(at + "/anchor", s.anchor, "m");
-    check_range(at + "/stiffness", s.stiffness, positive("N/m"));
-    check_range(at + "/damping", s.damping, from_zero("N s/m"));
-    check_range(at + "/rest_length", s.rest_length, from_zero("m"));
   }
 }
 
@@ -180,14 +145,9 @@ void check_applied(const Forces& forces, const ForcePlaces& places, const NamedB
   for (std::size_t i = 0; i < forces.applied.size(); ++i) {
     const AppliedForce& f = forces.applied[i];
     const std::string at = fmt::format("/forces/{}", places.applied[i]);
+    check_fields(at, f);
     movable_body(bodies, at + "/body", f.body);
-    check_vector(at + "/force", f.force, "N");
-    check_range(at + "/torque", f.torque, any_number("N m"));
-    check_range(at + "/start", f.start, from_zero("s"));
-    check_range(at + "/rise", f.rise, from_zero("s"));
-    if (!f.end) continue;
-    check_range(at + "/end", *f.end, from_zero("s"));
-    check_order(at + "/end", *f.end, f.start, "start");
+    if (f.end) check_order(at + "/end", *f.end, f.start, "start");
   }
 }
 
@@ -195,17 +155,17 @@ void check_applied(const Forces& forces, const ForcePlaces& places, const NamedB
 constexpr std::size_t kMostAttracted = 2'000;
 
 void check_forces(const Forces& forces, const ForcePlaces& places, const NamedBodies& bodies) {
-  check_vector("/gravity", forces.gravity, "m/s²");
-  check_range(fmt::format("/forces/{}/coefficient", places.linear_drag.value_or(0)), forces.linear_drag,
-              from_zero("kg/s"));
-  check_range(fmt::format("/forces/{}/coefficient", places.quadratic_drag.value_or(0)), forces.quadratic_drag,
-              from_zero("kg/m"));
+  RangeCheck("").field({"gravity", ""}, forces.gravity, kGravity);
+  const auto drag = [](const std::optional<int>& place, double coefficient, const Range& range) {
+    check_range(fmt::format("/forces/{}/coefficient", place.value_or(0)), coefficient, range);
+  };
+  drag(places.linear_drag, forces.linear_drag, kLinearDrag);
+  drag(places.quadratic_drag, forces.quadratic_drag, kQuadraticDrag);
   check_count("/forces", forces.springs.size() + forces.applied.size(), kMostForces, "springs and forces");
   check_springs(forces, places, bodies);
   if (forces.attraction) {
     const std::string at = fmt::format("/forces/{}", places.attraction.value_or(0));
-    check_range(at + "/constant", forces.attraction->constant, positive("N m²/kg²"));
-    check_range(at + "/softening", forces.attraction->softening, from_zero("m"));
+    check_fields(at, *forces.attraction);
     if (bodies.size() > kMostAttracted)
       refuse_by(Rule::kCountInAll, at, fmt::format("attraction among {} bodies", bodies.size()),
                 fmt::format("among up to {}", kMostAttracted));
@@ -250,11 +210,6 @@ void validate(const Scene& scene, const ForcePlaces& places, const RunBegin& beg
 }
 
 void validate(const Scene& scene) { validate(scene, written_places(scene.forces)); }
-
-void check_method(const std::string& place, const Method& method) {
-  check_range(place + "/step", method.step, kStepRange);
-  check_range(place + "/tolerance", method.tolerance, kToleranceRange);
-}
 
 void check_integrator(const std::string& place, const Scene& scene, const Method& method) {
   if (const auto reason = why_not(scene, method.integrator))

@@ -102,8 +102,7 @@ struct RunBegin {
 // JSON pointer of the first fault; without `places` the pointers are those of written_places().
 void validate(const Scene& scene, const ForcePlaces& places, const RunBegin& begin = {});
 void validate(const Scene& scene);
-// Check the numbers of a method, and whether its integrator can run a valid scene. Throw SceneError.
-void check_method(const std::string& place, const Method& method);
+// Checks whether a method's integrator can run a valid scene. Throws SceneError.
 void check_integrator(const std::string& place, const Scene& scene, const Method& method);
 
 }  // namespace carom

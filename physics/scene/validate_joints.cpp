@@ -9,6 +9,7 @@
 
 #include "physics/math/vectors.h"
 #include "physics/scene/drive.h"
+#include "physics/scene/range_check.h"
 #include "physics/scene/value_checks.h"
 
 namespace carom {
@@ -121,6 +122,7 @@ void check_joints(const Scene& scene, const std::vector<Body>& bodies, const Run
   for (std::size_t i = 0; i < scene.joints.size(); ++i) {
     const Joint& joint = scene.joints[i];
     const std::string at = fmt::format("/links/{}", i);
+    check_fields(at, joint);
     if (!joint.name.empty()) check_own_name(names, at + "/name", joint.name);
     const Body* body = &movable_body(named, at + "/body", joint.body);
     const Body* other = nullptr;
@@ -137,19 +139,10 @@ void check_joints(const Scene& scene, const std::vector<Body>& bodies, const Run
                 fmt::format("link {} of bodies that are linked with one another", together),
                 fmt::format("up to {} of them", kMostJointedTogether));
     }
-    check_vector(at + "/point", joint.point, "m");
-    check_vector(at + "/anchor", joint.anchor, "m");
-    if (joint.length) {
-      if (joint.kind == JointKind::kPin || joint.kind == JointKind::kWeld) {
-        refuse_value(at + "/length", fmt::format("the length of a {}", name_of_kind(joint.kind)), "none");
-      }
-      check_range(at + "/length", *joint.length, positive("m"));
-    }
-    if (joint.angle) {
-      if (joint.kind != JointKind::kWeld)
-        refuse_value(at + "/angle", "the angle of what turns", "none but a weld's");
-      check_range(at + "/angle", *joint.angle, any_number("rad"));
-    }
+    if (joint.length && (joint.kind == JointKind::kPin || joint.kind == JointKind::kWeld))
+      refuse_value(at + "/length", fmt::format("the length of a {}", name_of_kind(joint.kind)), "none");
+    if (joint.angle && joint.kind != JointKind::kWeld)
+      refuse_value(at + "/angle", "the angle of what turns", "none but a weld's");
     if (!begin.goes_on) check_start(at, joint, *body, other, begin.time);
   }
 }

@@ -32,10 +32,6 @@ void check_range(const std::string& place, double value, const Range& range) {
   if (!range.contains(value)) refuse_value(place, fmt::format("{}", value), range.text());
 }
 
-void check_vector(const std::string& place, const Vec2& value, std::string_view unit) {
-  for (int i = 0; i < 2; ++i) check_range(fmt::format("{}/{}", place, i), value[i], any_number(unit));
-}
-
 void check_order(const std::string& place, double value, double least, const std::string& what) {
   if (value >= least) return;
   refuse_by(Rule::kOrderOfNumbers, place, fmt::format("{}", value),

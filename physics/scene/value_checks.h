@@ -12,7 +12,6 @@
 namespace carom {
 
 void check_range(const std::string& place, double value, const Range& range);
-void check_vector(const std::string& place, const Vec2& value, std::string_view unit);
 // `value` must be at least `least`, another number of the scene, which is called `what`.
 void check_order(const std::string& place, double value, double least, const std::string& what);
 void check_name(const std::string& place, const std::string& name, std::size_t longest = kLongestName);

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <limits>
 
+#include "physics/dynamics/integrators/method_fields.h"
 #include "physics/model/geometry.h"
 #include "physics/model/needs.h"
+#include "physics/scene/range_check.h"
 #include "physics/scene/validate.h"
 #include "physics/world/run_state.h"
 
@@ -164,7 +166,7 @@ void check_ahead(const std::vector<Body>& bodies, const Geometry& shapes, const 
 }  // namespace
 
 void check_state(const Scene& scene, double start_time, const RunState& state) {
-  check_method("/state/method", state.method);
+  check_fields("/state/method", state.method);
   check_integrator("/state/method", scene, state.method);
   if (state.clock.time != start_time) refuse("time", fmt::format("the state is of t = {} s", state.clock.time));
   const std::vector<Body> bodies = all_bodies(scene);

@@ -30,6 +30,14 @@ TEST(Validate, SaysOfEachFileWhetherItIsGood) {
             "carom: no-such.json: the file cannot be read; allowed: a preset file\n");
   expect_refused(carom({"validate"}), "FILE|NAME");
   expect_refused(carom({"validate", "--schema", "good.json"}), "--schema");
+  expect_refused(carom({"validate", "--schema", "--keys"}), "--keys");
+}
+
+TEST(Validate, PrintsTheKeysOfAScene) {
+  const ProgramResult result = Program()({"validate", "--keys"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.out.find("## bodies\n"), std::string::npos);
+  EXPECT_NE(result.out.find("| mass | kg, > 0 |  | or a density |\n"), std::string::npos) << result.out;
 }
 
 TEST(Validate, PrintsTheSchema) {

@@ -8,6 +8,7 @@
 #include "physics/check/check.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/observe/observables.h"
+#include "physics/preset/key_table.h"
 #include "physics/preset/names.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
@@ -325,6 +326,17 @@ TEST_F(PresetFiles, AFailedSaveLeavesTheOldFile) {
   EXPECT_THROW(save_preset(s, folder_ / "no such folder" / "a.json"), SceneError);
   EXPECT_THROW(save_preset(s, folder_), SceneError);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+// The tables of the reference for people are those that `carom validate --keys` prints.
+TEST(PresetHelp, HasTheTablesOfTheFields) {
+  const std::string page = content(test::source("app/help/presets.md"));
+  for (const auto& [title, rows] : key_sections()) {
+    if (title == "material_pairs") continue;  // told in words
+    const std::string table = markdown_of(rows);
+    EXPECT_NE(page.find("\n" + table + "\n"), std::string::npos) << "another table of " << title << ":\n"
+                                                                 << table;
+  }
 }
 
 // The reference for people names every word that a file can hold, and its example is a good preset.
