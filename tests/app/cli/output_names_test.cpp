@@ -40,10 +40,10 @@ TEST_F(OutputNames, NoOutputTakesThePlaceOfThePreset) {
   const std::vector<Names> all = {{"./a", "a"},           {"./a", "./a"},      {"s/../a", "a"},
                                   {here + "a", "s/../a"}, {"./a", here + "a"}, {"./a", "l"},
                                   {"./l", "a"},           {"./a", "h"},        {"./h", "l"}};
-  for (const auto& [read, written] : all) {
+  for (const Names& names : all) {
     const auto expect = [&](const QString& command, const QString& suffix, const QString& option) {
       expect_refused_before_the_run(
-          "$carom " + command.arg(read + suffix) + " " + option + " " + written + suffix, kRead);
+          "$carom " + command.arg(names.read + suffix) + " " + option + " " + names.written + suffix, kRead);
     };
     for (const char* option : {"--csv", "--events", "--save"}) expect("run %1 --until 1e9", ".json", option);
     expect("check %1", ".json", "--csv");
