@@ -12,7 +12,6 @@
 #include "physics/files/output_file.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
-#include "physics/world/run_state.h"
 #include "physics/world/simulation.h"
 
 namespace carom {
@@ -54,6 +53,11 @@ class Progress {
 int run(const RunOptions& options) {
   const Preset preset = preset_with_method(options.preset, options.method);
   const Simulation start(setup_of(preset));
+  const double end = options.until.value_or(preset.duration);
+  if (end < start.time() - 1e-9 * preset.method.step) {  // less is rounding
+    throw SceneError(fmt::format("{}: the run is already at t = {} s; allowed: --until from {} on",
+                                 options.preset, start.time(), start.time()));
+  }
   Simulation simulation = start;
 
   const std::vector<Quantity> columns = run_columns(simulation.bodies());
@@ -67,7 +71,6 @@ int run(const RunOptions& options) {
     csv->line(csv_line(columns, simulation));
   }
   if (events != nullptr) events->line(events_csv_header());
-  const double end = options.until.value_or(preset.duration);
   {
     Progress progress(end);
     simulation.advance_to(end, [&] {

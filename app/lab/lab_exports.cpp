@@ -25,7 +25,6 @@
 #include "physics/files/output_file.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
-#include "physics/world/run_state.h"
 #include "physics/world/simulation.h"
 #include "widgets/plot/plot_export.h"
 #include "widgets/plot/plot_panel.h"

@@ -26,8 +26,8 @@ class CellGrid {
     std::vector<int> large;
   };
   [[nodiscard]] Order order() const;
-  // False if `order` is not that of a grid with all of so many bodies; the grid must then be reset.
-  [[nodiscard]] bool restore(int bodies, const Order& order);
+  // `order` is that of a grid with all bodies.
+  void restore(const Order& order);
 
   // Empties the grid and sizes it for bodies 0 .. bodies - 1 and cells of `size` (m, > 0).
   void reset(int bodies, double size) {

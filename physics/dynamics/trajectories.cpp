@@ -158,6 +158,10 @@ void Trajectories::advance_to(int k, double time) {
   island.start = island.end = time;
   island.switching = -1;
   f.forget(island);
+  // A law may change at this very time.
+  if (f.field.has_breaks()) {
+    for (const int i : f.members_of(island)) f.field.set_phase(i, f.epoch + time);
+  }
 }
 
 double Trajectories::advance_to_end(int k) {
@@ -165,9 +169,6 @@ double Trajectories::advance_to_end(int k) {
   const Island& island = f.islands[k];
   const int a_switch = island.switching;
   advance_to(k, island.end);
-  if (f.field.has_breaks()) {
-    for (const int i : f.members_of(island)) f.field.set_phase(i, f.epoch + island.start);
-  }
   return a_switch < 0 ? 0.0 : switches_.flip(f, island, a_switch, island.start);
 }
 

@@ -153,10 +153,6 @@ class Trajectories {
   // trajectories of the same scene, they continue with the same bytes (trajectory_state.cpp).
   void keep(TrajectoryState& to, TrajectoriesAhead* ahead) const;
   void restore(const TrajectoryState& from, const TrajectoriesAhead* ahead);
-  // The first reason why a state cannot be one of these trajectories, as "place: what"; nothing if there is
-  // none. The sizes of its arrays by body must be right.
-  [[nodiscard]] std::optional<std::string> fault_of(const TrajectoryState& state,
-                                                    const TrajectoriesAhead* ahead) const;
 
  private:
   friend struct KeptMembers;

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
 #include <type_traits>
 
 #include "physics/dynamics/trajectories.h"
@@ -11,9 +8,6 @@
 namespace carom {
 
 namespace {
-
-// s: no trajectory is that long.
-constexpr double kFarthest = 1e7;
 
 template <class Values>
 void make_room(Values& values, std::size_t size) {
@@ -127,36 +121,6 @@ void Trajectories::keep(TrajectoryState& to, TrajectoriesAhead* ahead) const {
 void Trajectories::restore(const TrajectoryState& from, const TrajectoriesAhead* ahead) {
   for (const Flights::Island& island : flights_.islands) flights_.forget(island);
   KeptMembers::of_trajectories(*this, from, ahead, [](auto& own, const auto& kept) { own = kept; });
-}
-
-std::optional<std::string> Trajectories::fault_of(const TrajectoryState& state,
-                                                  const TrajectoriesAhead* ahead) const {
-  const Flights& f = flights_;
-  for (std::size_t k = 0; k < f.islands.size(); ++k) {
-    const Flights::Island& island = f.islands[k];
-    const auto at = [k](const char* key) { return fmt::format("tracks/{}/{}", key, k); };
-    if (!(state.start[k] <= state.end[k]))
-      return fmt::format("{}: {} is before the start, {}", at("end"), state.end[k], state.start[k]);
-    if (!(state.next_step[k] >= 0.0))
-      return fmt::format("{}: {} is below 0", at("next_step"), state.next_step[k]);
-    const int a_switch = state.switching[k];
-    bool known = a_switch == -1;
-    if (a_switch >= 0 && a_switch < f.field.springs()) {
-      const auto members = f.members_of(island);
-      known = !island.kinematic && std::any_of(members.begin(), members.end(), [&](int i) {
-        const std::span<const int> own = f.field.switching_springs(i);
-        return std::find(own.begin(), own.end(), a_switch) != own.end();
-      });
-    } else if (a_switch >= f.field.springs() && island.group >= 0) {
-      const std::vector<int>& own = f.joints.strings(island.group);
-      known = std::find(own.begin(), own.end(), a_switch - f.field.springs()) != own.end();
-    }
-    if (!known) return fmt::format("{}: {} is no spring or string of these bodies", at("switching"), a_switch);
-    if (ahead == nullptr || ahead->cached[k] == -Flights::kForever) continue;
-    if (!(std::abs(ahead->cached[k]) <= kFarthest))
-      return fmt::format("ahead/cached/{}: {} is on no track", k, ahead->cached[k]);
-  }
-  return std::nullopt;
 }
 
 }  // namespace carom

@@ -121,7 +121,8 @@ Preset preset_of(const Json& json) {
   ForcePlaces places;
   ValueReader(json, "").object([&](FieldReader& r) { read_preset_object(r, preset, places); });
   validate(preset, places);
-  if (state_belongs(preset.scene, preset.saved)) of_saved_run([&] { read_state(json.at("state"), preset); });
+  if (state_belongs(preset.scene, preset.saved))
+    of_saved_run([&] { read_checkpoint(json.at("state"), preset); });
   resolve_places(preset, places);
   return preset;
 }
@@ -187,7 +188,7 @@ Json preset_json(const Preset& preset, bool all) {
   for (const Plot& plot : preset.plots) j["plots"].push_back(plot_json(plot));
   if (preset.view) j["view"] = {{"center", pair_json(preset.view->center)}, {"width", preset.view->width}};
   for (const Expectation& e : preset.expect) j["expect"].push_back(written_by(e, false, read_expectation));
-  if (preset.saved) j["state"] = state_json(*preset.saved);
+  if (preset.saved) j["state"] = state_json(*preset.saved, preset.scene);
   if (!preset.extra.empty()) j["extra"] = Json::parse(preset.extra);
   return j;
 }

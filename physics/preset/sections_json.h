@@ -38,10 +38,10 @@ void read_force(FieldReader& r, const std::string& at, int index, Forces& forces
 // The clock and, where there is one, the fingerprint. Throws SceneError.
 [[nodiscard]] SavedRun read_clock(const Json& json);
 
-// Reads the state itself, of a scene that is valid and that it belongs to (see state_belongs). Throws
-// SceneError where it is none of a run of this scene.
-void read_state(const Json& json, Preset& preset);
+// Reads the checkpoint, of a scene that is valid and that it belongs to (see state_belongs). Throws SceneError
+// where it is none of a run of this scene.
+void read_checkpoint(const Json& json, Preset& preset);
 
-[[nodiscard]] Json state_json(const SavedRun& saved);
+[[nodiscard]] Json state_json(const SavedRun& saved, const Scene& scene);
 
 }  // namespace carom

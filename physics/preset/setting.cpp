@@ -14,7 +14,7 @@
 #include "physics/scene/facts.h"
 #include "physics/scene/range_check.h"
 #include "physics/scene/value_checks.h"
-#include "physics/world/run_state.h"
+#include "physics/world/checkpoint.h"
 #include "physics/world/simulation.h"
 
 namespace carom {
@@ -199,11 +199,11 @@ Preset saved_preset(const Preset& document, const Simulation& simulation) {
     b.spin = state.v(2, i);
   }
   out.saved = SavedRun{.time = simulation.time()};
-  out.saved->state = std::make_shared<RunState>(simulation.run_state());
+  out.saved->checkpoint = std::make_shared<Checkpoint>(simulation.checkpoint());
   out.saved->fingerprint = fingerprint(out.scene, simulation.time());
   try {
     validate(out);
-    check_state(out.scene, simulation.time(), *out.saved->state);
+    check_checkpoint(out.scene, *out.saved->checkpoint);
   } catch (const SceneError& error) {
     throw SceneError(std::string("the run cannot be saved as it stands: ") + error.what());
   }

@@ -15,7 +15,6 @@
 #include "physics/math/parallel.h"
 #include "physics/model/needs.h"
 #include "physics/preset/preset.h"
-#include "physics/preset/preset_file.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/validate.h"
 
@@ -46,8 +45,10 @@ std::string hash_of(std::string_view text) {
   return fmt::format("{:016x}", hash);
 }
 
+// Of what decides the rows: the scene and its clock, how long it runs, and the methods.
 std::string plan_id(const Preset& preset, const StudyOptions& options, const std::vector<Method>& methods) {
-  std::string text = write_preset(preset);
+  std::string text =
+      fmt::format("{} {}\n", fingerprint(preset.scene, start_time(preset.saved)), preset.duration);
   for (const Method& m : methods) {
     text += fmt::format("{} {} {} {} {}\n", static_cast<int>(m.integrator), static_cast<int>(m.impacts),
                         static_cast<int>(m.contacts), m.step, m.tolerance);

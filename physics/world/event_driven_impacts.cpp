@@ -65,6 +65,7 @@ bool EventDrivenImpacts::trajectories_run_on(const World& world, const RestingCo
 void EventDrivenImpacts::reset(int bodies) {
   stamp_.assign(bodies, 0);
   running_ = false;
+  end_of_step_.clear();
 }
 
 double EventDrivenImpacts::closing_share() const {
@@ -80,7 +81,7 @@ void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) 
     if (!run_on) trajectories.begin(world.clock.time);
     choose_cells(world, step.horizon);
     epoch_length_ = std::max(epoch_length_, std::exp2(std::ceil(std::log2(h / kMostEpochs))));
-    end_of_step_.clear();
+    if (!run_on) end_of_step_.clear();
     last_impact_ = -1.0;
     stretch_ = 1.0;
     rebuild_all(step);
@@ -110,12 +111,14 @@ void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) 
   resolve_end_of_step(step, target);
 }
 
-// Pairs that rest or penetrate at the step's end are resolved then.
+// Pairs that rest or penetrate at the step's end are resolved then, in the order of index pairs: not in that of
+// the search, which depends on all that happened before.
 void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
   const bool run_on = step.horizon == kNever;
   resolving_.swap(end_of_step_);
+  resolving_.sort();
   end_of_step_.clear();
   const std::vector<WaitingPair>& pairs = resolving_.all();
   resolving_islands_.clear();
@@ -457,7 +460,6 @@ std::optional<ScheduleState> EventDrivenImpacts::ahead(const World& world) const
   std::sort(ahead.events.begin(), ahead.events.end(), [](const auto& x, const auto& y) {
     return std::tie(x.time, x.a, x.b) < std::tie(y.time, y.a, y.b);
   });
-  for (const auto& [a, b, resting] : end_of_step_.all()) ahead.waiting.push_back({a, b, resting});
   ahead.reach = reach_;
   ahead.stretch = stretch_;
   ahead.epoch_length = epoch_length_;
@@ -465,18 +467,19 @@ std::optional<ScheduleState> EventDrivenImpacts::ahead(const World& world) const
   return ahead;
 }
 
-void EventDrivenImpacts::restore(int bodies, int at_once, const std::optional<ScheduleState>& ahead) {
+void EventDrivenImpacts::restore(int bodies, int at_once, std::span<const WaitingPair> waiting,
+                                 const std::optional<ScheduleState>& ahead) {
   reset(bodies);
   at_once_ = at_once;
+  for (const auto& [a, b, resting] : waiting) end_of_step_.add(a, b, resting);
   if (!ahead) return;
   reach_ = ahead->reach;
   stretch_ = ahead->stretch;
   epoch_length_ = ahead->epoch_length;
   last_impact_ = ahead->last_impact;
-  (void)grid_.restore(bodies, ahead->grid);
+  grid_.restore(ahead->grid);
   // The stamps of all islands are still 0.
   for (const auto& [time, a, b] : ahead->events) queue_.push({time, a, b, 0, 0});
-  for (const auto& [a, b, resting] : ahead->waiting) end_of_step_.add(a, b, resting);
   running_ = true;
 }
 

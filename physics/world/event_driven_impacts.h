@@ -25,18 +25,12 @@ struct ScheduleState {
     int a = 0;
     int b = -1;
   };
-  struct Waiting {
-    int a = 0;
-    int b = 0;  // a < b
-    bool resting = false;
-  };
   TrajectoriesAhead trajectories;
   CellGrid::Order grid;
   std::vector<Scheduled> events;  // in the order of (time, a, b)
-  std::vector<Waiting> waiting;
-  double reach = 1.0;         // m
-  double stretch = 1.0;       // of trajectories, if too many ended
-  double epoch_length = 1.0;  // s, a power of two
+  double reach = 1.0;             // m
+  double stretch = 1.0;           // of trajectories, if too many ended
+  double epoch_length = 1.0;      // s, a power of two
   double last_impact = -1.0;
 };
 
@@ -62,7 +56,10 @@ class EventDrivenImpacts {
   [[nodiscard]] std::optional<ScheduleState> ahead(const World& world) const;
   // Impacts before the last one at the same time.
   [[nodiscard]] int at_once() const { return at_once_; }
-  void restore(int bodies, int at_once, const std::optional<ScheduleState>& ahead);
+  // Pairs that overlap, or that forces press together, and are resolved at the next step's end.
+  [[nodiscard]] const std::vector<WaitingPair>& waiting() const { return end_of_step_.all(); }
+  void restore(int bodies, int at_once, std::span<const WaitingPair> waiting,
+               const std::optional<ScheduleState>& ahead);
 
  private:
   // The step under way, or the part of it that starts with a support.

@@ -39,6 +39,14 @@ class PairList {
     if (!pairs_.empty()) std::fill(slots_.begin(), slots_.end(), kEmpty);
     pairs_.clear();
   }
+  // Into the order of (a, b).
+  void sort() {
+    std::sort(pairs_.begin(), pairs_.end(), [](const WaitingPair& x, const WaitingPair& y) {
+      return std::pair(x.a, x.b) < std::pair(y.a, y.b);
+    });
+    std::fill(slots_.begin(), slots_.end(), kEmpty);
+    number();
+  }
   void swap(PairList& other) {
     pairs_.swap(other.pairs_);
     slots_.swap(other.slots_);
@@ -67,6 +75,10 @@ class PairList {
   void grow() {
     slots_.assign(std::max<std::size_t>(16, 2 * slots_.size()), kEmpty);
     shift_ = 64U - static_cast<unsigned>(std::countr_zero(slots_.size()));
+    number();
+  }
+  // Enters all pairs into empty slots.
+  void number() {
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       slots_[slot_of(pairs_[i].a, pairs_[i].b)] = static_cast<int>(i);
   }

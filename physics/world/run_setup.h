@@ -12,15 +12,15 @@
 
 namespace carom {
 
-struct RunState;  // physics/world/run_state.h
+struct Checkpoint;  // physics/world/checkpoint.h
 
 // Where a saved run continues.
 struct SavedRun {
   double time = 0.0;  // s, >= 0: the clock at the start; drives and timed forces count from 0
-  // Of the state's scene (physics/scene/facts.h); 0: there is only a clock.
+  // Of the checkpoint's scene (physics/scene/facts.h); 0: there is only a clock.
   std::uint64_t fingerprint = 0;
   // None if the scene was changed since: the run continues from its bodies and its clock alone.
-  std::shared_ptr<const RunState> state{};
+  std::shared_ptr<const Checkpoint> checkpoint{};
 };
 
 // What a simulation starts from.
@@ -37,7 +37,7 @@ struct RunSetup {
   return saved ? saved->time : 0.0;
 }
 
-// Whether the state of a saved run is one of this scene.
+// Whether the checkpoint of a saved run is one of this scene.
 [[nodiscard]] bool state_belongs(const Scene& scene, const std::optional<SavedRun>& saved);
 
 }  // namespace carom

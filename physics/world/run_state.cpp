@@ -2,11 +2,9 @@
 
 #include <utility>
 
-#include "physics/scene/facts.h"
-#include "physics/scene/validate.h"
 #include "physics/world/simulation.h"
 
-// Saves and restores the state of a simulation between two steps.
+// Keeps and restores all of a simulation between two steps.
 namespace carom {
 
 RunState Simulation::run_state() const {
@@ -22,6 +20,7 @@ RunState Simulation::run_state() const {
   kept.motions = state;
   if (const auto* events = std::get_if<EventDrivenImpacts>(&impacts_)) {
     kept.at_once = events->at_once();
+    kept.waiting = events->waiting();
     if (!resting_) kept.ahead = events->ahead(world_);
   }
   if (resting_) kept.contacts = resting_->memory();
@@ -47,24 +46,8 @@ void Simulation::restore(const RunState& state) {
   world_.state = state.motions;
   world_.trajectories.restore(state.trajectories, state.ahead ? &state.ahead->trajectories : nullptr);
   if (auto* events = std::get_if<EventDrivenImpacts>(&impacts_))
-    events->restore(world_.bodies(), state.at_once, state.ahead);
+    events->restore(world_.bodies(), state.at_once, state.waiting, state.ahead);
   if (resting_) resting_->restore(state.contacts);
-}
-
-void Simulation::go_on_from(const SavedRun& saved) {
-  if (saved.fingerprint == 0) return;
-  if (saved.state == nullptr || needs().untrimmed ||
-      saved.fingerprint != fingerprint(world_.model->scene, saved.time)) {
-    world_.note(&Notices::state_left_since, saved.time);
-    return;
-  }
-  const Method method = world_.method;
-  restore(*saved.state);
-  if (!(world_.method == method)) set_method(method);
-}
-
-bool state_belongs(const Scene& scene, const std::optional<SavedRun>& saved) {
-  return saved && saved->fingerprint != 0 && saved->fingerprint == fingerprint(scene, saved->time);
 }
 
 }  // namespace carom

@@ -14,22 +14,19 @@
 
 namespace carom {
 
-// Everything in a simulation that a step changes, as plain values. A simulation of the same scene that starts
-// from it (see SavedRun) continues the run bit by bit.
+// Everything in a simulation that a step changes, as plain values. A simulation of the same model that starts
+// from it continues the run bit by bit, in the same program: a file holds a Checkpoint instead.
 struct RunState {
   Method method;
   RunClock clock;
   RunSums sums;
-  int at_once = 0;  // impacts before the last one at the same time
+  int at_once = 0;                   // impacts before the last one at the same time
+  std::vector<WaitingPair> waiting;  // for the end of the next step
   StepWork::Kept work;
   State motions;  // at clock.time
   TrajectoryState trajectories;
   ContactMemory contacts;
   std::optional<ScheduleState> ahead;  // none: the next step rebuilds all trajectories
 };
-
-// Throws SceneError, with the place under /state, if no run of this scene can have this state. All sizes must
-// already be those of the scene, except for lists of free length.
-void check_state(const Scene& scene, double start_time, const RunState& state);
 
 }  // namespace carom

@@ -18,6 +18,9 @@
 
 namespace carom {
 
+struct Checkpoint;  // physics/world/checkpoint.h
+struct RunState;    // physics/world/run_state.h
+
 // A scene in motion: one world under one method. A value: copies are independent and share only the model.
 //
 // The method chooses one of two strategies for impacts, at the step's end (step_end_impacts.h) or at their
@@ -31,8 +34,7 @@ namespace carom {
 class Simulation {
  public:
   // The scene must be valid (see validate() in physics/scene/validate.h). `needs` names the parts of the
-  // model to compile. A saved run continues with its state, under the setup's method as if it had been chosen
-  // then.
+  // model to compile. A saved run continues from its checkpoint.
   explicit Simulation(const RunSetup& setup) : Simulation(setup, needs_of(setup.scene)) {}
   Simulation(const RunSetup& setup, const Needs& needs);
   // At the start of a run of this model.
@@ -106,6 +108,8 @@ class Simulation {
   void add_body(const Body& body);
   // The complete state between two steps (run_state.cpp).
   [[nodiscard]] RunState run_state() const;
+  // What a preset file keeps of it (checkpoint.cpp).
+  [[nodiscard]] Checkpoint checkpoint() const;
 
  private:
   // Motions and sums at the end of the last good step.

@@ -1,16 +1,24 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstring>
+#include <fmt/format.h>
 #include <string>
 #include <vector>
 
+#include "physics/compare/chaos.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "physics/scene/facts.h"
 #include "physics/scene/validate.h"
+#include "physics/world/checkpoint.h"
+#include "physics/world/ledger_entries.h"
 #include "physics/world/run_state.h"
 #include "physics/world/simulation.h"
 
-// Compares a run with one that was saved, read again and continued.
+// Compares a run with one that was kept and continued: through a file to rounding, in memory to the last bit.
 namespace carom::test {
 
 // Through a file's text, exact to the last bit.
@@ -18,7 +26,11 @@ inline Preset saved_and_read(const Preset& document, const Simulation& simulatio
   return parse_preset(write_preset(saved_preset(document, simulation)), "saved");
 }
 
-// All that a run reports and all that it continues from: two runs with the same text are equal.
+inline Simulation kept_and_restored(const Simulation& simulation) {
+  return {simulation.model(), simulation.run_state()};
+}
+
+// All that a run reports and all that a file keeps of it: two runs with the same text are equal.
 inline std::string all_of(const Preset& document, const Simulation& s) {
   std::string text = s.notices().text() + "\n";
   const auto bytes = [&](const auto& matrix) {
@@ -35,6 +47,84 @@ inline std::string all_of(const Preset& document, const Simulation& s) {
     text += error.what();  // it has blown up
   }
   return text;
+}
+
+// What a run reports that is not the same to `tolerance`, relative to 1 or to the larger of the values; nothing
+// if all is.
+inline std::string difference(const Simulation& a, const Simulation& b, double tolerance) {
+  if (a.lost().has_value() != b.lost().has_value()) return "one run is lost";
+  if (a.bodies().size() != b.bodies().size()) return "bodies";
+  if (a.joints().size() != b.joints().size()) return "joints";
+  const auto near = [tolerance](double x, double y, double scale) {
+    return x == y || std::abs(x - y) <= tolerance * std::max({1.0, scale, std::abs(x), std::abs(y)});
+  };
+  if (!near(a.time(), b.time(), 0.0)) return fmt::format("time {} and {}", a.time(), b.time());
+  if (a.steps() != b.steps()) return fmt::format("steps {} and {}", a.steps(), b.steps());
+  if (a.impact_count() != b.impact_count())
+    return fmt::format("{} and {} impacts", a.impact_count(), b.impact_count());
+  for (int i = 0; i < a.state().size(); ++i) {
+    const std::string& name = a.bodies()[static_cast<std::size_t>(i)].name;
+    for (int row = 0; row < 3; ++row) {
+      if (!near(a.state().q(row, i), b.state().q(row, i), 0.0))
+        return fmt::format("{}: place {} {} and {}", name, row, a.state().q(row, i), b.state().q(row, i));
+      if (!near(a.state().v(row, i), b.state().v(row, i), 0.0))
+        return fmt::format("{}: velocity {} {} and {}", name, row, a.state().v(row, i), b.state().v(row, i));
+    }
+  }
+  for (std::size_t i = 0; i < a.joints().size(); ++i) {
+    const int joint = static_cast<int>(i);
+    if (a.joints()[i].kind == JointKind::kString && a.is_taut(joint) != b.is_taut(joint))
+      return fmt::format("string {} is taut in one run", joint);
+  }
+  const Ledger la = a.ledger();
+  const Ledger lb = b.ledger();
+  for (const EnergyEntry& entry : kEnergyEntries) {
+    if (!near(la.*entry.value, lb.*entry.value, la.turnover()))
+      return fmt::format("{} {} and {}", entry.key, la.*entry.value, lb.*entry.value);
+  }
+  for (const MomentumEntry& entry : kMomentumEntries) {
+    for (int k = 0; k < 2; ++k) {
+      if (!near((la.*entry.value)[k], (lb.*entry.value)[k], 0.0))
+        return fmt::format("{} {} and {}", entry.key, (la.*entry.value)[k], (lb.*entry.value)[k]);
+    }
+    if (!near(la.*entry.angular, lb.*entry.angular, 0.0))
+      return fmt::format("{} {} and {}", entry.angular_key, la.*entry.angular, lb.*entry.angular);
+  }
+  if (a.status() != b.status()) return fmt::format("'{}' and '{}'", a.status(), b.status());
+  return {};
+}
+
+// How far a run that is continued from a file may be from the uninterrupted one: rounding; the adaptive method
+// chooses its steps anew, each as wrong as its tolerance allows.
+inline double resumed_tolerance(const Method& method) {
+  const bool adaptive = method.integrator == IntegratorId::kAdaptiveDormandPrince;
+  return adaptive && method.tolerance > 1e-9 ? 10.0 * method.tolerance : 1e-9;
+}
+
+// What `resumed`, which started from `start`, does not share with `whole`; nothing if runs from places that
+// differ by rounding, or by the method's tolerance, differ likewise: then nothing follows from the start any
+// more.
+inline std::string unexplained(const Simulation& whole, const Simulation& resumed, const Preset& start) {
+  const double tolerance = resumed_tolerance(start.method);
+  const std::string what = difference(whole, resumed, tolerance);
+  if (what.empty()) return {};
+  std::vector<double> displacements = {1e-12, 1e-15, -1e-15, 3e-16, -3e-16};
+  if (tolerance > 1e-9) displacements.insert(displacements.end(), {0.1 * tolerance, -0.1 * tolerance});
+  for (const double displacement : displacements) {
+    for (const double change : {0.0, 1e-14, -1e-14}) {  // m/s and rad/s
+      RunSetup setup = displaced(setup_of(start), displacement);
+      for (Body& body : setup.scene.bodies) {
+        if (has_infinite_mass(body)) continue;
+        body.velocity += Vec2(change, -change);
+        body.spin += change;
+      }
+      setup.saved->fingerprint = fingerprint(setup.scene, setup.saved->time);
+      Simulation neighbour(setup);
+      neighbour.advance_to(resumed.time());
+      if (!difference(neighbour, resumed, tolerance).empty()) return {};
+    }
+  }
+  return fmt::format("at {} s: {}", resumed.time(), what);
 }
 
 inline std::string events_of(const Simulation& s) {

@@ -314,19 +314,24 @@ TEST_F(CommandLine, NamesWithCommasAreQuotedInCsv) {
 
 TEST_F(CommandLine, SavedEndRunsOn) {
   const Json end = run({"head-on", "--save", "end.json"});
-  const Json again = run({"end.json", "--until", "0"});
+  const auto until = [&](double after) { return QString::number(end["time"].get<double>() + after, 'g', 17); };
+  const Json again = run({"end.json", "--until", until(0.0)});
   EXPECT_EQ(again["preset"], "end");
   EXPECT_EQ(again["bodies"], end["bodies"]);
   // The clock continues.
-  const Json on = run({"./end.json", "--until", QString::number(end["time"].get<double>() + 0.7)});
+  const Json on = run({"./end.json", "--until", until(0.7)});
   EXPECT_EQ(on["impacts"], end["impacts"]);
   EXPECT_NEAR(on["bodies"][1]["position"][0].get<double>(),
               end["bodies"][1]["position"][0].get<double>() + 0.7 * 13.0 / 35.0, 1e-12);
+  // A time that has passed is no end.
+  const auto before = carom_({"run", "end.json", "--until", "0.1"});
+  EXPECT_EQ(before.code, 2);
+  EXPECT_NE(before.err.find("end.json: the run is already at t = "), std::string::npos) << before.err;
 }
 
 TEST_F(CommandLine, SavedPileHasAllItsBodies) {
   const Json end = run({"pile", "--until", "0.02", "--save", "end.json"});
-  const Json again = run({"end.json", "--until", "0"});
+  const Json again = run({"end.json", "--until", QString::number(end["time"].get<double>(), 'g', 17)});
   EXPECT_GT(end["bodies"].size(), 10U);
   EXPECT_EQ(again["bodies"], end["bodies"]);
 }

@@ -1,10 +1,12 @@
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/program.h"
 
-// A run saved by `run --save` continues exactly like the uninterrupted run.
+// A run saved by `run --save` continues like the uninterrupted run, to rounding.
 namespace carom {
 namespace {
 
@@ -20,13 +22,44 @@ std::string disc(const std::string& name, const std::string& position, const std
          R"(, "velocity": )" + velocity + R"(, "mass": 1})";
 }
 
+bool near(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
+
+// The same but for rounding.
+bool near(const Json& a, const Json& b) {
+  if (a.is_number() && b.is_number()) return near(a.get<double>(), b.get<double>());
+  if (a.type() != b.type() || a.size() != b.size()) return false;
+  if (!a.is_structured()) return a == b;
+  if (a.is_array())
+    return std::equal(a.begin(), a.end(), b.begin(), [](const Json& x, const Json& y) { return near(x, y); });
+  return std::all_of(a.items().begin(), a.items().end(), [&](const auto& item) {
+    return b.contains(item.key()) && near(item.value(), b[item.key()]);
+  });
+}
+
+void expect_near(const std::vector<QByteArray>& lines, const std::vector<QByteArray>& others) {
+  ASSERT_EQ(lines.size(), others.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const QList<QByteArray> fields = lines[i].split(',');
+    const QList<QByteArray> expected = others[i].split(',');
+    ASSERT_EQ(fields.size(), expected.size());
+    for (int k = 0; k < fields.size(); ++k) {
+      bool number = false;
+      const double value = fields[k].toDouble(&number);
+      EXPECT_TRUE(number ? near(value, expected[k].toDouble()) : fields[k] == expected[k])
+          << lines[i].toStdString() << "\n"
+          << others[i].toStdString();
+    }
+  }
+}
+
 class CommandSave : public testing::Test {
  protected:
   [[nodiscard]] Json run(const QStringList& arguments) const {
     const ProgramResult result = carom_(QStringList{"run"} + arguments + QStringList{"--json"});
     EXPECT_EQ(result.code, 0) << result.err;
     Json j = Json::parse(result.out, nullptr, false);
-    j.erase("preset");
+    // What is computed, not how: the adaptive method chooses its steps anew.
+    for (const char* key : {"preset", "evaluations", "rejected_steps"}) j.erase(key);
     return j;
   }
   // The lines of a table after its header with a first column beyond `time`.
@@ -45,11 +78,12 @@ class CommandSave : public testing::Test {
         run(QStringList{"whole.json", "--until", "1.2", "--csv", "whole.csv", "--events", "whole-events.csv"} +
             method);
     (void)run(QStringList{"whole.json", "--until", "0.6", "--save", "mid.json"} + method);
-    EXPECT_EQ(run({"mid.json", "--until", "1.2", "--csv", "rest.csv", "--events", "rest-events.csv"}), whole);
+    const Json rest = run({"mid.json", "--until", "1.2", "--csv", "rest.csv", "--events", "rest-events.csv"});
+    EXPECT_TRUE(near(rest, whole)) << rest << "\n" << whole;
     EXPECT_EQ(whole["status"], run({"mid.json", "--until", "1.2"})["status"]);
-    EXPECT_EQ(lines_after("rest.csv", 0.601), lines_after("whole.csv", 0.601));
+    expect_near(lines_after("rest.csv", 0.601), lines_after("whole.csv", 0.601));
     EXPECT_FALSE(lines_after("rest.csv", 0.601).empty());
-    EXPECT_EQ(lines_after("rest-events.csv", 0.6), lines_after("whole-events.csv", 0.6));
+    expect_near(lines_after("rest-events.csv", 0.6), lines_after("whole-events.csv", 0.6));
     EXPECT_DOUBLE_EQ(run({"mid.json"})["time"].get<double>(), 2.0);  // the run's duration
   }
   Program carom_;

@@ -6,7 +6,7 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/limits.h"
-#include "physics/world/run_state.h"
+#include "physics/world/checkpoint.h"
 #include "physics/world/simulation.h"
 #include "tests/support/scenes.h"
 

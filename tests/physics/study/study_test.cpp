@@ -445,7 +445,13 @@ TEST(Study, RefusesShardsThatDontBelongTogether) {
   o.shards = 2;
   const StudyPart first{"a.csv", run_study(s, "spring", o)};
   o.shard = 2;
-  const StudyPart second{"b.csv", run_study(s, "spring", o)};
+  // What is no physics may differ.
+  Preset reworded = s;
+  reworded.about += ", in other words";
+  const StudyPart second{"b.csv", run_study(reworded, "spring", o)};
+  Preset heavier = s;
+  heavier.scene.bodies[0].mass = 1.5;
+  const StudyPart another{"d.csv", run_study(heavier, "spring", o)};
   o.steps = {0.02, 0.01};
   const StudyPart other{"c.csv", run_study(s, "spring", o)};
   EXPECT_NO_THROW((void)merge_studies({first, second}));
@@ -457,6 +463,7 @@ TEST(Study, RefusesShardsThatDontBelongTogether) {
             }).find("a.csv: row 0 stands in a.csv too"),
             std::string::npos);
   EXPECT_NE(refusal([&] { (void)merge_studies({first, other}); }).find("c.csv: plan "), std::string::npos);
+  EXPECT_NE(refusal([&] { (void)merge_studies({first, another}); }).find("d.csv: plan "), std::string::npos);
   o.shards = 5;  // of 4 rows
   EXPECT_NE(refusal([&] { (void)run_study(s, "spring", o); }).find("--shard: 2/5"), std::string::npos);
 }

@@ -177,5 +177,23 @@ TEST(Regression, AwkwardNamesStayOnOneShortLine) {
   }
 }
 
+// A body that rests by impacts is looked at once more at each step's end, and that may be the end of its force,
+// or not, by rounding. The force went on for ever.
+TEST(Regression, AForceEndsAtAStepsEnd) {
+  for (const double clock : {0.0, 0.3, 0.6, 0.7}) {
+    Preset s =
+        test::preset_with({test::wall("floor", {0, -0.5}, 20.0, 1.0), test::disc("a", {0, 0.1}, {0, 0})}, 0.5);
+    s.scene.bodies[1].mass = 1.0;
+    s.scene.forces.gravity = {0.0, -9.81};
+    s.scene.forces.applied = {{"a", {1.0, 0.0}, 0.0, 0.0, 0.0, clock + 0.3}};
+    s.method = {IntegratorId::kAdaptiveDormandPrince, ImpactsId::kLocated, ContactsId::kImpulse, 0.01, 1e-9};
+    s.saved = SavedRun{.time = clock};
+    Simulation run(setup_of(s));
+    run.advance_to(clock + 0.6);
+    EXPECT_NEAR(run.state().v(0, 1), 0.3, 1e-12) << clock;
+    EXPECT_NEAR(run.state().q(0, 1), 0.045 + 0.09, 1e-12) << clock;
+  }
+}
+
 }  // namespace
 }  // namespace carom

@@ -9,6 +9,7 @@
 #include "tests/support/effort.h"
 #include "tests/support/resumed_run.h"
 #include "tests/support/scenes.h"
+#include "tests/support/source_folder.h"
 
 // The section "state" of a preset file: what may be edited beside it, and what is refused.
 namespace carom {
@@ -68,21 +69,43 @@ TEST(RunStateFile, WhatIsReadIsWrittenAgain) {
   EXPECT_EQ(write_preset(ahead()).find("\"state\""), std::string::npos);
 }
 
+// Files of earlier versions held the solver's state, too: one that such a version saved at 0.6 s goes on like
+// the run from the start.
+TEST(RunStateFile, EarlierFilesGoOn) {
+  for (const char* name : {"located.json", "resting.json"}) {
+    const auto file = [](const char* of) {
+      return test::source("tests/physics/world/earlier_saved_runs") / of;
+    };
+    const Preset earlier = read_preset(file(name));
+    Preset start = read_preset(file("start.json"));
+    start.method = earlier.method;
+    Simulation whole(setup_of(start));
+    whole.advance_to(0.6);
+    Simulation resumed(setup_of(earlier));
+    EXPECT_EQ(test::difference(whole, resumed, 1e-9), "") << name;
+    for (Simulation* run : {&whole, &resumed}) run->advance_to(1.1);
+    EXPECT_EQ(test::unexplained(whole, resumed, earlier), "") << name;
+    // What is written has no more of it.
+    const Json state = preset_json(earlier, false)["state"];
+    for (const char* key : {"tracks", "ahead", "work", "positions", "books"})
+      EXPECT_FALSE(state.contains(key)) << key;
+  }
+}
+
 // All notices are restored, also those that no scene here has.
 TEST(RunStateFile, NoticesAndSumsStay) {
   Preset saved = saved_at(held(), 0.6);
-  RunState state = *saved.saved->state;
+  Checkpoint checkpoint = *saved.saved->checkpoint;
   double next = 0.1;
   for (double Notices::*entry :
        {&Notices::resting_since, &Notices::collapsed_since, &Notices::impacts_capped_since,
         &Notices::log_cut_since, &Notices::search_cut_since, &Notices::gained_since, &Notices::gained,
         &Notices::energy_made_since, &Notices::cluster_unsolved_since, &Notices::restitution_lowered_since,
-        &Notices::contacts_left_since, &Notices::contacts_left}) {
-    state.sums.notices.*entry = next *= 1.1;
+        &Notices::contacts_left_since, &Notices::contacts_left, &Notices::tolerance_missed_since,
+        &Notices::joints_missed_since}) {
+    checkpoint.sums.notices.*entry = next *= 1.1;
   }
-  state.trajectories.tolerance_missed_since = 0.07;
-  state.trajectories.joints_missed_since = 0.08;
-  saved.saved->state = std::make_shared<RunState>(state);
+  saved.saved->checkpoint = std::make_shared<Checkpoint>(checkpoint);
   const Simulation one(setup_of(saved));
   const Simulation two(setup_of(parse_preset(write_preset(saved), "saved")));
   EXPECT_EQ(parting(all_of(saved, one), all_of(saved, two)), "");
@@ -101,9 +124,10 @@ TEST(RunStateFile, WhatIsNoPhysicsMayChange) {
   saved.extra = R"({"kept":1})";
   Simulation whole(setup_of(s));
   whole.advance_to(1.1);
-  Simulation resumed(setup_of(parse_preset(write_preset(saved), "saved")));
+  const Preset read = parse_preset(write_preset(saved), "saved");
+  Simulation resumed(setup_of(read));
   resumed.advance_to(1.1);
-  EXPECT_EQ(parting(all_of(s, whole), all_of(s, resumed)), "");
+  EXPECT_EQ(test::unexplained(whole, resumed, read), "");
 }
 
 // From bodies and clock alone; the status reports it.
@@ -124,7 +148,7 @@ TEST(RunStateFile, ChangedByHandItGoesOnFromBodiesAndClock) {
       [](Json& j) { j["materials"][0]["restitution"] = 0.51; },
       [](Json& j) { j["state"]["time"] = 0.65; },
       [](Json& j) {
-        j["state"]["tracks"] = "nothing";
+        j["state"]["taut"] = "nothing";
         j["bodies"][2]["position"][0] = 0.31;
       },
   };
@@ -134,7 +158,7 @@ TEST(RunStateFile, ChangedByHandItGoesOnFromBodiesAndClock) {
       Json changed = saved;
       changes[i](changed);
       const Preset read = preset_of(changed);
-      EXPECT_EQ(read.saved->state, nullptr) << i;
+      EXPECT_EQ(read.saved->checkpoint, nullptr) << i;
       Simulation run(setup_of(read));
       EXPECT_NE(run.notices().text().find("the scene was changed after the run was saved"), std::string::npos)
           << i;
