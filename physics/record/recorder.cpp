@@ -46,7 +46,7 @@ void Recorder::add(const Rows& rows) {
       series_.erase(curve);
       paths_.erase(curve);
     }
-    const double* value = rows.values.data() + column;
+    const double* value = rows.values.empty() ? nullptr : rows.values.data() + column;
     if (curve.x) {
       Series<2>& path = paths_[curve];
       for (std::size_t i = 0; i < rows.size(); ++i, value += width) {

@@ -133,20 +133,23 @@ struct RandomIsland {
 };
 
 // Bodies at random places and speeds, some of them static, with contacts between neighbours whose normals are
-// only roughly along the line of centres; some frictionless, some with rolling resistance, some with a gap.
+// only roughly along the line of centres; some frictionless, some with rolling resistance, some with a gap. The
+// same with every compiler: no two draws are arguments of one call, which may be evaluated in any order.
 inline ContactScene random_island(std::uint64_t seed, const RandomIsland& kind) {
   Uniform draw(seed);
   ContactScene s;
   const int bodies = 2 + static_cast<int>(draw(0.0, 0.5 * kind.most_contacts));
   const double room = std::sqrt(bodies);
   for (int i = 0; i < bodies; ++i) {
-    const Vec2 at(draw(0.0, room), draw(0.0, room));
+    const double y = draw(0.0, room);
+    const Vec2 at(draw(0.0, room), y);
     const double m = std::exp(draw(-kind.mass_spread, kind.mass_spread));
     if (i == 0 || draw(0.0, 1.0) < 0.15) {
       const double speed = kind.kinematic ? 0.3 : 0.0;
       s.body(at, 0.0, 0.0, {draw(-speed, speed), draw(-speed, speed), 0.0});
     } else {
-      s.body(at, m, m * draw(0.02, 0.2), {draw(-1.0, 1.0), draw(-1.0, 1.0), draw(-1.0, 1.0)});
+      const Eigen::Vector3d v{draw(-1.0, 1.0), draw(-1.0, 1.0), draw(-1.0, 1.0)};
+      s.body(at, m, m * draw(0.02, 0.2), v);
     }
   }
   const int contacts = 1 + static_cast<int>(draw(0.0, kind.most_contacts));
@@ -169,7 +172,9 @@ inline ContactScene random_island(std::uint64_t seed, const RandomIsland& kind) 
     const Vec2 line = s.position[b] - s.position[a];
     const double angle = std::atan2(line.y(), line.x()) + draw(-0.7, 0.7);
     const double mu = draw(0.0, 1.0) < 0.2 ? 0.0 : draw(0.0, kind.most_friction);
-    const Vec2 point = s.position[a] + draw(0.3, 0.7) * line + Vec2(draw(-0.1, 0.1), draw(-0.1, 0.1));
+    const double up = draw(-0.1, 0.1);
+    const Vec2 beside(draw(-0.1, 0.1), up);
+    const Vec2 point = s.position[a] + draw(0.3, 0.7) * line + beside;
     const int i = s.contact(a, b, point, {std::cos(angle), std::sin(angle)}, mu);
     if (draw(0.0, 1.0) < 0.3) s.contacts.rolling[i] = draw(0.0, 0.1);
     if (draw(0.0, 1.0) < 0.3) s.contacts.target[i] = draw(-0.5, 0.0);
