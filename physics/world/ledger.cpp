@@ -43,8 +43,9 @@ double Ledger::expected_angular_momentum() const {
 }
 
 Ledger ledger_of_quadratures(const State& state) {
-  const Eigen::Matrix<double, kQuadratures, 1> sums = state.quadratures.rowwise().sum();
   Ledger ledger;
+  if (state.size() == 0) return ledger;
+  const Eigen::Matrix<double, kQuadratures, 1> sums = state.quadratures.rowwise().sum();
   ledger.lost_to_drag = sums[kDragLoss];
   ledger.lost_to_dampers = sums[kDamperLoss];
   ledger.put_in_by_drives = sums[kWorkIn];
