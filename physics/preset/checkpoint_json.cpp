@@ -262,7 +262,8 @@ constexpr auto kEarlierContacts = [](Members& a, Checkpoint& checkpoint) {
 void add_quadratures(const ValueReader& rows, std::size_t bodies, Ledger& ledger) {
   check_array(rows);
   if (rows.value().size() > kQuadratures)
-    refuse_value(rows.place(), "more rows", fmt::format("{}", kQuadratures));
+    refuse_value(rows.place(), fmt::format("{} rows", rows.value().size()),
+                 fmt::format("up to {}", kQuadratures));
   State sums;
   sums.resize(1);
   sums.quadratures.setZero();
