@@ -65,7 +65,7 @@ Frame frame_at(const Preset& preset, double time) {
     moment = frames.front();
     return true;
   };
-  (void)visit_moments(std::array{RunLog{setup_of(preset), {}}}, std::array{time}, kImpactShown, take,
+  (void)visit_moments(std::array{setup_of(preset)}, std::array{time}, kImpactShown, take,
                       [](double) { return true; });
   return moment;
 }

@@ -18,15 +18,15 @@ namespace carom {
 struct Film {
   static constexpr int kMostFrames = 100'000;
 
-  std::vector<RunLog> runs;  // of the scene's own method, and of the compared methods
-  double from = 0.0;         // s of the run
-  double to = 1.0;           // s of the run: no frame is after it
-  double rate = 25.0;        // frames a second of the film
-  double speed = 1.0;        // seconds of the run in a second of the film: below 1 it is slow motion
-  QSize pixels{1280, 720};   // even numbers, as video encoders require
-  double dots = 1.0;         // image px for each px of the look
-  SceneLook look;            // of the first frame, on a viewport of any size
-  bool whole = false;        // fit all bodies in all frames, instead of the look's camera
+  std::vector<RunSetup> runs;  // of the scene's own method, and of the compared methods
+  double from = 0.0;           // s of the run
+  double to = 1.0;             // s of the run: no frame is after it
+  double rate = 25.0;          // frames a second of the film
+  double speed = 1.0;          // seconds of the run in a second of the film: below 1 it is slow motion
+  QSize pixels{1280, 720};     // even numbers, as video encoders require
+  double dots = 1.0;           // image px for each px of the look
+  SceneLook look;              // of the first frame, on a viewport of any size
+  bool whole = false;          // fit all bodies in all frames, instead of the look's camera
 };
 
 // Times of the frames, s: from, from + speed / rate, ... Throws SceneError for values that are not allowed.

@@ -169,7 +169,7 @@ class Writer {
   }
 
   void method() {
-    const RunSetup& start = report_.runs.front().start;
+    const RunSetup& start = report_.runs.front();
     const Method& m = start.method;
     add(print_heading(tr("The method")));
     const auto entry = [&](const QString& name, const QString& text) {
@@ -219,13 +219,14 @@ class Writer {
   // The edits during the run, as far as a page has room.
   void changes() {
     constexpr std::size_t kMostChanges = 12;
-    const std::vector<Edit>& edits = report_.runs.front().edits;
+    std::vector<RunEdit> edits = report_.runs.front().edits;
+    std::erase_if(edits, [end = report_.ends.front().time](const RunEdit& edit) { return edit.time > end; });
     QStringList lines;
     for (std::size_t i = 0; i < std::min(edits.size(), kMostChanges); ++i) {
       const auto* method = std::get_if<Method>(&edits[i].what);
       const QString what = method != nullptr
                                ? method_line(*method)
-                               : tr("%1 added").arg(QString::fromStdString(std::get<Body>(edits[i].what).name));
+                               : tr("%1 added").arg(QString::fromStdString(added_body(edits[i]).name));
       lines << tr("from t = %1 s: %2").arg(short_figure(edits[i].time, 6), what);
     }
     if (edits.size() > kMostChanges) lines << tr("and %1 more").arg(edits.size() - kMostChanges);
@@ -262,7 +263,7 @@ QString moment_text(double time, const LabReport& report) {
   if (time == 0.0) return tr("start");
   if (report.first_impact) {
     const double off = time - *report.first_impact;
-    const Method& method = report.runs.front().start.method;
+    const Method& method = report.runs.front().method;
     const double near = 1.001 * (method.impacts == ImpactsId::kLocated ? near_by(method) : method.step);
     if (off < 0.0 && off >= -near) return tr("just before the first impact");
     if (off >= 0.0 && off <= near) return tr("just after the first impact");

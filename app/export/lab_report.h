@@ -25,7 +25,7 @@ struct LabReport {
   QStringList questions;      // the first is printed before the run, the others at the end
 
   // The scene's own method and the compared methods, and how far each run is.
-  std::vector<RunLog> runs;
+  std::vector<RunSetup> runs;
   std::vector<Frame> ends;
   std::optional<double> first_impact;  // s
   SceneLook look;

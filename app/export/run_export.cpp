@@ -19,21 +19,17 @@ bool write_lines(const DataExport& what, char separator, const std::function<boo
   const bool impacts = curves.empty();
   const auto wanted = [&](double time) { return time >= what.from && time <= what.to; };
   const std::shared_ptr<const KeyFrame> moment = latest_before(what.key_frames, what.from, curves);
-  Replay replay = moment ? Replay(*moment) : Replay(what.log.start);
+  Replay replay = moment ? Replay(*moment, what.setup.edits) : Replay(what.setup);
   const Simulation& simulation = replay.simulation();
   Sampler sampler(curves);
   if (moment) {
     sampler = moment->sampler;
     sampler.set_curves(curves);
   } else {
-    if (what.reference != ReferenceId::kNone)
-      sampler.compare_with(ReferenceRun(what.log.start, what.reference));
+    if (what.reference != ReferenceId::kNone) sampler.compare_with(ReferenceRun(what.setup, what.reference));
     sampler.begin(simulation);
   }
-  std::vector<Body> bodies = all_bodies(what.log.start.scene);
-  for (const Edit& edit : what.log.edits) {
-    if (const auto* body = std::get_if<Body>(&edit.what)) bodies.push_back(*body);
-  }
+  const std::vector<Body> bodies = all_bodies(what.setup);
   if (!put(impacts ? events_csv_header(separator) : csv_header(what.columns, bodies, separator))) return false;
   bool whole = true;
   const auto put_rows = [&] {
@@ -44,42 +40,42 @@ bool write_lines(const DataExport& what, char separator, const std::function<boo
     }
     return true;
   };
-  replay.go_through(
-      what.log, [&](const Edit& edit) { sampler.after_edit(simulation, edit); },
-      [&](const Simulation& s) {
-        whole = whole && put_rows();
-        const bool ends = s.steps() >= what.steps || s.time() > what.to;
-        if (!ends && s.steps() % 64 == 0) {
-          whole = whole && progress(static_cast<double>(s.steps()) / static_cast<double>(what.steps));
-        }
-        return whole && !ends;
-      },
-      [&](const Simulation& s) {
-        sampler.after_step(s);
-        for (const ImpactRecord& impact : s.last_impacts()) {
-          if (impacts && wanted(impact.time)) whole = whole && put(events_csv_line(s, impact, separator));
-        }
-      });
+  replay.go_through([&](const RunEdit& edit) { sampler.after_edit(simulation, edit); },
+                    [&](const Simulation& s) {
+                      whole = whole && put_rows();
+                      const bool ends = s.steps() >= what.steps || s.time() > what.to;
+                      if (!ends && s.steps() % 64 == 0) {
+                        whole =
+                            whole && progress(static_cast<double>(s.steps()) / static_cast<double>(what.steps));
+                      }
+                      return whole && !ends;
+                    },
+                    [&](const Simulation& s) {
+                      sampler.after_step(s);
+                      for (const ImpactRecord& impact : s.last_impacts()) {
+                        if (impacts && wanted(impact.time))
+                          whole = whole && put(events_csv_line(s, impact, separator));
+                      }
+                    });
   return whole;
 }
 
 }  // namespace
 
-std::optional<Simulation> run_at(const RunLog& log,
+std::optional<Simulation> run_at(const RunSetup& setup,
                                  const std::vector<std::shared_ptr<const KeyFrame>>& key_frames, double time,
                                  std::int64_t steps, const std::function<bool(double)>& progress) {
   const std::shared_ptr<const KeyFrame> moment = latest_before(key_frames, time, {});
-  Replay replay = moment ? Replay(*moment) : Replay(log.start);
+  Replay replay = moment ? Replay(*moment, setup.edits) : Replay(setup);
   bool cancelled = false;
-  replay.go_through(
-      log, [](const Edit&) {},
-      [&](const Simulation& s) {
-        if (s.steps() >= steps) return false;
-        cancelled =
-            s.steps() % 64 == 0 && !progress(static_cast<double>(s.steps()) / static_cast<double>(steps));
-        return !cancelled;
-      },
-      [](const Simulation&) {});
+  replay.go_through([](const RunEdit&) {},
+                    [&](const Simulation& s) {
+                      if (s.steps() >= steps) return false;
+                      cancelled = s.steps() % 64 == 0 &&
+                                  !progress(static_cast<double>(s.steps()) / static_cast<double>(steps));
+                      return !cancelled;
+                    },
+                    [](const Simulation&) {});
   if (cancelled) return std::nullopt;
   return replay.simulation();
 }

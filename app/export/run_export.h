@@ -16,7 +16,7 @@ namespace carom {
 // Selects the rows of a run: within its first `steps` steps those from `from` to `to` (s), at the steps' ends
 // and before and after impacts; without columns, a row with all data of each impact.
 struct DataExport {
-  RunLog log;
+  RunSetup setup;
   std::vector<std::shared_ptr<const KeyFrame>> key_frames = {};  // states to start from
   ReferenceId reference = ReferenceId::kNone;                    // for the errors
   std::int64_t steps = 0;
@@ -26,7 +26,7 @@ struct DataExport {
 };
 
 // The first run after this number of steps, at `time` (s); none if `progress` (see below) returns false.
-[[nodiscard]] std::optional<Simulation> run_at(const RunLog& log,
+[[nodiscard]] std::optional<Simulation> run_at(const RunSetup& setup,
                                                const std::vector<std::shared_ptr<const KeyFrame>>& key_frames,
                                                double time, std::int64_t steps,
                                                const std::function<bool(double)>& progress);

@@ -23,7 +23,7 @@ struct Methods {
 struct Edited {
   Methods methods;
   std::optional<Methods> before_usual;  // while Euler, RK4 and the exact run are compared
-  std::vector<Body> added;
+  std::vector<RunEdit> added;           // bodies that come in during the runs
   std::vector<Plot> plots;
 };
 

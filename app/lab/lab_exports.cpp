@@ -52,7 +52,7 @@ void add_columns(const PlotContent& content, std::vector<Quantity>& columns) {
 }
 
 DataExport export_of(const Frame& frame, ReferenceId reference) {
-  return {*frame.log, frame.key_frames, reference, frame.steps, {}, 0.0, frame.time};
+  return {*frame.setup, frame.key_frames, reference, frame.steps, {}, 0.0, frame.time};
 }
 
 }  // namespace
@@ -64,11 +64,11 @@ LabExports::LabExports(QWidget* window, Session& session, const Views& views)
   connect(&views.plots, &PlotPanel::dataCopyAsked, this, &LabExports::copy_data);
 }
 
-bool LabExports::has_run() const { return session_.frame() != nullptr && session_.frame()->log != nullptr; }
+bool LabExports::has_run() const { return session_.frame() != nullptr && session_.frame()->setup != nullptr; }
 
-std::vector<RunLog> LabExports::runs() const {
-  std::vector<RunLog> all;
-  for (const auto& frame : session_.frames()) all.push_back(*frame->log);
+std::vector<RunSetup> LabExports::runs() const {
+  std::vector<RunSetup> all;
+  for (const auto& frame : session_.frames()) all.push_back(*frame->setup);
   return all;
 }
 
@@ -206,7 +206,7 @@ void LabExports::save_run() {
       window_, tr("Save the run as it stands"), suggestion, {{tr("Carom presets (*.json)"), "json"}},
       [this, frame = session_.frame(), document = session_.document()](const QString& file) {
         with_progress(window_, tr("Save the run"), tr("The run cannot be saved"), [=](const Progress& go_on) {
-          const auto run = run_at(*frame->log, frame->key_frames, frame->time, frame->steps, go_on);
+          const auto run = run_at(*frame->setup, frame->key_frames, frame->time, frame->steps, go_on);
           if (run) save_preset(saved_preset(document, *run), file.toStdString());
         });
       });
@@ -270,7 +270,7 @@ void LabExports::write_report() {
   std::vector<SeriesPoint<1>> impacts;
   session_.recorders().front()->impulses().read(0.0, frame.time, impacts);
   if (!impacts.empty()) report.first_impact = impacts.front().at;
-  report.times = report_times(report.runs.front().start.method, report.first_impact, frame.time);
+  report.times = report_times(report.runs.front().method, report.first_impact, frame.time);
   report.look = views_.scene.look();
   report.plots = views_.plots.plots();
   report.bodies = static_cast<const FigureModel*>(views_.bodies.model());

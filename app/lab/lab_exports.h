@@ -51,7 +51,7 @@ class LabExports : public QObject {
   void write_report();
   void save_report(const LabReport& report, const QString& file);
   [[nodiscard]] bool has_run() const;
-  [[nodiscard]] std::vector<RunLog> runs() const;
+  [[nodiscard]] std::vector<RunSetup> runs() const;
 
   QWidget* window_;
   Session& session_;

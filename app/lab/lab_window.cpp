@@ -98,7 +98,7 @@ void LabWindow::keep_work(const QString& folder) { recovery_->begin(folder); }
 void LabWindow::keep_now() { recovery_->keep_now(); }
 
 void LabWindow::show_scene(const Preset& preset, const QString& name, const QString& file) {
-  plots_->set_plots(preset.plots, all_bodies(preset.scene));
+  plots_->set_plots(preset.plots, all_bodies(preset));
   session_.open(preset, plots_->chosen(), plots_->curves(), name, file);
   constexpr int kSoon = 200;  // ms: a scene that is ready by then shows no notice
   QTimer::singleShot(kSoon, this, &LabWindow::show_preparing);

@@ -33,7 +33,16 @@ QString text_of_change(const Method& from, Method to) {
   return to == from ? Session::tr("change of tolerance") : Session::tr("change of method");
 }
 
-bool same_name(const Body& a, const Body& b) { return a.name == b.name; }
+void add_edit(std::vector<RunEdit>& edits, const RunEdit& edit) {
+  edits.insert(std::upper_bound(edits.begin(), edits.end(), edit, is_earlier), edit);
+}
+
+// Adding a body is the only edit of the runs that a document holds.
+bool same_bodies(const std::vector<RunEdit>& a, const std::vector<RunEdit>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const RunEdit& x, const RunEdit& y) {
+    return added_body(x).name == added_body(y).name;
+  });
+}
 
 Preset empty_document() {
   Preset empty;
@@ -59,19 +68,18 @@ void Session::open(const Preset& preset, const std::vector<Plot>& plots, const s
   forget_wait();
   document_ = preset;
   document_.plots = plots;
-  own_bodies_ = preset.scene.bodies.size();
+  give_ids(document_.scene);
   name_ = name;
   file_ = file;
-  bodies_ = all_bodies(preset.scene);
+  bodies_ = all_bodies(preset);
   before_usual_.reset();
   reference_ = preset.compare.empty() ? ReferenceId::kNone : usual_reference(setup_of(preset));
   frames_.clear();
   recorders_.clear();
   arriving_.clear();
   replayed_.reset();
-  followed_.reset();
   curves_ = curves;
-  worker_.load(preset, curves, reference_);
+  worker_.load(document_, curves, reference_);
   ++revision_;
   edits_.clear();
   edits_.setClean();
@@ -104,11 +112,7 @@ void Session::check_modified() {
 // -----------------------------------------------------------------------------------------------------------
 
 Edited Session::edited() const {
-  const auto own = document_.scene.bodies.begin() + static_cast<std::ptrdiff_t>(own_bodies_);
-  return {{document_.method, document_.compare, reference_},
-          before_usual_,
-          {own, document_.scene.bodies.end()},
-          document_.plots};
+  return {{document_.method, document_.compare, reference_}, before_usual_, document_.edits, document_.plots};
 }
 
 void Session::push(const DocumentEdit::What& what, const Edited& after) {
@@ -123,44 +127,33 @@ void Session::assign(const Edited& to) {
   reference_ = to.methods.reference;
   before_usual_ = to.before_usual;
   const bool other_plots = std::exchange(document_.plots, to.plots) != to.plots;
-  assign_bodies(to.added);
+  assign_added(to.added);
   ++revision_;
   if (other_plots) emit plotsChanged();
   emit documentChanged();
 }
 
-void Session::assign_bodies(const std::vector<Body>& added) {
-  std::vector<Body>& bodies = document_.scene.bodies;
-  const std::vector<Body> old(bodies.begin() + static_cast<std::ptrdiff_t>(own_bodies_), bodies.end());
-  if (std::equal(old.begin(), old.end(), added.begin(), added.end(), same_name)) return;
-  for (const Body& body : old) std::erase_if(bodies_, [&](const Body& b) { return same_name(b, body); });
-  bodies.resize(own_bodies_);
-  for (const Body& body : added) {
-    bodies.push_back(body);
-    bodies_.push_back(body);
-  }
-  followed_.reset();
+void Session::assign_added(const std::vector<RunEdit>& added) {
+  const std::vector<RunEdit> old = std::exchange(document_.edits, added);
+  if (same_bodies(old, added)) return;
+  bodies_ = all_bodies(document_);
   emit bodiesChanged();
 }
 
-void Session::undo(const Edited& before, Worker::EditId runs) {
-  forget_wait();
-  if (runs != 0) {
-    worker_.undo(runs, before.methods.reference);
-  } else if (before.methods.reference != reference_) {
-    worker_.set_reference(before.methods.reference);
-  }
-  assign(before);
-}
+void Session::undo(const Edited& before, Worker::EditId runs) { go_to(before, runs, &Worker::undo); }
 
-void Session::redo(const Edited& after, Worker::EditId runs) {
+void Session::redo(const Edited& after, Worker::EditId runs) { go_to(after, runs, &Worker::redo); }
+
+void Session::go_to(const Edited& to, Worker::EditId runs,
+                    void (Worker::*change)(Worker::EditId, const Preset&, ReferenceId)) {
   forget_wait();
+  const ReferenceId before = reference_;
+  assign(to);
   if (runs != 0) {
-    worker_.redo(runs, after.methods.reference);
-  } else if (after.methods.reference != reference_) {
-    worker_.set_reference(after.methods.reference);
+    (worker_.*change)(runs, document_, reference_);
+  } else if (before != reference_) {
+    worker_.set_reference(reference_);
   }
-  assign(after);
 }
 
 void Session::change_method(const Method& method, std::size_t run) {
@@ -225,9 +218,8 @@ void Session::choose_reference(ReferenceId reference) {
 }
 
 ReferenceId Session::first_reference() const {
-  const std::vector<Body> bodies = all_bodies(document_.scene);
   const auto moving =
-      std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return !has_infinite_mass(b); });
+      std::count_if(bodies_.begin(), bodies_.end(), [](const Body& b) { return !has_infinite_mass(b); });
   return moving > kMostWithReference ? ReferenceId::kNone : usual_reference(setup_of(document_));
 }
 
@@ -250,8 +242,10 @@ void Session::compare_usual(const std::vector<Plot>& plots, const std::vector<Cu
         reference_for(setup, document_.method, usual_reference(setup)), {euler, rk4}, first_reference()};
   }
   curves_ = curves;
-  const Worker::EditId runs =
-      worker_.restart(after.methods.own, after.methods.others, curves, after.methods.reference);
+  Preset start = document_;
+  start.method = after.methods.own;
+  start.compare = after.methods.others;
+  const Worker::EditId runs = worker_.restart(start, curves, after.methods.reference);
   push({tr("comparison with the exact run"), runs}, after);
 }
 
@@ -270,14 +264,20 @@ void Session::add_body(double x, double y) {
     body.material = b.material;
     break;
   }
-  body.name = free_body_name(with.scene, "new");
+  body.name = free_body_name(bodies_, "new");
+  body.id.number = with.scene.ids_given + 1;
   body.shape = Disc{radius * (0.5 + sizes_.generateDouble())};
   body.position = {x, y};
-  with.scene.bodies.push_back(body);
+  const SceneEdits edits = {Add<Body>{body}};
+  // The time is the displayed one until the runs tell when they had it.
+  const double now = frames_.empty() ? start_time(with.saved) : frames_.front()->time;
+  add_edit(with.edits, {now, 0, edits});
   validate(with);
+  ++document_.scene.ids_given;
   Edited after = edited();
-  after.added.push_back(body);
-  push({tr("added body"), worker_.add_body(body)}, after);
+  const Worker::EditId edit = worker_.edit_scene(edits);
+  add_edit(after.added, {now, edit, edits});
+  push({tr("added body"), edit}, after);
 }
 
 // The choice of named plots of a built-in experiment is not work that could be lost.
@@ -302,7 +302,7 @@ void Session::restart() {
   forget_wait();
   replayed_.reset();
   arriving_.clear();
-  worker_.restart();
+  worker_.restart(document_);
 }
 
 void Session::set_speed(double speed) {
@@ -362,7 +362,7 @@ void Session::poll() {
   arriving_.clear();
   recorders_ = std::move(recorders);
   frames_ = news;
-  follow_bodies();
+  take_times_of_edits();
   emit framesChanged();
   // Deferred: not within the signal that reported the frame.
   if (then_ != nullptr && !frames_.front()->playing) {
@@ -371,21 +371,20 @@ void Session::poll() {
   }
 }
 
-// Bodies are ordered by their times. A body added before one that is still to come changes this order, and
-// plots know bodies by their index.
-void Session::follow_bodies() {
-  const std::shared_ptr<const std::vector<Body>>& now = frames_.front()->bodies;
-  if (now == followed_) return;
-  followed_ = now;
-  if (now->size() <= bodies_.size() && std::equal(now->begin(), now->end(), bodies_.begin(), same_name)) return;
-  auto next = bodies_.begin();
-  for (const Body& body : *now) {
-    const auto at = std::find_if(next, bodies_.end(), [&](const Body& b) { return same_name(b, body); });
-    if (at == bodies_.end()) continue;
-    std::rotate(next, at, at + 1);
-    ++next;
+// An edit is timed by the runs. Its time decides the order of bodies, and plots know these by their index.
+void Session::take_times_of_edits() {
+  std::vector<RunEdit> timed;
+  for (RunEdit edit : document_.edits) {
+    for (const RunEdit& known : frames_.front()->setup->edits) {
+      if (edit.id != 0 && known.id == edit.id) edit.time = known.time;
+    }
+    add_edit(timed, edit);
   }
-  emit bodiesChanged();
+  const bool same = std::equal(timed.begin(), timed.end(), document_.edits.begin(),
+                               [](const RunEdit& a, const RunEdit& b) { return a.time == b.time; });
+  if (same) return;
+  ++revision_;
+  assign_added(timed);
 }
 
 void Session::when_still(const QString& what, std::function<void()> then) {

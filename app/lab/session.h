@@ -36,7 +36,7 @@ class Session : public QObject {
   [[nodiscard]] const QString& name() const { return name_; }
   [[nodiscard]] const QString& file() const { return file_; }
   [[nodiscard]] ReferenceId reference() const { return reference_; }
-  // All bodies in their initial states, in the order of the runs.
+  // All bodies as they start, in the order of the runs.
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
   // Throws SceneError if the file can't be written; the document stays unchanged.
   void save(const QString& file);
@@ -63,8 +63,8 @@ class Session : public QObject {
   [[nodiscard]] bool compares_usual() const { return before_usual_.has_value(); }
   // The best reference that the scene allows; none where it would be costly.
   [[nodiscard]] ReferenceId first_reference() const;
-  // Adds a disc of random radius like the existing ones at this point (m). Throws SceneError where it is not
-  // allowed.
+  // Adds a disc of random radius like the existing ones at this point (m), from now on. Throws SceneError where
+  // it is not allowed.
   void add_body(double x, double y);
   void change_plots(const std::vector<Plot>& plots);
 
@@ -104,24 +104,24 @@ class Session : public QObject {
   friend class DocumentEdit;
   void undo(const Edited& before, Worker::EditId runs);
   void redo(const Edited& after, Worker::EditId runs);
+  void go_to(const Edited& to, Worker::EditId runs,
+             void (Worker::*change)(Worker::EditId, const Preset& start, ReferenceId));
 
   [[nodiscard]] Edited edited() const;
   void push(const DocumentEdit::What& what, const Edited& after);
   void assign(const Edited& to);
-  void assign_bodies(const std::vector<Body>& added);
-  void follow_bodies();
+  void assign_added(const std::vector<RunEdit>& added);
+  void take_times_of_edits();
   void poll();
   void check_modified();
 
   Worker worker_;
   Preset document_;
-  QRandomGenerator sizes_{1};   // of the discs that are added: the same in every session
-  std::size_t own_bodies_ = 0;  // of the document's list; the others were added
+  QRandomGenerator sizes_{1};  // of the discs that are added: the same in every session
   QString name_, file_;
   ReferenceId reference_ = ReferenceId::kNone;
   std::optional<Methods> before_usual_;
   std::vector<Body> bodies_;
-  std::shared_ptr<const std::vector<Body>> followed_;  // their order is that of bodies_
   QUndoStack edits_;
   bool was_modified_ = false;
   std::uint64_t revision_ = 0;

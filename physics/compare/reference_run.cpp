@@ -16,6 +16,11 @@ RunSetup with_method(RunSetup setup, const Method& method) {
   return setup;
 }
 
+RunSetup without_edits(RunSetup setup) {
+  setup.edits.clear();
+  return setup;
+}
+
 // Steps of a reference for one step of the run.
 int steps_of(const Method& reference, const Method& run) {
   return static_cast<int>(std::lround(run.step / reference.step));
@@ -41,11 +46,12 @@ Method less_refined(Method reference, bool lasts) {
 
 }  // namespace
 
-ReferenceRun::ReferenceRun(const RunSetup& start, ReferenceId reference)
-    : setup_(start),
+ReferenceRun::ReferenceRun(const RunSetup& run, ReferenceId reference)
+    : setup_(without_edits(run)),
       id_(reference),
-      fine_(with_method(start, reference_for(start, start.method, reference))),
-      check_(beside(start, less_refined(fine_.method(), contacts_last(start.method, needs_of(start.scene))))),
+      fine_(with_method(setup_, reference_for(setup_, setup_.method, reference))),
+      check_(
+          beside(setup_, less_refined(fine_.method(), contacts_last(setup_.method, needs_of(setup_.scene))))),
       moving_(moving_bodies(fine_.bodies())),
       awaiting_(fine_.bodies().size(), 0) {
   length_ = reach(fine_.state(), fine_.bodies(), moving_);
@@ -54,23 +60,22 @@ ReferenceRun::ReferenceRun(const RunSetup& start, ReferenceId reference)
   error_.position = error_.velocity = error_.angle = error_.spin = error_.energy = 0.0;
 }
 
-void ReferenceRun::edit(const Edit& edit) {
+void ReferenceRun::edit(const RunEdit& edit) {
   if (const auto* method = std::get_if<Method>(&edit.what)) {
     setup_.method = *method;
-    take_methods();
-  }
-  if (const auto* body = std::get_if<Body>(&edit.what)) {
-    setup_.scene.bodies.push_back(*body);
-    fine_.add_body(*body);
-    check_.add_body(*body);
+  } else {
+    const auto& edits = std::get<SceneEdits>(edit.what);
+    apply_edits(setup_.scene, edits);
+    fine_.apply(edits);
+    check_.apply(edits);
     moving_ = moving_bodies(fine_.bodies());
-    awaiting_.push_back(0);
-    take_methods();  // contacts may rest now
+    matcher_.give_all_up();  // bodies may have other places in the list
+    awaiting_.assign(fine_.bodies().size(), 0);
     length_ = std::fmax(length_, reach(fine_.state(), fine_.bodies(), moving_));
-    size_ = size_ > 0.0 ? size_ : length_;
-    if (!has_infinite_mass(*body)) size_ = std::min(size_, bounding_radius(body->shape));
+    size_ = smallest(fine_.bodies(), moving_, length_);
     energy_ = fine_.totals().energy();
   }
+  take_methods();  // contacts may rest now
 }
 
 void ReferenceRun::take_methods() {

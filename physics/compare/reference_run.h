@@ -8,7 +8,7 @@
 #include "physics/compare/impact_matcher.h"
 #include "physics/compare/reference.h"
 #include "physics/observe/observables.h"
-#include "physics/world/edit.h"
+#include "physics/world/run_setup.h"
 #include "physics/world/simulation.h"
 
 namespace carom {
@@ -40,15 +40,15 @@ class ReferenceRun {
   // Steps of the run for which an impact waits for its partner.
   static constexpr int kPatience = 20;
 
-  // For a run of `start` under the scene's method.
-  ReferenceRun(const RunSetup& start, ReferenceId reference);
+  // For a run of this setup, without its edits: they come when the run has had them.
+  ReferenceRun(const RunSetup& run, ReferenceId reference);
 
   void interrupt_on(const std::stop_token& stop) {
     fine_.interrupt_on(stop);
     check_.interrupt_on(stop);
   }
   // Applies an edit of the run to the reference too.
-  void edit(const Edit& edit);
+  void edit(const RunEdit& edit);
   // Call after each step of the run.
   void follow(const Simulation& run);
 

@@ -93,6 +93,7 @@ struct Preset {
   Scene scene;
   Method method;
   std::vector<Method> compare;  // other methods to run beside it, at most kMostCompared
+  std::vector<RunEdit> edits;   // bodies that come in during a run, an Add<Body> each, in the order of time
   std::vector<Expectation> expect;
   std::vector<Plot> plots;  // to open with; none: the usual ones
   std::optional<View> view;
@@ -102,5 +103,9 @@ struct Preset {
 
 // The setup of a run. Impacts of the pairs of bodies that plots name are counted.
 [[nodiscard]] RunSetup setup_of(const Preset& preset);
+// The body that an edit of a preset's runs adds.
+[[nodiscard]] const Body& added_body(const RunEdit& edit);
+// All bodies, as they start: those of the scene, then those that come in later.
+[[nodiscard]] std::vector<Body> all_bodies(const Preset& preset);
 
 }  // namespace carom

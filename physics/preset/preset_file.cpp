@@ -61,6 +61,12 @@ void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
            preset.scene.several_impacts);
   r.read_objects({"generators", "many bodies from a few numbers"}, kMostBodies, each(preset.scene.generators));
   r.read_objects({"links", "rods, strings, pins and welds"}, kMostJoints, each(preset.scene.joints));
+  r.read_objects({"added", "bodies that come in during a run"}, kMostBodies,
+                 [&](FieldReader& element, const std::string&) {
+                   LateBody late;
+                   fields(element, late);
+                   preset.edits.push_back({late.time, 0, SceneEdits{Add<Body>{late.body}}});
+                 });
   r.member({"plots", "to open with"}, [&](const ValueReader& v) {
     v.list({0, kMostPlots}, [&](const ValueReader& plot) { preset.plots.push_back(read_plot(plot)); });
   });
@@ -185,6 +191,8 @@ Json preset_json(const Preset& preset, bool all) {
   if (Json forces = forces_json(preset.scene.forces, all); !forces.empty()) j["forces"] = std::move(forces);
   put("generators", preset.scene.generators, true);
   for (const Joint& l : preset.scene.joints) j["links"].push_back(joint_json(l, all));
+  for (const RunEdit& edit : preset.edits)
+    j["added"].push_back(written(LateBody{edit.time, added_body(edit)}, all));
   for (const Plot& plot : preset.plots) j["plots"].push_back(plot_json(plot));
   if (preset.view) j["view"] = {{"center", pair_json(preset.view->center)}, {"width", preset.view->width}};
   for (const Expectation& e : preset.expect) j["expect"].push_back(written_by(e, false, read_expectation));

@@ -6,6 +6,7 @@
 #include "physics/dynamics/integrators/method_fields.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/value_reader.h"
+#include "physics/scene/fields.h"
 #include "physics/scene/validate.h"
 
 // The parts of a preset file and what they stand for.
@@ -15,6 +16,19 @@ template <class V>
 void fields(V& v, Is<View> auto& view) {
   v.field({"center", "[x, y]"}, view.center, any_number("m"));
   v.required({"width", "of the part that is shown"}, view.width, positive("m"));
+}
+
+// A body that comes in during a run, as a file states it: in a preset an edit of its runs.
+struct LateBody {
+  double time = 0.0;  // s
+  Body body;
+};
+
+template <class V>
+void fields(V& v, Is<LateBody> auto& late) {
+  v.required({"time", "when it comes in: at the end of the first step from here on"}, late.time,
+             from_zero("s"));
+  v.required_object({"body", "as it is then, with the keys of a body"}, late.body);
 }
 
 // This writes, too (see `written_by`).

@@ -5,7 +5,6 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
@@ -15,6 +14,7 @@
 #include "physics/scene/range_check.h"
 #include "physics/scene/value_checks.h"
 #include "physics/world/checkpoint.h"
+#include "physics/world/scene_now.h"
 #include "physics/world/simulation.h"
 
 namespace carom {
@@ -116,6 +116,46 @@ void check_plot(const std::string& at, const Plot& plot, const NamedBodies& bodi
   if (plot.x) check(at + "/x", *plot.x);
 }
 
+// Repeats what a check says of a body that comes in later, at its place in the file: in the scene that was
+// checked it stands after the bodies of the list.
+template <class Check>
+void check_late_bodies(std::size_t listed, const Check& check) {
+  const auto at_its_place = [listed](const std::string& line) {
+    constexpr std::string_view kBodies = "/bodies/";
+    std::size_t index = 0;
+    if (!line.starts_with(kBodies)) return line;
+    const char* const end = line.data() + line.size();
+    const auto [rest, error] = std::from_chars(line.data() + kBodies.size(), end, index);
+    if (error != std::errc() || index < listed) return line;
+    return fmt::format("/added/{}/body{}", index - listed, std::string_view(rest, end));
+  };
+  try {
+    check();
+  } catch (const RuleError& error) {
+    throw RuleError(error.rule, at_its_place(error.what()));
+  } catch (const SceneError& error) {
+    throw SceneError(at_its_place(error.what()));
+  }
+}
+
+// They are good in the scene as it is when all of them are there.
+void check_late_bodies(const Preset& preset, const ForcePlaces& places, const RunBegin& begin) {
+  if (preset.edits.empty()) return;
+  Scene scene = preset.scene;
+  double last = 0.0;
+  for (std::size_t i = 0; i < preset.edits.size(); ++i) {
+    const double time = preset.edits[i].time;
+    const std::string place = fmt::format("/added/{}/time", i);
+    check_range(place, time, from_zero("s"));
+    check_order(place, time, last, "the time before it");
+    last = time;
+    scene.bodies.push_back(added_body(preset.edits[i]));
+  }
+  check_late_bodies(preset.scene.bodies.size(), [&] { validate(scene, places, begin); });
+  check_integrator("/added", scene, preset.method);
+  for (const Method& method : preset.compare) check_integrator("/added", scene, method);
+}
+
 // How many there are.
 void check_plots(const std::vector<Plot>& plots) {
   check_count("/plots", plots.size(), kMostPlots, "plots");
@@ -150,6 +190,16 @@ Preset variant(const Preset& preset, const std::vector<Setting>& settings) {
   return changed;
 }
 
+const Body& added_body(const RunEdit& edit) {
+  return std::get<Add<Body>>(std::get<SceneEdits>(edit.what).front()).part;
+}
+
+std::vector<Body> all_bodies(const Preset& preset) {
+  std::vector<Body> bodies = all_bodies(preset.scene);
+  for (const RunEdit& edit : preset.edits) bodies.push_back(added_body(edit));
+  return bodies;
+}
+
 void resolve_places(Preset& preset, const ForcePlaces& places) {
   const auto has_places = [](const Expectation& e) { return e.over || !e.settings.empty(); };
   if (std::none_of(preset.expect.begin(), preset.expect.end(), has_places)) return;
@@ -173,31 +223,10 @@ Preset saved_preset(const Preset& document, const Simulation& simulation) {
                      lost->text(simulation.bodies(), simulation.time()));
   }
   Preset out = document;
-  out.scene.generators.clear();
+  out.scene = scene_now(simulation);
   out.expect.clear();
   out.method = simulation.method();
-  out.scene.bodies = simulation.bodies();
-  const State& state = simulation.state();
-  // What a file may leave to the start must be said now.
-  out.scene.joints = simulation.joints();
-  std::unordered_map<std::string_view, double> angles;  // by body
-  for (const Body& b : out.scene.bodies) angles.emplace(b.name, b.angle);
-  for (std::size_t i = 0; i < out.scene.joints.size(); ++i) {
-    Joint& joint = out.scene.joints[i];
-    if (joint.kind == JointKind::kRod || joint.kind == JointKind::kString) {
-      joint.length = simulation.length(static_cast<int>(i));
-    } else if (joint.kind == JointKind::kWeld && !joint.angle) {
-      joint.angle = angles.at(joint.body) - (joint.to.empty() ? 0.0 : angles.at(joint.to));
-    }
-  }
-  for (int i = 0; i < state.size(); ++i) {
-    Body& b = out.scene.bodies[static_cast<std::size_t>(i)];
-    if (has_infinite_mass(b)) continue;
-    b.position = state.position(i);
-    b.angle = state.q(2, i);
-    b.velocity = state.velocity(i);
-    b.spin = state.v(2, i);
-  }
+  std::erase_if(out.edits, [&](const RunEdit& edit) { return simulation.is_due(edit); });
   out.saved = SavedRun{.time = simulation.time()};
   out.saved->checkpoint = std::make_shared<Checkpoint>(simulation.checkpoint());
   out.saved->fingerprint = fingerprint(out.scene, simulation.time());
@@ -219,12 +248,14 @@ void validate(const Preset& preset, const ForcePlaces& places) {
   check_range("/duration", preset.duration, kDuration);
   if (preset.saved && !from_zero("s").contains(preset.saved->time))
     refuse_by(Rule::kSavedRun, "/state/time", fmt::format("{}", preset.saved->time), from_zero("s").text());
-  validate(preset.scene, places, {start_time(preset.saved), state_belongs(preset.scene, preset.saved)});
+  const RunBegin begin{start_time(preset.saved), state_belongs(preset.scene, preset.saved)};
+  validate(preset.scene, places, begin);
   check_integrator("/method", preset.scene, preset.method);
   for (std::size_t i = 0; i < preset.compare.size(); ++i) {
     check_integrator(fmt::format("/compare/{}", i), preset.scene, preset.compare[i]);
   }
-  const std::vector<Body> all = all_bodies(preset.scene);
+  check_late_bodies(preset, places, begin);
+  const std::vector<Body> all = all_bodies(preset);
   NamedBodies bodies;
   for (const Body& b : all) bodies.emplace(b.name, &b);
   check_count("/expect", preset.expect.size(), kMostExpectations, "expectations");
@@ -239,7 +270,7 @@ void validate(const Preset& preset, const ForcePlaces& places) {
 void validate(const Preset& preset) { validate(preset, written_places(preset.scene.forces)); }
 
 RunSetup setup_of(const Preset& preset) {
-  RunSetup setup{preset.scene, preset.method, preset.saved};
+  RunSetup setup{preset.scene, preset.method, preset.saved, preset.edits};
   const auto count = [&](const QuantityName& quantity) {
     if (quantity.bodies.size() == 2) setup.counted_pairs.emplace_back(quantity.bodies[0], quantity.bodies[1]);
   };

@@ -44,6 +44,8 @@ std::vector<JointState> joint_states(const Simulation& simulation) {
 
 void take_moment(const Simulation& simulation, Frame& frame) {
   frame.time = simulation.time();
+  frame.bodies = {simulation.model(), &simulation.model()->scene.bodies};
+  frame.forces = {simulation.model(), &simulation.model()->scene.forces};
   frame.method = simulation.method();
   frame.steps = simulation.steps();
   frame.impact_count = simulation.impact_count();
@@ -75,24 +77,19 @@ namespace {
 // The replay of one run through the moments.
 class MomentReplay {
  public:
-  MomentReplay(const RunLog& log, double span)
-      : log_(log),
-        replay_(log.start),
-        forces_(std::make_shared<const Forces>(log.start.scene.forces)),
-        span_(span) {}
+  MomentReplay(const RunSetup& setup, double span) : replay_(setup), span_(span) {}
 
   bool go_to(double time, Frame& frame, const std::function<bool(double)>& go_on) {
     const Simulation& simulation = replay_.simulation();
     bool cancelled = false;
-    replay_.go_through(
-        log_, [](const Edit&) {},
-        [&](const Simulation& s) {
-          // The same division of time as in Simulation::advance_to().
-          if (s.lost() || time - s.time() <= (1.0 - 1e-9) * s.method().step) return false;
-          cancelled = !go_on(s.time());
-          return !cancelled;
-        },
-        [&](const Simulation& s) { keep_recent(impacts_, s.last_impacts(), s.time(), span_); });
+    replay_.go_through([](const RunEdit&) {},
+                       [&](const Simulation& s) {
+                         // The same division of time as in Simulation::advance_to().
+                         if (s.lost() || time - s.time() <= (1.0 - 1e-9) * s.method().step) return false;
+                         cancelled = !go_on(s.time());
+                         return !cancelled;
+                       },
+                       [&](const Simulation& s) { keep_recent(impacts_, s.last_impacts(), s.time(), span_); });
     if (cancelled) return false;
     frame.impacts = impacts_;
     const double left = time - simulation.time();
@@ -109,29 +106,22 @@ class MomentReplay {
 
  private:
   void take(const Simulation& simulation, Frame& frame) {
-    if (!bodies_ || bodies_->size() != simulation.bodies().size())
-      bodies_ = std::make_shared<const std::vector<Body>>(simulation.bodies());
     frame.run = 1;
-    frame.bodies = bodies_;
-    frame.forces = forces_;
     take_moment(simulation, frame);
   }
 
-  const RunLog& log_;
   Replay replay_;
-  std::shared_ptr<const Forces> forces_;
-  std::shared_ptr<const std::vector<Body>> bodies_;
   std::vector<ImpactRecord> impacts_;
   double span_;
 };
 
 }  // namespace
 
-bool visit_moments(std::span<const RunLog> runs, std::span<const double> times, double span,
+bool visit_moments(std::span<const RunSetup> runs, std::span<const double> times, double span,
                    const std::function<bool(std::span<const Frame>)>& show,
                    const std::function<bool(double time)>& go_on) {
   std::vector<MomentReplay> replays;
-  for (const RunLog& log : runs) replays.emplace_back(log, span);
+  for (const RunSetup& setup : runs) replays.emplace_back(setup, span);
   std::vector<Frame> frames(runs.size());
   for (const double time : times) {
     for (std::size_t i = 0; i < replays.size(); ++i) {

@@ -55,7 +55,7 @@ struct Frame {
   double rows_known_until = 0.0;      // s: the latter are known up to here; the frame's time if there are none
   std::vector<ImpactRecord> impacts;  // since the previous frame
   Scales scales;
-  std::shared_ptr<const RunLog> log;  // of the run so far
+  std::shared_ptr<const RunSetup> setup;  // of the run, with all its edits
   std::vector<std::shared_ptr<const KeyFrame>> key_frames;
 };
 
@@ -73,7 +73,7 @@ void keep_recent(std::vector<ImpactRecord>& impacts, std::span<const ImpactRecor
 // between two steps is reached by one shorter step of a copy, so the run itself is unchanged. The frames, one
 // for each run, have no rows; their impacts are those of the last `span` s. Before each step `go_on` gets the
 // time reached. If `show` or `go_on` returns false, the replay ends and returns false.
-[[nodiscard]] bool visit_moments(std::span<const RunLog> runs, std::span<const double> times, double span,
+[[nodiscard]] bool visit_moments(std::span<const RunSetup> runs, std::span<const double> times, double span,
                                  const std::function<bool(std::span<const Frame>)>& show,
                                  const std::function<bool(double time)>& go_on);
 

@@ -4,9 +4,9 @@
 
 namespace carom {
 
-void KeyFrames::take(const Simulation& simulation, const Sampler& sampler, std::size_t edits) {
+void KeyFrames::take(const Simulation& simulation, const Sampler& sampler) {
   if (simulation.steps() % interval_ != 0) return;
-  KeyFrame frame{simulation.model(), simulation.run_state(), sampler, edits};
+  KeyFrame frame{simulation.model(), simulation.run_state(), sampler};
   // A replay from here is on another thread than the run.
   frame.sampler.interrupt_on({});
   (void)frame.sampler.take();  // the rows so far belong to the run itself

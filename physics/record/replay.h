@@ -8,26 +8,17 @@
 #include <vector>
 
 #include "physics/record/sampler.h"
-#include "physics/world/edit.h"
 #include "physics/world/run_setup.h"
 #include "physics/world/run_state.h"
 #include "physics/world/simulation.h"
 
 namespace carom {
 
-// The complete record of a run: its start and the edits in order. Repeating whole steps from there gives the
-// same run bit by bit.
-struct RunLog {
-  RunSetup start;
-  std::vector<Edit> edits;
-};
-
 // A run at the end of one of its steps, with everything needed to continue from there.
 struct KeyFrame {
   std::shared_ptr<const Model> model;
   RunState state;
   Sampler sampler;
-  std::size_t edits = 0;  // of its log, applied so far
 };
 
 // Moments of a run from which it can be replayed: evenly spaced over the whole run, at most kMost, so that
@@ -38,7 +29,7 @@ class KeyFrames {
   static constexpr std::int64_t kFirstInterval = 512;  // steps; doubled whenever there are too many frames
 
   // Call after each step.
-  void take(const Simulation& simulation, const Sampler& sampler, std::size_t edits);
+  void take(const Simulation& simulation, const Sampler& sampler);
   [[nodiscard]] const std::vector<std::shared_ptr<const KeyFrame>>& all() const { return frames_; }
 
  private:
@@ -57,20 +48,21 @@ class Replay {
     simulation_.watch_impacts(true);
     simulation_.interrupt_on(interrupt);
   }
-  // From a key frame on.
-  explicit Replay(const KeyFrame& moment) : simulation_(moment.model, moment.state), next_(moment.edits) {
+  // From a key frame on, of a run with these edits.
+  Replay(const KeyFrame& moment, const std::vector<RunEdit>& edits) : simulation_(moment.model, moment.state) {
     simulation_.watch_impacts(true);
+    simulation_.set_edits(edits);
   }
 
   // For each step of the run: applies the edits due at its start and calls on_edit(edit) for each; calls
   // go_on(simulation), which stops the replay by returning false; then steps and calls
   // after_step(simulation).
   template <class OnEdit, class GoOn, class AfterStep>
-  void go_through(const RunLog& log, const OnEdit& on_edit, const GoOn& go_on, const AfterStep& after_step) {
+  void go_through(const OnEdit& on_edit, const GoOn& go_on, const AfterStep& after_step) {
     while (true) {
-      for (; next_ < log.edits.size() && log.edits[next_].step <= simulation_.steps(); ++next_) {
-        apply(log.edits[next_], simulation_);
-        on_edit(log.edits[next_]);
+      while (const RunEdit* edit = simulation_.due()) {
+        simulation_.apply_due();
+        on_edit(*edit);
       }
       if (!go_on(simulation_)) return;
       simulation_.step();
@@ -78,10 +70,11 @@ class Replay {
     }
   }
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
+  // Other edits of the run; those in its past stay the same.
+  void set_edits(const std::vector<RunEdit>& edits) { simulation_.set_edits(edits); }
 
  private:
   Simulation simulation_;
-  std::size_t next_ = 0;  // edit
 };
 
 }  // namespace carom

@@ -32,7 +32,7 @@ void Sampler::begin(const Simulation& simulation) {
   take_speeds(simulation);
 }
 
-void Sampler::after_edit(const Simulation& simulation, const Edit& edit) {
+void Sampler::after_edit(const Simulation& simulation, const RunEdit& edit) {
   if (reference_run_) reference_run_->edit(edit);
   look(simulation);
 }

@@ -12,7 +12,7 @@
 #include "physics/observe/observables.h"
 #include "physics/observe/quantity.h"
 #include "physics/scene/scene.h"
-#include "physics/world/edit.h"
+#include "physics/world/run_setup.h"
 #include "physics/world/simulation.h"
 
 namespace carom {
@@ -90,7 +90,7 @@ class Sampler {
 
   void begin(const Simulation& simulation);
   void after_step(const Simulation& simulation);
-  void after_edit(const Simulation& simulation, const Edit& edit);
+  void after_edit(const Simulation& simulation, const RunEdit& edit);
 
   // Whether it has followed the run far enough to read these too from now on.
   [[nodiscard]] bool can_read(const std::vector<Curve>& curves) const;

@@ -101,12 +101,12 @@ class Fingerprint {
   }
   void add(const Material& material) {
     const auto& [name, restitution, tangential_restitution, static_friction, kinetic_friction,
-                 rolling_resistance, sticks] = material;
+                 rolling_resistance, sticks, id] = material;
     add_all(name, restitution, tangential_restitution, static_friction, kinetic_friction, rolling_resistance,
             sticks);
   }
   void add(const MaterialPair& pair) {
-    const auto& [a, b, surface] = pair;
+    const auto& [a, b, surface, id] = pair;
     add_all(a, b, surface);
   }
   void add(const Drive& drive) {
@@ -131,17 +131,17 @@ class Fingerprint {
   }
   void add(const Body& body) {
     const auto& [name, shape, position, angle, velocity, spin, mass, density, inertia, fixed, drive, material,
-                 group] = body;
+                 group, id] = body;
     add(shape.index());
     std::visit([this](const auto& form) { add(form); }, shape);
     add_all(name, position, angle, velocity, spin, mass, density, inertia, fixed, drive, material, group);
   }
   void add(const Spring& spring) {
-    const auto& [name, body, to, anchor, stiffness, damping, rest_length, acts] = spring;
+    const auto& [name, body, to, anchor, stiffness, damping, rest_length, acts, id] = spring;
     add_all(name, body, to, anchor, stiffness, damping, rest_length, acts);
   }
   void add(const Joint& joint) {
-    const auto& [name, kind, body, point, to, anchor, length, angle] = joint;
+    const auto& [name, kind, body, point, to, anchor, length, angle, id] = joint;
     add_all(name, kind, body, point, to, anchor, length, angle);
   }
   void add(const Attraction& attraction) {
@@ -149,7 +149,7 @@ class Fingerprint {
     add_all(constant, softening);
   }
   void add(const AppliedForce& force) {
-    const auto& [body, newtons, torque, start, rise, end] = force;
+    const auto& [body, newtons, torque, start, rise, end, id] = force;
     add_all(body, newtons, torque, start, rise, end);
   }
   void add(const Forces& forces) {
@@ -209,7 +209,8 @@ std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator) 
 }
 
 std::uint64_t fingerprint(const Scene& scene, double start_time) {
-  const auto& [forces, materials, pairs, impact_law, several_impacts, bodies, generators, joints] = scene;
+  const auto& [forces, materials, pairs, impact_law, several_impacts, bodies, generators, joints, ids_given] =
+      scene;
   Fingerprint f;
   f.add_all(start_time, forces, materials, pairs, impact_law, several_impacts, all_bodies(scene), joints);
   return f.value();

@@ -144,9 +144,9 @@ std::vector<Body> all_bodies(const Scene& scene) {
   return bodies;
 }
 
-std::string free_body_name(const Scene& scene, const std::string& stem) {
+std::string free_body_name(const std::vector<Body>& bodies, const std::string& stem) {
   std::unordered_set<std::string> taken;
-  for (const Body& body : all_bodies(scene)) taken.insert(body.name);
+  for (const Body& body : bodies) taken.insert(body.name);
   for (int i = 1;; ++i) {
     std::string name = stem + "-" + std::to_string(i);
     if (!taken.contains(name)) return name;

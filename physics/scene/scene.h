@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/scene/id.h"
 #include "physics/scene/shape.h"
 
 // The physics of an experiment as plain values in SI units, as a preset file states them. x points right, y
@@ -26,6 +27,7 @@ struct Material {
   // The two bodies stay joined from their first impact on; no other property of the surface matters then. Two
   // materials stick if one of them does.
   bool sticks = false;
+  Id<Material> id{};
 
   bool operator==(const Material&) const = default;
 };
@@ -38,6 +40,7 @@ struct MaterialPair {
   std::string a;
   std::string b;     // may be the same
   Material surface;  // its name is not used
+  Id<MaterialPair> id{};
 };
 
 // A prescribed motion: position(t) = position + velocity t + amplitude sin(ω t + φ), with its exact velocity.
@@ -47,6 +50,8 @@ struct Drive {
   Vec2 amplitude = Vec2::Zero();   // m
   double angular_frequency = 0.0;  // ω in rad/s, >= 0
   double phase = 0.0;              // φ in rad
+
+  bool operator==(const Drive&) const = default;
 };
 
 struct Body {
@@ -63,6 +68,7 @@ struct Body {
   std::optional<Drive> drive;     // prescribed motion: infinite mass and inertia
   std::string material = "default";
   std::string group;  // bodies of one group do not collide with each other; empty: no group
+  Id<Body> id{};      // those of a generator have none
 };
 
 // True if no force or impact changes its motion: fixed or kinematic.
@@ -97,6 +103,7 @@ struct Spring {
   double damping = 0.0;        // N s/m, >= 0
   double rest_length = 0.0;    // m, >= 0
   SpringActs acts = SpringActs::kBoth;
+  Id<Spring> id{};
 };
 
 // What a joint constrains between its two points.
@@ -120,6 +127,7 @@ struct Joint {
   // rad, weld only: the body's angle minus that of the other body (0 for the plane); none: as at the start. A
   // point-like body has no angle.
   std::optional<double> angle;
+  Id<Joint> id{};  // a weld that a run makes has none
 };
 
 // Attraction between every two moving bodies: F = G m_a m_b d / (d² + ε²)^(3/2) along the line of their
@@ -138,6 +146,7 @@ struct AppliedForce {
   double start = 0.0;         // s, >= 0
   double rise = 0.0;          // s, >= 0; 0: all at once
   std::optional<double> end;  // s, >= start; none: never
+  Id<AppliedForce> id{};
 };
 
 struct Forces {
@@ -177,6 +186,7 @@ struct GridGenerator {
   double density = 1.0;           // kg/m²
   std::string material = "default";
   std::uint64_t seed = 1;
+  Id<GridGenerator> id{};
 };
 
 // The physics of an experiment, as people write it.
@@ -189,6 +199,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<GridGenerator> generators;
   std::vector<Joint> joints;
+  std::uint32_t ids_given = 0;  // so far: the largest number
 };
 
 // The material called `name`; "default" exists in every scene. Throws std::out_of_range if there is none.
@@ -211,6 +222,6 @@ struct Scene {
 [[nodiscard]] std::vector<Body> all_bodies(const Scene& scene);
 
 // The first of `stem`-1, `stem`-2, ... that is no body's name.
-[[nodiscard]] std::string free_body_name(const Scene& scene, const std::string& stem);
+[[nodiscard]] std::string free_body_name(const std::vector<Body>& bodies, const std::string& stem);
 
 }  // namespace carom

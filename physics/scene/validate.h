@@ -55,7 +55,7 @@ inline constexpr auto kRules = std::to_array<RuleText>({
     {Rule::kShapeOfPolygon, "The vertices of a polygon are those of a convex one, in order."},
     {Rule::kOrderOfNumbers,
      "static_friction is at least kinetic_friction, the largest radius at least the least one, an end no "
-     "earlier than its start, the values of some sweeps rise."},
+     "earlier than its start, the values of some sweeps and the times of added bodies rise."},
     {Rule::kCountInAll,
      "Bodies of the list and of all generators together, and curves of all plots together, are limited."},
     {Rule::kJointedStart, "Bodies start where their links hold them and move as their links let them."},

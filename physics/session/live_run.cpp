@@ -12,24 +12,23 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-LiveRun::LiveRun(const RunSetup& start, const std::vector<Curve>& curves, ReferenceId reference,
+LiveRun::LiveRun(const RunSetup& setup, const std::vector<Curve>& curves, ReferenceId reference,
                  std::stop_token interrupt)
     : interrupt_(std::move(interrupt)),
-      log_(std::make_shared<RunLog>(RunLog{start, {}})),
-      simulation_(start),
-      bodies_(std::make_shared<const std::vector<Body>>(simulation_.bodies())),
-      forces_(std::make_shared<const Forces>(start.scene.forces)),
+      setup_(std::make_shared<const RunSetup>(setup)),
+      simulation_(setup),
       curves_(curves),
       reference_(reference),
       sampler_(begin_sampler(simulation_, curves, {})) {
   simulation_.watch_impacts(true);
   simulation_.interrupt_on(interrupt_);
+  apply_due_edits();
 }
 
 Sampler LiveRun::begin_sampler(const Simulation& simulation, const std::vector<Curve>& curves,
                                const std::vector<Curve>& later) const {
   Sampler sampler(curves, later);
-  if (reference_ != ReferenceId::kNone) sampler.compare_with(ReferenceRun(log_->start, reference_));
+  if (reference_ != ReferenceId::kNone) sampler.compare_with(ReferenceRun(*setup_, reference_));
   sampler.interrupt_on(interrupt_);
   sampler.begin(simulation);
   return sampler;
@@ -42,19 +41,27 @@ void LiveRun::step() {
   if (lost()) return;
   wall_time_ += std::chrono::duration<double>(Clock::now() - begin).count();
   sampler_.after_step(simulation_);
-  key_frames_.take(simulation_, sampler_, log_->edits.size());
+  key_frames_.take(simulation_, sampler_);
   impacts_.insert(impacts_.end(), simulation_.last_impacts().begin(), simulation_.last_impacts().end());
+  apply_due_edits();
 }
 
-void LiveRun::edit(const std::variant<Method, Body>& what) {
-  if (lost()) return;
-  const Edit edit{simulation_.steps(), simulation_.time(), what};
-  RunLog longer = *log_;  // frames share the previous one
-  longer.edits.push_back(edit);
-  log_ = std::make_shared<RunLog>(std::move(longer));
-  apply(edit, simulation_);
-  bodies_ = std::make_shared<const std::vector<Body>>(simulation_.bodies());
-  sampler_.after_edit(simulation_, edit);
+void LiveRun::edit(const RunEdit& edit) {
+  RunSetup longer = *setup_;  // frames share the previous one
+  auto before = longer.edits.begin() + static_cast<std::ptrdiff_t>(simulation_.edits_applied());
+  if (!simulation_.is_due(edit)) before = std::upper_bound(before, longer.edits.end(), edit, is_earlier);
+  longer.edits.insert(before, edit);
+  setup_ = std::make_shared<const RunSetup>(std::move(longer));
+  simulation_.set_edits(setup_->edits);
+  if (catch_up_) catch_up_->replay.set_edits(setup_->edits);
+  apply_due_edits();
+}
+
+void LiveRun::apply_due_edits() {
+  while (const RunEdit* edit = simulation_.due()) {
+    simulation_.apply_due();
+    sampler_.after_edit(simulation_, *edit);
+  }
 }
 
 void LiveRun::record(const std::vector<Curve>& curves, ReferenceId reference) {
@@ -74,7 +81,7 @@ void LiveRun::record(const std::vector<Curve>& curves, ReferenceId reference) {
   sampler_.set_curves(known);
   if (missing.empty() && !anew) return;
   if (anew) key_frames_ = {};
-  Replay replay(log_->start, interrupt_);
+  Replay replay(*setup_, interrupt_);
   Sampler past = begin_sampler(replay.simulation(), missing, curves);
   catch_up_.emplace(CatchUp{std::move(replay), std::move(past)});
 }
@@ -86,14 +93,13 @@ void LiveRun::catch_up(Clock::duration duration) {
   Sampler& past = catch_up_->sampler;
   const auto is_there = [&] { return replay.simulation().steps() == simulation_.steps(); };
   bool any = false;  // take at least one step, however short the time
-  replay.go_through(
-      *log_, [&](const Edit& edit) { past.after_edit(replay.simulation(), edit); },
-      [&](const Simulation&) {
-        return !is_there() && (!std::exchange(any, true) || Clock::now() - begin < duration);
-      },
-      [&](const Simulation& simulation) {
-        if (!simulation.lost()) past.after_step(simulation);
-      });
+  replay.go_through([&](const RunEdit& edit) { past.after_edit(replay.simulation(), edit); },
+                    [&](const Simulation&) {
+                      return !is_there() && (!std::exchange(any, true) || Clock::now() - begin < duration);
+                    },
+                    [&](const Simulation& simulation) {
+                      if (!simulation.lost()) past.after_step(simulation);
+                    });
   if (!is_there()) return;
   rows_.push_back(sampler_.take());
   rows_.push_back(past.take());
@@ -105,8 +111,6 @@ void LiveRun::catch_up(Clock::duration duration) {
 std::shared_ptr<Frame> LiveRun::take_frame() {
   auto frame = std::make_shared<Frame>();
   take_moment(simulation_, *frame);
-  frame->bodies = bodies_;
-  frame->forces = forces_;
   rows_.push_back(sampler_.take());
   if (catch_up_) rows_.push_back(catch_up_->sampler.take());
   frame->rows = std::exchange(rows_, {});
@@ -115,7 +119,7 @@ std::shared_ptr<Frame> LiveRun::take_frame() {
   frame->scales = sampler_.scales();
   frame->wall_time = wall_time_;
   if (!catch_up_) frame->error = sampler_.error();
-  frame->log = log_;
+  frame->setup = setup_;
   frame->key_frames = key_frames_.all();
   return frame;
 }

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
-#include <variant>
 #include <vector>
 
 #include "physics/record/frame.h"
@@ -14,18 +13,18 @@
 
 namespace carom {
 
-// One of several runs side by side: the simulation under its method, its recorded data, and its log. It
+// One of several runs side by side: the simulation under its method, its recorded data, and its edits. It
 // shares nothing with the others, so its results are those of the run alone.
 class LiveRun {
  public:
   // At the start. Steps throw StepInterrupted once `interrupt` is requested; the run is then unusable.
-  LiveRun(const RunSetup& start, const std::vector<Curve>& curves, ReferenceId reference,
+  LiveRun(const RunSetup& setup, const std::vector<Curve>& curves, ReferenceId reference,
           std::stop_token interrupt = {});
 
-  // Does nothing if the run is lost.
+  // A step and then the edits that are due; nothing if the run is lost.
   void step();
   [[nodiscard]] bool lost() const { return simulation_.lost().has_value(); }
-  void edit(const std::variant<Method, Body>& what);  // also nothing if lost
+  void edit(const RunEdit& edit);  // when it is due, or at once
   // Sets the curves to record from now on and the reference. For a curve or reference that was not followed
   // so far, the run is replayed (catch_up) before it continues.
   void record(const std::vector<Curve>& curves, ReferenceId reference);
@@ -42,7 +41,7 @@ class LiveRun {
   [[nodiscard]] double next() const {
     return lost() ? std::numeric_limits<double>::infinity() : simulation_.time() + simulation_.method().step;
   }
-  [[nodiscard]] const RunLog& log() const { return *log_; }
+  [[nodiscard]] const RunSetup& setup() const { return *setup_; }
 
  private:
   // Replay of the run, for curves that were not recorded from its start.
@@ -53,12 +52,11 @@ class LiveRun {
 
   [[nodiscard]] Sampler begin_sampler(const Simulation& simulation, const std::vector<Curve>& curves,
                                       const std::vector<Curve>& later) const;
+  void apply_due_edits();
 
   std::stop_token interrupt_;
-  std::shared_ptr<const RunLog> log_;
+  std::shared_ptr<const RunSetup> setup_;
   Simulation simulation_;
-  std::shared_ptr<const std::vector<Body>> bodies_;
-  std::shared_ptr<const Forces> forces_;
   std::vector<Curve> curves_;
   ReferenceId reference_;
   Sampler sampler_;

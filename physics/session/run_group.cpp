@@ -7,20 +7,16 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // of a step
 
+// An edit is the same wherever it stands in a record.
+bool same_edits(const std::vector<RunEdit>& a, const std::vector<RunEdit>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const RunEdit& x, const RunEdit& y) { return x.id == y.id && x.time == y.time; });
+}
+
 }  // namespace
 
 void RunGroup::load(const Preset& preset, const std::vector<Curve>& curves, ReferenceId reference) {
   preset_ = preset;
-  std::vector<Method> methods = {preset.method};
-  methods.insert(methods.end(), preset.compare.begin(), preset.compare.end());
-  added_.clear();
-  past_.clear();
-  choose(methods, curves, reference);
-}
-
-void RunGroup::choose(const std::vector<Method>& methods, const std::vector<Curve>& curves,
-                      ReferenceId reference) {
-  methods_ = methods;
   curves_ = curves;
   reference_ = reference;
 }
@@ -31,7 +27,7 @@ void RunGroup::begin(std::stop_token token) {
   interrupted_ = false;
   replay_until_.reset();
   runs_.clear();
-  for (RunPlan& run : plans_from_the_start()) begin_run(std::move(run));
+  for (RunPlan& run : plans_of(preset_)) begin_run(std::move(run));
   changed_ = true;
 }
 
@@ -41,88 +37,44 @@ void RunGroup::interrupt() {
   replay_until_.reset();
 }
 
-std::vector<RunGroup::RunPlan> RunGroup::plans_from_the_start() const {
-  std::vector<RunPlan> plans;
-  for (const Method& method : methods_) {
-    plans.push_back({method, {}});
-    for (const AddedBody& each : added_)
-      plans.back().edits.push_back({each.edit, PendingEdit::kByTime, each.time, each.body});
-  }
+std::vector<RunGroup::RunPlan> RunGroup::plans_of(const Preset& preset) {
+  std::vector<RunPlan> plans = {{preset.method, preset.edits}};
+  for (const Method& method : preset.compare) plans.push_back({method, preset.edits});
   return plans;
 }
 
 void RunGroup::begin_run(RunPlan plan) {
-  Preset alone = preset_;
-  alone.method = plan.start;
-  runs_.push_back({LiveRun(setup_of(alone), curves_, reference_, token_), ++ids_, {}, std::move(plan.edits)});
-  apply_due_edits(runs_.back());
+  RunSetup setup = setup_of(preset_);
+  setup.method = plan.start;
+  setup.edits = std::move(plan.edits);
+  runs_.push_back({LiveRun(setup, curves_, reference_, token_), ++ids_});
   changed_ = true;
 }
 
+// It has the edits of the scene that the first run has had.
 void RunGroup::add_run(const Method& method) {
-  if (methods_.size() > kMostCompared) return;
-  methods_.push_back(method);
-  if (!interrupted_) begin_run(std::move(plans_from_the_start().back()));
+  if (interrupted_ || runs_.size() > kMostCompared) return;
+  RunPlan plan{method, first().setup().edits};
+  std::erase_if(plan.edits, [](const RunEdit& edit) { return std::holds_alternative<Method>(edit.what); });
+  begin_run(std::move(plan));
 }
 
 void RunGroup::remove_run(std::size_t run) {
-  if (run == 0 || run >= methods_.size()) return;
-  methods_.erase(methods_.begin() + static_cast<std::ptrdiff_t>(run));
-  if (interrupted_) return;
+  if (interrupted_ || run == 0 || run >= runs_.size()) return;
   runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(run));
   changed_ = true;
 }
 
 void RunGroup::set_method(std::size_t run, const Method& method, EditId edit) {
-  if (run >= methods_.size()) return;
-  methods_[run] = method;
-  if (interrupted_) return;
-  // A run that is behind gets it when it has caught up.
-  if (may_step(runs_[run], displayed_time())) {
-    add_pending(runs_[run], {edit, PendingEdit::kByTime, displayed_time(), method});
-  } else {
-    apply(runs_[run], edit, method);
-  }
+  if (interrupted_ || run >= runs_.size()) return;
+  runs_[run].live.edit({displayed_time(), edit, method});
   changed_ = true;
 }
 
-// Bodies added before a restart may still be pending.
-void RunGroup::add_body(const Body& body, EditId edit) {
-  const double time = runs_.empty() ? 0.0 : displayed_time();
-  const auto later = [](double t, const AddedBody& other) { return t < other.time; };
-  added_.insert(std::upper_bound(added_.begin(), added_.end(), time, later), {edit, time, body});
+void RunGroup::edit_scene(const SceneEdits& edits, EditId edit) {
   if (interrupted_) return;
-  for (Run& run : runs_) {
-    add_pending(run, {edit, PendingEdit::kByTime, time, body});
-    apply_due_edits(run);
-  }
+  for (Run& run : runs_) run.live.edit({displayed_time(), edit, edits});
   changed_ = true;
-}
-
-void RunGroup::add_pending(Run& run, const PendingEdit& edit) {
-  const auto later = [](double t, const PendingEdit& other) { return t < other.time; };
-  run.pending.insert(std::upper_bound(run.pending.begin(), run.pending.end(), edit.time, later), edit);
-}
-
-// Methods by time: at the run's step when the first run is at that time.
-void RunGroup::apply_due_edits(Run& run) {
-  while (!run.pending.empty()) {
-    const PendingEdit next = run.pending.front();
-    const Simulation& now = run.live.simulation();
-    const bool is_method = std::holds_alternative<Method>(next.what);
-    const double rounding = kRounding * now.method().step;
-    const bool due = next.step != PendingEdit::kByTime ? next.step <= now.steps()
-                     : is_method                       ? next.time + rounding < run.live.next()
-                                                       : next.time <= now.time() + rounding;
-    if (!due) return;
-    run.pending.erase(run.pending.begin());
-    apply(run, next.edit, next.what);
-  }
-}
-
-void RunGroup::apply(Run& run, EditId edit, const std::variant<Method, Body>& what) {
-  run.live.edit(what);
-  if (run.live.log().edits.size() > run.edits.size()) run.edits.push_back(edit);
 }
 
 void RunGroup::record(const std::vector<Curve>& curves) {
@@ -142,54 +94,40 @@ void RunGroup::record_all() {
 }
 
 RunGroup::RunPlan RunGroup::plan_of(const Run& run) {
-  RunPlan plan{run.live.log().start.method, {}};
-  for (std::size_t i = 0; i < run.edits.size(); ++i) {
-    const Edit& edit = run.live.log().edits[i];
-    plan.edits.push_back({run.edits[i], edit.step, edit.time, edit.what});
-  }
-  plan.edits.insert(plan.edits.end(), run.pending.begin(), run.pending.end());
-  return plan;
-}
-
-// True if the run has had exactly these edits, so that it is the same bit by bit.
-bool RunGroup::follows(const Run& run, const RunPlan& plan) {
-  const std::vector<PendingEdit>& all = plan.edits;
-  const auto same = [](EditId edit, const PendingEdit& pending) { return edit == pending.edit; };
-  const auto same_pending = [](const PendingEdit& a, const PendingEdit& b) { return a.edit == b.edit; };
-  const auto done = static_cast<std::ptrdiff_t>(std::min(run.edits.size(), all.size()));
-  return run.live.log().start.method == plan.start &&
-         std::equal(run.edits.begin(), run.edits.end(), all.begin(), all.begin() + done, same) &&
-         std::equal(run.pending.begin(), run.pending.end(), all.begin() + done, all.end(), same_pending);
+  return {run.live.setup().method, run.live.setup().edits};
 }
 
 RunGroup::Plan RunGroup::plan() const {
-  Plan all{starts_, methods_, added_, {}};
+  Plan all{starts_, {}};
   for (const Run& run : runs_) all.runs.push_back(plan_of(run));
   return all;
 }
 
-void RunGroup::undo(EditId edit, ReferenceId reference) {
+void RunGroup::undo(EditId edit, const Preset& start, ReferenceId reference) {
   const auto past = past_.find(edit);
   if (past == past_.end()) return;
   past->second.after = plan();
-  restore(past->second.before, reference);
+  restore(past->second.before, start, reference);
 }
 
-void RunGroup::redo(EditId edit, ReferenceId reference) {
+void RunGroup::redo(EditId edit, const Preset& start, ReferenceId reference) {
   const auto past = past_.find(edit);
-  if (past != past_.end()) restore(past->second.after, reference);
+  if (past != past_.end()) restore(past->second.after, start, reference);
 }
 
-// Unchanged runs continue as they are; interrupted runs change at the next begin().
-void RunGroup::restore(const Plan& plan, ReferenceId reference) {
+// Unchanged runs continue as they are.
+void RunGroup::restore(const Plan& plan, const Preset& start, ReferenceId reference) {
   const bool other_reference = std::exchange(reference_, reference) != reference;
-  methods_ = plan.methods;
-  added_ = plan.added;
+  const bool begun_since = plan.starts != starts_;
+  if (begun_since) preset_ = start;
   if (interrupted_) return;
   const double time = displayed_time();
   std::vector<Run> old = std::exchange(runs_, {});
-  for (RunPlan& each : plan.starts == starts_ ? std::vector<RunPlan>(plan.runs) : plans_from_the_start()) {
-    const auto same = std::find_if(old.begin(), old.end(), [&](const Run& run) { return follows(run, each); });
+  for (RunPlan& each : begun_since ? plans_of(start) : std::vector<RunPlan>(plan.runs)) {
+    const auto same = std::find_if(old.begin(), old.end(), [&](const Run& run) {
+      const RunPlan its = plan_of(run);
+      return its.start == each.start && same_edits(its.edits, each.edits);
+    });
     if (same == old.end()) {
       begin_run(std::move(each));
     } else {
@@ -255,7 +193,7 @@ std::shared_ptr<Frame> RunGroup::empty_frame() {
   frame->run = ++ids_;
   frame->bodies = std::make_shared<const std::vector<Body>>();
   frame->forces = std::make_shared<const Forces>();
-  frame->log = std::make_shared<const RunLog>(RunLog{setup_of(preset_), {}});
+  frame->setup = std::make_shared<const RunSetup>(setup_of(preset_));
   return frame;
 }
 

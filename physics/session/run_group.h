@@ -7,7 +7,6 @@
 #include <optional>
 #include <stop_token>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "physics/preset/preset.h"
@@ -21,18 +20,20 @@ namespace carom {
 // change are replayed from t = 0, as if the edit had never been made.
 //
 // First load(), then begin(). A step throws StepInterrupted once the token of begin() is requested: call
-// interrupt() then. The runs are unusable until the next begin(); until then only the methods, bodies and
-// curves with which it starts can be changed. One thread at a time.
+// interrupt() then. The runs are unusable until the next begin(), and edits do nothing until then. One thread
+// at a time.
 class RunGroup {
  public:
   using Clock = std::chrono::steady_clock;
   using EditId = std::uint64_t;
 
-  // The preset must be valid.
+  // What the next begin() starts. The preset must be valid.
   void load(const Preset& preset, const std::vector<Curve>& curves, ReferenceId reference);
-  // Other methods, curves and reference for the next begin().
-  void choose(const std::vector<Method>& methods, const std::vector<Curve>& curves, ReferenceId reference);
-  // All runs at t = 0 with the present methods; added bodies come in again at their time.
+  // Another start, with the curves and the reference of before.
+  void start_from(const Preset& preset) { preset_ = preset; }
+  // Edits so far can't be undone any more.
+  void forget_edits() { past_.clear(); }
+  // All runs at t = 0.
   void begin(std::stop_token token);
   void interrupt();
   [[nodiscard]] bool interrupted() const { return interrupted_; }
@@ -43,7 +44,7 @@ class RunGroup {
   void add_run(const Method& method);  // at t = 0; at most kMostCompared besides the first
   void remove_run(std::size_t run);    // not the first
   void set_method(std::size_t run, const Method& method, EditId edit);
-  void add_body(const Body& body, EditId edit);
+  void edit_scene(const SceneEdits& edits, EditId edit);
 
   // Sets what is recorded of all runs.
   void record(const std::vector<Curve>& curves);
@@ -51,9 +52,10 @@ class RunGroup {
 
   // Call before an edit that can be undone.
   void remember(EditId edit) { past_[edit].before = plan(); }
-  // An edit that is not remembered does nothing.
-  void undo(EditId edit, ReferenceId reference);
-  void redo(EditId edit, ReferenceId reference);
+  // An edit that is not remembered does nothing. `start`: what the runs start from if they were begun again
+  // since the edit was made.
+  void undo(EditId edit, const Preset& start, ReferenceId reference);
+  void redo(EditId edit, const Preset& start, ReferenceId reference);
   // s: the runs are being replayed up to here.
   [[nodiscard]] std::optional<double> replay_until() const { return replay_until_; }
   void end_replay() { replay_until_.reset(); }
@@ -73,7 +75,6 @@ class RunGroup {
       if (Clock::now() >= deadline || stop()) return Advance::kDeadline;
       step(run);
       if (run.live.lost()) return Advance::kRunLost;
-      apply_due_edits(run);
     }
   }
   // True if a run has not come as far as the first.
@@ -91,65 +92,41 @@ class RunGroup {
   void clear_runs() { runs_.clear(); }
 
  private:
-  // An edit of a run that is still to come.
-  struct PendingEdit {
-    static constexpr std::int64_t kByTime = -1;
-
-    EditId edit = 0;
-    // After so many steps; by time: at the end of the first step not before `time`.
-    std::int64_t step = kByTime;
-    double time = 0.0;  // s
-    std::variant<Method, Body> what;
-  };
   struct Run {
     LiveRun live;
     std::uint64_t id;
-    std::vector<EditId> edits;         // of its log
-    std::vector<PendingEdit> pending;  // in the order of time
   };
-  struct AddedBody {
-    EditId edit;
-    double time;  // s, of the first run
-    Body body;
-  };
-  // The complete edits of one run, and of all runs, however far they have come.
+  // What tells one run of a preset from another.
   struct RunPlan {
     Method start;
-    std::vector<PendingEdit> edits;
+    std::vector<RunEdit> edits;
   };
+  // All runs, and which start they have.
   struct Plan {
     std::uint64_t starts = 0;
-    std::vector<Method> methods;
-    std::vector<AddedBody> added;
     std::vector<RunPlan> runs;
   };
   struct Past {
     Plan before, after;
   };
 
-  [[nodiscard]] std::vector<RunPlan> plans_from_the_start() const;
-  [[nodiscard]] Plan plan() const;
+  [[nodiscard]] static std::vector<RunPlan> plans_of(const Preset& preset);
   [[nodiscard]] static RunPlan plan_of(const Run& run);
-  [[nodiscard]] static bool follows(const Run& run, const RunPlan& plan);
+  [[nodiscard]] Plan plan() const;
   void record_all();
-  void restore(const Plan& plan, ReferenceId reference);
+  void restore(const Plan& plan, const Preset& start, ReferenceId reference);
   void begin_run(RunPlan plan);
-  static void add_pending(Run& run, const PendingEdit& edit);
-  static void apply_due_edits(Run& run);
-  static void apply(Run& run, EditId edit, const std::variant<Method, Body>& what);
   [[nodiscard]] double displayed_time() const;
   [[nodiscard]] Run& farthest_behind();
   [[nodiscard]] static bool may_step(const Run& run, double time);
   void step(Run& run);
 
   std::stop_token token_;
-  bool interrupted_ = false;     // in the middle of a step: the runs are unusable
-  Preset preset_;                // as loaded
-  std::vector<Method> methods_;  // in force, of all runs
+  bool interrupted_ = false;  // in the middle of a step: the runs are unusable
+  Preset preset_;             // as loaded
   std::vector<Curve> curves_;
   ReferenceId reference_ = ReferenceId::kNone;
   std::vector<Run> runs_;
-  std::vector<AddedBody> added_;  // in the order of time
   std::map<EditId, Past> past_;
   std::optional<double> replay_until_;
   std::uint64_t starts_ = 0;

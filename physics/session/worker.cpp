@@ -111,21 +111,21 @@ void Worker::post_begin(const std::function<void(RunGroup&)>& command) {
 }
 
 void Worker::load(const Preset& preset, const std::vector<Curve>& curves, ReferenceId reference) {
-  post_begin([=](RunGroup& runs) { runs.load(preset, curves, reference); });
+  post_begin([=](RunGroup& runs) {
+    runs.load(preset, curves, reference);
+    runs.forget_edits();
+  });
 }
 
-void Worker::restart() {
-  post_begin([](const RunGroup&) {});
+void Worker::restart(const Preset& start) {
+  post_begin([start](RunGroup& runs) { runs.start_from(start); });
 }
 
-Worker::EditId Worker::restart(const Method& method, const std::vector<Method>& compare,
-                               const std::vector<Curve>& curves, ReferenceId reference) {
+Worker::EditId Worker::restart(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference) {
   const EditId edit = ++edits_;
-  std::vector<Method> methods = {method};
-  methods.insert(methods.end(), compare.begin(), compare.end());
   post_begin([=](RunGroup& runs) {
     runs.remember(edit);
-    runs.choose(methods, curves, reference);
+    runs.load(start, curves, reference);
   });
   return edit;
 }
@@ -172,16 +172,16 @@ Worker::EditId Worker::remove_method(std::size_t run) {
   return post_edit([run](RunGroup& runs, EditId) { runs.remove_run(run); });
 }
 
-Worker::EditId Worker::add_body(const Body& body) {
-  return post_edit([body](RunGroup& runs, EditId edit) { runs.add_body(body, edit); });
+Worker::EditId Worker::edit_scene(const SceneEdits& edits) {
+  return post_edit([edits](RunGroup& runs, EditId edit) { runs.edit_scene(edits, edit); });
 }
 
-void Worker::undo(EditId edit, ReferenceId reference) {
-  post([=](Session& session) { session.runs.undo(edit, reference); }, Command::When::kAtOnce);
+void Worker::undo(EditId edit, const Preset& start, ReferenceId reference) {
+  post([=](Session& session) { session.runs.undo(edit, start, reference); }, Command::When::kAtOnce);
 }
 
-void Worker::redo(EditId edit, ReferenceId reference) {
-  post([=](Session& session) { session.runs.redo(edit, reference); }, Command::When::kAtOnce);
+void Worker::redo(EditId edit, const Preset& start, ReferenceId reference) {
+  post([=](Session& session) { session.runs.redo(edit, start, reference); }, Command::When::kAtOnce);
 }
 
 void Worker::run_until(double time) {

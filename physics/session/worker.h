@@ -32,8 +32,8 @@ namespace carom {
 // any other error: then all runs stay until the next load or restart.
 //
 // Edits of the runs can be undone, the last first, and redone: the runs that change are replayed from t = 0
-// to the present moment at full speed, as if the edit had never been made (Frame::replay_until). An edit from
-// before a restart is undone from the start.
+// to the present moment at full speed, as if the edit had never been made (Frame::replay_until). After a
+// restart since the edit they are those of the start that undo() and redo() name.
 class Worker {
  public:
   // Identifies an edit of the runs since the last load.
@@ -48,11 +48,10 @@ class Worker {
   // Stops at t = 0, with the methods of the scene.
   void load(const Preset& preset, const std::vector<Curve>& curves = {},
             ReferenceId reference = ReferenceId::kNone);
-  // The same scene, stopped at t = 0; added bodies come in again at their time.
-  void restart();
-  // The same with other methods.
-  EditId restart(const Method& method, const std::vector<Method>& compare, const std::vector<Curve>& curves,
-                 ReferenceId reference);
+  // Stops at t = 0 of this preset, which edits may have made of the one before.
+  void restart(const Preset& start);
+  // The same as an edit, with other curves and another reference.
+  EditId restart(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference);
   // Plays at the chosen pace, until `until` if that is ahead; or stops.
   void set_playing(bool playing, double until = std::numeric_limits<double>::infinity());
   void step_once();              // one step of the first run's method, stopped
@@ -63,11 +62,11 @@ class Worker {
   EditId add_method(const Method& method);  // one more run; at most kMostCompared besides the first
   EditId remove_method(std::size_t run);    // not the first
   void set_reference(ReferenceId reference);
-  EditId add_body(const Body& body);
-  // Undoes the last edit that is not undone, or redoes the last one that is. `reference` is the one to use
-  // then.
-  void undo(EditId edit, ReferenceId reference);
-  void redo(EditId edit, ReferenceId reference);
+  EditId edit_scene(const SceneEdits& edits);  // of all runs, now
+  // Undoes the last edit that is not undone, or redoes the last one that is. Then `start` is what the runs
+  // start from, and `reference` is the one to use.
+  void undo(EditId edit, const Preset& start, ReferenceId reference);
+  void redo(EditId edit, const Preset& start, ReferenceId reference);
   void run_until(double time);  // at full speed, then stops; publishes frames on the way
   // Sets the curves to record from now on. Those that were not recorded before come from the start on: the
   // run waits while it is replayed.

@@ -118,7 +118,10 @@ void Simulation::go_on_from(const SavedRun& saved) {
     world_.note(&Notices::state_left_since, saved.time);
     return;
   }
-  const Checkpoint& from = *saved.checkpoint;
+  go_on_from(*saved.checkpoint);
+}
+
+void Simulation::go_on_from(const Checkpoint& from) {
   RunState state = run_state();
   state.clock.steps = from.steps;
   state.sums = from.sums;
@@ -156,10 +159,6 @@ void check_checkpoint(const Scene& scene, const Checkpoint& checkpoint) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
     check_least(fmt::format("next_step/{}", i), checkpoint.next_step[i], 0.0);
   check_contacts(bodies, checkpoint);
-}
-
-bool state_belongs(const Scene& scene, const std::optional<SavedRun>& saved) {
-  return saved && saved->fingerprint != 0 && saved->fingerprint == fingerprint(scene, saved->time);
 }
 
 }  // namespace carom

@@ -5,8 +5,10 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "physics/scene/edit.h"
 #include "physics/scene/method.h"
 #include "physics/scene/scene.h"
 
@@ -23,11 +25,24 @@ struct SavedRun {
   std::shared_ptr<const Checkpoint> checkpoint{};
 };
 
-// What a simulation starts from.
+// A change of a run at `time` (see Simulation::is_due()): another method from there on, or another scene. In a
+// run a replaced body keeps its place and motion, a replaced joint without a length or an angle those that it
+// has; edits of generators concern the next start alone.
+struct RunEdit {
+  double time = 0.0;     // s
+  std::uint64_t id = 0;  // tells the edits of a session apart; 0: of the preset file
+  std::variant<Method, SceneEdits> what;
+};
+
+[[nodiscard]] inline bool is_earlier(const RunEdit& a, const RunEdit& b) { return a.time < b.time; }
+
+// A complete description of a run: what a simulation starts from, and its edits. The same setup gives the same
+// run bit by bit.
 struct RunSetup {
   Scene scene;
   Method method;
   std::optional<SavedRun> saved{};
+  std::vector<RunEdit> edits{};  // in the order in which they are applied
   // Names of two bodies each: their impacts are counted separately (see ImpactCounts).
   std::vector<std::pair<std::string, std::string>> counted_pairs{};
 };
@@ -36,6 +51,9 @@ struct RunSetup {
 [[nodiscard]] inline double start_time(const std::optional<SavedRun>& saved) {
   return saved ? saved->time : 0.0;
 }
+
+// All bodies of the run: those of the scene, then those that edits add, as they start.
+[[nodiscard]] std::vector<Body> all_bodies(const RunSetup& setup);
 
 // Whether the checkpoint of a saved run is one of this scene.
 [[nodiscard]] bool state_belongs(const Scene& scene, const std::optional<SavedRun>& saved);

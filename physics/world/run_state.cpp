@@ -18,6 +18,7 @@ RunState Simulation::run_state() const {
   kept.sums = sums;
   kept.work = work.kept();
   kept.motions = state;
+  kept.edits_applied = edits_applied_;
   if (const auto* events = std::get_if<EventDrivenImpacts>(&impacts_)) {
     kept.at_once = events->at_once();
     kept.waiting = events->waiting();
@@ -44,6 +45,7 @@ void Simulation::restore(const RunState& state) {
   world_.sums = state.sums;
   world_.work.restore(state.work);
   world_.state = state.motions;
+  edits_applied_ = state.edits_applied;
   world_.trajectories.restore(state.trajectories, state.ahead ? &state.ahead->trajectories : nullptr);
   if (auto* events = std::get_if<EventDrivenImpacts>(&impacts_))
     events->restore(world_.bodies(), state.at_once, state.waiting, state.ahead);

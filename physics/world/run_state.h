@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "physics/dynamics/state.h"
@@ -27,6 +28,7 @@ struct RunState {
   TrajectoryState trajectories;
   ContactMemory contacts;
   std::optional<ScheduleState> ahead;  // none: the next step rebuilds all trajectories
+  std::size_t edits_applied = 0;       // of the setup
 };
 
 }  // namespace carom

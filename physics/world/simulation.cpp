@@ -13,6 +13,7 @@ Simulation::Simulation(const RunSetup& setup, const Needs& needs)
     : Simulation(compile(setup.scene, needs, start_time(setup.saved)), setup.method) {
   if (setup.saved) go_on_from(*setup.saved);
   count_pairs(setup.counted_pairs);
+  set_edits(setup.edits);
 }
 
 Simulation::Simulation(std::shared_ptr<const Model> model, const Method& method)
@@ -59,25 +60,32 @@ void Simulation::set_method(const Method& method) {
   choose_strategies();
 }
 
-void Simulation::add_body(const Body& body) {
-  if (lost_) return;
-  RunSums& sums = world_.sums;
-  const Totals before = totals();
-  sums.ledger.momentum_from_gravity = ledger().momentum_from_gravity;
-  sums.gravity_since = time();
-  Scene scene = world_.model->scene;
-  scene.bodies.push_back(body);
-  const Needs needs = this->needs().untrimmed ? this->needs() : needs_of(scene);
-  world_.recompile(std::move(scene), needs, time() - world_.trajectories.epoch());
-  world_.trajectories.begin(time());
-  world_.resize_state();
-  world_.publish(0.0);
-  if (auto* events = std::get_if<EventDrivenImpacts>(&impacts_)) events->reset(world_.bodies());
-  if (!resting_ && contacts_last(world_.method, needs)) resting_.emplace();
-  const Totals after = totals();
-  sums.ledger.put_in_by_user += after.energy() - before.energy();
-  sums.ledger.momentum_from_user += after.momentum - before.momentum;
-  sums.ledger.angular_momentum_from_user += after.angular_momentum - before.angular_momentum;
+void Simulation::set_edits(std::vector<RunEdit> edits) {
+  edits_ = std::make_shared<const std::vector<RunEdit>>(std::move(edits));
+}
+
+bool Simulation::is_due(const RunEdit& edit) const {
+  const double step = method().step;
+  const double rounding = 1e-9 * step;
+  return std::holds_alternative<Method>(edit.what) ? edit.time + rounding < time() + step
+                                                   : edit.time <= time() + rounding;
+}
+
+const RunEdit* Simulation::due() const {
+  if (lost_ || edits_applied_ >= edits_->size()) return nullptr;
+  const RunEdit& next = (*edits_)[edits_applied_];
+  return is_due(next) ? &next : nullptr;
+}
+
+void Simulation::apply_due() {
+  const RunEdit* edit = due();
+  if (edit == nullptr) return;
+  ++edits_applied_;
+  if (const auto* method = std::get_if<Method>(&edit->what)) {
+    set_method(*method);
+  } else {
+    apply(std::get<SceneEdits>(edit->what));
+  }
 }
 
 Notices Simulation::notices() const {
@@ -100,8 +108,18 @@ const std::vector<ContactForce>& Simulation::contact_forces() const {
   return resting_ ? resting_->forces() : kNone;
 }
 
+void Simulation::apply_all_due() {
+  while (due() != nullptr) apply_due();
+}
+
+void Simulation::step() {
+  apply_all_due();  // another method may have another step
+  step(world_.method.step);
+}
+
 void Simulation::step(double h) {
   world_.log.clear();
+  apply_all_due();
   if (lost_) return;
   last_good_.state = world_.state;
   last_good_.sums = world_.sums;

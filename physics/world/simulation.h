@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -42,19 +43,21 @@ class Simulation {
   // At a later moment: `state` is from a run of the same model, which continues here bit by bit.
   Simulation(std::shared_ptr<const Model> model, const RunState& state);
 
-  void step() { step(world_.method.step); }
+  void step();
   // Throws StepInterrupted if a stop was requested (interrupt_on()); the simulation is then unusable. A lost
   // run stays where it is: a step does nothing.
   void step(double h);
   // Steps end early once a stop is requested.
   void interrupt_on(std::stop_token stop) { world_.work.stop_on(std::move(stop)); }
   // Steps until `time`, with a last shorter step if needed, and calls after_step() after each. Whole steps
-  // keep time = start + k h without summing.
+  // keep time = start + k h without summing. Edits that are due at `time` are made too.
   template <class AfterStep>
   void advance_to(double time, const AfterStep& after_step) {
-    const double h = world_.method.step;
-    // A remainder below 1e-9 steps is rounding.
-    for (double left = time - this->time(); left > 1e-9 * h && !lost_; left = time - this->time()) {
+    while (!lost_) {
+      apply_all_due();
+      const double h = world_.method.step;
+      const double left = time - this->time();
+      if (left <= 1e-9 * h) return;  // rounding
       step(left > (1.0 - 1e-9) * h ? h : left);
       if (!lost_) after_step();
     }
@@ -102,10 +105,22 @@ class Simulation {
   // The contact forces of the last step; empty without resting contacts.
   [[nodiscard]] const std::vector<ContactForce>& contact_forces() const;
 
-  // From the next step on. A lost run stays as it is, here and after add_body().
+  // From the next step on. A lost run stays as it is, here and in apply().
   void set_method(const Method& method);
-  // Adds a body now; its energy counts as the user's. Its name must be new and its material known.
-  void add_body(const Body& body);
+  // Changes the scene now (see RunEdit); the energy and momenta that this brings count as the user's. The scene
+  // must be valid afterwards (apply_edit.cpp).
+  void apply(const SceneEdits& edits);
+  // A scene changes at the first end of a step that is not before the edit's time; a method at the last one
+  // that is not after it, so that it holds at once in a run that is on its way there.
+  [[nodiscard]] bool is_due(const RunEdit& edit) const;
+  // The next edit of the setup, if it is due at this moment; else nullptr. The next step begins with all of
+  // them.
+  [[nodiscard]] const RunEdit* due() const;
+  void apply_due();
+  // Other edits of the setup; those that were applied stay the same.
+  void set_edits(std::vector<RunEdit> edits);
+  // How many of them were applied.
+  [[nodiscard]] std::size_t edits_applied() const { return edits_applied_; }
   // The complete state between two steps (run_state.cpp).
   [[nodiscard]] RunState run_state() const;
   // What a preset file keeps of it (checkpoint.cpp).
@@ -118,11 +133,13 @@ class Simulation {
     RunSums sums;
   };
 
+  void apply_all_due();
   void choose_strategies();
   void count_pairs(const std::vector<std::pair<std::string, std::string>>& names);
   void make_step(double h);
   void give_up(const LostMotion& lost);
   void go_on_from(const SavedRun& saved);
+  void go_on_from(const Checkpoint& from);
   void restore(const RunState& state);
 
   World world_;
@@ -130,6 +147,8 @@ class Simulation {
   std::optional<RestingContacts> resting_;
   std::optional<LostRun> lost_;
   LastGood last_good_;
+  std::shared_ptr<const std::vector<RunEdit>> edits_ = std::make_shared<const std::vector<RunEdit>>();
+  std::size_t edits_applied_ = 0;
 };
 
 }  // namespace carom

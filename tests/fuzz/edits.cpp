@@ -18,7 +18,7 @@ void edit(Simulation& run, const Preset& preset, Draws& draws) {
     body.name = fmt::format("{}+{}", body.name, run.bodies().size());
     body.position += Vec2(draws.between(-1, 1), draws.between(-1, 1));
     if (!has_infinite_mass(body)) body.velocity = {draws.between(-10, 10), draws.between(-10, 10)};
-    run.add_body(body);
+    run.apply({Add<Body>{body}});
   }
 }
 

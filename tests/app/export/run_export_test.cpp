@@ -72,7 +72,9 @@ TEST(RunExport, HasEveryDigitOfALongPast) {
   late.position = {-1.0, 3.0};
   const Method method{IntegratorId::kVelocityVerlet, ImpactsId::kLocated, ContactsId::kImpulse, 0.001};
   DataExport what;
-  what.log = {setup_of(box()), {{100, 0.0, late}, {200, 0.0, method}}};
+  what.setup = setup_of(box());
+  const double h = what.setup.method.step;
+  what.setup.edits = {{100 * h, 0, SceneEdits{Add<Body>{late}}}, {200 * h, 0, method}};
   what.steps = 60'000;
   what.to = 1e9;
   what.columns = run_columns([&] {
@@ -80,7 +82,7 @@ TEST(RunExport, HasEveryDigitOfALongPast) {
     all.push_back(late);
     return all;
   }());
-  Simulation run(what.log.start);
+  Simulation run(what.setup);
   run.watch_impacts(true);
   std::vector<Curve> curves;
   for (const Quantity& column : what.columns) curves.push_back({column, std::nullopt});
@@ -89,10 +91,9 @@ TEST(RunExport, HasEveryDigitOfALongPast) {
   Frame frame;
   frame.run = 1;
   for (std::int64_t step = 0; step < what.steps; ++step) {
-    for (const Edit& edit : what.log.edits) {
-      if (edit.step != step) continue;
-      apply(edit, run);
-      sampler.after_edit(run, edit);
+    while (const RunEdit* edit = run.due()) {
+      run.apply_due();
+      sampler.after_edit(run, *edit);
     }
     run.step();
     sampler.after_step(run);
@@ -138,7 +139,7 @@ TEST(RunExport, HasEveryDigitOfALongPast) {
 
 TEST(RunExport, WritesThePartThatIsAskedFor) {
   DataExport what;
-  what.log.start = setup_of(box());
+  what.setup = setup_of(box());
   what.steps = 400;
   what.columns = {{find_observable("distance"), {0, 2}}, {find_observable("total_energy"), {}}};
   what.from = 0.5;
@@ -156,7 +157,7 @@ TEST(RunExport, WritesThePartThatIsAskedFor) {
 // A residual, whose header has its theory.
 TEST(RunExport, WritesAResidualAsAColumnOfItsOwn) {
   DataExport what;
-  what.log.start = setup_of(box());
+  what.setup = setup_of(box());
   what.steps = 20;
   what.to = 1.0;
   const std::vector<Body> bodies = box().scene.bodies;
@@ -184,7 +185,7 @@ TEST(RunExport, WritesAResidualAsAColumnOfItsOwn) {
 
 TEST(RunExport, CancelsWithoutAFileAndSaysWhatIsWrong) {
   DataExport what;
-  what.log.start = setup_of(box());
+  what.setup = setup_of(box());
   what.steps = 1000;
   what.to = 1e9;
   what.columns = {{find_observable("time"), {}}};
@@ -215,7 +216,7 @@ TEST(RunExport, APieceFromAKeyFrameIsThatOfTheWhole) {
   const ReferenceId reference = usual_reference(setup_of(box()));
   LiveRun lane(setup_of(box()), curves, reference);
   while (lane.simulation().steps() < 40'000) {
-    if (lane.simulation().steps() == 20'000) lane.edit(late);
+    if (lane.simulation().steps() == 20'000) lane.edit({lane.time(), 1, SceneEdits{Add<Body>{late}}});
     lane.step();
   }
   const std::shared_ptr<const Frame> frame = lane.take_frame();
@@ -229,11 +230,11 @@ TEST(RunExport, APieceFromAKeyFrameIsThatOfTheWhole) {
     return read(file);
   };
   const double h = box().method.step;
-  DataExport what{*frame->log, {}, reference, frame->steps, {drift, error, met}, 30'000 * h, 31'000 * h};
+  DataExport what{*frame->setup, {}, reference, frame->steps, {drift, error, met}, 30'000 * h, 31'000 * h};
   const auto whole = lines_of(what, "whole.csv");
   ASSERT_GE(whole.size(), 1001U);
   what.key_frames = frame->key_frames;
-  what.log.start.scene.bodies[0].position.x() += 0.125;  // a different start than the key frames'
+  what.setup.scene.bodies[0].position.x() += 0.125;  // a different start than the key frames'
   EXPECT_EQ(lines_of(what, "piece.csv"), whole);
   // A key frame has no counts that were not requested from the start.
   const Quantity other{find_observable("impacts_between"), {0, 2}};

@@ -79,7 +79,7 @@ TEST_F(AutosaveTest, KeepsEditsUntilTheyAreSavedOrGivenUp) {
   ASSERT_EQ(files().size(), 1);
   const QString file = kept() + "/" + files().constFirst();
   const Preset preset = read_preset(file.toStdString());
-  EXPECT_EQ(preset.scene.bodies.size(), window->preset().scene.bodies.size());
+  EXPECT_EQ(all_bodies(preset).size(), all_bodies(window->preset()).size());
   EXPECT_EQ(preset.plots, window->preset().plots);
   QTimer::singleShot(0, [] {
     auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
@@ -116,7 +116,7 @@ TEST_F(AutosaveTest, FollowsUndoAndRedo) {
   window->session().edits().redo();
   window->keep_now();
   ASSERT_EQ(files().size(), 1);
-  EXPECT_EQ(read_preset((kept() + "/" + files().constFirst()).toStdString()).scene.bodies.size(), 3U);
+  EXPECT_EQ(all_bodies(read_preset((kept() + "/" + files().constFirst()).toStdString())).size(), 3U);
 }
 
 TEST_F(AutosaveTest, TheNextStartOffersTheWork) {

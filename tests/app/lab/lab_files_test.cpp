@@ -43,9 +43,9 @@ TEST_F(LabFilesTest, SavedFileHoldsWhatWasChanged) {
   ASSERT_TRUE(window_.save());
   EXPECT_FALSE(window_.isWindowModified());
   const Preset saved = read_preset(file.toStdString());
-  ASSERT_EQ(saved.scene.bodies.size(), 3U);
-  EXPECT_EQ(saved.scene.bodies[2].position, window_.preset().scene.bodies[2].position);
-  EXPECT_EQ(saved.scene.bodies[2].name, window_.preset().scene.bodies[2].name);
+  ASSERT_EQ(saved.edits.size(), 1U);
+  EXPECT_EQ(added_body(saved.edits[0]).position, added_body(window_.preset().edits[0]).position);
+  EXPECT_EQ(added_body(saved.edits[0]).name, added_body(window_.preset().edits[0]).name);
   EXPECT_EQ(saved.method, window_.preset().method);
   EXPECT_EQ(saved.expect.size(), window_.preset().expect.size());
   EXPECT_TRUE(boxes_.empty());
@@ -56,7 +56,7 @@ TEST_F(LabFilesTest, BuiltInExperimentIsSavedUnderANewName) {
   chosen_file_ = folder_.filePath("new");
   EXPECT_FALSE(window_.save()) << "it asks first";
   ASSERT_TRUE(test::wait_in_event_loop([&] { return !window_.isWindowModified(); }));
-  EXPECT_EQ(read_preset(folder_.filePath("new.json").toStdString()).scene.bodies.size(), 3U);
+  EXPECT_EQ(all_bodies(read_preset(folder_.filePath("new.json").toStdString())).size(), 3U);
   EXPECT_EQ(read_preset(test::preset_file("first-collisions/head-on.json")).scene.bodies.size(), 2U);
 }
 
@@ -92,7 +92,7 @@ TEST_F(LabFilesTest, ChangesAreAskedAboutBeforeAnotherExperiment) {
   button_ = QMessageBox::Cancel;
   click_experiment("glancing");
   EXPECT_TRUE(wait_for_boxes(1));
-  EXPECT_EQ(window_.preset().scene.bodies.size(), 3U);
+  EXPECT_EQ(all_bodies(window_.preset()).size(), 3U);
   EXPECT_TRUE(window_.isWindowModified());
   EXPECT_EQ(marked_experiment(), "head-on");
   button_ = QMessageBox::Discard;

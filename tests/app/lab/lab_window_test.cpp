@@ -171,7 +171,7 @@ TEST_F(LabWindowTest, ClickOnEmptySpaceAddsADisc) {
   ASSERT_TRUE(std::holds_alternative<Disc>(added.shape));
   // A click on a body adds no other.
   click_scene({0.1, 0.4});
-  EXPECT_EQ(window_.preset().scene.bodies.size(), 3U);
+  EXPECT_EQ(all_bodies(window_.preset()).size(), 3U);
   // It survives a restart.
   window_.run_until(0.1);
   click_button("Restart");
@@ -293,12 +293,12 @@ TEST_F(LabWindowTest, EditsAreUndoneFromTheMenu) {
   trigger(undo);
   EXPECT_FALSE(window_.isWindowModified());
   EXPECT_EQ(button("How free motion is advanced")->text(), "RK4 ▾");
-  ASSERT_TRUE(wait_for([this] { return window_.frame()->log->edits.empty(); }));
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->setup->edits.empty(); }));
   EXPECT_NEAR(time(), 0.1, 1e-9);
   for (int i = 0; i < 3; ++i) trigger(redo);
   EXPECT_TRUE(plots->shows("ledger"));
   EXPECT_TRUE(window_.isWindowModified());
-  ASSERT_TRUE(wait_for([this] { return window_.frame()->log->edits.size() == 2; }));
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->setup->edits.size() == 2; }));
 }
 
 // A plot keeps its notes and its zoom where another plot is added or removed.

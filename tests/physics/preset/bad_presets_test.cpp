@@ -51,6 +51,8 @@ std::vector<Bad> bad_presets() {
   const auto expect = [&](const std::string& more) {
     return with(R"("expect": [{"observable": "time", "value": 0, "tolerance": 0, )" + more + "}]");
   };
+  const std::string disc = R"({"name": "a", "shape": {"type": "disc", "radius": 0.1}, "position": [0, 0]})";
+  const std::string other = R"({"name": "b", "shape": {"type": "disc", "radius": 0.1}, "position": [1, 0]})";
   return {
       {"empty", "", "line 1"},
       {"not JSON", "hello\nworld", "line 1"},
@@ -121,6 +123,26 @@ std::vector<Bad> bad_presets() {
        "/bodies/0/shape/type"},
       {"spring of nobody",
        with(R"("forces": [{"type": "spring", "body": "b", "anchor": [0, 0], "stiffness": 1}])"), "\"b\""},
+      {"an added body without a time", with(R"("added": [{"body": )" + disc + "}]"), "/added/0"},
+      {"an added body before the start", with(R"("added": [{"time": -1, "body": )" + disc + "}]"),
+       "/added/0/time"},
+      {"added bodies out of order",
+       with(R"("added": [{"time": 1, "body": )" + disc + R"(}, {"time": 0.5, "body": )" + other + "}]"),
+       "/added/1/time"},
+      {"an added body with a name that is taken",
+       body(R"(}], "added": [{"time": 1, "body": )" + disc + R"(}], "materials": [{"name": "m")"),
+       "/added/0/body/name"},
+      {"an added body of an unknown material",
+       with(R"("added": [{"time": 1, "body": )" + disc.substr(0, disc.size() - 1) +
+            R"(, "material": "ice"}}])"),
+       "/added/0/body/material"},
+      {"an added body with an unknown key",
+       with(R"("added": [{"time": 1, "body": )" + disc.substr(0, disc.size() - 1) + R"(, "colour": 1}}])"),
+       "/added/0/body"},
+      {"a spring of an added body",
+       with(R"("added": [{"time": 1, "body": )" + disc +
+            R"(}], "forces": [{"type": "spring", "body": "a", "anchor": [0, 0], "stiffness": 1}])"),
+       "/forces/0/body"},
       {"unknown force", with(R"("forces": [{"type": "magic"}])"), "/forces/0/type"},
       {"unknown link", joints(R"({"type": "glue", "body": "a", "anchor": [0, 1]})"), "/links/0/type"},
       {"link without a type", joints(R"({"body": "a", "anchor": [0, 1]})"), "\"rod\", \"string\", \"pin\""},

@@ -1,7 +1,6 @@
 #include <array>
 #include <gtest/gtest.h>
 #include <span>
-#include <variant>
 
 #include "physics/record/frame.h"
 #include "physics/record/replay.h"
@@ -16,59 +15,49 @@ using test::room;
 constexpr double kSpan = 0.25;  // s
 const auto kGoOn = [](double) { return true; };
 
-Edit edit_after(std::int64_t step, const std::variant<Method, Body>& what) {
-  Edit edit;
-  edit.step = step;
-  edit.what = what;
-  return edit;
-}
-
 // Two discs in a box, to which a third comes after 30 steps, and another method after 60.
-RunLog edited_run() {
+RunSetup edited_run() {
   std::vector<Body> bodies = room(1.0, 0.5);
   bodies.push_back(disc("a", {-0.5, 0.1}, {3.0, 1.0}));
   bodies.push_back(disc("b", {0.5, -0.1}, {-2.0, 2.0}));
-  RunLog log;
-  log.start = test::setup_with(std::move(bodies), 0.9, 0.2);
-  log.start.scene.forces.gravity = {0.0, -9.81};
-  log.start.method.step = 0.01;
-  Method other = log.start.method;
+  RunSetup setup = test::setup_with(std::move(bodies), 0.9, 0.2);
+  setup.scene.forces.gravity = {0.0, -9.81};
+  setup.method.step = 0.01;
+  Method other = setup.method;
   other.integrator = IntegratorId::kVelocityVerlet;
   other.step = 0.004;
-  log.edits.push_back(edit_after(30, disc("c", {0.0, 0.3}, {0.5, 0.5})));
-  log.edits.push_back(edit_after(60, other));
-  return log;
+  setup.edits = {{0.3, 0, SceneEdits{Add<Body>{disc("c", {0.0, 0.3}, {0.5, 0.5})}}}, {0.6, 0, other}};
+  return setup;
 }
 
-std::vector<Frame> moments(const RunLog& log, const std::vector<double>& times) {
+std::vector<Frame> moments(const RunSetup& setup, const std::vector<double>& times) {
   std::vector<Frame> frames;
   const auto keep = [&](std::span<const Frame> moment) {
     frames.push_back(moment.front());
     return true;
   };
-  EXPECT_TRUE(visit_moments(std::array{log}, times, kSpan, keep, kGoOn));
+  EXPECT_TRUE(visit_moments(std::array{setup}, times, kSpan, keep, kGoOn));
   return frames;
 }
 
 // At steps' ends the bits are those of the run; between them a look changes nothing that follows.
 TEST(RunMoments, AreThoseOfTheRun) {
-  const RunLog log = edited_run();
-  Replay replay(log.start);
+  const RunSetup setup = edited_run();
+  Replay replay(setup);
   const auto run_to = [&](std::int64_t steps) {
-    replay.go_through(
-        log, [](const Edit&) {}, [&](const Simulation& s) { return s.steps() < steps; },
-        [](const Simulation&) {});
+    replay.go_through([](const RunEdit&) {}, [&](const Simulation& s) { return s.steps() < steps; },
+                      [](const Simulation&) {});
     return replay.simulation();
   };
   const Simulation at_30 = run_to(30);
   const Simulation at_100 = run_to(100);
-  const std::vector<Frame> frames = moments(log, {0.0, 0.1234, 0.3, 0.3, 0.55551, 0.6 + 40 * 0.004});
+  const std::vector<Frame> frames = moments(setup, {0.0, 0.1234, 0.3, 0.3, 0.55551, 0.6 + 40 * 0.004});
   ASSERT_EQ(frames.size(), 6U);
   EXPECT_EQ(frames[0].steps, 0);
   EXPECT_DOUBLE_EQ(frames[1].time, 0.1234);
   EXPECT_EQ(frames[2].state.q, at_30.state().q);
   EXPECT_EQ(frames[3].state.q, at_30.state().q);
-  EXPECT_EQ(frames[2].bodies->size(), log.start.scene.bodies.size() + 1) << "a body stands there at once";
+  EXPECT_EQ(frames[2].bodies->size(), setup.scene.bodies.size() + 1) << "a body stands there at once";
   EXPECT_EQ(frames[5].steps, 100);
   EXPECT_EQ(frames[5].state.q, at_100.state().q);
   EXPECT_EQ(frames[5].state.v, at_100.state().v);
@@ -77,24 +66,24 @@ TEST(RunMoments, AreThoseOfTheRun) {
 
 // Between two steps: what a run that ends there has.
 TEST(RunMoments, BetweenStepsIsAStepOfTheMethod) {
-  RunLog log = edited_run();
-  log.edits.clear();
-  Simulation run(log.start);
+  RunSetup setup = edited_run();
+  setup.edits.clear();
+  Simulation run(setup);
   run.advance_to(0.2345);
-  const Frame frame = moments(log, {0.2345}).front();
+  const Frame frame = moments(setup, {0.2345}).front();
   EXPECT_EQ(frame.state.q, run.state().q);
   EXPECT_EQ(frame.time, run.time());
 }
 
 TEST(RunMoments, HaveTheImpactsOfLate) {
-  RunLog log = edited_run();
+  const RunSetup setup = edited_run();
   std::vector<double> times;
   for (int i = 1; i <= 200; ++i) times.push_back(0.0083 * i);
   std::size_t seen = 0;
-  for (const Frame& frame : moments(log, times)) {
+  for (const Frame& frame : moments(setup, times)) {
     for (const ImpactRecord& i : frame.impacts) {
       EXPECT_LE(i.time, frame.time);
-      EXPECT_GT(i.time, frame.time - kSpan - log.start.method.step);
+      EXPECT_GT(i.time, frame.time - kSpan - setup.method.step);
       ++seen;
     }
   }
@@ -103,9 +92,9 @@ TEST(RunMoments, HaveTheImpactsOfLate) {
 
 // Each at its own steps, all at the same times.
 TEST(RunMoments, OfSeveralRunsStandSideBySide) {
-  std::array<RunLog, 2> runs{edited_run(), edited_run()};
-  runs[1].start.method.integrator = IntegratorId::kExplicitEuler;
-  runs[1].start.method.step = 0.003;
+  std::array<RunSetup, 2> runs{edited_run(), edited_run()};
+  runs[1].method.integrator = IntegratorId::kExplicitEuler;
+  runs[1].method.step = 0.003;
   runs[1].edits.clear();
   const std::vector<double> times{0.1, 0.35, 0.7};
   const std::vector<Frame> first = moments(runs[0], times);

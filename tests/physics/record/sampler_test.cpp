@@ -136,8 +136,9 @@ TEST(Sampler, ReadsPathsAndEdits) {
   sampler.begin(simulation);
   simulation.step();
   sampler.after_step(simulation);
-  const Edit edit{1, 0.005, disc("B", {3.0, 0.0}, {2.0, 0.0})};
-  apply(edit, simulation);
+  const RunEdit edit{0.005, 1, SceneEdits{Add<Body>{disc("B", {3.0, 0.0}, {2.0, 0.0})}}};
+  simulation.set_edits({edit});
+  simulation.apply_due();
   sampler.after_edit(simulation, edit);
   const Rows rows = sampler.take();
   ASSERT_EQ(rows.times, (std::vector<double>{0.0, 0.005, 0.005}));

@@ -45,7 +45,7 @@ TEST(WorkerStops, PausesWhereARunIsLost) {
   EXPECT_NE(lost->status.find("lost at t = "), std::string::npos);
   worker.set_playing(true);
   worker.step_once();
-  worker.restart();
+  worker.restart(s);
   const auto again = wait_for(worker, [](const Frame& f) { return f.steps == 0; });
   ASSERT_TRUE(again);
   EXPECT_FALSE(again->lost);
@@ -60,7 +60,7 @@ TEST(WorkerStops, SaysWhatAnErrorWas) {
   EXPECT_NE(failed->lost->find("unknown"), std::string::npos);
   EXPECT_FALSE(failed->playing);
   worker.set_playing(true);
-  worker.add_body(disc("b", {1, 0}, {0, 0}));
+  worker.edit_scene({Add<Body>{disc("b", {1, 0}, {0, 0})}});
   worker.load(quiet());
   worker.step_once();
   const auto after = wait_for(worker, [](const Frame& f) { return f.steps == 1; });

@@ -183,7 +183,7 @@ TEST(Worker, PlaysPausesStepsAndRestarts) {
   }
   worker.step_once();
   ASSERT_TRUE(watcher.wait([&](const Frame& f) { return f.steps == steps + 1; }));
-  worker.restart();
+  worker.restart(s);
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return f.steps == 0 && f.time == 0.0; }));
   EXPECT_EQ(watcher.last.run, 2U);
   EXPECT_FALSE(watcher.last.playing);
@@ -201,6 +201,13 @@ TEST(Worker, PlaysAtTheSpeedThatIsSet) {
   EXPECT_TRUE(watcher.wait([far](const Frame& f) { return f.time > far; }));
 }
 
+// The preset with the bodies that the run has got on its way.
+Preset with_added(Preset preset, const Frame& frame) {
+  preset.edits = frame.setup->edits;
+  std::erase_if(preset.edits, [](const RunEdit& edit) { return std::holds_alternative<Method>(edit.what); });
+  return preset;
+}
+
 TEST(Worker, ChangesTheMethodAndTakesBodies) {
   const Preset s = small_gas();
   Worker worker(s);
@@ -208,25 +215,25 @@ TEST(Worker, ChangesTheMethodAndTakesBodies) {
   const Method method{IntegratorId::kSemiImplicitEuler, ImpactsId::kStepEnd, ContactsId::kImpulse, 0.01};
   worker.set_method(method);
   const Body body = disc("new", {0.0, -0.5}, {1.0, 1.0}, 0.05);
-  worker.add_body(body);
+  worker.edit_scene({Add<Body>{body}});
   watcher.edits = 2;
   worker.run_until(2.0);
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return !f.playing && f.steps > 0; }));
   Simulation plain(setup_of(s));
   plain.set_method(method);
-  plain.add_body(body);
+  plain.apply({Add<Body>{body}});
   plain.advance_to(2.0);
   EXPECT_TRUE(test::same_bytes(watcher.last.state, plain.state()));
   EXPECT_EQ(watcher.last.method, method);
   EXPECT_EQ(watcher.last.bodies->back().name, "new");
   watcher.edits = 1;  // the body comes in again
-  worker.restart();
+  worker.restart(with_added(s, watcher.last));
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return f.steps == 0; }));
   EXPECT_EQ(watcher.last.state.size(), 9);
 }
 
-// A restart goes back to the bodies of the start; those that were put in come in again at their time, also
-// where another one was put in before them since.
+// A restart goes back to the bodies of the start; those that were added come in again at their time, also where
+// another one was added before them since.
 TEST(Worker, BodiesComeInAgainAtTheirTimeAfterARestart) {
   Worker worker(small_gas());
   Watcher watcher(worker);
@@ -241,19 +248,20 @@ TEST(Worker, BodiesComeInAgainAtTheirTimeAfterARestart) {
     return std::vector<std::string>(all.begin() + 8, all.end());
   };
   ASSERT_TRUE(run_to(0.4));
-  worker.add_body(disc("late", {0.0, 0.4}, {0.0, 0.0}, 0.05));
+  worker.edit_scene({Add<Body>{disc("late", {0.0, 0.4}, {0.0, 0.0}, 0.05)}});
   ASSERT_TRUE(run_to(0.6));
   const State first = watcher.last.state;
   EXPECT_EQ(names(), std::vector<std::string>{"late"});
-  worker.restart();
+  const Preset late = with_added(small_gas(), watcher.last);
+  worker.restart(late);
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return f.steps == 0; }));
   EXPECT_EQ(watcher.last.state.size(), 8);
   ASSERT_TRUE(run_to(0.6));
   EXPECT_TRUE(test::same_bytes(watcher.last.state, first));
-  worker.restart();
+  worker.restart(late);
   ASSERT_TRUE(run_to(0.2));
   EXPECT_TRUE(names().empty());
-  worker.add_body(disc("early", {0.3, 0.4}, {0.0, 0.0}, 0.05));
+  worker.edit_scene({Add<Body>{disc("early", {0.3, 0.4}, {0.0, 0.0}, 0.05)}});
   ASSERT_TRUE(run_to(0.3));
   EXPECT_EQ(names(), std::vector<std::string>{"early"});
   ASSERT_TRUE(run_to(0.6));
@@ -292,7 +300,7 @@ TEST(Worker, RealisedSpeedIsOfThisRun) {
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return f.realised_speed != 0.0; }));
   EXPECT_GT(watcher.last.realised_speed, 0.0);
   EXPECT_LT(watcher.last.realised_speed, kTooFast);
-  worker.restart();
+  worker.restart(small_gas());
   worker.set_playing(true);
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return f.run == 2 && f.realised_speed != 0.0; }));
   EXPECT_GT(watcher.last.realised_speed, 0.0);
@@ -319,11 +327,11 @@ TEST(Worker, TakesManyCommandsAtOnce) {
   worker.set_playing(true);
   for (int i = 0; i < 200; ++i) {
     if (i % 5 == 0) worker.load(small_gas());
-    if (i % 7 == 0) worker.restart();
+    if (i % 7 == 0) worker.restart(small_gas());
     worker.set_playing(i % 3 != 0);
     worker.step_once();
   }
-  worker.restart();
+  worker.restart(small_gas());
   worker.run_until(1.0);
   ASSERT_TRUE(watcher.wait([](const Frame& f) { return !f.playing && f.time > 0.9; }));
   EXPECT_EQ(watcher.last.steps, 200);
@@ -349,7 +357,7 @@ TEST(Worker, CurvesThatAreAskedForLateComeFromTheStartOn) {
     };
     worker.run_until(3.0);
     wait();
-    worker.add_body(body);
+    worker.edit_scene({Add<Body>{body}});
     worker.set_method(method);
     worker.run_until(5.0);
     if (!at_once) worker.record(all);

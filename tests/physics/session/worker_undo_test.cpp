@@ -31,12 +31,12 @@ const Body kBody = disc("new", {0.0, -0.5}, {1.0, 1.0}, 0.05);
 struct Moment {
   std::int64_t steps;
   State state;
-  std::vector<Edit> edits;
+  std::vector<RunEdit> edits;
   std::vector<double> times;  // of the rows of the recorded curve
 };
 bool operator==(const Moment& a, const Moment& b) {
-  const auto same = [](const Edit& x, const Edit& y) {
-    return x.step == y.step && x.time == y.time && x.what.index() == y.what.index();
+  const auto same = [](const RunEdit& x, const RunEdit& y) {
+    return x.id == y.id && x.time == y.time && x.what.index() == y.what.index();
   };
   return a.steps == b.steps && test::same_bytes(a.state, b.state) && a.times == b.times &&
          std::equal(a.edits.begin(), a.edits.end(), b.edits.begin(), b.edits.end(), same);
@@ -70,10 +70,10 @@ class WorkerUndo : public testing::Test {
     ASSERT_TRUE(wait([&] { return !frames_[0]->playing && frames_[0]->time > time - 0.0049; }));
   }
   [[nodiscard]] bool wait_for_edits(std::size_t run, std::size_t count) {
-    return wait([=, this] { return frames_.size() > run && frames_[run]->log->edits.size() == count; });
+    return wait([=, this] { return frames_.size() > run && frames_[run]->setup->edits.size() == count; });
   }
   [[nodiscard]] Moment moment(std::size_t run) const {
-    Moment now{frames_[run]->steps, frames_[run]->state, frames_[run]->log->edits, {}};
+    Moment now{frames_[run]->steps, frames_[run]->state, frames_[run]->setup->edits, {}};
     std::vector<SeriesPoint<1>> points;
     recorders_[run].series(kCurve)->read(-1.0, 1e9, points);
     for (const auto& point : points) now.times.push_back(point.at);
@@ -90,18 +90,18 @@ TEST_F(WorkerUndo, AMethodIsTakenBackAndPutBack) {
   run_to(1.0);
   const Moment never = moment(0);
   run_to(0.0);
-  worker_.restart();
+  worker_.restart(gas());
   run_to(0.5);
   const Worker::EditId edit = worker_.set_method(kVerlet);
   run_to(1.0);
   const Moment with = moment(0);
   ASSERT_EQ(with.edits.size(), 1U);
   const std::uint64_t other = frames_[1]->run;
-  worker_.undo(edit, ReferenceId::kNone);
+  worker_.undo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 0));
   EXPECT_EQ(moment(0), never);
   EXPECT_EQ(frames_[1]->run, other) << "it goes on as it is";
-  worker_.redo(edit, ReferenceId::kNone);
+  worker_.redo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 1));
   EXPECT_EQ(moment(0), with);
 }
@@ -109,16 +109,16 @@ TEST_F(WorkerUndo, AMethodIsTakenBackAndPutBack) {
 TEST_F(WorkerUndo, ABodyIsTakenBackFromAllRunsAndPutBack) {
   run_to(1.0);
   const std::vector<Moment> never = {moment(0), moment(1)};
-  worker_.restart();
+  worker_.restart(gas());
   run_to(0.4);
-  const Worker::EditId edit = worker_.add_body(kBody);
+  const Worker::EditId edit = worker_.edit_scene({Add<Body>{kBody}});
   run_to(1.0);
   const std::vector<Moment> with = {moment(0), moment(1)};
-  worker_.undo(edit, ReferenceId::kNone);
+  worker_.undo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(1, 0));
   EXPECT_EQ(moment(0), never[0]);
   EXPECT_EQ(moment(1), never[1]);
-  worker_.redo(edit, ReferenceId::kNone);
+  worker_.redo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(1, 1));
   EXPECT_EQ(moment(0), with[0]);
   EXPECT_EQ(moment(1), with[1]);
@@ -128,19 +128,19 @@ TEST_F(WorkerUndo, ABodyIsTakenBackFromAllRunsAndPutBack) {
 TEST_F(WorkerUndo, SeveralAreTakenBackInARow) {
   run_to(1.0);
   const Moment never = moment(0);
-  worker_.restart();
+  worker_.restart(gas());
   run_to(0.4);
-  const Worker::EditId body = worker_.add_body(kBody);
+  const Worker::EditId body = worker_.edit_scene({Add<Body>{kBody}});
   run_to(0.6);
   const Worker::EditId method = worker_.set_method(kVerlet);
   run_to(1.0);
   const Moment with = moment(0);
-  worker_.undo(method, ReferenceId::kNone);
-  worker_.undo(body, ReferenceId::kNone);
+  worker_.undo(method, gas(), ReferenceId::kNone);
+  worker_.undo(body, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 0));
   EXPECT_EQ(moment(0), never);
-  worker_.redo(body, ReferenceId::kNone);
-  worker_.redo(method, ReferenceId::kNone);
+  worker_.redo(body, gas(), ReferenceId::kNone);
+  worker_.redo(method, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 2));
   EXPECT_EQ(moment(0), with);
 }
@@ -148,18 +148,18 @@ TEST_F(WorkerUndo, SeveralAreTakenBackInARow) {
 TEST_F(WorkerUndo, AMethodOfAComparedRunLeavesTheFirstAlone) {
   run_to(1.0);
   const Moment never = moment(1);
-  worker_.restart();
+  worker_.restart(gas());
   run_to(0.5);
   const Worker::EditId edit = worker_.set_method(kCoarse, 1);
   run_to(1.0);
   const Moment with = moment(1);
   const std::uint64_t first = frames_[0]->run;
-  worker_.undo(edit, ReferenceId::kNone);
+  worker_.undo(edit, gas(), ReferenceId::kNone);
   // "From now on" is the moment that is shown, however far back the run is on its way.
   const Worker::EditId again = worker_.set_method(kCoarse, 1);
   ASSERT_TRUE(wait_for_edits(1, 1));
-  EXPECT_GE(frames_[1]->log->edits[0].time, 0.99);
-  worker_.undo(again, ReferenceId::kNone);
+  EXPECT_GE(frames_[1]->setup->edits[0].time, 0.99);
+  worker_.undo(again, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(1, 0));
   EXPECT_EQ(moment(1), never);
   EXPECT_EQ(frames_[0]->run, first);
@@ -172,16 +172,16 @@ TEST_F(WorkerUndo, ARunComesAndGoesWithItsPast) {
   const Moment with = moment(1);
   const Worker::EditId gone = worker_.remove_method(1);
   ASSERT_TRUE(wait([&] { return frames_.size() == 1; }));
-  worker_.undo(gone, ReferenceId::kNone);
+  worker_.undo(gone, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_.size() == 2; }));
   EXPECT_EQ(moment(1), with);
   const Worker::EditId more = worker_.add_method(kVerlet);
   ASSERT_TRUE(wait([&] { return frames_.size() == 3; }));
   const std::uint64_t run = frames_[1]->run;
-  worker_.undo(more, ReferenceId::kNone);
+  worker_.undo(more, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_.size() == 2; }));
   EXPECT_EQ(frames_[1]->run, run);
-  worker_.redo(more, ReferenceId::kNone);
+  worker_.redo(more, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_.size() == 3; }));
   EXPECT_EQ(frames_[2]->method, kVerlet);
 }
@@ -190,21 +190,26 @@ TEST_F(WorkerUndo, ARunComesAndGoesWithItsPast) {
 TEST_F(WorkerUndo, WhatWasDoneBeforeARestartIsTakenBackFromTheStart) {
   run_to(0.8);
   const Moment never = moment(0);
-  worker_.restart();
+  worker_.restart(gas());
   run_to(0.2);
   const Worker::EditId method = worker_.set_method(kVerlet);
-  const Worker::EditId body = worker_.add_body(kBody);
-  worker_.restart();
+  const Worker::EditId body = worker_.edit_scene({Add<Body>{kBody}});
+  ASSERT_TRUE(wait_for_edits(0, 2));
+  Preset with_method = gas();
+  with_method.method = kVerlet;
+  Preset with_both = with_method;
+  with_both.edits = {frames_[0]->setup->edits.back()};
+  worker_.restart(with_both);
   run_to(0.8);
   const Moment with = moment(0);
   EXPECT_EQ(with.edits.size(), 1U);
-  EXPECT_EQ(frames_[0]->log->start.method, kVerlet);
-  worker_.undo(body, ReferenceId::kNone);
-  worker_.undo(method, ReferenceId::kNone);
-  ASSERT_TRUE(wait([&] { return frames_[0]->log->start.method != kVerlet; }));
+  EXPECT_EQ(frames_[0]->setup->method, kVerlet);
+  worker_.undo(body, with_method, ReferenceId::kNone);
+  worker_.undo(method, gas(), ReferenceId::kNone);
+  ASSERT_TRUE(wait([&] { return frames_[0]->setup->method != kVerlet; }));
   EXPECT_EQ(moment(0), never);
-  worker_.redo(method, ReferenceId::kNone);
-  worker_.redo(body, ReferenceId::kNone);
+  worker_.redo(method, with_method, ReferenceId::kNone);
+  worker_.redo(body, with_both, ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 1));
   EXPECT_EQ(moment(0), with);
 }
@@ -216,7 +221,7 @@ TEST_F(WorkerUndo, ARunThatPlaysGoesOn) {
   const Worker::EditId edit = worker_.set_method(kVerlet);
   ASSERT_TRUE(wait_for_edits(0, 1));
   const double time = frames_[0]->time;
-  worker_.undo(edit, ReferenceId::kNone);
+  worker_.undo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 0));
   EXPECT_GT(frames_[0]->time, time - 0.005);
   EXPECT_TRUE(frames_[0]->playing);
@@ -226,10 +231,13 @@ TEST_F(WorkerUndo, ARunThatPlaysGoesOn) {
 TEST_F(WorkerUndo, ARestartWithOtherMethodsIsTakenBack) {
   run_to(0.5);
   const Moment never = moment(0);
-  const Worker::EditId edit = worker_.restart(kVerlet, {kCoarse, kVerlet}, {kCurve}, ReferenceId::kNone);
+  Preset other = gas();
+  other.method = kVerlet;
+  other.compare = {kCoarse, kVerlet};
+  const Worker::EditId edit = worker_.restart(other, {kCurve}, ReferenceId::kNone);
   run_to(0.5);
   ASSERT_EQ(frames_.size(), 3U);
-  worker_.undo(edit, ReferenceId::kNone);
+  worker_.undo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_.size() == 2; }));
   EXPECT_EQ(moment(0), never);
 }

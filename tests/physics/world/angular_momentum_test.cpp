@@ -270,7 +270,7 @@ TEST(AngularMomentum, OfABodyThatTheUserAdds) {
   setup.method = method_of(IntegratorId::kExactFlight);
   Simulation run(setup);
   run.advance_to(0.305);
-  run.add_body(disc("new", {5.0, 1.0}, {0.0, 2.0}, 0.1, 3.0));
+  run.apply({Add<Body>{disc("new", {5.0, 1.0}, {0.0, 2.0}, 0.1, 3.0)}});
   run.advance_to(1.0);
   EXPECT_NEAR(run.ledger().angular_momentum_from_user, 5.0 * 3.0 * 2.0, 1e-13);
   EXPECT_LT(std::abs(drift(run)), 1e-12 * turnover(run));

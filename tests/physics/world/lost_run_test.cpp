@@ -57,7 +57,7 @@ TEST(LostRun, StopsAtItsLastGoodStepWithTheReason) {
       // Nothing changes it any more.
       run.step();
       run.set_method({.integrator = IntegratorId::kExactFlight});
-      run.add_body(disc("c", {0, 3}, {0, 0}));
+      run.apply({Add<Body>{disc("c", {0, 3}, {0, 0})}});
       run.advance_to(6.0);
       EXPECT_EQ(run.time(), before.time());
       EXPECT_EQ(run.state().q, before.state().q);

@@ -237,7 +237,7 @@ TEST(RunState, BodiesPutInAndMethodsChangedBeforeAndAfter) {
   for_all([](const Preset& s, const std::string& what) {
     Simulation whole(setup_of(s));
     whole.advance_to(0.2);
-    whole.add_body(disc("first", {0.3, 1.5}, {0, -1}, 0.12));
+    whole.apply({Add<Body>{disc("first", {0.3, 1.5}, {0, -1}, 0.12)}});
     whole.advance_to(0.4);
     Method method = s.method;
     method.step = 0.008;
@@ -248,7 +248,7 @@ TEST(RunState, BodiesPutInAndMethodsChangedBeforeAndAfter) {
     Simulation resumed(setup_of(saved));
     for (Simulation* run : {&whole, &restored, &resumed}) {
       run->advance_to(0.6);
-      run->add_body(disc("second", {-0.4, 2.0}, {0.1, -2}, 0.09));
+      run->apply({Add<Body>{disc("second", {-0.4, 2.0}, {0.1, -2}, 0.09)}});
       run->advance_to(0.7);
       run->set_method(s.method);
       run->advance_to(0.9);

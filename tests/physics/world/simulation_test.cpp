@@ -140,7 +140,7 @@ TEST(Ledger, BodiesOfTheUserBringTheirEnergy) {
   run.advance_to(0.5);
   const double drift = run.ledger().numerical_drift(run.totals().energy());
   const Body body = disc("new", {0.05, 0.9}, {1.0, 2.0}, 0.02, 3.0);
-  run.add_body(body);
+  run.apply({Add<Body>{body}});
   EXPECT_NEAR(run.ledger().put_in_by_user, 0.5 * 3.0 * 5.0 + 3.0 * 9.81 * 0.9, 1e-12);
   EXPECT_NEAR(run.ledger().numerical_drift(run.totals().energy()), drift, 1e-12);
   run.advance_to(0.6);

@@ -443,7 +443,7 @@ TEST(Sticking, OutlastsEdits) {
   Simulation run(s);
   ASSERT_TRUE(test::step_to_impact(run, 2));
   const Eigen::Vector3d place = place_of(run.state(), 1, 0);
-  run.add_body(disc("late", {0.0, 1.5}, {0, -3.0}, 0.1, 0.2));
+  run.apply({Add<Body>{disc("late", {0.0, 1.5}, {0, -3.0}, 0.1, 0.2)}});
   run.set_method({IntegratorId::kAdaptiveDormandPrince, ImpactsId::kLocated, ContactsId::kImpulse, 0.02});
   run.advance_to(run.time() + 2.0);
   EXPECT_EQ(run.joints().size(), 3U);
