@@ -97,7 +97,8 @@ void SceneChips::show_notices(const Session& session, const QString& more, bool 
     if (!notice.isEmpty()) notices << notice;
   }
   if (session.replayed())
-    notices << tr("replaying the run after an edit: t = %1 s").arg(*session.replayed(), 0, 'f', 1);
+    notices << tr("replaying the run after an edit: t = %1 s; Space stops here")
+                   .arg(*session.replayed(), 0, 'f', 1);
   if (frame != nullptr && frame->status != "ok" && !(frame->lost && lost_shown))
     notices << QString::fromStdString(frame->status);
   for (const auto& each : session.frames()) {

@@ -76,7 +76,6 @@ void Session::open(const Preset& preset, const std::vector<Plot>& plots, const s
   reference_ = preset.compare.empty() ? ReferenceId::kNone : usual_reference(setup_of(preset));
   frames_.clear();
   recorders_.clear();
-  arriving_.clear();
   replayed_.reset();
   curves_ = curves;
   worker_.load(document_, curves, reference_);
@@ -294,6 +293,7 @@ void Session::change_plots(const std::vector<Plot>& plots) {
 // -----------------------------------------------------------------------------------------------------------
 
 void Session::set_playing(bool playing) {
+  if (replayed_) return worker_.end_replay();
   if (playing) forget_wait();
   worker_.set_playing(playing, document_.duration);
 }
@@ -301,7 +301,6 @@ void Session::set_playing(bool playing) {
 void Session::restart() {
   forget_wait();
   replayed_.reset();
-  arriving_.clear();
   worker_.restart(document_);
 }
 
@@ -329,7 +328,6 @@ void Session::run_until(double time) {
 void Session::record(const std::vector<Curve>& curves) {
   if (std::exchange(curves_, curves) == curves) return;
   for (const auto& recorder : recorders_) recorder->keep(curves);
-  for (const auto& recorder : arriving_) recorder->keep(curves);
   worker_.record(curves);
 }
 
@@ -343,29 +341,21 @@ void Session::poll() {
   const std::vector<std::shared_ptr<const Frame>> news = worker_.take_frames();
   if (news.empty()) return;
   // Each run keeps its recorder, whatever runs were added or removed before it.
-  std::vector<std::shared_ptr<Recorder>> known = recorders_;
-  known.insert(known.end(), arriving_.begin(), arriving_.end());
   std::vector<std::shared_ptr<Recorder>> recorders;
   for (const auto& frame : news) {
-    const auto own = std::find_if(known.begin(), known.end(),
+    const auto own = std::find_if(recorders_.begin(), recorders_.end(),
                                   [&](const auto& recorder) { return recorder->run() == frame->run; });
-    recorders.push_back(own == known.end() ? std::make_shared<Recorder>() : *own);
+    recorders.push_back(own == recorders_.end() ? std::make_shared<Recorder>() : *own);
     recorders.back()->add(*frame);
   }
   replayed_.reset();
-  if (news.front()->replay_until && !frames_.empty()) {
-    replayed_ = news.front()->time;
-    arriving_ = std::move(recorders);
-    emit noticesChanged();
-    return;
-  }
-  arriving_.clear();
+  if (news.front()->replay_until) replayed_ = news.front()->time;
   recorders_ = std::move(recorders);
   frames_ = news;
   take_times_of_edits();
   emit framesChanged();
   // Deferred: not within the signal that reported the frame.
-  if (then_ != nullptr && !frames_.front()->playing) {
+  if (then_ != nullptr && !frames_.front()->playing && !replayed_) {
     QTimer::singleShot(0, this, std::exchange(then_, nullptr));
     forget_wait();
   }
@@ -388,9 +378,9 @@ void Session::take_times_of_edits() {
 }
 
 void Session::when_still(const QString& what, std::function<void()> then) {
-  set_playing(false);
+  worker_.set_playing(false);
   forget_wait();
-  if (!frames_.front()->playing) return then();
+  if (!frames_.front()->playing && !replayed_) return then();
   then_ = std::move(then);
   waits_ = what;
   emit noticesChanged();

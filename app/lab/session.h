@@ -69,7 +69,8 @@ class Session : public QObject {
   void change_plots(const std::vector<Plot>& plots);
 
   // --- the runs
-  void set_playing(bool playing);  // stops at the document's duration; beyond it there is no end
+  // Stops at the document's duration; beyond it there is no end. Ends a replay where it is, and stops there.
+  void set_playing(bool playing);
   void restart();
   void step_once() { worker_.step_once(); }
   void set_speed(double speed);
@@ -84,7 +85,7 @@ class Session : public QObject {
   }
   [[nodiscard]] const std::vector<std::shared_ptr<Recorder>>& recorders() const { return recorders_; }
   [[nodiscard]] const Frame* lost() const;  // a lost run, if any
-  // s: progress of the runs that are recomputed after an undone edit. The old frames are shown meanwhile.
+  // s: progress of the runs that are recomputed after an undone edit.
   [[nodiscard]] std::optional<double> replayed() const { return replayed_; }
   // Pauses the run and calls `then` when its newest frame has arrived. Any change of the run, or playing,
   // drops `then`. `what` is shown meanwhile.
@@ -129,7 +130,6 @@ class Session : public QObject {
   std::vector<Curve> curves_;
   std::vector<std::shared_ptr<const Frame>> frames_;
   std::vector<std::shared_ptr<Recorder>> recorders_;
-  std::vector<std::shared_ptr<Recorder>> arriving_;  // for runs that are not shown yet
   std::optional<double> replayed_;
   double speed_ = 1.0;
   std::function<void()> then_;

@@ -43,7 +43,7 @@ struct Frame {
   std::string status = "ok";
   std::optional<std::string>
       lost;  // why the run can't continue, if so: it stays at the end of its last good step
-  // s: the first run is replayed up to here, after an edit was undone or redone.
+  // s: the runs are on their way there again, after an edit was undone or redone.
   std::optional<double> replay_until;
   bool playing = false;
   double realised_speed = 0.0;    // simulated seconds per second, while playing
@@ -54,6 +54,8 @@ struct Frame {
   std::vector<Rows> rows;
   double rows_known_until = 0.0;      // s: the latter are known up to here; the frame's time if there are none
   std::vector<ImpactRecord> impacts;  // since the previous frame
+  // s: the run has gone back there since, and earlier impacts after it are to be dropped.
+  std::optional<double> back_to;
   Scales scales;
   std::shared_ptr<const RunSetup> setup;  // of the run, with all its edits
   std::vector<std::shared_ptr<const KeyFrame>> key_frames;

@@ -1,6 +1,8 @@
 #include "physics/record/recorder.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace carom {
 
@@ -31,13 +33,26 @@ void Recorder::add(const Frame& frame) {
   scales_ = frame.scales;
   for (const Rows& rows : frame.rows) add(rows);
   if (frame.bodies != nullptr) speeds_.set_now(frame.state, *frame.bodies);
+  if (frame.back_to) cut_impacts(*frame.back_to);
   for (const ImpactRecord& impact : frame.impacts) {
     impacts_.push(impact);
     impulses_.append({impact.time, {impact.normal_impulse}});
   }
 }
 
+void Recorder::cut(double time) {
+  for (auto& [curve, series] : series_) series.cut(time);
+  for (auto& [curve, path] : paths_) path.cut(time);
+  speeds_.cut(time);
+}
+
+void Recorder::cut_impacts(double time) {
+  impacts_.drop_back_while([time](const ImpactRecord& impact) { return impact.time > time; });
+  impulses_.cut(std::nextafter(time, std::numeric_limits<double>::infinity()));
+}
+
 void Recorder::add(const Rows& rows) {
+  if (rows.back_to) cut(*rows.back_to);
   std::size_t width = 0;
   for (const Curve& curve : *rows.curves) width += curve.x ? 2 : 1;
   std::size_t column = 0;

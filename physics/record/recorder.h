@@ -17,7 +17,8 @@ class Recorder {
   void clear();
   // Drops all other curves.
   void keep(const std::vector<Curve>& curves);
-  // Adds the changes since the previous frame; a frame of another run clears everything first.
+  // Adds the changes since the previous frame; a frame of another run clears everything first, one of a run
+  // that has gone back drops what came after.
   void add(const Frame& frame);
 
   // Series of a curve over time; nullptr if it is not recorded.
@@ -35,6 +36,8 @@ class Recorder {
 
  private:
   void add(const Rows& rows);
+  void cut(double time);
+  void cut_impacts(double time);
 
   std::uint64_t run_ = 0;
   double time_ = 0.0;

@@ -4,16 +4,45 @@
 
 namespace carom {
 
-void KeyFrames::take(const Simulation& simulation, const Sampler& sampler) {
-  if (simulation.steps() % interval_ != 0) return;
-  KeyFrame frame{simulation.model(), simulation.run_state(), sampler};
-  // A replay from here is on another thread than the run.
+void KeyFrames::take(const Simulation& simulation, const Sampler& sampler, double wall_time) {
+  const bool at_edit = simulation.due() != nullptr;
+  if (!frames_.empty()) {
+    if (!at_edit && simulation.steps() % interval_ != 0) return;
+    const bool is_there = frames_.back()->state.clock.steps == simulation.steps();
+    if (is_there && (frames_.back()->at_edit || !at_edit)) return;
+    if (is_there) frames_.pop_back();
+  }
+  KeyFrame frame{simulation.model(), simulation.run_state(), sampler, wall_time, at_edit};
+  // A replay from here may be on another thread than the run.
   frame.sampler.interrupt_on({});
   (void)frame.sampler.take();  // the rows so far belong to the run itself
   frames_.push_back(std::make_shared<const KeyFrame>(std::move(frame)));
-  if (frames_.size() <= kMost) return;
+  thin();
+}
+
+void KeyFrames::thin() {
+  const auto at_edits = std::count_if(frames_.begin(), frames_.end(), [](const auto& f) { return f->at_edit; });
+  if (static_cast<std::size_t>(at_edits) > kMostAtEdits)
+    frames_.erase(std::find_if(frames_.begin(), frames_.end(), [](const auto& f) { return f->at_edit; }));
+  const auto spaced = frames_.size() - std::min<std::size_t>(at_edits, kMostAtEdits);
+  if (spaced <= kMost) return;
   interval_ *= 2;
-  std::erase_if(frames_, [this](const auto& f) { return f->state.clock.steps % interval_ != 0; });
+  const auto is_between = [this](const auto& f) {
+    return !f->at_edit && f->state.clock.steps % interval_ != 0;
+  };
+  frames_.erase(std::remove_if(frames_.begin() + 1, frames_.end(), is_between), frames_.end());
+}
+
+std::shared_ptr<const KeyFrame> KeyFrames::go_back(const std::vector<RunEdit>& edits, std::size_t same,
+                                                   const std::vector<Curve>& curves) {
+  const auto can_go_on = [&](const KeyFrame& frame) {
+    if (frame.state.edits_applied > same || !frame.sampler.can_read(curves)) return false;
+    // The next one would not have been applied a step before.
+    return same == edits.size() ||
+           !is_due(edits[same], frame.state.clock.time - frame.state.method.step, frame.state.method.step);
+  };
+  while (!frames_.empty() && !can_go_on(*frames_.back())) frames_.pop_back();
+  return frames_.empty() ? nullptr : frames_.back();
 }
 
 std::shared_ptr<const KeyFrame> latest_before(std::span<const std::shared_ptr<const KeyFrame>> frames,

@@ -14,25 +14,35 @@
 
 namespace carom {
 
-// A run at the end of one of its steps, with everything needed to continue from there.
+// A run at the end of one of its steps, before the edits that are due there, with everything needed to continue
+// from there.
 struct KeyFrame {
   std::shared_ptr<const Model> model;
   RunState state;
   Sampler sampler;
+  double wall_time = 0.0;  // s, spent on the steps so far
+  bool at_edit = false;
 };
 
-// Moments of a run from which it can be replayed: evenly spaced over the whole run, at most kMost, so that
-// only a part of a long run has to be repeated.
+// Moments of a run from which it can be replayed, so that only a part of a long run has to be repeated: at most
+// kMost evenly spaced over the whole run, and those of the last kMostAtEdits moments with edits.
 class KeyFrames {
  public:
   static constexpr std::size_t kMost = 32;
+  static constexpr std::size_t kMostAtEdits = 16;
   static constexpr std::int64_t kFirstInterval = 512;  // steps; doubled whenever there are too many frames
 
-  // Call after each step.
-  void take(const Simulation& simulation, const Sampler& sampler);
+  // Call at the start, after each step, and before an edit is applied.
+  void take(const Simulation& simulation, const Sampler& sampler, double wall_time);
   [[nodiscard]] const std::vector<std::shared_ptr<const KeyFrame>>& all() const { return frames_; }
+  // The latest from which a run can go on that has these edits instead, the first `same` of them as before, and
+  // from which these curves can be read; nullptr if there is none. The later ones are dropped.
+  std::shared_ptr<const KeyFrame> go_back(const std::vector<RunEdit>& edits, std::size_t same,
+                                          const std::vector<Curve>& curves);
 
  private:
+  void thin();
+
   std::int64_t interval_ = kFirstInterval;
   std::vector<std::shared_ptr<const KeyFrame>> frames_;  // in the order of time
 };

@@ -131,6 +131,14 @@ void Sampler::append(const Reading& reading) {
   }
 }
 
+void Sampler::go_on(const Simulation& simulation, std::vector<Curve> curves, const std::stop_token& interrupt) {
+  interrupt_on(interrupt);
+  set_curves(std::move(curves));
+  rows_.back_to = simulation.time();
+  look(simulation);
+  if (is_moment(simulation.steps())) take_speeds(simulation);
+}
+
 bool Sampler::can_read(const std::vector<Curve>& curves) const {
   const auto known = [this](const Quantity& q) {
     if (q.observable->is_error() && !reference_run_) return false;
@@ -141,12 +149,13 @@ bool Sampler::can_read(const std::vector<Curve>& curves) const {
 }
 
 void Sampler::set_curves(std::vector<Curve> curves) {
-  rows_ = {std::make_shared<const std::vector<Curve>>(std::move(curves)), false, {}, {}};
+  rows_ = {.curves = std::make_shared<const std::vector<Curve>>(std::move(curves))};
 }
 
 Rows Sampler::take() {
   Rows rows = rows_;
   rows_.from_the_start = false;
+  rows_.back_to.reset();
   rows_.times.clear();
   rows_.values.clear();
   rows_.moments.clear();
@@ -172,6 +181,11 @@ void SpeedRecord::add(const SpeedMoment& moment) {
   moments_.push_back(moment);
   const std::int64_t stride = moment_stride(moment.step);
   std::erase_if(moments_, [stride](const SpeedMoment& m) { return m.step % stride != 0; });
+}
+
+void SpeedRecord::cut(double time) {
+  std::erase_if(moments_, [time](const SpeedMoment& m) { return m.time >= time; });
+  ++version_;
 }
 
 void SpeedRecord::set_now(const State& state, const std::vector<Body>& bodies) {

@@ -38,6 +38,7 @@ class SpeedRecord {
   // Ignores a moment that is already recorded.
   void add(const SpeedMoment& moment);
   void set_now(const State& state, const std::vector<Body>& bodies);
+  void cut(double time);  // drops the moments from it on
 
   [[nodiscard]] const std::vector<double>& now() const { return now_; }        // m/s
   [[nodiscard]] const std::vector<double>& masses() const { return masses_; }  // kg, of the same bodies
@@ -64,10 +65,12 @@ struct Scales {
 // Values of curves in the order of time. Two rows of one time are a jump.
 struct Rows {
   std::shared_ptr<const std::vector<Curve>> curves;
-  bool from_the_start = false;  // they begin at t = 0: earlier rows of these curves are to be dropped
-  std::vector<double> times;    // s
-  std::vector<double> values;   // row by row: y of each curve and, if it has one, x
+  bool from_the_start = false;   // they begin at t = 0: earlier rows of these curves are to be dropped
+  std::vector<double> times{};   // s
+  std::vector<double> values{};  // row by row: y of each curve and, if it has one, x
   std::vector<SpeedMoment> moments{};
+  // s: the run has gone back there, and all that was recorded then and later is to be dropped, of all curves.
+  std::optional<double> back_to{};
 
   [[nodiscard]] std::size_t size() const { return times.size(); }
 };
@@ -91,6 +94,10 @@ class Sampler {
   void begin(const Simulation& simulation);
   void after_step(const Simulation& simulation);
   void after_edit(const Simulation& simulation, const RunEdit& edit);
+
+  // Goes on as a sampler of another run that stands where this one's last step ended: with these curves, and a
+  // row of this moment before anything else.
+  void go_on(const Simulation& simulation, std::vector<Curve> curves, const std::stop_token& interrupt);
 
   // Whether it has followed the run far enough to read these too from now on.
   [[nodiscard]] bool can_read(const std::vector<Curve>& curves) const;

@@ -32,6 +32,13 @@ class Ring {
     records_[oldest_] = record;
     oldest_ = oldest_ + 1 == capacity_ ? 0 : oldest_ + 1;
   }
+  // Drops the newest records for which the predicate is true.
+  template <class Predicate>
+  void drop_back_while(const Predicate& is_to_go) {
+    std::rotate(records_.begin(), records_.begin() + static_cast<std::ptrdiff_t>(oldest_), records_.end());
+    oldest_ = 0;
+    while (!records_.empty() && is_to_go(records_.back())) records_.pop_back();
+  }
   // The first record not before `time` (lower) or after it (upper), by the records' function time().
   [[nodiscard]] std::size_t lower_bound(double time) const {
     return first([time](const Record& r) { return r.time() >= time; });
@@ -101,11 +108,46 @@ class Series {
     if (!levels_.empty()) take(0, point);
   }
 
-  [[nodiscard]] std::int64_t count() const { return count_; }
+  // Drops the points from `time` on. Where more than the newest points go, the coarser levels end with what
+  // their last buckets kept.
+  void cut(double time) {
+    points_.drop_back_while([time](const Point& p) { return p.at >= time; });
+    for (std::size_t k = 0; k < levels_.size(); ++k) {
+      Level& level = levels_[k];
+      Open rest;
+      level.closed.drop_back_while([&](const Bucket& bucket) {
+        if (bucket.back().at < time) return false;
+        rest = {};
+        for (const Point& p : bucket) {
+          if (p.at < time) rest.add(p);
+        }
+        rest.taken = rest.order > 0 ? 1 : 0;
+        return true;
+      });
+      // From the points or the finer buckets that follow the last closed one, if they are still there.
+      const double closed = level.closed.size() > 0 ? level.closed.back().back().at : -kInfinity;
+      level.open = {};
+      const auto take_after = [&](const auto& ring, const auto& add) {
+        for (std::size_t i = ring.upper_bound(closed); i < ring.size(); ++i, ++level.open.taken) add(ring[i]);
+      };
+      if (k == 0) {
+        take_after(points_, [&](const Point& p) { level.open.add(p); });
+      } else {
+        take_after(levels_[k - 1].closed, [&](const Bucket& bucket) {
+          for (const Point& p : bucket) level.open.add(p);
+        });
+      }
+      if (level.open.taken == 0 && (k == 0 ? points_.size() : levels_[k - 1].closed.size()) == 0)
+        level.open = rest;
+    }
+  }
+
+  [[nodiscard]] std::int64_t count() const { return count_; }         // of all that were appended
   [[nodiscard]] const Point& last() const { return points_.back(); }  // of at least one
   // s: from here on every point is kept.
   [[nodiscard]] double whole_since() const {
-    return levels_.empty() || points_.size() == 0 ? -std::numeric_limits<double>::infinity() : points_[0].at;
+    if (levels_.empty()) return -kInfinity;
+    return points_.size() == 0 ? kInfinity : points_[0].at;
   }
   // The newest known point that is not after `time`; nullptr if there is none. It is certain that no other
   // point came after it only from whole_since() on.
@@ -145,7 +187,8 @@ class Series {
       return;
     }
     std::size_t level = 0;
-    while (level + 1 < levels_.size() && from < levels_[level].closed[0].time()) ++level;
+    const auto reaches = [&](const Level& l) { return l.closed.size() > 0 && l.closed[0].time() <= from; };
+    while (level + 1 < levels_.size() && !reaches(levels_[level])) ++level;
     const auto put = [&](const Bucket& bucket) { out.insert(out.end(), bucket.begin(), bucket.end()); };
     read_ring(levels_[level].closed, from, to, put);
     // Points not yet in a closed bucket of the level are in its open bucket and then in those of the finer
@@ -159,6 +202,8 @@ class Series {
   }
 
  private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
   // The points of a bucket in the order of time; some may occur twice.
   struct Bucket : std::array<Point, 2 + 2 * K> {
     [[nodiscard]] double time() const { return this->front().at; }

@@ -22,6 +22,7 @@ LiveRun::LiveRun(const RunSetup& setup, const std::vector<Curve>& curves, Refere
       sampler_(begin_sampler(simulation_, curves, {})) {
   simulation_.watch_impacts(true);
   simulation_.interrupt_on(interrupt_);
+  key_frames_.take(simulation_, sampler_, wall_time_);
   apply_due_edits();
 }
 
@@ -41,7 +42,7 @@ void LiveRun::step() {
   if (lost()) return;
   wall_time_ += std::chrono::duration<double>(Clock::now() - begin).count();
   sampler_.after_step(simulation_);
-  key_frames_.take(simulation_, sampler_);
+  key_frames_.take(simulation_, sampler_, wall_time_);
   impacts_.insert(impacts_.end(), simulation_.last_impacts().begin(), simulation_.last_impacts().end());
   apply_due_edits();
 }
@@ -57,7 +58,44 @@ void LiveRun::edit(const RunEdit& edit) {
   apply_due_edits();
 }
 
+bool LiveRun::take_edits(const std::vector<RunEdit>& edits) {
+  const std::vector<RunEdit>& old = setup_->edits;
+  const auto [mine, theirs] = std::mismatch(old.begin(), old.end(), edits.begin(), edits.end(), is_same);
+  const auto same = static_cast<std::size_t>(mine - old.begin());
+  const double step = simulation_.method().step;
+  const bool of_its_past = same < simulation_.edits_applied() ||
+                           (theirs != edits.end() && is_due(*theirs, simulation_.time() - step, step));
+  std::shared_ptr<const KeyFrame> moment;
+  if (of_its_past) {
+    if (catch_up_) return false;
+    moment = key_frames_.go_back(edits, same, curves_);
+    if (moment == nullptr) return false;
+  }
+  RunSetup other = *setup_;
+  other.edits = edits;
+  setup_ = std::make_shared<const RunSetup>(std::move(other));
+  if (moment) go_back_to(*moment);
+  simulation_.set_edits(edits);
+  if (catch_up_) catch_up_->replay.set_edits(edits);
+  apply_due_edits();
+  return true;
+}
+
+void LiveRun::go_back_to(const KeyFrame& moment) {
+  simulation_ = Simulation(moment.model, moment.state);
+  simulation_.watch_impacts(true);
+  simulation_.interrupt_on(interrupt_);
+  rows_.push_back(sampler_.take());
+  const double time = simulation_.time();
+  std::erase_if(impacts_, [time](const ImpactRecord& impact) { return impact.time > time; });
+  back_to_ = std::min(time, back_to_.value_or(time));
+  sampler_ = moment.sampler;
+  sampler_.go_on(simulation_, curves_, interrupt_);
+  wall_time_ = moment.wall_time;
+}
+
 void LiveRun::apply_due_edits() {
+  key_frames_.take(simulation_, sampler_, wall_time_);
   while (const RunEdit* edit = simulation_.due()) {
     simulation_.apply_due();
     sampler_.after_edit(simulation_, *edit);
@@ -116,6 +154,7 @@ std::shared_ptr<Frame> LiveRun::take_frame() {
   frame->rows = std::exchange(rows_, {});
   frame->rows_known_until = catch_up_ ? catch_up_->replay.simulation().time() : frame->time;
   frame->impacts = std::exchange(impacts_, {});
+  frame->back_to = std::exchange(back_to_, std::nullopt);
   frame->scales = sampler_.scales();
   frame->wall_time = wall_time_;
   if (!catch_up_) frame->error = sampler_.error();

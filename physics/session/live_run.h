@@ -25,6 +25,9 @@ class LiveRun {
   void step();
   [[nodiscard]] bool lost() const { return simulation_.lost().has_value(); }
   void edit(const RunEdit& edit);  // when it is due, or at once
+  // Gives the run these edits instead. Where they differ in its past it goes back to the last key frame before
+  // that; false, and nothing has changed, if there is none: then only a new run has them.
+  bool take_edits(const std::vector<RunEdit>& edits);
   // Sets the curves to record from now on and the reference. For a curve or reference that was not followed
   // so far, the run is replayed (catch_up) before it continues.
   void record(const std::vector<Curve>& curves, ReferenceId reference);
@@ -53,6 +56,7 @@ class LiveRun {
   [[nodiscard]] Sampler begin_sampler(const Simulation& simulation, const std::vector<Curve>& curves,
                                       const std::vector<Curve>& later) const;
   void apply_due_edits();
+  void go_back_to(const KeyFrame& moment);
 
   std::stop_token interrupt_;
   std::shared_ptr<const RunSetup> setup_;
@@ -64,7 +68,8 @@ class LiveRun {
   std::vector<Rows> rows_;  // rows not yet taken by the owner
   KeyFrames key_frames_;
   std::vector<ImpactRecord> impacts_;
-  double wall_time_ = 0.0;  // s, of all steps
+  std::optional<double> back_to_;  // s, since the last frame
+  double wall_time_ = 0.0;         // s, of all steps
 };
 
 }  // namespace carom

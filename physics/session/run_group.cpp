@@ -7,12 +7,6 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // of a step
 
-// An edit is the same wherever it stands in a record.
-bool same_edits(const std::vector<RunEdit>& a, const std::vector<RunEdit>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const RunEdit& x, const RunEdit& y) { return x.id == y.id && x.time == y.time; });
-}
-
 }  // namespace
 
 void RunGroup::load(const Preset& preset, const std::vector<Curve>& curves, ReferenceId reference) {
@@ -123,21 +117,32 @@ void RunGroup::restore(const Plan& plan, const Preset& start, ReferenceId refere
   if (interrupted_) return;
   const double time = displayed_time();
   std::vector<Run> old = std::exchange(runs_, {});
-  for (RunPlan& each : begun_since ? plans_of(start) : std::vector<RunPlan>(plan.runs)) {
-    const auto same = std::find_if(old.begin(), old.end(), [&](const Run& run) {
-      const RunPlan its = plan_of(run);
-      return its.start == each.start && same_edits(its.edits, each.edits);
-    });
-    if (same == old.end()) {
-      begin_run(std::move(each));
-    } else {
-      runs_.push_back(std::move(*same));
-      old.erase(same);
-    }
-  }
+  for (RunPlan& each : begun_since ? plans_of(start) : std::vector<RunPlan>(plan.runs))
+    take_plan(std::move(each), old);
+  replay_until_.reset();
   if (first().time() < time) replay_until_ = time;
   changed_ = true;
   if (other_reference) record_all();
+}
+
+// Adds the run of a plan: the one of these that has it, or one that can go back to where it parted from it, or
+// a new one.
+void RunGroup::take_plan(RunPlan plan, std::vector<Run>& old) {
+  const auto take = [&](auto run) {
+    runs_.push_back(std::move(*run));
+    old.erase(run);
+  };
+  const auto begins_so = [&](const Run& run) { return run.live.setup().method == plan.start; };
+  const auto same = std::find_if(old.begin(), old.end(), [&](const Run& run) {
+    const std::vector<RunEdit>& edits = run.live.setup().edits;
+    return begins_so(run) &&
+           std::equal(edits.begin(), edits.end(), plan.edits.begin(), plan.edits.end(), is_same);
+  });
+  if (same != old.end()) return take(same);
+  for (auto run = old.begin(); run != old.end(); ++run) {
+    if (begins_so(*run) && run->live.take_edits(plan.edits)) return take(run);
+  }
+  begin_run(std::move(plan));
 }
 
 // s, of the first run: its time, or the time to which it is being replayed.

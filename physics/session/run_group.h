@@ -17,7 +17,7 @@ namespace carom {
 
 // Several runs of one preset side by side, each under its own method. The one farthest behind steps first; an
 // edit is applied when its run has come to the edit's time. Edits can be undone and redone: the runs that
-// change are replayed from t = 0, as if the edit had never been made.
+// change are replayed from the last key frame before it, as if the edit had never been made.
 //
 // First load(), then begin(). A step throws StepInterrupted once the token of begin() is requested: call
 // interrupt() then. The runs are unusable until the next begin(), and edits do nothing until then. One thread
@@ -114,6 +114,7 @@ class RunGroup {
   [[nodiscard]] static RunPlan plan_of(const Run& run);
   [[nodiscard]] Plan plan() const;
   void record_all();
+  void take_plan(RunPlan plan, std::vector<Run>& old);
   void restore(const Plan& plan, const Preset& start, ReferenceId reference);
   void begin_run(RunPlan plan);
   [[nodiscard]] double displayed_time() const;

@@ -18,10 +18,12 @@ using Clock = Pace::Clock;
 
 // Shortest time between frames; a window polls at 60 Hz.
 constexpr std::chrono::milliseconds kFramePeriod{8};
+// A replay that lasts no longer shows its end alone.
+constexpr std::chrono::milliseconds kShortReplay{60};
 
 // Consecutive rows of the same curves become one table.
 void append(Rows rows, std::vector<Rows>& all) {
-  if (all.empty() || all.back().curves != rows.curves || rows.from_the_start) {
+  if (all.empty() || all.back().curves != rows.curves || rows.from_the_start || rows.back_to) {
     all.push_back(std::move(rows));
     return;
   }
@@ -52,8 +54,9 @@ struct Worker::Session {
   Pace pace{Clock::now()};
   bool playing = false;
   bool full_speed = false;
-  double end = 0.0;                                // s; a playing run stops here
-  bool changed = false;                            // how it plays, since the last frames
+  double end = 0.0;      // s; a playing run stops here
+  bool changed = false;  // how it plays, since the last frames
+  Clock::time_point replay_began{};
   std::vector<std::shared_ptr<const Frame>> last;  // published
 };
 
@@ -177,11 +180,30 @@ Worker::EditId Worker::edit_scene(const SceneEdits& edits) {
 }
 
 void Worker::undo(EditId edit, const Preset& start, ReferenceId reference) {
-  post([=](Session& session) { session.runs.undo(edit, start, reference); }, Command::When::kAtOnce);
+  post_replay([=](RunGroup& runs) { runs.undo(edit, start, reference); });
 }
 
 void Worker::redo(EditId edit, const Preset& start, ReferenceId reference) {
-  post([=](Session& session) { session.runs.redo(edit, start, reference); }, Command::When::kAtOnce);
+  post_replay([=](RunGroup& runs) { runs.redo(edit, start, reference); });
+}
+
+void Worker::post_replay(const std::function<void(RunGroup&)>& command) {
+  post(
+      [command](Session& session) {
+        if (!session.runs.replay_until()) session.replay_began = Clock::now();
+        command(session.runs);
+      },
+      Command::When::kAtOnce);
+}
+
+void Worker::end_replay() {
+  post(
+      [](Session& session) {
+        session.runs.end_replay();
+        session.playing = false;
+        session.changed = true;
+      },
+      Command::When::kAtOnce);
 }
 
 void Worker::run_until(double time) {
@@ -245,6 +267,11 @@ void Worker::publish(Session& session) {
     Frame& frame = **same;
     std::swap(frame.rows, before->rows);
     for (Rows& rows : before->rows) append(std::move(rows), frame.rows);
+    if (frame.back_to) {
+      const double time = *frame.back_to;
+      std::erase_if(before->impacts, [time](const ImpactRecord& impact) { return impact.time > time; });
+    }
+    if (before->back_to) frame.back_to = std::min(*before->back_to, frame.back_to.value_or(*before->back_to));
     std::swap(frame.impacts, before->impacts);
     frame.impacts.insert(frame.impacts.end(), before->impacts.begin(), before->impacts.end());
   }
@@ -266,6 +293,7 @@ void Worker::publish_failure(Session& session, const std::string& why) {
     auto frame = std::make_shared<Frame>(*last);
     frame->rows.clear();
     frame->impacts.clear();
+    frame->back_to.reset();
     frames.push_back(std::move(frame));
   }
   if (frames.empty()) frames.push_back(session.runs.empty_frame());
@@ -310,7 +338,7 @@ void Worker::work(const std::stop_token& stop, const Preset& first, const std::v
   while (!stop.stop_requested()) {
     try {
       carry_out(session, commands);
-      if (session.changed || session.runs.changed()) publish(session);
+      if (is_worth_a_frame(session)) publish(session);
       wait_for_work(stop, session, commands);
       carry_out(session, commands);
       if (!session.runs.interrupted()) advance(stop, session);
@@ -322,6 +350,11 @@ void Worker::work(const std::stop_token& stop, const Preset& first, const std::v
       fails(std::string("stopped by an error of the program: ") + error.what());
     }
   }
+}
+
+bool Worker::is_worth_a_frame(const Session& session) {
+  if (session.runs.replay_until() && Clock::now() - session.replay_began < kShortReplay) return false;
+  return session.changed || session.runs.changed();
 }
 
 // Until there are commands, or the runs have something to do; takes the commands.

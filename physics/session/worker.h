@@ -31,9 +31,10 @@ namespace carom {
 // its frames (Frame::lost); playing then stops. Playing also stops if the thread runs out of memory or has
 // any other error: then all runs stay until the next load or restart.
 //
-// Edits of the runs can be undone, the last first, and redone: the runs that change are replayed from t = 0
-// to the present moment at full speed, as if the edit had never been made (Frame::replay_until). After a
-// restart since the edit they are those of the start that undo() and redo() name.
+// Edits of the runs can be undone, the last first, and redone: the runs that change go back to the last key
+// frame before it and are replayed to the present moment at full speed, as if the edit had never been made
+// (Frame::replay_until). A short replay is not shown. After a restart since the edit the runs are those of the
+// start that undo() and redo() name.
 class Worker {
  public:
   // Identifies an edit of the runs since the last load.
@@ -67,6 +68,7 @@ class Worker {
   // start from, and `reference` is the one to use.
   void undo(EditId edit, const Preset& start, ReferenceId reference);
   void redo(EditId edit, const Preset& start, ReferenceId reference);
+  void end_replay();            // stays at the moment that is reached
   void run_until(double time);  // at full speed, then stops; publishes frames on the way
   // Sets the curves to record from now on. Those that were not recorded before come from the start on: the
   // run waits while it is replayed.
@@ -97,12 +99,14 @@ class Worker {
   void post_to_runs(const std::function<void(Session&)>& command);
   // Also saves the state of the runs before, so that the edit can be undone.
   EditId post_edit(const std::function<void(RunGroup&, EditId)>& command, EditId part_of = 0);
+  void post_replay(const std::function<void(RunGroup&)>& command);
   // Interrupts the step under way; all runs begin after the command.
   void post_begin(const std::function<void(RunGroup&)>& command);
   void work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,
             std::stop_token interrupt);
   void wait_for_work(const std::stop_token& stop, const Session& session, std::vector<Command>& commands);
   static void advance(const std::stop_token& stop, Session& session);
+  [[nodiscard]] static bool is_worth_a_frame(const Session& session);
   static void carry_out(Session& session, std::vector<Command>& commands);
   void publish(Session& session);
   void publish_failure(Session& session, const std::string& why);

@@ -16,6 +16,12 @@ std::vector<Body> all_bodies(const RunSetup& setup) {
   return bodies;
 }
 
+bool is_due(const RunEdit& edit, double time, double step) {
+  const double rounding = 1e-9 * step;
+  return std::holds_alternative<Method>(edit.what) ? edit.time + rounding < time + step
+                                                   : edit.time <= time + rounding;
+}
+
 bool state_belongs(const Scene& scene, const std::optional<SavedRun>& saved) {
   return saved && saved->fingerprint != 0 && saved->fingerprint == fingerprint(scene, saved->time);
 }

@@ -25,7 +25,7 @@ struct SavedRun {
   std::shared_ptr<const Checkpoint> checkpoint{};
 };
 
-// A change of a run at `time` (see Simulation::is_due()): another method from there on, or another scene. In a
+// A change of a run at `time` (see is_due()): another method from there on, or another scene. In a
 // run a replaced body keeps its place and motion, a replaced joint without a length or an angle those that it
 // has; edits of generators concern the next start alone.
 struct RunEdit {
@@ -34,6 +34,14 @@ struct RunEdit {
   std::variant<Method, SceneEdits> what;
 };
 
+// Whether an edit is applied at `time` (s), the end of a step, in a run whose next step lasts `step` (s): a
+// scene changes at the first end of a step that is not before the edit's time; a method at the last one that is
+// not after it, so that it holds at once in a run that is on its way there.
+[[nodiscard]] bool is_due(const RunEdit& edit, double time, double step);
+// Whether both are one edit of a session, at one time.
+[[nodiscard]] inline bool is_same(const RunEdit& a, const RunEdit& b) {
+  return a.id == b.id && a.time == b.time;
+}
 [[nodiscard]] inline bool is_earlier(const RunEdit& a, const RunEdit& b) { return a.time < b.time; }
 
 // A complete description of a run: what a simulation starts from, and its edits. The same setup gives the same

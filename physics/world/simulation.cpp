@@ -64,13 +64,6 @@ void Simulation::set_edits(std::vector<RunEdit> edits) {
   edits_ = std::make_shared<const std::vector<RunEdit>>(std::move(edits));
 }
 
-bool Simulation::is_due(const RunEdit& edit) const {
-  const double step = method().step;
-  const double rounding = 1e-9 * step;
-  return std::holds_alternative<Method>(edit.what) ? edit.time + rounding < time() + step
-                                                   : edit.time <= time() + rounding;
-}
-
 const RunEdit* Simulation::due() const {
   if (lost_ || edits_applied_ >= edits_->size()) return nullptr;
   const RunEdit& next = (*edits_)[edits_applied_];

@@ -110,9 +110,7 @@ class Simulation {
   // Changes the scene now (see RunEdit); the energy and momenta that this brings count as the user's. The scene
   // must be valid afterwards (apply_edit.cpp).
   void apply(const SceneEdits& edits);
-  // A scene changes at the first end of a step that is not before the edit's time; a method at the last one
-  // that is not after it, so that it holds at once in a run that is on its way there.
-  [[nodiscard]] bool is_due(const RunEdit& edit) const;
+  [[nodiscard]] bool is_due(const RunEdit& edit) const { return carom::is_due(edit, time(), method().step); }
   // The next edit of the setup, if it is due at this moment; else nullptr. The next step begins with all of
   // them.
   [[nodiscard]] const RunEdit* due() const;

@@ -99,7 +99,12 @@ class ImpactsModel : public FigureModel {
   void set(const Frame& frame, const Recorder& recorder) {
     const Ring<ImpactRecord>& all = recorder.impacts();
     const std::size_t count = std::min<std::size_t>(all.size(), ImpactsTable::kMostRows);
-    if (frame.run == run_ && frame.impact_count == impact_count_ && count == impacts_.size()) return;
+    // A run that went back may have as many impacts as before.
+    const bool same_newest = count > 0 && !impacts_.empty() && impacts_.front().time == all.back().time &&
+                             impacts_.front().normal_impulse == all.back().normal_impulse;
+    if (frame.run == run_ && frame.impact_count == impact_count_ && count == impacts_.size() &&
+        (count == 0 || same_newest))
+      return;
     run_ = frame.run;
     impact_count_ = frame.impact_count;
     bodies_ = frame.bodies;

@@ -135,6 +135,52 @@ TEST(Series, EveryWindowHasItsExtremes) {
   }
 }
 
+// Cut and continued many times it reads as what is left. Where a cut leaves all newest points behind, the last
+// bucket of a level may have lost an extreme, but nothing is out of order or from after the cut.
+TEST(Series, IsCutAndContinued) {
+  std::mt19937_64 random(5);
+  const auto draw = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
+  for (const bool deep : {false, true}) {
+    Series<1> series;
+    Points all;
+    const auto append = [&](int count) {
+      for (int i = 0; i < count; ++i) {
+        all.push_back({static_cast<double>(all.size()), {draw()}});
+        series.append(all.back());
+      }
+    };
+    append(deep ? 1'200'000 : 300'000);
+    for (int k = 0; k < 40; ++k) {
+      const double share = deep ? draw() : 1.0 - draw() * 20'000 / static_cast<double>(all.size());
+      const auto left = static_cast<std::size_t>(share * static_cast<double>(all.size()));
+      series.cut(static_cast<double>(left) - 0.5);
+      all.resize(left);
+      append(static_cast<int>(50'000 * draw()));
+      for (int n = 0; n < 10; ++n) {
+        const auto from = static_cast<std::size_t>(draw() * static_cast<double>(all.size()));
+        Points read;
+        series.read(static_cast<double>(from), 1e9, read);
+        ASSERT_TRUE(in_order(read));
+        for (const SeriesPoint<1>& p : read) {
+          ASSERT_LT(p.at, static_cast<double>(all.size()));
+          ASSERT_EQ(p, all[static_cast<std::size_t>(p.at)]);
+        }
+        if (deep || read.empty()) continue;
+        const auto less = [](const auto& a, const auto& b) { return a.value[0] < b.value[0]; };
+        const auto [least, largest] =
+            std::minmax_element(all.begin() + static_cast<std::ptrdiff_t>(from), all.end(), less);
+        ASSERT_TRUE(holds(read, least->at, least->value[0])) << k;
+        ASSERT_TRUE(holds(read, largest->at, largest->value[0])) << k;
+      }
+    }
+    series.cut(-1.0);
+    Points read;
+    series.read(-1.0, 1e9, read);
+    EXPECT_TRUE(read.empty());
+    EXPECT_EQ(series.at(1e9), nullptr);
+  }
+}
+
 // Paths keep pairs together.
 TEST(Series, PointsOfAPathStayTogether) {
   Series<2> path;

@@ -124,6 +124,54 @@ TEST_F(WorkerUndo, ABodyIsTakenBackFromAllRunsAndPutBack) {
   EXPECT_EQ(moment(1), with[1]);
 }
 
+// More edits than key frames at edits are kept: the first is taken back from a key frame before it. Key frames,
+// curves and impacts of what was taken back are gone.
+TEST_F(WorkerUndo, TheFirstOfManyIsTakenBackFromAKeyFrame) {
+  run_to(6.0);
+  const Moment never = moment(0);
+  const std::size_t impacts = recorders_[0].impacts().size();
+  worker_.restart(gas());
+  run_to(3.0);
+  std::vector<Worker::EditId> edits;
+  for (std::size_t k = 0; k <= KeyFrames::kMostAtEdits; ++k) {
+    Method method = gas().method;
+    method.step = k % 2 == 0 ? 0.004 : 0.003;
+    edits.push_back(worker_.set_method(method));
+    run_to(3.0 + 0.1 * static_cast<double>(k + 1));
+  }
+  run_to(6.0);
+  const Moment with = moment(0);
+  const std::uint64_t run = frames_[0]->run;
+  for (std::size_t k = edits.size(); k-- > 0;) worker_.undo(edits[k], gas(), ReferenceId::kNone);
+  ASSERT_TRUE(wait_for_edits(0, 0));
+  run_to(6.0);
+  EXPECT_EQ(moment(0), never);
+  EXPECT_EQ(frames_[0]->run, run) << "the run goes back, and is no new one";
+  EXPECT_EQ(recorders_[0].impacts().size(), impacts);
+  for (const Worker::EditId edit : edits) worker_.redo(edit, gas(), ReferenceId::kNone);
+  ASSERT_TRUE(wait_for_edits(0, edits.size()));
+  run_to(6.0);
+  EXPECT_EQ(moment(0), with);
+}
+
+// A replay that is ended stays where it is, and plays on from there.
+TEST_F(WorkerUndo, AReplayCanBeEnded) {
+  run_to(0.5);
+  const Worker::EditId edit = worker_.set_method(kVerlet);
+  run_to(1.0);
+  worker_.undo(edit, gas(), ReferenceId::kNone);
+  worker_.end_replay();
+  ASSERT_TRUE(wait_for_edits(0, 0));
+  EXPECT_NEAR(frames_[0]->time, 0.5, 1e-9);
+  EXPECT_FALSE(frames_[0]->playing);
+  EXPECT_EQ(moment(0).times.back(), frames_[0]->time);
+  run_to(1.0);
+  const Moment after = moment(0);
+  worker_.restart(gas());
+  run_to(1.0);
+  EXPECT_EQ(after, moment(0));
+}
+
 // The second is asked for while the first is under way.
 TEST_F(WorkerUndo, SeveralAreTakenBackInARow) {
   run_to(1.0);
