@@ -25,10 +25,10 @@ struct Library {
 };
 const std::array<Library, 3> kLibraries = {
     {{"physics",
-      {"math", "scene", "files", "model", "dynamics", "collision", "impact", "contact", "world", "observe",
-       "compare", "record", "preset", "check", "study", "session", "stress"}},
-     {"widgets", {"theme", "print", "scene", "plot", "compare", "run"}},
-     {"app", {"export", "help", "lab", "cli"}}}};
+      {"math", "scene", "files", "model", "dynamics", "collision", "impact", "contact", "ledger", "step", "run",
+       "observe", "compare", "record", "preset", "check", "study", "worker", "stress"}},
+     {"widgets", {"theme", "base", "print", "scene", "plot", "compare", "run"}},
+     {"app", {"export", "help", "library", "lab", "cli"}}}};
 
 // The room's place in the order of all of them; -1: none, the file stands beside the rooms or isn't ours.
 int place_of(const fs::path& file) {

@@ -9,7 +9,7 @@
 #include "app/cli/options.h"
 #include "app/cli/standard_output.h"
 #include "app/cli/text_table.h"
-#include "app/lab/preset_library.h"
+#include "app/library/preset_library.h"
 #include "physics/check/check.h"
 #include "physics/files/csv.h"
 #include "physics/files/output_file.h"

@@ -8,7 +8,7 @@
 #include "app/cli/options.h"
 #include "app/cli/standard_output.h"
 #include "app/export/film.h"
-#include "app/lab/preset_library.h"
+#include "app/library/preset_library.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
 

@@ -8,7 +8,7 @@
 #include "app/cli/standard_output.h"
 #include "app/lab/autosave.h"
 #include "app/lab/lab_window.h"
-#include "app/lab/preset_library.h"
+#include "app/library/preset_library.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/plain_text.h"
 

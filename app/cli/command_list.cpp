@@ -4,7 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/standard_output.h"
-#include "app/lab/preset_library.h"
+#include "app/library/preset_library.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/plain_text.h"

@@ -10,7 +10,7 @@
 #include "app/cli/no_screen.h"
 #include "app/cli/options.h"
 #include "app/lab/lab_window.h"
-#include "app/lab/preset_library.h"
+#include "app/library/preset_library.h"
 #include "physics/files/output_file.h"
 #include "physics/preset/preset.h"
 #include "physics/record/frame.h"

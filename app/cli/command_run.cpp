@@ -8,11 +8,11 @@
 #include "app/cli/standard_output.h"
 #include "app/export/run_files.h"
 #include "app/export/run_report.h"
-#include "app/lab/preset_library.h"
+#include "app/library/preset_library.h"
 #include "physics/files/output_file.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
-#include "physics/world/simulation.h"
+#include "physics/run/simulation.h"
 
 namespace carom {
 namespace {

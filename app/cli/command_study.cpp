@@ -13,7 +13,7 @@
 #include "app/cli/no_screen.h"
 #include "app/cli/options.h"
 #include "app/cli/standard_output.h"
-#include "app/lab/preset_library.h"
+#include "app/library/preset_library.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/files/output_file.h"
 #include "physics/preset/preset.h"

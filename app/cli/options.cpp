@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <fmt/format.h>
 
-#include "app/lab/preset_library.h"
+#include "app/library/preset_library.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/facts.h"

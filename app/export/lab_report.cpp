@@ -8,12 +8,12 @@
 #include "physics/model/needs.h"
 #include "physics/preset/preset.h"
 #include "physics/record/frame.h"
+#include "widgets/base/figure_table.h"
+#include "widgets/base/method_names.h"
+#include "widgets/base/number_text.h"
 #include "widgets/plot/plot_export.h"
 #include "widgets/plot/run_plot.h"
 #include "widgets/print/print_blocks.h"
-#include "widgets/theme/figure_table.h"
-#include "widgets/theme/method_names.h"
-#include "widgets/theme/number_text.h"
 
 namespace carom {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "physics/files/csv.h"
-#include "physics/world/ledger_entries.h"
+#include "physics/ledger/ledger_entries.h"
 
 namespace carom {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "physics/observe/quantity.h"
-#include "physics/world/simulation.h"
+#include "physics/run/simulation.h"
 
 namespace carom {
 

@@ -12,7 +12,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "widgets/theme/ask.h"
+#include "widgets/base/ask.h"
 
 namespace carom {
 namespace {

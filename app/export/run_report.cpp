@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/ledger/ledger_entries.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/plain_text.h"
-#include "physics/world/ledger_entries.h"
 
 namespace carom {
 namespace {

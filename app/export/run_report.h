@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "physics/preset/preset.h"
-#include "physics/world/simulation.h"
+#include "physics/run/simulation.h"
 
 namespace carom {
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/lab/preset_library.h"
 #include "app/lab/session.h"
+#include "app/library/preset_library.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
-#include "widgets/theme/ask.h"
+#include "widgets/base/ask.h"
 
 namespace carom {
 

@@ -6,7 +6,7 @@
 
 #include "physics/compare/reference.h"
 #include "physics/preset/preset.h"
-#include "physics/session/worker.h"
+#include "physics/worker/worker.h"
 
 namespace carom {
 

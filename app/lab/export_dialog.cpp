@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/theme/plain_text.h"
+#include "widgets/base/plain_text.h"
 
 namespace carom {
 

@@ -13,9 +13,9 @@
 #include <QSpinBox>
 
 #include "physics/scene/validate.h"
-#include "widgets/theme/ask.h"
-#include "widgets/theme/number_text.h"
-#include "widgets/theme/plain_text.h"
+#include "widgets/base/ask.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/plain_text.h"
 
 namespace carom {
 namespace {

@@ -24,16 +24,16 @@
 #include "app/lab/session.h"
 #include "physics/files/output_file.h"
 #include "physics/preset/preset_file.h"
+#include "physics/run/simulation.h"
 #include "physics/scene/validate.h"
-#include "physics/world/simulation.h"
+#include "widgets/base/ask.h"
+#include "widgets/base/method_names.h"
 #include "widgets/plot/plot_export.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/run_plot.h"
 #include "widgets/run/ledger_table.h"
 #include "widgets/run/run_tables.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/theme/ask.h"
-#include "widgets/theme/method_names.h"
 
 namespace carom {
 namespace {

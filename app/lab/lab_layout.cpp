@@ -10,9 +10,10 @@
 
 #include "app/lab/document_files.h"
 #include "app/lab/lab_window.h"
-#include "app/lab/library_items.h"
 #include "app/lab/notice_bar.h"
+#include "app/library/library_items.h"
 #include "physics/scene/validate.h"
+#include "widgets/base/ask.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/study_panel.h"
 #include "widgets/plot/plot_panel.h"
@@ -22,7 +23,6 @@
 #include "widgets/run/run_tables.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/theme/ask.h"
 
 // The layout of the lab's window.
 namespace carom {

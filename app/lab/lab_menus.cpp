@@ -11,9 +11,9 @@
 #include "app/lab/lab_exports.h"
 #include "app/lab/lab_window.h"
 #include "app/lab/method_bar.h"
+#include "widgets/base/ask.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/theme/ask.h"
 
 // The menus and the tool bar of the lab's window.
 namespace carom {

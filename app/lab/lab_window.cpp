@@ -9,12 +9,15 @@
 
 #include "app/lab/document_files.h"
 #include "app/lab/lab_exports.h"
-#include "app/lab/library_items.h"
 #include "app/lab/method_bar.h"
 #include "app/lab/notice_bar.h"
 #include "app/lab/scene_chips.h"
 #include "app/lab/work_recovery.h"
+#include "app/library/library_items.h"
 #include "physics/scene/validate.h"
+#include "widgets/base/ask.h"
+#include "widgets/base/method_names.h"
+#include "widgets/base/plain_text.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/study_panel.h"
 #include "widgets/plot/plot_panel.h"
@@ -24,9 +27,6 @@
 #include "widgets/run/run_tables.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/theme/ask.h"
-#include "widgets/theme/method_names.h"
-#include "widgets/theme/plain_text.h"
 
 // The layout is in lab_layout.cpp, the menus are in lab_menus.cpp; this file has the window's actions.
 namespace carom {

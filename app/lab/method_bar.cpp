@@ -12,10 +12,10 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/validate.h"
-#include "widgets/theme/ask.h"
-#include "widgets/theme/method_names.h"
-#include "widgets/theme/number_text.h"
-#include "widgets/theme/plain_text.h"
+#include "widgets/base/ask.h"
+#include "widgets/base/method_names.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/plain_text.h"
 
 namespace carom {
 namespace {

@@ -4,7 +4,7 @@
 #include <QKeyEvent>
 #include <QPushButton>
 
-#include "widgets/theme/plain_text.h"
+#include "widgets/base/plain_text.h"
 
 namespace carom {
 

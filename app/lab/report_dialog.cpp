@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "physics/scene/validate.h"
-#include "widgets/theme/plain_text.h"
-#include "widgets/theme/plain_text_edit.h"
+#include "widgets/base/plain_text.h"
+#include "widgets/base/plain_text_edit.h"
 
 namespace carom {
 

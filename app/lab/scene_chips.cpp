@@ -7,9 +7,9 @@
 
 #include "app/lab/session.h"
 #include "physics/model/needs.h"
+#include "widgets/base/plain_text.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
-#include "widgets/theme/plain_text.h"
 
 namespace carom {
 namespace {

@@ -13,7 +13,7 @@
 #include "app/lab/edits.h"
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
-#include "physics/session/worker.h"
+#include "physics/worker/worker.h"
 
 namespace carom {
 

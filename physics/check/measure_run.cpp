@@ -12,7 +12,7 @@
 #include "physics/observe/observables.h"
 #include "physics/observe/quantity.h"
 #include "physics/preset/preset.h"
-#include "physics/world/simulation.h"
+#include "physics/run/simulation.h"
 
 namespace carom {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ctime>
 
-#include "physics/world/simulation.h"
+#include "physics/run/simulation.h"
 
 namespace carom {
 namespace {

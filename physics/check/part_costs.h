@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "physics/model/needs.h"
-#include "physics/world/run_setup.h"
+#include "physics/run/run_setup.h"
 
 namespace carom {
 

@@ -9,7 +9,7 @@
 #include "physics/math/cancelled.h"
 #include "physics/math/least_squares.h"
 #include "physics/math/parallel.h"
-#include "physics/world/run_setup.h"
+#include "physics/run/run_setup.h"
 
 namespace carom {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "physics/compare/comparison.h"
-#include "physics/world/run_setup.h"
+#include "physics/run/run_setup.h"
 
 namespace carom {
 

@@ -8,7 +8,7 @@
 #include "physics/compare/impact_matcher.h"
 #include "physics/math/cancelled.h"
 #include "physics/math/least_squares.h"
-#include "physics/world/run_setup.h"
+#include "physics/run/run_setup.h"
 
 namespace carom {
 namespace {

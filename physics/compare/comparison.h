@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/world/simulation.h"
+#include "physics/run/simulation.h"
 
 namespace carom {
 

@@ -6,8 +6,8 @@
 
 #include "physics/compare/comparison.h"
 #include "physics/model/needs.h"
+#include "physics/run/run_setup.h"
 #include "physics/scene/facts.h"
-#include "physics/world/run_setup.h"
 
 namespace carom {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "physics/compare/chaos.h"
 #include "physics/compare/comparison.h"
+#include "physics/run/run_setup.h"
 #include "physics/scene/facts.h"
-#include "physics/world/run_setup.h"
 
 namespace carom {
 

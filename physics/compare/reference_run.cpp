@@ -6,7 +6,7 @@
 #include "physics/compare/chaos.h"
 #include "physics/compare/comparison.h"
 #include "physics/model/needs.h"
-#include "physics/world/run_setup.h"
+#include "physics/run/run_setup.h"
 
 namespace carom {
 namespace {

@@ -8,8 +8,8 @@
 #include "physics/compare/impact_matcher.h"
 #include "physics/compare/reference.h"
 #include "physics/observe/observables.h"
-#include "physics/world/run_setup.h"
-#include "physics/world/simulation.h"
+#include "physics/run/run_setup.h"
+#include "physics/run/simulation.h"
 
 namespace carom {
 

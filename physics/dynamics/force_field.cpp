@@ -65,14 +65,14 @@ void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, 
   if constexpr (kSprings) {
     for (const int i : terms_->outside[body]) {
       if (engaged_[i] == 0) continue;
-      const SpringTerm& joint = terms_->springs[i];
-      Vec2 end = joint.anchor;
+      const SpringTerm& term = terms_->springs[i];
+      Vec2 end = term.anchor;
       Vec2 end_velocity = Vec2::Zero();
-      if (joint.drive >= 0) {
-        end = drive_position(model_->drive(joint.drive), joint.anchor, t);
-        end_velocity = drive_velocity(model_->drive(joint.drive), t);
+      if (term.drive >= 0) {
+        end = drive_position(model_->drive(term.drive), term.anchor, t);
+        end_velocity = drive_velocity(model_->drive(term.drive), t);
       }
-      const Pull p = pull(joint, x - end, v - end_velocity);
+      const Pull p = pull(term, x - end, v - end_velocity);
       force += p.force;
       quadratures[kDamperLoss] += p.loss;
       // Work of the drive: it becomes kinetic energy, spring energy and the damper's loss.
@@ -116,13 +116,13 @@ void ForceField::add_couplings(std::span<const int> members, const Motions& y, M
   const int n = static_cast<int>(members.size());
   for (int i = 0; i < n && !terms_->between.empty(); ++i) {
     for (const int s : terms_->between[members[i]]) {
-      const SpringTerm& joint = terms_->springs[s];
-      if (joint.body != members[i] || engaged_[s] == 0) continue;
-      const auto j = column_of(joint.other);
+      const SpringTerm& term = terms_->springs[s];
+      if (term.body != members[i] || engaged_[s] == 0) continue;
+      const auto j = column_of(term.other);
       const Pull p =
-          pull(joint, y.col(i).head<2>() - y.col(j).head<2>(), y.col(i).segment<2>(3) - y.col(j).segment<2>(3));
-      k.col(i).segment<2>(3) += model_->mass.inverse_mass[joint.body] * p.force;
-      k.col(j).segment<2>(3) -= model_->mass.inverse_mass[joint.other] * p.force;
+          pull(term, y.col(i).head<2>() - y.col(j).head<2>(), y.col(i).segment<2>(3) - y.col(j).segment<2>(3));
+      k.col(i).segment<2>(3) += model_->mass.inverse_mass[term.body] * p.force;
+      k.col(j).segment<2>(3) -= model_->mass.inverse_mass[term.other] * p.force;
       k(6 + kDamperLoss, i) += p.loss;
     }
   }
@@ -191,11 +191,11 @@ double ForceField::spring_energy(int spring, double length) const {
 }
 
 double ForceField::coupling_energy(int spring, const Eigen::Matrix3Xd& q) const {
-  const SpringTerm& joint = terms_->springs[spring];
-  Vec2 end = joint.anchor;
-  if (joint.drive >= 0) end = q.col(joint.drive).head<2>();
-  if (joint.other >= 0) end = q.col(joint.other).head<2>();
-  return spring_energy(spring, (q.col(joint.body).head<2>() - end).norm());
+  const SpringTerm& term = terms_->springs[spring];
+  Vec2 end = term.anchor;
+  if (term.drive >= 0) end = q.col(term.drive).head<2>();
+  if (term.other >= 0) end = q.col(term.other).head<2>();
+  return spring_energy(spring, (q.col(term.body).head<2>() - end).norm());
 }
 
 double ForceField::attraction_energy(int a, int b, const Vec2& d) const {
@@ -229,10 +229,10 @@ double ForceField::potential_energy_of(int body, const Vec2& position, const Eig
   for (const auto* lists : {&terms_->outside, &terms_->between}) {
     if (lists->empty()) break;
     for (const int s : (*lists)[body]) {
-      const SpringTerm& joint = terms_->springs[s];
-      Vec2 end = joint.anchor;
-      if (joint.drive >= 0) end = q.col(joint.drive).head<2>();
-      if (joint.other >= 0) end = q.col(joint.other == body ? joint.body : joint.other).head<2>();
+      const SpringTerm& term = terms_->springs[s];
+      Vec2 end = term.anchor;
+      if (term.drive >= 0) end = q.col(term.drive).head<2>();
+      if (term.other >= 0) end = q.col(term.other == body ? term.body : term.other).head<2>();
       energy += spring_energy(s, (position - end).norm());
     }
   }
@@ -271,24 +271,24 @@ void ForceField::set_phase(int body, double t) {
 }
 
 Motion ForceField::spring_end(int spring, double t) const {
-  const SpringTerm& joint = terms_->springs[spring];
+  const SpringTerm& term = terms_->springs[spring];
   Motion end = Motion::Zero();
-  end.head<2>() = joint.anchor;
-  if (joint.drive >= 0) {
-    end.head<2>() = drive_position(model_->drive(joint.drive), joint.anchor, t);
-    end.segment<2>(3) = drive_velocity(model_->drive(joint.drive), t);
+  end.head<2>() = term.anchor;
+  if (term.drive >= 0) {
+    end.head<2>() = drive_position(model_->drive(term.drive), term.anchor, t);
+    end.segment<2>(3) = drive_velocity(model_->drive(term.drive), t);
   }
   return end;
 }
 
 double ForceField::switch_margin(int spring, const Motion& body, const Motion& other) const {
-  const SpringTerm& joint = terms_->springs[spring];
+  const SpringTerm& term = terms_->springs[spring];
   const Vec2 d = body.head<2>() - other.head<2>();
   const double length = d.norm();
-  const double stretch = length - joint.rest_length;
+  const double stretch = length - term.rest_length;
   const double rate = length > 0.0 ? d.dot(body.segment<2>(3) - other.segment<2>(3)) / length : 0.0;
-  const double tension = joint.stiffness * stretch + joint.damping * rate;  // N, pulls if positive
-  switch (joint.acts) {
+  const double tension = term.stiffness * stretch + term.damping * rate;  // N, pulls if positive
+  switch (term.acts) {
     case SpringActs::kBoth:
       return 1.0;
     case SpringActs::kPush:

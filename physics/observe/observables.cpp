@@ -8,7 +8,7 @@
 
 #include "physics/collision/approach.h"
 #include "physics/collision/broad_phase.h"
-#include "physics/world/ledger_entries.h"
+#include "physics/ledger/ledger_entries.h"
 
 namespace carom {
 namespace {

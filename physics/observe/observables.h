@@ -6,13 +6,13 @@
 #include <string_view>
 
 #include "physics/dynamics/state.h"
+#include "physics/ledger/impact_counts.h"
+#include "physics/ledger/ledger.h"
+#include "physics/ledger/totals.h"
 #include "physics/model/geometry.h"
 #include "physics/model/mass.h"
-#include "physics/world/contact_force.h"
-#include "physics/world/impact_counts.h"
-#include "physics/world/ledger.h"
-#include "physics/world/simulation.h"
-#include "physics/world/totals.h"
+#include "physics/run/simulation.h"
+#include "physics/step/contact_force.h"
 
 namespace carom {
 

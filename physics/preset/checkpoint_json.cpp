@@ -6,10 +6,10 @@
 #include <limits>
 #include <numeric>
 
+#include "physics/ledger/ledger_entries.h"
 #include "physics/preset/sections_json.h"
-#include "physics/world/checkpoint.h"
-#include "physics/world/ledger_entries.h"
-#include "physics/world/simulation.h"
+#include "physics/run/checkpoint.h"
+#include "physics/run/simulation.h"
 
 namespace carom {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "physics/observe/quantity_name.h"
+#include "physics/run/run_setup.h"
 #include "physics/scene/method.h"
 #include "physics/scene/scene.h"
-#include "physics/world/run_setup.h"
 
 namespace carom {
 

@@ -10,12 +10,12 @@
 #include "physics/preset/preset_file.h"
 #include "physics/preset/preset_json.h"
 #include "physics/preset/sections_json.h"
+#include "physics/run/checkpoint.h"
+#include "physics/run/scene_now.h"
+#include "physics/run/simulation.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/range_check.h"
 #include "physics/scene/value_checks.h"
-#include "physics/world/checkpoint.h"
-#include "physics/world/scene_now.h"
-#include "physics/world/simulation.h"
 
 namespace carom {
 namespace {

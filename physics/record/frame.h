@@ -10,7 +10,7 @@
 
 #include "physics/record/replay.h"
 #include "physics/record/sampler.h"
-#include "physics/world/simulation.h"
+#include "physics/run/simulation.h"
 
 namespace carom {
 

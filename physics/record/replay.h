@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "physics/record/sampler.h"
-#include "physics/world/run_setup.h"
-#include "physics/world/run_state.h"
-#include "physics/world/simulation.h"
+#include "physics/run/run_setup.h"
+#include "physics/run/run_state.h"
+#include "physics/run/simulation.h"
 
 namespace carom {
 

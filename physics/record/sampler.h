@@ -11,9 +11,9 @@
 #include "physics/dynamics/state.h"
 #include "physics/observe/observables.h"
 #include "physics/observe/quantity.h"
+#include "physics/run/run_setup.h"
+#include "physics/run/simulation.h"
 #include "physics/scene/scene.h"
-#include "physics/world/run_setup.h"
-#include "physics/world/simulation.h"
 
 namespace carom {
 

@@ -15,7 +15,7 @@ enum class ImpactsId { kStepEnd, kLocated };
 enum class ContactsId { kImpulse, kLasting };
 
 // How a run is computed: three named choices and the step. See physics/dynamics/integrators/integrators.h and
-// physics/world/.
+// physics/step/.
 struct Method {
   IntegratorId integrator = IntegratorId::kRk4;
   ImpactsId impacts = ImpactsId::kLocated;

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/run/run_setup.h"
 #include "physics/stress/stress_scenes.h"
-#include "physics/world/run_setup.h"
 
 // Slopes at the limit of friction, rolling and sliding, a swinging table.
 namespace carom::stress {

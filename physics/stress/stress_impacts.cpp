@@ -2,8 +2,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "physics/run/run_setup.h"
 #include "physics/stress/stress_scenes.h"
-#include "physics/world/run_setup.h"
 
 // Impacts that are fast, many at once, or infinitely many.
 namespace carom::stress {

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <random>
 
+#include "physics/run/run_setup.h"
 #include "physics/stress/stress_scenes.h"
-#include "physics/world/run_setup.h"
 
 // Large islands: a pile, discs that start penetrating, discs of very different sizes, a gas.
 namespace carom::stress {

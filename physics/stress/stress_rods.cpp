@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "physics/run/run_setup.h"
 #include "physics/stress/stress_scenes.h"
-#include "physics/world/run_setup.h"
 
 // Rods: one whose tip jams on the floor, one that falls on it, a chain with a heavy end. Springs and drag.
 namespace carom::stress {

@@ -5,8 +5,8 @@
 
 #include "physics/collision/broad_phase.h"
 #include "physics/collision/pair_contact.h"
+#include "physics/run/run_setup.h"
 #include "physics/scene/shape.h"
-#include "physics/world/run_setup.h"
 
 namespace carom::stress {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "physics/run/simulation.h"
 #include "physics/scene/scene.h"
 #include "physics/stress/stress.h"
-#include "physics/world/simulation.h"
 
 // Tools of the cases to build scenes and read figures from runs.
 namespace carom::stress {

@@ -47,8 +47,10 @@ std::string hash_of(std::string_view text) {
 
 // Of what decides the rows: the scene and its clock, how long it runs, and the methods.
 std::string plan_id(const Preset& preset, const StudyOptions& options, const std::vector<Method>& methods) {
-  std::string text =
-      fmt::format("{} {}\n", fingerprint(preset.scene, start_time(preset.saved)), preset.duration);
+  Scene scene = preset.scene;
+  for (const RunEdit& edit : preset.edits) scene.bodies.push_back(added_body(edit));
+  std::string text = fmt::format("{} {}\n", fingerprint(scene, start_time(preset.saved)), preset.duration);
+  for (const RunEdit& edit : preset.edits) text += fmt::format("{}\n", edit.time);
   for (const Method& m : methods) {
     text += fmt::format("{} {} {} {} {}\n", static_cast<int>(m.integrator), static_cast<int>(m.impacts),
                         static_cast<int>(m.contacts), m.step, m.tolerance);

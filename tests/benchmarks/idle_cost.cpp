@@ -10,7 +10,7 @@
 #include "physics/model/needs.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
-#include "physics/world/simulation.h"
+#include "physics/run/simulation.h"
 #include "tests/support/scenes.h"
 
 // Cost of a part of the model with nothing to do, as the ratio of its CPU time to that of the trimmed run;

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "physics/preset/preset.h"
-#include "physics/world/simulation.h"
+#include "physics/run/simulation.h"
 
 // Common parts of the targets that run scenes.
 namespace carom::fuzz {

@@ -1,4 +1,4 @@
-#include "physics/world/simulation.h"
+#include "physics/run/simulation.h"
 
 #include "physics/preset/preset.h"
 #include "tests/fuzz/running.h"

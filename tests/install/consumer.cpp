@@ -1,6 +1,6 @@
 #include <cmath>
 #include <cstdio>
-#include <physics/world/simulation.h>
+#include <physics/run/simulation.h>
 
 int main() {
   carom::Scene scene;

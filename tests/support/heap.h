@@ -1,6 +1,6 @@
 #pragma once
 
-#include "physics/world/run_setup.h"
+#include "physics/run/run_setup.h"
 #include "tests/support/scenes.h"
 
 namespace carom::test {

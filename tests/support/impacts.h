@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "physics/world/simulation.h"
+#include "physics/run/simulation.h"
 
 namespace carom::test {
 

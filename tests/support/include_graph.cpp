@@ -11,8 +11,8 @@ using Path = IncludeGraph::Path;
 
 bool is_code(const Path& file) { return file.extension() == ".h" || file.extension() == ".cpp"; }
 
-// The folder of code that a file belongs to: physics/world for those of physics/world and of
-// tests/physics/world. Empty for what all tests share.
+// The folder of code that a file belongs to: physics/run for those of physics/run and of
+// tests/physics/run. Empty for what all tests share.
 Path room_of(const Path& file) {
   const Path folder = file.parent_path();
   if (*folder.begin() != "tests") return folder;

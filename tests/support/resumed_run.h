@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "physics/compare/chaos.h"
+#include "physics/ledger/ledger_entries.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "physics/run/checkpoint.h"
+#include "physics/run/run_state.h"
+#include "physics/run/simulation.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/validate.h"
-#include "physics/world/checkpoint.h"
-#include "physics/world/ledger_entries.h"
-#include "physics/world/run_state.h"
-#include "physics/world/simulation.h"
 
 // Compares a run with one that was kept and continued: through a file to rounding, in memory to the last bit.
 namespace carom::test {

@@ -7,7 +7,7 @@
 #include "physics/preset/preset.h"
 #include "physics/record/frame.h"
 #include "physics/record/recorder.h"
-#include "physics/world/simulation.h"
+#include "physics/run/simulation.h"
 
 namespace carom {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "physics/preset/preset.h"
+#include "physics/run/simulation.h"
 #include "physics/scene/scene.h"
-#include "physics/world/simulation.h"
 
 // Small scenes that the tests share.
 namespace carom::test {

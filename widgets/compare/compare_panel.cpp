@@ -22,10 +22,10 @@
 #include "physics/model/needs.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/facts.h"
+#include "widgets/base/method_names.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/plain_text.h"
 #include "widgets/compare/compare_table.h"
-#include "widgets/theme/method_names.h"
-#include "widgets/theme/number_text.h"
-#include "widgets/theme/plain_text.h"
 
 namespace carom {
 namespace {

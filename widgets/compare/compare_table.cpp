@@ -4,8 +4,8 @@
 #include <QPixmap>
 #include <cmath>
 
-#include "widgets/theme/method_names.h"
-#include "widgets/theme/plotted_run.h"
+#include "widgets/base/method_names.h"
+#include "widgets/base/plotted_run.h"
 
 namespace carom {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "physics/record/frame.h"
-#include "widgets/theme/figure_table.h"
+#include "widgets/base/figure_table.h"
 #include "widgets/theme/theme.h"
 
 namespace carom {

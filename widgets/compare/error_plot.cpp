@@ -15,7 +15,7 @@
 #include <qwt_symbol.h>
 #include <qwt_text.h>
 
-#include "widgets/theme/method_look.h"
+#include "widgets/base/method_look.h"
 
 namespace carom {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "physics/dynamics/integrators/integrators.h"
-#include "widgets/theme/method_look.h"
-#include "widgets/theme/method_names.h"
-#include "widgets/theme/number_text.h"
-#include "widgets/theme/plain_text.h"
+#include "widgets/base/method_look.h"
+#include "widgets/base/method_names.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/plain_text.h"
 
 namespace carom {
 namespace {

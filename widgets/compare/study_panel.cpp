@@ -18,16 +18,16 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/study/study_table.h"
+#include "widgets/base/ask.h"
+#include "widgets/base/elided_label.h"
+#include "widgets/base/method_names.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/plain_text.h"
 #include "widgets/compare/error_plot.h"
 #include "widgets/compare/log_scale.h"
 #include "widgets/compare/order_table.h"
 #include "widgets/compare/study_plot.h"
 #include "widgets/print/save_file.h"
-#include "widgets/theme/ask.h"
-#include "widgets/theme/elided_label.h"
-#include "widgets/theme/method_names.h"
-#include "widgets/theme/number_text.h"
-#include "widgets/theme/plain_text.h"
 
 namespace carom {
 namespace {

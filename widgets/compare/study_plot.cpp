@@ -8,11 +8,11 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/study/study_table.h"
+#include "widgets/base/method_look.h"
 #include "widgets/compare/error_plot.h"
 #include "widgets/plot/plot_render.h"
 #include "widgets/print/picture_file.h"
 #include "widgets/print/save_file.h"
-#include "widgets/theme/method_look.h"
 
 namespace carom {
 namespace {

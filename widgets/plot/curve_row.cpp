@@ -10,8 +10,8 @@
 
 #include "physics/observe/quantity_name.h"
 #include "physics/scene/limits.h"
+#include "widgets/base/plain_text.h"
 #include "widgets/plot/quantity_picker.h"
-#include "widgets/theme/plain_text.h"
 
 namespace carom {
 

@@ -7,9 +7,9 @@
 #include <qwt_plot_curve.h>
 #include <qwt_plot_histogram.h>
 
+#include "widgets/base/number_text.h"
 #include "widgets/plot/legend_button.h"
 #include "widgets/plot/smooth_curve.h"
-#include "widgets/theme/number_text.h"
 
 namespace carom {
 namespace {

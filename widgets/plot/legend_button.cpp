@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "widgets/theme/plain_text.h"
+#include "widgets/base/plain_text.h"
 
 namespace carom {
 namespace {

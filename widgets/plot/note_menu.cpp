@@ -11,8 +11,8 @@
 
 #include "physics/preset/preset.h"
 #include "physics/scene/limits.h"
+#include "widgets/base/ask.h"
 #include "widgets/plot/run_plot.h"
-#include "widgets/theme/ask.h"
 
 namespace carom {
 namespace {

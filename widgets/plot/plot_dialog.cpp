@@ -11,10 +11,10 @@
 
 #include "physics/observe/quantity_name.h"
 #include "physics/scene/validate.h"
+#include "widgets/base/plain_text.h"
 #include "widgets/plot/curve_row.h"
 #include "widgets/plot/plot_content.h"
 #include "widgets/plot/quantity_picker.h"
-#include "widgets/theme/plain_text.h"
 
 namespace carom {
 

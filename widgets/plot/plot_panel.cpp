@@ -12,6 +12,7 @@
 #include <qwt_plot.h>
 #include <utility>
 
+#include "widgets/base/ask.h"
 #include "widgets/plot/note_menu.h"
 #include "widgets/plot/plot_content.h"
 #include "widgets/plot/plot_dialog.h"
@@ -19,7 +20,6 @@
 #include "widgets/plot/plot_scale.h"
 #include "widgets/plot/run_plot.h"
 #include "widgets/plot/runs_legend.h"
-#include "widgets/theme/ask.h"
 
 namespace carom {
 

@@ -6,7 +6,7 @@
 #include <qwt_scale_engine.h>
 #include <qwt_text.h>
 
-#include "widgets/theme/number_text.h"
+#include "widgets/base/number_text.h"
 
 namespace carom {
 namespace {

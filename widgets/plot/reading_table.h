@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "widgets/base/figure_table.h"
+#include "widgets/base/plotted_run.h"
 #include "widgets/plot/plot_content.h"
-#include "widgets/theme/figure_table.h"
-#include "widgets/theme/plotted_run.h"
 
 namespace carom {
 

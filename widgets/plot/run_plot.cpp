@@ -17,6 +17,9 @@
 #include <qwt_text.h>
 
 #include "physics/preset/preset.h"
+#include "widgets/base/elided_label.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/plain_text.h"
 #include "widgets/plot/distribution.h"
 #include "widgets/plot/legend_button.h"
 #include "widgets/plot/legend_row.h"
@@ -28,9 +31,6 @@
 #include "widgets/plot/series_data.h"
 #include "widgets/plot/smooth_curve.h"
 #include "widgets/plot/zoom_box.h"
-#include "widgets/theme/elided_label.h"
-#include "widgets/theme/number_text.h"
-#include "widgets/theme/plain_text.h"
 
 namespace carom {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
+#include "widgets/base/plotted_run.h"
 #include "widgets/plot/plot_axes.h"
 #include "widgets/plot/plot_content.h"
-#include "widgets/theme/plotted_run.h"
 #include "widgets/theme/theme.h"
 
 class QLabel;

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "widgets/theme/plotted_run.h"
+#include "widgets/base/plotted_run.h"
 #include "widgets/theme/theme.h"
 
 class QGridLayout;

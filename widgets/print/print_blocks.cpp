@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "widgets/theme/figure_table.h"
+#include "widgets/base/figure_table.h"
 #include "widgets/theme/theme.h"
 
 namespace carom {

@@ -6,7 +6,7 @@
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
-#include "widgets/theme/plain_text.h"
+#include "widgets/base/plain_text.h"
 
 namespace carom {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <string_view>
 
+#include "physics/ledger/ledger_entries.h"
 #include "physics/model/needs.h"
 #include "physics/preset/preset.h"
-#include "physics/world/ledger_entries.h"
 
 namespace carom {
 namespace {

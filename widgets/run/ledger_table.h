@@ -2,7 +2,7 @@
 
 #include "physics/preset/preset.h"
 #include "physics/record/frame.h"
-#include "widgets/theme/figure_table.h"
+#include "widgets/base/figure_table.h"
 
 namespace carom {
 

@@ -4,7 +4,7 @@
 
 #include "physics/record/frame.h"
 #include "physics/record/recorder.h"
-#include "widgets/theme/figure_table.h"
+#include "widgets/base/figure_table.h"
 
 namespace carom {
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/theme/plain_text.h"
+#include "widgets/base/plain_text.h"
 
 namespace carom {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/theme/number_text.h"
-#include "widgets/theme/plotted_run.h"
+#include "widgets/base/number_text.h"
+#include "widgets/base/plotted_run.h"
 
 namespace carom {
 namespace {

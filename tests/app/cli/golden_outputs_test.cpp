@@ -14,7 +14,7 @@
 // intended change of the output:
 //   CAROM_WRITE_GOLDEN=1 build/release/bin/carom_app_tests --gtest_filter='*GoldenOutputs*'
 // Where mathematical functions round differently, the outputs but for their numbers are compared; these are the
-// physics' matter (tests/physics/world/golden_test.cpp).
+// physics' matter (tests/physics/run/golden_test.cpp).
 namespace carom {
 namespace {
 

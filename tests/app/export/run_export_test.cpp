@@ -13,7 +13,7 @@
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "physics/scene/validate.h"
-#include "physics/session/live_run.h"
+#include "physics/worker/live_run.h"
 
 namespace carom {
 namespace {

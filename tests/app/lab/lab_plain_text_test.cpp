@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 #include "app/lab/lab_window.h"
-#include "app/lab/preset_library.h"
+#include "app/library/preset_library.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "tests/support/wait_events.h"

@@ -28,7 +28,7 @@
 #include <array>
 
 #include "app/lab/lab_window.h"
-#include "app/lab/preset_library.h"
+#include "app/library/preset_library.h"
 #include "widgets/run/experiment_list.h"
 #include "widgets/theme/theme.h"
 

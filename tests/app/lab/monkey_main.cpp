@@ -19,7 +19,7 @@
 #include <thread>
 #include <unistd.h>
 
-#include "app/lab/preset_library.h"
+#include "app/library/preset_library.h"
 #include "monkey.h"
 #include "physics/preset/preset.h"
 #include "tests/support/effort.h"

@@ -6,7 +6,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-#include "app/lab/preset_library.h"
+#include "app/library/preset_library.h"
 #include "physics/preset/preset_file.h"
 #include "tests/support/scenes.h"
 #include "tests/support/wait.h"

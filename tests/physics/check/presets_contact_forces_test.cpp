@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "physics/preset/preset_file.h"
-#include "physics/world/simulation.h"
+#include "physics/run/simulation.h"
 #include "tests/support/source_folder.h"
 
 // What presets of lasting contacts say of contact forces, which no expectation can read.

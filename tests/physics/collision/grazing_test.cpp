@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/run/run_setup.h"
 #include "physics/scene/validate.h"
-#include "physics/world/run_setup.h"
 #include "tests/support/scenes.h"
 
 // Passes that just touch and just miss, several impacts at once, bodies that touch at t = 0, and tiny and huge

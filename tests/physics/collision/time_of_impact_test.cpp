@@ -6,7 +6,7 @@
 #include "physics/collision/contact.h"
 #include "physics/collision/pair_contact.h"
 #include "physics/dynamics/integrators/integrators.h"
-#include "physics/world/run_setup.h"
+#include "physics/run/run_setup.h"
 #include "tests/support/scenes.h"
 
 namespace carom {

@@ -5,7 +5,7 @@
 
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
-#include "physics/session/worker.h"
+#include "physics/worker/worker.h"
 #include "tests/support/scenes.h"
 #include "tests/support/wait.h"
 

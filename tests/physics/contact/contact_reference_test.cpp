@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "physics/dynamics/integrators/integrators.h"
-#include "physics/world/run_setup.h"
+#include "physics/run/run_setup.h"
 #include "tests/support/contact_references.h"
 #include "tests/support/scenes.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "physics/world/run_setup.h"
+#include "physics/run/run_setup.h"
 #include "tests/support/impacts.h"
 #include "tests/support/scenes.h"
 

@@ -7,8 +7,8 @@
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/vectors.h"
+#include "physics/run/run_setup.h"
 #include "physics/scene/validate.h"
-#include "physics/world/run_setup.h"
 #include "tests/support/fitted_order.h"
 #include "tests/support/scenes.h"
 

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "physics/dynamics/integrators/integrators.h"
-#include "physics/world/run_setup.h"
+#include "physics/run/run_setup.h"
 #include "tests/support/scenes.h"
 
 // The order of every method through impacts, and what takes its place where there is no step.

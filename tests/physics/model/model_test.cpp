@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "physics/preset/preset_file.h"
-#include "physics/world/run_state.h"
-#include "physics/world/simulation.h"
+#include "physics/run/run_state.h"
+#include "physics/run/simulation.h"
 #include "tests/support/preset_files.h"
 #include "tests/support/scenes.h"
 

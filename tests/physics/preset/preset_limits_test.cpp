@@ -5,9 +5,9 @@
 
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "physics/run/checkpoint.h"
+#include "physics/run/simulation.h"
 #include "physics/scene/limits.h"
-#include "physics/world/checkpoint.h"
-#include "physics/world/simulation.h"
 #include "tests/support/scenes.h"
 
 namespace carom {

@@ -15,11 +15,11 @@
 #include "physics/preset/preset.h"
 #include "tests/support/run_fixture.h"
 #include "tests/support/scene_fixture.h"
+#include "widgets/base/method_names.h"
 #include "widgets/compare/compare_table.h"
 #include "widgets/plot/legend_button.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/scene/drawing.h"
-#include "widgets/theme/method_names.h"
 
 namespace carom {
 namespace {

@@ -19,12 +19,12 @@
 #include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
 #include "tests/support/run_fixture.h"
+#include "widgets/base/number_text.h"
 #include "widgets/plot/legend_button.h"
 #include "widgets/plot/plot_content.h"
 #include "widgets/plot/plot_dialog.h"
 #include "widgets/plot/reading_table.h"
 #include "widgets/plot/run_plot.h"
-#include "widgets/theme/number_text.h"
 #include "widgets/theme/theme.h"
 
 namespace carom {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "widgets/theme/number_text.h"
+#include "widgets/base/number_text.h"
 
 namespace carom {
 namespace {

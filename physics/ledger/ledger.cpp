@@ -1,0 +1,58 @@
+#include "physics/ledger/ledger.h"
+
+#include <cmath>
+
+#include "physics/ledger/ledger_entries.h"
+
+namespace carom {
+
+double Ledger::turnover() const {
+  double sum = 0.0;
+  for (const EnergyEntry& entry : kEnergyEntries) sum += std::abs(this->*entry.value);
+  return sum;
+}
+
+void Ledger::add(double share, const Ledger& other) {
+  // All members by name: a new member doesn't compile here until it is in the lists.
+  [[maybe_unused]] const auto& [e1, e2, e3, e4, e5, e6, e7, e8, e9, e10, e11, m1, m2, m3, m4, m5, a1, a2, a3,
+                                a4, a5] = other;
+  static_assert(kEnergyEntries.size() == 11 && kMomentumEntries.size() == 5);
+  for (const EnergyEntry& entry : kEnergyEntries) this->*entry.value += share * other.*entry.value;
+  for (const MomentumEntry& entry : kMomentumEntries) {
+    this->*entry.value += share * other.*entry.value;
+    this->*entry.angular += share * other.*entry.angular;
+  }
+}
+
+double Ledger::expected() const {
+  double sum = 0.0;
+  for (const EnergyEntry& entry : kEnergyEntries) sum += entry.sign() * this->*entry.value;
+  return sum;
+}
+
+Vec2 Ledger::expected_momentum() const {
+  Vec2 sum = Vec2::Zero();
+  for (const MomentumEntry& entry : kMomentumEntries) sum += entry.sign * this->*entry.value;
+  return sum;
+}
+
+double Ledger::expected_angular_momentum() const {
+  double sum = 0.0;
+  for (const MomentumEntry& entry : kMomentumEntries) sum += entry.sign * this->*entry.angular;
+  return sum;
+}
+
+Ledger ledger_of_quadratures(const State& state) {
+  Ledger ledger;
+  if (state.size() == 0) return ledger;
+  const Eigen::Matrix<double, kQuadratures, 1> sums = state.quadratures.rowwise().sum();
+  ledger.lost_to_drag = sums[kDragLoss];
+  ledger.lost_to_dampers = sums[kDamperLoss];
+  ledger.put_in_by_drives = sums[kWorkIn];
+  ledger.momentum_from_forces = Vec2(sums[kImpulseX], sums[kImpulseY]);
+  ledger.angular_momentum_from_forces = sums[kAngularImpulse];
+  ledger.angular_momentum_from_gravity = sums[kGravityAngularImpulse];
+  return ledger;
+}
+
+}  // namespace carom

@@ -1,0 +1,79 @@
+#include "physics/ledger/notices.h"
+
+#include <array>
+#include <fmt/format.h>
+
+#include "physics/ledger/step_limits.h"
+
+namespace carom {
+namespace {
+
+using N = Notices;
+
+const auto kEntries = std::to_array<NoticeEntry>({
+    {"resting_since", &N::resting_since,
+     "from t = {t:.6g} s bounces follow faster than the method resolves (Zeno): inelastic impacts at each "
+     "step's end support such a contact"},
+    {"collapsed_since", &N::collapsed_since,
+     "inelastic collapse at t = {t:.6g} s: impacts follow faster than double precision resolves, and the "
+     "bodies "
+     "stay together"},
+    {"impacts_capped_since", &N::impacts_capped_since,
+     "at t = {t:.6g} s a step had more than {per_step} impacts, or {at_once} at one time ({corners} between "
+     "corners): the others were resolved at the step's end"},
+    {"log_cut_since", &N::log_cut_since,
+     "from t = {t:.6g} s a step has more impacts than the log holds ({logged}); all of them are applied and "
+     "counted"},
+    {"tolerance_missed_since", &N::tolerance_missed_since,
+     "from t = {t:.6g} s the tolerance is missed even with the shortest step"},
+    {"search_cut_since", &N::search_cut_since,
+     "from t = {t:.6g} s forces change too fast for the step: impacts may be missed"},
+    {"work_spent_since", &N::work_spent_since,
+     "from t = {t:.6g} s the search for impacts exceeds the budget of a step: the remaining impacts are "
+     "resolved "
+     "at each step's end"},
+    {"energy_made_since", &N::energy_made_since,
+     "from t = {t:.6g} s most of the kinetic energy comes from the method's error: take shorter steps"},
+    {"pairs_cut_since", &N::pairs_cut_since,
+     "from t = {t:.6g} s more pairs of bodies overlap than a step considers: the others are ignored"},
+    {"gained_since", &N::gained_since,
+     "from t = {t:.6g} s impacts gained energy, {n:.3g} J so far: Newton's law allows this in eccentric "
+     "impacts "
+     "with friction",
+     &N::gained, "gained"},
+    {"cluster_unsolved_since", &N::cluster_unsolved_since,
+     "at t = {t:.6g} s no impulses satisfy the law of simultaneous impacts: they were resolved pair by pair"},
+    {"restitution_lowered_since", &N::restitution_lowered_since,
+     "at t = {t:.6g} s the restitution of simultaneous impacts was lowered so that none gains energy"},
+    {"contacts_left_since", &N::contacts_left_since,
+     "from t = {t:.6g} s contact forces are approximate: their residual is up to {n:.2g} m/s",
+     &N::contacts_left, "contacts_left"},
+    {"switches_missed_since", &N::switches_missed_since,
+     "from t = {t:.6g} s springs or strings switch more often than a step follows"},
+    {"links_missed_since", &N::joints_missed_since,
+     "at t = {t:.6g} s a step was too long for the links, and later results are meaningless: take shorter "
+     "steps"},
+    {"state_left_since", &N::state_left_since,
+     "the scene was changed after the run was saved: from t = {t:.6g} s it continues from its bodies and its "
+     "clock alone"},
+});
+
+}  // namespace
+
+std::span<const NoticeEntry> notice_entries() { return kEntries; }
+
+std::string Notices::text() const {
+  std::string line;
+  for (const NoticeEntry& entry : kEntries) {
+    const double since = this->*entry.since;
+    if (since < 0.0) continue;
+    if (!line.empty()) line += "; ";
+    line += fmt::format(fmt::runtime(entry.text), fmt::arg("t", since),
+                        fmt::arg("n", entry.number != nullptr ? this->*entry.number : 0.0),
+                        fmt::arg("per_step", kMostImpactsPerStep), fmt::arg("at_once", kMostImpactsAtOnce),
+                        fmt::arg("corners", kMostCornersAtOnce), fmt::arg("logged", kMostLogged));
+  }
+  return line.empty() ? "ok" : line;
+}
+
+}  // namespace carom

@@ -1,0 +1,34 @@
+#include "physics/ledger/totals.h"
+
+#include "physics/model/mass.h"
+
+namespace carom {
+
+Totals totals(const State& state, const MassProperties& mass, const ForceField& field) {
+  Totals t;
+  for (int i = 0; i < state.size(); ++i) {
+    if (!(mass.inverse_mass[i] > 0.0)) continue;
+    const Vec2 x = state.position(i);
+    const Vec2 v = state.velocity(i);
+    const Vec2 p = mass.mass[i] * v;
+    const double spin = state.v(2, i);
+    t.translational += 0.5 * p.dot(v);
+    t.rotational += 0.5 * mass.inertia[i] * spin * spin;
+    t.momentum += p;
+    t.angular_momentum += x.x() * p.y() - x.y() * p.x() + mass.inertia[i] * spin;
+  }
+  t.potential = field.potential_energy(state.q);
+  return t;
+}
+
+double kinetic_energy(const State& state, const MassProperties& mass) {
+  double energy = 0.0;
+  for (int i = 0; i < state.size(); ++i) {
+    if (!(mass.inverse_mass[i] > 0.0)) continue;
+    energy += 0.5 * mass.mass[i] * state.v.col(i).head<2>().squaredNorm() +
+              0.5 * mass.inertia[i] * state.v(2, i) * state.v(2, i);
+  }
+  return energy;
+}
+
+}  // namespace carom

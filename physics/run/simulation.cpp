@@ -1,0 +1,151 @@
+#include "physics/run/simulation.h"
+
+#include <algorithm>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "physics/dynamics/integrators/integrators.h"
+
+namespace carom {
+
+Simulation::Simulation(const RunSetup& setup, const Needs& needs)
+    : Simulation(compile(setup.scene, needs, start_time(setup.saved)), setup.method) {
+  if (setup.saved) go_on_from(*setup.saved);
+  count_pairs(setup.counted_pairs);
+  set_edits(setup.edits);
+}
+
+Simulation::Simulation(std::shared_ptr<const Model> model, const Method& method)
+    : world_(std::move(model), method) {
+  choose_strategies();
+}
+
+// Chooses the strategies of the method, without any memory.
+void Simulation::choose_strategies() {
+  if (world_.method.impacts == ImpactsId::kLocated) {
+    impacts_.emplace<EventDrivenImpacts>().reset(world_.bodies());
+  } else {
+    impacts_.emplace<StepEndImpacts>();
+  }
+  resting_.reset();
+  if (contacts_last(world_.method, needs())) resting_.emplace();
+}
+
+void Simulation::count_pairs(const std::vector<std::pair<std::string, std::string>>& names) {
+  std::unordered_map<std::string_view, int> index;
+  for (const Body& body : bodies()) index.emplace(body.name, static_cast<int>(index.size()));
+  ImpactCounts& counts = world_.sums.impact_counts;
+  const ImpactCounts saved = counts;
+  counts.pairs.clear();
+  const std::int64_t before = impact_count() == 0 ? 0 : ImpactCounts::kNotKnown;
+  for (const auto& [first, second] : names) {
+    const auto a = index.find(first);
+    const auto b = index.find(second);
+    if (a == index.end() || b == index.end()) continue;
+    const ImpactCounts::Pair* known = saved.find(a->second, b->second);
+    counts.watch(a->second, b->second, known != nullptr ? known->count : before);
+  }
+}
+
+void Simulation::set_method(const Method& method) {
+  if (lost_) return;
+  Trajectories& trajectories = world_.trajectories;
+  world_.method = method;
+  // Trajectories that continue across steps are advanced here; the others were at the step's end.
+  for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, time() - trajectories.epoch());
+  if (resting_) resting_->release(world_);
+  trajectories.set_method(method);
+  trajectories.begin(time());
+  choose_strategies();
+}
+
+void Simulation::set_edits(std::vector<RunEdit> edits) {
+  edits_ = std::make_shared<const std::vector<RunEdit>>(std::move(edits));
+}
+
+const RunEdit* Simulation::due() const {
+  if (lost_ || edits_applied_ >= edits_->size()) return nullptr;
+  const RunEdit& next = (*edits_)[edits_applied_];
+  return is_due(next) ? &next : nullptr;
+}
+
+void Simulation::apply_due() {
+  const RunEdit* edit = due();
+  if (edit == nullptr) return;
+  ++edits_applied_;
+  if (const auto* method = std::get_if<Method>(&edit->what)) {
+    set_method(*method);
+  } else {
+    apply(std::get<SceneEdits>(edit->what));
+  }
+}
+
+Notices Simulation::notices() const {
+  Notices notices = world_.sums.notices;
+  notices.tolerance_missed_since = world_.trajectories.tolerance_missed_since();
+  notices.joints_missed_since = world_.trajectories.joints_missed_since();
+  notices.switches_missed_since = world_.trajectories.switches_missed_since();
+  return notices;
+}
+
+std::string Simulation::status() const {
+  std::string notices = this->notices().text();
+  if (!lost_) return notices;
+  const std::string lost = lost_->text(bodies(), time());
+  return notices == "ok" ? lost : lost + "; " + notices;
+}
+
+const std::vector<ContactForce>& Simulation::contact_forces() const {
+  static const std::vector<ContactForce> kNone;
+  return resting_ ? resting_->forces() : kNone;
+}
+
+void Simulation::apply_all_due() {
+  while (due() != nullptr) apply_due();
+}
+
+void Simulation::step() {
+  apply_all_due();  // another method may have another step
+  step(world_.method.step);
+}
+
+void Simulation::step(double h) {
+  world_.log.clear();
+  apply_all_due();
+  if (lost_) return;
+  last_good_.state = world_.state;
+  last_good_.sums = world_.sums;
+  world_.trajectories.begin_step();
+  world_.work.begin(world_.bodies(), h);
+  try {
+    make_step(h);
+  } catch (const LostMotion& lost) {
+    give_up(lost);
+  }
+}
+
+void Simulation::make_step(double h) {
+  world_.clock.begin_step(h);
+  RestingContacts* resting = resting_ ? &*resting_ : nullptr;
+  if (resting != nullptr) {
+    resting->begin_step(world_, h);
+    // Without it, a step's parts are supported one by one.
+    if (world_.method.impacts == ImpactsId::kLocated) resting->support(world_, h);
+  }
+  std::visit([&](auto& impacts) { impacts.step(world_, resting, h); }, impacts_);
+  world_.check_motions();
+  world_.clock.end_step();
+  world_.check_energy();
+}
+
+void Simulation::give_up(const LostMotion& lost) {
+  lost_ = LostRun{lost.reason, lost.body, std::min(lost.time, world_.clock.step_end)};
+  world_.state = last_good_.state;
+  world_.sums = last_good_.sums;
+  world_.trajectories.undo_step();
+  world_.log.clear();
+  if (resting_) resting_->forget_forces();
+}
+
+}  // namespace carom

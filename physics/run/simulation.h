@@ -1,0 +1,152 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "physics/run/lost_run.h"
+#include "physics/run/run_setup.h"
+#include "physics/step/event_driven_impacts.h"
+#include "physics/step/resting_contacts.h"
+#include "physics/step/step_end_impacts.h"
+#include "physics/step/world.h"
+
+namespace carom {
+
+struct Checkpoint;  // physics/run/checkpoint.h
+struct RunState;    // physics/run/run_state.h
+
+// A scene in motion: one world under one method. A value: copies are independent and share only the model.
+//
+// The method chooses one of two strategies for impacts, at the step's end (step_end_impacts.h) or at their
+// own time (event_driven_impacts.h). Resting contacts (resting_contacts.h) are added if the method asks for
+// them and the scene needs them. Where surfaces stick, an impact adds a weld between its two bodies, in this
+// run alone.
+//
+// Use: construct, then call step() or advance_to() as often as needed, and read state(), ledger(),
+// last_impacts() between two steps. Not thread-safe, except that a stop of the token given to interrupt_on()
+// may be requested from any thread.
+class Simulation {
+ public:
+  // The scene must be valid (see validate() in physics/scene/validate.h). `needs` names the parts of the
+  // model to compile. A saved run continues from its checkpoint.
+  explicit Simulation(const RunSetup& setup) : Simulation(setup, needs_of(setup.scene)) {}
+  Simulation(const RunSetup& setup, const Needs& needs);
+  // At the start of a run of this model.
+  Simulation(std::shared_ptr<const Model> model, const Method& method);
+  // At a later moment: `state` is from a run of the same model, which continues here bit by bit.
+  Simulation(std::shared_ptr<const Model> model, const RunState& state);
+
+  void step();
+  // Throws StepInterrupted if a stop was requested (interrupt_on()); the simulation is then unusable. A lost
+  // run stays where it is: a step does nothing.
+  void step(double h);
+  // Steps end early once a stop is requested.
+  void interrupt_on(std::stop_token stop) { world_.work.stop_on(std::move(stop)); }
+  // Steps until `time`, with a last shorter step if needed, and calls after_step() after each. Whole steps
+  // keep time = start + k h without summing. Edits that are due at `time` are made too.
+  template <class AfterStep>
+  void advance_to(double time, const AfterStep& after_step) {
+    while (!lost_) {
+      apply_all_due();
+      const double h = world_.method.step;
+      const double left = time - this->time();
+      if (left <= 1e-9 * h) return;  // rounding
+      step(left > (1.0 - 1e-9) * h ? h : left);
+      if (!lost_) after_step();
+    }
+  }
+  void advance_to(double time) {
+    advance_to(time, [] {});
+  }
+
+  [[nodiscard]] const std::shared_ptr<const Model>& model() const { return world_.model; }
+  [[nodiscard]] double time() const { return world_.clock.time; }
+  [[nodiscard]] std::int64_t steps() const { return world_.clock.steps; }
+  [[nodiscard]] std::int64_t impact_count() const { return world_.sums.impact_count; }
+  // With the pairs named in the setup.
+  [[nodiscard]] const ImpactCounts& impact_counts() const { return world_.sums.impact_counts; }
+  // Evaluations of the right-hand side, each body counted, and steps rejected by the error control.
+  [[nodiscard]] std::int64_t evaluations() const { return world_.trajectories.evaluations(); }
+  [[nodiscard]] std::int64_t rejected_steps() const { return world_.trajectories.rejected_steps(); }
+  [[nodiscard]] const State& state() const { return world_.state; }
+  [[nodiscard]] const std::vector<Body>& bodies() const { return world_.model->bodies(); }
+  [[nodiscard]] const MassProperties& mass() const { return world_.mass(); }
+  [[nodiscard]] const Geometry& shapes() const { return world_.shapes(); }
+  // Those of the scene, then a weld for each impact after which two bodies stuck together.
+  [[nodiscard]] const std::vector<Joint>& joints() const { return world_.model->scene.joints; }
+  [[nodiscard]] bool is_taut(int joint) const { return world_.trajectories.is_taut(joint); }  // of a string
+  [[nodiscard]] double length(int joint) const {
+    return world_.trajectories.length(joint);
+  }  // m, of a rod or a string
+  [[nodiscard]] const ForceField& field() const { return world_.field(); }
+  [[nodiscard]] const Method& method() const { return world_.method; }
+  [[nodiscard]] const Needs& needs() const { return world_.model->needs; }
+  [[nodiscard]] Notices notices() const;
+  // Why the run can't continue; nothing while it can.
+  [[nodiscard]] const std::optional<LostRun>& lost() const { return lost_; }
+  // The notices of the run in one line; "ok" if there are none.
+  [[nodiscard]] std::string status() const;
+  [[nodiscard]] Totals totals() const { return world_.totals(); }
+  [[nodiscard]] Totals totals_of(const State& state) const { return carom::totals(state, mass(), field()); }
+  // With the work of the smooth forces up to now.
+  [[nodiscard]] Ledger ledger() const { return world_.ledger(); }
+  // The impacts of the last call of step(), in the order of time.
+  [[nodiscard]] const std::vector<ImpactRecord>& last_impacts() const { return world_.log.records; }
+  // The jumps of the first of these, one each, if watch_impacts(true) was called.
+  [[nodiscard]] const std::vector<Jump>& last_jumps() const { return world_.log.jumps; }
+  void watch_impacts(bool on) { world_.log.records_jumps = on; }
+  // The contact forces of the last step; empty without resting contacts.
+  [[nodiscard]] const std::vector<ContactForce>& contact_forces() const;
+
+  // From the next step on. A lost run stays as it is, here and in apply().
+  void set_method(const Method& method);
+  // Changes the scene now (see RunEdit); the energy and momenta that this brings count as the user's. The scene
+  // must be valid afterwards (apply_edit.cpp).
+  void apply(const SceneEdits& edits);
+  [[nodiscard]] bool is_due(const RunEdit& edit) const { return carom::is_due(edit, time(), method().step); }
+  // The next edit of the setup, if it is due at this moment; else nullptr. The next step begins with all of
+  // them.
+  [[nodiscard]] const RunEdit* due() const;
+  void apply_due();
+  // Other edits of the setup; those that were applied stay the same.
+  void set_edits(std::vector<RunEdit> edits);
+  // How many of them were applied.
+  [[nodiscard]] std::size_t edits_applied() const { return edits_applied_; }
+  // The complete state between two steps (run_state.cpp).
+  [[nodiscard]] RunState run_state() const;
+  // What a preset file keeps of it (checkpoint.cpp).
+  [[nodiscard]] Checkpoint checkpoint() const;
+
+ private:
+  // Motions and sums at the end of the last good step.
+  struct LastGood {
+    State state;
+    RunSums sums;
+  };
+
+  void apply_all_due();
+  void choose_strategies();
+  void count_pairs(const std::vector<std::pair<std::string, std::string>>& names);
+  void make_step(double h);
+  void give_up(const LostMotion& lost);
+  void go_on_from(const SavedRun& saved);
+  void go_on_from(const Checkpoint& from);
+  void restore(const RunState& state);
+
+  World world_;
+  std::variant<StepEndImpacts, EventDrivenImpacts> impacts_;
+  std::optional<RestingContacts> resting_;
+  std::optional<LostRun> lost_;
+  LastGood last_good_;
+  std::shared_ptr<const std::vector<RunEdit>> edits_ = std::make_shared<const std::vector<RunEdit>>();
+  std::size_t edits_applied_ = 0;
+};
+
+}  // namespace carom

@@ -1,0 +1,184 @@
+#include "physics/step/apply_impact.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "physics/impact/jointed_impact.h"
+#include "physics/ledger/step_limits.h"
+#include "physics/math/vectors.h"
+#include "physics/step/contact_patch.h"
+
+namespace carom {
+namespace {
+
+// Welds two bodies that have stuck together. From then on they can't collide, and the islands are different.
+Impact join(World& world, int a, int b, const Contact& contact) {
+  const int body = world.infinite_mass(a) ? b : a;
+  const int other = body == a ? b : a;
+  const Eigen::Vector3d q = world.trajectories.at_start(body).head<3>();
+  const Eigen::Vector3d q_other = world.trajectories.at_start(other).head<3>();
+  Joint weld;
+  weld.kind = JointKind::kWeld;
+  weld.body = world.model->bodies()[body].name;
+  weld.point = turned_by(-q[2], contact.point - q.head<2>());
+  weld.to = world.model->bodies()[other].name;
+  weld.anchor = turned_by(-q_other[2], contact.point - q_other.head<2>());
+  weld.angle = q[2] - q_other[2];
+  Scene scene = world.model->scene;
+  scene.joints.push_back(std::move(weld));
+  const int last = static_cast<int>(scene.joints.size()) - 1;
+  Needs needs = world.model->needs;
+  needs.set(Part::kJoints);
+  world.recompile(std::move(scene), needs, world.trajectories.start(body));
+
+  // The impact is completely plastic, and the two turn as one body after it: the effect of the weld on the
+  // motions as they are.
+  const auto [taken, impulse] = world.trajectories.engage(last, body);
+  const Vec2 on_b = body == b ? impulse : Vec2(-impulse);
+  Impact impact;
+  impact.normal = on_b.dot(contact.normal);
+  impact.tangential = on_b.dot(crossed(contact.normal));
+  impact.lost_to_sticking = taken;
+  return impact;
+}
+
+// For discs without spin, friction, joints or switches: see Model::smooth_discs. The closing speed is in m/s.
+struct SmoothImpact {
+  Vec2 velocity_a, velocity_b;
+  const Vec2& normal;
+
+  SmoothImpact(const World& world, int a, int b, const Contact& contact)
+      : velocity_a(world.trajectories.at_start(a).segment<2>(3)),
+        velocity_b(world.trajectories.at_start(b).segment<2>(3)),
+        normal(contact.normal) {}
+  static const Contact& acting_contact(World&, int, int, const Contact& touch) { return touch; }
+  [[nodiscard]] double closing() const { return -Vec2(velocity_b - velocity_a).dot(normal); }
+  Impact resolve(World& world, int a, int b, const Contact&, const Material& material) {
+    const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;
+    const Impact impact = resolve_smooth_impact(velocity_a, inverse_mass[a], velocity_b, inverse_mass[b],
+                                                normal, material.restitution);
+    if (!world.infinite_mass(a))
+      world.trajectories.set_velocity(a, velocity_a, world.trajectories.at_start(a)[5]);
+    if (!world.infinite_mass(b))
+      world.trajectories.set_velocity(b, velocity_b, world.trajectories.at_start(b)[5]);
+    return impact;
+  }
+};
+
+// For any two bodies.
+struct GeneralImpact {
+  ImpactSide side_a, side_b;
+  double closing_speed;
+
+  GeneralImpact(const World& world, int a, int b, const Contact& contact)
+      : side_a(world.side(a, contact, 1.0)),
+        side_b(world.side(b, contact, -1.0)),
+        closing_speed(-relative_velocity(side_a, side_b, contact.normal).normal) {}
+  static Contact acting_contact(World& world, int a, int b, const Contact& touch) {
+    return pressed_contact(world, a, b, touch);
+  }
+  [[nodiscard]] double closing() const { return closing_speed; }
+  Impact resolve(World& world, int a, int b, const Contact& contact, const Material& material) {
+    Trajectories& trajectories = world.trajectories;
+    const ImpactLawId law = world.model->scene.impact_law;
+    Impact impact;
+    if (material.sticks) {
+      impact = join(world, a, b, contact);
+    } else if (trajectories.is_jointed(a) || trajectories.is_jointed(b)) {
+      impact = resolve_jointed_impact(trajectories, world.mass(), a, b, contact, material, law);
+    } else {
+      impact = resolve_impact(side_a, side_b, contact.normal, material, law);
+      if (!world.infinite_mass(a)) trajectories.set_velocity(a, side_a.velocity, side_a.spin);
+      if (!world.infinite_mass(b)) trajectories.set_velocity(b, side_b.velocity, side_b.spin);
+    }
+    if (world.field().has_switching_springs()) {
+      for (const int i : {a, b}) {
+        if (world.infinite_mass(i)) continue;
+        world.sums.ledger.lost_to_dampers += trajectories.recheck_switches(trajectories.island_of(i));
+      }
+    }
+    return impact;
+  }
+};
+
+template <class Kind>
+void apply(World& world, int a, int b, const Contact& touch, const Material& material, double within) {
+  const Contact& contact = Kind::acting_contact(world, a, b, touch);  // a temporary lives as long
+  Kind of_pair(world, a, b, contact);
+  const double closing = of_pair.closing();
+  // Semi-implicit Euler's path x + t v(t) may close again, from a penetration, while v(t) still separates the
+  // bodies.
+  if (!(closing > 0.0)) return;
+  const Ledger& ledger = world.sums.ledger;
+  const bool wants_jump = world.log.wants_jump(world.model->bodies().size());
+  Jump jump;
+  if (wants_jump) {
+    jump.before = world.state_at(within);
+    jump.change.add(-1.0, ledger);
+  }
+  const Impact impact = of_pair.resolve(world, a, b, contact, material);
+  record_impact(world, a, b, contact, impact, closing, within);
+  if (!wants_jump) return;
+  jump.time = std::min(world.trajectories.epoch() + within, world.clock.step_end);
+  jump.after = world.state_at(within);
+  jump.change.add(1.0, ledger);
+  world.log.jumps.push_back(std::move(jump));
+}
+
+}  // namespace
+
+ApplyImpact apply_impact_of(const Model& model) {
+  return model.smooth_discs ? &apply<SmoothImpact> : &apply<GeneralImpact>;
+}
+
+void record_impact(World& world, int a, int b, const Contact& contact, const Impact& impact, double closing,
+                   double within) {
+  RunSums& sums = world.sums;
+  ++sums.impact_count;
+  sums.impact_counts.add(a, b, impact.normal, world.mass());
+  ImpactRecord record;
+  // The sum may round beyond the end.
+  record.time = std::min(world.trajectories.epoch() + within, world.clock.step_end);
+  record.a = a;
+  record.b = b;
+  record.point = contact.point;
+  record.normal = contact.normal;
+  record.closing_speed = closing;
+  record.normal_impulse = impact.normal;
+  record.tangential_impulse = impact.tangential;
+  record.lost_to_restitution = impact.lost_to_restitution;
+  record.lost_to_friction = impact.lost_to_friction;
+  record.lost_to_sticking = impact.lost_to_sticking;
+  if (world.log.records.size() < kMostLogged) {
+    world.log.records.push_back(record);
+  } else {
+    world.note(&Notices::log_cut_since, record.time);
+  }
+  if (impact.energy_gain > 0.0) {
+    world.note(&Notices::gained_since, record.time);
+    sums.notices.gained += impact.energy_gain;
+  }
+  Ledger& ledger = sums.ledger;
+  ledger.lost_to_restitution += impact.lost_to_restitution;
+  ledger.lost_to_friction += impact.lost_to_friction;
+  ledger.lost_to_sticking += impact.lost_to_sticking;
+  // What passes through a joint, such as the weld of two bodies that have stuck, is in the bodies'
+  // quadratures.
+  if (!world.shapes().can_collide(a, b)) return;
+  const Vec2 tangent(-contact.normal.y(), contact.normal.x());
+  const Vec2 j = impact.normal * contact.normal + impact.tangential * tangent;
+  for (const auto& [body, sign] : {std::pair(a, -1.0), std::pair(b, 1.0)}) {
+    const Vec2 arm = contact.point - world.trajectories.at_start(body).head<2>();
+    world.record_angular_momentum(body, contact.point, arm, sign * j, 0.0);
+  }
+  if (world.infinite_mass(a)) {
+    ledger.momentum_to_walls -= j;
+    ledger.put_in_by_drives += j.dot(world.trajectories.at_start(a).segment<2>(3));
+  }
+  if (world.infinite_mass(b)) {
+    ledger.momentum_to_walls += j;
+    ledger.put_in_by_drives -= j.dot(world.trajectories.at_start(b).segment<2>(3));
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "physics/impact/impact_law.h"
+#include "physics/step/world.h"
+
+namespace carom {
+
+// How impacts of this model are resolved; chosen once a run.
+[[nodiscard]] ApplyImpact apply_impact_of(const Model& model);
+
+// Resolves the impact of two bodies at the start of their trajectories, `within` s after the epoch: changes
+// their velocities, records the impact and keeps the ledger. Does nothing if the pair does not close. Bodies
+// whose surfaces stick are joined by a weld (can_collide() is false from then on) and the model is compiled
+// again.
+inline void apply_impact(World& world, int a, int b, const Contact& contact, const Material& material,
+                         double within) {
+  world.apply_impact(world, a, b, contact, material, within);
+}
+
+// Counts and records a resolved impact and keeps the ledger. `closing` in m/s.
+void record_impact(World& world, int a, int b, const Contact& contact, const Impact& impact, double closing,
+                   double within);
+
+}  // namespace carom

@@ -1,0 +1,213 @@
+#include "physics/step/contact_finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "physics/contact/contact_velocity.h"
+#include "physics/step/pair_motion.h"
+
+namespace carom {
+namespace {
+
+// Relative to the size and the coordinates: a smaller gap is rounding.
+constexpr double kRounding = 1e-12;
+// Of the change of a speed by forces in a step: a contact that slips slower than this sticks.
+constexpr double kStuck = 1e-6;
+// Relative to the size: a body that moves farther in a step may push others as fast.
+constexpr double kFast = 0.02;
+// So many bodies in a row may be pushed within a step.
+constexpr int kPushes = 2;
+// Relative to the size, and a cosine: a contact so near another of the last step with about the same normal
+// goes on from it.
+constexpr double kSamePlace = 0.02;
+constexpr double kSameNormal = 0.95;
+// Initial capacity for contacts.
+constexpr int kFewContacts = 64;
+
+// m: radius of the disc that would roll on a plane as these two roll on each other; 0 if neither is a disc.
+double rolling_radius(const Geometry& shapes, int a, int b) {
+  double curvature = 0.0;
+  for (const int i : {a, b}) {
+    if (shapes.is_disc(i) && shapes.shapes.rounding[i] > 0.0) curvature += 1.0 / shapes.shapes.rounding[i];
+  }
+  return curvature > 0.0 ? 1.0 / curvature : 0.0;
+}
+
+// Whether a point of a manifold takes over from one that was there a step before, though other features touch
+// now: a corner has come to the end of an edge.
+bool continues(const World& world, const Manifold& m, const ManifoldPoint& at, const ContactForce& force) {
+  for (int k = 0; k < m.count; ++k) {
+    if (m.points[k].id == force.id) return false;
+  }
+  return (at.point - force.point).norm() <= kSamePlace * smaller_size(world, force.a, force.b) &&
+         m.normal.dot(force.normal) >= kSameNormal;
+}
+
+}  // namespace
+
+void FoundContacts::clear() {
+  id.clear();
+  point.clear();
+  guess.clear();
+  old.clear();
+  press.clear();
+  landings.clear();
+  hits.clear();
+}
+
+void ContactFinder::find(World& world, double step_length, double h, const ContactPressing& pressing,
+                         const ContactMemory& memory, FoundContacts& found) {
+  const int n = world.bodies();
+  const ConvexShapes& convex = world.shapes().shapes;
+  poses_.resize(n);
+  reach_.resize(n);
+  for (int i = 0; i < n; ++i) {
+    const Eigen::Vector3d q = world.trajectories.at_start(i).head<3>();
+    const Eigen::Vector3d v = world.trajectories.at_start(i).segment<3>(3);
+    const double turning = v[2] != 0.0 ? std::abs(v[2]) * convex.core_radius[i] : 0.0;
+    // Part of a step looks as far as a whole step, so that no contact is forgotten.
+    reach_[i] =
+        (v.head<2>().norm() + turning) * step_length + pressing.acceleration(i) * step_length * step_length;
+    poses_[i] = pose_of(convex, i, q);
+  }
+  let_fast_bodies_push(world);
+  found.clear();
+  near_.clear();
+  supported_.clear();
+  supported_rest_.clear();
+  const Step step{world, step_length, h, pressing, memory, found};
+  const auto& forces = memory.forces;
+  std::size_t last = 0;
+  const auto& pairs = near_pairs_.find(world, [&](int i) { return reach_[i]; });
+  neighbours_.build(n, pairs);
+  for (const auto& [a, b] : pairs) {
+    if (!world.shapes().can_collide(a, b)) continue;
+    near_.emplace_back(a, b);
+    const double rounding = kRounding * (world.shapes().size[a] + world.shapes().size[b] +
+                                         world.trajectories.at_start(a).head<2>().lpNorm<1>() +
+                                         world.trajectories.at_start(b).head<2>().lpNorm<1>());
+    const Manifold m = manifold(convex, a, poses_[a], b, poses_[b], reach_[a] + reach_[b] + rounding);
+    if (m.count == 0) continue;
+    while (last < forces.size() && std::pair(forces[last].a, forces[last].b) < std::pair(a, b)) ++last;
+    const std::size_t landings = found.landings.size();
+    add(step, a, b, m, rounding, last);
+    // A pair without support is left to the event queue.
+    if (supported_.empty() || supported_.back() != std::pair(a, b)) found.landings.resize(landings);
+  }
+  found.contacts.resize(static_cast<int>(found.id.size()));
+}
+
+// A body that a fast one may hit within the step may go on as fast as that.
+void ContactFinder::let_fast_bodies_push(World& world) {
+  const auto is_fast = [&](int i) {
+    return !world.infinite_mass(i) && reach_[i] > kFast * world.shapes().size[i];
+  };
+  for (int push = 0; push < kPushes; ++push) {
+    bool any = false;
+    for (int i = 0; i < world.bodies() && !any; ++i) any = is_fast(i);
+    if (!any) return;
+    std::vector<double>& pushed = pushed_reach_;
+    pushed = reach_;
+    for (const auto& [a, b] : near_pairs_.find(world, [&](int i) { return reach_[i]; })) {
+      if (!world.shapes().can_collide(a, b)) continue;
+      if (is_fast(a) && !world.infinite_mass(b)) pushed[b] = std::max(pushed[b], reach_[a]);
+      if (is_fast(b) && !world.infinite_mass(a)) pushed[a] = std::max(pushed[a], reach_[b]);
+    }
+    reach_.swap(pushed);
+  }
+}
+
+// Adds the points of a manifold that rest, and those that will land; `last` is the pair's first last force.
+void ContactFinder::add(const Step& step, int a, int b, const Manifold& m, double rounding, std::size_t last) {
+  const World& world = step.world;
+  FoundContacts& found = step.found;
+  Contacts& c = found.contacts;
+  const auto& forces = step.memory.forces;
+  const Material& material = world.material(a, b);
+  const bool located = world.method.impacts == ImpactsId::kLocated;
+  const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
+  const double slip = kStuck * step.pressing.change_by_forces() + step.pressing.noise();
+  const bool continued = may_be_continued(world, a, b);
+  for (int k = 0; k < m.count; ++k) {
+    const ManifoldPoint& at = m.points[k];
+    if (continued &&
+        on_internal_edge(world, a, b, {at.gap, m.normal, at.point}, neighbours_.of_pair(world, a, b),
+                         [&](int body) { return poses_[body]; })) {
+      // Past the edge it will be what supports the body.
+      support(a, b, 0.0);
+      continue;
+    }
+    const int i = static_cast<int>(found.id.size());
+    if (i == c.size()) c.resize(std::max(kFewContacts, 2 * i));
+    c.a[i] = a;
+    c.b[i] = b;
+    c.normal[i] = m.normal;
+    c.arm_a[i] = at.point - poses_[a].position;
+    c.arm_b[i] = at.point - poses_[b].position;
+    c.gap[i] = at.gap;
+    const RowVelocity u = contact_velocity(c, i, world.state.v);
+    const double closing = -u.normal;
+    const double press = step.pressing.between(world, step.memory, a, b, at.point, m.normal);
+    const double rest = step.pressing.rest_speed(world, press, material.restitution);
+    const bool slow = material.restitution * closing <= rest;
+    // With impacts at their own time fast ones are left to the event queue.
+    const bool open = at.gap > rounding;
+    // Other contacts may press it within the step as hard as any force.
+    const double pressed = std::max(rest, by_forces);
+    const bool near = !located || !open ||
+                      (at.gap <= (std::max(closing, 0.0) + pressed) * step.length && closing <= 2.0 * pressed);
+    if (!near || (located && !slow && at.gap >= -rounding)) {
+      if (located && open && closing > rest) found.landings.push_back({a, b, at.id});
+      continue;
+    }
+    // A fast one that penetrates is projected out and left to the impacts at the step's end.
+    const bool hits = !slow && !located;
+    c.target[i] = slow || hits ? -std::max(at.gap, 0.0) / step.h : -std::numeric_limits<double>::infinity();
+    if (hits && (found.hits.empty() || found.hits.back() != std::pair(a, b))) found.hits.emplace_back(a, b);
+    c.slip_target[i] = 0.0;
+    c.static_friction[i] = material.static_friction;
+    c.kinetic_friction[i] = material.kinetic_friction;
+    c.rolling[i] = material.rolling_resistance * rolling_radius(world.shapes(), a, b);
+    c.sticks[i] = std::abs(u.tangential) <= slip ? 1 : 0;
+    c.normal_impulse[i] = c.tangential_impulse[i] = c.rolling_impulse[i] = 0.0;
+    found.guess.emplace_back(Eigen::Vector3d::Zero());
+    for (std::size_t j = last; j < forces.size() && forces[j].a == a && forces[j].b == b; ++j) {
+      if (forces[j].id != at.id && !continues(world, m, at, forces[j])) continue;
+      c.sticks[i] = forces[j].sticks;
+      found.guess.back() = step.memory.support[j];
+      if (forces[j].id == at.id) break;
+    }
+    found.old.push_back(found.guess.back()[0] > 0.0 ? 1 : 0);
+    found.id.push_back(at.id);
+    found.point.push_back(at.point);
+    found.press.push_back(press);
+    if (slow) support(a, b, rest);
+  }
+}
+
+void ContactFinder::support(int a, int b, double rest) {
+  if (supported_.empty() || supported_.back() != std::pair(a, b)) {
+    supported_.emplace_back(a, b);
+    supported_rest_.push_back(rest);
+  }
+  supported_rest_.back() = std::min(supported_rest_.back(), rest);
+}
+
+bool ContactFinder::supports(int a, int b) const {
+  return std::binary_search(supported_.begin(), supported_.end(), std::pair(a, b));
+}
+
+bool ContactFinder::stays_supported(const World& world, int a, int b) const {
+  const auto pair = std::lower_bound(supported_.begin(), supported_.end(), std::pair(a, b));
+  if (pair == supported_.end() || *pair != std::pair(a, b)) return false;
+  const Vec2 u = world.trajectories.at_start(b).segment<2>(3) - world.trajectories.at_start(a).segment<2>(3);
+  double speed = u.norm();
+  for (const int i : {a, b}) {
+    const double spin = world.trajectories.at_start(i)[5];
+    if (spin != 0.0) speed += std::abs(spin) * world.shapes().shapes.core_radius[i];
+  }
+  return speed <= supported_rest_[static_cast<std::size_t>(pair - supported_.begin())];
+}
+
+}  // namespace carom

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "physics/collision/pair_contact.h"
+#include "physics/contact/contacts.h"
+#include "physics/model/convex.h"
+#include "physics/step/contact_pressing.h"
+#include "physics/step/near_pairs.h"
+#include "physics/step/neighbours.h"
+#include "physics/step/world.h"
+
+namespace carom {
+
+// A contact point that closes too fast to rest, of a pair that is supported at other points.
+struct Landing {
+  int a = 0;
+  int b = 0;
+  std::uint32_t id = 0;  // of the manifold's point
+};
+
+// The contacts that may press in a step; the other arrays are parallel to them.
+struct FoundContacts {
+  Contacts contacts;
+  std::vector<std::uint32_t> id;       // of the manifold's point
+  std::vector<Vec2> point;             // m
+  std::vector<Eigen::Vector3d> guess;  // N, N and N m: at first the last forces
+  std::vector<std::uint8_t> old;       // whether the contact had a force in the last step
+  std::vector<double> press;           // m/s², see ContactPressing::between
+  std::vector<Landing> landings;       // that may happen in this step
+  // Pairs that close too fast to rest, where impacts are not located in time; in rising order.
+  std::vector<std::pair<int, int>> hits;
+
+  void clear();
+  [[nodiscard]] bool is_new(int i) const { return old[static_cast<std::size_t>(i)] == 0; }
+};
+
+// Finds which pairs may touch within a step, and where; what closes faster than it may rest is no contact but
+// an impact.
+class ContactFinder {
+ public:
+  // At the trajectories' start, for a part of h s of a step of step_length s. The targets are such that a
+  // contact that is open by a gap g may close at g/h.
+  void find(World& world, double step_length, double h, const ContactPressing& pressing,
+            const ContactMemory& memory, FoundContacts& found);
+
+  // Pairs that may touch in this step, and supported pairs; each in rising order.
+  [[nodiscard]] const std::vector<std::pair<int, int>>& near() const { return near_; }
+  [[nodiscard]] const std::vector<std::pair<int, int>>& supported() const { return supported_; }
+  // Bodies near each other, by body.
+  [[nodiscard]] const Neighbours& neighbours() const { return neighbours_; }
+  // Whether a contact supports the pair in this step; a < b.
+  [[nodiscard]] bool supports(int a, int b) const;
+  // Whether a supported pair moves so slowly that any touch in this step rests.
+  [[nodiscard]] bool stays_supported(const World& world, int a, int b) const;
+
+ private:
+  struct Step {
+    World& world;
+    double length;  // s
+    double h;       // s
+    const ContactPressing& pressing;
+    const ContactMemory& memory;
+    FoundContacts& found;
+  };
+  void support(int a, int b, double rest);
+  void add(const Step& step, int a, int b, const Manifold& m, double rounding, std::size_t last);
+
+  void let_fast_bodies_push(World& world);
+
+  NearPairs near_pairs_;
+  Neighbours neighbours_;
+  std::vector<std::pair<int, int>> near_;
+  std::vector<std::pair<int, int>> supported_;
+  std::vector<double> supported_rest_;  // m/s, parallel to it: the least rest speed of the pair's points
+  std::vector<Pose> poses_;
+  std::vector<double> reach_;         // m: how far each body may move within a whole step
+  std::vector<double> pushed_reach_;  // scratch
+};
+
+}  // namespace carom

@@ -1,0 +1,120 @@
+#include "physics/step/contact_patch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "physics/collision/pair_contact.h"
+#include "physics/math/vectors.h"
+
+namespace carom {
+namespace {
+
+// Relative to the sizes: points touch together if their gaps and normals differ by less.
+constexpr double kTogether = 1e-9;
+// Below this share of the largest square, a determinant is rounding: the stretch cannot turn.
+constexpr double kNoTurn = 1e-12;
+
+// The bodies that are welded to this one, itself among them.
+template <class Visit>
+void each_welded(const World& world, int body, const Visit& visit) {
+  const std::vector<int>& welded = world.shapes().welded;
+  if (welded[body] < 0 || world.infinite_mass(body)) return visit(body);
+  for (const int i : world.trajectories.members(world.trajectories.island_of(body))) {
+    if (welded[i] == welded[body]) visit(i);
+  }
+}
+
+// The stretch in which two rigid bodies touch: from `low` to `high` along the tangent, from the contact's
+// point.
+struct Stretch {
+  double low = 0.0;   // m
+  double high = 0.0;  // m
+};
+
+Stretch stretch_of(const World& world, int a, int b, const Contact& contact) {
+  const Geometry& g = world.shapes();
+  const Vec2 along = crossed(contact.normal);
+  Stretch stretch;
+  each_welded(world, a, [&](int i) {
+    const Pose pose_i = pose_of(g.shapes, i, world.trajectories.at_start(i).head<3>());
+    each_welded(world, b, [&](int j) {
+      if (!g.can_collide(i, j)) return;
+      const Pose pose_j = pose_of(g.shapes, j, world.trajectories.at_start(j).head<3>());
+      const double tolerance = kTogether * (g.size[i] + g.size[j]);
+      const Manifold m = manifold(g.shapes, i, pose_i, j, pose_j, contact.gap + tolerance);
+      if (std::abs(cross(m.normal, contact.normal)) > kTogether) return;
+      for (int k = 0; k < m.count; ++k) {
+        if (m.points[k].gap > contact.gap + tolerance) continue;
+        const double at = along.dot(m.points[k].point - contact.point);
+        stretch = {std::min(stretch.low, at), std::max(stretch.high, at)};
+      }
+    });
+  });
+  return stretch;
+}
+
+// How the ends of a stretch move along the normal: their velocities, and the velocity of end i by a unit
+// impulse at end j.
+struct EndMotion {
+  std::array<double, 2> velocity{};                 // m/s
+  std::array<std::array<double, 2>, 2> response{};  // 1/kg
+};
+
+EndMotion motion_of_ends(World& world, int a, int b, const Vec2& normal, const std::array<Vec2, 2>& ends) {
+  Trajectories& trajectories = world.trajectories;
+  const bool jointed = trajectories.is_jointed(a) || trajectories.is_jointed(b);
+  const auto lever = [&](int body, int end) {
+    return cross(ends[static_cast<std::size_t>(end)] - trajectories.at_start(body).head<2>(), normal);
+  };
+  const auto along = [&](const Eigen::Vector3d& of_a, const Eigen::Vector3d& of_b, int end) {
+    return (of_b - of_a).head<2>().dot(normal) + of_b[2] * lever(b, end) - of_a[2] * lever(a, end);
+  };
+  const auto change = [&](int body, int end, double sign) -> Eigen::Vector3d {
+    const Vec2 v = sign * world.mass().inverse_mass[body] * normal;
+    return {v.x(), v.y(), sign * world.mass().inverse_inertia[body] * lever(body, end)};
+  };
+  EndMotion motion;
+  for (int j = 0; j < 2; ++j) {
+    Eigen::Vector3d a_by = change(a, j, -1.0);
+    Eigen::Vector3d b_by = change(b, j, 1.0);
+    if (jointed) trajectories.project_changes(a, b, a_by, b_by);
+    const auto to = static_cast<std::size_t>(j);
+    for (std::size_t i = 0; i < 2; ++i) motion.response[i][to] = along(a_by, b_by, static_cast<int>(i));
+    motion.velocity[to] =
+        along(trajectories.at_start(a).segment<3>(3), trajectories.at_start(b).segment<3>(3), j);
+  }
+  return motion;
+}
+
+}  // namespace
+
+Contact pressed_contact(World& world, int a, int b, const Contact& contact) {
+  const Geometry& g = world.shapes();
+  const auto has_no_stretch = [&](int i) { return g.is_disc(i) && g.welded[i] < 0; };
+  if (has_no_stretch(a) || has_no_stretch(b)) {
+    // A disc touches a body that is one piece at one point.
+    if (g.welded[a] < 0 && g.welded[b] < 0) return contact;
+    if (has_no_stretch(a) && has_no_stretch(b)) return contact;
+  }
+  const Stretch stretch = stretch_of(world, a, b, contact);
+  if (!(stretch.high - stretch.low > kTogether * (g.size[a] + g.size[b]))) return contact;
+  const Vec2 along = crossed(contact.normal);
+  const std::array<double, 2> at = {stretch.low, stretch.high};
+  const auto [u, k] = motion_of_ends(world, a, b, contact.normal,
+                                     {contact.point + at[0] * along, contact.point + at[1] * along});
+  const double determinant = k[0][0] * k[1][1] - k[0][1] * k[1][0];
+  const double scale = std::max(k[0][0], k[1][1]);
+  double where = 0.5 * (at[0] + at[1]);
+  if (determinant > kNoTurn * scale * scale) {
+    const double low = (k[0][1] * u[1] - k[1][1] * u[0]) / determinant;
+    const double high = (k[1][0] * u[0] - k[0][0] * u[1]) / determinant;
+    if (!(std::max(low, high) > 0.0)) return contact;
+    where = low <= 0.0 ? at[1] : high <= 0.0 ? at[0] : (low * at[0] + high * at[1]) / (low + high);
+  }
+  Contact pressed = contact;
+  pressed.point += where * along;
+  return pressed;
+}
+
+}  // namespace carom

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "physics/collision/contact.h"
+#include "physics/step/world.h"
+
+namespace carom {
+
+// Where the normal impulse of an impact acts, if bodies a < b touch along a stretch: faces that meet flat, or
+// several parts of bodies that are welded together. At both ends of the stretch the impulse must stop the
+// approach, and it may only push:
+//   0 <= λ_i  ⊥  u_i + Σ K_ij λ_j >= 0,  i, j = 1, 2.
+// The resultant of λ_1 and λ_2 acts at one point between the ends; an impact there stops the approach of the
+// whole stretch, so a body that lands flat does not start to turn. Returns the contact with this point, or as
+// it is if they touch at one point or do not approach. At the start of the trajectories.
+[[nodiscard]] Contact pressed_contact(World& world, int a, int b, const Contact& contact);
+
+}  // namespace carom

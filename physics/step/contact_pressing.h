@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "physics/step/contact_force.h"
+#include "physics/step/world.h"
+
+namespace carom {
+
+// What presses bodies together in a step: all forces at its start, and the contact forces of the last step or
+// part of one. It decides whether a contact that closes is a hit or comes to rest.
+class ContactPressing {
+ public:
+  // For a step of step_length s, at the start of trajectories on which no contact forces act.
+  void find(World& world, double step_length, const ContactMemory& memory);
+  // After the contact forces have changed.
+  void update(const World& world, const ContactMemory& memory);
+
+  // m/s²: how fast the pair a < b would close at this point along this normal without its own contact.
+  [[nodiscard]] double between(const World& world, const ContactMemory& memory, int a, int b, const Vec2& point,
+                               const Vec2& normal) const;
+  // m/s: a contact that `press` (m/s²) closes rests if it rebounds slower than this: the press would close it
+  // again within a step. noise() if nothing presses it.
+  [[nodiscard]] double rest_speed(const World& world, double press, double restitution) const;
+  // m/s: slower motions are rounding, or what the order of the method leaves.
+  [[nodiscard]] double noise() const { return noise_; }
+  // m/s: the largest change of a speed by other forces than those of contacts in a step.
+  [[nodiscard]] double change_by_forces() const { return change_by_forces_; }
+  // m/s²: a body's acceleration by other forces than those of contacts.
+  [[nodiscard]] double acceleration(int body) const { return acceleration_.col(body).head<2>().norm(); }
+
+ private:
+  double step_length_ = 0.0;       // s
+  Eigen::Matrix3Xd acceleration_;  // m/s², rad/s²: of all other forces
+  Eigen::Matrix3Xd pressing_;      // likewise, of all forces
+  double noise_ = 0.0;
+  double change_by_forces_ = 0.0;
+};
+
+}  // namespace carom

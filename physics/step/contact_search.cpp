@@ -1,0 +1,189 @@
+#include "physics/step/contact_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "physics/collision/turning_pair.h"
+#include "physics/step/pair_motion.h"
+
+namespace carom {
+namespace {
+
+// Gap evaluations in one search, far more than a hard one needs. Where forces change much within a step the
+// curvature bound can be so large that a search would not end.
+constexpr int kMostLooks = 20'000;
+// For a resting pair, whose gap stays near zero: a missed contact is resolved at the step's end.
+constexpr int kMostLooksAtRest = 200;
+
+// Cost of a gap evaluation in units of StepWork; an evaluation of a right-hand side costs half a unit.
+constexpr std::int64_t kLookWork = 10;
+
+// A pair whose gap evaluations are charged to the step's budget; the search ends when that is spent. Without
+// turning corners the first kShort evaluations are charged to the run's reserve.
+template <class Pair>
+class Paid {
+ public:
+  Paid(const Pair& pair, const Trajectories& trajectories, bool corners, StepWork& work, SearchLimit& limit)
+      : pair_(pair), trajectories_(trajectories), short_(corners ? 0 : kShort), work_(work), limit_(limit) {}
+  [[nodiscard]] TurningSample operator()(double t) const {
+    const std::int64_t flown = trajectories_.flight_work();
+    TurningSample sample = pair_(t);
+    const std::int64_t units = kLookWork + (trajectories_.flight_work() - flown) / 2;
+    if (short_ > 0) {
+      --short_;
+      work_.spend_reserve(units);
+    } else {
+      work_.spend(units);
+    }
+    if (work_.spent()) limit_.looks = 0;
+    return sample;
+  }
+  [[nodiscard]] double separation(const Vec2& n, const TurningSample& at) const {
+    return pair_.separation(n, at);
+  }
+  [[nodiscard]] bool clear(const TurningSample& from, const TurningSample& to, double width) const {
+    return pair_.clear(from, to, width);
+  }
+
+ private:
+  static constexpr int kShort = 16;
+  const Pair& pair_;
+  const Trajectories& trajectories_;
+  mutable int short_;
+  StepWork& work_;
+  SearchLimit& limit_;
+};
+
+// Poses and velocities of bodies on their trajectories.
+struct Paths {
+  Trajectories& trajectories;
+  const Geometry& shapes;
+  bool parabolic;
+
+  [[nodiscard]] Eigen::Vector3d pose(int i, double t) const {
+    if (parabolic) return trajectories.parabola(i, t);
+    return trajectories.at(i, t).head<3>();
+  }
+  [[nodiscard]] Twist twist(int i, double t) const {
+    const Eigen::Vector3d v = parabolic ? Eigen::Vector3d(trajectories.parabola_velocity(i, t))
+                                        : Eigen::Vector3d(trajectories.at(i, t).segment<3>(3));
+    return {v.head<2>(), v[2]};
+  }
+  [[nodiscard]] Approach approach(int a, int b, double t, double tolerance) const {
+    return approach_of(shapes, a, pose(a, t), twist(a, t), b, pose(b, t), twist(b, t), tolerance);
+  }
+};
+
+// Two discs on parabolas of the same acceleration move straight relative to each other: their next impact in
+// closed form.
+NextContact next_contact_of_discs(const World& world, const SearchRules& rules, int a, int b, double start,
+                                  double end) {
+  const Trajectories& trajectories = world.trajectories;
+  const ConvexShapes& shapes = world.shapes().shapes;
+  const Vec2 d = (trajectories.parabola(b, start) - trajectories.parabola(a, start)).head<2>();
+  const Vec2 va = trajectories.parabola_velocity(a, start).head<2>();
+  const Vec2 vb = trajectories.parabola_velocity(b, start).head<2>();
+  const Vec2 u = vb - va;
+  const double touch = shapes.rounding[a] + shapes.rounding[b];
+  const bool approach = d.dot(u) < 0.0;
+  const bool apart = d.squaredNorm() > touch * touch;
+  if (apart && !approach) return {};
+  const auto after = first_disc_contact(d, u, touch);
+  if (apart && (!after || start + *after > end)) return {};
+
+  // A resting pair waits for the step's end, unless it closes faster than the forces alone make it.
+  const auto waits = [&](double closing) {
+    return rules.rests(a, b) && closing <= pressed_in(world, a, b, world.method.step);
+  };
+  const double tolerance = touch_tolerance(world, a, b, end);
+  const double distance = d.norm();
+  if (distance - touch <= tolerance) {
+    const double closing = distance > 0.0 ? -d.dot(u) / distance : -u.x();
+    if (closing > rules.closing_share * (va.norm() + vb.norm())) {
+      if (!waits(closing)) return {NextContact::kImpact, start};
+    } else if (distance - touch < -tolerance) {
+      return {NextContact::kPenetrating, start};
+    }
+    return {};
+  }
+  const Vec2 at_contact = d + *after * u;
+  if (waits(-at_contact.dot(u) / touch)) return {};
+  return {NextContact::kImpact, start + *after};
+}
+
+}  // namespace
+
+NextContact next_contact(World& world, const SearchRules& rules, int a, int b) {
+  Trajectories& trajectories = world.trajectories;
+  const Geometry& shapes = world.shapes();
+  const double begin = std::max({trajectories.start(a), trajectories.start(b), rules.from});
+  const double end = std::min(trajectories.end(a), trajectories.end(b));
+  if (!(begin <= end)) return {};
+  const bool parabolic =
+      trajectories.is_parabolic() && !world.model->is_kinematic(a) && !world.model->is_kinematic(b);
+  if (parabolic && shapes.is_disc(a) && shapes.is_disc(b) &&
+      trajectories.constant_acceleration(a).head<2>() == trajectories.constant_acceleration(b).head<2>()) {
+    return next_contact_of_discs(world, rules, a, b, begin, end);
+  }
+
+  const double path_bound =
+      parabolic
+          ? (trajectories.constant_acceleration(b) - trajectories.constant_acceleration(a)).head<2>().norm()
+          : trajectories.curvature_bound(a) + trajectories.curvature_bound(b);
+  const double bound = curvature(world, a, b, path_bound);
+  // A run that has blown up: squares overflow, and no contact means anything.
+  constexpr double kBlownUp = 1e100;  // m/s²
+  if (!(bound < kBlownUp)) return {};
+  const Paths paths{trajectories, shapes, parabolic};
+  const TurningPair pair(
+      shapes.shapes, a, [&](double t) { return paths.pose(a, t); }, b,
+      [&](double t) { return paths.pose(b, t); }, path_bound);
+  const double tolerance = touch_tolerance(world, a, b, end);
+  const bool resting = rules.rests(a, b);
+  const auto waits = [&](double closing) {
+    return resting && closing <= pressed_in(world, a, b, world.method.step);
+  };
+  double start = begin;
+  TurningSample first = pair(start);
+  if (first.gap <= tolerance) {
+    const Twist twist_a = paths.twist(a, begin);
+    const Twist twist_b = paths.twist(b, begin);
+    const Approach now =
+        approach_of(shapes, a, paths.pose(a, begin), twist_a, b, paths.pose(b, begin), twist_b, tolerance);
+    if (waits(-now.speed)) return {};
+    if (now.speed < -rules.closing_share * now.scale) return {NextContact::kImpact, begin};
+    if (bound == 0.0) {
+      if (first.gap < -tolerance) return {NextContact::kPenetrating, begin};
+      return {};
+    }
+    // They separate and cannot be back before some time: search from half of that on.
+    start += 0.5 * apart_until(shapes.shapes, a, first.a, twist_a, b, first.b, twist_b, first.normal, bound);
+    if (start >= end) return {};
+    const bool touching = first.gap >= -tolerance;
+    first = pair(start);
+    bool pressed = false;
+    if (touching && world.has_moving_corners(a, b)) {
+      // Whether they separate or press shows once the gap exceeds its rounding.
+      for (double wait = std::sqrt(tolerance / bound); first.gap <= 4.0 * tolerance && !pressed; wait *= 2.0) {
+        if (start >= end) return {};
+        start = std::min(start + wait, end);
+        first = pair(start);
+        pressed = first.gap < -4.0 * tolerance;
+      }
+    } else if (first.gap <= tolerance) {
+      pressed = pressing(world, a, b, now.contact, start) > 0.0;
+    }
+    if (first.gap <= tolerance)
+      return {touching && pressed ? NextContact::kPressed : NextContact::kPenetrating, begin};
+  }
+  const TurningSample last = pair(end);
+  SearchLimit limit{.looks = resting ? kMostLooksAtRest : kMostLooks};
+  const Paid paid(pair, trajectories, world.has_moving_corners(a, b), world.work, limit);
+  const auto time = first_contact(paid, start, first, end, last, bound, tolerance, limit);
+  if (limit.reached && !resting) world.note(&Notices::search_cut_since, trajectories.epoch() + start);
+  if (!time || (resting && waits(-paths.approach(a, b, *time, tolerance).speed))) return {};
+  return {NextContact::kImpact, *time};
+}
+
+}  // namespace carom

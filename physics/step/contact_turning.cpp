@@ -1,0 +1,171 @@
+#include "physics/step/contact_turning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "physics/collision/pair_contact.h"
+#include "physics/contact/contact_velocity.h"
+#include "physics/model/convex.h"
+#include "physics/step/contact_arms.h"
+#include "physics/step/neighbours.h"
+#include "physics/step/pair_motion.h"
+
+namespace carom {
+namespace {
+
+// Relative to the size: bodies that move less against each other don't turn their contacts.
+constexpr double kStill = 1e-11;
+// Relative to the smaller body: gaps at the end that are left. Where many contacts hold each other they cannot
+// all close, and would push each other to and fro for ever.
+constexpr double kLeft = 1e-11;
+// Cosine of the angle by which a normal may turn in a step; what turns further is another contact.
+constexpr double kLeastCosine = 0.9;
+// Of what presses a contact in a step: the fastest that an overlap may part it.
+constexpr double kMostParting = 0.5;
+// Likewise: a contact that closes faster at the end under the guessed forces hits, and keeps its normal.
+constexpr double kMostClosing = 0.5;
+// Of the size, and in rad: if guessed forces change the path or the angle of a body in a step by more, they are
+// those of an impact, which don't go on, and tell nothing of where its contacts will be.
+constexpr double kMostGuessed = 0.05;
+// Times what presses a contact in a step: likewise, for the change of a body's speed.
+constexpr double kMostSudden = 30.0;
+
+// A body in the step.
+struct Flown {
+  Pose end;
+  Eigen::Vector3d moved;  // m and rad
+  Vec2 mean;              // m: where the arms of all forces on the body start
+  bool goes_on;           // whether the guessed forces leave its motion through the step about as it is
+};
+
+bool goes_on(const World& world, double h, const GuessedFlight& flight, int body) {
+  if (world.infinite_mass(body)) return true;
+  const Eigen::Vector3d change = flight.velocity.col(body) - world.trajectories.at_start(body).segment<3>(3);
+  const double size = world.shapes().size[body];
+  return h * change.head<2>().norm() <= kMostGuessed * size && h * std::abs(change[2]) <= kMostGuessed &&
+         change.head<2>().norm() + std::abs(change[2]) * size <= kMostSudden * h * flight.press[body];
+}
+
+// Where forces do not go on, all arms start at the body's place at the start of the step.
+Flown flown(const World& world, double h, const GuessedFlight& flight, int body) {
+  const Eigen::Vector3d from = world.trajectories.at_start(body).head<3>();
+  const Eigen::Vector3d to = flight.position.col(body);
+  const bool on = goes_on(world, h, flight, body);
+  const Vec2 mean = on ? arm_start(world, h, flight, body) : Vec2(from.head<2>());
+  return {pose_of(world.shapes().shapes, body, to), to - from, mean, on};
+}
+
+// The point of a manifold with this feature; null if there is none.
+const ManifoldPoint* point_of(const Manifold& m, std::uint32_t id) {
+  for (int k = 0; k < m.count; ++k) {
+    if (m.points[k].id == id) return &m.points[k];
+  }
+  return nullptr;
+}
+
+bool moved(const World& world, int ka, const Flown& a, int kb, const Flown& b) {
+  const double size_a = world.shapes().size[ka];
+  const double size_b = world.shapes().size[kb];
+  const double turned = std::abs(a.moved[2]) * size_a + std::abs(b.moved[2]) * size_b;
+  return (a.moved - b.moved).head<2>().norm() + turned > kStill * (size_a + size_b);
+}
+
+void set_arms(Contacts& c, int i, const Vec2& point, const Flown& a, const Flown& b) {
+  c.arm_a[i] = point - a.mean;
+  c.arm_b[i] = point - b.mean;
+}
+
+// A contact at the step's end, as guessed.
+struct GuessedEnd {
+  Vec2 point;  // m
+  Vec2 normal;
+  double gap = 0.0;  // m
+};
+
+// m/s: the velocities of contact i at the step's end, as guessed.
+RowVelocity end_velocity(const Contacts& c, int i, const Vec2& point, const Vec2& normal, const Flown& a,
+                         const Flown& b, const Eigen::Matrix3Xd& velocity) {
+  return contact_velocity(normal, point - a.end.position, point - b.end.position, velocity.col(c.a[i]),
+                          velocity.col(c.b[i]));
+}
+
+// A contact that keeps its normal: with `moves`, its point moves with the discs, or as its bodies do on
+// average.
+GuessedEnd carried(const Geometry& g, const Contacts& c, int i, const Vec2& start, const Flown& a,
+                   const Flown& b, bool moves) {
+  GuessedEnd end{start, c.normal[i], c.gap[i]};
+  if (moves) {
+    const Vec2 by_a = a.moved.head<2>() + a.moved[2] * crossed(c.arm_a[i]);
+    const Vec2 by_b = b.moved.head<2>() + b.moved[2] * crossed(c.arm_b[i]);
+    end.gap += (by_b - by_a).dot(c.normal[i]);
+    if (g.is_disc(c.a[i]) == g.is_disc(c.b[i])) {
+      end.point += 0.5 * (by_a + by_b);
+    } else {
+      end.point += (g.is_disc(c.a[i]) ? a : b).moved.head<2>();
+    }
+  }
+  return end;
+}
+
+// Puts contact i where the moments of forces are taken, `along` the way to the end, and its targets to what
+// the end asks for. Its arms start where those of all others of its bodies do, also where nothing moves: else
+// their moments would not balance. Returns how fast the contact parts at the end, as guessed (m/s).
+double turn_contact(Contacts& c, int i, const Vec2& start, const GuessedEnd& end, const Flown& a,
+                    const Flown& b, const Eigen::Matrix3Xd& velocity, double along) {
+  const RowVelocity at_end = end_velocity(c, i, end.point, end.normal, a, b, velocity);
+  c.normal[i] = ((1.0 - along) * c.normal[i] + along * end.normal).normalized();
+  set_arms(c, i, start + along * (end.point - start), a, b);
+  const RowVelocity middle = contact_velocity(c, i, velocity);
+  c.target[i] += middle.normal - at_end.normal;
+  c.slip_target[i] = middle.tangential - at_end.tangential;
+  return at_end.normal;
+}
+
+}  // namespace
+
+void turn_contacts(World& world, double h, const GuessedFlight& flight, const Neighbours& neighbours,
+                   FoundContacts& found) {
+  Contacts& c = found.contacts;
+  const ConvexShapes& convex = world.shapes().shapes;
+  const StepArms arms = arms_of(world.method.integrator);
+  for (int first = 0, last = 0; first < c.size(); first = last) {
+    const int ka = c.a[first];
+    const int kb = c.b[first];
+    while (last < c.size() && c.a[last] == ka && c.b[last] == kb) ++last;
+    const Flown a = flown(world, h, flight, ka);
+    const Flown b = flown(world, h, flight, kb);
+    if (!a.goes_on || !b.goes_on) {
+      for (int i = first; i < last; ++i) set_arms(c, i, found.point[static_cast<std::size_t>(i)], a, b);
+      continue;
+    }
+    const bool turns = moved(world, ka, a, kb, b);
+    Manifold end;
+    if (turns) end = manifold(convex, ka, a.end, kb, b.end, std::numeric_limits<double>::infinity());
+    const auto continued = [&](const ManifoldPoint& at) {
+      return may_be_continued(world, ka, kb) &&
+             on_internal_edge(world, ka, kb, {at.gap, end.normal, at.point}, neighbours.of_pair(world, ka, kb),
+                              [&](int body) { return pose_of(convex, body, flight.position.col(body)); });
+    };
+    for (int i = first; i < last; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const double allowed = c.target[i];
+      const ManifoldPoint* at = turns ? point_of(end, found.id[k]) : nullptr;
+      const double press = std::max(found.press[k], 0.0) * h;
+      GuessedEnd guess = carried(world.shapes(), c, i, found.point[k], a, b, turns);
+      // Where a neighbour continues the surface, the contact does not turn about the edge.
+      if (at != nullptr && end.normal.dot(c.normal[i]) > kLeastCosine && !continued(*at) &&
+          end_velocity(c, i, at->point, end.normal, a, b, flight.velocity).normal >= -kMostClosing * press)
+        guess = {at->point, end.normal, at->gap};
+      const double parting = turn_contact(c, i, found.point[k], guess, a, b, flight.velocity, arms.along);
+      if (found.is_new(i) || !std::isfinite(allowed)) continue;
+      // The gap at the end if the contact did not part or close there.
+      const double off = guess.gap - arms.reach * h * parting;
+      const double most = kLeft * smaller_size(world, ka, kb);
+      const double returns = off - std::clamp(off, -most, most);
+      c.target[i] += std::min(-returns / std::max(h, world.method.step), kMostParting * press) - allowed;
+    }
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,70 @@
+#include "physics/step/contact_work.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "physics/contact/contact_velocity.h"
+#include "physics/math/vectors.h"
+#include "physics/step/contact_arms.h"
+
+namespace carom {
+namespace {
+
+void record_immovable(World& world, const Contacts& c, int i, double share, const Eigen::Matrix3Xd& mean) {
+  const Vec2 j = share * (c.normal_impulse[i] * c.normal[i] + c.tangential_impulse[i] * crossed(c.normal[i]));
+  for (const auto& [body, sign] : {std::pair(c.a[i], -1.0), std::pair(c.b[i], 1.0)}) {
+    const Vec2& arm = body == c.a[i] ? c.arm_a[i] : c.arm_b[i];
+    world.record_angular_momentum(body, world.state.position(body) + arm, arm, sign * j,
+                                  sign * share * c.rolling_impulse[i]);
+    if (!world.infinite_mass(body)) continue;
+    world.sums.ledger.momentum_to_walls += sign * j;
+    world.sums.ledger.put_in_by_drives -= sign * j.dot(mean.col(body).head<2>());
+  }
+}
+
+}  // namespace
+
+void record_support(World& world, const Contacts& c, double share, const Eigen::Matrix3Xd& mean, double passed,
+                    const GuessedFlight& flight) {
+  Ledger& ledger = world.sums.ledger;
+  // m: from the middle of a body's path to where its contacts' arms start. Those leave out what the contact
+  // forces themselves do, which all together do no work there.
+  const auto off = [&](int body) -> Vec2 {
+    if (world.infinite_mass(body)) return Vec2::Zero();
+    return arm_start(world, passed / share, flight, body) - world.state.position(body) -
+           0.5 * passed * mean.col(body).head<2>();
+  };
+  for (int i = 0; i < c.size(); ++i) {
+    if (c.normal_impulse[i] == 0.0) continue;
+    RowVelocity u = contact_velocity(c, i, mean);
+    u.tangential +=
+        mean(2, c.b[i]) * off(c.b[i]).dot(c.normal[i]) - mean(2, c.a[i]) * off(c.a[i]).dot(c.normal[i]);
+    ledger.lost_to_friction += std::max(0.0, -share * c.tangential_impulse[i] * u.tangential);
+    ledger.lost_to_rolling += std::max(0.0, -share * c.rolling_impulse[i] * u.spin);
+    record_immovable(world, c, i, share, mean);
+  }
+}
+
+void record_stops(World& world, const Contacts& c, const Eigen::Matrix3Xd& mean) {
+  double normal = 0.0;
+  double tangential = 0.0;
+  double rolling = 0.0;
+  for (int i = 0; i < c.size(); ++i) {
+    if (c.normal_impulse[i] == 0.0) continue;
+    const RowVelocity u = contact_velocity(c, i, mean);
+    normal -= c.normal_impulse[i] * u.normal;
+    tangential -= c.tangential_impulse[i] * u.tangential;
+    rolling -= c.rolling_impulse[i] * u.spin;
+    record_immovable(world, c, i, 1.0, mean);
+  }
+  // Where normals and tangents are coupled, energy passes from one to the other; only the sum is lost.
+  const double all = std::max(0.0, normal + tangential + rolling);
+  const double rubbed = std::clamp(tangential, 0.0, all);
+  const double rolled = std::clamp(rolling, 0.0, all - rubbed);
+  Ledger& ledger = world.sums.ledger;
+  ledger.lost_to_friction += rubbed;
+  ledger.lost_to_rolling += rolled;
+  ledger.lost_to_restitution += all - rubbed - rolled;
+}
+
+}  // namespace carom

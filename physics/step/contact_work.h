@@ -1,0 +1,22 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "physics/contact/contacts.h"
+#include "physics/step/contact_turning.h"
+#include "physics/step/world.h"
+
+namespace carom {
+
+// What contact impulses do, entered into the ledger: momentum to immovable bodies, work of driven ones, and
+// losses. `mean` are the bodies' mean velocities while they act (3×N: m/s, m/s, rad/s).
+
+// Forces that support bodies, or this share of their impulses. Friction and rolling resistance take what they
+// oppose; along the normal nothing moves, and what does is the method's error.
+// `passed` in s is the time since the start of their flight, which was guessed as `flight`.
+void record_support(World& world, const Contacts& contacts, double share, const Eigen::Matrix3Xd& mean,
+                    double passed, const GuessedFlight& flight);
+// Impulses that stop approaches at once, as impacts without rebound do.
+void record_stops(World& world, const Contacts& contacts, const Eigen::Matrix3Xd& mean);
+
+}  // namespace carom

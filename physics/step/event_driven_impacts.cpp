@@ -1,0 +1,486 @@
+#include "physics/step/event_driven_impacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "physics/collision/broad_phase.h"
+#include "physics/collision/pair_contact.h"
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/ledger/step_limits.h"
+#include "physics/step/apply_impact.h"
+#include "physics/step/contact_search.h"
+#include "physics/step/neighbours.h"
+#include "physics/step/pair_motion.h"
+#include "physics/step/penetrations.h"
+
+namespace carom {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kNever = std::numeric_limits<double>::infinity();
+// Inelastic collapse: a pair with e < 1 separates slower than this share of its own speed, and the time since
+// the previous impact is less than doubles can distinguish.
+constexpr double kCollapseShare = 1e-12;
+// Impacts at one time, to the last bit, after which closing speeds below that share are rounding: a body too
+// light to change the speeds of two others would bounce between them for ever.
+constexpr int kMostAtOnce = 10'000;
+// After more than kImpactsBeforeGuard + kImpactsBeforeGuardPerBody * N impacts in one step, the guard against
+// inelastic collapse acts: a pair with e < 1 rests until the step's end if it rebounds slower than its forces
+// can press it together in a step. A settling pile would otherwise need millions of impacts a step.
+constexpr int kImpactsBeforeGuard = 100;
+constexpr int kImpactsBeforeGuardPerBody = 4;
+// Parts into which new supports divide a step; a body that comes to rest in the last part is supported from
+// the next step on.
+constexpr int kMostParts = 8;
+// Up to this many bodies a trajectory that no step ends may cross the whole scene: every pair is searched
+// anyway.
+constexpr int kFewBodies = 12;
+// Limits for each later step of a run that has once reached kMostImpactsPerStep or kMostImpactsAtOnce (a
+// piston crushing an elastic disc, say), so that it still advances.
+constexpr int kMostImpactsOnceCapped = 20'000;
+constexpr int kMostImpactsAtOnceCapped = 1'000;
+// Of a step: two times of one landing, found in two ways, differ by less.
+constexpr double kSameTime = 1e-9;
+// Trajectories that end in one step, beside some for each body, before they become twice as long: bodies that
+// fly or turn very fast for the size of the scene would end millions.
+constexpr int kMostTrajectoryEnds = 1'000;
+constexpr int kMostTrajectoryEndsPerBody = 20;
+// Searches after an impact that cost nothing.
+constexpr std::int64_t kFewNeighbours = 16;
+// Cost of an impact that is none, because a third body continues the surface.
+constexpr std::int64_t kInternalEdge = 20;
+// Largest number of epochs in one step.
+constexpr double kMostEpochs = 1024.0;
+
+}  // namespace
+
+bool EventDrivenImpacts::trajectories_run_on(const World& world, const RestingContacts* resting) {
+  const IntegratorChoice& choice = choice_of(kIntegrators, world.method.integrator);
+  return resting == nullptr && (choice.order == 0 || choice.adaptive);
+}
+
+void EventDrivenImpacts::reset(int bodies) {
+  stamp_.assign(bodies, 0);
+  running_ = false;
+  end_of_step_.clear();
+}
+
+double EventDrivenImpacts::closing_share() const {
+  return at_once_ >= kMostAtOnce ? kCollapseShare : 16.0 * kEpsilon;
+}
+
+void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) {
+  Trajectories& trajectories = world.trajectories;
+  const bool run_on = trajectories_run_on(world, resting);
+  Step step{world, resting, h, run_on ? kNever : h, world.sums.impact_count};
+  trajectory_ends_ = 0;
+  if (!run_on || !running_) {
+    if (!run_on) trajectories.begin(world.clock.time);
+    choose_cells(world, step.horizon);
+    epoch_length_ = std::max(epoch_length_, std::exp2(std::ceil(std::log2(h / kMostEpochs))));
+    if (!run_on) end_of_step_.clear();
+    last_impact_ = -1.0;
+    stretch_ = 1.0;
+    rebuild_all(step);
+    running_ = true;
+  }
+  // Where trajectories continue across steps, the epoch advances by leaps that don't depend on h. Times stay
+  // small, and with them the rounding of each impact's time, which would add up over millions of bounces.
+  while (run_on && world.clock.step_end - trajectories.epoch() > epoch_length_) {
+    process_until(step, epoch_length_);
+    trajectories.shift_epoch(epoch_length_);
+    queue_.shift(epoch_length_);
+    last_impact_ -= epoch_length_;
+  }
+  if (resting != nullptr) {
+    const double left = process_with_supports(step);
+    for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, left);
+    resolving_.swap(end_of_step_);
+    end_of_step_.clear();
+    std::vector<std::pair<int, int>> pairs = resting->finder().supported();
+    for (const WaitingPair& d : resolving_.all()) pairs.emplace_back(d.a, d.b);
+    resting->rebound_at_end(world, pairs);
+    world.publish(left);
+    return;
+  }
+  const double target = run_on ? world.clock.step_end - trajectories.epoch() : h;
+  process_until(step, target);
+  resolve_end_of_step(step, target);
+}
+
+// Pairs that rest or penetrate at the step's end are resolved then, in the order of index pairs: not in that of
+// the search, which depends on all that happened before.
+void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
+  World& world = step.world;
+  Trajectories& trajectories = world.trajectories;
+  const bool run_on = step.horizon == kNever;
+  resolving_.swap(end_of_step_);
+  resolving_.sort();
+  end_of_step_.clear();
+  const std::vector<WaitingPair>& pairs = resolving_.all();
+  resolving_islands_.clear();
+  if (run_on) {
+    // The islands of these pairs, without duplicates, in the order of the pairs.
+    is_resolving_.assign(static_cast<std::size_t>(trajectories.islands()), false);
+    for (const WaitingPair& d : pairs) {
+      for (const int i : {d.a, d.b}) {
+        const int island = trajectories.island_of(i);
+        if (island < 0 || is_resolving_[static_cast<std::size_t>(island)]) continue;
+        is_resolving_[static_cast<std::size_t>(island)] = true;
+        resolving_islands_.push_back(island);
+      }
+    }
+    for (const int island : resolving_islands_) trajectories.advance_to(island, target);
+  } else {
+    for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, target);
+  }
+  world.publish(target);
+  if (pairs.empty()) return;
+  world.check_motions();
+  resolve_penetrations(world, pairs, neighbours_, step.h);
+  if (std::any_of(pairs.begin(), pairs.end(),
+                  [&](const WaitingPair& d) { return !world.shapes().can_collide(d.a, d.b); })) {
+    // Bodies have stuck together: the islands are different.
+    world.publish(target);
+    running_ = false;
+    return;
+  }
+  for (const WaitingPair& d : pairs) {
+    for (const int i : {d.a, d.b}) world.state.set_motion(i, trajectories.at(i, target));
+  }
+  if (run_on) rebuild_and_search(step, resolving_islands_);
+}
+
+// A step with resting contacts. A body that comes to rest on a support is supported from that moment on: the
+// step is divided there, up to kMostParts times. Returns the length in s of the last part, from the epoch on.
+double EventDrivenImpacts::process_with_supports(Step& step) {
+  World& world = step.world;
+  Trajectories& trajectories = world.trajectories;
+  RestingContacts& resting = *step.resting;
+  for (int part = 1;; ++part) {
+    const double left = step.h;
+    step.may_divide = part < kMostParts;
+    std::optional<LandingTime> landing;
+    if (step.may_divide) landing = resting.first_landing(world, left);
+    if (landing && !(landing->time < left)) landing.reset();
+    const std::optional<double> stops =
+        process_until(step, landing ? landing->time : left, landing ? &landing->landing : nullptr);
+    if (stops) landing.reset();
+    const bool divides = stops || landing;
+    const double passed = stops ? *stops : landing ? landing->time : left;
+    resting.record_forces(world, passed, passed / left);
+    if (!divides) return left;
+    for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, passed);
+    if (landing) resting.land(world, *landing);
+    world.publish(passed);
+    step.h = step.horizon = left - passed;
+    trajectories.begin(world.clock.step_end - step.h);
+    resting.support(world, step.h);
+    choose_cells(world, step.h);
+    end_of_step_.clear();
+    last_impact_ = -1.0;
+    rebuild_all(step);
+  }
+}
+
+// Cells about as large as a body and its trajectory.
+void EventDrivenImpacts::choose_cells(const World& world, double horizon) {
+  double size = 0.0;
+  double path = 0.0;
+  int moving = 0;
+  Bounds all{Eigen::Array2d::Constant(kNever), Eigen::Array2d::Constant(-kNever)};
+  const int n = world.bodies();
+  for (int i = 0; i < n; ++i) {
+    const Eigen::Array2d x = world.trajectories.at_start(i).head<2>().array();
+    const Eigen::Array2d extent = world.shapes().extent.col(i).array();
+    if (!extent.allFinite()) continue;
+    all.low = all.low.min(x - extent);
+    all.high = all.high.max(x + extent);
+    if (world.infinite_mass(i)) continue;
+    ++moving;
+    size += 2.0 * extent.maxCoeff();
+    path += world.trajectories.at_start(i).segment<2>(3).norm();
+  }
+  const bool finite = (all.high >= all.low).all();  // there are bodies other than half-planes
+  const double across = finite ? (all.high - all.low).matrix().norm() : 1.0;
+  if (moving == 0) moving = 1;
+  size /= moving;
+  if (size == 0.0) size = across;
+  double cell = 1.5 * size;
+  if (horizon < kNever) {
+    cell = size + path / moving * horizon;
+  } else {
+    // In a thin gas longer trajectories save more than larger cells cost.
+    cell = std::clamp(1.1 * std::sqrt((all.high - all.low).prod() / moving), size, 4.0 * size);
+  }
+  const double crossing = path > 0.0 ? std::clamp(across * moving / path, 1e-6, 1e6) : 1.0;
+  epoch_length_ = std::exp2(std::ceil(std::log2(crossing)));
+  reach_ = moving <= kFewBodies ? 4.0 * across : 0.6 * cell;
+  grid_.reset(n, cell);
+}
+
+void EventDrivenImpacts::rebuild_all(const Step& step) {
+  World& world = step.world;
+  const int n = world.bodies();
+  queue_.clear();
+  for (int i = 0; i < n; ++i) {
+    if (world.trajectories.island_of(i) >= 0) continue;
+    const Eigen::Array2d x = world.trajectories.at_start(i).head<2>().array();
+    grid_.put(i, {x - world.shapes().extent.col(i).array(), x + world.shapes().extent.col(i).array()});
+  }
+  for (int k = 0; k < world.trajectories.islands(); ++k) rebuild(step, k);
+  // Each pair once: from its movable body with the higher index, or from its only movable body.
+  std::size_t left = BroadPhase::most_pairs(world.model->bodies().size());
+  for (int i = 0; i < n && left > 0; ++i) {
+    if (world.infinite_mass(i)) continue;
+    grid_.each_near(i, [&](int other) {
+      if (left == 0 || !(other < i || world.infinite_mass(other))) return;
+      search(step, i, other);
+      if (--left == 0) world.note(&Notices::pairs_cut_since, world.clock.time);
+    });
+  }
+}
+
+void EventDrivenImpacts::rebuild(const Step& step, int island) {
+  Trajectories& trajectories = step.world.trajectories;
+  const Geometry& shapes = step.world.shapes();
+  trajectories.rebuild(island, step.horizon, stretch_ * reach_, stretch_ * Trajectories::kUsualTurn);
+  trajectories.bound_curvature(island);
+  const int first = trajectories.members(island).front();
+  const double begin = trajectories.start(first);
+  const double end = trajectories.end(first);
+  for (const int i : trajectories.members(island)) {
+    ++stamp_[i];
+    const Eigen::Array2d from = trajectories.at_start(i).head<2>().array();
+    const Eigen::Array2d to = trajectories.at_end(i).head<2>().array();
+    const double left = end - begin;
+    const Eigen::Array2d margin = shapes.extent.col(i).array() +
+                                  trajectories.curvature_bound(i) * left * left / 8.0 +
+                                  32.0 * kEpsilon * (from.abs() + to.abs());
+    grid_.put(i, {from.min(to) - margin, from.max(to) + margin});
+  }
+  if (end < step.horizon) queue_.push({end, first, -1, stamp_[first], 0});
+}
+
+void EventDrivenImpacts::rebuild_and_search(const Step& step, std::span<const int> islands) {
+  for (const int island : islands) rebuild(step, island);
+  for (const int island : islands) search_island(step, island);
+}
+
+void EventDrivenImpacts::search_island(const Step& step, int island) {
+  World& world = step.world;
+  std::int64_t neighbours = 0;
+  for (const int i : world.trajectories.members(island)) {
+    grid_.each_near(i, [&](int other) {
+      if (world.infinite_mass(i) && world.infinite_mass(other)) return;
+      ++neighbours;
+      search(step, i, other);
+    });
+  }
+  // An impact of a few bodies is free: the number of impacts has its own limit.
+  world.work.spend(std::max<std::int64_t>(0, neighbours - kFewNeighbours));
+}
+
+// Schedules the next impact of a and b on their trajectories from `from` on (s after the epoch), if there is
+// one.
+void EventDrivenImpacts::search(const Step& step, int a, int b, double from) {
+  World& world = step.world;
+  if (a > b) std::swap(a, b);
+  if (!world.shapes().can_collide(a, b)) return;
+  if (step.resting != nullptr && step.resting->finder().stays_supported(world, a, b)) return;
+  if (world.work.spent()) {
+    world.note(&Notices::work_spent_since, world.clock.time);
+    end_of_step_.add(a, b, false);
+    return;
+  }
+  const NextContact next = next_contact(world, {end_of_step_, step.resting, closing_share(), from}, a, b);
+  switch (next.kind) {
+    case NextContact::kNone:
+      break;
+    case NextContact::kImpact:
+      queue_.push({next.time, a, b, stamp_[a], stamp_[b]});
+      break;
+    case NextContact::kPressed:
+      if (step.resting == nullptr) world.note(&Notices::resting_since, world.trajectories.epoch() + next.time);
+      [[fallthrough]];
+    case NextContact::kPenetrating:
+      end_of_step_.add(a, b, next.kind == NextContact::kPressed);
+      break;
+  }
+}
+
+std::optional<double> EventDrivenImpacts::process_until(const Step& step, double target,
+                                                        const Landing* awaited) {
+  World& world = step.world;
+  Trajectories& trajectories = world.trajectories;
+  const std::int64_t before_guard =
+      kImpactsBeforeGuard + kImpactsBeforeGuardPerBody * static_cast<std::int64_t>(world.bodies());
+  const int most_trajectory_ends = kMostTrajectoryEnds + kMostTrajectoryEndsPerBody * world.bodies();
+  while (!queue_.empty() && queue_.next().time <= target) {
+    const Event next = queue_.next();
+    queue_.pop();
+    queue_.sweep([&](const Event& event) { return is_stale(event); });
+    if (is_stale(next)) continue;
+    world.work.pass(5);
+    // It is scheduled here too, and only rounding could say which comes first.
+    if (awaited != nullptr && awaited->a == std::min(next.a, next.b) &&
+        awaited->b == std::max(next.a, next.b) && target - next.time <= kSameTime * step.h) {
+      continue;
+    }
+    if (next.b < 0) {
+      const int island = trajectories.island_of(next.a);
+      world.sums.ledger.lost_to_dampers += trajectories.advance_to_end(island);
+      if (++trajectory_ends_ % most_trajectory_ends == 0) stretch_ *= 2.0;
+      rebuild(step, island);
+      search_island(step, island);
+      continue;
+    }
+    if (world.work.spent()) {
+      world.note(&Notices::work_spent_since, trajectories.epoch() + next.time);
+      end_of_step_.add(next.a, next.b, false);
+      continue;
+    }
+    const bool capped = world.sums.notices.impacts_capped_since >= 0.0;
+    const int most_at_once = capped                                     ? kMostImpactsAtOnceCapped
+                             : world.has_moving_corners(next.a, next.b) ? kMostCornersAtOnce
+                                                                        : kMostImpactsAtOnce;
+    const bool at_once = next.time == last_impact_ && at_once_ >= most_at_once;
+    const std::int64_t impacts = world.sums.impact_count - step.impacts_begin;
+    if (at_once || impacts >= (capped ? kMostImpactsOnceCapped : kMostImpactsPerStep)) {
+      world.note(&Notices::impacts_capped_since, trajectories.epoch() + next.time);
+      end_of_step_.add(next.a, next.b, false);
+      continue;
+    }
+    if (resolve(step, next.a, next.b, next.time, impacts >= before_guard)) return next.time;
+  }
+  return std::nullopt;
+}
+
+// Whether a third body continues the surface where a and b would touch at this time.
+bool EventDrivenImpacts::is_internal(World& world, int a, int b, double time) {
+  Trajectories& trajectories = world.trajectories;
+  near_.clear();
+  grid_.each_near(world.infinite_mass(a) ? b : a, [&](int other) {
+    if (other != a && other != b) near_.push_back(other);
+  });
+  if (near_.empty()) return false;
+  const auto pose = [&](int i) {
+    const double then = std::clamp(time, trajectories.start(i), trajectories.end(i));
+    return pose_of(world.shapes().shapes, i, trajectories.at(i, then).head<3>());
+  };
+  return on_internal_edge(world, a, b, contact_between(world.shapes().shapes, a, pose(a), b, pose(b)), near_,
+                          pose);
+}
+
+bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bool guarded) {
+  World& world = step.world;
+  Trajectories& trajectories = world.trajectories;
+  if (may_be_continued(world, a, b) && is_internal(world, a, b, time)) {
+    // Once past the edge they touch along the normal of the common surface.
+    const double past = 4.0 * kFlush * (world.shapes().size[a] + world.shapes().size[b]);
+    const Vec2 u = trajectories.at(b, time).segment<2>(3) - trajectories.at(a, time).segment<2>(3);
+    const double least = 64.0 * kEpsilon * (std::abs(time) + step.h);
+    world.work.spend(kInternalEdge);
+    search(step, a, b, time + std::clamp(past / u.norm(), least, step.h));
+    return false;
+  }
+  if (!guarded && world.model->scene.several_impacts == SeveralImpactsId::kSimultaneous) {
+    if (const std::optional<bool> divides = resolve_cluster(step, a, b, time, guarded)) return *divides;
+  }
+  for (const int i : {a, b}) {
+    if (trajectories.island_of(i) >= 0 && trajectories.start(i) != time)
+      trajectories.advance_to(trajectories.island_of(i), time);
+  }
+  const Contact contact = world.approach(a, b, touch_tolerance(world, a, b, time)).contact;
+  apply_impact(world, a, b, contact, world.material(a, b), time);
+  if (!world.shapes().can_collide(a, b)) {
+    // They have stuck together: the islands are different, and all of them start now.
+    last_impact_ = time;
+    rebuild_all(step);
+    return false;
+  }
+  const bool divides = classify_rebound(step, a, b, contact, world.material(a, b), time, guarded);
+  at_once_ = time == last_impact_ ? at_once_ + 1 : 0;
+  if (at_once_ == kMostAtOnce) world.note(&Notices::collapsed_since, trajectories.epoch() + time);
+  last_impact_ = time;
+  const int island_a = trajectories.island_of(a);
+  const int island_b = trajectories.island_of(b);
+  if (island_a >= 0 && island_b >= 0 && island_a != island_b) {
+    rebuild_and_search(step, std::array{island_a, island_b});
+  } else {
+    rebuild_and_search(step, std::array{std::max(island_a, island_b)});
+  }
+  return divides;
+}
+
+bool EventDrivenImpacts::classify_rebound(const Step& step, int a, int b, const Contact& contact,
+                                          const Material& material, double time, bool guarded) {
+  World& world = step.world;
+  if (!(material.restitution < 1.0)) return false;
+  const double rebound = world.parting_speed(a, b, contact);
+  const double press = pressing(world, a, b, contact, time);
+  const double now = world.trajectories.epoch() + time;
+  double rest = kRestSpeed;
+  if (world.method.integrator == IntegratorId::kExplicitEuler) {
+    const double e = material.restitution;
+    rest = std::max(rest, std::min(kRestRebound * e / (1.0 - e), kMostRestRebound) * press * step.h);
+  }
+  if (step.resting != nullptr)
+    rest = std::max(rest, step.resting->rest_speed(world, std::min(a, b), std::max(a, b), contact.point,
+                                                   contact.normal, material.restitution));
+  if (press > 0.0 && rebound < rest) {
+    // The time that the omitted bounces would last, where their sum is known.
+    const bool exact = choice_of(kIntegrators, world.method.integrator).exact_under_gravity;
+    const double left = exact ? 2.0 * rebound / (press * (1.0 - material.restitution)) : 0.0;
+    if (step.resting == nullptr) world.note(&Notices::resting_since, now + left);
+    end_of_step_.add(a, b, true);
+    return step.resting != nullptr && step.may_divide && time < step.h;
+  }
+  if (guarded && rebound < pressed_in(world, a, b, step.h)) {
+    if (step.resting == nullptr) world.note(&Notices::resting_since, now);
+    end_of_step_.add(a, b, true);
+  } else if (rebound < kCollapseShare * (world.trajectories.at_start(a).segment<2>(3).norm() +
+                                         world.trajectories.at_start(b).segment<2>(3).norm()) &&
+             time - last_impact_ <= 64.0 * kEpsilon * (std::abs(time) + step.h)) {
+    world.note(&Notices::collapsed_since, now);
+  }
+  return false;
+}
+
+std::optional<ScheduleState> EventDrivenImpacts::ahead(const World& world) const {
+  if (!running_ || !trajectories_run_on(world, nullptr)) return std::nullopt;
+  ScheduleState ahead;
+  ahead.grid = grid_.order();
+  for (const Event& event : queue_.all()) {
+    if (!is_stale(event)) ahead.events.push_back({event.time, event.a, event.b});
+  }
+  std::sort(ahead.events.begin(), ahead.events.end(), [](const auto& x, const auto& y) {
+    return std::tie(x.time, x.a, x.b) < std::tie(y.time, y.a, y.b);
+  });
+  ahead.reach = reach_;
+  ahead.stretch = stretch_;
+  ahead.epoch_length = epoch_length_;
+  ahead.last_impact = last_impact_;
+  return ahead;
+}
+
+void EventDrivenImpacts::restore(int bodies, int at_once, std::span<const WaitingPair> waiting,
+                                 const std::optional<ScheduleState>& ahead) {
+  reset(bodies);
+  at_once_ = at_once;
+  for (const auto& [a, b, resting] : waiting) end_of_step_.add(a, b, resting);
+  if (!ahead) return;
+  reach_ = ahead->reach;
+  stretch_ = ahead->stretch;
+  epoch_length_ = ahead->epoch_length;
+  last_impact_ = ahead->last_impact;
+  grid_.restore(ahead->grid);
+  // The stamps of all islands are still 0.
+  for (const auto& [time, a, b] : ahead->events) queue_.push({time, a, b, 0, 0});
+  running_ = true;
+}
+
+}  // namespace carom

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "physics/collision/cell_grid.h"
+#include "physics/impact/simultaneous_impact.h"
+#include "physics/step/event_queue.h"
+#include "physics/step/neighbours.h"
+#include "physics/step/pair_list.h"
+#include "physics/step/resting_contacts.h"
+#include "physics/step/world.h"
+
+namespace carom {
+
+// Pending events of trajectories that continue across the ends of steps: scheduled impacts, and pairs that
+// wait for the next step's end. Times in s after the epoch.
+struct ScheduleState {
+  // As in Event: bodies a < b collide, or (b < 0) the trajectory of a's island ends.
+  struct Scheduled {
+    double time = 0.0;
+    int a = 0;
+    int b = -1;
+  };
+  TrajectoriesAhead trajectories;
+  CellGrid::Order grid;
+  std::vector<Scheduled> events;  // in the order of (time, a, b)
+  double reach = 1.0;             // m
+  double stretch = 1.0;           // of trajectories, if too many ended
+  double epoch_length = 1.0;      // s, a power of two
+  double last_impact = -1.0;
+};
+
+// Impacts at their own time. Each body, or each group of bodies that forces couple, has its own time, that of
+// its last impact, and a trajectory from there on (physics/dynamics/trajectories.h). The first contact of two
+// trajectories is found on the integrator's own map (contact_search.h), and the earliest contact of all is
+// resolved. Only the bodies of an impact change, and only their neighbours are searched again. The state at
+// an impact is a true step of the method, so the integrator keeps its order through impacts. Impacts at the
+// same time are resolved pair by pair, in the order of index pairs, or all at once if the scene says so
+// (simultaneous_impacts.cpp).
+//
+// Fixed-step integrators rebuild every trajectory after each step. The adaptive integrator and exact flight
+// need no common step: their trajectories continue across it, and the step is only the interval between two
+// looks at the state.
+class EventDrivenImpacts {
+ public:
+  // A step of h s. `resting` is null without resting contacts; with them every trajectory is rebuilt in each
+  // step, which is divided where a body comes to rest on a support.
+  void step(World& world, RestingContacts* resting, double h);
+  // For a change of bodies, islands or method: the next step starts from the state alone.
+  void reset(int bodies);
+  // Pending events, if trajectories continue across steps.
+  [[nodiscard]] std::optional<ScheduleState> ahead(const World& world) const;
+  // Impacts before the last one at the same time.
+  [[nodiscard]] int at_once() const { return at_once_; }
+  // Pairs that overlap, or that forces press together, and are resolved at the next step's end.
+  [[nodiscard]] const std::vector<WaitingPair>& waiting() const { return end_of_step_.all(); }
+  void restore(int bodies, int at_once, std::span<const WaitingPair> waiting,
+               const std::optional<ScheduleState>& ahead);
+
+ private:
+  // The step under way, or the part of it that starts with a support.
+  struct Step {
+    World& world;
+    RestingContacts* resting;
+    double h;                    // s
+    double horizon;              // s after the epoch: where trajectories end, infinite if they continue
+    std::int64_t impacts_begin;  // counted before the whole step
+    bool may_divide = false;
+  };
+
+  [[nodiscard]] static bool trajectories_run_on(const World& world, const RestingContacts* resting);
+  double process_with_supports(Step& step);
+  // Resolves events up to `target` (s after the epoch), except the landing `awaited` there. Returns the time
+  // of a support that divides the step; everything before it is done.
+  std::optional<double> process_until(const Step& step, double target, const Landing* awaited = nullptr);
+  // Resolves the impact of a scheduled pair. True if it starts a support that divides the step.
+  bool resolve(const Step& step, int a, int b, double time, bool guarded);
+  // The same for the cluster of all bodies in contact with a or b, directly or through others. Nothing if the
+  // cluster is the pair alone, or if there is no solution.
+  std::optional<bool> resolve_cluster(const Step& step, int a, int b, double time, bool guarded);
+  // Fills cluster_ and touches_ with them.
+  void find_cluster(World& world, int a, int b, double time);
+  void find_touches(World& world, int a, int b, double time);
+  // After an impact with e < 1: decides whether the pair rests from now on or has collapsed. Returns the same
+  // as resolve().
+  bool classify_rebound(const Step& step, int a, int b, const Contact& contact, const Material& material,
+                        double time, bool guarded);
+  void resolve_end_of_step(const Step& step, double target);
+
+  void choose_cells(const World& world, double horizon);
+  void rebuild_all(const Step& step);
+  // Rebuilds an island's trajectory and puts the bounds of its path into the grid.
+  void rebuild(const Step& step, int island);
+  // Rebuilds these islands and schedules their next impacts.
+  void rebuild_and_search(const Step& step, std::span<const int> islands);
+  void search_island(const Step& step, int island);
+  void search(const Step& step, int a, int b, double from = -std::numeric_limits<double>::infinity());
+  bool is_internal(World& world, int a, int b, double time);
+  [[nodiscard]] double closing_share() const;
+  [[nodiscard]] bool is_stale(const Event& event) const {
+    return stamp_[event.a] != event.stamp_a || (event.b >= 0 && stamp_[event.b] != event.stamp_b);
+  }
+
+  bool running_ = false;       // trajectories, grid and queue are valid from the last step
+  double reach_ = 1.0;         // m: length of a trajectory that no step ends
+  double epoch_length_ = 1.0;  // s, a power of two
+  double last_impact_ = -1.0;  // s within the epoch
+  int at_once_ = 0;            // impacts before it at the same time
+  CellGrid grid_;
+  EventQueue queue_;
+  std::vector<std::uint32_t> stamp_;  // by body, that of its island; constant for static bodies
+  PairList end_of_step_;
+  PairList resolving_;
+  std::vector<int> resolving_islands_;  // of resolving_, if trajectories continue across steps
+  std::vector<bool> is_resolving_;      // by island
+  int trajectory_ends_ = 0;             // in this step
+  double stretch_ = 1.0;                // of trajectories that no step ends, if too many ended
+  struct Touch {
+    int a;
+    int b;
+    Contact contact;
+  };
+  std::vector<Touch> touches_;  // of a cluster
+  std::vector<int> cluster_;    // its bodies
+  ClusterScratch cluster_scratch_;
+  std::vector<int> near_;  // bodies near an impact
+  Neighbours neighbours_;
+};
+
+}  // namespace carom

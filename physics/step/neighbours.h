@@ -1,0 +1,82 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "physics/collision/contact.h"
+#include "physics/collision/smooth_surface.h"
+#include "physics/model/convex.h"
+#include "physics/step/pair_list.h"
+#include "physics/step/world.h"
+
+namespace carom {
+
+[[nodiscard]] inline std::pair<int, int> ends_of(const std::pair<int, int>& pair) { return pair; }
+[[nodiscard]] inline std::pair<int, int> ends_of(const WaitingPair& pair) { return {pair.a, pair.b}; }
+
+// The partners of each body in a list of pairs.
+class Neighbours {
+ public:
+  template <class Pairs>
+  void build(int bodies, const Pairs& pairs) {
+    first_.assign(static_cast<std::size_t>(bodies) + 1, 0);
+    for (const auto& pair : pairs) {
+      const auto [a, b] = ends_of(pair);
+      ++first_[a], ++first_[b];
+    }
+    int sum = 0;
+    for (int& first : first_) sum += first, first = sum;
+    partners_.resize(static_cast<std::size_t>(sum));
+    for (const auto& pair : pairs) {
+      const auto [a, b] = ends_of(pair);
+      partners_[--first_[a]] = b, partners_[--first_[b]] = a;
+    }
+  }
+  [[nodiscard]] std::span<const int> of(int body) const {
+    const auto i = static_cast<std::size_t>(body);
+    return {partners_.data() + first_[i], static_cast<std::size_t>(first_[i + 1] - first_[i])};
+  }
+  // Those of a or b that both of them may touch, and some that they don't.
+  [[nodiscard]] std::span<const int> of_pair(const World& world, int a, int b) const {
+    if (world.infinite_mass(a)) return of(b);
+    if (world.infinite_mass(b)) return of(a);
+    return of(a).size() < of(b).size() ? of(a) : of(b);
+  }
+
+ private:
+  std::vector<int> first_;
+  std::vector<int> partners_;
+};
+
+// Relative to the sizes: a resting body is off its place by what the solver of its contact forces leaves, up
+// to 1e-10.
+inline constexpr double kFlush = 1e-8;
+
+// Whether a and b can touch at an edge that a third body continues: only corners can.
+[[nodiscard]] inline bool may_be_continued(const World& world, int a, int b) {
+  return !world.shapes().is_disc(a) || !world.shapes().is_disc(b);
+}
+
+// Whether one of `others` leaves no such contact of a and b, because it continues the surface of one of them
+// there (neighbour_covers). pose(i) is the pose of a body.
+template <class PoseOf>
+[[nodiscard]] bool on_internal_edge(const World& world, int a, int b, const Contact& contact,
+                                    std::span<const int> others, const PoseOf& pose) {
+  const Geometry& g = world.shapes();
+  const Vec2 half = 0.5 * contact.gap * contact.normal;
+  const auto covers = [&](int other, int owner, int toucher, const Vec2& point, const Vec2& normal) {
+    const double tolerance = kFlush * (g.size[owner] + g.size[other]) + 1e-12 * point.lpNorm<1>();
+    return g.can_collide(other, toucher) && !g.is_disc(owner) &&
+           neighbour_covers(g.shapes, owner, pose(owner), other, pose(other), point, normal, tolerance,
+                            !g.can_collide(owner, other));
+  };
+  return std::any_of(others.begin(), others.end(), [&](int other) {
+    return other != a && other != b &&
+           (covers(other, a, b, contact.point - half, contact.normal) ||
+            covers(other, b, a, contact.point + half, -contact.normal));
+  });
+}
+
+}  // namespace carom

@@ -1,0 +1,89 @@
+#include "physics/step/pair_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "physics/collision/pair_contact.h"
+#include "physics/scene/drive.h"
+
+namespace carom {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+double smaller_size(const World& world, int a, int b) {
+  double size = std::numeric_limits<double>::infinity();
+  for (const int i : {a, b}) {
+    if (!world.infinite_mass(i)) size = std::min(size, world.shapes().size[i]);
+  }
+  return size;
+}
+
+double touch_tolerance(const World& world, int a, int b, double end) {
+  const Geometry& shapes = world.shapes();
+  const double time = std::max(std::abs(end), world.method.step);
+  const auto ya = world.trajectories.at_start(a);
+  const auto yb = world.trajectories.at_start(b);
+  double reach = ya.head<2>().lpNorm<1>() + yb.head<2>().lpNorm<1>() + shapes.size[a] + shapes.size[b];
+  double speeds = ya.segment<2>(3).norm() + yb.segment<2>(3).norm();
+  for (const int i : {a, b}) {
+    if (shapes.is_disc(i)) continue;
+    // The rounding of an angle moves a corner.
+    reach += std::abs(world.trajectories.at_start(i)[2]) * shapes.size[i];
+    speeds += std::abs(world.trajectories.at_start(i)[5]) * shapes.size[i];
+  }
+  return 16.0 * kEpsilon * (reach + speeds * time);
+}
+
+double curvature(const World& world, int a, int b, double of_centres) {
+  double sum = of_centres;
+  for (const int i : {a, b}) {
+    if (world.trajectories.turn_bound(i) > 0.0)
+      sum += world.trajectories.turn_bound(i) * world.shapes().shapes.core_radius[i];
+  }
+  return sum;
+}
+
+double pressed_in(const World& world, int a, int b, double h) {
+  return curvature(world, a, b, world.trajectories.curvature_bound(a) + world.trajectories.curvature_bound(b)) *
+             h +
+         kRestSpeed;
+}
+
+double pressing(World& world, int a, int b, const Contact& contact, double within) {
+  Trajectories& trajectories = world.trajectories;
+  const auto acceleration = [&](int i) -> Eigen::Vector3d {
+    if (!world.model->is_kinematic(i)) return trajectories.acceleration(i);
+    const Vec2 kinematic = drive_acceleration(world.model->drive(i), trajectories.epoch() + within);
+    return {kinematic.x(), kinematic.y(), 0.0};
+  };
+  const Eigen::Vector3d acceleration_a = acceleration(a);
+  const Eigen::Vector3d acceleration_b = acceleration(b);
+  if (!world.has_moving_corners(a, b)) return -contact.normal.dot((acceleration_b - acceleration_a).head<2>());
+
+  // Where corners move, the contact point wanders over the surfaces. The second difference of the gap along
+  // the flight from here on includes that. It is taken over as long as the gap's rounding allows.
+  double bound = 0.0;
+  for (const auto& [i, by] : {std::pair(a, acceleration_a), std::pair(b, acceleration_b)}) {
+    bound += by.head<2>().norm();
+    if (!world.infinite_mass(i))
+      bound += turning_curvature(world.shapes().shapes, i, trajectories.at_start(i)[5], by[2]);
+  }
+  if (bound == 0.0) return 0.0;
+  const double wait =
+      std::min(world.method.step, std::sqrt(2e4 * touch_tolerance(world, a, b, within) / bound));
+  const auto flown = [&](int i, const Eigen::Vector3d& by) -> Eigen::Vector3d {
+    const auto& y = trajectories.at_start(i);
+    return y.head<3>() + wait * (y.segment<3>(3) + 0.5 * wait * by);
+  };
+  const double gap =
+      contact_between(world.shapes(), a, flown(a, acceleration_a), b, flown(b, acceleration_b)).gap;
+  const double speed = world.parting_speed(a, b, contact);
+  return -2.0 * (gap - contact.gap - speed * wait) / (wait * wait);
+}
+
+}  // namespace carom

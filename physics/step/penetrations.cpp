@@ -1,0 +1,77 @@
+#include "physics/step/penetrations.h"
+
+#include <limits>
+
+#include "physics/step/apply_impact.h"
+#include "physics/step/neighbours.h"
+#include "physics/step/pair_motion.h"
+
+namespace carom {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, Neighbours& neighbours,
+                          double h) {
+  Trajectories& trajectories = world.trajectories;
+  const ForceField& field = world.field();
+  double& correction = world.sums.ledger.penetration_correction;
+  const double now = world.clock.step_end - trajectories.epoch();
+  // Each push changes the energy of attraction to all bodies: for many pairs the sum is taken once.
+  const Needs& needs = world.model->needs;
+  const bool all_at_once = field.attracts() && !needs.has(Part::kJoints) && !needs.has(Part::kSticking) &&
+                           pairs.size() > world.model->bodies().size();
+  if (all_at_once) correction -= field.potential_energy(world.state.q);
+  bool listed = false;
+  const auto pose = [&](int i) {
+    return pose_of(world.shapes().shapes, i, trajectories.at_start(i).head<3>());
+  };
+  for (const auto& [a, b, resting] : pairs) {
+    world.work.pass(1);
+    if (!world.shapes().can_collide(a, b)) continue;  // joined in the meantime
+    Approach at = world.approach(a, b, 0.0);
+    const double gap = at.contact.gap;
+    if (gap >= 0.0) continue;
+    if (may_be_continued(world, a, b) && !listed) neighbours.build(world.bodies(), pairs), listed = true;
+    if (may_be_continued(world, a, b) &&
+        on_internal_edge(world, a, b, at.contact, neighbours.of_pair(world, a, b), pose)) {
+      continue;
+    }
+    const Vec2 normal = at.contact.normal;
+
+    // Bodies with corners may penetrate at two points: one impact for the middle, then one for the point that
+    // still approaches.
+    const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
+    for (int k = 0; k < most; ++k) {
+      if (k > 0) at = world.approach(a, b, -gap);
+      if (!(at.speed < (k == 0 ? 0.0 : -16.0 * kEpsilon * at.scale))) break;
+      Material material = world.material(a, b);
+      // A closing speed from the forces of this step must not bounce; a true impact on a resting pair must.
+      if (resting && -at.speed <= pressed_in(world, a, b, h)) material.restitution = 0.0;
+      apply_impact(world, a, b, at.contact, material, now);
+      if (!world.shapes().can_collide(a, b)) break;
+    }
+    if (!world.shapes().can_collide(a, b)) continue;
+
+    const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;  // of the model as it is now
+    const double share = inverse_mass[a] + inverse_mass[b];
+    const Vec2 push = (resting ? 1.0 : kPenetrationFraction) * -gap / share * normal;
+    for (const int i : {a, b}) {
+      if (world.infinite_mass(i)) continue;
+      const Vec2 x = trajectories.at_start(i).head<2>();
+      const Vec2 moved = x + (i == a ? -1.0 : 1.0) * inverse_mass[i] * push;
+      if (!all_at_once) {
+        correction +=
+            field.potential_energy_of(i, moved, world.state.q) - field.potential_energy_of(i, x, world.state.q);
+      }
+      trajectories.set_pose(i, {moved.x(), moved.y(), trajectories.at_start(i)[2]});
+      world.state.q.col(i).head<2>() = moved;
+      if (trajectories.is_jointed(i)) world.restore_joints(trajectories.island_of(i));
+    }
+  }
+  if (all_at_once) correction += field.potential_energy(world.state.q);
+}
+
+}  // namespace carom

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "physics/contact/contact_solver.h"
+#include "physics/step/contact_finder.h"
+#include "physics/step/contact_force.h"
+#include "physics/step/contact_pressing.h"
+#include "physics/step/contact_turning.h"
+#include "physics/step/world.h"
+
+namespace carom {
+
+struct LandingTime {
+  Landing landing;
+  double time = 0.0;  // s after the epoch
+};
+
+// Forces that support bodies at rest, sliding or rolling on others.
+//
+// In each step, or part of one, support()
+// 1. finds the manifolds of all pairs that may touch within the step; a point that the forces can press
+//    together becomes a contact (contact_finder.h, contact_pressing.h);
+// 2. projects deep penetrations out: positions move, velocities don't;
+// 3. stops approaches: a contact that closes, or would within the step, loses its closing speed at once;
+// 4. finds contact forces, constant during the step, such that the velocities satisfy the contacts at its
+//    end, after the integrator's own flight (contact_turning.h). They act on the trajectories like any other
+//    force. A new contact that is still open by a gap g may close at g/h.
+// So sliding and resting under constant forces are exact; where contacts turn with the bodies the order is 2,
+// or the integrator's if that is lower.
+//
+// Order of calls: begin_step(), then for each part of the step support(), the flight, record_forces(); at the
+// end rebound_at_end().
+class RestingContacts {
+ public:
+  // Starts a step of h s at the clock's time.
+  void begin_step(World& world, double h);
+  // Supports bodies for h s from the trajectories' epoch on. The state must be published.
+  void support(World& world, double h);
+  // Likewise where impacts are not located in time, for a part of a step: at most `left` parts of kMostParts,
+  // fewer where bodies in a crowd move or turn so fast that contacts found now soon are others. How many.
+  int support_part(World& world, double step, int left);
+  static constexpr int kMostParts = 16;
+  // On trajectories already built: the first landing before `end` (s after the epoch).
+  [[nodiscard]] std::optional<LandingTime> first_landing(World& world, double end) const;
+  // Lets the landed pair rebound by the law of impacts, if the rebound is faster than rest_speed().
+  void land(World& world, const LandingTime& landing) const;
+  // Enters the work of the contact forces until `passed` s after the epoch into the ledger; `share` is its
+  // share of the time for which the forces were found.
+  void record_forces(World& world, double passed, double share);
+  // Of these pairs, those that penetrate at the step's end and close faster than a contact may rest rebound
+  // by the law of impacts.
+  void rebound_at_end(World& world, const std::vector<std::pair<int, int>>& pairs) const;
+  // Takes all contact forces off the trajectories and forgets the contacts.
+  void release(World& world);
+  // After a step that was given up.
+  void forget_forces() { memory_.forces.clear(); }
+
+  // m/s: a contact of the pair a < b that rebounds slower than this rests (ContactPressing::rest_speed).
+  [[nodiscard]] double rest_speed(const World& world, int a, int b, const Vec2& point, const Vec2& normal,
+                                  double restitution) const;
+  [[nodiscard]] const ContactFinder& finder() const { return finder_; }
+
+  [[nodiscard]] const std::vector<ContactForce>& forces() const { return memory_.forces; }  // of the last step
+  [[nodiscard]] const ContactMemory& memory() const { return memory_; }
+  void restore(const ContactMemory& memory) { memory_ = memory; }
+
+ private:
+  void find_contacts(World& world, double h);
+  void hold(World& world, double h);
+  [[nodiscard]] int parts_at_once(const World& world, double h);
+  void project_penetrations(World& world);
+  void strike(World& world, double h);
+  void stop_approaches(World& world, double h);
+  void find_forces(World& world, double h);
+  ContactSolverReport solve_flight(World& world, double h, const ContactSolverOptions& options);
+  ContactSolverReport solve(const World& world, const Eigen::Matrix3Xd& from,
+                            const ContactSolverOptions& options);
+  void push_as_before(World& world);
+  void fly(World& world, double h);
+  [[nodiscard]] ContactSolverOptions solver_options() const;
+  [[nodiscard]] bool has_large_island() const { return !workspace_.large_islands.blocks.empty(); }
+  void prepare(const World& world);
+  void read_velocities(const World& world);
+
+  double step_length_ = 0.0;  // s: the method's step, or the step under way if that is longer
+  ContactMemory memory_;
+  ContactPressing pressing_;
+  ContactFinder finder_;
+  FoundContacts found_;
+  Contacts at_start_;  // as found
+  GuessedFlight flight_;
+  Eigen::Matrix3Xd before_, after_, free_;  // velocities, m/s and rad/s
+  Eigen::Matrix3Xd moved_;                  // m, rad; or per s
+  std::vector<std::uint8_t> sticks_;
+  std::vector<std::uint8_t> struck_;  // by body, in this step
+  std::vector<int> bodies_;           // of an island
+  std::vector<int> partners_;         // by body: how many others it may touch
+  bool prepared_ = false;
+  ContactWorkspace workspace_;
+};
+
+}  // namespace carom

@@ -1,0 +1,145 @@
+#include "physics/step/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "physics/dynamics/lost_motion.h"
+#include "physics/step/apply_impact.h"
+
+namespace carom {
+
+World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
+    : model(std::move(compiled)),
+      method(chosen),
+      apply_impact(apply_impact_of(*model)),
+      trajectories(model, method) {
+  const double start = model->start_time;
+  trajectories.begin(start);
+  // A file's seven digits don't place joints' ends within rounding.
+  for (int k = 0; k < trajectories.islands(); ++k) trajectories.restore_joints(k);
+  resize_state();
+  trajectories.begin(start);
+  publish(0.0);
+  clock.start(start);
+  sums.gravity_since = start;
+  sums.peak_kinetic = kinetic_energy(state, mass());
+  sums.ledger.initial = totals().energy();
+  sums.ledger.initial_momentum = totals().momentum;
+  sums.ledger.initial_angular_momentum = totals().angular_momentum;
+}
+
+void World::recompile(Scene scene, const Needs& needs, double within) {
+  model = compile(std::move(scene), needs, model->start_time);
+  apply_impact = apply_impact_of(*model);
+  Trajectories anew(model, method);
+  anew.adopt(trajectories, within);
+  trajectories = std::move(anew);
+}
+
+void World::resize_state() {
+  state.resize(bodies());
+  state.quadratures.setZero();
+}
+
+void World::publish(double within) {
+  if (!trajectories.is_parabolic() || field().has_quadratures()) {
+    for (int i = 0; i < state.size(); ++i) state.set_motion(i, trajectories.at(i, within));
+    return;
+  }
+  for (int i = 0; i < state.size(); ++i) {
+    if (model->is_kinematic(i)) {
+      state.set_motion(i, trajectories.at(i, within));
+    } else {
+      state.q.col(i) = trajectories.parabola(i, within);
+      state.v.col(i) = trajectories.parabola_velocity(i, within);
+    }
+  }
+  if (model->forces.gravity.isZero(0.0)) return;
+  for (int i = 0; i < state.size(); ++i) {
+    if (infinite_mass(i)) continue;
+    state.quadratures(kGravityAngularImpulse, i) = trajectories.angular_impulse_of_gravity(i, within);
+  }
+}
+
+State World::state_at(double within) {
+  State all;
+  all.resize(state.size());
+  for (int i = 0; i < all.size(); ++i)
+    all.set_motion(i, trajectories.at(i, std::max(within, trajectories.start(i))));
+  return all;
+}
+
+ImpactSide World::side(int body, const Contact& contact, double towards) const {
+  const auto y = trajectories.at_start(body);
+  const Vec2 r = contact.point - y.head<2>();
+  const Vec2& n = contact.normal;
+  // The normal of a disc's contact passes through its centre, but for rounding.
+  const double lever = shapes().is_disc(body) ? 0.0 : towards * (r.x() * n.y() - r.y() * n.x());
+  return {y.segment<2>(3),    y[5], mass().inverse_mass[body], mass().inverse_inertia[body],
+          towards * r.dot(n), lever};
+}
+
+double World::parting_speed(int a, int b, const Contact& contact) const {
+  return relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
+}
+
+Approach World::approach(int a, int b, double tolerance) const {
+  const auto ya = trajectories.at_start(a);
+  const auto yb = trajectories.at_start(b);
+  return approach_of(shapes(), a, ya.head<3>(), {ya.segment<2>(3), ya[5]}, b, yb.head<3>(),
+                     {yb.segment<2>(3), yb[5]}, tolerance);
+}
+
+void World::restore_joints(int island) {
+  const auto totals_now = [&] {
+    for (const int i : trajectories.members(island)) state.set_motion(i, trajectories.at_start(i));
+    return totals();
+  };
+  const Totals before = totals_now();
+  trajectories.restore_joints(island);
+  const Totals after = totals_now();
+  sums.ledger.penetration_correction += after.energy() - before.energy();
+  sums.ledger.momentum_to_walls -= after.momentum - before.momentum;
+}
+
+Ledger World::ledger() const {
+  Ledger ledger = sums.ledger;
+  ledger.add(1.0, ledger_of_quadratures(state));
+  ledger.lost_to_joints = trajectories.lost_to_joints();
+  double total = 0.0;
+  for (int i = 0; i < state.size(); ++i) {
+    if (!infinite_mass(i)) total += mass().mass[i];
+  }
+  ledger.momentum_from_gravity += total * (clock.time - sums.gravity_since) * model->scene.forces.gravity;
+  return ledger;
+}
+
+void World::check_motions() const {
+  const auto beyond = [](const auto& m) { return !(m.array().abs() <= kLostBeyond).all(); };
+  // Under gravity alone they are finite where the positions are.
+  const bool finite = !field().has_quadratures() || state.quadratures.allFinite();
+  if (!beyond(state.q) && !beyond(state.v) && finite) return;
+  for (int i = 0; i < state.size(); ++i) {
+    if (beyond(state.q.col(i)) || beyond(state.v.col(i)) || !state.quadratures.col(i).allFinite())
+      throw LostMotion{LossReason::kTooLarge, i, clock.step_end};
+  }
+}
+
+// Checks the ledger each time the kinetic energy exceeds its peak by a power of four, so that most steps need
+// no potential energy, which costs n² under attraction. Two checks in a row must fail, because Euler's first
+// step from rest makes all of its energy: nothing has moved yet.
+void World::check_energy() {
+  constexpr double kMade = 0.75;  // of the kinetic energy
+  // Of the ledger's turnover: less is rounding.
+  constexpr double kRounding = 1e-9;
+  const double kinetic = kinetic_energy(state, mass());
+  const double peak = std::exchange(sums.peak_kinetic, std::max(sums.peak_kinetic, kinetic));
+  if (sums.notices.energy_made_since >= 0.0 || std::ilogb(kinetic) / 2 <= std::ilogb(peak) / 2) return;
+  const Ledger now = ledger();
+  const double made = now.numerical_drift(totals().energy());
+  sums.energy_doubts = made > kMade * kinetic && made > kRounding * now.turnover() ? sums.energy_doubts + 1 : 0;
+  if (sums.energy_doubts == 2) note(&Notices::energy_made_since, clock.step_end);
+}
+
+}  // namespace carom

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <memory>
+
+#include "physics/collision/approach.h"
+#include "physics/dynamics/trajectories.h"
+#include "physics/impact/impact_law.h"
+#include "physics/ledger/impact_record.h"
+#include "physics/ledger/run_sums.h"
+#include "physics/ledger/totals.h"
+#include "physics/model/model.h"
+#include "physics/scene/method.h"
+#include "physics/step/run_clock.h"
+#include "physics/step/step_work.h"
+
+namespace carom {
+
+struct World;
+// Resolves one impact (apply_impact.h).
+using ApplyImpact = void (*)(World&, int a, int b, const Contact&, const Material&, double within);
+
+// The data that every part of a step works on: the model, the motions of its bodies, and the sums of the run.
+// A value: copies share only the model.
+struct World {
+  // At the start of a run of this model.
+  World(std::shared_ptr<const Model> model, const Method& method);
+
+  std::shared_ptr<const Model> model;
+  Method method;
+  ApplyImpact apply_impact;  // of the model
+  Trajectories trajectories;
+  State state;  // at clock.time; the parts of a step publish it when they need it
+  RunClock clock;
+  RunSums sums;
+  ImpactLog log;
+  StepWork work;
+
+  [[nodiscard]] int bodies() const { return static_cast<int>(model->bodies().size()); }
+  [[nodiscard]] const MassProperties& mass() const { return model->mass; }
+  [[nodiscard]] const Geometry& shapes() const { return model->shapes; }
+  [[nodiscard]] const ForceField& field() const { return trajectories.field(); }
+  [[nodiscard]] bool infinite_mass(int body) const { return model->infinite_mass(body); }
+  [[nodiscard]] const Material& material(int a, int b) const { return model->surfaces.between(a, b); }
+  // Whether one of them moves and is not a disc.
+  [[nodiscard]] bool has_moving_corners(int a, int b) const {
+    return (!infinite_mass(a) && !shapes().is_disc(a)) || (!infinite_mass(b) && !shapes().is_disc(b));
+  }
+
+  // Replaces the model's scene by one with one more body or weld. `within` is a time (s after the epoch) at
+  // which all motions are known.
+  void recompile(Scene scene, const Needs& needs, double within);
+  // Clears the state and resizes it to the bodies of the model.
+  void resize_state();
+  // Sets `state` to the motions at this time, in s after the epoch.
+  void publish(double within);
+  // All motions at this time; a body whose trajectory starts later is taken at its start.
+  [[nodiscard]] State state_at(double within);
+  // One side of a contact, at the start of the body's trajectory. `towards` is +1 for the contact's body a,
+  // -1 for b: the direction of the normal as seen from there.
+  [[nodiscard]] ImpactSide side(int body, const Contact& contact, double towards) const;
+  // m/s: separation speed along the contact's normal, at the start of the trajectories.
+  [[nodiscard]] double parting_speed(int a, int b, const Contact& contact) const;
+  // At the start of the trajectories; gaps up to `tolerance` (m) above the smallest count as touching.
+  [[nodiscard]] Approach approach(int a, int b, double tolerance) const;
+  // After a push has moved a body: projects positions and velocities of its island onto the joints. The
+  // energy counts as the push's, the momentum as that of the joints' anchors.
+  void restore_joints(int island);
+
+  // Enters what bodies don't take of the angular momentum (about the origin) that an impulse j (N s) at a point
+  // (m) and a moment (kg m²/s) give to them: all of it for a body of infinite mass, the moment about its centre
+  // for a point-like one. `arm` (m) leads there from its centre.
+  void record_angular_momentum(int body, const Vec2& point, const Vec2& arm, const Vec2& j, double moment) {
+    if (mass().inverse_inertia[body] > 0.0) return;
+    sums.ledger.angular_momentum_to_walls += cross(infinite_mass(body) ? point : arm, j) + moment;
+  }
+
+  // Of `state`.
+  [[nodiscard]] Totals totals() const { return carom::totals(state, mass(), field()); }
+  [[nodiscard]] Ledger ledger() const;  // with the work of the smooth forces up to now
+  // Throws LostMotion if the state is out of the computable range.
+  void check_motions() const;
+  // Notes it if the method itself makes the energy.
+  void check_energy();
+  // Notes the time (s) of the first occurrence.
+  void note(double Notices::*notice, double time) {
+    if (sums.notices.*notice < 0.0) sums.notices.*notice = time;
+  }
+};
+
+}  // namespace carom

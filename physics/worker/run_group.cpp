@@ -1,0 +1,205 @@
+#include "physics/worker/run_group.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+constexpr double kRounding = 1e-9;  // of a step
+
+}  // namespace
+
+void RunGroup::load(const Preset& preset, const std::vector<Curve>& curves, ReferenceId reference) {
+  preset_ = preset;
+  curves_ = curves;
+  reference_ = reference;
+}
+
+void RunGroup::begin(std::stop_token token) {
+  token_ = std::move(token);
+  ++starts_;
+  interrupted_ = false;
+  replay_until_.reset();
+  runs_.clear();
+  for (RunPlan& run : plans_of(preset_)) begin_run(std::move(run));
+  changed_ = true;
+}
+
+void RunGroup::interrupt() {
+  interrupted_ = true;
+  changed_ = false;
+  replay_until_.reset();
+}
+
+std::vector<RunGroup::RunPlan> RunGroup::plans_of(const Preset& preset) {
+  std::vector<RunPlan> plans = {{preset.method, preset.edits}};
+  for (const Method& method : preset.compare) plans.push_back({method, preset.edits});
+  return plans;
+}
+
+void RunGroup::begin_run(RunPlan plan) {
+  RunSetup setup = setup_of(preset_);
+  setup.method = plan.start;
+  setup.edits = std::move(plan.edits);
+  runs_.push_back({LiveRun(setup, curves_, reference_, token_), ++ids_});
+  changed_ = true;
+}
+
+// It has the edits of the scene that the first run has had.
+void RunGroup::add_run(const Method& method) {
+  if (interrupted_ || runs_.size() > kMostCompared) return;
+  RunPlan plan{method, first().setup().edits};
+  std::erase_if(plan.edits, [](const RunEdit& edit) { return std::holds_alternative<Method>(edit.what); });
+  begin_run(std::move(plan));
+}
+
+void RunGroup::remove_run(std::size_t run) {
+  if (interrupted_ || run == 0 || run >= runs_.size()) return;
+  runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(run));
+  changed_ = true;
+}
+
+void RunGroup::set_method(std::size_t run, const Method& method, EditId edit) {
+  if (interrupted_ || run >= runs_.size()) return;
+  runs_[run].live.edit({displayed_time(), edit, method});
+  changed_ = true;
+}
+
+void RunGroup::edit_scene(const SceneEdits& edits, EditId edit) {
+  if (interrupted_) return;
+  for (Run& run : runs_) run.live.edit({displayed_time(), edit, edits});
+  changed_ = true;
+}
+
+void RunGroup::record(const std::vector<Curve>& curves) {
+  curves_ = curves;
+  record_all();
+}
+
+void RunGroup::compare_with(ReferenceId reference) {
+  reference_ = reference;
+  record_all();
+}
+
+void RunGroup::record_all() {
+  if (interrupted_) return;
+  for (Run& run : runs_) run.live.record(curves_, reference_);
+  changed_ = true;
+}
+
+RunGroup::RunPlan RunGroup::plan_of(const Run& run) {
+  return {run.live.setup().method, run.live.setup().edits};
+}
+
+RunGroup::Plan RunGroup::plan() const {
+  Plan all{starts_, {}};
+  for (const Run& run : runs_) all.runs.push_back(plan_of(run));
+  return all;
+}
+
+void RunGroup::undo(EditId edit, const Preset& start, ReferenceId reference) {
+  const auto past = past_.find(edit);
+  if (past == past_.end()) return;
+  past->second.after = plan();
+  restore(past->second.before, start, reference);
+}
+
+void RunGroup::redo(EditId edit, const Preset& start, ReferenceId reference) {
+  const auto past = past_.find(edit);
+  if (past != past_.end()) restore(past->second.after, start, reference);
+}
+
+// Unchanged runs continue as they are.
+void RunGroup::restore(const Plan& plan, const Preset& start, ReferenceId reference) {
+  const bool other_reference = std::exchange(reference_, reference) != reference;
+  const bool begun_since = plan.starts != starts_;
+  if (begun_since) preset_ = start;
+  if (interrupted_) return;
+  const double time = displayed_time();
+  std::vector<Run> old = std::exchange(runs_, {});
+  for (RunPlan& each : begun_since ? plans_of(start) : std::vector<RunPlan>(plan.runs))
+    take_plan(std::move(each), old);
+  replay_until_.reset();
+  if (first().time() < time) replay_until_ = time;
+  changed_ = true;
+  if (other_reference) record_all();
+}
+
+// Adds the run of a plan: the one of these that has it, or one that can go back to where it parted from it, or
+// a new one.
+void RunGroup::take_plan(RunPlan plan, std::vector<Run>& old) {
+  const auto take = [&](auto run) {
+    runs_.push_back(std::move(*run));
+    old.erase(run);
+  };
+  const auto begins_so = [&](const Run& run) { return run.live.setup().method == plan.start; };
+  const auto same = std::find_if(old.begin(), old.end(), [&](const Run& run) {
+    const std::vector<RunEdit>& edits = run.live.setup().edits;
+    return begins_so(run) &&
+           std::equal(edits.begin(), edits.end(), plan.edits.begin(), plan.edits.end(), is_same);
+  });
+  if (same != old.end()) return take(same);
+  for (auto run = old.begin(); run != old.end(); ++run) {
+    if (begins_so(*run) && run->live.take_edits(plan.edits)) return take(run);
+  }
+  begin_run(std::move(plan));
+}
+
+// s, of the first run: its time, or the time to which it is being replayed.
+double RunGroup::displayed_time() const { return replay_until_.value_or(first().time()); }
+
+RunGroup::Run& RunGroup::farthest_behind() {
+  return *std::min_element(runs_.begin(), runs_.end(),
+                           [](const Run& a, const Run& b) { return a.live.next() < b.live.next(); });
+}
+
+// True if the run's next step ends not after `time`.
+bool RunGroup::may_step(const Run& run, double time) {
+  return run.live.next() <= time + kRounding * run.live.simulation().method().step;
+}
+
+void RunGroup::step(Run& run) {
+  run.live.step();
+  changed_ = true;
+}
+
+void RunGroup::step_first() { step(runs_.front()); }
+
+bool RunGroup::lags() const {
+  const double time = first().time();
+  return std::any_of(runs_.begin(), runs_.end(), [time](const Run& run) { return may_step(run, time); });
+}
+
+bool RunGroup::some_behind() const {
+  return std::any_of(runs_.begin(), runs_.end(), [](const Run& run) { return run.live.behind(); });
+}
+
+bool RunGroup::catch_up(Clock::duration duration) {
+  const auto run = std::find_if(runs_.begin(), runs_.end(), [](const Run& r) { return r.live.behind(); });
+  if (run == runs_.end()) return false;
+  run->live.catch_up(duration);
+  changed_ = true;
+  return true;
+}
+
+std::vector<std::shared_ptr<Frame>> RunGroup::take_frames() {
+  std::vector<std::shared_ptr<Frame>> frames;
+  for (Run& run : runs_) {
+    frames.push_back(run.live.take_frame());
+    frames.back()->run = run.id;
+    frames.back()->replay_until = replay_until_;
+  }
+  changed_ = false;
+  return frames;
+}
+
+std::shared_ptr<Frame> RunGroup::empty_frame() {
+  auto frame = std::make_shared<Frame>();
+  frame->run = ++ids_;
+  frame->bodies = std::make_shared<const std::vector<Body>>();
+  frame->forces = std::make_shared<const Forces>();
+  frame->setup = std::make_shared<const RunSetup>(setup_of(preset_));
+  return frame;
+}
+
+}  // namespace carom

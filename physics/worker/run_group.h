@@ -1,0 +1,138 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "physics/preset/preset.h"
+#include "physics/record/frame.h"
+#include "physics/worker/live_run.h"
+
+namespace carom {
+
+// Several runs of one preset side by side, each under its own method. The one farthest behind steps first; an
+// edit is applied when its run has come to the edit's time. Edits can be undone and redone: the runs that
+// change are replayed from the last key frame before it, as if the edit had never been made.
+//
+// First load(), then begin(). A step throws StepInterrupted once the token of begin() is requested: call
+// interrupt() then. The runs are unusable until the next begin(), and edits do nothing until then. One thread
+// at a time.
+class RunGroup {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using EditId = std::uint64_t;
+
+  // What the next begin() starts. The preset must be valid.
+  void load(const Preset& preset, const std::vector<Curve>& curves, ReferenceId reference);
+  // Another start, with the curves and the reference of before.
+  void start_from(const Preset& preset) { preset_ = preset; }
+  // Edits so far can't be undone any more.
+  void forget_edits() { past_.clear(); }
+  // All runs at t = 0.
+  void begin(std::stop_token token);
+  void interrupt();
+  [[nodiscard]] bool interrupted() const { return interrupted_; }
+  // How often all runs have begun.
+  [[nodiscard]] std::uint64_t starts() const { return starts_; }
+
+  // Edits, from the displayed moment on. Nothing happens for a run that there is not.
+  void add_run(const Method& method);  // at t = 0; at most kMostCompared besides the first
+  void remove_run(std::size_t run);    // not the first
+  void set_method(std::size_t run, const Method& method, EditId edit);
+  void edit_scene(const SceneEdits& edits, EditId edit);
+
+  // Sets what is recorded of all runs.
+  void record(const std::vector<Curve>& curves);
+  void compare_with(ReferenceId reference);
+
+  // Call before an edit that can be undone.
+  void remember(EditId edit) { past_[edit].before = plan(); }
+  // An edit that is not remembered does nothing. `start`: what the runs start from if they were begun again
+  // since the edit was made.
+  void undo(EditId edit, const Preset& start, ReferenceId reference);
+  void redo(EditId edit, const Preset& start, ReferenceId reference);
+  // s: the runs are being replayed up to here.
+  [[nodiscard]] std::optional<double> replay_until() const { return replay_until_; }
+  void end_replay() { replay_until_.reset(); }
+
+  // The runs, when they are not interrupted.
+  [[nodiscard]] const LiveRun& first() const { return runs_.front().live; }
+  // True if the first run's next step would end after `time`.
+  [[nodiscard]] bool reaches(double time) const { return !may_step(runs_.front(), time); }
+  void step_first();
+  enum class Advance { kReached, kDeadline, kRunLost };
+  // Steps the runs until all that are not lost are within a step of `time`. kRunLost: a run was just lost.
+  template <class Stop>
+  Advance advance_to(double time, Clock::time_point deadline, const Stop& stop) {
+    while (true) {
+      Run& run = farthest_behind();
+      if (!may_step(run, time)) return Advance::kReached;
+      if (Clock::now() >= deadline || stop()) return Advance::kDeadline;
+      step(run);
+      if (run.live.lost()) return Advance::kRunLost;
+    }
+  }
+  // True if a run has not come as far as the first.
+  [[nodiscard]] bool lags() const;
+  // Replays, for about this long, a run of which more is to be recorded. False if there is none.
+  bool catch_up(Clock::duration duration);
+  [[nodiscard]] bool some_behind() const;
+
+  // True if anything in the frames has changed since the last call of take_frames().
+  [[nodiscard]] bool changed() const { return changed_; }
+  // A frame for each run, without the fields that only the owner knows: playing and speed.
+  [[nodiscard]] std::vector<std::shared_ptr<Frame>> take_frames();
+  // A frame without bodies at t = 0, for a scene that could not begin.
+  [[nodiscard]] std::shared_ptr<Frame> empty_frame();
+  void clear_runs() { runs_.clear(); }
+
+ private:
+  struct Run {
+    LiveRun live;
+    std::uint64_t id;
+  };
+  // What tells one run of a preset from another.
+  struct RunPlan {
+    Method start;
+    std::vector<RunEdit> edits;
+  };
+  // All runs, and which start they have.
+  struct Plan {
+    std::uint64_t starts = 0;
+    std::vector<RunPlan> runs;
+  };
+  struct Past {
+    Plan before, after;
+  };
+
+  [[nodiscard]] static std::vector<RunPlan> plans_of(const Preset& preset);
+  [[nodiscard]] static RunPlan plan_of(const Run& run);
+  [[nodiscard]] Plan plan() const;
+  void record_all();
+  void take_plan(RunPlan plan, std::vector<Run>& old);
+  void restore(const Plan& plan, const Preset& start, ReferenceId reference);
+  void begin_run(RunPlan plan);
+  [[nodiscard]] double displayed_time() const;
+  [[nodiscard]] Run& farthest_behind();
+  [[nodiscard]] static bool may_step(const Run& run, double time);
+  void step(Run& run);
+
+  std::stop_token token_;
+  bool interrupted_ = false;  // in the middle of a step: the runs are unusable
+  Preset preset_;             // as loaded
+  std::vector<Curve> curves_;
+  ReferenceId reference_ = ReferenceId::kNone;
+  std::vector<Run> runs_;
+  std::map<EditId, Past> past_;
+  std::optional<double> replay_until_;
+  std::uint64_t starts_ = 0;
+  std::uint64_t ids_ = 0;
+  bool changed_ = true;
+};
+
+}  // namespace carom

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "physics/preset/preset.h"
+#include "physics/record/frame.h"
+#include "physics/scene/scene.h"
+#include "physics/worker/run_group.h"
+
+namespace carom {
+
+// Runs a scene under one method, or under several side by side, on its own thread at a chosen pace, and
+// publishes complete frames. Calls return at once; they are carried out between two steps, in their order.
+// The lock guards only the exchange of commands and of the newest frames; it is never held while stepping or
+// painting. A load, a restart and the destructor don't wait for the step under way: they interrupt it. The
+// runs pause while nobody takes their frames and too much data is waiting (kMostWaiting).
+//
+// Of several runs the one farthest behind steps first; one added later starts at t = 0 and the others wait
+// for it. The first run is the scene's own and sets the pace. A lost run stays where it is and says why in
+// its frames (Frame::lost); playing then stops. Playing also stops if the thread runs out of memory or has
+// any other error: then all runs stay until the next load or restart.
+//
+// Edits of the runs can be undone, the last first, and redone: the runs that change go back to the last key
+// frame before it and are replayed to the present moment at full speed, as if the edit had never been made
+// (Frame::replay_until). A short replay is not shown. After a restart since the edit the runs are those of the
+// start that undo() and redo() name.
+class Worker {
+ public:
+  // Identifies an edit of the runs since the last load.
+  using EditId = RunGroup::EditId;
+
+  // The scene must be valid; `curves` are recorded from the start of its runs.
+  explicit Worker(const Preset& preset, const std::vector<Curve>& curves = {});
+  ~Worker();
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  // Stops at t = 0, with the methods of the scene.
+  void load(const Preset& preset, const std::vector<Curve>& curves = {},
+            ReferenceId reference = ReferenceId::kNone);
+  // Stops at t = 0 of this preset, which edits may have made of the one before.
+  void restart(const Preset& start);
+  // The same as an edit, with other curves and another reference.
+  EditId restart(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference);
+  // Plays at the chosen pace, until `until` if that is ahead; or stops.
+  void set_playing(bool playing, double until = std::numeric_limits<double>::infinity());
+  void step_once();              // one step of the first run's method, stopped
+  void set_speed(double speed);  // simulated seconds per second, > 0
+  // Changes the methods of these runs from now on; as a part of the last edit if `part_of` names it.
+  EditId set_methods(const std::vector<std::pair<std::size_t, Method>>& methods, EditId part_of = 0);
+  EditId set_method(const Method& method, std::size_t run = 0) { return set_methods({{run, method}}); }
+  EditId add_method(const Method& method);  // one more run; at most kMostCompared besides the first
+  EditId remove_method(std::size_t run);    // not the first
+  void set_reference(ReferenceId reference);
+  EditId edit_scene(const SceneEdits& edits);  // of all runs, now
+  // Undoes the last edit that is not undone, or redoes the last one that is. Then `start` is what the runs
+  // start from, and `reference` is the one to use.
+  void undo(EditId edit, const Preset& start, ReferenceId reference);
+  void redo(EditId edit, const Preset& start, ReferenceId reference);
+  void end_replay();            // stays at the moment that is reached
+  void run_until(double time);  // at full speed, then stops; publishes frames on the way
+  // Sets the curves to record from now on. Those that were not recorded before come from the start on: the
+  // run waits while it is replayed.
+  void record(const std::vector<Curve>& curves);
+
+  // Most numbers in rows, and impacts, that wait, apart from those of one step.
+  static constexpr std::size_t kMostWaiting = 1'000'000;
+
+  // The changes since the last call, a frame for each run; none if nothing changed. Never from before the
+  // last load or restart.
+  [[nodiscard]] std::vector<std::shared_ptr<const Frame>> take_frames();
+  // Returns when take_frames() has frames, or after this time.
+  void wait_for_frames(std::chrono::milliseconds longest);
+
+ private:
+  struct Session;  // the thread's own data
+  struct Command {
+    enum class When {
+      kDisplayed,  // when the runs are at the displayed moment
+      kAtOnce,
+      kBegins  // starts all runs again, in whatever state they are
+    };
+    std::function<void(Session&)> what;
+    When when = When::kDisplayed;
+  };
+  void post(std::function<void(Session&)> command, Command::When when = Command::When::kDisplayed);
+  // Does nothing if the runs were interrupted in the middle of a step.
+  void post_to_runs(const std::function<void(Session&)>& command);
+  // Also saves the state of the runs before, so that the edit can be undone.
+  EditId post_edit(const std::function<void(RunGroup&, EditId)>& command, EditId part_of = 0);
+  void post_replay(const std::function<void(RunGroup&)>& command);
+  // Interrupts the step under way; all runs begin after the command.
+  void post_begin(const std::function<void(RunGroup&)>& command);
+  void work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,
+            std::stop_token interrupt);
+  void wait_for_work(const std::stop_token& stop, const Session& session, std::vector<Command>& commands);
+  static void advance(const std::stop_token& stop, Session& session);
+  [[nodiscard]] static bool is_worth_a_frame(const Session& session);
+  static void carry_out(Session& session, std::vector<Command>& commands);
+  void publish(Session& session);
+  void publish_failure(Session& session, const std::string& why);
+  void hand_over(const Session& session, std::vector<std::shared_ptr<Frame>> frames);
+  [[nodiscard]] bool too_much_waits() const;  // with the lock held
+
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::condition_variable published_;
+  std::vector<Command> commands_;
+  std::stop_source interrupt_;  // of the runs started last
+  std::vector<std::shared_ptr<Frame>> newest_;
+  std::uint64_t newest_start_ = 0;  // of the frames: the value of starts_ at their time
+  std::uint64_t starts_ = 1;        // loads and restarts so far, and the first start
+  EditId edits_ = 0;
+  std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace carom

@@ -1,0 +1,108 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <vector>
+
+#include "physics/run/simulation.h"
+#include "tests/support/draws.h"
+#include "tests/support/scenes.h"
+
+// Faces that meet flat, bodies welded into one, and corners that meet tip to tip: rounding decides nothing.
+namespace carom {
+namespace {
+
+constexpr double kG = 9.81;
+
+Body box(const std::string& name, const Vec2& at, const Vec2& velocity, double width, double height) {
+  Body b = test::disc(name, at, velocity);
+  b.shape = Box{width, height};
+  return b;
+}
+
+template <class Check>
+void for_every_way(const Check& check) {
+  for (const ContactsId contacts : {ContactsId::kImpulse, ContactsId::kLasting}) {
+    for (const auto& impacts : kImpacts) check(Method{IntegratorId::kRk4, impacts.id, contacts, 0.001});
+  }
+}
+
+// The impulse acts below the centre: -(1 + e_t) of the slip is reversed, K_tt = 1/m + r²/I = 2.5/kg.
+TEST(FlatLandings, TangentialRestitutionHoldsWhereverABoxLands) {
+  for_every_way([](const Method& method) {
+    for (const double x : {0.0, 0.1, 0.37, -2.3}) {
+      RunSetup s = test::setup_with(
+          {test::wall("floor", {0.0, -0.5}, 20.0, 1.0), box("box", {x, 1.5}, {0.3, 0.0}, 1.0, 1.0)}, 0.5, 0.1);
+      s.scene.materials[0].tangential_restitution = 0.2;
+      s.scene.forces.gravity = {0.0, -kG};
+      s.method = method;
+      Simulation run(s);
+      run.advance_to(0.5);
+      EXPECT_NEAR(run.state().v(0, 1), 0.3 * (1.0 - 1.2 / 2.5), 1e-3) << x;
+      EXPECT_NEAR(run.state().v(2, 1), -0.3 * 1.2 / 2.5 * 3.0, 1e-3) << x;
+    }
+  });
+}
+
+// Two halves make a plank, two discs a dumb-bell: neither turns, as one box would not.
+TEST(FlatLandings, WeldedBodiesLandAsOne) {
+  for_every_way([](const Method& method) {
+    for (const bool discs : {false, true}) {
+      Body a = box("a", {-0.5, 1.0}, {0.0, 0.0}, 1.0, 0.2);
+      Body b = box("b", {0.5, 1.0}, {0.0, 0.0}, 1.0, 0.2);
+      if (discs) a.shape = b.shape = Disc{0.5};
+      RunSetup s = test::setup_with({test::wall("floor", {0.0, -0.5}, 20.0, 1.0), a, b}, 0.5);
+      Joint weld;
+      weld.kind = JointKind::kWeld;
+      weld.body = "a";
+      weld.to = "b";
+      weld.point = {0.5, 0.0};
+      weld.anchor = {-0.5, 0.0};
+      s.scene.joints = {weld};
+      s.scene.forces.gravity = {0.0, -kG};
+      s.method = method;
+      Simulation run(s);
+      run.advance_to(0.5);
+      EXPECT_EQ(run.impact_count(), 1) << discs;
+      EXPECT_NEAR(run.state().v(2, 1), 0.0, 1e-12) << discs;
+      EXPECT_NEAR(run.state().v(0, 1), 0.0, 1e-12) << discs;
+    }
+  });
+}
+
+TEST(FlatLandings, SquaresThatMeetTipToTipRebound) {
+  test::Draws draw(2);
+  for (int k = 0; k < 20; ++k) {
+    const double turned = k == 0 ? 0.0 : draw.angle();
+    std::vector<Body> bodies = {box("a", {-1.5, 0.0}, {1.0, 0.0}, 1.0, 1.0),
+                                box("b", {1.5, 0.0}, {-1.0, 0.0}, 1.0, 1.0)};
+    for (Body& b : bodies) {
+      b.position = turned_by(turned, b.position);
+      b.velocity = turned_by(turned, b.velocity);
+      b.angle = turned + 0.25 * std::numbers::pi;
+    }
+    RunSetup s = test::setup_with(bodies);
+    s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kImpulse, 0.01};
+    Simulation run(s);
+    run.advance_to(1.5);
+    EXPECT_NEAR((run.state().velocity(0) + turned_by(turned, Vec2(1.0, 0.0))).norm(), 0.0, 1e-9) << turned;
+    EXPECT_NEAR(run.state().v(2, 0), 0.0, 1e-9) << turned;
+  }
+}
+
+// A box that lands half over an edge: the impulse acts where both ends of the stretch stop.
+TEST(FlatLandings, ABoxOverAnEdgeDoesNotTurnWhileItsCentreIsSupported) {
+  for (const double x : {0.45, 0.2, -0.3}) {
+    RunSetup s = test::setup_with(
+        {test::wall("floor", {-1.0, -0.5}, 2.0, 1.0), box("box", {x - 0.5, 1.0}, {0.0, 0.0}, 1.0, 1.0)}, 0.5);
+    s.scene.forces.gravity = {0.0, -kG};
+    s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kImpulse, 0.01};
+    Simulation run(s);
+    run.advance_to(0.4);
+    EXPECT_EQ(run.impact_count(), 1);
+    EXPECT_NEAR(run.state().v(2, 1), 0.0, 1e-12) << x;
+    EXPECT_NEAR(run.state().v(1, 1), 1.5 * std::sqrt(2.0 * kG * 0.5) - kG * 0.4, 1e-9) << x;
+  }
+}
+
+}  // namespace
+}  // namespace carom

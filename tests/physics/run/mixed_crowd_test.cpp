@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "physics/collision/broad_phase.h"
+#include "physics/collision/pair_contact.h"
+#include "physics/run/simulation.h"
+#include "tests/support/draws.h"
+#include "tests/support/scenes.h"
+
+// Discs, squares, triangles and hexagons dropped into a container come to rest without passing through each
+// other.
+namespace carom {
+namespace {
+
+Body cornered(const std::string& name, int corners, double radius) {
+  Body b;
+  b.name = name;
+  Polygon polygon;
+  for (int i = 0; i < corners; ++i)
+    polygon.vertices.push_back(radius * direction_at(2.0 * std::numbers::pi * i / corners));
+  b.shape = polygon;
+  return b;
+}
+
+RunSetup crowd(int n, std::uint64_t seed) {
+  constexpr double kSpacing = 0.8;
+  test::Draws draw(seed);
+  const int columns = static_cast<int>(std::lround(std::sqrt(n)));
+  const double width = kSpacing * columns;
+  const double height = kSpacing * n / columns + 5.0;
+  std::vector<Body> bodies = {test::wall("floor", {0.5 * width, -0.5}, width + 2.0, 1.0),
+                              test::wall("left", {-0.5, 0.5 * height}, 1.0, height + 2.0),
+                              test::wall("right", {width + 0.5, 0.5 * height}, 1.0, height + 2.0)};
+  for (int i = 0; i < n; ++i) {
+    const std::string name = "body-" + std::to_string(i);
+    Body b = i % 4 == 2 ? cornered(name, 3, 0.3) : cornered(name, 6, 0.27);
+    if (i % 4 == 0) b.shape = Disc{0.25};
+    if (i % 4 == 1) b.shape = Box{0.5, 0.5};
+    b.density = 1.0;
+    b.position = kSpacing * Vec2(i % columns + 0.5, i / columns + 0.5);
+    b.angle = draw.angle();
+    b.velocity = draw.between(0.0, 1.0) * draw.direction();
+    b.spin = draw.between(-10.0, 10.0);
+    bodies.push_back(b);
+  }
+  RunSetup s = test::setup_with(bodies, 0.3, 0.4);
+  s.scene.forces.gravity = {0.0, -9.81};
+  s.method = {IntegratorId::kRk4, ImpactsId::kStepEnd, ContactsId::kLasting, 1.0 / 60.0};
+  return s;
+}
+
+double deepest(const Simulation& run) {
+  std::vector<Bounds> bounds;
+  for (int i = 0; i < static_cast<int>(run.bodies().size()); ++i) {
+    const Eigen::Array2d x = run.state().position(i).array();
+    const Eigen::Array2d extent = run.shapes().extent.col(i).array();
+    bounds.push_back({x - extent, x + extent});
+  }
+  BroadPhase near;
+  double most = 0.0;
+  for (const auto& [a, b] : near.pairs(bounds, run.shapes().fixed)) {
+    if (run.shapes().can_collide(a, b))
+      most =
+          std::max(most, -contact_between(run.shapes(), a, run.state().q.col(a), b, run.state().q.col(b)).gap);
+  }
+  return most;
+}
+
+TEST(MixedCrowd, ComesToRestWithoutDeepPenetrations) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Simulation run(crowd(60, seed));
+    double most = 0.0;
+    while (run.time() < 6.0) {
+      run.step();
+      most = std::max(most, deepest(run));
+      ASSERT_LT(run.totals().energy(), (1.0 + 1e-9) * run.ledger().initial) << seed << " at " << run.time();
+    }
+    EXPECT_LT(most, 5e-3) << seed;
+    EXPECT_LT(deepest(run), 1e-4) << seed;
+    EXPECT_LT(run.totals().kinetic(), 1e-4) << seed;
+    EXPECT_GE(run.ledger().lost_to_friction, 0.0);
+    EXPECT_GE(run.ledger().lost_to_restitution, 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,125 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "physics/run/simulation.h"
+#include "tests/support/draws.h"
+#include "tests/support/scenes.h"
+
+// Flush bodies make one smooth surface: the edges between them do not catch what moves over them, and a true
+// step does.
+namespace carom {
+namespace {
+
+constexpr double kG = 9.81;
+
+// A row of fixed boxes whose tops are at y = 0, of these widths; `last_up` in m raises the last one.
+std::vector<Body> floor_of(const std::vector<double>& widths, double last_up = 0.0) {
+  std::vector<Body> bodies;
+  double x = -0.5 * widths.front();
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const double up = i + 1 == widths.size() ? last_up : 0.0;
+    bodies.push_back(
+        test::wall("floor-" + std::to_string(i), {x + 0.5 * widths[i], -0.5 + up}, widths[i], 1.0));
+    x += widths[i];
+  }
+  return bodies;
+}
+
+Body mover(bool box, double speed) {
+  Body b = test::disc("mover", {0.0, 0.25}, {speed, 0.0}, 0.25);
+  if (box) {
+    b.shape = Box{0.5, 0.5};
+  } else {
+    b.spin = -speed / 0.25;
+  }
+  return b;
+}
+
+RunSetup over(std::vector<Body> bodies, const Body& body, double friction) {
+  bodies.push_back(body);
+  RunSetup s = test::setup_with(std::move(bodies), 0.0, friction);
+  s.scene.forces.gravity = {0.0, -kG};
+  return s;
+}
+
+TEST(SmoothFloors, ASlidingBoxAndARollingDiscKeepTheirSpeed) {
+  for (const bool box : {true, false}) {
+    for (const auto& impacts : kImpacts) {
+      for (const double h : {0.01, 0.005, 0.0025}) {
+        RunSetup s = over(floor_of({2.0, 2.0, 1.0, 1.0, 2.0}), mover(box, 1.0), box ? 0.0 : 0.5);
+        s.method = {IntegratorId::kRk4, impacts.id, ContactsId::kLasting, h};
+        Simulation run(s);
+        run.advance_to(6.0);
+        const auto last = static_cast<Eigen::Index>(run.bodies().size()) - 1;
+        EXPECT_NEAR(run.state().v(0, last), 1.0, 2e-7)
+            << (box ? "box, " : "disc, ") << impacts.name << ", " << h;
+        EXPECT_NEAR(run.state().q(1, last), 0.25, 1e-9);
+        EXPECT_NEAR(run.state().v(2, last), box ? 0.0 : -4.0, 1e-6);
+        EXPECT_EQ(run.notices().text(), "ok");
+      }
+    }
+  }
+}
+
+// A box that flies a rounding error too low over them is not turned round.
+TEST(SmoothFloors, ABoxFliesAlong) {
+  for (const double low : {0.0, 1e-15, 1e-13, 1e-10}) {
+    for (const auto& impacts : kImpacts) {
+      Body box = mover(true, 1.0);
+      box.position.y() -= low;
+      RunSetup s = over(floor_of({2.0, 2.0, 2.0}), box, 0.0);
+      s.scene.forces.gravity.setZero();
+      s.scene.materials[0].restitution = 1.0;
+      s.method = {IntegratorId::kRk4, impacts.id, ContactsId::kImpulse, 0.01};
+      Simulation run(s);
+      run.advance_to(3.0);
+      EXPECT_EQ(run.impact_count(), 0) << low << ", " << impacts.name;
+      EXPECT_NEAR(run.state().v(0, 3), 1.0, 1e-14);
+      EXPECT_NEAR(run.state().v(2, 3), 0.0, 1e-14);
+    }
+  }
+}
+
+// What is higher than rounding is a step, and stops a box; e = 1 turns it round.
+TEST(SmoothFloors, AStepIsHit) {
+  for (const auto& impacts : kImpacts) {
+    RunSetup s = over(floor_of({2.0, 2.0, 2.0}, 0.1), mover(true, 1.0), 0.0);
+    s.scene.forces.gravity.setZero();
+    s.scene.materials[0].restitution = 1.0;
+    s.method = {IntegratorId::kRk4, impacts.id, ContactsId::kImpulse, 0.01};
+    Simulation run(s);
+    run.advance_to(5.0);
+    EXPECT_LT(run.state().v(0, 3), 0.9) << impacts.name;
+    EXPECT_GT(run.impact_count(), 0);
+  }
+}
+
+// Random floors, speeds and angles of the whole scene.
+TEST(SmoothFloors, RandomOnesDoNotCatch) {
+  test::Draws draw(5);
+  for (int k = 0; k < 60; ++k) {
+    std::vector<double> widths;
+    for (int i = 0; i < 6; ++i) widths.push_back(draw.between(0.6, 2.0));
+    const bool box = draw.chance(0.5);
+    const double speed = draw.between(0.2, 1.5);
+    const double turned = draw.angle();
+    RunSetup s = over(floor_of(widths), mover(box, speed), box ? 0.0 : 0.5);
+    for (Body& b : s.scene.bodies) {
+      b.position = turned_by(turned, b.position);
+      b.velocity = turned_by(turned, b.velocity);
+      b.angle = turned;
+    }
+    s.scene.forces.gravity = turned_by(turned, s.scene.forces.gravity);
+    s.method = {IntegratorId::kRk4, draw.chance(0.5) ? ImpactsId::kLocated : ImpactsId::kStepEnd,
+                ContactsId::kLasting, draw.between(0.002, 0.01)};
+    Simulation run(s);
+    run.advance_to(2.0 / speed);
+    const Vec2 v = turned_by(-turned, run.state().velocity(6));
+    EXPECT_NEAR(v.x(), speed, 1e-6) << k << (box ? ", box" : ", disc");
+    EXPECT_NEAR(v.y(), 0.0, 1e-6) << k;
+  }
+}
+
+}  // namespace
+}  // namespace carom

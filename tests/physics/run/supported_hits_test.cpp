@@ -1,0 +1,109 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "physics/run/simulation.h"
+#include "tests/support/draws.h"
+#include "tests/support/scenes.h"
+
+// Bodies that rest on a floor and hit each other: nothing presses the pair together along its normal, so the
+// hit has the restitution that was asked for, however slow it is.
+namespace carom {
+namespace {
+
+constexpr double kWidth = 1.0;  // m, of boxes and discs
+
+Body body(const std::string& name, bool box, double x, double speed, double mass) {
+  Body b = test::disc(name, {x, 0.5 * kWidth}, {speed, 0.0}, 0.5 * kWidth, mass);
+  if (box) b.shape = Box{kWidth, kWidth};
+  return b;
+}
+
+struct Hit {
+  bool boxes[2];
+  double masses[2];  // kg
+  double speed;      // m/s, of the first one
+  double gap;        // m
+  double restitution;
+  double gravity;  // m/s²
+  double turned;   // rad, of the whole scene
+  Method method;
+};
+
+RunSetup setup(const Hit& hit) {
+  Body floor;
+  floor.name = "floor";
+  floor.shape = Wall{};
+  floor.fixed = true;
+  RunSetup s = test::setup_with({floor, body("first", hit.boxes[0], 0.0, hit.speed, hit.masses[0]),
+                                 body("second", hit.boxes[1], kWidth + hit.gap, 0.0, hit.masses[1])},
+                                hit.restitution);
+  s.scene.forces.gravity = turned_by(hit.turned, {0.0, -hit.gravity});
+  for (Body& b : s.scene.bodies) {
+    b.position = turned_by(hit.turned, b.position);
+    b.velocity = turned_by(hit.turned, b.velocity);
+    b.angle = hit.turned;
+  }
+  s.method = hit.method;
+  return s;
+}
+
+// The speeds along the floor after the hit, over the first one's before it.
+Vec2 speeds_after(const Hit& hit) {
+  Simulation run(setup(hit));
+  run.advance_to(1.2 * hit.gap / hit.speed + 5.0 * hit.method.step);
+  EXPECT_EQ(run.notices().text(), "ok");
+  const Vec2 along = direction_at(hit.turned);
+  return Vec2(run.state().velocity(1).dot(along), run.state().velocity(2).dot(along)) / hit.speed;
+}
+
+Vec2 expected(const Hit& hit) {
+  const double of_first = hit.masses[0] / (hit.masses[0] + hit.masses[1]);
+  return {of_first - hit.restitution * (1.0 - of_first), of_first * (1.0 + hit.restitution)};
+}
+
+TEST(SupportedHits, SlowBodiesSwapTheirSpeeds) {
+  for (const bool boxes : {false, true}) {
+    for (const auto& impacts : kImpacts) {
+      for (const double h : {0.01, 0.005, 0.0025}) {
+        for (const double speed : {1.0, 0.2, 0.04, 0.01}) {
+          const Hit hit{{boxes, boxes},
+                        {1.0, 1.0},
+                        speed,
+                        0.05,
+                        1.0,
+                        9.81,
+                        0.0,
+                        {IntegratorId::kRk4, impacts.id, ContactsId::kLasting, h}};
+          EXPECT_LT((speeds_after(hit) - expected(hit)).norm(), 1e-9)
+              << (boxes ? "boxes, " : "discs, ") << impacts.name << ", h = " << h << ", " << speed << " m/s";
+        }
+      }
+    }
+  }
+}
+
+TEST(SupportedHits, RandomOnesHaveTheirRestitution) {
+  test::Draws draw(17);
+  for (int k = 0; k < 200; ++k) {
+    const auto flip = [&] { return draw.chance(0.5); };
+    const Hit hit{
+        {flip(), flip()},
+        {draw.between(0.2, 5.0), draw.between(0.2, 5.0)},
+        std::pow(10.0, draw.between(-2.0, 0.5)),
+        draw.between(0.02, 0.4),
+        draw.between(0.1, 1.0),
+        draw.between(1.0, 30.0),
+        flip() ? 0.5 * std::numbers::pi * std::floor(draw.between(-2.0, 3.0)) : draw.between(-3.0, 3.0),
+        {flip() ? IntegratorId::kRk4 : IntegratorId::kVelocityVerlet,
+         flip() ? ImpactsId::kLocated : ImpactsId::kStepEnd, ContactsId::kLasting,
+         std::pow(10.0, draw.between(-2.7, -1.7))}};
+    EXPECT_LT((speeds_after(hit) - expected(hit)).norm(), 1e-8)
+        << k << ": " << (hit.boxes[0] ? "box" : "disc") << " hits " << (hit.boxes[1] ? "box" : "disc")
+        << ", e = " << hit.restitution << ", " << hit.speed << " m/s, turned by " << hit.turned
+        << ", h = " << hit.method.step;
+  }
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,200 @@
+#include "widgets/base/figure_table.h"
+
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMenu>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <algorithm>
+
+#include "widgets/base/number_text.h"
+#include "widgets/base/plain_text.h"
+
+namespace carom {
+namespace {
+
+constexpr int kRowHeight = 26;  // px
+
+// Aligns text with the headings, draws no frame around the current cell, and a line above a sum.
+class CellDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    constexpr int kInset = 5;  // px
+    QStyleOptionViewItem cell = option;
+    cell.state &= ~QStyle::State_HasFocus;
+    if (cell.state & QStyle::State_Selected) painter->fillRect(cell.rect, cell.palette.highlight());
+    cell.rect.adjust(kInset, 0, -kInset, 0);
+    const auto* model = static_cast<const FigureModel*>(index.model());
+    if (model->is_idle(index.row(), index.column())) {
+      cell.palette.setBrush(QPalette::Text, cell.palette.brush(QPalette::PlaceholderText));
+    }
+    QStyledItemDelegate::paint(painter, cell, index);
+    if (!model->is_sum(index.row())) return;
+    painter->setPen(option.palette.color(QPalette::Mid));
+    painter->drawLine(option.rect.topLeft(), option.rect.topRight());
+  }
+};
+
+}  // namespace
+
+FigureModel::FigureModel(std::vector<Column> columns, QObject* parent)
+    : QAbstractTableModel(parent), columns_(std::move(columns)) {}
+
+int FigureModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : rows_; }
+
+int FigureModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(columns_.size());
+}
+
+QVariant FigureModel::data(const QModelIndex& index, int role) const {
+  switch (role) {
+    case Qt::DisplayRole: {
+      const Cell content = cell(index.row(), index.column());
+      if (const auto* text = std::get_if<QString>(&content)) return *text;
+      if (const auto* value = std::get_if<double>(&content))
+        return figure(*value, columns_[static_cast<std::size_t>(index.column())].digits);
+      if (const auto* vector = std::get_if<Vec2>(&content)) return figures(*vector);
+      return {};
+    }
+    case Qt::ToolTipRole: {
+      const Cell content = cell(index.row(), index.column());
+      const QString about = tip(index.row(), index.column());
+      const QString below = about.isEmpty() ? about : "\n" + about;
+      if (const auto* text = std::get_if<QString>(&content)) return plain_tip(about.isEmpty() ? *text : about);
+      if (const auto* value = std::get_if<double>(&content)) return plain_tip(full_figure(*value) + below);
+      if (const auto* vector = std::get_if<Vec2>(&content)) {
+        return plain_tip(full_figure(vector->x()) + ", " + full_figure(vector->y()) + below);
+      }
+      return {};
+    }
+    case Qt::TextAlignmentRole:
+      return headerData(index.column(), Qt::Horizontal, role);
+    case Qt::FontRole: {
+      if (!is_sum(index.row())) return {};
+      QFont font;
+      font.setBold(true);
+      return font;
+    }
+    default:
+      return {};
+  }
+}
+
+QVariant FigureModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  const Column& column = columns_[static_cast<std::size_t>(section)];
+  if (role == Qt::DisplayRole) return QString::fromUtf8(column.heading);
+  if (role == Qt::TextAlignmentRole) {
+    return static_cast<int>((column.text ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+  }
+  return {};
+}
+
+void FigureModel::rows_changed(int rows) {
+  if (rows > rows_) {
+    beginInsertRows({}, rows_, rows - 1);
+    rows_ = rows;
+    endInsertRows();
+  } else if (rows < rows_) {
+    beginRemoveRows({}, rows, rows_ - 1);
+    rows_ = rows;
+    endRemoveRows();
+  }
+  if (rows_ > 0) emit dataChanged(index(0, 0), index(rows_ - 1, columnCount() - 1));
+}
+
+FigureTable::FigureTable(FigureModel* model, QWidget* parent) : QTableView(parent), model_(model) {
+  model->setParent(this);
+  setModel(model);
+  setItemDelegate(new CellDelegate(this));
+  setShowGrid(false);
+  setWordWrap(false);
+  setTextElideMode(Qt::ElideRight);
+  setSelectionBehavior(QAbstractItemView::SelectRows);
+  setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  setCornerButtonEnabled(false);
+  setTabKeyNavigation(false);  // Tab moves the focus to the next widget
+  verticalHeader()->hide();
+  verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  verticalHeader()->setDefaultSectionSize(kRowHeight);
+  horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  horizontalHeader()->setHighlightSections(false);
+  horizontalHeader()->setMinimumSectionSize(0);
+}
+
+QString FigureTable::text() const {
+  using Cell = FigureModel::Cell;
+  QStringList lines;
+  QStringList heads;
+  const int columns = model_->columnCount();
+  std::vector<bool> is_vector(static_cast<std::size_t>(columns), false);
+  for (int c = 0; c < columns; ++c) {
+    for (int r = 0; r < model_->rowCount(); ++r) {
+      if (std::holds_alternative<Vec2>(model_->cell(r, c))) is_vector[static_cast<std::size_t>(c)] = true;
+    }
+    const QString head = model_->headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
+    if (is_vector[static_cast<std::size_t>(c)]) {
+      heads << head + ", x" << head + ", y";
+    } else {
+      heads << head;
+    }
+  }
+  lines << heads.join('\t');
+  const auto number = [](double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); };
+  for (int r = 0; r < model_->rowCount(); ++r) {
+    QStringList fields;
+    for (int c = 0; c < columns; ++c) {
+      const Cell cell = model_->cell(r, c);
+      if (const auto* vector = std::get_if<Vec2>(&cell)) {
+        fields << number(vector->x()) << number(vector->y());
+        continue;
+      }
+      const auto* text = std::get_if<QString>(&cell);
+      const auto* value = std::get_if<double>(&cell);
+      fields << (text != nullptr ? *text : value != nullptr ? number(*value) : QString());
+      if (is_vector[static_cast<std::size_t>(c)]) fields << QString();
+    }
+    lines << fields.join('\t');
+  }
+  return lines.join('\n') + '\n';
+}
+
+void FigureTable::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Copy)) {
+    QGuiApplication::clipboard()->setText(text());
+  } else {
+    QTableView::keyPressEvent(event);
+  }
+}
+
+void FigureTable::contextMenuEvent(QContextMenuEvent* event) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  QAction* copy =
+      menu->addAction(tr("&Copy the table"), this, [this] { QGuiApplication::clipboard()->setText(text()); });
+  copy->setShortcut(QKeySequence::Copy);
+  menu->popup(event->globalPos());
+}
+
+void FigureTable::resizeEvent(QResizeEvent* event) {
+  QTableView::resizeEvent(event);
+  const int columns = model_->columnCount();
+  int weights = 0;
+  for (int c = 0; c < columns; ++c) weights += model_->weight(c);
+  // Columns divide the width by weight; in a narrow window they keep nine tenths of their width and scroll.
+  int left = std::max(viewport()->width(), 9 * weights / 10);
+  for (int c = 0; c < columns; ++c) {
+    const int width = left * model_->weight(c) / weights;
+    horizontalHeader()->resizeSection(c, width);
+    left -= width;
+    weights -= model_->weight(c);
+  }
+}
+
+}  // namespace carom
