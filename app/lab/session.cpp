@@ -363,16 +363,20 @@ void Session::poll() {
 
 // An edit is timed by the runs. Its time decides the order of bodies, and plots know these by their index.
 void Session::take_times_of_edits() {
+  const std::vector<RunEdit>& known = frames_.front()->setup->edits;
+  const auto time_of = [&known](const RunEdit& edit) {
+    const auto found =
+        std::find_if(known.begin(), known.end(), [&edit](const RunEdit& k) { return k.id == edit.id; });
+    return edit.id == 0 || found == known.end() ? edit.time : found->time;
+  };
+  if (std::all_of(document_.edits.begin(), document_.edits.end(),
+                  [&](const RunEdit& edit) { return edit.time == time_of(edit); }))
+    return;
   std::vector<RunEdit> timed;
   for (RunEdit edit : document_.edits) {
-    for (const RunEdit& known : frames_.front()->setup->edits) {
-      if (edit.id != 0 && known.id == edit.id) edit.time = known.time;
-    }
+    edit.time = time_of(edit);
     add_edit(timed, edit);
   }
-  const bool same = std::equal(timed.begin(), timed.end(), document_.edits.begin(),
-                               [](const RunEdit& a, const RunEdit& b) { return a.time == b.time; });
-  if (same) return;
   ++revision_;
   assign_added(timed);
 }

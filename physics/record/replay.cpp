@@ -41,8 +41,11 @@ std::shared_ptr<const KeyFrame> KeyFrames::go_back(const std::vector<RunEdit>& e
     return same == edits.size() ||
            !is_due(edits[same], frame.state.clock.time - frame.state.method.step, frame.state.method.step);
   };
-  while (!frames_.empty() && !can_go_on(*frames_.back())) frames_.pop_back();
-  return frames_.empty() ? nullptr : frames_.back();
+  const auto found =
+      std::find_if(frames_.rbegin(), frames_.rend(), [&](const auto& frame) { return can_go_on(*frame); });
+  if (found == frames_.rend()) return nullptr;
+  frames_.erase(found.base(), frames_.end());
+  return frames_.back();
 }
 
 std::shared_ptr<const KeyFrame> latest_before(std::span<const std::shared_ptr<const KeyFrame>> frames,

@@ -22,7 +22,6 @@ LiveRun::LiveRun(const RunSetup& setup, const std::vector<Curve>& curves, Refere
       sampler_(begin_sampler(simulation_, curves, {})) {
   simulation_.watch_impacts(true);
   simulation_.interrupt_on(interrupt_);
-  key_frames_.take(simulation_, sampler_, wall_time_);
   apply_due_edits();
 }
 
@@ -42,7 +41,6 @@ void LiveRun::step() {
   if (lost()) return;
   wall_time_ += std::chrono::duration<double>(Clock::now() - begin).count();
   sampler_.after_step(simulation_);
-  key_frames_.take(simulation_, sampler_, wall_time_);
   impacts_.insert(impacts_.end(), simulation_.last_impacts().begin(), simulation_.last_impacts().end());
   apply_due_edits();
 }
