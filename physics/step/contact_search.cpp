@@ -96,7 +96,7 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
   const auto waits = [&](double closing) {
     return rules.rests(a, b) && closing <= pressed_in(world, a, b, world.method.step);
   };
-  const double tolerance = touch_tolerance(world, a, b, end);
+  const double tolerance = touch_tolerance(world, a, b, end - start);
   const double distance = d.norm();
   if (distance - touch <= tolerance) {
     const double closing = distance > 0.0 ? -d.dot(u) / distance : -u.x();
@@ -139,7 +139,7 @@ NextContact next_contact(World& world, const SearchRules& rules, int a, int b) {
   const TurningPair pair(
       shapes.shapes, a, [&](double t) { return paths.pose(a, t); }, b,
       [&](double t) { return paths.pose(b, t); }, path_bound);
-  const double tolerance = touch_tolerance(world, a, b, end);
+  const double tolerance = touch_tolerance(world, a, b, end - begin);
   const bool resting = rules.rests(a, b);
   const auto waits = [&](double closing) {
     return resting && closing <= pressed_in(world, a, b, world.method.step);

@@ -190,6 +190,7 @@ double EventDrivenImpacts::process_with_supports(Step& step) {
 void EventDrivenImpacts::choose_cells(const World& world, double horizon) {
   double size = 0.0;
   double path = 0.0;
+  double fastest = 0.0;
   int moving = 0;
   Bounds all{Eigen::Array2d::Constant(kNever), Eigen::Array2d::Constant(-kNever)};
   const int n = world.bodies();
@@ -202,7 +203,9 @@ void EventDrivenImpacts::choose_cells(const World& world, double horizon) {
     if (world.infinite_mass(i)) continue;
     ++moving;
     size += 2.0 * extent.maxCoeff();
-    path += world.trajectories.at_start(i).segment<2>(3).norm();
+    const double speed = world.trajectories.at_start(i).segment<2>(3).norm();
+    path += speed;
+    fastest = std::max(fastest, speed);
   }
   const bool finite = (all.high >= all.low).all();  // there are bodies other than half-planes
   const double across = finite ? (all.high - all.low).matrix().norm() : 1.0;
@@ -216,7 +219,7 @@ void EventDrivenImpacts::choose_cells(const World& world, double horizon) {
     // In a thin gas longer trajectories save more than larger cells cost.
     cell = std::clamp(1.1 * std::sqrt((all.high - all.low).prod() / moving), size, 4.0 * size);
   }
-  const double crossing = path > 0.0 ? std::clamp(across * moving / path, 1e-6, 1e6) : 1.0;
+  const double crossing = fastest > 0.0 ? std::clamp(across / fastest, 1e-6, 1e6) : 1.0;
   epoch_length_ = std::exp2(std::ceil(std::log2(crossing)));
   reach_ = moving <= kFewBodies ? 4.0 * across : 0.6 * cell;
   grid_.reset(n, cell);
@@ -394,7 +397,7 @@ bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bo
     if (trajectories.island_of(i) >= 0 && trajectories.start(i) != time)
       trajectories.advance_to(trajectories.island_of(i), time);
   }
-  const Contact contact = world.approach(a, b, touch_tolerance(world, a, b, time)).contact;
+  const Contact contact = world.approach(a, b, touch_tolerance(world, a, b)).contact;
   apply_impact(world, a, b, contact, world.material(a, b), time);
   if (!world.shapes().can_collide(a, b)) {
     // They have stuck together: the islands are different, and all of them start now.

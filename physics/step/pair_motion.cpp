@@ -23,9 +23,9 @@ double smaller_size(const World& world, int a, int b) {
   return size;
 }
 
-double touch_tolerance(const World& world, int a, int b, double end) {
+double touch_tolerance(const World& world, int a, int b, double duration) {
   const Geometry& shapes = world.shapes();
-  const double time = std::max(std::abs(end), world.method.step);
+  const double time = std::max(duration, world.method.step);
   const auto ya = world.trajectories.at_start(a);
   const auto yb = world.trajectories.at_start(b);
   double reach = ya.head<2>().lpNorm<1>() + yb.head<2>().lpNorm<1>() + shapes.size[a] + shapes.size[b];
@@ -74,8 +74,7 @@ double pressing(World& world, int a, int b, const Contact& contact, double withi
       bound += turning_curvature(world.shapes().shapes, i, trajectories.at_start(i)[5], by[2]);
   }
   if (bound == 0.0) return 0.0;
-  const double wait =
-      std::min(world.method.step, std::sqrt(2e4 * touch_tolerance(world, a, b, within) / bound));
+  const double wait = std::min(world.method.step, std::sqrt(2e4 * touch_tolerance(world, a, b) / bound));
   const auto flown = [&](int i, const Eigen::Vector3d& by) -> Eigen::Vector3d {
     const auto& y = trajectories.at_start(i);
     return y.head<3>() + wait * (y.segment<3>(3) + 0.5 * wait * by);

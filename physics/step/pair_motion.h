@@ -16,8 +16,10 @@ inline constexpr double kMostRestRebound = 5.0;
 
 // m: the size of the smaller body of the pair; bodies of infinite mass don't count.
 [[nodiscard]] double smaller_size(const World& world, int a, int b);
-// m: a smaller gap is closed within rounding, up to `end` s after the epoch.
-[[nodiscard]] double touch_tolerance(const World& world, int a, int b, double end);
+// m: a smaller gap is closed within rounding, in a flight of `duration` s from now on. It depends on the
+// motions alone, not on when the epoch began: a saved run that continues decides as the run that was not
+// interrupted.
+[[nodiscard]] double touch_tolerance(const World& world, int a, int b, double duration = 0.0);
 // m/s²: curvature bound of the relative paths of two bodies' points; `of_centres` is that of their centres.
 [[nodiscard]] double curvature(const World& world, int a, int b, double of_centres);
 // m/s: largest closing speed that forces alone give a resting pair in a step of h s.

@@ -32,7 +32,7 @@ void EventDrivenImpacts::find_touches(World& world, int a, int b, double time) {
   if (!shapes.can_collide(a, b)) return;
   const Eigen::Vector3d qa = trajectories.at(a, time).head<3>();
   const Eigen::Vector3d qb = trajectories.at(b, time).head<3>();
-  const double tolerance = touch_tolerance(world, a, b, time);
+  const double tolerance = touch_tolerance(world, a, b);
   if (shapes.is_disc(a) || shapes.is_disc(b)) {
     const Contact contact = contact_between(shapes, a, qa, b, qb);
     if (contact.gap <= tolerance) touches_.push_back({a, b, contact});
