@@ -58,6 +58,8 @@ struct Frame {
   std::optional<double> back_to;
   Scales scales;
   std::shared_ptr<const RunSetup> setup;  // of the run, with all its edits
+  // scene_now() of the first run while it is paused, for edits from here on; else none.
+  std::shared_ptr<const Scene> scene;
   std::vector<std::shared_ptr<const KeyFrame>> key_frames;
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "physics/preset/preset.h"
+#include "physics/run/scene_now.h"
 #include "physics/worker/pace.h"
 #include "physics/worker/run_group.h"
 
@@ -252,6 +253,8 @@ void Worker::publish(Session& session) {
     frame->playing = session.playing;
     frame->realised_speed = session.pace.reached();
   }
+  if (!session.playing && !session.runs.replay_until())
+    frames.front()->scene = std::make_shared<const Scene>(scene_now(session.runs.first().simulation()));
   session.changed = false;
 
   std::vector<std::shared_ptr<Frame>> waiting;
