@@ -71,7 +71,7 @@ void LabWindow::connect_session() {
     session_.record(plots_->curves());
   });
   connect(&session_, &Session::bodiesChanged, this, [this] {
-    plots_->set_bodies(session_.bodies());
+    plots_->set_bodies(session_.bodies(), preset().plots);
     session_.record(plots_->curves());
   });
   connect(files_, &DocumentFiles::opened, this, &LabWindow::show_scene);

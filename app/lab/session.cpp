@@ -5,6 +5,7 @@
 
 #include "physics/model/mass.h"
 #include "physics/preset/preset_file.h"
+#include "physics/scene/edit_rules.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/validate.h"
 
@@ -37,11 +38,21 @@ void add_edit(std::vector<RunEdit>& edits, const RunEdit& edit) {
   edits.insert(std::upper_bound(edits.begin(), edits.end(), edit, is_earlier), edit);
 }
 
-// Adding a body is the only edit of the runs that a document holds.
-bool same_bodies(const std::vector<RunEdit>& a, const std::vector<RunEdit>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const RunEdit& x, const RunEdit& y) {
-    return added_body(x).name == added_body(y).name;
+Method& method_of(Methods& methods, std::size_t run) {
+  return run == 0 ? methods.own : methods.others[run - 1];
+}
+
+bool is_of_scene(const DocumentChange& change) {
+  return std::any_of(change.begin(), change.end(), [](const auto& part) {
+    return std::holds_alternative<SceneEdits>(part) || std::holds_alternative<SetScene>(part) ||
+           std::holds_alternative<SetLateBodies>(part);
   });
+}
+
+// Bodies that are removed or listed get other places among all bodies, which only runs that begin anew can
+// follow.
+bool needs_new_runs(const SceneEdit& edit) {
+  return std::holds_alternative<Remove<Body>>(edit) || is_of_generated_body(edit);
 }
 
 Preset empty_document() {
@@ -52,7 +63,7 @@ Preset empty_document() {
 
 }  // namespace
 
-Session::Session(QObject* parent) : QObject(parent), worker_(empty_document()), document_(empty_document()) {
+Session::Session(QObject* parent) : QObject(parent), worker_(empty_document()), document_{empty_document()} {
   connect(&edits_, &QUndoStack::indexChanged, this, &Session::check_modified);
   connect(&edits_, &QUndoStack::cleanChanged, this, &Session::check_modified);
   connect(&timer_, &QTimer::timeout, this, &Session::poll);
@@ -66,19 +77,18 @@ Session::Session(QObject* parent) : QObject(parent), worker_(empty_document()), 
 void Session::open(const Preset& preset, const std::vector<Plot>& plots, const std::vector<Curve>& curves,
                    const QString& name, const QString& file) {
   forget_wait();
-  document_ = preset;
-  document_.plots = plots;
-  give_ids(document_.scene);
+  document_ = {preset, preset.compare.empty() ? ReferenceId::kNone : usual_reference(setup_of(preset)), {}};
+  document_.preset.plots = plots;
+  give_ids(document_.preset.scene);
   name_ = name;
   file_ = file;
   bodies_ = all_bodies(preset);
-  before_usual_.reset();
-  reference_ = preset.compare.empty() ? ReferenceId::kNone : usual_reference(setup_of(preset));
   frames_.clear();
   recorders_.clear();
   replayed_.reset();
   curves_ = curves;
-  worker_.load(document_, curves, reference_);
+  begins_ = true;
+  worker_.load(document_.preset, curves, document_.reference);
   ++revision_;
   edits_.clear();
   edits_.setClean();
@@ -87,7 +97,7 @@ void Session::open(const Preset& preset, const std::vector<Plot>& plots, const s
 }
 
 void Session::save(const QString& file) {
-  save_preset(document_, file.toStdString());
+  save_preset(document_.preset, file.toStdString());
   file_ = file;
   edits_.setClean();
 }
@@ -110,150 +120,211 @@ void Session::check_modified() {
 // --- edits
 // -----------------------------------------------------------------------------------------------------------
 
-Edited Session::edited() const {
-  return {{document_.method, document_.compare, reference_}, before_usual_, document_.edits, document_.plots};
+void Session::push(const DocumentEdit::What& what, const DocumentChange& change) {
+  edits_.push(new DocumentEdit(*this, what, assign(change)));
 }
 
-void Session::push(const DocumentEdit::What& what, const Edited& after) {
-  auto edit = std::make_unique<DocumentEdit>(*this, what, edited(), after);
-  assign(after);
-  edits_.push(edit.release());
-}
-
-void Session::assign(const Edited& to) {
-  document_.method = to.methods.own;
-  document_.compare = to.methods.others;
-  reference_ = to.methods.reference;
-  before_usual_ = to.before_usual;
-  const bool other_plots = std::exchange(document_.plots, to.plots) != to.plots;
-  assign_added(to.added);
+DocumentChange Session::assign(const DocumentChange& change) {
+  const std::vector<Plot> plots = document_.preset.plots;
+  DocumentChange back = apply_change(document_, change);
   ++revision_;
-  if (other_plots) emit plotsChanged();
+  if (is_of_scene(change)) {
+    bodies_ = all_bodies(document_.preset);
+    emit bodiesChanged();
+  } else if (plots != document_.preset.plots) {
+    emit plotsChanged();
+  }
   emit documentChanged();
+  return back;
 }
 
-void Session::assign_added(const std::vector<RunEdit>& added) {
-  const std::vector<RunEdit> old = std::exchange(document_.edits, added);
-  if (same_bodies(old, added)) return;
-  bodies_ = all_bodies(document_);
-  emit bodiesChanged();
-}
-
-void Session::undo(const Edited& before, Worker::EditId runs) { go_to(before, runs, &Worker::undo); }
-
-void Session::redo(const Edited& after, Worker::EditId runs) { go_to(after, runs, &Worker::redo); }
-
-void Session::go_to(const Edited& to, Worker::EditId runs,
-                    void (Worker::*change)(Worker::EditId, const Preset&, ReferenceId)) {
+DocumentChange Session::go_to(const DocumentChange& change, const DocumentEdit::What& what,
+                              void (Worker::*runs)(Worker::EditId, const Preset&, ReferenceId)) {
   forget_wait();
-  const ReferenceId before = reference_;
-  assign(to);
-  if (runs != 0) {
-    (worker_.*change)(runs, document_, reference_);
-  } else if (before != reference_) {
-    worker_.set_reference(reference_);
+  const ReferenceId before = document_.reference;
+  will_begin_ = what.begins;
+  DocumentChange back = assign(change);
+  if (what.begins) {
+    begin_runs();
+  } else if (what.runs != 0) {
+    (worker_.*runs)(what.runs, document_.preset, document_.reference);
+  } else if (before != document_.reference) {
+    worker_.set_reference(document_.reference);
+  }
+  return back;
+}
+
+const DocumentEdit* Session::last_edit() const {
+  return edits_.index() == 0 ? nullptr : static_cast<const DocumentEdit*>(edits_.command(edits_.index() - 1));
+}
+
+bool Session::at_start() const {
+  return begins_ || frames_.empty() || frames_.front()->time <= start_time(document_.preset.saved);
+}
+
+void Session::begin_runs() {
+  begins_ = true;
+  replayed_.reset();
+  will_begin_ = false;
+  worker_.start_from(document_.preset, curves_, document_.reference);
+}
+
+void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
+  const bool begins = at_start();
+  if (!begins && (frames_.front()->playing || replayed_))
+    return when_still(text, [=, this] { edit(asked, text, drag); });
+  if (!begins && frames_.front()->scene == nullptr) return emit editRefused(tr("Restart the run first."));
+  const Scene now = begins ? document_.preset.scene : *frames_.front()->scene;
+  SceneEdits edits = asked;
+  find_ids(document_.preset.scene, edits);
+  const bool from_here = !begins && std::any_of(edits.begin(), edits.end(), [&now](const SceneEdit& each) {
+    return is_about_motion(now, each) || needs_new_runs(each);
+  });
+  try {
+    const DocumentChange change = begins ? change_of_start(document_, edits)
+                                  : from_here
+                                      ? change_to_moment(document_, now, frames_.front()->time, edits)
+                                      : change_of_start(document_, at_the_start(document_.preset, edits));
+    Document changed = document_;
+    apply_change(changed, change);
+    validate(changed.preset);
+    DocumentEdit::What what{.text = text, .begins = begins || from_here};
+    if (drag > 0) what.drag = drag;
+    forget_wait();
+    will_begin_ = what.begins;
+    if (!what.begins) what.runs = edit_runs(with_followers(now, edits), change, drag);
+    push(what, change);
+    if (what.begins) begin_runs();
+  } catch (const std::exception& error) {
+    emit editRefused(QString::fromUtf8(error.what()));
   }
 }
 
+// The edits in the runs as they go on, with the methods that the change sets: one edit of the runs for a whole
+// drag.
+Worker::EditId Session::edit_runs(const SceneEdits& edits, const DocumentChange& change, int drag) {
+  const DocumentEdit* last = drag > 0 && edits_.index() != edits_.cleanIndex() ? last_edit() : nullptr;
+  Worker::EditId id = last != nullptr && last->what().drag == drag ? last->what().runs : 0;
+  for (const auto& part : change) {
+    const auto* set = std::get_if<SetMethods>(&part);
+    if (set == nullptr) continue;
+    std::vector<std::pair<std::size_t, Method>> methods = {{0, set->methods.own}};
+    for (const Method& method : set->methods.others) methods.emplace_back(methods.size(), method);
+    id = worker_.set_methods(methods, id);
+  }
+  return worker_.edit_scene(edits, id);
+}
+
+void Session::cancel(int drag) {
+  const DocumentEdit* last = last_edit();
+  if (last == nullptr || last->what().drag != drag) return;
+  auto* edit = const_cast<QUndoCommand*>(edits_.command(edits_.index() - 1));
+  edit->undo();
+  edit->setObsolete(true);  // the stack drops it instead of keeping it for redo
+  edits_.undo();
+}
+
 void Session::change_method(const Method& method, std::size_t run) {
-  if (run > document_.compare.size()) return;
-  Edited after = edited();
-  Method& now = run == 0 ? after.methods.own : after.methods.others[run - 1];
-  const Method before = std::exchange(now, method);
+  if (run > document_.preset.compare.size()) return;
+  Methods after = document_.methods();
+  const Method before = std::exchange(method_of(after, run), method);
   if (before == method) return;
-  push({text_of_change(before, method), worker_.set_method(method, run)}, after);
+  push({text_of_change(before, method), worker_.set_method(method, run)},
+       {SetMethods{after, document_.before_usual}});
 }
 
 void Session::change_step(double step, const std::vector<std::size_t>& runs, int drag) {
-  Edited after = edited();
+  Methods after = document_.methods();
   std::vector<std::pair<std::size_t, Method>> changed;
   for (const std::size_t run : runs) {
-    if (run > document_.compare.size()) continue;
-    Method& now = run == 0 ? after.methods.own : after.methods.others[run - 1];
+    if (run > document_.preset.compare.size()) continue;
+    Method& now = method_of(after, run);
     if (std::exchange(now.step, step) != step) changed.emplace_back(run, now);
   }
   if (changed.empty()) return;
   // As the undo stack merges them: not with a saved state.
-  const int last = edits_.index() == edits_.cleanIndex() ? -1 : edits_.index() - 1;
-  const auto* before = last < 0 ? nullptr : static_cast<const DocumentEdit*>(edits_.command(last));
+  const DocumentEdit* before = edits_.index() == edits_.cleanIndex() ? nullptr : last_edit();
   const bool same_drag = before != nullptr && before->what().drag == drag;
-  const Worker::EditId edit = worker_.set_methods(changed, same_drag ? before->what().runs : 0);
-  push({tr("change of step"), edit, true, drag}, after);
+  DocumentEdit::What what{.text = tr("change of step"),
+                          .runs = worker_.set_methods(changed, same_drag ? before->what().runs : 0)};
+  what.drag = drag;
+  push(what, {SetMethods{after, document_.before_usual}});
 }
 
 void Session::add_method(const Method& method) {
-  Edited after = edited();
-  const bool full = after.methods.others.size() == kMostCompared;
-  if (full) after.methods.others.pop_back();
-  after.methods.others.push_back(method);
+  Methods after = document_.methods();
+  const bool full = after.others.size() == kMostCompared;
+  if (full) after.others.pop_back();
+  after.others.push_back(method);
   const Worker::EditId runs = full ? worker_.set_method(method, kMostCompared) : worker_.add_method(method);
-  if (reference_ == ReferenceId::kNone) {
-    after.methods.reference = first_reference();
-    worker_.set_reference(after.methods.reference);
+  if (after.reference == ReferenceId::kNone) {
+    after.reference = first_reference();
+    worker_.set_reference(after.reference);
   }
-  push({tr("added method"), runs}, after);
+  push({tr("added method"), runs}, {SetMethods{after, document_.before_usual}});
 }
 
 void Session::compare_with(const Method& method) {
-  const std::vector<Method>& others = document_.compare;
+  const std::vector<Method>& others = document_.preset.compare;
   const bool there =
-      document_.method == method || std::find(others.begin(), others.end(), method) != others.end();
+      document_.preset.method == method || std::find(others.begin(), others.end(), method) != others.end();
   if (!there) add_method(method);
 }
 
 void Session::remove_method(std::size_t run) {
-  if (run == 0 || run > document_.compare.size()) return;
-  Edited after = edited();
-  after.methods.others.erase(after.methods.others.begin() + static_cast<std::ptrdiff_t>(run) - 1);
-  push({tr("removed method"), worker_.remove_method(run)}, after);
+  if (run == 0 || run > document_.preset.compare.size()) return;
+  Methods after = document_.methods();
+  after.others.erase(after.others.begin() + static_cast<std::ptrdiff_t>(run) - 1);
+  push({tr("removed method"), worker_.remove_method(run)}, {SetMethods{after, document_.before_usual}});
 }
 
 void Session::choose_reference(ReferenceId reference) {
-  if (reference == reference_) return;
-  Edited after = edited();
-  after.methods.reference = reference;
+  if (reference == document_.reference) return;
+  Methods after = document_.methods();
+  after.reference = reference;
   worker_.set_reference(reference);
-  push({tr("choice of reference"), 0, false}, after);  // not saved in files
+  DocumentEdit::What what{.text = tr("choice of reference"), .is_work = false};  // not saved in files
+  push(what, {SetMethods{after, document_.before_usual}});
 }
 
 ReferenceId Session::first_reference() const {
   const auto moving =
       std::count_if(bodies_.begin(), bodies_.end(), [](const Body& b) { return !has_infinite_mass(b); });
-  return moving > kMostWithReference ? ReferenceId::kNone : usual_reference(setup_of(document_));
+  return moving > kMostWithReference ? ReferenceId::kNone : usual_reference(setup_of(document_.preset));
 }
 
 // The exact run becomes the scene's own run meanwhile: the others are compared with it, and a preset saved
 // then stays valid.
 void Session::compare_usual(const std::vector<Plot>& plots, const std::vector<Curve>& curves) {
   forget_wait();
-  Edited after = edited();
-  after.plots = plots;
-  if (before_usual_) {
-    after.methods = *std::exchange(after.before_usual, std::nullopt);
+  SetMethods set{document_.methods(), document_.before_usual};
+  if (set.before_usual) {
+    set.methods = *std::exchange(set.before_usual, std::nullopt);
   } else {
-    after.before_usual = after.methods;
-    Method euler = document_.method;
+    set.before_usual = set.methods;
+    Method euler = document_.preset.method;
     euler.integrator = IntegratorId::kExplicitEuler;
-    Method rk4 = document_.method;
+    Method rk4 = document_.preset.method;
     rk4.integrator = IntegratorId::kRk4;
-    const RunSetup setup = setup_of(document_);
-    after.methods = {
-        reference_for(setup, document_.method, usual_reference(setup)), {euler, rk4}, first_reference()};
+    const RunSetup setup = setup_of(document_.preset);
+    set.methods = {
+        reference_for(setup, document_.preset.method, usual_reference(setup)), {euler, rk4}, first_reference()};
   }
   curves_ = curves;
-  Preset start = document_;
-  start.method = after.methods.own;
-  start.compare = after.methods.others;
-  const Worker::EditId runs = worker_.restart(start, curves, after.methods.reference);
-  push({tr("comparison with the exact run"), runs}, after);
+  Preset start = document_.preset;
+  start.method = set.methods.own;
+  start.compare = set.methods.others;
+  begins_ = true;
+  const Worker::EditId runs = worker_.restart(start, curves, set.methods.reference);
+  push({tr("comparison with the exact run"), runs}, {set, SetPlots{plots}});
 }
 
 void Session::add_body(double x, double y) {
-  Preset with = document_;
+  const Preset& preset = document_.preset;
   // A disc like the existing ones, between half and one and a half times their radius; in a scene without any,
   // a twentieth of the view.
   Body body;
-  double radius = with.view ? with.view->width / 20.0 : 0.1;
+  double radius = preset.view ? preset.view->width / 20.0 : 0.1;
   body.density = 1.0;
   for (const Body& b : bodies_) {
     const auto* disc = std::get_if<Disc>(&b.shape);
@@ -264,29 +335,30 @@ void Session::add_body(double x, double y) {
     break;
   }
   body.name = free_body_name(bodies_, "new");
-  body.id.number = with.scene.ids_given + 1;
+  body.id.number = preset.scene.ids_given + 1;
   body.shape = Disc{radius * (0.5 + sizes_.generateDouble())};
   body.position = {x, y};
   const SceneEdits edits = {Add<Body>{body}};
   // The time is the displayed one until the runs tell when they had it.
-  const double now = frames_.empty() ? start_time(with.saved) : frames_.front()->time;
+  const double now = at_start() ? start_time(preset.saved) : frames_.front()->time;
+  Preset with = preset;
   add_edit(with.edits, {now, 0, edits});
   validate(with);
-  ++document_.scene.ids_given;
-  Edited after = edited();
+  ++document_.preset.scene.ids_given;
   const Worker::EditId edit = worker_.edit_scene(edits);
-  add_edit(after.added, {now, edit, edits});
-  push({tr("added body"), edit}, after);
+  std::vector<RunEdit> late = preset.edits;
+  add_edit(late, {now, edit, edits});
+  push({tr("added body"), edit}, {SetLateBodies{late}});
 }
 
 // The choice of named plots of a built-in experiment is not work that could be lost.
 void Session::change_plots(const std::vector<Plot>& plots) {
-  if (plots == document_.plots) return;
-  Edited after = edited();
-  after.plots = plots;
-  const bool is_work = !file_.isEmpty() || own_plots(plots) != own_plots(document_.plots);
-  const bool notes = without_notes(plots) == without_notes(document_.plots);
-  push({notes ? tr("change of notes") : tr("change of plots"), 0, is_work}, after);
+  const std::vector<Plot>& before = document_.preset.plots;
+  if (plots == before) return;
+  const bool notes = without_notes(plots) == without_notes(before);
+  DocumentEdit::What what{.text = notes ? tr("change of notes") : tr("change of plots")};
+  what.is_work = !file_.isEmpty() || own_plots(plots) != own_plots(before);
+  push(what, {SetPlots{plots}});
 }
 
 // --- the runs
@@ -295,13 +367,14 @@ void Session::change_plots(const std::vector<Plot>& plots) {
 void Session::set_playing(bool playing) {
   if (replayed_) return worker_.end_replay();
   if (playing) forget_wait();
-  worker_.set_playing(playing, document_.duration);
+  worker_.set_playing(playing, document_.preset.duration);
 }
 
 void Session::restart() {
   forget_wait();
   replayed_.reset();
-  worker_.restart(document_);
+  begins_ = true;
+  worker_.restart(document_.preset);
 }
 
 void Session::set_speed(double speed) {
@@ -321,14 +394,15 @@ void Session::run_until(double time) {
   // Waits until the worker has stopped at the time; the first frames may still be older.
   wait_until([&] {
     const Frame& now = *frames_.front();
-    return !now.playing && (now.time >= time - (1.0 + 1e-9) * document_.method.step || lost() != nullptr);
+    return !now.playing &&
+           (now.time >= time - (1.0 + 1e-9) * document_.preset.method.step || lost() != nullptr);
   });
 }
 
 void Session::record(const std::vector<Curve>& curves) {
   if (std::exchange(curves_, curves) == curves) return;
   for (const auto& recorder : recorders_) recorder->keep(curves);
-  worker_.record(curves);
+  if (!will_begin_) worker_.record(curves);
 }
 
 const Frame* Session::lost() const {
@@ -340,6 +414,7 @@ const Frame* Session::lost() const {
 void Session::poll() {
   const std::vector<std::shared_ptr<const Frame>> news = worker_.take_frames();
   if (news.empty()) return;
+  begins_ = false;
   // Each run keeps its recorder, whatever runs were added or removed before it.
   std::vector<std::shared_ptr<Recorder>> recorders;
   for (const auto& frame : news) {
@@ -369,16 +444,15 @@ void Session::take_times_of_edits() {
         std::find_if(known.begin(), known.end(), [&edit](const RunEdit& k) { return k.id == edit.id; });
     return edit.id == 0 || found == known.end() ? edit.time : found->time;
   };
-  if (std::all_of(document_.edits.begin(), document_.edits.end(),
-                  [&](const RunEdit& edit) { return edit.time == time_of(edit); }))
+  const std::vector<RunEdit>& late = document_.preset.edits;
+  if (std::all_of(late.begin(), late.end(), [&](const RunEdit& edit) { return edit.time == time_of(edit); }))
     return;
   std::vector<RunEdit> timed;
-  for (RunEdit edit : document_.edits) {
+  for (RunEdit edit : late) {
     edit.time = time_of(edit);
     add_edit(timed, edit);
   }
-  ++revision_;
-  assign_added(timed);
+  assign({SetLateBodies{timed}});
 }
 
 void Session::when_still(const QString& what, std::function<void()> then) {

@@ -10,7 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/lab/edits.h"
+#include "app/lab/document_change.h"
+#include "app/lab/document_edit.h"
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "physics/worker/worker.h"
@@ -32,10 +33,10 @@ class Session : public QObject {
   void open(const Preset& preset, const std::vector<Plot>& plots, const std::vector<Curve>& curves,
             const QString& name, const QString& file);
   // The document as save() would write it now.
-  [[nodiscard]] const Preset& document() const { return document_; }
+  [[nodiscard]] const Preset& document() const { return document_.preset; }
   [[nodiscard]] const QString& name() const { return name_; }
   [[nodiscard]] const QString& file() const { return file_; }
-  [[nodiscard]] ReferenceId reference() const { return reference_; }
+  [[nodiscard]] ReferenceId reference() const { return document_.reference; }
   // All bodies as they start, in the order of the runs.
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
   // Throws SceneError if the file can't be written; the document stays unchanged.
@@ -60,9 +61,16 @@ class Session : public QObject {
   // Restarts under the method of the reference, explicit Euler and RK4; or returns to the earlier comparison.
   // Shows `plots` then.
   void compare_usual(const std::vector<Plot>& plots, const std::vector<Curve>& curves);
-  [[nodiscard]] bool compares_usual() const { return before_usual_.has_value(); }
+  [[nodiscard]] bool compares_usual() const { return document_.before_usual.has_value(); }
   // The best reference that the scene allows; none where it would be costly.
   [[nodiscard]] ReferenceId first_reference() const;
+  // Edits the scene. At the start, and where an edit is about motion, the runs begin anew: later from the shown
+  // moment, which becomes the start. Other edits hold in the runs from the shown moment on, and in the start.
+  // Bodies are replaced as they stand in the frame's scene. Edits of one `drag` (> 0) are undone together.
+  // A playing run is paused first. Nothing changes where the scene would not be valid (editRefused).
+  void edit(const SceneEdits& edits, const QString& text, int drag = 0);
+  // Takes back the edits of a drag that is not finished, if they are the last ones.
+  void cancel(int drag);
   // Adds a disc of random radius like the existing ones at this point (m), from now on. Throws SceneError where
   // it is not allowed.
   void add_body(double x, double y);
@@ -95,33 +103,32 @@ class Session : public QObject {
 
  signals:
   void documentChanged();
-  void bodiesChanged();  // there are other bodies, or another order
+  void bodiesChanged();  // of the document, with its plots
   void plotsChanged();   // of the document
+  void editRefused(const QString& why);
   void modifiedChanged(bool modified);
   void framesChanged();
   void noticesChanged();
 
  private:
   friend class DocumentEdit;
-  void undo(const Edited& before, Worker::EditId runs);
-  void redo(const Edited& after, Worker::EditId runs);
-  void go_to(const Edited& to, Worker::EditId runs,
-             void (Worker::*change)(Worker::EditId, const Preset& start, ReferenceId));
-
-  [[nodiscard]] Edited edited() const;
-  void push(const DocumentEdit::What& what, const Edited& after);
-  void assign(const Edited& to);
-  void assign_added(const std::vector<RunEdit>& added);
+  // Undoes or redoes an edit; returns the change that does the opposite.
+  DocumentChange go_to(const DocumentChange& change, const DocumentEdit::What& what,
+                       void (Worker::*runs)(Worker::EditId, const Preset& start, ReferenceId));
+  void push(const DocumentEdit::What& what, const DocumentChange& change);
+  DocumentChange assign(const DocumentChange& change);
+  [[nodiscard]] Worker::EditId edit_runs(const SceneEdits& edits, const DocumentChange& change, int drag);
+  [[nodiscard]] const DocumentEdit* last_edit() const;
+  [[nodiscard]] bool at_start() const;
+  void begin_runs();
   void take_times_of_edits();
   void poll();
   void check_modified();
 
   Worker worker_;
-  Preset document_;
+  Document document_;
   QRandomGenerator sizes_{1};  // of the discs that are added: the same in every session
   QString name_, file_;
-  ReferenceId reference_ = ReferenceId::kNone;
-  std::optional<Methods> before_usual_;
   std::vector<Body> bodies_;
   QUndoStack edits_;
   bool was_modified_ = false;
@@ -129,6 +136,8 @@ class Session : public QObject {
 
   std::vector<Curve> curves_;
   std::vector<std::shared_ptr<const Frame>> frames_;
+  bool begins_ = false;      // the runs begin anew: the frames are from before
+  bool will_begin_ = false;  // they are about to, with the curves that are chosen by then
   std::vector<std::shared_ptr<Recorder>> recorders_;
   std::optional<double> replayed_;
   double speed_ = 1.0;

@@ -125,6 +125,10 @@ void Worker::restart(const Preset& start) {
   post_begin([start](RunGroup& runs) { runs.start_from(start); });
 }
 
+void Worker::start_from(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference) {
+  post_begin([=](RunGroup& runs) { runs.load(start, curves, reference); });
+}
+
 Worker::EditId Worker::restart(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference) {
   const EditId edit = ++edits_;
   post_begin([=](RunGroup& runs) {
@@ -176,8 +180,8 @@ Worker::EditId Worker::remove_method(std::size_t run) {
   return post_edit([run](RunGroup& runs, EditId) { runs.remove_run(run); });
 }
 
-Worker::EditId Worker::edit_scene(const SceneEdits& edits) {
-  return post_edit([edits](RunGroup& runs, EditId edit) { runs.edit_scene(edits, edit); });
+Worker::EditId Worker::edit_scene(const SceneEdits& edits, EditId part_of) {
+  return post_edit([edits](RunGroup& runs, EditId edit) { runs.edit_scene(edits, edit); }, part_of);
 }
 
 void Worker::undo(EditId edit, const Preset& start, ReferenceId reference) {

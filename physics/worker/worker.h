@@ -51,7 +51,9 @@ class Worker {
             ReferenceId reference = ReferenceId::kNone);
   // Stops at t = 0 of this preset, which edits may have made of the one before.
   void restart(const Preset& start);
-  // The same as an edit, with other curves and another reference.
+  // The same with other curves and another reference.
+  void start_from(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference);
+  // The same as an edit of the runs.
   EditId restart(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference);
   // Plays at the chosen pace, until `until` if that is ahead; or stops.
   void set_playing(bool playing, double until = std::numeric_limits<double>::infinity());
@@ -63,7 +65,8 @@ class Worker {
   EditId add_method(const Method& method);  // one more run; at most kMostCompared besides the first
   EditId remove_method(std::size_t run);    // not the first
   void set_reference(ReferenceId reference);
-  EditId edit_scene(const SceneEdits& edits);  // of all runs, now
+  // Edits the scene of all runs now; as a part of the last edit if `part_of` names it.
+  EditId edit_scene(const SceneEdits& edits, EditId part_of = 0);
   // Undoes the last edit that is not undone, or redoes the last one that is. Then `start` is what the runs
   // start from, and `reference` is the one to use.
   void undo(EditId edit, const Preset& start, ReferenceId reference);

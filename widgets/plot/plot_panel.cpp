@@ -84,12 +84,13 @@ void PlotPanel::set_plots(const std::vector<Plot>& plots, const std::vector<Body
 }
 
 // Plots know bodies by their index.
-void PlotPanel::set_bodies(const std::vector<Body>& bodies) {
+void PlotPanel::set_bodies(const std::vector<Body>& bodies, const std::vector<Plot>& plots) {
   const auto end = static_cast<std::ptrdiff_t>(std::min(bodies.size(), bodies_.size()));
   const bool same_places = std::equal(bodies.begin(), bodies.begin() + end, bodies_.begin(),
                                       [](const Body& a, const Body& b) { return a.name == b.name; });
   bodies_ = bodies;
-  if (!same_places) set_plots(chosen(), bodies);
+  if (!same_places) return set_plots(plots, bodies);
+  change_plots(plots);
 }
 
 void PlotPanel::change_plots(const std::vector<Plot>& plots) {

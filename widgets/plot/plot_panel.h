@@ -36,8 +36,8 @@ class PlotPanel : public QWidget {
   void set_theme(const Theme& theme);
   // Sets the plots of a scene with these bodies; none: default_plots(). Resets the zoom.
   void set_plots(const std::vector<Plot>& plots, const std::vector<Body>& bodies);
-  // Updates the bodies; updates the plots, keeping those that are shown already.
-  void set_bodies(const std::vector<Body>& bodies);
+  // Updates the bodies, with plots of them; updates the plots, keeping those that are shown already.
+  void set_bodies(const std::vector<Body>& bodies, const std::vector<Plot>& plots);
   void change_plots(const std::vector<Plot>& plots);
   // The visible plots, as in a preset, and the curves that they need.
   [[nodiscard]] std::vector<Plot> chosen() const;

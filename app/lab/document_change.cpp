@@ -1,0 +1,202 @@
+#include "app/lab/document_change.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "physics/scene/edit_rules.h"
+#include "physics/scene/facts.h"
+
+namespace carom {
+namespace {
+
+template <auto Member>
+Set<Member> applied(Document& document, const Set<Member>& set) {
+  return {std::exchange(document.preset.*Member, set.value)};
+}
+
+SceneEdits applied(Document& document, const SceneEdits& edits) {
+  return apply_edits(document.preset.scene, edits);
+}
+
+SetMethods applied(Document& document, const SetMethods& set) {
+  SetMethods before{document.methods(), std::exchange(document.before_usual, set.before_usual)};
+  document.preset.method = set.methods.own;
+  document.preset.compare = set.methods.others;
+  document.reference = set.methods.reference;
+  return before;
+}
+
+// Makes bodies of the scene's generators listed ones.
+void list_bodies(Scene& scene) {
+  scene.bodies = all_bodies(scene);
+  scene.generators.clear();
+  give_ids(scene);
+}
+
+// Makes the edits of bodies that come in later where these are, and takes them out of the list.
+std::vector<Renamed> edit_late_bodies(std::vector<RunEdit>& late, SceneEdits& edits) {
+  std::vector<Renamed> renamed;
+  std::erase_if(edits, [&](const SceneEdit& edit) {
+    const auto* replace = std::get_if<Replace<Body>>(&edit);
+    const auto* remove = std::get_if<Remove<Body>>(&edit);
+    if (replace == nullptr && remove == nullptr) return false;
+    const Id<Body> id = replace != nullptr ? replace->part.id : remove->id;
+    const auto found =
+        std::find_if(late.begin(), late.end(), [&](const RunEdit& each) { return added_body(each).id == id; });
+    if (id.number == 0 || found == late.end()) return false;
+    renamed.push_back({added_body(*found).name, replace != nullptr ? replace->part.name : std::string()});
+    if (replace != nullptr) {
+      found->what = SceneEdits{Add<Body>{replace->part}};
+    } else {
+      late.erase(found);
+    }
+    return true;
+  });
+  return renamed;
+}
+
+// False if the quantity is of a body that is gone.
+bool follow_names(QuantityName& quantity, const std::vector<Renamed>& renamed) {
+  for (std::string& body : quantity.bodies) {
+    const auto now =
+        std::find_if(renamed.begin(), renamed.end(), [&](const Renamed& r) { return r.from == body; });
+    if (now == renamed.end()) continue;
+    if (now->to.empty()) return false;
+    body = now->to;
+  }
+  return true;
+}
+
+std::vector<Plot> with_names(std::vector<Plot> plots, const std::vector<Renamed>& renamed) {
+  std::erase_if(plots, [&](Plot& plot) {
+    const bool had_lines = !plot.y.empty();
+    std::erase_if(plot.y, [&](QuantityName& line) { return !follow_names(line, renamed); });
+    return (had_lines && plot.y.empty()) || (plot.x && !follow_names(*plot.x, renamed));
+  });
+  return plots;
+}
+
+Method possible(Method method, const Scene& scene) {
+  if (why_not(scene, method.integrator)) method.integrator = IntegratorId::kRk4;
+  return method;
+}
+
+// A change to a start with this scene, late bodies and clock, and then the edits.
+struct Start {
+  Scene scene;
+  std::vector<RunEdit> late;
+  std::optional<SavedRun> saved;
+  bool other_scene;  // than the document's
+};
+
+DocumentChange change_to(const Document& document, Start start, SceneEdits edits) {
+  const Preset& preset = document.preset;
+  DocumentChange change;
+  find_ids(start.scene, edits);
+  std::vector<Renamed> renamed = edit_late_bodies(start.late, edits);
+  const bool other_late = start.other_scene || !renamed.empty();
+  edits = with_followers(start.scene, edits);
+  Scene after = start.scene;
+  apply_edits(after, edits);
+  const std::vector<Renamed> more = renamed_bodies(start.scene, after);
+  renamed.insert(renamed.end(), more.begin(), more.end());
+
+  if (start.other_scene) change.emplace_back(SetScene{std::move(start.scene)});
+  change.emplace_back(std::move(edits));
+  if (other_late) change.emplace_back(SetLateBodies{std::move(start.late)});
+  if (start.saved.has_value() != preset.saved.has_value() || (preset.saved && preset.saved->fingerprint != 0))
+    change.emplace_back(SetSaved{std::move(start.saved)});
+  if (!preset.expect.empty()) change.emplace_back(SetExpectations{{}});
+  if (!renamed.empty()) change.emplace_back(SetPlots{with_names(preset.plots, renamed)});
+  Methods methods = document.methods();
+  methods.own = possible(methods.own, after);
+  for (Method& method : methods.others) method = possible(method, after);
+  const RunSetup setup{after, methods.own};
+  if (methods.reference != ReferenceId::kNone && why_not(setup, methods.reference))
+    methods.reference = usual_reference(setup);
+  if (methods.own != preset.method || methods.others != preset.compare)
+    change.emplace_back(SetMethods{methods, document.before_usual});
+  return change;
+}
+
+}  // namespace
+
+bool is_of_generated_body(const SceneEdit& edit) {
+  const auto* body = std::get_if<Replace<Body>>(&edit);
+  return body != nullptr && body->part.id.number == 0;
+}
+
+void find_ids(const Scene& scene, SceneEdits& edits) {
+  const auto id_of = [](const auto& list, const std::string& name) {
+    const auto part = std::find_if(list.begin(), list.end(), [&](const auto& p) { return p.name == name; });
+    return part == list.end() ? decltype(part->id){} : part->id;
+  };
+  for (SceneEdit& edit : edits) {
+    if (auto* body = std::get_if<Replace<Body>>(&edit); body != nullptr && body->part.id.number == 0) {
+      body->part.id = id_of(scene.bodies, body->part.name);
+    } else if (auto* material = std::get_if<Replace<Material>>(&edit);
+               material != nullptr && material->part.id.number == 0) {
+      material->part.id = id_of(scene.materials, material->part.name);
+      if (material->part.id.number != 0) continue;
+      material->part.id.number = scene.ids_given + 1;
+      edit = Add<Material>{material->part};
+    }
+  }
+}
+
+DocumentChange apply_change(Document& document, const DocumentChange& change) {
+  DocumentChange back;
+  for (const auto& part : change)
+    back.emplace_back(
+        std::visit([&](const auto& p) -> DocumentChange::value_type { return applied(document, p); }, part));
+  std::reverse(back.begin(), back.end());
+  return back;
+}
+
+DocumentChange change_of_start(const Document& document, const SceneEdits& edits) {
+  const Preset& preset = document.preset;
+  Start start{preset.scene, preset.edits, {}, std::any_of(edits.begin(), edits.end(), is_of_generated_body)};
+  if (preset.saved) start.saved = SavedRun{.time = preset.saved->time};
+  if (start.other_scene) list_bodies(start.scene);
+  return change_to(document, std::move(start), edits);
+}
+
+DocumentChange change_to_moment(const Document& document, const Scene& now, double time,
+                                const SceneEdits& edits) {
+  const Preset& preset = document.preset;
+  Start start{now, {}, {}, true};
+  start.scene.ids_given = std::max(now.ids_given, preset.scene.ids_given);
+  list_bodies(start.scene);
+  const SceneFacts facts = facts_of(now);
+  const bool keeps_clock = facts.drives || facts.timed;
+  if (keeps_clock) start.saved = SavedRun{.time = time};
+  for (RunEdit edit : preset.edits) {
+    if (edit.time <= time) continue;
+    if (!keeps_clock) edit.time -= time;
+    start.late.push_back(std::move(edit));
+  }
+  return change_to(document, std::move(start), edits);
+}
+
+SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits) {
+  const std::vector<Body> start = all_bodies(preset);
+  SceneEdits kept = edits;
+  for (SceneEdit& edit : kept) {
+    auto* body = std::get_if<Replace<Body>>(&edit);
+    if (body == nullptr) continue;
+    const auto was =
+        std::find_if(start.begin(), start.end(), [&](const Body& b) { return b.id == body->part.id; });
+    if (body->part.id.number == 0 || was == start.end()) continue;
+    body->part.position = was->position;
+    body->part.angle = was->angle;
+    body->part.velocity = was->velocity;
+    body->part.spin = was->spin;
+    if (!has_infinite_mass(body->part)) continue;
+    body->part.velocity.setZero();
+    body->part.spin = 0.0;
+  }
+  return kept;
+}
+
+}  // namespace carom

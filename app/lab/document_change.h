@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "physics/compare/reference.h"
+#include "physics/preset/preset.h"
+
+namespace carom {
+
+// The methods of a scene's runs, side by side, and their reference.
+struct Methods {
+  Method own;
+  std::vector<Method> others;
+  ReferenceId reference = ReferenceId::kNone;
+};
+
+// What a session edits: a preset, and what belongs to its runs but stands in no file.
+struct Document {
+  Preset preset;
+  ReferenceId reference = ReferenceId::kNone;
+  std::optional<Methods> before_usual{};  // while Euler, RK4 and the exact run are compared
+
+  [[nodiscard]] Methods methods() const { return {preset.method, preset.compare, reference}; }
+};
+
+// Another value of a member of the preset.
+template <auto Member>
+struct Set {
+  std::remove_cvref_t<decltype(std::declval<Preset>().*Member)> value;
+};
+using SetScene = Set<&Preset::scene>;
+using SetLateBodies = Set<&Preset::edits>;
+using SetSaved = Set<&Preset::saved>;
+using SetExpectations = Set<&Preset::expect>;
+using SetPlots = Set<&Preset::plots>;
+
+struct SetMethods {
+  Methods methods;
+  std::optional<Methods> before_usual;
+};
+
+// A change of a document as a value: its parts in the order in which they are made.
+using DocumentChange = std::vector<
+    std::variant<SceneEdits, SetScene, SetLateBodies, SetSaved, SetExpectations, SetPlots, SetMethods>>;
+
+// Makes the change and returns the one that takes it back. Throws std::out_of_range if a part that is edited
+// is not there.
+DocumentChange apply_change(Document& document, const DocumentChange& change);
+
+// The change of the start of runs by edits of its scene: what names bodies follows, late bodies too;
+// expectations and the inner state of a saved run, which are those of another scene, go. A body that has no
+// id, of a generator, is listed first; edits name it by its name. Throws std::out_of_range as apply_change().
+[[nodiscard]] DocumentChange change_of_start(const Document& document, const SceneEdits& edits);
+
+// The same where the edited start is this scene, a moment (s) of the document's run. Its clock begins anew
+// unless drives or forces depend on it.
+[[nodiscard]] DocumentChange change_to_moment(const Document& document, const Scene& now, double time,
+                                              const SceneEdits& edits);
+
+// What the start takes over from edits of a running scene that are not about motion: bodies keep the place and
+// the motion that they have at the start.
+[[nodiscard]] SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits);
+
+// Gives edits that name a part without an id the one that it has in this scene. Bodies of generators have none
+// until they are listed; the material of bodies that name none is added when it is edited first.
+void find_ids(const Scene& scene, SceneEdits& edits);
+[[nodiscard]] bool is_of_generated_body(const SceneEdit& edit);
+
+}  // namespace carom

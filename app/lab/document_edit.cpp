@@ -1,0 +1,75 @@
+#include "app/lab/document_edit.h"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "app/lab/session.h"
+
+namespace carom {
+namespace {
+
+// Whether both set the same thing, so that the earlier value alone is needed to take both back.
+bool same_target(const SceneEdit& earlier, const SceneEdit& later) {
+  if (earlier.index() != later.index()) return false;
+  return std::visit(
+      [&]<class Edit>(const Edit& edit) {
+        if constexpr (
+            requires { edit.at; } || requires { edit.id; }) {
+          return false;  // adds or removes a part
+        } else if constexpr (requires { edit.part; }) {
+          return edit.part.id == std::get<Edit>(later).part.id;
+        } else {
+          return true;
+        }
+      },
+      earlier);
+}
+
+bool restores(const DocumentChange& earlier, const SceneEdit& later) {
+  return std::any_of(earlier.begin(), earlier.end(), [&](const auto& part) {
+    if (std::holds_alternative<SetScene>(part)) return true;
+    const auto* edits = std::get_if<SceneEdits>(&part);
+    return edits != nullptr && std::any_of(edits->begin(), edits->end(),
+                                           [&](const SceneEdit& edit) { return same_target(edit, later); });
+  });
+}
+
+// Whether a change back undoes all that a later one would.
+bool covers(const DocumentChange& earlier, const DocumentChange& later) {
+  return std::all_of(later.begin(), later.end(), [&](const auto& part) {
+    const auto* edits = std::get_if<SceneEdits>(&part);
+    if (edits == nullptr) {
+      return std::any_of(earlier.begin(), earlier.end(),
+                         [&](const auto& other) { return other.index() == part.index(); });
+    }
+    return std::all_of(edits->begin(), edits->end(),
+                       [&](const SceneEdit& edit) { return restores(earlier, edit); });
+  });
+}
+
+}  // namespace
+
+DocumentEdit::DocumentEdit(Session& session, const What& what, DocumentChange back)
+    : QUndoCommand(what.text), session_(session), what_(what), next_(std::move(back)) {}
+
+void DocumentEdit::undo() { next_ = session_.go_to(next_, what_, &Worker::undo); }
+
+void DocumentEdit::redo() {
+  if (!std::exchange(made_, false)) next_ = session_.go_to(next_, what_, &Worker::redo);
+}
+
+bool DocumentEdit::mergeWith(const QUndoCommand* later) {
+  const auto& other = static_cast<const DocumentEdit&>(*later);
+  if (other.what_.drag != what_.drag) return false;
+  setText(other.text());
+  what_.text = other.what_.text;
+  what_.begins = what_.begins || other.what_.begins;
+  if (covers(next_, other.next_)) return true;
+  DocumentChange both = other.next_;
+  both.insert(both.end(), next_.begin(), next_.end());
+  next_ = std::move(both);
+  return true;
+}
+
+}  // namespace carom

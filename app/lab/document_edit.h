@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QUndoCommand>
+#include <optional>
+
+#include "app/lab/document_change.h"
+#include "physics/worker/worker.h"
+
+namespace carom {
+
+class Session;
+
+// One step of undo, already made when it is pushed on the stack. It holds the change that it makes next: the
+// one back, or the one forth again.
+class DocumentEdit : public QUndoCommand {
+ public:
+  struct What {
+    QString text;               // "Undo ..."
+    Worker::EditId runs = 0;    // of the runs as they go on; 0: none
+    bool begins = false;        // the runs begin again, from the changed start
+    bool is_work = true;        // false: not worth saving
+    std::optional<int> drag{};  // edits of one drag are undone together
+  };
+
+  DocumentEdit(Session& session, const What& what, DocumentChange back);
+  [[nodiscard]] const What& what() const { return what_; }
+
+  void undo() override;
+  void redo() override;
+  [[nodiscard]] int id() const override { return what_.drag ? 1 : -1; }
+  bool mergeWith(const QUndoCommand* later) override;
+
+ private:
+  Session& session_;
+  What what_;
+  DocumentChange next_;
+  bool made_ = true;
+};
+
+}  // namespace carom

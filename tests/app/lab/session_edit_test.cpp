@@ -1,0 +1,352 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "app/lab/session.h"
+#include "physics/preset/preset_file.h"
+#include "physics/run/simulation.h"
+#include "tests/support/scenes.h"
+#include "tests/support/wait_events.h"
+
+// Edits of the scene in a session: at the start, from a moment on, of a run as it goes on; and all of them
+// taken back and made again.
+namespace carom {
+namespace {
+
+// Two discs on a line: the left one moves to the right.
+Preset two_discs() {
+  Preset preset;
+  preset.title = "Two discs";
+  preset.duration = 2.0;
+  preset.method.step = 0.01;
+  Material wood;
+  wood.name = "wood";
+  wood.restitution = 1.0;
+  preset.scene.materials = {wood};
+  for (const char* name : {"left", "right"}) {
+    Body body;
+    body.name = name;
+    body.shape = Disc{0.1};
+    body.mass = 1.0;
+    body.material = "wood";
+    body.position = {preset.scene.bodies.empty() ? 0.0 : 1.0, 0.0};
+    preset.scene.bodies.push_back(body);
+  }
+  preset.scene.bodies[0].velocity = {1.0, 0.0};
+  return preset;
+}
+
+class SessionEditTest : public testing::Test {
+ protected:
+  SessionEditTest() {
+    QObject::connect(&session_, &Session::editRefused, [this](const QString& why) { refused_ = why; });
+    open(two_discs());
+  }
+  void open(const Preset& preset) {
+    session_.open(preset, preset.plots, {}, {}, {});
+    settle();
+  }
+  // Waits until the runs have done all that was asked for before: a curve that is asked for now comes last.
+  void settle() {
+    const Curve curve{{find_observable(settled_++ % 2 == 0 ? "kinetic_energy" : "total_energy"), {}}, {}};
+    session_.record({});
+    session_.record({curve});
+    ASSERT_TRUE(test::wait_in_event_loop([&] {
+      const auto frame = session_.frame();
+      return frame && frame->scene && !session_.replayed() &&
+             session_.recorders()[0]->series(curve) != nullptr && frame->rows_known_until >= frame->time;
+    }));
+  }
+  void run_to(double time) {
+    session_.run_until(time);
+    settle();
+  }
+  [[nodiscard]] Body now(const std::string& name) const {
+    for (const Body& body : session_.frame()->scene->bodies) {
+      if (body.name == name) return body;
+    }
+    ADD_FAILURE() << "no body " << name;
+    return {};
+  }
+  [[nodiscard]] const Body& start(std::size_t i) const { return session_.document().scene.bodies.at(i); }
+  void edit(const SceneEdit& edit, const char* text = "change", int drag = 0) {
+    session_.edit({edit}, text, drag);
+    settle();
+  }
+  void undo() {
+    session_.edits().undo();
+    settle();
+  }
+  void redo() {
+    session_.edits().redo();
+    settle();
+  }
+  [[nodiscard]] std::string document() const { return write_preset(session_.document()); }
+
+  Session session_;
+  QString refused_;
+
+ private:
+  int settled_ = 0;
+};
+
+TEST_F(SessionEditTest, AtTheStartChangesTheStart) {
+  const std::string before = document();
+  Body right = now("right");
+  right.position.x() = 0.6;
+  edit(Replace<Body>{right}, "Move right");
+  EXPECT_EQ(session_.edits().undoText(), "Move right");
+  EXPECT_EQ(start(1).position.x(), 0.6);
+  EXPECT_EQ(now("right").position.x(), 0.6);
+  EXPECT_EQ(session_.frame()->time, 0.0);
+  run_to(1.0);
+  EXPECT_NEAR(now("right").position.x(), 0.6 + 0.6, 1e-12) << "hit at 0.4 s, by an equal disc";
+  undo();
+  EXPECT_EQ(document(), before);
+  EXPECT_EQ(session_.frame()->time, 0.0);
+  EXPECT_EQ(now("right").position.x(), 1.0);
+  redo();
+  EXPECT_EQ(now("right").position.x(), 0.6);
+}
+
+// Mass 1 hits mass 3 at 0.8 s with e = 1: -1/2 and 1/2 m/s afterwards.
+TEST_F(SessionEditTest, OfWhatThingsAreHoldsFromNowOnAndInTheStart) {
+  const std::string before = document();
+  run_to(0.5);
+  Body right = now("right");
+  right.mass = 3.0;
+  edit(Replace<Body>{right}, "Mass of right");
+  EXPECT_EQ(session_.frame()->time, 0.5) << "the run goes on";
+  EXPECT_EQ(*start(1).mass, 3.0);
+  EXPECT_EQ(start(0).position.x(), 0.0) << "the start keeps its places";
+  run_to(1.0);
+  EXPECT_NEAR(now("left").velocity.x(), -0.5, 1e-12);
+  EXPECT_NEAR(now("right").velocity.x(), 0.5, 1e-12);
+  undo();
+  EXPECT_EQ(document(), before);
+  EXPECT_NEAR(session_.frame()->time, 1.0, 1e-9);
+  EXPECT_NEAR(now("right").velocity.x(), 1.0, 1e-12) << "replayed with equal masses";
+  redo();
+  EXPECT_NEAR(now("right").velocity.x(), 0.5, 1e-12);
+  session_.restart();
+  settle();
+  run_to(1.0);
+  EXPECT_NEAR(now("right").velocity.x(), 0.5, 1e-12);
+}
+
+TEST_F(SessionEditTest, OfMotionIsANewStartFromHere) {
+  const std::string before = document();
+  run_to(1.0);
+  Body right = now("right");
+  ASSERT_NEAR(right.velocity.x(), 1.0, 1e-12);
+  right.velocity = {0.0, 2.0};
+  edit(Replace<Body>{right}, "Speed of right");
+  EXPECT_EQ(session_.frame()->time, 0.0);
+  EXPECT_NEAR(start(0).position.x(), 0.8, 1e-12);
+  EXPECT_EQ(start(1).velocity, Vec2(0.0, 2.0));
+  run_to(0.5);
+  EXPECT_NEAR(now("right").position.y(), 1.0, 1e-12);
+  undo();
+  EXPECT_EQ(document(), before);
+  EXPECT_EQ(session_.frame()->time, 0.0);
+  EXPECT_EQ(now("left").position.x(), 0.0);
+}
+
+TEST_F(SessionEditTest, OneDragIsOneStep) {
+  const std::string before = document();
+  run_to(0.3);
+  const Body right = now("right");
+  for (int i = 1; i <= 20; ++i) {
+    Body moved = right;
+    moved.position.y() = 0.01 * i;
+    session_.edit({Replace<Body>{moved}}, "Move right", 7);
+  }
+  settle();
+  EXPECT_EQ(session_.edits().count(), 1);
+  EXPECT_EQ(now("right").position.y(), 0.2);
+  undo();
+  EXPECT_EQ(document(), before);
+  redo();
+  EXPECT_EQ(now("right").position.y(), 0.2);
+  Body left = now("left");
+  for (int i = 1; i <= 5; ++i) {
+    left.position.y() = -0.01 * i;
+    session_.edit({Replace<Body>{left}}, "Move left", 8);
+  }
+  session_.cancel(8);
+  settle();
+  EXPECT_EQ(now("left").position.y(), 0.0);
+  EXPECT_EQ(session_.edits().count(), 1);
+  EXPECT_FALSE(session_.edits().canRedo());
+}
+
+TEST_F(SessionEditTest, WhatNamesABodyFollowsItsName) {
+  Preset preset = two_discs();
+  Joint rod;
+  rod.body = "left";
+  rod.to = "right";
+  preset.scene.joints = {rod};
+  preset.scene.bodies[0].velocity = {0.0, 0.0};
+  Plot plot;
+  plot.y = {{"speed", {"right"}}, {"speed", {"left"}}};
+  preset.plots = {plot};
+  open(preset);
+  const std::string before = document();
+  Body right = now("right");
+  right.name = "heavy";
+  edit(Replace<Body>{right}, "Rename");
+  EXPECT_EQ(session_.document().scene.joints[0].to, "heavy");
+  EXPECT_EQ(session_.document().plots[0].y[0].bodies[0], "heavy");
+  run_to(0.2);
+  edit(Remove<Body>{now("heavy").id}, "Delete heavy");
+  EXPECT_TRUE(session_.document().scene.joints.empty());
+  ASSERT_EQ(session_.document().plots[0].y.size(), 1U);
+  EXPECT_EQ(session_.document().plots[0].y[0].bodies[0], "left");
+  EXPECT_EQ(session_.bodies().size(), 1U);
+  undo();
+  undo();
+  EXPECT_EQ(document(), before);
+}
+
+TEST_F(SessionEditTest, ABodyOfAGeneratorBecomesAListedOne) {
+  Preset preset = two_discs();
+  GridGenerator grid;
+  grid.name = "disc";
+  grid.columns = 3;
+  grid.rows = 1;
+  grid.origin = {0.0, 2.0};
+  grid.spacing = {0.5, 0.5};
+  grid.radius_min = grid.radius_max = 0.1;
+  preset.scene.generators = {grid};
+  open(preset);
+  const std::string before = document();
+  Body disc = now("disc-2");
+  disc.velocity = {0.0, 1.0};
+  edit(Replace<Body>{disc}, "Speed of disc-2");
+  EXPECT_TRUE(session_.document().scene.generators.empty());
+  EXPECT_EQ(session_.document().scene.bodies.size(), 5U);
+  EXPECT_EQ(now("disc-2").velocity.y(), 1.0);
+  EXPECT_EQ(now("disc-1").velocity.y(), 0.0);
+  undo();
+  EXPECT_EQ(document(), before);
+}
+
+// Exact flight knows no drag.
+TEST_F(SessionEditTest, AMethodThatBecomesImpossibleChangesWithTheEdit) {
+  Preset preset = two_discs();
+  preset.method.integrator = IntegratorId::kExactFlight;
+  open(preset);
+  run_to(0.2);
+  edit(SetForces{.gravity = {0.0, 0.0}, .linear_drag = 1.0}, "Drag");
+  EXPECT_EQ(session_.document().method.integrator, IntegratorId::kRk4);
+  EXPECT_EQ(session_.frame()->method.integrator, IntegratorId::kRk4);
+  run_to(0.4);
+  EXPECT_NEAR(now("left").velocity.x(), std::exp(-0.2), 1e-8);
+  undo();
+  EXPECT_EQ(session_.document().method.integrator, IntegratorId::kExactFlight);
+  EXPECT_NEAR(now("left").velocity.x(), 1.0, 1e-12);
+}
+
+TEST_F(SessionEditTest, WhatIsNotAllowedIsSaidAndChangesNothing) {
+  const std::string before = document();
+  Body right = now("right");
+  right.mass = -1.0;
+  session_.edit({Replace<Body>{right}}, "Mass of right");
+  EXPECT_TRUE(refused_.contains("mass")) << refused_.toStdString();
+  right.mass = 1.0;
+  right.name = "left";
+  session_.edit({Replace<Body>{right}}, "Rename");
+  EXPECT_TRUE(refused_.contains("left")) << refused_.toStdString();
+  session_.edit({Remove<Body>{{99}}}, "Delete");
+  EXPECT_EQ(document(), before);
+  EXPECT_FALSE(session_.edits().canUndo());
+}
+
+TEST_F(SessionEditTest, ADiscThatCameLaterIsEditedWhereItStands) {
+  run_to(0.5);
+  session_.add_body(0.5, 1.0);
+  settle();
+  run_to(0.7);
+  Body late = now("new-1");
+  late.mass = 5.0;
+  late.density.reset();
+  edit(Replace<Body>{late}, "Mass of new-1");
+  EXPECT_NEAR(session_.frame()->time, 0.7, 1e-12);
+  ASSERT_EQ(session_.document().edits.size(), 1U);
+  EXPECT_EQ(*added_body(session_.document().edits[0]).mass, 5.0);
+  EXPECT_EQ(*now("new-1").mass, 5.0);
+  Body moved = now("new-1");
+  moved.position.y() = 2.0;
+  edit(Replace<Body>{moved}, "Move new-1");
+  EXPECT_TRUE(session_.document().edits.empty()) << "it is there at the new start";
+  EXPECT_EQ(session_.document().scene.bodies.size(), 3U);
+  undo();
+  undo();
+  undo();
+  EXPECT_EQ(document(), write_preset(two_discs()));
+}
+
+// Random edits of a small scene, at the start and on the way, taken back and made again one by one: the
+// document is the same text each time, and so is the run that begins again.
+TEST_F(SessionEditTest, RandomEditsAreTakenBackAndMadeAgain) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    open(two_discs());
+    std::mt19937 random(seed);
+    const auto draw = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    std::vector<std::string> documents = {document()};
+    for (int i = 0; i < 8; ++i) {
+      if (random() % 3 == 0) run_to(session_.frame()->time + 0.1);
+      const std::vector<Body>& bodies = session_.frame()->scene->bodies;
+      Body body = bodies.empty() ? Body{} : bodies[random() % bodies.size()];
+      switch (bodies.empty() ? 0 : random() % 6) {
+        case 0:
+          body = two_discs().scene.bodies[0];
+          body.name = free_body_name(bodies, "new");
+          body.position = {draw(-3.0, 3.0), draw(1.0, 3.0)};
+          session_.edit({Add<Body>{body}}, "Add disc");
+          break;
+        case 1:
+          body.mass = draw(0.5, 2.0);
+          session_.edit({Replace<Body>{body}}, "Mass");
+          break;
+        case 2:
+          body.velocity = {draw(-1.0, 1.0), draw(-1.0, 1.0)};
+          session_.edit({Replace<Body>{body}}, "Speed");
+          break;
+        case 3:
+          session_.edit({Remove<Body>{body.id}}, "Delete");
+          break;
+        case 4:
+          body.name += 'x';
+          session_.edit({Replace<Body>{body}}, "Rename");
+          break;
+        default:
+          session_.edit({SetForces{.gravity = {0.0, draw(-10.0, 0.0)}}}, "Gravity");
+      }
+      settle();
+      ASSERT_EQ(refused_, "");
+      documents.push_back(document());
+    }
+    ASSERT_EQ(session_.edits().count(), 8);
+    for (int i = 7; i >= 0; --i) {
+      undo();
+      ASSERT_EQ(document(), documents[static_cast<std::size_t>(i)]) << seed << ", edit " << i;
+    }
+    for (std::size_t i = 1; i <= 8; ++i) {
+      redo();
+      ASSERT_EQ(document(), documents[i]) << seed << ", edit " << i;
+    }
+    session_.restart();
+    run_to(0.5);
+    Simulation alone(setup_of(session_.document()));
+    alone.advance_to(0.5);
+    EXPECT_TRUE(test::same_bytes(alone.state(), session_.frame()->state)) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace carom
