@@ -27,7 +27,7 @@ const std::array<Library, 3> kLibraries = {
     {{"physics",
       {"math", "scene", "files", "model", "dynamics", "collision", "impact", "contact", "ledger", "step", "run",
        "observe", "compare", "record", "preset", "check", "study", "worker", "stress"}},
-     {"widgets", {"theme", "base", "print", "scene", "plot", "compare", "run"}},
+     {"widgets", {"theme", "base", "edit", "print", "scene", "plot", "compare", "run"}},
      {"app", {"export", "help", "library", "lab", "cli"}}}};
 
 // The room's place in the order of all of them; -1: none, the file stands beside the rooms or isn't ours.

@@ -22,6 +22,7 @@ namespace {
 
 // Files of app/help and their titles, in the order of the list.
 constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
+    {"hands", QT_TRANSLATE_NOOP("QObject", "Working by hand")},
     {"model", QT_TRANSLATE_NOOP("QObject", "The model")},
     {"presets", QT_TRANSLATE_NOOP("QObject", "Preset files")},
     {"plots", QT_TRANSLATE_NOOP("QObject", "Plots and comparison")},

@@ -27,11 +27,42 @@ SetMethods applied(Document& document, const SetMethods& set) {
   return before;
 }
 
+bool is_generated(Id<Body> id) { return id.number >= kFirstGenerated; }
+
+bool is_of_generated_body(const SceneEdit& edit) {
+  const auto* replace = std::get_if<Replace<Body>>(&edit);
+  const auto* remove = std::get_if<Remove<Body>>(&edit);
+  return (replace != nullptr && is_generated(replace->part.id)) ||
+         (remove != nullptr && is_generated(remove->id));
+}
+
 // Makes bodies of the scene's generators listed ones.
 void list_bodies(Scene& scene) {
   scene.bodies = all_bodies(scene);
   scene.generators.clear();
+  for (Body& body : scene.bodies) {
+    if (is_generated(body.id)) body.id = {};
+  }
   give_ids(scene);
+}
+
+// The body that an id of a run means: `all` bodies stand in the order of the run.
+const Body* meant(const std::vector<Body>& all, Id<Body> id) {
+  const std::size_t place = id.number - kFirstGenerated;
+  if (is_generated(id)) return place < all.size() ? &all[place] : nullptr;
+  const auto found = std::find_if(all.begin(), all.end(), [id](const Body& b) { return b.id == id; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+// Gives edits of a run's bodies the ids of a start with these.
+void take_ids(const std::vector<Body>& all, SceneEdits& edits) {
+  for (SceneEdit& edit : edits) {
+    if (auto* replace = std::get_if<Replace<Body>>(&edit)) {
+      if (const Body* body = meant(all, replace->part.id)) replace->part.id = body->id;
+    } else if (auto* remove = std::get_if<Remove<Body>>(&edit)) {
+      if (const Body* body = meant(all, remove->id)) remove->id = body->id;
+    }
+  }
 }
 
 // Makes the edits of bodies that come in later where these are, and takes them out of the list.
@@ -77,6 +108,16 @@ std::vector<Plot> with_names(std::vector<Plot> plots, const std::vector<Renamed>
   return plots;
 }
 
+std::vector<Plot> without_theories(std::vector<Plot> plots) {
+  for (Plot& plot : plots) {
+    if (std::all_of(plot.y.begin(), plot.y.end(), [](const QuantityName& line) { return line.residual; }))
+      continue;  // nothing would be left
+    std::erase_if(plot.y, [](const QuantityName& line) { return line.residual; });
+    for (QuantityName& line : plot.y) line.theory.clear();
+  }
+  return plots;
+}
+
 Method possible(Method method, const Scene& scene) {
   if (why_not(scene, method.integrator)) method.integrator = IntegratorId::kRk4;
   return method;
@@ -93,7 +134,9 @@ struct Start {
 DocumentChange change_to(const Document& document, Start start, SceneEdits edits) {
   const Preset& preset = document.preset;
   DocumentChange change;
-  find_ids(start.scene, edits);
+  std::vector<Body> all = start.scene.bodies;
+  for (const RunEdit& edit : start.late) all.push_back(added_body(edit));
+  take_ids(all, edits);
   std::vector<Renamed> renamed = edit_late_bodies(start.late, edits);
   const bool other_late = start.other_scene || !renamed.empty();
   edits = with_followers(start.scene, edits);
@@ -108,7 +151,9 @@ DocumentChange change_to(const Document& document, Start start, SceneEdits edits
   if (start.saved.has_value() != preset.saved.has_value() || (preset.saved && preset.saved->fingerprint != 0))
     change.emplace_back(SetSaved{std::move(start.saved)});
   if (!preset.expect.empty()) change.emplace_back(SetExpectations{{}});
-  if (!renamed.empty()) change.emplace_back(SetPlots{with_names(preset.plots, renamed)});
+  std::vector<Plot> plots = with_names(preset.plots, renamed);
+  if (document.is_experiment) plots = without_theories(std::move(plots));
+  if (plots != preset.plots) change.emplace_back(SetPlots{std::move(plots)});
   Methods methods = document.methods();
   methods.own = possible(methods.own, after);
   for (Method& method : methods.others) method = possible(method, after);
@@ -122,29 +167,6 @@ DocumentChange change_to(const Document& document, Start start, SceneEdits edits
 
 }  // namespace
 
-bool is_of_generated_body(const SceneEdit& edit) {
-  const auto* body = std::get_if<Replace<Body>>(&edit);
-  return body != nullptr && body->part.id.number == 0;
-}
-
-void find_ids(const Scene& scene, SceneEdits& edits) {
-  const auto id_of = [](const auto& list, const std::string& name) {
-    const auto part = std::find_if(list.begin(), list.end(), [&](const auto& p) { return p.name == name; });
-    return part == list.end() ? decltype(part->id){} : part->id;
-  };
-  for (SceneEdit& edit : edits) {
-    if (auto* body = std::get_if<Replace<Body>>(&edit); body != nullptr && body->part.id.number == 0) {
-      body->part.id = id_of(scene.bodies, body->part.name);
-    } else if (auto* material = std::get_if<Replace<Material>>(&edit);
-               material != nullptr && material->part.id.number == 0) {
-      material->part.id = id_of(scene.materials, material->part.name);
-      if (material->part.id.number != 0) continue;
-      material->part.id.number = scene.ids_given + 1;
-      edit = Add<Material>{material->part};
-    }
-  }
-}
-
 DocumentChange apply_change(Document& document, const DocumentChange& change) {
   DocumentChange back;
   for (const auto& part : change)
@@ -156,7 +178,9 @@ DocumentChange apply_change(Document& document, const DocumentChange& change) {
 
 DocumentChange change_of_start(const Document& document, const SceneEdits& edits) {
   const Preset& preset = document.preset;
-  Start start{preset.scene, preset.edits, {}, std::any_of(edits.begin(), edits.end(), is_of_generated_body)};
+  const bool lists =
+      !preset.scene.generators.empty() && std::any_of(edits.begin(), edits.end(), is_of_generated_body);
+  Start start{preset.scene, preset.edits, {}, lists};
   if (preset.saved) start.saved = SavedRun{.time = preset.saved->time};
   if (start.other_scene) list_bodies(start.scene);
   return change_to(document, std::move(start), edits);
@@ -185,9 +209,8 @@ SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits) {
   for (SceneEdit& edit : kept) {
     auto* body = std::get_if<Replace<Body>>(&edit);
     if (body == nullptr) continue;
-    const auto was =
-        std::find_if(start.begin(), start.end(), [&](const Body& b) { return b.id == body->part.id; });
-    if (body->part.id.number == 0 || was == start.end()) continue;
+    const Body* was = meant(start, body->part.id);
+    if (was == nullptr) continue;
     body->part.position = was->position;
     body->part.angle = was->angle;
     body->part.velocity = was->velocity;
@@ -197,6 +220,19 @@ SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits) {
     body->part.spin = 0.0;
   }
   return kept;
+}
+
+void number_new_parts(const Scene& start, SceneEdits& edits) {
+  std::uint32_t given = start.ids_given;
+  for (SceneEdit& edit : edits) {
+    std::visit(
+        [&given](auto& e) {
+          if constexpr (requires { e.at; }) {
+            if (e.part.id.number == 0) e.part.id.number = ++given;
+          }
+        },
+        edit);
+  }
 }
 
 }  // namespace carom

@@ -23,6 +23,8 @@ struct Document {
   Preset preset;
   ReferenceId reference = ReferenceId::kNone;
   std::optional<Methods> before_usual{};  // while Euler, RK4 and the exact run are compared
+  // A built-in experiment: the theories on its plots are those of its own start.
+  bool is_experiment = false;
 
   [[nodiscard]] Methods methods() const { return {preset.method, preset.compare, reference}; }
 };
@@ -52,8 +54,9 @@ using DocumentChange = std::vector<
 DocumentChange apply_change(Document& document, const DocumentChange& change);
 
 // The change of the start of runs by edits of its scene: what names bodies follows, late bodies too;
-// expectations and the inner state of a saved run, which are those of another scene, go. A body that has no
-// id, of a generator, is listed first; edits name it by its name. Throws std::out_of_range as apply_change().
+// expectations, an experiment's theories and the inner state of a saved run, which are those of another scene,
+// go. Bodies of generators
+// are listed if one of them is edited. Throws std::out_of_range as apply_change().
 [[nodiscard]] DocumentChange change_of_start(const Document& document, const SceneEdits& edits);
 
 // The same where the edited start is this scene, a moment (s) of the document's run. Its clock begins anew
@@ -65,9 +68,7 @@ DocumentChange apply_change(Document& document, const DocumentChange& change);
 // the motion that they have at the start.
 [[nodiscard]] SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits);
 
-// Gives edits that name a part without an id the one that it has in this scene. Bodies of generators have none
-// until they are listed; the material of bodies that name none is added when it is edited first.
-void find_ids(const Scene& scene, SceneEdits& edits);
-[[nodiscard]] bool is_of_generated_body(const SceneEdit& edit);
+// Gives new parts their ids, so that the start and the runs know them by the same.
+void number_new_parts(const Scene& start, SceneEdits& edits);
 
 }  // namespace carom

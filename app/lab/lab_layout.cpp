@@ -16,6 +16,7 @@
 #include "widgets/base/ask.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/study_panel.h"
+#include "widgets/edit/inspector.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/reading_table.h"
 #include "widgets/run/experiment_list.h"
@@ -78,7 +79,7 @@ void LabWindow::make_body() {
   auto* columns = new QSplitter(Qt::Horizontal);
   columns->setHandleWidth(8);
   columns->addWidget(make_middle());
-  columns->addWidget(make_plots());
+  columns->addWidget(make_right());
   // Both keep their share of the window's width.
   columns->setStretchFactor(0, 616);
   columns->setStretchFactor(1, 392);
@@ -134,6 +135,21 @@ QWidget* LabWindow::make_tabs() {
   tabs_->addTab(study_ = new StudyPanel(theme_), tr("Study"));
   tabs_->addTab(scrolled<QScrollArea>(about_), tr("About"));
   return tabs_;
+}
+
+// The inspector over the plots.
+QWidget* LabWindow::make_right() {
+  inspector_ = new Inspector;
+  inspector_panel_ = with_frame(scrolled<QScrollArea>(inspector_), 1);
+  auto* right = new QSplitter(Qt::Vertical);
+  right->setHandleWidth(8);
+  right->addWidget(inspector_panel_);
+  right->addWidget(make_plots());
+  right->setStretchFactor(0, 0);
+  right->setStretchFactor(1, 1);
+  right->setSizes({300, 420});
+  right->setChildrenCollapsible(false);
+  return right;
 }
 
 // Plots scroll if there are too many for the height.

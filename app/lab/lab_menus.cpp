@@ -1,4 +1,5 @@
 #include <QAction>
+#include <QActionGroup>
 #include <QApplication>
 #include <QMenu>
 #include <QMenuBar>
@@ -32,6 +33,7 @@ void LabWindow::make_file_menu() {
   const auto add = [&](const QString& icon, const QString& text, const QKeySequence& key, const auto& slot) {
     add_action(file, icon, text, key, slot);
   };
+  add("", tr("&New"), QKeySequence::New, [this] { new_document(); });
   add("open", tr("&Open..."), QKeySequence::Open, [this] { files_->choose(); });
   add("save", tr("&Save"), QKeySequence::Save, [this] { save(); });
   add("", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { files_->save_as(); });
@@ -52,8 +54,48 @@ void LabWindow::make_edit_menu() {
   QAction* undo = session_.edits().createUndoAction(this, tr("&Undo"));
   undo->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
   QAction* redo = session_.edits().createRedoAction(this, tr("&Redo"));
-  redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+  redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   edit->addActions({undo, redo});
+  icon_actions_.emplace_back(undo, "undo");
+  icon_actions_.emplace_back(redo, "redo");
+  edit->addSeparator();
+  // The scene has the keys of its selection; a text field has its own.
+  const auto add = [&](const QString& text, const QKeySequence& key, const std::function<void()>& slot) {
+    add_action(edit, "", text, key, slot);
+  };
+  add(tr("Cu&t"), QKeySequence::Cut, [this] { cut_selection(); });
+  add(tr("&Copy"), QKeySequence::Copy, [this] { copy_selection(); });
+  add(tr("&Paste"), QKeySequence::Paste, [this] { paste(); });
+  add(tr("&Duplicate"), QKeySequence(Qt::CTRL | Qt::Key_D), [this] { duplicate_selection(); });
+}
+
+// The tools of the mouse in the scene.
+void LabWindow::make_tools_menu() {
+  QMenu* tools = menuBar()->addMenu(tr("&Tools"));
+  auto* group = new QActionGroup(this);
+  struct Choice {
+    SceneTool tool;
+    const char* icon;
+    const char* text;
+    const char* tip;
+    Qt::Key key;
+  };
+  constexpr std::array<Choice, 2> kChoices = {{
+      {SceneTool::kSelect, "select", "&Select", "Select, move, turn and resize bodies, and pull their velocity",
+       Qt::Key_V},
+      {SceneTool::kDisc, "disc", "&Disc",
+       "A click puts a disc of random radius like the others, a drag one of that radius", Qt::Key_D},
+  }};
+  for (const Choice& choice : kChoices) {
+    QAction* action = add_action(tools, choice.icon, tr(choice.text), choice.key,
+                                 [this, tool = choice.tool] { view_->set_tool(tool); });
+    action->setToolTip(tr("%1 (%2)").arg(tr(choice.tip), QKeySequence(choice.key).toString()));
+    action->setCheckable(true);
+    action->setChecked(choice.tool == view_->tool());
+    group->addAction(action);
+    connect(view_, &SceneView::toolChanged, action,
+            [action, tool = choice.tool](SceneTool now) { action->setChecked(now == tool); });
+  }
 }
 
 void LabWindow::make_view_menu() {
@@ -88,6 +130,10 @@ void LabWindow::make_view_menu() {
     });
   }
   view->addSeparator();
+  QAction* inspector = add_action(view, "", tr("&Inspector"), QKeySequence(Qt::Key_I), [] {});
+  inspector->setCheckable(true);
+  inspector->setChecked(true);
+  connect(inspector, &QAction::toggled, inspector_panel_, &QWidget::setVisible);
   view->addMenu(plots_->menu());
   view->addSeparator();
   theme_action_ = add_action(view, "", {}, QKeySequence(), [this] {
@@ -135,6 +181,10 @@ void LabWindow::make_tool_bar() {
     }
   };
   add({"open", "save"});
+  bar->addSeparator();
+  add({"undo", "redo"});
+  bar->addSeparator();
+  add({"select", "disc"});
   bar->addSeparator();
   add({"fit", "grid", "velocity", "contact", "names"});
   bar->addSeparator();

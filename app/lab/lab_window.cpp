@@ -41,12 +41,14 @@ LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
       session_, *restore_bar_, [this] { return view_->moved_view(); }, this);
   make_file_menu();
   make_edit_menu();
+  make_tools_menu();
   make_view_menu();
   make_run_menus();
   make_help_menu();
   make_tool_bar();
   connect_views();
   connect_session();
+  connect_edits();
   list_->set_items(library_items());
   set_theme(theme);
   setMinimumSize(900, 600);  // the tool bar would be cut in a smaller one
@@ -128,6 +130,7 @@ void LabWindow::show_document() {
   ledger_->set_scene(preset());
   study_->edit_scene(preset());
   compare_->set_scene(preset(), session_.reference());
+  show_selection();
 }
 
 void LabWindow::closeEvent(QCloseEvent* event) {
@@ -181,6 +184,8 @@ void LabWindow::show_frame() {
   for (std::size_t i = 0; i < frames.size(); ++i) plotted.push_back({recorders[i], names[i]});
   plots_->update_from(plotted);
   view_->set_frame(frames.front(), {frames.begin() + 1, frames.end()});
+  select_new();
+  show_selection();
   transport_->update_from(frame, *recorders.front());
   QWidget* tab = tabs_->currentWidget();
   if (tab == bodies_) bodies_->update_from(frame, session_.bodies());

@@ -19,11 +19,13 @@ class QTabWidget;
 
 namespace carom {
 
+struct Paste;
 class BodiesTable;
 class ComparePanel;
 class DocumentFiles;
 class ExperimentList;
 class ImpactsTable;
+class Inspector;
 class LabExports;
 class LedgerTable;
 class MethodBar;
@@ -75,12 +77,24 @@ class LabWindow : public QMainWindow {
   [[nodiscard]] QWidget* make_middle();
   [[nodiscard]] QWidget* make_tabs();
   [[nodiscard]] QWidget* make_plots();
+  [[nodiscard]] QWidget* make_right();
   void connect_views();
+  // Editing by hand (lab_editing.cpp).
+  void connect_edits();
+  void show_selection();
+  void new_document();
+  void copy_selection();
+  void cut_selection();
+  void paste();
+  void duplicate_selection();
+  void put(const Paste& paste, const QString& what);
+  void select_new();
   // Menus and the tool bar (lab_menus.cpp).
   QAction* add_action(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& key,
                       const std::function<void()>& slot);
   void make_file_menu();
   void make_edit_menu();
+  void make_tools_menu();
   void make_view_menu();
   void make_run_menus();
   void make_help_menu();
@@ -104,6 +118,8 @@ class LabWindow : public QMainWindow {
   SceneView* view_ = nullptr;
   SceneChips* chips_ = nullptr;
   TransportBar* transport_ = nullptr;
+  Inspector* inspector_ = nullptr;
+  QWidget* inspector_panel_ = nullptr;  // with its frame
   PlotPanel* plots_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   BodiesTable* bodies_ = nullptr;
@@ -114,8 +130,9 @@ class LabWindow : public QMainWindow {
   StudyPanel* study_ = nullptr;
   QLabel* about_ = nullptr;
   NoticeBar* restore_bar_ = nullptr;
-  NoticeBar* lost_bar_ = nullptr;  // why a run is lost
-  QString lost_;                   // its text; empty while no run is lost
+  NoticeBar* lost_bar_ = nullptr;       // why a run is lost
+  std::vector<std::string> to_select_;  // new bodies that no frame has shown yet
+  QString lost_;                        // its text; empty while no run is lost
   MethodBar* methods_ = nullptr;
   QAction* theme_action_ = nullptr;
   std::vector<std::pair<QAction*, QString>> icon_actions_;  // with the icon's name, redrawn with the theme

@@ -49,10 +49,20 @@ bool is_of_scene(const DocumentChange& change) {
   });
 }
 
-// Bodies that are removed or listed get other places among all bodies, which only runs that begin anew can
-// follow.
-bool needs_new_runs(const SceneEdit& edit) {
-  return std::holds_alternative<Remove<Body>>(edit) || is_of_generated_body(edit);
+// As scene_now() gives it at the start of a run.
+std::shared_ptr<const Scene> scene_at_start(const Scene& start) {
+  auto scene = std::make_shared<Scene>(start);
+  scene->bodies = all_bodies(start);
+  for (std::size_t i = 0; i < scene->bodies.size(); ++i) {
+    Id<Body>& id = scene->bodies[i].id;
+    if (id.number == 0) id.number = kFirstGenerated + static_cast<std::uint32_t>(i);
+  }
+  return scene;
+}
+
+bool has_edit(const Frame& frame, Worker::EditId edit) {
+  const std::vector<RunEdit>& edits = frame.setup->edits;
+  return std::any_of(edits.begin(), edits.end(), [edit](const RunEdit& each) { return each.id == edit; });
 }
 
 Preset empty_document() {
@@ -77,13 +87,18 @@ Session::Session(QObject* parent) : QObject(parent), worker_(empty_document()), 
 void Session::open(const Preset& preset, const std::vector<Plot>& plots, const std::vector<Curve>& curves,
                    const QString& name, const QString& file) {
   forget_wait();
-  document_ = {preset, preset.compare.empty() ? ReferenceId::kNone : usual_reference(setup_of(preset)), {}};
+  document_ = {preset,
+               preset.compare.empty() ? ReferenceId::kNone : usual_reference(setup_of(preset)),
+               {},
+               !name.isEmpty()};
   document_.preset.plots = plots;
   give_ids(document_.preset.scene);
   name_ = name;
   file_ = file;
   bodies_ = all_bodies(preset);
   frames_.clear();
+  scene_.reset();
+  awaited_ = 0;
   recorders_.clear();
   replayed_.reset();
   curves_ = curves;
@@ -143,8 +158,10 @@ DocumentChange Session::go_to(const DocumentChange& change, const DocumentEdit::
   forget_wait();
   const ReferenceId before = document_.reference;
   will_begin_ = what.begins;
+  awaited_ = 0;
   DocumentChange back = assign(change);
   if (what.begins) {
+    scene_ = scene_at_start(document_.preset.scene);
     begin_runs();
   } else if (what.runs != 0) {
     (worker_.*runs)(what.runs, document_.preset, document_.reference);
@@ -173,12 +190,13 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
   const bool begins = at_start();
   if (!begins && (frames_.front()->playing || replayed_))
     return when_still(text, [=, this] { edit(asked, text, drag); });
-  if (!begins && frames_.front()->scene == nullptr) return emit editRefused(tr("Restart the run first."));
-  const Scene now = begins ? document_.preset.scene : *frames_.front()->scene;
+  if (!begins && scene_ == nullptr) return emit editRefused(tr("Restart the run first."));
+  const Scene now = begins ? document_.preset.scene : *scene_;
   SceneEdits edits = asked;
-  find_ids(document_.preset.scene, edits);
+  number_new_parts(document_.preset.scene, edits);
+  // Bodies that are removed leave their place to others, which only runs that begin anew can follow.
   const bool from_here = !begins && std::any_of(edits.begin(), edits.end(), [&now](const SceneEdit& each) {
-    return is_about_motion(now, each) || needs_new_runs(each);
+    return is_about_motion(now, each) || std::holds_alternative<Remove<Body>>(each);
   });
   try {
     const DocumentChange change = begins ? change_of_start(document_, edits)
@@ -192,7 +210,16 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
     if (drag > 0) what.drag = drag;
     forget_wait();
     will_begin_ = what.begins;
-    if (!what.begins) what.runs = edit_runs(with_followers(now, edits), change, drag);
+    if (what.begins) {
+      scene_ = scene_at_start(changed.preset.scene);
+      awaited_ = 0;
+    } else {
+      const SceneEdits all = with_followers(now, edits);
+      auto next = std::make_shared<Scene>(now);
+      apply_edits(*next, all);
+      scene_ = next;
+      what.runs = awaited_ = edit_runs(all, change, drag);
+    }
     push(what, change);
     if (what.begins) begin_runs();
   } catch (const std::exception& error) {
@@ -339,8 +366,9 @@ void Session::add_body(double x, double y) {
   body.shape = Disc{radius * (0.5 + sizes_.generateDouble())};
   body.position = {x, y};
   const SceneEdits edits = {Add<Body>{body}};
+  if (at_start()) return edit(edits, tr("added body"));
   // The time is the displayed one until the runs tell when they had it.
-  const double now = at_start() ? start_time(preset.saved) : frames_.front()->time;
+  const double now = frames_.front()->time;
   Preset with = preset;
   add_edit(with.edits, {now, 0, edits});
   validate(with);
@@ -374,6 +402,8 @@ void Session::restart() {
   forget_wait();
   replayed_.reset();
   begins_ = true;
+  scene_ = scene_at_start(document_.preset.scene);
+  awaited_ = 0;
   worker_.restart(document_.preset);
 }
 
@@ -427,6 +457,8 @@ void Session::poll() {
   if (news.front()->replay_until) replayed_ = news.front()->time;
   recorders_ = std::move(recorders);
   frames_ = news;
+  if (has_edit(*frames_.front(), awaited_)) awaited_ = 0;
+  if (awaited_ == 0 || frames_.front()->playing) scene_ = frames_.front()->scene;
   take_times_of_edits();
   emit framesChanged();
   // Deferred: not within the signal that reported the frame.

@@ -72,7 +72,7 @@ class Session : public QObject {
   // Takes back the edits of a drag that is not finished, if they are the last ones.
   void cancel(int drag);
   // Adds a disc of random radius like the existing ones at this point (m), from now on. Throws SceneError where
-  // it is not allowed.
+  // it is not allowed in a run.
   void add_body(double x, double y);
   void change_plots(const std::vector<Plot>& plots);
 
@@ -91,6 +91,8 @@ class Session : public QObject {
   [[nodiscard]] std::shared_ptr<const Frame> frame() const {
     return frames_.empty() ? nullptr : frames_.front();
   }
+  // The scene as it stands, for edits: with those that no frame has shown yet. None while a run plays.
+  [[nodiscard]] const std::shared_ptr<const Scene>& scene() const { return scene_; }
   [[nodiscard]] const std::vector<std::shared_ptr<Recorder>>& recorders() const { return recorders_; }
   [[nodiscard]] const Frame* lost() const;  // a lost run, if any
   // s: progress of the runs that are recomputed after an undone edit.
@@ -136,8 +138,10 @@ class Session : public QObject {
 
   std::vector<Curve> curves_;
   std::vector<std::shared_ptr<const Frame>> frames_;
-  bool begins_ = false;      // the runs begin anew: the frames are from before
-  bool will_begin_ = false;  // they are about to, with the curves that are chosen by then
+  std::shared_ptr<const Scene> scene_;
+  Worker::EditId awaited_ = 0;  // an edit of the runs that is in scene_, but in no frame yet; 0: none
+  bool begins_ = false;         // the runs begin anew: the frames are from before
+  bool will_begin_ = false;     // they are about to, with the curves that are chosen by then
   std::vector<std::shared_ptr<Recorder>> recorders_;
   std::optional<double> replayed_;
   double speed_ = 1.0;

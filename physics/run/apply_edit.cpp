@@ -16,8 +16,7 @@
 namespace carom {
 namespace {
 
-// Parts of a run without an id, bodies of generators and welds that the run made, get one from here on
-// meanwhile.
+// Parts of a run without an id, welds that the run made, get one from here on meanwhile.
 constexpr std::uint32_t kFirstOwn = 0x8000'0000;
 
 template <class Part>

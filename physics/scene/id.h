@@ -13,4 +13,7 @@ struct Id {
   bool operator==(const Id&) const = default;
 };
 
+// In a run, bodies of generators have this number and their place among all bodies.
+inline constexpr std::uint32_t kFirstGenerated = 0x4000'0000;
+
 }  // namespace carom

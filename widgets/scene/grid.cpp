@@ -27,9 +27,11 @@ double step_not_below(double value) {
   return below * kRounding >= value ? below : step_not_above(2.5 * below);
 }
 
+double grid_spacing(const Camera& camera) { return step_not_below(kLeastSpacing / camera.scale); }
+
 void place_grid(const Camera& camera, Grid& grid) {
   grid.lines.clear();
-  const double spacing = step_not_below(kLeastSpacing / camera.scale);
+  const double spacing = grid_spacing(camera);
   grid.scale_bar = step_not_above(kLongestScaleBar / camera.scale);
   const WorldRect seen = camera.visible();
   for (const bool strong : {false, true}) {

@@ -23,6 +23,8 @@ struct Grid {
   double scale_bar = 0.0;   // m, a round length of the scale bar; 0: none
 };
 
+// m, between neighbouring lines.
+[[nodiscard]] double grid_spacing(const Camera& camera);
 // Refills `grid` and keeps its capacity.
 void place_grid(const Camera& camera, Grid& grid);
 

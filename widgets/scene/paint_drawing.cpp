@@ -8,6 +8,8 @@
 #include <numbers>
 #include <vector>
 
+#include "widgets/scene/body_path.h"
+
 namespace carom {
 namespace {
 
@@ -47,33 +49,6 @@ void paint_boxes(QPainter& painter, const Drawing& drawing, const Camera& camera
     painter.drawRoundedRect(QRectF(-half.x(), -half.y(), 2 * half.x(), 2 * half.y()), corner, corner);
     painter.restore();
   }
-}
-
-// The polygon grown by its rounding: an arc about each vertex, joined by the edges.
-QPainterPath polygon_path(std::span<const Vec2> vertices, double rounding, const Camera& camera) {
-  const double radius = rounding * camera.scale;
-  const auto count = vertices.size();
-  QPainterPath path;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Vec2 in = vertices[k] - vertices[(k + count - 1) % count];
-    const Vec2 out = vertices[(k + 1) % count] - vertices[k];
-    const QPointF at = camera.to_screen(vertices[k]);
-    // Outward normals of the two edges, as angles in degrees.
-    const double from = std::atan2(-in.x(), in.y()) * 180.0 / std::numbers::pi;
-    double turn = std::atan2(-out.x(), out.y()) * 180.0 / std::numbers::pi - from;
-    if (turn < 0.0) turn += 360.0;
-    if (radius > 0.0) {
-      const QRectF circle(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius);
-      if (k == 0) path.arcMoveTo(circle, from);
-      path.arcTo(circle, from, turn);
-    } else if (k == 0) {
-      path.moveTo(at);
-    } else {
-      path.lineTo(at);
-    }
-  }
-  path.closeSubpath();
-  return path;
 }
 
 void paint_polygons(QPainter& painter, const Drawing& drawing, const Camera& camera) {

@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "widgets/scene/drawing.h"
+#include "widgets/scene/overlay.h"
 
 class QPainter;
 
@@ -11,12 +12,13 @@ namespace carom {
 // Content of a canvas, owned by the scene view, which outlives the canvas.
 struct Picture {
   Drawing drawing;
+  Overlay overlay;
   Camera camera;
   Theme theme;
   bool focus_frame = false;  // the focus came by Tab
 };
 
-// Paints the screen's overlay: text, and the frame of keyboard focus.
+// Paints the screen's overlay: text, what the tools show, and the frame of keyboard focus.
 void paint_overlay(QPainter& painter, const Picture& picture);
 
 // Paints the picture by QPainter, where there is no OpenGL.

@@ -1,6 +1,5 @@
 #include "widgets/scene/scene_view.h"
 
-#include <Eigen/Geometry>
 #include <QGuiApplication>
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -13,11 +12,10 @@
 #include <cmath>
 #include <utility>
 
-#include "physics/preset/preset.h"
-#include "physics/record/frame.h"
 #include "widgets/print/picture_file.h"
-#include "widgets/scene/drawing_forces.h"
+#include "widgets/scene/body_text.h"
 #include "widgets/scene/gl_canvas.h"
+#include "widgets/scene/hit.h"
 #include "widgets/scene/paint_drawing.h"
 
 namespace carom {
@@ -27,18 +25,14 @@ constexpr double kMostZoomOut = 1.0 / 50.0;  // of the scale that shows the whol
 constexpr double kMostZoomIn = 100.0;
 constexpr double kWheelFactor = 1.2;  // a notch of the wheel
 constexpr double kKeyFactor = 1.25;
-constexpr double kKeyPan = 40.0;     // px
-constexpr double kClickSlack = 3.0;  // px around a body that count as a click on it
-constexpr int kDots = 2;             // image pixels of a picture, for a px of the window
+constexpr double kKeyPan = 40.0;      // px
+constexpr double kLongestHeld = 0.5;  // of the view's shorter side, for an arrow whose scale is held
+constexpr int kDots = 2;              // image pixels of a picture, for a px of the window
 
 const QMarginsF& fit_margins() {
   // Room for the window's chips above and the scale bar below.
   static const QMarginsF margins(32.0, 48.0, 32.0, 44.0);
   return margins;
-}
-
-bool covers(const Shape& shape, const Vec2& offset, double angle, double slack) {
-  return signed_distance(outline_of(shape), Eigen::Rotation2Dd(-angle) * offset) <= slack;
 }
 
 }  // namespace
@@ -52,6 +46,17 @@ SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
     canvas_ = new QPainterCanvas(picture_, this);
   }
   canvas_->lower();
+  tools_ = new SceneTools([this] { return sight(); }, this);
+  connect(tools_, &SceneTools::selectionChanged, this, &SceneView::selectionChanged);
+  connect(tools_, &SceneTools::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
+    held_camera_ = true;
+    if (!held_arrows_) held_arrows_ = arrows();
+    emit edited(edits, name, drag);
+  });
+  connect(tools_, &SceneTools::dragCancelled, this, &SceneView::dragCancelled);
+  connect(tools_, &SceneTools::toolChanged, this, &SceneView::toolChanged);
+  connect(tools_, &SceneTools::spawnRequested, this, &SceneView::spawnRequested);
+  connect(tools_, &SceneTools::changed, this, &SceneView::refresh_tools);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName("Scene");
@@ -73,7 +78,8 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame, OtherRuns others) 
   }
   peaks_.observe(*frame_);
   keep_recent(impacts_, frame_->impacts, frame_->time, kImpactShown);
-  if (new_run) go_home();
+  tools_->frame_changed();
+  if (new_run && !held_camera_) go_home();
   refresh();
   follow_tip();
 }
@@ -83,6 +89,7 @@ void SceneView::clear() {
   others_ = {};
   impacts_.clear();
   peaks_ = {};
+  tools_->frame_changed();
   refresh();
   follow_tip();
 }
@@ -95,6 +102,8 @@ void SceneView::set_options(const DrawingOptions& options) {
 void SceneView::set_view(const std::optional<View>& view) {
   view_ = view;
   home_ = true;
+  held_camera_ = false;
+  held_arrows_.reset();
   peaks_ = {};
   if (frame_) peaks_.observe(*frame_);
   go_home();
@@ -104,6 +113,7 @@ void SceneView::set_view(const std::optional<View>& view) {
 void SceneView::fit() {
   view_.reset();
   home_ = true;
+  held_camera_ = false;
   go_home();
   refresh();
 }
@@ -145,12 +155,31 @@ void SceneView::pan(const QPointF& delta) {
 }
 
 void SceneView::refresh() {
+  release_arrows();
   if (!isVisible()) return;  // showEvent() does it later
   static const Frame empty;
-  picture_.drawing = make_drawing({frame_ ? *frame_ : empty, impacts_, picture_.camera, options_,
-                                   picture_.theme, arrow_scale(peaks_, home_side_), others_},
-                                  std::move(picture_.drawing));
+  picture_.drawing = make_drawing(
+      {frame_ ? *frame_ : empty, impacts_, picture_.camera, options_, picture_.theme, arrows(), others_},
+      std::move(picture_.drawing));
+  refresh_tools();
+}
+
+void SceneView::refresh_tools() {
+  picture_.overlay = tools_->overlay();
+  if (press_ != Press::kPan) setCursor(tools_->cursor(last_at_));
   canvas_->update();
+}
+
+// The scale that an edit found stays, unless arrows grow out of the view.
+void SceneView::release_arrows() {
+  if (!held_arrows_ || tools_->dragging()) return;
+  if (peaks_.speed * held_arrows_->seconds > kLongestHeld * home_side_) held_arrows_.reset();
+}
+
+ArrowScale SceneView::arrows() const { return held_arrows_.value_or(arrow_scale(peaks_, home_side_)); }
+
+SceneSight SceneView::sight() const {
+  return {frame_, picture_.camera, arrows().seconds, options_.grid, options_.velocities};
 }
 
 SceneLook SceneView::look() const { return {picture_.camera, home_side_, options_, picture_.theme, peaks_}; }
@@ -158,8 +187,8 @@ SceneLook SceneView::look() const { return {picture_.camera, home_side_, options
 void SceneView::paint_on_paper(QPainter& painter) const {
   static const Frame empty;
   const Theme& theme = light_theme();
-  const Drawing drawing = make_drawing({frame_ ? *frame_ : empty, impacts_, picture_.camera, options_, theme,
-                                        arrow_scale(peaks_, home_side_), others_});
+  const Drawing drawing =
+      make_drawing({frame_ ? *frame_ : empty, impacts_, picture_.camera, options_, theme, arrows(), others_});
   paint_drawing(painter, drawing, picture_.camera, theme);
 }
 
@@ -177,60 +206,22 @@ QImage SceneView::picture() const {
   return image;
 }
 
-int SceneView::body_at(const QPointF& position) const {
-  if (!frame_ || !frame_->bodies) return -1;
-  const Vec2 at = picture_.camera.to_world(position);
-  const int count = std::min(frame_->state.size(), static_cast<int>(frame_->bodies->size()));
-  // Moving bodies come before fixed ones, as they may be small; of two, the later one is painted on top.
-  for (const bool fixed : {false, true}) {
-    const double slack = fixed ? 0.0 : kClickSlack / picture_.camera.scale;
-    for (int i = count - 1; i >= 0; --i) {
-      const Body& body = (*frame_->bodies)[static_cast<std::size_t>(i)];
-      if (body.fixed != fixed) continue;
-      if (covers(body.shape, at - frame_->state.position(i), frame_->state.q(2, i), slack)) return i;
-    }
-  }
-  return -1;
-}
-
-QString SceneView::body_text(int index) const {
-  const Body& body = (*frame_->bodies)[static_cast<std::size_t>(index)];
-  const Vec2 at = frame_->state.position(index);
-  const Vec2 v = frame_->state.velocity(index);
-  const auto number = [](double value) { return number_text(value, 4); };
-  QString text = QString::fromStdString(body.name).toHtmlEscaped();
-  text = "<b>" + text + "</b>" +
-         (body.fixed   ? ", fixed"
-          : body.drive ? ", driven"
-                       : ", " + number(mass_of(body)) + " kg");
-  text += QString("<br>position (%1, %2) m").arg(number(at.x()), number(at.y()));
-  if (!body.fixed) {
-    text += QString("<br>velocity (%1, %2) m/s").arg(number(v.x()), number(v.y()));
-    text += QString("<br>spin %1 rad/s").arg(number(frame_->state.v(2, index)));
-  }
-  int touching = 0;
-  Vec2 force = Vec2::Zero();
-  for (const ContactForce& contact : frame_->contacts) {
-    if (contact.a != index && contact.b != index) continue;
-    ++touching;
-    force += (contact.b == index ? 1.0 : -1.0) * force_on_b(contact);
-  }
-  if (touching > 0) {
-    text += QString("<br>force of %1 contact%2 (%3, %4) N")
-                .arg(touching)
-                .arg(touching == 1 ? "" : "s")
-                .arg(number(force.x()), number(force.y()));
-  }
-  return "<div style='white-space: nowrap'>" + text + "</div>";
+int SceneView::body_under(const QPointF& position) const {
+  return frame_ ? body_at(*frame_, picture_.camera, position) : -1;
 }
 
 bool SceneView::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    // The tools' keys come before the window's.
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (tools_->takes(key->key(), key->modifiers() & ~Qt::KeypadModifier)) event->accept();
+  }
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  tip_body_ = body_at(help->pos());
+  tip_body_ = press_ == Press::kNone ? body_under(help->pos()) : -1;
   tip_at_ = help->pos();
   if (tip_body_ >= 0) {
-    QToolTip::showText(help->globalPos(), body_text(tip_body_), this);
+    QToolTip::showText(help->globalPos(), body_text(*frame_, tip_body_), this);
   } else {
     QToolTip::hideText();
   }
@@ -240,8 +231,8 @@ bool SceneView::event(QEvent* event) {
 void SceneView::follow_tip() {
   if (tip_body_ < 0) return;
   const bool shown = QToolTip::isVisible() && underMouse();
-  if (shown && body_at(tip_at_) == tip_body_) {
-    QToolTip::showText(mapToGlobal(tip_at_), body_text(tip_body_), this);
+  if (shown && body_under(tip_at_) == tip_body_) {
+    QToolTip::showText(mapToGlobal(tip_at_), body_text(*frame_, tip_body_), this);
   } else {
     if (shown) QToolTip::hideText();
     tip_body_ = -1;
@@ -258,47 +249,50 @@ void SceneView::resizeEvent(QResizeEvent*) {
 void SceneView::showEvent(QShowEvent*) { refresh(); }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton && event->button() != Qt::MiddleButton) {
-    event->ignore();
-    return;
-  }
-  press_ = event->button() == Qt::LeftButton ? Press::kClick : Press::kMute;
+  if (press_ != Press::kNone) return;  // another button holds the mouse
+  button_ = event->button();
   press_at_ = last_at_ = event->position();
+  if (button_ == Qt::LeftButton) {
+    press_ = Press::kTool;
+    tools_->press(press_at_, event->type() == QEvent::MouseButtonDblClick);
+  } else if (button_ == Qt::MiddleButton || button_ == Qt::RightButton) {
+    press_ = Press::kMayPan;
+  } else {
+    event->ignore();
+  }
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at = event->position();
-  if (press_ != Press::kNone && press_ != Press::kPan &&
+  if (press_ == Press::kMayPan &&
       (at - press_at_).manhattanLength() >= QGuiApplication::styleHints()->startDragDistance()) {
     press_ = Press::kPan;
     setCursor(Qt::ClosedHandCursor);
   }
+  last_at_ = at;
   if (press_ == Press::kPan) {
-    pan(at - last_at_);
-    last_at_ = at;
+    pan(at - std::exchange(press_at_, at));
+  } else if (press_ == Press::kTool) {
+    tools_->move(at, event->modifiers());
+  } else {
+    setCursor(tools_->cursor(at));
   }
   const Vec2 world = picture_.camera.to_world(at);
   emit cursorMoved(world.x(), world.y());
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-  const Press press = std::exchange(press_, Press::kNone);
-  unsetCursor();
-  if (press != Press::kClick) return;
-  const int body = body_at(event->position());
-  const Vec2 world = picture_.camera.to_world(event->position());
-  if (body >= 0) {
-    emit bodyClicked(body);
+  if (event->button() != button_) return;
+  button_ = Qt::NoButton;
+  if (std::exchange(press_, Press::kNone) == Press::kTool) {
+    tools_->release(event->position(), event->modifiers());
+    refresh();
   } else {
-    emit spawnRequested(world.x(), world.y());
+    setCursor(tools_->cursor(event->position()));
   }
 }
 
-// The second click of a double click would hit the body added by the first.
-void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-  mousePressEvent(event);
-  if (press_ == Press::kClick) press_ = Press::kMute;
-}
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
 
 void SceneView::wheelEvent(QWheelEvent* event) {
   const double notches = event->angleDelta().y() / 120.0;
@@ -307,6 +301,8 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 }
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Shift || event->key() == Qt::Key_Control) tools_->hold_keys(event->modifiers());
+  if (tools_->press_key(event->key(), event->modifiers() & ~Qt::KeypadModifier)) return;
   switch (event->key()) {
     case Qt::Key_F:
     case Qt::Key_Home:
@@ -327,6 +323,15 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
     default:
       QWidget::keyPressEvent(event);
   }
+}
+
+void SceneView::keyReleaseEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Shift || event->key() == Qt::Key_Control) tools_->hold_keys(event->modifiers());
+  QWidget::keyReleaseEvent(event);
+}
+
+bool SceneView::focusNextPrevChild(bool next) {
+  return tools_->select_next(next) || QWidget::focusNextPrevChild(next);
 }
 
 void SceneView::leaveEvent(QEvent*) { emit cursorLeft(); }

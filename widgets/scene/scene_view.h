@@ -12,12 +12,13 @@
 #include "widgets/scene/drawing.h"
 #include "widgets/scene/qpainter_canvas.h"
 #include "widgets/scene/scene_export.h"
+#include "widgets/scene/scene_tools.h"
 
 namespace carom {
 
-// Shows the frames of a run, zooms and pans. It changes nothing itself; signals report clicks, in world
-// metres. Painted by OpenGL, or by QPainter where OpenGL is not available or the environment sets
-// CAROM_PAINTER=qpainter.
+// Shows the frames of a run, zooms and pans, and lets tools select and edit bodies (scene_tools.h). It changes
+// nothing itself; signals tell what is wanted. Painted by OpenGL, or by QPainter where OpenGL is not available
+// or the environment sets CAROM_PAINTER=qpainter.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -48,20 +49,32 @@ class SceneView : public QWidget {
   [[nodiscard]] bool uses_opengl() const { return uses_opengl_; }
   [[nodiscard]] const Camera& camera() const { return picture_.camera; }
   [[nodiscard]] const Drawing& drawing() const { return picture_.drawing; }
-  // The topmost body at a point of the widget; -1 if there is none.
-  [[nodiscard]] int body_at(const QPointF& position) const;
+
+  // The selected bodies, by name; those that vanish drop out.
+  [[nodiscard]] const std::vector<std::string>& selection() const { return tools_->selection(); }
+  void select(const std::vector<std::string>& names) { tools_->select(names); }
+  [[nodiscard]] SceneTool tool() const { return tools_->tool(); }
+  // After one use it is kSelect again, unless it is kept.
+  void set_tool(SceneTool tool, bool keep = false) { tools_->set_tool(tool, keep); }
 
   [[nodiscard]] QSize sizeHint() const override { return {640, 460}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
 
  signals:
+  void selectionChanged(const std::vector<std::string>& names);
+  // What the user wants changed, as it stands now: a drag, or a row of keys, tells each change under the same
+  // number, and all of them are one step of undo.
+  void edited(const carom::SceneEdits& edits, const QString& name, int drag);
+  // Takes back all that was told under this number.
+  void dragCancelled(int drag);
+  void toolChanged(carom::SceneTool tool);
   void spawnRequested(double x, double y);  // m
-  void bodyClicked(int index);
-  void cursorMoved(double x, double y);  // m
+  void cursorMoved(double x, double y);     // m
   void cursorLeft();
 
  protected:
   bool event(QEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -70,19 +83,24 @@ class SceneView : public QWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
-  enum class Press { kNone, kClick, kMute, kPan };  // kMute: may become a drag, never a click
+  enum class Press { kNone, kTool, kMayPan, kPan };
 
   void go_home();  // moves the camera to the scene's view, unless the user has moved it
   void zoom(const QPointF& at, double factor);
   void pan(const QPointF& delta);
   void paint_on_paper(QPainter& painter) const;
   void refresh();
-  [[nodiscard]] QString body_text(int index) const;
+  void refresh_tools();
+  void release_arrows();
+  [[nodiscard]] ArrowScale arrows() const;
+  [[nodiscard]] SceneSight sight() const;
+  [[nodiscard]] int body_under(const QPointF& position) const;
   void follow_tip();  // updates the visible tooltip, or hides it if its body is gone
 
   Picture picture_;
@@ -97,8 +115,12 @@ class SceneView : public QWidget {
   double home_side_ = 4.0;     // m, the shorter side of the view then
   bool uses_opengl_ = false;
   QWidget* canvas_ = nullptr;
+  SceneTools* tools_ = nullptr;
+  std::optional<ArrowScale> held_arrows_;  // since an edit, so that what was drawn keeps its length
+  bool held_camera_ = false;               // the scene was edited, so a new run starts where the user looks
 
   Press press_ = Press::kNone;
+  Qt::MouseButton button_ = Qt::NoButton;
   QPointF press_at_;
   QPointF last_at_;
   int tip_body_ = -1;  // the body of the tooltip

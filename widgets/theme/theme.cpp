@@ -16,7 +16,7 @@ static void load_icons() { Q_INIT_RESOURCE(icons); }
 namespace carom {
 namespace {
 
-Theme make_theme(bool dark, std::array<const char*, 14> c, std::array<const char*, 6> series) {
+Theme make_theme(bool dark, std::array<const char*, 15> c, std::array<const char*, 6> series) {
   Theme t;
   t.dark = dark;
   t.window = QColor(c[0]);
@@ -33,11 +33,12 @@ Theme make_theme(bool dark, std::array<const char*, 14> c, std::array<const char
   t.body_line = QColor(c[11]);
   t.wall_fill = QColor(c[12]);
   t.wall_line = QColor(c[13]);
+  t.danger = QColor(c[14]);
   for (std::size_t i = 0; i < series.size(); ++i) t.series[i] = QColor(series[i]);
   return t;
 }
 
-// %1 window, %2 panel, %3 border, %4 text, %5 muted, %6 accent, %7 accent ground
+// %1 window, %2 panel, %3 border, %4 text, %5 muted, %6 accent, %7 accent ground, %8 danger
 constexpr const char* kStyleSheet = R"(
 QWidget { color: %4; }
 QMainWindow, QDialog, QWidget#window { background: %1; }
@@ -71,6 +72,9 @@ QLabel#chip { background: %2; border: 1px solid %3; border-radius: 11px; padding
 QLineEdit, QSpinBox, QDoubleSpinBox, QPlainTextEdit { background: %1; border: 1px solid %3; border-radius: 6px; padding: 5px 8px;
   selection-background-color: %6; selection-color: %2; }
 QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QPlainTextEdit:focus { border-color: %6; }
+QLineEdit:disabled, QComboBox:disabled { color: %5; }
+QLineEdit[fault="true"] { border-color: %8; }
+QLabel#fault { color: %8; font-size: 11px; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QComboBox { min-height: 26px; }
 QRadioButton:disabled, QCheckBox:disabled { color: %5; }
@@ -115,7 +119,7 @@ const Theme& light_theme() {
   static const Theme theme =
       make_theme(false,
                  {"#F3F5F8", "#FFFFFF", "#D7DDE6", "#17202C", "#5A6778", "#0B62C4", "#E4EFFC", "#FBFCFE",
-                  "#E7ECF3", "#D3DBE6", "#CFE0F5", "#2B5F9E", "#C3CAD4", "#7B8796"},
+                  "#E7ECF3", "#D3DBE6", "#CFE0F5", "#2B5F9E", "#C3CAD4", "#7B8796", "#B3261E"},
                  {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"});
   return theme;
 }
@@ -124,7 +128,7 @@ const Theme& dark_theme() {
   static const Theme theme =
       make_theme(true,
                  {"#12161D", "#1A2029", "#2D3642", "#E4EAF2", "#93A1B4", "#62ABFF", "#1B3350", "#0F1319",
-                  "#1D2530", "#2A3543", "#20395A", "#7FB4F2", "#303B49", "#6C7A8C"},
+                  "#1D2530", "#2A3543", "#20395A", "#7FB4F2", "#303B49", "#6C7A8C", "#FF8A80"},
                  {"#4BA8E8", "#FF8A3D", "#2CC79B", "#E39BC5", "#F2B84B", "#8BD0F5"});
   return theme;
 }
@@ -168,7 +172,7 @@ void apply_theme(QApplication& application, const Theme& t) {
   application.setPalette(p);
   application.setStyleSheet(QString(kStyleSheet)
                                 .arg(t.window.name(), t.panel.name(), t.border.name(), t.text.name(),
-                                     t.muted.name(), t.accent.name(), t.accent_ground.name()));
+                                     t.muted.name(), t.accent.name(), t.accent_ground.name(), t.danger.name()));
 }
 
 QIcon themed_icon(const QString& name, const QColor& color) {

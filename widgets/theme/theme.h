@@ -16,6 +16,7 @@ struct Theme {
   QColor window, panel, border;
   QColor text, muted;
   QColor accent, accent_ground;
+  QColor danger;  // of what can't be, on panel and window
   QColor scene_ground, grid, strong_grid;
   QColor body_fill, body_line;
   QColor wall_fill, wall_line;

@@ -43,9 +43,9 @@ TEST_F(LabFilesTest, SavedFileHoldsWhatWasChanged) {
   ASSERT_TRUE(window_.save());
   EXPECT_FALSE(window_.isWindowModified());
   const Preset saved = read_preset(file.toStdString());
-  ASSERT_EQ(saved.edits.size(), 1U);
-  EXPECT_EQ(added_body(saved.edits[0]).position, added_body(window_.preset().edits[0]).position);
-  EXPECT_EQ(added_body(saved.edits[0]).name, added_body(window_.preset().edits[0]).name);
+  ASSERT_EQ(saved.scene.bodies.size(), 3U) << "it belongs to the start";
+  EXPECT_EQ(saved.scene.bodies[2].position, window_.preset().scene.bodies[2].position);
+  EXPECT_EQ(saved.scene.bodies[2].name, window_.preset().scene.bodies[2].name);
   EXPECT_EQ(saved.method, window_.preset().method);
   EXPECT_EQ(saved.expect.size(), window_.preset().expect.size());
   EXPECT_TRUE(boxes_.empty());

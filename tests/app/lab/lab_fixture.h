@@ -96,7 +96,9 @@ class LabWindowTest : public LabTest {
     }
     throw std::runtime_error("no plot " + title.toStdString());
   }
+  // With the disc tool.
   void click_scene(const Vec2& world) {
+    window_.scene_view().set_tool(SceneTool::kDisc);
     const QPoint at = window_.scene_view().camera().to_screen(world).toPoint();
     ASSERT_TRUE(window_.scene_view().rect().contains(at));
     QTest::mouseClick(&window_.scene_view(), Qt::LeftButton, {}, at);

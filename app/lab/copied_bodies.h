@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "physics/preset/preset.h"
+#include "physics/scene/edit.h"
+
+// Copies of bodies: a preset of its own in between, which is what the clipboard holds.
+namespace carom {
+
+// A preset of these bodies as they stand in a scene, with the joints and springs among them or to points of the
+// plane, and their surfaces.
+[[nodiscard]] Preset copied_bodies(const Scene& scene, const std::vector<std::string>& names);
+
+// The edits that put a preset's bodies, joints, springs and unknown surfaces into a scene, moved by `shift`
+// (m).
+struct Paste {
+  SceneEdits edits;
+  std::vector<std::string> names;  // of the new bodies
+};
+[[nodiscard]] Paste paste_into(const Scene& scene, const Preset& from, const Vec2& shift);
+
+// m: the smallest upright box about all bodies but half-planes; empty: lower > upper.
+struct Extent {
+  Vec2 lower;
+  Vec2 upper;
+};
+[[nodiscard]] Extent extent_of(const std::vector<Body>& bodies);
+
+}  // namespace carom

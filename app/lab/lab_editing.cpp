@@ -1,0 +1,113 @@
+#include <QApplication>
+#include <QClipboard>
+#include <QCursor>
+#include <algorithm>
+#include <utility>
+
+#include "app/lab/copied_bodies.h"
+#include "app/lab/document_files.h"
+#include "app/lab/lab_window.h"
+#include "physics/preset/preset_file.h"
+#include "physics/scene/validate.h"
+#include "widgets/edit/inspector.h"
+#include "widgets/scene/key_edits.h"
+#include "widgets/scene/scene_view.h"
+
+// What the window edits by hand: the scene view and the inspector say what, the session does it.
+namespace carom {
+namespace {
+
+// Each widget counts its drags; no two of them share a number.
+enum DragSource { kOfScene = 1, kOfInspector = 2, kSources = 3 };
+
+int drag_of(DragSource source, int drag) { return drag > 0 ? kSources * drag + source : 0; }
+
+}  // namespace
+
+void LabWindow::connect_edits() {
+  connect(view_, &SceneView::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
+    session_.edit(edits, name, drag_of(kOfScene, drag));
+  });
+  connect(view_, &SceneView::dragCancelled, this,
+          [this](int drag) { session_.cancel(drag_of(kOfScene, drag)); });
+  connect(view_, &SceneView::selectionChanged, this, &LabWindow::show_selection);
+  connect(inspector_, &Inspector::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
+    // Bodies that get another name stay selected.
+    std::vector<std::string> names;
+    for (const SceneEdit& edit : edits) {
+      if (const auto* body = std::get_if<Replace<Body>>(&edit)) names.push_back(body->part.name);
+    }
+    if (!names.empty() && names != view_->selection()) to_select_ = names;
+    session_.edit(edits, name, drag_of(kOfInspector, drag));
+  });
+  connect(&session_, &Session::editRefused, inspector_, &Inspector::say);
+}
+
+void LabWindow::show_selection() { inspector_->show_selection(session_.scene(), view_->selection()); }
+
+void LabWindow::new_document() {
+  files_->when_saved([this] {
+    Preset empty;
+    empty.title = tr("New scene").toStdString();
+    empty.duration = 10.0;
+    empty.view = View{Vec2::Zero(), 4.0};
+    show_scene(empty, {}, {});
+  });
+}
+
+void LabWindow::copy_selection() {
+  if (session_.scene() == nullptr || view_->selection().empty()) return;
+  const Preset copy = copied_bodies(*session_.scene(), view_->selection());
+  QApplication::clipboard()->setText(QString::fromStdString(write_preset(copy)));
+}
+
+void LabWindow::cut_selection() {
+  copy_selection();
+  if (session_.scene() == nullptr) return;
+  const Deletion gone = deletion(*session_.scene(), view_->selection());
+  if (!gone.edits.empty()) session_.edit(gone.edits, gone.name);
+}
+
+// At the mouse if it is over the scene, else in the middle of the view.
+void LabWindow::paste() {
+  if (session_.scene() == nullptr) return;
+  try {
+    const Preset from = parse_preset(QApplication::clipboard()->text().toStdString(), "clipboard");
+    const Extent extent = extent_of(all_bodies(from.scene));
+    const bool bounded = (extent.upper.array() >= extent.lower.array()).all();
+    const QPointF at =
+        view_->underMouse() ? QPointF(view_->mapFromGlobal(QCursor::pos())) : QRectF(view_->rect()).center();
+    const Vec2 middle = bounded ? Vec2(0.5 * (extent.lower + extent.upper)) : Vec2(Vec2::Zero());
+    put(paste_into(*session_.scene(), from, view_->camera().to_world(at) - middle), tr("Paste"));
+  } catch (const SceneError& error) {
+    inspector_->say(tr("The clipboard holds no preset: %1").arg(error.what()));
+  }
+}
+
+// Beside the originals, to the right.
+void LabWindow::duplicate_selection() {
+  if (session_.scene() == nullptr || view_->selection().empty()) return;
+  const Preset copy = copied_bodies(*session_.scene(), view_->selection());
+  const Extent extent = extent_of(copy.scene.bodies);
+  const bool bounded = (extent.upper.array() >= extent.lower.array()).all();
+  const Vec2 shift(bounded ? 1.1 * (extent.upper.x() - extent.lower.x()) : 0.0, 0.0);
+  put(paste_into(*session_.scene(), copy, shift), tr("Duplicate"));
+}
+
+void LabWindow::put(const Paste& paste, const QString& what) {
+  if (paste.names.empty()) return;
+  const int count = static_cast<int>(paste.names.size());
+  session_.edit(paste.edits, count == 1 ? tr("%1 %2").arg(what, QString::fromStdString(paste.names.front()))
+                                        : tr("%1 %n bodies", nullptr, count).arg(what));
+  to_select_ = paste.names;
+}
+
+void LabWindow::select_new() {
+  if (to_select_.empty()) return;
+  const std::vector<Body>& bodies = *frame()->bodies;
+  const bool there = std::any_of(bodies.begin(), bodies.end(),
+                                 [this](const Body& body) { return body.name == to_select_.back(); });
+  if (there) view_->select(std::exchange(to_select_, {}));
+}
+
+}  // namespace carom

@@ -1,0 +1,211 @@
+#include <QClipboard>
+#include <QLineEdit>
+#include <cmath>
+
+#include "app/lab/session.h"
+#include "physics/preset/preset_file.h"
+#include "tests/app/lab/lab_fixture.h"
+#include "widgets/edit/inspector.h"
+#include "widgets/scene/scene_view.h"
+
+// A lesson by hand: bodies are made, moved, typed, thrown and taken back in the real window.
+namespace carom {
+namespace {
+
+class LabHandsTest : public LabWindowTest {
+ protected:
+  [[nodiscard]] QPoint pixel(const Vec2& world) {
+    return window_.scene_view().camera().to_screen(world).toPoint();
+  }
+  void drag(const Vec2& from, const Vec2& to, Qt::KeyboardModifiers keys = {}) {
+    SceneView* view = &window_.scene_view();
+    const QPoint a = pixel(from);
+    const QPoint b = pixel(to);
+    QTest::mousePress(view, Qt::LeftButton, keys, a);
+    constexpr int kMoves = 10;
+    for (int i = 1; i <= kMoves; ++i) {
+      const QPoint at = a + (b - a) * i / kMoves;
+      QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, keys);
+      QApplication::sendEvent(view, &move);
+      QTest::qWait(2);
+    }
+    QTest::mouseRelease(view, Qt::LeftButton, keys, b);
+  }
+  void select(const Vec2& at) { QTest::mouseClick(&window_.scene_view(), Qt::LeftButton, {}, pixel(at)); }
+  void key(int k, Qt::KeyboardModifiers keys = {}) {
+    QTest::keyClick(&window_.scene_view(), static_cast<Qt::Key>(k), keys);
+  }
+  // Types into the inspector's field of this name.
+  void type(const QString& field, const QString& text) {
+    for (QLineEdit* edit : window_.findChild<Inspector*>()->findChildren<QLineEdit*>()) {
+      if (edit->accessibleName() != field || !edit->isVisibleTo(&window_)) continue;
+      edit->setFocus();
+      edit->selectAll();
+      QTest::keyClicks(edit, text);
+      QTest::keyClick(edit, Qt::Key_Return);
+      window_.scene_view().setFocus();
+      return;
+    }
+    QString names;
+    for (QLineEdit* edit : window_.findChild<Inspector*>()->findChildren<QLineEdit*>())
+      names += edit->accessibleName() + "; ";
+    ADD_FAILURE() << "no field " << field.toStdString() << " among " << names.toStdString();
+  }
+  [[nodiscard]] Body now(const std::string& name) {
+    Body found;
+    const bool there = wait_for([&] {
+      if (!window_.frame() || !window_.frame()->scene) return false;
+      for (const Body& body : window_.frame()->scene->bodies) {
+        if (body.name != name) continue;
+        found = body;
+        return true;
+      }
+      return false;
+    });
+    EXPECT_TRUE(there) << "no body " << name;
+    return found;
+  }
+  // Until the newest frame is still and shows the document's start.
+  [[nodiscard]] bool shows_start() {
+    return wait_for([this] {
+      const auto frame = window_.frame();
+      if (!frame || !frame->scene || frame->time != 0.0) return false;
+      const std::vector<Body>& bodies = window_.preset().scene.bodies;
+      return std::equal(bodies.begin(), bodies.end(), frame->scene->bodies.begin(), frame->scene->bodies.end(),
+                        [](const Body& a, const Body& b) {
+                          return a.name == b.name && a.position == b.position && a.velocity == b.velocity;
+                        });
+    });
+  }
+  void undo() { window_.session().edits().undo(); }
+};
+
+TEST_F(LabHandsTest, ALessonByHand) {
+  action("New")->trigger();
+  ASSERT_TRUE(wait_for([this] { return window_.frame() && window_.frame()->bodies->empty(); }));
+  // Two discs, their radii drawn.
+  key(Qt::Key_D);
+  drag({-1.0, 0.0}, {-0.9, 0.0});
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 1; }));
+  key(Qt::Key_D);
+  drag({1.0, 0.0}, {1.2, 0.0});
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
+  ASSERT_TRUE(shows_start());
+  EXPECT_NEAR(std::get<Disc>(window_.preset().scene.bodies[0].shape).radius, 0.1, 0.011);
+  EXPECT_NEAR(std::get<Disc>(window_.preset().scene.bodies[1].shape).radius, 0.2, 0.011);
+  // Numbers typed: masses, a velocity.
+  const std::string a = window_.preset().scene.bodies[0].name;
+  const std::string b = window_.preset().scene.bodies[1].name;
+  select({-1.0, 0.0});
+  type("Mass, kg", "1");
+  type("Speed x, m/s", "7.2 km/h");
+  ASSERT_TRUE(shows_start());
+  select({1.0, 0.0});
+  type("Mass, kg", "3000 g");
+  ASSERT_TRUE(shows_start());
+  EXPECT_EQ(window_.preset().scene.bodies[0].velocity.x(), 2.0);
+  EXPECT_EQ(*window_.preset().scene.bodies[1].mass, 3.0);
+  // e = 1 by default: after the impact -1 and 1 m/s.
+  window_.run_until(1.5);
+  EXPECT_NEAR(now(a).velocity.x(), -1.0, 1e-9);
+  EXPECT_NEAR(now(b).velocity.x(), 1.0, 1e-9);
+  // In mid-run the mass of B: the run goes on. Then B is moved: a new start from there.
+  select(now(b).position);
+  type("Mass, kg", "*2");
+  ASSERT_TRUE(wait_for([&] { return now(b).mass == 6.0; }));
+  EXPECT_NEAR(time(), 1.5, 0.01);
+  const Vec2 from = now(b).position;
+  drag(from, from + Vec2(0.0, 0.5));
+  ASSERT_TRUE(wait_for([&] { return time() == 0.0 && std::abs(now(b).position.y() - 0.5) < 0.06; }));
+  EXPECT_NEAR(now(a).velocity.x(), -1.0, 1e-9) << "moves as it did";
+  // All of it is taken back, and made again.
+  QUndoStack& edits = window_.session().edits();
+  EXPECT_TRUE(edits.undoText().startsWith("Move")) << edits.undoText().toStdString();
+  const int steps = edits.count();
+  EXPECT_EQ(steps, 7);
+  const std::string last = write_preset(window_.preset());
+  for (int i = 0; i < steps; ++i) edits.undo();
+  ASSERT_TRUE(wait_for([this] { return window_.frame() && window_.frame()->bodies->empty(); }));
+  for (int i = 0; i < steps; ++i) edits.redo();
+  EXPECT_EQ(write_preset(window_.preset()), last);
+  ASSERT_TRUE(shows_start());
+}
+
+TEST_F(LabHandsTest, CopiesAndDeletes) {
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(shows_start());
+  const Vec2 light = now("light").position;
+  select(light);
+  key(Qt::Key_D, Qt::ControlModifier);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 3; }));
+  ASSERT_TRUE(
+      wait_for([this] { return window_.scene_view().selection() == std::vector<std::string>{"light-1"}; }));
+  EXPECT_EQ(now("light-1").velocity, now("light").velocity);
+  action("Copy")->trigger();
+  EXPECT_TRUE(QApplication::clipboard()->text().contains("carom-preset"));
+  action("Paste")->trigger();
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 4; }));
+  key(Qt::Key_Delete);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 3; }));
+  undo();
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 4; }));
+  QApplication::clipboard()->setText("no preset");
+  action("Paste")->trigger();
+  EXPECT_EQ(window_.frame()->bodies->size(), 4U);
+}
+
+TEST_F(LabHandsTest, EscapeTakesADragBack) {
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(shows_start());
+  const Vec2 light = now("light").position;
+  SceneView* view = &window_.scene_view();
+  QTest::mousePress(view, Qt::LeftButton, {}, pixel(light));
+  const QPoint there = pixel(light + Vec2(0.0, 0.3));
+  for (const QPoint& at : {pixel(light + Vec2(0.0, 0.1)), there}) {
+    QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(view, &move);
+  }
+  ASSERT_TRUE(wait_for([&] { return now("light").position != light; }));
+  key(Qt::Key_Escape);
+  QTest::mouseRelease(view, Qt::LeftButton, {}, there);
+  ASSERT_TRUE(wait_for([&] { return now("light").position == light; }));
+  EXPECT_FALSE(window_.session().edits().canUndo());
+  EXPECT_FALSE(window_.session().edits().canRedo());
+}
+
+TEST_F(LabHandsTest, ANameThatIsTakenIsRefusedInWords) {
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(shows_start());
+  select(now("light").position);
+  const std::string before = write_preset(window_.preset());
+  type("Name", "heavy");
+  EXPECT_EQ(write_preset(window_.preset()), before);
+  type("Name", "small");
+  ASSERT_TRUE(
+      wait_for([this] { return window_.scene_view().selection() == std::vector<std::string>{"small"}; }));
+  EXPECT_EQ(window_.preset().plots[0].y[0].bodies[0], "small") << "plots follow";
+}
+
+// A theory on the plots of an experiment is that of its own start.
+TEST_F(LabHandsTest, ATheoryGoesWithTheFirstEdit) {
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(shows_start());
+  const auto has_theory = [this] {
+    for (const Plot& plot : window_.preset().plots) {
+      for (const QuantityName& line : plot.y) {
+        if (!line.theory.empty()) return true;
+      }
+    }
+    return false;
+  };
+  ASSERT_TRUE(has_theory());
+  select(now("light").position);
+  type("Mass, kg", "2 kg");
+  EXPECT_FALSE(has_theory());
+  EXPECT_TRUE(window_.preset().expect.empty());
+  undo();
+  EXPECT_TRUE(has_theory());
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,168 @@
+#include "widgets/edit/inspector.h"
+
+#include <QComboBox>
+#include <numbers>
+
+#include "tests/widgets/edit/inspector_fixture.h"
+
+namespace carom {
+namespace {
+
+TEST_F(InspectorTest, MassTakesThePlaceOfDensityAndBack) {
+  select({"light"});
+  enter(field("Density, kg/m²"), "100");
+  EXPECT_FALSE(light().mass.has_value());
+  EXPECT_EQ(light().density, 100.0);
+  EXPECT_NEAR(field("Mass, kg")->text().toDouble(), mass_of(light()), 1e-5);
+  enter(field("Mass, kg"), "2");
+  EXPECT_FALSE(light().density.has_value());
+}
+
+TEST_F(InspectorTest, ChangesAllSelectedBodies) {
+  select({"heavy", "light"});
+  EXPECT_FALSE(has_field("Name"));
+  QLineEdit* mass = field("Mass, kg");
+  EXPECT_EQ(mass->text(), "");
+  EXPECT_EQ(mass->placeholderText(), "2 values");
+  EXPECT_EQ(field("Speed x, m/s")->text(), "2");
+  enter(mass, "*2");
+  ASSERT_EQ(made_.size(), 1U);
+  EXPECT_EQ(made_[0].name, "Mass of 2 bodies");
+  EXPECT_EQ(light().mass, 2.0);
+  EXPECT_EQ(heavy().mass, 5.0);
+  enter(mass, "3");
+  EXPECT_EQ(mass->text(), "3");
+  enter(field("Position y, m"), "+50 cm");
+  EXPECT_EQ(made_.back().name, "Move 2 bodies");
+  EXPECT_EQ(heavy().position, Vec2(1.0, 0.5));
+}
+
+TEST_F(InspectorTest, NothingCanBeTypedWhileARunPlays) {
+  select({"light"});
+  inspector_.show_selection(nullptr, names_);
+  EXPECT_FALSE(field("Mass, kg")->isEnabled());
+  EXPECT_EQ(field("Mass, kg")->text(), "1");
+  QStringList muted;
+  for (const QLabel* label : inspector_.findChildren<QLabel*>("muted")) {
+    if (label->isVisibleTo(&inspector_)) muted << label->text();
+  }
+  EXPECT_TRUE(muted.contains("Pause to edit"));
+  inspector_.show_selection(scene_, names_);
+  EXPECT_TRUE(field("Mass, kg")->isEnabled());
+}
+
+TEST_F(InspectorTest, TheSameSceneAgainPaintsNothing) {
+  class Paints : public QObject {
+   public:
+    int count = 0;
+    bool eventFilter(QObject* watched, QEvent* event) override {
+      if (event->type() == QEvent::Paint) ++count;
+      return QObject::eventFilter(watched, event);
+    }
+  };
+  select({"light"});
+  QTest::qWait(50);
+  Paints paints;
+  for (QWidget* widget : inspector_.findChildren<QWidget*>()) widget->installEventFilter(&paints);
+  for (int i = 0; i < 3; ++i) {
+    inspector_.show_selection(scene_, names_);
+    inspector_.show_selection(std::make_shared<const Scene>(*scene_), names_);
+    QTest::qWait(20);
+  }
+  EXPECT_EQ(paints.count, 0);
+}
+
+TEST_F(InspectorTest, ARenamedBodyKeepsItsLinks) {
+  select({"light"});
+  names_ = {"ball"};
+  enter(field("Name"), "ball");
+  ASSERT_EQ(made_.size(), 1U);
+  EXPECT_EQ(made_[0].name, "Rename light to ball");
+  EXPECT_EQ(light().name, "ball");
+  EXPECT_EQ(scene_->joints[0].body, "ball");
+  EXPECT_EQ(scene_->joints[0].to, "heavy");
+  enter(field("Name"), " ");
+  EXPECT_EQ(sentences(), QStringList{"A body has a name."});
+}
+
+TEST_F(InspectorTest, AFixedBodyHasNoMassAndNoMotion) {
+  select({"light"});
+  const QList<QComboBox*> boxes = inspector_.findChildren<QComboBox*>();
+  QComboBox* kind = boxes[0];
+  QComboBox* surface = boxes[1];
+  kind->setFocus();
+  QTest::keyClick(kind, Qt::Key_Down);
+  ASSERT_EQ(made_.size(), 1U);
+  EXPECT_EQ(made_[0].name, "Fix light");
+  EXPECT_TRUE(light().fixed && light().velocity.isZero(0.0));
+  EXPECT_FALSE(has_field("Mass, kg"));
+  EXPECT_FALSE(has_field("Speed x, m/s"));
+  surface->setFocus();
+  QTest::keyClick(surface, Qt::Key_Down);
+  EXPECT_EQ(made_.back().name, "Surface of light: rubber");
+  EXPECT_EQ(light().material, "rubber");
+}
+
+TEST_F(InspectorTest, ADrivenBodyShowsItsDrive) {
+  Body piston = light();
+  piston.mass.reset();
+  piston.velocity = Vec2::Zero();
+  piston.drive = Drive{.velocity = Vec2(1.0, 0.0)};
+  apply({Replace<Body>{piston}});
+  select({"light"});
+  EXPECT_FALSE(inspector_.findChildren<QComboBox*>()[0]->isEnabled());
+  EXPECT_FALSE(has_field("Mass, kg"));
+  enter(field("Phase, °"), "90");
+  EXPECT_DOUBLE_EQ(light().drive->phase, std::numbers::pi / 2.0);
+}
+
+TEST_F(InspectorTest, WithoutASelectionItShowsTheScene) {
+  select({});
+  QLineEdit* gravity = field("Gravity y, m/s²");
+  EXPECT_EQ(gravity->text(), "−9.81");
+  enter(gravity, "-1,62");
+  EXPECT_EQ(made_.back().name, "Gravity y −9.81 → −1.62 m/s²");
+  EXPECT_EQ(scene_->forces.gravity, Vec2(0.0, -1.62));
+  enter(field("Linear drag, kg/s"), "-1");
+  EXPECT_EQ(sentences(), QStringList{"Linear drag is 0 or more."});
+}
+
+TEST_F(InspectorTest, NeedsNoMoreThan260Pixels) {
+  inspector_.resize(260, 500);
+  for (const std::vector<std::string>& names : {std::vector<std::string>{"light"}, {}, {"light", "heavy"}}) {
+    select(names);
+    QTest::qWait(20);
+    for (const QLineEdit* line : inspector_.findChildren<QLineEdit*>()) {
+      if (!line->isVisibleTo(&inspector_)) continue;
+      EXPECT_LE(line->mapTo(&inspector_, line->rect().topRight()).x(), 260)
+          << line->accessibleName().toStdString();
+    }
+  }
+}
+
+TEST_F(InspectorTest, ShowsTheSurfaceThatBodiesShare) {
+  select({"light"});
+  EXPECT_TRUE(label("Surface wood · 2 bodies")->isVisibleTo(&inspector_));
+  enter(field("e of wood"), "0.5");
+  EXPECT_EQ(scene_->materials[0].restitution, 0.5);
+  // Static friction is never less than kinetic friction.
+  enter(field("µ of wood"), "0.3");
+  EXPECT_EQ(scene_->materials[0].kinetic_friction, 0.3);
+  EXPECT_EQ(scene_->materials[0].static_friction, 0.3);
+  select({});
+  enter(field("µs of wood"), "0.2");
+  EXPECT_EQ(scene_->materials[0].kinetic_friction, 0.2);
+}
+
+TEST_F(InspectorTest, ASurfaceThatTheSceneDoesNotListIsAdded) {
+  Body plain = light();
+  plain.material = "default";
+  apply({Replace<Body>{plain}});
+  select({"light"});
+  enter(field("e of default"), "0.25");
+  EXPECT_EQ(material_named(*scene_, "default").restitution, 0.25);
+  EXPECT_EQ(scene_->materials.size(), 3U);
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,188 @@
+#include <QAction>
+#include <QCursor>
+
+#include "tests/widgets/edit/inspector_fixture.h"
+
+namespace carom {
+namespace {
+
+TEST_F(InspectorTest, ATypedMassIsAnEditByItself) {
+  select({"light"});
+  QLineEdit* mass = field("Mass, kg");
+  EXPECT_EQ(mass->text(), "1");
+  enter(mass, "2000 g");
+  ASSERT_EQ(made_.size(), 1U);
+  EXPECT_EQ(made_[0].name, "Mass of light 1.00 → 2.00 kg");
+  EXPECT_EQ(made_[0].drag, 0);
+  ASSERT_EQ(made_[0].edits.size(), 1U);
+  EXPECT_EQ(std::get<Replace<Body>>(made_[0].edits[0]).part.mass, 2.0);
+  EXPECT_EQ(mass->text(), "2");
+  EXPECT_EQ(field("Mass, kg"), mass) << "the same widget shows it";
+  QTest::keyClick(mass, Qt::Key_Return);
+  EXPECT_EQ(made_.size(), 1U) << "nothing was typed";
+}
+
+TEST_F(InspectorTest, TheSameValueTypedOtherwiseIsNoEdit) {
+  select({"light"});
+  QLineEdit* x = field("Position x, m");
+  EXPECT_EQ(x->text(), "−1");
+  enter(x, "-100 cm");
+  EXPECT_TRUE(made_.empty());
+  EXPECT_EQ(x->text(), "−1");
+  enter(x, "-0.8512");
+  EXPECT_EQ(x->text(), "−0.8512");
+  enter(x, "-0.8512");
+  EXPECT_EQ(x->text(), "−0.8512");
+}
+
+TEST_F(InspectorTest, LeavingAFieldAcceptsIt) {
+  select({"light"});
+  type(field("Mass, kg"), "*3");
+  EXPECT_TRUE(made_.empty());
+  field("Spin, rad/s")->setFocus();
+  EXPECT_EQ(light().mass, 3.0);
+}
+
+TEST_F(InspectorTest, AWrongValueIsRedAndSaidAndNothingIsEdited) {
+  select({});
+  QLineEdit* e = field("e of wood");
+  EXPECT_EQ(e->text(), "0.6");
+  enter(e, "1.2");
+  EXPECT_TRUE(e->property("fault").toBool());
+  EXPECT_EQ(sentences(), QStringList{"e lies between 0 and 1."});
+  EXPECT_TRUE(made_.empty());
+  QTest::keyClick(e, Qt::Key_Escape);
+  EXPECT_EQ(e->text(), "0.6");
+  EXPECT_FALSE(e->property("fault").toBool());
+  EXPECT_TRUE(sentences().isEmpty());
+
+  enter(e, "0.8");
+  ASSERT_EQ(made_.size(), 1U);
+  EXPECT_EQ(made_[0].name, "e of wood 0.600 → 0.800");
+  EXPECT_EQ(scene_->materials[0].restitution, 0.8);
+}
+
+TEST_F(InspectorTest, LeavingAWrongValueBringsTheGoodOneBackAndSaysWhy) {
+  select({"light"});
+  QLineEdit* mass = field("Mass, kg");
+  type(mass, "2 m");
+  field("Spin, rad/s")->setFocus();
+  EXPECT_EQ(mass->text(), "1");
+  EXPECT_FALSE(mass->property("fault").toBool());
+  EXPECT_EQ(sentences(), QStringList{"“m” is no unit of this; it takes kg, g, t."});
+  enter(mass, "2");
+  EXPECT_TRUE(sentences().isEmpty());
+}
+
+TEST_F(InspectorTest, ANewSceneLeavesTheFieldThatIsTypedInAlone) {
+  select({"light"});
+  QLineEdit* mass = field("Mass, kg");
+  type(mass, "4");
+  Body moved = light();
+  moved.position.x() = -0.5;
+  moved.mass = 1.5;
+  apply({Replace<Body>{moved}});
+  inspector_.show_selection(scene_, names_);
+  EXPECT_EQ(mass->text(), "4");
+  EXPECT_EQ(field("Position x, m")->text(), "−0.5");
+  QTest::keyClick(mass, Qt::Key_Escape);
+  EXPECT_EQ(mass->text(), "1.5");
+
+  type(mass, "7");
+  select({"heavy"});
+  EXPECT_EQ(mass->text(), "2.5") << "what was typed was for another body";
+  EXPECT_TRUE(made_.empty());
+}
+
+TEST_F(InspectorTest, QuickStepsAreOneEdit) {
+  select({"light"});
+  QLineEdit* mass = field("Mass, kg");
+  mass->setFocus();
+  for (int i = 0; i < 3; ++i) QTest::keyClick(mass, Qt::Key_Up);
+  ASSERT_EQ(made_.size(), 3U);
+  EXPECT_DOUBLE_EQ(light().mass.value(), 1.3);
+  EXPECT_GT(made_[0].drag, 0);
+  EXPECT_EQ(made_[2].drag, made_[0].drag);
+  EXPECT_EQ(made_[2].name, "Mass of light 1.00 → 1.30 kg");
+  QLineEdit* spin = field("Spin, rad/s");
+  spin->setFocus();
+  QTest::keyClick(spin, Qt::Key_Down);
+  EXPECT_DOUBLE_EQ(light().spin, -0.01);
+  EXPECT_NE(made_[3].drag, made_[0].drag);
+}
+
+TEST_F(InspectorTest, ALabelIsPulledLikeASlider) {
+  select({"light"});
+  QTest::qWait(20);
+  QLabel* mass = nullptr;
+  for (QLabel* label : inspector_.findChildren<QLabel*>()) {
+    if (label->text() == "Mass") mass = label;
+  }
+  ASSERT_NE(mass, nullptr);
+  EXPECT_EQ(mass->cursor().shape(), Qt::SizeHorCursor);
+  const QPoint from = mass->rect().center();
+  QTest::mousePress(mass, Qt::LeftButton, {}, from);
+  QTest::mouseMove(mass, from + QPoint(2, 0));
+  EXPECT_TRUE(made_.empty()) << "a press alone moves nothing";
+  QTest::mouseMove(mass, from + QPoint(50, 0));
+  QTest::mouseMove(mass, from + QPoint(102, 0));
+  QTest::mouseRelease(mass, Qt::LeftButton, {}, from + QPoint(102, 0));
+  ASSERT_EQ(made_.size(), 2U);
+  EXPECT_NEAR(light().mass.value(), 2.0, 0.05);
+  EXPECT_GT(made_[0].drag, 0);
+  EXPECT_EQ(made_[1].drag, made_[0].drag);
+  const int first = made_[0].drag;
+  QTest::mousePress(mass, Qt::LeftButton, {}, from);
+  QTest::mouseMove(mass, from - QPoint(50, 0));
+  QTest::mouseRelease(mass, Qt::LeftButton, {}, from);
+  EXPECT_NE(made_.back().drag, first);
+}
+
+TEST_F(InspectorTest, EscTakesAPullBack) {
+  select({"light"});
+  QLabel* x = label("x");
+  const QPoint from = x->rect().center();
+  QTest::mousePress(x, Qt::LeftButton, {}, from);
+  QTest::mouseMove(x, from + QPoint(40, 0));
+  EXPECT_EQ(light().position.x(), -0.8);
+  QTest::keyClick(x, Qt::Key_Escape);
+  EXPECT_EQ(light().position.x(), -1.0);
+  QTest::mouseMove(x, from + QPoint(80, 0));
+  QTest::mouseRelease(x, Qt::LeftButton, {}, from);
+  EXPECT_EQ(light().position.x(), -1.0);
+}
+
+TEST_F(InspectorTest, SaysWhyAnEditCouldNotBe) {
+  select({"light"});
+  inspector_.say("light and heavy overlap by 3.2 cm.");
+  EXPECT_EQ(sentences(), QStringList{"light and heavy overlap by 3.2 cm."});
+  enter(field("Mass, kg"), "2");
+  EXPECT_TRUE(sentences().isEmpty());
+}
+
+TEST_F(InspectorTest, UndoIsTheFieldsOnlyWhileItIsTypedIn) {
+  int undone = 0;
+  auto* undo = new QAction(&inspector_);
+  undo->setShortcut(QKeySequence::Undo);
+  inspector_.addAction(undo);
+  QObject::connect(undo, &QAction::triggered, &inspector_, [&] { ++undone; });
+  select({"light"});
+  QLineEdit* mass = field("Mass, kg");
+  enter(mass, "2");
+  QTest::keyClick(mass, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(undone, 1);
+  type(mass, "3");
+  QTest::keyClick(mass, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(undone, 1);
+}
+
+// A disc of radius 0 has no density, so that the rows are other ones.
+TEST_F(InspectorTest, TheFieldKeepsTheFocusWhenRowsChange) {
+  select({"light"});
+  enter(field("Radius, m"), "0");
+  EXPECT_FALSE(has_field("Density, kg/m²"));
+  EXPECT_TRUE(field("Radius, m")->hasFocus());
+}
+
+}  // namespace
+}  // namespace carom

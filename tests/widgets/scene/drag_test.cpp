@@ -1,0 +1,201 @@
+#include "widgets/scene/drag.h"
+
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace carom {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+Body disc_at(const char* name, double x, double y, double radius) {
+  Body body;
+  body.name = name;
+  body.shape = Disc{radius};
+  body.position = Vec2(x, y);
+  return body;
+}
+
+DragStart start_of(HandleKind kind, const Body& body, const Vec2& press) {
+  return {.kind = kind, .bodies = {body}, .others = {}, .press = press, .arrow_seconds = 0.5, .grid = 0.0};
+}
+
+// 100 px/m throughout.
+Dragged drag(const DragStart& start, const Vec2& to, Qt::KeyboardModifiers keys = {}) {
+  return drag_to(start, {.at = to, .scale = 100.0, .keys = keys});
+}
+
+TEST(DragTest, MovesRelativeToThePress) {
+  const DragStart start = start_of(HandleKind::kBody, disc_at("light", 1.0, 1.0, 0.5), Vec2(1.2, 0.9));
+  const Dragged moved = drag(start, Vec2(1.53, 0.78));
+  EXPECT_TRUE(moved.bodies[0].position.isApprox(Vec2(1.33, 0.88), 1e-12));
+  EXPECT_EQ(moved.value, "x 1.33 m, y 0.88 m");
+  EXPECT_EQ(moved.name, "Move light");
+}
+
+TEST(DragTest, ShiftKeepsTheLongerAxis) {
+  const DragStart start = start_of(HandleKind::kBody, disc_at("light", 1.0, 1.0, 0.5), Vec2(1.0, 1.0));
+  EXPECT_EQ(drag(start, Vec2(1.3, 1.2), Qt::ShiftModifier).bodies[0].position, Vec2(1.3, 1.0));
+  EXPECT_EQ(drag(start, Vec2(1.1, 0.5), Qt::ShiftModifier).bodies[0].position, Vec2(1.0, 0.5));
+}
+
+TEST(DragTest, SnapsToTheGridWithinEightPixels) {
+  DragStart start = start_of(HandleKind::kBody, disc_at("light", 1.0, 1.0, 0.5), Vec2(1.0, 1.0));
+  start.grid = 0.2;
+  EXPECT_EQ(drag(start, Vec2(1.27, 1.31)).bodies[0].position, Vec2(1.2, 1.31));
+  EXPECT_EQ(drag(start, Vec2(1.33, 1.31)).bodies[0].position, Vec2(1.4, 1.31));
+  EXPECT_EQ(drag(start, Vec2(1.33, 1.31), Qt::ControlModifier).bodies[0].position, Vec2(1.33, 1.31));
+  // The held axis doesn't snap.
+  start.bodies[0].position = Vec2(1.0, 1.03);
+  EXPECT_EQ(drag(start, Vec2(1.27, 1.0), Qt::ShiftModifier).bodies[0].position, Vec2(1.2, 1.03));
+}
+
+TEST(DragTest, SnapsToTouchingBeforeTheGrid) {
+  DragStart start = start_of(HandleKind::kBody, disc_at("light", 0.0, 0.0, 0.1), Vec2(0.0, 0.0));
+  start.grid = 0.2;
+  start.others = {disc_at("heavy", 1.0, 0.0, 0.2)};
+  const Dragged moved = drag(start, Vec2(0.65, 0.0));
+  EXPECT_NEAR(moved.bodies[0].position.x(), 0.7, 1e-12);
+  EXPECT_EQ(moved.detail, "touches heavy");
+  // Beside the line of the centres, along it.
+  const Vec2 aslant = drag(start, Vec2(0.8, 0.2)).bodies[0].position;
+  EXPECT_NEAR((aslant - Vec2(1.0, 0.0)).norm(), 0.3, 1e-12);
+  // With Shift on the axis: the centre at x where (1 - x)² + 0.1² = 0.3².
+  start.bodies[0].position = Vec2(0.0, 0.1);
+  const Vec2 held = drag(start, Vec2(0.7, 0.0), Qt::ShiftModifier).bodies[0].position;
+  EXPECT_NEAR(held.x(), 1.0 - std::sqrt(0.08), 1e-12);
+  EXPECT_EQ(held.y(), 0.1);
+}
+
+TEST(DragTest, SnapsDiscsToBoxesAndBoxesToHalfPlanes) {
+  Body box = disc_at("box", 0.0, -0.5, 0.0);
+  box.shape = Box{4.0, 1.0};  // its top is y = 0
+  DragStart start = start_of(HandleKind::kBody, disc_at("light", 0.0, 1.0, 0.1), Vec2(0.0, 1.0));
+  start.others = {box};
+  EXPECT_NEAR(drag(start, Vec2(0.5, 0.15)).bodies[0].position.y(), 0.1, 1e-9);
+  Body ground = disc_at("ground", 0.0, 0.0, 0.0);
+  ground.shape = Wall{};
+  box.position = Vec2(0.0, 2.0);
+  start = start_of(HandleKind::kBody, box, box.position);
+  start.others = {ground};
+  const Dragged moved = drag(start, Vec2(0.33, 0.45));
+  EXPECT_NEAR(moved.bodies[0].position.y(), 0.5, 1e-12);
+  EXPECT_EQ(moved.detail, "touches ground");
+}
+
+TEST(DragTest, SeveralBodiesMoveTogether) {
+  DragStart start = start_of(HandleKind::kBody, disc_at("a", 0.0, 0.0, 0.1), Vec2(0.0, 0.0));
+  start.bodies.push_back(disc_at("b", 1.0, 0.5, 0.1));
+  start.bodies.push_back(disc_at("c", 2.0, 0.5, 0.1));
+  const Dragged moved = drag(start, Vec2(0.25, -0.5));
+  EXPECT_EQ(moved.bodies[1].position, Vec2(1.25, 0.0));
+  EXPECT_EQ(moved.bodies[2].position, Vec2(2.25, 0.0));
+  EXPECT_EQ(moved.name, "Move 3 bodies");
+}
+
+// 0.5 m of arrow for each m/s: the tip of 1 m/s stands 0.5 m from the centre.
+class VelocityDragTest : public testing::Test {
+ protected:
+  VelocityDragTest() {
+    Body body = disc_at("light", 0.0, 0.0, 0.1);
+    body.velocity = Vec2(1.0, 0.0);
+    start_ = start_of(HandleKind::kVelocity, body, Vec2(0.5, 0.0));
+  }
+  DragStart start_;
+};
+
+TEST_F(VelocityDragTest, FollowsTheArrowScaleAndSnaps) {
+  const Dragged pulled = drag(start_, Vec2(1.01, 0.02));
+  EXPECT_EQ(pulled.bodies[0].velocity, Vec2(2.0, 0.0));
+  EXPECT_EQ(pulled.value, "2.0 m/s at 0°");
+  EXPECT_EQ(pulled.name, "Speed of light 1.00 → 2.00 m/s");
+  const Dragged up = drag(start_, 1.02 * Vec2(std::cos(12 * kDegree), std::sin(12 * kDegree)));
+  EXPECT_TRUE(
+      up.bodies[0].velocity.isApprox(2.0 * Vec2(std::cos(15 * kDegree), std::sin(15 * kDegree)), 1e-12));
+  EXPECT_EQ(up.value, "2.0 m/s at 15°");
+}
+
+TEST_F(VelocityDragTest, ControlSnapsNothing) {
+  const Dragged pulled = drag(start_, Vec2(1.015, 0.1), Qt::ControlModifier);
+  EXPECT_TRUE(pulled.bodies[0].velocity.isApprox(Vec2(2.03, 0.2), 1e-12));
+}
+
+TEST_F(VelocityDragTest, ShiftKeepsTheDirection) {
+  EXPECT_EQ(drag(start_, Vec2(0.81, 0.4), Qt::ShiftModifier).bodies[0].velocity, Vec2(1.6, 0.0));
+  EXPECT_EQ(drag(start_, Vec2(-0.8, 0.4), Qt::ShiftModifier).bodies[0].velocity, Vec2(0.0, 0.0));
+}
+
+TEST_F(VelocityDragTest, IntoTheBodyIsAtRest) {
+  const Dragged stopped = drag(start_, Vec2(0.06, 0.04));
+  EXPECT_EQ(stopped.bodies[0].velocity, Vec2(0.0, 0.0));
+  EXPECT_EQ(stopped.value, "0.0 m/s");
+}
+
+TEST_F(VelocityDragTest, AGripOfABodyAtRestIsRelative) {
+  start_.bodies[0].velocity.setZero();
+  EXPECT_EQ(drag(start_, Vec2(0.75, 0.0)).bodies[0].velocity, Vec2(0.5, 0.0));
+}
+
+TEST_F(VelocityDragTest, SeveralGetTheSameChange) {
+  start_.bodies.push_back(disc_at("b", 1.0, 1.0, 0.1));
+  start_.bodies[1].velocity = Vec2(0.0, -1.0);
+  const Dragged pulled = drag(start_, Vec2(1.0, 0.0));
+  EXPECT_EQ(pulled.bodies[1].velocity, Vec2(1.0, -1.0));
+  EXPECT_EQ(pulled.name, "Speed of 2 bodies");
+}
+
+TEST_F(VelocityDragTest, TheSameSpeedIsNamedByItsDirection) {
+  EXPECT_EQ(drag(start_, Vec2(0.0, 0.5)).name, "Direction of light 0° → 90°");
+}
+
+TEST(DragTest, TurnsInAbsoluteSteps) {
+  Body body = disc_at("light", 0.0, 0.0, 0.1);
+  body.angle = 3.0 * kDegree;
+  const DragStart start = start_of(HandleKind::kTurn, body, Vec2(0.0, 1.0));
+  const auto at = [](double degrees) {
+    return Vec2(-std::sin(degrees * kDegree), std::cos(degrees * kDegree));
+  };
+  EXPECT_NEAR(drag(start, at(20.0)).bodies[0].angle, 25.0 * kDegree, 1e-12);
+  EXPECT_EQ(drag(start, at(20.0)).value, "25°");
+  EXPECT_NEAR(drag(start, at(40.0), Qt::ShiftModifier).bodies[0].angle, 45.0 * kDegree, 1e-12);
+  EXPECT_NEAR(drag(start, at(-10.4), Qt::ControlModifier).bodies[0].angle, -7.4 * kDegree, 1e-12);
+  EXPECT_EQ(drag(start, at(20.0)).name, "Turn light");
+}
+
+TEST(DragTest, ResizesADiscAtItsDensity) {
+  Body body = disc_at("light", 1.0, 1.0, 0.1);
+  body.mass = 1.0;
+  body.inertia = 0.01;
+  const DragStart start = start_of(HandleKind::kRadius, body, Vec2(1.2, 1.2));
+  // The corner 0.098 m farther out in x and y.
+  const Dragged resized = drag(start, Vec2(1.298, 1.298));
+  EXPECT_NEAR(std::get<Disc>(resized.bodies[0].shape).radius, 0.2, 1e-12);
+  EXPECT_NEAR(*resized.bodies[0].mass, 4.0, 1e-12);
+  EXPECT_NEAR(*resized.bodies[0].inertia, 0.16, 1e-12);
+  EXPECT_EQ(resized.bodies[0].position, Vec2(1.0, 1.0));
+  EXPECT_EQ(resized.value, "r 20 cm");
+  EXPECT_EQ(resized.name, "Resize light");
+  EXPECT_NEAR(std::get<Disc>(drag(start, Vec2(1.298, 1.298), Qt::ControlModifier).bodies[0].shape).radius,
+              0.198, 1e-12);
+  EXPECT_GT(std::get<Disc>(drag(start, Vec2(1.0, 1.0)).bodies[0].shape).radius, 0.0);
+}
+
+TEST(DragTest, ResizesABoxFromItsFarSide) {
+  Body body = disc_at("box", 1.0, 1.0, 0.0);
+  body.shape = Box{0.4, 0.2};
+  body.angle = 90.0 * kDegree;  // its right side points up
+  body.mass = 1.0;
+  const DragStart start = start_of(HandleKind::kRight, body, Vec2(1.0, 1.3));
+  const Dragged resized = drag(start, Vec2(1.07, 1.504));
+  const Box box = std::get<Box>(resized.bodies[0].shape);
+  EXPECT_NEAR(box.width, 0.6, 1e-12);
+  EXPECT_NEAR(box.height, 0.2, 1e-12);
+  EXPECT_TRUE(resized.bodies[0].position.isApprox(Vec2(1.0, 1.1), 1e-12));
+  EXPECT_NEAR(*resized.bodies[0].mass, 1.5, 1e-12);
+  EXPECT_EQ(resized.value, "60 cm × 20 cm");
+  EXPECT_NEAR(std::get<Box>(drag(start, Vec2(1.07, 1.504), Qt::ShiftModifier).bodies[0].shape).height, 0.3,
+              1e-12);
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,80 @@
+#include "widgets/scene/handles.h"
+
+#include <QLineF>
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace carom {
+namespace {
+
+// 100 px/m; the world's origin stands at (320, 200).
+class HandlesTest : public testing::Test {
+ protected:
+  HandlesTest() {
+    disc_.shape = Disc{0.5};
+    disc_.position = Vec2(1.0, 0.0);
+  }
+  [[nodiscard]] std::vector<Handle> handles(const std::vector<Body>& bodies) const {
+    return handles_of(bodies, camera_, 0.5);
+  }
+  [[nodiscard]] static Handle of(const std::vector<Handle>& handles, HandleKind kind) {
+    return *std::find_if(handles.begin(), handles.end(), [&](const Handle& h) { return h.kind == kind; });
+  }
+  [[nodiscard]] static auto number(const std::vector<Handle>& handles, HandleKind kind) {
+    return std::count_if(handles.begin(), handles.end(), [&](const Handle& h) { return h.kind == kind; });
+  }
+  Camera camera_;
+  Body disc_;
+};
+
+TEST_F(HandlesTest, TheTipOfAVelocityIsThatOfItsArrow) {
+  disc_.velocity = Vec2(0.0, 2.0);
+  const Handle tip = of(handles({disc_}), HandleKind::kVelocity);
+  EXPECT_EQ(tip.at, QPointF(420.0, 100.0));
+  EXPECT_FALSE(tip.foot);
+}
+
+TEST_F(HandlesTest, AtRestTheGripStandsOutsideTheRimAtTheRight) {
+  const Handle grip = of(handles({disc_}), HandleKind::kVelocity);
+  EXPECT_EQ(grip.at, QPointF(420.0 + 50.0 + 30.0, 200.0));
+  ASSERT_TRUE(grip.foot);
+  EXPECT_EQ(*grip.foot, QPointF(470.0, 200.0));
+}
+
+TEST_F(HandlesTest, AllStandFarEnoughFromTheCentreOfASmallBody) {
+  disc_.shape = Disc{0.01};
+  Body box = disc_;
+  box.shape = Box{0.02, 0.01};
+  for (const Body& body : {disc_, box}) {
+    for (const Handle& handle : handles({body})) {
+      EXPECT_GE(QLineF(handle.at, QPointF(420.0, 200.0)).length(), kLeastHandleDistance - 1e-9);
+    }
+  }
+}
+
+TEST_F(HandlesTest, TheKnobLeavesTheArrowItsPlace) {
+  EXPECT_LT(of(handles({disc_}), HandleKind::kTurn).at.y(), 150.0);
+  disc_.velocity = Vec2(0.0, 2.0);
+  EXPECT_GT(of(handles({disc_}), HandleKind::kTurn).at.y(), 250.0);
+}
+
+TEST_F(HandlesTest, SeveralBodiesHaveVelocitiesOnly) {
+  Body fixed = disc_;
+  fixed.fixed = true;
+  const std::vector<Handle> of_three = handles({disc_, fixed, disc_});
+  EXPECT_EQ(of_three.size(), 2U);
+  EXPECT_EQ(of_three[1].body, 2U);
+  EXPECT_EQ(number(handles({fixed}), HandleKind::kVelocity), 0);
+  EXPECT_EQ(number(handles({fixed}), HandleKind::kRadius), 4);
+}
+
+TEST_F(HandlesTest, TheNearestOneWithinReachIsTaken) {
+  const std::vector<Handle> all = handles({disc_});
+  const QPointF grip = of(all, HandleKind::kVelocity).at;
+  ASSERT_TRUE(handle_at(all, grip + QPointF(6.0, 6.0)));
+  EXPECT_EQ(handle_at(all, grip + QPointF(6.0, 6.0))->kind, HandleKind::kVelocity);
+  EXPECT_FALSE(handle_at(all, grip + QPointF(8.0, 8.0)));
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,336 @@
+#include <QGuiApplication>
+#include <QMouseEvent>
+#include <QTest>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <memory>
+
+#include "physics/run/scene_now.h"
+#include "physics/scene/edit.h"
+#include "tests/support/scene_fixture.h"
+#include "widgets/scene/scene_view.h"
+
+namespace carom {
+namespace {
+
+// 600×400 px, 100 px/m: the world's (2, 1) stands at (300, 200), disc A at (200, 200), disc B at (400, 200).
+// The arrow of A's 2 m/s is 0.8 m long or less.
+class SceneToolsTest : public testing::Test {
+ protected:
+  struct Told {
+    SceneEdits edits;
+    QString name;
+    int drag = 0;
+  };
+
+  void SetUp() override {
+    scene_ = two_discs().scene;
+    give_ids(scene_);
+    view_.resize(600, 400);
+    view_.set_view(View{Vec2(2.0, 1.0), 6.0});
+    show(true);
+    view_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view_));
+    QObject::connect(&view_, &SceneView::selectionChanged,
+                     [this](const std::vector<std::string>& names) { selected_ = names; });
+    QObject::connect(&view_, &SceneView::edited,
+                     [this](const SceneEdits& edits, const QString& name, int drag) {
+                       told_.push_back({edits, name, drag});
+                       if (answers_) {
+                         apply_edits(scene_, edits);
+                         show(true);
+                       }
+                     });
+    QObject::connect(&view_, &SceneView::dragCancelled, [this](int drag) { cancelled_.push_back(drag); });
+    QObject::connect(&view_, &SceneView::spawnRequested,
+                     [this](double x, double y) { spawned_.emplace_back(x, y); });
+  }
+
+  // Publishes the scene, as the run's next frame does.
+  void show(bool paused) {
+    Preset preset;
+    preset.scene = scene_;
+    const Simulation run(setup_of(preset));
+    auto frame = frame_of(run);
+    frame->run = run_;
+    if (paused) frame->scene = std::make_shared<const Scene>(scene_now(run));
+    view_.set_frame(frame);
+  }
+
+  void press(const QPoint& at, Qt::KeyboardModifiers keys = {}) {
+    QTest::mousePress(&view_, Qt::LeftButton, keys, at);
+  }
+  void move(const QPoint& at, Qt::KeyboardModifiers keys = {}) {
+    QMouseEvent event(QEvent::MouseMove, at, view_.mapToGlobal(QPointF(at)), Qt::NoButton, Qt::LeftButton,
+                      keys);
+    QGuiApplication::sendEvent(&view_, &event);
+  }
+  void release(const QPoint& at, Qt::KeyboardModifiers keys = {}) {
+    QTest::mouseRelease(&view_, Qt::LeftButton, keys, at);
+  }
+  void click(const QPoint& at, Qt::KeyboardModifiers keys = {}) {
+    QTest::mouseClick(&view_, Qt::LeftButton, keys, at);
+  }
+  void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = {}) {
+    press(from, keys);
+    move((from + to) / 2, keys);
+    move(to, keys);
+    release(to, keys);
+  }
+  [[nodiscard]] static const Body& replaced(const SceneEdit& edit) {
+    return std::get<Replace<Body>>(edit).part;
+  }
+
+  using Names = std::vector<std::string>;
+  const QPoint a_{200, 220};  // in A, off its arrow
+  const QPoint b_{400, 200};
+  const QPoint empty_{300, 60};
+
+  SceneView view_{light_theme()};
+  Scene scene_;
+  std::uint64_t run_ = 0;
+  bool answers_ = false;
+  Names selected_;
+  std::vector<Told> told_;
+  std::vector<int> cancelled_;
+  std::vector<Vec2> spawned_;
+};
+
+TEST_F(SceneToolsTest, ClicksSelect) {
+  click(a_);
+  EXPECT_EQ(selected_, Names{"A"});
+  click(b_, Qt::ShiftModifier);
+  EXPECT_EQ(selected_, (Names{"A", "B"}));
+  click(a_, Qt::ShiftModifier);
+  EXPECT_EQ(selected_, Names{"B"});
+  click(empty_);
+  EXPECT_EQ(selected_, Names{});
+  EXPECT_TRUE(told_.empty());
+  EXPECT_TRUE(spawned_.empty());
+}
+
+TEST_F(SceneToolsTest, ABandSelectsWhatItTouches) {
+  drag(QPoint(260, 120), QPoint(380, 200));
+  EXPECT_EQ(selected_, Names{"B"});
+  drag(QPoint(260, 120), QPoint(230, 200), Qt::ShiftModifier);
+  EXPECT_EQ(selected_, (Names{"B", "A"}));
+  drag(QPoint(260, 120), QPoint(380, 200), Qt::ControlModifier);
+  EXPECT_EQ(selected_, Names{"A"});
+  drag(QPoint(260, 60), QPoint(300, 80));
+  EXPECT_EQ(selected_, Names{});
+  EXPECT_TRUE(told_.empty());
+}
+
+TEST_F(SceneToolsTest, NamesCanBeSelectedFromOutsideAndDropOut) {
+  view_.select({"B", "nobody", "A"});
+  EXPECT_EQ(selected_, (Names{"B", "A"}));
+  scene_.bodies.pop_back();
+  show(true);
+  EXPECT_EQ(view_.selection(), Names{"A"});
+  EXPECT_EQ(selected_, Names{"A"});
+  view_.clear();
+  EXPECT_EQ(selected_, Names{});
+}
+
+TEST_F(SceneToolsTest, ADragTellsThePlaceUnderOneNumber) {
+  answers_ = true;
+  press(b_);
+  move(b_ + QPoint(2, 2));
+  EXPECT_TRUE(told_.empty());  // less than 4 px
+  move(b_ + QPoint(33, -47), Qt::ControlModifier);
+  move(b_ + QPoint(50, -55), Qt::ControlModifier);
+  release(b_ + QPoint(50, -55));
+  ASSERT_EQ(told_.size(), 2U);
+  ASSERT_EQ(told_[0].edits.size(), 1U);
+  EXPECT_TRUE(replaced(told_[0].edits[0]).position.isApprox(Vec2(3.33, 1.47), 1e-12));
+  EXPECT_TRUE(replaced(told_[1].edits[0]).position.isApprox(Vec2(3.5, 1.55), 1e-12));
+  EXPECT_EQ(told_[1].name, "Move B");
+  EXPECT_GT(told_[0].drag, 0);
+  EXPECT_EQ(told_[1].drag, told_[0].drag);
+  EXPECT_EQ(selected_, Names{"B"});
+  // From where it is now, under another number, to the drawn grid of 0.2 m.
+  drag(QPoint(450, 145), QPoint(463, 137));
+  ASSERT_GE(told_.size(), 3U);
+  EXPECT_TRUE(replaced(told_.back().edits[0]).position.isApprox(Vec2(3.6, 1.6), 1e-12));
+  EXPECT_NE(told_.back().drag, told_[0].drag);
+}
+
+TEST_F(SceneToolsTest, ASelectionMovesTogether) {
+  view_.select({"A", "B"});
+  drag(b_, b_ + QPoint(0, -30), Qt::ShiftModifier | Qt::ControlModifier);
+  ASSERT_FALSE(told_.empty());
+  ASSERT_EQ(told_.back().edits.size(), 2U);
+  EXPECT_EQ(told_.back().name, "Move 2 bodies");
+  EXPECT_EQ(replaced(told_.back().edits[0]).name, "B");
+  EXPECT_TRUE(replaced(told_.back().edits[1]).position.isApprox(Vec2(1.0, 1.3), 1e-12));
+}
+
+TEST_F(SceneToolsTest, EscapeTakesADragBack) {
+  answers_ = true;
+  press(b_);
+  move(b_ + QPoint(40, 0));
+  ASSERT_EQ(told_.size(), 1U);
+  QTest::keyClick(&view_, Qt::Key_Escape);
+  EXPECT_EQ(cancelled_, std::vector<int>{told_[0].drag});
+  move(b_ + QPoint(60, 0));
+  release(b_ + QPoint(60, 0));
+  EXPECT_EQ(told_.size(), 1U);
+  EXPECT_EQ(selected_, Names{"B"});
+  QTest::keyClick(&view_, Qt::Key_Escape);
+  EXPECT_EQ(selected_, Names{});
+}
+
+TEST_F(SceneToolsTest, TheTipOfAnArrowSetsTheVelocity) {
+  answers_ = true;
+  click(a_);
+  ASSERT_FALSE(view_.drawing().arrows.empty());
+  const Vec2 tip = view_.drawing().arrows[0].to;
+  const double seconds = (tip.y() - 1.0) / 2.0;  // m of arrow per m/s
+  const QPoint from = view_.camera().to_screen(tip).toPoint();
+  press(from);
+  // The scale holds, though the peak rises.
+  const int rise = static_cast<int>(std::lround(seconds * 100.0));
+  move(from + QPoint(0, -rise));
+  const Body& body = replaced(told_.back().edits[0]);
+  EXPECT_NEAR(body.velocity.y(), 3.0, 1e-12);
+  EXPECT_EQ(body.velocity.x(), 0.0);
+  EXPECT_EQ(told_.back().name, "Speed of A 2.00 → 3.00 m/s");
+  EXPECT_NEAR(view_.drawing().arrows[0].to.y(), 1.0 + 3.0 * seconds, 1e-9);
+  // Back into the body.
+  move(QPoint(200, 205));
+  EXPECT_EQ(replaced(told_.back().edits[0]).velocity, Vec2(0.0, 0.0));
+  release(QPoint(200, 205));
+}
+
+TEST_F(SceneToolsTest, ControlCountsWhileTheMouseStandsStill) {
+  press(b_);
+  move(b_ + QPoint(37, 0));
+  const Vec2 on_grid = replaced(told_.back().edits[0]).position;
+  QTest::keyPress(&view_, Qt::Key_Control, Qt::NoModifier);
+  EXPECT_NE(replaced(told_.back().edits[0]).position, on_grid);
+  EXPECT_NEAR(replaced(told_.back().edits[0]).position.x(), 3.37, 1e-12);
+  QTest::keyRelease(&view_, Qt::Key_Control, Qt::ControlModifier);
+  EXPECT_EQ(replaced(told_.back().edits[0]).position, on_grid);
+  release(b_ + QPoint(37, 0));
+}
+
+TEST_F(SceneToolsTest, AnEditMovesNeitherCameraNorScale) {
+  view_.fit();
+  answers_ = true;
+  const double scale = view_.camera().scale;
+  const double length = view_.drawing().arrows[0].to.y() - view_.drawing().arrows[0].from.y();
+  view_.select({"A"});
+  QTest::keyClick(&view_, Qt::Key_Up, Qt::ShiftModifier | Qt::ControlModifier);
+  const auto& arrow = view_.drawing().arrows[0];
+  EXPECT_NEAR((arrow.to - arrow.from).norm(), 1.5 * length, 1e-9);
+  ++run_;
+  QTest::keyClick(&view_, Qt::Key_Up, Qt::ShiftModifier);  // out of the view
+  EXPECT_EQ(view_.camera().scale, scale);
+}
+
+TEST_F(SceneToolsTest, WhilePlayingThereAreNoHandles) {
+  show(false);
+  click(b_);
+  EXPECT_EQ(selected_, Names{"B"});
+  drag(b_, b_ + QPoint(40, 0));
+  drag(QPoint(455, 200), QPoint(500, 200));  // the grip of a body at rest
+  QTest::keyClick(&view_, Qt::Key_Delete);
+  EXPECT_TRUE(told_.empty());
+}
+
+TEST_F(SceneToolsTest, PlayingEndsADrag) {
+  press(b_);
+  move(b_ + QPoint(40, 0));
+  show(false);
+  move(b_ + QPoint(60, 0));
+  EXPECT_EQ(told_.size(), 1U);
+  release(b_ + QPoint(60, 0));
+  EXPECT_TRUE(cancelled_.empty());
+}
+
+TEST_F(SceneToolsTest, SavedPicturesShowNoSelection) {
+  const QImage before = view_.picture();
+  const QImage seen = view_.grab().toImage();
+  view_.select({"A"});
+  EXPECT_EQ(view_.picture(), before);
+  EXPECT_NE(view_.grab().toImage(), seen);
+}
+
+TEST_F(SceneToolsTest, KeysOfARowShareANumber) {
+  view_.select({"B"});
+  QTest::keyClick(&view_, Qt::Key_Right);
+  QTest::keyClick(&view_, Qt::Key_Right);  // before a frame shows the first
+  ASSERT_EQ(told_.size(), 2U);
+  EXPECT_TRUE(replaced(told_[1].edits[0]).position.isApprox(Vec2(3.4, 1.0), 1e-12));
+  EXPECT_EQ(told_[1].drag, told_[0].drag);
+  QTest::keyClick(&view_, Qt::Key_Up, Qt::ControlModifier);
+  EXPECT_NE(told_[2].drag, told_[0].drag);
+  EXPECT_EQ(told_[2].name, "Speed of B 0.00 → 0.10 m/s");
+  QTest::qWait(1050);
+  QTest::keyClick(&view_, Qt::Key_Up, Qt::ControlModifier);
+  EXPECT_NE(told_[3].drag, told_[2].drag);
+}
+
+TEST_F(SceneToolsTest, ArrowsPanWithoutASelection) {
+  const double before = view_.camera().center.x();
+  QTest::keyClick(&view_, Qt::Key_Right);
+  EXPECT_GT(view_.camera().center.x(), before);
+  EXPECT_TRUE(told_.empty());
+}
+
+TEST_F(SceneToolsTest, DeleteTellsARemoval) {
+  view_.select({"A"});
+  QTest::keyClick(&view_, Qt::Key_Delete);
+  ASSERT_EQ(told_.size(), 1U);
+  EXPECT_EQ(std::get<Remove<Body>>(told_[0].edits[0]).id, scene_.bodies[1].id);
+  EXPECT_EQ(told_[0].name, "Delete A");
+}
+
+TEST_F(SceneToolsTest, KeysSelect) {
+  QTest::keyClick(&view_, Qt::Key_A, Qt::ControlModifier);
+  EXPECT_EQ(selected_, (Names{"A", "B"}));
+  view_.select({});
+  view_.setFocus();
+  for (const char* name : {"floor", "A", "B"}) {
+    QTest::keyClick(&view_, Qt::Key_Tab);
+    EXPECT_EQ(selected_, Names{name});
+  }
+  QTest::keyClick(&view_, Qt::Key_Backtab, Qt::ShiftModifier);
+  EXPECT_EQ(selected_, Names{"A"});
+}
+
+TEST_F(SceneToolsTest, TheDiscToolAsksForADiscOnce) {
+  std::vector<SceneTool> tools;
+  QObject::connect(&view_, &SceneView::toolChanged, [&](SceneTool tool) { tools.push_back(tool); });
+  view_.set_tool(SceneTool::kDisc);
+  EXPECT_EQ(view_.cursor().shape(), Qt::CrossCursor);
+  click(QPoint(350, 100));
+  ASSERT_EQ(spawned_.size(), 1U);
+  EXPECT_TRUE(spawned_[0].isApprox(Vec2(2.5, 2.0), 1e-12));
+  click(QPoint(350, 100));
+  EXPECT_EQ(spawned_.size(), 1U);
+  EXPECT_EQ(tools, (std::vector<SceneTool>{SceneTool::kDisc, SceneTool::kSelect}));
+  // Kept, also while playing; the second click of a double click makes none.
+  view_.set_tool(SceneTool::kDisc, true);
+  show(false);
+  click(QPoint(350, 100));
+  QTest::mouseDClick(&view_, Qt::LeftButton, {}, QPoint(350, 100));
+  release(QPoint(350, 100));
+  EXPECT_EQ(spawned_.size(), 2U);
+  QTest::keyClick(&view_, Qt::Key_Escape);
+  EXPECT_EQ(view_.tool(), SceneTool::kSelect);
+}
+
+TEST_F(SceneToolsTest, TheDiscToolDrawsADisc) {
+  view_.set_tool(SceneTool::kDisc);
+  drag(QPoint(300, 100), QPoint(330, 100));
+  ASSERT_EQ(told_.size(), 1U);
+  const Body& disc = std::get<Add<Body>>(told_[0].edits[0]).part;
+  EXPECT_NEAR(std::get<Disc>(disc.shape).radius, 0.3, 1e-12);
+  EXPECT_TRUE(disc.position.isApprox(Vec2(2.0, 2.0), 1e-12));
+  EXPECT_EQ(told_[0].name, "Add disc new-1");
+  EXPECT_EQ(view_.tool(), SceneTool::kSelect);
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,51 @@
+#include "widgets/edit/field_rows.h"
+
+#include <array>
+#include <string_view>
+
+namespace carom {
+namespace {
+
+struct LabelOf {
+  std::string_view key;
+  const char* label;  // UTF-8
+};
+
+// Where people say more, or less, than the key.
+constexpr auto kLabels = std::to_array<LabelOf>({
+    {"restitution", "Restitution e"},
+    {"tangential_restitution", "Tangential restitution"},
+    {"kinetic_friction", "Kinetic friction µ"},
+    {"static_friction", "Static friction µs"},
+    {"rolling_resistance", "Rolling resistance"},
+    {"shape/radius", "Radius"},
+    {"shape/width", "Width"},
+    {"shape/height", "Height"},
+    {"shape/length", "Length"},
+    {"shape/rounding", "Rounding"},
+    {"drive/velocity", "Drive velocity"},
+    {"drive/amplitude", "Amplitude"},
+    {"drive/angular_frequency", "Angular frequency ω"},
+    {"drive/phase", "Phase φ"},
+});
+
+QString label_of(const FieldPlace& place) {
+  QString label;
+  for (const LabelOf& known : kLabels) {
+    if (known.key == place.key) label = QString::fromUtf8(known.label);
+  }
+  if (label.isEmpty()) {
+    label = QString::fromStdString(place.key).replace('_', ' ').replace('/', ' ');
+    label[0] = label[0].toUpper();
+  }
+  if (place.part >= 0) label += place.part == 0 ? " x" : " y";
+  return label;
+}
+
+}  // namespace
+
+FieldRow field_row(const FieldPlace& place, const char* meaning, const Range& range, const FieldValue& value) {
+  return {place, label_of(place), QString::fromUtf8(meaning), range, value};
+}
+
+}  // namespace carom

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QStringList>
+#include <functional>
+#include <vector>
+
+#include "physics/scene/edit.h"
+#include "physics/scene/limits.h"
+#include "physics/scene/scene.h"
+
+// What the inspector shows of a scene, and which edits its fields make; no widgets.
+namespace carom {
+
+// A value that can be typed. Of several bodies it has one for each.
+struct Inspected {
+  QString label;    // of its own in its row: "x"; empty: the row's label is its
+  QString name;     // in sentences: "Position x", "e"
+  QString subject;  // whose it is, if the selection doesn't say so: "wood"
+  QString meaning;  // for tooltips
+  Range range;
+  std::vector<double> values;  // SI
+  // The edits that give the parts these values, in the same order.
+  std::function<SceneEdits(const std::vector<double>&)> edits;
+  // What an edit from the first to the second values is called in the undo stack.
+  std::function<QString(const std::vector<double>&, const std::vector<double>&)> undo_name;
+};
+
+// One line: a label and one value, or the two components of a vector.
+struct InspectedRow {
+  QString section;
+  QString label;
+  std::vector<Inspected> values;
+};
+
+// The bodies of these names, in the scene's order; those of generators last.
+[[nodiscard]] std::vector<Body> bodies_named(const Scene& scene, const std::vector<std::string>& names);
+
+// The values that all of these bodies have.
+[[nodiscard]] std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& bodies);
+
+// How the surface of these bodies behaves, if they share one.
+[[nodiscard]] std::vector<InspectedRow> inspected_surface(const Scene& scene, const std::vector<Body>& bodies);
+
+// Gravity, drag and the surfaces.
+[[nodiscard]] std::vector<InspectedRow> inspected_scene(const Scene& scene);
+
+// "light", or "3 bodies".
+[[nodiscard]] QString subject_of(const std::vector<Body>& bodies);
+
+// The edits that change these bodies.
+[[nodiscard]] SceneEdits edits_of(std::vector<Body> bodies, const std::function<void(Body&)>& change);
+
+// Gives a body another name, also where links, springs and forces name it.
+[[nodiscard]] SceneEdits renaming(const Scene& scene, const Body& body, const std::string& name);
+
+// "p 2.00 kg m/s", "K 2.00 J": the momentum and kinetic energy of the bodies that move, their mass if they are
+// several. Empty if none moves.
+[[nodiscard]] QStringList derived_texts(const std::vector<Body>& bodies);
+
+}  // namespace carom

@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <unordered_set>
+
+#include "widgets/base/number_text.h"
+#include "widgets/edit/field_rows.h"
+#include "widgets/edit/inspected.h"
+#include "widgets/edit/units.h"
+
+namespace carom {
+namespace {
+
+using Bodies = std::shared_ptr<const std::vector<Body>>;
+
+// The lines of bodies, in order.
+struct BodyLine {
+  const char* section;
+  const char* label;
+  const char* key;            // as in fields.h
+  bool vector = false;        // two components in one line
+  const char* act = nullptr;  // the verb of an undo name without values, "Move light"
+};
+constexpr auto kBodyLines = std::to_array<BodyLine>({
+    {"Mass and size", "Mass", "mass"},
+    {"Mass and size", "Density", "density"},
+    {"Mass and size", "Radius", "shape/radius"},
+    {"Mass and size", "Width", "shape/width"},
+    {"Mass and size", "Height", "shape/height"},
+    {"Mass and size", "Length", "shape/length"},
+    {"Mass and size", "Rounding", "shape/rounding"},
+    {"Place", "Position", "position", true, "Move"},
+    {"Place", "Angle", "angle", false, "Turn"},
+    {"Motion", "Speed", "velocity", true},
+    {"Motion", "Spin", "spin"},
+    {"Drive", "Velocity", "drive/velocity", true},
+    {"Drive", "Amplitude", "drive/amplitude", true},
+    {"Drive", "ω", "drive/angular_frequency"},
+    {"Drive", "Phase", "drive/phase"},
+});
+
+// The density that a body has, whichever of mass and density it states; none without an area.
+std::optional<double> density_of(const Body& body) {
+  const double size = area(body.shape);
+  if (size <= 0.0 || std::isinf(size)) return std::nullopt;
+  return mass_of(body) / size;
+}
+
+// The value of a member as people know it: mass and density are both shown, whichever the body states.
+std::optional<double> value_at(const Body& body, const FieldRow& row) {
+  const bool mass = row.place.key == "mass";
+  if (mass || row.place.key == "density") {
+    if (has_infinite_mass(body)) return std::nullopt;
+    return mass ? mass_of(body) : density_of(body);
+  }
+  const auto* number = std::get_if<double>(&row.value);
+  return number == nullptr ? std::nullopt : std::optional(*number);
+}
+
+Body with_value(Body body, const FieldPlace& place, double value) {
+  if (place.key == "mass") body.density.reset();
+  if (place.key == "density") body.mass.reset();
+  return with_field(std::move(body), place, value);
+}
+
+QString undo_name_of(const BodyLine& line, const QString& name, const Bodies& bodies,
+                     const std::vector<double>& before, const std::vector<double>& after, const Range& range) {
+  const QString subject = subject_of(*bodies);
+  if (line.act != nullptr) return QString::fromUtf8(line.act) + " " + subject;
+  const QString text = name + " of " + subject;
+  return before.size() == 1 ? text + " " + change_text(before[0], after[0], range.unit) : text;
+}
+
+// The value of all bodies at the place; nothing if one has none.
+std::optional<Inspected> inspected_at(const BodyLine& line, const FieldPlace& place, const Bodies& bodies,
+                                      const std::vector<std::vector<FieldRow>>& rows) {
+  Inspected shown;
+  for (std::size_t i = 0; i < bodies->size(); ++i) {
+    const auto row =
+        std::find_if(rows[i].begin(), rows[i].end(), [&](const FieldRow& r) { return r.place == place; });
+    const std::optional<double> value = row == rows[i].end() ? std::nullopt : value_at((*bodies)[i], *row);
+    if (!value) return std::nullopt;
+    shown.values.push_back(*value);
+    shown.meaning = row->meaning;
+    shown.range = row->range;
+  }
+  const QString component = place.part < 0 ? "" : place.part == 0 ? "x" : "y";
+  shown.label = component;
+  shown.name = QString::fromUtf8(line.label) + (component.isEmpty() ? "" : " ") + component;
+  shown.edits = [bodies, place](const std::vector<double>& values) {
+    SceneEdits edits;
+    for (std::size_t i = 0; i < bodies->size(); ++i)
+      edits.emplace_back(Replace<Body>{with_value((*bodies)[i], place, values[i])});
+    return edits;
+  };
+  shown.undo_name = [line, bodies, name = shown.name, range = shown.range](const std::vector<double>& before,
+                                                                           const std::vector<double>& after) {
+    return undo_name_of(line, name, bodies, before, after, range);
+  };
+  return shown;
+}
+
+// "p 2.00 kg m/s", in one line.
+QString fact(const char* symbol, double value, const char* unit) {
+  return QString("%1 %2 %3").arg(symbol, figure(value, 3), QString::fromUtf8(unit)).replace(' ', QChar::Nbsp);
+}
+
+}  // namespace
+
+std::vector<Body> bodies_named(const Scene& scene, const std::vector<std::string>& names) {
+  const std::unordered_set<std::string> wanted(names.begin(), names.end());
+  std::vector<Body> bodies;
+  const auto take = [&](const std::vector<Body>& list) {
+    std::copy_if(list.begin(), list.end(), std::back_inserter(bodies),
+                 [&](const Body& b) { return wanted.contains(b.name); });
+  };
+  take(scene.bodies);
+  if (bodies.size() < wanted.size() && !scene.generators.empty()) {
+    bodies.clear();
+    take(all_bodies(scene));
+  }
+  return bodies;
+}
+
+QString subject_of(const std::vector<Body>& bodies) {
+  if (bodies.size() == 1) return QString::fromStdString(bodies[0].name);
+  return QString("%1 bodies").arg(bodies.size());
+}
+
+std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& list) {
+  const auto bodies = std::make_shared<const std::vector<Body>>(list);
+  std::vector<std::vector<FieldRow>> rows;
+  rows.reserve(list.size());
+  for (const Body& body : list) rows.push_back(field_rows(body));
+  std::vector<InspectedRow> shown;
+  if (list.empty()) return shown;
+  for (const BodyLine& line : kBodyLines) {
+    InspectedRow row{QString::fromUtf8(line.section), QString::fromUtf8(line.label), {}};
+    const std::vector<int> parts = line.vector ? std::vector{0, 1} : std::vector{-1};
+    for (const int part : parts) {
+      if (auto value = inspected_at(line, {line.key, part}, bodies, rows)) row.values.push_back(*value);
+    }
+    if (!row.values.empty()) shown.push_back(std::move(row));
+  }
+  return shown;
+}
+
+SceneEdits edits_of(std::vector<Body> bodies, const std::function<void(Body&)>& change) {
+  SceneEdits edits;
+  for (Body& body : bodies) {
+    change(body);
+    edits.emplace_back(Replace<Body>{std::move(body)});
+  }
+  return edits;
+}
+
+SceneEdits renaming(const Scene& scene, const Body& body, const std::string& name) {
+  SceneEdits edits = edits_of({body}, [&](Body& b) { b.name = name; });
+  const auto follow = [&](auto part, auto... ends) {
+    bool named = false;
+    for (const auto end : {ends...}) {
+      if (part.*end != body.name) continue;
+      part.*end = name;
+      named = true;
+    }
+    if (named) edits.emplace_back(Replace<decltype(part)>{part});
+  };
+  for (const Joint& joint : scene.joints) follow(joint, &Joint::body, &Joint::to);
+  for (const Spring& spring : scene.forces.springs) follow(spring, &Spring::body, &Spring::to);
+  for (const AppliedForce& force : scene.forces.applied) follow(force, &AppliedForce::body);
+  return edits;
+}
+
+QStringList derived_texts(const std::vector<Body>& bodies) {
+  int moving = 0;
+  double mass = 0.0;
+  double energy = 0.0;
+  Vec2 momentum = Vec2::Zero();
+  for (const Body& body : bodies) {
+    if (has_infinite_mass(body)) continue;
+    const double m = mass_of(body);
+    ++moving;
+    mass += m;
+    momentum += m * body.velocity;
+    energy += 0.5 * m * body.velocity.squaredNorm() + 0.5 * inertia_of(body) * body.spin * body.spin;
+  }
+  if (moving == 0) return {};
+  QStringList texts;
+  if (bodies.size() > 1) texts << fact("m", mass, "kg");
+  texts << fact("p", momentum.norm(), "kg m/s") << fact("K", energy, "J");
+  if (bodies.size() == 1) texts << fact("I", inertia_of(bodies[0]), "kg m²");
+  return texts;
+}
+
+}  // namespace carom

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "physics/scene/edit.h"
+#include "physics/scene/scene.h"
+#include "widgets/edit/inspected.h"
+
+class QLabel;
+class QVBoxLayout;
+
+namespace carom {
+
+class BodyHead;
+class ValueRow;
+
+// The properties of the selected bodies, or of the scene if none is selected, as fields. It changes nothing
+// itself: each accepted value is an edit that it hands out.
+class Inspector : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Inspector(QWidget* parent = nullptr);
+
+  // The scene as it stands, and the names of the selected bodies. Null: a run plays, nothing can be typed and
+  // what is shown stays. A field in which the user types is left alone as long as the selection is the same.
+  void show_selection(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names);
+  // Says at the bottom, until the next accepted edit, why the last one could not be; the fields then show the
+  // scene again. Empty: nothing to say.
+  void say(const QString& sentence);
+
+ signals:
+  // Edits to be made together, and their name in the undo stack. Those with the same number `drag` > 0 follow
+  // one another in one drag of a label, or in one burst of arrow keys, and are one step of undo; 0: an edit by
+  // itself.
+  void edited(const carom::SceneEdits& edits, const QString& name, int drag);
+
+ private:
+  void show_rows();
+  void build_rows();
+  void show_title();
+  // By its accessible name; empty: no field of the rows has the focus.
+  [[nodiscard]] QString focused_field() const;
+  void focus_field(const QString& name);
+  void set_frozen(bool frozen);  // while a run plays
+  void restore();
+  void accept(int row, int field, const std::vector<double>& values, bool in_burst);
+
+  std::shared_ptr<const Scene> scene_;
+  std::vector<std::string> names_;
+  std::vector<Body> bodies_;
+  std::vector<InspectedRow> rows_;
+  QStringList layout_;  // which rows are built
+  std::vector<ValueRow*> row_widgets_;
+  int burst_ = 0;
+  std::vector<double> before_burst_;
+
+  QWidget* content_;
+  QVBoxLayout* column_;
+  QLabel* title_;
+  QLabel* kind_;
+  BodyHead* head_;
+  QWidget* list_ = nullptr;  // of the rows
+  QLabel* derived_;
+  QLabel* hint_;
+  QLabel* sentence_;
+};
+
+}  // namespace carom

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <string_view>
+
+#include "physics/scene/limits.h"
+
+namespace carom {
+
+// What a typed text does to the value that was there, in SI units.
+struct ValueChange {
+  enum class Kind { kSet, kAdd, kMultiply, kDivide };
+  Kind kind = Kind::kSet;
+  double number = 0.0;
+
+  [[nodiscard]] double of(double old) const;
+};
+
+// A text that was read: the change, or one sentence for people on why there is none.
+struct TypedQuantity {
+  std::optional<ValueChange> change;
+  QString fault;
+};
+
+// Reads what people type into a field whose SI unit is `si`: a number with . or , ("2,5"), perhaps with a unit
+// ("30 cm", "45°", "90 km/h"), or a formula ("sqrt(2*g*0.8)") with the names g = 9.81, pi and e. A number
+// without a unit is in the unit that the field shows (see units_of). With *, / or + in front ("*2", "+10 cm")
+// it changes the old value; with - it is a negative number. The same in every locale; throws nothing.
+[[nodiscard]] TypedQuantity typed_quantity(const QString& text, std::string_view si);
+
+// One sentence that says what is allowed of `label`, for a value that the range does not contain: "e lies
+// between 0 and 1."
+[[nodiscard]] QString range_sentence(const QString& label, double value, const Range& range);
+
+}  // namespace carom

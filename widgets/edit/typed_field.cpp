@@ -1,0 +1,88 @@
+#include "widgets/edit/typed_field.h"
+
+#include <QKeyEvent>
+#include <QStyle>
+
+namespace carom {
+
+TypedField::TypedField(QWidget* parent) : QLineEdit(parent) {
+  connect(this, &QLineEdit::textEdited, this, [this] { set_fault({}); });
+}
+
+void TypedField::show_text(const QString& text) {
+  if (shown_ == text && (is_typing() || this->text() == text)) return;
+  shown_ = text;
+  if (is_typing()) return;
+  setText(text);
+  setCursorPosition(0);
+}
+
+void TypedField::restore() {
+  set_fault({});
+  setText(shown_);
+  setModified(false);
+}
+
+bool TypedField::accept_typed() {
+  if (!is_typing()) return true;
+  if (text().trimmed() == shown_) {
+    restore();
+    return true;
+  }
+  // Taken before the receiver shows the scene with the edit.
+  setModified(false);
+  const QString fault = take(text());
+  if (!fault.isEmpty()) setModified(true);
+  set_fault(fault);
+  return fault.isEmpty();
+}
+
+void TypedField::set_fault(const QString& sentence) {
+  if (fault_ == sentence) return;
+  fault_ = sentence;
+  setProperty("fault", !sentence.isEmpty());
+  style()->unpolish(this);
+  style()->polish(this);
+  emit refused(sentence);
+}
+
+bool TypedField::event(QEvent* event) {
+  if (event->type() != QEvent::ShortcutOverride) return QLineEdit::event(event);
+  const auto* key = static_cast<QKeyEvent*>(event);
+  // Esc and Enter are the field's while it is typed in, and so is undo; else they are the window's.
+  const bool ends = key->key() == Qt::Key_Escape || key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
+  if (is_typing() && ends) {
+    event->accept();
+    return true;
+  }
+  if (!is_typing() && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
+    event->ignore();
+    return false;
+  }
+  return QLineEdit::event(event);
+}
+
+void TypedField::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && is_typing()) {
+    restore();
+    selectAll();
+  } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    if (accept_typed()) selectAll();
+  } else {
+    QLineEdit::keyPressEvent(event);
+  }
+}
+
+void TypedField::focusOutEvent(QFocusEvent* event) {
+  QLineEdit::focusOutEvent(event);
+  // Another window, or a menu of the field, doesn't end typing.
+  if (event->reason() == Qt::PopupFocusReason || event->reason() == Qt::ActiveWindowFocusReason) return;
+  if (!accept_typed()) {
+    const QString sentence = fault_;
+    restore();
+    emit dropped(sentence);
+  }
+  setCursorPosition(0);  // a long number shows its beginning
+}
+
+}  // namespace carom

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QLineEdit>
+
+namespace carom {
+
+// A line of text that takes what is typed at Enter and when it loses the focus. What can't be taken marks the
+// field (property "fault", which the style sheet shows) until it is changed; Esc, or leaving the field, brings
+// the last good text back.
+class TypedField : public QLineEdit {
+  Q_OBJECT
+
+ public:
+  explicit TypedField(QWidget* parent = nullptr);
+
+  // Shows this unless the user is typing.
+  void show_text(const QString& text);
+  [[nodiscard]] bool is_typing() const { return isModified(); }
+  // Forgets what was typed.
+  void restore();
+
+ signals:
+  // Why the text can't be taken, in one sentence; empty: nothing is wrong any more.
+  void refused(const QString& sentence);
+  // The field was left with a text that can't be taken.
+  void dropped(const QString& sentence);
+
+ protected:
+  // Takes the text, which differs from the one shown last, or returns one sentence on why it can't.
+  virtual QString take(const QString& text) = 0;
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+  // Takes what was typed, if anything; false if it can't be taken.
+  bool accept_typed();
+
+ private:
+  void set_fault(const QString& sentence);
+
+  QString shown_;
+  QString fault_;
+};
+
+}  // namespace carom

@@ -1,0 +1,199 @@
+#include "widgets/scene/drag.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <variant>
+
+#include "widgets/scene/edit_names.h"
+#include "widgets/scene/snap.h"
+
+namespace carom {
+namespace {
+
+constexpr double kSpeedStep = 0.1;       // m/s
+constexpr double kDirectionStep = 15.0;  // degrees
+constexpr double kTurnStep = 5.0;        // degrees
+constexpr double kLargeTurnStep = 45.0;
+constexpr double kLengthStep = 0.01;  // m
+constexpr double kAtRest = 12.0;      // px from the centre: a velocity drawn from inside the body becomes 0
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+bool free(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
+bool shift(const DragPoint& point) { return point.keys.testFlag(Qt::ShiftModifier); }
+
+// Unit vector, without the rounding of cos and sin at right angles.
+Vec2 towards(double degrees) {
+  const auto tidy = [](double c) { return std::abs(c) < 1e-15 ? 0.0 : c; };
+  return {tidy(std::cos(radians(degrees))), tidy(std::sin(radians(degrees)))};
+}
+
+Dragged move(const DragStart& start, const DragPoint& point) {
+  Body grabbed = start.bodies[0];
+  Vec2 delta = point.at - start.press;
+  std::optional<Vec2> axis;
+  if (shift(point)) {
+    axis = std::abs(delta.x()) >= std::abs(delta.y()) ? Vec2(Vec2::UnitX()) : Vec2(Vec2::UnitY());
+    delta = axis->dot(delta) * *axis;
+  }
+  grabbed.position += delta;
+  Dragged out;
+  if (!free(point)) {
+    const double reach = kSnapReach / point.scale;
+    if (const auto touch = touching_place(grabbed, start.others, reach, axis)) {
+      grabbed.position = touch->position;
+      out.detail = "touches " + QString::fromStdString(touch->with);
+    } else if (start.grid > 0.0) {
+      for (const int k : {0, 1}) {
+        const double line = snapped(grabbed.position[k], start.grid);
+        const bool held = axis && (*axis)[k] == 0.0;
+        if (!held && std::abs(line - grabbed.position[k]) <= reach) grabbed.position[k] = line;
+      }
+    }
+  }
+  const Vec2 moved = grabbed.position - start.bodies[0].position;
+  out.bodies = start.bodies;
+  for (Body& body : out.bodies) body.position += moved;
+  out.bodies[0].position = grabbed.position;
+  out.value = place_text(grabbed.position, point.scale);
+  out.name = "Move " + name_of_bodies(start.bodies);
+  return out;
+}
+
+// Whether the mouse went back into the body, which stops it. Long arrows can end inside a large body: then only
+// its middle counts.
+bool into_body(const DragStart& start, const DragPoint& point) {
+  const Body& body = start.bodies[0];
+  const Outline outline = outline_of(body.shape);
+  const auto inside = [&](const Vec2& at) {
+    return signed_distance(outline, Eigen::Rotation2Dd(-body.angle) * (at - body.position)) <= 0.0;
+  };
+  if (inside(start.press)) return (point.at - body.position).norm() * point.scale <= kAtRest;
+  return inside(point.at);
+}
+
+Dragged pull_velocity(const DragStart& start, const DragPoint& point) {
+  const Vec2 before = start.bodies[0].velocity;
+  const double step = step_for_mouse(kSpeedStep, start.arrow_seconds * point.scale);
+  Vec2 v = before + (point.at - start.press) / start.arrow_seconds;
+  if (into_body(start, point)) {
+    v.setZero();
+  } else if (shift(point)) {
+    const Vec2 along = before.norm() > 0.0 ? Vec2(before.normalized()) : Vec2(Vec2::UnitX());
+    const double speed = std::max(0.0, along.dot(v));
+    v = (free(point) ? speed : snapped(speed, step)) * along;
+  } else if (!free(point)) {
+    v = snapped(v.norm(), step) * towards(snapped(direction(v), kDirectionStep));
+  }
+  Dragged out;
+  out.bodies = start.bodies;
+  for (Body& body : out.bodies) body.velocity += v - before;
+  out.bodies[0].velocity = v;
+  const int decimals = decimals_of(step) + (free(point) ? 1 : 0);
+  out.value = velocity_text(v, decimals, free(point) ? 1 : 0);
+  out.detail =
+      QStringLiteral("v = (%1, %2) m/s").arg(fixed_text(v.x(), decimals + 1), fixed_text(v.y(), decimals + 1));
+  out.name = name_of_velocity(start.bodies, out.bodies);
+  return out;
+}
+
+Dragged turn(const DragStart& start, const DragPoint& point) {
+  const Body& body = start.bodies[0];
+  const Vec2 from = start.press - body.position;
+  const Vec2 to = point.at - body.position;
+  double angle = body.angle + radians(degrees(std::atan2(to.y(), to.x()) - std::atan2(from.y(), from.x())));
+  if (!free(point)) {
+    angle = radians(snapped(angle * 180.0 / std::numbers::pi, shift(point) ? kLargeTurnStep : kTurnStep));
+  }
+  Dragged out;
+  out.bodies = start.bodies;
+  out.bodies[0].angle = angle;
+  out.value = angle_text(angle, free(point) ? 1 : 0);
+  out.name = "Turn " + name_of_bodies(start.bodies);
+  return out;
+}
+
+// The handles of a disc are corners of a square, farther from its centre than its rim.
+Dragged resize_disc(const DragStart& start, const DragPoint& point, const Disc& disc) {
+  const Body& body = start.bodies[0];
+  const double outwards =
+      ((point.at - body.position).norm() - (start.press - body.position).norm()) / std::numbers::sqrt2;
+  const double radius = drawn_length(disc.radius + outwards, point);
+  Dragged out;
+  out.bodies = {resized(body, Disc{radius})};
+  out.value = "r " + drawn_text(radius, point);
+  return out;
+}
+
+Dragged resize_box(const DragStart& start, const DragPoint& point, const Box& box) {
+  const Body& body = start.bodies[0];
+  const Vec2 side = side_of(start.kind);
+  const int along = side.x() != 0.0 ? 0 : 1;
+  const Vec2 out_of = Eigen::Rotation2Dd(body.angle) * side;
+  Vec2 size(box.width, box.height);
+  const double before = size[along];
+  size[along] = drawn_length(before + out_of.dot(point.at - start.press), point);
+  if (shift(point)) size[1 - along] *= size[along] / before;
+  Dragged out;
+  out.bodies = {resized(body, Box{size.x(), size.y()})};
+  out.bodies[0].position += 0.5 * (size[along] - before) * out_of;  // the far side stays
+  out.value = drawn_text(size.x(), point) + " × " + drawn_text(size.y(), point);
+  return out;
+}
+
+Dragged resize(const DragStart& start, const DragPoint& point) {
+  Dragged out;
+  const Body& body = start.bodies[0];
+  if (const auto* disc = std::get_if<Disc>(&body.shape)) {
+    out = resize_disc(start, point, *disc);
+  } else if (const auto* box = std::get_if<Box>(&body.shape)) {
+    out = resize_box(start, point, *box);
+  } else {
+    out.bodies = start.bodies;
+  }
+  if (!has_infinite_mass(body)) out.detail = QStringLiteral("m = %1 kg").arg(mass_of(out.bodies[0]), 0, 'g', 3);
+  out.name = "Resize " + name_of_bodies(start.bodies);
+  return out;
+}
+
+}  // namespace
+
+Dragged drag_to(const DragStart& start, const DragPoint& point) {
+  switch (start.kind) {
+    case HandleKind::kBody:
+      return move(start, point);
+    case HandleKind::kVelocity:
+      return pull_velocity(start, point);
+    case HandleKind::kTurn:
+      return turn(start, point);
+    default:
+      return resize(start, point);
+  }
+}
+
+Body resized(const Body& body, const Shape& shape) {
+  Body out = body;
+  out.shape = shape;
+  const double grown = area(shape) / area(body.shape);
+  if (!std::isfinite(grown) || grown == 0.0) return out;
+  if (out.mass) *out.mass *= grown;
+  if (out.inertia) *out.inertia *= grown * inertia_per_mass(shape) / inertia_per_mass(body.shape);
+  return out;
+}
+
+double drawn_length(double length, const DragPoint& point) {
+  if (free(point)) return std::max(length, 1.0 / point.scale);
+  const double step = step_for_mouse(kLengthStep, point.scale);
+  return std::max(snapped(length, step), step);
+}
+
+QString drawn_text(double length, const DragPoint& point) {
+  const double step = step_for_mouse(kLengthStep, point.scale) / (free(point) ? 10.0 : 1.0);
+  if (length >= 1.0) return fixed_text(length, decimals_of(step)) + " m";
+  return fixed_text(100.0 * length, decimals_of(100.0 * step)) + " cm";
+}
+
+}  // namespace carom

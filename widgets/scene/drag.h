@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QString>
+#include <Qt>
+#include <vector>
+
+#include "physics/scene/scene.h"
+#include "widgets/scene/handles.h"
+
+namespace carom {
+
+// What a drag began with. All of its values come from here, however the scene changes meanwhile.
+struct DragStart {
+  HandleKind kind = HandleKind::kBody;
+  std::vector<Body> bodies;    // those that change, the grabbed one first
+  std::vector<Body> others;    // that a moved body can come to touch
+  Vec2 press = Vec2::Zero();   // m
+  double arrow_seconds = 0.1;  // m of arrow per m/s
+  double grid = 0.0;           // m, spacing; 0: none to snap to
+};
+
+// Where the mouse is now.
+struct DragPoint {
+  Vec2 at = Vec2::Zero();        // m
+  double scale = 100.0;          // px/m
+  Qt::KeyboardModifiers keys{};  // Shift keeps a direction or the proportions, Ctrl switches snapping off
+};
+
+struct Dragged {
+  std::vector<Body> bodies;  // in the order of the start
+  QString value;             // with its unit, for the bubble
+  QString detail;            // may be empty
+  QString name;              // of the edit
+};
+
+[[nodiscard]] Dragged drag_to(const DragStart& start, const DragPoint& point);
+
+// The body with another shape of the same density: a stated mass, and inertia, follow.
+[[nodiscard]] Body resized(const Body& body, const Shape& shape);
+// m: a length that the mouse drew, in round steps unless Ctrl is down; never 0.
+[[nodiscard]] double drawn_length(double length, const DragPoint& point);
+// "12 cm": a length in the decimal places that the mouse can aim at.
+[[nodiscard]] QString drawn_text(double length, const DragPoint& point);
+
+}  // namespace carom

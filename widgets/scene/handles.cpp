@@ -1,0 +1,111 @@
+#include "widgets/scene/handles.h"
+
+#include <Eigen/Geometry>
+#include <QLineF>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+namespace carom {
+namespace {
+
+constexpr double kGap = 8.0;         // px from the outline to a handle of the size
+constexpr double kStem = 24.0;       // px from there to the knob
+constexpr double kStub = 30.0;       // px from the outline to the grip of a short velocity
+constexpr double kSteepArrow = 0.8;  // sine of the direction from which on an arrow would cross the knob's stem
+
+// px on the screen, y down.
+QPointF on_screen(const Vec2& v) { return {v.x(), -v.y()}; }
+
+void add_velocity(const Body& body, std::size_t index, const Camera& camera, double seconds,
+                  std::vector<Handle>& handles) {
+  const QPointF centre = camera.to_screen(body.position);
+  const double length = body.velocity.norm() * seconds * camera.scale;
+  const Vec2 along = body.velocity.norm() > 0.0 ? Vec2(body.velocity.normalized()) : Vec2(Vec2::UnitX());
+  if (length >= kLeastHandleDistance) {
+    handles.push_back({HandleKind::kVelocity, index, centre + length * on_screen(along), std::nullopt});
+    return;
+  }
+  const auto inside = chord(outline_of(body.shape), Vec2::Zero(), Eigen::Rotation2Dd(-body.angle) * along);
+  const double rim = inside ? inside->second * camera.scale : 0.0;
+  handles.push_back({HandleKind::kVelocity, index, centre + (rim + kStub) * on_screen(along),
+                     centre + std::max(rim, length) * on_screen(along)});
+}
+
+void add_knob(const Body& body, const Camera& camera, bool arrow, std::vector<Handle>& handles) {
+  const QPointF centre = camera.to_screen(body.position);
+  const Vec2 half = half_extent(body.shape, body.angle) * camera.scale;
+  const double reach = half.allFinite() ? half.y() : 0.0;
+  // Below where an arrow points up, or the view ends.
+  const bool arrow_up = arrow && body.velocity.y() > kSteepArrow * body.velocity.norm();
+  const bool below = arrow_up || centre.y() - reach - kGap - kStem < kHandleReach;
+  const QPointF side(0.0, below ? 1.0 : -1.0);
+  handles.push_back({HandleKind::kTurn, 0, centre + (reach + kGap + kStem) * side, centre + reach * side});
+}
+
+void add_sizes(const Body& body, const Camera& camera, std::vector<Handle>& handles) {
+  const QPointF centre = camera.to_screen(body.position);
+  if (const auto* disc = std::get_if<Disc>(&body.shape)) {
+    const double half =
+        std::max(disc->radius * camera.scale + kGap, kLeastHandleDistance / std::numbers::sqrt2);
+    for (const QPointF corner : {QPointF(1, -1), QPointF(-1, -1), QPointF(-1, 1), QPointF(1, 1)}) {
+      handles.push_back({HandleKind::kRadius, 0, centre + half * corner, std::nullopt});
+    }
+  } else if (const auto* box = std::get_if<Box>(&body.shape)) {
+    const Vec2 half = 0.5 * camera.scale * Vec2(box->width, box->height);
+    for (const HandleKind kind :
+         {HandleKind::kRight, HandleKind::kTop, HandleKind::kLeft, HandleKind::kBottom}) {
+      const Vec2 side = side_of(kind);
+      const double distance = std::max(side.cwiseAbs().dot(half) + kGap, kLeastHandleDistance);
+      const Vec2 out = Eigen::Rotation2Dd(body.angle) * side;
+      handles.push_back({kind, 0, centre + distance * on_screen(out), std::nullopt});
+    }
+  }
+}
+
+}  // namespace
+
+Vec2 side_of(HandleKind kind) {
+  switch (kind) {
+    case HandleKind::kRight:
+      return Vec2::UnitX();
+    case HandleKind::kTop:
+      return Vec2::UnitY();
+    case HandleKind::kLeft:
+      return -Vec2::UnitX();
+    case HandleKind::kBottom:
+      return -Vec2::UnitY();
+    default:
+      return Vec2::Zero();
+  }
+}
+
+std::vector<Handle> handles_of(std::span<const Body> bodies, const Camera& camera,
+                               std::optional<double> arrow_seconds) {
+  std::vector<Handle> handles;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (arrow_seconds && !has_infinite_mass(bodies[i])) {
+      add_velocity(bodies[i], i, camera, *arrow_seconds, handles);
+    }
+  }
+  if (bodies.size() == 1) {
+    add_knob(bodies[0], camera, !handles.empty(), handles);
+    add_sizes(bodies[0], camera, handles);
+  }
+  return handles;
+}
+
+std::optional<Handle> handle_at(std::span<const Handle> handles, const QPointF& at) {
+  std::optional<Handle> nearest;
+  double distance = kHandleReach;
+  for (const Handle& handle : handles) {
+    const double d = QLineF(handle.at, at).length();
+    if (d > distance) continue;
+    distance = d;
+    nearest = handle;
+  }
+  return nearest;
+}
+
+}  // namespace carom

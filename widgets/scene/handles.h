@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QPointF>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "physics/scene/scene.h"
+#include "widgets/scene/camera.h"
+
+namespace carom {
+
+// What a drag takes hold of: a body itself, or one of the handles around it.
+enum class HandleKind { kBody, kTurn, kVelocity, kRadius, kRight, kTop, kLeft, kBottom };
+
+struct Handle {
+  HandleKind kind = HandleKind::kBody;
+  std::size_t body = 0;         // among those that have handles
+  QPointF at;                   // px
+  std::optional<QPointF> foot;  // px: the other end of the line that ties it to its body
+};
+
+// How far handles stand from a body's centre at least, and how near the mouse must be, in px.
+inline constexpr double kLeastHandleDistance = 24.0;
+inline constexpr double kHandleReach = 10.0;
+
+// The handles around these bodies, which stand and move as stated: of each that moves freely the tip of its
+// velocity if `arrow_seconds` (m of arrow per m/s) is given; of a single one also a knob to turn it, and those
+// of its size.
+[[nodiscard]] std::vector<Handle> handles_of(std::span<const Body> bodies, const Camera& camera,
+                                             std::optional<double> arrow_seconds);
+// The nearest one that the mouse reaches.
+[[nodiscard]] std::optional<Handle> handle_at(std::span<const Handle> handles, const QPointF& at);
+
+// The direction of a box's side from its centre, in its own axes; zero for other kinds.
+[[nodiscard]] Vec2 side_of(HandleKind kind);
+
+}  // namespace carom

@@ -1,0 +1,63 @@
+#include "widgets/scene/hit.h"
+
+#include <Eigen/Geometry>
+#include <QPainterPath>
+#include <algorithm>
+
+#include "widgets/scene/body_path.h"
+
+namespace carom {
+namespace {
+
+// px around a moving body that count as a click on it, and the least radius that the mouse has to meet.
+constexpr double kClickSlack = 3.0;
+constexpr double kLeastRadius = 12.0;
+
+bool covers(const Shape& shape, const Vec2& offset, double angle, double slack) {
+  if (offset.norm() > bounding_radius(shape) + slack) return false;
+  return signed_distance(outline_of(shape), Eigen::Rotation2Dd(-angle) * offset) <= slack;
+}
+
+}  // namespace
+
+int body_count(const Frame& frame) {
+  return frame.bodies ? std::min(frame.state.size(), static_cast<int>(frame.bodies->size())) : 0;
+}
+
+Body body_now(const Frame& frame, int index) {
+  Body body = (*frame.bodies)[static_cast<std::size_t>(index)];
+  body.position = frame.state.position(index);
+  body.angle = frame.state.q(2, index);
+  body.velocity = frame.state.velocity(index);
+  body.spin = frame.state.v(2, index);
+  return body;
+}
+
+int body_at(const Frame& frame, const Camera& camera, const QPointF& at) {
+  const Vec2 point = camera.to_world(at);
+  // Moving bodies come before fixed ones, as they may be small; of two, the later one is painted on top.
+  for (const bool fixed : {false, true}) {
+    for (int i = body_count(frame) - 1; i >= 0; --i) {
+      const Body& body = (*frame.bodies)[static_cast<std::size_t>(i)];
+      if (body.fixed != fixed) continue;
+      const double seen = bounding_radius(body.shape) * camera.scale;
+      const double slack = fixed ? 0.0 : std::max(kClickSlack, kLeastRadius - seen) / camera.scale;
+      if (covers(body.shape, point - frame.state.position(i), frame.state.q(2, i), slack)) return i;
+    }
+  }
+  return -1;
+}
+
+std::vector<int> bodies_in(const Frame& frame, const Camera& camera, const QRectF& rect) {
+  std::vector<int> found;
+  for (int i = 0; i < body_count(frame); ++i) {
+    const Body body = body_now(frame, i);
+    const bool half_plane = outline_of(body.shape).half_plane;
+    const bool touched =
+        half_plane ? rect.contains(camera.to_screen(body.position)) : body_path(body, camera).intersects(rect);
+    if (touched) found.push_back(i);
+  }
+  return found;
+}
+
+}  // namespace carom

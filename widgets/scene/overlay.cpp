@@ -1,0 +1,138 @@
+#include "widgets/scene/overlay.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+#include "widgets/scene/body_path.h"
+
+namespace carom {
+namespace {
+
+constexpr double kHalo = 6.0;     // px, width of the soft line around a selected body
+constexpr double kOutline = 2.0;  // px
+constexpr double kSquare = 4.0;   // px, half a handle of the size
+constexpr double kKnob = 5.5;     // px, radius
+constexpr double kGrip = 7.0;     // px, radius of the ring at the tip of a velocity
+constexpr double kFromMouse = 16.0;
+constexpr double kToEdge = 2.0;
+constexpr double kPadding = 10.0;  // px, in the bubble
+constexpr double kCorner = 5.0;
+constexpr int kValueSize = 14;  // px
+constexpr int kDetailSize = 12;
+
+QColor faint(QColor color, float alpha) {
+  color.setAlphaF(alpha);
+  return color;
+}
+
+QPen dashed(const QColor& color) {
+  QPen pen(color, 1.5);
+  pen.setDashPattern({4.0, 3.0});
+  return pen;
+}
+
+void paint_ghost(QPainter& painter, const Overlay& overlay, const Overlay::Ghost& ghost, const Camera& camera,
+                 const Theme& theme) {
+  painter.setPen(dashed(theme.muted));
+  painter.setBrush(Qt::NoBrush);
+  if (!ghost.arrow) {
+    painter.drawPath(body_path(ghost.body, camera));
+    return;
+  }
+  const QPointF from = camera.to_screen(ghost.body.position);
+  const QPointF tip = camera.to_screen(ghost.body.position + overlay.arrow_seconds * ghost.body.velocity);
+  painter.drawLine(from, tip);
+  painter.drawEllipse(tip, 3.0, 3.0);
+}
+
+void paint_handle(QPainter& painter, const Handle& handle, const Theme& theme) {
+  if (handle.foot) {
+    QPen stem(theme.accent, 1.5, handle.kind == HandleKind::kVelocity ? Qt::DotLine : Qt::SolidLine);
+    painter.setPen(stem);
+    painter.drawLine(*handle.foot, handle.at);
+  }
+  painter.setPen(QPen(theme.accent, 2.0));
+  painter.setBrush(theme.panel);
+  switch (handle.kind) {
+    case HandleKind::kVelocity:
+      // A ring leaves the arrow's head visible; a grip without an arrow is filled.
+      if (!handle.foot) painter.setBrush(Qt::NoBrush);
+      painter.drawEllipse(handle.at, kGrip, kGrip);
+      break;
+    case HandleKind::kTurn:
+      painter.drawEllipse(handle.at, kKnob, kKnob);
+      painter.setPen(QPen(theme.accent, 1.2));
+      painter.drawArc(QRectF(handle.at - QPointF(2.5, 2.5), QSizeF(5.0, 5.0)), 16 * 60, 16 * 270);
+      break;
+    default:
+      painter.drawRoundedRect(QRectF(handle.at - QPointF(kSquare, kSquare), QSizeF(2 * kSquare, 2 * kSquare)),
+                              1.5, 1.5);
+  }
+}
+
+void paint_bubble(QPainter& painter, const Overlay::Bubble& bubble, const Camera& camera, const Theme& theme) {
+  QFont large = painter.font();
+  large.setPixelSize(kValueSize);
+  large.setWeight(QFont::DemiBold);
+  QFont small = painter.font();
+  small.setPixelSize(kDetailSize);
+  small.setWeight(QFont::Normal);
+  const QFontMetricsF of_value(large);
+  const QFontMetricsF of_detail(small);
+  const bool two = !bubble.detail.isEmpty();
+  const double width =
+      std::max(of_value.horizontalAdvance(bubble.value), of_detail.horizontalAdvance(bubble.detail));
+  const QSizeF size(width + 2 * kPadding,
+                    of_value.height() + (two ? of_detail.height() + 2.0 : 0.0) + 1.4 * kPadding);
+  // On the side to which the mouse went, and within the view.
+  const bool left = bubble.mouse.x() < bubble.from.x();
+  const bool below = bubble.mouse.y() > bubble.from.y();
+  QPointF corner = bubble.mouse + QPointF(left ? -kFromMouse - size.width() : kFromMouse,
+                                          below ? kFromMouse : -kFromMouse - size.height());
+  const double right_end = camera.viewport.width() - size.width() - kToEdge;
+  const double lower_end = camera.viewport.height() - size.height() - kToEdge;
+  corner = {std::max(kToEdge, std::min(corner.x(), right_end)),
+            std::max(kToEdge, std::min(corner.y(), lower_end))};
+  painter.setPen(QPen(theme.border, 1.0));
+  painter.setBrush(theme.panel);
+  painter.drawRoundedRect(QRectF(corner, size), kCorner, kCorner);
+  const QPointF text = corner + QPointF(kPadding, 0.7 * kPadding);
+  painter.setFont(large);
+  painter.setPen(theme.text);
+  painter.drawText(text + QPointF(0.0, of_value.ascent()), bubble.value);
+  if (!two) return;
+  painter.setFont(small);
+  painter.setPen(theme.muted);
+  painter.drawText(text + QPointF(0.0, of_value.height() + 2.0 + of_detail.ascent()), bubble.detail);
+}
+
+}  // namespace
+
+void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera, const Theme& theme) {
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  for (const Overlay::Ghost& ghost : overlay.ghosts) paint_ghost(painter, overlay, ghost, camera, theme);
+  painter.setBrush(Qt::NoBrush);
+  for (const Body& body : overlay.selected) {
+    const QPainterPath path = body_path(body, camera);
+    painter.setPen(QPen(faint(theme.accent, 0.3F), kHalo, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.drawPath(path);
+    painter.setPen(QPen(theme.accent, kOutline, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.drawPath(path);
+  }
+  if (overlay.drawn) {
+    painter.setPen(QPen(theme.accent, kOutline));
+    painter.setBrush(faint(theme.accent, 0.15F));
+    painter.drawPath(body_path(*overlay.drawn, camera));
+  }
+  for (const Handle& handle : overlay.handles) paint_handle(painter, handle, theme);
+  if (overlay.band) {
+    painter.setPen(QPen(theme.accent, 1.0, Qt::DashLine));
+    painter.setBrush(faint(theme.accent, 0.1F));
+    painter.drawRect(*overlay.band);
+  }
+  if (!overlay.bubble.value.isEmpty()) paint_bubble(painter, overlay.bubble, camera, theme);
+}
+
+}  // namespace carom

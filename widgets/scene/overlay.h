@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QPointF>
+#include <QRectF>
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "physics/scene/scene.h"
+#include "widgets/scene/camera.h"
+#include "widgets/scene/handles.h"
+#include "widgets/theme/theme.h"
+
+class QPainter;
+
+namespace carom {
+
+// What the tools show over the scene on the screen, never in saved pictures.
+struct Overlay {
+  struct Ghost {
+    Body body;  // as it was when the drag began
+    bool arrow = false;
+  };
+  struct Bubble {
+    QString value;   // empty: no bubble
+    QString detail;  // under the value
+    QPointF mouse;   // px, beside which it stands, on the side away from
+    QPointF from;    // where the mouse came from
+  };
+  std::vector<Body> selected;
+  std::vector<Ghost> ghosts;
+  std::vector<Handle> handles;
+  std::optional<QRectF> band;  // px, of the selection
+  std::optional<Body> drawn;   // a body that is being drawn
+  double arrow_seconds = 0.0;  // m of arrow per m/s, for ghosts
+  Bubble bubble;
+
+  [[nodiscard]] bool empty() const {
+    return selected.empty() && ghosts.empty() && handles.empty() && !band && !drawn && bubble.value.isEmpty();
+  }
+};
+
+void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera, const Theme& theme);
+
+}  // namespace carom

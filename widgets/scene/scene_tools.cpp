@@ -1,0 +1,340 @@
+#include "widgets/scene/scene_tools.h"
+
+#include <QLineF>
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include "widgets/scene/grid.h"
+#include "widgets/scene/hit.h"
+#include "widgets/scene/new_disc.h"
+
+namespace carom {
+namespace {
+
+constexpr double kDragBegins = 4.0;  // px
+constexpr int kNoteShown = 4000;     // ms
+
+bool same(const Body& a, const Body& b) {
+  return a.position == b.position && a.angle == b.angle && a.velocity == b.velocity && a.spin == b.spin &&
+         half_extent(a.shape, 0.0) == half_extent(b.shape, 0.0);
+}
+
+}  // namespace
+
+SceneTools::SceneTools(std::function<SceneSight()> sight, QObject* parent)
+    : QObject(parent), sight_(std::move(sight)) {
+  note_time_.setSingleShot(true);
+  connect(&note_time_, &QTimer::timeout, this, &SceneTools::end_note);
+}
+
+void SceneTools::note(const Overlay::Bubble& bubble) {
+  note_ = bubble;
+  note_time_.start(kNoteShown);
+  emit changed();
+}
+
+void SceneTools::end_note() {
+  if (note_.value.isEmpty()) return;
+  note_ = {};
+  note_time_.stop();
+  emit changed();
+}
+
+// --- selection
+
+void SceneTools::set_selection(const std::vector<std::string>& names) {
+  if (!selection_.set(names)) return;
+  end_note();
+  emit selectionChanged(selection_.names());
+  emit changed();
+}
+
+void SceneTools::select(const std::vector<std::string>& names) {
+  std::vector<std::string> known;
+  std::copy_if(names.begin(), names.end(), std::back_inserter(known),
+               [this](const std::string& name) { return index_.contains(name); });
+  set_selection(known);
+}
+
+bool SceneTools::select_next(bool forward) {
+  if (!bodies_ || bodies_->empty()) return false;
+  const int count = static_cast<int>(bodies_->size());
+  int next = forward ? 0 : count - 1;
+  if (!selection_.empty()) next = index_.at(selection_.names().back()) + (forward ? 1 : -1);
+  if (next < 0 || next >= count) return false;
+  set_selection({(*bodies_)[static_cast<std::size_t>(next)].name});
+  return true;
+}
+
+std::vector<int> SceneTools::selected_indices() const {
+  std::vector<int> indices;
+  for (const std::string& name : selection_.names()) indices.push_back(index_.at(name));
+  return indices;
+}
+
+std::vector<Body> SceneTools::selected_now() const {
+  const SceneSight sight = sight_();
+  std::vector<Body> bodies;
+  if (!sight.frame) return bodies;
+  for (const int i : selected_indices()) {
+    if (i < body_count(*sight.frame)) bodies.push_back(body_now(*sight.frame, i));
+  }
+  return bodies;
+}
+
+std::vector<Body> SceneTools::editable(const std::string& first, bool velocities) const {
+  std::vector<Body> bodies;
+  const std::shared_ptr<const Frame> frame = sight_().frame;
+  if (!frame || !frame->scene) return bodies;
+  for (const int i : selected_indices()) {
+    if (i >= static_cast<int>(frame->scene->bodies.size())) continue;
+    const Body& body = frame->scene->bodies[static_cast<std::size_t>(i)];
+    if (velocities && has_infinite_mass(body)) continue;
+    bodies.push_back(body);
+    if (body.name == first) std::swap(bodies.front(), bodies.back());
+  }
+  return bodies;
+}
+
+void SceneTools::frame_changed() {
+  const std::shared_ptr<const Frame> frame = sight_().frame;
+  const std::shared_ptr<const std::vector<Body>> bodies = frame ? frame->bodies : nullptr;
+  if (bodies != bodies_) {
+    bodies_ = bodies;
+    index_.clear();
+    for (int i = 0; i < (frame ? body_count(*frame) : 0); ++i) {
+      index_.emplace((*bodies)[static_cast<std::size_t>(i)].name, i);
+    }
+    if (selection_.keep_if([this](const std::string& name) { return index_.contains(name); })) {
+      emit selectionChanged(selection_.names());
+    }
+  }
+  if (!frame || !frame->scene) end_note();
+  const bool held = frame && frame->scene && grab_ && index_.contains(grab_->body);
+  if (state_ == State::kDrag && !held) state_ = State::kMute;
+}
+
+// --- tools
+
+void SceneTools::set_tool(SceneTool tool, bool keep) {
+  keep_tool_ = keep;
+  if (tool == tool_) return;
+  tool_ = tool;
+  emit toolChanged(tool);
+  emit changed();
+}
+
+void SceneTools::used_tool() {
+  if (!keep_tool_) set_tool(SceneTool::kSelect, false);
+}
+
+// About the press.
+Body SceneTools::drawn_disc() const {
+  const Vec2 centre = sight_().camera.to_world(press_);
+  const DragPoint to = point(keys_);
+  const double radius = drawn_length((to.at - centre).norm(), to);
+  return new_disc(bodies_ ? std::span<const Body>(*bodies_) : std::span<const Body>(), centre, radius);
+}
+
+// --- the drag
+
+std::vector<Handle> SceneTools::handles(const SceneSight& sight) const {
+  if (!sight.frame || !sight.frame->scene) return {};
+  const std::vector<Body> bodies = selected_now();
+  return handles_of(bodies, sight.camera, sight.velocities ? std::optional(sight.arrow_seconds) : std::nullopt);
+}
+
+std::optional<SceneTools::Grab> SceneTools::grab_at(const QPointF& at) const {
+  const SceneSight sight = sight_();
+  if (!sight.frame) return std::nullopt;
+  if (const auto handle = handle_at(handles(sight), at)) {
+    return Grab{handle->kind, selection_.names()[handle->body]};
+  }
+  const int body = body_at(*sight.frame, sight.camera, at);
+  if (body < 0) return std::nullopt;
+  return Grab{HandleKind::kBody, (*sight.frame->bodies)[static_cast<std::size_t>(body)].name};
+}
+
+DragPoint SceneTools::point(Qt::KeyboardModifiers keys) const {
+  const Camera camera = sight_().camera;
+  return {camera.to_world(mouse_), camera.scale, keys};
+}
+
+void SceneTools::press(const QPointF& at, bool repeated) {
+  row_ = {};
+  end_note();
+  press_ = mouse_ = at;
+  grab_ = grab_at(at);
+  // The second click of a double click would hit the disc of the first.
+  state_ = repeated && tool_ == SceneTool::kDisc ? State::kMute : State::kPressed;
+}
+
+void SceneTools::move(const QPointF& at, Qt::KeyboardModifiers keys) {
+  mouse_ = at;
+  keys_ = keys;
+  if (state_ == State::kPressed && QLineF(press_, at).length() >= kDragBegins) begin();
+  if (state_ == State::kDrag) drag_on();
+  if (state_ == State::kDrag || state_ == State::kBand || state_ == State::kDraw) emit changed();
+}
+
+void SceneTools::hold_keys(Qt::KeyboardModifiers keys) {
+  if (state_ == State::kDrag || state_ == State::kDraw) move(mouse_, keys);
+}
+
+void SceneTools::begin() {
+  if (!grab_) {
+    state_ = tool_ == SceneTool::kDisc ? State::kDraw : State::kBand;
+  } else {
+    begin_drag();
+  }
+}
+
+void SceneTools::begin_drag() {
+  const SceneSight sight = sight_();
+  state_ = State::kMute;
+  if (!sight.frame || !sight.frame->scene) return;
+  if (!selection_.contains(grab_->body)) set_selection({grab_->body});
+  start_ = {.kind = grab_->kind,
+            .bodies = editable(grab_->body, grab_->kind == HandleKind::kVelocity),
+            .others = {},
+            .press = sight.camera.to_world(press_),
+            .arrow_seconds = sight.arrow_seconds,
+            .grid = sight.grid ? grid_spacing(sight.camera) : 0.0};
+  if (start_.bodies.empty() || start_.bodies.front().name != grab_->body) return;
+  for (int i = 0; i < body_count(*sight.frame); ++i) {
+    Body body = body_now(*sight.frame, i);
+    if (!selection_.contains(body.name)) start_.others.push_back(std::move(body));
+  }
+  dragged_ = {.bodies = start_.bodies, .value = {}, .detail = {}, .name = {}};
+  ghosts_.clear();
+  const bool arrows = grab_->kind == HandleKind::kVelocity;
+  for (const Body& body : selected_now()) {
+    if (!arrows || !has_infinite_mass(body)) ghosts_.push_back({body, arrows});
+  }
+  emitted_ = false;
+  ++drags_;
+  state_ = State::kDrag;
+}
+
+void SceneTools::drag_on() {
+  Dragged next = drag_to(start_, point(keys_));
+  const bool moved =
+      !std::equal(next.bodies.begin(), next.bodies.end(), dragged_.bodies.begin(), dragged_.bodies.end(), same);
+  dragged_ = std::move(next);
+  if (!moved) return;
+  emitted_ = true;
+  emit_bodies(dragged_.bodies, dragged_.name, drags_);
+}
+
+void SceneTools::emit_bodies(const std::vector<Body>& bodies, const QString& name, int drag) {
+  SceneEdits edits;
+  for (const Body& body : bodies) edits.emplace_back(Replace<Body>{body});
+  emit edited(edits, name, drag);
+}
+
+void SceneTools::release(const QPointF& at, Qt::KeyboardModifiers keys) {
+  mouse_ = at;
+  keys_ = keys;
+  switch (std::exchange(state_, State::kNone)) {
+    case State::kPressed:
+      click(keys);
+      break;
+    case State::kBand:
+      select_band(keys);
+      break;
+    case State::kDrag:
+      note({dragged_.value, dragged_.detail, mouse_, press_});
+      break;
+    case State::kDraw: {
+      const Body disc = drawn_disc();
+      emit edited({Add<Body>{disc}}, "Add disc " + QString::fromStdString(disc.name), ++drags_);
+      used_tool();
+      break;
+    }
+    default:
+      break;
+  }
+  grab_.reset();
+  emit changed();
+}
+
+void SceneTools::click(Qt::KeyboardModifiers keys) {
+  const bool shift = keys.testFlag(Qt::ShiftModifier);
+  if (grab_ && grab_->kind == HandleKind::kBody) {
+    Selection next = selection_;
+    if (shift) {
+      next.toggle(grab_->body);
+    } else {
+      next.set({grab_->body});
+    }
+    set_selection(next.names());
+  } else if (!grab_ && tool_ == SceneTool::kDisc) {
+    const Vec2 at = sight_().camera.to_world(mouse_);
+    emit spawnRequested(at.x(), at.y());
+    used_tool();
+  } else if (!grab_ && !shift) {
+    set_selection({});
+  }
+}
+
+void SceneTools::select_band(Qt::KeyboardModifiers keys) {
+  const SceneSight sight = sight_();
+  if (!sight.frame) return;
+  const bool adds = keys.testFlag(Qt::ShiftModifier);
+  const bool takes = keys.testFlag(Qt::ControlModifier);
+  Selection next;
+  if (adds || takes) next = selection_;
+  for (const int i : bodies_in(*sight.frame, sight.camera, QRectF(press_, mouse_).normalized())) {
+    const std::string& name = (*sight.frame->bodies)[static_cast<std::size_t>(i)].name;
+    if (next.contains(name) == takes) next.toggle(name);
+  }
+  set_selection(next.names());
+}
+
+// --- what is shown
+
+Qt::CursorShape SceneTools::cursor(const QPointF& at) const {
+  if (state_ == State::kDrag && grab_->kind == HandleKind::kBody) return Qt::ClosedHandCursor;
+  const std::optional<Grab> grab = state_ == State::kNone ? grab_at(at) : grab_;
+  if (!grab) return tool_ == SceneTool::kDisc ? Qt::CrossCursor : Qt::ArrowCursor;
+  switch (grab->kind) {
+    case HandleKind::kBody:
+      return Qt::OpenHandCursor;
+    case HandleKind::kRight:
+    case HandleKind::kTop:
+    case HandleKind::kLeft:
+    case HandleKind::kBottom:
+    case HandleKind::kRadius:
+      return Qt::SizeAllCursor;
+    default:
+      return Qt::PointingHandCursor;
+  }
+}
+
+Overlay SceneTools::overlay() const {
+  const SceneSight sight = sight_();
+  Overlay out;
+  out.selected = selected_now();
+  out.handles = handles(sight);
+  out.arrow_seconds = sight.arrow_seconds;
+  if (state_ == State::kDrag) {
+    std::erase_if(out.handles, [this](const Handle& handle) {
+      return handle.kind != grab_->kind || selection_.names()[handle.body] != grab_->body;
+    });
+    out.ghosts = ghosts_;
+    out.bubble = {dragged_.value, dragged_.detail, mouse_, press_};
+  } else if (state_ == State::kBand) {
+    out.band = QRectF(press_, mouse_).normalized();
+  } else if (state_ == State::kDraw) {
+    out.drawn = drawn_disc();
+    const double radius = std::get<Disc>(out.drawn->shape).radius;
+    out.bubble = {"r " + drawn_text(radius, point(keys_)), {}, mouse_, press_};
+  } else {
+    out.bubble = note_;
+  }
+  return out;
+}
+
+}  // namespace carom

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QPointF>
+#include <QString>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "physics/record/frame.h"
+#include "physics/scene/edit.h"
+#include "widgets/scene/camera.h"
+#include "widgets/scene/drag.h"
+#include "widgets/scene/key_edits.h"
+#include "widgets/scene/overlay.h"
+#include "widgets/scene/selection.h"
+
+namespace carom {
+
+enum class SceneTool { kSelect, kDisc };
+
+// What the tools need to know of the view.
+struct SceneSight {
+  std::shared_ptr<const Frame> frame;
+  Camera camera;
+  double arrow_seconds = 0.1;  // m of arrow per m/s
+  bool grid = true;            // is drawn
+  bool velocities = true;      // are drawn
+};
+
+// Selects and edits bodies by mouse and keys. It changes nothing itself: signals say what is wanted, and the
+// frames that follow show it. Handles exist only while the frame has a scene, that is, while the run is paused.
+class SceneTools : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SceneTools(std::function<SceneSight()> sight, QObject* parent = nullptr);
+
+  [[nodiscard]] const std::vector<std::string>& selection() const { return selection_.names(); }
+  void select(const std::vector<std::string>& names);
+  // The next or previous body; false after the last one.
+  bool select_next(bool forward);
+  [[nodiscard]] SceneTool tool() const { return tool_; }
+  // After one use it is kSelect again, unless it is kept.
+  void set_tool(SceneTool tool, bool keep);
+
+  // The frame of the sight is another one.
+  void frame_changed();
+  // A drag of a body or handle is going on.
+  [[nodiscard]] bool dragging() const { return state_ == State::kDrag; }
+
+  // The left button. The second press of a double click is `repeated`.
+  void press(const QPointF& at, bool repeated);
+  void move(const QPointF& at, Qt::KeyboardModifiers keys);
+  void release(const QPointF& at, Qt::KeyboardModifiers keys);
+  // Shift or Ctrl went up or down while the mouse stood still.
+  void hold_keys(Qt::KeyboardModifiers keys);
+  // False if the key means nothing here now; `takes` asks without doing it.
+  bool press_key(int key, Qt::KeyboardModifiers keys);
+  [[nodiscard]] bool takes(int key, Qt::KeyboardModifiers keys) const;
+
+  [[nodiscard]] Qt::CursorShape cursor(const QPointF& at) const;
+  [[nodiscard]] Overlay overlay() const;
+
+ signals:
+  void selectionChanged(const std::vector<std::string>& names);
+  void edited(const carom::SceneEdits& edits, const QString& name, int drag);
+  void dragCancelled(int drag);
+  void toolChanged(carom::SceneTool tool);
+  void spawnRequested(double x, double y);  // m
+  void changed();                           // the overlay
+
+ private:
+  // kMute: until the button is let go, nothing happens.
+  enum class State { kNone, kPressed, kMute, kDrag, kBand, kDraw };
+  // What the button was pressed on.
+  struct Grab {
+    HandleKind kind = HandleKind::kBody;
+    std::string body;
+  };
+  // Keys of one kind in quick succession, one step of undo.
+  struct KeyRow {
+    KeyEdit kind = KeyEdit::kMove;
+    int drag = 0;
+    std::vector<std::string> names;
+    std::vector<Body> before;
+    std::vector<Body> now;  // frames may not yet show it
+    QElapsedTimer since;    // the last key
+  };
+
+  [[nodiscard]] std::vector<int> selected_indices() const;
+  [[nodiscard]] std::vector<Body> selected_now() const;
+  [[nodiscard]] std::vector<Handle> handles(const SceneSight& sight) const;
+  [[nodiscard]] std::optional<Grab> grab_at(const QPointF& at) const;
+  // The selected bodies that an edit can change, `first` in front; of velocities only those that move freely.
+  [[nodiscard]] std::vector<Body> editable(const std::string& first, bool velocities) const;
+  [[nodiscard]] DragPoint point(Qt::KeyboardModifiers keys) const;
+
+  // Keeps a bubble for a while.
+  void note(const Overlay::Bubble& bubble);
+  void end_note();
+  void set_selection(const std::vector<std::string>& names);
+  void begin();
+  void begin_drag();
+  void drag_on();
+  void click(Qt::KeyboardModifiers keys);
+  void select_band(Qt::KeyboardModifiers keys);
+  [[nodiscard]] Body drawn_disc() const;
+  void used_tool();
+  bool escape();
+  void remove_selected();
+  void edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys);
+  void emit_bodies(const std::vector<Body>& bodies, const QString& name, int drag);
+
+  std::function<SceneSight()> sight_;
+  Selection selection_;
+  std::shared_ptr<const std::vector<Body>> bodies_;  // of `index_`
+  std::unordered_map<std::string, int> index_;
+  SceneTool tool_ = SceneTool::kSelect;
+  bool keep_tool_ = false;
+
+  State state_ = State::kNone;
+  QPointF press_;
+  QPointF mouse_;
+  Qt::KeyboardModifiers keys_{};
+  std::optional<Grab> grab_;  // none: empty space
+  DragStart start_;
+  std::vector<Overlay::Ghost> ghosts_;
+  Dragged dragged_;
+  bool emitted_ = false;  // by this drag
+  int drags_ = 0;         // number of the last one
+  KeyRow row_;
+  Overlay::Bubble note_;
+  QTimer note_time_;
+};
+
+}  // namespace carom

@@ -1,0 +1,105 @@
+#include "widgets/scene/snap.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "widgets/scene/grid.h"
+
+namespace carom {
+namespace {
+
+constexpr double kLeastStep = 1.0;   // px between neighbouring values
+constexpr double kLargestStep = 16;  // px
+constexpr int kIterations = 8;       // of Newton's, to the touching place on an axis
+constexpr double kLeastSlope = 0.1;  // of the gap along an axis: flatter ones meet too far away
+
+// The distance of two outlines, negative in an overlap, and the direction that parts them.
+struct Gap {
+  double size;  // m
+  Vec2 away;    // unit vector, in which the first body moves off
+};
+
+// From a point to a body's outline; the direction is the gradient of the distance.
+Gap gap_to_point(const Body& body, const Outline& outline, const Vec2& point) {
+  const Eigen::Rotation2Dd back(-body.angle);
+  const Vec2 at = back * (point - body.position);
+  const double h = 1e-6 * std::max(at.norm(), 1e-12);
+  const Vec2 slope(signed_distance(outline, at + Vec2(h, 0.0)) - signed_distance(outline, at - Vec2(h, 0.0)),
+                   signed_distance(outline, at + Vec2(0.0, h)) - signed_distance(outline, at - Vec2(0.0, h)));
+  return {signed_distance(outline, at), back.inverse() * slope.normalized()};
+}
+
+std::optional<Gap> gap_of(const Body& body, const Body& other) {
+  const Outline outline = outline_of(body.shape);
+  const Outline beside = outline_of(other.shape);
+  if (beside.half_plane && !outline.half_plane) {
+    const Vec2 out(-std::sin(other.angle), std::cos(other.angle));
+    const Eigen::Rotation2Dd turned(body.angle);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec2& v : outline.vertices) {
+      lowest = std::min(lowest, out.dot(body.position + turned * v - other.position));
+    }
+    return Gap{lowest - outline.rounding, out};
+  }
+  const auto* disc = std::get_if<Disc>(&body.shape);
+  const auto* post = std::get_if<Disc>(&other.shape);
+  if (disc != nullptr && post != nullptr) {
+    const Vec2 between = body.position - other.position;
+    return Gap{between.norm() - disc->radius - post->radius, between.normalized()};
+  }
+  if (disc != nullptr) {
+    Gap gap = gap_to_point(other, beside, body.position);
+    gap.size -= disc->radius;
+    return gap;
+  }
+  if (post != nullptr) {
+    Gap gap = gap_to_point(body, outline, other.position);
+    return Gap{gap.size - post->radius, -gap.away};
+  }
+  return std::nullopt;
+}
+
+std::optional<Vec2> place_of_touch(Body body, const Body& other, double reach,
+                                   const std::optional<Vec2>& axis) {
+  const Vec2 from = body.position;
+  for (int k = 0; k < kIterations; ++k) {
+    const std::optional<Gap> gap = gap_of(body, other);
+    if (!gap) return std::nullopt;
+    const Vec2 along = axis.value_or(gap->away);
+    const double slope = gap->away.dot(along);
+    if (std::abs(slope) < kLeastSlope) return std::nullopt;
+    body.position -= gap->size / slope * along;
+    if (!((body.position - from).norm() <= reach)) return std::nullopt;
+  }
+  return body.position;
+}
+
+}  // namespace
+
+double snapped(double value, double step) {
+  const double count = std::round(value / step);
+  return step < 1.0 ? count / std::round(1.0 / step) : count * step;
+}
+
+double step_for_mouse(double wanted, double pixels) {
+  if (wanted * pixels > kLargestStep) return step_not_above(kLargestStep / pixels);
+  if (wanted * pixels < kLeastStep) return step_not_below(kLeastStep / pixels);
+  return wanted;
+}
+
+std::optional<Touch> touching_place(const Body& body, std::span<const Body> others, double reach,
+                                    const std::optional<Vec2>& axis) {
+  std::optional<Touch> best;
+  for (const Body& other : others) {
+    const std::optional<Vec2> place = place_of_touch(body, other, reach, axis);
+    if (!place) continue;
+    if (best && (best->position - body.position).norm() <= (*place - body.position).norm()) continue;
+    best = Touch{*place, other.name};
+  }
+  return best;
+}
+
+}  // namespace carom

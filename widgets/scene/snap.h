@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "physics/scene/scene.h"
+
+namespace carom {
+
+// px: a snap never holds the mouse farther than this.
+inline constexpr double kSnapReach = 8.0;
+
+// The nearest multiple of `step` > 0; one of a decimal step is the double nearest to its decimal.
+[[nodiscard]] double snapped(double value, double step);
+// `wanted`, or the nearest 1-2-5 step that a mouse can aim at when one unit is `pixels` px long.
+[[nodiscard]] double step_for_mouse(double wanted, double pixels);
+
+// A place of a body at which it touches another one.
+struct Touch {
+  Vec2 position;  // m
+  std::string with;
+};
+// The nearest such place within `reach` m of where the body stands, on the line through it along `axis` if
+// there is one. Finds discs on any body and any body on discs and half-planes.
+[[nodiscard]] std::optional<Touch> touching_place(const Body& body, std::span<const Body> others, double reach,
+                                                  const std::optional<Vec2>& axis);
+
+}  // namespace carom
