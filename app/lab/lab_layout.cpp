@@ -29,6 +29,9 @@
 namespace carom {
 namespace {
 
+constexpr int kListWidth = 256;    // px
+constexpr int kPinnedFrom = 1600;  // px: width of a window that has room for the list beside the scene
+
 QWidget* with_frame(QWidget* inside, int margin) {
   auto* frame = new QFrame;
   frame->setObjectName("panel");
@@ -50,7 +53,7 @@ Area* scrolled(QWidget* inside) {
 }
 
 // Scrolls vertically only: as wide as its content.
-class PlotArea : public QScrollArea {
+class TallArea : public QScrollArea {
  public:
   [[nodiscard]] QSize minimumSizeHint() const override {
     const int bar = verticalScrollBar()->sizeHint().width();
@@ -72,18 +75,18 @@ void LabWindow::make_body() {
   auto* row = new QHBoxLayout(all);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  list_ = new ExperimentList(theme_);
-  list_->setFixedWidth(240);
-  row->addWidget(list_);
+  list_ = new ExperimentList(theme_, all);
+  list_->setFixedWidth(kListWidth);
+  list_->hide();
 
   auto* columns = new QSplitter(Qt::Horizontal);
   columns->setHandleWidth(8);
   columns->addWidget(make_middle());
   columns->addWidget(make_right());
-  // Both keep their share of the window's width.
-  columns->setStretchFactor(0, 616);
-  columns->setStretchFactor(1, 392);
-  columns->setSizes({616, 392});
+  // The scene gets what a wider window has more.
+  columns->setStretchFactor(0, 3);
+  columns->setStretchFactor(1, 1);
+  columns->setSizes({888, 368});
   columns->setChildrenCollapsible(false);
   restore_bar_ = new NoticeBar;
   lost_bar_ = new NoticeBar;
@@ -95,6 +98,43 @@ void LabWindow::make_body() {
   inner->addWidget(columns, 1);
   row->addLayout(inner, 1);
   setCentralWidget(all);
+}
+
+// A wide window has room for the list as a column. Else it opens over the scene, and closes once an experiment
+// is chosen.
+void LabWindow::place_list() {
+  QWidget* all = centralWidget();
+  auto* row = static_cast<QHBoxLayout*>(all->layout());
+  const bool pinned = width() >= kPinnedFrom;
+  const bool was_pinned = row->indexOf(list_) >= 0;
+  list_action_->setVisible(!pinned);
+  if (pinned && !was_pinned) {
+    row->insertWidget(0, list_);
+    list_->show();
+  } else if (!pinned && was_pinned) {
+    row->removeWidget(list_);
+    list_->hide();
+    list_action_->setChecked(false);
+  }
+  if (!pinned) list_->setGeometry(0, 0, kListWidth, all->height());
+  list_->raise();
+}
+
+void LabWindow::open_list(bool open) {
+  const bool pinned = width() >= kPinnedFrom;
+  list_->setVisible(open || pinned);
+  if (open) {
+    place_list();
+    list_->begin_search();
+  } else if (!pinned) {
+    view_->setFocus();
+  }
+}
+
+void LabWindow::resizeEvent(QResizeEvent* event) {
+  fold_tool_bar();
+  QMainWindow::resizeEvent(event);
+  place_list();
 }
 
 QWidget* LabWindow::make_middle() {
@@ -112,8 +152,9 @@ QWidget* LabWindow::make_middle() {
   middle->setHandleWidth(8);
   middle->addWidget(scene);
   middle->addWidget(drawer);
-  middle->setStretchFactor(0, 3);
-  middle->setStretchFactor(1, 1);
+  // A taller window gives the scene more; the drawer shows three rows.
+  middle->setStretchFactor(0, 1);
+  middle->setStretchFactor(1, 0);
   middle->setSizes({540, 190});
   middle->setChildrenCollapsible(false);
   return middle;
@@ -140,7 +181,9 @@ QWidget* LabWindow::make_tabs() {
 // The inspector over the plots.
 QWidget* LabWindow::make_right() {
   inspector_ = new Inspector;
-  inspector_panel_ = with_frame(scrolled<QScrollArea>(inspector_), 1);
+  auto* area = scrolled<TallArea>(inspector_);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  inspector_panel_ = with_frame(area, 1);
   auto* right = new QSplitter(Qt::Vertical);
   right->setHandleWidth(8);
   right->addWidget(inspector_panel_);
@@ -155,7 +198,7 @@ QWidget* LabWindow::make_right() {
 // Plots scroll if there are too many for the height.
 QWidget* LabWindow::make_plots() {
   plots_ = new PlotPanel(theme_);
-  auto* area = scrolled<PlotArea>(plots_);
+  auto* area = scrolled<TallArea>(plots_);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   return area;
 }
@@ -189,8 +232,11 @@ void LabWindow::connect_views() {
       show_message(this, tr("No body can be put here"), QString::fromStdString(error.what()));
     }
   });
-  connect(list_, &ExperimentList::openRequested, files_,
-          [this](const QString& name) { files_->open(name.toStdString()); });
+  connect(list_, &ExperimentList::openRequested, files_, [this](const QString& name) {
+    list_action_->setChecked(false);
+    files_->open(name.toStdString());
+  });
+  connect(list_, &ExperimentList::closeRequested, this, [this] { list_action_->setChecked(false); });
   connect(transport_, &TransportBar::playClicked, this, &LabWindow::set_playing);
   connect(transport_, &TransportBar::restartClicked, &session_, &Session::restart);
   connect(transport_, &TransportBar::stepClicked, &session_, &Session::step_once);

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QMenu>
 #include <QMenuBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <array>
@@ -100,6 +101,10 @@ void LabWindow::make_tools_menu() {
 
 void LabWindow::make_view_menu() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
+  list_action_ = add_action(view, "list", tr("&Experiments"), QKeySequence(Qt::Key_E), [] {});
+  list_action_->setCheckable(true);
+  list_action_->setToolTip(tr("The list of experiments (E)"));
+  connect(list_action_, &QAction::toggled, this, &LabWindow::open_list);
   add_action(view, "fit", tr("&Fit the scene"), QKeySequence(Qt::Key_F), [this] { view_->fit(); });
   add_action(view, "", tr("&Reset the plots' zoom"), QKeySequence(Qt::Key_Home),
              [this] { plots_->reset_zoom(); });
@@ -169,7 +174,7 @@ void LabWindow::make_help_menu() {
 }
 
 void LabWindow::make_tool_bar() {
-  QToolBar* bar = addToolBar(tr("Tools"));
+  QToolBar* bar = bar_ = addToolBar(tr("Tools"));
   bar->setMovable(false);
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   bar->setIconSize({18, 18});
@@ -180,15 +185,19 @@ void LabWindow::make_tool_bar() {
       }
     }
   };
-  add({"open", "save"});
+  add({"list", "open", "save"});
   bar->addSeparator();
   add({"undo", "redo"});
   bar->addSeparator();
   add({"select", "disc"});
   bar->addSeparator();
+  const qsizetype before = bar->actions().size();
   add({"fit", "grid", "velocity", "contact", "names"});
   bar->addSeparator();
+  for (QAction* action : bar->actions().mid(before)) folded_.push_back(action);
+  const qsizetype methods = bar->actions().size();
   methods_->add_to(bar);
+  after_folded_ = bar->actions().at(methods);
   auto* stretch = new QWidget;
   stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(stretch);
@@ -205,6 +214,20 @@ void LabWindow::make_tool_bar() {
   add({"help"});
   bar->addAction(theme_action_);
   setContextMenuPolicy(Qt::NoContextMenu);
+}
+
+// In a narrow window the switches of the view are in its menu alone.
+void LabWindow::fold_tool_bar() {
+  constexpr int kWide = 1200;  // px
+  const bool shown = bar_->actions().contains(folded_.front());
+  if (shown == (width() >= kWide)) return;
+  if (shown) {
+    for (QAction* action : folded_) bar_->removeAction(action);
+  } else {
+    bar_->insertActions(after_folded_, {folded_.begin(), folded_.end()});
+  }
+  // The names of the methods get the room that there is now.
+  QTimer::singleShot(0, this, [this] { methods_->show_document(preset()); });
 }
 
 }  // namespace carom

@@ -15,6 +15,7 @@ class QAction;
 class QKeySequence;
 class QLabel;
 class QMenu;
+class QToolBar;
 class QTabWidget;
 
 namespace carom {
@@ -70,10 +71,13 @@ class LabWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   // The layout (lab_layout.cpp).
   void make_body();
+  void open_list(bool open);
+  void place_list();
   [[nodiscard]] QWidget* make_middle();
   [[nodiscard]] QWidget* make_tabs();
   [[nodiscard]] QWidget* make_plots();
@@ -99,6 +103,7 @@ class LabWindow : public QMainWindow {
   void make_run_menus();
   void make_help_menu();
   void make_tool_bar();
+  void fold_tool_bar();
 
   void connect_session();
   void show_document();
@@ -114,7 +119,8 @@ class LabWindow : public QMainWindow {
   LabExports* exports_ = nullptr;
   WorkRecovery* recovery_ = nullptr;
 
-  ExperimentList* list_ = nullptr;
+  ExperimentList* list_ = nullptr;  // a column of a wide window, else over the scene
+  QAction* list_action_ = nullptr;
   SceneView* view_ = nullptr;
   SceneChips* chips_ = nullptr;
   TransportBar* transport_ = nullptr;
@@ -135,6 +141,9 @@ class LabWindow : public QMainWindow {
   QString lost_;                        // its text; empty while no run is lost
   MethodBar* methods_ = nullptr;
   QAction* theme_action_ = nullptr;
+  QToolBar* bar_ = nullptr;
+  std::vector<QAction*> folded_;  // the tool bar's actions that only a wide window has room for
+  QAction* after_folded_ = nullptr;
   std::vector<std::pair<QAction*, QString>> icon_actions_;  // with the icon's name, redrawn with the theme
 };
 

@@ -53,10 +53,11 @@ struct Expectation {
   std::string source;             // where the value comes from
 };
 
-// What the window shows at first; without it the scene is fitted.
+// A box of the plane that the window shows at first, all of it; without it the scene is fitted.
 struct View {
-  Vec2 center = Vec2::Zero();  // m
-  double width = 0.0;          // m, > 0
+  Vec2 center = Vec2::Zero();      // m
+  double width = 0.0;              // m, > 0
+  std::optional<double> height{};  // m, > 0; none: five eighths of the width
 };
 
 // A remark at a point of a plot, in the units of its axes.

@@ -15,7 +15,8 @@ namespace carom {
 template <class V>
 void fields(V& v, Is<View> auto& view) {
   v.field({"center", "[x, y]"}, view.center, any_number("m"));
-  v.required({"width", "of the part that is shown"}, view.width, positive("m"));
+  v.required({"width", "of the box that is shown"}, view.width, positive("m"));
+  v.field({"height", "of the box; without it five eighths of the width"}, view.height, positive("m"));
 }
 
 // A body that comes in during a run, as a file states it: in a preset an edit of its runs.

@@ -1,5 +1,6 @@
 #include "widgets/run/experiment_list.h"
 
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPainter>
@@ -107,6 +108,7 @@ ExperimentList::ExperimentList(const Theme& theme, QWidget* parent)
   field->addWidget(search_);
   column->addLayout(field);
   column->addWidget(list_, 1);
+  search_->installEventFilter(this);
   connect(search_, &QLineEdit::textChanged, this, &ExperimentList::fill);
   const auto open = [this](QListWidgetItem* item) {
     const QString name = item->data(kName).toString();
@@ -141,6 +143,43 @@ void ExperimentList::set_current(const QString& name) {
   }
   list_->setCurrentItem(found);
   if (found == nullptr) list_->clearSelection();
+}
+
+void ExperimentList::begin_search() {
+  search_->setFocus(Qt::ShortcutFocusReason);
+  search_->selectAll();
+}
+
+bool ExperimentList::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != search_ || event->type() != QEvent::KeyPress) return QFrame::eventFilter(watched, event);
+  switch (static_cast<QKeyEvent*>(event)->key()) {
+    case Qt::Key_Down:
+      choose_next(1);
+      return true;
+    case Qt::Key_Up:
+      choose_next(-1);
+      return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (list_->currentItem() == nullptr) choose_next(1);
+      if (QListWidgetItem* item = list_->currentItem()) emit list_->itemActivated(item);
+      return true;
+    case Qt::Key_Escape:
+      emit closeRequested();
+      return true;
+    default:
+      return QFrame::eventFilter(watched, event);
+  }
+}
+
+// Captions of topics are no experiments.
+void ExperimentList::choose_next(int way) {
+  int row = list_->currentRow();
+  do {
+    row += way;
+    if (row < 0 || row >= list_->count()) return;
+  } while (list_->item(row)->data(kName).toString().isEmpty());
+  list_->setCurrentRow(row);
 }
 
 void ExperimentList::fill() {

@@ -20,7 +20,7 @@ struct ExperimentItem {
 };
 
 // The experiments under their topics, each with a small picture, and a search field. One click opens an
-// experiment.
+// experiment; in the field the arrows choose one, Enter opens it, Escape wants the list closed.
 class ExperimentList : public QFrame {
   Q_OBJECT
 
@@ -32,11 +32,18 @@ class ExperimentList : public QFrame {
   void set_pictures(const std::vector<QPixmap>& pictures);
   // Marks the experiment that is open; none for an unknown name.
   void set_current(const QString& name);
+  // The search has the focus, its text is selected.
+  void begin_search();
 
  signals:
   void openRequested(const QString& name);
+  void closeRequested();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void choose_next(int way);  // 1: downwards, -1: upwards
   void fill();
 
   Theme theme_;

@@ -42,7 +42,9 @@ void Camera::pan(const QPointF& delta) { center -= Vec2(delta.x(), -delta.y()) /
 
 void Camera::show(const View& view) {
   center = view.center;
-  scale = std::clamp(viewport.width() / view.width, kLeastScale, kLargestScale);
+  const double height = view.height.value_or(0.625 * view.width);
+  scale = std::clamp(std::min(viewport.width() / view.width, viewport.height() / height), kLeastScale,
+                     kLargestScale);
 }
 
 void Camera::fit(const WorldRect& rect, const QMarginsF& margins) {

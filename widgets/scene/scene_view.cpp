@@ -125,7 +125,7 @@ void SceneView::zoom_out() { zoom(QRectF(rect()).center(), 1.0 / kKeyFactor); }
 std::optional<View> SceneView::moved_view() const {
   if (home_) return std::nullopt;
   const Camera& camera = picture_.camera;
-  return View{camera.center, camera.viewport.width() / camera.scale};
+  return View{camera.center, camera.viewport.width() / camera.scale, camera.viewport.height() / camera.scale};
 }
 
 void SceneView::go_home() {

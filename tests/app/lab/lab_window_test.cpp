@@ -159,7 +159,46 @@ TEST_F(LabWindowTest, PlotsAreChosenFromTheMenu) {
   EXPECT_EQ(plots(), window_.preset().plots.size());
 }
 
-TEST_F(LabWindowTest, ClickOnEmptySpaceAddsADisc) {
+// Below 1600 px the list is over the scene, and gone once an experiment is chosen; a wide window keeps it.
+TEST_F(LabWindowTest, TheListOpensOverTheSceneAndCloses) {
+  auto* experiments = window_.findChild<ExperimentList*>();
+  EXPECT_FALSE(experiments->isVisible());
+  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+  ASSERT_TRUE(experiments->isVisible());
+  auto* search = experiments->findChild<QLineEdit*>();
+  EXPECT_EQ(QApplication::focusWidget(), search);
+  QTest::keyClicks(search, "glancing");
+  QTest::keyClick(search, Qt::Key_Down);
+  QTest::keyClick(search, Qt::Key_Return);
+  ASSERT_TRUE(wait_for([this] { return window_.session().name() == "glancing"; }));
+  EXPECT_FALSE(experiments->isVisible());
+  EXPECT_EQ(QApplication::focusWidget(), &window_.scene_view());
+  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+  QTest::keyClick(search, Qt::Key_Escape);
+  EXPECT_FALSE(experiments->isVisible());
+  window_.resize(1700, 900);
+  EXPECT_TRUE(experiments->isVisible());
+  QTest::keyClick(search, Qt::Key_Escape);
+  EXPECT_TRUE(experiments->isVisible());
+  window_.resize(1300, 800);
+  EXPECT_FALSE(experiments->isVisible());
+}
+
+TEST_F(LabWindowTest, ANarrowWindowFoldsTheSwitchesOfTheView) {
+  const auto shown = [this](const char* tip) {
+    const QList<QToolButton*> buttons = window_.findChildren<QToolButton*>();
+    return std::any_of(buttons.begin(), buttons.end(),
+                       [&](const QToolButton* each) { return each->isVisible() && each->toolTip() == tip; });
+  };
+  EXPECT_TRUE(shown("Grid in metres"));
+  window_.resize(window_.minimumSize());
+  EXPECT_TRUE(wait_for([&] { return !shown("Grid in metres"); }));
+  EXPECT_TRUE(wait_for([this] { return !button("How free motion is advanced")->text().isEmpty(); }));
+  window_.resize(1280, 800);
+  EXPECT_TRUE(wait_for([&] { return shown("Grid in metres"); }));
+}
+
+TEST_F(LabWindowTest, TheDiscToolAddsADisc) {
   click_scene({0.1, 0.4});
   EXPECT_TRUE(window_.isWindowModified());
   ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 3; }));

@@ -50,11 +50,17 @@ TEST(Camera, FitsWithinMargins) {
   EXPECT_NEAR(camera.to_screen(Vec2(5.0, 0.5)).y(), 10.0 + 450.0 / 2, 1e-9);
 }
 
-TEST(Camera, ShowsAViewOfGivenWidth) {
+TEST(Camera, ShowsAllOfAView) {
   Camera camera = sample_camera();
   camera.show({Vec2(1.0, 2.0), 4.0});
   EXPECT_NEAR(camera.visible().lower.x(), -1.0, 1e-12);
   EXPECT_NEAR(camera.visible().upper.x(), 3.0, 1e-12);
+  camera.show({Vec2(1.0, 2.0), 4.0, 5.0});
+  EXPECT_NEAR(camera.visible().lower.y(), -0.5, 1e-12);
+  EXPECT_NEAR(camera.visible().upper.y(), 4.5, 1e-12);
+  camera.viewport = {800.0, 200.0};
+  camera.show({Vec2(1.0, 2.0), 4.0});
+  EXPECT_NEAR(camera.visible().lower.y(), 2.0 - 1.25, 1e-12) << "five eighths of the width";
 }
 
 TEST(Grid, StepsAreOneTwoFive) {
