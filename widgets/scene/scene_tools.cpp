@@ -13,8 +13,7 @@
 namespace carom {
 namespace {
 
-constexpr double kDragBegins = 4.0;  // px
-constexpr int kNoteShown = 4000;     // ms
+constexpr int kNoteShown = 4000;  // ms
 
 bool same(const Body& a, const Body& b) {
   return a.position == b.position && a.angle == b.angle && a.velocity == b.velocity && a.spin == b.spin &&

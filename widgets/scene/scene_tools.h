@@ -24,6 +24,9 @@ namespace carom {
 
 enum class SceneTool { kSelect, kDisc };
 
+// px: a press that moves no farther is a click.
+inline constexpr double kDragBegins = 4.0;
+
 // What the tools need to know of the view.
 struct SceneSight {
   std::shared_ptr<const Frame> frame;

@@ -1,11 +1,9 @@
 #include "widgets/scene/scene_view.h"
 
-#include <QGuiApplication>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QStyleHints>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
@@ -264,8 +262,7 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at = event->position();
-  if (press_ == Press::kMayPan &&
-      (at - press_at_).manhattanLength() >= QGuiApplication::styleHints()->startDragDistance()) {
+  if (press_ == Press::kMayPan && (at - press_at_).manhattanLength() >= kDragBegins) {
     press_ = Press::kPan;
     setCursor(Qt::ClosedHandCursor);
   }

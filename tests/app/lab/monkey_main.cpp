@@ -14,6 +14,7 @@
 #include <cstring>
 #include <ctime>
 #include <fmt/format.h>
+#include <limits>
 #include <pthread.h>
 #include <sys/prctl.h>
 #include <thread>
@@ -155,6 +156,9 @@ int run(int argc, char** argv) {
   QApplication::setApplicationName("Carom");
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QApplication::setQuitOnLastWindowClosed(false);
+  // Text is not dragged: Qt would ask the screen's own mouse where it is, and wait for its button.
+  QApplication::setStartDragDistance(std::numeric_limits<int>::max());
+  QApplication::setStartDragTime(std::numeric_limits<int>::max());
   become_nobody(folder.path());
   NoBrowser browser;
   for (const char* scheme : {"http", "https", "file", "mailto"})
