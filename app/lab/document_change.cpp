@@ -235,4 +235,14 @@ void number_new_parts(const Scene& start, SceneEdits& edits) {
   }
 }
 
+std::shared_ptr<const Scene> scene_at_start(const Scene& start) {
+  auto scene = std::make_shared<Scene>(start);
+  scene->bodies = all_bodies(start);
+  for (std::size_t i = 0; i < scene->bodies.size(); ++i) {
+    Id<Body>& id = scene->bodies[i].id;
+    if (id.number == 0) id.number = kFirstGenerated + static_cast<std::uint32_t>(i);
+  }
+  return scene;
+}
+
 }  // namespace carom

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -67,6 +68,9 @@ DocumentChange apply_change(Document& document, const DocumentChange& change);
 // What the start takes over from edits of a running scene that are not about motion: bodies keep the place and
 // the motion that they have at the start.
 [[nodiscard]] SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits);
+
+// The scene at the start of a run, as scene_now() gives it.
+[[nodiscard]] std::shared_ptr<const Scene> scene_at_start(const Scene& start);
 
 // Gives new parts their ids, so that the start and the runs know them by the same.
 void number_new_parts(const Scene& start, SceneEdits& edits);

@@ -10,6 +10,7 @@
 #include "physics/run/scene_now.h"
 #include "physics/run/simulation.h"
 #include "physics/scene/drive.h"
+#include "physics/scene/edit_rules.h"
 
 // A run takes an edit as if it had been saved as it stands, its scene edited, and it went on: a new simulation
 // of the edited scene, with what a checkpoint keeps carried over.
@@ -74,12 +75,6 @@ void keep_lengths(const Joint& was, Joint& now) {
   if (now.kind != was.kind) return;
   if (!now.length) now.length = was.length;
   if (!now.angle) now.angle = was.angle;
-}
-
-template <class Part>
-const Part* part_of(const std::vector<Part>& list, Id<Part> id) {
-  const auto found = std::find_if(list.begin(), list.end(), [id](const Part& p) { return p.id == id; });
-  return found == list.end() ? nullptr : &*found;
 }
 
 // Makes an edit in a running scene: bodies keep their motion, and the welds that the run made follow their

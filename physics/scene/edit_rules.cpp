@@ -1,17 +1,10 @@
 #include "physics/scene/edit_rules.h"
 
-#include <algorithm>
 #include <type_traits>
 #include <unordered_map>
 
 namespace carom {
 namespace {
-
-template <class Part>
-const Part* part_of(const std::vector<Part>& list, Id<Part> id) {
-  const auto found = std::find_if(list.begin(), list.end(), [id](const Part& p) { return p.id == id; });
-  return found == list.end() ? nullptr : &*found;
-}
 
 bool moves_otherwise(const Body& was, const Body& is) {
   return was.position != is.position || was.angle != is.angle || was.velocity != is.velocity ||

@@ -1,9 +1,20 @@
 #pragma once
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "physics/scene/edit.h"
 
 // What edits are about, and what they take along. Plain functions of a scene and an edit of it.
 namespace carom {
+
+// The part of this id; null if there is none.
+template <class Part>
+[[nodiscard]] const Part* part_of(const std::vector<Part>& list, Id<Part> id) {
+  const auto found = std::find_if(list.begin(), list.end(), [id](const Part& part) { return part.id == id; });
+  return found == list.end() ? nullptr : &*found;
+}
 
 // Whether an edit is about where things are and how fast they move, in a scene as it stands: a part that is
 // new, other ends of a joint or a spring, another place, angle, velocity or spin of a body. All other edits are

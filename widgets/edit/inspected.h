@@ -50,9 +50,6 @@ struct InspectedRow {
 // The edits that change these bodies.
 [[nodiscard]] SceneEdits edits_of(std::vector<Body> bodies, const std::function<void(Body&)>& change);
 
-// Gives a body another name, also where links, springs and forces name it.
-[[nodiscard]] SceneEdits renaming(const Scene& scene, const Body& body, const std::string& name);
-
 // "p 2.00 kg m/s", "K 2.00 J": the momentum and kinetic energy of the bodies that move, their mass if they are
 // several. Empty if none moves.
 [[nodiscard]] QStringList derived_texts(const std::vector<Body>& bodies);

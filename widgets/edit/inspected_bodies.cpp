@@ -155,23 +155,6 @@ SceneEdits edits_of(std::vector<Body> bodies, const std::function<void(Body&)>& 
   return edits;
 }
 
-SceneEdits renaming(const Scene& scene, const Body& body, const std::string& name) {
-  SceneEdits edits = edits_of({body}, [&](Body& b) { b.name = name; });
-  const auto follow = [&](auto part, auto... ends) {
-    bool named = false;
-    for (const auto end : {ends...}) {
-      if (part.*end != body.name) continue;
-      part.*end = name;
-      named = true;
-    }
-    if (named) edits.emplace_back(Replace<decltype(part)>{part});
-  };
-  for (const Joint& joint : scene.joints) follow(joint, &Joint::body, &Joint::to);
-  for (const Spring& spring : scene.forces.springs) follow(spring, &Spring::body, &Spring::to);
-  for (const AppliedForce& force : scene.forces.applied) follow(force, &AppliedForce::body);
-  return edits;
-}
-
 QStringList derived_texts(const std::vector<Body>& bodies) {
   int moving = 0;
   double mass = 0.0;

@@ -210,6 +210,26 @@ TEST_F(SessionEditTest, WhatNamesABodyFollowsItsName) {
   EXPECT_EQ(document(), before);
 }
 
+// The weld that the run made follows by itself.
+TEST_F(SessionEditTest, ABodyThatHasStuckIsRenamedAndDeleted) {
+  Preset preset = two_discs();
+  preset.scene.materials[0].restitution = 0.0;
+  preset.scene.materials[0].sticks = true;
+  open(preset);
+  run_to(1.0);
+  ASSERT_NEAR(now("right").velocity.x(), 0.5, 1e-12);
+  Body right = now("right");
+  right.name = "stuck";
+  edit(Replace<Body>{right}, "Rename");
+  EXPECT_EQ(refused_, "");
+  run_to(1.2);
+  EXPECT_NEAR(now("stuck").velocity.x(), 0.5, 1e-12);
+  edit(Remove<Body>{now("stuck").id}, "Delete stuck");
+  EXPECT_EQ(refused_, "");
+  EXPECT_EQ(session_.bodies().size(), 1U);
+  EXPECT_NEAR(start(0).velocity.x(), 0.5, 1e-12);
+}
+
 TEST_F(SessionEditTest, ABodyOfAGeneratorBecomesAListedOne) {
   Preset preset = two_discs();
   GridGenerator grid;
