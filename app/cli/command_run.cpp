@@ -54,7 +54,7 @@ int run(const RunOptions& options) {
   const Preset preset = preset_with_method(options.preset, options.method);
   const Simulation start(setup_of(preset));
   const double end = options.until.value_or(preset.duration);
-  if (end < start.time() - 1e-9 * preset.method.step) {  // less is rounding
+  if (end < start.time() - kSameMoment * preset.method.step) {  // less is rounding
     throw SceneError(fmt::format("{}: the run is already at t = {} s; allowed: --until from {} on",
                                  options.preset, start.time(), start.time()));
   }

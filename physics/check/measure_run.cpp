@@ -20,8 +20,6 @@ namespace {
 using Reduction = Expectation::Reduction;
 
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
-// Of a step: closer moments are the same, as in Simulation::advance_to().
-constexpr double kSameMoment = 1e-9;
 // Steps between two copies of a run, from which impacts are reached again: many enough to make copies cheap,
 // few enough to repeat.
 constexpr int kStepsBetweenCopies = 64;

@@ -90,10 +90,9 @@ RunSummary run_and_summarize(const RunSetup& setup, const Method& method, double
   // The same steps as Simulation::advance_to() takes, with a check after each: a run that blows up would
   // continue with millions of impacts a step.
   const auto advance = [&](double to) {
-    const double h = method.step;
-    for (double left = to - s.time(); left > 1e-9 * h; left = to - s.time()) {
+    while (const double h = step_towards(to, s.time(), method.step)) {
       throw_if_cancelled(stop);
-      s.step(left > (1.0 - 1e-9) * h ? h : left);
+      s.step(h);
       if (s.lost()) {
         run.blew_up_at = s.time();
         return;

@@ -84,16 +84,16 @@ class MomentReplay {
     bool cancelled = false;
     replay_.go_through([](const RunEdit&) {},
                        [&](const Simulation& s) {
-                         // The same division of time as in Simulation::advance_to().
-                         if (s.lost() || time - s.time() <= (1.0 - 1e-9) * s.method().step) return false;
+                         if (s.lost() || step_towards(time, s.time(), s.method().step) < s.method().step)
+                           return false;
                          cancelled = !go_on(s.time());
                          return !cancelled;
                        },
                        [&](const Simulation& s) { keep_recent(impacts_, s.last_impacts(), s.time(), span_); });
     if (cancelled) return false;
     frame.impacts = impacts_;
-    const double left = time - simulation.time();
-    if (simulation.lost() || left <= 1e-9 * simulation.method().step) {
+    const double left = step_towards(time, simulation.time(), simulation.method().step);
+    if (simulation.lost() || left == 0.0) {
       take(simulation, frame);
       return true;
     }

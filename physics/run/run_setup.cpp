@@ -1,6 +1,7 @@
 #include "physics/run/run_setup.h"
 
 #include "physics/scene/facts.h"
+#include "physics/step/run_clock.h"
 
 namespace carom {
 
@@ -17,7 +18,7 @@ std::vector<Body> all_bodies(const RunSetup& setup) {
 }
 
 bool is_due(const RunEdit& edit, double time, double step) {
-  const double rounding = 1e-9 * step;
+  const double rounding = kSameMoment * step;
   return std::holds_alternative<Method>(edit.what) ? edit.time + rounding < time + step
                                                    : edit.time <= time + rounding;
 }

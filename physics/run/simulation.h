@@ -55,10 +55,9 @@ class Simulation {
   void advance_to(double time, const AfterStep& after_step) {
     while (!lost_) {
       apply_all_due();
-      const double h = world_.method.step;
-      const double left = time - this->time();
-      if (left <= 1e-9 * h) return;  // rounding
-      step(left > (1.0 - 1e-9) * h ? h : left);
+      const double h = step_towards(time, this->time(), world_.method.step);
+      if (h == 0.0) return;
+      step(h);
       if (!lost_) after_step();
     }
   }

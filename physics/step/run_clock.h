@@ -4,6 +4,16 @@
 
 namespace carom {
 
+// Moments of a run that are closer than this, in steps, are one.
+inline constexpr double kSameMoment = 1e-9;
+
+// s: how long the step from `time` towards `end` lasts in a run with steps of h > 0; 0 at the end.
+[[nodiscard]] inline double step_towards(double end, double time, double h) {
+  const double left = end - time;
+  if (left <= kSameMoment * h) return 0.0;
+  return left > (1.0 - kSameMoment) * h ? h : left;
+}
+
 // The time of a run, in s. Whole steps keep time = origin + k h, without summing.
 struct RunClock {
   double time = 0.0;         // at the end of the last step
