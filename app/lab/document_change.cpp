@@ -245,4 +245,12 @@ std::shared_ptr<const Scene> scene_at_start(const Scene& start) {
   return scene;
 }
 
+ReferenceId first_reference(const Preset& preset) {
+  constexpr std::ptrdiff_t kMostMoving = 200;  // beyond it the costly reference runs only on request
+  const std::vector<Body> bodies = all_bodies(preset);
+  const auto moving =
+      std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return !has_infinite_mass(b); });
+  return moving > kMostMoving ? ReferenceId::kNone : usual_reference(setup_of(preset));
+}
+
 }  // namespace carom

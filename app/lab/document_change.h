@@ -72,6 +72,9 @@ DocumentChange apply_change(Document& document, const DocumentChange& change);
 // The scene at the start of a run, as scene_now() gives it.
 [[nodiscard]] std::shared_ptr<const Scene> scene_at_start(const Scene& start);
 
+// The best reference that the scene allows; none where it would be costly.
+[[nodiscard]] ReferenceId first_reference(const Preset& preset);
+
 // Gives new parts their ids, so that the start and the runs know them by the same.
 void number_new_parts(const Scene& start, SceneEdits& edits);
 

@@ -53,10 +53,10 @@ bool covers(const DocumentChange& earlier, const DocumentChange& later) {
 DocumentEdit::DocumentEdit(Session& session, const What& what, DocumentChange back)
     : QUndoCommand(what.text), session_(session), what_(what), next_(std::move(back)) {}
 
-void DocumentEdit::undo() { next_ = session_.go_to(next_, what_, &Worker::undo); }
+void DocumentEdit::undo() { next_ = session_.go_to(next_, what_); }
 
 void DocumentEdit::redo() {
-  if (!std::exchange(made_, false)) next_ = session_.go_to(next_, what_, &Worker::redo);
+  if (!std::exchange(made_, false)) next_ = session_.go_to(next_, what_);
 }
 
 bool DocumentEdit::mergeWith(const QUndoCommand* later) {

@@ -43,7 +43,7 @@ void LabWindow::connect_edits() {
   connect(&session_, &Session::editRefused, inspector_, &Inspector::say);
 }
 
-void LabWindow::show_selection() { inspector_->show_selection(session_.scene(), view_->selection()); }
+void LabWindow::show_selection() { inspector_->show_selection(session_.runs().scene(), view_->selection()); }
 
 void LabWindow::new_document() {
   files_->when_saved([this] {
@@ -56,21 +56,21 @@ void LabWindow::new_document() {
 }
 
 void LabWindow::copy_selection() {
-  if (session_.scene() == nullptr || view_->selection().empty()) return;
-  const Preset copy = copied_bodies(*session_.scene(), view_->selection());
+  if (session_.runs().scene() == nullptr || view_->selection().empty()) return;
+  const Preset copy = copied_bodies(*session_.runs().scene(), view_->selection());
   QApplication::clipboard()->setText(QString::fromStdString(write_preset(copy)));
 }
 
 void LabWindow::cut_selection() {
   copy_selection();
-  if (session_.scene() == nullptr) return;
-  const Deletion gone = deletion(*session_.scene(), view_->selection());
+  if (session_.runs().scene() == nullptr) return;
+  const Deletion gone = deletion(*session_.runs().scene(), view_->selection());
   if (!gone.edits.empty()) session_.edit(gone.edits, gone.name);
 }
 
 // At the mouse if it is over the scene, else in the middle of the view.
 void LabWindow::paste() {
-  if (session_.scene() == nullptr) return;
+  if (session_.runs().scene() == nullptr) return;
   try {
     const Preset from = parse_preset(QApplication::clipboard()->text().toStdString(), "clipboard");
     const Extent extent = extent_of(all_bodies(from.scene));
@@ -78,7 +78,7 @@ void LabWindow::paste() {
     const QPointF at =
         view_->underMouse() ? QPointF(view_->mapFromGlobal(QCursor::pos())) : QRectF(view_->rect()).center();
     const Vec2 middle = bounded ? Vec2(0.5 * (extent.lower + extent.upper)) : Vec2(Vec2::Zero());
-    put(paste_into(*session_.scene(), from, view_->camera().to_world(at) - middle), tr("Paste"));
+    put(paste_into(*session_.runs().scene(), from, view_->camera().to_world(at) - middle), tr("Paste"));
   } catch (const SceneError& error) {
     inspector_->say(tr("The clipboard holds no preset: %1").arg(error.what()));
   }
@@ -86,12 +86,12 @@ void LabWindow::paste() {
 
 // Beside the originals, to the right.
 void LabWindow::duplicate_selection() {
-  if (session_.scene() == nullptr || view_->selection().empty()) return;
-  const Preset copy = copied_bodies(*session_.scene(), view_->selection());
+  if (session_.runs().scene() == nullptr || view_->selection().empty()) return;
+  const Preset copy = copied_bodies(*session_.runs().scene(), view_->selection());
   const Extent extent = extent_of(copy.scene.bodies);
   const bool bounded = (extent.upper.array() >= extent.lower.array()).all();
   const Vec2 shift(bounded ? 1.1 * (extent.upper.x() - extent.lower.x()) : 0.0, 0.0);
-  put(paste_into(*session_.scene(), copy, shift), tr("Duplicate"));
+  put(paste_into(*session_.runs().scene(), copy, shift), tr("Duplicate"));
 }
 
 void LabWindow::put(const Paste& paste, const QString& what) {

@@ -64,11 +64,13 @@ LabExports::LabExports(QWidget* window, Session& session, const Views& views)
   connect(&views.plots, &PlotPanel::dataCopyAsked, this, &LabExports::copy_data);
 }
 
-bool LabExports::has_run() const { return session_.frame() != nullptr && session_.frame()->setup != nullptr; }
+bool LabExports::has_run() const {
+  return session_.runs().frame() != nullptr && session_.runs().frame()->setup != nullptr;
+}
 
 std::vector<RunSetup> LabExports::runs() const {
   std::vector<RunSetup> all;
-  for (const auto& frame : session_.frames()) all.push_back(*frame->setup);
+  for (const auto& frame : session_.runs().frames()) all.push_back(*frame->setup);
   return all;
 }
 
@@ -139,7 +141,7 @@ void LabExports::save_data(const RunPlot* plot) {
   if (!has_run()) return;
   if (plot != nullptr && plot->distribution() != nullptr) return save_bins(*plot);
   const ReadingMarks marks = views_.plots.marks();
-  const std::vector<std::shared_ptr<const Frame>> frames = session_.frames();
+  const std::vector<std::shared_ptr<const Frame>> frames = session_.runs().frames();
   std::vector<Method> methods;
   for (const auto& each : frames) methods.push_back(each->method);
   auto* dialog = new ExportDialog(plot == nullptr ? QString() : plot->content().title, marks.a && marks.b,
@@ -171,7 +173,7 @@ void LabExports::save_data(const RunPlot* plot) {
 void LabExports::copy_data(const RunPlot* plot, bool shown) {
   if (!has_run()) return;
   if (plot->distribution() != nullptr) return copy_bins(*plot);
-  DataExport what = export_of(*session_.frame(), session_.reference());
+  DataExport what = export_of(*session_.runs().frame(), session_.reference());
   add_columns(plot->content(), what.columns);
   if (shown) {
     what.from = views_.plots.marks().from;
@@ -204,7 +206,7 @@ void LabExports::save_run() {
   const auto suggestion = QStringLiteral("run.json");
   ask_for_file(
       window_, tr("Save the run as it stands"), suggestion, {{tr("Carom presets (*.json)"), "json"}},
-      [this, frame = session_.frame(), document = session_.document()](const QString& file) {
+      [this, frame = session_.runs().frame(), document = session_.document()](const QString& file) {
         with_progress(window_, tr("Save the run"), tr("The run cannot be saved"), [=](const Progress& go_on) {
           const auto run = run_at(*frame->setup, frame->key_frames, frame->time, frame->steps, go_on);
           if (run) save_preset(saved_preset(document, *run), file.toStdString());
@@ -216,8 +218,8 @@ void LabExports::make_film() {
   if (!has_run()) return;
   Film film;
   film.runs = runs();
-  film.to = session_.frame()->time > 0.0 ? session_.frame()->time : session_.document().duration;
-  film.speed = session_.speed();
+  film.to = session_.runs().frame()->time > 0.0 ? session_.runs().frame()->time : session_.document().duration;
+  film.speed = session_.runs().speed();
   film.look = views_.scene.look();
   constexpr int kWidth = 1280;  // px
   const QSizeF seen = film.look.camera.viewport;
@@ -249,26 +251,26 @@ void LabExports::save_film_of(const Film& film, const QString& folder, bool repl
 
 void LabExports::make_report() {
   if (!has_run()) return;
-  if (session_.frame()->steps == 0 && !session_.frame()->playing)
+  if (session_.runs().frame()->steps == 0 && !session_.runs().frame()->playing)
     return show_message(window_, tr("Lab report"), tr("The run has not begun: play it first."));
   // So that plots and tables have the same time.
-  session_.when_still(tr("the report waits for the step that is under way"), [this] { write_report(); });
+  session_.runs().when_still(tr("the report waits for the step that is under way"), [this] { write_report(); });
 }
 
 void LabExports::write_report() {
-  if (!has_run() || session_.frame()->steps == 0) return;
-  const Frame& frame = *session_.frame();
+  if (!has_run() || session_.runs().frame()->steps == 0) return;
+  const Frame& frame = *session_.runs().frame();
   views_.bodies.update_from(frame, session_.bodies());
   views_.ledger.update_from(frame);
   LabReport report;
   report.runs = runs();
-  for (const auto& each : session_.frames()) report.ends.push_back(*each);
+  for (const auto& each : session_.runs().frames()) report.ends.push_back(*each);
   report.title = QString::fromStdString(session_.document().title);
   report.observe = QString::fromStdString(session_.document().observe);
   report.date = QLocale().toString(QDate::currentDate(), "d MMMM yyyy");
   report.questions = {tr("What did you expect?"), tr("What do you see?"), tr("Why?")};
   std::vector<SeriesPoint<1>> impacts;
-  session_.recorders().front()->impulses().read(0.0, frame.time, impacts);
+  session_.runs().recorders().front()->impulses().read(0.0, frame.time, impacts);
   if (!impacts.empty()) report.first_impact = impacts.front().at;
   report.times = report_times(report.runs.front().method, report.first_impact, frame.time);
   report.look = views_.scene.look();

@@ -7,6 +7,7 @@
 #include <QSplitter>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/lab/document_files.h"
 #include "app/lab/lab_window.h"
@@ -204,7 +205,12 @@ QWidget* LabWindow::make_plots() {
 }
 
 void LabWindow::connect_views() {
-  connect(study_, &StudyPanel::methodChosen, &session_, &Session::compare_with);
+  connect(study_, &StudyPanel::methodChosen, this, [this](const Method& method) {
+    const std::vector<Method>& others = preset().compare;
+    const bool there =
+        preset().method == method || std::find(others.begin(), others.end(), method) != others.end();
+    if (!there) session_.add_method(method);
+  });
   connect(compare_, &ComparePanel::methodAdded, &session_, &Session::add_method);
   connect(compare_, &ComparePanel::methodRemoved, &session_, &Session::remove_method);
   connect(compare_, &ComparePanel::methodChanged, &session_, &Session::change_method);
@@ -214,13 +220,13 @@ void LabWindow::connect_views() {
   connect(tabs_, &QTabWidget::currentChanged, this, &LabWindow::show_frame);
   connect(plots_, &PlotPanel::layoutChanged, this, [this] {
     session_.change_plots(plots_->chosen());
-    session_.record(plots_->curves());
+    session_.runs().record(plots_->curves());
   });
   connect(plots_, &PlotPanel::marksChanged, this, [this] {
     tabs_->setCurrentWidget(reading_);
     show_frame();
   });
-  connect(lost_bar_, &NoticeBar::accepted, &session_, &Session::restart);
+  connect(lost_bar_, &NoticeBar::accepted, &session_.runs(), &LabRuns::restart);
   connect(lost_bar_, &NoticeBar::dismissed, this, [this] {
     lost_bar_->hide();
     show_notices();
@@ -238,10 +244,10 @@ void LabWindow::connect_views() {
   });
   connect(list_, &ExperimentList::closeRequested, this, [this] { list_action_->setChecked(false); });
   connect(transport_, &TransportBar::playClicked, this, &LabWindow::set_playing);
-  connect(transport_, &TransportBar::restartClicked, &session_, &Session::restart);
-  connect(transport_, &TransportBar::stepClicked, &session_, &Session::step_once);
+  connect(transport_, &TransportBar::restartClicked, &session_.runs(), &LabRuns::restart);
+  connect(transport_, &TransportBar::stepClicked, &session_.runs(), &LabRuns::step_once);
   connect(transport_, &TransportBar::speedChosen, this, [this](double speed) {
-    session_.set_speed(speed);
+    session_.runs().set_speed(speed);
     show_frame();
   });
 }

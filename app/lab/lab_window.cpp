@@ -64,17 +64,17 @@ LabWindow::~LabWindow() {
 }
 
 void LabWindow::connect_session() {
-  connect(&session_, &Session::framesChanged, this, &LabWindow::show_frame);
-  connect(&session_, &Session::noticesChanged, this, &LabWindow::show_notices);
+  connect(&session_.runs(), &LabRuns::framesChanged, this, &LabWindow::show_frame);
+  connect(&session_.runs(), &LabRuns::noticesChanged, this, &LabWindow::show_notices);
   connect(&session_, &Session::documentChanged, this, &LabWindow::show_document);
   connect(&session_, &Session::modifiedChanged, this, &LabWindow::setWindowModified);
   connect(&session_, &Session::plotsChanged, this, [this] {
     plots_->change_plots(preset().plots);
-    session_.record(plots_->curves());
+    session_.runs().record(plots_->curves());
   });
   connect(&session_, &Session::bodiesChanged, this, [this] {
     plots_->set_bodies(session_.bodies(), preset().plots);
-    session_.record(plots_->curves());
+    session_.runs().record(plots_->curves());
   });
   connect(files_, &DocumentFiles::opened, this, &LabWindow::show_scene);
   connect(files_, &DocumentFiles::stayed, this, [this] { list_->set_current(session_.name()); });
@@ -82,7 +82,7 @@ void LabWindow::connect_session() {
   connect(recovery_, &WorkRecovery::restoreAsked, this, [this](const Preset& work) {
     files_->when_saved([this, work] {
       show_scene(work, {}, {});
-      session_.mark_modified();
+      session_.edits().resetClean();
       recovery_->restored();
     });
   });
@@ -120,7 +120,7 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
 void LabWindow::show_preparing() {
   if (frame() != nullptr) return;
   view_->clear();
-  chips_->show_time(session_);
+  chips_->show_time(session_.runs());
   show_notices();
 }
 
@@ -141,7 +141,7 @@ void LabWindow::closeEvent(QCloseEvent* event) {
       close();
     });
   }
-  session_.forget_wait();
+  session_.runs().forget_wait();
   recovery_->end();
   event->accept();
 }
@@ -155,28 +155,28 @@ void LabWindow::set_playing(bool playing) {
     lost_bar_->show();
     return show_notices();
   }
-  session_.set_playing(playing);
+  session_.runs().set_playing(playing);
 }
 
 void LabWindow::compare_usual() {
   if (!session_.compares_usual()) {
     tabs_->setCurrentWidget(compare_);
     const QSignalBlocker part_of_this_edit(plots_);
-    if (session_.first_reference() != ReferenceId::kNone) plots_->set_shown("error", true);
+    if (first_reference(preset()) != ReferenceId::kNone) plots_->set_shown("error", true);
   }
   session_.compare_usual(plots_->chosen(), plots_->curves());
 }
 
 void LabWindow::run_until(double time) {
-  session_.run_until(time);
+  session_.runs().run_until(time);
   plots_->show_now();
 }
 
 void LabWindow::show_frame() {
-  const auto& frames = session_.frames();
+  const auto& frames = session_.runs().frames();
   if (frames.empty()) return;
   const Frame& frame = *frames.front();
-  const auto& recorders = session_.recorders();
+  const auto& recorders = session_.runs().recorders();
   std::vector<Method> methods;
   for (const auto& each : frames) methods.push_back(each->method);
   const std::vector<QString> names = names_of(methods);
@@ -194,21 +194,21 @@ void LabWindow::show_frame() {
   if (tab == reading_) reading_->update_from(plots_->runs(), plots_->contents(), plots_->marks());
   if (tab == compare_) compare_->update_from(frames);
   tabs_->setTabText(1, tr("Impacts (%1)").arg(frame.impact_count));
-  chips_->show_time(session_);
+  chips_->show_time(session_.runs());
   show_notices();
 }
 
 // A loss is reported once, so that a dismissed bar stays hidden.
 void LabWindow::show_notices() {
-  const Frame* lost = session_.lost();
+  const Frame* lost = session_.runs().lost();
   const QString why = lost == nullptr ? QString() : QString::fromStdString(*lost->lost);
   if (std::exchange(lost_, why) != why) {
-    const bool several = session_.frames().size() > 1;
+    const bool several = session_.runs().frames().size() > 1;
     lost_bar_->say(several ? tr("A run is %1").arg(why) : tr("The run is %1").arg(why), tr("Restart"),
                    tr("Dismiss"));
     lost_bar_->setVisible(!why.isEmpty());
   }
-  chips_->show_notices(session_, recovery_->not_kept(), lost_bar_->isVisibleTo(this));
+  chips_->show_notices(session_.runs(), recovery_->not_kept(), lost_bar_->isVisibleTo(this));
 }
 
 }  // namespace carom

@@ -62,7 +62,7 @@ class LabWindow : public QMainWindow {
   void set_theme(const Theme& theme);
   [[nodiscard]] SceneView& scene_view() { return *view_; }
   [[nodiscard]] Session& session() { return session_; }
-  [[nodiscard]] std::shared_ptr<const Frame> frame() const { return session_.frame(); }
+  [[nodiscard]] std::shared_ptr<const Frame> frame() const { return session_.runs().frame(); }
   [[nodiscard]] const Preset& preset() const { return session_.document(); }
 
  public slots:

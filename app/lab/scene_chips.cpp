@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <algorithm>
 
-#include "app/lab/session.h"
+#include "app/lab/lab_runs.h"
 #include "physics/model/needs.h"
 #include "widgets/base/plain_text.h"
 #include "widgets/run/transport_bar.h"
@@ -71,9 +71,9 @@ void SceneChips::show_needs(const Preset& document) {
   place();
 }
 
-void SceneChips::show_time(const Session& session) {
-  QString speed = TransportBar::speed_text(session.speed());
-  if (const auto frame = session.frame()) {
+void SceneChips::show_time(const LabRuns& runs) {
+  QString speed = TransportBar::speed_text(runs.speed());
+  if (const auto frame = runs.frame()) {
     time_->setToolTip(tr("Simulated time\n%1 steps, %2 rejected\n%3 evaluations of a body's acceleration")
                           .arg(frame->steps)
                           .arg(frame->rejected_steps)
@@ -81,7 +81,7 @@ void SceneChips::show_time(const Session& session) {
     time_->setText(QString("t = %1 s").arg(frame->time, 0, 'f', 3));
     // The requested speed, or the machine's speed if that is clearly less.
     const bool slow =
-        frame->playing && frame->realised_speed > 0.0 && frame->realised_speed < 0.85 * session.speed();
+        frame->playing && frame->realised_speed > 0.0 && frame->realised_speed < 0.85 * runs.speed();
     if (slow) speed += tr(", runs at ×%1").arg(frame->realised_speed, 0, 'g', 2);
   } else {
     time_->setText("t = …");
@@ -89,19 +89,19 @@ void SceneChips::show_time(const Session& session) {
   speed_->setText(speed);
 }
 
-void SceneChips::show_notices(const Session& session, const QString& more, bool lost_shown) {
-  const auto frame = session.frame();
+void SceneChips::show_notices(const LabRuns& runs, const QString& more, bool lost_shown) {
+  const auto frame = runs.frame();
   QStringList notices;
   if (frame == nullptr) notices << tr("preparing the scene …");
-  for (const QString& notice : {session.waits(), more}) {
+  for (const QString& notice : {runs.waits(), more}) {
     if (!notice.isEmpty()) notices << notice;
   }
-  if (session.replayed())
-    notices << tr("replaying the run after an edit: t = %1 s; Space stops here")
-                   .arg(*session.replayed(), 0, 'f', 1);
+  if (runs.replayed())
+    notices
+        << tr("replaying the run after an edit: t = %1 s; Space stops here").arg(*runs.replayed(), 0, 'f', 1);
   if (frame != nullptr && frame->status != "ok" && !(frame->lost && lost_shown))
     notices << QString::fromStdString(frame->status);
-  for (const auto& each : session.frames()) {
+  for (const auto& each : runs.frames()) {
     if (each->rows_known_until < each->time) {
       notices << tr("replaying the run for new curves: t = %1 s").arg(each->rows_known_until, 0, 'f', 1);
     } else if (!each->lost && each->time + each->method.step <= frame->time) {

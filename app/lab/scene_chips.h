@@ -7,7 +7,7 @@ class QLabel;
 namespace carom {
 
 class SceneView;
-class Session;
+class LabRuns;
 struct Preset;
 
 // Chips over the scene: time, speed and what is modelled; below, the run's notices and the cursor's position.
@@ -19,9 +19,9 @@ class SceneChips : public QObject {
   explicit SceneChips(SceneView& view);
 
   void show_needs(const Preset& document);
-  void show_time(const Session& session);
+  void show_time(const LabRuns& runs);
   // `more`: further text of the window; `lost_shown`: the reason of a lost run is shown elsewhere.
-  void show_notices(const Session& session, const QString& more, bool lost_shown);
+  void show_notices(const LabRuns& runs, const QString& more, bool lost_shown);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace carom {
-namespace {
-
-constexpr double kRounding = 1e-9;  // of a step
-
-}  // namespace
 
 void RunGroup::load(const Preset& preset, const std::vector<Curve>& curves, ReferenceId reference) {
   preset_ = preset;
@@ -97,27 +92,18 @@ RunGroup::Plan RunGroup::plan() const {
   return all;
 }
 
-void RunGroup::undo(EditId edit, const Preset& start, ReferenceId reference) {
-  const auto past = past_.find(edit);
-  if (past == past_.end()) return;
-  past->second.after = plan();
-  restore(past->second.before, start, reference);
-}
-
-void RunGroup::redo(EditId edit, const Preset& start, ReferenceId reference) {
-  const auto past = past_.find(edit);
-  if (past != past_.end()) restore(past->second.after, start, reference);
-}
-
 // Unchanged runs continue as they are.
-void RunGroup::restore(const Plan& plan, const Preset& start, ReferenceId reference) {
+void RunGroup::undo_or_redo(EditId edit, const Preset& start, ReferenceId reference) {
+  const auto other_side = other_sides_.find(edit);
+  if (other_side == other_sides_.end()) return;
+  const Plan wanted = std::exchange(other_side->second, plan());
   const bool other_reference = std::exchange(reference_, reference) != reference;
-  const bool begun_since = plan.starts != starts_;
+  const bool begun_since = wanted.starts != starts_;
   if (begun_since) preset_ = start;
   if (interrupted_) return;
   const double time = displayed_time();
   std::vector<Run> old = std::exchange(runs_, {});
-  for (RunPlan& each : begun_since ? plans_of(start) : std::vector<RunPlan>(plan.runs))
+  for (RunPlan& each : begun_since ? plans_of(start) : std::vector<RunPlan>(wanted.runs))
     take_plan(std::move(each), old);
   replay_until_.reset();
   if (first().time() < time) replay_until_ = time;
@@ -155,7 +141,7 @@ RunGroup::Run& RunGroup::farthest_behind() {
 
 // True if the run's next step ends not after `time`.
 bool RunGroup::may_step(const Run& run, double time) {
-  return run.live.next() <= time + kRounding * run.live.simulation().method().step;
+  return run.live.next() <= time + kSameMoment * run.live.simulation().method().step;
 }
 
 void RunGroup::step(Run& run) {

@@ -32,7 +32,7 @@ class RunGroup {
   // Another start, with the curves and the reference of before.
   void start_from(const Preset& preset) { preset_ = preset; }
   // Edits so far can't be undone any more.
-  void forget_edits() { past_.clear(); }
+  void forget_edits() { other_sides_.clear(); }
   // All runs at t = 0.
   void begin(std::stop_token token);
   void interrupt();
@@ -51,11 +51,10 @@ class RunGroup {
   void compare_with(ReferenceId reference);
 
   // Call before an edit that can be undone.
-  void remember(EditId edit) { past_[edit].before = plan(); }
-  // An edit that is not remembered does nothing. `start`: what the runs start from if they were begun again
-  // since the edit was made.
-  void undo(EditId edit, const Preset& start, ReferenceId reference);
-  void redo(EditId edit, const Preset& start, ReferenceId reference);
+  void remember(EditId edit) { other_sides_[edit] = plan(); }
+  // Takes the last remembered edit back, or makes the one again that was taken back last. `start`: what the
+  // runs start from if they were begun again since the edit was made.
+  void undo_or_redo(EditId edit, const Preset& start, ReferenceId reference);
   // s: the runs are being replayed up to here.
   [[nodiscard]] std::optional<double> replay_until() const { return replay_until_; }
   void end_replay() { replay_until_.reset(); }
@@ -106,16 +105,12 @@ class RunGroup {
     std::uint64_t starts = 0;
     std::vector<RunPlan> runs;
   };
-  struct Past {
-    Plan before, after;
-  };
 
   [[nodiscard]] static std::vector<RunPlan> plans_of(const Preset& preset);
   [[nodiscard]] static RunPlan plan_of(const Run& run);
   [[nodiscard]] Plan plan() const;
   void record_all();
   void take_plan(RunPlan plan, std::vector<Run>& old);
-  void restore(const Plan& plan, const Preset& start, ReferenceId reference);
   void begin_run(RunPlan plan);
   [[nodiscard]] double displayed_time() const;
   [[nodiscard]] Run& farthest_behind();
@@ -128,7 +123,7 @@ class RunGroup {
   std::vector<Curve> curves_;
   ReferenceId reference_ = ReferenceId::kNone;
   std::vector<Run> runs_;
-  std::map<EditId, Past> past_;
+  std::map<EditId, Plan> other_sides_;  // of edits: the runs before it, or after it if it is undone
   std::optional<double> replay_until_;
   std::uint64_t starts_ = 0;
   std::uint64_t ids_ = 0;

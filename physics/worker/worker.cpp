@@ -184,19 +184,11 @@ Worker::EditId Worker::edit_scene(const SceneEdits& edits, EditId part_of) {
   return post_edit([edits](RunGroup& runs, EditId edit) { runs.edit_scene(edits, edit); }, part_of);
 }
 
-void Worker::undo(EditId edit, const Preset& start, ReferenceId reference) {
-  post_replay([=](RunGroup& runs) { runs.undo(edit, start, reference); });
-}
-
-void Worker::redo(EditId edit, const Preset& start, ReferenceId reference) {
-  post_replay([=](RunGroup& runs) { runs.redo(edit, start, reference); });
-}
-
-void Worker::post_replay(const std::function<void(RunGroup&)>& command) {
+void Worker::undo_or_redo(EditId edit, const Preset& start, ReferenceId reference) {
   post(
-      [command](Session& session) {
+      [=](Session& session) {
         if (!session.runs.replay_until()) session.replay_began = Clock::now();
-        command(session.runs);
+        session.runs.undo_or_redo(edit, start, reference);
       },
       Command::When::kAtOnce);
 }

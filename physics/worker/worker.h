@@ -34,7 +34,7 @@ namespace carom {
 // Edits of the runs can be undone, the last first, and redone: the runs that change go back to the last key
 // frame before it and are replayed to the present moment at full speed, as if the edit had never been made
 // (Frame::replay_until). A short replay is not shown. After a restart since the edit the runs are those of the
-// start that undo() and redo() name.
+// start that undo_or_redo() names.
 class Worker {
  public:
   // Identifies an edit of the runs since the last load.
@@ -69,8 +69,7 @@ class Worker {
   EditId edit_scene(const SceneEdits& edits, EditId part_of = 0);
   // Undoes the last edit that is not undone, or redoes the last one that is. Then `start` is what the runs
   // start from, and `reference` is the one to use.
-  void undo(EditId edit, const Preset& start, ReferenceId reference);
-  void redo(EditId edit, const Preset& start, ReferenceId reference);
+  void undo_or_redo(EditId edit, const Preset& start, ReferenceId reference);
   void end_replay();            // stays at the moment that is reached
   void run_until(double time);  // at full speed, then stops; publishes frames on the way
   // Sets the curves to record from now on. Those that were not recorded before come from the start on: the
@@ -102,7 +101,6 @@ class Worker {
   void post_to_runs(const std::function<void(Session&)>& command);
   // Also saves the state of the runs before, so that the edit can be undone.
   EditId post_edit(const std::function<void(RunGroup&, EditId)>& command, EditId part_of = 0);
-  void post_replay(const std::function<void(RunGroup&)>& command);
   // Interrupts the step under way; all runs begin after the command.
   void post_begin(const std::function<void(RunGroup&)>& command);
   void work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,

@@ -51,20 +51,20 @@ class SessionEditTest : public testing::Test {
   // Waits until the runs have done all that was asked for before: a curve that is asked for now comes last.
   void settle() {
     const Curve curve{{find_observable(settled_++ % 2 == 0 ? "kinetic_energy" : "total_energy"), {}}, {}};
-    session_.record({});
-    session_.record({curve});
+    session_.runs().record({});
+    session_.runs().record({curve});
     ASSERT_TRUE(test::wait_in_event_loop([&] {
-      const auto frame = session_.frame();
-      return frame && frame->scene && !session_.replayed() &&
-             session_.recorders()[0]->series(curve) != nullptr && frame->rows_known_until >= frame->time;
+      const auto frame = session_.runs().frame();
+      return frame && frame->scene && !session_.runs().replayed() &&
+             session_.runs().recorders()[0]->series(curve) != nullptr && frame->rows_known_until >= frame->time;
     }));
   }
   void run_to(double time) {
-    session_.run_until(time);
+    session_.runs().run_until(time);
     settle();
   }
   [[nodiscard]] Body now(const std::string& name) const {
-    for (const Body& body : session_.frame()->scene->bodies) {
+    for (const Body& body : session_.runs().frame()->scene->bodies) {
       if (body.name == name) return body;
     }
     ADD_FAILURE() << "no body " << name;
@@ -100,12 +100,12 @@ TEST_F(SessionEditTest, AtTheStartChangesTheStart) {
   EXPECT_EQ(session_.edits().undoText(), "Move right");
   EXPECT_EQ(start(1).position.x(), 0.6);
   EXPECT_EQ(now("right").position.x(), 0.6);
-  EXPECT_EQ(session_.frame()->time, 0.0);
+  EXPECT_EQ(session_.runs().frame()->time, 0.0);
   run_to(1.0);
   EXPECT_NEAR(now("right").position.x(), 0.6 + 0.6, 1e-12) << "hit at 0.4 s, by an equal disc";
   undo();
   EXPECT_EQ(document(), before);
-  EXPECT_EQ(session_.frame()->time, 0.0);
+  EXPECT_EQ(session_.runs().frame()->time, 0.0);
   EXPECT_EQ(now("right").position.x(), 1.0);
   redo();
   EXPECT_EQ(now("right").position.x(), 0.6);
@@ -118,7 +118,7 @@ TEST_F(SessionEditTest, OfWhatThingsAreHoldsFromNowOnAndInTheStart) {
   Body right = now("right");
   right.mass = 3.0;
   edit(Replace<Body>{right}, "Mass of right");
-  EXPECT_EQ(session_.frame()->time, 0.5) << "the run goes on";
+  EXPECT_EQ(session_.runs().frame()->time, 0.5) << "the run goes on";
   EXPECT_EQ(*start(1).mass, 3.0);
   EXPECT_EQ(start(0).position.x(), 0.0) << "the start keeps its places";
   run_to(1.0);
@@ -126,11 +126,11 @@ TEST_F(SessionEditTest, OfWhatThingsAreHoldsFromNowOnAndInTheStart) {
   EXPECT_NEAR(now("right").velocity.x(), 0.5, 1e-12);
   undo();
   EXPECT_EQ(document(), before);
-  EXPECT_NEAR(session_.frame()->time, 1.0, 1e-9);
+  EXPECT_NEAR(session_.runs().frame()->time, 1.0, 1e-9);
   EXPECT_NEAR(now("right").velocity.x(), 1.0, 1e-12) << "replayed with equal masses";
   redo();
   EXPECT_NEAR(now("right").velocity.x(), 0.5, 1e-12);
-  session_.restart();
+  session_.runs().restart();
   settle();
   run_to(1.0);
   EXPECT_NEAR(now("right").velocity.x(), 0.5, 1e-12);
@@ -143,14 +143,14 @@ TEST_F(SessionEditTest, OfMotionIsANewStartFromHere) {
   ASSERT_NEAR(right.velocity.x(), 1.0, 1e-12);
   right.velocity = {0.0, 2.0};
   edit(Replace<Body>{right}, "Speed of right");
-  EXPECT_EQ(session_.frame()->time, 0.0);
+  EXPECT_EQ(session_.runs().frame()->time, 0.0);
   EXPECT_NEAR(start(0).position.x(), 0.8, 1e-12);
   EXPECT_EQ(start(1).velocity, Vec2(0.0, 2.0));
   run_to(0.5);
   EXPECT_NEAR(now("right").position.y(), 1.0, 1e-12);
   undo();
   EXPECT_EQ(document(), before);
-  EXPECT_EQ(session_.frame()->time, 0.0);
+  EXPECT_EQ(session_.runs().frame()->time, 0.0);
   EXPECT_EQ(now("left").position.x(), 0.0);
 }
 
@@ -261,7 +261,7 @@ TEST_F(SessionEditTest, AMethodThatBecomesImpossibleChangesWithTheEdit) {
   run_to(0.2);
   edit(SetForces{.gravity = {0.0, 0.0}, .linear_drag = 1.0}, "Drag");
   EXPECT_EQ(session_.document().method.integrator, IntegratorId::kRk4);
-  EXPECT_EQ(session_.frame()->method.integrator, IntegratorId::kRk4);
+  EXPECT_EQ(session_.runs().frame()->method.integrator, IntegratorId::kRk4);
   run_to(0.4);
   EXPECT_NEAR(now("left").velocity.x(), std::exp(-0.2), 1e-8);
   undo();
@@ -293,7 +293,7 @@ TEST_F(SessionEditTest, ADiscThatCameLaterIsEditedWhereItStands) {
   late.mass = 5.0;
   late.density.reset();
   edit(Replace<Body>{late}, "Mass of new-1");
-  EXPECT_NEAR(session_.frame()->time, 0.7, 1e-12);
+  EXPECT_NEAR(session_.runs().frame()->time, 0.7, 1e-12);
   ASSERT_EQ(session_.document().edits.size(), 1U);
   EXPECT_EQ(*added_body(session_.document().edits[0]).mass, 5.0);
   EXPECT_EQ(*now("new-1").mass, 5.0);
@@ -319,8 +319,8 @@ TEST_F(SessionEditTest, RandomEditsAreTakenBackAndMadeAgain) {
     };
     std::vector<std::string> documents = {document()};
     for (int i = 0; i < 8; ++i) {
-      if (random() % 3 == 0) run_to(session_.frame()->time + 0.1);
-      const std::vector<Body>& bodies = session_.frame()->scene->bodies;
+      if (random() % 3 == 0) run_to(session_.runs().frame()->time + 0.1);
+      const std::vector<Body>& bodies = session_.runs().frame()->scene->bodies;
       Body body = bodies.empty() ? Body{} : bodies[random() % bodies.size()];
       switch (bodies.empty() ? 0 : random() % 6) {
         case 0:
@@ -360,11 +360,11 @@ TEST_F(SessionEditTest, RandomEditsAreTakenBackAndMadeAgain) {
       redo();
       ASSERT_EQ(document(), documents[i]) << seed << ", edit " << i;
     }
-    session_.restart();
+    session_.runs().restart();
     run_to(0.5);
     Simulation alone(setup_of(session_.document()));
     alone.advance_to(0.5);
-    EXPECT_TRUE(test::same_bytes(alone.state(), session_.frame()->state)) << seed;
+    EXPECT_TRUE(test::same_bytes(alone.state(), session_.runs().frame()->state)) << seed;
   }
 }
 

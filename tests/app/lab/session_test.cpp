@@ -75,32 +75,34 @@ class SessionTest : public testing::Test {
   // is asked for now comes after all that. It is another one than at the last time, and forgotten before.
   void settle() {
     const Curve curve{{find_observable(settled_++ % 2 == 0 ? "kinetic_energy" : "total_energy"), {}}, {}};
-    session_.record({});
-    session_.record({curve});
+    session_.runs().record({});
+    session_.runs().record({curve});
     ASSERT_TRUE(test::wait_until([&] {
       QCoreApplication::processEvents();
-      if (session_.frames().size() != 1 + session_.document().compare.size() || session_.replayed())
+      if (session_.runs().frames().size() != 1 + session_.document().compare.size() ||
+          session_.runs().replayed())
         return false;
-      for (std::size_t i = 0; i < session_.frames().size(); ++i) {
-        const Frame& frame = *session_.frames()[i];
-        if (frame.method != method(i) || frame.time + frame.method.step <= session_.frame()->time) return false;
-        if (session_.recorders()[i]->series(curve) == nullptr || frame.rows_known_until < frame.time ||
+      for (std::size_t i = 0; i < session_.runs().frames().size(); ++i) {
+        const Frame& frame = *session_.runs().frames()[i];
+        if (frame.method != method(i) || frame.time + frame.method.step <= session_.runs().frame()->time)
+          return false;
+        if (session_.runs().recorders()[i]->series(curve) == nullptr || frame.rows_known_until < frame.time ||
             frame.bodies->size() > session_.bodies().size())
           return false;
       }
-      return !session_.frame()->playing;
+      return !session_.runs().frame()->playing;
     }));
   }
   [[nodiscard]] const Method& method(std::size_t run) const {
     return run == 0 ? session_.document().method : session_.document().compare[run - 1];
   }
   void run_to(double time) {
-    session_.run_until(time);
+    session_.runs().run_until(time);
     settle();
   }
   [[nodiscard]] Snapshot snapshot() const {
     Snapshot now{write_preset(session_.document()), session_.reference(), names_of(session_.bodies()), {}};
-    for (const auto& frame : session_.frames()) {
+    for (const auto& frame : session_.runs().frames()) {
       now.runs.push_back(
           {frame->steps, frame->state, frame->setup->method, frame->setup->edits, names_of(*frame->bodies)});
     }
@@ -231,21 +233,22 @@ TEST_F(SessionTest, ManyEditsAreUndoneAtOnce) {
 }
 
 TEST_F(SessionTest, UndoWhileARunPlays) {
-  session_.set_speed(0.1);
-  session_.set_playing(true);
-  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.frame() && session_.frame()->time > 0.05; }));
+  session_.runs().set_speed(0.1);
+  session_.runs().set_playing(true);
+  ASSERT_TRUE(test::wait_in_event_loop(
+      [&] { return session_.runs().frame() && session_.runs().frame()->time > 0.05; }));
   session_.add_body(0.3, 1.5);
-  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.frame()->setup->edits.size() == 1; }));
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.runs().frame()->setup->edits.size() == 1; }));
   session_.change_method(euler(session_, 0.004));
-  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.frame()->setup->edits.size() == 2; }));
-  const double time = session_.frame()->time;
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.runs().frame()->setup->edits.size() == 2; }));
+  const double time = session_.runs().frame()->time;
   session_.edits().undo();
   session_.edits().undo();
-  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.frame()->setup->edits.empty(); }));
-  EXPECT_GT(session_.frame()->time, time - 0.01) << "the moments on the way are not shown";
-  EXPECT_TRUE(session_.frame()->playing);
-  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.frame()->time > time + 0.05; }));
-  session_.set_playing(false);
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.runs().frame()->setup->edits.empty(); }));
+  EXPECT_GT(session_.runs().frame()->time, time - 0.01) << "the moments on the way are not shown";
+  EXPECT_TRUE(session_.runs().frame()->playing);
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.runs().frame()->time > time + 0.05; }));
+  session_.runs().set_playing(false);
   settle();
   const Snapshot undone = snapshot();
   open();
@@ -261,14 +264,14 @@ TEST_F(SessionTest, UndoAfterARestart) {
   run_to(kEdit);
   session_.change_method(euler(session_, 0.004));
   session_.add_body(0.3, 1.5);
-  session_.restart();
+  session_.runs().restart();
   run_to(kEnd);
   const Snapshot with = snapshot();
   EXPECT_EQ(with.runs[0].start.integrator, IntegratorId::kExplicitEuler);
   undo();
   undo();
   expect_same(snapshot(), never);
-  session_.restart();
+  session_.runs().restart();
   run_to(kEnd);
   expect_same(snapshot(), never);
   redo();
@@ -291,7 +294,7 @@ TEST_F(SessionTest, WhatIsSavedIsTheRunThatWasSeen) {
   ASSERT_EQ(seen.runs[0].names.size(), preset.scene.bodies.size() + 2);
   ASSERT_EQ(session_.document().scene.bodies.size(), preset.scene.bodies.size())
       << "they are not there at t = 0";
-  session_.restart();
+  session_.runs().restart();
   run_to(0.5);
   EXPECT_EQ(snapshot().runs[0].names.size(), preset.scene.bodies.size());
   run_to(2.0);
@@ -320,7 +323,7 @@ TEST_F(SessionTest, WhatIsSavedIsTheRunThatWasSeen) {
   alone.advance_to(2.0);
   EXPECT_TRUE(test::same_bytes(alone.state(), seen.runs[0].state)) << "also on the command line";
   // Another disc is called otherwise, and those to come in stand after it once it is there.
-  session_.restart();
+  session_.runs().restart();
   run_to(0.3);
   session_.add_body(0.02, 1.0);
   run_to(2.0);
@@ -352,10 +355,10 @@ TEST_F(SessionTest, TheStepsOfOneDragAreOneEdit) {
   session_.edits().undo();
   EXPECT_EQ(session_.document().method.step, 0.002);
   undo();
-  EXPECT_EQ(session_.frame()->setup->edits.size(), 0U);
+  EXPECT_EQ(session_.runs().frame()->setup->edits.size(), 0U);
   redo();
   EXPECT_EQ(session_.document().method.step, 0.002);
-  EXPECT_EQ(session_.frame()->setup->edits.size(), 3U);
+  EXPECT_EQ(session_.runs().frame()->setup->edits.size(), 3U);
 }
 
 TEST_F(SessionTest, TheMarkOfChangesFollowsUndoAndSave) {
@@ -380,7 +383,7 @@ TEST_F(SessionTest, TheMarkOfChangesFollowsUndoAndSave) {
   open();
   EXPECT_FALSE(session_.modified());
   EXPECT_FALSE(session_.edits().canUndo());
-  session_.mark_modified();
+  session_.edits().resetClean();
   EXPECT_TRUE(session_.modified());
 }
 

@@ -97,11 +97,11 @@ TEST_F(WorkerUndo, AMethodIsTakenBackAndPutBack) {
   const Moment with = moment(0);
   ASSERT_EQ(with.edits.size(), 1U);
   const std::uint64_t other = frames_[1]->run;
-  worker_.undo(edit, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 0));
   EXPECT_EQ(moment(0), never);
   EXPECT_EQ(frames_[1]->run, other) << "it goes on as it is";
-  worker_.redo(edit, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 1));
   EXPECT_EQ(moment(0), with);
 }
@@ -114,11 +114,11 @@ TEST_F(WorkerUndo, ABodyIsTakenBackFromAllRunsAndPutBack) {
   const Worker::EditId edit = worker_.edit_scene({Add<Body>{kBody}});
   run_to(1.0);
   const std::vector<Moment> with = {moment(0), moment(1)};
-  worker_.undo(edit, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(1, 0));
   EXPECT_EQ(moment(0), never[0]);
   EXPECT_EQ(moment(1), never[1]);
-  worker_.redo(edit, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(1, 1));
   EXPECT_EQ(moment(0), with[0]);
   EXPECT_EQ(moment(1), with[1]);
@@ -142,13 +142,13 @@ TEST_F(WorkerUndo, TheFirstOfManyIsTakenBackFromAKeyFrame) {
   run_to(6.0);
   const Moment with = moment(0);
   const std::uint64_t run = frames_[0]->run;
-  for (std::size_t k = edits.size(); k-- > 0;) worker_.undo(edits[k], gas(), ReferenceId::kNone);
+  for (std::size_t k = edits.size(); k-- > 0;) worker_.undo_or_redo(edits[k], gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 0));
   run_to(6.0);
   EXPECT_EQ(moment(0), never);
   EXPECT_EQ(frames_[0]->run, run) << "the run goes back, and is no new one";
   EXPECT_EQ(recorders_[0].impacts().size(), impacts);
-  for (const Worker::EditId edit : edits) worker_.redo(edit, gas(), ReferenceId::kNone);
+  for (const Worker::EditId edit : edits) worker_.undo_or_redo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, edits.size()));
   run_to(6.0);
   EXPECT_EQ(moment(0), with);
@@ -159,7 +159,7 @@ TEST_F(WorkerUndo, AReplayCanBeEnded) {
   run_to(0.5);
   const Worker::EditId edit = worker_.set_method(kVerlet);
   run_to(1.0);
-  worker_.undo(edit, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(edit, gas(), ReferenceId::kNone);
   worker_.end_replay();
   ASSERT_TRUE(wait_for_edits(0, 0));
   EXPECT_NEAR(frames_[0]->time, 0.5, 1e-9);
@@ -183,12 +183,12 @@ TEST_F(WorkerUndo, SeveralAreTakenBackInARow) {
   const Worker::EditId method = worker_.set_method(kVerlet);
   run_to(1.0);
   const Moment with = moment(0);
-  worker_.undo(method, gas(), ReferenceId::kNone);
-  worker_.undo(body, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(method, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(body, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 0));
   EXPECT_EQ(moment(0), never);
-  worker_.redo(body, gas(), ReferenceId::kNone);
-  worker_.redo(method, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(body, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(method, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 2));
   EXPECT_EQ(moment(0), with);
 }
@@ -202,12 +202,12 @@ TEST_F(WorkerUndo, AMethodOfAComparedRunLeavesTheFirstAlone) {
   run_to(1.0);
   const Moment with = moment(1);
   const std::uint64_t first = frames_[0]->run;
-  worker_.undo(edit, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(edit, gas(), ReferenceId::kNone);
   // "From now on" is the moment that is shown, however far back the run is on its way.
   const Worker::EditId again = worker_.set_method(kCoarse, 1);
   ASSERT_TRUE(wait_for_edits(1, 1));
   EXPECT_GE(frames_[1]->setup->edits[0].time, 0.99);
-  worker_.undo(again, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(again, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(1, 0));
   EXPECT_EQ(moment(1), never);
   EXPECT_EQ(frames_[0]->run, first);
@@ -220,16 +220,16 @@ TEST_F(WorkerUndo, ARunComesAndGoesWithItsPast) {
   const Moment with = moment(1);
   const Worker::EditId gone = worker_.remove_method(1);
   ASSERT_TRUE(wait([&] { return frames_.size() == 1; }));
-  worker_.undo(gone, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(gone, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_.size() == 2; }));
   EXPECT_EQ(moment(1), with);
   const Worker::EditId more = worker_.add_method(kVerlet);
   ASSERT_TRUE(wait([&] { return frames_.size() == 3; }));
   const std::uint64_t run = frames_[1]->run;
-  worker_.undo(more, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(more, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_.size() == 2; }));
   EXPECT_EQ(frames_[1]->run, run);
-  worker_.redo(more, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(more, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_.size() == 3; }));
   EXPECT_EQ(frames_[2]->method, kVerlet);
 }
@@ -252,12 +252,12 @@ TEST_F(WorkerUndo, WhatWasDoneBeforeARestartIsTakenBackFromTheStart) {
   const Moment with = moment(0);
   EXPECT_EQ(with.edits.size(), 1U);
   EXPECT_EQ(frames_[0]->setup->method, kVerlet);
-  worker_.undo(body, with_method, ReferenceId::kNone);
-  worker_.undo(method, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(body, with_method, ReferenceId::kNone);
+  worker_.undo_or_redo(method, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_[0]->setup->method != kVerlet; }));
   EXPECT_EQ(moment(0), never);
-  worker_.redo(method, with_method, ReferenceId::kNone);
-  worker_.redo(body, with_both, ReferenceId::kNone);
+  worker_.undo_or_redo(method, with_method, ReferenceId::kNone);
+  worker_.undo_or_redo(body, with_both, ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 1));
   EXPECT_EQ(moment(0), with);
 }
@@ -269,7 +269,7 @@ TEST_F(WorkerUndo, ARunThatPlaysGoesOn) {
   const Worker::EditId edit = worker_.set_method(kVerlet);
   ASSERT_TRUE(wait_for_edits(0, 1));
   const double time = frames_[0]->time;
-  worker_.undo(edit, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait_for_edits(0, 0));
   EXPECT_GT(frames_[0]->time, time - 0.005);
   EXPECT_TRUE(frames_[0]->playing);
@@ -285,7 +285,7 @@ TEST_F(WorkerUndo, ARestartWithOtherMethodsIsTakenBack) {
   const Worker::EditId edit = worker_.restart(other, {kCurve}, ReferenceId::kNone);
   run_to(0.5);
   ASSERT_EQ(frames_.size(), 3U);
-  worker_.undo(edit, gas(), ReferenceId::kNone);
+  worker_.undo_or_redo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_.size() == 2; }));
   EXPECT_EQ(moment(0), never);
 }

@@ -1,0 +1,181 @@
+#include "app/lab/lab_runs.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carom {
+namespace {
+
+bool has_edit(const Frame& frame, Worker::EditId edit) {
+  const std::vector<RunEdit>& edits = frame.setup->edits;
+  return std::any_of(edits.begin(), edits.end(), [edit](const RunEdit& each) { return each.id == edit; });
+}
+
+}  // namespace
+
+LabRuns::LabRuns(const Document& document) : document_(document), worker_(document.preset) {
+  connect(&timer_, &QTimer::timeout, this, &LabRuns::poll);
+  constexpr int kPeriod = 16;  // ms
+  timer_.start(kPeriod);
+}
+
+// --- the clock
+// -----------------------------------------------------------------------------------------------------------
+
+void LabRuns::set_playing(bool playing) {
+  if (replayed_) return worker_.end_replay();
+  if (playing) forget_wait();
+  worker_.set_playing(playing, document_.preset.duration);
+}
+
+void LabRuns::restart() {
+  forget_wait();
+  show_start();
+  replayed_.reset();
+  begins_ = true;
+  worker_.restart(document_.preset);
+}
+
+void LabRuns::set_speed(double speed) {
+  speed_ = speed;
+  worker_.set_speed(speed);
+}
+
+void LabRuns::run_until(double time) {
+  const auto wait_until = [this](const auto& fulfilled) {
+    while (!fulfilled()) {
+      worker_.wait_for_frames(std::chrono::milliseconds(100));
+      poll();
+    }
+  };
+  wait_until([this] { return !frames_.empty(); });  // shows the start too
+  worker_.run_until(time);
+  // Waits until the worker has stopped at the time; the first frames may still be older.
+  wait_until([&] {
+    const Frame& now = *frames_.front();
+    return !now.playing &&
+           (now.time >= time - (1.0 + kSameMoment) * document_.preset.method.step || lost() != nullptr);
+  });
+}
+
+void LabRuns::when_still(const QString& what, std::function<void()> then) {
+  worker_.set_playing(false);
+  forget_wait();
+  if (!frames_.front()->playing && !replayed_) return then();
+  then_ = std::move(then);
+  waits_ = what;
+  emit noticesChanged();
+}
+
+void LabRuns::forget_wait() {
+  then_ = nullptr;
+  if (waits_.isEmpty()) return;
+  waits_.clear();
+  emit noticesChanged();
+}
+
+// --- what is known of them
+// -----------------------------------------------------------------------------------------------------------
+
+void LabRuns::record(const std::vector<Curve>& curves) {
+  if (std::exchange(curves_, curves) == curves) return;
+  for (const auto& recorder : recorders_) recorder->keep(curves);
+  if (!will_begin_) worker_.record(curves);
+}
+
+const Frame* LabRuns::lost() const {
+  const auto lost =
+      std::find_if(frames_.begin(), frames_.end(), [](const auto& frame) { return frame->lost.has_value(); });
+  return lost == frames_.end() ? nullptr : lost->get();
+}
+
+bool LabRuns::at_start() const {
+  return begins_ || frames_.empty() || frames_.front()->time <= start_time(document_.preset.saved);
+}
+
+void LabRuns::poll() {
+  const std::vector<std::shared_ptr<const Frame>> news = worker_.take_frames();
+  if (news.empty()) return;
+  begins_ = false;
+  // Each run keeps its recorder, whatever runs were added or removed before it.
+  std::vector<std::shared_ptr<Recorder>> recorders;
+  for (const auto& frame : news) {
+    const auto own = std::find_if(recorders_.begin(), recorders_.end(),
+                                  [&](const auto& recorder) { return recorder->run() == frame->run; });
+    recorders.push_back(own == recorders_.end() ? std::make_shared<Recorder>() : *own);
+    recorders.back()->add(*frame);
+  }
+  replayed_.reset();
+  if (news.front()->replay_until) replayed_ = news.front()->time;
+  recorders_ = std::move(recorders);
+  frames_ = news;
+  if (has_edit(*frames_.front(), awaited_)) awaited_ = 0;
+  if (awaited_ == 0 || frames_.front()->playing) scene_ = frames_.front()->scene;
+  emit framesChanged();
+  // Deferred: not within the signal that reported the frame.
+  if (then_ != nullptr && !frames_.front()->playing && !replayed_) {
+    QTimer::singleShot(0, this, std::exchange(then_, nullptr));
+    forget_wait();
+  }
+}
+
+// --- changes of the document
+// -----------------------------------------------------------------------------------------------------------
+
+void LabRuns::load(const std::vector<Curve>& curves) {
+  forget_wait();
+  frames_.clear();
+  scene_.reset();
+  awaited_ = 0;
+  recorders_.clear();
+  replayed_.reset();
+  curves_ = curves;
+  begins_ = true;
+  worker_.load(document_.preset, curves, document_.reference);
+}
+
+void LabRuns::show_start() {
+  scene_ = scene_at_start(document_.preset.scene);
+  awaited_ = 0;
+}
+
+void LabRuns::await_begin() {
+  forget_wait();
+  will_begin_ = true;
+  show_start();
+}
+
+void LabRuns::begin() {
+  begins_ = true;
+  replayed_.reset();
+  will_begin_ = false;
+  worker_.start_from(document_.preset, curves_, document_.reference);
+}
+
+Worker::EditId LabRuns::begin_with(const Methods& methods, const std::vector<Curve>& curves) {
+  forget_wait();
+  curves_ = curves;
+  Preset start = document_.preset;
+  start.method = methods.own;
+  start.compare = methods.others;
+  begins_ = true;
+  return worker_.restart(start, curves, methods.reference);
+}
+
+Worker::EditId LabRuns::edit(const std::vector<std::pair<std::size_t, Method>>& methods,
+                             const SceneEdits& edits, Worker::EditId part_of) {
+  forget_wait();
+  auto next = std::make_shared<Scene>(*scene_);
+  apply_edits(*next, edits);
+  scene_ = next;
+  if (!methods.empty()) part_of = worker_.set_methods(methods, part_of);
+  awaited_ = worker_.edit_scene(edits, part_of);
+  return awaited_;
+}
+
+void LabRuns::undo_or_redo(Worker::EditId edit) {
+  awaited_ = 0;
+  worker_.undo_or_redo(edit, document_.preset, document_.reference);
+}
+
+}  // namespace carom

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/lab/document_change.h"
+#include "physics/record/recorder.h"
+#include "physics/worker/worker.h"
+
+namespace carom {
+
+// The runs of a document side by side, on a thread of their own, with their records. They follow the document
+// when their thread gets to it; a timer takes their frames.
+class LabRuns : public QObject {
+  Q_OBJECT
+
+ public:
+  // Of this document, which a session changes. Before load() nothing runs.
+  explicit LabRuns(const Document& document);
+
+  // --- the clock
+  // Stops at the document's duration; beyond it there is no end. Ends a replay where it is, and stops there.
+  void set_playing(bool playing);
+  void restart();
+  void step_once() { worker_.step_once(); }
+  void set_speed(double speed);
+  [[nodiscard]] double speed() const { return speed_; }
+  // Runs to `time` as fast as possible; returns when it is reached, or when a run is lost.
+  void run_until(double time);
+  // Pauses the runs and calls `then` when the newest frame has arrived. Any change of the runs, or playing,
+  // drops `then`. `what` is shown meanwhile.
+  void when_still(const QString& what, std::function<void()> then);
+  void forget_wait();
+  [[nodiscard]] const QString& waits() const { return waits_; }
+
+  // --- what is known of them
+  void record(const std::vector<Curve>& curves);
+  // The newest frame of each run, the document's own method first; none until the scene is ready.
+  [[nodiscard]] const std::vector<std::shared_ptr<const Frame>>& frames() const { return frames_; }
+  [[nodiscard]] std::shared_ptr<const Frame> frame() const {
+    return frames_.empty() ? nullptr : frames_.front();
+  }
+  // The scene as it stands, for edits: with those that no frame has shown yet. None while a run plays.
+  [[nodiscard]] const std::shared_ptr<const Scene>& scene() const { return scene_; }
+  [[nodiscard]] const std::vector<std::shared_ptr<Recorder>>& recorders() const { return recorders_; }
+  [[nodiscard]] const Frame* lost() const;  // a lost run, if any
+  // s: progress of the runs that are recomputed after an undone edit.
+  [[nodiscard]] std::optional<double> replayed() const { return replayed_; }
+  // Whether the runs are at the document's start, or about to be.
+  [[nodiscard]] bool at_start() const;
+
+  // --- changes of the document
+  // Another document: all that was known is gone.
+  void load(const std::vector<Curve>& curves);
+  // The start has changed, and begin() follows: curves chosen until then need no replay.
+  void await_begin();
+  void begin();
+  // Begins with other methods than the document has so far, as an edit that can be undone.
+  Worker::EditId begin_with(const Methods& methods, const std::vector<Curve>& curves);
+  // An edit of the scene and of methods (of these runs), as a part of the last edit if `part_of` names it.
+  Worker::EditId edit(const std::vector<std::pair<std::size_t, Method>>& methods, const SceneEdits& edits,
+                      Worker::EditId part_of);
+  void undo_or_redo(Worker::EditId edit);
+  // For edits of the methods.
+  [[nodiscard]] Worker& worker() { return worker_; }
+
+ signals:
+  void framesChanged();
+  void noticesChanged();
+
+ private:
+  void poll();
+  void show_start();
+
+  const Document& document_;
+  Worker worker_;
+  std::vector<Curve> curves_;
+  std::vector<std::shared_ptr<const Frame>> frames_;
+  std::shared_ptr<const Scene> scene_;
+  Worker::EditId awaited_ = 0;  // an edit that is in scene_, but in no frame yet; 0: none
+  bool begins_ = false;         // the frames are from before the start
+  bool will_begin_ = false;
+  std::vector<std::shared_ptr<Recorder>> recorders_;
+  std::optional<double> replayed_;
+  double speed_ = 1.0;
+  std::function<void()> then_;
+  QString waits_;
+  QTimer timer_;
+};
+
+}  // namespace carom
