@@ -90,7 +90,9 @@ RunSummary run_and_summarize(const RunSetup& setup, const Method& method, double
   // The same steps as Simulation::advance_to() takes, with a check after each: a run that blows up would
   // continue with millions of impacts a step.
   const auto advance = [&](double to) {
-    while (const double h = step_towards(to, s.time(), method.step)) {
+    while (true) {
+      const double h = step_towards(to, s.time(), method.step);
+      if (h == 0.0) return;
       throw_if_cancelled(stop);
       s.step(h);
       if (s.lost()) {
