@@ -145,7 +145,11 @@ QWidget* LabWindow::make_middle() {
   auto* column = new QVBoxLayout(scene);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
-  column->addWidget(with_frame(view_, 1), 1);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(make_tool_column());
+  row->addWidget(with_frame(view_, 1), 1);
+  column->addLayout(row, 1);
   column->addWidget(transport_);
   QWidget* drawer = with_frame(make_tabs(), 0);
   drawer->layout()->setContentsMargins(12, 4, 12, 8);

@@ -1,5 +1,4 @@
 #include <QAction>
-#include <QActionGroup>
 #include <QApplication>
 #include <QMenu>
 #include <QMenuBar>
@@ -68,35 +67,6 @@ void LabWindow::make_edit_menu() {
   add(tr("&Copy"), QKeySequence::Copy, [this] { copy_selection(); });
   add(tr("&Paste"), QKeySequence::Paste, [this] { paste(); });
   add(tr("&Duplicate"), QKeySequence(Qt::CTRL | Qt::Key_D), [this] { duplicate_selection(); });
-}
-
-// The tools of the mouse in the scene.
-void LabWindow::make_tools_menu() {
-  QMenu* tools = menuBar()->addMenu(tr("&Tools"));
-  auto* group = new QActionGroup(this);
-  struct Choice {
-    SceneTool tool;
-    const char* icon;
-    const char* text;
-    const char* tip;
-    Qt::Key key;
-  };
-  constexpr std::array<Choice, 2> kChoices = {{
-      {SceneTool::kSelect, "select", "&Select", "Select, move, turn and resize bodies, and pull their velocity",
-       Qt::Key_V},
-      {SceneTool::kDisc, "disc", "&Disc",
-       "A click puts a disc of random radius like the others, a drag one of that radius", Qt::Key_D},
-  }};
-  for (const Choice& choice : kChoices) {
-    QAction* action = add_action(tools, choice.icon, tr(choice.text), choice.key,
-                                 [this, tool = choice.tool] { view_->set_tool(tool); });
-    action->setToolTip(tr("%1 (%2)").arg(tr(choice.tip), QKeySequence(choice.key).toString()));
-    action->setCheckable(true);
-    action->setChecked(choice.tool == view_->tool());
-    group->addAction(action);
-    connect(view_, &SceneView::toolChanged, action,
-            [action, tool = choice.tool](SceneTool now) { action->setChecked(now == tool); });
-  }
 }
 
 void LabWindow::make_view_menu() {
@@ -174,7 +144,7 @@ void LabWindow::make_help_menu() {
 }
 
 void LabWindow::make_tool_bar() {
-  QToolBar* bar = bar_ = addToolBar(tr("Tools"));
+  QToolBar* bar = bar_ = addToolBar(tr("Main"));
   bar->setMovable(false);
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   bar->setIconSize({18, 18});
@@ -188,8 +158,6 @@ void LabWindow::make_tool_bar() {
   add({"list", "open", "save"});
   bar->addSeparator();
   add({"undo", "redo"});
-  bar->addSeparator();
-  add({"select", "disc"});
   bar->addSeparator();
   const qsizetype before = bar->actions().size();
   add({"fit", "grid", "velocity", "contact", "names"});

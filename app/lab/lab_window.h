@@ -93,12 +93,14 @@ class LabWindow : public QMainWindow {
   void duplicate_selection();
   void put(const Paste& paste, const QString& what);
   void select_new();
+  // The tools of the scene (lab_tools.cpp).
+  void make_tools_menu();
+  [[nodiscard]] QWidget* make_tool_column();
   // Menus and the tool bar (lab_menus.cpp).
   QAction* add_action(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& key,
                       const std::function<void()>& slot);
   void make_file_menu();
   void make_edit_menu();
-  void make_tools_menu();
   void make_view_menu();
   void make_run_menus();
   void make_help_menu();
@@ -141,6 +143,7 @@ class LabWindow : public QMainWindow {
   QString lost_;                        // its text; empty while no run is lost
   MethodBar* methods_ = nullptr;
   QAction* theme_action_ = nullptr;
+  QToolBar* tool_column_ = nullptr;
   QToolBar* bar_ = nullptr;
   std::vector<QAction*> folded_;  // the tool bar's actions that only a wide window has room for
   QAction* after_folded_ = nullptr;

@@ -5,7 +5,7 @@
 #include "physics/preset/preset_file.h"
 #include "physics/scene/edit_rules.h"
 #include "physics/scene/validate.h"
-#include "widgets/scene/new_disc.h"
+#include "widgets/scene/new_body.h"
 
 // The edits of a session: what each makes of the document, and of the runs.
 namespace carom {
@@ -225,10 +225,11 @@ void Session::add_body(double x, double y) {
   const double radius = model != nullptr ? std::get<Disc>(model->shape).radius
                         : preset.view    ? preset.view->width / 20.0
                                          : 0.1;
-  Body body = new_disc(bodies_, {x, y}, radius * (0.5 + sizes_.generateDouble()));
+  Body body = new_body(bodies_, Disc{radius * (0.5 + sizes_.generateDouble())}, {x, y});
   body.id.number = preset.scene.ids_given + 1;
   const SceneEdits edits = {Add<Body>{body}};
-  if (runs_.at_start()) return edit(edits, tr("added body"));
+  const QString text = tr("Add disc %1").arg(QString::fromStdString(body.name));
+  if (runs_.at_start()) return edit(edits, text);
   // The time is the displayed one until the runs tell when they had it.
   const double now = runs_.frame()->time;
   Preset with = preset;
@@ -238,7 +239,7 @@ void Session::add_body(double x, double y) {
   const Worker::EditId edit = runs_.worker().edit_scene(edits);
   std::vector<RunEdit> late = preset.edits;
   add_edit(late, {now, edit, edits});
-  push({tr("added body"), edit}, {SetLateBodies{late}});
+  push({text, edit}, {SetLateBodies{late}});
 }
 
 // The choice of named plots of a built-in experiment is not work that could be lost.

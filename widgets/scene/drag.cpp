@@ -25,12 +25,6 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 bool free(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
 bool shift(const DragPoint& point) { return point.keys.testFlag(Qt::ShiftModifier); }
 
-// Unit vector, without the rounding of cos and sin at right angles.
-Vec2 towards(double degrees) {
-  const auto tidy = [](double c) { return std::abs(c) < 1e-15 ? 0.0 : c; };
-  return {tidy(std::cos(radians(degrees))), tidy(std::sin(radians(degrees)))};
-}
-
 Dragged move(const DragStart& start, const DragPoint& point) {
   Body grabbed = start.bodies[0];
   Vec2 delta = point.at - start.press;
@@ -48,9 +42,8 @@ Dragged move(const DragStart& start, const DragPoint& point) {
       out.detail = "touches " + QString::fromStdString(touch->with);
     } else if (start.grid > 0.0) {
       for (const int k : {0, 1}) {
-        const double line = snapped(grabbed.position[k], start.grid);
         const bool held = axis && (*axis)[k] == 0.0;
-        if (!held && std::abs(line - grabbed.position[k]) <= reach) grabbed.position[k] = line;
+        if (!held) grabbed.position[k] = on_grid(grabbed.position[k], start.grid, reach);
       }
     }
   }
@@ -86,7 +79,7 @@ Dragged pull_velocity(const DragStart& start, const DragPoint& point) {
     const double speed = std::max(0.0, along.dot(v));
     v = (free(point) ? speed : snapped(speed, step)) * along;
   } else if (!free(point)) {
-    v = snapped(v.norm(), step) * towards(snapped(direction(v), kDirectionStep));
+    v = snapped(v.norm(), step) * unit_vector(snapped(direction(v), kDirectionStep));
   }
   Dragged out;
   out.bodies = start.bodies;
@@ -188,6 +181,17 @@ double drawn_length(double length, const DragPoint& point) {
   if (free(point)) return std::max(length, 1.0 / point.scale);
   const double step = step_for_mouse(kLengthStep, point.scale);
   return std::max(snapped(length, step), step);
+}
+
+Vec2 drawn_place(const Vec2& at, const DragPoint& point, double grid) {
+  if (free(point)) return at;
+  const double step = step_for_mouse(kLengthStep, point.scale);
+  Vec2 place = at;
+  for (double& c : place) {
+    const double line = grid > 0.0 ? on_grid(c, grid, kSnapReach / point.scale) : c;
+    c = line == c ? snapped(c, step) : line;
+  }
+  return place;
 }
 
 QString drawn_text(double length, const DragPoint& point) {

@@ -39,6 +39,9 @@ struct Dragged {
 [[nodiscard]] Body resized(const Body& body, const Shape& shape);
 // m: a length that the mouse drew, in round steps unless Ctrl is down; never 0.
 [[nodiscard]] double drawn_length(double length, const DragPoint& point);
+// m: a place that the mouse drew: on the lines of the grid that are near (`grid` as in DragStart), else in
+// round steps; as it is if Ctrl is down.
+[[nodiscard]] Vec2 drawn_place(const Vec2& at, const DragPoint& point, double grid);
 // "12 cm": a length in the decimal places that the mouse can aim at.
 [[nodiscard]] QString drawn_text(double length, const DragPoint& point);
 

@@ -32,6 +32,12 @@ double degrees(double radians) {
 
 double direction(const Vec2& v) { return degrees(std::atan2(v.y(), v.x())); }
 
+Vec2 unit_vector(double degrees) {
+  const double angle = degrees * std::numbers::pi / 180.0;
+  const auto tidy = [](double c) { return std::abs(c) < 1e-15 ? 0.0 : c; };
+  return {tidy(std::cos(angle)), tidy(std::sin(angle))};
+}
+
 QString place_text(const Vec2& position, double scale) {
   const int decimals = decimals_of(kShownStep / scale);
   return "x " + fixed_text(position.x(), decimals) + " m, y " + fixed_text(position.y(), decimals) + " m";

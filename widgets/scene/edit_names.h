@@ -15,6 +15,8 @@ namespace carom {
 // Degrees, from -180 (exclusive) to 180.
 [[nodiscard]] double degrees(double radians);
 [[nodiscard]] double direction(const Vec2& v);
+// The unit vector in this direction, without the rounding of cos and sin at right angles.
+[[nodiscard]] Vec2 unit_vector(double degrees);
 
 // "x 0.50 m, y 0.20 m", "2.0 m/s at 15°", "45°": what bubbles say. A place has the decimals that a scale in
 // px/m can show.

@@ -47,6 +47,27 @@ void paint_ghost(QPainter& painter, const Overlay& overlay, const Overlay::Ghost
   painter.drawEllipse(tip, 3.0, 3.0);
 }
 
+void paint_corners(QPainter& painter, const Overlay::Corners& corners, const Camera& camera,
+                   const Theme& theme) {
+  QPolygonF line;
+  for (const Vec2& corner : corners.set) line.append(camera.to_screen(corner));
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(theme.accent, kOutline, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolyline(line);
+  const auto edge_to = [&](const Vec2& corner, const QColor& color) {
+    const QPointF at = camera.to_screen(corner);
+    painter.setPen(dashed(color));
+    if (!line.isEmpty()) painter.drawLine(line.last(), at);
+    painter.setPen(QPen(color, kOutline));
+    painter.drawEllipse(at, kSquare, kSquare);
+  };
+  if (corners.next) edge_to(*corners.next, corners.fault ? theme.danger : theme.accent);
+  if (corners.refused) edge_to(*corners.refused, theme.danger);
+  painter.setPen(QPen(theme.accent, kOutline));
+  painter.setBrush(theme.panel);
+  for (const QPointF& at : line) painter.drawEllipse(at, kSquare, kSquare);
+}
+
 void paint_handle(QPainter& painter, const Handle& handle, const Theme& theme) {
   if (handle.foot) {
     QPen stem(theme.accent, 1.5, handle.kind == HandleKind::kVelocity ? Qt::DotLine : Qt::SolidLine);
@@ -95,12 +116,12 @@ void paint_bubble(QPainter& painter, const Overlay::Bubble& bubble, const Camera
   const double lower_end = camera.viewport.height() - size.height() - kToEdge;
   corner = {std::max(kToEdge, std::min(corner.x(), right_end)),
             std::max(kToEdge, std::min(corner.y(), lower_end))};
-  painter.setPen(QPen(theme.border, 1.0));
+  painter.setPen(QPen(bubble.fault ? theme.danger : theme.border, 1.0));
   painter.setBrush(theme.panel);
   painter.drawRoundedRect(QRectF(corner, size), kCorner, kCorner);
   const QPointF text = corner + QPointF(kPadding, 0.7 * kPadding);
   painter.setFont(large);
-  painter.setPen(theme.text);
+  painter.setPen(bubble.fault ? theme.danger : theme.text);
   painter.drawText(text + QPointF(0.0, of_value.ascent()), bubble.value);
   if (!two) return;
   painter.setFont(small);
@@ -126,6 +147,7 @@ void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera
     painter.setBrush(faint(theme.accent, 0.15F));
     painter.drawPath(body_path(*overlay.drawn, camera));
   }
+  paint_corners(painter, overlay.corners, camera, theme);
   for (const Handle& handle : overlay.handles) paint_handle(painter, handle, theme);
   if (overlay.band) {
     painter.setPen(QPen(theme.accent, 1.0, Qt::DashLine));

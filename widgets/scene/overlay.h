@@ -26,17 +26,27 @@ struct Overlay {
     QString detail;  // under the value
     QPointF mouse;   // px, beside which it stands, on the side away from
     QPointF from;    // where the mouse came from
+    bool fault = false;
+  };
+  // A polygon that is drawn corner by corner, in m.
+  struct Corners {
+    std::vector<Vec2> set;
+    std::optional<Vec2> refused;
+    std::optional<Vec2> next;  // at the mouse
+    bool fault = false;        // of the next one
   };
   std::vector<Body> selected;
   std::vector<Ghost> ghosts;
   std::vector<Handle> handles;
   std::optional<QRectF> band;  // px, of the selection
   std::optional<Body> drawn;   // a body that is being drawn
+  Corners corners;
   double arrow_seconds = 0.0;  // m of arrow per m/s, for ghosts
   Bubble bubble;
 
   [[nodiscard]] bool empty() const {
-    return selected.empty() && ghosts.empty() && handles.empty() && !band && !drawn && bubble.value.isEmpty();
+    return selected.empty() && ghosts.empty() && handles.empty() && !band && !drawn && corners.set.empty() &&
+           !corners.next && bubble.value.isEmpty();
   }
 };
 

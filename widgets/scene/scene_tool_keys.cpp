@@ -9,6 +9,10 @@ namespace {
 
 constexpr qint64 kSameRow = 1000;  // ms between two keys
 
+bool is_enter(int key, Qt::KeyboardModifiers keys) {
+  return (key == Qt::Key_Return || key == Qt::Key_Enter) && keys == Qt::NoModifier;
+}
+
 }  // namespace
 
 bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
@@ -16,6 +20,8 @@ bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
     return state_ != State::kNone || tool_ != SceneTool::kSelect || !selection_.empty();
   }
   if (key == Qt::Key_A && keys == Qt::ControlModifier) return bodies_ != nullptr;
+  if (is_enter(key, keys)) return shape_tool(tool_) != nullptr;
+  if (key == Qt::Key_Backspace && !draft_.empty()) return true;
   const std::shared_ptr<const Frame> frame = sight_().frame;
   if (selection_.empty() || !frame || !frame->scene) return false;
   return key == Qt::Key_Delete || key == Qt::Key_Backspace || key_edit(key, keys).has_value();
@@ -25,7 +31,12 @@ bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
   if (!takes(key, keys)) return false;
   if (key == Qt::Key_Escape) return escape();
   if (state_ != State::kNone) return true;  // the mouse has the bodies
-  if (key == Qt::Key_A && keys == Qt::ControlModifier) {
+  if (is_enter(key, keys)) {
+    enter();
+  } else if (key == Qt::Key_Backspace && !draft_.empty()) {
+    draft_.take_back();
+    emit changed();
+  } else if (key == Qt::Key_A && keys == Qt::ControlModifier) {
     std::vector<std::string> moving;
     for (const Body& body : *bodies_) {
       if (!body.fixed) moving.push_back(body.name);
@@ -41,15 +52,25 @@ bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
 
 bool SceneTools::escape() {
   if (state_ == State::kDrag && emitted_) emit dragCancelled(drags_);
-  if (state_ != State::kNone) {
-    state_ = State::kMute;
-    emit changed();
+  if (state_ != State::kNone || !draft_.empty()) {
+    if (state_ != State::kNone) state_ = State::kMute;
+    drop_corners();
   } else if (tool_ != SceneTool::kSelect) {
     set_tool(SceneTool::kSelect, false);
   } else {
     set_selection({});
   }
   return true;
+}
+
+// What a click draws, at the mouse or else in the middle of the view.
+void SceneTools::enter() {
+  if (!draft_.empty()) return close_polygon();
+  const QSizeF view = sight_().camera.viewport;
+  if (!over_) mouse_ = {0.5 * view.width(), 0.5 * view.height()};
+  press_ = mouse_;
+  keys_ = {};
+  add_usual();
 }
 
 void SceneTools::remove_selected() {

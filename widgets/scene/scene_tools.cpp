@@ -2,13 +2,10 @@
 
 #include <QLineF>
 #include <algorithm>
-#include <span>
 #include <utility>
-#include <variant>
 
 #include "widgets/scene/grid.h"
 #include "widgets/scene/hit.h"
-#include "widgets/scene/new_disc.h"
 
 namespace carom {
 namespace {
@@ -110,6 +107,7 @@ void SceneTools::frame_changed() {
       emit selectionChanged(selection_.names());
     }
   }
+  if (!frame) draft_.clear();
   if (!frame || !frame->scene) end_note();
   const bool held = frame && frame->scene && grab_ && index_.contains(grab_->body);
   if (state_ == State::kDrag && !held) state_ = State::kMute;
@@ -121,20 +119,18 @@ void SceneTools::set_tool(SceneTool tool, bool keep) {
   keep_tool_ = keep;
   if (tool == tool_) return;
   tool_ = tool;
+  draft_.clear();
   emit toolChanged(tool);
+  emit changed();
+}
+
+void SceneTools::drop_corners() {
+  draft_.clear();
   emit changed();
 }
 
 void SceneTools::used_tool() {
   if (!keep_tool_) set_tool(SceneTool::kSelect, false);
-}
-
-// About the press.
-Body SceneTools::drawn_disc() const {
-  const Vec2 centre = sight_().camera.to_world(press_);
-  const DragPoint to = point(keys_);
-  const double radius = drawn_length((to.at - centre).norm(), to);
-  return new_disc(bodies_ ? std::span<const Body>(*bodies_) : std::span<const Body>(), centre, radius);
 }
 
 // --- the drag
@@ -147,7 +143,8 @@ std::vector<Handle> SceneTools::handles(const SceneSight& sight) const {
 
 std::optional<SceneTools::Grab> SceneTools::grab_at(const QPointF& at) const {
   const SceneSight sight = sight_();
-  if (!sight.frame) return std::nullopt;
+  const ShapeTool* tool = shape_tool(tool_);
+  if (!sight.frame || (tool != nullptr && tool->over_bodies)) return std::nullopt;
   if (const auto handle = handle_at(handles(sight), at)) {
     return Grab{handle->kind, selection_.names()[handle->body]};
   }
@@ -166,8 +163,11 @@ void SceneTools::press(const QPointF& at, bool repeated) {
   end_note();
   press_ = mouse_ = at;
   grab_ = grab_at(at);
-  // The second click of a double click would hit the disc of the first.
-  state_ = repeated && tool_ == SceneTool::kDisc ? State::kMute : State::kPressed;
+  over_ = true;
+  // The second click of a double click closes a polygon; it would hit the body of the first.
+  if (repeated && !draft_.empty()) close_polygon();
+  state_ = repeated && shape_tool(tool_) != nullptr ? State::kMute : State::kPressed;
+  emit changed();
 }
 
 void SceneTools::move(const QPointF& at, Qt::KeyboardModifiers keys) {
@@ -178,13 +178,32 @@ void SceneTools::move(const QPointF& at, Qt::KeyboardModifiers keys) {
   if (state_ == State::kDrag || state_ == State::kBand || state_ == State::kDraw) emit changed();
 }
 
+void SceneTools::hover(const QPointF& at, Qt::KeyboardModifiers keys) {
+  mouse_ = at;
+  keys_ = keys;
+  over_ = true;
+  if (draft_.empty()) return;
+  end_note();
+  emit changed();
+}
+
+void SceneTools::leave() {
+  over_ = false;
+  if (!draft_.empty()) emit changed();
+}
+
 void SceneTools::hold_keys(Qt::KeyboardModifiers keys) {
-  if (state_ == State::kDrag || state_ == State::kDraw) move(mouse_, keys);
+  if (state_ == State::kDrag || state_ == State::kDraw) {
+    move(mouse_, keys);
+  } else if (!draft_.empty()) {
+    keys_ = keys;
+    emit changed();
+  }
 }
 
 void SceneTools::begin() {
   if (!grab_) {
-    state_ = tool_ == SceneTool::kDisc ? State::kDraw : State::kBand;
+    state_ = shape_tool(tool_) != nullptr ? State::kDraw : State::kBand;
   } else {
     begin_drag();
   }
@@ -246,12 +265,9 @@ void SceneTools::release(const QPointF& at, Qt::KeyboardModifiers keys) {
     case State::kDrag:
       note({dragged_.value, dragged_.detail, mouse_, press_});
       break;
-    case State::kDraw: {
-      const Body disc = drawn_disc();
-      emit edited({Add<Body>{disc}}, "Add disc " + QString::fromStdString(disc.name), ++drags_);
-      used_tool();
+    case State::kDraw:
+      draw();
       break;
-    }
     default:
       break;
   }
@@ -269,10 +285,12 @@ void SceneTools::click(Qt::KeyboardModifiers keys) {
       next.set({grab_->body});
     }
     set_selection(next.names());
-  } else if (!grab_ && tool_ == SceneTool::kDisc) {
-    const Vec2 at = sight_().camera.to_world(mouse_);
-    emit spawnRequested(at.x(), at.y());
-    used_tool();
+  } else if (!grab_ && shape_tool(tool_) != nullptr) {
+    if (shape_tool(tool_)->by_corners) {
+      set_corner();
+    } else {
+      add_usual();
+    }
   } else if (!grab_ && !shift) {
     set_selection({});
   }
@@ -297,7 +315,7 @@ void SceneTools::select_band(Qt::KeyboardModifiers keys) {
 Qt::CursorShape SceneTools::cursor(const QPointF& at) const {
   if (state_ == State::kDrag && grab_->kind == HandleKind::kBody) return Qt::ClosedHandCursor;
   const std::optional<Grab> grab = state_ == State::kNone ? grab_at(at) : grab_;
-  if (!grab) return tool_ == SceneTool::kDisc ? Qt::CrossCursor : Qt::ArrowCursor;
+  if (!grab) return shape_tool(tool_) != nullptr ? Qt::CrossCursor : Qt::ArrowCursor;
   switch (grab->kind) {
     case HandleKind::kBody:
       return Qt::OpenHandCursor;
@@ -326,12 +344,9 @@ Overlay SceneTools::overlay() const {
     out.bubble = {dragged_.value, dragged_.detail, mouse_, press_};
   } else if (state_ == State::kBand) {
     out.band = QRectF(press_, mouse_).normalized();
-  } else if (state_ == State::kDraw) {
-    out.drawn = drawn_disc();
-    const double radius = std::get<Disc>(out.drawn->shape).radius;
-    out.bubble = {"r " + drawn_text(radius, point(keys_)), {}, mouse_, press_};
   } else {
     out.bubble = note_;
+    show_drawing(out);
   }
   return out;
 }

@@ -18,11 +18,11 @@
 #include "widgets/scene/drag.h"
 #include "widgets/scene/key_edits.h"
 #include "widgets/scene/overlay.h"
+#include "widgets/scene/polygon_draft.h"
 #include "widgets/scene/selection.h"
+#include "widgets/scene/shape_tools.h"
 
 namespace carom {
-
-enum class SceneTool { kSelect, kDisc };
 
 // px: a press that moves no farther is a click.
 inline constexpr double kDragBegins = 4.0;
@@ -36,8 +36,9 @@ struct SceneSight {
   bool velocities = true;      // are drawn
 };
 
-// Selects and edits bodies by mouse and keys. It changes nothing itself: signals say what is wanted, and the
-// frames that follow show it. Handles exist only while the frame has a scene, that is, while the run is paused.
+// Draws, selects and edits bodies by mouse and keys. It changes nothing itself: signals say what is wanted, and
+// the frames that follow show it. Handles exist only while the frame has a scene, that is, while the run is
+// paused.
 class SceneTools : public QObject {
   Q_OBJECT
 
@@ -51,6 +52,8 @@ class SceneTools : public QObject {
   [[nodiscard]] SceneTool tool() const { return tool_; }
   // After one use it is kSelect again, unless it is kept.
   void set_tool(SceneTool tool, bool keep);
+  // Forgets the corners of a polygon that is not closed yet.
+  void drop_corners();
 
   // The frame of the sight is another one.
   void frame_changed();
@@ -61,6 +64,9 @@ class SceneTools : public QObject {
   void press(const QPointF& at, bool repeated);
   void move(const QPointF& at, Qt::KeyboardModifiers keys);
   void release(const QPointF& at, Qt::KeyboardModifiers keys);
+  // The mouse moves without a button; it leaves the scene.
+  void hover(const QPointF& at, Qt::KeyboardModifiers keys);
+  void leave();
   // Shift or Ctrl went up or down while the mouse stood still.
   void hold_keys(Qt::KeyboardModifiers keys);
   // False if the key means nothing here now; `takes` asks without doing it.
@@ -113,8 +119,21 @@ class SceneTools : public QObject {
   void drag_on();
   void click(Qt::KeyboardModifiers keys);
   void select_band(Qt::KeyboardModifiers keys);
-  [[nodiscard]] Body drawn_disc() const;
   void used_tool();
+  // New bodies (scene_tool_draw.cpp).
+  [[nodiscard]] Stroke stroke() const;
+  [[nodiscard]] Body body_of(const Drawn& drawn) const;
+  void add(const Drawn& drawn);
+  void add_usual();
+  void draw();
+  [[nodiscard]] bool closes_polygon() const;  // a corner at the mouse
+  [[nodiscard]] Vec2 next_corner() const;
+  void set_corner();
+  void close_polygon();
+  void show_corners(Overlay& out) const;
+  void show_drawing(Overlay& out) const;
+  // Keys (scene_tool_keys.cpp).
+  void enter();
   bool escape();
   void remove_selected();
   void edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys);
@@ -126,10 +145,12 @@ class SceneTools : public QObject {
   std::unordered_map<std::string, int> index_;
   SceneTool tool_ = SceneTool::kSelect;
   bool keep_tool_ = false;
+  PolygonDraft draft_;
 
   State state_ = State::kNone;
   QPointF press_;
   QPointF mouse_;
+  bool over_ = false;  // the mouse is over the scene
   Qt::KeyboardModifiers keys_{};
   std::optional<Grab> grab_;  // none: empty space
   DragStart start_;

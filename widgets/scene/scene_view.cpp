@@ -103,6 +103,7 @@ void SceneView::set_view(const std::optional<View>& view) {
   held_camera_ = false;
   held_arrows_.reset();
   peaks_ = {};
+  tools_->drop_corners();
   if (frame_) peaks_.observe(*frame_);
   go_home();
   refresh();
@@ -272,6 +273,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
   } else if (press_ == Press::kTool) {
     tools_->move(at, event->modifiers());
   } else {
+    tools_->hover(at, event->modifiers());
     setCursor(tools_->cursor(at));
   }
   const Vec2 world = picture_.camera.to_world(at);
@@ -331,7 +333,10 @@ bool SceneView::focusNextPrevChild(bool next) {
   return tools_->select_next(next) || QWidget::focusNextPrevChild(next);
 }
 
-void SceneView::leaveEvent(QEvent*) { emit cursorLeft(); }
+void SceneView::leaveEvent(QEvent*) {
+  tools_->leave();
+  emit cursorLeft();
+}
 
 void SceneView::focusInEvent(QFocusEvent* event) {
   picture_.focus_frame = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;

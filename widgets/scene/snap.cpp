@@ -84,6 +84,11 @@ double snapped(double value, double step) {
   return step < 1.0 ? count / std::round(1.0 / step) : count * step;
 }
 
+double on_grid(double value, double spacing, double reach) {
+  const double line = snapped(value, spacing);
+  return std::abs(line - value) <= reach ? line : value;
+}
+
 double step_for_mouse(double wanted, double pixels) {
   if (wanted * pixels > kLargestStep) return step_not_above(kLargestStep / pixels);
   if (wanted * pixels < kLeastStep) return step_not_below(kLeastStep / pixels);

@@ -13,6 +13,8 @@ inline constexpr double kSnapReach = 8.0;
 
 // The nearest multiple of `step` > 0; one of a decimal step is the double nearest to its decimal.
 [[nodiscard]] double snapped(double value, double step);
+// The nearest multiple of `spacing` > 0 if it is within `reach`, else the value itself.
+[[nodiscard]] double on_grid(double value, double spacing, double reach);
 // `wanted`, or the nearest 1-2-5 step that a mouse can aim at when one unit is `pixels` px long.
 [[nodiscard]] double step_for_mouse(double wanted, double pixels);
 

@@ -131,6 +131,81 @@ TEST_F(LabHandsTest, ALessonByHand) {
   ASSERT_TRUE(shows_start());
 }
 
+TEST_F(LabHandsTest, DrawnBodiesAreTakenBackMadeAgainAndSaved) {
+  action("New")->trigger();
+  ASSERT_TRUE(wait_for([this] { return window_.frame() && window_.frame()->bodies->empty(); }));
+  const auto has = [this](std::size_t count) {
+    return wait_for([=, this] { return window_.frame()->bodies->size() == count; });
+  };
+  key(Qt::Key_B);
+  EXPECT_TRUE(button("Box")->isChecked());
+  drag({-1.0, 0.2}, {-0.6, 0.4});
+  ASSERT_TRUE(has(1));
+  EXPECT_TRUE(button("Select")->isChecked());
+  click_button("Polygon");
+  for (const Vec2& corner : {Vec2(0.2, 0.2), Vec2(0.8, 0.2), Vec2(0.4, 0.6)}) select(corner);
+  key(Qt::Key_Return);
+  ASSERT_TRUE(has(2));
+  // The key pressed twice keeps the tool.
+  key(Qt::Key_W);
+  key(Qt::Key_W);
+  select({0.0, -0.4});
+  ASSERT_TRUE(has(3));
+  drag({1.0, -0.4}, {1.4, 0.4});
+  ASSERT_TRUE(has(4));
+  key(Qt::Key_Escape);
+  ASSERT_TRUE(shows_start());
+  const std::vector<Body> drawn = window_.preset().scene.bodies;
+  EXPECT_TRUE(std::holds_alternative<Box>(drawn[0].shape));
+  EXPECT_TRUE(drawn[1].position.isApprox(Vec2(1.4 / 3.0, 1.0 / 3.0), 1e-12));
+  EXPECT_FALSE(std::get<Wall>(drawn[2].shape).length);
+  EXPECT_NEAR(*std::get<Wall>(drawn[3].shape).length, std::hypot(0.4, 0.8), 1e-12);
+  QUndoStack& edits = window_.session().edits();
+  const std::string scene = write_preset(window_.preset());
+  for (const char* name : {"Add wall D", "Add wall C", "Add polygon B", "Add box A"}) {
+    EXPECT_EQ(edits.undoText(), name);
+    undo();
+  }
+  EXPECT_FALSE(edits.canUndo());
+  ASSERT_TRUE(has(0));
+  while (edits.canRedo()) edits.redo();
+  EXPECT_EQ(write_preset(window_.preset()), scene);
+  ASSERT_TRUE(has(4));
+  chosen_file_ = folder_.filePath("drawn.json");
+  const std::string file = chosen_file_.toStdString();
+  window_.save();
+  ASSERT_TRUE(wait_for([this] { return !window_.session().modified(); }));
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(window_.open(file));
+  EXPECT_EQ(write_preset(window_.preset()), scene);
+  ASSERT_TRUE(shows_start());
+}
+
+TEST_F(LabHandsTest, ADoubleClickOnItsButtonKeepsATool) {
+  click_button("Box");
+  drag({0.0, 0.4}, {0.2, 0.6});
+  EXPECT_EQ(window_.scene_view().tool(), SceneTool::kSelect);
+  click_button("Box");
+  QTest::mouseDClick(button("Box"), Qt::LeftButton);
+  QTest::mouseRelease(button("Box"), Qt::LeftButton);
+  drag({0.4, 0.4}, {0.5, 0.6});
+  EXPECT_EQ(window_.scene_view().tool(), SceneTool::kBox);
+  key(Qt::Key_Escape);
+  EXPECT_EQ(window_.scene_view().tool(), SceneTool::kSelect);
+  EXPECT_EQ(window_.preset().scene.bodies.size(), 4U);
+}
+
+TEST_F(LabHandsTest, ADrawnBodyPausesARunAndBeginsAnew) {
+  window_.session().runs().set_playing(true);
+  ASSERT_TRUE(wait_for([this] { return time() > 0.05 && window_.frame()->playing; }));
+  key(Qt::Key_B);
+  drag({0.0, 0.4}, {0.2, 0.6});
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 3 && time() == 0.0; }));
+  EXPECT_FALSE(window_.frame()->playing);
+  undo();
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
+}
+
 TEST_F(LabHandsTest, CopiesAndDeletes) {
   ASSERT_TRUE(window_.open("head-on"));
   ASSERT_TRUE(shows_start());

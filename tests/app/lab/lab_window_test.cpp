@@ -324,7 +324,7 @@ TEST_F(LabWindowTest, EditsAreUndoneFromTheMenu) {
   trigger(undo);
   EXPECT_FALSE(plots->shows("ledger"));
   EXPECT_TRUE(action("Redo change of plots")->isEnabled());
-  EXPECT_TRUE(action("Undo added body")->isEnabled());
+  EXPECT_TRUE(action("Undo Add disc A")->isEnabled());
   trigger(undo);
   ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
   EXPECT_EQ(window_.preset().scene.bodies.size(), 2U);

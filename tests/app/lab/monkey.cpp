@@ -270,11 +270,11 @@ void press_key(QWindow* window, int key, Qt::KeyboardModifiers held, const QStri
 }  // namespace
 
 void Monkey::key() {
-  constexpr std::array kKeys = {Qt::Key_Up,        Qt::Key_Down,   Qt::Key_Left,     Qt::Key_Right,
-                                Qt::Key_Return,    Qt::Key_Escape, Qt::Key_Tab,      Qt::Key_Backtab,
-                                Qt::Key_Space,     Qt::Key_Home,   Qt::Key_End,      Qt::Key_Delete,
-                                Qt::Key_Backspace, Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_R,
-                                Qt::Key_C,         Qt::Key_F,      Qt::Key_Period,   Qt::Key_Menu};
+  constexpr std::array kKeys = {
+      Qt::Key_Up,        Qt::Key_Down,    Qt::Key_Left,     Qt::Key_Right, Qt::Key_Return, Qt::Key_Escape,
+      Qt::Key_Tab,       Qt::Key_Backtab, Qt::Key_Space,    Qt::Key_Home,  Qt::Key_End,    Qt::Key_Delete,
+      Qt::Key_Backspace, Qt::Key_PageUp,  Qt::Key_PageDown, Qt::Key_R,     Qt::Key_C,      Qt::Key_F,
+      Qt::Key_Period,    Qt::Key_Menu,    Qt::Key_B,        Qt::Key_P,     Qt::Key_W,      Qt::Key_D};
   const auto chosen = kKeys[static_cast<std::size_t>(below(static_cast<int>(kKeys.size())))];
   const Qt::KeyboardModifiers held = once_in(4) ? modifiers() : Qt::NoModifier;
   QString text;

@@ -156,7 +156,7 @@ const std::vector<Case>& cases() {
       {"AddedMethod", "added method", [](Session& s) { s.add_method(euler(s, 0.004)); }},
       {"RemovedMethod", "removed method", [](Session& s) { s.remove_method(1); }},
       {"Reference", "choice of reference", [](Session& s) { s.choose_reference(ReferenceId::kNone); }, false},
-      {"Body", "added body", [](Session& s) { s.add_body(0.3, 1.5); }},
+      {"Body", "Add disc A", [](Session& s) { s.add_body(0.3, 1.5); }},
       {"Plots", "change of plots", [](Session& s) { s.change_plots({named("energy")}); }, false},
       {"Notes", "change of notes",
        [](Session& s) {
@@ -328,7 +328,7 @@ TEST_F(SessionTest, WhatIsSavedIsTheRunThatWasSeen) {
   session_.add_body(0.02, 1.0);
   run_to(2.0);
   EXPECT_EQ(snapshot().bodies, snapshot().runs[0].names);
-  EXPECT_EQ(snapshot().bodies[preset.scene.bodies.size()], "new-3");
+  EXPECT_EQ(snapshot().bodies[preset.scene.bodies.size()], "C");
 }
 
 TEST_F(SessionTest, AnEditAfterAnUndoTakesThePlaceOfWhatWasUndone) {

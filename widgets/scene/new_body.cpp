@@ -1,0 +1,52 @@
+#include "widgets/scene/new_body.h"
+
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace carom {
+namespace {
+
+template <class Predicate>
+const Body* first_of(std::span<const Body> bodies, Predicate fits) {
+  const auto found = std::find_if(bodies.begin(), bodies.end(), fits);
+  return found == bodies.end() ? nullptr : &*found;
+}
+
+const Body* model_of(std::span<const Body> bodies) {
+  if (const Body* disc = model_disc(bodies)) return disc;
+  return first_of(bodies, [](const Body& body) { return !has_infinite_mass(body) && area(body.shape) > 0.0; });
+}
+
+std::string free_name(std::span<const Body> bodies) {
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    std::string name(1, letter);
+    if (first_of(bodies, [&](const Body& body) { return body.name == name; }) == nullptr) return name;
+  }
+  return free_body_name(std::vector<Body>(bodies.begin(), bodies.end()), "A");
+}
+
+}  // namespace
+
+const Body* model_disc(std::span<const Body> bodies) {
+  return first_of(bodies, [](const Body& body) {
+    const auto* disc = std::get_if<Disc>(&body.shape);
+    return disc != nullptr && disc->radius > 0.0 && !has_infinite_mass(body);
+  });
+}
+
+Body new_body(std::span<const Body> bodies, const Shape& shape, const Vec2& position, double angle) {
+  Body body;
+  body.name = free_name(bodies);
+  body.shape = shape;
+  body.position = position;
+  body.angle = angle;
+  body.fixed = std::holds_alternative<Wall>(shape);
+  const Body* model = model_of(bodies);
+  if (model != nullptr) body.material = model->material;
+  if (!body.fixed) body.density = model != nullptr ? mass_of(*model) / area(model->shape) : 1.0;
+  return body;
+}
+
+}  // namespace carom

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "widgets/scene/shape_tools.h"
+
+namespace carom {
+
+// A polygon that is drawn corner by corner and stays convex.
+class PolygonDraft {
+ public:
+  [[nodiscard]] const std::vector<Vec2>& corners() const { return corners_; }  // m
+  // The newest corner, if it was not set because the polygon would not be convex.
+  [[nodiscard]] const std::optional<Vec2>& refused() const { return refused_; }
+  [[nodiscard]] bool empty() const { return corners_.empty(); }
+  // A click on the first corner closes it.
+  [[nodiscard]] bool can_close() const { return corners_.size() >= 3; }
+
+  // Why no corner can stand there next, in words; empty if one can.
+  [[nodiscard]] QString fault_at(const Vec2& corner) const;
+  void set(const Vec2& corner);
+  void take_back();
+  void clear();
+  // The convex hull of all corners; nothing if it has no area.
+  [[nodiscard]] std::optional<Drawn> closed() const;
+
+ private:
+  std::vector<Vec2> corners_;
+  std::optional<Vec2> refused_;
+};
+
+}  // namespace carom

@@ -1,0 +1,103 @@
+#include <QLineF>
+#include <algorithm>
+#include <span>
+
+#include "widgets/scene/grid.h"
+#include "widgets/scene/new_body.h"
+#include "widgets/scene/scene_tools.h"
+
+// The scene's tools that draw new bodies.
+namespace carom {
+
+Stroke SceneTools::stroke() const {
+  const SceneSight sight = sight_();
+  const Camera& camera = sight.camera;
+  return {.from = camera.to_world(press_),
+          .to = point(keys_),
+          .grid = sight.grid ? grid_spacing(camera) : 0.0,
+          .side = std::min(camera.viewport.width(), camera.viewport.height()) / camera.scale};
+}
+
+Body SceneTools::body_of(const Drawn& drawn) const {
+  const auto bodies = bodies_ ? std::span<const Body>(*bodies_) : std::span<const Body>();
+  return new_body(bodies, drawn.shape, drawn.position, drawn.angle);
+}
+
+void SceneTools::add(const Drawn& drawn) {
+  const Body body = body_of(drawn);
+  const QString noun = QString::fromUtf8(shape_tool(tool_)->noun);
+  emit edited({Add<Body>{body}}, "Add " + noun + " " + QString::fromStdString(body.name), ++drags_);
+  note({drawn.value, {}, mouse_, press_});
+  used_tool();
+}
+
+// The usual body, or one of random size.
+void SceneTools::add_usual() {
+  const ShapeTool& tool = *shape_tool(tool_);
+  const Stroke at = stroke();
+  if (tool.click != nullptr) return add(tool.click(at));
+  emit spawnRequested(at.from.x(), at.from.y());
+  used_tool();
+}
+
+void SceneTools::draw() {
+  const ShapeTool& tool = *shape_tool(tool_);
+  if (tool.by_corners) return set_corner();
+  add(tool.drag(stroke()));
+}
+
+// --- corner by corner
+
+bool SceneTools::closes_polygon() const {
+  if (!draft_.can_close()) return false;
+  return QLineF(sight_().camera.to_screen(draft_.corners().front()), mouse_).length() <= kHandleReach;
+}
+
+Vec2 SceneTools::next_corner() const {
+  if (closes_polygon()) return draft_.corners().front();
+  const Stroke now = stroke();
+  return drawn_place(now.to.at, now.to, now.grid);
+}
+
+void SceneTools::set_corner() {
+  if (closes_polygon()) return close_polygon();
+  draft_.set(next_corner());
+}
+
+void SceneTools::close_polygon() {
+  const std::optional<Drawn> drawn = draft_.closed();
+  if (!drawn) return note({QStringLiteral("a polygon needs three corners"), {}, mouse_, press_, true});
+  draft_.clear();
+  add(*drawn);
+}
+
+void SceneTools::show_corners(Overlay& out) const {
+  out.corners = {draft_.corners(), draft_.refused(), std::nullopt, false};
+  if (!over_) return;
+  const Vec2 next = next_corner();
+  const QString fault = closes_polygon() ? QString() : draft_.fault_at(next);
+  out.corners.next = next;
+  out.corners.fault = !fault.isEmpty();
+  if (!out.bubble.value.isEmpty() || draft_.empty()) return;
+  const Vec2& last = draft_.corners().back();
+  out.bubble = {line_text(next - last, point(keys_)), {}, mouse_, sight_().camera.to_screen(last)};
+  if (fault.isEmpty()) return;
+  out.bubble.value = fault;
+  out.bubble.fault = true;
+  if (draft_.refused()) out.bubble.detail = QStringLiteral("Enter draws around it too");
+}
+
+void SceneTools::show_drawing(Overlay& out) const {
+  const ShapeTool* tool = shape_tool(tool_);
+  if (tool == nullptr) return;
+  const bool held = state_ == State::kPressed || state_ == State::kDraw;
+  if (tool->by_corners) {
+    if (held || !draft_.empty()) show_corners(out);
+  } else if (state_ == State::kDraw) {
+    const Drawn drawn = tool->drag(stroke());
+    out.drawn = body_of(drawn);
+    out.bubble = {drawn.value, {}, mouse_, press_};
+  }
+}
+
+}  // namespace carom
