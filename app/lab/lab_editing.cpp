@@ -1,6 +1,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QCursor>
+#include <QTabWidget>
 #include <algorithm>
 #include <utility>
 
@@ -9,11 +10,12 @@
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
+#include "widgets/edit/bodies_sheet.h"
 #include "widgets/edit/inspector.h"
 #include "widgets/scene/key_edits.h"
 #include "widgets/scene/scene_view.h"
 
-// What the window edits by hand: the scene view and the inspector say what, the session does it.
+// What the window edits by hand: the scene view, the inspector and the table say what, the session does it.
 namespace carom {
 namespace {
 
@@ -32,18 +34,36 @@ void LabWindow::connect_edits() {
           [this](int drag) { session_.cancel(drag_of(kOfScene, drag)); });
   connect(view_, &SceneView::selectionChanged, this, &LabWindow::show_selection);
   connect(inspector_, &Inspector::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
-    // Bodies that get another name stay selected.
-    std::vector<std::string> names;
-    for (const SceneEdit& edit : edits) {
-      if (const auto* body = std::get_if<Replace<Body>>(&edit)) names.push_back(body->part.name);
-    }
-    if (!names.empty() && names != view_->selection()) to_select_ = names;
-    session_.edit(edits, name, drag_of(kOfInspector, drag));
+    edit_bodies(edits, name, drag_of(kOfInspector, drag));
   });
-  connect(&session_, &Session::editRefused, inspector_, &Inspector::say);
+  connect(sheet_, &BodiesSheet::edited, this,
+          [this](const SceneEdits& edits, const QString& name) { edit_bodies(edits, name, 0); });
+  connect(sheet_, &BodiesSheet::chosen, this, [this](const std::vector<std::string>& names) {
+    to_select_ = names;
+    if (frame() != nullptr) select_new();
+  });
+  connect(&session_, &Session::editRefused, this, [this](const QString& why) {
+    const bool typed_in_table = sheet_->isAncestorOf(QApplication::focusWidget());
+    typed_in_table ? sheet_->say(why) : inspector_->say(why);
+  });
 }
 
-void LabWindow::show_selection() { inspector_->show_selection(session_.runs().scene(), view_->selection()); }
+void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int drag) {
+  // Bodies that get another name stay selected.
+  std::vector<std::string> names;
+  for (const SceneEdit& edit : edits) {
+    if (const auto* body = std::get_if<Replace<Body>>(&edit)) names.push_back(body->part.name);
+  }
+  if (!names.empty() && names != view_->selection()) to_select_ = names;
+  session_.edit(edits, name, drag);
+}
+
+void LabWindow::show_selection() {
+  inspector_->show_selection(session_.runs().scene(), view_->selection());
+  if (tabs_->currentWidget() != sheet_) return;
+  sheet_->show_moment(session_.runs().scene(), session_.runs().frame());
+  sheet_->show_selection(view_->selection());
+}
 
 void LabWindow::new_document() {
   files_->when_saved([this] {

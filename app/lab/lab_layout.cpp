@@ -17,6 +17,7 @@
 #include "widgets/base/ask.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/study_panel.h"
+#include "widgets/edit/bodies_sheet.h"
 #include "widgets/edit/inspector.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/reading_table.h"
@@ -173,6 +174,7 @@ QWidget* LabWindow::make_tabs() {
   about_->setContentsMargins(4, 4, 12, 8);
   about_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   tabs_ = new QTabWidget;
+  tabs_->addTab(sheet_ = new BodiesSheet(theme_), tr("Bodies"));
   tabs_->addTab(bodies_ = new BodiesTable, tr("Before and after"));
   tabs_->addTab(impacts_ = new ImpactsTable, tr("Impacts"));
   tabs_->addTab(ledger_ = new LedgerTable, tr("Ledger"));
@@ -264,6 +266,7 @@ void LabWindow::set_theme(const Theme& theme) {
   list_->set_theme(theme);
   view_->set_theme(theme);
   transport_->set_theme(theme);
+  sheet_->set_theme(theme);
   plots_->set_theme(theme);
   study_->set_theme(theme);
   compare_->set_theme(theme);

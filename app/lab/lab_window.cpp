@@ -193,7 +193,7 @@ void LabWindow::show_frame() {
   if (tab == ledger_) ledger_->update_from(frame);
   if (tab == reading_) reading_->update_from(plots_->runs(), plots_->contents(), plots_->marks());
   if (tab == compare_) compare_->update_from(frames);
-  tabs_->setTabText(1, tr("Impacts (%1)").arg(frame.impact_count));
+  tabs_->setTabText(tabs_->indexOf(impacts_), tr("Impacts (%1)").arg(frame.impact_count));
   chips_->show_time(session_.runs());
   show_notices();
 }

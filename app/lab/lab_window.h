@@ -21,6 +21,7 @@ class QTabWidget;
 namespace carom {
 
 struct Paste;
+class BodiesSheet;
 class BodiesTable;
 class ComparePanel;
 class DocumentFiles;
@@ -86,6 +87,7 @@ class LabWindow : public QMainWindow {
   // Editing by hand (lab_editing.cpp).
   void connect_edits();
   void show_selection();
+  void edit_bodies(const SceneEdits& edits, const QString& name, int drag);
   void new_document();
   void copy_selection();
   void cut_selection();
@@ -130,6 +132,7 @@ class LabWindow : public QMainWindow {
   QWidget* inspector_panel_ = nullptr;  // with its frame
   PlotPanel* plots_ = nullptr;
   QTabWidget* tabs_ = nullptr;
+  BodiesSheet* sheet_ = nullptr;
   BodiesTable* bodies_ = nullptr;
   ImpactsTable* impacts_ = nullptr;
   LedgerTable* ledger_ = nullptr;

@@ -8,7 +8,6 @@
 #include <QLocale>
 #include <QMenu>
 #include <QPainter>
-#include <QStyledItemDelegate>
 #include <algorithm>
 
 #include "widgets/base/number_text.h"
@@ -19,28 +18,29 @@ namespace {
 
 constexpr int kRowHeight = 26;  // px
 
-// Aligns text with the headings, draws no frame around the current cell, and a line above a sum.
-class CellDelegate : public QStyledItemDelegate {
- public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    constexpr int kInset = 5;  // px
-    QStyleOptionViewItem cell = option;
-    cell.state &= ~QStyle::State_HasFocus;
-    if (cell.state & QStyle::State_Selected) painter->fillRect(cell.rect, cell.palette.highlight());
-    cell.rect.adjust(kInset, 0, -kInset, 0);
-    const auto* model = static_cast<const FigureModel*>(index.model());
-    if (model->is_idle(index.row(), index.column())) {
-      cell.palette.setBrush(QPalette::Text, cell.palette.brush(QPalette::PlaceholderText));
-    }
-    QStyledItemDelegate::paint(painter, cell, index);
-    if (!model->is_sum(index.row())) return;
-    painter->setPen(option.palette.color(QPalette::Mid));
-    painter->drawLine(option.rect.topLeft(), option.rect.topRight());
-  }
-};
-
 }  // namespace
+
+void FigureDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                           const QModelIndex& index) const {
+  constexpr int kInset = 5;  // px
+  paint_ground(painter, option, index);
+  QStyleOptionViewItem cell = option;
+  cell.state &= ~(QStyle::State_HasFocus | QStyle::State_Selected);
+  cell.rect.adjust(kInset, 0, -kInset, 0);
+  const auto* model = static_cast<const FigureModel*>(index.model());
+  if (model->is_idle(index.row(), index.column())) {
+    cell.palette.setBrush(QPalette::Text, cell.palette.brush(QPalette::PlaceholderText));
+  }
+  QStyledItemDelegate::paint(painter, cell, index);
+  if (!model->is_sum(index.row())) return;
+  painter->setPen(option.palette.color(QPalette::Mid));
+  painter->drawLine(option.rect.topLeft(), option.rect.topRight());
+}
+
+void FigureDelegate::paint_ground(QPainter* painter, const QStyleOptionViewItem& option,
+                                  const QModelIndex& /*index*/) const {
+  if (option.state & QStyle::State_Selected) painter->fillRect(option.rect, option.palette.highlight());
+}
 
 FigureModel::FigureModel(std::vector<Column> columns, QObject* parent)
     : QAbstractTableModel(parent), columns_(std::move(columns)) {}
@@ -111,7 +111,7 @@ void FigureModel::rows_changed(int rows) {
 FigureTable::FigureTable(FigureModel* model, QWidget* parent) : QTableView(parent), model_(model) {
   model->setParent(this);
   setModel(model);
-  setItemDelegate(new CellDelegate(this));
+  setItemDelegate(new FigureDelegate(this));
   setShowGrid(false);
   setWordWrap(false);
   setTextElideMode(Qt::ElideRight);
@@ -126,6 +126,14 @@ FigureTable::FigureTable(FigureModel* model, QWidget* parent) : QTableView(paren
   horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setMinimumSectionSize(0);
+}
+
+QString spreadsheet_text(const FigureModel::Cell& cell) {
+  const auto number = [](double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); };
+  if (const auto* vector = std::get_if<Vec2>(&cell)) return number(vector->x()) + '\t' + number(vector->y());
+  if (const auto* value = std::get_if<double>(&cell)) return number(*value);
+  const auto* text = std::get_if<QString>(&cell);
+  return text == nullptr ? QString() : *text;
 }
 
 QString FigureTable::text() const {
@@ -146,28 +154,32 @@ QString FigureTable::text() const {
     }
   }
   lines << heads.join('\t');
-  const auto number = [](double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); };
   for (int r = 0; r < model_->rowCount(); ++r) {
     QStringList fields;
     for (int c = 0; c < columns; ++c) {
       const Cell cell = model_->cell(r, c);
-      if (const auto* vector = std::get_if<Vec2>(&cell)) {
-        fields << number(vector->x()) << number(vector->y());
-        continue;
-      }
-      const auto* text = std::get_if<QString>(&cell);
-      const auto* value = std::get_if<double>(&cell);
-      fields << (text != nullptr ? *text : value != nullptr ? number(*value) : QString());
-      if (is_vector[static_cast<std::size_t>(c)]) fields << QString();
+      fields << spreadsheet_text(cell);
+      // A column of vectors is two columns in every line.
+      if (is_vector[static_cast<std::size_t>(c)] && !std::holds_alternative<Vec2>(cell)) fields << QString();
     }
     lines << fields.join('\t');
   }
   return lines.join('\n') + '\n';
 }
 
+bool FigureTable::event(QEvent* event) {
+  // The table's own copy, not that of the window.
+  if (event->type() == QEvent::ShortcutOverride &&
+      static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
+    event->accept();
+    return true;
+  }
+  return QTableView::event(event);
+}
+
 void FigureTable::keyPressEvent(QKeyEvent* event) {
   if (event->matches(QKeySequence::Copy)) {
-    QGuiApplication::clipboard()->setText(text());
+    QGuiApplication::clipboard()->setText(copied());
   } else {
     QTableView::keyPressEvent(event);
   }

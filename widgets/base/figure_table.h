@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <variant>
 #include <vector>
@@ -44,6 +45,21 @@ class FigureModel : public QAbstractTableModel {
   int rows_ = 0;
 };
 
+// Aligns text with the headings, draws no frame around the current cell, and a line above a sum.
+class FigureDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+ protected:
+  // What is under the text: the ground of a selected cell.
+  virtual void paint_ground(QPainter* painter, const QStyleOptionViewItem& option,
+                            const QModelIndex& index) const;
+};
+
+// The cell for spreadsheets: every digit, a tab between the components of a vector.
+[[nodiscard]] QString spreadsheet_text(const FigureModel::Cell& cell);
+
 // A plain table that divides its width among the columns. Ctrl+C, or a right click, copies it.
 class FigureTable : public QTableView {
   Q_OBJECT
@@ -55,6 +71,9 @@ class FigureTable : public QTableView {
   [[nodiscard]] QString text() const;
 
  protected:
+  // What Ctrl+C copies.
+  [[nodiscard]] virtual QString copied() const { return text(); }
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;

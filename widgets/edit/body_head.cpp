@@ -151,9 +151,8 @@ void BodyHead::set_label_width(int width) {
 }
 
 void BodyHead::rename(const QString& name) {
-  const QString before = QString::fromStdString(bodies_[0].name);
-  emit edited(edits_of({bodies_[0]}, [&](Body& body) { body.name = name.toStdString(); }),
-              tr("Rename %1 to %2").arg(before, name));
+  const NamedEdits edits = renaming(bodies_[0], name);
+  emit edited(edits.edits, edits.name);
 }
 
 void BodyHead::set_fixed(bool fixed) {

@@ -2,11 +2,13 @@
 
 #include <QStringList>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "physics/scene/edit.h"
 #include "physics/scene/limits.h"
 #include "physics/scene/scene.h"
+#include "widgets/edit/field_rows.h"
 
 // What the inspector shows of a scene, and which edits its fields make; no widgets.
 namespace carom {
@@ -37,6 +39,16 @@ struct InspectedRow {
 
 // The values that all of these bodies have.
 [[nodiscard]] std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& bodies);
+
+// The value of one body at one place; none if it has none, as the mass of a fixed one.
+[[nodiscard]] std::optional<Inspected> inspected_value(const Body& body, const FieldPlace& place);
+
+// Edits with their name in the undo stack.
+struct NamedEdits {
+  SceneEdits edits;
+  QString name;
+};
+[[nodiscard]] NamedEdits renaming(const Body& body, const QString& name);
 
 // How the surface of these bodies behaves, if they share one.
 [[nodiscard]] std::vector<InspectedRow> inspected_surface(const Scene& scene, const std::vector<Body>& bodies);

@@ -5,7 +5,6 @@
 #include <unordered_set>
 
 #include "widgets/base/number_text.h"
-#include "widgets/edit/field_rows.h"
 #include "widgets/edit/inspected.h"
 #include "widgets/edit/units.h"
 
@@ -144,6 +143,18 @@ std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& list) {
     if (!row.values.empty()) shown.push_back(std::move(row));
   }
   return shown;
+}
+
+std::optional<Inspected> inspected_value(const Body& body, const FieldPlace& place) {
+  const auto line = std::find_if(kBodyLines.begin(), kBodyLines.end(),
+                                 [&](const BodyLine& each) { return each.key == place.key; });
+  if (line == kBodyLines.end()) return std::nullopt;
+  return inspected_at(*line, place, std::make_shared<const std::vector<Body>>(1, body), {field_rows(body)});
+}
+
+NamedEdits renaming(const Body& body, const QString& name) {
+  return {edits_of({body}, [&](Body& renamed) { renamed.name = name.toStdString(); }),
+          QString("Rename %1 to %2").arg(QString::fromStdString(body.name), name)};
 }
 
 SceneEdits edits_of(std::vector<Body> bodies, const std::function<void(Body&)>& change) {

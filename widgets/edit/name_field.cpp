@@ -4,13 +4,18 @@
 
 namespace carom {
 
+QString name_fault(const QString& name) {
+  if (name.isEmpty()) return NameField::tr("A body has a name.");
+  if (static_cast<std::size_t>(name.toUcs4().size()) > kName.most)
+    return NameField::tr("A name has up to %1 characters.").arg(kName.most);
+  return {};
+}
+
 QString NameField::take(const QString& text) {
   const QString name = text.trimmed();
-  if (name.isEmpty()) return tr("A body has a name.");
-  if (static_cast<std::size_t>(name.toUcs4().size()) > kName.most)
-    return tr("A name has up to %1 characters.").arg(kName.most);
-  emit named(name);
-  return {};
+  QString fault = name_fault(name);
+  if (fault.isEmpty()) emit named(name);
+  return fault;
 }
 
 }  // namespace carom

@@ -4,6 +4,9 @@
 
 namespace carom {
 
+// Why a body can't be called so, in one sentence; empty if it can.
+[[nodiscard]] QString name_fault(const QString& name);
+
 // A field for the name of one body.
 class NameField : public TypedField {
   Q_OBJECT

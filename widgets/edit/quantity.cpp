@@ -150,6 +150,18 @@ TypedQuantity typed_quantity(const QString& typed, std::string_view si) {
   return {ValueChange{kind, result.value * scale}, {}};
 }
 
+TypedValues typed_values(const QString& text, const QString& label, const Range& range,
+                         const std::vector<double>& old) {
+  const TypedQuantity typed = typed_quantity(text, range.unit);
+  if (!typed.change) return {{}, typed.fault};
+  std::vector<double> values = old;
+  for (double& value : values) {
+    value = typed.change->of(value);
+    if (!range.contains(value)) return {{}, range_sentence(label, value, range)};
+  }
+  return {values, {}};
+}
+
 QString range_sentence(const QString& label, double value, const Range& range) {
   const double low = range.or_zero ? 0.0 : range.low;
   if (range.low > -kLargestNumber && range.high < kLargestNumber)

@@ -3,6 +3,7 @@
 #include <QString>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "physics/scene/limits.h"
 
@@ -28,6 +29,16 @@ struct TypedQuantity {
 // without a unit is in the unit that the field shows (see units_of). With *, / or + in front ("*2", "+10 cm")
 // it changes the old value; with - it is a negative number. The same in every locale; throws nothing.
 [[nodiscard]] TypedQuantity typed_quantity(const QString& text, std::string_view si);
+
+// The values that a text makes of the old ones, or one sentence on why it can't be taken.
+struct TypedValues {
+  std::vector<double> values;
+  QString fault;
+};
+
+// All of them in the range, of a value that people know as `label`.
+[[nodiscard]] TypedValues typed_values(const QString& text, const QString& label, const Range& range,
+                                       const std::vector<double>& old);
 
 // One sentence that says what is allowed of `label`, for a value that the range does not contain: "e lies
 // between 0 and 1."

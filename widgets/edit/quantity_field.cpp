@@ -83,17 +83,12 @@ void QuantityField::show_value(const Inspected& value) {
 }
 
 QString QuantityField::take(const QString& text) {
-  const TypedQuantity typed = typed_quantity(text, range_.unit);
-  if (!typed.change) return typed.fault;
-  std::vector<double> values = values_;
-  for (double& value : values) {
-    value = typed.change->of(value);
-    if (!range_.contains(value)) return range_sentence(name_, value, range_);
-  }
-  if (values == values_) {
+  const TypedValues typed = typed_values(text, name_, range_, values_);
+  if (!typed.fault.isEmpty()) return typed.fault;
+  if (typed.values == values_) {
     restore();
   } else {
-    emit changed(values, false);
+    emit changed(typed.values, false);
   }
   return {};
 }

@@ -76,6 +76,7 @@ QLineEdit, QSpinBox, QDoubleSpinBox, QPlainTextEdit { background: %1; border: 1p
 QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QPlainTextEdit:focus { border-color: %6; }
 QLineEdit:disabled, QComboBox:disabled { color: %5; }
 QLineEdit[fault="true"] { border-color: %8; }
+QLineEdit#cell { padding: 0 4px; border-radius: 4px; font-size: 12px; }
 QLabel#fault { color: %8; font-size: 11px; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QComboBox { min-height: 26px; }

@@ -1,0 +1,125 @@
+#include <QClipboard>
+#include <QLineEdit>
+#include <QTabWidget>
+#include <QTableView>
+#include <algorithm>
+
+#include "app/lab/session.h"
+#include "tests/app/lab/lab_fixture.h"
+#include "widgets/edit/bodies_model.h"
+#include "widgets/edit/bodies_sheet.h"
+#include "widgets/run/run_tables.h"
+
+// The table of the bodies in the real window.
+namespace carom {
+namespace {
+
+class LabTableTest : public LabWindowTest {
+ protected:
+  QTableView& table() { return *window_.findChild<BodiesSheet*>()->findChild<QTableView*>(); }
+  void click(int row, int column) {
+    const QModelIndex index = table().model()->index(row, column);
+    table().scrollTo(index);
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, table().visualRect(index).center());
+  }
+  // To what has the focus, as the keyboard does.
+  static void type(const QString& text, Qt::Key end = Qt::Key_Return) {
+    for (const QChar c : text) QTest::keyClicks(QApplication::focusWidget(), c);
+    QTest::keyClick(QApplication::focusWidget(), end);
+  }
+  [[nodiscard]] const Body& light() const { return window_.preset().scene.bodies[0]; }
+  [[nodiscard]] bool is_selected(const std::string& name) {
+    return wait_for([&] { return window_.scene_view().selection() == std::vector<std::string>{name}; });
+  }
+};
+
+TEST_F(LabTableTest, TypesUndoesAndRedoes) {
+  ASSERT_TRUE(wait_for([this] { return window_.session().runs().scene() != nullptr; }));
+  const double mass = mass_of(light());
+  const Vec2 velocity = light().velocity;
+  click(0, BodiesModel::kMass);
+  EXPECT_TRUE(is_selected("light"));
+  type("2");
+  EXPECT_EQ(mass_of(light()), 2.0);
+  EXPECT_TRUE(is_selected("heavy")) << "Enter goes down";
+  click(0, BodiesModel::kVelocityX);
+  type("3.6 km/h");
+  EXPECT_EQ(light().velocity.x(), 1.0);
+  QUndoStack& edits = window_.session().edits();
+  EXPECT_EQ(edits.count(), 2);
+  EXPECT_TRUE(edits.text(0).startsWith("Mass of light")) << edits.text(0).toStdString();
+  QTest::keyClick(&table(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(light().velocity, velocity);
+  QTest::keyClick(&table(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(mass_of(light()), mass);
+  QTest::keyClick(&table(), Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(mass_of(light()), 2.0);
+  const QModelIndex mass_cell = table().model()->index(0, BodiesModel::kMass);
+  EXPECT_TRUE(wait_for([&] { return mass_cell.data().toString() == "2.000"; }));
+}
+
+TEST_F(LabTableTest, SelectsAsTheSceneDoes) {
+  ASSERT_TRUE(wait_for([this] { return window_.session().runs().scene() != nullptr; }));
+  click(1, BodiesModel::kBody);
+  EXPECT_TRUE(is_selected("heavy"));
+  const QPoint at = window_.scene_view().camera().to_screen(light().position).toPoint();
+  QTest::mouseClick(&window_.scene_view(), Qt::LeftButton, {}, at);
+  EXPECT_TRUE(is_selected("light"));
+  const auto* rows = static_cast<const BodiesModel*>(table().model());
+  EXPECT_TRUE(rows->is_marked(0));
+  EXPECT_FALSE(rows->is_marked(1));
+  // A renamed body stays selected; letters that are keys of the window are text here.
+  click(0, BodiesModel::kBody);
+  type("fried", Qt::Key_Tab);
+  EXPECT_EQ(light().name, "fried");
+  EXPECT_TRUE(is_selected("fried"));
+}
+
+// Bodies of a generator, and the walls around them, whose mass takes nothing: no key of it reaches the window.
+TEST_F(LabTableTest, EditsBodiesOfAGenerator) {
+  ASSERT_TRUE(window_.open("gas"));
+  ASSERT_TRUE(
+      wait_for([this] { return window_.session().runs().scene() && table().model()->rowCount() > 100; }));
+  click(0, BodiesModel::kMass);
+  type("0.5");
+  EXPECT_EQ(window_.session().edits().count(), 0);
+  EXPECT_EQ(time(), 0.0);
+  const std::string name = (*window_.frame()->bodies)[8].name;
+  click(8, BodiesModel::kMass);
+  type("2");
+  const std::vector<Body>& bodies = window_.preset().scene.bodies;
+  const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
+  ASSERT_NE(found, bodies.end());
+  EXPECT_EQ(found->mass, 2.0);
+  EXPECT_TRUE(wait_for([this] { return mass_of((*window_.frame()->bodies)[8]) == 2.0; }));
+}
+
+// The window's own copy is that of bodies.
+TEST_F(LabTableTest, CopiesCellsAndOtherTablesWhole) {
+  ASSERT_TRUE(wait_for([this] { return window_.session().runs().scene() != nullptr; }));
+  click(0, BodiesModel::kBody);
+  QTest::keyClick(&table(), Qt::Key_C, Qt::ControlModifier);
+  EXPECT_EQ(QApplication::clipboard()->text(), "light");
+  auto* tabs = window_.findChild<QTabWidget*>();
+  tabs->setCurrentWidget(window_.findChild<BodiesTable*>());
+  QTest::keyClick(tabs->currentWidget(), Qt::Key_C, Qt::ControlModifier);
+  EXPECT_TRUE(QApplication::clipboard()->text().startsWith("body\tm / kg\tv before"));
+}
+
+// What is typed at a later moment: a mass goes on, a velocity is a new start from there.
+TEST_F(LabTableTest, FollowsTheRuleOfTime) {
+  window_.run_until(0.2);
+  ASSERT_TRUE(wait_for([this] { return window_.session().runs().scene() != nullptr; }));
+  click(0, BodiesModel::kMass);
+  type("2");
+  ASSERT_TRUE(
+      wait_for([this] { return window_.frame()->scene && mass_of(window_.frame()->scene->bodies[0]) == 2.0; }));
+  EXPECT_GT(time(), 0.1);
+  click(0, BodiesModel::kVelocityY);
+  type("1");
+  ASSERT_TRUE(wait_for([this] { return time() == 0.0; }));
+  EXPECT_EQ(light().velocity.y(), 1.0);
+}
+
+}  // namespace
+}  // namespace carom

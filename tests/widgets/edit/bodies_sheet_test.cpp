@@ -1,0 +1,298 @@
+#include "widgets/edit/bodies_sheet.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QTest>
+#include <gtest/gtest.h>
+#include <memory>
+
+#include "widgets/edit/bodies_model.h"
+
+namespace carom {
+namespace {
+
+using Column = BodiesModel::Column;
+
+Body body(const std::string& name, double mass, double x) {
+  Body b;
+  b.name = name;
+  b.mass = mass;
+  b.position = Vec2(x, 0.0);
+  b.velocity = Vec2(2.0, 0.0);
+  return b;
+}
+
+// The table, the keys to it, and, as a document does, the scene that its edits change.
+class BodiesSheetTest : public testing::Test {
+ protected:
+  BodiesSheetTest() {
+    Body floor;
+    floor.name = "floor";
+    floor.shape = Wall{};
+    floor.fixed = true;
+    show({body("light", 1.0, -1.0), body("heavy", 1.0 / 3.0, 1.0), floor});
+    QObject::connect(&sheet_, &BodiesSheet::edited, &sheet_,
+                     [this](const SceneEdits& edits, const QString& name) {
+                       names_.push_back(name);
+                       Scene scene = *scene_;
+                       apply_edits(scene, edits);
+                       scene_ = std::make_shared<const Scene>(scene);
+                       sheet_.show_moment(scene_, nullptr);
+                     });
+    QObject::connect(&sheet_, &BodiesSheet::chosen, &sheet_,
+                     [this](const std::vector<std::string>& names) { chosen_ = names; });
+    sheet_.resize(700, 200);
+    sheet_.show();
+    sheet_.activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&sheet_));
+    table().setFocus();
+  }
+
+  void show(const std::vector<Body>& bodies) {
+    Scene scene;
+    scene.bodies = bodies;
+    give_ids(scene);
+    scene_ = std::make_shared<const Scene>(scene);
+    sheet_.show_moment(scene_, nullptr);
+  }
+  QTableView& table() { return *sheet_.findChild<QTableView*>(); }
+  [[nodiscard]] QModelIndex at(int row, int column) { return table().model()->index(row, column); }
+  [[nodiscard]] QString text(int row, int column) { return at(row, column).data().toString(); }
+  void click(int row, int column) {
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, table().visualRect(at(row, column)).center());
+  }
+  QLineEdit* field() {
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // those that were closed
+    return table().findChild<QLineEdit*>("cell");
+  }
+  // To what has the focus, as the keyboard does.
+  static void keys(const QString& text) {
+    for (const QChar c : text) QTest::keyClicks(QApplication::focusWidget(), c);
+  }
+  static void key(Qt::Key k, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(QApplication::focusWidget(), k, modifiers);
+  }
+  QString sentence() {
+    const auto* label = sheet_.findChild<QLabel*>("fault");
+    return label->isVisible() ? label->text() : QString();
+  }
+  [[nodiscard]] const Body& now(std::size_t i) const { return scene_->bodies[i]; }
+  [[nodiscard]] bool is_at(int row, int column) { return table().currentIndex() == at(row, column); }
+
+  BodiesSheet sheet_{light_theme()};
+  std::shared_ptr<const Scene> scene_;
+  std::vector<QString> names_;  // of the edits
+  std::vector<std::string> chosen_;
+};
+
+TEST_F(BodiesSheetTest, TypingReplacesAndEnterGoesDown) {
+  click(0, Column::kMass);
+  keys("2500 g");
+  key(Qt::Key_Return);
+  EXPECT_EQ(now(0).mass, 2.5);
+  EXPECT_EQ(names_, std::vector<QString>{"Mass of light 1.00 → 2.50 kg"});
+  EXPECT_TRUE(is_at(1, Column::kMass));
+  EXPECT_EQ(field(), nullptr);
+  keys("*2");
+  key(Qt::Key_Return);
+  EXPECT_EQ(now(1).mass, 2.0 / 3.0);
+  EXPECT_EQ(text(0, Column::kMomentum), "5.00, 0.00");
+  EXPECT_EQ(text(3, Column::kMass), "3.167") << "all";
+  EXPECT_EQ(text(3, Column::kVelocityX), "2.000") << "the centre of mass";
+}
+
+TEST_F(BodiesSheetTest, TheEditorHasEveryDigitAndEscapeRestores) {
+  click(1, Column::kMass);
+  EXPECT_EQ(text(1, Column::kMass), "0.3333");
+  key(Qt::Key_F2);
+  ASSERT_NE(field(), nullptr);
+  EXPECT_EQ(field()->text(), "0.3333333333333333");
+  keys("7");
+  key(Qt::Key_Escape);
+  EXPECT_EQ(now(1).mass, 1.0 / 3.0);
+  key(Qt::Key_Return);
+  ASSERT_NE(field(), nullptr);
+  key(Qt::Key_Return);
+  EXPECT_TRUE(names_.empty()) << "nothing was typed";
+}
+
+TEST_F(BodiesSheetTest, TabGoesRightAndThenOut) {
+  click(0, Column::kVelocityX);
+  keys("1");
+  key(Qt::Key_Tab);
+  EXPECT_EQ(now(0).velocity, Vec2(1.0, 0.0));
+  EXPECT_TRUE(is_at(0, Column::kVelocityY));
+  key(Qt::Key_Tab);
+  EXPECT_TRUE(is_at(0, Column::kSpin));
+  EXPECT_TRUE(table().hasFocus());
+  QPushButton* button = sheet_.findChild<QPushButton*>();
+  button->show();
+  key(Qt::Key_Tab);
+  EXPECT_TRUE(button->hasFocus());
+  click(2, Column::kBody);
+  key(Qt::Key_Tab);
+  EXPECT_TRUE(is_at(2, Column::kX)) << "the mass of a fixed body is skipped";
+  key(Qt::Key_Backtab, Qt::ShiftModifier);
+  EXPECT_TRUE(is_at(2, Column::kBody));
+}
+
+TEST_F(BodiesSheetTest, ABadValueIsSaidAndTheOldOneHolds) {
+  click(0, Column::kMass);
+  keys("-1");
+  key(Qt::Key_Return);
+  ASSERT_NE(field(), nullptr);
+  EXPECT_TRUE(field()->property("fault").toBool());
+  EXPECT_EQ(sentence(), "Mass is more than 0.");
+  EXPECT_TRUE(names_.empty());
+  key(Qt::Key_Escape);
+  EXPECT_EQ(sentence(), "");
+  EXPECT_EQ(text(0, Column::kMass), "1.000");
+  keys("3 m");
+  click(1, Column::kX);
+  EXPECT_TRUE(sentence().contains("no unit of this")) << sentence().toStdString();
+  EXPECT_TRUE(names_.empty());
+}
+
+TEST_F(BodiesSheetTest, NamesAreDifferent) {
+  click(0, Column::kBody);
+  keys("heavy");
+  key(Qt::Key_Return);
+  EXPECT_EQ(sentence(), "Another body is called heavy.");
+  key(Qt::Key_Escape);
+  keys("small");
+  key(Qt::Key_Tab);
+  EXPECT_EQ(now(0).name, "small");
+  EXPECT_EQ(names_, std::vector<QString>{"Rename light to small"});
+}
+
+TEST_F(BodiesSheetTest, AMassTakesThePlaceOfADensity) {
+  Body disc = body("disc", 1.0, 0.0);
+  disc.mass.reset();
+  disc.density = 5.0;
+  show({disc});
+  click(0, Column::kMass);
+  keys("2");
+  key(Qt::Key_Return);
+  EXPECT_EQ(now(0).mass, 2.0);
+  EXPECT_FALSE(now(0).density.has_value());
+}
+
+TEST_F(BodiesSheetTest, WhatFollowsSaysWhatToChange) {
+  click(0, Column::kMomentum);
+  EXPECT_EQ(sentence(), "p = m v: change m or v.");
+  key(Qt::Key_F2);
+  EXPECT_EQ(field(), nullptr);
+  click(0, Column::kX);
+  EXPECT_EQ(sentence(), "");
+  EXPECT_EQ(text(2, Column::kMass), "fixed");
+  EXPECT_EQ(text(2, Column::kVelocityX), "");
+  click(2, Column::kMass);
+  EXPECT_TRUE(sentence().startsWith("floor is fixed")) << sentence().toStdString();
+  click(2, Column::kY);
+  keys("-50 cm");
+  key(Qt::Key_Return);
+  EXPECT_EQ(now(2).position, Vec2(0.0, -0.5));
+  EXPECT_EQ(names_, std::vector<QString>{"Move floor"});
+}
+
+TEST_F(BodiesSheetTest, PastesAsASpreadsheetDoesInOneStep) {
+  QGuiApplication::clipboard()->setText("2\t0,5\r\n-3\t70 cm\r\n1\t1\r\n");
+  click(0, Column::kMass);
+  key(Qt::Key_V, Qt::ControlModifier);
+  EXPECT_EQ(now(0).mass, 2.0);
+  EXPECT_EQ(now(0).position.x(), 0.5);
+  EXPECT_EQ(now(1).mass, 1.0 / 3.0) << "-3 kg can't be";
+  EXPECT_DOUBLE_EQ(now(1).position.x(), 0.7);
+  EXPECT_EQ(now(2).position.x(), 1.0);
+  EXPECT_EQ(names_, std::vector<QString>{"Paste 4 values"});
+  EXPECT_TRUE(sentence().contains("Mass is more than 0.")) << sentence().toStdString();
+  const auto* rows = static_cast<const BodiesModel*>(table().model());
+  EXPECT_NE(rows->fault(1, Column::kMass), nullptr);
+  EXPECT_NE(rows->fault(2, Column::kMass), nullptr) << "a fixed body has none";
+  EXPECT_EQ(rows->fault(0, Column::kMass), nullptr);
+  key(Qt::Key_Escape);
+  EXPECT_EQ(rows->fault(1, Column::kMass), nullptr);
+}
+
+TEST_F(BodiesSheetTest, CopiesTheMarkedCellsAndComesBackUnchanged) {
+  click(0, Column::kMass);
+  key(Qt::Key_Down, Qt::ShiftModifier);
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  EXPECT_EQ(chosen_, (std::vector<std::string>{"light", "heavy"}));
+  key(Qt::Key_C, Qt::ControlModifier);
+  EXPECT_EQ(QGuiApplication::clipboard()->text(), "1\t-1\n0.3333333333333333\t1");
+  table().clearSelection();
+  key(Qt::Key_C, Qt::ControlModifier);
+  EXPECT_TRUE(QGuiApplication::clipboard()->text().startsWith("body\tm / kg"));
+  click(0, Column::kBody);
+  key(Qt::Key_V, Qt::ControlModifier);
+  EXPECT_TRUE(names_.empty());
+  EXPECT_EQ(sentence(), "");
+}
+
+TEST_F(BodiesSheetTest, TheSelectionIsThatOfTheScene) {
+  click(1, Column::kX);
+  EXPECT_EQ(chosen_, std::vector<std::string>{"heavy"});
+  sheet_.show_selection({"heavy"});
+  EXPECT_TRUE(table().selectionModel()->isSelected(at(1, Column::kX)));
+  chosen_.clear();
+  sheet_.show_selection({"light"});
+  EXPECT_TRUE(chosen_.empty());
+  EXPECT_FALSE(table().selectionModel()->hasSelection());
+  const auto* rows = static_cast<const BodiesModel*>(table().model());
+  EXPECT_TRUE(rows->is_marked(0));
+  EXPECT_FALSE(rows->is_marked(1));
+  EXPECT_TRUE(is_at(0, Column::kX)) << "where the keys go on";
+}
+
+TEST_F(BodiesSheetTest, WhatIsTypedStaysWhileTheSceneIsShownAnew) {
+  click(0, Column::kMass);
+  keys("4");
+  sheet_.show_moment(std::make_shared<const Scene>(*scene_), nullptr);
+  ASSERT_NE(field(), nullptr);
+  EXPECT_EQ(field()->text(), "4");
+  // A run plays: nothing can be typed.
+  auto frame = std::make_shared<Frame>();
+  frame->bodies = std::make_shared<const std::vector<Body>>(scene_->bodies);
+  frame->state = initial_state(*frame->bodies);
+  frame->state.v(0, 0) = 7.0;
+  sheet_.show_moment(nullptr, frame);
+  EXPECT_EQ(field(), nullptr);
+  EXPECT_TRUE(names_.empty());
+  EXPECT_EQ(text(0, Column::kVelocityX), "7.000");
+  key(Qt::Key_F2);
+  EXPECT_EQ(field(), nullptr);
+  EXPECT_EQ(sentence(), "Pause to edit.");
+}
+
+TEST_F(BodiesSheetTest, ShowsTheFirst200AndThenAll) {
+  std::vector<Body> many;
+  for (int i = 0; i < 300; ++i) many.push_back(body("b" + std::to_string(i), 1.0, i));
+  show(many);
+  EXPECT_EQ(table().model()->rowCount(), 201);
+  EXPECT_EQ(text(200, Column::kMass), "300.0") << "the sums have all";
+  auto* button = sheet_.findChild<QPushButton*>();
+  ASSERT_TRUE(button->isVisible());
+  EXPECT_EQ(button->text(), "Show all 300 bodies");
+  QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(table().model()->rowCount(), 301);
+  EXPECT_FALSE(button->isVisible());
+}
+
+TEST_F(BodiesSheetTest, CanBeReadAloud) {
+  EXPECT_EQ(table().accessibleName(), "Bodies");
+  const auto spoken = [this](int row, int column) {
+    return at(row, column).data(Qt::AccessibleTextRole).toString();
+  };
+  EXPECT_EQ(spoken(0, Column::kMass), "mass of light: 1.000 kg");
+  EXPECT_EQ(spoken(2, Column::kMass), "mass of floor: fixed");
+  EXPECT_EQ(spoken(2, Column::kSpin), "spin of floor: none");
+  EXPECT_EQ(spoken(3, Column::kEnergy), "kinetic energy of all: 2.667 J");
+}
+
+}  // namespace
+}  // namespace carom

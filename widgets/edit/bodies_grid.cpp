@@ -1,0 +1,272 @@
+#include "widgets/edit/bodies_grid.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <algorithm>
+#include <set>
+
+#include "widgets/edit/cell_delegate.h"
+#include "widgets/edit/cell_field.h"
+
+namespace carom {
+namespace {
+
+// Keys that begin to type. Space plays.
+bool types(const QKeyEvent& key) {
+  const bool command = (key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0;
+  return !command && !key.text().isEmpty() && key.text()[0].isPrint() && key.key() != Qt::Key_Space;
+}
+
+// The cells of a spreadsheet's text; the headings of this table are no values.
+std::vector<QStringList> pasted_lines(QString text, const QAbstractItemModel& rows) {
+  std::vector<QStringList> lines;
+  while (text.endsWith('\n') || text.endsWith('\r')) text.chop(1);
+  for (QString line : text.split('\n')) {
+    if (line.endsWith('\r')) line.chop(1);
+    lines.push_back(line.split('\t'));
+  }
+  const QString head = rows.headerData(0, Qt::Horizontal, Qt::DisplayRole).toString();
+  if (lines.size() > 1 && lines.front().front() == head) lines.erase(lines.begin());
+  return lines;
+}
+
+// Bodies with values that are pasted one after the other.
+struct Pasted {
+  std::vector<Body> bodies;
+  std::set<int> changed;  // rows
+  BodiesModel::Faults faults;
+  int values = 0;  // that were taken
+
+  void put(const BodiesModel& rows, int row, int column, const QString& text) {
+    // The word of a fixed body comes back as it was copied.
+    if (text.trimmed().isEmpty() || text == spreadsheet_text(rows.cell(row, column))) return;
+    const QString why_not = rows.why_not(row, column);
+    const TypedCell typed = why_not.isEmpty() ? typed_cell(bodies, row, column, text) : TypedCell{{}, why_not};
+    if (!typed.fault.isEmpty()) faults[{row, column}] = typed.fault;
+    if (typed.made.edits.empty()) return;
+    bodies[static_cast<std::size_t>(row)] = std::get<Replace<Body>>(typed.made.edits.front()).part;
+    changed.insert(row);
+    ++values;
+  }
+};
+
+}  // namespace
+
+BodiesGrid::BodiesGrid(QWidget* parent)
+    : FigureTable(new BodiesModel, parent), rows_(static_cast<BodiesModel*>(model())) {
+  setItemDelegate(new CellDelegate(this));
+  setSelectionBehavior(QAbstractItemView::SelectItems);
+  setSelectionMode(QAbstractItemView::ContiguousSelection);
+  setEditTriggers(DoubleClicked | SelectedClicked | EditKeyPressed | AnyKeyPressed);
+  setAccessibleName(tr("Bodies"));
+}
+
+void BodiesGrid::set_theme(const Theme& theme) {
+  theme_ = theme;
+  viewport()->update();
+}
+
+// --- what is shown
+// -----------------------------------------------------------------------------------------------------------
+
+void BodiesGrid::show(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Frame>& frame) {
+  rows_->show(scene, frame);
+  if (field_ == nullptr) return;
+  const int row = currentIndex().row();
+  const bool same =
+      row >= 0 && row < rows_->shown_bodies() && rows_->bodies()[static_cast<std::size_t>(row)].id == edited_;
+  if (same && rows_->can_edit()) return;
+  field_->restore();
+  end(field_);
+}
+
+void BodiesGrid::show_selection(const std::vector<std::string>& names) {
+  rows_->mark(names);
+  if (names == selection_) return;
+  selection_ = names;
+  if (field_ != nullptr || names_of_marked_cells() == names) return;
+  shows_selection_ = true;
+  clearSelection();
+  for (int row = 0; row < rows_->shown_bodies() && !names.empty(); ++row) {
+    if (!rows_->is_marked(row)) continue;
+    const QModelIndex index = rows_->index(row, std::max(currentIndex().column(), 0));
+    if (!rows_->is_marked(std::max(currentIndex().row(), 0)) || !currentIndex().isValid())
+      selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
+    scrollTo(index);
+    break;
+  }
+  shows_selection_ = false;
+}
+
+std::vector<std::string> BodiesGrid::names_of_marked_cells() const {
+  std::set<int> marked;
+  for (const QItemSelectionRange& range : selectionModel()->selection()) {
+    for (int row = range.top(); row <= range.bottom(); ++row) marked.insert(row);
+  }
+  std::vector<std::string> names;
+  for (const int row : marked) {
+    if (!rows_->is_sum(row)) names.push_back(rows_->bodies()[static_cast<std::size_t>(row)].name);
+  }
+  return names;
+}
+
+void BodiesGrid::selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) {
+  FigureTable::selectionChanged(selected, deselected);
+  if (shows_selection_) return;
+  const std::vector<std::string> names = names_of_marked_cells();
+  if (names.empty() || names == selection_) return;
+  selection_ = names;
+  emit chosen(names);
+}
+
+void BodiesGrid::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
+  FigureTable::currentChanged(current, previous);
+  if (current.isValid() && !shows_selection_ && field_ == nullptr) say_why_not(current);
+}
+
+void BodiesGrid::say_why_not(const QModelIndex& index) {
+  const QString* fault = rows_->fault(index.row(), index.column());
+  const QString why = fault != nullptr ? *fault : rows_->why_not(index.row(), index.column());
+  if (why.isEmpty() && !says_why_not_) return;  // what else was said stays
+  say(why);
+  says_why_not_ = !why.isEmpty();
+}
+
+void BodiesGrid::say(const QString& sentence) {
+  says_why_not_ = false;
+  emit said(sentence);
+}
+
+// --- typing
+// -----------------------------------------------------------------------------------------------------------
+
+bool BodiesGrid::can_edit(const QModelIndex& index) const {
+  return index.isValid() && index.flags().testFlag(Qt::ItemIsEditable);
+}
+
+bool BodiesGrid::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
+  if (!index.isValid()) return false;
+  const bool asked = trigger == DoubleClicked || trigger == EditKeyPressed || trigger == AnyKeyPressed;
+  if (asked && !can_edit(index)) say_why_not(index);
+  return FigureTable::edit(index, trigger, event);
+}
+
+void BodiesGrid::begin(CellField* field, int row) {
+  field_ = field;
+  edited_ = rows_->bodies()[static_cast<std::size_t>(row)].id;
+  connect(field, &TypedField::refused, this, &BodiesGrid::say);
+  connect(field, &TypedField::dropped, this, &BodiesGrid::say);
+  connect(field, &CellField::left, this, [this, field] { end(field); });
+}
+
+void BodiesGrid::end(CellField* field) {
+  if (field == nullptr || field_ != field) return;
+  field_ = nullptr;
+  const bool had_focus = field->hasFocus();
+  closeEditor(field, QAbstractItemDelegate::NoHint);
+  if (had_focus) setFocus();
+}
+
+QString BodiesGrid::take(int row, int column, const QString& text) {
+  if (!rows_->can_edit()) return tr("Pause to edit.");
+  const TypedCell typed = typed_cell(rows_->bodies(), row, column, text);
+  if (!typed.made.edits.empty()) hand_out(typed.made.edits, typed.made.name);
+  return typed.fault;
+}
+
+void BodiesGrid::hand_out(const SceneEdits& edits, const QString& name) {
+  rows_->set_faults({});
+  say({});
+  emit edited(edits, name);
+}
+
+bool BodiesGrid::go_down(int rows) {
+  const QModelIndex next = currentIndex().siblingAtRow(currentIndex().row() + rows);
+  if (!next.isValid() || rows_->is_sum(next.row())) return false;
+  setCurrentIndex(next);
+  return true;
+}
+
+bool BodiesGrid::go_right(int columns) {
+  QModelIndex next = currentIndex();
+  do {
+    next = next.siblingAtColumn(next.column() + columns);
+  } while (next.isValid() && !can_edit(next));
+  if (next.isValid()) setCurrentIndex(next);
+  return next.isValid();
+}
+
+void BodiesGrid::go_on(bool right) { focusNextPrevChild(right); }
+
+bool BodiesGrid::focusNextPrevChild(bool next) {
+  if (hasFocus() && currentIndex().isValid() && go_right(next ? 1 : -1)) return true;
+  return FigureTable::focusNextPrevChild(next);
+}
+
+bool BodiesGrid::event(QEvent* event) {
+  if (event->type() != QEvent::ShortcutOverride) return FigureTable::event(event);
+  const auto* key = static_cast<QKeyEvent*>(event);
+  // What is typed at a cell is no key of the window, also where it can't be taken.
+  if (!key->matches(QKeySequence::Paste) && !(types(*key) && rows_->can_edit() && currentIndex().isValid()))
+    return FigureTable::event(event);
+  event->accept();
+  return true;
+}
+
+void BodiesGrid::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Paste)) {
+    paste();
+  } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    edit(currentIndex(), EditKeyPressed, event);
+  } else {
+    if (event->key() == Qt::Key_Escape) {
+      rows_->set_faults({});
+      say({});
+    }
+    FigureTable::keyPressEvent(event);
+  }
+}
+
+// --- the clipboard
+// -----------------------------------------------------------------------------------------------------------
+
+QString BodiesGrid::copied() const {
+  const QItemSelection marked = selectionModel()->selection();
+  if (marked.isEmpty()) return text();
+  const QItemSelectionRange& range = marked.front();
+  QStringList lines;
+  for (int row = range.top(); row <= range.bottom(); ++row) {
+    QStringList cells;
+    for (int column = range.left(); column <= range.right(); ++column)
+      cells << spreadsheet_text(rows_->cell(row, column));
+    lines << cells.join('\t');
+  }
+  return lines.join('\n');
+}
+
+void BodiesGrid::paste() {
+  const QModelIndex from = currentIndex();
+  if (!from.isValid()) return;
+  if (!rows_->can_edit()) return say(tr("Pause to edit."));
+  Pasted pasted{rows_->bodies(), {}, {}, 0};
+  int row = from.row();
+  for (const QStringList& line : pasted_lines(QGuiApplication::clipboard()->text(), *rows_)) {
+    if (row >= rows_->shown_bodies()) break;
+    for (int i = 0; i < line.size() && from.column() + i <= BodiesModel::kSpin; ++i)
+      pasted.put(*rows_, row, from.column() + i, line[i]);
+    ++row;
+  }
+  SceneEdits edits;
+  for (const int each : pasted.changed)
+    edits.emplace_back(Replace<Body>{pasted.bodies[static_cast<std::size_t>(each)]});
+  const int values = pasted.values;
+  if (!edits.empty()) hand_out(edits, values == 1 ? tr("Paste 1 value") : tr("Paste %1 values").arg(values));
+  if (pasted.faults.empty()) return;
+  const QString first = pasted.faults.begin()->second;
+  const std::size_t count = pasted.faults.size();
+  rows_->set_faults(std::move(pasted.faults));
+  say(count == 1 ? first : tr("%1 values can't be, the first because: %2").arg(count).arg(first));
+}
+
+}  // namespace carom

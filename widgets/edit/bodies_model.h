@@ -1,0 +1,83 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "physics/dynamics/state.h"
+#include "physics/model/mass.h"
+#include "physics/record/frame.h"
+#include "widgets/base/figure_table.h"
+#include "widgets/edit/inspected.h"
+
+namespace carom {
+
+// A text that was typed into a cell: the edits that it makes, none if it changes nothing, or why it can't be.
+struct TypedCell {
+  NamedEdits made;
+  QString fault;
+};
+
+// A row for each body at one moment: name, m, x, y, v and spin, which can be edited while the run is paused,
+// p and K. The last row has all bodies together: their mass, their centre of mass, p and K.
+class BodiesModel : public FigureModel {
+ public:
+  enum Column { kBody, kMass, kX, kY, kVelocityX, kVelocityY, kSpin, kMomentum, kEnergy };
+  static constexpr std::size_t kFirst = 200;  // bodies that are shown unless all are
+
+  explicit BodiesModel(QObject* parent = nullptr);
+
+  // The scene as it stands; null: the moment of a run that plays, in which nothing can be edited.
+  void show(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Frame>& frame);
+  void show_all();
+  void mark(const std::vector<std::string>& names);
+  // Cells that could not take what was pasted, with the sentences why; they are red until the next call.
+  using Faults = std::map<std::pair<int, int>, QString>;
+  void set_faults(Faults faults);
+
+  [[nodiscard]] const std::vector<Body>& bodies() const { return *bodies_; }
+  [[nodiscard]] int shown_bodies() const { return static_cast<int>(shown_); }
+  [[nodiscard]] bool is_marked(int row) const;
+  [[nodiscard]] const QString* fault(int row, int column) const;
+  [[nodiscard]] bool can_edit() const { return scene_ != nullptr; }
+  // Why a cell can't be edited, in one sentence; empty if it can.
+  [[nodiscard]] QString why_not(int row, int column) const;
+  // With every digit.
+  [[nodiscard]] QString full_text(int row, int column) const;
+
+  [[nodiscard]] Cell cell(int row, int column) const override;
+  [[nodiscard]] bool is_sum(int row) const override { return row == shown_bodies(); }
+  [[nodiscard]] bool is_idle(int row, int column) const override;
+  [[nodiscard]] QString tip(int row, int column) const override;
+  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+
+ private:
+  [[nodiscard]] Cell sum(int column) const;
+  [[nodiscard]] double kinetic_energy(int body) const;
+  [[nodiscard]] QString spoken(const QModelIndex& index) const;
+  void count();
+
+  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const Frame> frame_;  // while there is no scene
+  std::shared_ptr<const std::vector<Body>> bodies_ = std::make_shared<const std::vector<Body>>();
+  State state_;
+  MassProperties mass_;
+  std::size_t shown_ = 0;
+  bool all_ = false;
+  std::unordered_set<std::string> marked_;
+  Faults faults_;
+  double total_mass_ = 0.0;
+  double energy_ = 0.0;
+  Vec2 momentum_ = Vec2::Zero();
+  Vec2 centre_ = Vec2::Zero();  // of mass, where there is mass
+};
+
+// What `text` makes of a cell of one of these bodies that can be edited.
+[[nodiscard]] TypedCell typed_cell(const std::vector<Body>& bodies, int row, int column, const QString& text);
+
+}  // namespace carom

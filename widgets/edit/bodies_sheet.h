@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "physics/record/frame.h"
+#include "physics/scene/edit.h"
+#include "widgets/theme/theme.h"
+
+class QLabel;
+class QPushButton;
+
+namespace carom {
+
+class BodiesGrid;
+
+// The table of the bodies, in which their values can be typed while the run is paused. Under it stand a
+// sentence, if there is something to say, and a button if it does not show all bodies.
+class BodiesSheet : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit BodiesSheet(const Theme& theme, QWidget* parent = nullptr);
+
+  void set_theme(const Theme& theme);
+  // The scene as it stands; null: a run plays, and its moment is shown.
+  void show_moment(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Frame>& frame);
+  // The names of the bodies that are selected in the scene.
+  void show_selection(const std::vector<std::string>& names);
+  // Why the last edit could not be; empty: nothing to say.
+  void say(const QString& sentence);
+
+ signals:
+  // Edits that are one step of undo, with their name.
+  void edited(const carom::SceneEdits& edits, const QString& name);
+  // The user chose cells of these bodies.
+  void chosen(const std::vector<std::string>& names);
+
+ private:
+  void show_button();
+
+  BodiesGrid* grid_;
+  QLabel* sentence_;
+  QPushButton* all_;
+};
+
+}  // namespace carom

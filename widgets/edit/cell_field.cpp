@@ -1,0 +1,16 @@
+#include "widgets/edit/cell_field.h"
+
+#include <QFocusEvent>
+
+namespace carom {
+
+CellField::CellField(Take take, QWidget* parent) : TypedField(parent), take_(std::move(take)) {
+  setObjectName("cell");
+}
+
+void CellField::focusOutEvent(QFocusEvent* event) {
+  TypedField::focusOutEvent(event);
+  if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason) emit left();
+}
+
+}  // namespace carom
