@@ -2,6 +2,7 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <algorithm>
 #include <memory>
 
@@ -48,32 +49,41 @@ void DocumentFiles::choose() {
   });
 }
 
-bool DocumentFiles::write(const QString& file) {
+// Where it cannot be written another name is offered.
+bool DocumentFiles::write(const QString& file, const std::function<void()>& then) {
   try {
     session_.save(file);
-    return true;
   } catch (const SceneError& error) {
-    show_message(window_, tr("This preset cannot be saved"), QString::fromStdString(error.what()));
+    show_message(window_, tr("This preset cannot be saved"), QString::fromStdString(error.what()), {},
+                 {tr("Save as..."), [this, then] { save_as(then); }});
     return false;
   }
+  emit saved(file);
+  then();
+  return true;
 }
 
 bool DocumentFiles::save(const std::function<void()>& then) {
-  if (session_.file().isEmpty()) {
-    save_as(then);
-    return false;
-  }
-  const bool written = write(session_.file());
-  if (written) then();
-  return written;
+  if (!session_.file().isEmpty()) return write(session_.file(), then);
+  save_as(then);
+  return false;
 }
 
 void DocumentFiles::save_as(const std::function<void()>& then) {
-  ask_for_file(window_, tr("Save the preset"),
-               session_.file().isEmpty() ? QStringLiteral("experiment.json") : session_.file(),
-               {{tr("Carom presets (*.json)"), "json"}}, [this, then](const QString& file) {
-                 if (write(file)) then();
-               });
+  ask_for_file(window_, tr("Save the preset"), session_.file().isEmpty() ? suggested_name() : session_.file(),
+               {{tr("Carom presets (*.json)"), "json"}},
+               [this, then](const QString& file) { write(file, then); });
+}
+
+// From the title: "Two carts, e = 1" is two-carts-e-1.json.
+QString DocumentFiles::suggested_name() const {
+  QString name = session_.name();
+  if (name.isEmpty()) {
+    static const QRegularExpression other("[^\\p{L}\\p{N}]+");
+    name = QString::fromStdString(session_.document().title).toLower().replace(other, " ").trimmed();
+    name.replace(' ', '-').truncate(60);
+  }
+  return (name.isEmpty() ? QStringLiteral("experiment") : name) + ".json";
 }
 
 void DocumentFiles::when_saved(const std::function<void()>& then) {

@@ -33,10 +33,12 @@ class DocumentFiles : public QObject {
  signals:
   // `name` of a built-in experiment, else `file`.
   void opened(const carom::Preset& preset, const QString& name, const QString& file);
+  void saved(const QString& file);
   void stayed();  // the requested document was not opened
 
  private:
-  bool write(const QString& file);
+  bool write(const QString& file, const std::function<void()>& then);
+  [[nodiscard]] QString suggested_name() const;
 
   QWidget* window_;
   Session& session_;

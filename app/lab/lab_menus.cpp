@@ -122,6 +122,7 @@ void LabWindow::make_run_menus() {
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   add_action(run, "", tr("&Play or pause"), QKeySequence(Qt::Key_Space),
              [this] { set_playing(frame() == nullptr || !frame()->playing); });
+  add_action(run, "", tr("Play &on past the end"), QKeySequence(), [this] { session_.runs().play_on(); });
   add_action(run, "", tr("One &step"), QKeySequence(Qt::Key_Period), [this] { session_.runs().step_once(); });
   add_action(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { session_.runs().restart(); });
   QMenu* methods = menuBar()->addMenu(tr("&Method"));

@@ -25,7 +25,21 @@ LabRuns::LabRuns(const Document& document) : document_(document), worker_(docume
 void LabRuns::set_playing(bool playing) {
   if (replayed_) return worker_.end_replay();
   if (playing) forget_wait();
+  if (playing && at_end() && !at_start()) restart();
   worker_.set_playing(playing, document_.preset.duration);
+}
+
+void LabRuns::play_on() {
+  forget_wait();
+  worker_.set_playing(true);
+}
+
+bool LabRuns::at_end() const {
+  if (frames_.empty() || frames_.front()->playing) return false;
+  const double step = frames_.front()->method.step;
+  const double time = frames_.front()->time;
+  const double end = document_.preset.duration;
+  return time < end + 0.5 * step && step_towards(end, time, step) < step;
 }
 
 void LabRuns::restart() {

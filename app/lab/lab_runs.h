@@ -23,8 +23,10 @@ class LabRuns : public QObject {
   explicit LabRuns(const Document& document);
 
   // --- the clock
-  // Stops at the document's duration; beyond it there is no end. Ends a replay where it is, and stops there.
+  // Stops at the document's duration; from there it plays again from the start. Ends a replay where it is, and
+  // stops there.
   void set_playing(bool playing);
+  void play_on();  // without an end
   void restart();
   void step_once() { worker_.step_once(); }
   void set_speed(double speed);
@@ -75,6 +77,8 @@ class LabRuns : public QObject {
  private:
   void poll();
   void show_start();
+  // Whether the next step would pass the document's duration.
+  [[nodiscard]] bool at_end() const;
 
   const Document& document_;
   Worker worker_;

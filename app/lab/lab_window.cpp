@@ -1,11 +1,15 @@
 #include "app/lab/lab_window.h"
 
 #include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMimeData>
 #include <QSignalBlocker>
 #include <QTabWidget>
 #include <QTimer>
+#include <QUrl>
 
 #include "app/lab/document_files.h"
 #include "app/lab/lab_exports.h"
@@ -14,6 +18,7 @@
 #include "app/lab/scene_chips.h"
 #include "app/lab/work_recovery.h"
 #include "app/library/library_items.h"
+#include "physics/model/needs.h"
 #include "physics/scene/validate.h"
 #include "widgets/base/ask.h"
 #include "widgets/base/method_names.h"
@@ -30,6 +35,15 @@
 
 // The layout is in lab_layout.cpp, the menus are in lab_menus.cpp; this file has the window's actions.
 namespace carom {
+namespace {
+
+// The file that is dropped; empty if it is none, or several.
+QString dropped_file(const QMimeData& data) {
+  const QList<QUrl> urls = data.urls();
+  return urls.size() == 1 ? urls.front().toLocalFile() : QString();
+}
+
+}  // namespace
 
 LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   keep_messages_plain();
@@ -53,6 +67,7 @@ LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   set_theme(theme);
   setMinimumSize(900, 600);  // the tool bar would be cut in a smaller one
   resize(1280, 800);
+  setAcceptDrops(true);
   view_->setFocus();  // so that the keys of the scene work at once
 }
 
@@ -78,6 +93,7 @@ void LabWindow::connect_session() {
   });
   connect(files_, &DocumentFiles::opened, this, &LabWindow::show_scene);
   connect(files_, &DocumentFiles::stayed, this, [this] { list_->set_current(session_.name()); });
+  connect(files_, &DocumentFiles::saved, this, &LabWindow::say_saved);
   connect(recovery_, &WorkRecovery::keptChanged, this, &LabWindow::show_notices);
   connect(recovery_, &WorkRecovery::restoreAsked, this, [this](const Preset& work) {
     files_->when_saved([this, work] {
@@ -107,13 +123,60 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
   view_->set_view(preset.view);
   transport_->set_duration(preset.duration);
   list_->set_current(name);
-  setWindowTitle(QString("%1[*] – Carom").arg(QString::fromStdString(preset.title)));
-  about_->setText(QString("<p><b>%1</b></p><p>%2</p><p>%3</p>")
-                      .arg(QString::fromStdString(preset.title).toHtmlEscaped(),
-                           QString::fromStdString(preset.observe).toHtmlEscaped(),
-                           QString::fromStdString(preset.about).toHtmlEscaped().replace("\n", "<br>")));
+  show_title();
   study_->set_scene(preset, name.isEmpty() ? QFileInfo(file).completeBaseName() : name);
-  if (!preset.compare.empty()) tabs_->setCurrentWidget(compare_);
+  if (!preset.compare.empty()) {
+    tabs_->setCurrentWidget(compare_);
+  } else if (tabs_->currentWidget() == compare_) {
+    tabs_->setCurrentIndex(0);
+  }
+}
+
+// What the experiment is about, and what its scene needs of the model.
+void LabWindow::show_about() {
+  const auto paragraph = [](const QString& text) {
+    return text.isEmpty() ? QString() : "<p>" + text.toHtmlEscaped().replace("\n", "<br>") + "</p>";
+  };
+  const auto listed = [](const std::vector<std::string>& parts) {
+    QStringList list;
+    for (const std::string& part : parts) list << QString::fromStdString(part);
+    return list.isEmpty() ? tr("nothing") : list.join(", ");
+  };
+  const Preset& document = preset();
+  const NeedsText needs = text_of(needs_of(document.scene), document.scene, document.method.contacts);
+  about_->setText("<p><b>" + QString::fromStdString(document.title).toHtmlEscaped() + "</b></p>" +
+                  paragraph(QString::fromStdString(document.observe)) +
+                  paragraph(QString::fromStdString(document.about)) +
+                  paragraph(tr("Modelled: %1.\nNot needed by this scene: %2.")
+                                .arg(listed(needs.modelled), listed(needs.not_needed))));
+}
+
+// With the name of its file.
+void LabWindow::show_title() {
+  const QString file = QFileInfo(session_.file()).fileName();
+  const QString title = QString::fromStdString(preset().title);
+  setWindowTitle((file.isEmpty() ? title : tr("%1 – %2").arg(file, title)) + "[*] – Carom");
+}
+
+void LabWindow::say_saved(const QString& file) {
+  show_title();
+  constexpr int kSaid = 4000;  // ms
+  saved_ = tr("saved as %1").arg(QFileInfo(file).fileName());
+  show_notices();
+  QTimer::singleShot(kSaid, this, [this, said = saved_] {
+    if (saved_ != said) return;
+    saved_.clear();
+    show_notices();
+  });
+}
+
+void LabWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!dropped_file(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void LabWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  files_->open(dropped_file(*event->mimeData()).toStdString());
 }
 
 // A large scene takes seconds to be ready; the old scene must not be shown meanwhile.
@@ -126,7 +189,7 @@ void LabWindow::show_preparing() {
 
 void LabWindow::show_document() {
   methods_->show_document(preset());
-  chips_->show_needs(preset());
+  show_about();
   ledger_->set_scene(preset());
   study_->edit_scene(preset());
   compare_->set_scene(preset(), session_.reference());
@@ -208,7 +271,8 @@ void LabWindow::show_notices() {
                    tr("Dismiss"));
     lost_bar_->setVisible(!why.isEmpty());
   }
-  chips_->show_notices(session_.runs(), recovery_->not_kept(), lost_bar_->isVisibleTo(this));
+  chips_->show_notices(session_.runs(), saved_.isEmpty() ? recovery_->not_kept() : saved_,
+                       lost_bar_->isVisibleTo(this));
 }
 
 }  // namespace carom

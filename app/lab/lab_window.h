@@ -73,6 +73,8 @@ class LabWindow : public QMainWindow {
  protected:
   void closeEvent(QCloseEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   // The layout (lab_layout.cpp).
@@ -111,6 +113,9 @@ class LabWindow : public QMainWindow {
 
   void connect_session();
   void show_document();
+  void show_about();
+  void show_title();
+  void say_saved(const QString& file);
   void show_frame();
   void show_preparing();
   void show_notices();
@@ -144,6 +149,7 @@ class LabWindow : public QMainWindow {
   NoticeBar* lost_bar_ = nullptr;       // why a run is lost
   std::vector<std::string> to_select_;  // new bodies that no frame has shown yet
   QString lost_;                        // its text; empty while no run is lost
+  QString saved_;                       // said for a while after a file was saved
   MethodBar* methods_ = nullptr;
   QAction* theme_action_ = nullptr;
   QToolBar* tool_column_ = nullptr;

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "app/lab/lab_runs.h"
-#include "physics/model/needs.h"
 #include "widgets/base/plain_text.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
@@ -20,12 +19,6 @@ QLabel* make_chip(QWidget* parent, const char* look = "chip") {
   return chip;
 }
 
-QString joined(const std::vector<std::string>& parts) {
-  QStringList list;
-  for (const std::string& part : parts) list << QString::fromStdString(part);
-  return list.isEmpty() ? SceneChips::tr("nothing") : list.join(", ");
-}
-
 }  // namespace
 
 SceneChips::SceneChips(SceneView& view)
@@ -34,16 +27,14 @@ SceneChips::SceneChips(SceneView& view)
       row_(new QWidget(&view)),
       time_(make_chip(row_)),
       speed_(make_chip(row_)),
-      needs_(make_chip(row_)),
       status_(make_chip(&view)),
       position_(make_chip(&view, "caption")) {
   auto* row = new QHBoxLayout(row_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
-  for (QLabel* chip : {time_, speed_, needs_}) row->addWidget(chip);
+  for (QLabel* chip : {time_, speed_}) row->addWidget(chip);
   time_->setStyleSheet("font-weight: bold;");
   speed_->setToolTip(tr("Simulated seconds per second"));
-  needs_->setAccessibleName(tr("What is modelled"));
   status_->hide();
   view.installEventFilter(this);
   connect(&view, &SceneView::cursorMoved, this, &SceneChips::show_position);
@@ -59,15 +50,6 @@ void SceneChips::show_position(double x, double y) {
   position_->setText(
       QString("x = %1 m, y = %2 m").arg(x, 0, 'f', 3).arg(y, 0, 'f', 3).replace('-', QChar(0x2212)));
   position_->show();
-  place();
-}
-
-void SceneChips::show_needs(const Preset& document) {
-  const NeedsText text = text_of(needs_of(document.scene), document.scene, document.method.contacts);
-  const QString modelled = joined(text.modelled);
-  const QString other = joined(text.not_needed);
-  needs_text_ = tr("modelled: %1 · not needed: %2").arg(modelled, other);
-  needs_->setToolTip(plain_tip(tr("Modelled: %1.\nNot needed by this scene: %2.").arg(modelled, other)));
   place();
 }
 
@@ -122,8 +104,6 @@ void SceneChips::place() {
   const auto elide = [&](QLabel* chip, const QString& text, int room) {
     chip->setText(chip->fontMetrics().elidedText(text, Qt::ElideRight, std::max(room, kLeastRoom) - kPadding));
   };
-  const int before = time_->sizeHint().width() + speed_->sizeHint().width() + 2 * kGap;
-  elide(needs_, needs_text_, view_.width() - 2 * kEdge - before);
   row_->adjustSize();
   row_->move(kEdge, kEdge);
   row_->raise();

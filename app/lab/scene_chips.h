@@ -8,9 +8,8 @@ namespace carom {
 
 class SceneView;
 class LabRuns;
-struct Preset;
 
-// Chips over the scene: time, speed and what is modelled; below, the run's notices and the cursor's position.
+// Chips over the scene: time and speed; below, the run's notices and the cursor's position.
 // Long text is elided; the tooltip shows all of it.
 class SceneChips : public QObject {
   Q_OBJECT
@@ -18,7 +17,6 @@ class SceneChips : public QObject {
  public:
   explicit SceneChips(SceneView& view);
 
-  void show_needs(const Preset& document);
   void show_time(const LabRuns& runs);
   // `more`: further text of the window; `lost_shown`: the reason of a lost run is shown elsewhere.
   void show_notices(const LabRuns& runs, const QString& more, bool lost_shown);
@@ -34,10 +32,9 @@ class SceneChips : public QObject {
   QWidget* row_;
   QLabel* time_;
   QLabel* speed_;
-  QLabel* needs_;
   QLabel* status_;
   QLabel* position_;
-  QString needs_text_, status_text_;
+  QString status_text_;
 };
 
 }  // namespace carom

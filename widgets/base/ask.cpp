@@ -2,6 +2,7 @@
 
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QPushButton>
 
 namespace carom {
 
@@ -11,12 +12,18 @@ void ask(QDialog* dialog, const std::function<void()>& then) {
   dialog->open();
 }
 
-void show_message(QWidget* parent, const QString& title, const QString& text, const QString& details) {
+void show_message(QWidget* parent, const QString& title, const QString& text, const QString& details,
+                  const Offer& offer) {
   auto* box = new QMessageBox(parent);
   box->setWindowTitle(title);
   box->setTextFormat(Qt::PlainText);
   box->setText(details.isEmpty() ? text : text + "\n\n" + details);
   box->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  if (!offer.text.isEmpty()) {
+    const QPushButton* accept = box->addButton(offer.text, QMessageBox::ActionRole);
+    QObject::connect(accept, &QPushButton::clicked, parent, offer.accept);
+    box->addButton(QMessageBox::Cancel);
+  }
   ask(box, [] {});
 }
 

@@ -15,8 +15,14 @@ namespace carom {
 // Shows a dialog and deletes it after the answer; `then` is called if the dialog was accepted.
 void ask(QDialog* dialog, const std::function<void()>& then);
 
-// A message with one button: `text` in one line, `details` below it.
-void show_message(QWidget* parent, const QString& title, const QString& text, const QString& details = {});
+// What a message offers to do instead.
+struct Offer {
+  QString text;  // of its button; empty: nothing is offered
+  std::function<void()> accept;
+};
+// A message to close: `text` in one line, `details` below it.
+void show_message(QWidget* parent, const QString& title, const QString& text, const QString& details = {},
+                  const Offer& offer = {});
 
 // A filter of a file dialog, "Pictures (*.png *.svg)", and the default suffix.
 struct FileKind {

@@ -1,6 +1,11 @@
 #include <QDir>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QFile>
+#include <QMimeData>
+#include <QTabWidget>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "physics/preset/preset.h"
@@ -85,6 +90,84 @@ TEST_F(LabFilesTest, UnwritableFileIsReported) {
   ASSERT_TRUE(wait_for_boxes(1));
   EXPECT_TRUE(boxes_[0].contains("mine.json"));
   EXPECT_TRUE(window_.isWindowModified());
+}
+
+// Where the file cannot be written.
+TEST_F(LabFilesTest, AnotherNameIsOffered) {
+  const QString file = folder_.filePath("gone/mine.json");
+  ASSERT_TRUE(QDir(folder_.path()).mkdir("gone"));
+  ASSERT_TRUE(QFile::copy(test::preset_file("first-collisions/head-on.json").c_str(), file));
+  ASSERT_TRUE(window_.open(file.toStdString()));
+  click_scene({0.1, 0.4});
+  ASSERT_TRUE(QDir(folder_.filePath("gone")).removeRecursively());
+  chosen_file_ = folder_.filePath("kept.json");
+  offer_ = "Save as...";
+  EXPECT_FALSE(window_.save());
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return !window_.isWindowModified(); }));
+  EXPECT_EQ(all_bodies(read_preset(folder_.filePath("kept.json").toStdString())).size(), 3U);
+}
+
+TEST_F(LabFilesTest, TheTitleNamesTheFileAndSavingIsSaid) {
+  EXPECT_TRUE(window_.windowTitle().startsWith("Head-on")) << window_.windowTitle().toStdString();
+  click_scene({0.1, 0.4});
+  chosen_file_ = folder_.filePath("lesson.json");
+  EXPECT_FALSE(window_.save());
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return !window_.isWindowModified(); }));
+  EXPECT_TRUE(window_.windowTitle().startsWith("lesson.json – Head-on")) << window_.windowTitle().toStdString();
+  const QList<QLabel*> chips = window_.findChildren<QLabel*>("chip");
+  EXPECT_TRUE(std::any_of(chips.begin(), chips.end(), [](const QLabel* chip) {
+    return chip->isVisible() && chip->text().contains("saved as lesson.json");
+  }));
+}
+
+// A name from the title is suggested: of letters and digits alone.
+TEST_F(LabFilesTest, SavingSuggestsAName) {
+  const auto suggested = [this] {
+    QString name;
+    window_.save();
+    EXPECT_TRUE(test::wait_in_event_loop([&] {
+      for (auto* dialog : window_.findChildren<QFileDialog*>())
+        name = QFileInfo(dialog->selectedFiles().value(0)).fileName();
+      return !name.isEmpty();
+    }));
+    EXPECT_TRUE(test::wait_in_event_loop([&] { return window_.findChildren<QFileDialog*>().isEmpty(); }));
+    return name;
+  };
+  EXPECT_EQ(suggested(), "head-on.json");
+  Preset preset = window_.preset();
+  preset.title = "Two carts: e = 1/2!";
+  window_.show_scene(preset, {}, {});
+  EXPECT_EQ(suggested(), "two-carts-e-1-2.json");
+  preset.title = "???";
+  window_.show_scene(preset, {}, {});
+  EXPECT_EQ(suggested(), "experiment.json");
+}
+
+TEST_F(LabFilesTest, ADroppedFileIsOpened) {
+  const auto drop = [this](const QList<QUrl>& urls) {
+    QMimeData data;
+    data.setUrls(urls);
+    QDragEnterEvent enter({40, 40}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&window_, &enter);
+    if (!enter.isAccepted()) return false;
+    QDropEvent event({40, 40}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&window_, &event);
+    return true;
+  };
+  const QUrl file = QUrl::fromLocalFile(test::preset_file("chains-and-cradles/newtons-cradle.json").c_str());
+  EXPECT_FALSE(drop({file, file}));
+  EXPECT_FALSE(drop({QUrl("https://example.org/a.json")}));
+  EXPECT_TRUE(drop({file}));
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 5; }));
+}
+
+// The drawer of an experiment without a comparison is not left on it.
+TEST_F(LabFilesTest, TheDrawerFollowsTheExperiment) {
+  const auto* tabs = window_.findChild<QTabWidget*>();
+  ASSERT_TRUE(window_.open("drag-projectile"));
+  EXPECT_EQ(tabs->tabText(tabs->currentIndex()), "Compare");
+  ASSERT_TRUE(window_.open("head-on"));
+  EXPECT_EQ(tabs->currentIndex(), 0);
 }
 
 TEST_F(LabFilesTest, ChangesAreAskedAboutBeforeAnotherExperiment) {

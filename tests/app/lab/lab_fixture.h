@@ -96,6 +96,14 @@ class LabWindowTest : public LabTest {
     }
     throw std::runtime_error("no plot " + title.toStdString());
   }
+  // The text of the tab "About".
+  [[nodiscard]] QString about() const {
+    QString text;
+    for (const QLabel* label : window_.findChildren<QLabel*>()) {
+      if (label->text().contains("Not needed by this scene")) text = label->text();
+    }
+    return text;
+  }
   // With the disc tool.
   void click_scene(const Vec2& world) {
     window_.scene_view().set_tool(SceneTool::kDisc);
@@ -121,6 +129,7 @@ class LabWindowTest : public LabTest {
 
   std::vector<QString> boxes_;                                // texts of the message boxes so far
   QMessageBox::StandardButton button_ = QMessageBox::Cancel;  // pressed in them
+  QString offer_;                                             // pressed instead, where there is one
   QString chosen_file_;                                       // in a file dialog
 
  private:
@@ -128,6 +137,9 @@ class LabWindowTest : public LabTest {
     QWidget* asking = QApplication::activeModalWidget();
     if (auto* box = qobject_cast<QMessageBox*>(asking)) {
       boxes_.push_back(box->text() + "\n" + box->informativeText());
+      for (QAbstractButton* button : box->buttons()) {
+        if (!offer_.isEmpty() && button->text() == offer_) return button->click();
+      }
       QAbstractButton* button = box->button(button_);
       if (button != nullptr) {
         button->click();
