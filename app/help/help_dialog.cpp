@@ -3,12 +3,14 @@
 #include <QDialog>
 #include <QFile>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextCursor>
 #include <QTextDocument>
 #include <QTextTable>
+#include <QVBoxLayout>
 #include <array>
 #include <utility>
 
@@ -22,6 +24,7 @@ namespace {
 
 // Files of app/help and their titles, in the order of the list.
 constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
+    {"first-lesson", QT_TRANSLATE_NOOP("QObject", "A first lesson")},
     {"hands", QT_TRANSLATE_NOOP("QObject", "Working by hand")},
     {"model", QT_TRANSLATE_NOOP("QObject", "The model")},
     {"presets", QT_TRANSLATE_NOOP("QObject", "Preset files")},
@@ -55,11 +58,42 @@ void space_out(QTextDocument& document, const QColor& lines) {
   }
 }
 
-void show_page(QTextBrowser& text, const char* name) {
+QString page_text(const char* name) {
   QFile page(QString(":/help/%1.md").arg(name));
-  if (page.open(QIODevice::ReadOnly)) text.setMarkdown(QString::fromUtf8(page.readAll()));
+  return page.open(QIODevice::ReadOnly) ? QString::fromUtf8(page.readAll()) : QString();
+}
+
+void show_page(QTextBrowser& text, const char* name) {
+  text.setMarkdown(page_text(name));
   space_out(*text.document(), text.palette().color(QPalette::Mid));
   text.moveCursor(QTextCursor::Start);
+}
+
+// Pages without what is looked for are hidden; the first place of it on the shown page is selected.
+void search(const QString& wanted, QListWidget& list, QTextBrowser& text) {
+  int first = -1;
+  for (int row = 0; row < list.count(); ++row) {
+    const bool has =
+        page_text(kPages[static_cast<std::size_t>(row)].first).contains(wanted, Qt::CaseInsensitive);
+    list.item(row)->setHidden(!has);
+    if (has && first < 0) first = row;
+  }
+  if (first >= 0 && list.currentItem()->isHidden()) list.setCurrentRow(first);
+  text.moveCursor(QTextCursor::Start);
+  if (!wanted.isEmpty()) text.find(wanted);
+}
+
+// The next place on this page, else on the next page that has one.
+void search_next(const QString& wanted, QListWidget& list, QTextBrowser& text) {
+  if (wanted.isEmpty() || text.find(wanted)) return;
+  for (int k = 1; k <= list.count(); ++k) {
+    const int row = (list.currentRow() + k) % list.count();
+    if (list.item(row)->isHidden()) continue;
+    list.setCurrentRow(row);
+    text.moveCursor(QTextCursor::Start);
+    text.find(wanted);
+    return;
+  }
 }
 
 }  // namespace
@@ -72,8 +106,10 @@ void show_help(QWidget* parent) {
   dialog->resize(940, 640);
   auto* list = new QListWidget(dialog);
   list->setObjectName("help-pages");
-  list->setFixedWidth(190);
   list->setSpacing(3);
+  auto* wanted = new QLineEdit(dialog);
+  wanted->setPlaceholderText(QObject::tr("Search the help"));
+  wanted->setClearButtonEnabled(true);
   for (const auto& [name, title] : kPages) list->addItem(QObject::tr(title));
   auto* text = new QTextBrowser(dialog);
   text->setOpenExternalLinks(true);
@@ -82,10 +118,20 @@ void show_help(QWidget* parent) {
     if (row >= 0) show_page(*text, kPages[static_cast<std::size_t>(row)].first);
   });
   list->setCurrentRow(0);
+  QObject::connect(wanted, &QLineEdit::textChanged, text,
+                   [list, text](const QString& now) { search(now, *list, *text); });
+  QObject::connect(wanted, &QLineEdit::returnPressed, text,
+                   [wanted, list, text] { search_next(wanted->text(), *list, *text); });
+  auto* pages = new QWidget(dialog);
+  pages->setFixedWidth(190);
+  auto* column = new QVBoxLayout(pages);
+  column->setContentsMargins(8, 8, 8, 0);
+  column->addWidget(wanted);
+  column->addWidget(list, 1);
   auto* row = new QHBoxLayout(dialog);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  row->addWidget(list);
+  row->addWidget(pages);
   row->addWidget(text, 1);
   dialog->show();
 }

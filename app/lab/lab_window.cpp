@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QMimeData>
+#include <QScreen>
 #include <QSignalBlocker>
 #include <QTabWidget>
 #include <QTimer>
@@ -66,7 +67,9 @@ LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   list_->set_items(library_items());
   set_theme(theme);
   setMinimumSize(900, 600);  // the tool bar would be cut in a smaller one
-  resize(1280, 800);
+  // Never larger than the screen leaves; the frame of the window needs some of it.
+  constexpr QSize kFrame(8, 40);
+  resize(QSize(1280, 800).boundedTo(screen()->availableSize() - kFrame).expandedTo(minimumSize()));
   setAcceptDrops(true);
   view_->setFocus();  // so that the keys of the scene work at once
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <qwt_plot.h>
+#include <tuple>
 #include <utility>
 
 #include "widgets/base/ask.h"
@@ -308,7 +309,10 @@ void PlotPanel::connect_plot(RunPlot* plot) {
     if (plot->over_time()) set_time_zoom(plot, x);
     mark_zoomed(plot);
   });
-  connect(plot, &RunPlot::resetAsked, this, &PlotPanel::reset_zoom);
+  connect(plot, &RunPlot::resetAsked, this, [this, plot] {
+    if (plot->over_time()) take_back_mark();
+    reset_zoom();
+  });
   connect(plot, &RunPlot::curvesChanged, this, &PlotPanel::schedule);
   connect(plot, &RunPlot::timeHovered, this, [this](const std::optional<double>& time) {
     for (RunPlot* each : plots_) each->set_cursor(time);
@@ -318,7 +322,16 @@ void PlotPanel::connect_plot(RunPlot* plot) {
 }
 
 void PlotPanel::set_mark(double time, bool second) {
+  before_mark_ = std::pair(mark_a_, mark_b_);
   (second ? mark_b_ : mark_a_) = time;
+  schedule();
+  emit marksChanged();
+}
+
+// The first click of a double click has set one.
+void PlotPanel::take_back_mark() {
+  if (!before_mark_) return;
+  std::tie(mark_a_, mark_b_) = *std::exchange(before_mark_, std::nullopt);
   schedule();
   emit marksChanged();
 }

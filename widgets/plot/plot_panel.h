@@ -95,6 +95,7 @@ class PlotPanel : public QWidget {
   void set_time_zoom(RunPlot* plot, const QwtInterval& range);
   void mark_zoomed(RunPlot* plot);
   void set_mark(double time, bool second);
+  void take_back_mark();
   void move_mark(int by, bool second);
   void schedule();  // all plots
   void schedule_next();
@@ -113,11 +114,12 @@ class PlotPanel : public QWidget {
   std::vector<RunPlot*> zoomed_;           // those that the user zoomed or panned
   std::optional<QwtInterval> time_zoom_;   // while set, no axis moves
   std::optional<double> mark_a_, mark_b_;  // s
-  QTimer timer_;                           // until all plots are redrawn
-  QTimer turn_;                            // until the next one is
-  std::size_t next_ = 0;                   // whose turn it is
-  std::size_t waiting_ = 0;                // plots that have not shown the newest records yet
-  QwtInterval shown_;                      // the time range of the last refresh
+  std::optional<std::pair<std::optional<double>, std::optional<double>>> before_mark_;  // by the last click
+  QTimer timer_;             // until all plots are redrawn
+  QTimer turn_;              // until the next one is
+  std::size_t next_ = 0;     // whose turn it is
+  std::size_t waiting_ = 0;  // plots that have not shown the newest records yet
+  QwtInterval shown_;        // the time range of the last refresh
 };
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QStandardItemModel>
 #include <array>
 
@@ -42,13 +43,36 @@ void add_topics(QComboBox* box) {
   }
 }
 
-// Searched by typing: there may be a thousand bodies.
-QComboBox* body_box(const std::vector<Body>& bodies, QWidget* parent) {
+// Searched by typing: there may be a thousand entries.
+QComboBox* search_box(QWidget* parent) {
   auto* box = new QComboBox(parent);
   box->setEditable(true);
   box->setInsertPolicy(QComboBox::NoInsert);
   box->completer()->setCompletionMode(QCompleter::PopupCompletion);
   box->completer()->setFilterMode(Qt::MatchContains);
+  box->setMaxVisibleItems(14);
+  return box;
+}
+
+bool is_heading(const QComboBox& box, int entry) {
+  return !box.model()->flags(box.model()->index(entry, 0)).testFlag(Qt::ItemIsEnabled);
+}
+
+// Takes the first entry that contains what was typed, or else shows the present one again.
+void choose_typed(QComboBox& box) {
+  const QString typed = box.currentText().trimmed();
+  const QString present = box.itemText(box.currentIndex());
+  if (typed != present.trimmed() && !typed.isEmpty()) {
+    for (int i = 0; i < box.count(); ++i) {
+      if (!is_heading(box, i) && box.itemText(i).contains(typed, Qt::CaseInsensitive))
+        return box.setCurrentIndex(i);
+    }
+  }
+  box.setEditText(present);
+}
+
+QComboBox* body_box(const std::vector<Body>& bodies, QWidget* parent) {
+  QComboBox* box = search_box(parent);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box->setMinimumContentsLength(8);
   for (const Body& body : bodies) box->addItem(QString::fromStdString(body.name));
@@ -65,12 +89,12 @@ QComboBox* body_box(const std::vector<Body>& bodies, QWidget* parent) {
 
 QuantityPicker::QuantityPicker(const std::vector<Body>& bodies, const QString& none, QWidget* parent)
     : QWidget(parent),
-      observable_(new QComboBox(this)),
+      observable_(search_box(this)),
       first_(body_box(bodies, this)),
       second_(body_box(bodies, this)) {
   if (!none.isEmpty()) observable_->addItem(none, QString());
   add_topics(observable_);
-  observable_->setMaxVisibleItems(24);
+  connect(observable_->lineEdit(), &QLineEdit::editingFinished, this, [this] { choose_typed(*observable_); });
   observable_->setAccessibleName(tr("Quantity"));
   first_->setAccessibleName(tr("Body"));
   second_->setAccessibleName(tr("Other body"));
@@ -86,7 +110,9 @@ QuantityPicker::QuantityPicker(const std::vector<Body>& bodies, const QString& n
   row->addWidget(observable_, 3);
   row->addWidget(first_, 2);
   row->addWidget(second_, 2);
-  connect(observable_, &QComboBox::currentIndexChanged, this, [this] {
+  connect(observable_, &QComboBox::currentIndexChanged, this, [this](int now) {
+    if (is_heading(*observable_, now)) return observable_->setCurrentIndex(chosen_);
+    chosen_ = now;
     show_bodies();
     emit changed();
   });

@@ -29,6 +29,7 @@ class QuantityPicker : public QWidget {
   void show_bodies();
 
   QComboBox* observable_;
+  int chosen_ = 0;  // of its entries
   QComboBox* first_;
   QComboBox* second_;
 };

@@ -12,7 +12,8 @@
 namespace carom {
 namespace {
 
-enum Role { kName = Qt::UserRole, kTitle, kObserve, kPicture };
+// kOpen: the experiment that is open; another row may be chosen with the arrows until Enter opens it.
+enum Role { kName = Qt::UserRole, kTitle, kObserve, kPicture, kOpen };
 
 constexpr int kRowHeight = 50;
 constexpr int kTallRowHeight = 64;  // with a title of two lines
@@ -52,16 +53,20 @@ class ExperimentDelegate : public QStyledItemDelegate {
       return;
     }
     const QRect row = r.adjusted(10, 1, -10, -1);
-    if ((option.state & (QStyle::State_Selected | QStyle::State_MouseOver)) != 0) {
+    const bool chosen = (option.state & QStyle::State_Selected) != 0;
+    const bool is_open = index.data(kOpen).toBool();
+    painter->setPen(Qt::NoPen);
+    if (chosen || is_open || (option.state & QStyle::State_MouseOver) != 0) {
       QColor ground = theme_->accent_ground;
-      if ((option.state & QStyle::State_Selected) == 0) ground.setAlphaF(0.5F);
-      painter->setPen(Qt::NoPen);
+      if (!is_open) ground.setAlphaF(0.5F);
       painter->setBrush(ground);
-      painter->drawRoundedRect(row, 6, 6);
-      if ((option.state & QStyle::State_Selected) != 0) {
-        painter->setBrush(theme_->accent);
-        painter->drawRoundedRect(QRectF(row.left(), row.top() + 4, 3, row.height() - 8), 1.5, 1.5);
-      }
+      if (chosen && !is_open) painter->setPen(QPen(theme_->accent, 1.0));
+      painter->drawRoundedRect(QRectF(row).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+    }
+    if (is_open) {
+      painter->setPen(Qt::NoPen);
+      painter->setBrush(theme_->accent);
+      painter->drawRoundedRect(QRectF(row.left(), row.top() + 4, 3, row.height() - 8), 1.5, 1.5);
     }
     const QRect frame(row.left() + 7, row.center().y() - kPictureHeight / 2 + 1, kPictureWidth, kPictureHeight);
     const auto picture = index.data(kPicture).value<QPixmap>();
@@ -139,7 +144,10 @@ void ExperimentList::set_current(const QString& name) {
   current_ = name;
   QListWidgetItem* found = nullptr;
   for (int row = 0; row < list_->count(); ++row) {
-    if (!name.isEmpty() && list_->item(row)->data(kName).toString() == name) found = list_->item(row);
+    QListWidgetItem* item = list_->item(row);
+    const bool is_open = !name.isEmpty() && item->data(kName).toString() == name;
+    item->setData(kOpen, is_open);
+    if (is_open) found = item;
   }
   list_->setCurrentItem(found);
   if (found == nullptr) list_->clearSelection();

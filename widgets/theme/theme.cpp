@@ -79,7 +79,7 @@ QLineEdit[fault="true"] { border-color: %8; }
 QLineEdit#cell { padding: 0 4px; border-radius: 4px; font-size: 12px; }
 QLabel#fault { color: %8; font-size: 11px; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
-QComboBox { min-height: 26px; }
+QComboBox { min-height: 26px; combobox-popup: 0; }
 QRadioButton:disabled, QCheckBox:disabled { color: %5; }
 QCheckBox::indicator { width: 13px; height: 13px; border: 1px solid %5; border-radius: 3px; background: %1; }
 QCheckBox::indicator:checked { background: %6; border-color: %6; image: url(:/icons/check.svg); }

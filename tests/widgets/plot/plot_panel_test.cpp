@@ -184,6 +184,23 @@ TEST_F(PlotPanelTest, LegendHidesAndShowsACurve) {
   EXPECT_TRUE(shown("kinetic"));
 }
 
+// Its first click is no click of its own.
+TEST_F(PlotPanelTest, ADoubleClickLeavesTheMarksAlone) {
+  show(run_to(head_on_scene(), 1.0, panel.curves()));
+  const QPoint a(canvas(1)->width() / 4, canvas(1)->height() / 2);
+  const auto double_click = [&](const QPoint& at) {
+    QTest::mouseClick(canvas(1), Qt::LeftButton, Qt::NoModifier, at);
+    QTest::mouseDClick(canvas(1), Qt::LeftButton, Qt::NoModifier, at);
+  };
+  double_click(a);
+  EXPECT_FALSE(panel.marks().a);
+  QTest::mouseClick(canvas(1), Qt::LeftButton, Qt::NoModifier, a);
+  const auto mark = panel.marks().a;
+  ASSERT_TRUE(mark);
+  double_click(2 * a);
+  EXPECT_EQ(panel.marks().a, mark);
+}
+
 TEST_F(PlotPanelTest, WheelZoomsAllTimeAxesAboutTheCursorAndDoubleClickResets) {
   show(run_to(head_on_scene(), 1.0, panel.curves()));
   const QPoint at(canvas(1)->width() / 4, canvas(1)->height() / 2);
