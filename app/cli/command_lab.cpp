@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QDir>
+#include <QSettings>
 #include <cstdlib>
 #include <memory>
 
@@ -36,17 +37,21 @@ int open_lab(Arguments arguments, const std::string& preset) {
   }
   QApplication application(arguments.argc, arguments.argv);
   QApplication::setApplicationName("Carom");
-  const bool dark = QApplication::palette().color(QPalette::Window).lightnessF() < 0.5F;
-  const Theme& theme = dark ? dark_theme() : light_theme();
+  QSettings settings("carom", "carom");
+  const bool system_dark = QApplication::palette().color(QPalette::Window).lightnessF() < 0.5F;
+  const Theme& theme = settings.value("dark", system_dark).toBool() ? dark_theme() : light_theme();
   apply_theme(application, theme);
   std::vector<std::string> skipped;
   (void)preset_library(&skipped);
   for (const std::string& line : skipped) print_error(line);
   LabWindow window(theme);
+  window.restore_layout(settings);
   window.open(wanted);
   window.show();
   window.keep_work(autosave_folder());
-  return QApplication::exec();
+  const int code = QApplication::exec();
+  window.keep_layout(settings);
+  return code;
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ bool DocumentFiles::open(const std::string& file_or_name) {
     const auto done = std::make_shared<bool>(false);
     when_saved([=, this] {
       *done = true;
+      remember(own);
       emit opened(preset, name, own);
     });
     return *done;
@@ -40,9 +41,21 @@ bool DocumentFiles::open(const std::string& file_or_name) {
   }
 }
 
+void DocumentFiles::remember(const QString& file) {
+  if (file.isEmpty()) return;
+  constexpr qsizetype kMost = 8;
+  const QString whole = QFileInfo(file).absoluteFilePath();
+  recent_.removeAll(whole);
+  recent_.prepend(whole);
+  while (recent_.size() > kMost) recent_.removeLast();
+}
+
+// Begins in the folder of the present file, or of the last one.
 void DocumentFiles::choose() {
-  auto* dialog = new QFileDialog(window_, tr("Open a preset"), QFileInfo(session_.file()).path(),
-                                 tr("Carom presets (*.json);;All files (*)"));
+  auto* dialog =
+      new QFileDialog(window_, tr("Open a preset"),
+                      QFileInfo(session_.file().isEmpty() ? recent_.value(0) : session_.file()).path(),
+                      tr("Carom presets (*.json);;All files (*)"));
   dialog->setFileMode(QFileDialog::ExistingFile);
   ask(dialog, [this, dialog] {
     open(QFileInfo(dialog->selectedFiles().constFirst()).absoluteFilePath().toStdString());
@@ -58,6 +71,7 @@ bool DocumentFiles::write(const QString& file, const std::function<void()>& then
                  {tr("Save as..."), [this, then] { save_as(then); }});
     return false;
   }
+  remember(file);
   emit saved(file);
   then();
   return true;

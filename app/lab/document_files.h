@@ -27,6 +27,9 @@ class DocumentFiles : public QObject {
   // Returns true if it is written; a document without a file asks for one, and calls `then` once it is saved.
   bool save(const std::function<void()>& then = [] {});
   void save_as(const std::function<void()>& then = [] {});
+  // The files that were opened and saved of late, the newest first.
+  [[nodiscard]] const QStringList& recent() const { return recent_; }
+  void set_recent(const QStringList& files) { recent_ = files; }
   // Calls `then` when the work is saved or discarded, not if the user cancels.
   void when_saved(const std::function<void()>& then);
 
@@ -40,9 +43,12 @@ class DocumentFiles : public QObject {
   bool write(const QString& file, const std::function<void()>& then);
   [[nodiscard]] QString suggested_name() const;
 
+  void remember(const QString& file);
+
   QWidget* window_;
   Session& session_;
   QPointer<QMessageBox> asking_;
+  QStringList recent_;
 };
 
 }  // namespace carom

@@ -1,12 +1,12 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QCursor>
-#include <QTabWidget>
 #include <algorithm>
 #include <utility>
 
 #include "app/lab/copied_bodies.h"
 #include "app/lab/document_files.h"
+#include "app/lab/drawer.h"
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
@@ -60,7 +60,7 @@ void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int dr
 
 void LabWindow::show_selection() {
   inspector_->show_selection(session_.runs().scene(), view_->selection());
-  if (tabs_->currentWidget() != sheet_) return;
+  if (!drawer_->shows(sheet_)) return;
   sheet_->show_moment(session_.runs().scene(), session_.runs().frame());
   sheet_->show_selection(view_->selection());
 }

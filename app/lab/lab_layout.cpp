@@ -1,17 +1,15 @@
 #include <QAction>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QSplitter>
-#include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/lab/document_files.h"
+#include "app/lab/drawer.h"
 #include "app/lab/lab_window.h"
 #include "app/lab/notice_bar.h"
+#include "app/lab/scrolled.h"
 #include "app/library/library_items.h"
 #include "physics/scene/validate.h"
 #include "widgets/base/ask.h"
@@ -43,32 +41,6 @@ QWidget* with_frame(QWidget* inside, int margin) {
   return frame;
 }
 
-// Scrolls its content, with the parent's background.
-template <class Area>
-Area* scrolled(QWidget* inside) {
-  auto* area = new Area;
-  area->setWidget(inside);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setStyleSheet("QScrollArea, QScrollArea > QWidget > QWidget { background: transparent; }");
-  return area;
-}
-
-// Scrolls vertically only: as wide as its content.
-class TallArea : public QScrollArea {
- public:
-  [[nodiscard]] QSize minimumSizeHint() const override {
-    const int bar = verticalScrollBar()->sizeHint().width();
-    return {widget() == nullptr ? 0 : widget()->minimumSizeHint().width() + bar, 0};
-  }
-
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override {
-    if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
-    return QScrollArea::eventFilter(watched, event);
-  }
-};
-
 }  // namespace
 
 void LabWindow::make_body() {
@@ -81,15 +53,13 @@ void LabWindow::make_body() {
   list_->setFixedWidth(kListWidth);
   list_->hide();
 
-  auto* columns = new QSplitter(Qt::Horizontal);
-  columns->setHandleWidth(8);
-  columns->addWidget(make_middle());
-  columns->addWidget(make_right());
-  // The scene gets what a wider window has more.
-  columns->setStretchFactor(0, 3);
-  columns->setStretchFactor(1, 1);
-  columns->setSizes({888, 368});
-  columns->setChildrenCollapsible(false);
+  columns_ = new QSplitter(Qt::Horizontal);
+  columns_->setHandleWidth(8);
+  columns_->addWidget(make_middle());
+  columns_->addWidget(make_right());
+  columns_->setStretchFactor(0, 3);
+  columns_->setStretchFactor(1, 1);
+  columns_->setChildrenCollapsible(false);
   restore_bar_ = new NoticeBar;
   lost_bar_ = new NoticeBar;
   auto* inner = new QVBoxLayout;
@@ -97,7 +67,7 @@ void LabWindow::make_body() {
   inner->setSpacing(8);
   inner->addWidget(restore_bar_);
   inner->addWidget(lost_bar_);
-  inner->addWidget(columns, 1);
+  inner->addWidget(columns_, 1);
   row->addLayout(inner, 1);
   setCentralWidget(all);
 }
@@ -152,37 +122,33 @@ QWidget* LabWindow::make_middle() {
   row->addWidget(with_frame(view_, 1), 1);
   column->addLayout(row, 1);
   column->addWidget(transport_);
-  QWidget* drawer = with_frame(make_tabs(), 0);
-  drawer->layout()->setContentsMargins(12, 4, 12, 8);
-  auto* middle = new QSplitter(Qt::Vertical);
-  middle->setHandleWidth(8);
-  middle->addWidget(scene);
-  middle->addWidget(drawer);
-  // A taller window gives the scene more; the drawer shows three rows.
-  middle->setStretchFactor(0, 1);
-  middle->setStretchFactor(1, 0);
-  middle->setSizes({540, 190});
-  middle->setChildrenCollapsible(false);
-  return middle;
+  make_drawer();
+  middle_ = new QSplitter(Qt::Vertical);
+  middle_->setHandleWidth(8);
+  middle_->addWidget(scene);
+  middle_->addWidget(drawer_);
+  middle_->setStretchFactor(0, 1);
+  middle_->setStretchFactor(1, 0);
+  middle_->setChildrenCollapsible(false);
+  return middle_;
 }
 
-QWidget* LabWindow::make_tabs() {
+void LabWindow::make_drawer() {
   about_ = new QLabel;
   about_->setWordWrap(true);
   about_->setTextFormat(Qt::RichText);
   about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   about_->setContentsMargins(4, 4, 12, 8);
   about_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  tabs_ = new QTabWidget;
-  tabs_->addTab(sheet_ = new BodiesSheet(theme_), tr("Bodies"));
-  tabs_->addTab(bodies_ = new BodiesTable, tr("Before and after"));
-  tabs_->addTab(impacts_ = new ImpactsTable, tr("Impacts"));
-  tabs_->addTab(ledger_ = new LedgerTable, tr("Ledger"));
-  tabs_->addTab(reading_ = new ReadingTable, tr("Reading"));
-  tabs_->addTab(compare_ = new ComparePanel(theme_), tr("Compare"));
-  tabs_->addTab(study_ = new StudyPanel(theme_), tr("Study"));
-  tabs_->addTab(scrolled<QScrollArea>(about_), tr("About"));
-  return tabs_;
+  drawer_ = new Drawer;
+  drawer_->add(sheet_ = new BodiesSheet(theme_), tr("Bodies"));
+  drawer_->add(bodies_ = new BodiesTable, tr("Before and after"));
+  drawer_->add(impacts_ = new ImpactsTable, tr("Impacts"));
+  drawer_->add(ledger_ = new LedgerTable, tr("Ledger"));
+  drawer_->add(reading_ = new ReadingTable, tr("Reading"));
+  drawer_->add(compare_ = new ComparePanel(theme_), tr("Compare"));
+  drawer_->add(study_ = new StudyPanel(theme_), tr("Study"));
+  drawer_->add(scrolled<QScrollArea>(about_), tr("About"));
 }
 
 // The inspector over the plots.
@@ -191,15 +157,14 @@ QWidget* LabWindow::make_right() {
   auto* area = scrolled<TallArea>(inspector_);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   inspector_panel_ = with_frame(area, 1);
-  auto* right = new QSplitter(Qt::Vertical);
-  right->setHandleWidth(8);
-  right->addWidget(inspector_panel_);
-  right->addWidget(make_plots());
-  right->setStretchFactor(0, 0);
-  right->setStretchFactor(1, 1);
-  right->setSizes({300, 420});
-  right->setChildrenCollapsible(false);
-  return right;
+  right_ = new QSplitter(Qt::Vertical);
+  right_->setHandleWidth(8);
+  right_->addWidget(inspector_panel_);
+  right_->addWidget(make_plots());
+  right_->setStretchFactor(0, 0);
+  right_->setStretchFactor(1, 1);
+  right_->setChildrenCollapsible(false);
+  return right_;
 }
 
 // Plots scroll if there are too many for the height.
@@ -223,13 +188,13 @@ void LabWindow::connect_views() {
   connect(compare_, &ComparePanel::stepChanged, &session_, &Session::change_step);
   connect(compare_, &ComparePanel::referenceChosen, &session_, &Session::choose_reference);
   connect(compare_, &ComparePanel::usualAsked, this, &LabWindow::compare_usual);
-  connect(tabs_, &QTabWidget::currentChanged, this, &LabWindow::show_frame);
+  connect(drawer_, &Drawer::pageChanged, this, &LabWindow::show_frame);
   connect(plots_, &PlotPanel::layoutChanged, this, [this] {
     session_.change_plots(plots_->chosen());
     session_.runs().record(plots_->curves());
   });
   connect(plots_, &PlotPanel::marksChanged, this, [this] {
-    tabs_->setCurrentWidget(reading_);
+    drawer_->choose(reading_);
     show_frame();
   });
   connect(lost_bar_, &NoticeBar::accepted, &session_.runs(), &LabRuns::restart);

@@ -9,6 +9,7 @@
 
 #include "app/help/help_dialog.h"
 #include "app/lab/document_files.h"
+#include "app/lab/drawer.h"
 #include "app/lab/lab_exports.h"
 #include "app/lab/lab_window.h"
 #include "app/lab/method_bar.h"
@@ -35,6 +36,14 @@ void LabWindow::make_file_menu() {
   };
   add("", tr("&New"), QKeySequence::New, [this] { new_document(); });
   add("open", tr("&Open..."), QKeySequence::Open, [this] { files_->choose(); });
+  QMenu* recent = file->addMenu(tr("Open &recent"));
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] {
+    recent->clear();
+    for (const QString& each : files_->recent()) {
+      recent->addAction(QString(each).replace("&", "&&"), this, [this, each] { open(each.toStdString()); });
+    }
+    if (recent->isEmpty()) recent->addAction(tr("No files yet"))->setEnabled(false);
+  });
   add("save", tr("&Save"), QKeySequence::Save, [this] { save(); });
   add("", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { files_->save_as(); });
   add("", tr("Save the &run as it stands..."), QKeySequence(), [this] { exports_->save_run(); });
@@ -105,14 +114,22 @@ void LabWindow::make_view_menu() {
     });
   }
   view->addSeparator();
-  QAction* inspector = add_action(view, "", tr("&Inspector"), QKeySequence(Qt::Key_I), [] {});
-  inspector->setCheckable(true);
-  inspector->setChecked(true);
-  connect(inspector, &QAction::toggled, inspector_panel_, &QWidget::setVisible);
+  inspector_action_ = add_action(view, "", tr("&Inspector"), QKeySequence(Qt::Key_I), [] {});
+  inspector_action_->setCheckable(true);
+  inspector_action_->setChecked(true);
+  connect(inspector_action_, &QAction::toggled, inspector_panel_, &QWidget::setVisible);
+  QAction* folded = add_action(view, "", tr("&Drawer"), QKeySequence(Qt::CTRL | Qt::Key_J), [] {});
+  folded->setCheckable(true);
+  folded->setChecked(true);
+  connect(folded, &QAction::toggled, drawer_, [this](bool open) { drawer_->set_folded(!open); });
+  connect(drawer_, &Drawer::foldedChanged, folded, [folded](bool now) { folded->setChecked(!now); });
   view->addMenu(plots_->menu());
+  add_action(view, "", tr("&Standard layout"), QKeySequence(Qt::CTRL | Qt::Key_0),
+             [this] { standard_layout(); });
   view->addSeparator();
   theme_action_ = add_action(view, "", {}, QKeySequence(), [this] {
     const Theme& next = theme_.dark ? light_theme() : dark_theme();
+    theme_chosen_ = true;
     apply_theme(*qApp, next);
     set_theme(next);
   });

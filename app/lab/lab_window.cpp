@@ -8,11 +8,11 @@
 #include <QMimeData>
 #include <QScreen>
 #include <QSignalBlocker>
-#include <QTabWidget>
 #include <QTimer>
 #include <QUrl>
 
 #include "app/lab/document_files.h"
+#include "app/lab/drawer.h"
 #include "app/lab/lab_exports.h"
 #include "app/lab/method_bar.h"
 #include "app/lab/notice_bar.h"
@@ -26,6 +26,7 @@
 #include "widgets/base/plain_text.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/study_panel.h"
+#include "widgets/edit/bodies_sheet.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/reading_table.h"
 #include "widgets/run/experiment_list.h"
@@ -71,6 +72,7 @@ LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   constexpr QSize kFrame(8, 40);
   resize(QSize(1280, 800).boundedTo(screen()->availableSize() - kFrame).expandedTo(minimumSize()));
   setAcceptDrops(true);
+  standard_layout();
   view_->setFocus();  // so that the keys of the scene work at once
 }
 
@@ -129,9 +131,9 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
   show_title();
   study_->set_scene(preset, name.isEmpty() ? QFileInfo(file).completeBaseName() : name);
   if (!preset.compare.empty()) {
-    tabs_->setCurrentWidget(compare_);
-  } else if (tabs_->currentWidget() == compare_) {
-    tabs_->setCurrentIndex(0);
+    drawer_->choose(compare_);
+  } else if (drawer_->shows(compare_)) {
+    drawer_->choose(sheet_);
   }
 }
 
@@ -226,7 +228,7 @@ void LabWindow::set_playing(bool playing) {
 
 void LabWindow::compare_usual() {
   if (!session_.compares_usual()) {
-    tabs_->setCurrentWidget(compare_);
+    drawer_->choose(compare_);
     const QSignalBlocker part_of_this_edit(plots_);
     if (first_reference(preset()) != ReferenceId::kNone) plots_->set_shown("error", true);
   }
@@ -253,13 +255,12 @@ void LabWindow::show_frame() {
   select_new();
   show_selection();
   transport_->update_from(frame, *recorders.front());
-  QWidget* tab = tabs_->currentWidget();
-  if (tab == bodies_) bodies_->update_from(frame, session_.bodies());
-  if (tab == impacts_) impacts_->update_from(frame, *recorders.front());
-  if (tab == ledger_) ledger_->update_from(frame);
-  if (tab == reading_) reading_->update_from(plots_->runs(), plots_->contents(), plots_->marks());
-  if (tab == compare_) compare_->update_from(frames);
-  tabs_->setTabText(tabs_->indexOf(impacts_), tr("Impacts (%1)").arg(frame.impact_count));
+  if (drawer_->shows(bodies_)) bodies_->update_from(frame, session_.bodies());
+  if (drawer_->shows(impacts_)) impacts_->update_from(frame, *recorders.front());
+  if (drawer_->shows(ledger_)) ledger_->update_from(frame);
+  if (drawer_->shows(reading_)) reading_->update_from(plots_->runs(), plots_->contents(), plots_->marks());
+  if (drawer_->shows(compare_)) compare_->update_from(frames);
+  drawer_->set_title(impacts_, tr("Impacts (%1)").arg(frame.impact_count));
   chips_->show_time(session_.runs());
   show_notices();
 }

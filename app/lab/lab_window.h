@@ -16,7 +16,8 @@ class QKeySequence;
 class QLabel;
 class QMenu;
 class QToolBar;
-class QTabWidget;
+class QSettings;
+class QSplitter;
 
 namespace carom {
 
@@ -25,6 +26,7 @@ class BodiesSheet;
 class BodiesTable;
 class ComparePanel;
 class DocumentFiles;
+class Drawer;
 class ExperimentList;
 class ImpactsTable;
 class Inspector;
@@ -60,6 +62,10 @@ class LabWindow : public QMainWindow {
   // windows that ended unexpectedly.
   void keep_work(const QString& folder);
 
+  // What is remembered from one start to the next (lab_memory.cpp).
+  void restore_layout(const QSettings& settings);
+  void keep_layout(QSettings& settings) const;
+
   void set_theme(const Theme& theme);
   [[nodiscard]] SceneView& scene_view() { return *view_; }
   [[nodiscard]] Session& session() { return session_; }
@@ -81,8 +87,9 @@ class LabWindow : public QMainWindow {
   void make_body();
   void open_list(bool open);
   void place_list();
+  void standard_layout();
   [[nodiscard]] QWidget* make_middle();
-  [[nodiscard]] QWidget* make_tabs();
+  void make_drawer();
   [[nodiscard]] QWidget* make_plots();
   [[nodiscard]] QWidget* make_right();
   void connect_views();
@@ -134,9 +141,13 @@ class LabWindow : public QMainWindow {
   SceneChips* chips_ = nullptr;
   TransportBar* transport_ = nullptr;
   Inspector* inspector_ = nullptr;
+  QAction* inspector_action_ = nullptr;
   QWidget* inspector_panel_ = nullptr;  // with its frame
   PlotPanel* plots_ = nullptr;
-  QTabWidget* tabs_ = nullptr;
+  Drawer* drawer_ = nullptr;
+  QSplitter* columns_ = nullptr;  // scene and drawer | right column
+  QSplitter* middle_ = nullptr;   // scene over drawer
+  QSplitter* right_ = nullptr;    // inspector over plots
   BodiesSheet* sheet_ = nullptr;
   BodiesTable* bodies_ = nullptr;
   ImpactsTable* impacts_ = nullptr;
@@ -152,6 +163,7 @@ class LabWindow : public QMainWindow {
   QString saved_;                       // said for a while after a file was saved
   MethodBar* methods_ = nullptr;
   QAction* theme_action_ = nullptr;
+  bool theme_chosen_ = false;  // by the user
   QToolBar* tool_column_ = nullptr;
   QToolBar* bar_ = nullptr;
   std::vector<QAction*> folded_;  // the tool bar's actions that only a wide window has room for

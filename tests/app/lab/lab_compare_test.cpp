@@ -1,9 +1,9 @@
 #include <QAction>
-#include <QTabWidget>
 #include <QTest>
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "app/lab/drawer.h"
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
 #include "tests/app/lab/lab_fixture.h"
@@ -61,13 +61,15 @@ TEST_F(LabCompareTest, OneKeyMakesEulerRk4AndTheExactRun) {
 
 TEST_F(LabCompareTest, APresetOpensWithItsComparison) {
   ASSERT_TRUE(window_.open("drag-projectile"));
-  EXPECT_EQ(window_.findChild<QTabWidget*>()->currentWidget(), window_.findChild<ComparePanel*>());
+  EXPECT_TRUE(window_.findChild<Drawer*>()->shows(window_.findChild<ComparePanel*>()));
   window_.run_until(1.0);
   ASSERT_TRUE(test::wait_in_event_loop([&] { return rows() == 3 && cell(2, "largest / m") > 0.0; }));
   EXPECT_LT(cell(0, "largest / m"), 1e-8) << "RK4";
   EXPECT_GT(cell(1, "largest / m"), 1e-3) << "explicit Euler";
   EXPECT_GT(cell(2, "largest / m"), 1e-3) << "impacts at the step's end";
   ASSERT_TRUE(window_.open("head-on"));
+  EXPECT_FALSE(window_.findChild<Drawer*>()->shows(window_.findChild<ComparePanel*>()));
+  window_.findChild<Drawer*>()->choose(window_.findChild<ComparePanel*>());
   window_.run_until(0.1);
   EXPECT_TRUE(window_.preset().compare.empty());
   ASSERT_TRUE(test::wait_in_event_loop([&] { return rows() == 1; }));
@@ -112,7 +114,7 @@ TEST_F(LabCompareTest, TheOthersKeepTheirPast) {
 TEST_F(LabCompareTest, MethodsComeAndGoWhileItRuns) {
   window_.run_until(0.5);
   auto* panel = window_.findChild<ComparePanel*>();
-  window_.findChild<QTabWidget*>()->setCurrentWidget(panel);
+  window_.findChild<Drawer*>()->choose(panel);
   Method euler = window_.preset().method;
   euler.integrator = IntegratorId::kExplicitEuler;
   emit panel->methodAdded(euler);

@@ -1,8 +1,8 @@
-#include <QTabWidget>
 #include <QTest>
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "app/lab/drawer.h"
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset.h"
 #include "physics/scene/validate.h"
@@ -32,8 +32,7 @@ class LabStudyTest : public testing::Test {
     ASSERT_TRUE(window_->open("drag-projectile"));
     panel_ = window_->findChild<StudyPanel*>();
     ASSERT_NE(panel_, nullptr);
-    auto* tabs = window_->findChild<QTabWidget*>();
-    tabs->setCurrentWidget(panel_);
+    window_->findChild<Drawer*>()->choose(panel_);
     ASSERT_TRUE(test::wait_in_event_loop([this] { return panel_->isVisible(); }));
   }
   std::unique_ptr<LabWindow> window_;

@@ -98,8 +98,7 @@ TEST_F(LabWindowTest, TheToolBarIsWholeInANarrowWindow) {
   }
   EXPECT_EQ(impacts->text(), "located ▾");
   window_.resize(1280, 640);
-  QApplication::processEvents();
-  EXPECT_EQ(impacts->text(), "impacts at their own time ▾");
+  EXPECT_TRUE(wait_for([&] { return impacts->text() == "impacts at their own time ▾"; }));
 }
 
 TEST_F(LabWindowTest, TheStepButtonGoesByTheIntegrator) {

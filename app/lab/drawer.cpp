@@ -1,0 +1,64 @@
+#include "app/lab/drawer.h"
+
+#include <QSplitter>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "app/lab/scrolled.h"
+
+namespace carom {
+namespace {
+
+constexpr int kLeastPage = 96;  // px: two rows of a table under their heading
+
+}  // namespace
+
+Drawer::Drawer(QWidget* parent) : QFrame(parent), tabs_(new QTabWidget) {
+  setObjectName("panel");
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 4, 12, 8);
+  column->addWidget(tabs_);
+  set_folded(false);
+  // Before the click changes the page.
+  connect(tabs_, &QTabWidget::tabBarClicked, this, [this](int tab) {
+    if (tab >= 0) set_folded(!folded_ && tab == tabs_->currentIndex());
+  });
+  connect(tabs_, &QTabWidget::currentChanged, this, &Drawer::pageChanged);
+}
+
+void Drawer::add(QWidget* page, const QString& title) {
+  const bool tall = page->minimumSizeHint().height() > kLeastPage;
+  tabs_->addTab(tall ? scrolled<TallArea>(page) : page, title);
+}
+
+void Drawer::set_title(const QWidget* page, const QString& title) { tabs_->setTabText(index_of(page), title); }
+
+void Drawer::choose(QWidget* page) { tabs_->setCurrentIndex(index_of(page)); }
+
+bool Drawer::shows(const QWidget* page) const { return index_of(page) == tabs_->currentIndex(); }
+
+int Drawer::index_of(const QWidget* page) const {
+  int index = 0;
+  while (tabs_->widget(index) != page && !tabs_->widget(index)->isAncestorOf(page)) ++index;
+  return index;
+}
+
+// The other side of the splitter gets the room, or gives back as much.
+void Drawer::set_folded(bool folded) {
+  const int bar = tabs_->tabBar()->sizeHint().height();
+  const int line = bar + layout()->contentsMargins().top();
+  auto* splitter = qobject_cast<QSplitter*>(parentWidget());
+  if (folded && !folded_ && splitter != nullptr) unfolded_ = splitter->sizes().last();
+  tabs_->setMinimumHeight(folded ? bar : bar + kLeastPage);
+  setMaximumHeight(folded ? line : QWIDGETSIZE_MAX);
+  if (std::exchange(folded_, folded) == folded) return;
+  if (splitter != nullptr) {
+    const int own = folded ? line : unfolded_;
+    splitter->setSizes({splitter->height() - splitter->handleWidth() - own, own});
+  }
+  emit foldedChanged(folded);
+}
+
+}  // namespace carom
