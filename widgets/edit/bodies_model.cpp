@@ -41,7 +41,7 @@ QString kind_word(const Body& body) { return body.drive ? tr("driven") : tr("fix
 TypedCell typed_name(const std::vector<Body>& bodies, const Body& body, const QString& text) {
   const QString name = text.trimmed();
   if (name == name_of(body)) return {};
-  if (const QString fault = name_fault(name); !fault.isEmpty()) return {{}, fault};
+  if (const QString fault = name_fault(name, "A body"); !fault.isEmpty()) return {{}, fault};
   const bool taken =
       std::any_of(bodies.begin(), bodies.end(), [&](const Body& other) { return name_of(other) == name; });
   if (taken) return {{}, tr("Another body is called %1.").arg(name)};

@@ -1,14 +1,12 @@
 #include "widgets/edit/body_head.h"
 
-#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QSignalBlocker>
-#include <QWheelEvent>
 #include <algorithm>
 #include <set>
 
 #include "widgets/base/plain_text.h"
+#include "widgets/edit/choice_box.h"
 #include "widgets/edit/inspected.h"
 #include "widgets/edit/name_field.h"
 
@@ -19,30 +17,26 @@ enum Kind { kMoves, kFixed, kDriven };
 
 int kind_of(const Body& body) { return body.drive ? kDriven : body.fixed ? kFixed : kMoves; }
 
+// A drive goes on as fast as the body moved, and a body as fast as its drive was.
+Body of_kind(Body body, int kind) {
+  const Vec2 velocity = body.drive ? body.drive->velocity : body.velocity;
+  if (kind_of(body) == kind) return body;
+  body.fixed = kind == kFixed;
+  body.drive.reset();
+  if (kind == kDriven) {
+    body.drive = Drive{.velocity = velocity};
+    for (std::optional<double>* mass : {&body.mass, &body.density, &body.inertia}) mass->reset();
+  }
+  body.velocity = kind == kMoves ? velocity : Vec2(Vec2::Zero());
+  if (kind != kMoves) body.spin = 0.0;
+  return body;
+}
+
 // Without an end, it can only stand still.
 bool is_half_plane(const Body& body) {
   const auto* wall = std::get_if<Wall>(&body.shape);
   return wall != nullptr && !wall->length;
 }
-
-// A list of choices that the wheel scrolls past.
-class ChoiceBox : public QComboBox {
- public:
-  explicit ChoiceBox(QWidget* parent) : QComboBox(parent) {
-    setFocusPolicy(Qt::StrongFocus);
-    setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    setMinimumContentsLength(4);
-  }
-
- protected:
-  void wheelEvent(QWheelEvent* event) override {
-    if (hasFocus()) {
-      QComboBox::wheelEvent(event);
-    } else {
-      event->ignore();
-    }
-  }
-};
 
 }  // namespace
 
@@ -81,7 +75,7 @@ BodyHead::BodyHead(QWidget* parent)
     fault_->setText(sentence);
     fault_->setVisible(!sentence.isEmpty());
   });
-  connect(kind_, &QComboBox::activated, this, [this](int kind) { set_fixed(kind == kFixed); });
+  connect(kind_, &QComboBox::activated, this, &BodyHead::set_kind);
   connect(material_, &QComboBox::textActivated, this, &BodyHead::set_material);
 }
 
@@ -105,11 +99,7 @@ void BodyHead::show_kind() {
   for (const Body& body : bodies_) kinds.insert(kind_of(body));
   kind_->setCurrentIndex(kinds.size() == 1 ? *kinds.begin() : -1);
   kind_->setPlaceholderText(tr("%1 kinds").arg(kinds.size()));
-  kind_->setEnabled(!kinds.contains(kDriven) && std::none_of(bodies_.begin(), bodies_.end(), is_half_plane));
-  // Who chooses a drive has to say which.
-  if (kind_->isEnabled() && kind_->count() > kDriven) kind_->removeItem(kDriven);
-  if (kinds.contains(kDriven) && kind_->count() == kDriven) kind_->addItem(tr("driven"));
-  if (kinds.size() == 1) kind_->setCurrentIndex(*kinds.begin());
+  kind_->setEnabled(std::none_of(bodies_.begin(), bodies_.end(), is_half_plane));
 }
 
 void BodyHead::show_materials() {
@@ -120,12 +110,7 @@ void BodyHead::show_materials() {
     has_default = has_default || material.name == Material{}.name;
   }
   if (!has_default) names << QString::fromStdString(Material{}.name);
-  QStringList listed;
-  for (int i = 0; i < material_->count(); ++i) listed << material_->itemText(i);
-  if (listed != names) {
-    material_->clear();
-    material_->addItems(names);
-  }
+  material_->list(names);
   std::set<std::string> used;
   for (const Body& body : bodies_) used.insert(body.material);
   material_->setCurrentIndex(used.size() == 1 ? material_->findText(QString::fromStdString(*used.begin()))
@@ -155,18 +140,14 @@ void BodyHead::rename(const QString& name) {
   emit edited(edits.edits, edits.name);
 }
 
-void BodyHead::set_fixed(bool fixed) {
-  const auto is_so = [fixed](const Body& body) { return body.fixed == fixed; };
+void BodyHead::set_kind(int kind) {
+  const auto is_so = [kind](const Body& body) { return kind_of(body) == kind; };
   if (std::all_of(bodies_.begin(), bodies_.end(), is_so)) return;
   const QString subject = subject_of(bodies_);
-  emit edited(edits_of(bodies_,
-                       [fixed](Body& body) {
-                         body.fixed = fixed;
-                         if (!fixed) return;
-                         body.velocity = Vec2::Zero();
-                         body.spin = 0.0;
-                       }),
-              fixed ? tr("Fix %1").arg(subject) : tr("Let %1 move").arg(subject));
+  const QString name = kind == kMoves   ? tr("Let %1 move").arg(subject)
+                       : kind == kFixed ? tr("Fix %1").arg(subject)
+                                        : tr("Drive %1").arg(subject);
+  emit edited(edits_of(bodies_, [kind](Body& body) { body = of_kind(std::move(body), kind); }), name);
 }
 
 void BodyHead::set_material(const QString& material) {

@@ -7,11 +7,11 @@
 #include "physics/scene/edit.h"
 #include "physics/scene/scene.h"
 
-class QComboBox;
 class QLabel;
 
 namespace carom {
 
+class ChoiceBox;
 class NameField;
 
 // What of the selected bodies is no number: the name of one, whether they move, and their material.
@@ -37,7 +37,7 @@ class BodyHead : public QWidget {
   void show_kind();
   void show_materials();
   void rename(const QString& name);
-  void set_fixed(bool fixed);
+  void set_kind(int kind);
   void set_material(const QString& material);
 
   std::shared_ptr<const Scene> scene_;
@@ -45,8 +45,8 @@ class BodyHead : public QWidget {
   std::vector<QLabel*> labels_;
   NameField* name_;
   QLabel* fault_;
-  QComboBox* kind_;
-  QComboBox* material_;
+  ChoiceBox* kind_;
+  ChoiceBox* material_;
 };
 
 }  // namespace carom

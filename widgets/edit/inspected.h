@@ -7,11 +7,18 @@
 
 #include "physics/scene/edit.h"
 #include "physics/scene/limits.h"
+#include "physics/scene/part_id.h"
 #include "physics/scene/scene.h"
 #include "widgets/edit/field_rows.h"
 
 // What the inspector shows of a scene, and which edits its fields make; no widgets.
 namespace carom {
+
+// Edits with their name in the undo stack.
+struct NamedEdits {
+  SceneEdits edits;
+  QString name;
+};
 
 // A value that can be typed. Of several bodies it has one for each.
 struct Inspected {
@@ -21,17 +28,56 @@ struct Inspected {
   QString meaning;  // for tooltips
   Range range;
   std::vector<double> values;  // SI
+  QString unset;               // what a field reads, in grey, whose value is not given; `values` hold meanwhile
   // The edits that give the parts these values, in the same order.
   std::function<SceneEdits(const std::vector<double>&)> edits;
   // What an edit from the first to the second values is called in the undo stack.
   std::function<QString(const std::vector<double>&, const std::vector<double>&)> undo_name;
+  // What an empty field does; without it a value must be typed.
+  std::optional<NamedEdits> emptied{};
+  QString refusal{};  // why no value can be typed now, in one sentence
 };
 
-// One line: a label and one value, or the two components of a vector.
+// One of several words.
+struct InspectedChoice {
+  QString name;     // as in sentences
+  QString meaning;  // for the tooltip
+  QStringList words;
+  QStringList meanings;  // of the words; may be fewer
+  int chosen = -1;
+  QString other;  // what it reads if no word is chosen
+  std::function<NamedEdits(int)> edits;
+};
+
+// The name of a part that may have one.
+struct InspectedName {
+  QString name;  // of the field
+  QString of;    // what must have a name, in its sentence: "A surface"; empty: there need be none
+  QString text;
+  QString unset;  // what an empty field reads, in grey
+  std::function<NamedEdits(const QString&)> edits;
+};
+
+// A button.
+struct InspectedAction {
+  QString text{};
+  QString name{};  // for readers, if the text says too little
+  QString meaning{};
+  NamedEdits edits{};
+  QString refusal{};              // why it can't be, in one sentence
+  std::optional<PartId> opens{};  // shows this part; no edit
+};
+
+// One line: a label and one value, or the two components of a vector; or else a choice, a name, buttons, or a
+// text that only informs.
 struct InspectedRow {
-  QString section;
-  QString label;
-  std::vector<Inspected> values;
+  QString section{};
+  QString label{};
+  std::vector<Inspected> values{};
+  std::optional<InspectedChoice> choice{};
+  std::optional<InspectedName> named{};
+  std::vector<InspectedAction> actions{};
+  QString text{};
 };
 
 // The bodies of these names, in the scene's order; those of generators last.
@@ -43,18 +89,16 @@ struct InspectedRow {
 // The value of one body at one place; none if it has none, as the mass of a fixed one.
 [[nodiscard]] std::optional<Inspected> inspected_value(const Body& body, const FieldPlace& place);
 
-// Edits with their name in the undo stack.
-struct NamedEdits {
-  SceneEdits edits;
-  QString name;
-};
 [[nodiscard]] NamedEdits renaming(const Body& body, const QString& name);
 
-// How the surface of these bodies behaves, if they share one.
+// How the surface of these bodies behaves, if they share one, and how they part from the others that have it.
 [[nodiscard]] std::vector<InspectedRow> inspected_surface(const Scene& scene, const std::vector<Body>& bodies);
 
-// Gravity, drag and the surfaces.
+// Gravity, drag, attraction and the laws of impacts.
 [[nodiscard]] std::vector<InspectedRow> inspected_scene(const Scene& scene);
+
+// The surfaces and the pairs of them with a law of their own.
+[[nodiscard]] std::vector<InspectedRow> inspected_surfaces(const Scene& scene);
 
 // "light", or "3 bodies".
 [[nodiscard]] QString subject_of(const std::vector<Body>& bodies);

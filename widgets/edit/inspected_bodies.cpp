@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "widgets/base/number_text.h"
+#include "widgets/edit/derived_fields.h"
 #include "widgets/edit/inspected.h"
 #include "widgets/edit/units.h"
 
@@ -17,7 +18,7 @@ using Bodies = std::shared_ptr<const std::vector<Body>>;
 struct BodyLine {
   const char* section;
   const char* label;
-  const char* key;            // as in fields.h
+  const char* key;            // as in fields.h, or of a value that follows from those
   bool vector = false;        // two components in one line
   const char* act = nullptr;  // the verb of an undo name without values, "Move light"
 };
@@ -31,10 +32,13 @@ constexpr auto kBodyLines = std::to_array<BodyLine>({
     {"Mass and size", "Rounding", "shape/rounding"},
     {"Place", "Position", "position", true, "Move"},
     {"Place", "Angle", "angle", false, "Turn"},
-    {"Motion", "Speed", "velocity", true},
+    {"Motion", "Velocity", "velocity", true},
+    {"Motion", "Speed", "speed"},
+    {"Motion", "Direction", "direction"},
     {"Motion", "Spin", "spin"},
     {"Drive", "Velocity", "drive/velocity", true},
     {"Drive", "Amplitude", "drive/amplitude", true},
+    {"Drive", "Frequency", "drive/frequency"},
     {"Drive", "ω", "drive/angular_frequency"},
     {"Drive", "Phase", "drive/phase"},
 });
@@ -57,7 +61,14 @@ std::optional<double> value_at(const Body& body, const FieldRow& row) {
   return number == nullptr ? std::nullopt : std::optional(*number);
 }
 
+std::vector<FieldRow> rows_of(const Body& body) {
+  std::vector<FieldRow> rows = field_rows(body);
+  for (FieldRow& row : derived_rows(body)) rows.push_back(std::move(row));
+  return rows;
+}
+
 Body with_value(Body body, const FieldPlace& place, double value) {
+  if (set_derived(body, place.key, value)) return body;
   if (place.key == "mass") body.density.reset();
   if (place.key == "density") body.mass.reset();
   return with_field(std::move(body), place, value);
@@ -84,6 +95,9 @@ std::optional<Inspected> inspected_at(const BodyLine& line, const FieldPlace& pl
     shown.meaning = row->meaning;
     shown.range = row->range;
   }
+  const auto rests = [](const Body& body) { return body.velocity.isZero(0.0); };
+  if (place.key == "direction" && std::all_of(bodies->begin(), bodies->end(), rests))
+    shown.refusal = "At rest there is no direction: a speed comes first.";
   const QString component = place.part < 0 ? "" : place.part == 0 ? "x" : "y";
   shown.label = component;
   shown.name = QString::fromUtf8(line.label) + (component.isEmpty() ? "" : " ") + component;
@@ -131,7 +145,7 @@ std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& list) {
   const auto bodies = std::make_shared<const std::vector<Body>>(list);
   std::vector<std::vector<FieldRow>> rows;
   rows.reserve(list.size());
-  for (const Body& body : list) rows.push_back(field_rows(body));
+  for (const Body& body : list) rows.push_back(rows_of(body));
   std::vector<InspectedRow> shown;
   if (list.empty()) return shown;
   for (const BodyLine& line : kBodyLines) {
@@ -149,7 +163,7 @@ std::optional<Inspected> inspected_value(const Body& body, const FieldPlace& pla
   const auto line = std::find_if(kBodyLines.begin(), kBodyLines.end(),
                                  [&](const BodyLine& each) { return each.key == place.key; });
   if (line == kBodyLines.end()) return std::nullopt;
-  return inspected_at(*line, place, std::make_shared<const std::vector<Body>>(1, body), {field_rows(body)});
+  return inspected_at(*line, place, std::make_shared<const std::vector<Body>>(1, body), {rows_of(body)});
 }
 
 NamedEdits renaming(const Body& body, const QString& name) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "widgets/edit/field_rows.h"
 #include "widgets/edit/inspected.h"
@@ -8,16 +9,37 @@
 namespace carom {
 namespace {
 
+struct Planet {
+  const char* name;
+  double gravity;  // m/s², downwards
+};
+constexpr auto kPlanets =
+    std::to_array<Planet>({{"Earth", 9.81}, {"Moon", 1.62}, {"Mars", 3.71}, {"none", 0.0}});
+
+struct LawWord {
+  const char* word;
+  const char* meaning;
+};
+// In the order of ImpactLawId and of SeveralImpactsId.
+constexpr auto kImpactLaws = std::to_array<LawWord>({
+    {"energetic", "e says how much energy the normal impulse gives back; friction never gains energy"},
+    {"Newton", "e says how fast they part, whatever friction does; it may gain energy, which the run reports"},
+});
+constexpr auto kSeveralImpacts = std::to_array<LawWord>({
+    {"pair by pair", "one after the other until none approaches, as in Newton's cradle"},
+    {"all at once", "all touching pairs together, with one restitution"},
+});
+
 SetForces forces_of(const Scene& scene) {
   return {scene.forces.gravity, scene.forces.linear_drag, scene.forces.quadratic_drag, scene.forces.attraction};
 }
 
 // A number that the scene has once. `member` finds it in its forces.
-InspectedRow force_row(const SetForces& forces, const QString& label, const QString& meaning,
-                       const Range& range, double& (*member)(SetForces&)) {
+Inspected force_value(const SetForces& forces, const QString& name, const QString& meaning, const Range& range,
+                      double& (*member)(SetForces&)) {
   SetForces now = forces;
   Inspected value;
-  value.name = label;
+  value.name = name;
   value.meaning = meaning;
   value.range = range;
   value.values = {member(now)};
@@ -26,95 +48,105 @@ InspectedRow force_row(const SetForces& forces, const QString& label, const QStr
     member(changed) = values[0];
     return SceneEdits{changed};
   };
-  value.undo_name = [label, range](const std::vector<double>& from, const std::vector<double>& to) {
-    return label + " " + change_text(from[0], to[0], range.unit);
-  };
-  return {"Forces", label, {std::move(value)}};
-}
-
-struct SurfaceLine {
-  const char* key;   // as in fields.h
-  const char* name;  // in sentences and undo names; UTF-8
-};
-constexpr auto kSurfaceLines = std::to_array<SurfaceLine>({
-    {"restitution", "e"},
-    {"kinetic_friction", "µ"},
-    {"static_friction", "µs"},
-    {"rolling_resistance", "Rolling resistance"},
-});
-
-// Static friction is never less than kinetic friction: the one that was not typed follows.
-Material with_number(Material material, const FieldPlace& place, double value) {
-  material = with_field(std::move(material), place, value);
-  if (place.key == "kinetic_friction") material.static_friction = std::max(material.static_friction, value);
-  if (place.key == "static_friction") material.kinetic_friction = std::min(material.kinetic_friction, value);
-  return material;
-}
-
-// An edit of a surface; "default", if the scene doesn't list it, is added.
-SceneEdit edit_of(const Material& material) {
-  if (material.id.number == 0) return Add<Material>{material, Add<Material>::kAtEnd};
-  return Replace<Material>{material};
-}
-
-Inspected surface_value(const Material& material, const FieldRow& row, const char* name) {
-  Inspected value;
-  value.name = QString::fromUtf8(name);
-  value.subject = QString::fromStdString(material.name);
-  value.meaning = row.meaning;
-  value.range = row.range;
-  value.values = {std::get<double>(row.value)};
-  value.edits = [material, place = row.place](const std::vector<double>& values) {
-    return SceneEdits{edit_of(with_number(material, place, values[0]))};
-  };
-  value.undo_name = [text = value.name + " of " + value.subject + " ", unit = row.range.unit](
-                        const std::vector<double>& from, const std::vector<double>& to) {
-    return text + change_text(from[0], to[0], unit);
+  value.undo_name = [name, range](const std::vector<double>& from, const std::vector<double>& to) {
+    return name + " " + change_text(from[0], to[0], range.unit);
   };
   return value;
 }
 
-void add_surface(std::vector<InspectedRow>& shown, const Material& material) {
-  const std::vector<FieldRow> rows = field_rows(material);
-  for (const SurfaceLine& line : kSurfaceLines) {
-    for (const FieldRow& row : rows) {
-      if (row.place.key != line.key) continue;
-      const QString section = "Surface " + QString::fromStdString(material.name);
-      shown.push_back({section, row.label, {surface_value(material, row, line.name)}});
-    }
+InspectedRow gravity_row(const SetForces& forces) {
+  Inspected x = force_value(forces, "Gravity x", "acceleration of every moving body to the right", kGravity,
+                            [](SetForces& f) -> double& { return f.gravity.x(); });
+  Inspected y = force_value(forces, "Gravity y", "acceleration of every moving body upwards", kGravity,
+                            [](SetForces& f) -> double& { return f.gravity.y(); });
+  x.label = "x";
+  y.label = "y";
+  return {.section = "Forces", .label = "Gravity", .values = {std::move(x), std::move(y)}};
+}
+
+InspectedRow planet_row(const SetForces& forces) {
+  InspectedChoice choice;
+  choice.name = "Gravity of";
+  choice.meaning = "Gravity downwards";
+  choice.other = "another";
+  for (const Planet& planet : kPlanets) {
+    if (forces.gravity == Vec2(0.0, -planet.gravity)) choice.chosen = static_cast<int>(choice.words.size());
+    choice.words << QString::fromUtf8(planet.name) +
+                        (planet.gravity == 0.0 ? QString() : " " + field_text(planet.gravity, kGravity.unit));
   }
+  choice.edits = [forces](int index) {
+    const Planet& planet = kPlanets[static_cast<std::size_t>(index)];
+    SetForces changed = forces;
+    changed.gravity = Vec2(0.0, planet.gravity == 0.0 ? 0.0 : -planet.gravity);
+    const QString change = change_text(forces.gravity.norm(), planet.gravity, kGravity.unit);
+    return NamedEdits{{changed}, "Gravity " + change};
+  };
+  return {.section = "Forces", .label = "of", .choice = choice};
+}
+
+void add_attraction(std::vector<InspectedRow>& shown, const SetForces& forces) {
+  InspectedChoice choice;
+  choice.name = "Attraction";
+  choice.meaning = "Between every two bodies that move, as of planets";
+  choice.words = QStringList{"none", "between all"};
+  choice.chosen = forces.attraction ? 1 : 0;
+  choice.edits = [forces](int index) {
+    SetForces changed = forces;
+    changed.attraction.reset();
+    if (index == 1) changed.attraction.emplace();
+    return NamedEdits{{changed}, index == 1 ? "Add attraction" : "Remove attraction"};
+  };
+  shown.push_back({.section = "Forces", .label = "Attraction", .choice = choice});
+  if (!forces.attraction) return;
+  const std::vector<FieldRow> rows = field_rows(*forces.attraction);
+  shown.push_back({.section = "Forces",
+                   .label = "G",
+                   .values = {force_value(forces, "G", "constant of attraction", rows[0].range,
+                                          [](SetForces& f) -> double& { return f.attraction->constant; })}});
+  shown.push_back({.section = "Forces",
+                   .label = "Softening",
+                   .values = {force_value(forces, "Softening", rows[1].meaning, rows[1].range,
+                                          [](SetForces& f) -> double& { return f.attraction->softening; })}});
+}
+
+template <std::size_t N, class Id>
+InspectedRow law_row(const std::array<LawWord, N>& words, const QString& label, const QString& meaning,
+                     const SetLaws& laws, Id SetLaws::*law) {
+  InspectedChoice choice;
+  choice.name = meaning;
+  choice.meaning = meaning;
+  for (const LawWord& word : words) {
+    choice.words << word.word;
+    choice.meanings << word.meaning;
+  }
+  choice.chosen = static_cast<int>(laws.*law);
+  choice.edits = [laws, law, meaning, list = choice.words](int index) {
+    SetLaws changed = laws;
+    changed.*law = static_cast<Id>(index);
+    return NamedEdits{{changed}, meaning + ": " + list[index]};
+  };
+  return {.section = "Impacts", .label = label, .choice = choice};
 }
 
 }  // namespace
 
-std::vector<InspectedRow> inspected_surface(const Scene& scene, const std::vector<Body>& bodies) {
-  std::vector<InspectedRow> shown;
-  const auto other = [&](const Body& body) { return body.material != bodies.front().material; };
-  if (bodies.empty() || std::any_of(bodies.begin(), bodies.end(), other)) return shown;
-  add_surface(shown, material_named(scene, bodies.front().material));
-  // What most lessons are about, under the names that leave room for the other fields.
-  shown.resize(2);
-  const auto same = [&](const Body& body) { return body.material == bodies.front().material; };
-  const auto users = std::count_if(scene.bodies.begin(), scene.bodies.end(), same);
-  for (InspectedRow& row : shown) {
-    row.label = row.values.front().name;
-    if (users > 1) row.section += QString(" · %1 bodies").arg(users);
-  }
-  return shown;
-}
-
 std::vector<InspectedRow> inspected_scene(const Scene& scene) {
   const SetForces forces = forces_of(scene);
-  std::vector<InspectedRow> shown;
-  shown.push_back(force_row(forces, "Gravity x", "acceleration of every moving body to the right", kGravity,
-                            [](SetForces& f) -> double& { return f.gravity.x(); }));
-  shown.push_back(force_row(forces, "Gravity y", "acceleration of every moving body upwards", kGravity,
-                            [](SetForces& f) -> double& { return f.gravity.y(); }));
-  shown.push_back(force_row(forces, "Linear drag", "force against the motion, over speed", kLinearDrag,
-                            [](SetForces& f) -> double& { return f.linear_drag; }));
-  shown.push_back(force_row(forces, "Quadratic drag", "force against the motion, over speed squared",
-                            kQuadraticDrag, [](SetForces& f) -> double& { return f.quadratic_drag; }));
-  for (const Material& material : scene.materials) add_surface(shown, material);
+  std::vector<InspectedRow> shown{gravity_row(forces), planet_row(forces)};
+  shown.push_back(
+      {.section = "Forces",
+       .label = "Linear drag",
+       .values = {force_value(forces, "Linear drag", "force against the motion, over speed", kLinearDrag,
+                              [](SetForces& f) -> double& { return f.linear_drag; })}});
+  shown.push_back(
+      {.section = "Forces",
+       .label = "Square drag",
+       .values = {force_value(forces, "Quadratic drag", "force against the motion, over speed squared",
+                              kQuadraticDrag, [](SetForces& f) -> double& { return f.quadratic_drag; })}});
+  add_attraction(shown, forces);
+  const SetLaws laws{scene.impact_law, scene.several_impacts};
+  shown.push_back(law_row(kImpactLaws, "Law", "Impact law", laws, &SetLaws::impact_law));
+  shown.push_back(law_row(kSeveralImpacts, "Several", "Several impacts", laws, &SetLaws::several_impacts));
   return shown;
 }
 

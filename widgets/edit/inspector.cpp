@@ -1,15 +1,16 @@
 #include "widgets/edit/inspector.h"
 
+#include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QScrollArea>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 
 #include "widgets/base/elided_label.h"
 #include "widgets/edit/body_head.h"
-#include "widgets/edit/value_row.h"
+#include "widgets/edit/inspector_row.h"
 
 namespace carom {
 namespace {
@@ -34,8 +35,13 @@ QLabel* small_label(const char* look, QWidget* parent) {
 // Which fields rows have: rows with the same layout are shown by the same widgets.
 QStringList layout_of(const std::vector<InspectedRow>& rows) {
   QStringList layout;
-  for (const InspectedRow& row : rows)
-    layout << row.section + '\n' + row.label + '\n' + QString::number(row.values.size());
+  for (const InspectedRow& row : rows) {
+    QStringList parts{row.section, row.label, QString::number(row.values.size())};
+    if (row.choice) parts << "choice";
+    if (row.named) parts << "name";
+    parts << QString::number(row.actions.size());
+    layout << parts.join('\n');
+  }
   return layout;
 }
 
@@ -50,6 +56,7 @@ Inspector::Inspector(QWidget* parent)
     : QWidget(parent),
       content_(new QWidget),
       column_(new QVBoxLayout(content_)),
+      back_(new QToolButton(content_)),
       title_(new ElidedLabel(content_)),
       kind_(new PlainLabel(content_)),
       head_(new BodyHead(content_)),
@@ -79,6 +86,12 @@ Inspector::Inspector(QWidget* parent)
   kind_->setObjectName("muted");
   auto* top = new QHBoxLayout;
   top->setSpacing(8);
+  back_->setText(QChar(0x2039));
+  back_->setToolTip(tr("Back to the scene (Esc)"));
+  back_->setAccessibleName(tr("Back to the scene"));
+  back_->hide();
+  connect(back_, &QToolButton::clicked, this, [this] { open(std::nullopt); });
+  top->addWidget(back_);
   top->addWidget(title_);
   top->addWidget(kind_, 1);
   column_->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
@@ -96,24 +109,81 @@ Inspector::Inspector(QWidget* parent)
 }
 
 void Inspector::show_selection(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names) {
+  choose(std::move(scene), names, std::nullopt);
+}
+
+void Inspector::show_part(std::shared_ptr<const Scene> scene, PartId part) {
+  choose(std::move(scene), {}, part);
+}
+
+void Inspector::choose(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names,
+                       const std::optional<PartId>& part) {
   if (scene == nullptr) {
     set_frozen(true);
     return;
   }
-  if (scene != scene_ || names != names_) {
-    // What is typed belongs to the bodies that were selected.
-    if (names != names_) restore();
+  const bool other = names != names_ || part != part_;
+  if (scene != scene_ || other) {
+    // What is typed belongs to what was selected.
+    if (other) restore();
+    if (other) opened_.reset();
     scene_ = std::move(scene);
     names_ = names;
+    part_ = part;
     bodies_ = bodies_named(*scene_, names_);
     show_rows();
   }
   set_frozen(false);
 }
 
+void Inspector::open(const std::optional<PartId>& part) {
+  restore();
+  say({});
+  opened_ = part;
+  show_rows();
+  // Esc leads back from here.
+  if (opened_) back_->setFocus();
+}
+
+bool Inspector::event(QEvent* event) {
+  // Esc is the inspector's before it is a shortcut of the window.
+  const bool asks = event->type() == QEvent::ShortcutOverride;
+  if (!asks || !opened_ || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+    return QWidget::event(event);
+  event->accept();
+  return true;
+}
+
+void Inspector::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && opened_) {
+    open(std::nullopt);
+  } else {
+    QWidget::keyPressEvent(event);
+  }
+}
+
+std::vector<InspectedRow> Inspector::rows() const {
+  if (shown_part_) return shown_part_->rows;
+  std::vector<InspectedRow> rows;
+  const auto add = [&rows](std::vector<InspectedRow> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(rows));
+  };
+  if (bodies_.empty()) {
+    add(inspected_scene(*scene_));
+    add(inspected_surfaces(*scene_));
+    add(listed_parts(*scene_));
+  } else {
+    add(inspected_bodies(bodies_));
+    add(inspected_surface(*scene_, bodies_));
+  }
+  return rows;
+}
+
 void Inspector::show_rows() {
-  rows_ = bodies_.empty() ? inspected_scene(*scene_) : inspected_bodies(bodies_);
-  for (InspectedRow& row : inspected_surface(*scene_, bodies_)) rows_.push_back(std::move(row));
+  shown_part_.reset();
+  if (const std::optional<PartId> part = part_ ? part_ : opened_) shown_part_ = inspected_part(*scene_, *part);
+  if (!shown_part_) opened_.reset();
+  rows_ = rows();
   show_title();
   head_->setVisible(!bodies_.empty());
   if (!bodies_.empty()) head_->show_bodies(scene_, bodies_);
@@ -129,11 +199,13 @@ void Inspector::show_rows() {
 }
 
 void Inspector::show_title() {
-  const QString title = bodies_.empty() ? tr("Scene") : subject_of(bodies_);
+  const QString title = shown_part_ ? shown_part_->title : bodies_.empty() ? tr("Scene") : subject_of(bodies_);
   auto* label = static_cast<ElidedLabel*>(title_);
   if (label->whole() != title) label->set_whole(title);
   if (label->toolTip() != title) label->setToolTip(plain_tip(title));
-  set_line(kind_, bodies_.size() == 1 ? shape_word(bodies_[0]) : QString());
+  const QString kind = shown_part_ ? shown_part_->kind : QString();
+  set_line(kind_, bodies_.size() == 1 ? shape_word(bodies_[0]) : kind);
+  back_->setVisible(opened_.has_value());
 }
 
 void Inspector::build_rows() {
@@ -159,26 +231,39 @@ void Inspector::build_rows() {
       head->setContentsMargins(0, 6, 0, 0);
       column->addWidget(head);
     }
-    auto* widget = new ValueRow(row, list_);
-    const int index = static_cast<int>(row_widgets_.size());
+    InspectorRow* widget = add_row(row, static_cast<int>(row_widgets_.size()));
     row_widgets_.push_back(widget);
     column->addWidget(widget);
     label_width = std::max(label_width, widget->label_width());
-    connect(widget, &ValueRow::burst_began, this, [this, index](int field) {
-      ++burst_;
-      before_burst_ = rows_[static_cast<std::size_t>(index)].values[static_cast<std::size_t>(field)].values;
-    });
-    connect(widget, &ValueRow::changed, this,
-            [this, index](int field, const std::vector<double>& values, bool in_burst) {
-              accept(index, field, values, in_burst);
-            });
-    connect(widget, &ValueRow::dropped, this, &Inspector::say);
   }
   label_width += kLabelGap;
-  for (ValueRow* widget : row_widgets_) widget->set_label_width(label_width);
+  for (InspectorRow* widget : row_widgets_) widget->set_label_width(label_width);
   head_->set_label_width(label_width);
   column_->insertWidget(column_->indexOf(derived_), list_);
   list_->show();
+}
+
+InspectorRow* Inspector::add_row(const InspectedRow& row, int index) {
+  InspectorRow* widget = new_row(row, list_);
+  connect(widget, &InspectorRow::burst_began, this, [this, index](int field, bool pulled) {
+    const Inspected& value = rows_[static_cast<std::size_t>(index)].values[static_cast<std::size_t>(field)];
+    ++burst_;
+    before_burst_ = value.values;
+    pulled_ = pulled ? std::optional(value) : std::nullopt;
+  });
+  connect(widget, &InspectorRow::changed, this,
+          [this, index](int field, const std::vector<double>& values, bool in_burst) {
+            accept(index, field, values, in_burst);
+          });
+  connect(widget, &InspectorRow::edited, this, [this](const NamedEdits& named) {
+    // Shown anew before it returns, the row has no longer what it was.
+    const NamedEdits made = named;
+    say({});
+    emit edited(made.edits, made.name, 0);
+  });
+  connect(widget, &InspectorRow::dropped, this, &Inspector::say);
+  connect(widget, &InspectorRow::opened, this, [this](const PartId part) { open(part); });
+  return widget;
 }
 
 QString Inspector::focused_field() const {
@@ -188,8 +273,9 @@ QString Inspector::focused_field() const {
 
 void Inspector::focus_field(const QString& name) {
   if (name.isEmpty()) return;
-  for (QLineEdit* field : list_->findChildren<QLineEdit*>()) {
-    if (field->accessibleName() == name) field->setFocus();
+  for (QWidget* field : list_->findChildren<QWidget*>()) {
+    const bool takes_keys = (field->focusPolicy() & Qt::TabFocus) != 0;
+    if (takes_keys && field->accessibleName() == name) field->setFocus();
   }
 }
 
@@ -200,7 +286,7 @@ void Inspector::set_frozen(bool frozen) {
 }
 
 void Inspector::restore() {
-  for (ValueRow* row : row_widgets_) row->restore();
+  for (InspectorRow* row : row_widgets_) row->restore();
   head_->restore();
 }
 
@@ -212,7 +298,7 @@ void Inspector::say(const QString& sentence) {
 void Inspector::accept(int row, int field, const std::vector<double>& values, bool in_burst) {
   const Inspected& value = rows_[static_cast<std::size_t>(row)].values[static_cast<std::size_t>(field)];
   // The receiver may show the scene with these edits before it returns, which makes the rows anew.
-  const SceneEdits edits = value.edits(values);
+  const SceneEdits edits = (in_burst && pulled_ ? *pulled_ : value).edits(values);
   const QString name = value.undo_name(in_burst ? before_burst_ : value.values, values);
   say({});
   emit edited(edits, name, in_burst ? burst_ : 0);

@@ -2,23 +2,27 @@
 
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "physics/scene/edit.h"
+#include "physics/scene/part_id.h"
 #include "physics/scene/scene.h"
 #include "widgets/edit/inspected.h"
+#include "widgets/edit/inspected_parts.h"
 
 class QLabel;
+class QToolButton;
 class QVBoxLayout;
 
 namespace carom {
 
 class BodyHead;
-class ValueRow;
+class InspectorRow;
 
-// The properties of the selected bodies, or of the scene if none is selected, as fields. It changes nothing
-// itself: each accepted value is an edit that it hands out.
+// The properties of the selected bodies, of a joint, spring or force, or of the scene if nothing is selected,
+// as fields. It changes nothing itself: each accepted value is an edit that it hands out.
 class Inspector : public QWidget {
   Q_OBJECT
 
@@ -28,6 +32,8 @@ class Inspector : public QWidget {
   // The scene as it stands, and the names of the selected bodies. Null: a run plays, nothing can be typed and
   // what is shown stays. A field in which the user types is left alone as long as the selection is the same.
   void show_selection(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names);
+  // The same for a joint, a spring or a force.
+  void show_part(std::shared_ptr<const Scene> scene, PartId part);
   // Says at the bottom, until the next accepted edit, why the last one could not be; the fields then show the
   // scene again. Empty: nothing to say.
   void say(const QString& sentence);
@@ -38,9 +44,19 @@ class Inspector : public QWidget {
   // itself.
   void edited(const carom::SceneEdits& edits, const QString& name, int drag);
 
+ protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
  private:
+  void choose(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names,
+              const std::optional<PartId>& part);
+  // A part that was chosen in the list of the scene, until something else is shown; nothing: the scene.
+  void open(const std::optional<PartId>& part);
   void show_rows();
+  [[nodiscard]] std::vector<InspectedRow> rows() const;
   void build_rows();
+  [[nodiscard]] InspectorRow* add_row(const InspectedRow& row, int index);
   void show_title();
   // By its accessible name; empty: no field of the rows has the focus.
   [[nodiscard]] QString focused_field() const;
@@ -51,15 +67,21 @@ class Inspector : public QWidget {
 
   std::shared_ptr<const Scene> scene_;
   std::vector<std::string> names_;
+  std::optional<PartId> part_;
+  std::optional<PartId> opened_;
   std::vector<Body> bodies_;
+  std::optional<InspectedPart> shown_part_;
   std::vector<InspectedRow> rows_;
   QStringList layout_;  // which rows are built
-  std::vector<ValueRow*> row_widgets_;
+  std::vector<InspectorRow*> row_widgets_;
   int burst_ = 0;
   std::vector<double> before_burst_;
+  // A pull changes what there was at its beginning: a speed that comes from 0 again keeps its direction.
+  std::optional<Inspected> pulled_;
 
   QWidget* content_;
   QVBoxLayout* column_;
+  QToolButton* back_;
   QLabel* title_;
   QLabel* kind_;
   BodyHead* head_;

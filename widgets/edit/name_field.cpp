@@ -4,8 +4,8 @@
 
 namespace carom {
 
-QString name_fault(const QString& name) {
-  if (name.isEmpty()) return NameField::tr("A body has a name.");
+QString name_fault(const QString& name, const QString& of) {
+  if (name.isEmpty() && !of.isEmpty()) return NameField::tr("%1 has a name.").arg(of);
   if (static_cast<std::size_t>(name.toUcs4().size()) > kName.most)
     return NameField::tr("A name has up to %1 characters.").arg(kName.most);
   return {};
@@ -13,7 +13,7 @@ QString name_fault(const QString& name) {
 
 QString NameField::take(const QString& text) {
   const QString name = text.trimmed();
-  QString fault = name_fault(name);
+  QString fault = name_fault(name, of_);
   if (fault.isEmpty()) emit named(name);
   return fault;
 }

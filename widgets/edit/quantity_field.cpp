@@ -64,6 +64,9 @@ void QuantityField::show_value(const Inspected& value) {
   range_ = value.range;
   name_ = value.name;
   values_ = value.values;
+  is_given_ = value.unset.isEmpty();
+  may_be_empty_ = value.emptied.has_value();
+  refusal_ = value.refusal;
   const Unit unit = units_of(range_.unit).front();
   const QString unit_name = QString::fromUtf8(unit.name.data(), static_cast<qsizetype>(unit.name.size()));
   if (unit_ != unit_name) {
@@ -77,15 +80,20 @@ void QuantityField::show_value(const Inspected& value) {
   const QString spoken = whose + (unit_.isEmpty() ? "" : ", " + unit_);
   if (accessibleName() != spoken) setAccessibleName(spoken);
   const std::set<double> different(values_.begin(), values_.end());
-  const QString hint = different.size() > 1 ? tr("%1 values").arg(different.size()) : QString();
+  const QString hint = different.size() > 1 ? tr("%1 values").arg(different.size()) : value.unset;
   if (placeholderText() != hint) setPlaceholderText(hint);
-  show_text(different.size() > 1 ? QString() : field_text(values_.front(), range_.unit));
+  show_text(different.size() > 1 || !is_given_ ? QString() : field_text(values_.front(), range_.unit));
 }
 
 QString QuantityField::take(const QString& text) {
+  if (may_be_empty_ && text.trimmed().isEmpty()) {
+    emit emptied();
+    return {};
+  }
+  if (!refusal_.isEmpty()) return refusal_;
   const TypedValues typed = typed_values(text, name_, range_, values_);
   if (!typed.fault.isEmpty()) return typed.fault;
-  if (typed.values == values_) {
+  if (typed.values == values_ && is_given_) {
     restore();
   } else {
     emit changed(typed.values, false);
@@ -104,17 +112,21 @@ void QuantityField::keyPressEvent(QKeyEvent* event) {
 
 void QuantityField::step(int steps) {
   if (!accept_typed()) return;
-  if (!last_step_.isValid() || last_step_.elapsed() > kBurst) emit burst_began();
+  if (!last_step_.isValid() || last_step_.elapsed() > kBurst) emit burst_began(false);
   last_step_.start();
   std::vector<double> values = values_;
   for (double& value : values) value = stepped(value, range_, steps);
+  set_in_burst(values);
+}
+
+void QuantityField::set_in_burst(const std::vector<double>& values) {
   if (values != values_) emit changed(values, true);
 }
 
 void QuantityField::begin_pull() {
   restore();
   pulled_from_ = values_;
-  emit burst_began();
+  emit burst_began(true);
 }
 
 void QuantityField::pull(double pixels) {
@@ -122,8 +134,10 @@ void QuantityField::pull(double pixels) {
   if (pulled_from_.size() != values_.size()) return;
   std::vector<double> values = pulled_from_;
   for (double& value : values) value = pulled(value, range_, pixels);
-  if (values != values_) emit changed(values, true);
+  set_in_burst(values);
 }
+
+void QuantityField::pull_to(double value) { set_in_burst(std::vector<double>(values_.size(), value)); }
 
 void QuantityField::paintEvent(QPaintEvent* event) {
   TypedField::paintEvent(event);

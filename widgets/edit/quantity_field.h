@@ -30,12 +30,16 @@ class QuantityField : public TypedField {
   // While the mouse pulls the label of the field: the values are those at the beginning, changed.
   void begin_pull();
   void pull(double pixels);
+  // While a slider is pulled.
+  void pull_to(double value);
 
  signals:
   // New values in SI, all in range. Those of one burst, of quick steps or of a pull, are one edit.
   void changed(const std::vector<double>& values, bool in_burst);
-  // A burst begins.
-  void burst_began();
+  // The field is empty now, where it may be.
+  void emptied();
+  // A burst begins, of steps or by a pull.
+  void burst_began(bool pulled);
 
  protected:
   QString take(const QString& text) override;
@@ -44,11 +48,15 @@ class QuantityField : public TypedField {
 
  private:
   void step(int steps);
+  void set_in_burst(const std::vector<double>& values);
 
   Range range_;
   QString name_;
   QString unit_;
   std::vector<double> values_;
+  bool is_given_ = true;
+  bool may_be_empty_ = false;
+  QString refusal_;
   std::vector<double> pulled_from_;
   QElapsedTimer last_step_;
 };

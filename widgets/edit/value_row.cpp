@@ -4,72 +4,82 @@
 
 #include "widgets/edit/drag_label.h"
 #include "widgets/edit/quantity_field.h"
+#include "widgets/edit/value_slider.h"
 
 namespace carom {
 namespace {
 
-constexpr int kColumns = 4;      // right of the label: two fields with a label each
 constexpr int kLeastField = 40;  // px
+constexpr int kFieldShare = 6;   // of the width that a field and its slider share
+constexpr int kSliderShare = 5;
 
 }  // namespace
 
 ValueRow::ValueRow(const InspectedRow& row, QWidget* parent)
-    : QWidget(parent),
-      label_(row.values.size() > 1 ? new PlainLabel(row.label, this) : new DragLabel(row.label, this)),
-      fault_(new PlainLabel(this)) {
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(6);
-  grid->setVerticalSpacing(2);
-  label_->setObjectName("muted");
-  grid->addWidget(label_, 0, 0);
-  fault_->setObjectName("fault");
-  fault_->setWordWrap(true);
-  fault_->hide();
-  for (const Inspected& value : row.values) add_field(grid, value);
-  grid->addWidget(fault_, 1, 1, 1, kColumns);
+    : InspectorRow(row, row.values.size() > 1 ? new PlainLabel(row.label) : new DragLabel(row.label), parent) {
+  for (const Inspected& value : row.values) add_field(value);
   show_row(row);
 }
 
-void ValueRow::add_field(QGridLayout* grid, const Inspected& value) {
+void ValueRow::add_field(const Inspected& value) {
   auto* field = new QuantityField(this);
   const int index = static_cast<int>(fields_.size());
   fields_.push_back(field);
-  auto* handle = qobject_cast<DragLabel*>(label_);
+  auto* handle = qobject_cast<DragLabel*>(label());
   if (value.label.isEmpty()) {
-    grid->addWidget(field, 0, 1, 1, kColumns);
+    grid()->addLayout(with_slider(field), 0, 1, 1, kColumns);
   } else {
     handle = new DragLabel(value.label, this);
     handle->setObjectName("muted");
-    grid->addWidget(handle, 0, 1 + 2 * index);
-    grid->addWidget(field, 0, 2 + 2 * index);
-    grid->setColumnStretch(2 + 2 * index, 1);
+    grid()->addWidget(handle, 0, 1 + 2 * index);
+    grid()->addWidget(field, 0, 2 + 2 * index);
+    grid()->setColumnStretch(2 + 2 * index, 1);
   }
   field->setMinimumWidth(kLeastField);
   connect(handle, &DragLabel::began, field, &QuantityField::begin_pull);
   connect(handle, &DragLabel::moved, field, &QuantityField::pull);
-  connect(field, &QuantityField::burst_began, this, [this, index] { emit burst_began(index); });
+  connect(field, &QuantityField::burst_began, this,
+          [this, index](bool is_pull) { emit burst_began(index, is_pull); });
   connect(field, &QuantityField::changed, this,
           [this, index](const std::vector<double>& values, bool burst) { emit changed(index, values, burst); });
-  connect(field, &TypedField::refused, this, [this](const QString& sentence) {
-    fault_->setText(sentence);
-    fault_->setVisible(!sentence.isEmpty());
-  });
+  connect(field, &QuantityField::emptied, this,
+          [this, index] { emit edited(emptied_[static_cast<std::size_t>(index)]); });
+  connect(field, &TypedField::refused, this, &ValueRow::say);
   connect(field, &TypedField::dropped, this, &ValueRow::dropped);
 }
 
+QLayout* ValueRow::with_slider(QuantityField* field) {
+  slider_ = new ValueSlider(this);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(8);
+  line->addWidget(field, kFieldShare);
+  line->addWidget(slider_, kSliderShare);
+  connect(slider_, &ValueSlider::began, field, &QuantityField::begin_pull);
+  connect(slider_, &ValueSlider::moved, field, &QuantityField::pull_to);
+  connect(slider_, &ValueSlider::cancelled, field, [field] { field->pull(0.0); });
+  return line;
+}
+
 void ValueRow::show_row(const InspectedRow& row) {
-  for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i]->show_value(row.values[i]);
+  emptied_.clear();
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    emptied_.push_back(row.values[i].emptied.value_or(NamedEdits{}));
+    fields_[i]->show_value(row.values[i]);
+  }
+  if (slider_ != nullptr) {
+    const std::vector<double>& values = row.values.front().values;
+    const bool same = std::equal(values.begin() + 1, values.end(), values.begin());
+    slider_->setEnabled(same && row.values.front().refusal.isEmpty());
+    slider_->show_value(row.values.front().range, values.front());
+    slider_->setToolTip(fields_.front()->toolTip());
+    slider_->setAccessibleName(fields_.front()->accessibleName());
+  }
   const QString tip = fields_.front()->toolTip();
-  if (fields_.size() == 1 && label_->toolTip() != tip) label_->setToolTip(tip);
+  if (fields_.size() == 1 && label()->toolTip() != tip) label()->setToolTip(tip);
 }
 
 void ValueRow::restore() {
   for (QuantityField* field : fields_) field->restore();
 }
-
-int ValueRow::label_width() const { return label_->sizeHint().width(); }
-
-void ValueRow::set_label_width(int width) { label_->setFixedWidth(width); }
 
 }  // namespace carom

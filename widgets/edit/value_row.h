@@ -1,45 +1,33 @@
 #pragma once
 
-#include <QWidget>
 #include <vector>
 
-#include "widgets/edit/inspected.h"
+#include "widgets/edit/inspector_row.h"
 
-class QGridLayout;
-class QLabel;
+class QLayout;
 
 namespace carom {
 
 class QuantityField;
+class ValueSlider;
 
-// One line of the inspector in a grid of three columns: its label, and its field or two, under which the
-// sentence on a wrong value stands.
-class ValueRow : public QWidget {
+// A line with a field and its slider, or with two fields.
+class ValueRow : public InspectorRow {
   Q_OBJECT
 
  public:
   explicit ValueRow(const InspectedRow& row, QWidget* parent = nullptr);
 
-  void show_row(const InspectedRow& row);
-  // Forgets what is typed.
-  void restore();
-  // All rows of one inspector give their labels the same width.
-  [[nodiscard]] int label_width() const;
-  void set_label_width(int width);
-
- signals:
-  // The values of one of the row's fields.
-  void changed(int field, const std::vector<double>& values, bool in_burst);
-  void burst_began(int field);
-  // A field was left with a wrong value.
-  void dropped(const QString& sentence);
+  void show_row(const InspectedRow& row) override;
+  void restore() override;
 
  private:
-  void add_field(QGridLayout* grid, const Inspected& value);
+  void add_field(const Inspected& value);
+  [[nodiscard]] QLayout* with_slider(QuantityField* field);
 
-  QLabel* label_;
-  QLabel* fault_;
+  std::vector<NamedEdits> emptied_;  // of each field that may be empty
   std::vector<QuantityField*> fields_;
+  ValueSlider* slider_ = nullptr;  // of a single field
 };
 
 }  // namespace carom

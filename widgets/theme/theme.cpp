@@ -78,6 +78,13 @@ QLineEdit:disabled, QComboBox:disabled { color: %5; }
 QLineEdit[fault="true"] { border-color: %8; }
 QLineEdit#cell { padding: 0 4px; border-radius: 4px; font-size: 12px; }
 QLabel#fault { color: %8; font-size: 11px; }
+QSlider#value { min-height: 20px; }
+QSlider#value::groove:horizontal { height: 4px; border-radius: 2px; background: %3; }
+QSlider#value::sub-page:horizontal { height: 4px; border-radius: 2px; background: %6; }
+QSlider#value[signed="true"]::sub-page:horizontal, QSlider#value::sub-page:horizontal:disabled { background: %3; }
+QSlider#value::handle:horizontal { width: 10px; height: 10px; margin: -5px 0; border: 2px solid %6; border-radius: 7px;
+  background: %2; }
+QSlider#value::handle:horizontal:disabled { border-color: %5; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QComboBox { min-height: 26px; combobox-popup: 0; }
 QRadioButton:disabled, QCheckBox:disabled { color: %5; }
@@ -90,6 +97,7 @@ QGroupBox { border: 1px solid %3; border-radius: 8px; margin-top: 9px; padding: 
 QGroupBox::title { subcontrol-origin: margin; left: 10px; padding: 0 4px; color: %5; }
 QPushButton { background: %2; border: 1px solid %3; border-radius: 6px; padding: 5px 14px; }
 QPushButton:hover, QPushButton:focus { border-color: %6; }
+QPushButton#small { padding: 3px 6px; font-size: 12px; text-align: center; }
 QPushButton:default { background: %6; color: %2; border-color: %6; }
 QPushButton:disabled, QPushButton:default:disabled { background: %1; color: %5; border-color: %3; }
 QListView, QTreeView, QTableView, QTextBrowser { background: %2; border: none; outline: none;

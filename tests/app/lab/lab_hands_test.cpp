@@ -98,7 +98,7 @@ TEST_F(LabHandsTest, ALessonByHand) {
   const std::string b = window_.preset().scene.bodies[1].name;
   select({-1.0, 0.0});
   type("Mass, kg", "1");
-  type("Speed x, m/s", "7.2 km/h");
+  type("Velocity x, m/s", "7.2 km/h");
   ASSERT_TRUE(shows_start());
   select({1.0, 0.0});
   type("Mass, kg", "3000 g");

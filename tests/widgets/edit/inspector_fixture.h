@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTest>
 #include <gtest/gtest.h>
 #include <memory>
@@ -103,6 +105,33 @@ class InspectorTest : public testing::Test {
       if (label->isVisibleTo(&inspector_)) texts << label->text();
     }
     return texts;
+  }
+  QStringList texts() {
+    QStringList shown;
+    for (const QLabel* label : inspector_.findChildren<QLabel*>()) {
+      if (label->isVisibleTo(&inspector_)) shown << label->text();
+    }
+    return shown;
+  }
+  QPushButton* button(const QString& text) {
+    for (QPushButton* each : inspector_.findChildren<QPushButton*>()) {
+      const bool has_name = each->text() == text || each->accessibleName() == text;
+      if (has_name && each->isVisibleTo(&inspector_)) return each;
+    }
+    ADD_FAILURE() << "no button " << text.toStdString();
+    return nullptr;
+  }
+  QComboBox* box(const QString& name) {
+    for (QComboBox* each : inspector_.findChildren<QComboBox*>()) {
+      if (each->accessibleName() == name && each->isVisibleTo(&inspector_)) return each;
+    }
+    ADD_FAILURE() << "no choice " << name.toStdString();
+    return nullptr;
+  }
+  // As many words further down.
+  static void choose_below(QComboBox* box, int words = 1) {
+    box->setFocus();
+    for (int i = 0; i < words; ++i) QTest::keyClick(box, Qt::Key_Down);
   }
   const Body& light() { return scene_->bodies[0]; }
   const Body& heavy() { return scene_->bodies[1]; }

@@ -1,8 +1,8 @@
 #include "widgets/edit/inspector.h"
 
-#include <QComboBox>
 #include <numbers>
 
+#include "physics/scene/validate.h"
 #include "tests/widgets/edit/inspector_fixture.h"
 
 namespace carom {
@@ -24,7 +24,7 @@ TEST_F(InspectorTest, ChangesAllSelectedBodies) {
   QLineEdit* mass = field("Mass, kg");
   EXPECT_EQ(mass->text(), "");
   EXPECT_EQ(mass->placeholderText(), "2 values");
-  EXPECT_EQ(field("Speed x, m/s")->text(), "2");
+  EXPECT_EQ(field("Velocity x, m/s")->text(), "2");
   enter(mass, "*2");
   ASSERT_EQ(made_.size(), 1U);
   EXPECT_EQ(made_[0].name, "Mass of 2 bodies");
@@ -105,7 +105,7 @@ TEST_F(InspectorTest, AFixedBodyHasNoMassAndNoMotion) {
   EXPECT_EQ(made_[0].name, "Fix light");
   EXPECT_TRUE(light().fixed && light().velocity.isZero(0.0));
   EXPECT_FALSE(has_field("Mass, kg"));
-  EXPECT_FALSE(has_field("Speed x, m/s"));
+  EXPECT_FALSE(has_field("Velocity x, m/s"));
   surface->setFocus();
   QTest::keyClick(surface, Qt::Key_Down);
   EXPECT_EQ(made_.back().name, "Surface of light: rubber");
@@ -113,16 +113,43 @@ TEST_F(InspectorTest, AFixedBodyHasNoMassAndNoMotion) {
 }
 
 TEST_F(InspectorTest, ADrivenBodyShowsItsDrive) {
-  Body piston = light();
-  piston.mass.reset();
-  piston.velocity = Vec2::Zero();
-  piston.drive = Drive{.velocity = Vec2(1.0, 0.0)};
-  apply({Replace<Body>{piston}});
+  apply({Remove<Joint>{scene_->joints[0].id}});
   select({"light"});
-  EXPECT_FALSE(inspector_.findChildren<QComboBox*>()[0]->isEnabled());
+  choose_below(box("Kind"), 2);
+  ASSERT_TRUE(light().drive.has_value());
+  EXPECT_EQ(made_.back().name, "Drive light");
+  EXPECT_NO_THROW(validate(*scene_));
   EXPECT_FALSE(has_field("Mass, kg"));
+  EXPECT_FALSE(has_field("Speed, m/s"));
+  enter(field("Frequency, Hz"), "2");
+  EXPECT_DOUBLE_EQ(light().drive->angular_frequency, 4.0 * std::numbers::pi);
+  EXPECT_EQ(made_.back().name, "Frequency of light 0 → 2.00 Hz");
+  enter(field("ω, rad/s"), "1 Hz");
+  EXPECT_EQ(field("Frequency, Hz")->text(), "1");
+  enter(field("Amplitude y, m"), "10 cm");
+  enter(field("Velocity x, m/s"), "1");
   enter(field("Phase, °"), "90");
   EXPECT_DOUBLE_EQ(light().drive->phase, std::numbers::pi / 2.0);
+  box("Kind")->setFocus();
+  for (int i = 0; i < 2; ++i) QTest::keyClick(box("Kind"), Qt::Key_Up);
+  EXPECT_EQ(made_.back().name, "Let light move");
+  EXPECT_FALSE(light().drive.has_value() || light().fixed);
+}
+
+TEST_F(InspectorTest, SpeedAndDirectionAreTypedBesideTheComponents) {
+  select({"light"});
+  enter(field("Direction, °"), "90");
+  EXPECT_EQ(light().velocity, Vec2(0.0, 2.0));
+  EXPECT_EQ(made_.back().name, "Direction of light 0 → 90.0°");
+  enter(field("Speed, m/s"), "3");
+  EXPECT_EQ(light().velocity, Vec2(0.0, 3.0));
+  EXPECT_EQ(made_.back().name, "Speed of light 2.00 → 3.00 m/s");
+  EXPECT_EQ(field("Velocity y, m/s")->text(), "3");
+  enter(field("Speed, m/s"), "-1");
+  EXPECT_EQ(sentences(), QStringList{"Speed is 0 or more."});
+  enter(field("Speed, m/s"), "0");
+  enter(field("Direction, °"), "45");
+  EXPECT_EQ(sentences(), QStringList{"At rest there is no direction: a speed comes first."});
 }
 
 TEST_F(InspectorTest, WithoutASelectionItShowsTheScene) {
@@ -151,7 +178,7 @@ TEST_F(InspectorTest, NeedsNoMoreThan260Pixels) {
 
 TEST_F(InspectorTest, ShowsTheSurfaceThatBodiesShare) {
   select({"light"});
-  EXPECT_TRUE(label("Surface wood · 2 bodies")->isVisibleTo(&inspector_));
+  EXPECT_TRUE(label("Surface wood · 2 bodies share it")->isVisibleTo(&inspector_));
   enter(field("e of wood"), "0.5");
   EXPECT_EQ(scene_->materials[0].restitution, 0.5);
   // Static friction is never less than kinetic friction.

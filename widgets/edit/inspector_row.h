@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "physics/scene/part_id.h"
+#include "widgets/edit/inspected.h"
+
+class QGridLayout;
+class QLabel;
+
+namespace carom {
+
+// One line of the inspector: its label, what stands right of it, here a text that only informs, and under that
+// the sentence on a wrong value.
+class InspectorRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit InspectorRow(const InspectedRow& row, QWidget* parent = nullptr);
+
+  virtual void show_row(const InspectedRow& row);
+  // Forgets what is typed.
+  virtual void restore() {}
+  // All rows of one inspector give their labels the same width.
+  [[nodiscard]] int label_width() const;
+  void set_label_width(int width);
+
+ signals:
+  // The values of one of the row's fields.
+  void changed(int field, const std::vector<double>& values, bool in_burst);
+  void burst_began(int field, bool pulled);
+  // Any other edit.
+  void edited(const carom::NamedEdits& edits);
+  // What could not be, in one sentence: a field was left with a wrong value, or a button is refused.
+  void dropped(const QString& sentence);
+  void opened(const carom::PartId& part);
+
+ protected:
+  InspectorRow(const InspectedRow& row, QLabel* label, QWidget* parent);
+
+  static constexpr int kColumns = 4;  // right of the label: two fields with a label each
+
+  [[nodiscard]] QGridLayout* grid() const { return grid_; }
+  [[nodiscard]] QLabel* label() const { return label_; }
+  // In red under the field.
+  void say(const QString& sentence);
+
+ private:
+  QGridLayout* grid_;
+  QLabel* label_;
+  QLabel* text_ = nullptr;
+  QLabel* fault_;
+};
+
+// The row that shows this.
+[[nodiscard]] InspectorRow* new_row(const InspectedRow& row, QWidget* parent);
+
+}  // namespace carom
