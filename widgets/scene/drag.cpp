@@ -117,7 +117,7 @@ Dragged resize_disc(const DragStart& start, const DragPoint& point, const Disc& 
   const double radius = drawn_length(disc.radius + outwards, point);
   Dragged out;
   out.bodies = {resized(body, Disc{radius})};
-  out.value = "r " + drawn_text(radius, point);
+  out.value = size_text(out.bodies[0].shape, point);
   return out;
 }
 
@@ -133,7 +133,7 @@ Dragged resize_box(const DragStart& start, const DragPoint& point, const Box& bo
   Dragged out;
   out.bodies = {resized(body, Box{size.x(), size.y()})};
   out.bodies[0].position += 0.5 * (size[along] - before) * out_of;  // the far side stays
-  out.value = drawn_text(size.x(), point) + " × " + drawn_text(size.y(), point);
+  out.value = size_text(out.bodies[0].shape, point);
   return out;
 }
 
@@ -192,6 +192,13 @@ Vec2 drawn_place(const Vec2& at, const DragPoint& point, double grid) {
     c = line == c ? snapped(c, step) : line;
   }
   return place;
+}
+
+QString size_text(const Shape& shape, const DragPoint& point) {
+  if (const auto* disc = std::get_if<Disc>(&shape)) return "r " + drawn_text(disc->radius, point);
+  if (const auto* wall = std::get_if<Wall>(&shape)) return drawn_text(wall->length.value_or(0.0), point);
+  const Vec2 size = 2.0 * half_extent(shape, 0.0);
+  return drawn_text(size.x(), point) + " × " + drawn_text(size.y(), point);
 }
 
 QString drawn_text(double length, const DragPoint& point) {

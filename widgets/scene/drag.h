@@ -2,21 +2,26 @@
 
 #include <QString>
 #include <Qt>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "physics/scene/scene.h"
 #include "widgets/scene/handles.h"
+#include "widgets/scene/joint_hold.h"
 
 namespace carom {
 
 // What a drag began with. All of its values come from here, however the scene changes meanwhile.
 struct DragStart {
   HandleKind kind = HandleKind::kBody;
-  std::vector<Body> bodies;    // those that change, the grabbed one first
-  std::vector<Body> others;    // that a moved body can come to touch
-  Vec2 press = Vec2::Zero();   // m
-  double arrow_seconds = 0.1;  // m of arrow per m/s
-  double grid = 0.0;           // m, spacing; 0: none to snap to
+  std::vector<Body> bodies;       // those that change, the grabbed one first
+  std::vector<Body> others;       // that a moved body can come to touch
+  Vec2 press = Vec2::Zero();      // m
+  double arrow_seconds = 0.1;     // m of arrow per m/s
+  double grid = 0.0;              // m, spacing; 0: none to snap to
+  std::vector<Body> followers{};  // that joints make one with them, and that are none of the others
+  std::vector<Joint> joints{};    // of the scene
 };
 
 // Where the mouse is now.
@@ -27,10 +32,16 @@ struct DragPoint {
 };
 
 struct Dragged {
-  std::vector<Body> bodies;  // in the order of the start
+  std::vector<Body> bodies;  // in the order of the start, then its followers
   QString value;             // with its unit, for the bubble
   QString detail;            // may be empty
   QString name;              // of the edit
+  // See drag_limits.h.
+  bool fault = false;                              // what the bubble says can't be
+  std::vector<Overlap> overlaps{};                 // the deepest first
+  std::optional<std::pair<Vec2, Vec2>> blocked{};  // m, the ends of a joint that allows nothing
+  std::vector<Joint> joints{};                     // that hold the bodies
+  bool refits = false;                             // some of them are changed
 };
 
 [[nodiscard]] Dragged drag_to(const DragStart& start, const DragPoint& point);
@@ -42,6 +53,8 @@ struct Dragged {
 // m: a place that the mouse drew: on the lines of the grid that are near (`grid` as in DragStart), else in
 // round steps; as it is if Ctrl is down.
 [[nodiscard]] Vec2 drawn_place(const Vec2& at, const DragPoint& point, double grid);
+// "r 12 cm", "12 cm × 20 cm", "1.20 m": what the bubble says of a size.
+[[nodiscard]] QString size_text(const Shape& shape, const DragPoint& point);
 // "12 cm": a length in the decimal places that the mouse can aim at.
 [[nodiscard]] QString drawn_text(double length, const DragPoint& point);
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 #include "physics/scene/names.h"
+#include "widgets/scene/drag.h"
 #include "widgets/scene/edit_names.h"
 #include "widgets/scene/snap.h"
 
@@ -16,6 +18,7 @@ constexpr double kSpeedStep = 0.1;  // m/s
 constexpr double kTurnStep = 5.0;   // degrees
 constexpr double kLargeTurnStep = 45.0;
 constexpr double kFaster = 10.0;  // with Shift
+constexpr double kLarger = 1.05;
 
 Vec2 arrow_of(int key) {
   switch (key) {
@@ -45,6 +48,18 @@ Vec2 stepped(const Vec2& value, const Vec2& change, double step) {
   return {stepped(value.x(), change.x(), step), stepped(value.y(), change.y(), step)};
 }
 
+Shape scaled(const Shape& shape, double factor) {
+  if (const auto* disc = std::get_if<Disc>(&shape)) return Disc{factor * disc->radius};
+  if (const auto* box = std::get_if<Box>(&shape)) return Box{factor * box->width, factor * box->height};
+  if (const auto* wall = std::get_if<Wall>(&shape)) {
+    return wall->length ? Wall{factor * *wall->length} : *wall;
+  }
+  Polygon polygon = std::get<Polygon>(shape);
+  for (Vec2& vertex : polygon.vertices) vertex *= factor;
+  polygon.rounding *= factor;
+  return polygon;
+}
+
 // "1 rod", "2 strings", "3 links" of several kinds.
 QString count_of(const QStringList& kinds) {
   const bool alike = std::all_of(kinds.begin(), kinds.end(), [&](const QString& k) { return k == kinds[0]; });
@@ -67,6 +82,10 @@ std::optional<KeyEdit> key_edit(int key, Qt::KeyboardModifiers modifiers) {
     case Qt::Key_BraceLeft:
     case Qt::Key_BraceRight:
       return ctrl ? std::nullopt : std::optional(KeyEdit::kTurn);
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+    case Qt::Key_Minus:
+      return ctrl ? std::nullopt : std::optional(KeyEdit::kResize);
     case Qt::Key_0:
       return ctrl ? std::nullopt : std::optional(KeyEdit::kRest);
     case Qt::Key_X:
@@ -96,6 +115,9 @@ std::vector<Body> edited_by_key(std::span<const Body> bodies, int key, Qt::Keybo
         body.angle = stepped(body.angle * 180.0 / std::numbers::pi, by, kTurnStep) * std::numbers::pi / 180.0;
         break;
       }
+      case KeyEdit::kResize:
+        body = resized(body, scaled(body.shape, key == Qt::Key_Minus ? 1.0 / kLarger : kLarger));
+        break;
       case KeyEdit::kRest:
         body.velocity.setZero();
         body.spin = 0.0;
@@ -118,6 +140,8 @@ QString name_of(KeyEdit edit, std::span<const Body> before, std::span<const Body
       return name_of_velocity(before, after);
     case KeyEdit::kTurn:
       return "Turn " + who;
+    case KeyEdit::kResize:
+      return "Resize " + who;
     case KeyEdit::kRest:
       return "Bring " + who + " to rest";
     case KeyEdit::kReverse:
@@ -132,6 +156,8 @@ QString value_of(KeyEdit edit, const Body& body, double scale) {
       return place_text(body.position, scale);
     case KeyEdit::kTurn:
       return angle_text(body.angle);
+    case KeyEdit::kResize:
+      return size_text(body.shape, {.at = Vec2::Zero(), .scale = scale, .keys = Qt::ControlModifier});
     default:
       return velocity_text(body.velocity, 2);
   }

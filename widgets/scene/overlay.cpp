@@ -5,6 +5,7 @@
 #include <QPainterPath>
 #include <algorithm>
 
+#include "physics/math/vectors.h"
 #include "widgets/scene/body_path.h"
 
 namespace carom {
@@ -19,7 +20,10 @@ constexpr double kFromMouse = 16.0;
 constexpr double kToEdge = 2.0;
 constexpr double kPadding = 10.0;  // px, in the bubble
 constexpr double kCorner = 5.0;
-constexpr int kValueSize = 14;  // px
+constexpr double kBlocked = 3.0;       // px, width of a joint that allows nothing
+constexpr double kFaultGround = 0.14;  // share of the red
+constexpr double kThinWall = 5.0;      // px, of a thin wall in an overlap
+constexpr int kValueSize = 14;         // px
 constexpr int kDetailSize = 12;
 
 QColor faint(QColor color, float alpha) {
@@ -93,6 +97,39 @@ void paint_handle(QPainter& painter, const Handle& handle, const Theme& theme) {
   }
 }
 
+// What a body covers of the view.
+QPainterPath area_path(const Body& body, const Camera& camera) {
+  const Outline outline = outline_of(body.shape);
+  if (outline.half_plane) {
+    const double reach = (camera.visible().upper - camera.visible().lower).norm();
+    const Vec2 along = turned_by(body.angle, Vec2::UnitX());
+    const Vec2 top = body.position + along.dot(camera.center - body.position) * along;
+    QPolygonF ground;
+    for (const Vec2& corner :
+         {Vec2(-reach, 0.0), Vec2(reach, 0.0), Vec2(reach, -2 * reach), Vec2(-reach, -2 * reach)}) {
+      ground.append(camera.to_screen(top + turned_by(body.angle, corner)));
+    }
+    QPainterPath path;
+    path.addPolygon(ground);
+    path.closeSubpath();
+    return path;
+  }
+  const QPainterPath path = body_path(body, camera);
+  if (area(body.shape) > 0.0) return path;
+  QPainterPathStroker stroker;
+  stroker.setWidth(kThinWall);
+  return stroker.createStroke(path);
+}
+
+void paint_overlap(QPainter& painter, const Overlap& overlap, const Camera& camera, const Theme& theme) {
+  const QPainterPath shared = area_path(overlap.body, camera).intersected(area_path(overlap.other, camera));
+  painter.setPen(QPen(theme.danger, 1.5));
+  painter.setBrush(faint(theme.danger, 0.2F));
+  painter.drawPath(shared);
+  painter.setBrush(QBrush(theme.danger, Qt::BDiagPattern));
+  painter.drawPath(shared);
+}
+
 void paint_bubble(QPainter& painter, const Overlay::Bubble& bubble, const Camera& camera, const Theme& theme) {
   QFont large = painter.font();
   large.setPixelSize(kValueSize);
@@ -117,11 +154,11 @@ void paint_bubble(QPainter& painter, const Overlay::Bubble& bubble, const Camera
   corner = {std::max(kToEdge, std::min(corner.x(), right_end)),
             std::max(kToEdge, std::min(corner.y(), lower_end))};
   painter.setPen(QPen(bubble.fault ? theme.danger : theme.border, 1.0));
-  painter.setBrush(theme.panel);
+  painter.setBrush(bubble.fault ? blend(theme.panel, theme.danger, kFaultGround) : theme.panel);
   painter.drawRoundedRect(QRectF(corner, size), kCorner, kCorner);
   const QPointF text = corner + QPointF(kPadding, 0.7 * kPadding);
   painter.setFont(large);
-  painter.setPen(bubble.fault ? theme.danger : theme.text);
+  painter.setPen(theme.text);
   painter.drawText(text + QPointF(0.0, of_value.ascent()), bubble.value);
   if (!two) return;
   painter.setFont(small);
@@ -148,6 +185,11 @@ void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera
     painter.drawPath(body_path(*overlay.drawn, camera));
   }
   paint_corners(painter, overlay.corners, camera, theme);
+  for (const Overlap& overlap : overlay.overlaps) paint_overlap(painter, overlap, camera, theme);
+  if (overlay.blocked) {
+    painter.setPen(QPen(theme.danger, kBlocked, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(camera.to_screen(overlay.blocked->first), camera.to_screen(overlay.blocked->second));
+  }
   for (const Handle& handle : overlay.handles) paint_handle(painter, handle, theme);
   if (overlay.band) {
     painter.setPen(QPen(theme.accent, 1.0, Qt::DashLine));

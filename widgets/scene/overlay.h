@@ -4,11 +4,13 @@
 #include <QRectF>
 #include <QString>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "physics/scene/scene.h"
 #include "widgets/scene/camera.h"
 #include "widgets/scene/handles.h"
+#include "widgets/scene/overlap.h"
 #include "widgets/theme/theme.h"
 
 class QPainter;
@@ -43,10 +45,12 @@ struct Overlay {
   Corners corners;
   double arrow_seconds = 0.0;  // m of arrow per m/s, for ghosts
   Bubble bubble;
+  std::vector<Overlap> overlaps;                 // their shared areas
+  std::optional<std::pair<Vec2, Vec2>> blocked;  // m, the ends of a joint that allows nothing
 
   [[nodiscard]] bool empty() const {
     return selected.empty() && ghosts.empty() && handles.empty() && !band && !drawn && corners.set.empty() &&
-           !corners.next && bubble.value.isEmpty();
+           !corners.next && bubble.value.isEmpty() && overlaps.empty() && !blocked;
   }
 };
 

@@ -27,7 +27,7 @@ void SceneTools::add(const Drawn& drawn) {
   const Body body = body_of(drawn);
   const QString noun = QString::fromUtf8(shape_tool(tool_)->noun);
   emit edited({Add<Body>{body}}, "Add " + noun + " " + QString::fromStdString(body.name), ++drags_);
-  note({drawn.value, {}, mouse_, press_});
+  note({drawn.value, overlap_of_new(body), mouse_, press_});
   used_tool();
 }
 

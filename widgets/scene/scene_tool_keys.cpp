@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "widgets/scene/grid.h"
 #include "widgets/scene/scene_tools.h"
@@ -13,6 +14,21 @@ bool is_enter(int key, Qt::KeyboardModifiers keys) {
   return (key == Qt::Key_Return || key == Qt::Key_Enter) && keys == Qt::NoModifier;
 }
 
+HandleKind changed_by(KeyEdit kind) {
+  switch (kind) {
+    case KeyEdit::kMove:
+      return HandleKind::kBody;
+    case KeyEdit::kTurn:
+      return HandleKind::kTurn;
+    case KeyEdit::kResize:
+      return HandleKind::kRadius;
+    default:
+      return HandleKind::kVelocity;
+  }
+}
+
+bool is_touch(int key, Qt::KeyboardModifiers keys) { return key == Qt::Key_K && keys == Qt::NoModifier; }
+
 }  // namespace
 
 bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
@@ -24,6 +40,7 @@ bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
   if (key == Qt::Key_Backspace && !draft_.empty()) return true;
   const std::shared_ptr<const Frame> frame = sight_().frame;
   if (selection_.empty() || !frame || !frame->scene) return false;
+  if (is_touch(key, keys)) return can_touch();
   return key == Qt::Key_Delete || key == Qt::Key_Backspace || key_edit(key, keys).has_value();
 }
 
@@ -42,6 +59,8 @@ bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
       if (!body.fixed) moving.push_back(body.name);
     }
     set_selection(moving);
+  } else if (is_touch(key, keys)) {
+    put_in_touch();
   } else if (const auto kind = key_edit(key, keys)) {
     edit_by_key(*kind, key, keys);
   } else {
@@ -81,28 +100,26 @@ void SceneTools::remove_selected() {
 }
 
 void SceneTools::edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys) {
-  const bool repeats = kind == KeyEdit::kMove || kind == KeyEdit::kVelocity || kind == KeyEdit::kTurn;
+  const bool repeats = kind == KeyEdit::kMove || kind == KeyEdit::kVelocity || kind == KeyEdit::kTurn ||
+                       kind == KeyEdit::kResize;
   const bool same_row = repeats && row_.drag != 0 && row_.kind == kind && row_.names == selection_.names() &&
                         row_.since.elapsed() < kSameRow;
   if (!same_row) {
-    const bool of_motion = kind != KeyEdit::kMove && kind != KeyEdit::kTurn;
-    row_.before = editable({}, of_motion);
-    row_.now = row_.before;
+    const HandleKind changed = changed_by(kind);
+    row_.before = editable({}, changed == HandleKind::kVelocity);
     row_.kind = kind;
     row_.names = selection_.names();
     row_.drag = row_.before.empty() ? 0 : ++drags_;
+    if (row_.drag != 0) row_.start = start_of(changed, row_.before);
   }
   if (row_.drag == 0) return;
-  row_.now = edited_by_key(row_.now, key, keys, grid_spacing(sight_().camera));
-  row_.since.start();
-  emit_bodies(row_.now, name_of(kind, row_.before, row_.now), row_.drag);
-  // At the upper right of the body.
-  const Body& body = row_.now.front();
   const Camera camera = sight_().camera;
-  const Vec2 half = half_extent(body.shape, body.angle);
-  const QPointF centre = camera.to_screen(body.position);
-  const QPointF corner = half.allFinite() ? camera.to_screen(body.position + half) : centre;
-  note({value_of(kind, body, camera.scale), {}, corner, centre});
+  Dragged wanted;
+  wanted.bodies = edited_by_key(row_.start.bodies, key, keys, grid_spacing(camera));
+  wanted.value = value_of(kind, wanted.bodies.front(), camera.scale);
+  wanted.name = name_of(kind, row_.before, wanted.bodies);
+  row_.since.start();
+  change_by_key(std::move(wanted));
 }
 
 }  // namespace carom

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "widgets/scene/grid.h"
+#include "widgets/scene/drag_limits.h"
 #include "widgets/scene/hit.h"
 
 namespace carom {
@@ -214,42 +214,30 @@ void SceneTools::begin_drag() {
   state_ = State::kMute;
   if (!sight.frame || !sight.frame->scene) return;
   if (!selection_.contains(grab_->body)) set_selection({grab_->body});
-  start_ = {.kind = grab_->kind,
-            .bodies = editable(grab_->body, grab_->kind == HandleKind::kVelocity),
-            .others = {},
-            .press = sight.camera.to_world(press_),
-            .arrow_seconds = sight.arrow_seconds,
-            .grid = sight.grid ? grid_spacing(sight.camera) : 0.0};
+  start_ = start_of(grab_->kind, editable(grab_->body, grab_->kind == HandleKind::kVelocity));
   if (start_.bodies.empty() || start_.bodies.front().name != grab_->body) return;
-  for (int i = 0; i < body_count(*sight.frame); ++i) {
-    Body body = body_now(*sight.frame, i);
-    if (!selection_.contains(body.name)) start_.others.push_back(std::move(body));
-  }
   dragged_ = {.bodies = start_.bodies, .value = {}, .detail = {}, .name = {}};
   ghosts_.clear();
   const bool arrows = grab_->kind == HandleKind::kVelocity;
   for (const Body& body : selected_now()) {
     if (!arrows || !has_infinite_mass(body)) ghosts_.push_back({body, arrows});
   }
-  emitted_ = false;
+  for (const Body& body : start_.followers) ghosts_.push_back({body, arrows});
+  emitted_ = refitted_ = false;
   ++drags_;
   state_ = State::kDrag;
 }
 
 void SceneTools::drag_on() {
-  Dragged next = drag_to(start_, point(keys_));
+  const DragPoint now = point(keys_);
+  Dragged next = within_joints(start_, drag_to(start_, now), now);
   const bool moved =
       !std::equal(next.bodies.begin(), next.bodies.end(), dragged_.bodies.begin(), dragged_.bodies.end(), same);
   dragged_ = std::move(next);
   if (!moved) return;
   emitted_ = true;
-  emit_bodies(dragged_.bodies, dragged_.name, drags_);
-}
-
-void SceneTools::emit_bodies(const std::vector<Body>& bodies, const QString& name, int drag) {
-  SceneEdits edits;
-  for (const Body& body : bodies) edits.emplace_back(Replace<Body>{body});
-  emit edited(edits, name, drag);
+  refitted_ |= dragged_.refits;
+  emit_change(dragged_, refitted_, drags_);
 }
 
 void SceneTools::release(const QPointF& at, Qt::KeyboardModifiers keys) {
@@ -263,7 +251,7 @@ void SceneTools::release(const QPointF& at, Qt::KeyboardModifiers keys) {
       select_band(keys);
       break;
     case State::kDrag:
-      note({dragged_.value, dragged_.detail, mouse_, press_});
+      end_drag();
       break;
     case State::kDraw:
       draw();
@@ -341,7 +329,9 @@ Overlay SceneTools::overlay() const {
       return handle.kind != grab_->kind || selection_.names()[handle.body] != grab_->body;
     });
     out.ghosts = ghosts_;
-    out.bubble = {dragged_.value, dragged_.detail, mouse_, press_};
+    out.bubble = {dragged_.value, dragged_.detail, mouse_, press_, dragged_.fault};
+    out.overlaps = dragged_.overlaps;
+    out.blocked = dragged_.blocked;
   } else if (state_ == State::kBand) {
     out.band = QRectF(press_, mouse_).normalized();
   } else {

@@ -98,8 +98,8 @@ class SceneTools : public QObject {
     int drag = 0;
     std::vector<std::string> names;
     std::vector<Body> before;
-    std::vector<Body> now;  // frames may not yet show it
-    QElapsedTimer since;    // the last key
+    DragStart start;      // as they are now: frames may not yet show it
+    QElapsedTimer since;  // the last key
   };
 
   [[nodiscard]] std::vector<int> selected_indices() const;
@@ -137,7 +137,14 @@ class SceneTools : public QObject {
   bool escape();
   void remove_selected();
   void edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys);
-  void emit_bodies(const std::vector<Body>& bodies, const QString& name, int drag);
+  // What surrounds an edit, and what is left of it (scene_tool_limits.cpp).
+  [[nodiscard]] DragStart start_of(HandleKind kind, std::vector<Body> bodies) const;
+  [[nodiscard]] QString overlap_of_new(const Body& body) const;  // empty: there is none
+  [[nodiscard]] bool can_touch() const;
+  void put_in_touch();
+  void change_by_key(Dragged wanted);
+  void end_drag();
+  void emit_change(const Dragged& change, bool joints, int drag);
 
   std::function<SceneSight()> sight_;
   Selection selection_;
@@ -156,8 +163,9 @@ class SceneTools : public QObject {
   DragStart start_;
   std::vector<Overlay::Ghost> ghosts_;
   Dragged dragged_;
-  bool emitted_ = false;  // by this drag
-  int drags_ = 0;         // number of the last one
+  bool emitted_ = false;   // by this drag
+  bool refitted_ = false;  // it has changed joints
+  int drags_ = 0;          // number of the last one
   KeyRow row_;
   Overlay::Bubble note_;
   QTimer note_time_;

@@ -282,5 +282,27 @@ TEST_F(LabHandsTest, ATheoryGoesWithTheFirstEdit) {
   EXPECT_TRUE(has_theory());
 }
 
+TEST_F(LabHandsTest, ABodyDraggedOntoAnotherTouchesIt) {
+  action("New")->trigger();
+  ASSERT_TRUE(wait_for([this] { return window_.frame() && window_.frame()->bodies->empty(); }));
+  key(Qt::Key_D);
+  drag({-1.0, 0.0}, {-0.9, 0.0});
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 1; }));
+  key(Qt::Key_D);
+  drag({1.0, 0.0}, {1.2, 0.0});
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
+  ASSERT_TRUE(shows_start());
+  const std::vector<Body> before = window_.preset().scene.bodies;
+  drag(before[0].position, before[1].position + Vec2(-0.1, 0.05));
+  ASSERT_TRUE(shows_start());
+  const std::vector<Body>& after = window_.preset().scene.bodies;
+  EXPECT_EQ(after[1].position, before[1].position);
+  const double radii = std::get<Disc>(after[0].shape).radius + std::get<Disc>(after[1].shape).radius;
+  EXPECT_NEAR((after[0].position - after[1].position).norm(), radii, 1e-9);
+  QTest::keyClick(&window_.scene_view(), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(wait_for([&] { return window_.preset().scene.bodies[0].position == before[0].position; }));
+  EXPECT_TRUE(shows_start());
+}
+
 }  // namespace
 }  // namespace carom

@@ -239,5 +239,66 @@ TEST_F(SceneToolsTest, TheDiscToolDrawsADisc) {
   EXPECT_EQ(view_.tool(), SceneTool::kSelect);
 }
 
+TEST_F(SceneToolsTest, ABodyThatIsLetGoInAnotherMovesOut) {
+  answers_ = true;
+  press(b_);
+  move(b_ + QPoint(-60, 0), Qt::ControlModifier);
+  move(b_ + QPoint(-150, 0), Qt::ControlModifier);
+  EXPECT_EQ(told_.size(), 2U);
+  release(b_ + QPoint(-150, 0));
+  ASSERT_EQ(told_.size(), 3U);
+  EXPECT_EQ(told_[2].drag, told_[0].drag);
+  const Body& b = replaced(told_[2].edits[0]);
+  EXPECT_EQ(b.name, "B");
+  EXPECT_NEAR((b.position - Vec2(1.0, 1.0)).norm(), 0.75, 1e-9);
+}
+
+TEST_F(SceneToolsTest, WithControlAnOverlapStays) {
+  answers_ = true;
+  drag(b_, b_ + QPoint(-150, 0), Qt::ControlModifier);
+  EXPECT_TRUE(replaced(told_.back().edits[0]).position.isApprox(Vec2(1.5, 1.0), 1e-12));
+}
+
+TEST_F(SceneToolsTest, WithoutRoomABodyGoesBack) {
+  scene_.bodies[0].shape = Box{40.0, 40.0};
+  scene_.bodies[0].position = Vec2(2.0, -19.0);  // A and B stand half in it
+  scene_.bodies[1].position = scene_.bodies[2].position = Vec2(3.0, 1.3);
+  scene_.bodies[1].position.x() = 1.0;
+  scene_.bodies[1].position.y() = 1.6;
+  answers_ = true;
+  show(true);
+  press(QPoint(400, 170));
+  move(QPoint(400, 250), Qt::ControlModifier);
+  move(QPoint(400, 390), Qt::ControlModifier);
+  release(QPoint(400, 390));
+  ASSERT_EQ(cancelled_.size(), 1U);
+  EXPECT_EQ(cancelled_[0], told_[0].drag);
+}
+
+TEST_F(SceneToolsTest, KeysResizeAndPutInTouch) {
+  answers_ = true;
+  view_.select({"B"});
+  QTest::keyClick(&view_, Qt::Key_Plus);
+  QTest::keyClick(&view_, Qt::Key_Plus);
+  ASSERT_EQ(told_.size(), 2U);
+  EXPECT_EQ(told_[1].name, "Resize B");
+  EXPECT_EQ(told_[1].drag, told_[0].drag);
+  EXPECT_NEAR(std::get<Disc>(replaced(told_[1].edits[0]).shape).radius, 0.25 * 1.05 * 1.05, 1e-12);
+  view_.select({"B", "A"});
+  QTest::keyClick(&view_, Qt::Key_K);
+  ASSERT_EQ(told_.size(), 3U);
+  EXPECT_EQ(told_[2].name, "Put B in touch with A");
+  EXPECT_NEAR(replaced(told_[2].edits[0]).position.x(), 1.5 + 0.25 * 1.05 * 1.05, 1e-9);
+}
+
+TEST_F(SceneToolsTest, AKeyThatWouldOverlapOnlyTouches) {
+  answers_ = true;
+  scene_.bodies[2].position = Vec2(1.8, 1.0);
+  show(true);
+  view_.select({"B"});
+  QTest::keyClick(&view_, Qt::Key_Left);
+  EXPECT_NEAR((replaced(told_.back().edits[0]).position - Vec2(1.0, 1.0)).norm(), 0.75, 1e-9);
+}
+
 }  // namespace
 }  // namespace carom

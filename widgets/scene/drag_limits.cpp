@@ -1,0 +1,207 @@
+#include "widgets/scene/drag_limits.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "widgets/scene/edit_names.h"
+
+namespace carom {
+namespace {
+
+constexpr int kTries = 64;        // places on the way back
+constexpr double kShare = 1e-16;  // of the way: a shorter step is rounding
+
+bool ctrl(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
+
+bool resizes(const DragStart& start) {
+  return start.kind != HandleKind::kBody && start.kind != HandleKind::kTurn &&
+         start.kind != HandleKind::kVelocity;
+}
+
+DragPoint finely(DragPoint point) {
+  point.keys |= Qt::ControlModifier;
+  return point;
+}
+
+std::vector<Body> all_bodies(const DragStart& start) {
+  std::vector<Body> bodies = start.bodies;
+  if (!resizes(start)) bodies.insert(bodies.end(), start.followers.begin(), start.followers.end());
+  return bodies;
+}
+
+// Followers are none that a resized body stays clear of, but those that it is joined to.
+Surroundings surroundings_of(const DragStart& start) {
+  Surroundings out{start.others, start.joints};
+  if (resizes(start)) out.bodies.insert(out.bodies.end(), start.followers.begin(), start.followers.end());
+  return out;
+}
+
+void say_value(const DragStart& start, const DragPoint& point, Dragged& dragged) {
+  const Body& body = dragged.bodies[0];
+  if (start.kind == HandleKind::kBody) {
+    dragged.value = place_text(body.position, point.scale);
+  } else if (resizes(start)) {
+    dragged.value = size_text(body.shape, finely(point));
+  }
+}
+
+QString name_of(const Hold& hold) { return QString::fromStdString(hold.name); }
+
+bool keeps_length(const Hold& hold) {
+  return hold.joint.kind == JointKind::kRod || hold.joint.kind == JointKind::kString;
+}
+
+void block(const DragStart& start, const Hold& hold, const DragPoint& point, Dragged& dragged) {
+  const double length = length_of(hold, dragged.bodies);
+  const Vec2 end = dragged.bodies[hold.body].position + turned_by(dragged.bodies[hold.body].angle, hold.point);
+  const QString who = QString::fromStdString(dragged.bodies[hold.body].name);
+  dragged.blocked = {hold.anchor, end};
+  dragged.bodies = all_bodies(start);
+  dragged.value = keeps_length(hold) ? name_of(hold) + " would be " + drawn_text(length, finely(point))
+                                     : name_of(hold) + " holds " + who;
+  dragged.detail = QStringLiteral("Let go: it stays. Ctrl: the joint gives way.");
+  dragged.fault = true;
+}
+
+// The joint takes what the bodies need.
+void refit(std::span<const Hold> holds, const DragPoint& point, Dragged& dragged) {
+  for (const Hold& hold : holds) {
+    if (keeps(hold, dragged.bodies)) continue;
+    dragged.refits = true;
+    dragged.detail = keeps_length(hold)
+                         ? name_of(hold) + " is " + drawn_text(length_of(hold, dragged.bodies), point) + " now"
+                         : name_of(hold) + " has a new place";
+  }
+  for (Joint& joint : dragged.joints) {
+    for (const Hold& hold : holds) {
+      if (hold.joint.id == joint.id) joint = refitted(hold, dragged.bodies);
+    }
+  }
+  hold_velocities(dragged.bodies, holds);
+}
+
+void hold_by_joints(const DragStart& start, std::span<const Hold> holds, const DragPoint& point,
+                    Dragged& dragged) {
+  const auto broken =
+      std::find_if(holds.begin(), holds.end(), [&](const Hold& hold) { return !keeps(hold, dragged.bodies); });
+  if (broken == holds.end()) {
+    hold_velocities(dragged.bodies, holds);
+    return;
+  }
+  if (ctrl(point)) return refit(holds, point, dragged);
+  const auto bodies = held(all_bodies(start), dragged.bodies, holds, start.press);
+  if (!bodies) return block(start, *broken, point, dragged);
+  dragged.bodies = *bodies;
+  say_value(start, point, dragged);
+  dragged.detail = name_of(*broken) + " holds it. Ctrl: the joint gives way.";
+}
+
+void hold_arrow(std::span<const Hold> holds, Dragged& dragged) {
+  if (!hold_velocities(dragged.bodies, holds)) return;
+  dragged.value = velocity_text(dragged.bodies[0].velocity, 2);
+  dragged.detail = name_of(holds[0]) + " allows no other direction";
+}
+
+void say_overlap(const DragStart& start, const DragPoint& point, Dragged& dragged) {
+  if (dragged.fault) return;
+  dragged.overlaps = overlaps_of(dragged.bodies, surroundings_of(start));
+  if (dragged.overlaps.empty()) return;
+  const QString who = QString::fromStdString(start.bodies[0].name);
+  dragged.value = overlap_text(dragged.overlaps[0], point);
+  dragged.detail = ctrl(point)      ? QStringLiteral("They stay so; play parts them.")
+                   : resizes(start) ? "Let go: " + who + " shrinks until they touch. Ctrl: it stays."
+                                    : "Let go: " + who + " moves out. Ctrl: it stays.";
+  dragged.fault = true;
+}
+
+// On their way from the start, as joints allow it, the last place before the overlaps.
+std::optional<std::vector<Body>> backed_off(const DragStart& start, std::span<const Body> bodies,
+                                            const Surroundings& surroundings, std::span<const Hold> holds) {
+  const std::vector<Body> from = all_bodies(start);
+  std::optional<std::vector<Body>> last;
+  const auto clear = [&](double share) {
+    std::vector<Body> wanted = from;
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      wanted[k].position += share * (bodies[k].position - from[k].position);
+      if (start.kind == HandleKind::kTurn) wanted[k].angle += share * (bodies[k].angle - from[k].angle);
+    }
+    std::optional<std::vector<Body>> kept = held(from, wanted, holds, from[0].position);
+    if (!kept || !overlaps_of(*kept, surroundings).empty()) return false;
+    last = std::move(kept);
+    return true;
+  };
+  double share = 1.0 - 1.0 / kTries;
+  while (share > 0.0 && !clear(share)) share -= 1.0 / kTries;
+  if (!last) return std::nullopt;
+  for (double step = 0.5 / kTries; step > kShare; step *= 0.5) {
+    if (clear(share + step)) share += step;
+  }
+  return last;
+}
+
+// The bodies moved out as one or, where joints do not let them, back along their way.
+std::optional<std::vector<Body>> parted(const DragStart& start, std::span<const Body> bodies,
+                                        const Surroundings& surroundings, std::span<const Hold> holds) {
+  std::optional<std::vector<Body>> out = moved_out(bodies, surroundings);
+  if (holds.empty()) return out;
+  const bool kept =
+      out && std::all_of(holds.begin(), holds.end(), [&](const Hold& h) { return keeps(h, *out); });
+  return kept ? out : backed_off(start, bodies, surroundings, holds);
+}
+
+std::optional<std::vector<Body>> shrunk(const DragStart& start, std::span<const Body> bodies,
+                                        const Surroundings& neighbours, std::span<const Hold> holds) {
+  const std::vector<Body> less = grown_to_touch(start.bodies, bodies, neighbours);
+  std::optional<std::vector<Body>> kept = held(start.bodies, less, holds, start.press);
+  if (!kept || !overlaps_of(*kept, neighbours).empty()) return std::nullopt;
+  return kept;
+}
+
+}  // namespace
+
+Dragged within_joints(const DragStart& start, Dragged wanted, const DragPoint& point) {
+  if (!resizes(start)) {
+    std::vector<Body> followers = start.followers;
+    move_along(followers, start.bodies[0], wanted.bodies[0]);
+    wanted.bodies.insert(wanted.bodies.end(), followers.begin(), followers.end());
+  }
+  const std::vector<Hold> holds = holds_of(all_bodies(start), surroundings_of(start));
+  for (const Hold& hold : holds) wanted.joints.push_back(hold.joint);
+  if (start.kind == HandleKind::kVelocity) {
+    hold_arrow(holds, wanted);
+    return wanted;
+  }
+  hold_by_joints(start, holds, point, wanted);
+  say_overlap(start, point, wanted);
+  return wanted;
+}
+
+std::optional<Dragged> without_overlaps(const DragStart& start, const Dragged& dragged,
+                                        const DragPoint& point) {
+  if (dragged.overlaps.empty()) return dragged;
+  Dragged out = dragged;
+  if (ctrl(point)) {
+    out.value.prepend(QStringLiteral("⚠ "));
+    return out;
+  }
+  const Surroundings neighbours = surroundings_of(start);
+  const std::vector<Hold> holds = holds_of(all_bodies(start), neighbours);
+  const std::optional<std::vector<Body>> bodies = resizes(start)
+                                                      ? shrunk(start, dragged.bodies, neighbours, holds)
+                                                      : parted(start, dragged.bodies, neighbours, holds);
+  if (!bodies) return std::nullopt;
+  out.bodies = *bodies;
+  say_value(start, point, out);
+  if (start.kind == HandleKind::kTurn) out.value = angle_text(out.bodies[0].angle);
+  out.detail = "touches " + QString::fromStdString(dragged.overlaps[0].other.name);
+  out.overlaps.clear();
+  out.fault = false;
+  return out;
+}
+
+QString overlap_text(const Overlap& overlap, const DragPoint& point) {
+  return QString::fromStdString(overlap.body.name) + " and " + QString::fromStdString(overlap.other.name) +
+         " overlap by " + drawn_text(overlap.depth, finely(point));
+}
+
+}  // namespace carom

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "widgets/scene/drag.h"
+
+namespace carom {
+
+// What joints and other bodies leave of an edit. With Ctrl joints take the lengths that it needs, and overlaps
+// stay.
+
+// While the mouse is down: followers come along, joints hold, and overlaps are said.
+[[nodiscard]] Dragged within_joints(const DragStart& start, Dragged wanted, const DragPoint& point);
+
+// When it is let go: overlaps are solved by the least change. Nothing if there is no room near by.
+[[nodiscard]] std::optional<Dragged> without_overlaps(const DragStart& start, const Dragged& dragged,
+                                                      const DragPoint& point);
+
+// "light and heavy overlap by 3.2 cm"
+[[nodiscard]] QString overlap_text(const Overlap& overlap, const DragPoint& point);
+
+}  // namespace carom

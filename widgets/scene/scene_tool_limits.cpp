@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <unordered_set>
+#include <utility>
+
+#include "widgets/scene/drag_limits.h"
+#include "widgets/scene/edit_names.h"
+#include "widgets/scene/grid.h"
+#include "widgets/scene/hit.h"
+#include "widgets/scene/scene_tools.h"
+
+// What surrounds an edit of the scene's tools, and what is left of it.
+namespace carom {
+
+DragStart SceneTools::start_of(HandleKind kind, std::vector<Body> bodies) const {
+  const SceneSight sight = sight_();
+  DragStart start{.kind = kind,
+                  .bodies = std::move(bodies),
+                  .others = {},
+                  .press = sight.camera.to_world(press_),
+                  .arrow_seconds = sight.arrow_seconds,
+                  .grid = sight.grid ? grid_spacing(sight.camera) : 0.0};
+  Surroundings beside{{}, sight.frame->scene->joints};
+  std::unordered_set<std::string> edited;
+  for (const Body& body : start.bodies) edited.insert(body.name);
+  for (int i = 0; i < body_count(*sight.frame); ++i) {
+    Body body = body_now(*sight.frame, i);
+    if (!edited.contains(body.name)) beside.bodies.push_back(std::move(body));
+  }
+  start.followers = followers_of(start.bodies, beside);
+  for (const Body& body : start.followers) edited.insert(body.name);
+  std::copy_if(beside.bodies.begin(), beside.bodies.end(), std::back_inserter(start.others),
+               [&](const Body& body) { return !edited.contains(body.name); });
+  start.joints = std::move(beside.joints);
+  return start;
+}
+
+QString SceneTools::overlap_of_new(const Body& body) const {
+  const SceneSight sight = sight_();
+  if (!sight.frame) return {};
+  Surroundings beside;
+  for (int i = 0; i < body_count(*sight.frame); ++i) beside.bodies.push_back(body_now(*sight.frame, i));
+  const std::vector<Overlap> overlaps = overlaps_of({&body, 1}, beside);
+  return overlaps.empty() ? QString() : overlap_text(overlaps[0], point({}));
+}
+
+bool SceneTools::can_touch() const { return selection_.names().size() == 2; }
+
+void SceneTools::put_in_touch() {
+  const std::vector<Body> bodies = editable({}, false);
+  if (bodies.size() != 2) return;
+  row_ = {};
+  row_.start = start_of(HandleKind::kBody, {bodies[0]});
+  row_.drag = ++drags_;
+  const Body moved = in_touch(bodies[0], bodies[1]);
+  const QString other = QString::fromStdString(bodies[1].name);
+  change_by_key({.bodies = {moved},
+                 .value = place_text(moved.position, sight_().camera.scale),
+                 .detail = "touches " + other,
+                 .name = "Put " + QString::fromStdString(moved.name) + " in touch with " + other});
+  row_ = {};
+}
+
+void SceneTools::change_by_key(Dragged wanted) {
+  const Camera camera = sight_().camera;
+  const DragPoint keyed{.at = Vec2::Zero(), .scale = camera.scale, .keys = {}};
+  row_.start.press = row_.start.bodies[0].position;
+  const std::optional<Dragged> left =
+      without_overlaps(row_.start, within_joints(row_.start, std::move(wanted), keyed), keyed);
+  // At the upper right of the body.
+  const Body body = left ? left->bodies[0] : row_.start.bodies[0];
+  const Vec2 half = half_extent(body.shape, body.angle);
+  const QPointF centre = camera.to_screen(body.position);
+  const QPointF corner = half.allFinite() ? camera.to_screen(body.position + half) : centre;
+  if (!left) return note({QStringLiteral("no room there"), {}, corner, centre, true});
+  const auto count = static_cast<std::ptrdiff_t>(row_.start.bodies.size());
+  row_.start.bodies.assign(left->bodies.begin(), left->bodies.begin() + count);
+  if (left->bodies.begin() + count != left->bodies.end()) {
+    row_.start.followers.assign(left->bodies.begin() + count, left->bodies.end());
+  }
+  emit_change(*left, false, row_.drag);
+  note({left->value, left->detail, corner, centre, left->fault});
+}
+
+// Overlaps are solved in the step of undo that the drag is.
+void SceneTools::end_drag() {
+  const std::optional<Dragged> left = without_overlaps(start_, dragged_, point(keys_));
+  if (!left) {
+    if (emitted_) emit dragCancelled(drags_);
+    return note({QStringLiteral("no room there"), {}, mouse_, press_, true});
+  }
+  if (left->fault != dragged_.fault) emit_change(*left, refitted_, drags_);
+  note({left->value, left->detail, mouse_, press_, left->fault});
+}
+
+void SceneTools::emit_change(const Dragged& change, bool joints, int drag) {
+  SceneEdits edits;
+  for (const Body& body : change.bodies) edits.emplace_back(Replace<Body>{body});
+  for (const Joint& joint : change.joints) {
+    if (joints && joint.id.number != 0) edits.emplace_back(Replace<Joint>{joint});
+  }
+  emit edited(edits, change.name, drag);
+}
+
+}  // namespace carom
