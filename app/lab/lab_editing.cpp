@@ -13,6 +13,7 @@
 #include "widgets/edit/bodies_sheet.h"
 #include "widgets/edit/inspector.h"
 #include "widgets/scene/key_edits.h"
+#include "widgets/scene/scene_parts.h"
 #include "widgets/scene/scene_view.h"
 
 // What the window edits by hand: the scene view, the inspector and the table say what, the session does it.
@@ -33,6 +34,8 @@ void LabWindow::connect_edits() {
   connect(view_, &SceneView::dragCancelled, this,
           [this](int drag) { session_.cancel(drag_of(kOfScene, drag)); });
   connect(view_, &SceneView::selectionChanged, this, &LabWindow::show_selection);
+  connect(view_, &SceneView::partChosen, this, &LabWindow::show_selection);
+  connect(inspector_, &Inspector::partOpened, this, [this] { view_->choose_part(inspector_->part()); });
   connect(inspector_, &Inspector::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
     edit_bodies(edits, name, drag_of(kOfInspector, drag));
   });
@@ -59,9 +62,15 @@ void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int dr
 }
 
 void LabWindow::show_selection() {
-  inspector_->show_selection(session_.runs().scene(), view_->selection());
+  const auto scene = session_.runs().scene();
+  const std::optional<PartId>& part = view_->part();
+  if (part && scene != nullptr && has_part(*scene, *part)) {
+    inspector_->show_part(scene, *part);
+  } else {
+    inspector_->show_selection(scene, view_->selection());
+  }
   if (!drawer_->shows(sheet_)) return;
-  sheet_->show_moment(session_.runs().scene(), session_.runs().frame());
+  sheet_->show_moment(scene, session_.runs().frame());
   sheet_->show_selection(view_->selection());
 }
 

@@ -2,10 +2,11 @@
 #include <QActionGroup>
 #include <QMenu>
 #include <QMenuBar>
-#include <QToolBar>
 #include <array>
+#include <utility>
 
 #include "app/lab/lab_window.h"
+#include "app/lab/tool_column.h"
 #include "widgets/scene/scene_view.h"
 
 // The tools of the mouse in the scene: their menu, and their column at its left.
@@ -19,7 +20,7 @@ struct ToolText {
   const char* tip;
   Qt::Key key;
 };
-constexpr std::array<ToolText, 5> kTools = {{
+constexpr std::array<ToolText, 11> kTools = {{
     {SceneTool::kSelect, "select", "&Select",
      "Select (%1): select, move, turn and resize bodies, and pull their velocity", Qt::Key_V},
     {SceneTool::kDisc, "disc", "&Disc", "Disc (%1): click: random radius like the others; drag: radius",
@@ -30,13 +31,26 @@ constexpr std::array<ToolText, 5> kTools = {{
      "Polygon (%1): click each corner; Enter, a double click or the first corner closes it", Qt::Key_P},
     {SceneTool::kWall, "wall", "&Wall",
      "Wall (%1): click: level half-plane; drag: a thin wall; Shift: steps of 15°", Qt::Key_W},
+    {SceneTool::kRod, "rod", "&Rod", "Rod (%1): from body to body or to a place: drag, or click both ends",
+     Qt::Key_O},
+    {SceneTool::kString, "string", "S&tring",
+     "String (%1), a rod that only pulls: drag from end to end, or click both", Qt::Key_T},
+    {SceneTool::kSpring, "spring", "Spri&ng",
+     "Spring (%1): from body to body or to a place: drag, or click both ends", Qt::Key_S},
+    {SceneTool::kPin, "pin", "P&in",
+     "Pin (%1): click where two bodies overlap, or on one to pin it to the plane", Qt::Key_N},
+    {SceneTool::kWeld, "weld", "Wel&d", "Weld (%1): click a body, then the other", Qt::Key_J},
+    {SceneTool::kForce, "force", "&Force", "Force (%1): pull an arrow out of a body", Qt::Key_A},
 }};
+
+bool is_joint(SceneTool tool) { return joint_tool(tool) != nullptr && tool != SceneTool::kForce; }
 
 }  // namespace
 
 void LabWindow::make_tools_menu() {
   QMenu* menu = menuBar()->addMenu(tr("&Tools"));
   auto* group = new QActionGroup(this);
+  QList<QAction*> joints;
   for (const ToolText& each : kTools) {
     const SceneTool tool = each.tool;
     QAction* action = add_action(menu, each.icon, tr(each.text), each.key, [this, tool] {
@@ -51,19 +65,21 @@ void LabWindow::make_tools_menu() {
     group->addAction(action);
     connect(view_, &SceneView::toolChanged, action,
             [action, tool](SceneTool now) { action->setChecked(now == tool); });
+    if (is_joint(tool)) {
+      joints << action;
+      continue;
+    }
+    if (!joints.isEmpty()) {
+      tool_column_->add_foldable(std::exchange(joints, {}));
+      tool_column_->addSeparator();
+    }
     tool_column_->addAction(action);
-    if (tool == SceneTool::kSelect) tool_column_->addSeparator();
+    if (tool == SceneTool::kSelect || tool == SceneTool::kWall) tool_column_->addSeparator();
   }
 }
 
 QWidget* LabWindow::make_tool_column() {
-  constexpr int kWidth = 40;  // px
-  tool_column_ = new QToolBar(tr("Tools"));
-  tool_column_->setObjectName("column");
-  tool_column_->setAccessibleName(tr("Tools"));
-  tool_column_->setOrientation(Qt::Vertical);
-  tool_column_->setIconSize({18, 18});
-  tool_column_->setFixedWidth(kWidth);
+  tool_column_ = new ToolColumn(tr("Tools"));
   return tool_column_;
 }
 

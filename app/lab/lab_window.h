@@ -3,6 +3,7 @@
 #include <QMainWindow>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,6 +40,7 @@ class ReadingTable;
 class SceneChips;
 class SceneView;
 class StudyPanel;
+class ToolColumn;
 class TransportBar;
 class WorkRecovery;
 
@@ -164,7 +166,7 @@ class LabWindow : public QMainWindow {
   MethodBar* methods_ = nullptr;
   QAction* theme_action_ = nullptr;
   bool theme_chosen_ = false;  // by the user
-  QToolBar* tool_column_ = nullptr;
+  ToolColumn* tool_column_ = nullptr;
   QToolBar* bar_ = nullptr;
   std::vector<QAction*> folded_;  // the tool bar's actions that only a wide window has room for
   QAction* after_folded_ = nullptr;

@@ -126,7 +126,6 @@ void Inspector::choose(std::shared_ptr<const Scene> scene, const std::vector<std
   if (scene != scene_ || other) {
     // What is typed belongs to what was selected.
     if (other) restore();
-    if (other) opened_.reset();
     scene_ = std::move(scene);
     names_ = names;
     part_ = part;
@@ -139,23 +138,24 @@ void Inspector::choose(std::shared_ptr<const Scene> scene, const std::vector<std
 void Inspector::open(const std::optional<PartId>& part) {
   restore();
   say({});
-  opened_ = part;
+  part_ = part;
   show_rows();
+  emit partOpened();
   // Esc leads back from here.
-  if (opened_) back_->setFocus();
+  if (part_) back_->setFocus();
 }
 
 bool Inspector::event(QEvent* event) {
   // Esc is the inspector's before it is a shortcut of the window.
   const bool asks = event->type() == QEvent::ShortcutOverride;
-  if (!asks || !opened_ || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+  if (!asks || !shown_part_ || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
     return QWidget::event(event);
   event->accept();
   return true;
 }
 
 void Inspector::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && opened_) {
+  if (event->key() == Qt::Key_Escape && shown_part_) {
     open(std::nullopt);
   } else {
     QWidget::keyPressEvent(event);
@@ -181,8 +181,8 @@ std::vector<InspectedRow> Inspector::rows() const {
 
 void Inspector::show_rows() {
   shown_part_.reset();
-  if (const std::optional<PartId> part = part_ ? part_ : opened_) shown_part_ = inspected_part(*scene_, *part);
-  if (!shown_part_) opened_.reset();
+  if (part_) shown_part_ = inspected_part(*scene_, *part_);
+  if (!shown_part_) part_.reset();
   rows_ = rows();
   show_title();
   head_->setVisible(!bodies_.empty());
@@ -205,7 +205,7 @@ void Inspector::show_title() {
   if (label->toolTip() != title) label->setToolTip(plain_tip(title));
   const QString kind = shown_part_ ? shown_part_->kind : QString();
   set_line(kind_, bodies_.size() == 1 ? shape_word(bodies_[0]) : kind);
-  back_->setVisible(opened_.has_value());
+  back_->setVisible(shown_part_.has_value());
 }
 
 void Inspector::build_rows() {

@@ -34,6 +34,7 @@ class Inspector : public QWidget {
   void show_selection(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names);
   // The same for a joint, a spring or a force.
   void show_part(std::shared_ptr<const Scene> scene, PartId part);
+  [[nodiscard]] const std::optional<PartId>& part() const { return part_; }
   // Says at the bottom, until the next accepted edit, why the last one could not be; the fields then show the
   // scene again. Empty: nothing to say.
   void say(const QString& sentence);
@@ -44,6 +45,8 @@ class Inspector : public QWidget {
   // itself.
   void edited(const carom::SceneEdits& edits, const QString& name, int drag);
 
+  void partOpened();  // part() was chosen here
+
  protected:
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
@@ -51,7 +54,7 @@ class Inspector : public QWidget {
  private:
   void choose(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names,
               const std::optional<PartId>& part);
-  // A part that was chosen in the list of the scene, until something else is shown; nothing: the scene.
+  // Shows a part that was chosen in the list of the scene; nothing: the scene again.
   void open(const std::optional<PartId>& part);
   void show_rows();
   [[nodiscard]] std::vector<InspectedRow> rows() const;
@@ -68,7 +71,6 @@ class Inspector : public QWidget {
   std::shared_ptr<const Scene> scene_;
   std::vector<std::string> names_;
   std::optional<PartId> part_;
-  std::optional<PartId> opened_;
   std::vector<Body> bodies_;
   std::optional<InspectedPart> shown_part_;
   std::vector<InspectedRow> rows_;

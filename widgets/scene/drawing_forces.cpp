@@ -166,12 +166,6 @@ void add_drive(const DrawingInput& in, int i, const Drive& drive, Drawing& out) 
   }
 }
 
-// The share of an applied force at a time: it rises linearly, stays constant and ends.
-double share_at(const AppliedForce& force, double time) {
-  if (time < force.start || (force.end && time >= *force.end)) return 0.0;
-  return force.rise > 0.0 ? std::min(1.0, (time - force.start) / force.rise) : 1.0;
-}
-
 void add_label(const DrawingInput& in, const Vec2& at, const QString& text, const QColor& color, Drawing& out) {
   constexpr double kDrop = 4.0;  // px
   if (in.options.names) out.labels.push_back({at, kDrop, text, color});
@@ -201,6 +195,11 @@ void add_torque(const DrawingInput& in, int i, double torque, const QColor& colo
 }
 
 }  // namespace
+
+double share_at(const AppliedForce& force, double time) {
+  if (time < force.start || (force.end && time >= *force.end)) return 0.0;
+  return force.rise > 0.0 ? std::min(1.0, (time - force.start) / force.rise) : 1.0;
+}
 
 void add_springs(const DrawingInput& in, const WorldRect& seen, Drawing& out) {
   if (!in.frame.bodies || !in.frame.forces || in.frame.forces->springs.empty()) return;

@@ -18,6 +18,9 @@ void add_drives(const DrawingInput& input, const WorldRect& seen, Drawing& out);
 // An arrow for each force that acts now and an arc about the body for each torque, with their values.
 void add_applied_forces(const DrawingInput& input, const WorldRect& seen, Drawing& out);
 
+// The share of an applied force at a time in s: it rises linearly, stays constant and ends.
+[[nodiscard]] double share_at(const AppliedForce& force, double time);
+
 // N: normal and tangential together, on the contact's body b.
 [[nodiscard]] Vec2 force_on_b(const ContactForce& contact);
 

@@ -33,7 +33,8 @@ Body body_now(const Frame& frame, int index) {
   return body;
 }
 
-int body_at(const Frame& frame, const Camera& camera, const QPointF& at) {
+std::vector<int> bodies_at(const Frame& frame, const Camera& camera, const QPointF& at) {
+  std::vector<int> found;
   const Vec2 point = camera.to_world(at);
   // Moving bodies come before fixed ones, as they may be small; of two, the later one is painted on top.
   for (const bool fixed : {false, true}) {
@@ -42,10 +43,15 @@ int body_at(const Frame& frame, const Camera& camera, const QPointF& at) {
       if (body.fixed != fixed) continue;
       const double seen = bounding_radius(body.shape) * camera.scale;
       const double slack = fixed ? 0.0 : std::max(kClickSlack, kLeastRadius - seen) / camera.scale;
-      if (covers(body.shape, point - frame.state.position(i), frame.state.q(2, i), slack)) return i;
+      if (covers(body.shape, point - frame.state.position(i), frame.state.q(2, i), slack)) found.push_back(i);
     }
   }
-  return -1;
+  return found;
+}
+
+int body_at(const Frame& frame, const Camera& camera, const QPointF& at) {
+  const std::vector<int> found = bodies_at(frame, camera, at);
+  return found.empty() ? -1 : found.front();
 }
 
 std::vector<int> bodies_in(const Frame& frame, const Camera& camera, const QRectF& rect) {

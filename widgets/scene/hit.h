@@ -14,7 +14,9 @@ namespace carom {
 // Body `index` where it is now, and as it moves now.
 [[nodiscard]] Body body_now(const Frame& frame, int index);
 
-// The topmost body at a point of the screen; -1 if there is none.
+// The bodies at a point of the screen, the topmost first.
+[[nodiscard]] std::vector<int> bodies_at(const Frame& frame, const Camera& camera, const QPointF& at);
+// The topmost one; -1 if there is none.
 [[nodiscard]] int body_at(const Frame& frame, const Camera& camera, const QPointF& at);
 // All bodies that a rectangle of the screen touches. A half-plane, which fills the ground, only if it holds its
 // point.

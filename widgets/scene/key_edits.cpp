@@ -6,6 +6,7 @@
 #include <numbers>
 #include <variant>
 
+#include "physics/scene/edit_rules.h"
 #include "physics/scene/names.h"
 #include "widgets/scene/drag.h"
 #include "widgets/scene/edit_names.h"
@@ -65,6 +66,26 @@ QString count_of(const QStringList& kinds) {
   const bool alike = std::all_of(kinds.begin(), kinds.end(), [&](const QString& k) { return k == kinds[0]; });
   const QString kind = alike ? kinds[0] : QStringLiteral("link");
   return QStringLiteral("%1 %2%3").arg(kinds.size()).arg(kind, kinds.size() == 1 ? "" : "s");
+}
+
+QString text_of(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+// "Rod 1", "a rod" without a name, "a force on A".
+QString name_of(const Joint& joint) {
+  return joint.name.empty() ? "a " + text_of(name_of(kJointNames, joint.kind)) : text_of(joint.name);
+}
+QString name_of(const Spring& spring) {
+  return spring.name.empty() ? QStringLiteral("a spring") : text_of(spring.name);
+}
+QString name_of(const AppliedForce& force) { return "a force on " + text_of(force.body); }
+
+template <class Part>
+Deletion deletion_of(const std::vector<Part>& list, Id<Part> id) {
+  const Part* part = part_of(list, id);
+  if (part == nullptr) return {};
+  return {{Remove<Part>{id}}, "Delete " + name_of(*part)};
 }
 
 }  // namespace
@@ -177,8 +198,7 @@ Deletion deletion(const Scene& scene, std::span<const std::string> names) {
   for (const Joint& joint : scene.joints) {
     if (joint.id.number == 0 || (!goes(joint.body) && !goes(joint.to))) continue;
     out.edits.emplace_back(Remove<Joint>{joint.id});
-    const std::string_view kind = name_of(kJointNames, joint.kind);
-    links.push_back(QString::fromUtf8(kind.data(), static_cast<qsizetype>(kind.size())));
+    links.push_back(text_of(name_of(kJointNames, joint.kind)));
   }
   for (const Spring& spring : scene.forces.springs) {
     if (!goes(spring.body) && !goes(spring.to)) continue;
@@ -192,6 +212,12 @@ Deletion deletion(const Scene& scene, std::span<const std::string> names) {
   out.name = "Delete " + name_of_bodies(bodies);
   if (!links.empty()) out.name += " and " + count_of(links);
   return out;
+}
+
+Deletion deletion(const Scene& scene, const PartId& part) {
+  if (const auto* joint = std::get_if<Id<Joint>>(&part)) return deletion_of(scene.joints, *joint);
+  if (const auto* spring = std::get_if<Id<Spring>>(&part)) return deletion_of(scene.forces.springs, *spring);
+  return deletion_of(scene.forces.applied, std::get<Id<AppliedForce>>(part));
 }
 
 }  // namespace carom

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/scene/edit.h"
+#include "physics/scene/part_id.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -32,5 +33,7 @@ struct Deletion {
 };
 // Takes bodies out, with all links and forces on them.
 [[nodiscard]] Deletion deletion(const Scene& scene, std::span<const std::string> names);
+// Takes out a part that is no body.
+[[nodiscard]] Deletion deletion(const Scene& scene, const PartId& part);
 
 }  // namespace carom

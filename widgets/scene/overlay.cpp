@@ -16,6 +16,9 @@ constexpr double kOutline = 2.0;  // px
 constexpr double kSquare = 4.0;   // px, half a handle of the size
 constexpr double kKnob = 5.5;     // px, radius
 constexpr double kGrip = 7.0;     // px, radius of the ring at the tip of a velocity
+constexpr double kChosen = 4.0;   // px, width of the line of a chosen joint
+constexpr double kHeadLength = 12.0;
+constexpr double kHeadHalfWidth = 5.0;
 constexpr double kFromMouse = 16.0;
 constexpr double kToEdge = 2.0;
 constexpr double kPadding = 10.0;  // px, in the bubble
@@ -70,6 +73,41 @@ void paint_corners(QPainter& painter, const Overlay::Corners& corners, const Cam
   painter.setPen(QPen(theme.accent, kOutline));
   painter.setBrush(theme.panel);
   for (const QPointF& at : line) painter.drawEllipse(at, kSquare, kSquare);
+}
+
+void paint_head(QPainter& painter, const QLineF& arrow, const QColor& color) {
+  const QPointF along = (arrow.p2() - arrow.p1()) / arrow.length();
+  const QPointF across(-along.y(), along.x());
+  const QPointF base = arrow.p2() - kHeadLength * along;
+  const QPointF head[] = {arrow.p2(), base + kHeadHalfWidth * across, base - kHeadHalfWidth * across};
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  painter.drawConvexPolygon(head, 3);
+}
+
+// A line with its ends, an arrow, or a ring where both ends are at one place.
+void paint_link(QPainter& painter, const Overlay::Link& link, const Camera& camera, const Theme& theme) {
+  const QColor color = link.fault ? theme.danger : theme.accent;
+  const QLineF line(camera.to_screen(link.from), camera.to_screen(link.to));
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(link.chosen ? QPen(color, kChosen, Qt::SolidLine, Qt::RoundCap) : dashed(color));
+  if (line.length() > 0.0) painter.drawLine(line);
+  if (link.arrow) {
+    if (line.length() > 0.0) paint_head(painter, line, color);
+    return;
+  }
+  painter.setPen(QPen(color, kOutline));
+  painter.setBrush(theme.panel);
+  for (const QPointF& end : {line.p1(), line.p2()}) painter.drawEllipse(end, kKnob, kKnob);
+}
+
+void paint_outline(QPainter& painter, const Body& body, const Camera& camera, const Theme& theme) {
+  const QPainterPath path = body_path(body, camera);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(faint(theme.accent, 0.3F), kHalo, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+  painter.drawPath(path);
+  painter.setPen(QPen(theme.accent, kOutline, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+  painter.drawPath(path);
 }
 
 void paint_handle(QPainter& painter, const Handle& handle, const Theme& theme) {
@@ -171,14 +209,9 @@ void paint_bubble(QPainter& painter, const Overlay::Bubble& bubble, const Camera
 void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera, const Theme& theme) {
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   for (const Overlay::Ghost& ghost : overlay.ghosts) paint_ghost(painter, overlay, ghost, camera, theme);
-  painter.setBrush(Qt::NoBrush);
-  for (const Body& body : overlay.selected) {
-    const QPainterPath path = body_path(body, camera);
-    painter.setPen(QPen(faint(theme.accent, 0.3F), kHalo, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
-    painter.drawPath(path);
-    painter.setPen(QPen(theme.accent, kOutline, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
-    painter.drawPath(path);
-  }
+  for (const Body& body : overlay.selected) paint_outline(painter, body, camera, theme);
+  for (const Body& body : overlay.lit) paint_outline(painter, body, camera, theme);
+  for (const Overlay::Link& link : overlay.links) paint_link(painter, link, camera, theme);
   if (overlay.drawn) {
     painter.setPen(QPen(theme.accent, kOutline));
     painter.setBrush(faint(theme.accent, 0.15F));

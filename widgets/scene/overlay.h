@@ -37,7 +37,17 @@ struct Overlay {
     std::optional<Vec2> next;  // at the mouse
     bool fault = false;        // of the next one
   };
+  // A joint, spring or force that is drawn, or chosen.
+  struct Link {
+    Vec2 from = Vec2::Zero();  // m
+    Vec2 to = Vec2::Zero();    // m
+    bool arrow = false;
+    bool chosen = false;
+    bool fault = false;
+  };
   std::vector<Body> selected;
+  std::vector<Body> lit;  // that an end is put on
+  std::vector<Link> links;
   std::vector<Ghost> ghosts;
   std::vector<Handle> handles;
   std::optional<QRectF> band;  // px, of the selection
@@ -49,8 +59,9 @@ struct Overlay {
   std::optional<std::pair<Vec2, Vec2>> blocked;  // m, the ends of a joint that allows nothing
 
   [[nodiscard]] bool empty() const {
-    return selected.empty() && ghosts.empty() && handles.empty() && !band && !drawn && corners.set.empty() &&
-           !corners.next && bubble.value.isEmpty() && overlaps.empty() && !blocked;
+    return selected.empty() && lit.empty() && links.empty() && ghosts.empty() && handles.empty() && !band &&
+           !drawn && corners.set.empty() && !corners.next && bubble.value.isEmpty() && overlaps.empty() &&
+           !blocked;
   }
 };
 

@@ -41,6 +41,7 @@ void SceneTools::add_usual() {
 }
 
 void SceneTools::draw() {
+  if (joint_tool(tool_) != nullptr) return end_link();
   const ShapeTool& tool = *shape_tool(tool_);
   if (tool.by_corners) return set_corner();
   add(tool.drag(stroke()));
@@ -88,6 +89,7 @@ void SceneTools::show_corners(Overlay& out) const {
 }
 
 void SceneTools::show_drawing(Overlay& out) const {
+  if (joint_tool(tool_) != nullptr) return show_joining(out);
   const ShapeTool* tool = shape_tool(tool_);
   if (tool == nullptr) return;
   const bool held = state_ == State::kPressed || state_ == State::kDraw;

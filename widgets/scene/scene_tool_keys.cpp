@@ -33,15 +33,18 @@ bool is_touch(int key, Qt::KeyboardModifiers keys) { return key == Qt::Key_K && 
 
 bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
   if (key == Qt::Key_Escape) {
-    return state_ != State::kNone || tool_ != SceneTool::kSelect || !selection_.empty();
+    return state_ != State::kNone || tool_ != SceneTool::kSelect || !selection_.empty() || part_;
   }
   if (key == Qt::Key_A && keys == Qt::ControlModifier) return bodies_ != nullptr;
-  if (is_enter(key, keys)) return shape_tool(tool_) != nullptr;
+  if (is_enter(key, keys)) return tool_ != SceneTool::kSelect;
   if (key == Qt::Key_Backspace && !draft_.empty()) return true;
   const std::shared_ptr<const Frame> frame = sight_().frame;
-  if (selection_.empty() || !frame || !frame->scene) return false;
+  if (!frame || !frame->scene) return false;
+  const bool removes = key == Qt::Key_Delete || key == Qt::Key_Backspace;
+  if (removes && part_) return true;
+  if (selection_.empty()) return false;
   if (is_touch(key, keys)) return can_touch();
-  return key == Qt::Key_Delete || key == Qt::Key_Backspace || key_edit(key, keys).has_value();
+  return removes || key_edit(key, keys).has_value();
 }
 
 bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
@@ -71,9 +74,9 @@ bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
 
 bool SceneTools::escape() {
   if (state_ == State::kDrag && emitted_) emit dragCancelled(drags_);
-  if (state_ != State::kNone || !draft_.empty()) {
+  if (state_ != State::kNone || has_draft()) {
     if (state_ != State::kNone) state_ = State::kMute;
-    drop_corners();
+    drop_draft();
   } else if (tool_ != SceneTool::kSelect) {
     set_tool(SceneTool::kSelect, false);
   } else {
@@ -82,20 +85,22 @@ bool SceneTools::escape() {
   return true;
 }
 
-// What a click draws, at the mouse or else in the middle of the view.
+// What a click draws, or what joins the selected bodies, at the mouse or else in the middle of the view.
 void SceneTools::enter() {
   if (!draft_.empty()) return close_polygon();
   const QSizeF view = sight_().camera.viewport;
   if (!over_) mouse_ = {0.5 * view.width(), 0.5 * view.height()};
   press_ = mouse_;
   keys_ = {};
+  if (joint_tool(tool_) != nullptr) return join_selected();
   add_usual();
 }
 
 void SceneTools::remove_selected() {
   row_ = {};
   end_note();
-  const Deletion removed = deletion(*sight_().frame->scene, selection_.names());
+  const Scene& scene = *sight_().frame->scene;
+  const Deletion removed = part_ ? deletion(scene, *part_) : deletion(scene, selection_.names());
   if (!removed.edits.empty()) emit edited(removed.edits, removed.name, ++drags_);
 }
 

@@ -41,6 +41,7 @@ void SceneTools::end_note() {
 // --- selection
 
 void SceneTools::set_selection(const std::vector<std::string>& names) {
+  choose(std::nullopt);
   if (!selection_.set(names)) return;
   end_note();
   emit selectionChanged(selection_.names());
@@ -107,7 +108,9 @@ void SceneTools::frame_changed() {
       emit selectionChanged(selection_.names());
     }
   }
-  if (!frame) draft_.clear();
+  if (!frame) drop_draft();
+  if (first_end_ && !first_end_->body.empty() && !index_.contains(first_end_->body)) first_end_.reset();
+  if (part_ && (!frame || (frame->scene && !has_part(*frame->scene, *part_)))) choose(std::nullopt);
   if (!frame || !frame->scene) end_note();
   const bool held = frame && frame->scene && grab_ && index_.contains(grab_->body);
   if (state_ == State::kDrag && !held) state_ = State::kMute;
@@ -119,13 +122,14 @@ void SceneTools::set_tool(SceneTool tool, bool keep) {
   keep_tool_ = keep;
   if (tool == tool_) return;
   tool_ = tool;
-  draft_.clear();
+  drop_draft();
   emit toolChanged(tool);
   emit changed();
 }
 
-void SceneTools::drop_corners() {
+void SceneTools::drop_draft() {
   draft_.clear();
+  first_end_.reset();
   emit changed();
 }
 
@@ -144,7 +148,9 @@ std::vector<Handle> SceneTools::handles(const SceneSight& sight) const {
 std::optional<SceneTools::Grab> SceneTools::grab_at(const QPointF& at) const {
   const SceneSight sight = sight_();
   const ShapeTool* tool = shape_tool(tool_);
-  if (!sight.frame || (tool != nullptr && tool->over_bodies)) return std::nullopt;
+  if (!sight.frame || joint_tool(tool_) != nullptr || (tool != nullptr && tool->over_bodies)) {
+    return std::nullopt;
+  }
   if (const auto handle = handle_at(handles(sight), at)) {
     return Grab{handle->kind, selection_.names()[handle->body]};
   }
@@ -166,7 +172,7 @@ void SceneTools::press(const QPointF& at, bool repeated) {
   over_ = true;
   // The second click of a double click closes a polygon; it would hit the body of the first.
   if (repeated && !draft_.empty()) close_polygon();
-  state_ = repeated && shape_tool(tool_) != nullptr ? State::kMute : State::kPressed;
+  state_ = repeated && tool_ != SceneTool::kSelect ? State::kMute : State::kPressed;
   emit changed();
 }
 
@@ -182,20 +188,19 @@ void SceneTools::hover(const QPointF& at, Qt::KeyboardModifiers keys) {
   mouse_ = at;
   keys_ = keys;
   over_ = true;
-  if (draft_.empty()) return;
-  end_note();
-  emit changed();
+  if (has_draft()) end_note();
+  if (has_draft() || joint_tool(tool_) != nullptr) emit changed();
 }
 
 void SceneTools::leave() {
   over_ = false;
-  if (!draft_.empty()) emit changed();
+  if (has_draft() || joint_tool(tool_) != nullptr) emit changed();
 }
 
 void SceneTools::hold_keys(Qt::KeyboardModifiers keys) {
   if (state_ == State::kDrag || state_ == State::kDraw) {
     move(mouse_, keys);
-  } else if (!draft_.empty()) {
+  } else if (has_draft()) {
     keys_ = keys;
     emit changed();
   }
@@ -203,7 +208,8 @@ void SceneTools::hold_keys(Qt::KeyboardModifiers keys) {
 
 void SceneTools::begin() {
   if (!grab_) {
-    state_ = shape_tool(tool_) != nullptr ? State::kDraw : State::kBand;
+    state_ = tool_ != SceneTool::kSelect ? State::kDraw : State::kBand;
+    if (joint_tool(tool_) != nullptr) begin_link();
   } else {
     begin_drag();
   }
@@ -265,6 +271,7 @@ void SceneTools::release(const QPointF& at, Qt::KeyboardModifiers keys) {
 
 void SceneTools::click(Qt::KeyboardModifiers keys) {
   const bool shift = keys.testFlag(Qt::ShiftModifier);
+  if (const auto part = part_under(press_)) return choose(part);
   if (grab_ && grab_->kind == HandleKind::kBody) {
     Selection next = selection_;
     if (shift) {
@@ -273,6 +280,8 @@ void SceneTools::click(Qt::KeyboardModifiers keys) {
       next.set({grab_->body});
     }
     set_selection(next.names());
+  } else if (!grab_ && joint_tool(tool_) != nullptr) {
+    set_end();
   } else if (!grab_ && shape_tool(tool_) != nullptr) {
     if (shape_tool(tool_)->by_corners) {
       set_corner();
@@ -303,7 +312,7 @@ void SceneTools::select_band(Qt::KeyboardModifiers keys) {
 Qt::CursorShape SceneTools::cursor(const QPointF& at) const {
   if (state_ == State::kDrag && grab_->kind == HandleKind::kBody) return Qt::ClosedHandCursor;
   const std::optional<Grab> grab = state_ == State::kNone ? grab_at(at) : grab_;
-  if (!grab) return shape_tool(tool_) != nullptr ? Qt::CrossCursor : Qt::ArrowCursor;
+  if (!grab) return tool_ != SceneTool::kSelect ? Qt::CrossCursor : Qt::ArrowCursor;
   switch (grab->kind) {
     case HandleKind::kBody:
       return Qt::OpenHandCursor;
@@ -336,6 +345,7 @@ Overlay SceneTools::overlay() const {
     out.band = QRectF(press_, mouse_).normalized();
   } else {
     out.bubble = note_;
+    show_part(out);
     show_drawing(out);
   }
   return out;

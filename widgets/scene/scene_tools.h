@@ -14,11 +14,14 @@
 
 #include "physics/record/frame.h"
 #include "physics/scene/edit.h"
+#include "physics/scene/part_id.h"
 #include "widgets/scene/camera.h"
 #include "widgets/scene/drag.h"
+#include "widgets/scene/joint_tools.h"
 #include "widgets/scene/key_edits.h"
 #include "widgets/scene/overlay.h"
 #include "widgets/scene/polygon_draft.h"
+#include "widgets/scene/scene_parts.h"
 #include "widgets/scene/selection.h"
 #include "widgets/scene/shape_tools.h"
 
@@ -31,9 +34,11 @@ inline constexpr double kDragBegins = 4.0;
 struct SceneSight {
   std::shared_ptr<const Frame> frame;
   Camera camera;
-  double arrow_seconds = 0.1;  // m of arrow per m/s
-  bool grid = true;            // is drawn
-  bool velocities = true;      // are drawn
+  double arrow_seconds = 0.1;      // m of arrow per m/s
+  double metres_per_newton = 0.1;  // of arrow
+  bool grid = true;                // is drawn
+  bool velocities = true;          // are drawn
+  bool forces_shown = false;       // so that the scale of their arrows is one to keep to
 };
 
 // Draws, selects and edits bodies by mouse and keys. It changes nothing itself: signals say what is wanted, and
@@ -47,13 +52,16 @@ class SceneTools : public QObject {
 
   [[nodiscard]] const std::vector<std::string>& selection() const { return selection_.names(); }
   void select(const std::vector<std::string>& names);
+  // The chosen joint, spring or force; no body is selected then.
+  [[nodiscard]] const std::optional<PartId>& part() const { return part_; }
+  void choose(const std::optional<PartId>& part);
   // The next or previous body; false after the last one.
   bool select_next(bool forward);
   [[nodiscard]] SceneTool tool() const { return tool_; }
   // After one use it is kSelect again, unless it is kept.
   void set_tool(SceneTool tool, bool keep);
-  // Forgets the corners of a polygon that is not closed yet.
-  void drop_corners();
+  // Forgets the corners of a polygon that is not closed yet, and the first end of a link.
+  void drop_draft();
 
   // The frame of the sight is another one.
   void frame_changed();
@@ -78,6 +86,7 @@ class SceneTools : public QObject {
 
  signals:
   void selectionChanged(const std::vector<std::string>& names);
+  void partChosen();  // part() is another one
   void edited(const carom::SceneEdits& edits, const QString& name, int drag);
   void dragCancelled(int drag);
   void toolChanged(carom::SceneTool tool);
@@ -113,6 +122,7 @@ class SceneTools : public QObject {
   // Keeps a bubble for a while.
   void note(const Overlay::Bubble& bubble);
   void end_note();
+  [[nodiscard]] bool has_draft() const { return !draft_.empty() || first_end_.has_value(); }
   void set_selection(const std::vector<std::string>& names);
   void begin();
   void begin_drag();
@@ -132,6 +142,17 @@ class SceneTools : public QObject {
   void close_polygon();
   void show_corners(Overlay& out) const;
   void show_drawing(Overlay& out) const;
+  // Joints, springs and forces (scene_tool_join.cpp).
+  [[nodiscard]] JointSight joint_sight(const QPointF& at) const;
+  [[nodiscard]] std::optional<LinkEnds> drawn_ends() const;
+  void begin_link();
+  void end_link();
+  void set_end();
+  void join(const LinkEnds& ends);
+  void join_selected();
+  void show_joining(Overlay& out) const;
+  [[nodiscard]] std::optional<PartId> part_under(const QPointF& at) const;
+  void show_part(Overlay& out) const;
   // Keys (scene_tool_keys.cpp).
   void enter();
   bool escape();
@@ -153,6 +174,8 @@ class SceneTools : public QObject {
   SceneTool tool_ = SceneTool::kSelect;
   bool keep_tool_ = false;
   PolygonDraft draft_;
+  std::optional<LinkEnd> first_end_;  // that a click has set
+  std::optional<PartId> part_;
 
   State state_ = State::kNone;
   QPointF press_;

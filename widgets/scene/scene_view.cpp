@@ -12,6 +12,7 @@
 
 #include "widgets/print/picture_file.h"
 #include "widgets/scene/body_text.h"
+#include "widgets/scene/force_tool.h"
 #include "widgets/scene/gl_canvas.h"
 #include "widgets/scene/hit.h"
 #include "widgets/scene/paint_drawing.h"
@@ -46,9 +47,10 @@ SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
   canvas_->lower();
   tools_ = new SceneTools([this] { return sight(); }, this);
   connect(tools_, &SceneTools::selectionChanged, this, &SceneView::selectionChanged);
+  connect(tools_, &SceneTools::partChosen, this, &SceneView::partChosen);
   connect(tools_, &SceneTools::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
     held_camera_ = true;
-    if (!held_arrows_) held_arrows_ = arrows();
+    hold_arrows(edits);
     emit edited(edits, name, drag);
   });
   connect(tools_, &SceneTools::dragCancelled, this, &SceneView::dragCancelled);
@@ -103,7 +105,7 @@ void SceneView::set_view(const std::optional<View>& view) {
   held_camera_ = false;
   held_arrows_.reset();
   peaks_ = {};
-  tools_->drop_corners();
+  tools_->drop_draft();
   if (frame_) peaks_.observe(*frame_);
   go_home();
   refresh();
@@ -175,10 +177,29 @@ void SceneView::release_arrows() {
   if (peaks_.speed * held_arrows_->seconds > kLongestHeld * home_side_) held_arrows_.reset();
 }
 
+// So that what is drawn keeps its length: the first force too, which sets the scale.
+void SceneView::hold_arrows(const SceneEdits& edits) {
+  if (!held_arrows_) held_arrows_ = arrows();
+  const auto* added = edits.empty() ? nullptr : std::get_if<Add<AppliedForce>>(&edits.front());
+  if (added == nullptr || shows_forces()) return;
+  if (const auto body = body_at_end(*frame_, {added->part.body, Vec2::Zero()})) {
+    held_arrows_->metres_per_newton = usual_metres_per_newton(*frame_, *body, picture_.camera.scale);
+  }
+}
+
+bool SceneView::shows_forces() const { return peaks_.force > 0.0 || peaks_.contact_force > 0.0; }
+
 ArrowScale SceneView::arrows() const { return held_arrows_.value_or(arrow_scale(peaks_, home_side_)); }
 
 SceneSight SceneView::sight() const {
-  return {frame_, picture_.camera, arrows().seconds, options_.grid, options_.velocities};
+  const ArrowScale scale = arrows();
+  return {.frame = frame_,
+          .camera = picture_.camera,
+          .arrow_seconds = scale.seconds,
+          .metres_per_newton = scale.metres_per_newton,
+          .grid = options_.grid,
+          .velocities = options_.velocities,
+          .forces_shown = shows_forces()};
 }
 
 SceneLook SceneView::look() const { return {picture_.camera, home_side_, options_, picture_.theme, peaks_}; }

@@ -53,6 +53,9 @@ class SceneView : public QWidget {
   // The selected bodies, by name; those that vanish drop out.
   [[nodiscard]] const std::vector<std::string>& selection() const { return tools_->selection(); }
   void select(const std::vector<std::string>& names) { tools_->select(names); }
+  // The chosen joint, spring or force; no body is selected then.
+  [[nodiscard]] const std::optional<PartId>& part() const { return tools_->part(); }
+  void choose_part(const std::optional<PartId>& part) { tools_->choose(part); }
   [[nodiscard]] SceneTool tool() const { return tools_->tool(); }
   // After one use it is kSelect again, unless it is kept.
   void set_tool(SceneTool tool, bool keep = false) { tools_->set_tool(tool, keep); }
@@ -62,6 +65,7 @@ class SceneView : public QWidget {
 
  signals:
   void selectionChanged(const std::vector<std::string>& names);
+  void partChosen();  // part() is another one
   // What the user wants changed, as it stands now: a drag, or a row of keys, tells each change under the same
   // number, and all of them are one step of undo.
   void edited(const carom::SceneEdits& edits, const QString& name, int drag);
@@ -99,6 +103,8 @@ class SceneView : public QWidget {
   void refresh_tools();
   void release_arrows();
   [[nodiscard]] ArrowScale arrows() const;
+  void hold_arrows(const SceneEdits& edits);
+  [[nodiscard]] bool shows_forces() const;
   [[nodiscard]] SceneSight sight() const;
   [[nodiscard]] int body_under(const QPointF& position) const;
   void follow_tip();  // updates the visible tooltip, or hides it if its body is gone

@@ -7,7 +7,7 @@
 
 namespace carom {
 
-enum class SceneTool { kSelect, kDisc, kBox, kPolygon, kWall };
+enum class SceneTool { kSelect, kDisc, kBox, kPolygon, kWall, kRod, kString, kSpring, kPin, kWeld, kForce };
 
 // A press of the mouse, and where the mouse is now.
 struct Stroke {

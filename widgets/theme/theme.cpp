@@ -52,7 +52,7 @@ QMenu::item:disabled { color: %5; }
 QMenu::separator { height: 1px; background: %3; margin: 4px 6px; }
 QToolBar { background: %2; border: none; border-bottom: 1px solid %3; padding: 4px 8px; spacing: 4px; }
 QToolBar::separator { width: 1px; background: %3; margin: 6px 6px; }
-QToolBar#column { border: 1px solid %3; border-radius: 6px; padding: 3px 2px; }
+QToolBar#column { border: 1px solid %3; border-radius: 6px; padding: 3px 2px; spacing: 1px; }
 QToolBar#column::separator { height: 1px; margin: 4px 4px; }
 QToolButton { border: 1px solid transparent; border-radius: 6px; padding: 5px; background: transparent; }
 QToolButton:hover { background: %7; }

@@ -206,6 +206,46 @@ TEST_F(LabHandsTest, ADrawnBodyPausesARunAndBeginsAnew) {
   ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
 }
 
+TEST_F(LabHandsTest, ARodKeepsTwoDiscsApartUntilItIsDeleted) {
+  action("New")->trigger();
+  ASSERT_TRUE(wait_for([this] { return window_.frame() && window_.frame()->bodies->empty(); }));
+  const auto has = [this](std::size_t bodies, std::size_t joints) {
+    return wait_for([=, this] {
+      return window_.frame()->bodies->size() == bodies && window_.frame()->joints.size() == joints;
+    });
+  };
+  key(Qt::Key_D);
+  drag({-0.8, 0.0}, {-0.6, 0.0});
+  ASSERT_TRUE(has(1, 0));
+  key(Qt::Key_D);
+  drag({0.8, 0.0}, {1.0, 0.0});
+  ASSERT_TRUE(has(2, 0));
+  key(Qt::Key_Escape);
+  select({-0.8, 0.0});
+  key(Qt::Key_Up, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(shows_start());
+  key(Qt::Key_O);
+  EXPECT_TRUE(button("Rod")->isChecked());
+  drag({-0.8, 0.0}, {0.8, 0.0});
+  ASSERT_TRUE(has(2, 1));
+  EXPECT_TRUE(button("Select")->isChecked());
+  ASSERT_TRUE(shows_start());
+  const auto distance = [this] { return (now("A").position - now("B").position).norm(); };
+  const double length = distance();
+  window_.run_until(1.0);
+  EXPECT_NEAR(distance(), length, 1e-9);
+  EXPECT_GT(std::abs(now("A").position.y() - now("B").position.y()), 0.1) << "they turn about each other";
+  select(0.5 * (now("A").position + now("B").position));
+  ASSERT_TRUE(window_.scene_view().part());
+  EXPECT_TRUE(window_.scene_view().selection().empty());
+  key(Qt::Key_Delete);
+  ASSERT_TRUE(has(2, 0));
+  EXPECT_FALSE(window_.scene_view().part());
+  EXPECT_EQ(window_.session().edits().undoText(), "Delete Rod 1");
+  undo();
+  ASSERT_TRUE(has(2, 1));
+}
+
 TEST_F(LabHandsTest, CopiesAndDeletes) {
   ASSERT_TRUE(window_.open("head-on"));
   ASSERT_TRUE(shows_start());

@@ -274,7 +274,8 @@ void Monkey::key() {
       Qt::Key_Up,        Qt::Key_Down,    Qt::Key_Left,     Qt::Key_Right, Qt::Key_Return, Qt::Key_Escape,
       Qt::Key_Tab,       Qt::Key_Backtab, Qt::Key_Space,    Qt::Key_Home,  Qt::Key_End,    Qt::Key_Delete,
       Qt::Key_Backspace, Qt::Key_PageUp,  Qt::Key_PageDown, Qt::Key_R,     Qt::Key_C,      Qt::Key_F,
-      Qt::Key_Period,    Qt::Key_Menu,    Qt::Key_B,        Qt::Key_P,     Qt::Key_W,      Qt::Key_D};
+      Qt::Key_Period,    Qt::Key_Menu,    Qt::Key_B,        Qt::Key_P,     Qt::Key_W,      Qt::Key_D,
+      Qt::Key_O,         Qt::Key_T,       Qt::Key_S,        Qt::Key_N,     Qt::Key_J,      Qt::Key_A};
   const auto chosen = kKeys[static_cast<std::size_t>(below(static_cast<int>(kKeys.size())))];
   const Qt::KeyboardModifiers held = once_in(4) ? modifiers() : Qt::NoModifier;
   QString text;

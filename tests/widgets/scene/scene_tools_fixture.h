@@ -54,6 +54,7 @@ class SceneToolsTest : public testing::Test {
     const Simulation run(setup_of(preset));
     auto frame = frame_of(run);
     frame->run = run_;
+    frame->forces = std::make_shared<const Forces>(scene_.forces);
     if (paused) frame->scene = std::make_shared<const Scene>(scene_now(run));
     view_.set_frame(frame);
   }

@@ -1,0 +1,341 @@
+#include <numbers>
+
+#include "tests/widgets/scene/scene_tools_fixture.h"
+
+// The tools that draw joints, springs and forces, and the choice of one. Disc A (radius 0.5 m) stands at (1,
+// 1), which is (200, 200) px, disc B (0.25 m) at (3, 1), which is (400, 200) px; both at rest. 1 px is 1 cm.
+namespace carom {
+namespace {
+
+class JointToolsTest : public SceneToolsTest {
+ protected:
+  void SetUp() override {
+    SceneToolsTest::SetUp();
+    body("A").velocity.setZero();
+    show(true);
+  }
+  [[nodiscard]] Body& body(const std::string& name) {
+    return *std::find_if(scene_.bodies.begin(), scene_.bodies.end(),
+                         [&](const Body& each) { return each.name == name; });
+  }
+  template <class Part>
+  [[nodiscard]] const Part& added() {
+    return std::get<Add<Part>>(told_.at(told_.size() - 1).edits.at(0)).part;
+  }
+  void key(Qt::Key k) { QTest::keyClick(&view_, k); }
+  void hover(const QPoint& at) {
+    QMouseEvent event(QEvent::MouseMove, at, view_.mapToGlobal(QPointF(at)), Qt::NoButton, Qt::NoButton, {});
+    QGuiApplication::sendEvent(&view_, &event);
+  }
+  // The scene with a part, shown.
+  template <class Part>
+  void put(const Part& part) {
+    apply_edit(scene_, Add<Part>{part});
+    show(true);
+  }
+  void put_rod() {
+    Joint rod;
+    rod.name = "Rod 1";
+    rod.body = "A";
+    rod.to = "B";
+    put(rod);
+  }
+  static bool near(const Vec2& a, const Vec2& b) { return (a - b).norm() < 1e-9; }
+
+  const QPoint a_centre_{203, 204};
+  const QPoint b_centre_{396, 202};
+};
+
+TEST_F(JointToolsTest, ADragDrawsARodBetweenCentres) {
+  view_.set_tool(SceneTool::kRod);
+  EXPECT_EQ(view_.cursor().shape(), Qt::CrossCursor);
+  drag(a_centre_, b_centre_);
+  ASSERT_EQ(told_.size(), 1U);
+  EXPECT_EQ(told_[0].name, "Add rod from A to B");
+  const Joint& rod = added<Joint>();
+  EXPECT_EQ(rod.kind, JointKind::kRod);
+  EXPECT_EQ(rod.name, "Rod 1");
+  EXPECT_EQ(rod.body, "A");
+  EXPECT_EQ(rod.to, "B");
+  EXPECT_EQ(rod.point, Vec2(0.0, 0.0));
+  EXPECT_EQ(rod.anchor, Vec2(0.0, 0.0));
+  EXPECT_FALSE(rod.length);
+  EXPECT_EQ(view_.tool(), SceneTool::kSelect);
+}
+
+TEST_F(JointToolsTest, TwoClicksHangABodyOnAStringFromThePlane) {
+  answers_ = true;
+  view_.set_tool(SceneTool::kString, true);
+  click(QPoint(303, 57));  // near a crossing of the grid
+  EXPECT_TRUE(told_.empty());
+  click(a_centre_);
+  ASSERT_EQ(told_.size(), 1U);
+  EXPECT_EQ(told_[0].name, "Add string from A to the plane");
+  EXPECT_EQ(added<Joint>().kind, JointKind::kString);
+  EXPECT_EQ(added<Joint>().body, "A");
+  EXPECT_TRUE(added<Joint>().to.empty());
+  EXPECT_TRUE(near(added<Joint>().anchor, {2.0, 2.4}));
+  click(a_centre_);
+  click(QPoint(100, 60));
+  EXPECT_EQ(added<Joint>().name, "String 2");
+  EXPECT_EQ(view_.tool(), SceneTool::kString);
+}
+
+TEST_F(JointToolsTest, AnEndHoldsAnyPointOfABodyAlongItsAxes) {
+  body("A").angle = 0.5 * std::numbers::pi;
+  show(true);
+  view_.set_tool(SceneTool::kRod, true);
+  drag(a_, b_centre_);  // 0.2 m below the centre
+  EXPECT_TRUE(near(added<Joint>().point, {-0.2, 0.0}));
+  drag(a_centre_, QPoint(303, 57), Qt::ControlModifier);
+  EXPECT_TRUE(near(added<Joint>().point, {-0.04, -0.03}));
+  EXPECT_TRUE(near(added<Joint>().anchor, {2.03, 2.43}));
+  // The floor doesn't move: it is the other end.
+  drag(QPoint(300, 310), b_centre_);
+  EXPECT_EQ(added<Joint>().body, "B");
+  EXPECT_EQ(added<Joint>().to, "floor");
+  EXPECT_TRUE(near(added<Joint>().anchor, {0.0, 0.0}));
+}
+
+TEST_F(JointToolsTest, ASpringJoinsCentresAndIsRelaxed) {
+  body("A").mass = 2.0;
+  body("B").mass = 1.0;
+  show(true);
+  view_.set_tool(SceneTool::kSpring, true);
+  drag(a_, QPoint(410, 190));
+  EXPECT_EQ(told_.back().name, "Add spring from A to B");
+  EXPECT_EQ(added<Spring>().name, "Spring 1");
+  EXPECT_EQ(added<Spring>().stiffness, 40.0);  // (2π)² of 1 kg
+  EXPECT_EQ(added<Spring>().damping, 0.0);
+  EXPECT_EQ(added<Spring>().rest_length, 2.0);
+  drag(QPoint(200, 80), a_);
+  EXPECT_EQ(told_.back().name, "Add spring from A to the plane");
+  EXPECT_EQ(added<Spring>().stiffness, 80.0);
+  EXPECT_TRUE(near(added<Spring>().anchor, {1.0, 2.2}));
+  EXPECT_NEAR(added<Spring>().rest_length, 1.2, 1e-12);
+}
+
+TEST_F(JointToolsTest, AClickPinsTwoBodiesOrOneToThePlane) {
+  body("B").position = Vec2(1.6, 1.0);
+  show(true);
+  view_.set_tool(SceneTool::kPin, true);
+  click(QPoint(242, 200));
+  EXPECT_EQ(told_.back().name, "Add pin");
+  EXPECT_EQ(added<Joint>().kind, JointKind::kPin);
+  EXPECT_EQ(added<Joint>().body, "B");
+  EXPECT_EQ(added<Joint>().to, "A");
+  EXPECT_TRUE(near(added<Joint>().point, {-0.18, 0.0}));
+  EXPECT_TRUE(near(added<Joint>().anchor, {0.42, 0.0}));
+  click(a_centre_);
+  EXPECT_TRUE(added<Joint>().to.empty());
+  EXPECT_TRUE(near(added<Joint>().point, {0.0, 0.0}));
+  EXPECT_TRUE(near(added<Joint>().anchor, {1.0, 1.0}));
+  click(empty_);
+  click(QPoint(500, 310));  // the floor
+  EXPECT_EQ(told_.size(), 2U);
+}
+
+TEST_F(JointToolsTest, AWeldHoldsInTheMiddleBetweenTwoBodies) {
+  view_.set_tool(SceneTool::kWeld, true);
+  click(a_);
+  click(b_);
+  EXPECT_EQ(told_.back().name, "Add weld from A to B");
+  EXPECT_EQ(added<Joint>().kind, JointKind::kWeld);
+  // The rims are at 1.5 and 2.75 m.
+  EXPECT_TRUE(near(added<Joint>().point, {1.125, 0.0}));
+  EXPECT_TRUE(near(added<Joint>().anchor, {-0.875, 0.0}));
+  EXPECT_FALSE(added<Joint>().angle);
+  drag(b_, QPoint(300, 310));
+  EXPECT_EQ(added<Joint>().body, "B");
+  EXPECT_EQ(added<Joint>().to, "floor");
+  click(empty_);
+  drag(a_, empty_);
+  EXPECT_EQ(told_.size(), 2U);
+}
+
+TEST_F(JointToolsTest, AForceIsPulledOutOfABody) {
+  body("A").mass = 1.0;
+  show(true);
+  view_.set_tool(SceneTool::kForce, true);
+  drag(a_, QPoint(296, 203));  // 100 px are 1 N
+  EXPECT_EQ(told_.back().name, "Add force on A");
+  EXPECT_EQ(added<AppliedForce>().body, "A");
+  EXPECT_TRUE(near(added<AppliedForce>().force, {0.95, 0.0}));
+  drag(a_, QPoint(290, 160), Qt::ControlModifier);
+  EXPECT_TRUE(near(added<AppliedForce>().force, {0.9, 0.4}));
+  drag(a_, QPoint(270, 135), Qt::ShiftModifier);
+  EXPECT_EQ(added<AppliedForce>().force.y(), 0.0);
+  click(a_);
+  click(QPoint(200, 100));
+  EXPECT_TRUE(near(added<AppliedForce>().force, {0.0, 1.0}));
+  drag(empty_, a_);
+  drag(QPoint(300, 310), a_);
+  click(a_);
+  click(QPoint(200, 200));  // no length
+  EXPECT_EQ(told_.size(), 4U);
+}
+
+TEST_F(JointToolsTest, TheFirstForceKeepsTheLengthItWasDrawnWith) {
+  answers_ = true;
+  body("A").mass = 1.0;
+  show(true);
+  view_.set_tool(SceneTool::kForce);
+  drag(a_, QPoint(350, 200));
+  ASSERT_FALSE(view_.drawing().arrows.empty());
+  EXPECT_TRUE(near(view_.drawing().arrows.back().to, {2.5, 1.0}));
+}
+
+TEST_F(JointToolsTest, EndsThatCannotBeMakeNothing) {
+  for (const SceneTool tool : {SceneTool::kRod, SceneTool::kString, SceneTool::kSpring}) {
+    view_.set_tool(tool, true);
+    drag(a_, QPoint(200, 170));               // both on A
+    drag(empty_, QPoint(400, 60));            // both in the plane
+    drag(QPoint(200, 310), QPoint(400, 60));  // the floor and the plane
+    drag(QPoint(100, 60), QPoint(300, 310));  // likewise
+    EXPECT_TRUE(told_.empty());
+    EXPECT_EQ(view_.tool(), tool);
+  }
+}
+
+TEST_F(JointToolsTest, ARodAndAPinWantEndsThatStayTogether) {
+  body("A").velocity = Vec2(-1.0, 0.0);
+  show(true);
+  view_.set_tool(SceneTool::kRod, true);
+  drag(a_centre_, b_centre_);
+  view_.set_tool(SceneTool::kPin, true);
+  click(a_);
+  EXPECT_TRUE(told_.empty());
+  // A string may tighten later, and a rod lets its ends circle.
+  view_.set_tool(SceneTool::kString, true);
+  drag(a_centre_, b_centre_);
+  view_.set_tool(SceneTool::kRod, true);
+  drag(a_centre_, QPoint(200, 80));
+  EXPECT_EQ(told_.size(), 2U);
+}
+
+TEST_F(JointToolsTest, EscapeTakesBackTheFirstEndThenTheTool) {
+  view_.set_tool(SceneTool::kRod);
+  click(a_);
+  key(Qt::Key_Escape);
+  EXPECT_EQ(view_.tool(), SceneTool::kRod);
+  click(empty_);  // a first end again
+  EXPECT_TRUE(told_.empty());
+  press(a_);
+  move(b_);
+  key(Qt::Key_Escape);
+  release(b_);
+  EXPECT_TRUE(told_.empty());
+  key(Qt::Key_Escape);
+  EXPECT_EQ(view_.tool(), SceneTool::kSelect);
+}
+
+TEST_F(JointToolsTest, EnterJoinsTheSelectedBodies) {
+  view_.select({"B", "A"});
+  for (const SceneTool tool : {SceneTool::kRod, SceneTool::kSpring, SceneTool::kPin, SceneTool::kWeld}) {
+    view_.set_tool(tool);
+    key(Qt::Key_Return);
+    EXPECT_EQ(view_.tool(), SceneTool::kSelect);
+  }
+  ASSERT_EQ(told_.size(), 4U);
+  EXPECT_EQ(told_[0].name, "Add rod from B to A");
+  EXPECT_EQ(told_[1].name, "Add spring from B to A");
+  view_.select({"B"});
+  view_.set_tool(SceneTool::kRod);
+  key(Qt::Key_Return);
+  EXPECT_EQ(told_.back().name, "Add rod from B to the plane");
+  EXPECT_TRUE(near(added<Joint>().anchor, {2.0, 1.0}));  // the middle of the view
+  view_.set_tool(SceneTool::kForce);
+  key(Qt::Key_Return);
+  EXPECT_EQ(told_.back().name, "Add force on B");
+  EXPECT_GT(added<AppliedForce>().force.x(), 0.0);
+  EXPECT_EQ(added<AppliedForce>().force.y(), 0.0);
+  view_.select({});
+  view_.set_tool(SceneTool::kRod);
+  key(Qt::Key_Return);
+  EXPECT_EQ(told_.size(), 6U);
+}
+
+TEST_F(JointToolsTest, TheJointToTheMouseIsShown) {
+  view_.set_tool(SceneTool::kRod);
+  click(a_);
+  hover(QPoint(300, 100));
+  const QImage before = view_.grab().toImage();
+  hover(QPoint(340, 100));
+  EXPECT_NE(view_.grab().toImage(), before);
+}
+
+TEST_F(JointToolsTest, AClickChoosesAJointAndDeleteTakesItOut) {
+  put_rod();
+  const QImage before = view_.grab().toImage();
+  click(QPoint(300, 205));
+  ASSERT_TRUE(view_.part());
+  EXPECT_EQ(std::get<Id<Joint>>(*view_.part()), scene_.joints[0].id);
+  EXPECT_NE(view_.grab().toImage(), before);
+  answers_ = true;
+  key(Qt::Key_Delete);
+  ASSERT_EQ(told_.size(), 1U);
+  EXPECT_EQ(told_[0].name, "Delete Rod 1");
+  EXPECT_TRUE(scene_.joints.empty());
+  EXPECT_FALSE(view_.part());
+}
+
+TEST_F(JointToolsTest, AJointIsChosenInsteadOfBodies) {
+  put_rod();
+  click(a_);
+  click(QPoint(300, 200));
+  EXPECT_TRUE(view_.part());
+  EXPECT_TRUE(view_.selection().empty());
+  click(a_);
+  EXPECT_FALSE(view_.part());
+  EXPECT_EQ(view_.selection(), Names{"A"});
+  click(QPoint(300, 200));
+  click(empty_);
+  EXPECT_FALSE(view_.part());
+  click(QPoint(300, 200));
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(view_.part());
+  click(QPoint(300, 209));  // too far from it
+  EXPECT_FALSE(view_.part());
+}
+
+TEST_F(JointToolsTest, SpringsForcesAndPinsAreChosenToo) {
+  Spring spring;
+  spring.body = "A";
+  spring.anchor = Vec2(1.0, 2.4);
+  put(spring);
+  AppliedForce force;
+  force.body = "B";
+  force.force = Vec2(1.0, 0.0);
+  put(force);
+  Joint pin;
+  pin.kind = JointKind::kPin;
+  pin.body = "B";
+  pin.anchor = Vec2(3.0, 1.0);
+  put(pin);
+  answers_ = true;
+  click(QPoint(200, 100));
+  key(Qt::Key_Delete);
+  EXPECT_EQ(told_.back().name, "Delete a spring");
+  click(QPoint(400, 200));
+  ASSERT_TRUE(view_.part());
+  EXPECT_TRUE(std::holds_alternative<Id<Joint>>(*view_.part()));
+  click(QPoint(400, 200));  // then the body under it
+  EXPECT_EQ(view_.selection(), Names{"B"});
+  click(empty_);  // no handles
+  const Vec2 tip = view_.drawing().arrows.back().to;
+  click(view_.camera().to_screen(tip - Vec2(0.02, 0.0)).toPoint());
+  key(Qt::Key_Delete);
+  EXPECT_EQ(told_.back().name, "Delete a force on B");
+}
+
+TEST_F(JointToolsTest, NothingIsChosenWhileTheRunPlays) {
+  put_rod();
+  show(false);
+  click(QPoint(300, 200));
+  EXPECT_FALSE(view_.part());
+  key(Qt::Key_Delete);
+  EXPECT_TRUE(told_.empty());
+}
+
+}  // namespace
+}  // namespace carom

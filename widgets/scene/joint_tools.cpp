@@ -1,0 +1,295 @@
+#include "widgets/scene/joint_tools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "physics/math/vectors.h"
+#include "widgets/scene/edit_names.h"
+#include "widgets/scene/force_tool.h"
+#include "widgets/scene/hit.h"
+#include "widgets/scene/snap.h"
+
+namespace carom {
+namespace {
+
+constexpr double kSpringFrequency = 1.0;  // Hz, of the lighter body on a new spring
+constexpr double kSlack = 1e-6;           // of the speeds, at which ends still move together
+
+bool moves(const std::optional<Body>& body) { return body && !has_infinite_mass(*body); }
+
+double with_one_figure(double value) { return snapped(value, std::pow(10.0, std::floor(std::log10(value)))); }
+
+QString name_of_end(const LinkEnd& end) {
+  return end.body.empty() ? QStringLiteral("the plane") : QString::fromStdString(end.body);
+}
+
+// "Rod 1", "Rod 2", ...: the first name that no joint and no spring has.
+std::string free_name(const Frame& frame, const char* noun) {
+  std::string stem(noun);
+  stem[0] = static_cast<char>(stem[0] - 'a' + 'A');
+  const Scene* scene = frame.scene ? frame.scene.get() : nullptr;
+  if (scene == nullptr && frame.setup) scene = &frame.setup->scene;
+  if (scene == nullptr) return stem + " 1";
+  for (int number = 1;; ++number) {
+    std::string name = stem + " " + std::to_string(number);
+    const auto has_it = [&](const auto& part) { return part.name == name; };
+    if (std::none_of(scene->joints.begin(), scene->joints.end(), has_it) &&
+        std::none_of(scene->forces.springs.begin(), scene->forces.springs.end(), has_it)) {
+      return name;
+    }
+  }
+}
+
+// The velocity of a body's point; of one of the plane, zero.
+Vec2 velocity_at(const std::optional<Body>& body, const Vec2& place) {
+  return body ? Vec2(body->velocity + body->spin * crossed(place - body->position)) : Vec2(Vec2::Zero());
+}
+
+// A link that is being made: its first end is on a body that moves, unless there is a fault.
+struct Link {
+  LinkEnds ends;
+  std::array<std::optional<Body>, 2> bodies;
+  Joined out;
+
+  Link(const JointTool& tool, const JointSight& sight, const LinkEnds& drawn) : ends(drawn) {
+    if (!moves(body_at_end(*sight.frame, ends[0]))) std::swap(ends[0], ends[1]);
+    bodies = {body_at_end(*sight.frame, ends[0]), body_at_end(*sight.frame, ends[1])};
+    out.from = place_of(*sight.frame, drawn[0]);
+    out.to = place_of(*sight.frame, drawn[1]);
+    const QString noun = QString::fromUtf8(tool.noun);
+    out.name = "Add " + noun + " from " + name_of_end(ends[0]) + " to " + name_of_end(ends[1]);
+    if (!moves(bodies[0])) {
+      out.fault = QStringLiteral("one end must be on a body that moves");
+    } else if (ends[0].body == ends[1].body) {
+      out.fault = "a " + noun + " joins two bodies, or one to the plane";
+    }
+  }
+
+  // How fast the second end moves away from the first.
+  [[nodiscard]] Vec2 parting() const {
+    return velocity_at(bodies[0], place(0)) - velocity_at(bodies[1], place(1));
+  }
+  // Of all that is summed up in `parting`.
+  [[nodiscard]] double speeds() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (bodies[i]) {
+        sum += bodies[i]->velocity.norm() + std::abs(bodies[i]->spin) * (place(i) - bodies[i]->position).norm();
+      }
+    }
+    return sum;
+  }
+  [[nodiscard]] Vec2 place(std::size_t i) const {
+    if (!bodies[i]) return ends[i].own;
+    return bodies[i]->position + turned_by(bodies[i]->angle, ends[i].own);
+  }
+  void refuse_if_parting(double speed) {
+    if (!out.fault.isEmpty() || !(std::abs(speed) > kSlack * speeds())) return;
+    out.fault = "its ends part at " + fixed_text(std::abs(speed), 2) + " m/s: bring the bodies to rest first";
+  }
+  Joined made(const SceneEdit& edit) {
+    if (out.fault.isEmpty()) out.edits = {edit};
+    return out;
+  }
+  [[nodiscard]] Joint joint(const JointTool& tool, const JointSight& sight, JointKind kind) const {
+    Joint joint;
+    joint.name = free_name(*sight.frame, tool.noun);
+    joint.kind = kind;
+    joint.body = ends[0].body;
+    joint.point = ends[0].own;
+    joint.to = ends[1].body;
+    joint.anchor = ends[1].own;
+    return joint;
+  }
+};
+
+// A rod or a string.
+Joined distance_link(const JointTool& tool, const JointSight& sight, const LinkEnds& ends, JointKind kind) {
+  Link link(tool, sight, ends);
+  const Vec2 line = link.out.to - link.out.from;
+  link.out.value = line_text(line, sight.mouse);
+  if (link.out.fault.isEmpty() && line.isZero(0.0)) {
+    link.out.fault = QStringLiteral("its ends are at one place: a pin holds them there");
+  }
+  if (kind == JointKind::kRod && !line.isZero(0.0)) {
+    link.refuse_if_parting((link.place(0) - link.place(1)).normalized().dot(link.parting()));
+  }
+  return link.made(Add<Joint>{link.joint(tool, sight, kind)});
+}
+
+Joined rod(const JointTool& tool, const JointSight& sight, const LinkEnds& ends) {
+  return distance_link(tool, sight, ends, JointKind::kRod);
+}
+
+Joined string(const JointTool& tool, const JointSight& sight, const LinkEnds& ends) {
+  return distance_link(tool, sight, ends, JointKind::kString);
+}
+
+// Of the drawn length, and so stiff that the lighter body would swing on it once a second.
+Joined spring(const JointTool& tool, const JointSight& sight, const LinkEnds& ends) {
+  Link link(tool, sight, ends);
+  const Vec2 line = link.out.to - link.out.from;
+  link.out.value = line_text(line, sight.mouse);
+  if (link.out.fault.isEmpty() && line.isZero(0.0)) {
+    link.out.fault = QStringLiteral("its ends are at one place");
+  }
+  if (!link.out.fault.isEmpty()) return link.out;
+  double mass = mass_of(*link.bodies[0]);
+  if (moves(link.bodies[1])) mass = std::min(mass, mass_of(*link.bodies[1]));
+  const double omega = 2.0 * std::numbers::pi * kSpringFrequency;
+  Spring spring;
+  spring.name = free_name(*sight.frame, tool.noun);
+  spring.body = link.ends[0].body;
+  spring.to = link.ends[1].body;
+  if (spring.to.empty()) spring.anchor = link.ends[1].own;
+  spring.stiffness = with_one_figure(mass * omega * omega);
+  spring.rest_length = line.norm();
+  return link.made(Add<Spring>{spring});
+}
+
+Joined pin(const JointTool& tool, const JointSight& sight, const LinkEnds& ends) {
+  Link link(tool, sight, ends);
+  if (ends[0].body.empty()) link.out.fault = QStringLiteral("click on a body, or where two overlap");
+  link.refuse_if_parting(link.parting().norm());
+  link.out.name = QStringLiteral("Add pin");
+  link.out.value = place_text(link.out.to, sight.mouse.scale);
+  return link.made(Add<Joint>{link.joint(tool, sight, JointKind::kPin)});
+}
+
+// The point of a body that is near another place: its centre, or of a wall the nearest point.
+Vec2 near_point(const Body& body, const Vec2& place) {
+  const auto* wall = std::get_if<Wall>(&body.shape);
+  if (wall == nullptr) return body.position;
+  const Vec2 along = turned_by(body.angle, Vec2::UnitX());
+  double share = along.dot(place - body.position);
+  if (wall->length) share = std::clamp(share, -0.5 * *wall->length, 0.5 * *wall->length);
+  return body.position + share * along;
+}
+
+// m from a point of a body to its rim.
+double rim(const Body& body, const Vec2& from, const Vec2& along) {
+  if (std::holds_alternative<Wall>(body.shape)) return 0.0;
+  const auto inside = chord(outline_of(body.shape), turned_by(-body.angle, from - body.position),
+                            turned_by(-body.angle, along));
+  return inside ? inside->second : 0.0;
+}
+
+// The contact of two bodies that touch, else the middle of what lies between them.
+Vec2 middle_of(const Body& a, const Body& b) {
+  const Vec2 from = near_point(a, b.position);
+  const Vec2 to = near_point(b, from);
+  const double distance = (to - from).norm();
+  if (!(distance > 0.0)) return a.position;
+  const Vec2 along = (to - from) / distance;
+  return from + 0.5 * (rim(a, from, along) + distance - rim(b, to, -along)) * along;
+}
+
+// The same place, held by both bodies.
+LinkEnds both_at(const Vec2& place, const Body& a, const std::optional<Body>& b) {
+  const auto own = [&](const Body& body) { return turned_by(-body.angle, place - body.position); };
+  return {LinkEnd{a.name, own(a)}, b ? LinkEnd{b->name, own(*b)} : LinkEnd{{}, place}};
+}
+
+Joined weld(const JointTool& tool, const JointSight& sight, const LinkEnds& ends) {
+  const std::optional<Body> a = body_at_end(*sight.frame, ends[0]);
+  const std::optional<Body> b = body_at_end(*sight.frame, ends[1]);
+  const bool two = a && b && a->name != b->name;
+  Link link(tool, sight, two ? both_at(middle_of(*a, *b), *a, b) : ends);
+  if (two) {
+    link.refuse_if_parting(link.parting().norm());
+    const double spin = link.bodies[0]->spin - link.bodies[1]->spin;
+    if (link.out.fault.isEmpty() && std::abs(spin) > kSlack * (std::abs(a->spin) + std::abs(b->spin))) {
+      link.out.fault = QStringLiteral("the bodies turn against each other: bring them to rest first");
+    }
+  } else {
+    link.out.fault = QStringLiteral("a weld joins two bodies");
+  }
+  link.out.value = place_text(link.out.to, sight.mouse.scale);
+  link.out.from = place_of(*sight.frame, ends[0]);
+  link.out.to = place_of(*sight.frame, ends[1]);
+  return link.made(Add<Joint>{link.joint(tool, sight, JointKind::kWeld)});
+}
+
+constexpr std::array<JointTool, 6> kJointTools = {{
+    {.tool = SceneTool::kRod, .noun = "rod", .join = rod},
+    {.tool = SceneTool::kString, .noun = "string", .join = string},
+    {.tool = SceneTool::kSpring, .noun = "spring", .at_centres = true, .join = spring},
+    {.tool = SceneTool::kPin, .noun = "pin", .one_click = true, .join = pin},
+    {.tool = SceneTool::kWeld, .noun = "weld", .at_centres = true, .join = weld},
+    {.tool = SceneTool::kForce, .noun = "force", .at_centres = true, .to_mouse = true, .join = push},
+}};
+
+bool free(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
+
+// Its centre if the mouse is near, unless Ctrl is down.
+LinkEnd end_on(const Body& body, const JointSight& sight, bool at_centre) {
+  const Vec2 arm = sight.mouse.at - body.position;
+  const bool near = !free(sight.mouse) && arm.norm() * sight.camera.scale <= kSnapReach;
+  return {body.name, at_centre || near ? Vec2(Vec2::Zero()) : turned_by(-body.angle, arm)};
+}
+
+LinkEnd end_in_plane(const JointSight& sight) {
+  return {{}, drawn_place(sight.mouse.at, sight.mouse, sight.grid)};
+}
+
+}  // namespace
+
+const JointTool* joint_tool(SceneTool tool) {
+  const auto* found = std::find_if(kJointTools.begin(), kJointTools.end(),
+                                   [tool](const JointTool& row) { return row.tool == tool; });
+  return found == kJointTools.end() ? nullptr : found;
+}
+
+LinkEnd end_at_mouse(const JointTool& tool, const JointSight& sight) {
+  const int body = body_at(*sight.frame, sight.camera, sight.camera.to_screen(sight.mouse.at));
+  if (body < 0) return end_in_plane(sight);
+  return end_on(body_now(*sight.frame, body), sight, tool.at_centres);
+}
+
+LinkEnds ends_at_mouse(const JointSight& sight) {
+  const Frame& frame = *sight.frame;
+  const std::vector<int> under = bodies_at(frame, sight.camera, sight.camera.to_screen(sight.mouse.at));
+  if (under.empty()) return {end_in_plane(sight), end_in_plane(sight)};
+  const Body top = body_now(frame, under[0]);
+  std::optional<Body> below;
+  if (under.size() > 1) below = body_now(frame, under[1]);
+  LinkEnd end = end_on(top, sight, false);
+  if (below && !end.own.isZero(0.0)) {
+    const LinkEnd other = end_on(*below, sight, false);
+    if (other.own.isZero(0.0)) end = other;
+  }
+  return both_at(place_of(frame, end), top, below);
+}
+
+std::optional<LinkEnds> ends_of(const JointTool& tool, const JointSight& sight,
+                                std::span<const std::string> bodies) {
+  if (bodies.empty() || bodies.size() > (tool.to_mouse ? 1U : 2U)) return std::nullopt;
+  const LinkEnd first{bodies[0], Vec2::Zero()};
+  const std::optional<Body> a = body_at_end(*sight.frame, first);
+  if (!a) return std::nullopt;
+  if (tool.to_mouse) return LinkEnds{first, LinkEnd{{}, usual_tip(sight, *a)}};
+  if (bodies.size() == 1) {
+    if (tool.one_click) return both_at(a->position, *a, std::nullopt);
+    return LinkEnds{first, end_in_plane(sight)};
+  }
+  const LinkEnd second{bodies[1], Vec2::Zero()};
+  const std::optional<Body> b = body_at_end(*sight.frame, second);
+  if (!b) return std::nullopt;
+  return tool.one_click ? both_at(middle_of(*a, *b), *a, b) : LinkEnds{first, second};
+}
+
+std::optional<Body> body_at_end(const Frame& frame, const LinkEnd& end) {
+  if (end.body.empty()) return std::nullopt;
+  for (int i = 0; i < body_count(frame); ++i) {
+    if ((*frame.bodies)[static_cast<std::size_t>(i)].name == end.body) return body_now(frame, i);
+  }
+  return std::nullopt;
+}
+
+Vec2 place_of(const Frame& frame, const LinkEnd& end) {
+  const std::optional<Body> body = body_at_end(frame, end);
+  return body ? Vec2(body->position + turned_by(body->angle, end.own)) : end.own;
+}
+
+}  // namespace carom

@@ -1,0 +1,125 @@
+#include "widgets/scene/grid.h"
+#include "widgets/scene/scene_tools.h"
+
+// The scene's tools that draw joints, springs and forces, and the choice of one of them.
+namespace carom {
+
+JointSight SceneTools::joint_sight(const QPointF& at) const {
+  const SceneSight sight = sight_();
+  return {.frame = sight.frame,
+          .camera = sight.camera,
+          .mouse = {sight.camera.to_world(at), sight.camera.scale, keys_},
+          .grid = sight.grid ? grid_spacing(sight.camera) : 0.0,
+          .metres_per_newton = sight.forces_shown ? sight.metres_per_newton : 0.0};
+}
+
+// Both ends, once there is a first one.
+std::optional<LinkEnds> SceneTools::drawn_ends() const {
+  const JointTool& tool = *joint_tool(tool_);
+  const JointSight sight = joint_sight(mouse_);
+  if (tool.one_click) return ends_at_mouse(sight);
+  if (!first_end_) return std::nullopt;
+  return LinkEnds{*first_end_, tool.to_mouse ? LinkEnd{{}, sight.mouse.at} : end_at_mouse(tool, sight)};
+}
+
+// At the press of a drag.
+void SceneTools::begin_link() {
+  const JointTool& tool = *joint_tool(tool_);
+  if (sight_().frame && !first_end_ && !tool.one_click) first_end_ = end_at_mouse(tool, joint_sight(press_));
+}
+
+// At the end of a drag.
+void SceneTools::end_link() {
+  set_end();
+  first_end_.reset();
+}
+
+// At a click.
+void SceneTools::set_end() {
+  if (!sight_().frame) return;
+  if (const std::optional<LinkEnds> ends = drawn_ends()) return join(*ends);
+  begin_link();
+  // What no second end could make good is said at once.
+  const bool on_body = joint_tool(tool_)->to_mouse || tool_ == SceneTool::kWeld;
+  if (!on_body || !first_end_->body.empty()) return;
+  const LinkEnd nowhere = *std::exchange(first_end_, std::nullopt);
+  join({nowhere, nowhere});
+}
+
+void SceneTools::join(const LinkEnds& ends) {
+  const JointTool& tool = *joint_tool(tool_);
+  const Joined joined = tool.join(tool, joint_sight(mouse_), ends);
+  if (!joined.fault.isEmpty()) return note({joined.fault, {}, mouse_, press_, true});
+  first_end_.reset();
+  emit edited(joined.edits, joined.name, ++drags_);
+  note({joined.value, {}, mouse_, press_});
+  used_tool();
+}
+
+// The selected bodies, or one of them and the plane.
+void SceneTools::join_selected() {
+  if (!sight_().frame) return;
+  if (first_end_) return set_end();
+  const JointTool& tool = *joint_tool(tool_);
+  if (const auto ends = ends_of(tool, joint_sight(mouse_), selection_.names())) return join(*ends);
+  note({tool.to_mouse ? QStringLiteral("select one body first")
+                      : QStringLiteral("select one or two bodies first"),
+        {},
+        mouse_,
+        press_,
+        true});
+}
+
+void SceneTools::show_joining(Overlay& out) const {
+  const JointSight sight = joint_sight(mouse_);
+  if (!sight.frame || !(over_ || state_ == State::kDraw)) return;
+  const JointTool& tool = *joint_tool(tool_);
+  const std::optional<LinkEnds> ends = drawn_ends();
+  const LinkEnds shown = ends.value_or(LinkEnds{end_at_mouse(tool, sight), LinkEnd{}});
+  for (const LinkEnd& end : shown) {
+    if (const auto body = body_at_end(*sight.frame, end)) out.lit.push_back(*body);
+  }
+  if (!ends || (tool.one_click && out.lit.empty())) return;
+  const Joined joined = tool.join(tool, sight, *ends);
+  const bool same = shown[0].body == shown[1].body && !shown[0].body.empty();
+  const bool fault = !joined.fault.isEmpty() && !same;  // the mouse has not left the first body
+  out.links.push_back({joined.from, joined.to, tool.to_mouse, false, fault});
+  if (!out.bubble.value.isEmpty() || same) return;
+  const QPointF from = sight.camera.to_screen(joined.from);
+  out.bubble = {fault ? joined.fault : joined.value, {}, mouse_, from, fault};
+}
+
+// --- the chosen one
+
+void SceneTools::choose(const std::optional<PartId>& part) {
+  if (part == part_) return;
+  if (part) set_selection({});
+  part_ = part;
+  end_note();
+  emit partChosen();
+  emit changed();
+}
+
+std::optional<PartId> SceneTools::part_under(const QPointF& at) const {
+  const SceneSight sight = sight_();
+  if (tool_ != SceneTool::kSelect || !sight.frame) return std::nullopt;
+  const std::optional<PartId> part = part_at(*sight.frame, sight.camera, at, sight.metres_per_newton);
+  if (!part) return std::nullopt;
+  const std::optional<Grab> grab = grab_at(at);
+  if (!grab) return part;
+  if (grab->kind != HandleKind::kBody) return std::nullopt;
+  // What lies on bodies only, a pin or a weld, goes before them; once chosen, it lets a click through.
+  const auto line = line_of(*sight.frame, *part, sight.metres_per_newton);
+  const bool dot = line && line->from == line->to;
+  return dot && part != part_ ? part : std::nullopt;
+}
+
+void SceneTools::show_part(Overlay& out) const {
+  const SceneSight sight = sight_();
+  if (!part_ || !sight.frame) return;
+  if (const auto line = line_of(*sight.frame, *part_, sight.metres_per_newton)) {
+    out.links.push_back({line->from, line->to, line->arrow, true, false});
+  }
+}
+
+}  // namespace carom
