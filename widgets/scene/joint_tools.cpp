@@ -8,13 +8,13 @@
 #include "widgets/scene/edit_names.h"
 #include "widgets/scene/force_tool.h"
 #include "widgets/scene/hit.h"
+#include "widgets/scene/joint_start.h"
 #include "widgets/scene/snap.h"
 
 namespace carom {
 namespace {
 
 constexpr double kSpringFrequency = 1.0;  // Hz, of the lighter body on a new spring
-constexpr double kSlack = 1e-6;           // of the speeds, at which ends still move together
 
 bool moves(const std::optional<Body>& body) { return body && !has_infinite_mass(*body); }
 
@@ -41,11 +41,6 @@ std::string free_name(const Frame& frame, const char* noun) {
   }
 }
 
-// The velocity of a body's point; of one of the plane, zero.
-Vec2 velocity_at(const std::optional<Body>& body, const Vec2& place) {
-  return body ? Vec2(body->velocity + body->spin * crossed(place - body->position)) : Vec2(Vec2::Zero());
-}
-
 // A link that is being made: its first end is on a body that moves, unless there is a fault.
 struct Link {
   LinkEnds ends;
@@ -66,30 +61,26 @@ struct Link {
     }
   }
 
-  // How fast the second end moves away from the first.
-  [[nodiscard]] Vec2 parting() const {
-    return velocity_at(bodies[0], place(0)) - velocity_at(bodies[1], place(1));
-  }
-  // Of all that is summed up in `parting`.
-  [[nodiscard]] double speeds() const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (bodies[i]) {
-        sum += bodies[i]->velocity.norm() + std::abs(bodies[i]->spin) * (place(i) - bodies[i]->position).norm();
-      }
-    }
-    return sum;
-  }
   [[nodiscard]] Vec2 place(std::size_t i) const {
     if (!bodies[i]) return ends[i].own;
     return bodies[i]->position + turned_by(bodies[i]->angle, ends[i].own);
   }
-  void refuse_if_parting(double speed) {
-    if (!out.fault.isEmpty() || !(std::abs(speed) > kSlack * speeds())) return;
-    out.fault = "its ends part at " + fixed_text(std::abs(speed), 2) + " m/s: bring the bodies to rest first";
-  }
   Joined made(const SceneEdit& edit) {
     if (out.fault.isEmpty()) out.edits = {edit};
+    return out;
+  }
+  // A joint: its bodies lose what it does not let them do.
+  Joined joined(const JointTool& tool, const JointSight& sight, JointKind kind) {
+    if (!out.fault.isEmpty()) return out;
+    double most = 0.0;  // m/s
+    for (const Body& body : as_joined(kind, {bodies, {place(0), place(1)}})) {
+      most = std::max(most, (body.velocity - bodies[body.name == ends[0].body ? 0 : 1]->velocity).norm());
+      out.edits.emplace_back(Replace<Body>{body});
+    }
+    out.edits.emplace_back(Add<Joint>{joint(tool, sight, kind)});
+    if (out.edits.size() > 1) {
+      out.detail = "velocities change by up to " + fixed_text(most, 2) + " m/s, as it allows no other";
+    }
     return out;
   }
   [[nodiscard]] Joint joint(const JointTool& tool, const JointSight& sight, JointKind kind) const {
@@ -112,10 +103,7 @@ Joined distance_link(const JointTool& tool, const JointSight& sight, const LinkE
   if (link.out.fault.isEmpty() && line.isZero(0.0)) {
     link.out.fault = QStringLiteral("its ends are at one place: a pin holds them there");
   }
-  if (kind == JointKind::kRod && !line.isZero(0.0)) {
-    link.refuse_if_parting((link.place(0) - link.place(1)).normalized().dot(link.parting()));
-  }
-  return link.made(Add<Joint>{link.joint(tool, sight, kind)});
+  return link.joined(tool, sight, kind);
 }
 
 Joined rod(const JointTool& tool, const JointSight& sight, const LinkEnds& ends) {
@@ -151,10 +139,9 @@ Joined spring(const JointTool& tool, const JointSight& sight, const LinkEnds& en
 Joined pin(const JointTool& tool, const JointSight& sight, const LinkEnds& ends) {
   Link link(tool, sight, ends);
   if (ends[0].body.empty()) link.out.fault = QStringLiteral("click on a body, or where two overlap");
-  link.refuse_if_parting(link.parting().norm());
   link.out.name = QStringLiteral("Add pin");
   link.out.value = place_text(link.out.to, sight.mouse.scale);
-  return link.made(Add<Joint>{link.joint(tool, sight, JointKind::kPin)});
+  return link.joined(tool, sight, JointKind::kPin);
 }
 
 // The point of a body that is near another place: its centre, or of a wall the nearest point.
@@ -196,19 +183,11 @@ Joined weld(const JointTool& tool, const JointSight& sight, const LinkEnds& ends
   const std::optional<Body> b = body_at_end(*sight.frame, ends[1]);
   const bool two = a && b && a->name != b->name;
   Link link(tool, sight, two ? both_at(middle_of(*a, *b), *a, b) : ends);
-  if (two) {
-    link.refuse_if_parting(link.parting().norm());
-    const double spin = link.bodies[0]->spin - link.bodies[1]->spin;
-    if (link.out.fault.isEmpty() && std::abs(spin) > kSlack * (std::abs(a->spin) + std::abs(b->spin))) {
-      link.out.fault = QStringLiteral("the bodies turn against each other: bring them to rest first");
-    }
-  } else {
-    link.out.fault = QStringLiteral("a weld joins two bodies");
-  }
+  if (!two) link.out.fault = QStringLiteral("a weld joins two bodies");
   link.out.value = place_text(link.out.to, sight.mouse.scale);
   link.out.from = place_of(*sight.frame, ends[0]);
   link.out.to = place_of(*sight.frame, ends[1]);
-  return link.made(Add<Joint>{link.joint(tool, sight, JointKind::kWeld)});
+  return link.joined(tool, sight, JointKind::kWeld);
 }
 
 constexpr std::array<JointTool, 6> kJointTools = {{

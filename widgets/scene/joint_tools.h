@@ -36,6 +36,7 @@ struct Joined {
   SceneEdits edits;          // none if there is a fault
   QString name;              // of the edit
   QString value;             // with its unit, for the bubble
+  QString detail;            // what else it changes
   QString fault;             // why nothing can be made
   Vec2 from = Vec2::Zero();  // m
   Vec2 to = Vec2::Zero();    // m

@@ -52,7 +52,7 @@ void SceneTools::join(const LinkEnds& ends) {
   if (!joined.fault.isEmpty()) return note({joined.fault, {}, mouse_, press_, true});
   first_end_.reset();
   emit edited(joined.edits, joined.name, ++drags_);
-  note({joined.value, {}, mouse_, press_});
+  note({joined.value, joined.detail, mouse_, press_});
   used_tool();
 }
 
@@ -86,7 +86,7 @@ void SceneTools::show_joining(Overlay& out) const {
   out.links.push_back({joined.from, joined.to, tool.to_mouse, false, fault});
   if (!out.bubble.value.isEmpty() || same) return;
   const QPointF from = sight.camera.to_screen(joined.from);
-  out.bubble = {fault ? joined.fault : joined.value, {}, mouse_, from, fault};
+  out.bubble = {fault ? joined.fault : joined.value, joined.detail, mouse_, from, fault};
 }
 
 // --- the chosen one
