@@ -26,16 +26,18 @@ class BodiesModel : public FigureModel {
     mass_ = mass_properties(*bodies_);
     now_ = frame.state;
     before_ = initial_state(before);
-    momentum_ = Vec2::Zero();
+    momentum_before_ = momentum_now_ = Vec2::Zero();
     total_mass_ = kinetic_before_ = kinetic_now_ = 0.0;
     moving_.clear();
     for (int i = 0; i < now_.size(); ++i) {
       if (has_infinite_mass((*bodies_)[static_cast<std::size_t>(i)])) continue;
       moving_.push_back(i);
       total_mass_ += mass_.mass[i];
-      momentum_ += mass_.mass[i] * now_.velocity(i);
+      momentum_now_ += mass_.mass[i] * now_.velocity(i);
       kinetic_now_ += kinetic_energy(now_, mass_, i);
-      if (i < before_.size()) kinetic_before_ += kinetic_energy(before_, mass_, i);
+      if (i >= before_.size()) continue;
+      momentum_before_ += mass_.mass[i] * before_.velocity(i);
+      kinetic_before_ += kinetic_energy(before_, mass_, i);
     }
     rows_changed(static_cast<int>(moving_.size()) + 1);
   }
@@ -56,8 +58,10 @@ class BodiesModel : public FigureModel {
       case 3:
         return Cell(now_.velocity(body));
       case 4:
-        return Cell(Vec2(mass_.mass[body] * now_.velocity(body)));
+        return was_there ? Cell(Vec2(mass_.mass[body] * before_.velocity(body))) : Cell();
       case 5:
+        return Cell(Vec2(mass_.mass[body] * now_.velocity(body)));
+      case 6:
         return was_there ? Cell(kinetic_energy(before_, mass_, body)) : Cell();
       default:
         return kinetic_energy(now_, mass_, body);
@@ -72,10 +76,12 @@ class BodiesModel : public FigureModel {
       case 1:
         return total_mass_;
       case 4:
-        return momentum_;
+        return momentum_before_;
       case 5:
-        return kinetic_before_;
+        return momentum_now_;
       case 6:
+        return kinetic_before_;
+      case 7:
         return kinetic_now_;
       default:
         return {};
@@ -89,7 +95,8 @@ class BodiesModel : public FigureModel {
   double total_mass_ = 0.0;
   double kinetic_before_ = 0.0;
   double kinetic_now_ = 0.0;
-  Vec2 momentum_ = Vec2::Zero();
+  Vec2 momentum_before_ = Vec2::Zero();
+  Vec2 momentum_now_ = Vec2::Zero();
 };
 
 class ImpactsModel : public FigureModel {
@@ -152,8 +159,9 @@ BodiesTable::BodiesTable(QWidget* parent)
     : FigureTable(new BodiesModel({{"body", 58, true},
                                    {"m / kg", 62},
                                    {"v before / m/s", 92},
-                                   {"v now / m/s", 112},
-                                   {"p now / kg·m/s", 116},
+                                   {"v now / m/s", 104},
+                                   {"p before / kg·m/s", 112},
+                                   {"p now / kg·m/s", 112},
                                    {"K before / J", 72},
                                    {"K now / J", 66}},
                                   nullptr),

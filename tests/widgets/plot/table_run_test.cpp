@@ -22,11 +22,12 @@ TEST(RunTables, BodiesBeforeAndAfterAHeadOnCollision) {
   BodiesTable table;
   table.update_from(run_to(preset, 0.5), preset.scene.bodies);
   ASSERT_EQ(table.model()->rowCount(), 3);
-  const QStringList expected[] = {{"A", "1.000", "3.00, 0.00", "−1.00, 0.00", "−1.00, 0.00", "4.500", "0.5000"},
-                                  {"B", "2.000", "0, 0", "2.00, 0.00", "4.00, 0.00", "0", "4.000"},
-                                  {"sum", "3.000", "", "", "3.00, 0.00", "4.500", "4.500"}};
+  const QStringList expected[] = {
+      {"A", "1.000", "3.00, 0.00", "−1.00, 0.00", "3.00, 0.00", "−1.00, 0.00", "4.500", "0.5000"},
+      {"B", "2.000", "0, 0", "2.00, 0.00", "0, 0", "4.00, 0.00", "0", "4.000"},
+      {"sum", "3.000", "", "", "3.00, 0.00", "3.00, 0.00", "4.500", "4.500"}};
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 7; ++column) {
+    for (int column = 0; column < 8; ++column) {
       EXPECT_EQ(cell(table, row, column), expected[row][column]) << row << ", " << column;
     }
   }
@@ -44,11 +45,12 @@ TEST(RunTables, AreCopiedWithEveryDigit) {
   ASSERT_EQ(lines.size(), 1 + 3 + 1) << "each with its end";
   EXPECT_EQ(lines[0],
             "body\tm / kg\tv before / m/s, x\tv before / m/s, y\tv now / m/s, x\tv now / m/s, y\t"
-            "p now / kg·m/s, x\tp now / kg·m/s, y\tK before / J\tK now / J");
+            "p before / kg·m/s, x\tp before / kg·m/s, y\tp now / kg·m/s, x\tp now / kg·m/s, y\tK before / J\tK "
+            "now / J");
   const QStringList a = lines[1].split('\t');
-  ASSERT_EQ(a.size(), 10);
+  ASSERT_EQ(a.size(), 12);
   EXPECT_EQ(a[4].toDouble(), frame.state.v(0, 0));
-  EXPECT_EQ(lines[3].split('\t').size(), 10) << "the sums";
+  EXPECT_EQ(lines[3].split('\t').size(), 12) << "the sums";
   EXPECT_EQ(lines[3].split('\t')[2], "");
 }
 
@@ -58,7 +60,8 @@ TEST(RunTables, ABodyAddedLaterHasNoBefore) {
   table.update_from(run_to(preset, 0.1), {preset.scene.bodies.front()});
   EXPECT_EQ(cell(table, 0, 2), "3.00, 0.00");
   EXPECT_EQ(cell(table, 1, 2), "");
-  EXPECT_EQ(cell(table, 2, 5), "4.500");
+  EXPECT_EQ(cell(table, 2, 4), "3.00, 0.00");
+  EXPECT_EQ(cell(table, 2, 6), "4.500");
 }
 
 TEST(RunTables, ImpactsNewestFirst) {
