@@ -12,11 +12,12 @@ std::vector<ExperimentItem> library_items() {
   std::vector<ExperimentItem> items;
   for (const LibraryEntry& entry : preset_library()) {
     const auto name = QString::fromStdString(entry.name);
-    items.push_back({name, QString::fromStdString(entry.topic), name, {}});
+    items.push_back({name, QString::fromStdString(entry.topic), name, {}, {}});
     try {
       const Preset preset = read_preset(entry.file);
       items.back().title = QString::fromStdString(preset.title);
       items.back().observe = QString::fromStdString(preset.observe);
+      items.back().about = QString::fromStdString(preset.about);
     } catch (const SceneError& error) {
       items.back().observe = QString::fromStdString(error.what());
     }

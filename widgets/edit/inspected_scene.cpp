@@ -81,7 +81,7 @@ InspectedRow planet_row(const SetForces& forces) {
     const QString change = change_text(forces.gravity.norm(), planet.gravity, kGravity.unit);
     return NamedEdits{{changed}, "Gravity " + change};
   };
-  return {.section = "Forces", .label = "of", .choice = choice};
+  return {.section = "Forces", .label = "as on", .choice = choice};
 }
 
 void add_attraction(std::vector<InspectedRow>& shown, const SetForces& forces) {

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/base/plain_text.h"
 
@@ -191,15 +192,15 @@ void ExperimentList::choose_next(int way) {
 }
 
 void ExperimentList::fill() {
-  const QString wanted = search_->text().trimmed();
+  const QStringList words = search_->text().split(' ', Qt::SkipEmptyParts);
   list_->clear();
   QString topic;
   for (std::size_t i = 0; i < items_.size(); ++i) {
     const ExperimentItem& item = items_[i];
-    const bool match = wanted.isEmpty() || item.title.contains(wanted, Qt::CaseInsensitive) ||
-                       item.observe.contains(wanted, Qt::CaseInsensitive) ||
-                       item.topic.contains(wanted, Qt::CaseInsensitive) ||
-                       item.name.contains(wanted, Qt::CaseInsensitive);
+    const QString all = QStringList{item.title, item.observe, item.topic, item.name, item.about}.join('\n');
+    const bool match = std::all_of(words.begin(), words.end(), [&all](const QString& word) {
+      return all.contains(word, Qt::CaseInsensitive);
+    });
     if (!match) continue;
     if (item.topic != topic) {
       topic = item.topic;

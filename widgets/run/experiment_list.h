@@ -17,6 +17,7 @@ struct ExperimentItem {
   QString topic;
   QString title;
   QString observe;  // one short line under the title
+  QString about;    // more, that is searched too
 };
 
 // The experiments under their topics, each with a small picture, and a search field. One click opens an

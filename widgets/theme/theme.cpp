@@ -86,7 +86,12 @@ QSlider#value::handle:horizontal { width: 10px; height: 10px; margin: -5px 0; bo
   background: %2; }
 QSlider#value::handle:horizontal:disabled { border-color: %5; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
-QComboBox { min-height: 26px; combobox-popup: 0; }
+QComboBox { min-height: 20px; combobox-popup: 0; background: %1; border: 1px solid %3; border-radius: 6px; padding: 4px 8px; }
+QComboBox:focus, QComboBox:on { border-color: %6; }
+QComboBox::drop-down { border: none; width: 22px; }
+QComboBox::down-arrow { image: url(:/icons/down.svg); width: 12px; height: 12px; }
+QComboBox QLineEdit { border: none; padding: 0; }
+QComboBox QAbstractItemView { background: %2; border: 1px solid %3; padding: 2px; }
 QRadioButton:disabled, QCheckBox:disabled { color: %5; }
 QCheckBox::indicator { width: 13px; height: 13px; border: 1px solid %5; border-radius: 3px; background: %1; }
 QCheckBox::indicator:checked { background: %6; border-color: %6; image: url(:/icons/check.svg); }

@@ -172,6 +172,27 @@ TEST_F(LabWindowTest, TheListOpensOverTheSceneAndCloses) {
   EXPECT_FALSE(experiments->isVisible());
 }
 
+// Words may stand anywhere in what is said of an experiment.
+TEST_F(LabWindowTest, TheListIsSearchedByWords) {
+  auto* search = window_.findChild<ExperimentList*>()->findChild<QLineEdit*>();
+  const auto found = [&](const QString& words) {
+    search->setText(words);
+    QStringList names;
+    for (int row = 0; row < list()->count(); ++row) {
+      const QString name = list()->item(row)->data(Qt::UserRole).toString();
+      if (!name.isEmpty()) names << name;
+    }
+    return names;
+  };
+  const qsizetype all = found({}).size();
+  for (const char* word : {"elastic", "restitution", "momentum"}) {
+    EXPECT_GT(found(word).size(), 3) << word;
+    EXPECT_LT(found(word).size(), all / 2) << word;
+  }
+  EXPECT_EQ(found("  Glancing ELASTIC "), QStringList{"glancing"});
+  EXPECT_TRUE(found("elastic no-such-word").isEmpty());
+}
+
 TEST_F(LabWindowTest, ANarrowWindowFoldsTheSwitchesOfTheView) {
   const auto shown = [this](const char* tip) {
     const QList<QToolButton*> buttons = window_.findChildren<QToolButton*>();
