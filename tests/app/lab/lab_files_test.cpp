@@ -18,7 +18,18 @@ namespace carom {
 namespace {
 
 // Opening, saving and closing, with the questions that they ask.
-class LabFilesTest : public LabWindowTest {};
+class LabFilesTest : public LabWindowTest {
+ protected:
+  // A file with a change, whose folder is gone.
+  void open_what_will_be_gone() {
+    const QString file = folder_.filePath("gone/mine.json");
+    ASSERT_TRUE(QDir(folder_.path()).mkdir("gone"));
+    ASSERT_TRUE(QFile::copy(test::preset_file("first-collisions/head-on.json").c_str(), file));
+    ASSERT_TRUE(window_.open(file.toStdString()));
+    click_scene({0.1, 0.4});
+    ASSERT_TRUE(QDir(folder_.filePath("gone")).removeRecursively());
+  }
+};
 
 TEST_F(LabFilesTest, BadFileIsReportedAndTheOldSceneStays) {
   window_.run_until(0.2);
@@ -80,12 +91,7 @@ TEST_F(LabFilesTest, ReplacingAFileIsAskedFirst) {
 }
 
 TEST_F(LabFilesTest, UnwritableFileIsReported) {
-  const QString file = folder_.filePath("gone/mine.json");
-  ASSERT_TRUE(QDir(folder_.path()).mkdir("gone"));
-  ASSERT_TRUE(QFile::copy(test::preset_file("first-collisions/head-on.json").c_str(), file));
-  ASSERT_TRUE(window_.open(file.toStdString()));
-  click_scene({0.1, 0.4});
-  ASSERT_TRUE(QDir(folder_.filePath("gone")).removeRecursively());
+  ASSERT_NO_FATAL_FAILURE(open_what_will_be_gone());
   EXPECT_FALSE(window_.save());
   ASSERT_TRUE(wait_for_boxes(1));
   EXPECT_TRUE(boxes_[0].contains("mine.json"));
@@ -94,12 +100,7 @@ TEST_F(LabFilesTest, UnwritableFileIsReported) {
 
 // Where the file cannot be written.
 TEST_F(LabFilesTest, AnotherNameIsOffered) {
-  const QString file = folder_.filePath("gone/mine.json");
-  ASSERT_TRUE(QDir(folder_.path()).mkdir("gone"));
-  ASSERT_TRUE(QFile::copy(test::preset_file("first-collisions/head-on.json").c_str(), file));
-  ASSERT_TRUE(window_.open(file.toStdString()));
-  click_scene({0.1, 0.4});
-  ASSERT_TRUE(QDir(folder_.filePath("gone")).removeRecursively());
+  ASSERT_NO_FATAL_FAILURE(open_what_will_be_gone());
   chosen_file_ = folder_.filePath("kept.json");
   offer_ = "Save as...";
   EXPECT_FALSE(window_.save());
