@@ -45,10 +45,27 @@ void LabWindow::connect_edits() {
     to_select_ = names;
     if (frame() != nullptr) select_new();
   });
+  connect(&session_, &Session::bodiesChanged, this, &LabWindow::show_aim);
+  aim_time_.setSingleShot(true);
+  connect(&aim_time_, &QTimer::timeout, view_, [this] { view_->set_aim(std::nullopt); });
   connect(&session_, &Session::editRefused, this, [this](const QString& why) {
     const bool typed_in_table = sheet_->isAncestorOf(QApplication::focusWidget());
     typed_in_table ? sheet_->say(why) : inspector_->say(why);
   });
+}
+
+// For a while after each edit of a start: where the bodies will first meet. Within a frame, or not at all.
+void LabWindow::show_aim() {
+  constexpr double kAhead = 2.0;  // s
+  constexpr std::chrono::milliseconds kBudget(4);
+  constexpr std::chrono::milliseconds kShown(4000);
+  if (!session_.runs().at_start()) return view_->set_aim(std::nullopt);
+  try {
+    view_->set_aim(aim_of(setup_of(preset()), kAhead, kBudget));
+  } catch (const std::exception&) {
+    view_->set_aim(std::nullopt);  // the session says what is wrong with the scene
+  }
+  aim_time_.start(kShown);
 }
 
 void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int drag) {

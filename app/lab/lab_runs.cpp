@@ -104,7 +104,8 @@ const Frame* LabRuns::lost() const {
 }
 
 bool LabRuns::at_start() const {
-  return begins_ || frames_.empty() || frames_.front()->time <= start_time(document_.preset.saved);
+  return begins_ || will_begin_ || frames_.empty() ||
+         frames_.front()->time <= start_time(document_.preset.saved);
 }
 
 void LabRuns::poll() {

@@ -252,6 +252,7 @@ void LabWindow::show_frame() {
   for (std::size_t i = 0; i < frames.size(); ++i) plotted.push_back({recorders[i], names[i]});
   plots_->update_from(plotted);
   view_->set_frame(frames.front(), {frames.begin() + 1, frames.end()});
+  if (frame.playing) view_->set_aim(std::nullopt);
   select_new();
   show_selection();
   transport_->update_from(frame, *recorders.front());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QTimer>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -99,6 +100,7 @@ class LabWindow : public QMainWindow {
   void connect_edits();
   void show_selection();
   void edit_bodies(const SceneEdits& edits, const QString& name, int drag);
+  void show_aim();
   void new_document();
   void copy_selection();
   void cut_selection();
@@ -160,6 +162,7 @@ class LabWindow : public QMainWindow {
   QLabel* about_ = nullptr;
   NoticeBar* restore_bar_ = nullptr;
   NoticeBar* lost_bar_ = nullptr;       // why a run is lost
+  QTimer aim_time_;                     // until the line to the first impact goes
   std::vector<std::string> to_select_;  // new bodies that no frame has shown yet
   QString lost_;                        // its text; empty while no run is lost
   QString saved_;                       // said for a while after a file was saved

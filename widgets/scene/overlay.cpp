@@ -54,6 +54,34 @@ void paint_ghost(QPainter& painter, const Overlay& overlay, const Overlay::Ghost
   painter.drawEllipse(tip, 3.0, 3.0);
 }
 
+// The paths dotted, the bodies dashed where they meet, and the time beside them.
+void paint_aim(QPainter& painter, const Aim& aim, const Camera& camera, const Theme& theme) {
+  QPen dotted(faint(theme.accent, 0.8F), 1.6, Qt::CustomDashLine, Qt::RoundCap);
+  dotted.setDashPattern({0.1, 3.0});
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(dotted);
+  for (const std::vector<Vec2>& path : aim.paths) {
+    QPolygonF line;
+    for (const Vec2& at : path) line.append(camera.to_screen(at));
+    painter.drawPolyline(line);
+  }
+  painter.setPen(dashed(theme.accent));
+  QRectF all;
+  for (const Body& body : aim.meeting) {
+    if (body.fixed) continue;
+    painter.drawPath(body_path(body, camera));
+    all |= body_path(body, camera).boundingRect();
+  }
+  QFont font = painter.font();
+  font.setPixelSize(kDetailSize);
+  painter.setFont(font);
+  painter.setPen(theme.accent);
+  const QString text = QString("first impact at %1 s").arg(aim.time, 0, 'f', 3);
+  const QFontMetricsF metrics(font);
+  painter.drawText(QPointF(all.center().x() - 0.5 * metrics.horizontalAdvance(text), all.top() - kToEdge - 6.0),
+                   text);
+}
+
 void paint_corners(QPainter& painter, const Overlay::Corners& corners, const Camera& camera,
                    const Theme& theme) {
   QPolygonF line;
@@ -207,6 +235,7 @@ void paint_bubble(QPainter& painter, const Overlay::Bubble& bubble, const Camera
 }  // namespace
 
 void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera, const Theme& theme) {
+  if (overlay.aim) paint_aim(painter, *overlay.aim, camera, theme);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   for (const Overlay::Ghost& ghost : overlay.ghosts) paint_ghost(painter, overlay, ghost, camera, theme);
   for (const Body& body : overlay.selected) paint_outline(painter, body, camera, theme);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "physics/record/aim.h"
 #include "physics/scene/scene.h"
 #include "widgets/scene/camera.h"
 #include "widgets/scene/handles.h"
@@ -57,11 +58,12 @@ struct Overlay {
   Bubble bubble;
   std::vector<Overlap> overlaps;                 // their shared areas
   std::optional<std::pair<Vec2, Vec2>> blocked;  // m, the ends of a joint that allows nothing
+  std::optional<Aim> aim;                        // to the first impact
 
   [[nodiscard]] bool empty() const {
     return selected.empty() && lit.empty() && links.empty() && ghosts.empty() && handles.empty() && !band &&
            !drawn && corners.set.empty() && !corners.next && bubble.value.isEmpty() && overlaps.empty() &&
-           !blocked;
+           !blocked && !aim;
   }
 };
 

@@ -167,8 +167,15 @@ void SceneView::refresh() {
 
 void SceneView::refresh_tools() {
   picture_.overlay = tools_->overlay();
+  picture_.overlay.aim = aim_;
   if (press_ != Press::kPan) setCursor(tools_->cursor(last_at_));
   canvas_->update();
+}
+
+void SceneView::set_aim(std::optional<Aim> aim) {
+  if (!aim && !aim_) return;
+  aim_ = std::move(aim);
+  refresh_tools();
 }
 
 // The scale that an edit found stays, unless arrows grow out of the view.

@@ -56,6 +56,9 @@ class SceneView : public QWidget {
   // The chosen joint, spring or force; no body is selected then.
   [[nodiscard]] const std::optional<PartId>& part() const { return tools_->part(); }
   void choose_part(const std::optional<PartId>& part) { tools_->choose(part); }
+  // Shows where the bodies will first meet.
+  void set_aim(std::optional<Aim> aim);
+  [[nodiscard]] const std::optional<Aim>& aim() const { return aim_; }
   [[nodiscard]] SceneTool tool() const { return tools_->tool(); }
   // After one use it is kSelect again, unless it is kept.
   void set_tool(SceneTool tool, bool keep = false) { tools_->set_tool(tool, keep); }
@@ -122,6 +125,7 @@ class SceneView : public QWidget {
   bool uses_opengl_ = false;
   QWidget* canvas_ = nullptr;
   SceneTools* tools_ = nullptr;
+  std::optional<Aim> aim_;
   std::optional<ArrowScale> held_arrows_;  // since an edit, so that what was drawn keeps its length
   bool held_camera_ = false;               // the scene was edited, so a new run starts where the user looks
 

@@ -269,6 +269,23 @@ TEST_F(LabHandsTest, CopiesAndDeletes) {
   EXPECT_EQ(window_.frame()->bodies->size(), 4U);
 }
 
+// The line to the first impact follows each edit of the start.
+TEST_F(LabHandsTest, AnEditShowsWhereTheBodiesMeet) {
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(wait_for([this] { return window_.session().runs().scene() != nullptr; }));
+  EXPECT_FALSE(window_.scene_view().aim());
+  Body light = window_.preset().scene.bodies[0];
+  light.velocity = {3.0, 0.0};
+  EXPECT_TRUE(wait_for([&] {  // a busy machine may leave one out
+    light.velocity.x() += 1e-9;
+    window_.session().edit({Replace<Body>{light}}, "Speed");
+    return window_.scene_view().aim().has_value();
+  }));
+  EXPECT_NEAR(window_.scene_view().aim()->time, 0.25, 1e-6) << "1 m at 3 + 1 m/s";
+  window_.session().runs().set_playing(true);
+  EXPECT_TRUE(wait_for([this] { return !window_.scene_view().aim(); }));
+}
+
 TEST_F(LabHandsTest, EscapeTakesADragBack) {
   ASSERT_TRUE(window_.open("head-on"));
   ASSERT_TRUE(shows_start());
