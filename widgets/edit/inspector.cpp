@@ -300,6 +300,11 @@ void Inspector::accept(int row, int field, const std::vector<double>& values, bo
   // The receiver may show the scene with these edits before it returns, which makes the rows anew.
   const SceneEdits edits = (in_burst && pulled_ ? *pulled_ : value).edits(values);
   const QString name = value.undo_name(in_burst ? before_burst_ : value.values, values);
+  // What a pull adds, a surface that was not listed, it changes from then on.
+  const bool adds = std::any_of(edits.begin(), edits.end(), [](const SceneEdit& edit) {
+    return std::holds_alternative<Add<Material>>(edit);
+  });
+  if (adds) pulled_.reset();
   say({});
   emit edited(edits, name, in_burst ? burst_ : 0);
 }

@@ -37,6 +37,7 @@ constexpr auto kUsualValues = std::to_array<UsualValues>({
     {"kg/m", 0.01, 1.0},
     {"N m²/kg²", 0.01, 10.0},
 });
+constexpr double kAim = 0.75;     // of a pixel: a rounder value that is so near is meant
 constexpr double kSteps = 100.0;  // at least, from 0 to the end of a linear slider
 
 // 1, 2 or 5 times a power of ten, not more than this.
@@ -58,9 +59,17 @@ double SliderScale::place_of(double value) const {
   return logarithmic ? std::log(inside / low) / std::log(high / low) : (inside - low) / (high - low);
 }
 
-double SliderScale::value_at(double place) const {
+double SliderScale::value_at(double place, double pixel) const {
   const double inside = std::clamp(place, 0.0, 1.0);
-  if (!logarithmic) return std::clamp(rounded((low + inside * (high - low)) / unit, step) * unit, low, high);
+  if (!logarithmic) {
+    const double wanted = (low + inside * (high - low)) / unit;
+    const double near = kAim * pixel * (high - low) / unit;
+    double value = rounded(wanted, step);
+    for (const double coarse : {5.0 * step, 10.0 * step}) {
+      if (std::abs(rounded(wanted, coarse) - wanted) <= near) value = rounded(wanted, coarse);
+    }
+    return std::clamp(value * unit, low, high);
+  }
   const double value = low * std::pow(high / low, inside);
   return std::clamp(rounded(value, std::pow(10.0, std::floor(std::log10(value)) - 2.0)), low, high);
 }

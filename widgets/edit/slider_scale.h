@@ -15,8 +15,8 @@ struct SliderScale {
 
   // Of a value outside, the nearer end.
   [[nodiscard]] double place_of(double value) const;
-  // With three figures, or at a whole step.
-  [[nodiscard]] double value_at(double place) const;
+  // With three figures, or at a whole step; a rounder one if it is less than a `pixel` (of the way) off.
+  [[nodiscard]] double value_at(double place, double pixel = 0.0) const;
 };
 
 // The usual values of a quantity within its range, or as much more as `value` needs.

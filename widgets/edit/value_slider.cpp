@@ -35,7 +35,7 @@ int ValueSlider::room() const { return std::max(width() - kKnob, 1); }
 
 double ValueSlider::knob() const { return room() * static_cast<double>(value()) / kPlaces; }
 
-void ValueSlider::pull_to(double pixels) { emit moved(scale_.value_at(pixels / room())); }
+void ValueSlider::pull_to(double pixels) { emit moved(scale_.value_at(pixels / room(), 1.0 / room())); }
 
 void ValueSlider::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;

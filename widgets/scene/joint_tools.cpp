@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kSpringFrequency = 1.0;  // Hz, of the lighter body on a new spring
 
+bool free(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
+
 bool moves(const std::optional<Body>& body) { return body && !has_infinite_mass(*body); }
 
 double with_one_figure(double value) { return snapped(value, std::pow(10.0, std::floor(std::log10(value)))); }
@@ -106,8 +108,20 @@ Joined distance_link(const JointTool& tool, const JointSight& sight, const LinkE
   return link.joined(tool, sight, kind);
 }
 
+// A place of the plane near the line across a body's motion is put on it: there a rod lets the body move on.
+LinkEnds across_motion(const JointSight& sight, LinkEnds ends) {
+  const std::optional<Body> body = body_at_end(*sight.frame, ends[0]);
+  if (free(sight.mouse) || !moves(body) || !ends[1].body.empty()) return ends;
+  const Vec2 held = place_of(*sight.frame, ends[0]);
+  const Vec2 motion = body->velocity + body->spin * crossed(held - body->position);
+  if (motion.isZero(0.0)) return ends;
+  const double off = motion.normalized().dot(ends[1].own - held);
+  if (std::abs(off) * sight.camera.scale <= kSnapReach) ends[1].own -= off * motion.normalized();
+  return ends;
+}
+
 Joined rod(const JointTool& tool, const JointSight& sight, const LinkEnds& ends) {
-  return distance_link(tool, sight, ends, JointKind::kRod);
+  return distance_link(tool, sight, across_motion(sight, ends), JointKind::kRod);
 }
 
 Joined string(const JointTool& tool, const JointSight& sight, const LinkEnds& ends) {
@@ -198,8 +212,6 @@ constexpr std::array<JointTool, 6> kJointTools = {{
     {.tool = SceneTool::kWeld, .noun = "weld", .at_centres = true, .join = weld},
     {.tool = SceneTool::kForce, .noun = "force", .at_centres = true, .to_mouse = true, .join = push},
 }};
-
-bool free(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
 
 // Its centre if the mouse is near, unless Ctrl is down.
 LinkEnd end_on(const Body& body, const JointSight& sight, bool at_centre) {

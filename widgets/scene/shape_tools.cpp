@@ -34,10 +34,10 @@ double usual_size(const Stroke& stroke) {
 
 Vec2 start_of(const Stroke& stroke) { return drawn_place(stroke.from, stroke.to, stroke.grid); }
 
-// About the press.
+// About the place of the press.
 Drawn disc_by_radius(const Stroke& stroke) {
   const double radius = drawn_length((stroke.to.at - stroke.from).norm(), stroke.to);
-  return {Disc{radius}, stroke.from, 0.0, "r " + drawn_text(radius, stroke.to)};
+  return {Disc{radius}, start_of(stroke), 0.0, "r " + drawn_text(radius, stroke.to)};
 }
 
 Drawn box(const Stroke& stroke, const Vec2& size, const Vec2& centre) {

@@ -58,6 +58,14 @@ const std::vector<Monkey::Kind>& Monkey::kinds() {
       {"clipboard", 1, &Monkey::clipboard},
       {"play", 5, &Monkey::play},
       {"rest", 3, &Monkey::rest},
+      {"draw", 14, &Monkey::draw},
+      {"cell", 5, &Monkey::cell},
+      {"slider", 5, &Monkey::slider},
+      {"link", 4, &Monkey::link},
+      {"edit key", 6, &Monkey::edit_key},
+      {"take back", 6, &Monkey::take_back},
+      {"fold", 2, &Monkey::fold},
+      {"new", 1, &Monkey::new_scene},
   };
   return table;
 }
@@ -406,6 +414,11 @@ void Monkey::close_top() {
   QWindow* window = target();
   QWidget* modal = QApplication::activeModalWidget();
   if (window == nullptr || (modal != nullptr && modal->windowHandle() != window)) return;
+  // On a screen an open menu has the mouse, and goes first. Qt's file dialog would free its own twice.
+  if (QWidget* popup = QApplication::activePopupWidget()) {
+    popup->close();
+    return;
+  }
   window->close();
 }
 

@@ -88,6 +88,17 @@ class Monkey : public QObject {
   void clipboard();
   void play();
   void rest();
+  // On the parts of the lab (monkey_lab.cpp).
+  [[nodiscard]] QPoint near_body();
+  void drag_in(QWidget& widget, const QPoint& from, const QPoint& to);
+  void draw();
+  void cell();
+  void slider();
+  void link();
+  void edit_key();
+  void take_back();
+  void fold();
+  void new_scene();
 
   Options options_;
   std::mt19937 random_;
