@@ -12,7 +12,6 @@
 #include "physics/scene/validate.h"
 #include "widgets/edit/bodies_sheet.h"
 #include "widgets/edit/inspector.h"
-#include "widgets/scene/key_edits.h"
 #include "widgets/scene/scene_parts.h"
 #include "widgets/scene/scene_view.h"
 
@@ -35,6 +34,11 @@ void LabWindow::connect_edits() {
           [this](int drag) { session_.cancel(drag_of(kOfScene, drag)); });
   connect(view_, &SceneView::selectionChanged, this, &LabWindow::show_selection);
   connect(view_, &SceneView::partChosen, this, &LabWindow::show_selection);
+  connect(view_, &SceneView::menuRequested, this, &LabWindow::show_scene_menu);
+  connect(view_, &SceneView::renameRequested, this, [this] {
+    inspect();
+    inspector_->edit_name();
+  });
   connect(inspector_, &Inspector::partOpened, this, [this] { view_->choose_part(inspector_->part()); });
   connect(inspector_, &Inspector::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
     edit_bodies(edits, name, drag_of(kOfInspector, drag));
@@ -109,20 +113,21 @@ void LabWindow::copy_selection() {
 
 void LabWindow::cut_selection() {
   copy_selection();
-  if (session_.runs().scene() == nullptr) return;
-  const Deletion gone = deletion(*session_.runs().scene(), view_->selection());
-  if (!gone.edits.empty()) session_.edit(gone.edits, gone.name);
+  if (!view_->selection().empty()) view_->press_key(Qt::Key_Delete);
 }
 
 // At the mouse if it is over the scene, else in the middle of the view.
 void LabWindow::paste() {
+  paste_at(view_->underMouse() ? QPointF(view_->mapFromGlobal(QCursor::pos()))
+                               : QRectF(view_->rect()).center());
+}
+
+void LabWindow::paste_at(const QPointF& at) {
   if (session_.runs().scene() == nullptr) return;
   try {
     const Preset from = parse_preset(QApplication::clipboard()->text().toStdString(), "clipboard");
     const Extent extent = extent_of(all_bodies(from.scene));
     const bool bounded = (extent.upper.array() >= extent.lower.array()).all();
-    const QPointF at =
-        view_->underMouse() ? QPointF(view_->mapFromGlobal(QCursor::pos())) : QRectF(view_->rect()).center();
     const Vec2 middle = bounded ? Vec2(0.5 * (extent.lower + extent.upper)) : Vec2(Vec2::Zero());
     put(paste_into(*session_.runs().scene(), from, view_->camera().to_world(at) - middle), tr("Paste"));
   } catch (const SceneError& error) {

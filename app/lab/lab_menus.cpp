@@ -76,6 +76,32 @@ void LabWindow::make_edit_menu() {
   add(tr("&Copy"), QKeySequence::Copy, [this] { copy_selection(); });
   add(tr("&Paste"), QKeySequence::Paste, [this] { paste(); });
   add(tr("&Duplicate"), QKeySequence(Qt::CTRL | Qt::Key_D), [this] { duplicate_selection(); });
+  edit->addSeparator();
+  make_align_menu(edit);
+}
+
+void LabWindow::make_align_menu(QMenu* edit) {
+  QMenu* menu = edit->addMenu(tr("&Align"));
+  struct Entry {
+    const char* text;
+    Alignment alignment;
+  };
+  constexpr std::array<Entry, 8> kEntries = {{
+      {"&Left sides", Alignment::kLeft},
+      {"&Centres in a column", Alignment::kCentre},
+      {"&Right sides", Alignment::kRight},
+      {"&Tops", Alignment::kTop},
+      {"Centres in a ro&w", Alignment::kMiddle},
+      {"&Bottoms", Alignment::kBottom},
+      {"&Distribute across", Alignment::kAcross},
+      {"Distribute &upwards", Alignment::kUpwards},
+  }};
+  for (const Entry& entry : kEntries) {
+    if (entry.alignment == Alignment::kAcross) menu->addSeparator();
+    add_action(menu, "", tr(entry.text), QKeySequence(),
+               [this, alignment = entry.alignment] { view_->align(alignment); });
+  }
+  connect(edit, &QMenu::aboutToShow, menu, [this, menu] { menu->setEnabled(view_->can_align()); });
 }
 
 void LabWindow::make_view_menu() {

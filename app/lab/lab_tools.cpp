@@ -20,7 +20,7 @@ struct ToolText {
   const char* tip;
   Qt::Key key;
 };
-constexpr std::array<ToolText, 11> kTools = {{
+constexpr std::array<ToolText, 12> kTools = {{
     {SceneTool::kSelect, "select", "&Select",
      "Select (%1): select, move, turn and resize bodies, and pull their velocity", Qt::Key_V},
     {SceneTool::kDisc, "disc", "&Disc", "Disc (%1): click: random radius like the others; drag: radius",
@@ -41,9 +41,11 @@ constexpr std::array<ToolText, 11> kTools = {{
      "Pin (%1): click where two bodies overlap, or on one to pin it to the plane", Qt::Key_N},
     {SceneTool::kWeld, "weld", "Wel&d", "Weld (%1): click a body, then the other", Qt::Key_J},
     {SceneTool::kForce, "force", "&Force", "Force (%1): pull an arrow out of a body", Qt::Key_A},
+    {SceneTool::kDrive, "drive", "Dri&ve", "Drive (%1): pull a velocity out of a body; Shift: to and fro",
+     Qt::Key_M},
 }};
 
-bool is_joint(SceneTool tool) { return joint_tool(tool) != nullptr && tool != SceneTool::kForce; }
+bool is_joint(SceneTool tool) { return joint_tool(tool) != nullptr && !joint_tool(tool)->to_mouse; }
 
 }  // namespace
 

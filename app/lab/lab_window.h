@@ -105,9 +105,15 @@ class LabWindow : public QMainWindow {
   void copy_selection();
   void cut_selection();
   void paste();
+  void paste_at(const QPointF& at);  // px of the scene view
   void duplicate_selection();
   void put(const Paste& paste, const QString& what);
   void select_new();
+  // The menu of what is under the mouse in the scene (scene_menu.cpp).
+  void show_scene_menu(const QPoint& at);
+  void fill_menu_of_bodies(QMenu& menu);
+  void fill_menu_of_space(QMenu& menu, const QPoint& at);
+  void inspect();
   // The tools of the scene (lab_tools.cpp).
   void make_tools_menu();
   [[nodiscard]] QWidget* make_tool_column();
@@ -116,6 +122,7 @@ class LabWindow : public QMainWindow {
                       const std::function<void()>& slot);
   void make_file_menu();
   void make_edit_menu();
+  void make_align_menu(QMenu* edit);
   void make_view_menu();
   void make_run_menus();
   void make_help_menu();

@@ -7,6 +7,7 @@
 
 #include "widgets/base/plain_text.h"
 #include "widgets/edit/choice_box.h"
+#include "widgets/edit/driven.h"
 #include "widgets/edit/inspected.h"
 #include "widgets/edit/name_field.h"
 
@@ -21,12 +22,9 @@ int kind_of(const Body& body) { return body.drive ? kDriven : body.fixed ? kFixe
 Body of_kind(Body body, int kind) {
   const Vec2 velocity = body.drive ? body.drive->velocity : body.velocity;
   if (kind_of(body) == kind) return body;
+  if (kind == kDriven) return driven(body, Drive{.velocity = velocity});
   body.fixed = kind == kFixed;
   body.drive.reset();
-  if (kind == kDriven) {
-    body.drive = Drive{.velocity = velocity};
-    for (std::optional<double>* mass : {&body.mass, &body.density, &body.inertia}) mass->reset();
-  }
   body.velocity = kind == kMoves ? velocity : Vec2(Vec2::Zero());
   if (kind != kMoves) body.spin = 0.0;
   return body;
@@ -116,6 +114,11 @@ void BodyHead::show_materials() {
   material_->setCurrentIndex(used.size() == 1 ? material_->findText(QString::fromStdString(*used.begin()))
                                               : -1);
   material_->setPlaceholderText(tr("%1 surfaces").arg(used.size()));
+}
+
+void BodyHead::edit_name() {
+  name_->setFocus();
+  name_->selectAll();
 }
 
 void BodyHead::restore() {

@@ -22,6 +22,8 @@ class BodyHead : public QWidget {
   explicit BodyHead(QWidget* parent = nullptr);
 
   void show_bodies(const std::shared_ptr<const Scene>& scene, const std::vector<Body>& bodies);
+  // Puts the cursor into the name of the one body.
+  void edit_name();
   // Forgets what is typed or chosen.
   void restore();
   // As in ValueRow.

@@ -179,6 +179,10 @@ std::vector<InspectedRow> Inspector::rows() const {
   return rows;
 }
 
+void Inspector::edit_name() {
+  if (bodies_.size() == 1) head_->edit_name();
+}
+
 void Inspector::show_rows() {
   shown_part_.reset();
   if (part_) shown_part_ = inspected_part(*scene_, *part_);

@@ -35,6 +35,8 @@ class Inspector : public QWidget {
   // The same for a joint, a spring or a force.
   void show_part(std::shared_ptr<const Scene> scene, PartId part);
   [[nodiscard]] const std::optional<PartId>& part() const { return part_; }
+  // Puts the cursor into the name of the selected body.
+  void edit_name();
   // Says at the bottom, until the next accepted edit, why the last one could not be; the fields then show the
   // scene again. Empty: nothing to say.
   void say(const QString& sentence);

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kSpeedStep = 0.1;       // m/s
 constexpr double kDirectionStep = 15.0;  // degrees
+constexpr double kSpinStep = 0.5;        // rad/s
 constexpr double kTurnStep = 5.0;        // degrees
 constexpr double kLargeTurnStep = 45.0;
 constexpr double kLengthStep = 0.01;  // m
@@ -109,6 +110,20 @@ Dragged turn(const DragStart& start, const DragPoint& point) {
   return out;
 }
 
+Dragged spin(const DragStart& start, const DragPoint& point) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const double before = start.bodies[0].spin;
+  double after = before + point.swept / radians(kArcOfSpin);
+  if (!free(point)) after = shift(point) ? kTurn * std::round(after / kTurn) : snapped(after, kSpinStep);
+  Dragged out;
+  out.bodies = start.bodies;
+  out.bodies[0].spin = after;
+  out.value = spin_text(after);
+  out.detail = turns_text(after);
+  out.name = name_of_spin(start.bodies[0], out.bodies[0]);
+  return out;
+}
+
 // The handles of a disc are corners of a square, farther from its centre than its rim.
 Dragged resize_disc(const DragStart& start, const DragPoint& point, const Disc& disc) {
   const Body& body = start.bodies[0];
@@ -162,6 +177,8 @@ Dragged drag_to(const DragStart& start, const DragPoint& point) {
       return pull_velocity(start, point);
     case HandleKind::kTurn:
       return turn(start, point);
+    case HandleKind::kSpin:
+      return spin(start, point);
     default:
       return resize(start, point);
   }

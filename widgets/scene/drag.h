@@ -29,6 +29,7 @@ struct DragPoint {
   Vec2 at = Vec2::Zero();        // m
   double scale = 100.0;          // px/m
   Qt::KeyboardModifiers keys{};  // Shift keeps a direction or the proportions, Ctrl switches snapping off
+  double swept{};                // rad, around the centre of the grabbed body since the press
 };
 
 struct Dragged {

@@ -15,7 +15,7 @@ bool ctrl(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifi
 
 bool resizes(const DragStart& start) {
   return start.kind != HandleKind::kBody && start.kind != HandleKind::kTurn &&
-         start.kind != HandleKind::kVelocity;
+         start.kind != HandleKind::kVelocity && start.kind != HandleKind::kSpin;
 }
 
 DragPoint finely(DragPoint point) {
@@ -96,10 +96,15 @@ void hold_by_joints(const DragStart& start, std::span<const Hold> holds, const D
   dragged.detail = name_of(*broken) + " holds it. Ctrl: the joint gives way.";
 }
 
-void hold_arrow(std::span<const Hold> holds, Dragged& dragged) {
+void hold_motion(const DragStart& start, std::span<const Hold> holds, Dragged& dragged) {
   if (!hold_velocities(dragged.bodies, holds)) return;
-  dragged.value = velocity_text(dragged.bodies[0].velocity, 2);
-  dragged.detail = name_of(holds[0]) + " allows no other direction";
+  if (start.kind == HandleKind::kSpin) {
+    dragged.value = spin_text(dragged.bodies[0].spin);
+    dragged.detail = name_of(holds[0]) + " allows no other spin";
+  } else {
+    dragged.value = velocity_text(dragged.bodies[0].velocity, 2);
+    dragged.detail = name_of(holds[0]) + " allows no other direction";
+  }
 }
 
 void say_overlap(const DragStart& start, const DragPoint& point, Dragged& dragged) {
@@ -167,8 +172,8 @@ Dragged within_joints(const DragStart& start, Dragged wanted, const DragPoint& p
   }
   const std::vector<Hold> holds = holds_of(all_bodies(start), surroundings_of(start));
   for (const Hold& hold : holds) wanted.joints.push_back(hold.joint);
-  if (start.kind == HandleKind::kVelocity) {
-    hold_arrow(holds, wanted);
+  if (start.kind == HandleKind::kVelocity || start.kind == HandleKind::kSpin) {
+    hold_motion(start, holds, wanted);
     return wanted;
   }
   hold_by_joints(start, holds, point, wanted);

@@ -4,14 +4,23 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/scene/names.h"
 #include "widgets/base/number_text.h"
+#include "widgets/edit/units.h"
 
 namespace carom {
 namespace {
 
 constexpr QChar kDegree(0x00b0);
 constexpr int kMostDecimals = 12;
-constexpr double kShownStep = 4.0;  // px, that the figures of a place tell apart
+constexpr double kSameForce = 1e-9;  // of its size, that only turns
+constexpr double kShownStep = 4.0;   // px, that the figures of a place tell apart
+
+// "0° → 15°"
+QString turned_text(const Vec2& before, const Vec2& after) {
+  return fixed_text(direction(before), 0) + kDegree + QStringLiteral(" → ") + fixed_text(direction(after), 0) +
+         kDegree;
+}
 
 }  // namespace
 
@@ -51,6 +60,20 @@ QString velocity_text(const Vec2& velocity, int decimals, int decimals_of_direct
 
 QString angle_text(double radians, int decimals) { return fixed_text(degrees(radians), decimals) + kDegree; }
 
+QString spin_text(double spin) { return fixed_text(spin, 2) + " rad/s"; }
+
+QString turns_text(double spin) { return fixed_text(spin / (2.0 * std::numbers::pi), 2) + " turns a second"; }
+
+QString name_of_part(const Joint& joint) {
+  if (!joint.name.empty()) return QString::fromStdString(joint.name);
+  const std::string_view kind = name_of(kJointNames, joint.kind);
+  return "a " + QString::fromUtf8(kind.data(), static_cast<qsizetype>(kind.size()));
+}
+QString name_of_part(const Spring& spring) {
+  return spring.name.empty() ? QStringLiteral("a spring") : QString::fromStdString(spring.name);
+}
+QString name_of_part(const AppliedForce& force) { return "a force on " + QString::fromStdString(force.body); }
+
 QString name_of_bodies(std::span<const Body> bodies) {
   if (bodies.size() == 1) return QString::fromStdString(bodies[0].name);
   return QStringLiteral("%1 bodies").arg(bodies.size());
@@ -63,8 +86,22 @@ QString name_of_velocity(std::span<const Body> before, std::span<const Body> aft
   const QString speed = fixed_text(after[0].velocity.norm(), 2);
   const QString arrow = QStringLiteral(" → ");
   if (old_speed != speed) return "Speed of " + who + " " + old_speed + arrow + speed + " m/s";
-  return "Direction of " + who + " " + fixed_text(direction(before[0].velocity), 0) + kDegree + arrow +
-         fixed_text(direction(after[0].velocity), 0) + kDegree;
+  return "Direction of " + who + " " + turned_text(before[0].velocity, after[0].velocity);
+}
+
+QString name_of_spin(const Body& before, const Body& after) {
+  return "Spin of " + QString::fromStdString(after.name) + " " + fixed_text(before.spin, 2) + " → " +
+         spin_text(after.spin);
+}
+
+QString name_of_force(const AppliedForce& before, const AppliedForce& after) {
+  const QString who = QString::fromStdString(before.body);
+  const double old_size = before.force.norm();
+  const double size = after.force.norm();
+  if (std::abs(size - old_size) > kSameForce * old_size) {
+    return "Force on " + who + " " + change_text(old_size, size, "N");
+  }
+  return "Direction of the force on " + who + " " + turned_text(before.force, after.force);
 }
 
 }  // namespace carom

@@ -24,9 +24,22 @@ namespace carom {
 [[nodiscard]] QString velocity_text(const Vec2& velocity, int decimals, int decimals_of_direction = 0);
 [[nodiscard]] QString angle_text(double radians, int decimals = 0);
 
+// "2.00 rad/s" and "0.32 turns a second".
+[[nodiscard]] QString spin_text(double spin);
+[[nodiscard]] QString turns_text(double spin);
+
+// "Rod 1", "a rod" without a name, "a force on A".
+[[nodiscard]] QString name_of_part(const Joint& joint);
+[[nodiscard]] QString name_of_part(const Spring& spring);
+[[nodiscard]] QString name_of_part(const AppliedForce& force);
 // "light", or "3 bodies".
 [[nodiscard]] QString name_of_bodies(std::span<const Body> bodies);
 // "Speed of light 1.00 → 2.00 m/s", or "Direction of light 0° → 15°" at the same speed.
 [[nodiscard]] QString name_of_velocity(std::span<const Body> before, std::span<const Body> after);
+
+// "Spin of A 0.00 → 2.00 rad/s"
+[[nodiscard]] QString name_of_spin(const Body& before, const Body& after);
+// "Force on A 1.00 → 2.00 N", or "Direction of the force on A 0° → 15°".
+[[nodiscard]] QString name_of_force(const AppliedForce& before, const AppliedForce& after);
 
 }  // namespace carom

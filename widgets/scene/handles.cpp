@@ -13,6 +13,7 @@ namespace {
 constexpr double kGap = 8.0;         // px from the outline to a handle of the size
 constexpr double kStem = 24.0;       // px from there to the knob
 constexpr double kStub = 30.0;       // px from the outline to the grip of a short velocity
+constexpr double kTail = 240.0;      // degrees, where the arc of a spin begins
 constexpr double kSteepArrow = 0.8;  // sine of the direction from which on an arrow would cross the knob's stem
 
 // px on the screen, y down.
@@ -31,6 +32,27 @@ void add_velocity(const Body& body, std::size_t index, const Camera& camera, dou
   const double rim = inside ? inside->second * camera.scale : 0.0;
   handles.push_back({HandleKind::kVelocity, index, centre + (rim + kStub) * on_screen(along),
                      centre + std::max(rim, length) * on_screen(along)});
+}
+
+// Just outside the rim; of a small body outside its corner handles.
+double arc_radius(const Body& body, const Camera& camera) {
+  double reach = half_extent(body.shape, 0.0).norm();
+  if (const auto* disc = std::get_if<Disc>(&body.shape)) reach = disc->radius;
+  const double near = reach * camera.scale + kGap;
+  const double corner = std::max(std::numbers::sqrt2 * near, kLeastHandleDistance);
+  const bool clear = near >= kLeastHandleDistance && corner - near >= kHandleReach;
+  return clear ? near : corner + kHandleReach;
+}
+
+void add_spin(const Body& body, const Camera& camera, std::vector<Handle>& handles) {
+  if (!(inertia_of(body) > 0.0)) return;
+  const Handle::Arc arc{.centre = camera.to_screen(body.position),
+                        .radius = arc_radius(body, camera),
+                        .tail = kTail,
+                        .sweep = std::clamp(body.spin * kArcOfSpin, -kLongestArc, kLongestArc)};
+  const double grip = (arc.tail + arc.sweep) * std::numbers::pi / 180.0;
+  const QPointF at = arc.centre + arc.radius * on_screen(Vec2(std::cos(grip), std::sin(grip)));
+  handles.push_back({HandleKind::kSpin, 0, at, std::nullopt, arc});
 }
 
 void add_knob(const Body& body, const Camera& camera, bool arrow, std::vector<Handle>& handles) {
@@ -90,7 +112,9 @@ std::vector<Handle> handles_of(std::span<const Body> bodies, const Camera& camer
     }
   }
   if (bodies.size() == 1) {
-    add_knob(bodies[0], camera, !handles.empty(), handles);
+    const bool arrow = !handles.empty();
+    if (arrow) add_spin(bodies[0], camera, handles);
+    add_knob(bodies[0], camera, arrow, handles);
     add_sizes(bodies[0], camera, handles);
   }
   return handles;

@@ -12,22 +12,34 @@
 namespace carom {
 
 // What a drag takes hold of: a body itself, or one of the handles around it.
-enum class HandleKind { kBody, kTurn, kVelocity, kRadius, kRight, kTop, kLeft, kBottom };
+enum class HandleKind { kBody, kTurn, kVelocity, kSpin, kRadius, kRight, kTop, kLeft, kBottom };
 
 struct Handle {
   HandleKind kind = HandleKind::kBody;
   std::size_t body = 0;         // among those that have handles
   QPointF at;                   // px
   std::optional<QPointF> foot;  // px: the other end of the line that ties it to its body
+  // Of a spin: px, and degrees counter-clockwise from the right.
+  struct Arc {
+    QPointF centre;
+    double radius = 0.0;
+    double tail = 0.0;   // where it begins
+    double sweep = 0.0;  // from there to the grip
+  };
+  std::optional<Arc> arc{};
 };
 
 // How far handles stand from a body's centre at least, and how near the mouse must be, in px.
 inline constexpr double kLeastHandleDistance = 24.0;
 inline constexpr double kHandleReach = 10.0;
 
+// Degrees of the arc that shows a spin of 1 rad/s, and of the longest one.
+inline constexpr double kArcOfSpin = 15.0;
+inline constexpr double kLongestArc = 330.0;
+
 // The handles around these bodies, which stand and move as stated: of each that moves freely the tip of its
-// velocity if `arrow_seconds` (m of arrow per m/s) is given; of a single one also a knob to turn it, and those
-// of its size.
+// velocity if `arrow_seconds` (m of arrow per m/s) is given; of a single one also the grip
+// of its spin, a knob to turn it, and those of its size.
 [[nodiscard]] std::vector<Handle> handles_of(std::span<const Body> bodies, const Camera& camera,
                                              std::optional<double> arrow_seconds);
 // The nearest one that the mouse reaches.

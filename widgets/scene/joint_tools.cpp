@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "physics/math/vectors.h"
+#include "widgets/scene/drive_tool.h"
 #include "widgets/scene/edit_names.h"
 #include "widgets/scene/force_tool.h"
 #include "widgets/scene/hit.h"
@@ -204,13 +205,14 @@ Joined weld(const JointTool& tool, const JointSight& sight, const LinkEnds& ends
   return link.joined(tool, sight, JointKind::kWeld);
 }
 
-constexpr std::array<JointTool, 6> kJointTools = {{
+constexpr std::array<JointTool, 7> kJointTools = {{
     {.tool = SceneTool::kRod, .noun = "rod", .join = rod},
     {.tool = SceneTool::kString, .noun = "string", .join = string},
     {.tool = SceneTool::kSpring, .noun = "spring", .at_centres = true, .join = spring},
     {.tool = SceneTool::kPin, .noun = "pin", .one_click = true, .join = pin},
     {.tool = SceneTool::kWeld, .noun = "weld", .at_centres = true, .join = weld},
     {.tool = SceneTool::kForce, .noun = "force", .at_centres = true, .to_mouse = true, .join = push},
+    {.tool = SceneTool::kDrive, .noun = "drive", .at_centres = true, .to_mouse = true, .join = drive},
 }};
 
 // Its centre if the mouse is near, unless Ctrl is down.

@@ -29,6 +29,7 @@ struct JointSight {
   DragPoint mouse;
   double grid = 0.0;               // m, spacing; 0: none to snap to
   double metres_per_newton = 0.0;  // of arrows of forces; 0: none is shown
+  double arrow_seconds = 0.1;      // m of arrow per m/s
 };
 
 // What a tool makes.
@@ -42,7 +43,7 @@ struct Joined {
   Vec2 to = Vec2::Zero();    // m
 };
 
-// A tool that draws a joint, a spring or a force.
+// A tool that draws a joint, a spring, a force or a drive.
 struct JointTool {
   SceneTool tool = SceneTool::kRod;
   const char* noun = "";    // of what it draws

@@ -72,20 +72,11 @@ QString text_of(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-// "Rod 1", "a rod" without a name, "a force on A".
-QString name_of(const Joint& joint) {
-  return joint.name.empty() ? "a " + text_of(name_of(kJointNames, joint.kind)) : text_of(joint.name);
-}
-QString name_of(const Spring& spring) {
-  return spring.name.empty() ? QStringLiteral("a spring") : text_of(spring.name);
-}
-QString name_of(const AppliedForce& force) { return "a force on " + text_of(force.body); }
-
 template <class Part>
 Deletion deletion_of(const std::vector<Part>& list, Id<Part> id) {
   const Part* part = part_of(list, id);
   if (part == nullptr) return {};
-  return {{Remove<Part>{id}}, "Delete " + name_of(*part)};
+  return {{Remove<Part>{id}}, "Delete " + name_of_part(*part)};
 }
 
 }  // namespace

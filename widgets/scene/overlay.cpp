@@ -122,6 +122,9 @@ void paint_link(QPainter& painter, const Overlay::Link& link, const Camera& came
   if (line.length() > 0.0) painter.drawLine(line);
   if (link.arrow) {
     if (line.length() > 0.0) paint_head(painter, line, color);
+    painter.setPen(QPen(color, kOutline));
+    painter.setBrush(Qt::NoBrush);
+    if (link.chosen) painter.drawEllipse(line.p2(), kGrip, kGrip);
     return;
   }
   painter.setPen(QPen(color, kOutline));
@@ -138,7 +141,32 @@ void paint_outline(QPainter& painter, const Body& body, const Camera& camera, co
   painter.drawPath(path);
 }
 
+// On the rim, below at the right; a half-plane's at its point.
+void paint_padlock(QPainter& painter, const Body& body, const Camera& camera, const Theme& theme) {
+  constexpr double kOnRim = 0.7071;
+  const Vec2 half = half_extent(body.shape, body.angle);
+  const Vec2 corner = half.allFinite() ? Vec2(kOnRim * half.x(), -kOnRim * half.y()) : Vec2(Vec2::Zero());
+  painter.save();
+  painter.translate(camera.to_screen(body.position + corner));
+  painter.setPen(QPen(theme.text, 1.6));
+  painter.setBrush(theme.panel);
+  painter.drawArc(QRectF(-3.0, -7.0, 6.0, 8.0), 0, 16 * 180);
+  painter.drawRoundedRect(QRectF(-5.0, -3.0, 10.0, 8.0), 1.5, 1.5);
+  painter.drawLine(QPointF(0.0, 0.0), QPointF(0.0, 2.0));
+  painter.restore();
+}
+
+// Along the rim from its tail to its grip.
+void paint_arc(QPainter& painter, const Handle::Arc& arc, const Theme& theme) {
+  const QRectF circle(arc.centre - QPointF(arc.radius, arc.radius), QSizeF(2 * arc.radius, 2 * arc.radius));
+  constexpr double kUnits = 16.0;  // of Qt in a degree
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(theme.accent, 2.5, Qt::SolidLine, Qt::RoundCap));
+  painter.drawArc(circle, qRound(kUnits * arc.tail), qRound(kUnits * arc.sweep));
+}
+
 void paint_handle(QPainter& painter, const Handle& handle, const Theme& theme) {
+  if (handle.arc) paint_arc(painter, *handle.arc, theme);
   if (handle.foot) {
     QPen stem(theme.accent, 1.5, handle.kind == HandleKind::kVelocity ? Qt::DotLine : Qt::SolidLine);
     painter.setPen(stem);
@@ -151,6 +179,9 @@ void paint_handle(QPainter& painter, const Handle& handle, const Theme& theme) {
       // A ring leaves the arrow's head visible; a grip without an arrow is filled.
       if (!handle.foot) painter.setBrush(Qt::NoBrush);
       painter.drawEllipse(handle.at, kGrip, kGrip);
+      break;
+    case HandleKind::kSpin:
+      painter.drawEllipse(handle.at, kSquare, kSquare);
       break;
     case HandleKind::kTurn:
       painter.drawEllipse(handle.at, kKnob, kKnob);
@@ -252,6 +283,7 @@ void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera
     painter.setPen(QPen(theme.danger, kBlocked, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(camera.to_screen(overlay.blocked->first), camera.to_screen(overlay.blocked->second));
   }
+  for (const Body& body : overlay.locked) paint_padlock(painter, body, camera, theme);
   for (const Handle& handle : overlay.handles) paint_handle(painter, handle, theme);
   if (overlay.band) {
     painter.setPen(QPen(theme.accent, 1.0, Qt::DashLine));

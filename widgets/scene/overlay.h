@@ -47,6 +47,7 @@ struct Overlay {
     bool fault = false;
   };
   std::vector<Body> selected;
+  std::vector<Body> locked;
   std::vector<Body> lit;  // that an end is put on
   std::vector<Link> links;
   std::vector<Ghost> ghosts;
@@ -61,9 +62,9 @@ struct Overlay {
   std::optional<Aim> aim;                        // to the first impact
 
   [[nodiscard]] bool empty() const {
-    return selected.empty() && lit.empty() && links.empty() && ghosts.empty() && handles.empty() && !band &&
-           !drawn && corners.set.empty() && !corners.next && bubble.value.isEmpty() && overlaps.empty() &&
-           !blocked && !aim;
+    return selected.empty() && locked.empty() && lit.empty() && links.empty() && ghosts.empty() &&
+           handles.empty() && !band && !drawn && corners.set.empty() && !corners.next &&
+           bubble.value.isEmpty() && overlaps.empty() && !blocked && !aim;
   }
 };
 

@@ -40,6 +40,13 @@ void SceneTools::add_usual() {
   used_tool();
 }
 
+void SceneTools::draw_at(SceneTool tool, const QPointF& at) {
+  set_tool(tool, false);
+  press_ = mouse_ = at;
+  keys_ = {};
+  add_usual();
+}
+
 void SceneTools::draw() {
   if (joint_tool(tool_) != nullptr) return end_link();
   const ShapeTool& tool = *shape_tool(tool_);

@@ -1,4 +1,6 @@
 #include "widgets/scene/grid.h"
+#include "widgets/scene/hit.h"
+#include "widgets/scene/part_ends.h"
 #include "widgets/scene/scene_tools.h"
 
 // The scene's tools that draw joints, springs and forces, and the choice of one of them.
@@ -10,7 +12,8 @@ JointSight SceneTools::joint_sight(const QPointF& at) const {
           .camera = sight.camera,
           .mouse = {sight.camera.to_world(at), sight.camera.scale, keys_},
           .grid = sight.grid ? grid_spacing(sight.camera) : 0.0,
-          .metres_per_newton = sight.forces_shown ? sight.metres_per_newton : 0.0};
+          .metres_per_newton = sight.forces_shown ? sight.metres_per_newton : 0.0,
+          .arrow_seconds = sight.arrow_seconds};
 }
 
 // Both ends, once there is a first one.
@@ -48,6 +51,7 @@ void SceneTools::set_end() {
 
 void SceneTools::join(const LinkEnds& ends) {
   const JointTool& tool = *joint_tool(tool_);
+  if (tool_ == SceneTool::kDrive && locked_.contains(ends[0].body)) return say_locked(ends[0].body);
   const Joined joined = tool.join(tool, joint_sight(mouse_), ends);
   if (!joined.fault.isEmpty()) return note({joined.fault, {}, mouse_, press_, true});
   first_end_.reset();
@@ -112,6 +116,39 @@ std::optional<PartId> SceneTools::part_under(const QPointF& at) const {
   const auto line = line_of(*sight.frame, *part, sight.metres_per_newton);
   const bool dot = line && line->from == line->to;
   return dot && part != part_ ? part : std::nullopt;
+}
+
+std::optional<std::size_t> SceneTools::end_under(const QPointF& at) const {
+  const SceneSight sight = sight_();
+  if (tool_ != SceneTool::kSelect || !part_ || !sight.frame) return std::nullopt;
+  return end_of_part_at(*sight.frame, sight.camera, *part_, at, sight.metres_per_newton);
+}
+
+Joined SceneTools::moved_end() const {
+  JointSight sight = joint_sight(mouse_);
+  sight.metres_per_newton = sight_().metres_per_newton;
+  // The tip of a force keeps its distance from the mouse.
+  const auto line = line_of(*sight.frame, *part_, sight.metres_per_newton);
+  if (line && line->arrow) sight.mouse.at += line->to - sight.camera.to_world(press_);
+  return with_end_at_mouse(sight, *part_, *end_);
+}
+
+void SceneTools::move_end() {
+  const Joined moved = moved_end();
+  if (!moved.fault.isEmpty()) return note({moved.fault, {}, mouse_, press_, true});
+  emit edited(moved.edits, moved.name, ++drags_);
+  note({moved.value, {}, mouse_, press_});
+}
+
+void SceneTools::show_moved_end(Overlay& out) const {
+  const Joined moved = moved_end();
+  const bool fault = !moved.fault.isEmpty();
+  const bool arrow = std::holds_alternative<Id<AppliedForce>>(*part_);
+  const SceneSight sight = sight_();
+  const int body = arrow ? -1 : body_at(*sight.frame, sight.camera, mouse_);
+  if (body >= 0) out.lit.push_back(body_now(*sight.frame, body));
+  out.links.push_back({moved.from, moved.to, arrow, false, fault});
+  out.bubble = {fault ? moved.fault : moved.value, {}, mouse_, press_, fault};
 }
 
 void SceneTools::show_part(Overlay& out) const {

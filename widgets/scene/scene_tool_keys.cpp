@@ -29,6 +29,10 @@ HandleKind changed_by(KeyEdit kind) {
 
 bool is_touch(int key, Qt::KeyboardModifiers keys) { return key == Qt::Key_K && keys == Qt::NoModifier; }
 
+bool is_rename(int key, Qt::KeyboardModifiers keys) { return key == Qt::Key_F2 && keys == Qt::NoModifier; }
+
+bool is_lock(int key, Qt::KeyboardModifiers keys) { return key == Qt::Key_L && keys == Qt::NoModifier; }
+
 }  // namespace
 
 bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
@@ -44,7 +48,8 @@ bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
   if (removes && part_) return true;
   if (selection_.empty()) return false;
   if (is_touch(key, keys)) return can_touch();
-  return removes || key_edit(key, keys).has_value();
+  if (is_rename(key, keys)) return selection_.names().size() == 1;
+  return removes || is_lock(key, keys) || key_edit(key, keys).has_value();
 }
 
 bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
@@ -64,6 +69,10 @@ bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
     set_selection(moving);
   } else if (is_touch(key, keys)) {
     put_in_touch();
+  } else if (is_rename(key, keys)) {
+    emit renameRequested();
+  } else if (is_lock(key, keys)) {
+    toggle_lock();
   } else if (const auto kind = key_edit(key, keys)) {
     edit_by_key(*kind, key, keys);
   } else {
@@ -100,7 +109,10 @@ void SceneTools::remove_selected() {
   row_ = {};
   end_note();
   const Scene& scene = *sight_().frame->scene;
-  const Deletion removed = part_ ? deletion(scene, *part_) : deletion(scene, selection_.names());
+  Selection unlocked = selection_;
+  unlocked.keep_if([this](const std::string& name) { return !locked_.contains(name); });
+  if (!part_ && unlocked.empty()) return say_locked(selection_.names().front());
+  const Deletion removed = part_ ? deletion(scene, *part_) : deletion(scene, unlocked.names());
   if (!removed.edits.empty()) emit edited(removed.edits, removed.name, ++drags_);
 }
 
@@ -117,6 +129,8 @@ void SceneTools::edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys) 
     row_.drag = row_.before.empty() ? 0 : ++drags_;
     if (row_.drag != 0) row_.start = start_of(changed, row_.before);
   }
+  const auto locked = locked_among(row_.drag == 0 ? selected_now() : row_.start.followers);
+  if (locked) return say_locked(*locked);
   if (row_.drag == 0) return;
   const Camera camera = sight_().camera;
   Dragged wanted;

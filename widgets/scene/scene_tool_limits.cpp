@@ -48,18 +48,36 @@ QString SceneTools::overlap_of_new(const Body& body) const {
 bool SceneTools::can_touch() const { return selection_.names().size() == 2; }
 
 void SceneTools::put_in_touch() {
-  const std::vector<Body> bodies = editable({}, false);
+  const std::vector<Body> bodies = selected_now();
   if (bodies.size() != 2) return;
+  if (locked_.contains(bodies[0].name)) return say_locked(bodies[0].name);
   row_ = {};
-  row_.start = start_of(HandleKind::kBody, {bodies[0]});
+  row_.start = start_of(HandleKind::kBody, {editable({}, false).front()});
+  if (const auto locked = locked_among(row_.start.followers)) return say_locked(*locked);
   row_.drag = ++drags_;
-  const Body moved = in_touch(bodies[0], bodies[1]);
+  const Body moved = in_touch(row_.start.bodies[0], bodies[1]);
   const QString other = QString::fromStdString(bodies[1].name);
   change_by_key({.bodies = {moved},
                  .value = place_text(moved.position, sight_().camera.scale),
                  .detail = "touches " + other,
                  .name = "Put " + QString::fromStdString(moved.name) + " in touch with " + other});
   row_ = {};
+}
+
+bool SceneTools::can_align() const { return state_ == State::kNone && editable({}, false).size() >= 2; }
+
+void SceneTools::align(Alignment alignment) {
+  if (!can_align()) return;
+  row_ = {};
+  DragStart start = start_of(HandleKind::kBody, editable({}, false));
+  // What is joined to one of them does not follow: each goes its own way.
+  start.others.insert(start.others.end(), start.followers.begin(), start.followers.end());
+  start.followers.clear();
+  Dragged wanted;
+  wanted.bodies = aligned(start.bodies, alignment);
+  wanted.name = name_of(alignment, start.bodies);
+  const Dragged left = within_joints(start, std::move(wanted), point(Qt::ControlModifier));
+  emit_change(left, left.refits, ++drags_);
 }
 
 void SceneTools::change_by_key(Dragged wanted) {

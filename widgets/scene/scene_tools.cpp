@@ -2,8 +2,10 @@
 
 #include <QLineF>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "physics/math/vectors.h"
 #include "widgets/scene/drag_limits.h"
 #include "widgets/scene/hit.h"
 
@@ -88,7 +90,7 @@ std::vector<Body> SceneTools::editable(const std::string& first, bool velocities
   for (const int i : selected_indices()) {
     if (i >= static_cast<int>(frame->scene->bodies.size())) continue;
     const Body& body = frame->scene->bodies[static_cast<std::size_t>(i)];
-    if (velocities && has_infinite_mass(body)) continue;
+    if ((velocities && has_infinite_mass(body)) || locked_.contains(body.name)) continue;
     bodies.push_back(body);
     if (body.name == first) std::swap(bodies.front(), bodies.back());
   }
@@ -99,6 +101,7 @@ void SceneTools::frame_changed() {
   const std::shared_ptr<const Frame> frame = sight_().frame;
   const std::shared_ptr<const std::vector<Body>> bodies = frame ? frame->bodies : nullptr;
   if (bodies != bodies_) {
+    if (bodies && bodies_) rename_locked(*bodies_, *bodies);
     bodies_ = bodies;
     index_.clear();
     for (int i = 0; i < (frame ? body_count(*frame) : 0); ++i) {
@@ -114,6 +117,7 @@ void SceneTools::frame_changed() {
   if (!frame || !frame->scene) end_note();
   const bool held = frame && frame->scene && grab_ && index_.contains(grab_->body);
   if (state_ == State::kDrag && !held) state_ = State::kMute;
+  if (state_ == State::kEnd && !(part_ && frame && frame->scene)) state_ = State::kMute;
 }
 
 // --- tools
@@ -142,7 +146,10 @@ void SceneTools::used_tool() {
 std::vector<Handle> SceneTools::handles(const SceneSight& sight) const {
   if (!sight.frame || !sight.frame->scene) return {};
   const std::vector<Body> bodies = selected_now();
-  return handles_of(bodies, sight.camera, sight.velocities ? std::optional(sight.arrow_seconds) : std::nullopt);
+  std::vector<Handle> handles =
+      handles_of(bodies, sight.camera, sight.velocities ? std::optional(sight.arrow_seconds) : std::nullopt);
+  std::erase_if(handles, [&](const Handle& handle) { return locked_.contains(bodies[handle.body].name); });
+  return handles;
 }
 
 std::optional<SceneTools::Grab> SceneTools::grab_at(const QPointF& at) const {
@@ -161,7 +168,7 @@ std::optional<SceneTools::Grab> SceneTools::grab_at(const QPointF& at) const {
 
 DragPoint SceneTools::point(Qt::KeyboardModifiers keys) const {
   const Camera camera = sight_().camera;
-  return {camera.to_world(mouse_), camera.scale, keys};
+  return {camera.to_world(mouse_), camera.scale, keys, swept_};
 }
 
 void SceneTools::press(const QPointF& at, bool repeated) {
@@ -169,6 +176,8 @@ void SceneTools::press(const QPointF& at, bool repeated) {
   end_note();
   press_ = mouse_ = at;
   grab_ = grab_at(at);
+  swept_ = 0.0;
+  end_ = end_under(at);
   over_ = true;
   // The second click of a double click closes a polygon; it would hit the body of the first.
   if (repeated && !draft_.empty()) close_polygon();
@@ -177,11 +186,12 @@ void SceneTools::press(const QPointF& at, bool repeated) {
 }
 
 void SceneTools::move(const QPointF& at, Qt::KeyboardModifiers keys) {
+  if (state_ == State::kPressed || state_ == State::kDrag) sweep(mouse_, at);
   mouse_ = at;
   keys_ = keys;
   if (state_ == State::kPressed && QLineF(press_, at).length() >= kDragBegins) begin();
   if (state_ == State::kDrag) drag_on();
-  if (state_ == State::kDrag || state_ == State::kBand || state_ == State::kDraw) emit changed();
+  if (state_ != State::kNone && state_ != State::kPressed && state_ != State::kMute) emit changed();
 }
 
 void SceneTools::hover(const QPointF& at, Qt::KeyboardModifiers keys) {
@@ -198,7 +208,7 @@ void SceneTools::leave() {
 }
 
 void SceneTools::hold_keys(Qt::KeyboardModifiers keys) {
-  if (state_ == State::kDrag || state_ == State::kDraw) {
+  if (state_ == State::kDrag || state_ == State::kEnd || state_ == State::kDraw) {
     move(mouse_, keys);
   } else if (has_draft()) {
     keys_ = keys;
@@ -207,7 +217,9 @@ void SceneTools::hold_keys(Qt::KeyboardModifiers keys) {
 }
 
 void SceneTools::begin() {
-  if (!grab_) {
+  if (end_) {
+    state_ = State::kEnd;
+  } else if (!grab_) {
     state_ = tool_ != SceneTool::kSelect ? State::kDraw : State::kBand;
     if (joint_tool(tool_) != nullptr) begin_link();
   } else {
@@ -220,18 +232,31 @@ void SceneTools::begin_drag() {
   state_ = State::kMute;
   if (!sight.frame || !sight.frame->scene) return;
   if (!selection_.contains(grab_->body)) set_selection({grab_->body});
-  start_ = start_of(grab_->kind, editable(grab_->body, grab_->kind == HandleKind::kVelocity));
+  if (locked_.contains(grab_->body)) return say_locked(grab_->body);
+  const bool motion = grab_->kind == HandleKind::kVelocity || grab_->kind == HandleKind::kSpin;
+  start_ = start_of(grab_->kind, editable(grab_->body, motion));
   if (start_.bodies.empty() || start_.bodies.front().name != grab_->body) return;
+  if (const auto locked = locked_among(start_.followers)) return say_locked(*locked);
   dragged_ = {.bodies = start_.bodies, .value = {}, .detail = {}, .name = {}};
   ghosts_.clear();
   const bool arrows = grab_->kind == HandleKind::kVelocity;
-  for (const Body& body : selected_now()) {
+  const bool shown = grab_->kind != HandleKind::kSpin;  // what it was is seen in no outline
+  for (const Body& body : shown ? selected_now() : std::vector<Body>()) {
     if (!arrows || !has_infinite_mass(body)) ghosts_.push_back({body, arrows});
   }
-  for (const Body& body : start_.followers) ghosts_.push_back({body, arrows});
+  for (const Body& body : shown ? start_.followers : std::vector<Body>()) ghosts_.push_back({body, arrows});
   emitted_ = refitted_ = false;
   ++drags_;
   state_ = State::kDrag;
+}
+
+void SceneTools::sweep(const QPointF& from, const QPointF& to) {
+  if (!grab_ || grab_->kind != HandleKind::kSpin || !index_.contains(grab_->body)) return;
+  const SceneSight sight = sight_();
+  const Vec2 centre = body_now(*sight.frame, index_.at(grab_->body)).position;
+  const Vec2 a = sight.camera.to_world(from) - centre;
+  const Vec2 b = sight.camera.to_world(to) - centre;
+  swept_ += std::atan2(cross(a, b), a.dot(b));
 }
 
 void SceneTools::drag_on() {
@@ -259,6 +284,9 @@ void SceneTools::release(const QPointF& at, Qt::KeyboardModifiers keys) {
     case State::kDrag:
       end_drag();
       break;
+    case State::kEnd:
+      move_end();
+      break;
     case State::kDraw:
       draw();
       break;
@@ -266,6 +294,7 @@ void SceneTools::release(const QPointF& at, Qt::KeyboardModifiers keys) {
       break;
   }
   grab_.reset();
+  end_.reset();
   emit changed();
 }
 
@@ -293,6 +322,18 @@ void SceneTools::click(Qt::KeyboardModifiers keys) {
   }
 }
 
+void SceneTools::pick(const QPointF& at) {
+  const SceneSight sight = sight_();
+  if (!sight.frame) return;
+  const auto under = part_at(*sight.frame, sight.camera, at, sight.metres_per_newton);
+  if (part_ && under == part_) return;
+  if (const auto part = part_under(at)) return choose(part);
+  const int body = body_at(*sight.frame, sight.camera, at);
+  if (body < 0) return set_selection({});
+  const std::string& name = (*sight.frame->bodies)[static_cast<std::size_t>(body)].name;
+  if (!selection_.contains(name)) set_selection({name});
+}
+
 void SceneTools::select_band(Qt::KeyboardModifiers keys) {
   const SceneSight sight = sight_();
   if (!sight.frame) return;
@@ -311,6 +352,7 @@ void SceneTools::select_band(Qt::KeyboardModifiers keys) {
 
 Qt::CursorShape SceneTools::cursor(const QPointF& at) const {
   if (state_ == State::kDrag && grab_->kind == HandleKind::kBody) return Qt::ClosedHandCursor;
+  if (state_ == State::kNone ? end_under(at) : end_) return Qt::PointingHandCursor;
   const std::optional<Grab> grab = state_ == State::kNone ? grab_at(at) : grab_;
   if (!grab) return tool_ != SceneTool::kSelect ? Qt::CrossCursor : Qt::ArrowCursor;
   switch (grab->kind) {
@@ -333,6 +375,7 @@ Overlay SceneTools::overlay() const {
   out.selected = selected_now();
   out.handles = handles(sight);
   out.arrow_seconds = sight.arrow_seconds;
+  show_locks(out);
   if (state_ == State::kDrag) {
     std::erase_if(out.handles, [this](const Handle& handle) {
       return handle.kind != grab_->kind || selection_.names()[handle.body] != grab_->body;
@@ -341,6 +384,8 @@ Overlay SceneTools::overlay() const {
     out.bubble = {dragged_.value, dragged_.detail, mouse_, press_, dragged_.fault};
     out.overlaps = dragged_.overlaps;
     out.blocked = dragged_.blocked;
+  } else if (state_ == State::kEnd) {
+    show_moved_end(out);
   } else if (state_ == State::kBand) {
     out.band = QRectF(press_, mouse_).normalized();
   } else {

@@ -15,6 +15,7 @@
 #include "physics/record/frame.h"
 #include "physics/scene/edit.h"
 #include "physics/scene/part_id.h"
+#include "widgets/scene/align.h"
 #include "widgets/scene/camera.h"
 #include "widgets/scene/drag.h"
 #include "widgets/scene/joint_tools.h"
@@ -60,6 +61,9 @@ class SceneTools : public QObject {
   [[nodiscard]] SceneTool tool() const { return tool_; }
   // After one use it is kSelect again, unless it is kept.
   void set_tool(SceneTool tool, bool keep);
+  // Locked bodies are changed neither by the mouse nor by keys.
+  [[nodiscard]] bool all_locked() const;  // the selected ones
+  void unlock_all();
   // Forgets the corners of a polygon that is not closed yet, and the first end of a link.
   void drop_draft();
 
@@ -68,6 +72,14 @@ class SceneTools : public QObject {
   // A drag of a body or handle is going on.
   [[nodiscard]] bool dragging() const { return state_ == State::kDrag; }
 
+  // Puts the selected bodies in line. Joints to others give way, overlaps stay.
+  void align(Alignment alignment);
+  [[nodiscard]] bool can_align() const;
+  // A right click: selects the body, or chooses the part, that is there, unless it is already; over empty space
+  // selects nothing.
+  void pick(const QPointF& at);
+  // What a click of the tool draws there.
+  void draw_at(SceneTool tool, const QPointF& at);
   // The left button. The second press of a double click is `repeated`.
   void press(const QPointF& at, bool repeated);
   void move(const QPointF& at, Qt::KeyboardModifiers keys);
@@ -89,13 +101,14 @@ class SceneTools : public QObject {
   void partChosen();  // part() is another one
   void edited(const carom::SceneEdits& edits, const QString& name, int drag);
   void dragCancelled(int drag);
+  void renameRequested();  // of the selected body
   void toolChanged(carom::SceneTool tool);
   void spawnRequested(double x, double y);  // m
   void changed();                           // the overlay
 
  private:
   // kMute: until the button is let go, nothing happens.
-  enum class State { kNone, kPressed, kMute, kDrag, kBand, kDraw };
+  enum class State { kNone, kPressed, kMute, kDrag, kEnd, kBand, kDraw };
   // What the button was pressed on.
   struct Grab {
     HandleKind kind = HandleKind::kBody;
@@ -115,7 +128,8 @@ class SceneTools : public QObject {
   [[nodiscard]] std::vector<Body> selected_now() const;
   [[nodiscard]] std::vector<Handle> handles(const SceneSight& sight) const;
   [[nodiscard]] std::optional<Grab> grab_at(const QPointF& at) const;
-  // The selected bodies that an edit can change, `first` in front; of velocities only those that move freely.
+  // The selected bodies that an edit can change, none that is locked, `first` in front; of velocities only
+  // those that move freely.
   [[nodiscard]] std::vector<Body> editable(const std::string& first, bool velocities) const;
   [[nodiscard]] DragPoint point(Qt::KeyboardModifiers keys) const;
 
@@ -127,6 +141,7 @@ class SceneTools : public QObject {
   void begin();
   void begin_drag();
   void drag_on();
+  void sweep(const QPointF& from, const QPointF& to);
   void click(Qt::KeyboardModifiers keys);
   void select_band(Qt::KeyboardModifiers keys);
   void used_tool();
@@ -153,6 +168,16 @@ class SceneTools : public QObject {
   void show_joining(Overlay& out) const;
   [[nodiscard]] std::optional<PartId> part_under(const QPointF& at) const;
   void show_part(Overlay& out) const;
+  [[nodiscard]] std::optional<std::size_t> end_under(const QPointF& at) const;  // of the chosen part
+  [[nodiscard]] Joined moved_end() const;
+  void move_end();
+  void show_moved_end(Overlay& out) const;
+  // Locked bodies (scene_tool_locks.cpp).
+  void toggle_lock();
+  void rename_locked(const std::vector<Body>& before, const std::vector<Body>& after);
+  [[nodiscard]] std::optional<std::string> locked_among(const std::vector<Body>& bodies) const;
+  void say_locked(const std::string& name);
+  void show_locks(Overlay& out) const;
   // Keys (scene_tool_keys.cpp).
   void enter();
   bool escape();
@@ -176,13 +201,16 @@ class SceneTools : public QObject {
   PolygonDraft draft_;
   std::optional<LinkEnd> first_end_;  // that a click has set
   std::optional<PartId> part_;
+  Selection locked_;
 
   State state_ = State::kNone;
   QPointF press_;
   QPointF mouse_;
   bool over_ = false;  // the mouse is over the scene
   Qt::KeyboardModifiers keys_{};
-  std::optional<Grab> grab_;  // none: empty space
+  std::optional<Grab> grab_;        // none: empty space
+  std::optional<std::size_t> end_;  // of the chosen part, that a drag would take
+  double swept_ = 0.0;              // rad, see DragPoint
   DragStart start_;
   std::vector<Overlay::Ghost> ghosts_;
   Dragged dragged_;

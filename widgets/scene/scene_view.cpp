@@ -54,6 +54,7 @@ SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
     emit edited(edits, name, drag);
   });
   connect(tools_, &SceneTools::dragCancelled, this, &SceneView::dragCancelled);
+  connect(tools_, &SceneTools::renameRequested, this, &SceneView::renameRequested);
   connect(tools_, &SceneTools::toolChanged, this, &SceneView::toolChanged);
   connect(tools_, &SceneTools::spawnRequested, this, &SceneView::spawnRequested);
   connect(tools_, &SceneTools::changed, this, &SceneView::refresh_tools);
@@ -106,6 +107,7 @@ void SceneView::set_view(const std::optional<View>& view) {
   held_arrows_.reset();
   peaks_ = {};
   tools_->drop_draft();
+  tools_->unlock_all();
   if (frame_) peaks_.observe(*frame_);
   go_home();
   refresh();
@@ -311,9 +313,13 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != button_) return;
   button_ = Qt::NoButton;
-  if (std::exchange(press_, Press::kNone) == Press::kTool) {
+  const Press press = std::exchange(press_, Press::kNone);
+  if (press == Press::kTool) {
     tools_->release(event->position(), event->modifiers());
     refresh();
+  } else if (press == Press::kMayPan && event->button() == Qt::RightButton) {
+    tools_->pick(event->position());
+    emit menuRequested(event->position().toPoint());
   } else {
     setCursor(tools_->cursor(event->position()));
   }

@@ -66,9 +66,23 @@ class SceneView : public QWidget {
   [[nodiscard]] QSize sizeHint() const override { return {640, 460}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
 
+  // A key of the tools, pressed by other means; whether it means anything now.
+  void press_key(int key) { tools_->press_key(key, Qt::NoModifier); }
+  [[nodiscard]] bool takes(int key) const { return tools_->takes(key, Qt::NoModifier); }
+  // What a click of the tool draws, at a place of the widget.
+  void draw_at(SceneTool tool, const QPointF& at) { tools_->draw_at(tool, at); }
+  // Puts the selected bodies in line; there must be several that can be moved.
+  void align(Alignment alignment) { tools_->align(alignment); }
+  [[nodiscard]] bool can_align() const { return tools_->can_align(); }
+  // Whether all selected bodies are locked.
+  [[nodiscard]] bool all_locked() const { return tools_->all_locked(); }
+
  signals:
   void selectionChanged(const std::vector<std::string>& names);
   void partChosen();  // part() is another one
+  // For what is selected or chosen, else for the empty space at this place of the widget.
+  void menuRequested(const QPoint& at);
+  void renameRequested();  // of the selected body
   // What the user wants changed, as it stands now: a drag, or a row of keys, tells each change under the same
   // number, and all of them are one step of undo.
   void edited(const carom::SceneEdits& edits, const QString& name, int drag);

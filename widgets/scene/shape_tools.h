@@ -7,7 +7,20 @@
 
 namespace carom {
 
-enum class SceneTool { kSelect, kDisc, kBox, kPolygon, kWall, kRod, kString, kSpring, kPin, kWeld, kForce };
+enum class SceneTool {
+  kSelect,
+  kDisc,
+  kBox,
+  kPolygon,
+  kWall,
+  kRod,
+  kString,
+  kSpring,
+  kPin,
+  kWeld,
+  kForce,
+  kDrive
+};
 
 // A press of the mouse, and where the mouse is now.
 struct Stroke {

@@ -33,6 +33,22 @@ TEST(DragTest, MovesRelativeToThePress) {
   EXPECT_EQ(moved.name, "Move light");
 }
 
+TEST(DragTest, AWayAroundTheCentreChangesTheSpin) {
+  Body light = disc_at("light", 1.0, 1.0, 0.5);
+  light.spin = 1.0;
+  const DragStart start = start_of(HandleKind::kSpin, light, Vec2(1.0, 0.4));
+  const auto spun = [&](double degrees, Qt::KeyboardModifiers keys) {
+    return drag_to(start, {.at = Vec2(1.0, 0.4), .scale = 100.0, .keys = keys, .swept = degrees * kDegree});
+  };
+  EXPECT_EQ(spun(17.0, {}).bodies[0].spin, 2.0);
+  EXPECT_EQ(spun(17.0, {}).value, "2.00 rad/s");
+  EXPECT_EQ(spun(17.0, {}).name, "Spin of light 1.00 → 2.00 rad/s");
+  EXPECT_EQ(spun(-400.0, {}).bodies[0].spin, -25.5);
+  EXPECT_NEAR(spun(17.0, Qt::ControlModifier).bodies[0].spin, 1.0 + 17.0 / 15.0, 1e-12);
+  EXPECT_NEAR(spun(100.0, Qt::ShiftModifier).bodies[0].spin, 2.0 * std::numbers::pi, 1e-12);
+  EXPECT_EQ(spun(100.0, Qt::ShiftModifier).detail, "1.00 turns a second");
+}
+
 TEST(DragTest, ShiftKeepsTheLongerAxis) {
   const DragStart start = start_of(HandleKind::kBody, disc_at("light", 1.0, 1.0, 0.5), Vec2(1.0, 1.0));
   EXPECT_EQ(drag(start, Vec2(1.3, 1.2), Qt::ShiftModifier).bodies[0].position, Vec2(1.3, 1.0));

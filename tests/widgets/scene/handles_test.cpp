@@ -68,6 +68,23 @@ TEST_F(HandlesTest, SeveralBodiesHaveVelocitiesOnly) {
   EXPECT_EQ(number(handles({fixed}), HandleKind::kRadius), 4);
 }
 
+TEST_F(HandlesTest, TheGripOfASpinGoesAlongTheRim) {
+  const Handle still = of(handles({disc_}), HandleKind::kSpin);
+  ASSERT_TRUE(still.arc);
+  EXPECT_EQ(still.arc->radius, 58.0);
+  EXPECT_EQ(still.arc->sweep, 0.0);
+  EXPECT_NEAR(still.at.x(), 420.0 - 29.0, 1e-9);
+  EXPECT_GT(still.at.y(), 200.0);
+  disc_.spin = 2.0;
+  const Handle spun = of(handles({disc_}), HandleKind::kSpin);
+  EXPECT_EQ(spun.arc->sweep, 30.0);
+  EXPECT_NEAR(spun.at.x(), 420.0, 1e-9);
+  EXPECT_NEAR(spun.at.y(), 258.0, 1e-9);
+  disc_.spin = -100.0;
+  EXPECT_EQ(of(handles({disc_}), HandleKind::kSpin).arc->sweep, -330.0);
+  EXPECT_EQ(number(handles({disc_, disc_}), HandleKind::kSpin), 0);
+}
+
 TEST_F(HandlesTest, TheNearestOneWithinReachIsTaken) {
   const std::vector<Handle> all = handles({disc_});
   const QPointF grip = of(all, HandleKind::kVelocity).at;

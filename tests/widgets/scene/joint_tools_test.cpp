@@ -175,6 +175,31 @@ TEST_F(JointToolsTest, AForceIsPulledOutOfABody) {
   EXPECT_EQ(told_.size(), 4U);
 }
 
+TEST_F(JointToolsTest, ADriveIsPulledOutOfABody) {
+  body("A").mass = 1.0;
+  show(true);
+  const auto driven = [this] { return std::get<Replace<Body>>(told_.back().edits.at(0)).part; };
+  view_.set_tool(SceneTool::kDrive, true);
+  drag(a_, QPoint(280, 203));
+  EXPECT_EQ(told_.back().name, "Drive A");
+  ASSERT_TRUE(driven().drive);
+  EXPECT_GT(driven().drive->velocity.x(), 0.1);
+  EXPECT_EQ(driven().drive->velocity.y(), 0.0);
+  EXPECT_EQ(driven().drive->angular_frequency, 0.0);
+  EXPECT_FALSE(driven().mass);
+  EXPECT_TRUE(driven().velocity.isZero(0.0));
+  drag(a_, QPoint(203, 150), Qt::ShiftModifier);
+  EXPECT_TRUE(driven().drive->velocity.isZero(0.0));
+  EXPECT_TRUE(near(driven().drive->amplitude, {0.0, 0.5}));
+  EXPECT_GT(driven().drive->angular_frequency, 6.0);
+  EXPECT_EQ(told_.size(), 2U);
+  drag(empty_, a_);
+  view_.select({"A"});
+  key(Qt::Key_L);
+  drag(a_, QPoint(280, 203));
+  EXPECT_EQ(told_.size(), 2U);
+}
+
 TEST_F(JointToolsTest, TheFirstForceKeepsTheLengthItWasDrawnWith) {
   answers_ = true;
   body("A").mass = 1.0;

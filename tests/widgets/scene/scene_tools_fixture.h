@@ -51,8 +51,10 @@ class SceneToolsTest : public testing::Test {
   void show(bool paused) {
     Preset preset;
     preset.scene = scene_;
-    const Simulation run(setup_of(preset));
+    const auto setup = std::make_shared<const RunSetup>(setup_of(preset));
+    const Simulation run(*setup);
     auto frame = frame_of(run);
+    frame->setup = setup;
     frame->run = run_;
     frame->forces = std::make_shared<const Forces>(scene_.forces);
     if (paused) frame->scene = std::make_shared<const Scene>(scene_now(run));

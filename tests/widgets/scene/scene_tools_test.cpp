@@ -1,3 +1,6 @@
+#include <cmath>
+#include <numbers>
+
 #include "tests/widgets/scene/scene_tools_fixture.h"
 
 namespace carom {
@@ -60,6 +63,23 @@ TEST_F(SceneToolsTest, ADragTellsThePlaceUnderOneNumber) {
   ASSERT_GE(told_.size(), 3U);
   EXPECT_TRUE(replaced(told_.back().edits[0]).position.isApprox(Vec2(3.6, 1.6), 1e-12));
   EXPECT_NE(told_.back().drag, told_[0].drag);
+}
+
+TEST_F(SceneToolsTest, TheGripOfASpinIsDraggedAlongTheRim) {
+  answers_ = true;
+  view_.select({"A"});
+  // The arc is 58 px from the centre and begins at 240°.
+  const auto on_arc = [](double degrees) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    return QPoint(200 + qRound(58.0 * std::cos(angle)), 200 - qRound(58.0 * std::sin(angle)));
+  };
+  press(on_arc(240.0));
+  for (int degrees = 250; degrees <= 660; degrees += 10) move(on_arc(degrees));  // more than once around
+  release(on_arc(660.0));
+  ASSERT_FALSE(told_.empty());
+  EXPECT_NEAR(replaced(told_.back().edits[0]).spin, 28.0, 1e-12);
+  EXPECT_EQ(told_.back().name, "Spin of A 0.00 → 28.00 rad/s");
+  EXPECT_EQ(told_.back().drag, told_.front().drag);
 }
 
 TEST_F(SceneToolsTest, ASelectionMovesTogether) {

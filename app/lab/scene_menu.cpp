@@ -1,0 +1,97 @@
+#include <QAction>
+#include <QMenu>
+
+#include "app/lab/lab_window.h"
+#include "widgets/edit/inspected_parts.h"
+#include "widgets/scene/scene_view.h"
+
+// The menu of a right click in the scene. Its entries do what their keys do.
+namespace carom {
+namespace {
+
+QAction* add(QMenu& menu, const QString& text, const QKeySequence& key) {
+  QAction* action = menu.addAction(text);
+  action->setShortcut(key);
+  action->setShortcutVisibleInContextMenu(true);
+  return action;
+}
+
+// What the scene view does by key, if it can now.
+void add_key(QMenu& menu, SceneView* view, const QString& text, Qt::Key key) {
+  QAction* action = add(menu, text, key);
+  action->setEnabled(view->takes(key));
+  QObject::connect(action, &QAction::triggered, view, [view, key] { view->press_key(key); });
+}
+
+// Without a mark of a key in it.
+QString escaped(QString name) { return name.replace("&", "&&"); }
+
+void add_title(QMenu& menu, const QString& title) {
+  QAction* action = menu.addAction(escaped(title));
+  QFont font = menu.font();
+  font.setBold(true);
+  action->setFont(font);
+  action->setEnabled(false);
+  menu.addSeparator();
+}
+
+}  // namespace
+
+void LabWindow::inspect() { inspector_action_->setChecked(true); }
+
+void LabWindow::show_scene_menu(const QPoint& at) {
+  if (frame() == nullptr) return;
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setAccessibleName(tr("Scene"));
+  if (view_->part() && frame()->scene) {
+    if (const auto part = inspected_part(*frame()->scene, *view_->part())) add_title(*menu, part->title);
+    connect(add(*menu, tr("&Inspect"), Qt::Key_I), &QAction::triggered, this, &LabWindow::inspect);
+    add_key(*menu, view_, tr("D&elete"), Qt::Key_Delete);
+  } else if (!view_->selection().empty()) {
+    fill_menu_of_bodies(*menu);
+  } else {
+    fill_menu_of_space(*menu, at);
+  }
+  menu->popup(view_->mapToGlobal(at));
+}
+
+void LabWindow::fill_menu_of_bodies(QMenu& menu) {
+  const std::vector<std::string>& names = view_->selection();
+  add_title(menu, names.size() == 1 ? QString::fromStdString(names[0])
+                                    : tr("%n bodies", nullptr, static_cast<int>(names.size())));
+  const auto do_it = [&](const QString& text, const QKeySequence& key, void (LabWindow::*slot)()) {
+    QAction* action = add(menu, text, key);
+    action->setEnabled(session_.runs().scene() != nullptr);
+    connect(action, &QAction::triggered, this, slot);
+  };
+  connect(add(menu, tr("&Inspect"), Qt::Key_I), &QAction::triggered, this, &LabWindow::inspect);
+  add_key(menu, view_, tr("Re&name"), Qt::Key_F2);
+  menu.addSeparator();
+  do_it(tr("&Duplicate"), Qt::CTRL | Qt::Key_D, &LabWindow::duplicate_selection);
+  do_it(tr("&Copy as preset text"), QKeySequence::Copy, &LabWindow::copy_selection);
+  do_it(tr("Cu&t"), QKeySequence::Cut, &LabWindow::cut_selection);
+  add_key(menu, view_, tr("D&elete"), Qt::Key_Delete);
+  menu.addSeparator();
+  add_key(menu, view_, view_->all_locked() ? tr("Un&lock") : tr("&Lock: hands off"), Qt::Key_L);
+  add_key(menu, view_, tr("Bring to &rest"), Qt::Key_0);
+  add_key(menu, view_, tr("Reverse the &velocity"), Qt::Key_X);
+  if (names.size() == 2) {
+    add_key(menu, view_, tr("Put in touc&h with %1").arg(escaped(QString::fromStdString(names[1]))), Qt::Key_K);
+  }
+}
+
+void LabWindow::fill_menu_of_space(QMenu& menu, const QPoint& at) {
+  QAction* pasted = add(menu, tr("&Paste here"), QKeySequence::Paste);
+  pasted->setEnabled(session_.runs().scene() != nullptr);
+  connect(pasted, &QAction::triggered, this, [this, at] { paste_at(at); });
+  connect(add(menu, tr("&Fit the scene"), Qt::Key_F), &QAction::triggered, view_, &SceneView::fit);
+  menu.addSeparator();
+  const auto draws = [&](const QString& text, SceneTool tool) {
+    connect(menu.addAction(text), &QAction::triggered, view_, [this, tool, at] { view_->draw_at(tool, at); });
+  };
+  draws(tr("New &disc here"), SceneTool::kDisc);
+  draws(tr("New &box here"), SceneTool::kBox);
+}
+
+}  // namespace carom

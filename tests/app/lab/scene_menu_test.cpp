@@ -1,0 +1,137 @@
+#include <QClipboard>
+#include <QLineEdit>
+
+#include "app/lab/session.h"
+#include "tests/app/lab/lab_fixture.h"
+#include "widgets/edit/inspector.h"
+
+// The menu of a right click in the scene.
+namespace carom {
+namespace {
+
+class SceneMenuTest : public LabWindowTest {
+ protected:
+  void SetUp() override {
+    ASSERT_NO_FATAL_FAILURE(LabWindowTest::SetUp());
+    ASSERT_TRUE(wait_for([this] { return window_.frame()->scene != nullptr; }));
+  }
+  void TearDown() override {
+    if (QWidget* menu = QApplication::activePopupWidget()) menu->close();
+  }
+  SceneView& view() { return window_.scene_view(); }
+  [[nodiscard]] Vec2 place(const std::string& name) {
+    for (const Body& body : window_.frame()->scene->bodies) {
+      if (body.name == name) return body.position;
+    }
+    throw std::runtime_error("no body " + name);
+  }
+  QMenu* menu_at(const Vec2& world) {
+    if (QWidget* open = QApplication::activePopupWidget()) open->close();
+    QTest::mouseClick(&view(), Qt::RightButton, {}, view().camera().to_screen(world).toPoint());
+    return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  }
+  QAction* entry(QMenu* menu, const QString& text) {
+    for (QAction* a : menu->actions()) {
+      if (a->text().remove('&') == text) return a;
+    }
+    throw std::runtime_error("no entry " + text.toStdString());
+  }
+  void choose(const Vec2& world, const QString& text) {
+    QMenu* menu = menu_at(world);
+    ASSERT_NE(menu, nullptr);
+    QAction* action = entry(menu, text);
+    ASSERT_TRUE(action->isEnabled()) << text.toStdString();
+    action->trigger();
+    menu->close();
+  }
+  [[nodiscard]] bool has(std::size_t bodies) {
+    return wait_for([=, this] { return window_.frame()->bodies->size() == bodies && window_.frame()->scene; });
+  }
+  using Names = std::vector<std::string>;
+};
+
+TEST_F(SceneMenuTest, ARightClickSelectsAndADragPans) {
+  QMenu* menu = menu_at(place("light"));
+  ASSERT_NE(menu, nullptr);
+  EXPECT_EQ(view().selection(), Names{"light"});
+  EXPECT_EQ(menu->actions().front()->text(), "light");
+  EXPECT_EQ(entry(menu, "Duplicate")->shortcut(), QKeySequence("Ctrl+D"));
+  EXPECT_THROW(entry(menu, "Put in touch with light"), std::runtime_error);
+  view().select({"heavy", "light"});
+  menu = menu_at(place("light"));
+  EXPECT_EQ(view().selection(), (Names{"heavy", "light"})) << "it was selected";
+  EXPECT_FALSE(entry(menu, "Rename")->isEnabled());
+  EXPECT_TRUE(entry(menu, "Put in touch with light")->isEnabled());
+  menu->close();
+  const QPoint at = view().camera().to_screen(place("light")).toPoint();
+  QTest::mousePress(&view(), Qt::RightButton, {}, at);
+  const QPoint to = at + QPoint(20, 0);
+  QMouseEvent move(QEvent::MouseMove, to, view().mapToGlobal(to), Qt::NoButton, Qt::RightButton, {});
+  QApplication::sendEvent(&view(), &move);
+  QTest::mouseRelease(&view(), Qt::RightButton, {}, to);
+  EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+}
+
+TEST_F(SceneMenuTest, EntriesDoWhatTheirKeysDo) {
+  const Vec2 light = place("light");
+  choose(light, "Reverse the velocity");
+  EXPECT_EQ(window_.session().edits().undoText(), "Reverse light");
+  choose(light, "Bring to rest");
+  EXPECT_EQ(window_.session().edits().undoText(), "Bring light to rest");
+  choose(light, "Lock: hands off");
+  EXPECT_TRUE(view().all_locked());
+  const int count = window_.session().edits().count();
+  choose(light, "Delete");
+  choose(light, "Cut");
+  EXPECT_EQ(window_.session().edits().count(), count) << "it is locked";
+  EXPECT_TRUE(QApplication::clipboard()->text().contains("light"));
+  choose(light, "Unlock");
+  choose(light, "Duplicate");
+  ASSERT_TRUE(has(3));
+  choose(light, "Delete");
+  ASSERT_TRUE(has(2));
+}
+
+TEST_F(SceneMenuTest, RenamePutsTheCursorIntoTheName) {
+  action("Inspector")->setChecked(false);
+  choose(place("light"), "Rename");
+  auto* name = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+  ASSERT_NE(name, nullptr);
+  EXPECT_EQ(name->accessibleName(), "Name");
+  EXPECT_TRUE(action("Inspector")->isChecked());
+  QTest::keyClicks(name, "small");
+  QTest::keyClick(name, Qt::Key_Return);
+  ASSERT_TRUE(wait_for([this] { return view().selection() == Names{"small"}; }));
+}
+
+TEST_F(SceneMenuTest, EmptySpaceTakesNewAndCopiedBodies) {
+  view().select({"light"});
+  action("Copy")->trigger();
+  const Vec2 free = place("light") + Vec2(0.0, 0.5);
+  choose(free, "Paste here");
+  EXPECT_TRUE(view().selection().empty());
+  ASSERT_TRUE(has(3));
+  EXPECT_LT((window_.frame()->scene->bodies.back().position - free).norm(), 0.01);
+  choose(free + Vec2(0.5, 0.0), "New box here");
+  ASSERT_TRUE(has(4));
+  choose(free + Vec2(-0.5, 0.0), "New disc here");
+  ASSERT_TRUE(has(5));
+  EXPECT_EQ(view().tool(), SceneTool::kSelect);
+}
+
+TEST_F(SceneMenuTest, AJointIsChosen) {
+  const Vec2 light = place("light");
+  view().select({"light", "heavy"});
+  QTest::keyClick(&view(), Qt::Key_0);
+  ASSERT_TRUE(wait_for([this] {
+    return window_.frame()->scene && window_.frame()->scene->bodies.front().velocity.isZero(0.0);
+  }));
+  QTest::keyClick(&view(), Qt::Key_O);
+  QTest::keyClick(&view(), Qt::Key_Return);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->joints.size() == 1 && window_.frame()->scene; }));
+  choose(0.5 * (light + place("heavy")), "Delete");
+  EXPECT_EQ(window_.session().edits().undoText(), "Delete Rod 1");
+}
+
+}  // namespace
+}  // namespace carom

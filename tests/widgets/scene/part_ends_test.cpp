@@ -1,0 +1,111 @@
+#include "tests/widgets/scene/scene_tools_fixture.h"
+
+namespace carom {
+namespace {
+
+// 100 px/m: A at (200, 200), B at (400, 200), both at rest.
+class PartEndsTest : public SceneToolsTest {
+ protected:
+  void SetUp() override {
+    ASSERT_NO_FATAL_FAILURE(SceneToolsTest::SetUp());
+    answers_ = true;
+    for (Body& body : scene_.bodies) body.velocity.setZero();
+    show(true);
+  }
+  // A part from A to the plane at (2.0, 2.5), which is (300, 50).
+  const Joint& joint(JointKind kind, std::optional<double> length) {
+    Joint joint;
+    joint.name = "Link 1";
+    joint.kind = kind;
+    joint.body = "A";
+    joint.anchor = Vec2(2.0, 2.5);
+    joint.length = length;
+    scene_.joints = {joint};
+    give_ids(scene_);
+    show(true);
+    view_.choose_part(scene_.joints.front().id);
+    return scene_.joints.front();
+  }
+  const QPoint a_end_{200, 200};
+  const QPoint plane_end_{300, 50};
+};
+
+TEST_F(PartEndsTest, AnEndOfARodGoesToAnotherBodyOrAPlace) {
+  const Joint& rod = joint(JointKind::kRod, std::nullopt);
+  drag(plane_end_, QPoint(403, 197));  // near the centre
+  EXPECT_EQ(told_.back().name, "Move the end of Link 1");
+  EXPECT_EQ(rod.to, "B");
+  EXPECT_TRUE(rod.anchor.isZero(0.0));
+  EXPECT_FALSE(rod.length);
+  drag(QPoint(400, 200), QPoint(398, 130));
+  EXPECT_TRUE(rod.to.empty());
+  EXPECT_TRUE(rod.anchor.isApprox(Vec2(3.0, 1.7), 0.02));
+  EXPECT_EQ(told_.size(), 2U);
+  EXPECT_TRUE(view_.part());
+}
+
+TEST_F(PartEndsTest, AStatedLengthFollows) {
+  const Joint& rod = joint(JointKind::kRod, std::hypot(1.0, 1.5));
+  drag(plane_end_, QPoint(200, 60));
+  EXPECT_NEAR(*rod.length, 1.4, 1e-12);
+  const Joint& string = joint(JointKind::kString, 1.9);
+  drag(plane_end_, QPoint(200, 60));
+  EXPECT_EQ(string.length, 1.9) << "it is slack";
+  drag(QPoint(200, 60), QPoint(200, 1));
+  EXPECT_NEAR(*string.length, 2.0, 0.02);
+}
+
+TEST_F(PartEndsTest, ASpringKeepsItsRestLength) {
+  Spring spring;
+  spring.body = "A";
+  spring.anchor = Vec2(2.0, 2.5);
+  spring.rest_length = 0.7;
+  spring.stiffness = 3.0;
+  scene_.forces.springs = {spring};
+  give_ids(scene_);
+  show(true);
+  view_.choose_part(scene_.forces.springs.front().id);
+  drag(a_end_, QPoint(410, 190));
+  EXPECT_EQ(told_.back().name, "Move the end of a spring");
+  EXPECT_EQ(scene_.forces.springs.front().body, "B");
+  EXPECT_TRUE(scene_.forces.springs.front().anchor.isApprox(Vec2(2.0, 2.5)));
+  EXPECT_EQ(scene_.forces.springs.front().rest_length, 0.7);
+  EXPECT_EQ(scene_.forces.springs.front().stiffness, 3.0);
+}
+
+TEST_F(PartEndsTest, TheTipOfAForceIsPulled) {
+  AppliedForce force;
+  force.body = "A";
+  force.force = Vec2(2.0, 0.0);
+  force.end = 3.0;
+  scene_.forces.applied = {force};
+  give_ids(scene_);
+  show(true);
+  const PartId part = scene_.forces.applied.front().id;
+  view_.choose_part(part);
+  ASSERT_FALSE(view_.drawing().arrows.empty());
+  const QPoint tip = view_.camera().to_screen(view_.drawing().arrows.back().to.cast<double>()).toPoint();
+  press(tip);
+  const QPoint twice = tip + (tip - a_end_);
+  move(twice);
+  QTest::keyClick(&view_, Qt::Key_Escape);
+  release(twice);
+  EXPECT_TRUE(told_.empty());
+  drag(tip, twice);
+  ASSERT_EQ(told_.size(), 1U);
+  EXPECT_TRUE(told_[0].name.startsWith("Force on A 2.00 → 4.")) << told_[0].name.toStdString();
+  EXPECT_NEAR(scene_.forces.applied.front().force.x(), 4.0, 0.1);
+  EXPECT_EQ(scene_.forces.applied.front().force.y(), 0.0);
+  EXPECT_EQ(scene_.forces.applied.front().end, 3.0);
+}
+
+TEST_F(PartEndsTest, WhatCannotBeChangesNothing) {
+  joint(JointKind::kRod, std::nullopt);
+  drag(a_end_, QPoint(450, 60));            // both in the plane
+  drag(plane_end_, QPoint(210, 230));       // both on A
+  drag(QPoint(250, 125), QPoint(450, 60));  // not an end
+  EXPECT_TRUE(told_.empty());
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,108 @@
+#include "widgets/scene/part_ends.h"
+
+#include <QLineF>
+#include <algorithm>
+#include <variant>
+
+#include "physics/scene/edit_rules.h"
+#include "widgets/scene/drawing_forces.h"
+#include "widgets/scene/edit_names.h"
+#include "widgets/scene/handles.h"
+#include "widgets/scene/scene_parts.h"
+
+namespace carom {
+namespace {
+
+LinkEnds ends_of(const Joint& joint) {
+  return {LinkEnd{joint.body, joint.point}, LinkEnd{joint.to, joint.anchor}};
+}
+
+LinkEnds ends_of(const Spring& spring) {
+  const Vec2 own = spring.to.empty() ? spring.anchor : Vec2(Vec2::Zero());
+  return {LinkEnd{spring.body, Vec2::Zero()}, LinkEnd{spring.to, own}};
+}
+
+// What the tool that draws such parts makes of the ends.
+Joined joined_at_mouse(SceneTool kind, const JointSight& sight, LinkEnds ends, std::size_t end) {
+  const JointTool& tool = *joint_tool(kind);
+  ends[end] = end_at_mouse(tool, sight);
+  return tool.join(tool, sight, ends);
+}
+
+QString name_of_move(const QString& part) { return "Move the end of " + part; }
+
+// The paused scene says the lengths that hold, the setup those that are stated.
+bool has_stated_length(const Frame& frame, const Joint& joint) {
+  const Joint* stated = frame.setup ? part_of(frame.setup->scene.joints, joint.id) : nullptr;
+  return stated == nullptr ? joint.length.has_value() : stated->length.has_value();
+}
+
+Joined with_end(const JointSight& sight, const Joint& joint, std::size_t end) {
+  const bool rod = joint.kind == JointKind::kRod;
+  Joined out = joined_at_mouse(rod ? SceneTool::kRod : SceneTool::kString, sight, ends_of(joint), end);
+  out.name = name_of_move(name_of_part(joint));
+  if (out.edits.empty()) return out;
+  const Joint made = std::get<Add<Joint>>(out.edits[0]).part;
+  Joint moved = joint;
+  moved.body = made.body;
+  moved.point = made.point;
+  moved.to = made.to;
+  moved.anchor = made.anchor;
+  const double distance = (out.to - out.from).norm();
+  moved.length.reset();
+  if (has_stated_length(*sight.frame, joint)) moved.length = rod ? distance : std::max(*joint.length, distance);
+  out.edits = {Replace<Joint>{moved}};
+  return out;
+}
+
+Joined with_end(const JointSight& sight, const Spring& spring, std::size_t end) {
+  Joined out = joined_at_mouse(SceneTool::kSpring, sight, ends_of(spring), end);
+  out.name = name_of_move(name_of_part(spring));
+  if (out.edits.empty()) return out;
+  const Spring made = std::get<Add<Spring>>(out.edits[0]).part;
+  Spring moved = spring;
+  moved.body = made.body;
+  moved.to = made.to;
+  moved.anchor = made.anchor;
+  out.edits = {Replace<Spring>{moved}};
+  return out;
+}
+
+Joined with_end(const JointSight& sight, const AppliedForce& force, std::size_t /*end*/) {
+  JointSight now = sight;
+  now.metres_per_newton *= share_at(force, sight.frame->time);
+  const JointTool& tool = *joint_tool(SceneTool::kForce);
+  Joined out = tool.join(tool, now, {LinkEnd{force.body, Vec2::Zero()}, LinkEnd{{}, sight.mouse.at}});
+  if (out.edits.empty()) return out;
+  AppliedForce moved = force;
+  moved.force = std::get<Add<AppliedForce>>(out.edits[0]).part.force;
+  out.name = name_of_force(force, moved);
+  out.edits = {Replace<AppliedForce>{moved}};
+  return out;
+}
+
+}  // namespace
+
+std::optional<std::size_t> end_of_part_at(const Frame& frame, const Camera& camera, const PartId& part,
+                                          const QPointF& at, double metres_per_newton) {
+  const auto line = line_of(frame, part, metres_per_newton);
+  if (!line || line->from == line->to) return std::nullopt;
+  const double to_body = QLineF(camera.to_screen(line->to), at).length();
+  const double to_other = QLineF(camera.to_screen(line->from), at).length();
+  if (line->arrow) return to_body <= kHandleReach ? std::optional<std::size_t>(1) : std::nullopt;
+  if (std::min(to_body, to_other) > kHandleReach) return std::nullopt;
+  return to_body <= to_other ? 0 : 1;
+}
+
+Joined with_end_at_mouse(const JointSight& sight, const PartId& part, std::size_t end) {
+  const Scene& scene = *sight.frame->scene;
+  if (const auto* joint = std::get_if<Id<Joint>>(&part)) {
+    return with_end(sight, *part_of(scene.joints, *joint), end);
+  }
+  if (const auto* spring = std::get_if<Id<Spring>>(&part)) {
+    return with_end(sight, *part_of(scene.forces.springs, *spring), end);
+  }
+  return with_end(sight, *part_of(scene.forces.applied, std::get<Id<AppliedForce>>(part)), end);
+}
+
+}  // namespace carom
