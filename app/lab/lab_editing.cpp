@@ -101,6 +101,7 @@ void LabWindow::new_document() {
     empty.title = tr("New scene").toStdString();
     empty.duration = 10.0;
     empty.view = View{Vec2::Zero(), 4.0};
+    empty.scene.materials.emplace_back();  // the surface of all that is drawn, to be seen and changed
     show_scene(empty, {}, {});
   });
 }
