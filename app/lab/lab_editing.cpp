@@ -52,6 +52,14 @@ void LabWindow::connect_edits() {
   connect(&session_, &Session::bodiesChanged, this, &LabWindow::show_aim);
   aim_time_.setSingleShot(true);
   connect(&aim_time_, &QTimer::timeout, view_, [this] { view_->set_aim(std::nullopt); });
+  // A refusal is about the last edit and what is shown.
+  const auto forget_refusal = [this] {
+    inspector_->say({});
+    sheet_->say({});
+  };
+  connect(&session_, &Session::documentChanged, this, forget_refusal);
+  connect(view_, &SceneView::selectionChanged, this, forget_refusal);
+  connect(view_, &SceneView::partChosen, this, forget_refusal);
   connect(&session_, &Session::editRefused, this, [this](const QString& why) {
     const bool typed_in_table = sheet_->isAncestorOf(QApplication::focusWidget());
     typed_in_table ? sheet_->say(why) : inspector_->say(why);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "physics/scene/facts.h"
+
 namespace carom {
 
 void RunGroup::load(const Preset& preset, const std::vector<Curve>& curves, ReferenceId reference) {
@@ -87,7 +89,7 @@ RunGroup::RunPlan RunGroup::plan_of(const Run& run) {
 }
 
 RunGroup::Plan RunGroup::plan() const {
-  Plan all{starts_, {}};
+  Plan all{starts_, fingerprint(preset_.scene, 0.0), {}};
   for (const Run& run : runs_) all.runs.push_back(plan_of(run));
   return all;
 }
@@ -98,11 +100,14 @@ void RunGroup::undo_or_redo(EditId edit, const Preset& start, ReferenceId refere
   if (other_side == other_sides_.end()) return;
   const Plan wanted = std::exchange(other_side->second, plan());
   const bool other_reference = std::exchange(reference_, reference) != reference;
-  const bool begun_since = wanted.starts != starts_;
+  const std::uint64_t scene = fingerprint(preset_.scene, 0.0);
+  const bool begun_since = wanted.starts != starts_ || wanted.scene != scene;
+  const bool other_start = begun_since && scene != fingerprint(start.scene, 0.0);
   if (begun_since) preset_ = start;
   if (interrupted_) return;
   const double time = displayed_time();
   std::vector<Run> old = std::exchange(runs_, {});
+  if (other_start) old.clear();
   for (RunPlan& each : begun_since ? plans_of(start) : std::vector<RunPlan>(wanted.runs))
     take_plan(std::move(each), old);
   replay_until_.reset();

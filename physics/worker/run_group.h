@@ -103,6 +103,7 @@ class RunGroup {
   // All runs, and which start they have.
   struct Plan {
     std::uint64_t starts = 0;
+    std::uint64_t scene = 0;  // fingerprint of the one that they began from
     std::vector<RunPlan> runs;
   };
 

@@ -56,7 +56,9 @@ std::vector<Body> as_joined(JointKind kind, const JointEnds& ends) {
   if (!(gap.cwiseAbs().maxCoeff() > kSlack * speeds)) return {};
   const Eigen::MatrixXd held = rows * inverse_mass.asDiagonal() * rows.transpose();
   const Eigen::VectorXd impulse = held.completeOrthogonalDecomposition().solve(-gap);
-  const Motion after = before + inverse_mass.asDiagonal() * rows.transpose() * impulse;
+  Motion after = before + inverse_mass.asDiagonal() * rows.transpose() * impulse;
+  // Without the rounding of what is one number: the spin of both.
+  if (kind == JointKind::kWeld) inverse_mass[2] > 0.0 ? after[2] = after[5] : after[5] = after[2];
   std::vector<Body> changed;
   for (std::size_t i = 0; i < 2; ++i) {
     const auto k = static_cast<Eigen::Index>(3 * i);

@@ -136,6 +136,36 @@ TEST_F(SessionEditTest, OfWhatThingsAreHoldsFromNowOnAndInTheStart) {
   EXPECT_NEAR(now("right").velocity.x(), 0.5, 1e-12);
 }
 
+// The start that was edited in mid-run is the one that runs begin from; so is the one that is undone to.
+TEST_F(SessionEditTest, AnEditOfARunIsUndoneAfterARestart) {
+  const auto mass_now = [this] { return *now("right").mass; };
+  run_to(0.5);
+  Body right = now("right");
+  for (const double mass : {3.0, 5.0}) {
+    right = now("right");
+    right.mass = mass;
+    edit(Replace<Body>{right}, "Mass of right");
+  }
+  session_.runs().restart();
+  settle();
+  EXPECT_EQ(mass_now(), 5.0);
+  for (int round = 0; round < 2; ++round) {
+    undo();
+    EXPECT_EQ(mass_now(), 3.0) << round;
+    undo();
+    EXPECT_EQ(mass_now(), 1.0) << round;
+    redo();
+    EXPECT_EQ(mass_now(), 3.0) << round;
+    redo();
+    EXPECT_EQ(mass_now(), 5.0) << round;
+    run_to(round == 0 ? 0.2 : 1.0);
+  }
+  undo();
+  undo();
+  EXPECT_NEAR(session_.runs().frame()->time, 1.0, 1e-9) << "replayed to where it was";
+  EXPECT_NEAR(now("right").velocity.x(), 1.0, 1e-12) << "of equal masses";
+}
+
 TEST_F(SessionEditTest, OfMotionIsANewStartFromHere) {
   const std::string before = document();
   run_to(1.0);

@@ -52,6 +52,23 @@ TEST(Aim, CountsFromTheStart) {
   EXPECT_NEAR(aim->time, 0.8, 1e-12);
 }
 
+// A billion impacts within a step.
+TEST(Aim, EndsWithinAStepThatTakesTooLong) {
+  RunSetup setup = two_discs(0.0);
+  setup.method.step = 1.0;
+  Body wall;
+  wall.fixed = true;
+  wall.shape = Wall{};
+  for (const double sign : {-1.0, 1.0}) {
+    wall.name = sign < 0.0 ? "floor" : "ceiling";
+    wall.position = {0.0, 0.5 + 0.2 * sign};
+    wall.angle = sign < 0.0 ? 0.0 : 3.14159265358979;
+    setup.scene.bodies.push_back(wall);
+  }
+  setup.scene.bodies[0].velocity = {0.0, 1e9};
+  EXPECT_FALSE(aim_of(setup, 2.0, std::chrono::milliseconds(20)));
+}
+
 TEST(Aim, IsLeftOutWhereThereIsNone) {
   EXPECT_FALSE(aim_of(two_discs(-1.0), 2.0, 10s)) << "they part";
   EXPECT_FALSE(aim_of(two_discs(0.3), 2.0, 10s)) << "later than asked for";
