@@ -113,16 +113,43 @@ Body body_of(const std::vector<Body>& bodies, const std::string& name) {
   return found == bodies.end() ? Body{} : *found;
 }
 
-Unset unset_of(const Scene& scene, const Joint& joint, const std::string& key) {
+// A joint between its bodies as they stand.
+struct Span {
+  Body from, to;  // the plane: at its origin
+  Vec2 line;      // m, from the other end to that of `from`
+};
+Span span_of(const Scene& scene, const Joint& joint) {
   const std::vector<Body> bodies = all_bodies(scene);
-  const Body from = body_of(bodies, joint.body);
-  const Body to = joint.to.empty() ? Body{} : body_of(bodies, joint.to);
+  Span span{body_of(bodies, joint.body), joint.to.empty() ? Body{} : body_of(bodies, joint.to), {}};
   const auto point_of = [](const Body& body, const Vec2& point) {
     return Vec2(body.position + turned_by(body.angle, point));
   };
+  span.line = point_of(span.from, joint.point) - point_of(span.to, joint.anchor);
+  return span;
+}
+
+// A rod of another length, or a string that is too short, takes its body along.
+SceneEdits with_bodies(const Scene& scene, const Joint& joint) {
+  SceneEdits edits;
+  Span span = span_of(scene, joint);
+  const double now = span.line.norm();
+  const bool moves = joint.length && now > 0.0 && (joint.kind == JointKind::kRod || *joint.length < now);
+  if (moves && *joint.length != now) {
+    span.from.position += (*joint.length / now - 1.0) * span.line;
+    edits.emplace_back(Replace<Body>{span.from});
+  }
+  edits.emplace_back(Replace<Joint>{joint});
+  return edits;
+}
+template <class Part>
+SceneEdits with_bodies(const Scene& /*scene*/, const Part& part) {
+  return {Replace<Part>{part}};
+}
+
+Unset unset_of(const Scene& scene, const Joint& joint, const std::string& key) {
+  const Span span = span_of(scene, joint);
   const bool is_angle = key == "angle";
-  const double value =
-      is_angle ? from.angle - to.angle : (point_of(from, joint.point) - point_of(to, joint.anchor)).norm();
+  const double value = is_angle ? span.from.angle - span.to.angle : span.line.norm();
   return {value, field_text(value, is_angle ? "rad" : "m"), "as at the start"};
 }
 Unset unset_of(const Scene& /*scene*/, const Spring& /*spring*/, const std::string& /*key*/) { return {}; }
@@ -137,8 +164,8 @@ Inspected part_value(const Scene& scene, const Part& part, const PartLine& line,
   value.name = QString::fromUtf8(line.label) + (row.place.part < 0 ? "" : " ") + value.label;
   value.meaning = row.meaning;
   value.range = row.range;
-  value.edits = [part, place = row.place](const std::vector<double>& values) {
-    return SceneEdits{Replace<Part>{with_field(part, place, values[0])}};
+  value.edits = [scene, part, place = row.place](const std::vector<double>& values) {
+    return with_bodies(scene, with_field(part, place, values[0]));
   };
   const QString text = value.name + " of " + title_of(scene, part) + " ";
   value.undo_name = [text, unit = row.range.unit](const std::vector<double>& from,

@@ -59,6 +59,7 @@ TEST_F(InspectorPartTest, ARodHasTheDistanceUntilALengthIsTyped) {
   EXPECT_EQ(rod().length, 2.0);
   enter(length, "1.5");
   EXPECT_EQ(made_.back().name, "Length of Rod 1 2.00 → 1.50 m");
+  EXPECT_NEAR((scene_->bodies[0].position - scene_->bodies[1].position).norm(), 1.5, 1e-15) << "it moves along";
   enter(length, "0");
   EXPECT_EQ(sentences(), QStringList{"Length is more than 0."});
   EXPECT_TRUE(length->property("fault").toBool());
