@@ -78,8 +78,12 @@ void search(const QString& wanted, QListWidget& list, QTextBrowser& text) {
     list.item(row)->setHidden(!has);
     if (has && first < 0) first = row;
   }
-  if (first >= 0 && list.currentItem()->isHidden()) list.setCurrentRow(first);
-  text.moveCursor(QTextCursor::Start);
+  if (first < 0) return text.setPlainText(QObject::tr("No page has “%1”.").arg(wanted));
+  if (list.currentItem()->isHidden()) {
+    list.setCurrentRow(first);
+  } else {
+    show_page(text, kPages[static_cast<std::size_t>(list.currentRow())].first);
+  }
   if (!wanted.isEmpty()) text.find(wanted);
 }
 

@@ -1,0 +1,44 @@
+#include "app/help/help_dialog.h"
+
+#include <QDialog>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QTest>
+#include <QTextBrowser>
+#include <QWidget>
+#include <gtest/gtest.h>
+
+namespace carom {
+namespace {
+
+TEST(HelpDialog, IsSearched) {
+  QWidget window;
+  show_help(&window);
+  auto* field = window.findChild<QLineEdit*>();
+  auto* pages = window.findChild<QListWidget*>("help-pages");
+  auto* text = window.findChild<QTextBrowser*>();
+  ASSERT_TRUE(field != nullptr && pages != nullptr && text != nullptr);
+  EXPECT_TRUE(text->toPlainText().contains("A first lesson"));
+  const auto shown = [&] {
+    int count = 0;
+    for (int row = 0; row < pages->count(); ++row) count += pages->item(row)->isHidden() ? 0 : 1;
+    return count;
+  };
+  const int all = shown();
+  field->setText("STRONGE");
+  EXPECT_GT(shown(), 0);
+  EXPECT_LT(shown(), all);
+  EXPECT_EQ(text->textCursor().selectedText().toLower(), "stronge");
+  const int first = text->textCursor().position();
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_NE(text->textCursor().position(), first) << "the next place";
+  field->setText("no such words");
+  EXPECT_EQ(shown(), 0);
+  EXPECT_TRUE(text->toPlainText().contains("No page has"));
+  field->clear();
+  EXPECT_EQ(shown(), all);
+  EXPECT_FALSE(text->toPlainText().contains("No page has"));
+}
+
+}  // namespace
+}  // namespace carom
