@@ -42,7 +42,7 @@ Joined with_end(const JointSight& sight, const Joint& joint, std::size_t end) {
   Joined out = joined_at_mouse(rod ? SceneTool::kRod : SceneTool::kString, sight, ends_of(joint), end);
   out.name = name_of_move(name_of_part(joint));
   if (out.edits.empty()) return out;
-  const Joint made = std::get<Add<Joint>>(out.edits[0]).part;
+  const Joint made = std::get<Add<Joint>>(out.edits.back()).part;
   Joint moved = joint;
   moved.body = made.body;
   moved.point = made.point;
@@ -51,7 +51,7 @@ Joined with_end(const JointSight& sight, const Joint& joint, std::size_t end) {
   const double distance = (out.to - out.from).norm();
   moved.length.reset();
   if (has_stated_length(*sight.frame, joint)) moved.length = rod ? distance : std::max(*joint.length, distance);
-  out.edits = {Replace<Joint>{moved}};
+  out.edits.back() = Replace<Joint>{moved};  // after the bodies that lose some of their velocity
   return out;
 }
 

@@ -44,6 +44,23 @@ TEST_F(PartEndsTest, AnEndOfARodGoesToAnotherBodyOrAPlace) {
   EXPECT_TRUE(view_.part());
 }
 
+// Bodies lose what the rod forbids in its new place, as with a new one.
+TEST_F(PartEndsTest, AMovingBodyKeepsWhatTheRodAllows) {
+  const Joint& rod = joint(JointKind::kRod, std::nullopt);
+  for (Body& body : scene_.bodies) {
+    if (body.name == "A") body.velocity = Vec2(0.3, -0.2);  // across the rod
+  }
+  show(true);
+  drag(plane_end_, QPoint(200, 60));
+  ASSERT_EQ(told_.size(), 1U);
+  EXPECT_EQ(told_[0].edits.size(), 2U);
+  EXPECT_TRUE(rod.anchor.isApprox(Vec2(1.0, 2.4), 0.02));
+  for (const Body& body : scene_.bodies) {
+    if (body.name != "A") continue;
+    EXPECT_NEAR((body.velocity - Vec2(0.3, 0.0)).norm(), 0.0, 1e-9);
+  }
+}
+
 TEST_F(PartEndsTest, AStatedLengthFollows) {
   const Joint& rod = joint(JointKind::kRod, std::hypot(1.0, 1.5));
   drag(plane_end_, QPoint(200, 60));
