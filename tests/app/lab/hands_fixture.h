@@ -14,6 +14,18 @@ namespace carom {
 // A window whose scene is edited by hand.
 class LabHandsTest : public LabWindowTest {
  protected:
+  // In a new scene, their radii drawn: A of 0.1 m at (-1, 0), B of 0.2 m at (1, 0).
+  void draw_two_discs() {
+    action("New")->trigger();
+    ASSERT_TRUE(wait_for([this] { return window_.frame() && window_.frame()->bodies->empty(); }));
+    key(Qt::Key_D);
+    drag({-1.0, 0.0}, {-0.9, 0.0});
+    ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 1; }));
+    key(Qt::Key_D);
+    drag({1.0, 0.0}, {1.2, 0.0});
+    ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
+    ASSERT_TRUE(shows_start());
+  }
   [[nodiscard]] QPoint pixel(const Vec2& world) {
     return window_.scene_view().camera().to_screen(world).toPoint();
   }

@@ -9,16 +9,7 @@ namespace carom {
 namespace {
 
 TEST_F(LabHandsTest, ALessonByHand) {
-  action("New")->trigger();
-  ASSERT_TRUE(wait_for([this] { return window_.frame() && window_.frame()->bodies->empty(); }));
-  // Two discs, their radii drawn.
-  key(Qt::Key_D);
-  drag({-1.0, 0.0}, {-0.9, 0.0});
-  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 1; }));
-  key(Qt::Key_D);
-  drag({1.0, 0.0}, {1.2, 0.0});
-  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
-  ASSERT_TRUE(shows_start());
+  ASSERT_NO_FATAL_FAILURE(draw_two_discs());
   EXPECT_NEAR(std::get<Disc>(window_.preset().scene.bodies[0].shape).radius, 0.1, 0.011);
   EXPECT_NEAR(std::get<Disc>(window_.preset().scene.bodies[1].shape).radius, 0.2, 0.011);
   // Numbers typed: masses, a velocity.
@@ -268,15 +259,7 @@ TEST_F(LabHandsTest, ATheoryGoesWithTheFirstEdit) {
 }
 
 TEST_F(LabHandsTest, ABodyDraggedOntoAnotherTouchesIt) {
-  action("New")->trigger();
-  ASSERT_TRUE(wait_for([this] { return window_.frame() && window_.frame()->bodies->empty(); }));
-  key(Qt::Key_D);
-  drag({-1.0, 0.0}, {-0.9, 0.0});
-  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 1; }));
-  key(Qt::Key_D);
-  drag({1.0, 0.0}, {1.2, 0.0});
-  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
-  ASSERT_TRUE(shows_start());
+  ASSERT_NO_FATAL_FAILURE(draw_two_discs());
   const std::vector<Body> before = window_.preset().scene.bodies;
   drag(before[0].position, before[1].position + Vec2(-0.1, 0.05));
   ASSERT_TRUE(shows_start());

@@ -9,6 +9,7 @@
 
 #include "app/lab/session.h"
 #include "physics/preset/preset_file.h"
+#include "tests/app/lab/two_discs.h"
 #include "tests/support/effort.h"
 #include "tests/support/wait_events.h"
 
@@ -18,23 +19,8 @@ namespace carom {
 namespace {
 
 Preset first_document() {
-  Preset preset;
-  preset.title = "Two discs";
+  Preset preset = two_discs();
   preset.duration = 1000.0;
-  preset.method.step = 0.01;
-  Material wood;
-  wood.name = "wood";
-  preset.scene.materials = {wood};
-  for (const char* name : {"left", "right"}) {
-    Body body;
-    body.name = name;
-    body.shape = Disc{0.1};
-    body.mass = 1.0;
-    body.material = "wood";
-    body.position = {preset.scene.bodies.empty() ? 0.0 : 1.0, 0.0};
-    preset.scene.bodies.push_back(body);
-  }
-  preset.scene.bodies[0].velocity = {1.0, 0.0};
   Plot speed;
   speed.y = {{"speed", {"left"}}, {"speed", {"right"}}};
   preset.plots = {speed};
