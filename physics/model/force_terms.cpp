@@ -7,11 +7,7 @@ namespace carom {
 
 ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, const Needs& needs) {
   ForceTerms t;
-  t.gravity = forces.gravity;
-  t.drag = needs.has(Part::kDrag);
-  t.linear_drag = forces.linear_drag;
-  t.quadratic_drag = forces.quadratic_drag;
-  t.attraction = forces.attraction;
+  static_cast<CommonForces&>(t) = forces;
   if (needs.has(Part::kSprings)) {
     for (auto* by_body : {&t.outside, &t.between}) by_body->resize(bodies.size());
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "physics/model/needs.h"
@@ -27,12 +26,7 @@ struct AppliedTerm {
 
 // The smooth forces of a scene, arranged for evaluation. All lists of a part that the model leaves out are
 // empty, including those by body.
-struct ForceTerms {
-  bool drag = false;  // the model has Part::kDrag
-  Vec2 gravity = Vec2::Zero();
-  double linear_drag = 0.0;
-  double quadratic_drag = 0.0;
-  std::optional<Attraction> attraction;
+struct ForceTerms : CommonForces {
   bool gravity_only = true;  // only uniform gravity acts: all quadratures but its own stay zero
   bool constant = true;      // only gravity and forces that never change: flight is a parabola
   bool one_sided = false;    // some springs push or pull only

@@ -1,11 +1,33 @@
+#include <algorithm>
+#include <array>
+
 #include "physics/preset/sections_json.h"
 
 namespace carom {
 namespace {
 
-void read_once(std::optional<int>& place, int index, const std::string& at, const std::string& what) {
-  if (place) refuse_by(Rule::kKeysTogether, at, "a second " + what, "one");
-  place = index;
+// The types of forces: those that a scene has once, then these.
+constexpr auto kListed = std::to_array<const char*>({"spring", "force"});
+
+[[nodiscard]] std::vector<std::string> types_of_force() {
+  std::vector<std::string> types;
+  const CommonForces forces;
+  each_common_force(forces,
+                    [&types](const CommonForce& force, const auto&...) { types.emplace_back(force.type); });
+  types.insert(types.end(), kListed.begin(), kListed.end());
+  return types;
+}
+
+// Reads the one whose type is this.
+void read_common_force(FieldReader& r, const std::string& type, CommonForces& forces) {
+  each_common_force(forces, [&](const CommonForce& force, auto& value, const auto&... range) {
+    if (type != force.type) return;
+    if constexpr (sizeof...(range) > 0) {
+      r.required({"coefficient", force.meaning}, value, range...);
+    } else {
+      fields(r, value.emplace());
+    }
+  });
 }
 
 // An object of the array of forces.
@@ -19,37 +41,37 @@ Json typed(const char* type, const T& force, bool all) {
 }  // namespace
 
 void read_force(FieldReader& r, const std::string& at, int index, Forces& forces, ForcePlaces& places) {
-  const auto one = [&](std::optional<int>& place, const char* what) {
-    if (r.reads()) read_once(place, index, at, what);
-  };
-  r.cases({"type", "the kind of force"}, {"linear_drag", "quadratic_drag", "spring", "attraction", "force"}, 0,
-          [&](std::size_t kind, FieldReader& k) {
-            if (kind == 0) {
-              one(places.linear_drag, "linear drag");
-              k.required({"coefficient", "b in F = -b v"}, forces.linear_drag, kLinearDrag);
-            } else if (kind == 1) {
-              one(places.quadratic_drag, "quadratic drag");
-              k.required({"coefficient", "c in F = -c |v| v"}, forces.quadratic_drag, kQuadraticDrag);
-            } else if (kind == 2) {
-              fields(k, forces.springs.emplace_back());
-              places.springs.push_back(index);
-            } else if (kind == 3) {
-              one(places.attraction, "attraction");
-              fields(k, forces.attraction.emplace());
-            } else {
-              fields(k, forces.applied.emplace_back());
-              places.applied.push_back(index);
-            }
-          });
+  const std::vector<std::string> types = types_of_force();
+  const std::size_t common = types.size() - kListed.size();
+  r.cases({"type", "the kind of force"}, types, 0, [&](std::size_t kind, FieldReader& k) {
+    if (kind < common) {
+      if (r.reads() && !places.common.emplace(types[kind], index).second) {
+        std::string words = types[kind];
+        std::replace(words.begin(), words.end(), '_', ' ');
+        refuse_by(Rule::kKeysTogether, at, "a second " + words, "one");
+      }
+      read_common_force(k, types[kind], forces);
+    } else if (types[kind] == "spring") {
+      fields(k, forces.springs.emplace_back());
+      places.springs.push_back(index);
+    } else {
+      fields(k, forces.applied.emplace_back());
+      places.applied.push_back(index);
+    }
+  });
 }
 
 Json forces_json(const Forces& forces, bool all) {
   Json j = Json::array();
-  if (forces.linear_drag != 0.0) j.push_back({{"type", "linear_drag"}, {"coefficient", forces.linear_drag}});
-  if (forces.quadratic_drag != 0.0)
-    j.push_back({{"type", "quadratic_drag"}, {"coefficient", forces.quadratic_drag}});
+  each_common_force(forces, [&](const CommonForce& force, const auto& value, const auto&... range) {
+    if (!value) return;
+    if constexpr (sizeof...(range) > 0) {
+      j.push_back({{"type", force.type}, {"coefficient", value}});
+    } else {
+      j.push_back(typed(force.type, *value, all));
+    }
+  });
   for (const Spring& s : forces.springs) j.push_back(typed("spring", s, all));
-  if (forces.attraction) j.push_back(typed("attraction", *forces.attraction, all));
   for (const AppliedForce& f : forces.applied) j.push_back(typed("force", f, all));
   return j;
 }

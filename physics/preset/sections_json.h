@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "physics/dynamics/integrators/method_fields.h"
+#include "physics/preset/names.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/value_reader.h"
 #include "physics/scene/fields.h"
@@ -30,6 +31,39 @@ void fields(V& v, Is<LateBody> auto& late) {
   v.required({"time", "when it comes in: at the end of the first step from here on"}, late.time,
              from_zero("s"));
   v.required_object({"body", "as it is then, with the keys of a body"}, late.body);
+}
+
+// Whether it looks at the readings from a time on.
+[[nodiscard]] constexpr bool looks_over_time(Expectation::Reduction reduction) {
+  using Reduction = Expectation::Reduction;
+  return reduction != Reduction::kAt && reduction != Reduction::kAtImpact && reduction != Reduction::kFinal;
+}
+
+// Which number an expectation looks at.
+template <class V>
+void reduction_fields(V& v, Is<Expectation> auto& e) {
+  using Reduction = Expectation::Reduction;
+  v.cases({"reduction", "the number that is looked at"}, words_of(kReductionNames),
+          index_of(kReductionNames, e.reduction), [&](std::size_t i, V& k) {
+            const Reduction reduction = kReductionNames[i].id;
+            k.chosen(e.reduction, reduction);
+            if (reduction == Reduction::kAt) k.required({"time", "when"}, e.time, from_zero("s"));
+            if (reduction == Reduction::kAtImpact)
+              k.required({"impact", "after which impact: 1, 2, ..."}, e.impact, Whole{1, 1e9});
+            if (reduction == Reduction::kCount)
+              k.required({"above", "in the observable's unit"}, e.above, any_number(""));
+            if (looks_over_time(reduction) && k.shows(e.from != 0.0))
+              k.field({"from", "when it begins"}, e.from, from_zero("s"));
+            if (reduction != Reduction::kAt) k.field({"until", "when it ends"}, e.until, from_zero("s"));
+          });
+}
+
+// What that number must be.
+template <class V>
+void value_fields(V& v, Is<Expectation> auto& e) {
+  v.required({"value", "in the observable's unit"}, e.value, any_number(""));
+  v.required({"tolerance", "in the observable's unit"}, e.tolerance, from_zero(""));
+  v.field({"source", "where the value comes from"}, e.source, kText);
 }
 
 // This writes, too (see `written_by`).

@@ -40,12 +40,9 @@ Json* number_at(Json& json, const std::string& place) {
 std::map<int, int> moves(const Forces& forces, const ForcePlaces& file) {
   const ForcePlaces written = written_places(forces);
   std::map<int, int> pairs;
-  const auto one = [&](const std::optional<int>& from, const std::optional<int>& to) {
-    if (from && to) pairs.emplace(*from, *to);
-  };
-  one(file.linear_drag, written.linear_drag);
-  one(file.quadratic_drag, written.quadratic_drag);
-  one(file.attraction, written.attraction);
+  for (const auto& [type, place] : file.common) {
+    if (const auto to = written.common.find(type); to != written.common.end()) pairs.emplace(place, to->second);
+  }
   for (std::size_t i = 0; i < file.springs.size(); ++i) pairs.emplace(file.springs[i], written.springs[i]);
   for (std::size_t i = 0; i < file.applied.size(); ++i) pairs.emplace(file.applied[i], written.applied[i]);
   return pairs;
@@ -92,15 +89,10 @@ void check_sweep(const std::string& at, const Sweep& sweep) {
 void check_expectation(const std::string& at, const Expectation& e, const NamedBodies& bodies) {
   for (std::size_t k = 0; k < e.bodies.size(); ++k)
     (void)named_body(bodies, fmt::format("{}/bodies/{}", at, k), e.bodies[k]);
-  check_range(at + "/tolerance", e.tolerance, from_zero(""));
-  check_range(at + "/time", e.time, from_zero("s"));
-  check_range(at + "/from", e.from, from_zero("s"));
-  if (e.until) {
-    check_range(at + "/until", *e.until, from_zero("s"));
-    check_order(at + "/until", *e.until, e.from, "from");
-  }
-  if (e.reduction == Expectation::Reduction::kAtImpact && e.impact < 1)
-    refuse_value(at + "/impact", fmt::format("{}", e.impact), "1, 2, ...");
+  RangeCheck check(at);
+  reduction_fields(check, e);
+  value_fields(check, e);
+  if (e.until) check_order(at + "/until", *e.until, e.from, "from");
   for (const Setting& s : e.settings) {
     check_range(fmt::format("{}/with {}", at, s.place), s.value, any_number(""));
   }

@@ -87,24 +87,6 @@ Json quantity_json(const QuantityName& q) {
   return j;
 }
 
-using Reduction = Expectation::Reduction;
-
-bool looks_over_time(Reduction reduction) {
-  switch (reduction) {
-    case Reduction::kAt:
-    case Reduction::kAtImpact:
-    case Reduction::kFinal:
-      return false;
-    case Reduction::kMaximum:
-    case Reduction::kMinimum:
-    case Reduction::kMean:
-    case Reduction::kCount:
-    case Reduction::kFit:
-      return true;
-  }
-  return false;
-}
-
 void read_sweep(FieldReader& r, Sweep& s) {
   r.required({"place", "the JSON pointer of a number of this file"}, s.place, kWords);
   r.needed({"values", "an array of numbers"}, [&](const ValueReader& v) {
@@ -169,18 +151,7 @@ Json plot_json(const Plot& plot) {
 
 void read_expectation(FieldReader& r, Expectation& e) {
   read_observable(r, false, e.observable, e.bodies);
-  r.cases({"reduction", "the number that is looked at"}, words_of(kReductionNames),
-          index_of(kReductionNames, e.reduction), [&](std::size_t i, FieldReader& k) {
-            e.reduction = kReductionNames[i].id;
-            if (e.reduction == Reduction::kAt) k.required({"time", "when"}, e.time, from_zero("s"));
-            if (e.reduction == Reduction::kAtImpact)
-              k.required({"impact", "after which impact: 1, 2, ..."}, e.impact, Whole{1, 1e9});
-            if (e.reduction == Reduction::kCount)
-              k.required({"above", "in the observable's unit"}, e.above, any_number(""));
-            if (looks_over_time(e.reduction) && (!k.writes() || e.from != 0.0))
-              k.field({"from", "when it begins"}, e.from, from_zero("s"));
-            if (e.reduction != Reduction::kAt) k.field({"until", "when it ends"}, e.until, from_zero("s"));
-          });
+  reduction_fields(r, e);
   Json with;
   for (const Setting& s : e.settings) with[s.place] = s.value;
   if (!with.is_null()) r.put("with", with);
@@ -193,9 +164,7 @@ void read_expectation(FieldReader& r, Expectation& e) {
   r.member({"over", "one run for each of several values"}, [&](const ValueReader& v) {
     v.object([&](FieldReader& sweep) { read_sweep(sweep, e.over.emplace()); });
   });
-  r.required({"value", "in the observable's unit"}, e.value, any_number(""));
-  r.required({"tolerance", "in the observable's unit"}, e.tolerance, from_zero(""));
-  r.field({"source", "where the value comes from"}, e.source, kText);
+  value_fields(r, e);
 }
 
 }  // namespace carom

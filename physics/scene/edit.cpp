@@ -52,11 +52,8 @@ SceneEdit applied(Scene& scene, const Remove<Part>& remove) {
 }
 
 SceneEdit applied(Scene& scene, const SetForces& set) {
-  Forces& forces = scene.forces;
-  return SetForces{std::exchange(forces.gravity, set.gravity),
-                   std::exchange(forces.linear_drag, set.linear_drag),
-                   std::exchange(forces.quadratic_drag, set.quadratic_drag),
-                   std::exchange(forces.attraction, set.attraction)};
+  CommonForces& forces = scene.forces;
+  return std::exchange(forces, set);
 }
 
 SceneEdit applied(Scene& scene, const SetLaws& set) {

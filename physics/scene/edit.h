@@ -30,13 +30,8 @@ struct Remove {
   Id<Part> id;
 };
 
-// The forces that a scene has once.
-struct SetForces {
-  Vec2 gravity = Vec2::Zero();  // m/s²
-  double linear_drag = 0.0;     // kg/s
-  double quadratic_drag = 0.0;  // kg/m
-  std::optional<Attraction> attraction{};
-};
+// Puts these in place of the forces that the scene has once.
+using SetForces = CommonForces;
 
 struct SetLaws {
   ImpactLawId impact_law = ImpactLawId::kEnergetic;

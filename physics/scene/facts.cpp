@@ -153,8 +153,9 @@ class Fingerprint {
     add_all(body, newtons, torque, start, rise, end);
   }
   void add(const Forces& forces) {
-    const auto& [gravity, linear_drag, quadratic_drag, springs, attraction, applied] = forces;
-    add_all(gravity, linear_drag, quadratic_drag, springs, attraction, applied);
+    const CommonForces& common = forces;
+    const auto& [gravity, linear_drag, quadratic_drag, attraction] = common;
+    add_all(gravity, linear_drag, quadratic_drag, forces.springs, attraction, forces.applied);
   }
   template <class... Values>
   void add_all(const Values&... values) {

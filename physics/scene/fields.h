@@ -248,9 +248,24 @@ void fields(V& v, Is<AppliedForce> auto& f) {
   v.field({"end", "when it ends"}, f.end, from_zero("s"));
 }
 
-inline constexpr Range kLinearDrag = from_zero("kg/s");
-inline constexpr Range kQuadraticDrag = from_zero("kg/m");
 inline constexpr Range kGravity = any_number("m/s²");
+
+// One of the forces that a scene has once, beside gravity: an element of the array of forces of a type of its
+// own.
+struct CommonForce {
+  const char* type;
+  const char* name;     // for people
+  const char* meaning;  // of its coefficient, or of the force that has fields of its own
+};
+
+// Calls visit(force, coefficient, range) or visit(force, optional with fields) for each of them.
+void each_common_force(std::derived_from<CommonForces> auto& f, const auto& visit) {
+  visit(CommonForce{"linear_drag", "Linear drag", "b in F = -b v"}, f.linear_drag, from_zero("kg/s"));
+  visit(CommonForce{"quadratic_drag", "Quadratic drag", "c in F = -c |v| v"}, f.quadratic_drag,
+        from_zero("kg/m"));
+  visit(CommonForce{"attraction", "Attraction", "between every two bodies that move, as of planets"},
+        f.attraction);
+}
 
 template <class V>
 void fields(V& v, Is<Joint> auto& joint) {

@@ -149,12 +149,16 @@ struct AppliedForce {
   Id<AppliedForce> id{};
 };
 
-struct Forces {
+// The forces that a scene has once, on all bodies that move.
+struct CommonForces {
   Vec2 gravity = Vec2::Zero();  // m/s²
-  double linear_drag = 0.0;     // kg/s: F = -b v on every moving body
-  double quadratic_drag = 0.0;  // kg/m: F = -c |v| v on every moving body
+  double linear_drag = 0.0;     // kg/s: F = -b v
+  double quadratic_drag = 0.0;  // kg/m: F = -c |v| v
+  std::optional<Attraction> attraction{};
+};
+
+struct Forces : CommonForces {
   std::vector<Spring> springs;
-  std::optional<Attraction> attraction;
   std::vector<AppliedForce> applied;
 };
 

@@ -156,20 +156,22 @@ constexpr std::size_t kMostAttracted = 2'000;
 
 void check_forces(const Forces& forces, const ForcePlaces& places, const NamedBodies& bodies) {
   RangeCheck("").field({"gravity", ""}, forces.gravity, kGravity);
-  const auto drag = [](const std::optional<int>& place, double coefficient, const Range& range) {
-    check_range(fmt::format("/forces/{}/coefficient", place.value_or(0)), coefficient, range);
+  const auto place = [&places](const char* type) {
+    const auto found = places.common.find(type);
+    return fmt::format("/forces/{}", found == places.common.end() ? 0 : found->second);
   };
-  drag(places.linear_drag, forces.linear_drag, kLinearDrag);
-  drag(places.quadratic_drag, forces.quadratic_drag, kQuadraticDrag);
+  each_common_force(forces, [&place](const CommonForce& force, const auto& value, const auto&... range) {
+    if constexpr (sizeof...(range) > 0) {
+      check_range(place(force.type) + "/coefficient", value, range...);
+    } else if (value) {
+      check_fields(place(force.type), *value);
+    }
+  });
+  if (forces.attraction && bodies.size() > kMostAttracted)
+    refuse_by(Rule::kCountInAll, place("attraction"), fmt::format("attraction among {} bodies", bodies.size()),
+              fmt::format("among up to {}", kMostAttracted));
   check_count("/forces", forces.springs.size() + forces.applied.size(), kMostForces, "springs and forces");
   check_springs(forces, places, bodies);
-  if (forces.attraction) {
-    const std::string at = fmt::format("/forces/{}", places.attraction.value_or(0));
-    check_fields(at, *forces.attraction);
-    if (bodies.size() > kMostAttracted)
-      refuse_by(Rule::kCountInAll, at, fmt::format("attraction among {} bodies", bodies.size()),
-                fmt::format("among up to {}", kMostAttracted));
-  }
   check_applied(forces, places, bodies);
 }
 
@@ -178,10 +180,10 @@ void check_forces(const Forces& forces, const ForcePlaces& places, const NamedBo
 ForcePlaces written_places(const Forces& forces) {
   ForcePlaces places;
   int next = 0;
-  if (forces.linear_drag != 0.0) places.linear_drag = next++;
-  if (forces.quadratic_drag != 0.0) places.quadratic_drag = next++;
+  each_common_force(forces, [&](const CommonForce& force, const auto& value, const auto&...) {
+    if (value) places.common.emplace(force.type, next++);
+  });
   for (std::size_t i = 0; i < forces.springs.size(); ++i) places.springs.push_back(next++);
-  if (forces.attraction) places.attraction = next++;
   for (std::size_t i = 0; i < forces.applied.size(); ++i) places.applied.push_back(next++);
   return places;
 }

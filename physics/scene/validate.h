@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -80,14 +80,12 @@ class RuleError : public SceneError {
 
 // Where the forces of a scene stand in the array /forces of its file: one index for each.
 struct ForcePlaces {
-  std::optional<int> linear_drag;
-  std::optional<int> quadratic_drag;
+  std::map<std::string, int> common;  // by type
   std::vector<int> springs;
-  std::optional<int> attraction;
   std::vector<int> applied;
 };
 
-// The places in a file that Carom writes: first the drags, then springs, attraction, applied forces.
+// The places in a file that Carom writes: first the forces that a scene has once, then springs, applied forces.
 [[nodiscard]] ForcePlaces written_places(const Forces& forces);
 
 // How a run of the scene begins.

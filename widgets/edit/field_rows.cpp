@@ -23,6 +23,7 @@ constexpr auto kLabels = std::to_array<LabelOf>({
     {"shape/height", "Height"},
     {"shape/length", "Length"},
     {"shape/rounding", "Rounding"},
+    {"constant", "Constant G"},
     {"drive/velocity", "Drive velocity"},
     {"drive/amplitude", "Amplitude"},
     {"drive/angular_frequency", "Angular frequency ω"},

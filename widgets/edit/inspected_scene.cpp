@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "widgets/edit/field_rows.h"
@@ -30,22 +33,19 @@ constexpr auto kSeveralImpacts = std::to_array<LawWord>({
     {"all at once", "all touching pairs together, with one restitution"},
 });
 
-SetForces forces_of(const Scene& scene) {
-  return {scene.forces.gravity, scene.forces.linear_drag, scene.forces.quadratic_drag, scene.forces.attraction};
-}
+using SetForce = std::function<void(SetForces&, double)>;
 
-// A number that the scene has once. `member` finds it in its forces.
+// A number of the forces that the scene has once, and how it is set.
 Inspected force_value(const SetForces& forces, const QString& name, const QString& meaning, const Range& range,
-                      double& (*member)(SetForces&)) {
-  SetForces now = forces;
+                      double now, SetForce set) {
   Inspected value;
   value.name = name;
   value.meaning = meaning;
   value.range = range;
-  value.values = {member(now)};
-  value.edits = [forces, member](const std::vector<double>& values) {
+  value.values = {now};
+  value.edits = [forces, set = std::move(set)](const std::vector<double>& values) {
     SetForces changed = forces;
-    member(changed) = values[0];
+    set(changed, values[0]);
     return SceneEdits{changed};
   };
   value.undo_name = [name, range](const std::vector<double>& from, const std::vector<double>& to) {
@@ -56,9 +56,9 @@ Inspected force_value(const SetForces& forces, const QString& name, const QStrin
 
 InspectedRow gravity_row(const SetForces& forces) {
   Inspected x = force_value(forces, "Gravity x", "acceleration of every moving body to the right", kGravity,
-                            [](SetForces& f) -> double& { return f.gravity.x(); });
+                            forces.gravity.x(), [](SetForces& f, double value) { f.gravity.x() = value; });
   Inspected y = force_value(forces, "Gravity y", "acceleration of every moving body upwards", kGravity,
-                            [](SetForces& f) -> double& { return f.gravity.y(); });
+                            forces.gravity.y(), [](SetForces& f, double value) { f.gravity.y() = value; });
   x.label = "x";
   y.label = "y";
   return {.section = "Forces", .label = "Gravity", .values = {std::move(x), std::move(y)}};
@@ -84,29 +84,55 @@ InspectedRow planet_row(const SetForces& forces) {
   return {.section = "Forces", .label = "as on", .choice = choice};
 }
 
-void add_attraction(std::vector<InspectedRow>& shown, const SetForces& forces) {
-  InspectedChoice choice;
-  choice.name = "Attraction";
-  choice.meaning = "Between every two bodies that move, as of planets";
-  choice.words = QStringList{"none", "between all"};
-  choice.chosen = forces.attraction ? 1 : 0;
-  choice.edits = [forces](int index) {
-    SetForces changed = forces;
-    changed.attraction.reset();
-    if (index == 1) changed.attraction.emplace();
-    return NamedEdits{{changed}, index == 1 ? "Add attraction" : "Remove attraction"};
+// Changes the force of this type, where that is what it is: a coefficient, or an optional with fields.
+template <class Value>
+void change_common_force(SetForces& forces, const char* type, const auto& change) {
+  each_common_force(forces, [&](const CommonForce& force, auto& value, const auto&...) {
+    if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, Value>) {
+      if (force.type == type) change(value);
+    }
+  });
+}
+
+InspectedRow coefficient_row(const SetForces& forces, const CommonForce& force, double value,
+                             const Range& range) {
+  const auto set = [type = force.type](SetForces& f, double to) {
+    change_common_force<double>(f, type, [to](double& coefficient) { coefficient = to; });
   };
-  shown.push_back({.section = "Forces", .label = "Attraction", .choice = choice});
-  if (!forces.attraction) return;
-  const std::vector<FieldRow> rows = field_rows(*forces.attraction);
-  shown.push_back({.section = "Forces",
-                   .label = "G",
-                   .values = {force_value(forces, "G", "constant of attraction", rows[0].range,
-                                          [](SetForces& f) -> double& { return f.attraction->constant; })}});
-  shown.push_back({.section = "Forces",
-                   .label = "Softening",
-                   .values = {force_value(forces, "Softening", rows[1].meaning, rows[1].range,
-                                          [](SetForces& f) -> double& { return f.attraction->softening; })}});
+  return {.section = "Forces",
+          .label = force.name,
+          .values = {force_value(forces, force.name, force.meaning, range, value, set)}};
+}
+
+// Whether there is the force, and its fields if so.
+template <class Value>
+void add_optional_force(std::vector<InspectedRow>& shown, const SetForces& forces, const CommonForce& force,
+                        const std::optional<Value>& value) {
+  using Held = std::optional<Value>;
+  InspectedChoice choice;
+  choice.name = force.name;
+  choice.meaning = force.meaning;
+  choice.words = QStringList{"none", "acts"};
+  choice.chosen = value ? 1 : 0;
+  choice.edits = [forces, force](int index) {
+    SetForces changed = forces;
+    change_common_force<Held>(changed, force.type, [index](Held& held) {
+      held.reset();
+      if (index == 1) held.emplace();
+    });
+    return NamedEdits{{changed}, (index == 1 ? "Add " : "Remove ") + QString(force.name).toLower()};
+  };
+  shown.push_back({.section = "Forces", .label = force.name, .choice = choice});
+  if (!value) return;
+  for (const FieldRow& row : field_rows(*value)) {
+    const auto set = [type = force.type, place = row.place](SetForces& f, double to) {
+      change_common_force<Held>(f, type, [&](Held& held) { held = with_field(*held, place, to); });
+    };
+    shown.push_back(
+        {.section = "Forces",
+         .label = row.label,
+         .values = {force_value(forces, row.label, row.meaning, row.range, std::get<double>(row.value), set)}});
+  }
 }
 
 template <std::size_t N, class Id>
@@ -131,19 +157,15 @@ InspectedRow law_row(const std::array<LawWord, N>& words, const QString& label, 
 }  // namespace
 
 std::vector<InspectedRow> inspected_scene(const Scene& scene) {
-  const SetForces forces = forces_of(scene);
+  const SetForces& forces = scene.forces;
   std::vector<InspectedRow> shown{gravity_row(forces), planet_row(forces)};
-  shown.push_back(
-      {.section = "Forces",
-       .label = "Linear drag",
-       .values = {force_value(forces, "Linear drag", "force against the motion, over speed", kLinearDrag,
-                              [](SetForces& f) -> double& { return f.linear_drag; })}});
-  shown.push_back(
-      {.section = "Forces",
-       .label = "Square drag",
-       .values = {force_value(forces, "Quadratic drag", "force against the motion, over speed squared",
-                              kQuadraticDrag, [](SetForces& f) -> double& { return f.quadratic_drag; })}});
-  add_attraction(shown, forces);
+  each_common_force(forces, [&](const CommonForce& force, const auto& value, const auto&... range) {
+    if constexpr (sizeof...(range) > 0) {
+      shown.push_back(coefficient_row(forces, force, value, range...));
+    } else {
+      add_optional_force(shown, forces, force, value);
+    }
+  });
   const SetLaws laws{scene.impact_law, scene.several_impacts};
   shown.push_back(law_row(kImpactLaws, "Law", "Impact law", laws, &SetLaws::impact_law));
   shown.push_back(law_row(kSeveralImpacts, "Several", "Several impacts", laws, &SetLaws::several_impacts));

@@ -31,13 +31,13 @@ TEST_F(InspectorSceneTest, LawsOfImpacts) {
 }
 
 TEST_F(InspectorSceneTest, AttractionIsAddedAndRemoved) {
-  EXPECT_FALSE(has_field("G, N m²/kg²"));
+  EXPECT_FALSE(has_field("Constant G, N m²/kg²"));
   choose_below(box("Attraction"));
   ASSERT_TRUE(scene_->forces.attraction.has_value());
   EXPECT_TRUE(box("Attraction")->hasFocus()) << "although rows were added";
-  enter(field("G, N m²/kg²"), "2.5");
+  enter(field("Constant G, N m²/kg²"), "2.5");
   EXPECT_EQ(scene_->forces.attraction->constant, 2.5);
-  EXPECT_EQ(made_.back().name, "G 1.00 → 2.50 N m²/kg²");
+  EXPECT_EQ(made_.back().name, "Constant G 1.00 → 2.50 N m²/kg²");
   enter(field("Softening, m"), "-1 cm");
   EXPECT_EQ(sentences(), QStringList{"Softening is 0 or more."});
   box("Attraction")->setFocus();
