@@ -37,6 +37,17 @@ void Drawer::set_title(const QWidget* page, const QString& title) { tabs_->setTa
 
 void Drawer::choose(QWidget* page) { tabs_->setCurrentIndex(index_of(page)); }
 
+void Drawer::press(int tab) {
+  set_folded(!folded_ && tab == tabs_->currentIndex());
+  tabs_->setCurrentIndex(tab);
+}
+
+QStringList Drawer::titles() const {
+  QStringList titles;
+  for (int tab = 0; tab < tabs_->count(); ++tab) titles << tabs_->tabText(tab);
+  return titles;
+}
+
 bool Drawer::shows(const QWidget* page) const { return index_of(page) == tabs_->currentIndex(); }
 
 int Drawer::index_of(const QWidget* page) const {
@@ -45,11 +56,21 @@ int Drawer::index_of(const QWidget* page) const {
   return index;
 }
 
+void Drawer::add_corner(QWidget* widget) { tabs_->setCornerWidget(widget); }
+
+bool Drawer::event(QEvent* event) {
+  const bool left =
+      event->type() == QEvent::ParentChange && qobject_cast<QSplitter*>(parentWidget()) == nullptr;
+  if (left) set_folded(false);
+  return QFrame::event(event);
+}
+
 // The other side of the splitter gets the room, or gives back as much.
 void Drawer::set_folded(bool folded) {
   const int bar = tabs_->tabBar()->sizeHint().height();
   const int line = bar + layout()->contentsMargins().top();
   auto* splitter = qobject_cast<QSplitter*>(parentWidget());
+  if (folded && splitter == nullptr) return emit foldedChanged(false);
   if (folded && !folded_ && splitter != nullptr) unfolded_ = splitter->sizes().last();
   tabs_->setMinimumHeight(folded ? bar : bar + kLeastPage);
   setMaximumHeight(folded ? line : QWIDGETSIZE_MAX);

@@ -7,8 +7,8 @@ class QTabWidget;
 namespace carom {
 
 // Pages under the scene, one shown at a time. A click on the tab of the shown page folds the drawer to its line
-// of tabs, and any tab unfolds it. It is the last part of a splitter. A page that is taller than its room
-// scrolls.
+// of tabs, and any tab unfolds it. It is the last part of a splitter; elsewhere it does not fold. A page that
+// is taller than its room scrolls.
 class Drawer : public QFrame {
   Q_OBJECT
 
@@ -19,6 +19,11 @@ class Drawer : public QFrame {
   void set_title(const QWidget* page, const QString& title);
   // Shows this page, folded or not.
   void choose(QWidget* page);
+  // At the right of the tabs.
+  void add_corner(QWidget* widget);
+  // As a click on this tab: opens it, or folds the drawer where it is the open one.
+  void press(int tab);
+  [[nodiscard]] QStringList titles() const;
   // Whether it is the chosen page of the drawer.
   [[nodiscard]] bool shows(const QWidget* page) const;
 
@@ -28,6 +33,9 @@ class Drawer : public QFrame {
  signals:
   void pageChanged();
   void foldedChanged(bool folded);
+
+ protected:
+  bool event(QEvent* event) override;
 
  private:
   [[nodiscard]] int index_of(const QWidget* page) const;

@@ -10,6 +10,7 @@
 #include "app/lab/lab_window.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
+#include "widgets/base/ask.h"
 #include "widgets/edit/bodies_sheet.h"
 #include "widgets/edit/inspector.h"
 #include "widgets/scene/scene_parts.h"
@@ -28,8 +29,11 @@ int drag_of(DragSource source, int drag) { return drag > 0 ? kSources * drag + s
 
 void LabWindow::connect_edits() {
   connect(view_, &SceneView::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
+    select_drawn(edits);
     session_.edit(edits, name, drag_of(kOfScene, drag));
   });
+  connect(view_, &SceneView::spawnRequested, this, &LabWindow::spawn);
+  connect(view_, &SceneView::pauseRequested, this, [this] { session_.runs().set_playing(false); });
   connect(view_, &SceneView::dragCancelled, this,
           [this](int drag) { session_.cancel(drag_of(kOfScene, drag)); });
   connect(view_, &SceneView::selectionChanged, this, &LabWindow::show_selection);
@@ -50,6 +54,7 @@ void LabWindow::connect_edits() {
     if (frame() != nullptr) select_new();
   });
   connect(&session_, &Session::bodiesChanged, this, &LabWindow::show_aim);
+  connect(&session_, &Session::documentChanged, view_, &SceneView::scene_edited);
   aim_time_.setSingleShot(true);
   connect(&aim_time_, &QTimer::timeout, view_, [this] { view_->set_aim(std::nullopt); });
   // A refusal is about the last edit and what is shown.
@@ -78,6 +83,22 @@ void LabWindow::show_aim() {
     view_->set_aim(std::nullopt);  // the session says what is wrong with the scene
   }
   aim_time_.start(kShown);
+}
+
+// A disc of random radius.
+void LabWindow::spawn(double x, double y) {
+  try {
+    const std::string name = session_.add_body(x, y);
+    if (!view_->tool_kept()) to_select_ = {name};
+  } catch (const SceneError& error) {
+    show_message(this, tr("No body can be put here"), QString::fromStdString(error.what()));
+  }
+}
+
+// A new body is selected, unless the tool is kept for more of them.
+void LabWindow::select_drawn(const SceneEdits& edits) {
+  const auto* added = edits.size() == 1 ? std::get_if<Add<Body>>(&edits[0]) : nullptr;
+  if (added != nullptr && !view_->tool_kept()) to_select_ = {added->part.name};
 }
 
 void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int drag) {

@@ -2,17 +2,19 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSplitter>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/lab/document_files.h"
 #include "app/lab/drawer.h"
+#include "app/lab/floating_panel.h"
 #include "app/lab/lab_window.h"
 #include "app/lab/notice_bar.h"
+#include "app/lab/right_column.h"
 #include "app/lab/scrolled.h"
 #include "app/library/library_items.h"
 #include "physics/scene/validate.h"
-#include "widgets/base/ask.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/study_panel.h"
 #include "widgets/edit/bodies_sheet.h"
@@ -29,8 +31,11 @@
 namespace carom {
 namespace {
 
-constexpr int kListWidth = 256;    // px
-constexpr int kPinnedFrom = 1600;  // px: width of a window that has room for the list beside the scene
+constexpr int kListWidth = 256;           // px
+constexpr int kGap = 8;                   // px, between panels
+constexpr int kTabsWidth = 280;           // px, of the right column with tabs
+constexpr QSize kStackedFrom(1200, 720);  // px: a window that has room for the inspector over the plots
+constexpr int kPinnedFrom = 1600;         // px: width of a window that has room for the list beside the scene
 
 QWidget* with_frame(QWidget* inside, int margin) {
   auto* frame = new QFrame;
@@ -54,17 +59,25 @@ void LabWindow::make_body() {
   list_->hide();
 
   columns_ = new QSplitter(Qt::Horizontal);
-  columns_->setHandleWidth(8);
+  columns_->setHandleWidth(kGap);
   columns_->addWidget(make_middle());
   columns_->addWidget(make_right());
   columns_->setStretchFactor(0, 3);
   columns_->setStretchFactor(1, 1);
   columns_->setChildrenCollapsible(false);
+  connect(columns_, &QSplitter::splitterMoved, this, [this](int at) {
+    if (!right_->tabbed()) right_share_ = 1.0 - 1.0 * (at + kGap) / columns_->width();
+  });
+  floating_ = {&right_->inspector_window(), &right_->plots_window(),
+               new FloatingPanel(drawer_, "drawer", tr("Tables"))};
+  for (FloatingPanel* each : floating_) icon_actions_.emplace_back(each->action(), "float");
+  inspector_->add_to_head(floating_[0]->make_button());
+  drawer_->add_corner(floating_[2]->make_button());
   restore_bar_ = new NoticeBar;
   lost_bar_ = new NoticeBar;
   auto* inner = new QVBoxLayout;
-  inner->setContentsMargins(8, 8, 8, 8);
-  inner->setSpacing(8);
+  inner->setContentsMargins(kGap, kGap, kGap, kGap);
+  inner->setSpacing(kGap);
   inner->addWidget(restore_bar_);
   inner->addWidget(lost_bar_);
   inner->addWidget(columns_, 1);
@@ -107,6 +120,23 @@ void LabWindow::resizeEvent(QResizeEvent* event) {
   fold_tool_bar();
   QMainWindow::resizeEvent(event);
   place_list();
+  place_right();
+}
+
+// A small window has room for the inspector or the plots, but not for both.
+void LabWindow::place_right() {
+  const bool tabbed = width() < kStackedFrom.width() || height() < kStackedFrom.height();
+  if (tabbed == right_->tabbed()) return;
+  right_->set_tabbed(tabbed);
+  size_right();
+}
+
+void LabWindow::size_right() {
+  const int both = columns_->isVisible() ? columns_->width() : width() - 2 * kGap;
+  const int right = right_->tabbed() ? kTabsWidth : qRound(right_share_ * both);
+  columns_->setSizes({both - kGap - right, right});
+  // Beside tabs, what the window has more or less is the scene's.
+  columns_->setStretchFactor(1, right_->tabbed() ? 0 : 1);
 }
 
 QWidget* LabWindow::make_middle() {
@@ -115,16 +145,16 @@ QWidget* LabWindow::make_middle() {
   auto* scene = new QWidget;
   auto* column = new QVBoxLayout(scene);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+  column->setSpacing(kGap);
   auto* row = new QHBoxLayout;
-  row->setSpacing(8);
+  row->setSpacing(kGap);
   row->addWidget(make_tool_column());
   row->addWidget(with_frame(view_, 1), 1);
   column->addLayout(row, 1);
   column->addWidget(transport_);
   make_drawer();
   middle_ = new QSplitter(Qt::Vertical);
-  middle_->setHandleWidth(8);
+  middle_->setHandleWidth(kGap);
   middle_->addWidget(scene);
   middle_->addWidget(drawer_);
   middle_->setStretchFactor(0, 1);
@@ -151,19 +181,11 @@ void LabWindow::make_drawer() {
   drawer_->add(scrolled<QScrollArea>(about_), tr("About"));
 }
 
-// The inspector over the plots.
 QWidget* LabWindow::make_right() {
   inspector_ = new Inspector;
   auto* area = scrolled<TallArea>(inspector_);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  inspector_panel_ = with_frame(area, 1);
-  right_ = new QSplitter(Qt::Vertical);
-  right_->setHandleWidth(8);
-  right_->addWidget(inspector_panel_);
-  right_->addWidget(make_plots());
-  right_->setStretchFactor(0, 0);
-  right_->setStretchFactor(1, 1);
-  right_->setChildrenCollapsible(false);
+  right_ = new RightColumn(with_frame(area, 1), make_plots());
   return right_;
 }
 
@@ -201,13 +223,6 @@ void LabWindow::connect_views() {
   connect(lost_bar_, &NoticeBar::dismissed, this, [this] {
     lost_bar_->hide();
     show_notices();
-  });
-  connect(view_, &SceneView::spawnRequested, this, [this](double x, double y) {
-    try {
-      session_.add_body(x, y);
-    } catch (const SceneError& error) {
-      show_message(this, tr("No body can be put here"), QString::fromStdString(error.what()));
-    }
   });
   connect(list_, &ExperimentList::openRequested, files_, [this](const QString& name) {
     list_action_->setChecked(false);

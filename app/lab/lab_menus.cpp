@@ -10,11 +10,18 @@
 #include "app/help/help_dialog.h"
 #include "app/lab/document_files.h"
 #include "app/lab/drawer.h"
+#include "app/lab/floating_panel.h"
 #include "app/lab/lab_exports.h"
 #include "app/lab/lab_window.h"
 #include "app/lab/method_bar.h"
+#include "app/lab/panel_focus.h"
+#include "app/lab/right_column.h"
+#include "app/lab/tool_column.h"
 #include "widgets/base/ask.h"
+#include "widgets/edit/inspector.h"
 #include "widgets/plot/plot_panel.h"
+#include "widgets/run/experiment_list.h"
+#include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
 
 // The menus and the tool bar of the lab's window.
@@ -110,7 +117,7 @@ void LabWindow::make_view_menu() {
   list_action_->setCheckable(true);
   list_action_->setToolTip(tr("The list of experiments (E)"));
   connect(list_action_, &QAction::toggled, this, &LabWindow::open_list);
-  add_action(view, "fit", tr("&Fit the scene"), QKeySequence(Qt::Key_F), [this] { view_->fit(); });
+  add_action(view, "fit", tr("&Fit the scene"), QKeySequence(Qt::Key_F), [this] { view_->find(); });
   add_action(view, "", tr("&Reset the plots' zoom"), QKeySequence(Qt::Key_Home),
              [this] { plots_->reset_zoom(); });
   view->addSeparator();
@@ -118,19 +125,21 @@ void LabWindow::make_view_menu() {
     const char* icon;
     const char* text;
     const char* tip;
+    Qt::Key key;  // with Shift
     bool DrawingOptions::*flag;
   };
   constexpr std::array<Toggle, 5> kToggles = {{
-      {"grid", "&Grid", "Grid in metres", &DrawingOptions::grid},
-      {"velocity", "&Velocities", "Arrows of the velocities", &DrawingOptions::velocities},
-      {"", "F&orces", "Applied forces and torques", &DrawingOptions::forces},
-      {"contact", "&Contacts", "Impulses of the newest impacts; forces in N of contacts that last",
+      {"grid", "&Grid", "Grid in metres", Qt::Key_G, &DrawingOptions::grid},
+      {"velocity", "&Velocities", "Arrows of the velocities", Qt::Key_V, &DrawingOptions::velocities},
+      {"", "F&orces", "Applied forces and torques", Qt::Key_F, &DrawingOptions::forces},
+      {"contact", "&Contacts", "Impulses of the newest impacts; forces in N of contacts that last", Qt::Key_K,
        &DrawingOptions::contacts},
-      {"names", "&Names", "Names of the bodies", &DrawingOptions::names},
+      {"names", "&Names", "Names of the bodies", Qt::Key_N, &DrawingOptions::names},
   }};
   for (const Toggle& toggle : kToggles) {
-    QAction* action = add_action(view, toggle.icon, tr(toggle.text), QKeySequence(), [] {});
-    action->setToolTip(tr(toggle.tip));
+    const QKeySequence key(Qt::SHIFT | toggle.key);
+    QAction* action = add_action(view, toggle.icon, tr(toggle.text), key, [] {});
+    action->setToolTip(tr("%1 (%2)").arg(tr(toggle.tip), key.toString(QKeySequence::NativeText)));
     action->setCheckable(true);
     action->setChecked(view_->options().*toggle.flag);
     connect(action, &QAction::toggled, this, [this, flag = toggle.flag](bool on) {
@@ -143,13 +152,26 @@ void LabWindow::make_view_menu() {
   inspector_action_ = add_action(view, "", tr("&Inspector"), QKeySequence(Qt::Key_I), [] {});
   inspector_action_->setCheckable(true);
   inspector_action_->setChecked(true);
-  connect(inspector_action_, &QAction::toggled, inspector_panel_, &QWidget::setVisible);
+  connect(inspector_action_, &QAction::toggled, right_, &RightColumn::show_inspector);
+  connect(right_, &RightColumn::inspectorShown, inspector_action_, &QAction::setChecked);
   QAction* folded = add_action(view, "", tr("&Drawer"), QKeySequence(Qt::CTRL | Qt::Key_J), [] {});
   folded->setCheckable(true);
   folded->setChecked(true);
   connect(folded, &QAction::toggled, drawer_, [this](bool open) { drawer_->set_folded(!open); });
   connect(drawer_, &Drawer::foldedChanged, folded, [folded](bool now) { folded->setChecked(!now); });
+  QMenu* tabs = view->addMenu(tr("&Tabs of the drawer"));
+  const QStringList titles = drawer_->titles();
+  for (int tab = 0; tab < titles.size(); ++tab) {
+    add_action(tabs, "", titles[tab], QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + tab)),
+               [this, tab] { drawer_->press(tab); });
+  }
+  const auto go = [this](bool forward) {
+    focus_next_panel({list_, tool_column_, view_, transport_, drawer_, inspector_, plots_}, forward);
+  };
+  add_action(view, "", tr("Ne&xt panel"), QKeySequence(Qt::Key_F6), [go] { go(true); });
+  add_action(view, "", tr("Pre&vious panel"), QKeySequence(Qt::SHIFT | Qt::Key_F6), [go] { go(false); });
   view->addMenu(plots_->menu());
+  for (const FloatingPanel* each : floating_) view->addAction(each->action());
   add_action(view, "", tr("&Standard layout"), QKeySequence(Qt::CTRL | Qt::Key_0),
              [this] { standard_layout(); });
   view->addSeparator();

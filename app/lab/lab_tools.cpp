@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/lab/lab_window.h"
+#include "app/lab/scene_chips.h"
 #include "app/lab/tool_column.h"
 #include "widgets/scene/scene_view.h"
 
@@ -65,8 +66,12 @@ void LabWindow::make_tools_menu() {
     action->setCheckable(true);
     action->setChecked(tool == view_->tool());
     group->addAction(action);
-    connect(view_, &SceneView::toolChanged, action,
-            [action, tool](SceneTool now) { action->setChecked(now == tool); });
+    connect(view_, &SceneView::toolChanged, action, [this, action, tool](SceneTool now, bool kept) {
+      action->setChecked(now == tool);
+      const QString once = action->toolTip().section('\n', 0, 0);
+      action->setToolTip(now == tool && kept ? once + "\n" + tr("Kept: Escape ends it") : once);
+      if (now == tool) show_tool(*action, kept);
+    });
     if (is_joint(tool)) {
       joints << action;
       continue;
@@ -78,6 +83,16 @@ void LabWindow::make_tools_menu() {
     tool_column_->addAction(action);
     if (tool == SceneTool::kSelect || tool == SceneTool::kWall) tool_column_->addSeparator();
   }
+}
+
+// The one in hand, and whether it is kept.
+void LabWindow::show_tool(const QAction& action, bool kept) {
+  tool_column_->show_kept(kept ? &action : nullptr);
+  const QString name = QString(action.text()).remove('&');
+  const bool selects = view_->tool() == SceneTool::kSelect;
+  chips_->show_tool(selects ? QString()
+                    : kept  ? tr("%1, kept: Esc ends it").arg(name)
+                            : tr("%1, once").arg(name));
 }
 
 QWidget* LabWindow::make_tool_column() {

@@ -30,6 +30,7 @@ class ComparePanel;
 class DocumentFiles;
 class Drawer;
 class ExperimentList;
+class FloatingPanel;
 class ImpactsTable;
 class Inspector;
 class LabExports;
@@ -38,6 +39,7 @@ class MethodBar;
 class NoticeBar;
 class PlotPanel;
 class ReadingTable;
+class RightColumn;
 class SceneChips;
 class SceneView;
 class StudyPanel;
@@ -90,6 +92,8 @@ class LabWindow : public QMainWindow {
   void make_body();
   void open_list(bool open);
   void place_list();
+  void place_right();
+  void size_right();
   void standard_layout();
   [[nodiscard]] QWidget* make_middle();
   void make_drawer();
@@ -99,6 +103,8 @@ class LabWindow : public QMainWindow {
   // Editing by hand (lab_editing.cpp).
   void connect_edits();
   void show_selection();
+  void spawn(double x, double y);  // m
+  void select_drawn(const SceneEdits& edits);
   void edit_bodies(const SceneEdits& edits, const QString& name, int drag);
   void show_aim();
   void new_document();
@@ -116,6 +122,7 @@ class LabWindow : public QMainWindow {
   void inspect();
   // The tools of the scene (lab_tools.cpp).
   void make_tools_menu();
+  void show_tool(const QAction& action, bool kept);
   [[nodiscard]] QWidget* make_tool_column();
   // Menus and the tool bar (lab_menus.cpp).
   QAction* add_action(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& key,
@@ -153,12 +160,13 @@ class LabWindow : public QMainWindow {
   TransportBar* transport_ = nullptr;
   Inspector* inspector_ = nullptr;
   QAction* inspector_action_ = nullptr;
-  QWidget* inspector_panel_ = nullptr;  // with its frame
   PlotPanel* plots_ = nullptr;
   Drawer* drawer_ = nullptr;
   QSplitter* columns_ = nullptr;  // scene and drawer | right column
   QSplitter* middle_ = nullptr;   // scene over drawer
-  QSplitter* right_ = nullptr;    // inspector over plots
+  RightColumn* right_ = nullptr;
+  std::vector<FloatingPanel*> floating_;  // inspector, plots, drawer
+  double right_share_ = 0.0;              // of the width, where the inspector stands over the plots
   BodiesSheet* sheet_ = nullptr;
   BodiesTable* bodies_ = nullptr;
   ImpactsTable* impacts_ = nullptr;

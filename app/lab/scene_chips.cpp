@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <algorithm>
 
 #include "app/lab/lab_runs.h"
@@ -27,15 +28,28 @@ SceneChips::SceneChips(SceneView& view)
       row_(new QWidget(&view)),
       time_(make_chip(row_)),
       speed_(make_chip(row_)),
+      follow_(new QPushButton(tr("Follow (F)"), row_)),
       status_(make_chip(&view)),
+      tool_(make_chip(&view, "caption")),
       position_(make_chip(&view, "caption")) {
   auto* row = new QHBoxLayout(row_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
   for (QLabel* chip : {time_, speed_}) row->addWidget(chip);
+  follow_->setObjectName("chip");
+  follow_->setToolTip(tr("All bodies that move have left the view: keep them in it"));
+  follow_->setFocusPolicy(Qt::NoFocus);
+  follow_->hide();
+  row->addWidget(follow_);
+  connect(follow_, &QPushButton::clicked, &view, &SceneView::follow);
+  connect(&view, &SceneView::followOffered, this, [this](bool offered) {
+    follow_->setVisible(offered);
+    place();
+  });
   time_->setStyleSheet("font-weight: bold;");
   speed_->setToolTip(tr("Simulated seconds per second"));
-  status_->hide();
+  tool_->setAccessibleName(tr("Tool in hand"));
+  for (QLabel* chip : {status_, tool_}) chip->hide();
   view.installEventFilter(this);
   connect(&view, &SceneView::cursorMoved, this, &SceneChips::show_position);
   connect(&view, &SceneView::cursorLeft, position_, &QLabel::hide);
@@ -44,6 +58,12 @@ SceneChips::SceneChips(SceneView& view)
 bool SceneChips::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize) place();
   return QObject::eventFilter(watched, event);
+}
+
+void SceneChips::show_tool(const QString& text) {
+  tool_->setText(text);
+  tool_->setVisible(!text.isEmpty());
+  place();
 }
 
 void SceneChips::show_position(double x, double y) {
@@ -107,6 +127,9 @@ void SceneChips::place() {
   row_->adjustSize();
   row_->move(kEdge, kEdge);
   row_->raise();
+  tool_->adjustSize();
+  tool_->move(view_.width() - tool_->width() - kEdge - 2, kEdge + 4);
+  tool_->raise();
   const int second_row = kEdge + row_->height() + kGap;
   position_->adjustSize();
   position_->move(view_.width() - position_->width() - kEdge - 2, second_row + 4);

@@ -3,20 +3,23 @@
 #include <QObject>
 
 class QLabel;
+class QPushButton;
 
 namespace carom {
 
 class SceneView;
 class LabRuns;
 
-// Chips over the scene: time and speed; below, the run's notices and the cursor's position.
-// Long text is elided; the tooltip shows all of it.
+// Chips over the scene: time and speed, the offer to follow bodies that left, and at the right the tool in
+// hand; below, the run's notices and the cursor's position. Long text is elided; the tooltip shows all of it.
 class SceneChips : public QObject {
   Q_OBJECT
 
  public:
   explicit SceneChips(SceneView& view);
 
+  // The tool in hand; empty: it is the usual one.
+  void show_tool(const QString& text);
   void show_time(const LabRuns& runs);
   // `more`: further text of the window; `lost_shown`: the reason of a lost run is shown elsewhere.
   void show_notices(const LabRuns& runs, const QString& more, bool lost_shown);
@@ -32,7 +35,9 @@ class SceneChips : public QObject {
   QWidget* row_;
   QLabel* time_;
   QLabel* speed_;
+  QPushButton* follow_;
   QLabel* status_;
+  QLabel* tool_;
   QLabel* position_;
   QString status_text_;
 };

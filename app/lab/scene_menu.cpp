@@ -85,7 +85,7 @@ void LabWindow::fill_menu_of_space(QMenu& menu, const QPoint& at) {
   QAction* pasted = add(menu, tr("&Paste here"), QKeySequence::Paste);
   pasted->setEnabled(session_.runs().scene() != nullptr);
   connect(pasted, &QAction::triggered, this, [this, at] { paste_at(at); });
-  connect(add(menu, tr("&Fit the scene"), Qt::Key_F), &QAction::triggered, view_, &SceneView::fit);
+  connect(add(menu, tr("&Fit the scene"), Qt::Key_F), &QAction::triggered, view_, &SceneView::find);
   menu.addSeparator();
   const auto draws = [&](const QString& text, SceneTool tool) {
     connect(menu.addAction(text), &QAction::triggered, view_, [this, tool, at] { view_->draw_at(tool, at); });

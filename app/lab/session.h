@@ -62,8 +62,8 @@ class Session : public QObject {
   // Takes back the edits of a drag that is not finished, if they are the last ones.
   void cancel(int drag);
   // Adds a disc of random radius like the existing ones at this point (m), from now on. Throws SceneError where
-  // it is not allowed in a run.
-  void add_body(double x, double y);
+  // it is not allowed in a run. Returns its name.
+  std::string add_body(double x, double y);
   void change_plots(const std::vector<Plot>& plots);
 
   // --- the runs

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/lab/refusal_text.h"
 #include "app/lab/session.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/edit_rules.h"
@@ -96,12 +97,12 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
   const bool from_here = !begins && std::any_of(edits.begin(), edits.end(), [&now](const SceneEdit& each) {
     return is_about_motion(now, each) || std::holds_alternative<Remove<Body>>(each);
   });
+  Document changed = document_;
   try {
     const DocumentChange change = begins ? change_of_start(document_, edits)
                                   : from_here
                                       ? change_to_moment(document_, now, runs_.frame()->time, edits)
                                       : change_of_start(document_, at_the_start(document_.preset, edits));
-    Document changed = document_;
     apply_change(changed, change);
     validate(changed.preset);
     DocumentEdit::What what{.text = text, .begins = begins || from_here};
@@ -111,7 +112,7 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
     push(what, change);
     if (what.begins) runs_.begin();
   } catch (const std::exception& error) {
-    emit editRefused(QString::fromUtf8(error.what()));
+    emit editRefused(refusal_text(error.what(), changed.preset.scene));
   }
 }
 
@@ -217,7 +218,7 @@ void Session::compare_usual(const std::vector<Plot>& plots, const std::vector<Cu
   push({tr("comparison with the exact run"), runs}, {set, SetPlots{plots}});
 }
 
-void Session::add_body(double x, double y) {
+std::string Session::add_body(double x, double y) {
   const Preset& preset = document_.preset;
   // A disc like the existing ones, between half and one and a half times their radius; in a scene without any,
   // a twentieth of the view.
@@ -229,7 +230,10 @@ void Session::add_body(double x, double y) {
   body.id.number = preset.scene.ids_given + 1;
   const SceneEdits edits = {Add<Body>{body}};
   const QString text = tr("Add disc %1").arg(QString::fromStdString(body.name));
-  if (runs_.at_start()) return edit(edits, text);
+  if (runs_.at_start()) {
+    edit(edits, text);
+    return body.name;
+  }
   // The time is the displayed one until the runs tell when they had it.
   const double now = runs_.frame()->time;
   Preset with = preset;
@@ -240,6 +244,7 @@ void Session::add_body(double x, double y) {
   std::vector<RunEdit> late = preset.edits;
   add_edit(late, {now, edit, edits});
   push({text, edit}, {SetLateBodies{late}});
+  return body.name;
 }
 
 // The choice of named plots of a built-in experiment is not work that could be lost.

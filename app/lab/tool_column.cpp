@@ -1,9 +1,12 @@
 #include "app/lab/tool_column.h"
 
 #include <QAction>
+#include <QActionEvent>
 #include <QLayout>
 #include <QMenu>
+#include <QStyle>
 #include <QToolButton>
+#include <algorithm>
 
 namespace carom {
 
@@ -43,6 +46,34 @@ void ToolColumn::fold(bool folds) {
     }
   }
   folded_->setVisible(folds);
+  mark_kept();
+}
+
+void ToolColumn::show_kept(const QAction* tool) {
+  kept_ = tool;
+  mark_kept();
+}
+
+void ToolColumn::mark_kept() {
+  for (QAction* action : actions()) {
+    QWidget* button = widgetForAction(action);
+    const bool in_menu =
+        action == folded_ && std::find(foldable_.begin(), foldable_.end(), kept_) != foldable_.end();
+    const bool kept = kept_ != nullptr && (action == kept_ || in_menu);
+    if (button->property("kept").toBool() == kept) continue;
+    button->setProperty("kept", kept);
+    button->setAccessibleDescription(kept ? tr("kept until Escape") : QString());
+    button->style()->unpolish(button);
+    button->style()->polish(button);
+  }
+}
+
+// Its buttons can be reached by Tab.
+void ToolColumn::actionEvent(QActionEvent* event) {
+  QToolBar::actionEvent(event);
+  if (event->type() != QEvent::ActionAdded) return;
+  if (auto* button = qobject_cast<QToolButton*>(widgetForAction(event->action())))
+    button->setFocusPolicy(Qt::TabFocus);
 }
 
 void ToolColumn::resizeEvent(QResizeEvent* event) {

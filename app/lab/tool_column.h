@@ -15,14 +15,19 @@ class ToolColumn : public QToolBar {
 
   // Adds tools that fold together.
   void add_foldable(const QList<QAction*>& tools);
+  // Marks the button of the tool that is kept for several uses; null: none is.
+  void show_kept(const QAction* tool);
 
  protected:
+  void actionEvent(QActionEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   void fold(bool folds);
+  void mark_kept();
 
   QList<QAction*> foldable_;
+  const QAction* kept_ = nullptr;
   QToolButton* button_ = nullptr;
   QAction* folded_ = nullptr;  // of the button
 };

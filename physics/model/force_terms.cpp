@@ -7,7 +7,7 @@ namespace carom {
 
 ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, const Needs& needs) {
   ForceTerms t;
-  static_cast<CommonForces&>(t) = forces;
+  static_cast<CommonForces&>(t) = static_cast<const CommonForces&>(forces);
   if (needs.has(Part::kSprings)) {
     for (auto* by_body : {&t.outside, &t.between}) by_body->resize(bodies.size());
   }

@@ -64,7 +64,7 @@ void read_force(FieldReader& r, const std::string& at, int index, Forces& forces
 Json forces_json(const Forces& forces, bool all) {
   Json j = Json::array();
   each_common_force(forces, [&](const CommonForce& force, const auto& value, const auto&... range) {
-    if (!value) return;
+    if (!acts(value)) return;
     if constexpr (sizeof...(range) > 0) {
       j.push_back({{"type", force.type}, {"coefficient", value}});
     } else {

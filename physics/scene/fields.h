@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -257,6 +258,13 @@ struct CommonForce {
   const char* name;     // for people
   const char* meaning;  // of its coefficient, or of the force that has fields of its own
 };
+
+// Whether a scene has the force.
+[[nodiscard]] inline bool acts(double coefficient) { return coefficient != 0.0; }
+template <class Force>
+[[nodiscard]] bool acts(const std::optional<Force>& force) {
+  return force.has_value();
+}
 
 // Calls visit(force, coefficient, range) or visit(force, optional with fields) for each of them.
 void each_common_force(std::derived_from<CommonForces> auto& f, const auto& visit) {

@@ -181,7 +181,7 @@ ForcePlaces written_places(const Forces& forces) {
   ForcePlaces places;
   int next = 0;
   each_common_force(forces, [&](const CommonForce& force, const auto& value, const auto&...) {
-    if (value) places.common.emplace(force.type, next++);
+    if (acts(value)) places.common.emplace(force.type, next++);
   });
   for (std::size_t i = 0; i < forces.springs.size(); ++i) places.springs.push_back(next++);
   for (std::size_t i = 0; i < forces.applied.size(); ++i) places.applied.push_back(next++);

@@ -56,6 +56,7 @@ Inspector::Inspector(QWidget* parent)
     : QWidget(parent),
       content_(new QWidget),
       column_(new QVBoxLayout(content_)),
+      top_(new QHBoxLayout),
       back_(new QToolButton(content_)),
       title_(new ElidedLabel(content_)),
       kind_(new PlainLabel(content_)),
@@ -84,19 +85,18 @@ Inspector::Inspector(QWidget* parent)
 
   title_->setObjectName("title");
   kind_->setObjectName("muted");
-  auto* top = new QHBoxLayout;
-  top->setSpacing(8);
+  top_->setSpacing(8);
   back_->setText(QChar(0x2039));
   back_->setToolTip(tr("Back to the scene (Esc)"));
   back_->setAccessibleName(tr("Back to the scene"));
   back_->hide();
   connect(back_, &QToolButton::clicked, this, [this] { open(std::nullopt); });
-  top->addWidget(back_);
-  top->addWidget(title_);
-  top->addWidget(kind_, 1);
+  top_->addWidget(back_);
+  top_->addWidget(title_);
+  top_->addWidget(kind_, 1);
   column_->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
   column_->setSpacing(6);
-  column_->addLayout(top);
+  column_->addLayout(top_);
   column_->addWidget(head_);
   column_->addWidget(derived_);
   column_->addStretch(1);

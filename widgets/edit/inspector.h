@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QHBoxLayout>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -35,6 +36,8 @@ class Inspector : public QWidget {
   // The same for a joint, a spring or a force.
   void show_part(std::shared_ptr<const Scene> scene, PartId part);
   [[nodiscard]] const std::optional<PartId>& part() const { return part_; }
+  // At the right of the title.
+  void add_to_head(QWidget* widget) { top_->addWidget(widget); }
   // Puts the cursor into the name of the selected body.
   void edit_name();
   // Says at the bottom, until the next accepted edit, why the last one could not be; the fields then show the
@@ -85,6 +88,7 @@ class Inspector : public QWidget {
 
   QWidget* content_;
   QVBoxLayout* column_;
+  QHBoxLayout* top_;
   QToolButton* back_;
   QLabel* title_;
   QLabel* kind_;

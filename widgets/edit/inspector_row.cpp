@@ -21,7 +21,7 @@ InspectorRow::InspectorRow(const InspectedRow& row, QLabel* label, QWidget* pare
   fault_->setObjectName("fault");
   fault_->setWordWrap(true);
   fault_->hide();
-  grid_->addWidget(fault_, 1, 1, 1, kColumns);
+  grid_->addWidget(fault_, 2, 1, 1, kColumns);  // under two lines of fields
 }
 
 InspectorRow::InspectorRow(const InspectedRow& row, QWidget* parent)

@@ -85,12 +85,19 @@ QString reason_of(const mu::Parser::exception_type& error) {
   }
 }
 
+// A number by itself that is larger than any that can be held, as 1e400.
+bool is_too_large(const QString& text) {
+  static const QRegularExpression kNumber(R"(^[+-]?[\d.]+([eE]\+?\d+)?$)");
+  return kNumber.match(text).hasMatch() && std::isinf(text.toDouble());
+}
+
 struct Evaluated {
   double value = 0.0;
   QString fault;
 };
 
 Evaluated evaluated(const QString& formula) {
+  if (is_too_large(formula)) return {formula.toDouble(), {}};
   try {
     mu::Parser parser;
     parser.ClearConst();
@@ -155,6 +162,8 @@ TypedValues typed_values(const QString& text, const QString& label, const Range&
   const TypedQuantity typed = typed_quantity(text, range.unit);
   if (!typed.change) return {{}, typed.fault};
   std::vector<double> values = old;
+  if (std::isinf(typed.change->number))
+    return {{}, "This number is too large. " + range_sentence(label, typed.change->number, range)};
   for (double& value : values) {
     value = typed.change->of(value);
     if (!range.contains(value)) return {{}, range_sentence(label, value, range)};

@@ -1,6 +1,8 @@
 #include "widgets/edit/value_row.h"
 
 #include <QGridLayout>
+#include <algorithm>
+#include <utility>
 
 #include "widgets/edit/drag_label.h"
 #include "widgets/edit/quantity_field.h"
@@ -9,8 +11,10 @@
 namespace carom {
 namespace {
 
-constexpr int kLeastField = 40;  // px
-constexpr int kFieldShare = 6;   // of the width that a field and its slider share
+constexpr int kLeastField = 40;   // px
+constexpr int kInsets = 16;       // px, of a field beside its text
+constexpr int kRoomForTwo = 290;  // px, with the label
+constexpr int kFieldShare = 6;    // of the width that a field and its slider share
 constexpr int kSliderShare = 5;
 
 }  // namespace
@@ -18,7 +22,26 @@ constexpr int kSliderShare = 5;
 ValueRow::ValueRow(const InspectedRow& row, QWidget* parent)
     : InspectorRow(row, row.values.size() > 1 ? new PlainLabel(row.label) : new DragLabel(row.label), parent) {
   for (const Inspected& value : row.values) add_field(value);
+  place_fields(false);
   show_row(row);
+}
+
+void ValueRow::resizeEvent(QResizeEvent* event) {
+  InspectorRow::resizeEvent(event);
+  const bool narrow = width() < kRoomForTwo;
+  if (std::exchange(narrow_, narrow) != narrow) place_fields(narrow);
+}
+
+void ValueRow::place_fields(bool narrow) {
+  for (std::size_t i = 0; i < handles_.size(); ++i) {
+    const int row = narrow ? static_cast<int>(i) : 0;
+    const int column = narrow ? 1 : 1 + 2 * static_cast<int>(i);
+    for (QWidget* each : {handles_[i], static_cast<QWidget*>(fields_[i])}) grid()->removeWidget(each);
+    grid()->addWidget(handles_[i], row, column);
+    grid()->addWidget(fields_[i], row, column + 1, 1, narrow ? kColumns - 1 : 1);
+    grid()->setColumnStretch(column + 1, 1);
+  }
+  if (!handles_.empty()) grid()->setColumnStretch(kColumns, narrow ? 0 : 1);
 }
 
 void ValueRow::add_field(const Inspected& value) {
@@ -31,9 +54,7 @@ void ValueRow::add_field(const Inspected& value) {
   } else {
     handle = new DragLabel(value.label, this);
     handle->setObjectName("muted");
-    grid()->addWidget(handle, 0, 1 + 2 * index);
-    grid()->addWidget(field, 0, 2 + 2 * index);
-    grid()->setColumnStretch(2 + 2 * index, 1);
+    handles_.push_back(handle);
   }
   field->setMinimumWidth(kLeastField);
   connect(handle, &DragLabel::began, field, &QuantityField::begin_pull);
@@ -67,6 +88,10 @@ void ValueRow::show_row(const InspectedRow& row) {
     fields_[i]->show_value(row.values[i]);
   }
   if (slider_ != nullptr) {
+    // The slider takes what the number leaves.
+    const QuantityField& field = *fields_.front();
+    const int needed = field.fontMetrics().horizontalAdvance(field.text()) + kInsets;
+    fields_.front()->setMinimumWidth(std::max(kLeastField, needed));
     const std::vector<double>& values = row.values.front().values;
     const bool same = std::equal(values.begin() + 1, values.end(), values.begin());
     slider_->setEnabled(same && row.values.front().refusal.isEmpty());

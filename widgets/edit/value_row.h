@@ -11,7 +11,7 @@ namespace carom {
 class QuantityField;
 class ValueSlider;
 
-// A line with a field and its slider, or with two fields.
+// A line with a field and its slider, or with two fields, one under the other where it is narrow.
 class ValueRow : public InspectorRow {
   Q_OBJECT
 
@@ -21,12 +21,18 @@ class ValueRow : public InspectorRow {
   void show_row(const InspectedRow& row) override;
   void restore() override;
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void place_fields(bool narrow);
   void add_field(const Inspected& value);
   [[nodiscard]] QLayout* with_slider(QuantityField* field);
 
   std::vector<NamedEdits> emptied_;  // of each field that may be empty
   std::vector<QuantityField*> fields_;
+  std::vector<QWidget*> handles_;  // the labels of two fields
+  bool narrow_ = false;
   ValueSlider* slider_ = nullptr;  // of a single field
 };
 

@@ -10,7 +10,7 @@ namespace carom {
 
 PlotGestures::PlotGestures(QwtPlot* plot) : QObject(plot), plot_(plot) {
   plot->canvas()->setMouseTracking(true);
-  plot->canvas()->setFocusPolicy(Qt::ClickFocus);
+  plot->canvas()->setFocusPolicy(Qt::StrongFocus);
   plot->canvas()->installEventFilter(this);
 }
 

@@ -108,15 +108,15 @@ class ReadingModel : public FigureModel {
 }  // namespace
 
 ReadingTable::ReadingTable(QWidget* parent)
-    : FigureTable(new ReadingModel({{"curve", 104, true},
-                                    {"at A", 68, false, 4},
-                                    {"at B", 68, false, 4},
-                                    {"B − A", 68, false, 4},
-                                    {"slope / s", 68, false, 3},
-                                    {"area · s", 68, false, 3},
-                                    {"mean", 68, false, 3},
-                                    {"least", 68, false, 3},
-                                    {"largest", 68, false, 3}},
+    : FigureTable(new ReadingModel({{"curve", 144, true},
+                                    {"at A", 67, false, 4},
+                                    {"at B", 67, false, 4},
+                                    {"B − A", 67, false, 4},
+                                    {"slope / s", 67, false, 3},
+                                    {"area · s", 67, false, 3},
+                                    {"mean", 67, false, 3},
+                                    {"least", 67, false, 3},
+                                    {"largest", 67, false, 3}},
                                    nullptr),
                   parent) {}
 

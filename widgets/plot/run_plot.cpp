@@ -110,6 +110,7 @@ void RunPlot::build_plot() {
   }
   auto* canvas = static_cast<QwtPlotCanvas*>(plot_->canvas());
   canvas->setFrameStyle(QFrame::NoFrame);
+  canvas->setFocusIndicator(QwtPlotCanvas::CanvasFocusIndicator);
   canvas->setCursor(Qt::CrossCursor);
   canvas->setToolTip(
       tr("Wheel: zoom in time. Ctrl+wheel: zoom the values. Ctrl+drag: zoom to a box.\n"

@@ -204,6 +204,15 @@ std::optional<Dragged> without_overlaps(const DragStart& start, const Dragged& d
   return out;
 }
 
+SceneEdits edits_of(const Dragged& change, bool joints) {
+  SceneEdits edits;
+  for (const Body& body : change.bodies) edits.emplace_back(Replace<Body>{body});
+  for (const Joint& joint : change.joints) {
+    if (joints && joint.id.number != 0) edits.emplace_back(Replace<Joint>{joint});
+  }
+  return edits;
+}
+
 QString overlap_text(const Overlap& overlap, const DragPoint& point) {
   return QString::fromStdString(overlap.body.name) + " and " + QString::fromStdString(overlap.other.name) +
          " overlap by " + drawn_text(overlap.depth, finely(point));

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "physics/scene/edit.h"
 #include "widgets/scene/drag.h"
 
 namespace carom {
@@ -15,6 +16,9 @@ namespace carom {
 // When it is let go: overlaps are solved by the least change. Nothing if there is no room near by.
 [[nodiscard]] std::optional<Dragged> without_overlaps(const DragStart& start, const Dragged& dragged,
                                                       const DragPoint& point);
+
+// The edits that it is; those of its `joints` too if any of them is another one.
+[[nodiscard]] SceneEdits edits_of(const Dragged& change, bool joints);
 
 // "light and heavy overlap by 3.2 cm"
 [[nodiscard]] QString overlap_text(const Overlap& overlap, const DragPoint& point);

@@ -19,14 +19,9 @@ constexpr double kGrip = 7.0;     // px, radius of the ring at the tip of a velo
 constexpr double kChosen = 4.0;   // px, width of the line of a chosen joint
 constexpr double kHeadLength = 12.0;
 constexpr double kHeadHalfWidth = 5.0;
-constexpr double kFromMouse = 16.0;
 constexpr double kToEdge = 2.0;
-constexpr double kPadding = 10.0;  // px, in the bubble
-constexpr double kCorner = 5.0;
-constexpr double kBlocked = 3.0;       // px, width of a joint that allows nothing
-constexpr double kFaultGround = 0.14;  // share of the red
-constexpr double kThinWall = 5.0;      // px, of a thin wall in an overlap
-constexpr int kValueSize = 14;         // px
+constexpr double kBlocked = 3.0;   // px, width of a joint that allows nothing
+constexpr double kThinWall = 5.0;  // px, of a thin wall in an overlap
 constexpr int kDetailSize = 12;
 
 QColor faint(QColor color, float alpha) {
@@ -227,42 +222,6 @@ void paint_overlap(QPainter& painter, const Overlap& overlap, const Camera& came
   painter.drawPath(shared);
 }
 
-void paint_bubble(QPainter& painter, const Overlay::Bubble& bubble, const Camera& camera, const Theme& theme) {
-  QFont large = painter.font();
-  large.setPixelSize(kValueSize);
-  large.setWeight(QFont::DemiBold);
-  QFont small = painter.font();
-  small.setPixelSize(kDetailSize);
-  small.setWeight(QFont::Normal);
-  const QFontMetricsF of_value(large);
-  const QFontMetricsF of_detail(small);
-  const bool two = !bubble.detail.isEmpty();
-  const double width =
-      std::max(of_value.horizontalAdvance(bubble.value), of_detail.horizontalAdvance(bubble.detail));
-  const QSizeF size(width + 2 * kPadding,
-                    of_value.height() + (two ? of_detail.height() + 2.0 : 0.0) + 1.4 * kPadding);
-  // On the side to which the mouse went, and within the view.
-  const bool left = bubble.mouse.x() < bubble.from.x();
-  const bool below = bubble.mouse.y() > bubble.from.y();
-  QPointF corner = bubble.mouse + QPointF(left ? -kFromMouse - size.width() : kFromMouse,
-                                          below ? kFromMouse : -kFromMouse - size.height());
-  const double right_end = camera.viewport.width() - size.width() - kToEdge;
-  const double lower_end = camera.viewport.height() - size.height() - kToEdge;
-  corner = {std::max(kToEdge, std::min(corner.x(), right_end)),
-            std::max(kToEdge, std::min(corner.y(), lower_end))};
-  painter.setPen(QPen(bubble.fault ? theme.danger : theme.border, 1.0));
-  painter.setBrush(bubble.fault ? blend(theme.panel, theme.danger, kFaultGround) : theme.panel);
-  painter.drawRoundedRect(QRectF(corner, size), kCorner, kCorner);
-  const QPointF text = corner + QPointF(kPadding, 0.7 * kPadding);
-  painter.setFont(large);
-  painter.setPen(theme.text);
-  painter.drawText(text + QPointF(0.0, of_value.ascent()), bubble.value);
-  if (!two) return;
-  painter.setFont(small);
-  painter.setPen(theme.muted);
-  painter.drawText(text + QPointF(0.0, of_value.height() + 2.0 + of_detail.ascent()), bubble.detail);
-}
-
 }  // namespace
 
 void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera, const Theme& theme) {
@@ -290,7 +249,7 @@ void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera
     painter.setBrush(faint(theme.accent, 0.1F));
     painter.drawRect(*overlay.band);
   }
-  if (!overlay.bubble.value.isEmpty()) paint_bubble(painter, overlay.bubble, camera, theme);
+  if (!overlay.bubble.value.isEmpty()) paint_bubble(painter, overlay.bubble, camera.viewport, theme);
 }
 
 }  // namespace carom

@@ -9,6 +9,7 @@
 
 #include "physics/record/aim.h"
 #include "physics/scene/scene.h"
+#include "widgets/scene/bubble.h"
 #include "widgets/scene/camera.h"
 #include "widgets/scene/handles.h"
 #include "widgets/scene/overlap.h"
@@ -23,13 +24,6 @@ struct Overlay {
   struct Ghost {
     Body body;  // as it was when the drag began
     bool arrow = false;
-  };
-  struct Bubble {
-    QString value;   // empty: no bubble
-    QString detail;  // under the value
-    QPointF mouse;   // px, beside which it stands, on the side away from
-    QPointF from;    // where the mouse came from
-    bool fault = false;
   };
   // A polygon that is drawn corner by corner, in m.
   struct Corners {

@@ -26,8 +26,8 @@ Body SceneTools::body_of(const Drawn& drawn) const {
 void SceneTools::add(const Drawn& drawn) {
   const Body body = body_of(drawn);
   const QString noun = QString::fromUtf8(shape_tool(tool_)->noun);
-  emit edited({Add<Body>{body}}, "Add " + noun + " " + QString::fromStdString(body.name), ++drags_);
-  note({drawn.value, overlap_of_new(body), mouse_, press_});
+  own_edit({Add<Body>{body}}, "Add " + noun + " " + QString::fromStdString(body.name), ++drags_);
+  note({drawn.value, overlap_of_new(body), mouse_, press_}, Grab{HandleKind::kRadius, body.name});
   used_tool();
 }
 

@@ -55,7 +55,7 @@ void SceneTools::join(const LinkEnds& ends) {
   const Joined joined = tool.join(tool, joint_sight(mouse_), ends);
   if (!joined.fault.isEmpty()) return note({joined.fault, {}, mouse_, press_, true});
   first_end_.reset();
-  emit edited(joined.edits, joined.name, ++drags_);
+  own_edit(joined.edits, joined.name, ++drags_);
   note({joined.value, joined.detail, mouse_, press_});
   used_tool();
 }
@@ -136,8 +136,8 @@ Joined SceneTools::moved_end() const {
 void SceneTools::move_end() {
   const Joined moved = moved_end();
   if (!moved.fault.isEmpty()) return note({moved.fault, {}, mouse_, press_, true});
-  emit edited(moved.edits, moved.name, ++drags_);
-  note({moved.value, {}, mouse_, press_});
+  own_edit(moved.edits, moved.name, ++drags_);
+  note({moved.value, {}, mouse_, press_}, Grab{HandleKind::kBody, {}});
 }
 
 void SceneTools::show_moved_end(Overlay& out) const {

@@ -36,6 +36,7 @@ bool is_lock(int key, Qt::KeyboardModifiers keys) { return key == Qt::Key_L && k
 }  // namespace
 
 bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
+  if (types_in_drag(key, keys)) return true;
   if (key == Qt::Key_Escape) {
     return state_ != State::kNone || tool_ != SceneTool::kSelect || !selection_.empty() || part_;
   }
@@ -43,7 +44,7 @@ bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
   if (is_enter(key, keys)) return tool_ != SceneTool::kSelect;
   if (key == Qt::Key_Backspace && !draft_.empty()) return true;
   const std::shared_ptr<const Frame> frame = sight_().frame;
-  if (!frame || !frame->scene) return false;
+  if (!frame || (!frame->scene && !plays())) return false;
   const bool removes = key == Qt::Key_Delete || key == Qt::Key_Backspace;
   if (removes && part_) return true;
   if (selection_.empty()) return false;
@@ -55,6 +56,10 @@ bool SceneTools::takes(int key, Qt::KeyboardModifiers keys) const {
 bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
   if (!takes(key, keys)) return false;
   if (key == Qt::Key_Escape) return escape();
+  if (types_in_drag(key, keys)) {
+    type_in_drag(QChar(key));
+    return true;
+  }
   if (state_ != State::kNone) return true;  // the mouse has the bodies
   if (is_enter(key, keys)) {
     enter();
@@ -67,18 +72,36 @@ bool SceneTools::press_key(int key, Qt::KeyboardModifiers keys) {
       if (!body.fixed) moving.push_back(body.name);
     }
     set_selection(moving);
-  } else if (is_touch(key, keys)) {
+  } else if (is_lock(key, keys)) {
+    toggle_lock();
+  } else if (plays()) {
+    waiting_keys_.emplace_back(key, keys);
+    emit pauseRequested();
+  } else {
+    edit_by_key(key, keys);
+  }
+  return true;
+}
+
+bool SceneTools::plays() const {
+  const std::shared_ptr<const Frame> frame = sight_().frame;
+  return frame && frame->playing && !frame->scene;
+}
+
+void SceneTools::press_waiting_keys() {
+  for (const auto& [key, keys] : std::exchange(waiting_keys_, {})) press_key(key, keys);
+}
+
+void SceneTools::edit_by_key(int key, Qt::KeyboardModifiers keys) {
+  if (is_touch(key, keys)) {
     put_in_touch();
   } else if (is_rename(key, keys)) {
     emit renameRequested();
-  } else if (is_lock(key, keys)) {
-    toggle_lock();
   } else if (const auto kind = key_edit(key, keys)) {
     edit_by_key(*kind, key, keys);
   } else {
     remove_selected();
   }
-  return true;
 }
 
 bool SceneTools::escape() {
@@ -113,7 +136,7 @@ void SceneTools::remove_selected() {
   unlocked.keep_if([this](const std::string& name) { return !locked_.contains(name); });
   if (!part_ && unlocked.empty()) return say_locked(selection_.names().front());
   const Deletion removed = part_ ? deletion(scene, *part_) : deletion(scene, unlocked.names());
-  if (!removed.edits.empty()) emit edited(removed.edits, removed.name, ++drags_);
+  if (!removed.edits.empty()) own_edit(removed.edits, removed.name, ++drags_);
 }
 
 void SceneTools::edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys) {

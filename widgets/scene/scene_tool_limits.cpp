@@ -78,6 +78,21 @@ void SceneTools::align(Alignment alignment) {
   wanted.name = name_of(alignment, start.bodies);
   const Dragged left = within_joints(start, std::move(wanted), point(Qt::ControlModifier));
   emit_change(left, left.refits, ++drags_);
+  say_overlap(left.bodies, {start.others, start.joints});
+}
+
+// The deepest one of the bodies with each other and with their neighbours.
+void SceneTools::say_overlap(const std::vector<Body>& bodies, const Surroundings& beside) {
+  std::optional<Overlap> deepest;
+  Surroundings rest = beside;
+  for (const Body& body : bodies) {
+    const std::vector<Overlap> overlaps = overlaps_of({&body, 1}, rest);
+    if (!overlaps.empty() && (!deepest || overlaps[0].depth > deepest->depth)) deepest = overlaps[0];
+    rest.bodies.push_back(body);
+  }
+  if (!deepest) return end_note();
+  const QPointF at = sight_().camera.to_screen(deepest->body.position);
+  note({overlap_text(*deepest, point({})), QStringLiteral("They stay so; play parts them."), at, at, true});
 }
 
 void SceneTools::change_by_key(Dragged wanted) {
@@ -98,7 +113,8 @@ void SceneTools::change_by_key(Dragged wanted) {
     row_.start.followers.assign(left->bodies.begin() + count, left->bodies.end());
   }
   emit_change(*left, false, row_.drag);
-  note({left->value, left->detail, corner, centre, left->fault});
+  note({left->value, left->detail, corner, centre, left->fault},
+       Grab{row_.start.kind, row_.start.bodies[0].name});
 }
 
 // Overlaps are solved in the step of undo that the drag is.
@@ -109,16 +125,11 @@ void SceneTools::end_drag() {
     return note({QStringLiteral("no room there"), {}, mouse_, press_, true});
   }
   if (left->fault != dragged_.fault) emit_change(*left, refitted_, drags_);
-  note({left->value, left->detail, mouse_, press_, left->fault});
+  note({left->value, left->detail, mouse_, press_, left->fault}, Grab{start_.kind, start_.bodies[0].name});
 }
 
 void SceneTools::emit_change(const Dragged& change, bool joints, int drag) {
-  SceneEdits edits;
-  for (const Body& body : change.bodies) edits.emplace_back(Replace<Body>{body});
-  for (const Joint& joint : change.joints) {
-    if (joints && joint.id.number != 0) edits.emplace_back(Replace<Joint>{joint});
-  }
-  emit edited(edits, change.name, drag);
+  own_edit(edits_of(change, joints), change.name, drag);
 }
 
 }  // namespace carom

@@ -27,8 +27,21 @@ SceneTools::SceneTools(std::function<SceneSight()> sight, QObject* parent)
   connect(&note_time_, &QTimer::timeout, this, &SceneTools::end_note);
 }
 
-void SceneTools::note(const Overlay::Bubble& bubble) {
+void SceneTools::own_edit(const SceneEdits& edits, const QString& name, int drag) {
+  telling_ = true;
+  emit edited(edits, name, drag);
+  telling_ = false;
+}
+
+void SceneTools::scene_edited() {
+  if (telling_) return;
+  drop_typing();
+  end_note();
+}
+
+void SceneTools::note(const Bubble& bubble, const std::optional<Grab>& of) {
   note_ = bubble;
+  note_of_ = of;
   note_time_.start(kNoteShown);
   emit changed();
 }
@@ -36,6 +49,7 @@ void SceneTools::note(const Overlay::Bubble& bubble) {
 void SceneTools::end_note() {
   if (note_.value.isEmpty()) return;
   note_ = {};
+  note_of_.reset();
   note_time_.stop();
   emit changed();
 }
@@ -45,7 +59,7 @@ void SceneTools::end_note() {
 void SceneTools::set_selection(const std::vector<std::string>& names) {
   choose(std::nullopt);
   if (!selection_.set(names)) return;
-  end_note();
+  if (!note_of_ || names != std::vector{note_of_->body}) end_note();
   emit selectionChanged(selection_.names());
   emit changed();
 }
@@ -115,6 +129,11 @@ void SceneTools::frame_changed() {
   if (first_end_ && !first_end_->body.empty() && !index_.contains(first_end_->body)) first_end_.reset();
   if (part_ && (!frame || (frame->scene && !has_part(*frame->scene, *part_)))) choose(std::nullopt);
   if (!frame || !frame->scene) end_note();
+  const bool typed = frame && frame->scene && typing_ &&
+                     (typing_->target.body.empty() ? part_.has_value() : index_.contains(typing_->target.body));
+  if (!typed) drop_typing();
+  if (!frame) waiting_keys_.clear();
+  if (!waiting_keys_.empty() && frame->scene) QTimer::singleShot(0, this, &SceneTools::press_waiting_keys);
   const bool held = frame && frame->scene && grab_ && index_.contains(grab_->body);
   if (state_ == State::kDrag && !held) state_ = State::kMute;
   if (state_ == State::kEnd && !(part_ && frame && frame->scene)) state_ = State::kMute;
@@ -123,11 +142,11 @@ void SceneTools::frame_changed() {
 // --- tools
 
 void SceneTools::set_tool(SceneTool tool, bool keep) {
-  keep_tool_ = keep;
-  if (tool == tool_) return;
-  tool_ = tool;
-  drop_draft();
-  emit toolChanged(tool);
+  const bool kept = keep && tool != SceneTool::kSelect;
+  if (tool == tool_ && kept == keep_tool_) return;
+  keep_tool_ = kept;
+  if (std::exchange(tool_, tool) != tool) drop_draft();
+  emit toolChanged(tool, kept);
   emit changed();
 }
 
@@ -180,8 +199,10 @@ void SceneTools::press(const QPointF& at, bool repeated) {
   end_ = end_under(at);
   over_ = true;
   // The second click of a double click closes a polygon; it would hit the body of the first.
+  const bool used = repeated && tool_ != SceneTool::kSelect;
   if (repeated && !draft_.empty()) close_polygon();
-  state_ = repeated && tool_ != SceneTool::kSelect ? State::kMute : State::kPressed;
+  state_ = used ? State::kMute : State::kPressed;
+  repeated_ = repeated;
   emit changed();
 }
 
@@ -276,7 +297,7 @@ void SceneTools::release(const QPointF& at, Qt::KeyboardModifiers keys) {
   keys_ = keys;
   switch (std::exchange(state_, State::kNone)) {
     case State::kPressed:
-      click(keys);
+      if (!repeated_ || !type_at(press_)) click(keys);
       break;
     case State::kBand:
       select_band(keys);
@@ -389,7 +410,7 @@ Overlay SceneTools::overlay() const {
   } else if (state_ == State::kBand) {
     out.band = QRectF(press_, mouse_).normalized();
   } else {
-    out.bubble = note_;
+    if (!typing_) out.bubble = note_;
     show_part(out);
     show_drawing(out);
   }

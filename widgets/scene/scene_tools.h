@@ -16,6 +16,7 @@
 #include "physics/scene/edit.h"
 #include "physics/scene/part_id.h"
 #include "widgets/scene/align.h"
+#include "widgets/scene/bubble.h"
 #include "widgets/scene/camera.h"
 #include "widgets/scene/drag.h"
 #include "widgets/scene/joint_tools.h"
@@ -27,6 +28,8 @@
 #include "widgets/scene/shape_tools.h"
 
 namespace carom {
+
+class TypedThing;
 
 // px: a press that moves no farther is a click.
 inline constexpr double kDragBegins = 4.0;
@@ -61,6 +64,7 @@ class SceneTools : public QObject {
   [[nodiscard]] SceneTool tool() const { return tool_; }
   // After one use it is kSelect again, unless it is kept.
   void set_tool(SceneTool tool, bool keep);
+  [[nodiscard]] bool tool_kept() const { return keep_tool_; }
   // Locked bodies are changed neither by the mouse nor by keys.
   [[nodiscard]] bool all_locked() const;  // the selected ones
   void unlock_all();
@@ -72,7 +76,8 @@ class SceneTools : public QObject {
   // A drag of a body or handle is going on.
   [[nodiscard]] bool dragging() const { return state_ == State::kDrag; }
 
-  // Puts the selected bodies in line. Joints to others give way, overlaps stay.
+  // Puts the selected bodies in line. Joints to others give way; overlaps stay, and the deepest
+  // one is said.
   void align(Alignment alignment);
   [[nodiscard]] bool can_align() const;
   // A right click: selects the body, or chooses the part, that is there, unless it is already; over empty space
@@ -89,9 +94,31 @@ class SceneTools : public QObject {
   void leave();
   // Shift or Ctrl went up or down while the mouse stood still.
   void hold_keys(Qt::KeyboardModifiers keys);
-  // False if the key means nothing here now; `takes` asks without doing it.
+  // False if the key means nothing here now; `takes` asks without doing it. What edits the selection of a run
+  // that plays asks for a pause, and is done then.
   bool press_key(int key, Qt::KeyboardModifiers keys);
   [[nodiscard]] bool takes(int key, Qt::KeyboardModifiers keys) const;
+
+  // A value that is typed at the mouse.
+  struct Typed {
+    QString name;     // "Speed"
+    QString subject;  // "light"
+    QString unit;
+    QString text;
+    Bubble bubble;  // where it stands, and what it says under the value
+  };
+  [[nodiscard]] std::optional<Typed> typed() const;
+  // Whether a click on the bubble edits its value, and the click.
+  [[nodiscard]] bool can_type_noted() const { return note_of_.has_value(); }
+  bool type_noted();  // false if it has no value to type
+  // Takes the text of the typed value, or returns one sentence on why it can't; `yields` as with Ctrl.
+  [[nodiscard]] QString take_typed(const QString& text, bool yields);
+  void type_next(bool forward);
+  void end_typing();
+  // Takes back what was typed, with the drag in which it was.
+  void cancel_typing();
+  // The scene was edited: unless by these tools, what the bubble says is over.
+  void scene_edited();
 
   [[nodiscard]] Qt::CursorShape cursor(const QPointF& at) const;
   [[nodiscard]] Overlay overlay() const;
@@ -102,17 +129,31 @@ class SceneTools : public QObject {
   void edited(const carom::SceneEdits& edits, const QString& name, int drag);
   void dragCancelled(int drag);
   void renameRequested();  // of the selected body
-  void toolChanged(carom::SceneTool tool);
+  void toolChanged(carom::SceneTool tool, bool kept);
+  void pauseRequested();
   void spawnRequested(double x, double y);  // m
   void changed();                           // the overlay
+  // typed() is another value, and `first` is typed over it; there is none any more.
+  void typingBegan(const QString& first);
+  void typingEnded();
 
  private:
   // kMute: until the button is let go, nothing happens.
   enum class State { kNone, kPressed, kMute, kDrag, kEnd, kBand, kDraw };
-  // What the button was pressed on.
+  // What the button was pressed on; as the target of a value without a body: the chosen part.
   struct Grab {
     HandleKind kind = HandleKind::kBody;
     std::string body;
+  };
+  struct Typing {
+    Grab target;
+    std::shared_ptr<TypedThing> thing;
+    std::size_t index = 0;  // of its values
+    int drag = 0;
+    bool changed = false;  // the scene, under this number
+    bool taken = false;    // a typed value
+    bool in_drag = false;  // of a body
+    Bubble bubble;
   };
   // Keys of one kind in quick succession, one step of undo.
   struct KeyRow {
@@ -133,8 +174,10 @@ class SceneTools : public QObject {
   [[nodiscard]] std::vector<Body> editable(const std::string& first, bool velocities) const;
   [[nodiscard]] DragPoint point(Qt::KeyboardModifiers keys) const;
 
-  // Keeps a bubble for a while.
-  void note(const Overlay::Bubble& bubble);
+  // Tells an edit; what follows from it does not end the bubble.
+  void own_edit(const SceneEdits& edits, const QString& name, int drag);
+  // Keeps a bubble for a while; a click on it edits the value of its target.
+  void note(const Bubble& bubble, const std::optional<Grab>& of = std::nullopt);
   void end_note();
   [[nodiscard]] bool has_draft() const { return !draft_.empty() || first_end_.has_value(); }
   void set_selection(const std::vector<std::string>& names);
@@ -178,7 +221,17 @@ class SceneTools : public QObject {
   [[nodiscard]] std::optional<std::string> locked_among(const std::vector<Body>& bodies) const;
   void say_locked(const std::string& name);
   void show_locks(Overlay& out) const;
+  // Typed values (scene_tool_typing.cpp).
+  [[nodiscard]] bool types_in_drag(int key, Qt::KeyboardModifiers keys) const;
+  void begin_typing(Typing typing, const QString& first);
+  void type_in_drag(const QString& first);
+  void type_value_of(const Grab& target, const Bubble& where);
+  bool type_at(const QPointF& at);
+  void drop_typing();
   // Keys (scene_tool_keys.cpp).
+  [[nodiscard]] bool plays() const;
+  void press_waiting_keys();
+  void edit_by_key(int key, Qt::KeyboardModifiers keys);
   void enter();
   bool escape();
   void remove_selected();
@@ -188,6 +241,7 @@ class SceneTools : public QObject {
   [[nodiscard]] QString overlap_of_new(const Body& body) const;  // empty: there is none
   [[nodiscard]] bool can_touch() const;
   void put_in_touch();
+  void say_overlap(const std::vector<Body>& bodies, const Surroundings& beside);
   void change_by_key(Dragged wanted);
   void end_drag();
   void emit_change(const Dragged& change, bool joints, int drag);
@@ -204,6 +258,7 @@ class SceneTools : public QObject {
   Selection locked_;
 
   State state_ = State::kNone;
+  bool repeated_ = false;  // the press is the second one of a double click
   QPointF press_;
   QPointF mouse_;
   bool over_ = false;  // the mouse is over the scene
@@ -218,7 +273,11 @@ class SceneTools : public QObject {
   bool refitted_ = false;  // it has changed joints
   int drags_ = 0;          // number of the last one
   KeyRow row_;
-  Overlay::Bubble note_;
+  std::vector<std::pair<int, Qt::KeyboardModifiers>> waiting_keys_;  // for the pause
+  Bubble note_;
+  std::optional<Grab> note_of_;
+  std::shared_ptr<Typing> typing_;
+  bool telling_ = false;  // an edit of its own
   QTimer note_time_;
 };
 

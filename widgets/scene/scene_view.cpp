@@ -1,5 +1,7 @@
 #include "widgets/scene/scene_view.h"
 
+#include <QApplication>
+#include <QCursor>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -16,6 +18,8 @@
 #include "widgets/scene/gl_canvas.h"
 #include "widgets/scene/hit.h"
 #include "widgets/scene/paint_drawing.h"
+#include "widgets/scene/scene_parts.h"
+#include "widgets/scene/value_bubble.h"
 
 namespace carom {
 namespace {
@@ -56,8 +60,21 @@ SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
   connect(tools_, &SceneTools::dragCancelled, this, &SceneView::dragCancelled);
   connect(tools_, &SceneTools::renameRequested, this, &SceneView::renameRequested);
   connect(tools_, &SceneTools::toolChanged, this, &SceneView::toolChanged);
+  connect(tools_, &SceneTools::pauseRequested, this, &SceneView::pauseRequested);
   connect(tools_, &SceneTools::spawnRequested, this, &SceneView::spawnRequested);
   connect(tools_, &SceneTools::changed, this, &SceneView::refresh_tools);
+  typing_ = new ValueBubble(
+      [this](const QString& text, bool yields) { return tools_->take_typed(text, yields); }, this);
+  connect(tools_, &SceneTools::typingBegan, this, &SceneView::show_typing);
+  connect(tools_, &SceneTools::typingEnded, this, [this] {
+    // First: a hidden field would hand the focus to the next widget.
+    if (typing_->isAncestorOf(QApplication::focusWidget())) setFocus(Qt::OtherFocusReason);
+    typing_->end();
+  });
+  connect(typing_, &ValueBubble::resized, this, &SceneView::place_typing);
+  connect(&typing_->field(), &ValueField::nextAsked, tools_, &SceneTools::type_next);
+  connect(&typing_->field(), &ValueField::finished, tools_, &SceneTools::end_typing);
+  connect(&typing_->field(), &ValueField::cancelled, tools_, &SceneTools::cancel_typing);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName("Scene");
@@ -81,6 +98,9 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame, OtherRuns others) 
   keep_recent(impacts_, frame_->impacts, frame_->time, kImpactShown);
   tools_->frame_changed();
   if (new_run && !held_camera_) go_home();
+  if (follow_.on()) Follow::show_moving(*frame_, picture_.camera, fit_margins());
+  follow_.observe(*frame_, picture_.camera);
+  tell_follow();
   refresh();
   follow_tip();
 }
@@ -102,6 +122,8 @@ void SceneView::set_options(const DrawingOptions& options) {
 
 void SceneView::set_view(const std::optional<View>& view) {
   view_ = view;
+  fits_all_ = false;
+  end_follow();
   home_ = true;
   held_camera_ = false;
   held_arrows_.reset();
@@ -113,8 +135,40 @@ void SceneView::set_view(const std::optional<View>& view) {
   refresh();
 }
 
+void SceneView::find() {
+  if (follow_.offered()) return follow();
+  const bool at_view = home_ && !fits_all_;
+  if (!view_ || (at_view && !follow_.on())) return fit();
+  end_follow();
+  fits_all_ = false;
+  home_ = true;
+  held_camera_ = false;
+  go_home();
+  refresh();
+}
+
+void SceneView::follow() {
+  if (!frame_) return;
+  home_ = false;
+  follow_.begin();
+  tell_follow();
+  Follow::show_moving(*frame_, picture_.camera, fit_margins());
+  refresh();
+}
+
+void SceneView::end_follow() {
+  follow_.end();
+  tell_follow();
+}
+
+void SceneView::tell_follow() {
+  if (std::exchange(follow_offered_, follow_.offered()) != follow_.offered())
+    emit followOffered(follow_offered_);
+}
+
 void SceneView::fit() {
-  view_.reset();
+  fits_all_ = true;
+  end_follow();
   home_ = true;
   held_camera_ = false;
   go_home();
@@ -133,7 +187,7 @@ std::optional<View> SceneView::moved_view() const {
 
 void SceneView::go_home() {
   Camera home = picture_.camera;
-  if (view_) {
+  if (view_ && !fits_all_) {
     home.show(*view_);
   } else if (frame_) {
     home.fit(bounds(*frame_), fit_margins());
@@ -145,6 +199,7 @@ void SceneView::go_home() {
 
 void SceneView::zoom(const QPointF& at, double factor) {
   home_ = false;
+  end_follow();
   const double wanted =
       std::clamp(picture_.camera.scale * factor, home_scale_ * kMostZoomOut, home_scale_ * kMostZoomIn);
   picture_.camera.zoom_at(at, wanted / picture_.camera.scale);
@@ -153,6 +208,7 @@ void SceneView::zoom(const QPointF& at, double factor) {
 
 void SceneView::pan(const QPointF& delta) {
   home_ = false;
+  end_follow();
   picture_.camera.pan(delta);
   refresh();
 }
@@ -170,8 +226,32 @@ void SceneView::refresh() {
 void SceneView::refresh_tools() {
   picture_.overlay = tools_->overlay();
   picture_.overlay.aim = aim_;
-  if (press_ != Press::kPan) setCursor(tools_->cursor(last_at_));
+  if (press_ != Press::kPan) show_cursor(last_at_);
   canvas_->update();
+}
+
+void SceneView::show_cursor(const QPointF& at) {
+  setCursor(press_ == Press::kNone && on_bubble(at) ? Qt::IBeamCursor : tools_->cursor(at));
+}
+
+bool SceneView::on_bubble(const QPointF& at) const {
+  const Bubble& bubble = picture_.overlay.bubble;
+  return tools_->can_type_noted() && !bubble.value.isEmpty() &&
+         rect_of(bubble, font(), picture_.camera.viewport).contains(at);
+}
+
+void SceneView::show_typing(const QString& first) {
+  const auto typed = tools_->typed();
+  if (!typed) return;
+  typing_->show_value({typed->name, typed->subject, typed->unit, typed->text, typed->bubble.detail});
+  place_typing();
+  typing_->begin(first);
+}
+
+void SceneView::place_typing() {
+  const auto typed = tools_->typed();
+  if (!typed) return;
+  typing_->move(place_of(typed->bubble, QSizeF(typing_->size()), picture_.camera.viewport).topLeft().toPoint());
 }
 
 void SceneView::set_aim(std::optional<Aim> aim) {
@@ -279,6 +359,7 @@ void SceneView::showEvent(QShowEvent*) { refresh(); }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
   if (press_ != Press::kNone) return;  // another button holds the mouse
+  if (event->button() == Qt::LeftButton && on_bubble(event->position()) && tools_->type_noted()) return;
   button_ = event->button();
   press_at_ = last_at_ = event->position();
   if (button_ == Qt::LeftButton) {
@@ -304,7 +385,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     tools_->move(at, event->modifiers());
   } else {
     tools_->hover(at, event->modifiers());
-    setCursor(tools_->cursor(at));
+    show_cursor(at);
   }
   const Vec2 world = picture_.camera.to_world(at);
   emit cursorMoved(world.x(), world.y());
@@ -321,7 +402,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     tools_->pick(event->position());
     emit menuRequested(event->position().toPoint());
   } else {
-    setCursor(tools_->cursor(event->position()));
+    show_cursor(event->position());
   }
 }
 
@@ -336,10 +417,18 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 void SceneView::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Shift || event->key() == Qt::Key_Control) tools_->hold_keys(event->modifiers());
   if (tools_->press_key(event->key(), event->modifiers() & ~Qt::KeypadModifier)) return;
+  if (event->key() == Qt::Key_F10 && event->modifiers() == Qt::ShiftModifier) {
+    emit menuRequested(place_of_menu());
+    return;
+  }
   switch (event->key()) {
     case Qt::Key_F:
+      return find();
     case Qt::Key_Home:
       return fit();
+    case Qt::Key_Menu:
+      emit menuRequested(place_of_menu());
+      return;
     case Qt::Key_Plus:
     case Qt::Key_Equal:
       return zoom_in();
@@ -361,6 +450,31 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
 void SceneView::keyReleaseEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Shift || event->key() == Qt::Key_Control) tools_->hold_keys(event->modifiers());
   QWidget::keyReleaseEvent(event);
+}
+
+// By a key: at what is selected or chosen, else at the mouse, else in the middle.
+QPoint SceneView::place_of_menu() const {
+  constexpr int kEdge = 8;  // px
+  WorldRect rect;
+  if (frame_ && frame_->bodies) {
+    const std::vector<Body>& bodies = *frame_->bodies;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const auto& names = selection();
+      if (std::find(names.begin(), names.end(), bodies[i].name) != names.end())
+        rect.include(frame_->state.position(static_cast<int>(i)), Vec2::Zero());
+    }
+    if (const auto line = part() ? line_of(*frame_, *part(), arrows().metres_per_newton) : std::nullopt) {
+      rect.include(line->from, Vec2::Zero());
+      rect.include(line->to, Vec2::Zero());
+    }
+  }
+  const QRect inner = this->rect().adjusted(kEdge, kEdge, -kEdge, -kEdge);
+  if (rect.empty()) {
+    const QPoint mouse = mapFromGlobal(QCursor::pos());
+    return inner.contains(mouse) ? mouse : inner.center();
+  }
+  const QPoint at = picture_.camera.to_screen((rect.lower + rect.upper) / 2).toPoint();
+  return {std::clamp(at.x(), inner.left(), inner.right()), std::clamp(at.y(), inner.top(), inner.bottom())};
 }
 
 bool SceneView::focusNextPrevChild(bool next) {

@@ -10,11 +10,14 @@
 #include "physics/preset/preset.h"
 #include "physics/record/frame.h"
 #include "widgets/scene/drawing.h"
+#include "widgets/scene/follow.h"
 #include "widgets/scene/qpainter_canvas.h"
 #include "widgets/scene/scene_export.h"
 #include "widgets/scene/scene_tools.h"
 
 namespace carom {
+
+class ValueBubble;
 
 // Shows the frames of a run, zooms and pans, and lets tools select and edit bodies (scene_tools.h). It changes
 // nothing itself; signals tell what is wanted. Painted by OpenGL, or by QPainter where OpenGL is not available
@@ -38,6 +41,12 @@ class SceneView : public QWidget {
   [[nodiscard]] std::optional<View> moved_view() const;
   // Fits all bodies with a margin, and repeats this at each new size and run until the user zooms or pans.
   void fit();
+  // The key F: follows what has left the view, where that is offered, and ends it; else shows the scene's own
+  // view, and all bodies where that is shown already.
+  void find();
+  // Keeps the bodies that move in view, until the user moves the camera.
+  void follow();
+  [[nodiscard]] bool follows() const { return follow_.on(); }
   // The shown picture on white: to a file (see save_picture()), and for the clipboard.
   [[nodiscard]] bool save(const QString& path, QString* error) const;
   [[nodiscard]] QImage picture() const;
@@ -62,6 +71,7 @@ class SceneView : public QWidget {
   [[nodiscard]] SceneTool tool() const { return tools_->tool(); }
   // After one use it is kSelect again, unless it is kept.
   void set_tool(SceneTool tool, bool keep = false) { tools_->set_tool(tool, keep); }
+  [[nodiscard]] bool tool_kept() const { return tools_->tool_kept(); }
 
   [[nodiscard]] QSize sizeHint() const override { return {640, 460}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
@@ -74,6 +84,10 @@ class SceneView : public QWidget {
   // Puts the selected bodies in line; there must be several that can be moved.
   void align(Alignment alignment) { tools_->align(alignment); }
   [[nodiscard]] bool can_align() const { return tools_->can_align(); }
+  // The scene was edited by other means: what the bubble says is over.
+  void scene_edited() { tools_->scene_edited(); }
+  // What stands beside the mouse; empty: nothing.
+  [[nodiscard]] const Bubble& bubble() const { return picture_.overlay.bubble; }
   // Whether all selected bodies are locked.
   [[nodiscard]] bool all_locked() const { return tools_->all_locked(); }
 
@@ -88,10 +102,13 @@ class SceneView : public QWidget {
   void edited(const carom::SceneEdits& edits, const QString& name, int drag);
   // Takes back all that was told under this number.
   void dragCancelled(int drag);
-  void toolChanged(carom::SceneTool tool);
+  void toolChanged(carom::SceneTool tool, bool kept);
+  void pauseRequested();                    // to edit by key
   void spawnRequested(double x, double y);  // m
   void cursorMoved(double x, double y);     // m
   void cursorLeft();
+  // All bodies that move left the view a while ago, so that follow() would find them; or no more.
+  void followOffered(bool offered);
 
  protected:
   bool event(QEvent* event) override;
@@ -112,6 +129,9 @@ class SceneView : public QWidget {
  private:
   enum class Press { kNone, kTool, kMayPan, kPan };
 
+  void end_follow();
+  void tell_follow();
+  [[nodiscard]] QPoint place_of_menu() const;
   void go_home();  // moves the camera to the scene's view, unless the user has moved it
   void zoom(const QPointF& at, double factor);
   void pan(const QPointF& delta);
@@ -123,6 +143,10 @@ class SceneView : public QWidget {
   void hold_arrows(const SceneEdits& edits);
   [[nodiscard]] bool shows_forces() const;
   [[nodiscard]] SceneSight sight() const;
+  void show_typing(const QString& first);
+  void place_typing();
+  [[nodiscard]] bool on_bubble(const QPointF& at) const;  // whose value a click edits
+  void show_cursor(const QPointF& at);
   [[nodiscard]] int body_under(const QPointF& position) const;
   void follow_tip();  // updates the visible tooltip, or hides it if its body is gone
 
@@ -133,12 +157,16 @@ class SceneView : public QWidget {
   std::vector<ImpactRecord> impacts_;  // recent ones, in the order of time
   Peaks peaks_;
   std::optional<View> view_;
+  bool fits_all_ = false;  // although there is a view
+  Follow follow_;
+  bool follow_offered_ = false;
   bool home_ = true;           // the user has not moved the camera
   double home_scale_ = 100.0;  // px/m when nothing is zoomed
   double home_side_ = 4.0;     // m, the shorter side of the view then
   bool uses_opengl_ = false;
   QWidget* canvas_ = nullptr;
   SceneTools* tools_ = nullptr;
+  ValueBubble* typing_ = nullptr;
   std::optional<Aim> aim_;
   std::optional<ArrowScale> held_arrows_;  // since an edit, so that what was drawn keeps its length
   bool held_camera_ = false;               // the scene was edited, so a new run starts where the user looks

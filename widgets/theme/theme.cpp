@@ -57,13 +57,15 @@ QToolBar#column::separator { height: 1px; margin: 4px 4px; }
 QToolButton { border: 1px solid transparent; border-radius: 6px; padding: 5px; background: transparent; }
 QToolButton:hover { background: %7; }
 QToolButton:checked { background: %7; color: %6; }
+QToolButton:focus { border-color: %6; }
+QToolButton[kept="true"] { border-color: %6; border-bottom: 3px solid %6; padding-bottom: 3px; }
 QToolButton:disabled { color: %5; }
 QToolButton#choice { border: 1px solid %3; padding: 4px 10px; background: %1; }
 QToolButton#more { padding: 0 4px; font-size: 11px; color: %5; }
 QToolButton#more::menu-indicator { image: none; }
 QToolButton#choice:hover { border-color: %6; }
 QToolButton#choice::menu-indicator { image: none; }
-QFrame#panel { background: %2; border: 1px solid %3; border-radius: 6px; }
+QFrame#panel, QFrame#bubble { background: %2; border: 1px solid %3; border-radius: 6px; }
 QFrame#notice { background: %7; border: 1px solid %6; border-radius: 6px; }
 QFrame#sidebar { background: %2; border: none; border-right: 1px solid %3; }
 QLabel { background: transparent; }
@@ -102,6 +104,7 @@ QGroupBox { border: 1px solid %3; border-radius: 8px; margin-top: 9px; padding: 
 QGroupBox::title { subcontrol-origin: margin; left: 10px; padding: 0 4px; color: %5; }
 QPushButton { background: %2; border: 1px solid %3; border-radius: 6px; padding: 5px 14px; }
 QPushButton:hover, QPushButton:focus { border-color: %6; }
+QPushButton#chip { border-color: %6; border-radius: 11px; padding: 3px 9px; font-size: 11px; }
 QPushButton#small { padding: 3px 6px; font-size: 12px; text-align: center; }
 QPushButton:default { background: %6; color: %2; border-color: %6; }
 QPushButton:disabled, QPushButton:default:disabled { background: %1; color: %5; border-color: %3; }
@@ -116,6 +119,7 @@ QTabWidget::pane { border: none; border-top: 1px solid %3; }
 QTabBar { background: transparent; qproperty-drawBase: 0; }
 QTabBar::tab { background: transparent; color: %5; padding: 7px 2px; margin-right: 18px; border-bottom: 2px solid transparent; }
 QTabBar::tab:selected { color: %4; font-weight: bold; border-bottom-color: %6; }
+QTabBar::tab:selected:focus { border: 2px solid %6; border-radius: 4px; padding: 5px 4px; margin-right: 10px; }
 QTabBar::tab:hover { color: %4; }
 QSplitter::handle { background: %1; }
 QStatusBar { background: %2; border-top: 1px solid %3; color: %5; }

@@ -72,6 +72,25 @@ TEST_F(SceneMenuTest, ARightClickSelectsAndADragPans) {
   EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
 }
 
+TEST_F(SceneMenuTest, ItsKeysOpenItAtTheSelection) {
+  for (const auto& [key, held] :
+       {std::pair(Qt::Key_Menu, Qt::NoModifier), std::pair(Qt::Key_F10, Qt::ShiftModifier)}) {
+    view().select({"light"});
+    QTest::keyClick(&view(), key, held);
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    ASSERT_NE(menu, nullptr);
+    EXPECT_EQ(menu->actions().front()->text(), "light");
+    const QPoint at = view().mapToGlobal(view().camera().to_screen(place("light")).toPoint());
+    EXPECT_TRUE(menu->geometry().adjusted(-2, -2, 2, 2).contains(at));
+    menu->close();
+  }
+  view().select({});
+  QTest::keyClick(&view(), Qt::Key_Menu);
+  auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  ASSERT_NE(menu, nullptr);
+  EXPECT_NO_THROW(entry(menu, "Paste here"));
+}
+
 TEST_F(SceneMenuTest, EntriesDoWhatTheirKeysDo) {
   const Vec2 light = place("light");
   choose(light, "Reverse the velocity");

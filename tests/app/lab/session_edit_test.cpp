@@ -292,6 +292,29 @@ TEST_F(SessionEditTest, WhatIsNotAllowedIsSaidAndChangesNothing) {
   EXPECT_FALSE(session_.edits().canUndo());
 }
 
+TEST_F(SessionEditTest, ARefusalNamesThingsAndHasFewDigits) {
+  Body right = now("right");
+  right.mass = -1.0 / 3.0;
+  session_.edit({Replace<Body>{right}}, "Mass of right");
+  EXPECT_TRUE(refused_.startsWith("right, mass: -0.333333 is not allowed")) << refused_.toStdString();
+  Joint rod;
+  rod.kind = JointKind::kRod;
+  rod.body = "left";
+  rod.to = "right";
+  rod.length = 1.0 / 3.0;
+  session_.edit({Add<Joint>{rod}}, "Add rod");
+  EXPECT_TRUE(refused_.startsWith("Rod 1, length: 0.333333 for ends")) << refused_.toStdString();
+  Joint weld;
+  weld.kind = JointKind::kWeld;
+  weld.body = weld.to = "left";
+  session_.edit({Add<Joint>{weld}}, "Add weld");
+  EXPECT_EQ(refused_, "Both ends of Weld 1 are on left; it joins two bodies.");
+  session_.edit({SetForces{.gravity = {0.0, 1e30}}}, "Gravity");
+  EXPECT_TRUE(refused_.startsWith("gravity y: 1e+30 is not allowed")) << refused_.toStdString();
+  EXPECT_FALSE(refused_.contains('/' + QString("gravity")));
+  EXPECT_FALSE(session_.edits().canUndo());
+}
+
 TEST_F(SessionEditTest, ADiscThatCameLaterIsEditedWhereItStands) {
   run_to(0.5);
   session_.add_body(0.5, 1.0);

@@ -115,6 +115,15 @@ TEST(Quantity, SaysInASentenceWhatItCannotRead) {
   }
 }
 
+TEST(Quantity, ANumberThatIsTooLargeIsSaidToBe) {
+  const Range fraction{.low = 0.0, .high = 1.0};
+  EXPECT_EQ(typed_values("1e400", "e", fraction, {0.5}).fault,
+            "This number is too large. e lies between 0 and 1.");
+  EXPECT_EQ(typed_values("/1e400", "e", fraction, {0.5}).fault,
+            "This number is too large. e lies between 0 and 1.");
+  EXPECT_EQ(typed_values("1e-400", "e", fraction, {0.5}).fault, "");
+}
+
 TEST(Quantity, IsTheSameInEveryLocale) {
   QLocale::setDefault(QLocale(QLocale::German));
   EXPECT_DOUBLE_EQ(typed_quantity("1.5", "m").change->number, 1.5);

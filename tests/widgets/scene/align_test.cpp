@@ -66,5 +66,19 @@ TEST_F(SceneToolsTest, AlignsTheSelectedBodiesInOneStep) {
   EXPECT_NEAR(replaced(told_[0].edits[0]).position.y(), replaced(told_[0].edits[1]).position.y(), 1e-12);
 }
 
+TEST_F(SceneToolsTest, SaysTheOverlapThatAnAlignmentMakes) {
+  answers_ = true;
+  scene_.bodies.back().position = scene_.bodies[1].position + Vec2(0.1, 0.9);
+  show(true);
+  view_.select({"A", "B"});
+  view_.align(Alignment::kMiddle);
+  EXPECT_TRUE(view_.bubble().value.contains("overlap by")) << view_.bubble().value.toStdString();
+  EXPECT_TRUE(view_.bubble().fault);
+  scene_.bodies.back().position = scene_.bodies[1].position + Vec2(2.0, 0.9);
+  show(true);
+  view_.align(Alignment::kMiddle);
+  EXPECT_TRUE(view_.bubble().value.isEmpty());
+}
+
 }  // namespace
 }  // namespace carom

@@ -1,0 +1,139 @@
+#include <QSettings>
+#include <QTabBar>
+#include <QToolBar>
+
+#include "app/lab/drawer.h"
+#include "app/lab/right_column.h"
+#include "tests/app/lab/lab_fixture.h"
+#include "tests/app/lab/two_discs.h"
+#include "widgets/edit/inspector.h"
+
+namespace carom {
+namespace {
+
+// How the panels share a window of any size.
+class LabLayoutTest : public LabWindowTest {
+ protected:
+  void resize(const QSize& size) {
+    window_.resize(size);
+    QTest::qWait(20);
+  }
+  [[nodiscard]] RightColumn& right() { return *window_.findChild<RightColumn*>(); }
+  [[nodiscard]] bool inspector_seen() { return window_.findChild<Inspector*>()->isVisible(); }
+  [[nodiscard]] bool plots_seen() { return window_.findChild<PlotPanel*>()->isVisible(); }
+  void press(int key, Qt::KeyboardModifiers keys = {}) {
+    QWidget* focus = QApplication::focusWidget();
+    ASSERT_NE(focus, nullptr);
+    QTest::keyClick(focus, static_cast<Qt::Key>(key), keys);
+  }
+  [[nodiscard]] Drawer& drawer() { return *window_.findChild<Drawer*>(); }
+  QSettings settings_{folder_.filePath("carom.ini"), QSettings::IniFormat};
+};
+
+TEST_F(LabLayoutTest, InspectorAndPlotsAreTabsWhereThereIsLittleRoom) {
+  const int usual = right().width();
+  const int inspector = right().places().inspector_height;
+  EXPECT_TRUE(inspector_seen() && plots_seen());
+  for (const QSize& small : {QSize(1024, 760), QSize(1280, 700)}) {
+    resize(small);
+    EXPECT_TRUE(inspector_seen());
+    EXPECT_FALSE(plots_seen());
+    EXPECT_EQ(right().width(), 280);
+    QTest::keyClick(&window_.scene_view(), Qt::Key_I);
+    EXPECT_TRUE(plots_seen());
+    EXPECT_FALSE(inspector_seen());
+    QTest::keyClick(&window_.scene_view(), Qt::Key_I);
+    EXPECT_TRUE(inspector_seen());
+    EXPECT_TRUE(action("Inspector")->isChecked());
+    auto* tabs = right().findChild<QTabBar*>();
+    QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(1).center());
+    EXPECT_TRUE(plots_seen());
+    EXPECT_FALSE(action("Inspector")->isChecked());
+    resize({1280, 800});
+    EXPECT_TRUE(inspector_seen() && plots_seen());
+    EXPECT_NEAR(right().width(), usual, 1);
+    EXPECT_NEAR(right().places().inspector_height, inspector, 1);
+    action("Standard layout")->trigger();
+  }
+}
+
+TEST_F(LabLayoutTest, NoNumberIsCutInTheNarrowInspector) {
+  Preset preset = two_discs();
+  preset.scene.bodies[0].position = {-0.885714, -0.123457};
+  preset.scene.bodies[0].velocity = {-1.428571, -0.123457};
+  window_.show_scene(preset, {}, {});
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->scene != nullptr; }));
+  window_.scene_view().select({"left"});
+  for (const QSize& size : {QSize(1024, 700), QSize(1200, 800), QSize(1280, 800)}) {
+    resize(size);
+    int seen = 0;
+    for (const QLineEdit* field : window_.findChild<Inspector*>()->findChildren<QLineEdit*>()) {
+      if (!field->isVisible()) continue;
+      constexpr int kInsets = 16;  // px
+      EXPECT_LE(field->fontMetrics().horizontalAdvance(field->text()) + kInsets, field->width())
+          << size.width() << ": " << field->accessibleName().toStdString();
+      ++seen;
+    }
+    EXPECT_GT(seen, 5);
+  }
+}
+
+TEST_F(LabLayoutTest, TheOpenTabIsRemembered) {
+  resize({1024, 700});
+  QTest::keyClick(&window_.scene_view(), Qt::Key_I);
+  window_.keep_layout(settings_);
+  LabWindow next(light_theme());
+  next.restore_layout(settings_);
+  next.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&next));
+  EXPECT_TRUE(next.findChild<PlotPanel*>()->isVisible());
+  EXPECT_FALSE(next.findChild<Inspector*>()->isVisible());
+  EXPECT_EQ(next.findChild<RightColumn*>()->width(), 280);
+}
+
+TEST_F(LabLayoutTest, F6GoesFromPanelToPanel) {
+  resize({1280, 800});
+  drawer().set_folded(false);
+  const std::vector<QWidget*> panels = {&window_.scene_view(),
+                                        window_.findChild<TransportBar*>(),
+                                        &drawer(),
+                                        window_.findChild<Inspector*>(),
+                                        window_.findChild<PlotPanel*>(),
+                                        window_.findChild<QToolBar*>("column")};
+  const auto has_focus = [](const QWidget* panel) {
+    const QWidget* focus = QApplication::focusWidget();
+    return panel == focus || panel->isAncestorOf(focus);
+  };
+  for (std::size_t i = 1; i <= panels.size(); ++i) {
+    press(Qt::Key_F6);
+    EXPECT_TRUE(has_focus(panels[i % panels.size()])) << i;
+  }
+  for (std::size_t i = panels.size(); i-- > 0;) {
+    press(Qt::Key_F6, Qt::ShiftModifier);
+    EXPECT_TRUE(has_focus(panels[i])) << i;
+  }
+  action("Inspector")->trigger();
+  window_.findChild<TransportBar*>()->setFocus();
+  drawer().findChild<QTabBar*>()->setFocus();
+  press(Qt::Key_F6);
+  EXPECT_TRUE(has_focus(window_.findChild<PlotPanel*>())) << "the closed inspector is passed over";
+}
+
+TEST_F(LabLayoutTest, CtrlAndADigitOpenTheTabsOfTheDrawer) {
+  resize({1280, 800});
+  drawer().set_folded(true);
+  const auto* tabs = drawer().findChild<QTabBar*>();
+  ASSERT_EQ(tabs->count(), 8);
+  for (int tab = 7; tab >= 0; --tab) {
+    press(Qt::Key_1 + tab, Qt::ControlModifier);
+    EXPECT_FALSE(drawer().folded());
+    EXPECT_EQ(tabs->currentIndex(), tab);
+  }
+  press(Qt::Key_1, Qt::ControlModifier);
+  EXPECT_TRUE(drawer().folded()) << "the key of the open one";
+  press(Qt::Key_1, Qt::ControlModifier);
+  EXPECT_FALSE(drawer().folded());
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,78 @@
+#include <QLabel>
+
+#include "tests/app/lab/hands_fixture.h"
+
+// Tools in hand, what they leave selected, and the keys of what is shown.
+namespace carom {
+namespace {
+
+class LabToolsTest : public LabHandsTest {
+ protected:
+  void SetUp() override {
+    ASSERT_NO_FATAL_FAILURE(LabHandsTest::SetUp());
+    action("New")->trigger();
+    ASSERT_TRUE(wait_for([this] { return window_.frame() && window_.frame()->bodies->empty(); }));
+  }
+  [[nodiscard]] QString hint() {
+    for (const QLabel* label : window_.scene_view().findChildren<QLabel*>("caption")) {
+      if (label->accessibleName() == "Tool in hand" && label->isVisible()) return label->text();
+    }
+    return {};
+  }
+  using Names = std::vector<std::string>;
+  [[nodiscard]] const Names& selection() { return window_.scene_view().selection(); }
+};
+
+TEST_F(LabToolsTest, AKeptToolLooksDifferentAndSaysSo) {
+  key(Qt::Key_B);
+  EXPECT_EQ(hint(), "Box, once");
+  EXPECT_FALSE(button("Box")->property("kept").toBool());
+  key(Qt::Key_B);
+  EXPECT_EQ(hint(), "Box, kept: Esc ends it");
+  EXPECT_TRUE(button("Box")->property("kept").toBool());
+  EXPECT_TRUE(button("Box")->toolTip().contains("Kept"));
+  EXPECT_EQ(button("Box")->accessibleDescription(), "kept until Escape");
+  drag({0.2, 0.2}, {0.6, 0.6});
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 1; }));
+  EXPECT_TRUE(button("Box")->property("kept").toBool());
+  EXPECT_EQ(selection(), Names{}) << "the tool is kept for more of them";
+  key(Qt::Key_Escape);
+  EXPECT_EQ(hint(), "");
+  EXPECT_FALSE(button("Box")->property("kept").toBool());
+  EXPECT_FALSE(button("Box")->toolTip().contains("Kept"));
+  EXPECT_EQ(button("Box")->accessibleDescription(), "");
+}
+
+TEST_F(LabToolsTest, ANewBodyIsSelected) {
+  key(Qt::Key_D);
+  drag({-1.0, 0.0}, {-0.8, 0.0});
+  EXPECT_TRUE(wait_for([this] { return selection() == Names{"A"}; }));
+  EXPECT_TRUE(window_.scene_view().bubble().value.startsWith("r ")) << "its size is still said";
+  click_scene({0.0, 0.5});  // of random radius
+  EXPECT_TRUE(wait_for([this] { return selection() == Names{"B"}; }));
+  key(Qt::Key_W);
+  drag({0.5, -0.5}, {1.0, -0.5});
+  EXPECT_TRUE(wait_for([this] { return selection() == Names{"C"}; }));
+  key(Qt::Key_P);
+  for (const Vec2& corner : {Vec2(0.4, 0.0), Vec2(0.8, 0.0), Vec2(0.6, 0.3)}) select(corner);
+  key(Qt::Key_Return);
+  EXPECT_TRUE(wait_for([this] { return selection() == Names{"D"}; }));
+}
+
+TEST_F(LabToolsTest, ShiftAndALetterShowsAndHides) {
+  const auto switches = [this](int letter, bool DrawingOptions::*flag) {
+    const bool before = window_.scene_view().options().*flag;
+    key(letter, Qt::ShiftModifier);
+    EXPECT_NE(window_.scene_view().options().*flag, before) << static_cast<char>(letter);
+    key(letter, Qt::ShiftModifier);
+    EXPECT_EQ(window_.scene_view().options().*flag, before) << static_cast<char>(letter);
+  };
+  switches(Qt::Key_G, &DrawingOptions::grid);
+  switches(Qt::Key_V, &DrawingOptions::velocities);
+  switches(Qt::Key_F, &DrawingOptions::forces);
+  switches(Qt::Key_K, &DrawingOptions::contacts);
+  switches(Qt::Key_N, &DrawingOptions::names);
+}
+
+}  // namespace
+}  // namespace carom

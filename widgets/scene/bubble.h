@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QPointF>
+#include <QRectF>
+#include <QSizeF>
+#include <QString>
+
+class QFont;
+class QPainter;
+
+namespace carom {
+
+struct Theme;
+
+// The value beside the mouse.
+struct Bubble {
+  QString value;   // empty: no bubble
+  QString detail;  // under the value
+  QPointF mouse;   // px, beside which it stands, on the side away from
+  QPointF from;    // where the mouse came from
+  bool fault = false;
+};
+
+// Where what is so large stands beside the mouse, in px: within the view.
+[[nodiscard]] QRectF place_of(const Bubble& bubble, const QSizeF& size, const QSizeF& view);
+[[nodiscard]] QRectF rect_of(const Bubble& bubble, const QFont& font, const QSizeF& view);
+void paint_bubble(QPainter& painter, const Bubble& bubble, const QSizeF& view, const Theme& theme);
+
+}  // namespace carom

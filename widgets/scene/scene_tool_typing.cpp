@@ -1,0 +1,155 @@
+#include <utility>
+
+#include "widgets/edit/quantity.h"
+#include "widgets/edit/units.h"
+#include "widgets/scene/hit.h"
+#include "widgets/scene/scene_tools.h"
+#include "widgets/scene/typed_value.h"
+
+// Values that are typed at the mouse, instead of a drag or during one.
+namespace carom {
+namespace {
+
+QString first_unit(std::string_view si) {
+  const std::string_view name = units_of(si).front().name;
+  return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
+
+}  // namespace
+
+bool SceneTools::types_in_drag(int key, Qt::KeyboardModifiers keys) const {
+  if (state_ != State::kDrag && state_ != State::kEnd) return false;
+  if (keys.testFlag(Qt::ControlModifier) || keys.testFlag(Qt::AltModifier)) return false;
+  const bool digit = key >= Qt::Key_0 && key <= Qt::Key_9;
+  return digit || key == Qt::Key_Minus || key == Qt::Key_Period || key == Qt::Key_Comma;
+}
+
+std::optional<SceneTools::Typed> SceneTools::typed() const {
+  if (!typing_) return std::nullopt;
+  const TypedValue value = typing_->thing->values()[typing_->index];
+  return Typed{value.name, typing_->thing->subject(), first_unit(value.range.unit),
+               field_text(value.value, value.range.unit), typing_->bubble};
+}
+
+void SceneTools::begin_typing(Typing typing, const QString& first) {
+  if (typing.thing == nullptr || typing.thing->values().empty()) return;
+  end_note();
+  row_ = {};
+  typing_ = std::make_shared<Typing>(std::move(typing));
+  emit typingBegan(first);
+  emit changed();
+}
+
+// What the mouse holds stays where it is, until the button is let go.
+void SceneTools::type_in_drag(const QString& first) {
+  const bool end = std::exchange(state_, State::kMute) == State::kEnd;
+  Typing typing;
+  typing.bubble = {{}, end ? QString() : dragged_.detail, mouse_, press_, false};
+  if (end) {
+    JointSight sight = joint_sight(mouse_);
+    sight.metres_per_newton = sight_().metres_per_newton;
+    typing.target = {HandleKind::kBody, {}};
+    typing.thing = typed_part(sight, *part_, end_);
+    typing.drag = ++drags_;
+  } else {
+    typing.target = *grab_;
+    typing.thing = typed_body(start_, dragged_.bodies[0], sight_().camera.scale);
+    typing.drag = drags_;
+    typing.changed = emitted_;
+    typing.in_drag = true;
+  }
+  begin_typing(std::move(typing), first);
+}
+
+// At rest; `where` says where the bubble stands.
+void SceneTools::type_value_of(const Grab& target, const Bubble& where) {
+  const SceneSight sight = sight_();
+  if (!sight.frame || !sight.frame->scene) return;
+  Typing typing;
+  typing.target = target;
+  typing.bubble = {{}, {}, where.mouse, where.from, false};
+  if (target.body.empty()) {
+    if (!part_) return;
+    JointSight joints = joint_sight(where.mouse);
+    joints.metres_per_newton = sight.metres_per_newton;
+    typing.thing = typed_part(joints, *part_, std::nullopt);
+  } else {
+    if (!selection_.contains(target.body)) set_selection({target.body});
+    if (locked_.contains(target.body)) return say_locked(target.body);
+    const bool motion = target.kind == HandleKind::kVelocity || target.kind == HandleKind::kSpin;
+    DragStart start = start_of(target.kind, editable(target.body, motion));
+    if (start.bodies.empty() || start.bodies.front().name != target.body) return;
+    if (const auto locked = locked_among(start.followers)) return say_locked(*locked);
+    const Body now = start.bodies.front();
+    typing.thing = typed_body(std::move(start), now, sight.camera.scale);
+  }
+  typing.drag = ++drags_;
+  begin_typing(std::move(typing), {});
+}
+
+// What a double click means where a drag could begin.
+bool SceneTools::type_at(const QPointF& at) {
+  if (tool_ != SceneTool::kSelect) return false;
+  const Bubble where{{}, {}, at, at, false};
+  if (end_ || (part_ && part_under(at) == part_)) {
+    type_value_of({HandleKind::kBody, {}}, where);
+  } else if (grab_) {
+    type_value_of(*grab_, where);
+  }
+  return typing_ != nullptr;
+}
+
+bool SceneTools::type_noted() {
+  if (!note_of_ || !(note_of_->body.empty() || index_.contains(note_of_->body))) return false;
+  const Grab target = *note_of_;
+  type_value_of(target, note_);
+  return typing_ != nullptr;
+}
+
+QString SceneTools::take_typed(const QString& text, bool yields) {
+  const std::shared_ptr<Typing> typing = typing_;
+  if (typing == nullptr) return {};
+  const TypedValue value = typing->thing->values()[typing->index];
+  const TypedValues typed = typed_values(text, value.name, value.range, {value.value});
+  if (!typed.fault.isEmpty()) return typed.fault;
+  const TypedEdit edit = typing->thing->set(typing->index, typed.values[0], yields);
+  if (!edit.fault.isEmpty()) return edit.fault;
+  typing->changed = typing->taken = true;
+  typing->bubble.value = edit.value;
+  typing->bubble.detail = edit.detail;
+  own_edit(edit.edits, edit.name, typing->drag);
+  return {};
+}
+
+void SceneTools::type_next(bool forward) {
+  if (typing_ == nullptr) return;
+  const std::size_t count = typing_->thing->values().size();
+  typing_->index = (typing_->index + (forward ? 1 : count - 1)) % count;
+  emit typingBegan({});
+}
+
+void SceneTools::drop_typing() {
+  if (std::exchange(typing_, nullptr) != nullptr) emit typingEnded();
+}
+
+void SceneTools::end_typing() {
+  const std::shared_ptr<Typing> typing = std::exchange(typing_, nullptr);
+  if (typing == nullptr) return;
+  emit typingEnded();
+  if (typing->taken) {
+    note(typing->bubble, typing->target);
+  } else if (typing->in_drag) {
+    end_drag();
+  }
+  emit changed();
+}
+
+void SceneTools::cancel_typing() {
+  const std::shared_ptr<Typing> typing = std::exchange(typing_, nullptr);
+  if (typing == nullptr) return;
+  emit typingEnded();
+  if (typing->changed) emit dragCancelled(typing->drag);
+  emit changed();
+}
+
+}  // namespace carom

@@ -1,0 +1,175 @@
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <variant>
+
+#include "physics/math/vectors.h"
+#include "widgets/edit/units.h"
+#include "widgets/scene/drag_limits.h"
+#include "widgets/scene/edit_names.h"
+#include "widgets/scene/typed_value.h"
+
+// Values of bodies that are typed at the mouse.
+namespace carom {
+namespace {
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+QString polar_text(const Vec2& velocity) {
+  const QString speed = quantity_text(velocity.norm(), "m/s");
+  return velocity.isZero(0.0) ? speed : speed + " at " + quantity_text(radians(direction(velocity)), "rad");
+}
+
+class TypedBody : public TypedThing {
+ public:
+  TypedBody(DragStart start, const Body& now, double scale)
+      : start_(std::move(start)), now_(now), scale_(scale) {
+    start_.press = start_.bodies[0].position;
+    for (const Vec2& velocity : {now_.velocity, start_.bodies[0].velocity}) {
+      if (velocity.isZero(0.0)) continue;
+      direction_ = radians(direction(velocity));
+      break;
+    }
+  }
+
+  [[nodiscard]] QString subject() const override { return QString::fromStdString(now_.name); }
+
+  [[nodiscard]] std::vector<TypedValue> values() const override {
+    switch (start_.kind) {
+      case HandleKind::kBody:
+        return {{"x", any_number("m"), now_.position.x()}, {"y", any_number("m"), now_.position.y()}};
+      case HandleKind::kVelocity:
+        return {{"Speed", from_zero("m/s"), now_.velocity.norm()},
+                {"Direction", any_number("rad"), direction_}};
+      case HandleKind::kTurn:
+        return {{"Angle", any_number("rad"), now_.angle}};
+      case HandleKind::kSpin:
+        return {{"Spin", any_number("rad/s"), now_.spin}};
+      default:
+        return sizes();
+    }
+  }
+
+  [[nodiscard]] TypedEdit set(std::size_t index, double value, bool yields) override {
+    const DragPoint point{
+        .at = start_.press, .scale = scale_, .keys = yields ? Qt::ControlModifier : Qt::NoModifier};
+    const Dragged kept = within_joints(start_, wanted(index, value), point);
+    TypedEdit out;
+    if (kept.fault && kept.overlaps.empty()) {
+      out.fault = kept.value + ".";
+      return out;
+    }
+    const std::optional<Dragged> left = without_overlaps(start_, kept, point);
+    if (!left) {
+      out.fault = QStringLiteral("There is no room there.");
+      return out;
+    }
+    now_ = left->bodies[0];
+    if (!now_.velocity.isZero(0.0)) direction_ = radians(direction(now_.velocity));
+    refits_ |= left->refits;
+    return {edits_of(*left, refits_), left->name, left->value, left->detail, {}};
+  }
+
+ private:
+  [[nodiscard]] std::vector<TypedValue> sizes() const {
+    if (const auto* disc = std::get_if<Disc>(&now_.shape)) return {{"Radius", positive("m"), disc->radius}};
+    if (const auto* box = std::get_if<Box>(&now_.shape)) {
+      return {{"Width", positive("m"), box->width}, {"Height", positive("m"), box->height}};
+    }
+    return {};
+  }
+
+  // All bodies of the start, with this value of the first one.
+  [[nodiscard]] Dragged wanted(std::size_t index, double value) const {
+    switch (start_.kind) {
+      case HandleKind::kBody:
+        return placed(static_cast<Eigen::Index>(index), value);
+      case HandleKind::kVelocity:
+        return index == 0 ? thrown(value, direction_) : thrown(now_.velocity.norm(), value);
+      case HandleKind::kTurn:
+        return turned(value);
+      case HandleKind::kSpin:
+        return spun(value);
+      default:
+        return sized(static_cast<Eigen::Index>(index), value);
+    }
+  }
+
+  [[nodiscard]] Dragged placed(Eigen::Index axis, double value) const {
+    Vec2 place = now_.position;
+    place[axis] = value;
+    Dragged out;
+    out.bodies = start_.bodies;
+    for (Body& body : out.bodies) body.position += place - start_.bodies[0].position;
+    out.bodies[0].position = place;
+    out.value = "x " + quantity_text(place.x(), "m") + ", y " + quantity_text(place.y(), "m");
+    out.name = "Move " + name_of_bodies(start_.bodies);
+    return out;
+  }
+
+  [[nodiscard]] Dragged thrown(double speed, double angle) const {
+    const Vec2 velocity = speed * unit_vector(angle * 180.0 / std::numbers::pi);
+    Dragged out;
+    out.bodies = start_.bodies;
+    for (Body& body : out.bodies) body.velocity += velocity - start_.bodies[0].velocity;
+    out.bodies[0].velocity = velocity;
+    out.value = polar_text(velocity);
+    out.name = name_of_velocity(start_.bodies, out.bodies);
+    return out;
+  }
+
+  [[nodiscard]] Dragged turned(double angle) const {
+    Dragged out;
+    out.bodies = start_.bodies;
+    out.bodies[0].angle = angle;
+    out.value = quantity_text(angle, "rad");
+    out.name = "Turn " + name_of_bodies(start_.bodies);
+    return out;
+  }
+
+  [[nodiscard]] Dragged spun(double spin) const {
+    Dragged out;
+    out.bodies = start_.bodies;
+    out.bodies[0].spin = spin;
+    out.value = quantity_text(spin, "rad/s");
+    out.detail = turns_text(spin);
+    out.name = name_of_spin(start_.bodies[0], out.bodies[0]);
+    return out;
+  }
+
+  // The far side of a box stays where a drag of the handle lets it stay.
+  [[nodiscard]] Dragged sized(Eigen::Index axis, double value) const {
+    Dragged out;
+    out.bodies = start_.bodies;
+    Body& body = out.bodies[0];
+    if (std::holds_alternative<Disc>(now_.shape)) {
+      body = resized(body, Disc{value});
+      out.value = "r " + quantity_text(value, "m");
+    } else if (const auto* box = std::get_if<Box>(&now_.shape)) {
+      Vec2 size(box->width, box->height);
+      const double grown = value - std::exchange(size[axis], value);
+      body = resized(body, Box{size.x(), size.y()});
+      Vec2 side = side_of(start_.kind);
+      side[1 - axis] = 0.0;
+      body.position = now_.position + turned_by(body.angle, 0.5 * grown * side);
+      out.value = quantity_text(size.x(), "m") + " × " + quantity_text(size.y(), "m");
+    }
+    if (!has_infinite_mass(body)) out.detail = QStringLiteral("m = %1 kg").arg(mass_of(body), 0, 'g', 3);
+    out.name = "Resize " + name_of_bodies(start_.bodies);
+    return out;
+  }
+
+  DragStart start_;
+  Body now_;
+  double scale_;
+  double direction_ = 0.0;  // rad, of the velocity, which a body at rest has too
+  bool refits_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<TypedThing> typed_body(DragStart start, const Body& now, double scale) {
+  return std::make_unique<TypedBody>(std::move(start), now, scale);
+}
+
+}  // namespace carom

@@ -1,0 +1,133 @@
+#include <numbers>
+#include <utility>
+#include <variant>
+
+#include "physics/scene/edit_rules.h"
+#include "widgets/edit/inspected_parts.h"
+#include "widgets/edit/units.h"
+#include "widgets/scene/edit_names.h"
+#include "widgets/scene/part_ends.h"
+#include "widgets/scene/scene_parts.h"
+#include "widgets/scene/typed_value.h"
+
+// Values of joints, springs and forces that are typed at the mouse.
+namespace carom {
+namespace {
+
+QString title_of(const JointSight& sight, const PartId& part) {
+  const auto shown = inspected_part(*sight.frame->scene, part);
+  return shown ? shown->title : QString();
+}
+
+// The length that the inspector shows.
+class TypedLength : public TypedThing {
+ public:
+  TypedLength(QString title, Inspected shown) : title_(std::move(title)), shown_(std::move(shown)) {}
+
+  [[nodiscard]] QString subject() const override { return title_; }
+  [[nodiscard]] std::vector<TypedValue> values() const override {
+    return {{shown_.name, shown_.range, shown_.values[0]}};
+  }
+  [[nodiscard]] TypedEdit set(std::size_t /*index*/, double value, bool /*yields*/) override {
+    const std::vector<double> before = std::exchange(shown_.values, {value});
+    return {shown_.edits(shown_.values),
+            shown_.undo_name(before, shown_.values),
+            quantity_text(value, shown_.range.unit),
+            {},
+            {}};
+  }
+
+ private:
+  QString title_;
+  Inspected shown_;
+};
+
+// The end that the mouse drags, at a typed distance from the other one.
+class TypedEnd : public TypedThing {
+ public:
+  TypedEnd(const JointSight& sight, const PartId& part, std::size_t end, const Vec2& other)
+      : sight_(sight), part_(part), end_(end), other_(other), along_(sight.mouse.at - other) {
+    sight_.mouse.keys = Qt::ControlModifier;
+  }
+
+  [[nodiscard]] QString subject() const override { return title_of(sight_, part_); }
+  [[nodiscard]] std::vector<TypedValue> values() const override {
+    return {{"Length", positive("m"), (sight_.mouse.at - other_).norm()}};
+  }
+  [[nodiscard]] TypedEdit set(std::size_t /*index*/, double value, bool /*yields*/) override {
+    JointSight typed = sight_;
+    typed.mouse.at = other_ + value * along_.normalized();
+    const Joined moved = with_end_at_mouse(typed, part_, end_);
+    if (moved.fault.isEmpty()) sight_ = typed;
+    return {moved.edits, moved.name, quantity_text(value, "m"), moved.detail, moved.fault};
+  }
+
+ private:
+  JointSight sight_;
+  PartId part_;
+  std::size_t end_;
+  Vec2 other_;  // m
+  Vec2 along_;  // m
+};
+
+class TypedForce : public TypedThing {
+ public:
+  TypedForce(QString title, AppliedForce before, const AppliedForce& now)
+      : title_(std::move(title)), before_(std::move(before)), now_(now) {}
+
+  [[nodiscard]] QString subject() const override { return title_; }
+  [[nodiscard]] std::vector<TypedValue> values() const override {
+    return {{"Size", positive("N"), now_.force.norm()},
+            {"Direction", any_number("rad"), direction(now_.force) * kDegree}};
+  }
+  [[nodiscard]] TypedEdit set(std::size_t index, double value, bool /*yields*/) override {
+    const double size = index == 0 ? value : now_.force.norm();
+    const double degrees = index == 0 ? direction(now_.force) : value / kDegree;
+    now_.force = size * unit_vector(degrees);
+    return {{Replace<AppliedForce>{now_}},
+            name_of_force(before_, now_),
+            quantity_text(size, "N") + " at " + quantity_text(degrees * kDegree, "rad"),
+            {},
+            {}};
+  }
+
+ private:
+  static constexpr double kDegree = std::numbers::pi / 180.0;  // rad
+  QString title_;
+  AppliedForce before_;
+  AppliedForce now_;
+};
+
+std::unique_ptr<TypedThing> typed_length(const JointSight& sight, const PartId& part) {
+  const auto shown = inspected_part(*sight.frame->scene, part);
+  if (!shown) return nullptr;
+  for (const InspectedRow& row : shown->rows) {
+    if (row.values.size() != 1) continue;
+    const Inspected& value = row.values[0];
+    const bool length = value.name == "Length" || value.name == "Rest length";
+    if (length && value.refusal.isEmpty()) return std::make_unique<TypedLength>(shown->title, value);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::unique_ptr<TypedThing> typed_part(const JointSight& sight, const PartId& part,
+                                       std::optional<std::size_t> end) {
+  if (const auto* id = std::get_if<Id<AppliedForce>>(&part)) {
+    const AppliedForce* force = part_of(sight.frame->scene->forces.applied, *id);
+    if (force == nullptr || force->force.isZero(0.0)) return nullptr;
+    AppliedForce now = *force;
+    const Joined pulled = end ? with_end_at_mouse(sight, part, *end) : Joined{};
+    if (!pulled.edits.empty()) now = std::get<Replace<AppliedForce>>(pulled.edits[0]).part;
+    return std::make_unique<TypedForce>(title_of(sight, part), *force, now);
+  }
+  if (!end) return typed_length(sight, part);
+  const auto line = line_of(*sight.frame, part, sight.metres_per_newton);
+  if (!line) return nullptr;
+  const Vec2 other = *end == 0 ? line->from : line->to;
+  if (sight.mouse.at == other) return nullptr;
+  return std::make_unique<TypedEnd>(sight, part, *end, other);
+}
+
+}  // namespace carom

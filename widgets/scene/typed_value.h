@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QString>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "physics/scene/edit.h"
+#include "physics/scene/limits.h"
+#include "physics/scene/part_id.h"
+#include "widgets/scene/drag.h"
+#include "widgets/scene/joint_tools.h"
+
+namespace carom {
+
+// A value that a drag changes, and that can be typed instead.
+struct TypedValue {
+  QString name;  // as in sentences: "Speed"
+  Range range;
+  double value = 0.0;  // SI
+};
+
+// What a typed value makes of the scene, or one sentence on why it can't be.
+struct TypedEdit {
+  SceneEdits edits;
+  QString name;    // of the edit
+  QString value;   // with its unit, for the bubble
+  QString detail;  // may be empty
+  QString fault;
+};
+
+// The values of one thing that can be dragged. They come from where the drag began, or from what was typed
+// last, however the scene changes meanwhile.
+class TypedThing {
+ public:
+  virtual ~TypedThing() = default;
+  [[nodiscard]] virtual QString subject() const = 0;  // whose values they are: "light"
+  [[nodiscard]] virtual std::vector<TypedValue> values() const = 0;
+  // Sets one of them. `yields`: joints take the lengths that it needs, and overlaps stay.
+  [[nodiscard]] virtual TypedEdit set(std::size_t index, double value, bool yields) = 0;
+};
+
+// A body or its handle: `now` is the first body of the start as the drag has left it, `scale` in px/m. What
+// joints and other bodies leave of a typed value is as for a drag.
+[[nodiscard]] std::unique_ptr<TypedThing> typed_body(DragStart start, const Body& now, double scale);
+
+// The length of a joint or of a spring at rest; size and direction of a force. If one of its ends is being
+// dragged, the length is that to the mouse, which tells the direction; nothing if that can't be.
+[[nodiscard]] std::unique_ptr<TypedThing> typed_part(const JointSight& sight, const PartId& part,
+                                                     std::optional<std::size_t> end);
+
+}  // namespace carom
