@@ -38,7 +38,7 @@ Preset copied_bodies(const Scene& scene, const std::vector<std::string>& names) 
   for (const Body& body : scene.bodies) {
     if (!has(names, body.name)) continue;
     copy.scene.bodies.push_back(body);
-    surfaces.push_back(body.material);
+    each_material(body, [&](const std::string& name) { surfaces.push_back(name); });
   }
   std::copy_if(scene.materials.begin(), scene.materials.end(), std::back_inserter(copy.scene.materials),
                [&](const Material& material) { return has(surfaces, material.name); });

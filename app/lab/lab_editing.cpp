@@ -13,6 +13,7 @@
 #include "widgets/base/ask.h"
 #include "widgets/edit/bodies_sheet.h"
 #include "widgets/edit/inspector.h"
+#include "widgets/scene/join_shapes.h"
 #include "widgets/scene/scene_parts.h"
 #include "widgets/scene/scene_view.h"
 
@@ -181,6 +182,22 @@ void LabWindow::put(const Paste& paste, const QString& what) {
   session_.edit(paste.edits, count == 1 ? tr("%1 %2").arg(what, QString::fromStdString(paste.names.front()))
                                         : tr("%1 %n bodies", nullptr, count).arg(what));
   to_select_ = paste.names;
+}
+
+void LabWindow::join_selection() {
+  if (session_.runs().scene() == nullptr || view_->selection().empty()) return;
+  regroup(joining(*session_.runs().scene(), view_->selection()));
+}
+
+void LabWindow::take_selection_apart() {
+  if (session_.runs().scene() == nullptr || view_->selection().size() != 1) return;
+  regroup(taking_apart(*session_.runs().scene(), view_->selection().front()));
+}
+
+void LabWindow::regroup(const Regrouping& made) {
+  if (!made.refusal.isEmpty()) return inspector_->say(made.refusal);
+  session_.edit(made.edits, made.name);
+  to_select_ = made.bodies;
 }
 
 void LabWindow::select_new() {

@@ -84,11 +84,13 @@ void LabWindow::make_edit_menu() {
   add(tr("&Paste"), QKeySequence::Paste, [this] { paste(); });
   add(tr("&Duplicate"), QKeySequence(Qt::CTRL | Qt::Key_D), [this] { duplicate_selection(); });
   edit->addSeparator();
+  add(tr("&Join into one body"), QKeySequence(Qt::CTRL | Qt::Key_G), [this] { join_selection(); });
+  add(tr("Take &apart"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G), [this] { take_selection_apart(); });
   make_align_menu(edit);
 }
 
 void LabWindow::make_align_menu(QMenu* edit) {
-  QMenu* menu = edit->addMenu(tr("&Align"));
+  QMenu* menu = edit->addMenu(tr("A&lign"));
   struct Entry {
     const char* text;
     Alignment alignment;

@@ -24,6 +24,7 @@ class QSplitter;
 namespace carom {
 
 struct Paste;
+struct Regrouping;
 class BodiesSheet;
 class BodiesTable;
 class ComparePanel;
@@ -114,6 +115,9 @@ class LabWindow : public QMainWindow {
   void paste_at(const QPointF& at);  // px of the scene view
   void duplicate_selection();
   void put(const Paste& paste, const QString& what);
+  void join_selection();
+  void take_selection_apart();
+  void regroup(const Regrouping& made);
   void select_new();
   // The menu of what is under the mouse in the scene (scene_menu.cpp).
   void show_scene_menu(const QPoint& at);

@@ -1,5 +1,6 @@
 #include <QAction>
 #include <QMenu>
+#include <algorithm>
 
 #include "app/lab/lab_window.h"
 #include "widgets/edit/inspected_parts.h"
@@ -21,6 +22,12 @@ void add_key(QMenu& menu, SceneView* view, const QString& text, Qt::Key key) {
   QAction* action = add(menu, text, key);
   action->setEnabled(view->takes(key));
   QObject::connect(action, &QAction::triggered, view, [view, key] { view->press_key(key); });
+}
+
+bool is_compound(const Frame& frame, const std::string& name) {
+  return std::any_of(frame.bodies->begin(), frame.bodies->end(), [&](const Body& body) {
+    return body.name == name && std::holds_alternative<Compound>(body.shape);
+  });
 }
 
 // Without a mark of a key in it.
@@ -76,6 +83,11 @@ void LabWindow::fill_menu_of_bodies(QMenu& menu) {
   add_key(menu, view_, view_->all_locked() ? tr("Un&lock") : tr("&Lock: hands off"), Qt::Key_L);
   add_key(menu, view_, tr("Bring to &rest"), Qt::Key_0);
   add_key(menu, view_, tr("Reverse the &velocity"), Qt::Key_X);
+  if (names.size() > 1) {
+    do_it(tr("&Join into one body"), Qt::CTRL | Qt::Key_G, &LabWindow::join_selection);
+  } else if (is_compound(*frame(), names[0])) {
+    do_it(tr("Take &apart"), Qt::CTRL | Qt::SHIFT | Qt::Key_G, &LabWindow::take_selection_apart);
+  }
   if (names.size() == 2) {
     add_key(menu, view_, tr("Put in touc&h with %1").arg(escaped(QString::fromStdString(names[1]))), Qt::Key_K);
   }

@@ -25,6 +25,7 @@ constexpr auto kTopics = std::to_array<std::pair<const char*, const char*>>({
     {"first-collisions", "First collisions"},
     {"chains-and-cradles", "Chains and cradles"},
     {"bounces", "Bounces"},
+    {"several-shapes", "Bodies of several shapes"},
     {"springs-and-pistons", "Springs and pistons"},
     {"billiards", "Billiards"},
     {"gases", "Gases"},

@@ -3,45 +3,75 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "physics/collision/pair_contact.h"
 
 namespace carom {
+namespace {
 
-Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const Twist& twist_a, int b,
-                     const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance) {
+// A body at one time.
+struct Moving {
+  int body = 0;
+  Pose pose{};
+  Twist twist{};
+};
+
+// With `parts`, of these two alone; else of all.
+Approach approach(const Geometry& g, const Moving& a, const Moving& b, double tolerance,
+                  const std::pair<int, int>* parts) {
   // Along the normal a disc's surface moves like its centre.
-  const auto normal_speed = [&](int i, const Eigen::Vector3d& q, const Twist& twist, const Contact& c) {
-    double speed = twist.velocity.dot(c.normal);
-    if (g.is_disc(i) || twist.spin == 0.0) return speed;
-    const Vec2 r = c.point - q.head<2>();
-    return speed + twist.spin * cross(r, c.normal);
+  const auto normal_speed = [&](const Moving& m, const Contact& c) {
+    double speed = m.twist.velocity.dot(c.normal);
+    if (g.is_disc(m.body) || m.twist.spin == 0.0) return speed;
+    return speed + m.twist.spin * cross(c.point - m.pose.position, c.normal);
   };
-  const auto parting = [&](const Contact& c) {
-    return normal_speed(b, qb, twist_b, c) - normal_speed(a, qa, twist_a, c);
-  };
-  const auto fastest = [&](int i, const Twist& twist) {
+  const auto parting = [&](const Contact& c) { return normal_speed(b, c) - normal_speed(a, c); };
+  const auto fastest = [&](const Moving& m) {
     const double turning =
-        g.is_disc(i) || twist.spin == 0.0 ? 0.0 : std::abs(twist.spin) * g.shapes.core_radius[i];
-    return twist.velocity.norm() + turning;
+        g.is_disc(m.body) || m.twist.spin == 0.0 ? 0.0 : std::abs(m.twist.spin) * g.core_reach[m.body];
+    return m.twist.velocity.norm() + turning;
   };
 
   Approach approach;
-  approach.contact = contact_between(g, a, qa, b, qb);
+  Contact earlier;
+  if (parts != nullptr) std::tie(earlier.part_a, earlier.part_b) = *parts;
+  approach.contact = contact_again(g, a.body, a.pose, b.body, b.pose, earlier);
   approach.speed = parting(approach.contact);
-  approach.scale = fastest(a, twist_a) + fastest(b, twist_b);
-  if (g.is_disc(a) || g.is_disc(b)) return approach;
+  approach.scale = fastest(a) + fastest(b);
+  const bool several = parts == nullptr && (g.has_parts(a.body) || g.has_parts(b.body));
+  if ((g.is_disc(a.body) || g.is_disc(b.body)) && !several) return approach;
   if (approach.speed < -16.0 * std::numeric_limits<double>::epsilon() * approach.scale) return approach;
-  const Manifold ends = manifold(g.shapes, a, pose_of(g.shapes, a, qa), b, pose_of(g.shapes, b, qb),
-                                 std::max(approach.contact.gap, 0.0) + tolerance);
-  for (int k = 0; k < ends.count; ++k) {
-    const Contact end{ends.points[k].gap, ends.normal, ends.points[k].point};
-    const double speed = parting(end);
-    if (speed >= approach.speed) continue;
-    approach.contact = end;
-    approach.speed = speed;
+  const double margin = std::max(approach.contact.gap, 0.0) + tolerance;
+  const auto look_at = [&](const Manifold& ends) {
+    for (int k = 0; k < ends.count; ++k) {
+      const Contact end = ends.contact(k);
+      const double speed = parting(end);
+      if (speed >= approach.speed) continue;
+      approach.contact = end;
+      approach.speed = speed;
+    }
+  };
+  if (several) {
+    each_manifold(g, a.body, a.pose, b.body, b.pose, margin, look_at);
+  } else {
+    const auto [part_a, part_b] = parts != nullptr ? *parts : std::pair(a.body, b.body);
+    look_at(manifold(g, a.body, part_a, a.pose, b.body, part_b, b.pose, margin));
   }
   return approach;
+}
+
+}  // namespace
+
+Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const Twist& twist_a, int b,
+                     const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance) {
+  return approach(g, {a, g.pose(a, qa), twist_a}, {b, g.pose(b, qb), twist_b}, tolerance, nullptr);
+}
+
+Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const Twist& twist_a, int b,
+                     const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance,
+                     const std::pair<int, int>& parts) {
+  return approach(g, {a, g.pose(a, qa), twist_a}, {b, g.pose(b, qb), twist_b}, tolerance, &parts);
 }
 
 }  // namespace carom

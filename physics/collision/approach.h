@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "physics/collision/contact.h"
 #include "physics/model/geometry.h"
 
@@ -17,5 +19,9 @@ struct Approach {
 // approaches fastest. Points whose gap is within `tolerance` (m) of the least one touch.
 [[nodiscard]] Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const Twist& twist_a,
                                    int b, const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance);
+// Of these two parts alone.
+[[nodiscard]] Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const Twist& twist_a,
+                                   int b, const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance,
+                                   const std::pair<int, int>& parts);
 
 }  // namespace carom

@@ -378,8 +378,55 @@ Manifold manifold(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, 
   return result;
 }
 
+Contact contact_between(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b) {
+  if (!g.has_parts(a) && !g.has_parts(b)) return contact_between(g.shapes, a, pose_a, b, pose_b);
+  Contact nearest;
+  nearest.gap = std::numeric_limits<double>::infinity();
+  g.each_parts(a, b, [&](int part_a, int part_b) {
+    Contact contact = contact_between(g.shapes, part_a, g.part_pose(a, part_a, pose_a), part_b,
+                                      g.part_pose(b, part_b, pose_b));
+    if (!(contact.gap < nearest.gap)) return;
+    nearest = contact;
+    nearest.part_a = part_a;
+    nearest.part_b = part_b;
+  });
+  return nearest;
+}
+
 Contact contact_between(const Geometry& g, int a, const Eigen::Vector3d& qa, int b, const Eigen::Vector3d& qb) {
-  return contact_between(g.shapes, a, pose_of(g.shapes, a, qa), b, pose_of(g.shapes, b, qb));
+  return contact_between(g, a, g.pose(a, qa), b, g.pose(b, qb));
+}
+
+Contact contact_again(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b,
+                      const Contact& earlier) {
+  if (earlier.part_a < 0 || (!g.has_parts(a) && !g.has_parts(b)))
+    return contact_between(g, a, pose_a, b, pose_b);
+  Contact contact = contact_between(g.shapes, earlier.part_a, g.part_pose(a, earlier.part_a, pose_a),
+                                    earlier.part_b, g.part_pose(b, earlier.part_b, pose_b));
+  contact.part_a = earlier.part_a;
+  contact.part_b = earlier.part_b;
+  return contact;
+}
+
+Manifold manifold(const Geometry& g, int a, int part_a, const Pose& pose_a, int b, int part_b,
+                  const Pose& pose_b, double margin) {
+  if (!g.has_parts(a) && !g.has_parts(b)) return manifold(g.shapes, a, pose_a, b, pose_b, margin);
+  Manifold m = manifold(g.shapes, part_a, g.part_pose(a, part_a, pose_a), part_b,
+                        g.part_pose(b, part_b, pose_b), margin);
+  const auto parts = static_cast<std::uint32_t>(g.number_of(a, part_a)) |
+                     static_cast<std::uint32_t>(g.number_of(b, part_b)) << kPartBits;
+  for (ManifoldPoint& point : m.points) point.id |= parts << kFeatureBits;
+  m.part_a = part_a;
+  m.part_b = part_b;
+  return m;
+}
+
+Manifold manifold_of(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b, std::uint32_t id,
+                     double margin) {
+  constexpr std::uint32_t kMask = (1U << kPartBits) - 1U;
+  const int part_a = g.part_of(a, static_cast<int>(id >> kFeatureBits & kMask));
+  const int part_b = g.part_of(b, static_cast<int>(id >> (kFeatureBits + kPartBits)));
+  return manifold(g, a, part_a, pose_a, b, part_b, pose_b, margin);
 }
 
 }  // namespace carom

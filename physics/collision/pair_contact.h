@@ -25,9 +25,13 @@ struct Gap {
 [[nodiscard]] Contact contact_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b,
                                       const Pose& pose_b);
 
-// For bodies a and b at q = (x, y, angle).
+// For bodies a and b, at a pose or at q = (x, y, angle): of their nearest parts.
+[[nodiscard]] Contact contact_between(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b);
 [[nodiscard]] Contact contact_between(const Geometry& g, int a, const Eigen::Vector3d& qa, int b,
                                       const Eigen::Vector3d& qb);
+// For the parts that an earlier contact had.
+[[nodiscard]] Contact contact_again(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b,
+                                    const Contact& earlier);
 
 // One point of a manifold.
 struct ManifoldPoint {
@@ -42,6 +46,13 @@ struct Manifold {
   Vec2 normal = Vec2::UnitX();  // unit, from a to b
   int count = 0;
   std::array<ManifoldPoint, 2> points;
+  int part_a = -1;  // as in Contact
+  int part_b = -1;
+
+  [[nodiscard]] Contact contact(int k) const {
+    const ManifoldPoint& at = points[static_cast<std::size_t>(k)];
+    return {at.gap, normal, at.point, part_a, part_b};
+  }
 };
 
 // Points with a gap above `margin` (m) are left out; bodies whose bounding circles are farther apart cost
@@ -57,5 +68,27 @@ struct Manifold {
 // E. Catto, Computing Contact Manifolds, GDC 2007, which keeps reference and incident edge in the id.)
 [[nodiscard]] Manifold manifold(const ConvexShapes& shapes, int a, const Pose& pose_a, int b,
                                 const Pose& pose_b, double margin);
+
+// The ids of points tell the parts of bodies of several apart: above those bits that name features.
+inline constexpr unsigned kFeatureBits = 10;
+inline constexpr unsigned kPartBits = 11;
+
+[[nodiscard]] inline std::uint32_t parts_of(std::uint32_t id) { return id >> kFeatureBits; }
+
+// Of two parts.
+[[nodiscard]] Manifold manifold(const Geometry& g, int a, int part_a, const Pose& pose_a, int b, int part_b,
+                                const Pose& pose_b, double margin);
+// Of the parts that a point of this id belongs to.
+[[nodiscard]] Manifold manifold_of(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b,
+                                   std::uint32_t id, double margin);
+// Calls visit(manifold) for each two parts of a and b that have points.
+template <class Visit>
+void each_manifold(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b, double margin,
+                   const Visit& visit) {
+  g.each_parts(a, b, [&](int part_a, int part_b) {
+    const Manifold m = manifold(g, a, part_a, pose_a, b, part_b, pose_b, margin);
+    if (m.count > 0) visit(m);
+  });
+}
 
 }  // namespace carom

@@ -10,6 +10,8 @@ namespace {
 
 // rad: two faces that press each other are parallel, and two flush ones smooth, within this.
 constexpr double kParallel = 1e-7;
+// Sine of the least angle by which a corner of several parts turns.
+constexpr double kCorner = 1e-3;
 
 // Where a point lies relative to a body. On its surface, the body fills the directions d with low·d <= 0 and
 // high·d <= 0; `high` is `low` turned counter-clockwise by less than 180°, or equal to it on a face.
@@ -92,7 +94,7 @@ constexpr double kSunk = 1e3;
 enum class Cover { kNone, kRidge, kBetween, kInside };
 
 // How a neighbour covers a point of its owner: from inside, face to face, or by a ridge that both make.
-Cover cover_of(const Wedge& here, const Wedge& there, const Vec2& normal) {
+Cover cover_of(const Wedge& here, const Wedge& there, const Vec2& normal, bool by_face) {
   if (there.where == Wedge::kOutside || here.where != Wedge::kSurface) return Cover::kNone;
   if (there.where == Wedge::kInside) return Cover::kInside;
   // Which of the two follows the other counter-clockwise: faces that press each other are opposite.
@@ -102,7 +104,7 @@ Cover cover_of(const Wedge& here, const Wedge& there, const Vec2& normal) {
   if (!follows && !leads) return Cover::kNone;
   const Vec2& low = follows ? there.low : here.low;
   const Vec2& high = follows ? here.high : there.high;
-  if (cross(low, high) < -kParallel) return Cover::kNone;
+  if (cross(low, high) < -kParallel || (by_face && cross(low, high) > kCorner)) return Cover::kNone;
   const bool outside = cross(low, normal) < -kParallel || cross(normal, high) < -kParallel;
   return outside ? Cover::kRidge : Cover::kNone;
 }
@@ -111,17 +113,27 @@ Cover cover_of(const Wedge& here, const Wedge& there, const Vec2& normal) {
 
 bool neighbour_covers(const ConvexShapes& shapes, int owner, const Pose& pose_owner, int neighbour,
                       const Pose& pose_neighbour, const Vec2& point, const Vec2& normal, double tolerance,
-                      bool may_overlap) {
+                      bool may_overlap, bool by_face) {
   const double reach = shapes.radius[neighbour] + tolerance;
   if ((point - pose_neighbour.position).squaredNorm() > reach * reach) return false;
   const auto cover = [&](double within) {
     const Wedge there = wedge_at(shapes, neighbour, pose_neighbour, point, normal, within);
     if (there.where == Wedge::kOutside) return Cover::kNone;
-    return cover_of(wedge_at(shapes, owner, pose_owner, point, normal, within), there, normal);
+    return cover_of(wedge_at(shapes, owner, pose_owner, point, normal, within), there, normal, by_face);
   };
   const Cover covered = cover(tolerance);
   if (covered == Cover::kNone || covered == Cover::kRidge || may_overlap) return covered != Cover::kNone;
   return covered == Cover::kBetween && cover(kSunk * tolerance) == Cover::kRidge;
+}
+
+bool has_face(const ConvexShapes& shapes, int i, const Pose& pose, const Vec2& normal) {
+  const Vec2 own = pose.turned_back(normal);
+  const Corner* corner = shapes.corners_of(i);
+  if (shapes.core[i] == Core::kHalfPlane) return (corner->normal - own).squaredNorm() <= kParallel * kParallel;
+  for (int k = 0; k < shapes.edges(i); ++k) {
+    if (corner[k].length > 0.0 && (corner[k].normal - own).squaredNorm() <= kParallel * kParallel) return true;
+  }
+  return false;
 }
 
 }  // namespace carom

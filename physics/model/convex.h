@@ -112,10 +112,9 @@ struct Twist {
                                  double curvature);
 
 // Curvature bound in m/s² for the path of a core vertex about its centre: (ω² + |α|) r. Zero for a disc,
-// whose vertex is the centre.
-[[nodiscard]] inline double turning_curvature(const ConvexShapes& shapes, int i, double spin,
-                                              double angular_acceleration) {
-  return (spin * spin + std::abs(angular_acceleration)) * shapes.core_radius[i];
+// whose vertex is the centre. `core_reach` in m.
+[[nodiscard]] inline double turning_curvature(double core_reach, double spin, double angular_acceleration) {
+  return (spin * spin + std::abs(angular_acceleration)) * core_reach;
 }
 
 }  // namespace carom

@@ -1,5 +1,6 @@
 #include "physics/model/geometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <unordered_map>
@@ -7,14 +8,52 @@
 namespace carom {
 namespace {
 
-ConvexShape convex_shape(const Shape& shape) {
-  if (const auto* disc = std::get_if<Disc>(&shape)) return disc_shape(disc->radius);
-  if (const auto* box = std::get_if<Box>(&shape)) return box_shape(box->width, box->height);
-  const Outline outline = outline_of(shape);
-  if (outline.half_plane) return half_plane_shape(Vec2::UnitY(), 0.0);
-  if (outline.vertices.size() == 2)
-    return segment_shape(outline.vertices[0], outline.vertices[1], outline.rounding);
-  return polygon_shape(outline.vertices, outline.rounding);
+ConvexShape convex_shape(const ConvexPart& part) {
+  const std::vector<Vec2>& v = part.outline.vertices;
+  if (part.outline.half_plane) return half_plane_shape(Vec2::UnitY(), 0.0);
+  if (v.size() == 1) return disc_shape(part.outline.rounding);
+  if (part.box) return box_shape(2.0 * v[2].x(), 2.0 * v[2].y());
+  if (v.size() == 2) return segment_shape(v[0], v[1], part.outline.rounding);
+  return polygon_shape(v, part.outline.rounding);
+}
+
+// The parts of each body; their first ones begin `shapes`.
+void add_parts(const std::vector<std::vector<ConvexPart>>& parts, std::vector<ConvexShape>& shapes,
+               Geometry& g) {
+  const bool several = std::any_of(parts.begin(), parts.end(), [](const auto& of) { return of.size() > 1; });
+  const auto n = static_cast<Eigen::Index>(parts.size());
+  g.core_reach.setZero(n);
+  g.reach.setZero(n);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    shapes.push_back(convex_shape(parts[i].front()));
+    if (several) {
+      g.place.push_back(parts[i].front().position);
+      g.of_shape.push_back(parts[i].front().shape);
+    }
+  }
+  for (std::size_t i = 0; several && i < parts.size(); ++i) {
+    g.more.push_back({static_cast<int>(shapes.size()), static_cast<int>(shapes.size() + parts[i].size() - 1)});
+    for (std::size_t k = 1; k < parts[i].size(); ++k) {
+      shapes.push_back(convex_shape(parts[i][k]));
+      g.place.push_back(parts[i][k].position);
+      g.of_shape.push_back(parts[i][k].shape);
+    }
+  }
+  g.shapes = convex_shapes(shapes);
+  for (int i = 0; i < static_cast<int>(n); ++i) {
+    g.core_reach[i] = g.shapes.core_radius[i];
+    g.reach[i] = g.shapes.radius[i];
+    if (!g.has_parts(i)) continue;
+    g.core_reach[i] = g.reach[i] = 0.0;
+    g.each_part(i, [&](int part) {
+      const double rounding = g.shapes.rounding[part];
+      for (int k = 0; k < g.shapes.corners[part]; ++k) {
+        const double far = (g.place[part] + g.shapes.corners_of(part)[k].vertex).norm();
+        g.core_reach[i] = std::max(g.core_reach[i], far);
+        g.reach[i] = std::max(g.reach[i], far + rounding);
+      }
+    });
+  }
 }
 
 }  // namespace
@@ -24,11 +63,11 @@ Geometry geometry(const std::vector<Body>& bodies, const std::vector<Joint>& joi
   Geometry g;
   g.extent.resize(2, n);
   g.size.resize(n);
-  std::vector<ConvexShape> shapes;
+  std::vector<std::vector<ConvexPart>> parts;
   std::unordered_map<std::string, int> groups;
   for (Eigen::Index i = 0; i < n; ++i) {
     const Body& body = bodies[static_cast<std::size_t>(i)];
-    shapes.push_back(convex_shape(body.shape));
+    parts.push_back(convex_parts(body.shape));
     const bool infinite_mass = has_infinite_mass(body);
     if (infinite_mass || std::holds_alternative<Disc>(body.shape)) {
       g.extent.col(i) = half_extent(body.shape, body.angle);
@@ -40,7 +79,8 @@ Geometry geometry(const std::vector<Body>& bodies, const std::vector<Joint>& joi
     const int next = static_cast<int>(groups.size());
     g.group.push_back(body.group.empty() ? -1 : groups.try_emplace(body.group, next).first->second);
   }
-  g.shapes = convex_shapes(shapes);
+  std::vector<ConvexShape> shapes;
+  add_parts(parts, shapes, g);
   std::unordered_map<std::string, int> index;
   if (!joints.empty()) {
     for (std::size_t i = 0; i < bodies.size(); ++i) index.emplace(bodies[i].name, static_cast<int>(i));

@@ -12,7 +12,7 @@ std::shared_ptr<const Model> compile(Scene scene, const Needs& needs, double sta
   model->start_time = start_time;
   model->mass = mass_properties(scene.bodies);
   model->shapes = geometry(scene.bodies, scene.joints);
-  model->surfaces = surfaces_of(scene, scene.bodies);
+  model->surfaces = surfaces_of(scene, scene.bodies, model->shapes);
   model->forces = force_terms(scene.forces, scene.bodies, needs);
   if (needs.has(Part::kJoints))
     model->joint_terms = joint_terms_of(scene.joints, scene.bodies, model->mass, start_time);

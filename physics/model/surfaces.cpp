@@ -5,14 +5,24 @@
 
 namespace carom {
 
-Surfaces surfaces_of(const Scene& scene, const std::vector<Body>& bodies) {
+Surfaces surfaces_of(const Scene& scene, const std::vector<Body>& bodies, const Geometry& shapes) {
   Surfaces surfaces;
   std::vector<std::string> names;
   std::unordered_map<std::string, int> index;
-  for (const Body& body : bodies) {
-    const auto [at, is_new] = index.try_emplace(body.material, static_cast<int>(names.size()));
-    if (is_new) names.push_back(body.material);
-    surfaces.material.push_back(at->second);
+  const auto number = [&](const std::string& name) {
+    const auto [at, is_new] = index.try_emplace(name, static_cast<int>(names.size()));
+    if (is_new) names.push_back(name);
+    return at->second;
+  };
+  surfaces.material.resize(shapes.shapes.core.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    shapes.each_part(static_cast<int>(i), [&](int part) {
+      const auto* compound = std::get_if<Compound>(&bodies[i].shape);
+      const std::string* own =
+          compound == nullptr ? nullptr : &compound->shapes[shapes.shape_of(part)].material;
+      surfaces.material[static_cast<std::size_t>(part)] =
+          number(own == nullptr || own->empty() ? bodies[i].material : *own);
+    });
   }
   surfaces.materials = static_cast<int>(names.size());
   surfaces.pairs = combined_materials(scene, names);

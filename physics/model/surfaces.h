@@ -2,13 +2,14 @@
 
 #include <vector>
 
+#include "physics/model/geometry.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
 
-// The surface law of any two bodies, looked up by index.
+// The surface law of any two bodies, or convex parts of them, looked up by index.
 struct Surfaces {
-  std::vector<int> material;    // by body
+  std::vector<int> material;    // by part, as in Geometry
   int materials = 0;            // number of materials that bodies have
   std::vector<Material> pairs;  // materials × materials, row by row
 
@@ -17,6 +18,6 @@ struct Surfaces {
   }
 };
 
-[[nodiscard]] Surfaces surfaces_of(const Scene& scene, const std::vector<Body>& bodies);
+[[nodiscard]] Surfaces surfaces_of(const Scene& scene, const std::vector<Body>& bodies, const Geometry& shapes);
 
 }  // namespace carom

@@ -37,7 +37,14 @@ double rms_spin(const Reading& r) {
 }
 
 Bounds bounds_at(const Reading& r, int i) {
-  return bounds_of(r.shapes.shapes, i, pose_of(r.shapes.shapes, i, r.state.q.col(i)));
+  const Pose pose = r.shapes.pose(i, r.state.q.col(i));
+  Bounds all{Eigen::Array2d::Constant(std::numeric_limits<double>::infinity()),
+             Eigen::Array2d::Constant(-std::numeric_limits<double>::infinity())};
+  r.shapes.each_part(i, [&](int part) {
+    const Bounds of = bounds_of(r.shapes.shapes, part, r.shapes.part_pose(i, part, pose));
+    all = {all.low.min(of.low), all.high.max(of.high)};
+  });
+  return all;
 }
 
 // J; a static body has none.
@@ -132,9 +139,7 @@ double velocity_error(const State& ours, const State& theirs, int body) {
 
 // m: as turning_radius().
 double radius_of(const Reading& r, int body) {
-  const auto i = static_cast<std::size_t>(body);
-  return r.mass.inverse_inertia[body] > 0.0 ? r.shapes.shapes.core_radius[i] + r.shapes.shapes.rounding[i]
-                                            : 0.0;
+  return r.mass.inverse_inertia[body] > 0.0 ? r.shapes.reach[body] : 0.0;
 }
 auto angle_error(const Reading& r) {
   return [&r](const State& ours, const State& theirs, int body) {

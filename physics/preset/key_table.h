@@ -66,6 +66,15 @@ class KeyTable : public OnlyLooks {
     rows_.back().required = true;
     add_all(of<T>(), std::string(key.name) + "/");
   }
+  template <class T>
+  void alternative(const Key& key, const T&) {
+    add(key, "an object", "");
+    add_all(of<T>(), std::string(key.name) + "/");
+  }
+  void compound(const Key& key, const Shape&, const Count&) {
+    add(key, "an array of objects", "");
+    add_all(of<PlacedShape>(), std::string(key.name) + "/");
+  }
   void points(const Key& key, const std::vector<Vec2>&, const Count& count, const Range& range);
   void ends_of_range(const Key& key, double, double, const Range& range);
   void two_names(const Key& key, const std::string&, const std::string&);

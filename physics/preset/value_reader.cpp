@@ -216,6 +216,21 @@ void FieldReader::points(const Key& key, std::vector<Vec2>& list, const Count& c
   });
 }
 
+void FieldReader::compound(const Key& key, Shape& shape, const Count& count) {
+  if (const auto* compound = std::get_if<Compound>(&shape); writes() && compound != nullptr) {
+    Json list = Json::array();
+    for (const PlacedShape& placed : compound->shapes) list.push_back(written(placed, writes_all()));
+    put(key.name, list);
+  }
+  member(key, [&](const ValueReader& v) {
+    Compound compound;
+    v.list(count, [&](const ValueReader& element) {
+      element.object([&](FieldReader& r) { fields(r, compound.shapes.emplace_back()); });
+    });
+    shape = std::move(compound);
+  });
+}
+
 void FieldReader::ends_of_range(const Key& key, double& low, double& high, const Range& range) {
   put(key.name, Vec2(low, high));
   needed(key, [&](const ValueReader& v) {

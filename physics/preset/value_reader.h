@@ -142,6 +142,12 @@ class FieldReader {
     if (writes()) put(key.name, written(to, false));
     needed(key, [&](const ValueReader& v) { v.object([&](FieldReader& r) { fields(r, to); }); });
   }
+  template <class T>
+  void alternative(const Key& key, T& to) {
+    if (writes()) put(key.name, written(to, false));
+    member(key, [&](const ValueReader& v) { v.object([&](FieldReader& r) { fields(r, to); }); });
+  }
+  void compound(const Key& key, Shape& shape, const Count& count);
   void points(const Key& key, std::vector<Vec2>& list, const Count& count, const Range& range);
   void ends_of_range(const Key& key, double& low, double& high, const Range& range);
   void two_names(const Key& key, std::string& a, std::string& b);

@@ -45,8 +45,12 @@ void follow_body(const Scene& scene, const Renamed& names, SceneEdits& out) {
 }
 
 void follow_material(const Scene& scene, const Renamed& names, SceneEdits& out) {
-  follow(
-      scene.bodies, [&](Body& body) { return rename(body.material, names); }, out);
+  const auto surfaces = [&](Body& body) {
+    bool any = false;
+    each_material(body, [&](std::string& name) { any = rename(name, names) || any; });
+    return any;
+  };
+  follow(scene.bodies, surfaces, out);
   follow(
       scene.generators, [&](GridGenerator& generator) { return rename(generator.material, names); }, out);
   const auto both = [&](MaterialPair& pair) {

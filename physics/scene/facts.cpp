@@ -22,9 +22,11 @@ void look_at_materials(const Scene& scene, const std::vector<Body>& bodies, Scen
   };
   std::map<std::string, Users> users;
   for (const Body& b : bodies) {
-    Users& u = users[b.material];
-    ++u.all;
-    if (!has_infinite_mass(b)) ++u.moving;
+    each_material(b, [&](const std::string& name) {
+      Users& u = users[name];
+      ++u.all;
+      if (!has_infinite_mass(b)) ++u.moving;
+    });
   }
   std::vector<std::string> names;
   for (const auto& [name, u] : users) names.push_back(name);
@@ -128,6 +130,16 @@ class Fingerprint {
   void add(const Wall& wall) {
     const auto& [length] = wall;
     add(length);
+  }
+  void add(const PlacedShape& placed) {
+    const auto& [shape, position, angle, material] = placed;
+    add(shape.index());
+    std::visit([this](const auto& form) { add(form); }, shape);
+    add_all(position, angle, material);
+  }
+  void add(const Compound& compound) {
+    const auto& [shapes] = compound;
+    add(shapes);
   }
   void add(const Body& body) {
     const auto& [name, shape, position, angle, velocity, spin, mass, density, inertia, fixed, drive, material,

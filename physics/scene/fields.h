@@ -24,6 +24,8 @@
 //   choice(key, table, member)         one of a table's words
 //   object(key, member)                a std::optional with fields of its own
 //   required_object(key, member)
+//   alternative(key, member)           an object, or else what another key holds (see together)
+//   compound(key, shape, count)        the shapes of a Compound, where the shape is one
 //   points(key, list, count, range)    a required list of points
 //   ends_of_range(key, low, high, range)  required, two numbers in one pair
 //   two_names(key, a, b)               required
@@ -137,8 +139,8 @@ void fields(V& v, Is<Box> auto& box) {
 
 template <class V>
 void fields(V& v, Is<Polygon> auto& polygon) {
-  v.points({"vertices", "points of a convex polygon in order, [[x, y], ...], in m"}, polygon.vertices,
-           Count{2, kMostPolygonPoints}, any_number("m"));
+  v.points({"vertices", "corners of a polygon in order, convex if it is rounded, [[x, y], ...], in m"},
+           polygon.vertices, Count{2, kMostPolygonPoints}, any_number("m"));
   if (v.shows(polygon.rounding != 0.0))
     v.field({"rounding", "by which it grows on all sides"}, polygon.rounding, from_zero("m"));
 }
@@ -149,17 +151,21 @@ void fields(V& v, Is<Wall> auto& wall) {
 }
 
 // As it stands there, or begun.
-template <class Form>
-Form& form_of(Shape& shape) {
-  return std::holds_alternative<Form>(shape) ? std::get<Form>(shape) : shape.emplace<Form>();
+template <class Form, class... Forms>
+Form& form_of(std::variant<Forms...>& shape) {
+  return std::holds_alternative<Form>(shape) ? std::get<Form>(shape) : shape.template emplace<Form>();
 }
-template <class Form>
-const Form& form_of(const Shape& shape) {
+template <class Form, class... Forms>
+const Form& form_of(const std::variant<Forms...>& shape) {
   return std::get<Form>(shape);
 }
 
+template <class T>
+concept ShapeOfOnePart = Is<T, Shape> || Is<T, PlainShape>;
+
+// Of a compound see fields of a body.
 template <class V>
-void fields(V& v, Is<Shape> auto& shape) {
+void fields(V& v, ShapeOfOnePart auto& shape) {
   v.cases({"type", "the kind of shape"}, Words{"disc", "box", "polygon", "wall"}, shape.index(),
           [&](std::size_t kind, V& k) {
             if (kind == 0) {
@@ -174,13 +180,29 @@ void fields(V& v, Is<Shape> auto& shape) {
           });
 }
 
+inline constexpr const char* kShapeForms =
+    "{\"type\": \"disc\", \"radius\": r}, {\"type\": \"box\", \"width\": w, \"height\": h}, "
+    "{\"type\": \"polygon\", \"vertices\": [[x, y], ...]} or {\"type\": \"wall\"}";
+
+template <class V>
+void fields(V& v, Is<PlacedShape> auto& s) {
+  v.required_object({"shape", kShapeForms}, s.shape);
+  v.field({"position", "of its centre of mass, [x, y]"}, s.position, any_number("m"));
+  v.field({"angle", "counter-clockwise"}, s.angle, any_number("rad"));
+  v.field({"material", "the name of one; without it that of the body"}, s.material, kPerhapsName);
+}
+
 template <class V>
 void fields(V& v, Is<Body> auto& b) {
   v.required({"name", "a name of its own"}, b.name, kName);
-  v.required_object({"shape",
-                     "{\"type\": \"disc\", \"radius\": r}, {\"type\": \"box\", \"width\": w, \"height\": h}, "
-                     "{\"type\": \"polygon\", \"vertices\": [[x, y], ...]} or {\"type\": \"wall\"}"},
-                    b.shape);
+  v.together({KeysTogether::Rule::kExactlyOne, "shapes", "shape", "a body without a shape",
+              "\"shape\" beside \"shapes\"", kShapeForms});
+  if (v.shows(!std::holds_alternative<Compound>(b.shape))) {
+    v.alternative({"shape", kShapeForms}, b.shape);
+    if (!std::holds_alternative<Compound>(b.shape)) v.keep({"shape"});
+  }
+  v.compound({"shapes", "of a body of several shapes, in a frame of their own"}, b.shape,
+             Count{1, kMostShapes});
   v.required({"position", "of the centre of mass, two numbers, [x, y]"}, b.position, any_number("m"));
   v.field({"angle", "counter-clockwise"}, b.angle, any_number("rad"));
   const bool moves = !has_infinite_mass(b);

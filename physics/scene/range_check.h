@@ -49,6 +49,17 @@ class RangeCheck : public OnlyLooks {
     fields(inner, member);
   }
   template <class T>
+  void alternative(const Key& key, const T& member) const {
+    required_object(key, member);
+  }
+  void compound(const Key& key, const Shape& shape, const Count& count) const {
+    const auto* compound = std::get_if<Compound>(&shape);
+    if (compound == nullptr) return;
+    check_count(at(key), compound->shapes.size(), count.most, "shapes");
+    for (std::size_t i = 0; i < compound->shapes.size(); ++i)
+      RangeCheck(at(key)).required_object({std::to_string(i).c_str(), ""}, compound->shapes[i]);
+  }
+  template <class T>
   void object(const Key& key, const std::optional<T>& member) const {
     if (member) required_object(key, *member);
   }

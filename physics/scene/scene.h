@@ -71,6 +71,20 @@ struct Body {
   Id<Body> id{};      // those of a generator have none
 };
 
+// Calls visit(name) for the material of the body and those of its shapes.
+void each_material(auto& body, const auto& visit) {
+  visit(body.material);
+  auto* compound = std::get_if<Compound>(&body.shape);
+  if (compound == nullptr) return;
+  for (auto& placed : compound->shapes) {
+    if (!placed.material.empty()) visit(placed.material);
+  }
+}
+
+// The shapes of a compound `body` as bodies of their own, each where and how it moves, with its surface; of the
+// same density, without a mass of their own. They have no name.
+[[nodiscard]] std::vector<Body> bodies_of(const Compound& compound, const Body& body);
+
 // True if no force or impact changes its motion: fixed or kinematic.
 [[nodiscard]] inline bool has_infinite_mass(const Body& body) { return body.fixed || body.drive.has_value(); }
 

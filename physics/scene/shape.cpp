@@ -22,42 +22,88 @@ Overloaded(Ts...) -> Overloaded<Ts...>;
 
 Vec2 turned(const Vec2& v) { return {-v.y(), v.x()}; }
 
-using Eigen::Vector2d;
-
-constexpr double kSame = 1e-9;  // of the extent
-
-Vector2d mean_of(std::span<const Vector2d> vertices) {
-  Vector2d sum = Vector2d::Zero();
-  for (const Vector2d& v : vertices) sum += v;
-  return sum / static_cast<double>(vertices.size());
+// The outline alone where a shape is one part or a polygon, else its parts.
+std::vector<ConvexPart> parts_of(const Shape& shape) {
+  if (std::holds_alternative<Compound>(shape)) return convex_parts(shape);
+  return {ConvexPart{outline_of(shape)}};
 }
 
-// m: the largest distance from the mean.
-double extent_of(std::span<const Vector2d> vertices) {
-  const Vector2d mean = mean_of(vertices);
-  double extent = 0.0;
-  for (const Vector2d& v : vertices) extent = std::max(extent, (v - mean).norm());
-  return extent;
+constexpr int kAround = 24;  // points of a hull about a round corner
+
+void add_around(const Vec2& point, double rounding, std::vector<Vec2>& points) {
+  if (rounding == 0.0) {
+    points.push_back(point);
+    return;
+  }
+  for (int k = 0; k < kAround; ++k)
+    points.push_back(point + rounding * direction_at(2.0 * std::numbers::pi * k / kAround));
 }
 
-double signed_area(std::span<const Vector2d> v) {
-  double twice = 0.0;
-  for (std::size_t k = 1; k + 1 < v.size(); ++k) twice += cross(v[k] - v[0], v[k + 1] - v[0]);
-  return 0.5 * twice;
-}
+struct CompoundMoments {
+  double area = 0.0;  // m²
+  Vec2 centre = Vec2::Zero();
+  double inertia_per_mass = 0.0;  // m²
+};
 
-// Vertex k lies on the segment between its neighbours, or on one of them.
-bool is_spare(std::span<const Vector2d> v, std::size_t k, double same) {
-  const Vector2d& a = v[(k + v.size() - 1) % v.size()];
-  const Vector2d& b = v[(k + 1) % v.size()];
-  if ((v[k] - a).norm() <= same) return true;
-  const Vector2d along = b - a;
-  if (along.norm() <= same || v.size() < 3) return false;
-  const double t = (v[k] - a).dot(along) / along.squaredNorm();
-  return t > 0.0 && t < 1.0 && std::abs(cross(along, v[k] - a)) <= same * along.norm();
+// Where nothing has an area, as of thin rods of one mass a length.
+CompoundMoments moments_of(const Compound& compound) {
+  CompoundMoments all;
+  for (const PlacedShape& s : compound.shapes) all.area += area(shape_of(s.shape));
+  const auto weight = [&](const PlacedShape& s) {
+    const Shape shape = shape_of(s.shape);
+    return all.area > 0.0 ? area(shape) : bounding_radius(shape);
+  };
+  double sum = 0.0;
+  for (const PlacedShape& s : compound.shapes) {
+    sum += weight(s);
+    all.centre += weight(s) * s.position;
+  }
+  if (!(sum > 0.0)) return all;
+  all.centre /= sum;
+  for (const PlacedShape& s : compound.shapes) {
+    all.inertia_per_mass +=
+        weight(s) / sum * (inertia_per_mass(shape_of(s.shape)) + (s.position - all.centre).squaredNorm());
+  }
+  return all;
 }
 
 }  // namespace
+
+Shape shape_of(const PlainShape& shape) {
+  return std::visit([](const auto& plain) -> Shape { return plain; }, shape);
+}
+
+Vec2 centre_of(const Compound& compound) { return moments_of(compound).centre; }
+
+std::vector<ConvexPart> convex_parts(const Shape& shape) {
+  if (const auto* compound = std::get_if<Compound>(&shape)) {
+    const Vec2 centre = centre_of(*compound);
+    std::vector<ConvexPart> all;
+    for (std::size_t k = 0; k < compound->shapes.size(); ++k) {
+      const auto& [plain, position, angle, material] = compound->shapes[k];
+      for (ConvexPart part : convex_parts(shape_of(plain))) {
+        for (Vec2& v : part.outline.vertices) v = turned_by(angle, v);
+        part.position = position - centre + turned_by(angle, part.position);
+        part.box = part.box && angle == 0.0;
+        part.shape = static_cast<int>(k);
+        all.push_back(std::move(part));
+      }
+    }
+    return all;
+  }
+  std::vector<ConvexPart> parts(1);
+  parts[0].outline = outline_of(shape);
+  parts[0].box = std::holds_alternative<Box>(shape);
+  if (!std::holds_alternative<Polygon>(shape)) return parts;
+  const std::vector<std::vector<Vec2>> pieces = convex_pieces(parts[0].outline.vertices);
+  if (pieces.size() == 1) return parts;
+  parts.assign(pieces.size(), {});
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    parts[k].position = carom::moments_of(pieces[k], 0.0).centroid;
+    for (const Vec2& v : pieces[k]) parts[k].outline.vertices.push_back(v - parts[k].position);
+  }
+  return parts;
+}
 
 Outline outline_of(const Shape& shape) {
   return std::visit(
@@ -78,25 +124,40 @@ Outline outline_of(const Shape& shape) {
           [](const Wall& w) {
             if (!w.length) return Outline{{}, 0.0, true};
             return Outline{{Vec2(-0.5 * *w.length, 0.0), Vec2(0.5 * *w.length, 0.0)}, 0.0, false};
+          },
+          [](const Compound& c) {
+            std::vector<Vec2> points;
+            for (const ConvexPart& part : convex_parts(c)) {
+              for (const Vec2& v : part.outline.vertices)
+                add_around(part.position + v, part.outline.rounding, points);
+            }
+            return Outline{convex_hull(std::move(points)), 0.0, false};
           }},
       shape);
+}
+
+bool is_half_plane(const Shape& shape) {
+  const auto* wall = std::get_if<Wall>(&shape);
+  return wall != nullptr && !wall->length;
 }
 
 double area(const Shape& shape) {
   return std::visit(Overloaded{[](const Disc& d) { return std::numbers::pi * d.radius * d.radius; },
                                [](const Box& b) { return b.width * b.height; },
                                [](const Polygon& p) { return moments_of(tidied(p.vertices), p.rounding).area; },
-                               [](const Wall& w) { return w.length ? 0.0 : kInfinity; }},
+                               [](const Wall& w) { return w.length ? 0.0 : kInfinity; },
+                               [](const Compound& c) { return moments_of(c).area; }},
                     shape);
 }
 
 double bounding_radius(const Shape& shape) {
   if (const auto* disc = std::get_if<Disc>(&shape)) return disc->radius;
-  const Outline outline = outline_of(shape);
-  if (outline.half_plane) return kInfinity;
   double reach = 0.0;
-  for (const Vec2& v : outline.vertices) reach = std::max(reach, v.norm());
-  return reach + outline.rounding;
+  for (const auto& [outline, position, box, of] : parts_of(shape)) {
+    if (outline.half_plane) return kInfinity;
+    for (const Vec2& v : outline.vertices) reach = std::max(reach, (position + v).norm() + outline.rounding);
+  }
+  return reach;
 }
 
 double inertia_per_mass(const Shape& shape) {
@@ -106,17 +167,20 @@ double inertia_per_mass(const Shape& shape) {
                                  const PlateMoments m = moments_of(tidied(p.vertices), p.rounding);
                                  return m.second_moment / m.area;
                                },
-                               [](const Wall& w) { return w.length ? *w.length * *w.length / 12.0 : 0.0; }},
+                               [](const Wall& w) { return w.length ? *w.length * *w.length / 12.0 : 0.0; },
+                               [](const Compound& c) { return moments_of(c).inertia_per_mass; }},
                     shape);
 }
 
 Vec2 half_extent(const Shape& shape, double angle) {
   if (const auto* disc = std::get_if<Disc>(&shape)) return Vec2::Constant(disc->radius);
-  const Outline outline = outline_of(shape);
-  if (outline.half_plane) return Vec2::Constant(kInfinity);
   Vec2 reach = Vec2::Zero();
-  for (const Vec2& v : outline.vertices) reach = reach.cwiseMax(turned_by(angle, v).cwiseAbs());
-  return reach + Vec2::Constant(outline.rounding);
+  for (const auto& [outline, position, box, of] : parts_of(shape)) {
+    if (outline.half_plane) return Vec2::Constant(kInfinity);
+    for (const Vec2& v : outline.vertices)
+      reach = reach.cwiseMax(turned_by(angle, position + v).cwiseAbs() + Vec2::Constant(outline.rounding));
+  }
+  return reach;
 }
 
 double signed_distance(const Outline& outline, const Vec2& point) {
@@ -134,6 +198,13 @@ double signed_distance(const Outline& outline, const Vec2& point) {
   }
   const bool inside = count > 2 && outside <= 0.0;
   return (inside ? -nearest : nearest) - outline.rounding;
+}
+
+double signed_distance(const Shape& shape, const Vec2& point) {
+  double nearest = kInfinity;
+  for (const ConvexPart& part : convex_parts(shape))
+    nearest = std::min(nearest, signed_distance(part.outline, point - part.position));
+  return nearest;
 }
 
 std::optional<std::pair<double, double>> chord(const Outline& outline, const Vec2& from, const Vec2& along) {
@@ -176,88 +247,6 @@ std::optional<std::pair<double, double>> chord(const Outline& outline, const Vec
   }
   if (!(low <= high)) return std::nullopt;
   return std::pair(low, high);
-}
-
-std::vector<Vector2d> tidied(std::span<const Vector2d> vertices) {
-  std::vector<Vector2d> v(vertices.begin(), vertices.end());
-  if (v.empty()) return v;
-  const double same = kSame * extent_of(v);
-  for (bool again = true; again && v.size() > 1;) {
-    again = false;
-    for (std::size_t k = 0; k < v.size() && v.size() > 1; ++k) {
-      if (!is_spare(v, k, same)) continue;
-      v.erase(v.begin() + static_cast<std::ptrdiff_t>(k));
-      again = true;
-      break;
-    }
-  }
-  if (signed_area(v) < 0.0) std::reverse(v.begin() + 1, v.end());
-  return v;
-}
-
-std::optional<std::string> fault_of(std::span<const Vector2d> vertices, double rounding) {
-  constexpr const char* kAllowed =
-      "the corners of a convex polygon in order; or two points and a \"rounding\", a capsule";
-  if (static_cast<int>(vertices.size()) > kMostPolygonPoints)
-    return fmt::format("{} vertices are not allowed; allowed: at most {}", vertices.size(), kMostPolygonPoints);
-  const std::vector<Vector2d> v = tidied(vertices);
-  if (static_cast<int>(v.size()) > kMostVertices)
-    return fmt::format("{} corners are not allowed; allowed: at most {}", v.size(), kMostVertices);
-  if (v.size() < 2 || (v.size() == 2 && !(rounding > 0.0)))
-    return fmt::format("{} point{} without an area between them {} not allowed; allowed: {}", v.size(),
-                       v.size() == 1 ? "" : "s", v.size() == 1 ? "is" : "are", kAllowed);
-  if (v.size() == 2) return std::nullopt;
-  double turning = 0.0;
-  for (std::size_t k = 0; k < v.size(); ++k) {
-    const Vector2d in = v[k] - v[(k + v.size() - 1) % v.size()];
-    const Vector2d out = v[(k + 1) % v.size()] - v[k];
-    if (!(cross(in, out) > 0.0))
-      return fmt::format("a reentrant corner at [{}, {}] is not allowed; allowed: {}", v[k].x(), v[k].y(),
-                         kAllowed);
-    turning += std::atan2(cross(in, out), in.dot(out));
-  }
-  // Once around is 2π; a star with five corners goes around twice.
-  if (turning > 7.0) return fmt::format("edges that cross are not allowed; allowed: {}", kAllowed);
-  return std::nullopt;
-}
-
-PlateMoments moments_of(std::span<const Vector2d> vertices, double rounding) {
-  // About the mean of the vertices, where the terms are small.
-  const Vector2d origin = mean_of(vertices);
-  const double r = rounding;
-  double area = 0.0;
-  Vector2d first = Vector2d::Zero();
-  double second = 0.0;
-  const std::size_t count = vertices.size();
-  const auto outward = [&](std::size_t k) -> Vector2d {  // of the edge from vertex k
-    const Vector2d edge = vertices[(k + 1) % count] - vertices[k % count];
-    return Vector2d(edge.y(), -edge.x()) / edge.norm();
-  };
-  for (std::size_t k = 0; k < count; ++k) {
-    const Vector2d a = vertices[k] - origin;
-    const Vector2d b = vertices[(k + 1) % count] - origin;
-    // The triangle from the origin.
-    const double twice = cross(a, b);
-    area += 0.5 * twice;
-    first += twice / 6.0 * (a + b);
-    second += twice / 12.0 * (a.squaredNorm() + a.dot(b) + b.squaredNorm());
-    // The rectangle on the edge.
-    const Vector2d n = outward(k);
-    const double length = (b - a).norm();
-    const Vector2d middle = 0.5 * (a + b) + 0.5 * r * n;
-    area += length * r;
-    first += length * r * middle;
-    second += length * r * (middle.squaredNorm() + (length * length + r * r) / 12.0);
-    // The sector about b, from this edge's normal n to the next one's m.
-    const Vector2d m = outward(k + 1);
-    const double angle = std::atan2(std::abs(cross(n, m)), n.dot(m));
-    const Vector2d bulge = r * r * r / 3.0 * Vector2d(m.y() - n.y(), n.x() - m.x());
-    area += 0.5 * angle * r * r;
-    first += 0.5 * angle * r * r * b + bulge;
-    second += 0.5 * angle * r * r * b.squaredNorm() + 2.0 * b.dot(bulge) + 0.25 * angle * r * r * r * r;
-  }
-  const Vector2d centroid = first / area;
-  return {area, origin + centroid, second - area * centroid.squaredNorm()};
 }
 
 }  // namespace carom

@@ -2,13 +2,13 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "physics/math/vectors.h"
+#include "physics/scene/polygon.h"
 
 namespace carom {
 
@@ -23,9 +23,9 @@ struct Box {
   double height = 1.0;  // m, > 0; along the body's own y axis
 };
 
-// A convex polygon grown outwards by `rounding`; with two vertices a capsule. The vertices may be given in
-// any frame and in either sense of rotation; the shape is moved so that its centre of mass becomes the
-// origin.
+// A polygon grown outwards by `rounding`; with two vertices a capsule. Without rounding it may have reentrant
+// corners. The vertices may be given in any frame and in either sense of rotation; the shape is moved so that
+// its centre of mass becomes the origin.
 struct Polygon {
   std::vector<Vec2> vertices;  // m
   double rounding = 0.0;       // m, >= 0
@@ -37,10 +37,29 @@ struct Wall {
   std::optional<double> length;  // m, > 0
 };
 
-using Shape = std::variant<Disc, Box, Polygon, Wall>;
+using PlainShape = std::variant<Disc, Box, Polygon, Wall>;
 
-// The common form of all shapes: a convex core of one or more vertices, counter-clockwise, grown by a
-// rounding; or the half-plane y <= 0.
+// One of the shapes of a compound.
+struct PlacedShape {
+  PlainShape shape = Disc{};     // no half-plane
+  Vec2 position = Vec2::Zero();  // m, of its centre of mass
+  double angle = 0.0;            // rad
+  std::string material;          // empty: that of the body
+};
+
+// Several shapes that are one rigid body. Their places may be given in any frame; the compound is moved so that
+// its centre of mass becomes the origin. All are of one density: where two overlap, both count.
+inline constexpr int kMostShapes = 64;
+struct Compound {
+  std::vector<PlacedShape> shapes;
+};
+
+using Shape = std::variant<Disc, Box, Polygon, Wall, Compound>;
+
+[[nodiscard]] Shape shape_of(const PlainShape& shape);
+
+// The common form of plain shapes: a core of one or more vertices, counter-clockwise, grown by a rounding; or
+// the half-plane y <= 0. Of a compound the convex hull, about, as it is drawn and picked.
 struct Outline {
   std::vector<Vec2> vertices;  // m, from the centre of mass
   double rounding = 0.0;       // m
@@ -49,6 +68,22 @@ struct Outline {
 
 // The shape must be valid (validate.h).
 [[nodiscard]] Outline outline_of(const Shape& shape);
+
+// m: where its centre of mass is in the frame of its places.
+[[nodiscard]] Vec2 centre_of(const Compound& compound);
+
+// A convex part of a shape, in the frame of the body.
+struct ConvexPart {
+  Outline outline;               // m, from `position`; its vertices are strictly convex
+  Vec2 position = Vec2::Zero();  // m, of its centre
+  bool box = false;              // a rectangle along the axes of the body
+  int shape = 0;                 // of a compound: which of its shapes
+};
+
+// A plain convex shape is one part, at the origin. The others are taken apart.
+[[nodiscard]] std::vector<ConvexPart> convex_parts(const Shape& shape);
+
+[[nodiscard]] bool is_half_plane(const Shape& shape);
 
 // m², 0 for a thin wall or a point, infinite for a half-plane.
 [[nodiscard]] double area(const Shape& shape);
@@ -61,34 +96,12 @@ struct Outline {
 // `angle`. Infinite for a half-plane.
 [[nodiscard]] Vec2 half_extent(const Shape& shape, double angle);
 
-// m, signed distance of a point from the outline, both in the body's frame; negative inside.
+// m, signed distance of a point from a convex outline, both in the body's frame; negative inside.
 [[nodiscard]] double signed_distance(const Outline& outline, const Vec2& point);
+// Of the nearest of its parts.
+[[nodiscard]] double signed_distance(const Shape& shape, const Vec2& point);
 // Where the line from + s along, |along| = 1, enters and leaves the outline: s in m; nothing if it misses.
 [[nodiscard]] std::optional<std::pair<double, double>> chord(const Outline& outline, const Vec2& from,
                                                              const Vec2& along);
-
-// Beyond this the contact search would be slow and the shape is better a disc.
-inline constexpr int kMostVertices = 16;
-// Before repeated ones and those on a line are left out.
-inline constexpr int kMostPolygonPoints = 4 * kMostVertices;
-
-// The vertices counter-clockwise, without repeated ones and without those on the line of their neighbours (both
-// within 1e-9 of the polygon's extent). What is not convex stays so.
-[[nodiscard]] std::vector<Eigen::Vector2d> tidied(std::span<const Eigen::Vector2d> vertices);
-
-// What makes the vertices no convex polygon with this rounding, in words: "..., allowed: ..."; nothing if they
-// are one. Two distinct vertices are one if they are rounded: a capsule.
-[[nodiscard]] std::optional<std::string> fault_of(std::span<const Eigen::Vector2d> vertices, double rounding);
-
-// The moments of a homogeneous plate.
-struct PlateMoments {
-  double area = 0.0;                                   // m²
-  Eigen::Vector2d centroid = Eigen::Vector2d::Zero();  // m
-  double second_moment = 0.0;                          // m⁴, polar, about the centroid
-};
-
-// Of a tidied convex polygon of at least two vertices (m), grown by `rounding` (m, >= 0). It is the sum of the
-// polygon, by Green's theorem over its edges, of a rectangle on each edge and of a sector about each vertex.
-[[nodiscard]] PlateMoments moments_of(std::span<const Eigen::Vector2d> vertices, double rounding);
 
 }  // namespace carom

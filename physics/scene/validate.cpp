@@ -78,10 +78,34 @@ void check_drive(const std::string& at, const Body& b) {
   if (b.inertia) refuse("inertia", "an inertia");
 }
 
-void check_shape(const std::string& at, const Body& b) {
-  if (const auto* polygon = std::get_if<Polygon>(&b.shape)) {
-    if (const auto fault = fault_of(polygon->vertices, polygon->rounding))
-      throw RuleError(Rule::kShapeOfPolygon, at + "/shape/vertices: " + *fault);
+void check_polygon(const std::string& at, const Polygon& polygon) {
+  if (const auto fault = fault_of(polygon.vertices, polygon.rounding))
+    throw RuleError(Rule::kShapeOfPolygon, at + "/vertices: " + *fault);
+}
+
+// How many convex parts a body may have.
+constexpr std::size_t kMostParts = 128;
+
+void check_compound(const std::string& at, const Compound& compound, const MaterialNames& materials) {
+  for (std::size_t k = 0; k < compound.shapes.size(); ++k) {
+    const auto& [shape, position, angle, material] = compound.shapes[k];
+    const std::string here = fmt::format("{}/shapes/{}", at, k);
+    if (const auto* polygon = std::get_if<Polygon>(&shape)) check_polygon(here + "/shape", *polygon);
+    if (const auto* wall = std::get_if<Wall>(&shape); wall != nullptr && !wall->length)
+      refuse_by(Rule::kKeysTogether, here + "/shape/length", "a half-plane in a body of several shapes",
+                "a \"length\" that makes it a thin wall");
+    if (!material.empty()) check_material_reference(materials, here + "/material", material);
+  }
+  if (const std::size_t parts = convex_parts(compound).size(); parts > kMostParts)
+    refuse_by(Rule::kCountInAll, at + "/shapes", fmt::format("{} convex parts", parts),
+              fmt::format("at most {}", kMostParts));
+}
+
+void check_shape(const std::string& at, const Body& b, const MaterialNames& materials) {
+  if (const auto* compound = std::get_if<Compound>(&b.shape)) {
+    check_compound(at, *compound, materials);
+  } else if (const auto* polygon = std::get_if<Polygon>(&b.shape)) {
+    check_polygon(at + "/shape", *polygon);
   } else if (const auto* wall = std::get_if<Wall>(&b.shape);
              wall != nullptr && !wall->length && !has_infinite_mass(b)) {
     refuse_by(Rule::kKeysTogether, at + "/fixed", "false for a half-plane",
@@ -99,7 +123,7 @@ void check_bodies(const Scene& scene, const MaterialNames& materials) {
     const std::string at = fmt::format("/bodies/{}", i);
     check_fields(at, b);
     check_own_name(names, at + "/name", b.name);
-    check_shape(at, b);
+    check_shape(at, b, materials);
     if (b.fixed && (!b.velocity.isZero(0.0) || b.spin != 0.0)) {
       refuse_by(Rule::kKeysTogether, at + "/velocity", "a motion of a fixed body",
                 "no velocity and no spin, or \"fixed\": false");

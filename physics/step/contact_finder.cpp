@@ -25,11 +25,12 @@ constexpr double kSameNormal = 0.95;
 // Initial capacity for contacts.
 constexpr int kFewContacts = 64;
 
-// m: radius of the disc that would roll on a plane as these two roll on each other; 0 if neither is a disc.
-double rolling_radius(const Geometry& shapes, int a, int b) {
+// m: radius of the disc that would roll on a plane as these two parts roll on each other; 0 if neither is a
+// disc.
+double rolling_radius(const ConvexShapes& parts, int a, int b) {
   double curvature = 0.0;
   for (const int i : {a, b}) {
-    if (shapes.is_disc(i) && shapes.shapes.rounding[i] > 0.0) curvature += 1.0 / shapes.shapes.rounding[i];
+    if (parts.core[i] == Core::kPoint && parts.rounding[i] > 0.0) curvature += 1.0 / parts.rounding[i];
   }
   return curvature > 0.0 ? 1.0 / curvature : 0.0;
 }
@@ -59,17 +60,17 @@ void FoundContacts::clear() {
 void ContactFinder::find(World& world, double step_length, double h, const ContactPressing& pressing,
                          const ContactMemory& memory, FoundContacts& found) {
   const int n = world.bodies();
-  const ConvexShapes& convex = world.shapes().shapes;
+  const Geometry& shapes = world.shapes();
   poses_.resize(n);
   reach_.resize(n);
   for (int i = 0; i < n; ++i) {
     const Eigen::Vector3d q = world.trajectories.at_start(i).head<3>();
     const Eigen::Vector3d v = world.trajectories.at_start(i).segment<3>(3);
-    const double turning = v[2] != 0.0 ? std::abs(v[2]) * convex.core_radius[i] : 0.0;
+    const double turning = v[2] != 0.0 ? std::abs(v[2]) * shapes.core_reach[i] : 0.0;
     // Part of a step looks as far as a whole step, so that no contact is forgotten.
     reach_[i] =
         (v.head<2>().norm() + turning) * step_length + pressing.acceleration(i) * step_length * step_length;
-    poses_[i] = pose_of(convex, i, q);
+    poses_[i] = shapes.pose(i, q);
   }
   let_fast_bodies_push(world);
   found.clear();
@@ -87,11 +88,13 @@ void ContactFinder::find(World& world, double step_length, double h, const Conta
     const double rounding = kRounding * (world.shapes().size[a] + world.shapes().size[b] +
                                          world.trajectories.at_start(a).head<2>().lpNorm<1>() +
                                          world.trajectories.at_start(b).head<2>().lpNorm<1>());
-    const Manifold m = manifold(convex, a, poses_[a], b, poses_[b], reach_[a] + reach_[b] + rounding);
-    if (m.count == 0) continue;
-    while (last < forces.size() && std::pair(forces[last].a, forces[last].b) < std::pair(a, b)) ++last;
     const std::size_t landings = found.landings.size();
-    add(step, a, b, m, rounding, last);
+    each_manifold(shapes, a, poses_[a], b, poses_[b], reach_[a] + reach_[b] + rounding,
+                  [&, a = a, b = b](const Manifold& m) {
+                    while (last < forces.size() && std::pair(forces[last].a, forces[last].b) < std::pair(a, b))
+                      ++last;
+                    add(step, a, b, m, rounding, last);
+                  });
     // A pair without support is left to the event queue.
     if (supported_.empty() || supported_.back() != std::pair(a, b)) found.landings.resize(landings);
   }
@@ -124,16 +127,15 @@ void ContactFinder::add(const Step& step, int a, int b, const Manifold& m, doubl
   FoundContacts& found = step.found;
   Contacts& c = found.contacts;
   const auto& forces = step.memory.forces;
-  const Material& material = world.material(a, b);
+  const Material& material = world.material(m.contact(0), a, b);
   const bool located = world.method.impacts == ImpactsId::kLocated;
   const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
   const double slip = kStuck * step.pressing.change_by_forces() + step.pressing.noise();
   const bool continued = may_be_continued(world, a, b);
   for (int k = 0; k < m.count; ++k) {
     const ManifoldPoint& at = m.points[k];
-    if (continued &&
-        on_internal_edge(world, a, b, {at.gap, m.normal, at.point}, neighbours_.of_pair(world, a, b),
-                         [&](int body) { return poses_[body]; })) {
+    if (continued && on_internal_edge(world, a, b, m.contact(k), neighbours_.of_pair(world, a, b),
+                                      [&](int body) { return poses_[body]; })) {
       // Past the edge it will be what supports the body.
       support(a, b, 0.0);
       continue;
@@ -168,7 +170,9 @@ void ContactFinder::add(const Step& step, int a, int b, const Manifold& m, doubl
     c.slip_target[i] = 0.0;
     c.static_friction[i] = material.static_friction;
     c.kinetic_friction[i] = material.kinetic_friction;
-    c.rolling[i] = material.rolling_resistance * rolling_radius(world.shapes(), a, b);
+    c.rolling[i] =
+        material.rolling_resistance *
+        rolling_radius(world.shapes().shapes, m.part_a < 0 ? a : m.part_a, m.part_b < 0 ? b : m.part_b);
     c.sticks[i] = std::abs(u.tangential) <= slip ? 1 : 0;
     c.normal_impulse[i] = c.tangential_impulse[i] = c.rolling_impulse[i] = 0.0;
     found.guess.emplace_back(Eigen::Vector3d::Zero());
@@ -205,7 +209,7 @@ bool ContactFinder::stays_supported(const World& world, int a, int b) const {
   double speed = u.norm();
   for (const int i : {a, b}) {
     const double spin = world.trajectories.at_start(i)[5];
-    if (spin != 0.0) speed += std::abs(spin) * world.shapes().shapes.core_radius[i];
+    if (spin != 0.0) speed += std::abs(spin) * world.shapes().core_reach[i];
   }
   return speed <= supported_rest_[static_cast<std::size_t>(pair - supported_.begin())];
 }

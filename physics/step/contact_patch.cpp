@@ -37,18 +37,19 @@ Stretch stretch_of(const World& world, int a, int b, const Contact& contact) {
   const Vec2 along = crossed(contact.normal);
   Stretch stretch;
   each_welded(world, a, [&](int i) {
-    const Pose pose_i = pose_of(g.shapes, i, world.trajectories.at_start(i).head<3>());
+    const Pose pose_i = g.pose(i, world.trajectories.at_start(i).head<3>());
     each_welded(world, b, [&](int j) {
       if (!g.can_collide(i, j)) return;
-      const Pose pose_j = pose_of(g.shapes, j, world.trajectories.at_start(j).head<3>());
+      const Pose pose_j = g.pose(j, world.trajectories.at_start(j).head<3>());
       const double tolerance = kTogether * (g.size[i] + g.size[j]);
-      const Manifold m = manifold(g.shapes, i, pose_i, j, pose_j, contact.gap + tolerance);
-      if (std::abs(cross(m.normal, contact.normal)) > kTogether) return;
-      for (int k = 0; k < m.count; ++k) {
-        if (m.points[k].gap > contact.gap + tolerance) continue;
-        const double at = along.dot(m.points[k].point - contact.point);
-        stretch = {std::min(stretch.low, at), std::max(stretch.high, at)};
-      }
+      each_manifold(g, i, pose_i, j, pose_j, contact.gap + tolerance, [&](const Manifold& m) {
+        if (std::abs(cross(m.normal, contact.normal)) > kTogether) return;
+        for (int k = 0; k < m.count; ++k) {
+          if (m.points[k].gap > contact.gap + tolerance) continue;
+          const double at = along.dot(m.points[k].point - contact.point);
+          stretch = {std::min(stretch.low, at), std::max(stretch.high, at)};
+        }
+      });
     });
   });
   return stretch;

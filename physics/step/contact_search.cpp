@@ -61,17 +61,26 @@ struct Paths {
   const Geometry& shapes;
   bool parabolic;
 
-  [[nodiscard]] Eigen::Vector3d pose(int i, double t) const {
+  [[nodiscard]] Eigen::Vector3d at(int i, double t) const {
     if (parabolic) return trajectories.parabola(i, t);
     return trajectories.at(i, t).head<3>();
+  }
+  [[nodiscard]] Pose pose(int i, int part, double t) const {
+    return shapes.part_pose(i, part, shapes.pose(i, at(i, t)));
   }
   [[nodiscard]] Twist twist(int i, double t) const {
     const Eigen::Vector3d v = parabolic ? Eigen::Vector3d(trajectories.parabola_velocity(i, t))
                                         : Eigen::Vector3d(trajectories.at(i, t).segment<3>(3));
     return {v.head<2>(), v[2]};
   }
-  [[nodiscard]] Approach approach(int a, int b, double t, double tolerance) const {
-    return approach_of(shapes, a, pose(a, t), twist(a, t), b, pose(b, t), twist(b, t), tolerance);
+  // Of a part of body i at its pose, from that of the body.
+  [[nodiscard]] Twist of_part(Twist twist, int i, int part, const Pose& pose) const {
+    if (shapes.has_parts(i)) twist.velocity += twist.spin * crossed(pose.turned(shapes.place[part]));
+    return twist;
+  }
+  [[nodiscard]] Approach approach(int a, int b, const std::pair<int, int>& parts, double t,
+                                  double tolerance) const {
+    return approach_of(shapes, a, at(a, t), twist(a, t), b, at(b, t), twist(b, t), tolerance, parts);
   }
 };
 
@@ -114,7 +123,8 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
 
 }  // namespace
 
-NextContact next_contact(World& world, const SearchRules& rules, int a, int b) {
+NextContact next_contact(World& world, const SearchRules& rules, int a, int b,
+                         const std::pair<int, int>& parts) {
   Trajectories& trajectories = world.trajectories;
   const Geometry& shapes = world.shapes();
   const double begin = std::max({trajectories.start(a), trajectories.start(b), rules.from});
@@ -136,9 +146,15 @@ NextContact next_contact(World& world, const SearchRules& rules, int a, int b) {
   constexpr double kBlownUp = 1e100;  // m/s²
   if (!(bound < kBlownUp)) return {};
   const Paths paths{trajectories, shapes, parabolic};
+  const auto [part_a, part_b] = parts;
+  // The centre of a part goes around that of its body.
+  double centres_bound = path_bound;
+  for (const auto& [i, part] : {std::pair(a, part_a), std::pair(b, part_b)}) {
+    if (shapes.has_parts(i)) centres_bound += trajectories.turn_bound(i) * shapes.place[part].norm();
+  }
   const TurningPair pair(
-      shapes.shapes, a, [&](double t) { return paths.pose(a, t); }, b,
-      [&](double t) { return paths.pose(b, t); }, path_bound);
+      shapes.shapes, part_a, [&, part = part_a](double t) { return paths.pose(a, part, t); }, part_b,
+      [&, part = part_b](double t) { return paths.pose(b, part, t); }, centres_bound);
   const double tolerance = touch_tolerance(world, a, b, end - begin);
   const bool resting = rules.rests(a, b);
   const auto waits = [&](double closing) {
@@ -150,7 +166,7 @@ NextContact next_contact(World& world, const SearchRules& rules, int a, int b) {
     const Twist twist_a = paths.twist(a, begin);
     const Twist twist_b = paths.twist(b, begin);
     const Approach now =
-        approach_of(shapes, a, paths.pose(a, begin), twist_a, b, paths.pose(b, begin), twist_b, tolerance);
+        approach_of(shapes, a, paths.at(a, begin), twist_a, b, paths.at(b, begin), twist_b, tolerance, parts);
     if (waits(-now.speed)) return {};
     if (now.speed < -rules.closing_share * now.scale) return {NextContact::kImpact, begin};
     if (bound == 0.0) {
@@ -158,7 +174,9 @@ NextContact next_contact(World& world, const SearchRules& rules, int a, int b) {
       return {};
     }
     // They separate and cannot be back before some time: search from half of that on.
-    start += 0.5 * apart_until(shapes.shapes, a, first.a, twist_a, b, first.b, twist_b, first.normal, bound);
+    start +=
+        0.5 * apart_until(shapes.shapes, part_a, first.a, paths.of_part(twist_a, a, part_a, first.a), part_b,
+                          first.b, paths.of_part(twist_b, b, part_b, first.b), first.normal, bound);
     if (start >= end) return {};
     const bool touching = first.gap >= -tolerance;
     first = pair(start);
@@ -182,7 +200,7 @@ NextContact next_contact(World& world, const SearchRules& rules, int a, int b) {
   const Paid paid(pair, trajectories, world.has_moving_corners(a, b), world.work, limit);
   const auto time = first_contact(paid, start, first, end, last, bound, tolerance, limit);
   if (limit.reached && !resting) world.note(&Notices::search_cut_since, trajectories.epoch() + start);
-  if (!time || (resting && waits(-paths.approach(a, b, *time, tolerance).speed))) return {};
+  if (!time || (resting && waits(-paths.approach(a, b, parts, *time, tolerance).speed))) return {};
   return {NextContact::kImpact, *time};
 }
 

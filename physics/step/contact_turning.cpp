@@ -53,7 +53,7 @@ Flown flown(const World& world, double h, const GuessedFlight& flight, int body)
   const Eigen::Vector3d to = flight.position.col(body);
   const bool on = goes_on(world, h, flight, body);
   const Vec2 mean = on ? arm_start(world, h, flight, body) : Vec2(from.head<2>());
-  return {pose_of(world.shapes().shapes, body, to), to - from, mean, on};
+  return {world.shapes().pose(body, to), to - from, mean, on};
 }
 
 // The point of a manifold with this feature; null if there is none.
@@ -127,7 +127,7 @@ double turn_contact(Contacts& c, int i, const Vec2& start, const GuessedEnd& end
 void turn_contacts(World& world, double h, const GuessedFlight& flight, const Neighbours& neighbours,
                    FoundContacts& found) {
   Contacts& c = found.contacts;
-  const ConvexShapes& convex = world.shapes().shapes;
+  const Geometry& shapes = world.shapes();
   const StepArms arms = arms_of(world.method.integrator);
   for (int first = 0, last = 0; first < c.size(); first = last) {
     const int ka = c.a[first];
@@ -141,15 +141,18 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
     }
     const bool turns = moved(world, ka, a, kb, b);
     Manifold end;
-    if (turns) end = manifold(convex, ka, a.end, kb, b.end, std::numeric_limits<double>::infinity());
     const auto continued = [&](const ManifoldPoint& at) {
       return may_be_continued(world, ka, kb) &&
-             on_internal_edge(world, ka, kb, {at.gap, end.normal, at.point}, neighbours.of_pair(world, ka, kb),
-                              [&](int body) { return pose_of(convex, body, flight.position.col(body)); });
+             on_internal_edge(world, ka, kb, end.contact(static_cast<int>(&at - end.points.data())),
+                              neighbours.of_pair(world, ka, kb),
+                              [&](int body) { return shapes.pose(body, flight.position.col(body)); });
     };
     for (int i = first; i < last; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const double allowed = c.target[i];
+      if (turns && (i == first || parts_of(found.id[k]) != parts_of(found.id[k - 1]))) {
+        end = manifold_of(shapes, ka, a.end, kb, b.end, found.id[k], std::numeric_limits<double>::infinity());
+      }
       const ManifoldPoint* at = turns ? point_of(end, found.id[k]) : nullptr;
       const double press = std::max(found.press[k], 0.0) * h;
       GuessedEnd guess = carried(world.shapes(), c, i, found.point[k], a, b, turns);

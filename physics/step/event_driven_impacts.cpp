@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "physics/collision/broad_phase.h"
 #include "physics/collision/pair_contact.h"
@@ -299,20 +300,24 @@ void EventDrivenImpacts::search(const Step& step, int a, int b, double from) {
     end_of_step_.add(a, b, false);
     return;
   }
-  const NextContact next = next_contact(world, {end_of_step_, step.resting, closing_share(), from}, a, b);
-  switch (next.kind) {
-    case NextContact::kNone:
-      break;
-    case NextContact::kImpact:
-      queue_.push({next.time, a, b, stamp_[a], stamp_[b]});
-      break;
-    case NextContact::kPressed:
-      if (step.resting == nullptr) world.note(&Notices::resting_since, world.trajectories.epoch() + next.time);
-      [[fallthrough]];
-    case NextContact::kPenetrating:
-      end_of_step_.add(a, b, next.kind == NextContact::kPressed);
-      break;
-  }
+  world.shapes().each_parts(a, b, [&](int part_a, int part_b) {
+    const SearchRules rules{end_of_step_, step.resting, closing_share(), from};
+    const NextContact next = next_contact(world, rules, a, b, {part_a, part_b});
+    switch (next.kind) {
+      case NextContact::kNone:
+        break;
+      case NextContact::kImpact:
+        queue_.push({next.time, a, b, stamp_[a], stamp_[b]});
+        break;
+      case NextContact::kPressed:
+        if (step.resting == nullptr)
+          world.note(&Notices::resting_since, world.trajectories.epoch() + next.time);
+        [[fallthrough]];
+      case NextContact::kPenetrating:
+        end_of_step_.add(a, b, next.kind == NextContact::kPressed);
+        break;
+    }
+  });
 }
 
 std::optional<double> EventDrivenImpacts::process_until(const Step& step, double target,
@@ -362,26 +367,55 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
   return std::nullopt;
 }
 
-// Whether a third body continues the surface where a and b would touch at this time.
-bool EventDrivenImpacts::is_internal(World& world, int a, int b, double time) {
+// The parts of a and b that touch at this time, of several those that approach fastest; nothing where others
+// continue the surface, so that they do not touch there.
+std::optional<std::pair<int, int>> EventDrivenImpacts::parts_that_meet(const Step& step, int a, int b,
+                                                                       double time) {
+  World& world = step.world;
   Trajectories& trajectories = world.trajectories;
+  const Geometry& shapes = world.shapes();
   near_.clear();
   grid_.each_near(world.infinite_mass(a) ? b : a, [&](int other) {
     if (other != a && other != b) near_.push_back(other);
   });
-  if (near_.empty()) return false;
-  const auto pose = [&](int i) {
-    const double then = std::clamp(time, trajectories.start(i), trajectories.end(i));
-    return pose_of(world.shapes().shapes, i, trajectories.at(i, then).head<3>());
+  const auto motion = [&](int i) {
+    return trajectories.at(i, std::clamp(time, trajectories.start(i), trajectories.end(i)));
   };
-  return on_internal_edge(world, a, b, contact_between(world.shapes().shapes, a, pose(a), b, pose(b)), near_,
-                          pose);
+  const auto pose = [&](int i) { return shapes.pose(i, motion(i).head<3>()); };
+  if (!shapes.has_parts(a) && !shapes.has_parts(b)) {
+    if (near_.empty()) return std::pair(a, b);
+    const Contact contact = contact_between(shapes, a, pose(a), b, pose(b));
+    if (on_internal_edge(world, a, b, contact, near_, pose)) return std::nullopt;
+    return std::pair(a, b);
+  }
+  const Motion of_a = motion(a);
+  const Motion of_b = motion(b);
+  const Twist twist_a{of_a.segment<2>(3), of_a[5]};
+  const Twist twist_b{of_b.segment<2>(3), of_b[5]};
+  const double tolerance = touch_tolerance(world, a, b);
+  const auto [low, high] = std::minmax(a, b);
+  const bool rests = SearchRules{end_of_step_, step.resting, 0.0, 0.0}.rests(low, high);
+  std::optional<std::pair<int, int>> meet;
+  double fastest = kNever;
+  shapes.each_parts(a, b, [&](int part_a, int part_b) {
+    const std::pair<int, int> parts(part_a, part_b);
+    const Approach at =
+        approach_of(shapes, a, of_a.head<3>(), twist_a, b, of_b.head<3>(), twist_b, tolerance, parts);
+    if (at.contact.gap > tolerance || !(at.speed < fastest)) return;
+    if (rests && -at.speed <= pressed_in(world, a, b, step.h)) return;
+    if (on_internal_edge(world, a, b, at.contact, near_, pose)) return;
+    fastest = at.speed;
+    meet = parts;
+  });
+  return meet;
 }
 
 bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bool guarded) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
-  if (may_be_continued(world, a, b) && is_internal(world, a, b, time)) {
+  std::optional<std::pair<int, int>> parts(std::pair(a, b));
+  if (may_be_continued(world, a, b)) parts = parts_that_meet(step, a, b, time);
+  if (!parts) {
     // Once past the edge they touch along the normal of the common surface.
     const double past = 4.0 * kFlush * (world.shapes().size[a] + world.shapes().size[b]);
     const Vec2 u = trajectories.at(b, time).segment<2>(3) - trajectories.at(a, time).segment<2>(3);
@@ -397,15 +431,15 @@ bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bo
     if (trajectories.island_of(i) >= 0 && trajectories.start(i) != time)
       trajectories.advance_to(trajectories.island_of(i), time);
   }
-  const Contact contact = world.approach(a, b, touch_tolerance(world, a, b)).contact;
-  apply_impact(world, a, b, contact, world.material(a, b), time);
+  const Contact contact = world.approach(a, b, touch_tolerance(world, a, b), *parts).contact;
+  apply_impact(world, a, b, contact, world.material(contact, a, b), time);
   if (!world.shapes().can_collide(a, b)) {
     // They have stuck together: the islands are different, and all of them start now.
     last_impact_ = time;
     rebuild_all(step);
     return false;
   }
-  const bool divides = classify_rebound(step, a, b, contact, world.material(a, b), time, guarded);
+  const bool divides = classify_rebound(step, a, b, contact, world.material(contact, a, b), time, guarded);
   at_once_ = time == last_impact_ ? at_once_ + 1 : 0;
   if (at_once_ == kMostAtOnce) world.note(&Notices::collapsed_since, trajectories.epoch() + time);
   last_impact_ = time;

@@ -59,23 +59,44 @@ inline constexpr double kFlush = 1e-8;
   return !world.shapes().is_disc(a) || !world.shapes().is_disc(b);
 }
 
-// Whether one of `others` leaves no such contact of a and b, because it continues the surface of one of them
-// there (neighbour_covers). pose(i) is the pose of a body.
+// Whether another part, of a body itself or of one of `others`, leaves no such contact of a and b, because it
+// continues the surface of one of them there (neighbour_covers). pose(i) is the pose of a body.
 template <class PoseOf>
 [[nodiscard]] bool on_internal_edge(const World& world, int a, int b, const Contact& contact,
                                     std::span<const int> others, const PoseOf& pose) {
   const Geometry& g = world.shapes();
   const Vec2 half = 0.5 * contact.gap * contact.normal;
-  const auto covers = [&](int other, int owner, int toucher, const Vec2& point, const Vec2& normal) {
+  const int part_a = contact.part_a < 0 ? a : contact.part_a;
+  const int part_b = contact.part_b < 0 ? b : contact.part_b;
+  const auto covers = [&](int other, int owner, int part, int toucher, const Vec2& point, const Vec2& normal) {
+    if (!g.can_collide(other, toucher) || g.shapes.core[part] == Core::kPoint) return false;
     const double tolerance = kFlush * (g.size[owner] + g.size[other]) + 1e-12 * point.lpNorm<1>();
-    return g.can_collide(other, toucher) && !g.is_disc(owner) &&
-           neighbour_covers(g.shapes, owner, pose(owner), other, pose(other), point, normal, tolerance,
-                            !g.can_collide(owner, other));
+    if (g.more.empty()) {
+      return neighbour_covers(g.shapes, owner, pose(owner), other, pose(other), point, normal, tolerance,
+                              !g.can_collide(owner, other));
+    }
+    const bool one_body = owner == other;
+    const int touching = toucher == a ? part_a : part_b;
+    const bool by_face =
+        one_body && has_face(g.shapes, touching, g.part_pose(toucher, touching, pose(toucher)), -normal);
+    const Pose of_owner = g.part_pose(owner, part, pose(owner));
+    const Pose of_other = pose(other);
+    bool covered = false;
+    g.each_part(other, [&](int piece) {
+      if (covered || piece == part) return;
+      covered = neighbour_covers(g.shapes, part, of_owner, piece, g.part_pose(other, piece, of_other), point,
+                                 normal, tolerance, one_body || !g.can_collide(owner, other), by_face);
+    });
+    return covered;
   };
+  const Vec2 on_a = contact.point - half;
+  const Vec2 on_b = contact.point + half;
+  if (g.has_parts(a) && covers(a, a, part_a, b, on_a, contact.normal)) return true;
+  if (g.has_parts(b) && covers(b, b, part_b, a, on_b, -contact.normal)) return true;
   return std::any_of(others.begin(), others.end(), [&](int other) {
     return other != a && other != b &&
-           (covers(other, a, b, contact.point - half, contact.normal) ||
-            covers(other, b, a, contact.point + half, -contact.normal));
+           (covers(other, a, part_a, b, on_a, contact.normal) ||
+            covers(other, b, part_b, a, on_b, -contact.normal));
   });
 }
 

@@ -43,7 +43,7 @@ double curvature(const World& world, int a, int b, double of_centres) {
   double sum = of_centres;
   for (const int i : {a, b}) {
     if (world.trajectories.turn_bound(i) > 0.0)
-      sum += world.trajectories.turn_bound(i) * world.shapes().shapes.core_radius[i];
+      sum += world.trajectories.turn_bound(i) * world.shapes().core_reach[i];
   }
   return sum;
 }
@@ -71,7 +71,7 @@ double pressing(World& world, int a, int b, const Contact& contact, double withi
   for (const auto& [i, by] : {std::pair(a, acceleration_a), std::pair(b, acceleration_b)}) {
     bound += by.head<2>().norm();
     if (!world.infinite_mass(i))
-      bound += turning_curvature(world.shapes().shapes, i, trajectories.at_start(i)[5], by[2]);
+      bound += turning_curvature(world.shapes().core_reach[i], trajectories.at_start(i)[5], by[2]);
   }
   if (bound == 0.0) return 0.0;
   const double wait = std::min(world.method.step, std::sqrt(2e4 * touch_tolerance(world, a, b) / bound));
@@ -79,8 +79,10 @@ double pressing(World& world, int a, int b, const Contact& contact, double withi
     const auto& y = trajectories.at_start(i);
     return y.head<3>() + wait * (y.segment<3>(3) + 0.5 * wait * by);
   };
-  const double gap =
-      contact_between(world.shapes(), a, flown(a, acceleration_a), b, flown(b, acceleration_b)).gap;
+  const Geometry& shapes = world.shapes();
+  const double gap = contact_again(shapes, a, shapes.pose(a, flown(a, acceleration_a)), b,
+                                   shapes.pose(b, flown(b, acceleration_b)), contact)
+                         .gap;
   const double speed = world.parting_speed(a, b, contact);
   return -2.0 * (gap - contact.gap - speed * wait) / (wait * wait);
 }

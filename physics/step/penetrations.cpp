@@ -25,9 +25,7 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, N
                            pairs.size() > world.model->bodies().size();
   if (all_at_once) correction -= field.potential_energy(world.state.q);
   bool listed = false;
-  const auto pose = [&](int i) {
-    return pose_of(world.shapes().shapes, i, trajectories.at_start(i).head<3>());
-  };
+  const auto pose = [&](int i) { return world.shapes().pose(i, trajectories.at_start(i).head<3>()); };
   for (const auto& [a, b, resting] : pairs) {
     world.work.pass(1);
     if (!world.shapes().can_collide(a, b)) continue;  // joined in the meantime
@@ -47,7 +45,7 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, N
     for (int k = 0; k < most; ++k) {
       if (k > 0) at = world.approach(a, b, -gap);
       if (!(at.speed < (k == 0 ? 0.0 : -16.0 * kEpsilon * at.scale))) break;
-      Material material = world.material(a, b);
+      Material material = world.material(at.contact, a, b);
       // A closing speed from the forces of this step must not bounce; a true impact on a resting pair must.
       if (resting && -at.speed <= pressed_in(world, a, b, h)) material.restitution = 0.0;
       apply_impact(world, a, b, at.contact, material, now);

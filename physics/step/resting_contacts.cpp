@@ -131,8 +131,7 @@ int RestingContacts::parts_at_once(const World& world, double h) {
     double speed = moving.norm();
     const double size = smaller_size(world, a, b);
     for (const int k : {a, b}) {
-      if (world.state.v(2, k) != 0.0)
-        speed += std::abs(world.state.v(2, k)) * world.shapes().shapes.core_radius[k];
+      if (world.state.v(2, k) != 0.0) speed += std::abs(world.state.v(2, k)) * world.shapes().core_reach[k];
     }
     if (speed * h * kMostParts < c.gap[i]) continue;
     // Over an immovable body others may slide far without turning the contact.
@@ -184,13 +183,13 @@ void RestingContacts::prepare(const World& world) {
 std::optional<LandingTime> RestingContacts::first_landing(World& world, double end) const {
   std::optional<LandingTime> first;
   double time = end;
-  const ConvexShapes& convex = world.shapes().shapes;
+  const Geometry& shapes = world.shapes();
   for (const Landing& landing : found_.landings) {
     const auto& [a, b, id] = landing;
     const auto gap = [&, a = a, b = b, id = id](double t) {
-      const Manifold m = manifold(convex, a, pose_of(convex, a, world.trajectories.at(a, t).head<3>()), b,
-                                  pose_of(convex, b, world.trajectories.at(b, t).head<3>()),
-                                  std::numeric_limits<double>::infinity());
+      const Manifold m = manifold_of(shapes, a, shapes.pose(a, world.trajectories.at(a, t).head<3>()), b,
+                                     shapes.pose(b, world.trajectories.at(b, t).head<3>()), id,
+                                     std::numeric_limits<double>::infinity());
       for (int k = 0; k < m.count; ++k) {
         if (m.points[k].id == id) return m.points[k].gap;
       }
@@ -207,15 +206,15 @@ std::optional<LandingTime> RestingContacts::first_landing(World& world, double e
 
 void RestingContacts::land(World& world, const LandingTime& landing) const {
   const auto& [a, b, id] = landing.landing;
-  const ConvexShapes& convex = world.shapes().shapes;
-  const Manifold m = manifold(convex, a, pose_of(convex, a, world.trajectories.at_start(a).head<3>()), b,
-                              pose_of(convex, b, world.trajectories.at_start(b).head<3>()),
-                              std::numeric_limits<double>::infinity());
+  const Geometry& shapes = world.shapes();
+  const Manifold m = manifold_of(shapes, a, shapes.pose(a, world.trajectories.at_start(a).head<3>()), b,
+                                 shapes.pose(b, world.trajectories.at_start(b).head<3>()), id,
+                                 std::numeric_limits<double>::infinity());
   for (int k = 0; k < m.count; ++k) {
     if (m.points[k].id != id) continue;
     // The point that has landed, which need not be the deepest.
-    const Contact contact{m.points[k].gap, m.normal, m.points[k].point};
-    const Material& material = world.material(a, b);
+    const Contact contact = m.contact(k);
+    const Material& material = world.material(contact, a, b);
     const double closing = -world.parting_speed(a, b, contact);
     if (material.restitution * closing >
         rest_speed(world, a, b, contact.point, contact.normal, material.restitution))
@@ -324,8 +323,8 @@ void RestingContacts::strike(World& world, double h) {
   struck_.assign(static_cast<std::size_t>(world.bodies()), 0);
   const auto strikes = [&](int a, int b) {
     if (!world.shapes().can_collide(a, b)) return false;  // joined in the meantime
-    const Material& material = world.material(a, b);
     const Approach at = world.approach(a, b, 0.0);
+    const Material& material = world.material(at.contact, a, b);
     const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
     if (!(-material.restitution * at.speed > rest) || -at.speed * h < at.contact.gap) return false;
     apply_impact(world, a, b, at.contact, material, 0.0);
@@ -507,23 +506,24 @@ void RestingContacts::release(World& world) {
 // impacts.
 void RestingContacts::rebound_at_end(World& world, const std::vector<std::pair<int, int>>& pairs) const {
   const double now = world.clock.step_end - world.trajectories.epoch();
-  const auto pose = [&](int i) {
-    return pose_of(world.shapes().shapes, i, world.trajectories.at_start(i).head<3>());
-  };
+  const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
   for (const auto& [a, b] : pairs) {
-    const double restitution = world.material(a, b).restitution;
-    if (restitution == 0.0 || !world.shapes().can_collide(a, b)) continue;  // or joined in the meantime
+    if (!world.shapes().can_collide(a, b)) continue;  // joined in the meantime
+    const bool one_surface = !world.shapes().has_parts(a) && !world.shapes().has_parts(b);
+    if (one_surface && world.material({}, a, b).restitution == 0.0) continue;
     const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
     const bool continued = may_be_continued(world, a, b);
     for (int k = 0; k < most; ++k) {
       const Approach at = world.approach(a, b, 0.0);
       if (at.contact.gap >= 0.0) break;
+      const double restitution = world.material(at.contact, a, b).restitution;
+      if (restitution == 0.0) break;
       if (continued &&
           on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
         break;
       const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, restitution);
       if (!(-restitution * at.speed > rest)) break;
-      apply_impact(world, a, b, at.contact, world.material(a, b), now);
+      apply_impact(world, a, b, at.contact, world.material(at.contact, a, b), now);
       if (!world.shapes().can_collide(a, b)) break;
     }
   }

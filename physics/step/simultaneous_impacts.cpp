@@ -33,15 +33,14 @@ void EventDrivenImpacts::find_touches(World& world, int a, int b, double time) {
   const Eigen::Vector3d qa = trajectories.at(a, time).head<3>();
   const Eigen::Vector3d qb = trajectories.at(b, time).head<3>();
   const double tolerance = touch_tolerance(world, a, b);
-  if (shapes.is_disc(a) || shapes.is_disc(b)) {
+  if (!may_be_continued(world, a, b)) {
     const Contact contact = contact_between(shapes, a, qa, b, qb);
     if (contact.gap <= tolerance) touches_.push_back({a, b, contact});
     return;
   }
-  const Manifold ends =
-      manifold(shapes.shapes, a, pose_of(shapes.shapes, a, qa), b, pose_of(shapes.shapes, b, qb), tolerance);
-  for (int k = 0; k < ends.count; ++k)
-    touches_.push_back({a, b, {ends.points[k].gap, ends.normal, ends.points[k].point}});
+  each_manifold(shapes, a, shapes.pose(a, qa), b, shapes.pose(b, qb), tolerance, [&](const Manifold& ends) {
+    for (int k = 0; k < ends.count; ++k) touches_.push_back({a, b, ends.contact(k)});
+  });
 }
 
 // Outwards from the pair, over bodies that move.
@@ -91,7 +90,7 @@ std::optional<bool> EventDrivenImpacts::resolve_cluster(const Step& step, int a,
   std::vector<ClusterContact> contacts;
   std::vector<double> closing;
   for (const Touch& t : touches_) {
-    const Material& material = world.material(t.a, t.b);
+    const Material& material = world.material(t.contact, t.a, t.b);
     contacts.push_back({column(t.a), column(t.b), t.contact.normal,
                         t.contact.point - trajectories.at_start(t.a).head<2>(),
                         t.contact.point - trajectories.at_start(t.b).head<2>(), material.restitution,
@@ -139,7 +138,7 @@ std::optional<bool> EventDrivenImpacts::resolve_cluster(const Step& step, int a,
   for (std::size_t k = 0; k < touches_.size(); ++k) {
     const Touch& t = touches_[k];
     if (!(impacts[k].normal > 0.0)) continue;
-    divides |= classify_rebound(step, t.a, t.b, t.contact, world.material(t.a, t.b), time, guarded);
+    divides |= classify_rebound(step, t.a, t.b, t.contact, world.material(t.contact, t.a, t.b), time, guarded);
   }
   last_impact_ = time;
   rebuild_and_search(step, islands);

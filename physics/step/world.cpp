@@ -91,6 +91,13 @@ Approach World::approach(int a, int b, double tolerance) const {
                      {yb.segment<2>(3), yb[5]}, tolerance);
 }
 
+Approach World::approach(int a, int b, double tolerance, const std::pair<int, int>& parts) const {
+  const auto ya = trajectories.at_start(a);
+  const auto yb = trajectories.at_start(b);
+  return approach_of(shapes(), a, ya.head<3>(), {ya.segment<2>(3), ya[5]}, b, yb.head<3>(),
+                     {yb.segment<2>(3), yb[5]}, tolerance, parts);
+}
+
 void World::restore_joints(int island) {
   const auto totals_now = [&] {
     for (const int i : trajectories.members(island)) state.set_motion(i, trajectories.at_start(i));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "physics/collision/approach.h"
 #include "physics/dynamics/trajectories.h"
@@ -40,7 +41,11 @@ struct World {
   [[nodiscard]] const Geometry& shapes() const { return model->shapes; }
   [[nodiscard]] const ForceField& field() const { return trajectories.field(); }
   [[nodiscard]] bool infinite_mass(int body) const { return model->infinite_mass(body); }
-  [[nodiscard]] const Material& material(int a, int b) const { return model->surfaces.between(a, b); }
+  // Of the parts of a and b that touch.
+  [[nodiscard]] const Material& material(const Contact& contact, int a, int b) const {
+    if (contact.part_a < 0) return model->surfaces.between(a, b);
+    return model->surfaces.between(contact.part_a, contact.part_b);
+  }
   // Whether one of them moves and is not a disc.
   [[nodiscard]] bool has_moving_corners(int a, int b) const {
     return (!infinite_mass(a) && !shapes().is_disc(a)) || (!infinite_mass(b) && !shapes().is_disc(b));
@@ -62,6 +67,7 @@ struct World {
   [[nodiscard]] double parting_speed(int a, int b, const Contact& contact) const;
   // At the start of the trajectories; gaps up to `tolerance` (m) above the smallest count as touching.
   [[nodiscard]] Approach approach(int a, int b, double tolerance) const;
+  [[nodiscard]] Approach approach(int a, int b, double tolerance, const std::pair<int, int>& parts) const;
   // After a push has moved a body: projects positions and velocities of its island onto the joints. The
   // energy counts as the push's, the momentum as that of the joints' anchors.
   void restore_joints(int island);

@@ -115,7 +115,7 @@ void searches(ShapeKind a, ShapeKind b, double spin) {
     const TurningSample first = pair(0.0);
     if (first.gap <= 0.0) return 0.0;
     const auto time = first_contact(pair, 0.0, first, 1.0, pair(1.0),
-                                    9.81 + turning_curvature(s, 2 * i + 1, path.v[2], 0.0), 1e-14);
+                                    9.81 + turning_curvature(s.core_radius[2 * i + 1], path.v[2], 0.0), 1e-14);
     found += time ? 1 : 0;
     return time.value_or(0.0);
   });

@@ -92,12 +92,35 @@ Shape cornered_shape(Draws& dice, double radius) {
   }
 }
 
-std::vector<std::string> add_bodies(Draws& dice, double unit, bool may_overlap, RandomScene& random) {
+// An L, an arrow head, a dumb-bell, a hammer or two flush boxes, as large as a disc of this radius.
+Shape shape_of_parts(Draws& dice, double radius) {
+  const double r = radius;
+  const double thin = dice.between(0.2, 0.8) * radius;
+  switch (dice.up_to(4)) {
+    case 0:
+      return Polygon{{{0, 0}, {1.5 * r, 0}, {1.5 * r, thin}, {thin, thin}, {thin, 1.5 * r}, {0, 1.5 * r}}};
+    case 1:
+      return Polygon{{{0, 0}, {r, -0.7 * r}, {0.2 * thin, 0}, {r, 0.7 * r}}};
+    case 2:
+      return Compound{{{Disc{0.4 * r}, {-0.6 * r, 0.0}, 0.0, {}},
+                       {Disc{0.4 * r}, {0.6 * r, 0.0}, 0.0, {}},
+                       {Box{1.2 * r, 0.4 * thin}, {0.0, 0.0}, 0.0, {}}}};
+    case 3:
+      return Compound{{{Box{1.4 * r, 0.3 * thin}, {0.0, 0.0}, 0.0, {}},
+                       {Box{0.5 * thin, r}, {0.6 * r, 0.0}, dice.between(-0.3, 0.3), {}}}};
+    default:
+      return Compound{
+          {{Box{0.8 * r, thin}, {-0.4 * r, 0.0}, 0.0, {}}, {Box{0.8 * r, thin}, {0.4 * r, 0.0}, 0.0, {}}}};
+  }
+}
+
+std::vector<std::string> add_bodies(Draws& dice, double unit, bool may_overlap, bool compounds,
+                                    RandomScene& random) {
   std::vector<Body>& bodies = random.preset.scene.bodies;
   std::vector<std::string> names;
   const int wanted = 1 + dice.up_to(11);
   const double speed = dice.chance(0.1) ? 0.0 : dice.between(0.1, 4.0) * unit;
-  random.cornered = dice.chance(0.4);
+  random.cornered = dice.chance(0.4) || compounds;
   for (int tries = 0; tries < 200 && static_cast<int>(names.size()) < wanted; ++tries) {
     const double radius = std::exp(dice.between(std::log(0.02), std::log(kLargestRadius))) * unit;
     const double mass = std::exp(dice.between(std::log(0.01), std::log(100.0)));
@@ -105,7 +128,7 @@ std::vector<std::string> add_bodies(Draws& dice, double unit, bool may_overlap, 
     bodies.push_back(disc(name, dice.in_square(unit), dice.in_square(speed), radius, mass));
     if (dice.chance(0.3)) bodies.back().spin = dice.between(-10.0, 10.0);
     if (random.cornered && dice.chance(0.5)) {
-      bodies.back().shape = cornered_shape(dice, radius);
+      bodies.back().shape = compounds ? shape_of_parts(dice, radius) : cornered_shape(dice, radius);
       bodies.back().angle = dice.angle();
     }
     if (last_overlaps(bodies)) {
@@ -173,9 +196,7 @@ void add_forces(Draws& dice, double unit, const std::vector<std::string>& discs,
   }
 }
 
-}  // namespace
-
-RandomScene random_scene(std::uint64_t seed) {
+RandomScene random_scene_of(std::uint64_t seed, bool compounds) {
   Draws dice(seed);
   RandomScene random;
   Preset& s = random.preset;
@@ -194,12 +215,17 @@ RandomScene random_scene(std::uint64_t seed) {
   if (dice.chance(0.2)) s.scene.several_impacts = SeveralImpactsId::kSimultaneous;
   add_boxes(dice, unit, s);
   const bool may_overlap = dice.chance(0.05);
-  const std::vector<std::string> discs = add_bodies(dice, unit, may_overlap, random);
+  const std::vector<std::string> discs = add_bodies(dice, unit, may_overlap, compounds, random);
   add_forces(dice, unit, discs, random.cornered, s);
   s.method.step = dice.chance(0.5) ? 1.0 / 120.0 : dice.between(1.0 / 480.0, 1.0 / 30.0);
   s.method.tolerance = 1e-8 * unit;
   s.duration = 1.0;
   return random;
 }
+
+}  // namespace
+
+RandomScene random_scene(std::uint64_t seed) { return random_scene_of(seed, false); }
+RandomScene random_scene_of_compounds(std::uint64_t seed) { return random_scene_of(seed, true); }
 
 }  // namespace carom::test

@@ -19,4 +19,7 @@ struct RandomScene {
 // the method.
 [[nodiscard]] RandomScene random_scene(std::uint64_t seed);
 
+// Likewise, and bodies with corners are compounds of two or three shapes, or concave polygons.
+[[nodiscard]] RandomScene random_scene_of_compounds(std::uint64_t seed);
+
 }  // namespace carom::test

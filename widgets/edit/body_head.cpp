@@ -30,12 +30,6 @@ Body of_kind(Body body, int kind) {
   return body;
 }
 
-// Without an end, it can only stand still.
-bool is_half_plane(const Body& body) {
-  const auto* wall = std::get_if<Wall>(&body.shape);
-  return wall != nullptr && !wall->length;
-}
-
 }  // namespace
 
 BodyHead::BodyHead(QWidget* parent)
@@ -97,7 +91,9 @@ void BodyHead::show_kind() {
   for (const Body& body : bodies_) kinds.insert(kind_of(body));
   kind_->setCurrentIndex(kinds.size() == 1 ? *kinds.begin() : -1);
   kind_->setPlaceholderText(tr("%1 kinds").arg(kinds.size()));
-  kind_->setEnabled(std::none_of(bodies_.begin(), bodies_.end(), is_half_plane));
+  // A half-plane can only stand still.
+  kind_->setEnabled(
+      std::none_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return is_half_plane(body.shape); }));
 }
 
 void BodyHead::show_materials() {

@@ -1,6 +1,7 @@
 #include "widgets/edit/field_rows.h"
 
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace carom {
@@ -30,13 +31,20 @@ constexpr auto kLabels = std::to_array<LabelOf>({
     {"drive/phase", "Phase φ"},
 });
 
+// Within its object, if that is one of a list: "shapes/0/angle" is an angle.
+std::string_view key_in_object(std::string_view key) {
+  const std::size_t number = key.find_first_of("0123456789");
+  return number == std::string_view::npos ? key : key.substr(key.find('/', number) + 1);
+}
+
 QString label_of(const FieldPlace& place) {
+  const std::string key(key_in_object(place.key));
   QString label;
   for (const LabelOf& known : kLabels) {
-    if (known.key == place.key) label = QString::fromUtf8(known.label);
+    if (known.key == key) label = QString::fromUtf8(known.label);
   }
   if (label.isEmpty()) {
-    label = QString::fromStdString(place.key).replace('_', ' ').replace('/', ' ');
+    label = QString::fromStdString(key).replace('_', ' ').replace('/', ' ');
     label[0] = label[0].toUpper();
   }
   if (place.part >= 0) label += place.part == 0 ? " x" : " y";

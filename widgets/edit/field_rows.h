@@ -19,7 +19,7 @@ using FieldValue = std::variant<std::monostate, double, bool>;
 
 // Where a member stands in its value.
 struct FieldPlace {
-  std::string key;  // "mass"; of an object in it "shape/radius"
+  std::string key;  // "mass"; of an object in it "shape/radius", of one in a list "shapes/0/angle"
   int part = -1;    // 0, 1: x, y of a vector
 
   bool operator==(const FieldPlace&) const = default;
@@ -61,6 +61,15 @@ class EachMember : public OnlyLooks {
   void required_object(const Key& key, auto& member) {
     EachMember inner(visit_, before_ + key.name + "/");
     fields(inner, member);
+  }
+  void alternative(const Key& key, auto& member) { required_object(key, member); }
+  void compound(const Key& key, auto& shape, const Count& /*count*/) {
+    auto* compound = std::get_if<Compound>(&shape);
+    if (compound == nullptr) return;
+    for (std::size_t i = 0; i < compound->shapes.size(); ++i) {
+      EachMember inner(visit_, before_ + key.name + "/" + std::to_string(i) + "/");
+      fields(inner, compound->shapes[i]);
+    }
   }
   void object(const Key& key, auto& member) {
     if (member) required_object(key, *member);

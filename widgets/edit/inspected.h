@@ -86,6 +86,10 @@ struct InspectedRow {
 // The values that all of these bodies have.
 [[nodiscard]] std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& bodies);
 
+// Those of each shape of a compound, and its surface; the first ones of many. An edit leaves the others where
+// they are.
+[[nodiscard]] std::vector<InspectedRow> inspected_shapes(const Scene& scene, const Body& body);
+
 // The value of one body at one place; none if it has none, as the mass of a fixed one.
 [[nodiscard]] std::optional<Inspected> inspected_value(const Body& body, const FieldPlace& place);
 

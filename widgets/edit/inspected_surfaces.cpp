@@ -118,10 +118,15 @@ void add_name(std::vector<InspectedRow>& shown, const Material& material) {
 // Who needs a surface, in one sentence; empty: nobody.
 QString use_of(const Scene& scene, const std::string& material) {
   const auto has_it = [&](const auto& part) { return part.material == material; };
+  const auto wears_it = [&](const Body& body) {
+    bool wears = false;
+    each_material(body, [&](const std::string& worn) { wears = wears || worn == material; });
+    return wears;
+  };
   const QString name = text_of(material);
-  const auto body = std::find_if(scene.bodies.begin(), scene.bodies.end(), has_it);
+  const auto body = std::find_if(scene.bodies.begin(), scene.bodies.end(), wears_it);
   if (body != scene.bodies.end()) {
-    const auto count = std::count_if(body, scene.bodies.end(), has_it);
+    const auto count = std::count_if(body, scene.bodies.end(), wears_it);
     const QString who = text_of(body->name) + (count > 1 ? QString(" and %1 more").arg(count - 1) : QString());
     return QString("%1 is the surface of %2.").arg(name, who);
   }

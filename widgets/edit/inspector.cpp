@@ -46,6 +46,10 @@ QStringList layout_of(const std::vector<InspectedRow>& rows) {
 }
 
 QString shape_word(const Body& body) {
+  if (const auto* compound = std::get_if<Compound>(&body.shape)) {
+    const auto count = static_cast<int>(compound->shapes.size());
+    return count == 1 ? Inspector::tr("1 shape") : Inspector::tr("%1 shapes").arg(count);
+  }
   constexpr std::array kWords = {"disc", "box", "polygon", "wall"};
   return QString::fromUtf8(kWords[body.shape.index()]);
 }
@@ -174,6 +178,7 @@ std::vector<InspectedRow> Inspector::rows() const {
     add(listed_parts(*scene_));
   } else {
     add(inspected_bodies(bodies_));
+    if (bodies_.size() == 1) add(inspected_shapes(*scene_, bodies_[0]));
     add(inspected_surface(*scene_, bodies_));
   }
   return rows;

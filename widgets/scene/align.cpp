@@ -19,12 +19,13 @@ struct Bounds {
 
 // Along x, 0, or y, 1.
 Bounds bounds_of(const Body& body, int axis) {
-  const Outline outline = outline_of(body.shape);
   Bounds out{kNone, -kNone};
-  for (const Vec2& vertex : outline.vertices) {
-    const double at = body.position[axis] + turned_by(body.angle, vertex)[axis];
-    out.low = std::min(out.low, at - outline.rounding);
-    out.high = std::max(out.high, at + outline.rounding);
+  for (const ConvexPart& part : convex_parts(body.shape)) {
+    for (const Vec2& vertex : part.outline.vertices) {
+      const double at = body.position[axis] + turned_by(body.angle, part.position + vertex)[axis];
+      out.low = std::min(out.low, at - part.outline.rounding);
+      out.high = std::max(out.high, at + part.outline.rounding);
+    }
   }
   return out;
 }

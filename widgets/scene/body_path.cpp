@@ -15,6 +15,15 @@ QPainterPath body_path(const Body& body, const Camera& camera) {
     path.addEllipse(centre, disc->radius * camera.scale, disc->radius * camera.scale);
     return path;
   }
+  if (const auto* compound = std::get_if<Compound>(&body.shape)) {
+    for (const Body& part : bodies_of(*compound, body)) {
+      if (area(part.shape) > 0.0) path = path.united(body_path(part, camera));
+    }
+    for (const Body& part : bodies_of(*compound, body)) {
+      if (area(part.shape) == 0.0) path.addPath(body_path(part, camera));
+    }
+    return path;
+  }
   Outline outline = outline_of(body.shape);
   if (outline.half_plane) {
     const Vec2 along = turned * Vec2::UnitX();

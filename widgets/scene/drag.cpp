@@ -61,9 +61,8 @@ Dragged move(const DragStart& start, const DragPoint& point) {
 // its middle counts.
 bool into_body(const DragStart& start, const DragPoint& point) {
   const Body& body = start.bodies[0];
-  const Outline outline = outline_of(body.shape);
   const auto inside = [&](const Vec2& at) {
-    return signed_distance(outline, Eigen::Rotation2Dd(-body.angle) * (at - body.position)) <= 0.0;
+    return signed_distance(body.shape, Eigen::Rotation2Dd(-body.angle) * (at - body.position)) <= 0.0;
   };
   if (inside(start.press)) return (point.at - body.position).norm() * point.scale <= kAtRest;
   return inside(point.at);

@@ -7,6 +7,7 @@
 #include "widgets/scene/drawing_forces.h"
 #include "widgets/scene/drawing_joints.h"
 #include "widgets/scene/drawing_others.h"
+#include "widgets/scene/drawing_shapes.h"
 
 namespace carom {
 namespace {
@@ -21,6 +22,14 @@ constexpr double kNameDrop = 3.0;             // px below the body
 constexpr double kContactDot = 5.0;           // px
 constexpr double kPointRadius = 2.0;          // px, of the dot that shows a body too small to be seen
 constexpr double kThinWall = 3.0;             // px
+
+// m: how far down a shape without a half-plane reaches from its centre of mass.
+double lowest(const Shape& shape, double angle) {
+  const Outline outline = outline_of(shape);
+  double low = 0.0;
+  for (const Vec2& v : outline.vertices) low = std::min(low, turned_by(angle, v).y() - outline.rounding);
+  return low;
+}
 
 class Builder {
  public:
@@ -61,27 +70,29 @@ class Builder {
     if (!seen_.meets(at, bounding_radius(body.shape) + out_.outline / in_.camera.scale)) return;
     const QColor& fill = free(i) ? in_.theme.body_fill : in_.theme.wall_fill;
     const QColor& line = free(i) ? in_.theme.body_line : in_.theme.wall_line;
-    if (const Disc* disc = std::get_if<Disc>(&body.shape)) {
-      const bool oriented = free(i) && disc->radius * in_.camera.scale >= kLeastOrientedRadius;
+    add_shape(body.shape, at, angle, free(i), fill, line);
+  }
+
+  void add_shape(const Shape& shape, const Vec2& at, double angle, bool free, const QColor& fill,
+                 const QColor& line) {
+    if (const Disc* disc = std::get_if<Disc>(&shape)) {
+      const bool oriented = free && disc->radius * in_.camera.scale >= kLeastOrientedRadius;
       out_.discs.push_back({at, disc->radius, angle, fill, line, oriented});
       if (disc->radius * in_.camera.scale < kPointRadius)
         out_.segments.push_back({at, at, line, 2.0 * kPointRadius * in_.options.line_scale});
-    } else if (const Box* box = std::get_if<Box>(&body.shape)) {
+    } else if (const Box* box = std::get_if<Box>(&shape)) {
       out_.boxes.push_back({at, Vec2(box->width, box->height) / 2, angle, fill, line});
-    } else if (const Polygon* polygon = std::get_if<Polygon>(&body.shape)) {
-      add_polygon(*polygon, at, angle, fill, line);
+    } else if (const Polygon* polygon = std::get_if<Polygon>(&shape)) {
+      add_polygon(*polygon, at, angle, fill, line, out_);
+    } else if (const Compound* compound = std::get_if<Compound>(&shape)) {
+      const Vec2 centre = centre_of(*compound);
+      for (const PlacedShape& placed : compound->shapes) {
+        add_shape(shape_of(placed.shape), at + turned_by(angle, placed.position - centre), angle + placed.angle,
+                  false, fill, line);
+      }
     } else {
-      add_wall(std::get<Wall>(body.shape), at, angle, fill, line);
+      add_wall(std::get<Wall>(shape), at, angle, fill, line);
     }
-  }
-
-  void add_polygon(const Polygon& polygon, const Vec2& at, double angle, const QColor& fill,
-                   const QColor& line) {
-    const Outline outline = outline_of(polygon);
-    const Eigen::Rotation2Dd turned(angle);
-    const int first = static_cast<int>(out_.vertices.size());
-    for (const Vec2& v : outline.vertices) out_.vertices.push_back(at + turned * v);
-    out_.polygons.push_back({first, static_cast<int>(outline.vertices.size()), outline.rounding, fill, line});
   }
 
   // The part of a half-plane that fills the view.
@@ -113,8 +124,8 @@ class Builder {
       const Vec2 at = in_.frame.state.position(i);
       if (body.fixed || half.minCoeff() * in_.camera.scale < kLeastNamedRadius) continue;
       if (!seen_.meets(at, bounding_radius(body.shape))) continue;
-      out_.labels.push_back(
-          {at - Vec2(0.0, half.y()), kNameDrop + out_.outline / 2, QString::fromStdString(body.name), color});
+      out_.labels.push_back({at + Vec2(0.0, lowest(body.shape, in_.frame.state.q(2, i))),
+                             kNameDrop + out_.outline / 2, QString::fromStdString(body.name), color});
     }
   }
 

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace carom {
 namespace {
@@ -118,6 +121,27 @@ void add_spring(const DrawingInput& in, const Spring& spring, int body, int othe
   if (short_only) pen.plate(to, turned(along) * (kPlate * thick * pixel), kPlateWidth * thick);
 }
 
+// Where the line from + s along passes through the parts of a shape: intervals of s in m, without those between
+// parts that touch.
+std::vector<std::pair<double, double>> chords(std::span<const ConvexPart> parts, const Vec2& from,
+                                              const Vec2& along) {
+  constexpr double kTouch = 1e-9;  // of the length
+  std::vector<std::pair<double, double>> all;
+  for (const ConvexPart& part : parts) {
+    if (const auto inside = chord(part.outline, from - part.position, along)) all.push_back(*inside);
+  }
+  std::sort(all.begin(), all.end());
+  std::vector<std::pair<double, double>> merged;
+  for (const auto& [low, high] : all) {
+    if (merged.empty() || low > merged.back().second + kTouch * (high - low)) {
+      merged.emplace_back(low, high);
+    } else {
+      merged.back().second = std::max(merged.back().second, high);
+    }
+  }
+  return merged;
+}
+
 // Lines at 45 degrees to the body's own axes, which move with it; only those that `seen` can show.
 void hatch(const DrawingInput& in, int i, const WorldRect& seen, Drawing& out) {
   const Eigen::Rotation2Dd turn(in.frame.state.q(2, i));
@@ -130,7 +154,7 @@ void hatch(const DrawingInput& in, int i, const WorldRect& seen, Drawing& out) {
   const Vec2 along = Vec2(1.0, 1.0) / std::numbers::sqrt2;
   const Vec2 across = turned(along);
   const Shape& shape = body_of(in, i).shape;
-  const Outline outline = outline_of(shape);
+  const std::vector<ConvexPart> parts = convex_parts(shape);
   const double extent = bounding_radius(shape);
   const double lowest = std::max(-extent, seen_at.dot(across) - seen_radius);
   const double highest = std::min(extent, seen_at.dot(across) + seen_radius);
@@ -138,12 +162,12 @@ void hatch(const DrawingInput& in, int i, const WorldRect& seen, Drawing& out) {
   Pen pen(disc ? out.segments : out.lines, in.theme.wall_line, kHatchWidth * in.options.line_scale);
   for (double k = std::ceil(lowest / spacing); k * spacing <= highest; ++k) {
     const double d = k * spacing;
-    const auto inside = chord(outline, d * across, along);
-    if (!inside) continue;
-    const double low = std::max(inside->first + inset, seen_at.dot(along) - seen_radius);
-    const double high = std::min(inside->second - inset, seen_at.dot(along) + seen_radius);
-    if (low < high)
-      pen.line(center + turn * (d * across + low * along), center + turn * (d * across + high * along));
+    for (const auto& [first, last] : chords(parts, d * across, along)) {
+      const double low = std::max(first + inset, seen_at.dot(along) - seen_radius);
+      const double high = std::min(last - inset, seen_at.dot(along) + seen_radius);
+      if (low < high)
+        pen.line(center + turn * (d * across + low * along), center + turn * (d * across + high * along));
+    }
   }
 }
 

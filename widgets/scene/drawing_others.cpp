@@ -1,11 +1,11 @@
 #include "widgets/scene/drawing_others.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/plotted_run.h"
+#include "widgets/scene/drawing_shapes.h"
 
 namespace carom {
 namespace {
@@ -23,11 +23,13 @@ void add_outline(const Shape& shape, const Vec2& at, double angle, const QColor&
   } else if (const Box* box = std::get_if<Box>(&shape)) {
     out.boxes.push_back({at, Vec2(box->width, box->height) / 2, angle, kNoFill, color});
   } else if (const Polygon* polygon = std::get_if<Polygon>(&shape)) {
-    const Outline outline = outline_of(*polygon);
-    const int first = static_cast<int>(out.vertices.size());
-    for (const Vec2& v : outline.vertices) out.vertices.push_back(at + Eigen::Rotation2Dd(angle) * v);
-    out.polygons.push_back(
-        {first, static_cast<int>(outline.vertices.size()), outline.rounding, kNoFill, color});
+    add_polygon(*polygon, at, angle, kNoFill, color, out);
+  } else if (const Compound* compound = std::get_if<Compound>(&shape)) {
+    const Vec2 centre = centre_of(*compound);
+    for (const PlacedShape& placed : compound->shapes) {
+      add_outline(shape_of(placed.shape), at + turned_by(angle, placed.position - centre), angle + placed.angle,
+                  color, out);
+    }
   }
 }
 

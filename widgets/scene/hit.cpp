@@ -15,7 +15,7 @@ constexpr double kLeastRadius = 12.0;
 
 bool covers(const Shape& shape, const Vec2& offset, double angle, double slack) {
   if (offset.norm() > bounding_radius(shape) + slack) return false;
-  return signed_distance(outline_of(shape), Eigen::Rotation2Dd(-angle) * offset) <= slack;
+  return signed_distance(shape, Eigen::Rotation2Dd(-angle) * offset) <= slack;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 #include <variant>
 
 #include "physics/scene/edit_rules.h"
@@ -49,11 +50,22 @@ Vec2 stepped(const Vec2& value, const Vec2& change, double step) {
   return {stepped(value.x(), change.x(), step), stepped(value.y(), change.y(), step)};
 }
 
-Shape scaled(const Shape& shape, double factor) {
+template <class Form>
+Form scaled(const Form& shape, double factor) {
   if (const auto* disc = std::get_if<Disc>(&shape)) return Disc{factor * disc->radius};
   if (const auto* box = std::get_if<Box>(&shape)) return Box{factor * box->width, factor * box->height};
   if (const auto* wall = std::get_if<Wall>(&shape)) {
     return wall->length ? Wall{factor * *wall->length} : *wall;
+  }
+  if constexpr (std::is_same_v<Form, Shape>) {
+    if (const auto* compound = std::get_if<Compound>(&shape)) {
+      Compound out = *compound;
+      for (PlacedShape& placed : out.shapes) {
+        placed.shape = scaled(placed.shape, factor);
+        placed.position *= factor;
+      }
+      return out;
+    }
   }
   Polygon polygon = std::get<Polygon>(shape);
   for (Vec2& vertex : polygon.vertices) vertex *= factor;
@@ -76,7 +88,7 @@ template <class Part>
 Deletion deletion_of(const std::vector<Part>& list, Id<Part> id) {
   const Part* part = part_of(list, id);
   if (part == nullptr) return {};
-  return {{Remove<Part>{id}}, "Delete " + name_of_part(*part)};
+  return {{Remove<Part>{id}}, "Delete " + name_of_part(*part), {}};
 }
 
 }  // namespace
@@ -201,7 +213,9 @@ Deletion deletion(const Scene& scene, std::span<const std::string> names) {
   }
   for (const Body& body : bodies) out.edits.emplace_back(Remove<Body>{body.id});
   out.name = "Delete " + name_of_bodies(bodies);
-  if (!links.empty()) out.name += " and " + count_of(links);
+  if (links.empty()) return out;
+  out.links = count_of(links);
+  out.name += " and " + out.links;
   return out;
 }
 

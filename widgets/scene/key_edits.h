@@ -29,7 +29,8 @@ enum class KeyEdit { kMove, kVelocity, kTurn, kResize, kRest, kReverse };
 
 struct Deletion {
   SceneEdits edits;
-  QString name;  // "Delete light and 1 rod"
+  QString name;   // "Delete light and 1 rod"
+  QString links;  // "1 rod"; empty: none
 };
 // Takes bodies out, with all links and forces on them.
 [[nodiscard]] Deletion deletion(const Scene& scene, std::span<const std::string> names);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <type_traits>
 #include <unordered_set>
 #include <utility>
 #include <variant>
@@ -44,8 +45,8 @@ Crowd crowd_of(std::span<const Body> bodies, const Surroundings& neighbours) {
   crowd.geometry = geometry(crowd.bodies, joints);
   for (std::size_t i = 0; i < crowd.bodies.size(); ++i) {
     const Body& body = crowd.bodies[i];
-    crowd.poses.push_back(pose_of(crowd.geometry.shapes, static_cast<int>(i),
-                                  {body.position.x(), body.position.y(), body.angle}));
+    crowd.poses.push_back(
+        crowd.geometry.pose(static_cast<int>(i), {body.position.x(), body.position.y(), body.angle}));
   }
   return crowd;
 }
@@ -59,28 +60,25 @@ struct Pair {
 // What may come nearer than `reach`, of an edited body and a neighbour or, `within`, another edited one.
 std::vector<Pair> pairs_of(const Crowd& crowd, double reach, bool within) {
   std::vector<Pair> pairs;
-  const ConvexShapes& shapes = crowd.geometry.shapes;
+  const Eigen::VectorXd& reaches = crowd.geometry.reach;
   for (std::size_t i = 0; i < crowd.edited; ++i) {
     for (std::size_t k = within ? i + 1 : crowd.edited; k < crowd.bodies.size(); ++k) {
       const int a = static_cast<int>(i);
       const int b = static_cast<int>(k);
       const double apart = (crowd.poses[i].position - crowd.poses[k].position).norm();
-      if (apart > shapes.radius[i] + shapes.radius[k] + reach || !crowd.geometry.can_collide(a, b)) continue;
-      if (!std::isfinite(shapes.radius[i]) && !std::isfinite(shapes.radius[k])) continue;  // two half-planes
-      const auto finite = [&](std::size_t n) {
-        return std::isfinite(shapes.radius[n]) ? shapes.radius[n] : 0.0;
-      };
-      pairs.push_back({a, b, finite(i) + finite(k)});
+      if (apart > reaches[a] + reaches[b] + reach || !crowd.geometry.can_collide(a, b)) continue;
+      if (!std::isfinite(reaches[a]) && !std::isfinite(reaches[b])) continue;  // two half-planes
+      const auto finite = [&](int n) { return std::isfinite(reaches[n]) ? reaches[n] : 0.0; };
+      pairs.push_back({a, b, finite(a) + finite(b)});
     }
   }
   return pairs;
 }
 
-Gap gap_of(const Crowd& crowd, const Pair& pair, const Vec2& moved) {
+Contact gap_of(const Crowd& crowd, const Pair& pair, const Vec2& moved) {
   Pose pose = crowd.poses[static_cast<std::size_t>(pair.a)];
   pose.position += moved;
-  return gap_between(crowd.geometry.shapes, pair.a, pose, pair.b,
-                     crowd.poses[static_cast<std::size_t>(pair.b)]);
+  return contact_between(crowd.geometry, pair.a, pose, pair.b, crowd.poses[static_cast<std::size_t>(pair.b)]);
 }
 
 // Translations t with out·t >= least.
@@ -123,7 +121,7 @@ std::optional<Vec2> way_out(const Crowd& crowd, std::span<const Pair> pairs, Vec
   std::vector<HalfPlane> limits(pairs.size());
   for (int step = 0; step < kSteps; ++step) {
     std::transform(pairs.begin(), pairs.end(), limits.begin(), [&](const Pair& pair) {
-      const Gap gap = gap_of(crowd, pair, moved);
+      const Contact gap = gap_of(crowd, pair, moved);
       return HalfPlane{-gap.normal, -gap.normal.dot(moved) - gap.gap};
     });
     const std::optional<Vec2> next = shortest(limits, kSettled * size);
@@ -143,7 +141,7 @@ double size_of(const Crowd& crowd) {
   double size = 0.0;
   double beside = 0.0;
   for (std::size_t i = 0; i < crowd.bodies.size(); ++i) {
-    const double radius = crowd.geometry.shapes.radius[i];
+    const double radius = crowd.geometry.reach[static_cast<Eigen::Index>(i)];
     if (!std::isfinite(radius)) continue;
     double& largest = i < crowd.edited ? size : beside;
     largest = std::max(largest, radius);
@@ -153,7 +151,8 @@ double size_of(const Crowd& crowd) {
 
 double between(double from, double to, double share) { return from + share * (to - from); }
 
-Shape between(const Shape& from, const Shape& to, double share) {
+template <class Form>
+Form between(const Form& from, const Form& to, double share) {
   if (const auto* disc = std::get_if<Disc>(&to)) {
     return Disc{between(std::get<Disc>(from).radius, disc->radius, share)};
   }
@@ -163,6 +162,18 @@ Shape between(const Shape& from, const Shape& to, double share) {
   }
   if (const auto* wall = std::get_if<Wall>(&to)) {
     return wall->length ? Wall{between(*std::get<Wall>(from).length, *wall->length, share)} : *wall;
+  }
+  if constexpr (std::is_same_v<Form, Shape>) {
+    if (const auto* last = std::get_if<Compound>(&to)) {
+      Compound compound = *last;
+      for (std::size_t k = 0; k < compound.shapes.size(); ++k) {
+        const PlacedShape& first = std::get<Compound>(from).shapes[k];
+        PlacedShape& placed = compound.shapes[k];
+        placed.shape = between(first.shape, placed.shape, share);
+        placed.position = first.position + share * (placed.position - first.position);
+      }
+      return compound;
+    }
   }
   Polygon polygon = std::get<Polygon>(to);
   const Polygon& first = std::get<Polygon>(from);
@@ -251,15 +262,15 @@ std::vector<Body> grown_to_touch(std::span<const Body> before, std::span<const B
 
 Body in_touch(const Body& body, const Body& other) {
   const Crowd crowd = crowd_of({&body, 1}, {{other}, {}});
-  const ConvexShapes& shapes = crowd.geometry.shapes;
-  if (!std::isfinite(shapes.radius[0])) return body;
-  const bool half_plane = !std::isfinite(shapes.radius[1]);
+  const Eigen::VectorXd& reach = crowd.geometry.reach;
+  if (!std::isfinite(reach[0])) return body;
+  const bool half_plane = !std::isfinite(reach[1]);
   const Vec2 apart = body.position - other.position;
   Vec2 line = half_plane ? turned_by(other.angle, Vec2::UnitY()) : apart.normalized();
   if (line.isZero(0.0)) line = Vec2::UnitX();
   // m along the line, between the centres: overlapping and clear.
   double low = 0.0;
-  double high = shapes.radius[0] + (half_plane ? 0.0 : shapes.radius[1]);
+  double high = reach[0] + (half_plane ? 0.0 : reach[1]);
   const auto moved = [&](double distance) { return Vec2((distance - line.dot(apart)) * line); };
   for (int k = 0; k < kHalvings; ++k) {
     const double middle = 0.5 * (low + high);

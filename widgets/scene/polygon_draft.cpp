@@ -1,43 +1,23 @@
 #include "widgets/scene/polygon_draft.h"
 
-#include <algorithm>
 #include <utility>
 
+#include "physics/scene/polygon.h"
+
 namespace carom {
-namespace {
-
-// Counter-clockwise, by Andrew's monotone chain.
-std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(),
-            [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
-  std::vector<Vec2> hull;
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::size_t first = hull.size();
-    for (const Vec2& point : points) {
-      while (hull.size() >= first + 2 && cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0.0)
-        hull.pop_back();
-      hull.push_back(point);
-    }
-    hull.pop_back();  // begins the other chain
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
-
-}  // namespace
 
 QString PolygonDraft::fault_at(const Vec2& corner) const {
-  if (static_cast<int>(corners_.size()) >= kMostVertices)
-    return QStringLiteral("at most %1 corners").arg(kMostVertices);
-  std::vector<Vec2> all = corners_;
-  all.push_back(corner);
-  // Two corners, and those on a line, are still to become a polygon.
-  if (tidied(all).size() < 3 || !fault_of(all, 0.0)) return {};
-  return QStringLiteral("bodies are convex");
+  if (static_cast<int>(corners_.size()) >= kMostPolygonPoints)
+    return QStringLiteral("at most %1 corners").arg(kMostPolygonPoints);
+  return crosses(corners_, corner) ? QStringLiteral("edges cross") : QString();
+}
+
+QString PolygonDraft::fault_of_closing() const {
+  return crosses(std::span(corners_).subspan(1), corners_.front()) ? QStringLiteral("edges cross") : QString();
 }
 
 void PolygonDraft::set(const Vec2& corner) {
-  if (static_cast<int>(corners_.size()) >= kMostVertices) return;
+  if (static_cast<int>(corners_.size()) >= kMostPolygonPoints) return;
   if (!corners_.empty() && corner == corners_.back()) return;
   refused_.reset();
   if (fault_at(corner).isEmpty()) {
@@ -57,14 +37,22 @@ void PolygonDraft::clear() {
 }
 
 std::optional<Drawn> PolygonDraft::closed() const {
-  std::vector<Vec2> all = corners_;
-  if (refused_) all.push_back(*refused_);
-  if (all.size() < 3) return std::nullopt;
-  std::vector<Vec2> vertices = tidied(convex_hull(std::move(all)));
+  std::vector<Vec2> vertices = tidied(corners_);
+  if (refused_ || fault_of(vertices, 0.0)) {
+    vertices = corners_;
+    if (refused_) vertices.push_back(*refused_);
+    if (vertices.size() < 3) return std::nullopt;
+    vertices = tidied(convex_hull(std::move(vertices)));
+  }
   if (fault_of(vertices, 0.0)) return std::nullopt;
   const Vec2 centre = moments_of(vertices, 0.0).centroid;
   for (Vec2& vertex : vertices) vertex -= centre;
   return Drawn{Polygon{vertices}, centre, 0.0, {}};
+}
+
+QString PolygonDraft::fault_of_closed() const {
+  if (tidied(corners_).size() < 3) return QStringLiteral("a polygon needs three corners");
+  return QStringLiteral("at most %1 corners without a dent").arg(kMostVertices);
 }
 
 }  // namespace carom

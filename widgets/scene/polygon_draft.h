@@ -8,11 +8,11 @@
 
 namespace carom {
 
-// A polygon that is drawn corner by corner and stays convex.
+// A polygon that is drawn corner by corner, whose edges don't cross.
 class PolygonDraft {
  public:
   [[nodiscard]] const std::vector<Vec2>& corners() const { return corners_; }  // m
-  // The newest corner, if it was not set because the polygon would not be convex.
+  // The newest corner, if it was not set because an edge would cross another.
   [[nodiscard]] const std::optional<Vec2>& refused() const { return refused_; }
   [[nodiscard]] bool empty() const { return corners_.empty(); }
   // A click on the first corner closes it.
@@ -20,11 +20,16 @@ class PolygonDraft {
 
   // Why no corner can stand there next, in words; empty if one can.
   [[nodiscard]] QString fault_at(const Vec2& corner) const;
+  // Likewise why the edge that closes it can't be; there are three corners or more.
+  [[nodiscard]] QString fault_of_closing() const;
   void set(const Vec2& corner);
   void take_back();
   void clear();
-  // The convex hull of all corners; nothing if it has no area.
+  // Where edges would cross, the convex hull of all corners, the refused one included. Nothing if there is
+  // none.
   [[nodiscard]] std::optional<Drawn> closed() const;
+  // Why there is none, in words.
+  [[nodiscard]] QString fault_of_closed() const;
 
  private:
   std::vector<Vec2> corners_;

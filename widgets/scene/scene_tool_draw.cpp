@@ -74,7 +74,7 @@ void SceneTools::set_corner() {
 
 void SceneTools::close_polygon() {
   const std::optional<Drawn> drawn = draft_.closed();
-  if (!drawn) return note({QStringLiteral("a polygon needs three corners"), {}, mouse_, press_, true});
+  if (!drawn) return note({draft_.fault_of_closed(), {}, mouse_, press_, true});
   draft_.clear();
   add(*drawn);
 }
@@ -83,7 +83,7 @@ void SceneTools::show_corners(Overlay& out) const {
   out.corners = {draft_.corners(), draft_.refused(), std::nullopt, false};
   if (!over_) return;
   const Vec2 next = next_corner();
-  const QString fault = closes_polygon() ? QString() : draft_.fault_at(next);
+  const QString fault = closes_polygon() ? draft_.fault_of_closing() : draft_.fault_at(next);
   out.corners.next = next;
   out.corners.fault = !fault.isEmpty();
   if (!out.bubble.value.isEmpty() || draft_.empty()) return;
@@ -92,7 +92,7 @@ void SceneTools::show_corners(Overlay& out) const {
   if (fault.isEmpty()) return;
   out.bubble.value = fault;
   out.bubble.fault = true;
-  if (draft_.refused()) out.bubble.detail = QStringLiteral("Enter draws around it too");
+  if (draft_.refused() || closes_polygon()) out.bubble.detail = QStringLiteral("Enter draws around it too");
 }
 
 void SceneTools::show_drawing(Overlay& out) const {

@@ -23,26 +23,28 @@ struct Gap {
 };
 
 // From a point to a body's outline; the direction is the gradient of the distance.
-Gap gap_to_point(const Body& body, const Outline& outline, const Vec2& point) {
+Gap gap_to_point(const Body& body, const Vec2& point) {
+  const Shape& shape = body.shape;
   const Eigen::Rotation2Dd back(-body.angle);
   const Vec2 at = back * (point - body.position);
   const double h = 1e-6 * std::max(at.norm(), 1e-12);
-  const Vec2 slope(signed_distance(outline, at + Vec2(h, 0.0)) - signed_distance(outline, at - Vec2(h, 0.0)),
-                   signed_distance(outline, at + Vec2(0.0, h)) - signed_distance(outline, at - Vec2(0.0, h)));
-  return {signed_distance(outline, at), back.inverse() * slope.normalized()};
+  const Vec2 slope(signed_distance(shape, at + Vec2(h, 0.0)) - signed_distance(shape, at - Vec2(h, 0.0)),
+                   signed_distance(shape, at + Vec2(0.0, h)) - signed_distance(shape, at - Vec2(0.0, h)));
+  return {signed_distance(shape, at), back.inverse() * slope.normalized()};
 }
 
 std::optional<Gap> gap_of(const Body& body, const Body& other) {
-  const Outline outline = outline_of(body.shape);
-  const Outline beside = outline_of(other.shape);
-  if (beside.half_plane && !outline.half_plane) {
+  if (is_half_plane(other.shape) && !is_half_plane(body.shape)) {
     const Vec2 out(-std::sin(other.angle), std::cos(other.angle));
     const Eigen::Rotation2Dd turned(body.angle);
     double lowest = std::numeric_limits<double>::infinity();
-    for (const Vec2& v : outline.vertices) {
-      lowest = std::min(lowest, out.dot(body.position + turned * v - other.position));
+    for (const ConvexPart& part : convex_parts(body.shape)) {
+      for (const Vec2& v : part.outline.vertices) {
+        const Vec2 at = body.position + turned * (part.position + v) - other.position;
+        lowest = std::min(lowest, out.dot(at) - part.outline.rounding);
+      }
     }
-    return Gap{lowest - outline.rounding, out};
+    return Gap{lowest, out};
   }
   const auto* disc = std::get_if<Disc>(&body.shape);
   const auto* post = std::get_if<Disc>(&other.shape);
@@ -51,12 +53,12 @@ std::optional<Gap> gap_of(const Body& body, const Body& other) {
     return Gap{between.norm() - disc->radius - post->radius, between.normalized()};
   }
   if (disc != nullptr) {
-    Gap gap = gap_to_point(other, beside, body.position);
+    Gap gap = gap_to_point(other, body.position);
     gap.size -= disc->radius;
     return gap;
   }
   if (post != nullptr) {
-    Gap gap = gap_to_point(body, outline, other.position);
+    Gap gap = gap_to_point(body, other.position);
     return Gap{gap.size - post->radius, -gap.away};
   }
   return std::nullopt;

@@ -138,6 +138,34 @@ TEST_F(SceneMenuTest, EmptySpaceTakesNewAndCopiedBodies) {
   EXPECT_EQ(view().tool(), SceneTool::kSelect);
 }
 
+TEST_F(SceneMenuTest, BodiesBecomeOneAndAreTakenApart) {
+  const auto undo_text = [this] { return window_.session().edits().undoText(); };
+  view().select({"heavy", "light"});
+  choose(place("light"), "Join into one body");
+  EXPECT_EQ(undo_text(), "") << "they are of two densities";
+  std::vector<Body> bodies = window_.frame()->scene->bodies;
+  for (Body& body : bodies) {
+    body.mass.reset();
+    body.density = 2.0;
+  }
+  window_.session().edit({Replace<Body>{bodies[0]}, Replace<Body>{bodies[1]}}, "Density");
+  ASSERT_TRUE(wait_for(
+      [this] { return window_.frame()->scene && window_.frame()->scene->bodies.front().density == 2.0; }));
+  choose(place("light"), "Join into one body");
+  EXPECT_EQ(undo_text(), "Join heavy and light into one body");
+  ASSERT_TRUE(has(1));
+  EXPECT_EQ(view().selection(), Names{"heavy"});
+  action("Take apart")->trigger();
+  EXPECT_EQ(undo_text(), "Take heavy apart into 2 bodies");
+  ASSERT_TRUE(has(2));
+  EXPECT_EQ(view().selection(), (Names{"heavy-1", "heavy-2"}));
+  window_.session().edits().undo();
+  ASSERT_TRUE(has(1));
+  const auto& shape = window_.frame()->scene->bodies.front().shape;
+  choose(place("heavy") + std::get<Compound>(shape).shapes[1].position, "Take apart");
+  ASSERT_TRUE(has(2));
+}
+
 TEST_F(SceneMenuTest, AJointIsChosen) {
   const Vec2 light = place("light");
   view().select({"light", "heavy"});

@@ -242,7 +242,7 @@ TEST(ApartUntil, NoOverlapBefore) {
     }
     double curvature = 0.0;
     for (int i = 0; i < 2; ++i) {
-      if (twist[i].spin != 0.0) curvature += turning_curvature(s, i, twist[i].spin, 0.0);
+      if (twist[i].spin != 0.0) curvature += turning_curvature(s.core_radius[i], twist[i].spin, 0.0);
     }
     const double until =
         apart_until(s, 0, pose(s, p, 0), twist[0], 1, pose(s, p, 1), twist[1], g.normal, curvature);

@@ -36,7 +36,7 @@ struct Flight {
       const double spin =
           std::max(std::abs(path[i].v[2]), std::abs(path[i].v[2] + until * path[i].acceleration[2]));
       if (shapes.core[i] != Core::kHalfPlane) {
-        sum += turning_curvature(shapes, i, spin, path[i].acceleration[2]);
+        sum += turning_curvature(shapes.core_radius[i], spin, path[i].acceleration[2]);
       }
     }
     return sum;

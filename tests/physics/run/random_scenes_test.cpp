@@ -189,8 +189,7 @@ std::string broken_law(const Preset& preset, bool overlaps) {
 }
 
 // The laws that a random scene breaks under any method, a line each.
-std::vector<std::string> broken_laws(std::uint64_t seed) {
-  test::RandomScene random = test::random_scene(seed);
+std::vector<std::string> broken_laws(std::uint64_t seed, test::RandomScene random) {
   EXPECT_NO_THROW(validate(random.preset)) << write_preset(random.preset);
   std::vector<std::string> all;
   for (const IntegratorChoice& integrator : kIntegrators) {
@@ -209,7 +208,15 @@ std::vector<std::string> broken_laws(std::uint64_t seed) {
 TEST(RandomScenes, KeepTheLawsUnderEveryMethod) {
   const std::uint64_t scenes = test::by_effort<std::uint64_t>(40, 300, 10'000);
   for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-    for (const std::string& broken : broken_laws(seed)) ADD_FAILURE() << broken;
+    for (const std::string& broken : broken_laws(seed, test::random_scene(seed))) ADD_FAILURE() << broken;
+  }
+}
+
+TEST(RandomScenes, OfCompoundsKeepTheLawsUnderEveryMethod) {
+  const std::uint64_t scenes = test::by_effort<std::uint64_t>(20, 150, 5'000);
+  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+    for (const std::string& broken : broken_laws(seed, test::random_scene_of_compounds(seed)))
+      ADD_FAILURE() << broken;
   }
 }
 
@@ -218,7 +225,7 @@ TEST(RandomScenes, KeepTheLawsUnderEveryMethod) {
 // energy left.
 TEST(RandomScenes, KeepTheLawsWhereTheyOnceDidNot) {
   for (const std::uint64_t seed : {531U, 640U, 3380U, 5153U}) {
-    for (const std::string& broken : broken_laws(seed)) ADD_FAILURE() << broken;
+    for (const std::string& broken : broken_laws(seed, test::random_scene(seed))) ADD_FAILURE() << broken;
   }
 }
 

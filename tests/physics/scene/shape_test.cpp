@@ -84,7 +84,8 @@ TEST(Polygon, FaultsAreReported) {
   EXPECT_NE(fault({}).find("0 points"), std::string::npos);
   EXPECT_NE(fault({{1, 1}}, 1.0).find("1 point "), std::string::npos);
   EXPECT_NE(fault({{0, 0}, {1, 0}, {2, 0}}).find("2 points"), std::string::npos);
-  EXPECT_NE(fault({{0, 0}, {2, 0}, {1, 0.1}, {1, 2}}).find("reentrant corner at [1, 0.1]"), std::string::npos);
+  EXPECT_NE(fault({{0, 0}, {2, 0}, {1, 0.1}, {1, 2}}, 0.1).find("reentrant corner at [1, 0.1]"),
+            std::string::npos);
   EXPECT_NE(fault({{0, 0}, {1, 1}, {1, 0}, {0, 1}}).find("allowed"), std::string::npos);
   std::vector<Vec2> star;
   for (int k = 0; k < 5; ++k) star.emplace_back(std::cos(0.8 * kPi * k), std::sin(0.8 * kPi * k));

@@ -52,7 +52,9 @@ TEST(FieldRows, EachNumberCanBeSet) {
   driven.drive = Drive{};
   Body wall = disc();
   wall.shape = Wall{.length = 2.0};
-  for (const Body& body : {box, driven, wall}) expect_settable(body);
+  Body compound = disc();
+  compound.shape = Compound{{{Disc{0.2}, Vec2(0.0, 0.3), 0.1, {}}, {Box{0.5, 0.1}, Vec2::Zero(), 0.0, "wood"}}};
+  for (const Body& body : {box, driven, wall, compound}) expect_settable(body);
   for (const JointKind kind : {JointKind::kRod, JointKind::kString, JointKind::kPin, JointKind::kWeld}) {
     Joint joint;
     joint.kind = kind;

@@ -37,6 +37,16 @@ TEST(Align, PutsSidesAndMiddlesOfTheBoundsInLine) {
   EXPECT_EQ(at(Alignment::kLeft, 1), (Places{0.0, 1.0, 3.0}));
 }
 
+// A dumb-bell, upright and tilted, beside a box whose right side is at 5.5 m.
+TEST(Align, TakesTheBoundsOfEachShape) {
+  std::vector<Body> bodies = three();
+  bodies[0].shape = Compound{{{Disc{0.3}, Vec2(-0.5, 0.0), 0.0, {}}, {Disc{0.3}, Vec2(0.5, 0.0), 0.0, {}}}};
+  bodies[0].angle = 0.5 * std::numbers::pi;
+  EXPECT_NEAR(aligned(bodies, Alignment::kRight)[0].position.x(), 5.2, 1e-12);
+  bodies[0].angle = 0.3;
+  EXPECT_NEAR(aligned(bodies, Alignment::kRight)[0].position.x(), 5.2 - 0.5 * std::cos(0.3), 1e-12);
+}
+
 TEST(Align, DistributesWithEqualGaps) {
   const std::vector<Body> spread = aligned(three(), Alignment::kAcross);
   EXPECT_NEAR(spread[0].position.x(), 0.0, 1e-12);

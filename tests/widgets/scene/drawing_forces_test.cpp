@@ -153,6 +153,28 @@ TEST_F(ForcesDrawn, ADrivenBodyIsHatchedWithinItsShape) {
   EXPECT_NEAR(d.arrows[1].to.y(), -0.6, 1e-12);
 }
 
+// A cup of 3 m × 2 m, of which x from 1 to 2 above y = 1 is empty.
+TEST_F(ForcesDrawn, TheHatchingLeavesDentsFreeAndHasNoGaps) {
+  bodies_.resize(1);
+  bodies_[0].shape = Polygon{{{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  bodies_[0].position = Vec2(1.5, 0.9);  // its centre of mass
+  bodies_[0].drive = Drive{};
+  const Drawing d = drawing();
+  double hatched = 0.0;
+  for (const auto& line : d.lines) {
+    const Vec2 along = line.to - line.from;
+    if (std::abs(along.x() - along.y()) > 1e-9) continue;  // the outline
+    hatched += along.norm();
+    const Vec2 middle = 0.5 * (line.from + line.to);
+    for (const Vec2& at : {line.from, middle, line.to}) {
+      const bool in_dent = at.x() > 1.0 && at.x() < 2.0 && at.y() > 1.0;
+      EXPECT_FALSE(in_dent) << at.transpose();
+    }
+    EXPECT_GT(along.norm(), 0.0);
+  }
+  EXPECT_NEAR(0.07 * hatched, 5.0, 0.3) << "every 7 px";
+}
+
 TEST_F(ForcesDrawn, ADrivenDiscIsHatchedAndDeepZoomStaysCheap) {
   bodies_[0].drive = Drive{.velocity = Vec2(0.5, 0.0)};
   const Drawing d = drawing();

@@ -46,6 +46,40 @@ TEST_F(DrawingOf, NamesMovingBodiesBelowThem) {
   EXPECT_EQ(d.labels[1].anchor, Vec2(3.0, 0.75));
 }
 
+// A cup of 3 m × 2 m whose corner is at the origin; x from 1 to 2 above y = 1 is empty.
+TEST_F(DrawingOf, ADentIsFreeAndPartsHaveNoSeams) {
+  Preset preset;
+  Body& cup = preset.scene.bodies.emplace_back();
+  cup.name = "cup";
+  cup.shape = Polygon{{{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  cup.position = Vec2(1.5, 0.9);
+  frame_ = frame_of(Simulation(setup_of(preset)));
+  ASSERT_EQ(drawing().labels.size(), 1U);
+  EXPECT_LT((drawing().labels[0].anchor - Vec2(1.5, 0.0)).norm(), 1e-12) << "under its lowest point";
+  options_.grid = options_.names = options_.velocities = false;
+  camera_.center = Vec2(1.5, 1.0);
+  camera_.viewport = QSizeF(400, 300);
+  QImage image(400, 300, QImage::Format_RGB32);
+  QPainter painter(&image);
+  paint_drawing(painter, drawing(), camera_, light_theme());
+  painter.end();
+  const auto inside = [](const Vec2& at, double low, double high_x, double high_y) {
+    return at.x() > low && at.x() < high_x && at.y() > low && at.y() < high_y;
+  };
+  constexpr double kLine = 0.03;  // m, more than the outline
+  for (int x = 0; x < 300; ++x) {
+    for (int y = 0; y < 200; ++y) {
+      const Vec2 at(0.01 * x + 0.005, 0.01 * y + 0.005);
+      const bool base = inside(at, kLine, 3.0 - kLine, 1.0 - kLine);
+      const bool arm = inside(at, kLine, 1.0 - kLine, 2.0 - kLine);
+      const bool dent = inside(at - Vec2(1.0, 1.0), kLine, 1.0 - kLine, 1.0);
+      if (!base && !arm && !dent) continue;
+      const QColor expected = dent ? light_theme().scene_ground : light_theme().body_fill;
+      ASSERT_EQ(image.pixelColor(camera_.to_screen(at).toPoint()).name(), expected.name()) << at.transpose();
+    }
+  }
+}
+
 TEST_F(DrawingOf, NamesNothingWhereItWouldBeClutter) {
   camera_.scale = 100.0;
   Preset preset;

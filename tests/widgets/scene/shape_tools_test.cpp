@@ -158,32 +158,67 @@ TEST_F(ShapeToolsTest, BackspaceTakesACornerBackAndEscapeAll) {
   EXPECT_EQ(told_.size(), 1U);
 }
 
-TEST_F(ShapeToolsTest, ACornerThatWouldNotBeConvexIsNotSet) {
+TEST_F(ShapeToolsTest, APolygonMayHaveDents) {
+  view_.set_tool(SceneTool::kPolygon);
+  // 0.8 m × 0.8 m without the triangle from the upper side to the middle.
+  for (const QPoint& at :
+       {QPoint(260, 60), QPoint(300, 100), QPoint(340, 60), QPoint(340, 140), QPoint(260, 140)})
+    click(at);
+  key(Qt::Key_Return);
+  EXPECT_EQ(corners().size(), 5U);
+  EXPECT_NEAR(area(added().shape), 0.64 - 0.16, 1e-12);
+}
+
+TEST_F(ShapeToolsTest, ACornerWhoseEdgeWouldCrossIsNotSet) {
   view_.set_tool(SceneTool::kPolygon, true);
   const std::vector<QPoint> square = {QPoint(260, 60), QPoint(340, 60), QPoint(340, 140)};
   for (const QPoint& at : square) click(at);
-  click(QPoint(320, 80));  // inside
+  click(QPoint(300, 20));  // across the first edge
   click(QPoint(260, 140));
   key(Qt::Key_Return);
   EXPECT_EQ(corners().size(), 4U);
   EXPECT_NEAR(area(added().shape), 0.64, 1e-12);
   // Enter at once takes the hull with it.
   for (const QPoint& at : square) click(at);
-  click(QPoint(360, 100));
+  click(QPoint(300, 20));
   key(Qt::Key_Return);
   EXPECT_EQ(corners().size(), 4U);
-  EXPECT_NEAR(area(added().shape), 0.32 + 0.08, 1e-12);
+  EXPECT_NEAR(area(added().shape), 0.32 + 0.16, 1e-12);
 }
 
-TEST_F(ShapeToolsTest, APolygonHasAtMost16Corners) {
+TEST_F(ShapeToolsTest, WhereTheLastEdgeWouldCrossTheHullIsTaken) {
   view_.set_tool(SceneTool::kPolygon);
-  for (int k = 0; k < 20; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / 20;
-    const QPointF at(300.0 + 150.0 * std::cos(angle), 200.0 - 150.0 * std::sin(angle));
-    click(at.toPoint(), Qt::ControlModifier);
-  }
+  // A spiral, closed across its own arm.
+  for (const QPoint& at : {QPoint(300, 100), QPoint(340, 100), QPoint(340, 140), QPoint(260, 140),
+                           QPoint(260, 60), QPoint(380, 60), QPoint(380, 120)})
+    click(at);
+  ASSERT_TRUE(told_.empty());
+  click(QPoint(300, 100));
+  ASSERT_EQ(told_.size(), 1U);
+  EXPECT_EQ(corners().size(), 5U);
+  EXPECT_NEAR(area(added().shape), 0.92, 1e-12);
+}
+
+TEST_F(ShapeToolsTest, AConvexPolygonHasAtMost16Corners) {
+  view_.set_tool(SceneTool::kPolygon);
+  const auto draw = [&](double (*reach)(int)) {
+    for (int k = 0; k < 20; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / 20;
+      const QPointF at(300.0 + reach(k) * std::cos(angle), 200.0 - reach(k) * std::sin(angle));
+      click(at.toPoint(), Qt::ControlModifier);
+    }
+    key(Qt::Key_Return);
+  };
+  draw([](int) { return 150.0; });
+  EXPECT_TRUE(told_.empty());
+  for (int k = 0; k < 4; ++k) key(Qt::Key_Backspace);
   key(Qt::Key_Return);
+  ASSERT_EQ(told_.size(), 1U);
   EXPECT_EQ(corners().size(), 16U);
+  view_.set_tool(SceneTool::kPolygon);
+  draw([](int k) { return k % 2 == 0 ? 150.0 : 70.0; });
+  ASSERT_EQ(told_.size(), 2U);
+  EXPECT_EQ(corners().size(), 20U) << "a star";
 }
 
 TEST_F(ShapeToolsTest, TheEdgeToTheMouseIsShown) {

@@ -1,0 +1,317 @@
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "physics/collision/pair_contact.h"
+#include "physics/run/run_setup.h"
+#include "tests/support/draws.h"
+#include "tests/support/impacts.h"
+#include "tests/support/scenes.h"
+
+// Complete runs of bodies of several convex parts: compounds and concave polygons.
+namespace carom {
+namespace {
+
+using test::Draws;
+
+PlacedShape placed(const PlainShape& shape, const Vec2& position, double angle = 0.0) {
+  return {shape, position, angle, {}};
+}
+
+Body shaped(const std::string& name, const Shape& shape, const Vec2& position, double angle = 0.0) {
+  Body b = test::disc(name, position, {0.0, 0.0});
+  b.shape = shape;
+  b.angle = angle;
+  b.mass.reset();
+  b.density = 1.0;
+  return b;
+}
+
+Body ground(const std::string& name, const Vec2& position, double angle) {
+  Body b = shaped(name, Wall{}, position, angle);
+  b.density.reset();
+  b.fixed = true;
+  return b;
+}
+
+std::vector<Body> half_planes(double half) {
+  return {ground("floor", {0.0, -half}, 0.0), ground("ceiling", {0.0, half}, M_PI),
+          ground("left", {-half, 0.0}, -M_PI / 2), ground("right", {half, 0.0}, M_PI / 2)};
+}
+
+// A box of 0.8 × 0.4 m in other ways.
+std::vector<Shape> forms_of_one_box() {
+  return {Box{0.8, 0.4}, Compound{{placed(Box{0.4, 0.4}, {-0.2, 0.0}), placed(Box{0.4, 0.4}, {0.2, 0.0})}},
+          Compound{{placed(Box{0.4, 0.4}, {5.0, 1.0}),
+                    placed(Polygon{{{0, 0}, {0.4, 0}, {0.4, 0.4}, {0, 0.4}}}, {5.4, 1.0})}}};
+}
+
+const Method kFlight{IntegratorId::kExactFlight, ImpactsId::kLocated, ContactsId::kImpulse, 0.01};
+const Method kRk4{IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kImpulse, 0.01};
+const Method kStepEnd{IntegratorId::kVelocityVerlet, ImpactsId::kStepEnd, ContactsId::kImpulse, 0.002};
+
+TEST(CompoundBodies, TwoSquaresMoveAsOneRectangle) {
+  for (const Method& method : {kFlight, kRk4}) {
+    std::vector<Eigen::Vector3d> places;
+    std::vector<std::int64_t> impacts;
+    for (const Shape& shape : forms_of_one_box()) {
+      std::vector<Body> bodies = half_planes(1.5);
+      Body body = shaped("body", shape, {0.1, 0.2}, 0.4);
+      body.velocity = {0.7, 1.3};
+      body.spin = 0.9;
+      bodies.push_back(body);
+      RunSetup s = test::setup_with(bodies, 1.0, 0.2);
+      s.scene.forces.gravity = {0.0, -2.0};
+      s.method = method;
+      Simulation run(s);
+      while (run.impact_count() < 20) run.step();
+      places.push_back(run.state().q.col(4));
+      impacts.push_back(run.impact_count());
+    }
+    for (std::size_t k = 1; k < places.size(); ++k) {
+      EXPECT_EQ(impacts[k], impacts[0]);
+      // Rounding grows about threefold from impact to impact.
+      EXPECT_NEAR((places[k] - places[0]).cwiseAbs().maxCoeff(), 0.0, 1e-7) << k;
+    }
+  }
+}
+
+// Where rounding does not grow: between two floors, without friction.
+TEST(CompoundBodies, TwoSquaresBounceFlatAsOneRectangle) {
+  std::vector<Eigen::Vector3d> places;
+  for (const Shape& shape : forms_of_one_box()) {
+    Body body = shaped("body", shape, {0.0, 0.1});
+    body.velocity = {0.3, 1.1};
+    RunSetup s =
+        test::setup_with({ground("floor", {0.0, -0.7}, 0.0), ground("ceiling", {0.0, 0.7}, M_PI), body});
+    s.method = kFlight;
+    Simulation run(s);
+    while (run.impact_count() < 20) run.step();
+    run.advance_to(20.0);
+    places.push_back(run.state().q.col(2));
+  }
+  for (const Eigen::Vector3d& place : places) {
+    EXPECT_NEAR((place - places[0]).cwiseAbs().maxCoeff(), 0.0, 1e-13);
+    EXPECT_NEAR(place[2], 0.0, 1e-13);
+  }
+}
+
+TEST(CompoundBodies, ThatLandFlatDoNotTurn) {
+  for (const Method& method : {kFlight, kRk4, kStepEnd}) {
+    for (const double angle : {0.0, 0.3}) {
+      for (const Shape& shape : forms_of_one_box()) {
+        Body body = shaped("body", shape, turned_by(angle, {0.0, 1.2}), angle);
+        RunSetup s = test::setup_with({ground("floor", {0.0, 0.0}, angle), body}, 0.7, 0.5);
+        s.scene.forces.gravity = turned_by(angle, {0.0, -9.81});
+        s.method = method;
+        Simulation run(s);
+        double fastest = 0.0;
+        run.advance_to(3.0, [&] { fastest = std::max(fastest, std::abs(run.state().v(2, 1))); });
+        EXPECT_GE(run.impact_count(), 3);
+        EXPECT_LE(fastest, 1e-11);
+      }
+    }
+  }
+}
+
+// A table lands on both legs at once: as a box of the same mass and inertia, on the middle of the stretch.
+TEST(CompoundBodies, LegsOfATableLandTogether) {
+  const Compound table{{placed(Box{1.0, 0.1}, {0.0, 0.45}), placed(Box{0.1, 0.4}, {-0.4, 0.2}),
+                        placed(Box{0.1, 0.4}, {0.4, 0.2})}};
+  const double height = -centre_of(table).y();
+  Body body = shaped("table", table, {0.0, 1.0 - height});
+  RunSetup s = test::setup_with({ground("floor", {0.0, 0.0}, 0.0), body}, 0.5, 0.3);
+  s.scene.forces.gravity = {0.0, -9.81};
+  s.method = kFlight;
+  Simulation run(s);
+  while (run.impact_count() == 0) run.step();
+  EXPECT_EQ(run.impact_count(), 1);
+  EXPECT_NEAR(run.last_impacts().front().time, std::sqrt(2.0 / 9.81), 1e-13);
+  EXPECT_NEAR(run.last_impacts().front().point.x(), 0.0, 1e-14);
+  EXPECT_EQ(run.state().v(2, 1), 0.0);
+}
+
+// Elastic and smooth: the ball and the free cup around it keep their energy and both momenta.
+TEST(CompoundBodies, ABallInAFreeCupKeepsEnergyAndMomenta) {
+  const Polygon u{{{0, 0}, {3, 0}, {3, 2}, {2.5, 2}, {2.5, 0.5}, {0.5, 0.5}, {0.5, 2}, {0, 2}}};
+  Compound box{{placed(u, {0.0, 0.0}), placed(Box{3.0, 0.2}, {0.0, 1.4})}};
+  Body cup = shaped("cup", box, {0.0, 0.0}, 0.2);
+  cup.spin = 0.3;
+  Body ball = test::disc("ball", {0.0, 0.3}, {1.3, 0.4}, 0.15, 0.3);
+  RunSetup s = test::setup_with({cup, ball});
+  s.method = kFlight;
+  Simulation run(s);
+  const Totals before = run.totals();
+  ASSERT_TRUE(test::step_to_impact(run, 1000, [&] { run.step(); }));
+  const Totals after = run.totals();
+  EXPECT_NEAR(after.energy() / before.energy(), 1.0, 1e-12);
+  EXPECT_NEAR((after.momentum - before.momentum).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(after.angular_momentum, before.angular_momentum, 1e-11);
+  EXPECT_EQ(run.notices().text(), "ok");
+  // Still inside.
+  EXPECT_LT((run.state().position(1) - run.state().position(0)).norm(), 2.0);
+}
+
+std::vector<Shape> several() {
+  return {Polygon{{{0, 0}, {0.6, 0}, {0.6, 0.2}, {0.2, 0.2}, {0.2, 0.6}, {0, 0.6}}},
+          Polygon{{{0, 0}, {0.6, 0}, {0.6, 0.4}, {0.4, 0.4}, {0.4, 0.2}, {0.2, 0.2}, {0.2, 0.4}, {0, 0.4}}},
+          Compound{{placed(Disc{0.12}, {-0.25, 0.0}), placed(Disc{0.12}, {0.25, 0.0}),
+                    placed(Box{0.5, 0.06}, {0, 0})}},
+          Compound{{placed(Box{0.5, 0.08}, {0.0, 0.0}), placed(Box{0.14, 0.3}, {0.3, 0.0}, 0.1)}}};
+}
+
+std::vector<Body> gas_of_compounds(std::uint64_t seed) {
+  Draws draws(seed);
+  std::vector<Body> bodies = half_planes(2.0);
+  const std::vector<Shape> shapes = several();
+  for (int i = 0; i < 16; ++i) {
+    Body b = shaped(fmt::format("b{}", i), shapes[static_cast<std::size_t>(i) % shapes.size()],
+                    {-1.35 + 0.9 * (i % 4), -1.35 + 0.9 * (i / 4)}, draws.angle());
+    b.velocity = draws.in_square(1.0);
+    b.spin = draws.between(-3.0, 3.0);
+    bodies.push_back(b);
+  }
+  return bodies;
+}
+
+TEST(CompoundBodies, GasKeepsEnergyAndNothingPenetrates) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    RunSetup s = test::setup_with(gas_of_compounds(seed));
+    s.method = kFlight;
+    Simulation run(s);
+    const double before = run.totals().energy();
+    ASSERT_TRUE(test::step_to_impact(run, 2000, [&] { run.step(); }));
+    EXPECT_NEAR(run.totals().energy() / before, 1.0, 1e-12);
+    EXPECT_NEAR(run.ledger().momentum_drift(run.totals().momentum).norm(), 0.0, 1e-10);
+    EXPECT_EQ(run.notices().text(), "ok");
+    for (int a = 0; a < run.state().size(); ++a) {
+      for (int b = a + 1; b < run.state().size(); ++b) {
+        if (!run.shapes().can_collide(a, b)) continue;
+        EXPECT_GT(contact_between(run.shapes(), a, run.state().q.col(a), b, run.state().q.col(b)).gap, -1e-12);
+      }
+    }
+  }
+}
+
+// Turned, mirrored and shifted scenes: the same run, turned, mirrored and shifted.
+TEST(CompoundBodies, DirectionsAndPlacesAreAllTheSame) {
+  const auto end_of = [](std::vector<Body> bodies) {
+    RunSetup s = test::setup_with(std::move(bodies), 0.9, 0.3);
+    s.method = kFlight;
+    Simulation run(s);
+    while (run.impact_count() < 12) run.step();
+    run.advance_to(run.time() + 0.01);
+    return std::pair(run.state(), run.time());
+  };
+  const std::vector<Body> plain = gas_of_compounds(7);
+  const auto [state, time] = end_of(plain);
+  const double turn = 0.9;
+  std::vector<Body> turned = plain;
+  for (Body& b : turned) {
+    b.position = turned_by(turn, b.position) + Vec2(3.0, -1.0);
+    b.velocity = turned_by(turn, b.velocity);
+    b.angle += turn;
+  }
+  const auto [turned_state, turned_time] = end_of(turned);
+  EXPECT_NEAR(turned_time, time, 1e-12);
+  for (int i = 4; i < state.size(); ++i) {
+    const Vec2 back = turned_by(-turn, Vec2(turned_state.position(i) - Vec2(3.0, -1.0)));
+    EXPECT_NEAR((back - state.position(i)).norm(), 0.0, 1e-10);
+  }
+}
+
+// A stick of two surfaces: only one end is rough.
+TEST(CompoundBodies, EachShapeMayHaveASurfaceOfItsOwn) {
+  Compound stick{{placed(Box{0.4, 0.1}, {-0.2, 0.0}), placed(Box{0.4, 0.1}, {0.2, 0.0})}};
+  stick.shapes[1].material = "soft";
+  for (const double side : {-1.0, 1.0}) {
+    Body body = shaped("stick", stick, {0.0, 0.0});
+    Body ball = test::disc("ball", {side * 0.2, 0.5}, {0.0, -1.0}, 0.1, 1.0);
+    RunSetup s = test::setup_with({body, ball});
+    s.scene.materials.push_back({"soft", 0.0, 0.0, 0.0, 0.0});
+    s.method = kFlight;
+    Simulation run(s);
+    while (run.impact_count() == 0) run.step();
+    const ImpactRecord& hit = run.last_impacts().front();
+    EXPECT_EQ(hit.lost_to_restitution > 1e-3, side > 0.0);
+  }
+}
+
+// What stands on two parts rests there, and a ball comes to rest in a cup.
+TEST(CompoundBodies, RestOnSeveralParts) {
+  for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
+    const Polygon u{{{0, 0}, {1.2, 0}, {1.2, 0.8}, {1.0, 0.8}, {1.0, 0.2}, {0.2, 0.2}, {0.2, 0.8}, {0, 0.8}}};
+    Body arch = shaped("arch", u, {0.0, 0.0}, M_PI);
+    // Its centre of mass, over the feet.
+    const double centre = moments_of(u.vertices, 0.0).centroid.y();
+    arch.position.y() = 0.8 - centre;
+    Body cup = shaped("cup", u, {3.0, centre});
+    Body ball = test::disc("ball", {3.1, 0.7}, {0.3, 0.0}, 0.15, 0.2);
+    RunSetup s = test::setup_with({ground("floor", {0.0, 0.0}, 0.0), arch, cup, ball}, 0.3, 0.4);
+    s.scene.forces.gravity = {0.0, -9.81};
+    s.method = {IntegratorId::kRk4, impacts, ContactsId::kLasting, 1.0 / 120.0};
+    Simulation run(s);
+    const Eigen::Vector3d arch_at = run.state().q.col(1);
+    run.advance_to(4.0);
+    EXPECT_NEAR((run.state().q.col(1) - arch_at).cwiseAbs().maxCoeff(), 0.0, 1e-9);
+    EXPECT_NEAR(run.state().position(3).y(), 0.2 + 0.15, 1e-6);
+    EXPECT_LT(std::abs(run.state().position(3).x() - run.state().position(2).x()), 0.4);
+    EXPECT_NEAR(run.state().q(2, 2), 0.0, 1e-9);
+    double load = 0.0;
+    for (const ContactForce& f : run.contact_forces()) {
+      if (f.a == 0 && f.b == 1) load += f.normal_force;
+    }
+    EXPECT_NEAR(load, mass_of(arch) * 9.81, 1e-6);
+  }
+}
+
+// A disc rolls over the seams inside one body, and a box slides over them, as over one piece.
+TEST(CompoundBodies, SeamsWithinABodyAreSmooth) {
+  Compound tiles;
+  for (int k = 0; k < 6; ++k) tiles.shapes.push_back(placed(Box{0.5, 0.2}, {0.5 * k, 0.0}));
+  Body floor = shaped("floor", tiles, {0.0, -0.1});
+  floor.density.reset();
+  floor.fixed = true;
+  for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
+    Body box = shaped("box", Box{0.2, 0.2}, {-1.2, 0.1});
+    box.velocity = {1.0, 0.0};
+    Body ball = test::disc("ball", {-0.6, 0.1}, {1.1, 0.0}, 0.1, 1.0);
+    RunSetup s = test::setup_with({floor, box, ball}, 0.5);
+    s.scene.forces.gravity = {0.0, -9.81};
+    s.method = {IntegratorId::kRk4, impacts, ContactsId::kLasting, 1.0 / 120.0};
+    Simulation run(s);
+    run.advance_to(1.5);
+    EXPECT_NEAR(run.state().v(0, 1), 1.0, 1e-9);
+    EXPECT_NEAR(run.state().v(0, 2), 1.1, 1e-9);
+    EXPECT_NEAR(run.state().q(0, 1), 0.3, 1e-9);
+    EXPECT_NEAR(run.state().q(1, 1), 0.1, 1e-9);
+    EXPECT_EQ(run.impact_count(), 0);
+  }
+}
+
+// Dropped into a container, three hundred of them pile up, and none leaves it.
+TEST(CompoundBodies, ACrowdStaysInItsBox) {
+  Draws draws(3);
+  std::vector<Body> bodies = test::room(6.0, 1.0);
+  const std::vector<Shape> shapes = several();
+  for (int i = 0; i < 300; ++i) {
+    Body b = shaped(fmt::format("b{}", i), shapes[static_cast<std::size_t>(i) % shapes.size()],
+                    {-5.4 + 0.68 * (i % 17), -5.4 + 0.62 * (i / 17)}, draws.angle());
+    b.velocity = draws.in_square(0.5);
+    bodies.push_back(b);
+  }
+  RunSetup s = test::setup_with(bodies, 0.2, 0.5);
+  s.scene.forces.gravity = {0.0, -9.81};
+  s.method = {IntegratorId::kRk4, ImpactsId::kStepEnd, ContactsId::kLasting, 1.0 / 60.0};
+  Simulation run(s);
+  const double before = run.totals().energy();
+  run.advance_to(2.0);
+  for (int i = 4; i < run.state().size(); ++i) {
+    EXPECT_LT(run.state().position(i).cwiseAbs().maxCoeff(), 6.0)
+        << run.bodies()[static_cast<std::size_t>(i)].name;
+  }
+  EXPECT_LT(run.totals().energy(), before);
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,26 @@
+#include "widgets/scene/drawing_shapes.h"
+
+#include "physics/math/vectors.h"
+
+namespace carom {
+
+void add_polygon(const Polygon& polygon, const Vec2& at, double angle, const QColor& fill, const QColor& line,
+                 Drawing& out) {
+  const std::vector<ConvexPart> parts = convex_parts(polygon);
+  const bool convex = parts.size() == 1;
+  for (const auto& [outline, position, box, of] : parts) {
+    if (!convex && fill.alpha() == 0) break;
+    const int first = static_cast<int>(out.vertices.size());
+    for (const Vec2& v : outline.vertices) out.vertices.push_back(at + turned_by(angle, position + v));
+    out.polygons.push_back(
+        {first, static_cast<int>(outline.vertices.size()), outline.rounding, fill, convex ? line : fill});
+  }
+  if (convex) return;
+  const std::vector<Vec2> edge = outline_of(polygon).vertices;
+  for (std::size_t k = 0; k < edge.size(); ++k) {
+    out.lines.push_back({at + turned_by(angle, edge[k]), at + turned_by(angle, edge[(k + 1) % edge.size()]),
+                         line, out.outline});
+  }
+}
+
+}  // namespace carom

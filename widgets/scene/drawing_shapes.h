@@ -1,0 +1,15 @@
+#pragma once
+
+#include <QColor>
+
+#include "physics/scene/shape.h"
+#include "widgets/scene/drawing.h"
+
+namespace carom {
+
+// Adds a polygon whose centre of mass is at `at`. One that is not convex is filled part by part, and its
+// outline is drawn over them; with a transparent `fill`, the outline alone.
+void add_polygon(const Polygon& polygon, const Vec2& at, double angle, const QColor& fill, const QColor& line,
+                 Drawing& out);
+
+}  // namespace carom

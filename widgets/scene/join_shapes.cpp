@@ -1,0 +1,332 @@
+#include "widgets/scene/join_shapes.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "widgets/scene/joint_start.h"
+#include "widgets/scene/key_edits.h"
+
+namespace carom {
+namespace {
+
+constexpr double kSame = 1e-9;  // of the size
+
+QString text_of(const std::string& name) { return QString::fromStdString(name); }
+
+// "A", "A and B", "A, B and C", "12 bodies".
+QString names_of(std::span<const Body> bodies) {
+  constexpr std::size_t kMostNamed = 3;
+  if (bodies.size() > kMostNamed) return QStringLiteral("%1 bodies").arg(bodies.size());
+  QStringList names;
+  for (const Body& body : bodies) names << text_of(body.name);
+  const QString last = names.takeLast();
+  return names.empty() ? last : names.join(QStringLiteral(", ")) + QStringLiteral(" and ") + last;
+}
+
+// The shapes of a body as bodies of their own.
+std::vector<Body> opened(const Body& body) {
+  const auto* compound = std::get_if<Compound>(&body.shape);
+  return compound == nullptr ? std::vector{body} : bodies_of(*compound, body);
+}
+
+PlainShape plain(const Shape& shape) {
+  return std::visit(
+      []<class Form>(const Form& form) -> PlainShape {
+        if constexpr (std::is_same_v<Form, Compound>) {
+          return {};  // a compound has been opened
+        } else {
+          return form;
+        }
+      },
+      shape);
+}
+
+// All shapes, along the axes of the first body and about its place.
+Compound shapes_of(std::span<const Body> bodies) {
+  const Body& first = bodies.front();
+  Compound compound;
+  for (const Body& body : bodies) {
+    for (const Body& part : opened(body)) {
+      const Vec2 place = turned_by(-first.angle, part.position - first.position);
+      const std::string material = part.material == first.material ? std::string() : part.material;
+      compound.shapes.push_back({plain(part.shape), place, part.angle - first.angle, material});
+    }
+  }
+  return compound;
+}
+
+Vec2 centre_of_mass(std::span<const Body> bodies) {
+  Vec2 sum = Vec2::Zero();
+  double mass = 0.0;
+  for (const Body& body : bodies) {
+    mass += mass_of(body);
+    sum += mass_of(body) * body.position;
+  }
+  return sum / mass;
+}
+
+// m: where the shapes as one homogeneous body have their centre of mass.
+Vec2 homogeneous_centre(std::span<const Body> bodies) {
+  const Body& first = bodies.front();
+  return first.position + turned_by(first.angle, centre_of(shapes_of(bodies)));
+}
+
+// That state a mass for another area, each of them homogeneous: the first two.
+std::optional<std::pair<std::size_t, std::size_t>> of_two_densities(std::span<const Body> bodies) {
+  const auto density = [](const Body& body) { return mass_of(body) / area(body.shape); };
+  for (std::size_t k = 1; k < bodies.size(); ++k) {
+    const double here = density(bodies[k]);
+    const double first = density(bodies[0]);
+    if (!(std::abs(here - first) <= kSame * first)) return std::pair(std::size_t{0}, k);
+  }
+  return std::nullopt;
+}
+
+// Whether the common centre of mass is that of a homogeneous body.
+bool is_balanced(std::span<const Body> bodies) {
+  const Vec2 centre = centre_of_mass(bodies);
+  double size = 0.0;
+  for (const Body& body : bodies)
+    size = std::max(size, (body.position - centre).norm() + bounding_radius(body.shape));
+  return (homogeneous_centre(bodies) - centre).norm() <= kSame * size;
+}
+
+template <class Part>
+bool any_at(const std::vector<Part>& list, const std::string& name) {
+  return std::any_of(list.begin(), list.end(), [&](const Part& part) {
+    if constexpr (requires { part.to; }) {
+      if (part.to == name) return true;
+    }
+    return part.body == name;
+  });
+}
+
+// Why these can't be one body, in one sentence.
+QString fault_of_kinds(std::span<const Body> bodies) {
+  const Body& first = bodies.front();
+  for (const Body& body : bodies) {
+    if (is_half_plane(body.shape))
+      return QStringLiteral("%1 is a half-plane, which has no centre of mass").arg(text_of(body.name));
+  }
+  for (const Body& body : bodies) {
+    const QString both = text_of(first.name) + QStringLiteral(" and ") + text_of(body.name);
+    if (first.fixed != body.fixed || first.drive.has_value() != body.drive.has_value())
+      return both + QStringLiteral(" do not move alike: let both move, or fix both, first");
+    if (first.drive != body.drive) return both + QStringLiteral(" are driven differently");
+    if (first.group != body.group) return both + QStringLiteral(" are in different groups");
+  }
+  return {};
+}
+
+QString fault_of_masses(std::span<const Body> bodies) {
+  if (has_infinite_mass(bodies.front()) || is_balanced(bodies)) return {};
+  const bool thin =
+      std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return area(b.shape) == 0.0; });
+  if (thin)
+    return names_of(bodies) + QStringLiteral(" can't share one density: what is thin or a point has no area");
+  if (const auto two = of_two_densities(bodies)) {
+    return QStringLiteral("%1 and %2 have different densities; give them one density first")
+        .arg(text_of(bodies[two->first].name), text_of(bodies[two->second].name));
+  }
+  return names_of(bodies) + QStringLiteral(" have no common centre of mass as one plate");
+}
+
+QString fault_of_holds(const Scene& scene, std::span<const Body> bodies) {
+  for (const Body& body : bodies) {
+    const bool spring = any_at(scene.forces.springs, body.name);
+    if (!spring && !any_at(scene.forces.applied, body.name)) continue;
+    return QStringLiteral("A %1 acts at the centre of %2, which would move; remove it first")
+        .arg(spring ? QStringLiteral("spring") : QStringLiteral("force"), text_of(body.name));
+  }
+  return {};
+}
+
+std::vector<Body> named(const std::vector<Body>& bodies, std::span<const std::string> names) {
+  std::vector<Body> found;
+  for (const std::string& name : names) {
+    const auto at = std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
+    if (at != bodies.end()) found.push_back(*at);
+  }
+  return found;
+}
+
+// One end of a joint: the body, the point in its frame, and by how much its angle becomes another one.
+struct End {
+  std::string& body;
+  Vec2& point;
+  double turn = 0.0;  // rad
+};
+
+// Puts an end that is on one of the bodies on the one that they become, at the same place.
+void move_end(End& end, std::span<const Body> bodies, const Body& whole) {
+  for (const Body& body : bodies) {
+    if (body.name != end.body) continue;
+    const Vec2 at = body.position + turned_by(body.angle, end.point);
+    end.point = turned_by(-whole.angle, at - whole.position);
+    end.turn = whole.angle - body.angle;
+    end.body = whole.name;
+    return;
+  }
+}
+
+void move_joints(const Scene& scene, std::span<const Body> bodies, const Body& whole, SceneEdits& edits) {
+  for (const Joint& joint : scene.joints) {
+    if (joint.id.number == 0) continue;  // a run has made it
+    Joint moved = joint;
+    End own{moved.body, moved.point};
+    End other{moved.to, moved.anchor};
+    move_end(own, bodies, whole);
+    move_end(other, bodies, whole);
+    if (moved.body == moved.to) {
+      edits.emplace_back(Remove<Joint>{joint.id});
+      continue;
+    }
+    if (moved.angle) *moved.angle += own.turn - other.turn;
+    if (moved.body == whole.name || moved.to == whole.name) edits.emplace_back(Replace<Joint>{moved});
+  }
+}
+
+// What the joints forbid of the velocities after the edits goes as in a perfectly inelastic impact: joint by
+// joint until all hold, each taking out as little kinetic energy as it must.
+void let_joints_hold(const Scene& scene, SceneEdits& edits) {
+  constexpr int kMostSweeps = 1000;
+  Scene now = scene;
+  apply_edits(now, edits);
+  const auto named_body = [&](const std::string& name) {
+    return std::find_if(now.bodies.begin(), now.bodies.end(), [&](const Body& b) { return b.name == name; });
+  };
+  const std::vector<Body> before = now.bodies;
+  bool all_hold = false;
+  for (int sweep = 0; sweep < kMostSweeps && !all_hold; ++sweep) {
+    all_hold = true;
+    for (const Joint& joint : now.joints) {
+      JointEnds ends{{}, {joint.point, joint.anchor}};
+      for (const std::size_t i : {0, 1}) {
+        const auto body = named_body(i == 0 ? joint.body : joint.to);
+        if (body == now.bodies.end()) continue;
+        ends.places[i] = body->position + turned_by(body->angle, ends.places[i]);
+        ends.bodies[i] = *body;
+      }
+      for (const Body& changed : as_joined(joint.kind, ends)) {
+        *named_body(changed.name) = changed;
+        all_hold = false;
+      }
+    }
+  }
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const Body& body = now.bodies[k];
+    if (body.velocity != before[k].velocity || body.spin != before[k].spin)
+      edits.emplace_back(Replace<Body>{body});
+  }
+}
+
+}  // namespace
+
+Body joined(std::span<const Body> bodies) {
+  Body whole = bodies.front();
+  Compound compound = shapes_of(bodies);
+  const Vec2 centre = centre_of(compound);
+  for (PlacedShape& placed : compound.shapes) placed.position -= centre;
+  whole.position = homogeneous_centre(bodies);
+  whole.shape = std::move(compound);
+  whole.mass.reset();
+  whole.density.reset();
+  whole.inertia.reset();
+  if (has_infinite_mass(whole)) return whole;
+  double mass = 0.0;
+  double inertia = 0.0;
+  Vec2 momentum = Vec2::Zero();
+  double turning = 0.0;  // kg m²/s, about the common centre
+  for (const Body& body : bodies) {
+    const double m = mass_of(body);
+    const Vec2 arm = body.position - whole.position;
+    mass += m;
+    momentum += m * body.velocity;
+    inertia += inertia_of(body) + m * arm.squaredNorm();
+    turning += inertia_of(body) * body.spin + m * cross(arm, body.velocity);
+  }
+  whole.mass = mass;
+  whole.velocity = momentum / mass;
+  whole.spin = inertia > 0.0 ? turning / inertia : 0.0;
+  if (std::abs(inertia_of(whole) - inertia) > kSame * inertia) whole.inertia = inertia;
+  return whole;
+}
+
+std::vector<Body> taken_apart(const Body& body) {
+  const auto* compound = std::get_if<Compound>(&body.shape);
+  if (compound == nullptr) return {body};
+  std::vector<Body> parts = bodies_of(*compound, body);
+  const bool has_area = area(body.shape) > 0.0;
+  const auto weight = [&](const Body& part) {
+    return has_area ? area(part.shape) : bounding_radius(part.shape);
+  };
+  double sum = 0.0;
+  for (const Body& part : parts) sum += weight(part);
+  for (Body& part : parts) {
+    if (body.drive) part.velocity = body.velocity;
+    part.density = body.mass || has_infinite_mass(body) ? std::nullopt : body.density;
+    if (body.mass) part.mass = *body.mass * weight(part) / sum;
+  }
+  return parts;
+}
+
+Regrouping joining(const Scene& scene, std::span<const std::string> names) {
+  Regrouping out;
+  const std::vector<Body> bodies = named(scene.bodies, names);
+  if (bodies.size() < names.size()) {
+    out.refusal = QStringLiteral("Bodies of a generator can't be joined");
+  } else if (bodies.size() < 2) {
+    out.refusal = QStringLiteral("Two bodies or more become one");
+  } else {
+    out.refusal = fault_of_kinds(bodies);
+  }
+  if (out.refusal.isEmpty()) out.refusal = fault_of_masses(bodies);
+  if (out.refusal.isEmpty()) out.refusal = fault_of_holds(scene, bodies);
+  if (!out.refusal.isEmpty()) return out;
+  const Body whole = joined(bodies);
+  if (std::get<Compound>(whole.shape).shapes.size() > kMostShapes) {
+    out.refusal = QStringLiteral("One body has at most %1 shapes").arg(kMostShapes);
+    return out;
+  }
+  out.edits.emplace_back(Replace<Body>{whole});
+  move_joints(scene, bodies, whole, out.edits);
+  for (const Body& body : std::span(bodies).subspan(1)) out.edits.emplace_back(Remove<Body>{body.id});
+  const bool held = std::any_of(out.edits.begin(), out.edits.end(), [](const SceneEdit& edit) {
+    return std::holds_alternative<Replace<Joint>>(edit);
+  });
+  if (held) let_joints_hold(scene, out.edits);
+  out.name = QStringLiteral("Join %1 into one body").arg(names_of(bodies));
+  out.bodies = {whole.name};
+  return out;
+}
+
+Regrouping taking_apart(const Scene& scene, const std::string& name) {
+  Regrouping out;
+  const std::vector<Body> found = named(scene.bodies, {&name, 1});
+  if (found.empty() || !std::holds_alternative<Compound>(found[0].shape)) {
+    out.refusal = QStringLiteral("%1 has only one shape").arg(text_of(name));
+    return out;
+  }
+  std::vector<Body> bodies = all_bodies(scene);
+  for (Body& part : taken_apart(found[0])) {
+    part.name = free_body_name(bodies, name);
+    bodies.push_back(part);
+    out.bodies.push_back(part.name);
+    out.edits.emplace_back(Add<Body>{std::move(part)});
+  }
+  const Deletion gone = deletion(scene, {&name, 1});
+  out.edits.insert(out.edits.end(), gone.edits.begin(), gone.edits.end());
+  out.name = QStringLiteral("Take %1 apart into %2 %3")
+                 .arg(text_of(name))
+                 .arg(out.bodies.size())
+                 .arg(out.bodies.size() == 1 ? QStringLiteral("body") : QStringLiteral("bodies"));
+  if (!gone.links.isEmpty()) out.name += QStringLiteral(" and delete ") + gone.links;
+  return out;
+}
+
+}  // namespace carom
