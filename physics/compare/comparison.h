@@ -61,18 +61,18 @@ struct Comparison {
   double impact_time_error = std::numeric_limits<double>::quiet_NaN();  // s, largest over the matched impacts
   std::int64_t matched = 0;    // impacts up to the moment, in either run, that have a partner in the other
   std::int64_t unmatched = 0;  // those without a partner
-  std::int64_t left_out = 0;   // bodies that are not compared
+  std::int64_t left_out = 0;   // bodies whose velocities are not compared
 };
 
-// Errors of a state against the reference's, over the bodies of `moving` that no impact awaits. The others
-// are left out, and then so is the energy. Infinite if one of the two has blown up. `awaiting` is 1 for
-// bodies whose impact has happened in one run only, or empty.
+// Errors of a state against the reference's, over the bodies of `moving`. For velocities and spins those that
+// wait for an impact are left out, and then so is the energy. Infinite if one of the two has blown up.
+// `awaiting` is 1 for bodies whose impact has happened in one run only, or empty.
 [[nodiscard]] Comparison compare_states(const State& run, double run_energy, const State& reference,
                                         double reference_energy, std::span<const MovingBody> moving,
                                         std::span<const std::uint8_t> awaiting);
 
 // Compares the states at `time` and the impacts up to then, in order (see ImpactMatcher). If a partner comes
-// after `time`, the two bodies are left out.
+// after `time`, the velocities and spins of the two bodies are left out.
 [[nodiscard]] Comparison compare(const RunSummary& run, const RunSummary& reference,
                                  std::span<const MovingBody> moving, double time);
 

@@ -13,8 +13,8 @@
 
 namespace carom {
 
-// Error of a run against its reference. Bodies with an impact in one of the two runs only are left out; NaN
-// if nothing is left to compare.
+// Error of a run against its reference. Velocities and spins of bodies with an impact in one of the two runs
+// only are left out; NaN if nothing is left to compare.
 struct RunError {
   double position = std::numeric_limits<double>::quiet_NaN();  // m, now: the largest over the moving bodies
   double velocity = std::numeric_limits<double>::quiet_NaN();  // m/s

@@ -108,20 +108,24 @@ double lost_in_flight(const Ledger& l) {
   return l.lost_to_drag + l.lost_to_dampers + l.lost_to_rolling + l.lost_to_joints;
 }
 
-// Distance of one body, or of the farthest moving one, from its place in the reference; NaN without a
-// reference and for bodies that wait for an impact.
+// The error of one body, or the largest of the moving ones, against the reference; NaN without one.
 template <class Distance>
 double error_of(const Reading& r, int body, const Distance& distance) {
-  if (r.reference == nullptr || r.reference->awaiting[static_cast<std::size_t>(body)] != 0) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
+  if (r.reference == nullptr) return std::numeric_limits<double>::quiet_NaN();
   return distance(r.state, r.reference->state, body);
 }
+// Likewise of what impacts change at once: NaN for a body that waits for an impact.
 template <class Distance>
-double largest_error(const Reading& r, const Distance& distance) {
+double error_between_impacts(const Reading& r, int body, const Distance& distance) {
+  const bool waits = r.reference != nullptr && r.reference->awaiting[static_cast<std::size_t>(body)] != 0;
+  return waits ? std::numeric_limits<double>::quiet_NaN() : error_of(r, body, distance);
+}
+
+template <class Error>
+double largest_error(const Reading& r, const Error& error) {
   double most = std::numeric_limits<double>::quiet_NaN();
   for (int i = 0; i < r.state.size(); ++i) {
-    if (r.mass.inverse_mass[i] > 0.0) most = std::fmax(most, error_of(r, i, distance));
+    if (r.mass.inverse_mass[i] > 0.0) most = std::fmax(most, error(i));
   }
   return most;
 }
@@ -237,22 +241,24 @@ constexpr auto kOwn = std::to_array<Observable>({
     {"wall_impulse", "normal impulses on walls so far", "N s", 0, Topic::kRun,
      [](R r, Ids) { return r.tally.wall_impulse(); }},
     {"position_error", "distance from the reference", "m", 0, Topic::kError,
-     [](R r, Ids) { return largest_error(r, position_error); }},
+     [](R r, Ids) { return largest_error(r, [&](int i) { return error_of(r, i, position_error); }); }},
     {"velocity_error", "error of the velocities", "m/s", 0, Topic::kError,
-     [](R r, Ids) { return largest_error(r, velocity_error); }},
+     [](R r,
+        Ids) { return largest_error(r, [&](int i) { return error_between_impacts(r, i, velocity_error); }); }},
     {"angle_error", "error of the angles, times the radius", "m", 0, Topic::kError,
-     [](R r, Ids) { return largest_error(r, angle_error(r)); }},
+     [](R r, Ids) { return largest_error(r, [&](int i) { return error_of(r, i, angle_error(r)); }); }},
     {"spin_error", "error of the spins, times the radius", "m/s", 0, Topic::kError,
-     [](R r, Ids) { return largest_error(r, spin_error(r)); }},
+     [](R r,
+        Ids) { return largest_error(r, [&](int i) { return error_between_impacts(r, i, spin_error(r)); }); }},
     {"energy_error", "error of the energy", "J", 0, Topic::kError, [](R r, Ids) { return energy_error(r); }},
     {"body_position_error", "distance from the reference", "m", 1, Topic::kError,
      [](R r, Ids b) { return error_of(r, b[0], position_error); }},
     {"body_velocity_error", "error of the velocity", "m/s", 1, Topic::kError,
-     [](R r, Ids b) { return error_of(r, b[0], velocity_error); }},
+     [](R r, Ids b) { return error_between_impacts(r, b[0], velocity_error); }},
     {"body_angle_error", "error of the angle, times the radius", "m", 1, Topic::kError,
      [](R r, Ids b) { return error_of(r, b[0], angle_error(r)); }},
     {"body_spin_error", "error of the spin, times the radius", "m/s", 1, Topic::kError,
-     [](R r, Ids b) { return error_of(r, b[0], spin_error(r)); }},
+     [](R r, Ids b) { return error_between_impacts(r, b[0], spin_error(r)); }},
 });
 
 // The entries of the ledger without the first, which is constant in a run.

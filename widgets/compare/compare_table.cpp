@@ -53,9 +53,7 @@ class CompareModel : public FigureModel {
     if (of_itself && column < kDrift) return tr("This run uses the method of the reference");
     if (column == 1) return tr("The largest distance of a body from where it is in the reference, now");
     if (column == 2) {
-      return tr(
-          "The same, at its largest so far; bodies that wait for an impact in one of the two runs are left "
-          "out");
+      return tr("The same, at its largest so far");
     }
     if (column == kAngle) {
       return tr("The largest error of an angle in rad, now, times how far the body reaches from its centre");

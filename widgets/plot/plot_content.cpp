@@ -100,10 +100,8 @@ std::span<const PlotContent> named_plots() {
       named("momentum_drift", "Momentum drift", "kg·m/s",
             "Momentum that the method itself gained or lost: what neither forces, walls nor the user explain",
             &Scales::momentum, kDrift, {line("x", "momentum_drift_x"), line("y", "momentum_drift_y")}),
-      logarithmic(
-          named("error", "Distance from the reference", "m",
-                "The largest over the moving bodies, but those that wait for an impact in one of the two runs",
-                nullptr, kValues, {line("", "position_error")})),
+      logarithmic(named("error", "Distance from the reference", "m", "The largest over the moving bodies",
+                        nullptr, kValues, {line("", "position_error")})),
       distribution("speeds", "Speeds", "s/m",
                    "How often each speed occurs among the freely moving bodies, beside Maxwell's law", "speed",
                    "m/s", PlotContent::Shows::kSpeeds),
