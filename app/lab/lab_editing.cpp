@@ -58,18 +58,26 @@ void LabWindow::connect_edits() {
   connect(&session_, &Session::documentChanged, view_, &SceneView::scene_edited);
   aim_time_.setSingleShot(true);
   connect(&aim_time_, &QTimer::timeout, view_, [this] { view_->set_aim(std::nullopt); });
-  // A refusal is about the last edit and what is shown.
-  const auto forget_refusal = [this] {
+  // A refusal is about the last edit and what is shown; red cells are about the edit alone, which may select.
+  connect(&session_, &Session::documentChanged, this, [this] {
     inspector_->say({});
-    sheet_->say({});
-  };
-  connect(&session_, &Session::documentChanged, this, forget_refusal);
-  connect(view_, &SceneView::selectionChanged, this, forget_refusal);
-  connect(view_, &SceneView::partChosen, this, forget_refusal);
-  connect(&session_, &Session::editRefused, this, [this](const QString& why) {
-    const bool typed_in_table = sheet_->isAncestorOf(QApplication::focusWidget());
-    typed_in_table ? sheet_->say(why) : inspector_->say(why);
+    sheet_->forget_faults();
   });
+  connect(view_, &SceneView::selectionChanged, this, &LabWindow::forget_refusal);
+  connect(view_, &SceneView::partChosen, this, &LabWindow::forget_refusal);
+  connect(&session_, &Session::newStart, this, [this](double time) {
+    say_for_a_while(tr("New start from %1 s; Ctrl+Z brings the run back").arg(time, 0, 'f', 3));
+  });
+  connect(&session_, &Session::editRefused, this, [this](const QString& why) {
+    if (view_->refuse(why)) return;
+    const bool typed_in_table = sheet_->isAncestorOf(QApplication::focusWidget());
+    typed_in_table ? sheet_->refuse(why) : inspector_->say(why);
+  });
+}
+
+void LabWindow::forget_refusal() {
+  inspector_->say({});
+  sheet_->end_sentence();
 }
 
 // For a while after each edit of a start: where the bodies will first meet. Within a frame, or not at all.

@@ -77,20 +77,35 @@ void LabWindow::make_edit_menu() {
   edit->addSeparator();
   // The scene has the keys of its selection; a text field has its own.
   const auto add = [&](const QString& text, const QKeySequence& key, const std::function<void()>& slot) {
-    add_action(edit, "", text, key, slot);
+    return add_action(edit, "", text, key, slot);
   };
-  add(tr("Cu&t"), QKeySequence::Cut, [this] { cut_selection(); });
-  add(tr("&Copy"), QKeySequence::Copy, [this] { copy_selection(); });
+  std::vector<QAction*> of_bodies = {add(tr("Cu&t"), QKeySequence::Cut, [this] { cut_selection(); }),
+                                     add(tr("&Copy"), QKeySequence::Copy, [this] { copy_selection(); })};
   add(tr("&Paste"), QKeySequence::Paste, [this] { paste(); });
-  add(tr("&Duplicate"), QKeySequence(Qt::CTRL | Qt::Key_D), [this] { duplicate_selection(); });
+  of_bodies.push_back(
+      add(tr("&Duplicate"), QKeySequence(Qt::CTRL | Qt::Key_D), [this] { duplicate_selection(); }));
+  const auto enable = [this, of_bodies] {
+    for (QAction* action : of_bodies) action->setEnabled(!view_->selection().empty());
+  };
+  connect(view_, &SceneView::selectionChanged, this, enable);
+  enable();
+  // Their keys are named, and stay the scene's.
+  QAction* removal = add(tr("D&elete") + "\tDel", {}, [this] { view_->press_key(Qt::Key_Delete); });
+  QAction* all =
+      add(tr("Select &all") + "\tCtrl+A", {}, [this] { view_->press_key(Qt::Key_A, Qt::ControlModifier); });
+  connect(edit, &QMenu::aboutToShow, this, [this, removal, all] {
+    removal->setEnabled(view_->takes(Qt::Key_Delete));
+    all->setEnabled(view_->takes(Qt::Key_A, Qt::ControlModifier));
+  });
   edit->addSeparator();
   add(tr("&Join into one body"), QKeySequence(Qt::CTRL | Qt::Key_G), [this] { join_selection(); });
   add(tr("Take &apart"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G), [this] { take_selection_apart(); });
-  make_align_menu(edit);
+  QMenu* align = add_align_menu(edit);
+  connect(edit, &QMenu::aboutToShow, align, [this, align] { align->setEnabled(view_->can_align()); });
 }
 
-void LabWindow::make_align_menu(QMenu* edit) {
-  QMenu* menu = edit->addMenu(tr("A&lign"));
+QMenu* LabWindow::add_align_menu(QMenu* to) {
+  QMenu* menu = to->addMenu(tr("A&lign"));
   struct Entry {
     const char* text;
     Alignment alignment;
@@ -110,13 +125,14 @@ void LabWindow::make_align_menu(QMenu* edit) {
     add_action(menu, "", tr(entry.text), QKeySequence(),
                [this, alignment = entry.alignment] { view_->align(alignment); });
   }
-  connect(edit, &QMenu::aboutToShow, menu, [this, menu] { menu->setEnabled(view_->can_align()); });
+  return menu;
 }
 
 void LabWindow::make_view_menu() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
   list_action_ = add_action(view, "list", tr("&Experiments"), QKeySequence(Qt::Key_E), [] {});
   list_action_->setCheckable(true);
+  list_action_->setIconVisibleInMenu(false);
   list_action_->setToolTip(tr("The list of experiments (E)"));
   connect(list_action_, &QAction::toggled, this, &LabWindow::open_list);
   add_action(view, "fit", tr("&Fit the scene"), QKeySequence(Qt::Key_F), [this] { view_->find(); });
@@ -143,6 +159,7 @@ void LabWindow::make_view_menu() {
     QAction* action = add_action(view, toggle.icon, tr(toggle.text), key, [] {});
     action->setToolTip(tr("%1 (%2)").arg(tr(toggle.tip), key.toString(QKeySequence::NativeText)));
     action->setCheckable(true);
+    action->setIconVisibleInMenu(false);  // it would hide the tick
     action->setChecked(view_->options().*toggle.flag);
     connect(action, &QAction::toggled, this, [this, flag = toggle.flag](bool on) {
       DrawingOptions options = view_->options();

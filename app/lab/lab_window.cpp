@@ -126,6 +126,8 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
   constexpr int kSoon = 200;  // ms: a scene that is ready by then shows no notice
   QTimer::singleShot(kSoon, this, &LabWindow::show_preparing);
   view_->set_view(preset.view);
+  view_->set_aim(std::nullopt);
+  said_.clear();
   transport_->set_duration(preset.duration);
   list_->set_current(name);
   show_title();
@@ -165,12 +167,16 @@ void LabWindow::show_title() {
 
 void LabWindow::say_saved(const QString& file) {
   show_title();
+  say_for_a_while(tr("saved as %1").arg(QFileInfo(file).fileName()));
+}
+
+void LabWindow::say_for_a_while(const QString& text) {
   constexpr int kSaid = 4000;  // ms
-  saved_ = tr("saved as %1").arg(QFileInfo(file).fileName());
+  said_ = text;
   show_notices();
-  QTimer::singleShot(kSaid, this, [this, said = saved_] {
-    if (saved_ != said) return;
-    saved_.clear();
+  QTimer::singleShot(kSaid, this, [this, said = said_] {
+    if (said_ != said) return;
+    said_.clear();
     show_notices();
   });
 }
@@ -223,6 +229,7 @@ void LabWindow::set_playing(bool playing) {
     lost_bar_->show();
     return show_notices();
   }
+  if (playing) forget_refusal();
   session_.runs().set_playing(playing);
 }
 
@@ -276,7 +283,7 @@ void LabWindow::show_notices() {
                    tr("Dismiss"));
     lost_bar_->setVisible(!why.isEmpty());
   }
-  chips_->show_notices(session_.runs(), saved_.isEmpty() ? recovery_->not_kept() : saved_,
+  chips_->show_notices(session_.runs(), said_.isEmpty() ? recovery_->not_kept() : said_,
                        lost_bar_->isVisibleTo(this));
 }
 

@@ -107,6 +107,7 @@ class LabWindow : public QMainWindow {
   void spawn(double x, double y);  // m
   void select_drawn(const SceneEdits& edits);
   void edit_bodies(const SceneEdits& edits, const QString& name, int drag);
+  void forget_refusal();
   void show_aim();
   void new_document();
   void copy_selection();
@@ -133,7 +134,7 @@ class LabWindow : public QMainWindow {
                       const std::function<void()>& slot);
   void make_file_menu();
   void make_edit_menu();
-  void make_align_menu(QMenu* edit);
+  QMenu* add_align_menu(QMenu* to);
   void make_view_menu();
   void make_run_menus();
   void make_help_menu();
@@ -145,6 +146,7 @@ class LabWindow : public QMainWindow {
   void show_about();
   void show_title();
   void say_saved(const QString& file);
+  void say_for_a_while(const QString& text);
   void show_frame();
   void show_preparing();
   void show_notices();
@@ -184,7 +186,7 @@ class LabWindow : public QMainWindow {
   QTimer aim_time_;                     // until the line to the first impact goes
   std::vector<std::string> to_select_;  // new bodies that no frame has shown yet
   QString lost_;                        // its text; empty while no run is lost
-  QString saved_;                       // said for a while after a file was saved
+  QString said_;                        // for a while
   MethodBar* methods_ = nullptr;
   QAction* theme_action_ = nullptr;
   bool theme_chosen_ = false;  // by the user

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
+#include <algorithm>
 #include <optional>
 
 #include "physics/scene/fields.h"
@@ -78,6 +79,40 @@ QString readable(const QString& sentence) {
   return parts.join('"');
 }
 
+// "A and B", or "A and the plane".
+QString ends_of(const Joint& joint) {
+  return QCoreApplication::translate("Refusal", "%1 and %2")
+      .arg(text_of(joint.body),
+           joint.to.empty() ? QCoreApplication::translate("Refusal", "the plane") : text_of(joint.to));
+}
+
+// What the motion at the start would do to a joint, and what to change; empty if the refusal is about another
+// thing.
+QString motion_text(const Scene& scene, const Joint& joint, const QString& name, const QString& why) {
+  static const QRegularExpression kEnds(R"(^a \w+ whose ends (part|close) at ([^ ,;]+) m/s)");
+  static const QRegularExpression kTurn(R"(^a weld of bodies that turn against each other at ([^ ,;]+) rad/s)");
+  const auto speed = [](const QString& digits) { return QString::number(digits.toDouble(), 'g', 3); };
+  QString what;
+  if (const auto ends = kEnds.match(why); ends.hasMatch()) {
+    what = (ends.captured(1) == "part"
+                ? QCoreApplication::translate("Refusal", "their ends would part at %1 m/s")
+                : QCoreApplication::translate("Refusal", "their ends would close in at %1 m/s"))
+               .arg(speed(ends.captured(2)));
+  } else if (const auto turn = kTurn.match(why); turn.hasMatch()) {
+    what = QCoreApplication::translate("Refusal", "they would turn against each other at %1 rad/s")
+               .arg(speed(turn.captured(1).remove('-')));
+  } else {
+    return {};
+  }
+  const bool free_pair = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&joint](const Body& body) {
+    return body.name == joint.to && !has_infinite_mass(body);
+  });
+  const QString advice =
+      free_pair ? QCoreApplication::translate("Refusal", "Select both, or change both at once.")
+                : QCoreApplication::translate("Refusal", "Give a velocity that it allows, or remove it.");
+  return QCoreApplication::translate("Refusal", "%1 joins %2: %3. %4").arg(name, ends_of(joint), what, advice);
+}
+
 }  // namespace
 
 QString refusal_text(const std::string& refusal, const Scene& scene) {
@@ -96,6 +131,15 @@ QString refusal_text(const std::string& refusal, const Scene& scene) {
   if (is_link && match.captured(2).startsWith("the link's own body"))
     return QCoreApplication::translate("Refusal", "Both ends of %1 are on %2; it joins two bodies.")
         .arg(name, text_of(scene.joints[static_cast<std::size_t>(index)].body));
+  if (is_link && !name.isEmpty()) {
+    const Joint& joint = scene.joints[static_cast<std::size_t>(index)];
+    if (QString text = motion_text(scene, joint, name, match.captured(2)); !text.isEmpty()) return text;
+  }
+  static const QRegularExpression kUnmoved(R"re(^"(.*)", which no force moves)re");
+  if (const auto unmoved = kUnmoved.match(match.captured(2)); unmoved.hasMatch() && !name.isEmpty())
+    return QCoreApplication::translate("Refusal",
+                                       "%1 acts on %2, which would no longer move freely. Remove %1 first.")
+        .arg(name, unmoved.captured(1));
   const QString words = words_of(keys);
   const QString subject = name.isEmpty() || words.isEmpty() ? name + words : name + ", " + words;
   return subject.isEmpty() ? readable(match.captured(2)) : subject + ": " + readable(match.captured(2));

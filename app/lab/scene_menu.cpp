@@ -88,6 +88,7 @@ void LabWindow::fill_menu_of_bodies(QMenu& menu) {
   } else if (is_compound(*frame(), names[0])) {
     do_it(tr("Take &apart"), Qt::CTRL | Qt::SHIFT | Qt::Key_G, &LabWindow::take_selection_apart);
   }
+  if (names.size() > 1) add_align_menu(&menu)->setEnabled(view_->can_align());
   if (names.size() == 2) {
     add_key(menu, view_, tr("Put in touc&h with %1").arg(escaped(QString::fromStdString(names[1]))), Qt::Key_K);
   }

@@ -75,6 +75,7 @@ class Session : public QObject {
   void bodiesChanged();  // of the document, with its plots
   void plotsChanged();   // of the document
   void editRefused(const QString& why);
+  void newStart(double time);  // s: an edit at this moment of the run became the start
   void modifiedChanged(bool modified);
 
  private:

@@ -90,6 +90,7 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
   if (!begins && (runs_.frame()->playing || runs_.replayed()))
     return runs_.when_still(text, [=, this] { edit(asked, text, drag); });
   if (!begins && runs_.scene() == nullptr) return emit editRefused(tr("Restart the run first."));
+  const double time = runs_.frame() == nullptr ? 0.0 : runs_.frame()->time;
   const Scene now = begins ? document_.preset.scene : *runs_.scene();
   SceneEdits edits = asked;
   number_new_parts(document_.preset.scene, edits);
@@ -101,7 +102,7 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
   try {
     const DocumentChange change = begins ? change_of_start(document_, edits)
                                   : from_here
-                                      ? change_to_moment(document_, now, runs_.frame()->time, edits)
+                                      ? change_to_moment(document_, now, time, edits)
                                       : change_of_start(document_, at_the_start(document_.preset, edits));
     apply_change(changed, change);
     validate(changed.preset);
@@ -111,6 +112,7 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
     if (!what.begins) what.runs = edit_runs(with_followers(now, edits), change, drag);
     push(what, change);
     if (what.begins) runs_.begin();
+    if (from_here) emit newStart(time);
   } catch (const std::exception& error) {
     emit editRefused(refusal_text(error.what(), changed.preset.scene));
   }

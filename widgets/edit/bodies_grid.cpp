@@ -34,9 +34,9 @@ std::vector<QStringList> pasted_lines(QString text, const QAbstractItemModel& ro
 // Bodies with values that are pasted one after the other.
 struct Pasted {
   std::vector<Body> bodies;
-  std::set<int> changed;  // rows
+  std::set<int> changed;                   // rows
+  std::vector<std::pair<int, int>> taken;  // cells
   BodiesModel::Faults faults;
-  int values = 0;  // that were taken
 
   void put(const BodiesModel& rows, int row, int column, const QString& text) {
     // The word of a fixed body comes back as it was copied.
@@ -47,7 +47,7 @@ struct Pasted {
     if (typed.made.edits.empty()) return;
     bodies[static_cast<std::size_t>(row)] = std::get<Replace<Body>>(typed.made.edits.front()).part;
     changed.insert(row);
-    ++values;
+    taken.emplace_back(row, column);
   }
 };
 
@@ -171,14 +171,25 @@ void BodiesGrid::end(CellField* field) {
 QString BodiesGrid::take(int row, int column, const QString& text) {
   if (!rows_->can_edit()) return tr("Pause to edit.");
   const TypedCell typed = typed_cell(rows_->bodies(), row, column, text);
-  if (!typed.made.edits.empty()) hand_out(typed.made.edits, typed.made.name);
-  return typed.fault;
+  return typed.made.edits.empty() ? typed.fault : hand_out(typed.made.edits, typed.made.name);
 }
 
-void BodiesGrid::hand_out(const SceneEdits& edits, const QString& name) {
+QString BodiesGrid::hand_out(const SceneEdits& edits, const QString& name) {
   rows_->set_faults({});
   say({});
+  refusal_.clear();
+  hands_out_ = true;
   emit edited(edits, name);
+  hands_out_ = false;
+  return refusal_;
+}
+
+void BodiesGrid::refuse(const QString& sentence) {
+  if (hands_out_) {
+    refusal_ = sentence;
+  } else {
+    say(sentence);
+  }
 }
 
 bool BodiesGrid::go_down(int rows) {
@@ -246,10 +257,11 @@ QString BodiesGrid::copied() const {
 }
 
 void BodiesGrid::paste() {
-  const QModelIndex from = currentIndex();
+  const QItemSelection marked = selectionModel()->selection();
+  const QModelIndex from = marked.isEmpty() ? currentIndex() : QModelIndex(marked.front().topLeft());
   if (!from.isValid()) return;
   if (!rows_->can_edit()) return say(tr("Pause to edit."));
-  Pasted pasted{rows_->bodies(), {}, {}, 0};
+  Pasted pasted{rows_->bodies(), {}, {}, {}};
   int row = from.row();
   for (const QStringList& line : pasted_lines(QGuiApplication::clipboard()->text(), *rows_)) {
     if (row >= rows_->shown_bodies()) break;
@@ -260,12 +272,18 @@ void BodiesGrid::paste() {
   SceneEdits edits;
   for (const int each : pasted.changed)
     edits.emplace_back(Replace<Body>{pasted.bodies[static_cast<std::size_t>(each)]});
-  const int values = pasted.values;
-  if (!edits.empty()) hand_out(edits, values == 1 ? tr("Paste 1 value") : tr("Paste %1 values").arg(values));
+  const std::size_t values = pasted.taken.size();
+  QString refusal;
+  if (!edits.empty())
+    refusal = hand_out(edits, values == 1 ? tr("Paste 1 value") : tr("Paste %1 values").arg(values));
+  for (const auto& cell : pasted.taken) {
+    if (!refusal.isEmpty()) pasted.faults[cell] = refusal;
+  }
   if (pasted.faults.empty()) return;
-  const QString first = pasted.faults.begin()->second;
+  const auto& [place, first] = *pasted.faults.begin();
   const std::size_t count = pasted.faults.size();
-  rows_->set_faults(std::move(pasted.faults));
+  rows_->set_faults(pasted.faults);
+  scrollTo(rows_->index(place.first, place.second));
   say(count == 1 ? first : tr("%1 values can't be, the first because: %2").arg(count).arg(first));
 }
 

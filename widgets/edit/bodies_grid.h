@@ -27,6 +27,8 @@ class BodiesGrid : public FigureTable {
   // A cell in which the user types is left alone as long as it is of the same body, and can be edited.
   void show(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Frame>& frame);
   void show_selection(const std::vector<std::string>& names);
+  // Why an edit could not be; of one that is being handed out, its cell says so.
+  void refuse(const QString& sentence);
 
   // For the cells' editors: takes a text, or returns one sentence on why it can't be.
   QString take(int row, int column, const QString& text);
@@ -61,15 +63,18 @@ class BodiesGrid : public FigureTable {
   void paste();
   void say_why_not(const QModelIndex& index);
   void say(const QString& sentence);
-  void hand_out(const SceneEdits& edits, const QString& name);
+  // Returns why the receiver refused them.
+  QString hand_out(const SceneEdits& edits, const QString& name);
 
   BodiesModel* rows_;
   Theme theme_ = light_theme();
   std::vector<std::string> selection_;  // in the scene
   bool shows_selection_ = false;        // the marked cells follow the scene
   bool says_why_not_ = false;           // the sentence is about the current cell
-  QPointer<CellField> field_;           // of the cell that is edited
-  Id<Body> edited_;                     // its body
+  bool hands_out_ = false;
+  QString refusal_;            // of what is handed out
+  QPointer<CellField> field_;  // of the cell that is edited
+  Id<Body> edited_;            // its body
 };
 
 }  // namespace carom

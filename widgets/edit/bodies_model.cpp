@@ -99,7 +99,7 @@ void BodiesModel::count() {
   }
   if (total_mass_ > 0.0) centre_ /= total_mass_;
   shown_ = all_ ? bodies_->size() : std::min(bodies_->size(), kFirst);
-  rows_changed(shown_bodies() + 1);
+  rows_changed(bodies_->empty() ? 0 : shown_bodies() + 1);
 }
 
 void BodiesModel::show_all() {

@@ -38,6 +38,7 @@ class BodiesModel : public FigureModel {
   // Cells that could not take what was pasted, with the sentences why; they are red until the next call.
   using Faults = std::map<std::pair<int, int>, QString>;
   void set_faults(Faults faults);
+  [[nodiscard]] bool has_faults() const { return !faults_.empty(); }
 
   [[nodiscard]] const std::vector<Body>& bodies() const { return *bodies_; }
   [[nodiscard]] int shown_bodies() const { return static_cast<int>(shown_); }

@@ -52,6 +52,17 @@ void BodiesSheet::say(const QString& sentence) {
   sentence_->setVisible(!sentence.isEmpty());
 }
 
+void BodiesSheet::refuse(const QString& sentence) { grid_->refuse(sentence); }
+
+void BodiesSheet::forget_faults() {
+  grid_->rows().set_faults({});
+  say({});
+}
+
+void BodiesSheet::end_sentence() {
+  if (!grid_->rows().has_faults()) say({});
+}
+
 void BodiesSheet::show_button() {
   const std::size_t count = grid_->rows().bodies().size();
   all_->setVisible(static_cast<std::size_t>(grid_->rows().shown_bodies()) < count);

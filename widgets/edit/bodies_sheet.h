@@ -29,8 +29,12 @@ class BodiesSheet : public QWidget {
   void show_moment(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Frame>& frame);
   // The names of the bodies that are selected in the scene.
   void show_selection(const std::vector<std::string>& names);
-  // Why the last edit could not be; empty: nothing to say.
-  void say(const QString& sentence);
+  // Why the last edit could not be.
+  void refuse(const QString& sentence);
+  // The scene is another one: red cells, and what was said, are over.
+  void forget_faults();
+  // What was said is over, unless it is about red cells.
+  void end_sentence();
 
  signals:
   // Edits that are one step of undo, with their name.
@@ -39,6 +43,7 @@ class BodiesSheet : public QWidget {
   void chosen(const std::vector<std::string>& names);
 
  private:
+  void say(const QString& sentence);  // empty: nothing
   void show_button();
 
   BodiesGrid* grid_;

@@ -3,6 +3,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -72,7 +73,7 @@ Inspector::Inspector(QWidget* parent)
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   outer->setSpacing(0);
-  auto* scroll = new QScrollArea(this);
+  auto* scroll = scroll_ = new QScrollArea(this);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidgetResizable(true);
@@ -135,6 +136,7 @@ void Inspector::choose(std::shared_ptr<const Scene> scene, const std::vector<std
     part_ = part;
     bodies_ = bodies_named(*scene_, names_);
     show_rows();
+    if (other) scroll_->verticalScrollBar()->setValue(0);
   }
   set_frozen(false);
 }
@@ -144,6 +146,7 @@ void Inspector::open(const std::optional<PartId>& part) {
   say({});
   part_ = part;
   show_rows();
+  scroll_->verticalScrollBar()->setValue(0);
   emit partOpened();
   // Esc leads back from here.
   if (part_) back_->setFocus();

@@ -14,6 +14,7 @@
 #include "widgets/edit/inspected_parts.h"
 
 class QLabel;
+class QScrollArea;
 class QToolButton;
 class QVBoxLayout;
 
@@ -86,6 +87,7 @@ class Inspector : public QWidget {
   // A pull changes what there was at its beginning: a speed that comes from 0 again keeps its direction.
   std::optional<Inspected> pulled_;
 
+  QScrollArea* scroll_;
   QWidget* content_;
   QVBoxLayout* column_;
   QHBoxLayout* top_;

@@ -2,10 +2,12 @@
 
 #include <QKeyEvent>
 #include <QPainter>
+#include <QStyleOption>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "widgets/base/number_text.h"
 #include "widgets/base/plain_text.h"
 #include "widgets/edit/quantity.h"
 #include "widgets/edit/units.h"
@@ -99,6 +101,21 @@ QString QuantityField::take(const QString& text) {
     emit changed(typed.values, false);
   }
   return {};
+}
+
+QString QuantityField::fitted(const QString& text) const {
+  constexpr int kMargin = 2;  // px, of a line edit beside its text
+  constexpr int kMostDigits = 5;
+  if (text.isEmpty() || values_.empty()) return text;
+  QStyleOptionFrame option;
+  initStyleOption(&option);
+  const int room =
+      style()->subElementRect(QStyle::SE_LineEditContents, &option, this).width() - 2 * kMargin - 1;
+  const double shown = values_.front() / shown_factor(range_);
+  QString shorter = text;
+  for (int digits = kMostDigits; digits > 0 && fontMetrics().horizontalAdvance(shorter) > room; --digits)
+    shorter = short_figure(shown, digits);
+  return shorter;
 }
 
 void QuantityField::keyPressEvent(QKeyEvent* event) {

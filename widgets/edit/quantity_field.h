@@ -43,6 +43,8 @@ class QuantityField : public TypedField {
 
  protected:
   QString take(const QString& text) override;
+  // With as many digits as fit.
+  [[nodiscard]] QString fitted(const QString& text) const override;
   void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 

@@ -10,16 +10,30 @@ TypedField::TypedField(QWidget* parent) : QLineEdit(parent) {
 }
 
 void TypedField::show_text(const QString& text) {
-  if (shown_ == text && (is_typing() || this->text() == text)) return;
   shown_ = text;
-  if (is_typing()) return;
+  if (!is_typing()) show_displayed();
+}
+
+void TypedField::show_displayed() {
+  const QString text = displayed();
+  if (this->text() == text) return;
   setText(text);
   setCursorPosition(0);
 }
 
+void TypedField::resizeEvent(QResizeEvent* event) {
+  QLineEdit::resizeEvent(event);
+  if (!is_typing()) show_displayed();
+}
+
+void TypedField::focusInEvent(QFocusEvent* event) {
+  if (!is_typing()) show_displayed();
+  QLineEdit::focusInEvent(event);
+}
+
 void TypedField::restore() {
   set_fault({});
-  setText(shown_);
+  setText(displayed());
   setModified(false);
 }
 
@@ -82,7 +96,8 @@ void TypedField::focusOutEvent(QFocusEvent* event) {
     restore();
     emit dropped(sentence);
   }
-  setCursorPosition(0);  // a long number shows its beginning
+  if (!is_typing()) show_displayed();
+  setCursorPosition(0);  // a long text shows its beginning
 }
 
 }  // namespace carom

@@ -15,6 +15,7 @@ class TypedField : public QLineEdit {
 
   // Shows this unless the user is typing.
   void show_text(const QString& text);
+  [[nodiscard]] const QString& shown_text() const { return shown_; }
   [[nodiscard]] bool is_typing() const { return isModified(); }
   // Forgets what was typed.
   void restore();
@@ -35,7 +36,14 @@ class TypedField : public QLineEdit {
   // Takes what was typed, if anything; false if it can't be taken.
   bool accept_typed();
 
+  // What stands there while it has no focus.
+  [[nodiscard]] virtual QString fitted(const QString& text) const { return text; }
+  void resizeEvent(QResizeEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+
  private:
+  [[nodiscard]] QString displayed() const { return hasFocus() ? shown_ : fitted(shown_); }
+  void show_displayed();
   void set_fault(const QString& sentence);
 
   QString shown_;

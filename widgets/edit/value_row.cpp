@@ -90,7 +90,7 @@ void ValueRow::show_row(const InspectedRow& row) {
   if (slider_ != nullptr) {
     // The slider takes what the number leaves.
     const QuantityField& field = *fields_.front();
-    const int needed = field.fontMetrics().horizontalAdvance(field.text()) + kInsets;
+    const int needed = field.fontMetrics().horizontalAdvance(field.shown_text()) + kInsets;
     fields_.front()->setMinimumWidth(std::max(kLeastField, needed));
     const std::vector<double>& values = row.values.front().values;
     const bool same = std::equal(values.begin() + 1, values.end(), values.begin());

@@ -32,6 +32,12 @@ QFont detail_font(QFont font) {
 
 }  // namespace
 
+Bubble refusal_bubble(const QString& sentences, const QPointF& mouse, const QPointF& from) {
+  const qsizetype end = sentences.indexOf(". ") + 1;
+  if (end == 0) return {sentences, {}, mouse, from, true};
+  return {sentences.left(end), sentences.mid(end + 1), mouse, from, true};
+}
+
 QRectF place_of(const Bubble& bubble, const QSizeF& size, const QSizeF& view) {
   // On the side to which the mouse went.
   const bool left = bubble.mouse.x() < bubble.from.x();

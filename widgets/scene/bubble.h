@@ -21,6 +21,8 @@ struct Bubble {
   bool fault = false;
 };
 
+// A red one that says why something can't be; its second sentence stands under the first.
+[[nodiscard]] Bubble refusal_bubble(const QString& sentences, const QPointF& mouse, const QPointF& from);
 // Where what is so large stands beside the mouse, in px: within the view.
 [[nodiscard]] QRectF place_of(const Bubble& bubble, const QSizeF& size, const QSizeF& view);
 [[nodiscard]] QRectF rect_of(const Bubble& bubble, const QFont& font, const QSizeF& view);

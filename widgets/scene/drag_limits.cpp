@@ -96,6 +96,13 @@ void hold_by_joints(const DragStart& start, std::span<const Hold> holds, const D
   dragged.detail = name_of(*broken) + " holds it. Ctrl: the joint gives way.";
 }
 
+// A body at the other end that moves too.
+bool is_free_pair(const DragStart& start, const Hold& hold) {
+  const std::string& other = hold.at_body ? hold.joint.to : hold.joint.body;
+  return std::any_of(start.others.begin(), start.others.end(),
+                     [&](const Body& body) { return body.name == other && !has_infinite_mass(body); });
+}
+
 void hold_motion(const DragStart& start, std::span<const Hold> holds, Dragged& dragged) {
   if (!hold_velocities(dragged.bodies, holds)) return;
   if (start.kind == HandleKind::kSpin) {
@@ -103,7 +110,14 @@ void hold_motion(const DragStart& start, std::span<const Hold> holds, Dragged& d
     dragged.detail = name_of(holds[0]) + " allows no other spin";
   } else {
     dragged.value = velocity_text(dragged.bodies[0].velocity, 2);
+    const auto pair =
+        std::find_if(holds.begin(), holds.end(), [&](const Hold& hold) { return is_free_pair(start, hold); });
     dragged.detail = name_of(holds[0]) + " allows no other direction";
+    if (pair != holds.end()) {
+      const std::string& other = pair->at_body ? pair->joint.to : pair->joint.body;
+      dragged.detail = QString::fromStdString(dragged.bodies[pair->body].name + " moves only with " + other) +
+                       ": select both";
+    }
   }
 }
 

@@ -1,6 +1,12 @@
 #include "widgets/scene/drawing_joints.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
+#include <unordered_map>
+#include <variant>
+
+#include "physics/math/vectors.h"
 
 namespace carom {
 namespace {
@@ -12,6 +18,9 @@ constexpr double kPlaneDot = 8.0;     // px, and to the plane
 constexpr double kRing = 9.0;         // px, a pin's
 constexpr double kHole = 5.0;         // px
 constexpr int kPieces = 24;           // of a slack string
+constexpr double kBondWidth = 1.2;    // px, of each line of a weld across a gap
+constexpr double kBondGap = 4.0;      // px, between the two
+constexpr double kApart = 1.0;        // px, of a gap that is seen
 
 using Curve = std::array<Vec2, kPieces + 1>;
 
@@ -70,6 +79,14 @@ class JointPen {
   }
   void weld(const JointState& joint) { dot(joint.to, joint.in_plane ? kPlaneDot : kEndDot, in_.theme.text); }
 
+  // A double line from a body to its weld.
+  void bond(const Vec2& from, const Vec2& to) {
+    if (from == to) return;
+    const double half = 0.5 * kBondGap * in_.options.line_scale / in_.camera.scale;
+    const Vec2 aside = half * crossed((to - from).normalized());
+    for (const Vec2& shift : {aside, Vec2(-aside)}) line(from + shift, to + shift, kBondWidth, kFirm);
+  }
+
  private:
   static constexpr double kFirm = 0.3;  // of the way to the ground's colour
   static constexpr double kLoose = 0.5;
@@ -90,10 +107,59 @@ class JointPen {
   Drawing& out_;
 };
 
+// Welds of bodies that don't reach their common point are lines, from centre to centre. Those that impacts make
+// touch.
+class Bonds {
+ public:
+  explicit Bonds(const DrawingInput& in) : in_(in) {
+    const auto welded = [](const JointState& joint) { return joint.kind == JointKind::kWeld; };
+    const Frame& frame = in.frame;
+    if (!frame.bodies || std::none_of(frame.joints.begin(), frame.joints.end(), welded)) return;
+    scene_ = frame.scene ? frame.scene.get() : frame.setup ? &frame.setup->scene : nullptr;
+    const auto count = std::min(frame.bodies->size(), static_cast<std::size_t>(frame.state.size()));
+    for (std::size_t i = 0; i < count; ++i) index_.emplace((*frame.bodies)[i].name, static_cast<int>(i));
+  }
+
+  void draw(const WorldRect& seen, JointPen& pen) const {
+    if (scene_ == nullptr) return;
+    for (const Joint& joint : scene_->joints) {
+      const auto first = index_.find(joint.body);
+      const auto second = index_.find(joint.to);
+      if (joint.kind != JointKind::kWeld || first == index_.end() || second == index_.end()) continue;
+      const Vec2 place =
+          in_.frame.state.position(first->second) + turned_by(in_.frame.state.q(2, first->second), joint.point);
+      if (reaches(first->second, place) && reaches(second->second, place)) continue;
+      for (const int body : {first->second, second->second}) {
+        const Vec2 centre = centre_of(body, place);
+        if (seen.meets(0.5 * (centre + place), (centre - place).norm())) pen.bond(centre, place);
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] const Body& body_of(int i) const { return (*in_.frame.bodies)[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] bool reaches(int i, const Vec2& place) const {
+    const Vec2 own = turned_by(-in_.frame.state.q(2, i), place - in_.frame.state.position(i));
+    return signed_distance(body_of(i).shape, own) * in_.camera.scale <= kApart;
+  }
+  // Of a wall, which may be endless, the nearest point of its line.
+  [[nodiscard]] Vec2 centre_of(int i, const Vec2& place) const {
+    Vec2 centre = in_.frame.state.position(i);
+    if (!std::holds_alternative<Wall>(body_of(i).shape)) return centre;
+    const Vec2 along = turned_by(in_.frame.state.q(2, i), Vec2::UnitX());
+    return centre + along.dot(place - centre) * along;
+  }
+
+  const DrawingInput& in_;
+  const Scene* scene_ = nullptr;
+  std::unordered_map<std::string, int> index_;
+};
+
 }  // namespace
 
 void add_joints(const DrawingInput& in, const WorldRect& seen, Drawing& out) {
   JointPen pen(in, out);
+  Bonds(in).draw(seen, pen);
   // The dots of joints come last, over the bars.
   for (const bool joints : {false, true}) {
     for (const JointState& joint : in.frame.joints) {

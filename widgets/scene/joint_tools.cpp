@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <variant>
 
 #include "physics/math/vectors.h"
 #include "widgets/scene/drive_tool.h"
@@ -16,6 +18,7 @@ namespace carom {
 namespace {
 
 constexpr double kSpringFrequency = 1.0;  // Hz, of the lighter body on a new spring
+constexpr double kCentreReach = 12.0;     // px, from the mouse to the centre that it means
 
 bool free(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
 
@@ -215,15 +218,35 @@ constexpr std::array<JointTool, 7> kJointTools = {{
     {.tool = SceneTool::kDrive, .noun = "drive", .at_centres = true, .to_mouse = true, .join = drive},
 }};
 
-// Its centre if the mouse is near, unless Ctrl is down.
+// The mouse is so near the centre that it means it, unless Ctrl is down.
+bool near_centre(const Vec2& centre, const JointSight& sight) {
+  const double distance = (sight.mouse.at - centre).norm() * sight.camera.scale;
+  return !free(sight.mouse) && distance <= kCentreReach;
+}
+
 LinkEnd end_on(const Body& body, const JointSight& sight, bool at_centre) {
   const Vec2 arm = sight.mouse.at - body.position;
-  const bool near = !free(sight.mouse) && arm.norm() * sight.camera.scale <= kSnapReach;
+  const bool near = near_centre(body.position, sight);
   return {body.name, at_centre || near ? Vec2(Vec2::Zero()) : turned_by(-body.angle, arm)};
 }
 
 LinkEnd end_in_plane(const JointSight& sight) {
   return {{}, drawn_place(sight.mouse.at, sight.mouse, sight.grid)};
+}
+
+// A body so small that the mouse is beside it, or else the plane.
+LinkEnd end_beside_bodies(const JointSight& sight) {
+  std::optional<LinkEnd> found;
+  double least = std::numeric_limits<double>::infinity();  // m
+  for (int i = 0; i < body_count(*sight.frame); ++i) {
+    const Body& body = (*sight.frame->bodies)[static_cast<std::size_t>(i)];
+    const Vec2 centre = sight.frame->state.position(i);
+    const double distance = (sight.mouse.at - centre).norm();
+    if (std::holds_alternative<Wall>(body.shape) || distance >= least || !near_centre(centre, sight)) continue;
+    least = distance;
+    found = LinkEnd{body.name, Vec2::Zero()};
+  }
+  return found.value_or(end_in_plane(sight));
 }
 
 }  // namespace
@@ -236,7 +259,7 @@ const JointTool* joint_tool(SceneTool tool) {
 
 LinkEnd end_at_mouse(const JointTool& tool, const JointSight& sight) {
   const int body = body_at(*sight.frame, sight.camera, sight.camera.to_screen(sight.mouse.at));
-  if (body < 0) return end_in_plane(sight);
+  if (body < 0) return end_beside_bodies(sight);
   return end_on(body_now(*sight.frame, body), sight, tool.at_centres);
 }
 

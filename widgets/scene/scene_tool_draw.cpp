@@ -5,6 +5,7 @@
 #include "widgets/scene/grid.h"
 #include "widgets/scene/new_body.h"
 #include "widgets/scene/scene_tools.h"
+#include "widgets/scene/typed_drawing.h"
 
 // The scene's tools that draw new bodies.
 namespace carom {
@@ -26,7 +27,9 @@ Body SceneTools::body_of(const Drawn& drawn) const {
 void SceneTools::add(const Drawn& drawn) {
   const Body body = body_of(drawn);
   const QString noun = QString::fromUtf8(shape_tool(tool_)->noun);
-  own_edit({Add<Body>{body}}, "Add " + noun + " " + QString::fromStdString(body.name), ++drags_);
+  const QString refusal =
+      own_edit({Add<Body>{body}}, "Add " + noun + " " + QString::fromStdString(body.name), ++drags_);
+  if (!refusal.isEmpty()) return note(refusal_bubble(refusal, mouse_, press_));
   note({drawn.value, overlap_of_new(body), mouse_, press_}, Grab{HandleKind::kRadius, body.name});
   used_tool();
 }
@@ -100,7 +103,9 @@ void SceneTools::show_drawing(Overlay& out) const {
   const ShapeTool* tool = shape_tool(tool_);
   if (tool == nullptr) return;
   const bool held = state_ == State::kPressed || state_ == State::kDraw;
-  if (tool->by_corners) {
+  if (typing_ && typing_->drawing) {
+    out.drawn = body_of((typing_->tried ? typing_->tried : typing_->drawing)->drawn());
+  } else if (tool->by_corners) {
     if (held || !draft_.empty()) show_corners(out);
   } else if (state_ == State::kDraw) {
     const Drawn drawn = tool->drag(stroke());

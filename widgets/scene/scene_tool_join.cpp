@@ -55,7 +55,8 @@ void SceneTools::join(const LinkEnds& ends) {
   const Joined joined = tool.join(tool, joint_sight(mouse_), ends);
   if (!joined.fault.isEmpty()) return note({joined.fault, {}, mouse_, press_, true});
   first_end_.reset();
-  own_edit(joined.edits, joined.name, ++drags_);
+  const QString refusal = own_edit(joined.edits, joined.name, ++drags_);
+  if (!refusal.isEmpty()) return note(refusal_bubble(refusal, mouse_, press_));
   note({joined.value, joined.detail, mouse_, press_});
   used_tool();
 }
@@ -136,7 +137,8 @@ Joined SceneTools::moved_end() const {
 void SceneTools::move_end() {
   const Joined moved = moved_end();
   if (!moved.fault.isEmpty()) return note({moved.fault, {}, mouse_, press_, true});
-  own_edit(moved.edits, moved.name, ++drags_);
+  const QString refusal = own_edit(moved.edits, moved.name, ++drags_);
+  if (!refusal.isEmpty()) return note(refusal_bubble(refusal, mouse_, press_));
   note({moved.value, {}, mouse_, press_}, Grab{HandleKind::kBody, {}});
 }
 

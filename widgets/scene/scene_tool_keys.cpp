@@ -136,7 +136,9 @@ void SceneTools::remove_selected() {
   unlocked.keep_if([this](const std::string& name) { return !locked_.contains(name); });
   if (!part_ && unlocked.empty()) return say_locked(selection_.names().front());
   const Deletion removed = part_ ? deletion(scene, *part_) : deletion(scene, unlocked.names());
-  if (!removed.edits.empty()) own_edit(removed.edits, removed.name, ++drags_);
+  if (removed.edits.empty()) return;
+  const QString refusal = own_edit(removed.edits, removed.name, ++drags_);
+  if (!refusal.isEmpty()) note(refusal_bubble(refusal, mouse_, press_));
 }
 
 void SceneTools::edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys) {

@@ -77,7 +77,8 @@ void SceneTools::align(Alignment alignment) {
   wanted.bodies = aligned(start.bodies, alignment);
   wanted.name = name_of(alignment, start.bodies);
   const Dragged left = within_joints(start, std::move(wanted), point(Qt::ControlModifier));
-  emit_change(left, left.refits, ++drags_);
+  const QString refusal = emit_change(left, left.refits, ++drags_);
+  if (!refusal.isEmpty()) return note(refusal_bubble(refusal, mouse_, press_));
   say_overlap(left.bodies, {start.others, start.joints});
 }
 
@@ -112,7 +113,11 @@ void SceneTools::change_by_key(Dragged wanted) {
   if (left->bodies.begin() + count != left->bodies.end()) {
     row_.start.followers.assign(left->bodies.begin() + count, left->bodies.end());
   }
-  emit_change(*left, false, row_.drag);
+  const QString refusal = emit_change(*left, false, row_.drag);
+  if (!refusal.isEmpty()) {
+    row_ = {};
+    return note(refusal_bubble(refusal, corner, centre));
+  }
   note({left->value, left->detail, corner, centre, left->fault},
        Grab{row_.start.kind, row_.start.bodies[0].name});
 }
@@ -124,12 +129,13 @@ void SceneTools::end_drag() {
     if (emitted_) emit dragCancelled(drags_);
     return note({QStringLiteral("no room there"), {}, mouse_, press_, true});
   }
-  if (left->fault != dragged_.fault) emit_change(*left, refitted_, drags_);
+  const QString refusal = left->fault != dragged_.fault ? emit_change(*left, refitted_, drags_) : QString();
+  if (!refusal.isEmpty()) return note(refusal_bubble(refusal, mouse_, press_));
   note({left->value, left->detail, mouse_, press_, left->fault}, Grab{start_.kind, start_.bodies[0].name});
 }
 
-void SceneTools::emit_change(const Dragged& change, bool joints, int drag) {
-  own_edit(edits_of(change, joints), change.name, drag);
+QString SceneTools::emit_change(const Dragged& change, bool joints, int drag) {
+  return own_edit(edits_of(change, joints), change.name, drag);
 }
 
 }  // namespace carom

@@ -2,8 +2,10 @@
 
 #include "widgets/edit/quantity.h"
 #include "widgets/edit/units.h"
+#include "widgets/scene/drag_limits.h"
 #include "widgets/scene/hit.h"
 #include "widgets/scene/scene_tools.h"
+#include "widgets/scene/typed_drawing.h"
 #include "widgets/scene/typed_value.h"
 
 // Values that are typed at the mouse, instead of a drag or during one.
@@ -18,7 +20,9 @@ QString first_unit(std::string_view si) {
 }  // namespace
 
 bool SceneTools::types_in_drag(int key, Qt::KeyboardModifiers keys) const {
-  if (state_ != State::kDrag && state_ != State::kEnd) return false;
+  const ShapeTool* tool = shape_tool(tool_);
+  const bool draws = state_ == State::kDraw && tool != nullptr && !tool->by_corners;
+  if (state_ != State::kDrag && state_ != State::kEnd && !draws) return false;
   if (keys.testFlag(Qt::ControlModifier) || keys.testFlag(Qt::AltModifier)) return false;
   const bool digit = key >= Qt::Key_0 && key <= Qt::Key_9;
   return digit || key == Qt::Key_Minus || key == Qt::Key_Period || key == Qt::Key_Comma;
@@ -42,6 +46,7 @@ void SceneTools::begin_typing(Typing typing, const QString& first) {
 
 // What the mouse holds stays where it is, until the button is let go.
 void SceneTools::type_in_drag(const QString& first) {
+  if (state_ == State::kDraw) return type_in_drawing(first);
   const bool end = std::exchange(state_, State::kMute) == State::kEnd;
   Typing typing;
   typing.bubble = {{}, end ? QString() : dragged_.detail, mouse_, press_, false};
@@ -57,7 +62,19 @@ void SceneTools::type_in_drag(const QString& first) {
     typing.drag = drags_;
     typing.changed = emitted_;
     typing.in_drag = true;
+    if (emitted_) typing.last = Typing::Last{edits_of(dragged_, refitted_), dragged_.name};
   }
+  begin_typing(std::move(typing), first);
+}
+
+void SceneTools::type_in_drawing(const QString& first) {
+  state_ = State::kMute;
+  const ShapeTool& tool = *shape_tool(tool_);
+  const Stroke drawn = stroke();
+  Typing typing;
+  typing.bubble = {{}, {}, mouse_, press_, false};
+  typing.drawing = std::make_shared<TypedDrawing>(QString::fromUtf8(tool.noun), tool.drag(drawn), drawn.from);
+  typing.thing = typing.drawing;
   begin_typing(std::move(typing), first);
 }
 
@@ -114,11 +131,47 @@ QString SceneTools::take_typed(const QString& text, bool yields) {
   if (!typed.fault.isEmpty()) return typed.fault;
   const TypedEdit edit = typing->thing->set(typing->index, typed.values[0], yields);
   if (!edit.fault.isEmpty()) return edit.fault;
+  if (typing->drawing != nullptr) {
+    typing->tried.reset();
+    emit changed();
+    return {};
+  }
+  QString refusal = own_edit(edit.edits, edit.name, typing->drag);
+  if (!refusal.isEmpty()) return refusal;
   typing->changed = typing->taken = true;
+  typing->previewed = false;
+  typing->last = Typing::Last{edit.edits, edit.name};
   typing->bubble.value = edit.value;
   typing->bubble.detail = edit.detail;
-  own_edit(edit.edits, edit.name, typing->drag);
   return {};
+}
+
+void SceneTools::preview_typed(const QString& text) {
+  const std::shared_ptr<Typing> typing = typing_;
+  if (typing == nullptr) return;
+  typing->bubble.detail.clear();
+  const TypedValue value = typing->thing->values()[typing->index];
+  const TypedValues typed = typed_values(text, value.name, value.range, {value.value});
+  if (!typed.fault.isEmpty()) return;
+  const std::shared_ptr<TypedThing> tried = typing->thing->clone();
+  const TypedEdit edit = tried->set(typing->index, typed.values[0], false);
+  if (!edit.fault.isEmpty()) return;
+  if (typing->drawing != nullptr) {
+    typing->tried = std::static_pointer_cast<TypedDrawing>(tried);
+  } else if (own_edit(edit.edits, edit.name, typing->drag).isEmpty()) {
+    typing->changed = typing->previewed = true;
+    typing->bubble.detail = edit.detail;
+  }
+  emit changed();
+}
+
+void SceneTools::take_preview_back(Typing& typing) {
+  if (!std::exchange(typing.previewed, false)) return;
+  if (typing.last) {
+    own_edit(typing.last->edits, typing.last->name, typing.drag);
+  } else {
+    emit dragCancelled(typing.drag);
+  }
 }
 
 void SceneTools::type_next(bool forward) {
@@ -136,7 +189,10 @@ void SceneTools::end_typing() {
   const std::shared_ptr<Typing> typing = std::exchange(typing_, nullptr);
   if (typing == nullptr) return;
   emit typingEnded();
-  if (typing->taken) {
+  take_preview_back(*typing);
+  if (typing->drawing != nullptr) {
+    add(typing->drawing->drawn());
+  } else if (typing->taken) {
     note(typing->bubble, typing->target);
   } else if (typing->in_drag) {
     end_drag();

@@ -27,10 +27,17 @@ SceneTools::SceneTools(std::function<SceneSight()> sight, QObject* parent)
   connect(&note_time_, &QTimer::timeout, this, &SceneTools::end_note);
 }
 
-void SceneTools::own_edit(const SceneEdits& edits, const QString& name, int drag) {
+QString SceneTools::own_edit(const SceneEdits& edits, const QString& name, int drag) {
+  refusal_.clear();
   telling_ = true;
   emit edited(edits, name, drag);
   telling_ = false;
+  return refusal_;
+}
+
+bool SceneTools::refuse(const QString& sentence) {
+  if (telling_) refusal_ = sentence;
+  return telling_;
 }
 
 void SceneTools::scene_edited() {
@@ -129,9 +136,10 @@ void SceneTools::frame_changed() {
   if (first_end_ && !first_end_->body.empty() && !index_.contains(first_end_->body)) first_end_.reset();
   if (part_ && (!frame || (frame->scene && !has_part(*frame->scene, *part_)))) choose(std::nullopt);
   if (!frame || !frame->scene) end_note();
+  const bool draws = frame && typing_ && typing_->drawing;
   const bool typed = frame && frame->scene && typing_ &&
                      (typing_->target.body.empty() ? part_.has_value() : index_.contains(typing_->target.body));
-  if (!typed) drop_typing();
+  if (!typed && !draws) drop_typing();
   if (!frame) waiting_keys_.clear();
   if (!waiting_keys_.empty() && frame->scene) QTimer::singleShot(0, this, &SceneTools::press_waiting_keys);
   const bool held = frame && frame->scene && grab_ && index_.contains(grab_->body);
@@ -145,7 +153,10 @@ void SceneTools::set_tool(SceneTool tool, bool keep) {
   const bool kept = keep && tool != SceneTool::kSelect;
   if (tool == tool_ && kept == keep_tool_) return;
   keep_tool_ = kept;
-  if (std::exchange(tool_, tool) != tool) drop_draft();
+  if (std::exchange(tool_, tool) != tool) {
+    if (typing_ && typing_->drawing) drop_typing();
+    drop_draft();
+  }
   emit toolChanged(tool, kept);
   emit changed();
 }
@@ -289,7 +300,12 @@ void SceneTools::drag_on() {
   if (!moved) return;
   emitted_ = true;
   refitted_ |= dragged_.refits;
-  emit_change(dragged_, refitted_, drags_);
+  const QString refusal = emit_change(dragged_, refitted_, drags_);
+  if (refusal.isEmpty()) return;
+  const Bubble why = refusal_bubble(refusal, mouse_, press_);
+  dragged_.value = why.value;
+  dragged_.detail = why.detail;
+  dragged_.fault = true;
 }
 
 void SceneTools::release(const QPointF& at, Qt::KeyboardModifiers keys) {

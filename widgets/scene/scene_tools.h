@@ -29,6 +29,7 @@
 
 namespace carom {
 
+class TypedDrawing;
 class TypedThing;
 
 // px: a press that moves no farther is a click.
@@ -113,12 +114,17 @@ class SceneTools : public QObject {
   bool type_noted();  // false if it has no value to type
   // Takes the text of the typed value, or returns one sentence on why it can't; `yields` as with Ctrl.
   [[nodiscard]] QString take_typed(const QString& text, bool yields);
+  // Shows what the text would make of the scene, as far as it can be taken: with the next edit, or when typing
+  // ends without one, that is over.
+  void preview_typed(const QString& text);
   void type_next(bool forward);
   void end_typing();
   // Takes back what was typed, with the drag in which it was.
   void cancel_typing();
   // The scene was edited: unless by these tools, what the bubble says is over.
   void scene_edited();
+  // The edit that is being told was refused: its bubble says why. False if none is.
+  bool refuse(const QString& sentence);
 
   [[nodiscard]] Qt::CursorShape cursor(const QPointF& at) const;
   [[nodiscard]] Overlay overlay() const;
@@ -148,11 +154,21 @@ class SceneTools : public QObject {
   struct Typing {
     Grab target;
     std::shared_ptr<TypedThing> thing;
-    std::size_t index = 0;  // of its values
+    std::shared_ptr<TypedDrawing> drawing;  // the same, of a body that is being drawn
+    std::size_t index = 0;                  // of its values
     int drag = 0;
     bool changed = false;  // the scene, under this number
     bool taken = false;    // a typed value
     bool in_drag = false;  // of a body
+    // What the scene goes back to from a value that is shown but not taken: the edits of the drag, or those
+    // taken last; none: the scene as it was.
+    struct Last {
+      SceneEdits edits;
+      QString name;
+    };
+    std::optional<Last> last;
+    bool previewed = false;               // such a value is shown
+    std::shared_ptr<TypedDrawing> tried;  // the body that is being drawn, with it
     Bubble bubble;
   };
   // Keys of one kind in quick succession, one step of undo.
@@ -174,8 +190,8 @@ class SceneTools : public QObject {
   [[nodiscard]] std::vector<Body> editable(const std::string& first, bool velocities) const;
   [[nodiscard]] DragPoint point(Qt::KeyboardModifiers keys) const;
 
-  // Tells an edit; what follows from it does not end the bubble.
-  void own_edit(const SceneEdits& edits, const QString& name, int drag);
+  // Tells an edit; what follows from it does not end the bubble. Returns why it was refused, or nothing.
+  QString own_edit(const SceneEdits& edits, const QString& name, int drag);
   // Keeps a bubble for a while; a click on it edits the value of its target.
   void note(const Bubble& bubble, const std::optional<Grab>& of = std::nullopt);
   void end_note();
@@ -225,8 +241,10 @@ class SceneTools : public QObject {
   [[nodiscard]] bool types_in_drag(int key, Qt::KeyboardModifiers keys) const;
   void begin_typing(Typing typing, const QString& first);
   void type_in_drag(const QString& first);
+  void type_in_drawing(const QString& first);
   void type_value_of(const Grab& target, const Bubble& where);
   bool type_at(const QPointF& at);
+  void take_preview_back(Typing& typing);
   void drop_typing();
   // Keys (scene_tool_keys.cpp).
   [[nodiscard]] bool plays() const;
@@ -244,7 +262,7 @@ class SceneTools : public QObject {
   void say_overlap(const std::vector<Body>& bodies, const Surroundings& beside);
   void change_by_key(Dragged wanted);
   void end_drag();
-  void emit_change(const Dragged& change, bool joints, int drag);
+  QString emit_change(const Dragged& change, bool joints, int drag);
 
   std::function<SceneSight()> sight_;
   Selection selection_;
@@ -278,6 +296,7 @@ class SceneTools : public QObject {
   std::optional<Grab> note_of_;
   std::shared_ptr<Typing> typing_;
   bool telling_ = false;  // an edit of its own
+  QString refusal_;       // of that edit
   QTimer note_time_;
 };
 

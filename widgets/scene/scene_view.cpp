@@ -72,6 +72,10 @@ SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
     typing_->end();
   });
   connect(typing_, &ValueBubble::resized, this, &SceneView::place_typing);
+  connect(&typing_->field(), &QLineEdit::textEdited, tools_, [this](const QString& text) {
+    tools_->preview_typed(text);
+    if (const auto typed = tools_->typed()) typing_->show_detail(typed->bubble.detail);
+  });
   connect(&typing_->field(), &ValueField::nextAsked, tools_, &SceneTools::type_next);
   connect(&typing_->field(), &ValueField::finished, tools_, &SceneTools::end_typing);
   connect(&typing_->field(), &ValueField::cancelled, tools_, &SceneTools::cancel_typing);

@@ -77,8 +77,8 @@ class SceneView : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
 
   // A key of the tools, pressed by other means; whether it means anything now.
-  void press_key(int key) { tools_->press_key(key, Qt::NoModifier); }
-  [[nodiscard]] bool takes(int key) const { return tools_->takes(key, Qt::NoModifier); }
+  void press_key(int key, Qt::KeyboardModifiers keys = {}) { tools_->press_key(key, keys); }
+  [[nodiscard]] bool takes(int key, Qt::KeyboardModifiers keys = {}) const { return tools_->takes(key, keys); }
   // What a click of the tool draws, at a place of the widget.
   void draw_at(SceneTool tool, const QPointF& at) { tools_->draw_at(tool, at); }
   // Puts the selected bodies in line; there must be several that can be moved.
@@ -86,6 +86,8 @@ class SceneView : public QWidget {
   [[nodiscard]] bool can_align() const { return tools_->can_align(); }
   // The scene was edited by other means: what the bubble says is over.
   void scene_edited() { tools_->scene_edited(); }
+  // Says beside the mouse why an edit could not be, if it is one of the view that is being told.
+  bool refuse(const QString& sentence) { return tools_->refuse(sentence); }
   // What stands beside the mouse; empty: nothing.
   [[nodiscard]] const Bubble& bubble() const { return picture_.overlay.bubble; }
   // Whether all selected bodies are locked.

@@ -69,6 +69,9 @@ class TypedBody : public TypedThing {
     refits_ |= left->refits;
     return {edits_of(*left, refits_), left->name, left->value, left->detail, {}};
   }
+  [[nodiscard]] std::unique_ptr<TypedThing> clone() const override {
+    return std::make_unique<TypedBody>(*this);
+  }
 
  private:
   [[nodiscard]] std::vector<TypedValue> sizes() const {

@@ -36,6 +36,9 @@ class TypedLength : public TypedThing {
             {},
             {}};
   }
+  [[nodiscard]] std::unique_ptr<TypedThing> clone() const override {
+    return std::make_unique<TypedLength>(*this);
+  }
 
  private:
   QString title_;
@@ -61,6 +64,7 @@ class TypedEnd : public TypedThing {
     if (moved.fault.isEmpty()) sight_ = typed;
     return {moved.edits, moved.name, quantity_text(value, "m"), moved.detail, moved.fault};
   }
+  [[nodiscard]] std::unique_ptr<TypedThing> clone() const override { return std::make_unique<TypedEnd>(*this); }
 
  private:
   JointSight sight_;
@@ -89,6 +93,9 @@ class TypedForce : public TypedThing {
             quantity_text(size, "N") + " at " + quantity_text(degrees * kDegree, "rad"),
             {},
             {}};
+  }
+  [[nodiscard]] std::unique_ptr<TypedThing> clone() const override {
+    return std::make_unique<TypedForce>(*this);
   }
 
  private:

@@ -39,6 +39,8 @@ class TypedThing {
   [[nodiscard]] virtual std::vector<TypedValue> values() const = 0;
   // Sets one of them. `yields`: joints take the lengths that it needs, and overlaps stay.
   [[nodiscard]] virtual TypedEdit set(std::size_t index, double value, bool yields) = 0;
+  // To try a value that is not taken yet.
+  [[nodiscard]] virtual std::unique_ptr<TypedThing> clone() const = 0;
 };
 
 // A body or its handle: `now` is the first body of the start as the drag has left it, `scale` in px/m. What

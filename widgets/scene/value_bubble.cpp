@@ -89,6 +89,11 @@ void ValueBubble::show_value(const Shown& shown) {
   show_line(detail_, false);
 }
 
+void ValueBubble::show_detail(const QString& text) {
+  detail_ = text;
+  if (!fault_->isVisibleTo(this)) show_line(detail_, false);
+}
+
 void ValueBubble::begin(const QString& first) {
   show();
   raise();

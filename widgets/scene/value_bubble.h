@@ -51,6 +51,7 @@ class ValueBubble : public QFrame {
     QString detail;  // may be empty
   };
   void show_value(const Shown& shown);
+  void show_detail(const QString& text);  // may be empty
   // Puts the cursor into the value; `first` is typed over it, if it is not empty.
   void begin(const QString& first);
   // Forgets what is typed.

@@ -272,5 +272,15 @@ TEST_F(LabHandsTest, ABodyDraggedOntoAnotherTouchesIt) {
   EXPECT_TRUE(shows_start());
 }
 
+TEST_F(LabHandsTest, TheAimGoesWithItsScene) {
+  ASSERT_NO_FATAL_FAILURE(draw_two_discs());
+  select({-1.0, 0.0});
+  type("Velocity x, m/s", "4");
+  ASSERT_TRUE(wait_for([this] { return window_.scene_view().aim().has_value(); }));
+  window_.session().edits().setClean();
+  action("New")->trigger();
+  EXPECT_FALSE(window_.scene_view().aim());
+}
+
 }  // namespace
 }  // namespace carom

@@ -1,4 +1,5 @@
 #include <QLabel>
+#include <QRegularExpression>
 
 #include "tests/app/lab/hands_fixture.h"
 
@@ -44,6 +45,17 @@ TEST_F(LabPlayEditTest, ArrowsPauseAndMove) {
   ASSERT_TRUE(wait_for([this] { return undo_text().startsWith("Move"); })) << undo_text().toStdString();
   EXPECT_TRUE(wait_for([this] { return time() == 0.0; })) << "a new start";
   EXPECT_EQ(window_.session().edits().count(), 1) << "one row of keys";
+}
+
+TEST_F(LabPlayEditTest, ANewStartIsSaidAtOnce) {
+  key(Qt::Key_Up);
+  ASSERT_TRUE(pauses());
+  ASSERT_TRUE(wait_for([this] { return undo_text().startsWith("Move"); })) << undo_text().toStdString();
+  const QList<QLabel*> chips = window_.findChildren<QLabel*>("chip");
+  EXPECT_TRUE(std::any_of(chips.begin(), chips.end(), [](const QLabel* chip) {
+    static const QRegularExpression kSaid(R"(^New start from 0\.\d{3} s; Ctrl\+Z brings the run back)");
+    return chip->isVisible() && kSaid.match(chip->toolTip()).hasMatch();
+  }));
 }
 
 TEST_F(LabPlayEditTest, SizeAndVelocityChangeAndTheInspectorShowsTheMoment) {

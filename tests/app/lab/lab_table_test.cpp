@@ -1,4 +1,6 @@
 #include <QClipboard>
+#include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTabWidget>
 #include <QTableView>
@@ -104,6 +106,66 @@ TEST_F(LabTableTest, CopiesCellsAndOtherTablesWhole) {
   tabs->setCurrentWidget(window_.findChild<BodiesTable*>());
   QTest::keyClick(tabs->currentWidget(), Qt::Key_C, Qt::ControlModifier);
   EXPECT_TRUE(QApplication::clipboard()->text().startsWith("body\tm / kg\tv before"));
+}
+
+// A column that is marked by its head begins at the first body, whatever cell is current.
+TEST_F(LabTableTest, PastesIntoAColumnAndSaysWhatCannotBe) {
+  ASSERT_TRUE(wait_for([this] { return window_.session().runs().scene() != nullptr; }));
+  click(1, BodiesModel::kMass);
+  const double mass = mass_of(window_.preset().scene.bodies[1]);
+  QHeaderView* head = table().horizontalHeader();
+  const int x = head->sectionViewportPosition(BodiesModel::kMass) + 20;
+  QTest::mouseClick(head->viewport(), Qt::LeftButton, {}, QPoint(x, head->height() / 2));
+  table().selectionModel()->setCurrentIndex(table().model()->index(1, BodiesModel::kMass),
+                                            QItemSelectionModel::NoUpdate);
+  QApplication::clipboard()->setText("2\n-3");
+  QTest::keyClick(&table(), Qt::Key_V, Qt::ControlModifier);
+  EXPECT_EQ(mass_of(light()), 2.0);
+  EXPECT_EQ(mass_of(window_.preset().scene.bodies[1]), mass);
+  const auto* rows = static_cast<const BodiesModel*>(table().model());
+  const auto* sentence = window_.findChild<BodiesSheet*>()->findChild<QLabel*>("fault");
+  // The body that was changed is selected meanwhile.
+  ASSERT_TRUE(is_selected("light"));
+  EXPECT_NE(rows->fault(1, BodiesModel::kMass), nullptr);
+  EXPECT_TRUE(sentence->isVisible());
+  EXPECT_EQ(sentence->text(), "Mass is more than 0.");
+  window_.session().edits().undo();
+  EXPECT_EQ(rows->fault(1, BodiesModel::kMass), nullptr);
+  EXPECT_FALSE(sentence->isVisible());
+}
+
+// Two free discs on a rod: what it forbids is red, and the sentence says what to do.
+TEST_F(LabTableTest, AVelocityAgainstAJointIsRed) {
+  Preset pair = window_.preset();
+  for (Body& body : pair.scene.bodies) body.velocity.setZero();
+  Joint rod;
+  rod.name = "Rod 1";
+  rod.body = "light";
+  rod.to = "heavy";
+  pair.scene.joints = {rod};
+  pair.expect.clear();
+  window_.show_scene(pair, {}, {});
+  ASSERT_TRUE(wait_for([this] {
+    const auto scene = window_.session().runs().scene();
+    return scene != nullptr && scene->joints.size() == 1;
+  }));
+  click(0, BodiesModel::kVelocityX);
+  type("1");
+  const auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+  ASSERT_NE(field, nullptr) << "it is still typed";
+  EXPECT_TRUE(field->property("fault").toBool());
+  const auto* sentence = window_.findChild<BodiesSheet*>()->findChild<QLabel*>("fault");
+  EXPECT_TRUE(sentence->isVisible());
+  EXPECT_EQ(
+      sentence->text(),
+      "Rod 1 joins light and heavy: their ends would close in at 1 m/s. Select both, or change both at once.");
+  EXPECT_EQ(window_.session().edits().count(), 0);
+  // Both at once.
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+  QApplication::clipboard()->setText("1\n1");
+  QTest::keyClick(&table(), Qt::Key_V, Qt::ControlModifier);
+  EXPECT_EQ(light().velocity.x(), 1.0);
+  EXPECT_FALSE(sentence->isVisible());
 }
 
 // What is typed at a later moment: a mass goes on, a velocity is a new start from there.

@@ -19,6 +19,12 @@ class LabToolsTest : public LabHandsTest {
     }
     return {};
   }
+  [[nodiscard]] QString inspector_refusal() {
+    for (const QLabel* label : window_.findChild<Inspector*>()->findChildren<QLabel*>("fault")) {
+      if (label->isVisible()) return label->text();
+    }
+    return {};
+  }
   using Names = std::vector<std::string>;
   [[nodiscard]] const Names& selection() { return window_.scene_view().selection(); }
 };
@@ -72,6 +78,35 @@ TEST_F(LabToolsTest, ShiftAndALetterShowsAndHides) {
   switches(Qt::Key_F, &DrawingOptions::forces);
   switches(Qt::Key_K, &DrawingOptions::contacts);
   switches(Qt::Key_N, &DrawingOptions::names);
+}
+
+// What the scene can't be is said where the mouse is, and nowhere else.
+TEST_F(LabToolsTest, ARefusedDriveIsSaidInTheBubble) {
+  key(Qt::Key_D);
+  drag({0.0, 0.0}, {0.2, 0.0});
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 1; }));
+  ASSERT_TRUE(shows_start());
+  key(Qt::Key_N);
+  select({0.0, 0.0});
+  ASSERT_EQ(window_.preset().scene.joints.size(), 1U);
+  ASSERT_TRUE(shows_start());
+  const int steps = window_.session().edits().count();
+  key(Qt::Key_M);
+  drag({0.0, 0.0}, {0.6, 0.0});
+  const Bubble& bubble = window_.scene_view().bubble();
+  EXPECT_TRUE(bubble.fault);
+  EXPECT_EQ(bubble.value, "Pin 1 acts on A, which would no longer move freely.");
+  EXPECT_EQ(bubble.detail, "Remove Pin 1 first.");
+  EXPECT_EQ(window_.session().edits().count(), steps);
+  EXPECT_EQ(inspector_refusal(), "");
+  // What the inspector refuses is said there, until the run plays.
+  window_.scene_view().select({"A"});
+  type("Velocity x, m/s", "1");
+  EXPECT_EQ(inspector_refusal(),
+            "Pin 1 joins A and the plane: their ends would part at 1 m/s. Give a velocity that it allows, or "
+            "remove it.");
+  action("Play or pause")->trigger();
+  EXPECT_EQ(inspector_refusal(), "");
 }
 
 }  // namespace

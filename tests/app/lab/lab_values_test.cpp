@@ -184,5 +184,25 @@ TEST_F(LabValuesTest, ABubbleGoesWithUndoAndWithOtherEdits) {
   EXPECT_EQ(field(), nullptr);
 }
 
+TEST_F(LabValuesTest, TheSceneFollowsWhatIsTyped) {
+  press(grip());
+  move(grip() + QPoint(30, 0));
+  move(grip() + QPoint(60, 0));
+  const Vec2 dragged = body(0).velocity;
+  key(Qt::Key_4);
+  EXPECT_TRUE(body(0).velocity.isApprox(Vec2(4.0, 0.0), 1e-12)) << body(0).velocity;
+  ASSERT_TRUE(wait_for([this] { return window_.scene_view().aim().has_value(); }));
+  EXPECT_NEAR(window_.scene_view().aim()->time, 1.7 / 4.0, 0.02);
+  QTest::keyClick(field(), Qt::Key_0);
+  EXPECT_TRUE(body(0).velocity.isApprox(Vec2(40.0, 0.0), 1e-12)) << body(0).velocity;
+  // What can't be taken in the end leaves what the drag left.
+  QTest::keyClick(field(), Qt::Key_X);
+  window_.scene_view().setFocus();
+  EXPECT_EQ(field(), nullptr);
+  EXPECT_EQ(body(0).velocity, dragged);
+  release(grip() + QPoint(60, 0));
+  EXPECT_EQ(edits().count(), steps_ + 1) << "one step of undo";
+}
+
 }  // namespace
 }  // namespace carom

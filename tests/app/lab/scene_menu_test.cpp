@@ -1,5 +1,6 @@
 #include <QClipboard>
 #include <QLineEdit>
+#include <QMenuBar>
 
 #include "app/lab/session.h"
 #include "tests/app/lab/lab_fixture.h"
@@ -178,6 +179,38 @@ TEST_F(SceneMenuTest, AJointIsChosen) {
   ASSERT_TRUE(wait_for([this] { return window_.frame()->joints.size() == 1 && window_.frame()->scene; }));
   choose(0.5 * (light + place("heavy")), "Delete");
   EXPECT_EQ(window_.session().edits().undoText(), "Delete Rod 1");
+}
+
+TEST_F(SceneMenuTest, SeveralBodiesAreAlignedFromTheirMenu) {
+  view().select({"light", "heavy"});
+  QMenu* menu = menu_at(place("light"));
+  ASSERT_NE(menu, nullptr);
+  QMenu* align = entry(menu, "Align")->menu();
+  ASSERT_NE(align, nullptr);
+  EXPECT_TRUE(align->isEnabled());
+  entry(align, "Left sides")->trigger();
+  EXPECT_TRUE(window_.session().edits().undoText().startsWith("Align 2 bodies"));
+  menu->close();
+  view().select({"light"});
+  EXPECT_THROW(entry(menu_at(place("light")), "Align"), std::runtime_error);
+}
+
+TEST_F(SceneMenuTest, TheMenuBarSaysWhatCanBeDone) {
+  view().select({});
+  for (const char* name : {"Cut", "Copy", "Duplicate"}) EXPECT_FALSE(action(name)->isEnabled()) << name;
+  QMenu* edit = window_.menuBar()->actions()[1]->menu();
+  emit edit->aboutToShow();
+  EXPECT_FALSE(entry(edit, "Delete\tDel")->isEnabled());
+  entry(edit, "Select all\tCtrl+A")->trigger();
+  EXPECT_EQ(view().selection().size(), 2U);
+  for (const char* name : {"Cut", "Copy", "Duplicate"}) EXPECT_TRUE(action(name)->isEnabled()) << name;
+  emit edit->aboutToShow();
+  EXPECT_TRUE(entry(edit, "Delete\tDel")->isEnabled());
+  entry(edit, "Delete\tDel")->trigger();
+  EXPECT_TRUE(has(0));
+  for (const char* name : {"Grid", "Velocities", "Forces", "Contacts", "Names"})
+    EXPECT_FALSE(action(name)->isIconVisibleInMenu() && !action(name)->icon().isNull())
+        << name << " has a tick";
 }
 
 }  // namespace

@@ -294,5 +294,24 @@ TEST_F(BodiesSheetTest, CanBeReadAloud) {
   EXPECT_EQ(spoken(3, Column::kEnergy), "kinetic energy of all: 2.667 J");
 }
 
+TEST_F(BodiesSheetTest, AnEmptySceneHasNoRow) {
+  show({});
+  EXPECT_EQ(table().model()->rowCount(), 0);
+  show({body("light", 1.0, -1.0)});
+  EXPECT_EQ(table().model()->rowCount(), 2);
+}
+
+TEST_F(BodiesSheetTest, AFailedPasteIsSaidUntilTheSceneIsAnother) {
+  QGuiApplication::clipboard()->setText("-3");
+  click(1, Column::kMass);
+  key(Qt::Key_V, Qt::ControlModifier);
+  const auto* rows = static_cast<const BodiesModel*>(table().model());
+  sheet_.end_sentence();
+  EXPECT_NE(sentence(), "") << "its cell is red";
+  sheet_.forget_faults();
+  EXPECT_EQ(rows->fault(1, Column::kMass), nullptr);
+  EXPECT_EQ(sentence(), "");
+}
+
 }  // namespace
 }  // namespace carom

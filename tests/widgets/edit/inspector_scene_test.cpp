@@ -1,3 +1,6 @@
+#include <QScrollArea>
+#include <QScrollBar>
+
 #include "tests/widgets/edit/inspector_fixture.h"
 
 namespace carom {
@@ -95,6 +98,19 @@ TEST_F(InspectorSceneTest, OnlyHereGivesABodyASurfaceOfItsOwn) {
   EXPECT_EQ(material_named(*scene_, "wood 2").restitution, 0.2);
   select({"light", "heavy"});
   EXPECT_FALSE(has_field("e of wood"));
+}
+
+TEST_F(InspectorSceneTest, AnotherObjectIsShownFromItsTop) {
+  inspector_.resize(320, 200);
+  select({"light"});
+  QScrollBar* bar = inspector_.findChild<QScrollArea*>()->verticalScrollBar();
+  QApplication::processEvents();
+  ASSERT_GT(bar->maximum(), 0);
+  bar->setValue(bar->maximum());
+  select({"light"});
+  EXPECT_EQ(bar->value(), bar->maximum()) << "the same one stays";
+  select({"heavy"});
+  EXPECT_EQ(bar->value(), 0);
 }
 
 }  // namespace

@@ -184,5 +184,27 @@ TEST_F(InspectorTest, TheFieldKeepsTheFocusWhenRowsChange) {
   EXPECT_TRUE(field("Radius, m")->hasFocus());
 }
 
+// Never cut: fewer digits where there is no room, all while the field is edited.
+TEST_F(InspectorTest, ANumberHasAsManyDigitsAsFit) {
+  Body placed = light();
+  placed.position.x() = -0.0264746;
+  apply({Replace<Body>{placed}});
+  select({"light"});
+  QLineEdit* x = field("Position x, m");
+  ASSERT_NE(x, nullptr);
+  x->clearFocus();
+  x->setFixedWidth(x->fontMetrics().horizontalAdvance("0.02647") + 20);
+  QApplication::processEvents();
+  EXPECT_LT(x->text().size(), 9) << x->text().toStdString();
+  EXPECT_TRUE(x->text().startsWith(QString(QChar(0x2212)) + "0.02")) << x->text().toStdString();
+  EXPECT_LE(x->fontMetrics().horizontalAdvance(x->text()), x->width() - 8);
+  x->setFocus();
+  EXPECT_EQ(x->text(), QString(QChar(0x2212)) + "0.0264746");
+  QTest::keyClick(x, Qt::Key_Return);
+  EXPECT_TRUE(made_.empty()) << "nothing was typed";
+  x->clearFocus();
+  EXPECT_LT(x->text().size(), 9);
+}
+
 }  // namespace
 }  // namespace carom

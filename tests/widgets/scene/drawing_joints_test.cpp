@@ -100,6 +100,33 @@ TEST_F(JointsDrawn, AWeldIsADot) {
   EXPECT_EQ(d.segments[0].from, Vec2(0.5, 0.5));
 }
 
+TEST_F(JointsDrawn, AWeldAcrossAGapIsADoubleLine) {
+  Preset preset = head_on_scene();
+  for (Body& body : preset.scene.bodies) body.velocity.setZero();
+  Joint weld;
+  weld.kind = JointKind::kWeld;
+  weld.body = preset.scene.bodies[0].name;
+  weld.to = preset.scene.bodies[1].name;
+  const Vec2 apart = preset.scene.bodies[1].position - preset.scene.bodies[0].position;
+  weld.point = 0.5 * apart;
+  weld.anchor = -0.5 * apart;
+  preset.scene.joints = {weld};
+  frame_ = run_to(preset, 0.0);
+  frame_.scene = std::make_shared<const Scene>(preset.scene);
+  EXPECT_EQ(lines(drawing()).size(), 4U) << "two from each body";
+  // Bodies that touch hide it.
+  preset.scene.bodies[1].position =
+      preset.scene.bodies[0].position +
+      2.0 * std::get<Disc>(preset.scene.bodies[0].shape).radius * apart.normalized();
+  weld.point = 0.5 * (preset.scene.bodies[1].position - preset.scene.bodies[0].position);
+  weld.anchor = -weld.point;
+  preset.scene.bodies[1].shape = preset.scene.bodies[0].shape;
+  preset.scene.joints = {weld};
+  frame_ = run_to(preset, 0.0);
+  frame_.scene = std::make_shared<const Scene>(preset.scene);
+  EXPECT_TRUE(lines(drawing()).empty());
+}
+
 // A weld made by an impact is among the joints from then on.
 TEST_F(JointsDrawn, AFrameHasTheWeldsOfBodiesThatStick) {
   Preset preset = head_on_scene();

@@ -150,6 +150,15 @@ TEST(JointHold, VelocitiesKeepRodsAtTheirLength) {
   EXPECT_NEAR(after.velocity.dot(after.position), 0.0, 1e-12);
 }
 
+TEST(JointHold, AFreePairMovesOnlyTogether) {
+  DragStart start = start_of(disc_at("A", 0.0, 0.0), joint_of(JointKind::kRod, "A", "B", Vec2::Zero()));
+  start.kind = HandleKind::kVelocity;
+  start.others = {disc_at("B", 1.0, 0.0)};
+  EXPECT_EQ(drag(start, Vec2(0.5, 0.0)).detail, "A moves only with B: select both");
+  start.others[0].fixed = true;
+  EXPECT_EQ(drag(start, Vec2(0.5, 0.0)).detail, "Rod 1 allows no other direction");
+}
+
 TEST(JointHold, OnItsCircleABodyGoesBackToTouching) {
   Joint rod = joint_of(JointKind::kRod, "A", "", {0.0, 1.0});
   rod.length = 1.0;

@@ -63,6 +63,19 @@ TEST_F(JointToolsTest, ADragDrawsARodBetweenCentres) {
   EXPECT_EQ(view_.tool(), SceneTool::kSelect);
 }
 
+TEST_F(JointToolsTest, AnEndSnapsToACentreWithin12Pixels) {
+  body("B").shape = Disc{0.02};
+  show(true);
+  view_.set_tool(SceneTool::kRod, true);
+  drag({210, 205}, {410, 205});
+  EXPECT_EQ(added<Joint>().point, Vec2(0.0, 0.0));
+  EXPECT_EQ(added<Joint>().to, "B");
+  EXPECT_EQ(added<Joint>().anchor, Vec2(0.0, 0.0));
+  drag({213, 205}, {413, 205});
+  EXPECT_TRUE(near(added<Joint>().point, {0.13, -0.05}));
+  EXPECT_EQ(added<Joint>().to, "") << "beside it";
+}
+
 TEST_F(JointToolsTest, TwoClicksHangABodyOnAStringFromThePlane) {
   answers_ = true;
   view_.set_tool(SceneTool::kString, true);

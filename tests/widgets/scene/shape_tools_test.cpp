@@ -1,3 +1,4 @@
+#include <QApplication>
 #include <numbers>
 
 #include "tests/widgets/scene/scene_tools_fixture.h"
@@ -284,6 +285,50 @@ TEST_F(ShapeToolsTest, AnotherSceneForgetsTheCorners) {
   key(Qt::Key_Escape);
   EXPECT_EQ(view_.tool(), SceneTool::kSelect);
   EXPECT_TRUE(told_.empty());
+}
+
+TEST_F(ShapeToolsTest, DigitsTypeTheSizesOfWhatIsDrawn) {
+  view_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&view_));
+  view_.setFocus();
+  const auto draw = [&](SceneTool tool) {
+    view_.set_tool(tool);
+    press({300, 350});
+    move({320, 330});
+    move({340, 310});
+  };
+  const auto type = [](Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); };
+  draw(SceneTool::kDisc);
+  type(Qt::Key_Period);
+  type(Qt::Key_3);
+  EXPECT_TRUE(told_.empty());
+  type(Qt::Key_Return);
+  release({340, 310});
+  ASSERT_EQ(told_.size(), 1U);
+  EXPECT_EQ(std::get<Disc>(added().shape).radius, 0.3);
+  draw(SceneTool::kBox);
+  type(Qt::Key_2);
+  type(Qt::Key_Tab);
+  type(Qt::Key_1);
+  type(Qt::Key_Return);
+  release({340, 310});
+  ASSERT_EQ(told_.size(), 2U);
+  EXPECT_EQ(std::get<Box>(added().shape).width, 2.0);
+  EXPECT_EQ(std::get<Box>(added().shape).height, 1.0);
+  const Vec2 corner = added().position - Vec2(1.0, 0.5);
+  EXPECT_LT((corner - Vec2(2.0, -0.5)).norm(), 1e-9) << corner;
+  draw(SceneTool::kWall);
+  type(Qt::Key_1);
+  type(Qt::Key_Return);
+  release({340, 310});
+  ASSERT_EQ(told_.size(), 3U);
+  EXPECT_EQ(std::get<Wall>(added().shape).length, 1.0);
+  // Escape makes nothing.
+  draw(SceneTool::kDisc);
+  type(Qt::Key_1);
+  type(Qt::Key_Escape);
+  release({340, 310});
+  EXPECT_EQ(told_.size(), 3U);
 }
 
 }  // namespace
