@@ -40,7 +40,7 @@ struct ScheduleState {
 // resolved. Only the bodies of an impact change, and only their neighbours are searched again. The state at
 // an impact is a true step of the method, so the integrator keeps its order through impacts. Impacts at the
 // same time are resolved pair by pair, in the order of index pairs, or all at once if the scene says so
-// (simultaneous_impacts.cpp).
+// (simultaneous_impacts.cpp). The search is in impact_schedule.cpp.
 //
 // Fixed-step integrators rebuild every trajectory after each step. The adaptive integrator and exact flight
 // need no common step: their trajectories continue across it, and the step is only the interval between two
