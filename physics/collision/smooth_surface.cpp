@@ -1,6 +1,9 @@
 #include "physics/collision/smooth_surface.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "physics/math/vectors.h"
@@ -93,15 +96,36 @@ constexpr double kSunk = 1e3;
 
 enum class Cover { kNone, kRidge, kBetween, kInside };
 
+// rad: from one direction to another, counter-clockwise, in (-π, π].
+double turn(const Vec2& from, const Vec2& to) { return std::atan2(cross(from, to), from.dot(to)); }
+
+// Where two wedges overlap, their surface has the normals that both have: where a corner lies on a face, that
+// of the face alone. Where they have none in common it is reentrant, and both are met.
+Cover cover_of_overlap(const Wedge& here, const Wedge& there, const Vec2& normal, bool by_face) {
+  // Normals as angles from the first one here.
+  const double here_end = turn(here.low, here.high);
+  const double there_begin = turn(here.low, there.low);
+  const double there_end = there_begin + turn(there.low, there.high);
+  // Each fills the directions from a quarter turn after its last normal to three quarters after its first.
+  const double begin_of_both = std::max(there_end, here_end) + 0.5 * std::numbers::pi;
+  const double end_of_both = std::min(there_begin, 0.0) + 1.5 * std::numbers::pi;
+  if (begin_of_both > end_of_both + kParallel) return Cover::kNone;
+  const double first = std::max(there_begin, 0.0);
+  const double last = std::min(there_end, here_end);
+  if (last < first - kParallel || (by_face && last - first > kCorner)) return Cover::kNone;
+  const double at = turn(here.low, normal);
+  return at < first - kParallel || at > last + kParallel ? Cover::kRidge : Cover::kNone;
+}
+
 // How a neighbour covers a point of its owner: from inside, face to face, or by a ridge that both make.
-Cover cover_of(const Wedge& here, const Wedge& there, const Vec2& normal, bool by_face) {
+Cover cover_of(const Wedge& here, const Wedge& there, const Vec2& normal, bool may_overlap, bool by_face) {
   if (there.where == Wedge::kOutside || here.where != Wedge::kSurface) return Cover::kNone;
   if (there.where == Wedge::kInside) return Cover::kInside;
   // Which of the two follows the other counter-clockwise: faces that press each other are opposite.
   const bool follows = opposite(there.high, here.low);
   const bool leads = opposite(there.low, here.high);
   if (follows && leads) return Cover::kBetween;
-  if (!follows && !leads) return Cover::kNone;
+  if (!follows && !leads) return may_overlap ? cover_of_overlap(here, there, normal, by_face) : Cover::kNone;
   const Vec2& low = follows ? there.low : here.low;
   const Vec2& high = follows ? here.high : there.high;
   if (cross(low, high) < -kParallel || (by_face && cross(low, high) > kCorner)) return Cover::kNone;
@@ -119,7 +143,8 @@ bool neighbour_covers(const ConvexShapes& shapes, int owner, const Pose& pose_ow
   const auto cover = [&](double within) {
     const Wedge there = wedge_at(shapes, neighbour, pose_neighbour, point, normal, within);
     if (there.where == Wedge::kOutside) return Cover::kNone;
-    return cover_of(wedge_at(shapes, owner, pose_owner, point, normal, within), there, normal, by_face);
+    return cover_of(wedge_at(shapes, owner, pose_owner, point, normal, within), there, normal, may_overlap,
+                    by_face);
   };
   const Cover covered = cover(tolerance);
   if (covered == Cover::kNone || covered == Cover::kRidge || may_overlap) return covered != Cover::kNone;

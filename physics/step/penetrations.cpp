@@ -1,6 +1,7 @@
 #include "physics/step/penetrations.h"
 
 #include <limits>
+#include <utility>
 
 #include "physics/step/apply_impact.h"
 #include "physics/step/neighbours.h"
@@ -26,32 +27,31 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, N
   if (all_at_once) correction -= field.potential_energy(world.state.q);
   bool listed = false;
   const auto pose = [&](int i) { return world.shapes().pose(i, trajectories.at_start(i).head<3>()); };
-  for (const auto& [a, b, resting] : pairs) {
-    world.work.pass(1);
-    if (!world.shapes().can_collide(a, b)) continue;  // joined in the meantime
-    Approach at = world.approach(a, b, 0.0);
+  // Of two parts.
+  const auto part_them = [&](const WaitingPair& pair, const std::pair<int, int>& parts) {
+    const auto [a, b, resting] = pair;
+    if (!world.shapes().can_collide(a, b)) return;  // joined in the meantime
+    Approach at = world.approach(a, b, 0.0, parts);
     const double gap = at.contact.gap;
-    if (gap >= 0.0) continue;
+    if (gap >= 0.0) return;
     if (may_be_continued(world, a, b) && !listed) neighbours.build(world.bodies(), pairs), listed = true;
     if (may_be_continued(world, a, b) &&
-        on_internal_edge(world, a, b, at.contact, neighbours.of_pair(world, a, b), pose)) {
-      continue;
-    }
+        on_internal_edge(world, a, b, at.contact, neighbours.of_pair(world, a, b), pose))
+      return;
     const Vec2 normal = at.contact.normal;
 
     // Bodies with corners may penetrate at two points: one impact for the middle, then one for the point that
     // still approaches.
     const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
     for (int k = 0; k < most; ++k) {
-      if (k > 0) at = world.approach(a, b, -gap);
+      if (k > 0) at = world.approach(a, b, -gap, parts);
       if (!(at.speed < (k == 0 ? 0.0 : -16.0 * kEpsilon * at.scale))) break;
       Material material = world.material(at.contact, a, b);
       // A closing speed from the forces of this step must not bounce; a true impact on a resting pair must.
       if (resting && -at.speed <= pressed_in(world, a, b, h)) material.restitution = 0.0;
       apply_impact(world, a, b, at.contact, material, now);
-      if (!world.shapes().can_collide(a, b)) break;
+      if (!world.shapes().can_collide(a, b)) return;
     }
-    if (!world.shapes().can_collide(a, b)) continue;
 
     const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;  // of the model as it is now
     const double share = inverse_mass[a] + inverse_mass[b];
@@ -68,6 +68,12 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, N
       world.state.q.col(i).head<2>() = moved;
       if (trajectories.is_jointed(i)) world.restore_joints(trajectories.island_of(i));
     }
+  };
+  for (const WaitingPair& pair : pairs) {
+    world.work.pass(1);
+    if (!world.shapes().can_collide(pair.a, pair.b)) continue;
+    world.shapes().each_parts(pair.a, pair.b,
+                              [&](int part_a, int part_b) { part_them(pair, std::pair(part_a, part_b)); });
   }
   if (all_at_once) correction += field.potential_energy(world.state.q);
 }

@@ -321,15 +321,23 @@ ContactSolverReport RestingContacts::solve(const World& world, const Eigen::Matr
 void RestingContacts::strike(World& world, double h) {
   if (found_.hits.empty()) return;
   struck_.assign(static_cast<std::size_t>(world.bodies()), 0);
+  const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
   const auto strikes = [&](int a, int b) {
-    if (!world.shapes().can_collide(a, b)) return false;  // joined in the meantime
-    const Approach at = world.approach(a, b, 0.0);
-    const Material& material = world.material(at.contact, a, b);
-    const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
-    if (!(-material.restitution * at.speed > rest) || -at.speed * h < at.contact.gap) return false;
-    apply_impact(world, a, b, at.contact, material, 0.0);
-    struck_[static_cast<std::size_t>(a)] = struck_[static_cast<std::size_t>(b)] = 1;
-    return true;
+    const bool several = world.shapes().has_parts(a) || world.shapes().has_parts(b);
+    bool any = false;
+    world.shapes().each_parts(a, b, [&](int part_a, int part_b) {
+      if (!world.shapes().can_collide(a, b)) return;  // joined in the meantime
+      const Approach at = world.approach(a, b, 0.0, {part_a, part_b});
+      const Material& material = world.material(at.contact, a, b);
+      const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
+      if (!(-material.restitution * at.speed > rest) || -at.speed * h < at.contact.gap) return;
+      if (several && on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
+        return;
+      apply_impact(world, a, b, at.contact, material, 0.0);
+      struck_[static_cast<std::size_t>(a)] = struck_[static_cast<std::size_t>(b)] = 1;
+      any = true;
+    });
+    return any;
   };
   bool any = false;
   for (const auto& [a, b] : found_.hits) any = strikes(a, b) || any;
@@ -507,25 +515,28 @@ void RestingContacts::release(World& world) {
 void RestingContacts::rebound_at_end(World& world, const std::vector<std::pair<int, int>>& pairs) const {
   const double now = world.clock.step_end - world.trajectories.epoch();
   const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
-  for (const auto& [a, b] : pairs) {
-    if (!world.shapes().can_collide(a, b)) continue;  // joined in the meantime
-    const bool one_surface = !world.shapes().has_parts(a) && !world.shapes().has_parts(b);
-    if (one_surface && world.material({}, a, b).restitution == 0.0) continue;
+  // Of two parts.
+  const auto rebound = [&](int a, int b, const std::pair<int, int>& parts) {
     const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
-    const bool continued = may_be_continued(world, a, b);
-    for (int k = 0; k < most; ++k) {
-      const Approach at = world.approach(a, b, 0.0);
+    for (int k = 0; k < most && world.shapes().can_collide(a, b); ++k) {
+      const Approach at = world.approach(a, b, 0.0, parts);
       if (at.contact.gap >= 0.0) break;
       const double restitution = world.material(at.contact, a, b).restitution;
       if (restitution == 0.0) break;
-      if (continued &&
+      if (may_be_continued(world, a, b) &&
           on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
         break;
       const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, restitution);
       if (!(-restitution * at.speed > rest)) break;
       apply_impact(world, a, b, at.contact, world.material(at.contact, a, b), now);
-      if (!world.shapes().can_collide(a, b)) break;
     }
+  };
+  for (const auto& [a, b] : pairs) {
+    if (!world.shapes().can_collide(a, b)) continue;  // joined in the meantime
+    const bool one_surface = !world.shapes().has_parts(a) && !world.shapes().has_parts(b);
+    if (one_surface && world.material({}, a, b).restitution == 0.0) continue;
+    world.shapes().each_parts(
+        a, b, [&, a = a, b = b](int part_a, int part_b) { rebound(a, b, std::pair(part_a, part_b)); });
   }
 }
 

@@ -10,6 +10,9 @@
 namespace carom {
 namespace {
 
+// Relative to the sizes: points touch together if their gaps differ by less.
+constexpr double kTogether = 1e-9;
+
 // The islands of these bodies, in rising order.
 std::vector<int> islands_of(const Trajectories& trajectories, const std::vector<int>& bodies) {
   std::vector<int> islands;
@@ -24,7 +27,7 @@ std::vector<int> islands_of(const Trajectories& trajectories, const std::vector<
 
 }  // namespace
 
-// Puts the contacts of two bodies at `time` on the list, if they touch.
+// Puts the contacts of two bodies at `time` on the list, if they touch; near_ are the bodies near one of them.
 void EventDrivenImpacts::find_touches(World& world, int a, int b, double time) {
   Trajectories& trajectories = world.trajectories;
   const Geometry& shapes = world.shapes();
@@ -38,9 +41,23 @@ void EventDrivenImpacts::find_touches(World& world, int a, int b, double time) {
     if (contact.gap <= tolerance) touches_.push_back({a, b, contact});
     return;
   }
-  each_manifold(shapes, a, shapes.pose(a, qa), b, shapes.pose(b, qb), tolerance, [&](const Manifold& ends) {
-    for (int k = 0; k < ends.count; ++k) touches_.push_back({a, b, ends.contact(k)});
+  const auto pose = [&](int i) {
+    const double then = std::clamp(time, trajectories.start(i), trajectories.end(i));
+    return shapes.pose(i, trajectories.at(i, then).head<3>());
+  };
+  // What is flush lands together.
+  const double margin = tolerance + kTogether * (shapes.size[a] + shapes.size[b]);
+  const std::size_t before = touches_.size();
+  bool touch = false;
+  each_manifold(shapes, a, shapes.pose(a, qa), b, shapes.pose(b, qb), margin, [&](const Manifold& ends) {
+    for (int k = 0; k < ends.count; ++k) {
+      const Contact contact = ends.contact(k);
+      if (contact.gap > margin || on_internal_edge(world, a, b, contact, near_, pose)) continue;
+      touch = touch || contact.gap <= tolerance;
+      touches_.push_back({a, b, contact});
+    }
   });
+  if (!touch) touches_.resize(before);
 }
 
 // Outwards from the pair, over bodies that move.
@@ -50,14 +67,16 @@ void EventDrivenImpacts::find_cluster(World& world, int a, int b, double time) {
   for (std::size_t k = 0; k < cluster_.size(); ++k) {
     const int body = cluster_[k];
     if (world.infinite_mass(body)) continue;
-    grid_.each_near(body, [&](int other) {
+    near_.clear();
+    grid_.each_near(body, [&](int other) { near_.push_back(other); });
+    for (const int other : near_) {
       const auto known = std::find(cluster_.begin(), cluster_.end(), other);
       // Pairs of which the other one has been looked at are there already.
-      if (known < cluster_.begin() + static_cast<std::ptrdiff_t>(k) && !world.infinite_mass(other)) return;
+      if (known < cluster_.begin() + static_cast<std::ptrdiff_t>(k) && !world.infinite_mass(other)) continue;
       const std::size_t before = touches_.size();
       find_touches(world, body, other, time);
       if (touches_.size() > before && known == cluster_.end()) cluster_.push_back(other);
-    });
+    }
   }
   std::sort(touches_.begin(), touches_.end(),
             [](const Touch& x, const Touch& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });

@@ -289,6 +289,89 @@ TEST(CompoundBodies, SeamsWithinABodyAreSmooth) {
   }
 }
 
+// Two flush parts of the floor overlap by half: the end of one lies hidden in the other.
+TEST(CompoundBodies, OverlappingFlushPartsDoNotCatch) {
+  const Compound tops{{placed(Box{2.0, 0.2}, {-0.5, 0.0}), placed(Box{2.0, 0.2}, {0.5, 0.0})}};
+  Body floor = shaped("floor", tops, {0.0, -0.1});
+  floor.density.reset();
+  floor.fixed = true;
+  for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
+    for (const double e : {0.0, 0.5}) {
+      Body box = shaped("box", Box{0.2, 0.2}, {-1.2, 0.1});
+      box.velocity = {1.0, 0.0};
+      Body ball = test::disc("ball", {-0.7, 0.1}, {1.1, 0.0}, 0.1, 1.0);
+      RunSetup s = test::setup_with({floor, box, ball}, e);
+      s.scene.forces.gravity = {0.0, -9.81};
+      s.method = {IntegratorId::kRk4, impacts, ContactsId::kLasting, 1.0 / 120.0};
+      Simulation run(s);
+      run.advance_to(1.8);
+      EXPECT_NEAR(run.state().v(0, 1), 1.0, 1e-9);
+      EXPECT_NEAR(run.state().v(0, 2), 1.1, 1e-9);
+      EXPECT_NEAR(run.state().v(2, 1), 0.0, 1e-9);
+    }
+  }
+}
+
+TEST(CompoundBodies, LandFlatOverASeamWhereImpactsAreSimultaneous) {
+  for (const double x : {0.0, 0.15}) {
+    for (const double vx : {0.0, 0.5}) {
+      Compound tiles{{placed(Box{1.0, 0.2}, {-0.5, 0.0}), placed(Box{1.0, 0.2}, {0.5, 0.0})}};
+      Body floor = shaped("floor", tiles, {0.0, -0.1});
+      floor.density.reset();
+      floor.fixed = true;
+      Body body = shaped(
+          "body", Compound{{placed(Box{0.25, 0.2}, {-0.125, 0.0}), placed(Box{0.25, 0.2}, {0.125, 0.0})}},
+          {x, 0.5});
+      body.velocity = {vx, 0.0};
+      RunSetup s = test::setup_with({floor, body});
+      s.scene.several_impacts = SeveralImpactsId::kSimultaneous;
+      s.scene.forces.gravity = {0.0, -9.81};
+      s.method = kFlight;
+      Simulation run(s);
+      double fastest = 0.0;
+      run.advance_to(std::abs(vx) > 0.0 ? 1.0 : 3.0,
+                     [&] { fastest = std::max(fastest, std::abs(run.state().v(2, 1))); });
+      EXPECT_LT(fastest, 1e-8);
+      EXPECT_NEAR(run.state().v(0, 1), vx, 1e-9);
+      EXPECT_EQ(run.notices().text(), "ok");
+    }
+  }
+}
+
+// Impacts at the step's end: the deepest of several parts may be one whose edge another part continues.
+TEST(CompoundBodies, AFloorOfSeveralShapesHoldsAsOneOfSeveralBodies) {
+  for (const double step : {1.0 / 120.0, 1.0 / 60.0}) {
+    std::vector<Eigen::Vector3d> ends;
+    for (const bool one_body : {false, true}) {
+      std::vector<Body> bodies;
+      Compound tiles;
+      for (int k = 0; k < 6; ++k) {
+        if (one_body) {
+          tiles.shapes.push_back(placed(Box{0.5, 1.0}, {0.5 * k, 0.0}));
+        } else {
+          bodies.push_back(test::wall(fmt::format("tile-{}", k), {-1.25 + 0.5 * k, -0.5}, 0.5, 1.0));
+        }
+      }
+      if (one_body) {
+        bodies.push_back(shaped("floor", tiles, {0.0, -0.5}));
+        bodies.back().density.reset();
+        bodies.back().fixed = true;
+      }
+      bodies.push_back(shaped("box", Box{0.3, 0.2}, {0.1, 0.5}));
+      bodies.back().velocity = {0.7, 0.0};
+      RunSetup s = test::setup_with(bodies, 0.0);
+      s.scene.forces.gravity = {0.0, -9.81};
+      s.method = {IntegratorId::kVelocityVerlet, ImpactsId::kStepEnd, ContactsId::kImpulse, step};
+      Simulation run(s);
+      run.advance_to(1.5);
+      ends.emplace_back(run.state().q.col(run.state().size() - 1));
+    }
+    EXPECT_NEAR(ends[1].x(), 1.15, 1e-9) << "nothing stops it";
+    EXPECT_GT(ends[1].y(), 0.09);
+    EXPECT_NEAR((ends[1] - ends[0]).head<1>().norm(), 0.0, 1e-9);
+  }
+}
+
 // Dropped into a container, three hundred of them pile up, and none leaves it.
 TEST(CompoundBodies, ACrowdStaysInItsBox) {
   Draws draws(3);
