@@ -1,6 +1,7 @@
 #include "physics/step/penetrations.h"
 
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "physics/step/apply_impact.h"
@@ -69,11 +70,13 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, N
       if (trajectories.is_jointed(i)) world.restore_joints(trajectories.island_of(i));
     }
   };
+  // Kept: bodies that stick bring a new one.
+  const std::shared_ptr<const Model> model = world.model;
   for (const WaitingPair& pair : pairs) {
     world.work.pass(1);
     if (!world.shapes().can_collide(pair.a, pair.b)) continue;
-    world.shapes().each_parts(pair.a, pair.b,
-                              [&](int part_a, int part_b) { part_them(pair, std::pair(part_a, part_b)); });
+    model->shapes.each_parts(pair.a, pair.b,
+                             [&](int part_a, int part_b) { part_them(pair, std::pair(part_a, part_b)); });
   }
   if (all_at_once) correction += field.potential_energy(world.state.q);
 }

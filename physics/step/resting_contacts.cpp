@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "physics/collision/time_of_impact.h"
 #include "physics/contact/contact_velocity.h"
@@ -322,10 +323,12 @@ void RestingContacts::strike(World& world, double h) {
   if (found_.hits.empty()) return;
   struck_.assign(static_cast<std::size_t>(world.bodies()), 0);
   const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
+  // Kept: bodies that stick bring a new one.
+  const std::shared_ptr<const Model> model = world.model;
   const auto strikes = [&](int a, int b) {
     const bool several = world.shapes().has_parts(a) || world.shapes().has_parts(b);
     bool any = false;
-    world.shapes().each_parts(a, b, [&](int part_a, int part_b) {
+    model->shapes.each_parts(a, b, [&](int part_a, int part_b) {
       if (!world.shapes().can_collide(a, b)) return;  // joined in the meantime
       const Approach at = world.approach(a, b, 0.0, {part_a, part_b});
       const Material& material = world.material(at.contact, a, b);
@@ -531,11 +534,13 @@ void RestingContacts::rebound_at_end(World& world, const std::vector<std::pair<i
       apply_impact(world, a, b, at.contact, world.material(at.contact, a, b), now);
     }
   };
+  // Kept: bodies that stick bring a new one.
+  const std::shared_ptr<const Model> model = world.model;
   for (const auto& [a, b] : pairs) {
     if (!world.shapes().can_collide(a, b)) continue;  // joined in the meantime
     const bool one_surface = !world.shapes().has_parts(a) && !world.shapes().has_parts(b);
     if (one_surface && world.material({}, a, b).restitution == 0.0) continue;
-    world.shapes().each_parts(
+    model->shapes.each_parts(
         a, b, [&, a = a, b = b](int part_a, int part_b) { rebound(a, b, std::pair(part_a, part_b)); });
   }
 }
