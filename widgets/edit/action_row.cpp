@@ -64,14 +64,4 @@ void ActionRow::show_row(const InspectedRow& row) {
   }
 }
 
-void ActionRow::act(const InspectedAction& action) {
-  say(action.refusal);
-  if (!action.refusal.isEmpty()) return;
-  if (action.opens) {
-    emit opened(*action.opens);
-  } else {
-    emit edited(action.edits);
-  }
-}
-
 }  // namespace carom

@@ -18,8 +18,6 @@ class ActionRow : public InspectorRow {
   void show_row(const InspectedRow& row) override;
 
  private:
-  void act(const InspectedAction& action);
-
   std::vector<InspectedAction> actions_;
   std::vector<ElidedButton*> buttons_;
 };

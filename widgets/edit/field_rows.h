@@ -19,7 +19,7 @@ using FieldValue = std::variant<std::monostate, double, bool>;
 
 // Where a member stands in its value.
 struct FieldPlace {
-  std::string key;  // "mass"; of an object in it "shape/radius", of one in a list "shapes/0/angle"
+  std::string key;  // "mass"; of an object in it "shape/radius", in a list "shapes/0/angle"
   int part = -1;    // 0, 1: x, y of a vector
 
   bool operator==(const FieldPlace&) const = default;
@@ -74,7 +74,11 @@ class EachMember : public OnlyLooks {
   void object(const Key& key, auto& member) {
     if (member) required_object(key, *member);
   }
-  void points(const Key&, const std::vector<Vec2>&, const Count&, const Range&) {}
+  void points(const Key& key, auto& list, const Count& /*count*/, const Range& range) {
+    EachMember inner(visit_, before_ + key.name + "/");
+    for (std::size_t i = 0; i < list.size(); ++i)
+      inner.field({std::to_string(i).c_str(), key.meaning}, list[i], range);
+  }
   [[nodiscard]] static bool shows(bool condition) { return condition; }
   void cases(const Key&, const Words&, std::size_t chosen, const auto& each) { each(chosen, *this); }
 

@@ -3,6 +3,7 @@
 #include <QStringList>
 #include <functional>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "physics/scene/edit.h"
@@ -36,6 +37,8 @@ struct Inspected {
   // What an empty field does; without it a value must be typed.
   std::optional<NamedEdits> emptied{};
   QString refusal{};  // why no value can be typed now, in one sentence
+  // What else than the range forbids these values, in one sentence; empty: nothing.
+  std::function<QString(const std::vector<double>&)> fault{};
 };
 
 // One of several words.
@@ -64,12 +67,13 @@ struct InspectedAction {
   QString name{};  // for readers, if the text says too little
   QString meaning{};
   NamedEdits edits{};
-  QString refusal{};              // why it can't be, in one sentence
-  std::optional<PartId> opens{};  // shows this part; no edit
+  QString refusal{};               // why it can't be, in one sentence
+  std::optional<PartId> opens{};   // shows this part; no edit
+  std::optional<QString> folds{};  // shows or hides the list of this name; no edit
 };
 
-// One line: a label and one value, or the two components of a vector; or else a choice, a name, buttons, or a
-// text that only informs.
+// One line: a label and one value, or the two components of a vector, perhaps with small buttons; or else a
+// choice, a name, buttons, or a text that only informs.
 struct InspectedRow {
   QString section{};
   QString label{};
@@ -87,8 +91,9 @@ struct InspectedRow {
 [[nodiscard]] std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& bodies);
 
 // Those of each shape of a compound, and its surface; the first ones of many. An edit leaves the others where
-// they are.
-[[nodiscard]] std::vector<InspectedRow> inspected_shapes(const Scene& scene, const Body& body);
+// they are. For `unfolded` see inspected_corners.h.
+[[nodiscard]] std::vector<InspectedRow> inspected_shapes(const Scene& scene, const Body& body,
+                                                         const std::set<QString>& unfolded);
 
 // The value of one body at one place; none if it has none, as the mass of a fixed one.
 [[nodiscard]] std::optional<Inspected> inspected_value(const Body& body, const FieldPlace& place);

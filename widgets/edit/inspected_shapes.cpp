@@ -2,8 +2,9 @@
 #include <array>
 #include <utility>
 
-#include "physics/math/vectors.h"
 #include "widgets/edit/inspected.h"
+#include "widgets/edit/inspected_corners.h"
+#include "widgets/edit/reshaping.h"
 #include "widgets/edit/units.h"
 
 namespace carom {
@@ -38,17 +39,8 @@ QString section_of(const Body& body, std::size_t shape) {
   return QStringLiteral("Shape %1 · %2").arg(shape + 1).arg(kWords[shapes_of(body)[shape].shape.index()]);
 }
 
-// The other shapes stay where they are and move as before: the centre of mass goes to its new place.
-Body with_number(const Body& body, const FieldPlace& place, double value) {
-  Body changed = with_field(body, place, value);
-  const Vec2 shift = turned_by(
-      body.angle, centre_of(std::get<Compound>(changed.shape)) - centre_of(std::get<Compound>(body.shape)));
-  changed.position += shift;
-  changed.velocity += body.spin * crossed(shift);
-  return changed;
-}
-
-Inspected inspected_number(const Body& body, std::size_t shape, const ShapeLine& line, const FieldRow& row) {
+Inspected inspected_number(const Scene& scene, const Body& body, std::size_t shape, const ShapeLine& line,
+                           const FieldRow& row) {
   const QString component = row.place.part < 0 ? "" : row.place.part == 0 ? "x" : "y";
   Inspected value;
   value.label = component;
@@ -57,8 +49,8 @@ Inspected inspected_number(const Body& body, std::size_t shape, const ShapeLine&
   value.meaning = row.meaning;
   value.range = row.range;
   value.values = {std::get<double>(row.value)};
-  value.edits = [body, place = row.place](const std::vector<double>& values) {
-    return SceneEdits{Replace<Body>{with_number(body, place, values[0])}};
+  value.edits = [joints = scene.joints, body, place = row.place](const std::vector<double>& values) {
+    return reshaping(joints, body, with_field(body, place, values[0]));
   };
   const QString whose = value.subject + " of " + QString::fromStdString(body.name);
   value.undo_name = [line, whose, name = value.name, unit = row.range.unit](const std::vector<double>& before,
@@ -93,7 +85,8 @@ InspectedRow surface_row(const Scene& scene, const Body& body, std::size_t shape
 
 }  // namespace
 
-std::vector<InspectedRow> inspected_shapes(const Scene& scene, const Body& body) {
+std::vector<InspectedRow> inspected_shapes(const Scene& scene, const Body& body,
+                                           const std::set<QString>& unfolded) {
   std::vector<InspectedRow> shown;
   if (!std::holds_alternative<Compound>(body.shape)) return shown;
   const std::vector<FieldRow> rows = field_rows(body);
@@ -104,10 +97,12 @@ std::vector<InspectedRow> inspected_shapes(const Scene& scene, const Body& body)
       for (const FieldRow& row : rows) {
         const bool same = row.place.key == place_of(shape) + line.key && (row.place.part >= 0) == line.vector;
         if (same && std::holds_alternative<double>(row.value))
-          out.values.push_back(inspected_number(body, shape, line, row));
+          out.values.push_back(inspected_number(scene, body, shape, line, row));
       }
       if (!out.values.empty()) shown.push_back(std::move(out));
     }
+    std::vector<InspectedRow> corners = inspected_corners(scene, body, shape, unfolded);
+    std::move(corners.begin(), corners.end(), std::back_inserter(shown));
     shown.push_back(surface_row(scene, body, shape));
   }
   if (count > kMostShown)

@@ -11,6 +11,7 @@
 
 #include "widgets/base/elided_label.h"
 #include "widgets/edit/body_head.h"
+#include "widgets/edit/inspected_corners.h"
 #include "widgets/edit/inspector_row.h"
 
 namespace carom {
@@ -130,7 +131,10 @@ void Inspector::choose(std::shared_ptr<const Scene> scene, const std::vector<std
   const bool other = names != names_ || part != part_;
   if (scene != scene_ || other) {
     // What is typed belongs to what was selected.
-    if (other) restore();
+    if (other) {
+      restore();
+      unfolded_.clear();
+    }
     scene_ = std::move(scene);
     names_ = names;
     part_ = part;
@@ -150,6 +154,11 @@ void Inspector::open(const std::optional<PartId>& part) {
   emit partOpened();
   // Esc leads back from here.
   if (part_) back_->setFocus();
+}
+
+void Inspector::fold(const QString& list) {
+  if (unfolded_.erase(list) == 0) unfolded_.insert(list);
+  show_rows();
 }
 
 bool Inspector::event(QEvent* event) {
@@ -181,7 +190,11 @@ std::vector<InspectedRow> Inspector::rows() const {
     add(listed_parts(*scene_));
   } else {
     add(inspected_bodies(bodies_));
-    if (bodies_.size() == 1) add(inspected_shapes(*scene_, bodies_[0]));
+    if (bodies_.size() == 1) {
+      add(inspected_shapes(*scene_, bodies_[0], unfolded_));
+      if (!std::holds_alternative<Compound>(bodies_[0].shape))
+        add(inspected_corners(*scene_, bodies_[0], std::nullopt, unfolded_));
+    }
     add(inspected_surface(*scene_, bodies_));
   }
   return rows;
@@ -275,6 +288,7 @@ InspectorRow* Inspector::add_row(const InspectedRow& row, int index) {
   });
   connect(widget, &InspectorRow::dropped, this, &Inspector::say);
   connect(widget, &InspectorRow::opened, this, [this](const PartId part) { open(part); });
+  connect(widget, &InspectorRow::folded, this, [this](const QString list) { fold(list); });
   return widget;
 }
 

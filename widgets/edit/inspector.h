@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,8 @@ class Inspector : public QWidget {
               const std::optional<PartId>& part);
   // Shows a part that was chosen in the list of the scene; nothing: the scene again.
   void open(const std::optional<PartId>& part);
+  // Shows a list of the rows, or hides it.
+  void fold(const QString& list);
   void show_rows();
   [[nodiscard]] std::vector<InspectedRow> rows() const;
   void build_rows();
@@ -79,6 +82,7 @@ class Inspector : public QWidget {
   std::optional<PartId> part_;
   std::vector<Body> bodies_;
   std::optional<InspectedPart> shown_part_;
+  std::set<QString> unfolded_;  // lists of the selection
   std::vector<InspectedRow> rows_;
   QStringList layout_;  // which rows are built
   std::vector<InspectorRow*> row_widgets_;

@@ -42,6 +42,18 @@ void InspectorRow::say(const QString& sentence) {
   fault_->setVisible(!sentence.isEmpty());
 }
 
+void InspectorRow::act(const InspectedAction& action) {
+  say(action.refusal);
+  if (!action.refusal.isEmpty()) return;
+  if (action.folds) {
+    emit folded(*action.folds);
+  } else if (action.opens) {
+    emit opened(*action.opens);
+  } else {
+    emit edited(action.edits);
+  }
+}
+
 int InspectorRow::label_width() const { return label_->text().isEmpty() ? 0 : label_->sizeHint().width(); }
 
 void InspectorRow::set_label_width(int width) { label_->setFixedWidth(width); }

@@ -35,6 +35,7 @@ class InspectorRow : public QWidget {
   // What could not be, in one sentence: a field was left with a wrong value, or a button is refused.
   void dropped(const QString& sentence);
   void opened(const carom::PartId& part);
+  void folded(const QString& list);
 
  protected:
   InspectorRow(const InspectedRow& row, QLabel* label, QWidget* parent);
@@ -45,6 +46,8 @@ class InspectorRow : public QWidget {
   [[nodiscard]] QLabel* label() const { return label_; }
   // In red under the field.
   void say(const QString& sentence);
+  // Does what a button of the row is for, or says why not.
+  void act(const InspectedAction& action);
 
  private:
   QGridLayout* grid_;

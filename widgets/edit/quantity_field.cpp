@@ -69,6 +69,7 @@ void QuantityField::show_value(const Inspected& value) {
   is_given_ = value.unset.isEmpty();
   may_be_empty_ = value.emptied.has_value();
   refusal_ = value.refusal;
+  value_fault_ = value.fault;
   const Unit unit = units_of(range_.unit).front();
   const QString unit_name = QString::fromUtf8(unit.name.data(), static_cast<qsizetype>(unit.name.size()));
   if (unit_ != unit_name) {
@@ -95,6 +96,8 @@ QString QuantityField::take(const QString& text) {
   if (!refusal_.isEmpty()) return refusal_;
   const TypedValues typed = typed_values(text, name_, range_, values_);
   if (!typed.fault.isEmpty()) return typed.fault;
+  const QString fault = value_fault_ ? value_fault_(typed.values) : QString();
+  if (!fault.isEmpty()) return fault;
   if (typed.values == values_ && is_given_) {
     restore();
   } else {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <functional>
 #include <vector>
 
 #include "widgets/edit/inspected.h"
@@ -59,6 +60,7 @@ class QuantityField : public TypedField {
   bool is_given_ = true;
   bool may_be_empty_ = false;
   QString refusal_;
+  std::function<QString(const std::vector<double>&)> value_fault_;
   std::vector<double> pulled_from_;
   QElapsedTimer last_step_;
 };

@@ -1,9 +1,11 @@
 #include "widgets/edit/value_row.h"
 
 #include <QGridLayout>
+#include <QToolButton>
 #include <algorithm>
 #include <utility>
 
+#include "widgets/base/plain_text.h"
 #include "widgets/edit/drag_label.h"
 #include "widgets/edit/quantity_field.h"
 #include "widgets/edit/value_slider.h"
@@ -14,6 +16,7 @@ namespace {
 constexpr int kLeastField = 40;   // px
 constexpr int kInsets = 16;       // px, of a field beside its text
 constexpr int kRoomForTwo = 290;  // px, with the label
+constexpr int kButton = 26;       // px
 constexpr int kFieldShare = 6;    // of the width that a field and its slider share
 constexpr int kSliderShare = 5;
 
@@ -22,6 +25,7 @@ constexpr int kSliderShare = 5;
 ValueRow::ValueRow(const InspectedRow& row, QWidget* parent)
     : InspectorRow(row, row.values.size() > 1 ? new PlainLabel(row.label) : new DragLabel(row.label), parent) {
   for (const Inspected& value : row.values) add_field(value);
+  for (std::size_t i = 0; i < row.actions.size(); ++i) add_button();
   place_fields(false);
   show_row(row);
 }
@@ -40,6 +44,11 @@ void ValueRow::place_fields(bool narrow) {
     grid()->addWidget(handles_[i], row, column);
     grid()->addWidget(fields_[i], row, column + 1, 1, narrow ? kColumns - 1 : 1);
     grid()->setColumnStretch(column + 1, 1);
+  }
+  for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    const int number = static_cast<int>(i);
+    grid()->removeWidget(buttons_[i]);
+    grid()->addWidget(buttons_[i], narrow ? number : 0, kColumns + 1 + (narrow ? 0 : number));
   }
   if (!handles_.empty()) grid()->setColumnStretch(kColumns, narrow ? 0 : 1);
 }
@@ -69,6 +78,15 @@ void ValueRow::add_field(const Inspected& value) {
   connect(field, &TypedField::dropped, this, &ValueRow::dropped);
 }
 
+void ValueRow::add_button() {
+  auto* button = new QToolButton(this);
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setFixedWidth(kButton);
+  const std::size_t index = buttons_.size();
+  buttons_.push_back(button);
+  connect(button, &QToolButton::clicked, this, [this, index] { act(actions_[index]); });
+}
+
 QLayout* ValueRow::with_slider(QuantityField* field) {
   slider_ = new ValueSlider(this);
   auto* line = new QHBoxLayout;
@@ -86,6 +104,14 @@ void ValueRow::show_row(const InspectedRow& row) {
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     emptied_.push_back(row.values[i].emptied.value_or(NamedEdits{}));
     fields_[i]->show_value(row.values[i]);
+  }
+  actions_ = row.actions;
+  for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    const InspectedAction& action = actions_[i];
+    buttons_[i]->setText(action.text);
+    buttons_[i]->setToolTip(plain_tip(action.refusal.isEmpty() ? action.meaning : action.refusal));
+    buttons_[i]->setAccessibleName(action.name);
+    buttons_[i]->setEnabled(action.refusal.isEmpty());
   }
   if (slider_ != nullptr) {
     // The slider takes what the number leaves.

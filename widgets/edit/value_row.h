@@ -5,13 +5,15 @@
 #include "widgets/edit/inspector_row.h"
 
 class QLayout;
+class QToolButton;
 
 namespace carom {
 
 class QuantityField;
 class ValueSlider;
 
-// A line with a field and its slider, or with two fields, one under the other where it is narrow.
+// A line with a field and its slider, or with two fields and perhaps small buttons, one under the other where
+// it is narrow.
 class ValueRow : public InspectorRow {
   Q_OBJECT
 
@@ -27,6 +29,7 @@ class ValueRow : public InspectorRow {
  private:
   void place_fields(bool narrow);
   void add_field(const Inspected& value);
+  void add_button();
   [[nodiscard]] QLayout* with_slider(QuantityField* field);
 
   std::vector<NamedEdits> emptied_;  // of each field that may be empty
@@ -34,6 +37,8 @@ class ValueRow : public InspectorRow {
   std::vector<QWidget*> handles_;  // the labels of two fields
   bool narrow_ = false;
   ValueSlider* slider_ = nullptr;  // of a single field
+  std::vector<InspectedAction> actions_;
+  std::vector<QToolButton*> buttons_;  // at the right of the fields
 };
 
 }  // namespace carom

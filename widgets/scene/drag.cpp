@@ -7,6 +7,7 @@
 #include <optional>
 #include <variant>
 
+#include "widgets/edit/reshaping.h"
 #include "widgets/scene/edit_names.h"
 #include "widgets/scene/snap.h"
 
@@ -181,16 +182,6 @@ Dragged drag_to(const DragStart& start, const DragPoint& point) {
     default:
       return resize(start, point);
   }
-}
-
-Body resized(const Body& body, const Shape& shape) {
-  Body out = body;
-  out.shape = shape;
-  const double grown = area(shape) / area(body.shape);
-  if (!std::isfinite(grown) || grown == 0.0) return out;
-  if (out.mass) *out.mass *= grown;
-  if (out.inertia) *out.inertia *= grown * inertia_per_mass(shape) / inertia_per_mass(body.shape);
-  return out;
 }
 
 double drawn_length(double length, const DragPoint& point) {

@@ -47,8 +47,6 @@ struct Dragged {
 
 [[nodiscard]] Dragged drag_to(const DragStart& start, const DragPoint& point);
 
-// The body with another shape of the same density: a stated mass, and inertia, follow.
-[[nodiscard]] Body resized(const Body& body, const Shape& shape);
 // m: a length that the mouse drew, in round steps unless Ctrl is down; never 0.
 [[nodiscard]] double drawn_length(double length, const DragPoint& point);
 // m: a place that the mouse drew: on the lines of the grid that are near (`grid` as in DragStart), else in

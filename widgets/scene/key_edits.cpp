@@ -9,6 +9,7 @@
 
 #include "physics/scene/edit_rules.h"
 #include "physics/scene/names.h"
+#include "widgets/edit/reshaping.h"
 #include "widgets/scene/drag.h"
 #include "widgets/scene/edit_names.h"
 #include "widgets/scene/snap.h"

@@ -12,6 +12,7 @@
 
 #include "physics/collision/pair_contact.h"
 #include "physics/model/geometry.h"
+#include "widgets/edit/reshaping.h"
 #include "widgets/scene/drag.h"
 
 namespace carom {

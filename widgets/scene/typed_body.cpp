@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "physics/math/vectors.h"
+#include "widgets/edit/reshaping.h"
 #include "widgets/edit/units.h"
 #include "widgets/scene/drag_limits.h"
 #include "widgets/scene/edit_names.h"

@@ -54,7 +54,10 @@ TEST(FieldRows, EachNumberCanBeSet) {
   wall.shape = Wall{.length = 2.0};
   Body compound = disc();
   compound.shape = Compound{{{Disc{0.2}, Vec2(0.0, 0.3), 0.1, {}}, {Box{0.5, 0.1}, Vec2::Zero(), 0.0, "wood"}}};
-  for (const Body& body : {box, driven, wall, compound}) expect_settable(body);
+  Body polygon = disc();
+  polygon.shape = Polygon{{Vec2(0.0, 0.0), Vec2(0.5, 0.0), Vec2(0.0, 0.25)}};
+  EXPECT_EQ(field_rows(with_field(polygon, {"shape/vertices/2", 1}, 0.75)).size(), field_rows(polygon).size());
+  for (const Body& body : {box, driven, wall, compound, polygon}) expect_settable(body);
   for (const JointKind kind : {JointKind::kRod, JointKind::kString, JointKind::kPin, JointKind::kWeld}) {
     Joint joint;
     joint.kind = kind;

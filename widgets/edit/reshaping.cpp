@@ -1,0 +1,54 @@
+#include "widgets/edit/reshaping.h"
+
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "physics/math/vectors.h"
+#include "physics/scene/polygon.h"
+
+namespace carom {
+namespace {
+
+// m: the centre of mass in the frame in which the shape is written.
+Vec2 written_centre(const Shape& shape) {
+  if (const auto* compound = std::get_if<Compound>(&shape)) return centre_of(*compound);
+  const auto* polygon = std::get_if<Polygon>(&shape);
+  return polygon == nullptr ? Vec2(Vec2::Zero()) : centre_of(*polygon);
+}
+
+}  // namespace
+
+Body resized(const Body& body, const Shape& shape) {
+  Body out = body;
+  out.shape = shape;
+  const double grown = area(shape) / area(body.shape);
+  if (!std::isfinite(grown) || grown == 0.0) return out;
+  if (out.mass) *out.mass *= grown;
+  if (out.inertia) *out.inertia *= grown * inertia_per_mass(shape) / inertia_per_mass(body.shape);
+  return out;
+}
+
+Vec2 centre_of(const Polygon& polygon) {
+  if (fault_of(polygon.vertices, polygon.rounding)) return Vec2::Zero();
+  return moments_of(tidied(polygon.vertices), polygon.rounding).centroid;
+}
+
+SceneEdits reshaping(const std::vector<Joint>& joints, const Body& body, Body changed) {
+  const Vec2 moved = written_centre(changed.shape) - written_centre(body.shape);
+  const Vec2 shift = turned_by(body.angle, moved);
+  changed.position += shift;
+  changed.velocity += body.spin * crossed(shift);
+  SceneEdits edits{Replace<Body>{std::move(changed)}};
+  if (moved.isZero(0.0)) return edits;
+  for (Joint joint : joints) {
+    const bool own = joint.body == body.name;
+    if (!own && joint.to != body.name) continue;
+    if (joint.id.number == 0) continue;  // a run has made it
+    (own ? joint.point : joint.anchor) -= moved;
+    edits.emplace_back(Replace<Joint>{joint});
+  }
+  return edits;
+}
+
+}  // namespace carom
