@@ -13,6 +13,7 @@
 #include "widgets/base/ask.h"
 #include "widgets/edit/bodies_sheet.h"
 #include "widgets/edit/inspector.h"
+#include "widgets/scene/allowed_motion.h"
 #include "widgets/scene/join_shapes.h"
 #include "widgets/scene/scene_parts.h"
 #include "widgets/scene/scene_view.h"
@@ -117,7 +118,12 @@ void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int dr
     if (const auto* body = std::get_if<Replace<Body>>(&edit)) names.push_back(body->part.name);
   }
   if (!names.empty() && names != view_->selection()) to_select_ = names;
-  session_.edit(edits, name, drag);
+  const auto scene = session_.runs().scene();
+  if (scene == nullptr) return session_.edit(edits, name, drag);
+  const AllowedMotion allowed = allowed_motion(*scene, edits);
+  const std::uint64_t before = session_.revision();
+  session_.edit(allowed.edits, allowed.sentence.isEmpty() ? name : allowed.name, drag);
+  if (!allowed.sentence.isEmpty() && session_.revision() != before) say_for_a_while(allowed.sentence);
 }
 
 void LabWindow::show_selection() {

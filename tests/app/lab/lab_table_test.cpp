@@ -5,6 +5,7 @@
 #include <QTabWidget>
 #include <QTableView>
 #include <algorithm>
+#include <cmath>
 
 #include "app/lab/session.h"
 #include "tests/app/lab/lab_fixture.h"
@@ -166,6 +167,36 @@ TEST_F(LabTableTest, AVelocityAgainstAJointIsRed) {
   QTest::keyClick(&table(), Qt::Key_V, Qt::ControlModifier);
   EXPECT_EQ(light().velocity.x(), 1.0);
   EXPECT_FALSE(sentence->isVisible());
+}
+
+// A pendulum 30° to the right: of (1, 0) the rod leaves what is across it.
+TEST_F(LabTableTest, ARodLeavesTheAllowedPartOfATypedVelocity) {
+  Preset pendulum = window_.preset();
+  pendulum.scene.bodies.resize(1);
+  Body& bob = pendulum.scene.bodies[0];
+  bob.position = Vec2(0.5, -0.5 * std::sqrt(3.0));
+  bob.velocity.setZero();
+  Joint rod;
+  rod.body = bob.name;
+  pendulum.scene.joints = {rod};
+  pendulum.expect.clear();
+  pendulum.plots.clear();
+  window_.show_scene(pendulum, {}, {});
+  ASSERT_TRUE(wait_for([this] {
+    const auto scene = window_.session().runs().scene();
+    return scene != nullptr && scene->joints.size() == 1;
+  }));
+  click(0, BodiesModel::kVelocityX);
+  type("1");
+  EXPECT_NEAR(light().velocity.x(), 0.75, 1e-12);
+  EXPECT_NEAR(light().velocity.y(), std::sqrt(3.0) / 4.0, 1e-12);
+  EXPECT_EQ(window_.session().edits().count(), 1);
+  EXPECT_TRUE(wait_for([this] {
+    for (const QLabel* label : window_.findChildren<QLabel*>()) {
+      if (label->text().contains("Rod 1 allows no other direction")) return true;
+    }
+    return false;
+  }));
 }
 
 // What is typed at a later moment: a mass goes on, a velocity is a new start from there.

@@ -1,0 +1,82 @@
+#include "widgets/scene/allowed_motion.h"
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "physics/scene/edit_rules.h"
+#include "widgets/scene/drag_limits.h"
+#include "widgets/scene/edit_names.h"
+
+namespace carom {
+namespace {
+
+using Names = std::unordered_set<std::string>;
+
+constexpr double kSame = 1e-12;  // of the speeds
+
+// The changed body with the motion that it has in the scene; nothing if the edit changes no motion.
+std::optional<Body> with_motion_before(const Scene& scene, const SceneEdit& edit) {
+  const auto* replace = std::get_if<Replace<Body>>(&edit);
+  const Body* was = replace == nullptr ? nullptr : part_of(scene.bodies, replace->part.id);
+  if (was == nullptr || has_infinite_mass(replace->part)) return std::nullopt;
+  if (was->velocity == replace->part.velocity && was->spin == replace->part.spin) return std::nullopt;
+  Body before = replace->part;
+  before.velocity = was->velocity;
+  before.spin = was->spin;
+  return before;
+}
+
+DragStart start_of(const Scene& scene, const Body& body, const Names& changed) {
+  DragStart start{.kind = HandleKind::kVelocity, .bodies = {body}, .others = {}};
+  Surroundings beside;
+  std::copy_if(scene.bodies.begin(), scene.bodies.end(), std::back_inserter(beside.bodies),
+               [&](const Body& other) { return other.name != body.name; });
+  std::copy_if(
+      scene.joints.begin(), scene.joints.end(), std::back_inserter(beside.joints),
+      [&](const Joint& joint) { return !changed.contains(joint.body) || !changed.contains(joint.to); });
+  start.followers = followers_of(start.bodies, beside);
+  const auto follows = [&](const Body& other) {
+    return std::any_of(start.followers.begin(), start.followers.end(),
+                       [&](const Body& follower) { return follower.name == other.name; });
+  };
+  std::erase_if(beside.bodies, follows);
+  start.others = std::move(beside.bodies);
+  start.joints = std::move(beside.joints);
+  return start;
+}
+
+// Whether nothing is left of the change.
+bool stays(const Body& before, const Body& wanted, const Body& kept) {
+  const double speeds = before.velocity.norm() + wanted.velocity.norm();
+  return kept.spin == before.spin && (kept.velocity - before.velocity).norm() <= kSame * speeds;
+}
+
+}  // namespace
+
+AllowedMotion allowed_motion(const Scene& scene, const SceneEdits& edits) {
+  AllowedMotion out;
+  Names changed;
+  for (const SceneEdit& edit : edits) {
+    if (const auto before = with_motion_before(scene, edit)) changed.insert(before->name);
+  }
+  for (const SceneEdit& edit : edits) {
+    const std::optional<Body> before = with_motion_before(scene, edit);
+    out.edits.push_back(edit);
+    if (!before) continue;
+    const Body& wanted = std::get<Replace<Body>>(edit).part;
+    const DragStart start = start_of(scene, *before, changed);
+    Dragged asked;
+    asked.bodies = {wanted};
+    const Dragged kept = within_joints(start, asked, {});
+    if (stays(*before, wanted, kept.bodies[0])) continue;
+    out.edits.pop_back();
+    for (SceneEdit& each : edits_of(kept, false)) out.edits.push_back(std::move(each));
+    if (kept.detail.isEmpty() || !out.sentence.isEmpty()) continue;
+    out.name = name_of_velocity(start.bodies, kept.bodies);
+    out.sentence = kept.detail + ": " + kept.value;
+  }
+  return out;
+}
+
+}  // namespace carom
