@@ -66,7 +66,9 @@ void LabWindow::make_body() {
   columns_->setStretchFactor(1, 1);
   columns_->setChildrenCollapsible(false);
   connect(columns_, &QSplitter::splitterMoved, this, [this](int at) {
-    if (!right_->tabbed()) right_share_ = 1.0 - 1.0 * (at + kGap) / columns_->width();
+    if (!right_->tabbed())
+      right_share_ =
+          right_is_left() ? 1.0 * at / columns_->width() : 1.0 - 1.0 * (at + kGap) / columns_->width();
   });
   floating_ = {&right_->inspector_window(), &right_->plots_window(),
                new FloatingPanel(drawer_, "drawer", tr("Tables"))};
@@ -134,9 +136,20 @@ void LabWindow::place_right() {
 void LabWindow::size_right() {
   const int both = columns_->isVisible() ? columns_->width() : width() - 2 * kGap;
   const int right = right_->tabbed() ? kTabsWidth : qRound(right_share_ * both);
-  columns_->setSizes({both - kGap - right, right});
+  const int scene = both - kGap - right;
+  columns_->setSizes(right_is_left() ? QList{right, scene} : QList{scene, right});
   // Beside tabs, what the window has more or less is the scene's.
-  columns_->setStretchFactor(1, right_->tabbed() ? 0 : 1);
+  columns_->setStretchFactor(columns_->indexOf(right_), right_->tabbed() ? 0 : 1);
+}
+
+bool LabWindow::right_is_left() const { return columns_->indexOf(right_) == 0; }
+
+// Both columns keep their widths.
+void LabWindow::put_right(bool at_left) {
+  if (at_left == right_is_left()) return;
+  const QList<int> sizes = columns_->sizes();
+  columns_->insertWidget(at_left ? 0 : 1, right_);
+  columns_->setSizes({sizes[1], sizes[0]});
 }
 
 QWidget* LabWindow::make_middle() {

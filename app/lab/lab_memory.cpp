@@ -18,6 +18,7 @@ constexpr int kTallEnough = 760;       // px: a lower window starts with the dra
 
 void LabWindow::standard_layout() {
   for (FloatingPanel* each : floating_) each->set_floating(false);
+  left_action_->setChecked(false);
   // The scene gets what a wider window has more.
   right_share_ = kRightShare;
   place_right();
@@ -35,6 +36,7 @@ void LabWindow::restore_layout(const QSettings& settings) {
   restoreGeometry(settings.value("window").toByteArray());
   right_share_ = settings.value("right_share", kRightShare).toDouble();
   place_right();
+  left_action_->setChecked(settings.value("panels_left", false).toBool());
   columns_->restoreState(settings.value("columns").toByteArray());
   middle_->restoreState(settings.value("middle").toByteArray());
   RightColumn::Places places;
@@ -52,6 +54,7 @@ void LabWindow::keep_layout(QSettings& settings) const {
   settings.setValue("columns", columns_->saveState());
   settings.setValue("middle", middle_->saveState());
   settings.setValue("right_share", right_share_);
+  settings.setValue("panels_left", right_is_left());
   const RightColumn::Places places = right_->places();
   settings.setValue("inspector_height", places.inspector_height);
   settings.setValue("inspector", places.inspector_open);

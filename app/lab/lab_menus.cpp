@@ -191,6 +191,10 @@ void LabWindow::make_view_menu() {
   add_action(view, "", tr("Pre&vious panel"), QKeySequence(Qt::SHIFT | Qt::Key_F6), [go] { go(false); });
   view->addMenu(plots_->menu());
   for (const FloatingPanel* each : floating_) view->addAction(each->action());
+  left_action_ = add_action(view, "", tr("Panels at the &left"), QKeySequence(), [] {});
+  left_action_->setCheckable(true);
+  left_action_->setToolTip(tr("The inspector and the plots at the left of the scene"));
+  connect(left_action_, &QAction::toggled, this, &LabWindow::put_right);
   add_action(view, "", tr("&Standard layout"), QKeySequence(Qt::CTRL | Qt::Key_0),
              [this] { standard_layout(); });
   view->addSeparator();

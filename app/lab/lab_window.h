@@ -95,6 +95,8 @@ class LabWindow : public QMainWindow {
   void place_list();
   void place_right();
   void size_right();
+  void put_right(bool at_left);
+  [[nodiscard]] bool right_is_left() const;
   void standard_layout();
   [[nodiscard]] QWidget* make_middle();
   void make_drawer();
@@ -168,9 +170,10 @@ class LabWindow : public QMainWindow {
   QAction* inspector_action_ = nullptr;
   PlotPanel* plots_ = nullptr;
   Drawer* drawer_ = nullptr;
-  QSplitter* columns_ = nullptr;  // scene and drawer | right column
+  QSplitter* columns_ = nullptr;  // scene and drawer | right column, or the other way round
   QSplitter* middle_ = nullptr;   // scene over drawer
   RightColumn* right_ = nullptr;
+  QAction* left_action_ = nullptr;        // the right column stands at the left
   std::vector<FloatingPanel*> floating_;  // inspector, plots, drawer
   double right_share_ = 0.0;              // of the width, where the inspector stands over the plots
   BodiesSheet* sheet_ = nullptr;

@@ -91,6 +91,39 @@ TEST_F(LabLayoutTest, TheOpenTabIsRemembered) {
   EXPECT_EQ(next.findChild<RightColumn*>()->width(), 280);
 }
 
+TEST_F(LabLayoutTest, PanelsStandAtTheLeftAndKeepTheirWidth) {
+  const auto at_left = [](LabWindow& window) {
+    const auto* column = window.findChild<RightColumn*>();
+    const int scene = window.scene_view().mapTo(&window, QPoint()).x();
+    return column->mapTo(&window, QPoint()).x() < scene;
+  };
+  for (const QSize& size : {QSize(1280, 800), QSize(1024, 700), QSize(1700, 900)}) {
+    resize(size);
+    const int before = right().width();
+    EXPECT_FALSE(at_left(window_));
+    action("Panels at the left")->trigger();
+    QTest::qWait(20);
+    EXPECT_TRUE(at_left(window_)) << size.width();
+    EXPECT_NEAR(right().width(), before, 1) << size.width();
+    action("Inspector in a window")->trigger();
+    action("Inspector in a window")->trigger();
+    QTest::qWait(20);
+    EXPECT_TRUE(at_left(window_)) << size.width();
+    EXPECT_NEAR(right().width(), before, 1) << size.width();
+    window_.keep_layout(settings_);
+    LabWindow next(light_theme());
+    next.restore_layout(settings_);
+    next.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&next));
+    EXPECT_TRUE(at_left(next)) << size.width();
+    EXPECT_NEAR(next.findChild<RightColumn*>()->width(), right().width(), 2) << size.width();
+    action("Standard layout")->trigger();
+    QTest::qWait(20);
+    EXPECT_FALSE(at_left(window_)) << size.width();
+    EXPECT_FALSE(action("Panels at the left")->isChecked());
+  }
+}
+
 TEST_F(LabLayoutTest, F6GoesFromPanelToPanel) {
   resize({1280, 800});
   drawer().set_folded(false);
