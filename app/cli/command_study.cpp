@@ -2,7 +2,6 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
@@ -30,14 +29,12 @@ namespace {
 
 // Lists are separated by commas and checked item by item.
 struct StudyCommandOptions {
-  std::string preset;              // empty: merge
-  std::vector<std::string> merge;  // CSV files of shards
+  std::string preset;
   StudyOptions study;
   std::vector<std::string> integrators;
   std::vector<std::string> impacts;
   std::vector<std::string> steps;
   std::vector<std::string> tolerances;
-  std::string shard;
   std::string csv;   // file for the rows
   std::string plot;  // .svg, .pdf or .png
 };
@@ -60,16 +57,6 @@ std::vector<double> numbers(const char* option, const std::vector<std::string>& 
   return values;
 }
 
-void read_shard(const std::string& text, StudyOptions& study) {
-  int used = 0;
-  const bool good = std::sscanf(text.c_str(), "%5d/%5d%n", &study.shard, &study.shards, &used) == 2 &&
-                    used == static_cast<int>(text.size()) && study.shard >= 1 && study.shard <= study.shards;
-  if (!good) {
-    throw SceneError(fmt::format("--shard: {} is not allowed; allowed: i/n with i from 1 to n, such as 1/4",
-                                 shortened(text)));
-  }
-}
-
 // Parses the options. Throws SceneError.
 StudyOptions study_options(const StudyCommandOptions& o) {
   StudyOptions study = o.study;
@@ -77,16 +64,9 @@ StudyOptions study_options(const StudyCommandOptions& o) {
   for (const std::string& name : o.impacts) study.impacts.push_back(id_of(kImpacts, name));
   study.steps = numbers("--steps", o.steps, kLeastStep, kLargestStep, "s");
   study.tolerances = numbers("--tolerances", o.tolerances, kLeastTolerance, kLargestTolerance, "m");
-  if (!o.shard.empty()) read_shard(o.shard, study);
   if (study.until && !(*study.until > 0.0)) {
     throw SceneError(
         "--until: 0 is not allowed; allowed: a time above 0, there is nothing to compare at the start");
-  }
-  if (o.preset.empty() == o.merge.empty()) {
-    throw SceneError("study: one input is needed; allowed: FILE|NAME, or --merge FILE...");
-  }
-  if (!o.merge.empty() && !o.shard.empty()) {
-    throw SceneError("--shard: not allowed with --merge; allowed: with FILE|NAME");
   }
   return study;
 }
@@ -118,44 +98,21 @@ class StudyProgressLine {
   std::chrono::steady_clock::time_point last_;
 };
 
-StudyTable merged(const std::vector<std::string>& files) {
-  std::vector<StudyPart> parts;
-  for (const std::string& name : files) {
-    parts.push_back({name, read_study_csv(file_text(name, "a study's CSV file"), name)});
-  }
-  return merge_studies(parts);
-}
-
 int run_study_command(Arguments arguments, const StudyCommandOptions& options) {
   const StudyOptions study = study_options(options);
   const QString plot = QString::fromStdString(options.plot);
-  if (!options.plot.empty()) {
-    if (!is_picture_name(plot)) {
-      throw SceneError(fmt::format("{}: not a kind of picture; allowed: .png, .svg, .pdf", options.plot));
-    }
-    if (study.shards > 1) {
-      throw SceneError("--plot: not allowed with --shard; allowed: with --merge, when all rows are there");
-    }
+  if (!options.plot.empty() && !is_picture_name(plot)) {
+    throw SceneError(fmt::format("{}: not a kind of picture; allowed: .png, .svg, .pdf", options.plot));
   }
-  StudyTable table;
-  const bool merge = !options.merge.empty();
-  const std::filesystem::path file = merge ? std::filesystem::path() : find_preset(options.preset);
+  const std::filesystem::path file = find_preset(options.preset);
+  const Preset preset = read_preset(file);
+  (void)plan_methods(preset, study);
   // Opened first, so that hours of work are not lost to a file that cannot be written.
-  OutputSet outputs(merge ? std::vector<std::filesystem::path>(options.merge.begin(), options.merge.end())
-                          : std::vector{file});
-  OutputFile* csv = nullptr;
-  OutputFile* picture = nullptr;
-  const auto open_outputs = [&] {
-    csv = outputs.open(options.csv);
-    picture = outputs.open(options.plot);
-  };
-  if (merge) {
-    table = merged(options.merge);
-    open_outputs();
-  } else {
-    const Preset preset = read_preset(file);
-    (void)plan_methods(preset, study);
-    open_outputs();
+  OutputSet outputs({file});
+  OutputFile* csv = outputs.open(options.csv);
+  OutputFile* picture = outputs.open(options.plot);
+  StudyTable table;
+  {
     StudyProgressLine line;
     StudyCallbacks callbacks;
     callbacks.progress = [&line](std::string_view stage, int done, int of) { line.show(stage, done, of); };
@@ -188,7 +145,7 @@ Command add_study_command(CLI::App& program, Arguments arguments) {
   const auto add_list = [&](const std::string& name, std::vector<std::string>& to, const std::string& what) {
     return command.add_option(name, to, what)->delimiter(',')->type_name("A,B,...")->allow_extra_args(false);
   };
-  add_preset_option(command, options->preset);
+  add_preset_option(command, options->preset)->required();
   add_list("--integrators", options->integrators, "integrators to compare (default: all that the scene allows)")
       ->check(CLI::IsMember(names_of(kIntegrators)));
   add_list("--impacts", options->impacts, "choices of impacts to compare (default: all)")
@@ -205,8 +162,6 @@ Command add_study_command(CLI::App& program, Arguments arguments) {
       ->type_name("N");
   add_output_option(command, "--csv", options->csv, "write a line for each row");
   add_output_option(command, "--plot", options->plot, "draw error against time and step, .svg, .pdf or .png");
-  command.add_option("--shard", options->shard, "do only the i-th of n parts of the rows")->type_name("I/N");
-  command.add_option("--merge", options->merge, "put the CSV files of all shards together")->type_name("F");
   return {&command, [options, arguments] { return run_study_command(arguments, *options); }};
 }
 

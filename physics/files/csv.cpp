@@ -34,40 +34,4 @@ CsvLine& CsvLine::add_field(std::string_view field) {
   return *this;
 }
 
-std::vector<std::vector<std::string>> split_csv(std::string_view text) {
-  std::vector<std::vector<std::string>> lines;
-  std::vector<std::string> line;
-  std::string one;
-  bool quoted = false;
-  const auto end_line = [&] {
-    line.push_back(std::move(one));
-    one.clear();
-    lines.push_back(std::move(line));
-    line.clear();
-  };
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted) {
-      if (c != '"') {
-        one += c;
-      } else if (i + 1 < text.size() && text[i + 1] == '"') {
-        one += text[++i];
-      } else {
-        quoted = false;
-      }
-    } else if (c == '"') {
-      quoted = true;
-    } else if (c == ',') {
-      line.push_back(std::move(one));
-      one.clear();
-    } else if (c == '\n') {
-      end_line();
-    } else if (c != '\r') {
-      one += c;
-    }
-  }
-  if (!one.empty() || !line.empty()) end_line();
-  return lines;
-}
-
 }  // namespace carom

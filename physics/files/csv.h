@@ -2,7 +2,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 // The tables that the program writes: CSV files (RFC 4180), and for the clipboard the same with tabs. A header
 // with units in brackets, then a line for each row.
@@ -31,8 +30,5 @@ class CsvLine {
   bool first_ = true;
   std::string line_;
 };
-
-// The lines of a CSV text, each a list of fields. Quoted fields may hold commas, quotes and line ends.
-[[nodiscard]] std::vector<std::vector<std::string>> split_csv(std::string_view text);
 
 }  // namespace carom

@@ -37,10 +37,10 @@ const char* kind_of(mode_t mode) {
 
 }  // namespace
 
-std::string file_text(const std::filesystem::path& file, const char* allowed) {
+std::string file_text(const std::filesystem::path& file) {
   const std::string name = shortened(file.string(), kMostOfFileName);
   const auto refuse = [&](const std::string& what) {
-    throw SceneError(fmt::format("{}: {}; allowed: {}", name, what, allowed));
+    throw SceneError(fmt::format("{}: {}; allowed: a preset file", name, what));
   };
   // A socket cannot be opened, so its kind is checked first.
   struct stat about {};

@@ -162,7 +162,7 @@ Preset parse_preset(std::string_view text, const std::string& origin) {
 }
 
 Preset read_preset(const std::filesystem::path& file) {
-  Preset preset = parse_preset(file_text(file, "a preset file"), file.string());
+  Preset preset = parse_preset(file_text(file), file.string());
   preset.topic = valid_utf8(file.parent_path().filename().string());
   return preset;
 }

@@ -35,30 +35,6 @@ bool contains(const auto& list, const auto& value) {
   return list.empty() || std::find(list.begin(), list.end(), value) != list.end();
 }
 
-// FNV-1a, 64 bits: an identifier of a plan, not a secret.
-std::string hash_of(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : text) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001b3U;
-  }
-  return fmt::format("{:016x}", hash);
-}
-
-// Of what decides the rows: the scene and its clock, how long it runs, and the methods.
-std::string plan_id(const Preset& preset, const StudyOptions& options, const std::vector<Method>& methods) {
-  Scene scene = preset.scene;
-  for (const RunEdit& edit : preset.edits) scene.bodies.push_back(added_body(edit));
-  std::string text = fmt::format("{} {}\n", fingerprint(scene, start_time(preset.saved)), preset.duration);
-  for (const RunEdit& edit : preset.edits) text += fmt::format("{}\n", edit.time);
-  for (const Method& m : methods) {
-    text += fmt::format("{} {} {} {} {}\n", static_cast<int>(m.integrator), static_cast<int>(m.impacts),
-                        static_cast<int>(m.contacts), m.step, m.tolerance);
-  }
-  text += fmt::format("{} {}", options.until.value_or(-1.0), options.repeats);
-  return hash_of(text);
-}
-
 void add_remark(std::string& remarks, const std::string& more) {
   if (!remarks.empty()) remarks += "; ";
   remarks += more;
@@ -287,14 +263,8 @@ StudyTable run_study(const Preset& preset, const std::string& name, const StudyO
     if (callbacks.progress) callbacks.progress(stage, done, of);
   };
   const std::vector<Method> methods = plan_methods(preset, options);
-  if (options.shards > static_cast<int>(methods.size())) {
-    throw SceneError(fmt::format("--shard: {}/{} is not allowed; allowed: up to {} shards, one for each row",
-                                 options.shard, options.shards, methods.size()));
-  }
   StudyTable table;
   StudyFacts& facts = table.facts;
-  facts.plan = plan_id(preset, options, methods);
-  facts.planned = static_cast<int>(methods.size());
   facts.preset = name;
   facts.title = preset.title;
   facts.repeats = options.repeats;
@@ -323,11 +293,10 @@ StudyTable run_study(const Preset& preset, const std::string& name, const StudyO
   facts.stated = words_for(
       check_stated_figures(preset, reference.method, std::min(facts.duration, chaos.horizon), callbacks.stop));
 
-  for (int i = 0; i < facts.planned; ++i) {
-    if (i % options.shards != options.shard - 1) continue;
+  for (std::size_t i = 0; i < methods.size(); ++i) {
     StudyRow row;
-    row.index = i;
-    row.method = methods[static_cast<std::size_t>(i)];
+    row.index = static_cast<int>(i);
+    row.method = methods[i];
     table.rows.push_back(row);
   }
   // The longest runs come first, so that no core waits long at the end.

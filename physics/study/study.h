@@ -24,8 +24,6 @@ struct StudyOptions {
   std::optional<double> until;     // s, the compared time; default: see plan_time()
   int repeats = 5;                 // of the timing
   int threads = 0;                 // 0: one for each core
-  int shard = 1;                   // which of `shards` parts to run
-  int shards = 1;                  // number of parts
 };
 
 inline constexpr int kDefaultSteps = 10;
@@ -53,7 +51,7 @@ struct StudyCallbacks {
   std::stop_token stop;
 };
 
-// Runs a study or one shard of it: neighbours, reference, then the accuracy of every row on all cores. The
+// Runs a study: neighbours, reference, then the accuracy of every row on all cores. The
 // timing follows with nothing else of the study running, one run after another: the first repeat of every
 // row, the second of every row, and so on, so that a machine that changes its speed shows in the spread.
 // Everything but the times is independent of the number of threads. A row continues beyond the compared time

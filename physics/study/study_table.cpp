@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <iterator>
-#include <map>
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/files/csv.h"
 #include "physics/scene/method.h"
-#include "physics/scene/validate.h"
 
 namespace carom {
 namespace {
@@ -23,89 +18,39 @@ std::string field(std::int64_t value) { return fmt::format("{}", value); }
 std::string field(int value) { return fmt::format("{}", value); }
 std::string field(const std::string& text) { return csv_text(text); }
 
-// Throws std::string, what is allowed: the caller knows the place.
-void read(const std::string& text, double& to) {
-  if (text.empty()) return;  // keeps the value for none
-  char* end = nullptr;
-  to = std::strtod(text.c_str(), &end);
-  if (end != text.c_str() + text.size() || !std::isfinite(to)) throw std::string("a number");
-}
-template <class Integer>
-void read_integer(const std::string& text, Integer& to) {
-  char* end = nullptr;
-  const long long value = std::strtoll(text.c_str(), &end, 10);
-  if (text.empty() || end != text.c_str() + text.size() || value < 0 ||
-      value > std::numeric_limits<Integer>::max()) {
-    throw std::string("a whole number, 0 or more");
-  }
-  to = static_cast<Integer>(value);
-}
-void read(const std::string& text, std::int64_t& to) { read_integer(text, to); }
-void read(const std::string& text, int& to) { read_integer(text, to); }
-void read(const std::string& text, std::string& to) { to = text; }
-
-template <class Table, class Id>
-void read_choice(const Table& table, const std::string& text, Id& to) {
-  std::vector<std::string_view> names;
-  for (const auto& choice : table) {
-    if (choice.name == text) {
-      to = choice.id;
-      return;
-    }
-    names.push_back(choice.name);
-  }
-  throw fmt::format("one of {}", fmt::join(names, ", "));
-}
-
 struct Column {
   const char* name;
-  std::string (*write)(const StudyFacts&, const StudyRow&, const StudyGroup*);  // no group: no fit
-  void (*read)(const std::string&, StudyFacts&, StudyRow&);                     // null: it is computed again
+  std::string (*write)(const StudyFacts&, const StudyRow&, const StudyGroup&);
 };
 
 template <auto Member>
 constexpr Column row_column(const char* name) {
-  return {name, [](const StudyFacts&, const StudyRow& r, const StudyGroup*) { return field(r.*Member); },
-          [](const std::string& text, StudyFacts&, StudyRow& r) { read(text, r.*Member); }};
+  return {name, [](const StudyFacts&, const StudyRow& r, const StudyGroup&) { return field(r.*Member); }};
 }
 template <auto Member>
 constexpr Column facts_column(const char* name) {
-  return {name, [](const StudyFacts& f, const StudyRow&, const StudyGroup*) { return field(f.*Member); },
-          [](const std::string& text, StudyFacts& f, StudyRow&) { read(text, f.*Member); }};
+  return {name, [](const StudyFacts& f, const StudyRow&, const StudyGroup&) { return field(f.*Member); }};
 }
 template <auto Member, const auto& kTable>
 constexpr Column choice_column(const char* name) {
-  return {
-      name,
-      [](const StudyFacts&, const StudyRow& r, const StudyGroup*) {
-        return std::string(choice_of(kTable, r.method.*Member).name);
-      },
-      [](const std::string& text, StudyFacts&, StudyRow& r) { read_choice(kTable, text, r.method.*Member); }};
+  return {name, [](const StudyFacts&, const StudyRow& r, const StudyGroup&) {
+            return std::string(choice_of(kTable, r.method.*Member).name);
+          }};
 }
 // A column of numbers from a fit.
 template <auto Fit, auto Member>
 constexpr Column fit_column(const char* name) {
-  return {name,
-          [](const StudyFacts&, const StudyRow&, const StudyGroup* g) {
-            return g != nullptr && (g->*Fit).kind == OrderFit::Kind::kOrder ? field(g->*Fit.*Member)
-                                                                            : std::string();
-          },
-          nullptr};
+  return {name, [](const StudyFacts&, const StudyRow&, const StudyGroup& g) {
+            return (g.*Fit).kind == OrderFit::Kind::kOrder ? field(g.*Fit.*Member) : std::string();
+          }};
 }
 template <auto Fit>
 constexpr Column order_column(const char* name) {
-  return {name,
-          [](const StudyFacts&, const StudyRow&, const StudyGroup* g) {
-            if (g == nullptr) return std::string();
-            const OrderFit& fit = g->*Fit;
-            if (&fit == &g->fit && g->is_of_angle()) return std::string("exact but for angles");
+  return {name, [](const StudyFacts&, const StudyRow&, const StudyGroup& g) {
+            const OrderFit& fit = g.*Fit;
+            if (&fit == &g.fit && g.is_of_angle()) return std::string("exact but for angles");
             return fit.kind == OrderFit::Kind::kOrder ? field(fit.order) : text_of(fit);
-          },
-          nullptr};
-}
-
-void read_step(const std::string& text, StudyFacts& /*facts*/, StudyRow& r) {
-  read(text, error_parameter(r.method) == ErrorParameter::kTolerance ? r.method.tolerance : r.method.step);
+          }};
 }
 
 constexpr auto kColumns = std::to_array<Column>({
@@ -113,11 +58,10 @@ constexpr auto kColumns = std::to_array<Column>({
     choice_column<&Method::impacts, kImpacts>("impacts"),
     choice_column<&Method::contacts, kContacts>("contacts"),
     {"step [s] or tolerance [m]",
-     [](const StudyFacts&, const StudyRow& r, const StudyGroup*) {
+     [](const StudyFacts&, const StudyRow& r, const StudyGroup&) {
        const auto value = r.step_or_tolerance();
        return value ? field(*value) : std::string();
-     },
-     read_step},
+     }},
     row_column<&StudyRow::position_error>("position error [m]"),
     row_column<&StudyRow::velocity_error>("velocity error [m/s]"),
     row_column<&StudyRow::energy_error>("energy error [J]"),
@@ -160,9 +104,6 @@ constexpr auto kColumns = std::to_array<Column>({
     facts_column<&StudyFacts::remarks>("remarks"),
     facts_column<&StudyFacts::preset>("preset"),
     facts_column<&StudyFacts::title>("title"),
-    facts_column<&StudyFacts::plan>("plan"),
-    facts_column<&StudyFacts::planned>("rows of the plan [1]"),
-    row_column<&StudyRow::index>("row [1]"),
 });
 
 bool same_method(const Method& x, const Method& y) {
@@ -188,16 +129,6 @@ OrderFit fit_of(const StudyGroup& g, double StudyRow::*value, double floor, doub
   if (fit.kind == OrderFit::Kind::kExact || !(fitted > floor)) return fit;
   fit = fit_order(errors, fitted, largest);
   return fit.kind == OrderFit::Kind::kExact ? OrderFit{} : fit;
-}
-
-// "3, 4 and 9", cut if there are many.
-std::string list_of(const std::vector<int>& numbers) {
-  constexpr std::size_t kMostListed = 8;
-  std::string out;
-  for (std::size_t i = 0; i < std::min(numbers.size(), kMostListed); ++i) {
-    out += fmt::format("{}{}", i == 0 ? "" : ", ", numbers[i]);
-  }
-  return numbers.size() > kMostListed ? out + ", ..." : out;
 }
 
 }  // namespace
@@ -251,91 +182,12 @@ std::vector<std::string> study_csv(const StudyTable& table) {
   lines.push_back(header.text());
   const std::vector<StudyGroup> groups = groups_of(table);
   for (const StudyRow& row : table.rows) {
-    const auto mine = group_of(groups, row);
-    const StudyGroup* group = table.whole() ? &*mine : nullptr;
+    const StudyGroup& group = *group_of(groups, row);
     CsvLine line;
     for (const Column& column : kColumns) line.add_field(column.write(table.facts, row, group));
     lines.push_back(line.text());
   }
   return lines;
-}
-
-StudyTable read_study_csv(std::string_view text, const std::string& origin) {
-  const auto lines = split_csv(text);
-  const auto fits = [](const std::vector<std::string>& names) {
-    return std::equal(names.begin(), names.end(), kColumns.begin(), kColumns.end(),
-                      [](const std::string& name, const Column& column) { return name == column.name; });
-  };
-  if (lines.empty() || !fits(lines.front())) {
-    throw SceneError(
-        fmt::format("{}: line 1: these are not the columns of a study; allowed: a file that "
-                    "carom study --csv has written",
-                    origin));
-  }
-  if (lines.size() < 2) {
-    throw SceneError(fmt::format("{}: line 2: missing; allowed: a line for each row", origin));
-  }
-  StudyTable table;
-  for (std::size_t number = 1; number < lines.size(); ++number) {
-    const std::vector<std::string>& fields = lines[number];
-    if (fields.size() != kColumns.size()) {
-      throw SceneError(fmt::format("{}: line {}: {} fields; allowed: {}", origin, number + 1, fields.size(),
-                                   kColumns.size()));
-    }
-    StudyRow row;
-    StudyFacts facts;
-    // The integrator, in the first column, says what the step's column contains; the rest is in any order.
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      try {
-        if (kColumns[i].read != nullptr) kColumns[i].read(fields[i], facts, row);
-      } catch (const std::string& allowed) {
-        throw SceneError(fmt::format("{}: line {}, {}: {} is not allowed; allowed: {}", origin, number + 1,
-                                     kColumns[i].name, shortened(fields[i]), allowed));
-      }
-    }
-    if (number == 1) table.facts = facts;
-    if (facts.plan != table.facts.plan || facts.planned != table.facts.planned || row.index >= facts.planned) {
-      throw SceneError(
-          fmt::format("{}: line {}: row {} of a plan of {} rows; allowed: rows of the plan of line 2", origin,
-                      number + 1, row.index, facts.planned));
-    }
-    table.rows.push_back(std::move(row));
-  }
-  return table;
-}
-
-StudyTable merge_studies(const std::vector<StudyPart>& parts) {
-  const StudyPart& first = parts.front();
-  StudyTable whole;
-  whole.facts = first.table.facts;
-  std::map<int, const StudyPart*> taken;
-  for (const StudyPart& part : parts) {
-    const StudyFacts& facts = part.table.facts;
-    if (facts.plan != whole.facts.plan) {
-      throw SceneError(fmt::format("{}: plan {} of {}, but {} has plan {} of {}; allowed: shards of one study",
-                                   part.origin, facts.plan, facts.preset, first.origin, whole.facts.plan,
-                                   whole.facts.preset));
-    }
-    for (const StudyRow& row : part.table.rows) {
-      const auto [place, is_new] = taken.emplace(row.index, &part);
-      if (!is_new) {
-        throw SceneError(fmt::format("{}: row {} stands in {} too; allowed: each row once", part.origin,
-                                     row.index, place->second->origin));
-      }
-      whole.rows.push_back(row);
-    }
-  }
-  std::vector<int> missing;
-  for (int i = 0; i < whole.facts.planned; ++i) {
-    if (!taken.contains(i)) missing.push_back(i);
-  }
-  if (!missing.empty()) {
-    throw SceneError(fmt::format("{} of {} rows are missing (rows {}); allowed: all shards of the study",
-                                 missing.size(), whole.facts.planned, list_of(missing)));
-  }
-  std::sort(whole.rows.begin(), whole.rows.end(),
-            [](const StudyRow& x, const StudyRow& y) { return x.index < y.index; });
-  return whole;
 }
 
 }  // namespace carom

@@ -4,7 +4,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "physics/compare/comparison.h"
@@ -38,8 +37,6 @@ struct StudyRow : Comparison {
 
 // Data common to all rows of a study.
 struct StudyFacts {
-  std::string plan;    // a hash of scene and plan, the same for all shards of a study
-  int planned = 0;     // rows of the whole study
   std::string preset;  // its name
   std::string title;
   double time = 0.0;                      // s: the compared time
@@ -70,8 +67,6 @@ struct StudyFacts {
 struct StudyTable {
   StudyFacts facts;
   std::vector<StudyRow> rows;  // by index
-
-  [[nodiscard]] bool whole() const { return static_cast<int>(rows.size()) == facts.planned; }
 };
 
 // The rows of one method at its steps, coarsest first, and their fitted orders.
@@ -90,24 +85,13 @@ struct StudyGroup {
   [[nodiscard]] const OrderFit& verdict() const { return is_of_angle() ? angle_fit : fit; }
 };
 
-// In the order of the plan. The orders are fitted here, so that shards need none; a row with impacts that
-// have no partner in the reference does not count.
+// In the order of the plan, with their fitted orders; a row with impacts that have no partner in the reference
+// does not count there.
 [[nodiscard]] std::vector<StudyGroup> groups_of(const StudyTable& table);
 
 // CSV, RFC 4180, line by line: a header with units in brackets, then a line for each row, all digits of every
-// number, an empty field for none. The orders are in every row of their method, but not in a shard's file.
+// number, an empty field for none. The orders are in every row of their method.
 [[nodiscard]] std::vector<std::string> study_csv(const StudyTable& table);
-
-// Reads it back. Throws SceneError that begins with `origin` (a file's name) and gives line and column.
-[[nodiscard]] StudyTable read_study_csv(std::string_view text, const std::string& origin);
-
-// A table of the rows of all parts, each with its file's name. Throws SceneError if parts are of different
-// studies, or if a row is duplicated or missing.
-struct StudyPart {
-  std::string origin;
-  StudyTable table;
-};
-[[nodiscard]] StudyTable merge_studies(const std::vector<StudyPart>& parts);
 
 // Sentences about a study without a full stop, for the terminal and the picture.
 

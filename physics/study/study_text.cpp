@@ -36,14 +36,11 @@ std::string range_text(const StudyGroup& g) {
                      adaptive ? "tolerances" : "steps", fit.from, fit.to, adaptive ? "m" : "s", fit.points);
 }
 
-std::string group_text(const StudyGroup& g, bool whole) {
+std::string group_text(const StudyGroup& g) {
   const auto& integrator = choice_of(kIntegrators, g.integrator);
-  std::string out = fmt::format("{}, {}", integrator.label, choice_of(kImpacts, g.impacts).label);
-  if (whole) {
-    out += fmt::format(": {}{}{}", g.verdict().kind == OrderFit::Kind::kOrder ? "order " : "",
-                       text_of(g.verdict()), range_text(g));
-  }
-  out += '\n';
+  std::string out = fmt::format("{}, {}: {}{}{}\n", integrator.label, choice_of(kImpacts, g.impacts).label,
+                                g.verdict().kind == OrderFit::Kind::kOrder ? "order " : "",
+                                text_of(g.verdict()), range_text(g));
   const bool adaptive = error_parameter(g.rows.front().method) == ErrorParameter::kTolerance;
   out += fmt::format(
       "{:>10} {:>11} {:>13} {:>10} {:>10} {:>10} {:>14} {:>10} {:>21} {:>11} {:>9} {:>8} {:>7}\n",
@@ -134,14 +131,8 @@ std::string study_text(const StudyTable& table) {
       "them; times: median of {} run{} to the compared time\n\n",
       f.repeats, f.repeats == 1 ? "" : "s");
   const std::vector<StudyGroup> groups = groups_of(table);
-  for (const StudyGroup& g : groups) out += group_text(g, table.whole());
-  if (table.whole()) {
-    out += orders_text(groups);
-  } else {
-    out += fmt::format("{} of {} rows: orders are fitted when the shards are merged\n", table.rows.size(),
-                       f.planned);
-  }
-  return out;
+  for (const StudyGroup& g : groups) out += group_text(g);
+  return out + orders_text(groups);
 }
 
 }  // namespace carom

@@ -21,21 +21,6 @@ QList<QStringList> rows_of(const QByteArray& csv) {
   return rows;
 }
 
-// Without measured times.
-QByteArray without_times(const QByteArray& csv) {
-  QByteArray out;
-  const QList<QStringList> rows = rows_of(csv);
-  for (const QStringList& row : rows) {
-    for (int i = 0; i < row.size(); ++i) {
-      if (!rows.front()[std::min<qsizetype>(i, rows.front().size() - 1)].contains("wall time")) {
-        out += row[i].toUtf8() + ',';
-      }
-    }
-    out += '\n';
-  }
-  return out;
-}
-
 TEST(CommandStudy, WritesTheColumnsThatOthersRelyOn) {
   const Program carom;
   const ProgramResult result = carom(kQuick + QStringList{"--csv", "s.csv"});
@@ -68,31 +53,10 @@ TEST(CommandStudy, WritesTheColumnsThatOthersRelyOn) {
   EXPECT_NE(result.out.find("not chaotic"), std::string::npos);
 }
 
-TEST(CommandStudy, ShardsMergeToTheWhole) {
-  const Program carom;
-  ASSERT_EQ(carom(kQuick + QStringList{"--csv", "whole.csv"}).code, 0);
-  for (const char* i : {"1", "2", "3"}) {
-    const ProgramResult part =
-        carom(kQuick + QStringList{"--shard", QString("%1/3").arg(i), "--csv", QString("%1.csv").arg(i)});
-    ASSERT_EQ(part.code, 0) << part.err;
-    EXPECT_NE(part.out.find("when the shards are merged"), std::string::npos);
-  }
-  const ProgramResult merged =
-      carom({"study", "--merge", "3.csv", "1.csv", "2.csv", "--csv", "merged.csv", "--plot", "merged.svg"});
-  ASSERT_EQ(merged.code, 0) << merged.err;
-  EXPECT_EQ(without_times(carom.read("merged.csv")), without_times(carom.read("whole.csv")));
-  EXPECT_GT(carom.read("merged.svg").size(), 10'000);
-  expect_refused(carom({"study", "--merge", "1.csv", "2.csv"}), "4 of 12 rows are missing");
-  expect_refused(carom({"study", "--merge", "1.csv", "1.csv"}), "1.csv: row 0 stands in 1.csv too");
-  ASSERT_EQ(carom(kQuick + QStringList{"--until", "1.5", "--shard", "2/3", "--csv", "other.csv"}).code, 0);
-  expect_refused(carom({"study", "--merge", "1.csv", "other.csv", "3.csv"}), "other.csv: plan ");
-}
-
 TEST(CommandStudy, DrawsPicturesWithoutADisplay) {
   const Program carom;
-  ASSERT_EQ(carom(kQuick + QStringList{"--csv", "s.csv"}).code, 0);
   for (const char* name : {"s.svg", "s.pdf", "s.png"}) {
-    const ProgramResult result = carom({"study", "--merge", "s.csv", "--plot", name});
+    const ProgramResult result = carom(kQuick + QStringList{"--plot", name});
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(result.err, "");
   }
@@ -138,8 +102,7 @@ TEST_P(BadStudies, AreRefusedInOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     Calls, BadStudies,
     testing::ValuesIn(std::to_array<BadStudy>({
-        {"Nothing", "study", "allowed: FILE|NAME, or --merge"},
-        {"Both", "study head-on --merge a.csv", "allowed: FILE|NAME, or --merge"},
+        {"Nothing", "study", "preset is required"},
         {"UnknownName", "study no-such", "no-such: no such file or experiment"},
         {"Integrator", "study head-on --integrators rk4,leapfrog", "leapfrog"},
         {"Impacts", "study head-on --impacts never", "located"},
@@ -151,17 +114,10 @@ INSTANTIATE_TEST_SUITE_P(
         {"UntilZero", "study head-on --until 0", "--until: 0 is not allowed"},
         {"Repeats", "study head-on --repeats 0", "--repeats"},
         {"Threads", "study head-on --threads 0", "--threads"},
-        {"ShardWords", "study head-on --shard one", "--shard: one is not allowed"},
-        {"ShardOrder", "study head-on --shard 3/2", "--shard: 3/2 is not allowed"},
-        {"ShardMany", "study head-on --shard 1/9999", "--shard: 1/9999 is not allowed"},
-        {"ShardPlot", "study head-on --shard 1/2 --plot a.svg", "--plot: not allowed with --shard"},
-        {"ShardMerge", "study --merge a.csv --shard 1/2", "--shard: not allowed with --merge"},
         {"PlotSuffix", "study head-on --plot a.txt", "a.txt: not a kind of picture"},
         {"PlotUnwritable", "study head-on --integrators rk4 --steps 0.1 --repeats 1 --plot no/such/a.png",
          "no/such/a.png"},
         {"CsvUnwritable", "study head-on --csv no/such/a.csv", "no/such/a.csv"},
-        {"MergeMissing", "study --merge no-such.csv", "no-such.csv: the file cannot be read"},
-        {"MergeFolder", "study --merge .", ".: "},
         {"ExactFlight", "study drag-projectile --integrators exact-flight",
          "exact flight is not possible with drag"},
         {"ExactAtStepEnd", "study head-on --integrators exact-flight --impacts step-end", "--impacts: "},

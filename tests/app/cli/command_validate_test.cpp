@@ -119,8 +119,8 @@ TEST(Arguments, LongOnesAreNotEchoedWhole) {
         QStringList{"run", "head-on", "--" + word}, QStringList{"run", word + "/" + word + ".json"},
         QStringList{"run", "head-on", "--until", word}, QStringList{"run", "head-on", "--step", word},
         QStringList{"run", "head-on", "--integrator", word},
-        QStringList{"run", "head-on", "--csv", "no/" + word}, QStringList{"study", "--merge", word},
-        QStringList{"stress", word}, QStringList{"study", "head-on", "--shard", word},
+        QStringList{"run", "head-on", "--csv", "no/" + word}, QStringList{"study", word},
+        QStringList{"stress", word}, QStringList{"study", "head-on", "--steps", word},
         QStringList{"picture", "head-on", "-o", word},
         QStringList{"film", "head-on", "-o", "a", "--width", word}, QStringList{word, word}}) {
     const ProgramResult result = carom(arguments);
@@ -139,8 +139,6 @@ TEST(Pipes, AreRefused) {
         QStringList{"check", "./pipe.json"}, QStringList{"picture", "pipe.json", "-o", "a.png"},
         QStringList{"pipe.json"}})
     expect_refused(carom(arguments), "pipe.json: this is a pipe; allowed: a preset file");
-  expect_refused(carom({"study", "--merge", "pipe.json"}),
-                 "pipe.json: this is a pipe; allowed: a study's CSV file");
   expect_refused(carom({"run", "/dev/zero"}), "/dev/zero: this is a device; allowed: a preset file");
 }
 

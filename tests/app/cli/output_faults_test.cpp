@@ -21,11 +21,9 @@ constexpr Writer kWriters[] = {
     {"check a.json --csv $d/old.csv"},
     {"check a.json bouncing-ball --csv $d/new.csv"},
     {"study a.json --until 1 --repeats 1 --integrators rk4 --steps 0.01,0.005 --csv $d/old.csv"},
-    {"study a.json --until 1 --repeats 1 --integrators rk4 --steps 0.01,0.005 --shard 1/2 --csv $d/old.csv"},
     {"study a.json --until 1 --repeats 1 --integrators rk4 --steps 0.01,0.005 --plot $d/old.svg"},
     {"study a.json --until 1 --repeats 1 --integrators rk4 --steps 0.01,0.005 --csv $d/old.csv --plot "
      "$d/old.pdf"},
-    {"study --merge rows.csv --csv $d/old.csv --plot $d/old.png"},
     {"stress galperin --csv $d/old.csv"},
     {"stress galperin --csv $d/new.csv --page $d/old.md"},
     {"picture a.json -o $d/old.png", false},
@@ -40,10 +38,6 @@ class OutputFaults : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(QFile::copy(test::preset_file("first-collisions/head-on.json").c_str(), carom_.path("a.json")));
-    ASSERT_EQ(carom_({"study", "a.json", "--until", "1", "--repeats", "1", "--integrators", "rk4", "--steps",
-                      "0.01,0.005", "--csv", "rows.csv"})
-                  .code,
-              0);
   }
   // Creates older files with all names that commands write, in a folder.
   void put_old_files(const QString& folder) const {
@@ -140,7 +134,7 @@ TEST_F(OutputFaults, AFolderThatGoesInMidRunIsSaidBesideTheResults) {
 TEST_F(OutputFaults, StdoutThatTakesNothingIsNoticedByEveryCommand) {
   for (const char* command :
        {"list", "run a.json", "run a.json --json", "check a.json", "--help", "run --help", "film --help",
-        "--version", "study a.json --until 1 --repeats 1", "study --merge rows.csv", "stress galperin",
+        "--version", "study a.json --until 1 --repeats 1", "stress galperin",
         "film a.json --to 0.1 --width 200 --height 200 -o f --replace", ""}) {
     SCOPED_TRACE(command);
     const QString line = "$carom " + QString(command);

@@ -92,19 +92,6 @@ TEST_F(OutputKills, Filming) {
   shoot(film, film + QStringList{"--dark"}, test::kills(20));
 }
 
-TEST_F(OutputKills, Reporting) {
-  ASSERT_EQ(carom_({"study", "a.json", "--until", "1", "--repeats", "1", "--integrators", "rk4", "--steps",
-                    "0.01,0.005", "--csv", "rows.csv"})
-                .code,
-            0);
-  ASSERT_EQ(carom_({"study", "a.json", "--until", "1", "--repeats", "1", "--integrators", "explicit-euler",
-                    "--steps", "0.01,0.005", "--csv", "others.csv"})
-                .code,
-            0);
-  shoot({"study", "--merge", "others.csv", "--csv", "out/s.csv", "--plot", "out/s.svg"},
-        {"study", "--merge", "rows.csv", "--csv", "out/s.csv", "--plot", "out/s.svg"}, test::kills(20));
-}
-
 // The lab's report, written by a process that writes nothing else.
 TEST_F(OutputKills, ReportsOfTheLab) {
   ASSERT_TRUE(QDir(carom_.path("")).mkpath("out"));

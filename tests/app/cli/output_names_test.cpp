@@ -65,19 +65,6 @@ TEST_F(OutputNames, APresetThatIsFoundByItsNameIsReadToo) {
   EXPECT_EQ(carom_.read("lib/mine/own.json"), carom_.read("a.json"));
 }
 
-TEST_F(OutputNames, MergedTablesAreReadToo) {
-  ASSERT_EQ(carom_({"study", "a.json", "--until", "1", "--repeats", "1", "--integrators", "rk4", "--steps",
-                    "0.01", "--csv", "one.csv"})
-                .code,
-            0);
-  const QByteArray table = carom_.read("one.csv");
-  ASSERT_EQ(carom_.shell("ln -s one.csv l; cp one.csv one.png").code, 0);
-  for (const char* options :
-       {"one.csv --csv ./one.csv", "one.csv --csv l", "l --csv one.csv", "one.png --plot one.png"})
-    expect_refused_before_the_run("$carom study --merge " + QString(options), kRead);
-  EXPECT_EQ(carom_.read("one.csv"), table);
-}
-
 TEST_F(OutputNames, NoOutputTakesThePlaceOfAnother) {
   ASSERT_EQ(carom_.shell("ln -s new l; echo old > old; ln -s old k; ln -s x.png p").code, 0);
   for (const char* options :

@@ -21,13 +21,5 @@ TEST(Csv, UnitsStandInBracketsWithoutSuperscripts) {
   EXPECT_EQ(csv_heading("x", "m²/s²"), "x [m^2/s^2]");
 }
 
-TEST(Csv, ReadsItsOwnLinesBack) {
-  CsvLine line;
-  line.add("a\n\"b\"").add("").add(1.5);
-  const std::vector<std::vector<std::string>> lines = split_csv("h,i,j\n" + line.text() + "\n");
-  ASSERT_EQ(lines.size(), 2U);
-  EXPECT_EQ(lines[1], (std::vector<std::string>{"a\n\"b\"", "", "1.5"}));
-}
-
 }  // namespace
 }  // namespace carom

@@ -299,7 +299,7 @@ const StudyGroup& group_of(const std::vector<StudyGroup>& groups, IntegratorId i
 TEST(Study, ShowsWhatLocatedImpactsAreWorth) {
   const Preset s = read_preset(test::preset_file("numerical-methods/drag-projectile.json"));
   const StudyTable table = run_study(s, "drag-projectile", quick());
-  ASSERT_TRUE(table.whole());
+  ASSERT_EQ(table.rows.size(), plan_methods(s, quick()).size());
   const auto groups = groups_of(table);
   for (const IntegratorChoice& integrator : kIntegrators) {
     if (integrator.adaptive || integrator.order == 0) continue;
@@ -398,39 +398,6 @@ TEST(Study, SaysWhenARunBlewUp) {
   }
 }
 
-// All that must not depend on clock, threads and shards.
-std::string without_times(StudyTable table) {
-  for (StudyRow& row : table.rows) row.wall_time = row.wall_least = row.wall_most = 0.0;
-  std::string out;
-  for (const std::string& line : study_csv(table)) out += line + '\n';
-  return out;
-}
-
-std::string csv_of(const StudyTable& table) {
-  std::string out;
-  for (const std::string& line : study_csv(table)) out += line + '\n';
-  return out;
-}
-
-TEST(Study, ShardsPutTogetherAreTheWhole) {
-  const Preset s = read_preset(test::preset_file("numerical-methods/drag-projectile.json"));
-  StudyOptions o = quick();
-  o.threads = 1;
-  const StudyTable whole = run_study(s, "drag-projectile", o);
-  std::vector<StudyPart> parts;
-  o.shards = 3;
-  o.threads = 3;
-  for (o.shard = 3; o.shard >= 1; --o.shard) {
-    const StudyTable part = run_study(s, "drag-projectile", o);
-    EXPECT_FALSE(part.whole());
-    parts.push_back({"part.csv", read_study_csv(csv_of(part), "part.csv")});
-  }
-  const StudyTable merged = merge_studies(parts);
-  EXPECT_TRUE(merged.whole());
-  EXPECT_EQ(without_times(merged), without_times(whole));
-  EXPECT_EQ(csv_of(read_study_csv(csv_of(whole), "whole.csv")), csv_of(whole));
-}
-
 std::string refusal(const auto& action) {
   try {
     action();
@@ -440,57 +407,11 @@ std::string refusal(const auto& action) {
   return "nothing was refused";
 }
 
-TEST(Study, RefusesShardsThatDontBelongTogether) {
-  const Preset s = spring_scene();
-  StudyOptions o = quick();
-  o.integrators = {IntegratorId::kRk4};
-  o.shards = 2;
-  const StudyPart first{"a.csv", run_study(s, "spring", o)};
-  o.shard = 2;
-  // What is no physics may differ.
-  Preset reworded = s;
-  reworded.about += ", in other words";
-  const StudyPart second{"b.csv", run_study(reworded, "spring", o)};
-  Preset heavier = s;
-  heavier.scene.bodies[0].mass = 1.5;
-  const StudyPart another{"d.csv", run_study(heavier, "spring", o)};
-  o.steps = {0.02, 0.01};
-  const StudyPart other{"c.csv", run_study(s, "spring", o)};
-  EXPECT_NO_THROW((void)merge_studies({first, second}));
-  EXPECT_NE(
-      refusal([&] { (void)merge_studies({first}); }).find("6 of 12 rows are missing (rows 1, 3, 5, 7, 9, 11)"),
-      std::string::npos);
-  EXPECT_NE(refusal([&] {
-              (void)merge_studies({first, first});
-            }).find("a.csv: row 0 stands in a.csv too"),
-            std::string::npos);
-  EXPECT_NE(refusal([&] { (void)merge_studies({first, other}); }).find("c.csv: plan "), std::string::npos);
-  EXPECT_NE(refusal([&] { (void)merge_studies({first, another}); }).find("d.csv: plan "), std::string::npos);
-  o.shards = 5;  // of 4 rows
-  EXPECT_NE(refusal([&] { (void)run_study(s, "spring", o); }).find("--shard: 2/5"), std::string::npos);
-}
-
 TEST(Study, RefusesExactFlightByNameWhereItCannotBe) {
   StudyOptions o = quick();
   for (const Method& m : plan_methods(spring_scene(), o)) EXPECT_NE(m.integrator, IntegratorId::kExactFlight);
   o.integrators = {IntegratorId::kExactFlight};
   EXPECT_NE(refusal([&] { (void)plan_methods(spring_scene(), o); }).find("spring"), std::string::npos);
-}
-
-TEST(Study, RefusesAFileThatIsNoStudy) {
-  const auto why = [](const std::string& text) {
-    return refusal([&] { (void)read_study_csv(text, "x.csv"); });
-  };
-  EXPECT_NE(why("").find("x.csv: line 1"), std::string::npos);
-  EXPECT_NE(why("a,b\n1,2\n").find("x.csv: line 1"), std::string::npos);
-  StudyTable table;
-  table.facts.planned = 1;
-  table.rows.resize(1);
-  std::string good = csv_of(table);
-  EXPECT_EQ(why(good), "nothing was refused");
-  EXPECT_NE(why(good.substr(0, good.find('\n') + 1)).find("x.csv: line 2"), std::string::npos);
-  EXPECT_NE(why(good.replace(good.rfind("rk4"), 3, "rk5")).find("x.csv: line 2, integrator: rk5"),
-            std::string::npos);
 }
 
 // A gas of hard discs is chaotic: it is compared well before its horizon, and the text says so.
