@@ -43,7 +43,7 @@ struct Command {
 [[nodiscard]] Command add_check_command(CLI::App& program, Arguments arguments);
 // Runs the hard cases: each figure beside its limit.
 [[nodiscard]] Command add_stress_command(CLI::App& program, Arguments arguments);
-// Prints the parts of the model that an experiment needs, why, and their costs a step.
+// Prints the parts of the model that an experiment needs, and why.
 [[nodiscard]] Command add_needs_command(CLI::App& program, Arguments arguments);
 [[nodiscard]] Command add_picture_command(CLI::App& program, Arguments arguments);
 // Writes numbered pictures of a part of the run, for a film.

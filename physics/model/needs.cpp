@@ -14,12 +14,6 @@ bool accelerate_apart(const SceneFacts& f, const Scene& scene) {
          (!scene.forces.gravity.isZero(0.0) && f.infinite_mass > 0);
 }
 
-template <class Change>
-void change_materials(Scene& scene, const Change& change) {
-  for (Material& m : scene.materials) change(m);
-  for (MaterialPair& pair : scene.pairs) change(pair.surface);
-}
-
 constexpr std::array<PartEntry, kPartCount> kEntries = {{
     // Without friction only a torque turns a disc, while impacts turn all other shapes.
     {Part::kRotation, "rotation", "rotation", "impacts with lever arms and spins, not only between centres",
@@ -28,53 +22,35 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
      [](const SceneFacts& f, const Scene&) {
        return f.spinning || f.torques || f.rub || f.turning_joints || f.sticks ||
               (can_collide(f) && f.cornered);
-     },
-     nullptr},
+     }},
     // Tangential restitution acts only within the bound that kinetic friction sets, so it needs friction too.
     {Part::kFriction, "friction", "friction", "tangential impulses and forces",
      "two bodies that can meet have kinetic friction", "no two bodies that can meet have friction",
-     [](const SceneFacts& f, const Scene&) { return f.rub; },
-     [](Scene& scene) {
-       change_materials(scene, [](Material& m) {
-         m.static_friction = m.kinetic_friction = m.rolling_resistance = m.tangential_restitution = 0.0;
-       });
-     }},
+     [](const SceneFacts& f, const Scene&) { return f.rub; }},
     {Part::kSticking, "sticking", "sticking", "welds that impacts make",
      "two bodies that can meet have a surface that sticks", "no surface sticks",
-     [](const SceneFacts& f, const Scene&) { return f.sticks; },
-     [](Scene& scene) { change_materials(scene, [](Material& m) { m.sticks = false; }); }},
+     [](const SceneFacts& f, const Scene&) { return f.sticks; }},
     {Part::kDrag, "drag", "drag", "a force on each body, and its work",
      "the scene has linear or quadratic drag", "there is no drag",
-     [](const SceneFacts& f, const Scene&) { return f.drag; },
-     [](Scene& scene) { scene.forces.linear_drag = scene.forces.quadratic_drag = 0.0; }},
+     [](const SceneFacts& f, const Scene&) { return f.drag; }},
     {Part::kSprings, "springs", "springs",
      "springs by their bodies; those between two moving bodies couple them", "the scene has springs",
-     "there are no springs", [](const SceneFacts& f, const Scene&) { return f.springs; },
-     [](Scene& scene) { scene.forces.springs.clear(); }},
+     "there are no springs", [](const SceneFacts& f, const Scene&) { return f.springs; }},
     {Part::kAttraction, "attraction", "attraction",
      "a force between every two bodies: all are advanced together", "bodies attract each other",
-     "nothing attracts", [](const SceneFacts& f, const Scene&) { return f.attraction; },
-     [](Scene& scene) { scene.forces.attraction.reset(); }},
+     "nothing attracts", [](const SceneFacts& f, const Scene&) { return f.attraction; }},
     {Part::kAppliedForces, "applied_forces", "applied forces",
      "forces and torques by their bodies, and their work", "the scene applies forces or torques",
      "no force or torque is applied",
-     [](const SceneFacts&, const Scene& scene) { return !scene.forces.applied.empty(); },
-     [](Scene& scene) { scene.forces.applied.clear(); }},
+     [](const SceneFacts&, const Scene& scene) { return !scene.forces.applied.empty(); }},
     {Part::kSwitching, "switching", "switched forces",
      "each flight is searched for the times at which they switch",
      "some springs act in one direction only, or there are strings", "no spring or link switches",
-     [](const SceneFacts& f, const Scene&) { return f.one_sided || f.strings; }, nullptr},
+     [](const SceneFacts& f, const Scene&) { return f.one_sided || f.strings; }},
     {Part::kDrives, "drives", "driven bodies", "bodies with a prescribed motion", "some bodies are driven",
-     "no body is driven", [](const SceneFacts& f, const Scene&) { return f.drives; },
-     [](Scene& scene) {
-       for (Body& body : scene.bodies) {
-         if (body.drive) body.fixed = true;
-         body.drive.reset();
-       }
-     }},
+     "no body is driven", [](const SceneFacts& f, const Scene&) { return f.drives; }},
     {Part::kJoints, "links", "links", "linear equations for the forces of rods, strings, pins and welds",
-     "the scene has links", "there are no links", [](const SceneFacts& f, const Scene&) { return f.joints; },
-     [](Scene& scene) { scene.joints.clear(); }},
+     "the scene has links", "there are no links", [](const SceneFacts& f, const Scene&) { return f.joints; }},
     // With e = 1 and no relative acceleration every impact separates its pair for good; with e < 1 several
     // bodies can collapse onto one another.
     {Part::kRestingContacts, "resting_contacts", "lasting contacts",
@@ -82,8 +58,7 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
      "nothing keeps bodies pressed together",
      [](const SceneFacts& f, const Scene& scene) {
        return can_collide(f) && (accelerate_apart(f, scene) || f.yield);
-     },
-     nullptr},
+     }},
 }};
 
 }  // namespace

@@ -54,8 +54,6 @@ struct PartEntry {
   std::string_view why;      // where it is needed
   std::string_view why_not;  // where it is not
   bool (*needed)(const SceneFacts&, const Scene&);
-  // Removes from a scene what needs the part; nullptr if the rest could not run.
-  void (*remove)(Scene&);
 };
 
 // In the order of Part.

@@ -103,6 +103,52 @@ void collisions_a_second(int columns) {
 
 constexpr int kCountedSteps = 200;
 
+template <class Change>
+void change_materials(Scene& scene, const Change& change) {
+  for (Material& m : scene.materials) change(m);
+  for (MaterialPair& pair : scene.pairs) change(pair.surface);
+}
+
+// Removes from a scene what needs the part; false if the rest could not run.
+bool remove_part(Scene& scene, Part part) {
+  switch (part) {
+    case Part::kFriction:
+      change_materials(scene, [](Material& m) {
+        m.static_friction = m.kinetic_friction = m.rolling_resistance = m.tangential_restitution = 0.0;
+      });
+      return true;
+    case Part::kSticking:
+      change_materials(scene, [](Material& m) { m.sticks = false; });
+      return true;
+    case Part::kDrag:
+      scene.forces.linear_drag = scene.forces.quadratic_drag = 0.0;
+      return true;
+    case Part::kSprings:
+      scene.forces.springs.clear();
+      return true;
+    case Part::kAttraction:
+      scene.forces.attraction.reset();
+      return true;
+    case Part::kAppliedForces:
+      scene.forces.applied.clear();
+      return true;
+    case Part::kDrives:
+      for (Body& body : scene.bodies) {
+        if (body.drive) body.fixed = true;
+        body.drive.reset();
+      }
+      return true;
+    case Part::kJoints:
+      scene.joints.clear();
+      return true;
+    case Part::kRotation:
+    case Part::kSwitching:
+    case Part::kRestingContacts:
+      break;
+  }
+  return false;
+}
+
 // Steps of a preset with one part (by its key) switched: added to the model if the scene does not need it,
 // otherwise removed from the scene. Any other key leaves the scene as it is.
 int count_steps(const char* file, std::string_view key) {
@@ -111,9 +157,8 @@ int count_steps(const char* file, std::string_view key) {
   for (const PartEntry& entry : part_entries()) {
     if (entry.key != key) continue;
     const bool needed = needs.has(entry.part);
-    if (needed && entry.remove == nullptr) return 1;
     if (needed) {
-      entry.remove(setup.scene);
+      if (!remove_part(setup.scene, entry.part)) return 1;
       needs = needs_of(setup.scene);
     }
     needs.set(entry.part, !needed);
