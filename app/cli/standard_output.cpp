@@ -8,7 +8,6 @@
 #include <system_error>
 #include <unistd.h>
 
-#include "physics/files/temporary_file.h"
 #include "physics/scene/plain_text.h"
 
 namespace carom {
@@ -21,7 +20,6 @@ void prepare_process() {
   }
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  remove_temporaries_on_signals();
 }
 
 void write_out(std::string_view text) { (void)std::fwrite(text.data(), 1, text.size(), stdout); }

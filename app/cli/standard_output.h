@@ -10,8 +10,7 @@
 namespace carom {
 
 // Call first in main(). Reserves the descriptors 0, 1 and 2 if the caller has closed them; makes a closed pipe
-// and a file that grows too large write errors instead of fatal signals; removes temporary files on fatal
-// signals.
+// and a file that grows too large write errors instead of fatal signals.
 void prepare_process();
 
 // Prints to stdout. finish_stdout() reports a failure.

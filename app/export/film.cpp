@@ -60,11 +60,12 @@ class MadeFolders {
     if (next.filename().empty()) next = next.parent_path();
     for (std::error_code error; !fs::exists(next, error) && next != next.root_path(); next = next.parent_path())
       missing.push_back(next);
-    try {
-      for (; !missing.empty(); missing.pop_back()) made_.emplace_back(missing.back());
-    } catch (const std::system_error& error) {
+    for (; !missing.empty(); missing.pop_back()) {
+      std::error_code error;
+      if (fs::create_directory(missing.back(), error)) made_.push_back(missing.back());
+      if (!error) continue;
       undo();
-      refuse_output(folder.string(), fmt::format("no frames can be written there ({})", error.code().message()),
+      refuse_output(folder.string(), fmt::format("no frames can be written there ({})", error.message()),
                     "a folder with the right to write");
     }
     if (std::error_code error; !fs::is_directory(folder, error))
@@ -73,15 +74,13 @@ class MadeFolders {
   MadeFolders(const MadeFolders&) = delete;
   MadeFolders& operator=(const MadeFolders&) = delete;
   ~MadeFolders() { undo(); }
-  void keep() {
-    for (TemporaryFolder& folder : made_) folder.keep();
-  }
+  void keep() { made_.clear(); }
 
  private:
   void undo() {
-    while (!made_.empty()) made_.pop_back();
+    for (std::error_code error; !made_.empty(); made_.pop_back()) fs::remove(made_.back(), error);
   }
-  std::vector<TemporaryFolder> made_;
+  std::vector<fs::path> made_;
 };
 
 // All frames of a film; none is put in place before the last is complete.

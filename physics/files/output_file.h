@@ -4,14 +4,11 @@
 #include <deque>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <sys/stat.h>
 #include <utility>
 #include <vector>
-
-#include "physics/files/temporary_file.h"
 
 namespace carom {
 
@@ -29,28 +26,26 @@ struct OutputPlace {
     kNew,       // a file that is not there yet
     kReplaced,  // a file that is there
     kSpecial,   // a device, a pipe or a terminal
-    kStream,    // an open descriptor of this process, as /dev/stdout is
+    kStdout,    // this process's own, /dev/stdout
   };
   Kind kind = Kind::kNew;
   std::string name;            // as the user wrote it
   std::filesystem::path file;  // absolute and without links, but for what is special
   FileId folder;               // that holds it; of kNew and kReplaced
   struct stat facts = {};      // of what is there already; not of kNew
-  int descriptor = -1;         // of kStream
 };
 
-// Throws SceneError where no file of this name can be written: its folder is not there or may not be changed,
-// it is a folder itself, it is marked read-only (no right to write; for root: nobody has one), links lead
-// nowhere. Nothing is changed or opened for long.
+// Throws SceneError where no file of this name can be written: its folder is not there, it is a folder itself,
+// it is marked read-only (no right to write; for root: nobody has one), links lead nowhere.
 [[nodiscard]] OutputPlace output_place(const std::string& name);
 
 // Throws SceneError: "name: why; allowed: allowed".
 [[noreturn]] void refuse_output(const std::string& name, const std::string& why, const std::string& allowed);
 
-// A file that is written whole or not at all. The bytes go to a temporary file in the same folder, which
-// commit() puts in the place of the old one, with its mode and, where that is possible, its owner; symbolic
-// links stay and what they lead to is replaced. Devices, pipes and terminals are written through. A pipe must
-// have a reader within 5 s.
+// A file that is written whole or not at all. The bytes go to a temporary file in the same folder
+// (.carom-X.part), which commit() puts in the place of the old one, with its mode; symbolic links stay and what
+// they lead to is replaced. Devices, pipes, terminals and stdout are written through. A process that is killed
+// leaves the old file, and its temporary one.
 //
 //   OutputFile file("run.csv");  // throws SceneError if it cannot be written
 //   file.line("time [s]");
@@ -63,7 +58,7 @@ class OutputFile {
   explicit OutputFile(OutputPlace place);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
-  ~OutputFile();  // without commit() the old file stays, or there is none
+  ~OutputFile() { drop(); }  // without commit() the old file stays, or there is none
 
   [[nodiscard]] const std::string& name() const { return place_.name; }
   void write(std::string_view bytes);
@@ -79,15 +74,14 @@ class OutputFile {
   void commit();
 
  private:
-  void open_through();
   void flush();
   void fail(int error);
+  // Closes what is open and removes the temporary file.
+  void drop();
 
   OutputPlace place_;
-  std::unique_ptr<TemporaryFile> temporary_;
-  int through_ = -1;  // descriptor of a device, pipe or terminal
-  bool finished_ = false;
-  bool unread_ = false;  // stdout has no reader: nothing more is written, without an error
+  std::filesystem::path temporary_;  // empty if there is none (any more)
+  int descriptor_ = -1;
   std::string buffer_;
   std::string failure_;
 };

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <random>
 #include <string>
 #include <sys/mount.h>
 #include <sys/wait.h>
@@ -59,10 +57,5 @@ int as_nobody(const Act& act) {
 
 // How often to kill a process: 300 times in the long tests.
 inline int kills(int ordinary) { return by_effort(ordinary / 4, ordinary, 300); }
-
-inline int random_signal(std::mt19937& random) {
-  static constexpr int kSignals[] = {SIGKILL, SIGINT, SIGTERM, SIGHUP};
-  return kSignals[random() % std::size(kSignals)];
-}
 
 }  // namespace carom::test
