@@ -26,7 +26,7 @@ struct Library {
 const std::array<Library, 3> kLibraries = {
     {{"physics",
       {"math", "scene", "files", "model", "dynamics", "collision", "impact", "contact", "ledger", "step", "run",
-       "observe", "compare", "record", "preset", "check", "study", "worker", "stress"}},
+       "observe", "compare", "record", "preset", "check", "study", "worker"}},
      {"widgets", {"theme", "base", "edit", "print", "scene", "plot", "compare", "run"}},
      {"app", {"export", "help", "library", "lab", "cli"}}}};
 

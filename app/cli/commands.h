@@ -41,8 +41,6 @@ struct Command {
 [[nodiscard]] Command add_run_command(CLI::App& program, Arguments arguments);
 // Compares every expectation of the presets with the results of their runs.
 [[nodiscard]] Command add_check_command(CLI::App& program, Arguments arguments);
-// Runs the hard cases: each figure beside its limit.
-[[nodiscard]] Command add_stress_command(CLI::App& program, Arguments arguments);
 // Prints the parts of the model that an experiment needs, and why.
 [[nodiscard]] Command add_needs_command(CLI::App& program, Arguments arguments);
 [[nodiscard]] Command add_picture_command(CLI::App& program, Arguments arguments);

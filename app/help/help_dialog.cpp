@@ -31,8 +31,6 @@ constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
     {"plots", QT_TRANSLATE_NOOP("QObject", "Plots and comparison")},
     {"export", QT_TRANSLATE_NOOP("QObject", "Taking it away")},
     {"study", QT_TRANSLATE_NOOP("QObject", "Speed against error")},
-    {"stress", QT_TRANSLATE_NOOP("QObject", "The hard cases")},
-    {"stress-figures", QT_TRANSLATE_NOOP("QObject", "The hard cases: figures")},
 });
 
 // Adds space between paragraphs, before headings and in tables, which Markdown cannot specify.

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "physics/run/run_setup.h"
-#include "physics/stress/stress_scenes.h"
+#include "tests/hard_cases/stress_scenes.h"
 #include "tests/peers/cases.h"
 
 // Carom in the same scenes: RK4 and resting contacts, with impacts at the step's end, as in the peers, or at

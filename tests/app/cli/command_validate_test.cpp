@@ -120,8 +120,7 @@ TEST(Arguments, LongOnesAreNotEchoedWhole) {
         QStringList{"run", "head-on", "--until", word}, QStringList{"run", "head-on", "--step", word},
         QStringList{"run", "head-on", "--integrator", word},
         QStringList{"run", "head-on", "--csv", "no/" + word}, QStringList{"study", word},
-        QStringList{"stress", word}, QStringList{"study", "head-on", "--steps", word},
-        QStringList{"picture", "head-on", "-o", word},
+        QStringList{"study", "head-on", "--steps", word}, QStringList{"picture", "head-on", "-o", word},
         QStringList{"film", "head-on", "-o", "a", "--width", word}, QStringList{word, word}}) {
     const ProgramResult result = carom(arguments);
     EXPECT_EQ(result.code, 2);

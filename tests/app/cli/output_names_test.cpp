@@ -73,7 +73,6 @@ TEST_F(OutputNames, NoOutputTakesThePlaceOfAnother) {
     expect_refused_before_the_run("$carom run a.json --until 1e9 " + QString(options), kTwice);
   expect_refused_before_the_run("$carom study a.json --csv x.png --plot ./x.png", kTwice);
   expect_refused_before_the_run("$carom study a.json --csv p --plot x.png", kTwice);
-  expect_refused_before_the_run("$carom stress galperin --csv x --page ./x", kTwice);
   expect_refused_before_the_run("$carom run a.json --until 1e9 --csv old >> old", "stdout goes to this file");
   EXPECT_EQ(carom_.read("old"), "old\n");
   EXPECT_EQ(carom_.files(), (QStringList{"a.json", "k", "old"})) << carom_.files().join(' ').toStdString();
@@ -95,7 +94,6 @@ TEST_F(OutputNames, PlacesThatCannotBeWrittenAreSeenBeforeTheRun) {
   expect_refused_before_the_run("$carom study a.json --plot marked.png", "the file is marked read-only");
   expect_refused_before_the_run("$carom study a.json --csv marked", "the file is marked read-only");
   expect_refused_before_the_run("$carom check --csv marked", "the file is marked read-only");
-  expect_refused_before_the_run("$carom stress --page marked", "the file is marked read-only");
   expect_refused_before_the_run("$carom film a.json --to 3e3 -o marked", "this is not a folder");
   EXPECT_EQ(carom_.read("marked"), "old\n");
   EXPECT_EQ(carom_.files().filter(".part"), QStringList());
@@ -104,7 +102,7 @@ TEST_F(OutputNames, PlacesThatCannotBeWrittenAreSeenBeforeTheRun) {
 TEST_F(OutputNames, AnOutputHasAName) {
   for (const char* command :
        {"run a.json --csv", "run a.json --events", "run a.json --save", "check --csv", "study a.json --csv",
-        "study a.json --plot", "stress --csv", "stress --page", "picture a.json -o", "film a.json -o"})
+        "study a.json --plot", "picture a.json -o", "film a.json -o"})
     expect_refused_before_the_run("$carom " + QString(command) + " ''", "the name of a file is needed");
 }
 

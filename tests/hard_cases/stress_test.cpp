@@ -1,14 +1,17 @@
-#include "physics/stress/stress.h"
+#include "tests/hard_cases/stress.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <set>
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/scene/validate.h"
-#include "physics/stress/stress_table.h"
+#include "tests/hard_cases/stress_table.h"
+#include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
@@ -184,6 +187,19 @@ TEST(Stress, ThePageHasASectionForEachCase) {
   EXPECT_TRUE(holds("| impacts off 314 | rk4, 1/60 s | 0 | 0 | same | 0 | good |"));
   EXPECT_TRUE(holds("- *twice the step*: theory: a limit with, a comma"));
   EXPECT_TRUE(holds("- peers, *impacts off 314*: v3 -300 (1 kHz), 2.4 -266 (1 kHz), Cp 0 (1 kHz)"));
+}
+
+// The program writes the page of figures, which must have every case and every figure.
+TEST(Stress, ThePageThatIsKeptHasAllFiguresAndNoneFellShort) {
+  std::ifstream file(test::source("tests/hard_cases/figures.md"));
+  const std::string page(std::istreambuf_iterator<char>(file), {});
+  const auto holds = [&](const std::string& part) { return page.find(part) != std::string::npos; };
+  for (const StressCase& c : stress_cases()) {
+    EXPECT_TRUE(holds("\n## " + std::string(c.id) + "\n")) << c.id;
+    for (const StressFigure& f : c.figures)
+      EXPECT_TRUE(holds("\n| " + std::string(f.name) + " ")) << c.id << ": " << f.name;
+  }
+  EXPECT_FALSE(holds("FELL SHORT"));
 }
 
 // Cheap cases that nothing but integrators and impacts decides.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "physics/scene/method.h"
-#include "physics/stress/stress.h"
+#include "tests/hard_cases/stress.h"
 
 // The rows of a stress suite as text.
 namespace carom {
@@ -48,7 +48,7 @@ struct StressLine {
 // A heading, then the lines; `rows` in the order of StressSuite::rows().
 [[nodiscard]] std::vector<StressLine> stress_lines(const std::vector<StressRow>& rows);
 
-// The help's page of figures, Markdown, line by line: a section for each case with the table of its rows, the
+// The page figures.md, Markdown, line by line: a section for each case with the table of its rows, the
 // source of its limits and the figures of peers. Without CPU times, so that the same program makes the same
 // page again. `rows` in the order of StressSuite::rows() for `cases`.
 [[nodiscard]] std::vector<std::string> stress_page(const std::vector<StressCase>& cases,

@@ -6,7 +6,7 @@
 
 #include "physics/run/simulation.h"
 #include "physics/scene/scene.h"
-#include "physics/stress/stress.h"
+#include "tests/hard_cases/stress.h"
 
 // Tools of the cases to build scenes and read figures from runs.
 namespace carom::stress {

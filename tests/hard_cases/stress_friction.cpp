@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "physics/run/run_setup.h"
-#include "physics/stress/stress_scenes.h"
+#include "tests/hard_cases/stress_scenes.h"
 
 // Slopes at the limit of friction, rolling and sliding, a swinging table.
 namespace carom::stress {

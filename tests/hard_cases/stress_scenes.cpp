@@ -1,4 +1,4 @@
-#include "physics/stress/stress_scenes.h"
+#include "tests/hard_cases/stress_scenes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "physics/run/run_setup.h"
-#include "physics/stress/stress_scenes.h"
+#include "tests/hard_cases/stress_scenes.h"
 
 // Rods: one whose tip jams on the floor, one that falls on it, a chain with a heavy end. Springs and drag.
 namespace carom::stress {

@@ -1,4 +1,4 @@
-#include "physics/stress/stress.h"
+#include "tests/hard_cases/stress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "physics/scene/method.h"
 #include "physics/scene/validate.h"
-#include "physics/stress/stress_scenes.h"
+#include "tests/hard_cases/stress_scenes.h"
 
 namespace carom {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "physics/run/run_setup.h"
-#include "physics/stress/stress_scenes.h"
+#include "tests/hard_cases/stress_scenes.h"
 
 // Impacts that are fast, many at once, or infinitely many.
 namespace carom::stress {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
-#include "physics/stress/stress_scenes.h"
+#include "tests/hard_cases/stress_scenes.h"
 
 // Boxes, stones and dominoes that lean on each other.
 namespace carom::stress {

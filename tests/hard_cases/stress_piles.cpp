@@ -5,7 +5,7 @@
 #include <random>
 
 #include "physics/run/run_setup.h"
-#include "physics/stress/stress_scenes.h"
+#include "tests/hard_cases/stress_scenes.h"
 
 // Large islands: a pile, discs that start penetrating, discs of very different sizes, a gas.
 namespace carom::stress {

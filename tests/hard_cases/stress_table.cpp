@@ -1,4 +1,4 @@
-#include "physics/stress/stress_table.h"
+#include "tests/hard_cases/stress_table.h"
 
 #include <algorithm>
 #include <cctype>
@@ -221,8 +221,8 @@ std::vector<std::string> stress_page(const std::vector<StressCase>& cases, const
   std::vector<std::string> page = {
       "# The hard cases: figures",
       "",
-      "What `carom stress` showed last; `carom stress --page F` writes this page anew. What the cases and the",
-      "columns mean is explained under *The hard cases*.",
+      "What `carom_stress` showed last; `carom_stress --page F` writes this page anew. What the cases and the",
+      "columns mean is explained in README.md.",
       "",
       count_text(count_of(rows)),
   };
