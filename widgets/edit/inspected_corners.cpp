@@ -54,11 +54,11 @@ SceneEdits with_corners(const Origin& origin, const Corners& corners) {
   Polygon polygon = *origin.polygon();
   polygon.vertices = corners;
   const bool valid = fault_at(origin, corners).isEmpty();
+  // A stated mass stays, as with a typed width. Whoever makes the edit says what is wrong.
   const auto reshaped = [&](const Shape& shape) {
-    if (valid) return reshaping(origin.joints, origin.body, resized(origin.body, shape));
-    Body changed = origin.body;  // whoever makes the edit says what is wrong
+    Body changed = origin.body;
     changed.shape = shape;
-    return SceneEdits{Replace<Body>{changed}};
+    return valid ? reshaping(origin.joints, origin.body, changed) : SceneEdits{Replace<Body>{changed}};
   };
   if (!origin.shape) return reshaped(polygon);
   Compound compound = std::get<Compound>(origin.body.shape);
@@ -141,7 +141,7 @@ InspectedAction removal(const Origin& origin, std::size_t corner) {
 std::vector<InspectedRow> inspected_corners(const Scene& scene, const Body& body,
                                             std::optional<std::size_t> shape,
                                             const std::set<QString>& unfolded) {
-  const auto origin = std::make_shared<const Origin>(scene.joints, body, shape);
+  const auto origin = std::make_shared<const Origin>(Origin{scene.joints, body, shape});
   if (origin->polygon() == nullptr) return {};
   const std::size_t count = origin->polygon()->vertices.size();
   std::vector<InspectedRow> shown;

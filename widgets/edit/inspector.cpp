@@ -288,7 +288,7 @@ InspectorRow* Inspector::add_row(const InspectedRow& row, int index) {
   });
   connect(widget, &InspectorRow::dropped, this, &Inspector::say);
   connect(widget, &InspectorRow::opened, this, [this](const PartId part) { open(part); });
-  connect(widget, &InspectorRow::folded, this, [this](const QString list) { fold(list); });
+  connect(widget, &InspectorRow::folded, this, [this](const QString& list) { fold(list); });
   return widget;
 }
 

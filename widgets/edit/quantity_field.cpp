@@ -96,7 +96,7 @@ QString QuantityField::take(const QString& text) {
   if (!refusal_.isEmpty()) return refusal_;
   const TypedValues typed = typed_values(text, name_, range_, values_);
   if (!typed.fault.isEmpty()) return typed.fault;
-  const QString fault = value_fault_ ? value_fault_(typed.values) : QString();
+  QString fault = value_fault_ ? value_fault_(typed.values) : QString();
   if (!fault.isEmpty()) return fault;
   if (typed.values == values_ && is_given_) {
     restore();
