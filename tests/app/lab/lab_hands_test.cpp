@@ -275,8 +275,9 @@ TEST_F(LabHandsTest, ABodyDraggedOntoAnotherTouchesIt) {
 TEST_F(LabHandsTest, TheAimGoesWithItsScene) {
   ASSERT_NO_FATAL_FAILURE(draw_two_discs());
   select({-1.0, 0.0});
-  type("Velocity x, m/s", "4");
-  ASSERT_TRUE(wait_for([this] { return window_.scene_view().aim().has_value(); }));
+  // The line has a few milliseconds to be computed, or it is left out.
+  for (int k = 0; k < 100 && !window_.scene_view().aim(); ++k) type("Velocity x, m/s", k % 2 == 0 ? "4" : "5");
+  ASSERT_TRUE(window_.scene_view().aim());
   window_.session().edits().setClean();
   action("New")->trigger();
   EXPECT_FALSE(window_.scene_view().aim());
