@@ -53,10 +53,10 @@ bool covers(const DocumentChange& earlier, const DocumentChange& later) {
 DocumentEdit::DocumentEdit(Session& session, const What& what, DocumentChange back)
     : QUndoCommand(what.text), session_(session), what_(what), next_(std::move(back)) {}
 
-void DocumentEdit::undo() { next_ = session_.go_to(next_, what_); }
+void DocumentEdit::undo() { next_ = session_.take_back(next_, what_); }
 
 void DocumentEdit::redo() {
-  if (!std::exchange(made_, false)) next_ = session_.go_to(next_, what_);
+  if (!std::exchange(made_, false)) next_ = session_.make_again(next_, what_);
 }
 
 bool DocumentEdit::mergeWith(const QUndoCommand* later) {
@@ -65,6 +65,7 @@ bool DocumentEdit::mergeWith(const QUndoCommand* later) {
   setText(other.text());
   what_.text = other.what_.text;
   what_.begins = what_.begins || other.what_.begins;
+  if (what_.left == 0) what_.left = other.what_.left;
   if (covers(next_, other.next_)) return true;
   DocumentChange both = other.next_;
   both.insert(both.end(), next_.begin(), next_.end());

@@ -18,6 +18,7 @@ class DocumentEdit : public QUndoCommand {
     QString text;               // "Undo ..."
     Worker::EditId runs = 0;    // of the runs as they go on; 0: none
     bool begins = false;        // the runs begin again, from the changed start
+    Worker::EditId left = 0;    // the runs that it leaves for a new start, to return to; 0: none
     bool is_work = true;        // false: not worth saving
     std::optional<int> drag{};  // edits of one drag are undone together
   };

@@ -1,6 +1,7 @@
 #include "app/lab/lab_runs.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace carom {
@@ -143,6 +144,7 @@ void LabRuns::load(const std::vector<Curve>& curves) {
   scene_.reset();
   awaited_ = 0;
   recorders_.clear();
+  left_.clear();
   replayed_.reset();
   curves_ = curves;
   begins_ = true;
@@ -165,6 +167,48 @@ void LabRuns::begin() {
   replayed_.reset();
   will_begin_ = false;
   worker_.start_from(document_.preset, curves_, document_.reference);
+}
+
+Worker::EditId LabRuns::keep(Worker::EditId again) {
+  const Worker::EditId edit = worker_.keep_runs(again);
+  if (again == 0) {
+    // Edits that are taken back can't be made again after a new one.
+    std::erase_if(left_, [](const auto& each) { return each.second.returned; });
+    left_[edit] = {.frames = frames_, .scene = scene_};
+  }
+  const auto left = left_.find(edit);
+  left->second.returned = false;
+  left->second.recorders = recorders_;
+  for (auto& recorder : recorders_) recorder = std::make_shared<Recorder>();
+  if (std::distance(left_.begin(), left) >= RunGroup::kMostKept)
+    std::prev(left, RunGroup::kMostKept)->second.keep_picture();
+  return edit;
+}
+
+void LabRuns::Left::keep_picture() {
+  recorders.assign(frames.size(), std::make_shared<Recorder>());
+  for (auto& frame : frames) {
+    auto picture = std::make_shared<Frame>(*frame);
+    picture->key_frames.clear();
+    picture->rows.clear();
+    picture->impacts.clear();
+    frame = picture;
+  }
+}
+
+void LabRuns::return_to(Worker::EditId edit) {
+  Left& left = left_.at(edit);
+  left.returned = true;
+  frames_ = left.frames;
+  recorders_ = std::move(left.recorders);
+  scene_ = left.scene;
+  left.keep_picture();
+  for (const auto& recorder : recorders_) recorder->keep(curves_);
+  awaited_ = 0;
+  replayed_.reset();
+  begins_ = will_begin_ = false;
+  worker_.return_to(edit, curves_, document_.reference);
+  emit framesChanged();
 }
 
 Worker::EditId LabRuns::begin_with(const Methods& methods, const std::vector<Curve>& curves) {

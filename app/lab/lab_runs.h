@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QTimer>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -61,6 +62,11 @@ class LabRuns : public QObject {
   // The start has changed, and begin() follows: curves chosen until then need no replay.
   void await_begin();
   void begin();
+  // Keeps the runs at the shown moment, for an edit that leaves them: begin() follows. `again`: it is made
+  // again.
+  Worker::EditId keep(Worker::EditId again = 0);
+  // Back to the moment that this edit first left, which is shown at once. The document has the start of then.
+  void return_to(Worker::EditId edit);
   // Begins with other methods than the document has so far, as an edit that can be undone.
   Worker::EditId begin_with(const Methods& methods, const std::vector<Curve>& curves);
   // An edit of the scene and of methods (of these runs), as a part of the last edit if `part_of` names it.
@@ -75,6 +81,16 @@ class LabRuns : public QObject {
   void noticesChanged();
 
  private:
+  // What was shown when an edit left the runs.
+  struct Left {
+    std::vector<std::shared_ptr<const Frame>> frames;
+    std::vector<std::shared_ptr<Recorder>> recorders{};
+    std::shared_ptr<const Scene> scene;
+    bool returned = false;
+
+    void keep_picture();  // alone, without the record
+  };
+
   void poll();
   void show_start();
   // Whether the next step would pass the document's duration.
@@ -89,6 +105,7 @@ class LabRuns : public QObject {
   bool begins_ = false;         // the frames are from before the start
   bool will_begin_ = false;
   std::vector<std::shared_ptr<Recorder>> recorders_;
+  std::map<Worker::EditId, Left> left_;
   std::optional<double> replayed_;
   double speed_ = 1.0;
   std::function<void()> then_;

@@ -55,9 +55,10 @@ class Session : public QObject {
   void compare_usual(const std::vector<Plot>& plots, const std::vector<Curve>& curves);
   [[nodiscard]] bool compares_usual() const { return document_.before_usual.has_value(); }
   // Edits the scene. At the start, and where an edit is about motion, the runs begin anew: later from the shown
-  // moment, which becomes the start. Other edits hold in the runs from the shown moment on, and in the start.
-  // Bodies are replaced as they stand in the frame's scene. Edits of one `drag` (> 0) are undone together.
-  // A playing run is paused first. Nothing changes where the scene would not be valid (editRefused).
+  // moment, which becomes the start; undo returns to that moment of the run. Other edits hold in the runs from
+  // the shown moment on, and in the start. Bodies are replaced as they stand in the frame's scene. Edits of one
+  // `drag` (> 0) are undone together. A playing run is paused first. Nothing changes where the scene would not
+  // be valid (editRefused).
   void edit(const SceneEdits& edits, const QString& text, int drag = 0);
   // Takes back the edits of a drag that is not finished, if they are the last ones.
   void cancel(int drag);
@@ -80,7 +81,9 @@ class Session : public QObject {
 
  private:
   friend class DocumentEdit;
-  // Undoes or redoes an edit; returns the change that does the opposite.
+  // Undo and redo of an edit; each returns the change that does the opposite.
+  DocumentChange take_back(const DocumentChange& change, const DocumentEdit::What& what);
+  DocumentChange make_again(const DocumentChange& change, const DocumentEdit::What& what);
   DocumentChange go_to(const DocumentChange& change, const DocumentEdit::What& what);
   void push(const DocumentEdit::What& what, const DocumentChange& change);
   // `begins`: the runs begin anew with it.

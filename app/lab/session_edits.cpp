@@ -67,6 +67,22 @@ DocumentChange Session::assign(const DocumentChange& change, bool begins) {
   return back;
 }
 
+DocumentChange Session::take_back(const DocumentChange& change, const DocumentEdit::What& what) {
+  if (what.left == 0) return go_to(change, what);
+  DocumentChange forth = assign(change, true);
+  runs_.return_to(what.left);
+  if (what.runs != 0) runs_.undo_or_redo(what.runs);
+  return forth;
+}
+
+DocumentChange Session::make_again(const DocumentChange& change, const DocumentEdit::What& what) {
+  if (what.left != 0) {
+    if (what.runs != 0) runs_.undo_or_redo(what.runs);
+    runs_.keep(what.left);
+  }
+  return go_to(change, what);
+}
+
 DocumentChange Session::go_to(const DocumentChange& change, const DocumentEdit::What& what) {
   runs_.forget_wait();
   const ReferenceId before = document_.reference;
@@ -110,6 +126,7 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
     if (drag > 0) what.drag = drag;
     runs_.forget_wait();
     if (!what.begins) what.runs = edit_runs(with_followers(now, edits), change, drag);
+    if (from_here) what.left = runs_.keep();
     push(what, change);
     if (what.begins) runs_.begin();
     if (from_here) emit newStart(time);

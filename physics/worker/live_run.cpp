@@ -122,6 +122,12 @@ void LiveRun::record(const std::vector<Curve>& curves, ReferenceId reference) {
   catch_up_.emplace(CatchUp{std::move(replay), std::move(past)});
 }
 
+void LiveRun::interrupt_on(const std::stop_token& interrupt) {
+  interrupt_ = interrupt;
+  simulation_.interrupt_on(interrupt);
+  sampler_.interrupt_on(interrupt);
+}
+
 void LiveRun::catch_up(Clock::duration duration) {
   if (!catch_up_) return;
   const auto begin = Clock::now();

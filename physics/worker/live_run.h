@@ -31,6 +31,8 @@ class LiveRun {
   // Sets the curves to record from now on and the reference. For a curve or reference that was not followed
   // so far, the run is replayed (catch_up) before it continues.
   void record(const std::vector<Curve>& curves, ReferenceId reference);
+  // From now on the requests to interrupt its steps come from here.
+  void interrupt_on(const std::stop_token& interrupt);
   // Replays for about this long.
   void catch_up(std::chrono::steady_clock::duration duration);
   [[nodiscard]] bool behind() const { return catch_up_.has_value(); }

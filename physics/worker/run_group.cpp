@@ -1,6 +1,8 @@
 #include "physics/worker/run_group.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "physics/scene/facts.h"
 
@@ -14,7 +16,7 @@ void RunGroup::load(const Preset& preset, const std::vector<Curve>& curves, Refe
 
 void RunGroup::begin(std::stop_token token) {
   token_ = std::move(token);
-  ++starts_;
+  start_ = ++starts_;
   interrupted_ = false;
   replay_until_.reset();
   runs_.clear();
@@ -23,9 +25,53 @@ void RunGroup::begin(std::stop_token token) {
 }
 
 void RunGroup::interrupt() {
+  if (!interrupted_ && !runs_.empty()) interrupted_at_ = displayed_time();
   interrupted_ = true;
   changed_ = false;
   replay_until_.reset();
+}
+
+void RunGroup::keep_runs(EditId edit, Frames untaken) {
+  const double time = interrupted_ ? interrupted_at_ : displayed_time();
+  if (!kept_.contains(edit)) {
+    // Edits that are taken back can't be made again after a new one.
+    std::erase_if(kept_, [](const auto& each) { return each.second.returned; });
+    kept_[edit] = {.preset = preset_, .plan = plan(), .time = time};
+  }
+  const auto made = kept_.find(edit);
+  Kept& kept = made->second;
+  kept.returned = false;
+  if (!interrupted_ && kept.plan.start == start_ && kept.time == time) {
+    kept.runs = std::exchange(runs_, {});
+    kept.untaken = std::move(untaken);
+  }
+  if (std::distance(kept_.begin(), made) >= kMostKept) std::prev(made, kMostKept)->second.drop_runs();
+  interrupt();
+}
+
+RunGroup::Frames RunGroup::return_to(EditId edit, const std::vector<Curve>& curves, ReferenceId reference,
+                                     std::stop_token token) {
+  Kept& kept = kept_.at(edit);
+  kept.returned = true;
+  load(kept.preset, curves, reference);
+  token_ = std::move(token);
+  ++starts_;
+  start_ = kept.plan.start;
+  interrupted_ = false;
+  runs_ = std::exchange(kept.runs, {});
+  for (Run& run : runs_) run.live.interrupt_on(token_);
+  if (runs_.empty()) {
+    for (const RunPlan& run : kept.plan.runs) begin_run(run);
+  }
+  replay_to(kept.time);
+  record_all();
+  return std::exchange(kept.untaken, {});
+}
+
+void RunGroup::replay_to(double time) {
+  replay_until_.reset();
+  if (first().time() < time) replay_until_ = time;
+  changed_ = true;
 }
 
 std::vector<RunGroup::RunPlan> RunGroup::plans_of(const Preset& preset) {
@@ -89,7 +135,7 @@ RunGroup::RunPlan RunGroup::plan_of(const Run& run) {
 }
 
 RunGroup::Plan RunGroup::plan() const {
-  Plan all{starts_, fingerprint(preset_.scene, 0.0), {}};
+  Plan all{start_, fingerprint(preset_.scene, 0.0), {}};
   for (const Run& run : runs_) all.runs.push_back(plan_of(run));
   return all;
 }
@@ -101,7 +147,7 @@ void RunGroup::undo_or_redo(EditId edit, const Preset& start, ReferenceId refere
   const Plan wanted = std::exchange(other_side->second, plan());
   const bool other_reference = std::exchange(reference_, reference) != reference;
   const std::uint64_t scene = fingerprint(preset_.scene, 0.0);
-  const bool begun_since = wanted.starts != starts_ || wanted.scene != scene;
+  const bool begun_since = wanted.start != start_ || wanted.scene != scene;
   const bool other_start = begun_since && scene != fingerprint(start.scene, 0.0);
   if (begun_since) preset_ = start;
   if (interrupted_) return;
@@ -110,9 +156,7 @@ void RunGroup::undo_or_redo(EditId edit, const Preset& start, ReferenceId refere
   if (other_start) old.clear();
   for (RunPlan& each : begun_since ? plans_of(start) : std::vector<RunPlan>(wanted.runs))
     take_plan(std::move(each), old);
-  replay_until_.reset();
-  if (first().time() < time) replay_until_ = time;
-  changed_ = true;
+  replay_to(time);
   if (other_reference) record_all();
 }
 

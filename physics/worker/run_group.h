@@ -17,7 +17,8 @@ namespace carom {
 
 // Several runs of one preset side by side, each under its own method. The one farthest behind steps first; an
 // edit is applied when its run has come to the edit's time. Edits can be undone and redone: the runs that
-// change are replayed from the last key frame before it, as if the edit had never been made.
+// change are replayed from the last key frame before it, as if the edit had never been made. Runs that an edit
+// leaves for a new start can be kept for a return to their moment.
 //
 // First load(), then begin(). A step throws StepInterrupted once the token of begin() is requested: call
 // interrupt() then. The runs are unusable until the next begin(), and edits do nothing until then. One thread
@@ -32,13 +33,27 @@ class RunGroup {
   // Another start, with the curves and the reference of before.
   void start_from(const Preset& preset) { preset_ = preset; }
   // Edits so far can't be undone any more.
-  void forget_edits() { other_sides_.clear(); }
+  void forget_edits() {
+    other_sides_.clear();
+    kept_.clear();
+  }
   // All runs at t = 0.
   void begin(std::stop_token token);
   void interrupt();
   [[nodiscard]] bool interrupted() const { return interrupted_; }
-  // How often all runs have begun.
+  // How often all runs have begun, or have been returned to.
   [[nodiscard]] std::uint64_t starts() const { return starts_; }
+
+  // Whole runs are kept for the last so many edits; those of earlier ones are replayed from their start.
+  static constexpr std::ptrdiff_t kMostKept = 3;
+  using Frames = std::vector<std::shared_ptr<Frame>>;
+  // Puts the runs aside as they stand, for the edit that leaves them, with their frames that nobody has taken;
+  // begin() or return_to() follows. An edit that is made again keeps the moment that it first left.
+  void keep_runs(EditId edit, Frames untaken);
+  // The kept runs, instead of begin(): at the moment that the edit left, or on the way there (replay_until).
+  // Returns their frames that nobody has taken.
+  [[nodiscard]] Frames return_to(EditId edit, const std::vector<Curve>& curves, ReferenceId reference,
+                                 std::stop_token token);
 
   // Edits, from the displayed moment on. Nothing happens for a run that there is not.
   void add_run(const Method& method);  // at t = 0; at most kMostCompared besides the first
@@ -88,7 +103,10 @@ class RunGroup {
   [[nodiscard]] std::vector<std::shared_ptr<Frame>> take_frames();
   // A frame without bodies at t = 0, for a scene that could not begin.
   [[nodiscard]] std::shared_ptr<Frame> empty_frame();
-  void clear_runs() { runs_.clear(); }
+  void clear_runs() {
+    runs_.clear();
+    for (auto& [edit, kept] : kept_) kept.drop_runs();
+  }
 
  private:
   struct Run {
@@ -102,15 +120,30 @@ class RunGroup {
   };
   // All runs, and which start they have.
   struct Plan {
-    std::uint64_t starts = 0;
+    std::uint64_t start = 0;
     std::uint64_t scene = 0;  // fingerprint of the one that they began from
     std::vector<RunPlan> runs;
+  };
+  // What an edit left.
+  struct Kept {
+    Preset preset;
+    Plan plan;
+    double time = 0.0;        // s
+    std::vector<Run> runs{};  // empty: to be replayed
+    Frames untaken{};
+    bool returned = false;
+
+    void drop_runs() {
+      runs.clear();
+      untaken.clear();
+    }
   };
 
   [[nodiscard]] static std::vector<RunPlan> plans_of(const Preset& preset);
   [[nodiscard]] static RunPlan plan_of(const Run& run);
   [[nodiscard]] Plan plan() const;
   void record_all();
+  void replay_to(double time);  // if the runs are not there yet
   void take_plan(RunPlan plan, std::vector<Run>& old);
   void begin_run(RunPlan plan);
   [[nodiscard]] double displayed_time() const;
@@ -119,14 +152,17 @@ class RunGroup {
   void step(Run& run);
 
   std::stop_token token_;
-  bool interrupted_ = false;  // in the middle of a step: the runs are unusable
-  Preset preset_;             // as loaded
+  bool interrupted_ = false;     // in the middle of a step: the runs are unusable
+  double interrupted_at_ = 0.0;  // s: the displayed moment then
+  Preset preset_;                // as loaded
   std::vector<Curve> curves_;
   ReferenceId reference_ = ReferenceId::kNone;
   std::vector<Run> runs_;
   std::map<EditId, Plan> other_sides_;  // of edits: the runs before it, or after it if it is undone
+  std::map<EditId, Kept> kept_;
   std::optional<double> replay_until_;
   std::uint64_t starts_ = 0;
+  std::uint64_t start_ = 0;  // the one that the runs began from: its number among starts
   std::uint64_t ids_ = 0;
   bool changed_ = true;
 };

@@ -37,9 +37,7 @@ void append(Rows rows, std::vector<Rows>& all) {
 }  // namespace
 
 struct Worker::Session {
-  // With the present methods, stopped.
-  void begin(std::stop_token token) {
-    runs.begin(std::move(token));
+  void stand_still() {
     playing = false;
     end = std::numeric_limits<double>::infinity();
     begin_measurement();
@@ -98,16 +96,16 @@ Worker::EditId Worker::post_edit(const std::function<void(RunGroup&, EditId)>& c
   return edit;
 }
 
-void Worker::post_begin(const std::function<void(RunGroup&)>& command) {
+void Worker::post_begin(const std::function<void(Session&, const std::stop_token&)>& command) {
   {
     const std::lock_guard lock(mutex_);
     ++starts_;
     interrupt_.request_stop();
     interrupt_ = std::stop_source();
     commands_.push_back({[command, token = interrupt_.get_token()](Session& session) {
-                           command(session.runs);
                            session.last.clear();
-                           session.begin(token);
+                           command(session, token);
+                           session.stand_still();
                          },
                          Command::When::kBegins});
   }
@@ -115,27 +113,60 @@ void Worker::post_begin(const std::function<void(RunGroup&)>& command) {
 }
 
 void Worker::load(const Preset& preset, const std::vector<Curve>& curves, ReferenceId reference) {
-  post_begin([=](RunGroup& runs) {
-    runs.load(preset, curves, reference);
-    runs.forget_edits();
+  post_begin([=](Session& session, const std::stop_token& token) {
+    session.runs.load(preset, curves, reference);
+    session.runs.forget_edits();
+    session.runs.begin(token);
   });
 }
 
 void Worker::restart(const Preset& start) {
-  post_begin([start](RunGroup& runs) { runs.start_from(start); });
+  post_begin([start](Session& session, const std::stop_token& token) {
+    session.runs.start_from(start);
+    session.runs.begin(token);
+  });
 }
 
 void Worker::start_from(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference) {
-  post_begin([=](RunGroup& runs) { runs.load(start, curves, reference); });
+  post_begin([=](Session& session, const std::stop_token& token) {
+    session.runs.load(start, curves, reference);
+    session.runs.begin(token);
+  });
 }
 
 Worker::EditId Worker::restart(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference) {
   const EditId edit = ++edits_;
-  post_begin([=](RunGroup& runs) {
-    runs.remember(edit);
-    runs.load(start, curves, reference);
+  post_begin([=](Session& session, const std::stop_token& token) {
+    session.runs.remember(edit);
+    session.runs.load(start, curves, reference);
+    session.runs.begin(token);
   });
   return edit;
+}
+
+Worker::EditId Worker::keep_runs(EditId again) {
+  const EditId edit = again != 0 ? again : ++edits_;
+  post(
+      [this, edit](Session& session) {
+        RunGroup::Frames untaken;
+        {
+          const std::lock_guard lock(mutex_);
+          untaken = std::exchange(newest_, {});
+        }
+        session.runs.keep_runs(edit, std::move(untaken));
+        session.playing = session.changed = false;
+      },
+      Command::When::kAtOnce);
+  return edit;
+}
+
+void Worker::return_to(EditId edit, const std::vector<Curve>& curves, ReferenceId reference) {
+  post_begin([=, this](Session& session, const std::stop_token& token) {
+    session.replay_began = Clock::now();
+    RunGroup::Frames untaken = session.runs.return_to(edit, curves, reference, token);
+    const std::lock_guard lock(mutex_);
+    newest_ = std::move(untaken);  // the next frames take them up
+  });
 }
 
 void Worker::set_playing(bool playing, double until) {
@@ -305,13 +336,14 @@ void Worker::publish_failure(Session& session, const std::string& why) {
   hand_over(session, std::move(frames));
 }
 
-// During a replay only commands that undo or redo more edits, or start all again, are carried out.
+// During a replay only commands that undo or redo more edits are carried out, and all before a new start.
 void Worker::carry_out(Session& session, std::vector<Command>& commands) {
-  if (std::any_of(commands.begin(), commands.end(),
-                  [](const Command& each) { return each.when == Command::When::kBegins; }))
-    session.runs.end_replay();
+  const auto begins = [&commands] {
+    return std::any_of(commands.begin(), commands.end(),
+                       [](const Command& each) { return each.when == Command::When::kBegins; });
+  };
   while (!commands.empty() &&
-         !(session.runs.replay_until() && commands.front().when == Command::When::kDisplayed)) {
+         !(session.runs.replay_until() && commands.front().when == Command::When::kDisplayed && !begins())) {
     const Command command = std::move(commands.front());
     commands.erase(commands.begin());
     command.what(session);
@@ -322,8 +354,11 @@ void Worker::work(const std::stop_token& stop, const Preset& first, const std::v
                   std::stop_token interrupt) {
   Session session;
   session.runs.load(first, curves, ReferenceId::kNone);
-  std::vector<Command> commands = {
-      {[&interrupt](Session& begun) { begun.begin(std::move(interrupt)); }, Command::When::kBegins}};
+  std::vector<Command> commands = {{[&interrupt](Session& begun) {
+                                      begun.runs.begin(std::move(interrupt));
+                                      begun.stand_still();
+                                    },
+                                    Command::When::kBegins}};
   const auto fails = [&](const std::string& why) {
     session.interrupt();
     try {

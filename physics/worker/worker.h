@@ -34,7 +34,7 @@ namespace carom {
 // Edits of the runs can be undone, the last first, and redone: the runs that change go back to the last key
 // frame before it and are replayed to the present moment at full speed, as if the edit had never been made
 // (Frame::replay_until). A short replay is not shown. After a restart since the edit the runs are those of the
-// start that undo_or_redo() names.
+// start that undo_or_redo() names. An edit that leaves the runs for a new start keeps them for return_to().
 class Worker {
  public:
   // Identifies an edit of the runs since the last load.
@@ -55,6 +55,11 @@ class Worker {
   void start_from(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference);
   // The same as an edit of the runs.
   EditId restart(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference);
+  // Keeps the runs as they stand, for the edit that leaves them: start_from() follows. `again`: the edit is
+  // made again, and the moment that it first left is the one to return to.
+  EditId keep_runs(EditId again = 0);
+  // Back to the moment that this edit first left, stopped. Runs that are kept no more are replayed up to there.
+  void return_to(EditId edit, const std::vector<Curve>& curves, ReferenceId reference);
   // Plays at the chosen pace, until `until` if that is ahead; or stops.
   void set_playing(bool playing, double until = std::numeric_limits<double>::infinity());
   void step_once();              // one step of the first run's method, stopped
@@ -101,8 +106,8 @@ class Worker {
   void post_to_runs(const std::function<void(Session&)>& command);
   // Also saves the state of the runs before, so that the edit can be undone.
   EditId post_edit(const std::function<void(RunGroup&, EditId)>& command, EditId part_of = 0);
-  // Interrupts the step under way; all runs begin after the command.
-  void post_begin(const std::function<void(RunGroup&)>& command);
+  // Interrupts the step under way. The command begins all runs, which then stand still.
+  void post_begin(const std::function<void(Session&, const std::stop_token&)>& command);
   void work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,
             std::stop_token interrupt);
   void wait_for_work(const std::stop_token& stop, const Session& session, std::vector<Command>& commands);

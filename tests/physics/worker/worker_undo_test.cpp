@@ -1,3 +1,4 @@
+#include <chrono>
 #include <gtest/gtest.h>
 
 #include "physics/preset/preset.h"
@@ -295,6 +296,69 @@ TEST_F(WorkerUndo, ARestartWithOtherMethodsIsTakenBack) {
   worker_.undo_or_redo(edit, gas(), ReferenceId::kNone);
   ASSERT_TRUE(wait([&] { return frames_.size() == 2; }));
   EXPECT_EQ(moment(0), never);
+}
+
+// Also with what nobody had taken of the runs when an edit left them.
+TEST_F(WorkerUndo, RunsThatAnEditLeftGoOnWhereTheyWere) {
+  run_to(0.5);
+  const std::uint64_t run = frames_[0]->run;
+  const std::int64_t steps = frames_[0]->steps;
+  const auto frames = frames_;
+  const auto recorders = recorders_;
+  worker_.step_once();
+  worker_.wait_for_frames(std::chrono::seconds(20));
+  Preset other = gas();
+  other.scene.bodies.back().velocity = {0.0, 0.0};
+  const Worker::EditId edit = worker_.keep_runs();
+  worker_.start_from(other, {kCurve}, ReferenceId::kNone);
+  run_to(0.3);
+  ASSERT_NE(frames_[0]->run, run);
+  frames_ = frames;
+  recorders_ = recorders;
+  worker_.return_to(edit, {kCurve}, ReferenceId::kNone);
+  ASSERT_TRUE(wait([&] { return frames_[0]->run == run; }));
+  EXPECT_EQ(frames_[0]->steps, steps + 1);
+  EXPECT_FALSE(frames_[0]->playing);
+  run_to(1.0);
+  const std::vector<Moment> after = {moment(0), moment(1)};
+  worker_.restart(gas());
+  run_to(1.0);
+  EXPECT_EQ(after[0], moment(0));
+  EXPECT_EQ(after[1], moment(1));
+}
+
+// Those that earlier edits left are replayed, with the edits that they had.
+TEST_F(WorkerUndo, RunsThatAreKeptNoMoreAreReplayed) {
+  run_to(0.5);
+  worker_.set_method(kVerlet);
+  run_to(1.0);
+  const std::vector<Moment> left = {moment(0), moment(1)};
+  const Worker::EditId edit = worker_.keep_runs();
+  worker_.start_from(gas(), {kCurve}, ReferenceId::kNone);
+  run_to(0.1);
+  for (int i = 0; i < RunGroup::kMostKept; ++i) {
+    worker_.keep_runs();
+    worker_.start_from(gas(), {kCurve}, ReferenceId::kNone);
+  }
+  run_to(0.1);
+  const auto is_there = [&] { return wait_for_edits(0, 1); };
+  worker_.return_to(edit, {kCurve}, ReferenceId::kNone);
+  ASSERT_TRUE(is_there());
+  EXPECT_FALSE(frames_[0]->playing);
+  EXPECT_EQ(moment(0), left[0]);
+  EXPECT_EQ(moment(1), left[1]);
+  // Left again, in the middle of a replay: the moment that it was on the way to is the one to return to.
+  for (int i = 0; i <= RunGroup::kMostKept; ++i) {
+    worker_.keep_runs(i == 0 ? edit : 0);
+    worker_.start_from(gas(), {kCurve}, ReferenceId::kNone);
+  }
+  worker_.return_to(edit, {kCurve}, ReferenceId::kNone);
+  worker_.keep_runs(edit);
+  worker_.start_from(gas(), {kCurve}, ReferenceId::kNone);
+  worker_.return_to(edit, {kCurve}, ReferenceId::kNone);
+  ASSERT_TRUE(is_there());
+  EXPECT_EQ(moment(0), left[0]);
+  EXPECT_EQ(moment(1), left[1]);
 }
 
 }  // namespace
