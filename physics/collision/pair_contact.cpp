@@ -421,11 +421,15 @@ Manifold manifold(const Geometry& g, int a, int part_a, const Pose& pose_a, int 
   return m;
 }
 
+std::pair<int, int> parts_at(const Geometry& g, int a, int b, std::uint32_t id) {
+  constexpr std::uint32_t kMask = (1U << kPartBits) - 1U;
+  return {g.part_of(a, static_cast<int>(id >> kFeatureBits & kMask)),
+          g.part_of(b, static_cast<int>(id >> (kFeatureBits + kPartBits)))};
+}
+
 Manifold manifold_of(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b, std::uint32_t id,
                      double margin) {
-  constexpr std::uint32_t kMask = (1U << kPartBits) - 1U;
-  const int part_a = g.part_of(a, static_cast<int>(id >> kFeatureBits & kMask));
-  const int part_b = g.part_of(b, static_cast<int>(id >> (kFeatureBits + kPartBits)));
+  const auto [part_a, part_b] = parts_at(g, a, b, id);
   return manifold(g, a, part_a, pose_a, b, part_b, pose_b, margin);
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "physics/collision/contact.h"
 #include "physics/model/convex.h"
@@ -78,7 +79,9 @@ inline constexpr unsigned kPartBits = 11;
 // Of two parts.
 [[nodiscard]] Manifold manifold(const Geometry& g, int a, int part_a, const Pose& pose_a, int b, int part_b,
                                 const Pose& pose_b, double margin);
-// Of the parts that a point of this id belongs to.
+// The parts of a and b that a point of this id belongs to.
+[[nodiscard]] std::pair<int, int> parts_at(const Geometry& g, int a, int b, std::uint32_t id);
+// Of those parts.
 [[nodiscard]] Manifold manifold_of(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b,
                                    std::uint32_t id, double margin);
 // Calls visit(manifold) for each two parts of a and b that have points.

@@ -116,13 +116,12 @@ class Trajectories {
   [[nodiscard]] double length(int joint) const {
     return flights_.joints.length(joint);
   }  // m, of a rod or a string
-  // An impact of two bodies at their islands' starts, at least one of them jointed. `a_by` and `b_by` are the
-  // changes of (v, spin) of the two without joints; zero for bodies of infinite mass. project_changes()
-  // replaces them by the changes with the joints' impulses, apply_changes() changes the motions of all jointed
-  // bodies. It returns false if a string would have to push: the string is slack from then on; project the
-  // changes again.
-  void project_changes(int a, int b, Eigen::Vector3d& a_by, Eigen::Vector3d& b_by);
-  [[nodiscard]] bool apply_changes(int a, int b, const Eigen::Vector3d& a_by, const Eigen::Vector3d& b_by);
+  // An impact of bodies at their islands' starts, some of them jointed. `by` are the changes of (v, spin) of
+  // each without joints; zero for bodies of infinite mass. project_changes() replaces them by the changes with
+  // the joints' impulses, apply_changes() changes the motions of all jointed bodies. It returns false if a
+  // string would have to push: the string is slack from then on; project the changes again.
+  void project_changes(std::span<const int> bodies, Eigen::Ref<Eigen::Matrix3Xd> by);
+  [[nodiscard]] bool apply_changes(std::span<const int> bodies, const Eigen::Ref<const Eigen::Matrix3Xd>& by);
   // The plastic impact by which a newly added joint takes hold, at its bodies' starts.
   struct Engagement {
     double taken;  // J, lost

@@ -1,4 +1,6 @@
-#include <tuple>
+#include <algorithm>
+#include <cstddef>
+#include <span>
 
 #include "physics/dynamics/trajectories.h"
 
@@ -6,16 +8,32 @@
 namespace carom {
 namespace {
 
-// Sets the changes of velocity in a body's group without its joints. Returns the group, or -1 if the body has
-// none.
-int set_change(Flights& f, int body, const Eigen::Vector3d& by) {
+// The group of a body's island, or -1 if it has none.
+int group_of(const Flights& f, int body) {
   const int k = f.island_of[body];
-  if (k < 0 || f.islands[k].group < 0) return -1;
-  const Flights::Island& island = f.islands[k];
-  f.gather(island);
-  f.groups[island.group].change.setZero();
-  f.groups[island.group].change.col(f.column_of(island, body)) = by;
-  return island.group;
+  return k < 0 ? -1 : f.islands[k].group;
+}
+
+// Calls visit(island) once for each group among these bodies, with their changes of velocity set in it, without
+// its joints. Ends at the first that returns false, and returns false then.
+template <class Visit>
+bool each_changed(Flights& f, std::span<const int> bodies, const Eigen::Ref<const Eigen::Matrix3Xd>& by,
+                  const Visit& visit) {
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const int group = group_of(f, bodies[k]);
+    const auto same = [&](int other) { return f.island_of[other] == f.island_of[bodies[k]]; };
+    if (group < 0 || std::any_of(bodies.begin(), bodies.begin() + static_cast<std::ptrdiff_t>(k), same))
+      continue;
+    const Flights::Island& island = f.islands[f.island_of[bodies[k]]];
+    f.gather(island);
+    f.groups[group].change.setZero();
+    for (std::size_t j = k; j < bodies.size(); ++j) {
+      if (same(bodies[j]))
+        f.groups[group].change.col(f.column_of(island, bodies[j])) = by.col(static_cast<Eigen::Index>(j));
+    }
+    if (!visit(island)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -29,52 +47,37 @@ void Trajectories::restore_joints(int k) {
   f.spread(island);
 }
 
-void Trajectories::project_changes(int a, int b, Eigen::Vector3d& a_by, Eigen::Vector3d& b_by) {
+void Trajectories::project_changes(std::span<const int> bodies, Eigen::Ref<Eigen::Matrix3Xd> by) {
   Flights& f = flights_;
-  const auto project = [&](int body, int group) {
-    const Flights::Island& island = f.islands[f.island_of[body]];
-    f.joints.project(group, f.epoch + island.start, f.groups[group].from, f.groups[group].change);
-    return Eigen::Vector3d(f.groups[group].change.col(f.column_of(island, body)));
-  };
-  const int group_a = set_change(f, a, a_by);
-  if (group_a >= 0 && f.island_of[a] == f.island_of[b]) {
-    const Flights::Island& island = f.islands[f.island_of[a]];
-    f.groups[group_a].change.col(f.column_of(island, b)) = b_by;
-    a_by = project(a, group_a);
-    b_by = f.groups[group_a].change.col(f.column_of(island, b));
-    return;
-  }
-  if (group_a >= 0) a_by = project(a, group_a);
-  const int group_b = set_change(f, b, b_by);
-  if (group_b >= 0) b_by = project(b, group_b);
+  each_changed(f, bodies, by, [&](const Flights::Island& island) {
+    Flights::Group& group = f.groups[island.group];
+    f.joints.project(island.group, f.epoch + island.start, group.from, group.change);
+    for (std::size_t j = 0; j < bodies.size(); ++j) {
+      if (group_of(f, bodies[j]) == island.group)
+        by.col(static_cast<Eigen::Index>(j)) = group.change.col(f.column_of(island, bodies[j]));
+    }
+    return true;
+  });
 }
 
-bool Trajectories::apply_changes(int a, int b, const Eigen::Vector3d& a_by, const Eigen::Vector3d& b_by) {
+bool Trajectories::apply_changes(std::span<const int> bodies, const Eigen::Ref<const Eigen::Matrix3Xd>& by) {
   Flights& f = flights_;
-  const auto share = [&](int body, int group) {
-    const Flights::Island& island = f.islands[f.island_of[body]];
-    if (f.joints.share(group, f.epoch + island.start, f.groups[group].change, f.groups[group].from))
-      return true;
+  const bool pulls = each_changed(f, bodies, by, [&](const Flights::Island& island) {
+    Flights::Group& group = f.groups[island.group];
+    if (f.joints.share(island.group, f.epoch + island.start, group.change, group.from)) return true;
     f.forget(island);
     return false;
-  };
-  const int group_a = set_change(f, a, a_by);
-  if (group_a >= 0 && f.island_of[a] == f.island_of[b]) {
-    const Flights::Island& island = f.islands[f.island_of[a]];
-    f.groups[group_a].change.col(f.column_of(island, b)) = b_by;
-    if (!share(a, group_a)) return false;
-    f.spread(island);
-    return true;
-  }
-  if (group_a >= 0 && !share(a, group_a)) return false;
-  const int group_b = set_change(f, b, b_by);
-  if (group_b >= 0 && !share(b, group_b)) return false;
-  for (const auto& [body, group, by] : {std::tuple(a, group_a, a_by), std::tuple(b, group_b, b_by)}) {
-    if (group >= 0) {
-      f.spread(f.islands[f.island_of[body]]);
-    } else if (f.island_of[body] >= 0 && !f.islands[f.island_of[body]].kinematic) {
-      f.at_start.col(body).segment<3>(3) += by;
-      f.forget(f.islands[f.island_of[body]]);
+  });
+  if (!pulls) return false;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const int i = f.island_of[bodies[k]];
+    if (i < 0) continue;
+    const Flights::Island& island = f.islands[i];
+    if (island.group >= 0) {
+      f.spread(island);
+    } else if (!island.kinematic) {
+      f.at_start.col(bodies[k]).segment<3>(3) += by.col(static_cast<Eigen::Index>(k));
+      f.forget(island);
     }
   }
   return true;

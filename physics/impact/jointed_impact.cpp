@@ -27,22 +27,26 @@ Impact resolve_jointed_impact(Trajectories& trajectories, const MassProperties& 
   const Vec2 u = at_point(trajectories.at_start(b).segment<3>(3), r_b) -
                  at_point(trajectories.at_start(a).segment<3>(3), r_a);
   const RelativeVelocity before{u.dot(axes[0]), u.dot(axes[1])};
+  const std::array bodies = {a, b};
+  const auto changes_by = [&](const Vec2& j) {
+    Eigen::Matrix<double, 3, 2> by;
+    by << free_change(mass, a, r_a, -j), free_change(mass, b, r_b, j);
+    return by;
+  };
   // Each round but the last makes one string slack.
   while (true) {
     Eigen::Matrix2d k;
     for (int i = 0; i < 2; ++i) {
-      Eigen::Vector3d a_by = free_change(mass, a, r_a, -axes[i]);
-      Eigen::Vector3d b_by = free_change(mass, b, r_b, axes[i]);
-      trajectories.project_changes(a, b, a_by, b_by);
-      const Vec2 by = at_point(b_by, r_b) - at_point(a_by, r_a);
-      k.col(i) << by.dot(axes[0]), by.dot(axes[1]);
+      Eigen::Matrix<double, 3, 2> by = changes_by(axes[i]);
+      trajectories.project_changes(bodies, by);
+      const Vec2 u_by = at_point(by.col(1), r_b) - at_point(by.col(0), r_a);
+      k.col(i) << u_by.dot(axes[0]), u_by.dot(axes[1]);
     }
     const double nt = 0.5 * (k(0, 1) + k(1, 0));
     const ContactMatrix answer{k(0, 0), nt, k(1, 1), k(0, 0) * k(1, 1) - nt * nt};
     const Impact impact = impact_by(answer, before, material, law);
     const Vec2 j = impact.normal * axes[0] + impact.tangential * axes[1];
-    if (trajectories.apply_changes(a, b, free_change(mass, a, r_a, -j), free_change(mass, b, r_b, j)))
-      return impact;
+    if (trajectories.apply_changes(bodies, changes_by(j))) return impact;
   }
 }
 

@@ -12,27 +12,25 @@ constexpr int kMostHalvings = 50;  // of e
 
 using Row = ClusterScratch::Row;
 
+// Calls visit(row) for the normal and the tangent of a contact.
+void each_row(const ClusterContact& c, const auto& visit) {
+  for (const Vec2& d : {c.normal, Vec2(-c.normal.y(), c.normal.x())})
+    visit(Row{c.a, c.b, d, cross(c.from_a, d), cross(c.from_b, d)});
+}
+
 // The contacts of a cluster. Rows 2i and 2i + 1 are the normal and the tangent of contact i.
 class Cluster {
  public:
-  Cluster(Eigen::Ref<Eigen::Matrix3Xd> velocities, const Eigen::Ref<const Eigen::VectorXd>& inverse_mass,
-          const Eigen::Ref<const Eigen::VectorXd>& inverse_inertia, std::span<const ClusterContact> contacts,
-          ClusterScratch& s)
-      : v_(velocities),
-        inverse_mass_(inverse_mass),
-        inverse_inertia_(inverse_inertia),
-        contacts_(contacts),
-        s_(s) {
+  Cluster(Eigen::Ref<Eigen::Matrix3Xd> velocities, const Eigen::Ref<const Eigen::Matrix3Xd>& answers,
+          std::span<const ClusterContact> contacts, ClusterScratch& s)
+      : v_(velocities), answers_(answers), contacts_(contacts), s_(s) {
     const int m = static_cast<int>(contacts.size());
     s_.rows.clear();
-    for (const ClusterContact& c : contacts) {
-      for (const Vec2& d : {c.normal, Vec2(-c.normal.y(), c.normal.x())}) {
-        s_.rows.push_back({c.a, c.b, d, cross(c.from_a, d), cross(c.from_b, d)});
-      }
-    }
+    for (const ClusterContact& c : contacts) each_row(c, [&](const Row& row) { s_.rows.push_back(row); });
     s_.response.resize(4 * m * m);
     for (int i = 0; i < 2 * m; ++i) {
-      for (int j = 0; j <= i; ++j) s_.response[i * 2 * m + j] = s_.response[j * 2 * m + i] = coupling(i, j);
+      for (int j = 0; j <= i; ++j)
+        s_.response[i * 2 * m + j] = s_.response[j * 2 * m + i] = speed_along(s_.rows[i], answer(j));
     }
     s_.scale.resize(m);
     s_.rubbing.clear();
@@ -52,14 +50,15 @@ class Cluster {
   [[nodiscard]] bool read() {
     bool approaches = false;
     for (int i = 0; i < rows(); ++i) {
-      s_.velocity[i] = speed_along(s_.rows[i]);
+      s_.velocity[i] = speed_along(s_.rows[i], v_);
       approaches = approaches || (i % 2 == 0 && takes_part(i / 2) && s_.velocity[i] < 0.0);
     }
     return approaches;
   }
 
-  // Finds impulses with this e and the velocities after them, which are not applied yet.
-  [[nodiscard]] bool solve(double e);
+  // Finds impulses with which no contact has a larger e than `most`, and the velocities after them, which are
+  // not applied yet.
+  [[nodiscard]] bool solve(double most);
   // Whether these impulses increase the energy.
   [[nodiscard]] bool gains() const {
     double work = 0.0;
@@ -69,38 +68,28 @@ class Cluster {
   void apply(std::span<Impact> impacts);
 
  private:
-  // The least normal velocity after the impact.
-  [[nodiscard]] double rebound(int contact, double e) const {
-    return e * std::max(-s_.velocity[2 * contact], 0.0);
+  // The changes of the bodies' velocities by a unit impulse along row i.
+  [[nodiscard]] Eigen::Ref<const Eigen::Matrix3Xd> answer(int i) const {
+    return answers_.middleCols(i * v_.cols(), v_.cols());
   }
 
-  // m/s, from the bodies' current velocities.
-  [[nodiscard]] double speed_along(const Row& r) const {
-    return r.direction.dot(v_.col(r.b).head<2>() - v_.col(r.a).head<2>()) + r.turn_b * v_(2, r.b) -
-           r.turn_a * v_(2, r.a);
+  // The least normal velocity after the impact.
+  [[nodiscard]] double rebound(int contact, double most) const {
+    return std::min(contacts_[contact].restitution, most) * std::max(-s_.velocity[2 * contact], 0.0);
+  }
+
+  // m/s, along a row, of bodies with these velocities.
+  template <class Velocities>
+  [[nodiscard]] static double speed_along(const Row& r, const Velocities& v) {
+    return r.direction.dot(v.col(r.b).template head<2>() - v.col(r.a).template head<2>()) +
+           r.turn_b * v(2, r.b) - r.turn_a * v(2, r.a);
   }
 
   [[nodiscard]] int rows() const { return static_cast<int>(s_.rows.size()); }
   [[nodiscard]] double response(int i, int j) const { return s_.response[i * rows() + j]; }
 
-  [[nodiscard]] double coupling(int i, int j) const {
-    const Row& p = s_.rows[i];
-    const Row& q = s_.rows[j];
-    const double along = p.direction.dot(q.direction);
-    const auto shared = [&](int body, double turn_p, double turn_q) {
-      return inverse_mass_[body] * along + inverse_inertia_[body] * turn_p * turn_q;
-    };
-    double sum = 0.0;
-    if (p.a == q.a) sum += shared(p.a, p.turn_a, q.turn_a);
-    if (p.b == q.b) sum += shared(p.b, p.turn_b, q.turn_b);
-    if (p.a == q.b) sum -= shared(p.a, p.turn_a, q.turn_b);
-    if (p.b == q.a) sum -= shared(p.b, p.turn_b, q.turn_a);
-    return sum;
-  }
-
   Eigen::Ref<Eigen::Matrix3Xd> v_;
-  Eigen::Ref<const Eigen::VectorXd> inverse_mass_;
-  Eigen::Ref<const Eigen::VectorXd> inverse_inertia_;
+  Eigen::Ref<const Eigen::Matrix3Xd> answers_;
   std::span<const ClusterContact> contacts_;
   ClusterScratch& s_;
   double size_ = 0.0;  // of the scaled velocities: its square is twice the energy of the hardest impact
@@ -109,7 +98,7 @@ class Cluster {
 // Unknowns, scaled by √K_nn of their contact and by the fastest contact: j_n of all contacts, then j_t+, j_t-
 // and λ of those with friction, j_t = j_t+ - j_t-, λ the slip that is left:
 //   w_n = u_n' + e min(u_n, 0),   w_+ = u_t' + λ,   w_- = -u_t' + λ,   w_λ = μ j_n - j_t+ - j_t-
-bool Cluster::solve(double e) {
+bool Cluster::solve(double most) {
   const int m = static_cast<int>(contacts_.size());
   const int rubbing = static_cast<int>(s_.rubbing.size());
   const int n = m + 3 * rubbing;
@@ -121,7 +110,7 @@ bool Cluster::solve(double e) {
   const auto scaled_velocity = [&](int i) { return s_.scale[i / 2] * s_.velocity[i]; };
   for (int i = 0; i < m; ++i) {
     for (int j = 0; j < m; ++j) matrix(i, j) = scaled(2 * i, 2 * j);
-    vector[i] = scaled_velocity(2 * i) - s_.scale[i] * rebound(i, e);
+    vector[i] = scaled_velocity(2 * i) - s_.scale[i] * rebound(i, most);
   }
   for (int p = 0; p < rubbing; ++p) {
     const int i = s_.rubbing[p];
@@ -152,9 +141,9 @@ bool Cluster::solve(double e) {
   }
   for (int p = 0; p < rubbing; ++p) {
     const int i = s_.rubbing[p];
-    const double most = contacts_[i].kinetic_friction * s_.impulse[2 * i];
-    s_.impulse[2 * i + 1] = std::clamp(size_ * s_.scale[i] * (z[m + 3 * p] - z[m + 3 * p + 1]), -most,
-                                       most);  // kept in rounding too
+    const double cone = contacts_[i].kinetic_friction * s_.impulse[2 * i];
+    s_.impulse[2 * i + 1] = std::clamp(size_ * s_.scale[i] * (z[m + 3 * p] - z[m + 3 * p + 1]), -cone,
+                                       cone);  // kept in rounding too
   }
   for (int i = 0; i < rows(); ++i) {
     s_.after[i] = s_.velocity[i];
@@ -167,16 +156,11 @@ bool Cluster::solve(double e) {
 // predicted from the impulses are off by far more than the energy's rounding.
 void Cluster::apply(std::span<Impact> impacts) {
   for (int i = 0; i < rows(); ++i) {
-    const Row& r = s_.rows[i];
-    const double j = s_.impulse[i];
-    v_.col(r.a).head<2>() -= inverse_mass_[r.a] * j * r.direction;
-    v_.col(r.b).head<2>() += inverse_mass_[r.b] * j * r.direction;
-    v_(2, r.a) -= inverse_inertia_[r.a] * r.turn_a * j;
-    v_(2, r.b) += inverse_inertia_[r.b] * r.turn_b * j;
+    if (s_.impulse[i] != 0.0) v_ += s_.impulse[i] * answer(i);
   }
   for (int i = 0; i < rows(); ++i) {
     const double j = s_.impulse[i];
-    const double lost = -0.5 * j * (s_.velocity[i] + speed_along(s_.rows[i]));
+    const double lost = -0.5 * j * (s_.velocity[i] + speed_along(s_.rows[i], v_));
     Impact& impact = impacts[i / 2];
     (i % 2 == 0 ? impact.normal : impact.tangential) = j;
     (i % 2 == 0 ? impact.lost_to_restitution : impact.lost_to_friction) = lost;
@@ -185,20 +169,39 @@ void Cluster::apply(std::span<Impact> impacts) {
 
 }  // namespace
 
+void free_answers(const Eigen::Ref<const Eigen::VectorXd>& inverse_mass,
+                  const Eigen::Ref<const Eigen::VectorXd>& inverse_inertia,
+                  std::span<const ClusterContact> contacts, Eigen::Matrix3Xd& answers) {
+  const Eigen::Index n = inverse_mass.size();
+  answers.setZero(3, 2 * n * static_cast<Eigen::Index>(contacts.size()));
+  Eigen::Index first = 0;
+  for (const ClusterContact& c : contacts) {
+    each_row(c, [&](const Row& r) {
+      answers.col(first + r.a).head<2>() -= inverse_mass[r.a] * r.direction;
+      answers(2, first + r.a) -= inverse_inertia[r.a] * r.turn_a;
+      answers.col(first + r.b).head<2>() += inverse_mass[r.b] * r.direction;
+      answers(2, first + r.b) += inverse_inertia[r.b] * r.turn_b;
+      first += n;
+    });
+  }
+}
+
 ClusterOutcome resolve_simultaneous(Eigen::Ref<Eigen::Matrix3Xd> velocities,
-                                    const Eigen::Ref<const Eigen::VectorXd>& inverse_mass,
-                                    const Eigen::Ref<const Eigen::VectorXd>& inverse_inertia,
-                                    std::span<const ClusterContact> contacts, std::span<Impact> impacts,
-                                    ClusterScratch& scratch) {
+                                    const Eigen::Ref<const Eigen::Matrix3Xd>& answers,
+                                    std::span<const ClusterContact> contacts, ClusterRestitution restitution,
+                                    std::span<Impact> impacts, ClusterScratch& scratch) {
   assert(impacts.size() == contacts.size());
   std::fill(impacts.begin(), impacts.end(), Impact{});
   ClusterOutcome outcome;
-  Cluster cluster(velocities, inverse_mass, inverse_inertia, contacts, scratch);
+  Cluster cluster(velocities, answers, contacts, scratch);
+  double smallest = 1.0;
+  double largest = 0.0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (cluster.takes_part(static_cast<int>(i))) {
-      outcome.restitution = std::min(outcome.restitution, contacts[i].restitution);
-    }
+    if (!cluster.takes_part(static_cast<int>(i))) continue;
+    smallest = std::min(smallest, contacts[i].restitution);
+    largest = std::max(largest, contacts[i].restitution);
   }
+  outcome.restitution = restitution == ClusterRestitution::kSmallest ? smallest : largest;
   if (!cluster.read()) return outcome;
   // If this e has no solution, one at a smaller e > 0 would be at the edge of solvability, with huge
   // impulses.

@@ -45,6 +45,9 @@ const auto kEntries = std::to_array<NoticeEntry>({
      "at t = {t:.6g} s no impulses satisfy the law of simultaneous impacts: they were resolved pair by pair"},
     {"restitution_lowered_since", &N::restitution_lowered_since,
      "at t = {t:.6g} s the restitution of simultaneous impacts was lowered so that none gains energy"},
+    {"order_decided_since", &N::order_decided_since,
+     "at t = {t:.6g} s a body met several others at once: as surfaces stick or return slip, the impacts were "
+     "resolved one after the other, in the order of the bodies"},
     {"contacts_left_since", &N::contacts_left_since,
      "from t = {t:.6g} s contact forces are approximate: their residual is up to {n:.2g} m/s",
      &N::contacts_left, "contacts_left"},

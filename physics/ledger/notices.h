@@ -29,6 +29,8 @@ struct Notices {
   double cluster_unsolved_since = -1.0;
   // The restitution of simultaneous impacts was lowered, so that they gain no energy from friction.
   double restitution_lowered_since = -1.0;
+  // Contacts that closed at one time were resolved one after the other, for surfaces that stick or return slip.
+  double order_decided_since = -1.0;
   // A step moved bodies so far that joints could not be restored after it, or turned joints by many radians.
   double joints_missed_since = -1.0;
   // The scene was changed after the run was saved: it continues from its bodies and its clock alone.

@@ -131,7 +131,7 @@ void Simulation::make_step(double h) {
   if (resting != nullptr) {
     resting->begin_step(world_, h);
     // Without it, a step's parts are supported one by one.
-    if (world_.method.impacts == ImpactsId::kLocated) resting->support(world_, h);
+    if (world_.method.impacts == ImpactsId::kLocated) resting->support(world_, h, true);
   }
   std::visit([&](auto& impacts) { impacts.step(world_, resting, h); }, impacts_);
   world_.check_motions();

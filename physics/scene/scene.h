@@ -183,9 +183,9 @@ enum class ImpactLawId {
   kNewton,     // u_n' = -e u_n whatever friction does; may gain energy, which is reported
 };
 
-// How contacts that close at the same time are resolved.
+// How impacts of bodies that touch several others are resolved.
 enum class SeveralImpactsId {
-  kPairwise,     // pair by pair, in the order of index pairs, until none approaches: Newton's cradle
+  kPairwise,     // pair by pair, and at once only those that close at one moment: Newton's cradle
   kSimultaneous  // all touching pairs at once, with one restitution (Moreau)
 };
 
@@ -213,7 +213,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<MaterialPair> pairs;
   ImpactLawId impact_law = ImpactLawId::kEnergetic;
-  SeveralImpactsId several_impacts = SeveralImpactsId::kPairwise;  // for located impacts
+  SeveralImpactsId several_impacts = SeveralImpactsId::kPairwise;
   std::vector<Body> bodies;
   std::vector<GridGenerator> generators;
   std::vector<Joint> joints;

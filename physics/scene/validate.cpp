@@ -227,11 +227,9 @@ void validate(const Scene& scene, const ForcePlaces& places, const RunBegin& beg
   }
   check_forces(scene.forces, places, bodies);
   check_joints(scene, all, begin);
-  if (scene.several_impacts == SeveralImpactsId::kSimultaneous &&
-      (!scene.joints.empty() || has_sticking_surface(scene))) {
-    refuse_by(Rule::kModelled, "/several_impacts",
-              fmt::format("\"simultaneous\" with {}", scene.joints.empty() ? "surfaces that stick" : "links"),
-              "\"pairwise\": impacts of linked bodies go pair by pair");
+  if (scene.several_impacts == SeveralImpactsId::kSimultaneous && has_sticking_surface(scene)) {
+    refuse_by(Rule::kModelled, "/several_impacts", "\"simultaneous\" with surfaces that stick",
+              "\"pairwise\": bodies that stick are joined pair by pair");
   }
 }
 

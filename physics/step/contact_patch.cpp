@@ -77,11 +77,12 @@ EndMotion motion_of_ends(World& world, int a, int b, const Vec2& normal, const s
   };
   EndMotion motion;
   for (int j = 0; j < 2; ++j) {
-    Eigen::Vector3d a_by = change(a, j, -1.0);
-    Eigen::Vector3d b_by = change(b, j, 1.0);
-    if (jointed) trajectories.project_changes(a, b, a_by, b_by);
+    Eigen::Matrix<double, 3, 2> by;
+    by << change(a, j, -1.0), change(b, j, 1.0);
+    if (jointed) trajectories.project_changes(std::array{a, b}, by);
     const auto to = static_cast<std::size_t>(j);
-    for (std::size_t i = 0; i < 2; ++i) motion.response[i][to] = along(a_by, b_by, static_cast<int>(i));
+    for (std::size_t i = 0; i < 2; ++i)
+      motion.response[i][to] = along(by.col(0), by.col(1), static_cast<int>(i));
     motion.velocity[to] =
         along(trajectories.at_start(a).segment<3>(3), trajectories.at_start(b).segment<3>(3), j);
   }

@@ -90,6 +90,14 @@ RowVelocity end_velocity(const Contacts& c, int i, const Vec2& point, const Vec2
                           velocity.col(c.b[i]));
 }
 
+// Whether a disc runs off a corner so fast that its normal turns by a large angle, and parts from it farther
+// than what presses it (m, in the step) could bring back.
+bool leaves(const Geometry& g, const Contacts& c, int i, const ManifoldPoint& at, const Manifold& end,
+            double pressed, const Flown& a, const Flown& b, const Eigen::Matrix3Xd& velocity) {
+  if (g.is_disc(c.a[i]) == g.is_disc(c.b[i]) || end.normal.dot(c.normal[i]) > kLeastCosine) return false;
+  return at.gap > pressed && end_velocity(c, i, at.point, end.normal, a, b, velocity).normal > 0.0;
+}
+
 // A contact that keeps its normal: with `moves`, its point moves with the discs, or as its bodies do on
 // average.
 GuessedEnd carried(const Geometry& g, const Contacts& c, int i, const Vec2& start, const Flown& a,
@@ -135,7 +143,8 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
     while (last < c.size() && c.a[last] == ka && c.b[last] == kb) ++last;
     const Flown a = flown(world, h, flight, ka);
     const Flown b = flown(world, h, flight, kb);
-    if (!a.goes_on || !b.goes_on) {
+    const bool goes_on = a.goes_on && b.goes_on;
+    if (!goes_on && shapes.is_disc(ka) == shapes.is_disc(kb)) {
       for (int i = first; i < last; ++i) set_arms(c, i, found.point[static_cast<std::size_t>(i)], a, b);
       continue;
     }
@@ -155,6 +164,16 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
       }
       const ManifoldPoint* at = turns ? point_of(end, found.id[k]) : nullptr;
       const double press = std::max(found.press[k], 0.0) * h;
+      if (at != nullptr && leaves(shapes, c, i, *at, end, press * h, a, b, flight.velocity) &&
+          !continued(*at)) {
+        c.target[i] = -std::numeric_limits<double>::infinity();
+        set_arms(c, i, found.point[k], a, b);
+        continue;
+      }
+      if (!goes_on) {
+        set_arms(c, i, found.point[k], a, b);
+        continue;
+      }
       GuessedEnd guess = carried(world.shapes(), c, i, found.point[k], a, b, turns);
       // Where a neighbour continues the surface, the contact does not turn about the edge.
       if (at != nullptr && end.normal.dot(c.normal[i]) > kLeastCosine && !continued(*at) &&

@@ -10,9 +10,7 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/ledger/step_limits.h"
 #include "physics/step/apply_impact.h"
-#include "physics/step/neighbours.h"
 #include "physics/step/pair_motion.h"
-#include "physics/step/penetrations.h"
 
 namespace carom {
 namespace {
@@ -70,6 +68,7 @@ void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) 
   const bool run_on = trajectories_run_on(world, resting);
   Step step{world, resting, h, run_on ? kNever : h, world.sums.impact_count};
   trajectory_ends_ = 0;
+  at_once_work_ = 0;
   if (!run_on || !running_) {
     if (!run_on) trajectories.begin(world.clock.time);
     choose_cells(world, step.horizon);
@@ -133,7 +132,7 @@ void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
   world.publish(target);
   if (pairs.empty()) return;
   world.check_motions();
-  resolve_penetrations(world, pairs, neighbours_, step.h);
+  resolve_penetrations(world, pairs, penetrations_, step.h);
   if (std::any_of(pairs.begin(), pairs.end(),
                   [&](const WaitingPair& d) { return !world.shapes().can_collide(d.a, d.b); })) {
     // Bodies have stuck together: the islands are different.
@@ -147,31 +146,32 @@ void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
   if (run_on) rebuild_and_search(step, resolving_islands_);
 }
 
-// A step with resting contacts. A body that comes to rest on a support is supported from that moment on: the
-// step is divided there, up to kMostParts times. Returns the length in s of the last part, from the epoch on.
+// A step with resting contacts. A body that comes to rest on a support is supported from that moment on, and
+// one that runs off a face no more: the step is divided there, up to kMostParts times. Returns the length in s
+// of the last part, from the epoch on.
 double EventDrivenImpacts::process_with_supports(Step& step) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
   RestingContacts& resting = *step.resting;
   for (int part = 1;; ++part) {
     const double left = step.h;
+    const double supported = resting.supported();
     step.may_divide = part < kMostParts;
     std::optional<LandingTime> landing;
-    if (step.may_divide) landing = resting.first_landing(world, left);
-    if (landing && !(landing->time < left)) landing.reset();
+    if (step.may_divide) landing = resting.first_landing(world, supported);
+    if (landing && !(landing->time < supported)) landing.reset();
     const std::optional<double> stops =
-        process_until(step, landing ? landing->time : left, landing ? &landing->landing : nullptr);
+        process_until(step, landing ? landing->time : supported, landing ? &landing->landing : nullptr);
     if (stops) landing.reset();
-    const bool divides = stops || landing;
-    const double passed = stops ? *stops : landing ? landing->time : left;
-    resting.record_forces(world, passed, passed / left);
-    if (!divides) return left;
+    const double passed = stops ? *stops : landing ? landing->time : supported;
+    resting.record_forces(world, passed, passed / supported);
+    if (!(passed < left)) return left;
     for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, passed);
     if (landing) resting.land(world, *landing);
     world.publish(passed);
     step.h = step.horizon = left - passed;
     trajectories.begin(world.clock.step_end - step.h);
-    resting.support(world, step.h);
+    resting.support(world, step.h, part + 1 < kMostParts);
     choose_cells(world, step.h);
     end_of_step_.clear();
     last_impact_ = -1.0;
@@ -240,8 +240,8 @@ bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bo
     search(step, a, b, time + std::clamp(past / u.norm(), least, step.h));
     return false;
   }
-  if (!guarded && world.model->scene.several_impacts == SeveralImpactsId::kSimultaneous) {
-    if (const std::optional<bool> divides = resolve_cluster(step, a, b, time, guarded)) return *divides;
+  if (!guarded) {
+    if (const std::optional<bool> divides = resolve_at_once(step, a, b, time)) return *divides;
   }
   for (const int i : {a, b}) {
     if (trajectories.island_of(i) >= 0 && trajectories.start(i) != time)
@@ -256,9 +256,7 @@ bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bo
     return false;
   }
   const bool divides = classify_rebound(step, a, b, contact, world.material(contact, a, b), time, guarded);
-  at_once_ = time == last_impact_ ? at_once_ + 1 : 0;
-  if (at_once_ == kMostAtOnce) world.note(&Notices::collapsed_since, trajectories.epoch() + time);
-  last_impact_ = time;
+  count_at_once(world, time);
   const int island_a = trajectories.island_of(a);
   const int island_b = trajectories.island_of(b);
   if (island_a >= 0 && island_b >= 0 && island_a != island_b) {
@@ -267,6 +265,12 @@ bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bo
     rebuild_and_search(step, std::array{std::max(island_a, island_b)});
   }
   return divides;
+}
+
+void EventDrivenImpacts::count_at_once(World& world, double time) {
+  at_once_ = time == last_impact_ ? at_once_ + 1 : 0;
+  if (at_once_ == kMostAtOnce) world.note(&Notices::collapsed_since, world.trajectories.epoch() + time);
+  last_impact_ = time;
 }
 
 bool EventDrivenImpacts::classify_rebound(const Step& step, int a, int b, const Contact& contact,

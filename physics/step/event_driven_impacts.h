@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "physics/collision/cell_grid.h"
-#include "physics/impact/simultaneous_impact.h"
 #include "physics/step/event_queue.h"
-#include "physics/step/neighbours.h"
+#include "physics/step/impact_cluster.h"
 #include "physics/step/pair_list.h"
+#include "physics/step/penetrations.h"
 #include "physics/step/resting_contacts.h"
 #include "physics/step/world.h"
 
@@ -38,9 +38,9 @@ struct ScheduleState {
 // its last impact, and a trajectory from there on (physics/dynamics/trajectories.h). The first contact of two
 // trajectories is found on the integrator's own map (contact_search.h), and the earliest contact of all is
 // resolved. Only the bodies of an impact change, and only their neighbours are searched again. The state at
-// an impact is a true step of the method, so the integrator keeps its order through impacts. Impacts at the
-// same time are resolved pair by pair, in the order of index pairs, or all at once if the scene says so
-// (simultaneous_impacts.cpp). The search is in impact_schedule.cpp.
+// an impact is a true step of the method, so the integrator keeps its order through impacts. Impacts of one
+// body with several others at the same time are resolved at once, and with them all that touch if the scene
+// says so (simultaneous_impacts.cpp). The search is in impact_schedule.cpp.
 //
 // Fixed-step integrators rebuild every trajectory after each step. The adaptive integrator and exact flight
 // need no common step: their trajectories continue across it, and the step is only the interval between two
@@ -79,16 +79,20 @@ class EventDrivenImpacts {
   std::optional<double> process_until(const Step& step, double target, const Landing* awaited = nullptr);
   // Resolves the impact of a scheduled pair. True if it starts a support that divides the step.
   bool resolve(const Step& step, int a, int b, double time, bool guarded);
-  // The same for the cluster of all bodies in contact with a or b, directly or through others. Nothing if the
-  // cluster is the pair alone, or if there is no solution.
-  std::optional<bool> resolve_cluster(const Step& step, int a, int b, double time, bool guarded);
-  // Fills cluster_ and touches_ with them.
-  void find_cluster(World& world, int a, int b, double time);
-  void find_touches(World& world, int a, int b, double time);
+  // Likewise, with all that closes at this time too, or with all that touches if the scene says so. Nothing if
+  // that is the pair alone, or if there is no solution.
+  std::optional<bool> resolve_at_once(const Step& step, int a, int b, double time);
+  // Fills cluster_ with the touches of all pairs that are scheduled for this time, as far as it can be told,
+  // and share bodies.
+  void find_closing(const Step& step, int a, int b, double time);
+  // Fills cluster_ with the touches of all bodies in contact with a or b, directly or through others.
+  void find_touching(World& world, int a, int b, double time);
+  bool find_touches(World& world, int a, int b, double time, double tolerances);
   // After an impact with e < 1: decides whether the pair rests from now on or has collapsed. Returns the same
   // as resolve().
   bool classify_rebound(const Step& step, int a, int b, const Contact& contact, const Material& material,
                         double time, bool guarded);
+  void count_at_once(World& world, double time);
   void resolve_end_of_step(const Step& step, double target);
 
   void choose_cells(const World& world, double horizon);
@@ -105,11 +109,12 @@ class EventDrivenImpacts {
     return stamp_[event.a] != event.stamp_a || (event.b >= 0 && stamp_[event.b] != event.stamp_b);
   }
 
-  bool running_ = false;       // trajectories, grid and queue are valid from the last step
-  double reach_ = 1.0;         // m: length of a trajectory that no step ends
-  double epoch_length_ = 1.0;  // s, a power of two
-  double last_impact_ = -1.0;  // s within the epoch
-  int at_once_ = 0;            // impacts before it at the same time
+  bool running_ = false;           // trajectories, grid and queue are valid from the last step
+  double reach_ = 1.0;             // m: length of a trajectory that no step ends
+  double epoch_length_ = 1.0;      // s, a power of two
+  double last_impact_ = -1.0;      // s within the epoch
+  int at_once_ = 0;                // impacts before it at the same time
+  std::int64_t at_once_work_ = 0;  // in this step, see simultaneous_impacts.cpp
   CellGrid grid_;
   EventQueue queue_;
   std::vector<std::uint32_t> stamp_;  // by body, that of its island; constant for static bodies
@@ -119,16 +124,12 @@ class EventDrivenImpacts {
   std::vector<bool> is_resolving_;      // by island
   int trajectory_ends_ = 0;             // in this step
   double stretch_ = 1.0;                // of trajectories that no step ends, if too many ended
-  struct Touch {
-    int a;
-    int b;
-    Contact contact;
-  };
-  std::vector<Touch> touches_;  // of a cluster
-  std::vector<int> cluster_;    // its bodies
-  ClusterScratch cluster_scratch_;
+  ImpactCluster cluster_;
+  std::vector<int> reached_;  // bodies of a cluster, as they are found
+  std::vector<std::pair<int, int>> due_;
+  std::vector<Contact> found_;
   std::vector<int> near_;  // bodies near an impact
-  Neighbours neighbours_;
+  PenetrationScratch penetrations_;
 };
 
 }  // namespace carom

@@ -13,20 +13,45 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
+// The pairs that overlap and close, where a body that moves is in several of them.
+void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighbours& neighbours,
+               std::vector<Hit>& hits) {
+  hits.clear();
+  const auto has_others = [&](int body) {
+    return !world.infinite_mass(body) && neighbours.of(body).size() > 1;
+  };
+  const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
+  for (const auto& [a, b, resting] : pairs) {
+    if (resting || !world.shapes().can_collide(a, b) || (!has_others(a) && !has_others(b))) continue;
+    world.shapes().each_parts(a, b, [&, a = a, b = b](int part_a, int part_b) {
+      const Approach at = world.approach(a, b, 0.0, {part_a, part_b});
+      if (!(at.contact.gap < 0.0 && at.speed < 0.0)) return;
+      if (may_be_continued(world, a, b) &&
+          on_internal_edge(world, a, b, at.contact, neighbours.of_pair(world, a, b), pose))
+        return;
+      hits.push_back({a, b, at.contact, -at.contact.gap / at.speed});
+    });
+  }
+}
+
 }  // namespace
 
-void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, Neighbours& neighbours,
+void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, PenetrationScratch& scratch,
                           double h) {
+  if (pairs.empty()) return;
+  Neighbours& neighbours = scratch.neighbours;
+  neighbours.build(world.bodies(), pairs);
   Trajectories& trajectories = world.trajectories;
   const ForceField& field = world.field();
   double& correction = world.sums.ledger.penetration_correction;
   const double now = world.clock.step_end - trajectories.epoch();
+  find_hits(world, pairs, neighbours, scratch.at_once.hits);
+  resolve_at_once(world, scratch.at_once, h, now);
   // Each push changes the energy of attraction to all bodies: for many pairs the sum is taken once.
   const Needs& needs = world.model->needs;
   const bool all_at_once = field.attracts() && !needs.has(Part::kJoints) && !needs.has(Part::kSticking) &&
                            pairs.size() > world.model->bodies().size();
   if (all_at_once) correction -= field.potential_energy(world.state.q);
-  bool listed = false;
   const auto pose = [&](int i) { return world.shapes().pose(i, trajectories.at_start(i).head<3>()); };
   // Of two parts.
   const auto part_them = [&](const WaitingPair& pair, const std::pair<int, int>& parts) {
@@ -35,7 +60,6 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, N
     Approach at = world.approach(a, b, 0.0, parts);
     const double gap = at.contact.gap;
     if (gap >= 0.0) return;
-    if (may_be_continued(world, a, b) && !listed) neighbours.build(world.bodies(), pairs), listed = true;
     if (may_be_continued(world, a, b) &&
         on_internal_edge(world, a, b, at.contact, neighbours.of_pair(world, a, b), pose))
       return;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "physics/step/hits_at_once.h"
 #include "physics/step/neighbours.h"
 #include "physics/step/pair_list.h"
 #include "physics/step/world.h"
@@ -13,10 +14,17 @@ namespace carom {
 // some 20 steps.
 inline constexpr double kPenetrationFraction = 0.2;
 
-// At the end of a step of h s, in the order of the list: each pair that penetrates gets its impulse if it
-// closes, and is moved apart, by inverse mass: a resting pair completely, another by kPenetrationFraction.
-// The state must be published; its positions are updated. `neighbours` is memory to work in.
-void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, Neighbours& neighbours,
+// Buffers for resolve_penetrations().
+struct PenetrationScratch {
+  Neighbours neighbours;
+  HitsAtOnce at_once;
+};
+
+// At the end of a step of h s: pairs that have met at one moment and share bodies get their impulses at once
+// (hits_at_once.h). Then, in the order of the list, each pair that penetrates gets its impulse if it closes,
+// and is moved apart, by inverse mass: a resting pair completely, another by kPenetrationFraction. The state
+// must be published; its positions are updated.
+void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, PenetrationScratch& scratch,
                           double h);
 
 }  // namespace carom

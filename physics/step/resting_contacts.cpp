@@ -83,11 +83,23 @@ void RestingContacts::begin_step(World& world, double h) {
   world.trajectories.begin(world.clock.time);
 }
 
-void RestingContacts::support(World& world, double h) {
+void RestingContacts::take_off_forces(World& world) {
   for (const int i : memory_.pushed) world.trajectories.set_contact_acceleration(i, Eigen::Vector3d::Zero());
   memory_.pushed.clear();
+}
+
+void RestingContacts::support(World& world, double h, bool may_divide) {
+  take_off_forces(world);
   find_contacts(world, h);
-  hold(world, h);
+  supported_ = h;
+  if (may_divide) find_discs_near_ends(world, found_, h, near_ends_);
+  if (may_divide && !near_ends_.empty()) {
+    push_as_before(world);
+    supported_ = first_face_end(world, near_ends_, finder_.neighbours(), h);
+    take_off_forces(world);
+    if (supported_ < h) find_contacts(world, supported_);
+  }
+  hold(world, supported_);
 }
 
 void RestingContacts::find_contacts(World& world, double h) {
@@ -96,8 +108,7 @@ void RestingContacts::find_contacts(World& world, double h) {
 }
 
 int RestingContacts::support_part(World& world, double step, int left) {
-  for (const int i : memory_.pushed) world.trajectories.set_contact_acceleration(i, Eigen::Vector3d::Zero());
-  memory_.pushed.clear();
+  take_off_forces(world);
   const double unit = step / kMostParts;
   const double whole = std::max(step, world.method.step) / step;
   step_length_ = whole * left * unit;
@@ -318,16 +329,17 @@ ContactSolverReport RestingContacts::solve(const World& world, const Eigen::Matr
 }
 
 // Where impacts are not located in time, pairs that would meet within the step rebound now by the law of
-// impacts, pair by pair, before they can penetrate. What still closes after kMostStrikes rounds is stopped.
+// impacts, those of one moment at once, else pair by pair, before they can penetrate. What still closes after
+// kMostStrikes rounds is stopped.
 void RestingContacts::strike(World& world, double h) {
   if (found_.hits.empty()) return;
   struck_.assign(static_cast<std::size_t>(world.bodies()), 0);
   const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
   // Kept: bodies that stick bring a new one.
   const std::shared_ptr<const Model> model = world.model;
-  const auto strikes = [&](int a, int b) {
+  // Calls visit(contact, closing speed, material) for each two parts that would meet.
+  const auto each_hit = [&](int a, int b, const auto& visit) {
     const bool several = world.shapes().has_parts(a) || world.shapes().has_parts(b);
-    bool any = false;
     model->shapes.each_parts(a, b, [&](int part_a, int part_b) {
       if (!world.shapes().can_collide(a, b)) return;  // joined in the meantime
       const Approach at = world.approach(a, b, 0.0, {part_a, part_b});
@@ -336,13 +348,29 @@ void RestingContacts::strike(World& world, double h) {
       if (!(-material.restitution * at.speed > rest) || -at.speed * h < at.contact.gap) return;
       if (several && on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
         return;
-      apply_impact(world, a, b, at.contact, material, 0.0);
-      struck_[static_cast<std::size_t>(a)] = struck_[static_cast<std::size_t>(b)] = 1;
-      any = true;
+      visit(at.contact, -at.speed, material);
     });
-    return any;
   };
-  bool any = false;
+  std::vector<Hit>& hits = at_once_.hits;
+  hits.clear();
+  for (const auto& [a, b] : found_.hits) {
+    each_hit(a, b, [&, a = a, b = b](const Contact& contact, double closing, const Material&) {
+      hits.push_back({a, b, contact, contact.gap / closing});
+    });
+  }
+  for (const Hit& hit : hits)
+    struck_[static_cast<std::size_t>(hit.a)] = struck_[static_cast<std::size_t>(hit.b)] = 1;
+  bool any = !hits.empty();
+  resolve_at_once(world, at_once_, h, 0.0);
+  const auto strikes = [&](int a, int b) {
+    bool some = false;
+    each_hit(a, b, [&](const Contact& contact, double, const Material& material) {
+      apply_impact(world, a, b, contact, material, 0.0);
+      struck_[static_cast<std::size_t>(a)] = struck_[static_cast<std::size_t>(b)] = 1;
+      some = true;
+    });
+    return some;
+  };
   for (const auto& [a, b] : found_.hits) any = strikes(a, b) || any;
   const Contacts& c = found_.contacts;
   for (int round = 1; any && round < kMostStrikes; ++round) {
@@ -509,7 +537,7 @@ ContactSolverReport RestingContacts::solve_flight(World& world, double h, const 
 }
 
 void RestingContacts::release(World& world) {
-  for (const int i : memory_.pushed) world.trajectories.set_contact_acceleration(i, Eigen::Vector3d::Zero());
+  take_off_forces(world);
   *this = {};
 }
 

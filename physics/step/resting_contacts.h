@@ -11,6 +11,8 @@
 #include "physics/step/contact_force.h"
 #include "physics/step/contact_pressing.h"
 #include "physics/step/contact_turning.h"
+#include "physics/step/face_ends.h"
+#include "physics/step/hits_at_once.h"
 #include "physics/step/world.h"
 
 namespace carom {
@@ -39,8 +41,11 @@ class RestingContacts {
  public:
   // Starts a step of h s at the clock's time.
   void begin_step(World& world, double h);
-  // Supports bodies for h s from the trajectories' epoch on. The state must be published.
-  void support(World& world, double h);
+  // Supports bodies for h s from the trajectories' epoch on; with may_divide for less, where a disc runs off
+  // the end of a face before (face_ends.h). The state must be published.
+  void support(World& world, double h, bool may_divide);
+  // s: for how long support() was.
+  [[nodiscard]] double supported() const { return supported_; }
   // Likewise where impacts are not located in time, for a part of a step: at most `left` parts of kMostParts,
   // fewer where bodies in a crowd move or turn so fast that contacts found now soon are others. How many.
   int support_part(World& world, double step, int left);
@@ -70,6 +75,7 @@ class RestingContacts {
   void restore(const ContactMemory& memory) { memory_ = memory; }
 
  private:
+  void take_off_forces(World& world);
   void find_contacts(World& world, double h);
   void hold(World& world, double h);
   [[nodiscard]] int parts_at_once(const World& world, double h);
@@ -87,6 +93,7 @@ class RestingContacts {
   void prepare(const World& world);
   void read_velocities(const World& world);
 
+  double supported_ = 0.0;    // s
   double step_length_ = 0.0;  // s: the method's step, or the step under way if that is longer
   ContactMemory memory_;
   ContactPressing pressing_;
@@ -97,6 +104,8 @@ class RestingContacts {
   Eigen::Matrix3Xd before_, after_, free_;  // velocities, m/s and rad/s
   Eigen::Matrix3Xd moved_;                  // m, rad; or per s
   std::vector<std::uint8_t> sticks_;
+  HitsAtOnce at_once_;
+  std::vector<DiscOnFace> near_ends_;
   std::vector<std::uint8_t> struck_;  // by body, in this step
   std::vector<int> bodies_;           // of an island
   std::vector<int> partners_;         // by body: how many others it may touch

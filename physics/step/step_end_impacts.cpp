@@ -1,6 +1,5 @@
 #include "physics/step/step_end_impacts.h"
 
-#include "physics/step/penetrations.h"
 #include "physics/step/resting_contacts.h"
 
 namespace carom {
@@ -46,7 +45,7 @@ void StepEndImpacts::step(World& world, RestingContacts* resting, double h) {
   }
   world.publish(h);
   world.check_motions();
-  resolve_penetrations(world, pairs_, neighbours_, h);
+  resolve_penetrations(world, pairs_, penetrations_, h);
   if (!pairs_.empty()) world.publish(h);
 }
 

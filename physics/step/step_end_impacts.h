@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "physics/step/near_pairs.h"
-#include "physics/step/neighbours.h"
 #include "physics/step/pair_list.h"
+#include "physics/step/penetrations.h"
 #include "physics/step/world.h"
 
 namespace carom {
@@ -24,7 +24,7 @@ class StepEndImpacts {
   static void fly(World& world, double start, double h);
 
   NearPairs near_pairs_;
-  Neighbours neighbours_;
+  PenetrationScratch penetrations_;
   std::vector<WaitingPair> pairs_;
 };
 

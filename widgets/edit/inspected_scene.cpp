@@ -29,7 +29,7 @@ constexpr auto kImpactLaws = std::to_array<LawWord>({
     {"Newton", "e says how fast they part, whatever friction does; it may gain energy, which the run reports"},
 });
 constexpr auto kSeveralImpacts = std::to_array<LawWord>({
-    {"pair by pair", "one after the other until none approaches, as in Newton's cradle"},
+    {"pair by pair", "one after the other, as in Newton's cradle; those that close at one moment at once"},
     {"all at once", "all touching pairs together, with one restitution"},
 });
 

@@ -32,6 +32,7 @@ struct Cluster {
   Eigen::VectorXd inverse_inertia;
   std::vector<ClusterContact> contacts = {};
   std::vector<Impact> impacts = {};
+  ClusterRestitution restitution = ClusterRestitution::kSmallest;
 
   explicit Cluster(int bodies)
       : v(Eigen::Matrix3Xd::Zero(3, bodies)),
@@ -41,7 +42,9 @@ struct Cluster {
   ClusterOutcome resolve() {
     ClusterScratch scratch;
     impacts.resize(contacts.size());
-    return resolve_simultaneous(v, inverse_mass, inverse_inertia, contacts, impacts, scratch);
+    Eigen::Matrix3Xd answers;
+    free_answers(inverse_mass, inverse_inertia, contacts, answers);
+    return resolve_simultaneous(v, answers, contacts, restitution, impacts, scratch);
   }
   [[nodiscard]] RelativeVelocity at(const ClusterContact& c) const {
     const auto point = [&](int body, const Vec2& r) -> Vec2 {

@@ -87,13 +87,15 @@ TEST(Allocation, NoneInAWarmSimultaneousImpact) {
       contacts.push_back({i, i + 1, {1.0, 0.0}, {0.5, y}, {-0.5, y}, 0.5, 0.3});
   }
   std::vector<Impact> impacts(contacts.size());
+  Eigen::Matrix3Xd answers;
+  free_answers(inverse_mass, inverse_inertia, contacts, answers);
   ClusterScratch scratch;
   long before = 0;
   for (int call = 0; call < 3; ++call) {
     velocities.setZero();
     velocities.col(0) = Eigen::Vector3d(2.0, 0.3, 0.1 * call);
     const ClusterOutcome outcome =
-        resolve_simultaneous(velocities, inverse_mass, inverse_inertia, contacts, impacts, scratch);
+        resolve_simultaneous(velocities, answers, contacts, ClusterRestitution::kOwn, impacts, scratch);
     EXPECT_TRUE(outcome.solved);
     if (call == 0) before = allocations;
   }

@@ -100,7 +100,7 @@ TEST(RunStateFile, NoticesAndSumsStay) {
         &Notices::log_cut_since, &Notices::search_cut_since, &Notices::gained_since, &Notices::gained,
         &Notices::energy_made_since, &Notices::cluster_unsolved_since, &Notices::restitution_lowered_since,
         &Notices::contacts_left_since, &Notices::contacts_left, &Notices::tolerance_missed_since,
-        &Notices::joints_missed_since}) {
+        &Notices::joints_missed_since, &Notices::order_decided_since}) {
     checkpoint.sums.notices.*entry = next *= 1.1;
   }
   saved.saved->checkpoint = std::make_shared<Checkpoint>(checkpoint);
@@ -109,7 +109,7 @@ TEST(RunStateFile, NoticesAndSumsStay) {
   EXPECT_EQ(parting(all_of(saved, one), all_of(saved, two)), "");
   const std::string text = two.notices().text();
   EXPECT_EQ(text.find("scene was changed"), std::string::npos) << text;
-  EXPECT_EQ(std::count(text.begin(), text.end(), ';'), 12) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), ';'), 13) << text;
 }
 
 TEST(RunStateFile, WhatIsNoPhysicsMayChange) {

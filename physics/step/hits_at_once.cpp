@@ -1,0 +1,52 @@
+#include "physics/step/hits_at_once.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+
+#include "physics/step/run_clock.h"
+
+namespace carom {
+namespace {
+
+// The hits that bodies connect with the last one, taken out of the list.
+void take_connected(const World& world, std::vector<Hit>& from, std::size_t begin, std::vector<Hit>& to) {
+  to.assign(from.begin() + static_cast<std::ptrdiff_t>(begin), from.end());
+  keep_connected(world, to.back().a, to.back().b, to);
+  const auto taken = [&](const Hit& hit) {
+    return std::any_of(to.begin(), to.end(), [&](const Hit& t) { return ends_of(t) == ends_of(hit); });
+  };
+  from.erase(std::remove_if(from.begin() + static_cast<std::ptrdiff_t>(begin), from.end(), taken), from.end());
+}
+
+}  // namespace
+
+void resolve_at_once(World& world, HitsAtOnce& buffers, double h, double within) {
+  const bool all = world.model->scene.several_impacts == SeveralImpactsId::kSimultaneous;
+  const double same = all ? std::numeric_limits<double>::infinity() : kSameMoment * h;
+  auto& [hits, together, cluster] = buffers;
+  // The first to touch at the back, and of one moment in the order of the bodies: not in that of the list.
+  std::sort(hits.begin(), hits.end(), [](const Hit& x, const Hit& y) {
+    return std::tuple(-x.moment, x.a, x.b) < std::tuple(-y.moment, y.a, y.b);
+  });
+  while (!hits.empty()) {
+    std::size_t begin = hits.size() - 1;
+    while (begin > 0 && hits[begin - 1].moment - hits.back().moment <= same) --begin;
+    while (hits.size() > begin) {
+      take_connected(world, hits, begin, together);
+      cluster.clear();
+      for (const Hit& hit : together) cluster.add(hit.a, hit.b, hit.contact);
+      if (!cluster.has_several_pairs()) continue;
+      if (!cluster.has_law(world)) {
+        world.note(&Notices::order_decided_since, world.trajectories.epoch() + within);
+        continue;
+      }
+      // Without a solution, which is noted, the caller goes on pair by pair.
+      static_cast<void>(
+          cluster.resolve(world, within, all ? ClusterRestitution::kSmallest : ClusterRestitution::kOwn));
+    }
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,193 @@
+#include "physics/step/impact_cluster.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "physics/math/vectors.h"
+#include "physics/step/apply_impact.h"
+
+namespace carom {
+namespace {
+
+// Of the fastest closing speed: slower ones take no part.
+constexpr double kSlowest = 1e-3;
+// Of the speeds: a closing speed.
+constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+
+bool is_jointed(const Trajectories& trajectories, std::span<const int> bodies) {
+  return std::any_of(bodies.begin(), bodies.end(), [&](int i) { return trajectories.is_jointed(i); });
+}
+
+}  // namespace
+
+// 0 where it is rounding.
+double ImpactCluster::closing_speed(const Touch& touch, const Motion& a, const Motion& b) {
+  double scale = 0.0;
+  const auto at_point = [&](const Motion& m) -> Vec2 {
+    const Vec2 turning = m[5] * crossed(Vec2(touch.contact.point - m.head<2>()));
+    scale += m.segment<2>(3).norm() + turning.norm();
+    return m.segment<2>(3) + turning;
+  };
+  const Vec2 u = at_point(b) - at_point(a);
+  const double closing = -u.dot(touch.contact.normal);
+  return closing > kRounding * scale ? closing : 0.0;
+}
+
+void ImpactCluster::drop_slow() {
+  const double fastest = closing_.empty() ? 0.0 : *std::max_element(closing_.begin(), closing_.end());
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < touches_.size(); ++k) {
+    if (closing_[k] > kSlowest * fastest) touches_[kept++] = touches_[k];
+  }
+  touches_.resize(kept);
+}
+
+bool ImpactCluster::has_several_pairs() const {
+  return std::any_of(touches_.begin(), touches_.end(),
+                     [&](const Touch& t) { return t.a != touches_.front().a || t.b != touches_.front().b; });
+}
+
+bool ImpactCluster::has_law(const World& world) const {
+  return std::none_of(touches_.begin(), touches_.end(), [&](const Touch& t) {
+    const Material& material = world.material(t.contact, t.a, t.b);
+    return material.sticks || material.tangential_restitution != 0.0;
+  });
+}
+
+std::int64_t ImpactCluster::work(const World& world) const {
+  std::int64_t unknowns = 0;
+  for (const Touch& t : touches_)
+    unknowns += world.material(t.contact, t.a, t.b).kinetic_friction > 0.0 ? 4 : 1;
+  return unknowns * unknowns * unknowns;
+}
+
+const std::vector<int>& ImpactCluster::find_bodies() {
+  bodies_.clear();
+  for (const Touch& t : touches_) bodies_.insert(bodies_.end(), {t.a, t.b});
+  std::sort(bodies_.begin(), bodies_.end());
+  bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
+  return bodies_;
+}
+
+int ImpactCluster::column(int body) const {
+  return static_cast<int>(std::lower_bound(bodies_.begin(), bodies_.end(), body) - bodies_.begin());
+}
+
+// The contacts, their closing speeds, the velocities before, and how unit impulses change them where no joint
+// acts.
+void ImpactCluster::fill(World& world) {
+  const auto n = static_cast<Eigen::Index>(bodies_.size());
+  Eigen::VectorXd inverse_mass(n);
+  Eigen::VectorXd inverse_inertia(n);
+  before_.resize(3, n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const int i = bodies_[static_cast<std::size_t>(k)];
+    before_.col(k) = world.trajectories.at_start(i).segment<3>(3);
+    inverse_mass[k] = world.mass().inverse_mass[i];
+    inverse_inertia[k] = world.mass().inverse_inertia[i];
+  }
+  contacts_.clear();
+  closing_.clear();
+  for (const Touch& t : touches_) {
+    const Material& material = world.material(t.contact, t.a, t.b);
+    contacts_.push_back({column(t.a), column(t.b), t.contact.normal,
+                         t.contact.point - world.trajectories.at_start(t.a).head<2>(),
+                         t.contact.point - world.trajectories.at_start(t.b).head<2>(), material.restitution,
+                         material.kinetic_friction});
+    closing_.push_back(-world.parting_speed(t.a, t.b, t.contact));
+  }
+  free_answers(inverse_mass, inverse_inertia, contacts_, free_);
+}
+
+// With the joints as they are: the answers, and impulses by them.
+ClusterOutcome ImpactCluster::solve(World& world, ClusterRestitution restitution) {
+  answers_ = free_;
+  if (is_jointed(world.trajectories, bodies_)) {
+    const auto n = static_cast<Eigen::Index>(bodies_.size());
+    for (Eigen::Index first = 0; first < answers_.cols(); first += n)
+      world.trajectories.project_changes(bodies_, answers_.middleCols(first, n));
+  }
+  after_ = before_;
+  impacts_.assign(contacts_.size(), Impact{});
+  return resolve_simultaneous(after_, answers_, contacts_, restitution, impacts_, scratch_);
+}
+
+// Changes the motions by the impulses. False if a string would have to push: it is slack from then on.
+bool ImpactCluster::apply(World& world) {
+  Trajectories& trajectories = world.trajectories;
+  if (is_jointed(trajectories, bodies_)) {
+    const auto n = static_cast<Eigen::Index>(bodies_.size());
+    after_.setZero();
+    Eigen::Index first = 0;
+    for (const Impact& impact : impacts_) {
+      for (const double j : {impact.normal, impact.tangential}) {
+        if (j != 0.0) after_ += j * free_.middleCols(first, n);
+        first += n;
+      }
+    }
+    return trajectories.apply_changes(bodies_, after_);
+  }
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const auto v = after_.col(static_cast<Eigen::Index>(k));
+    if (!world.infinite_mass(bodies_[k])) trajectories.set_velocity(bodies_[k], v.head<2>(), v[2]);
+  }
+  return true;
+}
+
+bool ImpactCluster::resolve(World& world, double within, ClusterRestitution restitution) {
+  static_cast<void>(find_bodies());
+  fill(world);
+  const Ledger ledger_before = world.sums.ledger;
+  State before;
+  if (world.log.wants_jump(world.model->bodies().size())) before = world.state_at(within);
+  const double now = world.trajectories.epoch() + within;
+  // Each round but the last makes one string slack.
+  do {
+    const ClusterOutcome outcome = solve(world, restitution);
+    if (!outcome.solved) {
+      world.note(&Notices::cluster_unsolved_since, now);
+      return false;
+    }
+    // Closing speeds may be so small that the solution rounds to nothing; pair by pair they still come to an
+    // end. An impact that keeps the others from closing is that of a pair, with the pair's own law.
+    const auto acting =
+        std::count_if(impacts_.begin(), impacts_.end(), [](const Impact& i) { return i.normal > 0.0; });
+    if (acting < (restitution == ClusterRestitution::kOwn ? 2 : 1)) return false;
+    if (outcome.lowered) world.note(&Notices::restitution_lowered_since, now);
+  } while (!apply(world));
+  if (world.field().has_switching_springs()) {
+    for (const int i : bodies_) {
+      if (!world.infinite_mass(i))
+        world.sums.ledger.lost_to_dampers +=
+            world.trajectories.recheck_switches(world.trajectories.island_of(i));
+    }
+  }
+  record(world, within, std::move(before), ledger_before);
+  return true;
+}
+
+// One jump for each entry of the log: the first one has all of the motion.
+void ImpactCluster::record(World& world, double within, State before, const Ledger& ledger_before) {
+  const auto wants_jump = [&] { return world.log.wants_jump(world.model->bodies().size()); };
+  Jump jump;
+  jump.time = std::min(world.trajectories.epoch() + within, world.clock.step_end);
+  if (wants_jump()) {
+    jump.before = std::move(before);
+    jump.after = world.state_at(within);
+  }
+  Ledger recorded = ledger_before;
+  for (std::size_t k = 0; k < touches_.size(); ++k) {
+    const auto& [a, b, contact] = touches_[k];
+    if (!(impacts_[k].normal > 0.0)) continue;
+    record_impact(world, a, b, contact, impacts_[k], closing_[k], within);
+    if (!wants_jump()) continue;
+    jump.change = world.sums.ledger;
+    jump.change.add(-1.0, recorded);
+    recorded = world.sums.ledger;
+    world.log.jumps.push_back(jump);
+    jump.before = jump.after;
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "physics/impact/simultaneous_impact.h"
+#include "physics/step/neighbours.h"
+#include "physics/step/world.h"
+
+namespace carom {
+
+// Keeps, of items with ends a and b, those that bodies which move connect with the pair of a and b.
+template <class Item>
+void keep_connected(const World& world, int a, int b, std::vector<Item>& items) {
+  std::size_t kept = 0;
+  const auto reaches = [&](int body) {
+    const auto has_it = [&](const Item& item) {
+      const auto [c, d] = ends_of(item);
+      return c == body || d == body;
+    };
+    if (world.infinite_mass(body)) return false;
+    return body == a || body == b ||
+           std::any_of(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(kept), has_it);
+  };
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (std::size_t k = kept; k < items.size(); ++k) {
+      const auto [c, d] = ends_of(items[k]);
+      if (!reaches(c) && !reaches(d)) continue;
+      std::swap(items[kept++], items[k]);
+      grows = true;
+    }
+  }
+  items.resize(kept);
+}
+
+// Contacts of several bodies that are resolved at one moment. Buffers are kept from one cluster to the next.
+class ImpactCluster {
+ public:
+  struct Touch {
+    int a = 0;
+    int b = 0;
+    Contact contact;
+    friend std::pair<int, int> ends_of(const Touch& touch) { return {touch.a, touch.b}; }
+  };
+
+  void clear() { touches_.clear(); }
+  // Bodies a < b.
+  void add(int a, int b, const Contact& contact) { touches_.push_back({a, b, contact}); }
+  [[nodiscard]] std::span<const Touch> touches() const { return touches_; }
+  // Keeps, of the touches that close, those that bodies which move connect with a or b, and none that closes
+  // much slower than others: it is another impact's, or rounding. With velocities `motion(body)`.
+  template <class MotionOf>
+  void keep_closing(const World& world, int a, int b, const MotionOf& motion) {
+    closing_.clear();
+    for (const Touch& t : touches_) closing_.push_back(closing_speed(t, motion(t.a), motion(t.b)));
+    drop_slow();
+    keep_connected(world, a, b, touches_);
+  }
+  // Whether the touches are of more than one pair of bodies.
+  [[nodiscard]] bool has_several_pairs() const;
+  // Whether the law of simultaneous impacts knows all properties of their surfaces.
+  [[nodiscard]] bool has_law(const World& world) const;
+  // About how much the law has to do: the cube of its number of unknowns.
+  [[nodiscard]] std::int64_t work(const World& world) const;
+  // Those that the touches have, in rising order.
+  [[nodiscard]] const std::vector<int>& find_bodies();
+
+  // Resolves all touches at the start of the trajectories, `within` s after the epoch: changes velocities,
+  // records the impacts and keeps the ledger. False if no impulses satisfy the law, which is noted, if they
+  // round to nothing, or if one impact alone keeps the others from closing; then no velocity has changed.
+  [[nodiscard]] bool resolve(World& world, double within, ClusterRestitution restitution);
+  // By touch, after resolve(); those without an impulse did not take part.
+  [[nodiscard]] std::span<const Impact> impacts() const { return impacts_; }
+
+ private:
+  [[nodiscard]] static double closing_speed(const Touch& touch, const Motion& a, const Motion& b);
+  void drop_slow();
+  [[nodiscard]] int column(int body) const;
+  void fill(World& world);
+  [[nodiscard]] ClusterOutcome solve(World& world, ClusterRestitution restitution);
+  [[nodiscard]] bool apply(World& world);
+  void record(World& world, double within, State before, const Ledger& ledger_before);
+
+  std::vector<Touch> touches_;
+  std::vector<double> closing_;  // m/s, by touch
+  std::vector<int> bodies_;
+  std::vector<ClusterContact> contacts_;
+  std::vector<Impact> impacts_;
+  // By body: before, after; by contact, direction and body: see free_answers().
+  Eigen::Matrix3Xd before_, after_, free_, answers_;
+  ClusterScratch scratch_;
+};
+
+}  // namespace carom

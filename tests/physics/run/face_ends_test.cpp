@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "physics/math/vectors.h"
+#include "physics/run/run_setup.h"
+#include "tests/support/scenes.h"
+
+// A ball that runs off the end of a face, with contacts that last: the contact ends at its moment, within the
+// step, and not where other bodies continue the face.
+namespace carom {
+namespace {
+
+enum class Table { kBox, kTiles, kTwoShapes };
+
+struct OffTheTable {
+  double speed = 3.0;     // m/s
+  double radius = 0.025;  // m
+  double start = -0.503;  // m, from the edge
+  double step = 0.005;    // s
+  double angle = 0.0;     // rad: of all
+  bool mirrored = false;
+  Table table = Table::kBox;
+  double friction = 0.0;
+  double scale = 1.0;  // of lengths; speeds by its root, so that gravity stays
+  IntegratorId integrator = IntegratorId::kRk4;
+
+  static constexpr double kHeight = 0.9;  // m
+
+  [[nodiscard]] RunSetup setup() const {
+    RunSetup s = test::setup_with({}, 0.0, friction);
+    const double side = mirrored ? -1.0 : 1.0;
+    const auto put = [&](Body body) {
+      body.position = turned_by(angle, scale * Vec2(side * body.position.x(), body.position.y()));
+      body.velocity = turned_by(angle, std::sqrt(scale) * Vec2(side * body.velocity.x(), body.velocity.y()));
+      body.angle = side * body.angle + angle;
+      body.spin *= side / std::sqrt(scale);
+      s.scene.bodies.push_back(std::move(body));
+    };
+    const auto box = [&](double width) { return Box{scale * width, scale * 0.05}; };
+    Body top = test::wall("table", {-0.5, kHeight - 0.025}, 1.0, 0.05);
+    top.shape = box(1.0);
+    if (table == Table::kTwoShapes)
+      top.shape =
+          Compound{{{box(0.5), {-0.25 * scale, 0.0}, 0.0, ""}, {box(0.5), {0.25 * scale, 0.0}, 0.0, ""}}};
+    if (table != Table::kTiles) put(top);
+    for (int k = 0; table == Table::kTiles && k < 5; ++k) {
+      top.name = fmt::format("tile {}", k);
+      top.shape = box(0.2);
+      top.position.x() = -0.1 - 0.2 * k;
+      put(top);
+    }
+    Body floor;
+    floor.name = "floor";
+    floor.shape = Wall{};
+    floor.fixed = true;
+    put(floor);
+    Body ball = test::disc("ball", {start, kHeight + radius}, {speed, 0.0}, scale * radius);
+    if (friction > 0.0) ball.spin = -speed / radius;  // it rolls
+    put(ball);
+    s.scene.forces.gravity = turned_by(angle, Vec2(0.0, -9.81));
+    s.method = {integrator, ImpactsId::kLocated, ContactsId::kLasting};
+    s.method.step = std::sqrt(scale) * step;
+    return s;
+  }
+
+  // m: how far from the edge it lands; NaN if it does not.
+  [[nodiscard]] double landing() const {
+    Simulation run(setup());
+    while (run.time() < 6.0 * std::sqrt(scale)) {
+      run.step();
+      for (const ImpactRecord& r : run.last_impacts())
+        return (mirrored ? -1.0 : 1.0) * turned_by(-angle, r.point).x() / scale;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  // It leaves at once if v² > g r.
+  [[nodiscard]] double expected() const { return speed * std::sqrt(2.0 * kHeight / 9.81); }
+};
+
+TEST(FaceEnds, ABallLeavesATableAtItsEdge) {
+  for (const IntegratorId integrator :
+       {IntegratorId::kVelocityVerlet, IntegratorId::kRk4, IntegratorId::kDormandPrince,
+        IntegratorId::kAdaptiveDormandPrince, IntegratorId::kExactFlight}) {
+    for (const double speed : {0.51, 1.0, 3.0, 7.3}) {
+      for (const double step : {1.0 / 60.0, 0.01, 0.005, 0.0007}) {
+        for (const Table table : {Table::kBox, Table::kTiles, Table::kTwoShapes}) {
+          OffTheTable scene;
+          scene.integrator = integrator;
+          scene.speed = speed;
+          scene.step = step;
+          scene.table = table;
+          EXPECT_NEAR(scene.landing(), scene.expected(), 1e-12)
+              << static_cast<int>(integrator) << ' ' << speed << ' ' << step << ' ' << static_cast<int>(table);
+        }
+      }
+    }
+  }
+}
+
+TEST(FaceEnds, MirroredTurnedShiftedRollingAndInOtherSizes) {
+  for (const bool mirrored : {false, true}) {
+    for (const double angle : {0.0, 0.3, -2.0}) {
+      for (const double start : {-0.503, -0.9, -0.2001}) {
+        for (const double friction : {0.0, 0.5}) {
+          for (const double scale : {1e-2, 1.0, 1e3}) {
+            OffTheTable scene;
+            scene.mirrored = mirrored;
+            scene.angle = angle;
+            scene.start = start;
+            scene.friction = friction;
+            scene.scale = scale;
+            EXPECT_NEAR(scene.landing(), scene.expected(), 1e-11)
+                << mirrored << ' ' << angle << ' ' << start << ' ' << friction << ' ' << scale;
+          }
+        }
+      }
+    }
+  }
+}
+
+// Slower than √(g r) it goes round the corner before it leaves: the way round is of order 2.
+TEST(FaceEnds, ASlowBallGoesRoundTheEdge) {
+  OffTheTable scene;
+  scene.speed = 0.3;
+  scene.radius = 0.05;
+  scene.start = -0.1;
+  // On the corner v² = v0² + 2 g r (1 - cos θ) until cos θ = v²/(g r); from there it falls.
+  const double gr = 9.81 * scene.radius;
+  const double cosine = (scene.speed * scene.speed + 2.0 * gr) / (3.0 * gr);
+  const double sine = std::sqrt(1.0 - cosine * cosine);
+  const double v = std::sqrt(gr * cosine);
+  const Vec2 from = scene.radius * Vec2(sine, cosine);
+  const double drop = OffTheTable::kHeight + from.y() - scene.radius;
+  const double down = v * sine;
+  const double time = (-down + std::sqrt(down * down + 2.0 * 9.81 * drop)) / 9.81;
+  const double wanted = from.x() + v * cosine * time;
+  // Where in a step it leaves changes the error from one step to another: the worst of some counts.
+  double before = 0.0;
+  for (const double step : {0.008, 0.004, 0.002, 0.001}) {
+    double worst = 0.0;
+    for (int k = 0; k < 12; ++k) {
+      scene.step = step * (1.0 - 0.02 * k);
+      worst = std::max(worst, std::abs(scene.landing() - wanted));
+    }
+    if (before > 0.0) {
+      EXPECT_LT(worst, before / 3.3) << step;
+    }
+    before = worst;
+  }
+  EXPECT_LT(before, 6e-6);
+}
+
+}  // namespace
+}  // namespace carom

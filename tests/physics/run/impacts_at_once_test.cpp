@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+#include "physics/run/run_setup.h"
+#include "tests/support/scenes.h"
+
+// A body that meets several others at one moment: the impacts are resolved together, and neither the order of
+// the bodies in the file nor rounding decides what comes out.
+namespace carom {
+namespace {
+
+using test::disc;
+
+Vec2 turned(const Vec2& v, double angle) {
+  return {std::cos(angle) * v.x() - std::sin(angle) * v.y(), std::sin(angle) * v.x() + std::cos(angle) * v.y()};
+}
+
+// One ball on two at rest that touch, along the axis of symmetry; sizes and speeds times `scale`.
+struct OneOnTwo {
+  double scale = 1.0;
+  double angle = 0.0;
+  Vec2 shift = Vec2::Zero();
+  std::array<int, 3> order = {0, 1, 2};  // of cue, upper and lower in the file
+  double restitution = 1.0;
+  double friction = 0.0;
+
+  [[nodiscard]] RunSetup setup() const {
+    const std::array<Body, 3> balls = {disc("cue", {-1.0, 0.0}, {2.0, 0.0}),
+                                       disc("upper", {0.0, 0.1}, {0.0, 0.0}),
+                                       disc("lower", {0.0, -0.1}, {0.0, 0.0})};
+    RunSetup s = test::setup_with({}, restitution, friction);
+    for (const int k : order) {
+      Body b = balls[static_cast<std::size_t>(k)];
+      b.position = shift + turned(scale * b.position, angle);
+      b.velocity = turned(scale * b.velocity, angle);
+      b.shape = Disc{0.1 * scale};
+      s.scene.bodies.push_back(b);
+    }
+    s.method.step = 0.01;
+    return s;
+  }
+};
+
+// Velocities along and across the axis, by name; in units of the scale.
+Vec2 velocity_of(const Simulation& run, const OneOnTwo& scene, const std::string& name) {
+  for (int i = 0; i < run.state().size(); ++i) {
+    if (run.bodies()[static_cast<std::size_t>(i)].name == name)
+      return turned(run.state().v.col(i).head<2>(), -scene.angle) / scene.scale;
+  }
+  throw std::out_of_range(name);
+}
+
+void expect_symmetric(const Simulation& run, const OneOnTwo& scene, double tolerance) {
+  // By momentum, symmetry and Newton's law: j = (1 + e) v cos 30°/(1 + 2 cos² 30°) on each, along its normal.
+  const double c = 0.5 * std::numbers::sqrt3;
+  const double j = (1.0 + scene.restitution) * 2.0 * c / (1.0 + 2.0 * c * c);
+  const Vec2 cue = velocity_of(run, scene, "cue");
+  const Vec2 upper = velocity_of(run, scene, "upper");
+  const Vec2 lower = velocity_of(run, scene, "lower");
+  EXPECT_NEAR(cue.y(), 0.0, tolerance);
+  EXPECT_NEAR(upper.x(), lower.x(), tolerance);
+  EXPECT_NEAR(upper.y(), -lower.y(), tolerance);
+  if (scene.friction == 0.0) {
+    EXPECT_NEAR(cue.x(), 2.0 - 2.0 * c * j, tolerance);
+    EXPECT_NEAR(upper.x(), c * j, tolerance);
+    EXPECT_NEAR(upper.y(), 0.5 * j, tolerance);
+  }
+  EXPECT_NEAR(run.ledger().numerical_drift(run.totals().energy()) / (scene.scale * scene.scale), 0.0, 1e-13);
+}
+
+TEST(ImpactsAtOnce, OneBallOnTwoInEveryOrderPlaceAndSize) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  std::array<int, 3> order = {0, 1, 2};
+  for (int k = 0; k < 120; ++k) {
+    std::next_permutation(order.begin(), order.end());
+    OneOnTwo scene;
+    scene.order = order;
+    scene.scale = std::pow(10.0, 3.0 * uniform(random));
+    scene.angle = k < 6 ? 0.0 : std::numbers::pi * uniform(random);
+    scene.shift =
+        k < 6 ? Vec2(Vec2::Zero()) : Vec2(30.0 * scene.scale * Vec2(uniform(random), uniform(random)));
+    scene.restitution = k % 3 == 0 ? 1.0 : 0.5 * (1.0 + uniform(random));
+    scene.friction = k % 4 == 3 ? 0.3 : 0.0;
+    for (const IntegratorId integrator : {IntegratorId::kExactFlight, IntegratorId::kRk4}) {
+      for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
+        for (const ContactsId contacts : {ContactsId::kImpulse, ContactsId::kLasting}) {
+          SCOPED_TRACE(fmt::format("{} {} {} {}", k, static_cast<int>(integrator), static_cast<int>(impacts),
+                                   static_cast<int>(contacts)));
+          RunSetup s = scene.setup();
+          s.method.integrator = integrator;
+          s.method.impacts = impacts;
+          s.method.contacts = contacts;
+          Simulation run(s);
+          run.advance_to(1.0);
+          // Located, the normals are those at the moment of the impact. At the step's end they are not.
+          if (impacts == ImpactsId::kLocated) {
+            expect_symmetric(run, scene, 1e-11);
+          } else {
+            EXPECT_NEAR(velocity_of(run, scene, "cue").y(), 0.0, 1e-10);
+            EXPECT_NEAR(velocity_of(run, scene, "upper").y(), -velocity_of(run, scene, "lower").y(), 1e-10);
+          }
+          if (scene.friction == 0.0) {
+            EXPECT_EQ(run.notices().text(), "ok");
+          }
+          if (HasFailure()) return;
+        }
+      }
+    }
+  }
+}
+
+// A rod holds the two: they can only move on together, as one body of two masses in one dimension.
+TEST(ImpactsAtOnce, OneBallOnTwoThatALinkHolds) {
+  for (const SeveralImpactsId several : {SeveralImpactsId::kPairwise, SeveralImpactsId::kSimultaneous}) {
+    RunSetup s = OneOnTwo().setup();
+    s.scene.several_impacts = several;
+    Joint rod;
+    rod.body = "upper";
+    rod.to = "lower";
+    s.scene.joints.push_back(rod);
+    Simulation run(s);
+    run.advance_to(1.0);
+    EXPECT_NEAR(run.state().v(0, 0), -2.0 / 3.0, 1e-12);
+    EXPECT_NEAR(run.state().v(1, 0), 0.0, 1e-12);
+    EXPECT_NEAR(run.state().v(0, 1), 4.0 / 3.0, 1e-12);
+    EXPECT_NEAR(run.state().v(1, 1), 0.0, 1e-12);
+    EXPECT_NEAR(run.state().v(2, 1), 0.0, 1e-12);
+    EXPECT_NEAR(run.ledger().numerical_drift(run.totals().energy()), 0.0, 1e-12);
+  }
+}
+
+// Balls that touch at rest do not close: what meets the first of a row goes through it ball by ball.
+TEST(ImpactsAtOnce, ACradleGoesOnBallByBall) {
+  for (const ImpactsId impacts : {ImpactsId::kLocated, ImpactsId::kStepEnd}) {
+    RunSetup s = test::setup_with({disc("left", {-0.8, 0.0}, {1.0, 0.0}), disc("1", {0.0, 0.0}, {0.0, 0.0}),
+                                   disc("2", {0.2, 0.0}, {0.0, 0.0}), disc("right", {1.0, 0.0}, {-1.0, 0.0})});
+    s.method.impacts = impacts;
+    Simulation run(s);
+    run.advance_to(1.2);
+    EXPECT_NEAR(run.state().v(0, 0), -1.0, 1e-13);
+    EXPECT_NEAR(run.state().v(0, 1), 0.0, 1e-13);
+    EXPECT_NEAR(run.state().v(0, 3), 1.0, 1e-13);
+  }
+}
+
+// Each contact keeps its own restitution: a middle ball between one that bounces and one of clay (e = 0).
+TEST(ImpactsAtOnce, EachContactHasItsOwnRestitution) {
+  RunSetup s = test::setup_with({disc("left", {-1.0, 0.0}, {1.0, 0.0}), disc("middle", {0.0, 0.0}, {0.0, 0.0}),
+                                 disc("right", {1.0, 0.0}, {-1.0, 0.0})});
+  s.scene.materials.push_back({"soft", 0.0});
+  s.scene.bodies[2].material = "soft";
+  s.method.integrator = IntegratorId::kExactFlight;
+  Simulation run(s);
+  while (run.impact_count() == 0) run.step();
+  // u' = +1 at the left, 0 at the right, and p = 0: v = (-2/3, 1/3, 1/3).
+  EXPECT_NEAR(run.state().v(0, 0), -2.0 / 3.0, 1e-14);
+  EXPECT_NEAR(run.state().v(0, 1), 1.0 / 3.0, 1e-14);
+  EXPECT_NEAR(run.state().v(0, 2), 1.0 / 3.0, 1e-14);
+  EXPECT_NEAR(run.ledger().lost_to_restitution, 2.0 / 3.0, 1e-14);
+}
+
+// Surfaces for which no law of several contacts is known: the run says that the order decided.
+TEST(ImpactsAtOnce, SaysWhereTheOrderDecides) {
+  for (const bool sticks : {false, true}) {
+    RunSetup s = OneOnTwo().setup();
+    s.scene.materials[0].sticks = sticks;
+    s.scene.materials[0].tangential_restitution = sticks ? 0.0 : 0.5;
+    Simulation run(s);
+    run.advance_to(1.0);
+    EXPECT_NE(run.notices().text().find("in the order of the bodies"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace carom
