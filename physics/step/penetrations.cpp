@@ -2,6 +2,8 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "physics/step/apply_impact.h"
@@ -13,6 +15,64 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
+// The deepest point (m) of a part against this direction.
+Vec2 lowest_point(const ConvexShapes& shapes, int part, const Pose& pose, const Vec2& direction) {
+  const Corner* corner = shapes.corners_of(part);
+  Vec2 lowest = pose.position + pose.turned(corner[0].vertex);
+  for (int k = 1; k < shapes.corners[part]; ++k) {
+    const Vec2 vertex = pose.position + pose.turned(corner[k].vertex);
+    if (direction.dot(vertex - lowest) < 0.0) lowest = vertex;
+  }
+  return lowest - shapes.rounding[part] * direction;
+}
+
+// Where two parts overlap least is on an edge that a neighbour continues, as with a corner that has sunk where
+// two boxes of a floor meet. Then they overlap the common surface: the contact with that face of either which
+// they overlap least, of those that neighbours leave.
+std::optional<Contact> contact_with_face(const World& world, int a, int b, const std::pair<int, int>& parts,
+                                         std::span<const int> others, const auto& pose) {
+  const Geometry& g = world.shapes();
+  const auto& [part_a, part_b] = parts;
+  const Pose of_a = g.part_pose(a, part_a, pose(a));
+  const Pose of_b = g.part_pose(b, part_b, pose(b));
+  std::optional<Contact> least;
+  for (const bool of_first : {true, false}) {
+    const int owner = of_first ? part_a : part_b;
+    const Pose& of_owner = of_first ? of_a : of_b;
+    for (int k = 0; k < g.shapes.edges(owner); ++k) {
+      const Corner& corner = g.shapes.corners_of(owner)[k];
+      if (corner.length == 0.0) continue;
+      const Vec2 out = of_owner.turned(corner.normal);
+      const Vec2 normal = of_first ? out : Vec2(-out);
+      const double gap = separation(g.shapes, part_a, of_a, part_b, of_b, normal);
+      if (!(gap < 0.0) || (least && gap <= least->gap)) continue;
+      const Vec2 deepest = lowest_point(g.shapes, of_first ? part_b : part_a, of_first ? of_b : of_a, out);
+      Contact contact{gap, normal, deepest - 0.5 * gap * out};
+      if (g.has_parts(a) || g.has_parts(b)) contact.part_a = part_a, contact.part_b = part_b;
+      if (!on_internal_edge(world, a, b, contact, others, pose)) least = contact;
+    }
+  }
+  return least;
+}
+
+// How two parts overlap, and approach there; without a contact the gap is not negative.
+Approach overlap_of(const World& world, int a, int b, const std::pair<int, int>& parts,
+                    const Neighbours& neighbours) {
+  Approach at = world.approach(a, b, 0.0, parts);
+  if (!(at.contact.gap < 0.0) || !may_be_continued(world, a, b)) return at;
+  const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
+  const std::span<const int> others = neighbours.of_pair(world, a, b);
+  if (!on_internal_edge(world, a, b, at.contact, others, pose)) return at;
+  const auto has_plane = [&](int part) { return world.shapes().shapes.core[part] == Core::kHalfPlane; };
+  std::optional<Contact> face;
+  if (!has_plane(parts.first) && !has_plane(parts.second))
+    face = contact_with_face(world, a, b, parts, others, pose);
+  if (!face) return {};
+  at.contact = *face;
+  at.speed = world.parting_speed(a, b, *face);
+  return at;
+}
+
 // The pairs that overlap and close, where a body that moves is in several of them.
 void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighbours& neighbours,
                std::vector<Hit>& hits) {
@@ -20,16 +80,12 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighb
   const auto has_others = [&](int body) {
     return !world.infinite_mass(body) && neighbours.of(body).size() > 1;
   };
-  const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
   for (const auto& [a, b, resting] : pairs) {
     if (resting || !world.shapes().can_collide(a, b) || (!has_others(a) && !has_others(b))) continue;
     world.shapes().each_parts(a, b, [&, a = a, b = b](int part_a, int part_b) {
-      const Approach at = world.approach(a, b, 0.0, {part_a, part_b});
-      if (!(at.contact.gap < 0.0 && at.speed < 0.0)) return;
-      if (may_be_continued(world, a, b) &&
-          on_internal_edge(world, a, b, at.contact, neighbours.of_pair(world, a, b), pose))
-        return;
-      hits.push_back({a, b, at.contact, -at.contact.gap / at.speed});
+      const Approach at = overlap_of(world, a, b, {part_a, part_b}, neighbours);
+      if (at.contact.gap < 0.0 && at.speed < 0.0)
+        hits.push_back({a, b, at.contact, -at.contact.gap / at.speed});
     });
   }
 }
@@ -52,17 +108,13 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, P
   const bool all_at_once = field.attracts() && !needs.has(Part::kJoints) && !needs.has(Part::kSticking) &&
                            pairs.size() > world.model->bodies().size();
   if (all_at_once) correction -= field.potential_energy(world.state.q);
-  const auto pose = [&](int i) { return world.shapes().pose(i, trajectories.at_start(i).head<3>()); };
   // Of two parts.
   const auto part_them = [&](const WaitingPair& pair, const std::pair<int, int>& parts) {
     const auto [a, b, resting] = pair;
     if (!world.shapes().can_collide(a, b)) return;  // joined in the meantime
-    Approach at = world.approach(a, b, 0.0, parts);
+    Approach at = overlap_of(world, a, b, parts, neighbours);
     const double gap = at.contact.gap;
     if (gap >= 0.0) return;
-    if (may_be_continued(world, a, b) &&
-        on_internal_edge(world, a, b, at.contact, neighbours.of_pair(world, a, b), pose))
-      return;
     const Vec2 normal = at.contact.normal;
 
     // Bodies with corners may penetrate at two points: one impact for the middle, then one for the point that
@@ -70,6 +122,7 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, P
     const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
     for (int k = 0; k < most; ++k) {
       if (k > 0) at = world.approach(a, b, -gap, parts);
+      if (at.contact.normal != normal) break;  // there a neighbour continues the surface
       if (!(at.speed < (k == 0 ? 0.0 : -16.0 * kEpsilon * at.scale))) break;
       Material material = world.material(at.contact, a, b);
       // A closing speed from the forces of this step must not bounce; a true impact on a resting pair must.
