@@ -90,12 +90,13 @@ RowVelocity end_velocity(const Contacts& c, int i, const Vec2& point, const Vec2
                           velocity.col(c.b[i]));
 }
 
-// Whether a disc runs off a corner so fast that its normal turns by a large angle, and parts from it farther
-// than what presses it (m, in the step) could bring back.
-bool leaves(const Geometry& g, const Contacts& c, int i, const ManifoldPoint& at, const Manifold& end,
-            double pressed, const Flown& a, const Flown& b, const Eigen::Matrix3Xd& velocity) {
-  if (g.is_disc(c.a[i]) == g.is_disc(c.b[i]) || end.normal.dot(c.normal[i]) > kLeastCosine) return false;
-  return at.gap > pressed && end_velocity(c, i, at.point, end.normal, a, b, velocity).normal > 0.0;
+// Whether a disc runs off a corner: without the contact's own guessed force (m/s², of the pair along the
+// normal) it would be off its surface at the end, and part from it.
+bool leaves(const Contacts& c, int i, const ManifoldPoint& at, const Manifold& end, double own, double h,
+            const Flown& a, const Flown& b, const Eigen::Matrix3Xd& velocity) {
+  const double parting = end_velocity(c, i, at.point, end.normal, a, b, velocity).normal;
+  const double along_end = own * end.normal.dot(c.normal[i]);
+  return at.gap - 0.5 * along_end * h * h > 0.0 && parting - along_end * h > 0.0;
 }
 
 // A contact that keeps its normal: with `moves`, its point moves with the discs, or as its bodies do on
@@ -144,7 +145,8 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
     const Flown a = flown(world, h, flight, ka);
     const Flown b = flown(world, h, flight, kb);
     const bool goes_on = a.goes_on && b.goes_on;
-    if (!goes_on && shapes.is_disc(ka) == shapes.is_disc(kb)) {
+    const bool round = shapes.is_disc(ka) != shapes.is_disc(kb);
+    if (!goes_on && !round) {
       for (int i = first; i < last; ++i) set_arms(c, i, found.point[static_cast<std::size_t>(i)], a, b);
       continue;
     }
@@ -164,7 +166,9 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
       }
       const ManifoldPoint* at = turns ? point_of(end, found.id[k]) : nullptr;
       const double press = std::max(found.press[k], 0.0) * h;
-      if (at != nullptr && leaves(shapes, c, i, *at, end, press * h, a, b, flight.velocity) &&
+      const bool turns_far = !goes_on || (at != nullptr && end.normal.dot(c.normal[i]) <= kLeastCosine);
+      const double own = found.guess[k][0] * (world.mass().inverse_mass[ka] + world.mass().inverse_mass[kb]);
+      if (round && at != nullptr && turns_far && leaves(c, i, *at, end, own, h, a, b, flight.velocity) &&
           !continued(*at)) {
         c.target[i] = -std::numeric_limits<double>::infinity();
         set_arms(c, i, found.point[k], a, b);

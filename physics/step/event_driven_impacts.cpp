@@ -186,11 +186,16 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
   const std::int64_t before_guard =
       kImpactsBeforeGuard + kImpactsBeforeGuardPerBody * static_cast<std::int64_t>(world.bodies());
   const int most_trajectory_ends = kMostTrajectoryEnds + kMostTrajectoryEndsPerBody * world.bodies();
-  while (!queue_.empty() && queue_.next().time <= target) {
-    const Event next = queue_.next();
-    queue_.pop();
-    queue_.sweep([&](const Event& event) { return is_stale(event); });
+  moment_.clear();
+  while (!moment_.empty() || (!queue_.empty() && queue_.next().time <= target)) {
+    if (moment_.empty()) find_moment(step);
+    const Event next = moment_.back();
+    moment_.pop_back();
     if (is_stale(next)) continue;
+    if (next.time > target) {
+      queue_.push(next);
+      continue;
+    }
     world.work.pass(5);
     // It is scheduled here too, and only rounding could say which comes first.
     if (awaited != nullptr && awaited->a == std::min(next.a, next.b) &&

@@ -77,16 +77,20 @@ class EventDrivenImpacts {
   // Resolves events up to `target` (s after the epoch), except the landing `awaited` there. Returns the time
   // of a support that divides the step; everything before it is done.
   std::optional<double> process_until(const Step& step, double target, const Landing* awaited = nullptr);
+  // Takes the next event off the queue, and with an impact all others of its moment, as far as it can be told:
+  // what they set off comes after them all. Fills moment_, the first at the back.
+  void find_moment(const Step& step);
   // Resolves the impact of a scheduled pair. True if it starts a support that divides the step.
   bool resolve(const Step& step, int a, int b, double time, bool guarded);
   // Likewise, with all that closes at this time too, or with all that touches if the scene says so. Nothing if
   // that is the pair alone, or if there is no solution.
   std::optional<bool> resolve_at_once(const Step& step, int a, int b, double time);
-  // Fills cluster_ with the touches of all pairs that are scheduled for this time, as far as it can be told,
-  // and share bodies.
+  // Fills cluster_ with the touches of the pairs of this moment that share bodies.
   void find_closing(const Step& step, int a, int b, double time);
+  void find_due(const Step& step, int a, int b, double time);
+  [[nodiscard]] static double end_of_moment(const Step& step, const Event& first);
   // Fills cluster_ with the touches of all bodies in contact with a or b, directly or through others.
-  void find_touching(World& world, int a, int b, double time);
+  void find_touching(World& world, int a, int b, double time, double tolerances);
   bool find_touches(World& world, int a, int b, double time, double tolerances);
   // After an impact with e < 1: decides whether the pair rests from now on or has collapsed. Returns the same
   // as resolve().
@@ -126,6 +130,7 @@ class EventDrivenImpacts {
   double stretch_ = 1.0;                // of trajectories that no step ends, if too many ended
   ImpactCluster cluster_;
   std::vector<int> reached_;  // bodies of a cluster, as they are found
+  std::vector<Event> moment_;
   std::vector<std::pair<int, int>> due_;
   std::vector<Contact> found_;
   std::vector<int> near_;  // bodies near an impact

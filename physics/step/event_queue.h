@@ -43,14 +43,6 @@ class EventQueue {
     std::make_heap(heap_.begin(), heap_.end(), Later{});
     sweep_at_ = std::max(kFewest, 2 * heap_.size());
   }
-  // Calls visit(event) for each event not later than `time`, in no order.
-  template <class Visit>
-  void each_until(double time, const Visit& visit, std::size_t from = 0) const {
-    if (from >= heap_.size() || heap_[from].time > time) return;
-    visit(heap_[from]);
-    each_until(time, visit, 2 * from + 1);
-    each_until(time, visit, 2 * from + 2);
-  }
   void push(const Event& event) {
     heap_.push_back(event);
     std::push_heap(heap_.begin(), heap_.end(), Later{});

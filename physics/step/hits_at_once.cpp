@@ -37,7 +37,7 @@ void resolve_at_once(World& world, HitsAtOnce& buffers, double h, double within)
       take_connected(world, hits, begin, together);
       cluster.clear();
       for (const Hit& hit : together) cluster.add(hit.a, hit.b, hit.contact);
-      if (!cluster.has_several_pairs()) continue;
+      if (!cluster.has_several_pairs() || together.size() > kMostTogether) continue;
       if (!cluster.has_law(world)) {
         world.note(&Notices::order_decided_since, world.trajectories.epoch() + within);
         continue;

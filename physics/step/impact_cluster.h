@@ -14,7 +14,11 @@
 
 namespace carom {
 
-// Keeps, of items with ends a and b, those that bodies which move connect with the pair of a and b.
+// Contacts that are resolved at once, at most: the law's work grows with the cube of their number.
+inline constexpr std::size_t kMostTogether = 32;
+
+// Keeps, of items with ends a and b, those that bodies which move connect with the pair of a and b; if there
+// are more than kMostTogether, one more of them.
 template <class Item>
 void keep_connected(const World& world, int a, int b, std::vector<Item>& items) {
   std::size_t kept = 0;
@@ -29,7 +33,7 @@ void keep_connected(const World& world, int a, int b, std::vector<Item>& items) 
   };
   for (bool grows = true; grows;) {
     grows = false;
-    for (std::size_t k = kept; k < items.size(); ++k) {
+    for (std::size_t k = kept; k < items.size() && kept <= kMostTogether; ++k) {
       const auto [c, d] = ends_of(items[k]);
       if (!reaches(c) && !reaches(d)) continue;
       std::swap(items[kept++], items[k]);

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "physics/collision/pair_contact.h"
@@ -15,10 +17,10 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kTogether = 1e-9;
 // Times the rounding of a gap and of a time: impacts that are nearer in time are at one time.
 constexpr double kRoundings = 16.0;
-// Work of the law for several contacts in a step, of a problem with n unknowns n³, and pairs in one: what piles
-// up goes on pair by pair then, with no symmetry left to keep.
+// Work of the law for several contacts in a step, of a problem with n unknowns n³, and impacts of one moment:
+// what piles up goes on pair by pair then, with no symmetry left to keep.
 constexpr std::int64_t kMostWork = 300'000;
-constexpr std::size_t kMostTogether = 32;
+constexpr std::size_t kMostOfMoment = 256;
 // Of a step: the rounding of a gap puts a slow impact off by no more.
 constexpr double kMostOff = 1e-10;
 
@@ -33,6 +35,9 @@ std::vector<int> islands_of(const Trajectories& trajectories, const std::vector<
   std::sort(islands.begin(), islands.end());
   return islands;
 }
+
+// s: what rounding puts the moments of impacts at this time apart, with slow impacts by `off` s.
+double apart(double time, double h, double off) { return kRoundings * (kEpsilon * (std::abs(time) + h) + off); }
 
 // The motion of a body at this time, or as near to it as its trajectory is known.
 Motion motion_at(Trajectories& trajectories, int body, double time) {
@@ -75,7 +80,7 @@ bool EventDrivenImpacts::find_touches(World& world, int a, int b, double time, d
 }
 
 // Outwards from the pair, over bodies that move.
-void EventDrivenImpacts::find_touching(World& world, int a, int b, double time) {
+void EventDrivenImpacts::find_touching(World& world, int a, int b, double time, double tolerances) {
   cluster_.clear();
   reached_.assign({a, b});
   for (std::size_t k = 0; k < reached_.size(); ++k) {
@@ -87,25 +92,66 @@ void EventDrivenImpacts::find_touching(World& world, int a, int b, double time) 
       const auto known = std::find(reached_.begin(), reached_.end(), other);
       // Pairs of which the other one has been looked at are there already.
       if (known < reached_.begin() + static_cast<std::ptrdiff_t>(k) && !world.infinite_mass(other)) continue;
-      if (find_touches(world, body, other, time, 1.0) && known == reached_.end()) reached_.push_back(other);
+      if (find_touches(world, body, other, time, tolerances) && known == reached_.end())
+        reached_.push_back(other);
     }
   }
+}
+
+void EventDrivenImpacts::find_moment(const Step& step) {
+  const Event next = queue_.next();
+  queue_.pop();
+  queue_.sweep([&](const Event& event) { return is_stale(event); });
+  moment_.assign({next});
+  if (next.b < 0 || is_stale(next) || queue_.empty() ||
+      queue_.next().time > next.time + apart(next.time, step.h, kMostOff * step.h))
+    return;
+  const double until = end_of_moment(step, next);
+  while (!queue_.empty() && queue_.next().time <= until && queue_.next().b >= 0) {
+    if (!is_stale(queue_.next())) moment_.push_back(queue_.next());
+    queue_.pop();
+  }
+  std::sort(moment_.begin() + 1, moment_.end(),
+            [](const Event& x, const Event& y) { return std::tie(x.a, x.b) > std::tie(y.a, y.b); });
+  std::rotate(moment_.begin(), moment_.begin() + 1, moment_.end());
+}
+
+// s after the epoch: until when impacts are at one moment with this one.
+double EventDrivenImpacts::end_of_moment(const Step& step, const Event& first) {
+  const World& world = step.world;
+  const auto velocity = [&](int i) { return world.trajectories.at_start(i).segment<2>(3); };
+  const double speed = (velocity(first.b) - velocity(first.a)).norm();
+  const double off = std::min(touch_tolerance(world, first.a, first.b) / speed, kMostOff * step.h);
+  return first.time + apart(first.time, step.h, off);
 }
 
 void EventDrivenImpacts::find_closing(const Step& step, int a, int b, double time) {
   World& world = step.world;
   cluster_.clear();
   if (at_once_work_ > kMostWork) return;
-  const auto velocity = [&](int i) { return world.trajectories.at_start(i).segment<2>(3); };
-  const double speed = (velocity(b) - velocity(a)).norm();
-  const double rounding = kEpsilon * (std::abs(time) + step.h);
-  const double off = std::min(touch_tolerance(world, a, b) / speed, kMostOff * step.h);
-  const double until = time + kRoundings * (rounding + off);
+  // A moment at the end of all trajectories: other impacts of it may lie behind, where nothing is scheduled.
+  if (time + apart(time, step.h, kMostOff * step.h) > step.horizon &&
+      end_of_moment(step, {time, a, b}) > step.horizon) {
+    find_touching(world, a, b, time, kRoundings);
+  } else {
+    find_due(step, a, b, time);
+  }
+  cluster_.keep_closing(world, a, b, [&](int i) { return motion_at(world.trajectories, i, time); });
+  if (!cluster_.has_several_pairs() || cluster_.touches().size() > 2 * kMostTogether) {
+    cluster_.clear();
+  } else if (!cluster_.has_law(world)) {
+    world.note(&Notices::order_decided_since, world.trajectories.epoch() + time);
+    cluster_.clear();
+  }
+}
+
+void EventDrivenImpacts::find_due(const Step& step, int a, int b, double time) {
+  World& world = step.world;
   due_.clear();
-  queue_.each_until(until, [&](const Event& event) {
-    if (event.b >= 0 && !is_stale(event))
-      due_.emplace_back(std::min(event.a, event.b), std::max(event.a, event.b));
-  });
+  if (moment_.size() > kMostOfMoment) return;
+  for (const Event& event : moment_) {
+    if (!is_stale(event)) due_.emplace_back(std::min(event.a, event.b), std::max(event.a, event.b));
+  }
   if (due_.empty()) return;
   due_.emplace_back(std::min(a, b), std::max(a, b));
   keep_connected(world, a, b, due_);
@@ -118,13 +164,6 @@ void EventDrivenImpacts::find_closing(const Step& step, int a, int b, double tim
       grid_.each_near(world.infinite_mass(c) ? d : c, [&](int other) { near_.push_back(other); });
     find_touches(world, c, d, time, kRoundings);
   }
-  cluster_.keep_closing(world, a, b, [&](int i) { return motion_at(world.trajectories, i, time); });
-  if (!cluster_.has_several_pairs()) {
-    cluster_.clear();
-  } else if (!cluster_.has_law(world)) {
-    world.note(&Notices::order_decided_since, world.trajectories.epoch() + time);
-    cluster_.clear();
-  }
 }
 
 std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, int a, int b, double time) {
@@ -132,7 +171,7 @@ std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, int a,
   Trajectories& trajectories = world.trajectories;
   const bool all = world.model->scene.several_impacts == SeveralImpactsId::kSimultaneous;
   if (all) {
-    find_touching(world, a, b, time);
+    find_touching(world, a, b, time, 1.0);
   } else {
     find_closing(step, a, b, time);
   }

@@ -123,6 +123,21 @@ TEST(FaceEnds, MirroredTurnedShiftedRollingAndInOtherSizes) {
   }
 }
 
+// Just fast enough to leave at once, at every share of a step that may be left.
+TEST(FaceEnds, ABallLeavesAtEveryMomentOfAStep) {
+  for (const double step : {1.0 / 60.0, 0.01, 0.005}) {
+    for (const double faster : {1.05, 1.2, 1.5}) {
+      for (const double part : {0.0, 1e-12, 1e-6, 1e-3, 0.03, 0.2, 0.5, 0.8, 0.99, 1.0 - 1e-9}) {
+        OffTheTable scene;
+        scene.step = step;
+        scene.speed = faster * std::sqrt(9.81 * scene.radius);
+        scene.start = -(10.0 + part) * scene.speed * step;
+        EXPECT_NEAR(scene.landing(), scene.expected(), 1e-11) << step << ' ' << faster << ' ' << part;
+      }
+    }
+  }
+}
+
 // Slower than √(g r) it goes round the corner before it leaves: the way round is of order 2.
 TEST(FaceEnds, ASlowBallGoesRoundTheEdge) {
   OffTheTable scene;

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 #include "physics/run/run_setup.h"
 #include "tests/support/scenes.h"
@@ -111,6 +113,56 @@ TEST(ImpactsAtOnce, OneBallOnTwoInEveryOrderPlaceAndSize) {
           }
           if (HasFailure()) return;
         }
+      }
+    }
+  }
+}
+
+// The moment falls on the end of a step, where rounding says for each of the two in which step it is.
+TEST(ImpactsAtOnce, AlsoAtTheEndOfAStep) {
+  for (const ContactsId contacts : {ContactsId::kImpulse, ContactsId::kLasting}) {
+    for (int k = 0; k < 100; ++k) {
+      OneOnTwo scene;
+      scene.angle = 0.03 * k;
+      scene.shift = Vec2(0.37 * k, 0.11 * k);
+      RunSetup s = scene.setup();
+      // After 40 steps, at 0.1 √3 m from the line between the two.
+      s.scene.bodies[0].position = scene.shift + turned({-0.1 * std::numbers::sqrt3 - 0.8, 0.0}, scene.angle);
+      s.method.contacts = contacts;
+      Simulation run(s);
+      run.advance_to(1.0);
+      expect_symmetric(run, scene, 1e-10);
+      ASSERT_FALSE(HasFailure()) << k;
+    }
+  }
+}
+
+// Both ends of a row are hit at one moment: what they set off inside comes after both, in every order of the
+// bodies.
+TEST(ImpactsAtOnce, ARowHitFromBothSidesIsSymmetricInEveryOrder) {
+  for (const double restitution : {0.3, 0.5, 0.9, 1.0}) {
+    for (const int inside : {2, 3, 4}) {
+      std::vector<int> order(static_cast<std::size_t>(inside) + 2);
+      std::iota(order.begin(), order.end(), 0);
+      std::mt19937 random(7);
+      for (int k = 0; k < 20; ++k) {
+        std::shuffle(order.begin(), order.end(), random);
+        RunSetup s = test::setup_with({}, restitution);
+        const double half = 0.1 * (inside - 1);
+        for (const int i : order) {
+          const bool moves = i == 0 || i == inside + 1;
+          const double x = moves ? (i == 0 ? -half - 1.2 : half + 1.2) : 0.2 * (i - 1) - half;
+          s.scene.bodies.push_back(
+              disc(fmt::format("{}", i), {x, 0.0}, {moves ? (i == 0 ? 1.0 : -1.0) : 0.0, 0.0}));
+        }
+        Simulation run(s);
+        run.advance_to(1.5);
+        std::vector<double> v(order.size());
+        for (std::size_t i = 0; i < order.size(); ++i)
+          v[static_cast<std::size_t>(order[i])] = run.state().v(0, static_cast<Eigen::Index>(i));
+        for (std::size_t i = 0; i < v.size(); ++i)
+          EXPECT_NEAR(v[i], -v[v.size() - 1 - i], 1e-12)
+              << restitution << ' ' << inside << ' ' << k << ' ' << i;
       }
     }
   }
