@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
-#include "physics/collision/time_of_impact.h"
 #include "physics/contact/contact_velocity.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/math/vectors.h"
-#include "physics/step/apply_impact.h"
 #include "physics/step/contact_work.h"
 #include "physics/step/island_spin.h"
 #include "physics/step/pair_motion.h"
@@ -48,8 +45,6 @@ constexpr int kQuietSweeps = 150;
 constexpr int kContactsPerHit = 100;
 // Of the size, or rad: how far bodies of a crowd may close or turn in a part of a step.
 constexpr double kMostMotion = 0.1;
-// Rounds of impacts in a step where they are not located in time.
-constexpr int kMostStrikes = 8;
 // Guesses of the contact forces in a step, until the flight under them has end velocities that are off by at
 // most kGuessed of the change of a speed by forces.
 constexpr int kMostGuesses = 6;
@@ -192,49 +187,6 @@ void RestingContacts::prepare(const World& world) {
   prepared_ = true;
 }
 
-std::optional<LandingTime> RestingContacts::first_landing(World& world, double end) const {
-  std::optional<LandingTime> first;
-  double time = end;
-  const Geometry& shapes = world.shapes();
-  for (const Landing& landing : found_.landings) {
-    const auto& [a, b, id] = landing;
-    const auto gap = [&, a = a, b = b, id = id](double t) {
-      const Manifold m = manifold_of(shapes, a, shapes.pose(a, world.trajectories.at(a, t).head<3>()), b,
-                                     shapes.pose(b, world.trajectories.at(b, t).head<3>()), id,
-                                     std::numeric_limits<double>::infinity());
-      for (int k = 0; k < m.count; ++k) {
-        if (m.points[k].id == id) return m.points[k].gap;
-      }
-      return world.shapes().size[a] + world.shapes().size[b];
-    };
-    const double at_start = gap(0.0);
-    const double at_end = gap(time);
-    if (!(at_start > 0.0 && at_end < 0.0)) continue;
-    time = bracketed_root(gap, 0.0, at_start, time, at_end);
-    first = {landing, time};
-  }
-  return first;
-}
-
-void RestingContacts::land(World& world, const LandingTime& landing) const {
-  const auto& [a, b, id] = landing.landing;
-  const Geometry& shapes = world.shapes();
-  const Manifold m = manifold_of(shapes, a, shapes.pose(a, world.trajectories.at_start(a).head<3>()), b,
-                                 shapes.pose(b, world.trajectories.at_start(b).head<3>()), id,
-                                 std::numeric_limits<double>::infinity());
-  for (int k = 0; k < m.count; ++k) {
-    if (m.points[k].id != id) continue;
-    // The point that has landed, which need not be the deepest.
-    const Contact contact = m.contact(k);
-    const Material& material = world.material(contact, a, b);
-    const double closing = -world.parting_speed(a, b, contact);
-    if (material.restitution * closing >
-        rest_speed(world, a, b, contact.point, contact.normal, material.restitution))
-      apply_impact(world, a, b, contact, material, landing.time);
-    return;
-  }
-}
-
 ContactSolverOptions RestingContacts::solver_options() const {
   const double by_forces = pressing_.change_by_forces();
   ContactSolverOptions options;
@@ -326,63 +278,6 @@ ContactSolverReport RestingContacts::solve(const World& world, const Eigen::Matr
     if (!breaks) break;
   }
   return report;
-}
-
-// Where impacts are not located in time, pairs that would meet within the step rebound now by the law of
-// impacts, those of one moment at once, else pair by pair, before they can penetrate. What still closes after
-// kMostStrikes rounds is stopped.
-void RestingContacts::strike(World& world, double h) {
-  if (found_.hits.empty()) return;
-  struck_.assign(static_cast<std::size_t>(world.bodies()), 0);
-  const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
-  // Kept: bodies that stick bring a new one.
-  const std::shared_ptr<const Model> model = world.model;
-  // Calls visit(contact, closing speed, material) for each two parts that would meet.
-  const auto each_hit = [&](int a, int b, const auto& visit) {
-    const bool several = world.shapes().has_parts(a) || world.shapes().has_parts(b);
-    model->shapes.each_parts(a, b, [&](int part_a, int part_b) {
-      if (!world.shapes().can_collide(a, b)) return;  // joined in the meantime
-      const Approach at = world.approach(a, b, 0.0, {part_a, part_b});
-      const Material& material = world.material(at.contact, a, b);
-      const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
-      if (!(-material.restitution * at.speed > rest) || -at.speed * h < at.contact.gap) return;
-      if (several && on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
-        return;
-      visit(at.contact, -at.speed, material);
-    });
-  };
-  std::vector<Hit>& hits = at_once_.hits;
-  hits.clear();
-  for (const auto& [a, b] : found_.hits) {
-    each_hit(a, b, [&, a = a, b = b](const Contact& contact, double closing, const Material&) {
-      hits.push_back({a, b, contact, contact.gap / closing});
-    });
-  }
-  for (const Hit& hit : hits)
-    struck_[static_cast<std::size_t>(hit.a)] = struck_[static_cast<std::size_t>(hit.b)] = 1;
-  bool any = !hits.empty();
-  resolve_at_once(world, at_once_, h, 0.0);
-  const auto strikes = [&](int a, int b) {
-    bool some = false;
-    each_hit(a, b, [&](const Contact& contact, double, const Material& material) {
-      apply_impact(world, a, b, contact, material, 0.0);
-      struck_[static_cast<std::size_t>(a)] = struck_[static_cast<std::size_t>(b)] = 1;
-      some = true;
-    });
-    return some;
-  };
-  for (const auto& [a, b] : found_.hits) any = strikes(a, b) || any;
-  const Contacts& c = found_.contacts;
-  for (int round = 1; any && round < kMostStrikes; ++round) {
-    any = false;
-    for (int i = 0; i < c.size(); ++i) {
-      const int a = c.a[i];
-      const int b = c.b[i];
-      const bool again = i > 0 && c.a[i - 1] == a && c.b[i - 1] == b;
-      if (!again && (struck_[static_cast<std::size_t>(a)] != 0 || struck_[static_cast<std::size_t>(b)] != 0))
-        any = strikes(a, b) || any;
-    }
-  }
 }
 
 // Contacts that close, or would within the step, lose their closing speed now.
@@ -539,38 +434,6 @@ ContactSolverReport RestingContacts::solve_flight(World& world, double h, const 
 void RestingContacts::release(World& world) {
   take_off_forces(world);
   *this = {};
-}
-
-// Bodies that penetrate at the step's end and close faster than a contact may rest rebound by the law of
-// impacts.
-void RestingContacts::rebound_at_end(World& world, const std::vector<std::pair<int, int>>& pairs) const {
-  const double now = world.clock.step_end - world.trajectories.epoch();
-  const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
-  // Of two parts.
-  const auto rebound = [&](int a, int b, const std::pair<int, int>& parts) {
-    const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
-    for (int k = 0; k < most && world.shapes().can_collide(a, b); ++k) {
-      const Approach at = world.approach(a, b, 0.0, parts);
-      if (at.contact.gap >= 0.0) break;
-      const double restitution = world.material(at.contact, a, b).restitution;
-      if (restitution == 0.0) break;
-      if (may_be_continued(world, a, b) &&
-          on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
-        break;
-      const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, restitution);
-      if (!(-restitution * at.speed > rest)) break;
-      apply_impact(world, a, b, at.contact, world.material(at.contact, a, b), now);
-    }
-  };
-  // Kept: bodies that stick bring a new one.
-  const std::shared_ptr<const Model> model = world.model;
-  for (const auto& [a, b] : pairs) {
-    if (!world.shapes().can_collide(a, b)) continue;  // joined in the meantime
-    const bool one_surface = !world.shapes().has_parts(a) && !world.shapes().has_parts(b);
-    if (one_surface && world.material({}, a, b).restitution == 0.0) continue;
-    model->shapes.each_parts(
-        a, b, [&, a = a, b = b](int part_a, int part_b) { rebound(a, b, std::pair(part_a, part_b)); });
-  }
 }
 
 }  // namespace carom
