@@ -65,21 +65,24 @@ bool Drawer::event(QEvent* event) {
   return QFrame::event(event);
 }
 
-// The other side of the splitter gets the room, or gives back as much.
+bool Drawer::in_head(const QPoint& at) const { return at.y() < tabs_->y() + tabs_->tabBar()->height(); }
+
+// Alone in its splitter it would leave a hole.
+bool Drawer::can_fold() const {
+  const auto* splitter = qobject_cast<const QSplitter*>(parentWidget());
+  if (splitter == nullptr) return false;
+  bool shares = false;
+  for (int i = 0; i < splitter->count(); ++i)
+    shares = shares || (splitter->widget(i) != this && !splitter->widget(i)->isHidden());
+  return shares;
+}
+
 void Drawer::set_folded(bool folded) {
   const int bar = tabs_->tabBar()->sizeHint().height();
-  const int line = bar + layout()->contentsMargins().top();
-  auto* splitter = qobject_cast<QSplitter*>(parentWidget());
-  if (folded && splitter == nullptr) return emit foldedChanged(false);
-  if (folded && !folded_ && splitter != nullptr) unfolded_ = splitter->sizes().last();
+  if (folded && !can_fold()) return emit foldedChanged(false);
   tabs_->setMinimumHeight(folded ? bar : bar + kLeastPage);
-  setMaximumHeight(folded ? line : QWIDGETSIZE_MAX);
-  if (std::exchange(folded_, folded) == folded) return;
-  if (splitter != nullptr) {
-    const int own = folded ? line : unfolded_;
-    splitter->setSizes({splitter->height() - splitter->handleWidth() - own, own});
-  }
-  emit foldedChanged(folded);
+  setMaximumHeight(folded ? bar + layout()->contentsMargins().top() : QWIDGETSIZE_MAX);
+  if (std::exchange(folded_, folded) != folded) emit foldedChanged(folded);
 }
 
 }  // namespace carom

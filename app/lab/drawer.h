@@ -6,9 +6,9 @@ class QTabWidget;
 
 namespace carom {
 
-// Pages under the scene, one shown at a time. A click on the tab of the shown page folds the drawer to its line
-// of tabs, and any tab unfolds it. It is the last part of a splitter; elsewhere it does not fold. A page that
-// is taller than its room scrolls.
+// Pages of tables, one shown at a time. A click on the tab of the shown page folds the drawer to its line
+// of tabs, and any tab unfolds it. It folds in a splitter, which it shares with others; elsewhere it does not.
+// A page that is taller than its room scrolls.
 class Drawer : public QFrame {
   Q_OBJECT
 
@@ -29,6 +29,8 @@ class Drawer : public QFrame {
 
   void set_folded(bool folded);
   [[nodiscard]] bool folded() const { return folded_; }
+  // Whether this place (px) is beside the tabs, over the page.
+  [[nodiscard]] bool in_head(const QPoint& at) const;
 
  signals:
   void pageChanged();
@@ -39,10 +41,10 @@ class Drawer : public QFrame {
 
  private:
   [[nodiscard]] int index_of(const QWidget* page) const;
+  [[nodiscard]] bool can_fold() const;
 
   QTabWidget* tabs_;
   bool folded_ = false;
-  int unfolded_ = 190;  // px, its height then
 };
 
 }  // namespace carom

@@ -3,11 +3,10 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QSettings>
-#include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -36,16 +35,16 @@ class PanelWindow : public QWidget {
 
 }  // namespace
 
-FloatingPanel::FloatingPanel(QWidget* panel, const QString& name, const QString& title)
+FloatingPanel::FloatingPanel(QWidget* panel, const QString& name, const QString& title,
+                             std::function<void()> dock)
     : QObject(panel),
       panel_(panel),
-      home_(qobject_cast<QSplitter*>(panel->parentWidget())),
       name_(name),
       title_(title),
-      action_(new QAction(tr("%1 in a window").arg(title), this)),
-      place_(home_->indexOf(panel)) {
+      dock_(std::move(dock)),
+      action_(new QAction(tr("%1 in a window").arg(title), this)) {
   action_->setCheckable(true);
-  action_->setToolTip(tr("In a window of its own; closing it puts it back"));
+  action_->setToolTip(tr("In a window of its own; closing it puts it back. Dragged, it moves the panel"));
   connect(action_, &QAction::toggled, this, &FloatingPanel::set_floating);
 }
 
@@ -65,6 +64,11 @@ void FloatingPanel::set_floating(bool floating) {
   emit floatingChanged(floating);
 }
 
+void FloatingPanel::float_at(const QPoint& corner) {
+  set_floating(true);
+  window_->move(corner);
+}
+
 void FloatingPanel::set_shown(bool shown) {
   panel_->setVisible(shown);
   if (window_ != nullptr) window_->setVisible(shown);
@@ -73,9 +77,9 @@ void FloatingPanel::set_shown(bool shown) {
 // Near its place, so that what moves there is not covered.
 void FloatingPanel::float_off() {
   constexpr QPoint kAside(-40, -80);  // px
-  sizes_ = home_->sizes();
+  emit aboutToFloat();
   const QRect here(panel_->mapToGlobal(QPoint()), panel_->size());
-  window_ = new PanelWindow(panel_, home_->window(), [this] { set_floating(false); });
+  window_ = new PanelWindow(panel_, panel_->window(), [this] { set_floating(false); });
   window_->setWindowTitle(title_ + " – Carom");
   window_->setGeometry(here.translated(kAside));
   if (!geometry_.isEmpty()) window_->restoreGeometry(geometry_);
@@ -85,9 +89,8 @@ void FloatingPanel::float_off() {
 
 void FloatingPanel::put_back() {
   geometry_ = window_->saveGeometry();
-  home_->insertWidget(std::min(place_, home_->count()), panel_);
+  dock_();
   panel_->show();
-  if (home_->count() == sizes_.size()) home_->setSizes(sizes_);
   window_->hide();
   window_->deleteLater();
   window_ = nullptr;

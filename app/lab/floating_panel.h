@@ -1,29 +1,30 @@
 #pragma once
 
 #include <QByteArray>
-#include <QList>
 #include <QObject>
 #include <QString>
+#include <functional>
 
 class QAction;
 class QSettings;
-class QSplitter;
 class QToolButton;
 class QWidget;
 
 namespace carom {
 
-// A panel of a splitter that can stand in a window of its own; closing that window puts it back. The keys of
-// the window that it came from go on to work there.
+// A panel that can stand in a window of its own; closing that window docks it again. The keys of the window
+// that it came from go on to work there.
 class FloatingPanel : public QObject {
   Q_OBJECT
 
  public:
-  // The panel stands in the splitter already. `name` is that of its settings.
-  FloatingPanel(QWidget* panel, const QString& name, const QString& title);
+  // `name` is that of its settings; `dock` puts the panel into its place.
+  FloatingPanel(QWidget* panel, const QString& name, const QString& title, std::function<void()> dock);
 
   void set_floating(bool floating);
   [[nodiscard]] bool floating() const { return window_ != nullptr; }
+  // Floats with the upper left corner of its window here (px of the screen).
+  void float_at(const QPoint& corner);
   // Shows or hides it, with its window if it has one.
   void set_shown(bool shown);
 
@@ -35,6 +36,7 @@ class FloatingPanel : public QObject {
   void keep(QSettings& settings) const;
 
  signals:
+  void aboutToFloat();
   void floatingChanged(bool floating);
 
  private:
@@ -42,13 +44,11 @@ class FloatingPanel : public QObject {
   void put_back();
 
   QWidget* panel_;
-  QSplitter* home_;
   QString name_;
   QString title_;
+  std::function<void()> dock_;
   QAction* action_;
   QWidget* window_ = nullptr;
-  int place_;            // in the splitter
-  QList<int> sizes_;     // px, of the splitter with it
   QByteArray geometry_;  // of its window, the last time
 };
 

@@ -1,7 +1,6 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -11,7 +10,7 @@
 #include "app/lab/floating_panel.h"
 #include "app/lab/lab_window.h"
 #include "app/lab/notice_bar.h"
-#include "app/lab/right_column.h"
+#include "app/lab/panel_docks.h"
 #include "app/lab/scrolled.h"
 #include "app/library/library_items.h"
 #include "physics/scene/validate.h"
@@ -33,7 +32,6 @@ namespace {
 
 constexpr int kListWidth = 256;           // px
 constexpr int kGap = 8;                   // px, between panels
-constexpr int kTabsWidth = 280;           // px, of the right column with tabs
 constexpr QSize kStackedFrom(1200, 720);  // px: a window that has room for the inspector over the plots
 constexpr int kPinnedFrom = 1600;         // px: width of a window that has room for the list beside the scene
 
@@ -58,23 +56,7 @@ void LabWindow::make_body() {
   list_->setFixedWidth(kListWidth);
   list_->hide();
 
-  columns_ = new QSplitter(Qt::Horizontal);
-  columns_->setHandleWidth(kGap);
-  columns_->addWidget(make_middle());
-  columns_->addWidget(make_right());
-  columns_->setStretchFactor(0, 3);
-  columns_->setStretchFactor(1, 1);
-  columns_->setChildrenCollapsible(false);
-  connect(columns_, &QSplitter::splitterMoved, this, [this](int at) {
-    if (!right_->tabbed())
-      right_share_ =
-          right_is_left() ? 1.0 * at / columns_->width() : 1.0 - 1.0 * (at + kGap) / columns_->width();
-  });
-  floating_ = {&right_->inspector_window(), &right_->plots_window(),
-               new FloatingPanel(drawer_, "drawer", tr("Tables"))};
-  for (FloatingPanel* each : floating_) icon_actions_.emplace_back(each->action(), "float");
-  inspector_->add_to_head(floating_[0]->make_button());
-  drawer_->add_corner(floating_[2]->make_button());
+  make_docks();
   restore_bar_ = new NoticeBar;
   lost_bar_ = new NoticeBar;
   auto* inner = new QVBoxLayout;
@@ -82,7 +64,7 @@ void LabWindow::make_body() {
   inner->setSpacing(kGap);
   inner->addWidget(restore_bar_);
   inner->addWidget(lost_bar_);
-  inner->addWidget(columns_, 1);
+  inner->addWidget(docks_, 1);
   row->addLayout(inner, 1);
   setCentralWidget(all);
 }
@@ -122,37 +104,11 @@ void LabWindow::resizeEvent(QResizeEvent* event) {
   fold_tool_bar();
   QMainWindow::resizeEvent(event);
   place_list();
-  place_right();
+  // A small window has room for the inspector or the plots, but not for both.
+  docks_->set_tabbed(width() < kStackedFrom.width() || height() < kStackedFrom.height());
 }
 
-// A small window has room for the inspector or the plots, but not for both.
-void LabWindow::place_right() {
-  const bool tabbed = width() < kStackedFrom.width() || height() < kStackedFrom.height();
-  if (tabbed == right_->tabbed()) return;
-  right_->set_tabbed(tabbed);
-  size_right();
-}
-
-void LabWindow::size_right() {
-  const int both = columns_->isVisible() ? columns_->width() : width() - 2 * kGap;
-  const int right = right_->tabbed() ? kTabsWidth : qRound(right_share_ * both);
-  const int scene = both - kGap - right;
-  columns_->setSizes(right_is_left() ? QList{right, scene} : QList{scene, right});
-  // Beside tabs, what the window has more or less is the scene's.
-  columns_->setStretchFactor(columns_->indexOf(right_), right_->tabbed() ? 0 : 1);
-}
-
-bool LabWindow::right_is_left() const { return columns_->indexOf(right_) == 0; }
-
-// Both columns keep their widths.
-void LabWindow::put_right(bool at_left) {
-  if (at_left == right_is_left()) return;
-  const QList<int> sizes = columns_->sizes();
-  columns_->insertWidget(at_left ? 0 : 1, right_);
-  columns_->setSizes({sizes[1], sizes[0]});
-}
-
-QWidget* LabWindow::make_middle() {
+QWidget* LabWindow::make_scene() {
   view_ = new SceneView(theme_);
   transport_ = new TransportBar(theme_);
   auto* scene = new QWidget;
@@ -165,15 +121,32 @@ QWidget* LabWindow::make_middle() {
   row->addWidget(with_frame(view_, 1), 1);
   column->addLayout(row, 1);
   column->addWidget(transport_);
+  return scene;
+}
+
+// Inspector and plots scroll if they are too tall for their place.
+void LabWindow::make_docks() {
+  QWidget* scene = make_scene();
   make_drawer();
-  middle_ = new QSplitter(Qt::Vertical);
-  middle_->setHandleWidth(kGap);
-  middle_->addWidget(scene);
-  middle_->addWidget(drawer_);
-  middle_->setStretchFactor(0, 1);
-  middle_->setStretchFactor(1, 0);
-  middle_->setChildrenCollapsible(false);
-  return middle_;
+  inspector_ = new Inspector;
+  plots_ = new PlotPanel(theme_);
+  auto* inspector = scrolled<TallArea>(inspector_);
+  auto* plots = scrolled<TallArea>(plots_);
+  for (QScrollArea* area : {inspector, plots}) area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  docks_ = new PanelDocks(scene, with_frame(inspector, 1), plots, drawer_);
+  for (const auto panel : {PanelDocks::kInspector, PanelDocks::kPlots, PanelDocks::kDrawer})
+    icon_actions_.emplace_back(docks_->window_of(panel).action(), "float");
+  const auto anywhere = [](const QPoint&) { return true; };
+  const auto add_button = [&](PanelDocks::Panel panel) {
+    QToolButton* button = docks_->window_of(panel).make_button();
+    docks_->add_head(panel, button, anywhere);
+    return button;
+  };
+  inspector_->add_to_head(add_button(PanelDocks::kInspector));
+  drawer_->add_corner(add_button(PanelDocks::kDrawer));
+  docks_->add_head(PanelDocks::kInspector, inspector_->head(), anywhere);
+  docks_->add_head(PanelDocks::kPlots, plots_, [this](const QPoint& at) { return plots_->in_head(at); });
+  docks_->add_head(PanelDocks::kDrawer, drawer_, [this](const QPoint& at) { return drawer_->in_head(at); });
 }
 
 void LabWindow::make_drawer() {
@@ -192,22 +165,6 @@ void LabWindow::make_drawer() {
   drawer_->add(compare_ = new ComparePanel(theme_), tr("Compare"));
   drawer_->add(study_ = new StudyPanel(theme_), tr("Study"));
   drawer_->add(scrolled<QScrollArea>(about_), tr("About"));
-}
-
-QWidget* LabWindow::make_right() {
-  inspector_ = new Inspector;
-  auto* area = scrolled<TallArea>(inspector_);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  right_ = new RightColumn(with_frame(area, 1), make_plots());
-  return right_;
-}
-
-// Plots scroll if there are too many for the height.
-QWidget* LabWindow::make_plots() {
-  plots_ = new PlotPanel(theme_);
-  auto* area = scrolled<TallArea>(plots_);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  return area;
 }
 
 void LabWindow::connect_views() {

@@ -14,8 +14,8 @@
 #include "app/lab/lab_exports.h"
 #include "app/lab/lab_window.h"
 #include "app/lab/method_bar.h"
+#include "app/lab/panel_docks.h"
 #include "app/lab/panel_focus.h"
-#include "app/lab/right_column.h"
 #include "app/lab/tool_column.h"
 #include "widgets/base/ask.h"
 #include "widgets/edit/inspector.h"
@@ -171,8 +171,8 @@ void LabWindow::make_view_menu() {
   inspector_action_ = add_action(view, "", tr("&Inspector"), QKeySequence(Qt::Key_I), [] {});
   inspector_action_->setCheckable(true);
   inspector_action_->setChecked(true);
-  connect(inspector_action_, &QAction::toggled, right_, &RightColumn::show_inspector);
-  connect(right_, &RightColumn::inspectorShown, inspector_action_, &QAction::setChecked);
+  connect(inspector_action_, &QAction::toggled, docks_, &PanelDocks::show_inspector);
+  connect(docks_, &PanelDocks::inspectorShown, inspector_action_, &QAction::setChecked);
   QAction* folded = add_action(view, "", tr("&Drawer"), QKeySequence(Qt::CTRL | Qt::Key_J), [] {});
   folded->setCheckable(true);
   folded->setChecked(true);
@@ -190,11 +190,13 @@ void LabWindow::make_view_menu() {
   add_action(view, "", tr("Ne&xt panel"), QKeySequence(Qt::Key_F6), [go] { go(true); });
   add_action(view, "", tr("Pre&vious panel"), QKeySequence(Qt::SHIFT | Qt::Key_F6), [go] { go(false); });
   view->addMenu(plots_->menu());
-  for (const FloatingPanel* each : floating_) view->addAction(each->action());
+  add_places_menu(view);
   left_action_ = add_action(view, "", tr("Panels at the &left"), QKeySequence(), [] {});
   left_action_->setCheckable(true);
   left_action_->setToolTip(tr("The inspector and the plots at the left of the scene"));
-  connect(left_action_, &QAction::toggled, this, &LabWindow::put_right);
+  connect(left_action_, &QAction::triggered, docks_, &PanelDocks::put_at_left);
+  connect(docks_, &PanelDocks::docksChanged, left_action_,
+          [this] { left_action_->setChecked(docks_->at_left()); });
   add_action(view, "", tr("&Standard layout"), QKeySequence(Qt::CTRL | Qt::Key_0),
              [this] { standard_layout(); });
   view->addSeparator();
@@ -204,6 +206,27 @@ void LabWindow::make_view_menu() {
     apply_theme(*qApp, next);
     set_theme(next);
   });
+}
+
+// What a drag of a panel's head does, for the keyboard.
+void LabWindow::add_places_menu(QMenu* to) {
+  const std::array<QString, PanelDocks::kDocks> places = {tr("At the &left"), tr("At the &right"),
+                                                          tr("&Under the scene")};
+  const std::array<QString, PanelDocks::kPanels> titles = {tr("&Inspector"), tr("&Plots"), tr("&Tables")};
+  QMenu* menu = to->addMenu(tr("Pla&ces of the panels"));
+  for (const auto panel : {PanelDocks::kInspector, PanelDocks::kPlots, PanelDocks::kDrawer}) {
+    QMenu* of_panel = menu->addMenu(titles[panel]);
+    const FloatingPanel& window = docks_->window_of(panel);
+    for (const auto dock : {PanelDocks::kLeft, PanelDocks::kRight, PanelDocks::kBottom}) {
+      QAction* action =
+          add_action(of_panel, "", places[dock], {}, [this, panel, dock] { docks_->put(panel, dock); });
+      action->setCheckable(true);
+      connect(of_panel, &QMenu::aboutToShow, action, [this, action, panel, dock, &window] {
+        action->setChecked(docks_->dock_of(panel) == dock && !window.floating());
+      });
+    }
+    of_panel->addAction(window.action());
+  }
 }
 
 void LabWindow::make_run_menus() {

@@ -19,7 +19,6 @@ class QLabel;
 class QMenu;
 class QToolBar;
 class QSettings;
-class QSplitter;
 
 namespace carom {
 
@@ -31,16 +30,15 @@ class ComparePanel;
 class DocumentFiles;
 class Drawer;
 class ExperimentList;
-class FloatingPanel;
 class ImpactsTable;
 class Inspector;
 class LabExports;
 class LedgerTable;
 class MethodBar;
 class NoticeBar;
+class PanelDocks;
 class PlotPanel;
 class ReadingTable;
-class RightColumn;
 class SceneChips;
 class SceneView;
 class StudyPanel;
@@ -93,15 +91,10 @@ class LabWindow : public QMainWindow {
   void make_body();
   void open_list(bool open);
   void place_list();
-  void place_right();
-  void size_right();
-  void put_right(bool at_left);
-  [[nodiscard]] bool right_is_left() const;
   void standard_layout();
-  [[nodiscard]] QWidget* make_middle();
+  [[nodiscard]] QWidget* make_scene();
+  void make_docks();
   void make_drawer();
-  [[nodiscard]] QWidget* make_plots();
-  [[nodiscard]] QWidget* make_right();
   void connect_views();
   // Editing by hand (lab_editing.cpp).
   void connect_edits();
@@ -138,6 +131,7 @@ class LabWindow : public QMainWindow {
   void make_edit_menu();
   QMenu* add_align_menu(QMenu* to);
   void make_view_menu();
+  void add_places_menu(QMenu* to);
   void make_run_menus();
   void make_help_menu();
   void make_tool_bar();
@@ -170,12 +164,8 @@ class LabWindow : public QMainWindow {
   QAction* inspector_action_ = nullptr;
   PlotPanel* plots_ = nullptr;
   Drawer* drawer_ = nullptr;
-  QSplitter* columns_ = nullptr;  // scene and drawer | right column, or the other way round
-  QSplitter* middle_ = nullptr;   // scene over drawer
-  RightColumn* right_ = nullptr;
-  QAction* left_action_ = nullptr;        // the right column stands at the left
-  std::vector<FloatingPanel*> floating_;  // inspector, plots, drawer
-  double right_share_ = 0.0;              // of the width, where the inspector stands over the plots
+  PanelDocks* docks_ = nullptr;     // the scene with inspector, plots and drawer round it
+  QAction* left_action_ = nullptr;  // inspector and plots stand at the left
   BodiesSheet* sheet_ = nullptr;
   BodiesTable* bodies_ = nullptr;
   ImpactsTable* impacts_ = nullptr;

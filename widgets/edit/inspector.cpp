@@ -62,10 +62,11 @@ Inspector::Inspector(QWidget* parent)
     : QWidget(parent),
       content_(new QWidget),
       column_(new QVBoxLayout(content_)),
-      top_(new QHBoxLayout),
-      back_(new QToolButton(content_)),
-      title_(new ElidedLabel(content_)),
-      kind_(new PlainLabel(content_)),
+      bar_(new QWidget(this)),
+      top_(new QHBoxLayout(bar_)),
+      back_(new QToolButton(bar_)),
+      title_(new ElidedLabel(bar_)),
+      kind_(new PlainLabel(bar_)),
       head_(new BodyHead(content_)),
       derived_(small_label("derived", content_)),
       hint_(small_label("muted", this)),
@@ -83,15 +84,19 @@ Inspector::Inspector(QWidget* parent)
   // The ground is that of what the inspector stands in.
   scroll->viewport()->setAutoFillBackground(false);
   content_->setAutoFillBackground(false);
+  outer->addWidget(bar_);
   outer->addWidget(scroll, 1);
   for (QLabel* line : {hint_, sentence_}) {
     line->setContentsMargins(kMargin, 4, kMargin, 6);
     outer->addWidget(line);
   }
 
+  bar_->setCursor(Qt::OpenHandCursor);
+  back_->setCursor(Qt::ArrowCursor);
   title_->setObjectName("title");
   kind_->setObjectName("muted");
   top_->setSpacing(8);
+  top_->setContentsMargins(kMargin, kMargin, kMargin, 0);
   back_->setText(QChar(0x2039));
   back_->setToolTip(tr("Back to the scene (Esc)"));
   back_->setAccessibleName(tr("Back to the scene"));
@@ -100,9 +105,8 @@ Inspector::Inspector(QWidget* parent)
   top_->addWidget(back_);
   top_->addWidget(title_);
   top_->addWidget(kind_, 1);
-  column_->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  column_->setContentsMargins(kMargin, 6, kMargin, kMargin);
   column_->setSpacing(6);
-  column_->addLayout(top_);
   column_->addWidget(head_);
   column_->addWidget(derived_);
   column_->addStretch(1);
@@ -308,6 +312,7 @@ void Inspector::focus_field(const QString& name) {
 void Inspector::set_frozen(bool frozen) {
   if (frozen && content_->isEnabled()) restore();
   content_->setEnabled(!frozen);
+  back_->setEnabled(!frozen);
   set_line(hint_, frozen ? tr("Pause to edit") : QString());
 }
 

@@ -38,7 +38,8 @@ class Inspector : public QWidget {
   // The same for a joint, a spring or a force.
   void show_part(std::shared_ptr<const Scene> scene, PartId part);
   [[nodiscard]] const std::optional<PartId>& part() const { return part_; }
-  // At the right of the title.
+  // The line with the title, over what scrolls; at its right there is room for more.
+  [[nodiscard]] QWidget* head() const { return bar_; }
   void add_to_head(QWidget* widget) { top_->addWidget(widget); }
   // Puts the cursor into the name of the selected body.
   void edit_name();
@@ -94,7 +95,8 @@ class Inspector : public QWidget {
   QScrollArea* scroll_;
   QWidget* content_;
   QVBoxLayout* column_;
-  QHBoxLayout* top_;
+  QWidget* bar_;
+  QHBoxLayout* top_;  // of the bar
   QToolButton* back_;
   QLabel* title_;
   QLabel* kind_;

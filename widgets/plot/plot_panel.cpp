@@ -210,6 +210,12 @@ void PlotPanel::set_shown(std::string_view id, bool shown) {
   changed();
 }
 
+bool PlotPanel::in_head(const QPoint& at) const {
+  return std::any_of(plots_.begin(), plots_.end(), [&](const RunPlot* each) {
+    return each->geometry().contains(at) && at.y() < each->y() + each->plot()->y();
+  });
+}
+
 void PlotPanel::mark_menu() {
   for (QAction* action : menu_->actions()) {
     if (!action->isCheckable()) continue;

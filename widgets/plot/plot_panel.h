@@ -63,6 +63,9 @@ class PlotPanel : public QWidget {
   void set_shown(std::string_view id, bool shown);
   [[nodiscard]] bool shows(std::string_view id) const;
 
+  // Whether this place (px) is in the line of a plot's title.
+  [[nodiscard]] bool in_head(const QPoint& at) const;
+
   // A menu with an entry for each plot, checked while it is shown.
   [[nodiscard]] QMenu* menu() const { return menu_; }
   [[nodiscard]] bool zoomed() const { return !zoomed_.empty(); }

@@ -66,6 +66,7 @@ void RunPlot::build_header() {
   title->setMinimumWidth(std::min(kLeastTitle, title->sizeHint().width()));
   unit_ = new PlainLabel(content_.unit, this);
   unit_->setObjectName("muted");
+  title->setCursor(Qt::OpenHandCursor);
   title->setToolTip(plain_tip(content_.tip.isEmpty() ? content_.title : content_.tip));
   header->addWidget(title);
   header->addWidget(unit_);

@@ -1,9 +1,11 @@
 #include <QSettings>
+#include <QSplitter>
 #include <QTabBar>
 #include <QToolBar>
+#include <stdexcept>
 
 #include "app/lab/drawer.h"
-#include "app/lab/right_column.h"
+#include "app/lab/panel_docks.h"
 #include "tests/app/lab/lab_fixture.h"
 #include "tests/app/lab/two_discs.h"
 #include "widgets/edit/inspector.h"
@@ -18,9 +20,27 @@ class LabLayoutTest : public LabWindowTest {
     window_.resize(size);
     QTest::qWait(20);
   }
-  [[nodiscard]] RightColumn& right() { return *window_.findChild<RightColumn*>(); }
+  [[nodiscard]] static PanelDocks& docks(LabWindow& window) { return *window.findChild<PanelDocks*>(); }
+  // Of the side column with the inspector.
+  [[nodiscard]] static int column_width(LabWindow& window) {
+    const QWidget* column = window.findChild<Inspector*>();
+    while (column->parentWidget()->parentWidget() != &docks(window)) column = column->parentWidget();
+    return column->width();
+  }
+  [[nodiscard]] int inspector_height() {
+    const QWidget* panel = window_.findChild<Inspector*>();
+    while (qobject_cast<QSplitter*>(panel->parentWidget()) == nullptr) panel = panel->parentWidget();
+    return panel->height();
+  }
   [[nodiscard]] bool inspector_seen() { return window_.findChild<Inspector*>()->isVisible(); }
   [[nodiscard]] bool plots_seen() { return window_.findChild<PlotPanel*>()->isVisible(); }
+  // Of inspector and plots.
+  [[nodiscard]] QTabBar* visible_tabs() {
+    for (QTabBar* tabs : window_.findChildren<QTabBar*>()) {
+      if (tabs->isVisible() && tabs->count() == 2) return tabs;
+    }
+    throw std::runtime_error("no tabs");
+  }
   void press(int key, Qt::KeyboardModifiers keys = {}) {
     QWidget* focus = QApplication::focusWidget();
     ASSERT_NE(focus, nullptr);
@@ -31,28 +51,28 @@ class LabLayoutTest : public LabWindowTest {
 };
 
 TEST_F(LabLayoutTest, InspectorAndPlotsAreTabsWhereThereIsLittleRoom) {
-  const int usual = right().width();
-  const int inspector = right().places().inspector_height;
+  const int usual = column_width(window_);
+  const int inspector = inspector_height();
   EXPECT_TRUE(inspector_seen() && plots_seen());
   for (const QSize& small : {QSize(1024, 760), QSize(1280, 700)}) {
     resize(small);
     EXPECT_TRUE(inspector_seen());
     EXPECT_FALSE(plots_seen());
-    EXPECT_EQ(right().width(), 280);
+    EXPECT_EQ(column_width(window_), 280);
     QTest::keyClick(&window_.scene_view(), Qt::Key_I);
     EXPECT_TRUE(plots_seen());
     EXPECT_FALSE(inspector_seen());
     QTest::keyClick(&window_.scene_view(), Qt::Key_I);
     EXPECT_TRUE(inspector_seen());
     EXPECT_TRUE(action("Inspector")->isChecked());
-    auto* tabs = right().findChild<QTabBar*>();
+    auto* tabs = visible_tabs();
     QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(1).center());
     EXPECT_TRUE(plots_seen());
     EXPECT_FALSE(action("Inspector")->isChecked());
     resize({1280, 800});
     EXPECT_TRUE(inspector_seen() && plots_seen());
-    EXPECT_NEAR(right().width(), usual, 1);
-    EXPECT_NEAR(right().places().inspector_height, inspector, 1);
+    EXPECT_NEAR(column_width(window_), usual, 1);
+    EXPECT_NEAR(inspector_height(), inspector, 1);
     action("Standard layout")->trigger();
   }
 }
@@ -88,35 +108,35 @@ TEST_F(LabLayoutTest, TheOpenTabIsRemembered) {
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&next));
   EXPECT_TRUE(next.findChild<PlotPanel*>()->isVisible());
   EXPECT_FALSE(next.findChild<Inspector*>()->isVisible());
-  EXPECT_EQ(next.findChild<RightColumn*>()->width(), 280);
+  EXPECT_EQ(column_width(next), 280);
 }
 
 TEST_F(LabLayoutTest, PanelsStandAtTheLeftAndKeepTheirWidth) {
   const auto at_left = [](LabWindow& window) {
-    const auto* column = window.findChild<RightColumn*>();
     const int scene = window.scene_view().mapTo(&window, QPoint()).x();
-    return column->mapTo(&window, QPoint()).x() < scene;
+    const auto* inspector = window.findChild<Inspector*>();
+    return inspector->mapTo(&window, QPoint()).x() < scene;
   };
   for (const QSize& size : {QSize(1280, 800), QSize(1024, 700), QSize(1700, 900)}) {
     resize(size);
-    const int before = right().width();
+    const int before = column_width(window_);
     EXPECT_FALSE(at_left(window_));
     action("Panels at the left")->trigger();
     QTest::qWait(20);
     EXPECT_TRUE(at_left(window_)) << size.width();
-    EXPECT_NEAR(right().width(), before, 1) << size.width();
+    EXPECT_NEAR(column_width(window_), before, 1) << size.width();
     action("Inspector in a window")->trigger();
     action("Inspector in a window")->trigger();
     QTest::qWait(20);
     EXPECT_TRUE(at_left(window_)) << size.width();
-    EXPECT_NEAR(right().width(), before, 1) << size.width();
+    EXPECT_NEAR(column_width(window_), before, 1) << size.width();
     window_.keep_layout(settings_);
     LabWindow next(light_theme());
     next.restore_layout(settings_);
     next.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&next));
     EXPECT_TRUE(at_left(next)) << size.width();
-    EXPECT_NEAR(next.findChild<RightColumn*>()->width(), right().width(), 2) << size.width();
+    EXPECT_NEAR(column_width(next), column_width(window_), 2) << size.width();
     action("Standard layout")->trigger();
     QTest::qWait(20);
     EXPECT_FALSE(at_left(window_)) << size.width();
