@@ -56,5 +56,19 @@ TEST_F(FloatingPanelTest, PanelsFloatAndComeBack) {
   EXPECT_NEAR(window_.scene_view().width(), width, 2);
 }
 
+TEST_F(FloatingPanelTest, TheButtonWorksWhileARunPlays) {
+  const auto* inspector = window_.findChild<Inspector*>();
+  auto* button = inspector->head()->findChildren<QToolButton*>().last();
+  ASSERT_EQ(button->defaultAction(), action("Inspector in a window"));
+  choose_speed(0.0625);
+  action("Play or pause")->trigger();
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->playing && time() > 0.0; }));
+  QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_NE(inspector->window(), &window_);
+  EXPECT_TRUE(window_.frame()->playing);
+  QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(inspector->window(), &window_);
+}
+
 }  // namespace
 }  // namespace carom
