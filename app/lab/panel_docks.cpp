@@ -20,7 +20,7 @@ using Panel = PanelDocks::Panel;
 using Dock = PanelDocks::Dock;
 
 constexpr int kGap = 8;           // px, between panels
-constexpr int kTabsWidth = 280;   // px, of a side column where there is little room
+constexpr int kTabsWidth = 280;   // px, of a side column where there is little room; until it is pulled
 constexpr double kShare = 0.291;  // of the width, of a side column where there is more
 
 constexpr QPoint kCorner(-40, -24);  // px, of a window that is dropped, from the mouse
@@ -55,7 +55,8 @@ PanelDocks::PanelDocks(QWidget* scene, QWidget* inspector, QWidget* plots, Drawe
       drawer_(drawer),
       columns_(make_splitter(Qt::Horizontal)),
       middle_(make_splitter(Qt::Vertical)),
-      mark_(new DropMark(this)) {
+      mark_(new DropMark(this)),
+      tabs_width_(kTabsWidth) {
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(columns_);
@@ -174,6 +175,7 @@ void PanelDocks::put_at_left(bool left) {
 
 void PanelDocks::reset() {
   for (Side& side : sides_) side.share = kShare;
+  tabs_width_ = kTabsWidth;
   inspector_open_ = inspector_tab_ = true;
   for (const Panel panel : kAll) {
     put(panel, kStandard[panel].dock);
@@ -238,9 +240,13 @@ void PanelDocks::keep_heights() {
 }
 
 void PanelDocks::keep_widths() {
-  if (tabbed_) return;
   for (Side& side : sides_) {
-    if (!side.column->isHidden()) side.share = 1.0 * side.column->width() / columns_->width();
+    if (side.column->isHidden()) continue;
+    if (tabbed_) {
+      tabs_width_ = side.column->width();
+    } else {
+      side.share = 1.0 * side.column->width() / columns_->width();
+    }
   }
 }
 
@@ -250,7 +256,7 @@ void PanelDocks::size_widths() {
   const int now = (shown(kLeft) ? 1 : 0) + (shown(kRight) ? 2 : 0) + (tabbed_ ? 4 : 0);
   if (std::exchange(sized_for_, now) == now) return;
   const auto wide = [&](Dock dock) {
-    return !shown(dock) ? 0 : tabbed_ ? kTabsWidth : qRound(sides_[dock].share * width());
+    return !shown(dock) ? 0 : tabbed_ ? tabs_width_ : qRound(sides_[dock].share * width());
   };
   const int gaps = kGap * ((shown(kLeft) ? 1 : 0) + (shown(kRight) ? 1 : 0));
   columns_->setSizes({wide(kLeft), width() - gaps - wide(kLeft) - wide(kRight), wide(kRight)});
@@ -311,7 +317,7 @@ QRect PanelDocks::target_rect(Dock dock) const {
   }
   const QWidget* column = sides_[dock].column;
   if (!column->isHidden()) return {column->mapTo(this, QPoint()), column->size()};
-  const int wide = tabbed_ ? kTabsWidth : qRound(sides_[dock].share * width());
+  const int wide = tabbed_ ? tabs_width_ : qRound(sides_[dock].share * width());
   return {dock == kLeft ? 0 : width() - wide, 0, wide, height()};
 }
 
@@ -350,6 +356,7 @@ void PanelDocks::restore(const QSettings& settings) {
   }
   sides_[kLeft].share = settings.value("left_share", kShare).toDouble();
   sides_[kRight].share = settings.value("right_share", kShare).toDouble();
+  tabs_width_ = settings.value("tabs_width", kTabsWidth).toInt();
   inspector_open_ = settings.value("inspector", true).toBool();
   inspector_tab_ = settings.value("inspector_tab", true).toBool();
   drawer_->set_folded(settings.value("folded", false).toBool());
@@ -368,6 +375,7 @@ void PanelDocks::keep(QSettings& settings) {
   }
   settings.setValue("left_share", sides_[kLeft].share);
   settings.setValue("right_share", sides_[kRight].share);
+  settings.setValue("tabs_width", tabs_width_);
   settings.setValue("inspector", inspector_open_);
   settings.setValue("inspector_tab", inspector_tab_);
   settings.setValue("folded", drawer_->folded());

@@ -98,6 +98,7 @@ class PanelDocks : public QWidget {
   std::array<Side, 2> sides_;  // left, right
   std::array<Place, kPanels> places_;
   int sized_for_ = -1;  // which columns had their widths set last
+  int tabs_width_;      // px, of a side column where there is little room
   bool tabbed_ = false;
   bool inspector_open_ = true;
   bool inspector_tab_ = true;

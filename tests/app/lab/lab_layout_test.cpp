@@ -34,6 +34,16 @@ class LabLayoutTest : public LabWindowTest {
   }
   [[nodiscard]] bool inspector_seen() { return window_.findChild<Inspector*>()->isVisible(); }
   [[nodiscard]] bool plots_seen() { return window_.findChild<PlotPanel*>()->isVisible(); }
+  // The edge between the scene and the right column.
+  void pull_columns(int by) {
+    QWidget* handle = docks(window_).findChild<QSplitter*>()->handle(2);
+    const QPoint at = handle->rect().center();
+    QTest::mousePress(handle, Qt::LeftButton, {}, at);
+    const QPoint to = at + QPoint(by, 0);
+    QMouseEvent move(QEvent::MouseMove, to, handle->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(handle, &move);
+    QTest::mouseRelease(handle, Qt::LeftButton, {}, to);
+  }
   // Of inspector and plots.
   [[nodiscard]] QTabBar* visible_tabs() {
     for (QTabBar* tabs : window_.findChildren<QTabBar*>()) {
@@ -119,6 +129,7 @@ TEST_F(LabLayoutTest, PanelsStandAtTheLeftAndKeepTheirWidth) {
   };
   for (const QSize& size : {QSize(1280, 800), QSize(1024, 700), QSize(1700, 900)}) {
     resize(size);
+    pull_columns(-40);
     const int before = column_width(window_);
     EXPECT_FALSE(at_left(window_));
     action("Panels at the left")->trigger();
