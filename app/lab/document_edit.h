@@ -2,6 +2,8 @@
 
 #include <QUndoCommand>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/lab/document_change.h"
 #include "physics/worker/worker.h"
@@ -15,12 +17,13 @@ class Session;
 class DocumentEdit : public QUndoCommand {
  public:
   struct What {
-    QString text;               // "Undo ..."
-    Worker::EditId runs = 0;    // of the runs as they go on; 0: none
-    bool begins = false;        // the runs begin again, from the changed start
-    Worker::EditId left = 0;    // the runs that it leaves for a new start, to return to; 0: none
-    bool is_work = true;        // false: not worth saving
-    std::optional<int> drag{};  // edits of one drag are undone together
+    QString text;                          // "Undo ..."
+    Worker::EditId runs = 0;               // of the runs as they go on; 0: none
+    bool begins = false;                   // the runs begin again, from the changed start
+    Worker::EditId left = 0;               // the runs that it leaves for a new start, to return to; 0: none
+    bool is_work = true;                   // false: not worth saving
+    std::optional<int> drag{};             // edits of one drag are undone together
+    std::vector<std::string> selection{};  // before it; names of bodies
   };
 
   DocumentEdit(Session& session, const What& what, DocumentChange back);

@@ -40,6 +40,9 @@ void LabWindow::connect_edits() {
           [this](int drag) { session_.cancel(drag_of(kOfScene, drag)); });
   connect(view_, &SceneView::selectionChanged, this, &LabWindow::show_selection);
   connect(view_, &SceneView::partChosen, this, &LabWindow::show_selection);
+  connect(view_, &SceneView::selectionChanged, &session_,
+          [this] { session_.set_selection(view_->selection()); });
+  connect(&session_, &Session::selectionReturned, this, &LabWindow::select_again);
   connect(view_, &SceneView::menuRequested, this, &LabWindow::show_scene_menu);
   connect(view_, &SceneView::renameRequested, this, [this] {
     inspect();
@@ -212,6 +215,16 @@ void LabWindow::regroup(const Regrouping& made) {
   if (!made.refusal.isEmpty()) return inspector_->say(made.refusal);
   session_.edit(made.edits, made.name);
   to_select_ = made.bodies;
+}
+
+// After undo, as before the edit, once the bodies are shown.
+void LabWindow::select_again(const std::vector<std::string>& names) {
+  const auto gone = [this](const std::string& name) {
+    return std::none_of(session_.bodies().begin(), session_.bodies().end(),
+                        [&](const Body& body) { return body.name == name; });
+  };
+  to_select_ = names;
+  std::erase_if(to_select_, gone);
 }
 
 void LabWindow::select_new() {

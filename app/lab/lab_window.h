@@ -115,6 +115,7 @@ class LabWindow : public QMainWindow {
   void take_selection_apart();
   void regroup(const Regrouping& made);
   void select_new();
+  void select_again(const std::vector<std::string>& names);
   // The menu of what is under the mouse in the scene (scene_menu.cpp).
   void show_scene_menu(const QPoint& at);
   void fill_menu_of_bodies(QMenu& menu);

@@ -4,6 +4,7 @@
 #include <QRandomGenerator>
 #include <QUndoStack>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -60,6 +61,8 @@ class Session : public QObject {
   // `drag` (> 0) are undone together. A playing run is paused first. Nothing changes where the scene would not
   // be valid (editRefused).
   void edit(const SceneEdits& edits, const QString& text, int drag = 0);
+  // The names of the bodies that are selected now: undo of a later edit of the scene asks for them again.
+  void set_selection(const std::vector<std::string>& names) { selection_ = names; }
   // Takes back the edits of a drag that is not finished, if they are the last ones.
   void cancel(int drag);
   // Adds a disc of random radius like the existing ones at this point (m), from now on. Throws SceneError where
@@ -76,6 +79,7 @@ class Session : public QObject {
   void bodiesChanged();  // of the document, with its plots
   void plotsChanged();   // of the document
   void editRefused(const QString& why);
+  void selectionReturned(const std::vector<std::string>& names);
   void newStart(double time);  // s: an edit at this moment of the run became the start
   void modifiedChanged(bool modified);
 
@@ -98,6 +102,7 @@ class Session : public QObject {
   QRandomGenerator sizes_{1};  // of the discs that are added: the same in every session
   QString name_, file_;
   std::vector<Body> bodies_;
+  std::vector<std::string> selection_;
   QUndoStack edits_;
   bool was_modified_ = false;
   std::uint64_t revision_ = 0;

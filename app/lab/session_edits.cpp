@@ -49,7 +49,9 @@ bool is_of_scene(const DocumentChange& change) {
 }  // namespace
 
 void Session::push(const DocumentEdit::What& what, const DocumentChange& change) {
-  edits_.push(new DocumentEdit(*this, what, assign(change, what.begins)));
+  DocumentEdit::What made = what;
+  if (is_of_scene(change)) made.selection = selection_;
+  edits_.push(new DocumentEdit(*this, made, assign(change, what.begins)));
 }
 
 DocumentChange Session::assign(const DocumentChange& change, bool begins) {
@@ -68,10 +70,12 @@ DocumentChange Session::assign(const DocumentChange& change, bool begins) {
 }
 
 DocumentChange Session::take_back(const DocumentChange& change, const DocumentEdit::What& what) {
-  if (what.left == 0) return go_to(change, what);
-  DocumentChange forth = assign(change, true);
-  runs_.return_to(what.left);
-  if (what.runs != 0) runs_.undo_or_redo(what.runs);
+  DocumentChange forth = what.left == 0 ? go_to(change, what) : assign(change, true);
+  if (what.left != 0) {
+    runs_.return_to(what.left);
+    if (what.runs != 0) runs_.undo_or_redo(what.runs);
+  }
+  if (!what.selection.empty()) emit selectionReturned(what.selection);
   return forth;
 }
 

@@ -283,5 +283,41 @@ TEST_F(LabHandsTest, TheAimGoesWithItsScene) {
   EXPECT_FALSE(window_.scene_view().aim());
 }
 
+TEST_F(LabHandsTest, UndoSelectsWhatWasSelectedBeforeTheEdit) {
+  ASSERT_NO_FATAL_FAILURE(draw_two_discs());
+  using Names = std::vector<std::string>;
+  SceneView& view = window_.scene_view();
+  const auto selects = [&](const Names& names) { return wait_for([&] { return view.selection() == names; }); };
+  ASSERT_TRUE(selects({"B"})) << "it was drawn last";
+  // Of a move.
+  drag({-1.0, 0.0}, {-1.0, 0.5});
+  ASSERT_TRUE(shows_start());
+  EXPECT_EQ(view.selection(), Names{"A"});
+  select({0.0, 1.0});
+  EXPECT_EQ(view.selection(), Names{});
+  undo();
+  EXPECT_TRUE(selects({"A"}));
+  EXPECT_TRUE(shows_start());
+  // Of a removal.
+  view.select({"A", "B"});
+  key(Qt::Key_Delete);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->empty(); }));
+  EXPECT_TRUE(selects({}));
+  undo();
+  EXPECT_TRUE(selects({"A", "B"}));
+  // Of a new body: what was selected before it.
+  view.select({"A"});
+  key(Qt::Key_D);
+  drag({0.0, 1.0}, {0.1, 1.0});
+  ASSERT_TRUE(selects({"C"}));
+  undo();
+  EXPECT_TRUE(selects({"A"}));
+  // Of a name.
+  type("Name", "light");
+  ASSERT_TRUE(selects({"light"}));
+  undo();
+  EXPECT_TRUE(selects({"A"}));
+}
+
 }  // namespace
 }  // namespace carom
