@@ -1,6 +1,5 @@
 #include "app/lab/session.h"
 
-#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QTest>
 #include <functional>
@@ -8,9 +7,8 @@
 
 #include "app/library/preset_library.h"
 #include "physics/preset/preset_file.h"
+#include "tests/app/lab/session_fixture.h"
 #include "tests/support/scenes.h"
-#include "tests/support/wait.h"
-#include "tests/support/wait_events.h"
 
 // Undo and redo of every edit of a session restore the document and its runs.
 namespace carom {
@@ -64,41 +62,12 @@ void expect_same(const Snapshot& a, const Snapshot& b) {
   }
 }
 
-class SessionTest : public testing::Test {
+class SessionTest : public SessionFixture {
  protected:
   SessionTest() { open(); }
   void open() {
     const Preset preset = read_preset(find_preset("drag-projectile"));
     session_.open(preset, preset.plots, {}, "drag-projectile", {});
-  }
-  // Waits until all that was asked for before is done, and all runs have reached the shown time. A curve that
-  // is asked for now comes after all that. It is another one than at the last time, and forgotten before.
-  void settle() {
-    const Curve curve{{find_observable(settled_++ % 2 == 0 ? "kinetic_energy" : "total_energy"), {}}, {}};
-    session_.runs().record({});
-    session_.runs().record({curve});
-    ASSERT_TRUE(test::wait_until([&] {
-      QCoreApplication::processEvents();
-      if (session_.runs().frames().size() != 1 + session_.document().compare.size() ||
-          session_.runs().replayed())
-        return false;
-      for (std::size_t i = 0; i < session_.runs().frames().size(); ++i) {
-        const Frame& frame = *session_.runs().frames()[i];
-        if (frame.method != method(i) || frame.time + frame.method.step <= session_.runs().frame()->time)
-          return false;
-        if (session_.runs().recorders()[i]->series(curve) == nullptr || frame.rows_known_until < frame.time ||
-            frame.bodies->size() > session_.bodies().size())
-          return false;
-      }
-      return !session_.runs().frame()->playing;
-    }));
-  }
-  [[nodiscard]] const Method& method(std::size_t run) const {
-    return run == 0 ? session_.document().method : session_.document().compare[run - 1];
-  }
-  void run_to(double time) {
-    session_.runs().run_until(time);
-    settle();
   }
   [[nodiscard]] Snapshot snapshot() const {
     Snapshot now{write_preset(session_.document()), session_.reference(), names_of(session_.bodies()), {}};
@@ -108,19 +77,6 @@ class SessionTest : public testing::Test {
     }
     return now;
   }
-  void undo() {
-    session_.edits().undo();
-    settle();
-  }
-  void redo() {
-    session_.edits().redo();
-    settle();
-  }
-
-  Session session_;
-
- private:
-  int settled_ = 0;
 };
 
 Plot named(const char* id) {
