@@ -4,6 +4,7 @@
 #include <memory>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "physics/math/vectors.h"
 #include "physics/record/replay.h"
@@ -40,6 +41,18 @@ std::vector<JointState> joint_states(const Simulation& simulation) {
   return states;
 }
 
+// Consecutive rows of the same curves become one table.
+void append(Rows rows, std::vector<Rows>& all) {
+  if (all.empty() || all.back().curves != rows.curves || rows.from_the_start || rows.back_to) {
+    all.push_back(std::move(rows));
+    return;
+  }
+  Rows& to = all.back();
+  to.times.insert(to.times.end(), rows.times.begin(), rows.times.end());
+  to.values.insert(to.values.end(), rows.values.begin(), rows.values.end());
+  to.moments.insert(to.moments.end(), rows.moments.begin(), rows.moments.end());
+}
+
 }  // namespace
 
 void take_moment(const Simulation& simulation, Frame& frame) {
@@ -59,6 +72,18 @@ void take_moment(const Simulation& simulation, Frame& frame) {
   frame.status = simulation.status();
   frame.lost.reset();
   if (const auto& lost = simulation.lost()) frame.lost = lost->text(simulation.bodies(), simulation.time());
+}
+
+void take_up(Frame& earlier, Frame& frame) {
+  std::swap(frame.rows, earlier.rows);
+  for (Rows& rows : earlier.rows) append(std::move(rows), frame.rows);
+  if (frame.back_to) {
+    const double time = *frame.back_to;
+    std::erase_if(earlier.impacts, [time](const ImpactRecord& impact) { return impact.time > time; });
+  }
+  if (earlier.back_to) frame.back_to = std::min(*earlier.back_to, frame.back_to.value_or(*earlier.back_to));
+  std::swap(frame.impacts, earlier.impacts);
+  frame.impacts.insert(frame.impacts.end(), earlier.impacts.begin(), earlier.impacts.end());
 }
 
 void keep_recent(std::vector<ImpactRecord>& impacts, std::span<const ImpactRecord> fresh, double now,

@@ -66,6 +66,9 @@ struct Frame {
 // Fills in everything that the simulation itself knows: not the run, the playing status or earlier rows.
 void take_moment(const Simulation& simulation, Frame& frame);
 
+// Puts the changes of an earlier frame of the same run, which nobody has taken, before those of `frame`.
+void take_up(Frame& earlier, Frame& frame);
+
 // Keeps the newest impacts of a run for display: a resting heap makes thousands a second, of which the newest
 // kMostRecent are enough. Removes those `span` s or more before `now`, and any after it; then adds the fresh
 // ones.

@@ -34,8 +34,9 @@ void KeyFrames::thin() {
 }
 
 std::shared_ptr<const KeyFrame> KeyFrames::go_back(const std::vector<RunEdit>& edits, std::size_t same,
-                                                   const std::vector<Curve>& curves) {
+                                                   const std::vector<Curve>& curves, double time) {
   const auto can_go_on = [&](const KeyFrame& frame) {
+    if (frame.state.clock.time >= time) return false;
     if (frame.state.edits_applied > same || !frame.sampler.can_read(curves)) return false;
     // The next one would not have been applied a step before.
     return same == edits.size() ||

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <stop_token>
@@ -35,10 +36,12 @@ class KeyFrames {
   // Call at the start, after each step, and before an edit is applied.
   void take(const Simulation& simulation, const Sampler& sampler, double wall_time);
   [[nodiscard]] const std::vector<std::shared_ptr<const KeyFrame>>& all() const { return frames_; }
-  // The latest from which a run can go on that has these edits instead, the first `same` of them as before, and
-  // from which these curves can be read; nullptr if there is none. The later ones are dropped.
+  // The latest before `time` (s) from which a run can go on that has these edits instead, the first `same` of
+  // them as before, and from which these curves can be read; nullptr if there is none. The later ones are
+  // dropped.
   std::shared_ptr<const KeyFrame> go_back(const std::vector<RunEdit>& edits, std::size_t same,
-                                          const std::vector<Curve>& curves);
+                                          const std::vector<Curve>& curves,
+                                          double time = std::numeric_limits<double>::infinity());
 
  private:
   void thin();

@@ -69,14 +69,29 @@ bool LiveRun::take_edits(const std::vector<RunEdit>& edits) {
     moment = key_frames_.go_back(edits, same, curves_);
     if (moment == nullptr) return false;
   }
+  take_setup(edits, moment.get());
+  return true;
+}
+
+bool LiveRun::go_back(double time, const std::vector<RunEdit>& edits) {
+  if (catch_up_) return false;
+  const std::vector<RunEdit>& old = setup_->edits;
+  const auto mine = std::mismatch(old.begin(), old.end(), edits.begin(), edits.end(), is_same).first;
+  const auto same = static_cast<std::size_t>(mine - old.begin());
+  const std::shared_ptr<const KeyFrame> moment = key_frames_.go_back(edits, same, curves_, time);
+  if (moment == nullptr) return false;
+  take_setup(edits, moment.get());
+  return true;
+}
+
+void LiveRun::take_setup(const std::vector<RunEdit>& edits, const KeyFrame* back_to) {
   RunSetup other = *setup_;
   other.edits = edits;
   setup_ = std::make_shared<const RunSetup>(std::move(other));
-  if (moment) go_back_to(*moment);
+  if (back_to != nullptr) go_back_to(*back_to);
   simulation_.set_edits(edits);
   if (catch_up_) catch_up_->replay.set_edits(edits);
   apply_due_edits();
-  return true;
 }
 
 void LiveRun::go_back_to(const KeyFrame& moment) {

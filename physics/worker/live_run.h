@@ -28,6 +28,9 @@ class LiveRun {
   // Gives the run these edits instead. Where they differ in its past it goes back to the last key frame before
   // that; false, and nothing has changed, if there is none: then only a new run has them.
   bool take_edits(const std::vector<RunEdit>& edits);
+  // Goes back to the last key frame before `time` (s) and gives the run these edits, which are the same up to
+  // there. False, and nothing has changed, if there is none.
+  bool go_back(double time, const std::vector<RunEdit>& edits);
   // Sets the curves to record from now on and the reference. For a curve or reference that was not followed
   // so far, the run is replayed (catch_up) before it continues.
   void record(const std::vector<Curve>& curves, ReferenceId reference);
@@ -47,6 +50,10 @@ class LiveRun {
     return lost() ? std::numeric_limits<double>::infinity() : simulation_.time() + simulation_.method().step;
   }
   [[nodiscard]] const RunSetup& setup() const { return *setup_; }
+  // Another object whenever it has other edits.
+  [[nodiscard]] const std::shared_ptr<const RunSetup>& shared_setup() const { return setup_; }
+  [[nodiscard]] const KeyFrames& key_frames() const { return key_frames_; }
+  [[nodiscard]] ReferenceId reference() const { return reference_; }
 
  private:
   // Replay of the run, for curves that were not recorded from its start.
@@ -58,6 +65,7 @@ class LiveRun {
   [[nodiscard]] Sampler begin_sampler(const Simulation& simulation, const std::vector<Curve>& curves,
                                       const std::vector<Curve>& later) const;
   void apply_due_edits();
+  void take_setup(const std::vector<RunEdit>& edits, const KeyFrame* back_to);
   void go_back_to(const KeyFrame& moment);
 
   std::stop_token interrupt_;

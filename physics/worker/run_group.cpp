@@ -19,6 +19,7 @@ void RunGroup::begin(std::stop_token token) {
   start_ = ++starts_;
   interrupted_ = false;
   replay_until_.reset();
+  past_.clear();
   runs_.clear();
   for (RunPlan& run : plans_of(preset_)) begin_run(std::move(run));
   changed_ = true;
@@ -29,6 +30,7 @@ void RunGroup::interrupt() {
   interrupted_ = true;
   changed_ = false;
   replay_until_.reset();
+  past_.clear();
 }
 
 void RunGroup::keep_runs(EditId edit, Frames untaken) {
@@ -58,6 +60,7 @@ RunGroup::Frames RunGroup::return_to(EditId edit, const std::vector<Curve>& curv
   ++starts_;
   start_ = kept.plan.start;
   interrupted_ = false;
+  past_.clear();
   runs_ = std::exchange(kept.runs, {});
   for (Run& run : runs_) run.live.interrupt_on(token_);
   if (runs_.empty()) {
@@ -66,6 +69,42 @@ RunGroup::Frames RunGroup::return_to(EditId edit, const std::vector<Curve>& curv
   replay_to(kept.time);
   record_all();
   return std::exchange(kept.untaken, {});
+}
+
+RunGroup::Frames RunGroup::cut(EditId edit, double time, const std::vector<RunEdit>& later,
+                               std::stop_token token) {
+  const Kept& kept = kept_.at(edit);
+  token_ = std::move(token);
+  ++starts_;
+  interrupted_ = false;
+  past_.clear();
+  runs_.clear();
+  for (std::size_t i = 0; i < kept.plan.runs.size(); ++i) {
+    RunPlan plan = kept.plan.runs[i];
+    std::erase_if(plan.edits, [time](const RunEdit& each) { return each.time > time; });
+    std::copy_if(later.begin(), later.end(), std::back_inserter(plan.edits),
+                 [time](const RunEdit& each) { return each.time > time; });
+    if (i < kept.runs.size()) {
+      Run copy = kept.runs[i];
+      copy.live.interrupt_on(token_);
+      if (copy.live.go_back(time, plan.edits)) {
+        runs_.push_back(std::move(copy));
+        continue;
+      }
+    }
+    begin_run(std::move(plan));
+  }
+  replay_to(time);
+  Frames untaken;
+  for (const auto& frame : kept.untaken) untaken.push_back(std::make_shared<Frame>(*frame));
+  return untaken;
+}
+
+void RunGroup::seek_past(const PastMoment& moment) {
+  if (interrupted_ || runs_.empty()) return;
+  std::vector<Past::Original> originals;
+  for (const Run& run : runs_) originals.push_back({run.live, run.id});
+  past_.seek(moment, originals, token_);
 }
 
 void RunGroup::replay_to(double time) {

@@ -12,6 +12,7 @@
 #include "physics/preset/preset.h"
 #include "physics/record/frame.h"
 #include "physics/worker/live_run.h"
+#include "physics/worker/past.h"
 
 namespace carom {
 
@@ -54,6 +55,18 @@ class RunGroup {
   // Returns their frames that nobody has taken.
   [[nodiscard]] Frames return_to(EditId edit, const std::vector<Curve>& curves, ReferenceId reference,
                                  std::stop_token token);
+
+  // Goes on from an earlier moment of the runs that this edit has just left, instead of begin(): from the last
+  // end of a step that is not after `time` (s), or on the way there (replay_until). What was done to the runs
+  // later is not done again, but `later`, edits of the preset, still come. Returns the frames of the kept runs
+  // that nobody has taken.
+  [[nodiscard]] Frames cut(EditId edit, double time, const std::vector<RunEdit>& later, std::stop_token token);
+
+  // --- the past
+  // Copies of the runs go to a moment of their past; the runs stay as they are.
+  void seek_past(const PastMoment& moment);
+  [[nodiscard]] Past& past() { return past_; }
+  [[nodiscard]] const Past& past() const { return past_; }
 
   // Edits, from the displayed moment on. Nothing happens for a run that there is not.
   void add_run(const Method& method);  // at t = 0; at most kMostCompared besides the first
@@ -105,6 +118,7 @@ class RunGroup {
   [[nodiscard]] std::shared_ptr<Frame> empty_frame();
   void clear_runs() {
     runs_.clear();
+    past_.clear();
     for (auto& [edit, kept] : kept_) kept.drop_runs();
   }
 
@@ -158,6 +172,7 @@ class RunGroup {
   std::vector<Curve> curves_;
   ReferenceId reference_ = ReferenceId::kNone;
   std::vector<Run> runs_;
+  Past past_;
   std::map<EditId, Plan> other_sides_;  // of edits: the runs before it, or after it if it is undone
   std::map<EditId, Kept> kept_;
   std::optional<double> replay_until_;

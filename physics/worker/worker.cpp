@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <new>
+#include <optional>
 #include <utility>
 
 #include "physics/preset/preset.h"
@@ -21,18 +22,6 @@ using Clock = Pace::Clock;
 constexpr std::chrono::milliseconds kFramePeriod{8};
 // A replay that lasts no longer shows its end alone.
 constexpr std::chrono::milliseconds kShortReplay{60};
-
-// Consecutive rows of the same curves become one table.
-void append(Rows rows, std::vector<Rows>& all) {
-  if (all.empty() || all.back().curves != rows.curves || rows.from_the_start || rows.back_to) {
-    all.push_back(std::move(rows));
-    return;
-  }
-  Rows& to = all.back();
-  to.times.insert(to.times.end(), rows.times.begin(), rows.times.end());
-  to.values.insert(to.values.end(), rows.values.begin(), rows.values.end());
-  to.moments.insert(to.moments.end(), rows.moments.begin(), rows.moments.end());
-}
 
 }  // namespace
 
@@ -56,7 +45,9 @@ struct Worker::Session {
   double end = 0.0;      // s; a playing run stops here
   bool changed = false;  // how it plays, since the last frames
   Clock::time_point replay_began{};
-  std::vector<std::shared_ptr<const Frame>> last;  // published
+  std::uint64_t show = 0;                                // the number of the moment that is sought
+  std::optional<Clock::time_point> shown_nothing_since;  // while a moment of the past is sought
+  std::vector<std::shared_ptr<const Frame>> last;        // published
 };
 
 Worker::Worker(const Preset& preset, const std::vector<Curve>& curves)
@@ -169,6 +160,28 @@ void Worker::return_to(EditId edit, const std::vector<Curve>& curves, ReferenceI
   });
 }
 
+void Worker::cut(EditId edit, double time, const Preset& start) {
+  post_begin([=, this](Session& session, const std::stop_token& token) {
+    session.replay_began = Clock::now();
+    session.runs.start_from(start);
+    RunGroup::Frames untaken = session.runs.cut(edit, time, start.edits, token);
+    const std::lock_guard lock(mutex_);
+    newest_ = std::move(untaken);  // the next frames take them up
+  });
+}
+
+std::uint64_t Worker::show(const PastMoment& moment) {
+  const std::uint64_t number = ++shows_;
+  post(
+      [=](Session& session) {
+        session.runs.seek_past(moment);
+        session.show = number;
+        if (!session.shown_nothing_since) session.shown_nothing_since = Clock::now();
+      },
+      Command::When::kAtOnce);
+  return number;
+}
+
 void Worker::set_playing(bool playing, double until) {
   post_to_runs([playing, until](Session& session) {
     session.playing = playing && !session.runs.first().lost();
@@ -260,6 +273,12 @@ std::vector<std::shared_ptr<const Frame>> Worker::take_frames() {
   return {taken.begin(), taken.end()};
 }
 
+Worker::Shown Worker::take_shown() {
+  const std::lock_guard lock(mutex_);
+  if (shown_start_ != starts_) return {};
+  return std::exchange(shown_, {});
+}
+
 void Worker::wait_for_frames(std::chrono::milliseconds longest) {
   std::unique_lock lock(mutex_);
   published_.wait_for(lock, longest, [this] { return !newest_.empty() && newest_start_ == starts_; });
@@ -293,17 +312,7 @@ void Worker::publish(Session& session) {
   for (const std::shared_ptr<Frame>& before : waiting) {
     const auto same = std::find_if(frames.begin(), frames.end(),
                                    [&](const auto& frame) { return frame->run == before->run; });
-    if (same == frames.end()) continue;
-    Frame& frame = **same;
-    std::swap(frame.rows, before->rows);
-    for (Rows& rows : before->rows) append(std::move(rows), frame.rows);
-    if (frame.back_to) {
-      const double time = *frame.back_to;
-      std::erase_if(before->impacts, [time](const ImpactRecord& impact) { return impact.time > time; });
-    }
-    if (before->back_to) frame.back_to = std::min(*before->back_to, frame.back_to.value_or(*before->back_to));
-    std::swap(frame.impacts, before->impacts);
-    frame.impacts.insert(frame.impacts.end(), before->impacts.begin(), before->impacts.end());
+    if (same != frames.end()) take_up(*before, **same);
   }
   session.last.assign(frames.begin(), frames.end());
   hand_over(session, std::move(frames));
@@ -375,7 +384,11 @@ void Worker::work(const std::stop_token& stop, const Preset& first, const std::v
       if (is_worth_a_frame(session)) publish(session);
       wait_for_work(stop, session, commands);
       carry_out(session, commands);
-      if (!session.runs.interrupted()) advance(stop, session);
+      if (session.runs.past().seeks()) {
+        advance_past(session);
+      } else if (!session.runs.interrupted()) {
+        advance(stop, session);
+      }
     } catch (const StepInterrupted&) {
       session.interrupt();  // a load, a restart or the end comes next
     } catch (const std::bad_alloc&) {
@@ -397,9 +410,9 @@ void Worker::wait_for_work(const std::stop_token& stop, const Session& session,
   const RunGroup& runs = session.runs;
   std::unique_lock lock(mutex_);
   const auto commanded = [&] { return !commands_.empty(); };
-  const bool full = !runs.interrupted() && too_much_waits();
-  const bool at_once =
-      !runs.interrupted() && !full && (runs.replay_until() || runs.some_behind() || runs.lags());
+  const bool full = !runs.interrupted() && too_much_waits() && !runs.past().seeks();
+  const bool at_once = !runs.interrupted() && !full &&
+                       (runs.past().seeks() || runs.replay_until() || runs.some_behind() || runs.lags());
   if (full) {
     wake_.wait(lock, stop, [&] { return commanded() || !too_much_waits(); });
   } else if (!at_once && !session.playing) {
@@ -411,6 +424,26 @@ void Worker::wait_for_work(const std::stop_token& stop, const Session& session,
   }
   std::move(commands_.begin(), commands_.end(), std::back_inserter(commands));
   commands_.clear();
+}
+
+// One frame's work on the way to a moment of the past. Where that is long, the way is shown.
+void Worker::advance_past(Session& session) {
+  Past& past = session.runs.past();
+  const Clock::time_point end = Clock::now() + kFramePeriod;
+  try {
+    while (past.step() && Clock::now() < end) {
+    }
+  } catch (const StepInterrupted&) {
+    return past.clear();  // the runs themselves were not interrupted
+  }
+  if (past.seeks() && Clock::now() - *session.shown_nothing_since < kPicturePeriod) return;
+  session.shown_nothing_since.reset();
+  if (past.seeks()) session.shown_nothing_since = Clock::now();
+  const RunGroup::Frames frames = past.frames();
+  const std::lock_guard lock(mutex_);
+  shown_ = {{frames.begin(), frames.end()}, session.show, !past.seeks()};
+  shown_start_ = session.runs.starts();
+  published_.notify_all();
 }
 
 // One frame's work: recording what is recorded late, a replay, runs that lag, or playing.

@@ -60,6 +60,12 @@ class Worker {
   EditId keep_runs(EditId again = 0);
   // Back to the moment that this edit first left, stopped. Runs that are kept no more are replayed up to there.
   void return_to(EditId edit, const std::vector<Curve>& curves, ReferenceId reference);
+  // Goes on from this earlier moment of the runs that keep_runs() has just kept for the edit, stopped; `start`
+  // is what the runs start from.
+  void cut(EditId edit, double time, const Preset& start);
+  // Shows a moment of the past, instead of the one under way (take_shown()); the runs stay where they are.
+  // Returns its number: each call has a larger one.
+  std::uint64_t show(const PastMoment& moment);
   // Plays at the chosen pace, until `until` if that is ahead; or stops.
   void set_playing(bool playing, double until = std::numeric_limits<double>::infinity());
   void step_once();              // one step of the first run's method, stopped
@@ -87,6 +93,15 @@ class Worker {
   // The changes since the last call, a frame for each run; none if nothing changed. Never from before the
   // last load or restart.
   [[nodiscard]] std::vector<std::shared_ptr<const Frame>> take_frames();
+  // Moments of the past: the one of the last show(), or the runs on the way there, at least every
+  // kPicturePeriod; no frames if there is nothing new. Never from before the last load or restart.
+  struct Shown {
+    std::vector<std::shared_ptr<const Frame>> frames{};
+    std::uint64_t number = 0;  // of the call of show()
+    bool there = false;        // this is the moment itself
+  };
+  static constexpr std::chrono::milliseconds kPicturePeriod{50};
+  [[nodiscard]] Shown take_shown();
   // Returns when take_frames() has frames, or after this time.
   void wait_for_frames(std::chrono::milliseconds longest);
 
@@ -112,6 +127,7 @@ class Worker {
             std::stop_token interrupt);
   void wait_for_work(const std::stop_token& stop, const Session& session, std::vector<Command>& commands);
   static void advance(const std::stop_token& stop, Session& session);
+  void advance_past(Session& session);
   [[nodiscard]] static bool is_worth_a_frame(const Session& session);
   static void carry_out(Session& session, std::vector<Command>& commands);
   void publish(Session& session);
@@ -126,7 +142,10 @@ class Worker {
   std::stop_source interrupt_;  // of the runs started last
   std::vector<std::shared_ptr<Frame>> newest_;
   std::uint64_t newest_start_ = 0;  // of the frames: the value of starts_ at their time
-  std::uint64_t starts_ = 1;        // loads and restarts so far, and the first start
+  Shown shown_;
+  std::uint64_t shown_start_ = 0;  // of these, likewise
+  std::uint64_t shows_ = 0;        // calls of show() so far
+  std::uint64_t starts_ = 1;       // loads and restarts so far, and the first start
   EditId edits_ = 0;
   std::jthread thread_;  // last: it uses all of the above
 };

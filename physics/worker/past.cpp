@@ -1,0 +1,73 @@
+#include "physics/worker/past.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "physics/run/scene_now.h"
+
+namespace carom {
+
+void Past::seek(const PastMoment& moment, std::span<const Original> runs, const std::stop_token& interrupt) {
+  std::vector<PastRun> copies;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto& [run, id] = runs[i];
+    const auto same = std::find_if(runs_.begin(), runs_.end(),
+                                   [&run, id](const PastRun& copy) { return copy.is_of(run, id); });
+    copies.push_back(same == runs_.end() ? PastRun(run, id, interrupt) : std::move(*same));
+    copies.back().follow(run);
+  }
+  runs_ = std::move(copies);
+  const Simulation& newest = runs.front().run.simulation();
+  sought_ = Sought{.time = std::min(moment.time, newest.time()), .by = moment.steps, .newest = newest.steps()};
+  const bool from_newest = moment.steps != 0 && moment.time >= newest.time();
+  for (PastRun& run : std::span(runs_).subspan(from_newest ? 1 : 0)) run.stand_before(sought_->time);
+  if (from_newest) go_to_step(newest.steps() + std::exchange(sought_->by, 0));
+}
+
+void Past::go_to_step(std::int64_t steps) {
+  sought_->steps = std::min(steps, sought_->newest);
+  runs_.front().stand_before_step(*sought_->steps);
+}
+
+bool Past::step() {
+  if (sought_->steps) return step_first();
+  const auto farthest_behind = std::min_element(
+      runs_.begin(), runs_.end(), [](const PastRun& a, const PastRun& b) { return a.next() < b.next(); });
+  if (farthest_behind->may_step(sought_->time)) {
+    farthest_behind->step();
+  } else if (sought_->by != 0) {
+    go_to_step(runs_.front().simulation().steps() + std::exchange(sought_->by, 0));
+  } else if (!sought_->others_follow) {
+    follow_first();
+  } else {
+    sought_.reset();
+  }
+  return seeks();
+}
+
+bool Past::step_first() {
+  PastRun& first = runs_.front();
+  if (!first.simulation().lost() && first.simulation().steps() < *sought_->steps) {
+    first.step();
+    return true;
+  }
+  sought_->steps.reset();
+  follow_first();
+  return true;
+}
+
+// The others to where the first run is.
+void Past::follow_first() {
+  sought_->others_follow = true;
+  sought_->time = runs_.front().simulation().time();
+  for (PastRun& run : std::span(runs_).subspan(1)) run.stand_before(sought_->time);
+}
+
+std::vector<std::shared_ptr<Frame>> Past::frames() const {
+  std::vector<std::shared_ptr<Frame>> frames;
+  for (const PastRun& run : runs_) frames.push_back(run.frame());
+  if (!seeks()) frames.front()->scene = std::make_shared<const Scene>(scene_now(runs_.front().simulation()));
+  return frames;
+}
+
+}  // namespace carom

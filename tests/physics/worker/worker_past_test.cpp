@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <random>
+
+#include "physics/preset/preset.h"
+#include "physics/worker/worker.h"
+#include "tests/support/scenes.h"
+#include "tests/support/wait.h"
+
+// Moments of a worker's past are shown with the bytes that they had the first time, and its runs stay as they
+// are.
+namespace carom {
+namespace {
+
+using test::disc;
+using test::room;
+
+// Under three methods of different steps, one of them with a reference to follow.
+Preset gas() {
+  std::vector<Body> bodies = room(1.0, 0.5);
+  for (int i = 0; i < 4; ++i) {
+    bodies.push_back(disc("disc " + std::to_string(i), {-0.6 + 0.4 * i, 0.1 * i}, {1.0 - 0.7 * i, 0.3 * i}));
+  }
+  Preset s = test::preset_with(std::move(bodies), 0.6, 0.3);
+  s.scene.forces.gravity = {0.0, -9.81};
+  s.method.step = 0.004;
+  s.compare = {Method{.integrator = IntegratorId::kExplicitEuler, .step = 0.003},
+               Method{.integrator = IntegratorId::kRk4,
+                      .impacts = ImpactsId::kStepEnd,
+                      .contacts = ContactsId::kLasting,
+                      .step = 0.01}};
+  return s;
+}
+const Body kBody = disc("new", {0.0, -0.3}, {1.0, 1.0}, 0.05);
+const Method kOther{.integrator = IntegratorId::kVelocityVerlet, .step = 0.002};
+
+using Frames = std::vector<std::shared_ptr<const Frame>>;
+
+bool same_moment(const Frame& a, const Frame& b) {
+  const auto same_contact = [](const ContactForce& x, const ContactForce& y) {
+    return x.normal_force == y.normal_force && x.tangential_force == y.tangential_force;
+  };
+  return a.run == b.run && a.steps == b.steps && a.time == b.time && a.impact_count == b.impact_count &&
+         a.evaluations == b.evaluations && a.method == b.method && test::same_bytes(a.state, b.state) &&
+         a.totals.kinetic() == b.totals.kinetic() && a.bodies->size() == b.bodies->size() &&
+         std::equal(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end(), same_contact) &&
+         a.ledger.lost_to_restitution == b.ledger.lost_to_restitution &&
+         a.error.has_value() == b.error.has_value() && (!a.error || a.error->position == b.error->position);
+}
+
+class WorkerPast : public testing::Test {
+ protected:
+  [[nodiscard]] Frames newest_at(std::int64_t steps) {
+    Frames frames;
+    const bool there = test::wait_until([&] {
+      const Frames news = worker_.take_frames();
+      if (!news.empty()) frames = news;
+      if (frames.empty() || frames.front()->steps != steps || frames.front()->playing) return false;
+      return std::all_of(frames.begin(), frames.end(), [&](const auto& frame) {
+        return frame->time + frame->method.step > frames.front()->time;
+      });
+    });
+    EXPECT_TRUE(there);
+    return frames;
+  }
+  void record_steps(int count) {
+    for (int i = 0; i < count; ++i) {
+      worker_.step_once();
+      recorded_.push_back(newest_at(recorded_.back().front()->steps + 1));
+    }
+  }
+  // Three tenths of a second, with a body that comes in and a method that changes.
+  void record_run() {
+    worker_.set_reference(ReferenceId::kExactFlight);
+    recorded_ = {newest_at(0)};
+    record_steps(30);
+    worker_.edit_scene({Add<Body>{kBody}});
+    recorded_.back() = newest_at_edit(1);
+    record_steps(25);
+    worker_.set_method(kOther);
+    recorded_.back() = newest_at_edit(2);
+    record_steps(40);
+  }
+  [[nodiscard]] Frames newest_at_edit(std::size_t edits) {
+    Frames frames;
+    EXPECT_TRUE(test::wait_until([&] {
+      const Frames news = worker_.take_frames();
+      if (!news.empty()) frames = news;
+      return !frames.empty() && frames.front()->setup->edits.size() == edits;
+    }));
+    return frames;
+  }
+  [[nodiscard]] Frames shown(const PastMoment& moment) {
+    const std::uint64_t number = worker_.show(moment);
+    Worker::Shown shown;
+    EXPECT_TRUE(test::wait_until([&] {
+      shown = worker_.take_shown();
+      return shown.there && shown.number == number;
+    }));
+    return shown.frames;
+  }
+  static void expect_same(const Frames& a, const Frames& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+      EXPECT_TRUE(same_moment(*a[i], *b[i])) << "run " << i << " at " << b[i]->time << " s: " << a[i]->time;
+  }
+
+  Worker worker_{gas()};
+  std::vector<Frames> recorded_;  // the start, and after each step of the first run
+};
+
+TEST_F(WorkerPast, EachMomentHasTheBytesThatItHad) {
+  record_run();
+  std::mt19937 random(7);
+  for (int i = 0; i < 40; ++i) {
+    const Frames& was = recorded_[random() % recorded_.size()];
+    const Frames now = shown({was.front()->time});
+    expect_same(now, was);
+    ASSERT_NE(now.front()->scene, nullptr);
+    EXPECT_EQ(now.front()->scene->bodies.size(), was.front()->bodies->size());
+  }
+  // Between two steps: the one before.
+  for (const std::size_t step : {9, 8, 60, 59})
+    expect_same(shown({recorded_[step].front()->time + 0.0019}), recorded_[step]);
+}
+
+TEST_F(WorkerPast, StepByStepToTheStartAndBack) {
+  record_run();
+  const double newest = recorded_.back().front()->time;
+  for (std::size_t i = 1; i < recorded_.size(); ++i)
+    expect_same(shown({newest, -static_cast<std::int64_t>(i)}), recorded_[recorded_.size() - 1 - i]);
+  for (std::size_t i = 1; i < recorded_.size(); ++i)
+    expect_same(shown({recorded_[i - 1].front()->time, 1}), recorded_[i]);
+  expect_same(shown({0.0, -3}), recorded_.front());
+  expect_same(shown({newest + 1.0}), recorded_.back());
+  expect_same(shown({newest, 5}), recorded_.back());
+}
+
+TEST_F(WorkerPast, TheRunsStayWhereTheyAre) {
+  record_run();
+  (void)shown({0.05});
+  EXPECT_TRUE(worker_.take_frames().empty()) << "nothing about them is new";
+  worker_.step_once();
+  const Frames with = newest_at(recorded_.back().front()->steps + 1);
+  worker_.load(gas());
+  recorded_.clear();
+  record_run();
+  worker_.step_once();
+  const Frames without = newest_at(recorded_.back().front()->steps + 1);
+  for (std::size_t i = 0; i < with.size(); ++i)
+    EXPECT_TRUE(test::same_bytes(with[i]->state, without[i]->state)) << i;
+}
+
+TEST_F(WorkerPast, OnlyTheLastMomentAskedForMatters) {
+  record_run();
+  for (int i = 0; i < 200; ++i) (void)worker_.show({0.001 * i});
+  expect_same(shown({recorded_[40].front()->time}), recorded_[40]);
+  EXPECT_TRUE(worker_.take_shown().frames.empty());
+}
+
+TEST_F(WorkerPast, ALoadForgetsIt) {
+  record_run();
+  (void)worker_.show({0.1});
+  worker_.load(gas());
+  EXPECT_TRUE(worker_.take_shown().frames.empty());
+  (void)newest_at(0);
+  EXPECT_TRUE(worker_.take_shown().frames.empty());
+}
+
+// What was done later is not done again; one return brings all of it back.
+TEST_F(WorkerPast, ACutGoesOnFromAnEarlierMoment) {
+  record_run();
+  const Frames& at = recorded_[20];
+  const Worker::EditId edit = worker_.keep_runs();
+  worker_.cut(edit, at.front()->time, gas());
+  expect_same(newest_at(20), at);
+  worker_.run_until(recorded_[29].front()->time);
+  expect_same(newest_at(29), recorded_[29]);
+  worker_.run_until(0.2);
+  const Frames on = newest_at(50);
+  EXPECT_EQ(on.front()->bodies->size(), gas().scene.bodies.size()) << "the later body does not come in";
+  EXPECT_TRUE(on.front()->setup->edits.empty());
+  worker_.return_to(edit, {}, ReferenceId::kExactFlight);
+  expect_same(newest_at(recorded_.back().front()->steps), recorded_.back());
+}
+
+TEST_F(WorkerPast, ACutKeepsTheEditsOfThePreset) {
+  record_run();
+  const Worker::EditId edit = worker_.keep_runs();
+  Preset start = gas();
+  start.edits = {{0.15, 0, SceneEdits{Add<Body>{kBody}}}};
+  worker_.cut(edit, recorded_[20].front()->time, start);
+  worker_.run_until(0.2);
+  EXPECT_EQ(newest_at(50).front()->bodies->size(), gas().scene.bodies.size() + 1);
+}
+
+}  // namespace
+}  // namespace carom
