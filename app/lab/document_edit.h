@@ -20,7 +20,8 @@ class DocumentEdit : public QUndoCommand {
     QString text;                          // "Undo ..."
     Worker::EditId runs = 0;               // of the runs as they go on; 0: none
     bool begins = false;                   // the runs begin again, from the changed start
-    Worker::EditId left = 0;               // the runs that it leaves for a new start, to return to; 0: none
+    Worker::EditId left = 0;               // the runs that it leaves, to return to; 0: none
+    bool cuts = false;                     // it leaves them to go on from an earlier moment, unless it begins
     bool is_work = true;                   // false: not worth saving
     std::optional<int> drag{};             // edits of one drag are undone together
     std::vector<std::string> selection{};  // before it; names of bodies

@@ -102,7 +102,7 @@ void LabWindow::show_aim() {
 void LabWindow::spawn(double x, double y) {
   try {
     const std::string name = session_.add_body(x, y);
-    if (!view_->tool_kept()) to_select_ = {name};
+    if (!view_->tool_kept() && !name.empty()) to_select_ = {name};
   } catch (const SceneError& error) {
     show_message(this, tr("No body can be put here"), QString::fromStdString(error.what()));
   }

@@ -65,12 +65,12 @@ LabExports::LabExports(QWidget* window, Session& session, const Views& views)
 }
 
 bool LabExports::has_run() const {
-  return session_.runs().frame() != nullptr && session_.runs().frame()->setup != nullptr;
+  return !session_.runs().newest().empty() && session_.runs().newest().front()->setup != nullptr;
 }
 
 std::vector<RunSetup> LabExports::runs() const {
   std::vector<RunSetup> all;
-  for (const auto& frame : session_.runs().frames()) all.push_back(*frame->setup);
+  for (const auto& frame : session_.runs().newest()) all.push_back(*frame->setup);
   return all;
 }
 
@@ -141,7 +141,7 @@ void LabExports::save_data(const RunPlot* plot) {
   if (!has_run()) return;
   if (plot != nullptr && plot->distribution() != nullptr) return save_bins(*plot);
   const ReadingMarks marks = views_.plots.marks();
-  const std::vector<std::shared_ptr<const Frame>> frames = session_.runs().frames();
+  const std::vector<std::shared_ptr<const Frame>> frames = session_.runs().newest();
   std::vector<Method> methods;
   for (const auto& each : frames) methods.push_back(each->method);
   auto* dialog = new ExportDialog(plot == nullptr ? QString() : plot->content().title, marks.a && marks.b,
@@ -173,7 +173,7 @@ void LabExports::save_data(const RunPlot* plot) {
 void LabExports::copy_data(const RunPlot* plot, bool shown) {
   if (!has_run()) return;
   if (plot->distribution() != nullptr) return copy_bins(*plot);
-  DataExport what = export_of(*session_.runs().frame(), session_.reference());
+  DataExport what = export_of(*session_.runs().newest().front(), session_.reference());
   add_columns(plot->content(), what.columns);
   if (shown) {
     what.from = views_.plots.marks().from;
@@ -203,10 +203,11 @@ void LabExports::copy_data(const RunPlot* plot, bool shown) {
 
 void LabExports::save_run() {
   if (!has_run()) return;
+  session_.runs().go_to_end();
   const auto suggestion = QStringLiteral("run.json");
   ask_for_file(
       window_, tr("Save the run as it stands"), suggestion, {{tr("Carom presets (*.json)"), "json"}},
-      [this, frame = session_.runs().frame(), document = session_.document()](const QString& file) {
+      [this, frame = session_.runs().newest().front(), document = session_.document()](const QString& file) {
         with_progress(window_, tr("Save the run"), tr("The run cannot be saved"), [=](const Progress& go_on) {
           const auto run = run_at(*frame->setup, frame->key_frames, frame->time, frame->steps, go_on);
           if (run) save_preset(saved_preset(document, *run), file.toStdString());
@@ -218,7 +219,8 @@ void LabExports::make_film() {
   if (!has_run()) return;
   Film film;
   film.runs = runs();
-  film.to = session_.runs().frame()->time > 0.0 ? session_.runs().frame()->time : session_.document().duration;
+  film.to = session_.runs().newest().front()->time > 0.0 ? session_.runs().newest().front()->time
+                                                         : session_.document().duration;
   film.speed = session_.runs().speed();
   film.look = views_.scene.look();
   constexpr int kWidth = 1280;  // px
@@ -251,20 +253,21 @@ void LabExports::save_film_of(const Film& film, const QString& folder, bool repl
 
 void LabExports::make_report() {
   if (!has_run()) return;
-  if (session_.runs().frame()->steps == 0 && !session_.runs().frame()->playing)
+  if (session_.runs().newest().front()->steps == 0 && !session_.runs().newest().front()->playing)
     return show_message(window_, tr("Lab report"), tr("The run has not begun: play it first."));
   // So that plots and tables have the same time.
+  session_.runs().go_to_end();
   session_.runs().when_still(tr("the report waits for the step that is under way"), [this] { write_report(); });
 }
 
 void LabExports::write_report() {
-  if (!has_run() || session_.runs().frame()->steps == 0) return;
-  const Frame& frame = *session_.runs().frame();
+  if (!has_run() || session_.runs().newest().front()->steps == 0) return;
+  const Frame& frame = *session_.runs().newest().front();
   views_.bodies.update_from(frame, session_.bodies());
   views_.ledger.update_from(frame);
   LabReport report;
   report.runs = runs();
-  for (const auto& each : session_.runs().frames()) report.ends.push_back(*each);
+  for (const auto& each : session_.runs().newest()) report.ends.push_back(*each);
   report.title = QString::fromStdString(session_.document().title);
   report.observe = QString::fromStdString(session_.document().observe);
   report.date = QLocale().toString(QDate::currentDate(), "d MMMM yyyy");

@@ -201,11 +201,27 @@ void LabWindow::connect_views() {
   connect(list_, &ExperimentList::closeRequested, this, [this] { list_action_->setChecked(false); });
   connect(transport_, &TransportBar::playClicked, this, &LabWindow::set_playing);
   connect(transport_, &TransportBar::restartClicked, &session_.runs(), &LabRuns::restart);
-  connect(transport_, &TransportBar::stepClicked, &session_.runs(), &LabRuns::step_once);
+  connect(transport_, &TransportBar::stepClicked, &session_.runs(), &LabRuns::step_by);
+  connect_timeline();
   connect(transport_, &TransportBar::speedChosen, this, [this](double speed) {
     session_.runs().set_speed(speed);
     show_frame();
   });
+}
+
+// While it plays, it plays on from where the mouse lets go.
+void LabWindow::connect_timeline() {
+  LabRuns& runs = session_.runs();
+  Timeline* timeline = &transport_->timeline();
+  connect(timeline, &Timeline::scrubBegan, this,
+          [this] { plays_after_scrub_ = frame() != nullptr && frame()->playing; });
+  connect(timeline, &Timeline::scrubbed, &runs, &LabRuns::go_to);
+  connect(timeline, &Timeline::impactChosen, &runs, &LabRuns::go_to_impact);
+  connect(timeline, &Timeline::impactAsked, &runs, &LabRuns::go_by_impact);
+  connect(timeline, &Timeline::scrubEnded, this, [this] {
+    if (std::exchange(plays_after_scrub_, false)) set_playing(true);
+  });
+  connect(impacts_, &ImpactsTable::impactChosen, &runs, &LabRuns::go_to_impact);
 }
 
 void LabWindow::set_theme(const Theme& theme) {

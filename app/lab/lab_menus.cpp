@@ -136,7 +136,7 @@ void LabWindow::make_view_menu() {
   list_action_->setToolTip(tr("The list of experiments (E)"));
   connect(list_action_, &QAction::toggled, this, &LabWindow::open_list);
   add_action(view, "fit", tr("&Fit the scene"), QKeySequence(Qt::Key_F), [this] { view_->find(); });
-  add_action(view, "", tr("&Reset the plots' zoom"), QKeySequence(Qt::Key_Home),
+  add_action(view, "", tr("&Reset the plots' zoom"), QKeySequence(Qt::CTRL | Qt::Key_Home),
              [this] { plots_->reset_zoom(); });
   view->addSeparator();
   struct Toggle {
@@ -234,7 +234,22 @@ void LabWindow::make_run_menus() {
   add_action(run, "", tr("&Play or pause"), QKeySequence(Qt::Key_Space),
              [this] { set_playing(frame() == nullptr || !frame()->playing); });
   add_action(run, "", tr("Play &on past the end"), QKeySequence(), [this] { session_.runs().play_on(); });
-  add_action(run, "", tr("One &step"), QKeySequence(Qt::Key_Period), [this] { session_.runs().step_once(); });
+  add_action(run, "", tr("One &step"), QKeySequence(Qt::Key_Period), [this] { session_.runs().step_by(1); });
+  add_action(run, "", tr("One step &back"), QKeySequence(Qt::Key_Comma),
+             [this] { session_.runs().step_by(-1); });
+  add_action(run, "", tr("&Next impact"), QKeySequence(Qt::Key_PageDown),
+             [this] { session_.runs().go_by_impact(true); });
+  add_action(run, "", tr("&Last impact"), QKeySequence(Qt::Key_PageUp),
+             [this] { session_.runs().go_by_impact(false); });
+  add_action(run, "", tr("S&tart of the record"), QKeySequence(Qt::Key_Home),
+             [this] { session_.runs().go_to_start(); });
+  add_action(run, "", tr("&End of the record"), QKeySequence(Qt::Key_End),
+             [this] { session_.runs().go_to_end(); });
+  QAction* go_on = add_action(run, "", tr("&Go on from here"), QKeySequence(Qt::Key_G),
+                              [this] { session_.go_on_from_here(); });
+  go_on->setToolTip(tr("What comes after the shown moment is dropped; undo brings it back"));
+  connect(run, &QMenu::aboutToShow, this, [this, go_on] { go_on->setEnabled(session_.runs().in_past()); });
+  connect(run, &QMenu::aboutToHide, go_on, [go_on] { go_on->setEnabled(true); });
   add_action(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { session_.runs().restart(); });
   QMenu* methods = menuBar()->addMenu(tr("&Method"));
   methods_ = new MethodBar(methods, this);

@@ -26,12 +26,14 @@ LabRuns::LabRuns(const Document& document) : document_(document), worker_(docume
 void LabRuns::set_playing(bool playing) {
   if (replayed_) return worker_.end_replay();
   if (playing) forget_wait();
+  if (playhead_) return play_past(playing);
   if (playing && at_end() && !at_start()) restart();
   worker_.set_playing(playing, document_.preset.duration);
 }
 
 void LabRuns::play_on() {
   forget_wait();
+  go_to_end();
   worker_.set_playing(true);
 }
 
@@ -46,6 +48,7 @@ bool LabRuns::at_end() const {
 void LabRuns::restart() {
   forget_wait();
   show_start();
+  playhead_.reset();
   replayed_.reset();
   begins_ = true;
   worker_.restart(document_.preset);
@@ -53,6 +56,8 @@ void LabRuns::restart() {
 
 void LabRuns::set_speed(double speed) {
   speed_ = speed;
+  pace_.set_speed(speed);
+  if (playhead_ && !frames().empty()) pace_.begin(frames().front()->time, Pace::Clock::now());
   worker_.set_speed(speed);
 }
 
@@ -64,6 +69,7 @@ void LabRuns::run_until(double time) {
     }
   };
   wait_until([this] { return !frames_.empty(); });  // shows the start too
+  go_to_end();
   worker_.run_until(time);
   // Waits until the worker has stopped at the time; the first frames may still be older.
   wait_until([&] {
@@ -74,9 +80,10 @@ void LabRuns::run_until(double time) {
 }
 
 void LabRuns::when_still(const QString& what, std::function<void()> then) {
+  if (playhead_ && playhead_->plays) play_past(false);
   worker_.set_playing(false);
   forget_wait();
-  if (!frames_.front()->playing && !replayed_) return then();
+  if (!frames_.front()->playing && !replayed_ && there()) return then();
   then_ = std::move(then);
   waits_ = what;
   emit noticesChanged();
@@ -105,13 +112,23 @@ const Frame* LabRuns::lost() const {
 }
 
 bool LabRuns::at_start() const {
-  return begins_ || will_begin_ || frames_.empty() ||
-         frames_.front()->time <= start_time(document_.preset.saved);
+  return begins_ || will_begin_ || frames().empty() ||
+         (there() && frames().front()->time <= start_time(document_.preset.saved));
 }
 
 void LabRuns::poll() {
-  const std::vector<std::shared_ptr<const Frame>> news = worker_.take_frames();
-  if (news.empty()) return;
+  const Frames news = worker_.take_frames();
+  if (!news.empty()) take_news(news);
+  if (playhead_) take_shown();
+  if (playhead_ && playhead_->plays) play_past_on();
+  // Deferred: not within the signal that reported the frame.
+  if (then_ != nullptr && !frames_.front()->playing && !replayed_ && there()) {
+    QTimer::singleShot(0, this, std::exchange(then_, nullptr));
+    forget_wait();
+  }
+}
+
+void LabRuns::take_news(const Frames& news) {
   begins_ = false;
   // Each run keeps its recorder, whatever runs were added or removed before it.
   std::vector<std::shared_ptr<Recorder>> recorders;
@@ -127,12 +144,8 @@ void LabRuns::poll() {
   frames_ = news;
   if (has_edit(*frames_.front(), awaited_)) awaited_ = 0;
   if (awaited_ == 0 || frames_.front()->playing) scene_ = frames_.front()->scene;
+  if (playhead_) follow_runs();
   emit framesChanged();
-  // Deferred: not within the signal that reported the frame.
-  if (then_ != nullptr && !frames_.front()->playing && !replayed_) {
-    QTimer::singleShot(0, this, std::exchange(then_, nullptr));
-    forget_wait();
-  }
 }
 
 // --- changes of the document
@@ -141,6 +154,7 @@ void LabRuns::poll() {
 void LabRuns::load(const std::vector<Curve>& curves) {
   forget_wait();
   frames_.clear();
+  playhead_.reset();
   scene_.reset();
   awaited_ = 0;
   recorders_.clear();
@@ -159,6 +173,7 @@ void LabRuns::show_start() {
 void LabRuns::await_begin() {
   forget_wait();
   will_begin_ = true;
+  playhead_.reset();
   show_start();
 }
 
@@ -174,7 +189,7 @@ Worker::EditId LabRuns::keep(Worker::EditId again) {
   if (again == 0) {
     // Edits that are taken back can't be made again after a new one.
     std::erase_if(left_, [](const auto& each) { return each.second.returned; });
-    left_[edit] = {.frames = frames_, .scene = scene_};
+    left_[edit] = {.frames = frames_, .scene = scene_, .playhead = playhead_};
   }
   const auto left = left_.find(edit);
   left->second.returned = false;
@@ -182,6 +197,24 @@ Worker::EditId LabRuns::keep(Worker::EditId again) {
   for (auto& recorder : recorders_) recorder = std::make_shared<Recorder>();
   if (std::distance(left_.begin(), left) >= RunGroup::kMostKept)
     std::prev(left, RunGroup::kMostKept)->second.keep_picture();
+  return edit;
+}
+
+Worker::EditId LabRuns::cut(Worker::EditId again) {
+  const Worker::EditId edit = keep(again);
+  const Left& left = left_.at(edit);
+  // They go on with what is recorded until then.
+  std::transform(left.recorders.begin(), left.recorders.end(), recorders_.begin(),
+                 [](const auto& recorder) { return std::make_shared<Recorder>(*recorder); });
+  frames_ = left.playhead->frames;
+  scene_ = frames_.front()->scene;
+  awaited_ = 0;
+  playhead_.reset();
+  replayed_.reset();
+  std::vector<RunEdit> of_file = document_.preset.edits;
+  std::erase_if(of_file, [](const RunEdit& each) { return each.id != 0; });
+  worker_.cut(edit, frames_.front()->time, of_file);
+  emit framesChanged();
   return edit;
 }
 
@@ -204,6 +237,12 @@ void LabRuns::return_to(Worker::EditId edit) {
   scene_ = left.scene;
   left.keep_picture();
   for (const auto& recorder : recorders_) recorder->keep(curves_);
+  // The moment of the past is asked for when the runs are there.
+  playhead_ = left.playhead;
+  if (playhead_) {
+    playhead_->runs.clear();
+    playhead_->there = false;
+  }
   awaited_ = 0;
   replayed_.reset();
   begins_ = will_begin_ = false;
@@ -213,6 +252,7 @@ void LabRuns::return_to(Worker::EditId edit) {
 
 Worker::EditId LabRuns::begin_with(const Methods& methods, const std::vector<Curve>& curves) {
   forget_wait();
+  playhead_.reset();
   curves_ = curves;
   Preset start = document_.preset;
   start.method = methods.own;

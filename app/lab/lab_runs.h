@@ -10,6 +10,7 @@
 
 #include "app/lab/document_change.h"
 #include "physics/record/recorder.h"
+#include "physics/worker/pace.h"
 #include "physics/worker/worker.h"
 
 namespace carom {
@@ -29,7 +30,6 @@ class LabRuns : public QObject {
   void set_playing(bool playing);
   void play_on();  // without an end
   void restart();
-  void step_once() { worker_.step_once(); }
   void set_speed(double speed);
   [[nodiscard]] double speed() const { return speed_; }
   // Runs to `time` as fast as possible; returns when it is reached, or when a run is lost.
@@ -40,15 +40,39 @@ class LabRuns : public QObject {
   void forget_wait();
   [[nodiscard]] const QString& waits() const { return waits_; }
 
+  // --- the playhead (lab_playhead.cpp)
+  // What is shown is the newest moment or, while the runs stand still, one of their record: it is computed
+  // again on their thread, and until it is there the runs are shown on their way to it. To play from there
+  // repeats what is recorded, and then goes on. Nothing happens without a record.
+  void go_to(double time);  // s; at or after the newest moment: there
+  void go_to_start();
+  void go_to_end();
+  void go_to_impact(double time);   // s, of an impact: the end of its step
+  void go_by_impact(bool forward);  // to the next impact, or the last one; else to the end, or the start
+  void step_by(int steps);          // from what is shown; forward at the newest moment: a new step
+  [[nodiscard]] bool in_past() const { return playhead_.has_value(); }
+  // Whether what is shown is the moment that was asked for.
+  [[nodiscard]] bool there() const { return !playhead_ || playhead_->there; }
+  // Whether they are shown on a way that takes long.
+  [[nodiscard]] bool way_is_long() const { return playhead_ && playhead_->on_the_way; }
+  [[nodiscard]] double shown_time() const;  // s, that was asked for
+
   // --- what is known of them
   void record(const std::vector<Curve>& curves);
-  // The newest frame of each run, the document's own method first; none until the scene is ready.
-  [[nodiscard]] const std::vector<std::shared_ptr<const Frame>>& frames() const { return frames_; }
-  [[nodiscard]] std::shared_ptr<const Frame> frame() const {
-    return frames_.empty() ? nullptr : frames_.front();
+  using Frames = std::vector<std::shared_ptr<const Frame>>;
+  // The shown frame of each run, the document's own method first; none until the scene is ready.
+  [[nodiscard]] const Frames& frames() const {
+    return playhead_ && !playhead_->frames.empty() ? playhead_->frames : frames_;
   }
-  // The scene as it stands, for edits: with those that no frame has shown yet. None while a run plays.
-  [[nodiscard]] const std::shared_ptr<const Scene>& scene() const { return scene_; }
+  [[nodiscard]] std::shared_ptr<const Frame> frame() const {
+    return frames().empty() ? nullptr : frames().front();
+  }
+  // The newest frame of each run, likewise.
+  [[nodiscard]] const Frames& newest() const { return frames_; }
+  // The shown scene, for edits: with those that no frame has shown yet. None while a run plays.
+  [[nodiscard]] const std::shared_ptr<const Scene>& scene() const {
+    return in_past() ? frames().front()->scene : scene_;
+  }
   [[nodiscard]] const std::vector<std::shared_ptr<Recorder>>& recorders() const { return recorders_; }
   [[nodiscard]] const Frame* lost() const;  // a lost run, if any
   // s: progress of the runs that are recomputed after an undone edit.
@@ -65,6 +89,8 @@ class LabRuns : public QObject {
   // Keeps the runs at the shown moment, for an edit that leaves them: begin() follows. `again`: it is made
   // again.
   Worker::EditId keep(Worker::EditId again = 0);
+  // The same, and goes on from the shown moment of the past. `again`: from the one where the edit was made.
+  Worker::EditId cut(Worker::EditId again = 0);
   // Back to the moment that this edit first left, which is shown at once. The document has the start of then.
   void return_to(Worker::EditId edit);
   // Begins with other methods than the document has so far, as an edit that can be undone.
@@ -81,31 +107,56 @@ class LabRuns : public QObject {
   void noticesChanged();
 
  private:
+  // A moment before the newest one.
+  struct Playhead {
+    PastMoment moment;
+    std::optional<double> impact{};                       // s, if it is the moment of one
+    std::uint64_t first = 0;                              // number of Worker::show(), since there is a playhead
+    std::uint64_t last = 0;                               // likewise: of this moment
+    std::vector<std::shared_ptr<const RunSetup>> runs{};  // of which it is a moment
+    Frames frames{};                                      // none: it has just left the newest moment
+    bool there = false;
+    bool on_the_way = false;  // the frames are of another moment
+    bool plays = false;
+  };
   // What was shown when an edit left the runs.
   struct Left {
-    std::vector<std::shared_ptr<const Frame>> frames;
+    Frames frames;
     std::vector<std::shared_ptr<Recorder>> recorders{};
     std::shared_ptr<const Scene> scene;
+    std::optional<Playhead> playhead{};
     bool returned = false;
 
     void keep_picture();  // alone, without the record
   };
 
   void poll();
+  void take_news(const Frames& news);
   void show_start();
+  // The playhead.
+  [[nodiscard]] bool has_record() const;
+  void seek(const PastMoment& moment, std::optional<double> impact = std::nullopt);
+  void ask_worker(const PastMoment& moment);
+  void play_past(bool playing);
+  void play_past_on();
+  void take_shown();
+  void follow_runs();
+  [[nodiscard]] std::shared_ptr<const Frame> with_impacts(const Frame& frame, std::size_t run) const;
   // Whether the next step would pass the document's duration.
   [[nodiscard]] bool at_end() const;
 
   const Document& document_;
   Worker worker_;
   std::vector<Curve> curves_;
-  std::vector<std::shared_ptr<const Frame>> frames_;
+  Frames frames_;  // the newest
   std::shared_ptr<const Scene> scene_;
   Worker::EditId awaited_ = 0;  // an edit that is in scene_, but in no frame yet; 0: none
   bool begins_ = false;         // the frames are from before the start
   bool will_begin_ = false;
   std::vector<std::shared_ptr<Recorder>> recorders_;
   std::map<Worker::EditId, Left> left_;
+  std::optional<Playhead> playhead_;  // none: at the newest moment
+  Pace pace_{Pace::Clock::now()};     // while the playhead plays
   std::optional<double> replayed_;
   double speed_ = 1.0;
   std::function<void()> then_;

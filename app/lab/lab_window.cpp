@@ -257,18 +257,21 @@ void LabWindow::show_frame() {
   const std::vector<QString> names = names_of(methods);
   std::vector<PlottedRun> plotted;
   for (std::size_t i = 0; i < frames.size(); ++i) plotted.push_back({recorders[i], names[i]});
+  const Frame& newest = *session_.runs().newest().front();
+  const double shown = session_.runs().shown_time();
   plots_->update_from(plotted);
+  plots_->set_playhead(session_.runs().in_past() ? std::optional(shown) : std::nullopt);
   view_->set_frame(frames.front(), {frames.begin() + 1, frames.end()});
   if (frame.playing) view_->set_aim(std::nullopt);
   select_new();
   show_selection();
-  transport_->update_from(frame, *recorders.front());
+  transport_->update_from(frame, newest, *recorders.front(), shown);
   if (drawer_->shows(bodies_)) bodies_->update_from(frame, session_.bodies());
-  if (drawer_->shows(impacts_)) impacts_->update_from(frame, *recorders.front());
+  if (drawer_->shows(impacts_)) impacts_->update_from(newest, frame, *recorders.front());
   if (drawer_->shows(ledger_)) ledger_->update_from(frame);
   if (drawer_->shows(reading_)) reading_->update_from(plots_->runs(), plots_->contents(), plots_->marks());
   if (drawer_->shows(compare_)) compare_->update_from(frames);
-  drawer_->set_title(impacts_, tr("Impacts (%1)").arg(frame.impact_count));
+  drawer_->set_title(impacts_, tr("Impacts (%1)").arg(newest.impact_count));
   chips_->show_time(session_.runs());
   show_notices();
 }

@@ -96,6 +96,7 @@ class LabWindow : public QMainWindow {
   void make_docks();
   void make_drawer();
   void connect_views();
+  void connect_timeline();
   // Editing by hand (lab_editing.cpp).
   void connect_edits();
   void show_selection();
@@ -184,6 +185,7 @@ class LabWindow : public QMainWindow {
   MethodBar* methods_ = nullptr;
   QAction* theme_action_ = nullptr;
   bool theme_chosen_ = false;  // by the user
+  bool plays_after_scrub_ = false;
   ToolColumn* tool_column_ = nullptr;
   QToolBar* bar_ = nullptr;
   std::vector<QAction*> folded_;  // the tool bar's actions that only a wide window has room for

@@ -7,12 +7,26 @@
 #include <algorithm>
 
 #include "app/lab/lab_runs.h"
+#include "physics/record/impact_moments.h"
 #include "widgets/base/plain_text.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
 
 namespace carom {
 namespace {
+
+// The impacts of the step that ends at the shown moment of the record.
+QString impact_text(const LabRuns& runs) {
+  if (!runs.in_past() || !runs.there() || runs.frame()->playing) return {};
+  const Frame& shown = *runs.frame();
+  const double rounding = kSameMoment * shown.method.step;
+  const std::int64_t all = runs.newest().front()->impact_count;
+  const auto [first, last] = impact_numbers(
+      *runs.recorders().front(), shown.time - shown.method.step + rounding, shown.time + rounding, all);
+  if (first > last) return {};
+  return first == last ? SceneChips::tr("impact %1 of %2").arg(first).arg(all)
+                       : SceneChips::tr("impacts %1 to %2 of %3").arg(first).arg(last).arg(all);
+}
 
 QLabel* make_chip(QWidget* parent, const char* look = "chip") {
   auto* chip = new PlainLabel(parent);
@@ -28,6 +42,7 @@ SceneChips::SceneChips(SceneView& view)
       row_(new QWidget(&view)),
       time_(make_chip(row_)),
       speed_(make_chip(row_)),
+      impact_(make_chip(row_)),
       follow_(new QPushButton(tr("Follow (F)"), row_)),
       status_(make_chip(&view)),
       tool_(make_chip(&view, "caption")),
@@ -35,7 +50,8 @@ SceneChips::SceneChips(SceneView& view)
   auto* row = new QHBoxLayout(row_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
-  for (QLabel* chip : {time_, speed_}) row->addWidget(chip);
+  for (QLabel* chip : {time_, speed_, impact_}) row->addWidget(chip);
+  impact_->setAccessibleName(tr("Impact at this moment"));
   follow_->setObjectName("chip");
   follow_->setToolTip(tr("All bodies that move have left the view: keep them in it"));
   follow_->setFocusPolicy(Qt::NoFocus);
@@ -49,7 +65,7 @@ SceneChips::SceneChips(SceneView& view)
   time_->setStyleSheet("font-weight: bold;");
   speed_->setToolTip(tr("Simulated seconds per second"));
   tool_->setAccessibleName(tr("Tool in hand"));
-  for (QLabel* chip : {status_, tool_}) chip->hide();
+  for (QLabel* chip : {impact_, status_, tool_}) chip->hide();
   view.installEventFilter(this);
   connect(&view, &SceneView::cursorMoved, this, &SceneChips::show_position);
   connect(&view, &SceneView::cursorLeft, position_, &QLabel::hide);
@@ -80,7 +96,9 @@ void SceneChips::show_time(const LabRuns& runs) {
                           .arg(frame->steps)
                           .arg(frame->rejected_steps)
                           .arg(frame->evaluations));
-    time_->setText(QString("t = %1 s").arg(frame->time, 0, 'f', 3));
+    const QString time = QString("t = %1 s").arg(runs.shown_time(), 0, 'f', 3);
+    time_->setText(runs.in_past() ? tr("%1 of %2 s").arg(time).arg(runs.newest().front()->time, 0, 'f', 3)
+                                  : time);
     // The requested speed, or the machine's speed if that is clearly less.
     const bool slow =
         frame->playing && frame->realised_speed > 0.0 && frame->realised_speed < 0.85 * runs.speed();
@@ -89,6 +107,9 @@ void SceneChips::show_time(const LabRuns& runs) {
     time_->setText("t = …");
   }
   speed_->setText(speed);
+  const QString impact = impact_text(runs);
+  impact_->setText(impact);
+  impact_->setVisible(!impact.isEmpty());
 }
 
 void SceneChips::show_notices(const LabRuns& runs, const QString& more, bool lost_shown) {
@@ -98,6 +119,8 @@ void SceneChips::show_notices(const LabRuns& runs, const QString& more, bool los
   for (const QString& notice : {runs.waits(), more}) {
     if (!notice.isEmpty()) notices << notice;
   }
+  if (!runs.there() && runs.frame() != nullptr && !runs.frame()->playing && runs.way_is_long())
+    notices << tr("computing this moment: t = %1 s").arg(runs.frame()->time, 0, 'f', 1);
   if (runs.replayed())
     notices
         << tr("replaying the run after an edit: t = %1 s; Space stops here").arg(*runs.replayed(), 0, 'f', 1);

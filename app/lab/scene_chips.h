@@ -35,6 +35,7 @@ class SceneChips : public QObject {
   QWidget* row_;
   QLabel* time_;
   QLabel* speed_;
+  QLabel* impact_;  // at a moment of the record
   QPushButton* follow_;
   QLabel* status_;
   QLabel* tool_;

@@ -66,9 +66,12 @@ class Session : public QObject {
   // Takes back the edits of a drag that is not finished, if they are the last ones.
   void cancel(int drag);
   // Adds a disc of random radius like the existing ones at this point (m), from now on. Throws SceneError where
-  // it is not allowed in a run. Returns its name.
+  // it is not allowed in a run. Returns its name; none if it was refused (editRefused).
   std::string add_body(double x, double y);
   void change_plots(const std::vector<Plot>& plots);
+  // Where a moment of the past is shown, the runs go on from there: what came later is gone, until that is
+  // undone. All other edits of a run there do this first.
+  void go_on_from_here();
 
   // --- the runs
   [[nodiscard]] LabRuns& runs() { return runs_; }
@@ -92,7 +95,11 @@ class Session : public QObject {
   void push(const DocumentEdit::What& what, const DocumentChange& change);
   // `begins`: the runs begin anew with it.
   DocumentChange assign(const DocumentChange& change, bool begins);
-  [[nodiscard]] Worker::EditId edit_runs(const SceneEdits& edits, const DocumentChange& change, int drag);
+  [[nodiscard]] Worker::EditId edit_runs(const SceneEdits& edits, const DocumentChange& change, int drag,
+                                         Worker::EditId part_of);
+  [[nodiscard]] bool may_edit_moment();
+  [[nodiscard]] std::vector<RunEdit> edits_left() const;
+  void cut_at_shown(DocumentEdit::What& what);
   [[nodiscard]] const DocumentEdit* last_edit() const;
   void take_times_of_edits();
   void check_modified();

@@ -70,18 +70,22 @@ DocumentChange Session::assign(const DocumentChange& change, bool begins) {
 }
 
 DocumentChange Session::take_back(const DocumentChange& change, const DocumentEdit::What& what) {
+  // What was done to the runs that a cut left is in these alone.
+  if (what.left != 0 && what.cuts && !what.begins && what.runs != 0) runs_.undo_or_redo(what.runs);
   DocumentChange forth = what.left == 0 ? go_to(change, what) : assign(change, true);
   if (what.left != 0) {
     runs_.return_to(what.left);
-    if (what.runs != 0) runs_.undo_or_redo(what.runs);
+    if (!what.cuts && what.runs != 0) runs_.undo_or_redo(what.runs);
   }
   if (!what.selection.empty()) emit selectionReturned(what.selection);
   return forth;
 }
 
 DocumentChange Session::make_again(const DocumentChange& change, const DocumentEdit::What& what) {
-  if (what.left != 0) {
-    if (what.runs != 0) runs_.undo_or_redo(what.runs);
+  if (what.cuts && !what.begins) {
+    runs_.cut(what.left);
+  } else if (what.left != 0) {
+    if (!what.cuts && what.runs != 0) runs_.undo_or_redo(what.runs);
     runs_.keep(what.left);
   }
   return go_to(change, what);
@@ -106,6 +110,7 @@ const DocumentEdit* Session::last_edit() const {
 }
 
 void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
+  if (!may_edit_moment()) return;
   const bool begins = runs_.at_start();
   if (!begins && (runs_.frame()->playing || runs_.replayed()))
     return runs_.when_still(text, [=, this] { edit(asked, text, drag); });
@@ -120,17 +125,21 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
   });
   Document changed = document_;
   try {
-    const DocumentChange change = begins ? change_of_start(document_, edits)
-                                  : from_here
-                                      ? change_to_moment(document_, now, time, edits)
-                                      : change_of_start(document_, at_the_start(document_.preset, edits));
+    DocumentChange change = begins      ? change_of_start(document_, edits)
+                            : from_here ? change_to_moment(document_, now, time, edits)
+                                        : change_of_start(document_, at_the_start(document_.preset, edits));
     apply_change(changed, change);
     validate(changed.preset);
     DocumentEdit::What what{.text = text, .begins = begins || from_here};
     if (drag > 0) what.drag = drag;
     runs_.forget_wait();
-    if (!what.begins) what.runs = edit_runs(with_followers(now, edits), change, drag);
-    if (from_here) what.left = runs_.keep();
+    if (!what.begins) {
+      if (runs_.in_past()) change.emplace_back(SetLateBodies{edits_left()});
+      cut_at_shown(what);
+      what.runs = edit_runs(with_followers(now, edits), change, drag, what.runs);
+    } else if (from_here || runs_.in_past()) {
+      what.left = runs_.keep();
+    }
     push(what, change);
     if (what.begins) runs_.begin();
     if (from_here) emit newStart(time);
@@ -139,11 +148,50 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
   }
 }
 
+bool Session::may_edit_moment() {
+  if (runs_.there()) return true;
+  emit editRefused(tr("The shown moment is still being computed."));
+  return false;
+}
+
+// What comes later is gone where the runs are cut, but for the edits of the file.
+std::vector<RunEdit> Session::edits_left() const {
+  std::vector<RunEdit> left = document_.preset.edits;
+  if (!runs_.in_past()) return left;
+  std::erase_if(left,
+                [now = runs_.shown_time()](const RunEdit& edit) { return edit.id != 0 && edit.time > now; });
+  return left;
+}
+
+// Where a moment of the past is shown, the runs go on from there, under the methods of the document.
+void Session::cut_at_shown(DocumentEdit::What& what) {
+  if (!runs_.in_past()) return;
+  std::vector<std::pair<std::size_t, Method>> methods;
+  const Methods now = document_.methods();
+  for (std::size_t i = 0; i < runs_.frames().size() && i <= now.others.size(); ++i) {
+    const Method& method = i == 0 ? now.own : now.others[i - 1];
+    if (!(runs_.frames()[i]->method == method)) methods.emplace_back(i, method);
+  }
+  what.left = runs_.cut();
+  what.cuts = true;
+  if (!methods.empty()) what.runs = runs_.worker().set_methods(methods);
+}
+
+void Session::go_on_from_here() {
+  if (!runs_.in_past() || !may_edit_moment()) return;
+  DocumentEdit::What what{.text = tr("Go on from %1 s").arg(runs_.shown_time(), 0, 'f', 3), .is_work = false};
+  const DocumentChange change = {SetLateBodies{edits_left()}};
+  cut_at_shown(what);
+  push(what, change);
+}
+
 // The edits in the runs as they go on, with the methods that the change sets: one edit of the runs for a whole
 // drag.
-Worker::EditId Session::edit_runs(const SceneEdits& edits, const DocumentChange& change, int drag) {
+Worker::EditId Session::edit_runs(const SceneEdits& edits, const DocumentChange& change, int drag,
+                                  Worker::EditId part_of) {
   const DocumentEdit* last = drag > 0 && edits_.index() != edits_.cleanIndex() ? last_edit() : nullptr;
-  Worker::EditId id = last != nullptr && last->what().drag == drag ? last->what().runs : 0;
+  const Worker::EditId id =
+      part_of == 0 && last != nullptr && last->what().drag == drag ? last->what().runs : part_of;
   std::vector<std::pair<std::size_t, Method>> methods;
   for (const auto& part : change) {
     const auto* set = std::get_if<SetMethods>(&part);
@@ -164,12 +212,16 @@ void Session::cancel(int drag) {
 }
 
 void Session::change_method(const Method& method, std::size_t run) {
-  if (run > document_.preset.compare.size()) return;
+  if (run > document_.preset.compare.size() || !may_edit_moment()) return;
   Methods after = document_.methods();
   const Method before = std::exchange(method_of(after, run), method);
   if (before == method) return;
-  push({text_of_change(before, method), runs_.worker().set_method(method, run)},
-       {SetMethods{after, document_.before_usual}});
+  DocumentChange change = {SetMethods{after, document_.before_usual}};
+  if (runs_.in_past()) change.emplace_back(SetLateBodies{edits_left()});
+  DocumentEdit::What what{.text = text_of_change(before, method)};
+  cut_at_shown(what);
+  what.runs = runs_.worker().set_methods({{run, method}}, what.runs);
+  push(what, change);
 }
 
 void Session::change_step(double step, const std::vector<std::size_t>& runs, int drag) {
@@ -180,14 +232,17 @@ void Session::change_step(double step, const std::vector<std::size_t>& runs, int
     Method& now = method_of(after, run);
     if (std::exchange(now.step, step) != step) changed.emplace_back(run, now);
   }
-  if (changed.empty()) return;
+  if (changed.empty() || !may_edit_moment()) return;
   // As the undo stack merges them: not with a saved state.
   const DocumentEdit* before = edits_.index() == edits_.cleanIndex() ? nullptr : last_edit();
-  const bool same_drag = before != nullptr && before->what().drag == drag;
-  DocumentEdit::What what{.text = tr("change of step"),
-                          .runs = runs_.worker().set_methods(changed, same_drag ? before->what().runs : 0)};
+  const bool same_drag = !runs_.in_past() && before != nullptr && before->what().drag == drag;
+  DocumentChange change = {SetMethods{after, document_.before_usual}};
+  if (runs_.in_past()) change.emplace_back(SetLateBodies{edits_left()});
+  DocumentEdit::What what{.text = tr("change of step"), .runs = same_drag ? before->what().runs : 0};
+  cut_at_shown(what);
+  what.runs = runs_.worker().set_methods(changed, what.runs);
   what.drag = drag;
-  push(what, {SetMethods{after, document_.before_usual}});
+  push(what, change);
 }
 
 void Session::add_method(const Method& method) {
@@ -257,16 +312,20 @@ std::string Session::add_body(double x, double y) {
     edit(edits, text);
     return body.name;
   }
+  if (!may_edit_moment()) return {};
   // The time is the displayed one until the runs tell when they had it.
   const double now = runs_.frame()->time;
   Preset with = preset;
+  with.edits = edits_left();
   add_edit(with.edits, {now, 0, edits});
   validate(with);
   ++document_.preset.scene.ids_given;
-  const Worker::EditId edit = runs_.worker().edit_scene(edits);
-  std::vector<RunEdit> late = preset.edits;
-  add_edit(late, {now, edit, edits});
-  push({text, edit}, {SetLateBodies{late}});
+  std::vector<RunEdit> late = edits_left();
+  DocumentEdit::What what{.text = text};
+  cut_at_shown(what);
+  what.runs = runs_.worker().edit_scene(edits, what.runs);
+  add_edit(late, {now, what.runs, edits});
+  push(what, {SetLateBodies{late}});
   return body.name;
 }
 
@@ -282,7 +341,7 @@ void Session::change_plots(const std::vector<Plot>& plots) {
 
 // An edit is timed by the runs. Its time decides the order of bodies, and plots know these by their index.
 void Session::take_times_of_edits() {
-  const std::vector<RunEdit>& known = runs_.frame()->setup->edits;
+  const std::vector<RunEdit>& known = runs_.newest().front()->setup->edits;
   const auto time_of = [&known](const RunEdit& edit) {
     const auto found =
         std::find_if(known.begin(), known.end(), [&edit](const RunEdit& k) { return k.id == edit.id; });

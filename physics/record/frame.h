@@ -54,6 +54,7 @@ struct Frame {
   std::vector<Rows> rows;
   double rows_known_until = 0.0;      // s: the latter are known up to here; the frame's time if there are none
   std::vector<ImpactRecord> impacts;  // since the previous frame
+  bool impacts_of_late = false;       // or else all of late, whatever the previous frame was
   // s: the run has gone back there since, and earlier impacts after it are to be dropped.
   std::optional<double> back_to;
   Scales scales;

@@ -74,8 +74,10 @@ RunGroup::Frames RunGroup::return_to(EditId edit, const std::vector<Curve>& curv
 RunGroup::Frames RunGroup::cut(EditId edit, double time, const std::vector<RunEdit>& later,
                                std::stop_token token) {
   const Kept& kept = kept_.at(edit);
+  preset_ = kept.preset;
   token_ = std::move(token);
   ++starts_;
+  start_ = kept.plan.start;
   interrupted_ = false;
   past_.clear();
   runs_.clear();

@@ -160,11 +160,10 @@ void Worker::return_to(EditId edit, const std::vector<Curve>& curves, ReferenceI
   });
 }
 
-void Worker::cut(EditId edit, double time, const Preset& start) {
+void Worker::cut(EditId edit, double time, const std::vector<RunEdit>& later) {
   post_begin([=, this](Session& session, const std::stop_token& token) {
     session.replay_began = Clock::now();
-    session.runs.start_from(start);
-    RunGroup::Frames untaken = session.runs.cut(edit, time, start.edits, token);
+    RunGroup::Frames untaken = session.runs.cut(edit, time, later, token);
     const std::lock_guard lock(mutex_);
     newest_ = std::move(untaken);  // the next frames take them up
   });

@@ -60,9 +60,9 @@ class Worker {
   EditId keep_runs(EditId again = 0);
   // Back to the moment that this edit first left, stopped. Runs that are kept no more are replayed up to there.
   void return_to(EditId edit, const std::vector<Curve>& curves, ReferenceId reference);
-  // Goes on from this earlier moment of the runs that keep_runs() has just kept for the edit, stopped; `start`
-  // is what the runs start from.
-  void cut(EditId edit, double time, const Preset& start);
+  // Goes on from this earlier moment (s) of the runs that keep_runs() has just kept for the edit, stopped. What
+  // was done to them later is not done again; `later` are the edits of the preset that still come.
+  void cut(EditId edit, double time, const std::vector<RunEdit>& later);
   // Shows a moment of the past, instead of the one under way (take_shown()); the runs stay where they are.
   // Returns its number: each call has a larger one.
   std::uint64_t show(const PastMoment& moment);

@@ -460,6 +460,11 @@ void PlotPanel::take_news(RunPlot* plot, const QwtInterval& range) {
                     std::find(zoomed_.begin(), zoomed_.end(), plot) != zoomed_.end();
   plot->update_from(runs_, hold);
   plot->set_marks(mark_a_, mark_b_);
+  plot->set_playhead(playhead_);
+}
+
+void PlotPanel::set_playhead(std::optional<double> time) {
+  if (std::exchange(playhead_, time) != time) schedule();
 }
 
 // The labels' width grows in steps, so that the canvases do not shift with each new label.
@@ -483,7 +488,7 @@ void PlotPanel::showEvent(QShowEvent* event) {
 
 void PlotPanel::keyPressEvent(QKeyEvent* event) {
   const bool second = event->modifiers().testFlag(Qt::ShiftModifier);
-  if (event->key() == Qt::Key_Home) {
+  if (event->key() == Qt::Key_Home && event->modifiers() == Qt::ControlModifier) {
     reset_zoom();
   } else if (event->key() == Qt::Key_Right || event->key() == Qt::Key_Left) {
     move_mark(event->key() == Qt::Key_Right ? 1 : -1, second);

@@ -23,9 +23,9 @@ namespace carom {
 class RunsLegend;
 
 // The plots of a run, one above the other over one time axis. Wheel: zoom in time about the cursor; with Ctrl:
-// zoom that plot's values; Ctrl and a drag: zoom to a box; drag: move; double click or Home: back to showing
-// everything. While zoomed the axes do not move. Click and Shift+click: marks A and B; the arrow keys move A,
-// with Shift B, by one record; Escape removes both. A right click opens the menu of plots.
+// zoom that plot's values; Ctrl and a drag: zoom to a box; drag: move; double click or Ctrl+Home: back to
+// showing everything. While zoomed the axes do not move. Click and Shift+click: marks A and B; the arrow keys
+// move A, with Shift B, by one record; Escape removes both. A right click opens the menu of plots.
 class PlotPanel : public QWidget {
   Q_OBJECT
 
@@ -51,6 +51,8 @@ class PlotPanel : public QWidget {
   // sets the time. While new frames arrive fast, each frame redraws one plot, in turn, so that the window is
   // as fast with six plots as with one; the others follow after a pause.
   void update_from(const std::vector<PlottedRun>& runs);
+  // A line at the moment that is shown, if it is not the newest one (s).
+  void set_playhead(std::optional<double> time);
   // Redraws all plots at once.
   void show_now() { refresh(); }
   void reset_zoom();
@@ -117,6 +119,7 @@ class PlotPanel : public QWidget {
   std::vector<RunPlot*> zoomed_;           // those that the user zoomed or panned
   std::optional<QwtInterval> time_zoom_;   // while set, no axis moves
   std::optional<double> mark_a_, mark_b_;  // s
+  std::optional<double> playhead_;         // s
   std::optional<std::pair<std::optional<double>, std::optional<double>>> before_mark_;  // by the last click
   QTimer timer_;             // until all plots are redrawn
   QTimer turn_;              // until the next one is

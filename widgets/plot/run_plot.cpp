@@ -115,7 +115,7 @@ void RunPlot::build_plot() {
   canvas->setCursor(Qt::CrossCursor);
   canvas->setToolTip(
       tr("Wheel: zoom in time. Ctrl+wheel: zoom the values. Ctrl+drag: zoom to a box.\n"
-         "Drag: move. Double click or Home: show all again.\n"
+         "Drag: move. Double click or Ctrl+Home: show all again.\n"
          "Click: mark A, with Shift: mark B; the Reading tab shows the values there and between."));
   axes_ = std::make_unique<PlotAxes>(plot_, over_time() ? "s" : content_.x_unit, content_.plot.logarithmic);
 
@@ -129,6 +129,11 @@ void RunPlot::build_plot() {
   cursor_->setLineStyle(QwtPlotMarker::VLine);
   cursor_->setVisible(false);
   cursor_->attach(plot_);
+
+  playhead_ = std::make_unique<QwtPlotMarker>();
+  playhead_->setLineStyle(QwtPlotMarker::VLine);
+  playhead_->setVisible(false);
+  playhead_->attach(plot_);
 
   for (std::size_t i = 0; i < marks_.size(); ++i) {
     marks_[i] = std::make_unique<QwtPlotMarker>();
@@ -170,6 +175,7 @@ void RunPlot::set_theme(const Theme& theme) {
   plot_->setCanvasBackground(theme.panel);
   grid_->setPen(theme.grid, 1.0);
   cursor_->setLinePen(theme.muted, 1.0, Qt::DashLine);
+  playhead_->setLinePen(theme.text, 1.0);
   for (std::size_t i = 0; i < marks_.size(); ++i) {
     marks_[i]->setLinePen(theme.accent, 1.2);
     QwtText label(i == 0 ? "A" : "B");
@@ -319,6 +325,11 @@ void RunPlot::set_cursor(std::optional<double> time) {
   cursor_->setVisible(cursor_time_.has_value());
   if (cursor_time_) cursor_->setXValue(*cursor_time_);
   show_readout();
+}
+
+void RunPlot::set_playhead(std::optional<double> time) {
+  playhead_->setVisible(time && over_time());
+  if (time) playhead_->setXValue(*time);
 }
 
 void RunPlot::set_marks(std::optional<double> a, std::optional<double> b) {

@@ -50,6 +50,8 @@ class RunPlot : public QFrame {
   void set_cursor(std::optional<double> time);
   // The user's two marks, A and B.
   void set_marks(std::optional<double> a, std::optional<double> b);
+  // The moment that is shown, if it is not the newest one.
+  void set_playhead(std::optional<double> time);
   void set_chip_visible(bool visible);
   void replot();
 
@@ -118,6 +120,7 @@ class RunPlot : public QFrame {
   QLabel* readout_ = nullptr;
   std::unique_ptr<QwtPlotGrid> grid_;
   std::unique_ptr<QwtPlotMarker> cursor_;
+  std::unique_ptr<QwtPlotMarker> playhead_;
   std::array<std::unique_ptr<QwtPlotMarker>, 2> marks_;
   std::vector<Line> lines_;
   std::unique_ptr<PlotTheories> theories_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <utility>
 
 #include "physics/model/mass.h"
 
@@ -120,7 +121,15 @@ class ImpactsModel : public FigureModel {
     rows_changed(static_cast<int>(count));
   }
 
+  // Those after the shown moment are pale.
+  void mark(const Frame& shown) {
+    if (std::exchange(shown_, shown.time) != shown.time) rows_changed(static_cast<int>(impacts_.size()));
+  }
+
+  [[nodiscard]] double time(int row) const { return impacts_[static_cast<std::size_t>(row)].time; }  // s
+
   [[nodiscard]] bool is_sum(int) const override { return false; }
+  [[nodiscard]] bool is_idle(int row, int) const override { return time(row) > shown_; }
 
   [[nodiscard]] Cell cell(int row, int column) const override {
     const ImpactRecord& impact = impacts_[static_cast<std::size_t>(row)];
@@ -147,6 +156,7 @@ class ImpactsModel : public FigureModel {
     return text_of((*bodies_)[static_cast<std::size_t>(body)].name);
   }
 
+  double shown_ = 0.0;  // s
   std::uint64_t run_ = 0;
   std::int64_t impact_count_ = -1;
   std::shared_ptr<const std::vector<Body>> bodies_;
@@ -180,10 +190,16 @@ ImpactsTable::ImpactsTable(QWidget* parent)
                                     {"jₜ / N·s", 78},
                                     {"lost / J", 82}},
                                    nullptr),
-                  parent) {}
+                  parent) {
+  setToolTip(tr("A click on an impact goes to its moment"));
+  connect(this, &QTableView::clicked, this, [this](const QModelIndex& index) {
+    emit impactChosen(static_cast<ImpactsModel*>(model())->time(index.row()));
+  });
+}
 
-void ImpactsTable::update_from(const Frame& frame, const Recorder& recorder) {
-  static_cast<ImpactsModel*>(model())->set(frame, recorder);
+void ImpactsTable::update_from(const Frame& newest, const Frame& shown, const Recorder& recorder) {
+  static_cast<ImpactsModel*>(model())->set(newest, recorder);
+  static_cast<ImpactsModel*>(model())->mark(shown);
 }
 
 }  // namespace carom

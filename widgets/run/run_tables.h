@@ -18,14 +18,18 @@ class BodiesTable : public FigureTable {
   void update_from(const Frame& frame, const std::vector<Body>& before);
 };
 
-// The last kMostRows impacts, the newest first.
+// The last kMostRows impacts up to the newest moment, the newest first. A click on one goes to its moment;
+// those after the shown moment are pale.
 class ImpactsTable : public FigureTable {
   Q_OBJECT
 
  public:
   static constexpr int kMostRows = 500;
   explicit ImpactsTable(QWidget* parent = nullptr);
-  void update_from(const Frame& frame, const Recorder& recorder);
+  void update_from(const Frame& newest, const Frame& shown, const Recorder& recorder);
+
+ signals:
+  void impactChosen(double time);  // s
 };
 
 }  // namespace carom

@@ -3,63 +3,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QPainter>
 #include <QToolButton>
-#include <algorithm>
 #include <cmath>
 
 #include "widgets/base/plain_text.h"
 
 namespace carom {
-
-Timeline::Timeline(const Theme& theme, QWidget* parent) : QWidget(parent), theme_(theme) {
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setMinimumWidth(80);
-  setToolTip("The run so far; a tick for each impact");
-}
-
-void Timeline::set_theme(const Theme& theme) {
-  theme_ = theme;
-  update();
-}
-
-void Timeline::set_duration(double seconds) {
-  duration_ = seconds;
-  update();
-}
-
-double Timeline::end() const { return duration_ * std::max(1.0, std::ceil(time_ / duration_ - 1e-9)); }
-
-void Timeline::update_from(const Frame& frame, const Recorder& recorder) {
-  time_ = frame.time;
-  ticks_.clear();
-  const double least = end() / std::max(1, width() / 2);
-  std::vector<SeriesPoint<1>> impacts;
-  recorder.impulses().read(0.0, time_, impacts);
-  for (const SeriesPoint<1>& impact : impacts) {
-    if (ticks_.empty() || impact.at - ticks_.back() >= least) ticks_.push_back(impact.at);
-  }
-  update();
-}
-
-void Timeline::paintEvent(QPaintEvent* /*event*/) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const double y = 0.5 * height();
-  const double margin = 4.0;
-  const double length = width() - 2.0 * margin;
-  const auto x_of = [&](double time) { return margin + length * std::clamp(time / end(), 0.0, 1.0); };
-  const auto line = [&](double from, double to, const QColor& color) {
-    painter.setPen(QPen(color, 5.0, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(QPointF(from, y), QPointF(to, y));
-  };
-  line(margin, margin + length, theme_.border);
-  if (time_ > 0.0) line(margin, x_of(time_), theme_.accent);
-  QColor tick = theme_.muted;
-  tick.setAlphaF(ticks_.size() > 60 ? 0.35F : 0.9F);
-  painter.setPen(QPen(tick, 1.2));
-  for (const double t : ticks_) painter.drawLine(QPointF(x_of(t), y - 8.0), QPointF(x_of(t), y + 8.0));
-}
 
 const std::vector<double>& TransportBar::speeds() {
   static const std::vector<double> all = {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0, 4.0, 16.0};
@@ -85,6 +34,7 @@ TransportBar::TransportBar(const Theme& theme, QWidget* parent) : QFrame(parent)
   restart_ = button(tr("Restart at t = 0 (R)"));
   play_ = button(tr("Play or pause (Space)"));
   play_->setFixedSize(36, 36);
+  back_ = button(tr("Back by a step (,)"));
   step_ = button(tr("One step (.)"));
   speed_ = button(tr("Speed: simulated seconds per second"));
   speed_->setObjectName("choice");
@@ -106,6 +56,7 @@ TransportBar::TransportBar(const Theme& theme, QWidget* parent) : QFrame(parent)
   row->setContentsMargins(10, 5, 12, 5);
   row->setSpacing(6);
   row->addWidget(restart_);
+  row->addWidget(back_);
   row->addWidget(play_);
   row->addWidget(step_);
   row->addSpacing(6);
@@ -114,13 +65,16 @@ TransportBar::TransportBar(const Theme& theme, QWidget* parent) : QFrame(parent)
   row->addSpacing(4);
   row->addWidget(speed_);
   connect(restart_, &QToolButton::clicked, this, &TransportBar::restartClicked);
-  connect(step_, &QToolButton::clicked, this, &TransportBar::stepClicked);
+  connect(back_, &QToolButton::clicked, this, [this] { emit stepClicked(-1); });
+  connect(step_, &QToolButton::clicked, this, [this] { emit stepClicked(1); });
+  connect(timeline_, &Timeline::stepAsked, this, &TransportBar::stepClicked);
   connect(play_, &QToolButton::clicked, this, [this] { emit playClicked(!playing_); });
   set_icons();
 }
 
 void TransportBar::set_icons() {
   restart_->setIcon(themed_icon("restart", theme_.text));
+  back_->setIcon(themed_icon("step-back", theme_.text));
   step_->setIcon(themed_icon("step", theme_.text));
   play_->setIcon(themed_icon(playing_ ? "pause" : "play", theme_.panel));
   play_->setStyleSheet(
@@ -139,8 +93,9 @@ void TransportBar::set_duration(double seconds) {
   end_->setText(QString("%1 s").arg(timeline_->end(), 0, 'g', 4));
 }
 
-void TransportBar::update_from(const Frame& frame, const Recorder& recorder) {
-  timeline_->update_from(frame, recorder);
+void TransportBar::update_from(const Frame& frame, const Frame& newest, const Recorder& recorder,
+                               double shown) {
+  timeline_->update_from(newest, recorder, shown);
   end_->setText(QString("%1 s").arg(timeline_->end(), 0, 'g', 4));
   if (playing_ == frame.playing) return;
   playing_ = frame.playing;

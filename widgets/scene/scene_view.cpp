@@ -94,10 +94,8 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame, OtherRuns others) 
   others_ = std::move(others);
   const bool new_run = !frame_ || frame->run != frame_->run;
   frame_ = std::move(frame);
-  if (new_run) {
-    impacts_.clear();
-    peaks_ = {};
-  }
+  if (new_run || frame_->impacts_of_late) impacts_.clear();
+  if (new_run) peaks_ = {};
   peaks_.observe(*frame_);
   keep_recent(impacts_, frame_->impacts, frame_->time, kImpactShown);
   tools_->frame_changed();
@@ -428,8 +426,6 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
     case Qt::Key_F:
       return find();
-    case Qt::Key_Home:
-      return fit();
     case Qt::Key_Menu:
       emit menuRequested(place_of_menu());
       return;

@@ -117,7 +117,7 @@ TEST_F(LabExportTest, ThePlotsDataAreCopied) {
   EXPECT_EQ(second[0].toDouble(), run.time());
   EXPECT_EQ(second[1].toDouble(), run.totals().kinetic());
 
-  QTest::keyClick(panel_, Qt::Key_Home);
+  QTest::keyClick(panel_, Qt::Key_Home, Qt::ControlModifier);
   QWidget* canvas = panel_->plots().front()->plot()->canvas();
   QWheelEvent wheel({canvas->width() / 2.0, 20.0}, canvas->mapToGlobal(QPointF(canvas->width() / 2.0, 20.0)),
                     {}, {0, 240}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);

@@ -65,6 +65,7 @@ const std::vector<Monkey::Kind>& Monkey::kinds() {
       {"edit key", 6, &Monkey::edit_key},
       {"take back", 6, &Monkey::take_back},
       {"fold", 2, &Monkey::fold},
+      {"scrub", 6, &Monkey::scrub},
       {"new", 1, &Monkey::new_scene},
   };
   return table;
@@ -283,12 +284,14 @@ void Monkey::key() {
       Qt::Key_Tab,       Qt::Key_Backtab, Qt::Key_Space,    Qt::Key_Home,  Qt::Key_End,    Qt::Key_Delete,
       Qt::Key_Backspace, Qt::Key_PageUp,  Qt::Key_PageDown, Qt::Key_R,     Qt::Key_C,      Qt::Key_F,
       Qt::Key_Period,    Qt::Key_Menu,    Qt::Key_B,        Qt::Key_P,     Qt::Key_W,      Qt::Key_D,
-      Qt::Key_O,         Qt::Key_T,       Qt::Key_S,        Qt::Key_N,     Qt::Key_J,      Qt::Key_A};
+      Qt::Key_O,         Qt::Key_T,       Qt::Key_S,        Qt::Key_N,     Qt::Key_J,      Qt::Key_A,
+      Qt::Key_Comma,     Qt::Key_G};
   const auto chosen = kKeys[static_cast<std::size_t>(below(static_cast<int>(kKeys.size())))];
   const Qt::KeyboardModifiers held = once_in(4) ? modifiers() : Qt::NoModifier;
   QString text;
   if (chosen == Qt::Key_Space) text = " ";
   if (chosen == Qt::Key_Period) text = ".";
+  if (chosen == Qt::Key_Comma) text = ",";
   if (chosen >= Qt::Key_A && chosen <= Qt::Key_Z) text = QChar(chosen).toLower();
   if (QWindow* window = with_focus()) press_key(window, chosen, held, text);
 }

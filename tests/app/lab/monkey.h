@@ -98,6 +98,7 @@ class Monkey : public QObject {
   void edit_key();
   void take_back();
   void fold();
+  void scrub();
   void new_scene();
 
   Options options_;

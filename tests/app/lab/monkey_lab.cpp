@@ -1,6 +1,7 @@
 #include <QApplication>
 #include <QTableView>
 #include <QTest>
+#include <algorithm>
 #include <array>
 
 #include "app/lab/drawer.h"
@@ -8,6 +9,7 @@
 #include "monkey.h"
 #include "widgets/edit/bodies_sheet.h"
 #include "widgets/edit/value_slider.h"
+#include "widgets/run/timeline.h"
 #include "widgets/scene/scene_view.h"
 
 // The monkey on the parts of the lab: chance alone would seldom hit a body, a handle or a cell.
@@ -138,6 +140,21 @@ void Monkey::fold() {
   if (window_ == nullptr || !answers()) return;
   auto* drawer = window_->findChild<Drawer*>();
   drawer->set_folded(!drawer->folded());
+}
+
+// Through the record, by the timeline or by keys.
+void Monkey::scrub() {
+  constexpr std::array kKeys = {Qt::Key_Comma, Qt::Key_Period, Qt::Key_PageUp, Qt::Key_PageDown,
+                                Qt::Key_Home,  Qt::Key_End,    Qt::Key_G,      Qt::Key_Space};
+  const auto key = kKeys[static_cast<std::size_t>(below(static_cast<int>(kKeys.size())))];
+  const int from = below(1 << 10);
+  const int to = below(1 << 10);
+  const bool drags = once_in(2);
+  if (window_ == nullptr || !answers()) return;
+  if (!drags) return QTest::keyClick(&window_->scene_view(), key);
+  Timeline& timeline = *window_->findChild<Timeline*>();
+  const int y = timeline.height() / 2;
+  drag_in(timeline, {from % std::max(timeline.width(), 1), y}, {to % std::max(timeline.width(), 1), y});
 }
 
 void Monkey::new_scene() {

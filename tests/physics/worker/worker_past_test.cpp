@@ -172,7 +172,7 @@ TEST_F(WorkerPast, ACutGoesOnFromAnEarlierMoment) {
   record_run();
   const Frames& at = recorded_[20];
   const Worker::EditId edit = worker_.keep_runs();
-  worker_.cut(edit, at.front()->time, gas());
+  worker_.cut(edit, at.front()->time, {});
   expect_same(newest_at(20), at);
   worker_.run_until(recorded_[29].front()->time);
   expect_same(newest_at(29), recorded_[29]);
@@ -187,9 +187,7 @@ TEST_F(WorkerPast, ACutGoesOnFromAnEarlierMoment) {
 TEST_F(WorkerPast, ACutKeepsTheEditsOfThePreset) {
   record_run();
   const Worker::EditId edit = worker_.keep_runs();
-  Preset start = gas();
-  start.edits = {{0.15, 0, SceneEdits{Add<Body>{kBody}}}};
-  worker_.cut(edit, recorded_[20].front()->time, start);
+  worker_.cut(edit, recorded_[20].front()->time, {{0.15, 0, SceneEdits{Add<Body>{kBody}}}});
   worker_.run_until(0.2);
   EXPECT_EQ(newest_at(50).front()->bodies->size(), gas().scene.bodies.size() + 1);
 }

@@ -231,7 +231,7 @@ TEST_F(PlotPanelTest, WheelZoomsAllTimeAxesAboutTheCursorAndDoubleClickResets) {
   for (const RunPlot* each : panel.plots()) EXPECT_EQ(each->time_range(), QwtInterval(0.0, 5.0));
 }
 
-TEST_F(PlotPanelTest, CtrlWheelZoomsTheValuesOfOnePlotAndHomeResets) {
+TEST_F(PlotPanelTest, CtrlWheelZoomsTheValuesOfOnePlotAndCtrlHomeResets) {
   show(run_to(head_on_scene(), 1.0, panel.curves()));
   const QwtInterval energy = plot(0)->value_range();
   const QwtInterval momentum = plot(1)->value_range();
@@ -239,7 +239,7 @@ TEST_F(PlotPanelTest, CtrlWheelZoomsTheValuesOfOnePlotAndHomeResets) {
   EXPECT_NEAR(plot(0)->value_range().width(), 0.8 * energy.width(), 1e-12);
   EXPECT_EQ(plot(1)->value_range(), momentum);
   EXPECT_EQ(plot(0)->time_range(), QwtInterval(0.0, 1.0));
-  QTest::keyClick(canvas(0), Qt::Key_Home);
+  QTest::keyClick(canvas(0), Qt::Key_Home, Qt::ControlModifier);
   QApplication::processEvents();
   EXPECT_FALSE(panel.zoomed());
   EXPECT_EQ(plot(0)->value_range(), energy);

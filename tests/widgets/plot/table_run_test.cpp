@@ -69,7 +69,7 @@ TEST(RunTables, ImpactsNewestFirst) {
   Recorder recorder;
   recorder.add(frame);
   ImpactsTable table;
-  table.update_from(frame, recorder);
+  table.update_from(frame, frame, recorder);
   ASSERT_EQ(table.model()->rowCount(), 1);
   const QStringList expected = {"1", "0.200000", "A – B", "3.000", "4.000", "0"};
   for (int column = 0; column < expected.size(); ++column) EXPECT_EQ(cell(table, 0, column), expected[column]);
@@ -79,7 +79,7 @@ TEST(RunTables, ImpactsNewestFirst) {
   many.impacts.back().closing_speed = 7.0;
   many.impact_count = 701;
   recorder.add(many);
-  table.update_from(many, recorder);
+  table.update_from(many, many, recorder);
   ASSERT_EQ(table.model()->rowCount(), ImpactsTable::kMostRows);
   EXPECT_EQ(cell(table, 0, 0), "701");
   EXPECT_EQ(cell(table, 0, 3), "7.000");
@@ -90,7 +90,7 @@ TEST(RunTables, ImpactsNewestFirst) {
   restarted.impact_count = 0;
   restarted.impacts.clear();
   recorder.add(restarted);
-  table.update_from(restarted, recorder);
+  table.update_from(restarted, restarted, recorder);
   EXPECT_EQ(table.model()->rowCount(), 0);
 }
 

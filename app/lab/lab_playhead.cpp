@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <utility>
+
+#include "app/lab/lab_runs.h"
+#include "physics/record/impact_moments.h"
+#include "widgets/scene/drawing.h"
+
+// The playhead of the lab's runs: which moment of their record is shown.
+namespace carom {
+
+void LabRuns::go_to(double time) {
+  if (!has_record()) return;
+  if (time >= frames_.front()->time) return go_to_end();
+  seek({std::max(time, start_time(document_.preset.saved))});
+}
+
+void LabRuns::go_to_start() { go_to(start_time(document_.preset.saved)); }
+
+void LabRuns::go_to_end() {
+  if (!std::exchange(playhead_, std::nullopt)) return;
+  for (std::size_t i = 0; i < frames_.size(); ++i) frames_[i] = with_impacts(*frames_[i], i);
+  emit framesChanged();
+}
+
+void LabRuns::go_to_impact(double time) {
+  if (!has_record()) return;
+  const double just_before = 2.0 * kSameMoment * frames_.front()->method.step;
+  seek({time - just_before, 1}, time);
+}
+
+void LabRuns::go_by_impact(bool forward) {
+  if (!has_record()) return;
+  const Frame& shown = *frames().front();
+  const double step = shown.method.step;
+  const double rounding = kSameMoment * step;
+  const std::optional<double> asked = there() ? std::nullopt : playhead_->impact;
+  const Recorder& recorder = *recorders_.front();
+  // The impacts of the step that ends here are those of this moment.
+  const std::optional<double> found =
+      forward ? impact_after(recorder, asked.value_or(shown_time() + rounding))
+              : impact_until(recorder, asked ? *asked - rounding : shown_time() - step + rounding);
+  if (found) return go_to_impact(*found);
+  forward ? go_to_end() : go_to_start();
+}
+
+void LabRuns::step_by(int steps) {
+  if (!playhead_ && steps > 0) return worker_.step_once();
+  if (!has_record()) return;
+  if (!playhead_ && frames_.front()->time <= start_time(document_.preset.saved)) return;
+  PastMoment moment{frames().front()->time, steps};
+  if (!there()) moment = {playhead_->moment.time, playhead_->moment.steps + steps};
+  seek(moment);
+}
+
+double LabRuns::shown_time() const {
+  if (frames().empty()) return start_time(document_.preset.saved);
+  if (there()) return frames().front()->time;
+  return playhead_->moment.time + static_cast<double>(playhead_->moment.steps) * frames().front()->method.step;
+}
+
+// Of runs that are recomputed there will be another one.
+bool LabRuns::has_record() const {
+  return !frames_.empty() && !begins_ && !will_begin_ && !replayed_ && frames_.front()->setup != nullptr;
+}
+
+void LabRuns::seek(const PastMoment& moment, std::optional<double> impact) {
+  if (frames_.front()->playing) worker_.set_playing(false);
+  if (!playhead_) playhead_.emplace();
+  playhead_->impact = impact;
+  playhead_->plays = false;
+  ask_worker(moment);
+  emit framesChanged();
+}
+
+void LabRuns::ask_worker(const PastMoment& moment) {
+  playhead_->moment = moment;
+  playhead_->there = false;
+  playhead_->last = worker_.show(moment);
+  if (playhead_->first == 0) playhead_->first = playhead_->last;
+  playhead_->runs.clear();
+  for (const auto& frame : frames_) playhead_->runs.push_back(frame->setup);
+}
+
+void LabRuns::play_past(bool playing) {
+  if (!playing) return seek({frames().front()->time});
+  playhead_->plays = true;
+  pace_.begin(shown_time(), Pace::Clock::now());
+}
+
+void LabRuns::play_past_on() {
+  const auto now = Pace::Clock::now();
+  const double due = pace_.due(now);
+  if (due >= frames_.front()->time) {
+    go_to_end();
+    if (!at_end()) worker_.set_playing(true, document_.preset.duration);
+    return;
+  }
+  if (!playhead_->there && !playhead_->frames.empty())
+    pace_.give_up_lag(playhead_->frames.front()->time, due, now);
+  ask_worker({due});
+}
+
+void LabRuns::take_shown() {
+  const Worker::Shown shown = worker_.take_shown();
+  if (shown.frames.empty() || shown.number < playhead_->first) return;
+  playhead_->there = shown.there && shown.number == playhead_->last;
+  playhead_->on_the_way = !shown.there;
+  if (playhead_->there && !playhead_->plays && shown.frames.front()->steps >= frames_.front()->steps)
+    return go_to_end();
+  Frames frames;
+  for (const auto& each : shown.frames) frames.push_back(with_impacts(*each, frames.size()));
+  auto first = std::make_shared<Frame>(*frames.front());
+  first->playing = playhead_->plays;
+  if (!playhead_->there || playhead_->plays) first->scene.reset();
+  frames.front() = std::move(first);
+  playhead_->frames = std::move(frames);
+  emit framesChanged();
+}
+
+// Other runs than those of which a moment was asked for have another past.
+void LabRuns::follow_runs() {
+  if (replayed_) return;
+  const bool same = std::equal(frames_.begin(), frames_.end(), playhead_->runs.begin(), playhead_->runs.end(),
+                               [](const auto& frame, const auto& setup) { return frame->setup == setup; });
+  if (same) return;
+  if (frames_.front()->time <= shown_time()) {
+    playhead_.reset();
+  } else {
+    playhead_->first = 0;
+    ask_worker(playhead_->moment);
+  }
+}
+
+std::shared_ptr<const Frame> LabRuns::with_impacts(const Frame& frame, std::size_t run) const {
+  auto copy = std::make_shared<Frame>(frame);
+  copy->impacts_of_late = true;
+  copy->impacts.clear();
+  if (run < recorders_.size())
+    copy->impacts = impacts_between(*recorders_[run], frame.time - kImpactShown, frame.time);
+  return copy;
+}
+
+}  // namespace carom

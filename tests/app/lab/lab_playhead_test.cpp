@@ -1,0 +1,245 @@
+#include <QTableView>
+
+#include "app/lab/drawer.h"
+#include "tests/app/lab/lab_fixture.h"
+#include "tests/support/scenes.h"
+#include "widgets/run/run_tables.h"
+#include "widgets/run/timeline.h"
+
+// The playhead: moments of the record by keys, by the timeline and by the tables, and edits there. The
+// experiment head-on has its one impact at a third of a second and lasts one second.
+namespace carom {
+namespace {
+
+class LabPlayheadTest : public LabWindowTest {
+ protected:
+  void SetUp() override {
+    ASSERT_NO_FATAL_FAILURE(LabWindowTest::SetUp());
+    window_.run_until(1.0);
+    end_ = window_.frame();
+    ASSERT_EQ(end_->impact_count, 1);
+  }
+
+  LabRuns& runs() { return window_.session().runs(); }
+  Timeline* timeline() { return window_.findChild<Timeline*>(); }
+  [[nodiscard]] bool wait_there() {
+    return wait_for([this] { return runs().there() && !runs().replayed() && !window_.frame()->playing; });
+  }
+  void press(Qt::Key key) {
+    QTest::keyClick(&window_.scene_view(), key);
+    ASSERT_TRUE(wait_there());
+  }
+  QString clock() {
+    for (const QLabel* label : window_.findChildren<QLabel*>("chip")) {
+      if (label->text().startsWith("t = ")) return label->text();
+    }
+    return {};
+  }
+  // The run alone, up to this step.
+  [[nodiscard]] State state_at(std::int64_t steps) const {
+    Simulation run(setup_of(window_.preset()));
+    while (run.steps() < steps) run.step();
+    return run.state();
+  }
+  void expect_step(std::int64_t steps_there) {
+    EXPECT_EQ(steps(), steps_there);
+    EXPECT_TRUE(test::same_bytes(window_.frame()->state, state_at(steps_there)));
+  }
+  void drag_timeline(double from, double to, Qt::KeyboardModifiers held = {}) {
+    const auto at = [this](double time) {
+      return QPoint(qRound(timeline()->x_of(time)), timeline()->height() / 2);
+    };
+    QTest::mousePress(timeline(), Qt::LeftButton, held, at(from));
+    QMouseEvent move(QEvent::MouseMove, at(to), timeline()->mapToGlobal(at(to)), Qt::NoButton, Qt::LeftButton,
+                     held);
+    QApplication::sendEvent(timeline(), &move);
+    QTest::mouseRelease(timeline(), Qt::LeftButton, held, at(to));
+    ASSERT_TRUE(wait_there());
+  }
+
+  std::shared_ptr<const Frame> end_;
+};
+
+TEST_F(LabPlayheadTest, KeysStepBackAndForthWithTheSameDigits) {
+  const std::int64_t last = end_->steps;
+  for (int i = 1; i <= 3; ++i) {
+    press(Qt::Key_Comma);
+    expect_step(last - i);
+  }
+  EXPECT_TRUE(runs().in_past());
+  EXPECT_EQ(runs().newest().front()->steps, last);
+  for (int i = 2; i >= 0; --i) {
+    press(Qt::Key_Period);
+    EXPECT_EQ(steps(), last - i);
+  }
+  EXPECT_FALSE(runs().in_past());
+  EXPECT_TRUE(test::same_bytes(window_.frame()->state, end_->state));
+  QTest::keyClick(&window_.scene_view(), Qt::Key_Period);
+  ASSERT_TRUE(wait_for([=, this] { return steps() == last + 1; })) << "at the newest moment: a new step";
+  EXPECT_FALSE(runs().in_past());
+}
+
+TEST_F(LabPlayheadTest, ManyKeysInARowAddUp) {
+  for (int i = 0; i < 5; ++i) QTest::keyClick(&window_.scene_view(), Qt::Key_Comma);
+  ASSERT_TRUE(wait_there());
+  expect_step(end_->steps - 5);
+}
+
+TEST_F(LabPlayheadTest, ImpactsAndBothEnds) {
+  press(Qt::Key_PageUp);
+  EXPECT_NEAR(time(), 1.0 / 3.0, 0.011);
+  EXPECT_EQ(window_.frame()->impact_count, 1) << "the end of the step that has the impact";
+  expect_step(steps());
+  EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1");
+  EXPECT_TRUE(chip("Impact at this moment")->isVisible());
+  EXPECT_EQ(clock(), QString("t = %1 s of %2 s").arg(time(), 0, 'f', 3).arg(end_->time, 0, 'f', 3));
+  press(Qt::Key_PageUp);
+  EXPECT_EQ(steps(), 0) << "there is no earlier one";
+  EXPECT_FALSE(chip("Impact at this moment")->isVisible());
+  press(Qt::Key_PageDown);
+  EXPECT_NEAR(time(), 1.0 / 3.0, 0.011);
+  press(Qt::Key_End);
+  EXPECT_FALSE(runs().in_past());
+  EXPECT_EQ(steps(), end_->steps);
+  press(Qt::Key_Home);
+  expect_step(0);
+  ASSERT_NE(window_.frame()->scene, nullptr) << "for edits";
+}
+
+TEST_F(LabPlayheadTest, TheTimelineScrubs) {
+  drag_timeline(0.9, 0.5);
+  EXPECT_NEAR(time(), 0.5, 0.02);
+  expect_step(steps());
+  const double before = time();
+  drag_timeline(before, before + 0.2, Qt::ShiftModifier);
+  EXPECT_NEAR(time(), before + 0.02, 0.012) << "ten times finer";
+  EXPECT_NEAR(timeline()->shown(), time(), 0.0);
+  QWheelEvent wheel({5.0, 5.0}, timeline()->mapToGlobal(QPointF(5.0, 5.0)), {}, {0, -120}, Qt::NoButton,
+                    Qt::NoModifier, Qt::NoScrollPhase, false);
+  const std::int64_t at = steps();
+  QApplication::sendEvent(timeline(), &wheel);
+  ASSERT_TRUE(wait_there());
+  expect_step(at - 1);
+}
+
+TEST_F(LabPlayheadTest, AClickOnATickGoesToTheImpact) {
+  const QPoint at(qRound(timeline()->x_of(1.0 / 3.0)) + 2, timeline()->height() / 2);
+  QTest::mouseClick(timeline(), Qt::LeftButton, {}, at);
+  ASSERT_TRUE(wait_there());
+  EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1");
+}
+
+TEST_F(LabPlayheadTest, ATimeCanBeTyped) {
+  QTest::mouseDClick(timeline(), Qt::LeftButton, {}, {40, timeline()->height() / 2});
+  auto* field = timeline()->findChild<QLineEdit*>();
+  ASSERT_TRUE(field->isVisible());
+  QTest::keyClicks(field, "250 ms");
+  QTest::keyClick(field, Qt::Key_Return);
+  ASSERT_TRUE(wait_there());
+  EXPECT_NEAR(time(), 0.25, 0.011);
+  EXPECT_FALSE(field->isVisible());
+}
+
+TEST_F(LabPlayheadTest, ARowOfTheImpactsGoesToItsMoment) {
+  auto* table = window_.findChild<ImpactsTable*>();
+  auto* drawer = window_.findChild<Drawer*>();
+  drawer->set_folded(false);
+  drawer->choose(table);
+  QApplication::processEvents();
+  const QPoint at = table->visualRect(table->model()->index(0, 1)).center();
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, at);
+  ASSERT_TRUE(wait_there());
+  EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1");
+}
+
+TEST_F(LabPlayheadTest, SpacePlaysTheRecordOnAndPastIt) {
+  press(Qt::Key_Home);
+  choose_speed(16.0);
+  QTest::keyClick(&window_.scene_view(), Qt::Key_Space);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->playing; }));
+  ASSERT_TRUE(wait_for([this] { return !runs().in_past() && !window_.frame()->playing; }));
+  EXPECT_EQ(steps(), end_->steps) << "at the duration it stops";
+  EXPECT_TRUE(test::same_bytes(window_.frame()->state, end_->state));
+}
+
+TEST_F(LabPlayheadTest, SpaceStopsAMomentOfTheRecord) {
+  press(Qt::Key_Home);
+  choose_speed(0.25);
+  QTest::keyClick(&window_.scene_view(), Qt::Key_Space);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->playing && time() > 0.05; }));
+  press(Qt::Key_Space);
+  EXPECT_TRUE(runs().in_past());
+  expect_step(steps());
+  ASSERT_NE(window_.frame()->scene, nullptr);
+}
+
+TEST_F(LabPlayheadTest, GoesOnFromHereUntilItIsUndone) {
+  drag_timeline(0.9, 0.5);
+  const std::int64_t at = steps();
+  press(Qt::Key_G);
+  ASSERT_TRUE(wait_for([=, this] { return !runs().in_past() && steps() == at; }));
+  ASSERT_TRUE(wait_for([this] { return runs().recorders().front()->time() < 0.52; })) << "the rest is gone";
+  EXPECT_EQ(runs().newest().front()->steps, at);
+  window_.run_until(0.7);
+  expect_step(steps());
+  QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(wait_there());
+  EXPECT_EQ(runs().newest().front()->steps, end_->steps);
+  EXPECT_EQ(steps(), at) << "at the moment where it was cut";
+  press(Qt::Key_End);
+  EXPECT_TRUE(test::same_bytes(window_.frame()->state, end_->state));
+  QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(wait_for([=, this] { return !runs().in_past() && steps() == at; }));
+}
+
+// A mass holds from the shown moment on; the record after it comes back with one step of undo.
+TEST_F(LabPlayheadTest, AnEditAtAMomentCutsTheRecord) {
+  drag_timeline(0.9, 0.2);
+  const std::int64_t at = steps();
+  Body body = window_.frame()->scene->bodies.front();
+  body.density = 7.0;
+  body.mass.reset();
+  window_.session().edit({Replace<Body>{body}}, "Mass");
+  ASSERT_TRUE(wait_for([=, this] {
+    return !runs().in_past() && !runs().replayed() && window_.frame()->setup->edits.size() == 1;
+  }));
+  EXPECT_EQ(steps(), at);
+  EXPECT_EQ(window_.frame()->bodies->front().density, body.density);
+  window_.run_until(1.0);
+  EXPECT_FALSE(test::same_bytes(window_.frame()->state, end_->state));
+  const State with = window_.frame()->state;
+  window_.session().edits().undo();
+  ASSERT_TRUE(wait_there());
+  EXPECT_EQ(steps(), at);
+  press(Qt::Key_End);
+  EXPECT_TRUE(test::same_bytes(window_.frame()->state, end_->state));
+  EXPECT_TRUE(window_.frame()->setup->edits.empty());
+  window_.session().edits().redo();
+  ASSERT_TRUE(wait_for(
+      [=, this] { return !runs().replayed() && window_.frame()->setup->edits.size() == 1 && steps() == at; }));
+  window_.run_until(1.0);
+  EXPECT_TRUE(test::same_bytes(window_.frame()->state, with));
+}
+
+TEST_F(LabPlayheadTest, AMovedBodyMakesTheMomentTheStart) {
+  drag_timeline(0.9, 0.2);
+  const std::int64_t at = steps();
+  Body body = window_.frame()->scene->bodies.front();
+  body.position.y() += 0.1;
+  window_.session().edit({Replace<Body>{body}}, "Move");
+  ASSERT_TRUE(wait_for([=, this] { return !runs().in_past() && steps() == 0; }));
+  EXPECT_EQ(window_.preset().scene.bodies.front().position, body.position);
+  window_.session().edits().undo();
+  ASSERT_TRUE(wait_there());
+  EXPECT_EQ(steps(), at);
+  EXPECT_EQ(runs().newest().front()->steps, end_->steps);
+}
+
+TEST_F(LabPlayheadTest, ARestartLeavesTheRecord) {
+  press(Qt::Key_PageUp);
+  QTest::keyClick(&window_.scene_view(), Qt::Key_R);
+  ASSERT_TRUE(wait_for([this] { return steps() == 0 && !runs().in_past(); }));
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "physics/record/frame.h"
+#include "physics/record/recorder.h"
+#include "widgets/theme/theme.h"
+
+class QLineEdit;
+
+namespace carom {
+
+// The record of a run: the experiment's duration as a line, the time so far filled, a tick for each impact, and
+// the playhead at the shown moment. Where a run continues past the duration the line grows by whole durations.
+// Click and drag: to a moment, with Shift ten times finer; a click on a tick: to the impact. Wheel: a step,
+// with Ctrl an impact. Double click: a field for a time.
+class Timeline : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Timeline(const Theme& theme, QWidget* parent = nullptr);
+  void set_theme(const Theme& theme);
+  void set_duration(double seconds);
+  // `shown`: s, of the playhead.
+  void update_from(const Frame& newest, const Recorder& recorder, double shown);
+  [[nodiscard]] double end() const;
+  [[nodiscard]] double shown() const { return shown_; }  // s
+  [[nodiscard]] double x_of(double time) const;          // px
+  [[nodiscard]] QSize sizeHint() const override { return {200, 28}; }
+
+ signals:
+  void scrubBegan();
+  void scrubbed(double time);  // s
+  void scrubEnded();
+  void impactChosen(double time);  // s, of a recorded impact
+  void stepAsked(int steps);
+  void impactAsked(bool forward);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  // A drag with the left button.
+  struct Scrub {
+    double x = 0.0;     // px, of the last event
+    double time = 0.0;  // s, there; between steps too
+  };
+
+  [[nodiscard]] double time_at(double x) const;
+  void open_field();
+  void take_field();
+
+  Theme theme_;
+  QLineEdit* field_;
+  double duration_ = 1.0;
+  double time_ = 0.0;
+  double shown_ = 0.0;
+  std::vector<double> ticks_;  // s, thinned to what pixels can show
+  std::optional<Scrub> scrub_;
+  int wheel_ = 0;  // eighths of a degree, not yet a step
+};
+
+}  // namespace carom
