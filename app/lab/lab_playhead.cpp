@@ -19,6 +19,7 @@ void LabRuns::go_to_start() { go_to(start_time(document_.preset.saved)); }
 void LabRuns::go_to_end() {
   if (!std::exchange(playhead_, std::nullopt)) return;
   for (std::size_t i = 0; i < frames_.size(); ++i) frames_[i] = with_impacts(*frames_[i], i);
+  show_speeds(frames_);
   emit framesChanged();
 }
 
@@ -109,6 +110,7 @@ void LabRuns::take_shown() {
     return go_to_end();
   Frames frames;
   for (const auto& each : shown.frames) frames.push_back(with_impacts(*each, frames.size()));
+  show_speeds(frames);
   auto first = std::make_shared<Frame>(*frames.front());
   first->playing = playhead_->plays;
   if (!playhead_->there || playhead_->plays) first->scene.reset();
@@ -117,8 +119,13 @@ void LabRuns::take_shown() {
   emit framesChanged();
 }
 
+void LabRuns::show_speeds(const Frames& frames) {
+  for (std::size_t i = 0; i < std::min(frames.size(), recorders_.size()); ++i) recorders_[i]->show(*frames[i]);
+}
+
 // Other runs than those of which a moment was asked for have another past.
 void LabRuns::follow_runs() {
+  show_speeds(frames());
   if (replayed_) return;
   const bool same = std::equal(frames_.begin(), frames_.end(), playhead_->runs.begin(), playhead_->runs.end(),
                                [](const auto& frame, const auto& setup) { return frame->setup == setup; });

@@ -141,6 +141,7 @@ class LabRuns : public QObject {
   void play_past_on();
   void take_shown();
   void follow_runs();
+  void show_speeds(const Frames& frames);
   [[nodiscard]] std::shared_ptr<const Frame> with_impacts(const Frame& frame, std::size_t run) const;
   // Whether the next step would pass the document's duration.
   [[nodiscard]] bool at_end() const;

@@ -21,6 +21,9 @@ class Recorder {
   // that has gone back drops what came after.
   void add(const Frame& frame);
 
+  // The speeds now are those of this frame, a moment of the record.
+  void show(const Frame& frame) { speeds_.set_now(frame.state, *frame.bodies); }
+
   // Series of a curve over time; nullptr if it is not recorded.
   [[nodiscard]] const Series<1>* series(const Curve& curve) const;
   // Series of a curve over another quantity: y, then x.
