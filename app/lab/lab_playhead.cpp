@@ -66,7 +66,7 @@ bool LabRuns::has_record() const {
 
 void LabRuns::seek(const PastMoment& moment, std::optional<double> impact) {
   if (frames_.front()->playing) worker_.set_playing(false);
-  if (!playhead_) playhead_.emplace();
+  if (!playhead_) playhead_ = Playhead{};
   playhead_->impact = impact;
   playhead_->plays = false;
   ask_worker(moment);

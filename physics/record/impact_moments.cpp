@@ -1,17 +1,21 @@
 #include "physics/record/impact_moments.h"
 
-#include <algorithm>
-#include <ranges>
-
 namespace carom {
 namespace {
 
 // How many of the kept records are not after `time`.
 std::size_t count_until(const Ring<ImpactRecord>& impacts, double time) {
-  const auto places = std::views::iota(std::size_t{0}, impacts.size());
-  return static_cast<std::size_t>(
-      std::ranges::partition_point(places, [&](std::size_t i) { return impacts[i].time <= time; }) -
-      places.begin());
+  std::size_t count = 0;
+  std::size_t most = impacts.size();
+  while (count < most) {
+    const std::size_t middle = (count + most) / 2;
+    if (impacts[middle].time <= time) {
+      count = middle + 1;
+    } else {
+      most = middle;
+    }
+  }
+  return count;
 }
 
 }  // namespace

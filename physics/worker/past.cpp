@@ -10,11 +10,11 @@ namespace carom {
 void Past::seek(const PastMoment& moment, std::span<const Original> runs, const std::stop_token& interrupt) {
   std::vector<PastRun> copies;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const auto& [run, id] = runs[i];
+    const Original& from = runs[i];
     const auto same = std::find_if(runs_.begin(), runs_.end(),
-                                   [&run, id](const PastRun& copy) { return copy.is_of(run, id); });
-    copies.push_back(same == runs_.end() ? PastRun(run, id, interrupt) : std::move(*same));
-    copies.back().follow(run);
+                                   [&from](const PastRun& copy) { return copy.is_of(from.run, from.id); });
+    copies.push_back(same == runs_.end() ? PastRun(from.run, from.id, interrupt) : std::move(*same));
+    copies.back().follow(from.run);
   }
   runs_ = std::move(copies);
   const Simulation& newest = runs.front().run.simulation();
