@@ -13,7 +13,7 @@
 #include "physics/run/checkpoint.h"
 #include "physics/run/scene_now.h"
 #include "physics/run/simulation.h"
-#include "physics/scene/facts.h"
+#include "physics/scene/fingerprint.h"
 #include "physics/scene/range_check.h"
 #include "physics/scene/value_checks.h"
 

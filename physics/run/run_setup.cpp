@@ -1,6 +1,6 @@
 #include "physics/run/run_setup.h"
 
-#include "physics/scene/facts.h"
+#include "physics/scene/fingerprint.h"
 #include "physics/step/run_clock.h"
 
 namespace carom {

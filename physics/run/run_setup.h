@@ -19,7 +19,7 @@ struct Checkpoint;  // physics/run/checkpoint.h
 // Where a saved run continues.
 struct SavedRun {
   double time = 0.0;  // s, >= 0: the clock at the start; drives and timed forces count from 0
-  // Of the checkpoint's scene (physics/scene/facts.h); 0: there is only a clock.
+  // Of the checkpoint's scene (physics/scene/fingerprint.h); 0: there is only a clock.
   std::uint64_t fingerprint = 0;
   // None if the scene was changed since: the run continues from its bodies and its clock alone.
   std::shared_ptr<const Checkpoint> checkpoint{};

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -38,10 +37,5 @@ struct SceneFacts {
 // Why this integrator cannot run the scene, with "allowed: ..."; nothing if it can. Exact flight needs a
 // flight in closed form.
 [[nodiscard]] std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator);
-
-// A number that tells scenes apart by all that has a part in their physics: bodies (those of the generators as
-// such), forces, surfaces, laws and joints, and when the run starts (s). Never 0. FNV-1a, 64 bits; the same
-// everywhere.
-[[nodiscard]] std::uint64_t fingerprint(const Scene& scene, double start_time);
 
 }  // namespace carom

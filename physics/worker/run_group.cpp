@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "physics/scene/facts.h"
+#include "physics/scene/fingerprint.h"
 
 namespace carom {
 

@@ -15,7 +15,7 @@
 #include "physics/run/checkpoint.h"
 #include "physics/run/run_state.h"
 #include "physics/run/simulation.h"
-#include "physics/scene/facts.h"
+#include "physics/scene/fingerprint.h"
 #include "physics/scene/validate.h"
 
 // Compares a run with one that was kept and continued: through a file to rounding, in memory to the last bit.
