@@ -63,7 +63,7 @@ inline constexpr auto kEnergyEntries = std::to_array<EnergyEntry>({
      [](const Scene& scene, ContactsId, const Needs&) { return !has_sticking_surface(scene); }},
     {Kind::kLoss, "lost_to_drag", "lost to drag", "lost to drag",
      "Work of linear and quadratic drag, integrated along with the motion", &Ledger::lost_to_drag,
-     [](const Scene& scene, ContactsId, const Needs&) { return !has_drag(scene); }},
+     [](const Scene&, ContactsId, const Needs& needs) { return !needs.has(Part::kDrag); }},
     {Kind::kLoss, "lost_to_dampers", "lost to dampers", "lost to dampers",
      "Work of the dampers of springs, integrated along with the motion", &Ledger::lost_to_dampers,
      [](const Scene& scene, ContactsId, const Needs&) { return !has_dampers(scene); }},
@@ -95,7 +95,7 @@ inline constexpr auto kMomentumEntries = std::to_array<MomentumEntry>({
      "Given by drag, by springs and links to fixed points and driven bodies, and by applied forces and torques",
      &Ledger::momentum_from_forces, &Ledger::angular_momentum_from_forces, 1.0,
      [](const Scene& scene) {
-       return !has_drag(scene) && scene.forces.springs.empty() && scene.joints.empty() &&
+       return !has_force_on_each_body(scene) && scene.forces.springs.empty() && scene.joints.empty() &&
               scene.forces.applied.empty();
      }},
     {"momentum_from_user", "angular_momentum_from_user", "from_user", "from the user",

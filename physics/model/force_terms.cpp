@@ -41,8 +41,7 @@ ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, co
     t.constant = t.constant && f.start == 0.0 && f.rise == 0.0 && !f.end;
   }
   bool smooth = false;
-  for (const Part part : {Part::kDrag, Part::kSprings, Part::kAttraction, Part::kJoints})
-    smooth = smooth || needs.has(part);
+  for (const PartEntry& part : part_entries()) smooth = smooth || (part.varies && needs.has(part.part));
   t.constant = t.constant && !smooth;
   t.gravity_only = !smooth && !needs.has(Part::kAppliedForces);
   return t;

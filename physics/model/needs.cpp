@@ -10,7 +10,7 @@ bool can_collide(const SceneFacts& f) { return f.moving > 0 && f.moving + f.infi
 // Whether two bodies can have different accelerations. Uniform gravity accelerates two free bodies alike: it
 // presses bodies only against those of infinite mass.
 bool accelerate_apart(const SceneFacts& f, const Scene& scene) {
-  return f.drag || f.springs || f.joints || f.sticks || f.attraction || f.pushes || f.accelerating ||
+  return !f.common_forces.empty() || f.springs || f.joints || f.sticks || f.pushes || f.accelerating ||
          (!scene.forces.gravity.isZero(0.0) && f.infinite_mass > 0);
 }
 
@@ -32,13 +32,14 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
      [](const SceneFacts& f, const Scene&) { return f.sticks; }},
     {Part::kDrag, "drag", "drag", "a force on each body, and its work",
      "the scene has linear or quadratic drag", "there is no drag",
-     [](const SceneFacts& f, const Scene&) { return f.drag; }},
+     [](const SceneFacts& f, const Scene&) { return f.common_forces.contains("drag"); }, true},
     {Part::kSprings, "springs", "springs",
      "springs by their bodies; those between two moving bodies couple them", "the scene has springs",
-     "there are no springs", [](const SceneFacts& f, const Scene&) { return f.springs; }},
+     "there are no springs", [](const SceneFacts& f, const Scene&) { return f.springs; }, true},
     {Part::kAttraction, "attraction", "attraction",
      "a force between every two bodies: all are advanced together", "bodies attract each other",
-     "nothing attracts", [](const SceneFacts& f, const Scene&) { return f.attraction; }},
+     "nothing attracts",
+     [](const SceneFacts& f, const Scene&) { return f.common_forces.contains("attraction"); }, true},
     {Part::kAppliedForces, "applied_forces", "applied forces",
      "forces and torques by their bodies, and their work", "the scene applies forces or torques",
      "no force or torque is applied",
@@ -50,7 +51,8 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
     {Part::kDrives, "drives", "driven bodies", "bodies with a prescribed motion", "some bodies are driven",
      "no body is driven", [](const SceneFacts& f, const Scene&) { return f.drives; }},
     {Part::kJoints, "links", "links", "linear equations for the forces of rods, strings, pins and welds",
-     "the scene has links", "there are no links", [](const SceneFacts& f, const Scene&) { return f.joints; }},
+     "the scene has links", "there are no links", [](const SceneFacts& f, const Scene&) { return f.joints; },
+     true},
     // With e = 1 and no relative acceleration every impact separates its pair for good; with e < 1 several
     // bodies can collapse onto one another.
     {Part::kRestingContacts, "resting_contacts", "lasting contacts",

@@ -54,6 +54,7 @@ struct PartEntry {
   std::string_view why;      // where it is needed
   std::string_view why_not;  // where it is not
   bool (*needed)(const SceneFacts&, const Scene&);
+  bool varies = false;  // its forces vary in flight, which is no parabola then
 };
 
 // In the order of Part.

@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "physics/scene/fields.h"
 #include "physics/scene/method.h"
 
 namespace carom {
@@ -43,8 +44,10 @@ void look_at_materials(const Scene& scene, const std::vector<Body>& bodies, Scen
 
 void look_at_forces(const Scene& scene, SceneFacts& facts) {
   const Forces& f = scene.forces;
-  facts.drag = facts.moving > 0 && (f.linear_drag > 0.0 || f.quadratic_drag > 0.0);
-  facts.attraction = f.attraction.has_value() && facts.moving > 1;
+  each_common_force(f, [&facts](const CommonForce& force, const auto& value, const auto&...) {
+    const int least = force.on == ActsOn::kEachPair ? 2 : 1;
+    if (acts(value) && facts.moving >= least) facts.common_forces.insert(force.kind);
+  });
   for (const Spring& s : f.springs) {
     facts.springs = true;
     facts.one_sided = facts.one_sided || s.acts != SpringActs::kBoth;
@@ -93,12 +96,10 @@ SceneFacts facts_of(const Scene& scene) {
 std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator) {
   if (integrator != IntegratorId::kExactFlight) return std::nullopt;
   const SceneFacts f = facts_of(scene);
-  std::vector<std::string> with;
-  if (f.drag) with.emplace_back("drag");
+  std::vector<std::string> with(f.common_forces.begin(), f.common_forces.end());
   if (f.springs) with.emplace_back("springs");
   if (f.joints) with.emplace_back("links");
   if (f.sticky) with.emplace_back("surfaces that stick");
-  if (f.attraction) with.emplace_back("attraction");
   if (f.timed) with.emplace_back("forces that start, rise or end");
   if (with.empty()) return std::nullopt;
   return fmt::format(

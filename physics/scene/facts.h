@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "physics/scene/method.h"
 #include "physics/scene/scene.h"
@@ -21,9 +23,8 @@ struct SceneFacts {
   bool sticks = false;        // two bodies that can collide would stay joined
   bool sticky = false;        // some surface sticks, whether or not a body has it
   bool springs = false;
-  bool one_sided = false;  // a spring pushes or pulls only
-  bool drag = false;
-  bool attraction = false;
+  bool one_sided = false;                    // a spring pushes or pulls only
+  std::set<std::string_view> common_forces;  // the kinds of those that a scene has once and that act
   bool joints = false;
   bool strings = false;
   bool turning_joints = false;  // joints can turn bodies

@@ -273,12 +273,16 @@ void fields(V& v, Is<AppliedForce> auto& f) {
 
 inline constexpr Range kGravity = any_number("m/s²");
 
+enum class ActsOn { kEachBody, kEachPair };  // of bodies that move
+
 // One of the forces that a scene has once, beside gravity: an element of the array of forces of a type of its
-// own.
+// own. All of them vary in flight.
 struct CommonForce {
   const char* type;
   const char* name;     // for people
   const char* meaning;  // of its coefficient, or of the force that has fields of its own
+  const char* kind;     // as people call it among all forces, "drag"; the noun of its part of the model
+  ActsOn on;
 };
 
 // Whether a scene has the force.
@@ -290,10 +294,12 @@ template <class Force>
 
 // Calls visit(force, coefficient, range) or visit(force, optional with fields) for each of them.
 void each_common_force(std::derived_from<CommonForces> auto& f, const auto& visit) {
-  visit(CommonForce{"linear_drag", "Linear drag", "b in F = -b v"}, f.linear_drag, from_zero("kg/s"));
-  visit(CommonForce{"quadratic_drag", "Quadratic drag", "c in F = -c |v| v"}, f.quadratic_drag,
-        from_zero("kg/m"));
-  visit(CommonForce{"attraction", "Attraction", "between every two bodies that move, as of planets"},
+  visit(CommonForce{"linear_drag", "Linear drag", "b in F = -b v", "drag", ActsOn::kEachBody}, f.linear_drag,
+        from_zero("kg/s"));
+  visit(CommonForce{"quadratic_drag", "Quadratic drag", "c in F = -c |v| v", "drag", ActsOn::kEachBody},
+        f.quadratic_drag, from_zero("kg/m"));
+  visit(CommonForce{"attraction", "Attraction", "between every two bodies that move, as of planets",
+                    "attraction", ActsOn::kEachPair},
         f.attraction);
 }
 

@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "physics/scene/fields.h"
+
 namespace carom {
 namespace {
 
@@ -127,8 +129,12 @@ bool has_rolling_resistance(const Scene& scene) {
   return any_surface(scene, [](const Material& m) { return m.rolling_resistance > 0.0; });
 }
 
-bool has_drag(const Scene& scene) {
-  return scene.forces.linear_drag > 0.0 || scene.forces.quadratic_drag > 0.0;
+bool has_force_on_each_body(const Scene& scene) {
+  bool any = false;
+  each_common_force(scene.forces, [&any](const CommonForce& force, const auto& value, const auto&...) {
+    any = any || (acts(value) && force.on == ActsOn::kEachBody);
+  });
+  return any;
 }
 
 bool has_dampers(const Scene& scene) {

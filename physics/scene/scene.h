@@ -232,7 +232,8 @@ struct Scene {
 [[nodiscard]] bool has_sticking_surface(const Scene& scene);
 // Likewise for rolling resistance.
 [[nodiscard]] bool has_rolling_resistance(const Scene& scene);
-[[nodiscard]] bool has_drag(const Scene& scene);
+// A force that a scene has once, beside gravity, acts on each body alone.
+[[nodiscard]] bool has_force_on_each_body(const Scene& scene);
 [[nodiscard]] bool has_dampers(const Scene& scene);
 [[nodiscard]] bool has_strings(const Scene& scene);
 

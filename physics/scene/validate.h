@@ -51,7 +51,7 @@ inline constexpr auto kRules = std::to_array<RuleText>({
      "neither fixed nor driven, and not on one body twice."},
     {Rule::kKeysTogether,
      "Some keys exclude others: a fixed body has no velocity, a driven one no mass, a massless one no density; "
-     "drag and attraction stand once."},
+     "each type of force on all bodies stands once."},
     {Rule::kShapeOfPolygon, "The vertices of a polygon are those of a convex one, in order."},
     {Rule::kOrderOfNumbers,
      "static_friction is at least kinetic_friction, the largest radius at least the least one, an end no "

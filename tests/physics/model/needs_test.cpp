@@ -210,7 +210,7 @@ TEST(WhyNot, ExactFlightNamesEveryReason) {
   s.forces.attraction = Attraction{};
   s.forces.applied[0].end = 1.0;
   EXPECT_NE(why_not(s, IntegratorId::kExactFlight)
-                ->find("drag and springs and attraction and forces that start, rise or end; allowed: "),
+                ->find("attraction and drag and springs and forces that start, rise or end; allowed: "),
             std::string::npos)
       << *why_not(s, IntegratorId::kExactFlight);
 }
