@@ -103,7 +103,7 @@ struct InspectedRow {
 // How the surface of these bodies behaves, if they share one, and how they part from the others that have it.
 [[nodiscard]] std::vector<InspectedRow> inspected_surface(const Scene& scene, const std::vector<Body>& bodies);
 
-// Gravity, drag, attraction and the laws of impacts.
+// The forces that a scene has once, and the laws of impacts.
 [[nodiscard]] std::vector<InspectedRow> inspected_scene(const Scene& scene);
 
 // The surfaces and the pairs of them with a law of their own.

@@ -14,7 +14,8 @@ namespace {
 
 using Bodies = std::shared_ptr<const std::vector<Body>>;
 
-// The lines of bodies, in order.
+// The lines of bodies, in order. Numbers of a body that stand in none of them follow after these, under
+// kOthers.
 struct BodyLine {
   const char* section;
   const char* label;
@@ -42,6 +43,8 @@ constexpr auto kBodyLines = std::to_array<BodyLine>({
     {"Drive", "ω", "drive/angular_frequency"},
     {"Drive", "Phase", "drive/phase"},
 });
+
+constexpr const char* kOthers = "Other";
 
 // The density that a body has, whichever of mass and density it states; none without an area.
 std::optional<double> density_of(const Body& body) {
@@ -74,16 +77,22 @@ Body with_value(Body body, const FieldPlace& place, double value) {
   return with_field(std::move(body), place, value);
 }
 
-QString undo_name_of(const BodyLine& line, const QString& name, const Bodies& bodies,
+QString undo_name_of(const char* act, const QString& name, const Bodies& bodies,
                      const std::vector<double>& before, const std::vector<double>& after, const Range& range) {
   const QString subject = subject_of(*bodies);
-  if (line.act != nullptr) return QString::fromUtf8(line.act) + " " + subject;
+  if (act != nullptr) return QString::fromUtf8(act) + " " + subject;
   const QString text = name + " of " + subject;
   return before.size() == 1 ? text + " " + change_text(before[0], after[0], range.unit) : text;
 }
 
+// What a line of the inspector is called, and the verb of its undo name, if it has one.
+struct LineWords {
+  QString label;
+  const char* act = nullptr;
+};
+
 // The value of all bodies at the place; nothing if one has none.
-std::optional<Inspected> inspected_at(const BodyLine& line, const FieldPlace& place, const Bodies& bodies,
+std::optional<Inspected> inspected_at(const LineWords& words, const FieldPlace& place, const Bodies& bodies,
                                       const std::vector<std::vector<FieldRow>>& rows) {
   Inspected shown;
   for (std::size_t i = 0; i < bodies->size(); ++i) {
@@ -100,18 +109,35 @@ std::optional<Inspected> inspected_at(const BodyLine& line, const FieldPlace& pl
     shown.refusal = "At rest there is no direction: a speed comes first.";
   const QString component = place.part < 0 ? "" : place.part == 0 ? "x" : "y";
   shown.label = component;
-  shown.name = QString::fromUtf8(line.label) + (component.isEmpty() ? "" : " ") + component;
+  shown.name = words.label + (component.isEmpty() ? "" : " ") + component;
   shown.edits = [bodies, place](const std::vector<double>& values) {
     SceneEdits edits;
     for (std::size_t i = 0; i < bodies->size(); ++i)
       edits.emplace_back(Replace<Body>{with_value((*bodies)[i], place, values[i])});
     return edits;
   };
-  shown.undo_name = [line, bodies, name = shown.name, range = shown.range](const std::vector<double>& before,
-                                                                           const std::vector<double>& after) {
-    return undo_name_of(line, name, bodies, before, after, range);
+  shown.undo_name = [act = words.act, bodies, name = shown.name, range = shown.range](
+                        const std::vector<double>& before, const std::vector<double>& after) {
+    return undo_name_of(act, name, bodies, before, after, range);
   };
   return shown;
+}
+
+// A row of the inspector with the line's values: one, or two components.
+InspectedRow row_of(const char* section, const LineWords& words, const std::vector<FieldPlace>& places,
+                    const Bodies& bodies, const std::vector<std::vector<FieldRow>>& rows) {
+  InspectedRow row{QString::fromUtf8(section), words.label, {}};
+  for (const FieldPlace& place : places) {
+    if (auto value = inspected_at(words, place, bodies, rows)) row.values.push_back(*value);
+  }
+  return row;
+}
+
+// Whether the member of a body, not of its shape or its drive, stands in no line.
+bool is_other(const FieldPlace& place) {
+  return place.part < 0 && place.key.find('/') == std::string::npos &&
+         std::none_of(kBodyLines.begin(), kBodyLines.end(),
+                      [&place](const BodyLine& line) { return line.key == place.key; });
 }
 
 // "p 2.00 kg m/s", in one line.
@@ -148,13 +174,17 @@ std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& list) {
   for (const Body& body : list) rows.push_back(rows_of(body));
   std::vector<InspectedRow> shown;
   if (list.empty()) return shown;
-  for (const BodyLine& line : kBodyLines) {
-    InspectedRow row{QString::fromUtf8(line.section), QString::fromUtf8(line.label), {}};
-    const std::vector<int> parts = line.vector ? std::vector{0, 1} : std::vector{-1};
-    for (const int part : parts) {
-      if (auto value = inspected_at(line, {line.key, part}, bodies, rows)) row.values.push_back(*value);
-    }
+  const auto add = [&](const char* section, const LineWords& words, const std::vector<FieldPlace>& places) {
+    InspectedRow row = row_of(section, words, places, bodies, rows);
     if (!row.values.empty()) shown.push_back(std::move(row));
+  };
+  for (const BodyLine& line : kBodyLines) {
+    std::vector<FieldPlace> places{{line.key, line.vector ? 0 : -1}};
+    if (line.vector) places.push_back({line.key, 1});
+    add(line.section, {QString::fromUtf8(line.label), line.act}, places);
+  }
+  for (const FieldRow& row : rows[0]) {
+    if (is_other(row.place)) add(kOthers, {row.label}, {row.place});
   }
   return shown;
 }
@@ -163,7 +193,8 @@ std::optional<Inspected> inspected_value(const Body& body, const FieldPlace& pla
   const auto line = std::find_if(kBodyLines.begin(), kBodyLines.end(),
                                  [&](const BodyLine& each) { return each.key == place.key; });
   if (line == kBodyLines.end()) return std::nullopt;
-  return inspected_at(*line, place, std::make_shared<const std::vector<Body>>(1, body), {rows_of(body)});
+  return inspected_at({QString::fromUtf8(line->label), line->act}, place,
+                      std::make_shared<const std::vector<Body>>(1, body), {rows_of(body)});
 }
 
 NamedEdits renaming(const Body& body, const QString& name) {

@@ -37,6 +37,19 @@ TEST_F(InspectorTest, ChangesAllSelectedBodies) {
   EXPECT_EQ(heavy().position, Vec2(1.0, 0.5));
 }
 
+// The inspector has no line of its own for it: fields.h alone tells of it.
+TEST_F(InspectorTest, HasAFieldForEachNumberThatABodyStates) {
+  EXPECT_FALSE(has_field("Inertia, kg m²"));
+  Body body = light();
+  body.inertia = 0.5;
+  apply({Replace<Body>{body}});
+  select({"light"});
+  enter(field("Inertia, kg m²"), "0.25");
+  ASSERT_EQ(made_.size(), 1U);
+  EXPECT_EQ(made_[0].name, "Inertia of light 0.500 → 0.250 kg m²");
+  EXPECT_EQ(light().inertia, 0.25);
+}
+
 TEST_F(InspectorTest, NothingCanBeTypedWhileARunPlays) {
   select({"light"});
   inspector_.show_selection(nullptr, names_);
