@@ -27,13 +27,15 @@ constexpr QPoint kCorner(-40, -24);  // px, of a window that is dropped, from th
 
 struct Standard {
   Dock dock;
-  int height;  // px
+  int height;        // px
+  int large_height;  // px, in a large window
 };
 constexpr std::array<Standard, PanelDocks::kPanels> kStandard = {{
-    {PanelDocks::kRight, 300},
-    {PanelDocks::kRight, 300},
-    {PanelDocks::kBottom, 190},
+    {PanelDocks::kRight, 300, 408},
+    {PanelDocks::kRight, 300, 300},
+    {PanelDocks::kBottom, 190, 190},
 }};
+constexpr int kLarge = 900;  // px, from which height of all panels on a window is large
 constexpr std::array<Panel, PanelDocks::kPanels> kAll = {PanelDocks::kInspector, PanelDocks::kPlots,
                                                          PanelDocks::kDrawer};
 // In settings.
@@ -98,7 +100,6 @@ void PanelDocks::add_panel(Panel panel, QWidget* widget, const QString& name, co
   Place& place = places_[panel];
   place.panel = widget;
   place.dock = kStandard[panel].dock;
-  place.height = kStandard[panel].height;
   insert(panel);
   place.window = new FloatingPanel(widget, name, title, [this, panel] { insert(panel); });
   connect(place.window, &FloatingPanel::aboutToFloat, this, &PanelDocks::keep_heights);
@@ -152,8 +153,8 @@ void PanelDocks::put(Panel panel, Dock dock) {
   keep_heights();
   if (dock != dock_of(panel)) {
     // The scene stays the largest thing.
-    const int most = dock == kBottom && panel != kDrawer ? middle_->height() / 4 : kStandard[panel].height;
-    places_[panel].height = std::min(most, kStandard[panel].height);
+    const int most = std::min(middle_->height() / 4, standard_height(panel));
+    places_[panel].height = dock == kBottom && panel != kDrawer ? most : 0;
   }
   places_[panel].dock = dock;
   if (window_of(panel).floating()) {
@@ -177,10 +178,8 @@ void PanelDocks::reset() {
   for (Side& side : sides_) side.share = kShare;
   tabs_width_ = kTabsWidth;
   inspector_open_ = inspector_tab_ = true;
-  for (const Panel panel : kAll) {
-    put(panel, kStandard[panel].dock);
-    places_[panel].height = kStandard[panel].height;
-  }
+  for (const Panel panel : kAll) put(panel, kStandard[panel].dock);
+  for (Place& of_panel : places_) of_panel.height = 0;
   drawer_->set_folded(false);
   sized_for_ = -1;
   place();
@@ -230,12 +229,22 @@ QWidget* PanelDocks::flexible(Dock dock) const {
   return nullptr;
 }
 
+int PanelDocks::standard_height(Panel panel) const {
+  return height() < kLarge ? kStandard[panel].height : kStandard[panel].large_height;
+}
+
+int PanelDocks::height_of(Panel panel) const {
+  return places_[panel].height > 0 ? places_[panel].height : standard_height(panel);
+}
+
 void PanelDocks::keep_heights() {
   if (!isVisible()) return;
   for (const Panel panel : kAll) {
     Place& place = places_[panel];
     const bool own = stands(panel, place.dock) && flexible(place.dock) != place.panel;
-    if (own && !(panel == kDrawer && drawer_->folded())) place.height = place.panel->height();
+    if (!own || (panel == kDrawer && drawer_->folded())) continue;
+    const int now = place.panel->height();
+    place.height = now == standard_height(panel) ? 0 : now;
   }
 }
 
@@ -274,7 +283,8 @@ void PanelDocks::size_heights() {
       const auto of = std::find_if(places_.begin(), places_.end(),
                                    [&](const Place& place) { return place.panel == column->widget(i); });
       const bool fixed = of != places_.end() && of->panel != rest && !of->panel->isHidden();
-      sizes << (!fixed ? 0 : std::min(of->height, of->panel->maximumHeight()));
+      const int own = fixed ? height_of(static_cast<Panel>(of - places_.begin())) : 0;
+      sizes << (fixed ? std::min(own, of->panel->maximumHeight()) : 0);
       if (fixed) left -= sizes.last() + kGap;
     }
     for (int i = 0; i < column->count(); ++i) {
@@ -352,7 +362,7 @@ void PanelDocks::restore(const QSettings& settings) {
     const auto dock = std::find(kDockNames.begin(), kDockNames.end(),
                                 settings.value(name + "_dock").toString().toStdString());
     put(panel, dock == kDockNames.end() ? kStandard[panel].dock : static_cast<Dock>(dock - kDockNames.begin()));
-    places_[panel].height = std::max(1, settings.value(name + "_height", kStandard[panel].height).toInt());
+    places_[panel].height = std::max(0, settings.value(name + "_height", 0).toInt());
   }
   sides_[kLeft].share = settings.value("left_share", kShare).toDouble();
   sides_[kRight].share = settings.value("right_share", kShare).toDouble();

@@ -63,7 +63,7 @@ class PanelDocks : public QWidget {
     FloatingPanel* window = nullptr;
     PanelDrag* drag = nullptr;
     Dock dock = kRight;
-    int height = 0;  // px, beside a panel that takes the rest
+    int height = 0;  // px, beside a panel that takes the rest; 0: the standard one
   };
   struct Side {
     QWidget* column = nullptr;
@@ -78,7 +78,9 @@ class PanelDocks : public QWidget {
   [[nodiscard]] QSplitter* splitter(Dock dock) const;
   [[nodiscard]] bool stands(Panel panel, Dock dock) const;  // docked there and shown
   [[nodiscard]] bool has_tabs() const;
-  [[nodiscard]] QWidget* flexible(Dock dock) const;  // takes the height that the others leave
+  [[nodiscard]] QWidget* flexible(Dock dock) const;      // takes the height that the others leave
+  [[nodiscard]] int standard_height(Panel panel) const;  // px
+  [[nodiscard]] int height_of(Panel panel) const;        // px
   void keep_heights();
   void keep_widths();
   void place();

@@ -27,8 +27,9 @@ class LabLayoutTest : public LabWindowTest {
     while (column->parentWidget()->parentWidget() != &docks(window)) column = column->parentWidget();
     return column->width();
   }
-  [[nodiscard]] int inspector_height() {
-    const QWidget* panel = window_.findChild<Inspector*>();
+  [[nodiscard]] int inspector_height() { return inspector_height(window_); }
+  [[nodiscard]] static int inspector_height(LabWindow& window) {
+    const QWidget* panel = window.findChild<Inspector*>();
     while (qobject_cast<QSplitter*>(panel->parentWidget()) == nullptr) panel = panel->parentWidget();
     return panel->height();
   }
@@ -85,6 +86,20 @@ TEST_F(LabLayoutTest, InspectorAndPlotsAreTabsWhereThereIsLittleRoom) {
     EXPECT_NEAR(inspector_height(), inspector, 1);
     action("Standard layout")->trigger();
   }
+}
+
+TEST_F(LabLayoutTest, TheInspectorIsHigherInALargeWindow) {
+  EXPECT_NEAR(inspector_height(), 300, 1);
+  resize({1920, 1080});
+  action("Standard layout")->trigger();
+  EXPECT_NEAR(inspector_height(), 408, 1);
+  window_.keep_layout(settings_);
+  LabWindow next(light_theme());
+  next.restore_layout(settings_);
+  next.resize(1280, 800);
+  next.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&next));
+  EXPECT_NEAR(inspector_height(next), 300, 1) << "nobody has pulled it";
 }
 
 TEST_F(LabLayoutTest, NoNumberIsCutInTheNarrowInspector) {
