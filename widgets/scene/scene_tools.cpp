@@ -143,7 +143,8 @@ void SceneTools::frame_changed() {
   if (!frame) waiting_keys_.clear();
   if (!waiting_keys_.empty() && frame->scene) QTimer::singleShot(0, this, &SceneTools::press_waiting_keys);
   const bool held = frame && frame->scene && grab_ && index_.contains(grab_->body);
-  if (state_ == State::kDrag && !held) state_ = State::kMute;
+  const bool gone = state_ == State::kPressed && grab_ && !index_.contains(grab_->body);
+  if ((state_ == State::kDrag && !held) || gone) state_ = State::kMute;
   if (state_ == State::kEnd && !(part_ && frame && frame->scene)) state_ = State::kMute;
 }
 

@@ -191,7 +191,12 @@ TEST_F(LabValuesTest, TheSceneFollowsWhatIsTyped) {
   const Vec2 dragged = body(0).velocity;
   key(Qt::Key_4);
   EXPECT_TRUE(body(0).velocity.isApprox(Vec2(4.0, 0.0), 1e-12)) << body(0).velocity;
-  ASSERT_TRUE(wait_for([this] { return window_.scene_view().aim().has_value(); }));
+  // The line has a few milliseconds to be computed, or it is left out.
+  for (int k = 0; k < 100 && !window_.scene_view().aim(); ++k) {
+    QTest::keyClick(field(), Qt::Key_0);
+    QTest::keyClick(field(), Qt::Key_Backspace);
+  }
+  ASSERT_TRUE(window_.scene_view().aim());
   EXPECT_NEAR(window_.scene_view().aim()->time, 1.7 / 4.0, 0.02);
   QTest::keyClick(field(), Qt::Key_0);
   EXPECT_TRUE(body(0).velocity.isApprox(Vec2(40.0, 0.0), 1e-12)) << body(0).velocity;

@@ -42,6 +42,21 @@ TEST_F(SceneToolsTest, NamesCanBeSelectedFromOutsideAndDropOut) {
   EXPECT_EQ(selected_, Names{});
 }
 
+TEST_F(SceneToolsTest, APressOnABodyThatIsGoneDoesNothing) {
+  for (const bool moves : {false, true}) {
+    press(b_);
+    const Body gone = scene_.bodies.back();
+    scene_.bodies.pop_back();
+    show(true);
+    if (moves) move(b_ + QPoint(40, 0));
+    release(b_ + QPoint(moves ? 40 : 0, 0));
+    EXPECT_EQ(selected_, Names{});
+    EXPECT_TRUE(told_.empty());
+    scene_.bodies.push_back(gone);
+    show(true);
+  }
+}
+
 TEST_F(SceneToolsTest, ADragTellsThePlaceUnderOneNumber) {
   answers_ = true;
   press(b_);
