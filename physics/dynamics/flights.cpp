@@ -170,8 +170,8 @@ Motion Flights::at(int body, double time) {
 Eigen::Vector3d Flights::acceleration(int body) {
   const int k = island_of[body];
   if (k < 0 || islands[k].kinematic) return Eigen::Vector3d::Zero();
-  if (parabolic) return constant.col(body);
   const Island& island = islands[k];
+  if (parabolic) return parabola_acceleration(body, island.start);
   if (island.group < 0) {
     const Motion y = at_start.col(body);
     Motion rate;

@@ -76,14 +76,31 @@ struct Flights {
   const Motions& group_at(const Island& island, double time);  // likewise, without a step at its start
   const Motions& rates_of(const Island& island, double time, const Motions& y);  // of a group
   [[nodiscard]] Motion at(int body, double time);
-  // On a parabola only: q in m and rad at a time, and v.
+  // Whether the body's acceleration by contacts changes during the step.
+  [[nodiscard]] bool is_bent(int body) const {
+    return field.contact_changes() && !field.contact_rate(body).isZero(0.0);
+  }
+  // On a parabola only, which may be bent: q in m and rad at a time, and v.
   [[nodiscard]] Eigen::Vector3d parabola(int body, double time) const {
-    const double h = island_of[body] < 0 ? 0.0 : time - islands[island_of[body]].start;
-    return at_start.col(body).head<3>() + h * (at_start.col(body).segment<3>(3) + 0.5 * h * constant.col(body));
+    const double start = island_of[body] < 0 ? time : islands[island_of[body]].start;
+    const double h = time - start;
+    Eigen::Vector3d q =
+        at_start.col(body).head<3>() + h * (at_start.col(body).segment<3>(3) + 0.5 * h * constant.col(body));
+    if (field.contact_changes()) q += h * h * (0.5 * (start - bent_from) + h / 6.0) * field.contact_rate(body);
+    return q;
   }
   [[nodiscard]] Eigen::Vector3d parabola_velocity(int body, double time) const {
-    const double h = island_of[body] < 0 ? 0.0 : time - islands[island_of[body]].start;
-    return at_start.col(body).segment<3>(3) + h * constant.col(body);
+    const double start = island_of[body] < 0 ? time : islands[island_of[body]].start;
+    const double h = time - start;
+    Eigen::Vector3d v = at_start.col(body).segment<3>(3) + h * constant.col(body);
+    if (field.contact_changes()) v += h * (start - bent_from + 0.5 * h) * field.contact_rate(body);
+    return v;
+  }
+  // m/s², m/s², rad/s²
+  [[nodiscard]] Eigen::Vector3d parabola_acceleration(int body, double time) const {
+    Eigen::Vector3d a = constant.col(body);
+    if (field.contact_changes()) a += (time - bent_from) * field.contact_rate(body);
+    return a;
   }
   // kg m²/s: what gravity has given to a body's angular momentum about the origin by this time, on a parabola
   // and under gravity alone.
@@ -92,7 +109,11 @@ struct Flights {
     if (island_of[body] < 0 || model->forces.gravity.isZero(0.0)) return known;
     const double h = time - islands[island_of[body]].start;
     const auto y = at_start.col(body);
-    const Vec2 mean = y.head<2>() + h * (0.5 * y.segment<2>(3) + (h / 6.0) * constant.col(body).head<2>());
+    Vec2 mean = y.head<2>() + h * (0.5 * y.segment<2>(3) + (h / 6.0) * constant.col(body).head<2>());
+    if (field.contact_changes()) {
+      const double start = islands[island_of[body]].start;
+      mean += h * h * ((start - bent_from) / 6.0 + h / 24.0) * field.contact_rate(body).head<2>();
+    }
     return known + h * field.torque_of_gravity(body, mean);
   }
   // m/s², m/s², rad/s²: of a movable body at the start of its island.
@@ -112,6 +133,7 @@ struct Flights {
   std::vector<int> island_of;  // by body; -1: fixed
   Motions at_start, at_end;    // by body
   Eigen::Matrix3Xd constant;   // accelerations by body: m/s², m/s², rad/s²
+  double bent_from = 0.0;      // s: when those by contacts are as in `constant`
   IntegratorId integrator = IntegratorId::kRk4;
   bool adaptive = false;
   bool parabolic = false;  // every free flight is a parabola

@@ -32,7 +32,10 @@ class ForceField {
   void external_rate(int body, double t, const Y& y, K&& k) const {
     k.template head<3>() = y.template segment<3>(3);
     k.template segment<3>(3) << terms_->gravity, 0.0;
-    if (in_contact_) k.template segment<3>(3) += contact_.col(body);
+    if (in_contact_) {
+      k.template segment<3>(3) += contact_.col(body);
+      if (contact_changes_) k.template segment<3>(3) += (t - contact_from_) * contact_rate_.col(body);
+    }
     constexpr int kGiven = std::decay_t<K>::RowsAtCompileTime;
     if constexpr (kGiven > kMotionRows) {
       k.template tail<kGiven - kMotionRows>().setZero();
@@ -50,9 +53,25 @@ class ForceField {
   [[nodiscard]] bool in_contact() const { return in_contact_; }
   [[nodiscard]] auto contact_acceleration(int body) const { return contact_.col(body); }
   void set_contact_acceleration(int body, const Eigen::Vector3d& by) {
-    if (!in_contact_) contact_ = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(model_->bodies().size()));
+    if (!in_contact_) {
+      contact_ = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(model_->bodies().size()));
+      contact_rate_ = contact_;
+    }
     in_contact_ = true;
     contact_.col(body) = by;
+    if (contact_changes_) contact_rate_.col(body).setZero();
+  }
+  // Per s: how it changes from the absolute time `from` (s) on, one for all bodies.
+  [[nodiscard]] bool contact_changes() const { return contact_changes_; }
+  [[nodiscard]] auto contact_rate(int body) const { return contact_rate_.col(body); }
+  void set_contact_rate(int body, const Eigen::Vector3d& rate, double from) {
+    contact_changes_ = true;
+    contact_from_ = from;
+    contact_rate_.col(body) = rate;
+  }
+  void end_contact_rates() {
+    if (contact_changes_) contact_rate_.setZero();
+    contact_changes_ = false;
   }
   // Adds the coupling forces among `members` to their rates; columns in the order of the members.
   void add_couplings(std::span<const int> members, const Motions& y, Motions& k) const;
@@ -124,7 +143,9 @@ class ForceField {
   std::vector<std::uint8_t> engaged_;  // by spring
   std::vector<int> phase_;             // by applied force: 0 before, 1 rising, 2 full, 3 after
   bool in_contact_ = false;
-  Eigen::Matrix3Xd contact_;
+  bool contact_changes_ = false;
+  double contact_from_ = 0.0;  // s, absolute
+  Eigen::Matrix3Xd contact_, contact_rate_;
 };
 
 }  // namespace carom

@@ -122,6 +122,11 @@ void Trajectories::adopt(Trajectories& from, double time) {
     for (int i = 0; i < static_cast<int>(other.bodies().size()); ++i)
       set_contact_acceleration(i, other.field.contact_acceleration(i));
   }
+  if (other.field.contact_changes()) {
+    f.bent_from = other.bent_from;
+    for (int i = 0; i < static_cast<int>(other.bodies().size()); ++i)
+      f.field.set_contact_rate(i, other.field.contact_rate(i), other.epoch + other.bent_from);
+  }
   switches_.adopt(from.switches_);
   joints_missed_since_ = from.joints_missed_since_;
   f.evaluations = other.evaluations;
@@ -182,6 +187,13 @@ void Trajectories::set_contact_acceleration(int body, const Eigen::Vector3d& by)
   Flights& f = flights_;
   f.field.set_contact_acceleration(body, by);
   f.constant.col(body) = f.field.constant_acceleration(body) + by;
+  if (f.island_of[body] >= 0) f.forget(f.islands[f.island_of[body]]);
+}
+
+void Trajectories::set_contact_rate(int body, const Eigen::Vector3d& rate) {
+  Flights& f = flights_;
+  f.bent_from = 0.0;
+  f.field.set_contact_rate(body, rate, f.epoch);
   if (f.island_of[body] >= 0) f.forget(f.islands[f.island_of[body]]);
 }
 

@@ -64,6 +64,8 @@ class Trajectories {
   [[nodiscard]] auto at_end(int body) const { return flights_.at_end.col(body); }
   // start <= time <= end, or later until the trajectory is rebuilt.
   [[nodiscard]] Motion at(int body, double time) { return flights_.at(body, time); }
+  // Whether a body's acceleration by contacts changes: its parabola is bent.
+  [[nodiscard]] bool is_bent(int body) const { return flights_.is_bent(body); }
   // On a parabola only (see is_parabolic): q in m and rad at a time, and v.
   [[nodiscard]] Eigen::Vector3d parabola(int body, double time) const { return flights_.parabola(body, time); }
   [[nodiscard]] Eigen::Vector3d parabola_velocity(int body, double time) const {
@@ -91,6 +93,9 @@ class Trajectories {
   void set_pose(int body, const Eigen::Vector3d& q);
   // Acceleration of a body by resting contacts (m/s², m/s², rad/s²), for trajectories rebuilt from now on.
   void set_contact_acceleration(int body, const Eigen::Vector3d& by);
+  // Per s: how it changes, from the epoch on, until end_contact_rates() or the next set_contact_acceleration().
+  void set_contact_rate(int body, const Eigen::Vector3d& rate);
+  void end_contact_rates() { flights_.field.end_contact_rates(); }
   // Budget of the adaptive integrator between two calls of begin_step(), in evaluations weighted by their cost
   // (attraction makes each cost more): about a second of work for few bodies.
   static constexpr std::int64_t kMostFlightWork = 5'000'000;

@@ -54,8 +54,10 @@ void Trajectories::bound_curvature(int k) {
   };
   if (f.parabolic) {
     const int body = f.body_of(island);
-    curvature_bound_[body] = f.constant.col(body).head<2>().norm();
-    bound_turn(body, std::abs(f.constant(2, body)));
+    const Eigen::Vector3d first = f.parabola_acceleration(body, island.start);
+    const Eigen::Vector3d last = f.parabola_acceleration(body, island.end);
+    curvature_bound_[body] = std::max(first.head<2>().norm(), last.head<2>().norm());
+    bound_turn(body, std::max(std::abs(first[2]), std::abs(last[2])));
     return;
   }
   f.evaluations += 2 * static_cast<std::int64_t>(island.count);

@@ -19,7 +19,9 @@ void make_room(Values& values, std::size_t size) {
 struct KeptMembers {
   template <class Self, class Kept, class Each>
   static void of_field(Self& field, Kept& kept, const Each& each) {
-    auto& [model, terms, add_external, engaged, phase, in_contact, contact] = field;
+    // Contact forces change during a step only: those of the next are found anew.
+    auto& [model, terms, add_external, engaged, phase, in_contact, contact_changes, contact_from, contact,
+           contact_rate] = field;
     each(engaged, kept.engaged);
     each(phase, kept.phase);
     if constexpr (std::is_const_v<Self>) {
@@ -27,6 +29,7 @@ struct KeptMembers {
     } else if (kept.contact.size() > 0) {
       in_contact = true;
       contact = kept.contact;
+      contact_rate.setZero(3, contact.cols());
     }
   }
 
@@ -47,9 +50,9 @@ struct KeptMembers {
 
   template <class Self, class Kept, class Each>
   static void of_flights(Self& flights, Kept& kept, const Each& each) {
-    auto& [model, field, joints, islands, members, groups, island_of, at_start, at_end, constant, integrator,
-           adaptive, parabolic, general, evaluations_a_flight, tolerance, epoch, evaluations, flight_work] =
-        flights;
+    auto& [model, field, joints, islands, members, groups, island_of, at_start, at_end, constant, bent_from,
+           integrator, adaptive, parabolic, general, evaluations_a_flight, tolerance, epoch, evaluations,
+           flight_work] = flights;
     of_field(field, kept, each);
     of_joints(joints, kept, each);
     each(epoch, kept.epoch);

@@ -8,6 +8,21 @@
 #include "physics/dynamics/integrators/integrators.h"
 
 namespace carom {
+namespace {
+
+// At the end of a step: the accelerations by contacts stay what they are there.
+void settle_contact_forces(Trajectories& trajectories, int bodies) {
+  if (!trajectories.field().contact_changes()) return;
+  for (int i = 0; i < bodies; ++i) {
+    if (!trajectories.is_bent(i)) continue;
+    const Eigen::Vector3d rate = trajectories.field().contact_rate(i);
+    trajectories.set_contact_acceleration(
+        i, trajectories.field().contact_acceleration(i) + trajectories.start(i) * rate);
+  }
+  trajectories.end_contact_rates();
+}
+
+}  // namespace
 
 Simulation::Simulation(const RunSetup& setup, const Needs& needs)
     : Simulation(compile(setup.scene, needs, start_time(setup.saved)), setup.method) {
@@ -134,6 +149,7 @@ void Simulation::make_step(double h) {
     if (world_.method.impacts == ImpactsId::kLocated) resting->support(world_, h, true);
   }
   std::visit([&](auto& impacts) { impacts.step(world_, resting, h); }, impacts_);
+  settle_contact_forces(world_.trajectories, world_.bodies());
   world_.check_motions();
   world_.clock.end_step();
   world_.check_energy();

@@ -132,13 +132,14 @@ NextContact next_contact(World& world, const SearchRules& rules, int a, int b,
   if (!(begin <= end)) return {};
   const bool parabolic =
       trajectories.is_parabolic() && !world.model->is_kinematic(a) && !world.model->is_kinematic(b);
-  if (parabolic && shapes.is_disc(a) && shapes.is_disc(b) &&
+  const bool bent = trajectories.is_bent(a) || trajectories.is_bent(b);
+  if (parabolic && !bent && shapes.is_disc(a) && shapes.is_disc(b) &&
       trajectories.constant_acceleration(a).head<2>() == trajectories.constant_acceleration(b).head<2>()) {
     return next_contact_of_discs(world, rules, a, b, begin, end);
   }
 
   const double path_bound =
-      parabolic
+      parabolic && !bent
           ? (trajectories.constant_acceleration(b) - trajectories.constant_acceleration(a)).head<2>().norm()
           : trajectories.curvature_bound(a) + trajectories.curvature_bound(b);
   const double bound = curvature(world, a, b, path_bound);

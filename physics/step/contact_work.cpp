@@ -24,8 +24,8 @@ void record_immovable(World& world, const Contacts& c, int i, double share, cons
 
 }  // namespace
 
-void record_support(World& world, const Contacts& c, double share, const Eigen::Matrix3Xd& mean, double passed,
-                    const GuessedFlight& flight) {
+void record_support(World& world, const Contacts& c, const GaussContacts& linear, double share,
+                    const Eigen::Matrix3Xd& mean, double passed, const GuessedFlight& flight) {
   Ledger& ledger = world.sums.ledger;
   // m: from the middle of a body's path to where its contacts' arms start. Those leave out what the contact
   // forces themselves do, which all together do no work there.
@@ -35,7 +35,7 @@ void record_support(World& world, const Contacts& c, double share, const Eigen::
            0.5 * passed * mean.col(body).head<2>();
   };
   for (int i = 0; i < c.size(); ++i) {
-    if (c.normal_impulse[i] == 0.0) continue;
+    if (c.normal_impulse[i] == 0.0 || linear.has(i)) continue;
     RowVelocity u = contact_velocity(c, i, mean);
     u.tangential +=
         mean(2, c.b[i]) * off(c.b[i]).dot(c.normal[i]) - mean(2, c.a[i]) * off(c.a[i]).dot(c.normal[i]);

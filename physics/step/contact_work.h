@@ -4,6 +4,7 @@
 
 #include "physics/contact/contacts.h"
 #include "physics/step/contact_turning.h"
+#include "physics/step/gauss_contacts.h"
 #include "physics/step/world.h"
 
 namespace carom {
@@ -13,9 +14,10 @@ namespace carom {
 
 // Forces that support bodies, or this share of their impulses. Friction and rolling resistance take what they
 // oppose; along the normal nothing moves, and what does is the method's error.
-// `passed` in s is the time since the start of their flight, which was guessed as `flight`.
-void record_support(World& world, const Contacts& contacts, double share, const Eigen::Matrix3Xd& mean,
-                    double passed, const GuessedFlight& flight);
+// `passed` in s is the time since the start of their flight, which was guessed as `flight`. Contacts with
+// `linear` forces are left out.
+void record_support(World& world, const Contacts& contacts, const GaussContacts& linear, double share,
+                    const Eigen::Matrix3Xd& mean, double passed, const GuessedFlight& flight);
 // Impulses that stop approaches at once, as impacts without rebound do.
 void record_stops(World& world, const Contacts& contacts, const Eigen::Matrix3Xd& mean);
 

@@ -53,11 +53,28 @@ constexpr int kFewContacts = 16;
 constexpr double kGuessed = 1e-9;
 // Rounds in which contacts break away from static friction in one step.
 constexpr int kMostBreaks = 3;
+// Linear forces end where a contact's mode does: found in so many rounds, the last of which may be off by
+// kAbout. Where a step can't be divided, modes must last for kWhole of it.
+constexpr int kMostEnds = 3;
+constexpr double kAbout = 0.9;
+constexpr double kWhole = 1.0 - 1e-6;
 // Corrections of the contact forces where the integrator's flight is not linear in them.
 constexpr int kMostRounds = 12;
 
 // Of the change of a speed by forces in a step: a smaller residual is not worth a notice.
 constexpr double kNotable = 1e-6;
+
+// s after the epoch: when an applied force on a body in contact changes its law first; h if none does within h.
+double first_break(const World& world, const Contacts& contacts, double h) {
+  if (!world.field().has_breaks()) return h;
+  double first = h;
+  const double epoch = world.trajectories.epoch();
+  for (int i = 0; i < contacts.size(); ++i) {
+    for (const int body : {contacts.a[i], contacts.b[i]})
+      first = std::min(first, world.field().next_break(body, epoch) - epoch);
+  }
+  return first;
+}
 
 void report_residual(World& world, const ContactSolverReport& report, double by_forces) {
   if (report.missed_islands == 0 || report.residual <= kNotable * by_forces) return;
@@ -75,26 +92,39 @@ double RestingContacts::rest_speed(const World& world, int a, int b, const Vec2&
 
 void RestingContacts::begin_step(World& world, double h) {
   step_length_ = std::max(h, world.method.step);
+  linear_.begin_part(world.clock.time, step_length_);  // a step is found from its start alone
   world.trajectories.begin(world.clock.time);
 }
 
 void RestingContacts::take_off_forces(World& world) {
   for (const int i : memory_.pushed) world.trajectories.set_contact_acceleration(i, Eigen::Vector3d::Zero());
   memory_.pushed.clear();
+  world.trajectories.end_contact_rates();
 }
 
 void RestingContacts::support(World& world, double h, bool may_divide) {
   take_off_forces(world);
   find_contacts(world, h);
   supported_ = h;
-  if (may_divide) find_discs_near_ends(world, found_, h, near_ends_);
-  if (may_divide && !near_ends_.empty()) {
-    push_as_before(world);
-    supported_ = first_face_end(world, near_ends_, finder_.neighbours(), h);
-    take_off_forces(world);
+  if (may_divide) {
+    supported_ = first_break(world, found_.contacts, h);
+    find_discs_near_ends(world, found_, supported_, near_ends_);
+    if (!near_ends_.empty()) {
+      push_as_before(world);
+      supported_ = first_face_end(world, near_ends_, finder_.neighbours(), supported_);
+      take_off_forces(world);
+    }
     if (supported_ < h) find_contacts(world, supported_);
   }
-  hold(world, supported_);
+  linear_.begin_part(world.trajectories.epoch(), step_length_);
+  double holds = hold(world, supported_, may_divide ? 0.0 : kWhole * supported_);
+  for (int round = 1; may_divide && holds < kWhole * supported_; ++round) {
+    supported_ = holds;
+    take_off_forces(world);
+    find_contacts(world, supported_);
+    holds = hold(world, supported_, round < kMostEnds ? 0.0 : kAbout * supported_);
+    if (round == kMostEnds) break;
+  }
 }
 
 void RestingContacts::find_contacts(World& world, double h) {
@@ -113,7 +143,7 @@ int RestingContacts::support_part(World& world, double step, int left) {
     step_length_ = whole * parts * unit;
     find_contacts(world, parts * unit);
   }
-  hold(world, parts * unit);
+  hold(world, parts * unit, kWhole * parts * unit);
   return parts;
 }
 
@@ -155,12 +185,13 @@ int RestingContacts::parts_at_once(const World& world, double h) {
   return parts;
 }
 
-void RestingContacts::hold(World& world, double h) {
+double RestingContacts::hold(World& world, double h, double least) {
+  linear_.clear();
   memory_.forces.clear();
   memory_.support.clear();
   if (found_.contacts.size() == 0) {
     pressing_.update(world, memory_);
-    return;
+    return h;
   }
   prepared_ = false;
   read_velocities(world);
@@ -169,7 +200,10 @@ void RestingContacts::hold(World& world, double h) {
   read_velocities(world);
   stop_approaches(world, h);
   find_forces(world, h);
+  const double holds = improve_forces(world, h, least);
+  remember_forces(h);
   pressing_.update(world, memory_);
+  return holds;
 }
 
 void RestingContacts::read_velocities(const World& world) {
@@ -253,7 +287,8 @@ void RestingContacts::record_forces(World& world, double passed, double share) {
         moved_.col(i) = (world.trajectories.at(i, passed).head<3>() - world.state.q.col(i)) / passed;
     }
   }
-  record_support(world, found_.contacts, share, moved_, passed, flight_);
+  record_support(world, found_.contacts, linear_, share, moved_, passed, flight_);
+  linear_.record(world, passed);
 }
 
 // Solves the contacts from these velocities into after_. What static friction can't hold slides from the start,
@@ -388,6 +423,20 @@ void RestingContacts::find_forces(World& world, double h) {
     if (off <= kGuessed * pressing_.change_by_forces()) break;
   }
   report_residual(world, report, pressing_.change_by_forces());
+}
+
+// Replaces the constant forces by linear ones where that is of a higher order. Returns for how long their
+// contacts stay what they are.
+double RestingContacts::improve_forces(World& world, double h, double least) {
+  const int order = choice_of(kIntegrators, world.method.integrator).order;
+  if (order == 1 || order == 2) return h;
+  const ContactSolverOptions options = solver_options();
+  return linear_.improve(world, h, finder_.neighbours(), options.tolerance, options.slip_speed,
+                         workspace_.islands, least, found_);
+}
+
+void RestingContacts::remember_forces(double h) {
+  const Contacts& c = found_.contacts;
   for (int i = 0; i < c.size(); ++i) {
     const Eigen::Vector3d by =
         Eigen::Vector3d(c.normal_impulse[i], c.tangential_impulse[i], c.rolling_impulse[i]) / h;

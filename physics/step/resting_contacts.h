@@ -12,6 +12,7 @@
 #include "physics/step/contact_pressing.h"
 #include "physics/step/contact_turning.h"
 #include "physics/step/face_ends.h"
+#include "physics/step/gauss_contacts.h"
 #include "physics/step/hits_at_once.h"
 #include "physics/step/world.h"
 
@@ -32,8 +33,10 @@ struct LandingTime {
 // 4. finds contact forces, constant during the step, such that the velocities satisfy the contacts at its
 //    end, after the integrator's own flight (contact_turning.h). They act on the trajectories like any other
 //    force. A new contact that is still open by a gap g may close at g/h.
-// So sliding and resting under constant forces are exact; where contacts turn with the bodies the order is 2,
-// or the integrator's if that is lower.
+// 5. where contacts turn or forces change, replaces them in small islands by forces that are linear in time
+//    (gauss_contacts.h), and ends the part where the first of those contacts changes its mode.
+// So sliding and resting under constant forces are exact; otherwise the order is the integrator's, at most 4
+// with linear forces and 2 with constant ones.
 //
 // Order of calls: begin_step(), then for each part of the step support(), the flight, record_forces(); at the
 // end rebound_at_end().
@@ -41,8 +44,9 @@ class RestingContacts {
  public:
   // Starts a step of h s at the clock's time.
   void begin_step(World& world, double h);
-  // Supports bodies for h s from the trajectories' epoch on; with may_divide for less, where a disc runs off
-  // the end of a face before (face_ends.h). The state must be published.
+  // Supports bodies for h s from the trajectories' epoch on; with may_divide for less, where before that a disc
+  // runs off the end of a face (face_ends.h), a contact changes its mode (gauss_contacts.h) or a force its law.
+  // The state must be published.
   void support(World& world, double h, bool may_divide);
   // s: for how long support() was.
   [[nodiscard]] double supported() const { return supported_; }
@@ -77,12 +81,14 @@ class RestingContacts {
  private:
   void take_off_forces(World& world);
   void find_contacts(World& world, double h);
-  void hold(World& world, double h);
+  double hold(World& world, double h, double least);
   [[nodiscard]] int parts_at_once(const World& world, double h);
   void project_penetrations(World& world);
   void strike(World& world, double h);
   void stop_approaches(World& world, double h);
   void find_forces(World& world, double h);
+  double improve_forces(World& world, double h, double least);
+  void remember_forces(double h);
   ContactSolverReport solve_flight(World& world, double h, const ContactSolverOptions& options);
   ContactSolverReport solve(const World& world, const Eigen::Matrix3Xd& from,
                             const ContactSolverOptions& options);
@@ -105,6 +111,7 @@ class RestingContacts {
   Eigen::Matrix3Xd moved_;                  // m, rad; or per s
   std::vector<std::uint8_t> sticks_;
   HitsAtOnce at_once_;
+  GaussContacts linear_;
   std::vector<DiscOnFace> near_ends_;
   std::vector<std::uint8_t> struck_;  // by body, in this step
   std::vector<int> bodies_;           // of an island

@@ -81,7 +81,8 @@ inline constexpr std::array<Choice<ContactsId>, 2> kContacts = {{
     {ContactsId::kImpulse, "impulse", "impulses only",
      "every contact is an impact; nothing holds a body at rest"},
     {ContactsId::kLasting, "lasting", "contacts that last",
-     "forces hold what touches: static and kinetic friction, stacks that stand; order 1 while they act"},
+     "forces hold what touches: static and kinetic friction, stacks that stand; order 4 at most while they "
+     "act"},
 }};
 
 // The entry of a table with this id; the tables contain every id.

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
+#include <utility>
 
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
@@ -70,9 +72,10 @@ TEST(RunStateFile, WhatIsReadIsWrittenAgain) {
 }
 
 // Files of earlier versions held the solver's state, too: one that such a version saved at 0.6 s goes on like
-// the run from the start.
+// the run from the start. Its contact forces were constant during a step: disc a slid a part of a step too
+// long, and was off the floor by what its force changes in a step.
 TEST(RunStateFile, EarlierFilesGoOn) {
-  for (const char* name : {"located.json", "resting.json"}) {
+  for (const auto& [name, slid] : {std::pair("located.json", 0.0), std::pair("resting.json", 2e-4)}) {
     const auto file = [](const char* of) { return test::source("tests/physics/run/earlier_saved_runs") / of; };
     const Preset earlier = read_preset(file(name));
     Preset start = read_preset(file("start.json"));
@@ -80,9 +83,13 @@ TEST(RunStateFile, EarlierFilesGoOn) {
     Simulation whole(setup_of(start));
     whole.advance_to(0.6);
     Simulation resumed(setup_of(earlier));
-    EXPECT_EQ(test::difference(whole, resumed, 1e-9), "") << name;
+    EXPECT_EQ(test::difference(whole, resumed, std::max(slid, 1e-9)), "") << name;
     for (Simulation* run : {&whole, &resumed}) run->advance_to(1.1);
-    EXPECT_EQ(test::unexplained(whole, resumed, earlier), "") << name;
+    if (slid == 0.0) {
+      EXPECT_EQ(test::unexplained(whole, resumed, earlier), "") << name;
+    } else {
+      EXPECT_EQ(test::difference(whole, resumed, slid), "") << name;
+    }
     // What is written has no more of it.
     const Json state = preset_json(earlier, false)["state"];
     for (const char* key : {"tracks", "ahead", "work", "positions", "books"})

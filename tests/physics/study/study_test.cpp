@@ -240,7 +240,7 @@ TEST(Reference, IsExactFlightWhereThatIsAllowed) {
   EXPECT_EQ(reference_method(setup_of(s)).impacts, ImpactsId::kLocated);
 }
 
-// Contact forces are found for a whole step: not even exact flight is free of it.
+// Contact forces are found for a whole step or a part of one: not even exact flight is free of it.
 TEST(Reference, IsRefinedWhereContactsLast) {
   Preset s = read_preset(test::preset_file("friction/slide-to-roll.json"));
   constexpr double kRolls = 0.52;  // s: just after the slip has ended
@@ -248,7 +248,7 @@ TEST(Reference, IsRefinedWhereContactsLast) {
   const Reference r = make_reference(setup_of(s), chaos, kRolls, kRolls);
   EXPECT_EQ(r.method.integrator, IntegratorId::kExactFlight);
   EXPECT_FALSE(r.exact);
-  EXPECT_GT(r.halvings, 3);
+  EXPECT_GT(r.halvings, 0);
   EXPECT_LT(r.position_error, 1e-9);
   const std::vector<StatedFigure> figures = check_stated_figures(s, r.method, kRolls);
   EXPECT_FALSE(figures.empty());

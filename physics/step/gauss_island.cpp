@@ -1,0 +1,432 @@
+#include "physics/step/gauss_island.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "physics/collision/pair_contact.h"
+#include "physics/contact/contact_velocity.h"
+#include "physics/math/vectors.h"
+#include "physics/step/gauss_modes.h"
+#include "physics/step/pair_motion.h"
+
+namespace carom {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kRoot3 = std::numbers::sqrt3;
+// Contacts of the largest island.
+constexpr std::size_t kMostContacts = 32;
+// Rounds in which forces are corrected. Two leave at most kLeast of what was off before them, or they are the
+// last; then at most kAccepted times the tolerance may be off.
+constexpr int kMostRounds = 20;
+constexpr double kLeast = 0.5;
+constexpr double kAccepted = 1e4;
+// Times the tolerance, and relative to the smaller body: constant forces that leave less are kept where nothing
+// turns.
+constexpr double kNeeded = 1e3;
+constexpr double kLeft = 1e-11;
+// Of what presses a contact in a step, times the step: a contact that is open or penetrated by more is none
+// yet, and how much of a gap that is left from before a step closes.
+constexpr double kClosed = 0.05;
+constexpr double kReturns = 0.01;
+// Relative: a difference from full friction.
+constexpr double kFull = 1e-9;
+// Of the size, and in rad: contacts on one line.
+constexpr double kSameLine = 1e-9;
+// rad: contacts that turn by less have constant normals and arms.
+constexpr double kStill = 1e-11;
+// Cosine of the angle by which a normal may turn in a step.
+constexpr double kLeastCosine = 0.9;
+
+// The mean position on a path that is a cubic in time, weighted by the share of a Gauss point.
+Vec2 weighted_mean(std::size_t point, const Motion& from, const Motion& to, double h) {
+  // The integrals of Hermite's polynomials over the step, and of those times the time.
+  constexpr std::array<double, 4> kWhole{0.5, 1.0 / 12.0, 0.5, -1.0 / 12.0};
+  constexpr std::array<double, 4> kMoment{3.0 / 20.0, 1.0 / 30.0, 7.0 / 20.0, -1.0 / 20.0};
+  const auto weight = [&](std::size_t i) {
+    const double later = kMoment[i] - kGaussPoints[1 - point] * kWhole[i];
+    return 2.0 * kRoot3 * (point == 0 ? -later : later);
+  };
+  return weight(0) * from.head<2>() + weight(1) * h * from.segment<2>(3) + weight(2) * to.head<2>() +
+         weight(3) * h * to.segment<2>(3);
+}
+
+// Halfway, about.
+Vec2 middle_normal(const GaussContact& c) { return (c.at[0].normal + c.at[1].normal).normalized(); }
+Vec2 middle_arm_a(const GaussContact& c) { return 0.5 * (c.at[0].arm_a + c.at[1].arm_a); }
+Vec2 middle_arm_b(const GaussContact& c) { return 0.5 * (c.at[0].arm_b + c.at[1].arm_b); }
+
+bool rubs(const GaussStep& step, const GaussContact& c) {
+  return step.found.contacts.kinetic_friction[c.contact] > 0.0;
+}
+
+}  // namespace
+
+double gauss_share(std::size_t point, double time) {
+  return point == 0 ? kRoot3 * (kGaussPoints[1] - time) : kRoot3 * (time - kGaussPoints[0]);
+}
+
+double gauss_share_until(std::size_t point, double time) {
+  return point == 0 ? kRoot3 * time * (kGaussPoints[1] - 0.5 * time)
+                    : kRoot3 * time * (0.5 * time - kGaussPoints[0]);
+}
+
+bool find_contact(const World& world, int a, const Motion& ya, int b, const Motion& yb, std::uint32_t id,
+                  Contact& contact, RowVelocity& velocity) {
+  const Geometry& g = world.shapes();
+  const Manifold m = manifold_of(g, a, g.pose(a, ya.head<3>()), b, g.pose(b, yb.head<3>()), id,
+                                 std::numeric_limits<double>::infinity());
+  if (m.count == 0) return false;
+  int best = 0;
+  for (int k = 1; k < m.count; ++k) {
+    const ManifoldPoint& at = m.points[static_cast<std::size_t>(k)];
+    const ManifoldPoint& other = m.points[static_cast<std::size_t>(best)];
+    if (at.id == id || (other.id != id && std::abs(at.gap) < std::abs(other.gap))) best = k;
+  }
+  contact = m.contact(best);
+  velocity = contact_velocity(contact.normal, contact.point - ya.head<2>(), contact.point - yb.head<2>(),
+                              ya.segment<3>(3), yb.segment<3>(3));
+  return true;
+}
+
+double closed_within(const GaussStep& step, const GaussContact& c) {
+  const double size = step.world.shapes().size[c.a] + step.world.shapes().size[c.b];
+  return std::max(step.tolerance * step.h, 8.0 * kEpsilon * (c.at[0].point.lpNorm<1>() + size));
+}
+
+bool GaussIsland::begin(const GaussStep& step, std::span<const int> contacts) {
+  contacts_ = contacts;
+  if (contacts.size() > kMostContacts || !list(step)) return false;
+  constant_.resize(3, static_cast<Eigen::Index>(bodies_.size()));
+  for (const int body : bodies_) constant_.col(column(body)) = step.world.field().contact_acceleration(body);
+  sample(step);
+  if (!look(step)) return false;
+  for (GaussContact& c : closed_) {
+    if (!start(step, c)) return false;
+  }
+  return is_needed(step);
+}
+
+// Lists the closed contacts and all bodies. False if there are none, or if one presses that is not closed.
+bool GaussIsland::list(const GaussStep& step) {
+  const Contacts& found = step.found.contacts;
+  closed_.clear();
+  bodies_.clear();
+  held_.clear();
+  for (const int i : contacts_) {
+    for (const int body : {found.a[i], found.b[i]}) bodies_.push_back(body);
+    const bool presses = found.normal_impulse[i] > 0.0;
+    const double answer =
+        step.world.mass().inverse_mass[found.a[i]] + step.world.mass().inverse_mass[found.b[i]];
+    const double press = std::max(step.found.press[static_cast<std::size_t>(i)],
+                                  found.normal_impulse[i] / step.h * answer);  // m/s²
+    const double shut = press * step.h * step.h;                               // m
+    const bool closed = std::abs(found.gap[i]) <= kClosed * shut;
+    if (presses && (!closed || found.rolling_impulse[i] != 0.0)) return false;
+    if (!closed) continue;
+    GaussContact c;
+    c.contact = i;
+    c.a = found.a[i];
+    c.b = found.b[i];
+    c.presses = presses;
+    c.stays_open = found.gap[i] - std::clamp(found.gap[i], -kReturns * shut, kReturns * shut);
+    for (GaussContact::AtPoint& at : c.at) {
+      at.normal_force = found.normal_impulse[i] / step.h;
+      at.tangential_force = found.tangential_impulse[i] / step.h;
+    }
+    c.face = face_of(step, c);
+    if (c.face == static_cast<int>(held_.size())) held_.push_back(false);
+    closed_.push_back(c);
+  }
+  std::sort(bodies_.begin(), bodies_.end());
+  bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
+  return !closed_.empty();
+}
+
+// That of an earlier contact of the same bodies with the same line of tangential force, or a new one: between
+// two flat faces only the sum of the tangential forces is determined.
+int GaussIsland::face_of(const GaussStep& step, const GaussContact& c) const {
+  const FoundContacts& found = step.found;
+  const Vec2& normal = found.contacts.normal[c.contact];
+  const Vec2& point = found.point[static_cast<std::size_t>(c.contact)];
+  const double near = kSameLine * smaller_size(step.world, c.a, c.b);
+  for (const GaussContact& other : closed_) {
+    if (other.a == c.a && other.b == c.b &&
+        (found.contacts.normal[other.contact] - normal).norm() <= kSameLine &&
+        std::abs(normal.dot(found.point[static_cast<std::size_t>(other.contact)] - point)) <= near)
+      return other.face;
+  }
+  return static_cast<int>(held_.size());
+}
+
+// A contact at the start, and whether it sticks from there on. False if it turns too far within the step.
+bool GaussIsland::start(const GaussStep& step, GaussContact& c) const {
+  Contact contact;
+  RowVelocity velocity;
+  if (!find_contact(step.world, c.a, sampled(c.a).start, c.b, sampled(c.b).start,
+                    step.found.id[static_cast<std::size_t>(c.contact)], contact, velocity) ||
+      contact.normal.dot(c.end.normal) <= kLeastCosine)
+    return false;
+  c.start = {contact.normal, contact.gap, velocity.normal, velocity.tangential};
+  if (!rubs(step, c)) return true;
+  // What can't stick is found out from its forces.
+  c.sticks = std::abs(c.start.slip) <= step.slip_speed;
+  if (!c.sticks) c.slips = c.start.slip > 0.0 ? 1.0 : -1.0;
+  const std::uint32_t id = step.found.id[static_cast<std::size_t>(c.contact)];
+  for (const GaussBreak& past : step.breaks) {
+    if (!c.sticks || past.a != c.a || past.b != c.b || past.id != id) continue;
+    c.sticks = false;
+    c.slips = past.slips;
+  }
+  return true;
+}
+
+// Whether contacts turn, or constant forces don't do what they should.
+bool GaussIsland::is_needed(const GaussStep& step) const {
+  if (off(step, kLeft) > kNeeded) return true;
+  const auto turns = [&](int body) {
+    return !step.world.shapes().is_disc(body) &&
+           std::abs(sampled(body).end[2] - sampled(body).start[2]) > kStill;
+  };
+  // It begins to slip, or stops.
+  const auto changes = [&](const GaussContact& c) {
+    if (!c.presses || !rubs(step, c)) return false;
+    const Contacts& found = step.found.contacts;
+    if (c.sticks) return found.sticks[c.contact] == 0;
+    const double full = found.kinetic_friction[c.contact] * found.normal_impulse[c.contact];
+    return std::abs(found.tangential_impulse[c.contact] + c.slips * full) > kFull * full;
+  };
+  return std::any_of(closed_.begin(), closed_.end(), [&](const GaussContact& c) {
+    return (c.start.normal - c.end.normal).norm() > kStill || turns(c.a) || turns(c.b) || changes(c) ||
+           (!c.presses && closes(step, c));
+  });
+}
+
+const GaussIsland::Sampled& GaussIsland::sampled(int body) const {
+  return sampled_[static_cast<std::size_t>(column(body))];
+}
+
+Eigen::Index GaussIsland::column(int body) const {
+  return std::lower_bound(bodies_.begin(), bodies_.end(), body) - bodies_.begin();
+}
+
+void GaussIsland::sample(const GaussStep& step) {
+  sampled_.resize(std::max(sampled_.size(), bodies_.size()));
+  Trajectories& trajectories = step.world.trajectories;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Sampled& s = sampled_[i];
+    s.start = trajectories.at_start(bodies_[i]);
+    s.end = trajectories.at(bodies_[i], step.h);
+    s.halfway = trajectories.at(bodies_[i], 0.5 * step.h);
+    for (const std::size_t k : {0U, 1U}) {
+      s.at[k] = trajectories.at(bodies_[i], kGaussPoints[k] * step.h);
+      s.mean[k] = weighted_mean(k, s.start, s.end, step.h);
+    }
+  }
+}
+
+// Reads the contacts off the present flights. False if one is not what it was.
+bool GaussIsland::look(const GaussStep& step) {
+  const World& world = step.world;
+  for (GaussContact& c : closed_) {
+    const std::uint32_t id = step.found.id[static_cast<std::size_t>(c.contact)];
+    const Sampled& a = sampled(c.a);
+    const Sampled& b = sampled(c.b);
+    Contact contact;
+    RowVelocity velocity;
+    for (const std::size_t k : {0U, 1U}) {
+      if (!find_contact(world, c.a, a.at[k], c.b, b.at[k], id, contact, velocity)) return false;
+      GaussContact::AtPoint& at = c.at[k];
+      at.normal = contact.normal;
+      at.point = contact.point;
+      at.arm_a = contact.point - a.mean[k];
+      at.arm_b = contact.point - b.mean[k];
+      at.gap = contact.gap;
+      at.slip = velocity.tangential;
+    }
+    if (!find_contact(world, c.a, a.halfway, c.b, b.halfway, id, contact, velocity)) return false;
+    c.halfway = {contact.normal, contact.gap, velocity.normal, velocity.tangential};
+    if (!find_contact(world, c.a, a.end, c.b, b.end, id, contact, velocity)) return false;
+    c.end = {contact.normal, contact.gap, velocity.normal, velocity.tangential};
+    const auto pose = [&](int body) {
+      return world.shapes().pose(body, step.world.trajectories.at(body, step.h).head<3>());
+    };
+    if (may_be_continued(world, c.a, c.b) &&
+        on_internal_edge(world, c.a, c.b, contact, step.neighbours.of_pair(world, c.a, c.b), pose))
+      return false;
+  }
+  return true;
+}
+
+// How far the contacts that press are off what they are to be at the end, of what may be left; gaps by more
+// than `left` of the smaller body.
+double GaussIsland::off(const GaussStep& step, double left) const {
+  double most = 0.0;
+  for (const GaussContact& c : closed_) {
+    if (!c.presses) continue;
+    const double gap =
+        std::max(std::abs(c.end.gap - c.stays_open) - left * smaller_size(step.world, c.a, c.b), 0.0);
+    most = std::max({most, std::abs(c.end.parting) / step.tolerance, gap / closed_within(step, c)});
+    if (c.sticks && c.presses)
+      most = std::max({most, std::abs(c.end.slip) / step.tolerance, std::abs(c.halfway.slip) / step.tolerance});
+  }
+  return most;
+}
+
+void GaussIsland::build(const GaussStep& step) {
+  rows_ = 0;
+  std::fill(held_.begin(), held_.end(), false);
+  for (GaussContact& c : closed_) {
+    c.row = rows_;
+    c.holds = c.presses && c.sticks && !held_[static_cast<std::size_t>(c.face)];
+    if (c.holds) held_[static_cast<std::size_t>(c.face)] = true;
+    if (c.presses) rows_ += c.holds ? 2 : 1;
+  }
+  matrix_.setZero(rows_, rows_);
+  for (const GaussContact& c : closed_) {
+    if (!c.presses) continue;
+    add_column(step, c, c.row, 1.0,
+               c.sticks ? 0.0 : -c.slips * step.found.contacts.kinetic_friction[c.contact]);
+    if (c.holds) add_column(step, c, c.row + 1, 0.0, 1.0);
+  }
+  if (rows_ > 0) solver_.compute(matrix_);
+}
+
+// How all contacts answer to this force of one, which joints pass on.
+void GaussIsland::add_column(const GaussStep& step, const GaussContact& c, int to, double normal,
+                             double tangential) {
+  const World& world = step.world;
+  const Vec2 n = middle_normal(c);
+  const Vec2 force = normal * n + tangential * crossed(n);
+  answers_.setZero(3, static_cast<Eigen::Index>(bodies_.size()));
+  const auto push = [&](int body, double sign, const Vec2& arm) {
+    answers_.col(column(body)) << sign * world.mass().inverse_mass[body] * force,
+        sign * world.mass().inverse_inertia[body] * cross(arm, force);
+  };
+  push(c.a, -1.0, middle_arm_a(c));
+  push(c.b, 1.0, middle_arm_b(c));
+  if (std::any_of(bodies_.begin(), bodies_.end(), [&](int i) { return world.trajectories.is_jointed(i); }))
+    step.world.trajectories.project_changes(bodies_, answers_);
+  for (const GaussContact& other : closed_) {
+    if (!other.presses) continue;
+    const RowVelocity u = contact_velocity(middle_normal(other), middle_arm_a(other), middle_arm_b(other),
+                                           answers_.col(column(other.a)), answers_.col(column(other.b)));
+    matrix_(other.row, to) = u.normal;
+    if (other.holds) matrix_(other.row + 1, to) = u.tangential;
+  }
+}
+
+// Corrects the forces by what the contacts are off at the end, and halfway: changes d of their accelerations at
+// the Gauss points change velocities by h/2 (d_0 + d_1) at the end, and places by h²/2 (g_1 d_0 + g_0 d_1).
+void GaussIsland::correct(const GaussStep& step) {
+  const double h = step.h;
+  wanted_.setZero(rows_, 2);
+  for (const GaussContact& c : closed_) {
+    if (!c.presses) continue;
+    const double parts = -2.0 * c.end.parting / h;
+    const double moves = 2.0 * (c.stays_open - c.end.gap) / (h * h);
+    wanted_(c.row, 0) = kRoot3 * (moves - kGaussPoints[0] * parts);
+    wanted_(c.row, 1) = parts - wanted_(c.row, 0);
+    if (!c.holds) continue;
+    // At a half of the step, velocities have changed by h/2 times the accelerations at a quarter of it.
+    const double slips = -2.0 * c.end.slip / h;
+    const double early = gauss_share(0, 0.25);
+    const double late = gauss_share(1, 0.25);
+    wanted_(c.row + 1, 0) = (-2.0 * c.halfway.slip / h - late * slips) / (early - late);
+    wanted_(c.row + 1, 1) = slips - wanted_(c.row + 1, 0);
+  }
+  if (rows_ > 0) change_ = solver_.solve(wanted_);
+  for (GaussContact& c : closed_) {
+    for (const std::size_t k : {0U, 1U}) {
+      GaussContact::AtPoint& at = c.at[k];
+      const auto point = static_cast<Eigen::Index>(k);
+      at.normal_force = c.presses ? at.normal_force + change_(c.row, point) : 0.0;
+      if (c.holds) {
+        at.tangential_force += change_(c.row + 1, point);
+      } else {
+        at.tangential_force =
+            c.sticks ? 0.0 : -c.slips * step.found.contacts.kinetic_friction[c.contact] * at.normal_force;
+      }
+    }
+  }
+}
+
+// Puts the forces on the trajectories.
+void GaussIsland::push(const GaussStep& step) {
+  World& world = step.world;
+  for (auto& by : by_) by.setZero(3, static_cast<Eigen::Index>(bodies_.size()));
+  for (const GaussContact& c : closed_) {
+    for (const std::size_t k : {0U, 1U}) {
+      const GaussContact::AtPoint& at = c.at[k];
+      const Vec2 force = at.normal_force * at.normal + at.tangential_force * crossed(at.normal);
+      const auto add = [&](int body, double sign, const Vec2& arm) {
+        by_[k].col(column(body)).head<2>() += sign * world.mass().inverse_mass[body] * force;
+        by_[k](2, column(body)) += sign * world.mass().inverse_inertia[body] * cross(arm, force);
+      };
+      add(c.a, -1.0, at.arm_a);
+      add(c.b, 1.0, at.arm_b);
+    }
+  }
+  for (const int body : bodies_) {
+    if (world.infinite_mass(body)) continue;
+    const auto i = column(body);
+    world.trajectories.set_contact_acceleration(
+        body, gauss_share(0, 0.0) * by_[0].col(i) + gauss_share(1, 0.0) * by_[1].col(i));
+    world.trajectories.set_contact_rate(body, kRoot3 / step.h * (by_[1].col(i) - by_[0].col(i)));
+  }
+}
+
+bool GaussIsland::solve(const GaussStep& step) {
+  for (GaussContact& c : closed_) c.breaks_at = 0.0;
+  build(step);
+  std::array<double, 2> before{std::numeric_limits<double>::infinity(),
+                               std::numeric_limits<double>::infinity()};
+  for (int round = 0; round < kMostRounds; ++round) {
+    correct(step);
+    push(step);
+    sample(step);
+    if (!look(step)) return false;
+    const double now = off(step, 0.0);
+    if (!std::isfinite(now)) return false;
+    if (now <= 1.0 && round > 0) return true;
+    if (round > 3 && !(now < kLeast * before[1])) return now <= kAccepted;
+    before = {now, before[0]};
+  }
+  return before[0] <= kAccepted;
+}
+
+void GaussIsland::note_break(int face, double time, double slips) {
+  for (GaussContact& c : closed_) {
+    if (c.face != face) continue;
+    c.breaks_at = time;
+    c.breaks_to = slips;
+  }
+}
+
+void GaussIsland::share_friction() {
+  for (const std::size_t k : {0U, 1U}) {
+    for (std::size_t first = 0, last = 0; first < closed_.size(); first = last) {
+      double tangential = 0.0;
+      double normal = 0.0;
+      for (last = first; last < closed_.size() && closed_[last].face == closed_[first].face; ++last) {
+        tangential += closed_[last].at[k].tangential_force;
+        normal += closed_[last].at[k].normal_force;
+      }
+      if (!(normal > 0.0)) continue;
+      for (std::size_t i = first; i < last; ++i)
+        closed_[i].at[k].tangential_force = tangential * closed_[i].at[k].normal_force / normal;
+    }
+  }
+}
+
+void GaussIsland::put_back(const GaussStep& step) const {
+  for (const int body : bodies_) {
+    if (!step.world.infinite_mass(body))
+      step.world.trajectories.set_contact_acceleration(body, constant_.col(column(body)));
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "physics/contact/contact_rows.h"
+#include "physics/dynamics/state.h"
+#include "physics/step/contact_finder.h"
+#include "physics/step/neighbours.h"
+#include "physics/step/world.h"
+
+namespace carom {
+
+// The Gauss points, of a step, and the share that the force at one of them has in the linear force at a time;
+// its integral from 0 on. Times are of the step.
+inline constexpr std::array<double, 2> kGaussPoints{0.21132486540518711775, 0.78867513459481288225};
+[[nodiscard]] double gauss_share(std::size_t point, double time);
+[[nodiscard]] double gauss_share_until(std::size_t point, double time);
+
+// A contact that breaks away from static friction at the end of a part of a step.
+struct GaussBreak {
+  double time = 0.0;  // s, absolute
+  int a = 0, b = 0;
+  std::uint32_t id = 0;
+  double slips = 0.0;  // σ from then on
+};
+
+// A part of a step in which contact forces are linear.
+struct GaussStep {
+  World& world;
+  double h;  // s, from the epoch on
+  const Neighbours& neighbours;
+  double tolerance;   // m/s: of velocities that contacts ask for
+  double slip_speed;  // m/s: a contact that slips slower may stick
+  FoundContacts& found;
+  std::span<const GaussBreak> breaks;  // at its start
+};
+
+// A contact that is closed at the start.
+struct GaussContact {
+  struct AtPoint {
+    Vec2 normal = Vec2::UnitX();
+    Vec2 point = Vec2::Zero();                          // m
+    Vec2 arm_a = Vec2::Zero(), arm_b = Vec2::Zero();    // m
+    double normal_force = 0.0, tangential_force = 0.0;  // N
+    double gap = 0.0;                                   // m
+    double slip = 0.0;                                  // m/s
+  };
+  struct AtTime {
+    Vec2 normal = Vec2::UnitX();
+    double gap = 0.0;                  // m
+    double parting = 0.0, slip = 0.0;  // m/s
+  };
+  int contact = 0;
+  int a = 0, b = 0;
+  int face = 0;  // contacts of the same face slip alike
+  bool presses = true;
+  bool sticks = false;
+  bool holds = false;       // it has the tangential force of all that stick on its face
+  double slips = 0.0;       // σ, if it presses, rubs and does not stick
+  double stays_open = 0.0;  // m: the gap that it is to have at the end
+  double breaks_at = 0.0;   // s, if above 0: when it breaks away
+  double breaks_to = 0.0;   // σ from then on
+  AtTime start{}, halfway{}, end{};
+  std::array<AtPoint, 2> at{};
+  int row = 0;  // of its normal in the island's system; then that of its tangent, if it sticks
+};
+
+// Bodies that closed contacts join, and the contacts' forces at the Gauss points of a step (gauss_contacts.h).
+class GaussIsland {
+ public:
+  // The closed contacts among these, with the modes and the forces that constant forces have. False if forces
+  // can't be linear, or need not be.
+  bool begin(const GaussStep& step, std::span<const int> contacts);
+  // Finds forces for the modes as they stand, and puts them on the trajectories. False if there are none.
+  bool solve(const GaussStep& step);
+  // A face breaks away at this time, in s.
+  void note_break(int face, double time, double slips);
+  // Shares what holds a face among its contacts, by what presses them.
+  void share_friction();
+  // The constant forces again.
+  void put_back(const GaussStep& step) const;
+
+  [[nodiscard]] std::vector<GaussContact>& closed() { return closed_; }
+  [[nodiscard]] const std::vector<GaussContact>& closed() const { return closed_; }
+  [[nodiscard]] std::span<const int> contacts() const { return contacts_; }
+  [[nodiscard]] const Motion& at_end(int body) const { return sampled(body).end; }
+
+ private:
+  // A body at the times at which it is looked at.
+  struct Sampled {
+    Motion start, halfway, end;
+    std::array<Motion, 2> at;
+    std::array<Vec2, 2> mean;  // m: where arms start
+  };
+
+  bool list(const GaussStep& step);
+  [[nodiscard]] int face_of(const GaussStep& step, const GaussContact& c) const;
+  bool start(const GaussStep& step, GaussContact& c) const;
+  [[nodiscard]] bool is_needed(const GaussStep& step) const;
+  void sample(const GaussStep& step);
+  [[nodiscard]] const Sampled& sampled(int body) const;
+  [[nodiscard]] Eigen::Index column(int body) const;
+  bool look(const GaussStep& step);
+  [[nodiscard]] double off(const GaussStep& step, double left) const;
+  void build(const GaussStep& step);
+  void add_column(const GaussStep& step, const GaussContact& c, int to, double normal, double tangential);
+  void correct(const GaussStep& step);
+  void push(const GaussStep& step);
+
+  std::span<const int> contacts_;
+  std::vector<GaussContact> closed_;
+  std::vector<bool> held_;              // by face
+  std::vector<int> bodies_;             // in rising order
+  std::vector<Sampled> sampled_;        // by place in bodies_, as are the columns below
+  Eigen::Matrix3Xd constant_;           // accelerations by the constant forces
+  std::array<Eigen::Matrix3Xd, 2> by_;  // likewise by those at the Gauss points
+  Eigen::Matrix3Xd answers_;            // velocities, to a unit impulse
+  int rows_ = 0;
+  Eigen::MatrixXd matrix_;           // accelerations of the contacts, halfway, to unit forces
+  Eigen::MatrixXd wanted_, change_;  // by row, at the Gauss points
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
+};
+
+// A contact in these motions of its bodies: the point of this id or, where a corner has come to face the other
+// body by another edge, the one nearest to touching. False if there is none.
+bool find_contact(const World& world, int a, const Motion& ya, int b, const Motion& yb, std::uint32_t id,
+                  Contact& contact, RowVelocity& velocity);
+// m: of a contact, smaller gaps are rounding.
+[[nodiscard]] double closed_within(const GaussStep& step, const GaussContact& c);
+
+}  // namespace carom

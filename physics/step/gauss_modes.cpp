@@ -1,0 +1,167 @@
+#include "physics/step/gauss_modes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "physics/math/roots.h"
+
+namespace carom {
+namespace {
+
+// When contacts are looked at on the way, of the step.
+constexpr std::array<double, 3> kTimes{kGaussPoints[0], 0.5, kGaussPoints[1]};
+// Of the step: a mode that ends before this part has not begun, and one that ends after the rest holds.
+constexpr double kAtOnce = 1e-6;
+// Of the largest force of an island: forces beyond a limit by less are at it.
+constexpr double kAtLimit = 1e-7;
+// Relative to the size: contacts without a force may be closed so far by rounding.
+constexpr double kOpen = 1e-9;
+// Times what is rounding: motions that are more.
+constexpr double kSeen = 4.0;
+constexpr double kBegins = 256.0;  // as a rate at the start
+
+// How the polynomial that is 0 at the start, with as many derivatives as `power` is above 1, begins: its first
+// coefficient, of t^power, from its values at kTimes.
+double beginning(const std::array<double, 3>& values, int power) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    double weight = 1.0 / std::pow(kTimes[i], power);
+    const double other = kTimes[(i + 1) % 3];
+    const double third = kTimes[(i + 2) % 3];
+    weight *= other / (other - kTimes[i]) * third / (third - kTimes[i]);
+    sum += weight * values[i];
+  }
+  return sum;
+}
+
+// The part of a step in which a margin is positive that has these values at the Gauss points and is linear; 0
+// if not at the start. Margins within `rounding` of 0 are so.
+double part_held(double first, double second, double rounding) {
+  const double start = gauss_share(0, 0.0) * first + gauss_share(1, 0.0) * second;
+  const double end = gauss_share(0, 1.0) * first + gauss_share(1, 1.0) * second;
+  if (end >= -rounding) return start >= -rounding ? 1.0 : 0.0;
+  return start > 0.0 ? start / (start - end) : 0.0;
+}
+
+// s: the first of the sampled times at which a contact slips against its direction, the first of all if it
+// begins so; 0: none.
+double slips_back(const GaussStep& step, const GaussContact& c) {
+  const std::array<double, 3> slips{c.at[0].slip, c.halfway.slip, c.at[1].slip};
+  const auto against = [&](double slip) { return c.slips * slip < -kSeen * step.tolerance; };
+  const auto first = std::find_if(slips.begin(), slips.end(), against);
+  if (first != slips.end()) return kTimes[static_cast<std::size_t>(first - slips.begin())] * step.h;
+  if (against(c.end.slip)) return step.h;
+  if (c.slips * c.start.slip > step.slip_speed) return 0.0;
+  const double gains =
+      beginning({slips[0] - c.start.slip, slips[1] - c.start.slip, slips[2] - c.start.slip}, 1);
+  return c.slips * gains < -kBegins * step.tolerance ? kTimes[0] * step.h : 0.0;
+}
+
+// s: when a contact stops slipping that slips against its direction at `wrong`, on the present flights.
+double slip_ends(const GaussStep& step, const GaussContact& c, double wrong) {
+  Trajectories& trajectories = step.world.trajectories;
+  const auto slip = [&](double time) {
+    Contact contact;
+    RowVelocity velocity{};
+    (void)find_contact(step.world, c.a, trajectories.at(c.a, time), c.b, trajectories.at(c.b, time),
+                       step.found.id[static_cast<std::size_t>(c.contact)], contact, velocity);
+    return c.slips * velocity.tangential;
+  };
+  return bracketed_root(slip, 0.0, c.slips * c.start.slip, wrong, slip(wrong));
+}
+
+// N
+double largest_force(const GaussIsland& island) {
+  double largest = 0.0;
+  for (const GaussContact& c : island.closed())
+    largest = std::max({largest, c.at[0].normal_force, c.at[1].normal_force});
+  return largest;
+}
+
+// N: up to which the contacts of a face stick, at the Gauss points.
+std::array<double, 2> most_friction(const GaussStep& step, const GaussIsland& island, int face) {
+  std::array<double, 2> most{};
+  for (const GaussContact& c : island.closed()) {
+    if (c.face != face || !c.presses) continue;
+    for (const std::size_t k : {0U, 1U})
+      most[k] += step.found.contacts.static_friction[c.contact] * c.at[k].normal_force;
+  }
+  return most;
+}
+
+}  // namespace
+
+bool closes(const GaussStep& step, const GaussContact& c) {
+  const double rounding = closed_within(step, c);
+  const std::array<double, 3> gaps{c.at[0].gap, c.halfway.gap, c.at[1].gap};
+  const double least = std::min(c.end.gap, *std::min_element(gaps.begin(), gaps.end()));
+  if (least < std::min(c.start.gap, 0.0) - kSeen * rounding) return true;
+  if (std::abs(c.start.parting) > step.tolerance) return false;
+  const auto opened = [&](std::size_t i) {
+    return gaps[i] - c.start.gap - kTimes[i] * step.h * c.start.parting;
+  };
+  return beginning({opened(0), opened(1), opened(2)}, 2) < -kBegins * rounding;
+}
+
+bool change_modes(const GaussStep& step, GaussIsland& island, double& ends) {
+  bool changed = false;
+  const auto enter = [&](double part, const auto& change) {
+    if (part <= kAtOnce) {
+      change();
+      changed = true;
+    } else if (part < 1.0 - kAtOnce) {
+      ends = std::min(ends, part * step.h);
+    }
+  };
+  const double rounding = kAtLimit * largest_force(island);
+  for (GaussContact& c : island.closed()) {
+    if (!c.presses) {
+      enter(closes(step, c) ? 0.0 : 1.0, [&] { c.presses = true; });
+      continue;
+    }
+    const double first = c.at[0].normal_force;
+    const double second = c.at[1].normal_force;
+    enter(part_held(first, second, rounding), [&] { c.presses = false; });
+    if (!c.presses || step.found.contacts.kinetic_friction[c.contact] == 0.0) continue;
+    const auto stick = [&](bool sticks, double slips) {
+      for (GaussContact& other : island.closed()) {
+        if (other.face != c.face) continue;
+        other.sticks = sticks;
+        other.slips = slips;
+      }
+    };
+    if (c.holds) {
+      const std::array<double, 2> most = most_friction(step, island, c.face);
+      for (const double sign : {1.0, -1.0}) {
+        const double part = part_held(most[0] - sign * c.at[0].tangential_force,
+                                      most[1] - sign * c.at[1].tangential_force, rounding);
+        enter(part, [&] { stick(false, -sign); });
+        if (part < 1.0) island.note_break(c.face, part * step.h, -sign);
+      }
+    } else if (const double wrong = c.sticks ? 0.0 : slips_back(step, c); wrong > 0.0) {
+      const bool slid = c.slips * c.start.slip > step.slip_speed;
+      enter(slid ? slip_ends(step, c, wrong) / step.h : 0.0, [&] { stick(true, 0.0); });
+    }
+  }
+  return changed;
+}
+
+bool stay_open(const GaussStep& step, const GaussIsland& island) {
+  const Contacts& found = step.found.contacts;
+  const std::vector<GaussContact>& closed = island.closed();
+  return std::none_of(island.contacts().begin(), island.contacts().end(), [&](int i) {
+    const bool presses = std::any_of(closed.begin(), closed.end(),
+                                     [&](const GaussContact& c) { return c.contact == i && c.presses; });
+    if (presses) return false;
+    Contact contact;
+    RowVelocity velocity;
+    if (!find_contact(step.world, found.a[i], island.at_end(found.a[i]), found.b[i], island.at_end(found.b[i]),
+                      step.found.id[static_cast<std::size_t>(i)], contact, velocity))
+      return false;
+    const double size = step.world.shapes().size[found.a[i]] + step.world.shapes().size[found.b[i]];
+    return contact.gap < std::min(found.gap[i], 0.0) - kOpen * size;
+  });
+}
+
+}  // namespace carom

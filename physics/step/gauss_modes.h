@@ -1,0 +1,18 @@
+#pragma once
+
+#include "physics/step/gauss_island.h"
+
+namespace carom {
+
+// Whether contacts press or are open, stick or slip, from the start of a step on, and until when: read off the
+// linear forces and the flights under them (gauss_contacts.h).
+
+// Whether a contact that does not press closes.
+[[nodiscard]] bool closes(const GaussStep& step, const GaussContact& c);
+// Changes the modes that don't hold at the start; whether there were any. If not, `ends` (s) becomes no later
+// than the first moment at which a contact lets go, breaks away or stops slipping.
+bool change_modes(const GaussStep& step, GaussIsland& island, double& ends);
+// Whether the island's contacts without forces don't close.
+[[nodiscard]] bool stay_open(const GaussStep& step, const GaussIsland& island);
+
+}  // namespace carom
