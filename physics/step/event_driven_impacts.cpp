@@ -36,7 +36,7 @@ constexpr int kMostParts = 8;
 constexpr int kMostImpactsOnceCapped = 20'000;
 constexpr int kMostImpactsAtOnceCapped = 1'000;
 // Of a step: two times of one landing, found in two ways, differ by less.
-constexpr double kSameTime = 1e-9;
+constexpr double kSameTime = 1e-6;
 // Trajectories that end in one step, beside some for each body, before they become twice as long: bodies that
 // fly or turn very fast for the size of the scene would end millions.
 constexpr int kMostTrajectoryEnds = 1'000;

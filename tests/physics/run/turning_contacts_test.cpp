@@ -242,6 +242,32 @@ TEST(TurningContacts, BreakingAwayIsLocated) {
   }
 }
 
+// A U falls on a slope, comes to rest on a corner and tips onto its bottom, whose three flush parts land at one
+// moment.
+TEST(TurningContacts, ACompoundLandsFlatBesideARestingCorner) {
+  Compound u;
+  u.shapes = {{Box{0.5, 0.08}, {0.0, 0.0}, 0.0, ""},
+              {Box{0.08, 0.3}, {-0.29, 0.11}, 0.0, ""},
+              {Box{0.08, 0.3}, {0.29, 0.11}, 0.0, ""}};
+  Body slope = test::disc("slope", {0.0, 0.0}, {0.0, 0.0});
+  slope.shape = Wall{};
+  slope.fixed = true;
+  slope.angle = -0.19676;
+  Body body = test::disc("u", {-0.259057, 0.641736}, {-0.400876, -0.210271});
+  body.shape = u;
+  body.spin = 0.635792;
+  body.angle = 1.363458;
+  RunSetup s = test::setup_with({slope, body}, 0.0, 0.51774);
+  s.scene.materials[0].static_friction = 0.53172;
+  s.scene.forces.gravity = {0.0, -kG};
+  for (int i = 0; i < 40; ++i) {
+    s.method = method(IntegratorId::kRk4, ImpactsId::kLocated, 0.001 * std::pow(1.06, i));
+    Simulation run(s);
+    run.advance_to(0.8);
+    EXPECT_NEAR(run.state().v(2, 1), 0.0, 1e-9) << s.method.step;
+  }
+}
+
 // A stack that is pushed, and one on a shaken table, stay where they are as long as friction holds them.
 TEST(TurningContacts, FrictionHoldsAStackUnderForcesThatChange) {
   std::vector<Body> bodies = {test::wall("floor", {0.0, -0.5}, 20.0, 1.0)};
