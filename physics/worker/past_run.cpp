@@ -18,7 +18,7 @@ template <class Leads>
 std::shared_ptr<const KeyFrame> latest(const std::vector<std::shared_ptr<const KeyFrame>>& frames,
                                        const Leads& leads) {
   const auto found =
-      std::find_if(frames.rbegin(), frames.rend(), [&](const auto& frame) { return leads(frame->state); });
+      std::find_if(frames.rbegin(), frames.rend(), [&](const auto& frame) { return leads(*frame); });
   return found == frames.rend() ? nullptr : *found;
 }
 
@@ -49,8 +49,13 @@ void PastRun::stand_before_step(std::int64_t steps) {
 // Where it is, unless that is beyond or there is a later moment that leads there.
 template <class Leads, class Beyond>
 void PastRun::stand(const Leads& leads, const Beyond& beyond) {
-  const std::shared_ptr<const KeyFrame> own = latest(left_, leads);
-  const std::shared_ptr<const KeyFrame> of_run = latest(key_frames_, leads);
+  const std::shared_ptr<const KeyFrame> own =
+      latest(left_, [&](const KeyFrame& frame) { return leads(frame.state); });
+  // The run may have left moments before it had its reference.
+  const std::shared_ptr<const KeyFrame> of_run = latest(key_frames_, [&](const KeyFrame& frame) {
+    const bool compares = reference_ == ReferenceId::kNone || frame.sampler.reference() == reference_;
+    return compares && leads(frame.state);
+  });
   const auto steps_of = [](const auto& frame) { return frame ? frame->state.clock.steps : -1; };
   const std::int64_t best = std::max(steps_of(own), steps_of(of_run));
   if (at_ && !beyond(at_->simulation) && at_->simulation.steps() >= best) return;
