@@ -43,7 +43,8 @@ std::vector<KeySection> key_sections() {
           {"forces: spring", KeyTable::of<Spring>()},
           {"forces: attraction", KeyTable::of<Attraction>()},
           {"forces: force", KeyTable::of<AppliedForce>()},
-          {"links", KeyTable::of<Joint>()}};
+          {"links", KeyTable::of<Joint>()},
+          {"stop", KeyTable::of<Stop>()}};
 }
 
 std::string markdown_of(const std::vector<KeyRow>& rows) {

@@ -9,6 +9,7 @@
 #include "physics/run/run_setup.h"
 #include "physics/scene/method.h"
 #include "physics/scene/scene.h"
+#include "physics/scene/stop.h"
 
 namespace carom {
 
@@ -95,6 +96,7 @@ struct Preset {
   Method method;
   std::vector<Method> compare;  // other methods to run beside it, at most kMostCompared
   std::vector<RunEdit> edits;   // bodies that come in during a run, an Add<Body> each, in the order of time
+  std::vector<Stop> stops;      // where a run stops before its end
   std::vector<Expectation> expect;
   std::vector<Plot> plots;  // to open with; none: the usual ones
   std::optional<View> view;

@@ -67,6 +67,7 @@ void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
                    fields(element, late);
                    preset.edits.push_back({late.time, 0, SceneEdits{Add<Body>{late.body}}});
                  });
+  r.read_objects({"stop", "where a run stops before its end"}, kMostStops, each(preset.stops));
   r.member({"plots", "to open with"}, [&](const ValueReader& v) {
     v.list({0, kMostPlots}, [&](const ValueReader& plot) { preset.plots.push_back(read_plot(plot)); });
   });
@@ -118,6 +119,14 @@ void write_value(std::string& out, const Json& value, int depth) {
   out += '\n';
   out += indent.substr(2);
   out += value.is_array() ? ']' : '}';
+}
+
+// Without what stops of this kind have by default: a wall stands beside no name.
+Json stop_json(const Stop& stop) {
+  return written_by(stop, false, [&stop](FieldReader& r, Stop& members) {
+    members.kind = stop.kind;
+    fields(r, members);
+  });
 }
 
 }  // namespace
@@ -193,6 +202,7 @@ Json preset_json(const Preset& preset, bool all) {
   for (const Joint& l : preset.scene.joints) j["links"].push_back(joint_json(l, all));
   for (const RunEdit& edit : preset.edits)
     j["added"].push_back(written(LateBody{edit.time, added_body(edit)}, all));
+  for (const Stop& stop : preset.stops) j["stop"].push_back(stop_json(stop));
   for (const Plot& plot : preset.plots) j["plots"].push_back(plot_json(plot));
   if (preset.view) j["view"] = {{"center", pair_json(preset.view->center)}, {"width", preset.view->width}};
   for (const Expectation& e : preset.expect) j["expect"].push_back(written_by(e, false, read_expectation));

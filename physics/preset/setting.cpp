@@ -250,6 +250,9 @@ void validate(const Preset& preset, const ForcePlaces& places) {
   const std::vector<Body> all = all_bodies(preset);
   NamedBodies bodies;
   for (const Body& b : all) bodies.emplace(b.name, &b);
+  check_count("/stop", preset.stops.size(), kMostStops, "stops");
+  for (std::size_t i = 0; i < preset.stops.size(); ++i)
+    check_stop(fmt::format("/stop/{}", i), preset.stops[i], bodies);
   check_count("/expect", preset.expect.size(), kMostExpectations, "expectations");
   for (std::size_t i = 0; i < preset.expect.size(); ++i)
     check_expectation(fmt::format("/expect/{}", i), preset.expect[i], bodies);

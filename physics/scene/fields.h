@@ -11,6 +11,7 @@
 #include "physics/scene/names.h"
 #include "physics/scene/scene.h"
 #include "physics/scene/shape.h"
+#include "physics/scene/stop.h"
 
 // What each type of a scene consists of, stated once: its keys in files, their unit, range, default and
 // meaning. fields(visitor, value) shows every member to a visitor. Visitors read a file, write it and describe
@@ -322,6 +323,37 @@ void fields(V& v, Is<Joint> auto& joint) {
         if (kJointNames[kind].id == JointKind::kWeld)
           k.field({"angle", "the body's angle less that of the other"}, joint.angle, any_number("rad"));
       });
+}
+
+// Whose impact a run stops at.
+template <class V>
+void partner_fields(V& v, Is<Stop> auto& stop) {
+  v.field({"body", "the name of one of the two bodies; without it any"}, stop.body, kPerhapsName);
+  v.field({"with", "the name of the other one; without it any"}, stop.with, kPerhapsName);
+  v.field({"with_wall", "the other one is fixed or driven"}, stop.with_wall);
+  v.together(
+      {KeysTogether::Rule::kNotBoth, "with", "with_wall", "", "a wall beside a name", "either of the two"});
+}
+
+template <class V>
+void fields(V& v, Is<Stop> auto& stop) {
+  v.cases({"type", "what the run stops at"}, words_of(kStopNames), index_of(kStopNames, stop.kind),
+          [&](std::size_t i, V& k) {
+            const StopKind kind = kStopNames[i].id;
+            k.chosen(stop.kind, kind);
+            if (kind == StopKind::kTime) k.required({"time", "when"}, stop.time, from_zero("s"));
+            if (kind == StopKind::kImpact)
+              k.required({"number", "1: the first one of the run"}, stop.number, Whole{1, 1e9});
+            if (kind == StopKind::kImpact || kind == StopKind::kEveryImpact) partner_fields(k, stop);
+            if (kind == StopKind::kKineticEnergy)
+              k.required({"below", "which the kinetic energy falls"}, stop.below, positive("J"));
+            if (kind != StopKind::kPassing) return;
+            k.required({"body", "the name of the body that passes"}, stop.body, kName);
+            k.choice({"quantity", "of the body"}, kStopQuantityNames, stop.quantity);
+            k.keep({"quantity"});
+            k.required({"value", "in m, rad or m/s"}, stop.value, any_number(""));
+            k.choice({"way", "in which the value passes"}, kPassingWayNames, stop.way);
+          });
 }
 
 }  // namespace carom

@@ -50,6 +50,7 @@ inline constexpr std::size_t kMostPlots = 100;
 inline constexpr std::size_t kMostPlotCurves = 100;  // of one plot
 inline constexpr std::size_t kMostCurvesInAll = 200;
 inline constexpr std::size_t kMostNotes = 1'000;  // of one plot
+inline constexpr std::size_t kMostStops = 100;
 inline constexpr std::size_t kMostExpectations = 1'000;
 inline constexpr std::size_t kMostSettings = 1'000;  // of one expectation
 inline constexpr std::size_t kMostSweepValues = 10'000;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/scene/scene.h"
+#include "physics/scene/stop.h"
 
 // The words that stand for the choices of a scene in files.
 namespace carom {
@@ -38,6 +39,28 @@ inline constexpr auto kJointNames = std::to_array<Named<JointKind>>({
     {JointKind::kString, "string"},
     {JointKind::kPin, "pin"},
     {JointKind::kWeld, "weld"},
+});
+
+inline constexpr auto kStopNames = std::to_array<Named<StopKind>>({
+    {StopKind::kTime, "time"},
+    {StopKind::kImpact, "impact"},
+    {StopKind::kEveryImpact, "every-impact"},
+    {StopKind::kPassing, "passing"},
+    {StopKind::kRest, "rest"},
+    {StopKind::kKineticEnergy, "kinetic-energy"},
+});
+
+inline constexpr auto kStopQuantityNames = std::to_array<Named<StopQuantity>>({
+    {StopQuantity::kX, "x"},
+    {StopQuantity::kY, "y"},
+    {StopQuantity::kAngle, "angle"},
+    {StopQuantity::kSpeed, "speed"},
+});
+
+inline constexpr auto kPassingWayNames = std::to_array<Named<PassingWay>>({
+    {PassingWay::kEither, "either"},
+    {PassingWay::kUpwards, "upwards"},
+    {PassingWay::kDownwards, "downwards"},
 });
 
 // The word for `id`; the tables contain every id.

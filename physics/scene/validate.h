@@ -48,7 +48,7 @@ inline constexpr auto kRules = std::to_array<RuleText>({
      "Names of materials, bodies, springs and links stand once; so does each pair of materials."},
     {Rule::kReferences,
      "Names of bodies and materials are those of the file; links, springs and forces act on bodies that are "
-     "neither fixed nor driven, and not on one body twice."},
+     "neither fixed nor driven, and not on one body twice; an impact is of two bodies."},
     {Rule::kKeysTogether,
      "Some keys exclude others: a fixed body has no velocity, a driven one no mass, a massless one no density; "
      "each type of force on all bodies stands once."},

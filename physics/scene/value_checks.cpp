@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "physics/scene/plain_text.h"
+#include "physics/scene/range_check.h"
 #include "physics/scene/validate.h"
 
 namespace carom {
@@ -66,6 +67,14 @@ const Body& movable_body(const NamedBodies& bodies, const std::string& place, co
     refuse_by(Rule::kReferences, place, fmt::format("\"{}\", which no force moves,", shortened(name, 40)),
               "a body that is neither fixed nor driven");
   return body;
+}
+
+void check_stop(const std::string& place, const Stop& stop, const NamedBodies& bodies) {
+  check_fields(place, stop);
+  if (!stop.body.empty()) (void)named_body(bodies, place + "/body", stop.body);
+  if (!stop.with.empty()) (void)named_body(bodies, place + "/with", stop.with);
+  if (!stop.with.empty() && stop.with == stop.body)
+    refuse_by(Rule::kReferences, place + "/with", "\"" + stop.with + "\" again", "another body");
 }
 
 }  // namespace carom

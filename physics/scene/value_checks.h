@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "physics/scene/scene.h"
+#include "physics/scene/stop.h"
 #include "physics/scene/validate.h"
 
 // Checks of single values of a scene or a preset. Each throws a SceneError that names `place`.
@@ -25,6 +26,9 @@ using NamedBodies = std::unordered_map<std::string, const Body*>;
                                      const std::string& name);
 // One that forces can move.
 const Body& movable_body(const NamedBodies& bodies, const std::string& place, const std::string& name);
+
+// Its numbers, and that the bodies that it names are there.
+void check_stop(const std::string& place, const Stop& stop, const NamedBodies& bodies);
 
 // Checks the joints of a scene whose bodies, `bodies`, are good: references, numbers, and that at the start the
 // ends are where the joints hold them and don't leave there. Throws SceneError with the JSON pointer of the

@@ -328,6 +328,18 @@ TEST_F(PresetFiles, AFailedSaveLeavesTheOldFile) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
+TEST(PresetStops, AreWrittenAsTheyAreRead) {
+  Preset preset = parse_preset(content(test::source("tests/fuzz/seeds/every-key.json")), "every-key.json");
+  ASSERT_EQ(preset.stops.size(), 6U);
+  preset.stops.push_back(stop_of("", "at the 1st impact"));
+  preset.stops.push_back(stop_of("", "when a passes x = 0 m"));
+  EXPECT_EQ(parse_preset(write_preset(preset), "written").stops, preset.stops);
+  EXPECT_EQ(variant(preset, {{"/stop/0/time", 0.25}, {"/stop/7/value", 2.0}}).stops[7].value, 2.0);
+  EXPECT_NE(write_preset(preset).find(R"({"type": "impact", "number": 1})"), std::string::npos);
+  preset.stops.back().body = "nobody";
+  EXPECT_THROW(validate(preset), SceneError);
+}
+
 // The tables of the reference for people are those that `carom validate --keys` prints.
 TEST(PresetHelp, HasTheTablesOfTheFields) {
   const std::string page = content(test::source("app/help/presets.md"));

@@ -23,7 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A whole number is one however it is written: 1.0 as well as 1. The validator knows the second alone.
+// A whole number is one however it is written: 1.0 as well as 1. The validator knows the second alone. It
+// counts the characters of a text up to a zero only.
 nlohmann::json plain(const Json& value) {
   if (value.is_array() || value.is_object()) {
     nlohmann::json out = value.is_array() ? nlohmann::json::array() : nlohmann::json::object();
@@ -35,6 +36,11 @@ nlohmann::json plain(const Json& value) {
       }
     }
     return out;
+  }
+  if (value.is_string()) {
+    auto text = value.get<std::string>();
+    std::replace(text.begin(), text.end(), '\0', ' ');
+    return text;
   }
   if (value.is_number_float() && std::abs(value.get<double>()) < 9e15) {
     const auto x = value.get<double>();

@@ -1,0 +1,274 @@
+#include "physics/run/stop_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "physics/ledger/totals.h"
+#include "physics/math/roots.h"
+#include "physics/step/pair_motion.h"
+
+namespace carom {
+namespace {
+
+// m/s: a bound of the speed of any point of a body that forces move.
+double fastest(const Simulation& run) {
+  double most = 0.0;
+  for (int i = 0; i < run.state().size(); ++i) {
+    if (!(run.mass().inverse_mass[i] > 0.0)) continue;
+    const double reach = run.mass().inverse_inertia[i] > 0.0 ? run.shapes().reach[i] : 0.0;
+    most = std::max(most, run.state().velocity(i).norm() + reach * std::abs(run.state().v(2, i)));
+  }
+  return most;
+}
+
+// Nothing rests where nothing can move.
+bool at_rest(const Simulation& run) {
+  return (run.mass().inverse_mass.array() > 0.0).any() && fastest(run) <= kRestSpeed;
+}
+
+// If nobody adds anything.
+bool stays_at_rest(Simulation run) {
+  run.set_edits({});
+  const double end = run.time() + StopWatch::kRestLasts;
+  while (!run.lost() && at_rest(run)) {
+    const double h = step_towards(end, run.time(), run.method().step);
+    if (h == 0.0) return true;
+    run.step(h);
+  }
+  return false;
+}
+
+// Of q and v.
+int row_of(StopQuantity quantity) {
+  return quantity == StopQuantity::kX ? 0 : quantity == StopQuantity::kY ? 1 : 2;
+}
+
+// J or the unit of the body's quantity.
+double value_of(const Stop& stop, int body, const State& state, const MassProperties& mass) {
+  if (stop.kind == StopKind::kKineticEnergy) return kinetic_energy(state, mass);
+  if (stop.quantity != StopQuantity::kSpeed) return state.q(row_of(stop.quantity), body);
+  return state.velocity(body).norm();
+}
+
+// The same a second; NaN where accelerations would be needed.
+double rate_of(const Stop& stop, int body, const State& state) {
+  const bool known = stop.kind == StopKind::kPassing && stop.quantity != StopQuantity::kSpeed;
+  return known ? state.v(row_of(stop.quantity), body) : std::numeric_limits<double>::quiet_NaN();
+}
+
+double bound_of(const Stop& stop) { return stop.kind == StopKind::kPassing ? stop.value : stop.below; }
+
+bool passes(const Stop& stop) {
+  return stop.kind == StopKind::kPassing || stop.kind == StopKind::kKineticEnergy;
+}
+
+// 1 where it comes from below and rises, -1 where it falls from above, if it may pass that way; else 0.
+double sign_of(const Stop& stop, double value) {
+  const bool may_rise = stop.kind == StopKind::kPassing && stop.way != PassingWay::kDownwards;
+  const bool may_fall = stop.kind == StopKind::kKineticEnergy || stop.way != PassingWay::kUpwards;
+  if (value < bound_of(stop)) return may_rise ? 1.0 : 0.0;
+  return value > bound_of(stop) && may_fall ? -1.0 : 0.0;
+}
+
+}  // namespace
+
+StopWatch::StopWatch(const std::vector<Stop>& stops, Simulation& run) {
+  for (const Stop& stop : stops) watched_.push_back({.stop = stop});
+  if (std::any_of(stops.begin(), stops.end(), passes)) run.watch_impacts(true);
+}
+
+void StopWatch::find_bodies(const Simulation& run) {
+  if (model_ == run.model()) return;
+  model_ = run.model();
+  const auto index = [&run](const std::string& name) {
+    if (name.empty()) return -1;
+    const auto found = std::find_if(run.bodies().begin(), run.bodies().end(),
+                                    [&name](const Body& body) { return body.name == name; });
+    return found == run.bodies().end() ? -1 : static_cast<int>(found - run.bodies().begin());
+  };
+  for (Watched& each : watched_) {
+    each.body = index(each.stop.body);
+    each.with = index(each.stop.with);
+  }
+}
+
+// s: the step ends where the clock comes to a stop.
+double StopWatch::clipped(const Simulation& run, double h) const {
+  for (const Watched& each : watched_) {
+    if (each.stop.kind != StopKind::kTime) continue;
+    const double left = step_towards(each.stop.time, run.time(), run.method().step);
+    if (left > 0.0) h = std::min(h, left);
+  }
+  return h;
+}
+
+void StopWatch::begin(const Simulation& run, double h) {
+  find_bodies(run);
+  start_ = run.time();
+  length_ = h;
+  looks_.assign(watched_.size(), {});
+  for (std::size_t i = 0; i < watched_.size(); ++i) {
+    if (is_there(watched_[i])) looks_[i] = look(watched_[i], run.state(), run.mass(), 0.0);
+  }
+  rests_ = at_rest(run);
+  again_.begins(run, h);
+}
+
+std::optional<std::size_t> StopWatch::step(Simulation& run, double h) {
+  if (watched_.empty()) {
+    run.step(h);
+    return std::nullopt;
+  }
+  begin(run, clipped(run, h));
+  run.step(length_);
+  if (run.lost()) return std::nullopt;
+  const std::optional<Coming> first = first_in(run);
+  if (first && first->after < (1.0 - kSameMoment) * length_) {
+    run = run_at(*first);
+    again_.forget();
+  }
+  for (Watched& each : watched_) each.impacts += impacts_of(each, run);
+  return first ? std::optional(first->stop) : std::nullopt;
+}
+
+std::optional<StopWatch::Coming> StopWatch::first_in(const Simulation& run) {
+  std::optional<Coming> first;
+  for (std::size_t i = 0; i < watched_.size(); ++i) {
+    const std::optional<Coming> coming = in_step(i, run);
+    if (coming && (!first || coming->after < first->after)) first = coming;
+  }
+  return first;
+}
+
+std::optional<StopWatch::Coming> StopWatch::in_step(std::size_t index, const Simulation& run) {
+  const Stop& stop = watched_[index].stop;
+  switch (stop.kind) {
+    case StopKind::kTime: {
+      const double same = kSameMoment * run.method().step;
+      const bool comes = stop.time > start_ + same && stop.time <= run.time() + same;
+      return comes ? std::optional(Coming{.stop = index, .after = length_}) : std::nullopt;
+    }
+    case StopKind::kImpact:
+    case StopKind::kEveryImpact:
+      return impact_in(index, run);
+    case StopKind::kPassing:
+    case StopKind::kKineticEnergy:
+      return passing_in(index, run);
+    case StopKind::kRest:
+      break;
+  }
+  const std::optional<double> after = rest_in(run);
+  return after ? std::optional(Coming{.stop = index, .after = *after}) : std::nullopt;
+}
+
+bool StopWatch::is_of(const Watched& watched, const ImpactRecord& impact, const MassProperties& mass) {
+  const Stop& stop = watched.stop;
+  const auto between = [&](int one, int other) {
+    return (stop.body.empty() || one == watched.body) && (stop.with.empty() || other == watched.with) &&
+           (!stop.with_wall || !(mass.inverse_mass[other] > 0.0));
+  };
+  return between(impact.a, impact.b) || between(impact.b, impact.a);
+}
+
+std::int64_t StopWatch::impacts_of(const Watched& watched, const Simulation& run) {
+  return std::count_if(run.last_impacts().begin(), run.last_impacts().end(),
+                       [&](const ImpactRecord& impact) { return is_of(watched, impact, run.mass()); });
+}
+
+std::optional<StopWatch::Coming> StopWatch::impact_in(std::size_t index, const Simulation& run) const {
+  const Watched& watched = watched_[index];
+  const std::int64_t left =
+      watched.stop.kind == StopKind::kEveryImpact ? 1 : watched.stop.number - watched.impacts;
+  if (left < 1) return std::nullopt;
+  std::int64_t impacts = 0;
+  for (const ImpactRecord& impact : run.last_impacts()) {
+    impacts += is_of(watched, impact, run.mass()) ? 1 : 0;
+    if (impacts < left) continue;
+    const double just_after = std::nextafter(impact.time, std::numeric_limits<double>::infinity());
+    return Coming{.stop = index, .after = just_after - start_, .impacts = left};
+  }
+  return std::nullopt;
+}
+
+StopWatch::Look StopWatch::look(const Watched& watched, const State& state, const MassProperties& mass,
+                                double after) {
+  return {after, value_of(watched.stop, watched.body, state, mass), rate_of(watched.stop, watched.body, state)};
+}
+
+StopWatch::Look StopWatch::look_at(const Watched& watched, double after) {
+  const Simulation part = again_.made(after);
+  return look(watched, part.state(), part.mass(), after);
+}
+
+std::optional<StopWatch::Coming> StopWatch::passing_in(std::size_t index, const Simulation& run) {
+  const Watched& watched = watched_[index];
+  if (!is_there(watched)) return std::nullopt;
+  std::vector<Look> looks{looks_[index]};
+  const auto add = [&](const Look& next) {
+    if (const auto turn = turn_between(watched, looks.back(), next)) looks.push_back(*turn);
+    looks.push_back(next);
+  };
+  for (const Jump& jump : run.last_jumps()) {
+    add(look(watched, jump.before, run.mass(), jump.time - start_));
+    looks.push_back(look(watched, jump.after, run.mass(), jump.time - start_));
+  }
+  add(look(watched, run.state(), run.mass(), length_));
+  for (std::size_t i = 1; i < looks.size(); ++i) {
+    const double sign = sign_of(watched.stop, looks[i - 1].value);
+    if (sign * (looks[i].value - bound_of(watched.stop)) < 0.0 || sign == 0.0) continue;
+    return Coming{.stop = index, .after = moment_between(watched, looks[i - 1], looks[i]), .sign = sign};
+  }
+  return std::nullopt;
+}
+
+// Where the value turns back, if its tangents lead beyond its bound.
+std::optional<StopWatch::Look> StopWatch::turn_between(const Watched& watched, const Look& a, const Look& b) {
+  const double bound = bound_of(watched.stop);
+  const double towards = a.value < bound ? 1.0 : -1.0;
+  const double span = b.after - a.after;
+  const bool turns = towards * a.rate > 0.0 && towards * b.rate < 0.0 && towards * (b.value - bound) < 0.0 &&
+                     towards * (a.value + a.rate * span - bound) > 0.0 &&
+                     towards * (b.value - b.rate * span - bound) > 0.0;
+  if (!turns) return std::nullopt;
+  const auto rate = [&](double after) { return towards * look_at(watched, after).rate; };
+  return look_at(watched, bracketed_root(rate, a.after, towards * a.rate, b.after, towards * b.rate));
+}
+
+// s after the step's start: when the value comes to its bound, which lies between two looks.
+double StopWatch::moment_between(const Watched& watched, const Look& a, const Look& b) {
+  const double bound = bound_of(watched.stop);
+  const double sign = a.value < bound ? 1.0 : -1.0;
+  const auto beyond = [&](double after) { return sign * (look_at(watched, after).value - bound); };
+  if (b.value == bound || b.after <= a.after) return b.after;
+  return bracketed_root(beyond, b.after, sign * (b.value - bound), a.after, sign * (a.value - bound));
+}
+
+std::optional<double> StopWatch::rest_in(const Simulation& run) {
+  if (rests_ || !at_rest(run) || !stays_at_rest(run)) return std::nullopt;
+  const double slower = kRestSpeed - fastest(run);
+  if (!(slower > 0.0)) return length_;
+  return bracketed_root([&](double after) { return kRestSpeed - fastest(again_.made(after)); }, length_, slower,
+                        0.0, kRestSpeed - fastest(again_.made(0.0)));
+}
+
+bool StopWatch::has_come(const Coming& coming, const Simulation& run) const {
+  const Watched& watched = watched_[coming.stop];
+  if (passes(watched.stop)) {
+    const double value = value_of(watched.stop, watched.body, run.state(), run.mass());
+    return coming.sign * (value - bound_of(watched.stop)) >= 0.0;
+  }
+  return watched.stop.kind == StopKind::kRest ? at_rest(run) : impacts_of(watched, run) >= coming.impacts;
+}
+
+// A little later where rounding, or the forces of contacts in a shorter step, leave it just before.
+Simulation StopWatch::run_at(const Coming& coming) {
+  const double rounding = std::numeric_limits<double>::epsilon() * std::max(start_, length_);
+  for (double later = 0.0;; later = std::max(2.0 * later, rounding)) {
+    const double after = std::min(coming.after + later, length_);
+    Simulation part = again_.made(after);
+    if (after == length_ || has_come(coming, part)) return part;
+  }
+}
+
+}  // namespace carom

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "physics/run/simulation.h"
+#include "physics/run/step_again.h"
+#include "physics/scene/stop.h"
+#include "physics/step/run_clock.h"
+
+namespace carom {
+
+// Steps a run until one of several moments comes (physics/scene/stop.h).
+//
+// A moment is found on the run's own motion: the step in which it lies is made again with other lengths, so
+// that the state there is one of the run, as exact as its method. That of an impact is just after it; under
+// impacts at the step's end it is the step's end.
+//
+// What passes or falls is looked at at the ends of steps and on both sides of the impacts whose jumps are
+// recorded (see ImpactLog), a place or an angle also where it turns back in between. What begins at its value
+// has not come there. Impacts are counted from where the watch begins, those that are logged.
+//
+// All is at rest when no body that forces move is faster than kRestSpeed (physics/step/pair_motion.h), at its
+// centre and rim together, and stays so for kRestLasts. A run that begins at rest has not come to rest.
+class StopWatch {
+ public:
+  static constexpr double kRestLasts = 0.1;  // s: a body that turns back is faster by then
+
+  StopWatch(const std::vector<Stop>& stops, Simulation& run);
+
+  // Steps until `end` (s) or the first of the moments, and calls after_step() after each step, as
+  // Simulation::advance_to(). The index of the stop that came; nothing at the end and for a lost run.
+  template <class AfterStep>
+  std::optional<std::size_t> advance_to(Simulation& run, double end, const AfterStep& after_step) {
+    while (!run.lost()) {
+      while (run.due() != nullptr) run.apply_due();
+      const double h = step_towards(end, run.time(), run.method().step);
+      if (h == 0.0) return std::nullopt;
+      const std::optional<std::size_t> stop = step(run, h);
+      if (!run.lost()) after_step();
+      if (stop) return stop;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Watched {
+    Stop stop;
+    // Indices of the bodies that it names; -1: none, or not there yet.
+    int body = -1;
+    int with = -1;
+    std::int64_t impacts = 0;  // of its kind so far
+  };
+  // What passes a value at one moment of a step.
+  struct Look {
+    double after = 0.0;  // s since the step's start
+    double value = 0.0;
+    double rate = 0.0;  // a second; NaN: not known
+  };
+  // A stop in the step under way.
+  struct Coming {
+    std::size_t stop = 0;
+    double after = 0.0;        // s since the step's start
+    double sign = 0.0;         // 1: its value rises there; -1: it falls
+    std::int64_t impacts = 0;  // so many of its kind have happened then
+  };
+
+  std::optional<std::size_t> step(Simulation& run, double h);
+  void find_bodies(const Simulation& run);
+  void begin(const Simulation& run, double h);
+  [[nodiscard]] double clipped(const Simulation& run, double h) const;
+  [[nodiscard]] std::optional<Coming> first_in(const Simulation& run);
+  [[nodiscard]] std::optional<Coming> in_step(std::size_t index, const Simulation& run);
+  [[nodiscard]] std::optional<Coming> impact_in(std::size_t index, const Simulation& run) const;
+  [[nodiscard]] std::optional<Coming> passing_in(std::size_t index, const Simulation& run);
+  [[nodiscard]] std::optional<Look> turn_between(const Watched& watched, const Look& a, const Look& b);
+  [[nodiscard]] double moment_between(const Watched& watched, const Look& a, const Look& b);
+  [[nodiscard]] Look look_at(const Watched& watched, double after);
+  [[nodiscard]] std::optional<double> rest_in(const Simulation& run);
+  // Whether it has come in a run that has made a part of the step.
+  [[nodiscard]] bool has_come(const Coming& coming, const Simulation& run) const;
+  [[nodiscard]] Simulation run_at(const Coming& coming);
+  [[nodiscard]] static bool is_there(const Watched& watched) {  // a value that it looks at
+    return watched.stop.kind == StopKind::kKineticEnergy ||
+           (watched.stop.kind == StopKind::kPassing && watched.body >= 0);
+  }
+  [[nodiscard]] static bool is_of(const Watched& watched, const ImpactRecord& impact,
+                                  const MassProperties& mass);
+  [[nodiscard]] static std::int64_t impacts_of(const Watched& watched, const Simulation& run);
+  [[nodiscard]] static Look look(const Watched& watched, const State& state, const MassProperties& mass,
+                                 double after);
+
+  std::vector<Watched> watched_;
+  std::shared_ptr<const Model> model_;  // of the indices
+  StepAgain again_;
+  double start_ = 0.0;       // s, of the step under way
+  double length_ = 0.0;      // s, its own
+  std::vector<Look> looks_;  // of each stop at its start
+  bool rests_ = false;       // all, at its start
+};
+
+}  // namespace carom
