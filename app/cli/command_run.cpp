@@ -13,6 +13,9 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/run/simulation.h"
+#include "physics/run/stop_watch.h"
+#include "physics/scene/stop.h"
+#include "physics/scene/value_checks.h"
 
 namespace carom {
 namespace {
@@ -20,7 +23,8 @@ namespace {
 struct RunOptions {
   std::string preset;
   MethodOptions method;
-  std::optional<double> until;  // s; without it the preset's duration
+  std::optional<double> until;     // s; without it the preset's duration
+  std::vector<std::string> stops;  // sentences, beside the preset's own stops
   bool json = false;
   std::string csv;     // file for the run's sums and paths, step by step
   std::string events;  // file for its impacts
@@ -50,8 +54,21 @@ class Progress {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+// Adds the stops of the command line.
+Preset preset_with_stops(const RunOptions& options) {
+  Preset preset = preset_with_method(options.preset, options.method);
+  const std::vector<Body> all = all_bodies(preset);
+  NamedBodies bodies;
+  for (const Body& body : all) bodies.emplace(body.name, &body);
+  for (const std::string& sentence : options.stops) {
+    preset.stops.push_back(stop_of("--stop", sentence));
+    check_stop("--stop", preset.stops.back(), bodies);
+  }
+  return preset;
+}
+
 int run(const RunOptions& options) {
-  const Preset preset = preset_with_method(options.preset, options.method);
+  const Preset preset = preset_with_stops(options);
   const Simulation start(setup_of(preset));
   const double end = options.until.value_or(preset.duration);
   if (end < start.time() - kSameMoment * preset.method.step) {  // less is rounding
@@ -71,9 +88,11 @@ int run(const RunOptions& options) {
     csv->line(csv_line(columns, simulation));
   }
   if (events != nullptr) events->line(events_csv_header());
+  std::optional<std::size_t> stop;
   {
     Progress progress(end);
-    simulation.advance_to(end, [&] {
+    StopWatch watch(preset.stops, simulation);
+    stop = watch.advance_to(simulation, end, [&] {
       if (csv != nullptr) csv->line(csv_line(columns, simulation));
       if (events != nullptr) {
         for (const ImpactRecord& impact : simulation.last_impacts())
@@ -92,8 +111,10 @@ int run(const RunOptions& options) {
     }
   }
   const std::string failures = outputs.commit();
-  write_out(options.json ? report_json(find_preset(options.preset).stem().string(), simulation)
-                         : report_text(preset, start, simulation));
+  std::optional<std::string> stopped;
+  if (!preset.stops.empty()) stopped = stop ? sentence_of(preset.stops[*stop]) : "";
+  write_out(options.json ? report_json(find_preset(options.preset).stem().string(), simulation, stopped)
+                         : report_text(preset, start, simulation, stopped));
   if (const auto& lost = simulation.lost()) {
     const std::string text = lost->text(simulation.bodies(), simulation.time());
     throw RunLostError(failures.empty() ? text : text + "; " + failures);
@@ -109,6 +130,13 @@ Command add_run_command(CLI::App& program, Arguments /*arguments*/) {
   CLI::App& command = *program.add_subcommand("run", "run an experiment and print what was before and after");
   add_preset_option(command, options->preset)->required();
   add_time_option(command, "--until", options->until, "end of the run, s (default: the preset's duration)");
+  command
+      .add_option(
+          "--stop", options->stops,
+          "where the run ends before, as \"at the 3rd impact\" or \"when A passes x = 0.4 m\"; several may "
+          "be given")
+      ->type_name("SENTENCE")
+      ->allow_extra_args(false);
   add_method_options(command, options->method);
   command.add_flag("--json", options->json, "print one JSON object instead of tables");
   add_output_option(command, "--csv", options->csv, "write sums and paths of every step");

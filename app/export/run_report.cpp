@@ -62,10 +62,13 @@ std::string ledger_text(const Ledger& ledger, const Totals& now) {
 
 }  // namespace
 
-std::string report_text(const Preset& preset, const Simulation& start, const Simulation& end) {
+std::string report_text(const Preset& preset, const Simulation& start, const Simulation& end,
+                        const std::optional<std::string>& stopped) {
   std::string out = fmt::format("{}\n{}", printable(preset.title), method_text(end));
-  out += fmt::format("t = {} s after {}, {}\n\n", figure(end.time()), counted(end.steps(), "step"),
+  out += fmt::format("t = {} s after {}, {}\n", figure(end.time()), counted(end.steps(), "step"),
                      counted(end.impact_count(), "impact"));
+  if (stopped) out += stopped->empty() ? "none of its stops came\n" : "stopped " + printable(*stopped) + "\n";
+  out += '\n';
 
   std::size_t name_width = 4;
   for (const Body& b : end.bodies()) {
@@ -110,7 +113,8 @@ std::string report_text(const Preset& preset, const Simulation& start, const Sim
   return out;
 }
 
-std::string report_json(const std::string& preset, const Simulation& end) {
+std::string report_json(const std::string& preset, const Simulation& end,
+                        const std::optional<std::string>& stopped) {
   using Json = nlohmann::ordered_json;
   const auto pair = [](const Vec2& v) { return Json::array({v.x(), v.y()}); };
   const Method& m = end.method();
@@ -128,6 +132,7 @@ std::string report_json(const std::string& preset, const Simulation& end) {
   }
   j["order"] = choice_of(kIntegrators, m.integrator).order;
   j["time"] = end.time();
+  if (stopped) j["stopped"] = stopped->empty() ? Json() : Json(*stopped);
   j["steps"] = end.steps();
   j["rejected_steps"] = end.rejected_steps();
   j["evaluations"] = end.evaluations();
