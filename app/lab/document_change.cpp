@@ -87,16 +87,19 @@ std::vector<Renamed> edit_late_bodies(std::vector<RunEdit>& late, SceneEdits& ed
   return renamed;
 }
 
+// False if the body is gone.
+bool follow_name(std::string& body, const std::vector<Renamed>& renamed) {
+  const auto now =
+      std::find_if(renamed.begin(), renamed.end(), [&](const Renamed& r) { return r.from == body; });
+  if (now == renamed.end()) return true;
+  body = now->to;
+  return !body.empty();
+}
+
 // False if the quantity is of a body that is gone.
 bool follow_names(QuantityName& quantity, const std::vector<Renamed>& renamed) {
-  for (std::string& body : quantity.bodies) {
-    const auto now =
-        std::find_if(renamed.begin(), renamed.end(), [&](const Renamed& r) { return r.from == body; });
-    if (now == renamed.end()) continue;
-    if (now->to.empty()) return false;
-    body = now->to;
-  }
-  return true;
+  return std::all_of(quantity.bodies.begin(), quantity.bodies.end(),
+                     [&](std::string& body) { return follow_name(body, renamed); });
 }
 
 std::vector<Plot> with_names(std::vector<Plot> plots, const std::vector<Renamed>& renamed) {
@@ -106,6 +109,13 @@ std::vector<Plot> with_names(std::vector<Plot> plots, const std::vector<Renamed>
     return (had_lines && plot.y.empty()) || (plot.x && !follow_names(*plot.x, renamed));
   });
   return plots;
+}
+
+// Those about bodies that are gone go, too.
+std::vector<Stop> with_names(std::vector<Stop> stops, const std::vector<Renamed>& renamed) {
+  std::erase_if(
+      stops, [&](Stop& stop) { return !follow_name(stop.body, renamed) || !follow_name(stop.with, renamed); });
+  return stops;
 }
 
 std::vector<Plot> without_theories(std::vector<Plot> plots) {
@@ -154,6 +164,8 @@ DocumentChange change_to(const Document& document, Start start, SceneEdits edits
   std::vector<Plot> plots = with_names(preset.plots, renamed);
   if (document.is_experiment) plots = without_theories(std::move(plots));
   if (plots != preset.plots) change.emplace_back(SetPlots{std::move(plots)});
+  std::vector<Stop> stops = with_names(preset.stops, renamed);
+  if (stops != preset.stops) change.emplace_back(SetStops{std::move(stops)});
   Methods methods = document.methods();
   methods.own = possible(methods.own, after);
   for (Method& method : methods.others) method = possible(method, after);

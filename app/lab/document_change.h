@@ -40,6 +40,7 @@ using SetLateBodies = Set<&Preset::edits>;
 using SetSaved = Set<&Preset::saved>;
 using SetExpectations = Set<&Preset::expect>;
 using SetPlots = Set<&Preset::plots>;
+using SetStops = Set<&Preset::stops>;
 
 struct SetMethods {
   Methods methods;
@@ -47,8 +48,8 @@ struct SetMethods {
 };
 
 // A change of a document as a value: its parts in the order in which they are made.
-using DocumentChange = std::vector<
-    std::variant<SceneEdits, SetScene, SetLateBodies, SetSaved, SetExpectations, SetPlots, SetMethods>>;
+using DocumentChange = std::vector<std::variant<SceneEdits, SetScene, SetLateBodies, SetSaved, SetExpectations,
+                                                SetPlots, SetStops, SetMethods>>;
 
 // Makes the change and returns the one that takes it back. Throws std::out_of_range if a part that is edited
 // is not there.

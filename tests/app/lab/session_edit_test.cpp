@@ -146,6 +146,7 @@ TEST_F(SessionEditTest, WhatNamesABodyFollowsItsName) {
   Plot plot;
   plot.y = {{"speed", {"right"}}, {"speed", {"left"}}};
   preset.plots = {plot};
+  preset.stops = {stop_of("", "at the 1st impact of left with right"), stop_of("", "when left passes x = 1 m")};
   open(preset);
   const std::string before = document();
   Body right = now("right");
@@ -153,11 +154,14 @@ TEST_F(SessionEditTest, WhatNamesABodyFollowsItsName) {
   edit(Replace<Body>{right}, "Rename");
   EXPECT_EQ(session_.document().scene.joints[0].to, "heavy");
   EXPECT_EQ(session_.document().plots[0].y[0].bodies[0], "heavy");
+  EXPECT_EQ(sentence_of(session_.document().stops[0]), "at the 1st impact of left with heavy");
   run_to(0.2);
   edit(Remove<Body>{now("heavy").id}, "Delete heavy");
   EXPECT_TRUE(session_.document().scene.joints.empty());
   ASSERT_EQ(session_.document().plots[0].y.size(), 1U);
   EXPECT_EQ(session_.document().plots[0].y[0].bodies[0], "left");
+  ASSERT_EQ(session_.document().stops.size(), 1U);
+  EXPECT_EQ(sentence_of(session_.document().stops[0]), "when left passes x = 1 m");
   EXPECT_EQ(session_.bodies().size(), 1U);
   undo();
   undo();
