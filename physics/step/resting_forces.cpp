@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <cmath>
+
+#include "physics/contact/contact_velocity.h"
+#include "physics/dynamics/integrators/integrators.h"
+#include "physics/math/vectors.h"
+#include "physics/step/contact_work.h"
+#include "physics/step/resting_contacts.h"
+
+// The forces of resting contacts: what stops approaches, constant forces, and linear ones in their place.
+namespace carom {
+namespace {
+
+// Of what presses a contact in a step: the contact forces end slower approaches of supported contacts.
+constexpr double kGentle = 0.1;
+// Guesses of the contact forces in a step, until the flight under them has end velocities that are off by at
+// most kGuessed of the change of a speed by forces.
+constexpr int kMostGuesses = 6;
+constexpr int kMostGuessesOfMany = 2;  // of more than kFewContacts
+constexpr int kFewContacts = 16;
+constexpr double kGuessed = 1e-9;
+// Rounds in which contacts break away from static friction in one step.
+constexpr int kMostBreaks = 3;
+// Corrections of the contact forces where the integrator's flight is not linear in them.
+constexpr int kMostRounds = 12;
+// Of the change of a speed by forces in a step: a smaller residual is not worth a notice.
+constexpr double kNotable = 1e-6;
+
+void report_residual(World& world, const ContactSolverReport& report, double by_forces) {
+  if (report.missed_islands == 0 || report.residual <= kNotable * by_forces) return;
+  world.note(&Notices::contacts_left_since, world.clock.time);
+  double& left = world.sums.notices.contacts_left;
+  left = std::max(left, report.residual);
+}
+
+}  // namespace
+
+// Solves the contacts from these velocities into after_. What static friction can't hold slides from the start,
+// under kinetic friction: it is solved again.
+ContactSolverReport RestingContacts::solve(const World& world, const Eigen::Matrix3Xd& from,
+                                           const ContactSolverOptions& options) {
+  Contacts& c = found_.contacts;
+  sticks_ = c.sticks;
+  ContactSolverReport report;
+  for (int round = 0; round < kMostBreaks; ++round) {
+    after_ = from;
+    c.sticks = sticks_;
+    report = solve_prepared(world.mass(), c, after_, options, workspace_);
+    bool breaks = false;
+    for (int i = 0; i < c.size(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (sticks_[k] == 0 || c.sticks[k] != 0 || !(c.static_friction[k] > c.kinetic_friction[k])) continue;
+      if (!(c.normal_impulse[k] > 0.0)) continue;
+      sticks_[k] = 0;
+      breaks = true;
+    }
+    if (!breaks) break;
+  }
+  return report;
+}
+
+// Contacts that close, or would within the step, lose their closing speed now.
+void RestingContacts::stop_approaches(World& world, double h) {
+  Contacts& c = found_.contacts;
+  const ContactSolverOptions options = solver_options();
+  double worst = 0.0;
+  for (int i = 0; i < c.size(); ++i) {
+    if (!std::isfinite(c.target[i])) continue;
+    c.target[i] = -std::max(c.gap[i], 0.0) / h;
+    const double closing = c.target[i] - contact_velocity(c, i, before_).normal;
+    const double press = found_.press[static_cast<std::size_t>(i)];
+    if (found_.is_new(i) || closing > kGentle * press * step_length_) worst = std::max(worst, closing);
+  }
+  after_ = before_;
+  if (worst > 2.0 * options.tolerance) {
+    if (!prepared_) prepare(world);
+    if (worst > 2.0 * (has_large_island() ? options.large_tolerance : options.tolerance)) {
+      report_residual(world, solve(world, before_, options), pressing_.change_by_forces());
+      moved_ = 0.5 * (before_ + after_);
+      record_stops(world, c, moved_);
+      for (int i = 0; i < world.bodies(); ++i) {
+        if (world.infinite_mass(i) || after_.col(i) == before_.col(i)) continue;
+        world.trajectories.set_velocity(i, after_.col(i).head<2>(), after_(2, i));
+      }
+      before_ = after_;
+    }
+  }
+  for (int i = 0; i < c.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    memory_.forces.push_back({c.a[i], c.b[i], found_.id[k], found_.point[k], c.normal[i],
+                              c.normal_impulse[i] / h, c.tangential_impulse[i] / h, c.rolling_impulse[i] / h,
+                              true});
+  }
+}
+
+// Puts the accelerations by the last contact forces on the trajectories.
+void RestingContacts::push_as_before(World& world) {
+  const Contacts& c = found_.contacts;
+  const int n = world.bodies();
+  flight_.by.setZero(3, n);
+  flight_.press.setZero(n);
+  std::vector<int>& pushed = memory_.pushed;
+  for (int i = 0; i < c.size(); ++i) {
+    const Eigen::Vector3d& guess = found_.guess[static_cast<std::size_t>(i)];
+    const Vec2 force = guess[0] * c.normal[i] + guess[1] * crossed(c.normal[i]);
+    const auto push = [&](int body, double sign, const Vec2& arm) {
+      flight_.by.col(body).head<2>() += sign * world.mass().inverse_mass[body] * force;
+      flight_.by(2, body) += sign * world.mass().inverse_inertia[body] * (cross(arm, force) + guess[2]);
+      flight_.press[body] = std::max(flight_.press[body], std::abs(found_.press[static_cast<std::size_t>(i)]));
+      if (!world.infinite_mass(body)) pushed.push_back(body);
+    };
+    push(c.a[i], -1.0, c.arm_a[i]);
+    push(c.b[i], 1.0, c.arm_b[i]);
+  }
+  std::sort(pushed.begin(), pushed.end());
+  pushed.erase(std::unique(pushed.begin(), pushed.end()), pushed.end());
+  for (const int i : pushed) world.trajectories.set_contact_acceleration(i, flight_.by.col(i));
+}
+
+// The flight of bodies under the contact forces that are on the trajectories.
+void RestingContacts::fly(World& world, double h) {
+  const int n = world.bodies();
+  flight_.position.resize(3, n);
+  flight_.velocity = before_;
+  for (int i = 0; i < n; ++i) flight_.position.col(i) = world.trajectories.at_start(i).head<3>();
+  const auto move = [&](int i) {
+    const Motion end = world.trajectories.at(i, h);
+    flight_.position.col(i) = end.head<3>();
+    flight_.velocity.col(i) = end.segment<3>(3);
+  };
+  for (const int i : memory_.pushed) move(i);
+  for (int i = 0; i < n; ++i) {
+    if (world.model->is_kinematic(i)) move(i);
+  }
+  free_ = flight_.velocity - h * flight_.by;
+}
+
+// Finds forces on the trajectories such that the velocities satisfy the contacts at the step's end. If the
+// flight under these forces is far from the guessed one, they are the next guess.
+void RestingContacts::find_forces(World& world, double h) {
+  Contacts& c = found_.contacts;
+  at_start_ = c;
+  const ContactSolverOptions options = solver_options();
+  ContactSolverReport report;
+  const int most = c.size() <= kFewContacts ? kMostGuesses : kMostGuessesOfMany;
+  for (int guess = 0; guess < most; ++guess) {
+    if (guess > 0) {
+      for (int i = 0; i < c.size(); ++i) {
+        found_.guess[static_cast<std::size_t>(i)] =
+            Eigen::Vector3d(c.normal_impulse[i], c.tangential_impulse[i], c.rolling_impulse[i]) / h;
+      }
+      c = at_start_;
+      for (const int i : memory_.pushed) flight_.by.col(i) = (after_.col(i) - free_.col(i)) / h;
+    } else {
+      push_as_before(world);
+    }
+    fly(world, h);
+    turn_contacts(world, h, flight_, finder_.neighbours(), found_);
+    prepare(world);
+    report = solve_flight(world, h, options);
+    if (has_large_island()) break;
+    double off = 0.0;
+    for (const int i : memory_.pushed) {
+      const Eigen::Vector3d by = after_.col(i) - flight_.velocity.col(i);
+      off = std::max(off, by.head<2>().norm() + std::abs(by[2]) * world.shapes().size[i]);
+    }
+    if (off <= kGuessed * pressing_.change_by_forces()) break;
+  }
+  report_residual(world, report, pressing_.change_by_forces());
+}
+
+// Replaces the constant forces by linear ones where that is of a higher order. Returns for how long their
+// contacts stay what they are.
+double RestingContacts::improve_forces(World& world, double h, double least) {
+  const int order = choice_of(kIntegrators, world.method.integrator).order;
+  if (order == 1 || order == 2) return h;
+  const ContactSolverOptions options = solver_options();
+  return linear_.improve(world, h, finder_.neighbours(), options.tolerance, options.slip_speed,
+                         workspace_.islands, least, found_);
+}
+
+void RestingContacts::remember_forces(double h) {
+  const Contacts& c = found_.contacts;
+  for (int i = 0; i < c.size(); ++i) {
+    const Eigen::Vector3d by =
+        Eigen::Vector3d(c.normal_impulse[i], c.tangential_impulse[i], c.rolling_impulse[i]) / h;
+    ContactForce& f = memory_.forces[static_cast<std::size_t>(i)];
+    f.normal = c.normal[i];
+    f.normal_force += by[0];
+    f.tangential_force += by[1];
+    f.rolling_moment += by[2];
+    f.sticks = c.sticks[i] != 0;
+    const Eigen::Vector3d& guess = found_.guess[static_cast<std::size_t>(i)];
+    memory_.support.push_back(guess + h / step_length_ * (by - guess));
+  }
+}
+
+// The impulses with which the flight from the guess on satisfies the contacts, and their accelerations on the
+// trajectories.
+ContactSolverReport RestingContacts::solve_flight(World& world, double h, const ContactSolverOptions& options) {
+  Contacts& c = found_.contacts;
+  for (int i = 0; i < c.size(); ++i) {
+    const Eigen::Vector3d impulse = h * found_.guess[static_cast<std::size_t>(i)];
+    c.normal_impulse[i] = impulse[0];
+    c.tangential_impulse[i] = impulse[1];
+    c.rolling_impulse[i] = impulse[2];
+  }
+  ContactSolverReport report;
+  for (int round = 0; round < kMostRounds; ++round) {
+    report = solve(world, free_, options);
+    for (const int i : memory_.pushed)
+      world.trajectories.set_contact_acceleration(i, (after_.col(i) - free_.col(i)) / h);
+    if (world.trajectories.is_parabolic()) break;
+    double off = 0.0;
+    for (const int i : memory_.pushed) {
+      const Eigen::Vector3d by = world.trajectories.at(i, h).segment<3>(3) - after_.col(i);
+      off = std::max(off, by.head<2>().norm());
+      free_.col(i) += by;
+    }
+    if (off <= options.tolerance) break;
+    report.residual = std::max(report.residual, off);
+    if (round == kMostRounds - 1) ++report.missed_islands;
+  }
+  return report;
+}
+
+}  // namespace carom
