@@ -4,6 +4,7 @@
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "physics/worker/worker.h"
+#include "tests/support/gas_in_a_room.h"
 #include "tests/support/scenes.h"
 #include "tests/support/wait.h"
 
@@ -12,15 +13,9 @@ namespace carom {
 namespace {
 
 using test::disc;
-using test::room;
 
 Preset gas() {
-  std::vector<Body> bodies = room(1.0, 0.5);
-  for (int i = 0; i < 4; ++i) {
-    bodies.push_back(disc("disc " + std::to_string(i), {-0.6 + 0.4 * i, 0.1 * i}, {1.0 - 0.7 * i, 0.3 * i}));
-  }
-  Preset s = test::preset_with(std::move(bodies), 0.95, 0.1);
-  s.scene.forces.gravity = {0.0, -9.81};
+  Preset s = test::gas_in_a_room(0.95, 0.1);
   s.compare = {Method{.integrator = IntegratorId::kExplicitEuler, .step = 0.003}};
   return s;
 }
