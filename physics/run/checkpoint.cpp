@@ -126,6 +126,7 @@ void Simulation::go_on_from(const Checkpoint& from) {
   state.clock.steps = from.steps;
   state.sums = from.sums;
   state.work.scarce = from.sums.notices.work_spent_since >= 0.0;
+  state.work.impacts_capped = from.sums.notices.impacts_capped_since >= 0.0;
   TrajectoryState& trajectories = state.trajectories;
   trajectories.engaged = from.engaged;
   trajectories.taut = from.taut;

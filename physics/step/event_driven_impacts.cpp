@@ -215,13 +215,14 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
       end_of_step_.add(next.a, next.b, false);
       continue;
     }
-    const bool capped = world.sums.notices.impacts_capped_since >= 0.0;
+    const bool capped = world.work.impacts_capped();
     const int most_at_once = capped                                     ? kMostImpactsAtOnceCapped
                              : world.has_moving_corners(next.a, next.b) ? kMostCornersAtOnce
                                                                         : kMostImpactsAtOnce;
     const bool at_once = next.time == last_impact_ && at_once_ >= most_at_once;
     const std::int64_t impacts = world.sums.impact_count - step.impacts_begin;
     if (at_once || impacts >= (capped ? kMostImpactsOnceCapped : kMostImpactsPerStep)) {
+      world.work.cap_impacts();
       world.note(&Notices::impacts_capped_since, trajectories.epoch() + next.time);
       end_of_step_.add(next.a, next.b, false);
       continue;

@@ -28,11 +28,13 @@ class StepWork {
   struct Kept {
     bool scarce = false;
     std::int64_t reserve = kReserve;
+    bool impacts_capped = false;
   };
-  [[nodiscard]] Kept kept() const { return {scarce_ || left_ <= 0, reserve_}; }
+  [[nodiscard]] Kept kept() const { return {scarce_ || left_ <= 0, reserve_, impacts_capped_}; }
   void restore(const Kept& kept) {
     scarce_ = kept.scarce;
     reserve_ = kept.reserve;
+    impacts_capped_ = kept.impacts_capped;
     left_ = 1;
   }
 
@@ -66,6 +68,9 @@ class StepWork {
     }
   }
   [[nodiscard]] bool spent() const { return left_ <= 0; }
+  // A step has had as many impacts as one may have: later ones get fewer.
+  void cap_impacts() { impacts_capped_ = true; }
+  [[nodiscard]] bool impacts_capped() const { return impacts_capped_; }
   void stop_on(std::stop_token stop) { stop_ = std::move(stop); }
 
  private:
@@ -74,6 +79,7 @@ class StepWork {
   std::int64_t reserve_ = kReserve;
   std::int64_t since_look_ = 0;
   bool scarce_ = false;
+  bool impacts_capped_ = false;
   std::stop_token stop_;
 };
 
