@@ -8,14 +8,25 @@ namespace carom {
 
 Flights::Flights(std::shared_ptr<const Model> compiled, const Method& method)
     : model(std::move(compiled)), field(model), joints(model), general(model->needs.untrimmed) {
-  const Needs& needs = model->needs;
   const int n = static_cast<int>(bodies().size());
-  island_of.assign(n, -1);
   at_start.resize(Eigen::NoChange, n);
   constant = Eigen::Matrix3Xd::Zero(3, n);
-  std::vector<std::vector<int>> coupled;
-  if (needs.has(Part::kSprings) || needs.has(Part::kAttraction) || needs.has(Part::kJoints))
-    coupled = field.coupled_groups(model->joint_terms.joined());
+  for (int i = 0; i < n; ++i) {
+    at_start.col(i) = initial_motion(bodies()[i], model->start_time);
+    constant.col(i) = field.constant_acceleration(i);
+  }
+  at_end = at_start;
+  make_islands();
+  set_method(method);
+}
+
+void Flights::make_islands() {
+  const int n = static_cast<int>(bodies().size());
+  islands.clear();
+  members.clear();
+  groups.clear();
+  island_of.assign(n, -1);
+  std::vector<std::vector<int>> coupled = field.coupled_groups(joints.joined());
   if (general) {
     coupled.assign(1, {});
     for (int i = 0; i < n; ++i) {
@@ -41,12 +52,15 @@ Flights::Flights(std::shared_ptr<const Model> compiled, const Method& method)
   }
   joints.set_groups(coupled);
   for (int i = 0; i < n; ++i) {
-    at_start.col(i) = initial_motion(bodies()[i], model->start_time);
-    constant.col(i) = field.constant_acceleration(i);
     if (!bodies()[i].fixed && island_of[i] < 0) add_island({i}).kinematic = bodies()[i].drive.has_value();
   }
-  at_end = at_start;
-  set_method(method);
+}
+
+void Flights::add_weld(const Weld& weld) {
+  joints.add_weld(weld);
+  field.add_joints();
+  parabolic = false;
+  make_islands();
 }
 
 void Flights::set_method(const Method& method) {

@@ -51,6 +51,9 @@ struct Flights {
   // At the start of a run, from the positions and velocities of the bodies.
   Flights(std::shared_ptr<const Model> model, const Method& method);
   void set_method(const Method& method);
+  // One more joint, which couples its bodies: all islands are made anew, and their motions start where
+  // `at_start` says.
+  void add_weld(const Weld& weld);
 
   [[nodiscard]] const std::vector<Body>& bodies() const { return model->bodies(); }
   [[nodiscard]] std::span<const int> members_of(const Island& island) const {
@@ -67,6 +70,7 @@ struct Flights {
   void gather(const Island& island);  // motions at the start, into the group's `from`
   void spread(const Island& island);  // and back
 
+  void make_islands();
   // The motion advanced by h with these rows; the others stay what they are.
   template <int kGiven>
   void fly_rows(const Island& island, double h, Motion& out);

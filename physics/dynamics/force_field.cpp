@@ -22,6 +22,8 @@ ForceField::ForceField(std::shared_ptr<const Model> model)
     : model_(std::move(model)),
       terms_(&model_->forces),
       add_external_(add_external_of(model_->needs)),
+      has_quadratures_(!terms_->gravity_only),
+      constant_(terms_->constant),
       phase_(terms_->applied.size(), 0) {
   const std::vector<Body>& bodies = model_->bodies();
   const double time = model_->start_time;

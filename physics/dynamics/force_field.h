@@ -41,7 +41,7 @@ class ForceField {
       k.template tail<kGiven - kMotionRows>().setZero();
       if constexpr (kGiven == kRows)
         k[6 + kGravityAngularImpulse] = torque_of_gravity(body, y.template head<2>());
-      if (!terms_->gravity_only)
+      if (has_quadratures_)
         (this->*add_external_)(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
     }
   }
@@ -77,9 +77,14 @@ class ForceField {
   void add_couplings(std::span<const int> members, const Motions& y, Motions& k) const;
 
   // False if all quadratures but that of gravity stay zero.
-  [[nodiscard]] bool has_quadratures() const { return !terms_->gravity_only; }
+  [[nodiscard]] bool has_quadratures() const { return has_quadratures_; }
   // True if only gravity and forces that never change act: flight is a parabola.
-  [[nodiscard]] bool is_constant() const { return terms_->constant; }
+  [[nodiscard]] bool is_constant() const { return constant_; }
+  // From now on joints, which the model does not have, exert forces too.
+  void add_joints() {
+    has_quadratures_ = true;
+    constant_ = false;
+  }
   // m/s², m/s², rad/s²; of a movable body where is_constant(), zero for others.
   [[nodiscard]] Eigen::Vector3d constant_acceleration(int body) const;
 
@@ -108,7 +113,6 @@ class ForceField {
   // > 0 where the spring acts, < 0 where it doesn't, in N or m; for positions and velocities of its ends.
   [[nodiscard]] double switch_margin(int spring, const Motion& body, const Motion& other) const;
   [[nodiscard]] bool engaged(int spring) const { return engaged_[spring] != 0; }
-  void adopt(const ForceField& other) { engaged_ = other.engaged_; }  // of the same springs
   // Which springs act, by spring.
   using Switches = std::vector<std::uint8_t>;
   [[nodiscard]] const Switches& switches() const { return engaged_; }
@@ -140,6 +144,8 @@ class ForceField {
   std::shared_ptr<const Model> model_;
   const ForceTerms* terms_ = nullptr;  // the model's
   AddExternal add_external_ = nullptr;
+  bool has_quadratures_ = false;
+  bool constant_ = true;
   std::vector<std::uint8_t> engaged_;  // by spring
   std::vector<int> phase_;             // by applied force: 0 before, 1 rising, 2 full, 3 after
   bool in_contact_ = false;

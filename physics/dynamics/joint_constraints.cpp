@@ -34,10 +34,10 @@ constexpr double kTautAtStart = 1e-6;
 }  // namespace
 
 JointConstraints::JointConstraints(std::shared_ptr<const Model> model)
-    : model_(std::move(model)), terms_(&model_->joint_terms) {
+    : model_(std::move(model)), terms_(model_->joint_terms), welded_(model_->shapes.welded) {
   const std::vector<Body>& bodies = model_->bodies();
   const double time = model_->start_time;
-  for (const JointTerm& joint : terms_->all) {
+  for (const JointTerm& joint : terms_.all) {
     Motions ends(kRows, 2);
     ends.col(0) = initial_motion(bodies[joint.body], time);
     ends.col(1) = joint.other >= 0 ? initial_motion(bodies[joint.other]) : Motion(Motion::Zero());
@@ -50,11 +50,18 @@ JointConstraints::JointConstraints(std::shared_ptr<const Model> model)
   }
 }
 
+void JointConstraints::add_weld(const Weld& weld) {
+  terms_.all.push_back(weld_term(weld, model_->bodies(), model_->mass));
+  welds_.push_back(weld);
+  welded_.join(weld.body, weld.other);
+  taut_.push_back(1);
+}
+
 void JointConstraints::set_groups(const std::vector<std::vector<int>>& groups) {
   groups_.clear();
-  first_row_.assign(terms_->all.size(), -1);
+  first_row_.assign(terms_.all.size(), -1);
   std::vector<std::vector<int>> joints_at(model_->mass.mass.size());  // by their first body
-  for (int l = 0; l < static_cast<int>(terms_->all.size()); ++l) joints_at[terms_->all[l].body].push_back(l);
+  for (int l = 0; l < static_cast<int>(terms_.all.size()); ++l) joints_at[terms_.all[l].body].push_back(l);
   for (const std::vector<int>& members : groups) {
     Group& g = groups_.emplace_back();
     const auto column_of = [&](int body) {
@@ -67,11 +74,11 @@ void JointConstraints::set_groups(const std::vector<std::vector<int>>& groups) {
     for (const int body : members) own.insert(own.end(), joints_at[body].begin(), joints_at[body].end());
     std::sort(own.begin(), own.end());
     for (const int l : own) {
-      const int a = column_of(terms_->all[l].body);
-      const int b = terms_->all[l].other >= 0 ? column_of(terms_->all[l].other) : -1;
-      if (terms_->all[l].kind == JointKind::kString) g.strings.push_back(l);
+      const int a = column_of(terms_.all[l].body);
+      const int b = terms_.all[l].other >= 0 ? column_of(terms_.all[l].other) : -1;
+      if (terms_.all[l].kind == JointKind::kString) g.strings.push_back(l);
       first_row_[l] = static_cast<int>(g.rows.size());
-      for (int axis = 0; axis < terms_->all[l].rows; ++axis) {
+      for (int axis = 0; axis < terms_.all[l].rows; ++axis) {
         const int i = static_cast<int>(g.rows.size());
         int first = i;
         for (const int column : {a, b}) {
@@ -143,7 +150,7 @@ JointConstraints::Ends JointConstraints::ends_of(const JointTerm& joint, double 
 // Jacobian, gaps and all else that a row needs, at time t and motions y.
 void JointConstraints::fill_row(Group& g, int i, double t, const Motions& y) const {
   const Row& row = g.rows[i];
-  const JointTerm& joint = terms_->all[row.joint];
+  const JointTerm& joint = terms_.all[row.joint];
   if (row.axis == 2) {
     const double angle_a = y(2, row.a);
     const double angle_b = row.b >= 0 ? y(2, row.b) : 0.0;
@@ -350,7 +357,7 @@ bool JointConstraints::share(int group, double t, const Eigen::Matrix3Xd& change
   const double most = rows > 0 ? g.force.cwiseAbs().maxCoeff() : 0.0;
   int pushes = -1;
   for (int i = 0; i < rows; ++i) {
-    if (terms_->all[g.rows[i].joint].kind != JointKind::kString || !(g.force[i] > kPush * most)) continue;
+    if (terms_.all[g.rows[i].joint].kind != JointKind::kString || !(g.force[i] > kPush * most)) continue;
     if (pushes < 0 || g.force[i] > g.force[pushes]) pushes = i;
   }
   if (pushes >= 0) {
@@ -391,7 +398,7 @@ Vec2 JointConstraints::impulse(int group, int joint, int body) const {
     const auto row = static_cast<Eigen::Index>(i);
     if (g.rows[i].joint == joint) sum += g.force[row] * g.normal.col(row);
   }
-  return terms_->all[joint].body == body ? sum : Vec2(-sum);
+  return terms_.all[joint].body == body ? sum : Vec2(-sum);
 }
 
 double JointConstraints::tension(int group, int joint) const {
@@ -400,8 +407,8 @@ double JointConstraints::tension(int group, int joint) const {
 
 double JointConstraints::overstretch(int group, int joint, double t, const Motions& y) const {
   const Row& row = groups_[group].rows[first_row_[joint]];
-  const Ends e = ends_of(terms_->all[joint], t, y, row.a, row.b);
-  return e.d.norm() - terms_->all[joint].length - kAtLength * (e.size + terms_->all[joint].length);
+  const Ends e = ends_of(terms_.all[joint], t, y, row.a, row.b);
+  return e.d.norm() - terms_.all[joint].length - kAtLength * (e.size + terms_.all[joint].length);
 }
 
 }  // namespace carom

@@ -41,7 +41,14 @@ class JointConstraints {
   // Strings are taut or slack as the bodies are at the start of a run.
   explicit JointConstraints(std::shared_ptr<const Model> model);
 
-  [[nodiscard]] bool empty() const { return terms_->all.empty(); }
+  [[nodiscard]] bool empty() const { return terms_.all.empty(); }
+
+  // One more joint, the last: call set_groups() again.
+  void add_weld(const Weld& weld);
+  [[nodiscard]] const std::vector<Weld>& welds() const { return welds_; }  // those added
+  [[nodiscard]] const WeldedBodies& welded() const { return welded_; }     // by the scene or since
+  [[nodiscard]] int size() const { return static_cast<int>(terms_.all.size()); }
+  [[nodiscard]] std::vector<std::pair<int, int>> joined() const { return terms_.joined(); }
 
   // Sets the groups of bodies that are advanced together, each in rising order. `group` below is an index
   // into them.
@@ -69,7 +76,7 @@ class JointConstraints {
 
   // The strings of a group, as indices of joints.
   [[nodiscard]] const std::vector<int>& strings(int group) const { return groups_[group].strings; }
-  [[nodiscard]] double length(int joint) const { return terms_->all[joint].length; }  // m, of a rod or a string
+  [[nodiscard]] double length(int joint) const { return terms_.all[joint].length; }  // m, of a rod or a string
   [[nodiscard]] bool taut(int joint) const { return taut_[joint] != 0; }
   void set_taut(int joint, bool on) { taut_[joint] = on ? 1 : 0; }
   // By joint; true for all that are not strings. Setting it leaves joints that are newer than `taut`
@@ -77,10 +84,6 @@ class JointConstraints {
   [[nodiscard]] const std::vector<std::uint8_t>& strings_taut() const { return taut_; }
   void set_strings_taut(const std::vector<std::uint8_t>& taut) {
     std::copy(taut.begin(), taut.end(), taut_.begin());
-  }
-  // Copies which strings are taut from `other`, which may lack the last joints.
-  void adopt(const JointConstraints& other) {
-    std::copy(other.taut_.begin(), other.taut_.end(), taut_.begin());
   }
   // N s, the impulse of a joint on `body`, at one of its ends, in the group's last share() or
   // apply_taut_impulse().
@@ -137,8 +140,10 @@ class JointConstraints {
   static void add_quadratures(const Group& g, const Motions& y, Motions& to);
 
   std::shared_ptr<const Model> model_;
-  const JointTerms* terms_ = nullptr;  // the model's
-  std::vector<int> first_row_;         // by joint, in its group
+  JointTerms terms_;  // the model's, then those of `welds_`
+  std::vector<Weld> welds_;
+  WeldedBodies welded_;
+  std::vector<int> first_row_;  // by joint, in its group
   std::vector<std::uint8_t> taut_;
   std::vector<Group> groups_;
   std::int64_t restoring_work_ = 0;

@@ -35,11 +35,7 @@ class SwitchSearch {
   void set_lost_to_joints(double lost) { lost_to_joints_ = lost; }
   // s, absolute: when first switches flipped more often than is followed; negative: never.
   [[nodiscard]] double missed_since() const { return missed_since_; }
-  // Of the same model, but that a last joint may be missing there.
-  void adopt(const SwitchSearch& other) {
-    lost_to_joints_ = other.lost_to_joints_;
-    missed_since_ = other.missed_since_;
-  }
+  void add_joint() { released_at_.push_back(-1.0); }
 
  private:
   friend struct KeptMembers;

@@ -112,36 +112,6 @@ void Trajectories::check_flight(const Island& island) const {
     lose(island, LossReason::kTooManySteps);
 }
 
-void Trajectories::adopt(Trajectories& from, double time) {
-  Flights& f = flights_;
-  Flights& other = from.flights_;
-  for (int i = 0; i < static_cast<int>(other.bodies().size()); ++i) f.at_start.col(i) = other.at(i, time);
-  f.field.adopt(other.field);
-  f.joints.adopt(other.joints);
-  if (other.field.in_contact()) {
-    for (int i = 0; i < static_cast<int>(other.bodies().size()); ++i)
-      set_contact_acceleration(i, other.field.contact_acceleration(i));
-  }
-  if (other.field.contact_changes()) {
-    f.bent_from = other.bent_from;
-    for (int i = 0; i < static_cast<int>(other.bodies().size()); ++i)
-      f.field.set_contact_rate(i, other.field.contact_rate(i), other.epoch + other.bent_from);
-  }
-  switches_.adopt(from.switches_);
-  joints_missed_since_ = from.joints_missed_since_;
-  f.evaluations = other.evaluations;
-  f.flight_work = other.flight_work;
-  step_start_ = from.step_start_;
-  rejected_steps_ = from.rejected_steps_;
-  tolerance_missed_since_ = from.tolerance_missed_since_;
-  begin(other.epoch);
-  for (Island& island : f.islands) {
-    island.start = island.end = time;
-    for (const int i : f.members_of(island)) f.field.set_phase(i, f.epoch + time);
-    if (island.kinematic) f.at_start.col(f.body_of(island)) = f.at(f.body_of(island), time);
-  }
-}
-
 void Trajectories::shift_epoch(double by) {
   flights_.epoch += by;
   for (Island& island : flights_.islands) {

@@ -42,9 +42,6 @@ class Trajectories {
     return flights_.members_of(flights_.islands[island]);
   }
 
-  // Copies the epoch, switched springs and counts of other trajectories, and all motions at a time at which
-  // each is known there. The last bodies and the last joint may be missing there.
-  void adopt(Trajectories& other, double time);
   // Starts all islands at this absolute time, from their present motions.
   void begin(double epoch);
   [[nodiscard]] double epoch() const { return flights_.epoch; }
@@ -127,12 +124,17 @@ class Trajectories {
   // string would have to push: the string is slack from then on; project the changes again.
   void project_changes(std::span<const int> bodies, Eigen::Ref<Eigen::Matrix3Xd> by);
   [[nodiscard]] bool apply_changes(std::span<const int> bodies, const Eigen::Ref<const Eigen::Matrix3Xd>& by);
-  // The plastic impact by which a newly added joint takes hold, at its bodies' starts.
-  struct Engagement {
+  // Welds two bodies by a plastic impact at a time at which all motions are known. The islands are others
+  // from then on, and all of them start at that time.
+  struct WeldImpact {
     double taken;  // J, lost
-    Vec2 impulse;  // N s, on `body`, at one end of the joint
+    Vec2 impulse;  // N s, on weld.body
   };
-  [[nodiscard]] Engagement engage(int joint, int body);
+  [[nodiscard]] WeldImpact add_weld(const Weld& weld, double time);
+  // Those added so far; they are joints too, after those of the model.
+  [[nodiscard]] const std::vector<Weld>& welds() const { return flights_.joints.welds(); }
+  // The bodies that are one, by a joint of the model or a weld since.
+  [[nodiscard]] const WeldedBodies& welded() const { return flights_.joints.welded(); }
   // Projects a jointed island's positions and velocities onto its joints, after positions were set.
   void restore_joints(int island);
   // Moves an island's start to its trajectory's end, where a spring may switch. Returns the energy in J that a

@@ -83,11 +83,20 @@ bool Trajectories::apply_changes(std::span<const int> bodies, const Eigen::Ref<c
   return true;
 }
 
-Trajectories::Engagement Trajectories::engage(int joint, int body) {
+Trajectories::WeldImpact Trajectories::add_weld(const Weld& weld, double time) {
   Flights& f = flights_;
-  const Flights::Island& island = f.islands[f.island_of[body]];
+  Motions now = f.at_start;
+  for (int i = 0; i < static_cast<int>(now.cols()); ++i) now.col(i) = f.at(i, time);
+  f.at_start = now;
+  f.add_weld(weld);
+  switches_.add_joint();
+  for (Flights::Island& island : f.islands) {
+    island.start = island.end = time;
+    for (const int i : f.members_of(island)) f.field.set_phase(i, f.epoch + time);
+  }
+  const Flights::Island& island = f.islands[f.island_of[weld.body]];
   const double taken = f.apply_taut_impulse(island);
-  return {taken, f.joints.impulse(island.group, joint, body)};
+  return {taken, f.joints.impulse(island.group, f.joints.size() - 1, weld.body)};
 }
 
 }  // namespace carom

@@ -20,8 +20,8 @@ struct KeptMembers {
   template <class Self, class Kept, class Each>
   static void of_field(Self& field, Kept& kept, const Each& each) {
     // Contact forces change during a step only: those of the next are found anew.
-    auto& [model, terms, add_external, engaged, phase, in_contact, contact_changes, contact_from, contact,
-           contact_rate] = field;
+    auto& [model, terms, add_external, has_quadratures, constant, engaged, phase, in_contact, contact_changes,
+           contact_from, contact, contact_rate] = field;
     each(engaged, kept.engaged);
     each(phase, kept.phase);
     if constexpr (std::is_const_v<Self>) {
@@ -35,8 +35,8 @@ struct KeptMembers {
 
   template <class Self, class Kept, class Each>
   static void of_joints(Self& joints, Kept& kept, const Each& each) {
-    // The groups' arrays are computed before they are read.
-    auto& [model, joint_terms, first_row, taut, groups, restoring_work] = joints;
+    // The groups' arrays are computed before they are read. The welds have been added.
+    auto& [model, joint_terms, welds, welded, first_row, taut, groups, restoring_work] = joints;
     each(taut, kept.taut);
   }
 
@@ -118,10 +118,15 @@ struct KeptMembers {
 };
 
 void Trajectories::keep(TrajectoryState& to, TrajectoriesAhead* ahead) const {
+  to.welds = welds();
   KeptMembers::of_trajectories(*this, to, ahead, [](const auto& own, auto& kept) { kept = own; });
 }
 
 void Trajectories::restore(const TrajectoryState& from, const TrajectoriesAhead* ahead) {
+  for (std::size_t i = welds().size(); i < from.welds.size(); ++i) {
+    flights_.add_weld(from.welds[i]);
+    switches_.add_joint();
+  }
   for (const Flights::Island& island : flights_.islands) flights_.forget(island);
   KeptMembers::of_trajectories(*this, from, ahead, [](auto& own, const auto& kept) { own = kept; });
 }

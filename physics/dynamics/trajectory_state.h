@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/dynamics/state.h"
+#include "physics/model/weld.h"
 
 namespace carom {
 
@@ -12,6 +13,7 @@ namespace carom {
 // in s after the epoch unless absolute.
 struct TrajectoryState {
   double epoch = 0.0;  // s, absolute
+  std::vector<Weld> welds;
   // By island.
   std::vector<double> start, end;
   std::vector<double> next_step;      // s, of the adaptive integrator; 0: not known yet

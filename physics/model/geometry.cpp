@@ -85,20 +85,13 @@ Geometry geometry(const std::vector<Body>& bodies, const std::vector<Joint>& joi
   if (!joints.empty()) {
     for (std::size_t i = 0; i < bodies.size(); ++i) index.emplace(bodies[i].name, static_cast<int>(i));
   }
-  g.welded.assign(bodies.size(), -1);
+  g.welded = WeldedBodies(bodies.size());
   for (const Joint& joint : joints) {
     if (joint.to.empty()) continue;
     const int a = index.at(joint.body);
     const int b = index.at(joint.to);
     if (joint.kind == JointKind::kPin) g.pinned.push_back(std::minmax({a, b}));
-    if (joint.kind != JointKind::kWeld) continue;
-    // Both bodies and all that are welded to them get one number.
-    const int from_a = g.welded[a];
-    const int from_b = g.welded[b];
-    for (int& number : g.welded) {
-      if (number >= 0 && (number == from_a || number == from_b)) number = a;
-    }
-    g.welded[a] = g.welded[b] = a;
+    if (joint.kind == JointKind::kWeld) g.welded.join(a, b);
   }
   std::sort(g.pinned.begin(), g.pinned.end());
   return g;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/model/convex.h"
+#include "physics/model/weld.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -31,7 +32,7 @@ struct Geometry {
   std::vector<std::uint8_t> fixed;          // infinite mass: fixed or kinematic
   std::vector<int> group;                   // bodies of one group >= 0 do not collide with each other
   std::vector<std::pair<int, int>> pinned;  // nor do pairs that a pin joins; a < b, sorted
-  std::vector<int> welded;                  // nor do bodies welded into one, which share a number >= 0
+  WeldedBodies welded;                      // nor do bodies that are one
 
   [[nodiscard]] bool has_parts(int i) const { return !more.empty() && more[i].last > more[i].first; }
   [[nodiscard]] bool is_disc(int i) const { return shapes.core[i] == Core::kPoint && !has_parts(i); }
@@ -67,12 +68,11 @@ struct Geometry {
     if (!has_parts(body)) return pose;
     return {pose.position + pose.turned(place[part]), pose.cos, pose.sin};
   }
-  // Whether the two can collide at all.
-  [[nodiscard]] bool can_collide(int a, int b) const {
-    if ((fixed[a] != 0 && fixed[b] != 0) || (group[a] >= 0 && group[a] == group[b]) ||
-        (welded[a] >= 0 && welded[a] == welded[b])) {
+  // Whether the two can collide at all, at the start of a run; likewise later, with the welds of then.
+  [[nodiscard]] bool can_collide(int a, int b) const { return can_collide(a, b, welded); }
+  [[nodiscard]] bool can_collide(int a, int b, const WeldedBodies& now) const {
+    if ((fixed[a] != 0 && fixed[b] != 0) || (group[a] >= 0 && group[a] == group[b]) || now.are_one(a, b))
       return false;
-    }
     return pinned.empty() ||
            !std::binary_search(pinned.begin(), pinned.end(), std::pair<int, int>(std::minmax(a, b)));
   }

@@ -42,6 +42,23 @@ double distance_of(const JointTerm& joint, const std::vector<Body>& bodies, doub
   return d.norm();
 }
 
+// `other`: the body at the other end, or -1.
+JointTerm joint_term(const Joint& l, int body, int other, const std::vector<Body>& bodies,
+                     const MassProperties& mass) {
+  JointTerm joint{l.kind, body, -1, -1, l.point, l.anchor, 0.0, 0.0, l.kind == JointKind::kPin ? 2 : 1};
+  if (other >= 0) {
+    if (!has_infinite_mass(bodies[other])) {
+      joint.other = other;
+    } else {
+      joint.anchor = bodies[other].position + turned_by(bodies[other].angle, l.anchor);
+      if (bodies[other].drive) joint.drive = other;
+    }
+  }
+  if (l.kind == JointKind::kWeld)
+    place_weld(joint, l, bodies[body].angle, other < 0 ? 0.0 : bodies[other].angle, mass);
+  return joint;
+}
+
 }  // namespace
 
 JointTerms joint_terms_of(const std::vector<Joint>& joints, const std::vector<Body>& bodies,
@@ -50,24 +67,20 @@ JointTerms joint_terms_of(const std::vector<Joint>& joints, const std::vector<Bo
   std::unordered_map<std::string, int> index;
   for (std::size_t i = 0; i < bodies.size(); ++i) index.emplace(bodies[i].name, static_cast<int>(i));
   for (const Joint& l : joints) {
-    JointTerm joint{l.kind, index.at(l.body), -1, -1, l.point, l.anchor, 0.0, 0.0, 1};
-    if (l.kind == JointKind::kPin) joint.rows = 2;
-    if (!l.to.empty()) {
-      const int other = index.at(l.to);
-      if (!has_infinite_mass(bodies[other])) {
-        joint.other = other;
-      } else {
-        joint.anchor = bodies[other].position + turned_by(bodies[other].angle, l.anchor);
-        if (bodies[other].drive) joint.drive = other;
-      }
-    }
-    if (l.kind == JointKind::kWeld) {
-      place_weld(joint, l, bodies[joint.body].angle, l.to.empty() ? 0.0 : bodies[index.at(l.to)].angle, mass);
-    }
+    JointTerm joint = joint_term(l, index.at(l.body), l.to.empty() ? -1 : index.at(l.to), bodies, mass);
     joint.length = l.length.value_or(distance_of(joint, bodies, time));
     joint_terms.all.push_back(joint);
   }
   return joint_terms;
+}
+
+JointTerm weld_term(const Weld& weld, const std::vector<Body>& bodies, const MassProperties& mass) {
+  Joint joint;
+  joint.kind = JointKind::kWeld;
+  joint.point = weld.point;
+  joint.anchor = weld.anchor;
+  joint.angle = weld.angle;
+  return joint_term(joint, weld.body, weld.other, bodies, mass);
 }
 
 std::vector<std::pair<int, int>> JointTerms::joined() const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/model/mass.h"
+#include "physics/model/weld.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -34,5 +35,8 @@ struct JointTerms {
 // Lengths that the scene leaves out are those at `time` (s), the start of the run.
 [[nodiscard]] JointTerms joint_terms_of(const std::vector<Joint>& joints, const std::vector<Body>& bodies,
                                         const MassProperties& mass, double time);
+// Of a weld that a run makes.
+[[nodiscard]] JointTerm weld_term(const Weld& weld, const std::vector<Body>& bodies,
+                                  const MassProperties& mass);
 
 }  // namespace carom

@@ -16,7 +16,7 @@ namespace carom {
 
 // What the step works on: a scene with indices in place of names, its masses, shapes and forces as arrays,
 // and only the parts that it needs. Compiled once, then constant and shared by all runs and their copies, on
-// any thread. A run that gets a new body, or in which two bodies stick together, continues with a new model.
+// any thread. A run whose scene is edited continues with a new model; welds that it makes are its own state.
 struct Model {
   Scene scene;  // with all bodies listed, those of the generators too
   Needs needs;

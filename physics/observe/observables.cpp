@@ -75,7 +75,7 @@ double largest_penetration(const Reading& r) {
   BroadPhase broad_phase;
   double most = 0.0;
   for (const auto& [a, b] : broad_phase.pairs(bounds, r.shapes.fixed)) {
-    if (!r.shapes.can_collide(a, b)) continue;
+    if (!r.shapes.can_collide(a, b, r.welded)) continue;
     const Approach at = approach_of(r.shapes, a, r.state.q.col(a), {}, b, r.state.q.col(b), {}, 0.0);
     most = std::max(most, -at.contact.gap);
   }
@@ -306,6 +306,7 @@ Reading reading_of(const Simulation& simulation, const ImpactTally& tally) {
           ledger.angular_momentum_drift(totals.angular_momentum),
           simulation.mass(),
           simulation.shapes(),
+          simulation.welded(),
           simulation.contact_forces()};
 }
 

@@ -70,6 +70,7 @@ struct Reading {
   double angular_momentum_drift;  // kg m²/s
   const MassProperties& mass;
   const Geometry& shapes;
+  const WeldedBodies& welded;
   std::span<const ContactForce> contacts;
   const ReferenceReading* reference = nullptr;  // none: errors are NaN
 };

@@ -13,7 +13,7 @@ namespace carom {
 namespace {
 
 std::vector<JointState> joint_states(const Simulation& simulation) {
-  const std::vector<Joint>& joints = simulation.joints();
+  const std::vector<Joint> joints = simulation.joints();
   std::vector<JointState> states;
   if (joints.empty()) return states;
   std::unordered_map<std::string_view, int> index;

@@ -78,6 +78,7 @@ void Sampler::after_step(const Simulation& simulation) {
                    std::lerp(angular_momentum_drift_, end.angular_momentum_drift, share),
                    end.mass,
                    end.shapes,
+                   end.welded,
                    end.contacts};
         at.ledger.add(share, smooth);
         at.ledger.add(1.0, ledger_of_quadratures(*state));

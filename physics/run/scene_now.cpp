@@ -9,6 +9,7 @@ namespace carom {
 
 Scene scene_now(const Simulation& run) {
   Scene scene = run.model()->scene;
+  scene.joints = run.joints();
   std::unordered_map<std::string_view, double> angles;  // by body, at the start
   for (const Body& b : run.bodies()) angles.emplace(b.name, b.angle);
   for (std::size_t i = 0; i < scene.joints.size(); ++i) {

@@ -63,6 +63,20 @@ void Simulation::count_pairs(const std::vector<std::pair<std::string, std::strin
   }
 }
 
+std::vector<Joint> Simulation::joints() const {
+  std::vector<Joint> joints = world_.model->scene.joints;
+  for (const Weld& weld : world_.trajectories.welds()) {
+    Joint& joint = joints.emplace_back();
+    joint.kind = JointKind::kWeld;
+    joint.body = bodies()[static_cast<std::size_t>(weld.body)].name;
+    joint.point = weld.point;
+    joint.to = bodies()[static_cast<std::size_t>(weld.other)].name;
+    joint.anchor = weld.anchor;
+    joint.angle = weld.angle;
+  }
+  return joints;
+}
+
 void Simulation::set_method(const Method& method) {
   if (lost_) return;
   Trajectories& trajectories = world_.trajectories;

@@ -79,7 +79,9 @@ class Simulation {
   [[nodiscard]] const MassProperties& mass() const { return world_.mass(); }
   [[nodiscard]] const Geometry& shapes() const { return world_.shapes(); }
   // Those of the scene, then a weld for each impact after which two bodies stuck together.
-  [[nodiscard]] const std::vector<Joint>& joints() const { return world_.model->scene.joints; }
+  [[nodiscard]] std::vector<Joint> joints() const;
+  // The bodies that are one, by a weld of the scene or of the run.
+  [[nodiscard]] const WeldedBodies& welded() const { return world_.trajectories.welded(); }
   [[nodiscard]] bool is_taut(int joint) const { return world_.trajectories.is_taut(joint); }  // of a string
   [[nodiscard]] double length(int joint) const {
     return world_.trajectories.length(joint);

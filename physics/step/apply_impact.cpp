@@ -17,23 +17,14 @@ Impact join(World& world, int a, int b, const Contact& contact) {
   const int other = body == a ? b : a;
   const Eigen::Vector3d q = world.trajectories.at_start(body).head<3>();
   const Eigen::Vector3d q_other = world.trajectories.at_start(other).head<3>();
-  Joint weld;
-  weld.kind = JointKind::kWeld;
-  weld.body = world.model->bodies()[body].name;
-  weld.point = turned_by(-q[2], contact.point - q.head<2>());
-  weld.to = world.model->bodies()[other].name;
-  weld.anchor = turned_by(-q_other[2], contact.point - q_other.head<2>());
-  weld.angle = q[2] - q_other[2];
-  Scene scene = world.model->scene;
-  scene.joints.push_back(std::move(weld));
-  const int last = static_cast<int>(scene.joints.size()) - 1;
-  Needs needs = world.model->needs;
-  needs.set(Part::kJoints);
-  world.recompile(std::move(scene), needs, world.trajectories.start(body));
-
+  const Weld weld{.body = body,
+                  .other = other,
+                  .point = turned_by(-q[2], contact.point - q.head<2>()),
+                  .anchor = turned_by(-q_other[2], contact.point - q_other.head<2>()),
+                  .angle = q[2] - q_other[2]};
   // The impact is completely plastic, and the two turn as one body after it: the effect of the weld on the
   // motions as they are.
-  const auto [taken, impulse] = world.trajectories.engage(last, body);
+  const auto [taken, impulse] = world.trajectories.add_weld(weld, world.trajectories.start(body));
   const Vec2 on_b = body == b ? impulse : Vec2(-impulse);
   Impact impact;
   impact.normal = on_b.dot(contact.normal);
@@ -52,6 +43,7 @@ struct SmoothImpact {
         velocity_b(world.trajectories.at_start(b).segment<2>(3)),
         normal(contact.normal) {}
   static const Contact& acting_contact(World&, int, int, const Contact& touch) { return touch; }
+  static bool joins(const Material&) { return false; }
   [[nodiscard]] double closing() const { return -Vec2(velocity_b - velocity_a).dot(normal); }
   Impact resolve(World& world, int a, int b, const Contact&, const Material& material) {
     const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;
@@ -77,12 +69,13 @@ struct GeneralImpact {
   static Contact acting_contact(World& world, int a, int b, const Contact& touch) {
     return pressed_contact(world, a, b, touch);
   }
+  static bool joins(const Material& material) { return material.sticks; }
   [[nodiscard]] double closing() const { return closing_speed; }
   Impact resolve(World& world, int a, int b, const Contact& contact, const Material& material) {
     Trajectories& trajectories = world.trajectories;
     const ImpactLawId law = world.model->scene.impact_law;
     Impact impact;
-    if (material.sticks) {
+    if (joins(material)) {
       impact = join(world, a, b, contact);
     } else if (trajectories.is_jointed(a) || trajectories.is_jointed(b)) {
       impact = resolve_jointed_impact(trajectories, world.mass(), a, b, contact, material, law);
@@ -102,13 +95,13 @@ struct GeneralImpact {
 };
 
 template <class Kind>
-void apply(World& world, int a, int b, const Contact& touch, const Material& material, double within) {
+ImpactEffect apply(World& world, int a, int b, const Contact& touch, const Material& material, double within) {
   const Contact& contact = Kind::acting_contact(world, a, b, touch);  // a temporary lives as long
   Kind of_pair(world, a, b, contact);
   const double closing = of_pair.closing();
   // Semi-implicit Euler's path x + t v(t) may close again, from a penetration, while v(t) still separates the
   // bodies.
-  if (!(closing > 0.0)) return;
+  if (!(closing > 0.0)) return ImpactEffect::kNone;
   const Ledger& ledger = world.sums.ledger;
   const bool wants_jump = world.log.wants_jump(world.model->bodies().size());
   Jump jump;
@@ -117,12 +110,15 @@ void apply(World& world, int a, int b, const Contact& touch, const Material& mat
     jump.change.add(-1.0, ledger);
   }
   const Impact impact = of_pair.resolve(world, a, b, contact, material);
+  const ImpactEffect effect = Kind::joins(material) ? ImpactEffect::kJoined : ImpactEffect::kBounced;
   record_impact(world, a, b, contact, impact, closing, within);
-  if (!wants_jump) return;
+  if (effect == ImpactEffect::kBounced) record_impulse(world, a, b, contact, impact);
+  if (!wants_jump) return effect;
   jump.time = std::min(world.trajectories.epoch() + within, world.clock.step_end);
   jump.after = world.state_at(within);
   jump.change.add(1.0, ledger);
   world.log.jumps.push_back(std::move(jump));
+  return effect;
 }
 
 }  // namespace
@@ -162,9 +158,10 @@ void record_impact(World& world, int a, int b, const Contact& contact, const Imp
   ledger.lost_to_restitution += impact.lost_to_restitution;
   ledger.lost_to_friction += impact.lost_to_friction;
   ledger.lost_to_sticking += impact.lost_to_sticking;
-  // What passes through a joint, such as the weld of two bodies that have stuck, is in the bodies'
-  // quadratures.
-  if (!world.shapes().can_collide(a, b)) return;
+}
+
+void record_impulse(World& world, int a, int b, const Contact& contact, const Impact& impact) {
+  Ledger& ledger = world.sums.ledger;
   const Vec2 tangent(-contact.normal.y(), contact.normal.x());
   const Vec2 j = impact.normal * contact.normal + impact.tangential * tangent;
   for (const auto& [body, sign] : {std::pair(a, -1.0), std::pair(b, 1.0)}) {

@@ -83,7 +83,7 @@ void ContactFinder::find(World& world, double step_length, double h, const Conta
   const auto& pairs = near_pairs_.find(world, [&](int i) { return reach_[i]; });
   neighbours_.build(n, pairs);
   for (const auto& [a, b] : pairs) {
-    if (!world.shapes().can_collide(a, b)) continue;
+    if (!world.can_collide(a, b)) continue;
     near_.emplace_back(a, b);
     const double rounding = kRounding * (world.shapes().size[a] + world.shapes().size[b] +
                                          world.trajectories.at_start(a).head<2>().lpNorm<1>() +
@@ -113,7 +113,7 @@ void ContactFinder::let_fast_bodies_push(World& world) {
     std::vector<double>& pushed = pushed_reach_;
     pushed = reach_;
     for (const auto& [a, b] : near_pairs_.find(world, [&](int i) { return reach_[i]; })) {
-      if (!world.shapes().can_collide(a, b)) continue;
+      if (!world.can_collide(a, b)) continue;
       if (is_fast(a) && !world.infinite_mass(b)) pushed[b] = std::max(pushed[b], reach_[a]);
       if (is_fast(b) && !world.infinite_mass(a)) pushed[a] = std::max(pushed[a], reach_[b]);
     }

@@ -18,10 +18,10 @@ constexpr double kNoTurn = 1e-12;
 // The bodies that are welded to this one, itself among them.
 template <class Visit>
 void each_welded(const World& world, int body, const Visit& visit) {
-  const std::vector<int>& welded = world.shapes().welded;
-  if (welded[body] < 0 || world.infinite_mass(body)) return visit(body);
+  const WeldedBodies& welded = world.trajectories.welded();
+  if (!welded.is_welded(body) || world.infinite_mass(body)) return visit(body);
   for (const int i : world.trajectories.members(world.trajectories.island_of(body))) {
-    if (welded[i] == welded[body]) visit(i);
+    if (welded.are_one(i, body)) visit(i);
   }
 }
 
@@ -39,7 +39,7 @@ Stretch stretch_of(const World& world, int a, int b, const Contact& contact) {
   each_welded(world, a, [&](int i) {
     const Pose pose_i = g.pose(i, world.trajectories.at_start(i).head<3>());
     each_welded(world, b, [&](int j) {
-      if (!g.can_collide(i, j)) return;
+      if (!world.can_collide(i, j)) return;
       const Pose pose_j = g.pose(j, world.trajectories.at_start(j).head<3>());
       const double tolerance = kTogether * (g.size[i] + g.size[j]);
       each_manifold(g, i, pose_i, j, pose_j, contact.gap + tolerance, [&](const Manifold& m) {
@@ -93,10 +93,11 @@ EndMotion motion_of_ends(World& world, int a, int b, const Vec2& normal, const s
 
 Contact pressed_contact(World& world, int a, int b, const Contact& contact) {
   const Geometry& g = world.shapes();
-  const auto has_no_stretch = [&](int i) { return g.is_disc(i) && g.welded[i] < 0; };
+  const WeldedBodies& welded = world.trajectories.welded();
+  const auto has_no_stretch = [&](int i) { return g.is_disc(i) && !welded.is_welded(i); };
   if (has_no_stretch(a) || has_no_stretch(b)) {
     // A disc touches a body that is one piece at one point.
-    if (g.welded[a] < 0 && g.welded[b] < 0) return contact;
+    if (!welded.is_welded(a) && !welded.is_welded(b)) return contact;
     if (has_no_stretch(a) && has_no_stretch(b)) return contact;
   }
   const Stretch stretch = stretch_of(world, a, b, contact);

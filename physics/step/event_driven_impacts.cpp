@@ -132,10 +132,7 @@ void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
   world.publish(target);
   if (pairs.empty()) return;
   world.check_motions();
-  resolve_penetrations(world, pairs, penetrations_, step.h);
-  if (std::any_of(pairs.begin(), pairs.end(),
-                  [&](const WaitingPair& d) { return !world.shapes().can_collide(d.a, d.b); })) {
-    // Bodies have stuck together: the islands are different.
+  if (resolve_penetrations(world, pairs, penetrations_, step.h) == ImpactEffect::kJoined) {
     world.publish(target);
     running_ = false;
     return;
@@ -254,9 +251,8 @@ bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bo
       trajectories.advance_to(trajectories.island_of(i), time);
   }
   const Contact contact = world.approach(a, b, touch_tolerance(world, a, b), *parts).contact;
-  apply_impact(world, a, b, contact, world.material(contact, a, b), time);
-  if (!world.shapes().can_collide(a, b)) {
-    // They have stuck together: the islands are different, and all of them start now.
+  const ImpactEffect effect = apply_impact(world, a, b, contact, world.material(contact, a, b), time);
+  if (effect == ImpactEffect::kJoined) {
     last_impact_ = time;
     rebuild_all(step);
     return false;

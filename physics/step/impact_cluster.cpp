@@ -181,6 +181,7 @@ void ImpactCluster::record(World& world, double within, State before, const Ledg
     const auto& [a, b, contact] = touches_[k];
     if (!(impacts_[k].normal > 0.0)) continue;
     record_impact(world, a, b, contact, impacts_[k], closing_[k], within);
+    record_impulse(world, a, b, contact, impacts_[k]);
     if (!wants_jump()) continue;
     jump.change = world.sums.ledger;
     jump.change.add(-1.0, recorded);

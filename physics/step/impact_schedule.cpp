@@ -129,7 +129,7 @@ void EventDrivenImpacts::search_island(const Step& step, int island) {
 void EventDrivenImpacts::search(const Step& step, int a, int b, double from) {
   World& world = step.world;
   if (a > b) std::swap(a, b);
-  if (!world.shapes().can_collide(a, b)) return;
+  if (!world.can_collide(a, b)) return;
   if (step.resting != nullptr && step.resting->finder().stays_supported(world, a, b)) return;
   if (world.work.spent()) {
     world.note(&Notices::work_spent_since, world.clock.time);

@@ -69,11 +69,11 @@ template <class PoseOf>
   const int part_a = contact.part_a < 0 ? a : contact.part_a;
   const int part_b = contact.part_b < 0 ? b : contact.part_b;
   const auto covers = [&](int other, int owner, int part, int toucher, const Vec2& point, const Vec2& normal) {
-    if (!g.can_collide(other, toucher) || g.shapes.core[part] == Core::kPoint) return false;
+    if (!world.can_collide(other, toucher) || g.shapes.core[part] == Core::kPoint) return false;
     const double tolerance = kFlush * (g.size[owner] + g.size[other]) + 1e-12 * point.lpNorm<1>();
     if (g.more.empty()) {
       return neighbour_covers(g.shapes, owner, pose(owner), other, pose(other), point, normal, tolerance,
-                              !g.can_collide(owner, other));
+                              !world.can_collide(owner, other));
     }
     const bool one_body = owner == other;
     const int touching = toucher == a ? part_a : part_b;
@@ -85,7 +85,7 @@ template <class PoseOf>
     g.each_part(other, [&](int piece) {
       if (covered || piece == part) return;
       covered = neighbour_covers(g.shapes, part, of_owner, piece, g.part_pose(other, piece, of_other), point,
-                                 normal, tolerance, one_body || !g.can_collide(owner, other), by_face);
+                                 normal, tolerance, one_body || !world.can_collide(owner, other), by_face);
     });
     return covered;
   };

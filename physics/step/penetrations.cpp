@@ -1,7 +1,6 @@
 #include "physics/step/penetrations.h"
 
 #include <limits>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -81,7 +80,7 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighb
     return !world.infinite_mass(body) && neighbours.of(body).size() > 1;
   };
   for (const auto& [a, b, resting] : pairs) {
-    if (resting || !world.shapes().can_collide(a, b) || (!has_others(a) && !has_others(b))) continue;
+    if (resting || !world.can_collide(a, b) || (!has_others(a) && !has_others(b))) continue;
     world.shapes().each_parts(a, b, [&, a = a, b = b](int part_a, int part_b) {
       const Approach at = overlap_of(world, a, b, {part_a, part_b}, neighbours);
       if (at.contact.gap < 0.0 && at.speed < 0.0)
@@ -92,9 +91,10 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighb
 
 }  // namespace
 
-void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, PenetrationScratch& scratch,
-                          double h) {
-  if (pairs.empty()) return;
+ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs,
+                                  PenetrationScratch& scratch, double h) {
+  ImpactEffect effect = ImpactEffect::kNone;
+  if (pairs.empty()) return effect;
   Neighbours& neighbours = scratch.neighbours;
   neighbours.build(world.bodies(), pairs);
   Trajectories& trajectories = world.trajectories;
@@ -111,7 +111,7 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, P
   // Of two parts.
   const auto part_them = [&](const WaitingPair& pair, const std::pair<int, int>& parts) {
     const auto [a, b, resting] = pair;
-    if (!world.shapes().can_collide(a, b)) return;  // joined in the meantime
+    if (!world.can_collide(a, b)) return;  // one body by now
     Approach at = overlap_of(world, a, b, parts, neighbours);
     const double gap = at.contact.gap;
     if (gap >= 0.0) return;
@@ -127,11 +127,12 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, P
       Material material = world.material(at.contact, a, b);
       // A closing speed from the forces of this step must not bounce; a true impact on a resting pair must.
       if (resting && -at.speed <= pressed_in(world, a, b, h)) material.restitution = 0.0;
-      apply_impact(world, a, b, at.contact, material, now);
-      if (!world.shapes().can_collide(a, b)) return;
+      const ImpactEffect of_pair = apply_impact(world, a, b, at.contact, material, now);
+      effect = std::max(effect, of_pair);
+      if (of_pair == ImpactEffect::kJoined) return;
     }
 
-    const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;  // of the model as it is now
+    const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;
     const double share = inverse_mass[a] + inverse_mass[b];
     const Vec2 push = (resting ? 1.0 : kPenetrationFraction) * -gap / share * normal;
     for (const int i : {a, b}) {
@@ -147,15 +148,14 @@ void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, P
       if (trajectories.is_jointed(i)) world.restore_joints(trajectories.island_of(i));
     }
   };
-  // Kept: bodies that stick bring a new one.
-  const std::shared_ptr<const Model> model = world.model;
   for (const WaitingPair& pair : pairs) {
     world.work.pass(1);
-    if (!world.shapes().can_collide(pair.a, pair.b)) continue;
-    model->shapes.each_parts(pair.a, pair.b,
-                             [&](int part_a, int part_b) { part_them(pair, std::pair(part_a, part_b)); });
+    if (!world.can_collide(pair.a, pair.b)) continue;
+    world.shapes().each_parts(pair.a, pair.b,
+                              [&](int part_a, int part_b) { part_them(pair, std::pair(part_a, part_b)); });
   }
   if (all_at_once) correction += field.potential_energy(world.state.q);
+  return effect;
 }
 
 }  // namespace carom

@@ -23,8 +23,8 @@ struct PenetrationScratch {
 // At the end of a step of h s: pairs that have met at one moment and share bodies get their impulses at once
 // (hits_at_once.h). Then, in the order of the list, each pair that penetrates gets its impulse if it closes,
 // and is moved apart, by inverse mass: a resting pair completely, another by kPenetrationFraction. The state
-// must be published; its positions are updated.
-void resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs, PenetrationScratch& scratch,
-                          double h);
+// must be published; its positions are updated. The result is the largest effect of the impacts.
+[[nodiscard]] ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& pairs,
+                                                PenetrationScratch& scratch, double h);
 
 }  // namespace carom

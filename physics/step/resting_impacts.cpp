@@ -1,5 +1,4 @@
 #include <limits>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -68,13 +67,11 @@ void RestingContacts::strike(World& world, double h) {
   if (found_.hits.empty()) return;
   struck_.assign(static_cast<std::size_t>(world.bodies()), 0);
   const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
-  // Kept: bodies that stick bring a new one.
-  const std::shared_ptr<const Model> model = world.model;
   // Calls visit(contact, closing speed, material) for each two parts that would meet.
   const auto each_hit = [&](int a, int b, const auto& visit) {
     const bool several = world.shapes().has_parts(a) || world.shapes().has_parts(b);
-    model->shapes.each_parts(a, b, [&](int part_a, int part_b) {
-      if (!world.shapes().can_collide(a, b)) return;  // joined in the meantime
+    world.shapes().each_parts(a, b, [&](int part_a, int part_b) {
+      if (!world.can_collide(a, b)) return;  // one body by now
       const Approach at = world.approach(a, b, 0.0, {part_a, part_b});
       const Material& material = world.material(at.contact, a, b);
       const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
@@ -125,8 +122,9 @@ void RestingContacts::rebound_at_end(World& world, const std::vector<std::pair<i
   const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
   // Of two parts.
   const auto rebound = [&](int a, int b, const std::pair<int, int>& parts) {
+    ImpactEffect effect = ImpactEffect::kNone;
     const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
-    for (int k = 0; k < most && world.shapes().can_collide(a, b); ++k) {
+    for (int k = 0; k < most && effect != ImpactEffect::kJoined; ++k) {
       const Approach at = world.approach(a, b, 0.0, parts);
       if (at.contact.gap >= 0.0) break;
       const double restitution = world.material(at.contact, a, b).restitution;
@@ -136,17 +134,18 @@ void RestingContacts::rebound_at_end(World& world, const std::vector<std::pair<i
         break;
       const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, restitution);
       if (!(-restitution * at.speed > rest)) break;
-      apply_impact(world, a, b, at.contact, world.material(at.contact, a, b), now);
+      effect = apply_impact(world, a, b, at.contact, world.material(at.contact, a, b), now);
     }
+    return effect;
   };
-  // Kept: bodies that stick bring a new one.
-  const std::shared_ptr<const Model> model = world.model;
   for (const auto& [a, b] : pairs) {
-    if (!world.shapes().can_collide(a, b)) continue;  // joined in the meantime
+    if (!world.can_collide(a, b)) continue;  // one body by now
     const bool one_surface = !world.shapes().has_parts(a) && !world.shapes().has_parts(b);
     if (one_surface && world.material({}, a, b).restitution == 0.0) continue;
-    model->shapes.each_parts(
-        a, b, [&, a = a, b = b](int part_a, int part_b) { rebound(a, b, std::pair(part_a, part_b)); });
+    ImpactEffect effect = ImpactEffect::kNone;
+    world.shapes().each_parts(a, b, [&, a = a, b = b](int part_a, int part_b) {
+      if (effect != ImpactEffect::kJoined) effect = rebound(a, b, std::pair(part_a, part_b));
+    });
   }
 }
 

@@ -52,7 +52,7 @@ bool EventDrivenImpacts::find_touches(World& world, int a, int b, double time, d
   Trajectories& trajectories = world.trajectories;
   const Geometry& shapes = world.shapes();
   if (a > b) std::swap(a, b);
-  if (!shapes.can_collide(a, b)) return false;
+  if (!world.can_collide(a, b)) return false;
   const Eigen::Vector3d qa = motion_at(trajectories, a, time).head<3>();
   const Eigen::Vector3d qb = motion_at(trajectories, b, time).head<3>();
   const double tolerance = tolerances * touch_tolerance(world, a, b);

@@ -41,11 +41,11 @@ void StepEndImpacts::step(World& world, RestingContacts* resting, double h) {
   fly(world, world.clock.time, h);
   pairs_.clear();
   for (const auto& [a, b] : near_pairs_.find(world, [](int) { return 0.0; })) {
-    if (world.shapes().can_collide(a, b)) pairs_.push_back({a, b, false});
+    if (world.can_collide(a, b)) pairs_.push_back({a, b, false});
   }
   world.publish(h);
   world.check_motions();
-  resolve_penetrations(world, pairs_, penetrations_, h);
+  static_cast<void>(resolve_penetrations(world, pairs_, penetrations_, h));
   if (!pairs_.empty()) world.publish(h);
 }
 

@@ -18,7 +18,8 @@ World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
   trajectories.begin(start);
   // A file's seven digits don't place joints' ends within rounding.
   for (int k = 0; k < trajectories.islands(); ++k) trajectories.restore_joints(k);
-  resize_state();
+  state.resize(bodies());
+  state.quadratures.setZero();
   trajectories.begin(start);
   publish(0.0);
   clock.start(start);
@@ -27,19 +28,6 @@ World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
   sums.ledger.initial = totals().energy();
   sums.ledger.initial_momentum = totals().momentum;
   sums.ledger.initial_angular_momentum = totals().angular_momentum;
-}
-
-void World::recompile(Scene scene, const Needs& needs, double within) {
-  model = compile(std::move(scene), needs, model->start_time);
-  apply_impact = apply_impact_of(*model);
-  Trajectories anew(model, method);
-  anew.adopt(trajectories, within);
-  trajectories = std::move(anew);
-}
-
-void World::resize_state() {
-  state.resize(bodies());
-  state.quadratures.setZero();
 }
 
 void World::publish(double within) {

@@ -17,8 +17,14 @@
 namespace carom {
 
 struct World;
+// What an impact did.
+enum class ImpactEffect {
+  kNone,     // the two don't close
+  kBounced,  // their velocities have changed
+  kJoined    // they have stuck together: the islands are different, and all of them start now
+};
 // Resolves one impact (apply_impact.h).
-using ApplyImpact = void (*)(World&, int a, int b, const Contact&, const Material&, double within);
+using ApplyImpact = ImpactEffect (*)(World&, int a, int b, const Contact&, const Material&, double within);
 
 // The data that every part of a step works on: the model, the motions of its bodies, and the sums of the run.
 // A value: copies share only the model.
@@ -46,16 +52,15 @@ struct World {
     if (contact.part_a < 0) return model->surfaces.between(a, b);
     return model->surfaces.between(contact.part_a, contact.part_b);
   }
+  // Whether the two can collide at all; not if they have stuck together.
+  [[nodiscard]] bool can_collide(int a, int b) const {
+    return shapes().can_collide(a, b, trajectories.welded());
+  }
   // Whether one of them moves and is not a disc.
   [[nodiscard]] bool has_moving_corners(int a, int b) const {
     return (!infinite_mass(a) && !shapes().is_disc(a)) || (!infinite_mass(b) && !shapes().is_disc(b));
   }
 
-  // Replaces the model's scene by one with one more body or weld. `within` is a time (s after the epoch) at
-  // which all motions are known.
-  void recompile(Scene scene, const Needs& needs, double within);
-  // Clears the state and resizes it to the bodies of the model.
-  void resize_state();
   // Sets `state` to the motions at this time, in s after the epoch.
   void publish(double within);
   // All motions at this time; a body whose trajectory starts later is taken at its start.

@@ -9,6 +9,7 @@
 #include "physics/math/vectors.h"
 #include "physics/model/mass.h"
 #include "physics/run/run_setup.h"
+#include "physics/run/run_state.h"
 #include "physics/scene/validate.h"
 #include "tests/support/draws.h"
 #include "tests/support/impacts.h"
@@ -434,6 +435,22 @@ TEST(Sticking, CopiesGoTheirOwnWaysAndARestartIsUnjoined) {
     again.advance_to(2.0);
     EXPECT_TRUE(test::same_bytes(run.state(), again.state()));
   }
+}
+
+// Welds are the run's own state: its model stays, and a run that is restored from its state has them too.
+TEST(Sticking, TheModelStays) {
+  RunSetup s = lumps();
+  s.method.step = 0.01;
+  Simulation run(s);
+  const auto model = run.model();
+  ASSERT_TRUE(test::step_to_impact(run, 1));
+  EXPECT_EQ(run.model(), model);
+  const ImpactRecord& impact = run.last_impacts().back();
+  EXPECT_TRUE(run.welded().are_one(impact.a, impact.b));
+  EXPECT_TRUE(model->shapes.can_collide(impact.a, impact.b));
+  const Simulation restored(model, run.run_state());
+  EXPECT_TRUE(restored.welded().are_one(impact.a, impact.b));
+  EXPECT_EQ(restored.joints().size(), run.joints().size());
 }
 
 // Bodies added later, or another method, leave the joined bodies joined.
