@@ -75,6 +75,25 @@ TEST(Rooms, IncludeOnlyRoomsBeforeThem) {
   EXPECT_GT(arrows, 500);  // they were found at all
 }
 
+// A step knows bodies by their indices: nothing that it calls reads the scene, or a name in it.
+TEST(Rooms, StepsKnowNoNames) {
+  constexpr std::array<std::string_view, 5> kRooms = {"dynamics", "collision", "impact", "contact", "step"};
+  const std::regex names(R"(\b(Scene|Body|std::string)\b)");
+  int files = 0;
+  for (const fs::path& file : sources()) {
+    const std::string room = std::next(file.begin())->string();
+    if (*file.begin() != "physics" || std::find(kRooms.begin(), kRooms.end(), room) == kRooms.end()) continue;
+    if (file.stem() == "state") continue;  // there the bodies of a scene become motions, for other rooms too
+    ++files;
+    std::ifstream in(test::source(file));
+    for (std::string line; std::getline(in, line);) {
+      const std::string code = line.substr(0, line.find("//"));
+      EXPECT_FALSE(std::regex_search(code, names)) << file << ": " << line;
+    }
+  }
+  EXPECT_GT(files, 80);
+}
+
 // Windows and dialogs wait in the one event loop of the program: within it no other one runs.
 TEST(Rooms, RunNoEventLoopWithinAnother) {
   constexpr std::array<std::string_view, 13> kLoops = {

@@ -7,12 +7,12 @@
 namespace carom {
 
 Flights::Flights(std::shared_ptr<const Model> compiled, const Method& method)
-    : model(std::move(compiled)), field(model), joints(model), general(model->needs.untrimmed) {
-  const int n = static_cast<int>(bodies().size());
+    : model(std::move(compiled)), field(model), joints(model), general(model->untrimmed) {
+  const int n = bodies();
   at_start.resize(Eigen::NoChange, n);
   constant = Eigen::Matrix3Xd::Zero(3, n);
   for (int i = 0; i < n; ++i) {
-    at_start.col(i) = initial_motion(bodies()[i], model->start_time);
+    at_start.col(i) = motion_at_start(model->starts, i);
     constant.col(i) = field.constant_acceleration(i);
   }
   at_end = at_start;
@@ -21,7 +21,7 @@ Flights::Flights(std::shared_ptr<const Model> compiled, const Method& method)
 }
 
 void Flights::make_islands() {
-  const int n = static_cast<int>(bodies().size());
+  const int n = bodies();
   islands.clear();
   members.clear();
   groups.clear();
@@ -30,7 +30,7 @@ void Flights::make_islands() {
   if (general) {
     coupled.assign(1, {});
     for (int i = 0; i < n; ++i) {
-      if (!has_infinite_mass(bodies()[i])) coupled[0].push_back(i);
+      if (!model->infinite_mass(i)) coupled[0].push_back(i);
     }
     if (coupled[0].empty()) coupled.clear();
   }
@@ -52,7 +52,8 @@ void Flights::make_islands() {
   }
   joints.set_groups(coupled);
   for (int i = 0; i < n; ++i) {
-    if (!bodies()[i].fixed && island_of[i] < 0) add_island({i}).kinematic = bodies()[i].drive.has_value();
+    const bool kinematic = model->is_kinematic(i);
+    if (island_of[i] < 0 && (kinematic || !model->infinite_mass(i))) add_island({i}).kinematic = kinematic;
   }
 }
 
@@ -106,10 +107,10 @@ void Flights::fly_rows(const Island& island, double h, Motion& out) {
 void Flights::fly_one(const Island& island, double time, Motion& out) {
   const int body = body_of(island);
   if (island.kinematic) {
-    const Body& b = bodies()[body];
+    const DriveTerm& drive = model->drives.at(body);
     out = at_start.col(body);
-    out.head<2>() = drive_position(*b.drive, b.position, epoch + time);
-    out.segment<2>(3) = drive_velocity(*b.drive, epoch + time);
+    out.head<2>() = drive_position(drive.law, drive.home, epoch + time);
+    out.segment<2>(3) = drive_velocity(drive.law, epoch + time);
     return;
   }
   evaluations += evaluations_a_flight;

@@ -55,7 +55,7 @@ struct Flights {
   // `at_start` says.
   void add_weld(const Weld& weld);
 
-  [[nodiscard]] const std::vector<Body>& bodies() const { return model->bodies(); }
+  [[nodiscard]] int bodies() const { return static_cast<int>(model->bodies()); }
   [[nodiscard]] std::span<const int> members_of(const Island& island) const {
     return {members.data() + island.first, static_cast<std::size_t>(island.count)};
   }

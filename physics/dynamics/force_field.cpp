@@ -12,7 +12,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The moments at which the law of an applied force changes: start, end of the rise, end.
-std::array<double, 3> breaks_of(const AppliedForce& f) {
+std::array<double, 3> breaks_of(const AppliedTerm& f) {
   return {f.start, f.start + f.rise, f.end.value_or(kInfinity)};
 }
 
@@ -21,16 +21,15 @@ std::array<double, 3> breaks_of(const AppliedForce& f) {
 ForceField::ForceField(std::shared_ptr<const Model> model)
     : model_(std::move(model)),
       terms_(&model_->forces),
-      add_external_(add_external_of(model_->needs)),
+      add_external_(add_external_of(*terms_)),
       has_quadratures_(!terms_->gravity_only),
       constant_(terms_->constant),
       phase_(terms_->applied.size(), 0) {
-  const std::vector<Body>& bodies = model_->bodies();
   const double time = model_->start_time;
   for (int spring = 0; spring < springs(); ++spring) {
     const SpringTerm& s = terms_->springs[spring];
-    const Motion a = initial_motion(bodies[s.body], time);
-    const Motion b = s.other >= 0 ? initial_motion(bodies[s.other], time) : spring_end(spring, time);
+    const Motion a = motion_at_start(model_->starts, s.body);
+    const Motion b = s.other >= 0 ? motion_at_start(model_->starts, s.other) : spring_end(spring, time);
     // At a margin of zero a spring acts if its ends move into its range.
     double margin = switch_margin(spring, a, b);
     if (margin == 0.0) {
@@ -60,7 +59,7 @@ void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, 
   double torque = 0.0;
   Eigen::Map<Eigen::Matrix<double, kQuadratures, 1>> quadratures(k + 6);
   if constexpr (kDrag) {
-    const double coefficient = terms_->linear_drag + terms_->quadratic_drag * v.norm();
+    const double coefficient = terms_->drag->linear + terms_->drag->quadratic * v.norm();
     force -= coefficient * v;
     quadratures[kDragLoss] = coefficient * v.squaredNorm();
   }
@@ -85,10 +84,10 @@ void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, 
     for (const int i : terms_->applied_to[body]) {
       const AppliedTerm& a = terms_->applied[i];
       if (phase_[i] == 0 || phase_[i] == 3) continue;
-      const double share = phase_[i] == 1 ? (t - a.law.start) / a.law.rise : 1.0;
-      force += share * a.law.force;
-      torque += share * a.law.torque;
-      quadratures[kWorkIn] += share * (a.law.force.dot(v) + a.law.torque * spin);
+      const double share = phase_[i] == 1 ? (t - a.start) / a.rise : 1.0;
+      force += share * a.force;
+      torque += share * a.torque;
+      quadratures[kWorkIn] += share * (a.force.dot(v) + a.torque * spin);
     }
   }
   k[3] += model_->mass.inverse_mass[body] * force.x();
@@ -100,15 +99,16 @@ void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, 
   quadratures[kAngularImpulse] = cross(x, force) + (model_->mass.inverse_inertia[body] > 0.0 ? torque : 0.0);
 }
 
-ForceField::AddExternal ForceField::add_external_of(const Needs& needs) {
+ForceField::AddExternal ForceField::add_external_of(const ForceTerms& terms) {
   const auto with = [&]<bool kDrag, bool kSprings>(std::bool_constant<kDrag>, std::bool_constant<kSprings>) {
-    return needs.has(Part::kAppliedForces) ? &ForceField::add_external<kDrag, kSprings, true>
-                                           : &ForceField::add_external<kDrag, kSprings, false>;
+    return !terms.applied_to.empty() ? &ForceField::add_external<kDrag, kSprings, true>
+                                     : &ForceField::add_external<kDrag, kSprings, false>;
   };
   const std::true_type in;
   const std::false_type out;
-  if (needs.has(Part::kDrag)) return needs.has(Part::kSprings) ? with(in, in) : with(in, out);
-  return needs.has(Part::kSprings) ? with(out, in) : with(out, out);
+  const bool springs = !terms.outside.empty();
+  if (terms.drag) return springs ? with(in, in) : with(in, out);
+  return springs ? with(out, in) : with(out, out);
 }
 
 void ForceField::add_couplings(std::span<const int> members, const Motions& y, Motions& k) const {
@@ -148,14 +148,14 @@ Eigen::Vector3d ForceField::constant_acceleration(int body) const {
   a.head<2>() = terms_->gravity;
   if (terms_->applied.empty()) return a;
   for (const int i : terms_->applied_to[body]) {
-    a.head<2>() += model_->mass.inverse_mass[body] * terms_->applied[i].law.force;
-    a[2] += model_->mass.inverse_inertia[body] * terms_->applied[i].law.torque;
+    a.head<2>() += model_->mass.inverse_mass[body] * terms_->applied[i].force;
+    a[2] += model_->mass.inverse_inertia[body] * terms_->applied[i].torque;
   }
   return a;
 }
 
 std::vector<std::vector<int>> ForceField::coupled_groups(const std::vector<std::pair<int, int>>& pairs) const {
-  const int n = static_cast<int>(model_->bodies().size());
+  const int n = static_cast<int>(model_->bodies());
   std::vector<int> parent(n);
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int i) {
@@ -253,7 +253,7 @@ double ForceField::next_break(int body, double t) const {
   if (!has_breaks()) return next;
   const double now = t + 8.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
   for (const int i : terms_->applied_to[body]) {
-    for (const double moment : breaks_of(terms_->applied[i].law)) {
+    for (const double moment : breaks_of(terms_->applied[i])) {
       if (moment > now) next = std::min(next, moment);
     }
   }
@@ -264,7 +264,7 @@ void ForceField::set_phase(int body, double t) {
   if (!has_breaks()) return;
   const double now = t + 8.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
   for (const int i : terms_->applied_to[body]) {
-    const auto moments = breaks_of(terms_->applied[i].law);
+    const auto moments = breaks_of(terms_->applied[i]);
     phase_[i] = static_cast<int>(
         std::count_if(moments.begin(), moments.end(), [now](double moment) { return now >= moment; }));
     // A force may end while it rises.

@@ -54,7 +54,7 @@ class ForceField {
   [[nodiscard]] auto contact_acceleration(int body) const { return contact_.col(body); }
   void set_contact_acceleration(int body, const Eigen::Vector3d& by) {
     if (!in_contact_) {
-      contact_ = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(model_->bodies().size()));
+      contact_ = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(model_->bodies()));
       contact_rate_ = contact_;
     }
     in_contact_ = true;
@@ -136,7 +136,7 @@ class ForceField {
   using AddExternal = void (ForceField::*)(int, double, const Vec2&, const Vec2&, double, double*) const;
   template <bool kDrag, bool kSprings, bool kApplied>
   void add_external(int body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const;
-  static AddExternal add_external_of(const Needs& needs);
+  static AddExternal add_external_of(const ForceTerms& terms);
   [[nodiscard]] Pull pull(const SpringTerm& spring, const Vec2& d, const Vec2& u) const;
   [[nodiscard]] double coupling_energy(int spring, const Eigen::Matrix3Xd& q) const;
   [[nodiscard]] double attraction_energy(int a, int b, const Vec2& d) const;

@@ -35,12 +35,11 @@ constexpr double kTautAtStart = 1e-6;
 
 JointConstraints::JointConstraints(std::shared_ptr<const Model> model)
     : model_(std::move(model)), terms_(model_->joint_terms), welded_(model_->shapes.welded) {
-  const std::vector<Body>& bodies = model_->bodies();
   const double time = model_->start_time;
   for (const JointTerm& joint : terms_.all) {
     Motions ends(kRows, 2);
-    ends.col(0) = initial_motion(bodies[joint.body], time);
-    ends.col(1) = joint.other >= 0 ? initial_motion(bodies[joint.other]) : Motion(Motion::Zero());
+    ends.col(0) = motion_at_start(model_->starts, joint.body);
+    ends.col(1) = joint.other >= 0 ? motion_at_start(model_->starts, joint.other) : Motion(Motion::Zero());
     const Ends e = ends_of(joint, time, ends, 0, joint.other >= 0 ? 1 : -1);
     const double distance = e.d.norm();
     const double speeds = ends.middleRows<2>(3).norm() + e.end_velocity.norm();
@@ -51,7 +50,7 @@ JointConstraints::JointConstraints(std::shared_ptr<const Model> model)
 }
 
 void JointConstraints::add_weld(const Weld& weld) {
-  terms_.all.push_back(weld_term(weld, model_->bodies(), model_->mass));
+  terms_.all.push_back(weld_term(weld, {model_->starts, model_->drives, model_->mass}));
   welds_.push_back(weld);
   welded_.join(weld.body, weld.other);
   taut_.push_back(1);

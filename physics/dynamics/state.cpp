@@ -12,6 +12,13 @@ Motion initial_motion(const Body& body, double time) {
   return m;
 }
 
+Motion motion_at_start(const BodyStarts& starts, int body) {
+  Motion m = Motion::Zero();
+  q_of(m) = starts.q.col(body);
+  v_of(m) = starts.v.col(body);
+  return m;
+}
+
 State initial_state(const std::vector<Body>& bodies) {
   State state;
   state.resize(static_cast<int>(bodies.size()));

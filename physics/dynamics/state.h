@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "physics/model/body_starts.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -77,6 +78,8 @@ struct State {
 // The motion of a body as the scene states it; a kinematic one has the position and velocity of its drive at
 // `time` (s).
 [[nodiscard]] Motion initial_motion(const Body& body, double time = 0.0);
+
+[[nodiscard]] Motion motion_at_start(const BodyStarts& starts, int body);
 
 [[nodiscard]] State initial_state(const std::vector<Body>& bodies);
 

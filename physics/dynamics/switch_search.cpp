@@ -71,7 +71,7 @@ double SwitchSearch::flip(Flights& f, const Island& island, int a_switch, double
 }
 
 bool SwitchSearch::may_follow(const Flights& f, const Island& island) {
-  std::int64_t most = kMostWork + kMostWorkPerBody * static_cast<std::int64_t>(f.bodies().size());
+  std::int64_t most = kMostWork + kMostWorkPerBody * f.bodies();
   if (missed_since_ >= 0.0) most /= 50;
   if (f.flight_work <= most) return true;
   if (missed_since_ < 0.0) missed_since_ = f.epoch + island.start;
@@ -115,7 +115,7 @@ void SwitchSearch::sample(Flights& f, const Island& island, double time, std::ve
 // starts and stops to act within less is not resolved by the step either.
 void SwitchSearch::end_at_first(Flights& f, Island& island) {
   const bool strings = island.group >= 0 && !f.joints.strings(island.group).empty();
-  if (!f.model->needs.has(Part::kSwitching) || !(f.field.has_switching_springs() || strings)) return;
+  if (!f.field.has_switching_springs() && !strings) return;
   if (!may_follow(f, island)) return;
   double first = island.end;
   find_leaving(f, island, first);

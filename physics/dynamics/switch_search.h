@@ -20,7 +20,7 @@ class SwitchSearch {
   static constexpr std::int64_t kMostWorkPerBody = 20'000;
 
   SwitchSearch() = default;
-  explicit SwitchSearch(const Model& model) : released_at_(model.scene.joints.size(), -1.0) {}
+  explicit SwitchSearch(const Model& model) : released_at_(model.joint_terms.all.size(), -1.0) {}
 
   // Ends the trajectory of an island at the first moment at which one of its switches flips, unless following
   // them has cost more than it may.

@@ -29,7 +29,7 @@ double time_to_end(const Flights& f, const Island& island, double reach, double 
   double most = kLongestTrajectory;
   for (const int i : f.members_of(island)) {
     if (island.kinematic) {
-      const Drive& d = *f.bodies()[i].drive;
+      const Drive& d = f.model->drive(i);
       most = std::min(most,
                       time_to_move(reach, d.velocity.norm() + d.angular_frequency * d.amplitude.norm(), 0.0));
       if (d.angular_frequency > 0.0) most = std::min(most, kSwing / d.angular_frequency);
@@ -69,7 +69,7 @@ bool is_blown_up(const Flights& f, const Island& island) {
 Trajectories::Trajectories(const std::shared_ptr<const Model>& model, const Method& method)
     : flights_(model, method),
       switches_(*model),
-      curvature_bound_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model->bodies().size()))),
+      curvature_bound_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model->bodies()))),
       turn_bound_(curvature_bound_) {}
 
 void Trajectories::begin(double epoch) {
@@ -108,7 +108,7 @@ void Trajectories::check_flight(const Island& island) const {
     if (!has_finite_squares(f.at_end.col(i))) lose(island, LossReason::kTooLarge);
   }
   if (!f.adaptive) return;
-  if (f.flight_work > kMostFlightWork + kMostFlightWorkPerBody * static_cast<std::int64_t>(f.bodies().size()))
+  if (f.flight_work > kMostFlightWork + kMostFlightWorkPerBody * f.bodies())
     lose(island, LossReason::kTooManySteps);
 }
 

@@ -42,7 +42,7 @@ void Trajectories::bound_curvature(int k) {
   Flights& f = flights_;
   const Flights::Island& island = f.islands[k];
   if (island.kinematic) {
-    const Drive& d = *f.bodies()[f.body_of(island)].drive;
+    const Drive& d = f.model->drive(f.body_of(island));
     curvature_bound_[f.body_of(island)] = d.angular_frequency * d.angular_frequency * d.amplitude.norm();
     return;
   }

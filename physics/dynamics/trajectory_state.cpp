@@ -106,7 +106,7 @@ struct KeptMembers {
     each(tolerance_missed_since, kept.tolerance_missed_since);
     each(joints_missed_since, kept.joints_missed_since);
     if (ahead == nullptr) return;
-    const std::size_t bodies = flights.bodies().size();
+    const std::size_t bodies = flights.model->bodies();
     make_room(ahead->curvature_bound, bodies);
     make_room(ahead->turn_bound, bodies);
     for (std::size_t i = 0; i < bodies; ++i) {

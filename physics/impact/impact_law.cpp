@@ -34,7 +34,7 @@ Impact normal_impact(double u_n, double k_nn, double excess, double restitution)
 }
 
 Impact resolve_central(ImpactSide& a, ImpactSide& b, const Vec2& normal, const RelativeVelocity& u,
-                       const Material& material) {
+                       const SurfaceLaw& material) {
   if (u.normal >= 0.0) return {};
   const double excess = excess_of(normal);
   const double k_nn = a.inverse_mass + b.inverse_mass;
@@ -82,7 +82,8 @@ ContactMatrix contact_matrix(const ImpactSide& a, const ImpactSide& b, const Vec
   return k;
 }
 
-Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const Material& material, ImpactLawId law) {
+Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const SurfaceLaw& material,
+                 ImpactLawId law) {
   if (!(k.determinant > kHeld * k.nn * (k.nn + k.tt))) {
     Impact impact;
     if (u.normal >= 0.0 || !(k.nn > 0.0)) return impact;
@@ -105,7 +106,7 @@ Impact resolve_smooth_impact(Vec2& velocity_a, double inverse_mass_a, Vec2& velo
   return impact;
 }
 
-Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Material& material,
+Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const SurfaceLaw& material,
                       ImpactLawId law) {
   // Tangential restitution belongs to impacts that turn nothing by their normal impulse: rounding must not
   // decide.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "physics/model/surface_law.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -58,7 +59,7 @@ struct ContactMatrix {
 // The impulse that resolves an impact with relative velocity u at a contact with matrix K, which may include
 // the effect of joints. See resolve_impact() for the laws. Tangential restitution is not used. If the contact
 // point cannot move along the tangent (det K zero within rounding), there is no friction.
-[[nodiscard]] Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const Material& material,
+[[nodiscard]] Impact impact_by(const ContactMatrix& k, const RelativeVelocity& u, const SurfaceLaw& material,
                                ImpactLawId law);
 
 // A central impact without friction: changes only the velocities, to the same bits as resolve_impact().
@@ -78,7 +79,7 @@ struct ContactMatrix {
 // Elsewhere `law` decides: see routh_path.h and newton_law.h. A contact at u_n = 0 that slips in a jam (K_nn <
 // μ_k |K_nt|, friction driving the bodies together) is resolved as the limit of u_n -> 0, an "impact without
 // collision"; any other contact at u_n = 0 gets no impulse.
-[[nodiscard]] Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal, const Material& material,
-                                    ImpactLawId law = ImpactLawId::kEnergetic);
+[[nodiscard]] Impact resolve_impact(ImpactSide& a, ImpactSide& b, const Vec2& normal,
+                                    const SurfaceLaw& material, ImpactLawId law = ImpactLawId::kEnergetic);
 
 }  // namespace carom

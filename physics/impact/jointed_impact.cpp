@@ -20,7 +20,7 @@ Vec2 at_point(const Eigen::Vector3d& v, const Vec2& r) { return v.head<2>() + v[
 }  // namespace
 
 Impact resolve_jointed_impact(Trajectories& trajectories, const MassProperties& mass, int a, int b,
-                              const Contact& contact, const Material& material, ImpactLawId law) {
+                              const Contact& contact, const SurfaceLaw& material, ImpactLawId law) {
   const Vec2 r_a = contact.point - trajectories.at_start(a).head<2>();
   const Vec2 r_b = contact.point - trajectories.at_start(b).head<2>();
   const std::array<Vec2, 2> axes = {contact.normal, crossed(contact.normal)};

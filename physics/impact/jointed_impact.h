@@ -12,7 +12,7 @@ namespace carom {
 // at the start of all bodies that take part. Body b is hit along the contact's normal. The impulse is zero if
 // the bodies do not approach.
 [[nodiscard]] Impact resolve_jointed_impact(Trajectories& trajectories, const MassProperties& mass, int a,
-                                            int b, const Contact& contact, const Material& material,
+                                            int b, const Contact& contact, const SurfaceLaw& material,
                                             ImpactLawId law);
 
 }  // namespace carom

@@ -4,7 +4,7 @@
 
 namespace carom {
 
-Impact newton_impact(const ContactMatrix& k, const RelativeVelocity& u, const Material& material) {
+Impact newton_impact(const ContactMatrix& k, const RelativeVelocity& u, const SurfaceLaw& material) {
   Impact impact;
   if (u.normal >= 0.0) return impact;
   const double mu = material.kinetic_friction;

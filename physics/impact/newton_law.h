@@ -10,6 +10,7 @@ namespace carom {
 // uses only μ_k: it has no moment at which the slip stops. Its friction may feed energy into the normal
 // direction, and the sum may be a gain (found by Kane and Levinson, Dynamics, 1985, for a pendulum that
 // strikes a floor), which energy_gain reports. No impulse for u_n >= 0.
-[[nodiscard]] Impact newton_impact(const ContactMatrix& k, const RelativeVelocity& u, const Material& material);
+[[nodiscard]] Impact newton_impact(const ContactMatrix& k, const RelativeVelocity& u,
+                                   const SurfaceLaw& material);
 
 }  // namespace carom

@@ -21,7 +21,7 @@ Leg slide(const ContactMatrix& k, double direction, double mu) {
   return leg;
 }
 
-Leg after_slip_stopped(const ContactMatrix& k, const Material& material) {
+Leg after_slip_stopped(const ContactMatrix& k, const SurfaceLaw& material) {
   const double mu_s = std::max(material.static_friction, material.kinetic_friction);
   if (std::abs(k.nt) <= mu_s * k.tt) return {-k.nt / k.tt, k.determinant / k.tt, 0.0};
   return slide(k, std::copysign(1.0, k.nt), material.kinetic_friction);
@@ -29,7 +29,7 @@ Leg after_slip_stopped(const ContactMatrix& k, const Material& material) {
 
 }  // namespace
 
-Impact energetic_impact(const ContactMatrix& k, const RelativeVelocity& u, const Material& material) {
+Impact energetic_impact(const ContactMatrix& k, const RelativeVelocity& u, const SurfaceLaw& material) {
   Impact impact;
   if (u.normal > 0.0) return impact;
   const double mu = material.kinetic_friction;

@@ -18,6 +18,6 @@ namespace carom {
 // In a jam the first leg has du_n/dp < 0. As K is positive definite, its slip always stops and sticks, and
 // u_n grows again. The result is continuous in u_n up to u_n = 0, where a jam is still resolved.
 [[nodiscard]] Impact energetic_impact(const ContactMatrix& k, const RelativeVelocity& u,
-                                      const Material& material);
+                                      const SurfaceLaw& material);
 
 }  // namespace carom

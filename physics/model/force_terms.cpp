@@ -7,7 +7,9 @@ namespace carom {
 
 ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, const Needs& needs) {
   ForceTerms t;
-  static_cast<CommonForces&>(t) = static_cast<const CommonForces&>(forces);
+  t.gravity = forces.gravity;
+  if (needs.has(Part::kDrag)) t.drag = DragTerm{forces.linear_drag, forces.quadratic_drag};
+  t.attraction = forces.attraction;
   if (needs.has(Part::kSprings)) {
     for (auto* by_body : {&t.outside, &t.between}) by_body->resize(bodies.size());
   }
@@ -37,7 +39,7 @@ ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, co
   for (const AppliedForce& f : forces.applied) {
     const int body = index.at(f.body);
     t.applied_to[body].push_back(static_cast<int>(t.applied.size()));
-    t.applied.push_back({body, f});
+    t.applied.push_back({body, f.force, f.torque, f.start, f.rise, f.end});
     t.constant = t.constant && f.start == 0.0 && f.rise == 0.0 && !f.end;
   }
   bool smooth = false;

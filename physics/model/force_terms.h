@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "physics/model/needs.h"
@@ -19,14 +20,27 @@ struct SpringTerm {
   SpringActs acts;
 };
 
+// An applied force and torque, likewise.
 struct AppliedTerm {
   int body;
-  AppliedForce law;
+  Vec2 force;                 // N
+  double torque;              // N m
+  double start;               // s
+  double rise;                // s
+  std::optional<double> end;  // s
+};
+
+struct DragTerm {
+  double linear;     // kg/s
+  double quadratic;  // kg/m
 };
 
 // The smooth forces of a scene, arranged for evaluation. All lists of a part that the model leaves out are
 // empty, including those by body.
-struct ForceTerms : CommonForces {
+struct ForceTerms {
+  Vec2 gravity = Vec2::Zero();  // m/s²
+  std::optional<DragTerm> drag;
+  std::optional<Attraction> attraction;
   bool gravity_only = true;  // only uniform gravity acts: all quadratures but its own stay zero
   bool constant = true;      // only gravity and forces that never change: flight is a parabola
   bool one_sided = false;    // some springs push or pull only

@@ -10,77 +10,79 @@ namespace carom {
 namespace {
 
 // A weld may be placed at the centre of either of its bodies. At the one with the smaller inertia (0 for a
-// point-like body, which gets no row for its angle) the rows depend least on each other. The angles are those
-// of the bodies at the start; `weld` is a pin so far.
-void place_weld(JointTerm& weld, const Joint& joint, double angle, double other_angle,
+// point-like body, which gets no row for its angle) the rows depend least on each other. `weld` is a pin so
+// far, between these two points; `other_angle` in rad is that of the other body at the start.
+void place_weld(JointTerm& weld, const Vec2& point, const Vec2& anchor, double other_angle,
                 const MassProperties& mass) {
-  weld.angle = joint.angle.value_or(angle - other_angle);
   weld.point = Vec2::Zero();
   if (weld.other >= 0 && mass.inertia[weld.body] > mass.inertia[weld.other]) {
-    weld.anchor = joint.point - turned_by(-weld.angle, joint.anchor);
+    weld.anchor = point - turned_by(-weld.angle, anchor);
     weld.angle = -weld.angle;
     std::swap(weld.body, weld.other);
   } else {
     if (weld.other < 0) weld.angle += other_angle;
-    weld.anchor -= turned_by(weld.angle, joint.point);
+    weld.anchor -= turned_by(weld.angle, point);
   }
   weld.rows = mass.inertia[weld.body] > 0.0 ? 3 : 2;
 }
 
-// m, the distance of the ends at `time`.
-double distance_of(const JointTerm& joint, const std::vector<Body>& bodies, double time) {
-  const Body a = moved_by_drive(bodies[joint.body], time);
-  Vec2 d = a.position + turned_by(a.angle, joint.point);
+// `other`: the body at the other end, or -1. `angle` is that of a weld; none: as at the start.
+JointTerm joint_term(JointKind kind, const Weld& ends, std::optional<double> angle,
+                     const JointedBodies& bodies) {
+  const auto& [starts, drives, mass] = bodies;
+  const int other = ends.other;
+  JointTerm joint{kind, ends.body, -1, -1, ends.point, ends.anchor, 0.0, 0.0, kind == JointKind::kPin ? 2 : 1};
+  const double other_angle = other < 0 ? 0.0 : starts.q(2, other);
+  if (other >= 0 && mass.inverse_mass[other] > 0.0) {
+    joint.other = other;
+  } else if (other >= 0) {
+    const Vec2 home = drives.drives(other) ? drives.at(other).home : Vec2(starts.q.col(other).head<2>());
+    joint.anchor = home + turned_by(other_angle, ends.anchor);
+    if (drives.drives(other)) joint.drive = other;
+  }
+  if (kind != JointKind::kWeld) return joint;
+  joint.angle = angle.value_or(starts.q(2, ends.body) - other_angle);
+  place_weld(joint, ends.point, ends.anchor, other_angle, mass);
+  return joint;
+}
+
+// m, the distance of the ends at the start, at `time` (s).
+double distance_of(const JointTerm& joint, const JointedBodies& bodies, double time) {
+  const auto a = bodies.starts.q.col(joint.body);
+  Vec2 d = a.head<2>() + turned_by(a[2], joint.point);
   if (joint.other >= 0) {
-    const Body& b = bodies[joint.other];
-    d -= b.position + turned_by(b.angle, joint.anchor);
+    const auto b = bodies.starts.q.col(joint.other);
+    d -= b.head<2>() + turned_by(b[2], joint.anchor);
   } else if (joint.drive >= 0) {
-    d -= drive_position(*bodies[joint.drive].drive, joint.anchor, time);
+    d -= drive_position(bodies.drives.at(joint.drive).law, joint.anchor, time);
   } else {
     d -= joint.anchor;
   }
   return d.norm();
 }
 
-// `other`: the body at the other end, or -1.
-JointTerm joint_term(const Joint& l, int body, int other, const std::vector<Body>& bodies,
-                     const MassProperties& mass) {
-  JointTerm joint{l.kind, body, -1, -1, l.point, l.anchor, 0.0, 0.0, l.kind == JointKind::kPin ? 2 : 1};
-  if (other >= 0) {
-    if (!has_infinite_mass(bodies[other])) {
-      joint.other = other;
-    } else {
-      joint.anchor = bodies[other].position + turned_by(bodies[other].angle, l.anchor);
-      if (bodies[other].drive) joint.drive = other;
-    }
-  }
-  if (l.kind == JointKind::kWeld)
-    place_weld(joint, l, bodies[body].angle, other < 0 ? 0.0 : bodies[other].angle, mass);
-  return joint;
-}
-
 }  // namespace
 
-JointTerms joint_terms_of(const std::vector<Joint>& joints, const std::vector<Body>& bodies,
-                          const MassProperties& mass, double time) {
+JointTerms joint_terms_of(const std::vector<Joint>& joints, const std::vector<Body>& names,
+                          const JointedBodies& bodies, double time) {
   JointTerms joint_terms;
   std::unordered_map<std::string, int> index;
-  for (std::size_t i = 0; i < bodies.size(); ++i) index.emplace(bodies[i].name, static_cast<int>(i));
+  for (std::size_t i = 0; i < names.size(); ++i) index.emplace(names[i].name, static_cast<int>(i));
   for (const Joint& l : joints) {
-    JointTerm joint = joint_term(l, index.at(l.body), l.to.empty() ? -1 : index.at(l.to), bodies, mass);
+    const Weld ends{.body = index.at(l.body),
+                    .other = l.to.empty() ? -1 : index.at(l.to),
+                    .point = l.point,
+                    .anchor = l.anchor,
+                    .angle = 0.0};
+    JointTerm joint = joint_term(l.kind, ends, l.angle, bodies);
     joint.length = l.length.value_or(distance_of(joint, bodies, time));
     joint_terms.all.push_back(joint);
   }
   return joint_terms;
 }
 
-JointTerm weld_term(const Weld& weld, const std::vector<Body>& bodies, const MassProperties& mass) {
-  Joint joint;
-  joint.kind = JointKind::kWeld;
-  joint.point = weld.point;
-  joint.anchor = weld.anchor;
-  joint.angle = weld.angle;
-  return joint_term(joint, weld.body, weld.other, bodies, mass);
+JointTerm weld_term(const Weld& weld, const JointedBodies& bodies) {
+  return joint_term(JointKind::kWeld, weld, weld.angle, bodies);
 }
 
 std::vector<std::pair<int, int>> JointTerms::joined() const {

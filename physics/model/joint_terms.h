@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "physics/model/body_starts.h"
 #include "physics/model/mass.h"
 #include "physics/model/weld.h"
 #include "physics/scene/scene.h"
@@ -32,11 +33,17 @@ struct JointTerms {
   [[nodiscard]] std::vector<std::pair<int, int>> joined() const;
 };
 
+// What joints need to know of the bodies.
+struct JointedBodies {
+  const BodyStarts& starts;
+  const DriveTerms& drives;
+  const MassProperties& mass;
+};
+
 // Lengths that the scene leaves out are those at `time` (s), the start of the run.
-[[nodiscard]] JointTerms joint_terms_of(const std::vector<Joint>& joints, const std::vector<Body>& bodies,
-                                        const MassProperties& mass, double time);
+[[nodiscard]] JointTerms joint_terms_of(const std::vector<Joint>& joints, const std::vector<Body>& names,
+                                        const JointedBodies& bodies, double time);
 // Of a weld that a run makes.
-[[nodiscard]] JointTerm weld_term(const Weld& weld, const std::vector<Body>& bodies,
-                                  const MassProperties& mass);
+[[nodiscard]] JointTerm weld_term(const Weld& weld, const JointedBodies& bodies);
 
 }  // namespace carom

@@ -1,42 +1,38 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <vector>
+#include <cstddef>
 
+#include "physics/model/body_starts.h"
 #include "physics/model/force_terms.h"
 #include "physics/model/geometry.h"
 #include "physics/model/joint_terms.h"
 #include "physics/model/mass.h"
-#include "physics/model/needs.h"
 #include "physics/model/surfaces.h"
-#include "physics/scene/scene.h"
 
 namespace carom {
 
-// What the step works on: a scene with indices in place of names, its masses, shapes and forces as arrays,
-// and only the parts that it needs. Compiled once, then constant and shared by all runs and their copies, on
-// any thread. A run whose scene is edited continues with a new model; welds that it makes are its own state.
+// What the step works on: masses, shapes, surfaces, forces and joints of a scene as arrays by index, without
+// its names, and only the parts that it needs. Compiled once (compiled_scene.h), then constant and shared by
+// all runs and their copies, on any thread. A run whose scene is edited continues with a new model; welds that
+// it makes are its own state.
 struct Model {
-  Scene scene;  // with all bodies listed, those of the generators too
-  Needs needs;
+  BodyStarts starts;
   MassProperties mass;
   Geometry shapes;
   Surfaces surfaces;
   ForceTerms forces;
   JointTerms joint_terms;
-  std::vector<std::uint8_t> kinematic;  // by body; empty without kinematic bodies
-  bool smooth_discs = false;            // no rotation, friction, sticking, joints or switched forces
-  double start_time = 0.0;              // s, of a run
+  DriveTerms drives;
+  ImpactLawId impact_law = ImpactLawId::kEnergetic;
+  SeveralImpactsId several_impacts = SeveralImpactsId::kPairwise;
+  bool smooth_discs = false;  // no rotation, friction, sticking, joints or switched forces
+  bool untrimmed = false;     // without short cuts that change only rounding: all bodies are advanced together
+  double start_time = 0.0;    // s, of a run
 
-  [[nodiscard]] const std::vector<Body>& bodies() const { return scene.bodies; }
-  [[nodiscard]] bool is_kinematic(int body) const { return !kinematic.empty() && kinematic[body] != 0; }
-  [[nodiscard]] const Drive& drive(int body) const { return *scene.bodies[body].drive; }
+  [[nodiscard]] std::size_t bodies() const { return shapes.fixed.size(); }  // how many
+  [[nodiscard]] bool is_kinematic(int body) const { return drives.drives(body); }
+  [[nodiscard]] const Drive& drive(int body) const { return drives.at(body).law; }
   [[nodiscard]] bool infinite_mass(int body) const { return shapes.fixed[body] != 0; }
 };
-
-// The scene must be valid (validate.h). A run of it starts at `start_time` (s), which sets the drives'
-// positions.
-[[nodiscard]] std::shared_ptr<const Model> compile(Scene scene, const Needs& needs, double start_time = 0.0);
 
 }  // namespace carom

@@ -5,6 +5,11 @@
 
 namespace carom {
 
+SurfaceLaw law_of(const Material& m) {
+  return {m.restitution,      m.tangential_restitution, m.static_friction,
+          m.kinetic_friction, m.rolling_resistance,     m.sticks};
+}
+
 Surfaces surfaces_of(const Scene& scene, const std::vector<Body>& bodies, const Geometry& shapes) {
   Surfaces surfaces;
   std::vector<std::string> names;
@@ -25,7 +30,10 @@ Surfaces surfaces_of(const Scene& scene, const std::vector<Body>& bodies, const 
     });
   }
   surfaces.materials = static_cast<int>(names.size());
-  surfaces.pairs = combined_materials(scene, names);
+  for (const Material& pair : combined_materials(scene, names)) {
+    surfaces.pairs.push_back(law_of(pair));
+    surfaces.stick = surfaces.stick || pair.sticks;
+  }
   return surfaces;
 }
 

@@ -3,20 +3,24 @@
 #include <vector>
 
 #include "physics/model/geometry.h"
+#include "physics/model/surface_law.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
 
 // The surface law of any two bodies, or convex parts of them, looked up by index.
 struct Surfaces {
-  std::vector<int> material;    // by part, as in Geometry
-  int materials = 0;            // number of materials that bodies have
-  std::vector<Material> pairs;  // materials × materials, row by row
+  std::vector<int> material;      // by part, as in Geometry
+  int materials = 0;              // number of materials that bodies have
+  std::vector<SurfaceLaw> pairs;  // materials × materials, row by row
+  bool stick = false;             // some of these do
 
-  [[nodiscard]] const Material& between(int a, int b) const {
+  [[nodiscard]] const SurfaceLaw& between(int a, int b) const {
     return pairs[static_cast<std::size_t>(material[a] * materials + material[b])];
   }
 };
+
+[[nodiscard]] SurfaceLaw law_of(const Material& material);
 
 [[nodiscard]] Surfaces surfaces_of(const Scene& scene, const std::vector<Body>& bodies, const Geometry& shapes);
 

@@ -57,8 +57,8 @@ void append(Rows rows, std::vector<Rows>& all) {
 
 void take_moment(const Simulation& simulation, Frame& frame) {
   frame.time = simulation.time();
-  frame.bodies = {simulation.model(), &simulation.model()->scene.bodies};
-  frame.forces = {simulation.model(), &simulation.model()->scene.forces};
+  frame.bodies = {simulation.compiled(), &simulation.compiled()->scene.bodies};
+  frame.forces = {simulation.compiled(), &simulation.compiled()->scene.forces};
   frame.method = simulation.method();
   frame.steps = simulation.steps();
   frame.impact_count = simulation.impact_count();

@@ -12,7 +12,7 @@ void KeyFrames::take(const Simulation& simulation, const Sampler& sampler, doubl
     if (is_there && (frames_.back()->at_edit || !at_edit)) return;
     if (is_there) frames_.pop_back();
   }
-  KeyFrame frame{simulation.model(), simulation.run_state(), sampler, wall_time, at_edit};
+  KeyFrame frame{simulation.compiled(), simulation.run_state(), sampler, wall_time, at_edit};
   // A replay from here may be on another thread than the run.
   frame.sampler.interrupt_on({});
   (void)frame.sampler.take();  // the rows so far belong to the run itself

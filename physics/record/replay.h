@@ -18,7 +18,7 @@ namespace carom {
 // A run at the end of one of its steps, before the edits that are due there, with everything needed to continue
 // from there.
 struct KeyFrame {
-  std::shared_ptr<const Model> model;
+  std::shared_ptr<const CompiledScene> compiled;
   RunState state;
   Sampler sampler;
   double wall_time = 0.0;  // s, spent on the steps so far
@@ -62,7 +62,8 @@ class Replay {
     simulation_.interrupt_on(interrupt);
   }
   // From a key frame on, of a run with these edits.
-  Replay(const KeyFrame& moment, const std::vector<RunEdit>& edits) : simulation_(moment.model, moment.state) {
+  Replay(const KeyFrame& moment, const std::vector<RunEdit>& edits)
+      : simulation_(moment.compiled, moment.state) {
     simulation_.watch_impacts(true);
     simulation_.set_edits(edits);
   }

@@ -114,7 +114,7 @@ Checkpoint Simulation::checkpoint() const {
 
 void Simulation::go_on_from(const SavedRun& saved) {
   if (saved.fingerprint == 0) return;
-  if (saved.checkpoint == nullptr || !state_belongs(world_.model->scene, saved)) {
+  if (saved.checkpoint == nullptr || !state_belongs(compiled_->scene, saved)) {
     world_.note(&Notices::state_left_since, saved.time);
     return;
   }

@@ -29,8 +29,8 @@ RunState Simulation::run_state() const {
   return kept;
 }
 
-Simulation::Simulation(std::shared_ptr<const Model> model, const RunState& state)
-    : Simulation(std::move(model), state.method) {
+Simulation::Simulation(std::shared_ptr<const CompiledScene> compiled, const RunState& state)
+    : Simulation(std::move(compiled), state.method) {
   restore(state);
 }
 

@@ -8,7 +8,7 @@
 namespace carom {
 
 Scene scene_now(const Simulation& run) {
-  Scene scene = run.model()->scene;
+  Scene scene = run.compiled()->scene;
   scene.joints = run.joints();
   std::unordered_map<std::string_view, double> angles;  // by body, at the start
   for (const Body& b : run.bodies()) angles.emplace(b.name, b.angle);

@@ -31,8 +31,8 @@ Simulation::Simulation(const RunSetup& setup, const Needs& needs)
   set_edits(setup.edits);
 }
 
-Simulation::Simulation(std::shared_ptr<const Model> model, const Method& method)
-    : world_(std::move(model), method) {
+Simulation::Simulation(std::shared_ptr<const CompiledScene> compiled, const Method& method)
+    : compiled_(std::move(compiled)), world_({compiled_, &compiled_->model}, method) {
   choose_strategies();
 }
 
@@ -64,7 +64,7 @@ void Simulation::count_pairs(const std::vector<std::pair<std::string, std::strin
 }
 
 std::vector<Joint> Simulation::joints() const {
-  std::vector<Joint> joints = world_.model->scene.joints;
+  std::vector<Joint> joints = compiled_->scene.joints;
   for (const Weld& weld : world_.trajectories.welds()) {
     Joint& joint = joints.emplace_back();
     joint.kind = JointKind::kWeld;

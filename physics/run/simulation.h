@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "physics/model/compiled_scene.h"
 #include "physics/run/lost_run.h"
 #include "physics/run/run_setup.h"
 #include "physics/step/event_driven_impacts.h"
@@ -22,7 +23,8 @@ namespace carom {
 struct Checkpoint;  // physics/run/checkpoint.h
 struct RunState;    // physics/run/run_state.h
 
-// A scene in motion: one world under one method. A value: copies are independent and share only the model.
+// A scene in motion: one world under one method. A value: copies are independent and share only the compiled
+// scene.
 //
 // The method chooses one of two strategies for impacts, at the step's end (step_end_impacts.h) or at their
 // own time (event_driven_impacts.h). Resting contacts (resting_contacts.h) are added if the method asks for
@@ -38,10 +40,10 @@ class Simulation {
   // model to compile. A saved run continues from its checkpoint.
   explicit Simulation(const RunSetup& setup) : Simulation(setup, needs_of(setup.scene)) {}
   Simulation(const RunSetup& setup, const Needs& needs);
-  // At the start of a run of this model.
-  Simulation(std::shared_ptr<const Model> model, const Method& method);
-  // At a later moment: `state` is from a run of the same model, which continues here bit by bit.
-  Simulation(std::shared_ptr<const Model> model, const RunState& state);
+  // At the start of a run of this scene.
+  Simulation(std::shared_ptr<const CompiledScene> compiled, const Method& method);
+  // At a later moment: `state` is from a run of the same scene, which continues here bit by bit.
+  Simulation(std::shared_ptr<const CompiledScene> compiled, const RunState& state);
 
   void step();
   // Throws StepInterrupted if a stop was requested (interrupt_on()); the simulation is then unusable. A lost
@@ -65,6 +67,8 @@ class Simulation {
     advance_to(time, [] {});
   }
 
+  // The scene as it was at the start, or at the last edit of it, and its model.
+  [[nodiscard]] const std::shared_ptr<const CompiledScene>& compiled() const { return compiled_; }
   [[nodiscard]] const std::shared_ptr<const Model>& model() const { return world_.model; }
   [[nodiscard]] double time() const { return world_.clock.time; }
   [[nodiscard]] std::int64_t steps() const { return world_.clock.steps; }
@@ -75,7 +79,7 @@ class Simulation {
   [[nodiscard]] std::int64_t evaluations() const { return world_.trajectories.evaluations(); }
   [[nodiscard]] std::int64_t rejected_steps() const { return world_.trajectories.rejected_steps(); }
   [[nodiscard]] const State& state() const { return world_.state; }
-  [[nodiscard]] const std::vector<Body>& bodies() const { return world_.model->bodies(); }
+  [[nodiscard]] const std::vector<Body>& bodies() const { return compiled_->scene.bodies; }
   [[nodiscard]] const MassProperties& mass() const { return world_.mass(); }
   [[nodiscard]] const Geometry& shapes() const { return world_.shapes(); }
   // Those of the scene, then a weld for each impact after which two bodies stuck together.
@@ -88,7 +92,7 @@ class Simulation {
   }  // m, of a rod or a string
   [[nodiscard]] const ForceField& field() const { return world_.field(); }
   [[nodiscard]] const Method& method() const { return world_.method; }
-  [[nodiscard]] const Needs& needs() const { return world_.model->needs; }
+  [[nodiscard]] const Needs& needs() const { return compiled_->needs; }
   [[nodiscard]] Notices notices() const;
   // Why the run can't continue; nothing while it can.
   [[nodiscard]] const std::optional<LostRun>& lost() const { return lost_; }
@@ -141,7 +145,8 @@ class Simulation {
   void go_on_from(const Checkpoint& from);
   void restore(const RunState& state);
 
-  World world_;
+  std::shared_ptr<const CompiledScene> compiled_;
+  World world_;  // of its model
   std::variant<StepEndImpacts, EventDrivenImpacts> impacts_;
   std::optional<RestingContacts> resting_;
   std::optional<LostRun> lost_;

@@ -43,9 +43,9 @@ struct SmoothImpact {
         velocity_b(world.trajectories.at_start(b).segment<2>(3)),
         normal(contact.normal) {}
   static const Contact& acting_contact(World&, int, int, const Contact& touch) { return touch; }
-  static bool joins(const Material&) { return false; }
+  static bool joins(const SurfaceLaw&) { return false; }
   [[nodiscard]] double closing() const { return -Vec2(velocity_b - velocity_a).dot(normal); }
-  Impact resolve(World& world, int a, int b, const Contact&, const Material& material) {
+  Impact resolve(World& world, int a, int b, const Contact&, const SurfaceLaw& material) {
     const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;
     const Impact impact = resolve_smooth_impact(velocity_a, inverse_mass[a], velocity_b, inverse_mass[b],
                                                 normal, material.restitution);
@@ -69,11 +69,11 @@ struct GeneralImpact {
   static Contact acting_contact(World& world, int a, int b, const Contact& touch) {
     return pressed_contact(world, a, b, touch);
   }
-  static bool joins(const Material& material) { return material.sticks; }
+  static bool joins(const SurfaceLaw& material) { return material.sticks; }
   [[nodiscard]] double closing() const { return closing_speed; }
-  Impact resolve(World& world, int a, int b, const Contact& contact, const Material& material) {
+  Impact resolve(World& world, int a, int b, const Contact& contact, const SurfaceLaw& material) {
     Trajectories& trajectories = world.trajectories;
-    const ImpactLawId law = world.model->scene.impact_law;
+    const ImpactLawId law = world.model->impact_law;
     Impact impact;
     if (joins(material)) {
       impact = join(world, a, b, contact);
@@ -95,7 +95,8 @@ struct GeneralImpact {
 };
 
 template <class Kind>
-ImpactEffect apply(World& world, int a, int b, const Contact& touch, const Material& material, double within) {
+ImpactEffect apply(World& world, int a, int b, const Contact& touch, const SurfaceLaw& material,
+                   double within) {
   const Contact& contact = Kind::acting_contact(world, a, b, touch);  // a temporary lives as long
   Kind of_pair(world, a, b, contact);
   const double closing = of_pair.closing();
@@ -103,7 +104,7 @@ ImpactEffect apply(World& world, int a, int b, const Contact& touch, const Mater
   // bodies.
   if (!(closing > 0.0)) return ImpactEffect::kNone;
   const Ledger& ledger = world.sums.ledger;
-  const bool wants_jump = world.log.wants_jump(world.model->bodies().size());
+  const bool wants_jump = world.log.wants_jump(world.model->bodies());
   Jump jump;
   if (wants_jump) {
     jump.before = world.state_at(within);

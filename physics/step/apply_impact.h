@@ -11,7 +11,7 @@ namespace carom {
 // Resolves the impact of two bodies at the start of their trajectories, `within` s after the epoch: changes
 // their velocities, records the impact and keeps the ledger. Does nothing if the pair does not close. Bodies
 // whose surfaces stick are joined by a weld.
-inline ImpactEffect apply_impact(World& world, int a, int b, const Contact& contact, const Material& material,
+inline ImpactEffect apply_impact(World& world, int a, int b, const Contact& contact, const SurfaceLaw& material,
                                  double within) {
   return world.apply_impact(world, a, b, contact, material, within);
 }

@@ -127,7 +127,7 @@ void ContactFinder::add(const Step& step, int a, int b, const Manifold& m, doubl
   FoundContacts& found = step.found;
   Contacts& c = found.contacts;
   const auto& forces = step.memory.forces;
-  const Material& material = world.material(m.contact(0), a, b);
+  const SurfaceLaw& material = world.material(m.contact(0), a, b);
   const bool located = world.method.impacts == ImpactsId::kLocated;
   const double by_forces = step.length * std::max(step.pressing.acceleration(a), step.pressing.acceleration(b));
   const double slip = kStuck * step.pressing.change_by_forces() + step.pressing.noise();

@@ -276,7 +276,7 @@ void EventDrivenImpacts::count_at_once(World& world, double time) {
 }
 
 bool EventDrivenImpacts::classify_rebound(const Step& step, int a, int b, const Contact& contact,
-                                          const Material& material, double time, bool guarded) {
+                                          const SurfaceLaw& material, double time, bool guarded) {
   World& world = step.world;
   if (!(material.restitution < 1.0)) return false;
   const double rebound = world.parting_speed(a, b, contact);

@@ -94,7 +94,7 @@ class EventDrivenImpacts {
   bool find_touches(World& world, int a, int b, double time, double tolerances);
   // After an impact with e < 1: decides whether the pair rests from now on or has collapsed. Returns the same
   // as resolve().
-  bool classify_rebound(const Step& step, int a, int b, const Contact& contact, const Material& material,
+  bool classify_rebound(const Step& step, int a, int b, const Contact& contact, const SurfaceLaw& material,
                         double time, bool guarded);
   void count_at_once(World& world, double time);
   void resolve_end_of_step(const Step& step, double target);

@@ -23,7 +23,7 @@ void take_connected(const World& world, std::vector<Hit>& from, std::size_t begi
 }  // namespace
 
 void resolve_at_once(World& world, HitsAtOnce& buffers, double h, double within) {
-  const bool all = world.model->scene.several_impacts == SeveralImpactsId::kSimultaneous;
+  const bool all = world.model->several_impacts == SeveralImpactsId::kSimultaneous;
   const double same = all ? std::numeric_limits<double>::infinity() : kSameMoment * h;
   auto& [hits, together, cluster] = buffers;
   // The first to touch at the back, and of one moment in the order of the bodies: not in that of the list.

@@ -50,7 +50,7 @@ bool ImpactCluster::has_several_pairs() const {
 
 bool ImpactCluster::has_law(const World& world) const {
   return std::none_of(touches_.begin(), touches_.end(), [&](const Touch& t) {
-    const Material& material = world.material(t.contact, t.a, t.b);
+    const SurfaceLaw& material = world.material(t.contact, t.a, t.b);
     return material.sticks || material.tangential_restitution != 0.0;
   });
 }
@@ -90,7 +90,7 @@ void ImpactCluster::fill(World& world) {
   contacts_.clear();
   closing_.clear();
   for (const Touch& t : touches_) {
-    const Material& material = world.material(t.contact, t.a, t.b);
+    const SurfaceLaw& material = world.material(t.contact, t.a, t.b);
     contacts_.push_back({column(t.a), column(t.b), t.contact.normal,
                          t.contact.point - world.trajectories.at_start(t.a).head<2>(),
                          t.contact.point - world.trajectories.at_start(t.b).head<2>(), material.restitution,
@@ -140,7 +140,7 @@ bool ImpactCluster::resolve(World& world, double within, ClusterRestitution rest
   fill(world);
   const Ledger ledger_before = world.sums.ledger;
   State before;
-  if (world.log.wants_jump(world.model->bodies().size())) before = world.state_at(within);
+  if (world.log.wants_jump(world.model->bodies())) before = world.state_at(within);
   const double now = world.trajectories.epoch() + within;
   // Each round but the last makes one string slack.
   do {
@@ -169,7 +169,7 @@ bool ImpactCluster::resolve(World& world, double within, ClusterRestitution rest
 
 // One jump for each entry of the log: the first one has all of the motion.
 void ImpactCluster::record(World& world, double within, State before, const Ledger& ledger_before) {
-  const auto wants_jump = [&] { return world.log.wants_jump(world.model->bodies().size()); };
+  const auto wants_jump = [&] { return world.log.wants_jump(world.model->bodies()); };
   Jump jump;
   jump.time = std::min(world.trajectories.epoch() + within, world.clock.step_end);
   if (wants_jump()) {

@@ -73,7 +73,7 @@ void EventDrivenImpacts::rebuild_all(const Step& step) {
   }
   for (int k = 0; k < world.trajectories.islands(); ++k) rebuild(step, k);
   // Each pair once: from its movable body with the higher index, or from its only movable body.
-  std::size_t left = BroadPhase::most_pairs(world.model->bodies().size());
+  std::size_t left = BroadPhase::most_pairs(world.model->bodies());
   for (int i = 0; i < n && left > 0; ++i) {
     if (world.infinite_mass(i)) continue;
     grid_.each_near(i, [&](int other) {

@@ -104,9 +104,8 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
   find_hits(world, pairs, neighbours, scratch.at_once.hits);
   resolve_at_once(world, scratch.at_once, h, now);
   // Each push changes the energy of attraction to all bodies: for many pairs the sum is taken once.
-  const Needs& needs = world.model->needs;
-  const bool all_at_once = field.attracts() && !needs.has(Part::kJoints) && !needs.has(Part::kSticking) &&
-                           pairs.size() > world.model->bodies().size();
+  const bool all_at_once = field.attracts() && world.model->joint_terms.all.empty() &&
+                           !world.model->surfaces.stick && pairs.size() > world.model->bodies();
   if (all_at_once) correction -= field.potential_energy(world.state.q);
   // Of two parts.
   const auto part_them = [&](const WaitingPair& pair, const std::pair<int, int>& parts) {
@@ -124,7 +123,7 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
       if (k > 0) at = world.approach(a, b, -gap, parts);
       if (at.contact.normal != normal) break;  // there a neighbour continues the surface
       if (!(at.speed < (k == 0 ? 0.0 : -16.0 * kEpsilon * at.scale))) break;
-      Material material = world.material(at.contact, a, b);
+      SurfaceLaw material = world.material(at.contact, a, b);
       // A closing speed from the forces of this step must not bounce; a true impact on a resting pair must.
       if (resting && -at.speed <= pressed_in(world, a, b, h)) material.restitution = 0.0;
       const ImpactEffect of_pair = apply_impact(world, a, b, at.contact, material, now);

@@ -51,7 +51,7 @@ void RestingContacts::land(World& world, const LandingTime& landing) const {
     if (m.points[k].id != id) continue;
     // The point that has landed, which need not be the deepest.
     const Contact contact = m.contact(k);
-    const Material& material = world.material(contact, a, b);
+    const SurfaceLaw& material = world.material(contact, a, b);
     const double closing = -world.parting_speed(a, b, contact);
     if (material.restitution * closing >
         rest_speed(world, a, b, contact.point, contact.normal, material.restitution))
@@ -73,7 +73,7 @@ void RestingContacts::strike(World& world, double h) {
     world.shapes().each_parts(a, b, [&](int part_a, int part_b) {
       if (!world.can_collide(a, b)) return;  // one body by now
       const Approach at = world.approach(a, b, 0.0, {part_a, part_b});
-      const Material& material = world.material(at.contact, a, b);
+      const SurfaceLaw& material = world.material(at.contact, a, b);
       const double rest = rest_speed(world, a, b, at.contact.point, at.contact.normal, material.restitution);
       if (!(-material.restitution * at.speed > rest) || -at.speed * h < at.contact.gap) return;
       if (several && on_internal_edge(world, a, b, at.contact, finder_.neighbours().of_pair(world, a, b), pose))
@@ -84,7 +84,7 @@ void RestingContacts::strike(World& world, double h) {
   std::vector<Hit>& hits = at_once_.hits;
   hits.clear();
   for (const auto& [a, b] : found_.hits) {
-    each_hit(a, b, [&, a = a, b = b](const Contact& contact, double closing, const Material&) {
+    each_hit(a, b, [&, a = a, b = b](const Contact& contact, double closing, const SurfaceLaw&) {
       hits.push_back({a, b, contact, contact.gap / closing});
     });
   }
@@ -94,7 +94,7 @@ void RestingContacts::strike(World& world, double h) {
   resolve_at_once(world, at_once_, h, 0.0);
   const auto strikes = [&](int a, int b) {
     bool some = false;
-    each_hit(a, b, [&](const Contact& contact, double, const Material& material) {
+    each_hit(a, b, [&](const Contact& contact, double, const SurfaceLaw& material) {
       apply_impact(world, a, b, contact, material, 0.0);
       struck_[static_cast<std::size_t>(a)] = struck_[static_cast<std::size_t>(b)] = 1;
       some = true;

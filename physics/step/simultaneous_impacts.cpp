@@ -169,7 +169,7 @@ void EventDrivenImpacts::find_due(const Step& step, int a, int b, double time) {
 std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, int a, int b, double time) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
-  const bool all = world.model->scene.several_impacts == SeveralImpactsId::kSimultaneous;
+  const bool all = world.model->several_impacts == SeveralImpactsId::kSimultaneous;
   if (all) {
     find_touching(world, a, b, time, 1.0);
   } else {

@@ -106,7 +106,7 @@ Ledger World::ledger() const {
   for (int i = 0; i < state.size(); ++i) {
     if (!infinite_mass(i)) total += mass().mass[i];
   }
-  ledger.momentum_from_gravity += total * (clock.time - sums.gravity_since) * model->scene.forces.gravity;
+  ledger.momentum_from_gravity += total * (clock.time - sums.gravity_since) * model->forces.gravity;
   return ledger;
 }
 

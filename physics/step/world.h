@@ -24,7 +24,7 @@ enum class ImpactEffect {
   kJoined    // they have stuck together: the islands are different, and all of them start now
 };
 // Resolves one impact (apply_impact.h).
-using ApplyImpact = ImpactEffect (*)(World&, int a, int b, const Contact&, const Material&, double within);
+using ApplyImpact = ImpactEffect (*)(World&, int a, int b, const Contact&, const SurfaceLaw&, double within);
 
 // The data that every part of a step works on: the model, the motions of its bodies, and the sums of the run.
 // A value: copies share only the model.
@@ -42,13 +42,13 @@ struct World {
   ImpactLog log;
   StepWork work;
 
-  [[nodiscard]] int bodies() const { return static_cast<int>(model->bodies().size()); }
+  [[nodiscard]] int bodies() const { return static_cast<int>(model->bodies()); }
   [[nodiscard]] const MassProperties& mass() const { return model->mass; }
   [[nodiscard]] const Geometry& shapes() const { return model->shapes; }
   [[nodiscard]] const ForceField& field() const { return trajectories.field(); }
   [[nodiscard]] bool infinite_mass(int body) const { return model->infinite_mass(body); }
   // Of the parts of a and b that touch.
-  [[nodiscard]] const Material& material(const Contact& contact, int a, int b) const {
+  [[nodiscard]] const SurfaceLaw& material(const Contact& contact, int a, int b) const {
     if (contact.part_a < 0) return model->surfaces.between(a, b);
     return model->surfaces.between(contact.part_a, contact.part_b);
   }

@@ -95,7 +95,7 @@ void LiveRun::take_setup(const std::vector<RunEdit>& edits, const KeyFrame* back
 }
 
 void LiveRun::go_back_to(const KeyFrame& moment) {
-  simulation_ = Simulation(moment.model, moment.state);
+  simulation_ = Simulation(moment.compiled, moment.state);
   simulation_.watch_impacts(true);
   simulation_.interrupt_on(interrupt_);
   rows_.push_back(sampler_.take());

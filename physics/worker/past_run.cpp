@@ -66,7 +66,7 @@ void PastRun::stand(const Leads& leads, const Beyond& beyond) {
 }
 
 void PastRun::stand_at(const KeyFrame& moment) {
-  at_.emplace(Standing{Simulation(moment.model, moment.state), std::nullopt, moment.wall_time});
+  at_.emplace(Standing{Simulation(moment.compiled, moment.state), std::nullopt, moment.wall_time});
   at_->simulation.watch_impacts(true);
   at_->simulation.interrupt_on(interrupt_);
   at_->simulation.set_edits(setup_->edits);
@@ -127,7 +127,7 @@ void PastRun::leave_key_frame(Clock::duration worked) {
   if (worked_ < interval_ || !is_new) return;
   worked_ = {};
   left_.push_back(std::make_shared<const KeyFrame>(
-      KeyFrame{at_->simulation.model(), at_->simulation.run_state(),
+      KeyFrame{at_->simulation.compiled(), at_->simulation.run_state(),
                at_->sampler ? *at_->sampler : Sampler(std::vector<Curve>{}), at_->wall_time, false}));
   if (left_.size() <= kMostLeft) return;
   interval_ *= 2;

@@ -27,7 +27,7 @@ inline Preset saved_and_read(const Preset& document, const Simulation& simulatio
 }
 
 inline Simulation kept_and_restored(const Simulation& simulation) {
-  return {simulation.model(), simulation.run_state()};
+  return {simulation.compiled(), simulation.run_state()};
 }
 
 // All that a run reports and all that a file keeps of it: two runs with the same text are equal.

@@ -6,6 +6,7 @@
 #include "physics/collision/contact.h"
 #include "physics/collision/pair_contact.h"
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/model/compiled_scene.h"
 #include "physics/run/run_setup.h"
 #include "tests/support/scenes.h"
 
@@ -57,7 +58,8 @@ struct Flight {
     Scene scene = test::scene_with(bodies);
     scene.forces = forces;
     const Needs needs = needs_of(scene);
-    return compile(std::move(scene), needs);
+    const auto all = compile(std::move(scene), needs);
+    return {all, &all->model};
   }
   [[nodiscard]] auto sampler(IntegratorId id) const {
     return [this, id, g = geometry(bodies), field = ForceField(compiled())](double t) {

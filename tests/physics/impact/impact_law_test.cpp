@@ -17,7 +17,7 @@ struct Pair {
   ImpactSide a;
   ImpactSide b;
   Vec2 normal;
-  Material material;
+  SurfaceLaw material;
 };
 
 ImpactSide random_side() {
@@ -93,7 +93,8 @@ struct Bounce {
   double surface;  // Rω
 };
 
-Bounce bounce(double v, double surface, double down, double radius, double inertia_factor, const Material& m) {
+Bounce bounce(double v, double surface, double down, double radius, double inertia_factor,
+              const SurfaceLaw& m) {
   ImpactSide floor;
   ImpactSide ball;
   ball.velocity = {v, -down};
@@ -109,7 +110,7 @@ Bounce bounce(double v, double surface, double down, double radius, double inert
 // Garwin, American Journal of Physics 37 (1969) 88, with β = I/mR²:
 // v' = v - β(1+e_t)s/(1+β), Rω' = Rω - (1+e_t)s/(1+β).
 TEST(ImpactLaw, Superball) {
-  Material m{"superball", 0.9, 1.0, 100.0, 100.0};
+  SurfaceLaw m{0.9, 1.0, 100.0, 100.0};
   for (const double et : {0.0, 0.5, 1.0}) {
     m.tangential_restitution = et;
     for (const double beta : {0.5, 0.4}) {
@@ -126,7 +127,7 @@ TEST(ImpactLaw, Superball) {
 
 // Slips throughout if |s| > 3 μ (1+e) v_n for a disc, else v' = (v - βRω)/(1+β).
 TEST(ImpactLaw, RoughBounce) {
-  const Material m{"rough", 0.8, 0.0, 0.3, 0.2};
+  const SurfaceLaw m{0.8, 0.0, 0.3, 0.2};
   const double down = 1.5;
   const double limit = 3.0 * 0.2 * 1.8 * down;
   for (const double s :

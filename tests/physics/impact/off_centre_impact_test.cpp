@@ -39,7 +39,7 @@ struct Case {
   Struck a;
   Struck b;
   Vec2 normal = Vec2(0.0, 1.0);
-  Material material = {};
+  SurfaceLaw material = {};
 
   [[nodiscard]] Vec2 tangent() const { return {-normal.y(), normal.x()}; }
   [[nodiscard]] RelativeVelocity slip() const {
@@ -135,7 +135,7 @@ Impact march(Case c, double step) {
     return probe.slip().tangential - c.slip().tangential;
   }();
   const double stopping = -per_normal / per_tangent;  // dj_t/dj_n that keeps the slip
-  const Material& m = c.material;
+  const SurfaceLaw& m = c.material;
   double compression = 0.0;
   double restitution = 0.0;
   bool compressing = true;

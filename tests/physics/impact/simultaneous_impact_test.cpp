@@ -410,7 +410,7 @@ TEST(SimultaneousImpact, OneContactIsNewtonsLaw) {
                  c.inverse_mass[k.b],     c.inverse_inertia[k.b],
                  -k.from_b.dot(k.normal), -cross(k.from_b, k.normal)};
     const Impact j = resolve_impact(
-        a, b, k.normal, {"", k.restitution, 0.0, k.kinetic_friction, k.kinetic_friction}, ImpactLawId::kNewton);
+        a, b, k.normal, {k.restitution, 0.0, k.kinetic_friction, k.kinetic_friction}, ImpactLawId::kNewton);
     const ClusterOutcome outcome = c.resolve();
     if (j.energy_gain > 1e-12 * c.energy()) {
       ++gained;

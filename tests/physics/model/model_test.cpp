@@ -1,7 +1,6 @@
-#include "physics/model/model.h"
-
 #include <gtest/gtest.h>
 
+#include "physics/model/compiled_scene.h"
 #include "physics/preset/preset_file.h"
 #include "physics/run/run_state.h"
 #include "physics/run/simulation.h"
@@ -13,14 +12,15 @@ namespace carom {
 namespace {
 
 // Whether the model has anything of a part.
-bool has_any(const Model& m, Part part) {
+bool has_any(const CompiledScene& compiled, Part part) {
+  const Model& m = compiled.model;
   switch (part) {
     case Part::kRotation:
     case Part::kFriction:
     case Part::kSticking:
       return !m.smooth_discs;
     case Part::kDrag:
-      return m.forces.linear_drag > 0.0 || m.forces.quadratic_drag > 0.0;
+      return m.forces.drag.has_value();
     case Part::kSprings:
       return !m.forces.springs.empty() || !m.forces.outside.empty() || !m.forces.between.empty();
     case Part::kAttraction:
@@ -30,11 +30,11 @@ bool has_any(const Model& m, Part part) {
     case Part::kSwitching:
       return !m.forces.switching.empty() || m.forces.one_sided;
     case Part::kDrives:
-      return !m.kinematic.empty();
+      return !m.drives.of.empty();
     case Part::kJoints:
       return !m.joint_terms.all.empty();
     case Part::kRestingContacts:
-      return m.needs.has(part);
+      return compiled.needs.has(part);
   }
   return true;
 }
@@ -43,16 +43,16 @@ TEST(Model, HasNothingOfAPartThatIsNotNeeded) {
   for (const auto& file : test::preset_files()) {
     const Scene scene = read_preset(file).scene;
     const Needs needs = needs_of(scene);
-    const auto model = compile(scene, needs);
+    const auto compiled = compile(scene, needs);
     const bool any_turns = needs.has(Part::kRotation) || needs.has(Part::kFriction) ||
                            needs.has(Part::kSticking) || needs.has(Part::kJoints) ||
                            needs.has(Part::kSwitching);
-    EXPECT_EQ(model->smooth_discs, !any_turns) << file;
+    EXPECT_EQ(compiled->model.smooth_discs, !any_turns) << file;
     for (const PartEntry& entry : part_entries()) {
       const bool alone =
           entry.part == Part::kRotation || entry.part == Part::kFriction || entry.part == Part::kSticking;
       if (needs.has(entry.part) || (alone && any_turns)) continue;
-      EXPECT_FALSE(has_any(*model, entry.part)) << file << ": " << entry.noun;
+      EXPECT_FALSE(has_any(*compiled, entry.part)) << file << ": " << entry.noun;
     }
   }
 }
