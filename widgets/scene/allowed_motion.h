@@ -16,8 +16,8 @@ struct AllowedMotion {
 
 // Typed velocities and spins are held by joints as those of a drag are: of each body whose motion the edits
 // change, what its joints don't allow is taken out, and bodies that are welded or pinned to it come along. A
-// joint between two changed bodies holds neither of them. Where nothing of a change is left it stays as it was
-// asked for, to be refused.
+// joint between two changed bodies takes from both, as a plastic impact does. Where nothing of a change is left
+// it stays as it was asked for, to be refused.
 [[nodiscard]] AllowedMotion allowed_motion(const Scene& scene, const SceneEdits& edits);
 
 }  // namespace carom

@@ -109,6 +109,8 @@ void swing(std::vector<Body>& bodies, std::span<const Body> from, const Hold& pi
   turn_about(bodies, pin.anchor, std::atan2(cross(before, after), before.dot(after)));
 }
 
+}  // namespace
+
 std::string name_for_people(const Joint& joint, std::span<const Joint> joints) {
   if (!joint.name.empty()) return joint.name;
   std::string name(name_of(kJointNames, joint.kind));
@@ -120,8 +122,6 @@ std::string name_for_people(const Joint& joint, std::span<const Joint> joints) {
   }
   return name + " " + std::to_string(number);
 }
-
-}  // namespace
 
 std::vector<Body> followers_of(std::span<const Body> bodies, const Surroundings& neighbours) {
   std::vector<Body> followers;

@@ -9,6 +9,9 @@
 
 namespace carom {
 
+// A joint's own name, or "Rod 1".
+[[nodiscard]] std::string name_for_people(const Joint& joint, std::span<const Joint> joints);
+
 // The neighbours that come along with the bodies: all that are welded to them, and moving ones that are pinned.
 [[nodiscard]] std::vector<Body> followers_of(std::span<const Body> bodies, const Surroundings& neighbours);
 

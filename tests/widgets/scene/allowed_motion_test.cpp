@@ -70,23 +70,66 @@ TEST_F(AllowedMotionTest, ASpinMovesTheCentreAboutAPin) {
   EXPECT_NEAR(body_of(made.edits[0]).velocity.y(), -0.2, 1e-12);
 }
 
-// Both ends of a rod may move off together, as two pasted cells say.
-TEST_F(AllowedMotionTest, AJointBetweenTwoChangedBodiesHoldsNeither) {
-  Body other = scene_.bodies[0];
-  other.name = "other";
-  other.id = {};
-  other.position += Vec2(1.0, 0.0);
-  scene_.bodies.push_back(other);
-  scene_.joints[0].to = "other";
-  give_ids(scene_);
-  SceneEdits edits;
-  for (Body body : scene_.bodies) {
-    body.velocity = Vec2(3.0, 1.0);
-    edits.emplace_back(Replace<Body>{body});
+// Two bobs joined by a level rod of 1 m.
+class TwoChangedTest : public AllowedMotionTest {
+ protected:
+  TwoChangedTest() {
+    Body other = scene_.bodies[0];
+    other.name = "other";
+    other.id = {};
+    other.mass = 3.0;
+    other.position += Vec2(1.0, 0.0);
+    scene_.bodies.push_back(other);
+    scene_.joints[0].to = "other";
+    give_ids(scene_);
   }
-  const AllowedMotion made = allowed_motion(scene_, edits);
+  [[nodiscard]] AllowedMotion pasted(const Vec2& first, const Vec2& second) const {
+    Body one = scene_.bodies[0];
+    Body two = scene_.bodies[1];
+    one.velocity = first;
+    two.velocity = second;
+    return allowed_motion(scene_, {Replace<Body>{one}, Replace<Body>{two}});
+  }
+};
+
+TEST_F(TwoChangedTest, WhatTheirJointAllowsStaysAsPasted) {
+  const AllowedMotion made = pasted(Vec2(3.0, 1.0), Vec2(3.0, -2.0));
   ASSERT_EQ(made.edits.size(), 2U);
-  for (const SceneEdit& edit : made.edits) EXPECT_EQ(body_of(edit).velocity, Vec2(3.0, 1.0));
+  EXPECT_EQ(body_of(made.edits[0]).velocity, Vec2(3.0, 1.0));
+  EXPECT_EQ(body_of(made.edits[1]).velocity, Vec2(3.0, -2.0));
+  EXPECT_TRUE(made.sentence.isEmpty());
+}
+
+// Along the rod both get (1 · 4 + 3 · 0) / (1 + 3), and the momentum stays.
+TEST_F(TwoChangedTest, TheirRodTakesFromBothByTheirMasses) {
+  const AllowedMotion made = pasted(Vec2(4.0, 1.0), Vec2(0.0, -2.0));
+  ASSERT_EQ(made.edits.size(), 2U);
+  EXPECT_NEAR((body_of(made.edits[0]).velocity - Vec2(1.0, 1.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((body_of(made.edits[1]).velocity - Vec2(1.0, -2.0)).norm(), 0.0, 1e-12);
+  EXPECT_EQ(made.sentence, "Rod 1 allows no others: velocities change by up to 3.00 m/s");
+  EXPECT_EQ(made.name, "Speed of 2 bodies");
+}
+
+// A weld takes their spins too: both turn about the common centre with L / I of the whole.
+TEST_F(TwoChangedTest, TheirWeldMakesThemOneBody) {
+  scene_.joints[0].kind = JointKind::kWeld;
+  scene_.joints[0].point = Vec2(0.5, 0.0);
+  scene_.joints[0].anchor = Vec2(-0.5, 0.0);
+  const AllowedMotion made = pasted(Vec2(0.0, 4.0), Vec2(0.0, 0.0));
+  const Body& one = body_of(made.edits[0]);
+  const Body& two = body_of(made.edits[1]);
+  const double inertia = inertia_of(one) + inertia_of(two) + 1.0 * 0.75 * 0.75 + 3.0 * 0.25 * 0.25;
+  const double spin = -0.75 * 4.0 / inertia;
+  EXPECT_NEAR(one.spin, spin, 1e-12);
+  EXPECT_NEAR(two.spin, spin, 1e-12);
+  EXPECT_NEAR((one.velocity - Vec2(0.0, 1.0 - 0.75 * spin)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((two.velocity - Vec2(0.0, 1.0 + 0.25 * spin)).norm(), 0.0, 1e-12);
+}
+
+TEST_F(TwoChangedTest, WhereNothingIsLeftTheyAreAsAsked) {
+  const AllowedMotion made = pasted(Vec2(3.0, 0.0), Vec2(-1.0, 0.0));
+  EXPECT_EQ(body_of(made.edits[0]).velocity, Vec2(3.0, 0.0));
+  EXPECT_EQ(body_of(made.edits[1]).velocity, Vec2(-1.0, 0.0));
 }
 
 }  // namespace

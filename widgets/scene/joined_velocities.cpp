@@ -1,0 +1,119 @@
+#include "widgets/scene/joined_velocities.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "physics/math/vectors.h"
+
+namespace carom {
+namespace {
+
+constexpr double kAllowed = 1e-9;  // of the speeds: less against a joint is rounding
+
+// An end of a joint: on the plane, on a body that keeps its velocity, or on one that changes.
+struct End {
+  Vec2 place = Vec2::Zero();     // m
+  Vec2 arm = Vec2::Zero();       // m, from the body's centre
+  Vec2 velocity = Vec2::Zero();  // m/s
+  double spin = 0.0;             // rad/s
+  Eigen::Index column = -1;      // the first of three of a body that changes
+};
+
+struct Rows {
+  std::span<const Body> bodies;
+  Eigen::MatrixXd left{};   // J
+  Eigen::VectorXd right{};  // what J Δv has to be
+
+  // Demands that `direction` · (velocity of a - velocity of b) + `turn` (spin of a - spin of b) vanish.
+  void add(const End& a, const End& b, const Vec2& direction, double turn) {
+    const Eigen::Index row = right.size();
+    left.conservativeResize(row + 1, 3 * static_cast<Eigen::Index>(bodies.size()));
+    left.row(row).setZero();
+    right.conservativeResize(row + 1);
+    right[row] = -direction.dot(a.velocity - b.velocity) - turn * (a.spin - b.spin);
+    put(row, a, direction, turn);
+    put(row, b, -direction, -turn);
+  }
+
+ private:
+  void put(Eigen::Index row, const End& end, const Vec2& direction, double turn) {
+    if (end.column < 0) return;
+    left.row(row).segment<2>(end.column) = direction.transpose();
+    left(row, end.column + 2) = direction.dot(crossed(end.arm)) + turn;
+  }
+};
+
+End end_on(std::span<const Body> all, std::span<const Body> bodies, const std::string& name,
+           const Vec2& point) {
+  End end;
+  end.place = point;
+  if (name.empty()) return end;
+  const auto is_it = [&](const Body& body) { return body.name == name; };
+  const auto changes = std::find_if(bodies.begin(), bodies.end(), is_it);
+  const auto stays = std::find_if(all.begin(), all.end(), is_it);
+  if (changes == bodies.end() && stays == all.end()) return end;
+  const Body& body = changes != bodies.end() ? *changes : *stays;
+  end.arm = turned_by(body.angle, point);
+  end.place = body.position + end.arm;
+  end.velocity = body.velocity + body.spin * crossed(end.arm);
+  end.spin = body.spin;
+  if (changes != bodies.end() && !has_infinite_mass(body)) end.column = 3 * (changes - bodies.begin());
+  return end;
+}
+
+void add_rows(const Joint& joint, const End& a, const End& b, Rows& rows) {
+  if (joint.kind == JointKind::kRod) {
+    rows.add(a, b, (a.place - b.place).normalized(), 0.0);
+    return;
+  }
+  rows.add(a, b, Vec2::UnitX(), 0.0);
+  rows.add(a, b, Vec2::UnitY(), 0.0);
+  if (joint.kind == JointKind::kWeld) rows.add(a, b, Vec2::Zero(), 1.0);
+}
+
+// M^(-1/2), by columns; 0 of a body that does not move.
+Eigen::VectorXd mobility(std::span<const Body> bodies) {
+  Eigen::VectorXd roots(3 * static_cast<Eigen::Index>(bodies.size()));
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const bool moves = !has_infinite_mass(bodies[i]);
+    const double mass = moves ? 1.0 / std::sqrt(mass_of(bodies[i])) : 0.0;
+    const double inertia = moves ? 1.0 / std::sqrt(inertia_of(bodies[i])) : 0.0;
+    roots.segment<3>(3 * static_cast<Eigen::Index>(i)) = Eigen::Vector3d(mass, mass, inertia);
+  }
+  return roots;
+}
+
+}  // namespace
+
+std::vector<std::size_t> hold_joined_velocities(const Scene& scene, std::span<Body> bodies) {
+  Rows rows{bodies};
+  const std::vector<Body> all = all_bodies(scene);
+  std::vector<std::size_t> broken;
+  for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+    const Joint& joint = scene.joints[i];
+    const End a = end_on(all, bodies, joint.body, joint.point);
+    const End b = end_on(all, bodies, joint.to, joint.anchor);
+    if (joint.kind == JointKind::kString || (a.column < 0 && b.column < 0) || a.column == b.column) continue;
+    const Eigen::Index before = rows.right.size();
+    add_rows(joint, a, b, rows);
+    const double speed = a.velocity.norm() + b.velocity.norm() + std::abs(a.spin) + std::abs(b.spin);
+    const double wrong = rows.right.tail(rows.right.size() - before).cwiseAbs().maxCoeff();
+    if (wrong > kAllowed * speed) broken.push_back(i);
+  }
+  if (broken.empty()) return broken;
+  const Eigen::VectorXd roots = mobility(bodies);
+  const Eigen::MatrixXd scaled = rows.left * roots.asDiagonal();
+  const Eigen::VectorXd change =
+      roots.asDiagonal() * scaled.completeOrthogonalDecomposition().solve(rows.right);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const auto at = 3 * static_cast<Eigen::Index>(i);
+    if (has_infinite_mass(bodies[i])) continue;
+    bodies[i].velocity += change.segment<2>(at);
+    bodies[i].spin += change[at + 2];
+  }
+  return broken;
+}
+
+}  // namespace carom

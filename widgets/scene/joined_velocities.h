@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physics/scene/scene.h"
+
+namespace carom {
+
+// Changes velocities and spins of the moving ones of `bodies` such that the rods, pins and welds of the scene
+// hold that have an end on one of them; other bodies keep what they have. It is the least change in the norm
+// v·M v, which is that of a plastic impact. Returns the joints (indices) that did not hold before; none:
+// nothing has changed.
+std::vector<std::size_t> hold_joined_velocities(const Scene& scene, std::span<Body> bodies);
+
+}  // namespace carom
