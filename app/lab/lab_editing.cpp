@@ -8,6 +8,7 @@
 #include "app/lab/document_files.h"
 #include "app/lab/drawer.h"
 #include "app/lab/lab_window.h"
+#include "physics/dynamics/integrators/method_fields.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
 #include "widgets/base/ask.h"
@@ -147,6 +148,7 @@ void LabWindow::new_document() {
     Preset empty;
     empty.title = tr("New scene").toStdString();
     empty.duration = 10.0;
+    empty.method = unstated_method();
     empty.view = View{Vec2::Zero(), 4.0};
     empty.scene.materials.emplace_back();  // the surface of all that is drawn, to be seen and changed
     show_scene(empty, {}, {});

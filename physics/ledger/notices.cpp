@@ -56,6 +56,9 @@ const auto kEntries = std::to_array<NoticeEntry>({
     {"links_missed_since", &N::joints_missed_since,
      "at t = {t:.6g} s a step was too long for the links, and later results are meaningless: take shorter "
      "steps"},
+    {"laws_of_rest_unused_since", &N::laws_of_rest_unused_since,
+     "from t = {t:.6g} s static friction and rolling resistance have no effect under impulses only: choose "
+     "contacts that last"},
     {"state_left_since", &N::state_left_since,
      "the scene was changed after the run was saved: from t = {t:.6g} s it continues from its bodies and its "
      "clock alone"},

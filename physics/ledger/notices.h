@@ -33,6 +33,8 @@ struct Notices {
   double order_decided_since = -1.0;
   // A step moved bodies so far that joints could not be restored after it, or turned joints by many radians.
   double joints_missed_since = -1.0;
+  // Surfaces have static friction or rolling resistance, and the method has no contacts that last.
+  double laws_of_rest_unused_since = -1.0;
   // The scene was changed after the run was saved: it continues from its bodies and its clock alone.
   double state_left_since = -1.0;
   // Springs or strings switched more often than a step follows.

@@ -1,5 +1,6 @@
 #include "physics/model/surfaces.h"
 
+#include <algorithm>
 #include <string>
 #include <unordered_map>
 
@@ -35,6 +36,12 @@ Surfaces surfaces_of(const Scene& scene, const std::vector<Body>& bodies, const 
     surfaces.stick = surfaces.stick || pair.sticks;
   }
   return surfaces;
+}
+
+bool has_laws_of_rest(const Surfaces& surfaces) {
+  return std::any_of(surfaces.pairs.begin(), surfaces.pairs.end(), [](const SurfaceLaw& pair) {
+    return pair.rolling_resistance > 0.0 || pair.static_friction > pair.kinetic_friction;
+  });
 }
 
 }  // namespace carom

@@ -20,6 +20,10 @@ struct Surfaces {
   }
 };
 
+// Whether some have laws that only contacts that last obey: rolling resistance, or static friction above
+// kinetic.
+[[nodiscard]] bool has_laws_of_rest(const Surfaces& surfaces);
+
 [[nodiscard]] SurfaceLaw law_of(const Material& material);
 
 [[nodiscard]] Surfaces surfaces_of(const Scene& scene, const std::vector<Body>& bodies, const Geometry& shapes);

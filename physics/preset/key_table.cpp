@@ -35,7 +35,7 @@ std::string KeyTable::joined(const std::vector<std::string>& words) {
 }
 
 std::vector<KeySection> key_sections() {
-  return {{"method", KeyTable::of<Method>()},
+  return {{"method", KeyTable::of(unstated_method())},
           {"materials", KeyTable::of<Material>()},
           {"material_pairs", KeyTable::of<MaterialPair>()},
           {"bodies", KeyTable::of<Body>()},

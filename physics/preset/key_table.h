@@ -25,9 +25,8 @@ struct KeyRow {
 class KeyTable : public OnlyLooks {
  public:
   template <class T>
-  [[nodiscard]] static std::vector<KeyRow> of() {
+  [[nodiscard]] static std::vector<KeyRow> of(T usual = {}) {
     KeyTable table;
-    T usual{};
     fields(table, usual);
     return std::move(table.rows_);
   }

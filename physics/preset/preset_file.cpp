@@ -37,6 +37,7 @@ void of_saved_run(const Read& read) {
 }
 
 void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
+  preset.method = unstated_method();
   read_format(r);
   r.required({"title", "a few words"}, preset.title, kWords);
   r.field({"about", "what the experiment is, a paragraph"}, preset.about, kText);
@@ -48,7 +49,10 @@ void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
   const auto each = [](auto& list) {
     return [&list](FieldReader& element, const std::string&) { fields(element, list.emplace_back()); };
   };
-  r.read_objects({"compare", "other methods to run beside it"}, kMostCompared, each(preset.compare));
+  r.read_objects({"compare", "other methods to run beside it"}, kMostCompared,
+                 [&](FieldReader& element, const std::string&) {
+                   fields(element, preset.compare.emplace_back(unstated_method()));
+                 });
   r.read_objects({"materials", "surfaces"}, kMostMaterials, each(preset.scene.materials));
   r.read_objects({"bodies", "what moves, and what it meets"}, kMostBodies, each(preset.scene.bodies));
   int forces = 0;

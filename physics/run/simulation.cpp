@@ -44,7 +44,11 @@ void Simulation::choose_strategies() {
     impacts_.emplace<StepEndImpacts>();
   }
   resting_.reset();
-  if (contacts_last(world_.method, needs())) resting_.emplace();
+  if (contacts_last(world_.method, needs())) {
+    resting_.emplace();
+  } else if (needs().has(Part::kRestingContacts) && has_laws_of_rest(world_.model->surfaces)) {
+    world_.note(&Notices::laws_of_rest_unused_since, time());
+  }
 }
 
 void Simulation::count_pairs(const std::vector<std::pair<std::string, std::string>>& names) {

@@ -6,6 +6,14 @@
 
 namespace carom {
 
+// What a file or a new scene does not say of its method: contacts last, and are modelled where the scene needs
+// them.
+[[nodiscard]] inline Method unstated_method() {
+  Method method;
+  method.contacts = ContactsId::kLasting;
+  return method;
+}
+
 // The fields of a method: see physics/scene/fields.h.
 template <class V>
 void fields(V& v, Is<Method> auto& m) {

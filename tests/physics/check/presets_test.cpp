@@ -94,6 +94,17 @@ TEST_F(PresetFiles, LoadingWhatWasSavedGivesTheSameScene) {
   }
 }
 
+TEST(Presets, ContactsLastWhereAFileDoesNotSay) {
+  const auto method = [](const std::string& stated) {
+    return parse_preset(R"({"format": "carom-preset", "version": 1, "title": "t")" + stated + "}", "t").method;
+  };
+  EXPECT_EQ(method("").contacts, ContactsId::kLasting);
+  EXPECT_EQ(method(R"(, "method": {"step": 0.01})").contacts, ContactsId::kLasting);
+  EXPECT_EQ(method(R"(, "method": {"contacts": "impulse"})").contacts, ContactsId::kImpulse);
+  const Preset impulse = test::preset_with({test::disc("a", {0, 0}, {1, 0})});
+  EXPECT_EQ(parse_preset(write_preset(impulse), "written").method.contacts, ContactsId::kImpulse);
+}
+
 // A scene with every key that a preset can have, none at its default.
 constexpr const char* kEveryKey = R"({
   "format": "carom-preset", "version": 1, "title": "all", "about": "about", "observe": "look", "duration": 2,

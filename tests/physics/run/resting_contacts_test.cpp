@@ -86,6 +86,20 @@ RunSetup incline(double slope, double friction) {
 
 double drift(const Simulation& s) { return s.ledger().numerical_drift(s.totals().energy()); }
 
+TEST(RestingContacts, ImpulsesOnlySayThatTheyHaveNoLawsOfRest) {
+  Material rolling = rough(0.3);
+  rolling.rolling_resistance = 0.01;
+  Material held = rough(0.3);
+  held.static_friction = 0.5;
+  const std::vector<std::pair<Material, bool>> surfaces = {{rough(0.3), false}, {rolling, true}, {held, true}};
+  for (const auto& [material, unused] : surfaces) {
+    RunSetup setup = scene(material, {ground(), round_body("ball", Vec2(0.0, 1.0), 0.5)});
+    EXPECT_EQ(run(setup, 0.0).status(), "ok");
+    setup.method.contacts = ContactsId::kImpulse;
+    EXPECT_EQ(run(setup, 0.0).notices().laws_of_rest_unused_since, unused ? 0.0 : -1.0);
+  }
+}
+
 TEST(RestingContacts, ABlockBelowTheFrictionConeStays) {
   const RunSetup s = incline(0.995 * 0.5, 0.5);
   for_every_method(s, [](const RunSetup& each) {

@@ -67,7 +67,7 @@ class WorkerPast : public testing::Test {
   // Three tenths of a second, with a body that comes in and a method that changes.
   void record_run() {
     worker_.set_reference(ReferenceId::kExactFlight);
-    recorded_ = {newest_at(0)};
+    recorded_ = {start_beside_reference()};
     record_steps(30);
     worker_.edit_scene({Add<Body>{kBody}});
     recorded_.back() = newest_at_edit(1);
@@ -75,6 +75,15 @@ class WorkerPast : public testing::Test {
     worker_.set_method(kOther);
     recorded_.back() = newest_at_edit(2);
     record_steps(40);
+  }
+  [[nodiscard]] Frames start_beside_reference() {
+    Frames frames;
+    EXPECT_TRUE(test::wait_until([&] {
+      const Frames news = worker_.take_frames();
+      if (!news.empty()) frames = news;
+      return !frames.empty() && frames.front()->error.has_value();
+    }));
+    return frames;
   }
   [[nodiscard]] Frames newest_at_edit(std::size_t edits) {
     Frames frames;
