@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <optional>
 
 #include "physics/run/simulation.h"
 
@@ -21,10 +21,10 @@ class StepAgain {
   // Many enough to make copies cheap, few enough to repeat.
   static constexpr int kStepsBetweenCopies = 64;
 
-  std::unique_ptr<Simulation> copy_;   // some whole steps ago
-  std::unique_ptr<Simulation> start_;  // of the step, once it was needed
-  int steps_ = 0;                      // since the copy
-  bool whole_ = true;                  // the step is of the method's length
+  std::optional<Simulation> copy_;   // some whole steps ago
+  std::optional<Simulation> start_;  // of the step, once it was needed
+  int steps_ = 0;                    // since the copy
+  bool whole_ = true;                // the step is of the method's length
 };
 
 }  // namespace carom

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "physics/ledger/totals.h"
 #include "physics/math/roots.h"
@@ -123,43 +124,66 @@ std::optional<std::size_t> StopWatch::step(Simulation& run, double h) {
   begin(run, clipped(run, h));
   run.step(length_);
   if (run.lost()) return std::nullopt;
-  const std::optional<Coming> first = first_in(run);
-  if (first && first->after < (1.0 - kSameMoment) * length_) {
-    run = run_at(*first);
+  const std::vector<Coming> coming = coming_in(run);
+  if (!coming.empty() && lies_within(coming.front())) {
+    run = step_to(coming.front()).second;
     again_.forget();
   }
-  for (Watched& each : watched_) each.impacts += impacts_of(each, run);
-  return first ? std::optional(first->stop) : std::nullopt;
+  for (Watched& each : watched_) count_impacts(each, run);
+  return coming.empty() ? std::nullopt : std::optional(coming.front().stop);
 }
 
-std::optional<StopWatch::Coming> StopWatch::first_in(const Simulation& run) {
-  std::optional<Coming> first;
-  for (std::size_t i = 0; i < watched_.size(); ++i) {
-    const std::optional<Coming> coming = in_step(i, run);
-    if (coming && (!first || coming->after < first->after)) first = coming;
+void StopWatch::begins(const Simulation& run) {
+  if (!watched_.empty()) begin(run, run.method().step);
+}
+
+std::vector<MetStop> StopWatch::moments(const Simulation& run) {
+  std::vector<MetStop> met;
+  if (watched_.empty() || run.lost()) return met;
+  for (const Coming& each : coming_in(run)) {
+    MetStop stop{.stop = each.stop, .time = run.time(), .step_start = start_};
+    if (lies_within(each)) {
+      const auto [length, there] = step_to(each);
+      stop.time = there.time();
+      if (length < length_) stop.part = length;
+    }
+    met.push_back(stop);
   }
-  return first;
+  for (Watched& each : watched_) count_impacts(each, run);
+  return met;
 }
 
-std::optional<StopWatch::Coming> StopWatch::in_step(std::size_t index, const Simulation& run) {
+void StopWatch::go_back(double time) {
+  again_.forget();
+  for (Watched& each : watched_) std::erase_if(each.impacts, [time](double impact) { return impact > time; });
+}
+
+std::vector<StopWatch::Coming> StopWatch::coming_in(const Simulation& run) {
+  std::vector<Coming> coming;
+  for (std::size_t i = 0; i < watched_.size(); ++i) add_coming(i, run, coming);
+  std::stable_sort(coming.begin(), coming.end(),
+                   [](const Coming& a, const Coming& b) { return a.after < b.after; });
+  return coming;
+}
+
+void StopWatch::add_coming(std::size_t index, const Simulation& run, std::vector<Coming>& coming) {
   const Stop& stop = watched_[index].stop;
   switch (stop.kind) {
     case StopKind::kTime: {
       const double same = kSameMoment * run.method().step;
-      const bool comes = stop.time > start_ + same && stop.time <= run.time() + same;
-      return comes ? std::optional(Coming{.stop = index, .after = length_}) : std::nullopt;
+      if (stop.time > start_ + same && stop.time <= run.time() + same)
+        coming.push_back({.stop = index, .after = std::min(stop.time - start_, length_)});
+      return;
     }
     case StopKind::kImpact:
     case StopKind::kEveryImpact:
-      return impact_in(index, run);
+      return add_impacts(index, run, coming);
     case StopKind::kPassing:
     case StopKind::kKineticEnergy:
-      return passing_in(index, run);
+      return add_passings(index, run, coming);
     case StopKind::kRest:
-      break;
+      if (const std::optional<double> after = rest_in(run)) coming.push_back({.stop = index, .after = *after});
   }
-  const std::optional<double> after = rest_in(run);
-  return after ? std::optional(Coming{.stop = index, .after = *after}) : std::nullopt;
 }
 
 bool StopWatch::is_of(const Watched& watched, const ImpactRecord& impact, const MassProperties& mass) {
@@ -176,19 +200,26 @@ std::int64_t StopWatch::impacts_of(const Watched& watched, const Simulation& run
                        [&](const ImpactRecord& impact) { return is_of(watched, impact, run.mass()); });
 }
 
-std::optional<StopWatch::Coming> StopWatch::impact_in(std::size_t index, const Simulation& run) const {
+void StopWatch::count_impacts(Watched& watched, const Simulation& run) {
+  if (watched.stop.kind != StopKind::kImpact) return;
+  for (const ImpactRecord& impact : run.last_impacts()) {
+    const bool more = std::ssize(watched.impacts) < watched.stop.number;
+    if (more && is_of(watched, impact, run.mass())) watched.impacts.push_back(impact.time);
+  }
+}
+
+void StopWatch::add_impacts(std::size_t index, const Simulation& run, std::vector<Coming>& coming) const {
   const Watched& watched = watched_[index];
-  const std::int64_t left =
-      watched.stop.kind == StopKind::kEveryImpact ? 1 : watched.stop.number - watched.impacts;
-  if (left < 1) return std::nullopt;
+  const bool every = watched.stop.kind == StopKind::kEveryImpact;
+  const std::int64_t left = watched.stop.number - std::ssize(watched.impacts);
   std::int64_t impacts = 0;
   for (const ImpactRecord& impact : run.last_impacts()) {
-    impacts += is_of(watched, impact, run.mass()) ? 1 : 0;
-    if (impacts < left) continue;
+    if (!is_of(watched, impact, run.mass())) continue;
+    ++impacts;
+    if (!every && impacts != left) continue;
     const double just_after = std::nextafter(impact.time, std::numeric_limits<double>::infinity());
-    return Coming{.stop = index, .after = just_after - start_, .impacts = left};
+    coming.push_back({.stop = index, .after = just_after - start_, .impacts = impacts});
   }
-  return std::nullopt;
 }
 
 StopWatch::Look StopWatch::look(const Watched& watched, const State& state, const MassProperties& mass,
@@ -201,9 +232,9 @@ StopWatch::Look StopWatch::look_at(const Watched& watched, double after) {
   return look(watched, part.state(), part.mass(), after);
 }
 
-std::optional<StopWatch::Coming> StopWatch::passing_in(std::size_t index, const Simulation& run) {
+void StopWatch::add_passings(std::size_t index, const Simulation& run, std::vector<Coming>& coming) {
   const Watched& watched = watched_[index];
-  if (!is_there(watched)) return std::nullopt;
+  if (!is_there(watched)) return;
   std::vector<Look> looks{looks_[index]};
   const auto add = [&](const Look& next) {
     if (const auto turn = turn_between(watched, looks.back(), next)) looks.push_back(*turn);
@@ -217,9 +248,8 @@ std::optional<StopWatch::Coming> StopWatch::passing_in(std::size_t index, const 
   for (std::size_t i = 1; i < looks.size(); ++i) {
     const double sign = sign_of(watched.stop, looks[i - 1].value);
     if (sign * (looks[i].value - bound_of(watched.stop)) < 0.0 || sign == 0.0) continue;
-    return Coming{.stop = index, .after = moment_between(watched, looks[i - 1], looks[i]), .sign = sign};
+    coming.push_back({.stop = index, .after = moment_between(watched, looks[i - 1], looks[i]), .sign = sign});
   }
-  return std::nullopt;
 }
 
 // Where the value turns back, if its tangents lead beyond its bound.
@@ -262,12 +292,12 @@ bool StopWatch::has_come(const Coming& coming, const Simulation& run) const {
 }
 
 // A little later where rounding, or the forces of contacts in a shorter step, leave it just before.
-Simulation StopWatch::run_at(const Coming& coming) {
+std::pair<double, Simulation> StopWatch::step_to(const Coming& coming) {
   const double rounding = std::numeric_limits<double>::epsilon() * std::max(start_, length_);
   for (double later = 0.0;; later = std::max(2.0 * later, rounding)) {
     const double after = std::min(coming.after + later, length_);
     Simulation part = again_.made(after);
-    if (after == length_ || has_come(coming, part)) return part;
+    if (after == length_ || has_come(coming, part)) return {after, std::move(part)};
   }
 }
 

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "physics/run/met_stop.h"
 #include "physics/run/simulation.h"
 #include "physics/run/step_again.h"
 #include "physics/scene/stop.h"
@@ -13,7 +15,8 @@
 
 namespace carom {
 
-// Steps a run until one of several moments comes (physics/scene/stop.h).
+// Steps a run until one of several moments comes (physics/scene/stop.h), or tells the moments in the steps of a
+// run that goes on as it would without it.
 //
 // A moment is found on the run's own motion: the step in which it lies is made again with other lengths, so
 // that the state there is one of the run, as exact as its method. That of an impact is just after it; under
@@ -46,13 +49,22 @@ class StopWatch {
     return std::nullopt;
   }
 
+  // Call before a step of the method's own length, with the edits that are due applied; and after it for all
+  // moments in this step, in their order. The state of one is that of a step of MetStop::part from its start.
+  void begins(const Simulation& run);
+  [[nodiscard]] std::vector<MetStop> moments(const Simulation& run);
+  // After the run was given other edits.
+  void forget_copies() { again_.forget(); }
+  // After the run went back to this moment (s).
+  void go_back(double time);
+
  private:
   struct Watched {
     Stop stop;
     // Indices of the bodies that it names; -1: none, or not there yet.
     int body = -1;
     int with = -1;
-    std::int64_t impacts = 0;  // of its kind so far
+    std::vector<double> impacts{};  // s, of those of its kind so far, as many as it asks for
   };
   // What passes a value at one moment of a step.
   struct Look {
@@ -72,17 +84,22 @@ class StopWatch {
   void find_bodies(const Simulation& run);
   void begin(const Simulation& run, double h);
   [[nodiscard]] double clipped(const Simulation& run, double h) const;
-  [[nodiscard]] std::optional<Coming> first_in(const Simulation& run);
-  [[nodiscard]] std::optional<Coming> in_step(std::size_t index, const Simulation& run);
-  [[nodiscard]] std::optional<Coming> impact_in(std::size_t index, const Simulation& run) const;
-  [[nodiscard]] std::optional<Coming> passing_in(std::size_t index, const Simulation& run);
+  // Those of all stops in their order; of one stop.
+  [[nodiscard]] std::vector<Coming> coming_in(const Simulation& run);
+  void add_coming(std::size_t index, const Simulation& run, std::vector<Coming>& coming);
+  void add_impacts(std::size_t index, const Simulation& run, std::vector<Coming>& coming) const;
+  void add_passings(std::size_t index, const Simulation& run, std::vector<Coming>& coming);
+  [[nodiscard]] bool lies_within(const Coming& coming) const {
+    return coming.after < (1.0 - kSameMoment) * length_;
+  }
   [[nodiscard]] std::optional<Look> turn_between(const Watched& watched, const Look& a, const Look& b);
   [[nodiscard]] double moment_between(const Watched& watched, const Look& a, const Look& b);
   [[nodiscard]] Look look_at(const Watched& watched, double after);
   [[nodiscard]] std::optional<double> rest_in(const Simulation& run);
   // Whether it has come in a run that has made a part of the step.
   [[nodiscard]] bool has_come(const Coming& coming, const Simulation& run) const;
-  [[nodiscard]] Simulation run_at(const Coming& coming);
+  // The length of the step that leads to it, s, and the run there.
+  [[nodiscard]] std::pair<double, Simulation> step_to(const Coming& coming);
   [[nodiscard]] static bool is_there(const Watched& watched) {  // a value that it looks at
     return watched.stop.kind == StopKind::kKineticEnergy ||
            (watched.stop.kind == StopKind::kPassing && watched.body >= 0);
@@ -90,6 +107,7 @@ class StopWatch {
   [[nodiscard]] static bool is_of(const Watched& watched, const ImpactRecord& impact,
                                   const MassProperties& mass);
   [[nodiscard]] static std::int64_t impacts_of(const Watched& watched, const Simulation& run);
+  static void count_impacts(Watched& watched, const Simulation& run);
   [[nodiscard]] static Look look(const Watched& watched, const State& state, const MassProperties& mass,
                                  double after);
 
