@@ -80,10 +80,12 @@ void take_up(Frame& earlier, Frame& frame) {
   if (frame.back_to) {
     const double time = *frame.back_to;
     std::erase_if(earlier.impacts, [time](const ImpactRecord& impact) { return impact.time > time; });
+    std::erase_if(earlier.met, [time](const MetStop& met) { return met.time > time; });
   }
   if (earlier.back_to) frame.back_to = std::min(*earlier.back_to, frame.back_to.value_or(*earlier.back_to));
   std::swap(frame.impacts, earlier.impacts);
   frame.impacts.insert(frame.impacts.end(), earlier.impacts.begin(), earlier.impacts.end());
+  if (earlier.stops == frame.stops) frame.met.insert(frame.met.begin(), earlier.met.begin(), earlier.met.end());
 }
 
 void keep_recent(std::vector<ImpactRecord>& impacts, std::span<const ImpactRecord> fresh, double now,

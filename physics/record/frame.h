@@ -10,7 +10,9 @@
 
 #include "physics/record/replay.h"
 #include "physics/record/sampler.h"
+#include "physics/run/met_stop.h"
 #include "physics/run/simulation.h"
+#include "physics/scene/stop.h"
 
 namespace carom {
 
@@ -22,6 +24,12 @@ struct JointState {
   bool in_plane = false;     // from is a point of the plane
   double length = 0.0;       // m, of a rod or a string
   bool taut = true;          // false: a slack string
+};
+
+// Playing has ended where a stop was met: in the last step of the run, or at its end.
+struct Halt {
+  std::uint64_t number = 0;  // each has another one
+  MetStop at;
 };
 
 // A complete moment of a run, as the simulation's thread publishes it: the present state, and the changes
@@ -57,6 +65,11 @@ struct Frame {
   bool impacts_of_late = false;       // or else all of late, whatever the previous frame was
   // s: the run has gone back there since, and earlier impacts after it are to be dropped.
   std::optional<double> back_to;
+  // Of the first run: the stops that it watches, another object whenever they begin to be looked for anew, and
+  // where it met them since the previous frame. As impacts, those after back_to are to be dropped.
+  std::shared_ptr<const std::vector<Stop>> stops;
+  std::vector<MetStop> met;
+  std::optional<Halt> halt;  // of the first run, until it is played on
   Scales scales;
   std::shared_ptr<const RunSetup> setup;  // of the run, with all its edits
   // scene_now() of the first run while it is paused, for edits from here on; else none.

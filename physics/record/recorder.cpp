@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace carom {
 
@@ -12,6 +13,8 @@ void Recorder::clear() {
   impulses_ = {};
   speeds_.clear();
   impacts_ = Ring<ImpactRecord>(kMostImpacts);
+  stops_.reset();
+  met_.clear();
   scales_ = {};
   time_ = 0.0;
 }
@@ -38,6 +41,14 @@ void Recorder::add(const Frame& frame) {
     impacts_.push(impact);
     impulses_.append({impact.time, {impact.normal_impulse}});
   }
+  add_stops(frame);
+}
+
+void Recorder::add_stops(const Frame& frame) {
+  if (std::exchange(stops_, frame.stops) != frame.stops) met_.clear();
+  if (frame.back_to)
+    std::erase_if(met_, [time = *frame.back_to](const MetStop& met) { return met.time > time; });
+  met_.insert(met_.end(), frame.met.begin(), frame.met.end());
 }
 
 void Recorder::cut(double time) {

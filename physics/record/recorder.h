@@ -32,6 +32,9 @@ class Recorder {
   [[nodiscard]] const Series<1>& impulses() const { return impulses_; }
   // The newest kMostImpacts of them.
   [[nodiscard]] const Ring<ImpactRecord>& impacts() const { return impacts_; }
+  // Where the run met stops, in the order of time, and the list of these.
+  [[nodiscard]] const std::vector<MetStop>& met() const { return met_; }
+  [[nodiscard]] const std::shared_ptr<const std::vector<Stop>>& stops() const { return stops_; }
   [[nodiscard]] const SpeedRecord& speeds() const { return speeds_; }
   [[nodiscard]] const Scales& scales() const { return scales_; }
   [[nodiscard]] double time() const { return time_; }       // s, of the newest frame
@@ -39,6 +42,7 @@ class Recorder {
 
  private:
   void add(const Rows& rows);
+  void add_stops(const Frame& frame);
   void cut(double time);
   void cut_impacts(double time);
 
@@ -48,6 +52,8 @@ class Recorder {
   std::map<Curve, Series<2>> paths_;
   Series<1> impulses_;
   Ring<ImpactRecord> impacts_{kMostImpacts};
+  std::shared_ptr<const std::vector<Stop>> stops_;
+  std::vector<MetStop> met_;
   SpeedRecord speeds_;
   Scales scales_;
 };

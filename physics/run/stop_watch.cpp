@@ -74,8 +74,11 @@ double sign_of(const Stop& stop, double value) {
 
 }  // namespace
 
-StopWatch::StopWatch(const std::vector<Stop>& stops, Simulation& run) {
+StopWatch::StopWatch(const std::vector<Stop>& stops) {
   for (const Stop& stop : stops) watched_.push_back({.stop = stop});
+}
+
+StopWatch::StopWatch(const std::vector<Stop>& stops, Simulation& run) : StopWatch(stops) {
   if (std::any_of(stops.begin(), stops.end(), passes)) run.watch_impacts(true);
 }
 

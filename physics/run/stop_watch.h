@@ -33,6 +33,8 @@ class StopWatch {
   static constexpr double kRestLasts = 0.1;  // s: a body that turns back is faster by then
 
   StopWatch(const std::vector<Stop>& stops, Simulation& run);
+  // For runs whose impacts are watched (Simulation::watch_impacts()).
+  explicit StopWatch(const std::vector<Stop>& stops);
 
   // Steps until `end` (s) or the first of the moments, and calls after_step() after each step, as
   // Simulation::advance_to(). The index of the stop that came; nothing at the end and for a lost run.

@@ -37,10 +37,12 @@ Sampler LiveRun::begin_sampler(const Simulation& simulation, const std::vector<C
 void LiveRun::step() {
   if (lost()) return;
   const auto begin = Clock::now();
+  if (stops_) stops_->before_step(simulation_);
   simulation_.step();
   if (lost()) return;
   wall_time_ += std::chrono::duration<double>(Clock::now() - begin).count();
   sampler_.after_step(simulation_);
+  if (stops_) stops_->after_step(simulation_);
   impacts_.insert(impacts_.end(), simulation_.last_impacts().begin(), simulation_.last_impacts().end());
   apply_due_edits();
 }
@@ -51,8 +53,7 @@ void LiveRun::edit(const RunEdit& edit) {
   if (!simulation_.is_due(edit)) before = std::upper_bound(before, longer.edits.end(), edit, is_earlier);
   longer.edits.insert(before, edit);
   setup_ = std::make_shared<const RunSetup>(std::move(longer));
-  simulation_.set_edits(setup_->edits);
-  if (catch_up_) catch_up_->replay.set_edits(setup_->edits);
+  give_edits();
   apply_due_edits();
 }
 
@@ -89,9 +90,24 @@ void LiveRun::take_setup(const std::vector<RunEdit>& edits, const KeyFrame* back
   other.edits = edits;
   setup_ = std::make_shared<const RunSetup>(std::move(other));
   if (back_to != nullptr) go_back_to(*back_to);
-  simulation_.set_edits(edits);
-  if (catch_up_) catch_up_->replay.set_edits(edits);
+  give_edits();
   apply_due_edits();
+}
+
+void LiveRun::give_edits() {
+  simulation_.set_edits(setup_->edits);
+  if (catch_up_) catch_up_->replay.set_edits(setup_->edits);
+  if (stops_) stops_->take_edits(setup_->edits);
+}
+
+void LiveRun::watch(const StopRecord::Stops& stops) {
+  if (stops_ ? stops == stops_->stops() : stops == nullptr) return;
+  stops_.reset();
+  if (stops) watch_anew(stops);
+}
+
+void LiveRun::watch_anew(const StopRecord::Stops& stops) {
+  stops_.emplace(stops, *setup_, simulation_, interrupt_);
 }
 
 void LiveRun::go_back_to(const KeyFrame& moment) {
@@ -101,6 +117,11 @@ void LiveRun::go_back_to(const KeyFrame& moment) {
   rows_.push_back(sampler_.take());
   const double time = simulation_.time();
   std::erase_if(impacts_, [time](const ImpactRecord& impact) { return impact.time > time; });
+  if (looks_for_stops()) {
+    watch_anew(std::make_shared<const std::vector<Stop>>(*stops_->stops()));
+  } else if (stops_) {
+    stops_->go_back(time);
+  }
   back_to_ = std::min(time, back_to_.value_or(time));
   sampler_ = moment.sampler;
   sampler_.go_on(simulation_, curves_, interrupt_);
@@ -141,9 +162,15 @@ void LiveRun::interrupt_on(const std::stop_token& interrupt) {
   interrupt_ = interrupt;
   simulation_.interrupt_on(interrupt);
   sampler_.interrupt_on(interrupt);
+  if (looks_for_stops()) {
+    watch_anew(std::make_shared<const std::vector<Stop>>(*stops_->stops()));
+  } else if (stops_) {
+    stops_->take_edits(setup_->edits);  // its copies have the token of before
+  }
 }
 
 void LiveRun::catch_up(Clock::duration duration) {
+  if (!catch_up_ && stops_) stops_->catch_up(simulation_, duration);
   if (!catch_up_) return;
   const auto begin = Clock::now();
   Replay& replay = catch_up_->replay;
@@ -174,6 +201,7 @@ std::shared_ptr<Frame> LiveRun::take_frame() {
   frame->rows_known_until = catch_up_ ? catch_up_->replay.simulation().time() : frame->time;
   frame->impacts = std::exchange(impacts_, {});
   frame->back_to = std::exchange(back_to_, std::nullopt);
+  if (stops_) stops_->take(*frame);
   frame->scales = sampler_.scales();
   frame->wall_time = wall_time_;
   if (!catch_up_) frame->error = sampler_.error();

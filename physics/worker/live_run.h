@@ -10,6 +10,7 @@
 #include "physics/record/frame.h"
 #include "physics/record/replay.h"
 #include "physics/record/sampler.h"
+#include "physics/worker/stop_record.h"
 
 namespace carom {
 
@@ -36,9 +37,13 @@ class LiveRun {
   void record(const std::vector<Curve>& curves, ReferenceId reference);
   // From now on the requests to interrupt its steps come from here.
   void interrupt_on(const std::stop_token& interrupt);
+  // Looks for these stops from the run's start on; nullptr: for none.
+  void watch(const StopRecord::Stops& stops);
+  // The first stop that was met in the last step.
+  [[nodiscard]] const MetStop* met() const { return stops_ ? stops_->met() : nullptr; }
   // Replays for about this long.
   void catch_up(std::chrono::steady_clock::duration duration);
-  [[nodiscard]] bool behind() const { return catch_up_.has_value(); }
+  [[nodiscard]] bool behind() const { return catch_up_.has_value() || looks_for_stops(); }
 
   // The changes since the last call, without the fields that only the owner knows: run, playing, speed.
   [[nodiscard]] std::shared_ptr<Frame> take_frame();
@@ -64,6 +69,9 @@ class LiveRun {
 
   [[nodiscard]] Sampler begin_sampler(const Simulation& simulation, const std::vector<Curve>& curves,
                                       const std::vector<Curve>& later) const;
+  [[nodiscard]] bool looks_for_stops() const { return stops_ && stops_->behind(); }
+  void watch_anew(const StopRecord::Stops& stops);
+  void give_edits();
   void apply_due_edits();
   void take_setup(const std::vector<RunEdit>& edits, const KeyFrame* back_to);
   void go_back_to(const KeyFrame& moment);
@@ -75,6 +83,7 @@ class LiveRun {
   ReferenceId reference_;
   Sampler sampler_;
   std::optional<CatchUp> catch_up_;
+  std::optional<StopRecord> stops_;
   std::vector<Rows> rows_;  // rows not yet taken by the owner
   KeyFrames key_frames_;
   std::vector<ImpactRecord> impacts_;

@@ -18,7 +18,10 @@ void Past::seek(const PastMoment& moment, std::span<const Original> runs, const 
   }
   runs_ = std::move(copies);
   const Simulation& newest = runs.front().run.simulation();
-  sought_ = Sought{.time = std::min(moment.time, newest.time()), .by = moment.steps, .newest = newest.steps()};
+  sought_ = Sought{.time = std::min(moment.time, newest.time()),
+                   .by = moment.steps,
+                   .newest = newest.steps(),
+                   .part = moment.part};
   const bool from_newest = moment.steps != 0 && moment.time >= newest.time();
   for (PastRun& run : std::span(runs_).subspan(from_newest ? 1 : 0)) run.stand_before(sought_->time);
   if (from_newest) go_to_step(newest.steps() + std::exchange(sought_->by, 0));
@@ -40,6 +43,7 @@ bool Past::step() {
   } else if (!sought_->others_follow) {
     follow_first();
   } else {
+    make_parts();
     sought_.reset();
   }
   return seeks();
@@ -59,14 +63,24 @@ bool Past::step_first() {
 // The others to where the first run is.
 void Past::follow_first() {
   sought_->others_follow = true;
-  sought_->time = runs_.front().simulation().time();
+  sought_->time = runs_.front().simulation().time() + sought_->part;
   for (PastRun& run : std::span(runs_).subspan(1)) run.stand_before(sought_->time);
+}
+
+void Past::make_parts() {
+  if (sought_->part == 0.0) return;
+  runs_.front().make_part(sought_->part);
+  const double time = runs_.front().shown().time();
+  for (PastRun& run : std::span(runs_).subspan(1)) {
+    const Simulation& at = run.simulation();
+    run.make_part(step_towards(time, at.time(), at.method().step));
+  }
 }
 
 std::vector<std::shared_ptr<Frame>> Past::frames() const {
   std::vector<std::shared_ptr<Frame>> frames;
   for (const PastRun& run : runs_) frames.push_back(run.frame());
-  if (!seeks()) frames.front()->scene = std::make_shared<const Scene>(scene_now(runs_.front().simulation()));
+  if (!seeks()) frames.front()->scene = std::make_shared<const Scene>(scene_now(runs_.front().shown()));
   return frames;
 }
 

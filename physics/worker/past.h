@@ -14,10 +14,12 @@ namespace carom {
 
 // A moment in the past of several runs, told by the first one: the last end of a step that is not after `time`,
 // and then so many steps later, or earlier if `steps` is negative, but not outside the run. The others stand
-// where they would if the runs had been stopped there.
+// where they would if the runs had been stopped there. With `part`, it is the moment to which a step of this
+// length leads from there, and the others come to it by a shorter step too.
 struct PastMoment {
   double time = 0.0;  // s
   std::int64_t steps = 0;
+  double part = 0.0;  // s
 
   bool operator==(const PastMoment&) const = default;
 };
@@ -49,12 +51,14 @@ class Past {
     std::optional<std::int64_t> steps{};  // for the first run alone to reach before that
     std::int64_t by = 0;                  // steps of the first run, once it is at the time
     std::int64_t newest = 0;              // steps of the run itself
+    double part = 0.0;                    // s, of the first run after that
     bool others_follow = false;           // the time is that of the first run's moment
   };
 
   void go_to_step(std::int64_t steps);
   bool step_first();
   void follow_first();
+  void make_parts();
 
   std::vector<PastRun> runs_;
   std::optional<Sought> sought_;

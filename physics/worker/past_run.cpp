@@ -49,6 +49,7 @@ void PastRun::stand_before_step(std::int64_t steps) {
 // Where it is, unless that is beyond or there is a later moment that leads there.
 template <class Leads, class Beyond>
 void PastRun::stand(const Leads& leads, const Beyond& beyond) {
+  part_.reset();
   const std::shared_ptr<const KeyFrame> own =
       latest(left_, [&](const KeyFrame& frame) { return leads(frame.state); });
   // The run may have left moments before it had its reference.
@@ -121,6 +122,13 @@ void PastRun::step() {
   apply_due_edits();
 }
 
+void PastRun::make_part(double length) {
+  if (length == 0.0) return;
+  part_ = at_;
+  part_->simulation.step(length);
+  if (part_->sampler && !part_->simulation.lost()) part_->sampler->after_step(part_->simulation);
+}
+
 void PastRun::leave_key_frame(Clock::duration worked) {
   worked_ += worked;
   const bool is_new = left_.empty() || left_.back()->state.clock.steps < at_->simulation.steps();
@@ -138,11 +146,12 @@ void PastRun::leave_key_frame(Clock::duration worked) {
 
 std::shared_ptr<Frame> PastRun::frame() const {
   auto frame = std::make_shared<Frame>();
-  take_moment(at_->simulation, *frame);
+  const Standing& standing = part_ ? *part_ : *at_;
+  take_moment(standing.simulation, *frame);
   frame->run = id_;
   frame->rows_known_until = frame->time;
-  frame->wall_time = at_->wall_time;
-  if (at_->sampler) frame->error = at_->sampler->error();
+  frame->wall_time = standing.wall_time;
+  if (standing.sampler) frame->error = standing.sampler->error();
   frame->setup = setup_;
   return frame;
 }

@@ -36,9 +36,12 @@ class PastRun {
   // Whether a step leads to a moment that is not after `time`.
   [[nodiscard]] bool may_step(double time) const;
   void step();
+  // Shows the moment to which a step of this length (s) leads, if it is not 0; it stands where it is.
+  void make_part(double length);
 
   // Once it stands anywhere.
   [[nodiscard]] const Simulation& simulation() const { return at_->simulation; }
+  [[nodiscard]] const Simulation& shown() const { return part_ ? part_->simulation : at_->simulation; }
   [[nodiscard]] double next() const;  // s, end of the next step
   [[nodiscard]] std::shared_ptr<Frame> frame() const;
 
@@ -65,6 +68,7 @@ class PastRun {
   std::chrono::steady_clock::duration interval_{};           // of work between those left
   std::chrono::steady_clock::duration worked_{};             // since the last one
   std::optional<Standing> at_;
+  std::optional<Standing> part_;  // of a step from there
 };
 
 }  // namespace carom

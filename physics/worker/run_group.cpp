@@ -22,6 +22,7 @@ void RunGroup::begin(std::stop_token token) {
   past_.clear();
   runs_.clear();
   for (RunPlan& run : plans_of(preset_)) begin_run(std::move(run));
+  watch_first();
   changed_ = true;
 }
 
@@ -66,6 +67,7 @@ RunGroup::Frames RunGroup::return_to(EditId edit, const std::vector<Curve>& curv
   if (runs_.empty()) {
     for (const RunPlan& run : kept.plan.runs) begin_run(run);
   }
+  watch_first();
   replay_to(kept.time);
   record_all();
   return std::exchange(kept.untaken, {});
@@ -96,6 +98,7 @@ RunGroup::Frames RunGroup::cut(EditId edit, double time, const std::vector<RunEd
     }
     begin_run(std::move(plan));
   }
+  watch_first();
   replay_to(time);
   Frames untaken;
   for (const auto& frame : kept.untaken) untaken.push_back(std::make_shared<Frame>(*frame));
@@ -165,6 +168,19 @@ void RunGroup::compare_with(ReferenceId reference) {
   record_all();
 }
 
+void RunGroup::watch_stops(const std::vector<Stop>& stops) {
+  preset_.stops = stops;
+  if (interrupted_) return;
+  watch_first();
+  changed_ = true;
+}
+
+void RunGroup::watch_first() {
+  if (stops_ == nullptr || *stops_ != preset_.stops)
+    stops_ = std::make_shared<const std::vector<Stop>>(preset_.stops);
+  for (Run& run : runs_) run.live.watch(&run == &runs_.front() ? stops_ : nullptr);
+}
+
 void RunGroup::record_all() {
   if (interrupted_) return;
   for (Run& run : runs_) run.live.record(curves_, reference_);
@@ -197,6 +213,7 @@ void RunGroup::undo_or_redo(EditId edit, const Preset& start, ReferenceId refere
   if (other_start) old.clear();
   for (RunPlan& each : begun_since ? plans_of(start) : std::vector<RunPlan>(wanted.runs))
     take_plan(std::move(each), old);
+  watch_first();
   replay_to(time);
   if (other_reference) record_all();
 }

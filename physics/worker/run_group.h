@@ -77,6 +77,8 @@ class RunGroup {
   // Sets what is recorded of all runs.
   void record(const std::vector<Curve>& curves);
   void compare_with(ReferenceId reference);
+  // The stops of the preset, which the first run is to meet.
+  void watch_stops(const std::vector<Stop>& stops);
 
   // Call before an edit that can be undone.
   void remember(EditId edit) { other_sides_[edit] = plan(); }
@@ -92,8 +94,9 @@ class RunGroup {
   // True if the first run's next step would end after `time`.
   [[nodiscard]] bool reaches(double time) const { return !may_step(runs_.front(), time); }
   void step_first();
-  enum class Advance { kReached, kDeadline, kRunLost };
-  // Steps the runs until all that are not lost are within a step of `time`. kRunLost: a run was just lost.
+  enum class Advance { kReached, kDeadline, kRunLost, kStopMet };
+  // Steps the runs until all that are not lost are within a step of `time`. kRunLost: a run was just lost;
+  // kStopMet: the first run has just met a stop (LiveRun::met()).
   template <class Stop>
   Advance advance_to(double time, Clock::time_point deadline, const Stop& stop) {
     while (true) {
@@ -102,6 +105,7 @@ class RunGroup {
       if (Clock::now() >= deadline || stop()) return Advance::kDeadline;
       step(run);
       if (run.live.lost()) return Advance::kRunLost;
+      if (&run == &runs_.front() && run.live.met() != nullptr) return Advance::kStopMet;
     }
   }
   // True if a run has not come as far as the first.
@@ -157,6 +161,7 @@ class RunGroup {
   [[nodiscard]] static RunPlan plan_of(const Run& run);
   [[nodiscard]] Plan plan() const;
   void record_all();
+  void watch_first();
   void replay_to(double time);  // if the runs are not there yet
   void take_plan(RunPlan plan, std::vector<Run>& old);
   void begin_run(RunPlan plan);
@@ -171,6 +176,7 @@ class RunGroup {
   Preset preset_;                // as loaded
   std::vector<Curve> curves_;
   ReferenceId reference_ = ReferenceId::kNone;
+  StopRecord::Stops stops_;  // of the preset
   std::vector<Run> runs_;
   Past past_;
   std::map<EditId, Plan> other_sides_;  // of edits: the runs before it, or after it if it is undone

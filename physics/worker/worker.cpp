@@ -29,10 +29,17 @@ struct Worker::Session {
   void stand_still() {
     playing = false;
     end = std::numeric_limits<double>::infinity();
+    halt.reset();
     begin_measurement();
   }
   void begin_pace() { pace.begin(runs.first().time(), Clock::now()); }
   void begin_measurement() { pace.begin_measurement(runs.first().time(), Clock::now()); }
+  void halt_if_paced() {
+    if (!playing || full_speed || runs.replay_until()) return;
+    playing = false;
+    changed = true;
+    halt = Halt{++halts, *runs.first().met()};
+  }
   void interrupt() {
     runs.interrupt();
     playing = changed = false;
@@ -44,6 +51,8 @@ struct Worker::Session {
   bool full_speed = false;
   double end = 0.0;      // s; a playing run stops here
   bool changed = false;  // how it plays, since the last frames
+  std::optional<Halt> halt;
+  std::uint64_t halts = 0;  // so far
   Clock::time_point replay_began{};
   std::uint64_t show = 0;                                // the number of the moment that is sought
   std::optional<Clock::time_point> shown_nothing_since;  // while a moment of the past is sought
@@ -185,6 +194,7 @@ void Worker::set_playing(bool playing, double until) {
   post_to_runs([playing, until](Session& session) {
     session.playing = playing && !session.runs.first().lost();
     session.full_speed = false;
+    session.halt.reset();
     session.end = session.runs.reaches(until) ? std::numeric_limits<double>::infinity() : until;
     session.begin_pace();
     session.begin_measurement();
@@ -195,6 +205,7 @@ void Worker::set_playing(bool playing, double until) {
 void Worker::step_once() {
   post_to_runs([](Session& session) {
     session.playing = false;
+    session.halt.reset();
     session.runs.step_first();  // the others follow
   });
 }
@@ -251,6 +262,7 @@ void Worker::run_until(double time) {
     session.playing = !session.runs.first().lost();
     session.changed = true;
     session.full_speed = true;
+    session.halt.reset();
     session.end = time;
     session.begin_measurement();
   });
@@ -258,6 +270,10 @@ void Worker::run_until(double time) {
 
 void Worker::set_reference(ReferenceId reference) {
   post([reference](Session& session) { session.runs.compare_with(reference); });
+}
+
+void Worker::watch_stops(const std::vector<Stop>& stops) {
+  post([stops](Session& session) { session.runs.watch_stops(stops); });
 }
 
 void Worker::record(const std::vector<Curve>& curves) {
@@ -300,6 +316,7 @@ void Worker::publish(Session& session) {
   }
   if (!session.playing && !session.runs.replay_until())
     frames.front()->scene = std::make_shared<const Scene>(scene_now(session.runs.first().simulation()));
+  frames.front()->halt = session.halt;
   session.changed = false;
 
   std::vector<std::shared_ptr<Frame>> waiting;
@@ -458,6 +475,7 @@ void Worker::advance(const std::stop_token& stop, Session& session) {
     const RunGroup::Advance result =
         runs.advance_to(time, now + kFramePeriod, [&stop] { return stop.stop_requested(); });
     if (result == RunGroup::Advance::kRunLost) session.playing = false;
+    if (result == RunGroup::Advance::kStopMet) session.halt_if_paced();
     return result == RunGroup::Advance::kReached;
   };
   if (const auto replay_until = runs.replay_until()) {
@@ -475,6 +493,7 @@ void Worker::advance(const std::stop_token& stop, Session& session) {
   const double due = session.full_speed ? session.end : session.pace.due(now);
   const double target = std::min(session.end, due);
   const bool there = advance_to(target);
+  if (session.halt) return;
   const double time = runs.first().time();
   if (there && target >= session.end) {
     session.playing = false;
