@@ -5,11 +5,13 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "widgets/base/plain_text.h"
 #include "widgets/edit/quantity.h"
 
 namespace carom {
@@ -18,6 +20,7 @@ namespace {
 constexpr double kMargin = 6.0;      // px, at both ends of the line
 constexpr double kTickWidth = 9.0;   // px, to the mouse
 constexpr double kFiner = 10.0;      // with Shift
+constexpr double kDragFrom = 4.0;    // px
 constexpr int kNotch = 120;          // eighths of a degree
 constexpr double kSameTime = 1e-12;  // of the line's end
 
@@ -31,7 +34,8 @@ Timeline::Timeline(const Theme& theme, QWidget* parent)
   setToolTip(
       tr("The run so far; a tick for each impact.\n"
          "Click or drag: to a moment; with Shift ten times finer.\n"
-         "Wheel: a step; with Ctrl an impact. Double click: type a time."));
+         "Wheel: a step; with Ctrl an impact. Double click: type a time.\n"
+         "A flag for each stop: a click opens it, a drag moves one at a time."));
   field_->setAccessibleName(tr("Time in s"));
   field_->installEventFilter(this);
   field_->hide();
@@ -46,6 +50,13 @@ void Timeline::set_theme(const Theme& theme) {
 
 void Timeline::set_duration(double seconds) {
   duration_ = seconds;
+  update();
+}
+
+void Timeline::set_stops(const std::vector<Stop>& stops) {
+  flags_.set_stops(stops);
+  held_.reset();
+  if (chosen_ && *chosen_ >= stops.size()) chosen_.reset();
   update();
 }
 
@@ -67,6 +78,7 @@ void Timeline::update_from(const Frame& newest, const Recorder& recorder, double
   for (const SeriesPoint<1>& impact : impacts) {
     if (ticks_.empty() || impact.at - ticks_.back() >= least) ticks_.push_back(impact.at);
   }
+  if (!held_) flags_.update_from(recorder, 2.0 * least);
   update();
 }
 
@@ -88,6 +100,8 @@ void Timeline::paintEvent(QPaintEvent* /*event*/) {
   tick.setAlphaF(ticks_.size() > 60 ? 0.35F : 0.9F);
   painter.setPen(QPen(tick, 1.2));
   for (const double t : ticks_) painter.drawLine(QPointF(x_of(t), y - 8.0), QPointF(x_of(t), y + 8.0));
+  flags_.paint(
+      painter, theme_, y, [this](double t) { return x_of(t); }, chosen_);
   painter.setPen(QPen(theme_.panel, 1.5));
   painter.setBrush(theme_.accent);
   painter.drawEllipse(QPointF(x_of(shown_), y), 5.5, 5.5);
@@ -96,6 +110,12 @@ void Timeline::paintEvent(QPaintEvent* /*event*/) {
 void Timeline::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const double x = event->position().x();
+  if (const auto flag = flag_at(event->position())) {
+    held_ = HeldFlag{*flag, x};
+    chosen_ = flag->stop;
+    setFocus(Qt::MouseFocusReason);
+    return update();
+  }
   emit scrubBegan();
   const auto near = std::find_if(ticks_.begin(), ticks_.end(),
                                  [&](double tick) { return std::abs(x_of(tick) - x) <= 0.5 * kTickWidth; });
@@ -114,6 +134,7 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
 }
 
 void Timeline::mouseMoveEvent(QMouseEvent* event) {
+  if (held_) return drag_flag(event->position().x(), event->modifiers().testFlag(Qt::ShiftModifier));
   if (!scrub_) return;
   const double x = event->position().x();
   const double share = event->modifiers().testFlag(Qt::ShiftModifier) ? 1.0 / kFiner : 1.0;
@@ -124,12 +145,13 @@ void Timeline::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Timeline::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && held_) return drop_flag();
   if (event->button() != Qt::LeftButton || !std::exchange(scrub_, std::nullopt)) return;
   emit scrubEnded();
 }
 
 void Timeline::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) open_field();
+  if (event->button() == Qt::LeftButton && !flag_at(event->position())) open_field();
 }
 
 void Timeline::wheelEvent(QWheelEvent* event) {
@@ -143,6 +165,47 @@ void Timeline::wheelEvent(QWheelEvent* event) {
   } else {
     emit stepAsked(notches);
   }
+}
+
+std::optional<TimelineFlag> Timeline::flag_at(const QPointF& at) const {
+  return flags_.at(at.x(), at.y(), 0.5 * height(), [this](double time) { return x_of(time); });
+}
+
+void Timeline::drag_flag(double x, bool finer) {
+  if (!held_->flag.moves || (!held_->moved && std::abs(x - held_->x) < kDragFrom)) return;
+  held_->moved = true;
+  const double pixel = (finer ? 1.0 / kFiner : 1.0) * end() / (width() - 2.0 * kMargin);
+  const double time = std::max(0.0, round_to_pixel(held_->flag.time + pixel * (x - held_->x), pixel));
+  flags_.drag_to(held_->flag.stop, time);
+  held_->to = time;
+  QToolTip::showText(mapToGlobal(QPoint(qRound(x), 0)), tr("at %1 s").arg(time), this);
+  update();
+}
+
+void Timeline::drop_flag() {
+  const HeldFlag held = *std::exchange(held_, std::nullopt);
+  QToolTip::hideText();
+  if (!held.moved) return emit flagClicked(held.flag.stop);
+  if (held.to != held.flag.time) emit flagMoved(held.flag.stop, held.to);
+}
+
+void Timeline::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && held_) {
+    flags_.drag_to(held_->flag.stop, held_->flag.time);
+    held_.reset();
+    QToolTip::hideText();
+    return update();
+  }
+  if (event->key() == Qt::Key_Delete && chosen_) return emit flagRemoved(*std::exchange(chosen_, std::nullopt));
+  QWidget::keyPressEvent(event);
+}
+
+bool Timeline::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const auto flag = flag_at(help->pos());
+  QToolTip::showText(help->globalPos(), flag ? plain_tip(flags_.sentence(flag->stop)) : toolTip(), this);
+  return true;
 }
 
 void Timeline::open_field() {

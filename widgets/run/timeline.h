@@ -6,6 +6,7 @@
 
 #include "physics/record/frame.h"
 #include "physics/record/recorder.h"
+#include "widgets/run/timeline_flags.h"
 #include "widgets/theme/theme.h"
 
 class QLineEdit;
@@ -15,7 +16,8 @@ namespace carom {
 // The record of a run: the experiment's duration as a line, the time so far filled, a tick for each impact, and
 // the playhead at the shown moment. Where a run continues past the duration the line grows by whole durations.
 // Click and drag: to a moment, with Shift ten times finer; a click on a tick: to the impact. Wheel: a step,
-// with Ctrl an impact. Double click: a field for a time.
+// with Ctrl an impact. Double click: a field for a time. Stops have flags: a click chooses one, a drag moves
+// one at a time, Escape takes the drag back, Delete removes the chosen one.
 class Timeline : public QWidget {
   Q_OBJECT
 
@@ -23,6 +25,7 @@ class Timeline : public QWidget {
   explicit Timeline(const Theme& theme, QWidget* parent = nullptr);
   void set_theme(const Theme& theme);
   void set_duration(double seconds);
+  void set_stops(const std::vector<Stop>& stops);
   // `shown`: s, of the playhead.
   void update_from(const Frame& newest, const Recorder& recorder, double shown);
   [[nodiscard]] double end() const;
@@ -37,6 +40,10 @@ class Timeline : public QWidget {
   void impactChosen(double time);  // s, of a recorded impact
   void stepAsked(int steps);
   void impactAsked(bool forward);
+  // Of the document's stops, by their index.
+  void flagClicked(std::size_t stop);
+  void flagMoved(std::size_t stop, double time);  // s
+  void flagRemoved(std::size_t stop);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -45,6 +52,8 @@ class Timeline : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -54,7 +63,18 @@ class Timeline : public QWidget {
     double time = 0.0;  // s, there; between steps too
   };
 
+  // The left button holds a flag.
+  struct HeldFlag {
+    TimelineFlag flag;
+    double x = 0.0;   // px, of the press
+    double to = 0.0;  // s, once it has moved
+    bool moved = false;
+  };
+
   [[nodiscard]] double time_at(double x) const;
+  [[nodiscard]] std::optional<TimelineFlag> flag_at(const QPointF& at) const;
+  void drag_flag(double x, bool finer);
+  void drop_flag();
   void open_field();
   void take_field();
 
@@ -64,6 +84,9 @@ class Timeline : public QWidget {
   double time_ = 0.0;
   double shown_ = 0.0;
   std::vector<double> ticks_;  // s, thinned to what pixels can show
+  TimelineFlags flags_;
+  std::optional<HeldFlag> held_;
+  std::optional<std::size_t> chosen_;  // stop
   std::optional<Scrub> scrub_;
   int wheel_ = 0;  // eighths of a degree, not yet a step
 };

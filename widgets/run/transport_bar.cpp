@@ -36,6 +36,7 @@ TransportBar::TransportBar(const Theme& theme, QWidget* parent) : QFrame(parent)
   play_->setFixedSize(36, 36);
   back_ = button(tr("Back by a step (,)"));
   step_ = button(tr("One step (.)"));
+  flag_ = button(tr("Stops: where the run is to halt (H)"));
   speed_ = button(tr("Speed: simulated seconds per second"));
   speed_->setObjectName("choice");
   speed_->setPopupMode(QToolButton::InstantPopup);
@@ -62,11 +63,12 @@ TransportBar::TransportBar(const Theme& theme, QWidget* parent) : QFrame(parent)
   row->addSpacing(6);
   row->addWidget(timeline_, 1);
   row->addWidget(end_);
-  row->addSpacing(4);
+  row->addWidget(flag_);
   row->addWidget(speed_);
   connect(restart_, &QToolButton::clicked, this, &TransportBar::restartClicked);
   connect(back_, &QToolButton::clicked, this, [this] { emit stepClicked(-1); });
   connect(step_, &QToolButton::clicked, this, [this] { emit stepClicked(1); });
+  connect(flag_, &QToolButton::clicked, this, &TransportBar::stopsClicked);
   connect(timeline_, &Timeline::stepAsked, this, &TransportBar::stepClicked);
   connect(play_, &QToolButton::clicked, this, [this] { emit playClicked(!playing_); });
   set_icons();
@@ -75,12 +77,15 @@ TransportBar::TransportBar(const Theme& theme, QWidget* parent) : QFrame(parent)
 void TransportBar::set_icons() {
   restart_->setIcon(themed_icon("restart", theme_.text));
   back_->setIcon(themed_icon("step-back", theme_.text));
+  flag_->setIcon(themed_icon("flag", theme_.text));
   step_->setIcon(themed_icon("step", theme_.text));
   play_->setIcon(themed_icon(playing_ ? "pause" : "play", theme_.panel));
   play_->setStyleSheet(
       QString("QToolButton { background: %1; border-radius: 18px; } QToolButton:hover { background: %2; }")
           .arg(theme_.accent.name(), theme_.accent.lighter(112).name()));
 }
+
+const QWidget& TransportBar::flag() const { return *flag_; }
 
 void TransportBar::set_theme(const Theme& theme) {
   theme_ = theme;

@@ -13,7 +13,7 @@ class QToolButton;
 
 namespace carom {
 
-// Restart, a step back, play or pause, a step, the timeline and the speed.
+// Restart, a step back, play or pause, a step, the timeline, the stops and the speed.
 class TransportBar : public QFrame {
   Q_OBJECT
 
@@ -24,6 +24,7 @@ class TransportBar : public QFrame {
   // What is shown, at `shown` s, and the newest moment of the first run.
   void update_from(const Frame& frame, const Frame& newest, const Recorder& recorder, double shown);
   [[nodiscard]] Timeline& timeline() { return *timeline_; }
+  [[nodiscard]] const QWidget& flag() const;
   // The speeds to choose from, simulated seconds per second.
   [[nodiscard]] static const std::vector<double>& speeds();
   // 1/4 as "×¼".
@@ -34,6 +35,7 @@ class TransportBar : public QFrame {
   void playClicked(bool play);
   void stepClicked(int steps);
   void speedChosen(double speed);
+  void stopsClicked();
 
  private:
   void set_icons();
@@ -43,6 +45,7 @@ class TransportBar : public QFrame {
   QToolButton* play_;
   QToolButton* back_;
   QToolButton* step_;
+  QToolButton* flag_;
   QToolButton* speed_;
   Timeline* timeline_;
   QLabel* end_;
