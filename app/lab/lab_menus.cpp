@@ -250,6 +250,7 @@ void LabWindow::make_run_menus() {
   go_on->setToolTip(tr("What comes after the shown moment is dropped; undo brings it back"));
   connect(run, &QMenu::aboutToShow, this, [this, go_on] { go_on->setEnabled(session_.runs().in_past()); });
   connect(run, &QMenu::aboutToHide, go_on, [go_on] { go_on->setEnabled(true); });
+  add_action(run, "flag", tr("Sto&ps..."), QKeySequence(Qt::Key_H), [this] { edit_stops(std::nullopt); });
   add_action(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { session_.runs().restart(); });
   QMenu* methods = menuBar()->addMenu(tr("&Method"));
   methods_ = new MethodBar(methods, this);

@@ -49,6 +49,7 @@ void LabRuns::step_by(int steps) {
   if (!has_record()) return;
   if (!playhead_ && frames_.front()->time <= start_time(document_.preset.saved)) return;
   PastMoment moment{frames().front()->time, steps};
+  if (playhead_ && playhead_->moment.part > 0.0 && there() && steps < 0) ++moment.steps;  // to its step's start
   if (!there()) moment = {playhead_->moment.time, playhead_->moment.steps + steps};
   seek(moment);
 }
@@ -56,7 +57,8 @@ void LabRuns::step_by(int steps) {
 double LabRuns::shown_time() const {
   if (frames().empty()) return start_time(document_.preset.saved);
   if (there()) return frames().front()->time;
-  return playhead_->moment.time + static_cast<double>(playhead_->moment.steps) * frames().front()->method.step;
+  const PastMoment& moment = playhead_->moment;
+  return moment.time + static_cast<double>(moment.steps) * frames().front()->method.step + moment.part;
 }
 
 // Of runs that are recomputed there will be another one.
@@ -85,12 +87,15 @@ void LabRuns::ask_worker(const PastMoment& moment) {
 void LabRuns::play_past(bool playing) {
   if (!playing) return seek({frames().front()->time});
   playhead_->plays = true;
+  playhead_->passed = shown_time();
   pace_.begin(shown_time(), Pace::Clock::now());
 }
 
 void LabRuns::play_past_on() {
   const auto now = Pace::Clock::now();
   const double due = pace_.due(now);
+  if (const MetStop* met = stop_until(due)) return show_stop(*met);
+  playhead_->passed = due;
   if (due >= frames_.front()->time) {
     go_to_end();
     if (!at_end()) worker_.set_playing(true, document_.preset.duration);
@@ -106,8 +111,10 @@ void LabRuns::take_shown() {
   if (shown.frames.empty() || shown.number < playhead_->first) return;
   playhead_->there = shown.there && shown.number == playhead_->last;
   playhead_->on_the_way = !shown.there;
-  if (playhead_->there && !playhead_->plays && shown.frames.front()->steps >= frames_.front()->steps)
-    return go_to_end();
+  const Frame& first_shown = *shown.frames.front();
+  const bool is_newest =
+      first_shown.steps >= frames_.front()->steps && first_shown.time >= frames_.front()->time;
+  if (playhead_->there && !playhead_->plays && is_newest) return go_to_end();
   Frames frames;
   for (const auto& each : shown.frames) frames.push_back(with_impacts(*each, frames.size()));
   show_speeds(frames);

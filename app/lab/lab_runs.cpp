@@ -141,10 +141,11 @@ void LabRuns::take_news(const Frames& news) {
   replayed_.reset();
   if (news.front()->replay_until) replayed_ = news.front()->time;
   recorders_ = std::move(recorders);
-  frames_ = news;
+  const Frames before = std::exchange(frames_, news);
   if (has_edit(*frames_.front(), awaited_)) awaited_ = 0;
   if (awaited_ == 0 || frames_.front()->playing) scene_ = frames_.front()->scene;
   if (playhead_) follow_runs();
+  take_halt(before);
   emit framesChanged();
 }
 
@@ -247,6 +248,7 @@ void LabRuns::return_to(Worker::EditId edit) {
   replayed_.reset();
   begins_ = will_begin_ = false;
   worker_.return_to(edit, curves_, document_.reference);
+  watch_stops();
   emit framesChanged();
 }
 

@@ -56,6 +56,8 @@ class LabRuns : public QObject {
   // Whether they are shown on a way that takes long.
   [[nodiscard]] bool way_is_long() const { return playhead_ && playhead_->on_the_way; }
   [[nodiscard]] double shown_time() const;  // s, that was asked for
+  // The stop of which the moment is shown, while it stands there (lab_stops.cpp).
+  [[nodiscard]] std::optional<Stop> stopped() const;
 
   // --- what is known of them
   void record(const std::vector<Curve>& curves);
@@ -99,6 +101,8 @@ class LabRuns : public QObject {
   Worker::EditId edit(const std::vector<std::pair<std::size_t, Method>>& methods, const SceneEdits& edits,
                       Worker::EditId part_of);
   void undo_or_redo(Worker::EditId edit);
+  // The document has other stops.
+  void watch_stops();
   // For edits of the methods.
   [[nodiscard]] Worker& worker() { return worker_; }
 
@@ -118,6 +122,7 @@ class LabRuns : public QObject {
     bool there = false;
     bool on_the_way = false;  // the frames are of another moment
     bool plays = false;
+    double passed = 0.0;  // s, while it plays: stops until there are behind
   };
   // What was shown when an edit left the runs.
   struct Left {
@@ -141,6 +146,10 @@ class LabRuns : public QObject {
   void play_past_on();
   void take_shown();
   void follow_runs();
+  // Where stops were met.
+  void take_halt(const Frames& before);
+  void show_stop(const MetStop& met);
+  [[nodiscard]] const MetStop* stop_until(double time) const;
   void show_speeds(const Frames& frames);
   [[nodiscard]] std::shared_ptr<const Frame> with_impacts(const Frame& frame, std::size_t run) const;
   // Whether the next step would pass the document's duration.
@@ -158,6 +167,7 @@ class LabRuns : public QObject {
   std::map<Worker::EditId, Left> left_;
   std::optional<Playhead> playhead_;  // none: at the newest moment
   Pace pace_{Pace::Clock::now()};     // while the playhead plays
+  std::uint64_t halts_ = 0;           // number of the last one that was shown
   std::optional<double> replayed_;
   double speed_ = 1.0;
   std::function<void()> then_;

@@ -63,6 +63,7 @@ LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   make_help_menu();
   make_tool_bar();
   connect_views();
+  connect_stops();
   connect_session();
   connect_edits();
   list_->set_items(library_items());
@@ -204,6 +205,7 @@ void LabWindow::show_document() {
   ledger_->set_scene(preset());
   study_->edit_scene(preset());
   compare_->set_scene(preset(), session_.reference());
+  show_stops();
   show_selection();
 }
 

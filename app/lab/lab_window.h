@@ -41,6 +41,7 @@ class PlotPanel;
 class ReadingTable;
 class SceneChips;
 class SceneView;
+class StopEditor;
 class StudyPanel;
 class ToolColumn;
 class TransportBar;
@@ -97,6 +98,10 @@ class LabWindow : public QMainWindow {
   void make_drawer();
   void connect_views();
   void connect_timeline();
+  // Stops (lab_flags.cpp).
+  void connect_stops();
+  void show_stops();
+  void edit_stops(std::optional<std::size_t> stop);
   // Editing by hand (lab_editing.cpp).
   void connect_edits();
   void show_selection();
@@ -162,6 +167,7 @@ class LabWindow : public QMainWindow {
   SceneView* view_ = nullptr;
   SceneChips* chips_ = nullptr;
   TransportBar* transport_ = nullptr;
+  StopEditor* stop_editor_ = nullptr;
   Inspector* inspector_ = nullptr;
   QAction* inspector_action_ = nullptr;
   PlotPanel* plots_ = nullptr;

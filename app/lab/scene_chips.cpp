@@ -28,6 +28,19 @@ QString impact_text(const LabRuns& runs) {
                        : SceneChips::tr("impacts %1 to %2 of %3").arg(first).arg(last).arg(all);
 }
 
+// The stop's sentence without its first words: "stopped: 3rd impact".
+QString stop_text(const LabRuns& runs) {
+  const std::optional<Stop> stop = runs.stopped();
+  if (!stop) return {};
+  QString told = QString::fromStdString(sentence_of(*stop));
+  for (const char* words : {"at the ", "at every ", "at ", "when "}) {
+    if (!told.startsWith(words)) continue;
+    told.remove(0, QString(words).size());
+    break;
+  }
+  return SceneChips::tr("stopped: %1").arg(told);
+}
+
 QLabel* make_chip(QWidget* parent, const char* look = "chip") {
   auto* chip = new PlainLabel(parent);
   chip->setObjectName(look);
@@ -42,6 +55,7 @@ SceneChips::SceneChips(SceneView& view)
       row_(new QWidget(&view)),
       time_(make_chip(row_)),
       speed_(make_chip(row_)),
+      stop_(make_chip(row_)),
       impact_(make_chip(row_)),
       follow_(new QPushButton(tr("Follow (F)"), row_)),
       status_(make_chip(&view)),
@@ -50,7 +64,8 @@ SceneChips::SceneChips(SceneView& view)
   auto* row = new QHBoxLayout(row_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
-  for (QLabel* chip : {time_, speed_, impact_}) row->addWidget(chip);
+  for (QLabel* chip : {time_, speed_, stop_, impact_}) row->addWidget(chip);
+  stop_->setAccessibleName(tr("Why it stopped"));
   impact_->setAccessibleName(tr("Impact at this moment"));
   follow_->setObjectName("chip");
   follow_->setToolTip(tr("All bodies that move have left the view: keep them in it"));
@@ -65,7 +80,7 @@ SceneChips::SceneChips(SceneView& view)
   time_->setStyleSheet("font-weight: bold;");
   speed_->setToolTip(tr("Simulated seconds per second"));
   tool_->setAccessibleName(tr("Tool in hand"));
-  for (QLabel* chip : {impact_, status_, tool_}) chip->hide();
+  for (QLabel* chip : {stop_, impact_, status_, tool_}) chip->hide();
   view.installEventFilter(this);
   connect(&view, &SceneView::cursorMoved, this, &SceneChips::show_position);
   connect(&view, &SceneView::cursorLeft, position_, &QLabel::hide);
@@ -97,8 +112,10 @@ void SceneChips::show_time(const LabRuns& runs) {
                           .arg(frame->rejected_steps)
                           .arg(frame->evaluations));
     const QString time = QString("t = %1 s").arg(runs.shown_time(), 0, 'f', 3);
-    time_->setText(runs.in_past() ? tr("%1 of %2 s").arg(time).arg(runs.newest().front()->time, 0, 'f', 3)
-                                  : time);
+    // A stop in the newest step is no moment of the past to people.
+    const Frame& newest = *runs.newest().front();
+    const bool in_past = runs.in_past() && frame->steps < newest.steps;
+    time_->setText(in_past ? tr("%1 of %2 s").arg(time).arg(newest.time, 0, 'f', 3) : time);
     // The requested speed, or the machine's speed if that is clearly less.
     const bool slow =
         frame->playing && frame->realised_speed > 0.0 && frame->realised_speed < 0.85 * runs.speed();
@@ -107,6 +124,9 @@ void SceneChips::show_time(const LabRuns& runs) {
     time_->setText("t = …");
   }
   speed_->setText(speed);
+  const QString stop = stop_text(runs);
+  stop_->setText(stop);
+  stop_->setVisible(!stop.isEmpty());
   const QString impact = impact_text(runs);
   impact_->setText(impact);
   impact_->setVisible(!impact.isEmpty());

@@ -35,6 +35,7 @@ class SceneChips : public QObject {
   QWidget* row_;
   QLabel* time_;
   QLabel* speed_;
+  QLabel* stop_;    // that is met at this moment
   QLabel* impact_;  // at a moment of the record
   QPushButton* follow_;
   QLabel* status_;

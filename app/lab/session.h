@@ -69,6 +69,8 @@ class Session : public QObject {
   // it is not allowed in a run. Returns its name; none if it was refused (editRefused).
   std::string add_body(double x, double y);
   void change_plots(const std::vector<Plot>& plots);
+  // Nothing changes where they are not allowed (editRefused).
+  void change_stops(const std::vector<Stop>& stops, const QString& text);
   // Where a moment of the past is shown, the runs go on from there: what came later is gone, until that is
   // undone. All other edits of a run there do this first.
   void go_on_from_here();

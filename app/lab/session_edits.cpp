@@ -56,8 +56,10 @@ void Session::push(const DocumentEdit::What& what, const DocumentChange& change)
 
 DocumentChange Session::assign(const DocumentChange& change, bool begins) {
   const std::vector<Plot> plots = document_.preset.plots;
+  const std::vector<Stop> stops = document_.preset.stops;
   DocumentChange back = apply_change(document_, change);
   ++revision_;
+  if (stops != document_.preset.stops) runs_.watch_stops();
   if (begins) runs_.await_begin();
   if (is_of_scene(change)) {
     bodies_ = all_bodies(document_.preset);
@@ -337,6 +339,18 @@ void Session::change_plots(const std::vector<Plot>& plots) {
   DocumentEdit::What what{.text = notes ? tr("change of notes") : tr("change of plots")};
   what.is_work = !file_.isEmpty() || own_plots(plots) != own_plots(before);
   push(what, {SetPlots{plots}});
+}
+
+void Session::change_stops(const std::vector<Stop>& stops, const QString& text) {
+  if (stops == document_.preset.stops) return;
+  Document changed = document_;
+  changed.preset.stops = stops;
+  try {
+    validate(changed.preset);
+    push({.text = text}, {SetStops{stops}});
+  } catch (const SceneError& error) {
+    emit editRefused(refusal_text(error.what(), changed.preset.scene));
+  }
 }
 
 // An edit is timed by the runs. Its time decides the order of bodies, and plots know these by their index.

@@ -1,0 +1,36 @@
+#include "app/lab/lab_window.h"
+#include "widgets/run/stop_editor.h"
+#include "widgets/run/transport_bar.h"
+
+// The stops of the document in the window: their flags on the timeline, and their editor.
+namespace carom {
+
+void LabWindow::connect_stops() {
+  stop_editor_ = new StopEditor(this);
+  const Timeline* timeline = &transport_->timeline();
+  connect(stop_editor_, &StopEditor::stopsChanged, &session_, &Session::change_stops);
+  connect(transport_, &TransportBar::stopsClicked, this, [this] { edit_stops(std::nullopt); });
+  connect(timeline, &Timeline::flagClicked, this, [this](std::size_t stop) { edit_stops(stop); });
+  connect(timeline, &Timeline::flagMoved, this, [this](std::size_t stop, double time) {
+    std::vector<Stop> stops = preset().stops;
+    stops.at(stop).time = time;
+    session_.change_stops(stops, tr("Stop %1").arg(QString::fromStdString(sentence_of(stops[stop]))));
+  });
+  connect(timeline, &Timeline::flagRemoved, this, [this](std::size_t stop) {
+    std::vector<Stop> stops = preset().stops;
+    const QString sentence = QString::fromStdString(sentence_of(stops.at(stop)));
+    stops.erase(stops.begin() + static_cast<std::ptrdiff_t>(stop));
+    session_.change_stops(stops, tr("Remove stop %1").arg(sentence));
+  });
+}
+
+void LabWindow::show_stops() {
+  transport_->timeline().set_stops(preset().stops);
+  stop_editor_->set_document(preset().stops, session_.bodies());
+}
+
+void LabWindow::edit_stops(std::optional<std::size_t> stop) {
+  stop_editor_->open_over(transport_->flag(), stop);
+}
+
+}  // namespace carom

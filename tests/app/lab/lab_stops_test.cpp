@@ -1,0 +1,220 @@
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QPushButton>
+
+#include "physics/preset/preset_file.h"
+#include "tests/app/lab/lab_fixture.h"
+#include "tests/support/scenes.h"
+#include "widgets/run/stop_editor.h"
+#include "widgets/run/timeline.h"
+
+// Stops act in the window: playing halts at their moments, their flags and their editor change the document.
+// The experiment head-on has its one impact at a third of a second and lasts one second.
+namespace carom {
+namespace {
+
+class LabStopsTest : public LabWindowTest {
+ protected:
+  void SetUp() override {
+    ASSERT_NO_FATAL_FAILURE(LabWindowTest::SetUp());
+    choose_speed(4.0);
+  }
+  LabRuns& runs() { return window_.session().runs(); }
+  Timeline* timeline() { return window_.findChild<Timeline*>(); }
+  StopEditor* editor() { return window_.findChild<StopEditor*>(); }
+  [[nodiscard]] std::vector<std::string> sentences() const {
+    std::vector<std::string> all;
+    for (const Stop& stop : window_.preset().stops) all.push_back(sentence_of(stop));
+    return all;
+  }
+  template <class Part>
+  Part* part(const QString& name) {
+    for (Part* each : editor()->findChildren<Part*>()) {
+      if (each->accessibleName() == name || each->property("text").toString() == name) return each;
+    }
+    throw std::runtime_error("no part " + name.toStdString());
+  }
+  QLineEdit* sentence() { return part<QLineEdit>("Sentence of the stop"); }
+  // Without a window manager the window is not active again by itself.
+  void close_editor() {
+    editor()->hide();
+    window_.activateWindow();
+    window_.scene_view().setFocus();
+  }
+  void type_stop(const QString& text) {
+    action("Stops...")->trigger();
+    ASSERT_TRUE(editor()->isVisible());
+    sentence()->clear();
+    QTest::keyClicks(sentence(), text);
+    QTest::keyClick(sentence(), Qt::Key_Return);
+    close_editor();
+  }
+  void set_stops(const std::vector<std::string>& all) {
+    std::vector<Stop> stops;
+    for (const std::string& each : all) stops.push_back(stop_of("stop", each));
+    window_.session().change_stops(stops, "stops");
+  }
+  void press(Qt::Key key) { QTest::keyClick(&window_.scene_view(), key); }
+  [[nodiscard]] bool wait_stopped(const QString& text) {
+    return wait_for([&] {
+      return !window_.frame()->playing && runs().there() && chip("Why it stopped")->isVisible() &&
+             chip("Why it stopped")->text() == "stopped: " + text;
+    });
+  }
+  QPoint flag_at(double time) { return {qRound(timeline()->x_of(time)) + 2, timeline()->height() / 2 - 10}; }
+  void drag_flag(double from, double to, bool escape = false) {
+    const int by = qRound(timeline()->x_of(to) - timeline()->x_of(from));
+    const QPoint end = flag_at(from) + QPoint(by, 0);
+    QTest::mousePress(timeline(), Qt::LeftButton, {}, flag_at(from));
+    QMouseEvent move(QEvent::MouseMove, end, timeline()->mapToGlobal(end), Qt::NoButton, Qt::LeftButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(timeline(), &move);
+    if (escape) QTest::keyClick(timeline(), Qt::Key_Escape);
+    QTest::mouseRelease(timeline(), Qt::LeftButton, {}, end);
+  }
+};
+
+TEST_F(LabStopsTest, AFlagAtTheFirstImpactRestartAndSpace) {
+  click_button("Stops");
+  ASSERT_TRUE(editor()->isVisible());
+  EXPECT_EQ(sentence()->text(), "at the 1st impact") << "what is offered";
+  QTest::mouseClick(part<QPushButton>("Add"), Qt::LeftButton);
+  close_editor();
+  EXPECT_EQ(sentences(), std::vector<std::string>{"at the 1st impact"});
+  EXPECT_EQ(window_.session().edits().undoText(), "Stop at the 1st impact");
+  press(Qt::Key_R);
+  press(Qt::Key_Space);
+  ASSERT_TRUE(wait_stopped("1st impact"));
+  EXPECT_NEAR(time(), 1.0 / 3.0, 1e-9) << "not rounded to a step";
+  EXPECT_EQ(window_.frame()->impact_count, 1);
+  EXPECT_NE(runs().scene(), nullptr) << "for edits";
+  press(Qt::Key_Space);
+  ASSERT_TRUE(wait_for([this] { return !window_.frame()->playing && time() > 0.98; }))
+      << "Space goes on past it";
+  Simulation alone(setup_of(window_.preset()));
+  while (alone.steps() < steps()) alone.step();
+  EXPECT_TRUE(test::same_bytes(window_.frame()->state, alone.state()))
+      << "with the digits of a run without stops";
+  press(Qt::Key_R);
+  press(Qt::Key_Space);
+  ASSERT_TRUE(wait_stopped("1st impact")) << "and again";
+}
+
+TEST_F(LabStopsTest, TheRecordMeetsThemAgain) {
+  set_stops({"at the 1st impact", "at 0.5 s", "at 0.503 s"});
+  window_.run_until(1.0);
+  EXPECT_FALSE(runs().stopped());
+  press(Qt::Key_Home);
+  ASSERT_TRUE(wait_for([this] { return runs().there() && time() == 0.0; }));
+  for (const auto& [text, moment] :
+       std::vector<std::pair<QString, double>>{{"1st impact", 1.0 / 3.0}, {"0.5 s", 0.5}, {"0.503 s", 0.503}}) {
+    press(Qt::Key_Space);
+    ASSERT_TRUE(wait_stopped(text));
+    EXPECT_NEAR(time(), moment, 1e-9);
+  }
+  press(Qt::Key_Space);
+  ASSERT_TRUE(wait_for([this] { return !window_.frame()->playing && time() > 0.98; }));
+}
+
+TEST_F(LabStopsTest, StepsLeaveTheMomentToTheEndsOfItsStep) {
+  set_stops({"at the 1st impact"});
+  press(Qt::Key_Space);
+  ASSERT_TRUE(wait_stopped("1st impact"));
+  const double step = window_.frame()->method.step;
+  const double before = std::floor(time() / step) * step;
+  press(Qt::Key_Comma);
+  ASSERT_TRUE(wait_for([&] { return runs().there() && std::abs(time() - before) < 1e-12; }));
+  press(Qt::Key_Period);
+  ASSERT_TRUE(wait_for([&] { return !runs().in_past() && std::abs(time() - before - step) < 1e-12; }));
+}
+
+TEST_F(LabStopsTest, SentencesAreTypedAndRefused) {
+  type_stop("when all is at rest");
+  EXPECT_EQ(sentences(), std::vector<std::string>{"when all is at rest"});
+  action("Stops...")->trigger();
+  sentence()->clear();
+  QTest::keyClicks(sentence(), "at tea time");
+  auto* fault = part<QLabel>("What is wrong");
+  EXPECT_TRUE(fault->isVisible());
+  EXPECT_TRUE(fault->text().startsWith("stop: \"at tea time\" is not allowed; allowed: \"at 2.5 s\""));
+  EXPECT_FALSE(part<QPushButton>("Add")->isEnabled());
+  sentence()->clear();
+  QTest::keyClicks(sentence(), "at every impact of nobody");
+  EXPECT_TRUE(fault->text().contains("nobody"));
+  QTest::keyClick(sentence(), Qt::Key_Return);
+  EXPECT_EQ(sentences().size(), 1U);
+}
+
+TEST_F(LabStopsTest, ChoicesBuildASentence) {
+  const QString body = QString::fromStdString(window_.session().bodies().front().name);
+  action("Stops...")->trigger();
+  part<QComboBox>("Kind of stop")->setCurrentIndex(static_cast<int>(StopKind::kPassing));
+  part<QComboBox>("Body")->setCurrentIndex(1);
+  part<QComboBox>("Quantity")->setCurrentIndex(1);
+  part<QComboBox>("Direction")->setCurrentIndex(2);
+  auto* value = part<QLineEdit>("Value");
+  value->setFocus();
+  value->selectAll();
+  QTest::keyClicks(value, "40 cm");
+  EXPECT_EQ(sentence()->text(), QString("when %1 passes y = 0.4 m downwards").arg(body));
+  part<QComboBox>("Kind of stop")->setCurrentIndex(static_cast<int>(StopKind::kEveryImpact));
+  part<QComboBox>("Other body")->setCurrentIndex(1);
+  EXPECT_EQ(sentence()->text(), QString("at every impact of %1 with a wall").arg(body));
+}
+
+TEST_F(LabStopsTest, AFlagIsDraggedInOneStepOfUndo) {
+  type_stop("at 0.5 s");
+  drag_flag(0.5, 0.75);
+  ASSERT_EQ(window_.preset().stops.size(), 1U);
+  EXPECT_NEAR(window_.preset().stops[0].time, 0.75, 0.01);
+  EXPECT_TRUE(window_.session().edits().undoText().startsWith("Stop at 0.7"));
+  action("Undo Stop at " + QString::number(window_.preset().stops[0].time) + " s")->trigger();
+  EXPECT_EQ(sentences(), std::vector<std::string>{"at 0.5 s"});
+  drag_flag(0.5, 0.75, true);
+  EXPECT_EQ(sentences(), std::vector<std::string>{"at 0.5 s"}) << "Escape takes the drag back";
+}
+
+TEST_F(LabStopsTest, AFlagOpensItsSentenceAndDeleteRemovesIt) {
+  set_stops({"at 0.2 s", "at 0.5 s"});
+  QTest::mouseClick(timeline(), Qt::LeftButton, {}, flag_at(0.5));
+  ASSERT_TRUE(editor()->isVisible());
+  EXPECT_EQ(sentence()->text(), "at 0.5 s");
+  QTest::keyClick(part<QListWidget>("Stops"), Qt::Key_Delete);
+  close_editor();
+  EXPECT_EQ(sentences(), std::vector<std::string>{"at 0.2 s"});
+  EXPECT_EQ(window_.session().edits().undoText(), "Remove stop at 0.5 s");
+  QTest::mouseClick(timeline(), Qt::LeftButton, {}, flag_at(0.2));
+  close_editor();
+  QTest::keyClick(timeline(), Qt::Key_Delete);
+  EXPECT_TRUE(sentences().empty());
+}
+
+TEST_F(LabStopsTest, AnEditAtAStopBeginsThereAndComesBack) {
+  set_stops({"at the 1st impact"});
+  press(Qt::Key_Space);
+  ASSERT_TRUE(wait_stopped("1st impact"));
+  const State was = window_.frame()->state;
+  Body body = runs().scene()->bodies[0];
+  body.position.y() += 0.3;
+  window_.session().edit({Replace<Body>{body}}, "Move");
+  ASSERT_TRUE(wait_for([this] { return time() == 0.0; }));
+  EXPECT_NEAR(window_.frame()->state.v(0, 1), was.v(0, 1), 0.0) << "from the shown moment";
+  EXPECT_EQ(sentences(), std::vector<std::string>{"at the 1st impact"});
+  window_.session().edits().undo();
+  ASSERT_TRUE(wait_stopped("1st impact"));
+  EXPECT_TRUE(test::same_bytes(window_.frame()->state, was));
+}
+
+TEST_F(LabStopsTest, TheyAreSavedAndLoaded) {
+  type_stop("at the 1st impact");
+  const std::string file = folder_.filePath("stops.json").toStdString();
+  window_.session().save(QString::fromStdString(file));
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(window_.open(file));
+  ASSERT_TRUE(wait_for([this] { return window_.preset().stops.size() == 1; }));
+  press(Qt::Key_Space);
+  ASSERT_TRUE(wait_stopped("1st impact"));
+}
+
+}  // namespace
+}  // namespace carom
