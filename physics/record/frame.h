@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/record/jump_moment.h"
 #include "physics/record/replay.h"
 #include "physics/record/sampler.h"
 #include "physics/run/met_stop.h"
@@ -70,6 +71,8 @@ struct Frame {
   std::shared_ptr<const std::vector<Stop>> stops;
   std::vector<MetStop> met;
   std::optional<Halt> halt;  // of the first run, until it is played on
+  // The last moment with impacts whose jumps are known; of a moment of the past all those of its last step.
+  std::vector<std::shared_ptr<const JumpMoment>> jumps;
   Scales scales;
   std::shared_ptr<const RunSetup> setup;  // of the run, with all its edits
   // scene_now() of the first run while it is paused, for edits from here on; else none.

@@ -44,6 +44,7 @@ void LiveRun::step() {
   sampler_.after_step(simulation_);
   if (stops_) stops_->after_step(simulation_);
   impacts_.insert(impacts_.end(), simulation_.last_impacts().begin(), simulation_.last_impacts().end());
+  if (!simulation_.last_impacts().empty()) last_jumps_ = last_jump_moment(simulation_);
   apply_due_edits();
 }
 
@@ -122,6 +123,7 @@ void LiveRun::go_back_to(const KeyFrame& moment) {
   } else if (stops_) {
     stops_->go_back(time);
   }
+  if (last_jumps_ && last_jumps_->time() > time) last_jumps_.reset();
   back_to_ = std::min(time, back_to_.value_or(time));
   sampler_ = moment.sampler;
   sampler_.go_on(simulation_, curves_, interrupt_);
@@ -200,6 +202,7 @@ std::shared_ptr<Frame> LiveRun::take_frame() {
   frame->rows = std::exchange(rows_, {});
   frame->rows_known_until = catch_up_ ? catch_up_->replay.simulation().time() : frame->time;
   frame->impacts = std::exchange(impacts_, {});
+  if (last_jumps_) frame->jumps = {last_jumps_};
   frame->back_to = std::exchange(back_to_, std::nullopt);
   if (stops_) stops_->take(*frame);
   frame->scales = sampler_.scales();

@@ -87,6 +87,7 @@ class LiveRun {
   std::vector<Rows> rows_;  // rows not yet taken by the owner
   KeyFrames key_frames_;
   std::vector<ImpactRecord> impacts_;
+  std::shared_ptr<const JumpMoment> last_jumps_;
   std::optional<double> back_to_;  // s, since the last frame
   double wall_time_ = 0.0;         // s, of all steps
 };

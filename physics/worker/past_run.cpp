@@ -149,6 +149,7 @@ std::shared_ptr<Frame> PastRun::frame() const {
   const Standing& standing = part_ ? *part_ : *at_;
   take_moment(standing.simulation, *frame);
   frame->run = id_;
+  frame->jumps = jump_moments(at_->simulation);
   frame->rows_known_until = frame->time;
   frame->wall_time = standing.wall_time;
   if (standing.sampler) frame->error = standing.sampler->error();
