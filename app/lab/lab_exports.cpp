@@ -31,8 +31,8 @@
 #include "widgets/plot/plot_export.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/run_plot.h"
+#include "widgets/run/before_after.h"
 #include "widgets/run/ledger_table.h"
-#include "widgets/run/run_tables.h"
 #include "widgets/scene/scene_view.h"
 
 namespace carom {
@@ -58,10 +58,12 @@ DataExport export_of(const Frame& frame, ReferenceId reference) {
 }  // namespace
 
 LabExports::LabExports(QWidget* window, Session& session, const Views& views)
-    : QObject(window), window_(window), session_(session), views_(views) {
+    : QObject(window), window_(window), session_(session), views_(views), bodies_(new BeforeAfterModel(this)) {
   connect(&views.plots, &PlotPanel::pictureAsked, this, &LabExports::save_plot);
   connect(&views.plots, &PlotPanel::dataAsked, this, &LabExports::save_data);
   connect(&views.plots, &PlotPanel::dataCopyAsked, this, &LabExports::copy_data);
+  for (FigureTable* table : window->findChildren<FigureTable*>())
+    connect(table, &FigureTable::saveAsked, this, [this, table] { save_table(*table); });
 }
 
 bool LabExports::has_run() const {
@@ -115,6 +117,19 @@ void LabExports::save_plot(RunPlot* plot) {
 
 // --- data
 // -----------------------------------------------------------------------------------------------------------
+
+void LabExports::save_table(const FigureTable& table) {
+  ask_for_export(tr("Save the table"), "table.csv", tr("Tables (*.csv)"),
+                 [this, csv = table.csv().toStdString()](const QString& file) {
+                   try {
+                     OutputFile out(file.toStdString());
+                     out.write(csv);
+                     out.commit();
+                   } catch (const SceneError& error) {
+                     show_message(window_, tr("The table cannot be saved"), QString::fromUtf8(error.what()));
+                   }
+                 });
+}
 
 void LabExports::save_bins(const RunPlot& plot) {
   views_.plots.show_now();
@@ -263,7 +278,7 @@ void LabExports::make_report() {
 void LabExports::write_report() {
   if (!has_run() || session_.runs().newest().front()->steps == 0) return;
   const Frame& frame = *session_.runs().newest().front();
-  views_.bodies.update_from(frame, session_.bodies());
+  bodies_->set(since_start(session_.bodies(), frame));
   views_.ledger.update_from(frame);
   LabReport report;
   report.runs = runs();
@@ -278,7 +293,7 @@ void LabExports::write_report() {
   report.times = report_times(report.runs.front().method, report.first_impact, frame.time);
   report.look = views_.scene.look();
   report.plots = views_.plots.plots();
-  report.bodies = static_cast<const FigureModel*>(views_.bodies.model());
+  report.bodies = bodies_;
   report.ledger = static_cast<const FigureModel*>(views_.ledger.model());
   auto* dialog = new ReportDialog(report, window_);
   ask(dialog, [this, dialog] {

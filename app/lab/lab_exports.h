@@ -8,7 +8,8 @@
 
 namespace carom {
 
-class BodiesTable;
+class BeforeAfterModel;
+class FigureTable;
 class LedgerTable;
 class PlotPanel;
 class RunPlot;
@@ -27,7 +28,6 @@ class LabExports : public QObject {
   struct Views {
     SceneView& scene;
     PlotPanel& plots;
-    BodiesTable& bodies;
     LedgerTable& ledger;
   };
   LabExports(QWidget* window, Session& session, const Views& views);
@@ -45,6 +45,7 @@ class LabExports : public QObject {
   using Then = std::function<void(const QString& file)>;
   void ask_for_export(const QString& title, const QString& suggestion, const QString& filter, const Then& then);
   void save_picture_as(const QString& stem, const std::function<bool(const QString&, QString*)>& save);
+  void save_table(const FigureTable& table);
   void save_bins(const RunPlot& plot);  // of a histogram
   void copy_bins(const RunPlot& plot);
   void save_film_of(const Film& film, const QString& folder, bool replace);
@@ -56,6 +57,7 @@ class LabExports : public QObject {
   QWidget* window_;
   Session& session_;
   Views views_;
+  BeforeAfterModel* bodies_;  // of a report
 };
 
 }  // namespace carom

@@ -20,6 +20,7 @@
 #include "widgets/edit/inspector.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/reading_table.h"
+#include "widgets/run/before_after_panel.h"
 #include "widgets/run/experiment_list.h"
 #include "widgets/run/ledger_table.h"
 #include "widgets/run/run_tables.h"
@@ -158,7 +159,7 @@ void LabWindow::make_drawer() {
   about_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   drawer_ = new Drawer;
   drawer_->add(sheet_ = new BodiesSheet(theme_), tr("Bodies"));
-  drawer_->add(bodies_ = new BodiesTable, tr("Before and after"));
+  drawer_->add(before_after_ = new BeforeAfterPanel, tr("Before and after"));
   drawer_->add(impacts_ = new ImpactsTable, tr("Impacts"));
   drawer_->add(ledger_ = new LedgerTable, tr("Ledger"));
   drawer_->add(reading_ = new ReadingTable, tr("Reading"));
@@ -222,6 +223,12 @@ void LabWindow::connect_timeline() {
     if (std::exchange(plays_after_scrub_, false)) set_playing(true);
   });
   connect(impacts_, &ImpactsTable::impactChosen, &runs, &LabRuns::go_to_impact);
+  connect(before_after_, &BeforeAfterPanel::impactAsked, &runs, &LabRuns::go_by_impact);
+  connect(before_after_, &BeforeAfterPanel::choiceChanged, this, &LabWindow::show_frame);
+  connect(impacts_, &QTableView::doubleClicked, this, [this] {
+    before_after_->choose(BeforeAfterPanel::Choice::kThis);
+    drawer_->choose(before_after_);
+  });
 }
 
 void LabWindow::set_theme(const Theme& theme) {

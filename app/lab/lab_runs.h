@@ -58,6 +58,8 @@ class LabRuns : public QObject {
   [[nodiscard]] double shown_time() const;  // s, that was asked for
   // The stop of which the moment is shown, while it stands there (lab_stops.cpp).
   [[nodiscard]] std::optional<Stop> stopped() const;
+  // s, of the impact that was gone to, while its moment is shown.
+  [[nodiscard]] std::optional<double> picked() const { return playhead_ ? playhead_->impact : std::nullopt; }
 
   // --- what is known of them
   void record(const std::vector<Curve>& curves);

@@ -29,6 +29,7 @@
 #include "widgets/edit/bodies_sheet.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/plot/reading_table.h"
+#include "widgets/run/before_after_panel.h"
 #include "widgets/run/experiment_list.h"
 #include "widgets/run/ledger_table.h"
 #include "widgets/run/run_tables.h"
@@ -52,7 +53,7 @@ LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   make_body();
   chips_ = new SceneChips(*view_);
   files_ = new DocumentFiles(this, session_);
-  exports_ = new LabExports(this, session_, {*view_, *plots_, *bodies_, *ledger_});
+  exports_ = new LabExports(this, session_, {*view_, *plots_, *ledger_});
   recovery_ = new WorkRecovery(
       session_, *restore_bar_, [this] { return view_->moved_view(); }, this);
   make_file_menu();
@@ -268,7 +269,9 @@ void LabWindow::show_frame() {
   select_new();
   show_selection();
   transport_->update_from(frame, newest, *recorders.front(), shown);
-  if (drawer_->shows(bodies_)) bodies_->update_from(frame, session_.bodies());
+  if (drawer_->shows(before_after_))
+    before_after_->update_from(
+        {frame, newest, *recorders.front(), session_.bodies(), session_.runs().picked()});
   if (drawer_->shows(impacts_)) impacts_->update_from(newest, frame, *recorders.front());
   if (drawer_->shows(ledger_)) ledger_->update_from(frame);
   if (drawer_->shows(reading_)) reading_->update_from(plots_->runs(), plots_->contents(), plots_->marks());

@@ -24,8 +24,8 @@ namespace carom {
 
 struct Paste;
 struct Regrouping;
+class BeforeAfterPanel;
 class BodiesSheet;
-class BodiesTable;
 class ComparePanel;
 class DocumentFiles;
 class Drawer;
@@ -175,7 +175,7 @@ class LabWindow : public QMainWindow {
   PanelDocks* docks_ = nullptr;     // the scene with inspector, plots and drawer round it
   QAction* left_action_ = nullptr;  // inspector and plots stand at the left
   BodiesSheet* sheet_ = nullptr;
-  BodiesTable* bodies_ = nullptr;
+  BeforeAfterPanel* before_after_ = nullptr;
   ImpactsTable* impacts_ = nullptr;
   LedgerTable* ledger_ = nullptr;
   ReadingTable* reading_ = nullptr;

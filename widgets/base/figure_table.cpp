@@ -7,9 +7,11 @@
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMenu>
+#include <QMetaMethod>
 #include <QPainter>
 #include <algorithm>
 
+#include "physics/files/csv.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/plain_text.h"
 
@@ -17,6 +19,11 @@ namespace carom {
 namespace {
 
 constexpr int kRowHeight = 26;  // px
+
+// In quotes where the table needs them.
+QString quoted(const QString& text, char separator) {
+  return QString::fromStdString(csv_text(text.toStdString(), separator));
+}
 
 }  // namespace
 
@@ -108,6 +115,13 @@ void FigureModel::rows_changed(int rows) {
   if (rows_ > 0) emit dataChanged(index(0, 0), index(rows_ - 1, columnCount() - 1));
 }
 
+void FigureModel::set_columns(std::vector<Column> columns) {
+  beginResetModel();
+  columns_ = std::move(columns);
+  rows_ = 0;
+  endResetModel();
+}
+
 FigureTable::FigureTable(FigureModel* model, QWidget* parent) : QTableView(parent), model_(model) {
   model->setParent(this);
   setModel(model);
@@ -126,17 +140,19 @@ FigureTable::FigureTable(FigureModel* model, QWidget* parent) : QTableView(paren
   horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setMinimumSectionSize(0);
+  connect(model, &QAbstractItemModel::modelReset, this, &FigureTable::share_width);
 }
 
-QString spreadsheet_text(const FigureModel::Cell& cell) {
+QString spreadsheet_text(const FigureModel::Cell& cell, char separator) {
   const auto number = [](double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); };
-  if (const auto* vector = std::get_if<Vec2>(&cell)) return number(vector->x()) + '\t' + number(vector->y());
+  if (const auto* vector = std::get_if<Vec2>(&cell))
+    return number(vector->x()) + separator + number(vector->y());
   if (const auto* value = std::get_if<double>(&cell)) return number(*value);
   const auto* text = std::get_if<QString>(&cell);
   return text == nullptr ? QString() : *text;
 }
 
-QString FigureTable::text() const {
+QString FigureTable::text(char separator) const {
   using Cell = FigureModel::Cell;
   QStringList lines;
   QStringList heads;
@@ -147,22 +163,21 @@ QString FigureTable::text() const {
       if (std::holds_alternative<Vec2>(model_->cell(r, c))) is_vector[static_cast<std::size_t>(c)] = true;
     }
     const QString head = model_->headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
-    if (is_vector[static_cast<std::size_t>(c)]) {
-      heads << head + ", x" << head + ", y";
-    } else {
-      heads << head;
-    }
+    const bool vector = is_vector[static_cast<std::size_t>(c)];
+    const QStringList whole = vector ? QStringList{head + ", x", head + ", y"} : QStringList{head};
+    for (const QString& each : whole) heads << quoted(each, separator);
   }
-  lines << heads.join('\t');
+  lines << heads.join(separator);
   for (int r = 0; r < model_->rowCount(); ++r) {
     QStringList fields;
     for (int c = 0; c < columns; ++c) {
       const Cell cell = model_->cell(r, c);
-      fields << spreadsheet_text(cell);
+      const auto* words = std::get_if<QString>(&cell);
+      fields << (words == nullptr ? spreadsheet_text(cell, separator) : quoted(*words, separator));
       // A column of vectors is two columns in every line.
       if (is_vector[static_cast<std::size_t>(c)] && !std::holds_alternative<Vec2>(cell)) fields << QString();
     }
-    lines << fields.join('\t');
+    lines << fields.join(separator);
   }
   return lines.join('\n') + '\n';
 }
@@ -191,11 +206,17 @@ void FigureTable::contextMenuEvent(QContextMenuEvent* event) {
   QAction* copy =
       menu->addAction(tr("&Copy the table"), this, [this] { QGuiApplication::clipboard()->setText(text()); });
   copy->setShortcut(QKeySequence::Copy);
+  if (isSignalConnected(QMetaMethod::fromSignal(&FigureTable::saveAsked)))
+    menu->addAction(tr("&Save the table..."), this, &FigureTable::saveAsked);
   menu->popup(event->globalPos());
 }
 
 void FigureTable::resizeEvent(QResizeEvent* event) {
   QTableView::resizeEvent(event);
+  share_width();
+}
+
+void FigureTable::share_width() {
   const int columns = model_->columnCount();
   int weights = 0;
   for (int c = 0; c < columns; ++c) weights += model_->weight(c);

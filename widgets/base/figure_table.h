@@ -39,6 +39,8 @@ class FigureModel : public QAbstractTableModel {
  protected:
   // Reports that all rows may have changed, and that there are now `rows`.
   void rows_changed(int rows);
+  // Other columns, and no rows until rows_changed().
+  void set_columns(std::vector<Column> columns);
 
  private:
   std::vector<Column> columns_;
@@ -57,10 +59,11 @@ class FigureDelegate : public QStyledItemDelegate {
                             const QModelIndex& index) const;
 };
 
-// The cell for spreadsheets: every digit, a tab between the components of a vector.
-[[nodiscard]] QString spreadsheet_text(const FigureModel::Cell& cell);
+// The cell for spreadsheets: every digit, and `separator` between the components of a vector.
+[[nodiscard]] QString spreadsheet_text(const FigureModel::Cell& cell, char separator = '\t');
 
-// A plain table that divides its width among the columns. Ctrl+C, or a right click, copies it.
+// A plain table that divides its width among the columns. Ctrl+C, or a right click, copies it; a right click
+// saves it too.
 class FigureTable : public QTableView {
   Q_OBJECT
 
@@ -68,7 +71,12 @@ class FigureTable : public QTableView {
   FigureTable(FigureModel* model, QWidget* parent);
 
   // Text for spreadsheets: tabs between the cells, every digit, two cells for a vector.
-  [[nodiscard]] QString text() const;
+  [[nodiscard]] QString text() const { return text('\t'); }
+  // The same for a CSV file.
+  [[nodiscard]] QString csv() const { return text(','); }
+
+ signals:
+  void saveAsked();  // as a CSV file
 
  protected:
   // What Ctrl+C copies.
@@ -79,6 +87,9 @@ class FigureTable : public QTableView {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  [[nodiscard]] QString text(char separator) const;
+  void share_width();
+
   FigureModel* model_;
 };
 

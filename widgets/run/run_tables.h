@@ -8,16 +8,6 @@
 
 namespace carom {
 
-// Each moving body before (at t = 0) and now, and the sums.
-class BodiesTable : public FigureTable {
-  Q_OBJECT
-
- public:
-  explicit BodiesTable(QWidget* parent = nullptr);
-  // `before`: the bodies at t = 0, in the order of the frame; bodies after them were added later.
-  void update_from(const Frame& frame, const std::vector<Body>& before);
-};
-
 // The last kMostRows impacts up to the newest moment, the newest first. A click on one goes to its moment;
 // those after the shown moment are pale.
 class ImpactsTable : public FigureTable {

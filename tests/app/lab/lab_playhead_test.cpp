@@ -3,6 +3,7 @@
 #include "app/lab/drawer.h"
 #include "tests/app/lab/lab_fixture.h"
 #include "tests/support/scenes.h"
+#include "widgets/run/before_after_panel.h"
 #include "widgets/run/run_tables.h"
 #include "widgets/run/timeline.h"
 
@@ -150,6 +151,27 @@ TEST_F(LabPlayheadTest, ARowOfTheImpactsGoesToItsMoment) {
   QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, at);
   ASSERT_TRUE(wait_there());
   EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1");
+}
+
+// The table follows the impact that is gone to.
+TEST_F(LabPlayheadTest, BeforeAndAfterOfTheImpactThatIsGoneTo) {
+  auto* panel = window_.findChild<BeforeAfterPanel*>();
+  const QAbstractItemModel* table = panel->findChild<BeforeAfterTable*>()->model();
+  window_.findChild<Drawer*>()->choose(panel);
+  EXPECT_EQ(table->rowCount(), 0) << "no impact at the end";
+  panel->choose(BeforeAfterPanel::Choice::kLast);
+  EXPECT_EQ(table->rowCount(), 3);
+  panel->choose(BeforeAfterPanel::Choice::kThis);
+  press(Qt::Key_PageUp);
+  ASSERT_EQ(table->rowCount(), 3);
+  const auto cell = [table](int row, int column) { return table->index(row, column).data().toString(); };
+  // By e = 0.6: (−0.5 − 0.6 · 2.5 · 3) / 3.5 m/s and (−0.5 + 0.6 · 3) / 3.5 m/s.
+  EXPECT_EQ(cell(0, 4), "−1.43, 0.00");
+  EXPECT_EQ(cell(1, 4), "0.371, 0.000");
+  for (int row = 0; row < 2; ++row) EXPECT_EQ(cell(row, 3), cell(row, 4));
+  EXPECT_EQ(cell(0, 5), "< 1e−12");
+  press(Qt::Key_Comma);
+  EXPECT_EQ(table->rowCount(), 0);
 }
 
 TEST_F(LabPlayheadTest, SpacePlaysTheRecordOnAndPastIt) {

@@ -11,7 +11,7 @@
 #include "tests/app/lab/lab_fixture.h"
 #include "widgets/edit/bodies_model.h"
 #include "widgets/edit/bodies_sheet.h"
-#include "widgets/run/run_tables.h"
+#include "widgets/run/before_after_panel.h"
 
 // The table of the bodies in the real window.
 namespace carom {
@@ -104,9 +104,25 @@ TEST_F(LabTableTest, CopiesCellsAndOtherTablesWhole) {
   QTest::keyClick(&table(), Qt::Key_C, Qt::ControlModifier);
   EXPECT_EQ(QApplication::clipboard()->text(), "light");
   auto* tabs = window_.findChild<QTabWidget*>();
-  tabs->setCurrentWidget(window_.findChild<BodiesTable*>());
-  QTest::keyClick(tabs->currentWidget(), Qt::Key_C, Qt::ControlModifier);
+  auto* panel = window_.findChild<BeforeAfterPanel*>();
+  tabs->setCurrentWidget(panel);
+  panel->choose(BeforeAfterPanel::Choice::kStart);
+  QTest::keyClick(panel->findChild<BeforeAfterTable*>(), Qt::Key_C, Qt::ControlModifier);
   EXPECT_TRUE(QApplication::clipboard()->text().startsWith("body\tm / kg\tv before"));
+}
+
+TEST_F(LabTableTest, SavesATableAsCsv) {
+  ASSERT_TRUE(wait_for([this] { return window_.session().runs().scene() != nullptr; }));
+  auto* panel = window_.findChild<BeforeAfterPanel*>();
+  window_.findChild<QTabWidget*>()->setCurrentWidget(panel);
+  panel->choose(BeforeAfterPanel::Choice::kStart);
+  chosen_file_ = folder_.filePath("bodies.csv");
+  QFile file(chosen_file_);
+  emit panel->findChild<BeforeAfterTable*>()->saveAsked();
+  ASSERT_TRUE(wait_for([&file] { return file.exists(); }));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(file.readLine().startsWith("body,m / kg,"));
+  EXPECT_EQ(file.readLine(), "light,1,2,0,2,0,2,0,2,0,2,2\n");
 }
 
 // A column that is marked by its head begins at the first body, whatever cell is current.

@@ -7,6 +7,7 @@
 
 #include "physics/preset/preset.h"
 #include "tests/support/run_fixture.h"
+#include "widgets/run/before_after.h"
 #include "widgets/run/run_tables.h"
 #include "widgets/theme/theme.h"
 
@@ -19,8 +20,8 @@ QString cell(const QTableView& table, int row, int column) {
 
 TEST(RunTables, BodiesBeforeAndAfterAHeadOnCollision) {
   const Preset preset = head_on_scene();
-  BodiesTable table;
-  table.update_from(run_to(preset, 0.5), preset.scene.bodies);
+  BeforeAfterTable table;
+  table.show_pair(since_start(preset.scene.bodies, run_to(preset, 0.5)));
   ASSERT_EQ(table.model()->rowCount(), 3);
   const QStringList expected[] = {
       {"A", "1.000", "3.00, 0.00", "−1.00, 0.00", "3.00, 0.00", "−1.00, 0.00", "4.500", "0.5000"},
@@ -37,16 +38,16 @@ TEST(RunTables, BodiesBeforeAndAfterAHeadOnCollision) {
 TEST(RunTables, AreCopiedWithEveryDigit) {
   const Preset preset = head_on_scene();
   const Frame frame = run_to(preset, 0.5);
-  BodiesTable table;
-  table.update_from(frame, preset.scene.bodies);
+  BeforeAfterTable table;
+  table.show_pair(since_start(preset.scene.bodies, frame));
   table.show();
   QTest::keySequence(&table, QKeySequence::Copy);
   const QStringList lines = QGuiApplication::clipboard()->text().split('\n');
   ASSERT_EQ(lines.size(), 1 + 3 + 1) << "each with its end";
   EXPECT_EQ(lines[0],
-            "body\tm / kg\tv before / m/s, x\tv before / m/s, y\tv now / m/s, x\tv now / m/s, y\t"
-            "p before / kg·m/s, x\tp before / kg·m/s, y\tp now / kg·m/s, x\tp now / kg·m/s, y\tK before / J\tK "
-            "now / J");
+            "body\tm / kg\tv before / m/s, x\tv before / m/s, y\tv after / m/s, x\tv after / m/s, y\t"
+            "p before / kg·m/s, x\tp before / kg·m/s, y\tp after / kg·m/s, x\tp after / kg·m/s, y\t"
+            "K before / J\tK after / J");
   const QStringList a = lines[1].split('\t');
   ASSERT_EQ(a.size(), 12);
   EXPECT_EQ(a[4].toDouble(), frame.state.v(0, 0));
@@ -54,10 +55,20 @@ TEST(RunTables, AreCopiedWithEveryDigit) {
   EXPECT_EQ(lines[3].split('\t')[2], "");
 }
 
+TEST(RunTables, AreCsvWithQuotesWhereCommasNeedThem) {
+  const Preset preset = head_on_scene();
+  BeforeAfterTable table;
+  table.show_pair(since_start(preset.scene.bodies, run_to(preset, 0.5)));
+  const QStringList lines = table.csv().split('\n');
+  EXPECT_TRUE(lines[0].startsWith("body,m / kg,\"v before / m/s, x\",\"v before / m/s, y\","))
+      << lines[0].toStdString();
+  EXPECT_TRUE(lines[1].startsWith("A,1,3,0,-1,0,")) << lines[1].toStdString();
+}
+
 TEST(RunTables, ABodyAddedLaterHasNoBefore) {
   const Preset preset = head_on_scene();
-  BodiesTable table;
-  table.update_from(run_to(preset, 0.1), {preset.scene.bodies.front()});
+  BeforeAfterTable table;
+  table.show_pair(since_start({preset.scene.bodies.front()}, run_to(preset, 0.1)));
   EXPECT_EQ(cell(table, 0, 2), "3.00, 0.00");
   EXPECT_EQ(cell(table, 1, 2), "");
   EXPECT_EQ(cell(table, 2, 4), "3.00, 0.00");
@@ -101,8 +112,8 @@ TEST(RunTables, SumsAreOfTheBodiesThatMoveFreely) {
   std::vector<Body> bodies = *frame.bodies;
   bodies[0].drive = Drive{.velocity = Vec2(3.0, 0.0)};
   frame.bodies = std::make_shared<const std::vector<Body>>(bodies);
-  BodiesTable table;
-  table.update_from(frame, bodies);
+  BeforeAfterTable table;
+  table.show_pair(since_start(bodies, frame));
   ASSERT_EQ(table.model()->rowCount(), 2);
   EXPECT_EQ(cell(table, 0, 0), "B");
   EXPECT_EQ(cell(table, 1, 1), "2.000");
@@ -110,9 +121,9 @@ TEST(RunTables, SumsAreOfTheBodiesThatMoveFreely) {
 
 TEST(RunTables, ColumnsShareTheWidth) {
   const Preset preset = head_on_scene();
-  BodiesTable table;
-  table.resize(620, 200);
-  table.update_from(run_to(preset, 0.5), preset.scene.bodies);
+  BeforeAfterTable table;
+  table.resize(740, 200);
+  table.show_pair(since_start(preset.scene.bodies, run_to(preset, 0.5)));
   table.show();
   QApplication::processEvents();
   EXPECT_EQ(table.horizontalHeader()->length(), table.viewport()->width());

@@ -1,0 +1,146 @@
+#include <QTableView>
+#include <gtest/gtest.h>
+
+#include "physics/record/replay.h"
+#include "tests/support/scenes.h"
+#include "widgets/run/before_after_panel.h"
+
+namespace carom {
+namespace {
+
+using test::disc;
+using Choice = BeforeAfterPanel::Choice;
+
+// A run up to `time`, as the window gets it.
+struct ShownRun {
+  explicit ShownRun(const Scene& scene, double time) : start(scene.bodies) {
+    RunSetup setup;
+    setup.scene = scene;
+    setup.method.step = 0.01;
+    Simulation run(setup);
+    run.watch_impacts(true);
+    while (run.time() < time - 1e-9) {
+      run.step();
+      const std::vector<ImpactRecord>& news = run.last_impacts();
+      frame.impacts.insert(frame.impacts.end(), news.begin(), news.end());
+      if (!news.empty()) frame.jumps = jump_moments(run);
+    }
+    take_moment(run, frame);
+    frame.run = 1;
+    recorder.add(frame);
+  }
+  void show(BeforeAfterPanel& panel, const std::optional<double>& picked = std::nullopt) const {
+    panel.update_from({frame, frame, recorder, start, picked});
+  }
+
+  std::vector<Body> start;
+  Frame frame;
+  Recorder recorder;
+};
+
+Scene head_on() {
+  return test::scene_with(
+      {disc("light", {-0.6, 0.0}, {2.0, 0.0}), disc("heavy", {0.6, 0.0}, {-1.0, 0.0}, 0.1, 2.5),
+       disc("far", {0.0, 5.0}, {1.0, 0.0})},
+      0.8);
+}
+
+QStringList row_of(const BeforeAfterPanel& panel, int row) {
+  const QAbstractItemModel* model = panel.findChild<BeforeAfterTable*>()->model();
+  QStringList cells;
+  for (int column = 0; column < model->columnCount(); ++column)
+    cells << model->index(row, column).data().toString();
+  return cells;
+}
+
+QString tip_of(const BeforeAfterPanel& panel, int row, int column) {
+  return panel.findChild<BeforeAfterTable*>()->model()->index(row, column).data(Qt::ToolTipRole).toString();
+}
+
+int rows_of(const BeforeAfterPanel& panel) { return panel.findChild<BeforeAfterTable*>()->model()->rowCount(); }
+
+TEST(BeforeAfter, TheImpactAtTheShownMomentBesideTheory) {
+  const ShownRun run(head_on(), 0.34);
+  BeforeAfterPanel panel;
+  run.show(panel);
+  ASSERT_EQ(rows_of(panel), 3) << "the two that took part, and their sum";
+  // p = -0.5 N s; v = (p - 0.8 · 2.5 · 3) / 3.5 and (p + 0.8 · 3) / 3.5.
+  EXPECT_EQ(row_of(panel, 0), (QStringList{"light", "1.000", "2.00, 0.00", "−1.86, 0.00", "−1.86, 0.00",
+                                           "< 1e−12", "2.00, 0.00", "−1.86, 0.00", "2.000", "1.724"}));
+  EXPECT_EQ(row_of(panel, 1), (QStringList{"heavy", "2.500", "−1.00, 0.00", "0.543, 0.000", "0.543, 0.000",
+                                           "< 1e−12", "−2.50, 0.00", "1.36, 0.00", "1.250", "0.3684"}));
+  EXPECT_EQ(row_of(panel, 2)[6], "−0.500, 0.000");
+  EXPECT_EQ(row_of(panel, 2)[7], "−0.500, 0.000");
+  EXPECT_EQ(row_of(panel, 2)[8], "3.250");
+}
+
+TEST(BeforeAfter, TheLastImpactStaysAndThisOneGoesWithTheMoment) {
+  const ShownRun run(head_on(), 0.6);
+  BeforeAfterPanel panel;
+  run.show(panel);
+  EXPECT_EQ(rows_of(panel), 0) << "there is none at this moment";
+  panel.choose(Choice::kLast);
+  run.show(panel);
+  EXPECT_EQ(rows_of(panel), 3);
+  panel.choose(Choice::kStart);
+  run.show(panel);
+  EXPECT_EQ(rows_of(panel), 4) << "all bodies";
+  EXPECT_EQ(row_of(panel, 0).size(), 10) << "of an interval there is no law";
+}
+
+TEST(BeforeAfter, SpinsHaveColumnsWhereSomethingTurns) {
+  Scene scene = test::scene_with(
+      {disc("ball", {0.0, 0.3}, {6.0, -2.0}), test::wall("floor", {0.0, -0.5}, 20.0, 1.0)}, 0.5, 0.3);
+  const ShownRun run(scene, 0.1);
+  BeforeAfterPanel panel;
+  run.show(panel);
+  ASSERT_EQ(rows_of(panel), 2) << "the floor does not move";
+  const QStringList ball = row_of(panel, 0);
+  ASSERT_EQ(ball.size(), 16);
+  // j_t = -0.3 · 1.5 · 2 N s at the radius of 0.1 m, about I = 0.005 kg m².
+  EXPECT_EQ(ball.mid(2, 8), (QStringList{"6.00, −2.00", "5.10, 1.00", "5.10, 1.00", "< 1e−12", "0", "−18.00",
+                                         "−18.00", "< 1e−12"}));
+}
+
+TEST(BeforeAfter, TheErrorIsAShareOfTheLargestSpeed) {
+  const ShownRun run(head_on(), 0.34);
+  BeforeAfter compared = before_and_after(*run.frame.jumps.front());
+  compared.theory->v(0, 0) += 0.003;
+  BeforeAfterTable table;
+  table.show_pair(compared);
+  EXPECT_EQ(table.model()->index(0, 5).data().toString(), "1.5e−3") << "of 2 m/s";
+  EXPECT_EQ(table.model()->index(1, 5).data().toString(), "< 1e−12");
+}
+
+TEST(BeforeAfter, SaysWhyThereIsNoTheory) {
+  Scene scene = test::scene_with({disc("a", {-0.49, 0.0}, {2.0, 0.0}), disc("b", {0.5, 0.0}, {0.0, 0.0}),
+                                  disc("c", {0.5, 0.6}, {0.0, 0.0})});
+  Joint rod;
+  rod.body = "b";
+  rod.to = "c";
+  scene.joints.push_back(rod);
+  const ShownRun run(scene, 0.4);
+  BeforeAfterPanel panel;
+  run.show(panel);
+  ASSERT_GE(rows_of(panel), 3);
+  EXPECT_EQ(row_of(panel, 0)[3], "—");
+  EXPECT_TRUE(tip_of(panel, 0, 3).contains("joint")) << tip_of(panel, 0, 3).toStdString();
+}
+
+TEST(BeforeAfter, OfSeveralImpactsOfAStepThePickedOne) {
+  const Scene scene =
+      test::scene_with({disc("a", {-0.5, 0.0}, {1.0, 0.0}), disc("b", {0.002, 0.0}, {0.0, 0.0}),
+                        disc("c", {-0.5, 2.0}, {1.0, 0.0}), disc("d", {0.006, 2.0}, {0.0, 0.0})});
+  const ShownRun run(scene, 0.31);
+  ASSERT_EQ(run.frame.jumps.size(), 2U);
+  BeforeAfterPanel panel;
+  run.show(panel, run.frame.jumps.front()->time());
+  EXPECT_EQ(row_of(panel, 0)[0], "a");
+  run.show(panel, run.frame.jumps.back()->time());
+  EXPECT_EQ(row_of(panel, 0)[0], "c");
+  run.show(panel);
+  EXPECT_EQ(row_of(panel, 0)[0], "c") << "without a choice the last one";
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "physics/dynamics/state.h"
+#include "physics/model/mass.h"
+#include "physics/record/frame.h"
+#include "physics/record/impact_theory.h"
+#include "widgets/base/figure_table.h"
+
+namespace carom {
+
+// Two moments of a run to be compared. Bodies after those of `before` were added later.
+struct BeforeAfter {
+  std::shared_ptr<const std::vector<Body>> bodies;  // of `after`
+  State before;
+  State after;
+  std::vector<int> shown;              // the bodies that move freely among those that took part
+  std::optional<ImpactTheory> theory;  // where both are those of an impact
+};
+[[nodiscard]] BeforeAfter before_and_after(const JumpMoment& moment);
+// From the start, with these bodies, to a moment.
+[[nodiscard]] BeforeAfter since_start(const std::vector<Body>& start, const Frame& frame);
+
+// Mass, velocity, spin, momentum, angular momentum about the origin and kinetic energy of each body before and
+// after, and the sums. Of an impact the closed law's velocities stand beside those of the run. The error is the
+// difference, relative to the fastest body of the impact; that of a spin is one of the speed at the radius of
+// gyration. Spins and angular momenta are left out where all of them are zero.
+class BeforeAfterModel : public FigureModel {
+ public:
+  explicit BeforeAfterModel(QObject* parent);
+  void set(BeforeAfter compared);
+  void clear();
+
+  [[nodiscard]] bool is_sum(int row) const override;
+  [[nodiscard]] Cell cell(int row, int column) const override;
+  [[nodiscard]] QString tip(int row, int column) const override;
+
+ private:
+  enum class Quantity {
+    kBody,
+    kMass,
+    kVelocityBefore,
+    kVelocityTheory,
+    kVelocityAfter,
+    kVelocityError,
+    kSpinBefore,
+    kSpinTheory,
+    kSpinAfter,
+    kSpinError,
+    kMomentumBefore,
+    kMomentumAfter,
+    kAngularBefore,
+    kAngularAfter,
+    kKineticBefore,
+    kKineticAfter
+  };
+  struct Sums {
+    Vec2 momentum = Vec2::Zero();  // N s
+    double angular = 0.0;          // kg m²/s
+    double kinetic = 0.0;          // J
+  };
+
+  void choose_columns();
+  [[nodiscard]] Quantity quantity(int column) const { return quantities_[static_cast<std::size_t>(column)]; }
+  [[nodiscard]] bool has_law() const;
+  [[nodiscard]] Sums of(const State& state, int body) const;
+  [[nodiscard]] Sums sum(const State& state) const;
+  [[nodiscard]] double gyration(int body) const;  // m, radius
+  [[nodiscard]] double fastest() const;           // m/s
+  [[nodiscard]] Cell of_state(Quantity quantity, const Sums& before, const Sums& after, bool was_there) const;
+  [[nodiscard]] Cell of_law(Quantity quantity, int body) const;
+  [[nodiscard]] Cell sum_cell(Quantity quantity) const;
+
+  BeforeAfter compared_;
+  MassProperties mass_;
+  std::vector<Quantity> quantities_;  // by column
+};
+
+class BeforeAfterTable : public FigureTable {
+  Q_OBJECT
+
+ public:
+  explicit BeforeAfterTable(QWidget* parent = nullptr);
+  void show_pair(BeforeAfter compared);
+  void show_nothing();
+};
+
+}  // namespace carom
