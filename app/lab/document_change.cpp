@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "physics/scene/edit_rules.h"
 #include "physics/scene/facts.h"
+#include "physics/scene/fingerprint.h"
 
 namespace carom {
 namespace {
@@ -25,6 +28,10 @@ SetMethods applied(Document& document, const SetMethods& set) {
   document.preset.compare = set.methods.others;
   document.reference = set.methods.reference;
   return before;
+}
+
+SetOrigin applied(Document& document, const SetOrigin& set) {
+  return {std::exchange(document.start, set.origin)};
 }
 
 bool is_generated(Id<Body> id) { return id.number >= kFirstGenerated; }
@@ -133,15 +140,52 @@ Method possible(Method method, const Scene& scene) {
   return method;
 }
 
+// Plots that are left of these once their theories went have them again.
+std::vector<Plot> with_theories(std::vector<Plot> plots, const std::vector<Plot>& of_start) {
+  for (Plot& plot : plots) {
+    const auto same = std::find_if(of_start.begin(), of_start.end(), [&plot](const Plot& each) {
+      return without_theories({each}) == std::vector<Plot>{plot};
+    });
+    if (same != of_start.end()) plot = *same;
+  }
+  return plots;
+}
+
+// The methods that the scene allows, where that is not all of them.
+void limit_methods(const Document& document, const Scene& after, DocumentChange& change) {
+  Methods methods = document.methods();
+  methods.own = possible(methods.own, after);
+  for (Method& method : methods.others) method = possible(method, after);
+  const RunSetup setup{after, methods.own};
+  if (methods.reference != ReferenceId::kNone && why_not(setup, methods.reference))
+    methods.reference = usual_reference(setup);
+  if (methods.own != document.preset.method || methods.others != document.preset.compare)
+    change.emplace_back(SetMethods{methods, document.before_usual});
+}
+
+// What the bodies of a document are called in another start, by their ids; else by their names.
+std::vector<Renamed> renamed_to(const Preset& preset, const Start& start) {
+  std::set<std::string> names;
+  for (const Body& body : all_bodies(start.scene)) names.insert(body.name);
+  for (const RunEdit& edit : start.late) names.insert(added_body(edit).name);
+  std::vector<Renamed> renamed = renamed_bodies(preset.scene, start.scene);
+  std::erase_if(renamed, [](const Renamed& each) { return each.to.empty(); });
+  for (const Renamed& each : renamed) names.insert(each.from);
+  for (const Body& body : all_bodies(preset)) {
+    if (!names.contains(body.name)) renamed.push_back({body.name, {}});
+  }
+  return renamed;
+}
+
 // A change to a start with this scene, late bodies and clock, and then the edits.
-struct Start {
+struct Beginning {
   Scene scene;
   std::vector<RunEdit> late;
   std::optional<SavedRun> saved;
   bool other_scene;  // than the document's
 };
 
-DocumentChange change_to(const Document& document, Start start, SceneEdits edits) {
+DocumentChange change_to(const Document& document, Beginning start, SceneEdits edits) {
   const Preset& preset = document.preset;
   DocumentChange change;
   std::vector<Body> all = start.scene.bodies;
@@ -166,15 +210,22 @@ DocumentChange change_to(const Document& document, Start start, SceneEdits edits
   if (plots != preset.plots) change.emplace_back(SetPlots{std::move(plots)});
   std::vector<Stop> stops = with_names(preset.stops, renamed);
   if (stops != preset.stops) change.emplace_back(SetStops{std::move(stops)});
-  Methods methods = document.methods();
-  methods.own = possible(methods.own, after);
-  for (Method& method : methods.others) method = possible(method, after);
-  const RunSetup setup{after, methods.own};
-  if (methods.reference != ReferenceId::kNone && why_not(setup, methods.reference))
-    methods.reference = usual_reference(setup);
-  if (methods.own != preset.method || methods.others != preset.compare)
-    change.emplace_back(SetMethods{methods, document.before_usual});
+  limit_methods(document, after, change);
   return change;
+}
+
+double changed(double was, double is, double start) { return is == was ? start : is; }
+
+// Of the motion of a body what was edited. One that got another size moved along with a side of it.
+void take_motion(const Body& was, const Body& is, Body& start) {
+  const bool resized = bounding_radius(was.shape) != bounding_radius(is.shape);
+  for (const int axis : {0, 1}) {
+    start.position[axis] = resized ? start.position[axis] + is.position[axis] - was.position[axis]
+                                   : changed(was.position[axis], is.position[axis], start.position[axis]);
+    start.velocity[axis] = changed(was.velocity[axis], is.velocity[axis], start.velocity[axis]);
+  }
+  start.angle = changed(was.angle, is.angle, start.angle);
+  start.spin = changed(was.spin, is.spin, start.spin);
 }
 
 }  // namespace
@@ -192,7 +243,7 @@ DocumentChange change_of_start(const Document& document, const SceneEdits& edits
   const Preset& preset = document.preset;
   const bool lists =
       !preset.scene.generators.empty() && std::any_of(edits.begin(), edits.end(), is_of_generated_body);
-  Start start{preset.scene, preset.edits, {}, lists};
+  Beginning start{preset.scene, preset.edits, {}, lists};
   if (preset.saved) start.saved = SavedRun{.time = preset.saved->time};
   if (start.other_scene) list_bodies(start.scene);
   return change_to(document, std::move(start), edits);
@@ -201,7 +252,7 @@ DocumentChange change_of_start(const Document& document, const SceneEdits& edits
 DocumentChange change_to_moment(const Document& document, const Scene& now, double time,
                                 const SceneEdits& edits) {
   const Preset& preset = document.preset;
-  Start start{now, {}, {}, true};
+  Beginning start{now, {}, {}, true};
   start.scene.ids_given = std::max(now.ids_given, preset.scene.ids_given);
   list_bodies(start.scene);
   const SceneFacts facts = facts_of(now);
@@ -213,6 +264,29 @@ DocumentChange change_to_moment(const Document& document, const Scene& now, doub
     start.late.push_back(std::move(edit));
   }
   return change_to(document, std::move(start), edits);
+}
+
+Start start_of(const Document& document) {
+  const Preset& preset = document.preset;
+  return {document.start, preset.scene, preset.edits, preset.saved, preset.expect, preset.plots};
+}
+
+bool begin_alike(const Start& a, const Start& b) {
+  return fingerprint(a.scene, start_time(a.saved)) == fingerprint(b.scene, start_time(b.saved)) &&
+         std::equal(a.late.begin(), a.late.end(), b.late.begin(), b.late.end(), is_same);
+}
+
+DocumentChange change_to_start(const Document& document, const Start& start) {
+  const Preset& preset = document.preset;
+  const std::vector<Renamed> renamed = renamed_to(preset, start);
+  DocumentChange change = {SetScene{start.scene}, SetLateBodies{start.late}, SetSaved{start.saved},
+                           SetExpectations{start.expectations}, SetOrigin{start.origin}};
+  std::vector<Plot> plots = with_theories(with_names(preset.plots, renamed), start.plots);
+  if (plots != preset.plots) change.emplace_back(SetPlots{std::move(plots)});
+  std::vector<Stop> stops = with_names(preset.stops, renamed);
+  if (stops != preset.stops) change.emplace_back(SetStops{std::move(stops)});
+  limit_methods(document, start.scene, change);
+  return change;
 }
 
 SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits) {
@@ -232,6 +306,16 @@ SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits) {
     body->part.spin = 0.0;
   }
   return kept;
+}
+
+SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits, const Scene& moment) {
+  SceneEdits there = at_the_start(preset, edits);
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    const auto* asked = std::get_if<Replace<Body>>(&edits[i]);
+    const Body* was = asked == nullptr ? nullptr : part_of(moment.bodies, asked->part.id);
+    if (was != nullptr) take_motion(*was, asked->part, std::get<Replace<Body>>(there[i]).part);
+  }
+  return there;
 }
 
 void number_new_parts(const Scene& start, SceneEdits& edits) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QString>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -19,6 +21,14 @@ struct Methods {
   ReferenceId reference = ReferenceId::kNone;
 };
 
+// How a start of the runs came about: as opened or saved, or at a moment of the run before, by an edit.
+struct StartOrigin {
+  std::optional<double> from{};  // s, in the run before
+  QString by{};                  // the edit
+  bool saved = false;            // else opened
+  std::uint64_t scene = 0;       // fingerprint, as opened or saved
+};
+
 // What a session edits: a preset, and what belongs to its runs but stands in no file.
 struct Document {
   Preset preset;
@@ -26,6 +36,7 @@ struct Document {
   std::optional<Methods> before_usual{};  // while Euler, RK4 and the exact run are compared
   // A built-in experiment: the theories on its plots are those of its own start.
   bool is_experiment = false;
+  StartOrigin start{};
 
   [[nodiscard]] Methods methods() const { return {preset.method, preset.compare, reference}; }
 };
@@ -47,9 +58,14 @@ struct SetMethods {
   std::optional<Methods> before_usual;
 };
 
+// Another origin of the start.
+struct SetOrigin {
+  StartOrigin origin;
+};
+
 // A change of a document as a value: its parts in the order in which they are made.
 using DocumentChange = std::vector<std::variant<SceneEdits, SetScene, SetLateBodies, SetSaved, SetExpectations,
-                                                SetPlots, SetStops, SetMethods>>;
+                                                SetPlots, SetStops, SetMethods, SetOrigin>>;
 
 // Makes the change and returns the one that takes it back. Throws std::out_of_range if a part that is edited
 // is not there.
@@ -66,9 +82,29 @@ DocumentChange apply_change(Document& document, const DocumentChange& change);
 [[nodiscard]] DocumentChange change_to_moment(const Document& document, const Scene& now, double time,
                                               const SceneEdits& edits);
 
+// A start of a document's runs, to go back to.
+struct Start {
+  StartOrigin origin;
+  Scene scene;
+  std::vector<RunEdit> late;
+  std::optional<SavedRun> saved;
+  std::vector<Expectation> expectations;
+  std::vector<Plot> plots;  // with the theories of this start
+};
+[[nodiscard]] Start start_of(const Document& document);
+// Whether both begin the same runs.
+[[nodiscard]] bool begin_alike(const Start& a, const Start& b);
+// The change to another start: methods stay as far as it allows them, and so do plots, but for those of bodies
+// that it does not have.
+[[nodiscard]] DocumentChange change_to_start(const Document& document, const Start& start);
+
 // What the start takes over from edits of a running scene that are not about motion: bodies keep the place and
 // the motion that they have at the start.
 [[nodiscard]] SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits);
+
+// The same from edits of a moment that became a new start: bodies have the places and motions that were edited,
+// all others are those of the start. `moment`: the scene as it was edited.
+[[nodiscard]] SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits, const Scene& moment);
 
 // The scene at the start of a run, as scene_now() gives it.
 [[nodiscard]] std::shared_ptr<const Scene> scene_at_start(const Scene& start);

@@ -48,6 +48,25 @@ bool covers(const DocumentChange& earlier, const DocumentChange& later) {
   });
 }
 
+// A later edit of a body in the same drag takes the place of an earlier one.
+void take_up(SceneEdits& asked, const SceneEdits& later) {
+  for (const SceneEdit& edit : later) {
+    const auto* body = std::get_if<Replace<Body>>(&edit);
+    const auto same = std::find_if(asked.begin(), asked.end(), [body](const SceneEdit& each) {
+      const auto* earlier = std::get_if<Replace<Body>>(&each);
+      return body != nullptr && earlier != nullptr && earlier->part.name == body->part.name;
+    });
+    if (same == asked.end()) {
+      asked.push_back(edit);
+    } else {
+      Body& kept = std::get<Replace<Body>>(*same).part;
+      const Id<Body> id = kept.id;  // that of a run's body may be another one in the start
+      kept = body->part;
+      kept.id = id;
+    }
+  }
+}
+
 }  // namespace
 
 DocumentEdit::DocumentEdit(Session& session, const What& what, DocumentChange back)
@@ -66,6 +85,8 @@ bool DocumentEdit::mergeWith(const QUndoCommand* later) {
   what_.text = other.what_.text;
   what_.begins = what_.begins || other.what_.begins;
   if (what_.left == 0) what_.left = other.what_.left;
+  if (what_.leaves == nullptr) what_.leaves = other.what_.leaves;
+  take_up(what_.asked, other.what_.asked);
   if (covers(next_, other.next_)) return true;
   DocumentChange both = other.next_;
   both.insert(both.end(), next_.begin(), next_.end());

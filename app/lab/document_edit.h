@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QUndoCommand>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,18 +18,21 @@ class Session;
 class DocumentEdit : public QUndoCommand {
  public:
   struct What {
-    QString text;                          // "Undo ..."
-    Worker::EditId runs = 0;               // of the runs as they go on; 0: none
-    bool begins = false;                   // the runs begin again, from the changed start
-    Worker::EditId left = 0;               // the runs that it leaves, to return to; 0: none
-    bool cuts = false;                     // it leaves them to go on from an earlier moment, unless it begins
-    bool is_work = true;                   // false: not worth saving
-    std::optional<int> drag{};             // edits of one drag are undone together
-    std::vector<std::string> selection{};  // before it; names of bodies
+    QString text;                           // "Undo ..."
+    Worker::EditId runs = 0;                // of the runs as they go on; 0: none
+    bool begins = false;                    // the runs begin again, from the changed start
+    Worker::EditId left = 0;                // the runs that it leaves, to return to; 0: none
+    bool cuts = false;                      // it leaves them to go on from an earlier moment, unless it begins
+    bool is_work = true;                    // false: not worth saving
+    std::optional<int> drag{};              // edits of one drag are undone together
+    std::vector<std::string> selection{};   // before it; names of bodies
+    std::shared_ptr<const Start> leaves{};  // the start before it, if it is another one then
+    SceneEdits asked{};                     // of the moment that became the new start
   };
 
   DocumentEdit(Session& session, const What& what, DocumentChange back);
   [[nodiscard]] const What& what() const { return what_; }
+  [[nodiscard]] const DocumentChange& next() const { return next_; }
 
   void undo() override;
   void redo() override;

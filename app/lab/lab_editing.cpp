@@ -70,9 +70,6 @@ void LabWindow::connect_edits() {
   });
   connect(view_, &SceneView::selectionChanged, this, &LabWindow::forget_refusal);
   connect(view_, &SceneView::partChosen, this, &LabWindow::forget_refusal);
-  connect(&session_, &Session::newStart, this, [this](double time) {
-    say_for_a_while(tr("New start from %1 s; Ctrl+Z brings the run back").arg(time, 0, 'f', 3));
-  });
   connect(&session_, &Session::editRefused, this, [this](const QString& why) {
     if (view_->refuse(why)) return;
     const bool typed_in_table = sheet_->isAncestorOf(QApplication::focusWidget());

@@ -190,7 +190,7 @@ void LabWindow::connect_views() {
     drawer_->choose(reading_);
     show_frame();
   });
-  connect(lost_bar_, &NoticeBar::accepted, &session_.runs(), &LabRuns::restart);
+  connect(lost_bar_, &NoticeBar::accepted, &session_, &Session::restart);
   connect(lost_bar_, &NoticeBar::dismissed, this, [this] {
     lost_bar_->hide();
     show_notices();
@@ -201,7 +201,7 @@ void LabWindow::connect_views() {
   });
   connect(list_, &ExperimentList::closeRequested, this, [this] { list_action_->setChecked(false); });
   connect(transport_, &TransportBar::playClicked, this, &LabWindow::set_playing);
-  connect(transport_, &TransportBar::restartClicked, &session_.runs(), &LabRuns::restart);
+  connect(transport_, &TransportBar::restartClicked, &session_, &Session::restart);
   connect(transport_, &TransportBar::stepClicked, &session_.runs(), &LabRuns::step_by);
   connect_timeline();
   connect(transport_, &TransportBar::speedChosen, this, [this](double speed) {

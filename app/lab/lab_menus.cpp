@@ -16,6 +16,7 @@
 #include "app/lab/method_bar.h"
 #include "app/lab/panel_docks.h"
 #include "app/lab/panel_focus.h"
+#include "app/lab/scene_chips.h"
 #include "app/lab/tool_column.h"
 #include "widgets/base/ask.h"
 #include "widgets/edit/inspector.h"
@@ -67,7 +68,7 @@ void LabWindow::make_file_menu() {
 
 void LabWindow::make_edit_menu() {
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  QAction* undo = session_.edits().createUndoAction(this, tr("&Undo"));
+  QAction* undo = undo_ = session_.edits().createUndoAction(this, tr("&Undo"));
   undo->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
   QAction* redo = session_.edits().createRedoAction(this, tr("&Redo"));
   redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
@@ -251,7 +252,11 @@ void LabWindow::make_run_menus() {
   connect(run, &QMenu::aboutToShow, this, [this, go_on] { go_on->setEnabled(session_.runs().in_past()); });
   connect(run, &QMenu::aboutToHide, go_on, [go_on] { go_on->setEnabled(true); });
   add_action(run, "flag", tr("Sto&ps..."), QKeySequence(Qt::Key_H), [this] { edit_stops(std::nullopt); });
-  add_action(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { session_.runs().restart(); });
+  add_action(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { session_.restart(); });
+  first_start_ = add_action(run, "", tr("&First start"), QKeySequence(Qt::CTRL | Qt::Key_R),
+                            [this] { session_.go_to_first_start(); });
+  first_start_->setToolTip(tr("The experiment as it was opened or saved"));
+  make_starts_menu(run);
   QMenu* methods = menuBar()->addMenu(tr("&Method"));
   methods_ = new MethodBar(methods, this);
   connect(methods_, &MethodBar::methodChosen, this,
@@ -259,6 +264,32 @@ void LabWindow::make_run_menus() {
   methods->addSeparator();
   add_action(methods, "", tr("Compare &Euler, RK4 and the exact run"), QKeySequence(Qt::Key_C),
              [this] { compare_usual(); });
+}
+
+// All starts since the document was opened, also at the arrow beside the restart button; a tick marks the
+// present one.
+void LabWindow::make_starts_menu(QMenu* to) {
+  QMenu* starts = to->addMenu(tr("S&tarts"));
+  transport_->set_starts_menu(starts);
+  connect(starts, &QMenu::aboutToShow, this, [this, starts] {
+    starts->clear();
+    for (const Session::KnownStart& known : session_.starts()) {
+      QAction* action = starts->addAction(QString(known.name).replace("&", "&&"), this,
+                                          [this, known] { session_.go_to(known); });
+      action->setCheckable(true);
+      action->setChecked(known.start == nullptr);
+    }
+  });
+}
+
+// Of the chip that names a new start.
+void LabWindow::make_start_chip_menu() {
+  auto* menu = new QMenu(chips_->start_chip());
+  chips_->start_chip()->setMenu(menu);
+  menu->addAction(undo_);
+  menu->addAction(tr("&Put the edit into the start before instead"), this,
+                  [this] { session_.put_into_start_before(); });
+  menu->addAction(first_start_);
 }
 
 void LabWindow::make_help_menu() {

@@ -116,6 +116,11 @@ bool LabRuns::at_start() const {
          (there() && frames().front()->time <= start_time(document_.preset.saved));
 }
 
+bool LabRuns::have_begun() const {
+  if (begins_ || will_begin_ || frames_.empty()) return false;
+  return replayed_ || frames_.front()->playing || frames_.front()->time > start_time(document_.preset.saved);
+}
+
 void LabRuns::poll() {
   const Frames news = worker_.take_frames();
   if (!news.empty()) take_news(news);
@@ -191,6 +196,7 @@ Worker::EditId LabRuns::keep(Worker::EditId again) {
     // Edits that are taken back can't be made again after a new one.
     std::erase_if(left_, [](const auto& each) { return each.second.returned; });
     left_[edit] = {.frames = frames_, .scene = scene_, .playhead = playhead_};
+    left_[edit].stand_still();
   }
   const auto left = left_.find(edit);
   left->second.returned = false;
@@ -217,6 +223,18 @@ Worker::EditId LabRuns::cut(Worker::EditId again) {
   worker_.cut(edit, frames_.front()->time, of_file);
   emit framesChanged();
   return edit;
+}
+
+void LabRuns::Left::stand_still() {
+  const auto still = [](const auto& frame) {
+    auto copy = std::make_shared<Frame>(*frame);
+    copy->playing = false;
+    return copy;
+  };
+  if (!frames.empty() && frames.front()->playing) frames.front() = still(frames.front());
+  if (!playhead || !playhead->plays) return;
+  playhead->plays = false;
+  if (!playhead->frames.empty()) playhead->frames.front() = still(playhead->frames.front());
 }
 
 void LabRuns::Left::keep_picture() {

@@ -81,6 +81,12 @@ class LabRuns : public QObject {
   [[nodiscard]] const Frame* lost() const;  // a lost run, if any
   // s: progress of the runs that are recomputed after an undone edit.
   [[nodiscard]] std::optional<double> replayed() const { return replayed_; }
+  // Whether they have left the start, or are about to.
+  [[nodiscard]] bool have_begun() const;
+  // The scene of the moment that this edit left.
+  [[nodiscard]] const std::shared_ptr<const Scene>& scene_left(Worker::EditId edit) const {
+    return left_.at(edit).scene;
+  }
   // Whether the runs are at the document's start, or about to be.
   [[nodiscard]] bool at_start() const;
 
@@ -134,6 +140,7 @@ class LabRuns : public QObject {
     std::optional<Playhead> playhead{};
     bool returned = false;
 
+    void stand_still();
     void keep_picture();  // alone, without the record
   };
 

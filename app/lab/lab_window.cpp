@@ -61,6 +61,7 @@ LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   make_tools_menu();
   make_view_menu();
   make_run_menus();
+  make_start_chip_menu();
   make_help_menu();
   make_tool_bar();
   connect_views();
@@ -202,6 +203,7 @@ void LabWindow::show_preparing() {
 
 void LabWindow::show_document() {
   methods_->show_document(preset());
+  chips_->show_start(session_.start());
   show_about();
   ledger_->set_scene(preset());
   study_->edit_scene(preset());

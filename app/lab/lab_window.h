@@ -140,6 +140,8 @@ class LabWindow : public QMainWindow {
   void make_view_menu();
   void add_places_menu(QMenu* to);
   void make_run_menus();
+  void make_starts_menu(QMenu* to);
+  void make_start_chip_menu();
   void make_help_menu();
   void make_tool_bar();
   void fold_tool_bar();
@@ -164,6 +166,8 @@ class LabWindow : public QMainWindow {
 
   ExperimentList* list_ = nullptr;  // a column of a wide window, else over the scene
   QAction* list_action_ = nullptr;
+  QAction* undo_ = nullptr;
+  QAction* first_start_ = nullptr;
   SceneView* view_ = nullptr;
   SceneChips* chips_ = nullptr;
   TransportBar* transport_ = nullptr;

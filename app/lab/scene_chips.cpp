@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "app/lab/document_change.h"
 #include "app/lab/lab_runs.h"
 #include "physics/record/impact_moments.h"
 #include "widgets/base/plain_text.h"
@@ -55,6 +56,7 @@ SceneChips::SceneChips(SceneView& view)
       row_(new QWidget(&view)),
       time_(make_chip(row_)),
       speed_(make_chip(row_)),
+      start_(new QPushButton(row_)),
       stop_(make_chip(row_)),
       impact_(make_chip(row_)),
       follow_(new QPushButton(tr("Follow (F)"), row_)),
@@ -64,13 +66,20 @@ SceneChips::SceneChips(SceneView& view)
   auto* row = new QHBoxLayout(row_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
-  for (QLabel* chip : {time_, speed_, stop_, impact_}) row->addWidget(chip);
+  row->addWidget(time_);
+  row->addWidget(speed_);
+  row->addWidget(start_);
+  row->addWidget(stop_);
+  row->addWidget(impact_);
   stop_->setAccessibleName(tr("Why it stopped"));
   impact_->setAccessibleName(tr("Impact at this moment"));
-  follow_->setObjectName("chip");
+  for (QPushButton* chip : {start_, follow_}) {
+    chip->setObjectName("chip");
+    chip->setFocusPolicy(Qt::NoFocus);
+    chip->hide();
+  }
+  start_->setProperty("start", true);
   follow_->setToolTip(tr("All bodies that move have left the view: keep them in it"));
-  follow_->setFocusPolicy(Qt::NoFocus);
-  follow_->hide();
   row->addWidget(follow_);
   connect(follow_, &QPushButton::clicked, &view, &SceneView::follow);
   connect(&view, &SceneView::followOffered, this, [this](bool offered) {
@@ -130,6 +139,15 @@ void SceneChips::show_time(const LabRuns& runs) {
   const QString impact = impact_text(runs);
   impact_->setText(impact);
   impact_->setVisible(!impact.isEmpty());
+}
+
+void SceneChips::show_start(const StartOrigin& start) {
+  start_->setVisible(start.from.has_value());
+  if (start.from) {
+    start_->setText(tr("new start, from %1 s").arg(*start.from, 0, 'f', 3) + QStringLiteral(" ▾"));
+    start_->setToolTip(plain_tip(tr("This moment of the run before, with the edit: %1").arg(start.by)));
+  }
+  place();
 }
 
 void SceneChips::show_notices(const LabRuns& runs, const QString& more, bool lost_shown) {

@@ -9,6 +9,7 @@ namespace carom {
 
 class SceneView;
 class LabRuns;
+struct StartOrigin;
 
 // Chips over the scene: time and speed, the offer to follow bodies that left, and at the right the tool in
 // hand; below, the run's notices and the cursor's position. Long text is elided; the tooltip shows all of it.
@@ -21,6 +22,9 @@ class SceneChips : public QObject {
   // The tool in hand; empty: it is the usual one.
   void show_tool(const QString& text);
   void show_time(const LabRuns& runs);
+  // Names the start for as long as it is a moment of the run before.
+  void show_start(const StartOrigin& start);
+  [[nodiscard]] QPushButton* start_chip() { return start_; }
   // `more`: further text of the window; `lost_shown`: the reason of a lost run is shown elsewhere.
   void show_notices(const LabRuns& runs, const QString& more, bool lost_shown);
 
@@ -35,6 +39,7 @@ class SceneChips : public QObject {
   QWidget* row_;
   QLabel* time_;
   QLabel* speed_;
+  QPushButton* start_;
   QLabel* stop_;    // that is met at this moment
   QLabel* impact_;  // at a moment of the record
   QPushButton* follow_;

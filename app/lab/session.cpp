@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "physics/preset/preset_file.h"
+#include "physics/scene/fingerprint.h"
 
 namespace carom {
 namespace {
@@ -31,6 +32,8 @@ void Session::open(const Preset& preset, const std::vector<Plot>& plots, const s
                !name.isEmpty()};
   document_.preset.plots = plots;
   give_ids(document_.preset.scene);
+  document_.start = {.scene = fingerprint(document_.preset.scene, start_time(document_.preset.saved))};
+  first_start_ = std::make_shared<const Start>(start_of(document_));
   name_ = name;
   file_ = file;
   bodies_ = all_bodies(preset);
@@ -45,6 +48,10 @@ void Session::open(const Preset& preset, const std::vector<Plot>& plots, const s
 void Session::save(const QString& file) {
   save_preset(document_.preset, file.toStdString());
   file_ = file;
+  Start saved = start_of(document_);
+  saved.origin = {.saved = true, .scene = fingerprint(saved.scene, start_time(saved.saved))};
+  if (!document_.start.from) document_.start = saved.origin;
+  first_start_ = std::make_shared<const Start>(std::move(saved));
   edits_.setClean();
 }
 

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QRandomGenerator>
 #include <QUndoStack>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,6 +34,7 @@ class Session : public QObject {
   [[nodiscard]] const QString& name() const { return name_; }
   [[nodiscard]] const QString& file() const { return file_; }
   [[nodiscard]] ReferenceId reference() const { return document_.reference; }
+  [[nodiscard]] const StartOrigin& start() const { return document_.start; }
   // All bodies as they start, in the order of the runs.
   [[nodiscard]] const std::vector<Body>& bodies() const { return bodies_; }
   // Throws SceneError if the file can't be written; the document stays unchanged.
@@ -75,6 +77,21 @@ class Session : public QObject {
   // undone. All other edits of a run there do this first.
   void go_on_from_here();
 
+  // --- starts (session_starts.cpp)
+  // Ends the run and stops at the start, as one step of undo.
+  void restart();
+  // A start since the document was opened. Each but the present one is gone to as one step of undo.
+  struct KnownStart {
+    QString name;
+    std::shared_ptr<const Start> start;  // none: the present one
+  };
+  // The first one, as opened or saved, stands first.
+  [[nodiscard]] std::vector<KnownStart> starts() const;
+  void go_to(const KnownStart& known);
+  void go_to_first_start();
+  // Takes the newest start back, and makes its edit in the start before it instead; editRefused says why not.
+  void put_into_start_before();
+
   // --- the runs
   [[nodiscard]] LabRuns& runs() { return runs_; }
   [[nodiscard]] const LabRuns& runs() const { return runs_; }
@@ -85,7 +102,6 @@ class Session : public QObject {
   void plotsChanged();   // of the document
   void editRefused(const QString& why);
   void selectionReturned(const std::vector<std::string>& names);
-  void newStart(double time);  // s: an edit at this moment of the run became the start
   void modifiedChanged(bool modified);
 
  private:
@@ -105,8 +121,16 @@ class Session : public QObject {
   [[nodiscard]] const DocumentEdit* last_edit() const;
   void take_times_of_edits();
   void check_modified();
+  void leave_start(const QString& text, const Start& start);
+  [[nodiscard]] bool goes_on_with_new_start(int drag) const;
+  void name_new_start(double time, const SceneEdits& edits, const QString& by, DocumentChange& change,
+                      DocumentEdit::What& what);
+  [[nodiscard]] int newest_start_edit() const;
+  [[nodiscard]] Document before_edit(int place) const;
+  [[nodiscard]] const DocumentEdit& edit_at(int place) const;
 
   Document document_;
+  std::shared_ptr<const Start> first_start_;
   LabRuns runs_;
   QRandomGenerator sizes_{1};  // of the discs that are added: the same in every session
   QString name_, file_;

@@ -134,6 +134,7 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
     validate(changed.preset);
     DocumentEdit::What what{.text = text, .begins = begins || from_here};
     if (drag > 0) what.drag = drag;
+    if (from_here || (begins && goes_on_with_new_start(drag))) name_new_start(time, edits, text, change, what);
     runs_.forget_wait();
     if (!what.begins) {
       if (runs_.in_past()) change.emplace_back(SetLateBodies{edits_left()});
@@ -144,10 +145,27 @@ void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
     }
     push(what, change);
     if (what.begins) runs_.begin();
-    if (from_here) emit newStart(time);
   } catch (const std::exception& error) {
     emit editRefused(refusal_text(error.what(), changed.preset.scene));
   }
+}
+
+// Whether an edit of this drag has made the start.
+bool Session::goes_on_with_new_start(int drag) const {
+  const DocumentEdit* last = last_edit();
+  return drag > 0 && document_.start.from && last != nullptr && last->what().drag == drag &&
+         last->what().leaves != nullptr && edits_.index() != edits_.cleanIndex();
+}
+
+// `time` (s): the moment of the edit, unless an earlier edit of the same drag has made the start.
+void Session::name_new_start(double time, const SceneEdits& edits, const QString& by, DocumentChange& change,
+                             DocumentEdit::What& what) {
+  const bool goes_on = what.drag && goes_on_with_new_start(*what.drag);
+  const double from = goes_on ? *document_.start.from : time;
+  if (!goes_on) what.leaves = std::make_shared<const Start>(start_of(document_));
+  what.asked = edits;
+  what.text = tr("New start from %1 s: %2").arg(from, 0, 'f', 3).arg(by);
+  change.emplace_back(SetOrigin{{.from = from, .by = by}});
 }
 
 bool Session::may_edit_moment() {

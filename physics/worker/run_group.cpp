@@ -18,6 +18,7 @@ void RunGroup::begin(std::stop_token token) {
   token_ = std::move(token);
   start_ = ++starts_;
   interrupted_ = false;
+  interrupted_at_ = start_time(preset_.saved);
   replay_until_.reset();
   past_.clear();
   runs_.clear();
@@ -40,6 +41,7 @@ void RunGroup::keep_runs(EditId edit, Frames untaken) {
     // Edits that are taken back can't be made again after a new one.
     std::erase_if(kept_, [](const auto& each) { return each.second.returned; });
     kept_[edit] = {.preset = preset_, .plan = plan(), .time = time};
+    if (runs_.empty()) kept_[edit].plan.runs = plans_of(preset_);  // they could not begin
   }
   const auto made = kept_.find(edit);
   Kept& kept = made->second;

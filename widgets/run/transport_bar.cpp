@@ -31,7 +31,11 @@ TransportBar::TransportBar(const Theme& theme, QWidget* parent) : QFrame(parent)
     b->setFocusPolicy(Qt::TabFocus);
     return b;
   };
-  restart_ = button(tr("Restart at t = 0 (R)"));
+  restart_ = button(tr("Restart at the newest start (R)"));
+  starts_ = button(tr("All starts since the file was opened"));
+  starts_->setObjectName("more");
+  starts_->setText(QStringLiteral("▾"));
+  starts_->setPopupMode(QToolButton::InstantPopup);
   play_ = button(tr("Play or pause (Space)"));
   play_->setFixedSize(36, 36);
   back_ = button(tr("Back by a step (,)"));
@@ -57,6 +61,7 @@ TransportBar::TransportBar(const Theme& theme, QWidget* parent) : QFrame(parent)
   row->setContentsMargins(10, 5, 12, 5);
   row->setSpacing(6);
   row->addWidget(restart_);
+  row->addWidget(starts_);
   row->addWidget(back_);
   row->addWidget(play_);
   row->addWidget(step_);
@@ -97,6 +102,8 @@ void TransportBar::set_duration(double seconds) {
   timeline_->set_duration(seconds);
   end_->setText(QString("%1 s").arg(timeline_->end(), 0, 'g', 4));
 }
+
+void TransportBar::set_starts_menu(QMenu* menu) { starts_->setMenu(menu); }
 
 void TransportBar::update_from(const Frame& frame, const Frame& newest, const Recorder& recorder,
                                double shown) {

@@ -9,6 +9,7 @@
 #include "widgets/theme/theme.h"
 
 class QLabel;
+class QMenu;
 class QToolButton;
 
 namespace carom {
@@ -21,6 +22,7 @@ class TransportBar : public QFrame {
   explicit TransportBar(const Theme& theme, QWidget* parent = nullptr);
   void set_theme(const Theme& theme);
   void set_duration(double seconds);
+  void set_starts_menu(QMenu* menu);  // of the arrow beside the restart button
   // What is shown, at `shown` s, and the newest moment of the first run.
   void update_from(const Frame& frame, const Frame& newest, const Recorder& recorder, double shown);
   [[nodiscard]] Timeline& timeline() { return *timeline_; }
@@ -42,6 +44,7 @@ class TransportBar : public QFrame {
 
   Theme theme_;
   QToolButton* restart_;
+  QToolButton* starts_;
   QToolButton* play_;
   QToolButton* back_;
   QToolButton* step_;

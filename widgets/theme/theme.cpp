@@ -105,6 +105,8 @@ QGroupBox::title { subcontrol-origin: margin; left: 10px; padding: 0 4px; color:
 QPushButton { background: %2; border: 1px solid %3; border-radius: 6px; padding: 5px 14px; }
 QPushButton:hover, QPushButton:focus { border-color: %6; }
 QPushButton#chip { border-color: %6; border-radius: 11px; padding: 3px 9px; font-size: 11px; }
+QPushButton#chip[start="true"] { background: %7; color: %6; font-weight: bold; }
+QPushButton#chip::menu-indicator { image: none; }
 QPushButton#small { padding: 3px 6px; font-size: 12px; text-align: center; }
 QPushButton:default { background: %6; color: %2; border-color: %6; }
 QPushButton:disabled, QPushButton:default:disabled { background: %1; color: %5; border-color: %3; }

@@ -39,7 +39,7 @@ TEST_F(LabHandsTest, ALessonByHand) {
   EXPECT_NEAR(now(a).velocity.x(), -1.0, 1e-9) << "moves as it did";
   // All of it is taken back, and made again.
   QUndoStack& edits = window_.session().edits();
-  EXPECT_TRUE(edits.undoText().startsWith("Move")) << edits.undoText().toStdString();
+  EXPECT_TRUE(edits.undoText().contains(": Move")) << edits.undoText().toStdString();
   const int steps = edits.count();
   EXPECT_EQ(steps, 7);
   const std::string last = write_preset(window_.preset());

@@ -1,0 +1,104 @@
+#include <QPushButton>
+#include <algorithm>
+
+#include "tests/app/lab/hands_fixture.h"
+
+// The starts in the window: R and Ctrl+R, the arrow beside the restart button, and the chip of a new start.
+namespace carom {
+namespace {
+
+class LabStartsTest : public LabHandsTest {
+ protected:
+  void SetUp() override {
+    ASSERT_NO_FATAL_FAILURE(LabHandsTest::SetUp());
+    name_ = window_.preset().scene.bodies[0].name;
+    window_.run_until(0.8);
+  }
+  // Moves the first body up at 0.8 s.
+  void make_new_start() {
+    window_.scene_view().select({name_});
+    window_.scene_view().setFocus();
+    key(Qt::Key_Up);
+    ASSERT_TRUE(wait_for([this] { return time() == 0.0 && window_.frame()->scene; }));
+  }
+  QPushButton* start_chip() {
+    for (QPushButton* chip : window_.scene_view().findChildren<QPushButton*>("chip")) {
+      if (chip->menu() != nullptr) return chip;
+    }
+    throw std::runtime_error("no chip with a menu");
+  }
+  // What a menu says when it opens, without what follows a tab.
+  static QStringList texts(QMenu* menu) {
+    emit menu->aboutToShow();
+    QStringList all;
+    for (const QAction* each : menu->actions())
+      all << QString(each->text()).remove('&') + (each->isChecked() ? " (ticked)" : "");
+    return all;
+  }
+  [[nodiscard]] QString undo_text() { return window_.session().edits().undoText(); }
+
+  std::string name_;
+};
+
+TEST_F(LabStartsTest, AStrayRestartIsTakenBack) {
+  const State before = window_.frame()->state;
+  key(Qt::Key_R);
+  ASSERT_TRUE(wait_for([this] { return time() == 0.0; }));
+  EXPECT_EQ(undo_text(), "Restart");
+  EXPECT_FALSE(window_.isWindowModified());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(wait_for([this] { return std::abs(time() - 0.8) < 1e-9; }));
+  EXPECT_EQ(window_.frame()->state.q, before.q);
+}
+
+TEST_F(LabStartsTest, RGoesToTheNewestStartAndCtrlRToTheFirst) {
+  const Vec2 opened = window_.preset().scene.bodies[0].position;
+  make_new_start();
+  const Vec2 moved = window_.preset().scene.bodies[0].position;
+  ASSERT_NE(moved, opened);
+  window_.run_until(0.3);
+  key(Qt::Key_R);
+  ASSERT_TRUE(shows_start());
+  EXPECT_EQ(now(name_).position, moved);
+  key(Qt::Key_R, Qt::ControlModifier);
+  ASSERT_TRUE(shows_start());
+  EXPECT_EQ(now(name_).position, opened);
+  EXPECT_EQ(undo_text(), "First start");
+}
+
+TEST_F(LabStartsTest, TheArrowListsAllStarts) {
+  make_new_start();
+  QMenu* menu = button("All starts")->menu();
+  const QString newest = "from 0.800 s: Move " + QString::fromStdString(name_);
+  EXPECT_EQ(texts(menu), (QStringList{"as opened", newest + " (ticked)"}));
+  menu->actions()[0]->trigger();
+  ASSERT_TRUE(shows_start());
+  EXPECT_EQ(texts(menu), (QStringList{"as opened (ticked)", newest}));
+  EXPECT_FALSE(start_chip()->isVisible());
+  menu->actions()[1]->trigger();
+  ASSERT_TRUE(shows_start());
+  EXPECT_TRUE(start_chip()->isVisible());
+}
+
+TEST_F(LabStartsTest, AChipNamesTheNewStartForAsLongAsItHolds) {
+  EXPECT_FALSE(start_chip()->isVisible());
+  make_new_start();
+  ASSERT_TRUE(start_chip()->isVisible());
+  EXPECT_TRUE(start_chip()->text().startsWith("new start, from 0.800 s"));
+  window_.run_until(0.2);
+  EXPECT_TRUE(start_chip()->isVisible());
+  const QStringList entries = texts(start_chip()->menu());
+  ASSERT_EQ(entries.size(), 3);
+  EXPECT_TRUE(entries[0].startsWith("Undo"));
+  EXPECT_EQ(entries[1], "Put the edit into the start before instead");
+  EXPECT_EQ(entries[2], "First start");
+  start_chip()->menu()->actions()[1]->trigger();
+  ASSERT_TRUE(shows_start());
+  EXPECT_FALSE(start_chip()->isVisible());
+  EXPECT_EQ(undo_text(), "Move " + QString::fromStdString(name_));
+  undo();
+  EXPECT_TRUE(wait_for([this] { return std::abs(time() - 0.8) < 1e-9; }));
+}
+
+}  // namespace
+}  // namespace carom
