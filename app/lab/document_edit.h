@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/lab/document_change.h"
+#include "app/lab/lab_runs.h"
 #include "physics/worker/worker.h"
 
 namespace carom {
@@ -27,7 +28,8 @@ class DocumentEdit : public QUndoCommand {
     std::optional<int> drag{};              // edits of one drag are undone together
     std::vector<std::string> selection{};   // before it; names of bodies
     std::shared_ptr<const Start> leaves{};  // the start before it, if it is another one then
-    SceneEdits asked{};                     // of the moment that became the new start
+    std::shared_ptr<LabRuns::Entered> run{};  // it is a run
+    SceneEdits asked{};                       // of the moment that became the new start
   };
 
   DocumentEdit(Session& session, const What& what, DocumentChange back);

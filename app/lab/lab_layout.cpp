@@ -220,7 +220,7 @@ void LabWindow::connect_timeline() {
   connect(timeline, &Timeline::impactChosen, &runs, &LabRuns::go_to_impact);
   connect(timeline, &Timeline::impactAsked, &runs, &LabRuns::go_by_impact);
   connect(timeline, &Timeline::scrubEnded, this, [this] {
-    if (std::exchange(plays_after_scrub_, false)) set_playing(true);
+    if (std::exchange(plays_after_scrub_, false)) session_.runs().set_playing(true);
   });
   connect(impacts_, &ImpactsTable::impactChosen, &runs, &LabRuns::go_to_impact);
   connect(before_after_, &BeforeAfterPanel::impactAsked, &runs, &LabRuns::go_by_impact);

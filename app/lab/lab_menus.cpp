@@ -234,7 +234,7 @@ void LabWindow::make_run_menus() {
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   add_action(run, "", tr("&Play or pause"), QKeySequence(Qt::Key_Space),
              [this] { set_playing(frame() == nullptr || !frame()->playing); });
-  add_action(run, "", tr("Play &on past the end"), QKeySequence(), [this] { session_.runs().play_on(); });
+  add_action(run, "", tr("Play &on past the end"), QKeySequence(), [this] { session_.play_on(); });
   add_action(run, "", tr("One &step"), QKeySequence(Qt::Key_Period), [this] { session_.runs().step_by(1); });
   add_action(run, "", tr("One step &back"), QKeySequence(Qt::Key_Comma),
              [this] { session_.runs().step_by(-1); });

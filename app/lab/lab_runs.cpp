@@ -27,7 +27,6 @@ void LabRuns::set_playing(bool playing) {
   if (replayed_) return worker_.end_replay();
   if (playing) forget_wait();
   if (playhead_) return play_past(playing);
-  if (playing && at_end() && !at_start()) restart();
   worker_.set_playing(playing, document_.preset.duration);
 }
 
@@ -248,16 +247,13 @@ void LabRuns::Left::keep_picture() {
   }
 }
 
-void LabRuns::return_to(Worker::EditId edit) {
-  Left& left = left_.at(edit);
-  left.returned = true;
-  frames_ = left.frames;
-  recorders_ = std::move(left.recorders);
-  scene_ = left.scene;
-  left.keep_picture();
-  for (const auto& recorder : recorders_) recorder->keep(curves_);
+// What was shown at an earlier time, until the runs are there.
+void LabRuns::show_again(const Frames& frames, const std::shared_ptr<const Scene>& scene,
+                         const std::optional<Playhead>& playhead) {
+  if (!frames.empty()) frames_ = frames;
+  scene_ = scene;
   // The moment of the past is asked for when the runs are there.
-  playhead_ = left.playhead;
+  playhead_ = playhead;
   if (playhead_) {
     playhead_->runs.clear();
     playhead_->there = false;
@@ -265,10 +261,48 @@ void LabRuns::return_to(Worker::EditId edit) {
   awaited_ = 0;
   replayed_.reset();
   begins_ = will_begin_ = false;
+}
+
+void LabRuns::return_to(Worker::EditId edit) {
+  Left& left = left_.at(edit);
+  left.returned = true;
+  recorders_ = std::move(left.recorders);
+  show_again(left.frames, left.scene, left.playhead);
+  left.keep_picture();
+  for (const auto& recorder : recorders_) recorder->keep(curves_);
   worker_.return_to(edit, curves_, document_.reference);
   watch_stops();
   emit framesChanged();
 }
+
+std::shared_ptr<LabRuns::Entered> LabRuns::enter() const {
+  auto run = std::make_shared<Entered>();
+  run->time = start_time(document_.preset.saved);
+  if (begins_ || will_begin_ || frames_.empty()) return run;
+  Left shown{.frames = frames_, .scene = scene_, .playhead = playhead_};
+  shown.keep_picture();
+  run->time = frames_.front()->time;
+  run->frames = shown.frames;
+  run->scene = shown.scene;
+  run->playhead = shown.playhead;
+  return run;
+}
+
+void LabRuns::take_back(Entered& run) {
+  forget_wait();
+  run.kept = worker_.keep_taken_back();
+  Left left{.frames = frames_, .scene = scene_, .playhead = playhead_, .returned = true};
+  left.stand_still();
+  left.recorders = recorders_;
+  left_[run.kept] = std::move(left);
+  for (auto& recorder : recorders_) recorder = std::make_shared<Recorder>(*recorder);
+  show_again(run.frames, run.scene, run.playhead);
+  begins_ = run.frames.empty();
+  worker_.cut(run.kept, run.time, document_.preset.edits);
+  emit framesChanged();
+}
+
+void LabRuns::make_again(const Entered& run) { return_to(run.kept); }
 
 Worker::EditId LabRuns::begin_with(const Methods& methods, const std::vector<Curve>& curves) {
   forget_wait();

@@ -25,8 +25,7 @@ class LabRuns : public QObject {
   explicit LabRuns(const Document& document);
 
   // --- the clock
-  // Stops at the document's duration; from there it plays again from the start. Ends a replay where it is, and
-  // stops there.
+  // Stops at the document's duration. Ends a replay where it is, and stops there.
   void set_playing(bool playing);
   void play_on();  // without an end
   void restart();
@@ -83,6 +82,8 @@ class LabRuns : public QObject {
   [[nodiscard]] std::optional<double> replayed() const { return replayed_; }
   // Whether they have left the start, or are about to.
   [[nodiscard]] bool have_begun() const;
+  // Whether the next step would pass the document's duration.
+  [[nodiscard]] bool at_end() const;
   // The scene of the moment that this edit left.
   [[nodiscard]] const std::shared_ptr<const Scene>& scene_left(Worker::EditId edit) const {
     return left_.at(edit).scene;
@@ -103,6 +104,11 @@ class LabRuns : public QObject {
   Worker::EditId cut(Worker::EditId again = 0);
   // Back to the moment that this edit first left, which is shown at once. The document has the start of then.
   void return_to(Worker::EditId edit);
+  // A run as a step of undo, entered at the newest moment: taken back to there, and made again as it was.
+  struct Entered;
+  [[nodiscard]] std::shared_ptr<Entered> enter() const;
+  void take_back(Entered& run);
+  void make_again(const Entered& run);
   // Begins with other methods than the document has so far, as an edit that can be undone.
   Worker::EditId begin_with(const Methods& methods, const std::vector<Curve>& curves);
   // An edit of the scene and of methods (of these runs), as a part of the last edit if `part_of` names it.
@@ -147,6 +153,8 @@ class LabRuns : public QObject {
   void poll();
   void take_news(const Frames& news);
   void show_start();
+  void show_again(const Frames& frames, const std::shared_ptr<const Scene>& scene,
+                  const std::optional<Playhead>& playhead);
   // The playhead.
   [[nodiscard]] bool has_record() const;
   void seek(const PastMoment& moment, std::optional<double> impact = std::nullopt);
@@ -161,8 +169,6 @@ class LabRuns : public QObject {
   [[nodiscard]] const MetStop* stop_until(double time) const;
   void show_speeds(const Frames& frames);
   [[nodiscard]] std::shared_ptr<const Frame> with_impacts(const Frame& frame, std::size_t run) const;
-  // Whether the next step would pass the document's duration.
-  [[nodiscard]] bool at_end() const;
 
   const Document& document_;
   Worker worker_;
@@ -182,6 +188,15 @@ class LabRuns : public QObject {
   std::function<void()> then_;
   QString waits_;
   QTimer timer_;
+};
+
+struct LabRuns::Entered {
+  double time = 0.0;  // s
+  // What was shown; no frames: those of the start were not known yet.
+  Frames frames{};
+  std::shared_ptr<const Scene> scene{};
+  std::optional<Playhead> playhead{};
+  Worker::EditId kept = 0;  // the runs, once it is taken back
 };
 
 }  // namespace carom

@@ -235,7 +235,7 @@ void LabWindow::set_playing(bool playing) {
     return show_notices();
   }
   if (playing) forget_refusal();
-  session_.runs().set_playing(playing);
+  session_.set_playing(playing);
 }
 
 void LabWindow::compare_usual() {

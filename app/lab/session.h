@@ -77,7 +77,11 @@ class Session : public QObject {
   // undone. All other edits of a run there do this first.
   void go_on_from_here();
 
-  // --- starts (session_starts.cpp)
+  // --- runs and starts (session_starts.cpp)
+  // Plays or pauses; from the end of the run again from the start. A run is one step of undo, entered here
+  // where the last step is none: taken back, the runs stand where they stood before.
+  void set_playing(bool playing);
+  void play_on();  // without an end
   // Ends the run and stops at the start, as one step of undo.
   void restart();
   // A start since the document was opened. Each but the present one is gone to as one step of undo.
@@ -121,6 +125,7 @@ class Session : public QObject {
   [[nodiscard]] const DocumentEdit* last_edit() const;
   void take_times_of_edits();
   void check_modified();
+  void enter_run();
   void leave_start(const QString& text, const Start& start);
   [[nodiscard]] bool goes_on_with_new_start(int drag) const;
   void name_new_start(double time, const SceneEdits& edits, const QString& by, DocumentChange& change,

@@ -72,6 +72,10 @@ DocumentChange Session::assign(const DocumentChange& change, bool begins) {
 }
 
 DocumentChange Session::take_back(const DocumentChange& change, const DocumentEdit::What& what) {
+  if (what.run != nullptr) {
+    runs_.take_back(*what.run);
+    return {};
+  }
   // What was done to the runs that a cut left is in these alone.
   if (what.left != 0 && what.cuts && !what.begins && what.runs != 0) runs_.undo_or_redo(what.runs);
   DocumentChange forth = what.left == 0 ? go_to(change, what) : assign(change, true);
@@ -84,6 +88,10 @@ DocumentChange Session::take_back(const DocumentChange& change, const DocumentEd
 }
 
 DocumentChange Session::make_again(const DocumentChange& change, const DocumentEdit::What& what) {
+  if (what.run != nullptr) {
+    runs_.make_again(*what.run);
+    return {};
+  }
   if (what.cuts && !what.begins) {
     runs_.cut(what.left);
   } else if (what.left != 0) {

@@ -6,7 +6,8 @@
 #include "physics/preset/preset_file.h"
 #include "physics/scene/fingerprint.h"
 
-// The starts of a session: back to the present one, to the first, to any since the document was opened.
+// The runs of a session as steps of undo, and its starts: back to the present one, to the first, to any since
+// the document was opened.
 namespace carom {
 namespace {
 
@@ -31,6 +32,26 @@ void add_known(std::vector<Session::KnownStart>& known, const Session::KnownStar
 }
 
 }  // namespace
+
+void Session::set_playing(bool playing) {
+  if (playing && !runs_.replayed()) {
+    if (!runs_.in_past() && runs_.at_end() && !runs_.at_start()) restart();
+    enter_run();
+  }
+  runs_.set_playing(playing);
+}
+
+void Session::play_on() {
+  enter_run();
+  runs_.play_on();
+}
+
+void Session::enter_run() {
+  const DocumentEdit* last = last_edit();
+  if (last != nullptr && last->what().run != nullptr) return;
+  const auto run = runs_.enter();
+  push({.text = tr("Run from %1 s").arg(run->time, 0, 'f', 3), .is_work = false, .run = run}, {});
+}
 
 void Session::restart() {
   if (!runs_.have_begun()) return runs_.restart();

@@ -35,17 +35,17 @@ void RunGroup::interrupt() {
   past_.clear();
 }
 
-void RunGroup::keep_runs(EditId edit, Frames untaken) {
+void RunGroup::keep_runs(EditId edit, Frames untaken, bool taken_back) {
   const double time = interrupted_ ? interrupted_at_ : displayed_time();
   if (!kept_.contains(edit)) {
     // Edits that are taken back can't be made again after a new one.
-    std::erase_if(kept_, [](const auto& each) { return each.second.returned; });
+    if (!taken_back) std::erase_if(kept_, [](const auto& each) { return each.second.returned; });
     kept_[edit] = {.preset = preset_, .plan = plan(), .time = time};
     if (runs_.empty()) kept_[edit].plan.runs = plans_of(preset_);  // they could not begin
   }
   const auto made = kept_.find(edit);
   Kept& kept = made->second;
-  kept.returned = false;
+  kept.returned = taken_back;
   if (!interrupted_ && kept.plan.start == start_ && kept.time == time) {
     kept.runs = std::exchange(runs_, {});
     kept.untaken = std::move(untaken);

@@ -49,8 +49,9 @@ class RunGroup {
   static constexpr std::ptrdiff_t kMostKept = 3;
   using Frames = std::vector<std::shared_ptr<Frame>>;
   // Puts the runs aside as they stand, for the edit that leaves them, with their frames that nobody has taken;
-  // begin() or return_to() follows. An edit that is made again keeps the moment that it first left.
-  void keep_runs(EditId edit, Frames untaken);
+  // begin(), return_to() or cut() follows. An edit that is made again keeps the moment that it first left.
+  // `taken_back`: they are kept for an edit that is taken back, until a new edit follows.
+  void keep_runs(EditId edit, Frames untaken, bool taken_back = false);
   // The kept runs, instead of begin(): at the moment that the edit left, or on the way there (replay_until).
   // Returns their frames that nobody has taken.
   [[nodiscard]] Frames return_to(EditId edit, const std::vector<Curve>& curves, ReferenceId reference,

@@ -144,16 +144,16 @@ Worker::EditId Worker::restart(const Preset& start, const std::vector<Curve>& cu
   return edit;
 }
 
-Worker::EditId Worker::keep_runs(EditId again) {
+Worker::EditId Worker::keep_runs(EditId again, bool taken_back) {
   const EditId edit = again != 0 ? again : ++edits_;
   post(
-      [this, edit](Session& session) {
+      [=, this](Session& session) {
         RunGroup::Frames untaken;
         {
           const std::lock_guard lock(mutex_);
           untaken = std::exchange(newest_, {});
         }
-        session.runs.keep_runs(edit, std::move(untaken));
+        session.runs.keep_runs(edit, std::move(untaken), taken_back);
         session.playing = session.changed = false;
       },
       Command::When::kAtOnce);

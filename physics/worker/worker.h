@@ -55,9 +55,11 @@ class Worker {
   void start_from(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference);
   // The same as an edit of the runs.
   EditId restart(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference);
-  // Keeps the runs as they stand, for the edit that leaves them: start_from() follows. `again`: the edit is
-  // made again, and the moment that it first left is the one to return to.
-  EditId keep_runs(EditId again = 0);
+  // Keeps the runs as they stand, for the edit that leaves them: start_from() or cut() follows. `again`: the
+  // edit is made again, and the moment that it first left is the one to return to.
+  EditId keep_runs(EditId again = 0) { return keep_runs(again, false); }
+  // The same for an edit that is taken back, until a new one follows.
+  EditId keep_taken_back() { return keep_runs(0, true); }
   // Back to the moment that this edit first left, stopped. Runs that are kept no more are replayed up to there.
   void return_to(EditId edit, const std::vector<Curve>& curves, ReferenceId reference);
   // Goes on from this earlier moment (s) of the runs that keep_runs() has just kept for the edit, stopped. What
@@ -126,6 +128,7 @@ class Worker {
   EditId post_edit(const std::function<void(RunGroup&, EditId)>& command, EditId part_of = 0);
   // Interrupts the step under way. The command begins all runs, which then stand still.
   void post_begin(const std::function<void(Session&, const std::stop_token&)>& command);
+  EditId keep_runs(EditId again, bool taken_back);
   void work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,
             std::stop_token interrupt);
   void wait_for_work(const std::stop_token& stop, const Session& session, std::vector<Command>& commands);

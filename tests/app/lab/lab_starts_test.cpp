@@ -51,6 +51,27 @@ TEST_F(LabStartsTest, AStrayRestartIsTakenBack) {
   EXPECT_EQ(window_.frame()->state.q, before.q);
 }
 
+// Restart, run, mass and run: each is taken back by one Ctrl+Z.
+TEST_F(LabStartsTest, RunsAndEditsInThemAreTakenBackOneByOne) {
+  const double last = time();
+  Body light = now(name_);
+  light.mass = 2.0;
+  window_.session().edit({Replace<Body>{light}}, "Mass");
+  ASSERT_TRUE(wait_for([&] { return now(name_).mass == 2.0; }));
+  key(Qt::Key_Space);
+  ASSERT_TRUE(wait_for([&] { return time() > last && !window_.frame()->playing; })) << "to its end";
+  EXPECT_EQ(undo_text(), "Run from 0.800 s");
+  key(Qt::Key_R);
+  ASSERT_TRUE(wait_for([this] { return time() == 0.0; }));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(wait_for([&] { return time() > last; }));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(wait_for([&] { return std::abs(time() - last) < 1e-9 && now(name_).mass == 2.0; }));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(wait_for([&] { return now(name_).mass == 1.0; }));
+  EXPECT_FALSE(window_.isWindowModified());
+}
+
 TEST_F(LabStartsTest, RGoesToTheNewestStartAndCtrlRToTheFirst) {
   const Vec2 opened = window_.preset().scene.bodies[0].position;
   make_new_start();
