@@ -299,7 +299,8 @@ void LabRuns::take_back(Entered& run) {
   show_again(run.frames, run.scene, run.playhead);
   begins_ = run.frames.empty();
   worker_.cut(run.kept, run.time, document_.preset.edits);
-  emit framesChanged();
+  // Play may have been pressed before the first frame came: the next one shows the start.
+  if (!frames_.empty()) emit framesChanged();
 }
 
 void LabRuns::make_again(const Entered& run) { return_to(run.kept); }
