@@ -52,9 +52,10 @@ void SceneTools::draw_at(SceneTool tool, const QPointF& at) {
 
 void SceneTools::draw() {
   if (joint_tool(tool_) != nullptr) return end_link();
-  const ShapeTool& tool = *shape_tool(tool_);
-  if (tool.by_corners) return set_corner();
-  add(tool.drag(stroke()));
+  const ShapeTool* tool = shape_tool(tool_);
+  if (tool == nullptr) return;  // laid down during the drag
+  if (tool->by_corners) return set_corner();
+  add(tool->drag(stroke()));
 }
 
 // --- corner by corner
