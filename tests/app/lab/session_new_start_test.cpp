@@ -20,14 +20,7 @@ TEST_F(SessionNewStartTest, UndoReturnsToTheMomentOfTheRun) {
   drag("disc 2", 1);
   const Shown after = shown();
   run_to(0.3);
-  for (int round = 0; round < 2; ++round) {
-    session_.edits().undo();
-    EXPECT_EQ(session_.runs().frame()->time, before.runs[0].time) << "shown at once";
-    settle();
-    expect_same(shown(), before);
-    redo();
-    expect_same(shown(), after);
-  }
+  expect_undo_and_redo(before, after);
   // The run that was returned to goes on as if nothing had been.
   undo();
   run_to(1.5);

@@ -71,6 +71,17 @@ class SessionRecordTest : public SessionEditTest {
     ASSERT_EQ(refused_, "");
     ASSERT_EQ(session_.runs().frame()->time, 0.0);
   }
+  // Twice there and back, at the moment before at once.
+  void expect_undo_and_redo(const Shown& before, const Shown& after) {
+    for (int round = 0; round < 2; ++round) {
+      session_.edits().undo();
+      EXPECT_EQ(session_.runs().frame()->time, before.runs[0].time) << "shown at once";
+      settle();
+      expect_same(shown(), before);
+      redo();
+      expect_same(shown(), after);
+    }
+  }
   [[nodiscard]] Shown shown() const {
     Shown all{document(), {}};
     const auto& frames = session_.runs().frames();

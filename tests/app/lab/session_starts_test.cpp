@@ -53,14 +53,7 @@ TEST_F(SessionStartsTest, ARestartIsAStepThatBringsTheWholeRunBack) {
   EXPECT_FALSE(session_.modified());
   EXPECT_EQ(session_.runs().frame()->time, 0.0);
   const Shown after = shown();
-  for (int round = 0; round < 2; ++round) {
-    session_.edits().undo();
-    EXPECT_EQ(session_.runs().frame()->time, before.runs[0].time) << "shown at once";
-    settle();
-    expect_same(shown(), before);
-    redo();
-    expect_same(shown(), after);
-  }
+  expect_undo_and_redo(before, after);
 }
 
 TEST_F(SessionStartsTest, WhereNothingHasRunARestartIsNoStep) {
