@@ -175,5 +175,16 @@ TEST_F(SessionRunStepsTest, ARunFromAMomentOfTheRecord) {
   expect_same(back, ended);
 }
 
+TEST_F(SessionRunStepsTest, ARunThatBeganBeforeItsFirstFrameIsTakenBack) {
+  const Preset preset = gas();
+  session_.open(preset, preset.plots, {}, {}, {});
+  ASSERT_TRUE(session_.runs().newest().empty());
+  session_.set_playing(true);
+  session_.edits().undo();
+  settle();
+  EXPECT_EQ(session_.runs().frame()->time, 0.0);
+  EXPECT_EQ(session_.edits().index(), 0);
+}
+
 }  // namespace
 }  // namespace carom

@@ -59,6 +59,15 @@ TEST_F(ShapeToolsTest, AClickDrawsWhatCanBeSeen) {
   EXPECT_TRUE(near(size(), {0.02, 0.02}));
 }
 
+TEST_F(ShapeToolsTest, AToolThatIsLaidDownInItsDragDrawsNothing) {
+  view_.set_tool(SceneTool::kBox);
+  press(empty_);
+  move(empty_ + QPoint(40, 30));
+  view_.set_tool(SceneTool::kSelect);
+  release(empty_ + QPoint(40, 30));
+  EXPECT_TRUE(told_.empty());
+}
+
 TEST_F(ShapeToolsTest, ADragDrawsABoxFromCornerToCorner) {
   view_.set_tool(SceneTool::kBox, true);
   drag(QPoint(302, 62), QPoint(253, 95));
