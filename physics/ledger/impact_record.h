@@ -26,6 +26,11 @@ struct ImpactRecord {
   double lost_to_sticking = 0.0;
 };
 
+// J: the kinetic energy that the impact took in all.
+[[nodiscard]] inline double lost_energy(const ImpactRecord& impact) {
+  return impact.lost_to_restitution + impact.lost_to_friction + impact.lost_to_sticking;
+}
+
 // State before and after one recorded impact, and its ledger entry.
 struct Jump {
   double time = 0.0;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "widgets/scene/drawing_forces.h"
+#include "widgets/scene/drawing_impacts.h"
 #include "widgets/scene/drawing_joints.h"
 #include "widgets/scene/drawing_others.h"
 #include "widgets/scene/drawing_shapes.h"
@@ -19,7 +20,6 @@ constexpr double kLongestInCrowd = 1.5;       // of the mean distance of bodies 
 constexpr double kLeastNamedRadius = 6.0;     // px
 constexpr double kLeastOrientedRadius = 4.0;  // px
 constexpr double kNameDrop = 3.0;             // px below the body
-constexpr double kContactDot = 5.0;           // px
 constexpr double kPointRadius = 2.0;          // px, of the dot that shows a body too small to be seen
 constexpr double kThinWall = 3.0;             // px
 
@@ -52,7 +52,7 @@ class Builder {
     if (in_.options.forces) add_applied_forces(in_, seen_, out_);
     if (in_.options.contacts) {
       add_contact_forces(in_, seen_, out_);
-      add_impacts();
+      add_impacts(in_, seen_, out_);
     }
   }
 
@@ -132,35 +132,10 @@ class Builder {
   void add_velocities() {
     for (int i = 0; i < count(); ++i) {
       if (!fixed(i)) {
-        add_arrow(in_.frame.state.position(i), in_.frame.state.velocity(i) * in_.arrows.seconds,
-                  in_.theme.series[0]);
+        const Vec2 along = in_.frame.state.velocity(i) * in_.arrows.seconds;
+        add_arrow(in_, seen_, {in_.frame.state.position(i), along, in_.theme.series[0]}, out_);
       }
     }
-  }
-
-  // The normal impulse on each moving body of an impact, pointing away from the contact point.
-  void add_impacts() {
-    for (const ImpactRecord& impact : in_.impacts) {
-      const double age = in_.frame.time - impact.time;
-      if (age < 0.0 || age >= kImpactShown) continue;
-      if (impact.a < 0 || impact.b < 0 || impact.a >= count() || impact.b >= count()) continue;
-      QColor color = in_.theme.series[1];
-      color.setAlphaF(static_cast<float>(1.0 - age / kImpactShown));
-      const Vec2 push = impact.normal * (impact.normal_impulse * in_.arrows.metres_per_impulse);
-      bool shown = false;
-      if (free(impact.a)) shown = add_arrow(impact.point, -push, color) || shown;
-      if (free(impact.b)) shown = add_arrow(impact.point, push, color) || shown;
-      if (shown) {
-        out_.segments.push_back({impact.point, impact.point, color, kContactDot * in_.options.line_scale});
-      }
-    }
-  }
-
-  bool add_arrow(const Vec2& from, const Vec2& along, const QColor& color) {
-    const double length = along.norm();
-    if (!(length * in_.camera.scale >= kLeastArrow) || !seen_.meets(from, length)) return false;
-    out_.arrows.push_back({from, from + along, color, kArrowWidth * in_.options.line_scale});
-    return true;
   }
 
   const DrawingInput& in_;
@@ -181,6 +156,7 @@ void Drawing::clear() {
   segments.clear();
   arrows.clear();
   labels.clear();
+  marks.clear();
   force_key = {};
 }
 
@@ -218,6 +194,14 @@ ArrowScale arrow_scale(const Peaks& peaks, double side) {
   const double force = std::max(peaks.force, peaks.contact_force);
   if (force > 0.0) scale.metres_per_newton = step_not_above(longest / force);
   return scale;
+}
+
+bool add_arrow(const DrawingInput& in, const WorldRect& seen, const NewArrow& arrow, Drawing& out) {
+  const double length = arrow.along.norm();
+  if (!(length * in.camera.scale >= kLeastArrow) || !seen.meets(arrow.from, length)) return false;
+  out.arrows.push_back(
+      {arrow.from, arrow.from + arrow.along, arrow.color, kArrowWidth * in.options.line_scale});
+  return true;
 }
 
 Drawing make_drawing(const DrawingInput& input, Drawing reuse) {

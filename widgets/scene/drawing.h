@@ -79,6 +79,7 @@ struct Drawing {
   std::vector<SegmentItem> segments;
   std::vector<ArrowItem> arrows;
   std::vector<LabelItem> labels;
+  std::vector<ImpactRecord> marks;  // impacts that are drawn, for the mouse
   ForceKey force_key;
   double outline = 1.5;   // px, of bodies
   double text_size = 11;  // px
@@ -147,6 +148,15 @@ struct DrawingInput {
   std::span<const std::shared_ptr<const Frame>> others =
       {};  // drawn as outlines, in the colours of the runs after the first
 };
+
+// An arrow from a point of the world.
+struct NewArrow {
+  Vec2 from;
+  Vec2 along;  // m
+  QColor color;
+};
+// Adds it if it is in view and not too short; false: it is left out.
+bool add_arrow(const DrawingInput& input, const WorldRect& seen, const NewArrow& arrow, Drawing& out);
 
 // Builds the list of what the camera sees, reusing the memory of `reuse`.
 [[nodiscard]] Drawing make_drawing(const DrawingInput& input, Drawing reuse = {});

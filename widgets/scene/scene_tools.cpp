@@ -8,6 +8,7 @@
 #include "physics/math/vectors.h"
 #include "widgets/scene/drag_limits.h"
 #include "widgets/scene/hit.h"
+#include "widgets/scene/impact_marks.h"
 
 namespace carom {
 namespace {
@@ -336,8 +337,18 @@ void SceneTools::release(const QPointF& at, Qt::KeyboardModifiers keys) {
   emit changed();
 }
 
+std::optional<ImpactRecord> SceneTools::mark_under(const QPointF& at) const {
+  const SceneSight sight = sight_();
+  if (tool_ != SceneTool::kSelect || !sight.frame || sight.frame->playing) return std::nullopt;
+  const std::optional<Grab> grab = grab_at(at);
+  if (grab && grab->kind != HandleKind::kBody) return std::nullopt;
+  return impact_at(sight.marks, sight.camera, at);
+}
+
 void SceneTools::click(Qt::KeyboardModifiers keys) {
   const bool shift = keys.testFlag(Qt::ShiftModifier);
+  const std::optional<ImpactRecord> mark = shift ? std::nullopt : mark_under(press_);
+  if (mark) return emit impactChosen(mark->time);
   if (const auto part = part_under(press_)) return choose(part);
   if (grab_ && grab_->kind == HandleKind::kBody) {
     Selection next = selection_;
@@ -391,6 +402,7 @@ void SceneTools::select_band(Qt::KeyboardModifiers keys) {
 Qt::CursorShape SceneTools::cursor(const QPointF& at) const {
   if (state_ == State::kDrag && grab_->kind == HandleKind::kBody) return Qt::ClosedHandCursor;
   if (state_ == State::kNone ? end_under(at) : end_) return Qt::PointingHandCursor;
+  if (state_ == State::kNone && mark_under(at)) return Qt::PointingHandCursor;
   const std::optional<Grab> grab = state_ == State::kNone ? grab_at(at) : grab_;
   if (!grab) return tool_ != SceneTool::kSelect ? Qt::CrossCursor : Qt::ArrowCursor;
   switch (grab->kind) {

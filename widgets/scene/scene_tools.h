@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -39,11 +40,12 @@ inline constexpr double kDragBegins = 4.0;
 struct SceneSight {
   std::shared_ptr<const Frame> frame;
   Camera camera;
-  double arrow_seconds = 0.1;      // m of arrow per m/s
-  double metres_per_newton = 0.1;  // of arrow
-  bool grid = true;                // is drawn
-  bool velocities = true;          // are drawn
-  bool forces_shown = false;       // so that the scale of their arrows is one to keep to
+  double arrow_seconds = 0.1;             // m of arrow per m/s
+  double metres_per_newton = 0.1;         // of arrow
+  bool grid = true;                       // is drawn
+  bool velocities = true;                 // are drawn
+  bool forces_shown = false;              // so that the scale of their arrows is one to keep to
+  std::span<const ImpactRecord> marks{};  // of impacts
 };
 
 // Draws, selects and edits bodies by mouse and keys. It changes nothing itself: signals say what is wanted, and
@@ -131,7 +133,8 @@ class SceneTools : public QObject {
 
  signals:
   void selectionChanged(const std::vector<std::string>& names);
-  void partChosen();  // part() is another one
+  void partChosen();               // part() is another one
+  void impactChosen(double time);  // s, by its mark
   void edited(const carom::SceneEdits& edits, const QString& name, int drag);
   void dragCancelled(int drag);
   void renameRequested();  // of the selected body
@@ -225,6 +228,8 @@ class SceneTools : public QObject {
   void join(const LinkEnds& ends);
   void join_selected();
   void show_joining(Overlay& out) const;
+  // The impact to whose moment a click goes: while the run is paused.
+  [[nodiscard]] std::optional<ImpactRecord> mark_under(const QPointF& at) const;
   [[nodiscard]] std::optional<PartId> part_under(const QPointF& at) const;
   void show_part(Overlay& out) const;
   [[nodiscard]] std::optional<std::size_t> end_under(const QPointF& at) const;  // of the chosen part

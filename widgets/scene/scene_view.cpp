@@ -6,17 +6,14 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "widgets/print/picture_file.h"
-#include "widgets/scene/body_text.h"
 #include "widgets/scene/force_tool.h"
 #include "widgets/scene/gl_canvas.h"
-#include "widgets/scene/hit.h"
 #include "widgets/scene/paint_drawing.h"
 #include "widgets/scene/scene_parts.h"
 #include "widgets/scene/value_bubble.h"
@@ -52,6 +49,7 @@ SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
   tools_ = new SceneTools([this] { return sight(); }, this);
   connect(tools_, &SceneTools::selectionChanged, this, &SceneView::selectionChanged);
   connect(tools_, &SceneTools::partChosen, this, &SceneView::partChosen);
+  connect(tools_, &SceneTools::impactChosen, this, &SceneView::impactChosen);
   connect(tools_, &SceneTools::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
     held_camera_ = true;
     hold_arrows(edits);
@@ -104,7 +102,7 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame, OtherRuns others) 
   follow_.observe(*frame_, picture_.camera);
   tell_follow();
   refresh();
-  follow_tip();
+  tip_.follow(sight());
 }
 
 void SceneView::clear() {
@@ -114,7 +112,7 @@ void SceneView::clear() {
   peaks_ = {};
   tools_->frame_changed();
   refresh();
-  follow_tip();
+  tip_.follow(sight());
 }
 
 void SceneView::set_options(const DrawingOptions& options) {
@@ -290,7 +288,8 @@ SceneSight SceneView::sight() const {
           .metres_per_newton = scale.metres_per_newton,
           .grid = options_.grid,
           .velocities = options_.velocities,
-          .forces_shown = shows_forces()};
+          .forces_shown = shows_forces(),
+          .marks = picture_.drawing.marks};
 }
 
 SceneLook SceneView::look() const { return {picture_.camera, home_side_, options_, picture_.theme, peaks_}; }
@@ -317,10 +316,6 @@ QImage SceneView::picture() const {
   return image;
 }
 
-int SceneView::body_under(const QPointF& position) const {
-  return frame_ ? body_at(*frame_, picture_.camera, position) : -1;
-}
-
 bool SceneView::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     // The tools' keys come before the window's.
@@ -328,26 +323,8 @@ bool SceneView::event(QEvent* event) {
     if (tools_->takes(key->key(), key->modifiers() & ~Qt::KeypadModifier)) event->accept();
   }
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
-  const auto* help = static_cast<QHelpEvent*>(event);
-  tip_body_ = press_ == Press::kNone ? body_under(help->pos()) : -1;
-  tip_at_ = help->pos();
-  if (tip_body_ >= 0) {
-    QToolTip::showText(help->globalPos(), body_text(*frame_, tip_body_), this);
-  } else {
-    QToolTip::hideText();
-  }
+  tip_.show(*static_cast<QHelpEvent*>(event), sight(), press_ != Press::kNone);
   return true;
-}
-
-void SceneView::follow_tip() {
-  if (tip_body_ < 0) return;
-  const bool shown = QToolTip::isVisible() && underMouse();
-  if (shown && body_under(tip_at_) == tip_body_) {
-    QToolTip::showText(mapToGlobal(tip_at_), body_text(*frame_, tip_body_), this);
-  } else {
-    if (shown) QToolTip::hideText();
-    tip_body_ = -1;
-  }
 }
 
 void SceneView::resizeEvent(QResizeEvent*) {

@@ -13,6 +13,7 @@
 #include "widgets/scene/follow.h"
 #include "widgets/scene/qpainter_canvas.h"
 #include "widgets/scene/scene_export.h"
+#include "widgets/scene/scene_tip.h"
 #include "widgets/scene/scene_tools.h"
 
 namespace carom {
@@ -95,7 +96,8 @@ class SceneView : public QWidget {
 
  signals:
   void selectionChanged(const std::vector<std::string>& names);
-  void partChosen();  // part() is another one
+  void partChosen();               // part() is another one
+  void impactChosen(double time);  // s, by its mark
   // For what is selected or chosen, else for the empty space at this place of the widget.
   void menuRequested(const QPoint& at);
   void renameRequested();  // of the selected body
@@ -149,8 +151,6 @@ class SceneView : public QWidget {
   void place_typing();
   [[nodiscard]] bool on_bubble(const QPointF& at) const;  // whose value a click edits
   void show_cursor(const QPointF& at);
-  [[nodiscard]] int body_under(const QPointF& position) const;
-  void follow_tip();  // updates the visible tooltip, or hides it if its body is gone
 
   Picture picture_;
   DrawingOptions options_;
@@ -177,8 +177,7 @@ class SceneView : public QWidget {
   Qt::MouseButton button_ = Qt::NoButton;
   QPointF press_at_;
   QPointF last_at_;
-  int tip_body_ = -1;  // the body of the tooltip
-  QPoint tip_at_;
+  SceneTip tip_{this};
 };
 
 }  // namespace carom
