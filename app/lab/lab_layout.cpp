@@ -224,6 +224,7 @@ void LabWindow::connect_timeline() {
   });
   connect(impacts_, &ImpactsTable::impactChosen, &runs, &LabRuns::go_to_impact);
   connect(view_, &SceneView::impactChosen, &runs, &LabRuns::go_to_impact);
+  connect(plots_, &PlotPanel::impactChosen, &runs, &LabRuns::go_to_impact);
   connect(before_after_, &BeforeAfterPanel::impactAsked, &runs, &LabRuns::go_by_impact);
   connect(before_after_, &BeforeAfterPanel::choiceChanged, this, &LabWindow::show_frame);
   connect(impacts_, &QTableView::doubleClicked, this, [this] {

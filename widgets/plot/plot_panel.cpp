@@ -325,6 +325,10 @@ void PlotPanel::connect_plot(RunPlot* plot) {
     schedule();
   });
   connect(plot, &RunPlot::timeClicked, this, &PlotPanel::set_mark);
+  connect(plot, &RunPlot::impactClicked, this, [this](double time) {
+    before_mark_.reset();
+    emit impactChosen(time);
+  });
 }
 
 void PlotPanel::set_mark(double time, bool second) {

@@ -25,7 +25,8 @@ class RunsLegend;
 // The plots of a run, one above the other over one time axis. Wheel: zoom in time about the cursor; with Ctrl:
 // zoom that plot's values; Ctrl and a drag: zoom to a box; drag: move; double click or Ctrl+Home: back to
 // showing everything. While zoomed the axes do not move. Click and Shift+click: marks A and B; the arrow keys
-// move A, with Shift B, by one record; Escape removes both. A right click opens the menu of plots.
+// move A, with Shift B, by one record; Escape removes both. A click on an impact chooses it. A right click
+// opens the menu of plots.
 class PlotPanel : public QWidget {
   Q_OBJECT
 
@@ -78,6 +79,7 @@ class PlotPanel : public QWidget {
   void layoutChanged();
   // The user moved a mark or changed the visible time.
   void marksChanged();
+  void impactChosen(double time);  // s, of a recorded impact, by its mark
   void pictureAsked(carom::RunPlot* plot);  // to be saved
   void dataAsked(carom::RunPlot* plot);
   void dataCopyAsked(carom::RunPlot* plot, bool shown);  // shown: only the visible time

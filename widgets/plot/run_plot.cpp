@@ -25,6 +25,7 @@
 #include "widgets/plot/legend_row.h"
 #include "widgets/plot/plot_axes.h"
 #include "widgets/plot/plot_gestures.h"
+#include "widgets/plot/plot_impacts.h"
 #include "widgets/plot/plot_notes.h"
 #include "widgets/plot/plot_scale.h"
 #include "widgets/plot/plot_theories.h"
@@ -116,7 +117,8 @@ void RunPlot::build_plot() {
   canvas->setToolTip(
       tr("Wheel: zoom in time. Ctrl+wheel: zoom the values. Ctrl+drag: zoom to a box.\n"
          "Drag: move. Double click or Ctrl+Home: show all again.\n"
-         "Click: mark A, with Shift: mark B; the Reading tab shows the values there and between."));
+         "Click: mark A, with Shift: mark B; the Reading tab shows the values there and between.\n"
+         "Click on an impact: goes to its moment."));
   axes_ = std::make_unique<PlotAxes>(plot_, over_time() ? "s" : content_.x_unit, content_.plot.logarithmic);
 
   grid_ = std::make_unique<QwtPlotGrid>();
@@ -166,7 +168,7 @@ void RunPlot::build_plot() {
   connect(gestures, &PlotGestures::resetAsked, this, &RunPlot::resetAsked);
   connect(gestures, &PlotGestures::hovered, this, &RunPlot::hover);
   connect(gestures, &PlotGestures::clicked, this, [this](const QPointF& at, Qt::KeyboardModifiers modifiers) {
-    if (over_time()) emit timeClicked(snapped(at.x()), modifiers.testFlag(Qt::ShiftModifier));
+    click(at, modifiers.testFlag(Qt::ShiftModifier));
   });
 }
 
@@ -380,7 +382,24 @@ void RunPlot::set_chip_visible(bool visible) { chip_->setVisible(visible); }
 
 void RunPlot::replot() { plot_->replot(); }
 
+// The first run's.
+std::optional<double> RunPlot::impact_at(const QPointF& at) const {
+  if (!over_time() || runs_.empty()) return std::nullopt;
+  const bool bars = std::any_of(content_.lines.begin(), content_.lines.end(),
+                                [](const PlotLine& line) { return !line.curve.has_value(); });
+  const QPointF pixel(plot_->transform(QwtAxis::XBottom, at.x()), plot_->transform(QwtAxis::YLeft, at.y()));
+  return impact_under(*plot_, *runs_.front().recorder, bars, pixel);
+}
+
+void RunPlot::click(const QPointF& at, bool second) {
+  if (!over_time()) return;
+  const std::optional<double> impact = second ? std::nullopt : impact_at(at);
+  if (impact) return emit impactClicked(*impact);
+  emit timeClicked(snapped(at.x()), second);
+}
+
 void RunPlot::hover(const std::optional<QPointF>& at) {
+  plot_->canvas()->setCursor(at && impact_at(*at) ? Qt::PointingHandCursor : Qt::CrossCursor);
   if (over_time()) {
     emit timeHovered(at ? std::optional(snapped(at->x())) : std::nullopt);
     return;

@@ -83,6 +83,7 @@ class RunPlot : public QFrame {
   void curvesChanged();  // a curve was shown or hidden
   void timeHovered(const std::optional<double>& time);
   void timeClicked(double time, bool second);  // second: with Shift
+  void impactClicked(double time);             // s, of a recorded impact
 
  private:
   struct Item {
@@ -105,6 +106,8 @@ class RunPlot : public QFrame {
   void build_plot();
   void show_readout();
   void hover(const std::optional<QPointF>& at);
+  void click(const QPointF& at, bool second);
+  [[nodiscard]] std::optional<double> impact_at(const QPointF& at) const;  // s; in the axes' units
   [[nodiscard]] const Series<1>* series_of(std::size_t line, std::size_t run) const;
 
   PlotContent content_;

@@ -1,4 +1,6 @@
 #include <QTableView>
+#include <qwt_axis.h>
+#include <qwt_plot.h>
 
 #include "app/lab/drawer.h"
 #include "tests/app/lab/lab_fixture.h"
@@ -128,6 +130,28 @@ TEST_F(LabPlayheadTest, AClickOnATickGoesToTheImpact) {
   QTest::mouseClick(timeline(), Qt::LeftButton, {}, at);
   ASSERT_TRUE(wait_there());
   EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1");
+}
+
+TEST_F(LabPlayheadTest, AClickOnItsMarkInSceneOrPlotGoesToTheImpact) {
+  runs().go_to(0.45);
+  ASSERT_TRUE(wait_there());
+  SceneView& scene = window_.scene_view();
+  ASSERT_EQ(scene.drawing().marks.size(), 1U);
+  const Vec2 mark = scene.drawing().marks.front().point;
+  QTest::mouseClick(&scene, Qt::LeftButton, {}, scene.camera().to_screen(mark).toPoint());
+  ASSERT_TRUE(wait_there());
+  EXPECT_EQ(chip("Impact at this moment")->text(), "impact 1 of 1");
+  ASSERT_TRUE(runs().picked());
+  runs().go_to(0.45);
+  ASSERT_TRUE(wait_there());
+  EXPECT_FALSE(runs().picked());
+  auto* plots = window_.findChild<PlotPanel*>();
+  plots->show_now();
+  QwtPlot* plot = plots->plots().front()->plot();
+  const QPoint at(qRound(plot->transform(QwtAxis::XBottom, 1.0 / 3.0)), 20);
+  QTest::mouseClick(plot->canvas(), Qt::LeftButton, {}, at);
+  ASSERT_TRUE(wait_there());
+  EXPECT_TRUE(runs().picked());
 }
 
 TEST_F(LabPlayheadTest, ATimeCanBeTyped) {
