@@ -214,14 +214,18 @@ void LabWindow::connect_views() {
 void LabWindow::connect_timeline() {
   LabRuns& runs = session_.runs();
   Timeline* timeline = &transport_->timeline();
-  connect(timeline, &Timeline::scrubBegan, this,
-          [this] { plays_after_scrub_ = frame() != nullptr && frame()->playing; });
+  const auto begin = [this] { plays_after_scrub_ = frame() != nullptr && frame()->playing; };
+  const auto end = [this] {
+    if (std::exchange(plays_after_scrub_, false)) session_.runs().set_playing(true);
+  };
+  connect(timeline, &Timeline::scrubBegan, this, begin);
   connect(timeline, &Timeline::scrubbed, &runs, &LabRuns::go_to);
+  connect(timeline, &Timeline::scrubEnded, this, end);
+  connect(plots_, &PlotPanel::scrubBegan, this, begin);
+  connect(plots_, &PlotPanel::scrubbed, &runs, &LabRuns::go_to);
+  connect(plots_, &PlotPanel::scrubEnded, this, end);
   connect(timeline, &Timeline::impactChosen, &runs, &LabRuns::go_to_impact);
   connect(timeline, &Timeline::impactAsked, &runs, &LabRuns::go_by_impact);
-  connect(timeline, &Timeline::scrubEnded, this, [this] {
-    if (std::exchange(plays_after_scrub_, false)) session_.runs().set_playing(true);
-  });
   connect(impacts_, &ImpactsTable::impactChosen, &runs, &LabRuns::go_to_impact);
   connect(view_, &SceneView::impactChosen, &runs, &LabRuns::go_to_impact);
   connect(plots_, &PlotPanel::impactChosen, &runs, &LabRuns::go_to_impact);

@@ -325,6 +325,9 @@ void PlotPanel::connect_plot(RunPlot* plot) {
     schedule();
   });
   connect(plot, &RunPlot::timeClicked, this, &PlotPanel::set_mark);
+  connect(plot, &RunPlot::scrubBegan, this, &PlotPanel::scrubBegan);
+  connect(plot, &RunPlot::scrubbed, this, &PlotPanel::scrubbed);
+  connect(plot, &RunPlot::scrubEnded, this, &PlotPanel::scrubEnded);
   connect(plot, &RunPlot::impactClicked, this, [this](double time) {
     before_mark_.reset();
     emit impactChosen(time);

@@ -80,6 +80,10 @@ class PlotPanel : public QWidget {
   // The user moved a mark or changed the visible time.
   void marksChanged();
   void impactChosen(double time);  // s, of a recorded impact, by its mark
+  // A drag of the head of the line at the shown moment.
+  void scrubBegan();
+  void scrubbed(double time);  // s
+  void scrubEnded();
   void pictureAsked(carom::RunPlot* plot);  // to be saved
   void dataAsked(carom::RunPlot* plot);
   void dataCopyAsked(carom::RunPlot* plot, bool shown);  // shown: only the visible time

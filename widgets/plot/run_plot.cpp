@@ -27,6 +27,7 @@
 #include "widgets/plot/plot_gestures.h"
 #include "widgets/plot/plot_impacts.h"
 #include "widgets/plot/plot_notes.h"
+#include "widgets/plot/plot_playhead.h"
 #include "widgets/plot/plot_scale.h"
 #include "widgets/plot/plot_theories.h"
 #include "widgets/plot/series_data.h"
@@ -132,11 +133,6 @@ void RunPlot::build_plot() {
   cursor_->setVisible(false);
   cursor_->attach(plot_);
 
-  playhead_ = std::make_unique<QwtPlotMarker>();
-  playhead_->setLineStyle(QwtPlotMarker::VLine);
-  playhead_->setVisible(false);
-  playhead_->attach(plot_);
-
   for (std::size_t i = 0; i < marks_.size(); ++i) {
     marks_[i] = std::make_unique<QwtPlotMarker>();
     marks_[i]->setLineStyle(QwtPlotMarker::VLine);
@@ -170,6 +166,10 @@ void RunPlot::build_plot() {
   connect(gestures, &PlotGestures::clicked, this, [this](const QPointF& at, Qt::KeyboardModifiers modifiers) {
     click(at, modifiers.testFlag(Qt::ShiftModifier));
   });
+  playhead_ = new PlotPlayhead(plot_);  // its head goes before the other gestures
+  connect(playhead_, &PlotPlayhead::scrubBegan, this, &RunPlot::scrubBegan);
+  connect(playhead_, &PlotPlayhead::scrubbed, this, &RunPlot::scrubbed);
+  connect(playhead_, &PlotPlayhead::scrubEnded, this, &RunPlot::scrubEnded);
 }
 
 void RunPlot::set_theme(const Theme& theme) {
@@ -177,7 +177,7 @@ void RunPlot::set_theme(const Theme& theme) {
   plot_->setCanvasBackground(theme.panel);
   grid_->setPen(theme.grid, 1.0);
   cursor_->setLinePen(theme.muted, 1.0, Qt::DashLine);
-  playhead_->setLinePen(theme.text, 1.0);
+  playhead_->set_color(theme.text);
   for (std::size_t i = 0; i < marks_.size(); ++i) {
     marks_[i]->setLinePen(theme.accent, 1.2);
     QwtText label(i == 0 ? "A" : "B");
@@ -330,8 +330,7 @@ void RunPlot::set_cursor(std::optional<double> time) {
 }
 
 void RunPlot::set_playhead(std::optional<double> time) {
-  playhead_->setVisible(time && over_time());
-  if (time) playhead_->setXValue(*time);
+  playhead_->set_time(over_time() ? time : std::nullopt);
 }
 
 void RunPlot::set_marks(std::optional<double> a, std::optional<double> b) {

@@ -28,6 +28,7 @@ class DecimatedSeries;
 class Distribution;
 class LegendButton;
 class PlotNotes;
+class PlotPlayhead;
 class PlotTheories;
 class ZoomBox;
 
@@ -50,7 +51,7 @@ class RunPlot : public QFrame {
   void set_cursor(std::optional<double> time);
   // The user's two marks, A and B.
   void set_marks(std::optional<double> a, std::optional<double> b);
-  // The moment that is shown, if it is not the newest one.
+  // A line at the moment that is shown, if it is not the newest one (s).
   void set_playhead(std::optional<double> time);
   void set_chip_visible(bool visible);
   void replot();
@@ -84,6 +85,10 @@ class RunPlot : public QFrame {
   void timeHovered(const std::optional<double>& time);
   void timeClicked(double time, bool second);  // second: with Shift
   void impactClicked(double time);             // s, of a recorded impact
+  // A drag of the head of the line at the shown moment.
+  void scrubBegan();
+  void scrubbed(double time);  // s
+  void scrubEnded();
 
  private:
   struct Item {
@@ -123,7 +128,7 @@ class RunPlot : public QFrame {
   QLabel* readout_ = nullptr;
   std::unique_ptr<QwtPlotGrid> grid_;
   std::unique_ptr<QwtPlotMarker> cursor_;
-  std::unique_ptr<QwtPlotMarker> playhead_;
+  PlotPlayhead* playhead_ = nullptr;
   std::array<std::unique_ptr<QwtPlotMarker>, 2> marks_;
   std::vector<Line> lines_;
   std::unique_ptr<PlotTheories> theories_;

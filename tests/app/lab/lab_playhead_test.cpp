@@ -154,6 +154,34 @@ TEST_F(LabPlayheadTest, AClickOnItsMarkInSceneOrPlotGoesToTheImpact) {
   EXPECT_TRUE(runs().picked());
 }
 
+TEST_F(LabPlayheadTest, TheHeadOfThePlotsLineScrubs) {
+  auto* plots = window_.findChild<PlotPanel*>();
+  QwtPlot* plot = plots->plots().front()->plot();
+  const auto drag = [&](double from, double to, Qt::KeyboardModifiers held = {}) {
+    plots->show_now();
+    const auto at = [&](double t) { return QPoint(qRound(plot->transform(QwtAxis::XBottom, t)), 4); };
+    QTest::mousePress(plot->canvas(), Qt::LeftButton, held, at(from));
+    QMouseEvent move(QEvent::MouseMove, at(to), plot->canvas()->mapToGlobal(QPointF(at(to))), Qt::NoButton,
+                     Qt::LeftButton, held);
+    QApplication::sendEvent(plot->canvas(), &move);
+    QTest::mouseRelease(plot->canvas(), Qt::LeftButton, held, at(to));
+    ASSERT_TRUE(wait_there());
+  };
+  runs().go_to(0.7);
+  ASSERT_TRUE(wait_there());
+  const QwtInterval range = plots->plots().front()->time_range();
+  drag(time(), 0.5);
+  EXPECT_NEAR(time(), 0.5, 0.012);
+  expect_step(steps());
+  EXPECT_EQ(plots->plots().front()->time_range(), range) << "the plot stays";
+  EXPECT_FALSE(plots->marks().a);
+  const double before = time();
+  drag(before, before + 0.2, Qt::ShiftModifier);
+  EXPECT_NEAR(time(), before + 0.02, 0.012) << "ten times finer";
+  drag(time(), 2.0);
+  EXPECT_FALSE(runs().in_past()) << "past the end is the newest moment";
+}
+
 TEST_F(LabPlayheadTest, ATimeCanBeTyped) {
   QTest::mouseDClick(timeline(), Qt::LeftButton, {}, {40, timeline()->height() / 2});
   auto* field = timeline()->findChild<QLineEdit*>();
