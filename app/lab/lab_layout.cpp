@@ -22,8 +22,8 @@
 #include "widgets/plot/reading_table.h"
 #include "widgets/run/before_after_panel.h"
 #include "widgets/run/experiment_list.h"
+#include "widgets/run/impacts_panel.h"
 #include "widgets/run/ledger_table.h"
-#include "widgets/run/run_tables.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
 
@@ -160,7 +160,7 @@ void LabWindow::make_drawer() {
   drawer_ = new Drawer;
   drawer_->add(sheet_ = new BodiesSheet(theme_), tr("Bodies"));
   drawer_->add(before_after_ = new BeforeAfterPanel, tr("Before and after"));
-  drawer_->add(impacts_ = new ImpactsTable, tr("Impacts"));
+  drawer_->add(impacts_ = new ImpactsPanel, tr("Impacts"));
   drawer_->add(ledger_ = new LedgerTable, tr("Ledger"));
   drawer_->add(reading_ = new ReadingTable, tr("Reading"));
   drawer_->add(compare_ = new ComparePanel(theme_), tr("Compare"));
@@ -226,12 +226,13 @@ void LabWindow::connect_timeline() {
   connect(plots_, &PlotPanel::scrubEnded, this, end);
   connect(timeline, &Timeline::impactChosen, &runs, &LabRuns::go_to_impact);
   connect(timeline, &Timeline::impactAsked, &runs, &LabRuns::go_by_impact);
-  connect(impacts_, &ImpactsTable::impactChosen, &runs, &LabRuns::go_to_impact);
+  connect(&impacts_->table(), &ImpactsTable::impactChosen, &runs, &LabRuns::go_to_impact);
+  connect(impacts_, &ImpactsPanel::filterChanged, this, &LabWindow::show_frame);
   connect(view_, &SceneView::impactChosen, &runs, &LabRuns::go_to_impact);
   connect(plots_, &PlotPanel::impactChosen, &runs, &LabRuns::go_to_impact);
   connect(before_after_, &BeforeAfterPanel::impactAsked, &runs, &LabRuns::go_by_impact);
   connect(before_after_, &BeforeAfterPanel::choiceChanged, this, &LabWindow::show_frame);
-  connect(impacts_, &QTableView::doubleClicked, this, [this] {
+  connect(&impacts_->table(), &QTableView::doubleClicked, this, [this] {
     before_after_->choose(BeforeAfterPanel::Choice::kThis);
     drawer_->choose(before_after_);
   });

@@ -31,8 +31,8 @@
 #include "widgets/plot/reading_table.h"
 #include "widgets/run/before_after_panel.h"
 #include "widgets/run/experiment_list.h"
+#include "widgets/run/impacts_panel.h"
 #include "widgets/run/ledger_table.h"
-#include "widgets/run/run_tables.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
 

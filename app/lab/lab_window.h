@@ -30,7 +30,7 @@ class ComparePanel;
 class DocumentFiles;
 class Drawer;
 class ExperimentList;
-class ImpactsTable;
+class ImpactsPanel;
 class Inspector;
 class LabExports;
 class LedgerTable;
@@ -180,7 +180,7 @@ class LabWindow : public QMainWindow {
   QAction* left_action_ = nullptr;  // inspector and plots stand at the left
   BodiesSheet* sheet_ = nullptr;
   BeforeAfterPanel* before_after_ = nullptr;
-  ImpactsTable* impacts_ = nullptr;
+  ImpactsPanel* impacts_ = nullptr;
   LedgerTable* ledger_ = nullptr;
   ReadingTable* reading_ = nullptr;
   ComparePanel* compare_ = nullptr;

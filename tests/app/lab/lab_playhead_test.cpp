@@ -6,7 +6,7 @@
 #include "tests/app/lab/lab_fixture.h"
 #include "tests/support/scenes.h"
 #include "widgets/run/before_after_panel.h"
-#include "widgets/run/run_tables.h"
+#include "widgets/run/impacts_panel.h"
 #include "widgets/run/timeline.h"
 
 // The playhead: moments of the record by keys, by the timeline and by the tables, and edits there. The
@@ -194,10 +194,11 @@ TEST_F(LabPlayheadTest, ATimeCanBeTyped) {
 }
 
 TEST_F(LabPlayheadTest, ARowOfTheImpactsGoesToItsMoment) {
-  auto* table = window_.findChild<ImpactsTable*>();
+  auto* panel = window_.findChild<ImpactsPanel*>();
+  ImpactsTable* table = &panel->table();
   auto* drawer = window_.findChild<Drawer*>();
   drawer->set_folded(false);
-  drawer->choose(table);
+  drawer->choose(panel);
   QApplication::processEvents();
   const QPoint at = table->visualRect(table->model()->index(0, 1)).center();
   QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, at);

@@ -18,7 +18,6 @@
 #include "physics/scene/validate.h"
 #include "tests/support/wait_events.h"
 #include "widgets/plot/plot_panel.h"
-#include "widgets/run/run_tables.h"
 #include "widgets/scene/scene_view.h"
 
 namespace carom {

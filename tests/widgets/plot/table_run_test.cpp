@@ -8,7 +8,7 @@
 #include "physics/preset/preset.h"
 #include "tests/support/run_fixture.h"
 #include "widgets/run/before_after.h"
-#include "widgets/run/run_tables.h"
+#include "widgets/run/impacts_table.h"
 #include "widgets/theme/theme.h"
 
 namespace carom {
@@ -89,12 +89,16 @@ TEST(RunTables, ImpactsNewestFirst) {
   many.impacts.assign(700, frame.impacts.front());
   many.impacts.back().closing_speed = 7.0;
   many.impact_count = 701;
+  many.playing = true;
   recorder.add(many);
   table.update_from(many, many, recorder);
-  ASSERT_EQ(table.model()->rowCount(), ImpactsTable::kMostRows);
+  ASSERT_EQ(table.model()->rowCount(), ImpactsTable::kMostWhilePlaying);
   EXPECT_EQ(cell(table, 0, 0), "701");
   EXPECT_EQ(cell(table, 0, 3), "7.000");
   EXPECT_EQ(cell(table, 499, 0), "202");
+  many.playing = false;
+  table.update_from(many, many, recorder);
+  EXPECT_EQ(table.model()->rowCount(), 701) << "all of a run that stands still";
 
   Frame restarted = frame;
   restarted.run = 2;
