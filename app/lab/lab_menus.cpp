@@ -148,12 +148,14 @@ void LabWindow::make_view_menu() {
     Qt::Key key;  // with Shift
     bool DrawingOptions::*flag;
   };
-  constexpr std::array<Toggle, 5> kToggles = {{
+  constexpr std::array<Toggle, 6> kToggles = {{
       {"grid", "&Grid", "Grid in metres", Qt::Key_G, &DrawingOptions::grid},
       {"velocity", "&Velocities", "Arrows of the velocities", Qt::Key_V, &DrawingOptions::velocities},
       {"", "F&orces", "Applied forces and torques", Qt::Key_F, &DrawingOptions::forces},
       {"contact", "&Contacts", "Impulses of the newest impacts; forces in N of contacts that last", Qt::Key_K,
        &DrawingOptions::contacts},
+      {"", "&Before and after at an impact", "Velocities and impulse of the impact that was gone to", Qt::Key_J,
+       &DrawingOptions::jumps},
       {"names", "&Names", "Names of the bodies", Qt::Key_N, &DrawingOptions::names},
   }};
   for (const Toggle& toggle : kToggles) {

@@ -7,6 +7,7 @@
 #include "widgets/scene/drawing_forces.h"
 #include "widgets/scene/drawing_impacts.h"
 #include "widgets/scene/drawing_joints.h"
+#include "widgets/scene/drawing_jump.h"
 #include "widgets/scene/drawing_others.h"
 #include "widgets/scene/drawing_shapes.h"
 
@@ -47,6 +48,7 @@ class Builder {
     add_drives(in_, seen_, out_);
     add_joints(in_, seen_, out_);
     add_other_runs(in_, seen_, out_);
+    find_jump();
     if (in_.options.names) add_names();
     if (in_.options.velocities) add_velocities();
     if (in_.options.forces) add_applied_forces(in_, seen_, out_);
@@ -54,6 +56,7 @@ class Builder {
       add_contact_forces(in_, seen_, out_);
       add_impacts(in_, seen_, out_);
     }
+    add_jump(in_, out_);
   }
 
  private:
@@ -112,6 +115,18 @@ class Builder {
     out_.boxes.push_back({surface + 0.5 * depth * inwards, {radius, 0.5 * depth}, angle, fill, line});
   }
 
+  // Bodies whose velocities and names stand with the picked impact.
+  void find_jump() {
+    jumped_ = bodies_of_jump(in_);
+    std::erase_if(jumped_, [&](int i) {
+      return std::find(in_.selected.begin(), in_.selected.end(), bodies_[static_cast<std::size_t>(i)].name) !=
+             in_.selected.end();
+    });
+  }
+  [[nodiscard]] bool in_jump(int i) const {
+    return std::find(jumped_.begin(), jumped_.end(), i) != jumped_.end();
+  }
+
   void add_names() {
     if (std::count_if(bodies_.begin(), bodies_.end(), [](const Body& b) { return !b.fixed; }) > kMostNames) {
       return;
@@ -122,7 +137,7 @@ class Builder {
       const Body& body = bodies_[static_cast<std::size_t>(i)];
       const Vec2 half = half_extent(body.shape, in_.frame.state.q(2, i));
       const Vec2 at = in_.frame.state.position(i);
-      if (body.fixed || half.minCoeff() * in_.camera.scale < kLeastNamedRadius) continue;
+      if (body.fixed || in_jump(i) || half.minCoeff() * in_.camera.scale < kLeastNamedRadius) continue;
       if (!seen_.meets(at, bounding_radius(body.shape))) continue;
       out_.labels.push_back({at + Vec2(0.0, lowest(body.shape, in_.frame.state.q(2, i))),
                              kNameDrop + out_.outline / 2, QString::fromStdString(body.name), color});
@@ -131,7 +146,7 @@ class Builder {
 
   void add_velocities() {
     for (int i = 0; i < count(); ++i) {
-      if (!fixed(i)) {
+      if (!fixed(i) && !in_jump(i)) {
         const Vec2 along = in_.frame.state.velocity(i) * in_.arrows.seconds;
         add_arrow(in_, seen_, {in_.frame.state.position(i), along, in_.theme.series[0]}, out_);
       }
@@ -142,6 +157,7 @@ class Builder {
   Drawing& out_;
   WorldRect seen_;
   std::span<const Body> bodies_;
+  std::vector<int> jumped_;
 };
 
 }  // namespace
@@ -157,6 +173,7 @@ void Drawing::clear() {
   arrows.clear();
   labels.clear();
   marks.clear();
+  jump = {};
   force_key = {};
 }
 

@@ -4,7 +4,10 @@
 #include <QPointF>
 #include <QString>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "physics/record/frame.h"
@@ -61,6 +64,28 @@ struct Drawing {
     QString text;
     QColor color;
   };
+  // An arrow of the picked impact.
+  struct JumpArrow {
+    Vec2 from;
+    Vec2 to;
+    QColor color;
+    double width;  // px, of the shaft
+    bool hollow;   // before the impact
+  };
+  // Text beside a point of the world; lines are parted by line feeds.
+  struct JumpText {
+    Vec2 at;
+    Vec2 side;  // of the point on which it stands: a unit vector, or zero for over it
+    QString text;
+    QColor color;
+    bool strong;
+  };
+  // The picked impact, painted over all else.
+  struct Jump {
+    std::optional<std::pair<Vec2, Vec2>> axis;  // through the contact
+    std::vector<JumpArrow> arrows;
+    std::vector<JumpText> texts;
+  };
   // Length of an arrow for a round force; drawn beside the scale bar.
   struct ForceKey {
     double newtons = 0.0;  // 0: no key
@@ -79,6 +104,7 @@ struct Drawing {
   std::vector<SegmentItem> segments;
   std::vector<ArrowItem> arrows;
   std::vector<LabelItem> labels;
+  Jump jump;
   std::vector<ImpactRecord> marks;  // impacts that are drawn, for the mouse
   ForceKey force_key;
   double outline = 1.5;   // px, of bodies
@@ -96,6 +122,7 @@ struct DrawingOptions {
   bool forces = true;    // applied ones
   bool contacts = true;  // impulses of impacts, forces of resting contacts
   bool names = true;
+  bool jumps = true;        // velocities and impulse of the picked impact
   double line_scale = 1.0;  // dimensionless: 2 in projector mode
   double text_size = 11.0;  // px
 
@@ -146,7 +173,9 @@ struct DrawingInput {
   const Theme& theme;
   ArrowScale arrows;
   std::span<const std::shared_ptr<const Frame>> others =
-      {};  // drawn as outlines, in the colours of the runs after the first
+      {};                                      // drawn as outlines, in the colours of the runs after the first
+  const JumpMoment* jump = nullptr;            // the picked impact, if its moment is shown
+  std::span<const std::string> selected = {};  // bodies that keep their own arrows then
 };
 
 // An arrow from a point of the world.

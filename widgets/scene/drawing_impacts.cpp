@@ -20,6 +20,10 @@ void add_impacts(const DrawingInput& in, const WorldRect& seen, Drawing& out) {
     const double age = in.frame.time - impact.time;
     if (age < 0.0 || age >= kImpactShown) continue;
     if (impact.a < 0 || impact.b < 0 || impact.a >= count || impact.b >= count) continue;
+    if (in.jump != nullptr && in.options.jumps && impact.time == in.jump->time()) {
+      out.marks.push_back(impact);  // it is shown in full
+      continue;
+    }
     QColor color = in.theme.series[1];
     color.setAlphaF(static_cast<float>(1.0 - age / kImpactShown));
     const Vec2 push = impact.normal * (impact.normal_impulse * in.arrows.metres_per_impulse);

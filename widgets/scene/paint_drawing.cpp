@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "widgets/scene/body_path.h"
+#include "widgets/scene/paint_jump.h"
 
 namespace carom {
 namespace {
@@ -237,6 +238,7 @@ void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera,
     painter.setPen(label.color);
     painter.drawText(at + QPointF(0.0, metrics.ascent()), label.text);
   }
+  paint_jump(painter, drawing, camera, theme);
 }
 
 }  // namespace carom

@@ -47,7 +47,10 @@ SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
   }
   canvas_->lower();
   tools_ = new SceneTools([this] { return sight(); }, this);
-  connect(tools_, &SceneTools::selectionChanged, this, &SceneView::selectionChanged);
+  connect(tools_, &SceneTools::selectionChanged, this, [this](const std::vector<std::string>& names) {
+    if (picked_) refresh();  // selected bodies keep their own arrows
+    emit selectionChanged(names);
+  });
   connect(tools_, &SceneTools::partChosen, this, &SceneView::partChosen);
   connect(tools_, &SceneTools::impactChosen, this, &SceneView::impactChosen);
   connect(tools_, &SceneTools::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
@@ -103,6 +106,10 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame, OtherRuns others) 
   tell_follow();
   refresh();
   tip_.follow(sight());
+}
+
+void SceneView::set_picked(std::optional<double> impact) {
+  if (std::exchange(picked_, impact) != impact) refresh();
 }
 
 void SceneView::clear() {
@@ -216,10 +223,7 @@ void SceneView::pan(const QPointF& delta) {
 void SceneView::refresh() {
   release_arrows();
   if (!isVisible()) return;  // showEvent() does it later
-  static const Frame empty;
-  picture_.drawing = make_drawing(
-      {frame_ ? *frame_ : empty, impacts_, picture_.camera, options_, picture_.theme, arrows(), others_},
-      std::move(picture_.drawing));
+  picture_.drawing = make_drawing(shown(picture_.theme), std::move(picture_.drawing));
   refresh_tools();
 }
 
@@ -294,12 +298,29 @@ SceneSight SceneView::sight() const {
 
 SceneLook SceneView::look() const { return {picture_.camera, home_side_, options_, picture_.theme, peaks_}; }
 
-void SceneView::paint_on_paper(QPainter& painter) const {
+DrawingInput SceneView::shown(const Theme& theme) const {
   static const Frame empty;
+  return {frame_ ? *frame_ : empty,
+          impacts_,
+          picture_.camera,
+          options_,
+          theme,
+          arrows(),
+          others_,
+          picked_jump(),
+          selection()};
+}
+
+const JumpMoment* SceneView::picked_jump() const {
+  if (!frame_ || !picked_ || frame_->playing) return nullptr;
+  const auto found = std::find_if(frame_->jumps.begin(), frame_->jumps.end(),
+                                  [this](const auto& jump) { return jump->time() == *picked_; });
+  return found == frame_->jumps.end() ? nullptr : found->get();
+}
+
+void SceneView::paint_on_paper(QPainter& painter) const {
   const Theme& theme = light_theme();
-  const Drawing drawing =
-      make_drawing({frame_ ? *frame_ : empty, impacts_, picture_.camera, options_, theme, arrows(), others_});
-  paint_drawing(painter, drawing, picture_.camera, theme);
+  paint_drawing(painter, make_drawing(shown(theme)), picture_.camera, theme);
 }
 
 bool SceneView::save(const QString& path, QString* error) const {

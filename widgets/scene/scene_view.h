@@ -32,6 +32,8 @@ class SceneView : public QWidget {
   void set_theme(const Theme& theme);
   // Shows a frame, with other runs beside it.
   void set_frame(std::shared_ptr<const Frame> frame, OtherRuns others = {});
+  // The impact (s) whose velocities before and after, and impulse, are shown while its moment is.
+  void set_picked(std::optional<double> impact);
   // Shows nothing until the next frame.
   void clear();
   void set_options(const DrawingOptions& options);
@@ -139,6 +141,8 @@ class SceneView : public QWidget {
   void go_home();  // moves the camera to the scene's view, unless the user has moved it
   void zoom(const QPointF& at, double factor);
   void pan(const QPointF& delta);
+  [[nodiscard]] DrawingInput shown(const Theme& theme) const;
+  [[nodiscard]] const JumpMoment* picked_jump() const;
   void paint_on_paper(QPainter& painter) const;
   void refresh();
   void refresh_tools();
@@ -156,6 +160,7 @@ class SceneView : public QWidget {
   DrawingOptions options_;
   std::shared_ptr<const Frame> frame_;
   OtherRuns others_;
+  std::optional<double> picked_;       // s
   std::vector<ImpactRecord> impacts_;  // recent ones, in the order of time
   Peaks peaks_;
   std::optional<View> view_;

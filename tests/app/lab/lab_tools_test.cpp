@@ -77,6 +77,7 @@ TEST_F(LabToolsTest, ShiftAndALetterShowsAndHides) {
   switches(Qt::Key_V, &DrawingOptions::velocities);
   switches(Qt::Key_F, &DrawingOptions::forces);
   switches(Qt::Key_K, &DrawingOptions::contacts);
+  switches(Qt::Key_J, &DrawingOptions::jumps);
   switches(Qt::Key_N, &DrawingOptions::names);
 }
 

@@ -1,0 +1,104 @@
+#include "widgets/scene/drawing_jump.h"
+
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "tests/support/run_fixture.h"
+#include "widgets/scene/scene_view.h"
+
+// 1 kg at 3 m/s hits 2 kg at rest at 0.2 s, elastically: they leave at -1 and 2 m/s, and each gets 4 N s.
+namespace carom {
+namespace {
+
+class DrawingJump : public testing::Test {
+ protected:
+  void SetUp() override {
+    view_.resize(600, 400);
+    view_.set_view(View{Vec2::Zero(), 6.0});
+    view_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view_));
+    show(head_on_scene());
+  }
+  // The end of the step that has the impact, which is picked.
+  void show(const Preset& preset) {
+    Simulation run(setup_of(preset));
+    run.watch_impacts(true);
+    while (run.last_impacts().empty()) run.step();
+    auto frame = std::make_shared<Frame>(run_to(preset, run.time()));
+    frame->jumps = jump_moments(run);
+    ASSERT_EQ(frame->jumps.size(), 1U);
+    view_.set_picked(frame->jumps.front()->time());
+    view_.set_frame(frame);
+  }
+  [[nodiscard]] const Drawing::Jump& jump() const { return view_.drawing().jump; }
+  [[nodiscard]] QStringList texts() const {
+    QStringList all;
+    for (const Drawing::JumpText& text : jump().texts) all << text.text;
+    return all;
+  }
+  [[nodiscard]] std::vector<bool> hollow() const {
+    std::vector<bool> all;
+    for (const Drawing::JumpArrow& arrow : jump().arrows) all.push_back(arrow.hollow);
+    return all;
+  }
+
+  SceneView view_{light_theme()};
+};
+
+TEST_F(DrawingJump, VelocitiesBeforeAndAfterAndTheImpulseOnEach) {
+  EXPECT_EQ(texts(), (QStringList{"A 3.00 m/s", "A 1.00 m/s", "B 0 m/s", "B 2.00 m/s",
+                                  "each gets 4.00 N·s\nlost 0 J, e = 1.00", "just before", "just after"}));
+  // B's velocity before is zero, so it has no arrow.
+  ASSERT_EQ(hollow(), (std::vector{true, false, false, false, false}));
+  const auto& arrows = jump().arrows;
+  EXPECT_GT(arrows[0].to.x(), arrows[0].from.x());
+  EXPECT_GT(arrows[0].from.y(), 0.2) << "before stands over the bodies";
+  EXPECT_LT(arrows[1].to.x(), arrows[1].from.x());
+  EXPECT_LT(arrows[1].from.y(), -0.2) << "after stands under them";
+  EXPECT_NEAR((arrows[0].to - arrows[0].from).norm(), 3.0 * (arrows[1].to - arrows[1].from).norm(), 1e-9);
+  EXPECT_NEAR(arrows[3].from.x(), -0.2, 1e-9) << "at the contact";
+  EXPECT_NEAR((arrows[3].to + arrows[4].to - 2.0 * arrows[4].from).norm(), 0.0, 1e-9) << "opposite";
+}
+
+TEST_F(DrawingJump, TakesThePlaceOfTheBodiesOwnArrowsAndNames) {
+  EXPECT_TRUE(view_.drawing().arrows.empty());
+  EXPECT_TRUE(view_.drawing().labels.empty());
+  EXPECT_EQ(view_.drawing().marks.size(), 1U) << "its mark can be clicked";
+  view_.select({"A"});
+  EXPECT_EQ(view_.drawing().arrows.size(), 1U) << "a selected body has the arrow of its handle";
+}
+
+TEST_F(DrawingJump, OneSwitchHidesIt) {
+  DrawingOptions options = view_.options();
+  options.jumps = false;
+  view_.set_options(options);
+  EXPECT_TRUE(jump().arrows.empty());
+  EXPECT_EQ(view_.drawing().labels.size(), 2U);
+  options.jumps = true;
+  view_.set_options(options);
+  EXPECT_FALSE(jump().arrows.empty());
+  view_.set_picked(std::nullopt);
+  EXPECT_TRUE(jump().arrows.empty());
+}
+
+TEST_F(DrawingJump, AtAWallTheBodyAlone) {
+  Preset preset;
+  Body floor;
+  floor.name = "floor";
+  floor.shape = Wall{};
+  floor.position = Vec2(0.0, -0.5);
+  floor.fixed = true;
+  preset.scene.bodies = {disc("ball", {0.0, 0.0}, {0.0, -2.0}, 1.0), floor};
+  Material dull;
+  dull.restitution = 0.5;
+  preset.scene.materials = {dull};
+  show(preset);
+  EXPECT_EQ(texts(), (QStringList{"ball 2.00 m/s", "ball 1.00 m/s",
+                                  "ball gets 3.00 N·s\nlost 1.50 J, e = 0.500", "just before", "just after"}));
+  ASSERT_EQ(jump().arrows.size(), 3U);
+  EXPECT_LT(jump().arrows[0].from.x(), -0.2) << "before stands at the left";
+  EXPECT_GT(jump().arrows[1].from.x(), 0.2);
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "widgets/scene/drawing.h"
+
+namespace carom {
+
+// The picked impact: the velocities of its bodies before it on one side of the bodies, after it on the other,
+// along a line through the contact; and at the contact the impulse on each, the loss and the measured e.
+void add_jump(const DrawingInput& input, Drawing& out);
+
+// The bodies whose velocities it shows, beside their names: those that move freely, of many the first few.
+[[nodiscard]] std::vector<int> bodies_of_jump(const DrawingInput& input);
+
+}  // namespace carom
