@@ -115,8 +115,8 @@ QListView, QTreeView, QTableView, QTextBrowser { background: %2; border: none; o
 QHeaderView { background: %2; }
 QHeaderView::section { background: %2; color: %5; border: none; border-bottom: 1px solid %3; padding: 5px 5px;
   font-size: 11px; font-weight: normal; }
-QHeaderView::down-arrow { image: url(:/icons/up.svg); width: 9px; height: 9px; subcontrol-position: top center; }
-QHeaderView::up-arrow { image: url(:/icons/down.svg); width: 9px; height: 9px; subcontrol-position: top center; }
+QHeaderView::down-arrow { image: url(:/icons/down.svg); width: 9px; height: 9px; subcontrol-position: top center; }
+QHeaderView::up-arrow { image: url(:/icons/up.svg); width: 9px; height: 9px; subcontrol-position: top center; }
 QTableView { font-size: 12px; }
 QTableView::item { padding: 2px 5px; }
 QTabWidget::pane { border: none; border-top: 1px solid %3; }
