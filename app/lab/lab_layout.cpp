@@ -186,10 +186,7 @@ void LabWindow::connect_views() {
     session_.change_plots(plots_->chosen());
     session_.runs().record(plots_->curves());
   });
-  connect(plots_, &PlotPanel::marksChanged, this, [this] {
-    drawer_->choose(reading_);
-    show_frame();
-  });
+  connect_marks();
   connect(lost_bar_, &NoticeBar::accepted, &session_, &Session::restart);
   connect(lost_bar_, &NoticeBar::dismissed, this, [this] {
     lost_bar_->hide();

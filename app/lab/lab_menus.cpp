@@ -254,6 +254,12 @@ void LabWindow::make_run_menus() {
   go_on->setToolTip(tr("What comes after the shown moment is dropped; undo brings it back"));
   connect(run, &QMenu::aboutToShow, this, [this, go_on] { go_on->setEnabled(session_.runs().in_past()); });
   connect(run, &QMenu::aboutToHide, go_on, [go_on] { go_on->setEnabled(true); });
+  add_action(run, "", tr("Mark &A here"), QKeySequence(Qt::CTRL | Qt::Key_M), [this] {
+    mark_shown_moment(false);
+  })->setToolTip(tr("At the shown moment; in a plot a click sets it"));
+  add_action(run, "", tr("Mark &B here"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_M), [this] {
+    mark_shown_moment(true);
+  })->setToolTip(tr("At the shown moment; in a plot Shift and a click set it"));
   add_action(run, "flag", tr("Sto&ps..."), QKeySequence(Qt::Key_H), [this] { edit_stops(std::nullopt); });
   add_action(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { session_.restart(); });
   first_start_ = add_action(run, "", tr("&First start"), QKeySequence(Qt::CTRL | Qt::Key_R),

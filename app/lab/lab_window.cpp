@@ -14,6 +14,7 @@
 #include "app/lab/document_files.h"
 #include "app/lab/drawer.h"
 #include "app/lab/lab_exports.h"
+#include "app/lab/marked_interval.h"
 #include "app/lab/method_bar.h"
 #include "app/lab/notice_bar.h"
 #include "app/lab/scene_chips.h"
@@ -272,9 +273,8 @@ void LabWindow::show_frame() {
   select_new();
   show_selection();
   transport_->update_from(frame, newest, *recorders.front(), shown);
-  if (drawer_->shows(before_after_))
-    before_after_->update_from(
-        {frame, newest, *recorders.front(), session_.bodies(), session_.runs().picked()});
+  transport_->timeline().set_marks(plots_->marks().a, plots_->marks().b);
+  if (drawer_->shows(before_after_)) show_before_after();
   if (drawer_->shows(impacts_)) impacts_->update_from(newest, frame, *recorders.front());
   if (drawer_->shows(ledger_)) ledger_->update_from(frame);
   if (drawer_->shows(reading_)) reading_->update_from(plots_->runs(), plots_->contents(), plots_->marks());

@@ -33,6 +33,7 @@ class ExperimentList;
 class ImpactsPanel;
 class Inspector;
 class LabExports;
+class MarkedInterval;
 class LedgerTable;
 class MethodBar;
 class NoticeBar;
@@ -102,6 +103,11 @@ class LabWindow : public QMainWindow {
   void connect_stops();
   void show_stops();
   void edit_stops(std::optional<std::size_t> stop);
+  // The marks A and B (lab_marks.cpp).
+  void connect_marks();
+  void show_marks();
+  void mark_shown_moment(bool second);
+  void show_before_after();
   // Editing by hand (lab_editing.cpp).
   void connect_edits();
   void show_selection();
@@ -181,6 +187,7 @@ class LabWindow : public QMainWindow {
   BodiesSheet* sheet_ = nullptr;
   BeforeAfterPanel* before_after_ = nullptr;
   ImpactsPanel* impacts_ = nullptr;
+  MarkedInterval* marked_ = nullptr;
   LedgerTable* ledger_ = nullptr;
   ReadingTable* reading_ = nullptr;
   ComparePanel* compare_ = nullptr;

@@ -102,6 +102,10 @@ QVariant FigureModel::headerData(int section, Qt::Orientation orientation, int r
   return {};
 }
 
+QString FigureModel::heading(int column) const {
+  return QString::fromUtf8(columns_[static_cast<std::size_t>(column)].heading).replace('\n', ' ');
+}
+
 void FigureModel::rows_changed(int rows) {
   if (rows > rows_) {
     beginInsertRows({}, rows_, rows - 1);
@@ -162,7 +166,7 @@ QString FigureTable::text(char separator) const {
     for (int r = 0; r < model_->rowCount(); ++r) {
       if (std::holds_alternative<Vec2>(model_->cell(r, c))) is_vector[static_cast<std::size_t>(c)] = true;
     }
-    const QString head = model_->headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
+    const QString head = model_->heading(c);
     const bool vector = is_vector[static_cast<std::size_t>(c)];
     const QStringList whole = vector ? QStringList{head + ", x", head + ", y"} : QStringList{head};
     for (const QString& each : whole) heads << quoted(each, separator);

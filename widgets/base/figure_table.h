@@ -15,7 +15,7 @@ namespace carom {
 class FigureModel : public QAbstractTableModel {
  public:
   struct Column {
-    const char* heading;  // UTF-8
+    const char* heading;  // UTF-8, of one line or two
     int weight;           // share of the width
     bool text = false;    // left-aligned
     int digits = 4;       // significant digits of a figure, at most
@@ -28,6 +28,7 @@ class FigureModel : public QAbstractTableModel {
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  [[nodiscard]] QString heading(int column) const;  // in one line
   [[nodiscard]] int weight(int column) const { return columns_[static_cast<std::size_t>(column)].weight; }
 
   [[nodiscard]] virtual Cell cell(int row, int column) const = 0;

@@ -58,6 +58,7 @@ class PlotPanel : public QWidget {
   void show_now() { refresh(); }
   void reset_zoom();
   [[nodiscard]] ReadingMarks marks() const;
+  void set_mark(double time, bool second);  // A or B, s
   void clear_marks();
   [[nodiscard]] std::vector<PlotContent> contents() const;
   // The runs and whether the user has hidden them.
@@ -105,7 +106,6 @@ class PlotPanel : public QWidget {
   void connect_plot(RunPlot* plot);
   void set_time_zoom(RunPlot* plot, const QwtInterval& range);
   void mark_zoomed(RunPlot* plot);
-  void set_mark(double time, bool second);
   void take_back_mark();
   void move_mark(int by, bool second);
   void schedule();  // all plots

@@ -164,11 +164,14 @@ PrintBlock print_table(const FigureModel& table, int most) {
     if (!too_many) rows.push_back(std::move(row));
   }
   PrintBlock block;
-  block.height = kRow * static_cast<double>(rows.size());
+  const bool two_lines = std::any_of(rows[0].cells.begin(), rows[0].cells.end(),
+                                     [](const Cell& cell) { return cell.text.contains('\n'); });
+  const double head = (two_lines ? 1.7 : 1.0) * kRow;
+  block.height = head + kRow * static_cast<double>(rows.size() - 1);
   block.gap = 8.0;
-  block.paint = [rows, widths](QPainter& painter, const QRectF& where) {
+  block.paint = [rows, widths, head](QPainter& painter, const QRectF& where) {
     double y = where.top();
-    for (std::size_t r = 0; r < rows.size(); ++r, y += kRow) {
+    for (std::size_t r = 0; r < rows.size(); y += r == 0 ? head : kRow, ++r) {
       if (r == 1 || rows[r].sum) {
         painter.setPen(QPen(r == 1 ? theme().muted : theme().border, kLine));
         painter.drawLine(QPointF(where.left(), y), QPointF(where.right(), y));
@@ -183,10 +186,11 @@ PrintBlock print_table(const FigureModel& table, int most) {
         const double width = alone ? where.width() : widths[c];
         const double before = c == 0 ? 0.0 : kInset;
         const double after = c + 1 == widths.size() || alone ? 0.0 : kInset;
-        const QRectF place(x + before, y, width - before - after, kRow);
+        const QRectF place(x + before, y, width - before - after, r == 0 ? head : kRow);
         painter.setPen(cell.pale ? theme().muted : theme().text);
-        painter.drawText(place, (cell.left ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,
-                         metrics.elidedText(cell.text, Qt::ElideRight, place.width() + 0.5));
+        painter.drawText(
+            place, (cell.left ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,
+            r == 0 ? cell.text : metrics.elidedText(cell.text, Qt::ElideRight, place.width() + 0.5));
         x += width;
       }
     }

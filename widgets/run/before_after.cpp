@@ -5,43 +5,28 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "physics/math/vectors.h"
 #include "widgets/base/number_text.h"
+#include "widgets/run/law_text.h"
 
 namespace carom {
 namespace {
 
 QString translated(const char* text) { return QCoreApplication::translate("BeforeAfterTable", text); }
 
-// Why a cell of the theory has no value.
-const char* text_of(NoTheory why) {
-  switch (why) {
-    case NoTheory::kNone:
-      return "";
-    case NoTheory::kJoints:
-      return QT_TRANSLATE_NOOP("BeforeAfterTable",
-                               "A joint passes the impulse on to other bodies: no closed law for two bodies");
-    case NoTheory::kMaterials:
-      return QT_TRANSLATE_NOOP("BeforeAfterTable",
-                               "A body has several materials: which of them touched is not recorded");
-    case NoTheory::kSlipStops:
-      return QT_TRANSLATE_NOOP("BeforeAfterTable",
-                               "Friction stops the slip of this off-centre impact on the way: no closed law");
-    case NoTheory::kFrictionAtOnce:
-      return QT_TRANSLATE_NOOP("BeforeAfterTable", "Several contacts at once with friction: no closed law");
-    case NoTheory::kRestitution:
-      return QT_TRANSLATE_NOOP("BeforeAfterTable",
-                               "Contacts at once with different or lowered restitution: no closed law");
-  }
-  return "";
-}
-
 FigureModel::Cell error_cell(double error) {
   constexpr double kRounding = 1e-12;
   if (error < kRounding) return QStringLiteral("< 1e") + kMinus + QStringLiteral("12");
   return error;
+}
+
+std::vector<int> all_of(const State& state) {
+  std::vector<int> all(static_cast<std::size_t>(state.size()));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
 }
 
 std::vector<int> free_bodies(const std::vector<int>& all, const std::vector<Body>& bodies) {
@@ -60,17 +45,28 @@ BeforeAfter before_and_after(const JumpMoment& moment) {
           .before = moment.before(),
           .after = moment.after(),
           .shown = std::move(shown),
-          .theory = theory_of(moment)};
+          .theory = theory_of(moment),
+          .over_time = std::nullopt};
+}
+
+BeforeAfter before_and_after(const RunInterval& interval) {
+  std::shared_ptr<const std::vector<Body>> bodies{interval.compiled, &interval.compiled->scene.bodies};
+  std::vector<int> shown = free_bodies(all_of(interval.after), *bodies);
+  return {.bodies = std::move(bodies),
+          .before = interval.before,
+          .after = interval.after,
+          .shown = std::move(shown),
+          .theory = std::nullopt,
+          .over_time = theory_of(interval)};
 }
 
 BeforeAfter since_start(const std::vector<Body>& start, const Frame& frame) {
-  std::vector<int> all(static_cast<std::size_t>(frame.state.size()));
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
   return {.bodies = frame.bodies,
           .before = initial_state(start),
           .after = frame.state,
-          .shown = free_bodies(all, *frame.bodies),
-          .theory = std::nullopt};
+          .shown = free_bodies(all_of(frame.state), *frame.bodies),
+          .theory = std::nullopt,
+          .over_time = std::nullopt};
 }
 
 BeforeAfterModel::BeforeAfterModel(QObject* parent) : FigureModel({}, parent) { choose_columns(); }
@@ -79,7 +75,8 @@ void BeforeAfterModel::set(BeforeAfter compared) {
   compared_ = std::move(compared);
   mass_ = mass_properties(*compared_.bodies);
   choose_columns();
-  rows_changed(static_cast<int>(compared_.shown.size()) + 1);
+  constexpr int kOfTheory = 2;  // rows
+  rows_changed(sum_row() + 1 + (compared_.over_time ? kOfTheory : 0));
 }
 
 void BeforeAfterModel::clear() {
@@ -99,22 +96,22 @@ void BeforeAfterModel::choose_columns() {
     bool Zero::*left_out = nullptr;
   };
   static const std::vector<Choice> kChoices = {
-      {Quantity::kBody, {"body", 66, true}},
-      {Quantity::kMass, {"m / kg", 70}},
-      {Quantity::kVelocityBefore, {"v before / m/s", 104}},
-      {Quantity::kVelocityTheory, {"after: theory", 104}, true},
-      {Quantity::kVelocityAfter, {"v after / m/s", 104}},
-      {Quantity::kVelocityError, {"error", 74, false, 2}, true},
-      {Quantity::kSpinBefore, {"ω before / rad/s", 108}, false, &Zero::spins},
-      {Quantity::kSpinTheory, {"after: theory", 86}, true, &Zero::spins},
-      {Quantity::kSpinAfter, {"ω after / rad/s", 100}, false, &Zero::spins},
-      {Quantity::kSpinError, {"error", 74, false, 2}, true, &Zero::spins},
-      {Quantity::kMomentumBefore, {"p before / kg·m/s", 124}},
-      {Quantity::kMomentumAfter, {"p after / kg·m/s", 116}},
-      {Quantity::kAngularBefore, {"L before / kg·m²/s", 130}, false, &Zero::angular},
-      {Quantity::kAngularAfter, {"L after / kg·m²/s", 122}, false, &Zero::angular},
-      {Quantity::kKineticBefore, {"K before / J", 78}},
-      {Quantity::kKineticAfter, {"K after / J", 70}},
+      {Quantity::kBody, {"body", 58, true}},
+      {Quantity::kMass, {"m\n/ kg", 46}},
+      {Quantity::kVelocityBefore, {"v before\n/ m/s", 90}},
+      {Quantity::kVelocityTheory, {"after:\ntheory", 90}, true},
+      {Quantity::kVelocityAfter, {"v after\n/ m/s", 90}},
+      {Quantity::kVelocityError, {"error", 58, false, 2}, true},
+      {Quantity::kSpinBefore, {"ω before\n/ rad/s", 60}, false, &Zero::spins},
+      {Quantity::kSpinTheory, {"after:\ntheory", 56}, true, &Zero::spins},
+      {Quantity::kSpinAfter, {"ω after\n/ rad/s", 56}, false, &Zero::spins},
+      {Quantity::kSpinError, {"error", 58, false, 2}, true, &Zero::spins},
+      {Quantity::kMomentumBefore, {"p before\n/ kg·m/s", 90}},
+      {Quantity::kMomentumAfter, {"p after\n/ kg·m/s", 90}},
+      {Quantity::kAngularBefore, {"L before\n/ kg·m²/s", 66}, false, &Zero::angular},
+      {Quantity::kAngularAfter, {"L after\n/ kg·m²/s", 66}, false, &Zero::angular},
+      {Quantity::kKineticBefore, {"K before\n/ J", 58}},
+      {Quantity::kKineticAfter, {"K after\n/ J", 54}},
   };
   Zero zero;
   for (const int body : compared_.shown) {
@@ -124,10 +121,11 @@ void BeforeAfterModel::choose_columns() {
       zero.angular = zero.angular && of(*state, body).angular == 0.0;
     }
   }
+  const bool has_theory = compared_.theory || compared_.over_time;
   std::vector<Quantity> quantities;
   std::vector<Column> columns;
   for (const Choice& choice : kChoices) {
-    if ((choice.of_law && !compared_.theory) || (choice.left_out != nullptr && zero.*choice.left_out)) continue;
+    if ((choice.of_law && !has_theory) || (choice.left_out != nullptr && zero.*choice.left_out)) continue;
     quantities.push_back(choice.quantity);
     columns.push_back(choice.column);
   }
@@ -136,10 +134,15 @@ void BeforeAfterModel::choose_columns() {
   set_columns(std::move(columns));
 }
 
-bool BeforeAfterModel::is_sum(int row) const { return row == static_cast<int>(compared_.shown.size()); }
+bool BeforeAfterModel::is_sum(int row) const { return row == sum_row(); }
 
-bool BeforeAfterModel::has_law() const {
-  return compared_.theory && compared_.theory->why_not == NoTheory::kNone;
+const Eigen::Matrix3Xd& BeforeAfterModel::law() const {
+  return compared_.theory ? compared_.theory->v : compared_.over_time->v;
+}
+
+QString BeforeAfterModel::why_no_law(int body) const {
+  if (compared_.theory) return text_of(compared_.theory->why_not);
+  return text_of(compared_.over_time->no_velocity[static_cast<std::size_t>(body)]);
 }
 
 BeforeAfterModel::Sums BeforeAfterModel::of(const State& state, int body) const {
@@ -162,6 +165,18 @@ BeforeAfterModel::Sums BeforeAfterModel::sum(const State& state) const {
   return all;
 }
 
+BeforeAfterModel::Sums BeforeAfterModel::sum_of_sizes() const {
+  Sums all;
+  for (const int body : compared_.shown) {
+    const Sums before = body < compared_.before.size() ? of(compared_.before, body) : Sums();
+    const Sums after = of(compared_.after, body);
+    all.momentum.x() += std::max(before.momentum.norm(), after.momentum.norm());
+    all.angular += std::max(std::abs(before.angular), std::abs(after.angular));
+    all.kinetic += std::max(before.kinetic, after.kinetic);
+  }
+  return all;
+}
+
 double BeforeAfterModel::gyration(int body) const { return std::sqrt(mass_.inertia[body] / mass_.mass[body]); }
 
 double BeforeAfterModel::fastest() const {
@@ -174,6 +189,7 @@ double BeforeAfterModel::fastest() const {
 }
 
 FigureModel::Cell BeforeAfterModel::cell(int row, int column) const {
+  if (row > sum_row()) return theory_cell(quantity(column), row - sum_row() == 1);
   if (is_sum(row)) return sum_cell(quantity(column));
   const int body = compared_.shown[static_cast<std::size_t>(row)];
   const bool was_there = body < compared_.before.size();
@@ -202,8 +218,8 @@ FigureModel::Cell BeforeAfterModel::cell(int row, int column) const {
 }
 
 FigureModel::Cell BeforeAfterModel::of_law(Quantity quantity, int body) const {
-  if (!has_law()) return QStringLiteral("—");
-  const Eigen::Matrix3Xd& theory = compared_.theory->v;
+  if (!why_no_law(body).isEmpty()) return QStringLiteral("—");
+  const Eigen::Matrix3Xd& theory = law();
   const Vec2 off = theory.col(body).head<2>() - compared_.after.velocity(body);
   const double off_spin = gyration(body) * std::abs(theory(2, body) - compared_.after.v(2, body));
   const double scale = fastest();
@@ -248,27 +264,80 @@ FigureModel::Cell BeforeAfterModel::sum_cell(Quantity quantity) const {
   return mass;
 }
 
+// The rows under the sum: what closed laws say of it, and how far the run is off.
+FigureModel::Cell BeforeAfterModel::theory_cell(Quantity quantity, bool value) const {
+  if (quantity == Quantity::kBody) return value ? translated("theory") : translated("error");
+  const auto why = why_no_sum(quantity);
+  if (!why) return {};
+  if (*why != NoIntervalLaw::kNone) return QStringLiteral("—");
+  const IntervalTheory& theory = *compared_.over_time;
+  const Sums run = sum(compared_.after);
+  const Sums sizes = sum_of_sizes();
+  const auto share = [](double part, double scale) { return scale > 0.0 ? part / scale : 0.0; };
+  switch (quantity) {
+    case Quantity::kMomentumAfter:
+      if (value) return theory.momentum;
+      return error_cell(share((theory.momentum - run.momentum).norm(), sizes.momentum.x()));
+    case Quantity::kAngularAfter:
+      if (value) return theory.angular;
+      return error_cell(share(std::abs(theory.angular - run.angular), sizes.angular));
+    default:
+      if (value) return theory.kinetic;
+      return error_cell(share(std::abs(theory.kinetic - run.kinetic), sizes.kinetic));
+  }
+}
+
+std::optional<NoIntervalLaw> BeforeAfterModel::why_no_sum(Quantity quantity) const {
+  switch (quantity) {
+    case Quantity::kMomentumAfter:
+      return compared_.over_time->no_momentum;
+    case Quantity::kAngularAfter:
+      return compared_.over_time->no_angular;
+    case Quantity::kKineticAfter:
+      return compared_.over_time->no_kinetic;
+    default:
+      return std::nullopt;
+  }
+}
+
 QString BeforeAfterModel::tip(int row, int column) const {
-  if (is_sum(row)) return {};
+  if (row > sum_row()) return theory_tip(quantity(column), row - sum_row() == 1);
   switch (quantity(column)) {
     case Quantity::kVelocityTheory:
     case Quantity::kSpinTheory:
-      return has_law() ? translated("By the closed law of the impact, from the velocities before it")
-                       : translated(text_of(compared_.theory->why_not));
     case Quantity::kVelocityError:
-      return has_law() ? translated("Theory and run differ by this share of the impact's largest speed")
-                       : translated(text_of(compared_.theory->why_not));
     case Quantity::kSpinError:
-      return has_law() ? translated(
-                             "Theory and run differ by this share of the impact's largest speed, at the radius "
-                             "of gyration")
-                       : translated(text_of(compared_.theory->why_not));
+      return is_sum(row) ? QString()
+                         : law_tip(quantity(column), compared_.shown[static_cast<std::size_t>(row)]);
     case Quantity::kAngularBefore:
     case Quantity::kAngularAfter:
       return translated("About the origin");
     default:
       return {};
   }
+}
+
+QString BeforeAfterModel::law_tip(Quantity quantity, int body) const {
+  if (const QString why = why_no_law(body); !why.isEmpty()) return why;
+  switch (quantity) {
+    case Quantity::kVelocityError:
+      return compared_.theory ? translated("Theory and run differ by this share of the impact's largest speed")
+                              : translated("Theory and run differ by this share of the largest speed");
+    case Quantity::kSpinError:
+      return translated("Theory and run differ by this share of the largest speed, at the radius of gyration");
+    default:
+      return compared_.theory ? translated("By the closed law of the impact, from the velocities before it")
+                              : translated("By free flight, from the velocity at A");
+  }
+}
+
+QString BeforeAfterModel::theory_tip(Quantity quantity, bool value) const {
+  const auto why = why_no_sum(quantity);
+  if (!why) return {};
+  if (*why != NoIntervalLaw::kNone) return text_of(*why);
+  return value ? translated(
+                     "By closed laws, from the state at A: only gravity acts from outside, if anything does")
+               : translated("Theory and run differ by this share of the bodies' values, all taken as positive");
 }
 
 BeforeAfterTable::BeforeAfterTable(QWidget* parent) : FigureTable(new BeforeAfterModel(nullptr), parent) {}

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -22,14 +23,20 @@ struct ChoiceText {
   const char* label;
   const char* tip;
 };
-constexpr std::array<ChoiceText, 3> kChoices = {{
+constexpr std::array<ChoiceText, 4> kChoices = {{
     {BeforeAfterPanel::Choice::kThis, QT_TRANSLATE_NOOP("BeforeAfterPanel", "this impact"),
-     QT_TRANSLATE_NOOP("BeforeAfterPanel",
-                       "The impact at the shown moment: PgUp and PgDn go there, or a click on it")},
+     QT_TRANSLATE_NOOP(
+         "BeforeAfterPanel",
+         "The impact at the shown moment: PgUp and PgDn go there, or a click on it. At the newest "
+         "moment without one: the last impact")},
     {BeforeAfterPanel::Choice::kLast, QT_TRANSLATE_NOOP("BeforeAfterPanel", "last"),
      QT_TRANSLATE_NOOP("BeforeAfterPanel", "The last impact of the run so far")},
     {BeforeAfterPanel::Choice::kStart, QT_TRANSLATE_NOOP("BeforeAfterPanel", "from the start"),
      QT_TRANSLATE_NOOP("BeforeAfterPanel", "All bodies at the start and at the shown moment")},
+    {BeforeAfterPanel::Choice::kMarked, QT_TRANSLATE_NOOP("BeforeAfterPanel", "from A to B"),
+     QT_TRANSLATE_NOOP("BeforeAfterPanel",
+                       "All bodies at the marks A and B: a click in a plot, with Shift for B; or Ctrl+M, "
+                       "Ctrl+Shift+M at the shown moment")},
 }};
 
 // The impact of the step that ends at the shown moment: the one that was asked for, else the last one.
@@ -102,23 +109,28 @@ void BeforeAfterPanel::choose(Choice choice) {
 void BeforeAfterPanel::update_from(const Shown& run) {
   switch (choice()) {
     case Choice::kThis:
-      return show_impact(impact_of_step(run.shown, run.picked), run);
+      return show_this(run);
     case Choice::kLast:
-      return show_impact(run.newest.jumps.empty() ? nullptr : run.newest.jumps.back(), run);
+      if (run.newest.jumps.empty()) return show_nothing(tr("no impact so far"));
+      return show_impact(run.newest.jumps.back(), run);
     case Choice::kStart:
       moment_.reset();
+      interval_.reset();
       head_->setText(tr("from the start to t = %1 s").arg(run.shown.time, 0, 'f', 3));
       return table_->show_pair(since_start(run.start, run.shown));
+    case Choice::kMarked:
+      return show_marked(run);
   }
 }
 
+void BeforeAfterPanel::show_this(const Shown& run) {
+  if (const auto moment = impact_of_step(run.shown, run.picked)) return show_impact(moment, run);
+  const bool is_newest = run.shown.time >= run.newest.time;
+  if (is_newest && !run.newest.jumps.empty()) return show_impact(run.newest.jumps.back(), run);
+  show_nothing(is_newest ? tr("no impact so far") : tr("no impact at this moment: PgUp goes to the last one"));
+}
+
 void BeforeAfterPanel::show_impact(const std::shared_ptr<const JumpMoment>& moment, const Shown& run) {
-  if (moment == nullptr) {
-    moment_.reset();
-    head_->setText(choice() == Choice::kThis ? tr("no impact at this moment: PgUp goes to the last one")
-                                             : tr("no impact so far"));
-    return table_->show_nothing();
-  }
   const double time = moment->time();
   const double just_before = std::nextafter(time, -std::numeric_limits<double>::infinity());
   const std::int64_t all = run.newest.impact_count;
@@ -126,7 +138,28 @@ void BeforeAfterPanel::show_impact(const std::shared_ptr<const JumpMoment>& mome
   const QString number = first >= last ? tr("impact %1 of %2").arg(last).arg(all)
                                        : tr("impacts %1 to %2 of %3").arg(first).arg(last).arg(all);
   head_->setText(tr("%1, t = %2 s").arg(number).arg(time, 0, 'f', 3));
+  interval_.reset();
   if (std::exchange(moment_, moment) != moment) table_->show_pair(before_and_after(*moment));
+}
+
+void BeforeAfterPanel::show_marked(const Shown& run) {
+  if (!run.mark_a) return show_nothing(tr("no mark A yet: click in a plot, or Ctrl+M"));
+  if (!run.mark_b) return show_nothing(tr("no mark B yet: Shift and click in a plot, or Ctrl+Shift+M"));
+  if (std::max(*run.mark_a, *run.mark_b) > run.newest.time)
+    return show_nothing(tr("a mark is after the run so far: play on"));
+  if (run.marked == nullptr) return show_nothing(tr("the run is repeated up to the marks"));
+  const QString order =
+      *run.mark_a <= *run.mark_b ? tr("A, t = %1 s, to B, t = %2 s") : tr("B, t = %1 s, to A, t = %2 s");
+  head_->setText(order.arg(run.marked->from, 0, 'f', 3).arg(run.marked->to, 0, 'f', 3));
+  moment_.reset();
+  if (std::exchange(interval_, run.marked) != run.marked) table_->show_pair(before_and_after(*run.marked));
+}
+
+void BeforeAfterPanel::show_nothing(const QString& why) {
+  moment_.reset();
+  interval_.reset();
+  head_->setText(why);
+  table_->show_nothing();
 }
 
 }  // namespace carom

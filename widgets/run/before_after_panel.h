@@ -14,13 +14,14 @@ class QLabel;
 
 namespace carom {
 
-// Before and after: of the impact at the shown moment, of the run's last one, or from the start to the shown
-// moment. Arrows go from impact to impact.
+// Before and after: of the impact at the shown moment (at the newest one without any: of the last), of the
+// run's last one, from the start to the shown moment, or from mark A to mark B. Arrows go from impact to
+// impact.
 class BeforeAfterPanel : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Choice { kThis, kLast, kStart };
+  enum class Choice { kThis, kLast, kStart, kMarked };
 
   explicit BeforeAfterPanel(QWidget* parent = nullptr);
   // What is shown of a run.
@@ -29,7 +30,11 @@ class BeforeAfterPanel : public QWidget {
     const Frame& newest;
     const Recorder& recorder;
     const std::vector<Body>& start;  // bodies at the start, in the order of the frames
-    std::optional<double> picked;    // s, of the impact that was asked for
+    std::optional<double> picked{};  // s, of the impact that was asked for
+    // s, the user's marks, and the run between them, if it is known.
+    std::optional<double> mark_a{};
+    std::optional<double> mark_b{};
+    std::shared_ptr<const RunInterval> marked{};
   };
   void update_from(const Shown& run);
   [[nodiscard]] Choice choice() const;
@@ -40,12 +45,17 @@ class BeforeAfterPanel : public QWidget {
   void impactAsked(bool forward);
 
  private:
+  void show_this(const Shown& run);
   void show_impact(const std::shared_ptr<const JumpMoment>& moment, const Shown& run);
+  void show_marked(const Shown& run);
+  void show_nothing(const QString& why);
 
   QLabel* head_;
   QButtonGroup* choices_;
   BeforeAfterTable* table_;
-  std::shared_ptr<const JumpMoment> moment_;  // that the table shows
+  // That the table shows.
+  std::shared_ptr<const JumpMoment> moment_;
+  std::shared_ptr<const RunInterval> interval_;
 };
 
 }  // namespace carom

@@ -35,7 +35,8 @@ Timeline::Timeline(const Theme& theme, QWidget* parent)
       tr("The run so far; a tick for each impact.\n"
          "Click or drag: to a moment; with Shift ten times finer.\n"
          "Wheel: a step; with Ctrl an impact. Double click: type a time.\n"
-         "A flag for each stop: a click opens it, a drag moves one at a time."));
+         "A flag for each stop: a click opens it, a drag moves one at a time.\n"
+         "A and B: the marks, as in the plots; Ctrl+M and Ctrl+Shift+M set them at the shown moment."));
   field_->setAccessibleName(tr("Time in s"));
   field_->installEventFilter(this);
   field_->hide();
@@ -58,6 +59,10 @@ void Timeline::set_stops(const std::vector<Stop>& stops) {
   held_.reset();
   if (chosen_ && *chosen_ >= stops.size()) chosen_.reset();
   update();
+}
+
+void Timeline::set_marks(std::optional<double> a, std::optional<double> b) {
+  if (std::exchange(marks_, {a, b}) != std::array{a, b}) update();
 }
 
 double Timeline::end() const { return duration_ * std::max(1.0, std::ceil(time_ / duration_ - 1e-9)); }
@@ -102,9 +107,27 @@ void Timeline::paintEvent(QPaintEvent* /*event*/) {
   for (const double t : ticks_) painter.drawLine(QPointF(x_of(t), y - 8.0), QPointF(x_of(t), y + 8.0));
   flags_.paint(
       painter, theme_, y, [this](double t) { return x_of(t); }, chosen_);
+  paint_marks(painter, y);
   painter.setPen(QPen(theme_.panel, 1.5));
   painter.setBrush(theme_.accent);
   painter.drawEllipse(QPointF(x_of(shown_), y), 5.5, 5.5);
+}
+
+// Those beyond the line are left out.
+void Timeline::paint_marks(QPainter& painter, double middle) const {
+  constexpr double kLetter = 10.0;  // px, the square of one
+  QFont font = painter.font();
+  font.setPixelSize(static_cast<int>(kLetter));
+  font.setBold(true);
+  painter.setFont(font);
+  painter.setPen(QPen(theme_.accent, 1.2));
+  for (std::size_t i = 0; i < marks_.size(); ++i) {
+    if (!marks_[i] || *marks_[i] > end()) continue;
+    const double x = x_of(*marks_[i]);
+    painter.drawLine(QPointF(x, middle - 6.0), QPointF(x, height()));
+    const double left = i == 0 ? x - kLetter - 1.0 : x + 2.0;  // outside the interval
+    painter.drawText(QRectF(left, height() - kLetter, kLetter, kLetter), Qt::AlignCenter, i == 0 ? "A" : "B");
+  }
 }
 
 void Timeline::mousePressEvent(QMouseEvent* event) {

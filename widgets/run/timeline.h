@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace carom {
 // the playhead at the shown moment. Where a run continues past the duration the line grows by whole durations.
 // Click and drag: to a moment, with Shift ten times finer; a click on a tick: to the impact. Wheel: a step,
 // with Ctrl an impact. Double click: a field for a time. Stops have flags: a click chooses one, a drag moves
-// one at a time, Escape takes the drag back, Delete removes the chosen one.
+// one at a time, Escape takes the drag back, Delete removes the chosen one. The marks A and B are letters under
+// the line.
 class Timeline : public QWidget {
   Q_OBJECT
 
@@ -26,6 +28,8 @@ class Timeline : public QWidget {
   void set_theme(const Theme& theme);
   void set_duration(double seconds);
   void set_stops(const std::vector<Stop>& stops);
+  // The user's marks A and B, s.
+  void set_marks(std::optional<double> a, std::optional<double> b);
   // `shown`: s, of the playhead.
   void update_from(const Frame& newest, const Recorder& recorder, double shown);
   [[nodiscard]] double end() const;
@@ -73,6 +77,7 @@ class Timeline : public QWidget {
 
   [[nodiscard]] double time_at(double x) const;
   [[nodiscard]] std::optional<TimelineFlag> flag_at(const QPointF& at) const;
+  void paint_marks(QPainter& painter, double middle) const;
   void drag_flag(double x, bool finer);
   void drop_flag();
   void open_field();
@@ -83,7 +88,8 @@ class Timeline : public QWidget {
   double duration_ = 1.0;
   double time_ = 0.0;
   double shown_ = 0.0;
-  std::vector<double> ticks_;  // s, thinned to what pixels can show
+  std::vector<double> ticks_;                   // s, thinned to what pixels can show
+  std::array<std::optional<double>, 2> marks_;  // s
   TimelineFlags flags_;
   std::optional<HeldFlag> held_;
   std::optional<std::size_t> chosen_;  // stop

@@ -211,7 +211,7 @@ TEST_F(LabPlayheadTest, BeforeAndAfterOfTheImpactThatIsGoneTo) {
   auto* panel = window_.findChild<BeforeAfterPanel*>();
   const QAbstractItemModel* table = panel->findChild<BeforeAfterTable*>()->model();
   window_.findChild<Drawer*>()->choose(panel);
-  EXPECT_EQ(table->rowCount(), 0) << "no impact at the end";
+  EXPECT_EQ(table->rowCount(), 3) << "no impact at the end: the last one";
   panel->choose(BeforeAfterPanel::Choice::kLast);
   EXPECT_EQ(table->rowCount(), 3);
   panel->choose(BeforeAfterPanel::Choice::kThis);
@@ -225,6 +225,34 @@ TEST_F(LabPlayheadTest, BeforeAndAfterOfTheImpactThatIsGoneTo) {
   EXPECT_EQ(cell(0, 5), "< 1e−12");
   press(Qt::Key_Comma);
   EXPECT_EQ(table->rowCount(), 0);
+}
+
+// Marks at the shown moment, by keys: the timeline shows them, and the table compares the run there.
+TEST_F(LabPlayheadTest, BeforeAndAfterFromMarkToMark) {
+  auto* panel = window_.findChild<BeforeAfterPanel*>();
+  const QAbstractItemModel* table = panel->findChild<BeforeAfterTable*>()->model();
+  auto* plots = window_.findChild<PlotPanel*>();
+  auto* drawer = window_.findChild<Drawer*>();
+  drawer->choose(panel);
+  panel->choose(BeforeAfterPanel::Choice::kMarked);
+  EXPECT_EQ(table->rowCount(), 0);
+  QTest::keyClick(&window_.scene_view(), Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(plots->marks().b, std::optional(end_->time));
+  const QImage without = timeline()->grab().toImage();
+  press(Qt::Key_Home);
+  QTest::keyClick(&window_.scene_view(), Qt::Key_M, Qt::ControlModifier);
+  EXPECT_EQ(plots->marks().a, std::optional(0.0));
+  EXPECT_TRUE(drawer->shows(panel)) << "the table of the marks stays";
+  ASSERT_TRUE(wait_for([table] { return table->rowCount() == 5; }));
+  const auto cell = [table](int row, int column) { return table->index(row, column).data().toString(); };
+  EXPECT_EQ(cell(0, 2), "2.00, 0.00");
+  EXPECT_EQ(cell(0, 4), "−1.43, 0.00");
+  EXPECT_EQ(cell(3, 7), "−0.500, 0.000") << "theory";
+  press(Qt::Key_End);
+  EXPECT_NE(timeline()->grab().toImage(), without) << "mark A";
+  panel->choose(BeforeAfterPanel::Choice::kThis);
+  QTest::keyClick(&window_.scene_view(), Qt::Key_M, Qt::ControlModifier);
+  EXPECT_FALSE(drawer->shows(panel)) << "else a new mark is read";
 }
 
 TEST_F(LabPlayheadTest, SpacePlaysTheRecordOnAndPastIt) {

@@ -1,3 +1,5 @@
+#include <QHeaderView>
+#include <QLabel>
 #include <QTableView>
 #include <gtest/gtest.h>
 
@@ -31,6 +33,17 @@ struct ShownRun {
   }
   void show(BeforeAfterPanel& panel, const std::optional<double>& picked = std::nullopt) const {
     panel.update_from({frame, frame, recorder, start, picked});
+  }
+  // An earlier moment, which is no impact's.
+  void show_earlier(BeforeAfterPanel& panel) const {
+    Frame earlier = frame;
+    earlier.time -= 0.1;
+    earlier.jumps.clear();
+    panel.update_from({earlier, frame, recorder, start});
+  }
+  void show_marked(BeforeAfterPanel& panel, std::optional<double> a, std::optional<double> b,
+                   const std::shared_ptr<const RunInterval>& marked = nullptr) const {
+    panel.update_from({frame, frame, recorder, start, {}, a, b, marked});
   }
 
   std::vector<Body> start;
@@ -78,6 +91,8 @@ TEST(BeforeAfter, TheLastImpactStaysAndThisOneGoesWithTheMoment) {
   const ShownRun run(head_on(), 0.6);
   BeforeAfterPanel panel;
   run.show(panel);
+  EXPECT_EQ(rows_of(panel), 3) << "at the newest moment the last one";
+  run.show_earlier(panel);
   EXPECT_EQ(rows_of(panel), 0) << "there is none at this moment";
   panel.choose(Choice::kLast);
   run.show(panel);
@@ -140,6 +155,62 @@ TEST(BeforeAfter, OfSeveralImpactsOfAStepThePickedOne) {
   EXPECT_EQ(row_of(panel, 0)[0], "c");
   run.show(panel);
   EXPECT_EQ(row_of(panel, 0)[0], "c") << "without a choice the last one";
+}
+
+std::shared_ptr<const RunInterval> interval_of(const Scene& scene, double from, double to) {
+  RunSetup setup;
+  setup.scene = scene;
+  setup.method.step = 0.01;
+  return std::make_shared<const RunInterval>(run_interval(setup, {}, from, to, [] { return true; }).value());
+}
+
+QString head_of(const BeforeAfterPanel& panel) {
+  for (const QLabel* label : panel.findChildren<QLabel*>()) {
+    if (label->accessibleName() == "What is compared") return label->text();
+  }
+  return {};
+}
+
+TEST(BeforeAfter, FromAToBWithTheLawsThatHoldForIt) {
+  const ShownRun run(head_on(), 0.8);
+  BeforeAfterPanel panel;
+  panel.choose(Choice::kMarked);
+  run.show_marked(panel, 0.7, 0.1, interval_of(head_on(), 0.1, 0.7));
+  ASSERT_EQ(rows_of(panel), 3 + 1 + 2) << "all bodies, their sum, its theory and its error";
+  EXPECT_EQ(head_of(panel), "B, t = 0.100 s, to A, t = 0.700 s");
+  // Its angular momentum gives L a column: body, m, v before, theory, v after, error, p, p, L, L, K, K.
+  ASSERT_EQ(row_of(panel, 0).size(), 12);
+  EXPECT_EQ(row_of(panel, 0).mid(2, 4), (QStringList{"2.00, 0.00", "—", "−1.86, 0.00", "—"}));
+  EXPECT_TRUE(tip_of(panel, 0, 3).contains("touched another body"));
+  EXPECT_EQ(row_of(panel, 2).mid(2, 4), (QStringList{"1.00, 0.00", "1.00, 0.00", "1.00, 0.00", "< 1e−12"}));
+  EXPECT_EQ(row_of(panel, 3).mid(6),
+            (QStringList{"0.500, 0.000", "0.500, 0.000", "−5.000", "−5.000", "3.750", "2.593"}));
+  EXPECT_EQ(row_of(panel, 4),
+            (QStringList{"theory", "", "", "", "", "", "", "0.500, 0.000", "", "−5.000", "", "—"}));
+  EXPECT_EQ(row_of(panel, 5).mid(7), (QStringList{"< 1e−12", "", "< 1e−12", "", "—"}));
+  EXPECT_TRUE(tip_of(panel, 4, 11).contains("e below 1"));
+}
+
+TEST(BeforeAfter, SaysWhatIsMissingForTheMarks) {
+  const ShownRun run(head_on(), 0.8);
+  BeforeAfterPanel panel;
+  panel.choose(Choice::kMarked);
+  run.show_marked(panel, std::nullopt, 0.2);
+  EXPECT_TRUE(head_of(panel).startsWith("no mark A yet: click in a plot"));
+  run.show_marked(panel, 0.2, std::nullopt);
+  EXPECT_TRUE(head_of(panel).startsWith("no mark B yet: Shift and click in a plot"));
+  run.show_marked(panel, 0.2, 3.0);
+  EXPECT_TRUE(head_of(panel).contains("after the run so far"));
+  EXPECT_EQ(rows_of(panel), 0);
+}
+
+TEST(BeforeAfter, ATableOfAPlaneImpactFitsASmallDrawer) {
+  const ShownRun run(head_on(), 0.34);
+  BeforeAfterTable table;
+  table.resize(660, 200);
+  table.show_pair(before_and_after(*run.frame.jumps.front()));
+  table.show();
+  EXPECT_EQ(table.horizontalHeader()->length(), table.viewport()->width());
 }
 
 }  // namespace
