@@ -97,7 +97,7 @@ void BeforeAfterModel::choose_columns() {
   };
   static const std::vector<Choice> kChoices = {
       {Quantity::kBody, {"body", 58, true}},
-      {Quantity::kMass, {"m\n/ kg", 46}},
+      {Quantity::kMass, {"m\n/ kg", 54}},
       {Quantity::kVelocityBefore, {"v before\n/ m/s", 90}},
       {Quantity::kVelocityTheory, {"after:\ntheory", 90}, true},
       {Quantity::kVelocityAfter, {"v after\n/ m/s", 90}},

@@ -125,7 +125,9 @@ void Timeline::paint_marks(QPainter& painter, double middle) const {
     if (!marks_[i] || *marks_[i] > end()) continue;
     const double x = x_of(*marks_[i]);
     painter.drawLine(QPointF(x, middle - 6.0), QPointF(x, height()));
-    const double left = i == 0 ? x - kLetter - 1.0 : x + 2.0;  // outside the interval
+    // Outside the interval, where there is room.
+    const bool at_left = i == 0 ? x - kLetter > 1.0 : x + kLetter + 2.0 > width();
+    const double left = at_left ? x - kLetter - 1.0 : x + 2.0;
     painter.drawText(QRectF(left, height() - kLetter, kLetter, kLetter), Qt::AlignCenter, i == 0 ? "A" : "B");
   }
 }
