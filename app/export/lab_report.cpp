@@ -74,6 +74,11 @@ class Writer {
     const Theme& theme = light_theme();
     add(print_text(tr("Lab report"), print_font(12), theme.muted));
     add(print_text(report_.title, print_font(26, true), theme.text), 2.0);
+    if (report_.until_shown)
+      add(print_text(tr("Up to the moment t = %1 s of a run of %2 s")
+                         .arg(short_figure(report_.ends.front().time, 6), short_figure(report_.recorded, 6)),
+                     print_font(12), theme.muted),
+          2.0);
     add(print_fields({{tr("Name"), report_.name, 0.48},
                       {tr("Class"), report_.form, 0.22},
                       {tr("Date"), report_.date, 0.30}}));
@@ -268,7 +273,8 @@ QString moment_text(double time, const LabReport& report) {
     if (off < 0.0 && off >= -near) return tr("just before the first impact");
     if (off >= 0.0 && off <= near) return tr("just after the first impact");
   }
-  return time == report.ends.front().time ? tr("end") : QString();
+  if (time != report.ends.front().time) return {};
+  return report.until_shown ? tr("shown moment") : tr("end");
 }
 
 std::optional<ReportMoments> report_moments(const LabReport& report,

@@ -27,6 +27,8 @@ struct LabReport {
   // The scene's own method and the compared methods, and how far each run is.
   std::vector<RunSetup> runs;
   std::vector<Frame> ends;
+  double recorded = 0.0;               // s: how far the first one is recorded
+  bool until_shown = false;            // the ends are at a moment of the record, not its end
   std::optional<double> first_impact;  // s
   SceneLook look;
   std::vector<RunPlot*> plots;  // as shown in the window

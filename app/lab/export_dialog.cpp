@@ -9,18 +9,21 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/lab/marks_text.h"
 #include "widgets/base/plain_text.h"
 
 namespace carom {
 
-ExportDialog::ExportDialog(const QString& plot, bool marked, const std::vector<QString>& runs, QWidget* parent)
+ExportDialog::ExportDialog(const QString& plot, const QString& marked, const std::vector<QString>& runs,
+                           QWidget* parent)
     : QDialog(parent),
       plot_(new QRadioButton(tr("The curves of “%1”").arg(QString(plot).replace('&', "&&")))),
       plots_(new QRadioButton(tr("The curves of all plots"))),
       run_(new QRadioButton(tr("The whole run: sums, bodies (up to 50) and ledger"))),
       all_(new QRadioButton(tr("From the start until now"))),
       shown_(new QRadioButton(tr("What the plots show"))),
-      marked_(new QRadioButton(tr("Between the marks A and B"))),
+      marked_(new QRadioButton(marked.isEmpty() ? tr("From mark A to mark B")
+                                                : tr("From mark A to mark B: %1").arg(marked))),
       runs_(new QComboBox) {
   setWindowTitle(tr("Save data"));
   auto* column = new QVBoxLayout(this);
@@ -41,8 +44,8 @@ ExportDialog::ExportDialog(const QString& plot, bool marked, const std::vector<Q
   plot_->setVisible(!plot.isEmpty());
   (plot.isEmpty() ? run_ : plot_)->setChecked(true);
   all_->setChecked(true);
-  marked_->setEnabled(marked);
-  marked_->setToolTip(tr("Click into a plot for A, with Shift for B"));
+  marked_->setEnabled(!marked.isEmpty());
+  marked_->setToolTip(marks_tip());
   auto* note =
       new PlainLabel(tr("CSV, units in the header, every digit: one line for each step's end, two for each "
                         "impact. The run is computed once more."),

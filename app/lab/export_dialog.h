@@ -16,9 +16,9 @@ class ExportDialog : public QDialog {
   enum class What { kPlot, kPlots, kRun };
   enum class Time { kAll, kShown, kMarked };
 
-  // `plot`: the title of the requested plot, or empty; `marked`: there are two marks; `runs`: the names of the
-  // compared methods.
-  ExportDialog(const QString& plot, bool marked, const std::vector<QString>& runs, QWidget* parent);
+  // `plot`: the title of the requested plot, or empty; `marked`: the times of the two marks, or empty; `runs`:
+  // the names of the compared methods.
+  ExportDialog(const QString& plot, const QString& marked, const std::vector<QString>& runs, QWidget* parent);
 
   [[nodiscard]] What what() const;
   [[nodiscard]] Time time() const;

@@ -11,7 +11,9 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QStandardItemModel>
 
+#include "app/lab/marks_text.h"
 #include "physics/scene/validate.h"
 #include "widgets/base/ask.h"
 #include "widgets/base/number_text.h"
@@ -61,9 +63,13 @@ QWidget* row_of(std::initializer_list<QWidget*> parts) {
 
 }  // namespace
 
-FilmDialog::FilmDialog(const Film& suggestion, const QString& folder, QWidget* parent)
+FilmDialog::FilmDialog(const Film& suggestion, const QString& folder,
+                       const std::optional<std::pair<double, double>>& marked, QWidget* parent)
     : QDialog(parent),
       suggestion_(suggestion),
+      suggested_folder_(folder),
+      marked_(marked),
+      part_(new QComboBox),
       from_(number_box(0.0, 1e9, 3, suggestion.from, tr("The run's time at the first frame"))),
       to_(number_box(0.0, 1e9, 3, suggestion.to,
                      tr("No frame is after this time; what the run has not reached yet is computed for it"))),
@@ -90,6 +96,13 @@ FilmDialog::FilmDialog(const Film& suggestion, const QString& folder, QWidget* p
   shown_->setToolTip(tr("The camera stands still in either case"));
   auto* choose = new QPushButton(tr("Choose..."));
   choose->setAutoDefault(false);
+  part_->setObjectName("part");
+  part_->addItem(tr("The run so far"));
+  part_->addItem(marked ? tr("From A to B: %1").arg(text_of(marked)) : tr("From A to B"));
+  if (!marked) static_cast<QStandardItemModel*>(part_->model())->item(1)->setEnabled(false);
+  part_->setItemData(1, marks_tip(), Qt::ToolTipRole);
+  part_->setToolTip(marks_tip());
+  form->addRow(tr("Part"), part_);
   form->addRow(tr("Of the run"), row_of({from_, new PlainLabel(tr("to")), to_}));
   form->addRow(tr("Speed"), speed_);
   form->addRow(tr("Frames a second"), rate_);
@@ -116,6 +129,7 @@ FilmDialog::FilmDialog(const Film& suggestion, const QString& folder, QWidget* p
 
   connect(buttons, &QDialogButtonBox::accepted, this, &FilmDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(part_, &QComboBox::currentIndexChanged, this, &FilmDialog::choose_part);
   connect(choose, &QPushButton::clicked, this, &FilmDialog::choose_folder);
   for (QDoubleSpinBox* box : {from_, to_, rate_, speed_})
     connect(box, &QDoubleSpinBox::valueChanged, this, &FilmDialog::update_summary);
@@ -138,6 +152,16 @@ Film FilmDialog::film() const {
 }
 
 QString FilmDialog::folder() const { return QDir::cleanPath(folder_->text().trimmed()); }
+
+// A folder that the user has chosen stays.
+void FilmDialog::choose_part() {
+  const bool of_marks = part_->currentIndex() == 1 && marked_.has_value();
+  const QString named = suggested_folder_ + ", " + text_of(marked_);
+  if (folder_->text() == (of_marks ? suggested_folder_ : named))
+    folder_->setText(of_marks ? named : suggested_folder_);
+  from_->setValue(of_marks ? marked_->first : suggestion_.from);
+  to_->setValue(of_marks ? marked_->second : suggestion_.to);
+}
 
 void FilmDialog::choose_folder() {
   auto* dialog = new QFileDialog(this, tr("The frames' folder"), folder_->text());

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <tuple>
 
 #include "app/export/bins_export.h"
 #include "app/export/film.h"
@@ -20,6 +21,7 @@
 #include "app/export/run_progress.h"
 #include "app/lab/export_dialog.h"
 #include "app/lab/film_dialog.h"
+#include "app/lab/marks_text.h"
 #include "app/lab/report_dialog.h"
 #include "app/lab/session.h"
 #include "physics/files/output_file.h"
@@ -102,7 +104,8 @@ void LabExports::save_picture_as(const QString& stem,
 }
 
 void LabExports::save_scene_picture() {
-  save_picture_as("scene",
+  const QString moment = QString::number(session_.runs().shown_time(), 'g', 6);
+  save_picture_as(tr("scene, t = %1 s").arg(moment),
                   [this](const QString& file, QString* error) { return views_.scene.save(file, error); });
 }
 
@@ -159,10 +162,12 @@ void LabExports::save_data(const RunPlot* plot) {
   const std::vector<std::shared_ptr<const Frame>> frames = session_.runs().newest();
   std::vector<Method> methods;
   for (const auto& each : frames) methods.push_back(each->method);
-  auto* dialog = new ExportDialog(plot == nullptr ? QString() : plot->content().title, marks.a && marks.b,
+  const auto marked = interval_of(marks);
+  auto* dialog = new ExportDialog(plot == nullptr ? QString() : plot->content().title, text_of(marked),
                                   names_of(methods), window_);
-  ask(dialog, [this, dialog, frames, marks, plot, reference = session_.reference()] {
+  ask(dialog, [this, dialog, frames, marks, marked, plot, reference = session_.reference()] {
     const Frame& frame = *frames[dialog->run()];
+    QString name = QStringLiteral("run");
     DataExport what = export_of(frame, reference);
     if (dialog->what() == ExportDialog::What::kRun) what.columns = run_columns(*frame.bodies);
     for (const RunPlot* each : views_.plots.plots()) {
@@ -174,10 +179,10 @@ void LabExports::save_data(const RunPlot* plot) {
       what.from = marks.from;
       what.to = std::min(what.to, marks.to);
     } else if (dialog->time() == ExportDialog::Time::kMarked) {
-      what.from = std::min(*marks.a, *marks.b);
-      what.to = std::max(*marks.a, *marks.b);
+      std::tie(what.from, what.to) = *marked;
+      name += ", " + text_of(marked);
     }
-    ask_for_export(tr("Save the data"), "run.csv", tr("Tables (*.csv)"), [this, what](const QString& file) {
+    ask_for_export(tr("Save the data"), name + ".csv", tr("Tables (*.csv)"), [this, what](const QString& file) {
       with_progress(
           window_, tr("Save data"), tr("The data cannot be saved"),
           [what, file](const Progress& go_on) { (void)export_data(what, file.toStdString(), go_on); });
@@ -245,7 +250,7 @@ void LabExports::make_film() {
       session_.name().isEmpty() ? QFileInfo(session_.file()).completeBaseName() : session_.name();
   const QString folder =
       QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) + "/" + name + "-film";
-  auto* dialog = new FilmDialog(film, QDir::cleanPath(folder), window_);
+  auto* dialog = new FilmDialog(film, QDir::cleanPath(folder), interval_of(views_.plots.marks()), window_);
   ask(dialog, [this, dialog] { save_film_of(dialog->film(), dialog->folder(), dialog->may_replace()); });
 }
 
@@ -270,36 +275,47 @@ void LabExports::make_report() {
   if (!has_run()) return;
   if (session_.runs().newest().front()->steps == 0 && !session_.runs().newest().front()->playing)
     return show_message(window_, tr("Lab report"), tr("The run has not begun: play it first."));
-  // So that plots and tables have the same time.
-  session_.runs().go_to_end();
   session_.runs().when_still(tr("the report waits for the step that is under way"), [this] { write_report(); });
 }
 
 void LabExports::write_report() {
-  if (!has_run() || session_.runs().newest().front()->steps == 0) return;
-  const Frame& frame = *session_.runs().newest().front();
-  bodies_->set(since_start(session_.bodies(), frame));
-  views_.ledger.update_from(frame);
+  const LabRuns& runs = session_.runs();
+  if (!has_run() || runs.newest().front()->steps == 0) return;
+  std::optional<LabReport> of_shown;
+  if (runs.in_past() && runs.there()) of_shown = report_until(runs.frames());
+  auto* dialog = new ReportDialog(report_until(runs.newest()), of_shown, window_);
+  ask(dialog, [this, dialog] {
+    const LabReport report = dialog->report();
+    // So that plots and tables have the same time.
+    if (!report.until_shown) session_.runs().go_to_end();
+    bodies_->set(since_start(session_.bodies(), report.ends.front()));
+    views_.ledger.update_from(report.ends.front());
+    ask_for_export(tr("Save the report"), "report.pdf", tr("Documents (*.pdf)"),
+                   [this, report](const QString& file) { save_report(report, file); });
+  });
+}
+
+LabReport LabExports::report_until(const std::vector<std::shared_ptr<const Frame>>& ends) const {
+  const Frame& frame = *ends.front();
   LabReport report;
   report.runs = runs();
-  for (const auto& each : session_.runs().newest()) report.ends.push_back(*each);
+  for (const auto& each : ends) report.ends.push_back(*each);
+  for (std::size_t i = 0; i < ends.size(); ++i) report.ends[i].scales = session_.runs().newest()[i]->scales;
+  report.recorded = session_.runs().newest().front()->time;
+  report.until_shown = frame.time < report.recorded;
   report.title = QString::fromStdString(session_.document().title);
   report.observe = QString::fromStdString(session_.document().observe);
   report.date = QLocale().toString(QDate::currentDate(), "d MMMM yyyy");
   report.questions = {tr("What did you expect?"), tr("What do you see?"), tr("Why?")};
   std::vector<SeriesPoint<1>> impacts;
   session_.runs().recorders().front()->impulses().read(0.0, frame.time, impacts);
-  if (!impacts.empty()) report.first_impact = impacts.front().at;
+  if (!impacts.empty() && impacts.front().at <= frame.time) report.first_impact = impacts.front().at;
   report.times = report_times(report.runs.front().method, report.first_impact, frame.time);
   report.look = views_.scene.look();
   report.plots = views_.plots.plots();
   report.bodies = bodies_;
   report.ledger = static_cast<const FigureModel*>(views_.ledger.model());
-  auto* dialog = new ReportDialog(report, window_);
-  ask(dialog, [this, dialog] {
-    ask_for_export(tr("Save the report"), "report.pdf", tr("Documents (*.pdf)"),
-                   [this, report = dialog->report()](const QString& file) { save_report(report, file); });
-  });
+  return report;
 }
 
 void LabExports::save_report(const LabReport& report, const QString& file) {

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "physics/record/replay.h"
@@ -17,6 +18,7 @@ class SceneView;
 class Session;
 struct Film;
 struct FilmFrames;
+struct Frame;
 struct LabReport;
 
 // The exports of the lab. Each asks for a file and shows errors in a message. It writes the state at the time
@@ -50,6 +52,7 @@ class LabExports : public QObject {
   void copy_bins(const RunPlot& plot);
   void save_film_of(const Film& film, const QString& folder, bool replace);
   void write_report();
+  [[nodiscard]] LabReport report_until(const std::vector<std::shared_ptr<const Frame>>& ends) const;
   void save_report(const LabReport& report, const QString& file);
   [[nodiscard]] bool has_run() const;
   [[nodiscard]] std::vector<RunSetup> runs() const;

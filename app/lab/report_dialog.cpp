@@ -1,12 +1,14 @@
 #include "app/lab/report_dialog.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QStandardItemModel>
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -15,6 +17,16 @@
 #include "widgets/base/plain_text_edit.h"
 
 namespace carom {
+
+namespace {
+
+QString listed(const std::vector<double>& times) {
+  QStringList texts;
+  for (const double time : times) texts << QString::number(time, 'g', 10);
+  return texts.join("; ");
+}
+
+}  // namespace
 
 std::vector<double> times_of(const QString& text, double end) {
   static const QRegularExpression between("[;\\s]+|,\\s+");
@@ -38,9 +50,12 @@ std::vector<double> times_of(const QString& text, double end) {
   return times;
 }
 
-ReportDialog::ReportDialog(const LabReport& suggestion, QWidget* parent)
+ReportDialog::ReportDialog(const LabReport& suggestion, const std::optional<LabReport>& of_shown,
+                           QWidget* parent)
     : QDialog(parent),
       suggestion_(suggestion),
+      of_shown_(of_shown),
+      end_(new QComboBox),
       title_(new QLineEdit(suggestion.title)),
       name_(new QLineEdit(suggestion.name)),
       form_(new QLineEdit(suggestion.form)),
@@ -62,10 +77,17 @@ ReportDialog::ReportDialog(const LabReport& suggestion, QWidget* parent)
   form->addRow(tr("Class"), form_);
   form->addRow(tr("Date"), date_);
   for (QLineEdit* field : {name_, form_, date_}) field->setPlaceholderText(tr("empty: a line to write on"));
-  QStringList times;
-  for (const double time : suggestion.times) times << QString::number(time, 'g', 10);
+  end_->setObjectName("end");
+  end_->addItem(tr("To its end, t = %1 s").arg(suggestion.ends.front().time, 0, 'g', 6));
+  end_->addItem(of_shown ? tr("To the shown moment, t = %1 s").arg(of_shown->ends.front().time, 0, 'g', 6)
+                         : tr("To the shown moment"));
+  if (!of_shown) static_cast<QStandardItemModel*>(end_->model())->item(1)->setEnabled(false);
+  end_->setToolTip(
+      tr("The shown moment, where it is not the newest one: go there by the timeline or PgUp first"));
+  end_->setItemData(1, end_->toolTip(), Qt::ToolTipRole);
+  form->addRow(tr("The run"), end_);
   times_->setObjectName("times");
-  times_->setText(times.join("; "));
+  times_->setText(listed(suggestion.times));
   times_->setToolTip(tr("The scene is shown at these times, up to %1 of them").arg(LabReport::kMostMoments));
   form->addRow(tr("Moments / s"), times_);
   auto* parts = new QVBoxLayout;
@@ -92,11 +114,12 @@ ReportDialog::ReportDialog(const LabReport& suggestion, QWidget* parent)
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(times_, &QLineEdit::textChanged, this, &ReportDialog::check);
+  connect(end_, &QComboBox::currentIndexChanged, this, &ReportDialog::choose_end);
   check();
 }
 
 LabReport ReportDialog::report() const {
-  LabReport report = suggestion_;
+  LabReport report = suggestion();
   report.title = title_->text().trimmed();
   report.name = name_->text().trimmed();
   report.form = form_->text().trimmed();
@@ -112,11 +135,23 @@ LabReport ReportDialog::report() const {
   return report;
 }
 
+const LabReport& ReportDialog::suggestion() const {
+  return end_->currentIndex() == 1 && of_shown_ ? *of_shown_ : suggestion_;
+}
+
+// Times that the user has typed stay.
+void ReportDialog::choose_end() {
+  const QString text = times_->text();
+  if (text == listed(suggestion_.times) || (of_shown_ && text == listed(of_shown_->times)))
+    times_->setText(listed(suggestion().times));
+  check();
+}
+
 void ReportDialog::check() {
   QString message = tr("A PDF of A4 pages: pictures and plots as vectors, with room for words.");
   bool good = true;
   try {
-    (void)times_of(times_->text(), suggestion_.ends.front().time);
+    (void)times_of(times_->text(), suggestion().ends.front().time);
   } catch (const SceneError& error) {
     message = QString::fromUtf8(error.what());
     good = false;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <QDialog>
+#include <optional>
 
 #include "app/export/lab_report.h"
 
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
@@ -21,15 +23,20 @@ class ReportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  // `suggestion` has all parts; report() leaves out those that the user does not want.
-  ReportDialog(const LabReport& suggestion, QWidget* parent);
+  // `suggestion` has all parts; report() leaves out those that the user does not want. `of_shown`: the one that
+  // ends at the shown moment, if that is not the newest one.
+  ReportDialog(const LabReport& suggestion, const std::optional<LabReport>& of_shown, QWidget* parent);
 
   [[nodiscard]] LabReport report() const;
 
  private:
+  [[nodiscard]] const LabReport& suggestion() const;
+  void choose_end();
   void check();
 
   LabReport suggestion_;
+  std::optional<LabReport> of_shown_;
+  QComboBox* end_;
   QLineEdit* title_;
   QLineEdit* name_;
   QLineEdit* form_;

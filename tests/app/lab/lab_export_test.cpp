@@ -11,6 +11,7 @@
 #include <QPointer>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
@@ -20,6 +21,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <qwt_plot.h>
+#include <utility>
 
 #include "app/export/run_export.h"
 #include "app/export/run_progress.h"
@@ -248,7 +250,7 @@ TEST_F(LabExportTest, TheFilmDialogShowsNumberAndLengthOfFrames) {
   film.to = 2.0;
   film.look = window_.scene_view().look();
   QTemporaryDir dir;
-  FilmDialog dialog(film, dir.path(), &window_);
+  FilmDialog dialog(film, dir.path(), {}, &window_);
   const auto* summary = dialog.findChild<QLabel*>("summary");
   const auto* make = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save);
   EXPECT_TRUE(summary->text().contains("51 frames")) << summary->text().toStdString();
@@ -282,6 +284,59 @@ TEST_F(LabExportTest, TheFilmDialogShowsNumberAndLengthOfFrames) {
   press(true);
   EXPECT_EQ(dialog.result(), QDialog::Accepted);
   EXPECT_TRUE(dialog.may_replace());
+}
+
+TEST_F(LabExportTest, AFilmIsOfThePartFromMarkToMark) {
+  Film film;
+  film.to = 2.0;
+  film.look = window_.scene_view().look();
+  const auto enabled = [](const FilmDialog& dialog) {
+    return dialog.findChild<QComboBox*>("part")->model()->index(1, 0).flags().testFlag(Qt::ItemIsEnabled);
+  };
+  const FilmDialog without(film, "/films/ball", {}, &window_);
+  EXPECT_FALSE(enabled(without));
+  EXPECT_TRUE(without.findChild<QComboBox*>("part")->toolTip().contains("Ctrl+M"));
+  const FilmDialog dialog(film, "/films/ball", std::pair(0.25, 0.75), &window_);
+  EXPECT_TRUE(enabled(dialog));
+  auto* part = dialog.findChild<QComboBox*>("part");
+  EXPECT_EQ(part->itemText(1), "From A to B: 0.25 s to 0.75 s");
+  part->setCurrentIndex(1);
+  EXPECT_EQ(dialog.film().from, 0.25);
+  EXPECT_EQ(dialog.film().to, 0.75);
+  EXPECT_EQ(dialog.folder(), "/films/ball, 0.25 s to 0.75 s");
+  part->setCurrentIndex(0);
+  EXPECT_EQ(dialog.film().to, 2.0);
+  EXPECT_EQ(dialog.folder(), "/films/ball");
+}
+
+TEST_F(LabExportTest, DataAreFromMarkToMark) {
+  window_.run_until(1.0);
+  panel_->set_mark(0.75, false);
+  panel_->set_mark(0.25, true);
+  QTemporaryDir dir;
+  const QString file = dir.filePath("part.csv");
+  QString suggested;
+  with_answers(
+      [&](QWidget* widget) {
+        if (auto* what = qobject_cast<ExportDialog*>(widget)) {
+          for (QRadioButton* button : what->findChildren<QRadioButton*>()) {
+            if (button->text() == "From mark A to mark B: 0.25 s to 0.75 s") button->setChecked(true);
+          }
+          what->accept();
+        } else if (auto* where = qobject_cast<QFileDialog*>(widget)) {
+          if (suggested.isEmpty()) suggested = where->findChild<QLineEdit*>("fileNameEdit")->text();
+          where->setDirectory(dir.path());
+          where->findChild<QLineEdit*>("fileNameEdit")->setText("part.csv");
+          QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
+        }
+      },
+      [&] { emit panel_->dataAsked(panel_->plots().front()); }, [&] { return QFile::exists(file); });
+  EXPECT_EQ(suggested, "run, 0.25 s to 0.75 s.csv");
+  QFile data(file);
+  ASSERT_TRUE(data.open(QIODevice::ReadOnly));
+  const QList<QByteArray> lines = data.readAll().trimmed().split('\n');
+  EXPECT_NEAR(lines[1].split(',').front().toDouble(), 0.25, 1e-9);
+  EXPECT_NEAR(lines.back().split(',').front().toDouble(), 0.75, 1e-9);
 }
 
 // Long work runs beside the window: a dialog shows its progress, and Cancel leaves nothing behind.

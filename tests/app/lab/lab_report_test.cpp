@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFileDialog>
 #include <QImage>
 #include <QLabel>
@@ -189,6 +190,38 @@ TEST_F(LabReportTest, SaysWhatIsMissing) {
   window_.run_until(0.3);
   make("no-such-folder/report.pdf");
   EXPECT_TRUE(bytes("no-such-folder/report.pdf").isEmpty());
+}
+
+TEST_F(LabReportTest, IsOfTheShownMomentOrOfTheWholeRun) {
+  ASSERT_TRUE(window_.open("bouncing-ball"));
+  window_.run_until(1.5);
+  QString only_end;
+  const auto choose = [&](int end) {
+    return [&only_end, end](ReportDialog& dialog) {
+      auto* ends = dialog.findChild<QComboBox*>("end");
+      const bool offered = ends->model()->index(1, 0).flags().testFlag(Qt::ItemIsEnabled);
+      only_end = offered ? QString() : ends->toolTip();
+      ends->setCurrentIndex(end);
+    };
+  };
+  make("newest.pdf", choose(0));
+  EXPECT_TRUE(only_end.contains("go there by the timeline")) << "nothing else is shown";
+  LabRuns& runs = window_.session().runs();
+  runs.go_to(0.3);
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return runs.there(); }));
+  make("shown.pdf", choose(1));
+  EXPECT_TRUE(only_end.isEmpty());
+  EXPECT_TRUE(report_->until_shown);
+  EXPECT_NEAR(report_->ends.front().time, 0.3, 1e-9);
+  EXPECT_NEAR(report_->times.back(), 0.3, 1e-9);
+  EXPECT_EQ(moment_text(report_->times.back(), *report_), "shown moment");
+  EXPECT_FALSE(report_->first_impact) << "it comes later";
+  EXPECT_TRUE(runs.in_past()) << "the playhead stays";
+  make("whole.pdf", choose(0));
+  EXPECT_FALSE(report_->until_shown);
+  EXPECT_NEAR(report_->ends.front().time, 1.5, 1e-9);
+  EXPECT_FALSE(runs.in_past()) << "its plots have no line";
+  EXPECT_GT(bytes("shown.pdf").size(), 1000);
 }
 
 // A playing run is paused for its report: everything in it has one time.
