@@ -97,21 +97,21 @@ void BeforeAfterModel::choose_columns() {
   };
   static const std::vector<Choice> kChoices = {
       {Quantity::kBody, {"body", 58, true}},
-      {Quantity::kMass, {"m\n/ kg", 54}},
-      {Quantity::kVelocityBefore, {"v before\n/ m/s", 90}},
-      {Quantity::kVelocityTheory, {"after:\ntheory", 90}, true},
-      {Quantity::kVelocityAfter, {"v after\n/ m/s", 90}},
+      {Quantity::kMass, {"m\n/ kg", 60}},
+      {Quantity::kVelocityBefore, {"v before\n/ m/s", 98}},
+      {Quantity::kVelocityTheory, {"after:\ntheory", 98}, true},
+      {Quantity::kVelocityAfter, {"v after\n/ m/s", 98}},
       {Quantity::kVelocityError, {"error", 58, false, 2}, true},
-      {Quantity::kSpinBefore, {"ω before\n/ rad/s", 60}, false, &Zero::spins},
-      {Quantity::kSpinTheory, {"after:\ntheory", 56}, true, &Zero::spins},
-      {Quantity::kSpinAfter, {"ω after\n/ rad/s", 56}, false, &Zero::spins},
+      {Quantity::kSpinBefore, {"ω before\n/ rad/s", 66}, false, &Zero::spins},
+      {Quantity::kSpinTheory, {"after:\ntheory", 66}, true, &Zero::spins},
+      {Quantity::kSpinAfter, {"ω after\n/ rad/s", 66}, false, &Zero::spins},
       {Quantity::kSpinError, {"error", 58, false, 2}, true, &Zero::spins},
-      {Quantity::kMomentumBefore, {"p before\n/ kg·m/s", 90}},
-      {Quantity::kMomentumAfter, {"p after\n/ kg·m/s", 90}},
-      {Quantity::kAngularBefore, {"L before\n/ kg·m²/s", 66}, false, &Zero::angular},
-      {Quantity::kAngularAfter, {"L after\n/ kg·m²/s", 66}, false, &Zero::angular},
-      {Quantity::kKineticBefore, {"K before\n/ J", 58}},
-      {Quantity::kKineticAfter, {"K after\n/ J", 54}},
+      {Quantity::kMomentumBefore, {"p before\n/ kg·m/s", 102}},
+      {Quantity::kMomentumAfter, {"p after\n/ kg·m/s", 102}},
+      {Quantity::kAngularBefore, {"L before\n/ kg·m²/s", 74}, false, &Zero::angular},
+      {Quantity::kAngularAfter, {"L after\n/ kg·m²/s", 74}, false, &Zero::angular},
+      {Quantity::kKineticBefore, {"K before\n/ J", 62}},
+      {Quantity::kKineticAfter, {"K after\n/ J", 62}},
   };
   Zero zero;
   for (const int body : compared_.shown) {
@@ -318,7 +318,7 @@ QString BeforeAfterModel::tip(int row, int column) const {
 }
 
 QString BeforeAfterModel::law_tip(Quantity quantity, int body) const {
-  if (const QString why = why_no_law(body); !why.isEmpty()) return why;
+  if (QString why = why_no_law(body); !why.isEmpty()) return why;
   switch (quantity) {
     case Quantity::kVelocityError:
       return compared_.theory ? translated("Theory and run differ by this share of the impact's largest speed")

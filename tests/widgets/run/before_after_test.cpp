@@ -207,7 +207,7 @@ TEST(BeforeAfter, SaysWhatIsMissingForTheMarks) {
 TEST(BeforeAfter, ATableOfAPlaneImpactFitsASmallDrawer) {
   const ShownRun run(head_on(), 0.34);
   BeforeAfterTable table;
-  table.resize(660, 200);
+  table.resize(720, 200);
   table.show_pair(before_and_after(*run.frame.jumps.front()));
   table.show();
   EXPECT_EQ(table.horizontalHeader()->length(), table.viewport()->width());
