@@ -167,7 +167,7 @@ concept ShapeOfOnePart = Is<T, Shape> || Is<T, PlainShape>;
 // Of a compound see fields of a body.
 template <class V>
 void fields(V& v, ShapeOfOnePart auto& shape) {
-  v.cases({"type", "the kind of shape"}, Words{"disc", "box", "polygon", "wall"}, shape.index(),
+  v.cases({"type", "the kind of shape"}, Words(kShapeWords.begin(), kShapeWords.end()), shape.index(),
           [&](std::size_t kind, V& k) {
             if (kind == 0) {
               fields(k, form_of<Disc>(shape));

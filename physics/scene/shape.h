@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -38,6 +39,8 @@ struct Wall {
 };
 
 using PlainShape = std::variant<Disc, Box, Polygon, Wall>;
+// What they are called, in this order.
+inline constexpr std::array kShapeWords = {"disc", "box", "polygon", "wall"};
 
 // One of the shapes of a compound.
 struct PlacedShape {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "widgets/edit/inspected.h"
@@ -35,8 +34,7 @@ std::string place_of(std::size_t shape) { return "shapes/" + std::to_string(shap
 QString subject_of(std::size_t shape) { return QStringLiteral("shape %1").arg(shape + 1); }
 
 QString section_of(const Body& body, std::size_t shape) {
-  constexpr std::array kWords = {"disc", "box", "polygon", "wall"};
-  return QStringLiteral("Shape %1 · %2").arg(shape + 1).arg(kWords[shapes_of(body)[shape].shape.index()]);
+  return QStringLiteral("Shape %1 · %2").arg(shape + 1).arg(kShapeWords[shapes_of(body)[shape].shape.index()]);
 }
 
 Inspected inspected_number(const Scene& scene, const Body& body, std::size_t shape, const ShapeLine& line,

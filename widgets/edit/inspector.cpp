@@ -7,7 +7,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <array>
 
 #include "widgets/base/elided_label.h"
 #include "widgets/edit/body_head.h"
@@ -52,8 +51,7 @@ QString shape_word(const Body& body) {
     const auto count = static_cast<int>(compound->shapes.size());
     return count == 1 ? Inspector::tr("1 shape") : Inspector::tr("%1 shapes").arg(count);
   }
-  constexpr std::array kWords = {"disc", "box", "polygon", "wall"};
-  return QString::fromUtf8(kWords[body.shape.index()]);
+  return QString::fromUtf8(kShapeWords[body.shape.index()]);
 }
 
 }  // namespace
