@@ -85,8 +85,8 @@ class Builder {
         out_.segments.push_back({at, at, line, 2.0 * kPointRadius * in_.options.line_scale});
     } else if (const Box* box = std::get_if<Box>(&shape)) {
       out_.boxes.push_back({at, Vec2(box->width, box->height) / 2, angle, fill, line});
-    } else if (const Polygon* polygon = std::get_if<Polygon>(&shape)) {
-      add_polygon(*polygon, at, angle, fill, line, out_);
+    } else if (const Wall* wall = std::get_if<Wall>(&shape)) {
+      add_wall(*wall, at, angle, fill, line);
     } else if (const Compound* compound = std::get_if<Compound>(&shape)) {
       const Vec2 centre = centre_of(*compound);
       for (const PlacedShape& placed : compound->shapes) {
@@ -94,7 +94,7 @@ class Builder {
                   false, fill, line);
       }
     } else {
-      add_wall(std::get<Wall>(shape), at, angle, fill, line);
+      add_polygon(shape, at, angle, fill, line, out_);
     }
   }
 

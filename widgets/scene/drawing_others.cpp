@@ -22,14 +22,14 @@ void add_outline(const Shape& shape, const Vec2& at, double angle, const QColor&
     out.discs.push_back({at, disc->radius, angle, kNoFill, color, false});
   } else if (const Box* box = std::get_if<Box>(&shape)) {
     out.boxes.push_back({at, Vec2(box->width, box->height) / 2, angle, kNoFill, color});
-  } else if (const Polygon* polygon = std::get_if<Polygon>(&shape)) {
-    add_polygon(*polygon, at, angle, kNoFill, color, out);
   } else if (const Compound* compound = std::get_if<Compound>(&shape)) {
     const Vec2 centre = centre_of(*compound);
     for (const PlacedShape& placed : compound->shapes) {
       add_outline(shape_of(placed.shape), at + turned_by(angle, placed.position - centre), angle + placed.angle,
                   color, out);
     }
+  } else if (!std::holds_alternative<Wall>(shape)) {
+    add_polygon(shape, at, angle, kNoFill, color, out);
   }
 }
 

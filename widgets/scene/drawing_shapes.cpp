@@ -4,9 +4,9 @@
 
 namespace carom {
 
-void add_polygon(const Polygon& polygon, const Vec2& at, double angle, const QColor& fill, const QColor& line,
+void add_polygon(const Shape& shape, const Vec2& at, double angle, const QColor& fill, const QColor& line,
                  Drawing& out) {
-  const std::vector<ConvexPart> parts = convex_parts(polygon);
+  const std::vector<ConvexPart> parts = convex_parts(shape);
   const bool convex = parts.size() == 1;
   for (const auto& [outline, position, box, of] : parts) {
     if (!convex && fill.alpha() == 0) break;
@@ -16,7 +16,7 @@ void add_polygon(const Polygon& polygon, const Vec2& at, double angle, const QCo
         {first, static_cast<int>(outline.vertices.size()), outline.rounding, fill, convex ? line : fill});
   }
   if (convex) return;
-  const std::vector<Vec2> edge = outline_of(polygon).vertices;
+  const std::vector<Vec2> edge = outline_of(shape).vertices;
   for (std::size_t k = 0; k < edge.size(); ++k) {
     out.lines.push_back({at + turned_by(angle, edge[k]), at + turned_by(angle, edge[(k + 1) % edge.size()]),
                          line, out.outline});

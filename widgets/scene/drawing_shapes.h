@@ -7,9 +7,9 @@
 
 namespace carom {
 
-// Adds a polygon whose centre of mass is at `at`. One that is not convex is filled part by part, and its
-// outline is drawn over them; with a transparent `fill`, the outline alone.
-void add_polygon(const Polygon& polygon, const Vec2& at, double angle, const QColor& fill, const QColor& line,
+// Adds a shape of vertices whose centre of mass is at `at`. One that is not convex is filled part by part, and
+// its outline is drawn over them; with a transparent `fill`, the outline alone.
+void add_polygon(const Shape& shape, const Vec2& at, double angle, const QColor& fill, const QColor& line,
                  Drawing& out);
 
 }  // namespace carom
