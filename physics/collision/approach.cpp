@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "physics/collision/pair_contact.h"
 
@@ -19,7 +18,7 @@ struct Moving {
 
 // With `parts`, of these two alone; else of all.
 Approach approach(const Geometry& g, const Moving& a, const Moving& b, double tolerance,
-                  const std::pair<int, int>* parts) {
+                  const ShapePair* parts) {
   // Along the normal a disc's surface moves like its centre.
   const auto normal_speed = [&](const Moving& m, const Contact& c) {
     double speed = m.twist.velocity.dot(c.normal);
@@ -35,7 +34,7 @@ Approach approach(const Geometry& g, const Moving& a, const Moving& b, double to
 
   Approach approach;
   Contact earlier;
-  if (parts != nullptr) std::tie(earlier.part_a, earlier.part_b) = *parts;
+  if (parts != nullptr) earlier.parts = *parts;
   approach.contact = contact_again(g, a.body, a.pose, b.body, b.pose, earlier);
   approach.speed = parting(approach.contact);
   approach.scale = fastest(a) + fastest(b);
@@ -55,7 +54,7 @@ Approach approach(const Geometry& g, const Moving& a, const Moving& b, double to
   if (several) {
     each_manifold(g, a.body, a.pose, b.body, b.pose, margin, look_at);
   } else {
-    const auto [part_a, part_b] = parts != nullptr ? *parts : std::pair(a.body, b.body);
+    const auto [part_a, part_b] = parts != nullptr ? *parts : g.first_parts(a.body, b.body);
     look_at(manifold(g, a.body, part_a, a.pose, b.body, part_b, b.pose, margin));
   }
   return approach;
@@ -70,7 +69,7 @@ Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const 
 
 Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const Twist& twist_a, int b,
                      const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance,
-                     const std::pair<int, int>& parts) {
+                     const ShapePair& parts) {
   return approach(g, {a, g.pose(a, qa), twist_a}, {b, g.pose(b, qb), twist_b}, tolerance, &parts);
 }
 

@@ -22,6 +22,6 @@ struct Approach {
 // Of these two parts alone.
 [[nodiscard]] Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const Twist& twist_a,
                                    int b, const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance,
-                                   const std::pair<int, int>& parts);
+                                   const ShapePair& parts);
 
 }  // namespace carom

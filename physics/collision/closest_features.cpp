@@ -111,7 +111,8 @@ ClosestFeatures at_farthest(const Sum& sum) {
 
 }  // namespace
 
-PairFrame::PairFrame(const ConvexShapes& shapes, int i, const Pose& pose_a, int j, const Pose& pose_b)
+PairFrame::PairFrame(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose_a, ShapeIndex j,
+                     const Pose& pose_b)
     : a(shapes.corners_of(i)), b(shapes.corners_of(j)), edges_a(shapes.edges(i)), edges_b(shapes.edges(j)) {
   const Pose relative{pose_a.turned_back(pose_b.position - pose_a.position),
                       pose_a.cos * pose_b.cos + pose_a.sin * pose_b.sin,

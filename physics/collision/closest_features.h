@@ -17,7 +17,7 @@ struct PairFrame {
   std::array<Vec2, kMostVertices> vertex;  // of b, in the frame of a
   std::array<Vec2, kMostVertices> normal;
 
-  PairFrame(const ConvexShapes& shapes, int i, const Pose& pose_a, int j, const Pose& pose_b);
+  PairFrame(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose_a, ShapeIndex j, const Pose& pose_b);
 };
 
 // The nearest features of two cores: a vertex and an edge, or two vertices. For penetrating cores, the edge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "physics/model/index.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -9,9 +10,7 @@ struct Contact {
   double gap = 0.0;             // m; if negative, minus the penetration depth
   Vec2 normal = Vec2::UnitX();  // from A to B
   Vec2 point = Vec2::Zero();    // m, half-way between the surfaces
-  // The parts that touch, of bodies of several; -1: the only one.
-  int part_a = -1;
-  int part_b = -1;
+  ShapePair parts = {};         // that touch, where one body has several
 };
 
 }  // namespace carom

@@ -166,8 +166,8 @@ std::optional<Tips> tips_of(const PairFrame& frame, double separation, double ro
 
 // With `prefer_faces`, two faces that share a stretch touch there with the normal of one of them, even if
 // corners just beside it are nearest.
-Touch touch_of_cores(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
-                     bool prefer_faces) {
+Touch touch_of_cores(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, ShapeIndex b,
+                     const Pose& pose_b, bool prefer_faces) {
   const PairFrame frame(shapes, a, pose_a, b, pose_b);
   const ClosestFeatures closest = closest_features(frame, prefer_faces ? kTie : 0.0);
   const double rounding_a = shapes.rounding[a];
@@ -207,7 +207,7 @@ struct Height {
   int lowest;
 };
 
-Height height_over(const ConvexShapes& shapes, int plane, const Pose& pose_plane, int body,
+Height height_over(const ConvexShapes& shapes, ShapeIndex plane, const Pose& pose_plane, ShapeIndex body,
                    const Pose& pose_body) {
   const Corner& edge = *shapes.corners_of(plane);
   const Corner* corner = shapes.corners_of(body);
@@ -224,7 +224,7 @@ Height height_over(const ConvexShapes& shapes, int plane, const Pose& pose_plane
 }
 
 // In the world's directions, relative to the half-plane's position; the normal points out of the half-plane.
-Touch touch_of_half_plane(const ConvexShapes& shapes, int plane, const Pose& pose_plane, int body,
+Touch touch_of_half_plane(const ConvexShapes& shapes, ShapeIndex plane, const Pose& pose_plane, ShapeIndex body,
                           const Pose& pose_body) {
   const Height height = height_over(shapes, plane, pose_plane, body, pose_body);
   const Vec2& n = height.normal;
@@ -265,7 +265,7 @@ Gap nearest_on_rectangle(const Vec2& half, const Vec2& p) {
 
 // Gap from a core to a disc's centre, without roundings; in closed form for two discs and for a disc on a
 // box.
-Gap gap_to_centre(const ConvexShapes& shapes, int core, const Pose& pose_core, int disc,
+Gap gap_to_centre(const ConvexShapes& shapes, ShapeIndex core, const Pose& pose_core, ShapeIndex disc,
                   const Pose& pose_disc) {
   const Vec2 d = pose_disc.position - pose_core.position;
   if (shapes.core[core] == Core::kPoint) {
@@ -282,7 +282,8 @@ Gap gap_to_centre(const ConvexShapes& shapes, int core, const Pose& pose_core, i
 }
 
 // For a disc and a body that is not a half-plane.
-Contact disc_contact(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
+Contact disc_contact(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, ShapeIndex b,
+                     const Pose& pose_b) {
   // The body with a core is the frame of reference; of two discs it is a. From the disc's centre the contact
   // point is back along the normal, in the middle of gap or penetration.
   const double rounding = shapes.rounding[a] + shapes.rounding[b];
@@ -296,18 +297,18 @@ Contact disc_contact(const ConvexShapes& shapes, int a, const Pose& pose_a, int 
   return {gap, -to_a.normal, between(pose_a.position, shapes.rounding[a], gap, to_a.normal)};
 }
 
-bool has_disc(const ConvexShapes& shapes, int a, int b) {
+bool has_disc(const ConvexShapes& shapes, ShapeIndex a, ShapeIndex b) {
   return shapes.core[a] == Core::kPoint || shapes.core[b] == Core::kPoint;
 }
 
-bool has_half_plane(const ConvexShapes& shapes, int a, int b) {
+bool has_half_plane(const ConvexShapes& shapes, ShapeIndex a, ShapeIndex b) {
   assert(shapes.core[a] != Core::kHalfPlane || shapes.core[b] != Core::kHalfPlane);
   return shapes.core[a] == Core::kHalfPlane || shapes.core[b] == Core::kHalfPlane;
 }
 
 // For any pair, in world coordinates.
-Touch touch_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
-                    bool prefer_faces) {
+Touch touch_between(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, ShapeIndex b,
+                    const Pose& pose_b, bool prefer_faces) {
   if (has_half_plane(shapes, a, b)) {
     const bool plane_first = shapes.core[a] == Core::kHalfPlane;
     Touch touch = plane_first ? touch_of_half_plane(shapes, a, pose_a, b, pose_b)
@@ -333,7 +334,8 @@ Touch touch_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b
 
 }  // namespace
 
-Gap gap_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
+Gap gap_between(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, ShapeIndex b,
+                const Pose& pose_b) {
   if (has_half_plane(shapes, a, b)) {
     if (shapes.core[a] == Core::kHalfPlane) {
       const Height height = height_over(shapes, a, pose_a, b, pose_b);
@@ -355,7 +357,8 @@ Gap gap_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, co
   return {gap, pose_a.turned(closest.normal)};
 }
 
-Contact contact_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b) {
+Contact contact_between(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, ShapeIndex b,
+                        const Pose& pose_b) {
   if (has_disc(shapes, a, b) && !has_half_plane(shapes, a, b))
     return disc_contact(shapes, a, pose_a, b, pose_b);
   const Touch touch = touch_between(shapes, a, pose_a, b, pose_b, false);
@@ -364,8 +367,8 @@ Contact contact_between(const ConvexShapes& shapes, int a, const Pose& pose_a, i
   return {touch.gap, touch.normal, middle + (touch.point - middle).dot(touch.normal) * touch.normal};
 }
 
-Manifold manifold(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
-                  double margin) {
+Manifold manifold(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, ShapeIndex b,
+                  const Pose& pose_b, double margin) {
   Manifold result;
   const double reach = shapes.radius[a] + shapes.radius[b] + margin;
   if ((pose_b.position - pose_a.position).squaredNorm() > reach * reach) return result;
@@ -379,16 +382,16 @@ Manifold manifold(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, 
 }
 
 Contact contact_between(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b) {
-  if (!g.has_parts(a) && !g.has_parts(b)) return contact_between(g.shapes, a, pose_a, b, pose_b);
+  if (!g.has_parts(a) && !g.has_parts(b))
+    return contact_between(g.shapes, g.first_part(a), pose_a, g.first_part(b), pose_b);
   Contact nearest;
   nearest.gap = std::numeric_limits<double>::infinity();
-  g.each_parts(a, b, [&](int part_a, int part_b) {
+  g.each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
     Contact contact = contact_between(g.shapes, part_a, g.part_pose(a, part_a, pose_a), part_b,
                                       g.part_pose(b, part_b, pose_b));
     if (!(contact.gap < nearest.gap)) return;
     nearest = contact;
-    nearest.part_a = part_a;
-    nearest.part_b = part_b;
+    nearest.parts = {part_a, part_b};
   });
   return nearest;
 }
@@ -399,29 +402,29 @@ Contact contact_between(const Geometry& g, int a, const Eigen::Vector3d& qa, int
 
 Contact contact_again(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b,
                       const Contact& earlier) {
-  if (earlier.part_a < 0 || (!g.has_parts(a) && !g.has_parts(b)))
+  if (!earlier.parts.known() || (!g.has_parts(a) && !g.has_parts(b)))
     return contact_between(g, a, pose_a, b, pose_b);
-  Contact contact = contact_between(g.shapes, earlier.part_a, g.part_pose(a, earlier.part_a, pose_a),
-                                    earlier.part_b, g.part_pose(b, earlier.part_b, pose_b));
-  contact.part_a = earlier.part_a;
-  contact.part_b = earlier.part_b;
+  const auto [part_a, part_b] = earlier.parts;
+  Contact contact =
+      contact_between(g.shapes, part_a, g.part_pose(a, part_a, pose_a), part_b, g.part_pose(b, part_b, pose_b));
+  contact.parts = earlier.parts;
   return contact;
 }
 
-Manifold manifold(const Geometry& g, int a, int part_a, const Pose& pose_a, int b, int part_b,
+Manifold manifold(const Geometry& g, int a, ShapeIndex part_a, const Pose& pose_a, int b, ShapeIndex part_b,
                   const Pose& pose_b, double margin) {
-  if (!g.has_parts(a) && !g.has_parts(b)) return manifold(g.shapes, a, pose_a, b, pose_b, margin);
+  if (!g.has_parts(a) && !g.has_parts(b))
+    return manifold(g.shapes, g.first_part(a), pose_a, g.first_part(b), pose_b, margin);
   Manifold m = manifold(g.shapes, part_a, g.part_pose(a, part_a, pose_a), part_b,
                         g.part_pose(b, part_b, pose_b), margin);
   const auto parts = static_cast<std::uint32_t>(g.number_of(a, part_a)) |
                      static_cast<std::uint32_t>(g.number_of(b, part_b)) << kPartBits;
   for (ManifoldPoint& point : m.points) point.id |= parts << kFeatureBits;
-  m.part_a = part_a;
-  m.part_b = part_b;
+  m.parts = {part_a, part_b};
   return m;
 }
 
-std::pair<int, int> parts_at(const Geometry& g, int a, int b, std::uint32_t id) {
+ShapePair parts_at(const Geometry& g, int a, int b, std::uint32_t id) {
   constexpr std::uint32_t kMask = (1U << kPartBits) - 1U;
   return {g.part_of(a, static_cast<int>(id >> kFeatureBits & kMask)),
           g.part_of(b, static_cast<int>(id >> (kFeatureBits + kPartBits)))};

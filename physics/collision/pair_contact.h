@@ -19,12 +19,13 @@ struct Gap {
   Vec2 normal;  // unit, from a to b; +x for discs whose centres coincide
 };
 
-[[nodiscard]] Gap gap_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b);
+[[nodiscard]] Gap gap_between(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, ShapeIndex b,
+                              const Pose& pose_b);
 
 // The same with a contact point. Between touching faces that are parallel (to 1e-9), it is the middle
 // of the stretch that they share. A disc inside a box is separated through the nearest face.
-[[nodiscard]] Contact contact_between(const ConvexShapes& shapes, int a, const Pose& pose_a, int b,
-                                      const Pose& pose_b);
+[[nodiscard]] Contact contact_between(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a,
+                                      ShapeIndex b, const Pose& pose_b);
 
 // For bodies a and b, at a pose or at q = (x, y, angle): of their nearest parts.
 [[nodiscard]] Contact contact_between(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b);
@@ -47,12 +48,11 @@ struct Manifold {
   Vec2 normal = Vec2::UnitX();  // unit, from a to b
   int count = 0;
   std::array<ManifoldPoint, 2> points;
-  int part_a = -1;  // as in Contact
-  int part_b = -1;
+  ShapePair parts = {};  // as in Contact
 
   [[nodiscard]] Contact contact(int k) const {
     const ManifoldPoint& at = points[static_cast<std::size_t>(k)];
-    return {at.gap, normal, at.point, part_a, part_b};
+    return {at.gap, normal, at.point, parts};
   }
 };
 
@@ -67,7 +67,7 @@ struct Manifold {
 // the normal. So it survives rocking, where the normal changes sides, and stacks of equal boxes, where
 // rounding decides the order of the corners. No memory of earlier steps is needed. (Edge against edge as in
 // E. Catto, Computing Contact Manifolds, GDC 2007, which keeps reference and incident edge in the id.)
-[[nodiscard]] Manifold manifold(const ConvexShapes& shapes, int a, const Pose& pose_a, int b,
+[[nodiscard]] Manifold manifold(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, ShapeIndex b,
                                 const Pose& pose_b, double margin);
 
 // The ids of points tell the parts of bodies of several apart: above those bits that name features.
@@ -77,10 +77,10 @@ inline constexpr unsigned kPartBits = 11;
 [[nodiscard]] inline std::uint32_t parts_of(std::uint32_t id) { return id >> kFeatureBits; }
 
 // Of two parts.
-[[nodiscard]] Manifold manifold(const Geometry& g, int a, int part_a, const Pose& pose_a, int b, int part_b,
-                                const Pose& pose_b, double margin);
+[[nodiscard]] Manifold manifold(const Geometry& g, int a, ShapeIndex part_a, const Pose& pose_a, int b,
+                                ShapeIndex part_b, const Pose& pose_b, double margin);
 // The parts of a and b that a point of this id belongs to.
-[[nodiscard]] std::pair<int, int> parts_at(const Geometry& g, int a, int b, std::uint32_t id);
+[[nodiscard]] ShapePair parts_at(const Geometry& g, int a, int b, std::uint32_t id);
 // Of those parts.
 [[nodiscard]] Manifold manifold_of(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b,
                                    std::uint32_t id, double margin);
@@ -88,7 +88,7 @@ inline constexpr unsigned kPartBits = 11;
 template <class Visit>
 void each_manifold(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b, double margin,
                    const Visit& visit) {
-  g.each_parts(a, b, [&](int part_a, int part_b) {
+  g.each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
     const Manifold m = manifold(g, a, part_a, pose_a, b, part_b, pose_b, margin);
     if (m.count > 0) visit(m);
   });

@@ -32,8 +32,8 @@ Wedge smooth_wedge(double distance, const Vec2& normal, double tolerance) {
 }
 
 // A core without rounding. Of a segment, which is solid from both sides, the side that faces `towards`.
-Wedge wedge_at_edges(const ConvexShapes& shapes, int i, const Pose& pose, const Vec2& p, const Vec2& towards,
-                     double tolerance) {
+Wedge wedge_at_edges(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& p,
+                     const Vec2& towards, double tolerance) {
   const Corner* corner = shapes.corners_of(i);
   const int count = shapes.corners[i];
   const auto active = [&](int k) {
@@ -54,7 +54,8 @@ Wedge wedge_at_edges(const ConvexShapes& shapes, int i, const Pose& pose, const 
   return {Wedge::kSurface, pose.turned(corner[first].normal), pose.turned(corner[last].normal)};
 }
 
-Wedge wedge_at_rounded(const ConvexShapes& shapes, int i, const Pose& pose, const Vec2& p, double tolerance) {
+Wedge wedge_at_rounded(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& p,
+                       double tolerance) {
   const Corner* corner = shapes.corners_of(i);
   double nearest = std::numeric_limits<double>::infinity();
   bool outside = false;
@@ -72,8 +73,8 @@ Wedge wedge_at_rounded(const ConvexShapes& shapes, int i, const Pose& pose, cons
   return smooth_wedge(nearest - shapes.rounding[i], pose.turned(normal / nearest), tolerance);
 }
 
-Wedge wedge_at(const ConvexShapes& shapes, int i, const Pose& pose, const Vec2& point, const Vec2& towards,
-               double tolerance) {
+Wedge wedge_at(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& point,
+               const Vec2& towards, double tolerance) {
   const Vec2 d = point - pose.position;
   if (shapes.core[i] == Core::kPoint) {
     const double distance = d.norm();
@@ -135,9 +136,9 @@ Cover cover_of(const Wedge& here, const Wedge& there, const Vec2& normal, bool m
 
 }  // namespace
 
-bool neighbour_covers(const ConvexShapes& shapes, int owner, const Pose& pose_owner, int neighbour,
-                      const Pose& pose_neighbour, const Vec2& point, const Vec2& normal, double tolerance,
-                      bool may_overlap, bool by_face) {
+bool neighbour_covers(const ConvexShapes& shapes, ShapeIndex owner, const Pose& pose_owner,
+                      ShapeIndex neighbour, const Pose& pose_neighbour, const Vec2& point, const Vec2& normal,
+                      double tolerance, bool may_overlap, bool by_face) {
   const double reach = shapes.radius[neighbour] + tolerance;
   if ((point - pose_neighbour.position).squaredNorm() > reach * reach) return false;
   const auto cover = [&](double within) {
@@ -151,7 +152,7 @@ bool neighbour_covers(const ConvexShapes& shapes, int owner, const Pose& pose_ow
   return covered == Cover::kBetween && cover(kSunk * tolerance) == Cover::kRidge;
 }
 
-bool has_face(const ConvexShapes& shapes, int i, const Pose& pose, const Vec2& normal) {
+bool has_face(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& normal) {
   const Vec2 own = pose.turned_back(normal);
   const Corner* corner = shapes.corners_of(i);
   if (shapes.core[i] == Core::kHalfPlane) return (corner->normal - own).squaredNorm() <= kParallel * kParallel;

@@ -17,12 +17,12 @@ namespace carom {
 // its contact is needed, unless it is near the end of a seam that it should have passed. `by_face`: a face of
 // the other body touches here, and owner and neighbour are parts of one body. It may also touch a corner that
 // both make where it is tilted against it, as an end of a face that is to land.
-[[nodiscard]] bool neighbour_covers(const ConvexShapes& shapes, int owner, const Pose& pose_owner,
-                                    int neighbour, const Pose& pose_neighbour, const Vec2& point,
+[[nodiscard]] bool neighbour_covers(const ConvexShapes& shapes, ShapeIndex owner, const Pose& pose_owner,
+                                    ShapeIndex neighbour, const Pose& pose_neighbour, const Vec2& point,
                                     const Vec2& normal, double tolerance, bool may_overlap,
                                     bool by_face = false);
 
 // Whether the shape has a face with this outward unit normal.
-[[nodiscard]] bool has_face(const ConvexShapes& shapes, int i, const Pose& pose, const Vec2& normal);
+[[nodiscard]] bool has_face(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& normal);
 
 }  // namespace carom

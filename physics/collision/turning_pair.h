@@ -25,7 +25,8 @@ struct TurningSample {
 template <class PathA, class PathB>
 class TurningPair {
  public:
-  TurningPair(const ConvexShapes& shapes, int a, PathA path_a, int b, PathB path_b, double path_curvature)
+  TurningPair(const ConvexShapes& shapes, ShapeIndex a, PathA path_a, ShapeIndex b, PathB path_b,
+              double path_curvature)
       : shapes_(shapes), a_(a), b_(b), path_a_(path_a), path_b_(path_b), path_curvature_(path_curvature) {}
 
   [[nodiscard]] TurningSample operator()(double t) const {
@@ -51,12 +52,12 @@ class TurningPair {
   }
 
  private:
-  [[nodiscard]] Pose pose(int, const Pose& pose) const { return pose; }
-  [[nodiscard]] Pose pose(int i, const Eigen::Vector3d& q) const { return pose_of(shapes_, i, q); }
+  [[nodiscard]] Pose pose(ShapeIndex, const Pose& pose) const { return pose; }
+  [[nodiscard]] Pose pose(ShapeIndex i, const Eigen::Vector3d& q) const { return pose_of(shapes_, i, q); }
 
   const ConvexShapes& shapes_;
-  int a_;
-  int b_;
+  ShapeIndex a_;
+  ShapeIndex b_;
   PathA path_a_;
   PathB path_b_;
   double path_curvature_;

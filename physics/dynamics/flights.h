@@ -32,8 +32,8 @@ struct Flights {
     double next_step = 0.0;  // s, of the adaptive integrator; 0: not known yet
     int first = 0;           // its members start here in `members`
     int count = 1;
-    int group = -1;      // index in `groups`, of more than one member
-    int switching = -1;  // the switch (spring or string) that flips at the end
+    int group = -1;                   // index in `groups`, of more than one member
+    std::optional<Switch> switching;  // flips at the end
     bool kinematic = false;
   };
   // What an island of several members works with; a column a member.

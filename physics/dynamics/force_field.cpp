@@ -26,7 +26,7 @@ ForceField::ForceField(std::shared_ptr<const Model> model)
       constant_(terms_->constant),
       phase_(terms_->applied.size(), 0) {
   const double time = model_->start_time;
-  for (int spring = 0; spring < springs(); ++spring) {
+  terms_->springs.each_index([&](SpringIndex spring) {
     const SpringTerm& s = terms_->springs[spring];
     const Motion a = motion_at_start(model_->starts, s.body);
     const Motion b = s.other >= 0 ? motion_at_start(model_->starts, s.other) : spring_end(spring, time);
@@ -37,7 +37,7 @@ ForceField::ForceField(std::shared_ptr<const Model> model)
       margin = s.acts == SpringActs::kPull ? -closing : closing;
     }
     engaged_.push_back(s.acts == SpringActs::kBoth || margin > 0.0 ? 1 : 0);
-  }
+  });
   for (const AppliedTerm& a : terms_->applied) set_phase(a.body, time);
 }
 
@@ -64,8 +64,8 @@ void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, 
     quadratures[kDragLoss] = coefficient * v.squaredNorm();
   }
   if constexpr (kSprings) {
-    for (const int i : terms_->outside[body]) {
-      if (engaged_[i] == 0) continue;
+    for (const SpringIndex i : terms_->outside[body]) {
+      if (!engaged(i)) continue;
       const SpringTerm& term = terms_->springs[i];
       Vec2 end = term.anchor;
       Vec2 end_velocity = Vec2::Zero();
@@ -117,9 +117,9 @@ void ForceField::add_couplings(std::span<const int> members, const Motions& y, M
   };
   const int n = static_cast<int>(members.size());
   for (int i = 0; i < n && !terms_->between.empty(); ++i) {
-    for (const int s : terms_->between[members[i]]) {
+    for (const SpringIndex s : terms_->between[members[i]]) {
       const SpringTerm& term = terms_->springs[s];
-      if (term.body != members[i] || engaged_[s] == 0) continue;
+      if (term.body != members[i] || !engaged(s)) continue;
       const auto j = column_of(term.other);
       const Pull p =
           pull(term, y.col(i).head<2>() - y.col(j).head<2>(), y.col(i).segment<2>(3) - y.col(j).segment<2>(3));
@@ -165,7 +165,7 @@ std::vector<std::vector<int>> ForceField::coupled_groups(const std::vector<std::
   int first_free = -1;
   for (int i = 0; i < n; ++i) {
     if (!terms_->between.empty()) {
-      for (const int s : terms_->between[i])
+      for (const SpringIndex s : terms_->between[i])
         parent[root(terms_->springs[s].other)] = root(terms_->springs[s].body);
     }
     if (terms_->attraction && model_->mass.inverse_mass[i] > 0.0) {
@@ -187,12 +187,12 @@ std::vector<std::vector<int>> ForceField::coupled_groups(const std::vector<std::
 
 // --- energy
 
-double ForceField::spring_energy(int spring, double length) const {
+double ForceField::spring_energy(SpringIndex spring, double length) const {
   const double stretch = length - terms_->springs[spring].rest_length;
-  return engaged_[spring] != 0 ? 0.5 * terms_->springs[spring].stiffness * stretch * stretch : 0.0;
+  return engaged(spring) ? 0.5 * terms_->springs[spring].stiffness * stretch * stretch : 0.0;
 }
 
-double ForceField::coupling_energy(int spring, const Eigen::Matrix3Xd& q) const {
+double ForceField::coupling_energy(SpringIndex spring, const Eigen::Matrix3Xd& q) const {
   const SpringTerm& term = terms_->springs[spring];
   Vec2 end = term.anchor;
   if (term.drive >= 0) end = q.col(term.drive).head<2>();
@@ -214,7 +214,7 @@ double ForceField::potential_energy(const Eigen::Matrix3Xd& q) const {
     if (model_->mass.inverse_mass[i] > 0.0)
       energy -= model_->mass.mass[i] * terms_->gravity.dot(q.col(i).head<2>());
   }
-  for (int s = 0; s < static_cast<int>(terms_->springs.size()); ++s) energy += coupling_energy(s, q);
+  terms_->springs.each_index([&](SpringIndex s) { energy += coupling_energy(s, q); });
   if (!terms_->attraction) return energy;
   for (int a = 0; a < n; ++a) {
     for (int b = a + 1; b < n; ++b) {
@@ -230,7 +230,7 @@ double ForceField::potential_energy_of(int body, const Vec2& position, const Eig
   double energy = -model_->mass.mass[body] * terms_->gravity.dot(position);
   for (const auto* lists : {&terms_->outside, &terms_->between}) {
     if (lists->empty()) break;
-    for (const int s : (*lists)[body]) {
+    for (const SpringIndex s : (*lists)[body]) {
       const SpringTerm& term = terms_->springs[s];
       Vec2 end = term.anchor;
       if (term.drive >= 0) end = q.col(term.drive).head<2>();
@@ -272,7 +272,7 @@ void ForceField::set_phase(int body, double t) {
   }
 }
 
-Motion ForceField::spring_end(int spring, double t) const {
+Motion ForceField::spring_end(SpringIndex spring, double t) const {
   const SpringTerm& term = terms_->springs[spring];
   Motion end = Motion::Zero();
   end.head<2>() = term.anchor;
@@ -283,7 +283,7 @@ Motion ForceField::spring_end(int spring, double t) const {
   return end;
 }
 
-double ForceField::switch_margin(int spring, const Motion& body, const Motion& other) const {
+double ForceField::switch_margin(SpringIndex spring, const Motion& body, const Motion& other) const {
   const SpringTerm& term = terms_->springs[spring];
   const Vec2 d = body.head<2>() - other.head<2>();
   const double length = d.norm();

@@ -104,26 +104,29 @@ class ForceField {
   [[nodiscard]] double next_break(int body, double t) const;
   void set_phase(int body, double t);  // the laws in force just after t
 
-  [[nodiscard]] int springs() const { return static_cast<int>(terms_->springs.size()); }
   // One-sided springs that have an end at `body`.
-  [[nodiscard]] std::span<const int> switching_springs(int body) const {
-    return terms_->switching.empty() ? std::span<const int>() : terms_->switching[body];
+  [[nodiscard]] std::span<const SpringIndex> switching_springs(int body) const {
+    return terms_->switching.empty() ? std::span<const SpringIndex>() : terms_->switching[body];
   }
   [[nodiscard]] bool has_switching_springs() const { return terms_->one_sided; }
   // > 0 where the spring acts, < 0 where it doesn't, in N or m; for positions and velocities of its ends.
-  [[nodiscard]] double switch_margin(int spring, const Motion& body, const Motion& other) const;
-  [[nodiscard]] bool engaged(int spring) const { return engaged_[spring] != 0; }
+  [[nodiscard]] double switch_margin(SpringIndex spring, const Motion& body, const Motion& other) const;
+  [[nodiscard]] bool engaged(SpringIndex spring) const {
+    return engaged_[static_cast<std::size_t>(spring)] != 0;
+  }
   // Which springs act, by spring.
   using Switches = std::vector<std::uint8_t>;
   [[nodiscard]] const Switches& switches() const { return engaged_; }
   void set_switches(const Switches& engaged) { engaged_ = engaged; }
   [[nodiscard]] bool attracts() const { return terms_->attraction.has_value(); }
-  void set_engaged(int spring, bool on) { engaged_[spring] = on ? 1 : 0; }
-  [[nodiscard]] double spring_energy(int spring, double length) const;  // J, where it acts
-  [[nodiscard]] int spring_body(int spring) const { return terms_->springs[spring].body; }
-  [[nodiscard]] int spring_other(int spring) const { return terms_->springs[spring].other; }  // -1: a point
+  void set_engaged(SpringIndex spring, bool on) { engaged_[static_cast<std::size_t>(spring)] = on ? 1 : 0; }
+  [[nodiscard]] double spring_energy(SpringIndex spring, double length) const;  // J, where it acts
+  [[nodiscard]] int spring_body(SpringIndex spring) const { return terms_->springs[spring].body; }
+  [[nodiscard]] int spring_other(SpringIndex spring) const {
+    return terms_->springs[spring].other;
+  }  // -1: a point
   // Position and velocity of a spring's other end if it is a point or a body of infinite mass.
-  [[nodiscard]] Motion spring_end(int spring, double t) const;
+  [[nodiscard]] Motion spring_end(SpringIndex spring, double t) const;
 
  private:
   friend struct KeptMembers;  // what a run keeps from step to step
@@ -138,7 +141,7 @@ class ForceField {
   void add_external(int body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const;
   static AddExternal add_external_of(const ForceTerms& terms);
   [[nodiscard]] Pull pull(const SpringTerm& spring, const Vec2& d, const Vec2& u) const;
-  [[nodiscard]] double coupling_energy(int spring, const Eigen::Matrix3Xd& q) const;
+  [[nodiscard]] double coupling_energy(SpringIndex spring, const Eigen::Matrix3Xd& q) const;
   [[nodiscard]] double attraction_energy(int a, int b, const Vec2& d) const;
 
   std::shared_ptr<const Model> model_;

@@ -59,8 +59,8 @@ void JointConstraints::add_weld(const Weld& weld) {
 void JointConstraints::set_groups(const std::vector<std::vector<int>>& groups) {
   groups_.clear();
   first_row_.assign(terms_.all.size(), -1);
-  std::vector<std::vector<int>> joints_at(model_->mass.mass.size());  // by their first body
-  for (int l = 0; l < static_cast<int>(terms_.all.size()); ++l) joints_at[terms_.all[l].body].push_back(l);
+  std::vector<std::vector<JointIndex>> joints_at(model_->mass.mass.size());  // by their first body
+  terms_.all.each_index([&](JointIndex l) { joints_at[terms_.all[l].body].push_back(l); });
   for (const std::vector<int>& members : groups) {
     Group& g = groups_.emplace_back();
     const auto column_of = [&](int body) {
@@ -69,10 +69,10 @@ void JointConstraints::set_groups(const std::vector<std::vector<int>>& groups) {
     };
     std::vector<std::vector<int>> rows_of(members.size());
     std::size_t next = 0;
-    std::vector<int> own;
+    std::vector<JointIndex> own;
     for (const int body : members) own.insert(own.end(), joints_at[body].begin(), joints_at[body].end());
     std::sort(own.begin(), own.end());
-    for (const int l : own) {
+    for (const JointIndex l : own) {
       const int a = column_of(terms_.all[l].body);
       const int b = terms_.all[l].other >= 0 ? column_of(terms_.all[l].other) : -1;
       if (terms_.all[l].kind == JointKind::kString) g.strings.push_back(l);
@@ -169,7 +169,7 @@ void JointConstraints::fill_row(Group& g, int i, double t, const Motions& y) con
     g.velocity_term[i] = n.dot(e.velocity_term);
   } else {
     const double distance = e.d.norm();
-    const bool acts = taut_[row.joint] != 0 && distance > 0.0;
+    const bool acts = taut(row.joint) && distance > 0.0;
     n = acts ? Vec2(e.d / distance) : Vec2(Vec2::Zero());
     const double along = n.dot(e.u);
     g.gap[i] = acts ? distance - joint.length : 0.0;
@@ -360,7 +360,7 @@ bool JointConstraints::share(int group, double t, const Eigen::Matrix3Xd& change
     if (pushes < 0 || g.force[i] > g.force[pushes]) pushes = i;
   }
   if (pushes >= 0) {
-    taut_[g.rows[pushes].joint] = 0;
+    set_taut(g.rows[pushes].joint, false);
     return false;
   }
   v_of(y) += change;
@@ -390,7 +390,7 @@ void JointConstraints::project(int group, double t, const Motions& y, Eigen::Mat
   apply(g, change);
 }
 
-Vec2 JointConstraints::impulse(int group, int joint, int body) const {
+Vec2 JointConstraints::impulse(int group, JointIndex joint, int body) const {
   const Group& g = groups_[group];
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < g.rows.size(); ++i) {
@@ -400,11 +400,11 @@ Vec2 JointConstraints::impulse(int group, int joint, int body) const {
   return terms_.all[joint].body == body ? sum : Vec2(-sum);
 }
 
-double JointConstraints::tension(int group, int joint) const {
+double JointConstraints::tension(int group, JointIndex joint) const {
   return -groups_[group].force[first_row_[joint]];
 }
 
-double JointConstraints::overstretch(int group, int joint, double t, const Motions& y) const {
+double JointConstraints::overstretch(int group, JointIndex joint, double t, const Motions& y) const {
   const Row& row = groups_[group].rows[first_row_[joint]];
   const Ends e = ends_of(terms_.all[joint], t, y, row.a, row.b);
   return e.d.norm() - terms_.all[joint].length - kAtLength * (e.size + terms_.all[joint].length);

@@ -47,7 +47,7 @@ class JointConstraints {
   void add_weld(const Weld& weld);
   [[nodiscard]] const std::vector<Weld>& welds() const { return welds_; }  // those added
   [[nodiscard]] const WeldedBodies& welded() const { return welded_; }     // by the scene or since
-  [[nodiscard]] int size() const { return static_cast<int>(terms_.all.size()); }
+  [[nodiscard]] JointIndex last() const { return JointIndex{static_cast<int>(terms_.all.size()) - 1}; }
   [[nodiscard]] std::vector<std::pair<int, int>> joined() const { return terms_.joined(); }
 
   // Sets the groups of bodies that are advanced together, each in rising order. `group` below is an index
@@ -74,11 +74,13 @@ class JointConstraints {
   [[nodiscard]] std::int64_t evaluation_work(int group) const;
   [[nodiscard]] std::int64_t restoring_work() const { return restoring_work_; }
 
-  // The strings of a group, as indices of joints.
-  [[nodiscard]] const std::vector<int>& strings(int group) const { return groups_[group].strings; }
-  [[nodiscard]] double length(int joint) const { return terms_.all[joint].length; }  // m, of a rod or a string
-  [[nodiscard]] bool taut(int joint) const { return taut_[joint] != 0; }
-  void set_taut(int joint, bool on) { taut_[joint] = on ? 1 : 0; }
+  // The strings of a group.
+  [[nodiscard]] const std::vector<JointIndex>& strings(int group) const { return groups_[group].strings; }
+  [[nodiscard]] double length(JointIndex joint) const {
+    return terms_.all[joint].length;
+  }  // m, of a rod or a string
+  [[nodiscard]] bool taut(JointIndex joint) const { return taut_[static_cast<std::size_t>(joint)] != 0; }
+  void set_taut(JointIndex joint, bool on) { taut_[static_cast<std::size_t>(joint)] = on ? 1 : 0; }
   // By joint; true for all that are not strings. Setting it leaves joints that are newer than `taut`
   // unchanged.
   [[nodiscard]] const std::vector<std::uint8_t>& strings_taut() const { return taut_; }
@@ -87,11 +89,11 @@ class JointConstraints {
   }
   // N s, the impulse of a joint on `body`, at one of its ends, in the group's last share() or
   // apply_taut_impulse().
-  [[nodiscard]] Vec2 impulse(int group, int joint, int body) const;
+  [[nodiscard]] Vec2 impulse(int group, JointIndex joint, int body) const;
   // N, the tension of a taut string in the last add_forces().
-  [[nodiscard]] double tension(int group, int joint) const;
+  [[nodiscard]] double tension(int group, JointIndex joint) const;
   // m, how much longer a string is than its length; for one at its length it may be below zero by rounding.
-  [[nodiscard]] double overstretch(int group, int joint, double t, const Motions& y) const;
+  [[nodiscard]] double overstretch(int group, JointIndex joint, double t, const Motions& y) const;
 
  private:
   friend struct KeptMembers;  // what a run keeps from step to step
@@ -105,7 +107,7 @@ class JointConstraints {
     double size;         // m, of the terms of the gap, for its rounding
   };
   struct Row {
-    int joint;
+    JointIndex joint;
     int axis;              // of a pin or a weld: x, y, angle; 0 for others
     int a, b;              // columns; b = -1: no movable body
     int first;             // skyline: the first column of this row
@@ -115,7 +117,7 @@ class JointConstraints {
   struct Group {
     std::vector<Row> rows;
     std::vector<std::pair<int, int>> shared;  // rows i > j that have a body in common
-    std::vector<int> strings;
+    std::vector<JointIndex> strings;
     Eigen::Matrix3Xd inverse_mass;  // one column per member: 1/m, 1/m, 1/I
     // One column or element per row; all zero where a string is slack.
     Eigen::Matrix3Xd ja, jb;
@@ -143,8 +145,8 @@ class JointConstraints {
   JointTerms terms_;  // the model's, then those of `welds_`
   std::vector<Weld> welds_;
   WeldedBodies welded_;
-  std::vector<int> first_row_;  // by joint, in its group
-  std::vector<std::uint8_t> taut_;
+  ArrayOf<JointIndex, int> first_row_;  // in its group
+  std::vector<std::uint8_t> taut_;      // by joint
   std::vector<Group> groups_;
   std::int64_t restoring_work_ = 0;
 };

@@ -7,36 +7,35 @@ namespace {
 
 using Island = Flights::Island;
 
-bool is_joint(const Flights& f, int a_switch) { return a_switch >= f.field.springs(); }
-
-bool is_on(const Flights& f, int a_switch) {
-  return is_joint(f, a_switch) ? f.joints.taut(a_switch - f.field.springs()) : f.field.engaged(a_switch);
+bool is_on(const Flights& f, const Switch& a_switch) {
+  if (const auto* joint = std::get_if<JointIndex>(&a_switch)) return f.joints.taut(*joint);
+  return f.field.engaged(std::get<SpringIndex>(a_switch));
 }
 
-void set_on(Flights& f, int a_switch, bool on) {
-  if (is_joint(f, a_switch)) {
-    f.joints.set_taut(a_switch - f.field.springs(), on);
+void set_on(Flights& f, const Switch& a_switch, bool on) {
+  if (const auto* joint = std::get_if<JointIndex>(&a_switch)) {
+    f.joints.set_taut(*joint, on);
   } else {
-    f.field.set_engaged(a_switch, on);
+    f.field.set_engaged(std::get<SpringIndex>(a_switch), on);
   }
 }
 
 // The other end of a spring.
-Motion other_end(Flights& f, int spring, double time) {
+Motion other_end(Flights& f, SpringIndex spring, double time) {
   const int other = f.field.spring_other(spring);
   return other >= 0 ? f.at(other, time) : f.field.spring_end(spring, f.epoch + time);
 }
 
-double margin_at(Flights& f, const Island& island, int a_switch, double time) {
-  if (is_joint(f, a_switch)) {
-    const int joint = a_switch - f.field.springs();
+double margin_at(Flights& f, const Island& island, const Switch& a_switch, double time) {
+  if (const auto* joint = std::get_if<JointIndex>(&a_switch)) {
     const Motions& y = f.group_at(island, time);
-    if (!f.joints.taut(joint)) return f.joints.overstretch(island.group, joint, f.epoch + time, y);
+    if (!f.joints.taut(*joint)) return f.joints.overstretch(island.group, *joint, f.epoch + time, y);
     (void)f.rates_of(island, time, y);
-    return f.joints.tension(island.group, joint);
+    return f.joints.tension(island.group, *joint);
   }
-  const Motion body = f.at(f.field.spring_body(a_switch), time);
-  return f.field.switch_margin(a_switch, body, other_end(f, a_switch, time));
+  const SpringIndex spring = std::get<SpringIndex>(a_switch);
+  const Motion body = f.at(f.field.spring_body(spring), time);
+  return f.field.switch_margin(spring, body, other_end(f, spring, time));
 }
 
 }  // namespace
@@ -44,7 +43,7 @@ double margin_at(Flights& f, const Island& island, int a_switch, double time) {
 double SwitchSearch::recheck(Flights& f, const Island& island) {
   double released = 0.0;
   for (const int i : f.members_of(island)) {
-    for (const int spring : f.field.switching_springs(i)) {
+    for (const SpringIndex spring : f.field.switching_springs(i)) {
       const double margin = margin_at(f, island, spring, island.start);
       if (margin != 0.0 && (margin > 0.0) != f.field.engaged(spring))
         released += flip(f, island, spring, island.start);
@@ -53,21 +52,22 @@ double SwitchSearch::recheck(Flights& f, const Island& island) {
   return released;
 }
 
-double SwitchSearch::flip(Flights& f, const Island& island, int a_switch, double time) {
-  if (is_joint(f, a_switch)) {
+double SwitchSearch::flip(Flights& f, const Island& island, const Switch& a_switch, double time) {
+  if (const auto* joint = std::get_if<JointIndex>(&a_switch)) {
     set_on(f, a_switch, !is_on(f, a_switch));
     if (is_on(f, a_switch)) {
       lost_to_joints_ += f.apply_taut_impulse(island);
-      if (!is_on(f, a_switch)) released_at_[a_switch - f.field.springs()] = f.epoch + time;
+      if (!is_on(f, a_switch)) released_at_[static_cast<std::size_t>(*joint)] = f.epoch + time;
     }
     f.forget(island);
     return 0.0;
   }
-  const Motion body = f.at(f.field.spring_body(a_switch), time);
-  const double length = (body - other_end(f, a_switch, time)).head<2>().norm();
-  const double before = f.field.spring_energy(a_switch, length);
-  f.field.set_engaged(a_switch, !f.field.engaged(a_switch));
-  return before - f.field.spring_energy(a_switch, length);
+  const SpringIndex spring = std::get<SpringIndex>(a_switch);
+  const Motion body = f.at(f.field.spring_body(spring), time);
+  const double length = (body - other_end(f, spring, time)).head<2>().norm();
+  const double before = f.field.spring_energy(spring, length);
+  f.field.set_engaged(spring, !f.field.engaged(spring));
+  return before - f.field.spring_energy(spring, length);
 }
 
 bool SwitchSearch::may_follow(const Flights& f, const Island& island) {
@@ -81,13 +81,13 @@ bool SwitchSearch::may_follow(const Flights& f, const Island& island) {
 void SwitchSearch::list(const Flights& f, const Island& island) {
   listed_.clear();
   for (const int i : f.members_of(island)) {
-    for (const int spring : f.field.switching_springs(i)) {
+    for (const SpringIndex spring : f.field.switching_springs(i)) {
       // A spring between two members belongs to both.
-      if (f.field.spring_body(spring) == i || island.group < 0) listed_.push_back(spring);
+      if (f.field.spring_body(spring) == i || island.group < 0) listed_.emplace_back(spring);
     }
   }
   if (island.group < 0) return;
-  for (const int joint : f.joints.strings(island.group)) listed_.push_back(f.field.springs() + joint);
+  for (const JointIndex joint : f.joints.strings(island.group)) listed_.emplace_back(joint);
 }
 
 // The margins of all listed switches at one time, > 0 where they are in the state that they are said to be in:
@@ -95,13 +95,13 @@ void SwitchSearch::list(const Flights& f, const Island& island) {
 void SwitchSearch::sample(Flights& f, const Island& island, double time, std::vector<double>& margins) {
   margins.clear();
   bool pulled = false;  // the tensions at this time are known
-  for (const int a_switch : listed_) {
+  for (const Switch& a_switch : listed_) {
     const bool on = is_on(f, a_switch);
     double margin = 0.0;
-    if (is_joint(f, a_switch) && on) {
+    if (const auto* joint = std::get_if<JointIndex>(&a_switch); joint != nullptr && on) {
       if (!pulled) (void)f.rates_of(island, time, f.group_at(island, time));
       pulled = true;
-      margin = f.joints.tension(island.group, a_switch - f.field.springs());
+      margin = f.joints.tension(island.group, *joint);
     } else {
       margin = margin_at(f, island, a_switch, time);
     }
@@ -120,7 +120,7 @@ void SwitchSearch::end_at_first(Flights& f, Island& island) {
   double first = island.end;
   find_leaving(f, island, first);
   find_roots(f, island, first);
-  if (island.switching < 0) return;
+  if (!island.switching) return;
   for (const int i : f.members_of(island)) f.at_end.col(i) = f.at(i, first);
   island.end = first;
 }
@@ -137,7 +137,7 @@ void SwitchSearch::find_leaving(Flights& f, Island& island, double& first) {
 
   leaving_.clear();
   for (std::size_t k = 0; k < listed_.size(); ++k) {
-    const int a_switch = listed_[k];
+    const Switch a_switch = listed_[k];
     bool seen = margins_[0][k] > 0.0;
     int left = 0;
     for (int s = 1; s <= quarters && left == 0; ++s) {
@@ -151,7 +151,8 @@ void SwitchSearch::find_leaving(Flights& f, Island& island, double& first) {
     }
     if (seen || !(margins_.back()[k] < 0.0)) continue;
     // A push out of a penetration may have left a slack string too long, though its ends approach.
-    if (is_joint(f, a_switch) && released_at_[a_switch - f.field.springs()] == f.epoch + island.start) continue;
+    const auto* joint = std::get_if<JointIndex>(&a_switch);
+    if (joint != nullptr && released_at_[static_cast<std::size_t>(*joint)] == f.epoch + island.start) continue;
     const bool on = is_on(f, a_switch);
     set_on(f, a_switch, !on);
     f.forget(island);
@@ -172,7 +173,7 @@ void SwitchSearch::find_roots(Flights& f, Island& island, double& first) {
     const double sign = is_on(f, next.a_switch) ? 1.0 : -1.0;
     const double root = bracketed_root([&](double t) { return sign * margin_at(f, island, next.a_switch, t); },
                                        next.before, next.margin_before, next.after, next.margin_after);
-    if (root < first || (root == first && island.switching < 0)) {
+    if (root < first || (root == first && !island.switching)) {
       first = root;
       island.switching = next.a_switch;
     }

@@ -10,8 +10,8 @@ namespace carom {
 
 // The moments at which one-sided springs and strings start and stop to act.
 //
-// A switch is a spring, by its index, or, after all springs, a joint, of which strings switch. Its margin is >
-// 0 where it acts and < 0 where it doesn't: in N the tension of a taut string, in m the stretch of a slack one.
+// The margin of a switch is > 0 where it acts and < 0 where it doesn't: in N the tension of a taut string, in m
+// the stretch of a slack one.
 class SwitchSearch {
  public:
   // What flights may cost between two calls of Trajectories::begin_step(), in evaluations, before switches are
@@ -26,14 +26,14 @@ class SwitchSearch {
   // them has cost more than it may.
   void end_at_first(Flights& flights, Flights::Island& island);
   // Flips a switch; the energy in J that is gone with a spring. A string that becomes taut takes its impulse.
-  double flip(Flights& flights, const Flights::Island& island, int a_switch, double time);
+  double flip(Flights& flights, const Flights::Island& island, const Switch& a_switch, double time);
   // After an impact changed velocities: springs whose margin has jumped to the other side flip now; the energy
   // in J that they release.
   double recheck(Flights& flights, const Flights::Island& island);
 
   [[nodiscard]] double lost_to_joints() const { return lost_to_joints_; }  // J: by taut impulses
   void set_lost_to_joints(double lost) { lost_to_joints_ = lost; }
-  // s, absolute: when first switches flipped more often than is followed; negative: never.
+  // s, absolute, by joint: when first switches flipped more often than is followed; negative: never.
   [[nodiscard]] double missed_since() const { return missed_since_; }
   void add_joint() { released_at_.push_back(-1.0); }
 
@@ -42,7 +42,7 @@ class SwitchSearch {
 
   // A switch that leaves its state between two times at which the trajectory was sampled.
   struct Leaving {
-    int a_switch = 0;
+    Switch a_switch;
     double before = 0.0, after = 0.0;  // s
     double margin_before = 0.0, margin_after = 0.0;
   };
@@ -53,7 +53,7 @@ class SwitchSearch {
   void find_leaving(Flights& flights, Flights::Island& island, double& first);
   void find_roots(Flights& flights, Flights::Island& island, double& first);
 
-  std::vector<int> listed_;                     // the island's switches
+  std::vector<Switch> listed_;                  // the island's switches
   std::array<std::vector<double>, 5> margins_;  // theirs at the trajectory's start, quarters and end
   std::vector<double> margins_at_first_;
   std::vector<Leaving> leaving_;

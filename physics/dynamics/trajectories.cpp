@@ -131,7 +131,7 @@ void Trajectories::advance_to(int k, double time) {
     for (const int i : f.members_of(island)) f.at_start.col(i) = f.at_end.col(i);
   }
   island.start = island.end = time;
-  island.switching = -1;
+  island.switching.reset();
   f.forget(island);
   // A law may change at this very time.
   if (f.field.has_breaks()) {
@@ -142,9 +142,9 @@ void Trajectories::advance_to(int k, double time) {
 double Trajectories::advance_to_end(int k) {
   Flights& f = flights_;
   const Island& island = f.islands[k];
-  const int a_switch = island.switching;
+  const std::optional<Switch> ending = island.switching;
   advance_to(k, island.end);
-  return a_switch < 0 ? 0.0 : switches_.flip(f, island, a_switch, island.start);
+  return ending ? switches_.flip(f, island, *ending, island.start) : 0.0;
 }
 
 void Trajectories::set_velocity(int body, const Vec2& velocity, double spin) {
@@ -176,7 +176,7 @@ void Trajectories::set_pose(int body, const Eigen::Vector3d& q) {
 void Trajectories::rebuild(int k, double horizon, double reach, double turn) {
   Flights& f = flights_;
   Island& island = f.islands[k];
-  island.switching = -1;
+  island.switching.reset();
   f.forget(island);
   island.end = horizon;
   // Where no step ends the trajectory, the length of its path does.

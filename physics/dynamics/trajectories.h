@@ -114,8 +114,8 @@ class Trajectories {
     const int group = k < 0 ? -1 : flights_.islands[k].group;
     return group >= 0 && flights_.joints.has_joints(group);
   }
-  [[nodiscard]] bool is_taut(int joint) const { return flights_.joints.taut(joint); }  // of a string
-  [[nodiscard]] double length(int joint) const {
+  [[nodiscard]] bool is_taut(JointIndex joint) const { return flights_.joints.taut(joint); }  // of a string
+  [[nodiscard]] double length(JointIndex joint) const {
     return flights_.joints.length(joint);
   }  // m, of a rod or a string
   // An impact of bodies at their islands' starts, some of them jointed. `by` are the changes of (v, spin) of

@@ -96,7 +96,7 @@ Trajectories::WeldImpact Trajectories::add_weld(const Weld& weld, double time) {
   }
   const Flights::Island& island = f.islands[f.island_of[weld.body]];
   const double taken = f.apply_taut_impulse(island);
-  return {taken, f.joints.impulse(island.group, f.joints.size() - 1, weld.body)};
+  return {taken, f.joints.impulse(island.group, f.joints.last(), weld.body)};
 }
 
 }  // namespace carom

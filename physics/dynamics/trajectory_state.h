@@ -2,9 +2,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "physics/dynamics/state.h"
+#include "physics/model/index.h"
 #include "physics/model/weld.h"
 
 namespace carom {
@@ -16,13 +18,13 @@ struct TrajectoryState {
   std::vector<Weld> welds;
   // By island.
   std::vector<double> start, end;
-  std::vector<double> next_step;      // s, of the adaptive integrator; 0: not known yet
-  std::vector<int> switching;         // the switch that flips at the end, or -1
-  Motions at_start;                   // by body
-  std::vector<std::uint8_t> engaged;  // by spring: it acts
-  std::vector<std::uint8_t> taut;     // by joint
-  std::vector<double> released_at;    // s, absolute, by joint
-  std::vector<int> phase;             // by applied force
+  std::vector<double> next_step;                 // s, of the adaptive integrator; 0: not known yet
+  std::vector<std::optional<Switch>> switching;  // what flips at the end
+  Motions at_start;                              // by body
+  std::vector<std::uint8_t> engaged;             // by spring: it acts
+  std::vector<std::uint8_t> taut;                // by joint
+  std::vector<double> released_at;               // s, absolute, by joint
+  std::vector<int> phase;                        // by applied force
   // By body, in m/s², m/s², rad/s²: all constant accelerations, and the part of contacts; empty if contacts
   // never acted.
   Eigen::Matrix3Xd constant, contact;

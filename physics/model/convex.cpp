@@ -10,7 +10,7 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 // How far shape i reaches along n from its body's origin, in m. For a half-plane n must be its normal.
-double reach(const ConvexShapes& shapes, int i, const Pose& pose, const Vec2& n) {
+double reach(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose, const Vec2& n) {
   const Vec2 own = pose.turned_back(n);
   const Corner* corner = shapes.corners_of(i);
   double most = own.dot(corner[0].vertex);
@@ -72,7 +72,7 @@ ConvexShapes convex_shapes(const std::vector<ConvexShape>& shapes) {
   return all;
 }
 
-Bounds bounds_of(const ConvexShapes& shapes, int i, const Pose& pose) {
+Bounds bounds_of(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose) {
   if (shapes.core[i] == Core::kHalfPlane) {
     Bounds all{Eigen::Array2d::Constant(-kInfinite), Eigen::Array2d::Constant(kInfinite)};
     const Corner& edge = *shapes.corners_of(i);
@@ -88,13 +88,13 @@ Bounds bounds_of(const ConvexShapes& shapes, int i, const Pose& pose) {
   return {pose.position - low, pose.position + high};
 }
 
-double separation(const ConvexShapes& shapes, int a, const Pose& pose_a, int b, const Pose& pose_b,
-                  const Vec2& n) {
+double separation(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, ShapeIndex b,
+                  const Pose& pose_b, const Vec2& n) {
   return n.dot(pose_b.position - pose_a.position) - reach(shapes, a, pose_a, n) - reach(shapes, b, pose_b, -n);
 }
 
-double apart_until(const ConvexShapes& shapes, int a, const Pose& pose_a, const Twist& twist_a, int b,
-                   const Pose& pose_b, const Twist& twist_b, const Vec2& n, double curvature) {
+double apart_until(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, const Twist& twist_a,
+                   ShapeIndex b, const Pose& pose_b, const Twist& twist_b, const Vec2& n, double curvature) {
   const Vec2 own_a = pose_a.turned_back(n);
   const Vec2 own_b = pose_b.turned_back(n);
   const double apart = n.dot(pose_b.position - pose_a.position) - shapes.rounding[a] - shapes.rounding[b];

@@ -6,6 +6,7 @@
 
 #include "physics/math/bounds.h"
 #include "physics/math/vectors.h"
+#include "physics/model/index.h"
 #include "physics/scene/scene.h"
 #include "physics/scene/shape.h"
 
@@ -51,16 +52,17 @@ struct Corner {
 // by less than 180°.
 struct ConvexShapes {
   std::vector<Corner> corner;
-  std::vector<int> first;
-  std::vector<int> corners;
-  std::vector<Core> core;
-  std::vector<double> rounding;     // m
-  std::vector<double> core_radius;  // m, of the circle about the origin that contains the core; 0 for a disc
-  std::vector<double> radius;       // m, of the circle that contains the body; infinite for a half-plane
+  ArrayOf<ShapeIndex, int> first;
+  ArrayOf<ShapeIndex, int> corners;
+  ArrayOf<ShapeIndex, Core> core;
+  ArrayOf<ShapeIndex, double> rounding;  // m
+  ArrayOf<ShapeIndex, double>
+      core_radius;                     // m, of the circle about the origin that contains the core; 0 for a disc
+  ArrayOf<ShapeIndex, double> radius;  // m, of the circle that contains the body; infinite for a half-plane
 
-  [[nodiscard]] const Corner* corners_of(int i) const { return corner.data() + first[i]; }
+  [[nodiscard]] const Corner* corners_of(ShapeIndex i) const { return corner.data() + first[i]; }
   // Number of edges in the contact search: none for a point.
-  [[nodiscard]] int edges(int i) const { return core[i] == Core::kPoint ? 0 : corners[i]; }
+  [[nodiscard]] int edges(ShapeIndex i) const { return core[i] == Core::kPoint ? 0 : corners[i]; }
 };
 
 [[nodiscard]] ConvexShapes convex_shapes(const std::vector<ConvexShape>& shapes);
@@ -81,7 +83,7 @@ struct Pose {
 };
 
 // The pose of body i at q = (x, y, angle). A disc's angle is ignored: nothing depends on it.
-[[nodiscard]] inline Pose pose_of(const ConvexShapes& shapes, int i, const Eigen::Vector3d& q) {
+[[nodiscard]] inline Pose pose_of(const ConvexShapes& shapes, ShapeIndex i, const Eigen::Vector3d& q) {
   if (shapes.core[i] == Core::kPoint) return {q.head<2>(), 1.0, 0.0};
   const Vec2 along = direction_at(q[2]);
   return {q.head<2>(), along.x(), along.y()};
@@ -89,12 +91,12 @@ struct Pose {
 
 // The axis-aligned bounding rectangle of a body in m. That of a half-plane is infinite, except beyond an edge
 // that is parallel to an axis.
-[[nodiscard]] Bounds bounds_of(const ConvexShapes& shapes, int i, const Pose& pose);
+[[nodiscard]] Bounds bounds_of(const ConvexShapes& shapes, ShapeIndex i, const Pose& pose);
 
 // The distance of a and b along a fixed unit vector n, in m: the least n·(x_b - x_a) over all points of both.
 // It is at most the gap for every n, and equals the gap along the contact normal. A half-plane is unbounded
 // except along its normal: n must be its normal, or the opposite if it is b.
-[[nodiscard]] double separation(const ConvexShapes& shapes, int a, const Pose& pose_a, int b,
+[[nodiscard]] double separation(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, ShapeIndex b,
                                 const Pose& pose_b, const Vec2& n);
 
 // Velocity of a body: of its centre in m/s, and its spin in rad/s.
@@ -107,9 +109,9 @@ struct Twist {
 // closed now. While they separate at the contact with normal n, no vertex can return earlier. It is 0 if a
 // touching vertex does not separate. `curvature` is that of first_contact. From n·(x_q - x_p) >= max(0, f0) +
 // f1 t - curvature t²/2 for each pair of vertices p, q.
-[[nodiscard]] double apart_until(const ConvexShapes& shapes, int a, const Pose& pose_a, const Twist& twist_a,
-                                 int b, const Pose& pose_b, const Twist& twist_b, const Vec2& n,
-                                 double curvature);
+[[nodiscard]] double apart_until(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a,
+                                 const Twist& twist_a, ShapeIndex b, const Pose& pose_b, const Twist& twist_b,
+                                 const Vec2& n, double curvature);
 
 // Curvature bound in m/s² for the path of a core vertex about its centre: (ω² + |α|) r. Zero for a disc,
 // whose vertex is the centre. `core_reach` in m.

@@ -20,7 +20,7 @@ ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, co
   for (const Spring& s : forces.springs) {
     const int body = index.at(s.body);
     SpringTerm term{body, -1, -1, s.anchor, s.stiffness, s.damping, s.rest_length, s.acts};
-    const int spring = static_cast<int>(t.springs.size());
+    const SpringIndex spring = t.springs.end_index();
     if (!s.to.empty()) {
       const int other = index.at(s.to);
       term.anchor = bodies[other].position;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "physics/model/index.h"
 #include "physics/model/needs.h"
 #include "physics/scene/scene.h"
 
@@ -44,10 +45,10 @@ struct ForceTerms {
   bool gravity_only = true;  // only uniform gravity acts: all quadratures but its own stay zero
   bool constant = true;      // only gravity and forces that never change: flight is a parabola
   bool one_sided = false;    // some springs push or pull only
-  std::vector<SpringTerm> springs;
-  std::vector<std::vector<int>> outside;    // springs to points and to fixed or kinematic bodies, by body
-  std::vector<std::vector<int>> between;    // springs between movable bodies, by both their bodies
-  std::vector<std::vector<int>> switching;  // one-sided springs, by both their bodies
+  ArrayOf<SpringIndex, SpringTerm> springs;
+  std::vector<std::vector<SpringIndex>> outside;  // springs to points and to fixed or kinematic bodies, by body
+  std::vector<std::vector<SpringIndex>> between;  // springs between movable bodies, by both their bodies
+  std::vector<std::vector<SpringIndex>> switching;  // one-sided springs, by both their bodies
   std::vector<AppliedTerm> applied;
   std::vector<std::vector<int>> applied_to;  // by body
 };

@@ -41,11 +41,11 @@ void add_parts(const std::vector<std::vector<ConvexPart>>& parts, std::vector<Co
   }
   g.shapes = convex_shapes(shapes);
   for (int i = 0; i < static_cast<int>(n); ++i) {
-    g.core_reach[i] = g.shapes.core_radius[i];
-    g.reach[i] = g.shapes.radius[i];
+    g.core_reach[i] = g.shapes.core_radius[g.first_part(i)];
+    g.reach[i] = g.shapes.radius[g.first_part(i)];
     if (!g.has_parts(i)) continue;
     g.core_reach[i] = g.reach[i] = 0.0;
-    g.each_part(i, [&](int part) {
+    g.each_part(i, [&](ShapeIndex part) {
       const double rounding = g.shapes.rounding[part];
       for (int k = 0; k < g.shapes.corners[part]; ++k) {
         const double far = (g.place[part] + g.shapes.corners_of(part)[k].vertex).norm();

@@ -17,14 +17,14 @@ struct Geometry {
   ConvexShapes shapes;  // of the parts, each in a frame along the axes of its body
   // Of a body of several parts; all empty where there is none.
   struct MoreParts {
-    int first = 0;  // the parts beyond part i
+    int first = 0;  // numbers of those beyond its first one
     int last = 0;
   };
-  std::vector<MoreParts> more;  // by body
-  std::vector<Vec2> place;      // m, by part: where it is in the frame of its body
-  std::vector<int> of_shape;    // by part: which shape of a compound
-  Eigen::VectorXd core_reach;   // m, by body: of the circle about the centre of mass that contains the cores
-  Eigen::VectorXd reach;        // m, likewise of the whole body; infinite for a half-plane
+  std::vector<MoreParts> more;        // by body
+  ArrayOf<ShapeIndex, Vec2> place;    // m: where a part is in the frame of its body
+  ArrayOf<ShapeIndex, int> of_shape;  // which shape of a compound a part is of
+  Eigen::VectorXd core_reach;  // m, by body: of the circle about the centre of mass that contains the cores
+  Eigen::VectorXd reach;       // m, likewise of the whole body; infinite for a half-plane
   // m, 2×N: half width and height of the axis-aligned rectangle about the centre that contains the body at
   // every angle that it can take. Infinite for a half-plane.
   Eigen::Matrix2Xd extent;
@@ -35,36 +35,44 @@ struct Geometry {
   WeldedBodies welded;                      // nor do bodies that are one
 
   [[nodiscard]] bool has_parts(int i) const { return !more.empty() && more[i].last > more[i].first; }
-  [[nodiscard]] bool is_disc(int i) const { return shapes.core[i] == Core::kPoint && !has_parts(i); }
+  [[nodiscard]] ShapeIndex first_part(int body) const { return ShapeIndex{body}; }
+  [[nodiscard]] ShapePair first_parts(int a, int b) const { return {first_part(a), first_part(b)}; }
+  // Those that are given, or the first ones.
+  [[nodiscard]] ShapePair parts_or_first(const ShapePair& parts, int a, int b) const {
+    return parts.known() ? parts : first_parts(a, b);
+  }
+  [[nodiscard]] bool is_disc(int i) const {
+    return shapes.core[first_part(i)] == Core::kPoint && !has_parts(i);
+  }
   template <class Visit>
   void each_part(int body, const Visit& visit) const {
-    visit(body);
+    visit(first_part(body));
     if (!has_parts(body)) return;
-    for (int part = more[body].first; part < more[body].last; ++part) visit(part);
+    for (int part = more[body].first; part < more[body].last; ++part) visit(ShapeIndex{part});
   }
   // visit(part of a, part of b)
   template <class Visit>
   void each_parts(int a, int b, const Visit& visit) const {
-    each_part(a, [&](int part_a) { each_part(b, [&](int part_b) { visit(part_a, part_b); }); });
+    each_part(a, [&](ShapeIndex part_a) { each_part(b, [&](ShapeIndex part_b) { visit(part_a, part_b); }); });
   }
-  [[nodiscard]] std::size_t shape_of(int part) const {
-    return of_shape.empty() ? 0U : static_cast<std::size_t>(of_shape[part]);
+  [[nodiscard]] std::size_t shape_of(ShapeIndex part) const {
+    return more.empty() ? 0U : static_cast<std::size_t>(of_shape[part]);
   }
   // A part's number within its body, and back.
-  [[nodiscard]] int number_of(int body, int part) const {
-    return part == body ? 0 : 1 + part - more[body].first;
+  [[nodiscard]] int number_of(int body, ShapeIndex part) const {
+    return part == first_part(body) ? 0 : 1 + static_cast<int>(part) - more[body].first;
   }
-  [[nodiscard]] int part_of(int body, int number) const {
-    return number == 0 ? body : more[body].first + number - 1;
+  [[nodiscard]] ShapeIndex part_of(int body, int number) const {
+    return number == 0 ? first_part(body) : ShapeIndex{more[body].first + number - 1};
   }
 
   // The pose of body i at q = (x, y, angle), and that of its parts.
   [[nodiscard]] Pose pose(int i, const Eigen::Vector3d& q) const {
-    if (!has_parts(i)) return pose_of(shapes, i, q);
+    if (!has_parts(i)) return pose_of(shapes, first_part(i), q);
     const Vec2 along = direction_at(q[2]);
     return {q.head<2>(), along.x(), along.y()};
   }
-  [[nodiscard]] Pose part_pose(int body, int part, const Pose& pose) const {
+  [[nodiscard]] Pose part_pose(int body, ShapeIndex part, const Pose& pose) const {
     if (!has_parts(body)) return pose;
     return {pose.position + pose.turned(place[part]), pose.cos, pose.sin};
   }

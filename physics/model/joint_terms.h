@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/model/body_starts.h"
+#include "physics/model/index.h"
 #include "physics/model/mass.h"
 #include "physics/model/weld.h"
 #include "physics/scene/scene.h"
@@ -27,7 +28,7 @@ struct JointTerm {
 
 // The joints of a scene, arranged for evaluation.
 struct JointTerms {
-  std::vector<JointTerm> all;
+  ArrayOf<JointIndex, JointTerm> all;
 
   // The movable bodies of each joint; the same one twice if only one end is movable.
   [[nodiscard]] std::vector<std::pair<int, int>> joined() const;

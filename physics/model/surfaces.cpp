@@ -22,12 +22,11 @@ Surfaces surfaces_of(const Scene& scene, const std::vector<Body>& bodies, const 
   };
   surfaces.material.resize(shapes.shapes.core.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    shapes.each_part(static_cast<int>(i), [&](int part) {
+    shapes.each_part(static_cast<int>(i), [&](ShapeIndex part) {
       const auto* compound = std::get_if<Compound>(&bodies[i].shape);
       const std::string* own =
           compound == nullptr ? nullptr : &compound->shapes[shapes.shape_of(part)].material;
-      surfaces.material[static_cast<std::size_t>(part)] =
-          number(own == nullptr || own->empty() ? bodies[i].material : *own);
+      surfaces.material[part] = number(own == nullptr || own->empty() ? bodies[i].material : *own);
     });
   }
   surfaces.materials = static_cast<int>(names.size());

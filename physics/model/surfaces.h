@@ -8,15 +8,15 @@
 
 namespace carom {
 
-// The surface law of any two bodies, or convex parts of them, looked up by index.
+// The surface law of any two convex shapes.
 struct Surfaces {
-  std::vector<int> material;      // by part, as in Geometry
-  int materials = 0;              // number of materials that bodies have
+  ArrayOf<ShapeIndex, int> material;
+  int materials = 0;              // how many the shapes have
   std::vector<SurfaceLaw> pairs;  // materials × materials, row by row
   bool stick = false;             // some of these do
 
-  [[nodiscard]] const SurfaceLaw& between(int a, int b) const {
-    return pairs[static_cast<std::size_t>(material[a] * materials + material[b])];
+  [[nodiscard]] const SurfaceLaw& between(const ShapePair& shapes) const {
+    return pairs[static_cast<std::size_t>(material[shapes.a] * materials + material[shapes.b])];
   }
 };
 

@@ -40,7 +40,7 @@ Bounds bounds_at(const Reading& r, int i) {
   const Pose pose = r.shapes.pose(i, r.state.q.col(i));
   Bounds all{Eigen::Array2d::Constant(std::numeric_limits<double>::infinity()),
              Eigen::Array2d::Constant(-std::numeric_limits<double>::infinity())};
-  r.shapes.each_part(i, [&](int part) {
+  r.shapes.each_part(i, [&](ShapeIndex part) {
     const Bounds of = bounds_of(r.shapes.shapes, part, r.shapes.part_pose(i, part, pose));
     all = {all.low.min(of.low), all.high.max(of.high)};
   });

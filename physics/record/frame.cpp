@@ -36,7 +36,7 @@ std::vector<JointState> joint_states(const Simulation& simulation) {
     s.in_plane = other < 0;
     const Vec2 start = other < 0 ? joint.anchor : end(at_start(other), joint.anchor);
     s.length = joint.length.value_or((end(at_start(body), joint.point) - start).norm());
-    s.taut = joint.kind != JointKind::kString || simulation.is_taut(static_cast<int>(i));
+    s.taut = joint.kind != JointKind::kString || simulation.is_taut(JointIndex{static_cast<int>(i)});
   }
   return states;
 }

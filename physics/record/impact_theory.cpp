@@ -98,17 +98,17 @@ std::optional<Vec2> impulse(const Pair& pair, const Vec2& u, const SurfaceLaw& m
 
 // The material of a body, unless it has several.
 std::optional<int> material_of(const Model& model, int body) {
-  std::optional<int> found = model.surfaces.material[static_cast<std::size_t>(body)];
+  std::optional<int> found = model.surfaces.material[model.shapes.first_part(body)];
   const int first = *found;
-  model.shapes.each_part(body, [&](int part) {
-    if (model.surfaces.material[static_cast<std::size_t>(part)] != first) found.reset();
+  model.shapes.each_part(body, [&](ShapeIndex part) {
+    if (model.surfaces.material[part] != first) found.reset();
   });
   return found;
 }
 
 const SurfaceLaw* material_between(const Model& model, const ImpactRecord& record) {
   const bool known = material_of(model, record.a) && material_of(model, record.b);
-  return known ? &model.surfaces.between(record.a, record.b) : nullptr;
+  return known ? &model.surfaces.between(model.shapes.first_parts(record.a, record.b)) : nullptr;
 }
 
 // Whether joints act on a body that can move, beside the weld of the two if they stick.

@@ -15,7 +15,7 @@ Scene scene_now(const Simulation& run) {
   for (std::size_t i = 0; i < scene.joints.size(); ++i) {
     Joint& joint = scene.joints[i];
     if (joint.kind == JointKind::kRod || joint.kind == JointKind::kString) {
-      joint.length = run.length(static_cast<int>(i));
+      joint.length = run.length(JointIndex{static_cast<int>(i)});
     } else if (joint.kind == JointKind::kWeld && !joint.angle) {
       joint.angle = angles.at(joint.body) - (joint.to.empty() ? 0.0 : angles.at(joint.to));
     }

@@ -86,8 +86,10 @@ class Simulation {
   [[nodiscard]] std::vector<Joint> joints() const;
   // The bodies that are one, by a weld of the scene or of the run.
   [[nodiscard]] const WeldedBodies& welded() const { return world_.trajectories.welded(); }
-  [[nodiscard]] bool is_taut(int joint) const { return world_.trajectories.is_taut(joint); }  // of a string
-  [[nodiscard]] double length(int joint) const {
+  [[nodiscard]] bool is_taut(JointIndex joint) const {
+    return world_.trajectories.is_taut(joint);
+  }  // of a string
+  [[nodiscard]] double length(JointIndex joint) const {
     return world_.trajectories.length(joint);
   }  // m, of a rod or a string
   [[nodiscard]] const ForceField& field() const { return world_.field(); }

@@ -27,10 +27,10 @@ constexpr int kFewContacts = 64;
 
 // m: radius of the disc that would roll on a plane as these two parts roll on each other; 0 if neither is a
 // disc.
-double rolling_radius(const ConvexShapes& parts, int a, int b) {
+double rolling_radius(const ConvexShapes& shapes, const ShapePair& parts) {
   double curvature = 0.0;
-  for (const int i : {a, b}) {
-    if (parts.core[i] == Core::kPoint && parts.rounding[i] > 0.0) curvature += 1.0 / parts.rounding[i];
+  for (const ShapeIndex i : {parts.a, parts.b}) {
+    if (shapes.core[i] == Core::kPoint && shapes.rounding[i] > 0.0) curvature += 1.0 / shapes.rounding[i];
   }
   return curvature > 0.0 ? 1.0 / curvature : 0.0;
 }
@@ -170,9 +170,8 @@ void ContactFinder::add(const Step& step, int a, int b, const Manifold& m, doubl
     c.slip_target[i] = 0.0;
     c.static_friction[i] = material.static_friction;
     c.kinetic_friction[i] = material.kinetic_friction;
-    c.rolling[i] =
-        material.rolling_resistance *
-        rolling_radius(world.shapes().shapes, m.part_a < 0 ? a : m.part_a, m.part_b < 0 ? b : m.part_b);
+    c.rolling[i] = material.rolling_resistance *
+                   rolling_radius(world.shapes().shapes, world.shapes().parts_or_first(m.parts, a, b));
     c.sticks[i] = std::abs(u.tangential) <= slip ? 1 : 0;
     c.normal_impulse[i] = c.tangential_impulse[i] = c.rolling_impulse[i] = 0.0;
     found.guess.emplace_back(Eigen::Vector3d::Zero());

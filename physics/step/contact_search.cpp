@@ -65,7 +65,7 @@ struct Paths {
     if (parabolic) return trajectories.parabola(i, t);
     return trajectories.at(i, t).head<3>();
   }
-  [[nodiscard]] Pose pose(int i, int part, double t) const {
+  [[nodiscard]] Pose pose(int i, ShapeIndex part, double t) const {
     return shapes.part_pose(i, part, shapes.pose(i, at(i, t)));
   }
   [[nodiscard]] Twist twist(int i, double t) const {
@@ -74,12 +74,11 @@ struct Paths {
     return {v.head<2>(), v[2]};
   }
   // Of a part of body i at its pose, from that of the body.
-  [[nodiscard]] Twist of_part(Twist twist, int i, int part, const Pose& pose) const {
+  [[nodiscard]] Twist of_part(Twist twist, int i, ShapeIndex part, const Pose& pose) const {
     if (shapes.has_parts(i)) twist.velocity += twist.spin * crossed(pose.turned(shapes.place[part]));
     return twist;
   }
-  [[nodiscard]] Approach approach(int a, int b, const std::pair<int, int>& parts, double t,
-                                  double tolerance) const {
+  [[nodiscard]] Approach approach(int a, int b, const ShapePair& parts, double t, double tolerance) const {
     return approach_of(shapes, a, at(a, t), twist(a, t), b, at(b, t), twist(b, t), tolerance, parts);
   }
 };
@@ -94,7 +93,8 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
   const Vec2 va = trajectories.parabola_velocity(a, start).head<2>();
   const Vec2 vb = trajectories.parabola_velocity(b, start).head<2>();
   const Vec2 u = vb - va;
-  const double touch = shapes.rounding[a] + shapes.rounding[b];
+  const auto [shape_a, shape_b] = world.shapes().first_parts(a, b);
+  const double touch = shapes.rounding[shape_a] + shapes.rounding[shape_b];
   const bool approach = d.dot(u) < 0.0;
   const bool apart = d.squaredNorm() > touch * touch;
   if (apart && !approach) return {};
@@ -123,8 +123,7 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
 
 }  // namespace
 
-NextContact next_contact(World& world, const SearchRules& rules, int a, int b,
-                         const std::pair<int, int>& parts) {
+NextContact next_contact(World& world, const SearchRules& rules, int a, int b, const ShapePair& parts) {
   Trajectories& trajectories = world.trajectories;
   const Geometry& shapes = world.shapes();
   const double begin = std::max({trajectories.start(a), trajectories.start(b), rules.from});

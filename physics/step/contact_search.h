@@ -32,6 +32,6 @@ struct SearchRules {
 // Finds the first contact of bodies a < b, which can collide, on their trajectories. The cost is taken from
 // the step's budget; a search that is given up is reported by a notice.
 [[nodiscard]] NextContact next_contact(World& world, const SearchRules& rules, int a, int b,
-                                       const std::pair<int, int>& parts);
+                                       const ShapePair& parts);
 
 }  // namespace carom

@@ -232,7 +232,7 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
 bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bool guarded) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
-  std::optional<std::pair<int, int>> parts(std::pair(a, b));
+  std::optional<ShapePair> parts = world.shapes().first_parts(a, b);
   if (may_be_continued(world, a, b)) parts = parts_that_meet(step, a, b, time);
   if (!parts) {
     // Once past the edge they touch along the normal of the common surface.

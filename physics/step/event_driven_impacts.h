@@ -107,7 +107,7 @@ class EventDrivenImpacts {
   void rebuild_and_search(const Step& step, std::span<const int> islands);
   void search_island(const Step& step, int island);
   void search(const Step& step, int a, int b, double from = -std::numeric_limits<double>::infinity());
-  std::optional<std::pair<int, int>> parts_that_meet(const Step& step, int a, int b, double time);
+  std::optional<ShapePair> parts_that_meet(const Step& step, int a, int b, double time);
   [[nodiscard]] double closing_share() const;
   [[nodiscard]] bool is_stale(const Event& event) const {
     return stamp_[event.a] != event.stamp_a || (event.b >= 0 && stamp_[event.b] != event.stamp_b);

@@ -23,7 +23,7 @@ constexpr double kLeastCorner = 0.2;
 constexpr double kBeyond = 0.05;
 
 // The face that has this outward normal in its body's frame.
-std::optional<DiscOnFace> face_with(const ConvexShapes& shapes, int part, const Vec2& normal) {
+std::optional<DiscOnFace> face_with(const ConvexShapes& shapes, ShapeIndex part, const Vec2& normal) {
   const Corner* corner = shapes.corners_of(part);
   for (int k = 0; k < shapes.corners[part]; ++k) {
     if (corner[k].length > 0.0 && (corner[k].normal - normal).norm() <= kDiscOnFace)
@@ -33,7 +33,7 @@ std::optional<DiscOnFace> face_with(const ConvexShapes& shapes, int part, const 
   return std::nullopt;
 }
 
-bool is_disc(const ConvexShapes& shapes, int part) {
+bool is_disc(const ConvexShapes& shapes, ShapeIndex part) {
   return shapes.core[part] == Core::kPoint && shapes.rounding[part] > 0.0;
 }
 
@@ -44,7 +44,7 @@ std::optional<DiscOnFace> disc_on_face(const World& world, const FoundContacts& 
   const auto [part_a, part_b] = parts_at(g, a, b, found.id[static_cast<std::size_t>(i)]);
   const bool a_is_disc = is_disc(g.shapes, part_a);
   if (a_is_disc == is_disc(g.shapes, part_b)) return std::nullopt;
-  const int part = a_is_disc ? part_b : part_a;
+  const ShapeIndex part = a_is_disc ? part_b : part_a;
   const int body = a_is_disc ? b : a;
   if (g.shapes.edges(part) == 0 || g.shapes.core[part] == Core::kHalfPlane) return std::nullopt;
   const Pose pose = g.pose(body, world.trajectories.at_start(body).head<3>());
@@ -92,10 +92,8 @@ bool ends_there(World& world, const DiscOnFace& on, double time, const Neighbour
   const Vec2 out = of_face.turned(turned_by(on.towards_end ? kBeyond : -kBeyond, on.normal));
   const auto [a, b] = std::minmax(on.disc, on.body);
   Contact contact{0.0, a == on.body ? out : Vec2(-out), of_face.position + of_face.turned(end)};
-  if (g.has_parts(a) || g.has_parts(b)) {
-    contact.part_a = a == on.body ? on.part : on.disc_part;
-    contact.part_b = a == on.body ? on.disc_part : on.part;
-  }
+  if (g.has_parts(a) || g.has_parts(b))
+    contact.parts = a == on.body ? ShapePair{on.part, on.disc_part} : ShapePair{on.disc_part, on.part};
   return !on_internal_edge(world, a, b, contact, neighbours.of_pair(world, a, b), pose);
 }
 

@@ -10,8 +10,10 @@ namespace carom {
 
 // A disc on a face of another body.
 struct DiscOnFace {
-  int disc = -1, disc_part = -1;
-  int body = -1, part = -1;
+  int disc = -1;
+  ShapeIndex disc_part = kNoShape;
+  int body = -1;
+  ShapeIndex part = kNoShape;
   Vec2 normal = Vec2::Zero();  // unit, out of the face, in its body's frame
   Vec2 vertex = Vec2::Zero();  // m, the face's start, in its body's frame
   double length = 0.0;         // m

@@ -136,7 +136,7 @@ void EventDrivenImpacts::search(const Step& step, int a, int b, double from) {
     end_of_step_.add(a, b, false);
     return;
   }
-  world.shapes().each_parts(a, b, [&](int part_a, int part_b) {
+  world.shapes().each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
     const SearchRules rules{end_of_step_, step.resting, closing_share(), from};
     const NextContact next = next_contact(world, rules, a, b, {part_a, part_b});
     switch (next.kind) {
@@ -158,8 +158,7 @@ void EventDrivenImpacts::search(const Step& step, int a, int b, double from) {
 
 // The parts of a and b that touch at this time, of several those that approach fastest; nothing where others
 // continue the surface, so that they do not touch there.
-std::optional<std::pair<int, int>> EventDrivenImpacts::parts_that_meet(const Step& step, int a, int b,
-                                                                       double time) {
+std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, int a, int b, double time) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
   const Geometry& shapes = world.shapes();
@@ -172,10 +171,10 @@ std::optional<std::pair<int, int>> EventDrivenImpacts::parts_that_meet(const Ste
   };
   const auto pose = [&](int i) { return shapes.pose(i, motion(i).head<3>()); };
   if (!shapes.has_parts(a) && !shapes.has_parts(b)) {
-    if (near_.empty()) return std::pair(a, b);
+    if (near_.empty()) return shapes.first_parts(a, b);
     const Contact contact = contact_between(shapes, a, pose(a), b, pose(b));
     if (on_internal_edge(world, a, b, contact, near_, pose)) return std::nullopt;
-    return std::pair(a, b);
+    return shapes.first_parts(a, b);
   }
   const Motion of_a = motion(a);
   const Motion of_b = motion(b);
@@ -184,10 +183,10 @@ std::optional<std::pair<int, int>> EventDrivenImpacts::parts_that_meet(const Ste
   const double tolerance = touch_tolerance(world, a, b);
   const auto [low, high] = std::minmax(a, b);
   const bool rests = SearchRules{end_of_step_, step.resting, 0.0, 0.0}.rests(low, high);
-  std::optional<std::pair<int, int>> meet;
+  std::optional<ShapePair> meet;
   double fastest = kNever;
-  shapes.each_parts(a, b, [&](int part_a, int part_b) {
-    const std::pair<int, int> parts(part_a, part_b);
+  shapes.each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
+    const ShapePair parts{part_a, part_b};
     const Approach at =
         approach_of(shapes, a, of_a.head<3>(), twist_a, b, of_b.head<3>(), twist_b, tolerance, parts);
     if (at.contact.gap > tolerance || !(at.speed < fastest)) return;

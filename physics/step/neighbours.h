@@ -66,23 +66,23 @@ template <class PoseOf>
                                     std::span<const int> others, const PoseOf& pose) {
   const Geometry& g = world.shapes();
   const Vec2 half = 0.5 * contact.gap * contact.normal;
-  const int part_a = contact.part_a < 0 ? a : contact.part_a;
-  const int part_b = contact.part_b < 0 ? b : contact.part_b;
-  const auto covers = [&](int other, int owner, int part, int toucher, const Vec2& point, const Vec2& normal) {
+  const ShapePair parts = g.parts_or_first(contact.parts, a, b);
+  const auto covers = [&](int other, int owner, ShapeIndex part, int toucher, const Vec2& point,
+                          const Vec2& normal) {
     if (!world.can_collide(other, toucher) || g.shapes.core[part] == Core::kPoint) return false;
     const double tolerance = kFlush * (g.size[owner] + g.size[other]) + 1e-12 * point.lpNorm<1>();
     if (g.more.empty()) {
-      return neighbour_covers(g.shapes, owner, pose(owner), other, pose(other), point, normal, tolerance,
-                              !world.can_collide(owner, other));
+      return neighbour_covers(g.shapes, part, pose(owner), g.first_part(other), pose(other), point, normal,
+                              tolerance, !world.can_collide(owner, other));
     }
     const bool one_body = owner == other;
-    const int touching = toucher == a ? part_a : part_b;
+    const ShapeIndex touching = toucher == a ? parts.a : parts.b;
     const bool by_face =
         one_body && has_face(g.shapes, touching, g.part_pose(toucher, touching, pose(toucher)), -normal);
     const Pose of_owner = g.part_pose(owner, part, pose(owner));
     const Pose of_other = pose(other);
     bool covered = false;
-    g.each_part(other, [&](int piece) {
+    g.each_part(other, [&](ShapeIndex piece) {
       if (covered || piece == part) return;
       covered = neighbour_covers(g.shapes, part, of_owner, piece, g.part_pose(other, piece, of_other), point,
                                  normal, tolerance, one_body || !world.can_collide(owner, other), by_face);
@@ -91,12 +91,12 @@ template <class PoseOf>
   };
   const Vec2 on_a = contact.point - half;
   const Vec2 on_b = contact.point + half;
-  if (g.has_parts(a) && covers(a, a, part_a, b, on_a, contact.normal)) return true;
-  if (g.has_parts(b) && covers(b, b, part_b, a, on_b, -contact.normal)) return true;
+  if (g.has_parts(a) && covers(a, a, parts.a, b, on_a, contact.normal)) return true;
+  if (g.has_parts(b) && covers(b, b, parts.b, a, on_b, -contact.normal)) return true;
   return std::any_of(others.begin(), others.end(), [&](int other) {
     return other != a && other != b &&
-           (covers(other, a, part_a, b, on_a, contact.normal) ||
-            covers(other, b, part_b, a, on_b, -contact.normal));
+           (covers(other, a, parts.a, b, on_a, contact.normal) ||
+            covers(other, b, parts.b, a, on_b, -contact.normal));
   });
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 // The deepest point (m) of a part against this direction.
-Vec2 lowest_point(const ConvexShapes& shapes, int part, const Pose& pose, const Vec2& direction) {
+Vec2 lowest_point(const ConvexShapes& shapes, ShapeIndex part, const Pose& pose, const Vec2& direction) {
   const Corner* corner = shapes.corners_of(part);
   Vec2 lowest = pose.position + pose.turned(corner[0].vertex);
   for (int k = 1; k < shapes.corners[part]; ++k) {
@@ -28,7 +28,7 @@ Vec2 lowest_point(const ConvexShapes& shapes, int part, const Pose& pose, const 
 // Where two parts overlap least is on an edge that a neighbour continues, as with a corner that has sunk where
 // two boxes of a floor meet. Then they overlap the common surface: the contact with that face of either which
 // they overlap least, of those that neighbours leave.
-std::optional<Contact> contact_with_face(const World& world, int a, int b, const std::pair<int, int>& parts,
+std::optional<Contact> contact_with_face(const World& world, int a, int b, const ShapePair& parts,
                                          std::span<const int> others, const auto& pose) {
   const Geometry& g = world.shapes();
   const auto& [part_a, part_b] = parts;
@@ -36,7 +36,7 @@ std::optional<Contact> contact_with_face(const World& world, int a, int b, const
   const Pose of_b = g.part_pose(b, part_b, pose(b));
   std::optional<Contact> least;
   for (const bool of_first : {true, false}) {
-    const int owner = of_first ? part_a : part_b;
+    const ShapeIndex owner = of_first ? part_a : part_b;
     const Pose& of_owner = of_first ? of_a : of_b;
     for (int k = 0; k < g.shapes.edges(owner); ++k) {
       const Corner& corner = g.shapes.corners_of(owner)[k];
@@ -47,7 +47,7 @@ std::optional<Contact> contact_with_face(const World& world, int a, int b, const
       if (!(gap < 0.0) || (least && gap <= least->gap)) continue;
       const Vec2 deepest = lowest_point(g.shapes, of_first ? part_b : part_a, of_first ? of_b : of_a, out);
       Contact contact{gap, normal, deepest - 0.5 * gap * out};
-      if (g.has_parts(a) || g.has_parts(b)) contact.part_a = part_a, contact.part_b = part_b;
+      if (g.has_parts(a) || g.has_parts(b)) contact.parts = parts;
       if (!on_internal_edge(world, a, b, contact, others, pose)) least = contact;
     }
   }
@@ -55,17 +55,15 @@ std::optional<Contact> contact_with_face(const World& world, int a, int b, const
 }
 
 // How two parts overlap, and approach there; without a contact the gap is not negative.
-Approach overlap_of(const World& world, int a, int b, const std::pair<int, int>& parts,
-                    const Neighbours& neighbours) {
+Approach overlap_of(const World& world, int a, int b, const ShapePair& parts, const Neighbours& neighbours) {
   Approach at = world.approach(a, b, 0.0, parts);
   if (!(at.contact.gap < 0.0) || !may_be_continued(world, a, b)) return at;
   const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
   const std::span<const int> others = neighbours.of_pair(world, a, b);
   if (!on_internal_edge(world, a, b, at.contact, others, pose)) return at;
-  const auto has_plane = [&](int part) { return world.shapes().shapes.core[part] == Core::kHalfPlane; };
+  const auto has_plane = [&](ShapeIndex part) { return world.shapes().shapes.core[part] == Core::kHalfPlane; };
   std::optional<Contact> face;
-  if (!has_plane(parts.first) && !has_plane(parts.second))
-    face = contact_with_face(world, a, b, parts, others, pose);
+  if (!has_plane(parts.a) && !has_plane(parts.b)) face = contact_with_face(world, a, b, parts, others, pose);
   if (!face) return {};
   at.contact = *face;
   at.speed = world.parting_speed(a, b, *face);
@@ -81,7 +79,7 @@ void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighb
   };
   for (const auto& [a, b, resting] : pairs) {
     if (resting || !world.can_collide(a, b) || (!has_others(a) && !has_others(b))) continue;
-    world.shapes().each_parts(a, b, [&, a = a, b = b](int part_a, int part_b) {
+    world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
       const Approach at = overlap_of(world, a, b, {part_a, part_b}, neighbours);
       if (at.contact.gap < 0.0 && at.speed < 0.0)
         hits.push_back({a, b, at.contact, -at.contact.gap / at.speed});
@@ -108,7 +106,7 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
                            !world.model->surfaces.stick && pairs.size() > world.model->bodies();
   if (all_at_once) correction -= field.potential_energy(world.state.q);
   // Of two parts.
-  const auto part_them = [&](const WaitingPair& pair, const std::pair<int, int>& parts) {
+  const auto part_them = [&](const WaitingPair& pair, const ShapePair& parts) {
     const auto [a, b, resting] = pair;
     if (!world.can_collide(a, b)) return;  // one body by now
     Approach at = overlap_of(world, a, b, parts, neighbours);
@@ -150,8 +148,9 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
   for (const WaitingPair& pair : pairs) {
     world.work.pass(1);
     if (!world.can_collide(pair.a, pair.b)) continue;
-    world.shapes().each_parts(pair.a, pair.b,
-                              [&](int part_a, int part_b) { part_them(pair, std::pair(part_a, part_b)); });
+    world.shapes().each_parts(pair.a, pair.b, [&](ShapeIndex part_a, ShapeIndex part_b) {
+      part_them(pair, ShapePair{part_a, part_b});
+    });
   }
   if (all_at_once) correction += field.potential_energy(world.state.q);
   return effect;

@@ -70,7 +70,7 @@ void RestingContacts::strike(World& world, double h) {
   // Calls visit(contact, closing speed, material) for each two parts that would meet.
   const auto each_hit = [&](int a, int b, const auto& visit) {
     const bool several = world.shapes().has_parts(a) || world.shapes().has_parts(b);
-    world.shapes().each_parts(a, b, [&](int part_a, int part_b) {
+    world.shapes().each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
       if (!world.can_collide(a, b)) return;  // one body by now
       const Approach at = world.approach(a, b, 0.0, {part_a, part_b});
       const SurfaceLaw& material = world.material(at.contact, a, b);
@@ -121,7 +121,7 @@ void RestingContacts::rebound_at_end(World& world, const std::vector<std::pair<i
   const double now = world.clock.step_end - world.trajectories.epoch();
   const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
   // Of two parts.
-  const auto rebound = [&](int a, int b, const std::pair<int, int>& parts) {
+  const auto rebound = [&](int a, int b, const ShapePair& parts) {
     ImpactEffect effect = ImpactEffect::kNone;
     const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
     for (int k = 0; k < most && effect != ImpactEffect::kJoined; ++k) {
@@ -143,8 +143,8 @@ void RestingContacts::rebound_at_end(World& world, const std::vector<std::pair<i
     const bool one_surface = !world.shapes().has_parts(a) && !world.shapes().has_parts(b);
     if (one_surface && world.material({}, a, b).restitution == 0.0) continue;
     ImpactEffect effect = ImpactEffect::kNone;
-    world.shapes().each_parts(a, b, [&, a = a, b = b](int part_a, int part_b) {
-      if (effect != ImpactEffect::kJoined) effect = rebound(a, b, std::pair(part_a, part_b));
+    world.shapes().each_parts(a, b, [&, a = a, b = b](ShapeIndex part_a, ShapeIndex part_b) {
+      if (effect != ImpactEffect::kJoined) effect = rebound(a, b, ShapePair{part_a, part_b});
     });
   }
 }

@@ -79,7 +79,7 @@ Approach World::approach(int a, int b, double tolerance) const {
                      {yb.segment<2>(3), yb[5]}, tolerance);
 }
 
-Approach World::approach(int a, int b, double tolerance, const std::pair<int, int>& parts) const {
+Approach World::approach(int a, int b, double tolerance, const ShapePair& parts) const {
   const auto ya = trajectories.at_start(a);
   const auto yb = trajectories.at_start(b);
   return approach_of(shapes(), a, ya.head<3>(), {ya.segment<2>(3), ya[5]}, b, yb.head<3>(),

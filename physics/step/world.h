@@ -49,8 +49,7 @@ struct World {
   [[nodiscard]] bool infinite_mass(int body) const { return model->infinite_mass(body); }
   // Of the parts of a and b that touch.
   [[nodiscard]] const SurfaceLaw& material(const Contact& contact, int a, int b) const {
-    if (contact.part_a < 0) return model->surfaces.between(a, b);
-    return model->surfaces.between(contact.part_a, contact.part_b);
+    return model->surfaces.between(shapes().parts_or_first(contact.parts, a, b));
   }
   // Whether the two can collide at all; not if they have stuck together.
   [[nodiscard]] bool can_collide(int a, int b) const {
@@ -72,7 +71,7 @@ struct World {
   [[nodiscard]] double parting_speed(int a, int b, const Contact& contact) const;
   // At the start of the trajectories; gaps up to `tolerance` (m) above the smallest count as touching.
   [[nodiscard]] Approach approach(int a, int b, double tolerance) const;
-  [[nodiscard]] Approach approach(int a, int b, double tolerance, const std::pair<int, int>& parts) const;
+  [[nodiscard]] Approach approach(int a, int b, double tolerance, const ShapePair& parts) const;
   // After a push has moved a body: projects positions and velocities of its island onto the joints. The
   // energy counts as the push's, the momentum as that of the joints' anchors.
   void restore_joints(int island);

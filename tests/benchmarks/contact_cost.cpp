@@ -51,14 +51,16 @@ void queries(ShapeKind a, ShapeKind b) {
     }
   }
   const ConvexShapes s = convex_shapes(list);
-  const auto pose = [&](int i) { return pose_of(s, i, q[i]); };
-  const double gap =
-      cost(kPairs, [&](int i) { return gap_between(s, 2 * i, pose(2 * i), 2 * i + 1, pose(2 * i + 1)).gap; });
+  const auto first = [](int i) { return ShapeIndex{2 * i}; };
+  const auto second = [](int i) { return ShapeIndex{2 * i + 1}; };
+  const auto pose = [&](ShapeIndex i) { return pose_of(s, i, q[static_cast<std::size_t>(i)]); };
+  const double gap = cost(
+      kPairs, [&](int i) { return gap_between(s, first(i), pose(first(i)), second(i), pose(second(i))).gap; });
   const double contact = cost(kPairs, [&](int i) {
-    return contact_between(s, 2 * i, pose(2 * i), 2 * i + 1, pose(2 * i + 1)).point.x();
+    return contact_between(s, first(i), pose(first(i)), second(i), pose(second(i))).point.x();
   });
   const double points = cost(kPairs, [&](int i) {
-    return manifold(s, 2 * i, pose(2 * i), 2 * i + 1, pose(2 * i + 1), 0.01).normal.x();
+    return manifold(s, first(i), pose(first(i)), second(i), pose(second(i)), 0.01).normal.x();
   });
   fmt::print("{:>16} {:<16} {:8.0f} {:8.0f} {:8.0f}\n", test::kShapeNames[static_cast<int>(a)],
              test::kShapeNames[static_cast<int>(b)], gap, contact, points);
@@ -111,11 +113,12 @@ void searches(ShapeKind a, ShapeKind b, double spin) {
   const double ns = cost(kPairs, [&](int i) {
     const Path& path = paths[static_cast<std::size_t>(i)];
     const auto counted = [&](double t) { return ++samples, path(t); };
-    const TurningPair pair(s, 2 * i, still, 2 * i + 1, counted, 9.81);
+    const TurningPair pair(s, ShapeIndex{2 * i}, still, ShapeIndex{2 * i + 1}, counted, 9.81);
     const TurningSample first = pair(0.0);
     if (first.gap <= 0.0) return 0.0;
-    const auto time = first_contact(pair, 0.0, first, 1.0, pair(1.0),
-                                    9.81 + turning_curvature(s.core_radius[2 * i + 1], path.v[2], 0.0), 1e-14);
+    const auto time =
+        first_contact(pair, 0.0, first, 1.0, pair(1.0),
+                      9.81 + turning_curvature(s.core_radius[ShapeIndex{2 * i + 1}], path.v[2], 0.0), 1e-14);
     found += time ? 1 : 0;
     return time.value_or(0.0);
   });

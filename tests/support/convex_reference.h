@@ -12,6 +12,10 @@
 // Random convex shapes, and slow but simple reference results for pairs of them.
 namespace carom::test {
 
+inline constexpr ShapeIndex kFirst{0};
+inline constexpr ShapeIndex kSecond{1};
+inline constexpr ShapeIndex kThird{2};
+
 inline double uniform(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
 }

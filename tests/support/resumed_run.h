@@ -81,9 +81,9 @@ inline std::string difference(const Simulation& a, const Simulation& b, double t
   const std::string motions = difference_of_motions(a, b, tolerance);
   if (!motions.empty()) return motions;
   for (std::size_t i = 0; i < a.joints().size(); ++i) {
-    const int joint = static_cast<int>(i);
+    const auto joint = JointIndex{static_cast<int>(i)};
     if (a.joints()[i].kind == JointKind::kString && a.is_taut(joint) != b.is_taut(joint))
-      return fmt::format("string {} is taut in one run", joint);
+      return fmt::format("string {} is taut in one run", i);
   }
   const Ledger la = a.ledger();
   const Ledger lb = b.ledger();

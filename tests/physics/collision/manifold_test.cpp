@@ -7,6 +7,9 @@
 namespace carom {
 namespace {
 
+using test::kFirst;
+using test::kSecond;
+using test::kThird;
 using test::outline;
 using test::Outline;
 using test::ShapeKind;
@@ -22,7 +25,8 @@ std::vector<std::uint32_t> ids_while_rocking(const ConvexShape& a, const ConvexS
     const double tilt = uniform(random, -1.0, 1.0) * (n % 2 == 0 ? 1e-4 : 1e-15);
     const Eigen::Vector3d q(at.x() + slide * uniform(random, -1.0, 1.0),
                             at.y() + 1e-4 * uniform(random, -1.0, 1.0), tilt);
-    const Manifold m = manifold(s, 0, pose_of(s, 0, {0.0, 0.0, 0.0}), 1, pose_of(s, 1, q), 0.01);
+    const Manifold m =
+        manifold(s, kFirst, pose_of(s, kFirst, {0.0, 0.0, 0.0}), kSecond, pose_of(s, kSecond, q), 0.01);
     std::vector<std::uint32_t> ids;
     for (int k = 0; k < m.count; ++k) ids.push_back(m.points[k].id);
     if (n == 0) first = ids;
@@ -51,7 +55,8 @@ TEST(Manifold, IdsStayWhileABodyRocksAndSlides) {
 
 TEST(Manifold, BoxOnABox) {
   const ConvexShapes s = convex_shapes({box_shape(4.0, 1.0), box_shape(2.0, 1.0)});
-  const Manifold m = manifold(s, 0, pose_of(s, 0, {0, 0, 0}), 1, pose_of(s, 1, {1.5, 0.875, 0}), 0.0);
+  const Manifold m =
+      manifold(s, kFirst, pose_of(s, kFirst, {0, 0, 0}), kSecond, pose_of(s, kSecond, {1.5, 0.875, 0}), 0.0);
   ASSERT_EQ(m.count, 2);
   EXPECT_EQ(m.normal, Vec2(0, 1));
   // From left to right seen along the normal turned by +90°: from right to left here.
@@ -59,14 +64,20 @@ TEST(Manifold, BoxOnABox) {
   EXPECT_EQ(m.points[1].point, Vec2(0.5, 0.4375));
   EXPECT_EQ(m.points[0].gap, -0.125);
   EXPECT_EQ(m.points[1].gap, -0.125);
-  EXPECT_EQ(manifold(s, 0, pose_of(s, 0, {0, 0, 0}), 1, pose_of(s, 1, {1.5, 1.125, 0}), 0.1).count, 0);
-  EXPECT_EQ(manifold(s, 0, pose_of(s, 0, {0, 0, 0}), 1, pose_of(s, 1, {1.5, 1.125, 0}), 0.25).count, 2);
+  EXPECT_EQ(
+      manifold(s, kFirst, pose_of(s, kFirst, {0, 0, 0}), kSecond, pose_of(s, kSecond, {1.5, 1.125, 0}), 0.1)
+          .count,
+      0);
+  EXPECT_EQ(
+      manifold(s, kFirst, pose_of(s, kFirst, {0, 0, 0}), kSecond, pose_of(s, kSecond, {1.5, 1.125, 0}), 0.25)
+          .count,
+      2);
   // Upright thin bodies stand on one point; a tilted box too, if the margin is small.
   const ConvexShapes t =
       convex_shapes({half_plane_shape({0, 1}, 0.0), segment_shape({0, -1}, {0, 1}, 0.1), box_shape(2.0, 1.0)});
-  EXPECT_EQ(manifold(t, 0, {}, 1, pose_of(t, 1, {0, 1.1, 0}), 0.5).count, 1);
-  EXPECT_EQ(manifold(t, 0, {}, 2, pose_of(t, 2, {0, 0.5, 0.1}), 0.05).count, 1);
-  EXPECT_EQ(manifold(t, 0, {}, 2, pose_of(t, 2, {0, 0.5, 0.1}), 0.5).count, 2);
+  EXPECT_EQ(manifold(t, kFirst, {}, kSecond, pose_of(t, kSecond, {0, 1.1, 0}), 0.5).count, 1);
+  EXPECT_EQ(manifold(t, kFirst, {}, kThird, pose_of(t, kThird, {0, 0.5, 0.1}), 0.05).count, 1);
+  EXPECT_EQ(manifold(t, kFirst, {}, kThird, pose_of(t, kThird, {0, 0.5, 0.1}), 0.5).count, 2);
 }
 
 // Random pairs: the least gap is that of the pair where cores are apart, every point lies between both bodies'
@@ -83,17 +94,17 @@ TEST(Manifold, RandomPairs) {
       x = {uniform(random, -1.5, 1.5), uniform(random, -1.5, 1.5), uniform(random, -7.0, 7.0)};
       if (random() % 4 == 0) x[2] = 0.5 * std::numbers::pi * static_cast<double>(random() % 4);
     }
-    const Pose a = pose_of(s, 0, q[0]);
-    const Pose b = pose_of(s, 1, q[1]);
+    const Pose a = pose_of(s, kFirst, q[0]);
+    const Pose b = pose_of(s, kSecond, q[1]);
     const double margin = uniform(random, 0.0, 0.5);
-    const Manifold m = manifold(s, 0, a, 1, b, margin);
-    const Gap gap = gap_between(s, 0, a, 1, b);
+    const Manifold m = manifold(s, kFirst, a, kSecond, b, margin);
+    const Gap gap = gap_between(s, kFirst, a, kSecond, b);
     ASSERT_EQ(m.count > 0, gap.gap <= margin) << n;
     if (m.count == 0) continue;
     // Another normal only where corners are nearest and a face parts the bodies too.
     const bool same = m.normal == gap.normal;
     if (!same) {
-      ASSERT_GT(gap.gap + s.rounding[0] + s.rounding[1], 0.0) << n;
+      ASSERT_GT(gap.gap + s.rounding[kFirst] + s.rounding[kSecond], 0.0) << n;
     }
     double least = m.points[0].gap;
     const Outline of_a = outline(shape[0], q[0]);
@@ -102,7 +113,7 @@ TEST(Manifold, RandomPairs) {
       const ManifoldPoint& p = m.points[k];
       least = std::min(least, p.gap);
       ASSERT_LE(p.gap, margin) << n;
-      ASSERT_GE(p.gap, separation(s, 0, a, 1, b, m.normal) - 1e-14) << n;
+      ASSERT_GE(p.gap, separation(s, kFirst, a, kSecond, b, m.normal) - 1e-14) << n;
       // Half a gap beyond the faces of both, along the normal, lie their surfaces.
       for (const auto& [body, side] : {std::pair{&of_a, -1.0}, std::pair{&of_b, 1.0}}) {
         const Vec2 at = p.point + side * (0.5 * p.gap + static_cast<double>(body->rounding)) * m.normal;
@@ -133,7 +144,7 @@ TEST(Manifold, RandomPairs) {
       ++twos;
       ASSERT_NE(m.points[0].id, m.points[1].id) << n;
     }
-    const Manifold back = manifold(s, 1, b, 0, a, margin);
+    const Manifold back = manifold(s, kSecond, b, kFirst, a, margin);
     if ((back.normal + m.normal).norm() > 1e-12) continue;  // another face parts them as well
     ASSERT_EQ(back.count, m.count) << n;
     for (int k = 0; k < m.count; ++k) {

@@ -10,6 +10,8 @@
 namespace carom {
 namespace {
 
+using test::kFirst;
+using test::kSecond;
 using test::kShapeKinds;
 using test::kShapeNames;
 using test::Outline;
@@ -28,7 +30,7 @@ struct Pair {
   [[nodiscard]] ConvexShapes shapes() const { return convex_shapes({shape[0], shape[1]}); }
 };
 
-Pose pose(const ConvexShapes& s, const Pair& p, int i) { return pose_of(s, i, p.q[i]); }
+Pose pose(const ConvexShapes& s, const Pair& p, int i) { return pose_of(s, ShapeIndex{i}, p.q[i]); }
 
 Pair random_pair(std::mt19937_64& random, ShapeKind a, ShapeKind b) {
   Pair p{{test::random_shape(random, a), test::random_shape(random, b)}, {}};
@@ -41,7 +43,7 @@ Pair random_pair(std::mt19937_64& random, ShapeKind a, ShapeKind b) {
   if (random() % 4 == 0) {
     // Next to touching, from either side.
     const ConvexShapes s = p.shapes();
-    const Gap g = gap_between(s, 0, pose(s, p, 0), 1, pose(s, p, 1));
+    const Gap g = gap_between(s, kFirst, pose(s, p, 0), kSecond, pose(s, p, 1));
     const double off[] = {0.0, 1e-15, -1e-15, 1e-9, -1e-9, 1e-3, -1e-3};
     p.q[1].head<2>() -= (g.gap + off[random() % 7]) * g.normal;
   }
@@ -74,7 +76,7 @@ TEST(PairContact, AgainstBruteForce) {
     const double tolerance = kGapRounding * test::scale_of(a, b);
     const double in_world =
         2.0 * tolerance + 8.0 * kEpsilon * (p.q[0].head<2>().norm() + p.q[1].head<2>().norm());
-    const Contact c = contact_between(s, 0, pose(s, p, 0), 1, pose(s, p, 1));
+    const Contact c = contact_between(s, kFirst, pose(s, p, 0), kSecond, pose(s, p, 1));
     const auto expected = static_cast<double>(test::reference_gap(a, b));
     (expected > 0.0 ? apart : overlap) += 1;
     ASSERT_NEAR(c.gap, expected, tolerance) << name;
@@ -88,7 +90,7 @@ TEST(PairContact, AgainstBruteForce) {
     for (const test::Point& v : a.vertices) reach = std::max(reach, n.x * v.x + n.y * v.y);
     ASSERT_NEAR(c.normal.dot(c.point), static_cast<double>(reach + a.rounding) + 0.5 * expected, in_world)
         << name;
-    const Gap gap = gap_between(s, 0, pose(s, p, 0), 1, pose(s, p, 1));
+    const Gap gap = gap_between(s, kFirst, pose(s, p, 0), kSecond, pose(s, p, 1));
     ASSERT_EQ(gap.gap, c.gap) << name;
     ASSERT_EQ(gap.normal, c.normal) << name;
     if (expected > 0.0) {
@@ -103,12 +105,14 @@ TEST(PairContact, AgainstBruteForce) {
     if (!a.half_plane && !b.half_plane) {
       for (int k = 0; k < 16; ++k) {
         const double angle = 0.4 * k;
-        ASSERT_LE(separation(s, 0, pose(s, p, 0), 1, pose(s, p, 1), {std::cos(angle), std::sin(angle)}),
-                  c.gap + tolerance)
+        ASSERT_LE(
+            separation(s, kFirst, pose(s, p, 0), kSecond, pose(s, p, 1), {std::cos(angle), std::sin(angle)}),
+            c.gap + tolerance)
             << name;
       }
     }
-    ASSERT_NEAR(separation(s, 0, pose(s, p, 0), 1, pose(s, p, 1), c.normal), c.gap, tolerance) << name;
+    ASSERT_NEAR(separation(s, kFirst, pose(s, p, 0), kSecond, pose(s, p, 1), c.normal), c.gap, tolerance)
+        << name;
   });
   EXPECT_GT(apart, 20'000);
   EXPECT_GT(overlap, 20'000);
@@ -118,11 +122,11 @@ TEST(PairContact, SameFromBothSidesAndAnywhere) {
   std::mt19937_64 random(5);
   each_pair_of_kinds(20'000, [&](const Pair& p, const std::string& name) {
     const ConvexShapes s = p.shapes();
-    const Contact c = contact_between(s, 0, pose(s, p, 0), 1, pose(s, p, 1));
-    const Contact back = contact_between(s, 1, pose(s, p, 1), 0, pose(s, p, 0));
+    const Contact c = contact_between(s, kFirst, pose(s, p, 0), kSecond, pose(s, p, 1));
+    const Contact back = contact_between(s, kSecond, pose(s, p, 1), kFirst, pose(s, p, 0));
     const double scale = test::scale_of(outline(p.shape[0], p.q[0]), outline(p.shape[1], p.q[1]));
     ASSERT_NEAR(back.gap, c.gap, kGapRounding * scale) << name;
-    ASSERT_NEAR(separation(s, 0, pose(s, p, 0), 1, pose(s, p, 1), -back.normal), c.gap,
+    ASSERT_NEAR(separation(s, kFirst, pose(s, p, 0), kSecond, pose(s, p, 1), -back.normal), c.gap,
                 2.0 * kGapRounding * scale)
         << name;
 
@@ -134,11 +138,11 @@ TEST(PairContact, SameFromBothSidesAndAnywhere) {
       q.head<2>() = shift + motion.turned(q.head<2>());
       q[2] += turn;
     }
-    const Contact there = contact_between(s, 0, pose(s, moved, 0), 1, pose(s, moved, 1));
+    const Contact there = contact_between(s, kFirst, pose(s, moved, 0), kSecond, pose(s, moved, 1));
     const double rounding = kGapRounding * (scale + 20.0);
     ASSERT_NEAR(there.gap, c.gap, rounding) << name;
-    ASSERT_NEAR(separation(s, 0, pose(s, moved, 0), 1, pose(s, moved, 1), motion.turned(c.normal)), there.gap,
-                2.0 * rounding)
+    ASSERT_NEAR(separation(s, kFirst, pose(s, moved, 0), kSecond, pose(s, moved, 1), motion.turned(c.normal)),
+                there.gap, 2.0 * rounding)
         << name;
   });
 }
@@ -164,7 +168,8 @@ TEST(PairContact, DiscsAndBoxesToTheLastBit) {
       x = {uniform(random, -2.0, 2.0), uniform(random, -2.0, 2.0), uniform(random, -9.0, 9.0)};
     }
     const Contact before = contact_between(g, 0, q[0], 1, q[1]);
-    const Contact now = contact_between(s, 0, pose_of(s, 0, q[0]), 1, pose_of(s, 1, q[1]));
+    const Contact now =
+        contact_between(s, kFirst, pose_of(s, kFirst, q[0]), kSecond, pose_of(s, kSecond, q[1]));
     ASSERT_EQ(now.gap, before.gap) << n;
     ASSERT_EQ(now.normal, before.normal) << n;
     ASSERT_EQ(now.point, before.point) << n;
@@ -177,9 +182,10 @@ TEST(PairContact, FarFromTheOriginOnlyTheCoordinatesRound) {
       convex_shapes({box_shape(1.0, 1.0), polygon_shape({{-0.5, -0.5}, {0.5, 0.0}, {-0.5, 0.5}})});
   const Vec2 far(0x1p40, -0x1p39);
   for (const double angle : {0.0, 0.3, 2.0}) {
-    const Gap near = gap_between(s, 0, pose_of(s, 0, {0, 0, angle}), 1, pose_of(s, 1, {1.5, 0.25, 1.0}));
-    const Gap there = gap_between(s, 0, pose_of(s, 0, {far.x(), far.y(), angle}), 1,
-                                  pose_of(s, 1, {far.x() + 1.5, far.y() + 0.25, 1.0}));
+    const Gap near = gap_between(s, kFirst, pose_of(s, kFirst, {0, 0, angle}), kSecond,
+                                 pose_of(s, kSecond, {1.5, 0.25, 1.0}));
+    const Gap there = gap_between(s, kFirst, pose_of(s, kFirst, {far.x(), far.y(), angle}), kSecond,
+                                  pose_of(s, kSecond, {far.x() + 1.5, far.y() + 0.25, 1.0}));
     EXPECT_EQ(near.gap, there.gap);
     EXPECT_EQ(near.normal, there.normal);
   }
@@ -189,7 +195,7 @@ TEST(PairContact, KnownCases) {
   const auto contact = [](const ConvexShape& a, const Eigen::Vector3d& qa, const ConvexShape& b,
                           const Eigen::Vector3d& qb) {
     const ConvexShapes s = convex_shapes({a, b});
-    return contact_between(s, 0, pose_of(s, 0, qa), 1, pose_of(s, 1, qb));
+    return contact_between(s, kFirst, pose_of(s, kFirst, qa), kSecond, pose_of(s, kSecond, qb));
   };
   // Faces that touch: the middle of what they share.
   Contact c = contact(box_shape(4.0, 1.0), {0, 0, 0}, box_shape(1.0, 1.0), {2.0, 1.0, 0});
@@ -228,24 +234,25 @@ TEST(ApartUntil, NoOverlapBefore) {
       Pair touching = random_pair(random, ShapeKind{static_cast<int>(random() % 6)},
                                   ShapeKind{static_cast<int>(random() % kShapeKinds)});
       const ConvexShapes s = touching.shapes();
-      const Gap g = gap_between(s, 0, pose(s, touching, 0), 1, pose(s, touching, 1));
+      const Gap g = gap_between(s, kFirst, pose(s, touching, 0), kSecond, pose(s, touching, 1));
       touching.q[1].head<2>() -= g.gap * g.normal;
       return touching;
     }();
     const ConvexShapes s = p.shapes();
-    const Gap g = gap_between(s, 0, pose(s, p, 0), 1, pose(s, p, 1));
+    const Gap g = gap_between(s, kFirst, pose(s, p, 0), kSecond, pose(s, p, 1));
     if (std::abs(g.gap) > 1e-13) continue;  // overlapping corners: another feature is next
     Twist twist[2];
     for (int i = 0; i < 2; ++i) {
       twist[i].velocity = {uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0)};
-      if (s.core[i] != Core::kHalfPlane) twist[i].spin = uniform(random, -3.0, 3.0);
+      if (s.core[ShapeIndex{i}] != Core::kHalfPlane) twist[i].spin = uniform(random, -3.0, 3.0);
     }
     double curvature = 0.0;
     for (int i = 0; i < 2; ++i) {
-      if (twist[i].spin != 0.0) curvature += turning_curvature(s.core_radius[i], twist[i].spin, 0.0);
+      if (twist[i].spin != 0.0)
+        curvature += turning_curvature(s.core_radius[ShapeIndex{i}], twist[i].spin, 0.0);
     }
     const double until =
-        apart_until(s, 0, pose(s, p, 0), twist[0], 1, pose(s, p, 1), twist[1], g.normal, curvature);
+        apart_until(s, kFirst, pose(s, p, 0), twist[0], kSecond, pose(s, p, 1), twist[1], g.normal, curvature);
     ASSERT_GE(until, 0.0);
     if (until > 0.0 && until < 10.0) ++finite;
     for (int k = 1; k <= 20; ++k) {
@@ -254,16 +261,16 @@ TEST(ApartUntil, NoOverlapBefore) {
         Eigen::Vector3d q = p.q[i];
         q.head<2>() += t * twist[i].velocity;
         q[2] += t * twist[i].spin;
-        return pose_of(s, i, q);
+        return pose_of(s, ShapeIndex{i}, q);
       };
-      ASSERT_GE(gap_between(s, 0, at(0), 1, at(1)).gap, -1e-12) << n << ", " << t << " of " << until;
+      ASSERT_GE(gap_between(s, kFirst, at(0), kSecond, at(1)).gap, -1e-12) << n << ", " << t << " of " << until;
     }
   }
   EXPECT_GT(finite, 5000);
   // Two discs that part at u under an acceleration K are back after 2u/K.
   const ConvexShapes s = convex_shapes({disc_shape(1.0), disc_shape(2.0)});
-  EXPECT_NEAR(apart_until(s, 0, {}, {}, 1, {{3.0, 0.0}, 1.0, 0.0}, {{0.5, 7.0}, 100.0}, {1, 0}, 4.0), 0.25,
-              1e-15);
+  EXPECT_NEAR(apart_until(s, kFirst, {}, {}, kSecond, {{3.0, 0.0}, 1.0, 0.0}, {{0.5, 7.0}, 100.0}, {1, 0}, 4.0),
+              0.25, 1e-15);
 }
 
 }  // namespace

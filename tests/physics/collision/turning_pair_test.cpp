@@ -9,6 +9,8 @@
 namespace carom {
 namespace {
 
+using test::kFirst;
+using test::kSecond;
 using test::kShapeKinds;
 using test::ShapeKind;
 using test::uniform;
@@ -35,14 +37,14 @@ struct Flight {
     for (int i = 0; i < 2; ++i) {
       const double spin =
           std::max(std::abs(path[i].v[2]), std::abs(path[i].v[2] + until * path[i].acceleration[2]));
-      if (shapes.core[i] != Core::kHalfPlane) {
-        sum += turning_curvature(shapes.core_radius[i], spin, path[i].acceleration[2]);
+      if (shapes.core[ShapeIndex{i}] != Core::kHalfPlane) {
+        sum += turning_curvature(shapes.core_radius[ShapeIndex{i}], spin, path[i].acceleration[2]);
       }
     }
     return sum;
   }
   [[nodiscard]] TurningPair<Path, Path> sampler() const {
-    return {shapes, 0, path[0], 1, path[1], path_curvature()};
+    return {shapes, kFirst, path[0], kSecond, path[1], path_curvature()};
   }
 };
 
@@ -57,12 +59,12 @@ Flight random_flight(std::mt19937_64& random, ShapeKind a, ShapeKind b) {
                               uniform(random, -3.0, 3.0)};
     if (random() % 4 == 0) f.path[i].acceleration.setZero();
     if (random() % 4 == 0) f.path[i].v[2] = f.path[i].acceleration[2] = 0.0;
-    if (f.shapes.core[i] == Core::kHalfPlane) f.path[i].v[2] = f.path[i].acceleration[2] = 0.0;
+    if (f.shapes.core[ShapeIndex{i}] == Core::kHalfPlane) f.path[i].v[2] = f.path[i].acceleration[2] = 0.0;
   }
   // Body b aims at a's surroundings, from outside its reach.
   const double angle = uniform(random, 0.0, 6.3);
-  const double reach = f.shapes.core_radius[0] < 9.0 && f.shapes.core_radius[1] < 9.0
-                           ? f.shapes.radius[0] + f.shapes.radius[1]
+  const double reach = f.shapes.core_radius[kFirst] < 9.0 && f.shapes.core_radius[kSecond] < 9.0
+                           ? f.shapes.radius[kFirst] + f.shapes.radius[kSecond]
                            : 2.0;
   const Vec2 from = (reach + uniform(random, 0.0, 2.0)) * Vec2(std::cos(angle), std::sin(angle));
   const Vec2 to = reach * Vec2(uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0));

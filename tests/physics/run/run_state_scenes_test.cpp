@@ -269,8 +269,8 @@ TEST(RunState, TheScenesHaveTheirMoments) {
     return run;
   };
   EXPECT_GT(at("sticking").joints().size(), 0U);
-  EXPECT_TRUE(at("strings").is_taut(0));
-  EXPECT_FALSE(at("strings").is_taut(1));
+  EXPECT_TRUE(at("strings").is_taut(JointIndex{0}));
+  EXPECT_FALSE(at("strings").is_taut(JointIndex{1}));
   EXPECT_GT(at("stack", ContactsId::kLasting).contact_forces().size(), 4U);
   EXPECT_GE(at("coming to rest").impact_count(), 1);
   EXPECT_GE(at("at once").impact_count(), 1);
