@@ -19,6 +19,7 @@ namespace carom {
 namespace {
 
 constexpr int kRowHeight = 26;  // px
+constexpr int kInset = 5;       // px, of a cell's text
 
 // In quotes where the table needs them.
 QString quoted(const QString& text, char separator) {
@@ -29,7 +30,6 @@ QString quoted(const QString& text, char separator) {
 
 void FigureDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                            const QModelIndex& index) const {
-  constexpr int kInset = 5;  // px
   paint_ground(painter, option, index);
   QStyleOptionViewItem cell = option;
   cell.state &= ~(QStyle::State_HasFocus | QStyle::State_Selected);
@@ -145,6 +145,7 @@ FigureTable::FigureTable(FigureModel* model, QWidget* parent) : QTableView(paren
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setMinimumSectionSize(0);
   connect(model, &QAbstractItemModel::modelReset, this, &FigureTable::share_width);
+  connect(model, &QAbstractItemModel::rowsInserted, this, &FigureTable::share_width);
 }
 
 QString spreadsheet_text(const FigureModel::Cell& cell, char separator) {
@@ -220,17 +221,36 @@ void FigureTable::resizeEvent(QResizeEvent* event) {
   share_width();
 }
 
+// px: a column of text keeps nine tenths of its share and cuts what is longer; figures and heads are never cut.
+int FigureTable::least_width(int column) const {
+  if (model_->is_text(column)) return 9 * model_->weight(column) / 10;
+  return std::max(sizeHintForColumn(column) + 2 * kInset, horizontalHeader()->sectionSizeHint(column));
+}
+
+// Columns divide the width by weight, but none is narrower than its least: then the table scrolls.
 void FigureTable::share_width() {
-  const int columns = model_->columnCount();
+  struct Share {
+    int column;
+    int weight;
+    int least;  // px
+  };
+  std::vector<Share> shares;
   int weights = 0;
-  for (int c = 0; c < columns; ++c) weights += model_->weight(c);
-  // Columns divide the width by weight; in a narrow window they keep nine tenths of their width and scroll.
-  int left = std::max(viewport()->width(), 9 * weights / 10);
-  for (int c = 0; c < columns; ++c) {
-    const int width = left * model_->weight(c) / weights;
-    horizontalHeader()->resizeSection(c, width);
+  int needed = 0;
+  for (int c = 0; c < model_->columnCount(); ++c) {
+    shares.push_back({c, model_->weight(c), least_width(c)});
+    weights += shares.back().weight;
+    needed += shares.back().least;
+  }
+  // First those that need most of their share: the others have what they leave.
+  std::sort(shares.begin(), shares.end(),
+            [](const Share& a, const Share& b) { return a.least * b.weight > b.least * a.weight; });
+  int left = std::max(viewport()->width(), needed);
+  for (const auto& [column, weight, least] : shares) {
+    const int width = std::max(least, left * weight / weights);
+    horizontalHeader()->resizeSection(column, width);
     left -= width;
-    weights -= model_->weight(c);
+    weights -= weight;
   }
 }
 

@@ -30,6 +30,7 @@ class FigureModel : public QAbstractTableModel {
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   [[nodiscard]] QString heading(int column) const;  // in one line
   [[nodiscard]] int weight(int column) const { return columns_[static_cast<std::size_t>(column)].weight; }
+  [[nodiscard]] bool is_text(int column) const { return columns_[static_cast<std::size_t>(column)].text; }
 
   [[nodiscard]] virtual Cell cell(int row, int column) const = 0;
   [[nodiscard]] virtual bool is_sum(int row) const = 0;                                    // bold, under a line
@@ -89,6 +90,7 @@ class FigureTable : public QTableView {
 
  private:
   [[nodiscard]] QString text(char separator) const;
+  [[nodiscard]] int least_width(int column) const;
   void share_width();
 
   FigureModel* model_;

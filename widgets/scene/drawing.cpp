@@ -21,6 +21,7 @@ constexpr double kLongestInCrowd = 1.5;       // of the mean distance of bodies 
 constexpr double kLeastNamedRadius = 6.0;     // px
 constexpr double kLeastOrientedRadius = 4.0;  // px
 constexpr double kNameDrop = 3.0;             // px below the body
+constexpr double kHandles = 18.0;             // px, further below a selected body: room for its handles
 constexpr double kPointRadius = 2.0;          // px, of the dot that shows a body too small to be seen
 constexpr double kThinWall = 3.0;             // px
 
@@ -48,7 +49,7 @@ class Builder {
     add_drives(in_, seen_, out_);
     add_joints(in_, seen_, out_);
     add_other_runs(in_, seen_, out_);
-    find_jump();
+    jumped_ = bodies_of_jump(in_);
     if (in_.options.names) add_names();
     if (in_.options.velocities) add_velocities();
     if (in_.options.forces) add_applied_forces(in_, seen_, out_);
@@ -115,14 +116,11 @@ class Builder {
     out_.boxes.push_back({surface + 0.5 * depth * inwards, {radius, 0.5 * depth}, angle, fill, line});
   }
 
-  // Bodies whose velocities and names stand with the picked impact.
-  void find_jump() {
-    jumped_ = bodies_of_jump(in_);
-    std::erase_if(jumped_, [&](int i) {
-      return std::find(in_.selected.begin(), in_.selected.end(), bodies_[static_cast<std::size_t>(i)].name) !=
-             in_.selected.end();
-    });
+  [[nodiscard]] bool is_selected(int i) const {
+    const std::string& name = bodies_[static_cast<std::size_t>(i)].name;
+    return std::find(in_.selected.begin(), in_.selected.end(), name) != in_.selected.end();
   }
+  // Whether its velocity and name stand with the picked impact.
   [[nodiscard]] bool in_jump(int i) const {
     return std::find(jumped_.begin(), jumped_.end(), i) != jumped_.end();
   }
@@ -139,14 +137,16 @@ class Builder {
       const Vec2 at = in_.frame.state.position(i);
       if (body.fixed || in_jump(i) || half.minCoeff() * in_.camera.scale < kLeastNamedRadius) continue;
       if (!seen_.meets(at, bounding_radius(body.shape))) continue;
-      out_.labels.push_back({at + Vec2(0.0, lowest(body.shape, in_.frame.state.q(2, i))),
-                             kNameDrop + out_.outline / 2, QString::fromStdString(body.name), color});
+      const double drop = kNameDrop + out_.outline / 2 + (is_selected(i) ? kHandles : 0.0);
+      out_.labels.push_back({at + Vec2(0.0, lowest(body.shape, in_.frame.state.q(2, i))), drop,
+                             QString::fromStdString(body.name), color});
     }
   }
 
   void add_velocities() {
     for (int i = 0; i < count(); ++i) {
-      if (!fixed(i) && !in_jump(i)) {
+      // A selected body keeps its own arrow, to be pulled.
+      if (!fixed(i) && (!in_jump(i) || is_selected(i))) {
         const Vec2 along = in_.frame.state.velocity(i) * in_.arrows.seconds;
         add_arrow(in_, seen_, {in_.frame.state.position(i), along, in_.theme.series[0]}, out_);
       }

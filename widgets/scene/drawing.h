@@ -175,7 +175,7 @@ struct DrawingInput {
   std::span<const std::shared_ptr<const Frame>> others =
       {};                                      // drawn as outlines, in the colours of the runs after the first
   const JumpMoment* jump = nullptr;            // the picked impact, if its moment is shown
-  std::span<const std::string> selected = {};  // bodies that keep their own arrows then
+  std::span<const std::string> selected = {};  // bodies with handles
 };
 
 // An arrow from a point of the world.

@@ -320,7 +320,9 @@ const JumpMoment* SceneView::picked_jump() const {
 
 void SceneView::paint_on_paper(QPainter& painter) const {
   const Theme& theme = light_theme();
-  paint_drawing(painter, make_drawing(shown(theme)), picture_.camera, theme);
+  DrawingInput input = shown(theme);
+  input.selected = {};
+  paint_drawing(painter, make_drawing(input), picture_.camera, theme);
 }
 
 bool SceneView::save(const QString& path, QString* error) const {

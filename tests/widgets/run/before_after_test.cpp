@@ -204,13 +204,24 @@ TEST(BeforeAfter, SaysWhatIsMissingForTheMarks) {
   EXPECT_EQ(rows_of(panel), 0);
 }
 
-TEST(BeforeAfter, ATableOfAPlaneImpactFitsASmallDrawer) {
+TEST(BeforeAfter, NoFigureIsCutAndAPlaneImpactFitsADrawer) {
   const ShownRun run(head_on(), 0.34);
   BeforeAfterTable table;
-  table.resize(720, 200);
   table.show_pair(before_and_after(*run.frame.jumps.front()));
   table.show();
-  EXPECT_EQ(table.horizontalHeader()->length(), table.viewport()->width());
+  for (const int width : {400, 720, 860, 1400}) {
+    table.resize(width, 200);
+    QCoreApplication::processEvents();
+    const QHeaderView& heads = *table.horizontalHeader();
+    for (int column = 1; column < table.model()->columnCount(); ++column) {
+      EXPECT_GE(heads.sectionSize(column), heads.sectionSizeHint(column)) << width << " " << column;
+      for (int row = 0; row < table.model()->rowCount(); ++row) {
+        const QModelIndex cell = table.model()->index(row, column);
+        EXPECT_GE(heads.sectionSize(column), table.itemDelegate()->sizeHint({}, cell).width());
+      }
+    }
+    EXPECT_TRUE(width < 860 || heads.length() == table.viewport()->width());
+  }
 }
 
 }  // namespace
