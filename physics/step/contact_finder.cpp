@@ -53,6 +53,7 @@ void FoundContacts::clear() {
   guess.clear();
   old.clear();
   press.clear();
+  turned_away.clear();
   landings.clear();
   hits.clear();
 }
@@ -165,7 +166,10 @@ void ContactFinder::add(const Step& step, int a, int b, const Manifold& m, doubl
     }
     // A fast one that penetrates is projected out and left to the impacts at the step's end.
     const bool hits = !slow && !located;
-    c.target[i] = slow || hits ? -std::max(at.gap, 0.0) / step.h : -std::numeric_limits<double>::infinity();
+    const double along_normal = at.gap - closing * step.h;
+    found.turned_away.push_back(open && along_normal < 0.0 ? turned_away(step, a, b, m, along_normal, rounding)
+                                                           : 0.0);
+    c.target[i] = slow || hits ? -found.room(i) / step.h : -std::numeric_limits<double>::infinity();
     if (hits && (found.hits.empty() || found.hits.back() != std::pair(a, b))) found.hits.emplace_back(a, b);
     c.slip_target[i] = 0.0;
     c.static_friction[i] = material.static_friction;
@@ -187,6 +191,21 @@ void ContactFinder::add(const Step& step, int a, int b, const Manifold& m, doubl
     found.press.push_back(press);
     if (slow) support(a, b, rest);
   }
+}
+
+// m: how much farther from each other than along the normal of now, where they would be at the gap `along_it`
+// (m), two parts are that go straight on for h s. As a disc passes a corner the normal turns away.
+double ContactFinder::turned_away(const Step& step, int a, int b, const Manifold& m, double along_it,
+                                  double rounding) const {
+  const Geometry& shapes = step.world.shapes();
+  const auto straight_on = [&](int i) {
+    const Motion from = step.world.trajectories.at_start(i);
+    return shapes.pose(i, from.head<3>() + step.h * from.segment<3>(3));
+  };
+  Contact now;
+  now.parts = m.parts;
+  const double gap = contact_again(shapes, a, straight_on(a), b, straight_on(b), now).gap;
+  return gap - along_it > rounding ? gap - along_it : 0.0;
 }
 
 void ContactFinder::support(int a, int b, double rest) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -30,11 +31,17 @@ struct FoundContacts {
   std::vector<Eigen::Vector3d> guess;  // N, N and N m: at first the last forces
   std::vector<std::uint8_t> old;       // whether the contact had a force in the last step
   std::vector<double> press;           // m/s², see ContactPressing::between
-  std::vector<Landing> landings;       // that may happen in this step
+  // m: how much farther apart than the normal of now says both would be at the end, if they went straight on.
+  std::vector<double> turned_away;
+  std::vector<Landing> landings;  // that may happen in this step
   // Pairs that close too fast to rest, where impacts are not located in time; in rising order.
   std::vector<std::pair<int, int>> hits;
 
   void clear();
+  // m: how far a contact may close along its normal.
+  [[nodiscard]] double room(int i) const {
+    return std::max(contacts.gap[i], 0.0) + turned_away[static_cast<std::size_t>(i)];
+  }
   [[nodiscard]] bool is_new(int i) const { return old[static_cast<std::size_t>(i)] == 0; }
 };
 
@@ -67,6 +74,8 @@ class ContactFinder {
     FoundContacts& found;
   };
   void support(int a, int b, double rest);
+  [[nodiscard]] double turned_away(const Step& step, int a, int b, const Manifold& m, double along_it,
+                                   double rounding) const;
   void add(const Step& step, int a, int b, const Manifold& m, double rounding, std::size_t last);
 
   void let_fast_bodies_push(World& world);

@@ -66,7 +66,7 @@ void RestingContacts::stop_approaches(World& world, double h) {
   double worst = 0.0;
   for (int i = 0; i < c.size(); ++i) {
     if (!std::isfinite(c.target[i])) continue;
-    c.target[i] = -std::max(c.gap[i], 0.0) / h;
+    c.target[i] = -found_.room(i) / h;
     const double closing = c.target[i] - contact_velocity(c, i, before_).normal;
     const double press = found_.press[static_cast<std::size_t>(i)];
     if (found_.is_new(i) || closing > kGentle * press * step_length_) worst = std::max(worst, closing);

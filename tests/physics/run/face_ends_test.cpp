@@ -170,5 +170,31 @@ TEST(FaceEnds, ASlowBallGoesRoundTheEdge) {
   EXPECT_LT(before, 6e-6);
 }
 
+// Over a gap it turns about one edge and lands on the other, so that it has v cos 2θ then, with sin θ = gap/2r.
+// The edge ahead is near before it is touched, and must not slow the ball down.
+TEST(FaceEnds, ASlowBallPassesANarrowGap) {
+  constexpr double kSpeed = 0.6;  // m/s
+  for (const double radius : {0.1, 0.05}) {
+    for (const double gap : {0.0002, 0.001, 0.002}) {
+      for (const double step : {1.0 / 60.0, 0.01, 0.005, 0.001}) {
+        for (const double start : {-0.3, -0.2991, -0.2982, -0.2973, -0.2964}) {
+          const Body left = test::wall("left", {-1.0 - 0.5 * gap, -0.1}, 2.0, 0.2);
+          const Body right = test::wall("right", {1.0 + 0.5 * gap, -0.1}, 2.0, 0.2);
+          RunSetup s = test::setup_with(
+              {left, right, test::disc("ball", {start, radius}, {kSpeed, 0.0}, radius)}, 0.0, 0.0);
+          s.scene.forces.gravity = {0.0, -9.81};
+          s.method = {IntegratorId::kRk4, ImpactsId::kLocated, ContactsId::kLasting, step};
+          Simulation run(s);
+          while (run.time() < 1.0) run.step();
+          const double limit = 1e-4 + 6.0 * gap * gap / (radius * radius);
+          EXPECT_NEAR(run.state().velocity(2).x() / kSpeed, std::cos(2.0 * std::asin(0.5 * gap / radius)),
+                      limit)
+              << radius << " " << gap << " " << step << " " << start;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom
