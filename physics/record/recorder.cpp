@@ -12,6 +12,7 @@ void Recorder::clear() {
   paths_.clear();
   impulses_ = {};
   speeds_.clear();
+  poses_.clear();
   impacts_ = Ring<ImpactRecord>(kMostImpacts);
   stops_.reset();
   met_.clear();
@@ -36,7 +37,11 @@ void Recorder::add(const Frame& frame) {
   scales_ = frame.scales;
   for (const Rows& rows : frame.rows) add(rows);
   if (frame.bodies != nullptr) speeds_.set_now(frame.state, *frame.bodies);
-  if (frame.back_to) cut_impacts(*frame.back_to);
+  if (frame.back_to) {
+    cut_impacts(*frame.back_to);
+    poses_.cut(*frame.back_to);
+  }
+  poses_.add(frame.time, frame.state.q);
   for (const ImpactRecord& impact : frame.impacts) {
     impacts_.push(impact);
     impulses_.append({impact.time, {impact.normal_impulse}});
@@ -55,6 +60,7 @@ void Recorder::cut(double time) {
   for (auto& [curve, series] : series_) series.cut(time);
   for (auto& [curve, path] : paths_) path.cut(time);
   speeds_.cut(time);
+  poses_.cut(time);
 }
 
 void Recorder::cut_impacts(double time) {

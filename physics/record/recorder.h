@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/record/frame.h"
+#include "physics/record/pose_track.h"
 #include "physics/record/series.h"
 
 namespace carom {
@@ -36,6 +37,8 @@ class Recorder {
   [[nodiscard]] const std::vector<MetStop>& met() const { return met_; }
   [[nodiscard]] const std::shared_ptr<const std::vector<Stop>>& stops() const { return stops_; }
   [[nodiscard]] const SpeedRecord& speeds() const { return speeds_; }
+  // Where the bodies stood in the frames.
+  [[nodiscard]] const PoseTrack& poses() const { return poses_; }
   [[nodiscard]] const Scales& scales() const { return scales_; }
   [[nodiscard]] double time() const { return time_; }       // s, of the newest frame
   [[nodiscard]] std::uint64_t run() const { return run_; }  // of its frames; 0: none yet
@@ -55,6 +58,7 @@ class Recorder {
   std::shared_ptr<const std::vector<Stop>> stops_;
   std::vector<MetStop> met_;
   SpeedRecord speeds_;
+  PoseTrack poses_;
   Scales scales_;
 };
 
