@@ -38,6 +38,19 @@ void LegendRow::add(LegendButton* button) {
   place();
 }
 
+void LegendRow::set_there(LegendButton* button, bool there) {
+  const bool was_there = std::find(buttons_.begin(), buttons_.end(), button) != buttons_.end();
+  if (there == was_there) return;
+  if (there) {
+    buttons_.push_back(button);
+  } else {
+    std::erase(buttons_, button);
+    button->hide();
+  }
+  updateGeometry();
+  place();
+}
+
 int LegendRow::whole_width() const {
   int width = 0;
   for (const LegendButton* button : buttons_) width += button->sizeHint().width() + kGap;

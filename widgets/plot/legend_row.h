@@ -20,6 +20,8 @@ class LegendRow : public QWidget {
 
   // Takes ownership. A button without a name is never shown.
   void add(LegendButton* button);
+  // Puts an added button last, or takes it out until it is there again.
+  void set_there(LegendButton* button, bool there);
 
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;

@@ -122,6 +122,7 @@ void PlotPanel::insert(std::size_t place, const PlotContent& content) {
   auto* plot = new RunPlot(content, theme_, this);
   static_cast<QVBoxLayout*>(layout())->insertWidget(static_cast<int>(place) + 1, plot, 1);
   plots_.insert(plots_.begin() + static_cast<std::ptrdiff_t>(place), plot);
+  plot->set_run_before(before_, bodies_);
   connect_plot(plot);
 }
 
@@ -423,7 +424,8 @@ void PlotPanel::mark_zoomed(RunPlot* plot) {
 
 QwtInterval PlotPanel::time_range() const {
   if (time_zoom_) return *time_zoom_;
-  return {0.0, nice_time_end(runs_.front().recorder->time())};
+  const double reach = before_ ? before_->reach : 0.0;
+  return {0.0, nice_time_end(std::max(runs_.front().recorder->time(), reach))};
 }
 
 void PlotPanel::schedule() {
@@ -468,6 +470,14 @@ void PlotPanel::take_news(RunPlot* plot, const QwtInterval& range) {
   plot->update_from(runs_, hold);
   plot->set_marks(mark_a_, mark_b_);
   plot->set_playhead(playhead_);
+}
+
+void PlotPanel::set_run_before(const std::optional<PaleRun>& run) {
+  const bool same = run ? before_ && run->same_as(*before_) : !before_;
+  if (same) return;
+  before_ = run;
+  for (RunPlot* plot : plots_) plot->set_run_before(before_, bodies_);
+  schedule();
 }
 
 void PlotPanel::set_playhead(std::optional<double> time) {

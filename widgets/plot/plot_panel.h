@@ -12,6 +12,7 @@
 #include "physics/observe/quantity.h"
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
+#include "widgets/plot/plot_before.h"
 #include "widgets/plot/reading_table.h"
 #include "widgets/plot/run_plot.h"
 #include "widgets/theme/theme.h"
@@ -52,6 +53,8 @@ class PlotPanel : public QWidget {
   // sets the time. While new frames arrive fast, each frame redraws one plot, in turn, so that the window is
   // as fast with six plots as with one; the others follow after a pause.
   void update_from(const std::vector<PlottedRun>& runs);
+  // Shows the run before pale below the others; none: none is shown.
+  void set_run_before(const std::optional<PaleRun>& run);
   // A line at the moment that is shown, if it is not the newest one (s).
   void set_playhead(std::optional<double> time);
   // Redraws all plots at once.
@@ -126,6 +129,7 @@ class PlotPanel : public QWidget {
   std::optional<QwtInterval> time_zoom_;   // while set, no axis moves
   std::optional<double> mark_a_, mark_b_;  // s
   std::optional<double> playhead_;         // s
+  std::optional<PaleRun> before_;
   std::optional<std::pair<std::optional<double>, std::optional<double>>> before_mark_;  // by the last click
   QTimer timer_;             // until all plots are redrawn
   QTimer turn_;              // until the next one is

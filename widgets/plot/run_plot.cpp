@@ -24,6 +24,7 @@
 #include "widgets/plot/legend_button.h"
 #include "widgets/plot/legend_row.h"
 #include "widgets/plot/plot_axes.h"
+#include "widgets/plot/plot_before.h"
 #include "widgets/plot/plot_gestures.h"
 #include "widgets/plot/plot_impacts.h"
 #include "widgets/plot/plot_notes.h"
@@ -73,20 +74,21 @@ void RunPlot::build_header() {
   header->addWidget(title);
   header->addWidget(unit_);
   header->addStretch(1);
-  auto* legend = new LegendRow(this);
-  header->addWidget(legend);
+  legend_ = new LegendRow(this);
+  header->addWidget(legend_);
   for (const PlotLine& line : content_.lines) {
     auto* button = new LegendButton(content_.legend(line), line.tip, this);
     lines_.push_back({button, {}});
-    legend->add(button);
+    legend_->add(button);
     connect(button, &LegendButton::toggled, this, [this, i = lines_.size() - 1](bool shown) {
       for (std::size_t k = 0; k < runs_.size(); ++k)
         lines_[i].items[k].item->setVisible(shown && runs_[k].shown);
+      before_->set_line_shown(i, shown);
       emit curvesChanged();
     });
   }
   if (LegendButton* theory = theories_->button(); theory != nullptr) {
-    legend->add(theory);
+    legend_->add(theory);
     connect(theory, &LegendButton::toggled, this, [this](bool shown) {
       theories_->set_shown(shown);
       emit curvesChanged();
@@ -94,12 +96,18 @@ void RunPlot::build_header() {
   }
   for (std::size_t i = 0; distribution_ != nullptr && i < distribution_->buttons().size(); ++i) {
     LegendButton* button = distribution_->buttons()[i];
-    legend->add(button);
+    legend_->add(button);
     connect(button, &LegendButton::toggled, this, [this, i](bool shown) {
       distribution_->set_shown(i, shown);
       emit curvesChanged();
     });
   }
+  legend_->add(before_->button());
+  legend_->set_there(before_->button(), false);
+  connect(before_->button(), &LegendButton::toggled, this, [this](bool shown) {
+    before_->set_shown(shown);
+    emit curvesChanged();
+  });
   static_cast<QVBoxLayout*>(layout())->addLayout(header);
 }
 
@@ -126,6 +134,7 @@ void RunPlot::build_plot() {
   grid_->enableX(false);
   grid_->attach(plot_);
   theories_ = std::make_unique<PlotTheories>(content_, plot_, this);
+  before_ = std::make_unique<PlotBefore>(content_, plot_, this);
   notes_ = std::make_unique<PlotNotes>(plot_);
   notes_->set_notes(content_.plot.notes);
   cursor_ = std::make_unique<QwtPlotMarker>();
@@ -227,6 +236,7 @@ void RunPlot::set_looks() {
       if (!content_.lines[i].curve) set_heads(lines_[i].items[k]);
     }
   }
+  before_->set_theme(theme_, runs_.size() <= 1);
 }
 
 // The first run's curves are drawn over the others'; a single run's sum is drawn behind its parts.
@@ -266,6 +276,11 @@ void RunPlot::set_heads(const Item& curve) {
 void RunPlot::set_time_range(const QwtInterval& range) {
   time_range_ = range;
   if (over_time()) axes_->set_x(range);
+}
+
+void RunPlot::set_run_before(const std::optional<PaleRun>& run, std::span<const Body> bodies) {
+  before_->set_run(run, bodies);
+  legend_->set_there(before_->button(), before_->there());
 }
 
 void RunPlot::update_distribution(const Recorder& recorder, bool hold) {
@@ -312,10 +327,13 @@ void RunPlot::update_from(const std::vector<PlottedRun>& runs, bool hold) {
     }
   }
   if (!runs.empty()) theories_->update_from(*runs.front().recorder, time_range_);
+  before_->update_from(time_range_, columns);
   if (hold) {
     axes_->set_values(axes_->values());  // recomputes the ticks for the new size
     return;
   }
+  if (const QwtInterval pale = before_->spread(); pale.isValid()) spread |= pale;
+  if (const QwtInterval pale = before_->x_spread(); pale.isValid()) x_spread |= pale;
   spread = theories_->spread(over_time() ? time_range_ : x_spread, spread);
   const double scale = content_.scale == nullptr ? 0.0 : scales.*content_.scale;
   axes_->fit_values(spread, {content_.rounding.zero * scale, content_.rounding.range * scale});
@@ -353,6 +371,7 @@ std::vector<std::pair<QString, QPen>> RunPlot::legend() const {
     if (shows(i) && !text.isEmpty()) entries.emplace_back(text, pen(i, 0));
   }
   for (auto& theory : theories_->legend()) entries.push_back(std::move(theory));
+  for (auto& before : before_->legend()) entries.push_back(std::move(before));
   if (distribution_ != nullptr) return distribution_->legend();
   return entries;
 }

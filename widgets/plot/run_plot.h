@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <qwt_interval.h>
+#include <span>
 #include <vector>
 
 #include "physics/preset/preset.h"
@@ -27,9 +28,12 @@ namespace carom {
 class DecimatedSeries;
 class Distribution;
 class LegendButton;
+class LegendRow;
+class PlotBefore;
 class PlotNotes;
 class PlotPlayhead;
 class PlotTheories;
+struct PaleRun;
 class ZoomBox;
 
 // One plot with title, unit and legend. Over time, the owner sets the time axis, which several plots share.
@@ -47,6 +51,8 @@ class RunPlot : public QFrame {
   // Reads the records within the time range; fits the other axes to the visible curves unless `hold`. Each of
   // several runs has its own colour and dash.
   void update_from(const std::vector<PlottedRun>& runs, bool hold);
+  // The run before, shown pale below the others; `bodies` are those of the present run. None: none is shown.
+  void set_run_before(const std::optional<PaleRun>& run, std::span<const Body> bodies);
   // The time under the mouse: a line there, and the values of the visible curves.
   void set_cursor(std::optional<double> time);
   // The user's two marks, A and B.
@@ -126,12 +132,14 @@ class RunPlot : public QFrame {
   ZoomBox* zoom_box_ = nullptr;
   QLabel* chip_ = nullptr;
   QLabel* readout_ = nullptr;
+  LegendRow* legend_ = nullptr;
   std::unique_ptr<QwtPlotGrid> grid_;
   std::unique_ptr<QwtPlotMarker> cursor_;
   PlotPlayhead* playhead_ = nullptr;
   std::array<std::unique_ptr<QwtPlotMarker>, 2> marks_;
   std::vector<Line> lines_;
   std::unique_ptr<PlotTheories> theories_;
+  std::unique_ptr<PlotBefore> before_;
   std::unique_ptr<Distribution> distribution_;
   std::unique_ptr<PlotNotes> notes_;
 };

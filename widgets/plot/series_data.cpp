@@ -49,6 +49,11 @@ void DecimatedSeries::take(const Series<2>& path, const QwtInterval& visible, bo
   }
 }
 
+void DecimatedSeries::shift(double by) {
+  for (QPointF& point : kept_) point.rx() += by;
+  cachedBoundingRect = QRectF(0.0, 0.0, -1.0, -1.0);
+}
+
 void DecimatedSeries::append(double column, const QPointF& point) {
   if (kept_.empty() || column != open_column_) {
     open_column_ = column;

@@ -23,6 +23,8 @@ class DecimatedSeries : public QwtSeriesData<QPointF> {
   void take(const Series<1>& series, const QwtInterval& visible, int columns, bool magnitudes);
   // Takes a path over x within the visible time: every point.
   void take(const Series<2>& path, const QwtInterval& visible, bool magnitudes);
+  // Moves the points along x, to another clock (s).
+  void shift(double by);
   void clear();
 
  private:
