@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/scene/drawing_before.h"
 #include "widgets/scene/drawing_forces.h"
 #include "widgets/scene/drawing_impacts.h"
 #include "widgets/scene/drawing_joints.h"
@@ -44,6 +45,7 @@ class Builder {
     out_.text_size = in_.options.text_size;
     out_.has_grid = in_.options.grid;
     if (out_.has_grid) place_grid(in_.camera, out_.grid);
+    add_run_before(in_, seen_, out_);
     for (int i = 0; i < count(); ++i) add_body(i);
     add_springs(in_, seen_, out_);
     add_drives(in_, seen_, out_);

@@ -123,6 +123,7 @@ struct DrawingOptions {
   bool contacts = true;  // impulses of impacts, forces of resting contacts
   bool names = true;
   bool jumps = true;        // velocities and impulse of the picked impact
+  bool run_before = true;   // its bodies, pale
   double line_scale = 1.0;  // dimensionless: 2 in projector mode
   double text_size = 11.0;  // px
 
@@ -165,6 +166,12 @@ inline constexpr int kMostNames = 40;
 // Other runs of the same scene, beside the one drawn in full.
 using OtherRuns = std::vector<std::shared_ptr<const Frame>>;
 
+// Where the bodies of another run stood, such as of the run before.
+struct PlacedBodies {
+  std::shared_ptr<const std::vector<Body>> bodies;
+  Eigen::Matrix3Xd q;  // m, m, rad: x, y and angle of each
+};
+
 struct DrawingInput {
   const Frame& frame;
   std::span<const ImpactRecord> impacts;  // the recent ones
@@ -176,6 +183,7 @@ struct DrawingInput {
       {};                                      // drawn as outlines, in the colours of the runs after the first
   const JumpMoment* jump = nullptr;            // the picked impact, if its moment is shown
   std::span<const std::string> selected = {};  // bodies with handles
+  const PlacedBodies* before = nullptr;        // of the run before, at the same time since its start
 };
 
 // An arrow from a point of the world.

@@ -15,23 +15,6 @@ constexpr double kLeastDistance = 3.0;   // px, shorter ones are left out
 constexpr double kLeastLabelled = 40.0;  // px
 constexpr int kMostLabelled = 3;         // moving bodies
 constexpr double kAtOnce = 1e-9;         // s
-const QColor kNoFill(0, 0, 0, 0);
-
-void add_outline(const Shape& shape, const Vec2& at, double angle, const QColor& color, Drawing& out) {
-  if (const Disc* disc = std::get_if<Disc>(&shape)) {
-    out.discs.push_back({at, disc->radius, angle, kNoFill, color, false});
-  } else if (const Box* box = std::get_if<Box>(&shape)) {
-    out.boxes.push_back({at, Vec2(box->width, box->height) / 2, angle, kNoFill, color});
-  } else if (const Compound* compound = std::get_if<Compound>(&shape)) {
-    const Vec2 centre = centre_of(*compound);
-    for (const PlacedShape& placed : compound->shapes) {
-      add_outline(shape_of(placed.shape), at + turned_by(angle, placed.position - centre), angle + placed.angle,
-                  color, out);
-    }
-  } else if (!std::holds_alternative<Wall>(shape)) {
-    add_polygon(shape, at, angle, kNoFill, color, out);
-  }
-}
 
 }  // namespace
 

@@ -23,4 +23,21 @@ void add_polygon(const Shape& shape, const Vec2& at, double angle, const QColor&
   }
 }
 
+void add_outline(const Shape& shape, const Vec2& at, double angle, const QColor& color, Drawing& out) {
+  const QColor none(0, 0, 0, 0);
+  if (const Disc* disc = std::get_if<Disc>(&shape)) {
+    out.discs.push_back({at, disc->radius, angle, none, color, false});
+  } else if (const Box* box = std::get_if<Box>(&shape)) {
+    out.boxes.push_back({at, Vec2(box->width, box->height) / 2, angle, none, color});
+  } else if (const Compound* compound = std::get_if<Compound>(&shape)) {
+    const Vec2 centre = centre_of(*compound);
+    for (const PlacedShape& placed : compound->shapes) {
+      add_outline(shape_of(placed.shape), at + turned_by(angle, placed.position - centre), angle + placed.angle,
+                  color, out);
+    }
+  } else if (!std::holds_alternative<Wall>(shape)) {
+    add_polygon(shape, at, angle, none, color, out);
+  }
+}
+
 }  // namespace carom

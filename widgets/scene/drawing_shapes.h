@@ -12,4 +12,7 @@ namespace carom {
 void add_polygon(const Shape& shape, const Vec2& at, double angle, const QColor& fill, const QColor& line,
                  Drawing& out);
 
+// Adds the outline of a body's shape whose centre of mass is at `at`, without a fill. None of a wall.
+void add_outline(const Shape& shape, const Vec2& at, double angle, const QColor& color, Drawing& out);
+
 }  // namespace carom

@@ -115,6 +115,7 @@ void SceneView::set_picked(std::optional<double> impact) {
 void SceneView::clear() {
   frame_.reset();
   others_ = {};
+  before_.reset();
   impacts_.clear();
   peaks_ = {};
   tools_->frame_changed();
@@ -308,7 +309,8 @@ DrawingInput SceneView::shown(const Theme& theme) const {
           arrows(),
           others_,
           picked_jump(),
-          selection()};
+          selection(),
+          before_ ? &*before_ : nullptr};
 }
 
 const JumpMoment* SceneView::picked_jump() const {

@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "physics/preset/preset.h"
@@ -32,6 +33,8 @@ class SceneView : public QWidget {
   void set_theme(const Theme& theme);
   // Shows a frame, with other runs beside it.
   void set_frame(std::shared_ptr<const Frame> frame, OtherRuns others = {});
+  // Where the bodies of the run before stood then; shown with the next frame.
+  void set_before(std::optional<PlacedBodies> before) { before_ = std::move(before); }
   // The impact (s) whose velocities before and after, and impulse, are shown while its moment is.
   void set_picked(std::optional<double> impact);
   // Shows nothing until the next frame.
@@ -160,6 +163,7 @@ class SceneView : public QWidget {
   DrawingOptions options_;
   std::shared_ptr<const Frame> frame_;
   OtherRuns others_;
+  std::optional<PlacedBodies> before_;
   std::optional<double> picked_;       // s
   std::vector<ImpactRecord> impacts_;  // recent ones, in the order of time
   Peaks peaks_;

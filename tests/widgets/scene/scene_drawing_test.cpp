@@ -39,6 +39,31 @@ TEST_F(DrawingOf, HasEveryBodyWhereItIs) {
   EXPECT_TRUE(d.discs[0].oriented);
 }
 
+// Fixed bodies are not drawn again.
+TEST_F(DrawingOf, HasTheRunBeforeAsOutlinesUnderItsBodies) {
+  Eigen::Matrix3Xd q = frame_->state.q;
+  q.row(0).array() += 0.25;
+  const PlacedBodies before{frame_->bodies, q};
+  const auto drawn = [&] {
+    return make_drawing({.frame = *frame_,
+                         .impacts = {},
+                         .camera = camera_,
+                         .options = options_,
+                         .theme = light_theme(),
+                         .arrows = {0.1, 0.5},
+                         .before = &before});
+  };
+  const Drawing d = drawn();
+  ASSERT_EQ(d.discs.size(), 4U);
+  EXPECT_EQ(d.boxes.size(), 1U);
+  EXPECT_EQ(d.discs[0].center, Vec2(1.25, 1.0));
+  EXPECT_EQ(d.discs[0].fill.alpha(), 0);
+  EXPECT_NE(d.discs[0].line, d.discs[2].line) << "pale";
+  EXPECT_EQ(d.discs[2].center, Vec2(1.0, 1.0));
+  options_.run_before = false;
+  EXPECT_EQ(drawn().discs.size(), 2U);
+}
+
 TEST_F(DrawingOf, NamesMovingBodiesBelowThem) {
   const Drawing d = drawing();
   ASSERT_EQ(d.labels.size(), 2U);
