@@ -164,6 +164,7 @@ void LabRuns::load(const std::vector<Curve>& curves) {
   awaited_ = 0;
   recorders_.clear();
   left_.clear();
+  before_.reset();
   replayed_.reset();
   curves_ = curves;
   begins_ = true;
@@ -200,10 +201,23 @@ Worker::EditId LabRuns::keep(Worker::EditId again) {
   const auto left = left_.find(edit);
   left->second.returned = false;
   left->second.recorders = recorders_;
+  left->second.before = before_;
+  if (have_begun()) before_ = as_before();
   for (auto& recorder : recorders_) recorder = std::make_shared<Recorder>();
   if (std::distance(left_.begin(), left) >= RunGroup::kMostKept)
     std::prev(left, RunGroup::kMostKept)->second.keep_picture();
   return edit;
+}
+
+// The whole run, as it stands.
+RunBefore LabRuns::as_before() const {
+  const Frame& newest = *frames_.front();
+  const double start = start_time(document_.preset.saved);
+  return {.recorder = recorders_.front(),
+          .bodies = newest.bodies,
+          .start = start,
+          .from = start,
+          .lost = newest.lost.has_value()};
 }
 
 Worker::EditId LabRuns::cut(Worker::EditId again) {
@@ -213,6 +227,7 @@ Worker::EditId LabRuns::cut(Worker::EditId again) {
   std::transform(left.recorders.begin(), left.recorders.end(), recorders_.begin(),
                  [](const auto& recorder) { return std::make_shared<Recorder>(*recorder); });
   frames_ = left.playhead->frames;
+  if (before_) before_->from = frames_.front()->time;
   scene_ = frames_.front()->scene;
   awaited_ = 0;
   playhead_.reset();
@@ -238,6 +253,7 @@ void LabRuns::Left::stand_still() {
 
 void LabRuns::Left::keep_picture() {
   recorders.assign(frames.size(), std::make_shared<Recorder>());
+  before.reset();
   for (auto& frame : frames) {
     auto picture = std::make_shared<Frame>(*frame);
     picture->key_frames.clear();
@@ -267,6 +283,7 @@ void LabRuns::return_to(Worker::EditId edit) {
   Left& left = left_.at(edit);
   left.returned = true;
   recorders_ = std::move(left.recorders);
+  before_ = left.before;
   show_again(left.frames, left.scene, left.playhead);
   left.keep_picture();
   for (const auto& recorder : recorders_) recorder->keep(curves_);
@@ -294,6 +311,7 @@ void LabRuns::take_back(Entered& run) {
   Left left{.frames = frames_, .scene = scene_, .playhead = playhead_, .returned = true};
   left.stand_still();
   left.recorders = recorders_;
+  left.before = before_;
   left_[run.kept] = std::move(left);
   for (auto& recorder : recorders_) recorder = std::make_shared<Recorder>(*recorder);
   show_again(run.frames, run.scene, run.playhead);

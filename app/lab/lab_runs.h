@@ -12,6 +12,7 @@
 #include "physics/record/recorder.h"
 #include "physics/worker/pace.h"
 #include "physics/worker/worker.h"
+#include "widgets/base/run_before.h"
 
 namespace carom {
 
@@ -78,6 +79,8 @@ class LabRuns : public QObject {
   }
   [[nodiscard]] const std::vector<std::shared_ptr<Recorder>>& recorders() const { return recorders_; }
   [[nodiscard]] const Frame* lost() const;  // a lost run, if any
+  // The first method's run that the last new start or restart has left, or what the last cut has cut off.
+  [[nodiscard]] const std::optional<RunBefore>& before() const { return before_; }
   // s: progress of the runs that are recomputed after an undone edit.
   [[nodiscard]] std::optional<double> replayed() const { return replayed_; }
   // Whether they have left the start, or are about to.
@@ -145,11 +148,13 @@ class LabRuns : public QObject {
     std::shared_ptr<const Scene> scene;
     std::optional<Playhead> playhead{};
     bool returned = false;
+    std::optional<RunBefore> before{};  // that was pale then
 
     void stand_still();
-    void keep_picture();  // alone, without the record
+    void keep_picture();  // alone, without the records
   };
 
+  [[nodiscard]] RunBefore as_before() const;
   void poll();
   void take_news(const Frames& news);
   void show_start();
@@ -180,6 +185,7 @@ class LabRuns : public QObject {
   bool will_begin_ = false;
   std::vector<std::shared_ptr<Recorder>> recorders_;
   std::map<Worker::EditId, Left> left_;
+  std::optional<RunBefore> before_;
   std::optional<Playhead> playhead_;  // none: at the newest moment
   Pace pace_{Pace::Clock::now()};     // while the playhead plays
   std::uint64_t halts_ = 0;           // number of the last one that was shown
