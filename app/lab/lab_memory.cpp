@@ -1,3 +1,4 @@
+#include <QAction>
 #include <QSettings>
 
 #include "app/lab/document_files.h"
@@ -20,6 +21,7 @@ void LabWindow::standard_layout() {
 
 void LabWindow::restore_layout(const QSettings& settings) {
   files_->set_recent(settings.value("recent").toStringList());
+  run_before_->setChecked(settings.value("run_before", true).toBool());
   if (!settings.contains("window")) return;
   restoreGeometry(settings.value("window").toByteArray());
   docks_->restore(settings);
@@ -29,6 +31,7 @@ void LabWindow::keep_layout(QSettings& settings) const {
   settings.setValue("recent", files_->recent());
   settings.setValue("window", saveGeometry());
   docks_->keep(settings);
+  settings.setValue("run_before", run_before_->isChecked());
   // The system's colours are followed until others are chosen.
   if (theme_chosen_) settings.setValue("dark", theme_.dark);
 }

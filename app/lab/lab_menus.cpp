@@ -130,17 +130,8 @@ QMenu* LabWindow::add_align_menu(QMenu* to) {
   return menu;
 }
 
-void LabWindow::make_view_menu() {
-  QMenu* view = menuBar()->addMenu(tr("&View"));
-  list_action_ = add_action(view, "list", tr("&Experiments"), QKeySequence(Qt::Key_E), [] {});
-  list_action_->setCheckable(true);
-  list_action_->setIconVisibleInMenu(false);
-  list_action_->setToolTip(tr("The list of experiments (E)"));
-  connect(list_action_, &QAction::toggled, this, &LabWindow::open_list);
-  add_action(view, "fit", tr("&Fit the scene"), QKeySequence(Qt::Key_F), [this] { view_->find(); });
-  add_action(view, "", tr("&Reset the plots' zoom"), QKeySequence(Qt::CTRL | Qt::Key_Home),
-             [this] { plots_->reset_zoom(); });
-  view->addSeparator();
+// What the scene shows.
+void LabWindow::add_toggles(QMenu* view) {
   struct Toggle {
     const char* icon;
     const char* text;
@@ -148,7 +139,7 @@ void LabWindow::make_view_menu() {
     Qt::Key key;  // with Shift
     bool DrawingOptions::*flag;
   };
-  constexpr std::array<Toggle, 6> kToggles = {{
+  constexpr std::array<Toggle, 7> kToggles = {{
       {"grid", "&Grid", "Grid in metres", Qt::Key_G, &DrawingOptions::grid},
       {"velocity", "&Velocities", "Arrows of the velocities", Qt::Key_V, &DrawingOptions::velocities},
       {"", "F&orces", "Applied forces and torques", Qt::Key_F, &DrawingOptions::forces},
@@ -157,6 +148,8 @@ void LabWindow::make_view_menu() {
       {"", "&Before and after at an impact", "Velocities and impulse of the impact that was gone to", Qt::Key_J,
        &DrawingOptions::jumps},
       {"names", "&Names", "Names of the bodies", Qt::Key_N, &DrawingOptions::names},
+      {"", "R&un before", "The run that was left last, pale in scene and plots by the time since its start",
+       Qt::Key_B, &DrawingOptions::run_before},
   }};
   for (const Toggle& toggle : kToggles) {
     const QKeySequence key(Qt::SHIFT | toggle.key);
@@ -169,8 +162,24 @@ void LabWindow::make_view_menu() {
       DrawingOptions options = view_->options();
       options.*flag = on;
       view_->set_options(options);
+      show_run_before();
     });
+    if (toggle.flag == &DrawingOptions::run_before) run_before_ = action;
   }
+}
+
+void LabWindow::make_view_menu() {
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  list_action_ = add_action(view, "list", tr("&Experiments"), QKeySequence(Qt::Key_E), [] {});
+  list_action_->setCheckable(true);
+  list_action_->setIconVisibleInMenu(false);
+  list_action_->setToolTip(tr("The list of experiments (E)"));
+  connect(list_action_, &QAction::toggled, this, &LabWindow::open_list);
+  add_action(view, "fit", tr("&Fit the scene"), QKeySequence(Qt::Key_F), [this] { view_->find(); });
+  add_action(view, "", tr("&Reset the plots' zoom"), QKeySequence(Qt::CTRL | Qt::Key_Home),
+             [this] { plots_->reset_zoom(); });
+  view->addSeparator();
+  add_toggles(view);
   view->addSeparator();
   inspector_action_ = add_action(view, "", tr("&Inspector"), QKeySequence(Qt::Key_I), [] {});
   inspector_action_->setCheckable(true);

@@ -267,6 +267,7 @@ void LabWindow::show_frame() {
   const double shown = session_.runs().shown_time();
   plots_->update_from(plotted);
   plots_->set_playhead(session_.runs().in_past() ? std::optional(shown) : std::nullopt);
+  show_run_before();
   view_->set_picked(session_.runs().picked());
   view_->set_frame(frames.front(), {frames.begin() + 1, frames.end()});
   if (frame.playing) view_->set_aim(std::nullopt);

@@ -144,6 +144,7 @@ class LabWindow : public QMainWindow {
   void make_edit_menu();
   QMenu* add_align_menu(QMenu* to);
   void make_view_menu();
+  void add_toggles(QMenu* view);
   void add_places_menu(QMenu* to);
   void make_run_menus();
   void make_starts_menu(QMenu* to);
@@ -160,6 +161,7 @@ class LabWindow : public QMainWindow {
   void say_for_a_while(const QString& text);
   void show_frame();
   void show_preparing();
+  void show_run_before();  // lab_run_before.cpp
   void show_notices();
   void compare_usual();
   void set_playing(bool playing);
@@ -174,6 +176,7 @@ class LabWindow : public QMainWindow {
   QAction* list_action_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* first_start_ = nullptr;
+  QAction* run_before_ = nullptr;  // the run before is shown
   SceneView* view_ = nullptr;
   SceneChips* chips_ = nullptr;
   TransportBar* transport_ = nullptr;

@@ -167,7 +167,9 @@ TEST_F(PlotPanelTest, ADriftHasAScaleOfItsOwn) {
 TEST_F(PlotPanelTest, LegendHidesAndShowsACurve) {
   show(run_to(head_on_scene(), 0.5, panel.curves()));
   const auto buttons = plot(0)->findChildren<LegendButton*>();
-  ASSERT_EQ(buttons.size(), 3);
+  ASSERT_EQ(buttons.size(), 4);
+  EXPECT_TRUE(buttons[2]->isVisible());
+  EXPECT_FALSE(buttons[3]->isVisible()) << "there is no run before";
   const auto shown = [this](const QString& title) {
     for (const QwtPlotItem* item : plot(0)->plot()->itemList(QwtPlotItem::Rtti_PlotCurve)) {
       if (item->title().text() == title) return item->isVisible();
