@@ -95,7 +95,7 @@ QVariant FigureModel::data(const QModelIndex& index, int role) const {
 QVariant FigureModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   const Column& column = columns_[static_cast<std::size_t>(section)];
-  if (role == Qt::DisplayRole) return QString::fromUtf8(column.heading);
+  if (role == Qt::DisplayRole) return broken_ ? QString::fromUtf8(column.heading) : heading(section);
   if (role == Qt::TextAlignmentRole) {
     return static_cast<int>((column.text ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
   }
@@ -104,6 +104,12 @@ QVariant FigureModel::headerData(int section, Qt::Orientation orientation, int r
 
 QString FigureModel::heading(int column) const {
   return QString::fromUtf8(columns_[static_cast<std::size_t>(column)].heading).replace('\n', ' ');
+}
+
+void FigureModel::break_headings(bool broken) {
+  if (broken == broken_) return;
+  broken_ = broken;
+  emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
 }
 
 void FigureModel::rows_changed(int rows) {
@@ -227,8 +233,17 @@ int FigureTable::least_width(int column) const {
   return std::max(sizeHintForColumn(column) + 2 * kInset, horizontalHeader()->sectionSizeHint(column));
 }
 
-// Columns divide the width by weight, but none is narrower than its least: then the table scrolls.
+int FigureTable::least_width() const {
+  int width = 0;
+  for (int c = 0; c < model_->columnCount(); ++c) width += least_width(c);
+  return width;
+}
+
+// Columns divide the width by weight, but none is narrower than its least: then the table scrolls. Headings are
+// broken where their lines save width that is needed.
 void FigureTable::share_width() {
+  model_->break_headings(false);
+  if (least_width() > viewport()->width()) model_->break_headings(true);
   struct Share {
     int column;
     int weight;

@@ -29,6 +29,8 @@ class FigureModel : public QAbstractTableModel {
   [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   [[nodiscard]] QString heading(int column) const;  // in one line
+  // Whether headings of two lines stand in two, or in one.
+  void break_headings(bool broken);
   [[nodiscard]] int weight(int column) const { return columns_[static_cast<std::size_t>(column)].weight; }
   [[nodiscard]] bool is_text(int column) const { return columns_[static_cast<std::size_t>(column)].text; }
 
@@ -46,6 +48,7 @@ class FigureModel : public QAbstractTableModel {
 
  private:
   std::vector<Column> columns_;
+  bool broken_ = true;
   int rows_ = 0;
 };
 
@@ -91,6 +94,7 @@ class FigureTable : public QTableView {
  private:
   [[nodiscard]] QString text(char separator) const;
   [[nodiscard]] int least_width(int column) const;
+  [[nodiscard]] int least_width() const;  // px, of all columns
   void share_width();
 
   FigureModel* model_;

@@ -48,7 +48,7 @@ SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
   canvas_->lower();
   tools_ = new SceneTools([this] { return sight(); }, this);
   connect(tools_, &SceneTools::selectionChanged, this, [this](const std::vector<std::string>& names) {
-    if (picked_) refresh();  // selected bodies keep their own arrows
+    refresh();  // names make room for handles, and selected bodies keep their arrows beside an impact
     emit selectionChanged(names);
   });
   connect(tools_, &SceneTools::partChosen, this, &SceneView::partChosen);
