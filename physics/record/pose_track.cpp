@@ -16,13 +16,13 @@ void PoseTrack::cut(double time) {
   while (!moments_.empty() && moments_.back().time >= time) drop_last();
 }
 
-void PoseTrack::add(double time, const Eigen::Matrix3Xd& q) {
+void PoseTrack::add(double time, const Eigen::Matrix3Xd& q, std::int64_t impacts) {
   if (q.cols() > kMostBodies) return clear();
   cut(time);
   const std::size_t count = moments_.size();
   // The newest one so far stands too near to the one before to be kept.
   if (count > 1 && moments_[count - 1].time - moments_[count - 2].time < distance_) drop_last();
-  moments_.push_back({time, q.cast<float>()});
+  moments_.push_back({time, impacts, q.cast<float>()});
   bytes_ += moments_.back().bytes();
   if (bytes_ > kMostBytes) thin();
 }
@@ -47,7 +47,7 @@ std::optional<Eigen::Matrix3Xd> PoseTrack::at(double time) const {
   if (after == moments_.begin()) return std::nullopt;
   const Moment& before = *(after - 1);
   const double gap = after->time - before.time;
-  if (gap > kLongestGap) return std::nullopt;
+  if (gap > kLongestGap || after->impacts != before.impacts) return std::nullopt;
   const Eigen::Index count = std::min(before.q.cols(), after->q.cols());
   const Eigen::Matrix3Xd from = before.q.leftCols(count).cast<double>();
   const Eigen::Matrix3Xd to = after->q.leftCols(count).cast<double>();

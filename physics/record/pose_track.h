@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -18,12 +19,13 @@ class PoseTrack {
   static constexpr double kLongestGap = 0.15;
 
   void clear();
-  // q: x, y and angle (m, m, rad) of each body. A moment that is not after the newest one replaces it, and all
-  // that it is before.
-  void add(double time, const Eigen::Matrix3Xd& q);
+  // q: x, y and angle (m, m, rad) of each body; `impacts`: how many there have been. A moment that is not after
+  // the newest one replaces it, and all that it is before.
+  void add(double time, const Eigen::Matrix3Xd& q, std::int64_t impacts);
   void cut(double time);  // drops the moments from it on
 
-  // Linear between two moments, of the bodies of both; none before the first moment and after the last.
+  // Linear between two moments, of the bodies of both; none before the first moment and after the last, and
+  // none between two with an impact in between: where paths bend there is not known.
   [[nodiscard]] std::optional<Eigen::Matrix3Xd> at(double time) const;
   [[nodiscard]] std::size_t size() const { return moments_.size(); }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -31,6 +33,7 @@ class PoseTrack {
  private:
   struct Moment {
     double time;  // s
+    std::int64_t impacts;
     Eigen::Matrix3Xf q;
     [[nodiscard]] std::size_t bytes() const {
       return sizeof(Moment) + static_cast<std::size_t>(q.size()) * sizeof(float);

@@ -41,7 +41,7 @@ void Recorder::add(const Frame& frame) {
     cut_impacts(*frame.back_to);
     poses_.cut(*frame.back_to);
   }
-  poses_.add(frame.time, frame.state.q);
+  poses_.add(frame.time, frame.state.q, frame.impact_count);
   for (const ImpactRecord& impact : frame.impacts) {
     impacts_.push(impact);
     impulses_.append({impact.time, {impact.normal_impulse}});
