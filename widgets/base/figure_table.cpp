@@ -106,6 +106,11 @@ QString FigureModel::heading(int column) const {
   return QString::fromUtf8(columns_[static_cast<std::size_t>(column)].heading).replace('\n', ' ');
 }
 
+bool FigureModel::has_headings_of_two_lines() const {
+  return std::any_of(columns_.begin(), columns_.end(),
+                     [](const Column& column) { return QString::fromUtf8(column.heading).contains('\n'); });
+}
+
 void FigureModel::break_headings(bool broken) {
   if (broken == broken_) return;
   broken_ = broken;
@@ -227,9 +232,10 @@ void FigureTable::resizeEvent(QResizeEvent* event) {
   share_width();
 }
 
-// px: a column of text keeps nine tenths of its share and cuts what is longer; figures and heads are never cut.
+// px: a column of text keeps nine tenths of its share and cuts what is longer, and so do columns whose headings
+// have one line alone; other figures and heads are never cut.
 int FigureTable::least_width(int column) const {
-  if (model_->is_text(column)) return 9 * model_->weight(column) / 10;
+  if (model_->is_text(column) || !model_->has_headings_of_two_lines()) return 9 * model_->weight(column) / 10;
   return std::max(sizeHintForColumn(column) + 2 * kInset, horizontalHeader()->sectionSizeHint(column));
 }
 

@@ -29,6 +29,7 @@ class FigureModel : public QAbstractTableModel {
   [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   [[nodiscard]] QString heading(int column) const;  // in one line
+  [[nodiscard]] bool has_headings_of_two_lines() const;
   // Whether headings of two lines stand in two, or in one.
   void break_headings(bool broken);
   [[nodiscard]] int weight(int column) const { return columns_[static_cast<std::size_t>(column)].weight; }
