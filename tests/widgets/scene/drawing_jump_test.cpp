@@ -1,22 +1,16 @@
 #include "widgets/scene/drawing_jump.h"
 
-#include <QTest>
-#include <gtest/gtest.h>
-
 #include "tests/support/run_fixture.h"
-#include "widgets/scene/scene_view.h"
+#include "tests/widgets/scene/scene_view_fixture.h"
 
 // 1 kg at 3 m/s hits 2 kg at rest at 0.2 s, elastically: they leave at -1 and 2 m/s, and each gets 4 N s.
 namespace carom {
 namespace {
 
-class DrawingJump : public testing::Test {
+class DrawingJump : public SceneViewFixture {
  protected:
   void SetUp() override {
-    view_.resize(600, 400);
-    view_.set_view(View{Vec2::Zero(), 6.0});
-    view_.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view_));
+    SceneViewFixture::SetUp();
     show(head_on_scene());
   }
   // The end of the step that has the impact, which is picked.
@@ -41,8 +35,6 @@ class DrawingJump : public testing::Test {
     for (const Drawing::JumpArrow& arrow : jump().arrows) all.push_back(arrow.hollow);
     return all;
   }
-
-  SceneView view_{light_theme()};
 };
 
 TEST_F(DrawingJump, VelocitiesBeforeAndAfterAndTheImpulseOnEach) {

@@ -1,22 +1,16 @@
 #include "widgets/scene/impact_marks.h"
 
-#include <QTest>
-#include <gtest/gtest.h>
-
 #include "tests/support/run_fixture.h"
-#include "widgets/scene/scene_view.h"
+#include "tests/widgets/scene/scene_view_fixture.h"
 
-// 600×400 px, 100 px/m: the world's origin stands at (300, 200). A hits B at 0.2 s at (-0.2, 0).
+// A hits B at 0.2 s at (-0.2, 0).
 namespace carom {
 namespace {
 
-class ImpactMarks : public testing::Test {
+class ImpactMarks : public SceneViewFixture {
  protected:
   void SetUp() override {
-    view_.resize(600, 400);
-    view_.set_view(View{Vec2::Zero(), 6.0});
-    view_.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view_));
+    SceneViewFixture::SetUp();
     QObject::connect(&view_, &SceneView::impactChosen, [this](double time) { chosen_.push_back(time); });
   }
   void show_at(double time, bool playing = false) {
@@ -29,7 +23,6 @@ class ImpactMarks : public testing::Test {
   }
 
   const QPoint mark_{280, 200};
-  SceneView view_{light_theme()};
   std::vector<double> chosen_;
 };
 
