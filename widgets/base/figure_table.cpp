@@ -59,6 +59,7 @@ int FigureModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant FigureModel::data(const QModelIndex& index, int role) const {
+  if (!knows(index.row())) return {};
   switch (role) {
     case Qt::DisplayRole: {
       const Cell content = cell(index.row(), index.column());
@@ -106,11 +107,6 @@ QString FigureModel::heading(int column) const {
   return QString::fromUtf8(columns_[static_cast<std::size_t>(column)].heading).replace('\n', ' ');
 }
 
-bool FigureModel::has_headings_of_two_lines() const {
-  return std::any_of(columns_.begin(), columns_.end(),
-                     [](const Column& column) { return QString::fromUtf8(column.heading).contains('\n'); });
-}
-
 void FigureModel::break_headings(bool broken) {
   if (broken == broken_) return;
   broken_ = broken;
@@ -118,6 +114,7 @@ void FigureModel::break_headings(bool broken) {
 }
 
 void FigureModel::rows_changed(int rows) {
+  known_rows_ = rows;
   if (rows > rows_) {
     beginInsertRows({}, rows_, rows - 1);
     rows_ = rows;
@@ -133,7 +130,7 @@ void FigureModel::rows_changed(int rows) {
 void FigureModel::set_columns(std::vector<Column> columns) {
   beginResetModel();
   columns_ = std::move(columns);
-  rows_ = 0;
+  rows_ = known_rows_ = 0;
   endResetModel();
 }
 
@@ -232,10 +229,9 @@ void FigureTable::resizeEvent(QResizeEvent* event) {
   share_width();
 }
 
-// px: a column of text keeps nine tenths of its share and cuts what is longer, and so do columns whose headings
-// have one line alone; other figures and heads are never cut.
+// px: a column of text keeps nine tenths of its share and cuts what is longer; figures and heads are never cut.
 int FigureTable::least_width(int column) const {
-  if (model_->is_text(column) || !model_->has_headings_of_two_lines()) return 9 * model_->weight(column) / 10;
+  if (model_->is_text(column)) return 9 * model_->weight(column) / 10;
   return std::max(sizeHintForColumn(column) + 2 * kInset, horizontalHeader()->sectionSizeHint(column));
 }
 

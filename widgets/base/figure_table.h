@@ -29,7 +29,6 @@ class FigureModel : public QAbstractTableModel {
   [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   [[nodiscard]] QString heading(int column) const;  // in one line
-  [[nodiscard]] bool has_headings_of_two_lines() const;
   // Whether headings of two lines stand in two, or in one.
   void break_headings(bool broken);
   [[nodiscard]] int weight(int column) const { return columns_[static_cast<std::size_t>(column)].weight; }
@@ -42,6 +41,8 @@ class FigureModel : public QAbstractTableModel {
   [[nodiscard]] virtual QString tip(int /*row*/, int /*column*/) const { return {}; }
 
  protected:
+  // Not those that are about to go: views may ask for them until then.
+  [[nodiscard]] bool knows(int row) const { return row < known_rows_; }
   // Reports that all rows may have changed, and that there are now `rows`.
   void rows_changed(int rows);
   // Other columns, and no rows until rows_changed().
@@ -51,6 +52,7 @@ class FigureModel : public QAbstractTableModel {
   std::vector<Column> columns_;
   bool broken_ = true;
   int rows_ = 0;
+  int known_rows_ = 0;  // other than rows_ while rows come or go
 };
 
 // Aligns text with the headings, draws no frame around the current cell, and a line above a sum.

@@ -225,7 +225,7 @@ Qt::ItemFlags BodiesModel::flags(const QModelIndex& index) const {
 }
 
 QVariant BodiesModel::data(const QModelIndex& index, int role) const {
-  return role == Qt::AccessibleTextRole ? spoken(index) : FigureModel::data(index, role);
+  return role == Qt::AccessibleTextRole && knows(index.row()) ? spoken(index) : FigureModel::data(index, role);
 }
 
 // "mass of light: 1.000 kg".
