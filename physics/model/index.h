@@ -29,9 +29,6 @@ struct ShapePair {
 template <class Index, class T>
 class ArrayOf {
  public:
-  ArrayOf() = default;
-  ArrayOf(std::size_t size, const T& value) : values_(size, value) {}
-
   void push_back(T value) { values_.push_back(std::move(value)); }
   void resize(std::size_t size) { values_.resize(size); }
   void assign(std::size_t size, const T& value) { values_.assign(size, value); }
