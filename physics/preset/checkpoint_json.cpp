@@ -314,8 +314,7 @@ SavedRun read_clock(const Json& json) {
   r.needed({"time", "a number, in s"}, [&](const ValueReader& v) {
     if (!v.has_value()) return;
     take(v, saved.time);
-    const Range range = any_number("");
-    if (!range.contains(saved.time)) refuse_value(v.place(), quoted(v.value()), range.text());
+    if (!kClock.contains(saved.time)) refuse_value(v.place(), quoted(v.value()), kClock.text());
   });
   r.member({"fingerprint", ""}, [&](const ValueReader& v) {
     const std::string text = v.text({0, 16});

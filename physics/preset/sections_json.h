@@ -83,6 +83,7 @@ void read_force(FieldReader& r, const std::string& at, int index, Forces& forces
 [[nodiscard]] Json plot_json(const Plot& plot);
 
 // The section "state": where a saved run goes on.
+inline constexpr Range kClock = from_zero("s");
 
 // The clock and, where there is one, the fingerprint. Throws SceneError.
 [[nodiscard]] SavedRun read_clock(const Json& json);

@@ -238,8 +238,8 @@ void validate(const Preset& preset, const ForcePlaces& places) {
     check_fields(fmt::format("/compare/{}", i), preset.compare[i]);
   }
   check_range("/duration", preset.duration, kDuration);
-  if (preset.saved && !from_zero("s").contains(preset.saved->time))
-    refuse_by(Rule::kSavedRun, "/state/time", fmt::format("{}", preset.saved->time), from_zero("s").text());
+  if (preset.saved && !kClock.contains(preset.saved->time))
+    refuse_by(Rule::kSavedRun, "/state/time", fmt::format("{}", preset.saved->time), kClock.text());
   const RunBegin begin{start_time(preset.saved), state_belongs(preset.scene, preset.saved)};
   validate(preset.scene, places, begin);
   check_integrator("/method", preset.scene, preset.method);

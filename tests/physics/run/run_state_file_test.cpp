@@ -200,6 +200,30 @@ TEST(RunStateFile, ARunThatHasBlownUpIsNotSaved) {
   EXPECT_THROW((void)saved_preset(s, run), SceneError);
 }
 
+// The clock has one range, in a file and in memory.
+TEST(RunStateFile, TheClockIsNotBeforeZero) {
+  const Preset saved = saved_at(ahead(), 0.6);
+  const auto fault_of = [](const auto& act) -> std::string {
+    try {
+      act();
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  for (const double time : {-0.5, -1e-12, 1e300}) {
+    Preset clock = saved;
+    clock.saved = SavedRun{.time = time};
+    const std::string fault = fault_of([&] { validate(clock); });
+    EXPECT_NE(fault.find("allowed: a number from 0 to 1000000000000 s"), std::string::npos) << fault;
+    Json file = preset_json(saved, false);
+    file["state"]["time"] = time;
+    EXPECT_EQ(fault_of([&] { (void)preset_of(file); }), fault) << "with its state";
+    file["state"] = {{"time", time}};
+    EXPECT_EQ(fault_of([&] { (void)preset_of(file); }), fault) << "alone";
+  }
+}
+
 // Each value of the section in turn becomes something invalid or doubtful: a value that is not restored must
 // be refused in one line that says where.
 void mutilate(const Preset& saved, const std::vector<Json>& values) {
