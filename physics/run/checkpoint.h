@@ -12,8 +12,8 @@
 namespace carom {
 
 // What a run has between two steps besides its scene, in which bodies stand where they are, and its clock: with
-// these it continues to rounding. Nothing here depends on how a step is computed; RunState, which continues to
-// the last bit, does.
+// these it continues to rounding. Beyond physics these are counts of work, and what the next step starts from:
+// next_step, waiting and support. The inside of a step is in RunState alone, which continues to the last bit.
 struct Checkpoint {
   Method method;  // in force; under another one next_step, waiting pairs and contacts are found anew
   std::int64_t steps = 0;
