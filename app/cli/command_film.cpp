@@ -33,7 +33,8 @@ int make_film(Arguments arguments, const FilmOptions& options) {
   Film film;
   const Preset preset = preset_with_method(options.preset, options.method);
   film.runs = {{setup_of(preset), {}}};
-  film.from = options.from.value_or(0.0);
+  film.from = options.from.value_or(start_time(preset.saved));
+  check_time(options.preset, preset, "--from", film.from);
   film.to = options.to.value_or(preset.duration);
   film.rate = options.rate;
   film.speed = options.speed;
@@ -70,7 +71,7 @@ Command add_film_command(CLI::App& program, Arguments arguments) {
   const auto options = std::make_shared<FilmOptions>();
   CLI::App& command = *program.add_subcommand("film", "numbered pictures of a run, to make a film of");
   add_preset_option(command, options->preset)->required();
-  add_time_option(command, "--from", options->from, "first moment, s (default: 0)");
+  add_time_option(command, "--from", options->from, "first moment, s (default: the start)");
   add_time_option(command, "--to", options->to, "end, s (default: the preset's duration)");
   add_method_options(command, options->method);
   command.add_option("--rate", options->rate, "frames a second of the film (default: 25)")->type_name("N");

@@ -82,6 +82,7 @@ int save_picture(Arguments arguments, const PictureOptions& options) {
     throw SceneError(fmt::format("{}: not a kind of picture; allowed: .png, .svg, .pdf", options.output));
   }
   const double time = options.at.value_or(preset.duration);
+  check_time(options.preset, preset, "--at", time);
   OutputSet outputs({find_preset(options.preset)});
   OutputFile& file = *outputs.open(options.output);
   use_no_screen();

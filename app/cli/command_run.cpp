@@ -71,10 +71,7 @@ int run(const RunOptions& options) {
   const Preset preset = preset_with_stops(options);
   const Simulation start(setup_of(preset));
   const double end = options.until.value_or(preset.duration);
-  if (end < start.time() - kSameMoment * preset.method.step) {  // less is rounding
-    throw SceneError(fmt::format("{}: the run is already at t = {} s; allowed: --until from {} on",
-                                 options.preset, start.time(), start.time()));
-  }
+  check_time(options.preset, preset, "--until", end);
   Simulation simulation = start;
 
   const std::vector<Quantity> columns = run_columns(simulation.bodies());

@@ -19,6 +19,7 @@
 #include "physics/preset/preset_file.h"
 #include "physics/scene/plain_text.h"
 #include "physics/scene/validate.h"
+#include "physics/step/run_clock.h"
 #include "physics/study/study.h"
 #include "physics/study/study_table.h"
 #include "widgets/compare/study_plot.h"
@@ -64,11 +65,17 @@ StudyOptions study_options(const StudyCommandOptions& o) {
   for (const std::string& name : o.impacts) study.impacts.push_back(id_of(kImpacts, name));
   study.steps = numbers("--steps", o.steps, kLeastStep, kLargestStep, "s");
   study.tolerances = numbers("--tolerances", o.tolerances, kLeastTolerance, kLargestTolerance, "m");
-  if (study.until && !(*study.until > 0.0)) {
-    throw SceneError(
-        "--until: 0 is not allowed; allowed: a time above 0, there is nothing to compare at the start");
-  }
   return study;
+}
+
+// Of the compared time.
+void check_until(const std::string& name, const Preset& preset, double until) {
+  check_time(name, preset, "--until", until);
+  const double start = start_time(preset.saved);
+  if (until > start + kSameMoment * preset.method.step) return;
+  throw SceneError(fmt::format(
+      "--until: {} is not allowed; allowed: a time above {}, there is nothing to compare at the start", until,
+      start));
 }
 
 // A progress line on a terminal; nothing in a pipe.
@@ -106,6 +113,7 @@ int run_study_command(Arguments arguments, const StudyCommandOptions& options) {
   }
   const std::filesystem::path file = find_preset(options.preset);
   const Preset preset = read_preset(file);
+  check_until(options.preset, preset, study.until.value_or(preset.duration));
   (void)plan_methods(preset, study);
   // Opened first, so that hours of work are not lost to a file that cannot be written.
   OutputSet outputs({file});

@@ -10,6 +10,7 @@
 #include "physics/scene/facts.h"
 #include "physics/scene/plain_text.h"
 #include "physics/scene/validate.h"
+#include "physics/step/run_clock.h"
 
 namespace carom {
 namespace {
@@ -68,6 +69,13 @@ Preset preset_with_method(const std::string& name, const MethodOptions& method) 
   if (const auto reason = why_not(preset.scene, preset.method.integrator))
     throw SceneError("--integrator: " + *reason);
   return preset;
+}
+
+void check_time(const std::string& name, const Preset& preset, const char* option, double time) {
+  const double start = start_time(preset.saved);
+  if (time >= start - kSameMoment * preset.method.step) return;  // less is rounding
+  throw SceneError(
+      fmt::format("{}: the run is already at t = {} s; allowed: {} from {} on", name, start, option, start));
 }
 
 CLI::Option* add_preset_option(CLI::App& command, std::string& preset) {

@@ -24,6 +24,10 @@ void add_method_options(CLI::App& command, MethodOptions& method);
 // The scene of a preset with the chosen method, validated. Throws SceneError.
 [[nodiscard]] Preset preset_with_method(const std::string& preset, const MethodOptions& method);
 
+// Throws SceneError if the time (s), which `option` sets, is before the start of the preset's run. `name`: as
+// the user called the preset.
+void check_time(const std::string& name, const Preset& preset, const char* option, double time);
+
 CLI::Option* add_preset_option(CLI::App& command, std::string& preset);
 CLI::Option* add_time_option(CLI::App& command, const std::string& name, std::optional<double>& time,
                              const std::string& what);

@@ -323,10 +323,31 @@ TEST_F(CommandLine, SavedEndRunsOn) {
   EXPECT_EQ(on["impacts"], end["impacts"]);
   EXPECT_NEAR(on["bodies"][1]["position"][0].get<double>(),
               end["bodies"][1]["position"][0].get<double>() + 0.7 * 13.0 / 35.0, 1e-12);
-  // A time that has passed is no end.
-  const auto before = carom_({"run", "end.json", "--until", "0.1"});
-  EXPECT_EQ(before.code, 2);
-  EXPECT_NE(before.err.find("end.json: the run is already at t = "), std::string::npos) << before.err;
+}
+
+// A time that has passed is no end of a saved run, and no moment of it.
+TEST_F(CommandLine, TimesBeforeASavedRunAreRefused) {
+  (void)run({"head-on", "--until", "0.5", "--save", "mid.json"});
+  const QStringList files = carom_.files();
+  const auto expect_passed = [&](const QStringList& arguments, const std::string& option) {
+    expect_refused(carom_(arguments),
+                   "mid.json: the run is already at t = 0.5 s; allowed: " + option + " from 0.5 on");
+  };
+  expect_passed({"run", "mid.json", "--until", "0.1"}, "--until");
+  expect_passed({"picture", "mid.json", "--at", "0.1", "-o", "a.png"}, "--at");
+  expect_passed({"film", "mid.json", "--from", "0.1", "--to", "0.6", "-o", "film"}, "--from");
+  expect_passed({"study", "mid.json", "--until", "0.1"}, "--until");
+  expect_refused(carom_({"study", "mid.json", "--until", "0.5"}), "allowed: a time above 0.5");
+  EXPECT_EQ(carom_.files(), files);
+  EXPECT_FALSE(QDir(carom_.path("film")).exists());
+
+  // Its start is one, and a film begins there.
+  EXPECT_EQ(carom_({"picture", "mid.json", "--at", "0.5", "-o", "a.png"}).code, 0);
+  EXPECT_EQ(carom_({"film", "mid.json", "--to", "0.7", "--rate", "10", "--width", "320", "--height", "240",
+                    "-o", "film"})
+                .code,
+            0);
+  EXPECT_EQ(QDir(carom_.path("film")).entryList(QDir::Files).size(), 3);
 }
 
 TEST_F(CommandLine, SavedPileHasAllItsBodies) {
