@@ -18,6 +18,15 @@ Set<Member> applied(Document& document, const Set<Member>& set) {
   return {std::exchange(document.preset.*Member, set.value)};
 }
 
+// Ids that were given stay given: edits that are taken back, and runs that were left, know parts by them.
+SetScene applied(Document& document, const SetScene& set) {
+  Scene& scene = document.preset.scene;
+  const std::uint32_t given = std::max(scene.ids_given, set.value.ids_given);
+  SetScene before{std::exchange(scene, set.value)};
+  scene.ids_given = given;
+  return before;
+}
+
 SceneEdits applied(Document& document, const SceneEdits& edits) {
   return apply_edits(document.preset.scene, edits);
 }
@@ -316,6 +325,15 @@ SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits, const Sce
     if (was != nullptr) take_motion(*was, asked->part, std::get<Replace<Body>>(there[i]).part);
   }
   return there;
+}
+
+void give_ids(Preset& preset) {
+  give_ids(preset.scene);
+  for (RunEdit& late : preset.edits) {
+    auto& edits = std::get<SceneEdits>(late.what);
+    number_new_parts(preset.scene, edits);
+    preset.scene.ids_given = std::max(preset.scene.ids_given, added_body(late).id.number);
+  }
 }
 
 void number_new_parts(const Scene& start, SceneEdits& edits) {

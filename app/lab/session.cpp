@@ -31,7 +31,7 @@ void Session::open(const Preset& preset, const std::vector<Plot>& plots, const s
                {},
                !name.isEmpty()};
   document_.preset.plots = plots;
-  give_ids(document_.preset.scene);
+  give_ids(document_.preset);
   document_.start = {.scene = fingerprint(document_.preset.scene, start_time(document_.preset.saved))};
   first_start_ = std::make_shared<const Start>(start_of(document_));
   name_ = name;

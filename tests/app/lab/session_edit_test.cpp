@@ -1,12 +1,14 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "app/lab/session.h"
 #include "physics/preset/preset_file.h"
 #include "physics/run/simulation.h"
+#include "physics/scene/fingerprint.h"
 #include "tests/app/lab/session_edit_fixture.h"
 #include "tests/app/lab/two_discs.h"
 #include "tests/support/scenes.h"
@@ -287,6 +289,58 @@ TEST_F(SessionEditTest, ADiscThatCameLaterIsEditedWhereItStands) {
   undo();
   undo();
   EXPECT_EQ(document(), write_preset(two_discs()));
+}
+
+// The same in a file that was opened: its discs have ids of their own from the start on.
+TEST_F(SessionEditTest, ALateDiscOfAFileIsEditedWhereItStands) {
+  run_to(0.5);
+  session_.add_body(0.5, 1.0);
+  settle();
+  open(parse_preset(document(), "file"));
+  const std::string opened = document();
+  run_to(0.7);
+  Body late = now("A");
+  late.mass = 5.0;
+  late.density.reset();
+  edit(Replace<Body>{late}, "Mass of A");
+  EXPECT_EQ(refused_, "");
+  ASSERT_EQ(session_.document().edits.size(), 1U);
+  EXPECT_EQ(*added_body(session_.document().edits[0]).mass, 5.0);
+  EXPECT_EQ(*now("A").mass, 5.0);
+  EXPECT_EQ(session_.add_body(-0.5, 1.0), "B");
+  settle();
+  EXPECT_NE(now("A").id, now("B").id);
+  undo();
+  undo();
+  EXPECT_EQ(document(), opened);
+}
+
+// What one start gave is not given again in another, so that no id means two parts of a session.
+TEST_F(SessionEditTest, GivesNoIdTwice) {
+  const auto add = [this](const char* name, double x) {
+    edit(Add<Body>{test::disc(name, {x, 2.0}, {0.0, 0.0})}, "Add disc");
+    EXPECT_EQ(refused_, "");
+    return session_.document().scene.bodies.back().id.number;
+  };
+  const std::string before = document();
+  const std::uint64_t scene = fingerprint(session_.document().scene, 0.0);
+  run_to(0.3);
+  std::set<std::uint32_t> given = {start(0).id.number, start(1).id.number};
+  EXPECT_TRUE(given.insert(add("a", 0.0)).second);
+  EXPECT_TRUE(given.insert(add("b", 1.0)).second);
+  undo();
+  undo();
+  EXPECT_EQ(document(), before);
+  EXPECT_EQ(fingerprint(session_.document().scene, 0.0), scene);
+  EXPECT_NEAR(session_.runs().frame()->time, 0.3, 1e-12);
+  EXPECT_TRUE(given.insert(add("c", 2.0)).second) << "in the start that is new";
+  undo();
+  session_.restart();
+  settle();
+  EXPECT_TRUE(given.insert(add("d", 3.0)).second) << "in the start that was there";
+  session_.go_to_first_start();
+  settle();
+  EXPECT_TRUE(given.insert(add("e", 4.0)).second);
 }
 
 // Random edits of a small scene, at the start and on the way, taken back and made again one by one: the
