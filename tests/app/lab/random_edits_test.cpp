@@ -1,6 +1,7 @@
 #include "tests/app/lab/random_edits.h"
 
 #include <array>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <map>
 #include <random>
@@ -11,6 +12,7 @@
 #include "physics/preset/preset_file.h"
 #include "tests/app/lab/two_discs.h"
 #include "tests/support/effort.h"
+#include "tests/support/scenes.h"
 #include "tests/support/wait_events.h"
 
 // Random edits of every kind, taken back, made again and cancelled in between: no document is lost, changed or
@@ -36,7 +38,7 @@ Method other_method(const Method& method, unsigned seed) {
   return other;
 }
 
-// A session with the texts of its document after each step of undo.
+// A session with the texts of its document after each step of undo, and what its run was there.
 class EditedSession {
  public:
   EditedSession() {
@@ -75,6 +77,7 @@ class EditedSession {
     if (index() > before) {
       seeds_.resize(before);
       documents_.resize(before + 1);
+      known_runs_.resize(before + 1);
       for (; documents_.size() <= index(); documents_.push_back(document())) seeds_.push_back(seed);
       ++made_[last_];
     } else {
@@ -85,6 +88,28 @@ class EditedSession {
     ASSERT_LT(index(), documents_.size());
     EXPECT_EQ(document(), documents_[index()]) << "step " << index();
   }
+  // When the runs have followed: after so many steps the run is at this step of undo what it was before.
+  void expect_known_run() {
+    known_runs_.resize(documents_.size());
+    const Frame& now = *session_.runs().newest().front();
+    const auto [known, is_new] = known_runs_[index()].try_emplace(now.steps, now.state);
+    if (is_new) return;
+    ++compared_;
+    EXPECT_TRUE(test::same_bytes(known->second, now.state))
+        << "step " << index() << ", at " << now.time << " s, after " << last_;
+  }
+  // The run begins again: edits that were made on the way are made in its start.
+  void restart() {
+    session_.runs().restart();
+    known_runs_.clear();
+  }
+  // The same where this begins the run: edits that follow are then made in its start.
+  void redo() {
+    const std::size_t before = index();
+    edits().redo();
+    if (session_.runs().at_start() && known_runs_.size() > before) known_runs_.resize(before + 1);
+  }
+  [[nodiscard]] int compared() const { return compared_; }
   // At the document's start.
   void edit_start(unsigned seed) {
     const std::size_t before = index();
@@ -103,7 +128,7 @@ class EditedSession {
              runs.recorders()[0]->series(curve) != nullptr && frame->rows_known_until >= frame->time;
     })) << last_;
     if (runs.lost() == nullptr) return;
-    runs.restart();
+    restart();
     settle();
   }
   // At the shown moment.
@@ -150,6 +175,7 @@ class EditedSession {
     if (index() == before && this->edits().count() == count) return;  // refused
     session_.cancel(drag);
     documents_.resize(before + 1);
+    known_runs_.resize(before + 1);
     seeds_.resize(before);
     ASSERT_EQ(index(), before);
     ASSERT_FALSE(this->edits().canRedo());
@@ -165,26 +191,31 @@ class EditedSession {
  private:
   Session session_;
   std::vector<std::string> documents_;
+  std::vector<std::map<std::int64_t, State>> known_runs_;  // by their steps
   std::vector<unsigned> seeds_;
   std::map<std::string, int> made_;
   std::string last_;
   int refused_ = 0;
   int drags_ = 0;
   int settled_ = 0;
+  int compared_ = 0;
 };
 
-// Takes back all and makes it again, one by one.
-void go_through(EditedSession& edited) {
+// Takes back all and makes it again, one by one; `each` follows.
+template <class Each>
+void go_through(EditedSession& edited, const Each& each) {
   const int index = edited.edits().index();
   const std::string last = edited.document();
   while (edited.edits().canUndo() && !testing::Test::HasFailure()) {
     edited.edits().undo();
     edited.expect_known();
+    each();
   }
   EXPECT_EQ(edited.document(), EditedSession().document());
   while (edited.edits().index() < index && !testing::Test::HasFailure()) {
-    edited.edits().redo();
+    edited.redo();
     edited.expect_known();
+    each();
   }
   EXPECT_EQ(edited.document(), last);
 }
@@ -194,7 +225,7 @@ void take_some_back(EditedSession& edited, std::size_t count) {
 }
 
 void make_some_again(EditedSession& edited, std::size_t count) {
-  for (; count > 0 && edited.edits().canRedo(); --count) edited.edits().redo();
+  for (; count > 0 && edited.edits().canRedo(); --count) edited.redo();
 }
 
 TEST(RandomEditsTest, AtTheStart) {
@@ -223,7 +254,7 @@ TEST(RandomEditsTest, AtTheStart) {
     EditedSession fresh;
     for (const unsigned each : edited.seeds()) fresh.edit_start(each);
     EXPECT_EQ(fresh.document(), last) << "by the edits that were not taken back alone";
-    go_through(edited);
+    go_through(edited, [] {});
     if (test::long_tests())
       for (const auto& [kind, count] : edited.made()) std::printf("%6d %s\n", count, kind.c_str());
   }
@@ -254,7 +285,7 @@ TEST(RandomEditsTest, OnTheWay) {
           edited.edit_playing(static_cast<unsigned>(random()));
           break;
         case 5:
-          runs.restart();
+          edited.restart();
           break;
         case 6:
         case 7:
@@ -265,9 +296,14 @@ TEST(RandomEditsTest, OnTheWay) {
       }
       edited.settle();
       edited.expect_known();
+      edited.expect_known_run();
       edited.expect_reopens();
     }
-    go_through(edited);
+    go_through(edited, [&] {
+      edited.settle();
+      edited.expect_known_run();
+    });
+    EXPECT_GT(edited.compared(), 0);
   }
 }
 
