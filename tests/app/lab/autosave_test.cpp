@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <csignal>
 #include <gtest/gtest.h>
 
 #include "app/lab/lab_window.h"
@@ -18,6 +19,8 @@
 #include "app/library/preset_library.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
+#include "tests/app/lab/late_discs.h"
+#include "tests/app/lab/seen_run.h"
 #include "tests/support/wait_events.h"
 #include "widgets/plot/plot_panel.h"
 #include "widgets/scene/scene_view.h"
@@ -37,6 +40,10 @@ class AutosaveTest : public testing::Test {
     window->keep_work(folder);
     EXPECT_TRUE(test::wait_in_event_loop([&] { return window->frame() != nullptr; }));
     return window;
+  }
+  [[nodiscard]] QByteArray bytes(const QString& name) const {
+    QFile file(kept() + "/" + name);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
   static void add_body(LabWindow& window) { emit window.scene_view().spawnRequested(0.3, 1.0); }
   static NoticeBar* bar(const LabWindow& window) { return window.findChild<NoticeBar*>("notice"); }
@@ -131,6 +138,39 @@ TEST_F(AutosaveTest, TheNextStartOffersTheWork) {
   EXPECT_FALSE(bar(*window)->isVisible());
   EXPECT_FALSE(files().contains("work-1-0.json"));
   EXPECT_EQ(files().size(), 1) << "kept as this window's own";
+}
+
+// The window was killed while it played on: discs that were added on the way come in as they were seen to.
+TEST_F(AutosaveTest, WorkOfAKilledWindowRunsAsItDid) {
+  Session seen;
+  const Preset preset = late_discs_preset();
+  seen.open(preset, preset.plots, {}, {}, {});
+  add_late_discs(seen);
+
+  QProcess killed;
+  killed.start(QCoreApplication::applicationFilePath(), {"--keep-late-discs", kept()});
+  ASSERT_TRUE(killed.waitForStarted());
+  while (!killed.canReadLine()) ASSERT_TRUE(killed.waitForReadyRead(600'000));
+  ASSERT_EQ(killed.readLine(), "kept\n");
+  kill(static_cast<pid_t>(killed.processId()), SIGKILL);
+  ASSERT_TRUE(killed.waitForFinished());
+  ASSERT_EQ(files().size(), 1);
+  const QByteArray left = bytes(files().constFirst());
+
+  const auto window = lab(kept());
+  ASSERT_TRUE(bar(*window)->isVisible());
+  click(*window, "Restore");
+  ASSERT_EQ(files().size(), 1);
+  EXPECT_EQ(bytes(files().constFirst()), left) << "kept as it was";
+  Session& session = window->session();
+  for (const char* how : {"recovered", "begun again"}) {
+    SCOPED_TRACE(how);
+    session.runs().run_until(kLateDiscsEnd);
+    wait_for_late_discs(session);
+    expect_same(seen_runs(session.runs()), seen_runs(seen.runs()));
+    session.restart();
+    ASSERT_TRUE(test::wait_in_event_loop([&] { return session.runs().frame()->time == 0.0; }));
+  }
 }
 
 TEST_F(AutosaveTest, WorkThatIsNotWantedIsOfferedOnce) {

@@ -4,9 +4,12 @@
 #include <QTest>
 #include <functional>
 #include <gtest/gtest.h>
+#include <set>
 
 #include "app/library/preset_library.h"
 #include "physics/preset/preset_file.h"
+#include "tests/app/lab/late_discs.h"
+#include "tests/app/lab/seen_run.h"
 #include "tests/app/lab/session_fixture.h"
 #include "tests/support/scenes.h"
 
@@ -23,8 +26,7 @@ struct Snapshot {
   ReferenceId reference;
   std::vector<std::string> bodies;
   struct Run {
-    std::int64_t steps;
-    State state;
+    SeenRun seen;
     Method start;
     std::vector<RunEdit> edits;
     std::vector<std::string> names;
@@ -52,8 +54,8 @@ void expect_same(const Snapshot& a, const Snapshot& b) {
   EXPECT_EQ(a.bodies, b.bodies);
   ASSERT_EQ(a.runs.size(), b.runs.size());
   for (std::size_t i = 0; i < a.runs.size(); ++i) {
-    EXPECT_EQ(a.runs[i].steps, b.runs[i].steps) << i;
-    EXPECT_TRUE(test::same_bytes(a.runs[i].state, b.runs[i].state)) << i;
+    SCOPED_TRACE("run " + std::to_string(i));
+    expect_same(a.runs[i].seen, b.runs[i].seen);
     EXPECT_EQ(a.runs[i].start, b.runs[i].start) << i;
     EXPECT_EQ(a.runs[i].names, b.runs[i].names) << i;
     EXPECT_TRUE(std::equal(a.runs[i].edits.begin(), a.runs[i].edits.end(), b.runs[i].edits.begin(),
@@ -71,9 +73,10 @@ class SessionTest : public SessionFixture {
   }
   [[nodiscard]] Snapshot snapshot() const {
     Snapshot now{write_preset(session_.document()), session_.reference(), names_of(session_.bodies()), {}};
-    for (const auto& frame : session_.runs().frames()) {
-      now.runs.push_back(
-          {frame->steps, frame->state, frame->setup->method, frame->setup->edits, names_of(*frame->bodies)});
+    const std::vector<SeenRun> seen = seen_runs(session_.runs());
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const Frame& frame = *session_.runs().frames()[i];
+      now.runs.push_back({seen[i], frame.setup->method, frame.setup->edits, names_of(*frame.bodies)});
     }
     return now;
   }
@@ -208,8 +211,8 @@ TEST_F(SessionTest, UndoWhileARunPlays) {
   settle();
   const Snapshot undone = snapshot();
   open();
-  run_to(session_.document().method.step * static_cast<double>(undone.runs[0].steps));
-  EXPECT_TRUE(test::same_bytes(snapshot().runs[0].state, undone.runs[0].state));
+  run_to(session_.document().method.step * static_cast<double>(undone.runs[0].seen.steps));
+  EXPECT_TRUE(test::same_bytes(snapshot().runs[0].seen.state, undone.runs[0].seen.state));
 }
 
 // A restart begins with the current methods; an undo after it acts from the start.
@@ -238,22 +241,23 @@ TEST_F(SessionTest, UndoAfterARestart) {
 // Discs that were added on the way come in at their time, however the work is brought back: restarted, undone
 // and redone, saved and opened, recovered under several methods. The runs are the same to the last bit.
 TEST_F(SessionTest, WhatIsSavedIsTheRunThatWasSeen) {
-  Preset preset = read_preset(find_preset("bouncing-ball"));
-  preset.compare = {{.integrator = IntegratorId::kExplicitEuler, .step = 0.013}};
-  session_.open(preset, preset.plots, {}, "bouncing-ball", {});
-  run_to(0.7);
-  session_.add_body(0.05, 1.5);
-  run_to(1.2);
-  session_.add_body(-0.05, 1.8);
-  run_to(2.0);
+  const Preset preset = late_discs_preset();
+  session_.open(preset, preset.plots, {}, {}, {});
+  add_late_discs(session_);
+  settle();
   const Snapshot seen = snapshot();
   ASSERT_EQ(seen.runs[0].names.size(), preset.scene.bodies.size() + 2);
+  for (const Snapshot::Run& run : seen.runs) {
+    std::set<int> hit;
+    for (const ImpactRecord& impact : run.seen.impacts) hit.insert({impact.a, impact.b});
+    EXPECT_EQ(hit.size(), run.names.size()) << "each body has had an impact";
+  }
   ASSERT_EQ(session_.document().scene.bodies.size(), preset.scene.bodies.size())
       << "they are not there at t = 0";
   session_.runs().restart();
   run_to(0.5);
   EXPECT_EQ(snapshot().runs[0].names.size(), preset.scene.bodies.size());
-  run_to(2.0);
+  run_to(kLateDiscsEnd);
   expect_same(snapshot(), seen);
   undo();
   undo();
@@ -267,22 +271,22 @@ TEST_F(SessionTest, WhatIsSavedIsTheRunThatWasSeen) {
   session_.save(file);
   const Preset saved = read_preset(file.toStdString());
   session_.open(saved, saved.plots, {}, {}, file);
-  run_to(2.0);
+  run_to(kLateDiscsEnd);
   const Snapshot opened = snapshot();
   EXPECT_EQ(opened.document, seen.document);
   ASSERT_EQ(opened.runs.size(), seen.runs.size());
   for (std::size_t i = 0; i < seen.runs.size(); ++i) {
     EXPECT_EQ(opened.runs[i].names, seen.runs[i].names);
-    EXPECT_TRUE(test::same_bytes(opened.runs[i].state, seen.runs[i].state)) << i;
+    expect_same(opened.runs[i].seen, seen.runs[i].seen);
   }
   Simulation alone(setup_of(saved));
-  alone.advance_to(2.0);
-  EXPECT_TRUE(test::same_bytes(alone.state(), seen.runs[0].state)) << "also on the command line";
+  alone.advance_to(kLateDiscsEnd);
+  EXPECT_TRUE(test::same_bytes(alone.state(), seen.runs[0].seen.state)) << "also on the command line";
   // Another disc is called otherwise, and those to come in stand after it once it is there.
   session_.runs().restart();
   run_to(0.3);
   session_.add_body(0.02, 1.0);
-  run_to(2.0);
+  run_to(kLateDiscsEnd);
   EXPECT_EQ(snapshot().bodies, snapshot().runs[0].names);
   EXPECT_EQ(snapshot().bodies[preset.scene.bodies.size()], "C");
 }
