@@ -48,6 +48,13 @@ QString method_line(const Method& m) {
       .join(", ");
 }
 
+QString name_of(const RunEdit& edit, const LabReport& report) {
+  if (const auto* method = std::get_if<Method>(&edit.what)) return method_line(*method);
+  if (edit.id == 0) return tr("%1 added").arg(QString::fromStdString(added_body(edit).name));
+  const auto known = report.edit_names.find(edit.id);
+  return known != report.edit_names.end() ? known->second : tr("change of the scene");
+}
+
 // Builds the report's blocks, in order.
 class Writer {
  public:
@@ -221,20 +228,8 @@ class Writer {
     return text_of(needs_of(setup.scene), setup.scene, setup.method.contacts);
   }
 
-  // The edits during the run, as far as a page has room.
   void changes() {
-    constexpr std::size_t kMostChanges = 12;
-    std::vector<RunEdit> edits = report_.runs.front().edits;
-    std::erase_if(edits, [end = report_.ends.front().time](const RunEdit& edit) { return edit.time > end; });
-    QStringList lines;
-    for (std::size_t i = 0; i < std::min(edits.size(), kMostChanges); ++i) {
-      const auto* method = std::get_if<Method>(&edits[i].what);
-      const QString what = method != nullptr
-                               ? method_line(*method)
-                               : tr("%1 added").arg(QString::fromStdString(added_body(edits[i]).name));
-      lines << tr("from t = %1 s: %2").arg(short_figure(edits[i].time, 6), what);
-    }
-    if (edits.size() > kMostChanges) lines << tr("and %1 more").arg(edits.size() - kMostChanges);
+    const QStringList lines = edit_lines(report_);
     for (qsizetype i = 0; i < lines.size(); ++i) {
       blocks_.back().with_next = true;
       add(print_entry(i == 0 ? tr("Changed") : QString(), lines[i]));
@@ -275,6 +270,19 @@ QString moment_text(double time, const LabReport& report) {
   }
   if (time != report.ends.front().time) return {};
   return report.until_shown ? tr("shown moment") : tr("end");
+}
+
+QStringList edit_lines(const LabReport& report) {
+  constexpr qsizetype kMostChanges = 12;
+  QStringList lines;
+  for (const RunEdit& edit : report.runs.front().edits) {
+    if (edit.time > report.ends.front().time) continue;
+    const QString line = tr("from t = %1 s: %2").arg(short_figure(edit.time, 6), name_of(edit, report));
+    if (lines.isEmpty() || lines.back() != line) lines << line;
+  }
+  const qsizetype more = lines.size() - kMostChanges;
+  if (more > 0) lines = lines.first(kMostChanges) << tr("and %1 more").arg(more);
+  return lines;
 }
 
 std::optional<ReportMoments> report_moments(const LabReport& report,

@@ -2,6 +2,8 @@
 
 #include <QString>
 #include <QStringList>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -27,9 +29,10 @@ struct LabReport {
   // The scene's own method and the compared methods, and how far each run is.
   std::vector<RunSetup> runs;
   std::vector<Frame> ends;
-  double recorded = 0.0;               // s: how far the first one is recorded
-  bool until_shown = false;            // the ends are at a moment of the record, not its end
-  std::optional<double> first_impact;  // s
+  std::map<std::uint64_t, QString> edit_names;  // of edits of their scene, by the edits' ids
+  double recorded = 0.0;                        // s: how far the first one is recorded
+  bool until_shown = false;                     // the ends are at a moment of the record, not its end
+  std::optional<double> first_impact;           // s
   SceneLook look;
   std::vector<RunPlot*> plots;  // as shown in the window
   const FigureModel* bodies = nullptr;
@@ -41,6 +44,10 @@ struct LabReport {
                                                double end);
 // Description of a time: "just before the first impact"; empty for any other time.
 [[nodiscard]] QString moment_text(double time, const LabReport& report);
+
+// The edits during the run of the scene's own method, a line each, as far as a page has room: "from t = 0.5 s:
+// Mass of A 1 → 2 kg". An edit that was made by one drag is one line.
+[[nodiscard]] QStringList edit_lines(const LabReport& report);
 
 // The scene at the times of a report: a frame of each run, by replaying the runs. `progress` receives the
 // completed share, 0 to 1; if it returns false there is no result. From any thread.

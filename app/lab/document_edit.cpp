@@ -94,4 +94,13 @@ bool DocumentEdit::mergeWith(const QUndoCommand* later) {
   return true;
 }
 
+std::map<Worker::EditId, QString> names_of_run_edits(const QUndoStack& stack) {
+  std::map<Worker::EditId, QString> names;
+  for (int i = 0; i < stack.count(); ++i) {
+    const DocumentEdit::What& what = static_cast<const DocumentEdit*>(stack.command(i))->what();
+    if (what.runs != 0) names.emplace(what.runs, what.text);
+  }
+  return names;
+}
+
 }  // namespace carom

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QUndoCommand>
+#include <QUndoStack>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,5 +49,8 @@ class DocumentEdit : public QUndoCommand {
   DocumentChange next_;
   bool made_ = true;
 };
+
+// What the edits of the runs as they go on are called, by their ids.
+[[nodiscard]] std::map<Worker::EditId, QString> names_of_run_edits(const QUndoStack& stack);
 
 }  // namespace carom

@@ -19,6 +19,7 @@
 #include "app/export/run_export.h"
 #include "app/export/run_files.h"
 #include "app/export/run_progress.h"
+#include "app/lab/document_edit.h"
 #include "app/lab/export_dialog.h"
 #include "app/lab/film_dialog.h"
 #include "app/lab/marks_text.h"
@@ -301,6 +302,7 @@ LabReport LabExports::report_until(const std::vector<std::shared_ptr<const Frame
   report.runs = runs();
   for (const auto& each : ends) report.ends.push_back(*each);
   for (std::size_t i = 0; i < ends.size(); ++i) report.ends[i].scales = session_.runs().newest()[i]->scales;
+  report.edit_names = names_of_run_edits(session_.edits());
   report.recorded = session_.runs().newest().front()->time;
   report.until_shown = frame.time < report.recorded;
   report.title = QString::fromStdString(session_.document().title);

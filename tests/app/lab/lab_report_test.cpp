@@ -224,6 +224,70 @@ TEST_F(LabReportTest, IsOfTheShownMomentOrOfTheWholeRun) {
   EXPECT_GT(bytes("shown.pdf").size(), 1000);
 }
 
+// A body that a file lets come in later, a method, and edits of the scene, which the undo menu names.
+TEST(ReportEdits, AreNamed) {
+  const auto mass = [](double kilograms) {
+    Body body;
+    body.mass = kilograms;
+    return SceneEdits{Replace<Body>{body}};
+  };
+  Body late;
+  late.name = "late ball";
+  LabReport report;
+  report.runs.resize(1);
+  report.runs.front().edits = {{0.1, 0, SceneEdits{Add<Body>{late}}},
+                               {0.2, 3, Method{.integrator = IntegratorId::kExplicitEuler}},
+                               {0.5, 7, mass(2.0)},
+                               {0.5, 7, mass(3.0)},
+                               {0.6, 8, SceneEdits{SetForces{}}},
+                               {0.7, 9, SceneEdits{Remove<Joint>{}}},
+                               {0.9, 10, SceneEdits{SetLaws{}}}};
+  report.ends.resize(1);
+  report.ends.front().time = 0.8;
+  report.edit_names = {{7, "Mass of A 1 → 3 kg"}, {8, "Gravity of the Moon"}};
+  QStringList lines = edit_lines(report);
+  ASSERT_EQ(lines.size(), 5);
+  EXPECT_TRUE(lines.takeAt(1).startsWith("from t = 0.2 s: Explicit Euler, "));
+  EXPECT_EQ(lines, QStringList({"from t = 0.1 s: late ball added", "from t = 0.5 s: Mass of A 1 → 3 kg",
+                                "from t = 0.6 s: Gravity of the Moon", "from t = 0.7 s: change of the scene"}));
+}
+
+TEST(ReportEdits, AreAsManyAsAPageHasRoomFor) {
+  LabReport report;
+  report.runs.resize(1);
+  report.ends.resize(1);
+  report.ends.front().time = 20.0;
+  for (int i = 1; i <= 15; ++i) report.runs.front().edits.push_back({1.0 * i, 0, Method()});
+  const QStringList lines = edit_lines(report);
+  EXPECT_EQ(lines.size(), 13);
+  EXPECT_EQ(lines.last(), "and 3 more");
+}
+
+TEST_F(LabReportTest, NamesTheEditsOfTheRun) {
+  ASSERT_TRUE(window_.open("bouncing-ball"));
+  window_.run_until(0.5);
+  Session& session = window_.session();
+  const Scene scene = *session.runs().scene();
+  Body ball = scene.bodies.back();
+  for (const double mass : {2.0, 3.0}) {  // as a slider does
+    ball.mass = mass;
+    session.edit({Replace<Body>{ball}}, "Mass of the ball", 5);
+  }
+  Material rubber = scene.materials.front();
+  rubber.restitution = 0.5;
+  session.edit({Replace<Material>{rubber}}, "Restitution of rubber");
+  SetForces moon = scene.forces;
+  moon.gravity.y() = -1.62;
+  session.edit({moon}, "Gravity of the Moon");
+  window_.run_until(1.0);
+  make("edited.pdf");
+  ASSERT_TRUE(report_);
+  EXPECT_EQ(edit_lines(*report_),
+            QStringList({"from t = 0.5 s: Mass of the ball", "from t = 0.5 s: Restitution of rubber",
+                         "from t = 0.5 s: Gravity of the Moon"}));
+  EXPECT_TRUE(bytes("edited.pdf").startsWith("%PDF-")) << said_.toStdString();
+}
+
 // A playing run is paused for its report: everything in it has one time.
 TEST_F(LabReportTest, IsOfOneMoment) {
   ASSERT_TRUE(window_.open("bouncing-ball"));
