@@ -16,6 +16,7 @@
 #include "widgets/base/method_names.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/plain_text.h"
+#include "widgets/scene/edit_names.h"
 
 namespace carom {
 namespace {
@@ -95,10 +96,13 @@ void MethodBar::choose(double Method::*member, double value) {
 void MethodBar::ask_for_step() {
   auto* dialog = new QInputDialog(window_);
   dialog->setWindowTitle(tr("Length of a step"));
-  dialog->setLabelText(tr("h in ms, from 0.000001 to 1000:"));
+  const double least = 1e3 * kStepRange.low;  // ms
+  const double largest = 1e3 * kStepRange.high;
+  const int decimals = decimals_of(least);
+  dialog->setLabelText(tr("h in ms, from %1 to %2:").arg(fixed_text(least, decimals), fixed_text(largest, 0)));
   dialog->setInputMode(QInputDialog::DoubleInput);
-  dialog->setDoubleDecimals(6);
-  dialog->setDoubleRange(1e3 * kLeastStep, 1e3 * kLargestStep);
+  dialog->setDoubleDecimals(decimals);
+  dialog->setDoubleRange(least, largest);
   dialog->setDoubleValue(1e3 * method_.step);
   ask(dialog, [this, dialog] { choose(&Method::step, 1e-3 * dialog->doubleValue()); });
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <utility>
 
 #include "physics/math/vectors.h"
 
@@ -15,10 +16,11 @@ constexpr double kTurn = 2.0 * std::numbers::pi;  // rad
 bool moves(const Body& body) { return !has_infinite_mass(body); }
 bool is_driven(const Body& body) { return body.drive.has_value(); }
 
-// Of a body at rest: to the right.
-double direction_of(const Body& body) {
-  return body.velocity.isZero(0.0) ? 0.0 : std::atan2(body.velocity.y(), body.velocity.x());
+// rad; of no vector: to the right.
+double direction_of(const Vec2& vector) {
+  return vector.isZero(0.0) ? 0.0 : std::atan2(vector.y(), vector.x());
 }
+double direction_of(const Body& body) { return direction_of(body.velocity); }
 
 void set_speed(Body& body, double speed) { body.velocity = speed * direction_at(direction_of(body)); }
 void set_direction(Body& body, double angle) { body.velocity = body.velocity.norm() * direction_at(angle); }
@@ -50,6 +52,18 @@ std::vector<FieldRow> derived_rows(const Body& body) {
       rows.push_back(
           field_row({std::string(derived.key)}, derived.meaning, derived.range, derived.value(body)));
   }
+  return rows;
+}
+
+std::vector<FieldRow> derived_rows(const AppliedForce& force) {
+  return {field_row({"size"}, "of the force", positive("N"), force.force.norm()),
+          field_row({"direction"}, "of the force, counter-clockwise from the right", any_number("rad"),
+                    direction_of(force.force))};
+}
+
+std::vector<FieldRow> all_rows(const Body& body) {
+  std::vector<FieldRow> rows = field_rows(body);
+  for (FieldRow& row : derived_rows(body)) rows.push_back(std::move(row));
   return rows;
 }
 

@@ -6,12 +6,15 @@
 #include "physics/scene/scene.h"
 #include "widgets/edit/field_rows.h"
 
-// Values of a body that follow from its members, and that people type all the same: speed, direction, the
-// frequency of its drive.
+// Values of a body or a force that follow from its members, and that people type all the same: speed, size,
+// direction, the frequency of a drive.
 namespace carom {
 
 // Those that the body has, as field_rows() shows its members.
 [[nodiscard]] std::vector<FieldRow> derived_rows(const Body& body);
+[[nodiscard]] std::vector<FieldRow> derived_rows(const AppliedForce& force);
+// Those and the members.
+[[nodiscard]] std::vector<FieldRow> all_rows(const Body& body);
 
 // Changes the members so that the value of this key follows; false if it is none of these.
 bool set_derived(Body& body, const std::string& key, double value);

@@ -64,12 +64,6 @@ std::optional<double> value_at(const Body& body, const FieldRow& row) {
   return number == nullptr ? std::nullopt : std::optional(*number);
 }
 
-std::vector<FieldRow> rows_of(const Body& body) {
-  std::vector<FieldRow> rows = field_rows(body);
-  for (FieldRow& row : derived_rows(body)) rows.push_back(std::move(row));
-  return rows;
-}
-
 Body with_value(Body body, const FieldPlace& place, double value) {
   if (set_derived(body, place.key, value)) return body;
   if (place.key == "mass") body.density.reset();
@@ -171,7 +165,7 @@ std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& list) {
   const auto bodies = std::make_shared<const std::vector<Body>>(list);
   std::vector<std::vector<FieldRow>> rows;
   rows.reserve(list.size());
-  for (const Body& body : list) rows.push_back(rows_of(body));
+  for (const Body& body : list) rows.push_back(all_rows(body));
   std::vector<InspectedRow> shown;
   if (list.empty()) return shown;
   const auto add = [&](const char* section, const LineWords& words, const std::vector<FieldPlace>& places) {
@@ -194,7 +188,7 @@ std::optional<Inspected> inspected_value(const Body& body, const FieldPlace& pla
                                  [&](const BodyLine& each) { return each.key == place.key; });
   if (line == kBodyLines.end()) return std::nullopt;
   return inspected_at({QString::fromUtf8(line->label), line->act}, place,
-                      std::make_shared<const std::vector<Body>>(1, body), {rows_of(body)});
+                      std::make_shared<const std::vector<Body>>(1, body), {all_rows(body)});
 }
 
 NamedEdits renaming(const Body& body, const QString& name) {

@@ -45,7 +45,12 @@ Body new_body(std::span<const Body> bodies, const Shape& shape, const Vec2& posi
   body.fixed = std::holds_alternative<Wall>(shape);
   const Body* model = model_of(bodies);
   if (model != nullptr) body.material = model->material;
-  if (!body.fixed) body.density = model != nullptr ? mass_of(*model) / area(model->shape) : 1.0;
+  if (body.fixed) return body;
+  if (area(shape) > 0.0) {
+    body.density = model != nullptr ? mass_of(*model) / area(model->shape) : 1.0;
+  } else {
+    body.mass = model != nullptr ? mass_of(*model) : 1.0;
+  }
   return body;
 }
 

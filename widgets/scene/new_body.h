@@ -10,7 +10,8 @@ namespace carom {
 [[nodiscard]] const Body* model_disc(std::span<const Body> bodies);
 
 // A body for a scene of these bodies, with a short free name (A, B, C...). It has the density and material of
-// the model disc, or of the first body that moves; 1 kg/m² if there is none. A wall is fixed.
+// the model disc, or of the first body that moves; 1 kg/m² if there is none. A point-like disc has its mass, or
+// 1 kg. A wall is fixed.
 [[nodiscard]] Body new_body(std::span<const Body> bodies, const Shape& shape, const Vec2& position,
                             double angle = 0.0);
 

@@ -1,9 +1,12 @@
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <utility>
 #include <variant>
 
 #include "physics/math/vectors.h"
+#include "widgets/edit/derived_fields.h"
 #include "widgets/edit/reshaping.h"
 #include "widgets/edit/units.h"
 #include "widgets/scene/drag_limits.h"
@@ -38,16 +41,17 @@ class TypedBody : public TypedThing {
   [[nodiscard]] std::vector<TypedValue> values() const override {
     switch (start_.kind) {
       case HandleKind::kBody:
-        return {{"x", any_number("m"), now_.position.x()}, {"y", any_number("m"), now_.position.y()}};
+        return {{"x", range_of("position", 0), now_.position.x()},
+                {"y", range_of("position", 1), now_.position.y()}};
       case HandleKind::kVelocity:
-        return {{"Speed", from_zero("m/s"), now_.velocity.norm()},
-                {"Direction", any_number("rad"), direction_}};
+        return {{"Speed", range_of("speed"), now_.velocity.norm()},
+                {"Direction", range_of("direction"), direction_}};
       case HandleKind::kTurn:
-        return {{"Angle", any_number("rad"), now_.angle}};
+        return {{"Angle", range_of("angle"), now_.angle}};
       case HandleKind::kSpin:
-        return {{"Spin", any_number("rad/s"), now_.spin}};
+        return {{"Spin", range_of("spin"), now_.spin}};
       default:
-        return sizes();
+        return typed_sizes(now_.shape);
     }
   }
 
@@ -75,12 +79,14 @@ class TypedBody : public TypedThing {
   }
 
  private:
-  [[nodiscard]] std::vector<TypedValue> sizes() const {
-    if (const auto* disc = std::get_if<Disc>(&now_.shape)) return {{"Radius", positive("m"), disc->radius}};
-    if (const auto* box = std::get_if<Box>(&now_.shape)) {
-      return {{"Width", positive("m"), box->width}, {"Height", positive("m"), box->height}};
-    }
-    return {};
+  // As the fields of the body state it; what has a handle has a field.
+  [[nodiscard]] Range range_of(const char* key, int part = -1) const {
+    const std::vector<FieldRow> rows = all_rows(now_);
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const FieldRow& r) {
+      return r.place.key == key && r.place.part == part;
+    });
+    assert(row != rows.end());
+    return row->range;
   }
 
   // All bodies of the start, with this value of the first one.

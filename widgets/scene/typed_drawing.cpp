@@ -18,15 +18,7 @@ TypedDrawing::TypedDrawing(QString noun, Drawn drawn, const Vec2& from)
   }
 }
 
-std::vector<TypedValue> TypedDrawing::values() const {
-  if (const auto* disc = std::get_if<Disc>(&drawn_.shape)) return {{"Radius", positive("m"), disc->radius}};
-  if (const auto* box = std::get_if<Box>(&drawn_.shape)) {
-    return {{"Width", positive("m"), box->width}, {"Height", positive("m"), box->height}};
-  }
-  const auto* wall = std::get_if<Wall>(&drawn_.shape);
-  if (wall == nullptr || !wall->length) return {};
-  return {{"Length", positive("m"), *wall->length}};
-}
+std::vector<TypedValue> TypedDrawing::values() const { return typed_sizes(drawn_.shape); }
 
 TypedEdit TypedDrawing::set(std::size_t index, double value, bool /*yields*/) {
   if (auto* disc = std::get_if<Disc>(&drawn_.shape)) {

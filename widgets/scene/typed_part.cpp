@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <numbers>
 #include <utility>
 #include <variant>
 
 #include "physics/scene/edit_rules.h"
+#include "widgets/edit/derived_fields.h"
 #include "widgets/edit/inspected_parts.h"
 #include "widgets/edit/units.h"
 #include "widgets/scene/edit_names.h"
@@ -17,6 +19,15 @@ namespace {
 QString title_of(const JointSight& sight, const PartId& part) {
   const auto shown = inspected_part(*sight.frame->scene, part);
   return shown ? shown->title : QString();
+}
+
+// That of a rod, also for the ends of a spring.
+Range range_of_length() {
+  Joint rod;
+  rod.kind = JointKind::kRod;
+  const std::vector<FieldRow> rows = field_rows(rod);
+  return std::find_if(rows.begin(), rows.end(), [](const FieldRow& row) { return row.place.key == "length"; })
+      ->range;
 }
 
 // The length that the inspector shows.
@@ -55,7 +66,7 @@ class TypedEnd : public TypedThing {
 
   [[nodiscard]] QString subject() const override { return title_of(sight_, part_); }
   [[nodiscard]] std::vector<TypedValue> values() const override {
-    return {{"Length", positive("m"), (sight_.mouse.at - other_).norm()}};
+    return {{"Length", range_of_length(), (sight_.mouse.at - other_).norm()}};
   }
   [[nodiscard]] TypedEdit set(std::size_t /*index*/, double value, bool /*yields*/) override {
     JointSight typed = sight_;
@@ -81,8 +92,10 @@ class TypedForce : public TypedThing {
 
   [[nodiscard]] QString subject() const override { return title_; }
   [[nodiscard]] std::vector<TypedValue> values() const override {
-    return {{"Size", positive("N"), now_.force.norm()},
-            {"Direction", any_number("rad"), direction(now_.force) * kDegree}};
+    std::vector<TypedValue> values;
+    for (const FieldRow& row : derived_rows(now_))
+      values.push_back({row.label, row.range, std::get<double>(row.value)});
+    return values;
   }
   [[nodiscard]] TypedEdit set(std::size_t index, double value, bool /*yields*/) override {
     const double size = index == 0 ? value : now_.force.norm();

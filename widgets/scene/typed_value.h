@@ -21,6 +21,9 @@ struct TypedValue {
   double value = 0.0;  // SI
 };
 
+// The numbers of a disc, a box or a thin wall, in the order of its fields; none of other shapes.
+[[nodiscard]] std::vector<TypedValue> typed_sizes(const Shape& shape);
+
 // What a typed value makes of the scene, or one sentence on why it can't be.
 struct TypedEdit {
   SceneEdits edits;

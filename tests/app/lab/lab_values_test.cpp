@@ -121,6 +121,18 @@ TEST_F(LabValuesTest, ADoubleClickPutsTheCursorIntoTheValue) {
   EXPECT_EQ(std::get<Disc>(body(0).shape).radius, 0.12);
 }
 
+TEST_F(LabValuesTest, ADiscWithAMassMayShrinkToAPoint) {
+  type("Mass, kg", "3");
+  ASSERT_TRUE(wait_for([this] { return now("A").mass == 3.0; }));
+  const double corner = 0.1 * window_.scene_view().camera().scale + 8.0;
+  double_click(pixel({-1.0, 0.0}) + QPointF(-corner, corner).toPoint());
+  ASSERT_EQ(field_name(), "Radius of A, m");
+  ASSERT_NO_FATAL_FAILURE(type_here("0"));
+  EXPECT_EQ(fault(), "");
+  EXPECT_EQ(std::get<Disc>(body(0).shape).radius, 0.0);
+  EXPECT_EQ(body(0).mass, 3.0);
+}
+
 TEST_F(LabValuesTest, ATypedFaultIsSaidAndTheLastValueHolds) {
   double_click(grip());
   ASSERT_NO_FATAL_FAILURE(type_here("-1"));

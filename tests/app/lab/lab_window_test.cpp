@@ -2,7 +2,9 @@
 
 #include <QAction>
 #include <QFile>
+#include <QInputDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QTest>
 #include <QToolButton>
 #include <gtest/gtest.h>
@@ -112,6 +114,18 @@ TEST_F(LabWindowTest, TheStepButtonGoesByTheIntegrator) {
   EXPECT_EQ(button("Exact flight needs no step")->text(), "results every 5 ms ▾");
   window_.run_until(1.0);
   EXPECT_NEAR(window_.frame()->totals.momentum.x(), -0.5, 1e-12);
+}
+
+TEST_F(LabWindowTest, AnotherStepIsAskedForWithItsBounds) {
+  for (QAction* each : button("Length of a step")->menu()->actions()) {
+    if (each->text() == "Another...") each->trigger();
+  }
+  auto* dialog = window_.findChild<QInputDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(dialog->labelText(), "h in ms, from 0.000001 to 1000:");
+  dialog->setDoubleValue(2.5);
+  dialog->accept();
+  EXPECT_DOUBLE_EQ(window_.preset().method.step, 0.0025);
 }
 
 TEST_F(LabWindowTest, WhatASceneForbidsIsGreyAndSaysWhy) {
