@@ -12,10 +12,9 @@
 namespace carom {
 namespace {
 
-// In the order of --help. The lab, which is the program without a command, comes last.
-constexpr auto kCommands = {add_list_command,  add_validate_command, add_run_command,
-                            add_check_command, add_needs_command,    add_picture_command,
-                            add_film_command,  add_study_command,    add_lab_command};
+#define CAROM_ADD(name) add_##name##_command,
+constexpr auto kCommands = {CAROM_COMMANDS(CAROM_ADD)};
+#undef CAROM_ADD
 
 int run_command_line(Arguments arguments) {
   CLI::App program{

@@ -8,8 +8,8 @@ namespace CLI {
 class App;
 }
 
-// The commands of the program: each is a file with its options and its work, and one line of the table in
-// command_line.cpp. Bad input is thrown as SceneError.
+// The commands of the program: each is a file with its options and its work, and one line of the list below.
+// Bad input is thrown as SceneError.
 namespace carom {
 
 inline constexpr int kGood = 0;
@@ -34,22 +34,21 @@ struct Command {
   std::function<int()> run;  // runs the command with these options and returns the exit code
 };
 
-// Lists the experiments; reports unreadable ones on stderr.
-[[nodiscard]] Command add_list_command(CLI::App& program, Arguments arguments);
-// Checks each file and prints one line about it; or prints the schema of presets.
-[[nodiscard]] Command add_validate_command(CLI::App& program, Arguments arguments);
-[[nodiscard]] Command add_run_command(CLI::App& program, Arguments arguments);
-// Compares every expectation of the presets with the results of their runs.
-[[nodiscard]] Command add_check_command(CLI::App& program, Arguments arguments);
-// Prints the parts of the model that an experiment needs, and why.
-[[nodiscard]] Command add_needs_command(CLI::App& program, Arguments arguments);
-[[nodiscard]] Command add_picture_command(CLI::App& program, Arguments arguments);
-// Writes numbered pictures of a part of the run, for a film.
-[[nodiscard]] Command add_film_command(CLI::App& program, Arguments arguments);
-[[nodiscard]] Command add_study_command(CLI::App& program, Arguments arguments);
-// The program without a command: opens the lab's window, or, without a display, runs the experiment and saves
-// a picture of the window.
-[[nodiscard]] Command add_lab_command(CLI::App& program, Arguments arguments);
+// The commands in the order of --help, as COMMAND(name): add_NAME_command() is in command_NAME.cpp.
+#define CAROM_COMMANDS(COMMAND)                                                       \
+  COMMAND(list)     /* the experiments; reports unreadable ones on stderr */          \
+  COMMAND(validate) /* a line about each file; or the schema of presets */            \
+  COMMAND(run)      /* one experiment, to its end or a stop */                        \
+  COMMAND(check)    /* every expectation of presets beside the results of the runs */ \
+  COMMAND(needs)    /* the parts of the model that an experiment needs, and why */    \
+  COMMAND(picture)  /* of the scene or of the window */                               \
+  COMMAND(film)     /* numbered pictures of a part of the run */                      \
+  COMMAND(study)    /* one experiment under every method */                           \
+  COMMAND(lab)      /* no command: the window; without a display the run and a picture of it */
+
+#define CAROM_DECLARE(name) [[nodiscard]] Command add_##name##_command(CLI::App& program, Arguments arguments);
+CAROM_COMMANDS(CAROM_DECLARE)
+#undef CAROM_DECLARE
 
 // The work of `run PRESET` and `picture PRESET --window -o OUTPUT`.
 int run_preset(const std::string& preset);
