@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "app/lab/session.h"
+#include "app/lab/edit_history.h"
 
 namespace carom {
 namespace {
@@ -69,13 +69,13 @@ void take_up(SceneEdits& asked, const SceneEdits& later) {
 
 }  // namespace
 
-DocumentEdit::DocumentEdit(Session& session, const What& what, DocumentChange back)
-    : QUndoCommand(what.text), session_(session), what_(what), next_(std::move(back)) {}
+DocumentEdit::DocumentEdit(EditHistory& history, const What& what, DocumentChange back)
+    : QUndoCommand(what.text), history_(history), what_(what), next_(std::move(back)) {}
 
-void DocumentEdit::undo() { next_ = session_.take_back(next_, what_); }
+void DocumentEdit::undo() { next_ = history_.take_back(next_, what_); }
 
 void DocumentEdit::redo() {
-  if (!std::exchange(made_, false)) next_ = session_.make_again(next_, what_);
+  if (!std::exchange(made_, false)) next_ = history_.make_again(next_, what_);
 }
 
 bool DocumentEdit::mergeWith(const QUndoCommand* later) {

@@ -14,7 +14,7 @@
 
 namespace carom {
 
-class Session;
+class EditHistory;
 
 // One step of undo, already made when it is pushed on the stack. It holds the change that it makes next: the
 // one back, or the one forth again.
@@ -34,7 +34,7 @@ class DocumentEdit : public QUndoCommand {
     SceneEdits asked{};                       // of the moment that became the new start
   };
 
-  DocumentEdit(Session& session, const What& what, DocumentChange back);
+  DocumentEdit(EditHistory& history, const What& what, DocumentChange back);
   [[nodiscard]] const What& what() const { return what_; }
   [[nodiscard]] const DocumentChange& next() const { return next_; }
 
@@ -44,7 +44,7 @@ class DocumentEdit : public QUndoCommand {
   bool mergeWith(const QUndoCommand* later) override;
 
  private:
-  Session& session_;
+  EditHistory& history_;
   What what_;
   DocumentChange next_;
   bool made_ = true;

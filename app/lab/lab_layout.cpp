@@ -173,13 +173,13 @@ void LabWindow::connect_views() {
     const std::vector<Method>& others = preset().compare;
     const bool there =
         preset().method == method || std::find(others.begin(), others.end(), method) != others.end();
-    if (!there) session_.add_method(method);
+    if (!there) session_.methods().add(method);
   });
-  connect(compare_, &ComparePanel::methodAdded, &session_, &Session::add_method);
-  connect(compare_, &ComparePanel::methodRemoved, &session_, &Session::remove_method);
-  connect(compare_, &ComparePanel::methodChanged, &session_, &Session::change_method);
-  connect(compare_, &ComparePanel::stepChanged, &session_, &Session::change_step);
-  connect(compare_, &ComparePanel::referenceChosen, &session_, &Session::choose_reference);
+  connect(compare_, &ComparePanel::methodAdded, &session_.methods(), &MethodEdits::add);
+  connect(compare_, &ComparePanel::methodRemoved, &session_.methods(), &MethodEdits::remove);
+  connect(compare_, &ComparePanel::methodChanged, &session_.methods(), &MethodEdits::change);
+  connect(compare_, &ComparePanel::stepChanged, &session_.methods(), &MethodEdits::change_step);
+  connect(compare_, &ComparePanel::referenceChosen, &session_.methods(), &MethodEdits::choose_reference);
   connect(compare_, &ComparePanel::usualAsked, this, &LabWindow::compare_usual);
   connect(drawer_, &Drawer::pageChanged, this, &LabWindow::show_frame);
   connect(plots_, &PlotPanel::layoutChanged, this, [this] {
@@ -187,7 +187,7 @@ void LabWindow::connect_views() {
     session_.runs().record(plots_->curves());
   });
   connect_marks();
-  connect(lost_bar_, &NoticeBar::accepted, &session_, &Session::restart);
+  connect(lost_bar_, &NoticeBar::accepted, &session_.starts(), &SessionStarts::restart);
   connect(lost_bar_, &NoticeBar::dismissed, this, [this] {
     lost_bar_->hide();
     show_notices();
@@ -198,7 +198,7 @@ void LabWindow::connect_views() {
   });
   connect(list_, &ExperimentList::closeRequested, this, [this] { list_action_->setChecked(false); });
   connect(transport_, &TransportBar::playClicked, this, &LabWindow::set_playing);
-  connect(transport_, &TransportBar::restartClicked, &session_, &Session::restart);
+  connect(transport_, &TransportBar::restartClicked, &session_.starts(), &SessionStarts::restart);
   connect(transport_, &TransportBar::stepClicked, &session_.runs(), &LabRuns::step_by);
   connect_timeline();
   connect(transport_, &TransportBar::speedChosen, this, [this](double speed) {

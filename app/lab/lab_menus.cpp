@@ -246,7 +246,7 @@ void LabWindow::make_run_menus() {
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   add_action(run, "", tr("&Play or pause"), QKeySequence(Qt::Key_Space),
              [this] { set_playing(frame() == nullptr || !frame()->playing); });
-  add_action(run, "", tr("Play &on past the end"), QKeySequence(), [this] { session_.play_on(); });
+  add_action(run, "", tr("Play &on past the end"), QKeySequence(), [this] { session_.starts().play_on(); });
   add_action(run, "", tr("One &step"), QKeySequence(Qt::Key_Period), [this] { session_.runs().step_by(1); });
   add_action(run, "", tr("One step &back"), QKeySequence(Qt::Key_Comma),
              [this] { session_.runs().step_by(-1); });
@@ -270,15 +270,15 @@ void LabWindow::make_run_menus() {
     mark_shown_moment(true);
   })->setToolTip(tr("At the shown moment; in a plot Shift and a click set it"));
   add_action(run, "flag", tr("Sto&ps..."), QKeySequence(Qt::Key_H), [this] { edit_stops(std::nullopt); });
-  add_action(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { session_.restart(); });
+  add_action(run, "", tr("&Restart"), QKeySequence(Qt::Key_R), [this] { session_.starts().restart(); });
   first_start_ = add_action(run, "", tr("&First start"), QKeySequence(Qt::CTRL | Qt::Key_R),
-                            [this] { session_.go_to_first_start(); });
+                            [this] { session_.starts().go_to_first(); });
   first_start_->setToolTip(tr("The experiment as it was opened or saved"));
   make_starts_menu(run);
   QMenu* methods = menuBar()->addMenu(tr("&Method"));
   methods_ = new MethodBar(methods, this);
   connect(methods_, &MethodBar::methodChosen, this,
-          [this](const Method& method) { session_.change_method(method); });
+          [this](const Method& method) { session_.methods().change(method); });
   methods->addSeparator();
   add_action(methods, "", tr("Compare &Euler, RK4 and the exact run"), QKeySequence(Qt::Key_C),
              [this] { compare_usual(); });
@@ -291,9 +291,9 @@ void LabWindow::make_starts_menu(QMenu* to) {
   transport_->set_starts_menu(starts);
   connect(starts, &QMenu::aboutToShow, this, [this, starts] {
     starts->clear();
-    for (const Session::KnownStart& known : session_.starts()) {
+    for (const SessionStarts::Known& known : session_.starts().known()) {
       QAction* action = starts->addAction(QString(known.name).replace("&", "&&"), this,
-                                          [this, known] { session_.go_to(known); });
+                                          [this, known] { session_.starts().go_to(known); });
       action->setCheckable(true);
       action->setChecked(known.start == nullptr);
     }
@@ -306,7 +306,7 @@ void LabWindow::make_start_chip_menu() {
   chips_->start_chip()->setMenu(menu);
   menu->addAction(undo_);
   menu->addAction(tr("&Put the edit into the start before instead"), this,
-                  [this] { session_.put_into_start_before(); });
+                  [this] { session_.starts().put_into_start_before(); });
   menu->addAction(first_start_);
 }
 

@@ -236,16 +236,16 @@ void LabWindow::set_playing(bool playing) {
     return show_notices();
   }
   if (playing) forget_refusal();
-  session_.set_playing(playing);
+  session_.starts().set_playing(playing);
 }
 
 void LabWindow::compare_usual() {
-  if (!session_.compares_usual()) {
+  if (!session_.methods().compares_usual()) {
     drawer_->choose(compare_);
     const QSignalBlocker part_of_this_edit(plots_);
     if (first_reference(preset()) != ReferenceId::kNone) plots_->set_shown("error", true);
   }
-  session_.compare_usual(plots_->chosen(), plots_->curves());
+  session_.methods().compare_usual(plots_->chosen(), plots_->curves());
 }
 
 void LabWindow::run_until(double time) {

@@ -17,50 +17,49 @@ Preset empty_document() {
 
 }  // namespace
 
-Session::Session(QObject* parent) : QObject(parent), document_{empty_document()}, runs_(document_) {
-  connect(&edits_, &QUndoStack::indexChanged, this, &Session::check_modified);
-  connect(&edits_, &QUndoStack::cleanChanged, this, &Session::check_modified);
-  // Before the window's slot: it shows the document too.
-  connect(&runs_, &LabRuns::framesChanged, this, &Session::take_times_of_edits);
+Session::Session(QObject* parent) : QObject(parent), history_(Document{empty_document()}) {
+  connect(&history_.stack(), &QUndoStack::indexChanged, this, &Session::check_modified);
+  connect(&history_.stack(), &QUndoStack::cleanChanged, this, &Session::check_modified);
+  connect(&history_, &EditHistory::documentChanged, this, &Session::documentChanged);
+  connect(&history_, &EditHistory::bodiesChanged, this, &Session::bodiesChanged);
+  connect(&history_, &EditHistory::plotsChanged, this, &Session::plotsChanged);
+  connect(&history_, &EditHistory::editRefused, this, &Session::editRefused);
+  connect(&history_, &EditHistory::selectionReturned, this, &Session::selectionReturned);
 }
 
 void Session::open(const Preset& preset, const std::vector<Plot>& plots, const std::vector<Curve>& curves,
                    const QString& name, const QString& file) {
-  document_ = {preset,
-               preset.compare.empty() ? ReferenceId::kNone : usual_reference(setup_of(preset)),
-               {},
-               !name.isEmpty()};
-  document_.preset.plots = plots;
-  give_ids(document_.preset);
-  document_.start = {.scene = fingerprint(document_.preset.scene, start_time(document_.preset.saved))};
-  first_start_ = std::make_shared<const Start>(start_of(document_));
+  Document document{preset,
+                    preset.compare.empty() ? ReferenceId::kNone : usual_reference(setup_of(preset)),
+                    {},
+                    !name.isEmpty()};
+  document.preset.plots = plots;
+  give_ids(document.preset);
+  document.start = {.scene = fingerprint(document.preset.scene, start_time(document.preset.saved))};
+  starts_.set_first(start_of(document));
   name_ = name;
   file_ = file;
-  bodies_ = all_bodies(preset);
-  runs_.load(curves);
-  ++revision_;
-  edits_.clear();
-  edits_.setClean();
+  history_.load(document, curves);
   check_modified();
   emit documentChanged();
 }
 
 void Session::save(const QString& file) {
-  save_preset(document_.preset, file.toStdString());
+  save_preset(document(), file.toStdString());
   file_ = file;
-  Start saved = start_of(document_);
+  Start saved = start_of(history_.document());
   saved.origin = {.saved = true, .scene = fingerprint(saved.scene, start_time(saved.saved))};
-  if (!document_.start.from) document_.start = saved.origin;
-  first_start_ = std::make_shared<const Start>(std::move(saved));
-  edits_.setClean();
+  if (!start().from) history_.set_origin(saved.origin);
+  starts_.set_first(std::move(saved));
+  edits().setClean();
 }
 
 bool Session::modified() const {
-  const int clean = edits_.cleanIndex();
+  const int clean = history_.stack().cleanIndex();
   if (clean < 0) return true;
-  const auto [from, to] = std::minmax({clean, edits_.index()});
+  const auto [from, to] = std::minmax({clean, history_.stack().index()});
   for (int i = from; i < to; ++i) {
-    if (static_cast<const DocumentEdit*>(edits_.command(i))->what().is_work) return true;
+    if (history_.edit_at(i).what().is_work) return true;
   }
   return false;
 }

@@ -168,7 +168,7 @@ TEST_F(AutosaveTest, WorkOfAKilledWindowRunsAsItDid) {
     session.runs().run_until(kLateDiscsEnd);
     wait_for_late_discs(session);
     expect_same(seen_runs(session.runs()), seen_runs(seen.runs()));
-    session.restart();
+    session.starts().restart();
     ASSERT_TRUE(test::wait_in_event_loop([&] { return session.runs().frame()->time == 0.0; }));
   }
 }

@@ -63,7 +63,7 @@ class EditedSession {
   void edit(const Scene& scene, unsigned seed) {
     test::RandomEdits random(scene, seed);
     if (seed % 16 == 0) {
-      session_.change_method(other_method(session_.document().method, seed / 16));
+      session_.methods().change(other_method(session_.document().method, seed / 16));
     } else {
       const SceneEdits edits = random.any();
       const int drag = seed % 5 == 1 && edits.size() == 1 ? ++drags_ : 0;

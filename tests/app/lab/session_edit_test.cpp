@@ -335,10 +335,10 @@ TEST_F(SessionEditTest, GivesNoIdTwice) {
   EXPECT_NEAR(session_.runs().frame()->time, 0.3, 1e-12);
   EXPECT_TRUE(given.insert(add("c", 2.0)).second) << "in the start that is new";
   undo();
-  session_.restart();
+  session_.starts().restart();
   settle();
   EXPECT_TRUE(given.insert(add("d", 3.0)).second) << "in the start that was there";
-  session_.go_to_first_start();
+  session_.starts().go_to_first();
   settle();
   EXPECT_TRUE(given.insert(add("e", 4.0)).second);
 }

@@ -24,7 +24,7 @@ TEST_F(SessionRunBeforeTest, ThereIsNoneUntilARunIsLeft) {
   EXPECT_FALSE(before()) << "nothing has run";
   run_to(0.5);
   EXPECT_FALSE(before());
-  session_.restart();
+  session_.starts().restart();
   settle();
   ASSERT_TRUE(before());
   open(gas());
@@ -34,7 +34,7 @@ TEST_F(SessionRunBeforeTest, ThereIsNoneUntilARunIsLeft) {
 TEST_F(SessionRunBeforeTest, ItIsTheRunThatTheLastRestartOrNewStartLeft) {
   run_to(0.5);
   const auto first = recorder();
-  session_.restart();
+  session_.starts().restart();
   settle();
   ASSERT_TRUE(before());
   EXPECT_EQ(before()->recorder, first);
@@ -53,7 +53,7 @@ TEST_F(SessionRunBeforeTest, ItIsTheRunThatTheLastRestartOrNewStartLeft) {
 
 TEST_F(SessionRunBeforeTest, UndoAndRedoTellItAnew) {
   run_to(0.5);
-  session_.restart();
+  session_.starts().restart();
   settle();
   run_to(0.3);
   const auto first = before()->recorder;
@@ -97,7 +97,7 @@ TEST_F(SessionRunBeforeTest, NoMoreRecordsAreKeptThanOfWholeRuns) {
   for (int i = 0; i < RunGroup::kMostKept + 4; ++i) {
     run_to(0.1);
     records.push_back(recorder());
-    session_.restart();
+    session_.starts().restart();
     settle();
   }
   const auto kept =

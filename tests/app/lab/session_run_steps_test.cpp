@@ -13,9 +13,9 @@ class SessionRunStepsTest : public SessionRecordTest {
   SessionRunStepsTest() { session_.runs().set_speed(4.0); }
   // Plays on to this time (s), and pauses there or a little later.
   void play_to(double time) {
-    session_.set_playing(true);
+    session_.starts().set_playing(true);
     ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.runs().newest().front()->time >= time; }));
-    session_.set_playing(false);
+    session_.starts().set_playing(false);
     settle();
   }
   void give_mass(const std::string& name, double mass) {
@@ -83,7 +83,7 @@ TEST_F(SessionRunStepsTest, WithANewStartARestartAndComparedMethods) {
   states.push_back(shown());
   play_to(0.2);
   states.push_back(shown());
-  session_.restart();
+  session_.starts().restart();
   settle();
   states.push_back(shown());
   play_to(0.1);
@@ -108,7 +108,7 @@ TEST_F(SessionRunStepsTest, AllIsTakenBackAndMadeAgainWithoutWaiting) {
   play_to(0.2);
   give_mass("disc 1", 3.0);
   play_to(0.4);
-  session_.restart();
+  session_.starts().restart();
   settle();
   play_to(0.1);
   const Shown last = shown();
@@ -125,7 +125,7 @@ TEST_F(SessionRunStepsTest, AllIsTakenBackAndMadeAgainWithoutWaiting) {
 }
 
 TEST_F(SessionRunStepsTest, ARunThatPlaysIsTakenBackAndStops) {
-  session_.set_playing(true);
+  session_.starts().set_playing(true);
   ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.runs().frame()->time > 0.1; }));
   session_.edits().undo();
   settle();
@@ -179,7 +179,7 @@ TEST_F(SessionRunStepsTest, ARunThatBeganBeforeItsFirstFrameIsTakenBack) {
   const Preset preset = gas();
   session_.open(preset, preset.plots, {}, {}, {});
   ASSERT_TRUE(session_.runs().newest().empty());
-  session_.set_playing(true);
+  session_.starts().set_playing(true);
   session_.edits().undo();
   settle();
   EXPECT_EQ(session_.runs().frame()->time, 0.0);

@@ -13,14 +13,14 @@ namespace {
 
 class SessionStartsTest : public SessionRecordTest {
  protected:
-  [[nodiscard]] std::vector<QString> names() const {
+  [[nodiscard]] std::vector<QString> names() {
     std::vector<QString> all;
-    for (const Session::KnownStart& known : session_.starts())
+    for (const SessionStarts::Known& known : session_.starts().known())
       all.push_back(known.start == nullptr ? known.name + "!" : known.name);
     return all;
   }
   void go_to(std::size_t i) {
-    session_.go_to(session_.starts().at(i));
+    session_.starts().go_to(session_.starts().known().at(i));
     settle();
   }
   // Puts disc 2 a little higher at this moment (s), as a new start.
@@ -47,7 +47,7 @@ class SessionStartsTest : public SessionRecordTest {
 TEST_F(SessionStartsTest, ARestartIsAStepThatBringsTheWholeRunBack) {
   run_to(0.8);
   const Shown before = shown();
-  session_.restart();
+  session_.starts().restart();
   settle();
   EXPECT_EQ(session_.edits().undoText(), "Restart");
   EXPECT_FALSE(session_.modified());
@@ -57,18 +57,18 @@ TEST_F(SessionStartsTest, ARestartIsAStepThatBringsTheWholeRunBack) {
 }
 
 TEST_F(SessionStartsTest, WhereNothingHasRunARestartIsNoStep) {
-  session_.restart();
-  session_.restart();
+  session_.starts().restart();
+  session_.starts().restart();
   settle();
   EXPECT_EQ(session_.edits().count(), 0);
-  session_.go_to_first_start();
+  session_.starts().go_to_first();
   EXPECT_EQ(session_.edits().count(), 0);
 }
 
 TEST_F(SessionStartsTest, ARunThatPlaysIsBroughtBackPaused) {
   session_.runs().set_playing(true);
   ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.runs().frame()->time > 0.1; }));
-  session_.restart();
+  session_.starts().restart();
   settle();
   EXPECT_EQ(session_.runs().frame()->time, 0.0);
   session_.edits().undo();
@@ -87,10 +87,10 @@ TEST_F(SessionStartsTest, TheFirstStartIsTheOneThatWasOpened) {
   const std::string raised = document();
   run_to(0.3);
   const Shown before = shown();
-  session_.restart();
+  session_.starts().restart();
   settle();
   EXPECT_EQ(document(), raised) << "the newest one";
-  session_.go_to_first_start();
+  session_.starts().go_to_first();
   settle();
   EXPECT_EQ(document(), opened);
   EXPECT_EQ(session_.edits().undoText(), "First start");
@@ -100,7 +100,7 @@ TEST_F(SessionStartsTest, TheFirstStartIsTheOneThatWasOpened) {
   EXPECT_EQ(document(), raised);
   undo();
   expect_same(shown(), before);
-  session_.go_to_first_start();
+  session_.starts().go_to_first();
   settle();
   EXPECT_EQ(document(), opened) << "straight from the run";
   undo();
@@ -114,7 +114,7 @@ TEST_F(SessionStartsTest, AfterSavingTheFirstStartIsTheSavedOne) {
   const std::string saved = document();
   raise(0.3);
   EXPECT_NE(document(), saved);
-  session_.go_to_first_start();
+  session_.starts().go_to_first();
   settle();
   EXPECT_EQ(document(), saved);
   EXPECT_EQ(names().front(), "as saved!");
@@ -148,7 +148,7 @@ TEST_F(SessionStartsTest, AllStartsAreListedByName) {
 TEST_F(SessionStartsTest, AStartIsListedAsItWasLeft) {
   give_mass("disc 1", 3.0);
   EXPECT_EQ(names(), (std::vector<QString>{"as opened", "as opened, edited!"}));
-  session_.go_to_first_start();
+  session_.starts().go_to_first();
   settle();
   EXPECT_NE(now("disc 1").mass, 3.0);
   EXPECT_EQ(names(), (std::vector<QString>{"as opened!", "as opened, edited"}));
@@ -162,7 +162,7 @@ TEST_F(SessionStartsTest, PlotsOfBodiesThatAStartDoesNotHaveGo) {
   Plot both;
   both.y = {{"speed", {"new"}}, {"speed", {"disc 1"}}};
   session_.change_plots({both});
-  session_.go_to_first_start();
+  session_.starts().go_to_first();
   settle();
   ASSERT_EQ(session_.document().plots.size(), 1U);
   ASSERT_EQ(session_.document().plots[0].y.size(), 1U);
@@ -179,7 +179,7 @@ TEST_F(SessionStartsTest, AnEditIsPutIntoTheStartBefore) {
   Body body = now("disc 2");
   body.velocity.x() = 1.25;
   edit(Replace<Body>{body}, "Speed of disc 2");
-  session_.put_into_start_before();
+  session_.starts().put_into_start_before();
   settle();
   ASSERT_EQ(refused_, "");
   const Body& there = start(place_of("disc 2"));
@@ -200,8 +200,8 @@ TEST_F(SessionStartsTest, ADragIsPutIntoTheStartBeforeWhole) {
   drag("disc 3", 7);
   const double x = now("disc 3").position.x();
   run_to(0.2);
-  session_.restart();
-  session_.put_into_start_before();
+  session_.starts().restart();
+  session_.starts().put_into_start_before();
   settle();
   ASSERT_EQ(refused_, "");
   const Body was = gas().scene.bodies.at(place_of("disc 3"));
@@ -225,7 +225,7 @@ TEST_F(SessionStartsTest, WhatTheStartBeforeCannotTakeIsSaid) {
   edit(Add<Spring>{spring}, "Add spring");
   ASSERT_EQ(refused_.toStdString(), "");
   const std::string with = document();
-  session_.put_into_start_before();
+  session_.starts().put_into_start_before();
   EXPECT_TRUE(refused_.startsWith("Not in the start before: ")) << refused_.toStdString();
   EXPECT_EQ(document(), with);
   EXPECT_TRUE(session_.start().from);
@@ -235,12 +235,12 @@ TEST_F(SessionStartsTest, MoreThatWasChangedSinceIsNotLost) {
   raise(0.4);
   give_mass("disc 1", 3.0);
   const std::string with = document();
-  session_.put_into_start_before();
+  session_.starts().put_into_start_before();
   EXPECT_EQ(refused_, "More was changed since: take that back first.");
   EXPECT_EQ(document(), with);
   undo();
   refused_.clear();
-  session_.put_into_start_before();
+  session_.starts().put_into_start_before();
   EXPECT_EQ(refused_, "");
 }
 

@@ -104,17 +104,19 @@ Method euler(const Session& session, double step) {
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
-      {"Method", "change of method", [](Session& s) { s.change_method(euler(s, s.document().method.step)); }},
+      {"Method", "change of method",
+       [](Session& s) { s.methods().change(euler(s, s.document().method.step)); }},
       {"MethodOfAComparedRun", "change of method",
-       [](Session& s) { s.change_method(Method{.integrator = IntegratorId::kVelocityVerlet}, 1); }},
-      {"Step", "change of step", [](Session& s) { s.change_step(0.002, {0}, 1); }},
+       [](Session& s) { s.methods().change(Method{.integrator = IntegratorId::kVelocityVerlet}, 1); }},
+      {"Step", "change of step", [](Session& s) { s.methods().change_step(0.002, {0}, 1); }},
       {"StepOfAll", "change of step",
        [](Session& s) {
-         s.change_step(0.0025, {0, 1, 2}, 1);
+         s.methods().change_step(0.0025, {0, 1, 2}, 1);
        }},
-      {"AddedMethod", "added method", [](Session& s) { s.add_method(euler(s, 0.004)); }},
-      {"RemovedMethod", "removed method", [](Session& s) { s.remove_method(1); }},
-      {"Reference", "choice of reference", [](Session& s) { s.choose_reference(ReferenceId::kNone); }, false},
+      {"AddedMethod", "added method", [](Session& s) { s.methods().add(euler(s, 0.004)); }},
+      {"RemovedMethod", "removed method", [](Session& s) { s.methods().remove(1); }},
+      {"Reference", "choice of reference", [](Session& s) { s.methods().choose_reference(ReferenceId::kNone); },
+       false},
       {"Body", "Add disc A", [](Session& s) { s.add_body(0.3, 1.5); }},
       {"Plots", "change of plots", [](Session& s) { s.change_plots({named("energy")}); }, false},
       {"Notes", "change of notes",
@@ -154,17 +156,17 @@ TEST_F(SessionTest, EachEditIsUndoneAsIfItHadNeverBeen) {
 TEST_F(SessionTest, TheUsualComparisonIsUndone) {
   run_to(kEnd);
   const Snapshot never = snapshot();
-  session_.compare_usual(session_.document().plots, {});
+  session_.methods().compare_usual(session_.document().plots, {});
   run_to(kEnd);
   const Snapshot with = snapshot();
   ASSERT_EQ(with.runs.size(), 3U);
   undo();
   expect_same(snapshot(), never);
-  EXPECT_FALSE(session_.compares_usual());
+  EXPECT_FALSE(session_.methods().compares_usual());
   redo();
   expect_same(snapshot(), with);
-  EXPECT_TRUE(session_.compares_usual());
-  session_.compare_usual(session_.document().plots, {});
+  EXPECT_TRUE(session_.methods().compares_usual());
+  session_.methods().compare_usual(session_.document().plots, {});
   run_to(kEnd);
   undo();
   expect_same(snapshot(), with);
@@ -198,7 +200,7 @@ TEST_F(SessionTest, UndoWhileARunPlays) {
       [&] { return session_.runs().frame() && session_.runs().frame()->time > 0.05; }));
   session_.add_body(0.3, 1.5);
   ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.runs().frame()->setup->edits.size() == 1; }));
-  session_.change_method(euler(session_, 0.004));
+  session_.methods().change(euler(session_, 0.004));
   ASSERT_TRUE(test::wait_in_event_loop([&] { return session_.runs().frame()->setup->edits.size() == 2; }));
   const double time = session_.runs().frame()->time;
   session_.edits().undo();
@@ -221,7 +223,7 @@ TEST_F(SessionTest, UndoAfterARestart) {
   const Snapshot never = snapshot();
   open();
   run_to(kEdit);
-  session_.change_method(euler(session_, 0.004));
+  session_.methods().change(euler(session_, 0.004));
   session_.add_body(0.3, 1.5);
   session_.runs().restart();
   run_to(kEnd);
@@ -295,7 +297,7 @@ TEST_F(SessionTest, AnEditAfterAnUndoTakesThePlaceOfWhatWasUndone) {
   run_to(kEdit);
   session_.add_body(0.3, 1.5);
   session_.edits().undo();
-  session_.change_method(euler(session_, 0.004));
+  session_.methods().change(euler(session_, 0.004));
   EXPECT_FALSE(session_.edits().canRedo());
   run_to(kEnd);
   const Snapshot with = snapshot();
@@ -308,9 +310,9 @@ TEST_F(SessionTest, AnEditAfterAnUndoTakesThePlaceOfWhatWasUndone) {
 
 TEST_F(SessionTest, TheStepsOfOneDragAreOneEdit) {
   run_to(kEdit);
-  for (const double step : {0.004, 0.003, 0.002}) session_.change_step(step, {0}, 7);
+  for (const double step : {0.004, 0.003, 0.002}) session_.methods().change_step(step, {0}, 7);
   EXPECT_EQ(session_.edits().count(), 1);
-  session_.change_step(0.001, {0}, 8);
+  session_.methods().change_step(0.001, {0}, 8);
   EXPECT_EQ(session_.edits().count(), 2);
   session_.edits().undo();
   EXPECT_EQ(session_.document().method.step, 0.002);
