@@ -32,7 +32,7 @@ constexpr auto kImpactColumns = std::to_array<ImpactColumn>({
 
 std::vector<Quantity> run_columns(const std::vector<Body>& bodies) {
   std::vector<Quantity> columns;
-  const auto add = [&](std::string_view name, std::vector<int> of = {}) {
+  const auto add = [&](std::string_view name, std::vector<BodyIndex> of = {}) {
     columns.push_back({find_observable(name), std::move(of)});
   };
   for (const char* name : {"kinetic_energy", "rotational_energy", "potential_energy", "total_energy",
@@ -41,10 +41,10 @@ std::vector<Quantity> run_columns(const std::vector<Body>& bodies) {
   }
   const auto may_move = [](const Body& body) { return !body.fixed; };
   if (std::count_if(bodies.begin(), bodies.end(), may_move) <= kMostPaths) {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (BodyIndex i{0}; i < static_cast<int>(bodies.size()); ++i) {
       if (!may_move(bodies[i])) continue;
       for (const char* name : {"x", "y", "angle", "velocity_x", "velocity_y", "spin"}) {
-        add(name, {static_cast<int>(i)});
+        add(name, {i});
       }
     }
   }
@@ -66,9 +66,9 @@ std::vector<Quantity> run_columns(const std::vector<Body>& bodies) {
 }
 
 std::string csv_header(const std::vector<Quantity>& columns, const std::vector<Body>& bodies, char separator) {
-  const auto name_of = [&](const Observable& observable, const std::vector<int>& of) {
+  const auto name_of = [&](const Observable& observable, const std::vector<BodyIndex>& of) {
     std::string name;
-    for (const int body : of) name += bodies[static_cast<std::size_t>(body)].name + " ";
+    for (const BodyIndex body : of) name += bodies[static_cast<std::size_t>(body)].name + " ";
     return name + std::string(observable.name);
   };
   CsvLine line(separator);

@@ -49,7 +49,7 @@ struct Run {
 struct Measurement {
   const Expectation* expectation = nullptr;
   const Observable* observable = nullptr;
-  std::vector<int> bodies;
+  std::vector<BodyIndex> bodies;
   double moment = 0.0;  // s: when it is read (at, final), or its last reading
   double value = kNever;
   bool done = false;

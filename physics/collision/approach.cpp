@@ -11,7 +11,7 @@ namespace {
 
 // A body at one time.
 struct Moving {
-  int body = 0;
+  BodyIndex body;
   Pose pose{};
   Twist twist{};
 };
@@ -62,13 +62,13 @@ Approach approach(const Geometry& g, const Moving& a, const Moving& b, double to
 
 }  // namespace
 
-Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const Twist& twist_a, int b,
-                     const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance) {
+Approach approach_of(const Geometry& g, BodyIndex a, const Eigen::Vector3d& qa, const Twist& twist_a,
+                     BodyIndex b, const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance) {
   return approach(g, {a, g.pose(a, qa), twist_a}, {b, g.pose(b, qb), twist_b}, tolerance, nullptr);
 }
 
-Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const Twist& twist_a, int b,
-                     const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance,
+Approach approach_of(const Geometry& g, BodyIndex a, const Eigen::Vector3d& qa, const Twist& twist_a,
+                     BodyIndex b, const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance,
                      const ShapePair& parts) {
   return approach(g, {a, g.pose(a, qa), twist_a}, {b, g.pose(b, qb), twist_b}, tolerance, &parts);
 }

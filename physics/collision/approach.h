@@ -17,11 +17,12 @@ struct Approach {
 // Where bodies a and b, at q = (x, y, angle), approach each other: in the middle of the stretch at which they
 // touch, so that a face that lands flat is hit as a whole; if that does not approach, at the end that
 // approaches fastest. Points whose gap is within `tolerance` (m) of the least one touch.
-[[nodiscard]] Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const Twist& twist_a,
-                                   int b, const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance);
+[[nodiscard]] Approach approach_of(const Geometry& g, BodyIndex a, const Eigen::Vector3d& qa,
+                                   const Twist& twist_a, BodyIndex b, const Eigen::Vector3d& qb,
+                                   const Twist& twist_b, double tolerance);
 // Of these two parts alone.
-[[nodiscard]] Approach approach_of(const Geometry& g, int a, const Eigen::Vector3d& qa, const Twist& twist_a,
-                                   int b, const Eigen::Vector3d& qb, const Twist& twist_b, double tolerance,
-                                   const ShapePair& parts);
+[[nodiscard]] Approach approach_of(const Geometry& g, BodyIndex a, const Eigen::Vector3d& qa,
+                                   const Twist& twist_a, BodyIndex b, const Eigen::Vector3d& qb,
+                                   const Twist& twist_b, double tolerance, const ShapePair& parts);
 
 }  // namespace carom

@@ -27,7 +27,7 @@ void BroadPhase::find_candidates(const std::vector<Bounds>& bounds, const std::v
   }
   skins_ = bounds;
   const int n = static_cast<int>(bounds.size());
-  for (int i = 0; i < n; ++i) {
+  for (BodyIndex i{0}; i < n; ++i) {
     if (fixed[i] == 0) {
       skins_[i].low -= kSkin / kCell * cell;
       skins_[i].high += kSkin / kCell * cell;
@@ -36,20 +36,20 @@ void BroadPhase::find_candidates(const std::vector<Bounds>& bounds, const std::v
   }
   candidates_.clear();
   const std::size_t most = most_pairs(bounds.size());
-  for (int a = 0; a < n && candidates_.size() <= most; ++a) {
+  for (BodyIndex a{0}; a < n && candidates_.size() <= most; ++a) {
     near_.clear();
-    grid_.each_near(a, [&](int b) {
+    grid_.each_near(a, [&](BodyIndex b) {
       if (b > a && (fixed[a] == 0 || fixed[b] == 0)) near_.push_back(b);
     });
     std::sort(near_.begin(), near_.end());
-    for (const int b : near_) candidates_.emplace_back(a, b);
+    for (const BodyIndex b : near_) candidates_.emplace_back(a, b);
   }
   cut_ = candidates_.size() > most;
   if (cut_) candidates_.resize(most);
 }
 
-const std::vector<std::pair<int, int>>& BroadPhase::pairs(const std::vector<Bounds>& bounds,
-                                                          const std::vector<std::uint8_t>& fixed) {
+const std::vector<BodyPair>& BroadPhase::pairs(const std::vector<Bounds>& bounds,
+                                               const std::vector<std::uint8_t>& fixed) {
   bool kept = bounds.size() == skins_.size() && fixed == fixed_;
   for (std::size_t i = 0; kept && i < bounds.size(); ++i) kept = skins_[i].contains(bounds[i]);
   if (!kept) {

@@ -18,8 +18,8 @@ class BroadPhase {
   // The limit of the number of pairs; beyond it the last bodies get none. Bodies that do not overlap have
   // about three neighbours each, but N bodies at one place would have N²/2 pairs.
   [[nodiscard]] static std::size_t most_pairs(std::size_t bodies) { return 200'000 + 128 * bodies; }
-  [[nodiscard]] const std::vector<std::pair<int, int>>& pairs(const std::vector<Bounds>& bounds,
-                                                              const std::vector<std::uint8_t>& fixed);
+  [[nodiscard]] const std::vector<BodyPair>& pairs(const std::vector<Bounds>& bounds,
+                                                   const std::vector<std::uint8_t>& fixed);
   // Whether the last call left out pairs beyond the limit.
   [[nodiscard]] bool cut() const { return cut_; }
 
@@ -31,9 +31,9 @@ class BroadPhase {
   std::vector<Bounds> skins_;        // bounds of the last search, with a skin around what moves
   std::vector<std::uint8_t> fixed_;  // at the last search
   bool cut_ = false;
-  std::vector<int> near_;
-  std::vector<std::pair<int, int>> candidates_;
-  std::vector<std::pair<int, int>> pairs_;
+  std::vector<BodyIndex> near_;
+  std::vector<BodyPair> candidates_;
+  std::vector<BodyPair> pairs_;
 };
 
 }  // namespace carom

@@ -10,8 +10,8 @@ CellGrid::Order CellGrid::order() const {
   Order order{inverse_size, bounds, {}, large};
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (cells[k].count == 0) continue;
-    std::vector<int>& cell = order.cells.emplace_back(1, static_cast<int>(k));
-    cell.insert(cell.end(), cells[k].bodies.begin(), cells[k].bodies.begin() + cells[k].count);
+    const auto& bodies = cells[k].bodies;
+    order.cells.push_back({k, {bodies.begin(), bodies.begin() + cells[k].count}});
   }
   return order;
 }
@@ -21,12 +21,12 @@ void CellGrid::restore(const Order& order) {
   reset(bodies, 1.0);
   inverse_size_ = order.inverse_size;
   bounds_ = order.bounds;
-  for (int i = 0; i < bodies; ++i) range_[i] = range_of(bounds_[i]);
+  for (BodyIndex i{0}; i < bodies; ++i) range_[i] = range_of(bounds_[i]);
   large_ = order.large;
-  for (const int i : large_) range_[i].state = kLarge;
-  for (const std::vector<int>& from : order.cells) {
-    Cell& cell = cells_[static_cast<std::size_t>(from[0])];
-    for (std::size_t k = 1; k < from.size(); ++k) cell.bodies[cell.count++] = from[k];
+  for (const BodyIndex i : large_) range_[i].state = kLarge;
+  for (const auto& [number, from] : order.cells) {
+    Cell& cell = cells_[number];
+    for (const BodyIndex body : from) cell.bodies[cell.count++] = body;
   }
 }
 

@@ -4,11 +4,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "physics/math/bounds.h"
+#include "physics/model/index.h"
 
 namespace carom {
 
@@ -18,12 +20,16 @@ namespace carom {
 // bounds. Bodies over more than kMostCells cells, or in full cells, are in one list that every query reads.
 class CellGrid {
  public:
+  struct FilledCell {
+    std::size_t number;
+    std::vector<BodyIndex> bodies;
+  };
   // All that decides the order in which neighbours are visited.
   struct Order {
-    double inverse_size = 1.0;            // 1/m
-    std::vector<Bounds> bounds;           // by body
-    std::vector<std::vector<int>> cells;  // for each cell that is not empty its number, then its bodies
-    std::vector<int> large;
+    double inverse_size = 1.0;   // 1/m
+    std::vector<Bounds> bounds;  // by body
+    std::vector<FilledCell> cells;
+    std::vector<BodyIndex> large;
   };
   [[nodiscard]] Order order() const;
   // `order` is that of a grid with all bodies.
@@ -47,7 +53,7 @@ class CellGrid {
   }
 
   // Inserts a body, or moves it.
-  void put(int body, const Bounds& bounds) {
+  void put(BodyIndex body, const Bounds& bounds) {
     bounds_[body] = bounds;
     Range range = range_of(bounds);
     Range& old = range_[body];
@@ -69,11 +75,11 @@ class CellGrid {
 
   // Calls visit(other) once for each other body whose bounds overlap those of `body`.
   template <class Visit>
-  void each_near(int body, const Visit& visit) {
+  void each_near(BodyIndex body, const Visit& visit) {
     const Bounds& mine = bounds_[body];
     const Range range = range_[body];
     if (range.state == kLarge) {
-      for (int other = 0; other < static_cast<int>(bounds_.size()); ++other) {
+      for (BodyIndex other{0}; other < static_cast<int>(bounds_.size()); ++other) {
         if (other != body && range_[other].state != kOut && mine.overlaps(bounds_[other])) visit(other);
       }
       return;
@@ -85,13 +91,13 @@ class CellGrid {
     seen_[body] = query_;
     each_cell(range, [&](const Cell& cell) {
       for (int i = 0; i < cell.count; ++i) {
-        const int other = cell.bodies[i];
+        const BodyIndex other = cell.bodies[i];
         if (seen_[other] == query_) continue;
         seen_[other] = query_;
         if (mine.overlaps(bounds_[other])) visit(other);
       }
     });
-    for (const int other : large_) {
+    for (const BodyIndex other : large_) {
       if (mine.overlaps(bounds_[other])) visit(other);
     }
   }
@@ -101,7 +107,7 @@ class CellGrid {
   static constexpr int kMostInCell = 15;
   struct alignas(64) Cell {
     int count = 0;
-    std::array<int, kMostInCell> bodies;
+    std::array<BodyIndex, kMostInCell> bodies;
   };
   enum State : std::uint8_t { kOut, kIn, kLarge };
   struct Range {
@@ -130,7 +136,7 @@ class CellGrid {
         action(cells_[row + (static_cast<std::uint64_t>(x) & mask_)]);
     }
   }
-  void take_out(int body) {
+  void take_out(BodyIndex body) {
     const Range range = range_[body];
     if (range.state == kLarge) {
       *std::find(large_.begin(), large_.end(), body) = large_.back();
@@ -148,7 +154,7 @@ class CellGrid {
   std::vector<Cell> cells_;
   std::vector<Bounds> bounds_;
   std::vector<Range> range_;
-  std::vector<int> large_;
+  std::vector<BodyIndex> large_;
   std::vector<std::uint32_t> seen_;
   std::uint32_t query_ = 0;
 };

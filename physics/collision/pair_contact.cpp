@@ -381,7 +381,7 @@ Manifold manifold(const ConvexShapes& shapes, ShapeIndex a, const Pose& pose_a, 
   return result;
 }
 
-Contact contact_between(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b) {
+Contact contact_between(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b, const Pose& pose_b) {
   if (!g.has_parts(a) && !g.has_parts(b))
     return contact_between(g.shapes, g.first_part(a), pose_a, g.first_part(b), pose_b);
   Contact nearest;
@@ -396,11 +396,12 @@ Contact contact_between(const Geometry& g, int a, const Pose& pose_a, int b, con
   return nearest;
 }
 
-Contact contact_between(const Geometry& g, int a, const Eigen::Vector3d& qa, int b, const Eigen::Vector3d& qb) {
+Contact contact_between(const Geometry& g, BodyIndex a, const Eigen::Vector3d& qa, BodyIndex b,
+                        const Eigen::Vector3d& qb) {
   return contact_between(g, a, g.pose(a, qa), b, g.pose(b, qb));
 }
 
-Contact contact_again(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b,
+Contact contact_again(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b, const Pose& pose_b,
                       const Contact& earlier) {
   if (!earlier.parts.known() || (!g.has_parts(a) && !g.has_parts(b)))
     return contact_between(g, a, pose_a, b, pose_b);
@@ -411,8 +412,8 @@ Contact contact_again(const Geometry& g, int a, const Pose& pose_a, int b, const
   return contact;
 }
 
-Manifold manifold(const Geometry& g, int a, ShapeIndex part_a, const Pose& pose_a, int b, ShapeIndex part_b,
-                  const Pose& pose_b, double margin) {
+Manifold manifold(const Geometry& g, BodyIndex a, ShapeIndex part_a, const Pose& pose_a, BodyIndex b,
+                  ShapeIndex part_b, const Pose& pose_b, double margin) {
   if (!g.has_parts(a) && !g.has_parts(b))
     return manifold(g.shapes, g.first_part(a), pose_a, g.first_part(b), pose_b, margin);
   Manifold m = manifold(g.shapes, part_a, g.part_pose(a, part_a, pose_a), part_b,
@@ -424,14 +425,14 @@ Manifold manifold(const Geometry& g, int a, ShapeIndex part_a, const Pose& pose_
   return m;
 }
 
-ShapePair parts_at(const Geometry& g, int a, int b, std::uint32_t id) {
+ShapePair parts_at(const Geometry& g, BodyIndex a, BodyIndex b, std::uint32_t id) {
   constexpr std::uint32_t kMask = (1U << kPartBits) - 1U;
   return {g.part_of(a, static_cast<int>(id >> kFeatureBits & kMask)),
           g.part_of(b, static_cast<int>(id >> (kFeatureBits + kPartBits)))};
 }
 
-Manifold manifold_of(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b, std::uint32_t id,
-                     double margin) {
+Manifold manifold_of(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b, const Pose& pose_b,
+                     std::uint32_t id, double margin) {
   const auto [part_a, part_b] = parts_at(g, a, b, id);
   return manifold(g, a, part_a, pose_a, b, part_b, pose_b, margin);
 }

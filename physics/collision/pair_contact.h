@@ -28,12 +28,13 @@ struct Gap {
                                       ShapeIndex b, const Pose& pose_b);
 
 // For bodies a and b, at a pose or at q = (x, y, angle): of their nearest parts.
-[[nodiscard]] Contact contact_between(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b);
-[[nodiscard]] Contact contact_between(const Geometry& g, int a, const Eigen::Vector3d& qa, int b,
+[[nodiscard]] Contact contact_between(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b,
+                                      const Pose& pose_b);
+[[nodiscard]] Contact contact_between(const Geometry& g, BodyIndex a, const Eigen::Vector3d& qa, BodyIndex b,
                                       const Eigen::Vector3d& qb);
 // For the parts that an earlier contact had.
-[[nodiscard]] Contact contact_again(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b,
-                                    const Contact& earlier);
+[[nodiscard]] Contact contact_again(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b,
+                                    const Pose& pose_b, const Contact& earlier);
 
 // One point of a manifold.
 struct ManifoldPoint {
@@ -77,17 +78,17 @@ inline constexpr unsigned kPartBits = 11;
 [[nodiscard]] inline std::uint32_t parts_of(std::uint32_t id) { return id >> kFeatureBits; }
 
 // Of two parts.
-[[nodiscard]] Manifold manifold(const Geometry& g, int a, ShapeIndex part_a, const Pose& pose_a, int b,
-                                ShapeIndex part_b, const Pose& pose_b, double margin);
+[[nodiscard]] Manifold manifold(const Geometry& g, BodyIndex a, ShapeIndex part_a, const Pose& pose_a,
+                                BodyIndex b, ShapeIndex part_b, const Pose& pose_b, double margin);
 // The parts of a and b that a point of this id belongs to.
-[[nodiscard]] ShapePair parts_at(const Geometry& g, int a, int b, std::uint32_t id);
+[[nodiscard]] ShapePair parts_at(const Geometry& g, BodyIndex a, BodyIndex b, std::uint32_t id);
 // Of those parts.
-[[nodiscard]] Manifold manifold_of(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b,
-                                   std::uint32_t id, double margin);
+[[nodiscard]] Manifold manifold_of(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b,
+                                   const Pose& pose_b, std::uint32_t id, double margin);
 // Calls visit(manifold) for each two parts of a and b that have points.
 template <class Visit>
-void each_manifold(const Geometry& g, int a, const Pose& pose_a, int b, const Pose& pose_b, double margin,
-                   const Visit& visit) {
+void each_manifold(const Geometry& g, BodyIndex a, const Pose& pose_a, BodyIndex b, const Pose& pose_b,
+                   double margin, const Visit& visit) {
   g.each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
     const Manifold m = manifold(g, a, part_a, pose_a, b, part_b, pose_b, margin);
     if (m.count > 0) visit(m);

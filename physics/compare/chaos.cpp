@@ -10,6 +10,7 @@
 #include "physics/math/least_squares.h"
 #include "physics/math/parallel.h"
 #include "physics/run/run_setup.h"
+#include "physics/step/run_clock.h"
 
 namespace carom {
 namespace {
@@ -38,7 +39,7 @@ double largest_distance(const State& a, const State& b, const std::vector<Moving
   double largest = 0.0;
   for (const auto& [i, radius] : moving) {
     largest = std::fmax(largest, (a.position(i) - b.position(i)).norm());
-    largest = std::fmax(largest, radius * std::abs(a.q(2, i) - b.q(2, i)));
+    largest = std::fmax(largest, radius * std::abs(a.q.col(i)[2] - b.q.col(i)[2]));
   }
   return largest;
 }
@@ -120,7 +121,7 @@ Chaos follow_neighbours(const RunSetup& setup, const Method& method, double unti
   std::array<bool, kDisplacements.size()> near{};
   near.fill(true);
   bool visible = moving.empty();
-  for (int look = 1; !visible && c.followed < until * (1.0 - 1e-9); ++look) {
+  for (int look = 1; !visible && step_towards(until, c.followed, method.step) > 0.0; ++look) {
     const double time = std::min(until, look * interval);
     parallel_for(static_cast<int>(runs.size()), threads, [&](int k) {
       if (k > 0 && !near[static_cast<std::size_t>(k - 1)]) return;
@@ -141,8 +142,8 @@ Chaos follow_neighbours(const RunSetup& setup, const Method& method, double unti
     c.length = std::max(c.length, reach(base, plain.scene.bodies, moving));
     for (const auto& [i, radius] : moving) {
       c.largest_speed = std::fmax(c.largest_speed, base.velocity(i).norm());
-      c.largest_rim_speed = std::fmax(c.largest_rim_speed, radius * std::abs(base.v(2, i)));
-      c.arc = std::fmax(c.arc, radius * std::abs(base.q(2, i)));
+      c.largest_rim_speed = std::fmax(c.largest_rim_speed, radius * std::abs(base.v.col(i)[2]));
+      c.arc = std::fmax(c.arc, radius * std::abs(base.q.col(i)[2]));
     }
 
     const double linear = kVisible * c.size;  // m: up to here neighbouring bodies move linearly

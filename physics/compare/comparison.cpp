@@ -29,14 +29,14 @@ Comparison compare_states(const State& run, double run_energy, const State& refe
   Comparison c;
   for (const auto& [i, radius] : moving) {
     c.position_error = std::fmax(c.position_error, apart(run.position(i), reference.position(i)));
-    const double turned = run.q(2, i) - reference.q(2, i);
+    const double turned = run.q.col(i)[2] - reference.q.col(i)[2];
     c.angle_error = std::fmax(c.angle_error, finite_or_infinite(radius * std::abs(turned)));
     if (!awaiting.empty() && awaiting[static_cast<std::size_t>(i)] != 0) {
       ++c.left_out;
       continue;
     }
     c.velocity_error = std::fmax(c.velocity_error, apart(run.velocity(i), reference.velocity(i)));
-    const double spin = run.v(2, i) - reference.v(2, i);
+    const double spin = run.v.col(i)[2] - reference.v.col(i)[2];
     c.spin_error = std::fmax(c.spin_error, finite_or_infinite(radius * std::abs(spin)));
   }
   if (c.left_out == 0) c.energy_error = std::abs(run_energy - reference_energy);

@@ -14,8 +14,8 @@ namespace carom {
 // Time of an impact of two bodies, a < b.
 struct TimedImpact {
   double time = 0.0;  // s
-  int a = 0;
-  int b = 0;
+  BodyIndex a;
+  BodyIndex b;
 };
 
 // A run reduced for a comparison: the state at one moment, and all impacts until some time later.

@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "physics/model/index.h"
+
 namespace carom {
 
 // Matches the impacts of two runs. Partners are impacts of the same two bodies, one in each run. In order,
@@ -24,14 +26,14 @@ class ImpactMatcher {
 
   explicit ImpactMatcher(Partners partners) : partners_(partners) {}
 
-  void add(From from, int a, int b, double time) {
+  void add(From from, BodyIndex a, BodyIndex b, double time) {
     if (take_partner(from, a, b, time)) return;
     Waiting& waiting = waiting_[key(a, b)];
     waiting.from = from;
     waiting.times.push_back(time);
   }
   // Matches the impact if its partner waits; otherwise it is not stored.
-  bool take_partner(From from, int a, int b, double time) {
+  bool take_partner(From from, BodyIndex a, BodyIndex b, double time) {
     const auto found = waiting_.find(key(a, b));
     if (found == waiting_.end() || found->second.times.empty() || found->second.from == from) return false;
     std::deque<double>& times = found->second.times;
@@ -81,7 +83,7 @@ class ImpactMatcher {
     From from = From::kRun;
     std::deque<double> times;  // s
   };
-  static std::uint64_t key(int a, int b) {
+  static std::uint64_t key(BodyIndex a, BodyIndex b) {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32U | static_cast<std::uint32_t>(b);
   }
 

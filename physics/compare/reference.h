@@ -18,7 +18,11 @@ enum class ReferenceId { kNone, kExactFlight, kRefined };
 // Why a scene can't have this reference, to follow "allowed: ..."; nothing if it can.
 [[nodiscard]] std::optional<std::string> why_not(const RunSetup& setup, ReferenceId reference);
 
-// The method of the reference for a run under `method`, with impacts at their own time. A refined run uses
+// Both references below have impacts at their own time, and exact flight where the scene allows it. They differ
+// in how a run is refined otherwise: a study repeats it with ever shorter steps until two runs agree, and so
+// knows its error; beside a run that is under way there is one chance, and the finest that keeps up.
+//
+// The method of the reference for a run under `method`. A refined run uses
 // the adaptive integrator at kFineTolerance; with resting contacts, which depend on the step, the fifth order
 // at an eighth of the step.
 inline constexpr double kFineTolerance = 1e-12;  // m and m/s

@@ -20,7 +20,7 @@ void inverse(const Lanes<double>& masses, Lanes<double>& weights) {
 
 }  // namespace
 
-BlockSweeps::BlockSweeps(std::span<ContactBlock> blocks, std::span<const int> bodies, BlockLaw law,
+BlockSweeps::BlockSweeps(std::span<ContactBlock> blocks, std::span<const BodyIndex> bodies, BlockLaw law,
                          std::vector<BodyVelocity>& velocity, SweepMomentum& momentum)
     : blocks_(blocks), bodies_(bodies), law_(law), velocity_(velocity), momentum_(momentum) {
   momentum_.blocks.assign(blocks_.size(), {});

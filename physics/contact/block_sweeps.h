@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "physics/contact/block_kernels.h"
+#include "physics/model/index.h"
 
 namespace carom {
 
@@ -27,7 +28,7 @@ struct SweepMomentum {
 class BlockSweeps {
  public:
   // `velocity` must already include the blocks' impulses; `bodies` are those that the blocks move.
-  BlockSweeps(std::span<ContactBlock> blocks, std::span<const int> bodies, BlockLaw law,
+  BlockSweeps(std::span<ContactBlock> blocks, std::span<const BodyIndex> bodies, BlockLaw law,
               std::vector<BodyVelocity>& velocity, SweepMomentum& momentum);
   // `with_momentum`: first takes a share of the last step again.
   void sweep(bool backwards, bool with_momentum);
@@ -38,7 +39,7 @@ class BlockSweeps {
 
   const BlockKernels& kernels_ = block_kernels();
   std::span<ContactBlock> blocks_;
-  std::span<const int> bodies_;
+  std::span<const BodyIndex> bodies_;
   BlockLaw law_;
   std::vector<BodyVelocity>& velocity_;
   SweepMomentum& momentum_;

@@ -20,8 +20,9 @@ void clear_blocks(int bodies, ContactBlocks& large) {
   large.velocity.assign(static_cast<std::size_t>(bodies) + 1, {});
 }
 
-void add_blocks(const std::vector<int>& a, const std::vector<int>& b, const Eigen::VectorXd& inverse_mass,
-                const Eigen::VectorXd& inverse_inertia, std::span<const int> order, ContactBlocks& large) {
+void add_blocks(const std::vector<BodyIndex>& a, const std::vector<BodyIndex>& b,
+                const Eigen::VectorXd& inverse_mass, const Eigen::VectorXd& inverse_inertia,
+                std::span<const int> order, ContactBlocks& large) {
   const std::size_t first = large.contacts.size();
   large.open_with.assign(large.in_blocks.size(), 0);
   large.filled.clear();
@@ -59,7 +60,7 @@ void add_blocks(const std::vector<int>& a, const std::vector<int>& b, const Eige
     large.contacts[first + block][lane] = c;
     const std::uint64_t bit = std::uint64_t{1} << (block % kOpen);
     if (lane == kLanes - 1) with_room &= ~bit;
-    for (const int i : {a[c], b[c]}) {
+    for (const BodyIndex i : {a[c], b[c]}) {
       if (!(inverse_mass[i] > 0.0 || inverse_inertia[i] > 0.0)) continue;
       large.open_with[i] |= bit;
       if (large.in_blocks[i] == 0) large.bodies.push_back(i);
@@ -79,8 +80,8 @@ void add_blocks(const std::vector<int>& a, const std::vector<int>& b, const Eige
 
 ContactRow row_of(const ContactBlock& k, std::size_t i) {
   ContactRow row;
-  row.a = static_cast<int>(k.a[i] / 4);
-  row.b = static_cast<int>(k.b[i] / 4);
+  row.a = BodyIndex{static_cast<int>(k.a[i] / 4)};
+  row.b = BodyIndex{static_cast<int>(k.b[i] / 4)};
   row.nx = k.nx[i], row.ny = k.ny[i];
   row.arm_na = k.arm_na[i], row.arm_nb = k.arm_nb[i];
   row.arm_ta = k.arm_ta[i], row.arm_tb = k.arm_tb[i];

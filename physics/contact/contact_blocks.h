@@ -17,7 +17,7 @@ struct ContactBlocks {
   std::vector<ContactBlock> blocks;
   std::vector<BodyVelocity> velocity;   // by body, and last that of empty lanes
   std::vector<std::uint8_t> in_blocks;  // by body: movable and in a block
-  std::vector<int> bodies;              // these, island by island
+  std::vector<BodyIndex> bodies;        // these, island by island
 
   std::vector<std::uint64_t> open_with;  // scratch, by body: the open blocks that it is in, one bit each
   std::vector<int> filled;               // scratch: lanes of each block
@@ -30,8 +30,9 @@ void clear_blocks(int bodies, ContactBlocks& large);
 // the first of the latest blocks that comes after all contacts that share a movable body with it. So solving
 // block by block is the same as solving contact by contact, and a sweep passes through a pile in the given
 // order.
-void add_blocks(const std::vector<int>& a, const std::vector<int>& b, const Eigen::VectorXd& inverse_mass,
-                const Eigen::VectorXd& inverse_inertia, std::span<const int> order, ContactBlocks& large);
+void add_blocks(const std::vector<BodyIndex>& a, const std::vector<BodyIndex>& b,
+                const Eigen::VectorXd& inverse_mass, const Eigen::VectorXd& inverse_inertia,
+                std::span<const int> order, ContactBlocks& large);
 
 // A lane's contact as a row; then the two parts of a row put into a lane.
 [[nodiscard]] ContactRow row_of(const ContactBlock& block, std::size_t lane);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/model/coulomb_friction.h"
+
 namespace carom {
 
 namespace {
@@ -14,16 +16,14 @@ inline void solve_row(ContactRow& row, SolverBody& a, SolverBody& b) {
   const double dn = normal - row.normal;
   // u_t after the normal impulse.
   const double k_nt = a.inverse_inertia * row.arm_na * row.arm_ta + b.inverse_inertia * row.arm_nb * row.arm_tb;
-  const double limit = row.friction * normal;
   const double slip = u.tangential - row.slip_target + k_nt * dn;
-  const double tangential = std::min(std::max(row.tangential - slip * row.mass_t, -limit), limit);
+  const double tangential = limited_by_friction(row.tangential - slip * row.mass_t, row.friction, normal);
   const double dt = tangential - row.tangential;
   row.normal = normal;
   row.tangential = tangential;
   apply_impulse(row, dn, dt, 0.0, a, b);
   if (row.rolling > 0.0) {
-    const double most = row.rolling * normal;
-    const double moment = std::min(std::max(row.moment - (b.spin - a.spin) * row.mass_r, -most), most);
+    const double moment = limited_by_friction(row.moment - (b.spin - a.spin) * row.mass_r, row.rolling, normal);
     const double dm = moment - row.moment;
     row.moment = moment;
     a.spin -= a.inverse_inertia * dm;
@@ -35,7 +35,7 @@ inline void solve_row(ContactRow& row, SolverBody& a, SolverBody& b) {
 
 void apply_all(std::span<const ContactRow> rows, std::span<SolverBody> bodies) {
   for (const ContactRow& row : rows) {
-    for (const int i : {row.a, row.b}) {
+    for (const BodyIndex i : {row.a, row.b}) {
       SolverBody& body = bodies[i];
       body.vx = body.free_vx;
       body.vy = body.free_vy;
@@ -79,7 +79,7 @@ double residual(std::span<const ContactRow> rows, std::span<const SolverBody> bo
 
 double rounding_level(std::span<const ContactRow> rows, std::span<SolverBody> bodies) {
   for (const ContactRow& row : rows) {
-    for (const int i : {row.a, row.b}) {
+    for (const BodyIndex i : {row.a, row.b}) {
       SolverBody& body = bodies[i];
       body.vx = std::sqrt(body.free_vx * body.free_vx + body.free_vy * body.free_vy);
       body.spin = std::abs(body.free_spin);

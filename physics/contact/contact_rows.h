@@ -2,6 +2,8 @@
 
 #include <span>
 
+#include "physics/model/index.h"
+
 namespace carom {
 
 // The data of the solver's loops, packed for the cache: three lines per contact, one per body.
@@ -15,7 +17,7 @@ struct alignas(64) SolverBody {
 // J is the derivative of the relative velocity by the bodies' velocities, and K = J M⁻¹ Jᵀ the change of the
 // velocity along a direction by a unit impulse along it. r×t = r·n.
 struct alignas(64) ContactRow {
-  int a = 0, b = 0;
+  BodyIndex a, b;
   double nx = 0.0, ny = 0.0;
   double arm_na = 0.0, arm_nb = 0.0;                    // r_A×n and r_B×n, m
   double arm_ta = 0.0, arm_tb = 0.0;                    // r_A×t and r_B×t, m

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "physics/model/coulomb_friction.h"
 #include "physics/model/mass.h"
 
 namespace carom {
@@ -53,10 +54,8 @@ void set_law(const Contacts& contacts, int c, std::uint8_t moves, ContactRow& ro
   row.friction = (moves & kAlongTangent) != 0 ? friction : 0.0;
   row.rolling = (moves & kTurns) != 0 ? contacts.rolling[c] : 0.0;
   row.normal = std::max(0.0, contacts.normal_impulse[c]);
-  const double limit = row.friction * row.normal;
-  const double most = row.rolling * row.normal;
-  row.tangential = std::clamp(contacts.tangential_impulse[c], -limit, limit);
-  row.moment = std::clamp(contacts.rolling_impulse[c], -most, most);
+  row.tangential = limited_by_friction(contacts.tangential_impulse[c], row.friction, row.normal);
+  row.moment = limited_by_friction(contacts.rolling_impulse[c], row.rolling, row.normal);
 }
 
 void set_projection(const Contacts& contacts, int c, std::uint8_t moves, double fraction, ContactRow& row) {
@@ -120,7 +119,7 @@ std::span<ContactBlock> blocks_of(ContactWorkspace& w, int island) {
   return {w.large_islands.blocks.data() + first, static_cast<std::size_t>(w.first_block[island + 1] - first)};
 }
 
-std::span<const int> bodies_of(const ContactWorkspace& w, int island) {
+std::span<const BodyIndex> bodies_of(const ContactWorkspace& w, int island) {
   const int first = w.first_body[island];
   return {w.large_islands.bodies.data() + first, static_cast<std::size_t>(w.first_body[island + 1] - first)};
 }
@@ -199,10 +198,10 @@ Solved solve_exactly(const ContactSolverOptions& options, std::span<ContactRow> 
   return solved;
 }
 
-double large_tolerance(const ContactSolverOptions& options, std::span<const int> bodies) {
+double large_tolerance(const ContactSolverOptions& options, std::span<const BodyIndex> bodies) {
   if (options.large_motion == nullptr) return options.large_tolerance;
   double squares = 0.0;
-  for (const int i : bodies) squares += options.large_motion->col(i).head<2>().squaredNorm();
+  for (const BodyIndex i : bodies) squares += options.large_motion->col(i).head<2>().squaredNorm();
   const double rms = std::sqrt(squares / static_cast<double>(bodies.size()));
   return std::clamp(options.large_share * rms, options.large_tolerance, options.large_coarsest);
 }
@@ -307,10 +306,11 @@ ContactSolverReport solve_prepared(const MassProperties& mass, Contacts& contact
   }
   each_lane(w.large_islands, 0, w.first_block.back(), [&](int c, const ContactBlock& block, std::size_t lane) {
     const ContactRow row = row_of(block, lane);
-    SolverBody a, b;
-    a.vx = v(0, row.a), a.vy = v(1, row.a), a.spin = v(2, row.a);
-    b.vx = v(0, row.b), b.vy = v(1, row.b), b.spin = v(2, row.b);
-    keep(c, row, row_velocity(row, a, b).tangential);
+    const auto body = [&](BodyIndex i) {
+      const auto of = v.col(i);
+      return SolverBody{.vx = of[0], .vy = of[1], .spin = of[2]};
+    };
+    keep(c, row, row_velocity(row, body(row.a), body(row.b)).tangential);
   });
   return report;
 }

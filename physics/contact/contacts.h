@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "physics/model/index.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -13,7 +14,7 @@ namespace carom {
 // relative velocity and w = ω_B - ω_A the relative spin; t is n turned by +90°. The impulse +λ acts on B, -λ
 // on A.
 struct Contacts {
-  std::vector<int> a, b;                 // bodies
+  std::vector<BodyIndex> a, b;           // bodies
   std::vector<Vec2> normal;              // unit vectors from A to B
   std::vector<Vec2> arm_a, arm_b;        // r_A and r_B, m
   std::vector<double> gap;               // m, negative for a penetration; only the projection reads it

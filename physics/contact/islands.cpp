@@ -16,15 +16,16 @@ int root(std::vector<int>& parent, int i) {
 
 }  // namespace
 
-void find_islands(const std::vector<int>& a, const std::vector<int>& b, const Eigen::VectorXd& inverse_mass,
-                  const Eigen::VectorXd& inverse_inertia, Islands& islands) {
-  const auto movable = [&](int i) { return inverse_mass[i] > 0.0 || inverse_inertia[i] > 0.0; };
+void find_islands(const std::vector<BodyIndex>& a, const std::vector<BodyIndex>& b,
+                  const Eigen::VectorXd& inverse_mass, const Eigen::VectorXd& inverse_inertia,
+                  Islands& islands) {
+  const auto movable = [&](BodyIndex i) { return inverse_mass[i] > 0.0 || inverse_inertia[i] > 0.0; };
   const int bodies = static_cast<int>(inverse_mass.size());
   const int contacts = static_cast<int>(a.size());
   std::vector<int>& parent = islands.parent;
   // The second half has the island of each root.
   parent.assign(2 * static_cast<std::size_t>(bodies), -1);
-  for (int i = 0; i < bodies; ++i) parent[i] = i;
+  for (BodyIndex i{0}; i < bodies; ++i) parent[i] = i;
   for (int c = 0; c < contacts; ++c) {
     if (movable(a[c]) && movable(b[c])) parent[root(parent, a[c])] = root(parent, b[c]);
   }

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "physics/model/index.h"
+
 namespace carom {
 
 // Contacts that can affect one another: connected components of the graph of contacts over movable bodies.
@@ -22,7 +24,8 @@ struct Islands {
 // Islands of the contacts between bodies a[c] and b[c], ordered by their first contact; a body is movable if
 // its inverse mass or inertia is above 0. Contacts without a movable body are in none. Allocates nothing once
 // `islands` has held as many.
-void find_islands(const std::vector<int>& a, const std::vector<int>& b, const Eigen::VectorXd& inverse_mass,
-                  const Eigen::VectorXd& inverse_inertia, Islands& islands);
+void find_islands(const std::vector<BodyIndex>& a, const std::vector<BodyIndex>& b,
+                  const Eigen::VectorXd& inverse_mass, const Eigen::VectorXd& inverse_inertia,
+                  Islands& islands);
 
 }  // namespace carom

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/model/coulomb_friction.h"
+
 namespace carom {
 
 namespace {
@@ -48,7 +50,7 @@ void SemismoothNewton::number_bodies(std::span<const ContactRow> rows, std::span
   local_of_.resize(std::max(local_of_.size(), bodies.size()), -1);
   bodies_.clear();
   for (const ContactRow& row : rows) {
-    for (const int i : {row.a, row.b}) {
+    for (const BodyIndex i : {row.a, row.b}) {
       if (local_of_[i] >= 0 || (bodies[i].inverse_mass <= 0.0 && bodies[i].inverse_inertia <= 0.0)) continue;
       local_of_[i] = static_cast<int>(bodies_.size());
       bodies_.push_back(i);
@@ -75,7 +77,7 @@ void SemismoothNewton::number_bodies(std::span<const ContactRow> rows, std::span
   for (Local& l : local_) {
     if (l.a < n && l.b < n) l.slot = lu_.slot(l.a, l.b);
   }
-  for (const int i : bodies_) local_of_[i] = -1;
+  for (const BodyIndex i : bodies_) local_of_[i] = -1;
   for (Eigen::VectorXd* x : {&step_, &direction_, &next_, &system_}) x->resize(3 * (n + 1));
   miss_.resize(rows.size());
   change_.resize(rows.size());
@@ -230,10 +232,8 @@ NewtonResult SemismoothNewton::run(std::span<ContactRow> rows, std::span<SolverB
     for (std::size_t c = 0; c < rows.size(); ++c) {
       ContactRow& row = rows[c];
       row.normal += change_[c].normal;
-      row.tangential = std::clamp(row.tangential + change_[c].tangential, -row.friction * row.normal,
-                                  row.friction * row.normal);
-      row.moment =
-          std::clamp(row.moment + change_[c].moment, -row.rolling * row.normal, row.rolling * row.normal);
+      row.tangential = limited_by_friction(row.tangential + change_[c].tangential, row.friction, row.normal);
+      row.moment = limited_by_friction(row.moment + change_[c].moment, row.rolling, row.normal);
     }
     apply_all(rows, bodies);
   };

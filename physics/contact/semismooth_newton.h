@@ -8,6 +8,7 @@
 
 #include "physics/contact/contact_rows.h"
 #include "physics/math/block_lu.h"
+#include "physics/model/index.h"
 
 namespace carom {
 
@@ -60,7 +61,7 @@ class SemismoothNewton {
 
   double stiffness_ = 0.0;  // r K, dimensionless
   std::vector<int> local_of_;
-  std::vector<int> bodies_;           // of the island, movable
+  std::vector<BodyIndex> bodies_;     // of the island, movable
   Eigen::VectorXd root_, turn_root_;  // √(1/m), √(1/I) of the island's bodies; last, 0 for infinite mass
   std::vector<Local> local_;
   std::vector<Miss> miss_;

@@ -12,7 +12,7 @@ namespace carom {
 // One body that no force couples to another.
 struct BodyRates {
   const ForceField& field;
-  int body;
+  BodyIndex body;
   double epoch;
   template <class Y>
   void operator()(double t, const Y& y, Y& k) const {
@@ -25,7 +25,7 @@ struct GroupRates {
   const ForceField& field;
   JointConstraints& joints;
   int group;
-  std::span<const int> members;
+  std::span<const BodyIndex> members;
   double epoch;
   void operator()(double t, const Motions& y, Motions& k) const {
     for (std::size_t j = 0; j < members.size(); ++j)

@@ -11,7 +11,7 @@ Flights::Flights(std::shared_ptr<const Model> compiled, const Method& method)
   const int n = bodies();
   at_start.resize(Eigen::NoChange, n);
   constant = Eigen::Matrix3Xd::Zero(3, n);
-  for (int i = 0; i < n; ++i) {
+  for (BodyIndex i{0}; i < n; ++i) {
     at_start.col(i) = motion_at_start(model->starts, i);
     constant.col(i) = field.constant_acceleration(i);
   }
@@ -26,23 +26,23 @@ void Flights::make_islands() {
   members.clear();
   groups.clear();
   island_of.assign(n, -1);
-  std::vector<std::vector<int>> coupled = field.coupled_groups(joints.joined());
+  std::vector<std::vector<BodyIndex>> coupled = field.coupled_groups(joints.joined());
   if (general) {
     coupled.assign(1, {});
-    for (int i = 0; i < n; ++i) {
+    for (BodyIndex i{0}; i < n; ++i) {
       if (!model->infinite_mass(i)) coupled[0].push_back(i);
     }
     if (coupled[0].empty()) coupled.clear();
   }
-  const auto add_island = [&](const std::vector<int>& of) -> Island& {
-    for (const int i : of) island_of[i] = static_cast<int>(islands.size());
+  const auto add_island = [&](const std::vector<BodyIndex>& of) -> Island& {
+    for (const BodyIndex i : of) island_of[i] = static_cast<int>(islands.size());
     Island& island = islands.emplace_back();
     island.first = static_cast<int>(members.size());
     island.count = static_cast<int>(of.size());
     members.insert(members.end(), of.begin(), of.end());
     return island;
   };
-  for (const std::vector<int>& of : coupled) {
+  for (const std::vector<BodyIndex>& of : coupled) {
     add_island(of).group = static_cast<int>(groups.size());
     Group& group = groups.emplace_back();
     group.from.resize(Eigen::NoChange, static_cast<Eigen::Index>(of.size()));
@@ -51,7 +51,7 @@ void Flights::make_islands() {
     group.stages.resize(static_cast<int>(of.size()));
   }
   joints.set_groups(coupled);
-  for (int i = 0; i < n; ++i) {
+  for (BodyIndex i{0}; i < n; ++i) {
     const bool kinematic = model->is_kinematic(i);
     if (island_of[i] < 0 && (kinematic || !model->infinite_mass(i))) add_island({i}).kinematic = kinematic;
   }
@@ -76,7 +76,7 @@ void Flights::set_method(const Method& method) {
   for (Island& island : islands) island.next_step = 0.0;
 }
 
-Eigen::Index Flights::column_of(const Island& island, int body) const {
+Eigen::Index Flights::column_of(const Island& island, BodyIndex body) const {
   const auto of = members_of(island);
   return std::lower_bound(of.begin(), of.end(), body) - of.begin();
 }
@@ -95,7 +95,7 @@ void Flights::spread(const Island& island) {
 template <int kGiven>
 void Flights::fly_rows(const Island& island, double h, Motion& out) {
   using Flight = Eigen::Matrix<double, kGiven, 1>;
-  const int body = body_of(island);
+  const BodyIndex body = body_of(island);
   const Flight from = at_start.col(body).head<kGiven>();
   Stages<Flight> stages;
   Flight to = from;
@@ -105,7 +105,7 @@ void Flights::fly_rows(const Island& island, double h, Motion& out) {
 }
 
 void Flights::fly_one(const Island& island, double time, Motion& out) {
-  const int body = body_of(island);
+  const BodyIndex body = body_of(island);
   if (island.kinematic) {
     const DriveTerm& drive = model->drives.at(body);
     out = at_start.col(body);
@@ -166,7 +166,7 @@ const Motions& Flights::rates_of(const Island& island, double time, const Motion
   return rates;
 }
 
-Motion Flights::at(int body, double time) {
+Motion Flights::at(BodyIndex body, double time) {
   const int k = island_of[body];
   if (k < 0) return at_start.col(body);
   const Island& island = islands[k];
@@ -182,7 +182,7 @@ Motion Flights::at(int body, double time) {
   return fly_group(island, time).col(column_of(island, body));
 }
 
-Eigen::Vector3d Flights::acceleration(int body) {
+Eigen::Vector3d Flights::acceleration(BodyIndex body) {
   const int k = island_of[body];
   if (k < 0 || islands[k].kinematic) return Eigen::Vector3d::Zero();
   const Island& island = islands[k];

@@ -56,11 +56,11 @@ struct Flights {
   void add_weld(const Weld& weld);
 
   [[nodiscard]] int bodies() const { return static_cast<int>(model->bodies()); }
-  [[nodiscard]] std::span<const int> members_of(const Island& island) const {
+  [[nodiscard]] std::span<const BodyIndex> members_of(const Island& island) const {
     return {members.data() + island.first, static_cast<std::size_t>(island.count)};
   }
-  [[nodiscard]] int body_of(const Island& island) const { return members[island.first]; }
-  [[nodiscard]] Eigen::Index column_of(const Island& island, int body) const;
+  [[nodiscard]] BodyIndex body_of(const Island& island) const { return members[island.first]; }
+  [[nodiscard]] Eigen::Index column_of(const Island& island, BodyIndex body) const;
   // Drops what is known of the island's flight, after its start has changed.
   void forget(const Island& island) {
     if (island.group < 0) return;
@@ -79,13 +79,13 @@ struct Flights {
   const Motions& fly_group(const Island& island, double time);
   const Motions& group_at(const Island& island, double time);  // likewise, without a step at its start
   const Motions& rates_of(const Island& island, double time, const Motions& y);  // of a group
-  [[nodiscard]] Motion at(int body, double time);
+  [[nodiscard]] Motion at(BodyIndex body, double time);
   // Whether the body's acceleration by contacts changes during the step.
-  [[nodiscard]] bool is_bent(int body) const {
+  [[nodiscard]] bool is_bent(BodyIndex body) const {
     return field.contact_changes() && !field.contact_rate(body).isZero(0.0);
   }
   // On a parabola only, which may be bent: q in m and rad at a time, and v.
-  [[nodiscard]] Eigen::Vector3d parabola(int body, double time) const {
+  [[nodiscard]] Eigen::Vector3d parabola(BodyIndex body, double time) const {
     const double start = island_of[body] < 0 ? time : islands[island_of[body]].start;
     const double h = time - start;
     Eigen::Vector3d q =
@@ -93,7 +93,7 @@ struct Flights {
     if (field.contact_changes()) q += h * h * (0.5 * (start - bent_from) + h / 6.0) * field.contact_rate(body);
     return q;
   }
-  [[nodiscard]] Eigen::Vector3d parabola_velocity(int body, double time) const {
+  [[nodiscard]] Eigen::Vector3d parabola_velocity(BodyIndex body, double time) const {
     const double start = island_of[body] < 0 ? time : islands[island_of[body]].start;
     const double h = time - start;
     Eigen::Vector3d v = at_start.col(body).segment<3>(3) + h * constant.col(body);
@@ -101,15 +101,15 @@ struct Flights {
     return v;
   }
   // m/s², m/s², rad/s²
-  [[nodiscard]] Eigen::Vector3d parabola_acceleration(int body, double time) const {
+  [[nodiscard]] Eigen::Vector3d parabola_acceleration(BodyIndex body, double time) const {
     Eigen::Vector3d a = constant.col(body);
     if (field.contact_changes()) a += (time - bent_from) * field.contact_rate(body);
     return a;
   }
   // kg m²/s: what gravity has given to a body's angular momentum about the origin by this time, on a parabola
   // and under gravity alone.
-  [[nodiscard]] double angular_impulse_of_gravity(int body, double time) const {
-    const double known = at_start(6 + kGravityAngularImpulse, body);
+  [[nodiscard]] double angular_impulse_of_gravity(BodyIndex body, double time) const {
+    const double known = at_start.col(body)[6 + kGravityAngularImpulse];
     if (island_of[body] < 0 || model->forces.gravity.isZero(0.0)) return known;
     const double h = time - islands[island_of[body]].start;
     const auto y = at_start.col(body);
@@ -121,7 +121,7 @@ struct Flights {
     return known + h * field.torque_of_gravity(body, mean);
   }
   // m/s², m/s², rad/s²: of a movable body at the start of its island.
-  [[nodiscard]] Eigen::Vector3d acceleration(int body);
+  [[nodiscard]] Eigen::Vector3d acceleration(BodyIndex body);
   // The error estimate of the adaptive integrator's step that ends at `time`, relative to its tolerance's unit.
   double error_of(const Island& island, double time);
   // The plastic impact that makes new joints and taut strings hold; the energy in J that it takes. A string
@@ -132,7 +132,7 @@ struct Flights {
   ForceField field;
   JointConstraints joints;
   std::vector<Island> islands;
-  std::vector<int> members;
+  std::vector<BodyIndex> members;
   std::vector<Group> groups;
   std::vector<int> island_of;  // by body; -1: fixed
   Motions at_start, at_end;    // by body

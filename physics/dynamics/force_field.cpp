@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <unordered_map>
 
 namespace carom {
@@ -53,13 +52,14 @@ ForceField::Pull ForceField::pull(const SpringTerm& spring, const Vec2& d, const
   return {force * direction, spring.damping * rate * rate};
 }
 
-template <bool kDrag, bool kSprings, bool kApplied>
-void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const {
+template <bool kOnEach, bool kSprings, bool kApplied>
+void ForceField::add_external(BodyIndex body, double t, const Vec2& x, const Vec2& v, double spin,
+                              double* k) const {
   Vec2 force = Vec2::Zero();
   double torque = 0.0;
   Eigen::Map<Eigen::Matrix<double, kQuadratures, 1>> quadratures(k + 6);
-  if constexpr (kDrag) {
-    const double coefficient = terms_->drag->linear + terms_->drag->quadratic * v.norm();
+  if constexpr (kOnEach) {
+    const double coefficient = terms_->linear_drag + terms_->quadratic_drag * v.norm();
     force -= coefficient * v;
     quadratures[kDragLoss] = coefficient * v.squaredNorm();
   }
@@ -100,19 +100,20 @@ void ForceField::add_external(int body, double t, const Vec2& x, const Vec2& v, 
 }
 
 ForceField::AddExternal ForceField::add_external_of(const ForceTerms& terms) {
-  const auto with = [&]<bool kDrag, bool kSprings>(std::bool_constant<kDrag>, std::bool_constant<kSprings>) {
-    return !terms.applied_to.empty() ? &ForceField::add_external<kDrag, kSprings, true>
-                                     : &ForceField::add_external<kDrag, kSprings, false>;
+  const auto with = [&]<bool kOnEach, bool kSprings>(std::bool_constant<kOnEach>,
+                                                     std::bool_constant<kSprings>) {
+    return !terms.applied_to.empty() ? &ForceField::add_external<kOnEach, kSprings, true>
+                                     : &ForceField::add_external<kOnEach, kSprings, false>;
   };
   const std::true_type in;
   const std::false_type out;
   const bool springs = !terms.outside.empty();
-  if (terms.drag) return springs ? with(in, in) : with(in, out);
+  if (terms.on_each) return springs ? with(in, in) : with(in, out);
   return springs ? with(out, in) : with(out, out);
 }
 
-void ForceField::add_couplings(std::span<const int> members, const Motions& y, Motions& k) const {
-  const auto column_of = [&](int body) {
+void ForceField::add_couplings(std::span<const BodyIndex> members, const Motions& y, Motions& k) const {
+  const auto column_of = [&](BodyIndex body) {
     return std::lower_bound(members.begin(), members.end(), body) - members.begin();
   };
   const int n = static_cast<int>(members.size());
@@ -142,7 +143,7 @@ void ForceField::add_couplings(std::span<const int> members, const Motions& y, M
   }
 }
 
-Eigen::Vector3d ForceField::constant_acceleration(int body) const {
+Eigen::Vector3d ForceField::constant_acceleration(BodyIndex body) const {
   Eigen::Vector3d a = Eigen::Vector3d::Zero();
   if (!(model_->mass.inverse_mass[body] > 0.0)) return a;
   a.head<2>() = terms_->gravity;
@@ -154,16 +155,16 @@ Eigen::Vector3d ForceField::constant_acceleration(int body) const {
   return a;
 }
 
-std::vector<std::vector<int>> ForceField::coupled_groups(const std::vector<std::pair<int, int>>& pairs) const {
+std::vector<std::vector<BodyIndex>> ForceField::coupled_groups(const std::vector<BodyPair>& pairs) const {
   const int n = static_cast<int>(model_->bodies());
-  std::vector<int> parent(n);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int i) {
+  std::vector<BodyIndex> parent;
+  for (BodyIndex i{0}; i < n; ++i) parent.push_back(i);
+  const auto root = [&](BodyIndex i) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
   };
-  int first_free = -1;
-  for (int i = 0; i < n; ++i) {
+  BodyIndex first_free = kNoBody;
+  for (BodyIndex i{0}; i < n; ++i) {
     if (!terms_->between.empty()) {
       for (const SpringIndex s : terms_->between[i])
         parent[root(terms_->springs[s].other)] = root(terms_->springs[s].body);
@@ -178,10 +179,10 @@ std::vector<std::vector<int>> ForceField::coupled_groups(const std::vector<std::
     parent[root(b)] = root(a);
     paired[a] = true;
   }
-  std::vector<std::vector<int>> groups(n);
-  for (int i = 0; i < n; ++i) groups[root(i)].push_back(i);
+  std::vector<std::vector<BodyIndex>> groups(n);
+  for (BodyIndex i{0}; i < n; ++i) groups[root(i)].push_back(i);
   std::erase_if(groups,
-                [&](const std::vector<int>& g) { return g.empty() || (g.size() < 2 && !paired[g[0]]); });
+                [&](const std::vector<BodyIndex>& g) { return g.empty() || (g.size() < 2 && !paired[g[0]]); });
   return groups;
 }
 
@@ -200,7 +201,7 @@ double ForceField::coupling_energy(SpringIndex spring, const Eigen::Matrix3Xd& q
   return spring_energy(spring, (q.col(term.body).head<2>() - end).norm());
 }
 
-double ForceField::attraction_energy(int a, int b, const Vec2& d) const {
+double ForceField::attraction_energy(BodyIndex a, BodyIndex b, const Vec2& d) const {
   const double distance =
       std::sqrt(d.squaredNorm() + terms_->attraction->softening * terms_->attraction->softening);
   return distance > 0.0 ? -terms_->attraction->constant * model_->mass.mass[a] * model_->mass.mass[b] / distance
@@ -210,14 +211,14 @@ double ForceField::attraction_energy(int a, int b, const Vec2& d) const {
 double ForceField::potential_energy(const Eigen::Matrix3Xd& q) const {
   const int n = static_cast<int>(q.cols());
   double energy = 0.0;
-  for (int i = 0; i < n; ++i) {
+  for (BodyIndex i{0}; i < n; ++i) {
     if (model_->mass.inverse_mass[i] > 0.0)
       energy -= model_->mass.mass[i] * terms_->gravity.dot(q.col(i).head<2>());
   }
   terms_->springs.each_index([&](SpringIndex s) { energy += coupling_energy(s, q); });
   if (!terms_->attraction) return energy;
-  for (int a = 0; a < n; ++a) {
-    for (int b = a + 1; b < n; ++b) {
+  for (BodyIndex a{0}; a < n; ++a) {
+    for (BodyIndex b{a + 1}; b < n; ++b) {
       if (model_->mass.inverse_mass[a] > 0.0 && model_->mass.inverse_mass[b] > 0.0)
         energy += attraction_energy(a, b, q.col(a).head<2>() - q.col(b).head<2>());
     }
@@ -225,7 +226,7 @@ double ForceField::potential_energy(const Eigen::Matrix3Xd& q) const {
   return energy;
 }
 
-double ForceField::potential_energy_of(int body, const Vec2& position, const Eigen::Matrix3Xd& q) const {
+double ForceField::potential_energy_of(BodyIndex body, const Vec2& position, const Eigen::Matrix3Xd& q) const {
   if (!(model_->mass.inverse_mass[body] > 0.0)) return 0.0;
   double energy = -model_->mass.mass[body] * terms_->gravity.dot(position);
   for (const auto* lists : {&terms_->outside, &terms_->between}) {
@@ -239,7 +240,7 @@ double ForceField::potential_energy_of(int body, const Vec2& position, const Eig
     }
   }
   if (!terms_->attraction) return energy;
-  for (int b = 0; b < static_cast<int>(q.cols()); ++b) {
+  for (BodyIndex b{0}; b < static_cast<int>(q.cols()); ++b) {
     if (b != body && model_->mass.inverse_mass[b] > 0.0)
       energy += attraction_energy(body, b, position - q.col(b).head<2>());
   }
@@ -248,7 +249,7 @@ double ForceField::potential_energy_of(int body, const Vec2& position, const Eig
 
 // --- moments at which a law changes
 
-double ForceField::next_break(int body, double t) const {
+double ForceField::next_break(BodyIndex body, double t) const {
   double next = kInfinity;
   if (!has_breaks()) return next;
   const double now = t + 8.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
@@ -260,7 +261,7 @@ double ForceField::next_break(int body, double t) const {
   return next;
 }
 
-void ForceField::set_phase(int body, double t) {
+void ForceField::set_phase(BodyIndex body, double t) {
   if (!has_breaks()) return;
   const double now = t + 8.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
   for (const int i : terms_->applied_to[body]) {

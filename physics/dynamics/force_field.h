@@ -29,7 +29,7 @@ class ForceField {
   // Rate of a movable body at absolute time t (s) under the external forces; y and k are columns of kRows, or
   // of kRowsWithoutGravity, or of kMotionRows if has_quadratures() is false.
   template <class Y, class K>
-  void external_rate(int body, double t, const Y& y, K&& k) const {
+  void external_rate(BodyIndex body, double t, const Y& y, K&& k) const {
     k.template head<3>() = y.template segment<3>(3);
     k.template segment<3>(3) << terms_->gravity, 0.0;
     if (in_contact_) {
@@ -46,13 +46,13 @@ class ForceField {
     }
   }
   // N m: of uniform gravity about the origin, on a movable body at x (m).
-  [[nodiscard]] double torque_of_gravity(int body, const Vec2& x) const {
+  [[nodiscard]] double torque_of_gravity(BodyIndex body, const Vec2& x) const {
     return model_->mass.mass[body] * cross(x, terms_->gravity);
   }
   // m/s², m/s², rad/s²: the acceleration of a body by resting contacts, from now on.
   [[nodiscard]] bool in_contact() const { return in_contact_; }
-  [[nodiscard]] auto contact_acceleration(int body) const { return contact_.col(body); }
-  void set_contact_acceleration(int body, const Eigen::Vector3d& by) {
+  [[nodiscard]] auto contact_acceleration(BodyIndex body) const { return contact_.col(body); }
+  void set_contact_acceleration(BodyIndex body, const Eigen::Vector3d& by) {
     if (!in_contact_) {
       contact_ = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(model_->bodies()));
       contact_rate_ = contact_;
@@ -63,8 +63,8 @@ class ForceField {
   }
   // Per s: how it changes from the absolute time `from` (s) on, one for all bodies.
   [[nodiscard]] bool contact_changes() const { return contact_changes_; }
-  [[nodiscard]] auto contact_rate(int body) const { return contact_rate_.col(body); }
-  void set_contact_rate(int body, const Eigen::Vector3d& rate, double from) {
+  [[nodiscard]] auto contact_rate(BodyIndex body) const { return contact_rate_.col(body); }
+  void set_contact_rate(BodyIndex body, const Eigen::Vector3d& rate, double from) {
     contact_changes_ = true;
     contact_from_ = from;
     contact_rate_.col(body) = rate;
@@ -74,7 +74,7 @@ class ForceField {
     contact_changes_ = false;
   }
   // Adds the coupling forces among `members` to their rates; columns in the order of the members.
-  void add_couplings(std::span<const int> members, const Motions& y, Motions& k) const;
+  void add_couplings(std::span<const BodyIndex> members, const Motions& y, Motions& k) const;
 
   // False if all quadratures but that of gravity stay zero.
   [[nodiscard]] bool has_quadratures() const { return has_quadratures_; }
@@ -86,26 +86,27 @@ class ForceField {
     constant_ = false;
   }
   // m/s², m/s², rad/s²; of a movable body where is_constant(), zero for others.
-  [[nodiscard]] Eigen::Vector3d constant_acceleration(int body) const;
+  [[nodiscard]] Eigen::Vector3d constant_acceleration(BodyIndex body) const;
 
   // Groups of bodies that forces or the given pairs couple; a body paired with itself is a group if nothing
   // else couples it.
-  [[nodiscard]] std::vector<std::vector<int>> coupled_groups(
-      const std::vector<std::pair<int, int>>& pairs = {}) const;
+  [[nodiscard]] std::vector<std::vector<BodyIndex>> coupled_groups(
+      const std::vector<BodyPair>& pairs = {}) const;
 
   // J: of gravity (zero at the origin), of springs, and of attraction (zero far away).
   [[nodiscard]] double potential_energy(const Eigen::Matrix3Xd& q) const;
   // J: the part of it that changes when `body` is moved to `position` and all others stay.
-  [[nodiscard]] double potential_energy_of(int body, const Vec2& position, const Eigen::Matrix3Xd& q) const;
+  [[nodiscard]] double potential_energy_of(BodyIndex body, const Vec2& position,
+                                           const Eigen::Matrix3Xd& q) const;
 
   [[nodiscard]] bool has_breaks() const { return !terms_->applied.empty(); }
   // s: the next moment after t at which an applied force on the body changes its law; infinite if there is
   // none.
-  [[nodiscard]] double next_break(int body, double t) const;
-  void set_phase(int body, double t);  // the laws in force just after t
+  [[nodiscard]] double next_break(BodyIndex body, double t) const;
+  void set_phase(BodyIndex body, double t);  // the laws in force just after t
 
   // One-sided springs that have an end at `body`.
-  [[nodiscard]] std::span<const SpringIndex> switching_springs(int body) const {
+  [[nodiscard]] std::span<const SpringIndex> switching_springs(BodyIndex body) const {
     return terms_->switching.empty() ? std::span<const SpringIndex>() : terms_->switching[body];
   }
   [[nodiscard]] bool has_switching_springs() const { return terms_->one_sided; }
@@ -121,8 +122,8 @@ class ForceField {
   [[nodiscard]] bool attracts() const { return terms_->attraction.has_value(); }
   void set_engaged(SpringIndex spring, bool on) { engaged_[static_cast<std::size_t>(spring)] = on ? 1 : 0; }
   [[nodiscard]] double spring_energy(SpringIndex spring, double length) const;  // J, where it acts
-  [[nodiscard]] int spring_body(SpringIndex spring) const { return terms_->springs[spring].body; }
-  [[nodiscard]] int spring_other(SpringIndex spring) const {
+  [[nodiscard]] BodyIndex spring_body(SpringIndex spring) const { return terms_->springs[spring].body; }
+  [[nodiscard]] BodyIndex spring_other(SpringIndex spring) const {
     return terms_->springs[spring].other;
   }  // -1: a point
   // Position and velocity of a spring's other end if it is a point or a body of infinite mass.
@@ -136,13 +137,13 @@ class ForceField {
     double loss;  // W, of the damper
   };
   // Has code only for the parts that the model has.
-  using AddExternal = void (ForceField::*)(int, double, const Vec2&, const Vec2&, double, double*) const;
-  template <bool kDrag, bool kSprings, bool kApplied>
-  void add_external(int body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const;
+  using AddExternal = void (ForceField::*)(BodyIndex, double, const Vec2&, const Vec2&, double, double*) const;
+  template <bool kOnEach, bool kSprings, bool kApplied>
+  void add_external(BodyIndex body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const;
   static AddExternal add_external_of(const ForceTerms& terms);
   [[nodiscard]] Pull pull(const SpringTerm& spring, const Vec2& d, const Vec2& u) const;
   [[nodiscard]] double coupling_energy(SpringIndex spring, const Eigen::Matrix3Xd& q) const;
-  [[nodiscard]] double attraction_energy(int a, int b, const Vec2& d) const;
+  [[nodiscard]] double attraction_energy(BodyIndex a, BodyIndex b, const Vec2& d) const;
 
   std::shared_ptr<const Model> model_;
   const ForceTerms* terms_ = nullptr;  // the model's

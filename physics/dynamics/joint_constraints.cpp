@@ -56,21 +56,21 @@ void JointConstraints::add_weld(const Weld& weld) {
   taut_.push_back(1);
 }
 
-void JointConstraints::set_groups(const std::vector<std::vector<int>>& groups) {
+void JointConstraints::set_groups(const std::vector<std::vector<BodyIndex>>& groups) {
   groups_.clear();
   first_row_.assign(terms_.all.size(), -1);
   std::vector<std::vector<JointIndex>> joints_at(model_->mass.mass.size());  // by their first body
   terms_.all.each_index([&](JointIndex l) { joints_at[terms_.all[l].body].push_back(l); });
-  for (const std::vector<int>& members : groups) {
+  for (const std::vector<BodyIndex>& members : groups) {
     Group& g = groups_.emplace_back();
-    const auto column_of = [&](int body) {
+    const auto column_of = [&](BodyIndex body) {
       const auto found = std::lower_bound(members.begin(), members.end(), body);
       return found != members.end() && *found == body ? static_cast<int>(found - members.begin()) : -1;
     };
     std::vector<std::vector<int>> rows_of(members.size());
     std::size_t next = 0;
     std::vector<JointIndex> own;
-    for (const int body : members) own.insert(own.end(), joints_at[body].begin(), joints_at[body].end());
+    for (const BodyIndex body : members) own.insert(own.end(), joints_at[body].begin(), joints_at[body].end());
     std::sort(own.begin(), own.end());
     for (const JointIndex l : own) {
       const int a = column_of(terms_.all[l].body);
@@ -390,7 +390,7 @@ void JointConstraints::project(int group, double t, const Motions& y, Eigen::Mat
   apply(g, change);
 }
 
-Vec2 JointConstraints::impulse(int group, JointIndex joint, int body) const {
+Vec2 JointConstraints::impulse(int group, JointIndex joint, BodyIndex body) const {
   const Group& g = groups_[group];
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < g.rows.size(); ++i) {

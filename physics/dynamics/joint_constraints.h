@@ -48,11 +48,11 @@ class JointConstraints {
   [[nodiscard]] const std::vector<Weld>& welds() const { return welds_; }  // those added
   [[nodiscard]] const WeldedBodies& welded() const { return welded_; }     // by the scene or since
   [[nodiscard]] JointIndex last() const { return JointIndex{static_cast<int>(terms_.all.size()) - 1}; }
-  [[nodiscard]] std::vector<std::pair<int, int>> joined() const { return terms_.joined(); }
+  [[nodiscard]] std::vector<BodyPair> joined() const { return terms_.joined(); }
 
   // Sets the groups of bodies that are advanced together, each in rising order. `group` below is an index
   // into them.
-  void set_groups(const std::vector<std::vector<int>>& groups);
+  void set_groups(const std::vector<std::vector<BodyIndex>>& groups);
   [[nodiscard]] bool has_joints(int group) const { return !groups_[group].rows.empty(); }
 
   // Adds the joint forces to the rates k of a group, which already have all other forces; t in s, absolute.
@@ -89,7 +89,7 @@ class JointConstraints {
   }
   // N s, the impulse of a joint on `body`, at one of its ends, in the group's last share() or
   // apply_taut_impulse().
-  [[nodiscard]] Vec2 impulse(int group, JointIndex joint, int body) const;
+  [[nodiscard]] Vec2 impulse(int group, JointIndex joint, BodyIndex body) const;
   // N, the tension of a taut string in the last add_forces().
   [[nodiscard]] double tension(int group, JointIndex joint) const;
   // m, how much longer a string is than its length; for one at its length it may be below zero by rounding.

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "physics/model/index.h"
+
 namespace carom {
 
 // Why a run can't go on.
@@ -16,7 +18,7 @@ inline constexpr double kLostBeyond = 1e15;
 // Thrown within a step when a motion is lost. Simulation::step() catches it; it never leaves the library.
 struct LostMotion {
   LossReason reason = LossReason::kTooLarge;
-  int body = 0;
+  BodyIndex body;
   double time = 0.0;  // s, absolute
 };
 

@@ -12,7 +12,7 @@ Motion initial_motion(const Body& body, double time) {
   return m;
 }
 
-Motion motion_at_start(const BodyStarts& starts, int body) {
+Motion motion_at_start(const BodyStarts& starts, BodyIndex body) {
   Motion m = Motion::Zero();
   q_of(m) = starts.q.col(body);
   v_of(m) = starts.v.col(body);
@@ -22,7 +22,7 @@ Motion motion_at_start(const BodyStarts& starts, int body) {
 State initial_state(const std::vector<Body>& bodies) {
   State state;
   state.resize(static_cast<int>(bodies.size()));
-  for (int i = 0; i < state.size(); ++i) state.set_motion(i, initial_motion(bodies[i]));
+  for (BodyIndex i{0}; i < state.size(); ++i) state.set_motion(i, initial_motion(bodies[i]));
   return state;
 }
 

@@ -79,7 +79,7 @@ struct State {
 // `time` (s).
 [[nodiscard]] Motion initial_motion(const Body& body, double time = 0.0);
 
-[[nodiscard]] Motion motion_at_start(const BodyStarts& starts, int body);
+[[nodiscard]] Motion motion_at_start(const BodyStarts& starts, BodyIndex body);
 
 [[nodiscard]] State initial_state(const std::vector<Body>& bodies);
 

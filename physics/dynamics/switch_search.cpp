@@ -22,7 +22,7 @@ void set_on(Flights& f, const Switch& a_switch, bool on) {
 
 // The other end of a spring.
 Motion other_end(Flights& f, SpringIndex spring, double time) {
-  const int other = f.field.spring_other(spring);
+  const BodyIndex other = f.field.spring_other(spring);
   return other >= 0 ? f.at(other, time) : f.field.spring_end(spring, f.epoch + time);
 }
 
@@ -42,7 +42,7 @@ double margin_at(Flights& f, const Island& island, const Switch& a_switch, doubl
 
 double SwitchSearch::recheck(Flights& f, const Island& island) {
   double released = 0.0;
-  for (const int i : f.members_of(island)) {
+  for (const BodyIndex i : f.members_of(island)) {
     for (const SpringIndex spring : f.field.switching_springs(i)) {
       const double margin = margin_at(f, island, spring, island.start);
       if (margin != 0.0 && (margin > 0.0) != f.field.engaged(spring))
@@ -80,7 +80,7 @@ bool SwitchSearch::may_follow(const Flights& f, const Island& island) {
 
 void SwitchSearch::list(const Flights& f, const Island& island) {
   listed_.clear();
-  for (const int i : f.members_of(island)) {
+  for (const BodyIndex i : f.members_of(island)) {
     for (const SpringIndex spring : f.field.switching_springs(i)) {
       // A spring between two members belongs to both.
       if (f.field.spring_body(spring) == i || island.group < 0) listed_.emplace_back(spring);
@@ -121,7 +121,7 @@ void SwitchSearch::end_at_first(Flights& f, Island& island) {
   find_leaving(f, island, first);
   find_roots(f, island, first);
   if (!island.switching) return;
-  for (const int i : f.members_of(island)) f.at_end.col(i) = f.at(i, first);
+  for (const BodyIndex i : f.members_of(island)) f.at_end.col(i) = f.at(i, first);
   island.end = first;
 }
 

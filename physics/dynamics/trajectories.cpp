@@ -27,7 +27,7 @@ double time_to_move(double reach, double speed, double acceleration) {
 
 double time_to_end(const Flights& f, const Island& island, double reach, double turn) {
   double most = kLongestTrajectory;
-  for (const int i : f.members_of(island)) {
+  for (const BodyIndex i : f.members_of(island)) {
     if (island.kinematic) {
       const Drive& d = f.model->drive(i);
       most = std::min(most,
@@ -36,7 +36,7 @@ double time_to_end(const Flights& f, const Island& island, double reach, double 
     } else {
       most = std::min(most, time_to_move(reach, f.at_start.col(i).segment<2>(3).norm(),
                                          f.constant.col(i).head<2>().norm()));
-      if (!f.model->shapes.is_disc(i)) most = std::min(most, turn / std::abs(f.at_start(5, i)));
+      if (!f.model->shapes.is_disc(i)) most = std::min(most, turn / std::abs(f.at_start.col(i)[5]));
     }
   }
   return most;
@@ -45,7 +45,7 @@ double time_to_end(const Flights& f, const Island& island, double reach, double 
 // A cautious first step, from the time in which velocities change by their own size.
 double first_step(Flights& f, const Island& island) {
   double time = kLongestTrajectory;
-  for (const int i : f.members_of(island)) {
+  for (const BodyIndex i : f.members_of(island)) {
     const double speed = f.at_start.col(i).segment<3>(3).norm();
     const double change = f.acceleration(i).head<2>().norm();
     if (change > 0.0) time = std::min(time, speed > 0.0 ? speed / change : 1.0);
@@ -58,7 +58,7 @@ bool is_blown_up(const Flights& f, const Island& island) {
   constexpr double kFarBeyond = 1e3;
   const double largest = kFarBeyond * f.tolerance / std::numeric_limits<double>::epsilon();
   const auto members = f.members_of(island);
-  return std::any_of(members.begin(), members.end(), [&](int i) {
+  return std::any_of(members.begin(), members.end(), [&](BodyIndex i) {
     const auto moved = f.at_start.col(i).head<6>();
     return !moved.allFinite() || moved.cwiseAbs().maxCoeff() > largest;
   });
@@ -78,7 +78,7 @@ void Trajectories::begin(double epoch) {
   for (Island& island : f.islands) {
     island.start = island.end = 0.0;
     f.forget(island);
-    for (const int i : f.members_of(island)) f.field.set_phase(i, epoch);
+    for (const BodyIndex i : f.members_of(island)) f.field.set_phase(i, epoch);
   }
 }
 
@@ -104,7 +104,7 @@ void Trajectories::lose(const Island& island, LossReason reason) const {
 
 void Trajectories::check_flight(const Island& island) const {
   const Flights& f = flights_;
-  for (const int i : f.members_of(island)) {
+  for (const BodyIndex i : f.members_of(island)) {
     if (!has_finite_squares(f.at_end.col(i))) lose(island, LossReason::kTooLarge);
   }
   if (!f.adaptive) return;
@@ -127,15 +127,15 @@ void Trajectories::advance_to(int k, double time) {
   if (island.group < 0) {
     f.at_start.col(f.body_of(island)) = f.at(f.body_of(island), time);
   } else if (time != island.start) {
-    for (const int i : f.members_of(island)) f.at_end.col(i) = f.at(i, time);
-    for (const int i : f.members_of(island)) f.at_start.col(i) = f.at_end.col(i);
+    for (const BodyIndex i : f.members_of(island)) f.at_end.col(i) = f.at(i, time);
+    for (const BodyIndex i : f.members_of(island)) f.at_start.col(i) = f.at_end.col(i);
   }
   island.start = island.end = time;
   island.switching.reset();
   f.forget(island);
   // A law may change at this very time.
   if (f.field.has_breaks()) {
-    for (const int i : f.members_of(island)) f.field.set_phase(i, f.epoch + time);
+    for (const BodyIndex i : f.members_of(island)) f.field.set_phase(i, f.epoch + time);
   }
 }
 
@@ -147,27 +147,27 @@ double Trajectories::advance_to_end(int k) {
   return ending ? switches_.flip(f, island, *ending, island.start) : 0.0;
 }
 
-void Trajectories::set_velocity(int body, const Vec2& velocity, double spin) {
+void Trajectories::set_velocity(BodyIndex body, const Vec2& velocity, double spin) {
   Flights& f = flights_;
   f.at_start.col(body).segment<3>(3) << velocity, spin;
   if (f.island_of[body] >= 0) f.forget(f.islands[f.island_of[body]]);
 }
 
-void Trajectories::set_contact_acceleration(int body, const Eigen::Vector3d& by) {
+void Trajectories::set_contact_acceleration(BodyIndex body, const Eigen::Vector3d& by) {
   Flights& f = flights_;
   f.field.set_contact_acceleration(body, by);
   f.constant.col(body) = f.field.constant_acceleration(body) + by;
   if (f.island_of[body] >= 0) f.forget(f.islands[f.island_of[body]]);
 }
 
-void Trajectories::set_contact_rate(int body, const Eigen::Vector3d& rate) {
+void Trajectories::set_contact_rate(BodyIndex body, const Eigen::Vector3d& rate) {
   Flights& f = flights_;
   f.bent_from = 0.0;
   f.field.set_contact_rate(body, rate, f.epoch);
   if (f.island_of[body] >= 0) f.forget(f.islands[f.island_of[body]]);
 }
 
-void Trajectories::set_pose(int body, const Eigen::Vector3d& q) {
+void Trajectories::set_pose(BodyIndex body, const Eigen::Vector3d& q) {
   Flights& f = flights_;
   f.at_start.col(body).head<3>() = q;
   if (f.island_of[body] >= 0) f.forget(f.islands[f.island_of[body]]);
@@ -185,7 +185,7 @@ void Trajectories::rebuild(int k, double horizon, double reach, double turn) {
     island.end = island.start + (blown_up ? kLongestTrajectory : time_to_end(f, island, reach, turn));
   }
   if (f.field.has_breaks()) {
-    for (const int i : f.members_of(island))
+    for (const BodyIndex i : f.members_of(island))
       island.end = std::min(island.end, f.field.next_break(i, f.epoch + island.start) - f.epoch);
   }
   if (f.adaptive && !island.kinematic) limit_to_adaptive_step(island);

@@ -36,9 +36,9 @@ class Trajectories {
   void set_method(const Method& method) { flights_.set_method(method); }
   [[nodiscard]] const ForceField& field() const { return flights_.field; }
   [[nodiscard]] int islands() const { return static_cast<int>(flights_.islands.size()); }
-  [[nodiscard]] int island_of(int body) const { return flights_.island_of[body]; }  // -1: fixed
+  [[nodiscard]] int island_of(BodyIndex body) const { return flights_.island_of[body]; }  // -1: fixed
   // In rising order.
-  [[nodiscard]] std::span<const int> members(int island) const {
+  [[nodiscard]] std::span<const BodyIndex> members(int island) const {
     return flights_.members_of(flights_.islands[island]);
   }
 
@@ -47,51 +47,55 @@ class Trajectories {
   [[nodiscard]] double epoch() const { return flights_.epoch; }
   // Moves the epoch on; no motion changes.
   void shift_epoch(double by);
-  [[nodiscard]] double start(int body) const {
+  [[nodiscard]] double start(BodyIndex body) const {
     const int k = flights_.island_of[body];
     return k < 0 ? -Flights::kForever : flights_.islands[k].start;
   }
-  [[nodiscard]] double end(int body) const {
+  [[nodiscard]] double end(BodyIndex body) const {
     const int k = flights_.island_of[body];
     return k < 0 ? Flights::kForever : flights_.islands[k].end;
   }
 
   // The motion at the start and at the end of the body's trajectory.
-  [[nodiscard]] auto at_start(int body) const { return flights_.at_start.col(body); }
-  [[nodiscard]] auto at_end(int body) const { return flights_.at_end.col(body); }
+  [[nodiscard]] auto at_start(BodyIndex body) const { return flights_.at_start.col(body); }
+  [[nodiscard]] auto at_end(BodyIndex body) const { return flights_.at_end.col(body); }
   // start <= time <= end, or later until the trajectory is rebuilt.
-  [[nodiscard]] Motion at(int body, double time) { return flights_.at(body, time); }
+  [[nodiscard]] Motion at(BodyIndex body, double time) { return flights_.at(body, time); }
   // Whether a body's acceleration by contacts changes: its parabola is bent.
-  [[nodiscard]] bool is_bent(int body) const { return flights_.is_bent(body); }
+  [[nodiscard]] bool is_bent(BodyIndex body) const { return flights_.is_bent(body); }
   // On a parabola only (see is_parabolic): q in m and rad at a time, and v.
-  [[nodiscard]] Eigen::Vector3d parabola(int body, double time) const { return flights_.parabola(body, time); }
-  [[nodiscard]] Eigen::Vector3d parabola_velocity(int body, double time) const {
+  [[nodiscard]] Eigen::Vector3d parabola(BodyIndex body, double time) const {
+    return flights_.parabola(body, time);
+  }
+  [[nodiscard]] Eigen::Vector3d parabola_velocity(BodyIndex body, double time) const {
     return flights_.parabola_velocity(body, time);
   }
   // kg m²/s, under gravity alone: what it has given to the body's angular momentum about the origin.
-  [[nodiscard]] double angular_impulse_of_gravity(int body, double time) const {
+  [[nodiscard]] double angular_impulse_of_gravity(BodyIndex body, double time) const {
     return flights_.angular_impulse_of_gravity(body, time);
   }
   // True if every free flight is a parabola, by the forces and under this integrator.
   [[nodiscard]] bool is_parabolic() const { return flights_.parabolic; }
-  [[nodiscard]] Eigen::Vector3d constant_acceleration(int body) const { return flights_.constant.col(body); }
+  [[nodiscard]] Eigen::Vector3d constant_acceleration(BodyIndex body) const {
+    return flights_.constant.col(body);
+  }
   // m/s², m/s², rad/s²: of a movable body at the start of its trajectory.
-  [[nodiscard]] Eigen::Vector3d acceleration(int body) { return flights_.acceleration(body); }
+  [[nodiscard]] Eigen::Vector3d acceleration(BodyIndex body) { return flights_.acceleration(body); }
   // Sets the bounds for a search on an island's trajectory: curvature_bound(body) in m/s² bounds the
   // acceleration of the centre, turn_bound(body) in rad/s² bounds ω² + |α|.
   void bound_curvature(int island);
-  [[nodiscard]] double curvature_bound(int body) const { return curvature_bound_[body]; }
-  [[nodiscard]] double turn_bound(int body) const { return turn_bound_[body]; }
+  [[nodiscard]] double curvature_bound(BodyIndex body) const { return curvature_bound_[body]; }
+  [[nodiscard]] double turn_bound(BodyIndex body) const { return turn_bound_[body]; }
 
   // Moves an island's start to a time of its trajectory; call rebuild() before the trajectory is used again.
   void advance_to(int island, double time);
   // Set a body's velocity or position at the island's start, after an impact or a push.
-  void set_velocity(int body, const Vec2& velocity, double spin);
-  void set_pose(int body, const Eigen::Vector3d& q);
+  void set_velocity(BodyIndex body, const Vec2& velocity, double spin);
+  void set_pose(BodyIndex body, const Eigen::Vector3d& q);
   // Acceleration of a body by resting contacts (m/s², m/s², rad/s²), for trajectories rebuilt from now on.
-  void set_contact_acceleration(int body, const Eigen::Vector3d& by);
+  void set_contact_acceleration(BodyIndex body, const Eigen::Vector3d& by);
   // Per s: how it changes, from the epoch on, until end_contact_rates() or the next set_contact_acceleration().
-  void set_contact_rate(int body, const Eigen::Vector3d& rate);
+  void set_contact_rate(BodyIndex body, const Eigen::Vector3d& rate);
   void end_contact_rates() { flights_.field.end_contact_rates(); }
   // Budget of the adaptive integrator between two calls of begin_step(), in evaluations weighted by their cost
   // (attraction makes each cost more): about a second of work for few bodies.
@@ -109,7 +113,7 @@ class Trajectories {
   static constexpr double kUsualTurn = 6.0;  // rad
   void rebuild(int island, double horizon, double reach, double turn_bound = kUsualTurn);
   // True if joints hold the body.
-  [[nodiscard]] bool is_jointed(int body) const {
+  [[nodiscard]] bool is_jointed(BodyIndex body) const {
     const int k = flights_.island_of[body];
     const int group = k < 0 ? -1 : flights_.islands[k].group;
     return group >= 0 && flights_.joints.has_joints(group);
@@ -122,8 +126,9 @@ class Trajectories {
   // each without joints; zero for bodies of infinite mass. project_changes() replaces them by the changes with
   // the joints' impulses, apply_changes() changes the motions of all jointed bodies. It returns false if a
   // string would have to push: the string is slack from then on; project the changes again.
-  void project_changes(std::span<const int> bodies, Eigen::Ref<Eigen::Matrix3Xd> by);
-  [[nodiscard]] bool apply_changes(std::span<const int> bodies, const Eigen::Ref<const Eigen::Matrix3Xd>& by);
+  void project_changes(std::span<const BodyIndex> bodies, Eigen::Ref<Eigen::Matrix3Xd> by);
+  [[nodiscard]] bool apply_changes(std::span<const BodyIndex> bodies,
+                                   const Eigen::Ref<const Eigen::Matrix3Xd>& by);
   // Welds two bodies by a plastic impact at a time at which all motions are known. The islands are others
   // from then on, and all of them start at that time.
   struct WeldImpact {

@@ -16,7 +16,7 @@ bool outruns_joints(Flights& f, const Flights::Island& island) {
   double speed = 0.0;
   double change = 0.0;
   for (int j = 0; j < island.count; ++j) {
-    const int i = f.members[island.first + j];
+    const BodyIndex i = f.members[island.first + j];
     speed = std::max({speed, f.at_start.col(i).segment<2>(3).norm(), f.at_end.col(i).segment<2>(3).norm()});
     change = std::max(
         {change, group.stages.k[0].col(j).segment<2>(3).norm(), group.stages.k[1].col(j).segment<2>(3).norm()});
@@ -27,7 +27,7 @@ bool outruns_joints(Flights& f, const Flights::Island& island) {
   double outside = 0.0;
   Motions& rates = f.groups[island.group].stages.k[2];
   for (int j = 0; j < island.count; ++j) {
-    const int i = f.members[island.first + j];
+    const BodyIndex i = f.members[island.first + j];
     f.field.external_rate(i, f.epoch + island.start, f.at_start.col(i), rates.col(j));
   }
   f.gather(island);
@@ -47,13 +47,13 @@ void Trajectories::bound_curvature(int k) {
     return;
   }
   // Between the ends the spin exceeds both by at most half of its largest change within the trajectory.
-  const auto bound_turn = [&](int body, double angular_acceleration) {
-    const double spin = std::max(std::abs(f.at_start(5, body)), std::abs(f.at_end(5, body))) +
+  const auto bound_turn = [&](BodyIndex body, double angular_acceleration) {
+    const double spin = std::max(std::abs(f.at_start.col(body)[5]), std::abs(f.at_end.col(body)[5])) +
                         0.5 * angular_acceleration * (island.end - island.start);
     turn_bound_[body] = spin * spin + angular_acceleration;
   };
   if (f.parabolic) {
-    const int body = f.body_of(island);
+    const BodyIndex body = f.body_of(island);
     const Eigen::Vector3d first = f.parabola_acceleration(body, island.start);
     const Eigen::Vector3d last = f.parabola_acceleration(body, island.end);
     curvature_bound_[body] = std::max(first.head<2>().norm(), last.head<2>().norm());
@@ -64,7 +64,7 @@ void Trajectories::bound_curvature(int k) {
   // Twice the largest of the accelerations at both ends: sub-steps of semi-implicit Euler have a curvature of
   // 2a, and within a step that resolves the motion the acceleration varies by less than that.
   if (island.group < 0) {
-    const int body = f.body_of(island);
+    const BodyIndex body = f.body_of(island);
     const BodyRates rates{f.field, body, f.epoch};
     Motion y = f.at_start.col(body);
     Motion rate;
@@ -82,11 +82,11 @@ void Trajectories::bound_curvature(int k) {
   Flights::Group& group = f.groups[island.group];
   // Also at the step's stages: bodies that attract may pass each other between its ends.
   f.fly_group(island, island.end);
-  for (const int i : f.members_of(island)) curvature_bound_[i] = turn_bound_[i] = 0.0;
+  for (const BodyIndex i : f.members_of(island)) curvature_bound_[i] = turn_bound_[i] = 0.0;
   for (int stage = 1; stage < f.evaluations_a_flight; ++stage) {
     for (int j = 0; j < island.count; ++j) {
       const auto rate = group.stages.k[stage].col(j).segment<3>(3);
-      const int body = f.members[island.first + j];
+      const BodyIndex body = f.members[island.first + j];
       curvature_bound_[body] = std::max(curvature_bound_[body], 2.0 * rate.head<2>().norm());
       turn_bound_[body] = std::max(turn_bound_[body], 2.0 * std::abs(rate[2]));
     }
@@ -97,13 +97,13 @@ void Trajectories::bound_curvature(int k) {
   rates(island.end, group.from, group.stages.k[1]);
   if (f.joints.has_joints(island.group) && outruns_joints(f, island)) {
     if (joints_missed_since_ < 0.0) joints_missed_since_ = f.epoch + island.start;
-    for (const int i : f.members_of(island)) curvature_bound_[i] = turn_bound_[i] = 0.0;
+    for (const BodyIndex i : f.members_of(island)) curvature_bound_[i] = turn_bound_[i] = 0.0;
     return;
   }
   for (int j = 0; j < island.count; ++j) {
     const auto from = group.stages.k[0].col(j).segment<3>(3);
     const auto to = group.stages.k[1].col(j).segment<3>(3);
-    const int body = f.members[island.first + j];
+    const BodyIndex body = f.members[island.first + j];
     curvature_bound_[body] =
         std::max({curvature_bound_[body], 2.0 * from.head<2>().norm(), 2.0 * to.head<2>().norm()});
     bound_turn(body, std::max({turn_bound_[body], 2.0 * std::abs(from[2]), 2.0 * std::abs(to[2])}));

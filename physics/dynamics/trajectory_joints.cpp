@@ -9,7 +9,7 @@ namespace carom {
 namespace {
 
 // The group of a body's island, or -1 if it has none.
-int group_of(const Flights& f, int body) {
+int group_of(const Flights& f, BodyIndex body) {
   const int k = f.island_of[body];
   return k < 0 ? -1 : f.islands[k].group;
 }
@@ -17,11 +17,11 @@ int group_of(const Flights& f, int body) {
 // Calls visit(island) once for each group among these bodies, with their changes of velocity set in it, without
 // its joints. Ends at the first that returns false, and returns false then.
 template <class Visit>
-bool each_changed(Flights& f, std::span<const int> bodies, const Eigen::Ref<const Eigen::Matrix3Xd>& by,
+bool each_changed(Flights& f, std::span<const BodyIndex> bodies, const Eigen::Ref<const Eigen::Matrix3Xd>& by,
                   const Visit& visit) {
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const int group = group_of(f, bodies[k]);
-    const auto same = [&](int other) { return f.island_of[other] == f.island_of[bodies[k]]; };
+    const auto same = [&](BodyIndex other) { return f.island_of[other] == f.island_of[bodies[k]]; };
     if (group < 0 || std::any_of(bodies.begin(), bodies.begin() + static_cast<std::ptrdiff_t>(k), same))
       continue;
     const Flights::Island& island = f.islands[f.island_of[bodies[k]]];
@@ -47,7 +47,7 @@ void Trajectories::restore_joints(int k) {
   f.spread(island);
 }
 
-void Trajectories::project_changes(std::span<const int> bodies, Eigen::Ref<Eigen::Matrix3Xd> by) {
+void Trajectories::project_changes(std::span<const BodyIndex> bodies, Eigen::Ref<Eigen::Matrix3Xd> by) {
   Flights& f = flights_;
   each_changed(f, bodies, by, [&](const Flights::Island& island) {
     Flights::Group& group = f.groups[island.group];
@@ -60,7 +60,8 @@ void Trajectories::project_changes(std::span<const int> bodies, Eigen::Ref<Eigen
   });
 }
 
-bool Trajectories::apply_changes(std::span<const int> bodies, const Eigen::Ref<const Eigen::Matrix3Xd>& by) {
+bool Trajectories::apply_changes(std::span<const BodyIndex> bodies,
+                                 const Eigen::Ref<const Eigen::Matrix3Xd>& by) {
   Flights& f = flights_;
   const bool pulls = each_changed(f, bodies, by, [&](const Flights::Island& island) {
     Flights::Group& group = f.groups[island.group];
@@ -86,13 +87,13 @@ bool Trajectories::apply_changes(std::span<const int> bodies, const Eigen::Ref<c
 Trajectories::WeldImpact Trajectories::add_weld(const Weld& weld, double time) {
   Flights& f = flights_;
   Motions now = f.at_start;
-  for (int i = 0; i < static_cast<int>(now.cols()); ++i) now.col(i) = f.at(i, time);
+  for (BodyIndex i{0}; i < static_cast<int>(now.cols()); ++i) now.col(i) = f.at(i, time);
   f.at_start = now;
   f.add_weld(weld);
   switches_.add_joint();
   for (Flights::Island& island : f.islands) {
     island.start = island.end = time;
-    for (const int i : f.members_of(island)) f.field.set_phase(i, f.epoch + time);
+    for (const BodyIndex i : f.members_of(island)) f.field.set_phase(i, f.epoch + time);
   }
   const Flights::Island& island = f.islands[f.island_of[weld.body]];
   const double taken = f.apply_taut_impulse(island);

@@ -5,6 +5,7 @@
 
 #include "physics/impact/newton_law.h"
 #include "physics/impact/routh_path.h"
+#include "physics/model/coulomb_friction.h"
 
 namespace carom {
 namespace {
@@ -43,8 +44,8 @@ Impact resolve_central(ImpactSide& a, ImpactSide& b, const Vec2& normal, const R
   if (material.kinetic_friction > 0.0) {
     const double k_tt =
         k_nn + excess * k_nn + a.arm * a.arm * a.inverse_inertia + b.arm * b.arm * b.inverse_inertia;
-    const double most = material.kinetic_friction * impact.normal;
-    impact.tangential = std::clamp(-(1.0 + material.tangential_restitution) * u.tangential / k_tt, -most, most);
+    const double wanted = -(1.0 + material.tangential_restitution) * u.tangential / k_tt;
+    impact.tangential = limited_by_friction(wanted, material.kinetic_friction, impact.normal);
     impact.lost_to_friction = -0.5 * impact.tangential * (2.0 * u.tangential + k_tt * impact.tangential);
     j += impact.tangential * Vec2(-normal.y(), normal.x());
     a.spin -= a.inverse_inertia * a.arm * impact.tangential;

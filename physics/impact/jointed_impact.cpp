@@ -10,7 +10,7 @@ namespace carom {
 namespace {
 
 // The change of (v, spin) of a free body by the impulse j at r from its centre.
-Eigen::Vector3d free_change(const MassProperties& mass, int body, const Vec2& r, const Vec2& j) {
+Eigen::Vector3d free_change(const MassProperties& mass, BodyIndex body, const Vec2& r, const Vec2& j) {
   const double turn = mass.inverse_inertia[body] * cross(r, j);
   return {mass.inverse_mass[body] * j.x(), mass.inverse_mass[body] * j.y(), turn};
 }
@@ -19,7 +19,7 @@ Vec2 at_point(const Eigen::Vector3d& v, const Vec2& r) { return v.head<2>() + v[
 
 }  // namespace
 
-Impact resolve_jointed_impact(Trajectories& trajectories, const MassProperties& mass, int a, int b,
+Impact resolve_jointed_impact(Trajectories& trajectories, const MassProperties& mass, BodyIndex a, BodyIndex b,
                               const Contact& contact, const SurfaceLaw& material, ImpactLawId law) {
   const Vec2 r_a = contact.point - trajectories.at_start(a).head<2>();
   const Vec2 r_b = contact.point - trajectories.at_start(b).head<2>();

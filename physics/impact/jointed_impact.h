@@ -11,8 +11,8 @@ namespace carom {
 // impulse at once, so the contact responds with the combined mass of the joined bodies. Changes the motions
 // at the start of all bodies that take part. Body b is hit along the contact's normal. The impulse is zero if
 // the bodies do not approach.
-[[nodiscard]] Impact resolve_jointed_impact(Trajectories& trajectories, const MassProperties& mass, int a,
-                                            int b, const Contact& contact, const SurfaceLaw& material,
+[[nodiscard]] Impact resolve_jointed_impact(Trajectories& trajectories, const MassProperties& mass, BodyIndex a,
+                                            BodyIndex b, const Contact& contact, const SurfaceLaw& material,
                                             ImpactLawId law);
 
 }  // namespace carom

@@ -13,8 +13,8 @@ namespace carom {
 // Sums over the impacts of a run.
 struct ImpactCounts {
   struct Pair {
-    int a = 0;  // < b
-    int b = 0;
+    BodyIndex a;  // < b
+    BodyIndex b;
     std::int64_t count = 0;
     [[nodiscard]] bool known() const { return count >= 0; }
   };
@@ -28,17 +28,17 @@ struct ImpactCounts {
   double wall_impulse = 0.0;  // N s, sum of the normal impulses
   std::vector<Pair> pairs;    // the watched pairs, at most kMostPairs
 
-  [[nodiscard]] const Pair* find(int a, int b) const {
+  [[nodiscard]] const Pair* find(BodyIndex a, BodyIndex b) const {
     for (const Pair& p : pairs) {
       if (p.a == std::min(a, b) && p.b == std::max(a, b)) return &p;
     }
     return nullptr;
   }
   // Watches a pair of bodies that has had `count` impacts. Watching it again changes nothing.
-  void watch(int a, int b, std::int64_t count) {
+  void watch(BodyIndex a, BodyIndex b, std::int64_t count) {
     if (find(a, b) == nullptr) pairs.push_back({std::min(a, b), std::max(a, b), count});
   }
-  void add(int a, int b, double normal_impulse, const MassProperties& mass) {
+  void add(BodyIndex a, BodyIndex b, double normal_impulse, const MassProperties& mass) {
     ++counted;
     for (Pair& p : pairs) {
       if (std::min(a, b) == p.a && std::max(a, b) == p.b) ++p.count;

@@ -14,8 +14,8 @@ namespace carom {
 // a to b, and the impulse acts on b. Times in s, points in m, impulses in N s, energies in J.
 struct ImpactRecord {
   double time = 0.0;
-  int a = 0;
-  int b = 0;
+  BodyIndex a;
+  BodyIndex b;
   Vec2 point = Vec2::Zero();
   Vec2 normal = Vec2::UnitX();
   double normal_impulse = 0.0;

@@ -13,10 +13,6 @@ double Ledger::turnover() const {
 }
 
 void Ledger::add(double share, const Ledger& other) {
-  // All members by name: a new member doesn't compile here until it is in the lists.
-  [[maybe_unused]] const auto& [e1, e2, e3, e4, e5, e6, e7, e8, e9, e10, e11, m1, m2, m3, m4, m5, a1, a2, a3,
-                                a4, a5] = other;
-  static_assert(kEnergyEntries.size() == 11 && kMomentumEntries.size() == 5);
   for (const EnergyEntry& entry : kEnergyEntries) this->*entry.value += share * other.*entry.value;
   for (const MomentumEntry& entry : kMomentumEntries) {
     this->*entry.value += share * other.*entry.value;

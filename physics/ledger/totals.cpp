@@ -6,12 +6,12 @@ namespace carom {
 
 Totals totals(const State& state, const MassProperties& mass, const ForceField& field) {
   Totals t;
-  for (int i = 0; i < state.size(); ++i) {
+  for (BodyIndex i{0}; i < state.size(); ++i) {
     if (!(mass.inverse_mass[i] > 0.0)) continue;
     const Vec2 x = state.position(i);
     const Vec2 v = state.velocity(i);
     const Vec2 p = mass.mass[i] * v;
-    const double spin = state.v(2, i);
+    const double spin = state.v.col(i)[2];
     t.translational += 0.5 * p.dot(v);
     t.rotational += 0.5 * mass.inertia[i] * spin * spin;
     t.momentum += p;
@@ -23,10 +23,10 @@ Totals totals(const State& state, const MassProperties& mass, const ForceField& 
 
 double kinetic_energy(const State& state, const MassProperties& mass) {
   double energy = 0.0;
-  for (int i = 0; i < state.size(); ++i) {
+  for (BodyIndex i{0}; i < state.size(); ++i) {
     if (!(mass.inverse_mass[i] > 0.0)) continue;
     energy += 0.5 * mass.mass[i] * state.v.col(i).head<2>().squaredNorm() +
-              0.5 * mass.inertia[i] * state.v(2, i) * state.v(2, i);
+              0.5 * mass.inertia[i] * state.v.col(i)[2] * state.v.col(i)[2];
   }
   return energy;
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "physics/model/index.h"
 #include "physics/scene/scene.h"
 
 namespace carom {
@@ -27,8 +28,8 @@ struct DriveTerms {
   std::vector<DriveTerm> all;
   std::vector<int> of;  // by body, or -1; empty without kinematic bodies
 
-  [[nodiscard]] bool drives(int body) const { return !of.empty() && of[body] >= 0; }
-  [[nodiscard]] const DriveTerm& at(int body) const { return all[static_cast<std::size_t>(of[body])]; }
+  [[nodiscard]] bool drives(BodyIndex body) const { return !of.empty() && of[body] >= 0; }
+  [[nodiscard]] const DriveTerm& at(BodyIndex body) const { return all[static_cast<std::size_t>(of[body])]; }
 };
 
 [[nodiscard]] DriveTerms drive_terms(const std::vector<Body>& bodies);

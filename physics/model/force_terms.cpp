@@ -1,28 +1,28 @@
 #include "physics/model/force_terms.h"
 
-#include <string>
-#include <unordered_map>
+#include "physics/model/bodies_by_name.h"
+#include "physics/scene/fields.h"
 
 namespace carom {
 
 ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, const Needs& needs) {
   ForceTerms t;
-  t.gravity = forces.gravity;
-  if (needs.has(Part::kDrag)) t.drag = DragTerm{forces.linear_drag, forces.quadratic_drag};
-  t.attraction = forces.attraction;
+  static_cast<CommonForces&>(t) = forces;
+  each_common_force(forces, [&t](const CommonForce& force, const auto& value, const auto&...) {
+    t.on_each = t.on_each || (force.on == ActsOn::kEachBody && acts(value));
+  });
   if (needs.has(Part::kSprings)) {
     for (auto* by_body : {&t.outside, &t.between}) by_body->resize(bodies.size());
   }
   if (needs.has(Part::kSwitching)) t.switching.resize(bodies.size());
   if (needs.has(Part::kAppliedForces)) t.applied_to.resize(bodies.size());
-  std::unordered_map<std::string, int> index;
-  for (std::size_t i = 0; i < bodies.size(); ++i) index.emplace(bodies[i].name, static_cast<int>(i));
+  const auto index = bodies_by_name(bodies);
   for (const Spring& s : forces.springs) {
-    const int body = index.at(s.body);
-    SpringTerm term{body, -1, -1, s.anchor, s.stiffness, s.damping, s.rest_length, s.acts};
+    const BodyIndex body = index.at(s.body);
+    SpringTerm term{body, kNoBody, kNoBody, s.anchor, s.stiffness, s.damping, s.rest_length, s.acts};
     const SpringIndex spring = t.springs.end_index();
     if (!s.to.empty()) {
-      const int other = index.at(s.to);
+      const BodyIndex other = index.at(s.to);
       term.anchor = bodies[other].position;
       if (bodies[other].drive) term.drive = other;
       if (!has_infinite_mass(bodies[other])) term.other = other;
@@ -37,7 +37,7 @@ ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, co
     t.springs.push_back(term);
   }
   for (const AppliedForce& f : forces.applied) {
-    const int body = index.at(f.body);
+    const BodyIndex body = index.at(f.body);
     t.applied_to[body].push_back(static_cast<int>(t.applied.size()));
     t.applied.push_back({body, f.force, f.torque, f.start, f.rise, f.end});
     t.constant = t.constant && f.start == 0.0 && f.rise == 0.0 && !f.end;

@@ -11,10 +11,10 @@ namespace carom {
 
 // A spring with its ends as body indices.
 struct SpringTerm {
-  int body;
-  int other;    // a movable body, or -1
-  int drive;    // a kinematic body at the other end, or -1
-  Vec2 anchor;  // m, a point, or the scene's position of a fixed or kinematic body
+  BodyIndex body;
+  BodyIndex other;  // a movable body, or -1
+  BodyIndex drive;  // a kinematic body at the other end, or -1
+  Vec2 anchor;      // m, a point, or the scene's position of a fixed or kinematic body
   double stiffness;
   double damping;
   double rest_length;
@@ -23,7 +23,7 @@ struct SpringTerm {
 
 // An applied force and torque, likewise.
 struct AppliedTerm {
-  int body;
+  BodyIndex body;
   Vec2 force;                 // N
   double torque;              // N m
   double start;               // s
@@ -31,17 +31,10 @@ struct AppliedTerm {
   std::optional<double> end;  // s
 };
 
-struct DragTerm {
-  double linear;     // kg/s
-  double quadratic;  // kg/m
-};
-
 // The smooth forces of a scene, arranged for evaluation. All lists of a part that the model leaves out are
 // empty, including those by body.
-struct ForceTerms {
-  Vec2 gravity = Vec2::Zero();  // m/s²
-  std::optional<DragTerm> drag;
-  std::optional<Attraction> attraction;
+struct ForceTerms : CommonForces {
+  bool on_each = false;      // some of those act on each body, as drag does
   bool gravity_only = true;  // only uniform gravity acts: all quadratures but its own stay zero
   bool constant = true;      // only gravity and forces that never change: flight is a parabola
   bool one_sided = false;    // some springs push or pull only

@@ -5,6 +5,8 @@
 #include <string>
 #include <unordered_map>
 
+#include "physics/model/bodies_by_name.h"
+
 namespace carom {
 namespace {
 
@@ -40,7 +42,7 @@ void add_parts(const std::vector<std::vector<ConvexPart>>& parts, std::vector<Co
     }
   }
   g.shapes = convex_shapes(shapes);
-  for (int i = 0; i < static_cast<int>(n); ++i) {
+  for (BodyIndex i{0}; i < static_cast<int>(n); ++i) {
     g.core_reach[i] = g.shapes.core_radius[g.first_part(i)];
     g.reach[i] = g.shapes.radius[g.first_part(i)];
     if (!g.has_parts(i)) continue;
@@ -81,15 +83,12 @@ Geometry geometry(const std::vector<Body>& bodies, const std::vector<Joint>& joi
   }
   std::vector<ConvexShape> shapes;
   add_parts(parts, shapes, g);
-  std::unordered_map<std::string, int> index;
-  if (!joints.empty()) {
-    for (std::size_t i = 0; i < bodies.size(); ++i) index.emplace(bodies[i].name, static_cast<int>(i));
-  }
+  const auto index = joints.empty() ? std::unordered_map<std::string, BodyIndex>{} : bodies_by_name(bodies);
   g.welded = WeldedBodies(bodies.size());
   for (const Joint& joint : joints) {
     if (joint.to.empty()) continue;
-    const int a = index.at(joint.body);
-    const int b = index.at(joint.to);
+    const BodyIndex a = index.at(joint.body);
+    const BodyIndex b = index.at(joint.to);
     if (joint.kind == JointKind::kPin) g.pinned.push_back(std::minmax({a, b}));
     if (joint.kind == JointKind::kWeld) g.welded.join(a, b);
   }

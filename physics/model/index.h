@@ -8,6 +8,26 @@
 namespace carom {
 
 // Numbers of things that are counted apart: none converts to another, nor a plain number to any of them.
+
+// A body. It converts to the number of its column in the matrices of the state, and of its place in lists by
+// body.
+class BodyIndex {
+ public:
+  BodyIndex() = default;  // none
+  explicit constexpr BodyIndex(int column) : column_(column) {}
+  constexpr operator int() const { return column_; }  // NOLINT(google-explicit-constructor): reads columns
+  constexpr BodyIndex& operator++() {
+    ++column_;
+    return *this;
+  }
+
+ private:
+  int column_ = -1;
+};
+
+inline constexpr BodyIndex kNoBody{-1};
+using BodyPair = std::pair<BodyIndex, BodyIndex>;
+
 enum class ShapeIndex : int {};  // a convex shape of the collision geometry: all of a body, or a part of it
 enum class JointIndex : int {};  // a joint of the scene, or a weld that the run has made
 enum class SpringIndex : int {};

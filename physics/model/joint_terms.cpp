@@ -1,9 +1,7 @@
 #include "physics/model/joint_terms.h"
 
-#include <string>
-#include <unordered_map>
-
 #include "physics/math/vectors.h"
+#include "physics/model/bodies_by_name.h"
 #include "physics/scene/drive.h"
 
 namespace carom {
@@ -30,9 +28,10 @@ void place_weld(JointTerm& weld, const Vec2& point, const Vec2& anchor, double o
 JointTerm joint_term(JointKind kind, const Weld& ends, std::optional<double> angle,
                      const JointedBodies& bodies) {
   const auto& [starts, drives, mass] = bodies;
-  const int other = ends.other;
-  JointTerm joint{kind, ends.body, -1, -1, ends.point, ends.anchor, 0.0, 0.0, kind == JointKind::kPin ? 2 : 1};
-  const double other_angle = other < 0 ? 0.0 : starts.q(2, other);
+  const BodyIndex other = ends.other;
+  JointTerm joint{
+      kind, ends.body, kNoBody, kNoBody, ends.point, ends.anchor, 0.0, 0.0, kind == JointKind::kPin ? 2 : 1};
+  const double other_angle = other < 0 ? 0.0 : starts.q.col(other)[2];
   if (other >= 0 && mass.inverse_mass[other] > 0.0) {
     joint.other = other;
   } else if (other >= 0) {
@@ -41,7 +40,7 @@ JointTerm joint_term(JointKind kind, const Weld& ends, std::optional<double> ang
     if (drives.drives(other)) joint.drive = other;
   }
   if (kind != JointKind::kWeld) return joint;
-  joint.angle = angle.value_or(starts.q(2, ends.body) - other_angle);
+  joint.angle = angle.value_or(starts.q.col(ends.body)[2] - other_angle);
   place_weld(joint, ends.point, ends.anchor, other_angle, mass);
   return joint;
 }
@@ -66,11 +65,10 @@ double distance_of(const JointTerm& joint, const JointedBodies& bodies, double t
 JointTerms joint_terms_of(const std::vector<Joint>& joints, const std::vector<Body>& names,
                           const JointedBodies& bodies, double time) {
   JointTerms joint_terms;
-  std::unordered_map<std::string, int> index;
-  for (std::size_t i = 0; i < names.size(); ++i) index.emplace(names[i].name, static_cast<int>(i));
+  const auto index = bodies_by_name(names);
   for (const Joint& l : joints) {
     const Weld ends{.body = index.at(l.body),
-                    .other = l.to.empty() ? -1 : index.at(l.to),
+                    .other = l.to.empty() ? kNoBody : index.at(l.to),
                     .point = l.point,
                     .anchor = l.anchor,
                     .angle = 0.0};
@@ -85,8 +83,8 @@ JointTerm weld_term(const Weld& weld, const JointedBodies& bodies) {
   return joint_term(JointKind::kWeld, weld, weld.angle, bodies);
 }
 
-std::vector<std::pair<int, int>> JointTerms::joined() const {
-  std::vector<std::pair<int, int>> pairs;
+std::vector<BodyPair> JointTerms::joined() const {
+  std::vector<BodyPair> pairs;
   for (const JointTerm& l : all) pairs.emplace_back(l.body, l.other >= 0 ? l.other : l.body);
   return pairs;
 }

@@ -16,9 +16,9 @@ namespace carom {
 // three. A weld is placed at the centre of the body with the smaller inertia.
 struct JointTerm {
   JointKind kind;
-  int body;
-  int other;  // a movable body, or -1
-  int drive;  // a kinematic body at the other end, or -1
+  BodyIndex body;
+  BodyIndex other;  // a movable body, or -1
+  BodyIndex drive;  // a kinematic body at the other end, or -1
   Vec2 point;
   Vec2 anchor;    // m, on the other body or in the plane; absolute if that body is kinematic
   double length;  // m
@@ -31,7 +31,7 @@ struct JointTerms {
   ArrayOf<JointIndex, JointTerm> all;
 
   // The movable bodies of each joint; the same one twice if only one end is movable.
-  [[nodiscard]] std::vector<std::pair<int, int>> joined() const;
+  [[nodiscard]] std::vector<BodyPair> joined() const;
 };
 
 // What joints need to know of the bodies.

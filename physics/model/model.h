@@ -30,9 +30,9 @@ struct Model {
   double start_time = 0.0;    // s, of a run
 
   [[nodiscard]] std::size_t bodies() const { return shapes.fixed.size(); }  // how many
-  [[nodiscard]] bool is_kinematic(int body) const { return drives.drives(body); }
-  [[nodiscard]] const Drive& drive(int body) const { return drives.at(body).law; }
-  [[nodiscard]] bool infinite_mass(int body) const { return shapes.fixed[body] != 0; }
+  [[nodiscard]] bool is_kinematic(BodyIndex body) const { return drives.drives(body); }
+  [[nodiscard]] const Drive& drive(BodyIndex body) const { return drives.at(body).law; }
+  [[nodiscard]] bool infinite_mass(BodyIndex body) const { return shapes.fixed[body] != 0; }
 };
 
 }  // namespace carom

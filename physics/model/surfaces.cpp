@@ -21,8 +21,8 @@ Surfaces surfaces_of(const Scene& scene, const std::vector<Body>& bodies, const 
     return at->second;
   };
   surfaces.material.resize(shapes.shapes.core.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    shapes.each_part(static_cast<int>(i), [&](ShapeIndex part) {
+  for (BodyIndex i{0}; i < static_cast<int>(bodies.size()); ++i) {
+    shapes.each_part(i, [&](ShapeIndex part) {
       const auto* compound = std::get_if<Compound>(&bodies[i].shape);
       const std::string* own =
           compound == nullptr ? nullptr : &compound->shapes[shapes.shape_of(part)].material;

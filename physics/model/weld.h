@@ -4,14 +4,15 @@
 #include <cstddef>
 #include <vector>
 
+#include "physics/model/index.h"
 #include "physics/scene/shape.h"
 
 namespace carom {
 
 // A weld that a run makes where two bodies stick together, with its ends as body indices.
 struct Weld {
-  int body = 0;                // movable
-  int other = 0;               // of any mass
+  BodyIndex body;              // movable
+  BodyIndex other;             // of any mass
   Vec2 point = Vec2::Zero();   // m, where they touch, from the centre of `body` along its axes
   Vec2 anchor = Vec2::Zero();  // m, the same from the centre of `other`
   double angle = 0.0;          // rad, of `body` minus that of `other`
@@ -24,7 +25,7 @@ class WeldedBodies {
   explicit WeldedBodies(std::size_t bodies) : number_(bodies, -1) {}
 
   // Both bodies and all that are welded to them are one from then on.
-  void join(int a, int b) {
+  void join(BodyIndex a, BodyIndex b) {
     const int from_a = number_[a];
     const int from_b = number_[b];
     for (int& number : number_) {
@@ -32,8 +33,10 @@ class WeldedBodies {
     }
     number_[a] = number_[b] = a;
   }
-  [[nodiscard]] bool is_welded(int body) const { return number_[body] >= 0; }
-  [[nodiscard]] bool are_one(int a, int b) const { return number_[a] >= 0 && number_[a] == number_[b]; }
+  [[nodiscard]] bool is_welded(BodyIndex body) const { return number_[body] >= 0; }
+  [[nodiscard]] bool are_one(BodyIndex a, BodyIndex b) const {
+    return number_[a] >= 0 && number_[a] == number_[b];
+  }
 
  private:
   std::vector<int> number_;  // by body: shared by those that are one; -1: welded to none

@@ -13,13 +13,13 @@
 namespace carom {
 namespace {
 
-using Ids = std::span<const int>;
+using Ids = std::span<const BodyIndex>;
 
 // The largest value(i) over the moving bodies; zero if there are none.
 template <class Value>
 double largest(const Reading& r, const Value& value) {
   double most = -std::numeric_limits<double>::infinity();
-  for (int i = 0; i < r.state.size(); ++i) {
+  for (BodyIndex i{0}; i < r.state.size(); ++i) {
     if (r.mass.inverse_mass[i] > 0.0) most = std::max(most, value(i));
   }
   return std::isinf(most) ? 0.0 : most;
@@ -28,15 +28,15 @@ double largest(const Reading& r, const Value& value) {
 double rms_spin(const Reading& r) {
   double sum = 0.0;
   int moving = 0;
-  for (int i = 0; i < r.state.size(); ++i) {
+  for (BodyIndex i{0}; i < r.state.size(); ++i) {
     if (!(r.mass.inverse_mass[i] > 0.0)) continue;
-    sum += r.state.v(2, i) * r.state.v(2, i);
+    sum += r.state.v.col(i)[2] * r.state.v.col(i)[2];
     ++moving;
   }
   return moving == 0 ? 0.0 : std::sqrt(sum / moving);
 }
 
-Bounds bounds_at(const Reading& r, int i) {
+Bounds bounds_at(const Reading& r, BodyIndex i) {
   const Pose pose = r.shapes.pose(i, r.state.q.col(i));
   Bounds all{Eigen::Array2d::Constant(std::numeric_limits<double>::infinity()),
              Eigen::Array2d::Constant(-std::numeric_limits<double>::infinity())};
@@ -51,15 +51,15 @@ Bounds bounds_at(const Reading& r, int i) {
 double body_kinetic_energy(const Reading& r, Ids body) {
   const int i = body[0];
   if (!(r.mass.inverse_mass[i] > 0.0)) return 0.0;
-  const double spin = r.state.v(2, i);
+  const double spin = r.state.v.col(i)[2];
   return 0.5 * r.mass.mass[i] * r.state.velocity(i).squaredNorm() + 0.5 * r.mass.inertia[i] * spin * spin;
 }
 
 // The sum over the contacts of two bodies, named in either order.
 template <class Value>
 double between(const Reading& r, Ids pair, const Value& value) {
-  const int a = std::min(pair[0], pair[1]);
-  const int b = std::max(pair[0], pair[1]);
+  const BodyIndex a = std::min(pair[0], pair[1]);
+  const BodyIndex b = std::max(pair[0], pair[1]);
   double sum = 0.0;
   for (const ContactForce& f : r.contacts) {
     if (f.a == a && f.b == b) sum += value(f);
@@ -71,7 +71,7 @@ double between(const Reading& r, Ids pair, const Value& value) {
 // count.
 double largest_penetration(const Reading& r) {
   std::vector<Bounds> bounds;
-  for (int i = 0; i < r.state.size(); ++i) bounds.push_back(bounds_at(r, i));
+  for (BodyIndex i{0}; i < r.state.size(); ++i) bounds.push_back(bounds_at(r, i));
   BroadPhase broad_phase;
   double most = 0.0;
   for (const auto& [a, b] : broad_phase.pairs(bounds, r.shapes.fixed)) {
@@ -110,13 +110,13 @@ double lost_in_flight(const Ledger& l) {
 
 // The error of one body, or the largest of the moving ones, against the reference; NaN without one.
 template <class Distance>
-double error_of(const Reading& r, int body, const Distance& distance) {
+double error_of(const Reading& r, BodyIndex body, const Distance& distance) {
   if (r.reference == nullptr) return std::numeric_limits<double>::quiet_NaN();
   return distance(r.state, r.reference->state, body);
 }
 // Likewise of what impacts change at once: NaN for a body that waits for an impact.
 template <class Distance>
-double error_between_impacts(const Reading& r, int body, const Distance& distance) {
+double error_between_impacts(const Reading& r, BodyIndex body, const Distance& distance) {
   const bool waits = r.reference != nullptr && r.reference->awaiting[static_cast<std::size_t>(body)] != 0;
   return waits ? std::numeric_limits<double>::quiet_NaN() : error_of(r, body, distance);
 }
@@ -124,7 +124,7 @@ double error_between_impacts(const Reading& r, int body, const Distance& distanc
 template <class Error>
 double largest_error(const Reading& r, const Error& error) {
   double most = std::numeric_limits<double>::quiet_NaN();
-  for (int i = 0; i < r.state.size(); ++i) {
+  for (BodyIndex i{0}; i < r.state.size(); ++i) {
     if (r.mass.inverse_mass[i] > 0.0) most = std::fmax(most, error(i));
   }
   return most;
@@ -134,25 +134,25 @@ double finite_or_infinite(double value) {
   return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
 }
 
-double position_error(const State& ours, const State& theirs, int body) {
+double position_error(const State& ours, const State& theirs, BodyIndex body) {
   return finite_or_infinite((ours.position(body) - theirs.position(body)).norm());
 }
-double velocity_error(const State& ours, const State& theirs, int body) {
+double velocity_error(const State& ours, const State& theirs, BodyIndex body) {
   return finite_or_infinite((ours.velocity(body) - theirs.velocity(body)).norm());
 }
 
 // m: as turning_radius().
-double radius_of(const Reading& r, int body) {
+double radius_of(const Reading& r, BodyIndex body) {
   return r.mass.inverse_inertia[body] > 0.0 ? r.shapes.reach[body] : 0.0;
 }
 auto angle_error(const Reading& r) {
-  return [&r](const State& ours, const State& theirs, int body) {
-    return finite_or_infinite(radius_of(r, body) * std::abs(ours.q(2, body) - theirs.q(2, body)));
+  return [&r](const State& ours, const State& theirs, BodyIndex body) {
+    return finite_or_infinite(radius_of(r, body) * std::abs(ours.q.col(body)[2] - theirs.q.col(body)[2]));
   };
 }
 auto spin_error(const Reading& r) {
-  return [&r](const State& ours, const State& theirs, int body) {
-    return finite_or_infinite(radius_of(r, body) * std::abs(ours.v(2, body) - theirs.v(2, body)));
+  return [&r](const State& ours, const State& theirs, BodyIndex body) {
+    return finite_or_infinite(radius_of(r, body) * std::abs(ours.v.col(body)[2] - theirs.v.col(body)[2]));
   };
 }
 
@@ -167,15 +167,15 @@ double energy_error(const Reading& r) {
 using R = const Reading&;
 
 constexpr auto kOwn = std::to_array<Observable>({
-    {"x", "x", "m", 1, Topic::kBody, [](R r, Ids b) { return r.state.q(0, b[0]); }},
-    {"y", "y", "m", 1, Topic::kBody, [](R r, Ids b) { return r.state.q(1, b[0]); }},
-    {"angle", "angle", "rad", 1, Topic::kBody, [](R r, Ids b) { return r.state.q(2, b[0]); }},
-    {"velocity_x", "velocity x", "m/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.v(0, b[0]); }},
-    {"velocity_y", "velocity y", "m/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.v(1, b[0]); }},
+    {"x", "x", "m", 1, Topic::kBody, [](R r, Ids b) { return r.state.q.col(b[0])[0]; }},
+    {"y", "y", "m", 1, Topic::kBody, [](R r, Ids b) { return r.state.q.col(b[0])[1]; }},
+    {"angle", "angle", "rad", 1, Topic::kBody, [](R r, Ids b) { return r.state.q.col(b[0])[2]; }},
+    {"velocity_x", "velocity x", "m/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.v.col(b[0])[0]; }},
+    {"velocity_y", "velocity y", "m/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.v.col(b[0])[1]; }},
     {"speed", "speed", "m/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.velocity(b[0]).norm(); }},
     {"direction", "direction of motion", "rad", 1, Topic::kBody,
-     [](R r, Ids b) { return std::atan2(r.state.v(1, b[0]), r.state.v(0, b[0])); }},
-    {"spin", "spin", "rad/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.v(2, b[0]); }},
+     [](R r, Ids b) { return std::atan2(r.state.v.col(b[0])[1], r.state.v.col(b[0])[0]); }},
+    {"spin", "spin", "rad/s", 1, Topic::kBody, [](R r, Ids b) { return r.state.v.col(b[0])[2]; }},
     {"body_kinetic_energy", "kinetic energy", "J", 1, Topic::kBody, body_kinetic_energy},
     {"body_momentum_x", "momentum x", "N s", 1, Topic::kBody,
      [](R r, Ids b) { return body_momentum(r, b[0]).x(); }},
@@ -220,15 +220,15 @@ constexpr auto kOwn = std::to_array<Observable>({
     {"numerical_drift", "numerical drift", "J", 0, Topic::kLedger, [](R r, Ids) { return r.energy_drift; }},
     {"rms_spin", "root mean square spin", "rad/s", 0, Topic::kAllBodies, [](R r, Ids) { return rms_spin(r); }},
     {"fastest", "largest speed", "m/s", 0, Topic::kAllBodies,
-     [](R r, Ids) { return largest(r, [&](int i) { return r.state.velocity(i).norm(); }); }},
+     [](R r, Ids) { return largest(r, [&](BodyIndex i) { return r.state.velocity(i).norm(); }); }},
     {"lowest_y", "lowest point", "m", 0, Topic::kAllBodies,
-     [](R r, Ids) { return -largest(r, [&](int i) { return -bounds_at(r, i).low.y(); }); }},
+     [](R r, Ids) { return -largest(r, [&](BodyIndex i) { return -bounds_at(r, i).low.y(); }); }},
     {"highest_y", "highest point", "m", 0, Topic::kAllBodies,
-     [](R r, Ids) { return largest(r, [&](int i) { return bounds_at(r, i).high.y(); }); }},
+     [](R r, Ids) { return largest(r, [&](BodyIndex i) { return bounds_at(r, i).high.y(); }); }},
     {"leftmost_x", "leftmost point", "m", 0, Topic::kAllBodies,
-     [](R r, Ids) { return -largest(r, [&](int i) { return -bounds_at(r, i).low.x(); }); }},
+     [](R r, Ids) { return -largest(r, [&](BodyIndex i) { return -bounds_at(r, i).low.x(); }); }},
     {"rightmost_x", "rightmost point", "m", 0, Topic::kAllBodies,
-     [](R r, Ids) { return largest(r, [&](int i) { return bounds_at(r, i).high.x(); }); }},
+     [](R r, Ids) { return largest(r, [&](BodyIndex i) { return bounds_at(r, i).high.x(); }); }},
     {"overlap", "largest overlap", "m", 0, Topic::kAllBodies, [](R r, Ids) { return largest_penetration(r); }},
     {"contacts", "resting contact points", "1", 0, Topic::kAllBodies,
      [](R r, Ids) { return static_cast<double>(r.contacts.size()); }},
@@ -241,15 +241,15 @@ constexpr auto kOwn = std::to_array<Observable>({
     {"wall_impulse", "normal impulses on walls so far", "N s", 0, Topic::kRun,
      [](R r, Ids) { return r.tally.wall_impulse(); }},
     {"position_error", "distance from the reference", "m", 0, Topic::kError,
-     [](R r, Ids) { return largest_error(r, [&](int i) { return error_of(r, i, position_error); }); }},
+     [](R r, Ids) { return largest_error(r, [&](BodyIndex i) { return error_of(r, i, position_error); }); }},
     {"velocity_error", "error of the velocities", "m/s", 0, Topic::kError,
      [](R r,
-        Ids) { return largest_error(r, [&](int i) { return error_between_impacts(r, i, velocity_error); }); }},
+        Ids) { return largest_error(r, [&](BodyIndex i) { return error_between_impacts(r, i, velocity_error); }); }},
     {"angle_error", "error of the angles, times the radius", "m", 0, Topic::kError,
-     [](R r, Ids) { return largest_error(r, [&](int i) { return error_of(r, i, angle_error(r)); }); }},
+     [](R r, Ids) { return largest_error(r, [&](BodyIndex i) { return error_of(r, i, angle_error(r)); }); }},
     {"spin_error", "error of the spins, times the radius", "m/s", 0, Topic::kError,
      [](R r,
-        Ids) { return largest_error(r, [&](int i) { return error_between_impacts(r, i, spin_error(r)); }); }},
+        Ids) { return largest_error(r, [&](BodyIndex i) { return error_between_impacts(r, i, spin_error(r)); }); }},
     {"energy_error", "error of the energy", "J", 0, Topic::kError, [](R r, Ids) { return energy_error(r); }},
     {"body_position_error", "distance from the reference", "m", 1, Topic::kError,
      [](R r, Ids b) { return error_of(r, b[0], position_error); }},
@@ -331,7 +331,7 @@ void ImpactTally::add(const Simulation& simulation) {
   happened(simulation.impact_count());
 }
 
-double ImpactTally::between(int a, int b) const {
+double ImpactTally::between(BodyIndex a, BodyIndex b) const {
   const ImpactCounts::Pair* pair = counts_.find(a, b);
   return pair != nullptr && pair->known() ? known(static_cast<double>(pair->count))
                                           : std::numeric_limits<double>::quiet_NaN();

@@ -22,8 +22,8 @@ namespace carom {
 class ImpactTally {
  public:
   // Before begin(): also counts the impacts of this pair of bodies.
-  void watch(int a, int b) { counts_.watch(a, b, 0); }
-  [[nodiscard]] bool watches(int a, int b) const { return counts_.find(a, b) != nullptr; }
+  void watch(BodyIndex a, BodyIndex b) { counts_.watch(a, b, 0); }
+  [[nodiscard]] bool watches(BodyIndex a, BodyIndex b) const { return counts_.find(a, b) != nullptr; }
   // Starts from the counts of the run up to now.
   void begin(const Simulation& simulation);
   void add(const Simulation& simulation);
@@ -33,7 +33,7 @@ class ImpactTally {
   }
   void happened(std::int64_t impacts) { happened_ = impacts; }
 
-  [[nodiscard]] double between(int a, int b) const;  // of a watched pair; otherwise NaN
+  [[nodiscard]] double between(BodyIndex a, BodyIndex b) const;  // of a watched pair; otherwise NaN
   // With static and kinematic bodies, and of two free bodies.
   [[nodiscard]] double with_walls() const { return known(static_cast<double>(counts_.walls)); }
   [[nodiscard]] double mutual() const { return known(static_cast<double>(counts_.mutual)); }
@@ -87,7 +87,7 @@ struct Observable {
   std::string_view unit;
   int bodies;  // number of bodies it refers to
   Topic topic;
-  double (*value)(const Reading& reading, std::span<const int> bodies);
+  double (*value)(const Reading& reading, std::span<const BodyIndex> bodies);
 
   // The error of a run against its reference: known at the ends of steps only.
   [[nodiscard]] bool is_error() const { return topic == Topic::kError; }

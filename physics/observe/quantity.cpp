@@ -8,8 +8,8 @@
 
 namespace carom {
 
-std::vector<int> indices_of(const std::vector<std::string>& names, std::span<const Body> bodies) {
-  std::vector<int> indices;
+std::vector<BodyIndex> indices_of(const std::vector<std::string>& names, std::span<const Body> bodies) {
+  std::vector<BodyIndex> indices;
   for (const std::string& name : names) {
     const auto found =
         std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
@@ -17,7 +17,7 @@ std::vector<int> indices_of(const std::vector<std::string>& names, std::span<con
       throw SceneError(
           fmt::format("the body \"{}\" is not there; allowed: the name of a body", shortened(name)));
     }
-    indices.push_back(static_cast<int>(found - bodies.begin()));
+    indices.emplace_back(static_cast<int>(found - bodies.begin()));
   }
   return indices;
 }

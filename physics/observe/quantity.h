@@ -14,9 +14,9 @@
 namespace carom {
 
 // NaN while one of the bodies does not exist yet.
-[[nodiscard]] inline double value_of(const Observable& observable, const std::vector<int>& bodies,
+[[nodiscard]] inline double value_of(const Observable& observable, const std::vector<BodyIndex>& bodies,
                                      const Reading& reading) {
-  for (const int body : bodies) {
+  for (const BodyIndex body : bodies) {
     if (body >= reading.state.size()) return std::numeric_limits<double>::quiet_NaN();
   }
   return observable.value(reading, bodies);
@@ -26,7 +26,7 @@ namespace carom {
 struct Theory {
   Expression formula;
   const Observable* x = nullptr;
-  std::vector<int> x_bodies;
+  std::vector<BodyIndex> x_bodies;
 
   [[nodiscard]] bool empty() const { return formula.empty(); }
   [[nodiscard]] double value(const Reading& reading) const {
@@ -38,7 +38,7 @@ struct Theory {
 // An observable of certain bodies, which are indices into Simulation::bodies().
 struct Quantity {
   const Observable* observable = nullptr;
-  std::vector<int> bodies;
+  std::vector<BodyIndex> bodies;
   Theory less{};  // if present, the quantity is a residual: the observable less this
 
   // NaN while one of the bodies does not exist yet, and where the theory has no value.
@@ -58,7 +58,8 @@ struct Curve {
 };
 
 // Indices of bodies by name. Throws SceneError if one does not exist.
-[[nodiscard]] std::vector<int> indices_of(const std::vector<std::string>& names, std::span<const Body> bodies);
+[[nodiscard]] std::vector<BodyIndex> indices_of(const std::vector<std::string>& names,
+                                                std::span<const Body> bodies);
 
 // The quantity that a file names. Throws SceneError if there is no such observable, if the number of bodies
 // is wrong, or if a body does not exist.

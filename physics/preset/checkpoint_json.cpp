@@ -38,6 +38,10 @@ void take(const ValueReader& v, T& x) {
     if (!v.value().is_number_integer() || !(std::abs(v.value().get<double>()) <= most))
       refuse(fmt::format("a whole number up to {}", most));
     x = v.value().get<T>();
+  } else if constexpr (std::is_same_v<T, BodyIndex>) {
+    int body = 0;
+    take(v, body);
+    x = BodyIndex{body};
   } else if constexpr (std::is_same_v<T, Vec2>) {
     if (!v.value().is_array() || v.value().size() != 2) refuse("two numbers, [x, y]");
     for (int i = 0; i < 2; ++i) take(element(v, static_cast<std::size_t>(i)), x[i]);
@@ -74,6 +78,8 @@ Json written(const char* key, const T& x) {
     return Json::array({written(key, x.x()), written(key, x.y())});
   } else if constexpr (std::is_same_v<T, Method>) {
     return carom::written(x, true);
+  } else if constexpr (std::is_same_v<T, BodyIndex>) {
+    return int{x};
   } else {
     return x;
   }

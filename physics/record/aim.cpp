@@ -61,10 +61,10 @@ std::optional<Aim> found_until(const RunSetup& start, double ahead, const std::s
   };
   keep();
   again.advance_to(first.time, keep);
-  for (const int i : {first.a, first.b}) {
+  for (const BodyIndex i : {first.a, first.b}) {
     Body body = bodies[static_cast<std::size_t>(i)];
     body.position = again.state().position(i);
-    body.angle = again.state().q(2, i);
+    body.angle = again.state().q.col(i)[2];
     aim.meeting.push_back(std::move(body));
   }
   return aim;

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <memory>
-#include <string_view>
-#include <unordered_map>
 #include <utility>
 
 #include "physics/math/vectors.h"
+#include "physics/model/bodies_by_name.h"
 #include "physics/record/replay.h"
 
 namespace carom {
@@ -16,10 +15,9 @@ std::vector<JointState> joint_states(const Simulation& simulation) {
   const std::vector<Joint> joints = simulation.joints();
   std::vector<JointState> states;
   if (joints.empty()) return states;
-  std::unordered_map<std::string_view, int> index;
-  for (const Body& body : simulation.bodies()) index.emplace(body.name, static_cast<int>(index.size()));
-  const auto now = [&](int i) { return Eigen::Vector3d(simulation.state().q.col(i)); };
-  const auto at_start = [&](int i) {
+  const auto index = bodies_by_name(simulation.bodies());
+  const auto now = [&](BodyIndex i) { return Eigen::Vector3d(simulation.state().q.col(i)); };
+  const auto at_start = [&](BodyIndex i) {
     return Eigen::Vector3d(q_of(initial_motion(simulation.bodies()[static_cast<std::size_t>(i)])));
   };
   const auto end = [](const Eigen::Vector3d& q, const Vec2& own) {
@@ -27,8 +25,8 @@ std::vector<JointState> joint_states(const Simulation& simulation) {
   };
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const Joint& joint = joints[i];
-    const int body = index.at(joint.body);
-    const int other = joint.to.empty() ? -1 : index.at(joint.to);
+    const BodyIndex body = index.at(joint.body);
+    const BodyIndex other = joint.to.empty() ? kNoBody : index.at(joint.to);
     JointState& s = states.emplace_back();
     s.kind = joint.kind;
     s.from = other < 0 ? joint.anchor : end(now(other), joint.anchor);

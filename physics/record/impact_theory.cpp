@@ -19,7 +19,7 @@ constexpr double kGain = 1e-12;     // of the kinetic energy: a gain below it is
 
 // One of two bodies: arm r (m) from its centre to the contact.
 struct Side {
-  int body;
+  BodyIndex body;
   double inverse_mass;     // 1/kg
   double inverse_inertia;  // 1/(kg m²)
   Vec2 r;
@@ -29,11 +29,11 @@ struct Side {
     return inverse_mass * by.dot(to) + inverse_inertia * cross(r, by) * cross(r, to);
   }
   [[nodiscard]] Vec2 velocity(const Eigen::Matrix3Xd& v) const {
-    return v.col(body).head<2>() + v(2, body) * crossed(r);
+    return v.col(body).head<2>() + v.col(body)[2] * crossed(r);
   }
   void push(Eigen::Matrix3Xd& v, const Vec2& j) const {
     v.col(body).head<2>() += inverse_mass * j;
-    v(2, body) += inverse_inertia * cross(r, j);
+    v.col(body)[2] += inverse_inertia * cross(r, j);
   }
   [[nodiscard]] bool is_central(const Vec2& n) const {
     return inverse_inertia == 0.0 || std::abs(cross(r, n)) <= kCentral * r.norm();
@@ -52,7 +52,7 @@ struct Pair {
         b(side(moment, record, record.b)),
         n(record.normal),
         t(crossed(record.normal)) {}
-  static Side side(const JumpMoment& moment, const ImpactRecord& record, int body) {
+  static Side side(const JumpMoment& moment, const ImpactRecord& record, BodyIndex body) {
     const MassProperties& mass = moment.compiled->model.mass;
     return {body, mass.inverse_mass[body], mass.inverse_inertia[body],
             record.point - moment.before().position(body)};
@@ -97,7 +97,7 @@ std::optional<Vec2> impulse(const Pair& pair, const Vec2& u, const SurfaceLaw& m
 }
 
 // The material of a body, unless it has several.
-std::optional<int> material_of(const Model& model, int body) {
+std::optional<int> material_of(const Model& model, BodyIndex body) {
   std::optional<int> found = model.surfaces.material[model.shapes.first_part(body)];
   const int first = *found;
   model.shapes.each_part(body, [&](ShapeIndex part) {
@@ -113,7 +113,7 @@ const SurfaceLaw* material_between(const Model& model, const ImpactRecord& recor
 
 // Whether joints act on a body that can move, beside the weld of the two if they stick.
 bool has_joints(const JumpMoment& moment, const ImpactRecord& record, bool sticks) {
-  const auto acts_on = [&](const Joint& joint, int body) {
+  const auto acts_on = [&](const Joint& joint, BodyIndex body) {
     const std::string& name = moment.compiled->scene.bodies[static_cast<std::size_t>(body)].name;
     return !moment.compiled->model.infinite_mass(body) && (joint.body == name || joint.to == name);
   };
@@ -127,8 +127,8 @@ bool has_joints(const JumpMoment& moment, const ImpactRecord& record, bool stick
 // One velocity and one spin for both, with the momentum and angular momentum that they have.
 void stick(const JumpMoment& moment, const Pair& pair, Eigen::Matrix3Xd& v) {
   const Model& model = moment.compiled->model;
-  const int a = pair.a.body;
-  const int b = pair.b.body;
+  const BodyIndex a = pair.a.body;
+  const BodyIndex b = pair.b.body;
   const Vec2 x_a = moment.before().position(a);
   const Vec2 x_b = moment.before().position(b);
   Vec2 centre;
@@ -146,13 +146,13 @@ void stick(const JumpMoment& moment, const Pair& pair, Eigen::Matrix3Xd& v) {
     velocity = (m_a * v.col(a).head<2>() + m_b * v.col(b).head<2>()) / (m_a + m_b);
     const Vec2 arm = x_b - x_a;
     const double reduced = m_a * m_b / (m_a + m_b);
-    const double own = model.mass.inertia[a] * v(2, a) + model.mass.inertia[b] * v(2, b);
+    const double own = model.mass.inertia[a] * v.col(a)[2] + model.mass.inertia[b] * v.col(b)[2];
     const double turning = own + reduced * cross(arm, Vec2(v.col(b).head<2>() - v.col(a).head<2>()));
     spin = turning / (model.mass.inertia[a] + model.mass.inertia[b] + reduced * arm.squaredNorm());
   }
-  for (const int i : {a, b}) {
+  for (const BodyIndex i : {a, b}) {
     v.col(i).head<2>() = velocity + spin * crossed(Vec2(moment.before().position(i) - centre));
-    v(2, i) = spin;
+    v.col(i)[2] = spin;
   }
 }
 

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <string>
 
 #include "physics/math/vectors.h"
+#include "physics/model/bodies_by_name.h"
+#include "physics/scene/fields.h"
 
 namespace carom {
 namespace {
@@ -18,25 +19,30 @@ struct Actions {
 
   explicit Actions(const RunInterval& interval) : on(interval.compiled->model.bodies(), NoIntervalLaw::kNone) {
     const Model& model = interval.compiled->model;
-    for (std::size_t i = 0; i < on.size(); ++i) {
-      if (interval.touched[i]) add(static_cast<int>(i), NoIntervalLaw::kTouches);
+    for (BodyIndex i{0}; i < static_cast<int>(on.size()); ++i) {
+      if (interval.touched[i]) add(i, NoIntervalLaw::kTouches);
     }
     const ForceTerms& forces = model.forces;
-    if (forces.drag || forces.attraction) std::fill(on.begin(), on.end(), NoIntervalLaw::kForces);
-    if (forces.drag || !forces.applied.empty()) from_outside = NoIntervalLaw::kForces;
-    within = forces.attraction.has_value() || !forces.springs.empty() || !interval.joints.empty();
+    if (!forces.applied.empty()) from_outside = NoIntervalLaw::kForces;
+    within = !forces.springs.empty() || !interval.joints.empty();
+    each_common_force(forces, [this](const CommonForce& force, const auto& value, const auto&...) {
+      if (!carom::acts(value)) return;
+      std::fill(on.begin(), on.end(), NoIntervalLaw::kForces);
+      if (force.on == ActsOn::kEachBody) from_outside = NoIntervalLaw::kForces;
+      if (force.on == ActsOn::kEachPair) within = true;
+    });
     for (const AppliedTerm& term : forces.applied) add(term.body, NoIntervalLaw::kForces);
     for (const SpringTerm& term : forces.springs) add_pair(term.body, term.other, NoIntervalLaw::kForces);
     add_joints(interval);
   }
 
  private:
-  void add(int body, NoIntervalLaw why) {
+  void add(BodyIndex body, NoIntervalLaw why) {
     NoIntervalLaw& found = on[static_cast<std::size_t>(body)];
     if (found == NoIntervalLaw::kNone) found = why;
   }
   // `other`: -1 where the other end cannot move.
-  void add_pair(int body, int other, NoIntervalLaw why) {
+  void add_pair(BodyIndex body, BodyIndex other, NoIntervalLaw why) {
     add(body, why);
     if (other >= 0) {
       add(other, why);
@@ -47,18 +53,15 @@ struct Actions {
   void add_joints(const RunInterval& interval) {
     if (interval.joints.empty()) return;
     const std::vector<Body>& bodies = interval.compiled->scene.bodies;
-    std::map<std::string, int> places;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      if (!has_infinite_mass(bodies[i])) places[bodies[i].name] = static_cast<int>(i);
-    }
-    const auto place_of = [&places](const std::string& name) {
-      const auto found = places.find(name);
-      return found == places.end() ? -1 : found->second;
+    const auto index = bodies_by_name(bodies);
+    const auto movable = [&](const std::string& name) {
+      const auto found = index.find(name);
+      return found == index.end() || has_infinite_mass(bodies[found->second]) ? kNoBody : found->second;
     };
     for (const Joint& joint : interval.joints) {
-      const int ends[] = {place_of(joint.body), place_of(joint.to)};
+      const BodyIndex ends[] = {movable(joint.body), movable(joint.to)};
       if (ends[0] >= 0) add_pair(ends[0], ends[1], NoIntervalLaw::kJoints);
-      if (ends[0] < 0 && ends[1] >= 0) add_pair(ends[1], -1, NoIntervalLaw::kJoints);
+      if (ends[0] < 0 && ends[1] >= 0) add_pair(ends[1], kNoBody, NoIntervalLaw::kJoints);
     }
   }
 };
@@ -72,7 +75,7 @@ struct Sums {
   double kinetic = 0.0;
 
   Sums(const State& state, const Model& model) {
-    for (int i = 0; i < state.size(); ++i) {
+    for (BodyIndex i{0}; i < state.size(); ++i) {
       if (!model.infinite_mass(i)) add(state, model.mass, i);
     }
   }
@@ -80,7 +83,7 @@ struct Sums {
  private:
   void add(const State& state, const MassProperties& of, int i) {
     const Vec2 p = of.mass[i] * state.velocity(i);
-    const double spin = state.v(2, i);
+    const double spin = state.v.col(i)[2];
     mass += of.mass[i];
     moment += of.mass[i] * state.position(i);
     momentum += p;
@@ -99,8 +102,8 @@ bool all_elastic(const Surfaces& surfaces) {
 // Whether a body was touched of which `is` holds.
 template <class Is>
 bool touched_any(const RunInterval& interval, const Is& is) {
-  for (std::size_t i = 0; i < interval.touched.size(); ++i) {
-    if (interval.touched[i] && is(static_cast<int>(i))) return true;
+  for (BodyIndex i{0}; i < static_cast<int>(interval.touched.size()); ++i) {
+    if (interval.touched[i] && is(i)) return true;
   }
   return false;
 }
@@ -109,10 +112,10 @@ NoIntervalLaw no_kinetic_law(const RunInterval& interval, const Actions& acting)
   const Model& model = interval.compiled->model;
   if (acting.from_outside != NoIntervalLaw::kNone) return acting.from_outside;
   if (acting.within) return interval.joints.empty() ? NoIntervalLaw::kForces : NoIntervalLaw::kJoints;
-  const bool walls = touched_any(interval, [&model](int i) { return model.infinite_mass(i); });
-  const bool driven = touched_any(interval, [&model](int i) { return model.is_kinematic(i); });
+  const bool walls = touched_any(interval, [&model](BodyIndex i) { return model.infinite_mass(i); });
+  const bool driven = touched_any(interval, [&model](BodyIndex i) { return model.is_kinematic(i); });
   if (driven || (walls && !model.forces.gravity.isZero(0.0))) return NoIntervalLaw::kWalls;
-  const bool hits = touched_any(interval, [](int) { return true; });
+  const bool hits = touched_any(interval, [](BodyIndex) { return true; });
   return hits && !all_elastic(model.surfaces) ? NoIntervalLaw::kLosses : NoIntervalLaw::kNone;
 }
 
@@ -130,7 +133,7 @@ IntervalTheory theory_of(const RunInterval& interval) {
   const Vec2& g = model.forces.gravity;
   Actions acting(interval);
   theory.no_kinetic = no_kinetic_law(interval, acting);
-  const bool walls = touched_any(interval, [&model](int i) { return model.infinite_mass(i); });
+  const bool walls = touched_any(interval, [&model](BodyIndex i) { return model.infinite_mass(i); });
   theory.no_momentum = walls ? NoIntervalLaw::kWalls : acting.from_outside;
   theory.no_angular = theory.no_momentum;
   theory.no_velocity = std::move(acting.on);

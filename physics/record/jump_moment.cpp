@@ -26,13 +26,13 @@ std::shared_ptr<const JumpMoment> moment_of(const Simulation& run, std::size_t b
 
 }  // namespace
 
-std::vector<int> JumpMoment::bodies() const {
-  std::vector<int> found;
+std::vector<BodyIndex> JumpMoment::bodies() const {
+  std::vector<BodyIndex> found;
   for (const ImpactRecord& record : records) {
     found.push_back(record.a);
     found.push_back(record.b);
   }
-  for (int i = 0; i < before().size(); ++i) {
+  for (BodyIndex i{0}; i < before().size(); ++i) {
     if (before().v.col(i) != after().v.col(i)) found.push_back(i);
   }
   std::sort(found.begin(), found.end());

@@ -20,7 +20,7 @@ struct JumpMoment {
   [[nodiscard]] const State& before() const { return jumps.front().before; }
   [[nodiscard]] const State& after() const { return jumps.back().after; }
   // Those that collide and those whose velocities jump, as through a joint; in rising order.
-  [[nodiscard]] std::vector<int> bodies() const;
+  [[nodiscard]] std::vector<BodyIndex> bodies() const;
 };
 
 // The moments with impacts of the last step, in the order of time; of a step with too many impacts to record

@@ -58,7 +58,7 @@ class IntervalReplay {
       touch(impact.a, impact.b);
     for (const ContactForce& contact : s.contact_forces()) touch(contact.a, contact.b);
   }
-  void touch(int a, int b) {
+  void touch(BodyIndex a, BodyIndex b) {
     touched_[static_cast<std::size_t>(a)] = true;
     touched_[static_cast<std::size_t>(b)] = true;
   }

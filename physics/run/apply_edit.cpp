@@ -132,8 +132,8 @@ std::vector<int> inverse(const std::vector<int>& places_before, std::size_t coun
 // The pair with the bodies' new places; false if one of them is gone.
 template <class Pair>
 bool move_pair(const std::vector<int>& places, Pair& pair) {
-  pair.a = places[static_cast<std::size_t>(pair.a)];
-  pair.b = places[static_cast<std::size_t>(pair.b)];
+  pair.a = BodyIndex{places[static_cast<std::size_t>(pair.a)]};
+  pair.b = BodyIndex{places[static_cast<std::size_t>(pair.b)]};
   return pair.a >= 0 && pair.b >= 0;
 }
 

@@ -26,15 +26,15 @@ void check_size(const std::string& place, std::size_t size, std::size_t expected
   if (size != expected) refuse(place, fmt::format("{} values instead of {}", size, expected));
 }
 
-void check_pair(const std::string& place, const std::vector<Body>& bodies, int a, int b) {
-  for (const int body : {a, b}) {
+void check_pair(const std::string& place, const std::vector<Body>& bodies, BodyIndex a, BodyIndex b) {
+  for (const BodyIndex body : {a, b}) {
     if (body < 0 || body >= static_cast<int>(bodies.size()))
       refuse(place, fmt::format("there is no body {}", body));
   }
   if (a >= b) refuse(place, fmt::format("body {} is not before body {}", a, b));
 }
 
-void check_moving_pair(const std::string& place, const std::vector<Body>& bodies, int a, int b) {
+void check_moving_pair(const std::string& place, const std::vector<Body>& bodies, BodyIndex a, BodyIndex b) {
   check_pair(place, bodies, a, b);
   if (has_infinite_mass(bodies[static_cast<std::size_t>(a)]) &&
       has_infinite_mass(bodies[static_cast<std::size_t>(b)]))
@@ -100,7 +100,7 @@ Checkpoint Simulation::checkpoint() const {
   kept.engaged = std::move(trajectories.engaged);
   kept.taut = std::move(trajectories.taut);
   kept.released_at = std::move(trajectories.released_at);
-  for (int i = 0; i < world_.bodies(); ++i) {
+  for (BodyIndex i{0}; i < world_.bodies(); ++i) {
     const int island = world_.trajectories.island_of(i);
     kept.next_step.push_back(island < 0 ? 0.0 : trajectories.next_step[static_cast<std::size_t>(island)]);
   }

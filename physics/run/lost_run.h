@@ -11,7 +11,7 @@ namespace carom {
 // A run that can't continue: it stays at the end of its last good step.
 struct LostRun {
   LossReason reason = LossReason::kTooLarge;
-  int body = 0;       // the first one that failed
+  BodyIndex body;     // the first one that failed
   double time = 0.0;  // s: when it failed, within the step that was given up
 
   // One line for people; `stands_at` in s is the end of the last good step.

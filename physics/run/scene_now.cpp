@@ -21,14 +21,14 @@ Scene scene_now(const Simulation& run) {
     }
   }
   const State& state = run.state();
-  for (int i = 0; i < state.size(); ++i) {
+  for (BodyIndex i{0}; i < state.size(); ++i) {
     Body& b = scene.bodies[static_cast<std::size_t>(i)];
     if (b.id.number == 0) b.id.number = kFirstGenerated + static_cast<std::uint32_t>(i);
     if (has_infinite_mass(b)) continue;
     b.position = state.position(i);
-    b.angle = state.q(2, i);
+    b.angle = state.q.col(i)[2];
     b.velocity = state.velocity(i);
-    b.spin = state.v(2, i);
+    b.spin = state.v.col(i)[2];
   }
   return scene;
 }

@@ -1,11 +1,10 @@
 #include "physics/run/simulation.h"
 
 #include <algorithm>
-#include <string_view>
-#include <unordered_map>
 #include <utility>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/model/bodies_by_name.h"
 
 namespace carom {
 namespace {
@@ -13,7 +12,7 @@ namespace {
 // At the end of a step: the accelerations by contacts stay what they are there.
 void settle_contact_forces(Trajectories& trajectories, int bodies) {
   if (!trajectories.field().contact_changes()) return;
-  for (int i = 0; i < bodies; ++i) {
+  for (BodyIndex i{0}; i < bodies; ++i) {
     if (!trajectories.is_bent(i)) continue;
     const Eigen::Vector3d rate = trajectories.field().contact_rate(i);
     trajectories.set_contact_acceleration(
@@ -52,8 +51,7 @@ void Simulation::choose_strategies() {
 }
 
 void Simulation::count_pairs(const std::vector<std::pair<std::string, std::string>>& names) {
-  std::unordered_map<std::string_view, int> index;
-  for (const Body& body : bodies()) index.emplace(body.name, static_cast<int>(index.size()));
+  const auto index = bodies_by_name(bodies());
   ImpactCounts& counts = world_.sums.impact_counts;
   const ImpactCounts saved = counts;
   counts.pairs.clear();

@@ -7,6 +7,7 @@
 
 #include "physics/ledger/totals.h"
 #include "physics/math/roots.h"
+#include "physics/step/coming_to_rest.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
@@ -18,7 +19,7 @@ double fastest(const Simulation& run) {
   for (int i = 0; i < run.state().size(); ++i) {
     if (!(run.mass().inverse_mass[i] > 0.0)) continue;
     const double reach = run.mass().inverse_inertia[i] > 0.0 ? run.shapes().reach[i] : 0.0;
-    most = std::max(most, run.state().velocity(i).norm() + reach * std::abs(run.state().v(2, i)));
+    most = std::max(most, run.state().velocity(i).norm() + reach * std::abs(run.state().v.col(i)[2]));
   }
   return most;
 }
@@ -46,16 +47,16 @@ int row_of(StopQuantity quantity) {
 }
 
 // J or the unit of the body's quantity.
-double value_of(const Stop& stop, int body, const State& state, const MassProperties& mass) {
+double value_of(const Stop& stop, BodyIndex body, const State& state, const MassProperties& mass) {
   if (stop.kind == StopKind::kKineticEnergy) return kinetic_energy(state, mass);
-  if (stop.quantity != StopQuantity::kSpeed) return state.q(row_of(stop.quantity), body);
+  if (stop.quantity != StopQuantity::kSpeed) return state.q.col(body)[row_of(stop.quantity)];
   return state.velocity(body).norm();
 }
 
 // The same a second; NaN where accelerations would be needed.
-double rate_of(const Stop& stop, int body, const State& state) {
+double rate_of(const Stop& stop, BodyIndex body, const State& state) {
   const bool known = stop.kind == StopKind::kPassing && stop.quantity != StopQuantity::kSpeed;
-  return known ? state.v(row_of(stop.quantity), body) : std::numeric_limits<double>::quiet_NaN();
+  return known ? state.v.col(body)[row_of(stop.quantity)] : std::numeric_limits<double>::quiet_NaN();
 }
 
 double bound_of(const Stop& stop) { return stop.kind == StopKind::kPassing ? stop.value : stop.below; }
@@ -86,10 +87,10 @@ void StopWatch::find_bodies(const Simulation& run) {
   if (model_ == run.model()) return;
   model_ = run.model();
   const auto index = [&run](const std::string& name) {
-    if (name.empty()) return -1;
+    if (name.empty()) return kNoBody;
     const auto found = std::find_if(run.bodies().begin(), run.bodies().end(),
                                     [&name](const Body& body) { return body.name == name; });
-    return found == run.bodies().end() ? -1 : static_cast<int>(found - run.bodies().begin());
+    return found == run.bodies().end() ? kNoBody : BodyIndex{static_cast<int>(found - run.bodies().begin())};
   };
   for (Watched& each : watched_) {
     each.body = index(each.stop.body);
@@ -191,7 +192,7 @@ void StopWatch::add_coming(std::size_t index, const Simulation& run, std::vector
 
 bool StopWatch::is_of(const Watched& watched, const ImpactRecord& impact, const MassProperties& mass) {
   const Stop& stop = watched.stop;
-  const auto between = [&](int one, int other) {
+  const auto between = [&](int one, BodyIndex other) {
     return (stop.body.empty() || one == watched.body) && (stop.with.empty() || other == watched.with) &&
            (!stop.with_wall || !(mass.inverse_mass[other] > 0.0));
   };

@@ -64,8 +64,8 @@ class StopWatch {
   struct Watched {
     Stop stop;
     // Indices of the bodies that it names; -1: none, or not there yet.
-    int body = -1;
-    int with = -1;
+    BodyIndex body = kNoBody;
+    BodyIndex with = kNoBody;
     std::vector<double> impacts{};  // s, of those of its kind so far, as many as it asks for
   };
   // What passes a value at one moment of a step.

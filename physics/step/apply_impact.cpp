@@ -12,9 +12,9 @@ namespace carom {
 namespace {
 
 // Welds two bodies that have stuck together. From then on they can't collide, and the islands are different.
-Impact join(World& world, int a, int b, const Contact& contact) {
-  const int body = world.infinite_mass(a) ? b : a;
-  const int other = body == a ? b : a;
+Impact join(World& world, BodyIndex a, BodyIndex b, const Contact& contact) {
+  const BodyIndex body = world.infinite_mass(a) ? b : a;
+  const BodyIndex other = body == a ? b : a;
   const Eigen::Vector3d q = world.trajectories.at_start(body).head<3>();
   const Eigen::Vector3d q_other = world.trajectories.at_start(other).head<3>();
   const Weld weld{.body = body,
@@ -38,14 +38,14 @@ struct SmoothImpact {
   Vec2 velocity_a, velocity_b;
   const Vec2& normal;
 
-  SmoothImpact(const World& world, int a, int b, const Contact& contact)
+  SmoothImpact(const World& world, BodyIndex a, BodyIndex b, const Contact& contact)
       : velocity_a(world.trajectories.at_start(a).segment<2>(3)),
         velocity_b(world.trajectories.at_start(b).segment<2>(3)),
         normal(contact.normal) {}
   static const Contact& acting_contact(World&, int, int, const Contact& touch) { return touch; }
   static bool joins(const SurfaceLaw&) { return false; }
   [[nodiscard]] double closing() const { return -Vec2(velocity_b - velocity_a).dot(normal); }
-  Impact resolve(World& world, int a, int b, const Contact&, const SurfaceLaw& material) {
+  Impact resolve(World& world, BodyIndex a, BodyIndex b, const Contact&, const SurfaceLaw& material) {
     const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;
     const Impact impact = resolve_smooth_impact(velocity_a, inverse_mass[a], velocity_b, inverse_mass[b],
                                                 normal, material.restitution);
@@ -62,16 +62,16 @@ struct GeneralImpact {
   ImpactSide side_a, side_b;
   double closing_speed;
 
-  GeneralImpact(const World& world, int a, int b, const Contact& contact)
+  GeneralImpact(const World& world, BodyIndex a, BodyIndex b, const Contact& contact)
       : side_a(world.side(a, contact, 1.0)),
         side_b(world.side(b, contact, -1.0)),
         closing_speed(-relative_velocity(side_a, side_b, contact.normal).normal) {}
-  static Contact acting_contact(World& world, int a, int b, const Contact& touch) {
+  static Contact acting_contact(World& world, BodyIndex a, BodyIndex b, const Contact& touch) {
     return pressed_contact(world, a, b, touch);
   }
   static bool joins(const SurfaceLaw& material) { return material.sticks; }
   [[nodiscard]] double closing() const { return closing_speed; }
-  Impact resolve(World& world, int a, int b, const Contact& contact, const SurfaceLaw& material) {
+  Impact resolve(World& world, BodyIndex a, BodyIndex b, const Contact& contact, const SurfaceLaw& material) {
     Trajectories& trajectories = world.trajectories;
     const ImpactLawId law = world.model->impact_law;
     Impact impact;
@@ -85,7 +85,7 @@ struct GeneralImpact {
       if (!world.infinite_mass(b)) trajectories.set_velocity(b, side_b.velocity, side_b.spin);
     }
     if (world.field().has_switching_springs()) {
-      for (const int i : {a, b}) {
+      for (const BodyIndex i : {a, b}) {
         if (world.infinite_mass(i)) continue;
         world.sums.ledger.lost_to_dampers += trajectories.recheck_switches(trajectories.island_of(i));
       }
@@ -95,7 +95,7 @@ struct GeneralImpact {
 };
 
 template <class Kind>
-ImpactEffect apply(World& world, int a, int b, const Contact& touch, const SurfaceLaw& material,
+ImpactEffect apply(World& world, BodyIndex a, BodyIndex b, const Contact& touch, const SurfaceLaw& material,
                    double within) {
   const Contact& contact = Kind::acting_contact(world, a, b, touch);  // a temporary lives as long
   Kind of_pair(world, a, b, contact);
@@ -128,8 +128,8 @@ ApplyImpact apply_impact_of(const Model& model) {
   return model.smooth_discs ? &apply<SmoothImpact> : &apply<GeneralImpact>;
 }
 
-void record_impact(World& world, int a, int b, const Contact& contact, const Impact& impact, double closing,
-                   double within) {
+void record_impact(World& world, BodyIndex a, BodyIndex b, const Contact& contact, const Impact& impact,
+                   double closing, double within) {
   RunSums& sums = world.sums;
   ++sums.impact_count;
   sums.impact_counts.add(a, b, impact.normal, world.mass());
@@ -161,7 +161,7 @@ void record_impact(World& world, int a, int b, const Contact& contact, const Imp
   ledger.lost_to_sticking += impact.lost_to_sticking;
 }
 
-void record_impulse(World& world, int a, int b, const Contact& contact, const Impact& impact) {
+void record_impulse(World& world, BodyIndex a, BodyIndex b, const Contact& contact, const Impact& impact) {
   Ledger& ledger = world.sums.ledger;
   const Vec2 tangent(-contact.normal.y(), contact.normal.x());
   const Vec2 j = impact.normal * contact.normal + impact.tangential * tangent;

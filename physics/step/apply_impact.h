@@ -11,16 +11,16 @@ namespace carom {
 // Resolves the impact of two bodies at the start of their trajectories, `within` s after the epoch: changes
 // their velocities, records the impact and keeps the ledger. Does nothing if the pair does not close. Bodies
 // whose surfaces stick are joined by a weld.
-inline ImpactEffect apply_impact(World& world, int a, int b, const Contact& contact, const SurfaceLaw& material,
-                                 double within) {
+inline ImpactEffect apply_impact(World& world, BodyIndex a, BodyIndex b, const Contact& contact,
+                                 const SurfaceLaw& material, double within) {
   return world.apply_impact(world, a, b, contact, material, within);
 }
 
 // Counts and records a resolved impact and enters its losses in the ledger. `closing` in m/s.
-void record_impact(World& world, int a, int b, const Contact& contact, const Impact& impact, double closing,
-                   double within);
+void record_impact(World& world, BodyIndex a, BodyIndex b, const Contact& contact, const Impact& impact,
+                   double closing, double within);
 // Enters what passes to walls and drives by the impulse of an impact. What passes through a joint, such as the
 // weld of two bodies that have stuck, is in the bodies' quadratures.
-void record_impulse(World& world, int a, int b, const Contact& contact, const Impact& impact);
+void record_impulse(World& world, BodyIndex a, BodyIndex b, const Contact& contact, const Impact& impact);
 
 }  // namespace carom

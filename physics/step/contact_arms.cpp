@@ -13,7 +13,7 @@ StepArms arms_of(IntegratorId integrator) {
   }
 }
 
-Vec2 arm_start(const World& world, double h, const GuessedFlight& flight, int body) {
+Vec2 arm_start(const World& world, double h, const GuessedFlight& flight, BodyIndex body) {
   const StepArms arms = arms_of(world.method.integrator);
   const Vec2 from = world.trajectories.at_start(body).head<2>();
   const Vec2 straight = h * world.trajectories.at_start(body).segment<2>(3);

@@ -18,6 +18,6 @@ struct StepArms {
 
 // m: where the arms of contact forces on a body start in a step of h s, under all its other forces. Contact
 // forces have no moment, all together, about where they lead to themselves.
-[[nodiscard]] Vec2 arm_start(const World& world, double h, const GuessedFlight& flight, int body);
+[[nodiscard]] Vec2 arm_start(const World& world, double h, const GuessedFlight& flight, BodyIndex body);
 
 }  // namespace carom

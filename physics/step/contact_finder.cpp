@@ -64,7 +64,7 @@ void ContactFinder::find(World& world, double step_length, double h, const Conta
   const Geometry& shapes = world.shapes();
   poses_.resize(n);
   reach_.resize(n);
-  for (int i = 0; i < n; ++i) {
+  for (BodyIndex i{0}; i < n; ++i) {
     const Eigen::Vector3d q = world.trajectories.at_start(i).head<3>();
     const Eigen::Vector3d v = world.trajectories.at_start(i).segment<3>(3);
     const double turning = v[2] != 0.0 ? std::abs(v[2]) * shapes.core_reach[i] : 0.0;
@@ -81,7 +81,7 @@ void ContactFinder::find(World& world, double step_length, double h, const Conta
   const Step step{world, step_length, h, pressing, memory, found};
   const auto& forces = memory.forces;
   std::size_t last = 0;
-  const auto& pairs = near_pairs_.find(world, [&](int i) { return reach_[i]; });
+  const auto& pairs = near_pairs_.find(world, [&](BodyIndex i) { return reach_[i]; });
   neighbours_.build(n, pairs);
   for (const auto& [a, b] : pairs) {
     if (!world.can_collide(a, b)) continue;
@@ -104,16 +104,16 @@ void ContactFinder::find(World& world, double step_length, double h, const Conta
 
 // A body that a fast one may hit within the step may go on as fast as that.
 void ContactFinder::let_fast_bodies_push(World& world) {
-  const auto is_fast = [&](int i) {
+  const auto is_fast = [&](BodyIndex i) {
     return !world.infinite_mass(i) && reach_[i] > kFast * world.shapes().size[i];
   };
   for (int push = 0; push < kPushes; ++push) {
     bool any = false;
-    for (int i = 0; i < world.bodies() && !any; ++i) any = is_fast(i);
+    for (BodyIndex i{0}; i < world.bodies() && !any; ++i) any = is_fast(i);
     if (!any) return;
     std::vector<double>& pushed = pushed_reach_;
     pushed = reach_;
-    for (const auto& [a, b] : near_pairs_.find(world, [&](int i) { return reach_[i]; })) {
+    for (const auto& [a, b] : near_pairs_.find(world, [&](BodyIndex i) { return reach_[i]; })) {
       if (!world.can_collide(a, b)) continue;
       if (is_fast(a) && !world.infinite_mass(b)) pushed[b] = std::max(pushed[b], reach_[a]);
       if (is_fast(b) && !world.infinite_mass(a)) pushed[a] = std::max(pushed[a], reach_[b]);
@@ -123,7 +123,8 @@ void ContactFinder::let_fast_bodies_push(World& world) {
 }
 
 // Adds the points of a manifold that rest, and those that will land; `last` is the pair's first last force.
-void ContactFinder::add(const Step& step, int a, int b, const Manifold& m, double rounding, std::size_t last) {
+void ContactFinder::add(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m, double rounding,
+                        std::size_t last) {
   const World& world = step.world;
   FoundContacts& found = step.found;
   Contacts& c = found.contacts;
@@ -136,7 +137,7 @@ void ContactFinder::add(const Step& step, int a, int b, const Manifold& m, doubl
   for (int k = 0; k < m.count; ++k) {
     const ManifoldPoint& at = m.points[k];
     if (continued && on_internal_edge(world, a, b, m.contact(k), neighbours_.of_pair(world, a, b),
-                                      [&](int body) { return poses_[body]; })) {
+                                      [&](BodyIndex body) { return poses_[body]; })) {
       // Past the edge it will be what supports the body.
       support(a, b, 0.0);
       continue;
@@ -195,10 +196,10 @@ void ContactFinder::add(const Step& step, int a, int b, const Manifold& m, doubl
 
 // m: how much farther from each other than along the normal of now, where they would be at the gap `along_it`
 // (m), two parts are that go straight on for h s. As a disc passes a corner the normal turns away.
-double ContactFinder::turned_away(const Step& step, int a, int b, const Manifold& m, double along_it,
-                                  double rounding) const {
+double ContactFinder::turned_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m,
+                                  double along_it, double rounding) const {
   const Geometry& shapes = step.world.shapes();
-  const auto straight_on = [&](int i) {
+  const auto straight_on = [&](BodyIndex i) {
     const Motion from = step.world.trajectories.at_start(i);
     return shapes.pose(i, from.head<3>() + step.h * from.segment<3>(3));
   };
@@ -208,7 +209,7 @@ double ContactFinder::turned_away(const Step& step, int a, int b, const Manifold
   return gap - along_it > rounding ? gap - along_it : 0.0;
 }
 
-void ContactFinder::support(int a, int b, double rest) {
+void ContactFinder::support(BodyIndex a, BodyIndex b, double rest) {
   if (supported_.empty() || supported_.back() != std::pair(a, b)) {
     supported_.emplace_back(a, b);
     supported_rest_.push_back(rest);
@@ -216,16 +217,16 @@ void ContactFinder::support(int a, int b, double rest) {
   supported_rest_.back() = std::min(supported_rest_.back(), rest);
 }
 
-bool ContactFinder::supports(int a, int b) const {
+bool ContactFinder::supports(BodyIndex a, BodyIndex b) const {
   return std::binary_search(supported_.begin(), supported_.end(), std::pair(a, b));
 }
 
-bool ContactFinder::stays_supported(const World& world, int a, int b) const {
+bool ContactFinder::stays_supported(const World& world, BodyIndex a, BodyIndex b) const {
   const auto pair = std::lower_bound(supported_.begin(), supported_.end(), std::pair(a, b));
   if (pair == supported_.end() || *pair != std::pair(a, b)) return false;
   const Vec2 u = world.trajectories.at_start(b).segment<2>(3) - world.trajectories.at_start(a).segment<2>(3);
   double speed = u.norm();
-  for (const int i : {a, b}) {
+  for (const BodyIndex i : {a, b}) {
     const double spin = world.trajectories.at_start(i)[5];
     if (spin != 0.0) speed += std::abs(spin) * world.shapes().core_reach[i];
   }

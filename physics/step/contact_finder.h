@@ -18,8 +18,8 @@ namespace carom {
 
 // A contact point that closes too fast to rest, of a pair that is supported at other points.
 struct Landing {
-  int a = 0;
-  int b = 0;
+  BodyIndex a;
+  BodyIndex b;
   std::uint32_t id = 0;  // of the manifold's point
 };
 
@@ -35,7 +35,7 @@ struct FoundContacts {
   std::vector<double> turned_away;
   std::vector<Landing> landings;  // that may happen in this step
   // Pairs that close too fast to rest, where impacts are not located in time; in rising order.
-  std::vector<std::pair<int, int>> hits;
+  std::vector<BodyPair> hits;
 
   void clear();
   // m: how far a contact may close along its normal.
@@ -55,14 +55,14 @@ class ContactFinder {
             const ContactMemory& memory, FoundContacts& found);
 
   // Pairs that may touch in this step, and supported pairs; each in rising order.
-  [[nodiscard]] const std::vector<std::pair<int, int>>& near() const { return near_; }
-  [[nodiscard]] const std::vector<std::pair<int, int>>& supported() const { return supported_; }
+  [[nodiscard]] const std::vector<BodyPair>& near() const { return near_; }
+  [[nodiscard]] const std::vector<BodyPair>& supported() const { return supported_; }
   // Bodies near each other, by body.
   [[nodiscard]] const Neighbours& neighbours() const { return neighbours_; }
   // Whether a contact supports the pair in this step; a < b.
-  [[nodiscard]] bool supports(int a, int b) const;
+  [[nodiscard]] bool supports(BodyIndex a, BodyIndex b) const;
   // Whether a supported pair moves so slowly that any touch in this step rests.
-  [[nodiscard]] bool stays_supported(const World& world, int a, int b) const;
+  [[nodiscard]] bool stays_supported(const World& world, BodyIndex a, BodyIndex b) const;
 
  private:
   struct Step {
@@ -73,17 +73,17 @@ class ContactFinder {
     const ContactMemory& memory;
     FoundContacts& found;
   };
-  void support(int a, int b, double rest);
-  [[nodiscard]] double turned_away(const Step& step, int a, int b, const Manifold& m, double along_it,
-                                   double rounding) const;
-  void add(const Step& step, int a, int b, const Manifold& m, double rounding, std::size_t last);
+  void support(BodyIndex a, BodyIndex b, double rest);
+  [[nodiscard]] double turned_away(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m,
+                                   double along_it, double rounding) const;
+  void add(const Step& step, BodyIndex a, BodyIndex b, const Manifold& m, double rounding, std::size_t last);
 
   void let_fast_bodies_push(World& world);
 
   NearPairs near_pairs_;
   Neighbours neighbours_;
-  std::vector<std::pair<int, int>> near_;
-  std::vector<std::pair<int, int>> supported_;
+  std::vector<BodyPair> near_;
+  std::vector<BodyPair> supported_;
   std::vector<double> supported_rest_;  // m/s, parallel to it: the least rest speed of the pair's points
   std::vector<Pose> poses_;
   std::vector<double> reach_;         // m: how far each body may move within a whole step

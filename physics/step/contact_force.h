@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/math/vectors.h"
+#include "physics/model/index.h"
 
 namespace carom {
 
@@ -13,8 +14,8 @@ inline constexpr double kContactTolerance = 1e-12;
 
 // Force of one contact point on two bodies during a step.
 struct ContactForce {
-  int a = 0;
-  int b = 0;                      // a < b
+  BodyIndex a;
+  BodyIndex b;                    // a < b
   std::uint32_t id = 0;           // of the manifold point; constant while the same features touch
   Vec2 point = Vec2::Zero();      // m, at the step's start
   Vec2 normal = Vec2::UnitX();    // from a to b
@@ -28,7 +29,7 @@ struct ContactForce {
 struct ContactMemory {
   std::vector<ContactForce> forces;      // of the last step, in the order of (a, b)
   std::vector<Eigen::Vector3d> support;  // N, N and N m, parallel to forces: the solver's initial guess
-  std::vector<int> pushed;               // bodies that contact forces act on
+  std::vector<BodyIndex> pushed;         // bodies that contact forces act on
 };
 
 }  // namespace carom

@@ -17,10 +17,10 @@ constexpr double kNoTurn = 1e-12;
 
 // The bodies that are welded to this one, itself among them.
 template <class Visit>
-void each_welded(const World& world, int body, const Visit& visit) {
+void each_welded(const World& world, BodyIndex body, const Visit& visit) {
   const WeldedBodies& welded = world.trajectories.welded();
   if (!welded.is_welded(body) || world.infinite_mass(body)) return visit(body);
-  for (const int i : world.trajectories.members(world.trajectories.island_of(body))) {
+  for (const BodyIndex i : world.trajectories.members(world.trajectories.island_of(body))) {
     if (welded.are_one(i, body)) visit(i);
   }
 }
@@ -32,13 +32,13 @@ struct Stretch {
   double high = 0.0;  // m
 };
 
-Stretch stretch_of(const World& world, int a, int b, const Contact& contact) {
+Stretch stretch_of(const World& world, BodyIndex a, BodyIndex b, const Contact& contact) {
   const Geometry& g = world.shapes();
   const Vec2 along = crossed(contact.normal);
   Stretch stretch;
-  each_welded(world, a, [&](int i) {
+  each_welded(world, a, [&](BodyIndex i) {
     const Pose pose_i = g.pose(i, world.trajectories.at_start(i).head<3>());
-    each_welded(world, b, [&](int j) {
+    each_welded(world, b, [&](BodyIndex j) {
       if (!world.can_collide(i, j)) return;
       const Pose pose_j = g.pose(j, world.trajectories.at_start(j).head<3>());
       const double tolerance = kTogether * (g.size[i] + g.size[j]);
@@ -62,16 +62,17 @@ struct EndMotion {
   std::array<std::array<double, 2>, 2> response{};  // 1/kg
 };
 
-EndMotion motion_of_ends(World& world, int a, int b, const Vec2& normal, const std::array<Vec2, 2>& ends) {
+EndMotion motion_of_ends(World& world, BodyIndex a, BodyIndex b, const Vec2& normal,
+                         const std::array<Vec2, 2>& ends) {
   Trajectories& trajectories = world.trajectories;
   const bool jointed = trajectories.is_jointed(a) || trajectories.is_jointed(b);
-  const auto lever = [&](int body, int end) {
+  const auto lever = [&](BodyIndex body, int end) {
     return cross(ends[static_cast<std::size_t>(end)] - trajectories.at_start(body).head<2>(), normal);
   };
   const auto along = [&](const Eigen::Vector3d& of_a, const Eigen::Vector3d& of_b, int end) {
     return (of_b - of_a).head<2>().dot(normal) + of_b[2] * lever(b, end) - of_a[2] * lever(a, end);
   };
-  const auto change = [&](int body, int end, double sign) -> Eigen::Vector3d {
+  const auto change = [&](BodyIndex body, int end, double sign) -> Eigen::Vector3d {
     const Vec2 v = sign * world.mass().inverse_mass[body] * normal;
     return {v.x(), v.y(), sign * world.mass().inverse_inertia[body] * lever(body, end)};
   };
@@ -91,10 +92,10 @@ EndMotion motion_of_ends(World& world, int a, int b, const Vec2& normal, const s
 
 }  // namespace
 
-Contact pressed_contact(World& world, int a, int b, const Contact& contact) {
+Contact pressed_contact(World& world, BodyIndex a, BodyIndex b, const Contact& contact) {
   const Geometry& g = world.shapes();
   const WeldedBodies& welded = world.trajectories.welded();
-  const auto has_no_stretch = [&](int i) { return g.is_disc(i) && !welded.is_welded(i); };
+  const auto has_no_stretch = [&](BodyIndex i) { return g.is_disc(i) && !welded.is_welded(i); };
   if (has_no_stretch(a) || has_no_stretch(b)) {
     // A disc touches a body that is one piece at one point.
     if (!welded.is_welded(a) && !welded.is_welded(b)) return contact;

@@ -12,6 +12,6 @@ namespace carom {
 // The resultant of λ_1 and λ_2 acts at one point between the ends; an impact there stops the approach of the
 // whole stretch, so a body that lands flat does not start to turn. Returns the contact with this point, or as
 // it is if they touch at one point or do not approach. At the start of the trajectories.
-[[nodiscard]] Contact pressed_contact(World& world, int a, int b, const Contact& contact);
+[[nodiscard]] Contact pressed_contact(World& world, BodyIndex a, BodyIndex b, const Contact& contact);
 
 }  // namespace carom

@@ -6,6 +6,7 @@
 
 #include "physics/math/vectors.h"
 #include "physics/scene/drive.h"
+#include "physics/step/coming_to_rest.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
@@ -16,8 +17,8 @@ constexpr double kNoise = 1.6e-9;
 constexpr double kRounding = 256.0 * std::numeric_limits<double>::epsilon();
 
 // Adds `sign` times a contact force to the accelerations of one of its bodies.
-void add_force(const World& world, const ContactForce& f, const Eigen::Vector3d& support, int body, double sign,
-               Eigen::Ref<Eigen::Vector3d> acceleration) {
+void add_force(const World& world, const ContactForce& f, const Eigen::Vector3d& support, BodyIndex body,
+               double sign, Eigen::Ref<Eigen::Vector3d> acceleration) {
   const Vec2 force = support[0] * f.normal + support[1] * crossed(f.normal);
   const Vec2 arm = f.point - world.trajectories.at_start(body).head<2>();
   acceleration.head<2>() += sign * world.mass().inverse_mass[body] * force;
@@ -30,7 +31,7 @@ void ContactPressing::find(World& world, double step_length, const ContactMemory
   step_length_ = step_length;
   const int n = world.bodies();
   acceleration_.setZero(3, n);
-  for (int i = 0; i < n; ++i) {
+  for (BodyIndex i{0}; i < n; ++i) {
     if (!world.infinite_mass(i)) {
       acceleration_.col(i) = world.trajectories.acceleration(i);
     } else if (world.model->is_kinematic(i)) {
@@ -51,14 +52,12 @@ void ContactPressing::update(const World& world, const ContactMemory& memory) {
   }
 }
 
-double ContactPressing::between(const World& world, const ContactMemory& memory, int a, int b,
+double ContactPressing::between(const World& world, const ContactMemory& memory, BodyIndex a, BodyIndex b,
                                 const Vec2& point, const Vec2& normal) const {
   Eigen::Vector3d of_a = pressing_.col(a);
   Eigen::Vector3d of_b = pressing_.col(b);
   const auto& forces = memory.forces;
-  const auto before = [](const ContactForce& f, const std::pair<int, int>& pair) {
-    return std::pair(f.a, f.b) < pair;
-  };
+  const auto before = [](const ContactForce& f, const BodyPair& pair) { return std::pair(f.a, f.b) < pair; };
   auto k = static_cast<std::size_t>(std::lower_bound(forces.begin(), forces.end(), std::pair(a, b), before) -
                                     forces.begin());
   for (; k < memory.support.size() && forces[k].a == a && forces[k].b == b; ++k) {
@@ -74,9 +73,8 @@ double ContactPressing::between(const World& world, const ContactMemory& memory,
 double ContactPressing::rest_speed(const World& world, double press, double restitution) const {
   if (!(press > 0.0)) return noise_;
   double share = 1.0;
-  // Explicit Euler's rebounds don't die out below this.
   if (world.method.integrator == IntegratorId::kExplicitEuler && restitution < 1.0)
-    share = std::clamp(kRestRebound * restitution / (1.0 - restitution), 1.0, kMostRestRebound);
+    share = std::max(share, last_rebound_of_euler(restitution));
   return std::max(noise_, share * press * step_length_);
 }
 

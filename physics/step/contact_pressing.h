@@ -17,8 +17,8 @@ class ContactPressing {
   void update(const World& world, const ContactMemory& memory);
 
   // m/s²: how fast the pair a < b would close at this point along this normal without its own contact.
-  [[nodiscard]] double between(const World& world, const ContactMemory& memory, int a, int b, const Vec2& point,
-                               const Vec2& normal) const;
+  [[nodiscard]] double between(const World& world, const ContactMemory& memory, BodyIndex a, BodyIndex b,
+                               const Vec2& point, const Vec2& normal) const;
   // m/s: a contact that `press` (m/s²) closes rests if it rebounds slower than this: the press would close it
   // again within a step. noise() if nothing presses it.
   [[nodiscard]] double rest_speed(const World& world, double press, double restitution) const;
@@ -27,7 +27,7 @@ class ContactPressing {
   // m/s: the largest change of a speed by other forces than those of contacts in a step.
   [[nodiscard]] double change_by_forces() const { return change_by_forces_; }
   // m/s²: a body's acceleration by other forces than those of contacts.
-  [[nodiscard]] double acceleration(int body) const { return acceleration_.col(body).head<2>().norm(); }
+  [[nodiscard]] double acceleration(BodyIndex body) const { return acceleration_.col(body).head<2>().norm(); }
 
  private:
   double step_length_ = 0.0;       // s

@@ -61,32 +61,33 @@ struct Paths {
   const Geometry& shapes;
   bool parabolic;
 
-  [[nodiscard]] Eigen::Vector3d at(int i, double t) const {
+  [[nodiscard]] Eigen::Vector3d at(BodyIndex i, double t) const {
     if (parabolic) return trajectories.parabola(i, t);
     return trajectories.at(i, t).head<3>();
   }
-  [[nodiscard]] Pose pose(int i, ShapeIndex part, double t) const {
+  [[nodiscard]] Pose pose(BodyIndex i, ShapeIndex part, double t) const {
     return shapes.part_pose(i, part, shapes.pose(i, at(i, t)));
   }
-  [[nodiscard]] Twist twist(int i, double t) const {
+  [[nodiscard]] Twist twist(BodyIndex i, double t) const {
     const Eigen::Vector3d v = parabolic ? Eigen::Vector3d(trajectories.parabola_velocity(i, t))
                                         : Eigen::Vector3d(trajectories.at(i, t).segment<3>(3));
     return {v.head<2>(), v[2]};
   }
   // Of a part of body i at its pose, from that of the body.
-  [[nodiscard]] Twist of_part(Twist twist, int i, ShapeIndex part, const Pose& pose) const {
+  [[nodiscard]] Twist of_part(Twist twist, BodyIndex i, ShapeIndex part, const Pose& pose) const {
     if (shapes.has_parts(i)) twist.velocity += twist.spin * crossed(pose.turned(shapes.place[part]));
     return twist;
   }
-  [[nodiscard]] Approach approach(int a, int b, const ShapePair& parts, double t, double tolerance) const {
+  [[nodiscard]] Approach approach(BodyIndex a, BodyIndex b, const ShapePair& parts, double t,
+                                  double tolerance) const {
     return approach_of(shapes, a, at(a, t), twist(a, t), b, at(b, t), twist(b, t), tolerance, parts);
   }
 };
 
 // Two discs on parabolas of the same acceleration move straight relative to each other: their next impact in
 // closed form.
-NextContact next_contact_of_discs(const World& world, const SearchRules& rules, int a, int b, double start,
-                                  double end) {
+NextContact next_contact_of_discs(const World& world, const SearchRules& rules, BodyIndex a, BodyIndex b,
+                                  double start, double end) {
   const Trajectories& trajectories = world.trajectories;
   const ConvexShapes& shapes = world.shapes().shapes;
   const Vec2 d = (trajectories.parabola(b, start) - trajectories.parabola(a, start)).head<2>();
@@ -123,7 +124,8 @@ NextContact next_contact_of_discs(const World& world, const SearchRules& rules, 
 
 }  // namespace
 
-NextContact next_contact(World& world, const SearchRules& rules, int a, int b, const ShapePair& parts) {
+NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, BodyIndex b,
+                         const ShapePair& parts) {
   Trajectories& trajectories = world.trajectories;
   const Geometry& shapes = world.shapes();
   const double begin = std::max({trajectories.start(a), trajectories.start(b), rules.from});

@@ -24,14 +24,14 @@ struct SearchRules {
   const RestingContacts* resting;  // null without resting contacts
   double closing_share;            // of the bodies' speeds: a smaller closing speed counts as zero
   double from;                     // s after the epoch: earlier contacts don't count
-  [[nodiscard]] bool rests(int a, int b) const {
+  [[nodiscard]] bool rests(BodyIndex a, BodyIndex b) const {
     return (resting != nullptr && resting->finder().supports(a, b)) || end_of_step.rests(a, b);
   }
 };
 
 // Finds the first contact of bodies a < b, which can collide, on their trajectories. The cost is taken from
 // the step's budget; a search that is given up is reported by a notice.
-[[nodiscard]] NextContact next_contact(World& world, const SearchRules& rules, int a, int b,
+[[nodiscard]] NextContact next_contact(World& world, const SearchRules& rules, BodyIndex a, BodyIndex b,
                                        const ShapePair& parts);
 
 }  // namespace carom

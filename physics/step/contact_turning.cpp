@@ -39,7 +39,7 @@ struct Flown {
   bool goes_on;           // whether the guessed forces leave its motion through the step about as it is
 };
 
-bool goes_on(const World& world, double h, const GuessedFlight& flight, int body) {
+bool goes_on(const World& world, double h, const GuessedFlight& flight, BodyIndex body) {
   if (world.infinite_mass(body)) return true;
   const Eigen::Vector3d change = flight.velocity.col(body) - world.trajectories.at_start(body).segment<3>(3);
   const double size = world.shapes().size[body];
@@ -48,7 +48,7 @@ bool goes_on(const World& world, double h, const GuessedFlight& flight, int body
 }
 
 // Where forces do not go on, all arms start at the body's place at the start of the step.
-Flown flown(const World& world, double h, const GuessedFlight& flight, int body) {
+Flown flown(const World& world, double h, const GuessedFlight& flight, BodyIndex body) {
   const Eigen::Vector3d from = world.trajectories.at_start(body).head<3>();
   const Eigen::Vector3d to = flight.position.col(body);
   const bool on = goes_on(world, h, flight, body);
@@ -139,8 +139,8 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
   const Geometry& shapes = world.shapes();
   const StepArms arms = arms_of(world.method.integrator);
   for (int first = 0, last = 0; first < c.size(); first = last) {
-    const int ka = c.a[first];
-    const int kb = c.b[first];
+    const BodyIndex ka = c.a[first];
+    const BodyIndex kb = c.b[first];
     while (last < c.size() && c.a[last] == ka && c.b[last] == kb) ++last;
     const Flown a = flown(world, h, flight, ka);
     const Flown b = flown(world, h, flight, kb);
@@ -156,7 +156,7 @@ void turn_contacts(World& world, double h, const GuessedFlight& flight, const Ne
       return may_be_continued(world, ka, kb) &&
              on_internal_edge(world, ka, kb, end.contact(static_cast<int>(&at - end.points.data())),
                               neighbours.of_pair(world, ka, kb),
-                              [&](int body) { return shapes.pose(body, flight.position.col(body)); });
+                              [&](BodyIndex body) { return shapes.pose(body, flight.position.col(body)); });
     };
     for (int i = first; i < last; ++i) {
       const auto k = static_cast<std::size_t>(i);

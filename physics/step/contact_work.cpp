@@ -29,7 +29,7 @@ void record_support(World& world, const Contacts& c, const GaussContacts& linear
   Ledger& ledger = world.sums.ledger;
   // m: from the middle of a body's path to where its contacts' arms start. Those leave out what the contact
   // forces themselves do, which all together do no work there.
-  const auto off = [&](int body) -> Vec2 {
+  const auto off = [&](BodyIndex body) -> Vec2 {
     if (world.infinite_mass(body)) return Vec2::Zero();
     return arm_start(world, passed / share, flight, body) - world.state.position(body) -
            0.5 * passed * mean.col(body).head<2>();
@@ -38,7 +38,7 @@ void record_support(World& world, const Contacts& c, const GaussContacts& linear
     if (c.normal_impulse[i] == 0.0 || linear.has(i)) continue;
     RowVelocity u = contact_velocity(c, i, mean);
     u.tangential +=
-        mean(2, c.b[i]) * off(c.b[i]).dot(c.normal[i]) - mean(2, c.a[i]) * off(c.a[i]).dot(c.normal[i]);
+        mean.col(c.b[i])[2] * off(c.b[i]).dot(c.normal[i]) - mean.col(c.a[i])[2] * off(c.a[i]).dot(c.normal[i]);
     ledger.lost_to_friction += std::max(0.0, -share * c.tangential_impulse[i] * u.tangential);
     ledger.lost_to_rolling += std::max(0.0, -share * c.rolling_impulse[i] * u.spin);
     record_immovable(world, c, i, share, mean);

@@ -10,6 +10,7 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/ledger/step_limits.h"
 #include "physics/step/apply_impact.h"
+#include "physics/step/coming_to_rest.h"
 #include "physics/step/pair_motion.h"
 
 namespace carom {
@@ -92,7 +93,7 @@ void EventDrivenImpacts::step(World& world, RestingContacts* resting, double h) 
     for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, left);
     resolving_.swap(end_of_step_);
     end_of_step_.clear();
-    std::vector<std::pair<int, int>> pairs = resting->finder().supported();
+    std::vector<BodyPair> pairs = resting->finder().supported();
     for (const WaitingPair& d : resolving_.all()) pairs.emplace_back(d.a, d.b);
     resting->rebound_at_end(world, pairs);
     world.publish(left);
@@ -118,7 +119,7 @@ void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
     // The islands of these pairs, without duplicates, in the order of the pairs.
     is_resolving_.assign(static_cast<std::size_t>(trajectories.islands()), false);
     for (const WaitingPair& d : pairs) {
-      for (const int i : {d.a, d.b}) {
+      for (const BodyIndex i : {d.a, d.b}) {
         const int island = trajectories.island_of(i);
         if (island < 0 || is_resolving_[static_cast<std::size_t>(island)]) continue;
         is_resolving_[static_cast<std::size_t>(island)] = true;
@@ -138,7 +139,7 @@ void EventDrivenImpacts::resolve_end_of_step(const Step& step, double target) {
     return;
   }
   for (const WaitingPair& d : pairs) {
-    for (const int i : {d.a, d.b}) world.state.set_motion(i, trajectories.at(i, target));
+    for (const BodyIndex i : {d.a, d.b}) world.state.set_motion(i, trajectories.at(i, target));
   }
   if (run_on) rebuild_and_search(step, resolving_islands_);
 }
@@ -229,7 +230,7 @@ std::optional<double> EventDrivenImpacts::process_until(const Step& step, double
   return std::nullopt;
 }
 
-bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bool guarded) {
+bool EventDrivenImpacts::resolve(const Step& step, BodyIndex a, BodyIndex b, double time, bool guarded) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
   std::optional<ShapePair> parts = world.shapes().first_parts(a, b);
@@ -246,7 +247,7 @@ bool EventDrivenImpacts::resolve(const Step& step, int a, int b, double time, bo
   if (!guarded) {
     if (const std::optional<bool> divides = resolve_at_once(step, a, b, time)) return *divides;
   }
-  for (const int i : {a, b}) {
+  for (const BodyIndex i : {a, b}) {
     if (trajectories.island_of(i) >= 0 && trajectories.start(i) != time)
       trajectories.advance_to(trajectories.island_of(i), time);
   }
@@ -275,7 +276,7 @@ void EventDrivenImpacts::count_at_once(World& world, double time) {
   last_impact_ = time;
 }
 
-bool EventDrivenImpacts::classify_rebound(const Step& step, int a, int b, const Contact& contact,
+bool EventDrivenImpacts::classify_rebound(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact,
                                           const SurfaceLaw& material, double time, bool guarded) {
   World& world = step.world;
   if (!(material.restitution < 1.0)) return false;
@@ -283,10 +284,8 @@ bool EventDrivenImpacts::classify_rebound(const Step& step, int a, int b, const 
   const double press = pressing(world, a, b, contact, time);
   const double now = world.trajectories.epoch() + time;
   double rest = kRestSpeed;
-  if (world.method.integrator == IntegratorId::kExplicitEuler) {
-    const double e = material.restitution;
-    rest = std::max(rest, std::min(kRestRebound * e / (1.0 - e), kMostRestRebound) * press * step.h);
-  }
+  if (world.method.integrator == IntegratorId::kExplicitEuler)
+    rest = std::max(rest, last_rebound_of_euler(material.restitution) * press * step.h);
   if (step.resting != nullptr)
     rest = std::max(rest, step.resting->rest_speed(world, std::min(a, b), std::max(a, b), contact.point,
                                                    contact.normal, material.restitution));

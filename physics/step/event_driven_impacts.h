@@ -22,8 +22,8 @@ struct ScheduleState {
   // As in Event: bodies a < b collide, or (b < 0) the trajectory of a's island ends.
   struct Scheduled {
     double time = 0.0;
-    int a = 0;
-    int b = -1;
+    BodyIndex a;
+    BodyIndex b;
   };
   TrajectoriesAhead trajectories;
   CellGrid::Order grid;
@@ -81,21 +81,21 @@ class EventDrivenImpacts {
   // what they set off comes after them all. Fills moment_, the first at the back.
   void find_moment(const Step& step);
   // Resolves the impact of a scheduled pair. True if it starts a support that divides the step.
-  bool resolve(const Step& step, int a, int b, double time, bool guarded);
+  bool resolve(const Step& step, BodyIndex a, BodyIndex b, double time, bool guarded);
   // Likewise, with all that closes at this time too, or with all that touches if the scene says so. Nothing if
   // that is the pair alone, or if there is no solution.
-  std::optional<bool> resolve_at_once(const Step& step, int a, int b, double time);
+  std::optional<bool> resolve_at_once(const Step& step, BodyIndex a, BodyIndex b, double time);
   // Fills cluster_ with the touches of the pairs of this moment that share bodies.
-  void find_closing(const Step& step, int a, int b, double time);
-  void find_due(const Step& step, int a, int b, double time);
+  void find_closing(const Step& step, BodyIndex a, BodyIndex b, double time);
+  void find_due(const Step& step, BodyIndex a, BodyIndex b, double time);
   [[nodiscard]] static double end_of_moment(const Step& step, const Event& first);
   // Fills cluster_ with the touches of all bodies in contact with a or b, directly or through others.
-  void find_touching(World& world, int a, int b, double time, double tolerances);
-  bool find_touches(World& world, int a, int b, double time, double tolerances);
+  void find_touching(World& world, BodyIndex a, BodyIndex b, double time, double tolerances);
+  bool find_touches(World& world, BodyIndex a, BodyIndex b, double time, double tolerances);
   // After an impact with e < 1: decides whether the pair rests from now on or has collapsed. Returns the same
   // as resolve().
-  bool classify_rebound(const Step& step, int a, int b, const Contact& contact, const SurfaceLaw& material,
-                        double time, bool guarded);
+  bool classify_rebound(const Step& step, BodyIndex a, BodyIndex b, const Contact& contact,
+                        const SurfaceLaw& material, double time, bool guarded);
   void count_at_once(World& world, double time);
   void resolve_end_of_step(const Step& step, double target);
 
@@ -106,8 +106,9 @@ class EventDrivenImpacts {
   // Rebuilds these islands and schedules their next impacts.
   void rebuild_and_search(const Step& step, std::span<const int> islands);
   void search_island(const Step& step, int island);
-  void search(const Step& step, int a, int b, double from = -std::numeric_limits<double>::infinity());
-  std::optional<ShapePair> parts_that_meet(const Step& step, int a, int b, double time);
+  void search(const Step& step, BodyIndex a, BodyIndex b,
+              double from = -std::numeric_limits<double>::infinity());
+  std::optional<ShapePair> parts_that_meet(const Step& step, BodyIndex a, BodyIndex b, double time);
   [[nodiscard]] double closing_share() const;
   [[nodiscard]] bool is_stale(const Event& event) const {
     return stamp_[event.a] != event.stamp_a || (event.b >= 0 && stamp_[event.b] != event.stamp_b);
@@ -129,11 +130,11 @@ class EventDrivenImpacts {
   int trajectory_ends_ = 0;             // in this step
   double stretch_ = 1.0;                // of trajectories that no step ends, if too many ended
   ImpactCluster cluster_;
-  std::vector<int> reached_;  // bodies of a cluster, as they are found
+  std::vector<BodyIndex> reached_;  // bodies of a cluster, as they are found
   std::vector<Event> moment_;
-  std::vector<std::pair<int, int>> due_;
+  std::vector<BodyPair> due_;
   std::vector<Contact> found_;
-  std::vector<int> near_;  // bodies near an impact
+  std::vector<BodyIndex> near_;  // bodies near an impact
   PenetrationScratch penetrations_;
 };
 

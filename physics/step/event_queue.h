@@ -6,14 +6,16 @@
 #include <tuple>
 #include <vector>
 
+#include "physics/model/index.h"
+
 namespace carom {
 
-// A scheduled event: bodies a and b collide, or (b < 0) the trajectory of island a ends. The stamps are those
+// A scheduled event: bodies a and b collide, or (b < 0) the trajectory of a's island ends. The stamps are those
 // of the islands of a and b when the event was scheduled; it is stale once one of them has changed.
 struct Event {
   double time = 0.0;  // s after the epoch
-  int a = 0;
-  int b = -1;
+  BodyIndex a;
+  BodyIndex b;
   std::uint32_t stamp_a = 0;
   std::uint32_t stamp_b = 0;
 };

@@ -39,13 +39,13 @@ bool is_disc(const ConvexShapes& shapes, ShapeIndex part) {
 
 std::optional<DiscOnFace> disc_on_face(const World& world, const FoundContacts& found, int i) {
   const Geometry& g = world.shapes();
-  const int a = found.contacts.a[i];
-  const int b = found.contacts.b[i];
+  const BodyIndex a = found.contacts.a[i];
+  const BodyIndex b = found.contacts.b[i];
   const auto [part_a, part_b] = parts_at(g, a, b, found.id[static_cast<std::size_t>(i)]);
   const bool a_is_disc = is_disc(g.shapes, part_a);
   if (a_is_disc == is_disc(g.shapes, part_b)) return std::nullopt;
   const ShapeIndex part = a_is_disc ? part_b : part_a;
-  const int body = a_is_disc ? b : a;
+  const BodyIndex body = a_is_disc ? b : a;
   if (g.shapes.edges(part) == 0 || g.shapes.core[part] == Core::kHalfPlane) return std::nullopt;
   const Pose pose = g.pose(body, world.trajectories.at_start(body).head<3>());
   const Vec2 out = a_is_disc ? Vec2(-found.contacts.normal[i]) : Vec2(found.contacts.normal[i]);
@@ -86,7 +86,7 @@ bool ends_there(World& world, const DiscOnFace& on, double time, const Neighbour
         n.dot(on.normal) > turned.dot(on.normal) && cross(on.normal, n) * (on.towards_end ? 1.0 : -1.0) > 0.0)
       return false;
   }
-  const auto pose = [&](int i) { return g.pose(i, world.trajectories.at(i, time).head<3>()); };
+  const auto pose = [&](BodyIndex i) { return g.pose(i, world.trajectories.at(i, time).head<3>()); };
   const Pose of_face = g.part_pose(on.body, on.part, pose(on.body));
   const Vec2 end = on.towards_end ? Vec2(on.vertex + on.length * crossed(on.normal)) : on.vertex;
   const Vec2 out = of_face.turned(turned_by(on.towards_end ? kBeyond : -kBeyond, on.normal));

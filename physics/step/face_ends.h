@@ -10,9 +10,9 @@ namespace carom {
 
 // A disc on a face of another body.
 struct DiscOnFace {
-  int disc = -1;
+  BodyIndex disc = kNoBody;
   ShapeIndex disc_part = kNoShape;
-  int body = -1;
+  BodyIndex body = kNoBody;
   ShapeIndex part = kNoShape;
   Vec2 normal = Vec2::Zero();  // unit, out of the face, in its body's frame
   Vec2 vertex = Vec2::Zero();  // m, the face's start, in its body's frame

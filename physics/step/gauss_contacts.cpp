@@ -70,7 +70,7 @@ void GaussContacts::join(const World& world, const Contacts& found, const Island
     std::vector<int>& own = joined_[static_cast<std::size_t>(k)];
     own.assign(contacts.begin(), contacts.end());
     for (const int i : contacts) {
-      for (const int body : {found.a[i], found.b[i]}) {
+      for (const BodyIndex body : {found.a[i], found.b[i]}) {
         if (!trajectories.is_jointed(body)) continue;
         int& at = joined_of_[static_cast<std::size_t>(trajectories.island_of(body))];
         if (at >= 0 && at != k) move_contacts(at, k);

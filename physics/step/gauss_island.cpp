@@ -74,8 +74,8 @@ double gauss_share_until(std::size_t point, double time) {
                     : kRoot3 * time * (0.5 * time - kGaussPoints[0]);
 }
 
-bool find_contact(const World& world, int a, const Motion& ya, int b, const Motion& yb, std::uint32_t id,
-                  Contact& contact, RowVelocity& velocity) {
+bool find_contact(const World& world, BodyIndex a, const Motion& ya, BodyIndex b, const Motion& yb,
+                  std::uint32_t id, Contact& contact, RowVelocity& velocity) {
   const Geometry& g = world.shapes();
   const Manifold m = manifold_of(g, a, g.pose(a, ya.head<3>()), b, g.pose(b, yb.head<3>()), id,
                                  std::numeric_limits<double>::infinity());
@@ -101,7 +101,8 @@ bool GaussIsland::begin(const GaussStep& step, std::span<const int> contacts) {
   contacts_ = contacts;
   if (contacts.size() > kMostContacts || !list(step)) return false;
   constant_.resize(3, static_cast<Eigen::Index>(bodies_.size()));
-  for (const int body : bodies_) constant_.col(column(body)) = step.world.field().contact_acceleration(body);
+  for (const BodyIndex body : bodies_)
+    constant_.col(column(body)) = step.world.field().contact_acceleration(body);
   sample(step);
   if (!look(step)) return false;
   for (GaussContact& c : closed_) {
@@ -117,7 +118,7 @@ bool GaussIsland::list(const GaussStep& step) {
   bodies_.clear();
   held_.clear();
   for (const int i : contacts_) {
-    for (const int body : {found.a[i], found.b[i]}) bodies_.push_back(body);
+    for (const BodyIndex body : {found.a[i], found.b[i]}) bodies_.push_back(body);
     const bool presses = found.normal_impulse[i] > 0.0;
     const double answer =
         step.world.mass().inverse_mass[found.a[i]] + step.world.mass().inverse_mass[found.b[i]];
@@ -187,7 +188,7 @@ bool GaussIsland::start(const GaussStep& step, GaussContact& c) const {
 // Whether contacts turn, or constant forces don't do what they should.
 bool GaussIsland::is_needed(const GaussStep& step) const {
   if (off(step, kLeft) > kNeeded) return true;
-  const auto turns = [&](int body) {
+  const auto turns = [&](BodyIndex body) {
     return !step.world.shapes().is_disc(body) &&
            std::abs(sampled(body).end[2] - sampled(body).start[2]) > kStill;
   };
@@ -205,11 +206,11 @@ bool GaussIsland::is_needed(const GaussStep& step) const {
   });
 }
 
-const GaussIsland::Sampled& GaussIsland::sampled(int body) const {
+const GaussIsland::Sampled& GaussIsland::sampled(BodyIndex body) const {
   return sampled_[static_cast<std::size_t>(column(body))];
 }
 
-Eigen::Index GaussIsland::column(int body) const {
+Eigen::Index GaussIsland::column(BodyIndex body) const {
   return std::lower_bound(bodies_.begin(), bodies_.end(), body) - bodies_.begin();
 }
 
@@ -251,7 +252,7 @@ bool GaussIsland::look(const GaussStep& step) {
     c.halfway = {contact.normal, contact.gap, velocity.normal, velocity.tangential};
     if (!find_contact(world, c.a, a.end, c.b, b.end, id, contact, velocity)) return false;
     c.end = {contact.normal, contact.gap, velocity.normal, velocity.tangential};
-    const auto pose = [&](int body) {
+    const auto pose = [&](BodyIndex body) {
       return world.shapes().pose(body, step.world.trajectories.at(body, step.h).head<3>());
     };
     if (may_be_continued(world, c.a, c.b) &&
@@ -302,13 +303,14 @@ void GaussIsland::add_column(const GaussStep& step, const GaussContact& c, int t
   const Vec2 n = middle_normal(c);
   const Vec2 force = normal * n + tangential * crossed(n);
   answers_.setZero(3, static_cast<Eigen::Index>(bodies_.size()));
-  const auto push = [&](int body, double sign, const Vec2& arm) {
+  const auto push = [&](BodyIndex body, double sign, const Vec2& arm) {
     answers_.col(column(body)) << sign * world.mass().inverse_mass[body] * force,
         sign * world.mass().inverse_inertia[body] * cross(arm, force);
   };
   push(c.a, -1.0, middle_arm_a(c));
   push(c.b, 1.0, middle_arm_b(c));
-  if (std::any_of(bodies_.begin(), bodies_.end(), [&](int i) { return world.trajectories.is_jointed(i); }))
+  if (std::any_of(bodies_.begin(), bodies_.end(),
+                  [&](BodyIndex i) { return world.trajectories.is_jointed(i); }))
     step.world.trajectories.project_changes(bodies_, answers_);
   for (const GaussContact& other : closed_) {
     if (!other.presses) continue;
@@ -362,7 +364,7 @@ void GaussIsland::push(const GaussStep& step) {
     for (const std::size_t k : {0U, 1U}) {
       const GaussContact::AtPoint& at = c.at[k];
       const Vec2 force = at.normal_force * at.normal + at.tangential_force * crossed(at.normal);
-      const auto add = [&](int body, double sign, const Vec2& arm) {
+      const auto add = [&](BodyIndex body, double sign, const Vec2& arm) {
         by_[k].col(column(body)).head<2>() += sign * world.mass().inverse_mass[body] * force;
         by_[k](2, column(body)) += sign * world.mass().inverse_inertia[body] * cross(arm, force);
       };
@@ -370,7 +372,7 @@ void GaussIsland::push(const GaussStep& step) {
       add(c.b, 1.0, at.arm_b);
     }
   }
-  for (const int body : bodies_) {
+  for (const BodyIndex body : bodies_) {
     if (world.infinite_mass(body)) continue;
     const auto i = column(body);
     world.trajectories.set_contact_acceleration(
@@ -423,7 +425,7 @@ void GaussIsland::share_friction() {
 }
 
 void GaussIsland::put_back(const GaussStep& step) const {
-  for (const int body : bodies_) {
+  for (const BodyIndex body : bodies_) {
     if (!step.world.infinite_mass(body))
       step.world.trajectories.set_contact_acceleration(body, constant_.col(column(body)));
   }

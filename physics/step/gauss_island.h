@@ -24,7 +24,7 @@ inline constexpr std::array<double, 2> kGaussPoints{0.21132486540518711775, 0.78
 // A contact that breaks away from static friction at the end of a part of a step.
 struct GaussBreak {
   double time = 0.0;  // s, absolute
-  int a = 0, b = 0;
+  BodyIndex a, b;
   std::uint32_t id = 0;
   double slips = 0.0;  // σ from then on
 };
@@ -56,7 +56,7 @@ struct GaussContact {
     double parting = 0.0, slip = 0.0;  // m/s
   };
   int contact = 0;
-  int a = 0, b = 0;
+  BodyIndex a, b;
   int face = 0;  // contacts of the same face slip alike
   bool presses = true;
   bool sticks = false;
@@ -88,7 +88,7 @@ class GaussIsland {
   [[nodiscard]] std::vector<GaussContact>& closed() { return closed_; }
   [[nodiscard]] const std::vector<GaussContact>& closed() const { return closed_; }
   [[nodiscard]] std::span<const int> contacts() const { return contacts_; }
-  [[nodiscard]] const Motion& at_end(int body) const { return sampled(body).end; }
+  [[nodiscard]] const Motion& at_end(BodyIndex body) const { return sampled(body).end; }
 
  private:
   // A body at the times at which it is looked at.
@@ -103,8 +103,8 @@ class GaussIsland {
   bool start(const GaussStep& step, GaussContact& c) const;
   [[nodiscard]] bool is_needed(const GaussStep& step) const;
   void sample(const GaussStep& step);
-  [[nodiscard]] const Sampled& sampled(int body) const;
-  [[nodiscard]] Eigen::Index column(int body) const;
+  [[nodiscard]] const Sampled& sampled(BodyIndex body) const;
+  [[nodiscard]] Eigen::Index column(BodyIndex body) const;
   bool look(const GaussStep& step);
   [[nodiscard]] double off(const GaussStep& step, double left) const;
   void build(const GaussStep& step);
@@ -115,7 +115,7 @@ class GaussIsland {
   std::span<const int> contacts_;
   std::vector<GaussContact> closed_;
   std::vector<bool> held_;              // by face
-  std::vector<int> bodies_;             // in rising order
+  std::vector<BodyIndex> bodies_;       // in rising order
   std::vector<Sampled> sampled_;        // by place in bodies_, as are the columns below
   Eigen::Matrix3Xd constant_;           // accelerations by the constant forces
   std::array<Eigen::Matrix3Xd, 2> by_;  // likewise by those at the Gauss points
@@ -128,8 +128,8 @@ class GaussIsland {
 
 // A contact in these motions of its bodies: the point of this id or, where a corner has come to face the other
 // body by another edge, the one nearest to touching. False if there is none.
-bool find_contact(const World& world, int a, const Motion& ya, int b, const Motion& yb, std::uint32_t id,
-                  Contact& contact, RowVelocity& velocity);
+bool find_contact(const World& world, BodyIndex a, const Motion& ya, BodyIndex b, const Motion& yb,
+                  std::uint32_t id, Contact& contact, RowVelocity& velocity);
 // m: of a contact, smaller gaps are rounding.
 [[nodiscard]] double closed_within(const GaussStep& step, const GaussContact& c);
 

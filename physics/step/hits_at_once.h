@@ -10,12 +10,12 @@ namespace carom {
 
 // A pair a < b that closes and overlaps at a step's end, or will within it.
 struct Hit {
-  int a = 0;
-  int b = 0;
+  BodyIndex a;
+  BodyIndex b;
   Contact contact;
   double moment = 0.0;  // s from now: when the surfaces touch, as their gap and speed say
 
-  friend std::pair<int, int> ends_of(const Hit& hit) { return {hit.a, hit.b}; }
+  friend BodyPair ends_of(const Hit& hit) { return {hit.a, hit.b}; }
 };
 
 // Buffers for resolve_at_once().

@@ -15,8 +15,8 @@ constexpr double kSlowest = 1e-3;
 // Of the speeds: a closing speed.
 constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
-bool is_jointed(const Trajectories& trajectories, std::span<const int> bodies) {
-  return std::any_of(bodies.begin(), bodies.end(), [&](int i) { return trajectories.is_jointed(i); });
+bool is_jointed(const Trajectories& trajectories, std::span<const BodyIndex> bodies) {
+  return std::any_of(bodies.begin(), bodies.end(), [&](BodyIndex i) { return trajectories.is_jointed(i); });
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ std::int64_t ImpactCluster::work(const World& world) const {
   return unknowns * unknowns * unknowns;
 }
 
-const std::vector<int>& ImpactCluster::find_bodies() {
+const std::vector<BodyIndex>& ImpactCluster::find_bodies() {
   bodies_.clear();
   for (const Touch& t : touches_) bodies_.insert(bodies_.end(), {t.a, t.b});
   std::sort(bodies_.begin(), bodies_.end());
@@ -70,7 +70,7 @@ const std::vector<int>& ImpactCluster::find_bodies() {
   return bodies_;
 }
 
-int ImpactCluster::column(int body) const {
+int ImpactCluster::column(BodyIndex body) const {
   return static_cast<int>(std::lower_bound(bodies_.begin(), bodies_.end(), body) - bodies_.begin());
 }
 
@@ -82,7 +82,7 @@ void ImpactCluster::fill(World& world) {
   Eigen::VectorXd inverse_inertia(n);
   before_.resize(3, n);
   for (Eigen::Index k = 0; k < n; ++k) {
-    const int i = bodies_[static_cast<std::size_t>(k)];
+    const BodyIndex i = bodies_[static_cast<std::size_t>(k)];
     before_.col(k) = world.trajectories.at_start(i).segment<3>(3);
     inverse_mass[k] = world.mass().inverse_mass[i];
     inverse_inertia[k] = world.mass().inverse_inertia[i];
@@ -157,7 +157,7 @@ bool ImpactCluster::resolve(World& world, double within, ClusterRestitution rest
     if (outcome.lowered) world.note(&Notices::restitution_lowered_since, now);
   } while (!apply(world));
   if (world.field().has_switching_springs()) {
-    for (const int i : bodies_) {
+    for (const BodyIndex i : bodies_) {
       if (!world.infinite_mass(i))
         world.sums.ledger.lost_to_dampers +=
             world.trajectories.recheck_switches(world.trajectories.island_of(i));

@@ -20,9 +20,9 @@ inline constexpr std::size_t kMostTogether = 32;
 // Keeps, of items with ends a and b, those that bodies which move connect with the pair of a and b; if there
 // are more than kMostTogether, one more of them.
 template <class Item>
-void keep_connected(const World& world, int a, int b, std::vector<Item>& items) {
+void keep_connected(const World& world, BodyIndex a, BodyIndex b, std::vector<Item>& items) {
   std::size_t kept = 0;
-  const auto reaches = [&](int body) {
+  const auto reaches = [&](BodyIndex body) {
     const auto has_it = [&](const Item& item) {
       const auto [c, d] = ends_of(item);
       return c == body || d == body;
@@ -47,20 +47,20 @@ void keep_connected(const World& world, int a, int b, std::vector<Item>& items) 
 class ImpactCluster {
  public:
   struct Touch {
-    int a = 0;
-    int b = 0;
+    BodyIndex a;
+    BodyIndex b;
     Contact contact;
-    friend std::pair<int, int> ends_of(const Touch& touch) { return {touch.a, touch.b}; }
+    friend BodyPair ends_of(const Touch& touch) { return {touch.a, touch.b}; }
   };
 
   void clear() { touches_.clear(); }
   // Bodies a < b.
-  void add(int a, int b, const Contact& contact) { touches_.push_back({a, b, contact}); }
+  void add(BodyIndex a, BodyIndex b, const Contact& contact) { touches_.push_back({a, b, contact}); }
   [[nodiscard]] std::span<const Touch> touches() const { return touches_; }
   // Keeps, of the touches that close, those that bodies which move connect with a or b, and none that closes
   // much slower than others: it is another impact's, or rounding. With velocities `motion(body)`.
   template <class MotionOf>
-  void keep_closing(const World& world, int a, int b, const MotionOf& motion) {
+  void keep_closing(const World& world, BodyIndex a, BodyIndex b, const MotionOf& motion) {
     closing_.clear();
     for (const Touch& t : touches_) closing_.push_back(closing_speed(t, motion(t.a), motion(t.b)));
     drop_slow();
@@ -73,7 +73,7 @@ class ImpactCluster {
   // About how much the law has to do: the cube of its number of unknowns.
   [[nodiscard]] std::int64_t work(const World& world) const;
   // Those that the touches have, in rising order.
-  [[nodiscard]] const std::vector<int>& find_bodies();
+  [[nodiscard]] const std::vector<BodyIndex>& find_bodies();
 
   // Resolves all touches at the start of the trajectories, `within` s after the epoch: changes velocities,
   // records the impacts and keeps the ledger. False if no impulses satisfy the law, which is noted, if they
@@ -85,7 +85,7 @@ class ImpactCluster {
  private:
   [[nodiscard]] static double closing_speed(const Touch& touch, const Motion& a, const Motion& b);
   void drop_slow();
-  [[nodiscard]] int column(int body) const;
+  [[nodiscard]] int column(BodyIndex body) const;
   void fill(World& world);
   [[nodiscard]] ClusterOutcome solve(World& world, ClusterRestitution restitution);
   [[nodiscard]] bool apply(World& world);
@@ -93,7 +93,7 @@ class ImpactCluster {
 
   std::vector<Touch> touches_;
   std::vector<double> closing_;  // m/s, by touch
-  std::vector<int> bodies_;
+  std::vector<BodyIndex> bodies_;
   std::vector<ClusterContact> contacts_;
   std::vector<Impact> impacts_;
   // By body: before, after; by contact, direction and body: see free_answers().

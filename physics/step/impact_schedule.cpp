@@ -31,7 +31,7 @@ void EventDrivenImpacts::choose_cells(const World& world, double horizon) {
   int moving = 0;
   Bounds all{Eigen::Array2d::Constant(kNever), Eigen::Array2d::Constant(-kNever)};
   const int n = world.bodies();
-  for (int i = 0; i < n; ++i) {
+  for (BodyIndex i{0}; i < n; ++i) {
     const Eigen::Array2d x = world.trajectories.at_start(i).head<2>().array();
     const Eigen::Array2d extent = world.shapes().extent.col(i).array();
     if (!extent.allFinite()) continue;
@@ -66,7 +66,7 @@ void EventDrivenImpacts::rebuild_all(const Step& step) {
   World& world = step.world;
   const int n = world.bodies();
   queue_.clear();
-  for (int i = 0; i < n; ++i) {
+  for (BodyIndex i{0}; i < n; ++i) {
     if (world.trajectories.island_of(i) >= 0) continue;
     const Eigen::Array2d x = world.trajectories.at_start(i).head<2>().array();
     grid_.put(i, {x - world.shapes().extent.col(i).array(), x + world.shapes().extent.col(i).array()});
@@ -74,9 +74,9 @@ void EventDrivenImpacts::rebuild_all(const Step& step) {
   for (int k = 0; k < world.trajectories.islands(); ++k) rebuild(step, k);
   // Each pair once: from its movable body with the higher index, or from its only movable body.
   std::size_t left = BroadPhase::most_pairs(world.model->bodies());
-  for (int i = 0; i < n && left > 0; ++i) {
+  for (BodyIndex i{0}; i < n && left > 0; ++i) {
     if (world.infinite_mass(i)) continue;
-    grid_.each_near(i, [&](int other) {
+    grid_.each_near(i, [&](BodyIndex other) {
       if (left == 0 || !(other < i || world.infinite_mass(other))) return;
       search(step, i, other);
       if (--left == 0) world.note(&Notices::pairs_cut_since, world.clock.time);
@@ -89,10 +89,10 @@ void EventDrivenImpacts::rebuild(const Step& step, int island) {
   const Geometry& shapes = step.world.shapes();
   trajectories.rebuild(island, step.horizon, stretch_ * reach_, stretch_ * Trajectories::kUsualTurn);
   trajectories.bound_curvature(island);
-  const int first = trajectories.members(island).front();
+  const BodyIndex first = trajectories.members(island).front();
   const double begin = trajectories.start(first);
   const double end = trajectories.end(first);
-  for (const int i : trajectories.members(island)) {
+  for (const BodyIndex i : trajectories.members(island)) {
     ++stamp_[i];
     const Eigen::Array2d from = trajectories.at_start(i).head<2>().array();
     const Eigen::Array2d to = trajectories.at_end(i).head<2>().array();
@@ -102,7 +102,7 @@ void EventDrivenImpacts::rebuild(const Step& step, int island) {
                                   32.0 * kEpsilon * (from.abs() + to.abs());
     grid_.put(i, {from.min(to) - margin, from.max(to) + margin});
   }
-  if (end < step.horizon) queue_.push({end, first, -1, stamp_[first], 0});
+  if (end < step.horizon) queue_.push({end, first, kNoBody, stamp_[first], 0});
 }
 
 void EventDrivenImpacts::rebuild_and_search(const Step& step, std::span<const int> islands) {
@@ -113,8 +113,8 @@ void EventDrivenImpacts::rebuild_and_search(const Step& step, std::span<const in
 void EventDrivenImpacts::search_island(const Step& step, int island) {
   World& world = step.world;
   std::int64_t neighbours = 0;
-  for (const int i : world.trajectories.members(island)) {
-    grid_.each_near(i, [&](int other) {
+  for (const BodyIndex i : world.trajectories.members(island)) {
+    grid_.each_near(i, [&](BodyIndex other) {
       if (world.infinite_mass(i) && world.infinite_mass(other)) return;
       ++neighbours;
       search(step, i, other);
@@ -126,7 +126,7 @@ void EventDrivenImpacts::search_island(const Step& step, int island) {
 
 // Schedules the next impact of a and b on their trajectories from `from` on (s after the epoch), if there is
 // one.
-void EventDrivenImpacts::search(const Step& step, int a, int b, double from) {
+void EventDrivenImpacts::search(const Step& step, BodyIndex a, BodyIndex b, double from) {
   World& world = step.world;
   if (a > b) std::swap(a, b);
   if (!world.can_collide(a, b)) return;
@@ -158,18 +158,19 @@ void EventDrivenImpacts::search(const Step& step, int a, int b, double from) {
 
 // The parts of a and b that touch at this time, of several those that approach fastest; nothing where others
 // continue the surface, so that they do not touch there.
-std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, int a, int b, double time) {
+std::optional<ShapePair> EventDrivenImpacts::parts_that_meet(const Step& step, BodyIndex a, BodyIndex b,
+                                                             double time) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
   const Geometry& shapes = world.shapes();
   near_.clear();
-  grid_.each_near(world.infinite_mass(a) ? b : a, [&](int other) {
+  grid_.each_near(world.infinite_mass(a) ? b : a, [&](BodyIndex other) {
     if (other != a && other != b) near_.push_back(other);
   });
-  const auto motion = [&](int i) {
+  const auto motion = [&](BodyIndex i) {
     return trajectories.at(i, std::clamp(time, trajectories.start(i), trajectories.end(i)));
   };
-  const auto pose = [&](int i) { return shapes.pose(i, motion(i).head<3>()); };
+  const auto pose = [&](BodyIndex i) { return shapes.pose(i, motion(i).head<3>()); };
   if (!shapes.has_parts(a) && !shapes.has_parts(b)) {
     if (near_.empty()) return shapes.first_parts(a, b);
     const Contact contact = contact_between(shapes, a, pose(a), b, pose(b));

@@ -15,6 +15,6 @@ namespace carom {
 // the change back. Momentum stays too. The energy of it counts as the push's. At the start of the trajectories;
 // `scratch` is memory to work in.
 void keep_angular_momentum(World& world, const Contacts& contacts, const Islands& islands,
-                           const Eigen::Matrix3Xd& moved, std::vector<int>& scratch);
+                           const Eigen::Matrix3Xd& moved, std::vector<BodyIndex>& scratch);
 
 }  // namespace carom

@@ -15,10 +15,10 @@ class NearPairs {
   // trajectory, widened by margin(body) in m. At most BroadPhase::most_pairs() pairs are listed; a notice
   // reports that there were more.
   template <class Margin>
-  const std::vector<std::pair<int, int>>& find(World& world, const Margin& margin) {
+  const std::vector<BodyPair>& find(World& world, const Margin& margin) {
     const int n = world.bodies();
     bounds_.resize(n);
-    for (int i = 0; i < n; ++i) {
+    for (BodyIndex i{0}; i < n; ++i) {
       const Eigen::Array2d x = world.trajectories.at_start(i).template head<2>().array();
       const Eigen::Array2d reach = world.shapes().extent.col(i).array() + margin(i);
       bounds_[i] = {x - reach, x + reach};

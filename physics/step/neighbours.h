@@ -13,8 +13,8 @@
 
 namespace carom {
 
-[[nodiscard]] inline std::pair<int, int> ends_of(const std::pair<int, int>& pair) { return pair; }
-[[nodiscard]] inline std::pair<int, int> ends_of(const WaitingPair& pair) { return {pair.a, pair.b}; }
+[[nodiscard]] inline BodyPair ends_of(const BodyPair& pair) { return pair; }
+[[nodiscard]] inline BodyPair ends_of(const WaitingPair& pair) { return {pair.a, pair.b}; }
 
 // The partners of each body in a list of pairs.
 class Neighbours {
@@ -34,12 +34,12 @@ class Neighbours {
       partners_[--first_[a]] = b, partners_[--first_[b]] = a;
     }
   }
-  [[nodiscard]] std::span<const int> of(int body) const {
+  [[nodiscard]] std::span<const BodyIndex> of(BodyIndex body) const {
     const auto i = static_cast<std::size_t>(body);
     return {partners_.data() + first_[i], static_cast<std::size_t>(first_[i + 1] - first_[i])};
   }
   // Those of a or b that both of them may touch, and some that they don't.
-  [[nodiscard]] std::span<const int> of_pair(const World& world, int a, int b) const {
+  [[nodiscard]] std::span<const BodyIndex> of_pair(const World& world, BodyIndex a, BodyIndex b) const {
     if (world.infinite_mass(a)) return of(b);
     if (world.infinite_mass(b)) return of(a);
     return of(a).size() < of(b).size() ? of(a) : of(b);
@@ -47,7 +47,7 @@ class Neighbours {
 
  private:
   std::vector<int> first_;
-  std::vector<int> partners_;
+  std::vector<BodyIndex> partners_;
 };
 
 // Relative to the sizes: a resting body is off its place by what the solver of its contact forces leaves, up
@@ -55,20 +55,20 @@ class Neighbours {
 inline constexpr double kFlush = 1e-8;
 
 // Whether a and b can touch at an edge that a third body continues: only corners can.
-[[nodiscard]] inline bool may_be_continued(const World& world, int a, int b) {
+[[nodiscard]] inline bool may_be_continued(const World& world, BodyIndex a, BodyIndex b) {
   return !world.shapes().is_disc(a) || !world.shapes().is_disc(b);
 }
 
 // Whether another part, of a body itself or of one of `others`, leaves no such contact of a and b, because it
 // continues the surface of one of them there (neighbour_covers). pose(i) is the pose of a body.
 template <class PoseOf>
-[[nodiscard]] bool on_internal_edge(const World& world, int a, int b, const Contact& contact,
-                                    std::span<const int> others, const PoseOf& pose) {
+[[nodiscard]] bool on_internal_edge(const World& world, BodyIndex a, BodyIndex b, const Contact& contact,
+                                    std::span<const BodyIndex> others, const PoseOf& pose) {
   const Geometry& g = world.shapes();
   const Vec2 half = 0.5 * contact.gap * contact.normal;
   const ShapePair parts = g.parts_or_first(contact.parts, a, b);
-  const auto covers = [&](int other, int owner, ShapeIndex part, int toucher, const Vec2& point,
-                          const Vec2& normal) {
+  const auto covers = [&](BodyIndex other, BodyIndex owner, ShapeIndex part, BodyIndex toucher,
+                          const Vec2& point, const Vec2& normal) {
     if (!world.can_collide(other, toucher) || g.shapes.core[part] == Core::kPoint) return false;
     const double tolerance = kFlush * (g.size[owner] + g.size[other]) + 1e-12 * point.lpNorm<1>();
     if (g.more.empty()) {
@@ -93,7 +93,7 @@ template <class PoseOf>
   const Vec2 on_b = contact.point + half;
   if (g.has_parts(a) && covers(a, a, parts.a, b, on_a, contact.normal)) return true;
   if (g.has_parts(b) && covers(b, b, parts.b, a, on_b, -contact.normal)) return true;
-  return std::any_of(others.begin(), others.end(), [&](int other) {
+  return std::any_of(others.begin(), others.end(), [&](BodyIndex other) {
     return other != a && other != b &&
            (covers(other, a, parts.a, b, on_a, contact.normal) ||
             covers(other, b, parts.b, a, on_b, -contact.normal));

@@ -7,12 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "physics/model/index.h"
+
 namespace carom {
 
 // A pair of bodies that waits for the end of the step.
 struct WaitingPair {
-  int a = 0;
-  int b = 0;  // a < b
+  BodyIndex a;
+  BodyIndex b;  // a < b
   bool resting = false;
 };
 
@@ -20,7 +22,7 @@ struct WaitingPair {
 class PairList {
  public:
   // A pair that is already listed rests if either entry does.
-  void add(int a, int b, bool resting) {
+  void add(BodyIndex a, BodyIndex b, bool resting) {
     if (2 * (pairs_.size() + 1) > slots_.size()) grow();
     int& slot = slots_[slot_of(a, b)];
     if (slot == kEmpty) {
@@ -30,7 +32,7 @@ class PairList {
       pairs_[static_cast<std::size_t>(slot)].resting = true;
     }
   }
-  [[nodiscard]] bool rests(int a, int b) const {
+  [[nodiscard]] bool rests(BodyIndex a, BodyIndex b) const {
     if (pairs_.empty()) return false;
     const int slot = slots_[slot_of(a, b)];
     return slot != kEmpty && pairs_[static_cast<std::size_t>(slot)].resting;
@@ -59,7 +61,7 @@ class PairList {
   static constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15U;  // 2^64 over the golden ratio
 
   // The slot of the pair, or the one where it would go.
-  [[nodiscard]] std::size_t slot_of(int a, int b) const {
+  [[nodiscard]] std::size_t slot_of(BodyIndex a, BodyIndex b) const {
     // Multiples of odd numbers, whose highest bits are mixed best. The key of a is folded before b is added,
     // because sums of two such sequences have gaps.
     std::uint64_t key = static_cast<std::uint32_t>(a) * kOdd;

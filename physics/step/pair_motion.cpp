@@ -7,6 +7,7 @@
 
 #include "physics/collision/pair_contact.h"
 #include "physics/scene/drive.h"
+#include "physics/step/coming_to_rest.h"
 
 namespace carom {
 namespace {
@@ -15,22 +16,22 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-double smaller_size(const World& world, int a, int b) {
+double smaller_size(const World& world, BodyIndex a, BodyIndex b) {
   double size = std::numeric_limits<double>::infinity();
-  for (const int i : {a, b}) {
+  for (const BodyIndex i : {a, b}) {
     if (!world.infinite_mass(i)) size = std::min(size, world.shapes().size[i]);
   }
   return size;
 }
 
-double touch_tolerance(const World& world, int a, int b, double duration) {
+double touch_tolerance(const World& world, BodyIndex a, BodyIndex b, double duration) {
   const Geometry& shapes = world.shapes();
   const double time = std::max(duration, world.method.step);
   const auto ya = world.trajectories.at_start(a);
   const auto yb = world.trajectories.at_start(b);
   double reach = ya.head<2>().lpNorm<1>() + yb.head<2>().lpNorm<1>() + shapes.size[a] + shapes.size[b];
   double speeds = ya.segment<2>(3).norm() + yb.segment<2>(3).norm();
-  for (const int i : {a, b}) {
+  for (const BodyIndex i : {a, b}) {
     if (shapes.is_disc(i)) continue;
     // The rounding of an angle moves a corner.
     reach += std::abs(world.trajectories.at_start(i)[2]) * shapes.size[i];
@@ -39,24 +40,24 @@ double touch_tolerance(const World& world, int a, int b, double duration) {
   return 16.0 * kEpsilon * (reach + speeds * time);
 }
 
-double curvature(const World& world, int a, int b, double of_centres) {
+double curvature(const World& world, BodyIndex a, BodyIndex b, double of_centres) {
   double sum = of_centres;
-  for (const int i : {a, b}) {
+  for (const BodyIndex i : {a, b}) {
     if (world.trajectories.turn_bound(i) > 0.0)
       sum += world.trajectories.turn_bound(i) * world.shapes().core_reach[i];
   }
   return sum;
 }
 
-double pressed_in(const World& world, int a, int b, double h) {
+double pressed_in(const World& world, BodyIndex a, BodyIndex b, double h) {
   return curvature(world, a, b, world.trajectories.curvature_bound(a) + world.trajectories.curvature_bound(b)) *
              h +
          kRestSpeed;
 }
 
-double pressing(World& world, int a, int b, const Contact& contact, double within) {
+double pressing(World& world, BodyIndex a, BodyIndex b, const Contact& contact, double within) {
   Trajectories& trajectories = world.trajectories;
-  const auto acceleration = [&](int i) -> Eigen::Vector3d {
+  const auto acceleration = [&](BodyIndex i) -> Eigen::Vector3d {
     if (!world.model->is_kinematic(i)) return trajectories.acceleration(i);
     const Vec2 kinematic = drive_acceleration(world.model->drive(i), trajectories.epoch() + within);
     return {kinematic.x(), kinematic.y(), 0.0};
@@ -75,7 +76,7 @@ double pressing(World& world, int a, int b, const Contact& contact, double withi
   }
   if (bound == 0.0) return 0.0;
   const double wait = std::min(world.method.step, std::sqrt(2e4 * touch_tolerance(world, a, b) / bound));
-  const auto flown = [&](int i, const Eigen::Vector3d& by) -> Eigen::Vector3d {
+  const auto flown = [&](BodyIndex i, const Eigen::Vector3d& by) -> Eigen::Vector3d {
     const auto& y = trajectories.at_start(i);
     return y.head<3>() + wait * (y.segment<3>(3) + 0.5 * wait * by);
   };

@@ -28,8 +28,8 @@ Vec2 lowest_point(const ConvexShapes& shapes, ShapeIndex part, const Pose& pose,
 // Where two parts overlap least is on an edge that a neighbour continues, as with a corner that has sunk where
 // two boxes of a floor meet. Then they overlap the common surface: the contact with that face of either which
 // they overlap least, of those that neighbours leave.
-std::optional<Contact> contact_with_face(const World& world, int a, int b, const ShapePair& parts,
-                                         std::span<const int> others, const auto& pose) {
+std::optional<Contact> contact_with_face(const World& world, BodyIndex a, BodyIndex b, const ShapePair& parts,
+                                         std::span<const BodyIndex> others, const auto& pose) {
   const Geometry& g = world.shapes();
   const auto& [part_a, part_b] = parts;
   const Pose of_a = g.part_pose(a, part_a, pose(a));
@@ -55,11 +55,14 @@ std::optional<Contact> contact_with_face(const World& world, int a, int b, const
 }
 
 // How two parts overlap, and approach there; without a contact the gap is not negative.
-Approach overlap_of(const World& world, int a, int b, const ShapePair& parts, const Neighbours& neighbours) {
+Approach overlap_of(const World& world, BodyIndex a, BodyIndex b, const ShapePair& parts,
+                    const Neighbours& neighbours) {
   Approach at = world.approach(a, b, 0.0, parts);
   if (!(at.contact.gap < 0.0) || !may_be_continued(world, a, b)) return at;
-  const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
-  const std::span<const int> others = neighbours.of_pair(world, a, b);
+  const auto pose = [&](BodyIndex i) {
+    return world.shapes().pose(i, world.trajectories.at_start(i).head<3>());
+  };
+  const std::span<const BodyIndex> others = neighbours.of_pair(world, a, b);
   if (!on_internal_edge(world, a, b, at.contact, others, pose)) return at;
   const auto has_plane = [&](ShapeIndex part) { return world.shapes().shapes.core[part] == Core::kHalfPlane; };
   std::optional<Contact> face;
@@ -74,7 +77,7 @@ Approach overlap_of(const World& world, int a, int b, const ShapePair& parts, co
 void find_hits(World& world, const std::vector<WaitingPair>& pairs, const Neighbours& neighbours,
                std::vector<Hit>& hits) {
   hits.clear();
-  const auto has_others = [&](int body) {
+  const auto has_others = [&](BodyIndex body) {
     return !world.infinite_mass(body) && neighbours.of(body).size() > 1;
   };
   for (const auto& [a, b, resting] : pairs) {
@@ -132,7 +135,7 @@ ImpactEffect resolve_penetrations(World& world, const std::vector<WaitingPair>& 
     const Eigen::VectorXd& inverse_mass = world.mass().inverse_mass;
     const double share = inverse_mass[a] + inverse_mass[b];
     const Vec2 push = (resting ? 1.0 : kPenetrationFraction) * -gap / share * normal;
-    for (const int i : {a, b}) {
+    for (const BodyIndex i : {a, b}) {
       if (world.infinite_mass(i)) continue;
       const Vec2 x = trajectories.at_start(i).head<2>();
       const Vec2 moved = x + (i == a ? -1.0 : 1.0) * inverse_mass[i] * push;

@@ -54,7 +54,7 @@ double first_break(const World& world, const Contacts& contacts, double h) {
   double first = h;
   const double epoch = world.trajectories.epoch();
   for (int i = 0; i < contacts.size(); ++i) {
-    for (const int body : {contacts.a[i], contacts.b[i]})
+    for (const BodyIndex body : {contacts.a[i], contacts.b[i]})
       first = std::min(first, world.field().next_break(body, epoch) - epoch);
   }
   return first;
@@ -62,8 +62,8 @@ double first_break(const World& world, const Contacts& contacts, double h) {
 
 }  // namespace
 
-double RestingContacts::rest_speed(const World& world, int a, int b, const Vec2& point, const Vec2& normal,
-                                   double restitution) const {
+double RestingContacts::rest_speed(const World& world, BodyIndex a, BodyIndex b, const Vec2& point,
+                                   const Vec2& normal, double restitution) const {
   return pressing_.rest_speed(world, pressing_.between(world, memory_, a, b, point, normal), restitution);
 }
 
@@ -74,7 +74,8 @@ void RestingContacts::begin_step(World& world, double h) {
 }
 
 void RestingContacts::take_off_forces(World& world) {
-  for (const int i : memory_.pushed) world.trajectories.set_contact_acceleration(i, Eigen::Vector3d::Zero());
+  for (const BodyIndex i : memory_.pushed)
+    world.trajectories.set_contact_acceleration(i, Eigen::Vector3d::Zero());
   memory_.pushed.clear();
   world.trajectories.end_contact_rates();
 }
@@ -134,18 +135,19 @@ int RestingContacts::parts_at_once(const World& world, double h) {
     ++partners_[static_cast<std::size_t>(c.a[i])];
     ++partners_[static_cast<std::size_t>(c.b[i])];
   }
-  const auto crowded = [&](int i) {
+  const auto crowded = [&](BodyIndex i) {
     return !world.infinite_mass(i) && partners_[static_cast<std::size_t>(i)] > 1;
   };
   double fastest = 0.0;  // 1/s: moving by the size, or turning by 1 rad
   for (int i = 0; i < c.size(); ++i) {
-    const int a = c.a[i];
-    const int b = c.b[i];
+    const BodyIndex a = c.a[i];
+    const BodyIndex b = c.b[i];
     const Vec2 moving = world.state.v.col(b).head<2>() - world.state.v.col(a).head<2>();
     double speed = moving.norm();
     const double size = smaller_size(world, a, b);
-    for (const int k : {a, b}) {
-      if (world.state.v(2, k) != 0.0) speed += std::abs(world.state.v(2, k)) * world.shapes().core_reach[k];
+    for (const BodyIndex k : {a, b}) {
+      if (world.state.v.col(k)[2] != 0.0)
+        speed += std::abs(world.state.v.col(k)[2]) * world.shapes().core_reach[k];
     }
     if (speed * h * kMostParts < c.gap[i]) continue;
     // Over an immovable body others may slide far without turning the contact.
@@ -153,8 +155,8 @@ int RestingContacts::parts_at_once(const World& world, double h) {
     const RowVelocity u = contact_velocity(c, i, world.state.v);
     if (free || crowded(a) || crowded(b))
       fastest = std::max(fastest, (free ? moving.norm() : -u.normal) / size);
-    for (const int k : {a, b}) {
-      if (!world.shapes().is_disc(k)) fastest = std::max(fastest, std::abs(world.state.v(2, k)));
+    for (const BodyIndex k : {a, b}) {
+      if (!world.shapes().is_disc(k)) fastest = std::max(fastest, std::abs(world.state.v.col(k)[2]));
     }
   }
   int parts = kMostParts;
@@ -185,7 +187,7 @@ double RestingContacts::hold(World& world, double h, double least) {
 
 void RestingContacts::read_velocities(const World& world) {
   before_.resize(3, world.bodies());
-  for (int i = 0; i < world.bodies(); ++i) before_.col(i) = world.trajectories.at_start(i).segment<3>(3);
+  for (BodyIndex i{0}; i < world.bodies(); ++i) before_.col(i) = world.trajectories.at_start(i).segment<3>(3);
 }
 
 void RestingContacts::prepare(const World& world) {
@@ -239,7 +241,7 @@ void RestingContacts::project_penetrations(World& world) {
   options.large_motion = nullptr;
   project_prepared(world.mass(), c, deepest > kDeep ? kPenetrationFraction : 1.0, moved_, options, workspace_);
   const double before = world.field().potential_energy(world.state.q);
-  for (int i = 0; i < world.state.size(); ++i) {
+  for (BodyIndex i{0}; i < world.state.size(); ++i) {
     if (world.infinite_mass(i) || moved_.col(i).isZero(0.0)) continue;
     world.trajectories.set_pose(i, world.trajectories.at_start(i).head<3>() + moved_.col(i));
     world.state.q.col(i) = world.trajectories.at_start(i).head<3>();
@@ -259,7 +261,7 @@ void RestingContacts::record_forces(World& world, double passed, double share) {
   if (found_.contacts.size() == 0) return;
   moved_ = before_ + 0.5 * share * (after_ - before_);
   if (choice_of(kIntegrators, world.method.integrator).exact_under_gravity) {
-    for (int i = 0; i < world.state.size(); ++i) {
+    for (BodyIndex i{0}; i < world.state.size(); ++i) {
       if (!world.infinite_mass(i) || world.model->is_kinematic(i))
         moved_.col(i) = (world.trajectories.at(i, passed).head<3>() - world.state.q.col(i)) / passed;
     }

@@ -63,15 +63,15 @@ class RestingContacts {
   void record_forces(World& world, double passed, double share);
   // Of these pairs, those that penetrate at the step's end and close faster than a contact may rest rebound
   // by the law of impacts.
-  void rebound_at_end(World& world, const std::vector<std::pair<int, int>>& pairs) const;
+  void rebound_at_end(World& world, const std::vector<BodyPair>& pairs) const;
   // Takes all contact forces off the trajectories and forgets the contacts.
   void release(World& world);
   // After a step that was given up.
   void forget_forces() { memory_.forces.clear(); }
 
   // m/s: a contact of the pair a < b that rebounds slower than this rests (ContactPressing::rest_speed).
-  [[nodiscard]] double rest_speed(const World& world, int a, int b, const Vec2& point, const Vec2& normal,
-                                  double restitution) const;
+  [[nodiscard]] double rest_speed(const World& world, BodyIndex a, BodyIndex b, const Vec2& point,
+                                  const Vec2& normal, double restitution) const;
   [[nodiscard]] const ContactFinder& finder() const { return finder_; }
 
   [[nodiscard]] const std::vector<ContactForce>& forces() const { return memory_.forces; }  // of the last step
@@ -114,7 +114,7 @@ class RestingContacts {
   GaussContacts linear_;
   std::vector<DiscOnFace> near_ends_;
   std::vector<std::uint8_t> struck_;  // by body, in this step
-  std::vector<int> bodies_;           // of an island
+  std::vector<BodyIndex> bodies_;     // of an island
   std::vector<int> partners_;         // by body: how many others it may touch
   bool prepared_ = false;
   ContactWorkspace workspace_;

@@ -78,9 +78,9 @@ void RestingContacts::stop_approaches(World& world, double h) {
       report_residual(world, solve(world, before_, options), pressing_.change_by_forces());
       moved_ = 0.5 * (before_ + after_);
       record_stops(world, c, moved_);
-      for (int i = 0; i < world.bodies(); ++i) {
+      for (BodyIndex i{0}; i < world.bodies(); ++i) {
         if (world.infinite_mass(i) || after_.col(i) == before_.col(i)) continue;
-        world.trajectories.set_velocity(i, after_.col(i).head<2>(), after_(2, i));
+        world.trajectories.set_velocity(i, after_.col(i).head<2>(), after_.col(i)[2]);
       }
       before_ = after_;
     }
@@ -99,13 +99,13 @@ void RestingContacts::push_as_before(World& world) {
   const int n = world.bodies();
   flight_.by.setZero(3, n);
   flight_.press.setZero(n);
-  std::vector<int>& pushed = memory_.pushed;
+  std::vector<BodyIndex>& pushed = memory_.pushed;
   for (int i = 0; i < c.size(); ++i) {
     const Eigen::Vector3d& guess = found_.guess[static_cast<std::size_t>(i)];
     const Vec2 force = guess[0] * c.normal[i] + guess[1] * crossed(c.normal[i]);
-    const auto push = [&](int body, double sign, const Vec2& arm) {
+    const auto push = [&](BodyIndex body, double sign, const Vec2& arm) {
       flight_.by.col(body).head<2>() += sign * world.mass().inverse_mass[body] * force;
-      flight_.by(2, body) += sign * world.mass().inverse_inertia[body] * (cross(arm, force) + guess[2]);
+      flight_.by.col(body)[2] += sign * world.mass().inverse_inertia[body] * (cross(arm, force) + guess[2]);
       flight_.press[body] = std::max(flight_.press[body], std::abs(found_.press[static_cast<std::size_t>(i)]));
       if (!world.infinite_mass(body)) pushed.push_back(body);
     };
@@ -114,7 +114,7 @@ void RestingContacts::push_as_before(World& world) {
   }
   std::sort(pushed.begin(), pushed.end());
   pushed.erase(std::unique(pushed.begin(), pushed.end()), pushed.end());
-  for (const int i : pushed) world.trajectories.set_contact_acceleration(i, flight_.by.col(i));
+  for (const BodyIndex i : pushed) world.trajectories.set_contact_acceleration(i, flight_.by.col(i));
 }
 
 // The flight of bodies under the contact forces that are on the trajectories.
@@ -122,14 +122,14 @@ void RestingContacts::fly(World& world, double h) {
   const int n = world.bodies();
   flight_.position.resize(3, n);
   flight_.velocity = before_;
-  for (int i = 0; i < n; ++i) flight_.position.col(i) = world.trajectories.at_start(i).head<3>();
-  const auto move = [&](int i) {
+  for (BodyIndex i{0}; i < n; ++i) flight_.position.col(i) = world.trajectories.at_start(i).head<3>();
+  const auto move = [&](BodyIndex i) {
     const Motion end = world.trajectories.at(i, h);
     flight_.position.col(i) = end.head<3>();
     flight_.velocity.col(i) = end.segment<3>(3);
   };
-  for (const int i : memory_.pushed) move(i);
-  for (int i = 0; i < n; ++i) {
+  for (const BodyIndex i : memory_.pushed) move(i);
+  for (BodyIndex i{0}; i < n; ++i) {
     if (world.model->is_kinematic(i)) move(i);
   }
   free_ = flight_.velocity - h * flight_.by;
@@ -150,7 +150,7 @@ void RestingContacts::find_forces(World& world, double h) {
             Eigen::Vector3d(c.normal_impulse[i], c.tangential_impulse[i], c.rolling_impulse[i]) / h;
       }
       c = at_start_;
-      for (const int i : memory_.pushed) flight_.by.col(i) = (after_.col(i) - free_.col(i)) / h;
+      for (const BodyIndex i : memory_.pushed) flight_.by.col(i) = (after_.col(i) - free_.col(i)) / h;
     } else {
       push_as_before(world);
     }
@@ -160,7 +160,7 @@ void RestingContacts::find_forces(World& world, double h) {
     report = solve_flight(world, h, options);
     if (has_large_island()) break;
     double off = 0.0;
-    for (const int i : memory_.pushed) {
+    for (const BodyIndex i : memory_.pushed) {
       const Eigen::Vector3d by = after_.col(i) - flight_.velocity.col(i);
       off = std::max(off, by.head<2>().norm() + std::abs(by[2]) * world.shapes().size[i]);
     }
@@ -208,11 +208,11 @@ ContactSolverReport RestingContacts::solve_flight(World& world, double h, const 
   ContactSolverReport report;
   for (int round = 0; round < kMostRounds; ++round) {
     report = solve(world, free_, options);
-    for (const int i : memory_.pushed)
+    for (const BodyIndex i : memory_.pushed)
       world.trajectories.set_contact_acceleration(i, (after_.col(i) - free_.col(i)) / h);
     if (world.trajectories.is_parabolic()) break;
     double off = 0.0;
-    for (const int i : memory_.pushed) {
+    for (const BodyIndex i : memory_.pushed) {
       const Eigen::Vector3d by = world.trajectories.at(i, h).segment<3>(3) - after_.col(i);
       off = std::max(off, by.head<2>().norm());
       free_.col(i) += by;

@@ -66,9 +66,11 @@ void RestingContacts::land(World& world, const LandingTime& landing) const {
 void RestingContacts::strike(World& world, double h) {
   if (found_.hits.empty()) return;
   struck_.assign(static_cast<std::size_t>(world.bodies()), 0);
-  const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
+  const auto pose = [&](BodyIndex i) {
+    return world.shapes().pose(i, world.trajectories.at_start(i).head<3>());
+  };
   // Calls visit(contact, closing speed, material) for each two parts that would meet.
-  const auto each_hit = [&](int a, int b, const auto& visit) {
+  const auto each_hit = [&](BodyIndex a, BodyIndex b, const auto& visit) {
     const bool several = world.shapes().has_parts(a) || world.shapes().has_parts(b);
     world.shapes().each_parts(a, b, [&](ShapeIndex part_a, ShapeIndex part_b) {
       if (!world.can_collide(a, b)) return;  // one body by now
@@ -92,7 +94,7 @@ void RestingContacts::strike(World& world, double h) {
     struck_[static_cast<std::size_t>(hit.a)] = struck_[static_cast<std::size_t>(hit.b)] = 1;
   bool any = !hits.empty();
   resolve_at_once(world, at_once_, h, 0.0);
-  const auto strikes = [&](int a, int b) {
+  const auto strikes = [&](BodyIndex a, BodyIndex b) {
     bool some = false;
     each_hit(a, b, [&](const Contact& contact, double, const SurfaceLaw& material) {
       apply_impact(world, a, b, contact, material, 0.0);
@@ -106,8 +108,8 @@ void RestingContacts::strike(World& world, double h) {
   for (int round = 1; any && round < kMostStrikes; ++round) {
     any = false;
     for (int i = 0; i < c.size(); ++i) {
-      const int a = c.a[i];
-      const int b = c.b[i];
+      const BodyIndex a = c.a[i];
+      const BodyIndex b = c.b[i];
       const bool again = i > 0 && c.a[i - 1] == a && c.b[i - 1] == b;
       if (!again && (struck_[static_cast<std::size_t>(a)] != 0 || struck_[static_cast<std::size_t>(b)] != 0))
         any = strikes(a, b) || any;
@@ -117,11 +119,13 @@ void RestingContacts::strike(World& world, double h) {
 
 // Bodies that penetrate at the step's end and close faster than a contact may rest rebound by the law of
 // impacts.
-void RestingContacts::rebound_at_end(World& world, const std::vector<std::pair<int, int>>& pairs) const {
+void RestingContacts::rebound_at_end(World& world, const std::vector<BodyPair>& pairs) const {
   const double now = world.clock.step_end - world.trajectories.epoch();
-  const auto pose = [&](int i) { return world.shapes().pose(i, world.trajectories.at_start(i).head<3>()); };
+  const auto pose = [&](BodyIndex i) {
+    return world.shapes().pose(i, world.trajectories.at_start(i).head<3>());
+  };
   // Of two parts.
-  const auto rebound = [&](int a, int b, const ShapePair& parts) {
+  const auto rebound = [&](BodyIndex a, BodyIndex b, const ShapePair& parts) {
     ImpactEffect effect = ImpactEffect::kNone;
     const int most = world.shapes().is_disc(a) || world.shapes().is_disc(b) ? 1 : 3;
     for (int k = 0; k < most && effect != ImpactEffect::kJoined; ++k) {

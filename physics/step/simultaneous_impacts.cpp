@@ -25,9 +25,9 @@ constexpr std::size_t kMostOfMoment = 256;
 constexpr double kMostOff = 1e-10;
 
 // The islands of these bodies, in rising order.
-std::vector<int> islands_of(const Trajectories& trajectories, const std::vector<int>& bodies) {
+std::vector<int> islands_of(const Trajectories& trajectories, const std::vector<BodyIndex>& bodies) {
   std::vector<int> islands;
-  for (const int i : bodies) {
+  for (const BodyIndex i : bodies) {
     const int island = trajectories.island_of(i);
     if (island < 0 || std::find(islands.begin(), islands.end(), island) != islands.end()) continue;
     islands.push_back(island);
@@ -40,7 +40,7 @@ std::vector<int> islands_of(const Trajectories& trajectories, const std::vector<
 double apart(double time, double h, double off) { return kRoundings * (kEpsilon * (std::abs(time) + h) + off); }
 
 // The motion of a body at this time, or as near to it as its trajectory is known.
-Motion motion_at(Trajectories& trajectories, int body, double time) {
+Motion motion_at(Trajectories& trajectories, BodyIndex body, double time) {
   return trajectories.at(body, std::clamp(time, trajectories.start(body), trajectories.end(body)));
 }
 
@@ -48,7 +48,7 @@ Motion motion_at(Trajectories& trajectories, int body, double time) {
 
 // Puts the contacts of two bodies at `time` on the list, if they touch; near_ are the bodies near one of them.
 // Whether they do.
-bool EventDrivenImpacts::find_touches(World& world, int a, int b, double time, double tolerances) {
+bool EventDrivenImpacts::find_touches(World& world, BodyIndex a, BodyIndex b, double time, double tolerances) {
   Trajectories& trajectories = world.trajectories;
   const Geometry& shapes = world.shapes();
   if (a > b) std::swap(a, b);
@@ -61,7 +61,7 @@ bool EventDrivenImpacts::find_touches(World& world, int a, int b, double time, d
     if (contact.gap <= tolerance) cluster_.add(a, b, contact);
     return contact.gap <= tolerance;
   }
-  const auto pose = [&](int i) { return shapes.pose(i, motion_at(trajectories, i, time).head<3>()); };
+  const auto pose = [&](BodyIndex i) { return shapes.pose(i, motion_at(trajectories, i, time).head<3>()); };
   // What is flush lands together.
   const double margin = tolerance + kTogether * (shapes.size[a] + shapes.size[b]);
   found_.clear();
@@ -80,15 +80,15 @@ bool EventDrivenImpacts::find_touches(World& world, int a, int b, double time, d
 }
 
 // Outwards from the pair, over bodies that move.
-void EventDrivenImpacts::find_touching(World& world, int a, int b, double time, double tolerances) {
+void EventDrivenImpacts::find_touching(World& world, BodyIndex a, BodyIndex b, double time, double tolerances) {
   cluster_.clear();
   reached_.assign({a, b});
   for (std::size_t k = 0; k < reached_.size(); ++k) {
-    const int body = reached_[k];
+    const BodyIndex body = reached_[k];
     if (world.infinite_mass(body)) continue;
     near_.clear();
-    grid_.each_near(body, [&](int other) { near_.push_back(other); });
-    for (const int other : near_) {
+    grid_.each_near(body, [&](BodyIndex other) { near_.push_back(other); });
+    for (const BodyIndex other : near_) {
       const auto known = std::find(reached_.begin(), reached_.end(), other);
       // Pairs of which the other one has been looked at are there already.
       if (known < reached_.begin() + static_cast<std::ptrdiff_t>(k) && !world.infinite_mass(other)) continue;
@@ -119,13 +119,13 @@ void EventDrivenImpacts::find_moment(const Step& step) {
 // s after the epoch: until when impacts are at one moment with this one.
 double EventDrivenImpacts::end_of_moment(const Step& step, const Event& first) {
   const World& world = step.world;
-  const auto velocity = [&](int i) { return world.trajectories.at_start(i).segment<2>(3); };
+  const auto velocity = [&](BodyIndex i) { return world.trajectories.at_start(i).segment<2>(3); };
   const double speed = (velocity(first.b) - velocity(first.a)).norm();
   const double off = std::min(touch_tolerance(world, first.a, first.b) / speed, kMostOff * step.h);
   return first.time + apart(first.time, step.h, off);
 }
 
-void EventDrivenImpacts::find_closing(const Step& step, int a, int b, double time) {
+void EventDrivenImpacts::find_closing(const Step& step, BodyIndex a, BodyIndex b, double time) {
   World& world = step.world;
   cluster_.clear();
   if (at_once_work_ > kMostWork) return;
@@ -136,7 +136,7 @@ void EventDrivenImpacts::find_closing(const Step& step, int a, int b, double tim
   } else {
     find_due(step, a, b, time);
   }
-  cluster_.keep_closing(world, a, b, [&](int i) { return motion_at(world.trajectories, i, time); });
+  cluster_.keep_closing(world, a, b, [&](BodyIndex i) { return motion_at(world.trajectories, i, time); });
   if (!cluster_.has_several_pairs() || cluster_.touches().size() > 2 * kMostTogether) {
     cluster_.clear();
   } else if (!cluster_.has_law(world)) {
@@ -145,7 +145,7 @@ void EventDrivenImpacts::find_closing(const Step& step, int a, int b, double tim
   }
 }
 
-void EventDrivenImpacts::find_due(const Step& step, int a, int b, double time) {
+void EventDrivenImpacts::find_due(const Step& step, BodyIndex a, BodyIndex b, double time) {
   World& world = step.world;
   due_.clear();
   if (moment_.size() > kMostOfMoment) return;
@@ -161,12 +161,13 @@ void EventDrivenImpacts::find_due(const Step& step, int a, int b, double time) {
   for (const auto& [c, d] : due_) {
     near_.clear();
     if (may_be_continued(world, c, d))
-      grid_.each_near(world.infinite_mass(c) ? d : c, [&](int other) { near_.push_back(other); });
+      grid_.each_near(world.infinite_mass(c) ? d : c, [&](BodyIndex other) { near_.push_back(other); });
     find_touches(world, c, d, time, kRoundings);
   }
 }
 
-std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, int a, int b, double time) {
+std::optional<bool> EventDrivenImpacts::resolve_at_once(const Step& step, BodyIndex a, BodyIndex b,
+                                                        double time) {
   World& world = step.world;
   Trajectories& trajectories = world.trajectories;
   const bool all = world.model->several_impacts == SeveralImpactsId::kSimultaneous;

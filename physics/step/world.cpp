@@ -32,10 +32,10 @@ World::World(std::shared_ptr<const Model> compiled, const Method& chosen)
 
 void World::publish(double within) {
   if (!trajectories.is_parabolic() || field().has_quadratures()) {
-    for (int i = 0; i < state.size(); ++i) state.set_motion(i, trajectories.at(i, within));
+    for (BodyIndex i{0}; i < state.size(); ++i) state.set_motion(i, trajectories.at(i, within));
     return;
   }
-  for (int i = 0; i < state.size(); ++i) {
+  for (BodyIndex i{0}; i < state.size(); ++i) {
     if (model->is_kinematic(i)) {
       state.set_motion(i, trajectories.at(i, within));
     } else {
@@ -44,21 +44,21 @@ void World::publish(double within) {
     }
   }
   if (model->forces.gravity.isZero(0.0)) return;
-  for (int i = 0; i < state.size(); ++i) {
+  for (BodyIndex i{0}; i < state.size(); ++i) {
     if (infinite_mass(i)) continue;
-    state.quadratures(kGravityAngularImpulse, i) = trajectories.angular_impulse_of_gravity(i, within);
+    state.quadratures.col(i)[kGravityAngularImpulse] = trajectories.angular_impulse_of_gravity(i, within);
   }
 }
 
 State World::state_at(double within) {
   State all;
   all.resize(state.size());
-  for (int i = 0; i < all.size(); ++i)
+  for (BodyIndex i{0}; i < all.size(); ++i)
     all.set_motion(i, trajectories.at(i, std::max(within, trajectories.start(i))));
   return all;
 }
 
-ImpactSide World::side(int body, const Contact& contact, double towards) const {
+ImpactSide World::side(BodyIndex body, const Contact& contact, double towards) const {
   const auto y = trajectories.at_start(body);
   const Vec2 r = contact.point - y.head<2>();
   const Vec2& n = contact.normal;
@@ -68,18 +68,18 @@ ImpactSide World::side(int body, const Contact& contact, double towards) const {
           towards * r.dot(n), lever};
 }
 
-double World::parting_speed(int a, int b, const Contact& contact) const {
+double World::parting_speed(BodyIndex a, BodyIndex b, const Contact& contact) const {
   return relative_velocity(side(a, contact, 1.0), side(b, contact, -1.0), contact.normal).normal;
 }
 
-Approach World::approach(int a, int b, double tolerance) const {
+Approach World::approach(BodyIndex a, BodyIndex b, double tolerance) const {
   const auto ya = trajectories.at_start(a);
   const auto yb = trajectories.at_start(b);
   return approach_of(shapes(), a, ya.head<3>(), {ya.segment<2>(3), ya[5]}, b, yb.head<3>(),
                      {yb.segment<2>(3), yb[5]}, tolerance);
 }
 
-Approach World::approach(int a, int b, double tolerance, const ShapePair& parts) const {
+Approach World::approach(BodyIndex a, BodyIndex b, double tolerance, const ShapePair& parts) const {
   const auto ya = trajectories.at_start(a);
   const auto yb = trajectories.at_start(b);
   return approach_of(shapes(), a, ya.head<3>(), {ya.segment<2>(3), ya[5]}, b, yb.head<3>(),
@@ -88,7 +88,7 @@ Approach World::approach(int a, int b, double tolerance, const ShapePair& parts)
 
 void World::restore_joints(int island) {
   const auto totals_now = [&] {
-    for (const int i : trajectories.members(island)) state.set_motion(i, trajectories.at_start(i));
+    for (const BodyIndex i : trajectories.members(island)) state.set_motion(i, trajectories.at_start(i));
     return totals();
   };
   const Totals before = totals_now();
@@ -103,7 +103,7 @@ Ledger World::ledger() const {
   ledger.add(1.0, ledger_of_quadratures(state));
   ledger.lost_to_joints = trajectories.lost_to_joints();
   double total = 0.0;
-  for (int i = 0; i < state.size(); ++i) {
+  for (BodyIndex i{0}; i < state.size(); ++i) {
     if (!infinite_mass(i)) total += mass().mass[i];
   }
   ledger.momentum_from_gravity += total * (clock.time - sums.gravity_since) * model->forces.gravity;
@@ -115,7 +115,7 @@ void World::check_motions() const {
   // Under gravity alone they are finite where the positions are.
   const bool finite = !field().has_quadratures() || state.quadratures.allFinite();
   if (!beyond(state.q) && !beyond(state.v) && finite) return;
-  for (int i = 0; i < state.size(); ++i) {
+  for (BodyIndex i{0}; i < state.size(); ++i) {
     if (beyond(state.q.col(i)) || beyond(state.v.col(i)) || !state.quadratures.col(i).allFinite())
       throw LostMotion{LossReason::kTooLarge, i, clock.step_end};
   }

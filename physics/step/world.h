@@ -24,7 +24,8 @@ enum class ImpactEffect {
   kJoined    // they have stuck together: the islands are different, and all of them start now
 };
 // Resolves one impact (apply_impact.h).
-using ApplyImpact = ImpactEffect (*)(World&, int a, int b, const Contact&, const SurfaceLaw&, double within);
+using ApplyImpact = ImpactEffect (*)(World&, BodyIndex a, BodyIndex b, const Contact&, const SurfaceLaw&,
+                                     double within);
 
 // The data that every part of a step works on: the model, the motions of its bodies, and the sums of the run.
 // A value: copies share only the model.
@@ -46,17 +47,17 @@ struct World {
   [[nodiscard]] const MassProperties& mass() const { return model->mass; }
   [[nodiscard]] const Geometry& shapes() const { return model->shapes; }
   [[nodiscard]] const ForceField& field() const { return trajectories.field(); }
-  [[nodiscard]] bool infinite_mass(int body) const { return model->infinite_mass(body); }
+  [[nodiscard]] bool infinite_mass(BodyIndex body) const { return model->infinite_mass(body); }
   // Of the parts of a and b that touch.
-  [[nodiscard]] const SurfaceLaw& material(const Contact& contact, int a, int b) const {
+  [[nodiscard]] const SurfaceLaw& material(const Contact& contact, BodyIndex a, BodyIndex b) const {
     return model->surfaces.between(shapes().parts_or_first(contact.parts, a, b));
   }
   // Whether the two can collide at all; not if they have stuck together.
-  [[nodiscard]] bool can_collide(int a, int b) const {
+  [[nodiscard]] bool can_collide(BodyIndex a, BodyIndex b) const {
     return shapes().can_collide(a, b, trajectories.welded());
   }
   // Whether one of them moves and is not a disc.
-  [[nodiscard]] bool has_moving_corners(int a, int b) const {
+  [[nodiscard]] bool has_moving_corners(BodyIndex a, BodyIndex b) const {
     return (!infinite_mass(a) && !shapes().is_disc(a)) || (!infinite_mass(b) && !shapes().is_disc(b));
   }
 
@@ -66,12 +67,12 @@ struct World {
   [[nodiscard]] State state_at(double within);
   // One side of a contact, at the start of the body's trajectory. `towards` is +1 for the contact's body a,
   // -1 for b: the direction of the normal as seen from there.
-  [[nodiscard]] ImpactSide side(int body, const Contact& contact, double towards) const;
+  [[nodiscard]] ImpactSide side(BodyIndex body, const Contact& contact, double towards) const;
   // m/s: separation speed along the contact's normal, at the start of the trajectories.
-  [[nodiscard]] double parting_speed(int a, int b, const Contact& contact) const;
+  [[nodiscard]] double parting_speed(BodyIndex a, BodyIndex b, const Contact& contact) const;
   // At the start of the trajectories; gaps up to `tolerance` (m) above the smallest count as touching.
-  [[nodiscard]] Approach approach(int a, int b, double tolerance) const;
-  [[nodiscard]] Approach approach(int a, int b, double tolerance, const ShapePair& parts) const;
+  [[nodiscard]] Approach approach(BodyIndex a, BodyIndex b, double tolerance) const;
+  [[nodiscard]] Approach approach(BodyIndex a, BodyIndex b, double tolerance, const ShapePair& parts) const;
   // After a push has moved a body: projects positions and velocities of its island onto the joints. The
   // energy counts as the push's, the momentum as that of the joints' anchors.
   void restore_joints(int island);
@@ -79,7 +80,8 @@ struct World {
   // Enters what bodies don't take of the angular momentum (about the origin) that an impulse j (N s) at a point
   // (m) and a moment (kg m²/s) give to them: all of it for a body of infinite mass, the moment about its centre
   // for a point-like one. `arm` (m) leads there from its centre.
-  void record_angular_momentum(int body, const Vec2& point, const Vec2& arm, const Vec2& j, double moment) {
+  void record_angular_momentum(BodyIndex body, const Vec2& point, const Vec2& arm, const Vec2& j,
+                               double moment) {
     if (mass().inverse_inertia[body] > 0.0) return;
     sums.ledger.angular_momentum_to_walls += cross(infinite_mass(body) ? point : arm, j) + moment;
   }

@@ -22,7 +22,7 @@ void RunGroup::begin(std::stop_token token) {
   replay_until_.reset();
   past_.clear();
   runs_.clear();
-  for (RunPlan& run : plans_of(preset_)) begin_run(std::move(run));
+  for (MethodAndEdits& run : runs_of(preset_)) begin_run(std::move(run));
   watch_first();
   changed_ = true;
 }
@@ -40,13 +40,13 @@ void RunGroup::keep_runs(EditId edit, Frames untaken, bool taken_back) {
   if (!kept_.contains(edit)) {
     // Edits that are taken back can't be made again after a new one.
     if (!taken_back) std::erase_if(kept_, [](const auto& each) { return each.second.returned; });
-    kept_[edit] = {.preset = preset_, .plan = plan(), .time = time};
-    if (runs_.empty()) kept_[edit].plan.runs = plans_of(preset_);  // they could not begin
+    kept_[edit] = {.preset = preset_, .begun = runs_begun(), .time = time};
+    if (runs_.empty()) kept_[edit].begun.runs = runs_of(preset_);  // they could not begin
   }
   const auto made = kept_.find(edit);
   Kept& kept = made->second;
   kept.returned = taken_back;
-  if (!interrupted_ && kept.plan.start == start_ && kept.time == time) {
+  if (!interrupted_ && kept.begun.start == start_ && kept.time == time) {
     kept.runs = std::exchange(runs_, {});
     kept.untaken = std::move(untaken);
   }
@@ -61,13 +61,13 @@ RunGroup::Frames RunGroup::return_to(EditId edit, const std::vector<Curve>& curv
   load(kept.preset, curves, reference);
   token_ = std::move(token);
   ++starts_;
-  start_ = kept.plan.start;
+  start_ = kept.begun.start;
   interrupted_ = false;
   past_.clear();
   runs_ = std::exchange(kept.runs, {});
   for (Run& run : runs_) run.live.interrupt_on(token_);
   if (runs_.empty()) {
-    for (const RunPlan& run : kept.plan.runs) begin_run(run);
+    for (const MethodAndEdits& run : kept.begun.runs) begin_run(run);
   }
   watch_first();
   replay_to(kept.time);
@@ -81,24 +81,24 @@ RunGroup::Frames RunGroup::cut(EditId edit, double time, const std::vector<RunEd
   preset_ = kept.preset;
   token_ = std::move(token);
   ++starts_;
-  start_ = kept.plan.start;
+  start_ = kept.begun.start;
   interrupted_ = false;
   past_.clear();
   runs_.clear();
-  for (std::size_t i = 0; i < kept.plan.runs.size(); ++i) {
-    RunPlan plan = kept.plan.runs[i];
-    std::erase_if(plan.edits, [time](const RunEdit& each) { return each.time > time; });
-    std::copy_if(later.begin(), later.end(), std::back_inserter(plan.edits),
+  for (std::size_t i = 0; i < kept.begun.runs.size(); ++i) {
+    MethodAndEdits wanted = kept.begun.runs[i];
+    std::erase_if(wanted.edits, [time](const RunEdit& each) { return each.time > time; });
+    std::copy_if(later.begin(), later.end(), std::back_inserter(wanted.edits),
                  [time](const RunEdit& each) { return each.time > time; });
     if (i < kept.runs.size()) {
       Run copy = kept.runs[i];
       copy.live.interrupt_on(token_);
-      if (copy.live.go_back(time, plan.edits)) {
+      if (copy.live.go_back(time, wanted.edits)) {
         runs_.push_back(std::move(copy));
         continue;
       }
     }
-    begin_run(std::move(plan));
+    begin_run(std::move(wanted));
   }
   watch_first();
   replay_to(time);
@@ -120,16 +120,16 @@ void RunGroup::replay_to(double time) {
   changed_ = true;
 }
 
-std::vector<RunGroup::RunPlan> RunGroup::plans_of(const Preset& preset) {
-  std::vector<RunPlan> plans = {{preset.method, preset.edits}};
-  for (const Method& method : preset.compare) plans.push_back({method, preset.edits});
-  return plans;
+std::vector<RunGroup::MethodAndEdits> RunGroup::runs_of(const Preset& preset) {
+  std::vector<MethodAndEdits> all = {{preset.method, preset.edits}};
+  for (const Method& method : preset.compare) all.push_back({method, preset.edits});
+  return all;
 }
 
-void RunGroup::begin_run(RunPlan plan) {
+void RunGroup::begin_run(MethodAndEdits wanted) {
   RunSetup setup = setup_of(preset_);
-  setup.method = plan.start;
-  setup.edits = std::move(plan.edits);
+  setup.method = wanted.start;
+  setup.edits = std::move(wanted.edits);
   runs_.push_back({LiveRun(setup, curves_, reference_, token_), ++ids_});
   changed_ = true;
 }
@@ -137,9 +137,9 @@ void RunGroup::begin_run(RunPlan plan) {
 // It has the edits of the scene that the first run has had.
 void RunGroup::add_run(const Method& method) {
   if (interrupted_ || runs_.size() > kMostCompared) return;
-  RunPlan plan{method, first().setup().edits};
-  std::erase_if(plan.edits, [](const RunEdit& edit) { return std::holds_alternative<Method>(edit.what); });
-  begin_run(std::move(plan));
+  MethodAndEdits wanted{method, first().setup().edits};
+  std::erase_if(wanted.edits, [](const RunEdit& edit) { return std::holds_alternative<Method>(edit.what); });
+  begin_run(std::move(wanted));
 }
 
 void RunGroup::remove_run(std::size_t run) {
@@ -189,13 +189,13 @@ void RunGroup::record_all() {
   changed_ = true;
 }
 
-RunGroup::RunPlan RunGroup::plan_of(const Run& run) {
+RunGroup::MethodAndEdits RunGroup::method_and_edits(const Run& run) {
   return {run.live.setup().method, run.live.setup().edits};
 }
 
-RunGroup::Plan RunGroup::plan() const {
-  Plan all{start_, fingerprint(preset_.scene, 0.0), {}};
-  for (const Run& run : runs_) all.runs.push_back(plan_of(run));
+RunGroup::RunsBegun RunGroup::runs_begun() const {
+  RunsBegun all{start_, fingerprint(preset_.scene, 0.0), {}};
+  for (const Run& run : runs_) all.runs.push_back(method_and_edits(run));
   return all;
 }
 
@@ -203,7 +203,7 @@ RunGroup::Plan RunGroup::plan() const {
 void RunGroup::undo_or_redo(EditId edit, const Preset& start, ReferenceId reference) {
   const auto other_side = other_sides_.find(edit);
   if (other_side == other_sides_.end()) return;
-  const Plan wanted = std::exchange(other_side->second, plan());
+  const RunsBegun wanted = std::exchange(other_side->second, runs_begun());
   const bool other_reference = std::exchange(reference_, reference) != reference;
   const std::uint64_t scene = fingerprint(preset_.scene, 0.0);
   const bool begun_since = wanted.start != start_ || wanted.scene != scene;
@@ -213,31 +213,31 @@ void RunGroup::undo_or_redo(EditId edit, const Preset& start, ReferenceId refere
   const double time = displayed_time();
   std::vector<Run> old = std::exchange(runs_, {});
   if (other_start) old.clear();
-  for (RunPlan& each : begun_since ? plans_of(start) : std::vector<RunPlan>(wanted.runs))
-    take_plan(std::move(each), old);
+  for (MethodAndEdits& each : begun_since ? runs_of(start) : std::vector<MethodAndEdits>(wanted.runs))
+    take_run(std::move(each), old);
   watch_first();
   replay_to(time);
   if (other_reference) record_all();
 }
 
-// Adds the run of a plan: the one of these that has it, or one that can go back to where it parted from it, or
+// Adds the wanted run: the one of these that has it, or one that can go back to where it parted from it, or
 // a new one.
-void RunGroup::take_plan(RunPlan plan, std::vector<Run>& old) {
+void RunGroup::take_run(MethodAndEdits wanted, std::vector<Run>& old) {
   const auto take = [&](auto run) {
     runs_.push_back(std::move(*run));
     old.erase(run);
   };
-  const auto begins_so = [&](const Run& run) { return run.live.setup().method == plan.start; };
+  const auto begins_so = [&](const Run& run) { return run.live.setup().method == wanted.start; };
   const auto same = std::find_if(old.begin(), old.end(), [&](const Run& run) {
     const std::vector<RunEdit>& edits = run.live.setup().edits;
     return begins_so(run) &&
-           std::equal(edits.begin(), edits.end(), plan.edits.begin(), plan.edits.end(), is_same);
+           std::equal(edits.begin(), edits.end(), wanted.edits.begin(), wanted.edits.end(), is_same);
   });
   if (same != old.end()) return take(same);
   for (auto run = old.begin(); run != old.end(); ++run) {
-    if (begins_so(*run) && run->live.take_edits(plan.edits)) return take(run);
+    if (begins_so(*run) && run->live.take_edits(wanted.edits)) return take(run);
   }
-  begin_run(std::move(plan));
+  begin_run(std::move(wanted));
 }
 
 // s, of the first run: its time, or the time to which it is being replayed.

@@ -82,7 +82,7 @@ class RunGroup {
   void watch_stops(const std::vector<Stop>& stops);
 
   // Call before an edit that can be undone.
-  void remember(EditId edit) { other_sides_[edit] = plan(); }
+  void remember(EditId edit) { other_sides_[edit] = runs_begun(); }
   // Takes the last remembered edit back, or makes the one again that was taken back last. `start`: what the
   // runs start from if they were begun again since the edit was made.
   void undo_or_redo(EditId edit, const Preset& start, ReferenceId reference);
@@ -133,20 +133,20 @@ class RunGroup {
     std::uint64_t id;
   };
   // What tells one run of a preset from another.
-  struct RunPlan {
+  struct MethodAndEdits {
     Method start;
     std::vector<RunEdit> edits;
   };
   // All runs, and which start they have.
-  struct Plan {
+  struct RunsBegun {
     std::uint64_t start = 0;
     std::uint64_t scene = 0;  // fingerprint of the one that they began from
-    std::vector<RunPlan> runs;
+    std::vector<MethodAndEdits> runs;
   };
   // What an edit left.
   struct Kept {
     Preset preset;
-    Plan plan;
+    RunsBegun begun;
     double time = 0.0;        // s
     std::vector<Run> runs{};  // empty: to be replayed
     Frames untaken{};
@@ -158,14 +158,14 @@ class RunGroup {
     }
   };
 
-  [[nodiscard]] static std::vector<RunPlan> plans_of(const Preset& preset);
-  [[nodiscard]] static RunPlan plan_of(const Run& run);
-  [[nodiscard]] Plan plan() const;
+  [[nodiscard]] static std::vector<MethodAndEdits> runs_of(const Preset& preset);
+  [[nodiscard]] static MethodAndEdits method_and_edits(const Run& run);
+  [[nodiscard]] RunsBegun runs_begun() const;
   void record_all();
   void watch_first();
   void replay_to(double time);  // if the runs are not there yet
-  void take_plan(RunPlan plan, std::vector<Run>& old);
-  void begin_run(RunPlan plan);
+  void take_run(MethodAndEdits wanted, std::vector<Run>& old);
+  void begin_run(MethodAndEdits wanted);
   [[nodiscard]] double displayed_time() const;
   [[nodiscard]] Run& farthest_behind();
   [[nodiscard]] static bool may_step(const Run& run, double time);
@@ -180,7 +180,7 @@ class RunGroup {
   StopRecord::Stops stops_;  // of the preset
   std::vector<Run> runs_;
   Past past_;
-  std::map<EditId, Plan> other_sides_;  // of edits: the runs before it, or after it if it is undone
+  std::map<EditId, RunsBegun> other_sides_;  // of edits: the runs before it, or after it if it is undone
   std::map<EditId, Kept> kept_;
   std::optional<double> replay_until_;
   std::uint64_t starts_ = 0;

@@ -25,7 +25,7 @@ constexpr std::chrono::milliseconds kShortReplay{60};
 
 }  // namespace
 
-struct Worker::Session {
+struct Worker::Work {
   void stand_still() {
     playing = false;
     end = std::numeric_limits<double>::infinity();
@@ -73,7 +73,7 @@ Worker::~Worker() {
   wake_.notify_all();
 }
 
-void Worker::post(std::function<void(Session&)> command, Command::When when) {
+void Worker::post(std::function<void(Work&)> command, Command::When when) {
   {
     const std::lock_guard lock(mutex_);
     commands_.push_back({std::move(command), when});
@@ -81,31 +81,31 @@ void Worker::post(std::function<void(Session&)> command, Command::When when) {
   wake_.notify_all();
 }
 
-void Worker::post_to_runs(const std::function<void(Session&)>& command) {
-  post([command](Session& session) {
-    if (!session.runs.interrupted()) command(session);
+void Worker::post_to_runs(const std::function<void(Work&)>& command) {
+  post([command](Work& work) {
+    if (!work.runs.interrupted()) command(work);
   });
 }
 
 Worker::EditId Worker::post_edit(const std::function<void(RunGroup&, EditId)>& command, EditId part_of) {
   const EditId edit = part_of != 0 ? part_of : ++edits_;
-  post([=](Session& session) {
-    if (part_of == 0) session.runs.remember(edit);
-    command(session.runs, edit);
+  post([=](Work& work) {
+    if (part_of == 0) work.runs.remember(edit);
+    command(work.runs, edit);
   });
   return edit;
 }
 
-void Worker::post_begin(const std::function<void(Session&, const std::stop_token&)>& command) {
+void Worker::post_begin(const std::function<void(Work&, const std::stop_token&)>& command) {
   {
     const std::lock_guard lock(mutex_);
     ++starts_;
     interrupt_.request_stop();
     interrupt_ = std::stop_source();
-    commands_.push_back({[command, token = interrupt_.get_token()](Session& session) {
-                           session.last.clear();
-                           command(session, token);
-                           session.stand_still();
+    commands_.push_back({[command, token = interrupt_.get_token()](Work& work) {
+                           work.last.clear();
+                           command(work, token);
+                           work.stand_still();
                          },
                          Command::When::kBegins});
   }
@@ -113,33 +113,33 @@ void Worker::post_begin(const std::function<void(Session&, const std::stop_token
 }
 
 void Worker::load(const Preset& preset, const std::vector<Curve>& curves, ReferenceId reference) {
-  post_begin([=](Session& session, const std::stop_token& token) {
-    session.runs.load(preset, curves, reference);
-    session.runs.forget_edits();
-    session.runs.begin(token);
+  post_begin([=](Work& work, const std::stop_token& token) {
+    work.runs.load(preset, curves, reference);
+    work.runs.forget_edits();
+    work.runs.begin(token);
   });
 }
 
 void Worker::restart(const Preset& start) {
-  post_begin([start](Session& session, const std::stop_token& token) {
-    session.runs.start_from(start);
-    session.runs.begin(token);
+  post_begin([start](Work& work, const std::stop_token& token) {
+    work.runs.start_from(start);
+    work.runs.begin(token);
   });
 }
 
 void Worker::start_from(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference) {
-  post_begin([=](Session& session, const std::stop_token& token) {
-    session.runs.load(start, curves, reference);
-    session.runs.begin(token);
+  post_begin([=](Work& work, const std::stop_token& token) {
+    work.runs.load(start, curves, reference);
+    work.runs.begin(token);
   });
 }
 
 Worker::EditId Worker::restart(const Preset& start, const std::vector<Curve>& curves, ReferenceId reference) {
   const EditId edit = ++edits_;
-  post_begin([=](Session& session, const std::stop_token& token) {
-    session.runs.remember(edit);
-    session.runs.load(start, curves, reference);
-    session.runs.begin(token);
+  post_begin([=](Work& work, const std::stop_token& token) {
+    work.runs.remember(edit);
+    work.runs.load(start, curves, reference);
+    work.runs.begin(token);
   });
   return edit;
 }
@@ -147,32 +147,32 @@ Worker::EditId Worker::restart(const Preset& start, const std::vector<Curve>& cu
 Worker::EditId Worker::keep_runs(EditId again, bool taken_back) {
   const EditId edit = again != 0 ? again : ++edits_;
   post(
-      [=, this](Session& session) {
+      [=, this](Work& work) {
         RunGroup::Frames untaken;
         {
           const std::lock_guard lock(mutex_);
           untaken = std::exchange(newest_, {});
         }
-        session.runs.keep_runs(edit, std::move(untaken), taken_back);
-        session.playing = session.changed = false;
+        work.runs.keep_runs(edit, std::move(untaken), taken_back);
+        work.playing = work.changed = false;
       },
       Command::When::kAtOnce);
   return edit;
 }
 
 void Worker::return_to(EditId edit, const std::vector<Curve>& curves, ReferenceId reference) {
-  post_begin([=, this](Session& session, const std::stop_token& token) {
-    session.replay_began = Clock::now();
-    RunGroup::Frames untaken = session.runs.return_to(edit, curves, reference, token);
+  post_begin([=, this](Work& work, const std::stop_token& token) {
+    work.replay_began = Clock::now();
+    RunGroup::Frames untaken = work.runs.return_to(edit, curves, reference, token);
     const std::lock_guard lock(mutex_);
     newest_ = std::move(untaken);  // the next frames take them up
   });
 }
 
 void Worker::cut(EditId edit, double time, const std::vector<RunEdit>& later) {
-  post_begin([=, this](Session& session, const std::stop_token& token) {
-    session.replay_began = Clock::now();
-    RunGroup::Frames untaken = session.runs.cut(edit, time, later, token);
+  post_begin([=, this](Work& work, const std::stop_token& token) {
+    work.replay_began = Clock::now();
+    RunGroup::Frames untaken = work.runs.cut(edit, time, later, token);
     const std::lock_guard lock(mutex_);
     newest_ = std::move(untaken);  // the next frames take them up
   });
@@ -181,41 +181,41 @@ void Worker::cut(EditId edit, double time, const std::vector<RunEdit>& later) {
 std::uint64_t Worker::show(const PastMoment& moment) {
   const std::uint64_t number = ++shows_;
   post(
-      [=](Session& session) {
-        session.runs.seek_past(moment);
-        session.show = number;
-        if (!session.shown_nothing_since) session.shown_nothing_since = Clock::now();
+      [=](Work& work) {
+        work.runs.seek_past(moment);
+        work.show = number;
+        if (!work.shown_nothing_since) work.shown_nothing_since = Clock::now();
       },
       Command::When::kAtOnce);
   return number;
 }
 
 void Worker::set_playing(bool playing, double until) {
-  post_to_runs([playing, until](Session& session) {
-    session.playing = playing && !session.runs.first().lost();
-    session.full_speed = false;
-    session.halt.reset();
-    session.end = session.runs.reaches(until) ? std::numeric_limits<double>::infinity() : until;
-    session.begin_pace();
-    session.begin_measurement();
-    session.changed = true;
+  post_to_runs([playing, until](Work& work) {
+    work.playing = playing && !work.runs.first().lost();
+    work.full_speed = false;
+    work.halt.reset();
+    work.end = work.runs.reaches(until) ? std::numeric_limits<double>::infinity() : until;
+    work.begin_pace();
+    work.begin_measurement();
+    work.changed = true;
   });
 }
 
 void Worker::step_once() {
-  post_to_runs([](Session& session) {
-    session.playing = false;
-    session.halt.reset();
-    session.runs.step_first();  // the others follow
+  post_to_runs([](Work& work) {
+    work.playing = false;
+    work.halt.reset();
+    work.runs.step_first();  // the others follow
   });
 }
 
 void Worker::set_speed(double speed) {
-  post([speed](Session& session) {
-    session.pace.set_speed(speed);
-    if (session.runs.interrupted()) return;
-    session.begin_pace();
-    session.begin_measurement();
+  post([speed](Work& work) {
+    work.pace.set_speed(speed);
+    if (work.runs.interrupted()) return;
+    work.begin_pace();
+    work.begin_measurement();
   });
 }
 
@@ -240,44 +240,44 @@ Worker::EditId Worker::edit_scene(const SceneEdits& edits, EditId part_of) {
 
 void Worker::undo_or_redo(EditId edit, const Preset& start, ReferenceId reference) {
   post(
-      [=](Session& session) {
-        if (!session.runs.replay_until()) session.replay_began = Clock::now();
-        session.runs.undo_or_redo(edit, start, reference);
+      [=](Work& work) {
+        if (!work.runs.replay_until()) work.replay_began = Clock::now();
+        work.runs.undo_or_redo(edit, start, reference);
       },
       Command::When::kAtOnce);
 }
 
 void Worker::end_replay() {
   post(
-      [](Session& session) {
-        session.runs.end_replay();
-        session.playing = false;
-        session.changed = true;
+      [](Work& work) {
+        work.runs.end_replay();
+        work.playing = false;
+        work.changed = true;
       },
       Command::When::kAtOnce);
 }
 
 void Worker::run_until(double time) {
-  post_to_runs([time](Session& session) {
-    session.playing = !session.runs.first().lost();
-    session.changed = true;
-    session.full_speed = true;
-    session.halt.reset();
-    session.end = time;
-    session.begin_measurement();
+  post_to_runs([time](Work& work) {
+    work.playing = !work.runs.first().lost();
+    work.changed = true;
+    work.full_speed = true;
+    work.halt.reset();
+    work.end = time;
+    work.begin_measurement();
   });
 }
 
 void Worker::set_reference(ReferenceId reference) {
-  post([reference](Session& session) { session.runs.compare_with(reference); });
+  post([reference](Work& work) { work.runs.compare_with(reference); });
 }
 
 void Worker::watch_stops(const std::vector<Stop>& stops) {
-  post([stops](Session& session) { session.runs.watch_stops(stops); });
+  post([stops](Work& work) { work.runs.watch_stops(stops); });
 }
 
 void Worker::record(const std::vector<Curve>& curves) {
-  post([curves](Session& session) { session.runs.record(curves); });
+  post([curves](Work& work) { work.runs.record(curves); });
 }
 
 std::vector<std::shared_ptr<const Frame>> Worker::take_frames() {
@@ -308,16 +308,16 @@ bool Worker::too_much_waits() const {
   return numbers > kMostWaiting;
 }
 
-void Worker::publish(Session& session) {
-  std::vector<std::shared_ptr<Frame>> frames = session.runs.take_frames();
+void Worker::publish(Work& work) {
+  std::vector<std::shared_ptr<Frame>> frames = work.runs.take_frames();
   for (const std::shared_ptr<Frame>& frame : frames) {
-    frame->playing = session.playing;
-    frame->realised_speed = session.pace.reached();
+    frame->playing = work.playing;
+    frame->realised_speed = work.pace.reached();
   }
-  if (!session.playing && !session.runs.replay_until())
-    frames.front()->scene = std::make_shared<const Scene>(scene_now(session.runs.first().simulation()));
-  frames.front()->halt = session.halt;
-  session.changed = false;
+  if (!work.playing && !work.runs.replay_until())
+    frames.front()->scene = std::make_shared<const Scene>(scene_now(work.runs.first().simulation()));
+  frames.front()->halt = work.halt;
+  work.changed = false;
 
   std::vector<std::shared_ptr<Frame>> waiting;
   {
@@ -330,83 +330,83 @@ void Worker::publish(Session& session) {
                                    [&](const auto& frame) { return frame->run == before->run; });
     if (same != frames.end()) take_up(*before, **same);
   }
-  session.last.assign(frames.begin(), frames.end());
-  hand_over(session, std::move(frames));
+  work.last.assign(frames.begin(), frames.end());
+  hand_over(work, std::move(frames));
 }
 
-void Worker::hand_over(const Session& session, std::vector<std::shared_ptr<Frame>> frames) {
+void Worker::hand_over(const Work& work, std::vector<std::shared_ptr<Frame>> frames) {
   const std::lock_guard lock(mutex_);
   newest_ = std::move(frames);
-  newest_start_ = session.runs.starts();
+  newest_start_ = work.runs.starts();
   published_.notify_all();
 }
 
 // Reports in the last published frames of all runs why they stopped.
-void Worker::publish_failure(Session& session, const std::string& why) {
+void Worker::publish_failure(Work& work, const std::string& why) {
   std::vector<std::shared_ptr<Frame>> frames;
-  for (const std::shared_ptr<const Frame>& last : session.last) {
+  for (const std::shared_ptr<const Frame>& last : work.last) {
     auto frame = std::make_shared<Frame>(*last);
     frame->rows.clear();
     frame->impacts.clear();
     frame->back_to.reset();
     frames.push_back(std::move(frame));
   }
-  if (frames.empty()) frames.push_back(session.runs.empty_frame());
+  if (frames.empty()) frames.push_back(work.runs.empty_frame());
   for (const std::shared_ptr<Frame>& frame : frames) {
     frame->playing = false;
     frame->realised_speed = 0.0;
     frame->status = why;
     frame->lost = why;
   }
-  hand_over(session, std::move(frames));
+  hand_over(work, std::move(frames));
 }
 
 // During a replay only commands that undo or redo more edits are carried out, and all before a new start.
-void Worker::carry_out(Session& session, std::vector<Command>& commands) {
+void Worker::carry_out(Work& work, std::vector<Command>& commands) {
   const auto begins = [&commands] {
     return std::any_of(commands.begin(), commands.end(),
                        [](const Command& each) { return each.when == Command::When::kBegins; });
   };
   while (!commands.empty() &&
-         !(session.runs.replay_until() && commands.front().when == Command::When::kDisplayed && !begins())) {
+         !(work.runs.replay_until() && commands.front().when == Command::When::kDisplayed && !begins())) {
     const Command command = std::move(commands.front());
     commands.erase(commands.begin());
-    command.what(session);
+    command.what(work);
   }
 }
 
 void Worker::work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,
                   std::stop_token interrupt) {
-  Session session;
-  session.runs.load(first, curves, ReferenceId::kNone);
-  std::vector<Command> commands = {{[&interrupt](Session& begun) {
+  Work work;
+  work.runs.load(first, curves, ReferenceId::kNone);
+  std::vector<Command> commands = {{[&interrupt](Work& begun) {
                                       begun.runs.begin(std::move(interrupt));
                                       begun.stand_still();
                                     },
                                     Command::When::kBegins}};
   const auto fails = [&](const std::string& why) {
-    session.interrupt();
+    work.interrupt();
     try {
-      publish_failure(session, why);
+      publish_failure(work, why);
     } catch (const std::exception&) {
-      session.last.clear();
-      session.runs.clear_runs();  // room for one small frame
-      publish_failure(session, why);
+      work.last.clear();
+      work.runs.clear_runs();  // room for one small frame
+      publish_failure(work, why);
     }
   };
   while (!stop.stop_requested()) {
     try {
-      carry_out(session, commands);
-      if (is_worth_a_frame(session)) publish(session);
-      wait_for_work(stop, session, commands);
-      carry_out(session, commands);
-      if (session.runs.past().seeks()) {
-        advance_past(session);
-      } else if (!session.runs.interrupted()) {
-        advance(stop, session);
+      carry_out(work, commands);
+      if (is_worth_a_frame(work)) publish(work);
+      wait_for_work(stop, work, commands);
+      carry_out(work, commands);
+      if (work.runs.past().seeks()) {
+        advance_past(work);
+      } else if (!work.runs.interrupted()) {
+        advance(stop, work);
       }
     } catch (const StepInterrupted&) {
-      session.interrupt();  // a load, a restart or the end comes next
+      work.interrupt();  // a load, a restart or the end comes next
     } catch (const std::bad_alloc&) {
       fails("stopped: there is not enough memory to go on; restart, or open a smaller scene");
     } catch (const std::exception& error) {
@@ -415,15 +415,14 @@ void Worker::work(const std::stop_token& stop, const Preset& first, const std::v
   }
 }
 
-bool Worker::is_worth_a_frame(const Session& session) {
-  if (session.runs.replay_until() && Clock::now() - session.replay_began < kShortReplay) return false;
-  return session.changed || session.runs.changed();
+bool Worker::is_worth_a_frame(const Work& work) {
+  if (work.runs.replay_until() && Clock::now() - work.replay_began < kShortReplay) return false;
+  return work.changed || work.runs.changed();
 }
 
 // Until there are commands, or the runs have something to do; takes the commands.
-void Worker::wait_for_work(const std::stop_token& stop, const Session& session,
-                           std::vector<Command>& commands) {
-  const RunGroup& runs = session.runs;
+void Worker::wait_for_work(const std::stop_token& stop, const Work& work, std::vector<Command>& commands) {
+  const RunGroup& runs = work.runs;
   std::unique_lock lock(mutex_);
   const auto commanded = [&] { return !commands_.empty(); };
   const bool full = !runs.interrupted() && too_much_waits() && !runs.past().seeks();
@@ -431,11 +430,11 @@ void Worker::wait_for_work(const std::stop_token& stop, const Session& session,
                        (runs.past().seeks() || runs.replay_until() || runs.some_behind() || runs.lags());
   if (full) {
     wake_.wait(lock, stop, [&] { return commanded() || !too_much_waits(); });
-  } else if (!at_once && !session.playing) {
+  } else if (!at_once && !work.playing) {
     wake_.wait(lock, stop, commanded);
-  } else if (!at_once && !session.full_speed) {
+  } else if (!at_once && !work.full_speed) {
     const auto pause =
-        std::min<Clock::duration>(kFramePeriod, session.pace.until(runs.first().next(), Clock::now()));
+        std::min<Clock::duration>(kFramePeriod, work.pace.until(runs.first().next(), Clock::now()));
     if (pause > Clock::duration::zero()) wake_.wait_for(lock, stop, pause, commanded);
   }
   std::move(commands_.begin(), commands_.end(), std::back_inserter(commands));
@@ -443,8 +442,8 @@ void Worker::wait_for_work(const std::stop_token& stop, const Session& session,
 }
 
 // One frame's work on the way to a moment of the past. Where that is long, the way is shown.
-void Worker::advance_past(Session& session) {
-  Past& past = session.runs.past();
+void Worker::advance_past(Work& work) {
+  Past& past = work.runs.past();
   const Clock::time_point end = Clock::now() + kFramePeriod;
   try {
     while (past.step() && Clock::now() < end) {
@@ -452,56 +451,56 @@ void Worker::advance_past(Session& session) {
   } catch (const StepInterrupted&) {
     return past.clear();  // the runs themselves were not interrupted
   }
-  if (past.seeks() && Clock::now() - *session.shown_nothing_since < kPicturePeriod) return;
-  session.shown_nothing_since.reset();
-  if (past.seeks()) session.shown_nothing_since = Clock::now();
+  if (past.seeks() && Clock::now() - *work.shown_nothing_since < kPicturePeriod) return;
+  work.shown_nothing_since.reset();
+  if (past.seeks()) work.shown_nothing_since = Clock::now();
   const RunGroup::Frames frames = past.frames();
   const std::lock_guard lock(mutex_);
-  shown_ = {{frames.begin(), frames.end()}, session.show, !past.seeks()};
-  shown_start_ = session.runs.starts();
+  shown_ = {{frames.begin(), frames.end()}, work.show, !past.seeks()};
+  shown_start_ = work.runs.starts();
   published_.notify_all();
 }
 
 // One frame's work: recording what is recorded late, a replay, runs that lag, or playing.
-void Worker::advance(const std::stop_token& stop, Session& session) {
-  RunGroup& runs = session.runs;
+void Worker::advance(const std::stop_token& stop, Work& work) {
+  RunGroup& runs = work.runs;
   if (runs.catch_up(kFramePeriod)) {
-    session.begin_pace();
-    session.begin_measurement();
+    work.begin_pace();
+    work.begin_measurement();
     return;
   }
   const auto now = Clock::now();
   const auto advance_to = [&](double time) {
     const RunGroup::Advance result =
         runs.advance_to(time, now + kFramePeriod, [&stop] { return stop.stop_requested(); });
-    if (result == RunGroup::Advance::kRunLost) session.playing = false;
-    if (result == RunGroup::Advance::kStopMet) session.halt_if_paced();
+    if (result == RunGroup::Advance::kRunLost) work.playing = false;
+    if (result == RunGroup::Advance::kStopMet) work.halt_if_paced();
     return result == RunGroup::Advance::kReached;
   };
   if (const auto replay_until = runs.replay_until()) {
-    session.changed = true;
+    work.changed = true;
     if (!advance_to(*replay_until)) return;
     runs.end_replay();
-    session.begin_pace();
-    session.begin_measurement();
+    work.begin_pace();
+    work.begin_measurement();
     return;
   }
-  if (!session.playing) {
+  if (!work.playing) {
     advance_to(runs.first().time());  // those that lag
     return;
   }
-  const double due = session.full_speed ? session.end : session.pace.due(now);
-  const double target = std::min(session.end, due);
+  const double due = work.full_speed ? work.end : work.pace.due(now);
+  const double target = std::min(work.end, due);
   const bool there = advance_to(target);
-  if (session.halt) return;
+  if (work.halt) return;
   const double time = runs.first().time();
-  if (there && target >= session.end) {
-    session.playing = false;
-    session.changed = true;
-  } else if (!there && !session.full_speed) {
-    session.pace.give_up_lag(time, target, Clock::now());
+  if (there && target >= work.end) {
+    work.playing = false;
+    work.changed = true;
+  } else if (!there && !work.full_speed) {
+    work.pace.give_up_lag(time, target, Clock::now());
   }
-  session.pace.measure(time, Clock::now());
+  work.pace.measure(time, Clock::now());
 }
 
 }  // namespace carom

@@ -111,34 +111,34 @@ class Worker {
   void wait_for_frames(std::chrono::milliseconds longest);
 
  private:
-  struct Session;  // the thread's own data
+  struct Work;  // the thread's own data
   struct Command {
     enum class When {
       kDisplayed,  // when the runs are at the displayed moment
       kAtOnce,
       kBegins  // starts all runs again, in whatever state they are
     };
-    std::function<void(Session&)> what;
+    std::function<void(Work&)> what;
     When when = When::kDisplayed;
   };
-  void post(std::function<void(Session&)> command, Command::When when = Command::When::kDisplayed);
+  void post(std::function<void(Work&)> command, Command::When when = Command::When::kDisplayed);
   // Does nothing if the runs were interrupted in the middle of a step.
-  void post_to_runs(const std::function<void(Session&)>& command);
+  void post_to_runs(const std::function<void(Work&)>& command);
   // Also saves the state of the runs before, so that the edit can be undone.
   EditId post_edit(const std::function<void(RunGroup&, EditId)>& command, EditId part_of = 0);
   // Interrupts the step under way. The command begins all runs, which then stand still.
-  void post_begin(const std::function<void(Session&, const std::stop_token&)>& command);
+  void post_begin(const std::function<void(Work&, const std::stop_token&)>& command);
   EditId keep_runs(EditId again, bool taken_back);
   void work(const std::stop_token& stop, const Preset& first, const std::vector<Curve>& curves,
             std::stop_token interrupt);
-  void wait_for_work(const std::stop_token& stop, const Session& session, std::vector<Command>& commands);
-  static void advance(const std::stop_token& stop, Session& session);
-  void advance_past(Session& session);
-  [[nodiscard]] static bool is_worth_a_frame(const Session& session);
-  static void carry_out(Session& session, std::vector<Command>& commands);
-  void publish(Session& session);
-  void publish_failure(Session& session, const std::string& why);
-  void hand_over(const Session& session, std::vector<std::shared_ptr<Frame>> frames);
+  void wait_for_work(const std::stop_token& stop, const Work& work, std::vector<Command>& commands);
+  static void advance(const std::stop_token& stop, Work& work);
+  void advance_past(Work& work);
+  [[nodiscard]] static bool is_worth_a_frame(const Work& work);
+  static void carry_out(Work& work, std::vector<Command>& commands);
+  void publish(Work& work);
+  void publish_failure(Work& work, const std::string& why);
+  void hand_over(const Work& work, std::vector<std::shared_ptr<Frame>> frames);
   [[nodiscard]] bool too_much_waits() const;  // with the lock held
 
   std::mutex mutex_;

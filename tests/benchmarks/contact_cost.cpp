@@ -78,10 +78,11 @@ void discs_and_boxes() {
       q.emplace_back(uniform(random, -0.8, 0.8), uniform(random, -0.8, 0.8), uniform(random, -3.0, 3.0));
     }
     const Geometry g = geometry(bodies);
-    fmt::print("{:>16} {:<16} {:>8} {:8.0f}   of physics/model/geometry.h\n", boxed ? "box" : "disc", "disc",
-               "", cost(kPairs, [&](int i) {
-                 return contact_between(g, 2 * i, q[2 * i], 2 * i + 1, q[2 * i + 1]).point.x();
-               }));
+    fmt::print(
+        "{:>16} {:<16} {:>8} {:8.0f}   of physics/model/geometry.h\n", boxed ? "box" : "disc", "disc", "",
+        cost(kPairs, [&](int i) {
+          return contact_between(g, BodyIndex{2 * i}, q[2 * i], BodyIndex{2 * i + 1}, q[2 * i + 1]).point.x();
+        }));
   }
 }
 

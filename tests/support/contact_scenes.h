@@ -41,8 +41,8 @@ class ContactScene {
   int contact(int a, int b, const Vec2& point, const Vec2& normal, double friction) {
     const int c = contacts.size();
     contacts.resize(c + 1);
-    contacts.a[c] = a;
-    contacts.b[c] = b;
+    contacts.a[c] = BodyIndex{a};
+    contacts.b[c] = BodyIndex{b};
     contacts.normal[c] = normal;
     contacts.arm_a[c] = point - position[a];
     contacts.arm_b[c] = point - position[b];

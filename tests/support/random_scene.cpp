@@ -21,8 +21,8 @@ constexpr double kLongestRun = 2.0;      // s: 60 of the longest steps
 bool last_overlaps(const std::vector<Body>& bodies) {
   const Geometry shapes = geometry(bodies);
   const State state = initial_state(bodies);
-  const int last = static_cast<int>(bodies.size()) - 1;
-  for (int i = 0; i < last; ++i) {
+  const BodyIndex last{static_cast<int>(bodies.size()) - 1};
+  for (BodyIndex i{0}; i < last; ++i) {
     if (has_infinite_mass(bodies[i]) && has_infinite_mass(bodies[last])) continue;
     if (contact_between(shapes, i, state.q.col(i), last, state.q.col(last)).gap <= 0.0) return true;
   }
@@ -37,13 +37,13 @@ bool never_crushes(const Body& kinematic, const std::vector<Body>& fixed, double
                         bounding_radius(kinematic.shape) + 4.0 * kLargestRadius * unit));
   const Geometry shapes = geometry(bodies);
   State state = initial_state(bodies);
-  const int last = static_cast<int>(fixed.size());
+  const BodyIndex last{static_cast<int>(fixed.size())};
   for (double t = 0.0; t < kLongestRun; t += 0.01) {
     const Vec2 position =
         kinematic.position + t * kinematic.drive->velocity +
         std::sin(kinematic.drive->angular_frequency * t + kinematic.drive->phase) * kinematic.drive->amplitude;
     state.q.col(last).head<2>() = position;
-    for (int i = 0; i < last; ++i) {
+    for (BodyIndex i{0}; i < last; ++i) {
       if (contact_between(shapes, i, state.q.col(i), last, state.q.col(last)).gap <= 0.0) return false;
     }
   }

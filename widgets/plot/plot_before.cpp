@@ -20,13 +20,13 @@ constexpr double kWidth = 1.4;  // px
 // Although it has another name by now, or comes from a generator and has no number.
 bool is_same(const Body& a, const Body& b) { return a.name == b.name || (a.id.number != 0 && a.id == b.id); }
 
-bool move_bodies(std::vector<int>& indices, std::span<const Body> bodies, std::span<const Body> others) {
-  return std::all_of(indices.begin(), indices.end(), [&](int& index) {
+bool move_bodies(std::vector<BodyIndex>& indices, std::span<const Body> bodies, std::span<const Body> others) {
+  return std::all_of(indices.begin(), indices.end(), [&](BodyIndex& index) {
     if (index >= static_cast<int>(bodies.size())) return false;
     const Body& body = bodies[static_cast<std::size_t>(index)];
     const auto same =
         std::find_if(others.begin(), others.end(), [&body](const Body& other) { return is_same(body, other); });
-    index = static_cast<int>(same - others.begin());
+    index = BodyIndex{static_cast<int>(same - others.begin())};
     return same != others.end();
   });
 }

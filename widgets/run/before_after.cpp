@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 #include "physics/math/vectors.h"
@@ -23,16 +22,16 @@ FigureModel::Cell error_cell(double error) {
   return error;
 }
 
-std::vector<int> all_of(const State& state) {
-  std::vector<int> all(static_cast<std::size_t>(state.size()));
-  std::iota(all.begin(), all.end(), 0);
+std::vector<BodyIndex> all_of(const State& state) {
+  std::vector<BodyIndex> all;
+  for (BodyIndex i{0}; i < state.size(); ++i) all.push_back(i);
   return all;
 }
 
-std::vector<int> free_bodies(const std::vector<int>& all, const std::vector<Body>& bodies) {
-  std::vector<int> free;
+std::vector<BodyIndex> free_bodies(const std::vector<BodyIndex>& all, const std::vector<Body>& bodies) {
+  std::vector<BodyIndex> free;
   std::copy_if(all.begin(), all.end(), std::back_inserter(free),
-               [&](int i) { return !has_infinite_mass(bodies[static_cast<std::size_t>(i)]); });
+               [&](BodyIndex i) { return !has_infinite_mass(bodies[static_cast<std::size_t>(i)]); });
   return free;
 }
 
@@ -40,7 +39,7 @@ std::vector<int> free_bodies(const std::vector<int>& all, const std::vector<Body
 
 BeforeAfter before_and_after(const JumpMoment& moment) {
   std::shared_ptr<const std::vector<Body>> bodies{moment.compiled, &moment.compiled->scene.bodies};
-  std::vector<int> shown = free_bodies(moment.bodies(), *bodies);
+  std::vector<BodyIndex> shown = free_bodies(moment.bodies(), *bodies);
   return {.bodies = std::move(bodies),
           .before = moment.before(),
           .after = moment.after(),
@@ -51,7 +50,7 @@ BeforeAfter before_and_after(const JumpMoment& moment) {
 
 BeforeAfter before_and_after(const RunInterval& interval) {
   std::shared_ptr<const std::vector<Body>> bodies{interval.compiled, &interval.compiled->scene.bodies};
-  std::vector<int> shown = free_bodies(all_of(interval.after), *bodies);
+  std::vector<BodyIndex> shown = free_bodies(all_of(interval.after), *bodies);
   return {.bodies = std::move(bodies),
           .before = interval.before,
           .after = interval.after,
@@ -114,10 +113,10 @@ void BeforeAfterModel::choose_columns() {
       {Quantity::kKineticAfter, {"K after\n/ J", 62}},
   };
   Zero zero;
-  for (const int body : compared_.shown) {
+  for (const BodyIndex body : compared_.shown) {
     for (const State* state : {&compared_.before, &compared_.after}) {
       if (body >= state->size()) continue;
-      zero.spins = zero.spins && state->v(2, body) == 0.0;
+      zero.spins = zero.spins && state->v.col(body)[2] == 0.0;
       zero.angular = zero.angular && of(*state, body).angular == 0.0;
     }
   }
@@ -140,14 +139,14 @@ const Eigen::Matrix3Xd& BeforeAfterModel::law() const {
   return compared_.theory ? compared_.theory->v : compared_.over_time->v;
 }
 
-QString BeforeAfterModel::why_no_law(int body) const {
+QString BeforeAfterModel::why_no_law(BodyIndex body) const {
   if (compared_.theory) return text_of(compared_.theory->why_not);
   return text_of(compared_.over_time->no_velocity[static_cast<std::size_t>(body)]);
 }
 
-BeforeAfterModel::Sums BeforeAfterModel::of(const State& state, int body) const {
+BeforeAfterModel::Sums BeforeAfterModel::of(const State& state, BodyIndex body) const {
   const Vec2 v = state.velocity(body);
-  const double spin = state.v(2, body);
+  const double spin = state.v.col(body)[2];
   const Vec2 p = mass_.mass[body] * v;
   return {p, cross(state.position(body), p) + mass_.inertia[body] * spin,
           0.5 * p.dot(v) + 0.5 * mass_.inertia[body] * spin * spin};
@@ -155,7 +154,7 @@ BeforeAfterModel::Sums BeforeAfterModel::of(const State& state, int body) const 
 
 BeforeAfterModel::Sums BeforeAfterModel::sum(const State& state) const {
   Sums all;
-  for (const int body : compared_.shown) {
+  for (const BodyIndex body : compared_.shown) {
     if (body >= state.size()) continue;
     const Sums one = of(state, body);
     all.momentum += one.momentum;
@@ -167,7 +166,7 @@ BeforeAfterModel::Sums BeforeAfterModel::sum(const State& state) const {
 
 BeforeAfterModel::Sums BeforeAfterModel::sum_of_sizes() const {
   Sums all;
-  for (const int body : compared_.shown) {
+  for (const BodyIndex body : compared_.shown) {
     const Sums before = body < compared_.before.size() ? of(compared_.before, body) : Sums();
     const Sums after = of(compared_.after, body);
     all.momentum.x() += std::max(before.momentum.norm(), after.momentum.norm());
@@ -177,13 +176,15 @@ BeforeAfterModel::Sums BeforeAfterModel::sum_of_sizes() const {
   return all;
 }
 
-double BeforeAfterModel::gyration(int body) const { return std::sqrt(mass_.inertia[body] / mass_.mass[body]); }
+double BeforeAfterModel::gyration(BodyIndex body) const {
+  return std::sqrt(mass_.inertia[body] / mass_.mass[body]);
+}
 
 double BeforeAfterModel::fastest() const {
   double most = 0.0;
-  for (const int body : compared_.shown) {
+  for (const BodyIndex body : compared_.shown) {
     for (const State* state : {&compared_.before, &compared_.after})
-      most = std::max({most, state->velocity(body).norm(), gyration(body) * std::abs(state->v(2, body))});
+      most = std::max({most, state->velocity(body).norm(), gyration(body) * std::abs(state->v.col(body)[2])});
   }
   return most;
 }
@@ -191,7 +192,7 @@ double BeforeAfterModel::fastest() const {
 FigureModel::Cell BeforeAfterModel::cell(int row, int column) const {
   if (row > sum_row()) return theory_cell(quantity(column), row - sum_row() == 1);
   if (is_sum(row)) return sum_cell(quantity(column));
-  const int body = compared_.shown[static_cast<std::size_t>(row)];
+  const BodyIndex body = compared_.shown[static_cast<std::size_t>(row)];
   const bool was_there = body < compared_.before.size();
   switch (quantity(column)) {
     case Quantity::kBody:
@@ -203,9 +204,9 @@ FigureModel::Cell BeforeAfterModel::cell(int row, int column) const {
     case Quantity::kVelocityAfter:
       return Cell(compared_.after.velocity(body));
     case Quantity::kSpinBefore:
-      return was_there ? Cell(compared_.before.v(2, body)) : Cell();
+      return was_there ? Cell(compared_.before.v.col(body)[2]) : Cell();
     case Quantity::kSpinAfter:
-      return compared_.after.v(2, body);
+      return compared_.after.v.col(body)[2];
     case Quantity::kVelocityTheory:
     case Quantity::kVelocityError:
     case Quantity::kSpinTheory:
@@ -217,11 +218,11 @@ FigureModel::Cell BeforeAfterModel::cell(int row, int column) const {
   }
 }
 
-FigureModel::Cell BeforeAfterModel::of_law(Quantity quantity, int body) const {
+FigureModel::Cell BeforeAfterModel::of_law(Quantity quantity, BodyIndex body) const {
   if (!why_no_law(body).isEmpty()) return QStringLiteral("—");
   const Eigen::Matrix3Xd& theory = law();
   const Vec2 off = theory.col(body).head<2>() - compared_.after.velocity(body);
-  const double off_spin = gyration(body) * std::abs(theory(2, body) - compared_.after.v(2, body));
+  const double off_spin = gyration(body) * std::abs(theory.col(body)[2] - compared_.after.v.col(body)[2]);
   const double scale = fastest();
   const auto share = [scale](double part) { return scale > 0.0 ? part / scale : 0.0; };
   switch (quantity) {
@@ -230,7 +231,7 @@ FigureModel::Cell BeforeAfterModel::of_law(Quantity quantity, int body) const {
     case Quantity::kVelocityError:
       return error_cell(share(off.norm()));
     case Quantity::kSpinTheory:
-      return theory(2, body);
+      return theory.col(body)[2];
     default:
       return error_cell(share(off_spin));
   }
@@ -260,7 +261,7 @@ FigureModel::Cell BeforeAfterModel::sum_cell(Quantity quantity) const {
   if (quantity == Quantity::kBody) return translated("sum");
   if (quantity != Quantity::kMass) return of_state(quantity, sum(compared_.before), sum(compared_.after), true);
   double mass = 0.0;
-  for (const int body : compared_.shown) mass += mass_.mass[body];
+  for (const BodyIndex body : compared_.shown) mass += mass_.mass[body];
   return mass;
 }
 
@@ -317,7 +318,7 @@ QString BeforeAfterModel::tip(int row, int column) const {
   }
 }
 
-QString BeforeAfterModel::law_tip(Quantity quantity, int body) const {
+QString BeforeAfterModel::law_tip(Quantity quantity, BodyIndex body) const {
   if (QString why = why_no_law(body); !why.isEmpty()) return why;
   switch (quantity) {
     case Quantity::kVelocityError:

@@ -19,7 +19,7 @@ struct BeforeAfter {
   std::shared_ptr<const std::vector<Body>> bodies;  // of `after`
   State before;
   State after;
-  std::vector<int> shown;                   // the bodies that move freely among those that took part
+  std::vector<BodyIndex> shown;             // the bodies that move freely among those that took part
   std::optional<ImpactTheory> theory;       // where both are those of an impact
   std::optional<IntervalTheory> over_time;  // where they are the ends of an interval
 };
@@ -71,21 +71,21 @@ class BeforeAfterModel : public FigureModel {
   void choose_columns();
   [[nodiscard]] Quantity quantity(int column) const { return quantities_[static_cast<std::size_t>(column)]; }
   [[nodiscard]] int sum_row() const { return static_cast<int>(compared_.shown.size()); }
-  [[nodiscard]] const Eigen::Matrix3Xd& law() const;  // as in State; where there is a theory
-  [[nodiscard]] QString why_no_law(int body) const;   // likewise; empty: there is one
+  [[nodiscard]] const Eigen::Matrix3Xd& law() const;       // as in State; where there is a theory
+  [[nodiscard]] QString why_no_law(BodyIndex body) const;  // likewise; empty: there is one
   // Of a quantity of which a sum may have a law.
   [[nodiscard]] std::optional<NoIntervalLaw> why_no_sum(Quantity quantity) const;
-  [[nodiscard]] Sums of(const State& state, int body) const;
+  [[nodiscard]] Sums of(const State& state, BodyIndex body) const;
   [[nodiscard]] Sums sum(const State& state) const;
   // Of the larger one before and after of each body; the momentum's is its x.
   [[nodiscard]] Sums sum_of_sizes() const;
-  [[nodiscard]] double gyration(int body) const;  // m, radius
-  [[nodiscard]] double fastest() const;           // m/s
+  [[nodiscard]] double gyration(BodyIndex body) const;  // m, radius
+  [[nodiscard]] double fastest() const;                 // m/s
   [[nodiscard]] Cell of_state(Quantity quantity, const Sums& before, const Sums& after, bool was_there) const;
-  [[nodiscard]] Cell of_law(Quantity quantity, int body) const;
+  [[nodiscard]] Cell of_law(Quantity quantity, BodyIndex body) const;
   [[nodiscard]] Cell sum_cell(Quantity quantity) const;
   [[nodiscard]] Cell theory_cell(Quantity quantity, bool value) const;
-  [[nodiscard]] QString law_tip(Quantity quantity, int body) const;
+  [[nodiscard]] QString law_tip(Quantity quantity, BodyIndex body) const;
   [[nodiscard]] QString theory_tip(Quantity quantity, bool value) const;
 
   BeforeAfter compared_;

@@ -159,7 +159,7 @@ class Builder {
   Drawing& out_;
   WorldRect seen_;
   std::span<const Body> bodies_;
-  std::vector<int> jumped_;
+  std::vector<BodyIndex> jumped_;
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr double kNoLoss = 1e-12;        // of normal impulse times closing spee
 
 class Builder {
  public:
-  Builder(const DrawingInput& in, const std::vector<int>& bodies, Drawing& out)
+  Builder(const DrawingInput& in, const std::vector<BodyIndex>& bodies, Drawing& out)
       : in_(in), out_(out), first_(in.jump->records.front()), pixel_(1.0 / in.camera.scale), bodies_(bodies) {
     // Before stands above or at the left.
     side_ = crossed(first_.normal);
@@ -33,7 +33,7 @@ class Builder {
   }
 
   void build() {
-    for (const int body : bodies_) {
+    for (const BodyIndex body : bodies_) {
       const Vec2 from = in_.jump->before().position(body) - first_.point;
       const double half = bounding_radius(body_of(body).shape);
       up_ = std::max(up_, std::min(side_.dot(from) + half, kMostReach * pixel_));
@@ -54,10 +54,10 @@ class Builder {
   }
   // The arrows stand beside one another rather than over one another.
   [[nodiscard]] bool is_wide() const { return std::abs(side_.x()) > std::abs(side_.y()); }
-  [[nodiscard]] const Body& body_of(int body) const {
+  [[nodiscard]] const Body& body_of(BodyIndex body) const {
     return (*in_.frame.bodies)[static_cast<std::size_t>(body)];
   }
-  [[nodiscard]] QString name(int body) const { return QString::fromStdString(body_of(body).name); }
+  [[nodiscard]] QString name(BodyIndex body) const { return QString::fromStdString(body_of(body).name); }
   // Readable as text too.
   [[nodiscard]] QColor ink(std::size_t series) const {
     return blend(in_.theme.series[series], in_.theme.text, 0.25);
@@ -65,7 +65,7 @@ class Builder {
 
   void add_velocity(std::size_t level, double beside, const State& state, bool before) {
     constexpr std::array<std::size_t, kMostJumping> kColors = {0, 1, 2, 4, 5, 0};  // the impulse has the fourth
-    const int body = bodies_[level];
+    const BodyIndex body = bodies_[level];
     const double out_by = (kGap + level_ * static_cast<double>(bodies_.size() - 1 - level)) * pixel_;
     const Vec2 from = in_.jump->before().position(body) - first_.point;
     const double along = std::clamp(first_.normal.dot(from), -kMostReach * pixel_, kMostReach * pixel_);
@@ -110,9 +110,9 @@ class Builder {
 
   // m/s: at which the contact's points part along its normal.
   static double opening(const ImpactRecord& impact, const State& state) {
-    const auto velocity = [&](int body) {
+    const auto velocity = [&](BodyIndex body) {
       const Vec2 arm = impact.point - state.position(body);
-      return Vec2(state.velocity(body) + state.v(2, body) * crossed(arm));
+      return Vec2(state.velocity(body) + state.v.col(body)[2] * crossed(arm));
     };
     return impact.normal.dot(velocity(impact.b) - velocity(impact.a));
   }
@@ -136,7 +136,7 @@ class Builder {
   Drawing& out_;
   const ImpactRecord& first_;
   double pixel_;  // m
-  const std::vector<int>& bodies_;
+  const std::vector<BodyIndex>& bodies_;
   Vec2 side_ = Vec2::UnitY();
   double level_ = kLevel;  // px
   double up_ = 0.0;        // m, how far the bodies reach from the contact
@@ -145,18 +145,18 @@ class Builder {
 
 }  // namespace
 
-std::vector<int> bodies_of_jump(const DrawingInput& in) {
+std::vector<BodyIndex> bodies_of_jump(const DrawingInput& in) {
   if (in.jump == nullptr || !in.options.jumps || !in.frame.bodies) return {};
   if (in.jump->before().size() != static_cast<int>(in.frame.bodies->size())) return {};  // of other bodies
-  std::vector<int> bodies = in.jump->bodies();
-  std::erase_if(bodies,
-                [&](int i) { return has_infinite_mass((*in.frame.bodies)[static_cast<std::size_t>(i)]); });
+  std::vector<BodyIndex> bodies = in.jump->bodies();
+  std::erase_if(
+      bodies, [&](BodyIndex i) { return has_infinite_mass((*in.frame.bodies)[static_cast<std::size_t>(i)]); });
   if (bodies.size() > kMostJumping) bodies.resize(kMostJumping);
   return bodies;
 }
 
 void add_jump(const DrawingInput& in, Drawing& out) {
-  const std::vector<int> bodies = bodies_of_jump(in);
+  const std::vector<BodyIndex> bodies = bodies_of_jump(in);
   if (!bodies.empty()) Builder(in, bodies, out).build();
 }
 

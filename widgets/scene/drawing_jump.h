@@ -9,6 +9,6 @@ namespace carom {
 void add_jump(const DrawingInput& input, Drawing& out);
 
 // The bodies whose velocities it shows, beside their names: those that move freely, of many the first few.
-[[nodiscard]] std::vector<int> bodies_of_jump(const DrawingInput& input);
+[[nodiscard]] std::vector<BodyIndex> bodies_of_jump(const DrawingInput& input);
 
 }  // namespace carom

@@ -44,17 +44,16 @@ Crowd crowd_of(std::span<const Body> bodies, const Surroundings& neighbours) {
   std::copy_if(neighbours.joints.begin(), neighbours.joints.end(), std::back_inserter(joints),
                [&](const Joint& joint) { return names.contains(joint.body) && names.contains(joint.to); });
   crowd.geometry = geometry(crowd.bodies, joints);
-  for (std::size_t i = 0; i < crowd.bodies.size(); ++i) {
+  for (BodyIndex i{0}; i < static_cast<int>(crowd.bodies.size()); ++i) {
     const Body& body = crowd.bodies[i];
-    crowd.poses.push_back(
-        crowd.geometry.pose(static_cast<int>(i), {body.position.x(), body.position.y(), body.angle}));
+    crowd.poses.push_back(crowd.geometry.pose(i, {body.position.x(), body.position.y(), body.angle}));
   }
   return crowd;
 }
 
 struct Pair {
-  int a;
-  int b;
+  BodyIndex a;
+  BodyIndex b;
   double size;  // m
 };
 
@@ -64,12 +63,12 @@ std::vector<Pair> pairs_of(const Crowd& crowd, double reach, bool within) {
   const Eigen::VectorXd& reaches = crowd.geometry.reach;
   for (std::size_t i = 0; i < crowd.edited; ++i) {
     for (std::size_t k = within ? i + 1 : crowd.edited; k < crowd.bodies.size(); ++k) {
-      const int a = static_cast<int>(i);
-      const int b = static_cast<int>(k);
+      const BodyIndex a{static_cast<int>(i)};
+      const BodyIndex b{static_cast<int>(k)};
       const double apart = (crowd.poses[i].position - crowd.poses[k].position).norm();
       if (apart > reaches[a] + reaches[b] + reach || !crowd.geometry.can_collide(a, b)) continue;
       if (!std::isfinite(reaches[a]) && !std::isfinite(reaches[b])) continue;  // two half-planes
-      const auto finite = [&](int n) { return std::isfinite(reaches[n]) ? reaches[n] : 0.0; };
+      const auto finite = [&](BodyIndex n) { return std::isfinite(reaches[n]) ? reaches[n] : 0.0; };
       pairs.push_back({a, b, finite(a) + finite(b)});
     }
   }
@@ -275,7 +274,7 @@ Body in_touch(const Body& body, const Body& other) {
   const auto moved = [&](double distance) { return Vec2((distance - line.dot(apart)) * line); };
   for (int k = 0; k < kHalvings; ++k) {
     const double middle = 0.5 * (low + high);
-    (gap_of(crowd, {0, 1, high}, moved(middle)).gap < 0.0 ? low : high) = middle;
+    (gap_of(crowd, {BodyIndex{0}, BodyIndex{1}, high}, moved(middle)).gap < 0.0 ? low : high) = middle;
   }
   Body out = body;
   out.position += moved(high);

@@ -14,9 +14,12 @@
 #include "physics/record/recorder.h"
 #include "physics/scene/validate.h"
 #include "physics/worker/live_run.h"
+#include "tests/support/body_literal.h"
 
 namespace carom {
 namespace {
+
+using namespace test::literals;
 
 // Rows of fields.
 std::vector<std::vector<std::string>> read(const std::string& file) {
@@ -141,7 +144,7 @@ TEST(RunExport, WritesThePartThatIsAskedFor) {
   DataExport what;
   what.setup = setup_of(box());
   what.steps = 400;
-  what.columns = {{find_observable("distance"), {0, 2}}, {find_observable("total_energy"), {}}};
+  what.columns = {{find_observable("distance"), {0_b, 2_b}}, {find_observable("total_energy"), {}}};
   what.from = 0.5;
   what.to = 1.0;
   QTemporaryDir dir;
@@ -210,7 +213,7 @@ TEST(RunExport, APieceFromAKeyFrameIsThatOfTheWhole) {
   late.position = {-1.0, 3.0};
   const Quantity drift{find_observable("numerical_drift"), {}};
   const Quantity error{find_observable("position_error"), {}};
-  const Quantity met{find_observable("impacts_between"), {0, 1}};
+  const Quantity met{find_observable("impacts_between"), {0_b, 1_b}};
   std::vector<Curve> curves;
   for (const Quantity& q : {drift, error, met}) curves.push_back({q, std::nullopt});
   const ReferenceId reference = usual_reference(setup_of(box()));
@@ -237,7 +240,7 @@ TEST(RunExport, APieceFromAKeyFrameIsThatOfTheWhole) {
   what.setup.scene.bodies[0].position.x() += 0.125;  // a different start than the key frames'
   EXPECT_EQ(lines_of(what, "piece.csv"), whole);
   // A key frame has no counts that were not requested from the start.
-  const Quantity other{find_observable("impacts_between"), {0, 2}};
+  const Quantity other{find_observable("impacts_between"), {0_b, 2_b}};
   EXPECT_EQ(latest_before(frame->key_frames, 150.0, {{other, std::nullopt}}), nullptr);
   EXPECT_GT(latest_before(frame->key_frames, 150.0, curves)->state.clock.time, 120.0);
 }

@@ -9,10 +9,13 @@
 #include "physics/collision/broad_phase.h"
 #include "physics/collision/contact.h"
 #include "physics/collision/pair_contact.h"
+#include "tests/support/body_literal.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
 namespace {
+
+using namespace test::literals;
 
 using test::disc;
 using test::wall;
@@ -58,7 +61,7 @@ TEST(Geometry, DiscAgainstBoxAtAnyAngle) {
     const Geometry g = geometry(bodies);
     const Eigen::Vector3d q0 = initial_motion(bodies[0]).head<3>();
     const Eigen::Vector3d q1 = initial_motion(bodies[1]).head<3>();
-    const Contact c = contact_between(g, 0, q0, 1, q1);
+    const Contact c = contact_between(g, 0_b, q0, 1_b, q1);
 
     const double distance = signed_distance(p, center, box, angle);
     if (distance < 0.0) ++inside;
@@ -83,11 +86,11 @@ TEST(Geometry, DiscAgainstBoxAtAnyAngle) {
 TEST(Geometry, Discs) {
   const std::vector<Body> bodies = {disc("a", {1, 2}, {0, 0}, 0.5), disc("b", {4, 6}, {0, 0}, 1.5)};
   const Geometry g = geometry(bodies);
-  const Contact c = contact_between(g, 0, {1, 2, 9}, 1, {4, 6, -3});
+  const Contact c = contact_between(g, 0_b, {1, 2, 9}, 1_b, {4, 6, -3});
   EXPECT_NEAR(c.gap, 3.0, 1e-15);
   EXPECT_NEAR((c.normal - Vec2(0.6, 0.8)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((c.point - (Vec2(1, 2) + 2.0 * Vec2(0.6, 0.8))).norm(), 0.0, 1e-15);
-  const Contact same = contact_between(g, 0, {1, 2, 0}, 1, {1, 2, 0});
+  const Contact same = contact_between(g, 0_b, {1, 2, 0}, 1_b, {1, 2, 0});
   EXPECT_EQ(same.gap, -2.0);
   EXPECT_EQ(same.normal, Vec2(1, 0));
   EXPECT_TRUE(same.point.allFinite());
@@ -96,14 +99,13 @@ TEST(Geometry, Discs) {
 TEST(Geometry, DiscCentredInABoxLeavesByTheNearestFace) {
   const std::vector<Body> bodies = {wall("box", {0, 0}, 4.0, 1.0), disc("disc", {0, 0}, {0, 0}, 0.2)};
   const Geometry g = geometry(bodies);
-  const Contact c = contact_between(g, 0, {0, 0, 0}, 1, {0, 0, 0});
+  const Contact c = contact_between(g, 0_b, {0, 0, 0}, 1_b, {0, 0, 0});
   EXPECT_NEAR(c.gap, -0.7, 1e-15);
   EXPECT_EQ(std::abs(c.normal.y()), 1.0);
 }
 
-std::vector<std::pair<int, int>> all_pairs(const std::vector<Bounds>& bounds,
-                                           const std::vector<std::uint8_t>& fixed) {
-  std::vector<std::pair<int, int>> pairs;
+std::vector<BodyPair> all_pairs(const std::vector<Bounds>& bounds, const std::vector<std::uint8_t>& fixed) {
+  std::vector<BodyPair> pairs;
   for (std::size_t a = 0; a < bounds.size(); ++a) {
     for (std::size_t b = a + 1; b < bounds.size(); ++b) {
       const Bounds& p = bounds[a];

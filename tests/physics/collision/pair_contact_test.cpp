@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "physics/model/geometry.h"
+#include "tests/support/body_literal.h"
 #include "tests/support/convex_reference.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
 namespace {
+
+using namespace test::literals;
 
 using test::kFirst;
 using test::kSecond;
@@ -167,7 +170,7 @@ TEST(PairContact, DiscsAndBoxesToTheLastBit) {
     for (Eigen::Vector3d& x : q) {
       x = {uniform(random, -2.0, 2.0), uniform(random, -2.0, 2.0), uniform(random, -9.0, 9.0)};
     }
-    const Contact before = contact_between(g, 0, q[0], 1, q[1]);
+    const Contact before = contact_between(g, 0_b, q[0], 1_b, q[1]);
     const Contact now =
         contact_between(s, kFirst, pose_of(s, kFirst, q[0]), kSecond, pose_of(s, kSecond, q[1]));
     ASSERT_EQ(now.gap, before.gap) << n;

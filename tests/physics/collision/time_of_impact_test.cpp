@@ -8,10 +8,13 @@
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/model/compiled_scene.h"
 #include "physics/run/run_setup.h"
+#include "tests/support/body_literal.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
 namespace {
+
+using namespace test::literals;
 
 using test::disc;
 using test::setup_with;
@@ -44,7 +47,7 @@ TEST(BracketedRoot, ToTheLastBit) {
 
 struct BodyRates {
   const ForceField& field;
-  int body;
+  BodyIndex body;
   void operator()(double t, const Motion& y, Motion& k) const { field.external_rate(body, t, y, k); }
 };
 
@@ -63,7 +66,7 @@ struct Flight {
   }
   [[nodiscard]] auto sampler(IntegratorId id) const {
     return [this, id, g = geometry(bodies), field = ForceField(compiled())](double t) {
-      const auto flown = [&](int body) -> Eigen::Vector3d {
+      const auto flown = [&](BodyIndex body) -> Eigen::Vector3d {
         const Motion from = initial_motion(bodies[body]);
         if (bodies[body].fixed) return from.head<3>();
         Stages<Motion> stages;
@@ -71,9 +74,9 @@ struct Flight {
         integrator_step(id, BodyRates{field, body}, 0.0, from, t, stages, to);
         return to.head<3>();
       };
-      const Eigen::Vector3d qa = flown(0);
-      const Eigen::Vector3d qb = flown(1);
-      const Contact c = contact_between(g, 0, qa, 1, qb);
+      const Eigen::Vector3d qa = flown(0_b);
+      const Eigen::Vector3d qb = flown(1_b);
+      const Contact c = contact_between(g, 0_b, qa, 1_b, qb);
       return GapSample{c.gap, c.normal, (qb - qa).head<2>()};
     };
   }

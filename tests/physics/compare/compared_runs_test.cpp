@@ -6,18 +6,21 @@
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "physics/worker/worker.h"
+#include "tests/support/body_literal.h"
 #include "tests/support/scenes.h"
 #include "tests/support/wait.h"
 
 namespace carom {
 namespace {
 
+using namespace test::literals;
+
 using namespace std::chrono_literals;
 using test::disc;
 using test::room;
 
-Curve curve(const char* observable, std::vector<int> bodies = {}) {
-  return {{find_observable(observable), std::move(bodies)}, std::nullopt};
+Curve curve(const char* observable, std::initializer_list<int> bodies = {}) {
+  return {{find_observable(observable), {bodies.begin(), bodies.end()}}, std::nullopt};
 }
 
 Method method(IntegratorId integrator, ImpactsId impacts, double step) {
@@ -250,12 +253,12 @@ TEST(ComparedRuns, MatchImpacts) {
 
 TEST(ComparedRuns, GiveAnImpactUpThatNeverComes) {
   ImpactMatcher matcher(ImpactMatcher::Partners::kNearest);
-  matcher.add(ImpactMatcher::From::kRun, 0, 1, 1.0);
-  matcher.add(ImpactMatcher::From::kReference, 0, 2, 1.1);
+  matcher.add(ImpactMatcher::From::kRun, 0_b, 1_b, 1.0);
+  matcher.add(ImpactMatcher::From::kReference, 0_b, 2_b, 1.1);
   std::vector<std::uint8_t> awaiting(3);
   matcher.mark(awaiting);
   EXPECT_EQ(awaiting, (std::vector<std::uint8_t>{1, 1, 1}));
-  matcher.add(ImpactMatcher::From::kReference, 0, 1, 1.25);
+  matcher.add(ImpactMatcher::From::kReference, 0_b, 1_b, 1.25);
   matcher.mark(awaiting);
   EXPECT_EQ(awaiting, (std::vector<std::uint8_t>{1, 0, 1}));
   matcher.give_up(1.2);
@@ -269,8 +272,8 @@ TEST(ComparedRuns, GiveAnImpactUpThatNeverComes) {
 // given up.
 TEST(ComparedRuns, MatchTheNearestImpacts) {
   ImpactMatcher matcher(ImpactMatcher::Partners::kNearest);
-  for (const double time : {1.0, 1.1, 1.2, 2.0}) matcher.add(ImpactMatcher::From::kReference, 0, 1, time);
-  matcher.add(ImpactMatcher::From::kRun, 0, 1, 1.21);
+  for (const double time : {1.0, 1.1, 1.2, 2.0}) matcher.add(ImpactMatcher::From::kReference, 0_b, 1_b, time);
+  matcher.add(ImpactMatcher::From::kRun, 0_b, 1_b, 1.21);
   EXPECT_EQ(matcher.matched(), 1);
   EXPECT_EQ(matcher.unmatched(), 2);
   EXPECT_NEAR(matcher.largest_difference(), 0.01, 1e-15);

@@ -252,8 +252,8 @@ TEST(ContactBlocks, MomentumLeavesLittleMoreThanSweepsAlone) {
     for (int i = 0; i < w.islands.size(); ++i) {
       const std::span<ContactBlock> blocks(w.large_islands.blocks.data() + w.first_block[i],
                                            w.large_islands.blocks.data() + w.first_block[i + 1]);
-      const std::span<const int> bodies(w.large_islands.bodies.data() + w.first_body[i],
-                                        w.large_islands.bodies.data() + w.first_body[i + 1]);
+      const std::span<const BodyIndex> bodies(w.large_islands.bodies.data() + w.first_body[i],
+                                              w.large_islands.bodies.data() + w.first_body[i + 1]);
       const std::vector<ContactBlock> start(blocks.begin(), blocks.end());
       const std::vector<BodyVelocity> velocity = w.large_islands.velocity;
       for (const bool with_momentum : {false, true}) {

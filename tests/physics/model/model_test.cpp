@@ -20,7 +20,7 @@ bool has_any(const CompiledScene& compiled, Part part) {
     case Part::kSticking:
       return !m.smooth_discs;
     case Part::kDrag:
-      return m.forces.drag.has_value();
+      return m.forces.linear_drag != 0.0 || m.forces.quadratic_drag != 0.0;
     case Part::kSprings:
       return !m.forces.springs.empty() || !m.forces.outside.empty() || !m.forces.between.empty();
     case Part::kAttraction:

@@ -10,11 +10,14 @@
 
 #include "physics/record/jump_moment.h"
 #include "physics/run/simulation.h"
+#include "tests/support/body_literal.h"
 #include "tests/support/scenes.h"
 
 // What closed laws say about impacts, against textbook figures and against runs.
 namespace carom {
 namespace {
+
+using namespace test::literals;
 
 using test::disc;
 using test::scene_with;
@@ -62,7 +65,7 @@ TEST(ImpactTheory, HeadOnWithUnequalMasses) {
   const auto moment = first_moment(scene_with(
       {disc("light", {-0.6, 0.0}, {2.0, 0.0}), disc("heavy", {0.6, 0.0}, {-1.0, 0.0}, 0.1, 2.5)}, 0.6));
   ASSERT_NE(moment, nullptr);
-  EXPECT_EQ(moment->bodies(), (std::vector<int>{0, 1}));
+  EXPECT_EQ(moment->bodies(), (std::vector<BodyIndex>{0_b, 1_b}));
   EXPECT_NEAR(moment->time(), 1.0 / 3.0, 1e-9);
   const ImpactTheory theory = theory_of(*moment);
   ASSERT_EQ(theory.why_not, NoTheory::kNone);

@@ -6,17 +6,20 @@
 
 #include "physics/preset/preset.h"
 #include "physics/record/replay.h"
+#include "tests/support/body_literal.h"
 #include "tests/support/resumed_run.h"
 #include "tests/support/scenes.h"
 
 namespace carom {
 namespace {
 
+using namespace test::literals;
+
 using test::disc;
 using test::room;
 
-Curve curve(const char* observable, std::vector<int> bodies = {}) {
-  return {{find_observable(observable), std::move(bodies)}, std::nullopt};
+Curve curve(const char* observable, std::initializer_list<int> bodies = {}) {
+  return {{find_observable(observable), {bodies.begin(), bodies.end()}}, std::nullopt};
 }
 
 // Drag, e < 1 and friction: every entry of the ledger grows.
@@ -131,7 +134,7 @@ TEST(Sampler, ReadsBodiesAtAnImpact) {
 // A path over another quantity has two values a row; a body that is put in stands upright in the sums.
 TEST(Sampler, ReadsPathsAndEdits) {
   Simulation simulation(setup_of(test::preset_with({disc("A", {0.0, 0.0}, {1.0, 0.5})})));
-  const Curve path{{find_observable("y"), {0}}, Quantity{find_observable("x"), {0}}};
+  const Curve path{{find_observable("y"), {0_b}}, Quantity{find_observable("x"), {0_b}}};
   Sampler sampler({path, curve("kinetic_energy")});
   sampler.begin(simulation);
   simulation.step();

@@ -108,8 +108,8 @@ TEST(CorneredBodies, GasKeepsEnergyAndMomentum) {
     EXPECT_NEAR(run.ledger().momentum_drift(run.totals().momentum).norm(), 0.0, 1e-10) << located;
     if (!located) continue;
     EXPECT_EQ(run.notices().text(), "ok");
-    for (int a = 0; a < run.state().size(); ++a) {
-      for (int b = a + 1; b < run.state().size(); ++b) {
+    for (BodyIndex a{0}; a < run.state().size(); ++a) {
+      for (BodyIndex b{a + 1}; b < run.state().size(); ++b) {
         if (!run.shapes().can_collide(a, b)) continue;
         EXPECT_GT(contact_between(run.shapes(), a, run.state().q.col(a), b, run.state().q.col(b)).gap, -1e-12);
       }

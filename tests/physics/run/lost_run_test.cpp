@@ -7,11 +7,14 @@
 #include "physics/preset/preset.h"
 #include "physics/run/simulation.h"
 #include "physics/scene/facts.h"
+#include "tests/support/body_literal.h"
 #include "tests/support/scenes.h"
 
 // Runs that can't continue: they stay at the end of their last good step and report why.
 namespace carom {
 namespace {
+
+using namespace test::literals;
 
 using test::disc;
 
@@ -136,8 +139,8 @@ TEST(LostRun, PosesThatAreNoNumbersLieNowhereNear) {
   s.scene.bodies[1].shape = Polygon{{{0, 0}, {0.2, 0}, {0.1, 0.2}}};
   const Geometry g = geometry(s.scene.bodies, {});
   const double nan = std::nan("");
-  EXPECT_FALSE(contact_between(g, 0, {nan, 0, 0}, 1, {1, 0, 0}).gap <= 0.0);
-  EXPECT_FALSE(contact_between(g, 0, {0, 0, 0}, 1, {1, nan, nan}).gap <= 0.0);
+  EXPECT_FALSE(contact_between(g, 0_b, {nan, 0, 0}, 1_b, {1, 0, 0}).gap <= 0.0);
+  EXPECT_FALSE(contact_between(g, 0_b, {0, 0, 0}, 1_b, {1, nan, nan}).gap <= 0.0);
 }
 
 // Reported before the run is lost, and also where impacts keep it bounded.

@@ -63,7 +63,7 @@ class Laws {
     momentum_ = std::max({momentum_, momentum, ledger.momentum_from_gravity.norm()});
     const Totals t = run.totals();
     double potential = std::abs(t.potential);
-    for (int i = 0; i < run.state().size(); ++i) {
+    for (BodyIndex i{0}; i < run.state().size(); ++i) {
       if (run.mass().inverse_mass[i] > 0.0) {
         potential += std::abs(run.mass().mass[i] * run.field().constant_acceleration(i).head<2>().norm() *
                               run.state().position(i).norm());
@@ -150,8 +150,8 @@ class Laws {
     const bool left =
         notices.resting_since >= 0.0 || notices.impacts_capped_since >= 0.0 || notices.work_spent_since >= 0.0;
     const State& state = run.state();
-    for (int a = 0; a < state.size(); ++a) {
-      for (int b = a + 1; b < state.size(); ++b) {
+    for (BodyIndex a{0}; a < state.size(); ++a) {
+      for (BodyIndex b{a + 1}; b < state.size(); ++b) {
         if (run.shapes().fixed[a] != 0 && run.shapes().fixed[b] != 0) continue;
         const double gap = contact_between(run.shapes(), a, state.q.col(a), b, state.q.col(b)).gap;
         const double sizes = run.shapes().extent.col(a).sum() + run.shapes().extent.col(b).sum();

@@ -6,11 +6,14 @@
 #include "physics/collision/pair_contact.h"
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/run/run_setup.h"
+#include "tests/support/body_literal.h"
 #include "tests/support/scenes.h"
 
 // Resting contacts against closed forms.
 namespace carom {
 namespace {
+
+using namespace test::literals;
 
 constexpr double kG = 9.81;
 constexpr double kStep = 1.0 / 60.0;
@@ -295,8 +298,8 @@ TEST(RestingContacts, WhatLandsDoesNotSinkIn) {
     Simulation simulation(s);
     while (simulation.time() < 3.0) {
       simulation.step();
-      for (const int i : {1, 2}) {
-        const Contact c = contact_between(simulation.shapes(), 0, simulation.state().q.col(0), i,
+      for (const BodyIndex i : {1_b, 2_b}) {
+        const Contact c = contact_between(simulation.shapes(), 0_b, simulation.state().q.col(0), i,
                                           simulation.state().q.col(i));
         ASSERT_GT(c.gap, -kG * kStep * kStep * kStep)
             << restitution << ", " << simulation.bodies()[i].name << " at t = " << simulation.time();

@@ -207,8 +207,8 @@ TEST(Overlap, PartsWithoutABurstOfSpeed) {
       ASSERT_TRUE(run.state().q.allFinite());
     }
     EXPECT_LT(run.state().v.cwiseAbs().maxCoeff(), 1e-15);
-    for (int a = 0; a < run.state().size(); ++a) {
-      for (int b = a + 1; b < run.state().size(); ++b) {
+    for (BodyIndex a{0}; a < run.state().size(); ++a) {
+      for (BodyIndex b{a + 1}; b < run.state().size(); ++b) {
         const Contact c = contact_between(run.shapes(), a, run.state().q.col(a), b, run.state().q.col(b));
         EXPECT_GT(c.gap, -1e-9) << run.bodies()[a].name << ", " << run.bodies()[b].name;
       }

@@ -14,6 +14,7 @@
 #include "physics/run/simulation.h"
 #include "physics/scene/facts.h"
 #include "physics/step/pair_list.h"
+#include "tests/support/body_literal.h"
 #include "tests/support/effort.h"
 #include "tests/support/heap.h"
 #include "tests/support/scenes.h"
@@ -22,6 +23,8 @@
 // A step ends in every scene: its cost is bounded, and a run that reaches a bound reports it.
 namespace carom {
 namespace {
+
+using namespace test::literals;
 
 using test::disc;
 
@@ -139,8 +142,8 @@ TEST(PairList, FindsWhatItHas) {
   for (int round = 0; round < 2; ++round) {
     resting.clear();
     for (int i = 0; i < 500; ++i) {
-      const int a = (i * 37) % 61;
-      const int b = a + 1 + (i * 13) % 41;
+      const BodyIndex a{(i * 37) % 61};
+      const BodyIndex b{a + 1 + (i * 13) % 41};
       const bool rests = i % 5 == 0;
       list.add(a, b, rests);
       if (rests) resting.emplace(a, b);
@@ -151,9 +154,9 @@ TEST(PairList, FindsWhatItHas) {
       EXPECT_EQ(p.resting, resting.contains({p.a, p.b}));
       EXPECT_EQ(list.rests(p.a, p.b), p.resting);
     }
-    EXPECT_FALSE(list.rests(100, 200));
+    EXPECT_FALSE(list.rests(100_b, 200_b));
     list.clear();
-    EXPECT_FALSE(list.rests(0, 1));
+    EXPECT_FALSE(list.rests(0_b, 1_b));
   }
 }
 

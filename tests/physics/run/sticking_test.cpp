@@ -130,8 +130,8 @@ TEST(Sticking, KeepsTheLaws) {
     ASSERT_EQ(record.lost_to_restitution, 0.0);
     ASSERT_EQ(run.ledger().lost_to_sticking, record.lost_to_sticking);
     ASSERT_EQ(run.joints().size(), s.scene.joints.size() + 1);
-    const double spin = run.state().v(2, record.a);
-    ASSERT_NEAR(spin, run.state().v(2, record.b), 1e-13 * (1.0 + std::abs(spin))) << "case " << i;
+    const double spin = run.state().v.col(record.a)[2];
+    ASSERT_NEAR(spin, run.state().v.col(record.b)[2], 1e-13 * (1.0 + std::abs(spin))) << "case " << i;
   }
   EXPECT_GT(met, 8'000);
   EXPECT_GT(jointed, 3'500);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "physics/dynamics/integrators/integrators.h"
+#include "physics/step/coming_to_rest.h"
 #include "physics/step/pair_motion.h"
 #include "tests/support/fitted_order.h"
 #include "tests/support/scenes.h"

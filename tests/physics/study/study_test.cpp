@@ -12,11 +12,14 @@
 #include "physics/preset/preset.h"
 #include "physics/preset/preset_file.h"
 #include "physics/study/study_table.h"
+#include "tests/support/body_literal.h"
 #include "tests/support/scenes.h"
 #include "tests/support/source_folder.h"
 
 namespace carom {
 namespace {
+
+using namespace test::literals;
 
 using test::disc;
 using test::wall;
@@ -93,8 +96,9 @@ RunSummary recorded(std::vector<TimedImpact> impacts, double x, double v) {
 const std::vector<MovingBody> kMoving = {{1, 0.1}, {2, 0.5}};
 
 TEST(Compare, PairsTheKthImpactsOfAPair) {
-  const auto reference = recorded({{0.5, 0, 1}, {0.6, 0, 2}, {1.5, 0, 1}, {3.0, 0, 1}}, 1.0, 1.0);
-  const auto run = recorded({{0.51, 0, 1}, {0.597, 0, 2}, {1.46, 0, 1}, {3.2, 0, 1}}, 1.1, 0.7);
+  const auto reference =
+      recorded({{0.5, 0_b, 1_b}, {0.6, 0_b, 2_b}, {1.5, 0_b, 1_b}, {3.0, 0_b, 1_b}}, 1.0, 1.0);
+  const auto run = recorded({{0.51, 0_b, 1_b}, {0.597, 0_b, 2_b}, {1.46, 0_b, 1_b}, {3.2, 0_b, 1_b}}, 1.1, 0.7);
   const Comparison c = compare(run, reference, kMoving, 2.0);
   EXPECT_EQ(c.matched, 3);
   EXPECT_EQ(c.unmatched, 0);
@@ -133,8 +137,8 @@ TEST(Compare, AnglesCountAtTheOutline) {
 }
 
 TEST(Compare, LeavesOutVelocitiesWithinAnImpactsWindow) {
-  const auto reference = recorded({{1.99, 0, 2}}, 1.0, 1.0);
-  auto run = recorded({{2.01, 0, 2}}, 1.1, 0.7);
+  const auto reference = recorded({{1.99, 0_b, 2_b}}, 1.0, 1.0);
+  auto run = recorded({{2.01, 0_b, 2_b}}, 1.1, 0.7);
   run.state.v(0, 2) = 5.0;
   const Comparison c = compare(run, reference, kMoving, 2.0);
   EXPECT_EQ(c.left_out, 1);
@@ -146,8 +150,8 @@ TEST(Compare, LeavesOutVelocitiesWithinAnImpactsWindow) {
 }
 
 TEST(Compare, CountsImpactsWithoutAPartner) {
-  const auto reference = recorded({{0.5, 0, 1}, {0.6, 0, 1}, {0.7, 1, 2}}, 1.0, 1.0);
-  const auto run = recorded({{0.5, 0, 1}, {0.9, 0, 2}, {1.0, 0, 2}}, 1.0, 1.0);
+  const auto reference = recorded({{0.5, 0_b, 1_b}, {0.6, 0_b, 1_b}, {0.7, 1_b, 2_b}}, 1.0, 1.0);
+  const auto run = recorded({{0.5, 0_b, 1_b}, {0.9, 0_b, 2_b}, {1.0, 0_b, 2_b}}, 1.0, 1.0);
   const Comparison c = compare(run, reference, kMoving, 2.0);
   EXPECT_EQ(c.matched, 1);
   EXPECT_EQ(c.unmatched, 4);
@@ -156,10 +160,10 @@ TEST(Compare, CountsImpactsWithoutAPartner) {
 
 TEST(PlanTime, KeepsAwayFromImpacts) {
   EXPECT_EQ(plan_time({}, 2.0), 2.0);
-  EXPECT_EQ(plan_time({{1.2, 0, 1}}, 2.0), 2.0);
+  EXPECT_EQ(plan_time({{1.2, 0_b, 1_b}}, 2.0), 2.0);
   // Just before an impact that comes after the end, the widest gap of the last quarter is taken.
-  EXPECT_NEAR(plan_time({{1.6, 0, 1}, {1.9, 0, 1}, {2.001, 0, 1}}, 2.0), 1.705, 1e-12);
-  EXPECT_NEAR(plan_time({{1.0, 0, 1}, {1.9, 0, 1}, {2.001, 0, 1}}, 2.0), 1.5, 1e-12);
+  EXPECT_NEAR(plan_time({{1.6, 0_b, 1_b}, {1.9, 0_b, 1_b}, {2.001, 0_b, 1_b}}, 2.0), 1.705, 1e-12);
+  EXPECT_NEAR(plan_time({{1.0, 0_b, 1_b}, {1.9, 0_b, 1_b}, {2.001, 0_b, 1_b}}, 2.0), 1.5, 1e-12);
 }
 
 // --- neighbours

@@ -6,12 +6,15 @@
 
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
+#include "tests/support/body_literal.h"
 #include "tests/support/scenes.h"
 #include "tests/support/threads.h"
 #include "tests/support/wait.h"
 
 namespace carom {
 namespace {
+
+using namespace test::literals;
 
 using test::disc;
 using test::room;
@@ -28,7 +31,7 @@ Preset small_gas() {
 }
 
 Curve energy() { return {{find_observable("kinetic_energy"), {}}, std::nullopt}; }
-Curve path() { return {{find_observable("y"), {4}}, Quantity{find_observable("x"), {4}}}; }
+Curve path() { return {{find_observable("y"), {4_b}}, Quantity{find_observable("x"), {4_b}}}; }
 
 // Of a worker's only run.
 std::shared_ptr<const Frame> take_frame(Worker& worker) {
@@ -340,7 +343,7 @@ TEST(Worker, TakesManyCommandsAtOnce) {
 // Plays a run with edits, asks for more curves in its midst, and looks at what was recorded when it stands.
 TEST(Worker, CurvesThatAreAskedForLateComeFromTheStartOn) {
   const std::vector<Curve> all = {
-      energy(), path(), {{find_observable("impacts_between"), {4, 5}}, std::nullopt}};
+      energy(), path(), {{find_observable("impacts_between"), {4_b, 5_b}}, std::nullopt}};
   const Method method{IntegratorId::kVelocityVerlet, ImpactsId::kStepEnd, ContactsId::kImpulse, 0.002};
   const Body body = disc("new", {0.0, -0.5}, {1.0, 1.0}, 0.05);
   Recorder early;

@@ -112,11 +112,12 @@ TEST_F(PlotBeforeTest, CurvesAreThoseOfTheSameBodies) {
   std::vector<Body> bodies = head_on_scene().scene.bodies;
   const Curve speed{quantity_of({"speed", {"B"}}, bodies), {}};
   std::vector<Body> others = {bodies[1]};
-  EXPECT_EQ(curve_among(speed, bodies, others)->y.bodies, std::vector<int>{0});
+  EXPECT_EQ(curve_among(speed, bodies, others)->y.bodies, std::vector<BodyIndex>{BodyIndex{0}});
   EXPECT_FALSE(curve_among(speed, bodies, std::vector<Body>{bodies[0]}));
   others[0].id.number = bodies[1].id.number = 7;
   others[0].name = "B of old";
-  EXPECT_EQ(curve_among(speed, bodies, others)->y.bodies, std::vector<int>{0}) << "it was renamed";
+  EXPECT_EQ(curve_among(speed, bodies, others)->y.bodies, std::vector<BodyIndex>{BodyIndex{0}})
+      << "it was renamed";
 }
 
 }  // namespace

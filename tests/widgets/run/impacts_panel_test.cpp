@@ -38,8 +38,8 @@ class ImpactsPanelTest : public testing::Test {
   void add(double time, int a, int b, double impulse, double lost) {
     ImpactRecord impact;
     impact.time = time;
-    impact.a = a;
-    impact.b = b;
+    impact.a = BodyIndex{a};
+    impact.b = BodyIndex{b};
     impact.normal_impulse = impulse;
     impact.lost_to_friction = lost;
     frame_.impacts.push_back(impact);

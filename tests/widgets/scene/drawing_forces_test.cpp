@@ -5,9 +5,12 @@
 #include <numbers>
 
 #include "physics/dynamics/state.h"
+#include "tests/support/body_literal.h"
 
 namespace carom {
 namespace {
+
+using namespace test::literals;
 
 // A disc of 0.1 m at (1, 0) and one at (2, 0), at 100 px/m; each test adds its forces.
 class ForcesDrawn : public testing::Test {
@@ -225,12 +228,12 @@ TEST_F(ForcesDrawn, AContactForceIsOneArrowOnABodyThatMoves) {
   wall.position = Vec2(3.0, 0.0);
   wall.fixed = true;
   bodies_.push_back(wall);
-  ContactForce ab{.a = 0, .b = 1, .point = Vec2(1.5, 0.0), .normal = Vec2::UnitX()};
+  ContactForce ab{.a = 0_b, .b = 1_b, .point = Vec2(1.5, 0.0), .normal = Vec2::UnitX()};
   ab.normal_force = 4.0;
   ab.tangential_force = 3.0;
   ContactForce bw = ab;
-  bw.a = 1;
-  bw.b = 2;
+  bw.a = 1_b;
+  bw.b = 2_b;
   bw.point = Vec2(2.5, 0.0);
   frame_.contacts = {ab, bw};
   const Drawing d = drawing();
@@ -252,17 +255,17 @@ TEST_F(ForcesDrawn, AContactForceIsOneArrowOnABodyThatMoves) {
 
 TEST_F(ForcesDrawn, StrangeContactsAreNoTrouble) {
   options_.contacts = true;
-  ContactForce contact{.a = 0, .b = 7};
+  ContactForce contact{.a = 0_b, .b = 7_b};
   contact.normal_force = 4.0;
   frame_.contacts = {contact};
   EXPECT_TRUE(drawing().arrows.empty());
-  frame_.contacts[0] = {.a = 0, .b = 1};
+  frame_.contacts[0] = {.a = 0_b, .b = 1_b};
   EXPECT_TRUE(drawing().arrows.empty()) << "no force";
 }
 
 TEST_F(ForcesDrawn, TheLargestContactForceOfLateSetsTheScale) {
   Peaks peaks;
-  ContactForce contact{.a = 0, .b = 1};
+  ContactForce contact{.a = 0_b, .b = 1_b};
   contact.normal_force = 30.0;
   contact.tangential_force = -40.0;
   frame_.contacts = {contact};

@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "physics/preset/preset.h"
+#include "tests/support/body_literal.h"
 #include "tests/support/scene_fixture.h"
 #include "widgets/scene/drawing.h"
 #include "widgets/scene/paint_drawing.h"
 
 namespace carom {
 namespace {
+
+using namespace test::literals;
 
 class DrawingOf : public testing::Test {
  protected:
@@ -154,8 +157,8 @@ TEST_F(DrawingOf, ImpactsPushTheMovingBodyAndFade) {
   frame_->time = 1.0;
   ImpactRecord impact;
   impact.time = 1.0 - kImpactShown / 2;
-  impact.a = 0;  // the floor
-  impact.b = 1;
+  impact.a = 0_b;  // the floor
+  impact.b = 1_b;
   impact.point = Vec2(1.0, 0.0);
   impact.normal = Vec2::UnitY();
   impact.normal_impulse = 0.8;

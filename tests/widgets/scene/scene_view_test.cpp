@@ -11,11 +11,14 @@
 #include <gtest/gtest.h>
 
 #include "physics/preset/preset.h"
+#include "tests/support/body_literal.h"
 #include "tests/support/scene_fixture.h"
 #include "widgets/scene/paint_drawing.h"
 
 namespace carom {
 namespace {
+
+using namespace test::literals;
 
 // 600×400 px, 100 px/m: the world's (2, 1) stands at (300, 200).
 class SceneViewTest : public testing::Test {
@@ -139,8 +142,8 @@ TEST_F(SceneViewTest, KeepsImpactsOfTheLastMoments) {
   frame->time = 1.0;
   ImpactRecord impact;
   impact.time = 0.9;
-  impact.a = 1;
-  impact.b = 2;
+  impact.a = 1_b;
+  impact.b = 2_b;
   impact.normal_impulse = 1.0;
   impact.point = Vec2(2.0, 1.0);
   frame->impacts = {impact};
