@@ -56,6 +56,12 @@ std::string figure(double value) { return fmt::format("{:.11g}", value == 0.0 ? 
 
 std::string rough(double value) { return value == 0.0 ? "0" : fmt::format("{:.1e}", value); }
 
+const char* verdict_of(const Outcome& o) {
+  if (o.good) return "good";
+  if (!o.known) return "NOT KNOWN";
+  return std::isnan(o.measured) ? "NEVER CAME" : "FELL SHORT";
+}
+
 Row table_row(const std::string& name, const Preset& preset, const Expectation& e, const Outcome& o) {
   const bool came = !std::isnan(o.measured);
   const std::string unit = o.unit.empty() || o.unit == "1" ? "" : " " + o.unit;
@@ -65,9 +71,7 @@ Row table_row(const std::string& name, const Preset& preset, const Expectation& 
           figure(e.value) + unit,
           came ? rough(o.error) : "-",
           rough(e.tolerance),
-          o.good ? "good"
-          : came ? "FELL SHORT"
-                 : "NEVER CAME"};
+          verdict_of(o)};
 }
 
 void print_rows(const std::vector<Row>& rows) {
@@ -149,6 +153,7 @@ int check(const CheckOptions& options) {
   std::vector<Row> rows = {{"preset", "expectation", "measured", "expected", "error", "tolerance", "verdict"}};
   int all = 0;
   int good = 0;
+  bool known = true;
   for (const CheckedPreset& p : presets) {
     const std::vector<Outcome> outcomes = p.check.outcomes();
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -156,6 +161,7 @@ int check(const CheckOptions& options) {
       const Outcome& o = outcomes[i];
       ++all;
       good += o.good ? 1 : 0;
+      known = known && o.known;
       rows.push_back(table_row(p.name, p.preset, e, o));
       if (csv != nullptr) {
         CsvLine line;
@@ -170,6 +176,8 @@ int check(const CheckOptions& options) {
   print_rows(rows);
   print_out("\n{} of {} expectations of {} preset{} are met.\n", good, all, presets.size(),
             presets.size() == 1 ? "" : "s");
+  if (!known)
+    print_out("NOT KNOWN: there are no contact forces under impulses only; choose contacts that last.\n");
   if (!failures.empty()) throw SceneError(failures);
   return good == all ? kGood : kFellShort;
 }

@@ -8,6 +8,7 @@
 #include "physics/check/measure_run.h"
 #include "physics/math/least_squares.h"
 #include "physics/math/parallel.h"
+#include "physics/model/needs.h"
 #include "physics/observe/observables.h"
 #include "physics/preset/names.h"
 #include "physics/preset/preset.h"
@@ -176,7 +177,9 @@ ExpectationCheck::ExpectationCheck(const Preset& preset) : preset_(preset) {
 
 void ExpectationCheck::run(int index) {
   Run& r = runs_[static_cast<std::size_t>(index)];
-  r.values = measure_run(r.settings.empty() ? preset_ : variant(preset_, r.settings), r.expectations);
+  const Preset preset = r.settings.empty() ? preset_ : variant(preset_, r.settings);
+  r.values = measure_run(preset, r.expectations);
+  r.knows_contact_forces = knows_contact_forces(preset.method, needs_of(preset.scene));
 }
 
 std::vector<Outcome> ExpectationCheck::outcomes() const {
@@ -184,8 +187,11 @@ std::vector<Outcome> ExpectationCheck::outcomes() const {
   for (std::size_t i = 0; i < preset_.expect.size(); ++i) {
     const Expectation& e = preset_.expect[i];
     std::vector<double> values;
-    for (const Source& s : sources_[i]) values.push_back(runs_[s.run].values[s.index]);
     Outcome o;
+    for (const Source& s : sources_[i]) {
+      values.push_back(runs_[s.run].values[s.index]);
+      if (is_contact_force(e.observable)) o.known = o.known && runs_[s.run].knows_contact_forces;
+    }
     o.measured = e.over ? reduced(*e.over, std::move(values)) : values.front();
     o.error = o.measured - e.value;
     o.good = std::abs(o.error) <= e.tolerance;

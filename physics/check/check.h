@@ -13,6 +13,7 @@ struct Outcome {
   double measured = 0.0;  // NaN if the moment never came
   double error = 0.0;     // measured - value
   bool good = false;      // |error| <= tolerance
+  bool known = true;      // false: a contact force, of a method that has impulses only
   std::string unit;       // of the figures; empty for the unit of a sweep's place, which only its file knows
 };
 
@@ -39,6 +40,7 @@ class ExpectationCheck {
     std::vector<Setting> settings;
     std::vector<Expectation> expectations;
     std::vector<double> values;
+    bool knows_contact_forces = true;
   };
   // The contribution of one run to one expectation.
   struct Source {

@@ -70,6 +70,10 @@ struct PartEntry {
 [[nodiscard]] inline bool contacts_last(const Method& method, const Needs& needs) {
   return method.contacts == ContactsId::kLasting && needs.has(Part::kRestingContacts);
 }
+// False if bodies may rest on each other, and the method has impulses only.
+[[nodiscard]] inline bool knows_contact_forces(const Method& method, const Needs& needs) {
+  return method.contacts == ContactsId::kLasting || !needs.has(Part::kRestingContacts);
+}
 
 // For people: the parts that are modelled and those that are not needed, each a short noun.
 struct NeedsText {

@@ -55,12 +55,12 @@ double body_kinetic_energy(const Reading& r, Ids body) {
   return 0.5 * r.mass.mass[i] * r.state.velocity(i).squaredNorm() + 0.5 * r.mass.inertia[i] * spin * spin;
 }
 
-// The sum over the contacts of two bodies, named in either order.
+// The sum over the contacts of two bodies, named in either order; NaN where it is not known.
 template <class Value>
 double between(const Reading& r, Ids pair, const Value& value) {
   const BodyIndex a = std::min(pair[0], pair[1]);
   const BodyIndex b = std::max(pair[0], pair[1]);
-  double sum = 0.0;
+  double sum = r.contacts_known ? 0.0 : std::numeric_limits<double>::quiet_NaN();
   for (const ContactForce& f : r.contacts) {
     if (f.a == a && f.b == b) sum += value(f);
   }
@@ -307,7 +307,12 @@ Reading reading_of(const Simulation& simulation, const ImpactTally& tally) {
           simulation.mass(),
           simulation.shapes(),
           simulation.welded(),
-          simulation.contact_forces()};
+          simulation.contact_forces(),
+          knows_contact_forces(simulation.method(), simulation.needs())};
+}
+
+bool is_contact_force(std::string_view observable) {
+  return observable == "contact_force" || observable == "friction_force";
 }
 
 std::span<const Observable> observables() { return kObservables; }

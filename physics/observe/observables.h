@@ -72,6 +72,7 @@ struct Reading {
   const Geometry& shapes;
   const WeldedBodies& welded;
   std::span<const ContactForce> contacts;
+  bool contacts_known;  // false: bodies may rest on each other, and the method has impulses only
   const ReferenceReading* reference = nullptr;  // none: errors are NaN
 };
 
@@ -95,6 +96,9 @@ struct Observable {
 
 // All observables, each described in the table itself and in app/help/presets.md.
 [[nodiscard]] std::span<const Observable> observables();
+
+// Of two bodies, known only where contacts last or nothing can rest.
+[[nodiscard]] bool is_contact_force(std::string_view observable);
 
 // nullptr if there is none with that name.
 [[nodiscard]] const Observable* find_observable(std::string_view name);

@@ -79,7 +79,8 @@ void Sampler::after_step(const Simulation& simulation) {
                    end.mass,
                    end.shapes,
                    end.welded,
-                   end.contacts};
+                   end.contacts,
+                   end.contacts_known};
         at.ledger.add(share, smooth);
         at.ledger.add(1.0, ledger_of_quadratures(*state));
         append(at);

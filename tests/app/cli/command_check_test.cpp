@@ -72,6 +72,23 @@ TEST(CheckCommand, AMomentThatNeverComesGivesOne) {
   EXPECT_TRUE(holds(result.out, "NEVER CAME")) << result.out;
 }
 
+// A ball on a floor weighs 9.81 N. Under impulses alone nothing says so, and 0 would be a lie.
+TEST(CheckCommand, AContactForceUnderImpulsesIsNotKnown) {
+  const Program carom;
+  carom.write("weight.json",
+              R"({"format": "carom-preset", "version": 1, "title": "t", "duration": 1, "gravity": [0, -9.81],
+          "materials": [{"name": "default", "restitution": 0}],
+          "bodies": [{"name": "ball", "mass": 1, "shape": {"type": "disc", "radius": 0.1}, "position": [0, 0.1]},
+            {"name": "floor", "fixed": true, "shape": {"type": "box", "width": 1, "height": 1}, "position": [0, -0.5]}],
+          "expect": [{"observable": "contact_force", "bodies": ["ball", "floor"], "reduction": "final",
+            "value": 9.81, "tolerance": 1e-9}]})");
+  ProgramResult result = carom({"check", "weight.json", "--contacts", "lasting"});
+  EXPECT_EQ(result.code, 0) << result.out << result.err;
+  result = carom({"check", "weight.json", "--contacts", "impulse"});
+  EXPECT_EQ(result.code, 1) << result.err;
+  EXPECT_TRUE(holds(result.out, "NOT KNOWN: there are no contact forces under impulses only")) << result.out;
+}
+
 TEST(CheckCommand, CsvHasAllDigits) {
   const Program carom;
   carom.write("two.json", preset_with(std::string(kWrong) + "," + kSwept + "," + kNever));
