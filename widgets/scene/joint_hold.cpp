@@ -100,6 +100,57 @@ void turn_about(std::vector<Body>& bodies, const Vec2& place, double angle) {
   }
 }
 
+// Edited bodies that move as one, and what holds them; holds count the members.
+struct HeldGroup {
+  std::vector<std::size_t> members;
+  std::vector<Hold> holds;
+
+  [[nodiscard]] std::vector<Body> of(std::span<const Body> bodies) const {
+    std::vector<Body> own;
+    for (const std::size_t member : members) own.push_back(bodies[member]);
+    return own;
+  }
+  void put(std::span<const Body> own, std::vector<Body>& bodies) const {
+    for (std::size_t k = 0; k < members.size(); ++k) bodies[members[k]] = own[k];
+  }
+};
+
+std::vector<HeldGroup> groups_of(std::span<const Hold> holds) {
+  std::vector<HeldGroup> groups;
+  for (const Hold& hold : holds) {
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const HeldGroup& each) { return each.members == hold.moves; });
+    if (group == groups.end()) group = groups.insert(group, {hold.moves, {}});
+    Hold& own = group->holds.emplace_back(hold);
+    own.body = static_cast<std::size_t>(std::lower_bound(hold.moves.begin(), hold.moves.end(), hold.body) -
+                                        hold.moves.begin());
+  }
+  return groups;
+}
+
+// In rising order.
+std::vector<std::size_t> coupled_to(std::size_t body, std::span<const Body> bodies,
+                                    std::span<const Joint> joints) {
+  std::vector<bool> in(bodies.size(), false);
+  in[body] = true;
+  for (bool more = true; std::exchange(more, false);) {
+    for (const Joint& joint : joints) {
+      const Body* a = named(bodies, joint.body);
+      const Body* b = named(bodies, joint.to);
+      if (a == nullptr || b == nullptr) continue;
+      const auto of_a = static_cast<std::size_t>(a - bodies.data());
+      const auto of_b = static_cast<std::size_t>(b - bodies.data());
+      if (in[of_a] == in[of_b]) continue;
+      in[of_a] = in[of_b] = more = true;
+    }
+  }
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < in.size(); ++i) {
+    if (in[i]) found.push_back(i);
+  }
+  return found;
+}
+
 // A move of pinned bodies, as a turn about the first pin.
 void swing(std::vector<Body>& bodies, std::span<const Body> from, const Hold& pin, const Vec2& grip) {
   const Vec2 moved = bodies[0].position - from[0].position;
@@ -107,6 +158,54 @@ void swing(std::vector<Body>& bodies, std::span<const Body> from, const Hold& pi
   const Vec2 before = grip - pin.anchor;
   const Vec2 after = before + moved;
   turn_about(bodies, pin.anchor, std::atan2(cross(before, after), before.dot(after)));
+}
+
+bool hold_velocities_as_one(std::vector<Body>& bodies, std::span<const Hold> holds) {
+  Rows rows;
+  double wrong = 0.0;
+  double speed = 0.0;
+  for (const Hold& hold : holds) {
+    const Body& body = bodies[hold.body];
+    if (has_infinite_mass(body) || hold.joint.kind == JointKind::kString) continue;
+    const Vec2 relative = velocity_of(body, end_of(hold, bodies)) - hold.velocity;
+    const Vec2 line = along(hold, bodies);
+    const bool rod = hold.joint.kind == JointKind::kRod;
+    if (rod) {
+      rows.add(line, -line.dot(relative));
+    } else {
+      rows.add(Vec2::UnitX(), -relative.x());
+      rows.add(Vec2::UnitY(), -relative.y());
+    }
+    wrong = std::max(wrong, rod ? std::abs(line.dot(relative)) : relative.norm());
+    speed = std::max(speed, body.velocity.norm() + hold.velocity.norm());
+  }
+  if (wrong <= kAllowed * speed) return false;
+  const Vec2 change = rows.solution();
+  for (Body& body : bodies) {
+    if (!has_infinite_mass(body)) body.velocity += change;
+  }
+  return true;
+}
+
+std::optional<std::vector<Body>> held_as_one(std::span<const Body> from, std::span<const Body> wanted,
+                                             std::span<const Hold> holds, const Vec2& grip) {
+  std::vector<Body> bodies(wanted.begin(), wanted.end());
+  const auto pin = std::find_if(holds.begin(), holds.end(),
+                                [](const Hold& hold) { return hold.joint.kind == JointKind::kPin; });
+  const bool moves = from[0].angle == wanted[0].angle && from[0].position != wanted[0].position;
+  if (pin != holds.end() && moves) swing(bodies, from, *pin, grip);
+  for (int step = 0; step < kSteps; ++step) {
+    const Rows rows = missing_places(holds, bodies);
+    if (rows.a.empty()) break;
+    const Vec2 change = rows.solution();
+    for (Body& body : bodies) body.position += change;
+    if (change.norm() <= 0.1 * kRounding * bodies[0].position.norm()) break;
+  }
+  if (!std::all_of(holds.begin(), holds.end(), [&](const Hold& hold) { return keeps(hold, bodies); })) {
+    return std::nullopt;
+  }
+  hold_velocities_as_one(bodies, holds);
+  return bodies;
 }
 
 }  // namespace
@@ -165,6 +264,7 @@ std::vector<Hold> holds_of(std::span<const Body> bodies, const Surroundings& nei
     if (other == nullptr && !(at_body && joint.to.empty())) continue;
     Hold hold{.joint = joint,
               .body = static_cast<std::size_t>(body - bodies.data()),
+              .moves = coupled_to(static_cast<std::size_t>(body - bodies.data()), bodies, neighbours.joints),
               .at_body = at_body,
               .point = at_body ? joint.point : joint.anchor,
               .anchor = {},
@@ -194,49 +294,25 @@ bool keeps(const Hold& hold, std::span<const Body> bodies) {
 std::optional<std::vector<Body>> held(std::span<const Body> from, std::span<const Body> wanted,
                                       std::span<const Hold> holds, const Vec2& grip) {
   std::vector<Body> bodies(wanted.begin(), wanted.end());
-  const auto pin = std::find_if(holds.begin(), holds.end(),
-                                [](const Hold& hold) { return hold.joint.kind == JointKind::kPin; });
-  const bool moves = from[0].angle == wanted[0].angle && from[0].position != wanted[0].position;
-  if (pin != holds.end() && moves) swing(bodies, from, *pin, grip);
-  for (int step = 0; step < kSteps; ++step) {
-    const Rows rows = missing_places(holds, bodies);
-    if (rows.a.empty()) break;
-    const Vec2 change = rows.solution();
-    for (Body& body : bodies) body.position += change;
-    if (change.norm() <= 0.1 * kRounding * bodies[0].position.norm()) break;
+  for (const HeldGroup& group : groups_of(holds)) {
+    const std::vector<Body> own_from = group.of(from);
+    const Vec2 own_grip = group.members[0] == 0 ? grip : own_from[0].position;
+    const std::optional<std::vector<Body>> own = held_as_one(own_from, group.of(wanted), group.holds, own_grip);
+    if (!own) return std::nullopt;
+    group.put(*own, bodies);
   }
-  if (!std::all_of(holds.begin(), holds.end(), [&](const Hold& hold) { return keeps(hold, bodies); })) {
-    return std::nullopt;
-  }
-  hold_velocities(bodies, holds);
   return bodies;
 }
 
 bool hold_velocities(std::vector<Body>& bodies, std::span<const Hold> holds) {
-  Rows rows;
-  double wrong = 0.0;
-  double speed = 0.0;
-  for (const Hold& hold : holds) {
-    const Body& body = bodies[hold.body];
-    if (has_infinite_mass(body) || hold.joint.kind == JointKind::kString) continue;
-    const Vec2 relative = velocity_of(body, end_of(hold, bodies)) - hold.velocity;
-    const Vec2 line = along(hold, bodies);
-    const bool rod = hold.joint.kind == JointKind::kRod;
-    if (rod) {
-      rows.add(line, -line.dot(relative));
-    } else {
-      rows.add(Vec2::UnitX(), -relative.x());
-      rows.add(Vec2::UnitY(), -relative.y());
-    }
-    wrong = std::max(wrong, rod ? std::abs(line.dot(relative)) : relative.norm());
-    speed = std::max(speed, body.velocity.norm() + hold.velocity.norm());
+  bool changed = false;
+  for (const HeldGroup& group : groups_of(holds)) {
+    std::vector<Body> own = group.of(bodies);
+    if (!hold_velocities_as_one(own, group.holds)) continue;
+    group.put(own, bodies);
+    changed = true;
   }
-  if (wrong <= kAllowed * speed) return false;
-  const Vec2 change = rows.solution();
-  for (Body& body : bodies) {
-    if (!has_infinite_mass(body)) body.velocity += change;
-  }
-  return true;
+  return changed;
 }
 
 Joint refitted(const Hold& hold, std::span<const Body> bodies) {

@@ -57,6 +57,31 @@ TEST(JointHold, ABobSwingsOnItsCircle) {
   }
 }
 
+// What nothing holds goes where it is dragged, at its own velocity, though another of the bodies is held.
+// Bodies that a rod couples move as one.
+TEST(JointHold, OfSeveralBodiesOnlyTheHeldOnesAreHeld) {
+  for (const std::size_t free : {0U, 1U}) {
+    DragStart start = start_of(disc_at("A", 0.0, -0.5), joint_of(JointKind::kRod, "A", "", {0.0, 0.0}));
+    start.bodies[0].velocity = Vec2(1.0, 0.0);
+    start.bodies.insert(start.bodies.begin() + static_cast<std::ptrdiff_t>(free), disc_at("B", 0.6, 0.0));
+    start.press = start.bodies[0].position;
+    const std::size_t bob = 1 - free;
+    const Dragged dragged = drag(start, start.press + Vec2(0.15, 0.3), Qt::NoModifier);
+    const Body& b = dragged.bodies[free];
+    EXPECT_LT((b.position - start.bodies[free].position - Vec2(0.15, 0.3)).norm(), 1e-12) << free;
+    EXPECT_EQ(b.velocity, Vec2::Zero());
+    const Body& a = dragged.bodies[bob];
+    EXPECT_NEAR(a.position.norm(), 0.5, 1e-12);
+    EXPECT_NEAR(a.position.dot(a.velocity), 0.0, 1e-12);
+
+    start.joints.push_back(joint_of(JointKind::kRod, "B", "A", Vec2::Zero()));
+    const Dragged together = drag(start, start.press + Vec2(0.15, 0.3), Qt::NoModifier);
+    EXPECT_NEAR((together.bodies[0].position - together.bodies[1].position).norm(),
+                (start.bodies[0].position - start.bodies[1].position).norm(), 1e-12);
+    EXPECT_NEAR(together.bodies[bob].position.norm(), 0.5, 1e-12);
+  }
+}
+
 TEST(JointHold, AStringLetsItComeNearer) {
   Joint string = joint_of(JointKind::kString, "A", "", {0.0, 0.0});
   string.length = 0.5;
