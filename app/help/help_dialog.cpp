@@ -12,7 +12,9 @@
 #include <QTextTable>
 #include <QVBoxLayout>
 #include <array>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "physics/preset/preset.h"
 
@@ -22,9 +24,10 @@ static void load_help() { Q_INIT_RESOURCE(help); }
 namespace carom {
 namespace {
 
-// Files of app/help and their titles, in the order of the list.
+// Files of app/help and their titles, in the order of the list; the page of keys has no file.
 constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
     {"first-lesson", QT_TRANSLATE_NOOP("QObject", "A first lesson")},
+    {"", QT_TRANSLATE_NOOP("QObject", "Keys")},
     {"hands", QT_TRANSLATE_NOOP("QObject", "Working by hand")},
     {"model", QT_TRANSLATE_NOOP("QObject", "The model")},
     {"presets", QT_TRANSLATE_NOOP("QObject", "Preset files")},
@@ -32,6 +35,8 @@ constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
     {"export", QT_TRANSLATE_NOOP("QObject", "Taking it away")},
     {"study", QT_TRANSLATE_NOOP("QObject", "Speed against error")},
 });
+
+constexpr int kKeysRow = 1;
 
 // Adds space between paragraphs, before headings and in tables, which Markdown cannot specify.
 void space_out(QTextDocument& document, const QColor& lines) {
@@ -56,32 +61,42 @@ void space_out(QTextDocument& document, const QColor& lines) {
   }
 }
 
-QString page_text(const char* name) {
-  QFile page(QString(":/help/%1.md").arg(name));
-  return page.open(QIODevice::ReadOnly) ? QString::fromUtf8(page.readAll()) : QString();
+struct Page {
+  QString title;
+  QString text;  // Markdown
+};
+
+std::vector<Page> pages_with(const QString& keys) {
+  std::vector<Page> pages;
+  for (const auto& [name, title] : kPages) {
+    QFile file(QString(":/help/%1.md").arg(name));
+    pages.push_back(
+        {QObject::tr(title), file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : keys});
+  }
+  return pages;
 }
 
-void show_page(QTextBrowser& text, const char* name) {
-  text.setMarkdown(page_text(name));
+void show_page(QTextBrowser& text, const Page& page) {
+  text.setMarkdown(page.text);
   space_out(*text.document(), text.palette().color(QPalette::Mid));
   text.moveCursor(QTextCursor::Start);
 }
 
 // Pages without what is looked for are hidden; the first place of it on the shown page is selected.
-void search(const QString& wanted, QListWidget& list, QTextBrowser& text) {
+void search(const QString& wanted, const std::vector<Page>& pages, QListWidget& list, QTextBrowser& text) {
   int first = -1;
   for (int row = 0; row < list.count(); ++row) {
-    const bool has =
-        page_text(kPages[static_cast<std::size_t>(row)].first).contains(wanted, Qt::CaseInsensitive);
+    const bool has = pages[static_cast<std::size_t>(row)].text.contains(wanted, Qt::CaseInsensitive);
     list.item(row)->setHidden(!has);
     if (has && first < 0) first = row;
   }
-  if (first < 0) return text.setPlainText(QObject::tr("No page has “%1”.").arg(wanted));
-  if (list.currentItem()->isHidden()) {
-    list.setCurrentRow(first);
-  } else {
-    show_page(text, kPages[static_cast<std::size_t>(list.currentRow())].first);
+  // Rendering a page takes longer than all the searches: it is done only where another page is shown.
+  if (first < 0) {
+    list.setCurrentRow(-1);
+    return text.setPlainText(QObject::tr("No page has “%1”.").arg(wanted));
   }
+  if (list.currentRow() < 0 || list.currentItem()->isHidden()) list.setCurrentRow(first);
+  text.moveCursor(QTextCursor::Start);
   if (!wanted.isEmpty()) text.find(wanted);
 }
 
@@ -100,8 +115,9 @@ void search_next(const QString& wanted, QListWidget& list, QTextBrowser& text) {
 
 }  // namespace
 
-void show_help(QWidget* parent) {
+void show_help(QWidget* parent, const QString& keys, HelpPage page) {
   load_help();
+  const auto pages = std::make_shared<const std::vector<Page>>(pages_with(keys));
   auto* dialog = new QDialog(parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(QObject::tr("Help – Carom"));
@@ -112,28 +128,28 @@ void show_help(QWidget* parent) {
   auto* wanted = new QLineEdit(dialog);
   wanted->setPlaceholderText(QObject::tr("Search the help"));
   wanted->setClearButtonEnabled(true);
-  for (const auto& [name, title] : kPages) list->addItem(QObject::tr(title));
+  for (const Page& each : *pages) list->addItem(each.title);
   auto* text = new QTextBrowser(dialog);
   text->setOpenExternalLinks(true);
   text->document()->setDocumentMargin(18);
-  QObject::connect(list, &QListWidget::currentRowChanged, text, [text](int row) {
-    if (row >= 0) show_page(*text, kPages[static_cast<std::size_t>(row)].first);
+  QObject::connect(list, &QListWidget::currentRowChanged, text, [pages, text](int row) {
+    if (row >= 0) show_page(*text, (*pages)[static_cast<std::size_t>(row)]);
   });
-  list->setCurrentRow(0);
+  list->setCurrentRow(page == HelpPage::kKeys ? kKeysRow : 0);
   QObject::connect(wanted, &QLineEdit::textChanged, text,
-                   [list, text](const QString& now) { search(now, *list, *text); });
+                   [pages, list, text](const QString& now) { search(now, *pages, *list, *text); });
   QObject::connect(wanted, &QLineEdit::returnPressed, text,
                    [wanted, list, text] { search_next(wanted->text(), *list, *text); });
-  auto* pages = new QWidget(dialog);
-  pages->setFixedWidth(190);
-  auto* column = new QVBoxLayout(pages);
+  auto* side = new QWidget(dialog);
+  side->setFixedWidth(190);
+  auto* column = new QVBoxLayout(side);
   column->setContentsMargins(8, 8, 8, 0);
   column->addWidget(wanted);
   column->addWidget(list, 1);
   auto* row = new QHBoxLayout(dialog);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  row->addWidget(pages);
+  row->addWidget(side);
   row->addWidget(text, 1);
   dialog->show();
 }

@@ -9,6 +9,7 @@
 #include <array>
 
 #include "app/help/help_dialog.h"
+#include "app/help/keys_page.h"
 #include "app/lab/document_files.h"
 #include "app/lab/drawer.h"
 #include "app/lab/floating_panel.h"
@@ -312,7 +313,10 @@ void LabWindow::make_start_chip_menu() {
 
 void LabWindow::make_help_menu() {
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  add_action(help, "help", tr("&Help pages"), QKeySequence::HelpContents, [this] { show_help(this); });
+  add_action(help, "help", tr("&Help pages"), QKeySequence::HelpContents,
+             [this] { show_help(this, keys_page(*menuBar())); });
+  add_action(help, "", tr("&Keys"), Qt::Key_Question,
+             [this] { show_help(this, keys_page(*menuBar()), HelpPage::kKeys); });
   add_action(help, "", tr("&About Carom"), QKeySequence(), [this] {
     show_message(this, tr("About Carom"), tr("Carom %1").arg(CAROM_VERSION),
                  tr("A lab for two-dimensional rigid-body collisions.\n\n"

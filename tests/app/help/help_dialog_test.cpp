@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <QTest>
 #include <QTextBrowser>
+#include <QTextDocument>
 #include <QWidget>
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ namespace {
 
 TEST(HelpDialog, IsSearched) {
   QWidget window;
-  show_help(&window);
+  show_help(&window, "# Keys\n\nSpace plays.");
   auto* field = window.findChild<QLineEdit*>();
   auto* pages = window.findChild<QListWidget*>("help-pages");
   auto* text = window.findChild<QTextBrowser*>();
@@ -38,6 +39,21 @@ TEST(HelpDialog, IsSearched) {
   field->clear();
   EXPECT_EQ(shown(), all);
   EXPECT_FALSE(text->toPlainText().contains("No page has"));
+}
+
+// A page is rendered where another one is shown, not at each letter: that takes longer than all the searches.
+TEST(HelpDialog, LettersRenderNoPageAgain) {
+  QWidget window;
+  show_help(&window, "# Keys\n\nSpace plays.", HelpPage::kKeys);
+  auto* text = window.findChild<QTextBrowser*>();
+  auto* field = window.findChild<QLineEdit*>();
+  ASSERT_TRUE(text->toPlainText().contains("Space plays."));
+  const QTextDocument* shown = text->document();
+  int rendered = 0;
+  QObject::connect(shown, &QTextDocument::contentsChanged, &window, [&] { ++rendered; });
+  QTest::keyClicks(field, "space");
+  EXPECT_EQ(rendered, 0);
+  EXPECT_EQ(text->textCursor().selectedText().toLower(), "space");
 }
 
 }  // namespace
