@@ -50,7 +50,9 @@ QString rows_of(const QMenu& menu) {
 }
 
 QString section(const QString& title, const QString& rows) {
-  return rows.isEmpty() ? QString() : QString("## %1\n\n| | |\n|---|---|\n%2\n").arg(title, rows);
+  return rows.isEmpty()
+             ? QString()
+             : QString("## %1\n\n| %2 | %3 |\n|---|---|\n%4\n").arg(title, tr("key"), tr("what it does"), rows);
 }
 
 }  // namespace

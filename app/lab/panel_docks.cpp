@@ -35,7 +35,7 @@ constexpr std::array<Standard, PanelDocks::kPanels> kStandard = {{
     {PanelDocks::kRight, 300, 300},
     {PanelDocks::kBottom, 190, 190},
 }};
-constexpr int kLarge = 900;  // px, from which height of all panels on a window is large
+constexpr int kLarge = 660;  // px, from which height of all panels on a window is large
 constexpr std::array<Panel, PanelDocks::kPanels> kAll = {PanelDocks::kInspector, PanelDocks::kPlots,
                                                          PanelDocks::kDrawer};
 // In settings.

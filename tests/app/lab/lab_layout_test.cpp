@@ -88,18 +88,18 @@ TEST_F(LabLayoutTest, InspectorAndPlotsAreTabsWhereThereIsLittleRoom) {
   }
 }
 
-TEST_F(LabLayoutTest, TheInspectorIsHigherInALargeWindow) {
-  EXPECT_NEAR(inspector_height(), 300, 1);
-  resize({1920, 1080});
-  action("Standard layout")->trigger();
+TEST_F(LabLayoutTest, TheInspectorIsLowerInASmallWindow) {
   EXPECT_NEAR(inspector_height(), 408, 1);
+  resize({1366, 720});
+  action("Standard layout")->trigger();
+  EXPECT_NEAR(inspector_height(), 300, 1);
   window_.keep_layout(settings_);
   LabWindow next(light_theme());
   next.restore_layout(settings_);
   next.resize(1280, 800);
   next.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&next));
-  EXPECT_NEAR(inspector_height(next), 300, 1) << "nobody has pulled it";
+  EXPECT_NEAR(inspector_height(next), 408, 1) << "nobody has pulled it";
 }
 
 TEST_F(LabLayoutTest, NoNumberIsCutInTheNarrowInspector) {
