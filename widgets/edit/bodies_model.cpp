@@ -55,7 +55,7 @@ TypedCell typed_cell(const std::vector<Body>& bodies, int row, int column, const
   if (column == BodiesModel::kBody) return typed_name(bodies, body, text);
   const std::optional<Inspected> value = inspected_value(body, spoken_column(column).place);
   if (!value) return {};
-  const TypedValues typed = typed_values(text, value->name, value->range, value->values);
+  const TypedValues typed = typed_values(text, value->name, value->range, value->values, value->formula_names);
   if (!typed.fault.isEmpty()) return {{}, typed.fault};
   if (typed.values == value->values) return {};
   return {{value->edits(typed.values), value->undo_name(value->values, typed.values)}, {}};

@@ -11,6 +11,7 @@
 #include "physics/scene/part_id.h"
 #include "physics/scene/scene.h"
 #include "widgets/edit/field_rows.h"
+#include "widgets/edit/quantity.h"
 
 // What the inspector shows of a scene, and which edits its fields make; no widgets.
 namespace carom {
@@ -28,8 +29,9 @@ struct Inspected {
   QString subject;  // whose it is, if the selection doesn't say so: "wood"
   QString meaning;  // for tooltips
   Range range;
-  std::vector<double> values;  // SI
-  QString unset;               // what a field reads, in grey, whose value is not given; `values` hold meanwhile
+  std::vector<double> values;                 // SI
+  std::vector<FormulaNames> formula_names{};  // that a formula knows for each value, or none
+  QString unset;  // what a field reads, in grey, whose value is not given; `values` hold meanwhile
   // The edits that give the parts these values, in the same order.
   std::function<SceneEdits(const std::vector<double>&)> edits;
   // What an edit from the first to the second values is called in the undo stack.

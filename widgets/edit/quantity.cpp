@@ -71,11 +71,19 @@ QString with_decimal_points(QString text) {
   return text;
 }
 
-QString reason_of(const mu::Parser::exception_type& error) {
+// "g, pi, e and m"
+QString known_names(const FormulaNames& names) {
+  QStringList known{"g", "pi", "e"};
+  for (const FormulaName& each : names) known << each.name;
+  const QString last = known.takeLast();
+  return known.join(", ") + " and " + last;
+}
+
+QString reason_of(const mu::Parser::exception_type& error, const FormulaNames& names) {
   switch (error.GetCode()) {
     case mu::ecUNASSIGNABLE_TOKEN:
-      return QString("“%1” is not known; formulas know g, pi and e.")
-          .arg(QString::fromStdString(error.GetToken()).trimmed());
+      return QString("“%1” is not known; formulas know %2.")
+          .arg(QString::fromStdString(error.GetToken()).trimmed(), known_names(names));
     case mu::ecUNEXPECTED_EOF:
       return "The formula ends too soon.";
     case mu::ecMISSING_PARENS:
@@ -96,7 +104,7 @@ struct Evaluated {
   QString fault;
 };
 
-Evaluated evaluated(const QString& formula) {
+Evaluated evaluated(const QString& formula, const FormulaNames& names) {
   if (is_too_large(formula)) return {formula.toDouble(), {}};
   try {
     mu::Parser parser;
@@ -104,13 +112,14 @@ Evaluated evaluated(const QString& formula) {
     parser.DefineConst("g", kGravity);
     parser.DefineConst("pi", std::numbers::pi);
     parser.DefineConst("e", std::numbers::e);
+    for (const FormulaName& each : names) parser.DefineConst(each.name, each.value);
     parser.SetExpr(formula.toStdString());
     const double value = parser.Eval();
     if (parser.GetNumResults() != 1) return {0.0, "This is more than one number."};
     if (!std::isfinite(value)) return {0.0, "This formula has no value."};
     return {value, {}};
   } catch (const mu::Parser::exception_type& error) {
-    return {0.0, reason_of(error)};
+    return {0.0, reason_of(error, names)};
   } catch (const std::exception&) {
     return {0.0, "This is no number and no formula."};
   }
@@ -141,7 +150,7 @@ double ValueChange::of(double old) const {
   return number;
 }
 
-TypedQuantity typed_quantity(const QString& typed, std::string_view si) {
+TypedQuantity typed_quantity(const QString& typed, std::string_view si, const FormulaNames& names) {
   if (typed.size() > kLongest) return {{}, "This is too long."};
   QString text = with_plain_signs(typed);
   const ValueChange::Kind kind = take_operator(text);
@@ -150,7 +159,7 @@ TypedQuantity typed_quantity(const QString& typed, std::string_view si) {
   if (text.isEmpty()) return {{}, "A number is missing."};
   if (factor && unit) return {{}, "A factor has no unit."};
   if (const QString foreign = foreign_unit(text); !foreign.isEmpty()) return {{}, unit_sentence(foreign, si)};
-  const Evaluated result = evaluated(with_decimal_points(text));
+  const Evaluated result = evaluated(with_decimal_points(text), names);
   if (!result.fault.isEmpty()) return {{}, result.fault};
   if (kind == ValueChange::Kind::kDivide && result.value == 0.0) return {{}, "Nothing is divided by 0."};
   const double scale = factor ? 1.0 : unit.value_or(units_of(si).front()).factor;
@@ -158,15 +167,17 @@ TypedQuantity typed_quantity(const QString& typed, std::string_view si) {
 }
 
 TypedValues typed_values(const QString& text, const QString& label, const Range& range,
-                         const std::vector<double>& old) {
-  const TypedQuantity typed = typed_quantity(text, range.unit);
-  if (!typed.change) return {{}, typed.fault};
-  std::vector<double> values = old;
-  if (std::isinf(typed.change->number))
-    return {{}, "This number is too large. " + range_sentence(label, typed.change->number, range)};
-  for (double& value : values) {
-    value = typed.change->of(value);
-    if (!range.contains(value)) return {{}, range_sentence(label, value, range)};
+                         const std::vector<double>& old, const std::vector<FormulaNames>& names) {
+  std::vector<double> values;
+  TypedQuantity typed;
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    if (i == 0 || !names.empty())
+      typed = typed_quantity(text, range.unit, names.empty() ? FormulaNames() : names[i]);
+    if (!typed.change) return {{}, typed.fault};
+    if (std::isinf(typed.change->number))
+      return {{}, "This number is too large. " + range_sentence(label, typed.change->number, range)};
+    values.push_back(typed.change->of(old[i]));
+    if (!range.contains(values.back())) return {{}, range_sentence(label, values.back(), range)};
   }
   return {values, {}};
 }

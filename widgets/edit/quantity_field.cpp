@@ -66,6 +66,7 @@ void QuantityField::show_value(const Inspected& value) {
   range_ = value.range;
   name_ = value.name;
   values_ = value.values;
+  formula_names_ = value.formula_names;
   is_given_ = value.unset.isEmpty();
   may_be_empty_ = value.emptied.has_value();
   refusal_ = value.refusal;
@@ -94,7 +95,7 @@ QString QuantityField::take(const QString& text) {
     return {};
   }
   if (!refusal_.isEmpty()) return refusal_;
-  const TypedValues typed = typed_values(text, name_, range_, values_);
+  const TypedValues typed = typed_values(text, name_, range_, values_, formula_names_);
   if (!typed.fault.isEmpty()) return typed.fault;
   QString fault = value_fault_ ? value_fault_(typed.values) : QString();
   if (!fault.isEmpty()) return fault;

@@ -57,6 +57,7 @@ class QuantityField : public TypedField {
   QString name_;
   QString unit_;
   std::vector<double> values_;
+  std::vector<FormulaNames> formula_names_;
   bool is_given_ = true;
   bool may_be_empty_ = false;
   QString refusal_;

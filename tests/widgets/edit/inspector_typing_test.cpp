@@ -22,6 +22,18 @@ TEST_F(InspectorTest, ATypedMassIsAnEditByItself) {
   EXPECT_EQ(made_.size(), 1U) << "nothing was typed";
 }
 
+TEST_F(InspectorTest, AFormulaKnowsTheBody) {
+  select({"light"});
+  enter(field("Mass, kg"), "3*m + 0*r + 0*v");
+  EXPECT_EQ(light().mass, 3.0);
+  enter(field("Position x, m"), "x - 2*r");
+  EXPECT_NEAR(light().position.x(), -1.0 - 2.0 * std::get<Disc>(light().shape).radius, 1e-15);
+  select({});
+  QLineEdit* e = field("e of wood");
+  enter(e, "r");
+  EXPECT_EQ(sentences(), QStringList{"“r” is not known; formulas know g, pi and e."});
+}
+
 TEST_F(InspectorTest, TheSameValueTypedOtherwiseIsNoEdit) {
   select({"light"});
   QLineEdit* x = field("Position x, m");

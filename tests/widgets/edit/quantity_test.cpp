@@ -115,6 +115,18 @@ TEST(Quantity, SaysInASentenceWhatItCannotRead) {
   }
 }
 
+TEST(Quantity, FormulasKnowWhatTheyAreGiven) {
+  const std::vector<FormulaNames> names = {{{"m", 2.0}, {"r", 0.1}}, {{"m", 3.0}, {"r", 0.2}}};
+  const Range any;
+  EXPECT_EQ(typed_values("2*m + r", "Mass", any, {0.0, 0.0}, names).values, (std::vector<double>{4.1, 6.2}));
+  EXPECT_EQ(typed_values("+m", "Mass", any, {1.0, 1.0}, names).values, (std::vector<double>{3.0, 4.0}));
+  EXPECT_EQ(typed_values("2*v", "Mass", any, {0.0}, names).fault,
+            "“v” is not known; formulas know g, pi, e, m and r.");
+  // A unit stays a unit.
+  EXPECT_EQ(typed_values("2 m", "Position x", {.unit = "m"}, {0.0}, names).values, std::vector<double>{2.0});
+  EXPECT_EQ(typed_values("m", "Position x", {.unit = "m"}, {0.0}, names).values, std::vector<double>{2.0});
+}
+
 TEST(Quantity, ANumberThatIsTooLargeIsSaidToBe) {
   const Range fraction{.low = 0.0, .high = 1.0};
   EXPECT_EQ(typed_values("1e400", "e", fraction, {0.5}).fault,
