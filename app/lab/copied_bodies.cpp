@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <unordered_map>
+
+#include "widgets/scene/new_body.h"
 
 namespace carom {
 namespace {
@@ -27,6 +30,16 @@ std::string stem_of(const std::string& name) {
   const std::size_t end = name.find_last_not_of("0123456789");
   return end != std::string::npos && end > 0 && end + 1 < name.size() && name[end] == '-' ? name.substr(0, end)
                                                                                           : name;
+}
+
+// A copy of a new body, which has a letter, has one too.
+std::string name_of_copy(const std::vector<Body>& bodies, const std::string& name) {
+  const bool letter = name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z';
+  return letter ? new_body_name(bodies) : free_body_name(bodies, stem_of(name));
+}
+
+bool overlaps(const Extent& a, const Extent& b) {
+  return (a.lower.array() < b.upper.array()).all() && (b.lower.array() < a.upper.array()).all();
 }
 
 }  // namespace
@@ -63,7 +76,7 @@ Paste paste_into(const Scene& scene, const Preset& from, const Vec2& shift) {
     const std::string name =
         has(paste.names, body.name) ||
                 std::any_of(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == body.name; })
-            ? free_body_name(bodies, stem_of(body.name))
+            ? name_of_copy(bodies, body.name)
             : body.name;
     renamed.emplace(body.name, name);
     body.name = name;
@@ -99,6 +112,26 @@ Extent extent_of(const std::vector<Body>& bodies) {
     all.upper = all.upper.cwiseMax(body.position + half);
   }
   return all;
+}
+
+Vec2 shift_beside(const std::vector<Body>& copied, const std::vector<Body>& others, const Extent& seen) {
+  const Extent own = extent_of(copied);
+  const Vec2 size = own.upper - own.lower;
+  if (!(size.array() >= 0.0).all()) return Vec2::Zero();
+  const Vec2 steps[] = {
+      {1.1 * size.x(), 0.0}, {0.0, 1.1 * size.y()}, {-1.1 * size.x(), 0.0}, {0.0, -1.1 * size.y()}};
+  std::optional<Vec2> in_sight;
+  for (const Vec2& step : steps) {
+    const Extent there{own.lower + step, own.upper + step};
+    const bool is_seen =
+        (there.lower.array() >= seen.lower.array()).all() && (there.upper.array() <= seen.upper.array()).all();
+    if (!is_seen) continue;
+    const bool is_free = std::none_of(others.begin(), others.end(),
+                                      [&](const Body& body) { return overlaps(there, extent_of({body})); });
+    if (is_free) return step;
+    if (!in_sight) in_sight = step;
+  }
+  return in_sight.value_or(steps[0]);
 }
 
 }  // namespace carom

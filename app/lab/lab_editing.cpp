@@ -182,13 +182,12 @@ void LabWindow::paste_at(const QPointF& at) {
   }
 }
 
-// Beside the originals, to the right.
 void LabWindow::duplicate_selection() {
   if (session_.runs().scene() == nullptr || view_->selection().empty()) return;
   const Preset copy = copied_bodies(*session_.runs().scene(), view_->selection());
-  const Extent extent = extent_of(copy.scene.bodies);
-  const bool bounded = (extent.upper.array() >= extent.lower.array()).all();
-  const Vec2 shift(bounded ? 1.1 * (extent.upper.x() - extent.lower.x()) : 0.0, 0.0);
+  const WorldRect seen = view_->camera().visible();
+  const Vec2 shift =
+      shift_beside(copy.scene.bodies, all_bodies(*session_.runs().scene()), {seen.lower, seen.upper});
   put(paste_into(*session_.runs().scene(), copy, shift), tr("Duplicate"));
 }
 

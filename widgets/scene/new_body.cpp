@@ -19,15 +19,15 @@ const Body* model_of(std::span<const Body> bodies) {
   return first_of(bodies, [](const Body& body) { return !has_infinite_mass(body) && area(body.shape) > 0.0; });
 }
 
-std::string free_name(std::span<const Body> bodies) {
+}  // namespace
+
+std::string new_body_name(std::span<const Body> bodies) {
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     std::string name(1, letter);
     if (first_of(bodies, [&](const Body& body) { return body.name == name; }) == nullptr) return name;
   }
   return free_body_name(std::vector<Body>(bodies.begin(), bodies.end()), "A");
 }
-
-}  // namespace
 
 const Body* model_disc(std::span<const Body> bodies) {
   return first_of(bodies, [](const Body& body) {
@@ -38,7 +38,7 @@ const Body* model_disc(std::span<const Body> bodies) {
 
 Body new_body(std::span<const Body> bodies, const Shape& shape, const Vec2& position, double angle) {
   Body body;
-  body.name = free_name(bodies);
+  body.name = new_body_name(bodies);
   body.shape = shape;
   body.position = position;
   body.angle = angle;

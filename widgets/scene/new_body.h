@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "physics/scene/scene.h"
 
@@ -8,6 +9,9 @@ namespace carom {
 
 // The first disc that moves, which new ones are like; null if there is none.
 [[nodiscard]] const Body* model_disc(std::span<const Body> bodies);
+
+// The first letter A, B, C... that no body has for its name; after them A-1 and so on.
+[[nodiscard]] std::string new_body_name(std::span<const Body> bodies);
 
 // A body for a scene of these bodies, with a short free name (A, B, C...). It has the density and material of
 // the model disc, or of the first body that moves; 1 kg/m² if there is none. A point-like disc has its mass, or

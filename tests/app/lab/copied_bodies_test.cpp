@@ -1,0 +1,37 @@
+#include "app/lab/copied_bodies.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/scenes.h"
+
+namespace carom {
+namespace {
+
+using test::disc;
+
+TEST(CopiedBodies, StandWhereTheyAreSeenAndFree) {
+  const std::vector<Body> one = {disc("A", {0.0, 0.0}, {0.0, 0.0}, 0.1)};
+  const Extent all{Vec2(-1.0, -1.0), Vec2(1.0, 1.0)};
+  EXPECT_TRUE(shift_beside(one, one, all).isApprox(Vec2(0.22, 0.0), 1e-12));
+  std::vector<Body> others = one;
+  others.push_back(disc("B", {0.3, 0.0}, {0.0, 0.0}, 0.1));
+  EXPECT_TRUE(shift_beside(one, others, all).isApprox(Vec2(0.0, 0.22), 1e-12)) << "above";
+  EXPECT_TRUE(shift_beside(one, others, {Vec2(-1.0, -0.1), Vec2(1.0, 0.1)}).isApprox(Vec2(-0.22, 0.0), 1e-12))
+      << "to the left";
+  EXPECT_TRUE(shift_beside(one, one, {Vec2(-0.1, -0.4), Vec2(0.1, 0.1)}).isApprox(Vec2(0.0, -0.22), 1e-12))
+      << "below";
+  EXPECT_TRUE(shift_beside(one, others, {Vec2(-0.1, -0.1), Vec2(0.5, 0.1)}).isApprox(Vec2(0.22, 0.0), 1e-12))
+      << "in sight, not free";
+  EXPECT_TRUE(shift_beside(one, one, {Vec2(5.0, 5.0), Vec2(6.0, 6.0)}).isApprox(Vec2(0.22, 0.0), 1e-12))
+      << "nothing is seen";
+}
+
+TEST(CopiedBodies, OfALetterHaveTheNextOne) {
+  Scene scene =
+      test::scene_with({disc("A", {0, 0}, {0, 0}), disc("C", {3, 0}, {0, 0}), disc("light", {6, 0}, {0, 0})});
+  const Paste paste = paste_into(scene, copied_bodies(scene, {"A", "C", "light"}), Vec2(0.0, 2.0));
+  EXPECT_EQ(paste.names, (std::vector<std::string>{"B", "D", "light-1"}));
+}
+
+}  // namespace
+}  // namespace carom
