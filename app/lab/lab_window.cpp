@@ -133,6 +133,7 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
   view_->set_aim(std::nullopt);
   said_.clear();
   transport_->set_duration(preset.duration);
+  plots_->set_duration(preset.duration);
   list_->set_current(name);
   show_title();
   study_->set_scene(preset, name.isEmpty() ? QFileInfo(file).completeBaseName() : name);

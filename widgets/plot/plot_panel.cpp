@@ -37,8 +37,12 @@ PlotPanel::PlotPanel(const Theme& theme, QWidget* parent) : QWidget(parent), the
   timer_.setSingleShot(true);
   timer_.setInterval(0);
   connect(&timer_, &QTimer::timeout, this, &PlotPanel::refresh);
-  turn_.setSingleShot(true);
-  connect(&turn_, &QTimer::timeout, this, &PlotPanel::refresh_next);
+  quiet_.setSingleShot(true);
+  constexpr int kQuiet = 25;  // ms without new frames
+  quiet_.setInterval(kQuiet);
+  connect(&quiet_, &QTimer::timeout, this, [this] {
+    if (waiting_ > 0) refresh();
+  });
   menu_ = new QMenu(tr("&Plots"), this);
   menu_->setToolTipsVisible(true);
   for (const PlotContent& content : named_plots()) {
@@ -394,7 +398,7 @@ void PlotPanel::update_from(const std::vector<PlottedRun>& runs) {
     legend_->show_runs(runs_, theme_);
     schedule();
   }
-  schedule_next();
+  schedule_news();
 }
 
 void PlotPanel::reset_zoom() {
@@ -425,41 +429,28 @@ void PlotPanel::mark_zoomed(RunPlot* plot) {
 QwtInterval PlotPanel::time_range() const {
   if (time_zoom_) return *time_zoom_;
   const double reach = before_ ? before_->reach : 0.0;
-  return {0.0, nice_time_end(std::max(runs_.front().recorder->time(), reach))};
+  return {0.0, time_axis_end(std::max(runs_.front().recorder->time(), reach), duration_)};
 }
 
 void PlotPanel::schedule() {
   if (isVisible() && !timer_.isActive()) timer_.start();
 }
 
-void PlotPanel::schedule_next() {
-  waiting_ = plots_.size();
-  if (isVisible() && !timer_.isActive()) turn_.start(0);
+// A frame after a pause is shown at once.
+void PlotPanel::schedule_news() {
+  if (!isVisible() || timer_.isActive()) return;
+  const bool paused = !quiet_.isActive();
+  quiet_.start();
+  if (++waiting_ >= plots_.size() || paused || !(time_range() == shown_)) timer_.start();
 }
 
 void PlotPanel::refresh() {
   timer_.stop();
-  turn_.stop();
   waiting_ = 0;
   shown_ = time_range();
   for (RunPlot* plot : plots_) take_news(plot, shown_);
   align();
   for (RunPlot* plot : plots_) plot->replot();
-}
-
-// All plots are drawn where the time axis changes or all are scheduled anyway.
-void PlotPanel::refresh_next() {
-  if (timer_.isActive()) return;
-  if (!(time_range() == shown_)) {
-    refresh();
-    return;
-  }
-  next_ = next_ + 1 < plots_.size() ? next_ + 1 : 0;
-  take_news(plots_[next_], shown_);
-  align();
-  plots_[next_]->replot();
-  constexpr int kQuiet = 25;  // ms without new frames
-  if (--waiting_ > 0) turn_.start(kQuiet);
 }
 
 void PlotPanel::take_news(RunPlot* plot, const QwtInterval& range) {
@@ -470,6 +461,10 @@ void PlotPanel::take_news(RunPlot* plot, const QwtInterval& range) {
   plot->update_from(runs_, hold);
   plot->set_marks(mark_a_, mark_b_);
   plot->set_playhead(playhead_);
+}
+
+void PlotPanel::set_duration(double seconds) {
+  if (std::exchange(duration_, seconds) != seconds) schedule();
 }
 
 void PlotPanel::set_run_before(const std::optional<PaleRun>& run) {

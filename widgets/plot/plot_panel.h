@@ -50,9 +50,11 @@ class PlotPanel : public QWidget {
   // Removes a plot, except the last one. It is deleted when control is back in the event loop.
   void remove(RunPlot* plot);
   // Shows the records of the runs, never while hidden; they are read again when the user zooms. The first run
-  // sets the time. While new frames arrive fast, each frame redraws one plot, in turn, so that the window is
-  // as fast with six plots as with one; the others follow after a pause.
+  // sets the time. All plots show the same moment. While new frames arrive fast, only every n-th redraws the n
+  // plots, so that the window is as fast with six plots as with one; the last one is shown after a pause.
   void update_from(const std::vector<PlottedRun>& runs);
+  // How long a run is (s), which the time axis shows from the start; 0: unknown.
+  void set_duration(double seconds);
   // Shows the run before pale below the others; none: none is shown.
   void set_run_before(const std::optional<PaleRun>& run);
   // A line at the moment that is shown, if it is not the newest one (s).
@@ -112,9 +114,8 @@ class PlotPanel : public QWidget {
   void take_back_mark();
   void move_mark(int by, bool second);
   void schedule();  // all plots
-  void schedule_next();
+  void schedule_news();
   void refresh();
-  void refresh_next();
   void take_news(RunPlot* plot, const QwtInterval& range);
   void align();
   [[nodiscard]] QwtInterval time_range() const;
@@ -131,10 +132,10 @@ class PlotPanel : public QWidget {
   std::optional<double> playhead_;         // s
   std::optional<PaleRun> before_;
   std::optional<std::pair<std::optional<double>, std::optional<double>>> before_mark_;  // by the last click
-  QTimer timer_;             // until all plots are redrawn
-  QTimer turn_;              // until the next one is
-  std::size_t next_ = 0;     // whose turn it is
-  std::size_t waiting_ = 0;  // plots that have not shown the newest records yet
+  double duration_ = 0.0;                                                               // s
+  QTimer timer_;             // until the plots are redrawn
+  QTimer quiet_;             // until frames that are not shown yet are
+  std::size_t waiting_ = 0;  // such frames
   QwtInterval shown_;        // the time range of the last refresh
 };
 

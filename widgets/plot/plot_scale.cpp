@@ -37,6 +37,16 @@ double nice_time_end(double newest) {
   return round_up(std::max(newest, kLeast), kMantissas);
 }
 
+double time_axis_end(double newest, double duration) {
+  constexpr std::array kMantissas = {1.0, 2.0, 5.0, 10.0};
+  if (!(duration > 0.0)) return nice_time_end(newest);
+  const double at_once = nice_time_end(std::min(duration, kLongestAtOnce));
+  if (!(newest > at_once * (1.0 + 1e-9)) || !std::isfinite(newest)) return at_once;
+  const double grown = round_up(newest, kMantissas);
+  const double planned = nice_time_end(duration);
+  return newest <= planned ? std::min(grown, planned) : grown;
+}
+
 QwtInterval nice_range(double low, double high, const Zero& zero) {
   constexpr std::array kMantissas = {1.0, 2.0, 5.0, 10.0};
   constexpr double kLeast = 1e-300;  // any unit: smaller powers of ten are not exact

@@ -12,6 +12,12 @@ namespace carom {
 // between them.
 [[nodiscard]] double nice_time_end(double newest);
 
+// The end of the time axis of a run that is `duration` long and recorded up to `newest`, in s: the duration
+// from the start, of a run longer than kLongestAtOnce that much, then more in rare steps. A duration of 0 is
+// unknown.
+inline constexpr double kLongestAtOnce = 20.0;  // s
+[[nodiscard]] double time_axis_end(double newest, double duration);
+
 // Values that count as zero, in the unit of the values, and the range about zero if all values do.
 struct Zero {
   double below = 0.0;

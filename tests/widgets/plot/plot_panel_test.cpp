@@ -416,6 +416,35 @@ TEST(PlotDialog, PutsAPlotTogether) {
   EXPECT_FALSE(ok->isEnabled());
 }
 
+// Also between the frames of a run that plays.
+TEST_F(PlotPanelTest, AllPlotsEndAtTheSameMoment) {
+  show(run_to(head_on_scene(), 0.2, panel.curves()));
+  const auto ends = [this](int index) {
+    const auto* curve =
+        static_cast<const QwtPlotCurve*>(plot(index)->plot()->itemList(QwtPlotItem::Rtti_PlotCurve).front());
+    return curve->sample(static_cast<int>(curve->dataSize()) - 1).x();
+  };
+  double newest = 0.2;
+  for (int i = 0; i < 10; ++i) {
+    newest += 0.01;
+    recorder = std::make_shared<Recorder>();
+    recorder->add(run_to(head_on_scene(), newest, panel.curves()));
+    panel.update_from({{recorder, "run"}});
+    QApplication::processEvents();
+    EXPECT_EQ(ends(0), ends(1)) << "after frame " << i;
+  }
+  EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(ends(0) - newest) < 2e-3; }, 1000));
+}
+
+TEST_F(PlotPanelTest, TheTimeAxisSpansTheDurationFromTheStart) {
+  panel.set_duration(3.0);
+  for (const double time : {0.01, 0.9, 2.5}) {
+    recorder = std::make_shared<Recorder>();
+    show(run_to(head_on_scene(), time, panel.curves()));
+    for (const RunPlot* each : panel.plots()) EXPECT_EQ(each->time_range(), QwtInterval(0.0, 3.0)) << time;
+  }
+}
+
 TEST_F(PlotPanelTest, HiddenItDoesNothing) {
   recorder->add(run_to(head_on_scene(), 2.0, panel.curves()));
   panel.update_from({{recorder, "run"}});

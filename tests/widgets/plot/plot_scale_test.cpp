@@ -25,6 +25,30 @@ TEST(PlotScale, TimeEndIsRoundAndGrowsInSteps) {
   }
 }
 
+TEST(PlotScale, TimeAxisSpansTheRunFromTheStart) {
+  EXPECT_DOUBLE_EQ(time_axis_end(0.0, 3.0), 3.0);
+  EXPECT_DOUBLE_EQ(time_axis_end(2.9, 3.0), 3.0);
+  EXPECT_DOUBLE_EQ(time_axis_end(3.0 + 1e-12, 3.0), 3.0);
+  EXPECT_DOUBLE_EQ(time_axis_end(0.0, 20.0), 20.0);
+  EXPECT_DOUBLE_EQ(time_axis_end(0.0, 0.0), 1.0);  // of unknown length
+}
+
+TEST(PlotScale, TimeAxisGrowsInRareSteps) {
+  EXPECT_DOUBLE_EQ(time_axis_end(3.01, 3.0), 5.0);  // played on past the end
+  EXPECT_DOUBLE_EQ(time_axis_end(0.0, 60.0), 20.0);
+  EXPECT_DOUBLE_EQ(time_axis_end(51.0, 60.0), 60.0);
+  int steps = 0;
+  double last = 0.0;
+  for (double t = 0.0; t < 1000.0; t += 0.1) {
+    const double end = time_axis_end(t, 1000.0);
+    EXPECT_GE(end, t * (1.0 - 1e-9));
+    EXPECT_GE(end, last);
+    if (end > last) ++steps;
+    last = end;
+  }
+  EXPECT_LE(steps, 6);
+}
+
 TEST(PlotScale, NoiseIsNotBlownUp) {
   EXPECT_EQ(nice_range(0.0, 0.0), QwtInterval(-1.0, 1.0));
   EXPECT_EQ(nice_range(-3e-16, 2e-16, {.below = 1e-9, .range = 1.0}), QwtInterval(-1.0, 1.0));
