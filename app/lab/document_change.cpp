@@ -9,6 +9,7 @@
 #include "physics/scene/edit_rules.h"
 #include "physics/scene/facts.h"
 #include "physics/scene/fingerprint.h"
+#include "widgets/plot/plot_content.h"
 
 namespace carom {
 namespace {
@@ -41,6 +42,10 @@ SetMethods applied(Document& document, const SetMethods& set) {
 
 SetOrigin applied(Document& document, const SetOrigin& set) {
   return {std::exchange(document.start, set.origin)};
+}
+
+SetFirstTheories applied(Document& document, const SetFirstTheories& set) {
+  return {std::exchange(document.first_theories, set.plots)};
 }
 
 bool is_generated(Id<Body> id) { return id.number >= kFirstGenerated; }
@@ -134,14 +139,12 @@ std::vector<Stop> with_names(std::vector<Stop> stops, const std::vector<Renamed>
   return stops;
 }
 
-std::vector<Plot> without_theories(std::vector<Plot> plots) {
+// Takes the theories from the plots; those that had some are kept in `first`.
+void take_theories(std::vector<Plot>& plots, std::vector<Plot>& first) {
   for (Plot& plot : plots) {
-    if (std::all_of(plot.y.begin(), plot.y.end(), [](const QuantityName& line) { return line.residual; }))
-      continue;  // nothing would be left
-    std::erase_if(plot.y, [](const QuantityName& line) { return line.residual; });
-    for (QuantityName& line : plot.y) line.theory.clear();
+    const Plot before = std::exchange(plot, without_theories(plot));
+    if (before != plot && std::find(first.begin(), first.end(), before) == first.end()) first.push_back(before);
   }
-  return plots;
 }
 
 Method possible(Method method, const Scene& scene) {
@@ -152,9 +155,8 @@ Method possible(Method method, const Scene& scene) {
 // Plots that are left of these once their theories went have them again.
 std::vector<Plot> with_theories(std::vector<Plot> plots, const std::vector<Plot>& of_start) {
   for (Plot& plot : plots) {
-    const auto same = std::find_if(of_start.begin(), of_start.end(), [&plot](const Plot& each) {
-      return without_theories({each}) == std::vector<Plot>{plot};
-    });
+    const auto same = std::find_if(of_start.begin(), of_start.end(),
+                                   [&plot](const Plot& each) { return without_theories(each) == plot; });
     if (same != of_start.end()) plot = *same;
   }
   return plots;
@@ -215,7 +217,9 @@ DocumentChange change_to(const Document& document, Beginning start, SceneEdits e
     change.emplace_back(SetSaved{std::move(start.saved)});
   if (!preset.expect.empty()) change.emplace_back(SetExpectations{{}});
   std::vector<Plot> plots = with_names(preset.plots, renamed);
-  if (document.is_experiment) plots = without_theories(std::move(plots));
+  std::vector<Plot> first = with_names(document.first_theories, renamed);
+  if (document.is_experiment) take_theories(plots, first);
+  if (first != document.first_theories) change.emplace_back(SetFirstTheories{std::move(first)});
   if (plots != preset.plots) change.emplace_back(SetPlots{std::move(plots)});
   std::vector<Stop> stops = with_names(preset.stops, renamed);
   if (stops != preset.stops) change.emplace_back(SetStops{std::move(stops)});

@@ -36,6 +36,8 @@ struct Document {
   std::optional<Methods> before_usual{};  // while Euler, RK4 and the exact run are compared
   // A built-in experiment: the theories on its plots are those of its own start.
   bool is_experiment = false;
+  // Plots as they were before an edit took the theories from them.
+  std::vector<Plot> first_theories{};
   StartOrigin start{};
 
   [[nodiscard]] Methods methods() const { return {preset.method, preset.compare, reference}; }
@@ -63,9 +65,14 @@ struct SetOrigin {
   StartOrigin origin;
 };
 
+// Other plots with the theories of the first scene.
+struct SetFirstTheories {
+  std::vector<Plot> plots;
+};
+
 // A change of a document as a value: its parts in the order in which they are made.
 using DocumentChange = std::vector<std::variant<SceneEdits, SetScene, SetLateBodies, SetSaved, SetExpectations,
-                                                SetPlots, SetStops, SetMethods, SetOrigin>>;
+                                                SetPlots, SetStops, SetMethods, SetOrigin, SetFirstTheories>>;
 
 // Makes the change and returns the one that takes it back. Throws std::out_of_range if a part that is edited
 // is not there.

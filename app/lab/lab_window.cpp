@@ -93,10 +93,12 @@ void LabWindow::connect_session() {
   connect(&session_, &Session::documentChanged, this, &LabWindow::show_document);
   connect(&session_, &Session::modifiedChanged, this, &LabWindow::setWindowModified);
   connect(&session_, &Session::plotsChanged, this, [this] {
+    plots_->set_first_theories(session_.first_theories());
     plots_->change_plots(preset().plots);
     session_.runs().record(plots_->curves());
   });
   connect(&session_, &Session::bodiesChanged, this, [this] {
+    plots_->set_first_theories(session_.first_theories());
     plots_->set_bodies(session_.bodies(), preset().plots);
     session_.runs().record(plots_->curves());
   });
@@ -125,6 +127,8 @@ void LabWindow::keep_work(const QString& folder) { recovery_->begin(folder); }
 void LabWindow::keep_now() { recovery_->keep_now(); }
 
 void LabWindow::show_scene(const Preset& preset, const QString& name, const QString& file) {
+  before_preview_.reset();
+  plots_->set_first_theories({});
   plots_->set_plots(preset.plots, all_bodies(preset));
   session_.open(preset, plots_->chosen(), plots_->curves(), name, file);
   constexpr int kSoon = 200;  // ms: a scene that is ready by then shows no notice

@@ -32,6 +32,8 @@ class Session : public QObject {
   [[nodiscard]] const QString& file() const { return file_; }
   [[nodiscard]] ReferenceId reference() const { return history_.document().reference; }
   [[nodiscard]] const StartOrigin& start() const { return history_.document().start; }
+  // Plots as they were before an edit took the theories from them.
+  [[nodiscard]] const std::vector<Plot>& first_theories() const { return history_.document().first_theories; }
   // All bodies as they start, in the order of the runs.
   [[nodiscard]] const std::vector<Body>& bodies() const { return history_.bodies(); }
   // Throws SceneError if the file can't be written; the document stays unchanged.

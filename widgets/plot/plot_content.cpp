@@ -192,4 +192,30 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
   return content;
 }
 
+Plot without_theories(Plot plot) {
+  const auto is_residual = [](const QuantityName& line) { return line.residual; };
+  if (std::all_of(plot.y.begin(), plot.y.end(), is_residual)) return plot;
+  std::erase_if(plot.y, is_residual);
+  for (QuantityName& line : plot.y) line.theory.clear();
+  return plot;
+}
+
+PlotContent content_of(const Plot& plot, std::span<const Body> bodies, std::span<const Plot> first) {
+  PlotContent content = content_of(plot, bodies);
+  const auto left_of = std::find_if(first.begin(), first.end(), [&plot](const Plot& each) {
+    Plot left = without_theories(each);
+    left.notes = plot.notes;
+    return each.id.empty() && left == plot;
+  });
+  if (left_of == first.end()) return content;
+  Plot with_theories = *left_of;
+  if (with_theories.y.size() > plot.y.size())
+    std::erase_if(with_theories.y, [](const QuantityName& line) { return line.residual; });
+  const PlotContent then = content_of(with_theories, bodies);
+  for (std::size_t i = 0; i < content.lines.size(); ++i) {
+    if (content.lines[i].theory.empty()) content.lines[i].first_theory = then.lines[i].theory;
+  }
+  return content;
+}
+
 }  // namespace carom

@@ -19,8 +19,9 @@ struct PlotLine {
   QString unit;
   QString tip;  // description, where the label is not enough
   std::optional<Curve> curve;
-  bool sum = false;  // of the others: a broad line behind them, visible where it coincides with one
-  Theory theory{};   // drawn beside it
+  bool sum = false;       // of the others: a broad line behind them, visible where it coincides with one
+  Theory theory{};        // drawn beside it
+  Theory first_theory{};  // drawn in its place: that of the scene before it was edited
 };
 
 // The values that count as zero, and the range shown then, as parts of the run's scale.
@@ -56,6 +57,13 @@ struct PlotContent {
 
 // The content of a scene's plot. Throws SceneError where a body does not exist.
 [[nodiscard]] PlotContent content_of(const Plot& plot, std::span<const Body> bodies);
+
+// The same with the theories that the plot had in the first scene, if it is left of one of these plots.
+[[nodiscard]] PlotContent content_of(const Plot& plot, std::span<const Body> bodies,
+                                     std::span<const Plot> first);
+
+// A plot of measured values alone; one of residuals only stays, as nothing would be left.
+[[nodiscard]] Plot without_theories(Plot plot);
 
 // The plots of a scene that names none.
 [[nodiscard]] const std::vector<Plot>& default_plots();

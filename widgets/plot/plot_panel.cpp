@@ -76,7 +76,8 @@ void PlotPanel::set_theme(const Theme& theme) {
 
 void PlotPanel::set_plots(const std::vector<Plot>& plots, const std::vector<Body>& bodies) {
   std::vector<PlotContent> contents;
-  for (const Plot& plot : plots.empty() ? default_plots() : plots) contents.push_back(content_of(plot, bodies));
+  for (const Plot& plot : plots.empty() ? default_plots() : plots)
+    contents.push_back(content_of(plot, bodies, first_theories_));
   bodies_ = bodies;
   mark_a_.reset();
   mark_b_.reset();
@@ -109,7 +110,7 @@ void PlotPanel::change_plots(const std::vector<Plot>& plots) {
     const auto shown = std::find_if(old.begin(), old.end(),
                                     [&](const RunPlot* each) { return same(each->content().plot, plot); });
     if (shown == old.end()) {
-      insert(plots_.size(), content_of(plot, bodies_));
+      insert(plots_.size(), content_of(plot, bodies_, first_theories_));
       continue;
     }
     plots_.push_back(*shown);
@@ -152,12 +153,12 @@ void PlotPanel::changed() {
 }
 
 void PlotPanel::add(const Plot& plot) {
-  insert(plots_.size(), content_of(plot, bodies_));
+  insert(plots_.size(), content_of(plot, bodies_, first_theories_));
   changed();
 }
 
 void PlotPanel::replace(RunPlot* old, const Plot& plot) {
-  const PlotContent content = content_of(plot, bodies_);
+  const PlotContent content = content_of(plot, bodies_, first_theories_);
   const auto place = static_cast<std::size_t>(std::find(plots_.begin(), plots_.end(), old) - plots_.begin());
   drop(old);
   insert(place, content);

@@ -12,20 +12,24 @@ namespace carom {
 
 PlotTheories::PlotTheories(const PlotContent& content, QwtPlot* plot, QWidget* parent) {
   QStringList formulas;
+  bool of_first = false;
   for (const PlotLine& line : content.lines) {
-    if (line.theory.empty()) continue;
-    auto curve = std::make_unique<TheoryCurve>(line.theory.formula, content.plot.x.has_value(),
-                                               content.plot.logarithmic);
+    const Theory& theory = line.theory.empty() ? line.first_theory : line.theory;
+    if (theory.empty()) continue;
+    of_first = of_first || line.theory.empty();
+    auto curve =
+        std::make_unique<TheoryCurve>(theory.formula, content.plot.x.has_value(), content.plot.logarithmic);
     constexpr double kBelow = 15.0;  // curves have 20
     curve->setZ(kBelow);
     curve->attach(plot);
     curves_.emplace_back(*line.curve, std::move(curve));
-    const QString formula = QString::fromStdString(line.theory.formula.text());
+    const QString formula = QString::fromStdString(theory.formula.text());
     formulas << (line.label.isEmpty() ? formula : line.label + ": " + formula);
   }
   if (curves_.empty()) return;
-  button_ =
-      new LegendButton(QCoreApplication::translate("PlotTheories", "theory"), formulas.join('\n'), parent);
+  button_ = new LegendButton(of_first ? QCoreApplication::translate("PlotTheories", "theory of the first scene")
+                                      : QCoreApplication::translate("PlotTheories", "theory"),
+                             formulas.join('\n'), parent);
 }
 
 PlotTheories::~PlotTheories() = default;

@@ -18,7 +18,8 @@ namespace carom {
 class LegendButton;
 class TheoryCurve;
 
-// The closed forms of a plot's lines, drawn below the measured curves, and their one entry in the legend.
+// The closed forms of a plot's lines, drawn below the measured curves, and their one entry in the legend, which
+// says so where they are those of the first scene.
 class PlotTheories {
  public:
   PlotTheories(const PlotContent& content, QwtPlot* plot, QWidget* parent);

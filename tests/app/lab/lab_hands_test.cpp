@@ -3,6 +3,7 @@
 
 #include "physics/preset/preset_file.h"
 #include "tests/app/lab/hands_fixture.h"
+#include "widgets/plot/run_plot.h"
 
 // A lesson by hand: bodies are made, moved, typed, thrown and taken back in the real window.
 namespace carom {
@@ -237,7 +238,7 @@ TEST_F(LabHandsTest, ANameThatIsTakenIsRefusedInWords) {
   EXPECT_EQ(window_.preset().plots[0].y[0].bodies[0], "small") << "plots follow";
 }
 
-// A theory on the plots of an experiment is that of its own start.
+// A theory on the plots of an experiment is that of its own start: later it is only shown, and marked.
 TEST_F(LabHandsTest, ATheoryGoesWithTheFirstEdit) {
   ASSERT_TRUE(window_.open("head-on"));
   ASSERT_TRUE(shows_start());
@@ -249,13 +250,29 @@ TEST_F(LabHandsTest, ATheoryGoesWithTheFirstEdit) {
     }
     return false;
   };
+  const auto in_legend = [this](const QString& text) {
+    const auto& plots = window_.findChild<PlotPanel*>()->plots();
+    return std::any_of(plots.begin(), plots.end(), [&text](const RunPlot* plot) {
+      const auto legend = plot->legend();
+      return std::any_of(legend.begin(), legend.end(),
+                         [&text](const auto& each) { return each.first == text; });
+    });
+  };
   ASSERT_TRUE(has_theory());
+  EXPECT_TRUE(in_legend("theory"));
   select(now("light").position);
   type("Mass, kg", "2 kg");
-  EXPECT_FALSE(has_theory());
+  EXPECT_FALSE(has_theory()) << "in the document, which is saved";
   EXPECT_TRUE(window_.preset().expect.empty());
+  EXPECT_FALSE(in_legend("theory"));
+  EXPECT_TRUE(in_legend("theory of the first scene"));
+  type("Mass, kg", "3 kg");
+  EXPECT_TRUE(in_legend("theory of the first scene"));
+  undo();
   undo();
   EXPECT_TRUE(has_theory());
+  EXPECT_TRUE(in_legend("theory"));
+  EXPECT_FALSE(in_legend("theory of the first scene"));
 }
 
 TEST_F(LabHandsTest, ABodyDraggedOntoAnotherTouchesIt) {
