@@ -25,6 +25,7 @@
 #include "widgets/base/method_names.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/plain_text.h"
+#include "widgets/base/rounding.h"
 #include "widgets/compare/compare_table.h"
 
 namespace carom {
@@ -258,7 +259,8 @@ void ComparePanel::update_from(const std::vector<std::shared_ptr<const Frame>>& 
   }
   double most = 0.0;
   for (const auto& frame : frames) most = std::max(most, frame->error ? frame->error->uncertainty : 0.0);
-  uncertainty_->setText(QStringLiteral("± %1 m").arg(short_figure(most, 1)));
+  const QString rounding = text_of_rounding(most, reach_of(*frames.front()));
+  uncertainty_->setText((rounding.isEmpty() ? "± " + short_figure(most, 1) : rounding) + " m");
 }
 
 }  // namespace carom

@@ -6,8 +6,14 @@
 
 #include "widgets/base/method_names.h"
 #include "widgets/base/plotted_run.h"
+#include "widgets/base/rounding.h"
 
 namespace carom {
+
+double reach_of(const Frame& frame) {
+  return frame.state.size() > 0 ? frame.state.q.topRows<2>().cwiseAbs().maxCoeff() : 0.0;
+}
+
 namespace {
 
 constexpr int kAngle = 3;
@@ -32,6 +38,9 @@ class CompareModel : public FigureModel {
   }
 
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override {
+    if (role == Qt::DisplayRole && knows(index.row())) {
+      if (const QString text = rounding(index.row(), index.column()); !text.isEmpty()) return text;
+    }
     if (role != Qt::DecorationRole || index.column() != 0) return FigureModel::data(index, role);
     constexpr QSize kSample(22, 12);  // px
     constexpr int kDots = 2;
@@ -84,6 +93,16 @@ class CompareModel : public FigureModel {
   }
 
  private:
+  // What stands in place of a figure that is rounding.
+  [[nodiscard]] QString rounding(int row, int column) const {
+    const Cell content = cell(row, column);
+    const auto* value = std::get_if<double>(&content);
+    if (value == nullptr || *value == 0.0 || column == kCost) return {};
+    const Frame& frame = *frames_[static_cast<std::size_t>(row)];
+    if (column == kImpactTimes) return text_of_rounding(*value, frame.time);
+    return text_of_rounding(*value, column == kDrift ? frame.scales.energy : reach_of(frame));
+  }
+
   std::vector<std::shared_ptr<const Frame>> frames_;
   std::vector<QString> names_;
   Theme theme_;

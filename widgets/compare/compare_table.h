@@ -9,6 +9,10 @@
 
 namespace carom {
 
+// How far from the origin a body of the frame is at most, in m: the size of what position errors are
+// differences of.
+[[nodiscard]] double reach_of(const Frame& frame);
+
 // A row for each run: its line and method, its errors against the reference, its energy drift and its cost.
 class CompareTable : public FigureTable {
   Q_OBJECT

@@ -6,6 +6,7 @@
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/plain_text.h"
+#include "widgets/base/rounding.h"
 #include "widgets/edit/name_field.h"
 #include "widgets/edit/quantity.h"
 
@@ -90,12 +91,20 @@ void BodiesModel::show(const std::shared_ptr<const Scene>& scene, const std::sha
 void BodiesModel::count() {
   total_mass_ = energy_ = 0.0;
   momentum_ = centre_ = Vec2::Zero();
+  double of_momenta = 0.0;  // the sizes of what is summed
+  Vec2 of_places = Vec2::Zero();
   for (int i = 0; i < state_.size(); ++i) {
     if (has_infinite_mass((*bodies_)[static_cast<std::size_t>(i)])) continue;
     total_mass_ += mass_.mass[i];
     momentum_ += mass_.mass[i] * state_.velocity(i);
     centre_ += mass_.mass[i] * state_.position(i);
     energy_ += kinetic_energy(i);
+    of_momenta += mass_.mass[i] * state_.velocity(i).norm();
+    of_places += mass_.mass[i] * state_.position(i).cwiseAbs();
+  }
+  for (const int axis : {0, 1}) {
+    momentum_[axis] = without_rounding(momentum_[axis], of_momenta);
+    centre_[axis] = without_rounding(centre_[axis], of_places[axis]);
   }
   if (total_mass_ > 0.0) centre_ /= total_mass_;
   shown_ = all_ ? bodies_->size() : std::min(bodies_->size(), kFirst);

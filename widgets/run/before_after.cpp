@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "physics/math/vectors.h"
-#include "widgets/base/number_text.h"
+#include "widgets/base/rounding.h"
 #include "widgets/run/law_text.h"
 
 namespace carom {
@@ -17,9 +17,8 @@ namespace {
 QString translated(const char* text) { return QCoreApplication::translate("BeforeAfterTable", text); }
 
 FigureModel::Cell error_cell(double error) {
-  constexpr double kRounding = 1e-12;
-  if (error < kRounding) return QStringLiteral("< 1e") + kMinus + QStringLiteral("12");
-  return error;
+  const QString rounding = text_of_rounding(error, 1.0);
+  return rounding.isEmpty() ? FigureModel::Cell(error) : rounding;
 }
 
 std::vector<BodyIndex> all_of(const State& state) {
@@ -259,7 +258,15 @@ FigureModel::Cell BeforeAfterModel::of_state(Quantity quantity, const Sums& befo
 
 FigureModel::Cell BeforeAfterModel::sum_cell(Quantity quantity) const {
   if (quantity == Quantity::kBody) return translated("sum");
-  if (quantity != Quantity::kMass) return of_state(quantity, sum(compared_.before), sum(compared_.after), true);
+  if (quantity != Quantity::kMass) {
+    const Sums sizes = sum_of_sizes();
+    const auto rounded = [&sizes](Sums all) {
+      for (double& part : all.momentum) part = without_rounding(part, sizes.momentum.x());
+      all.angular = without_rounding(all.angular, sizes.angular);
+      return all;
+    };
+    return of_state(quantity, rounded(sum(compared_.before)), rounded(sum(compared_.after)), true);
+  }
   double mass = 0.0;
   for (const BodyIndex body : compared_.shown) mass += mass_.mass[body];
   return mass;

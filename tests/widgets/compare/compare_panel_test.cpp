@@ -7,6 +7,7 @@
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <qwt_plot.h>
 #include <qwt_plot_curve.h>
@@ -52,7 +53,6 @@ class ComparePanelTest : public testing::Test {
     preset_.compare = {method(IntegratorId::kExplicitEuler),
                        method(IntegratorId::kRk4, ImpactsId::kStepEnd, 0.3)};
     panel_.set_scene(preset_, ReferenceId::kExactFlight);
-    std::vector<std::shared_ptr<const Frame>> frames;
     for (std::size_t i = 0; i < 3; ++i) {
       auto frame = std::make_shared<Frame>(run_to(preset_, 1.0));
       frame->method = i == 0 ? preset_.method : preset_.compare[i - 1];
@@ -65,12 +65,20 @@ class ComparePanelTest : public testing::Test {
       frame->error->matched = static_cast<int>(i);
       frame->error->unmatched = 7;
       frame->error->uncertainty = 1e-9 * static_cast<double>(i);
-      frames.push_back(frame);
+      frames_.push_back(frame);
     }
     panel_.resize(640, 200);
     panel_.show();
-    panel_.update_from(frames);
+    show_frames();
+  }
+  void show_frames() {
+    panel_.update_from({frames_.begin(), frames_.end()});
     QApplication::processEvents();
+  }
+  [[nodiscard]] bool has_label(const QString& text) const {
+    const auto labels = panel_.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* label) { return label->text() == text; });
   }
   [[nodiscard]] QString cell(int row, int column, int role = Qt::DisplayRole) const {
     return table()->model()->index(row, column).data(role).toString();
@@ -89,6 +97,7 @@ class ComparePanelTest : public testing::Test {
   }
 
   Preset preset_;
+  std::vector<std::shared_ptr<Frame>> frames_;
   ComparePanel panel_{light_theme()};
 };
 
@@ -102,10 +111,26 @@ TEST_F(ComparePanelTest, ShowsErrorsAndCostsOfEachMethod) {
   EXPECT_EQ(cell(0, 4), "") << "no impact has a partner yet";
   EXPECT_EQ(cell(2, 6), "0.50");
   EXPECT_TRUE(cell(1, 4, Qt::ToolTipRole).contains("1 impacts found their partner, 7 did not"));
-  bool told = false;
-  for (const auto* label : panel_.findChildren<QLabel*>())
-    told = told || label->text() == QStringLiteral("± 2e−9 m");
-  EXPECT_TRUE(told) << "the most uncertain of the references";
+  EXPECT_TRUE(has_label("± 2e−9 m")) << "the most uncertain of the references";
+}
+
+TEST_F(ComparePanelTest, RoundingIsNoFigure) {
+  for (const auto& frame : frames_) {
+    frame->error->position = 3.6e-15;
+    frame->error->largest_position = 0.0;
+    frame->error->impact_time = 2e-16;
+    frame->error->matched = 1;
+    frame->error->uncertainty = 2e-16;
+  }
+  show_frames();
+  EXPECT_EQ(cell(1, 1).left(4), "< 1e");
+  EXPECT_EQ(cell(1, 1, Qt::ToolTipRole).section('\n', 0, 0), "3.6e−15");
+  EXPECT_EQ(cell(1, 2), "0");
+  EXPECT_EQ(cell(1, 4), "< 1e−12");
+  EXPECT_TRUE(has_label(cell(1, 1) + " m"));
+  frames_[0]->error->uncertainty = 3e-11;
+  show_frames();
+  EXPECT_TRUE(has_label("± 3e−11 m"));
 }
 
 TEST_F(ComparePanelTest, ChangesTheChosenMethod) {

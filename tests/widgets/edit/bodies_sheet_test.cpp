@@ -283,6 +283,20 @@ TEST_F(BodiesSheetTest, ShowsTheFirst200AndThenAll) {
   EXPECT_FALSE(button->isVisible());
 }
 
+TEST_F(BodiesSheetTest, SumsThatCancelAreZero) {
+  std::vector<Body> bodies = {body("A", 0.1, 0.3), body("B", 0.2, -0.1), body("C", 0.3, -1.0 / 30.0)};
+  bodies[0].velocity = Vec2(0.5, 0.3);
+  bodies[1].velocity = Vec2(0.5, 0.1);
+  bodies[2].velocity = Vec2(0.5, -1.0 / 6.0);
+  double momentum = 0.0;
+  for (const Body& each : bodies) momentum += *each.mass * each.velocity.y();
+  ASSERT_NE(momentum, 0.0) << "by rounding";
+  show(bodies);
+  EXPECT_EQ(text(3, Column::kVelocityY), "0");
+  EXPECT_EQ(text(3, Column::kX), "0");
+  EXPECT_EQ(text(3, Column::kVelocityX), "0.5000");
+}
+
 TEST_F(BodiesSheetTest, CanBeReadAloud) {
   EXPECT_EQ(table().accessibleName(), "Bodies");
   const auto spoken = [this](int row, int column) {

@@ -127,6 +127,21 @@ TEST(BeforeAfter, TheErrorIsAShareOfTheLargestSpeed) {
   EXPECT_EQ(table.model()->index(1, 5).data().toString(), "< 1e−12");
 }
 
+TEST(BeforeAfter, ASumThatCancelsIsZero) {
+  std::vector<Body> bodies = {disc("A", {1.0, 0.0}, {0.5, 0.3}, 0.1, 0.1),
+                              disc("B", {1.0, 0.0}, {0.5, 0.1}, 0.1, 0.2),
+                              disc("C", {1.0, 0.0}, {0.5, -1.0 / 6.0}, 0.1, 0.3)};
+  ASSERT_NE(0.1 * 0.3 + 0.2 * 0.1 + 0.3 * (-1.0 / 6.0), 0.0) << "by rounding";
+  Frame frame;
+  frame.bodies = std::make_shared<const std::vector<Body>>(bodies);
+  frame.state = initial_state(bodies);
+  BeforeAfterTable table;
+  table.show_pair(since_start(bodies, frame));
+  const QAbstractItemModel& model = *table.model();
+  ASSERT_EQ(model.headerData(7, Qt::Horizontal).toString().section('\n', 0, 0), "L after");
+  EXPECT_EQ(model.index(3, 7).data().toString(), "0");
+}
+
 TEST(BeforeAfter, SaysWhyThereIsNoTheory) {
   Scene scene = test::scene_with({disc("a", {-0.49, 0.0}, {2.0, 0.0}), disc("b", {0.5, 0.0}, {0.0, 0.0}),
                                   disc("c", {0.5, 0.6}, {0.0, 0.0})});
