@@ -135,6 +135,7 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
   QTimer::singleShot(kSoon, this, &LabWindow::show_preparing);
   view_->set_view(preset.view);
   view_->set_aim(std::nullopt);
+  chips_->forget_position();
   said_.clear();
   transport_->set_duration(preset.duration);
   plots_->set_duration(preset.duration);

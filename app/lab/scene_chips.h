@@ -19,6 +19,8 @@ class SceneChips : public QObject {
  public:
   explicit SceneChips(SceneView& view);
 
+  // The place of the mouse is unknown until it moves: another scene is shown under it.
+  void forget_position() { position_->hide(); }
   // The tool in hand; empty: it is the usual one.
   void show_tool(const QString& text);
   void show_time(const LabRuns& runs);

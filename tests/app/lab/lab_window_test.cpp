@@ -207,6 +207,20 @@ TEST_F(LabWindowTest, TheListIsSearchedByWords) {
   EXPECT_TRUE(found("elastic no-such-word").isEmpty());
 }
 
+TEST_F(LabWindowTest, AnotherSceneHasNoPlaceOfTheMouseYet) {
+  ASSERT_TRUE(window_.open("head-on"));
+  const auto place_shown = [this] {
+    const auto labels = window_.scene_view().findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+      return label->isVisible() && label->text().startsWith("x = ");
+    });
+  };
+  emit window_.scene_view().cursorMoved(0.25, 0.5);
+  ASSERT_TRUE(place_shown());
+  ASSERT_TRUE(window_.open("glancing"));
+  EXPECT_FALSE(place_shown());
+}
+
 TEST_F(LabWindowTest, ANarrowWindowFoldsTheSwitchesOfTheView) {
   const auto shown = [this](const char* tip) {
     const QList<QToolButton*> buttons = window_.findChildren<QToolButton*>();
