@@ -7,6 +7,8 @@
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 
 #include "widgets/base/plain_text.h"
 
@@ -23,6 +25,33 @@ constexpr int kTextLeft = 79;  // from the row's left side to its text
 constexpr int kTextRight = 12;
 constexpr int kPictureWidth = 52;
 constexpr int kPictureHeight = 36;
+
+// Words of the search, and what is written where they are meant.
+struct Meaning {
+  const char* word;
+  std::initializer_list<const char*> written;
+};
+constexpr std::array<Meaning, 6> kMeanings = {{
+    {"restitution", {"e = ", "inelastic"}},
+    {"inelastic", {"e = 0"}},
+    {"bounce", {"bouncing", "restitution"}},
+    {"collision", {"strikes", "meets"}},
+    {"rotation", {"spin"}},
+    {"gravity", {"is dropped"}},
+}};
+
+// Whether the text has the word, or another one for it.
+bool speaks_of(const QString& text, const QString& word) {
+  if (text.contains(word, Qt::CaseInsensitive)) return true;
+  constexpr qsizetype kFromLetters = 5;  // fewer begin too many words
+  return word.size() >= kFromLetters &&
+         std::any_of(kMeanings.begin(), kMeanings.end(), [&](const Meaning& meaning) {
+           return QLatin1String(meaning.word).startsWith(word, Qt::CaseInsensitive) &&
+                  std::any_of(meaning.written.begin(), meaning.written.end(), [&](const char* written) {
+                    return text.contains(QLatin1String(written), Qt::CaseInsensitive);
+                  });
+         });
+}
 
 // Draws a topic's caption, or an experiment with picture, title and what to observe.
 class ExperimentDelegate : public QStyledItemDelegate {
@@ -198,9 +227,8 @@ void ExperimentList::fill() {
   for (std::size_t i = 0; i < items_.size(); ++i) {
     const ExperimentItem& item = items_[i];
     const QString all = QStringList{item.title, item.observe, item.topic, item.name, item.about}.join('\n');
-    const bool match = std::all_of(words.begin(), words.end(), [&all](const QString& word) {
-      return all.contains(word, Qt::CaseInsensitive);
-    });
+    const bool match =
+        std::all_of(words.begin(), words.end(), [&all](const QString& word) { return speaks_of(all, word); });
     if (!match) continue;
     if (item.topic != topic) {
       topic = item.topic;

@@ -21,7 +21,8 @@ struct ExperimentItem {
 };
 
 // The experiments under their topics, each with a small picture, and a search field. One click opens an
-// experiment; in the field the arrows choose one, Enter opens it, Escape wants the list closed.
+// experiment; the arrows choose one, which is shown when they rest, Enter opens it, Escape wants the list
+// closed. The search knows words that belong together: "restitution" finds what is said with e.
 class ExperimentList : public QFrame {
   Q_OBJECT
 

@@ -204,6 +204,9 @@ TEST_F(LabWindowTest, TheListIsSearchedByWords) {
     EXPECT_LT(found(word).size(), all / 2) << word;
   }
   EXPECT_EQ(found("  Glancing ELASTIC "), QStringList{"glancing"});
+  for (const char* name : {"bouncing-ball", "head-on", "rough-bounce", "stacked-drop"})
+    EXPECT_TRUE(found("restitution").contains(name)) << name;
+  EXPECT_EQ(found("restit"), found("restitution")) << "while it is typed";
   EXPECT_TRUE(found("elastic no-such-word").isEmpty());
 }
 
