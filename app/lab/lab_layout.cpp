@@ -95,6 +95,7 @@ void LabWindow::open_list(bool open) {
   list_->setVisible(open || pinned);
   if (open) {
     place_list();
+    before_preview_.reset();
     list_->begin_search();
   } else if (!pinned) {
     view_->setFocus();
@@ -196,7 +197,8 @@ void LabWindow::connect_views() {
     list_action_->setChecked(false);
     files_->open(name.toStdString());
   });
-  connect(list_, &ExperimentList::closeRequested, this, [this] { list_action_->setChecked(false); });
+  connect(list_, &ExperimentList::previewRequested, this, &LabWindow::preview);
+  connect(list_, &ExperimentList::closeRequested, this, &LabWindow::leave_preview);
   connect(transport_, &TransportBar::playClicked, this, &LabWindow::set_playing);
   connect(transport_, &TransportBar::restartClicked, &session_.starts(), &SessionStarts::restart);
   connect(transport_, &TransportBar::stepClicked, &session_.runs(), &LabRuns::step_by);

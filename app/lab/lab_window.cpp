@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QTimer>
 #include <QUrl>
+#include <utility>
 
 #include "app/lab/document_files.h"
 #include "app/lab/drawer.h"
@@ -20,7 +21,9 @@
 #include "app/lab/scene_chips.h"
 #include "app/lab/work_recovery.h"
 #include "app/library/library_items.h"
+#include "app/library/preset_library.h"
 #include "physics/model/needs.h"
+#include "physics/preset/preset_file.h"
 #include "physics/scene/validate.h"
 #include "widgets/base/ask.h"
 #include "widgets/base/method_names.h"
@@ -92,6 +95,9 @@ void LabWindow::connect_session() {
   connect(&session_.runs(), &LabRuns::noticesChanged, this, &LabWindow::show_notices);
   connect(&session_, &Session::documentChanged, this, &LabWindow::show_document);
   connect(&session_, &Session::modifiedChanged, this, &LabWindow::setWindowModified);
+  connect(&session_, &Session::modifiedChanged, this, [this](bool modified) {
+    if (modified) before_preview_.reset();  // it was taken up
+  });
   connect(&session_, &Session::plotsChanged, this, [this] {
     plots_->set_first_theories(session_.first_theories());
     plots_->change_plots(preset().plots);
@@ -147,6 +153,26 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
   } else if (drawer_->shows(compare_)) {
     drawer_->choose(sheet_);
   }
+}
+
+// The experiment under the mark of the list, until one is chosen or Escape brings back the one before. Unsaved
+// work is not left for it.
+void LabWindow::preview(const QString& name) {
+  if (session_.modified()) return;
+  const Shown before = before_preview_.value_or(Shown{preset(), session_.name(), session_.file()});
+  try {
+    show_scene(read_preset(find_preset(name.toStdString())), name, {});
+  } catch (const SceneError&) {
+    return;  // the list has the reason
+  }
+  before_preview_ = before;
+}
+
+void LabWindow::leave_preview() {
+  list_action_->setChecked(false);
+  const std::optional<Shown> before = std::exchange(before_preview_, std::nullopt);
+  if (!before) return;
+  files_->when_saved([this, before] { show_scene(before->preset, before->name, before->file); });
 }
 
 // What the experiment is about, and what its scene needs of the model.

@@ -155,6 +155,8 @@ class LabWindow : public QMainWindow {
 
   void connect_session();
   void show_document();
+  void preview(const QString& name);
+  void leave_preview();
   void show_about();
   void show_title();
   void say_saved(const QString& file);
@@ -166,8 +168,14 @@ class LabWindow : public QMainWindow {
   void compare_usual();
   void set_playing(bool playing);
 
+  struct Shown {
+    Preset preset;
+    QString name, file;
+  };
+
   Theme theme_;
   Session session_;
+  std::optional<Shown> before_preview_;  // while an experiment is shown that was not chosen yet
   DocumentFiles* files_ = nullptr;
   LabExports* exports_ = nullptr;
   WorkRecovery* recovery_ = nullptr;

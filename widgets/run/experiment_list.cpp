@@ -144,10 +144,20 @@ ExperimentList::ExperimentList(const Theme& theme, QWidget* parent)
   column->addLayout(field);
   column->addWidget(list_, 1);
   search_->installEventFilter(this);
+  list_->installEventFilter(this);
+  rest_.setSingleShot(true);
+  constexpr int kRest = 200;  // ms
+  rest_.setInterval(kRest);
+  connect(&rest_, &QTimer::timeout, this, [this] {
+    const QListWidgetItem* marked = list_->currentItem();
+    const QString name = marked == nullptr ? QString() : marked->data(kName).toString();
+    if (!name.isEmpty() && name != current_ && isVisible()) emit previewRequested(name);
+  });
   connect(search_, &QLineEdit::textChanged, this, &ExperimentList::fill);
   const auto open = [this](QListWidgetItem* item) {
     const QString name = item->data(kName).toString();
     if (name.isEmpty()) return;
+    rest_.stop();
     emit openRequested(name);
     set_current(current_);  // the mark stays at the open experiment if this one was not opened
   };
@@ -189,7 +199,7 @@ void ExperimentList::begin_search() {
 }
 
 bool ExperimentList::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != search_ || event->type() != QEvent::KeyPress) return QFrame::eventFilter(watched, event);
+  if (event->type() != QEvent::KeyPress) return QFrame::eventFilter(watched, event);
   switch (static_cast<QKeyEvent*>(event)->key()) {
     case Qt::Key_Down:
       choose_next(1);
@@ -199,10 +209,12 @@ bool ExperimentList::eventFilter(QObject* watched, QEvent* event) {
       return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
+      rest_.stop();
       if (list_->currentItem() == nullptr) choose_next(1);
       if (QListWidgetItem* item = list_->currentItem()) emit list_->itemActivated(item);
       return true;
     case Qt::Key_Escape:
+      rest_.stop();
       emit closeRequested();
       return true;
     default:
@@ -218,10 +230,12 @@ void ExperimentList::choose_next(int way) {
     if (row < 0 || row >= list_->count()) return;
   } while (list_->item(row)->data(kName).toString().isEmpty());
   list_->setCurrentRow(row);
+  rest_.start();
 }
 
 void ExperimentList::fill() {
   const QStringList words = search_->text().split(' ', Qt::SkipEmptyParts);
+  rest_.stop();
   list_->clear();
   QString topic;
   for (std::size_t i = 0; i < items_.size(); ++i) {

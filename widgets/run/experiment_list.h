@@ -2,6 +2,7 @@
 
 #include <QFrame>
 #include <QPixmap>
+#include <QTimer>
 #include <vector>
 
 #include "widgets/theme/theme.h"
@@ -39,6 +40,7 @@ class ExperimentList : public QFrame {
 
  signals:
   void openRequested(const QString& name);
+  void previewRequested(const QString& name);  // it is marked, but not chosen
   void closeRequested();
 
  protected:
@@ -54,6 +56,7 @@ class ExperimentList : public QFrame {
   std::vector<ExperimentItem> items_;
   std::vector<QPixmap> pictures_;
   QString current_;
+  QTimer rest_;  // until the marked experiment is shown
 };
 
 }  // namespace carom

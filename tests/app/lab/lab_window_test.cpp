@@ -186,6 +186,45 @@ TEST_F(LabWindowTest, TheListOpensOverTheSceneAndCloses) {
   EXPECT_FALSE(experiments->isVisible());
 }
 
+// The scene follows the mark; Escape brings the experiment before back.
+TEST_F(LabWindowTest, ArrowsInTheListShowTheExperimentUnderTheMark) {
+  ASSERT_TRUE(window_.open("head-on"));
+  auto* search = window_.findChild<ExperimentList*>()->findChild<QLineEdit*>();
+  const auto now = [this] { return window_.session().name(); };
+  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+  QTest::keyClick(search, Qt::Key_Down);
+  const QString next = list()->currentItem()->data(Qt::UserRole).toString();
+  EXPECT_NE(next, "head-on");
+  EXPECT_EQ(now(), "head-on") << "while the key may come again";
+  ASSERT_TRUE(wait_for([&] { return now() == next; }));
+  EXPECT_EQ(QApplication::focusWidget(), search);
+  EXPECT_EQ(list()->currentItem()->data(Qt::UserRole).toString(), next);
+  QTest::keyClick(search, Qt::Key_Escape);
+  EXPECT_EQ(now(), "head-on");
+  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+  QTest::keyClick(search, Qt::Key_Down);
+  ASSERT_TRUE(wait_for([&] { return now() == next; }));
+  QTest::keyClick(search, Qt::Key_Return);
+  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+  QTest::keyClick(search, Qt::Key_Escape);
+  EXPECT_EQ(now(), next) << "it was chosen";
+}
+
+TEST_F(LabWindowTest, ArrowsInTheListLeaveUnsavedWorkAlone) {
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(wait_for([this] { return window_.frame() != nullptr; }));
+  ASSERT_FALSE(window_.session().add_body(0.0, 5.0).empty());
+  ASSERT_TRUE(window_.isWindowModified());
+  auto* search = window_.findChild<ExperimentList*>()->findChild<QLineEdit*>();
+  QTest::keyClick(&window_.scene_view(), Qt::Key_E);
+  QTest::keyClick(search, Qt::Key_Down);
+  EXPECT_NE(list()->currentItem()->data(Qt::UserRole).toString(), "head-on");
+  QTest::qWait(300);
+  EXPECT_EQ(window_.session().name(), "head-on");
+  EXPECT_TRUE(window_.isWindowModified());
+  EXPECT_TRUE(window_.findChildren<QMessageBox*>().isEmpty());
+}
+
 // Words may stand anywhere in what is said of an experiment.
 TEST_F(LabWindowTest, TheListIsSearchedByWords) {
   auto* search = window_.findChild<ExperimentList*>()->findChild<QLineEdit*>();
