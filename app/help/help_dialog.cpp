@@ -27,7 +27,7 @@ namespace {
 // Files of app/help and their titles, in the order of the list; the page of keys has no file.
 constexpr auto kPages = std::to_array<std::pair<const char*, const char*>>({
     {"first-lesson", QT_TRANSLATE_NOOP("QObject", "A first lesson")},
-    {"", QT_TRANSLATE_NOOP("QObject", "Keys")},
+    {nullptr, QT_TRANSLATE_NOOP("QObject", "Keys")},
     {"hands", QT_TRANSLATE_NOOP("QObject", "Working by hand")},
     {"model", QT_TRANSLATE_NOOP("QObject", "The model")},
     {"presets", QT_TRANSLATE_NOOP("QObject", "Preset files")},
@@ -61,63 +61,90 @@ void space_out(QTextDocument& document, const QColor& lines) {
   }
 }
 
-struct Page {
-  QString title;
-  QString text;  // Markdown
+QString page_text(const char* name) {
+  QFile page(QString(":/help/%1.md").arg(name));
+  return page.open(QIODevice::ReadOnly) ? QString::fromUtf8(page.readAll()) : QString();
+}
+
+// The pages in a list, the shown one, and the search through all of them. Each page is read and laid out once.
+class HelpPages {
+ public:
+  HelpPages(QListWidget& list, QTextBrowser& text, const QString& keys) : list_(list), text_(text) {
+    for (const auto& [name, title] : kPages) {
+      list_.addItem(QObject::tr(title));
+      pages_.push_back({name == nullptr ? keys : page_text(name), nullptr});
+    }
+    nothing_ = new_document();
+  }
+
+  void show(int row) {
+    Page& page = pages_[static_cast<std::size_t>(row)];
+    if (page.laid_out == nullptr) {
+      page.laid_out = new_document();
+      page.laid_out->setMarkdown(page.text);
+      space_out(*page.laid_out, text_.palette().color(QPalette::Mid));
+    }
+    if (text_.document() != page.laid_out) text_.setDocument(page.laid_out);
+    text_.moveCursor(QTextCursor::Start);
+  }
+
+  // Pages without what is looked for are hidden; the first place of it on the shown page is selected.
+  void search(const QString& wanted) {
+    int first = -1;
+    for (int row = 0; row < list_.count(); ++row) {
+      const bool has = pages_[static_cast<std::size_t>(row)].text.contains(wanted, Qt::CaseInsensitive);
+      list_.item(row)->setHidden(!has);
+      if (has && first < 0) first = row;
+    }
+    if (first < 0) {
+      nothing_->setPlainText(QObject::tr("No page has “%1”.").arg(wanted));
+      return text_.setDocument(nothing_);
+    }
+    if (list_.currentItem()->isHidden()) {
+      list_.setCurrentRow(first);
+    } else {
+      show(list_.currentRow());
+    }
+    if (!wanted.isEmpty()) text_.find(wanted);
+  }
+
+  // The next place on this page, else on the next page that has one.
+  void search_next(const QString& wanted) {
+    if (wanted.isEmpty() || text_.find(wanted)) return;
+    for (int k = 1; k <= list_.count(); ++k) {
+      const int row = (list_.currentRow() + k) % list_.count();
+      if (list_.item(row)->isHidden()) continue;
+      list_.setCurrentRow(row);
+      text_.moveCursor(QTextCursor::Start);
+      text_.find(wanted);
+      return;
+    }
+  }
+
+ private:
+  struct Page {
+    QString text;
+    QTextDocument* laid_out;
+  };
+
+  QTextDocument* new_document() {
+    auto* document = new QTextDocument(&text_);
+    constexpr int kMargin = 18;  // px
+    document->setDocumentMargin(kMargin);
+    document->setDefaultFont(text_.font());
+    return document;
+  }
+
+  QListWidget& list_;
+  QTextBrowser& text_;
+  std::vector<Page> pages_;
+  QTextDocument* nothing_;
 };
-
-std::vector<Page> pages_with(const QString& keys) {
-  std::vector<Page> pages;
-  for (const auto& [name, title] : kPages) {
-    QFile file(QString(":/help/%1.md").arg(name));
-    pages.push_back(
-        {QObject::tr(title), file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : keys});
-  }
-  return pages;
-}
-
-void show_page(QTextBrowser& text, const Page& page) {
-  text.setMarkdown(page.text);
-  space_out(*text.document(), text.palette().color(QPalette::Mid));
-  text.moveCursor(QTextCursor::Start);
-}
-
-// Pages without what is looked for are hidden; the first place of it on the shown page is selected.
-void search(const QString& wanted, const std::vector<Page>& pages, QListWidget& list, QTextBrowser& text) {
-  int first = -1;
-  for (int row = 0; row < list.count(); ++row) {
-    const bool has = pages[static_cast<std::size_t>(row)].text.contains(wanted, Qt::CaseInsensitive);
-    list.item(row)->setHidden(!has);
-    if (has && first < 0) first = row;
-  }
-  // Rendering a page takes longer than all the searches: it is done only where another page is shown.
-  if (first < 0) {
-    list.setCurrentRow(-1);
-    return text.setPlainText(QObject::tr("No page has “%1”.").arg(wanted));
-  }
-  if (list.currentRow() < 0 || list.currentItem()->isHidden()) list.setCurrentRow(first);
-  text.moveCursor(QTextCursor::Start);
-  if (!wanted.isEmpty()) text.find(wanted);
-}
-
-// The next place on this page, else on the next page that has one.
-void search_next(const QString& wanted, QListWidget& list, QTextBrowser& text) {
-  if (wanted.isEmpty() || text.find(wanted)) return;
-  for (int k = 1; k <= list.count(); ++k) {
-    const int row = (list.currentRow() + k) % list.count();
-    if (list.item(row)->isHidden()) continue;
-    list.setCurrentRow(row);
-    text.moveCursor(QTextCursor::Start);
-    text.find(wanted);
-    return;
-  }
-}
 
 }  // namespace
 
 void show_help(QWidget* parent, const QString& keys, HelpPage page) {
   load_help();
-  const auto pages = std::make_shared<const std::vector<Page>>(pages_with(keys));
   auto* dialog = new QDialog(parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(QObject::tr("Help – Carom"));
@@ -128,28 +155,26 @@ void show_help(QWidget* parent, const QString& keys, HelpPage page) {
   auto* wanted = new QLineEdit(dialog);
   wanted->setPlaceholderText(QObject::tr("Search the help"));
   wanted->setClearButtonEnabled(true);
-  for (const Page& each : *pages) list->addItem(each.title);
   auto* text = new QTextBrowser(dialog);
   text->setOpenExternalLinks(true);
-  text->document()->setDocumentMargin(18);
-  QObject::connect(list, &QListWidget::currentRowChanged, text, [pages, text](int row) {
-    if (row >= 0) show_page(*text, (*pages)[static_cast<std::size_t>(row)]);
+  const auto help = std::make_shared<HelpPages>(*list, *text, keys);
+  QObject::connect(list, &QListWidget::currentRowChanged, text, [help](int row) {
+    if (row >= 0) help->show(row);
   });
   list->setCurrentRow(page == HelpPage::kKeys ? kKeysRow : 0);
-  QObject::connect(wanted, &QLineEdit::textChanged, text,
-                   [pages, list, text](const QString& now) { search(now, *pages, *list, *text); });
+  QObject::connect(wanted, &QLineEdit::textChanged, text, [help](const QString& now) { help->search(now); });
   QObject::connect(wanted, &QLineEdit::returnPressed, text,
-                   [wanted, list, text] { search_next(wanted->text(), *list, *text); });
-  auto* side = new QWidget(dialog);
-  side->setFixedWidth(190);
-  auto* column = new QVBoxLayout(side);
+                   [wanted, help] { help->search_next(wanted->text()); });
+  auto* pages = new QWidget(dialog);
+  pages->setFixedWidth(190);
+  auto* column = new QVBoxLayout(pages);
   column->setContentsMargins(8, 8, 8, 0);
   column->addWidget(wanted);
   column->addWidget(list, 1);
   auto* row = new QHBoxLayout(dialog);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  row->addWidget(side);
+  row->addWidget(pages);
   row->addWidget(text, 1);
   dialog->show();
 }
