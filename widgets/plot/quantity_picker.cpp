@@ -6,7 +6,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QStandardItemModel>
+#include <algorithm>
 #include <array>
 
 #include "physics/observe/observables.h"
@@ -27,6 +29,18 @@ constexpr std::array<std::pair<Topic, const char*>, 8> kTopics = {{
     {Topic::kError, "against the reference"},
 }};
 
+// Where two quantities have the same label: of one body and of all.
+QString told_apart(const Observable& o) {
+  const QString label = QString::fromUtf8(o.label.data(), static_cast<qsizetype>(o.label.size()));
+  const auto all = observables();
+  const bool one =
+      std::count_if(all.begin(), all.end(), [&](const Observable& a) { return a.label == o.label; }) < 2;
+  if (one) return label;
+  return (o.bodies > 0 ? QCoreApplication::translate("QuantityPicker", "%1, one body")
+                       : QCoreApplication::translate("QuantityPicker", "%1, all bodies"))
+      .arg(label);
+}
+
 void add_topics(QComboBox* box) {
   auto* model = static_cast<QStandardItemModel*>(box->model());
   for (const auto& [topic, title] : kTopics) {
@@ -35,7 +49,7 @@ void add_topics(QComboBox* box) {
     model->appendRow(head);
     for (const Observable& o : observables()) {
       if (o.topic != topic) continue;
-      const QString label = QString::fromUtf8(o.label.data(), static_cast<qsizetype>(o.label.size()));
+      const QString label = told_apart(o);
       const QString unit = unit_text(o);
       box->addItem("   " + (unit.isEmpty() ? label : label + " / " + unit),
                    QString::fromUtf8(o.name.data(), static_cast<qsizetype>(o.name.size())));
@@ -43,10 +57,26 @@ void add_topics(QComboBox* box) {
   }
 }
 
-// Searched by typing: there may be a thousand entries.
+// Searched by typing: there may be a thousand entries. A click marks the entry, so that typing replaces it.
+class SearchBox : public QComboBox {
+ public:
+  explicit SearchBox(QWidget* parent) : QComboBox(parent) {
+    setEditable(true);
+    lineEdit()->installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == lineEdit() && event->type() == QEvent::MouseButtonRelease &&
+        !lineEdit()->hasSelectedText() && lineEdit()->text() == itemText(currentIndex())) {
+      lineEdit()->selectAll();
+    }
+    return QComboBox::eventFilter(watched, event);
+  }
+};
+
 QComboBox* search_box(QWidget* parent) {
-  auto* box = new QComboBox(parent);
-  box->setEditable(true);
+  auto* box = new SearchBox(parent);
   box->setInsertPolicy(QComboBox::NoInsert);
   box->completer()->setCompletionMode(QCompleter::PopupCompletion);
   box->completer()->setFilterMode(Qt::MatchContains);
