@@ -100,6 +100,11 @@ StudyPanel::StudyPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
   auto* left = new QVBoxLayout;
   left->setSpacing(0);
   side_by_side->addLayout(left, 1);
+  other_ = new PlainLabel;
+  other_->setObjectName("caption");
+  other_->setWordWrap(true);
+  other_->hide();
+  left->addWidget(other_);
   plot_ = new ErrorPlot(theme, ErrorPlot::Place::kWindow);
   plot_->canvas()->setMouseTracking(true);
   plot_->canvas()->installEventFilter(this);
@@ -189,7 +194,9 @@ void StudyPanel::edit_scene(const Preset& preset) {
   show_words();
 }
 
-QString StudyPanel::words() const { return words_->whole(); }
+QString StudyPanel::words() const {
+  return other_->text().isEmpty() ? words_->whole() : other_->text() + ' ' + words_->whole();
+}
 
 void StudyPanel::start(StudyOptions options) {
   cancel();
@@ -261,19 +268,19 @@ void StudyPanel::show_words() {
   const QString title = studied_ ? QString::fromStdString(studied_->title) : QString();
   const QString other = current_ || !studied_ ? QString()
                         : studied_->title == preset_.title
-                            ? tr("Before this scene was edited: ")
-                            : tr("Not for the scene shown, but for %1: ").arg(title);
+                            ? tr("Before this scene was edited.")
+                            : tr("Not for the scene shown, but for %1.").arg(title);
+  other_->setText(other);
+  other_->setVisible(!other.isEmpty());
   if (running()) {
     const QString stage = so_far_.stage.empty() ? tr("start") : QString::fromStdString(so_far_.stage);
-    stage_->set_whole(
-        (so_far_.of > 1 ? tr("%1: %2 of %3").arg(stage).arg(so_far_.done).arg(so_far_.of) : stage) +
-        (current_ ? QString() : " · " + title));
+    stage_->set_whole(so_far_.of > 1 ? tr("%1: %2 of %3").arg(stage).arg(so_far_.done).arg(so_far_.of) : stage);
     progress_->setRange(0, so_far_.of > 1 ? so_far_.of : 0);  // busy indicator where nothing can be counted
     progress_->setValue(so_far_.done);
   } else if (!table.rows.empty()) {
     const QString stopped = so_far_.phase == Phase::kCancelled ? tr("Stopped before it was done. ") : QString();
-    words_->set_whole(other + stopped + words_of(table.facts));
-    words_->setToolTip("<p>" + (other + stopped).toHtmlEscaped() + "</p><p>" +
+    words_->set_whole(stopped + words_of(table.facts));
+    words_->setToolTip("<p>" + stopped.toHtmlEscaped() + "</p><p>" +
                        words_of(table.facts).toHtmlEscaped().replace("; ", ".</p><p>") + ".</p>");
   }
 }

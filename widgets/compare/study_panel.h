@@ -46,7 +46,7 @@ class StudyPanel : public QWidget {
   [[nodiscard]] ErrorPlot& plot() { return *plot_; }
   // Whether so_far() belongs to the scene as shown, apart from its method.
   [[nodiscard]] bool of_the_scene_shown() const { return current_; }
-  // One line: the compared runs and their scene.
+  // The compared runs, after the scene that they are of where another one is shown.
   [[nodiscard]] QString words() const;
 
   void start(StudyOptions options = {});
@@ -91,6 +91,7 @@ class StudyPanel : public QWidget {
   QToolButton* export_button_ = nullptr;
   QStackedWidget* pages_ = nullptr;  // explanation, or the study
   QLabel* hint_ = nullptr;
+  QLabel* other_ = nullptr;  // that the results are of another scene
   ErrorPlot* plot_ = nullptr;
   OrderTable* orders_ = nullptr;
   QStackedWidget* below_ = nullptr;  // progress bar, or text

@@ -54,6 +54,12 @@ class StudyPanelTest : public testing::Test {
     ASSERT_TRUE(test::wait_in_event_loop([this] { return !panel_.running(); }));
     ASSERT_EQ(panel_.so_far().phase, StudySoFar::Phase::kDone) << panel_.so_far().refusal;
   }
+  [[nodiscard]] const QLabel* label(const QString& text) const {
+    for (const QLabel* each : panel_.findChildren<QLabel*>()) {
+      if (each->text() == text) return each;
+    }
+    return nullptr;
+  }
   QToolButton* button(const QString& text) {
     for (QToolButton* b : panel_.findChildren<QToolButton*>()) {
       if (b->text() == text) return b;
@@ -139,9 +145,17 @@ TEST_F(StudyPanelTest, AStudyOfAnotherSceneIsMarkedAndNotClickable) {
   panel_.set_scene(other, "another");
   EXPECT_TRUE(panel_.words().startsWith("Not for the scene shown, but for Head-on"))
       << panel_.words().toStdString();
+  const auto* above =
+      label("Not for the scene shown, but for " + QString::fromStdString(drag_scene().title) + ".");
+  ASSERT_NE(above, nullptr) << "in full";
+  QApplication::processEvents();
+  EXPECT_TRUE(above->isVisible());
+  EXPECT_LE(above->heightForWidth(above->width()), above->height()) << "not cut";
+  EXPECT_LE(above->geometry().bottom(), panel_.plot().geometry().top());
   click(row(IntegratorId::kRk4, ImpactsId::kLocated, 0.05));
   EXPECT_TRUE(chosen_.empty());
   panel_.set_scene(drag_scene(), "drag");
+  EXPECT_FALSE(above->isVisible());
   click(row(IntegratorId::kRk4, ImpactsId::kLocated, 0.05));
   EXPECT_EQ(chosen_.size(), 1U);
 }
