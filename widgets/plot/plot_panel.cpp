@@ -451,7 +451,10 @@ void PlotPanel::refresh() {
   shown_ = time_range();
   for (RunPlot* plot : plots_) take_news(plot, shown_);
   align();
-  for (RunPlot* plot : plots_) plot->replot();
+  for (RunPlot* plot : plots_) {
+    plot->set_time_range(shown_);  // with the ticks that the aligned width has room for
+    plot->replot();
+  }
 }
 
 void PlotPanel::take_news(RunPlot* plot, const QwtInterval& range) {

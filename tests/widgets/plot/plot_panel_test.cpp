@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <qwt_plot.h>
 #include <qwt_plot_curve.h>
+#include <qwt_scale_div.h>
 #include <qwt_scale_widget.h>
 
 #include "physics/preset/names.h"
@@ -442,6 +443,22 @@ TEST_F(PlotPanelTest, TheTimeAxisSpansTheDurationFromTheStart) {
     recorder = std::make_shared<Recorder>();
     show(run_to(head_on_scene(), time, panel.curves()));
     for (const RunPlot* each : panel.plots()) EXPECT_EQ(each->time_range(), QwtInterval(0.0, 3.0)) << time;
+  }
+}
+
+// Also where one had wider labels of its values before.
+TEST_F(PlotPanelTest, AllTimeAxesHaveTheSameTicks) {
+  show(run_to(head_on_scene(), 0.9, panel.curves()));
+  for (int width = 340; width < 440; width += 3) {
+    panel.resize(width, 560);
+    QApplication::processEvents();
+    plot(0)->axes().set_label_extent(80);
+    panel.show_now();
+    const auto ticks = [this](int index) {
+      return plot(index)->plot()->axisScaleDiv(QwtAxis::XBottom).ticks(QwtScaleDiv::MajorTick);
+    };
+    EXPECT_EQ(ticks(0), ticks(1)) << width;
+    EXPECT_EQ(ticks(0), ticks(2)) << width;
   }
 }
 
