@@ -302,13 +302,12 @@ DocumentChange change_to_start(const Document& document, const Start& start) {
   return change;
 }
 
-SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits) {
-  const std::vector<Body> start = all_bodies(preset);
+SceneEdits with_motion_of(const std::vector<Body>& bodies, const SceneEdits& edits) {
   SceneEdits kept = edits;
   for (SceneEdit& edit : kept) {
     auto* body = std::get_if<Replace<Body>>(&edit);
     if (body == nullptr) continue;
-    const Body* was = meant(start, body->part.id);
+    const Body* was = meant(bodies, body->part.id);
     if (was == nullptr) continue;
     body->part.position = was->position;
     body->part.angle = was->angle;
@@ -321,14 +320,22 @@ SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits) {
   return kept;
 }
 
-SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits, const Scene& moment) {
-  SceneEdits there = at_the_start(preset, edits);
+SceneEdits moved_to(const std::vector<Body>& now, const SceneEdits& edits, const Scene& moment) {
+  SceneEdits there = with_motion_of(now, edits);
   for (std::size_t i = 0; i < edits.size(); ++i) {
     const auto* asked = std::get_if<Replace<Body>>(&edits[i]);
     const Body* was = asked == nullptr ? nullptr : part_of(moment.bodies, asked->part.id);
     if (was != nullptr) take_motion(*was, asked->part, std::get<Replace<Body>>(there[i]).part);
   }
   return there;
+}
+
+SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits) {
+  return with_motion_of(all_bodies(preset), edits);
+}
+
+SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits, const Scene& moment) {
+  return moved_to(all_bodies(preset), edits, moment);
 }
 
 void give_ids(Preset& preset) {

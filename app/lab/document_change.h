@@ -113,6 +113,13 @@ struct Start {
 // all others are those of the start. `moment`: the scene as it was edited.
 [[nodiscard]] SceneEdits at_the_start(const Preset& preset, const SceneEdits& edits, const Scene& moment);
 
+// Edits of a running scene that were made of an earlier moment of it, as edits of the one with these bodies:
+// what they don't change of places and motions is that of now.
+[[nodiscard]] SceneEdits moved_to(const std::vector<Body>& now, const SceneEdits& edits, const Scene& moment);
+
+// The edits, with the places and motions that these bodies have.
+[[nodiscard]] SceneEdits with_motion_of(const std::vector<Body>& bodies, const SceneEdits& edits);
+
 // The scene at the start of a run, as scene_now() gives it.
 [[nodiscard]] std::shared_ptr<const Scene> scene_at_start(const Scene& start);
 

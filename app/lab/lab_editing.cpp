@@ -15,6 +15,7 @@
 #include "widgets/edit/bodies_sheet.h"
 #include "widgets/edit/inspector.h"
 #include "widgets/scene/allowed_motion.h"
+#include "widgets/scene/allowed_place.h"
 #include "widgets/scene/join_shapes.h"
 #include "widgets/scene/scene_parts.h"
 #include "widgets/scene/scene_view.h"
@@ -49,6 +50,11 @@ void LabWindow::connect_edits() {
     inspect();
     inspector_->edit_name();
   });
+  const auto pause = [this] {
+    if (session_.runs().plays()) session_.runs().set_playing(false);
+  };
+  connect(inspector_, &Inspector::pauseRequested, this, pause);
+  connect(sheet_, &BodiesSheet::pauseRequested, this, pause);
   connect(inspector_, &Inspector::partOpened, this, [this] { view_->choose_part(inspector_->part()); });
   connect(inspector_, &Inspector::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
     edit_bodies(edits, name, drag_of(kOfInspector, drag));
@@ -113,6 +119,10 @@ void LabWindow::select_drawn(const SceneEdits& edits) {
 }
 
 void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int drag) {
+  if (session_.needs_pause(edits)) {
+    return session_.pause_for(edits, name,
+                              [=, this](const SceneEdits& there) { edit_bodies(there, name, drag); });
+  }
   // Bodies that get another name stay selected.
   std::vector<std::string> names;
   for (const SceneEdit& edit : edits) {
@@ -121,22 +131,30 @@ void LabWindow::edit_bodies(const SceneEdits& edits, const QString& name, int dr
   if (!names.empty() && names != view_->selection()) to_select_ = names;
   const auto scene = session_.runs().scene();
   if (scene == nullptr) return session_.edit(edits, name, drag);
-  const AllowedMotion allowed = allowed_motion(*scene, edits);
+  const AllowedPlace placed = allowed_place(*scene, edits);
+  if (!placed.refusal.isEmpty()) {
+    emit session_.editRefused(placed.refusal);
+    return;
+  }
+  const AllowedMotion allowed = allowed_motion(*scene, placed.edits);
+  const QString sentence = placed.sentence.isEmpty() ? allowed.sentence : placed.sentence;
   const std::uint64_t before = session_.revision();
   session_.edit(allowed.edits, allowed.sentence.isEmpty() ? name : allowed.name, drag);
-  if (!allowed.sentence.isEmpty() && session_.revision() != before) say_for_a_while(allowed.sentence);
+  if (!sentence.isEmpty() && session_.revision() != before) say_for_a_while(sentence);
 }
 
 void LabWindow::show_selection() {
-  const auto scene = session_.runs().scene();
+  LabRuns& runs = session_.runs();
+  const auto parts = runs.shown_parts();
+  inspector_->set_playing(runs.plays());
   const std::optional<PartId>& part = view_->part();
-  if (part && scene != nullptr && has_part(*scene, *part)) {
-    inspector_->show_part(scene, *part);
+  if (part && parts != nullptr && has_part(*parts, *part)) {
+    inspector_->show_part(parts, *part);
   } else {
-    inspector_->show_selection(scene, view_->selection());
+    inspector_->show_selection(view_->selection().empty() ? parts : runs.shown_scene(), view_->selection());
   }
   if (!drawer_->shows(sheet_)) return;
-  sheet_->show_moment(scene, session_.runs().frame());
+  sheet_->show_moment(runs.shown_scene(), runs.frame());
   sheet_->show_selection(view_->selection());
 }
 

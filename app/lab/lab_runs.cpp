@@ -110,6 +110,14 @@ const Frame* LabRuns::lost() const {
   return lost == frames_.end() ? nullptr : lost->get();
 }
 
+std::shared_ptr<const Scene> LabRuns::shown_scene() {
+  return scene() != nullptr || !plays() ? scene() : playing_scene_.at(frame());
+}
+
+std::shared_ptr<const Scene> LabRuns::shown_parts() {
+  return scene() != nullptr || !plays() ? scene() : playing_scene_.parts(frame());
+}
+
 bool LabRuns::at_start() const {
   return begins_ || will_begin_ || frames().empty() ||
          (there() && frames().front()->time <= start_time(document_.preset.saved));
@@ -148,6 +156,7 @@ void LabRuns::take_news(const Frames& news) {
   const Frames before = std::exchange(frames_, news);
   if (has_edit(*frames_.front(), awaited_)) awaited_ = 0;
   if (awaited_ == 0 || frames_.front()->playing) scene_ = frames_.front()->scene;
+  if (!frames_.front()->playing) playing_scene_.forget_expected();
   if (playhead_) follow_runs();
   take_halt(before);
   emit framesChanged();
@@ -337,16 +346,20 @@ Worker::EditId LabRuns::begin_with(const Methods& methods, const std::vector<Cur
 Worker::EditId LabRuns::edit(const std::vector<std::pair<std::size_t, Method>>& methods,
                              const SceneEdits& edits, Worker::EditId part_of) {
   forget_wait();
-  auto next = std::make_shared<Scene>(*scene_);
-  apply_edits(*next, edits);
-  scene_ = next;
+  if (scene_ != nullptr) {
+    auto next = std::make_shared<Scene>(*scene_);
+    apply_edits(*next, edits);
+    scene_ = next;
+  }
   if (!methods.empty()) part_of = worker_.set_methods(methods, part_of);
   awaited_ = worker_.edit_scene(edits, part_of);
+  if (scene_ == nullptr) playing_scene_.expect(awaited_, edits);
   return awaited_;
 }
 
 void LabRuns::undo_or_redo(Worker::EditId edit) {
   awaited_ = 0;
+  playing_scene_.forget_expected();
   worker_.undo_or_redo(edit, document_.preset, document_.reference);
 }
 

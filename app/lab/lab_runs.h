@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/lab/document_change.h"
+#include "app/lab/playing_scene.h"
 #include "physics/record/recorder.h"
 #include "physics/worker/pace.h"
 #include "physics/worker/worker.h"
@@ -77,6 +78,11 @@ class LabRuns : public QObject {
   [[nodiscard]] const std::shared_ptr<const Scene>& scene() const {
     return in_past() ? frames().front()->scene : scene_;
   }
+  // The same, and while a run plays that of the shown frame. Its parts alone, where bodies need not be where
+  // they are now, are the same object until an edit. None while the runs are on their way to what is shown.
+  [[nodiscard]] std::shared_ptr<const Scene> shown_scene();
+  [[nodiscard]] std::shared_ptr<const Scene> shown_parts();
+  [[nodiscard]] bool plays() const { return frame() != nullptr && frame()->playing; }
   [[nodiscard]] const std::vector<std::shared_ptr<Recorder>>& recorders() const { return recorders_; }
   [[nodiscard]] const Frame* lost() const;  // a lost run, if any
   // The first method's run that the last new start or restart has left, or what the last cut has cut off.
@@ -180,6 +186,7 @@ class LabRuns : public QObject {
   std::vector<Curve> curves_;
   Frames frames_;  // the newest
   std::shared_ptr<const Scene> scene_;
+  PlayingScene playing_scene_;
   Worker::EditId awaited_ = 0;  // an edit that is in scene_, but in no frame yet; 0: none
   bool begins_ = false;         // the frames are from before the start
   bool will_begin_ = false;

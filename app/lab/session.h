@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QRandomGenerator>
 #include <QUndoStack>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -49,10 +50,16 @@ class Session : public QObject {
   [[nodiscard]] MethodEdits& methods() { return methods_; }
   // Edits the scene. At the start, and where an edit is about motion, the runs begin anew: later from the shown
   // moment, which becomes the start; undo returns to that moment of the run. Other edits hold in the runs from
-  // the shown moment on, and in the start. Bodies are replaced as they stand in the frame's scene. Edits of one
-  // `drag` (> 0) are undone together. A playing run is paused first. Nothing changes where the scene would not
-  // be valid (editRefused).
+  // the shown moment on, and in the start. Bodies are replaced as they stand in the runs' shown scene. Edits of
+  // one `drag` (> 0) are undone together. A run that plays is paused first where they need that. Nothing
+  // changes where the scene would not be valid (editRefused).
   void edit(const SceneEdits& edits, const QString& text, int drag = 0);
+  // Whether these edits of the shown scene wait until the runs stand still: those that are about motion or
+  // remove bodies, and all of a moment of the past. Others hold in a run that plays.
+  [[nodiscard]] bool needs_pause(const SceneEdits& edits);
+  // Pauses the runs, and then hands over the edits as they are of the moment that is reached.
+  void pause_for(const SceneEdits& edits, const QString& text,
+                 const std::function<void(const SceneEdits&)>& then);
   // The names of the bodies that are selected now: undo of a later edit of the scene asks for them again.
   void set_selection(const std::vector<std::string>& names) { history_.set_selection(names); }
   // Takes back the edits of a drag that is not finished, if they are the last ones.

@@ -5,6 +5,7 @@
 #include "app/lab/session.h"
 #include "physics/preset/preset_file.h"
 #include "physics/scene/edit_rules.h"
+#include "physics/scene/fingerprint.h"
 #include "physics/scene/validate.h"
 #include "widgets/scene/new_body.h"
 
@@ -27,29 +28,61 @@ void add_edit(std::vector<RunEdit>& edits, const RunEdit& edit) {
   edits.insert(std::upper_bound(edits.begin(), edits.end(), edit, is_earlier), edit);
 }
 
-}  // namespace
-
-void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
-  if (!history_.may_edit_moment()) return;
-  const bool begins = runs().at_start();
-  if (!begins && (runs().frame()->playing || runs().replayed()))
-    return runs().when_still(text, [=, this] { edit(asked, text, drag); });
-  if (!begins && runs().scene() == nullptr) return history_.refuse(tr("Restart the run first."));
-  const double time = runs().frame() == nullptr ? 0.0 : runs().frame()->time;
-  const Document& before = history_.document();
-  const Scene now = begins ? before.preset.scene : *runs().scene();
-  SceneEdits edits = asked;
-  number_new_parts(before.preset.scene, edits);
-  // Bodies that are removed leave their place to others, which only runs that begin anew can follow.
-  const bool from_here = !begins && std::any_of(edits.begin(), edits.end(), [&now](const SceneEdit& each) {
+// Bodies that are removed leave their place to others, which only runs that begin anew can follow.
+bool need_new_start(const Scene& now, const SceneEdits& edits) {
+  return std::any_of(edits.begin(), edits.end(), [&now](const SceneEdit& each) {
     return is_about_motion(now, each) || std::holds_alternative<Remove<Body>>(each);
   });
+}
+
+// Of the scene with all its bodies, also those that come in later.
+std::uint64_t fingerprint_of_all(const Preset& preset) {
+  Scene all = preset.scene;
+  all.bodies = all_bodies(preset);
+  all.generators.clear();
+  return fingerprint(all, 0.0);
+}
+
+}  // namespace
+
+bool Session::needs_pause(const SceneEdits& edits) {
+  if (runs().at_start()) return false;
+  if (!runs().plays()) return runs().replayed().has_value();
+  return runs().in_past() || need_new_start(*runs().shown_scene(), edits);
+}
+
+void Session::pause_for(const SceneEdits& edits, const QString& text,
+                        const std::function<void(const SceneEdits&)>& then) {
+  const auto moment = runs().plays() ? runs().shown_scene() : nullptr;
+  const bool plays_on = runs().in_past() && moment != nullptr && !need_new_start(*moment, edits);
+  runs().when_still(text, [=, this] {
+    const auto now = runs().scene();
+    then(moment == nullptr || now == nullptr ? edits : moved_to(now->bodies, edits, *moment));
+    if (plays_on) runs().set_playing(true);
+  });
+}
+
+void Session::edit(const SceneEdits& asked, const QString& text, int drag) {
+  if (needs_pause(asked))
+    return pause_for(asked, text, [=, this](const SceneEdits& there) { edit(there, text, drag); });
+  if (!history_.may_edit_moment()) return;
+  const bool begins = runs().at_start();
+  const auto scene = runs().shown_scene();
+  if (!begins && scene == nullptr) return history_.refuse(tr("Restart the run first."));
+  const double time = runs().frame() == nullptr ? 0.0 : runs().frame()->time;
+  const Document& before = history_.document();
+  const Scene now = begins ? before.preset.scene : *scene;
+  SceneEdits edits = asked;
+  number_new_parts(before.preset.scene, edits);
+  const bool from_here = !begins && need_new_start(now, edits);
   Document changed = before;
   try {
     DocumentChange change = begins      ? change_of_start(before, edits)
                             : from_here ? change_to_moment(before, now, time, edits)
                                         : change_of_start(before, at_the_start(before.preset, edits));
     apply_change(changed, change);
+    // What changes nothing is no step.
+    if (!from_here && fingerprint_of_all(changed.preset) == fingerprint_of_all(before.preset)) return;
     validate(changed.preset);
     DocumentEdit::What what{.text = text, .begins = begins || from_here};
     if (drag > 0) what.drag = drag;

@@ -6,9 +6,11 @@
 namespace carom {
 namespace {
 
+// A body that becomes fixed or driven loses its velocity with that.
 bool moves_otherwise(const Body& was, const Body& is) {
-  return was.position != is.position || was.angle != is.angle || was.velocity != is.velocity ||
-         was.spin != is.spin;
+  if (was.position != is.position || was.angle != is.angle) return true;
+  const bool is_stopped = has_infinite_mass(is) && is.velocity.isZero(0.0) && is.spin == 0.0;
+  return !is_stopped && (was.velocity != is.velocity || was.spin != is.spin);
 }
 
 // Of joints and springs: where their ends are.

@@ -71,7 +71,15 @@ void BodiesGrid::set_theme(const Theme& theme) {
 // -----------------------------------------------------------------------------------------------------------
 
 void BodiesGrid::show(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Frame>& frame) {
+  const bool could_edit = rows_->can_edit();
   rows_->show(scene, frame);
+  if (says_why_not_ && could_edit != rows_->can_edit()) {
+    if (currentIndex().isValid()) {
+      say_why_not(currentIndex());
+    } else {
+      say({});
+    }
+  }
   if (field_ == nullptr) return;
   const int row = currentIndex().row();
   const bool same =
@@ -152,9 +160,12 @@ bool BodiesGrid::edit(const QModelIndex& index, EditTrigger trigger, QEvent* eve
   return FigureTable::edit(index, trigger, event);
 }
 
-void BodiesGrid::begin(CellField* field, int row) {
+void BodiesGrid::begin(CellField* field, int row, int column) {
   field_ = field;
   edited_ = rows_->bodies()[static_cast<std::size_t>(row)].id;
+  connect(field, &QLineEdit::textEdited, this, [this] { say({}); });
+  if (BodiesModel::is_of_motion(column))
+    connect(field, &QLineEdit::textEdited, this, &BodiesGrid::pauseRequested);
   connect(field, &TypedField::refused, this, &BodiesGrid::say);
   connect(field, &TypedField::dropped, this, &BodiesGrid::say);
   connect(field, &CellField::left, this, [this, field] { end(field); });

@@ -32,7 +32,7 @@ class BodiesGrid : public FigureTable {
 
   // For the cells' editors: takes a text, or returns one sentence on why it can't be.
   QString take(int row, int column, const QString& text);
-  void begin(CellField* field, int row);
+  void begin(CellField* field, int row, int column);
   void end(CellField* field);
   // From the current cell to the next one that can be edited, one row down (-1: up), or to the right (-1:
   // left). False if there is none.
@@ -45,6 +45,7 @@ class BodiesGrid : public FigureTable {
   void edited(const carom::SceneEdits& edits, const QString& name);
   // The user marked cells of these bodies.
   void chosen(const std::vector<std::string>& names);
+  void pauseRequested();  // the user begins to change what moves while a run plays
   // A sentence to be shown; empty: none any more.
   void said(const QString& sentence);
 
@@ -52,6 +53,8 @@ class BodiesGrid : public FigureTable {
   [[nodiscard]] QString copied() const override;
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  // Keys type into cells; they look for none.
+  void keyboardSearch(const QString& /*text*/) override {}
   bool focusNextPrevChild(bool next) override;
   bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
   void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;

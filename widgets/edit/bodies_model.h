@@ -22,8 +22,8 @@ struct TypedCell {
   QString fault;
 };
 
-// A row for each body at one moment: name, m, x, y, v and spin, which can be edited while the run is paused,
-// p and K. The last row has all bodies together: their mass, their centre of mass, p and K.
+// A row for each body at one moment: name, m, x, y, v and spin, which can be edited where there is a scene, p
+// and K. The last row has all bodies together: their mass, their centre of mass, p and K.
 class BodiesModel : public FigureModel {
  public:
   enum Column { kBody, kMass, kX, kY, kVelocityX, kVelocityY, kSpin, kMomentum, kEnergy };
@@ -31,7 +31,8 @@ class BodiesModel : public FigureModel {
 
   explicit BodiesModel(QObject* parent = nullptr);
 
-  // The scene as it stands; null: the moment of a run that plays, in which nothing can be edited.
+  // The scene as it stands; while a run plays, that of the frame. Null: there is none, and nothing of the
+  // frame, which is shown, can be edited.
   void show(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Frame>& frame);
   void show_all();
   void mark(const std::vector<std::string>& names);
@@ -41,6 +42,8 @@ class BodiesModel : public FigureModel {
   [[nodiscard]] bool has_faults() const { return !faults_.empty(); }
 
   [[nodiscard]] const std::vector<Body>& bodies() const { return *bodies_; }
+  // Whether the cells of the column are about where things are and how fast they move.
+  [[nodiscard]] static bool is_of_motion(int column) { return column >= kX && column <= kSpin; }
   [[nodiscard]] int shown_bodies() const { return static_cast<int>(shown_); }
   [[nodiscard]] bool is_marked(int row) const;
   [[nodiscard]] const QString* fault(int row, int column) const;

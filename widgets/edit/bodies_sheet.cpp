@@ -30,6 +30,7 @@ BodiesSheet::BodiesSheet(const Theme& theme, QWidget* parent)
   grid_->set_theme(theme);
   connect(grid_, &BodiesGrid::edited, this, &BodiesSheet::edited);
   connect(grid_, &BodiesGrid::chosen, this, &BodiesSheet::chosen);
+  connect(grid_, &BodiesGrid::pauseRequested, this, &BodiesSheet::pauseRequested);
   connect(grid_, &BodiesGrid::said, this, &BodiesSheet::say);
   connect(all_, &QPushButton::clicked, this, [this] {
     grid_->rows().show_all();

@@ -16,8 +16,8 @@ namespace carom {
 
 class BodiesGrid;
 
-// The table of the bodies, in which their values can be typed while the run is paused. Under it stand a
-// sentence, if there is something to say, and a button if it does not show all bodies.
+// The table of the bodies, in which their values can be typed. Under it stand a sentence, if there is something
+// to say, and a button if it does not show all bodies.
 class BodiesSheet : public QWidget {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class BodiesSheet : public QWidget {
   explicit BodiesSheet(const Theme& theme, QWidget* parent = nullptr);
 
   void set_theme(const Theme& theme);
-  // The scene as it stands; null: a run plays, and its moment is shown.
+  // The scene as it stands; while a run plays, that of the frame. Null: there is none, and the frame is shown.
   void show_moment(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Frame>& frame);
   // The names of the bodies that are selected in the scene.
   void show_selection(const std::vector<std::string>& names);
@@ -41,6 +41,7 @@ class BodiesSheet : public QWidget {
   void edited(const carom::SceneEdits& edits, const QString& name);
   // The user chose cells of these bodies.
   void chosen(const std::vector<std::string>& names);
+  void pauseRequested();  // the user begins to change what moves while a run plays
 
  private:
   void say(const QString& sentence);  // empty: nothing

@@ -62,6 +62,7 @@ BodyHead::BodyHead(QWidget* parent)
   fault_->hide();
   kind_->addItems({tr("moves"), tr("fixed"), tr("driven")});
   connect(name_, &NameField::named, this, &BodyHead::rename);
+  connect(name_, &QLineEdit::textEdited, this, [this] { emit dropped({}); });
   connect(name_, &TypedField::dropped, this, &BodyHead::dropped);
   connect(name_, &TypedField::refused, this, [this](const QString& sentence) {
     fault_->setText(sentence);

@@ -18,7 +18,7 @@ QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
       [grid = grid_, row, column](const QString& text) { return grid->take(row, column, text); }, parent);
   field->setAccessibleName(index.data(Qt::AccessibleTextRole).toString());
   if (column != BodiesModel::kBody) field->setAlignment(Qt::AlignRight);
-  grid_->begin(field, row);
+  grid_->begin(field, row, column);
   return field;
 }
 

@@ -38,7 +38,8 @@ struct Inspected {
   std::function<QString(const std::vector<double>&, const std::vector<double>&)> undo_name;
   // What an empty field does; without it a value must be typed.
   std::optional<NamedEdits> emptied{};
-  QString refusal{};  // why no value can be typed now, in one sentence
+  QString refusal{};          // why no value can be typed now, in one sentence
+  bool is_of_motion = false;  // a place, an angle, a velocity or a spin, which change while a run plays
   // What else than the range forbids these values, in one sentence; empty: nothing.
   std::function<QString(const std::vector<double>&)> fault{};
 };

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <string_view>
 #include <unordered_set>
 
 #include "widgets/base/number_text.h"
@@ -23,6 +24,8 @@ struct BodyLine {
   bool vector = false;        // two components in one line
   const char* act = nullptr;  // the verb of an undo name without values, "Move light"
 };
+constexpr std::array<std::string_view, 6> kMotion = {"position", "angle",     "velocity",
+                                                     "speed",    "direction", "spin"};
 constexpr auto kBodyLines = std::to_array<BodyLine>({
     {"Mass and size", "Mass", "mass"},
     {"Mass and size", "Density", "density"},
@@ -113,6 +116,7 @@ std::optional<Inspected> inspected_at(const LineWords& words, const FieldPlace& 
   const auto rests = [](const Body& body) { return body.velocity.isZero(0.0); };
   if (place.key == "direction" && std::all_of(bodies->begin(), bodies->end(), rests))
     shown.refusal = "At rest there is no direction: a speed comes first.";
+  shown.is_of_motion = std::find(kMotion.begin(), kMotion.end(), place.key) != kMotion.end();
   const QString component = place.part < 0 ? "" : place.part == 0 ? "x" : "y";
   shown.label = component;
   shown.name = words.label + (component.isEmpty() ? "" : " ") + component;

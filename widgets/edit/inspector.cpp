@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/base/elided_label.h"
 #include "widgets/edit/body_head.h"
@@ -141,7 +142,9 @@ void Inspector::choose(std::shared_ptr<const Scene> scene, const std::vector<std
     names_ = names;
     part_ = part;
     bodies_ = bodies_named(*scene_, names_);
+    if (other) pulled_.reset();
     show_rows();
+    if (std::exchange(played_, plays_) || plays_) follow_run();
     if (other) scroll_->verticalScrollBar()->setValue(0);
   }
   set_frozen(false);
@@ -277,6 +280,12 @@ InspectorRow* Inspector::add_row(const InspectedRow& row, int index) {
     ++burst_;
     before_burst_ = value.values;
     pulled_ = pulled ? std::optional(value) : std::nullopt;
+    pulled_at_ = {static_cast<std::size_t>(index), static_cast<std::size_t>(field)};
+    begin_edit(index, field);
+  });
+  connect(widget, &InspectorRow::typed, this, [this, index](int field) {
+    say({});
+    begin_edit(index, field);
   });
   connect(widget, &InspectorRow::changed, this,
           [this, index](int field, const std::vector<double>& values, bool in_burst) {
@@ -314,12 +323,28 @@ void Inspector::set_frozen(bool frozen) {
   set_line(hint_, frozen ? tr("Pause to edit") : QString());
 }
 
+// What is pulled while the run plays changes what there is now.
+void Inspector::follow_run() {
+  if (!pulled_) return;
+  const auto [row, field] = pulled_at_;
+  if (row < rows_.size() && field < rows_[row].values.size()) pulled_ = rows_[row].values[field];
+}
+
+void Inspector::begin_edit(int row, int field) {
+  const InspectedRow& shown = rows_[static_cast<std::size_t>(row)];
+  if (shown.values[static_cast<std::size_t>(field)].is_of_motion) emit pauseRequested();
+}
+
 void Inspector::restore() {
   for (InspectorRow* row : row_widgets_) row->restore();
   head_->restore();
 }
 
 void Inspector::say(const QString& sentence) {
+  if (hands_out_ && !sentence.isEmpty()) {
+    refusal_ = sentence;
+    return;
+  }
   if (!sentence.isEmpty()) restore();
   set_line(sentence_, sentence);
 }
@@ -335,7 +360,17 @@ void Inspector::accept(int row, int field, const std::vector<double>& values, bo
   });
   if (adds) pulled_.reset();
   say({});
-  emit edited(edits, name, in_burst ? burst_ : 0);
+  if (!in_burst) return hand_out_typed(row, field, edits, name);
+  emit edited(edits, name, burst_);
+}
+
+void Inspector::hand_out_typed(int row, int field, const SceneEdits& edits, const QString& name) {
+  InspectorRow* widget = row_widgets_[static_cast<std::size_t>(row)];
+  refusal_.clear();
+  hands_out_ = true;
+  emit edited(edits, name, 0);
+  hands_out_ = false;
+  if (!refusal_.isEmpty()) widget->refuse(field, refusal_);
 }
 
 }  // namespace carom

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "physics/scene/edit.h"
@@ -32,19 +33,23 @@ class Inspector : public QWidget {
  public:
   explicit Inspector(QWidget* parent = nullptr);
 
-  // The scene as it stands, and the names of the selected bodies. Null: a run plays, nothing can be typed and
-  // what is shown stays. A field in which the user types is left alone as long as the selection is the same.
+  // The scene as it stands, or at the shown moment of a run that plays, and the names of the selected bodies.
+  // Null: there is none now, nothing can be typed and what is shown stays. A field in which the user types is
+  // left alone as long as the selection is the same.
   void show_selection(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names);
   // The same for a joint, a spring or a force.
   void show_part(std::shared_ptr<const Scene> scene, PartId part);
+  // Whether a run plays, so that the scene which is shown next is another moment of it.
+  void set_playing(bool playing) { plays_ = playing; }
   [[nodiscard]] const std::optional<PartId>& part() const { return part_; }
   // The line with the title, over what scrolls; at its right there is room for more.
   [[nodiscard]] QWidget* head() const { return bar_; }
   void add_to_head(QWidget* widget) { top_->addWidget(widget); }
   // Puts the cursor into the name of the selected body.
   void edit_name();
-  // Says at the bottom, until the next accepted edit, why the last one could not be; the fields then show the
-  // scene again. Empty: nothing to say.
+  // Says why an edit could not be. Of a typed value that is being handed out its field says so, and keeps what
+  // is typed. Else it stands at the bottom until the next edit, and the fields show the scene again. Empty:
+  // nothing to say.
   void say(const QString& sentence);
 
  signals:
@@ -53,7 +58,8 @@ class Inspector : public QWidget {
   // itself.
   void edited(const carom::SceneEdits& edits, const QString& name, int drag);
 
-  void partOpened();  // part() was chosen here
+  void partOpened();      // part() was chosen here
+  void pauseRequested();  // the user begins to change what moves while a run plays
 
  protected:
   bool event(QEvent* event) override;
@@ -74,9 +80,12 @@ class Inspector : public QWidget {
   // By its accessible name; empty: no field of the rows has the focus.
   [[nodiscard]] QString focused_field() const;
   void focus_field(const QString& name);
-  void set_frozen(bool frozen);  // while a run plays
+  void set_frozen(bool frozen);
+  void begin_edit(int row, int field);
+  void follow_run();
   void restore();
   void accept(int row, int field, const std::vector<double>& values, bool in_burst);
+  void hand_out_typed(int row, int field, const SceneEdits& edits, const QString& name);
 
   std::shared_ptr<const Scene> scene_;
   std::vector<std::string> names_;
@@ -91,6 +100,11 @@ class Inspector : public QWidget {
   std::vector<double> before_burst_;
   // A pull changes what there was at its beginning: a speed that comes from 0 again keeps its direction.
   std::optional<Inspected> pulled_;
+  std::pair<std::size_t, std::size_t> pulled_at_;  // its row and field
+  bool hands_out_ = false;                         // what is typed
+  QString refusal_;                                // of that
+  bool plays_ = false;
+  bool played_ = false;  // when the scene was last shown
 
   QScrollArea* scroll_;
   QWidget* content_;

@@ -22,6 +22,8 @@ class InspectorRow : public QWidget {
   virtual void show_row(const InspectedRow& row);
   // Forgets what is typed.
   virtual void restore() {}
+  // Why the values that a field is handing out could not be.
+  virtual void refuse(int /*field*/, const QString& /*sentence*/) {}
   // All rows of one inspector give their labels the same width.
   [[nodiscard]] int label_width() const;
   void set_label_width(int width);
@@ -30,9 +32,11 @@ class InspectorRow : public QWidget {
   // The values of one of the row's fields.
   void changed(int field, const std::vector<double>& values, bool in_burst);
   void burst_began(int field, bool pulled);
+  void typed(int field);
   // Any other edit.
   void edited(const carom::NamedEdits& edits);
-  // What could not be, in one sentence: a field was left with a wrong value, or a button is refused.
+  // What could not be, in one sentence: a field was left with a wrong value, or a button is refused. Empty:
+  // what was said is over, as something is typed.
   void dropped(const QString& sentence);
   void opened(const carom::PartId& part);
   void folded(const QString& list);

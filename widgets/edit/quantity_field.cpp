@@ -101,10 +101,11 @@ QString QuantityField::take(const QString& text) {
   if (!fault.isEmpty()) return fault;
   if (typed.values == values_ && is_given_) {
     restore();
-  } else {
-    emit changed(typed.values, false);
+    return {};
   }
-  return {};
+  answer_.clear();
+  emit changed(typed.values, false);
+  return answer_;
 }
 
 QString QuantityField::fitted(const QString& text) const {

@@ -28,6 +28,9 @@ class QuantityField : public TypedField {
   // Values that differ read "2 values".
   void show_value(const Inspected& value);
 
+  // Why the values that changed() hands out could not be.
+  void refuse(const QString& sentence) { answer_ = sentence; }
+
   // While the mouse pulls the label of the field: the values are those at the beginning, changed.
   void begin_pull();
   void pull(double pixels);
@@ -61,6 +64,7 @@ class QuantityField : public TypedField {
   bool is_given_ = true;
   bool may_be_empty_ = false;
   QString refusal_;
+  QString answer_;  // to the values that were handed out last
   std::function<QString(const std::vector<double>&)> value_fault_;
   std::vector<double> pulled_from_;
   QElapsedTimer last_step_;

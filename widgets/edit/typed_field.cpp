@@ -17,8 +17,12 @@ void TypedField::show_text(const QString& text) {
 void TypedField::show_displayed() {
   const QString text = displayed();
   if (this->text() == text) return;
+  // Of a value that changes while a run plays what is marked stays so, to be typed over.
+  const bool all_marked = hasSelectedText() && selectedText() == this->text();
+  const int cursor = hasFocus() ? cursorPosition() : 0;
   setText(text);
-  setCursorPosition(0);
+  setCursorPosition(cursor);
+  if (all_marked) selectAll();
 }
 
 void TypedField::resizeEvent(QResizeEvent* event) {

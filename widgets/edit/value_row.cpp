@@ -70,6 +70,7 @@ void ValueRow::add_field(const Inspected& value) {
   connect(handle, &DragLabel::moved, field, &QuantityField::pull);
   connect(field, &QuantityField::burst_began, this,
           [this, index](bool is_pull) { emit burst_began(index, is_pull); });
+  connect(field, &QLineEdit::textEdited, this, [this, index] { emit typed(index); });
   connect(field, &QuantityField::changed, this,
           [this, index](const std::vector<double>& values, bool burst) { emit changed(index, values, burst); });
   connect(field, &QuantityField::emptied, this,
@@ -127,6 +128,10 @@ void ValueRow::show_row(const InspectedRow& row) {
   }
   const QString tip = fields_.front()->toolTip();
   if (fields_.size() == 1 && label()->toolTip() != tip) label()->setToolTip(tip);
+}
+
+void ValueRow::refuse(int field, const QString& sentence) {
+  fields_[static_cast<std::size_t>(field)]->refuse(sentence);
 }
 
 void ValueRow::restore() {

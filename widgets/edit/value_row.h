@@ -22,6 +22,7 @@ class ValueRow : public InspectorRow {
 
   void show_row(const InspectedRow& row) override;
   void restore() override;
+  void refuse(int field, const QString& sentence) override;
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

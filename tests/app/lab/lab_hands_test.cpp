@@ -115,6 +115,15 @@ TEST_F(LabHandsTest, ADoubleClickOnItsButtonKeepsATool) {
   EXPECT_EQ(window_.preset().scene.bodies.size(), 4U);
 }
 
+TEST_F(LabHandsTest, ABodyAtRestIsNotReversed) {
+  draw_two_discs();
+  select({-1.0, 0.0});
+  const int steps = window_.session().edits().count();
+  key(Qt::Key_X);
+  key(Qt::Key_0);
+  EXPECT_EQ(window_.session().edits().count(), steps);
+}
+
 TEST_F(LabHandsTest, ADrawnBodyPausesARunAndBeginsAnew) {
   window_.session().runs().set_playing(true);
   ASSERT_TRUE(wait_for([this] { return time() > 0.05 && window_.frame()->playing; }));

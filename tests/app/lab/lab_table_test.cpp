@@ -11,6 +11,7 @@
 #include "tests/app/lab/lab_fixture.h"
 #include "widgets/edit/bodies_model.h"
 #include "widgets/edit/bodies_sheet.h"
+#include "widgets/edit/inspector.h"
 #include "widgets/run/before_after_panel.h"
 
 // The table of the bodies in the real window.
@@ -213,6 +214,55 @@ TEST_F(LabTableTest, ARodLeavesTheAllowedPartOfATypedVelocity) {
     }
     return false;
   }));
+}
+
+// Places that a rod does not allow slide in the table and the inspector, or stand red as they were typed.
+TEST_F(LabTableTest, ATypedPlaceSlidesOnItsRodOrIsRed) {
+  Preset pair = window_.preset();
+  for (Body& body : pair.scene.bodies) body.velocity.setZero();
+  Joint rod;
+  rod.body = "light";
+  rod.to = "heavy";
+  const Vec2 apart = pair.scene.bodies[1].position - pair.scene.bodies[0].position;
+  rod.length = apart.norm();
+  pair.scene.joints = {rod};
+  pair.expect.clear();
+  window_.show_scene(pair, {}, {});
+  ASSERT_TRUE(wait_for([this] {
+    const auto scene = window_.session().runs().scene();
+    return scene != nullptr && scene->joints.size() == 1;
+  }));
+  click(0, BodiesModel::kY);
+  type("0.3");
+  const auto length = [this] {
+    const std::vector<Body>& bodies = window_.preset().scene.bodies;
+    return (bodies[1].position - bodies[0].position).norm();
+  };
+  EXPECT_GT(light().position.y(), 0.2);
+  EXPECT_NEAR(length(), apart.norm(), 1e-9);
+  EXPECT_EQ(window_.session().edits().count(), 1);
+  // Along the rod nothing is left; in the inspector too.
+  window_.session().edits().undo();
+  ASSERT_TRUE(wait_for([this] {
+    const auto scene = window_.session().runs().scene();
+    return scene != nullptr && scene->bodies[0].position.y() == 0.0;
+  }));
+  window_.scene_view().select({"light"});
+  QLineEdit* x = nullptr;
+  for (QLineEdit* edit : window_.findChild<Inspector*>()->findChildren<QLineEdit*>()) {
+    if (edit->accessibleName() == "Position x, m" && edit->isVisible()) x = edit;
+  }
+  ASSERT_NE(x, nullptr);
+  x->setFocus();
+  x->selectAll();
+  type("-3");
+  EXPECT_TRUE(x->property("fault").toBool());
+  EXPECT_EQ(x->text(), "-3");
+  bool said = false;
+  for (const QLabel* label : window_.findChild<Inspector*>()->findChildren<QLabel*>("fault"))
+    said = said || (label->isVisible() && label->text().startsWith("Rod 1 would be "));
+  EXPECT_TRUE(said);
+  EXPECT_EQ(light().position.x(), pair.scene.bodies[0].position.x());
 }
 
 // What is typed at a later moment: a mass goes on, a velocity is a new start from there.

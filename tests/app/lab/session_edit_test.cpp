@@ -110,6 +110,18 @@ TEST_F(SessionEditTest, OfMotionIsANewStartFromHere) {
   EXPECT_NEAR(now("left").position.x(), 0.8, 1e-12);
 }
 
+TEST_F(SessionEditTest, WhatChangesNothingIsNoStep) {
+  Body left = start(0);
+  edit(Replace<Body>{left});
+  EXPECT_EQ(session_.edits().count(), 0);
+  left.velocity = -left.velocity;
+  edit(Replace<Body>{left});
+  EXPECT_EQ(session_.edits().count(), 1);
+  run_to(0.2);
+  edit(Replace<Body>{now("left")});
+  EXPECT_EQ(session_.edits().count(), 1);
+}
+
 TEST_F(SessionEditTest, OneDragIsOneStep) {
   const std::string before = document();
   run_to(0.3);

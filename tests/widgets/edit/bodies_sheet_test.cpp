@@ -267,6 +267,15 @@ TEST_F(BodiesSheetTest, WhatIsTypedStaysWhileTheSceneIsShownAnew) {
   key(Qt::Key_F2);
   EXPECT_EQ(field(), nullptr);
   EXPECT_EQ(sentence(), "Pause to edit.");
+  // That is over with the run, whether a cell is current or none.
+  sheet_.show_moment(std::make_shared<const Scene>(*scene_), nullptr);
+  EXPECT_EQ(sentence(), "");
+  sheet_.show_moment(nullptr, frame);
+  key(Qt::Key_F2);
+  EXPECT_EQ(sentence(), "Pause to edit.");
+  table().setCurrentIndex({});
+  sheet_.show_moment(std::make_shared<const Scene>(*scene_), nullptr);
+  EXPECT_EQ(sentence(), "");
 }
 
 TEST_F(BodiesSheetTest, ShowsTheFirst200AndThenAll) {

@@ -86,6 +86,33 @@ TEST_F(InspectorTest, LeavingAWrongValueBringsTheGoodOneBackAndSaysWhy) {
   EXPECT_TRUE(sentences().isEmpty());
 }
 
+TEST_F(InspectorTest, WhatIsSaidOfAFieldEndsWhenAnotherIsTypedIn) {
+  select({"light"});
+  for (const char* other : {"Spin, rad/s", "Name"}) {
+    type(field("Radius, m"), "-1");
+    field(other)->setFocus();
+    ASSERT_EQ(sentences().size(), 1);
+    QTest::keyClicks(field(other), "3");
+    EXPECT_TRUE(sentences().isEmpty()) << other;
+    QTest::keyClick(field(other), Qt::Key_Escape);
+  }
+}
+
+// Refused by who receives the edit, as by a joint.
+TEST_F(InspectorTest, ARefusedValueStaysTypedAndIsRed) {
+  select({"light"});
+  QObject::disconnect(&inspector_, &Inspector::edited, &inspector_, nullptr);
+  QObject::connect(&inspector_, &Inspector::edited, [this] { inspector_.say("Rod 1 would be 2 m."); });
+  QLineEdit* x = field("Position x, m");
+  enter(x, "5");
+  EXPECT_EQ(x->text(), "5");
+  EXPECT_TRUE(x->property("fault").toBool());
+  EXPECT_EQ(sentences(), QStringList{"Rod 1 would be 2 m."});
+  QTest::keyClick(x, Qt::Key_Escape);
+  EXPECT_EQ(x->text(), "−1");
+  EXPECT_TRUE(sentences().isEmpty());
+}
+
 TEST_F(InspectorTest, ANewSceneLeavesTheFieldThatIsTypedInAlone) {
   select({"light"});
   QLineEdit* mass = field("Mass, kg");
