@@ -8,7 +8,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 
 #include "widgets/base/plain_text.h"
 
@@ -28,16 +27,16 @@ constexpr int kPictureHeight = 36;
 
 // Words of the search, and what is written where they are meant.
 struct Meaning {
-  const char* word;
-  std::initializer_list<const char*> written;
+  const char* word = nullptr;
+  std::array<const char*, 2> written{};  // null: no other
 };
 constexpr std::array<Meaning, 6> kMeanings = {{
     {"restitution", {"e = ", "inelastic"}},
-    {"inelastic", {"e = 0"}},
+    {"inelastic", {"e = 0", nullptr}},
     {"bounce", {"bouncing", "restitution"}},
     {"collision", {"strikes", "meets"}},
-    {"rotation", {"spin"}},
-    {"gravity", {"is dropped"}},
+    {"rotation", {"spin", nullptr}},
+    {"gravity", {"is dropped", nullptr}},
 }};
 
 // Whether the text has the word, or another one for it.
@@ -48,7 +47,7 @@ bool speaks_of(const QString& text, const QString& word) {
          std::any_of(kMeanings.begin(), kMeanings.end(), [&](const Meaning& meaning) {
            return QLatin1String(meaning.word).startsWith(word, Qt::CaseInsensitive) &&
                   std::any_of(meaning.written.begin(), meaning.written.end(), [&](const char* written) {
-                    return text.contains(QLatin1String(written), Qt::CaseInsensitive);
+                    return written != nullptr && text.contains(QLatin1String(written), Qt::CaseInsensitive);
                   });
          });
 }
