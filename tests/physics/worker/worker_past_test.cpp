@@ -81,7 +81,8 @@ class WorkerPast : public testing::Test {
     EXPECT_TRUE(test::wait_until([&] {
       const Frames news = worker_.take_frames();
       if (!news.empty()) frames = news;
-      return !frames.empty() && frames.front()->error.has_value();
+      return !frames.empty() && std::all_of(frames.begin(), frames.end(),
+                                            [](const auto& frame) { return frame->error.has_value(); });
     }));
     return frames;
   }
