@@ -37,14 +37,7 @@ DragStart start_of(const Scene& scene, const Body& body, const Names& changed) {
   std::copy_if(
       scene.joints.begin(), scene.joints.end(), std::back_inserter(beside.joints),
       [&](const Joint& joint) { return !changed.contains(joint.body) || !changed.contains(joint.to); });
-  start.followers = followers_of(start.bodies, beside);
-  const auto follows = [&](const Body& other) {
-    return std::any_of(start.followers.begin(), start.followers.end(),
-                       [&](const Body& follower) { return follower.name == other.name; });
-  };
-  std::erase_if(beside.bodies, follows);
-  start.others = std::move(beside.bodies);
-  start.joints = std::move(beside.joints);
+  set_beside(start, std::move(beside));
   return start;
 }
 

@@ -63,14 +63,7 @@ DragStart start_of(const Scene& scene, const Moves& moves) {
   std::copy_if(scene.bodies.begin(), scene.bodies.end(), std::back_inserter(beside.bodies),
                [&](const Body& body) { return !moves.has(body.name); });
   // What is joined to one of several that go their own ways does not follow.
-  if (moves.rigid()) start.followers = followers_of(start.bodies, beside);
-  const auto follows = [&](const Body& body) {
-    return std::any_of(start.followers.begin(), start.followers.end(),
-                       [&](const Body& follower) { return follower.name == body.name; });
-  };
-  std::erase_if(beside.bodies, follows);
-  start.others = std::move(beside.bodies);
-  start.joints = std::move(beside.joints);
+  set_beside(start, std::move(beside), moves.rigid());
   return start;
 }
 

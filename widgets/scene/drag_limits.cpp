@@ -178,6 +178,16 @@ std::optional<std::vector<Body>> shrunk(const DragStart& start, std::span<const 
 
 }  // namespace
 
+void set_beside(DragStart& start, Surroundings beside, bool may_follow) {
+  if (may_follow) start.followers = followers_of(start.bodies, beside);
+  std::erase_if(beside.bodies, [&](const Body& body) {
+    return std::any_of(start.followers.begin(), start.followers.end(),
+                       [&](const Body& follower) { return follower.name == body.name; });
+  });
+  start.others = std::move(beside.bodies);
+  start.joints = std::move(beside.joints);
+}
+
 Dragged within_joints(const DragStart& start, Dragged wanted, const DragPoint& point) {
   if (!resizes(start)) {
     std::vector<Body> followers = start.followers;

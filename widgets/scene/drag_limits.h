@@ -10,6 +10,9 @@ namespace carom {
 // What joints and other bodies leave of an edit. With Ctrl joints take the lengths that it needs, and overlaps
 // stay.
 
+// Sets what is beside the bodies that change: those that joints make one with them follow, if they may.
+void set_beside(DragStart& start, Surroundings beside, bool may_follow = true);
+
 // While the mouse is down: followers come along, joints hold, and overlaps are said.
 [[nodiscard]] Dragged within_joints(const DragStart& start, Dragged wanted, const DragPoint& point);
 

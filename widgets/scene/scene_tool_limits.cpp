@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iterator>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -28,11 +27,7 @@ DragStart SceneTools::start_of(HandleKind kind, std::vector<Body> bodies) const 
     Body body = body_now(*sight.frame, i);
     if (!edited.contains(body.name)) beside.bodies.push_back(std::move(body));
   }
-  start.followers = followers_of(start.bodies, beside);
-  for (const Body& body : start.followers) edited.insert(body.name);
-  std::copy_if(beside.bodies.begin(), beside.bodies.end(), std::back_inserter(start.others),
-               [&](const Body& body) { return !edited.contains(body.name); });
-  start.joints = std::move(beside.joints);
+  set_beside(start, std::move(beside));
   return start;
 }
 

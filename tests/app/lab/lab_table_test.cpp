@@ -31,6 +31,23 @@ class LabTableTest : public LabWindowTest {
     for (const QChar c : text) QTest::keyClicks(QApplication::focusWidget(), c);
     QTest::keyClick(QApplication::focusWidget(), end);
   }
+  // The two discs at rest, on a rod of this length or of their distance.
+  void show_on_a_rod(std::optional<double> length) {
+    Preset pair = window_.preset();
+    for (Body& body : pair.scene.bodies) body.velocity.setZero();
+    Joint rod;
+    rod.name = "Rod 1";
+    rod.body = "light";
+    rod.to = "heavy";
+    rod.length = length;
+    pair.scene.joints = {rod};
+    pair.expect.clear();
+    window_.show_scene(pair, {}, {});
+    ASSERT_TRUE(wait_for([this] {
+      const auto scene = window_.session().runs().scene();
+      return scene != nullptr && scene->joints.size() == 1;
+    }));
+  }
   [[nodiscard]] const Body& light() const { return window_.preset().scene.bodies[0]; }
   [[nodiscard]] bool is_selected(const std::string& name) {
     return wait_for([&] { return window_.scene_view().selection() == std::vector<std::string>{name}; });
@@ -154,19 +171,7 @@ TEST_F(LabTableTest, PastesIntoAColumnAndSaysWhatCannotBe) {
 
 // Two free discs on a rod: what it forbids is red, and the sentence says what to do.
 TEST_F(LabTableTest, AVelocityAgainstAJointIsRed) {
-  Preset pair = window_.preset();
-  for (Body& body : pair.scene.bodies) body.velocity.setZero();
-  Joint rod;
-  rod.name = "Rod 1";
-  rod.body = "light";
-  rod.to = "heavy";
-  pair.scene.joints = {rod};
-  pair.expect.clear();
-  window_.show_scene(pair, {}, {});
-  ASSERT_TRUE(wait_for([this] {
-    const auto scene = window_.session().runs().scene();
-    return scene != nullptr && scene->joints.size() == 1;
-  }));
+  ASSERT_NO_FATAL_FAILURE(show_on_a_rod({}));
   click(0, BodiesModel::kVelocityX);
   type("1");
   const auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
@@ -218,20 +223,9 @@ TEST_F(LabTableTest, ARodLeavesTheAllowedPartOfATypedVelocity) {
 
 // Places that a rod does not allow slide in the table and the inspector, or stand red as they were typed.
 TEST_F(LabTableTest, ATypedPlaceSlidesOnItsRodOrIsRed) {
-  Preset pair = window_.preset();
-  for (Body& body : pair.scene.bodies) body.velocity.setZero();
-  Joint rod;
-  rod.body = "light";
-  rod.to = "heavy";
-  const Vec2 apart = pair.scene.bodies[1].position - pair.scene.bodies[0].position;
-  rod.length = apart.norm();
-  pair.scene.joints = {rod};
-  pair.expect.clear();
-  window_.show_scene(pair, {}, {});
-  ASSERT_TRUE(wait_for([this] {
-    const auto scene = window_.session().runs().scene();
-    return scene != nullptr && scene->joints.size() == 1;
-  }));
+  const std::vector<Body> both = window_.preset().scene.bodies;
+  const Vec2 apart = both[1].position - both[0].position;
+  ASSERT_NO_FATAL_FAILURE(show_on_a_rod(apart.norm()));
   click(0, BodiesModel::kY);
   type("0.3");
   const auto length = [this] {
@@ -262,7 +256,7 @@ TEST_F(LabTableTest, ATypedPlaceSlidesOnItsRodOrIsRed) {
   for (const QLabel* label : window_.findChild<Inspector*>()->findChildren<QLabel*>("fault"))
     said = said || (label->isVisible() && label->text().startsWith("Rod 1 would be "));
   EXPECT_TRUE(said);
-  EXPECT_EQ(light().position.x(), pair.scene.bodies[0].position.x());
+  EXPECT_EQ(light().position.x(), both[0].position.x());
 }
 
 // What is typed at a later moment: a mass goes on, a velocity is a new start from there.
