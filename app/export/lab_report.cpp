@@ -8,12 +8,14 @@
 #include "physics/model/needs.h"
 #include "physics/preset/preset.h"
 #include "physics/record/frame.h"
+#include "physics/record/jump_moment.h"
 #include "widgets/base/figure_table.h"
 #include "widgets/base/method_names.h"
 #include "widgets/base/number_text.h"
 #include "widgets/plot/plot_export.h"
 #include "widgets/plot/run_plot.h"
 #include "widgets/print/print_blocks.h"
+#include "widgets/run/before_after.h"
 
 namespace carom {
 namespace {
@@ -63,9 +65,10 @@ class Writer {
   std::vector<PrintBlock> write(const ReportMoments& moments) {
     head();
     if (!report_.questions.isEmpty()) question(report_.questions.front());
-    scenes(moments);
+    scenes(moments.scenes);
     plots();
-    tables();
+    before_and_after_table(moments.first_impact.get());
+    ledger();
     method();
     for (const QString& text : report_.questions.mid(1)) question(text);
     return std::move(blocks_);
@@ -97,7 +100,7 @@ class Writer {
     add(print_ruled(kLeastLines));
   }
 
-  void scenes(const ReportMoments& moments) {
+  void scenes(const std::vector<std::vector<Frame>>& moments) {
     if (moments.empty()) return;
     add(print_heading(tr("The run")));
     const bool alone = moments.size() == 1;
@@ -159,15 +162,28 @@ class Writer {
     }
   }
 
-  void tables() {
-    if (report_.bodies != nullptr) {
-      add(print_heading(tr("Before and after")));
-      add(print_text(tr("Before: t = 0. Now: t = %1 s.").arg(short_figure(report_.ends.front().time, 6)),
-                     print_font(12), light_theme().muted),
-          4.0);
+  // Of the first impact, which the scenes show too.
+  void before_and_after_table(const JumpMoment* first_impact) {
+    if (report_.bodies == nullptr) return;
+    const auto table = [this](const QString& heading, const QString& moments, const FigureModel& figures) {
+      add(print_heading(heading));
+      add(print_text(moments, print_font(12), light_theme().muted), 4.0);
       blocks_.back().with_next = true;
-      add(print_table(*report_.bodies, kMostRows));
-    }
+      add(print_table(figures, kMostRows));
+    };
+    if (first_impact == nullptr)
+      return table(tr("Before and after"),
+                   tr("Before: t = 0. After: t = %1 s.").arg(short_figure(report_.ends.front().time, 6)),
+                   *report_.bodies);
+    BeforeAfterModel figures(nullptr);
+    figures.set(carom::before_and_after(*first_impact));
+    table(tr("Before and after the first impact"),
+          tr("t = %1 s. Theory: the closed law of the impact. Error: as a share of its largest speed.")
+              .arg(short_figure(first_impact->time(), 6)),
+          figures);
+  }
+
+  void ledger() {
     if (report_.ledger == nullptr) return;
     add(print_heading(tr("Where energy and momentum went")));
     add(print_table(*report_.ledger, kMostRows));
@@ -289,12 +305,17 @@ std::optional<ReportMoments> report_moments(const LabReport& report,
                                             const std::function<bool(double)>& progress) {
   ReportMoments moments;
   const auto keep = [&](std::span<const Frame> runs) {
-    moments.emplace_back(runs.begin(), runs.end());
+    moments.scenes.emplace_back(runs.begin(), runs.end());
     return true;
   };
   const double end = report.times.empty() ? 1.0 : std::max(report.times.back(), 1e-12);
   const auto go_on = [&](double time) { return progress(std::min(1.0, time / end)); };
   if (!visit_moments(report.runs, report.times, kImpactShown, keep, go_on)) return std::nullopt;
+  bool cancelled = false;
+  const auto not_cancelled = [&] { return !(cancelled = !progress(1.0)); };
+  if (report.first_impact)
+    moments.first_impact = first_jump_moment(report.runs.front(), report.ends.front().time, not_cancelled);
+  if (cancelled) return std::nullopt;
   return moments;
 }
 

@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -34,8 +35,8 @@ struct LabReport {
   bool until_shown = false;                     // the ends are at a moment of the record, not its end
   std::optional<double> first_impact;           // s
   SceneLook look;
-  std::vector<RunPlot*> plots;  // as shown in the window
-  const FigureModel* bodies = nullptr;
+  std::vector<RunPlot*> plots;          // as shown in the window
+  const FigureModel* bodies = nullptr;  // since the start: printed for a run without impacts
   const FigureModel* ledger = nullptr;
 };
 
@@ -49,9 +50,13 @@ struct LabReport {
 // Mass of A 1 → 2 kg". An edit that was made by one drag is one line.
 [[nodiscard]] QStringList edit_lines(const LabReport& report);
 
-// The scene at the times of a report: a frame of each run, by replaying the runs. `progress` receives the
-// completed share, 0 to 1; if it returns false there is no result. From any thread.
-using ReportMoments = std::vector<std::vector<Frame>>;
+// The scene at the times of a report: a frame of each run; and the first moment with impacts, if there is one.
+struct ReportMoments {
+  std::vector<std::vector<Frame>> scenes;
+  std::shared_ptr<const JumpMoment> first_impact;
+};
+// By replaying the runs. `progress` receives the completed share, 0 to 1; if it returns false there is no
+// result. From any thread.
 [[nodiscard]] std::optional<ReportMoments> report_moments(const LabReport& report,
                                                           const std::function<bool(double)>& progress);
 // The pages, valid while the plots exist.

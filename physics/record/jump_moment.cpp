@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "physics/record/replay.h"
+
 namespace carom {
 namespace {
 
@@ -58,6 +60,21 @@ std::shared_ptr<const JumpMoment> last_jump_moment(const Simulation& run) {
   std::size_t begin = records.size() - 1;
   while (begin > 0 && records[begin - 1].time == records.back().time) --begin;
   return moment_of(run, begin, records.size());
+}
+
+std::shared_ptr<const JumpMoment> first_jump_moment(const RunSetup& setup, double end,
+                                                    const std::function<bool()>& go_on) {
+  std::shared_ptr<const JumpMoment> first;
+  bool met = false;
+  Replay(setup).go_through(
+      [](const RunEdit&) {},
+      [&](const Simulation& run) { return !met && !run.lost() && run.time() < end && go_on(); },
+      [&](const Simulation& run) {
+        met = !run.last_impacts().empty();
+        const auto moments = jump_moments(run);
+        if (!moments.empty()) first = moments.front();
+      });
+  return first;
 }
 
 }  // namespace carom

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "physics/ledger/impact_record.h"
 #include "physics/model/compiled_scene.h"
+#include "physics/run/run_setup.h"
 #include "physics/run/simulation.h"
 
 namespace carom {
@@ -28,5 +30,10 @@ struct JumpMoment {
 [[nodiscard]] std::vector<std::shared_ptr<const JumpMoment>> jump_moments(const Simulation& run);
 // The last moment with impacts of the last step; nullptr if there is none, or if its jumps are not recorded.
 [[nodiscard]] std::shared_ptr<const JumpMoment> last_jump_moment(const Simulation& run);
+// The first moment with impacts of a run, by repeating it from its start to `end` (s); nullptr if there is none
+// until then, or its jumps are not recorded. Before each step `go_on` is asked; if it returns false there is no
+// result.
+[[nodiscard]] std::shared_ptr<const JumpMoment> first_jump_moment(const RunSetup& setup, double end,
+                                                                  const std::function<bool()>& go_on);
 
 }  // namespace carom

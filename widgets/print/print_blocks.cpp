@@ -1,12 +1,10 @@
 #include "widgets/print/print_blocks.h"
 
-#include <QCoreApplication>
 #include <QTextLayout>
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
-#include "widgets/base/figure_table.h"
 #include "widgets/theme/theme.h"
 
 namespace carom {
@@ -15,8 +13,6 @@ namespace {
 constexpr int kText = 12;         // px, size of plain text
 constexpr double kNames = 104.0;  // px, room of an entry's name
 constexpr double kRule = 30.0;    // px between lines to write on
-constexpr double kRow = 20.0;     // px, of a table
-constexpr double kInset = 5.0;    // px, of a table's cells
 constexpr double kLine = 0.75;    // px
 
 const Theme& theme() { return light_theme(); }
@@ -117,82 +113,6 @@ PrintBlock print_fields(const std::vector<PrintField>& fields) {
       painter.drawText(QPointF(start + 4.0, where.bottom() - kBase),
                        metrics.elidedText(field.text, Qt::ElideRight, end - start - 8.0));
       x = end + kGap;
-    }
-  };
-  return block;
-}
-
-PrintBlock print_table(const FigureModel& table, int most) {
-  struct Cell {
-    QString text;
-    bool left;
-    bool pale;
-  };
-  struct Row {
-    std::vector<Cell> cells;
-    bool sum = false;
-  };
-  std::vector<Row> rows(1);
-  std::vector<double> widths;
-  double weights = 0.0;
-  const int columns = table.columnCount();
-  const auto left = [&](int column) {
-    return (table.headerData(column, Qt::Horizontal, Qt::TextAlignmentRole).toInt() & Qt::AlignLeft) != 0;
-  };
-  for (int c = 0; c < columns; ++c) {
-    rows[0].cells.push_back({table.headerData(c, Qt::Horizontal, Qt::DisplayRole).toString(), left(c), true});
-    weights += table.weight(c);
-  }
-  for (int c = 0; c < columns; ++c) widths.push_back(table.weight(c) / weights * PrintPages::kTextWidth);
-  int more = 0;
-  for (int r = 0; r < table.rowCount(); ++r) {
-    Row row;
-    row.sum = table.is_sum(r);
-    bool has_values = false;
-    for (int c = 0; c < columns; ++c) {
-      row.cells.push_back({table.index(r, c).data().toString(), left(c), table.is_idle(r, c)});
-      has_values = has_values || (!row.cells.back().pale && !row.cells.back().text.isEmpty());
-    }
-    if (!has_values) continue;
-    const bool too_many = !row.sum && static_cast<int>(rows.size()) > most;
-    if (row.sum && more > 0) {
-      Row note;
-      note.cells.push_back({QCoreApplication::translate("PrintTable", "and %1 more").arg(more), true, true});
-      rows.push_back(note);
-    }
-    more += too_many ? 1 : 0;
-    if (!too_many) rows.push_back(std::move(row));
-  }
-  PrintBlock block;
-  const bool two_lines = std::any_of(rows[0].cells.begin(), rows[0].cells.end(),
-                                     [](const Cell& cell) { return cell.text.contains('\n'); });
-  const double head = (two_lines ? 1.7 : 1.0) * kRow;
-  block.height = head + kRow * static_cast<double>(rows.size() - 1);
-  block.gap = 8.0;
-  block.paint = [rows, widths, head](QPainter& painter, const QRectF& where) {
-    double y = where.top();
-    for (std::size_t r = 0; r < rows.size(); y += r == 0 ? head : kRow, ++r) {
-      if (r == 1 || rows[r].sum) {
-        painter.setPen(QPen(r == 1 ? theme().muted : theme().border, kLine));
-        painter.drawLine(QPointF(where.left(), y), QPointF(where.right(), y));
-      }
-      double x = where.left();
-      painter.setFont(print_font(r == 0 ? 10 : 11, rows[r].sum));
-      const QFontMetricsF metrics(painter.font());
-      // At the edges the cells' text is aligned with the page's text.
-      for (std::size_t c = 0; c < rows[r].cells.size(); ++c) {
-        const Cell& cell = rows[r].cells[c];
-        const bool alone = rows[r].cells.size() == 1;
-        const double width = alone ? where.width() : widths[c];
-        const double before = c == 0 ? 0.0 : kInset;
-        const double after = c + 1 == widths.size() || alone ? 0.0 : kInset;
-        const QRectF place(x + before, y, width - before - after, r == 0 ? head : kRow);
-        painter.setPen(cell.pale ? theme().muted : theme().text);
-        painter.drawText(
-            place, (cell.left ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,
-            r == 0 ? cell.text : metrics.elidedText(cell.text, Qt::ElideRight, place.width() + 0.5));
-        x += width;
-      }
     }
   };
   return block;

@@ -134,6 +134,27 @@ TEST_F(LabReportTest, IsAPdfOfVectorsAndText) {
   EXPECT_EQ(moment_text(report_->times[3], *report_), "end");
 }
 
+// A ball that is dropped and ends at rest: nothing but its impact tells of momentum.
+TEST_F(LabReportTest, BeforeAndAfterAreThoseOfTheFirstImpact) {
+  ASSERT_TRUE(window_.open("bouncing-ball"));
+  window_.run_until(1.5);
+  make("ball.pdf");
+  const auto moments = report_moments(*report_, [](double) { return true; });
+  ASSERT_TRUE(moments && moments->first_impact);
+  const JumpMoment& impact = *moments->first_impact;
+  const Scene& scene = window_.preset().scene;
+  const auto ball = std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                                 [](const Body& body) { return !has_infinite_mass(body); });
+  const BodyIndex index{static_cast<int>(ball - scene.bodies.begin())};
+  const double speed = -scene.forces.gravity.y() * impact.time();
+  EXPECT_NEAR(impact.before().velocity(index).y(), -speed, 1e-9);
+  EXPECT_NEAR(impact.after().velocity(index).y(), 0.8 * speed, 1e-9);
+  // Without an impact, since the start.
+  LabReport until = *report_;
+  until.first_impact.reset();
+  EXPECT_FALSE(report_moments(until, [](double) { return true; })->first_impact);
+}
+
 // On white, whatever the window's colours; nothing extends beyond the margins.
 TEST_F(LabReportTest, KeepsItsMargins) {
   for (const char* name : {"bouncing-ball", "newtons-cradle-hung", "billiard-break", "drag-projectile"}) {

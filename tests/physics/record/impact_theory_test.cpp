@@ -30,11 +30,8 @@ std::shared_ptr<const JumpMoment> first_moment(Scene scene) {
   RunSetup setup;
   setup.scene = std::move(scene);
   setup.method.step = 0.01;
-  Simulation run(setup);
-  run.watch_impacts(true);
-  for (int i = 0; i < 1000 && run.last_impacts().empty(); ++i) run.step();
-  const auto moments = jump_moments(run);
-  return moments.empty() ? nullptr : moments.front();
+  constexpr double kEnd = 10.0;  // s
+  return first_jump_moment(setup, kEnd, [] { return true; });
 }
 
 void expect_theory(const Scene& scene) {
