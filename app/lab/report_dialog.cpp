@@ -7,12 +7,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QStandardItemModel>
 #include <algorithm>
 #include <fmt/format.h>
 
 #include "physics/scene/validate.h"
+#include "widgets/base/number_list.h"
 #include "widgets/base/plain_text.h"
 #include "widgets/base/plain_text_edit.h"
 
@@ -29,20 +29,7 @@ QString listed(const std::vector<double>& times) {
 }  // namespace
 
 std::vector<double> times_of(const QString& text, double end) {
-  static const QRegularExpression between("[;\\s]+|,\\s+");
-  std::vector<double> times;
-  for (QString part : text.split(between, Qt::SkipEmptyParts)) {
-    part.replace(',', '.');  // a decimal comma
-    bool good = false;
-    const double time = part.toDouble(&good);
-    if (!good || !(time >= 0.0 && time <= end)) {
-      throw SceneError(
-          fmt::format("{} is not allowed; allowed: a time from 0 to {} s", shortened(part.toStdString()), end));
-    }
-    times.push_back(time);
-  }
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
+  std::vector<double> times = numbers_in(text, 0.0, end, QString("a time from 0 to %1 s").arg(QString::fromStdString(fmt::format("{}", end))));
   if (times.size() > LabReport::kMostMoments) {
     throw SceneError(
         fmt::format("{} moments are not allowed; allowed: up to {}", times.size(), LabReport::kMostMoments));

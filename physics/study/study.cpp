@@ -171,12 +171,15 @@ void measure_times(StudyTable& table, const Preset& preset, const StudyCallbacks
 
 }  // namespace
 
+std::vector<double> default_steps(const Preset& preset) {
+  std::vector<double> steps;
+  double h = std::min({kCoarsestStep * preset.method.step, preset.duration / kLeastSteps, kLargestStep});
+  for (int k = 0; k < kDefaultSteps && h >= kLeastStep; ++k, h *= 0.5) steps.push_back(h);
+  return steps;
+}
+
 std::vector<Method> plan_methods(const Preset& preset, const StudyOptions& options) {
-  std::vector<double> steps = options.steps;
-  if (steps.empty()) {
-    double h = std::min({kCoarsestStep * preset.method.step, preset.duration / kLeastSteps, kLargestStep});
-    for (int k = 0; k < kDefaultSteps && h >= kLeastStep; ++k, h *= 0.5) steps.push_back(h);
-  }
+  std::vector<double> steps = options.steps.empty() ? default_steps(preset) : options.steps;
   std::vector<double> tolerances = options.tolerances;
   if (tolerances.empty()) {
     for (int digits = 3; digits <= 12; ++digits) tolerances.push_back(std::pow(10.0, -digits));

@@ -19,7 +19,7 @@ namespace carom {
 struct StudyOptions {
   std::vector<IntegratorId> integrators;
   std::vector<ImpactsId> impacts;
-  std::vector<double> steps;       // s; default: kDefaultSteps, halved from 16 times the scene's step
+  std::vector<double> steps;       // s; default: default_steps()
   std::vector<double> tolerances;  // of the adaptive integrator; default: 1e-3 to 1e-12
   std::optional<double> until;     // s, the compared time; default: see plan_time()
   int repeats = 5;                 // of the timing
@@ -27,6 +27,8 @@ struct StudyOptions {
 };
 
 inline constexpr int kDefaultSteps = 10;
+// s, falling: kDefaultSteps, halved from 16 times the scene's step.
+[[nodiscard]] std::vector<double> default_steps(const Preset& preset);
 
 // The complete rows of a study: every integrator under every impacts choice at every step. The adaptive
 // integrator has tolerances in place of steps (its results, and so impacts at the step's end, come at the

@@ -27,6 +27,7 @@
 #include "widgets/compare/log_scale.h"
 #include "widgets/compare/order_table.h"
 #include "widgets/compare/study_plot.h"
+#include "widgets/compare/study_steps.h"
 #include "widgets/print/save_file.h"
 
 namespace carom {
@@ -75,11 +76,13 @@ StudyPanel::StudyPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
   run_button_ = make_button(tr("Run the study"), {});
   error_button_ = make_button({}, tr("Which error is drawn"));
   against_button_ = make_button({}, tr("Quantity on the other axis"));
+  steps_button_ = make_button({}, tr("Which steps the study takes"));
   export_button_ = make_button(tr("Export..."), tr("Save the table (CSV, every digit) or the picture"));
-  for (QToolButton* button : {run_button_, error_button_, against_button_}) buttons_->addWidget(button);
+  for (QToolButton* button : {run_button_, steps_button_, error_button_, against_button_}) buttons_->addWidget(button);
   buttons_->addStretch();
   buttons_->addWidget(export_button_);
   connect(run_button_, &QToolButton::clicked, this, [this] { running() ? cancel() : start(); });
+  connect(steps_button_, &QToolButton::clicked, this, &StudyPanel::choose_steps);
   connect(export_button_, &QToolButton::clicked, this, &StudyPanel::choose_file);
   make_choices();
 
@@ -185,7 +188,9 @@ void StudyPanel::set_theme(const Theme& theme) {
 void StudyPanel::set_scene(const Preset& preset, const QString& name) {
   name_ = name;
   own_ = preset.method;
+  steps_.clear();
   edit_scene(preset);
+  show_steps();
 }
 
 void StudyPanel::edit_scene(const Preset& preset) {
@@ -205,6 +210,7 @@ void StudyPanel::start(StudyOptions options) {
   current_ = true;
   studied_->method.step = own_.step;
   studied_->method.tolerance = own_.tolerance;
+  if (options.steps.empty()) options.steps = steps_;
   // Leaves one core to the lab.
   options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
   so_far_ = {};
@@ -212,6 +218,23 @@ void StudyPanel::start(StudyOptions options) {
   timer_.start(kPoll);
   show_points();
   show_words();
+}
+
+void StudyPanel::choose_steps() {
+  Preset own = preset_;
+  own.method.step = own_.step;
+  const std::vector<double> usual = default_steps(own);
+  auto* dialog = new StudyStepsDialog(steps_.empty() ? usual : steps_, usual, this);
+  ask(dialog, [this, dialog, usual] {
+    steps_ = dialog->steps();
+    if (steps_ == usual) steps_.clear();
+    show_steps();
+  });
+}
+
+void StudyPanel::show_steps() {
+  steps_button_->setText(steps_.empty() ? tr("usual steps...")
+                                        : tr("%n steps...", nullptr, static_cast<int>(steps_.size())));
 }
 
 void StudyPanel::cancel() {

@@ -69,6 +69,8 @@ class StudyPanel : public QWidget {
   void poll();
   void show_points();
   void show_words();
+  void choose_steps();
+  void show_steps();
   void choose_file();
   [[nodiscard]] QString tip_of(const StudyRow& row) const;
 
@@ -78,7 +80,8 @@ class StudyPanel : public QWidget {
   std::optional<Preset> studied_;  // the preset of so_far_
   bool current_ = false;           // so_far_ belongs to the shown scene, apart from its method
   StudySoFar so_far_;
-  std::size_t error_ = 0;  // of kStudyErrors
+  std::vector<double> steps_;  // s, chosen for the scene shown; none: the usual ones
+  std::size_t error_ = 0;      // of kStudyErrors
   bool against_time_ = false;
   bool stale_ = false;  // there are points that are not drawn yet
   QTimer timer_;
@@ -88,6 +91,7 @@ class StudyPanel : public QWidget {
   QToolButton* run_button_ = nullptr;
   QToolButton* error_button_ = nullptr;
   QToolButton* against_button_ = nullptr;
+  QToolButton* steps_button_ = nullptr;
   QToolButton* export_button_ = nullptr;
   QStackedWidget* pages_ = nullptr;  // explanation, or the study
   QLabel* hint_ = nullptr;

@@ -1,6 +1,14 @@
+#include <QApplication>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QTest>
+#include <QToolButton>
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <set>
+#include <stdexcept>
 
 #include "app/lab/drawer.h"
 #include "app/lab/lab_window.h"
@@ -9,6 +17,7 @@
 #include "tests/support/wait_events.h"
 #include "widgets/compare/error_plot.h"
 #include "widgets/compare/study_panel.h"
+#include "widgets/compare/study_steps.h"
 
 namespace carom {
 namespace {
@@ -38,6 +47,45 @@ class LabStudyTest : public testing::Test {
   std::unique_ptr<LabWindow> window_;
   StudyPanel* panel_ = nullptr;
 };
+
+// Through the dialog, like a user.
+TEST_F(LabStudyTest, TheStepsAreChosen) {
+  const auto button = [this](const QString& text) {
+    for (auto* each : panel_->findChildren<QToolButton*>()) {
+      if (each->text() == text) return each;
+    }
+    throw std::runtime_error("no button " + text.toStdString());
+  };
+  const auto answer = [](const QString& steps, const QString& expected_fault) {
+    auto* dialog = qobject_cast<StudyStepsDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    auto* list = dialog->findChild<QLineEdit*>();
+    list->selectAll();
+    QTest::keyClicks(list, steps);
+    EXPECT_EQ(dialog->findChild<QLabel*>("fault")->text(), expected_fault);
+    QPushButton* accept = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    EXPECT_EQ(accept->isEnabled(), expected_fault.isEmpty());
+    if (expected_fault.isEmpty()) {
+      accept->click();
+    } else {
+      dialog->reject();
+    }
+  };
+  button("usual steps...")->click();
+  answer("20; zero", "zero is not allowed; allowed: a step from 1e−6 to 1000 ms");
+  button("usual steps...")->click();
+  answer("10; 20 5,5", {});
+  StudyOptions options = quick();
+  options.steps.clear();
+  button("3 steps...");
+  panel_->start(options);
+  ASSERT_TRUE(test::wait_in_event_loop([this] { return !panel_->running(); }));
+  std::set<double> steps;
+  for (const StudyRow& row : panel_->so_far().table.rows) steps.insert(row.method.step);
+  EXPECT_EQ(steps, (std::set<double>{0.0055, 0.01, 0.02}));
+  ASSERT_TRUE(window_->open("bouncing-ball"));
+  EXPECT_NO_THROW(button("usual steps...")) << "those of another scene";
+}
 
 TEST_F(LabStudyTest, AClickOnAPointTakesItsMethodIntoTheComparison) {
   panel_->start(quick());
