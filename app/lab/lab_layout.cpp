@@ -201,7 +201,7 @@ void LabWindow::connect_views() {
   connect(list_, &ExperimentList::closeRequested, this, &LabWindow::leave_preview);
   connect(transport_, &TransportBar::playClicked, this, &LabWindow::set_playing);
   connect(transport_, &TransportBar::restartClicked, &session_.starts(), &SessionStarts::restart);
-  connect(transport_, &TransportBar::stepClicked, &session_.runs(), &LabRuns::step_by);
+  connect(transport_, &TransportBar::stepClicked, &session_.starts(), &SessionStarts::step_by);
   connect_timeline();
   connect(transport_, &TransportBar::speedChosen, this, [this](double speed) {
     session_.runs().set_speed(speed);

@@ -248,9 +248,9 @@ void LabWindow::make_run_menus() {
   add_action(run, "", tr("&Play or pause"), QKeySequence(Qt::Key_Space),
              [this] { set_playing(frame() == nullptr || !frame()->playing); });
   add_action(run, "", tr("Play &on past the end"), QKeySequence(), [this] { session_.starts().play_on(); });
-  add_action(run, "", tr("One &step"), QKeySequence(Qt::Key_Period), [this] { session_.runs().step_by(1); });
+  add_action(run, "", tr("One &step"), QKeySequence(Qt::Key_Period), [this] { session_.starts().step_by(1); });
   add_action(run, "", tr("One step &back"), QKeySequence(Qt::Key_Comma),
-             [this] { session_.runs().step_by(-1); });
+             [this] { session_.starts().step_by(-1); });
   add_action(run, "", tr("&Next impact"), QKeySequence(Qt::Key_PageDown),
              [this] { session_.runs().go_by_impact(true); });
   add_action(run, "", tr("&Last impact"), QKeySequence(Qt::Key_PageUp),

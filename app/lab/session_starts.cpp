@@ -47,6 +47,11 @@ void SessionStarts::play_on() {
   runs_.play_on();
 }
 
+void SessionStarts::step_by(int steps) {
+  if (steps > 0 && !runs_.in_past() && !runs_.replayed()) enter_run();
+  runs_.step_by(steps);
+}
+
 void SessionStarts::enter_run() {
   const DocumentEdit* last = history_.last_edit();
   if (last != nullptr && last->what().run != nullptr) return;

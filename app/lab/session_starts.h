@@ -22,6 +22,8 @@ class SessionStarts : public QObject {
   // where the last step is none: taken back, the runs stand where they stood before.
   void set_playing(bool playing);
   void play_on();  // without an end
+  // Steps from what is shown (LabRuns::step_by()): a new step belongs to a run.
+  void step_by(int steps);
   // Ends the run and stops at the start, as one step of undo.
   void restart();
 

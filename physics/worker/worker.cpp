@@ -37,8 +37,11 @@ struct Worker::Work {
   void halt_if_paced() {
     if (!playing || full_speed || runs.replay_until()) return;
     playing = false;
+    halt_at(*runs.first().met());
+  }
+  void halt_at(const MetStop& met) {
     changed = true;
-    halt = Halt{++halts, *runs.first().met()};
+    halt = Halt{++halts, met};
   }
   void interrupt() {
     runs.interrupt();
@@ -207,6 +210,7 @@ void Worker::step_once() {
     work.playing = false;
     work.halt.reset();
     work.runs.step_first();  // the others follow
+    if (const MetStop* met = work.runs.first().met()) work.halt_at(*met);
   });
 }
 

@@ -78,8 +78,8 @@ class Worker {
   EditId add_method(const Method& method);  // one more run; at most kMostCompared besides the first
   EditId remove_method(std::size_t run);    // not the first
   void set_reference(ReferenceId reference);
-  // Other stops of the preset. The first run meets them from its start on, and playing at a pace halts in the
-  // step in which it meets one: see Frame::halt, and show() for the moment itself.
+  // Other stops of the preset. The first run meets them from its start on, and playing at a pace, or a single
+  // step, halts in the step in which it meets one: see Frame::halt, and show() for the moment itself.
   void watch_stops(const std::vector<Stop>& stops);
   // Edits the scene of all runs now; as a part of the last edit if `part_of` names it.
   EditId edit_scene(const SceneEdits& edits, EditId part_of = 0);

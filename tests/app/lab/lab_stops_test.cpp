@@ -128,6 +128,18 @@ TEST_F(LabStopsTest, StepsLeaveTheMomentToTheEndsOfItsStep) {
   ASSERT_TRUE(wait_for([&] { return !runs().in_past() && std::abs(time() - before - step) < 1e-12; }));
 }
 
+// As playing does.
+TEST_F(LabStopsTest, ASingleStepHaltsAtTheMoment) {
+  set_stops({"at the 1st impact"});
+  window_.run_until(0.33);
+  const double step = window_.frame()->method.step;
+  press(Qt::Key_Period);
+  ASSERT_TRUE(wait_stopped("1st impact"));
+  EXPECT_NEAR(time(), 1.0 / 3.0, 1e-9);
+  press(Qt::Key_Period);
+  ASSERT_TRUE(wait_for([&] { return !runs().in_past() && std::abs(time() - 0.33 - step) < 1e-12; }));
+}
+
 TEST_F(LabStopsTest, SentencesAreTypedAndRefused) {
   type_stop("when all is at rest");
   EXPECT_EQ(sentences(), std::vector<std::string>{"when all is at rest"});

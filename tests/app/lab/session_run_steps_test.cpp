@@ -103,6 +103,40 @@ TEST_F(SessionRunStepsTest, WithANewStartARestartAndComparedMethods) {
   }
 }
 
+// Single steps are a run too: else an edit that is made again would find another run than it was made in.
+TEST_F(SessionRunStepsTest, SingleStepsAreARun) {
+  const auto steps = [this](int count) {
+    for (int i = 0; i < count; ++i) session_.starts().step_by(1);
+    settle();
+  };
+  std::vector<Shown> states = {shown()};
+  const auto note = [&] { states.push_back(shown()); };
+  steps(40);
+  EXPECT_EQ(undo_text(), "Run from 0.000 s");
+  note();
+  drag("disc 2", 1);
+  note();
+  steps(30);
+  note();
+  give_mass("disc 1", 3.0);
+  note();
+  steps(20);
+  note();
+  ASSERT_EQ(session_.edits().count(), 5);
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t i = states.size() - 1; i-- > 0;) {
+      SCOPED_TRACE(i);
+      undo();
+      expect_same(shown(), states[i]);
+    }
+    for (std::size_t i = 1; i < states.size(); ++i) {
+      SCOPED_TRACE(i);
+      redo();
+      expect_same(shown(), states[i]);
+    }
+  }
+}
+
 TEST_F(SessionRunStepsTest, AllIsTakenBackAndMadeAgainWithoutWaiting) {
   const Shown first = shown();
   play_to(0.2);
