@@ -89,10 +89,11 @@ void LabWindow::make_tools_menu() {
 void LabWindow::show_tool(const QAction& action, bool kept) {
   tool_column_->show_kept(kept ? &action : nullptr);
   const QString name = QString(action.text()).remove('&');
+  const QString does = action.toolTip().section('\n', 0, 0).section(": ", 1);
   const bool selects = view_->tool() == SceneTool::kSelect;
   chips_->show_tool(selects ? QString()
-                    : kept  ? tr("%1, kept: Esc ends it").arg(name)
-                            : tr("%1, once").arg(name));
+                    : kept  ? tr("%1, kept: Esc ends it · %2").arg(name, does)
+                            : tr("%1, once · %2").arg(name, does));
 }
 
 QWidget* LabWindow::make_tool_column() {

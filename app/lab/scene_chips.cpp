@@ -88,10 +88,14 @@ SceneChips::SceneChips(SceneView& view)
   });
   time_->setStyleSheet("font-weight: bold;");
   speed_->setToolTip(tr("Simulated seconds per second"));
-  tool_->setAccessibleName(tr("Tool in hand"));
+  tool_->setAccessibleName(tr("What the mouse does"));
   for (QLabel* chip : {stop_, impact_, status_, tool_}) chip->hide();
   view.installEventFilter(this);
   connect(&view, &SceneView::cursorMoved, this, &SceneChips::show_position);
+  connect(&view, &SceneView::hintChanged, this, [this](const QString& hint) {
+    hint_ = hint;
+    place();
+  });
   connect(&view, &SceneView::cursorLeft, position_, &QLabel::hide);
 }
 
@@ -101,8 +105,7 @@ bool SceneChips::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void SceneChips::show_tool(const QString& text) {
-  tool_->setText(text);
-  tool_->setVisible(!text.isEmpty());
+  tool_text_ = text;
   place();
 }
 
@@ -162,8 +165,11 @@ void SceneChips::show_notices(const LabRuns& runs, const QString& more, bool los
   if (runs.replayed())
     notices
         << tr("replaying the run after an edit: t = %1 s; Space stops here").arg(*runs.replayed(), 0, 'f', 1);
-  if (frame != nullptr && frame->status != "ok" && !(frame->lost && lost_shown))
-    notices << QString::fromStdString(frame->status);
+  QString details;  // of what the run itself says
+  if (frame != nullptr && frame->status != "ok" && !(frame->lost && lost_shown)) {
+    details = QString::fromStdString(frame->status);
+    notices << (frame->lost ? details : QString::fromStdString(frame->notices.brief()));
+  }
   for (const auto& each : runs.frames()) {
     if (each->rows_known_until < each->time) {
       notices << tr("replaying the run for new curves: t = %1 s").arg(each->rows_known_until, 0, 'f', 1);
@@ -173,7 +179,7 @@ void SceneChips::show_notices(const LabRuns& runs, const QString& more, bool los
   }
   status_text_ = notices.join("; ");
   status_->setVisible(!status_text_.isEmpty());
-  status_->setToolTip(plain_tip(status_text_));
+  status_->setToolTip(plain_tip(details.isEmpty() ? status_text_ : status_text_ + "\n\n" + details));
   place();
 }
 
@@ -188,6 +194,11 @@ void SceneChips::place() {
   row_->adjustSize();
   row_->move(kEdge, kEdge);
   row_->raise();
+  const QString told = tool_text_.isEmpty() ? hint_ : tool_text_;
+  const int room = view_.width() - row_->width() - 4 * kEdge;
+  tool_->setText(tool_->fontMetrics().elidedText(told, Qt::ElideRight, room));
+  tool_->setToolTip(plain_tip(told));
+  tool_->setVisible(!told.isEmpty() && room > kLeastRoom);
   tool_->adjustSize();
   tool_->move(view_.width() - tool_->width() - kEdge - 2, kEdge + 4);
   tool_->raise();

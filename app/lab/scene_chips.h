@@ -21,7 +21,7 @@ class SceneChips : public QObject {
 
   // The place of the mouse is unknown until it moves: another scene is shown under it.
   void forget_position() { position_->hide(); }
-  // The tool in hand; empty: it is the usual one.
+  // The tool in hand and what it does; empty: it is the usual one, and what the mouse can do is told.
   void show_tool(const QString& text);
   void show_time(const LabRuns& runs);
   // Names the start for as long as it is a moment of the run before.
@@ -48,7 +48,7 @@ class SceneChips : public QObject {
   QLabel* status_;
   QLabel* tool_;
   QLabel* position_;
-  QString status_text_;
+  QString status_text_, tool_text_, hint_;
 };
 
 }  // namespace carom

@@ -6,6 +6,8 @@
 
 namespace carom {
 
+struct NoticeEntry;
+
 // Notices of a run, each an expected numerical outcome, never an error. Times in s of the first occurrence;
 // negative: never.
 struct Notices {
@@ -50,14 +52,20 @@ struct Notices {
   double contacts_left_since = -1.0;
   double contacts_left = 0.0;
 
-  // One line for people; "ok" without notices.
+  // One line with what happened and what the run does about it; "ok" without notices.
   [[nodiscard]] std::string text() const;
+  // The same in a few words each; empty without notices.
+  [[nodiscard]] std::string brief() const;
+
+ private:
+  [[nodiscard]] std::string line(std::string_view NoticeEntry::*text) const;
 };
 
 struct NoticeEntry {
   std::string_view key;    // in a saved state
   double Notices::*since;  // s
-  std::string_view text;   // {t}: the time; {n}: the number below
+  std::string_view brief;  // {t}: the time; {n}: the number below
+  std::string_view text;   // likewise
   double Notices::*number = nullptr;
   std::string_view number_key = {};
 };

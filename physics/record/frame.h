@@ -27,7 +27,7 @@ struct JointState {
   bool taut = true;          // false: a slack string
 };
 
-// Playing has ended where a stop was met: in the last step of the run, or at its end.
+// Playing, or a single step, has ended where a stop was met: in the last step of the run, or at its end.
 struct Halt {
   std::uint64_t number = 0;  // each has another one
   MetStop at;
@@ -49,7 +49,8 @@ struct Frame {
   std::vector<ContactForce> contacts;  // of the last step; empty without resting contacts
   Totals totals;
   Ledger ledger;
-  std::string status = "ok";
+  Notices notices;
+  std::string status = "ok";  // with why it can't continue
   std::optional<std::string>
       lost;  // why the run can't continue, if so: it stays at the end of its last good step
   // s: the runs are on their way there again, after an edit was undone or redone.

@@ -129,6 +129,8 @@ class SceneTools : public QObject {
   bool refuse(const QString& sentence);
 
   [[nodiscard]] Qt::CursorShape cursor(const QPointF& at) const;
+  // What the mouse can do there, in a few words; nothing while a tool but kSelect waits for its use.
+  [[nodiscard]] QString hint(const QPointF& at) const;
   [[nodiscard]] Overlay overlay() const;
 
  signals:

@@ -237,6 +237,7 @@ void SceneView::refresh_tools() {
 
 void SceneView::show_cursor(const QPointF& at) {
   setCursor(press_ == Press::kNone && on_bubble(at) ? Qt::IBeamCursor : tools_->cursor(at));
+  if (QString hint = tools_->hint(at); hint != hint_) emit hintChanged(hint_ = std::move(hint));
 }
 
 bool SceneView::on_bubble(const QPointF& at) const {
@@ -485,6 +486,7 @@ bool SceneView::focusNextPrevChild(bool next) {
 
 void SceneView::leaveEvent(QEvent*) {
   tools_->leave();
+  show_cursor(last_at_);
   emit cursorLeft();
 }
 

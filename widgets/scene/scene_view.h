@@ -116,6 +116,7 @@ class SceneView : public QWidget {
   void spawnRequested(double x, double y);  // m
   void cursorMoved(double x, double y);     // m
   void cursorLeft();
+  void hintChanged(const QString& hint);  // what the mouse can do where it is; empty: nothing is told
   // All bodies that move left the view a while ago, so that follow() would find them; or no more.
   void followOffered(bool offered);
 
@@ -186,6 +187,7 @@ class SceneView : public QWidget {
   Qt::MouseButton button_ = Qt::NoButton;
   QPointF press_at_;
   QPointF last_at_;
+  QString hint_;
   SceneTip tip_{this};
 };
 

@@ -15,7 +15,7 @@ class LabToolsTest : public LabHandsTest {
   }
   [[nodiscard]] QString hint() {
     for (const QLabel* label : window_.scene_view().findChildren<QLabel*>("caption")) {
-      if (label->accessibleName() == "Tool in hand" && label->isVisible()) return label->text();
+      if (label->accessibleName() == "What the mouse does" && label->isVisible()) return label->text();
     }
     return {};
   }
@@ -31,10 +31,10 @@ class LabToolsTest : public LabHandsTest {
 
 TEST_F(LabToolsTest, AKeptToolLooksDifferentAndSaysSo) {
   key(Qt::Key_B);
-  EXPECT_EQ(hint(), "Box, once");
+  EXPECT_TRUE(hint().startsWith("Box, once · click: a square")) << hint().toStdString();
   EXPECT_FALSE(button("Box")->property("kept").toBool());
   key(Qt::Key_B);
-  EXPECT_EQ(hint(), "Box, kept: Esc ends it");
+  EXPECT_TRUE(hint().startsWith("Box, kept: Esc ends it")) << hint().toStdString();
   EXPECT_TRUE(button("Box")->property("kept").toBool());
   EXPECT_TRUE(button("Box")->toolTip().contains("Kept"));
   EXPECT_EQ(button("Box")->accessibleDescription(), "kept until Escape");
@@ -43,10 +43,28 @@ TEST_F(LabToolsTest, AKeptToolLooksDifferentAndSaysSo) {
   EXPECT_TRUE(button("Box")->property("kept").toBool());
   EXPECT_EQ(selection(), Names{}) << "the tool is kept for more of them";
   key(Qt::Key_Escape);
-  EXPECT_EQ(hint(), "");
+  EXPECT_FALSE(hint().startsWith("Box"));
   EXPECT_FALSE(button("Box")->property("kept").toBool());
   EXPECT_FALSE(button("Box")->toolTip().contains("Kept"));
   EXPECT_EQ(button("Box")->accessibleDescription(), "");
+}
+
+TEST_F(LabToolsTest, TheLineAtTheTopSaysWhatTheMouseCanDo) {
+  const auto hover = [this](const Vec2& at) {
+    QTest::mouseMove(&window_.scene_view(), window_.scene_view().camera().to_screen(at).toPoint());
+  };
+  key(Qt::Key_D);
+  drag({-1.0, 0.0}, {-0.8, 0.0});
+  ASSERT_TRUE(wait_for([this] { return selection() == Names{"A"} && window_.frame()->scene; }));
+  hover({-1.0, 0.05});
+  EXPECT_TRUE(hint().startsWith("drag: move")) << hint().toStdString();
+  hover({0.5, 0.5});
+  EXPECT_TRUE(hint().startsWith("drag: select bodies")) << hint().toStdString();
+  key(Qt::Key_Space);
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->playing && window_.frame()->time > 0.0; }));
+  hover({-1.0, 0.06});
+  EXPECT_TRUE(hint().startsWith("click: select")) << hint().toStdString();
+  key(Qt::Key_Space);
 }
 
 TEST_F(LabToolsTest, ANewBodyIsSelected) {

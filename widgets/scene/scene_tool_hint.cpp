@@ -1,0 +1,48 @@
+#include <array>
+
+#include "widgets/scene/scene_tools.h"
+
+// What the mouse can do where it is, in a few words.
+namespace carom {
+namespace {
+
+struct HandleHint {
+  HandleKind kind;
+  const char* text;
+};
+constexpr std::array<HandleHint, 9> kHandleHints = {{
+    {HandleKind::kBody, "drag: move · Shift: one axis · right click: menu"},
+    {HandleKind::kTurn, "drag: turn in 5° · Shift: 45° · double click: type it"},
+    {HandleKind::kVelocity, "drag: velocity · Shift: keep its direction · double click: type it"},
+    {HandleKind::kSpin, "drag: spin · Shift: whole turns a second · double click: type it"},
+    {HandleKind::kRadius, "drag: radius · double click: type it"},
+    {HandleKind::kRight, "drag: width · Shift: keep the proportions · double click: type it"},
+    {HandleKind::kTop, "drag: height · Shift: keep the proportions · double click: type it"},
+    {HandleKind::kLeft, "drag: width · Shift: keep the proportions · double click: type it"},
+    {HandleKind::kBottom, "drag: height · Shift: keep the proportions · double click: type it"},
+}};
+
+}  // namespace
+
+QString SceneTools::hint(const QPointF& at) const {
+  const SceneSight sight = sight_();
+  if (!over_ || !sight.frame) return {};
+  if (state_ == State::kDrag) return tr("Ctrl: no snapping · digits: type the value · Esc: back");
+  if (state_ == State::kEnd) return tr("to a body or a place · Ctrl: no snapping · Esc: back");
+  if (state_ == State::kBand) return tr("Shift: add · Ctrl: take away · Esc: back");
+  if (state_ == State::kDraw)
+    return tr("Shift: in line · Ctrl: no snapping · digits: type the value · Esc: back");
+  if (tool_ != SceneTool::kSelect) return {};
+  if (end_under(at)) return tr("drag: to another body or place");
+  if (mark_under(at)) return tr("click: go to this impact");
+  const std::optional<Grab> grab = grab_at(at);
+  if (!grab && part_under(at)) return tr("click: select · right click: menu");
+  if (!grab) return tr("drag: select bodies · right drag: pan · wheel: zoom");
+  if (!sight.frame->scene) return tr("click: select · pause to move it");
+  for (const HandleHint& each : kHandleHints) {
+    if (each.kind == grab->kind) return tr(each.text);
+  }
+  return {};
+}
+
+}  // namespace carom
