@@ -131,6 +131,8 @@ class LabWindow : public QMainWindow {
   // The menu of what is under the mouse in the scene (scene_menu.cpp).
   void show_scene_menu(const QPoint& at);
   void fill_menu_of_bodies(QMenu& menu);
+  void add_plots_of(QMenu& menu, const std::string& body);
+  void add_stops_of(QMenu& menu, const Body& now);
   void fill_menu_of_space(QMenu& menu, const QPoint& at);
   void inspect();
   // The tools of the scene (lab_tools.cpp).

@@ -1,14 +1,26 @@
 #include <QAction>
+#include <QCoreApplication>
 #include <QMenu>
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
 
 #include "app/lab/lab_window.h"
+#include "physics/observe/observables.h"
+#include "widgets/base/number_text.h"
 #include "widgets/edit/inspected_parts.h"
+#include "widgets/plot/plot_panel.h"
+#include "widgets/run/stop_editor.h"
+#include "widgets/run/transport_bar.h"
+#include "widgets/scene/hit.h"
 #include "widgets/scene/scene_view.h"
 
 // The menu of a right click in the scene. Its entries do what their keys do.
 namespace carom {
 namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("SceneMenu", text); }
 
 QAction* add(QMenu& menu, const QString& text, const QKeySequence& key) {
   QAction* action = menu.addAction(text);
@@ -24,10 +36,22 @@ void add_key(QMenu& menu, SceneView* view, const QString& text, Qt::Key key) {
   QObject::connect(action, &QAction::triggered, view, [view, key] { view->press_key(key); });
 }
 
-bool is_compound(const Frame& frame, const std::string& name) {
-  return std::any_of(frame.bodies->begin(), frame.bodies->end(), [&](const Body& body) {
-    return body.name == name && std::holds_alternative<Compound>(body.shape);
-  });
+// -1: none.
+int index_of(const Frame& frame, const std::string& name) {
+  const auto found = std::find_if(frame.bodies->begin(), frame.bodies->end(),
+                                  [&](const Body& body) { return body.name == name; });
+  return found == frame.bodies->end() ? -1 : static_cast<int>(found - frame.bodies->begin());
+}
+
+// "disc, 1 kg"
+QString kind_text(const Body& body) {
+  constexpr std::array<const char*, std::variant_size_v<Shape>> kShapes = {
+      QT_TRANSLATE_NOOP("SceneMenu", "disc"), QT_TRANSLATE_NOOP("SceneMenu", "box"),
+      QT_TRANSLATE_NOOP("SceneMenu", "polygon"), QT_TRANSLATE_NOOP("SceneMenu", "wall"),
+      QT_TRANSLATE_NOOP("SceneMenu", "several shapes")};
+  const QString shape = tr(kShapes[body.shape.index()]);
+  if (has_infinite_mass(body)) return tr("%1, %2").arg(shape, body.fixed ? tr("fixed") : tr("driven"));
+  return tr("%1, %2 kg").arg(shape, short_figure(mass_of(body)));
 }
 
 // Without a mark of a key in it.
@@ -65,8 +89,10 @@ void LabWindow::show_scene_menu(const QPoint& at) {
 
 void LabWindow::fill_menu_of_bodies(QMenu& menu) {
   const std::vector<std::string>& names = view_->selection();
-  add_title(menu, names.size() == 1 ? QString::fromStdString(names[0])
-                                    : tr("%n bodies", nullptr, static_cast<int>(names.size())));
+  const int only = names.size() == 1 ? index_of(*frame(), names[0]) : -1;
+  const Body* body = only < 0 ? nullptr : &(*frame()->bodies)[static_cast<std::size_t>(only)];
+  add_title(menu, body != nullptr ? QString("%1 · %2").arg(QString::fromStdString(names[0]), kind_text(*body))
+                                  : tr("%n bodies", nullptr, static_cast<int>(names.size())));
   const auto do_it = [&](const QString& text, const QKeySequence& key, void (LabWindow::*slot)()) {
     QAction* action = add(menu, text, key);
     action->setEnabled(session_.runs().scene() != nullptr);
@@ -85,12 +111,51 @@ void LabWindow::fill_menu_of_bodies(QMenu& menu) {
   add_key(menu, view_, tr("Reverse the &velocity"), Qt::Key_X);
   if (names.size() > 1) {
     do_it(tr("&Join into one body"), Qt::CTRL | Qt::Key_G, &LabWindow::join_selection);
-  } else if (is_compound(*frame(), names[0])) {
+  } else if (body != nullptr && std::holds_alternative<Compound>(body->shape)) {
     do_it(tr("Take &apart"), Qt::CTRL | Qt::SHIFT | Qt::Key_G, &LabWindow::take_selection_apart);
   }
   if (names.size() > 1) add_align_menu(&menu)->setEnabled(view_->can_align());
   if (names.size() == 2) {
     add_key(menu, view_, tr("Put in touc&h with %1").arg(escaped(QString::fromStdString(names[1]))), Qt::Key_K);
+  }
+  if (body == nullptr || has_infinite_mass(*body)) return;
+  menu.addSeparator();
+  add_plots_of(menu, names[0]);
+  add_stops_of(menu, body_now(*frame(), only));
+}
+
+// A plot of each quantity of this body.
+void LabWindow::add_plots_of(QMenu& menu, const std::string& body) {
+  QMenu* plots = menu.addMenu(tr("&Plot its"));
+  for (const Observable& each : observables()) {
+    if (each.topic != Topic::kBody || each.bodies != 1) continue;
+    Plot plot;
+    plot.y = {{std::string(each.name), {body}}};
+    const QString label = QString::fromUtf8(each.label.data(), static_cast<qsizetype>(each.label.size()));
+    connect(plots->addAction(label), &QAction::triggered, this, [this, plot] { plots_->add(plot); });
+  }
+}
+
+// The editor of stops, with where it is now.
+void LabWindow::add_stops_of(QMenu& menu, const Body& now) {
+  QMenu* stops = menu.addMenu(tr("&Stop when it passes"));
+  struct Entry {
+    StopQuantity quantity;
+    const char* text;
+    double value;  // SI unit
+  };
+  const std::array<Entry, 4> entries = {{{StopQuantity::kX, "&x ...", now.position.x()},
+                                         {StopQuantity::kY, "&y ...", now.position.y()},
+                                         {StopQuantity::kAngle, "&Angle ...", now.angle},
+                                         {StopQuantity::kSpeed, "&Speed ...", now.velocity.norm()}}};
+  for (const Entry& entry : entries) {
+    Stop stop;
+    stop.kind = StopKind::kPassing;
+    stop.body = now.name;
+    stop.quantity = entry.quantity;
+    stop.value = std::round(100.0 * entry.value) / 100.0;
+    connect(stops->addAction(tr(entry.text)), &QAction::triggered, this,
+            [this, stop] { stop_editor_->open_over(transport_->flag(), stop); });
   }
 }
 

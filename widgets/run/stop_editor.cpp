@@ -192,6 +192,14 @@ void StopEditor::open_over(const QWidget& anchor, std::optional<std::size_t> sto
   if (!stop) sentence_->selectAll();
 }
 
+void StopEditor::open_over(const QWidget& anchor, const Stop& begun) {
+  show_stop(begun);
+  open_over(anchor, std::nullopt);
+  if (!asked_of(begun.kind).value) return;
+  value_->setFocus();
+  value_->selectAll();
+}
+
 // Its lower right corner stays over the anchor.
 void StopEditor::fit() {
   constexpr int kMostRows = 6;

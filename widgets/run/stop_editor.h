@@ -29,6 +29,8 @@ class StopEditor : public QFrame {
   void set_document(const std::vector<Stop>& stops, const std::vector<Body>& bodies);
   // Over this widget, with the sentence of this stop, if one is named.
   void open_over(const QWidget& anchor, std::optional<std::size_t> stop);
+  // Over this widget, to add a stop that begins as this one.
+  void open_over(const QWidget& anchor, const Stop& begun);
 
  signals:
   // `text`: what it is called in undo.

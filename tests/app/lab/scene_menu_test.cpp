@@ -55,7 +55,7 @@ TEST_F(SceneMenuTest, ARightClickSelectsAndADragPans) {
   QMenu* menu = menu_at(place("light"));
   ASSERT_NE(menu, nullptr);
   EXPECT_EQ(view().selection(), Names{"light"});
-  EXPECT_EQ(menu->actions().front()->text(), "light");
+  EXPECT_EQ(menu->actions().front()->text(), "light · disc, 1 kg");
   EXPECT_EQ(entry(menu, "Duplicate")->shortcut(), QKeySequence("Ctrl+D"));
   EXPECT_THROW(entry(menu, "Put in touch with light"), std::runtime_error);
   view().select({"heavy", "light"});
@@ -80,7 +80,7 @@ TEST_F(SceneMenuTest, ItsKeysOpenItAtTheSelection) {
     QTest::keyClick(&view(), key, held);
     auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
     ASSERT_NE(menu, nullptr);
-    EXPECT_EQ(menu->actions().front()->text(), "light");
+    EXPECT_EQ(menu->actions().front()->text(), "light · disc, 1 kg");
     const QPoint at = view().mapToGlobal(view().camera().to_screen(place("light")).toPoint());
     EXPECT_TRUE(menu->geometry().adjusted(-2, -2, 2, 2).contains(at));
     menu->close();
@@ -110,6 +110,39 @@ TEST_F(SceneMenuTest, EntriesDoWhatTheirKeysDo) {
   ASSERT_TRUE(has(3));
   choose(light, "Delete");
   ASSERT_TRUE(has(2));
+}
+
+TEST_F(SceneMenuTest, ABodyIsPlottedAndStopsTheRun) {
+  const auto choose_of = [this](const QString& menu, const QString& text) {
+    QMenu* open = menu_at(place("light"));
+    ASSERT_NE(open, nullptr);
+    entry(entry(open, menu)->menu(), text)->trigger();
+    open->close();
+  };
+  auto* panel = window_.findChild<PlotPanel*>();
+  const std::size_t plots = panel->plots().size();
+  choose_of("Plot its", "speed");
+  ASSERT_EQ(panel->plots().size(), plots + 1);
+  EXPECT_EQ(window_.preset().plots.back().y, (std::vector<QuantityName>{{"speed", {"light"}}}));
+  EXPECT_EQ(window_.session().edits().undoText(), "Add plot");
+
+  choose_of("Stop when it passes", "x ...");
+  auto* value = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+  ASSERT_NE(value, nullptr);
+  EXPECT_EQ(value->accessibleName(), "Value");
+  QTest::keyClicks(value, "0.25");
+  QTest::keyClick(value, Qt::Key_Return);
+  ASSERT_EQ(window_.preset().stops.size(), 1U);
+  EXPECT_EQ(sentence_of(window_.preset().stops[0]), "when light passes x = 0.25 m");
+  QApplication::activePopupWidget()->close();
+  Body fixed = window_.frame()->scene->bodies.front();
+  fixed.fixed = true;
+  fixed.velocity.setZero();
+  window_.session().edit({Replace<Body>{fixed}}, "Fix");
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->scene && window_.frame()->scene->bodies[0].fixed; }));
+  QMenu* menu = menu_at(place(fixed.name));
+  EXPECT_EQ(menu->actions().front()->text(), QString::fromStdString(fixed.name) + " · disc, fixed");
+  EXPECT_THROW(entry(menu, "Plot its"), std::runtime_error);
 }
 
 TEST_F(SceneMenuTest, RenamePutsTheCursorIntoTheName) {
