@@ -11,15 +11,7 @@ void LabWindow::connect_marks() {
   marked_ = new MarkedInterval;
   marked_->setParent(this);
   connect(marked_, &MarkedInterval::found, this, &LabWindow::show_frame);
-  connect(plots_, &PlotPanel::marksChanged, this, &LabWindow::show_marks);
-}
-
-// A new mark is read, unless before and after are of the marks.
-void LabWindow::show_marks() {
-  const bool compared =
-      drawer_->shows(before_after_) && before_after_->choice() == BeforeAfterPanel::Choice::kMarked;
-  if (!compared) drawer_->choose(reading_);
-  show_frame();
+  connect(plots_, &PlotPanel::marksChanged, this, &LabWindow::show_frame);
 }
 
 void LabWindow::mark_shown_moment(bool second) {

@@ -105,7 +105,6 @@ class LabWindow : public QMainWindow {
   void edit_stops(std::optional<std::size_t> stop);
   // The marks A and B (lab_marks.cpp).
   void connect_marks();
-  void show_marks();
   void mark_shown_moment(bool second);
   void show_before_after();
   // Editing by hand (lab_editing.cpp).
