@@ -2,15 +2,25 @@
 
 #include <utility>
 
+#include "physics/dynamics/integrators/integrators.h"
+#include "widgets/base/method_names.h"
+#include "widgets/base/number_text.h"
+
 namespace carom {
 namespace {
 
-QString text_of_change(const Method& from, Method to) {
-  Method same = from;
-  same.step = to.step;
-  if (same == to) return MethodEdits::tr("change of step");
-  same.tolerance = std::exchange(to.tolerance, from.tolerance);
-  return to == from ? MethodEdits::tr("change of tolerance") : MethodEdits::tr("change of method");
+QString text_of_step(double step) { return MethodEdits::tr("Step %1 ms").arg(short_figure(1e3 * step)); }
+
+// By what differs, the most important first.
+QString text_of_change(const Method& from, const Method& to) {
+  if (from.integrator != to.integrator)
+    return MethodEdits::tr("Method: %1").arg(text_of(choice_of(kIntegrators, to.integrator).label));
+  if (from.impacts != to.impacts)
+    return MethodEdits::tr("Impacts: %1").arg(text_of(choice_of(kImpacts, to.impacts).label));
+  if (from.contacts != to.contacts)
+    return MethodEdits::tr("Contacts: %1").arg(text_of(choice_of(kContacts, to.contacts).label));
+  if (from.step != to.step) return text_of_step(to.step);
+  return MethodEdits::tr("Tolerance %1 m").arg(short_figure(to.tolerance));
 }
 
 Method& method_of(Methods& methods, std::size_t run) {
@@ -48,9 +58,8 @@ void MethodEdits::change_step(double step, const std::vector<std::size_t>& runs,
   }
   if (changed.empty() || !history_.may_edit_moment()) return;
   const DocumentEdit* before = runs_.in_past() ? nullptr : history_.last_edit_of(drag);
-  go_on_under(
-      changed, after,
-      {.text = tr("change of step"), .runs = before != nullptr ? before->what().runs : 0, .drag = drag});
+  go_on_under(changed, after,
+              {.text = text_of_step(step), .runs = before != nullptr ? before->what().runs : 0, .drag = drag});
 }
 
 void MethodEdits::add(const Method& method) {
@@ -64,14 +73,15 @@ void MethodEdits::add(const Method& method) {
     after.reference = first_reference(document().preset);
     worker.set_reference(after.reference);
   }
-  history_.push({tr("added method"), runs}, {set(after)});
+  history_.push({tr("Add method %1").arg(names_of({method}).front()), runs}, {set(after)});
 }
 
 void MethodEdits::remove(std::size_t run) {
   if (run == 0 || !is_run(run)) return;
   Methods after = document().methods();
+  const QString name = names_of({method_of(after, run)}).front();
   after.others.erase(after.others.begin() + static_cast<std::ptrdiff_t>(run) - 1);
-  history_.push({tr("removed method"), runs_.worker().remove_method(run)}, {set(after)});
+  history_.push({tr("Remove method %1").arg(name), runs_.worker().remove_method(run)}, {set(after)});
 }
 
 void MethodEdits::choose_reference(ReferenceId reference) {
@@ -79,7 +89,7 @@ void MethodEdits::choose_reference(ReferenceId reference) {
   Methods after = document().methods();
   after.reference = reference;
   runs_.worker().set_reference(reference);
-  DocumentEdit::What what{.text = tr("choice of reference"), .is_work = false};  // not saved in files
+  DocumentEdit::What what{.text = tr("Reference"), .is_work = false};  // not saved in files
   history_.push(what, {set(after)});
 }
 
@@ -101,7 +111,8 @@ void MethodEdits::compare_usual(const std::vector<Plot>& plots, const std::vecto
         reference_for(setup, preset.method, usual_reference(setup)), {euler, rk4}, first_reference(preset)};
   }
   const Worker::EditId runs = runs_.begin_with(change.methods, curves);
-  history_.push({tr("comparison with the exact run"), runs}, {change, SetPlots{plots}});
+  history_.push({change.before_usual ? tr("Compare Euler, RK4 and exact") : tr("End of the comparison"), runs},
+                {change, SetPlots{plots}});
 }
 
 }  // namespace carom

@@ -190,7 +190,10 @@ void Session::change_plots(const std::vector<Plot>& plots) {
   const std::vector<Plot>& before = document().plots;
   if (plots == before) return;
   const bool notes = without_notes(plots) == without_notes(before);
-  DocumentEdit::What what{.text = notes ? tr("change of notes") : tr("change of plots")};
+  DocumentEdit::What what{.text = notes                          ? tr("Notes of a plot")
+                                  : plots.size() > before.size() ? tr("Add plot")
+                                  : plots.size() < before.size() ? tr("Remove plot")
+                                                                 : tr("Change plot")};
   what.is_work = !file_.isEmpty() || own_plots(plots) != own_plots(before);
   history_.push(what, {SetPlots{plots}});
 }

@@ -208,7 +208,7 @@ void ComparePanel::set_theme(const Theme& theme) { table_->set_theme(theme); }
 
 void ComparePanel::set_scene(const Preset& preset, ReferenceId reference) {
   if (preset.title != preset_.title) step_timer_.stop();
-  const bool more = 1 + preset.compare.size() > methods_.size() && !methods_.empty();
+  const bool more = preset.compare.size() == methods_.size();  // one was added
   preset_ = preset;
   reference_ = reference;
   methods_ = {preset.method};
@@ -251,8 +251,7 @@ void ComparePanel::update_from(const std::vector<std::shared_ptr<const Frame>>& 
   const int before = table_->model()->rowCount();
   table_->update_from(frames);
   if (before == 0) table_->selectRow(0);
-  if (static_cast<int>(frames.size()) > before && before > 0)
-    table_->selectRow(static_cast<int>(frames.size()) - 1);
+  if (static_cast<int>(frames.size()) == before + 1 && before > 0) table_->selectRow(before);
   if (frames.empty() || !frames.front()->error) {
     uncertainty_->setText({});
     return;

@@ -104,22 +104,21 @@ Method euler(const Session& session, double step) {
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
-      {"Method", "change of method",
+      {"Method", "Method: Explicit Euler",
        [](Session& s) { s.methods().change(euler(s, s.document().method.step)); }},
-      {"MethodOfAComparedRun", "change of method",
+      {"MethodOfAComparedRun", "Method: Velocity Verlet",
        [](Session& s) { s.methods().change(Method{.integrator = IntegratorId::kVelocityVerlet}, 1); }},
-      {"Step", "change of step", [](Session& s) { s.methods().change_step(0.002, {0}, 1); }},
-      {"StepOfAll", "change of step",
+      {"Step", "Step 2 ms", [](Session& s) { s.methods().change_step(0.002, {0}, 1); }},
+      {"StepOfAll", "Step 2.5 ms",
        [](Session& s) {
          s.methods().change_step(0.0025, {0, 1, 2}, 1);
        }},
-      {"AddedMethod", "added method", [](Session& s) { s.methods().add(euler(s, 0.004)); }},
-      {"RemovedMethod", "removed method", [](Session& s) { s.methods().remove(1); }},
-      {"Reference", "choice of reference", [](Session& s) { s.methods().choose_reference(ReferenceId::kNone); },
-       false},
+      {"AddedMethod", "Add method Explicit Euler", [](Session& s) { s.methods().add(euler(s, 0.004)); }},
+      {"RemovedMethod", "Remove method Explicit Euler", [](Session& s) { s.methods().remove(1); }},
+      {"Reference", "Reference", [](Session& s) { s.methods().choose_reference(ReferenceId::kNone); }, false},
       {"Body", "Add disc A", [](Session& s) { s.add_body(0.3, 1.5); }},
-      {"Plots", "change of plots", [](Session& s) { s.change_plots({named("energy")}); }, false},
-      {"Notes", "change of notes",
+      {"Plots", "Remove plot", [](Session& s) { s.change_plots({named("energy")}); }, false},
+      {"Notes", "Notes of a plot",
        [](Session& s) {
          std::vector<Plot> plots = s.document().plots;
          plots.front().notes = {{0.1, 0.2, "here"}};
@@ -138,7 +137,7 @@ TEST_F(SessionTest, EachEditIsUndoneAsIfItHadNeverBeen) {
     run_to(kEdit);
     EXPECT_FALSE(session_.modified());
     each.edit(session_);
-    EXPECT_EQ(session_.edits().undoText(), each.text);
+    EXPECT_EQ(session_.edits().undoText().toStdString(), each.text);
     EXPECT_EQ(session_.modified(), each.is_work);
     run_to(kEnd);
     const Snapshot with = snapshot();
