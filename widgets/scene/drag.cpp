@@ -1,6 +1,7 @@
 #include "widgets/scene/drag.h"
 
 #include <Eigen/Geometry>
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +10,7 @@
 
 #include "widgets/edit/reshaping.h"
 #include "widgets/scene/edit_names.h"
+#include "widgets/scene/level.h"
 #include "widgets/scene/snap.h"
 
 namespace carom {
@@ -27,6 +29,32 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 bool free(const DragPoint& point) { return point.keys.testFlag(Qt::ControlModifier); }
 bool shift(const DragPoint& point) { return point.keys.testFlag(Qt::ShiftModifier); }
 
+// Each by itself: to the centres and corners of others, else to the grid. The one across the axis stays.
+void snap_coordinates(const DragStart& start, const std::optional<Vec2>& axis, double reach, Vec2& place,
+                      Dragged& out) {
+  const Vec2 from = place;
+  std::vector<std::pair<Eigen::Index, Level>> levels;
+  for (const Eigen::Index k : {0, 1}) {
+    if (axis && (*axis)[k] == 0.0) continue;
+    if (const auto level = level_with(from, k, start.others, start.seen, reach)) {
+      place[k] = level->at[k];
+      levels.emplace_back(k, *level);
+    } else if (start.grid > 0.0) {
+      place[k] = on_grid(place[k], start.grid, reach);
+    }
+  }
+  QStringList texts;
+  for (const auto& [k, level] : levels) {
+    out.guides.emplace_back(place, level.at);
+    texts.push_back(QString::fromStdString(level_text(place, k, level)));
+  }
+  const bool one = levels.size() == 2 && levels[0].second.at == levels[1].second.at;
+  const QString of = one ? QString::fromStdString(levels[0].second.of) : QString();
+  out.detail = one && levels[0].second.corner ? "on a corner of " + of
+               : one                          ? "on the centre of " + of
+                                              : texts.join(", ");
+}
+
 Dragged move(const DragStart& start, const DragPoint& point) {
   Body grabbed = start.bodies[0];
   Vec2 delta = point.at - start.press;
@@ -42,11 +70,8 @@ Dragged move(const DragStart& start, const DragPoint& point) {
     if (const auto touch = touching_place(grabbed, start.others, reach, axis)) {
       grabbed.position = touch->position;
       out.detail = "touches " + QString::fromStdString(touch->with);
-    } else if (start.grid > 0.0) {
-      for (const int k : {0, 1}) {
-        const bool held = axis && (*axis)[k] == 0.0;
-        if (!held) grabbed.position[k] = on_grid(grabbed.position[k], start.grid, reach);
-      }
+    } else {
+      snap_coordinates(start, axis, reach, grabbed.position, out);
     }
   }
   const Vec2 moved = grabbed.position - start.bodies[0].position;

@@ -22,6 +22,7 @@ struct DragStart {
   double grid = 0.0;              // m, spacing; 0: none to snap to
   std::vector<Body> followers{};  // that joints make one with them, and that are none of the others
   std::vector<Joint> joints{};    // of the scene
+  WorldRect seen{};               // m: what is snapped to is in here
 };
 
 // Where the mouse is now.
@@ -33,10 +34,11 @@ struct DragPoint {
 };
 
 struct Dragged {
-  std::vector<Body> bodies;  // in the order of the start, then its followers
-  QString value;             // with its unit, for the bubble
-  QString detail;            // may be empty
-  QString name;              // of the edit
+  std::vector<Body> bodies;                     // in the order of the start, then its followers
+  QString value;                                // with its unit, for the bubble
+  QString detail;                               // may be empty
+  QString name;                                 // of the edit
+  std::vector<std::pair<Vec2, Vec2>> guides{};  // m, from a moved body to what it snapped to
   // See drag_limits.h.
   bool fault = false;                              // what the bubble says can't be
   std::vector<Overlap> overlaps{};                 // the deepest first

@@ -56,6 +56,7 @@ void block(const DragStart& start, const Hold& hold, const DragPoint& point, Dra
   const Vec2 end = dragged.bodies[hold.body].position + turned_by(dragged.bodies[hold.body].angle, hold.point);
   const QString who = QString::fromStdString(dragged.bodies[hold.body].name);
   dragged.blocked = {hold.anchor, end};
+  dragged.guides.clear();
   dragged.bodies = all_bodies(start);
   dragged.value = keeps_length(hold) ? name_of(hold) + " would be " + drawn_text(length, finely(point))
                                      : name_of(hold) + " holds " + who;
@@ -92,6 +93,7 @@ void hold_by_joints(const DragStart& start, std::span<const Hold> holds, const D
   const auto bodies = held(all_bodies(start), dragged.bodies, holds, start.press);
   if (!bodies) return block(start, *broken, point, dragged);
   dragged.bodies = *bodies;
+  dragged.guides.clear();
   say_value(start, point, dragged);
   dragged.detail = name_of(*broken) + " holds it. Ctrl: the joint gives way.";
 }

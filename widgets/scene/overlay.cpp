@@ -20,6 +20,8 @@ constexpr double kChosen = 4.0;   // px, width of the line of a chosen joint
 constexpr double kHeadLength = 12.0;
 constexpr double kHeadHalfWidth = 5.0;
 constexpr double kToEdge = 2.0;
+constexpr double kGuide = 2.4;     // px, width of a guide
+constexpr double kCross = 3.5;     // px, half the cross at the end of a guide
 constexpr double kBlocked = 3.0;   // px, width of a joint that allows nothing
 constexpr double kThinWall = 5.0;  // px, of a thin wall in an overlap
 constexpr int kDetailSize = 12;
@@ -49,12 +51,16 @@ void paint_ghost(QPainter& painter, const Overlay& overlay, const Overlay::Ghost
   painter.drawEllipse(tip, 3.0, 3.0);
 }
 
+QPen dotted(const QColor& color) {
+  QPen pen(color, 1.6, Qt::CustomDashLine, Qt::RoundCap);
+  pen.setDashPattern({0.1, 3.0});
+  return pen;
+}
+
 // The paths dotted, the bodies dashed where they meet, and the time beside them.
 void paint_aim(QPainter& painter, const Aim& aim, const Camera& camera, const Theme& theme) {
-  QPen dotted(faint(theme.accent, 0.8F), 1.6, Qt::CustomDashLine, Qt::RoundCap);
-  dotted.setDashPattern({0.1, 3.0});
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(dotted);
+  painter.setPen(dotted(faint(theme.accent, 0.8F)));
   for (const std::vector<Vec2>& path : aim.paths) {
     QPolygonF line;
     for (const Vec2& at : path) line.append(camera.to_screen(at));
@@ -75,6 +81,19 @@ void paint_aim(QPainter& painter, const Aim& aim, const Camera& camera, const Th
   const QFontMetricsF metrics(font);
   painter.drawText(QPointF(all.center().x() - 0.5 * metrics.horizontalAdvance(text), all.top() - kToEdge - 6.0),
                    text);
+}
+
+// From a centre to what it is level with, where a small cross stands.
+void paint_guide(QPainter& painter, const Vec2& from, const Vec2& to, const Camera& camera,
+                 const Theme& theme) {
+  const QPointF at = camera.to_screen(to);
+  QPen line = dotted(theme.accent);
+  line.setWidthF(kGuide);
+  painter.setPen(line);
+  painter.drawLine(camera.to_screen(from), at);
+  painter.setPen(QPen(theme.accent, 1.5));
+  painter.drawLine(at - QPointF(kCross, kCross), at + QPointF(kCross, kCross));
+  painter.drawLine(at - QPointF(kCross, -kCross), at + QPointF(kCross, -kCross));
 }
 
 void paint_corners(QPainter& painter, const Overlay::Corners& corners, const Camera& camera,
@@ -228,6 +247,7 @@ void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera
   if (overlay.aim) paint_aim(painter, *overlay.aim, camera, theme);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   for (const Overlay::Ghost& ghost : overlay.ghosts) paint_ghost(painter, overlay, ghost, camera, theme);
+  for (const auto& [from, to] : overlay.guides) paint_guide(painter, from, to, camera, theme);
   for (const Body& body : overlay.selected) paint_outline(painter, body, camera, theme);
   for (const Body& body : overlay.lit) paint_outline(painter, body, camera, theme);
   for (const Overlay::Link& link : overlay.links) paint_link(painter, link, camera, theme);

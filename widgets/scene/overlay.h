@@ -51,6 +51,7 @@ struct Overlay {
   Corners corners;
   double arrow_seconds = 0.0;  // m of arrow per m/s, for ghosts
   Bubble bubble;
+  std::vector<std::pair<Vec2, Vec2>> guides;     // m, from a dragged body to what it snapped to
   std::vector<Overlap> overlaps;                 // their shared areas
   std::optional<std::pair<Vec2, Vec2>> blocked;  // m, the ends of a joint that allows nothing
   std::optional<Aim> aim;                        // to the first impact
@@ -58,7 +59,7 @@ struct Overlay {
   [[nodiscard]] bool empty() const {
     return selected.empty() && locked.empty() && lit.empty() && links.empty() && ghosts.empty() &&
            handles.empty() && !band && !drawn && corners.set.empty() && !corners.next &&
-           bubble.value.isEmpty() && overlaps.empty() && !blocked && !aim;
+           bubble.value.isEmpty() && guides.empty() && overlaps.empty() && !blocked && !aim;
   }
 };
 

@@ -19,7 +19,8 @@ DragStart SceneTools::start_of(HandleKind kind, std::vector<Body> bodies) const 
                   .others = {},
                   .press = sight.camera.to_world(press_),
                   .arrow_seconds = sight.arrow_seconds,
-                  .grid = sight.grid ? grid_spacing(sight.camera) : 0.0};
+                  .grid = sight.grid ? grid_spacing(sight.camera) : 0.0,
+                  .seen = sight.camera.visible()};
   Surroundings beside{{}, sight.frame->scene->joints};
   std::unordered_set<std::string> edited;
   for (const Body& body : start.bodies) edited.insert(body.name);

@@ -432,6 +432,7 @@ Overlay SceneTools::overlay() const {
     });
     out.ghosts = ghosts_;
     out.bubble = {dragged_.value, dragged_.detail, mouse_, press_, dragged_.fault};
+    out.guides = dragged_.guides;
     out.overlaps = dragged_.overlaps;
     out.blocked = dragged_.blocked;
   } else if (state_ == State::kEnd) {

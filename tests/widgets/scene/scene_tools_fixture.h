@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QTest>
 #include <cstdint>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <memory>
 
@@ -83,6 +84,11 @@ class SceneToolsTest : public testing::Test {
   }
   [[nodiscard]] static const Body& replaced(const SceneEdit& edit) {
     return std::get<Replace<Body>>(edit).part;
+  }
+
+  // But for the smoothing of edges.
+  [[nodiscard]] static bool alike(const QColor& a, const QColor& b) {
+    return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) < 120;
   }
 
   using Names = std::vector<std::string>;
