@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "widgets/edit/reshaping.h"
+#include "widgets/scene/corner_drag.h"
 #include "widgets/scene/edit_names.h"
 #include "widgets/scene/level.h"
 #include "widgets/scene/snap.h"
@@ -161,18 +162,25 @@ Dragged resize_disc(const DragStart& start, const DragPoint& point, const Disc& 
   return out;
 }
 
+// The far side stays, or the far corner. With Shift the larger change of a corner leads.
 Dragged resize_box(const DragStart& start, const DragPoint& point, const Box& box) {
   const Body& body = start.bodies[0];
   const Vec2 side = side_of(start.kind);
-  const int along = side.x() != 0.0 ? 0 : 1;
-  const Vec2 out_of = Eigen::Rotation2Dd(body.angle) * side;
-  Vec2 size(box.width, box.height);
-  const double before = size[along];
-  size[along] = drawn_length(before + out_of.dot(point.at - start.press), point);
-  if (shift(point)) size[1 - along] *= size[along] / before;
+  const Eigen::Rotation2Dd turned(body.angle);
+  const Vec2 pulled = side.cwiseProduct(turned.inverse() * (point.at - start.press));
+  const Vec2 before(box.width, box.height);
+  Vec2 size = before;
+  for (const Eigen::Index k : {0, 1}) {
+    if (side[k] != 0.0) size[k] = drawn_length(before[k] + pulled[k], point);
+  }
+  if (shift(point)) {
+    const Vec2 grown = size.cwiseQuotient(before);
+    const Eigen::Index lead = std::abs(std::log(grown.x())) >= std::abs(std::log(grown.y())) ? 0 : 1;
+    size[1 - lead] = before[1 - lead] * grown[lead];
+  }
   Dragged out;
   out.bodies = {resized(body, Box{size.x(), size.y()})};
-  out.bodies[0].position += 0.5 * (size[along] - before) * out_of;  // the far side stays
+  out.bodies[0].position += turned * (0.5 * side.cwiseProduct(size - before));
   out.value = size_text(out.bodies[0].shape, point);
   return out;
 }
@@ -204,6 +212,8 @@ Dragged drag_to(const DragStart& start, const DragPoint& point) {
       return turn(start, point);
     case HandleKind::kSpin:
       return spin(start, point);
+    case HandleKind::kCorner:
+      return drag_corner(start, point);
     default:
       return resize(start, point);
   }

@@ -22,6 +22,7 @@ struct DragStart {
   double grid = 0.0;              // m, spacing; 0: none to snap to
   std::vector<Body> followers{};  // that joints make one with them, and that are none of the others
   std::vector<Joint> joints{};    // of the scene
+  std::size_t corner{};           // of kCorner, among the polygon's vertices
   WorldRect seen{};               // m: what is snapped to is in here
 };
 
@@ -43,6 +44,7 @@ struct Dragged {
   bool fault = false;                              // what the bubble says can't be
   std::vector<Overlap> overlaps{};                 // the deepest first
   std::optional<std::pair<Vec2, Vec2>> blocked{};  // m, the ends of a joint that allows nothing
+  std::vector<std::pair<Vec2, Vec2>> refused{};    // m, edges that the body can\'t have
   std::vector<Joint> joints{};                     // that hold the bodies
   bool refits = false;                             // some of them are changed
 };

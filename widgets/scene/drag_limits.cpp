@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/scene/corner_drag.h"
 #include "widgets/scene/edit_names.h"
 
 namespace carom {
@@ -40,6 +41,8 @@ void say_value(const DragStart& start, const DragPoint& point, Dragged& dragged)
   const Body& body = dragged.bodies[0];
   if (start.kind == HandleKind::kBody) {
     dragged.value = place_text(body.position, point.scale);
+  } else if (start.kind == HandleKind::kCorner) {
+    dragged.value = place_text(corner_at(body, start.corner), point.scale);
   } else if (resizes(start)) {
     dragged.value = size_text(body.shape, finely(point));
   }
@@ -170,6 +173,22 @@ std::optional<std::vector<Body>> parted(const DragStart& start, std::span<const 
   return kept ? out : backed_off(start, bodies, surroundings, holds);
 }
 
+// A corner on its straight way from where it was, the last place before the overlaps.
+std::optional<Dragged> corner_backed_off(const DragStart& start, const Dragged& dragged,
+                                         const Surroundings& surroundings, double scale) {
+  const Vec2 from = corner_at(start.bodies[0], start.corner);
+  const Vec2 way = corner_at(dragged.bodies[0], start.corner) - from;
+  const auto clear = [&](double share) {
+    return overlaps_of(with_corner(start, from + share * way, scale).bodies, surroundings).empty();
+  };
+  if (!clear(0.0)) return std::nullopt;
+  double share = 0.0;
+  for (double step = 0.5; step > kShare; step *= 0.5) {
+    if (clear(share + step)) share += step;
+  }
+  return with_corner(start, from + share * way, scale);
+}
+
 std::optional<std::vector<Body>> shrunk(const DragStart& start, std::span<const Body> bodies,
                                         const Surroundings& neighbours, std::span<const Hold> holds) {
   const std::vector<Body> less = grown_to_touch(start.bodies, bodies, neighbours);
@@ -196,6 +215,10 @@ Dragged within_joints(const DragStart& start, Dragged wanted, const DragPoint& p
     move_along(followers, start.bodies[0], wanted.bodies[0]);
     wanted.bodies.insert(wanted.bodies.end(), followers.begin(), followers.end());
   }
+  if (start.kind == HandleKind::kCorner) {  // the ends of joints stay where they are
+    say_overlap(start, point, wanted);
+    return wanted;
+  }
   const std::vector<Hold> holds = holds_of(all_bodies(start), surroundings_of(start));
   for (const Hold& hold : holds) wanted.joints.push_back(hold.joint);
   if (start.kind == HandleKind::kVelocity || start.kind == HandleKind::kSpin) {
@@ -216,6 +239,12 @@ std::optional<Dragged> without_overlaps(const DragStart& start, const Dragged& d
     return out;
   }
   const Surroundings neighbours = surroundings_of(start);
+  const QString touching = "touches " + QString::fromStdString(dragged.overlaps[0].other.name);
+  if (start.kind == HandleKind::kCorner) {
+    std::optional<Dragged> back = corner_backed_off(start, dragged, neighbours, point.scale);
+    if (back) back->detail = touching;
+    return back;
+  }
   const std::vector<Hold> holds = holds_of(all_bodies(start), neighbours);
   const std::optional<std::vector<Body>> bodies = resizes(start)
                                                       ? shrunk(start, dragged.bodies, neighbours, holds)
@@ -224,7 +253,7 @@ std::optional<Dragged> without_overlaps(const DragStart& start, const Dragged& d
   out.bodies = *bodies;
   say_value(start, point, out);
   if (start.kind == HandleKind::kTurn) out.value = angle_text(out.bodies[0].angle);
-  out.detail = "touches " + QString::fromStdString(dragged.overlaps[0].other.name);
+  out.detail = touching;
   out.overlaps.clear();
   out.fault = false;
   return out;

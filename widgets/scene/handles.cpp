@@ -7,6 +7,8 @@
 #include <numbers>
 #include <variant>
 
+#include "widgets/edit/reshaping.h"
+
 namespace carom {
 namespace {
 
@@ -34,11 +36,14 @@ void add_velocity(const Body& body, std::size_t index, const Camera& camera, dou
                      centre + std::max(rim, length) * on_screen(along)});
 }
 
-// Just outside the rim; of a small body outside its corner handles.
+// Just outside the rim of a disc; of another body, and of a small disc, outside its handles.
 double arc_radius(const Body& body, const Camera& camera) {
-  double reach = half_extent(body.shape, 0.0).norm();
-  if (const auto* disc = std::get_if<Disc>(&body.shape)) reach = disc->radius;
-  const double near = reach * camera.scale + kGap;
+  const auto* disc = std::get_if<Disc>(&body.shape);
+  if (disc == nullptr) {
+    const double reach = half_extent(body.shape, 0.0).norm() * camera.scale + std::numbers::sqrt2 * kGap;
+    return std::max(reach, kLeastHandleDistance) + kHandleReach;
+  }
+  const double near = disc->radius * camera.scale + kGap;
   const double corner = std::max(std::numbers::sqrt2 * near, kLeastHandleDistance);
   const bool clear = near >= kLeastHandleDistance && corner - near >= kHandleReach;
   return clear ? near : corner + kHandleReach;
@@ -66,23 +71,46 @@ void add_knob(const Body& body, const Camera& camera, bool arrow, std::vector<Ha
   handles.push_back({HandleKind::kTurn, 0, centre + (reach + kGap + kStem) * side, centre + reach * side});
 }
 
-void add_sizes(const Body& body, const Camera& camera, std::vector<Handle>& handles) {
+void add_sizes_of_box(const Body& body, const Box& box, const Camera& camera, std::vector<Handle>& handles) {
   const QPointF centre = camera.to_screen(body.position);
+  const Vec2 half = 0.5 * camera.scale * Vec2(box.width, box.height);
+  for (const HandleKind kind :
+       {HandleKind::kRight, HandleKind::kTop, HandleKind::kLeft, HandleKind::kBottom, HandleKind::kTopRight,
+        HandleKind::kTopLeft, HandleKind::kBottomLeft, HandleKind::kBottomRight}) {
+    const Vec2 side = side_of(kind);
+    const double least = kLeastHandleDistance / side.norm();
+    const Vec2 reach = (half.array() + kGap).max(least);
+    const Vec2 out = Eigen::Rotation2Dd(body.angle) * side.cwiseProduct(reach);
+    handles.push_back({kind, 0, centre + on_screen(out), std::nullopt});
+  }
+}
+
+void add_corners(const Body& body, const Polygon& polygon, const Camera& camera, std::vector<Handle>& handles) {
+  const QPointF centre = camera.to_screen(body.position);
+  const Vec2 middle = centre_of(polygon);
+  for (std::size_t k = 0; k < polygon.vertices.size(); ++k) {
+    const Vec2 out = Eigen::Rotation2Dd(body.angle) * (polygon.vertices[k] - middle);
+    const double length = out.norm();
+    const Vec2 along = length > 0.0 ? Vec2(out / length) : Vec2(Vec2::UnitX());
+    const double distance = std::max((length + polygon.rounding) * camera.scale + kGap, kLeastHandleDistance);
+    Handle handle{HandleKind::kCorner, 0, centre + distance * on_screen(along), std::nullopt};
+    handle.corner = k;
+    handles.push_back(handle);
+  }
+}
+
+void add_sizes(const Body& body, const Camera& camera, std::vector<Handle>& handles) {
   if (const auto* disc = std::get_if<Disc>(&body.shape)) {
+    const QPointF centre = camera.to_screen(body.position);
     const double half =
         std::max(disc->radius * camera.scale + kGap, kLeastHandleDistance / std::numbers::sqrt2);
     for (const QPointF corner : {QPointF(1, -1), QPointF(-1, -1), QPointF(-1, 1), QPointF(1, 1)}) {
       handles.push_back({HandleKind::kRadius, 0, centre + half * corner, std::nullopt});
     }
   } else if (const auto* box = std::get_if<Box>(&body.shape)) {
-    const Vec2 half = 0.5 * camera.scale * Vec2(box->width, box->height);
-    for (const HandleKind kind :
-         {HandleKind::kRight, HandleKind::kTop, HandleKind::kLeft, HandleKind::kBottom}) {
-      const Vec2 side = side_of(kind);
-      const double distance = std::max(side.cwiseAbs().dot(half) + kGap, kLeastHandleDistance);
-      const Vec2 out = Eigen::Rotation2Dd(body.angle) * side;
-      handles.push_back({kind, 0, centre + distance * on_screen(out), std::nullopt});
-    }
+    add_sizes_of_box(body, *box, camera, handles);
+  } else if (const auto* polygon = std::get_if<Polygon>(&body.shape)) {
+    add_corners(body, *polygon, camera, handles);
   }
 }
 
@@ -98,6 +126,14 @@ Vec2 side_of(HandleKind kind) {
       return -Vec2::UnitX();
     case HandleKind::kBottom:
       return -Vec2::UnitY();
+    case HandleKind::kTopRight:
+      return {1.0, 1.0};
+    case HandleKind::kTopLeft:
+      return {-1.0, 1.0};
+    case HandleKind::kBottomLeft:
+      return {-1.0, -1.0};
+    case HandleKind::kBottomRight:
+      return {1.0, -1.0};
     default:
       return Vec2::Zero();
   }

@@ -12,7 +12,22 @@
 namespace carom {
 
 // What a drag takes hold of: a body itself, or one of the handles around it.
-enum class HandleKind { kBody, kTurn, kVelocity, kSpin, kRadius, kRight, kTop, kLeft, kBottom };
+enum class HandleKind {
+  kBody,
+  kTurn,
+  kVelocity,
+  kSpin,
+  kRadius,
+  kRight,
+  kTop,
+  kLeft,
+  kBottom,
+  kTopRight,
+  kTopLeft,
+  kBottomLeft,
+  kBottomRight,
+  kCorner  // of a polygon
+};
 
 struct Handle {
   HandleKind kind = HandleKind::kBody;
@@ -27,6 +42,7 @@ struct Handle {
     double sweep = 0.0;  // from there to the grip
   };
   std::optional<Arc> arc{};
+  std::size_t corner = 0;  // of a polygon, among its vertices
 };
 
 // How far handles stand from a body's centre at least, and how near the mouse must be, in px.
@@ -45,7 +61,8 @@ inline constexpr double kLongestArc = 330.0;
 // The nearest one that the mouse reaches.
 [[nodiscard]] std::optional<Handle> handle_at(std::span<const Handle> handles, const QPointF& at);
 
-// The direction of a box's side from its centre, in its own axes; zero for other kinds.
+// The direction of a box's side or corner from its centre, in its own axes, as 1, -1 or 0 along each; zero for
+// other kinds.
 [[nodiscard]] Vec2 side_of(HandleKind kind);
 
 }  // namespace carom

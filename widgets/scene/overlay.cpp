@@ -22,7 +22,7 @@ constexpr double kHeadHalfWidth = 5.0;
 constexpr double kToEdge = 2.0;
 constexpr double kGuide = 2.4;     // px, width of a guide
 constexpr double kCross = 3.5;     // px, half the cross at the end of a guide
-constexpr double kBlocked = 3.0;   // px, width of a joint that allows nothing
+constexpr double kBlocked = 3.0;   // px, width of a joint or edge that can't be
 constexpr double kThinWall = 5.0;  // px, of a thin wall in an overlap
 constexpr int kDetailSize = 12;
 
@@ -258,10 +258,10 @@ void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera
   }
   paint_corners(painter, overlay.corners, camera, theme);
   for (const Overlap& overlap : overlay.overlaps) paint_overlap(painter, overlap, camera, theme);
-  if (overlay.blocked) {
-    painter.setPen(QPen(theme.danger, kBlocked, Qt::SolidLine, Qt::RoundCap));
+  painter.setPen(QPen(theme.danger, kBlocked, Qt::SolidLine, Qt::RoundCap));
+  if (overlay.blocked)
     painter.drawLine(camera.to_screen(overlay.blocked->first), camera.to_screen(overlay.blocked->second));
-  }
+  for (const auto& [from, to] : overlay.refused) painter.drawLine(camera.to_screen(from), camera.to_screen(to));
   for (const Body& body : overlay.locked) paint_padlock(painter, body, camera, theme);
   for (const Handle& handle : overlay.handles) paint_handle(painter, handle, theme);
   if (overlay.band) {

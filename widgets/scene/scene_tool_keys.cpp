@@ -152,7 +152,7 @@ void SceneTools::edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys) 
     row_.kind = kind;
     row_.names = selection_.names();
     row_.drag = row_.before.empty() ? 0 : ++drags_;
-    if (row_.drag != 0) row_.start = start_of(changed, row_.before);
+    if (row_.drag != 0) row_.start = start_of({changed, {}}, row_.before);
   }
   const auto locked = locked_among(row_.drag == 0 ? selected_now() : row_.start.followers);
   if (locked) return say_locked(*locked);

@@ -12,14 +12,15 @@
 // What surrounds an edit of the scene's tools, and what is left of it.
 namespace carom {
 
-DragStart SceneTools::start_of(HandleKind kind, std::vector<Body> bodies) const {
+DragStart SceneTools::start_of(const Grab& grab, std::vector<Body> bodies) const {
   const SceneSight sight = sight_();
-  DragStart start{.kind = kind,
+  DragStart start{.kind = grab.kind,
                   .bodies = std::move(bodies),
                   .others = {},
                   .press = sight.camera.to_world(press_),
                   .arrow_seconds = sight.arrow_seconds,
                   .grid = sight.grid ? grid_spacing(sight.camera) : 0.0,
+                  .corner = grab.corner,
                   .seen = sight.camera.visible()};
   Surroundings beside{{}, sight.frame->scene->joints};
   std::unordered_set<std::string> edited;
@@ -48,7 +49,7 @@ void SceneTools::put_in_touch() {
   if (bodies.size() != 2) return;
   if (locked_.contains(bodies[0].name)) return say_locked(bodies[0].name);
   row_ = {};
-  row_.start = start_of(HandleKind::kBody, {editable({}, false).front()});
+  row_.start = start_of({HandleKind::kBody, {}}, {editable({}, false).front()});
   if (const auto locked = locked_among(row_.start.followers)) return say_locked(*locked);
   row_.drag = ++drags_;
   const Body moved = in_touch(row_.start.bodies[0], bodies[1]);
@@ -65,7 +66,7 @@ bool SceneTools::can_align() const { return state_ == State::kNone && editable({
 void SceneTools::align(Alignment alignment) {
   if (!can_align()) return;
   row_ = {};
-  DragStart start = start_of(HandleKind::kBody, editable({}, false));
+  DragStart start = start_of({HandleKind::kBody, {}}, editable({}, false));
   // What is joined to one of them does not follow: each goes its own way.
   start.others.insert(start.others.end(), start.followers.begin(), start.followers.end());
   start.followers.clear();
@@ -120,6 +121,10 @@ void SceneTools::change_by_key(Dragged wanted) {
 
 // Overlaps are solved in the step of undo that the drag is.
 void SceneTools::end_drag() {
+  if (!dragged_.refused.empty()) {
+    if (emitted_) emit dragCancelled(drags_);
+    return note({dragged_.value, {}, mouse_, press_, true});
+  }
   const std::optional<Dragged> left = without_overlaps(start_, dragged_, point(keys_));
   if (!left) {
     if (emitted_) emit dragCancelled(drags_);
@@ -127,7 +132,8 @@ void SceneTools::end_drag() {
   }
   const QString refusal = left->fault != dragged_.fault ? emit_change(*left, refitted_, drags_) : QString();
   if (!refusal.isEmpty()) return note(refusal_bubble(refusal, mouse_, press_));
-  note({left->value, left->detail, mouse_, press_, left->fault}, Grab{start_.kind, start_.bodies[0].name});
+  note({left->value, left->detail, mouse_, press_, left->fault},
+       Grab{start_.kind, start_.bodies[0].name, start_.corner});
 }
 
 QString SceneTools::emit_change(const Dragged& change, bool joints, int drag) {

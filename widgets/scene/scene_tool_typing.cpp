@@ -94,7 +94,7 @@ void SceneTools::type_value_of(const Grab& target, const Bubble& where) {
     if (!selection_.contains(target.body)) set_selection({target.body});
     if (locked_.contains(target.body)) return say_locked(target.body);
     const bool motion = target.kind == HandleKind::kVelocity || target.kind == HandleKind::kSpin;
-    DragStart start = start_of(target.kind, editable(target.body, motion));
+    DragStart start = start_of(target, editable(target.body, motion));
     if (start.bodies.empty() || start.bodies.front().name != target.body) return;
     if (const auto locked = locked_among(start.followers)) return say_locked(*locked);
     const Body now = start.bodies.front();

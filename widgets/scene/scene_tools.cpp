@@ -191,7 +191,7 @@ std::optional<SceneTools::Grab> SceneTools::grab_at(const QPointF& at) const {
     return std::nullopt;
   }
   if (const auto handle = handle_at(handles(sight), at)) {
-    return Grab{handle->kind, selection_.names()[handle->body]};
+    return Grab{handle->kind, selection_.names()[handle->body], handle->corner};
   }
   const int body = body_at(*sight.frame, sight.camera, at);
   if (body < 0) return std::nullopt;
@@ -268,7 +268,7 @@ void SceneTools::begin_drag() {
   if (!selection_.contains(grab_->body)) set_selection({grab_->body});
   if (locked_.contains(grab_->body)) return say_locked(grab_->body);
   const bool motion = grab_->kind == HandleKind::kVelocity || grab_->kind == HandleKind::kSpin;
-  start_ = start_of(grab_->kind, editable(grab_->body, motion));
+  start_ = start_of(*grab_, editable(grab_->body, motion));
   if (start_.bodies.empty() || start_.bodies.front().name != grab_->body) return;
   if (const auto locked = locked_among(start_.followers)) return say_locked(*locked);
   dragged_ = {.bodies = start_.bodies, .value = {}, .detail = {}, .name = {}};
@@ -408,14 +408,12 @@ Qt::CursorShape SceneTools::cursor(const QPointF& at) const {
   switch (grab->kind) {
     case HandleKind::kBody:
       return Qt::OpenHandCursor;
-    case HandleKind::kRight:
-    case HandleKind::kTop:
-    case HandleKind::kLeft:
-    case HandleKind::kBottom:
-    case HandleKind::kRadius:
-      return Qt::SizeAllCursor;
-    default:
+    case HandleKind::kTurn:
+    case HandleKind::kVelocity:
+    case HandleKind::kSpin:
       return Qt::PointingHandCursor;
+    default:
+      return Qt::SizeAllCursor;
   }
 }
 
@@ -428,13 +426,15 @@ Overlay SceneTools::overlay() const {
   show_locks(out);
   if (state_ == State::kDrag) {
     std::erase_if(out.handles, [this](const Handle& handle) {
-      return handle.kind != grab_->kind || selection_.names()[handle.body] != grab_->body;
+      return handle.kind != grab_->kind || handle.corner != grab_->corner ||
+             selection_.names()[handle.body] != grab_->body;
     });
     out.ghosts = ghosts_;
     out.bubble = {dragged_.value, dragged_.detail, mouse_, press_, dragged_.fault};
     out.guides = dragged_.guides;
     out.overlaps = dragged_.overlaps;
     out.blocked = dragged_.blocked;
+    out.refused = dragged_.refused;
   } else if (state_ == State::kEnd) {
     show_moved_end(out);
   } else if (state_ == State::kBand) {

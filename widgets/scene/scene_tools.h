@@ -155,6 +155,7 @@ class SceneTools : public QObject {
   struct Grab {
     HandleKind kind = HandleKind::kBody;
     std::string body;
+    std::size_t corner = 0;  // of a polygon
   };
   struct Typing {
     Grab target;
@@ -262,7 +263,7 @@ class SceneTools : public QObject {
   void remove_selected();
   void edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys);
   // What surrounds an edit, and what is left of it (scene_tool_limits.cpp).
-  [[nodiscard]] DragStart start_of(HandleKind kind, std::vector<Body> bodies) const;
+  [[nodiscard]] DragStart start_of(const Grab& grab, std::vector<Body> bodies) const;
   [[nodiscard]] QString overlap_of_new(const Body& body) const;  // empty: there is none
   [[nodiscard]] bool can_touch() const;
   void put_in_touch();

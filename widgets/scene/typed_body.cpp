@@ -9,6 +9,7 @@
 #include "widgets/edit/derived_fields.h"
 #include "widgets/edit/reshaping.h"
 #include "widgets/edit/units.h"
+#include "widgets/scene/corner_drag.h"
 #include "widgets/scene/drag_limits.h"
 #include "widgets/scene/edit_names.h"
 #include "widgets/scene/typed_value.h"
@@ -50,6 +51,9 @@ class TypedBody : public TypedThing {
         return {{"Angle", range_of("angle"), now_.angle}};
       case HandleKind::kSpin:
         return {{"Spin", range_of("spin"), now_.spin}};
+      case HandleKind::kCorner:
+        return {{"x", range_of("position", 0), corner_at(now_, start_.corner).x()},
+                {"y", range_of("position", 1), corner_at(now_, start_.corner).y()}};
       default:
         return typed_sizes(now_.shape);
     }
@@ -100,6 +104,11 @@ class TypedBody : public TypedThing {
         return turned(value);
       case HandleKind::kSpin:
         return spun(value);
+      case HandleKind::kCorner: {
+        Vec2 corner = corner_at(now_, start_.corner);
+        corner[static_cast<Eigen::Index>(index)] = value;
+        return with_corner(start_, corner, scale_);
+      }
       default:
         return sized(static_cast<Eigen::Index>(index), value);
     }

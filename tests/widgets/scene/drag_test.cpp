@@ -213,5 +213,28 @@ TEST(DragTest, ResizesABoxFromItsFarSide) {
               1e-12);
 }
 
+TEST(DragTest, TheFarCornerOfABoxStays) {
+  Body box = disc_at("box", 1.0, 1.0, 0.1);
+  box.shape = Box{0.4, 0.2};
+  box.mass = 2.0;
+  const DragStart start = start_of(HandleKind::kTopRight, box, Vec2(1.2, 1.1));
+  const Dragged grown = drag(start, Vec2(1.401, 1.199));
+  const Box size = std::get<Box>(grown.bodies[0].shape);
+  EXPECT_DOUBLE_EQ(size.width, 0.6);
+  EXPECT_DOUBLE_EQ(size.height, 0.3);
+  EXPECT_TRUE(grown.bodies[0].position.isApprox(Vec2(1.1, 1.05), 1e-12));
+  EXPECT_NEAR(*grown.bodies[0].mass, 4.5, 1e-12);
+  EXPECT_EQ(grown.value, "60 cm × 30 cm");
+  // Proportions: the larger change leads.
+  const Dragged alike = drag(start, Vec2(1.6, 1.1), Qt::ShiftModifier);
+  EXPECT_DOUBLE_EQ(std::get<Box>(alike.bodies[0].shape).height, 0.4);
+  EXPECT_TRUE(alike.bodies[0].position.isApprox(Vec2(1.2, 1.1), 1e-12));
+  // A quarter turn: the corner at the upper right is now that at the upper left.
+  box.angle = 0.5 * std::numbers::pi;
+  const Dragged turned = drag(start_of(HandleKind::kTopRight, box, Vec2(0.9, 1.2)), Vec2(0.8, 1.4));
+  EXPECT_TRUE(turned.bodies[0].position.isApprox(Vec2(0.95, 1.1), 1e-12));
+  EXPECT_DOUBLE_EQ(std::get<Box>(turned.bodies[0].shape).width, 0.6);
+}
+
 }  // namespace
 }  // namespace carom

@@ -93,5 +93,28 @@ TEST_F(HandlesTest, TheNearestOneWithinReachIsTaken) {
   EXPECT_FALSE(handle_at(all, grip + QPointF(8.0, 8.0)));
 }
 
+TEST_F(HandlesTest, ABoxHasThemAtItsSidesAndCorners) {
+  disc_.shape = Box{1.0, 0.6};
+  const std::vector<Handle> all = handles({disc_});
+  EXPECT_EQ(of(all, HandleKind::kRight).at, QPointF(478.0, 200.0));
+  EXPECT_EQ(of(all, HandleKind::kTopRight).at, QPointF(478.0, 162.0));
+  EXPECT_EQ(of(all, HandleKind::kBottomLeft).at, QPointF(362.0, 238.0));
+  EXPECT_EQ(all.size(), 3U + 8U);  // with velocity, spin and knob
+  for (const Handle& a : all) {
+    for (const Handle& b : all) EXPECT_TRUE(&a == &b || QLineF(a.at, b.at).length() > kHandleReach);
+  }
+}
+
+TEST_F(HandlesTest, APolygonHasThemAtItsCorners) {
+  disc_.shape = Polygon{{Vec2(0.0, 0.0), Vec2(0.9, 0.0), Vec2(0.0, 0.9)}};  // about (0.3, 0.3)
+  const std::vector<Handle> all = handles({disc_});
+  ASSERT_EQ(number(all, HandleKind::kCorner), 3);
+  const Handle first = of(all, HandleKind::kCorner);
+  EXPECT_EQ(first.corner, 0U);
+  EXPECT_NEAR(QLineF(first.at, QPointF(390.0, 230.0)).length(), 8.0, 1e-9);  // outside of it
+  EXPECT_LT(first.at.x(), 390.0);
+  EXPECT_EQ(all.back().corner, 2U);
+}
+
 }  // namespace
 }  // namespace carom
