@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <type_traits>
 #include <unordered_set>
@@ -19,6 +20,7 @@ namespace carom {
 namespace {
 
 constexpr double kTouching = 1e-10;  // of the bodies' sizes: less of an overlap is rounding
+constexpr double kWritten = 1e-4;    // of the bodies' sizes: less may be that of numbers in a file
 constexpr double kSettled = 1e-14;   // of the size: a shorter step of the search is none
 constexpr double kNear = 4.0;        // times the size: the farthest way out
 constexpr int kSteps = 40;           // of the search from one guess
@@ -57,19 +59,24 @@ struct Pair {
   double size;  // m
 };
 
+// Nothing if they are farther apart than `reach`, or can't collide.
+std::optional<Pair> pair_of(const Crowd& crowd, std::size_t i, std::size_t k, double reach) {
+  const BodyIndex a{static_cast<int>(i)};
+  const BodyIndex b{static_cast<int>(k)};
+  const Eigen::VectorXd& reaches = crowd.geometry.reach;
+  const double apart = (crowd.poses[i].position - crowd.poses[k].position).norm();
+  if (apart > reaches[a] + reaches[b] + reach || !crowd.geometry.can_collide(a, b)) return std::nullopt;
+  if (!std::isfinite(reaches[a]) && !std::isfinite(reaches[b])) return std::nullopt;  // two half-planes
+  const auto finite = [&](BodyIndex n) { return std::isfinite(reaches[n]) ? reaches[n] : 0.0; };
+  return Pair{a, b, finite(a) + finite(b)};
+}
+
 // What may come nearer than `reach`, of an edited body and a neighbour or, `within`, another edited one.
 std::vector<Pair> pairs_of(const Crowd& crowd, double reach, bool within) {
   std::vector<Pair> pairs;
-  const Eigen::VectorXd& reaches = crowd.geometry.reach;
   for (std::size_t i = 0; i < crowd.edited; ++i) {
     for (std::size_t k = within ? i + 1 : crowd.edited; k < crowd.bodies.size(); ++k) {
-      const BodyIndex a{static_cast<int>(i)};
-      const BodyIndex b{static_cast<int>(k)};
-      const double apart = (crowd.poses[i].position - crowd.poses[k].position).norm();
-      if (apart > reaches[a] + reaches[b] + reach || !crowd.geometry.can_collide(a, b)) continue;
-      if (!std::isfinite(reaches[a]) && !std::isfinite(reaches[b])) continue;  // two half-planes
-      const auto finite = [&](BodyIndex n) { return std::isfinite(reaches[n]) ? reaches[n] : 0.0; };
-      pairs.push_back({a, b, finite(a) + finite(b)});
+      if (const auto pair = pair_of(crowd, i, k, reach)) pairs.push_back(*pair);
     }
   }
   return pairs;
@@ -193,17 +200,48 @@ std::vector<Body> between(std::span<const Body> from, std::span<const Body> to, 
   return bodies;
 }
 
+std::vector<Overlap> overlapping(const Crowd& crowd, const std::vector<Pair>& pairs, double least) {
+  std::vector<Overlap> overlaps;
+  for (const Pair& pair : pairs) {
+    const Contact contact = gap_of(crowd, pair, Vec2::Zero());
+    if (!(-contact.gap > least * pair.size)) continue;
+    overlaps.push_back({crowd.bodies[static_cast<std::size_t>(pair.a)],
+                        crowd.bodies[static_cast<std::size_t>(pair.b)], -contact.gap, contact.point});
+  }
+  return overlaps;
+}
+
+// All that may meet, found from left to right; in the order of index pairs.
+std::vector<Pair> near_pairs(const Crowd& crowd) {
+  std::vector<std::size_t> order(crowd.bodies.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto reach = [&](std::size_t i) { return crowd.geometry.reach[static_cast<Eigen::Index>(i)]; };
+  const auto left = [&](std::size_t i) { return crowd.poses[i].position.x() - reach(i); };
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return left(i) < left(k); });
+  std::vector<Pair> pairs;
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    const std::size_t i = order[n];
+    const double right = crowd.poses[i].position.x() + reach(i);
+    for (std::size_t m = n + 1; m < order.size() && left(order[m]) <= right; ++m) {
+      if (const auto pair = pair_of(crowd, std::min(i, order[m]), std::max(i, order[m]), 0.0))
+        pairs.push_back(*pair);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end(),
+            [](const Pair& p, const Pair& q) { return std::pair(p.a, p.b) < std::pair(q.a, q.b); });
+  return pairs;
+}
+
 }  // namespace
+
+std::vector<Overlap> overlaps_among(std::span<const Body> bodies, const std::vector<Joint>& joints) {
+  const Crowd crowd = crowd_of(bodies, {{}, joints});
+  return overlapping(crowd, near_pairs(crowd), kWritten);
+}
 
 std::vector<Overlap> overlaps_of(std::span<const Body> bodies, const Surroundings& neighbours) {
   const Crowd crowd = crowd_of(bodies, neighbours);
-  std::vector<Overlap> overlaps;
-  for (const Pair& pair : pairs_of(crowd, 0.0, false)) {
-    const double depth = -gap_of(crowd, pair, Vec2::Zero()).gap;
-    if (!(depth > kTouching * pair.size)) continue;
-    overlaps.push_back({crowd.bodies[static_cast<std::size_t>(pair.a)],
-                        crowd.bodies[static_cast<std::size_t>(pair.b)], depth});
-  }
+  std::vector<Overlap> overlaps = overlapping(crowd, pairs_of(crowd, 0.0, false), kTouching);
   std::stable_sort(overlaps.begin(), overlaps.end(),
                    [](const Overlap& a, const Overlap& b) { return a.depth > b.depth; });
   return overlaps;

@@ -18,11 +18,16 @@ struct Surroundings {
 struct Overlap {
   Body body;
   Body other;
-  double depth = 0.0;  // m, the shortest way out of it
+  double depth = 0.0;      // m, the shortest way out of it
+  Vec2 at = Vec2::Zero();  // m, in the middle of it
 };
 
 // Of the bodies with their neighbours, the deepest first. Bodies that touch to rounding do not overlap.
 [[nodiscard]] std::vector<Overlap> overlaps_of(std::span<const Body> bodies, const Surroundings& neighbours);
+
+// Of the bodies with each other, deeper than written numbers are rounded.
+[[nodiscard]] std::vector<Overlap> overlaps_among(std::span<const Body> bodies,
+                                                  const std::vector<Joint>& joints);
 
 // The bodies moved as one, the shortest way that leaves no overlap with a neighbour; nothing if there is no
 // such place within a few times their size. Finds the shortest way among several obstacles from a number of

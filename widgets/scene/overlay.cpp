@@ -24,6 +24,7 @@ constexpr double kGuide = 2.4;     // px, width of a guide
 constexpr double kCross = 3.5;     // px, half the cross at the end of a guide
 constexpr double kBlocked = 3.0;   // px, width of a joint or edge that can't be
 constexpr double kThinWall = 5.0;  // px, of a thin wall in an overlap
+constexpr double kSign = 9.0;      // px, from the middle of a sign to its corners
 constexpr int kDetailSize = 12;
 
 QColor faint(QColor color, float alpha) {
@@ -241,7 +242,20 @@ void paint_overlap(QPainter& painter, const Overlap& overlap, const Camera& came
   painter.drawPath(shared);
 }
 
+// A triangle with a mark of exclamation.
+void paint_sign(QPainter& painter, const QPointF& middle, const Theme& theme) {
+  const QPointF corners[] = {middle + QPointF(0.0, -kSign), middle + QPointF(kSign, 0.8 * kSign),
+                             middle + QPointF(-kSign, 0.8 * kSign)};
+  painter.setPen(QPen(theme.danger, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(theme.panel);
+  painter.drawConvexPolygon(corners, 3);
+  painter.drawLine(middle + QPointF(0.0, -3.0), middle + QPointF(0.0, 1.5));
+  painter.drawPoint(middle + QPointF(0.0, 4.6));
+}
+
 }  // namespace
+
+bool on_sign(const QPointF& middle, const QPointF& mouse) { return QLineF(middle, mouse).length() <= kSign; }
 
 void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera, const Theme& theme) {
   if (overlay.aim) paint_aim(painter, *overlay.aim, camera, theme);
@@ -262,6 +276,7 @@ void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera
   if (overlay.blocked)
     painter.drawLine(camera.to_screen(overlay.blocked->first), camera.to_screen(overlay.blocked->second));
   for (const auto& [from, to] : overlay.refused) painter.drawLine(camera.to_screen(from), camera.to_screen(to));
+  for (const Vec2& at : overlay.signs) paint_sign(painter, camera.to_screen(at), theme);
   for (const Body& body : overlay.locked) paint_padlock(painter, body, camera, theme);
   for (const Handle& handle : overlay.handles) paint_handle(painter, handle, theme);
   if (overlay.band) {

@@ -54,15 +54,20 @@ struct Overlay {
   std::vector<std::pair<Vec2, Vec2>> guides;     // m, from a dragged body to what it snapped to
   std::vector<Overlap> overlaps;                 // their shared areas
   std::optional<std::pair<Vec2, Vec2>> blocked;  // m, the ends of a joint that allows nothing
+  std::vector<Vec2> signs;                       // m, of overlaps that stay
   std::vector<std::pair<Vec2, Vec2>> refused;    // m, edges that a body can't have
   std::optional<Aim> aim;                        // to the first impact
 
   [[nodiscard]] bool empty() const {
     return selected.empty() && locked.empty() && lit.empty() && links.empty() && ghosts.empty() &&
            handles.empty() && !band && !drawn && corners.set.empty() && !corners.next &&
-           bubble.value.isEmpty() && guides.empty() && overlaps.empty() && refused.empty() && !blocked && !aim;
+           bubble.value.isEmpty() && guides.empty() && overlaps.empty() && signs.empty() && refused.empty() &&
+           !blocked && !aim;
   }
 };
+
+// Whether the mouse is on the sign of an overlap whose middle is there, in px.
+[[nodiscard]] bool on_sign(const QPointF& middle, const QPointF& mouse);
 
 void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera, const Theme& theme);
 

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "widgets/scene/body_text.h"
+#include "widgets/scene/drag_limits.h"
 #include "widgets/scene/hit.h"
 #include "widgets/scene/impact_marks.h"
 
@@ -28,11 +29,18 @@ void SceneTip::follow(const SceneSight& sight) {
 }
 
 SceneTip::Subject SceneTip::subject_at(const SceneSight& sight) const {
-  if (const auto impact = impact_at(sight.marks, sight.camera, at_)) return {-1, impact->time};
-  return {body_at(*sight.frame, sight.camera, at_), std::nullopt};
+  for (const Overlap& overlap : sight.kept) {
+    if (!on_sign(sight.camera.to_screen(overlap.at), at_)) continue;
+    const QString text = overlap_text(overlap, {.at = overlap.at, .scale = sight.camera.scale});
+    return {.overlap = (text + ": play parts them").toStdString()};
+  }
+  if (const auto impact = impact_at(sight.marks, sight.camera, at_)) return {.impact = impact->time};
+  return {.body = body_at(*sight.frame, sight.camera, at_)};
 }
 
 void SceneTip::say(const QPoint& global, const SceneSight& sight) {
+  if (!subject_->overlap.empty())
+    return QToolTip::showText(global, QString::fromStdString(subject_->overlap), view_);
   const auto impact = impact_at(sight.marks, sight.camera, at_);
   const QString text =
       impact ? impact_text(*sight.frame->bodies, *impact) : body_text(*sight.frame, subject_->body);

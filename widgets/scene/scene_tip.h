@@ -2,6 +2,7 @@
 
 #include <QPoint>
 #include <optional>
+#include <string>
 
 #include "widgets/scene/scene_tools.h"
 
@@ -10,8 +11,8 @@ class QWidget;
 
 namespace carom {
 
-// The tooltip of what is under the mouse in a scene: of an impact's mark, else of a body, whose figures it
-// follows.
+// The tooltip of what is under the mouse in a scene: of the sign of an overlap, of an impact's mark, else
+// of a body, whose figures it follows.
 class SceneTip {
  public:
   explicit SceneTip(QWidget* view) : view_(view) {}
@@ -25,6 +26,7 @@ class SceneTip {
   struct Subject {
     int body = -1;                   // -1: none
     std::optional<double> impact{};  // s
+    std::string overlap{};           // what is said of it
 
     bool operator==(const Subject&) const = default;
   };

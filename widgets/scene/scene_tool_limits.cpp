@@ -93,6 +93,28 @@ void SceneTools::say_overlap(const std::vector<Body>& bodies, const Surroundings
   note({overlap_text(*deepest, point({})), QStringLiteral("They stay so; play parts them."), at, at, true});
 }
 
+// Those that a drag changes are known to it.
+void SceneTools::find_kept_overlaps() {
+  const std::shared_ptr<const Frame> frame = sight_().frame;
+  if (state_ == State::kDrag || std::exchange(kept_in_, frame) == frame) return;
+  kept_.clear();
+  if (!frame || !frame->scene || frame->steps > 0) return;
+  std::vector<Body> bodies;
+  for (int i = 0; i < body_count(*frame); ++i) bodies.push_back(body_now(*frame, i));
+  kept_ = overlaps_among(bodies, frame->scene->joints);
+}
+
+void SceneTools::show_kept_overlaps(Overlay& out) const {
+  const auto changes = [this](const Body& body) {
+    const auto is_it = [&](const Body& other) { return other.name == body.name; };
+    return std::any_of(dragged_.bodies.begin(), dragged_.bodies.end(), is_it);
+  };
+  for (const Overlap& overlap : kept_) {
+    if (state_ == State::kDrag && (changes(overlap.body) || changes(overlap.other))) continue;
+    out.signs.push_back(overlap.at);
+  }
+}
+
 void SceneTools::change_by_key(Dragged wanted) {
   const Camera camera = sight_().camera;
   const DragPoint keyed{.at = Vec2::Zero(), .scale = camera.scale, .keys = {}};

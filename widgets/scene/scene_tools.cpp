@@ -147,6 +147,7 @@ void SceneTools::frame_changed() {
   const bool gone = state_ == State::kPressed && grab_ && !index_.contains(grab_->body);
   if ((state_ == State::kDrag && !held) || gone) state_ = State::kMute;
   if (state_ == State::kEnd && !(part_ && frame && frame->scene)) state_ = State::kMute;
+  find_kept_overlaps();
 }
 
 // --- tools
@@ -334,6 +335,7 @@ void SceneTools::release(const QPointF& at, Qt::KeyboardModifiers keys) {
   }
   grab_.reset();
   end_.reset();
+  find_kept_overlaps();
   emit changed();
 }
 
@@ -424,6 +426,7 @@ Overlay SceneTools::overlay() const {
   out.handles = handles(sight);
   out.arrow_seconds = sight.arrow_seconds;
   show_locks(out);
+  show_kept_overlaps(out);
   if (state_ == State::kDrag) {
     std::erase_if(out.handles, [this](const Handle& handle) {
       return handle.kind != grab_->kind || handle.corner != grab_->corner ||

@@ -46,6 +46,7 @@ struct SceneSight {
   bool velocities = true;                 // are drawn
   bool forces_shown = false;              // so that the scale of their arrows is one to keep to
   std::span<const ImpactRecord> marks{};  // of impacts
+  std::span<const Overlap> kept{};        // overlaps that have a sign
 };
 
 // Draws, selects and edits bodies by mouse and keys. It changes nothing itself: signals say what is wanted, and
@@ -78,6 +79,9 @@ class SceneTools : public QObject {
   void frame_changed();
   // A drag of a body or handle is going on.
   [[nodiscard]] bool dragging() const { return state_ == State::kDrag; }
+
+  // The overlaps that the start of the run has, which its first steps will part.
+  [[nodiscard]] std::span<const Overlap> kept_overlaps() const { return kept_; }
 
   // Puts the selected bodies in line. Joints to others give way; overlaps stay, and the deepest
   // one is said.
@@ -268,6 +272,8 @@ class SceneTools : public QObject {
   [[nodiscard]] bool can_touch() const;
   void put_in_touch();
   void say_overlap(const std::vector<Body>& bodies, const Surroundings& beside);
+  void find_kept_overlaps();
+  void show_kept_overlaps(Overlay& out) const;
   void change_by_key(Dragged wanted);
   void end_drag();
   QString emit_change(const Dragged& change, bool joints, int drag);
@@ -282,6 +288,8 @@ class SceneTools : public QObject {
   std::optional<LinkEnd> first_end_;  // that a click has set
   std::optional<PartId> part_;
   Selection locked_;
+  std::vector<Overlap> kept_;
+  std::shared_ptr<const Frame> kept_in_;
 
   State state_ = State::kNone;
   bool repeated_ = false;  // the press is the second one of a double click

@@ -295,7 +295,8 @@ SceneSight SceneView::sight() const {
           .grid = options_.grid,
           .velocities = options_.velocities,
           .forces_shown = shows_forces(),
-          .marks = picture_.drawing.marks};
+          .marks = picture_.drawing.marks,
+          .kept = tools_->kept_overlaps()};
 }
 
 SceneLook SceneView::look() const { return {picture_.camera, home_side_, options_, picture_.theme, peaks_}; }

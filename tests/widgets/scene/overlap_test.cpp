@@ -225,5 +225,30 @@ TEST(Overlap, PutInTouchAlongTheLineOfCentres) {
   EXPECT_TRUE(in_touch(disc, body_of("ground", Wall{}, {5.0, 0.0})).position.isApprox(Vec2(0.3, 0.1), 1e-9));
 }
 
+TEST(Overlap, EachPairThatCanCollideIsFoundOnce) {
+  const auto disc = [](const char* name, double x, bool fixed) {
+    Body body;
+    body.name = name;
+    body.shape = Disc{0.5};
+    body.position = Vec2(x, 0.0);
+    body.fixed = fixed;
+    return body;
+  };
+  Body ground = disc("ground", 7.0, true);
+  ground.shape = Wall{};
+  ground.position.y() = -0.45;
+  const std::vector<Body> bodies{disc("c", 1.8, true),  disc("a", 0.0, false),   ground,
+                                 disc("b", 0.9, false), disc("far", 5.0, false), disc("fixed", 2.0, true)};
+  const std::vector<Overlap> found = overlaps_among(bodies, {});
+  std::string names;
+  for (const Overlap& overlap : found) names += overlap.body.name + "-" + overlap.other.name + " ";
+  EXPECT_EQ(names, "c-b a-ground a-b ground-b ground-far ");
+  EXPECT_NEAR(found[2].depth, 0.1, 1e-12);
+  EXPECT_TRUE(found[2].at.isApprox(Vec2(0.45, 0.0), 1e-12));
+  EXPECT_NEAR(found[1].depth, 0.05, 1e-12);
+  // Rounding in a file is none.
+  EXPECT_TRUE(overlaps_among(std::vector{disc("a", 0.0, false), disc("b", 0.99999, false)}, {}).empty());
+}
+
 }  // namespace
 }  // namespace carom
