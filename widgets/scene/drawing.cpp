@@ -11,12 +11,14 @@
 #include "widgets/scene/drawing_jump.h"
 #include "widgets/scene/drawing_others.h"
 #include "widgets/scene/drawing_shapes.h"
+#include "widgets/scene/scale_row.h"
 
 namespace carom {
 namespace {
 
 constexpr double kArrowWidth = 2.0;           // px
 constexpr double kLeastArrow = 6.0;           // px, shorter ones are left out
+constexpr double kLongestKey = 80.0;          // px
 constexpr double kLongestShare = 0.22;        // of the view's shorter side, for a peak's arrow
 constexpr double kLongestInCrowd = 1.5;       // of the mean distance of bodies that fill a square view
 constexpr double kLeastNamedRadius = 6.0;     // px
@@ -146,13 +148,19 @@ class Builder {
   }
 
   void add_velocities() {
+    bool moves = false;
     for (int i = 0; i < count(); ++i) {
       // A selected body keeps its own arrow, to be pulled.
       if (!fixed(i) && (!in_jump(i) || is_selected(i))) {
         const Vec2 along = in_.frame.state.velocity(i) * in_.arrows.seconds;
         add_arrow(in_, seen_, {in_.frame.state.position(i), along, in_.theme.series[0]}, out_);
+        moves = moves || !along.isZero(0.0);
       }
     }
+    if (!moves) return;
+    const double scale = in_.options.line_scale;
+    out_.velocity_key = arrow_key(kLongestKey * scale, in_.arrows.seconds * in_.camera.scale,
+                                  kArrowWidth * scale, in_.theme.series[0]);
   }
 
   const DrawingInput& in_;
@@ -176,6 +184,7 @@ void Drawing::clear() {
   labels.clear();
   marks.clear();
   jump = {};
+  velocity_key = {};
   force_key = {};
 }
 
@@ -212,6 +221,12 @@ ArrowScale arrow_scale(const Peaks& peaks, double side) {
   if (peaks.impulse > 0.0) scale.metres_per_impulse = step_not_above(longest / peaks.impulse);
   const double force = std::max(peaks.force, peaks.contact_force);
   if (force > 0.0) scale.metres_per_newton = step_not_above(longest / force);
+  return scale;
+}
+
+ArrowScale operator*(ArrowScale scale, const ArrowTimes& times) {
+  scale.seconds *= times.velocity;
+  scale.metres_per_newton *= times.force;
   return scale;
 }
 

@@ -86,11 +86,11 @@ struct Drawing {
     std::vector<JumpArrow> arrows;
     std::vector<JumpText> texts;
   };
-  // Length of an arrow for a round force; drawn beside the scale bar.
-  struct ForceKey {
-    double newtons = 0.0;  // 0: no key
-    double length = 0.0;   // px
-    double width = 0.0;    // px, of the shaft
+  // An arrow for a round velocity or force; drawn beside the scale bar.
+  struct ArrowKey {
+    double amount = 0.0;  // m/s or N; 0: no key
+    double length = 0.0;  // px
+    double width = 0.0;   // px, of the shaft
     QColor color;
   };
 
@@ -106,7 +106,8 @@ struct Drawing {
   std::vector<LabelItem> labels;
   Jump jump;
   std::vector<ImpactRecord> marks;  // impacts that are drawn, for the mouse
-  ForceKey force_key;
+  ArrowKey velocity_key;
+  ArrowKey force_key;
   double outline = 1.5;   // px, of bodies
   double text_size = 11;  // px
 
@@ -136,6 +137,13 @@ struct ArrowScale {
   double metres_per_impulse = 0.1;  // m of arrow per N s
   double metres_per_newton = 0.1;
 };
+
+// By which the user has lengthened arrows, dimensionless.
+struct ArrowTimes {
+  double velocity = 1.0;
+  double force = 1.0;
+};
+[[nodiscard]] ArrowScale operator*(ArrowScale scale, const ArrowTimes& times);
 
 // The largest speed, impulse and force shown so far; they set the length of the arrows. Forces of resting
 // contacts peak during a landing, so only their recent maximum counts.

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "widgets/scene/scale_row.h"
+
 namespace carom {
 namespace {
 
@@ -295,10 +297,7 @@ void add_contact_forces(const DrawingInput& in, const WorldRect& seen, Drawing& 
   }
   if (out.arrows.size() == before) return;
   const double a_newton = in.arrows.metres_per_newton * in.camera.scale;  // px
-  out.force_key.newtons = step_not_above(kLongestKey * scale / a_newton);
-  out.force_key.length = out.force_key.newtons * a_newton;
-  out.force_key.width = kContactWidth * scale;
-  out.force_key.color = color;
+  out.force_key = arrow_key(kLongestKey * scale, a_newton, kContactWidth * scale, color);
 }
 
 }  // namespace carom

@@ -10,6 +10,7 @@
 
 #include "widgets/scene/body_path.h"
 #include "widgets/scene/paint_jump.h"
+#include "widgets/scene/scale_row.h"
 
 namespace carom {
 namespace {
@@ -21,12 +22,7 @@ constexpr double kHeadLength = 5.5;
 constexpr double kHeadHalfWidth = 2.3;
 constexpr double kHeadShare = 0.7;
 
-// Positions of the muted text at the edges, in px.
-constexpr double kEdge = 6.0;
-constexpr double kScaleBarLeft = 26.0;
-constexpr double kScaleBarBottom = 16.0;
-constexpr double kBarGap = 6.0;    // to a bar's text
-constexpr double kBarsGap = 18.0;  // between two bars
+constexpr double kEdge = 6.0;  // px, from the muted text to the edges
 
 void paint_grid(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
   const double ratio = painter.device()->devicePixelRatioF();
@@ -89,6 +85,38 @@ void paint_segments(QPainter& painter, const std::vector<Drawing::SegmentItem>& 
   }
 }
 
+// Coordinates of the strong lines, along the lower and left edges, except under the scale bar.
+void paint_numbers(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
+                   double bars_end) {
+  const QFontMetricsF metrics(painter.font());
+  const double bottom = camera.viewport.height() - kEdge;
+  for (const Grid::Line& line : drawing.grid.lines) {
+    if (!line.strong) continue;
+    const QPointF at = camera.to_screen(Vec2::Constant(line.at));
+    const QString text = number_text(line.at);
+    const double width = metrics.horizontalAdvance(text);
+    QPointF place(kEdge, at.y() + metrics.capHeight() / 2);
+    if (line.vertical) {
+      place = QPointF(at.x() - width / 2, bottom);
+      if (place.x() < bars_end + 12.0 || place.x() + width > camera.viewport.width() - kEdge) continue;
+    } else if (at.y() < 2 * metrics.height() || at.y() > bottom - 3 * metrics.height()) {
+      continue;
+    }
+    paint_text_ground(painter, theme, QRectF(place.x(), place.y() - metrics.ascent(), width, metrics.height()));
+    painter.setPen(theme.muted);
+    painter.drawText(place, text);
+  }
+}
+
+void set_text_size(QPainter& painter, double pixels, int weight) {
+  QFont font = painter.font();
+  font.setPixelSize(std::max(1, static_cast<int>(std::lround(pixels))));
+  font.setWeight(static_cast<QFont::Weight>(weight));
+  painter.setFont(font);
+}
+
+}  // namespace
+
 void paint_arrow(QPainter& painter, const ArrowOnScreen& a, double width, const QColor& color) {
   const QPointF along = (a.tip - a.from) / QLineF(a.from, a.tip).length();
   const QPointF across(-along.y(), along.x());
@@ -111,80 +139,6 @@ ArrowOnScreen arrow_between(const QPointF& from, const QPointF& tip, double widt
   a.shaft_end = tip - (tip - from) * (0.9 * a.head_length / length);
   return a;
 }
-
-// Background under text at the edges, readable on a wall.
-void paint_ground(QPainter& painter, const Theme& theme, const QRectF& text) {
-  QColor ground = theme.scene_ground;
-  ground.setAlphaF(0.85F);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(ground);
-  painter.drawRoundedRect(text.adjusted(-4.0, -1.0, 4.0, 1.0), 4.0, 4.0);
-}
-
-// Label at the right of a bar or arrow of this length (px), and a background for both. Returns the right end.
-double paint_bar_text(QPainter& painter, const Theme& theme, const QPointF& from, double length,
-                      const QString& text) {
-  const QFontMetricsF metrics(painter.font());
-  const QPointF at(from.x() + length + kBarGap, from.y() + metrics.capHeight() / 2);
-  const double end = at.x() + metrics.horizontalAdvance(text);
-  paint_ground(painter, theme,
-               QRectF(QPointF(from.x(), from.y() - metrics.height() / 2),
-                      QPointF(end, from.y() + metrics.height() / 2)));
-  painter.setPen(theme.muted);
-  painter.drawText(at, text);
-  return end;
-}
-
-// Draws at the lower left from `left` on, and advances `left`.
-void paint_scale_bar(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
-                     double& left) {
-  const double length = drawing.grid.scale_bar * camera.scale;
-  const QPointF from(left, camera.viewport.height() - kScaleBarBottom);
-  left = paint_bar_text(painter, theme, from, length, length_text(drawing.grid.scale_bar));
-  painter.setPen(QPen(theme.muted, drawing.outline, Qt::SolidLine, Qt::FlatCap));
-  painter.drawLine(from, from + QPointF(length, 0.0));
-}
-
-// Beside the scale bar.
-void paint_force_key(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
-                     double& left) {
-  const Drawing::ForceKey& key = drawing.force_key;
-  const QPointF from(left, camera.viewport.height() - kScaleBarBottom);
-  left = paint_bar_text(painter, theme, from, key.length, number_text(key.newtons) + QStringLiteral(" N"));
-  paint_arrow(painter, arrow_between(from, from + QPointF(key.length, 0.0), key.width), key.width, key.color);
-}
-
-// Coordinates of the strong lines, along the lower and left edges, except under the scale bar.
-void paint_numbers(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
-                   double bars_end) {
-  const QFontMetricsF metrics(painter.font());
-  const double bottom = camera.viewport.height() - kEdge;
-  for (const Grid::Line& line : drawing.grid.lines) {
-    if (!line.strong) continue;
-    const QPointF at = camera.to_screen(Vec2::Constant(line.at));
-    const QString text = number_text(line.at);
-    const double width = metrics.horizontalAdvance(text);
-    QPointF place(kEdge, at.y() + metrics.capHeight() / 2);
-    if (line.vertical) {
-      place = QPointF(at.x() - width / 2, bottom);
-      if (place.x() < bars_end + 12.0 || place.x() + width > camera.viewport.width() - kEdge) continue;
-    } else if (at.y() < 2 * metrics.height() || at.y() > bottom - 3 * metrics.height()) {
-      continue;
-    }
-    paint_ground(painter, theme, QRectF(place.x(), place.y() - metrics.ascent(), width, metrics.height()));
-    painter.setPen(theme.muted);
-    painter.drawText(place, text);
-  }
-}
-
-void set_text_size(QPainter& painter, double pixels, int weight) {
-  QFont font = painter.font();
-  font.setPixelSize(std::max(1, static_cast<int>(std::lround(pixels))));
-  font.setWeight(static_cast<QFont::Weight>(weight));
-  painter.setFont(font);
-}
-
-}  // namespace
 
 ArrowOnScreen arrow_on_screen(const Drawing::ArrowItem& arrow, const Camera& camera) {
   return arrow_between(camera.to_screen(arrow.from), camera.to_screen(arrow.to), arrow.width);
@@ -213,13 +167,7 @@ void paint_shapes(QPainter& painter, const Drawing& drawing, const Camera& camer
 
 void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
-  double left = kScaleBarLeft;
-  set_text_size(painter, drawing.text_size, QFont::Normal);
-  if (drawing.has_grid) paint_scale_bar(painter, drawing, camera, theme, left);
-  if (drawing.force_key.newtons > 0.0) {
-    if (drawing.has_grid) left += kBarsGap;
-    paint_force_key(painter, drawing, camera, theme, left);
-  }
+  const double left = paint_scale_row(painter, drawing, camera, theme);
   if (drawing.has_grid) {
     set_text_size(painter, drawing.text_size - 1.0, QFont::Normal);
     paint_numbers(painter, drawing, camera, theme, left);

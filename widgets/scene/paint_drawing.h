@@ -20,6 +20,8 @@ struct ArrowOnScreen {
   double head_half_width = 0.0;
 };
 
+[[nodiscard]] ArrowOnScreen arrow_between(const QPointF& from, const QPointF& tip, double width);
+void paint_arrow(QPainter& painter, const ArrowOnScreen& a, double width, const QColor& color);
 [[nodiscard]] ArrowOnScreen arrow_on_screen(const Drawing::ArrowItem& arrow, const Camera& camera);
 
 // Widths of the grid's lines, in px.

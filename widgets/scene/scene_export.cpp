@@ -42,7 +42,7 @@ void paint_scene(QPainter& painter, const Frame& frame, SceneLook& look, std::sp
   OtherRuns outlines;
   for (const Frame& other : others) outlines.push_back(std::make_shared<const Frame>(other));
   const Drawing drawing = make_drawing({frame, frame.impacts, look.camera, look.options, look.theme,
-                                        arrow_scale(look.peaks, look.side), outlines});
+                                        arrow_scale(look.peaks, look.side) * look.times, outlines});
   paint_drawing(painter, drawing, look.camera, look.theme);
 }
 

@@ -21,6 +21,7 @@ struct SceneLook {
   DrawingOptions options;
   Theme theme;
   Peaks peaks;  // of the moments that it has shown
+  ArrowTimes times{};
 };
 
 // Look with the given view, or fitted to all bodies of the frame, on `pixels`.

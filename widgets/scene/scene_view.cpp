@@ -6,13 +6,13 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "widgets/print/picture_file.h"
-#include "widgets/scene/force_tool.h"
 #include "widgets/scene/gl_canvas.h"
 #include "widgets/scene/paint_drawing.h"
 #include "widgets/scene/scene_parts.h"
@@ -25,9 +25,8 @@ constexpr double kMostZoomOut = 1.0 / 50.0;  // of the scale that shows the whol
 constexpr double kMostZoomIn = 100.0;
 constexpr double kWheelFactor = 1.2;  // a notch of the wheel
 constexpr double kKeyFactor = 1.25;
-constexpr double kKeyPan = 40.0;      // px
-constexpr double kLongestHeld = 0.5;  // of the view's shorter side, for an arrow whose scale is held
-constexpr int kDots = 2;              // image pixels of a picture, for a px of the window
+constexpr double kKeyPan = 40.0;  // px
+constexpr int kDots = 2;          // image pixels of a picture, for a px of the window
 
 const QMarginsF& fit_margins() {
   // Room for the window's chips above and the scale bar below.
@@ -96,8 +95,13 @@ void SceneView::set_frame(std::shared_ptr<const Frame> frame, OtherRuns others) 
   const bool new_run = !frame_ || frame->run != frame_->run;
   frame_ = std::move(frame);
   if (new_run || frame_->impacts_of_late) impacts_.clear();
-  if (new_run) peaks_ = {};
+  if (new_run) {
+    peaks_ = {};
+    run_seconds_.reset();
+  }
+  const Peaks before = peaks_;
   peaks_.observe(*frame_);
+  hold_speeds(before);
   keep_recent(impacts_, frame_->impacts, frame_->time, kImpactShown);
   tools_->frame_changed();
   if (new_run && !held_camera_) go_home();
@@ -135,6 +139,8 @@ void SceneView::set_view(const std::optional<View>& view) {
   home_ = true;
   held_camera_ = false;
   held_arrows_.reset();
+  run_seconds_.reset();
+  times_ = {};
   peaks_ = {};
   tools_->drop_draft();
   tools_->unlock_all();
@@ -236,8 +242,9 @@ void SceneView::refresh_tools() {
 }
 
 void SceneView::show_cursor(const QPointF& at) {
-  setCursor(press_ == Press::kNone && on_bubble(at) ? Qt::IBeamCursor : tools_->cursor(at));
   if (QString hint = tools_->hint(at); hint != hint_) emit hintChanged(hint_ = std::move(hint));
+  if (press_ == Press::kNone && on_bubble(at)) return setCursor(Qt::IBeamCursor);
+  setCursor(press_ == Press::kNone && scale_under(at) ? Qt::PointingHandCursor : tools_->cursor(at));
 }
 
 bool SceneView::on_bubble(const QPointF& at) const {
@@ -266,26 +273,6 @@ void SceneView::set_aim(std::optional<Aim> aim) {
   refresh_tools();
 }
 
-// The scale that an edit found stays, unless arrows grow out of the view.
-void SceneView::release_arrows() {
-  if (!held_arrows_ || tools_->dragging()) return;
-  if (peaks_.speed * held_arrows_->seconds > kLongestHeld * home_side_) held_arrows_.reset();
-}
-
-// So that what is drawn keeps its length: the first force too, which sets the scale.
-void SceneView::hold_arrows(const SceneEdits& edits) {
-  if (!held_arrows_) held_arrows_ = arrows();
-  const auto* added = edits.empty() ? nullptr : std::get_if<Add<AppliedForce>>(&edits.front());
-  if (added == nullptr || shows_forces()) return;
-  if (const auto body = body_at_end(*frame_, {added->part.body, Vec2::Zero()})) {
-    held_arrows_->metres_per_newton = usual_metres_per_newton(*frame_, *body, picture_.camera.scale);
-  }
-}
-
-bool SceneView::shows_forces() const { return peaks_.force > 0.0 || peaks_.contact_force > 0.0; }
-
-ArrowScale SceneView::arrows() const { return held_arrows_.value_or(arrow_scale(peaks_, home_side_)); }
-
 SceneSight SceneView::sight() const {
   const ArrowScale scale = arrows();
   return {.frame = frame_,
@@ -299,7 +286,9 @@ SceneSight SceneView::sight() const {
           .kept = tools_->kept_overlaps()};
 }
 
-SceneLook SceneView::look() const { return {picture_.camera, home_side_, options_, picture_.theme, peaks_}; }
+SceneLook SceneView::look() const {
+  return {picture_.camera, home_side_, options_, picture_.theme, peaks_, times_};
+}
 
 DrawingInput SceneView::shown(const Theme& theme) const {
   static const Frame empty;
@@ -350,7 +339,12 @@ bool SceneView::event(QEvent* event) {
     if (tools_->takes(key->key(), key->modifiers() & ~Qt::KeypadModifier)) event->accept();
   }
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
-  tip_.show(*static_cast<QHelpEvent*>(event), sight(), press_ != Press::kNone);
+  const auto& help = *static_cast<QHelpEvent*>(event);
+  if (const auto scale = press_ == Press::kNone ? scale_under(help.pos()) : std::nullopt) {
+    QToolTip::showText(help.globalPos(), scale_tip(*scale), this);
+  } else {
+    tip_.show(help, sight(), press_ != Press::kNone);
+  }
   return true;
 }
 
@@ -366,6 +360,8 @@ void SceneView::showEvent(QShowEvent*) { refresh(); }
 void SceneView::mousePressEvent(QMouseEvent* event) {
   if (press_ != Press::kNone) return;  // another button holds the mouse
   if (event->button() == Qt::LeftButton && on_bubble(event->position()) && tools_->type_noted()) return;
+  const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
+  if (event->button() == Qt::LeftButton && change_scale(event->position(), shift)) return;
   button_ = event->button();
   press_at_ = last_at_ = event->position();
   if (button_ == Qt::LeftButton) {

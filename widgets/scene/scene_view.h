@@ -13,6 +13,7 @@
 #include "widgets/scene/drawing.h"
 #include "widgets/scene/follow.h"
 #include "widgets/scene/qpainter_canvas.h"
+#include "widgets/scene/scale_row.h"
 #include "widgets/scene/scene_export.h"
 #include "widgets/scene/scene_tip.h"
 #include "widgets/scene/scene_tools.h"
@@ -152,6 +153,10 @@ class SceneView : public QWidget {
   void refresh_tools();
   void release_arrows();
   [[nodiscard]] ArrowScale arrows() const;
+  [[nodiscard]] ArrowScale usual_arrows() const;  // before the user's own lengths
+  void hold_speeds(const Peaks& before);
+  [[nodiscard]] std::optional<ScaleKind> scale_under(const QPointF& at) const;
+  bool change_scale(const QPointF& at, bool halve);  // false: there is none
   void hold_arrows(const SceneEdits& edits);
   [[nodiscard]] bool shows_forces() const;
   [[nodiscard]] SceneSight sight() const;
@@ -181,7 +186,9 @@ class SceneView : public QWidget {
   ValueBubble* typing_ = nullptr;
   std::optional<Aim> aim_;
   std::optional<ArrowScale> held_arrows_;  // since an edit, so that what was drawn keeps its length
-  bool held_camera_ = false;               // the scene was edited, so a new run starts where the user looks
+  std::optional<double> run_seconds_;      // m of arrow per m/s, while a run lasts
+  ArrowTimes times_;
+  bool held_camera_ = false;  // the scene was edited, so a new run starts where the user looks
 
   Press press_ = Press::kNone;
   Qt::MouseButton button_ = Qt::NoButton;

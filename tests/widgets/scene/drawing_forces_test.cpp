@@ -244,10 +244,10 @@ TEST_F(ForcesDrawn, AContactForceIsOneArrowOnABodyThatMoves) {
   EXPECT_EQ(d.arrows[0].color, light_theme().series[1]);
   EXPECT_EQ(d.segments.size(), 2U) << "a dot each";
   // 0.1 m/N at 100 px/m: 60 px would be 6 N.
-  EXPECT_EQ(d.force_key.newtons, 5.0);
+  EXPECT_EQ(d.force_key.amount, 5.0);
   EXPECT_NEAR(d.force_key.length, 50.0, 1e-12);
   frame_.contacts.clear();
-  EXPECT_EQ(drawing().force_key.newtons, 0.0) << "nothing to read";
+  EXPECT_EQ(drawing().force_key.amount, 0.0) << "nothing to read";
   frame_.contacts = {ab, bw};
   options_.contacts = false;
   EXPECT_TRUE(drawing().arrows.empty());
