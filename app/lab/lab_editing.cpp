@@ -45,6 +45,8 @@ void LabWindow::connect_edits() {
   connect(view_, &SceneView::selectionChanged, &session_,
           [this] { session_.set_selection(view_->selection()); });
   connect(&session_, &Session::selectionReturned, this, &LabWindow::select_again);
+  connect(view_, &SceneView::dragChanged, inspector_, &Inspector::watch_changes);
+  connect(view_, &SceneView::dragChanged, sheet_, &BodiesSheet::watch_changes);
   connect(view_, &SceneView::menuRequested, this, &LabWindow::show_scene_menu);
   connect(view_, &SceneView::renameRequested, this, [this] {
     inspect();

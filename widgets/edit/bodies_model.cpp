@@ -129,6 +129,22 @@ void BodiesModel::set_faults(Faults faults) {
   rows_changed(rowCount());
 }
 
+void BodiesModel::watch_changes(bool watch) {
+  watched_.clear();
+  for (int row = 0; watch && row < shown_bodies(); ++row) {
+    const std::string& name = (*bodies_)[static_cast<std::size_t>(row)].name;
+    for (int column = kMass; column <= kSpin; ++column)
+      watched_[{name, column}] = index(row, column).data().toString();
+  }
+  rows_changed(rowCount());
+}
+
+bool BodiesModel::is_changed(int row, int column) const {
+  if (watched_.empty() || is_sum(row)) return false;
+  const auto before = watched_.find({(*bodies_)[static_cast<std::size_t>(row)].name, column});
+  return before != watched_.end() && before->second != index(row, column).data().toString();
+}
+
 bool BodiesModel::is_marked(int row) const {
   return !is_sum(row) && marked_.contains((*bodies_)[static_cast<std::size_t>(row)].name);
 }

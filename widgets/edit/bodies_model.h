@@ -41,6 +41,10 @@ class BodiesModel : public FigureModel {
   void set_faults(Faults faults);
   [[nodiscard]] bool has_faults() const { return !faults_.empty(); }
 
+  // While a drag changes what is shown, the cells that differ from the beginning are changed ones.
+  void watch_changes(bool watch);
+  [[nodiscard]] bool is_changed(int row, int column) const;
+
   [[nodiscard]] const std::vector<Body>& bodies() const { return *bodies_; }
   // Whether the cells of the column are about where things are and how fast they move.
   [[nodiscard]] static bool is_of_motion(int column) { return column >= kX && column <= kSpin; }
@@ -75,6 +79,7 @@ class BodiesModel : public FigureModel {
   bool all_ = false;
   std::unordered_set<std::string> marked_;
   Faults faults_;
+  std::map<std::pair<std::string, int>, QString> watched_;  // by body and column, at the beginning
   double total_mass_ = 0.0;
   double energy_ = 0.0;
   Vec2 momentum_ = Vec2::Zero();

@@ -48,6 +48,8 @@ void BodiesSheet::show_moment(const std::shared_ptr<const Scene>& scene,
 
 void BodiesSheet::show_selection(const std::vector<std::string>& names) { grid_->show_selection(names); }
 
+void BodiesSheet::watch_changes(bool watch) { grid_->rows().watch_changes(watch); }
+
 void BodiesSheet::say(const QString& sentence) {
   sentence_->setText(sentence);
   sentence_->setVisible(!sentence.isEmpty());

@@ -29,6 +29,8 @@ class BodiesSheet : public QWidget {
   void show_moment(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Frame>& frame);
   // The names of the bodies that are selected in the scene.
   void show_selection(const std::vector<std::string>& names);
+  // While a drag changes what is shown, the cells that change have a ring.
+  void watch_changes(bool watch);
   // Why the last edit could not be.
   void refuse(const QString& sentence);
   // The scene is another one: red cells, and what was said, are over.

@@ -66,11 +66,12 @@ void CellDelegate::paint_ground(QPainter* painter, const QStyleOptionViewItem& o
   const bool current = option.state.testFlag(QStyle::State_HasFocus);
   const bool marked = option.state.testFlag(QStyle::State_Selected);
   const bool wrong = rows.fault(index.row(), index.column()) != nullptr;
+  const bool changed = rows.is_changed(index.row(), index.column());
   if (!boxed && !current && !marked && !wrong) return;
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
-  const QColor line = wrong ? theme.danger : current || marked ? theme.accent : theme.border;
-  painter->setPen(QPen(line, current ? 2.0 : 1.0));
+  const QColor line = wrong ? theme.danger : current || marked || changed ? theme.accent : theme.border;
+  painter->setPen(QPen(line, current || changed ? 2.0 : 1.0));
   painter->setBrush(boxed ? QBrush(theme.window) : QBrush(Qt::NoBrush));
   painter->drawRoundedRect(QRectF(option.rect).adjusted(4.5, 2.5, -2.5, -2.5), kRounding, kRounding);
   painter->restore();

@@ -13,6 +13,7 @@
 #include "widgets/edit/body_head.h"
 #include "widgets/edit/inspected_corners.h"
 #include "widgets/edit/inspector_row.h"
+#include "widgets/edit/typed_field.h"
 
 namespace carom {
 namespace {
@@ -207,6 +208,10 @@ std::vector<InspectedRow> Inspector::rows() const {
 
 void Inspector::edit_name() {
   if (bodies_.size() == 1) head_->edit_name();
+}
+
+void Inspector::watch_changes(bool watch) {
+  for (TypedField* field : findChildren<TypedField*>()) field->watch_changes(watch);
 }
 
 void Inspector::show_rows() {

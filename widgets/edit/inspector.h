@@ -47,6 +47,8 @@ class Inspector : public QWidget {
   void add_to_head(QWidget* widget) { top_->addWidget(widget); }
   // Puts the cursor into the name of the selected body.
   void edit_name();
+  // While a drag changes what is shown, the fields that change have a ring.
+  void watch_changes(bool watch);
   // Says why an edit could not be. Of a typed value that is being handed out its field says so, and keeps what
   // is typed. Else it stands at the bottom until the next edit, and the fields show the scene again. Empty:
   // nothing to say.

@@ -12,6 +12,21 @@ TypedField::TypedField(QWidget* parent) : QLineEdit(parent) {
 void TypedField::show_text(const QString& text) {
   shown_ = text;
   if (!is_typing()) show_displayed();
+  show_change();
+}
+
+void TypedField::watch_changes(bool watch) {
+  watched_ = watch ? std::optional(shown_) : std::nullopt;
+  show_change();
+}
+
+void TypedField::show_change() { set_look("changes", watched_ && *watched_ != shown_); }
+
+void TypedField::set_look(const char* property, bool on) {
+  if (this->property(property).toBool() == on) return;
+  setProperty(property, on);
+  style()->unpolish(this);
+  style()->polish(this);
 }
 
 void TypedField::show_displayed() {
@@ -58,9 +73,7 @@ bool TypedField::accept_typed() {
 void TypedField::set_fault(const QString& sentence) {
   if (fault_ == sentence) return;
   fault_ = sentence;
-  setProperty("fault", !sentence.isEmpty());
-  style()->unpolish(this);
-  style()->polish(this);
+  set_look("fault", !sentence.isEmpty());
   emit refused(sentence);
 }
 

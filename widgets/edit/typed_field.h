@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QLineEdit>
+#include <optional>
 
 namespace carom {
 
@@ -17,6 +18,9 @@ class TypedField : public QLineEdit {
   void show_text(const QString& text);
   [[nodiscard]] const QString& shown_text() const { return shown_; }
   [[nodiscard]] bool is_typing() const { return isModified(); }
+  // While changes are watched, a text that differs from the one at the beginning marks the field (property
+  // "changes").
+  void watch_changes(bool watch);
   // Forgets what was typed.
   void restore();
 
@@ -45,9 +49,12 @@ class TypedField : public QLineEdit {
   [[nodiscard]] QString displayed() const { return hasFocus() ? shown_ : fitted(shown_); }
   void show_displayed();
   void set_fault(const QString& sentence);
+  void show_change();
+  void set_look(const char* property, bool on);
 
   QString shown_;
   QString fault_;
+  std::optional<QString> watched_;  // at the beginning
 };
 
 }  // namespace carom

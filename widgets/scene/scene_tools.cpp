@@ -283,6 +283,7 @@ void SceneTools::begin_drag() {
   emitted_ = refitted_ = false;
   ++drags_;
   state_ = State::kDrag;
+  emit changed();
 }
 
 void SceneTools::sweep(const QPointF& from, const QPointF& to) {

@@ -235,6 +235,7 @@ void SceneView::refresh() {
 }
 
 void SceneView::refresh_tools() {
+  if (std::exchange(drags_, tools_->dragging()) != tools_->dragging()) emit dragChanged(drags_);
   picture_.overlay = tools_->overlay();
   picture_.overlay.aim = aim_;
   if (press_ != Press::kPan) show_cursor(last_at_);

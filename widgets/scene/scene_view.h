@@ -110,6 +110,8 @@ class SceneView : public QWidget {
   // What the user wants changed, as it stands now: a drag, or a row of keys, tells each change under the same
   // number, and all of them are one step of undo.
   void edited(const carom::SceneEdits& edits, const QString& name, int drag);
+  // A drag of a body or handle begins, before its first edit, or is over.
+  void dragChanged(bool drags);
   // Takes back all that was told under this number.
   void dragCancelled(int drag);
   void toolChanged(carom::SceneTool tool, bool kept);
@@ -188,6 +190,7 @@ class SceneView : public QWidget {
   std::optional<ArrowScale> held_arrows_;  // since an edit, so that what was drawn keeps its length
   std::optional<double> run_seconds_;      // m of arrow per m/s, while a run lasts
   ArrowTimes times_;
+  bool drags_ = false;        // told
   bool held_camera_ = false;  // the scene was edited, so a new run starts where the user looks
 
   Press press_ = Press::kNone;

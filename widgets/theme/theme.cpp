@@ -77,6 +77,7 @@ QLineEdit, QSpinBox, QDoubleSpinBox, QPlainTextEdit { background: %1; border: 1p
   selection-background-color: %6; selection-color: %2; }
 QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QPlainTextEdit:focus { border-color: %6; }
 QLineEdit:disabled, QComboBox:disabled { color: %5; }
+QLineEdit[changes="true"] { border: 2px solid %6; padding: 4px 7px; }
 QLineEdit[fault="true"] { border-color: %8; }
 QLineEdit#cell { padding: 0 4px; border-radius: 4px; font-size: 12px; }
 QLabel#fault { color: %8; font-size: 11px; }

@@ -51,6 +51,28 @@ TEST_F(LabHandsTest, ALessonByHand) {
   ASSERT_TRUE(shows_start());
 }
 
+TEST_F(LabHandsTest, FieldsThatADragChangesHaveARingUntilRelease) {
+  ASSERT_NO_FATAL_FAILURE(draw_two_discs());
+  const auto ringed = [this] {
+    QStringList names;
+    for (QLineEdit* edit : window_.findChild<Inspector*>()->findChildren<QLineEdit*>()) {
+      if (edit->property("changes").toBool()) names << edit->accessibleName();
+    }
+    return names;
+  };
+  SceneView& view = window_.scene_view();
+  const QPoint from = pixel({-1.0, 0.0});  // B is selected, A comes to be
+  QTest::mousePress(&view, Qt::LeftButton, {}, from);
+  for (const QPoint& at : {from + QPoint(0, 10), from + QPoint(0, 40)}) {
+    QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&view, &move);
+  }
+  EXPECT_TRUE(wait_for([&] { return ringed() == QStringList{"Position y, m"}; }))
+      << ringed().join(';').toStdString();
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(0, 40));
+  EXPECT_EQ(ringed(), QStringList{});
+}
+
 TEST_F(LabHandsTest, DrawnBodiesAreTakenBackMadeAgainAndSaved) {
   action("New")->trigger();
   ASSERT_TRUE(wait_for([this] { return window_.frame() && window_.frame()->bodies->empty(); }));

@@ -336,5 +336,27 @@ TEST_F(BodiesSheetTest, AFailedPasteIsSaidUntilTheSceneIsAnother) {
   EXPECT_EQ(sentence(), "");
 }
 
+TEST_F(BodiesSheetTest, CellsThatADragChangesHaveARing) {
+  auto* rows = dynamic_cast<BodiesModel*>(table().model());
+  ASSERT_NE(rows, nullptr);
+  sheet_.watch_changes(true);
+  std::vector<Body> bodies = scene_->bodies;
+  bodies[0].velocity.x() = 3.0;
+  show(bodies);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < rows->columnCount(); ++column)
+      EXPECT_EQ(rows->is_changed(row, column), row == 0 && column == Column::kVelocityX);
+  }
+  // Its border is painted in the accent.
+  const QRect cell = table().visualRect(rows->index(0, Column::kVelocityX));
+  const auto left_border = [&] {
+    const QImage image = table().viewport()->grab(cell).toImage();
+    return image.pixelColor(4, image.height() / 2);
+  };
+  EXPECT_EQ(left_border(), light_theme().accent);
+  sheet_.watch_changes(false);
+  EXPECT_NE(left_border(), light_theme().accent);
+}
+
 }  // namespace
 }  // namespace carom

@@ -213,5 +213,27 @@ TEST_F(InspectorTest, ASurfaceThatTheSceneDoesNotListIsAdded) {
   EXPECT_EQ(scene_->materials.size(), 3U);
 }
 
+TEST_F(InspectorTest, FieldsThatADragChangesHaveARing) {
+  const auto ringed = [this](const char* name) { return field(name)->property("changes").toBool(); };
+  select({"light"});
+  inspector_.watch_changes(true);
+  Body moved = light();
+  moved.position.x() = -0.5;
+  apply({Replace<Body>{moved}});
+  select({"light"});
+  EXPECT_TRUE(ringed("Position x, m"));
+  EXPECT_FALSE(ringed("Position y, m"));
+  moved.position.x() = -1.0;
+  apply({Replace<Body>{moved}});
+  select({"light"});
+  EXPECT_FALSE(ringed("Position x, m"));
+  moved.position.y() = 1.0;
+  apply({Replace<Body>{moved}});
+  select({"light"});
+  EXPECT_TRUE(ringed("Position y, m"));
+  inspector_.watch_changes(false);
+  EXPECT_FALSE(ringed("Position y, m"));
+}
+
 }  // namespace
 }  // namespace carom
