@@ -54,6 +54,7 @@ using SetSaved = Set<&Preset::saved>;
 using SetExpectations = Set<&Preset::expect>;
 using SetPlots = Set<&Preset::plots>;
 using SetStops = Set<&Preset::stops>;
+using SetDuration = Set<&Preset::duration>;
 
 struct SetMethods {
   Methods methods;
@@ -71,8 +72,9 @@ struct SetFirstTheories {
 };
 
 // A change of a document as a value: its parts in the order in which they are made.
-using DocumentChange = std::vector<std::variant<SceneEdits, SetScene, SetLateBodies, SetSaved, SetExpectations,
-                                                SetPlots, SetStops, SetMethods, SetOrigin, SetFirstTheories>>;
+using DocumentChange =
+    std::vector<std::variant<SceneEdits, SetScene, SetLateBodies, SetSaved, SetExpectations, SetPlots, SetStops,
+                             SetDuration, SetMethods, SetOrigin, SetFirstTheories>>;
 
 // Makes the change and returns the one that takes it back. Throws std::out_of_range if a part that is edited
 // is not there.

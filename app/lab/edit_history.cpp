@@ -38,9 +38,11 @@ void EditHistory::push(const DocumentEdit::What& what, const DocumentChange& cha
 DocumentChange EditHistory::assign(const DocumentChange& change, bool begins) {
   const std::vector<Plot> plots = document_.preset.plots;
   const std::vector<Stop> stops = document_.preset.stops;
+  const double duration = document_.preset.duration;
   DocumentChange back = apply_change(document_, change);
   ++revision_;
   if (stops != document_.preset.stops) runs_.watch_stops();
+  if (duration != document_.preset.duration) runs_.watch_duration();
   if (begins) runs_.await_begin();
   if (is_of_scene(change)) {
     bodies_ = all_bodies(document_.preset);

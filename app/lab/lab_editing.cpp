@@ -61,6 +61,10 @@ void LabWindow::connect_edits() {
   connect(inspector_, &Inspector::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
     edit_bodies(edits, name, drag_of(kOfInspector, drag));
   });
+  connect(inspector_, &Inspector::durationEdited, &session_,
+          [this](double duration, const QString& name, int drag) {
+            session_.change_duration(duration, name, drag_of(kOfInspector, drag));
+          });
   connect(sheet_, &BodiesSheet::edited, this,
           [this](const SceneEdits& edits, const QString& name) { edit_bodies(edits, name, 0); });
   connect(sheet_, &BodiesSheet::chosen, this, [this](const std::vector<std::string>& names) {

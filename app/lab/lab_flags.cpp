@@ -1,4 +1,5 @@
 #include "app/lab/lab_window.h"
+#include "widgets/edit/inspector.h"
 #include "widgets/run/stop_editor.h"
 #include "widgets/run/transport_bar.h"
 
@@ -9,6 +10,7 @@ void LabWindow::connect_stops() {
   stop_editor_ = new StopEditor(this);
   const Timeline* timeline = &transport_->timeline();
   connect(stop_editor_, &StopEditor::stopsChanged, &session_, &Session::change_stops);
+  connect(inspector_, &Inspector::stopsAsked, this, [this] { edit_stops(std::nullopt); });
   connect(transport_, &TransportBar::stopsClicked, this, [this] { edit_stops(std::nullopt); });
   connect(timeline, &Timeline::flagClicked, this, [this](std::size_t stop) { edit_stops(stop); });
   connect(timeline, &Timeline::flagMoved, this, [this](std::size_t stop, double time) {
@@ -27,6 +29,9 @@ void LabWindow::connect_stops() {
 void LabWindow::show_stops() {
   transport_->timeline().set_stops(preset().stops);
   stop_editor_->set_document(preset().stops, session_.bodies());
+  RunPlan plan{.duration = preset().duration};
+  for (const Stop& stop : preset().stops) plan.stops << QString::fromStdString(sentence_of(stop));
+  inspector_->show_plan(plan);
 }
 
 void LabWindow::edit_stops(std::optional<std::size_t> stop) {

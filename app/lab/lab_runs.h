@@ -126,6 +126,8 @@ class LabRuns : public QObject {
   void undo_or_redo(Worker::EditId edit);
   // The document has other stops.
   void watch_stops();
+  // The document has another duration: a run that plays ends there.
+  void watch_duration();
   // For edits of the methods.
   [[nodiscard]] Worker& worker() { return worker_; }
 

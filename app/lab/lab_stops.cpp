@@ -8,6 +8,10 @@ namespace carom {
 
 void LabRuns::watch_stops() { worker_.watch_stops(document_.preset.stops); }
 
+void LabRuns::watch_duration() {
+  if (plays() && !playhead_) worker_.set_playing(true, document_.preset.duration);
+}
+
 // Until the moment is there, what was shown before stays.
 void LabRuns::take_halt(const Frames& before) {
   const std::optional<Halt>& halt = frames_.front()->halt;

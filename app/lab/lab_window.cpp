@@ -143,8 +143,6 @@ void LabWindow::show_scene(const Preset& preset, const QString& name, const QStr
   view_->set_aim(std::nullopt);
   chips_->forget_position();
   said_.clear();
-  transport_->set_duration(preset.duration);
-  plots_->set_duration(preset.duration);
   list_->set_current(name);
   show_title();
   study_->set_scene(preset, name.isEmpty() ? QFileInfo(file).completeBaseName() : name);
@@ -241,6 +239,8 @@ void LabWindow::show_document() {
   ledger_->set_scene(preset());
   study_->edit_scene(preset());
   compare_->set_scene(preset(), session_.reference());
+  transport_->set_duration(preset().duration);
+  plots_->set_duration(preset().duration);
   show_stops();
   show_selection();
 }

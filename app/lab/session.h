@@ -70,6 +70,8 @@ class Session : public QObject {
   void change_plots(const std::vector<Plot>& plots);
   // Nothing changes where they are not allowed (editRefused).
   void change_stops(const std::vector<Stop>& stops, const QString& text);
+  // The same of the duration (s) of the runs; `drag` as in edit().
+  void change_duration(double duration, const QString& text, int drag = 0);
   // Where a moment of the past is shown, the runs go on from there: what came later is gone, until that is
   // undone. All other edits of a run there do this first.
   void go_on_from_here();
@@ -92,6 +94,7 @@ class Session : public QObject {
   [[nodiscard]] Worker::EditId edit_runs(const SceneEdits& edits, const DocumentChange& change, int drag,
                                          Worker::EditId part_of);
   void check_modified();
+  void push_valid(const DocumentEdit::What& what, const DocumentChange& change);
   [[nodiscard]] bool goes_on_with_new_start(int drag) const;
   void name_new_start(double time, const SceneEdits& edits, const QString& by, DocumentChange& change,
                       DocumentEdit::What& what);

@@ -199,12 +199,23 @@ void Session::change_plots(const std::vector<Plot>& plots) {
 }
 
 void Session::change_stops(const std::vector<Stop>& stops, const QString& text) {
-  if (stops == document().stops) return;
+  if (stops != document().stops) push_valid({.text = text}, {SetStops{stops}});
+}
+
+void Session::change_duration(double duration, const QString& text, int drag) {
+  if (duration == document().duration) return;
+  DocumentEdit::What what{.text = text};
+  if (drag > 0) what.drag = drag;
+  push_valid(what, {SetDuration{duration}});
+}
+
+// A change that leaves the scene alone.
+void Session::push_valid(const DocumentEdit::What& what, const DocumentChange& change) {
   Document changed = history_.document();
-  changed.preset.stops = stops;
   try {
+    apply_change(changed, change);
     validate(changed.preset);
-    history_.push({.text = text}, {SetStops{stops}});
+    history_.push(what, change);
   } catch (const SceneError& error) {
     history_.refuse(refusal_text(error.what(), changed.preset.scene));
   }

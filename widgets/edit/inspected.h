@@ -31,7 +31,8 @@ struct Inspected {
   Range range;
   std::vector<double> values;                 // SI
   std::vector<FormulaNames> formula_names{};  // that a formula knows for each value, or none
-  QString unset;  // what a field reads, in grey, whose value is not given; `values` hold meanwhile
+  QString unset;             // what a field reads, in grey, whose value is not given; `values` hold meanwhile
+  bool is_duration = false;  // of a run: it is no part of the scene, and has no edits
   // The edits that give the parts these values, in the same order.
   std::function<SceneEdits(const std::vector<double>&)> edits;
   // What an edit from the first to the second values is called in the undo stack.
@@ -73,6 +74,7 @@ struct InspectedAction {
   QString refusal{};               // why it can't be, in one sentence
   std::optional<PartId> opens{};   // shows this part; no edit
   std::optional<QString> folds{};  // shows or hides the list of this name; no edit
+  bool opens_stops = false;        // shows the editor of the stops; no edit
 };
 
 // One line: a label and one value, or the two components of a vector, perhaps with small buttons; or else a
@@ -108,6 +110,15 @@ struct InspectedRow {
 
 // The forces that a scene has once, and the laws of impacts.
 [[nodiscard]] std::vector<InspectedRow> inspected_scene(const Scene& scene);
+
+// What a document says of its runs beside the scene.
+struct RunPlan {
+  double duration = 0.0;  // s
+  QStringList stops{};    // their sentences
+
+  bool operator==(const RunPlan&) const = default;
+};
+[[nodiscard]] std::vector<InspectedRow> inspected_plan(const RunPlan& plan);
 
 // The surfaces and the pairs of them with a law of their own.
 [[nodiscard]] std::vector<InspectedRow> inspected_surfaces(const Scene& scene);

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <type_traits>
 #include <utility>
 
+#include "physics/math/vectors.h"
 #include "widgets/edit/field_rows.h"
 #include "widgets/edit/inspected.h"
 #include "widgets/edit/units.h"
@@ -14,7 +17,7 @@ namespace {
 
 struct Planet {
   const char* name;
-  double gravity;  // m/s², downwards
+  double gravity;  // m/s²
 };
 constexpr auto kPlanets =
     std::to_array<Planet>({{"Earth", 9.81}, {"Moon", 1.62}, {"Mars", 3.71}, {"none", 0.0}});
@@ -54,32 +57,54 @@ Inspected force_value(const SetForces& forces, const QString& name, const QStrin
   return value;
 }
 
+constexpr double kDownwards = -std::numbers::pi / 2.0;  // rad
+
+// rad; where there is no gravity, downwards.
+double direction_of_gravity(const SetForces& forces) {
+  const Vec2& gravity = forces.gravity;
+  return gravity.isZero(0.0) ? kDownwards : std::atan2(gravity.y(), gravity.x());
+}
+
+// Along the direction that it has.
+void set_gravity(SetForces& forces, double size) {
+  forces.gravity = size == 0.0 ? Vec2(Vec2::Zero()) : Vec2(size * direction_at(direction_of_gravity(forces)));
+}
+
 InspectedRow gravity_row(const SetForces& forces) {
-  Inspected x = force_value(forces, "Gravity x", "acceleration of every moving body to the right", kGravity,
-                            forces.gravity.x(), [](SetForces& f, double value) { f.gravity.x() = value; });
-  Inspected y = force_value(forces, "Gravity y", "acceleration of every moving body upwards", kGravity,
-                            forces.gravity.y(), [](SetForces& f, double value) { f.gravity.y() = value; });
-  x.label = "x";
-  y.label = "y";
-  return {.section = "Forces", .label = "Gravity", .values = {std::move(x), std::move(y)}};
+  return {.section = "Forces",
+          .label = "Gravity",
+          .values = {force_value(forces, "Gravity", "acceleration of every moving body", from_zero("m/s²"),
+                                 forces.gravity.norm(), set_gravity)}};
+}
+
+InspectedRow direction_row(const SetForces& forces) {
+  Inspected value =
+      force_value(forces, "Direction of gravity", "counter-clockwise from the right; -90° is downwards",
+                  any_number("rad"), direction_of_gravity(forces),
+                  [](SetForces& f, double angle) { f.gravity = f.gravity.norm() * direction_at(angle); });
+  if (forces.gravity.isZero(0.0))
+    value.refusal = "Without gravity there is no direction: its size comes first.";
+  return {.section = "Forces", .label = "Direction", .values = {std::move(value)}};
 }
 
 InspectedRow planet_row(const SetForces& forces) {
+  constexpr double kRounding = 1e-12;  // of a size, from the components in any direction
   InspectedChoice choice;
   choice.name = "Gravity of";
-  choice.meaning = "Gravity downwards";
+  choice.meaning = "Size of gravity; its direction stays";
   choice.other = "another";
+  const double size = forces.gravity.norm();
   for (const Planet& planet : kPlanets) {
-    if (forces.gravity == Vec2(0.0, -planet.gravity)) choice.chosen = static_cast<int>(choice.words.size());
+    if (std::abs(size - planet.gravity) <= kRounding * planet.gravity)
+      choice.chosen = static_cast<int>(choice.words.size());
     choice.words << QString::fromUtf8(planet.name) +
                         (planet.gravity == 0.0 ? QString() : " " + field_text(planet.gravity, kGravity.unit));
   }
-  choice.edits = [forces](int index) {
+  choice.edits = [forces, size](int index) {
     const Planet& planet = kPlanets[static_cast<std::size_t>(index)];
     SetForces changed = forces;
-    changed.gravity = Vec2(0.0, planet.gravity == 0.0 ? 0.0 : -planet.gravity);
-    const QString change = change_text(forces.gravity.norm(), planet.gravity, kGravity.unit);
-    return NamedEdits{{changed}, "Gravity " + change};
+    set_gravity(changed, planet.gravity);
+    return NamedEdits{{changed}, "Gravity " + change_text(size, planet.gravity, kGravity.unit)};
   };
   return {.section = "Forces", .label = "as on", .choice = choice};
 }
@@ -158,7 +183,7 @@ InspectedRow law_row(const std::array<LawWord, N>& words, const QString& label, 
 
 std::vector<InspectedRow> inspected_scene(const Scene& scene) {
   const SetForces& forces = scene.forces;
-  std::vector<InspectedRow> shown{gravity_row(forces), planet_row(forces)};
+  std::vector<InspectedRow> shown{gravity_row(forces), direction_row(forces), planet_row(forces)};
   each_common_force(forces, [&](const CommonForce& force, const auto& value, const auto&... range) {
     if constexpr (sizeof...(range) > 0) {
       shown.push_back(coefficient_row(forces, force, value, range...));
@@ -170,6 +195,24 @@ std::vector<InspectedRow> inspected_scene(const Scene& scene) {
   shown.push_back(law_row(kImpactLaws, "Law", "Impact law", laws, &SetLaws::impact_law));
   shown.push_back(law_row(kSeveralImpacts, "Several", "Several impacts", laws, &SetLaws::several_impacts));
   return shown;
+}
+
+std::vector<InspectedRow> inspected_plan(const RunPlan& plan) {
+  Inspected duration;
+  duration.name = "Duration";
+  duration.meaning = "how long a run lasts";
+  duration.range = kDuration;
+  duration.values = {plan.duration};
+  duration.is_duration = true;
+  duration.undo_name = [](const std::vector<double>& from, const std::vector<double>& to) {
+    return "Duration " + change_text(from[0], to[0], kDuration.unit);
+  };
+  const QString stops = plan.stops.isEmpty() ? "none" : plan.stops.join('\n');
+  const InspectedAction editor{
+      .text = "Edit the stops", .meaning = "What a run stops at, in one sentence each", .opens_stops = true};
+  return {{.section = "Run", .label = "Duration", .values = {std::move(duration)}},
+          {.section = "Run", .label = "Stops", .text = stops},
+          {.section = "Run", .actions = {editor}}};
 }
 
 }  // namespace carom

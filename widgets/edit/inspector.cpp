@@ -126,6 +126,12 @@ void Inspector::show_part(std::shared_ptr<const Scene> scene, PartId part) {
   choose(std::move(scene), {}, part);
 }
 
+void Inspector::show_plan(const RunPlan& plan) {
+  if (plan_ == plan) return;
+  plan_ = plan;
+  if (scene_ != nullptr && bodies_.empty() && !part_) show_rows();
+}
+
 void Inspector::choose(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names,
                        const std::optional<PartId>& part) {
   if (scene == nullptr) {
@@ -192,6 +198,7 @@ std::vector<InspectedRow> Inspector::rows() const {
   };
   if (bodies_.empty()) {
     add(inspected_scene(*scene_));
+    if (plan_) add(inspected_plan(*plan_));
     add(inspected_surfaces(*scene_));
     add(listed_parts(*scene_));
   } else {
@@ -304,6 +311,7 @@ InspectorRow* Inspector::add_row(const InspectedRow& row, int index) {
   });
   connect(widget, &InspectorRow::dropped, this, &Inspector::say);
   connect(widget, &InspectorRow::opened, this, [this](const PartId part) { open(part); });
+  connect(widget, &InspectorRow::stopsAsked, this, &Inspector::stopsAsked);
   connect(widget, &InspectorRow::folded, this, [this](const QString& list) { fold(list); });
   return widget;
 }
@@ -356,24 +364,30 @@ void Inspector::say(const QString& sentence) {
 
 void Inspector::accept(int row, int field, const std::vector<double>& values, bool in_burst) {
   const Inspected& value = rows_[static_cast<std::size_t>(row)].values[static_cast<std::size_t>(field)];
+  const int drag = in_burst ? burst_ : 0;
   // The receiver may show the scene with these edits before it returns, which makes the rows anew.
-  const SceneEdits edits = (in_burst && pulled_ ? *pulled_ : value).edits(values);
   const QString name = value.undo_name(in_burst ? before_burst_ : value.values, values);
-  // What a pull adds, a surface that was not listed, it changes from then on.
-  const bool adds = std::any_of(edits.begin(), edits.end(), [](const SceneEdit& edit) {
-    return std::holds_alternative<Add<Material>>(edit);
-  });
-  if (adds) pulled_.reset();
+  std::function<void()> hand_out = [this, duration = values.front(), name, drag] {
+    emit durationEdited(duration, name, drag);
+  };
+  if (!value.is_duration) {
+    const SceneEdits edits = (in_burst && pulled_ ? *pulled_ : value).edits(values);
+    // What a pull adds, a surface that was not listed, it changes from then on.
+    const bool adds = std::any_of(edits.begin(), edits.end(), [](const SceneEdit& edit) {
+      return std::holds_alternative<Add<Material>>(edit);
+    });
+    if (adds) pulled_.reset();
+    hand_out = [this, edits, name, drag] { emit edited(edits, name, drag); };
+  }
   say({});
-  if (!in_burst) return hand_out_typed(row, field, edits, name);
-  emit edited(edits, name, burst_);
+  in_burst ? hand_out() : hand_out_typed(row, field, hand_out);
 }
 
-void Inspector::hand_out_typed(int row, int field, const SceneEdits& edits, const QString& name) {
+void Inspector::hand_out_typed(int row, int field, const std::function<void()>& hand_out) {
   InspectorRow* widget = row_widgets_[static_cast<std::size_t>(row)];
   refusal_.clear();
   hands_out_ = true;
-  emit edited(edits, name, 0);
+  hand_out();
   hands_out_ = false;
   if (!refusal_.isEmpty()) widget->refuse(field, refusal_);
 }

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -39,6 +40,8 @@ class Inspector : public QWidget {
   void show_selection(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names);
   // The same for a joint, a spring or a force.
   void show_part(std::shared_ptr<const Scene> scene, PartId part);
+  // The duration and the stops of the runs, which stand with the scene.
+  void show_plan(const RunPlan& plan);
   // Whether a run plays, so that the scene which is shown next is another moment of it.
   void set_playing(bool playing) { plays_ = playing; }
   [[nodiscard]] const std::optional<PartId>& part() const { return part_; }
@@ -59,6 +62,10 @@ class Inspector : public QWidget {
   // one another in one drag of a label, or in one burst of arrow keys, and are one step of undo; 0: an edit by
   // itself.
   void edited(const carom::SceneEdits& edits, const QString& name, int drag);
+
+  // Another duration (s) of the runs, as `edited` has it.
+  void durationEdited(double duration, const QString& name, int drag);
+  void stopsAsked();  // their editor
 
   void partOpened();      // part() was chosen here
   void pauseRequested();  // the user begins to change what moves while a run plays
@@ -87,9 +94,10 @@ class Inspector : public QWidget {
   void follow_run();
   void restore();
   void accept(int row, int field, const std::vector<double>& values, bool in_burst);
-  void hand_out_typed(int row, int field, const SceneEdits& edits, const QString& name);
+  void hand_out_typed(int row, int field, const std::function<void()>& hand_out);
 
   std::shared_ptr<const Scene> scene_;
+  std::optional<RunPlan> plan_;
   std::vector<std::string> names_;
   std::optional<PartId> part_;
   std::vector<Body> bodies_;

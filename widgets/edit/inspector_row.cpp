@@ -47,6 +47,8 @@ void InspectorRow::act(const InspectedAction& action) {
   if (!action.refusal.isEmpty()) return;
   if (action.folds) {
     emit folded(*action.folds);
+  } else if (action.opens_stops) {
+    emit stopsAsked();
   } else if (action.opens) {
     emit opened(*action.opens);
   } else {

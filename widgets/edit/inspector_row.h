@@ -40,6 +40,7 @@ class InspectorRow : public QWidget {
   void dropped(const QString& sentence);
   void opened(const carom::PartId& part);
   void folded(const QString& list);
+  void stopsAsked();
 
  protected:
   InspectorRow(const InspectedRow& row, QLabel* label, QWidget* parent);

@@ -18,8 +18,52 @@ TEST_F(InspectorSceneTest, GravityOfAPlanet) {
   EXPECT_EQ(made_.back().name, "Gravity 9.81 → 1.62 m/s²");
   choose_below(box("Gravity of"), 2);
   EXPECT_TRUE(scene_->forces.gravity.isZero(0.0));
-  enter(field("Gravity x, m/s²"), "1");
+  enter(field("Gravity, m/s²"), "1");
+  EXPECT_EQ(scene_->forces.gravity, Vec2(0.0, -1.0)) << "downwards again";
   EXPECT_EQ(box("Gravity of")->currentIndex(), -1);
+}
+
+TEST_F(InspectorSceneTest, GravityHasASizeAndADirection) {
+  EXPECT_EQ(field("Gravity, m/s²")->text(), "9.81");
+  EXPECT_EQ(field("Direction of gravity, °")->text(), "−90");
+  enter(field("Direction of gravity, °"), "-60");
+  EXPECT_EQ(made_.back().name, "Direction of gravity −90.0 → −60.0°");
+  EXPECT_NEAR(scene_->forces.gravity.x(), 0.5 * 9.81, 1e-12);
+  EXPECT_EQ(box("Gravity of")->currentText(), "Earth 9.81");
+  choose_below(box("Gravity of"));
+  EXPECT_NEAR(scene_->forces.gravity.x(), 0.5 * 1.62, 1e-12) << "the direction stays";
+  enter(field("Gravity, m/s²"), "-1");
+  EXPECT_EQ(sentences(), QStringList{"Gravity is 0 or more."});
+  enter(field("Gravity, m/s²"), "0");
+  enter(field("Direction of gravity, °"), "-90");
+  EXPECT_EQ(sentences(), QStringList{"Without gravity there is no direction: its size comes first."});
+}
+
+TEST_F(InspectorSceneTest, TheDurationAndTheStopsStandWithTheScene) {
+  EXPECT_FALSE(has_field("Duration, s"));
+  double duration = 0.0;
+  QString name;
+  int stops_asked = 0;
+  QObject::connect(&inspector_, &Inspector::durationEdited, [&](double seconds, const QString& text, int) {
+    duration = seconds;
+    name = text;
+  });
+  QObject::connect(&inspector_, &Inspector::stopsAsked, [&] { ++stops_asked; });
+  inspector_.show_plan({.duration = 5.0});
+  EXPECT_EQ(field("Duration, s")->text(), "5");
+  EXPECT_TRUE(texts().contains("none"));
+  enter(field("Duration, s"), "8");
+  EXPECT_EQ(duration, 8.0);
+  EXPECT_EQ(name, "Duration 5.00 → 8.00 s");
+  EXPECT_TRUE(made_.empty()) << "it is no edit of the scene";
+  enter(field("Duration, s"), "0");
+  EXPECT_EQ(sentences(), QStringList{"Duration is more than 0."});
+  inspector_.show_plan({.duration = 8.0, .stops = {"at 2.5 s", "when all is at rest"}});
+  EXPECT_TRUE(texts().contains("at 2.5 s\nwhen all is at rest"));
+  QTest::mouseClick(button("Edit the stops"), Qt::LeftButton);
+  EXPECT_EQ(stops_asked, 1);
+  select({"light"});
+  EXPECT_FALSE(has_field("Duration, s"));
 }
 
 TEST_F(InspectorSceneTest, LawsOfImpacts) {

@@ -167,10 +167,10 @@ TEST_F(InspectorTest, SpeedAndDirectionAreTypedBesideTheComponents) {
 
 TEST_F(InspectorTest, WithoutASelectionItShowsTheScene) {
   select({});
-  QLineEdit* gravity = field("Gravity y, m/s²");
-  EXPECT_EQ(gravity->text(), "−9.81");
-  enter(gravity, "-1,62");
-  EXPECT_EQ(made_.back().name, "Gravity y −9.81 → −1.62 m/s²");
+  QLineEdit* gravity = field("Gravity, m/s²");
+  EXPECT_EQ(gravity->text(), "9.81");
+  enter(gravity, "1,62");
+  EXPECT_EQ(made_.back().name, "Gravity 9.81 → 1.62 m/s²");
   EXPECT_EQ(scene_->forces.gravity, Vec2(0.0, -1.62));
   enter(field("Linear drag, kg/s"), "-1");
   EXPECT_EQ(sentences(), QStringList{"Linear drag is 0 or more."});
