@@ -7,6 +7,7 @@
 #include "app/lab/copied_bodies.h"
 #include "app/lab/document_files.h"
 #include "app/lab/drawer.h"
+#include "app/lab/group_tools.h"
 #include "app/lab/lab_window.h"
 #include "physics/dynamics/integrators/method_fields.h"
 #include "physics/preset/preset_file.h"
@@ -159,6 +160,8 @@ void LabWindow::show_selection() {
   } else {
     inspector_->show_selection(view_->selection().empty() ? parts : runs.shown_scene(), view_->selection());
   }
+  const bool align = view_->can_align();
+  group_->enable(align, align && view_->selection().size() > 2, view_->takes(Qt::Key_K));
   if (!drawer_->shows(sheet_)) return;
   sheet_->show_moment(runs.shown_scene(), runs.frame());
   sheet_->show_selection(view_->selection());

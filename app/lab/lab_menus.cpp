@@ -13,6 +13,7 @@
 #include "app/lab/document_files.h"
 #include "app/lab/drawer.h"
 #include "app/lab/floating_panel.h"
+#include "app/lab/group_tools.h"
 #include "app/lab/lab_exports.h"
 #include "app/lab/lab_window.h"
 #include "app/lab/method_bar.h"
@@ -105,6 +106,9 @@ void LabWindow::make_edit_menu() {
   add(tr("Take &apart"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G), [this] { take_selection_apart(); });
   QMenu* align = add_align_menu(edit);
   connect(edit, &QMenu::aboutToShow, align, [this, align] { align->setEnabled(view_->can_align()); });
+  QAction* touch = add(tr("Put in touc&h") + "\tK", {}, [this] { view_->press_key(Qt::Key_K); });
+  group_ = new GroupTools(align->actions(), touch);
+  inspector_->set_group_tools(group_);
 }
 
 QMenu* LabWindow::add_align_menu(QMenu* to) {

@@ -31,6 +31,7 @@ class DocumentFiles;
 class Drawer;
 class ExperimentList;
 class ImpactsPanel;
+class GroupTools;
 class Inspector;
 class LabExports;
 class MarkedInterval;
@@ -191,6 +192,7 @@ class LabWindow : public QMainWindow {
   TransportBar* transport_ = nullptr;
   StopEditor* stop_editor_ = nullptr;
   Inspector* inspector_ = nullptr;
+  GroupTools* group_ = nullptr;  // in the inspector
   QAction* inspector_action_ = nullptr;
   PlotPanel* plots_ = nullptr;
   Drawer* drawer_ = nullptr;

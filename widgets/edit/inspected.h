@@ -129,8 +129,8 @@ struct RunPlan {
 // The edits that change these bodies.
 [[nodiscard]] SceneEdits edits_of(std::vector<Body> bodies, const std::function<void(Body&)>& change);
 
-// "p 2.00 kg m/s", "K 2.00 J": the momentum and kinetic energy of the bodies that move, their mass if they are
-// several. Empty if none moves.
+// "p 2.00 kg m/s", "K 2.00 J": the momentum and kinetic energy of the bodies that move; if they are several
+// also their mass, the place of their centre of mass and its velocity. Empty if none moves.
 [[nodiscard]] QStringList derived_texts(const std::vector<Body>& bodies);
 
 }  // namespace carom

@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "widgets/base/number_text.h"
+#include "widgets/base/rounding.h"
 #include "widgets/edit/derived_fields.h"
 #include "widgets/edit/inspected.h"
 #include "widgets/edit/units.h"
@@ -151,9 +152,31 @@ bool is_other(const FieldPlace& place) {
 }
 
 // "p 2.00 kg m/s", in one line.
-QString fact(const char* symbol, double value, const char* unit) {
-  return QString("%1 %2 %3").arg(symbol, figure(value, 3), QString::fromUtf8(unit)).replace(' ', QChar::Nbsp);
+QString fact(const char* symbol, const QString& value, const char* unit) {
+  return QString("%1 %2 %3").arg(symbol, value, QString::fromUtf8(unit)).replace(' ', QChar::Nbsp);
 }
+QString fact(const char* symbol, double value, const char* unit) {
+  return fact(symbol, figure(value, 3), unit);
+}
+QString fact(const char* symbol, const Vec2& value, const char* unit) {
+  return fact(symbol, figures(value), unit);
+}
+
+// What cancels but for rounding is 0.
+class VectorSum {
+ public:
+  void add(const Vec2& part) {
+    sum_ += part;
+    sizes_ += part.norm();
+  }
+  [[nodiscard]] Vec2 value() const {
+    return {without_rounding(sum_.x(), sizes_), without_rounding(sum_.y(), sizes_)};
+  }
+
+ private:
+  Vec2 sum_ = Vec2::Zero();
+  double sizes_ = 0.0;
+};
 
 }  // namespace
 
@@ -225,20 +248,27 @@ QStringList derived_texts(const std::vector<Body>& bodies) {
   int moving = 0;
   double mass = 0.0;
   double energy = 0.0;
-  Vec2 momentum = Vec2::Zero();
+  VectorSum momentum;
+  VectorSum moment;
   for (const Body& body : bodies) {
     if (has_infinite_mass(body)) continue;
     const double m = mass_of(body);
     ++moving;
     mass += m;
-    momentum += m * body.velocity;
+    momentum.add(m * body.velocity);
+    moment.add(m * body.position);
     energy += 0.5 * m * body.velocity.squaredNorm() + 0.5 * inertia_of(body) * body.spin * body.spin;
   }
   if (moving == 0) return {};
+  const Vec2 p = momentum.value();
   QStringList texts;
   if (bodies.size() > 1) texts << fact("m", mass, "kg");
-  texts << fact("p", momentum.norm(), "kg m/s") << fact("K", energy, "J");
-  if (bodies.size() == 1) texts << fact("I", inertia_of(bodies[0]), "kg m²");
+  texts << fact("p", p.norm(), "kg m/s") << fact("K", energy, "J");
+  if (bodies.size() == 1) {
+    texts << fact("I", inertia_of(bodies[0]), "kg m²");
+  } else {
+    texts << fact("centre of mass x, y:", moment.value() / mass, "m") << fact("its velocity:", p / mass, "m/s");
+  }
   return texts;
 }
 

@@ -118,6 +118,12 @@ Inspector::Inspector(QWidget* parent)
   connect(head_, &BodyHead::dropped, this, &Inspector::say);
 }
 
+void Inspector::set_group_tools(QWidget* tools) {
+  group_tools_ = tools;
+  column_->insertWidget(column_->indexOf(head_) + 1, tools);
+  tools->setVisible(bodies_.size() > 1);
+}
+
 void Inspector::show_selection(std::shared_ptr<const Scene> scene, const std::vector<std::string>& names) {
   choose(std::move(scene), names, std::nullopt);
 }
@@ -229,6 +235,7 @@ void Inspector::show_rows() {
   show_title();
   head_->setVisible(!bodies_.empty());
   if (!bodies_.empty()) head_->show_bodies(scene_, bodies_);
+  if (group_tools_ != nullptr) group_tools_->setVisible(bodies_.size() > 1);
   if (QStringList layout = layout_of(rows_); layout != layout_ || list_ == nullptr) {
     layout_ = std::move(layout);
     const QString focused = focused_field();

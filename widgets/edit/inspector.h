@@ -48,6 +48,8 @@ class Inspector : public QWidget {
   // The line with the title, over what scrolls; at its right there is room for more.
   [[nodiscard]] QWidget* head() const { return bar_; }
   void add_to_head(QWidget* widget) { top_->addWidget(widget); }
+  // What is done with several bodies together, over their values.
+  void set_group_tools(QWidget* tools);
   // Puts the cursor into the name of the selected body.
   void edit_name();
   // While a drag changes what is shown, the fields that change have a ring.
@@ -125,6 +127,7 @@ class Inspector : public QWidget {
   QLabel* title_;
   QLabel* kind_;
   BodyHead* head_;
+  QWidget* group_tools_ = nullptr;
   QWidget* list_ = nullptr;  // of the rows
   QLabel* derived_;
   QLabel* hint_;

@@ -109,6 +109,7 @@ QPushButton#chip { border-color: %6; border-radius: 11px; padding: 3px 9px; font
 QPushButton#chip[start="true"] { background: %7; color: %6; font-weight: bold; }
 QPushButton#chip::menu-indicator { image: none; }
 QPushButton#small { padding: 3px 6px; font-size: 12px; text-align: center; }
+QPushButton#small::menu-indicator { image: none; }
 QPushButton:default { background: %6; color: %2; border-color: %6; }
 QPushButton:disabled, QPushButton:default:disabled { background: %1; color: %5; border-color: %3; }
 QListView, QTreeView, QTableView, QTextBrowser { background: %2; border: none; outline: none;

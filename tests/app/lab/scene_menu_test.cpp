@@ -1,6 +1,7 @@
 #include <QClipboard>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QPushButton>
 
 #include "app/lab/session.h"
 #include "tests/app/lab/lab_fixture.h"
@@ -226,6 +227,27 @@ TEST_F(SceneMenuTest, SeveralBodiesAreAlignedFromTheirMenu) {
   menu->close();
   view().select({"light"});
   EXPECT_THROW(entry(menu_at(place("light")), "Align"), std::runtime_error);
+}
+
+TEST_F(SceneMenuTest, TheInspectorHasTheActionsOfSeveralBodies) {
+  const auto tool = [this](const QString& text) {
+    for (QPushButton* each : window_.findChild<Inspector*>()->findChildren<QPushButton*>()) {
+      if (each->accessibleName() == text) return each;
+    }
+    throw std::runtime_error("no button " + text.toStdString());
+  };
+  view().select({"light"});
+  EXPECT_FALSE(tool("Align")->isVisible());
+  view().select({"light", "heavy"});
+  EXPECT_TRUE(tool("Align")->isVisible());
+  EXPECT_FALSE(tool("Distribute")->isEnabled()) << "two have one gap";
+  QAction* lefts = entry(tool("Align")->menu(), "Left sides");
+  EXPECT_EQ(lefts, action("Left sides")) << "that of the menu Edit";
+  lefts->trigger();
+  EXPECT_EQ(window_.session().edits().undoText(), "Align 2 bodies at the left");
+  ASSERT_TRUE(wait_for([this] { return window_.frame()->scene != nullptr; }));
+  QTest::mouseClick(tool("Put in touch"), Qt::LeftButton);
+  EXPECT_EQ(window_.session().edits().undoText(), "Put light in touch with heavy");
 }
 
 TEST_F(SceneMenuTest, TheMenuBarSaysWhatCanBeDone) {

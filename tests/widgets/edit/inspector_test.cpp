@@ -165,6 +165,24 @@ TEST_F(InspectorTest, SpeedAndDirectionAreTypedBesideTheComponents) {
   EXPECT_EQ(sentences(), QStringList{"At rest there is no direction: a speed comes first."});
 }
 
+TEST_F(InspectorTest, SeveralBodiesHaveSumsAndACentreOfMass) {
+  Body light_one = light();
+  Body heavy_one = heavy();
+  light_one.position = {-1.0, 0.5};
+  light_one.velocity = {0.1, 3.0};
+  heavy_one.position = {1.0, 0.5};
+  heavy_one.mass = 3.0;
+  heavy_one.velocity = {-0.1, -1.0};
+  QStringList derived = derived_texts({light_one, heavy_one});
+  derived.replaceInStrings(QString(QChar::Nbsp), " ");
+  EXPECT_EQ(derived, (QStringList{"m 4.00 kg", "p 0.200 kg m/s", "K 6.02 J",
+                                  "centre of mass x, y: 0.500, 0.500 m", "its velocity: −0.050, 0.000 m/s"}));
+  heavy_one.velocity.x() = -0.1 / 3.0;
+  derived = derived_texts({light_one, heavy_one});
+  derived.replaceInStrings(QString(QChar::Nbsp), " ");
+  EXPECT_EQ(derived[1], "p 0 kg m/s") << "without rounding";
+}
+
 TEST_F(InspectorTest, WithoutASelectionItShowsTheScene) {
   select({});
   QLineEdit* gravity = field("Gravity, m/s²");
