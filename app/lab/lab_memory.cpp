@@ -5,6 +5,7 @@
 #include "app/lab/drawer.h"
 #include "app/lab/lab_window.h"
 #include "app/lab/panel_docks.h"
+#include "widgets/edit/bodies_sheet.h"
 
 // What the lab's window remembers from one start to the next: its sizes, its colours and the files of late.
 namespace carom {
@@ -22,6 +23,7 @@ void LabWindow::standard_layout() {
 void LabWindow::restore_layout(const QSettings& settings) {
   files_->set_recent(settings.value("recent").toStringList());
   run_before_->setChecked(settings.value("run_before", true).toBool());
+  if (settings.contains("columns")) sheet_->show_columns(settings.value("columns").toStringList());
   if (!settings.contains("window")) return;
   restoreGeometry(settings.value("window").toByteArray());
   docks_->restore(settings);
@@ -32,6 +34,7 @@ void LabWindow::keep_layout(QSettings& settings) const {
   settings.setValue("window", saveGeometry());
   docks_->keep(settings);
   settings.setValue("run_before", run_before_->isChecked());
+  settings.setValue("columns", sheet_->shown_columns());
   // The system's colours are followed until others are chosen.
   if (theme_chosen_) settings.setValue("dark", theme_.dark);
 }

@@ -172,6 +172,7 @@ QString FigureTable::text(char separator) const {
   const int columns = model_->columnCount();
   std::vector<bool> is_vector(static_cast<std::size_t>(columns), false);
   for (int c = 0; c < columns; ++c) {
+    if (isColumnHidden(c)) continue;
     for (int r = 0; r < model_->rowCount(); ++r) {
       if (std::holds_alternative<Vec2>(model_->cell(r, c))) is_vector[static_cast<std::size_t>(c)] = true;
     }
@@ -184,6 +185,7 @@ QString FigureTable::text(char separator) const {
   for (int r = 0; r < model_->rowCount(); ++r) {
     QStringList fields;
     for (int c = 0; c < columns; ++c) {
+      if (isColumnHidden(c)) continue;
       const Cell cell = model_->cell(r, c);
       const auto* words = std::get_if<QString>(&cell);
       fields << (words == nullptr ? spreadsheet_text(cell, separator) : quoted(*words, separator));
@@ -231,6 +233,7 @@ void FigureTable::resizeEvent(QResizeEvent* event) {
 
 // px: a column of text keeps nine tenths of its share and cuts what is longer; figures and heads are never cut.
 int FigureTable::least_width(int column) const {
+  if (isColumnHidden(column)) return 0;
   if (model_->is_text(column)) return 9 * model_->weight(column) / 10;
   return std::max(sizeHintForColumn(column) + 2 * kInset, horizontalHeader()->sectionSizeHint(column));
 }
@@ -255,6 +258,7 @@ void FigureTable::share_width() {
   int weights = 0;
   int needed = 0;
   for (int c = 0; c < model_->columnCount(); ++c) {
+    if (isColumnHidden(c)) continue;
     shares.push_back({c, model_->weight(c), least_width(c)});
     weights += shares.back().weight;
     needed += shares.back().least;

@@ -2,8 +2,12 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QHeaderView>
 #include <QKeyEvent>
+#include <QMenu>
+#include <QResizeEvent>
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "widgets/edit/cell_delegate.h"
@@ -31,23 +35,36 @@ std::vector<QStringList> pasted_lines(QString text, const QAbstractItemModel& ro
   return lines;
 }
 
-// Bodies with values that are pasted one after the other.
+// Bodies and surfaces with values that are pasted one after the other.
 struct Pasted {
   std::vector<Body> bodies;
-  std::set<int> changed;                   // rows
-  std::vector<std::pair<int, int>> taken;  // cells
-  BodiesModel::Faults faults;
+  std::set<int> changed{};  // rows
+  std::map<std::string, SceneEdits> surfaces{};
+  std::vector<std::pair<int, int>> taken{};  // cells
+  BodiesModel::Faults faults{};
 
   void put(const BodiesModel& rows, int row, int column, const QString& text) {
     // The word of a fixed body comes back as it was copied.
     if (text.trimmed().isEmpty() || text == spreadsheet_text(rows.cell(row, column))) return;
     const QString why_not = rows.why_not(row, column);
-    const TypedCell typed = why_not.isEmpty() ? typed_cell(bodies, row, column, text) : TypedCell{{}, why_not};
+    const TypedCell typed =
+        why_not.isEmpty() ? typed_cell(*rows.surfaces(), bodies, row, column, text) : TypedCell{{}, why_not};
     if (!typed.fault.isEmpty()) faults[{row, column}] = typed.fault;
     if (typed.made.edits.empty()) return;
-    bodies[static_cast<std::size_t>(row)] = std::get<Replace<Body>>(typed.made.edits.front()).part;
-    changed.insert(row);
+    Body& body = bodies[static_cast<std::size_t>(row)];
+    if (column == BodiesModel::kRestitution) {
+      surfaces[body.material] = typed.made.edits;  // of bodies that share it the last one
+    } else {
+      body = std::get<Replace<Body>>(typed.made.edits.front()).part;
+      changed.insert(row);
+    }
     taken.emplace_back(row, column);
+  }
+  [[nodiscard]] SceneEdits edits() const {
+    SceneEdits all;
+    for (const int each : changed) all.emplace_back(Replace<Body>{bodies[static_cast<std::size_t>(each)]});
+    for (const auto& [name, made] : surfaces) all.insert(all.end(), made.begin(), made.end());
+    return all;
   }
 };
 
@@ -60,6 +77,45 @@ BodiesGrid::BodiesGrid(QWidget* parent)
   setSelectionMode(QAbstractItemView::ContiguousSelection);
   setEditTriggers(DoubleClicked | SelectedClicked | EditKeyPressed | AnyKeyPressed);
   setAccessibleName(tr("Bodies"));
+  make_columns_menu();
+}
+
+// --- the columns
+// -----------------------------------------------------------------------------------------------------------
+
+void BodiesGrid::make_columns_menu() {
+  columns_menu_ = new QMenu(this);
+  for (std::size_t i = 0; i < column_choices().size(); ++i) {
+    const ColumnChoice& choice = column_choices()[i];
+    QAction* action = columns_menu_->addAction(tr(choice.text));
+    action->setCheckable(true);
+    action->setChecked(choice.usual);
+    show_column(i, choice.usual);
+    connect(action, &QAction::toggled, this, [this, i](bool shown) { show_column(i, shown); });
+  }
+  horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(horizontalHeader(), &QWidget::customContextMenuRequested, this,
+          [this](const QPoint& at) { columns_menu_->popup(horizontalHeader()->mapToGlobal(at)); });
+}
+
+void BodiesGrid::show_column(std::size_t choice, bool shown) {
+  for (const int column : column_choices()[choice].columns) setColumnHidden(column, !shown);
+  // The shown ones share the width anew.
+  QResizeEvent same(size(), size());
+  resizeEvent(&same);
+}
+
+QStringList BodiesGrid::shown_columns() const {
+  QStringList ids;
+  for (std::size_t i = 0; i < column_choices().size(); ++i) {
+    if (columns_menu_->actions()[static_cast<qsizetype>(i)]->isChecked()) ids << column_choices()[i].id;
+  }
+  return ids;
+}
+
+void BodiesGrid::show_columns(const QStringList& ids) {
+  for (std::size_t i = 0; i < column_choices().size(); ++i)
+    columns_menu_->actions()[static_cast<qsizetype>(i)]->setChecked(ids.contains(column_choices()[i].id));
 }
 
 void BodiesGrid::set_theme(const Theme& theme) {
@@ -181,7 +237,7 @@ void BodiesGrid::end(CellField* field) {
 
 QString BodiesGrid::take(int row, int column, const QString& text) {
   if (!rows_->can_edit()) return tr("Pause to edit.");
-  const TypedCell typed = typed_cell(rows_->bodies(), row, column, text);
+  const TypedCell typed = typed_cell(*rows_->surfaces(), rows_->bodies(), row, column, text);
   return typed.made.edits.empty() ? typed.fault : hand_out(typed.made.edits, typed.made.name);
 }
 
@@ -260,8 +316,9 @@ QString BodiesGrid::copied() const {
   QStringList lines;
   for (int row = range.top(); row <= range.bottom(); ++row) {
     QStringList cells;
-    for (int column = range.left(); column <= range.right(); ++column)
-      cells << spreadsheet_text(rows_->cell(row, column));
+    for (int column = range.left(); column <= range.right(); ++column) {
+      if (!isColumnHidden(column)) cells << spreadsheet_text(rows_->cell(row, column));
+    }
     lines << cells.join('\t');
   }
   return lines.join('\n');
@@ -272,17 +329,21 @@ void BodiesGrid::paste() {
   const QModelIndex from = marked.isEmpty() ? currentIndex() : QModelIndex(marked.front().topLeft());
   if (!from.isValid()) return;
   if (!rows_->can_edit()) return say(tr("Pause to edit."));
-  Pasted pasted{rows_->bodies(), {}, {}, {}};
+  Pasted pasted{.bodies = rows_->bodies()};
   int row = from.row();
   for (const QStringList& line : pasted_lines(QGuiApplication::clipboard()->text(), *rows_)) {
     if (row >= rows_->shown_bodies()) break;
-    for (int i = 0; i < line.size() && from.column() + i <= BodiesModel::kSpin; ++i)
-      pasted.put(*rows_, row, from.column() + i, line[i]);
+    int column = from.column();
+    for (const QString& cell : line) {
+      while (column < rows_->columnCount() && isColumnHidden(column)) ++column;
+      if (column >= rows_->columnCount()) break;
+      // What follows from others comes back with them.
+      if (!BodiesModel::follows(column) || column == from.column()) pasted.put(*rows_, row, column, cell);
+      ++column;
+    }
     ++row;
   }
-  SceneEdits edits;
-  for (const int each : pasted.changed)
-    edits.emplace_back(Replace<Body>{pasted.bodies[static_cast<std::size_t>(each)]});
+  const SceneEdits edits = pasted.edits();
   const std::size_t values = pasted.taken.size();
   QString refusal;
   if (!edits.empty())

@@ -9,6 +9,8 @@
 #include "widgets/edit/bodies_model.h"
 #include "widgets/theme/theme.h"
 
+class QMenu;
+
 namespace carom {
 
 class CellField;
@@ -27,6 +29,10 @@ class BodiesGrid : public FigureTable {
   // A cell in which the user types is left alone as long as it is of the same body, and can be edited.
   void show(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Frame>& frame);
   void show_selection(const std::vector<std::string>& names);
+  // The columns that can be hidden, as entries of a menu; their ids, for the next time.
+  [[nodiscard]] QMenu* columns_menu() const { return columns_menu_; }
+  [[nodiscard]] QStringList shown_columns() const;
+  void show_columns(const QStringList& ids);
   // Why an edit could not be; of one that is being handed out, its cell says so.
   void refuse(const QString& sentence);
 
@@ -63,6 +69,8 @@ class BodiesGrid : public FigureTable {
  private:
   [[nodiscard]] std::vector<std::string> names_of_marked_cells() const;
   [[nodiscard]] bool can_edit(const QModelIndex& index) const;
+  void make_columns_menu();
+  void show_column(std::size_t choice, bool shown);
   void paste();
   void say_why_not(const QModelIndex& index);
   void say(const QString& sentence);
@@ -70,6 +78,7 @@ class BodiesGrid : public FigureTable {
   QString hand_out(const SceneEdits& edits, const QString& name);
 
   BodiesModel* rows_;
+  QMenu* columns_menu_;
   Theme theme_ = light_theme();
   std::vector<std::string> selection_;  // in the scene
   bool shows_selection_ = false;        // the marked cells follow the scene

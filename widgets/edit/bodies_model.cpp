@@ -2,8 +2,10 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <numbers>
 
+#include "physics/math/vectors.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/plain_text.h"
 #include "widgets/base/rounding.h"
@@ -17,25 +19,65 @@ QString tr(const char* text) { return QCoreApplication::translate("BodiesModel",
 
 QString name_of(const Body& body) { return QString::fromStdString(body.name); }
 
-// Of the columns: what they are called when read aloud, and where their values stand in a body.
-struct Spoken {
-  const char* name = "";
-  const char* unit = "";
-  FieldPlace place;
+// In the order of BodiesModel::Column.
+struct ColumnText {
+  const char* heading;  // UTF-8
+  int weight;           // of its width
+  const char* name;     // when read aloud
+  const char* unit;
+  FieldPlace place{};        // of its values in a body
+  const char* follows = "";  // what is changed instead; empty: it is typed
 };
-const std::array<Spoken, 9>& spoken_columns() {
-  static const std::array<Spoken, 9> columns = {{{"name", "", {}},
-                                                 {"mass", "kg", {"mass"}},
-                                                 {"x", "m", {"position", 0}},
-                                                 {"y", "m", {"position", 1}},
-                                                 {"velocity x", "m/s", {"velocity", 0}},
-                                                 {"velocity y", "m/s", {"velocity", 1}},
-                                                 {"spin", "rad/s", {"spin"}},
-                                                 {"momentum", "kg m/s", {}},
-                                                 {"kinetic energy", "J", {}}}};
-  return columns;
+const std::vector<ColumnText>& columns() {
+  static constexpr const char* kOfVelocity = "It follows from the velocity: change vx or vy.";
+  static constexpr const char* kRelative = "The velocity less that of the centre of mass: change vx or vy.";
+  static constexpr const char* kOfMomentum = "p = m v: change m or v.";
+  static const std::vector<ColumnText> all = {
+      {"body", 76, "name", ""},
+      {"m / kg", 64, "mass", "kg", {"mass"}},
+      {"x / m", 68, "x", "m", {"position", 0}},
+      {"y / m", 68, "y", "m", {"position", 1}},
+      {"vx / m/s", 70, "velocity x", "m/s", {"velocity", 0}},
+      {"vy / m/s", 70, "velocity y", "m/s", {"velocity", 1}},
+      {"speed / m/s", 70, "speed", "m/s", {}, kOfVelocity},
+      {"direction / °", 70, "direction", "°", {}, kOfVelocity},
+      {"vx from centre\n/ m/s", 80, "velocity x relative to the centre of mass", "m/s", {}, kRelative},
+      {"vy from centre\n/ m/s", 80, "velocity y relative to the centre of mass", "m/s", {}, kRelative},
+      {"spin / rad/s", 76, "spin", "rad/s", {"spin"}},
+      {"e", 52, "restitution", ""},
+      {"p / kg·m/s", 76, "momentum", "kg m/s", {}, kOfMomentum},
+      {"px / kg·m/s", 76, "momentum x", "kg m/s", {}, kOfMomentum},
+      {"py / kg·m/s", 76, "momentum y", "kg m/s", {}, kOfMomentum},
+      {"L / kg·m²/s",
+       76,
+       "angular momentum",
+       "kg m²/s",
+       {},
+       "L = m (x vy − y vx) + I ω, about the origin: change one of these."},
+      {"K / J", 62, "kinetic energy", "J", {}, "K = ½ m v² + ½ I ω²: change m, v or the spin."},
+      {"r / m", 62, "radius", "m", {}, "The size of a body is changed in the inspector."},
+      {"I / kg·m²",
+       70,
+       "inertia",
+       "kg m²",
+       {},
+       "I follows from mass and shape; another one is set in the inspector."}};
+  return all;
 }
-const Spoken& spoken_column(int column) { return spoken_columns()[static_cast<std::size_t>(column)]; }
+const ColumnText& column_text(int column) { return columns()[static_cast<std::size_t>(column)]; }
+
+std::vector<FigureModel::Column> figure_columns() {
+  std::vector<FigureModel::Column> figures;
+  for (const ColumnText& column : columns())
+    figures.push_back({column.heading, column.weight, &column == &columns().front()});
+  return figures;
+}
+
+// °; nothing at rest.
+FigureModel::Cell direction_cell(const Vec2& velocity) {
+  if (velocity.isZero(0.0)) return {};
+  return std::atan2(velocity.y(), velocity.x()) * 180.0 / std::numbers::pi;
+}
 
 QString kind_word(const Body& body) { return body.drive ? tr("driven") : tr("fixed"); }
 
@@ -51,10 +93,13 @@ TypedCell typed_name(const std::vector<Body>& bodies, const Body& body, const QS
 
 }  // namespace
 
-TypedCell typed_cell(const std::vector<Body>& bodies, int row, int column, const QString& text) {
+TypedCell typed_cell(const Scene& scene, const std::vector<Body>& bodies, int row, int column,
+                     const QString& text) {
   const Body& body = bodies[static_cast<std::size_t>(row)];
   if (column == BodiesModel::kBody) return typed_name(bodies, body, text);
-  const std::optional<Inspected> value = inspected_value(body, spoken_column(column).place);
+  const std::optional<Inspected> value = column == BodiesModel::kRestitution
+                                             ? inspected_restitution(scene, body)
+                                             : inspected_value(body, column_text(column).place);
   if (!value) return {};
   const TypedValues typed = typed_values(text, value->name, value->range, value->values, value->formula_names);
   if (!typed.fault.isEmpty()) return {{}, typed.fault};
@@ -62,22 +107,31 @@ TypedCell typed_cell(const std::vector<Body>& bodies, int row, int column, const
   return {{value->edits(typed.values), value->undo_name(value->values, typed.values)}, {}};
 }
 
-BodiesModel::BodiesModel(QObject* parent)
-    : FigureModel({{"body", 76, true},
-                   {"m / kg", 64},
-                   {"x / m", 68},
-                   {"y / m", 68},
-                   {"vx / m/s", 70},
-                   {"vy / m/s", 70},
-                   {"spin / rad/s", 76},
-                   {"p / kg·m/s", 104},
-                   {"K / J", 62}},
-                  parent) {}
+const std::vector<ColumnChoice>& column_choices() {
+  using Column = BodiesModel::Column;
+  static const std::vector<ColumnChoice> all = {
+      {"speed", "Speed", {Column::kSpeed}},
+      {"direction", "Direction", {Column::kDirection}},
+      {"relative", "v relative to the centre of mass", {Column::kRelativeX, Column::kRelativeY}},
+      {"p", "p", {Column::kMomentum}, true},
+      {"px", "px", {Column::kMomentumX}},
+      {"py", "py", {Column::kMomentumY}},
+      {"L", "L", {Column::kAngularMomentum}},
+      {"K", "K", {Column::kEnergy}, true},
+      {"r", "Radius", {Column::kRadius}},
+      {"I", "I", {Column::kInertia}}};
+  return all;
+}
+
+BodiesModel::BodiesModel(QObject* parent) : FigureModel(figure_columns(), parent) {}
+
+bool BodiesModel::follows(int column) { return *column_text(column).follows != '\0'; }
 
 void BodiesModel::show(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Frame>& frame) {
   if (scene == scene_ && (scene != nullptr || frame == frame_)) return;
   scene_ = scene;
   frame_ = scene == nullptr ? frame : nullptr;
+  if (scene != nullptr) surfaces_ = scene;
   if (scene == nullptr && frame == nullptr) return rows_changed(rowCount());  // what is shown stays
   const auto bodies =
       scene != nullptr ? std::make_shared<const std::vector<Body>>(all_bodies(*scene)) : frame->bodies;
@@ -89,9 +143,10 @@ void BodiesModel::show(const std::shared_ptr<const Scene>& scene, const std::sha
 }
 
 void BodiesModel::count() {
-  total_mass_ = energy_ = 0.0;
+  total_mass_ = energy_ = angular_momentum_ = 0.0;
   momentum_ = centre_ = Vec2::Zero();
   double of_momenta = 0.0;  // the sizes of what is summed
+  double of_turning = 0.0;
   Vec2 of_places = Vec2::Zero();
   for (int i = 0; i < state_.size(); ++i) {
     if (has_infinite_mass((*bodies_)[static_cast<std::size_t>(i)])) continue;
@@ -99,6 +154,8 @@ void BodiesModel::count() {
     momentum_ += mass_.mass[i] * state_.velocity(i);
     centre_ += mass_.mass[i] * state_.position(i);
     energy_ += kinetic_energy(i);
+    angular_momentum_ += angular_momentum(i);
+    of_turning += std::abs(angular_momentum(i));
     of_momenta += mass_.mass[i] * state_.velocity(i).norm();
     of_places += mass_.mass[i] * state_.position(i).cwiseAbs();
   }
@@ -106,6 +163,7 @@ void BodiesModel::count() {
     momentum_[axis] = without_rounding(momentum_[axis], of_momenta);
     centre_[axis] = without_rounding(centre_[axis], of_places[axis]);
   }
+  angular_momentum_ = without_rounding(angular_momentum_, of_turning);
   if (total_mass_ > 0.0) centre_ /= total_mass_;
   shown_ = all_ ? bodies_->size() : std::min(bodies_->size(), kFirst);
   rows_changed(bodies_->empty() ? 0 : shown_bodies() + 1);
@@ -155,13 +213,12 @@ const QString* BodiesModel::fault(int row, int column) const {
 }
 
 QString BodiesModel::why_not(int row, int column) const {
-  if (column == kMomentum) return tr("p = m v: change m or v.");
-  if (column == kEnergy) return tr("K = ½ m v² + ½ I ω²: change m, v or the spin.");
+  if (follows(column)) return tr(column_text(column).follows);
   if (is_sum(row)) return tr("This is of all bodies together: change one of them.");
   const Body& body = (*bodies_)[static_cast<std::size_t>(row)];
-  const bool of_all = column == kBody || column == kX || column == kY;
+  const bool of_all = column == kBody || column == kX || column == kY || column == kRestitution;
   if (!of_all && has_infinite_mass(body))
-    return tr("%1 is %2: only its name, x and y are edited here.").arg(name_of(body), kind_word(body));
+    return tr("%1 is %2: only its name, x, y and e are edited here.").arg(name_of(body), kind_word(body));
   return can_edit() ? QString() : tr("Pause to edit.");
 }
 
@@ -174,6 +231,12 @@ QString BodiesModel::full_text(int row, int column) const {
 double BodiesModel::kinetic_energy(int body) const {
   const double spin = state_.v(2, body);
   return 0.5 * mass_.mass[body] * state_.velocity(body).squaredNorm() + 0.5 * mass_.inertia[body] * spin * spin;
+}
+
+// About the origin.
+double BodiesModel::angular_momentum(int body) const {
+  return mass_.mass[body] * cross(state_.position(body), state_.velocity(body)) +
+         mass_.inertia[body] * state_.v(2, body);
 }
 
 FigureModel::Cell BodiesModel::cell(int row, int column) const {
@@ -191,21 +254,51 @@ FigureModel::Cell BodiesModel::cell(int row, int column) const {
       return place.y();
     case kMass:
       return stays ? Cell(kind_word(body)) : Cell(mass_.mass[row]);
+    case kRestitution:
+      return surfaces_ == nullptr ? Cell() : Cell(material_named(*surfaces_, body.material).restitution);
+    case kRadius: {
+      const auto* disc = std::get_if<Disc>(&body.shape);
+      return disc == nullptr ? Cell() : Cell(disc->radius);
+    }
     default:
-      break;
+      return stays ? Cell() : motion(row, column);
   }
-  if (stays) return {};
+}
+
+// Of a body that moves.
+FigureModel::Cell BodiesModel::motion(int body, int column) const {
+  const Vec2 velocity = state_.velocity(body);
+  const auto from_centre = [&](int axis) {
+    const double centre = momentum_[axis] / total_mass_;
+    return without_rounding(velocity[axis] - centre, std::abs(velocity[axis]) + std::abs(centre));
+  };
   switch (column) {
     case kVelocityX:
-      return state_.v(0, row);
+      return velocity.x();
     case kVelocityY:
-      return state_.v(1, row);
+      return velocity.y();
+    case kSpeed:
+      return velocity.norm();
+    case kDirection:
+      return direction_cell(velocity);
+    case kRelativeX:
+      return from_centre(0);
+    case kRelativeY:
+      return from_centre(1);
     case kSpin:
-      return state_.v(2, row);
+      return state_.v(2, body);
     case kMomentum:
-      return Cell(Vec2(mass_.mass[row] * state_.velocity(row)));
+      return mass_.mass[body] * velocity.norm();
+    case kMomentumX:
+      return mass_.mass[body] * velocity.x();
+    case kMomentumY:
+      return mass_.mass[body] * velocity.y();
+    case kAngularMomentum:
+      return angular_momentum(body);
+    case kInertia:
+      return mass_.inertia[body];
     default:
-      return kinetic_energy(row);
+      return kinetic_energy(body);
   }
 }
 
@@ -223,8 +316,18 @@ FigureModel::Cell BodiesModel::sum(int column) const {
       return momentum_.x() / total_mass_;
     case kVelocityY:
       return momentum_.y() / total_mass_;
+    case kSpeed:
+      return momentum_.norm() / total_mass_;
+    case kDirection:
+      return direction_cell(momentum_);
     case kMomentum:
-      return momentum_;
+      return momentum_.norm();
+    case kMomentumX:
+      return momentum_.x();
+    case kMomentumY:
+      return momentum_.y();
+    case kAngularMomentum:
+      return angular_momentum_;
     case kEnergy:
       return energy_;
     default:
@@ -238,10 +341,23 @@ bool BodiesModel::is_idle(int row, int column) const {
 
 QString BodiesModel::tip(int row, int column) const {
   if (const QString* why = fault(row, column)) return *why;
-  if (column == kMomentum || column == kEnergy) return why_not(row, column);
-  if (!is_sum(row)) return is_idle(row, column) ? why_not(row, column) : QString();
-  if (column == kBody) return tr("All bodies that move: their mass, their centre of mass, p and K");
+  if (follows(column)) return why_not(row, column);
+  if (!is_sum(row)) {
+    if (column == kRestitution) return surface_tip(row);
+    return is_idle(row, column) ? why_not(row, column) : QString();
+  }
+  if (column == kBody) return tr("All bodies that move: their mass, their centre of mass, p, L and K");
   return column == kMass ? tr("mass of all") : tr("of the centre of mass");
+}
+
+// Whose surface it is, since it changes for all of them.
+QString BodiesModel::surface_tip(int row) const {
+  const std::string& material = (*bodies_)[static_cast<std::size_t>(row)].material;
+  const auto users = std::count_if(bodies_->begin(), bodies_->end(),
+                                   [&](const Body& body) { return body.material == material; });
+  const QString name = QString::fromStdString(material);
+  return users == 1 ? tr("e of %1").arg(name)
+                    : tr("e of %1, the surface of %2 bodies: it changes for all of them").arg(name).arg(users);
 }
 
 Qt::ItemFlags BodiesModel::flags(const QModelIndex& index) const {
@@ -255,7 +371,7 @@ QVariant BodiesModel::data(const QModelIndex& index, int role) const {
 
 // "mass of light: 1.000 kg".
 QString BodiesModel::spoken(const QModelIndex& index) const {
-  const Spoken& column = spoken_column(index.column());
+  const ColumnText& column = column_text(index.column());
   const QString whose =
       is_sum(index.row()) ? tr("all") : name_of(bodies()[static_cast<std::size_t>(index.row())]);
   const QString shown = data(index).toString();

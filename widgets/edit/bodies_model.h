@@ -22,11 +22,31 @@ struct TypedCell {
   QString fault;
 };
 
-// A row for each body at one moment: name, m, x, y, v and spin, which can be edited where there is a scene, p
-// and K. The last row has all bodies together: their mass, their centre of mass, p and K.
+// A row for each body at one moment: name, m, x, y, v, spin and e, which can be edited where there is a scene,
+// and what follows from them. The last row has all bodies together: their mass, their centre of mass, p, L, K.
 class BodiesModel : public FigureModel {
  public:
-  enum Column { kBody, kMass, kX, kY, kVelocityX, kVelocityY, kSpin, kMomentum, kEnergy };
+  enum Column {
+    kBody,
+    kMass,
+    kX,
+    kY,
+    kVelocityX,
+    kVelocityY,
+    kSpeed,
+    kDirection,
+    kRelativeX,  // velocity less that of the centre of mass
+    kRelativeY,
+    kSpin,
+    kRestitution,
+    kMomentum,  // its size
+    kMomentumX,
+    kMomentumY,
+    kAngularMomentum,  // about the origin
+    kEnergy,
+    kRadius,
+    kInertia
+  };
   static constexpr std::size_t kFirst = 200;  // bodies that are shown unless all are
 
   explicit BodiesModel(QObject* parent = nullptr);
@@ -46,6 +66,10 @@ class BodiesModel : public FigureModel {
   [[nodiscard]] bool is_changed(int row, int column) const;
 
   [[nodiscard]] const std::vector<Body>& bodies() const { return *bodies_; }
+  // The scene with the surfaces of the bodies; null before the first one.
+  [[nodiscard]] const Scene* surfaces() const { return surfaces_.get(); }
+  // Whether the cells of the column follow from others.
+  [[nodiscard]] static bool follows(int column);
   // Whether the cells of the column are about where things are and how fast they move.
   [[nodiscard]] static bool is_of_motion(int column) { return column >= kX && column <= kSpin; }
   [[nodiscard]] int shown_bodies() const { return static_cast<int>(shown_); }
@@ -66,12 +90,16 @@ class BodiesModel : public FigureModel {
 
  private:
   [[nodiscard]] Cell sum(int column) const;
+  [[nodiscard]] Cell motion(int body, int column) const;
+  [[nodiscard]] double angular_momentum(int body) const;
   [[nodiscard]] double kinetic_energy(int body) const;
+  [[nodiscard]] QString surface_tip(int row) const;
   [[nodiscard]] QString spoken(const QModelIndex& index) const;
   void count();
 
   std::shared_ptr<const Scene> scene_;
-  std::shared_ptr<const Frame> frame_;  // while there is no scene
+  std::shared_ptr<const Scene> surfaces_;  // the last scene that there was
+  std::shared_ptr<const Frame> frame_;     // while there is no scene
   std::shared_ptr<const std::vector<Body>> bodies_ = std::make_shared<const std::vector<Body>>();
   State state_;
   MassProperties mass_;
@@ -82,11 +110,22 @@ class BodiesModel : public FigureModel {
   std::map<std::pair<std::string, int>, QString> watched_;  // by body and column, at the beginning
   double total_mass_ = 0.0;
   double energy_ = 0.0;
+  double angular_momentum_ = 0.0;
   Vec2 momentum_ = Vec2::Zero();
   Vec2 centre_ = Vec2::Zero();  // of mass, where there is mass
 };
 
-// What `text` makes of a cell of one of these bodies that can be edited.
-[[nodiscard]] TypedCell typed_cell(const std::vector<Body>& bodies, int row, int column, const QString& text);
+// What `text` makes of a cell of one of these bodies of the scene that can be edited.
+[[nodiscard]] TypedCell typed_cell(const Scene& scene, const std::vector<Body>& bodies, int row, int column,
+                                   const QString& text);
+
+// Columns that can be shown and hidden together.
+struct ColumnChoice {
+  const char* id;    // in what is remembered
+  const char* text;  // for people; UTF-8
+  std::vector<int> columns;
+  bool usual = false;
+};
+[[nodiscard]] const std::vector<ColumnChoice>& column_choices();
 
 }  // namespace carom

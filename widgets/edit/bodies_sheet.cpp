@@ -1,6 +1,7 @@
 #include "widgets/edit/bodies_sheet.h"
 
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "widgets/base/plain_text.h"
@@ -16,7 +17,11 @@ BodiesSheet::BodiesSheet(const Theme& theme, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
-  column->addWidget(grid_, 1);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(2);
+  line->addWidget(grid_, 1);
+  line->addWidget(new_columns_button(), 0, Qt::AlignTop);
+  column->addLayout(line, 1);
   auto* foot = new QHBoxLayout;
   foot->setSpacing(8);
   foot->addWidget(sentence_, 1);
@@ -37,6 +42,22 @@ BodiesSheet::BodiesSheet(const Theme& theme, QWidget* parent)
     show_button();
   });
 }
+
+QWidget* BodiesSheet::new_columns_button() {
+  auto* button = new QToolButton(this);
+  button->setObjectName("more");
+  button->setText(QStringLiteral("▾"));
+  button->setToolTip(tr("Columns: what the table shows"));
+  button->setAccessibleName(tr("Columns"));
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setMenu(grid_->columns_menu());
+  return button;
+}
+
+QStringList BodiesSheet::shown_columns() const { return grid_->shown_columns(); }
+
+void BodiesSheet::show_columns(const QStringList& ids) { grid_->show_columns(ids); }
 
 void BodiesSheet::set_theme(const Theme& theme) { grid_->set_theme(theme); }
 

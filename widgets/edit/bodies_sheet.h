@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <memory>
 #include <string>
@@ -16,8 +17,8 @@ namespace carom {
 
 class BodiesGrid;
 
-// The table of the bodies, in which their values can be typed. Under it stand a sentence, if there is something
-// to say, and a button if it does not show all bodies.
+// The table of the bodies, in which their values can be typed, and beside it a menu of its columns. Under it
+// stand a sentence, if there is something to say, and a button if it does not show all bodies.
 class BodiesSheet : public QWidget {
   Q_OBJECT
 
@@ -31,6 +32,9 @@ class BodiesSheet : public QWidget {
   void show_selection(const std::vector<std::string>& names);
   // While a drag changes what is shown, the cells that change have a ring.
   void watch_changes(bool watch);
+  // The ids of the shown columns of those that can be hidden.
+  [[nodiscard]] QStringList shown_columns() const;
+  void show_columns(const QStringList& ids);
   // Why the last edit could not be.
   void refuse(const QString& sentence);
   // The scene is another one: red cells, and what was said, are over.
@@ -48,6 +52,7 @@ class BodiesSheet : public QWidget {
  private:
   void say(const QString& sentence);  // empty: nothing
   void show_button();
+  [[nodiscard]] QWidget* new_columns_button();
 
   BodiesGrid* grid_;
   QLabel* sentence_;

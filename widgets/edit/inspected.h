@@ -108,6 +108,9 @@ struct InspectedRow {
 // How the surface of these bodies behaves, if they share one, and how they part from the others that have it.
 [[nodiscard]] std::vector<InspectedRow> inspected_surface(const Scene& scene, const std::vector<Body>& bodies);
 
+// e of the body's surface.
+[[nodiscard]] Inspected inspected_restitution(const Scene& scene, const Body& body);
+
 // The forces that a scene has once, and the laws of impacts.
 [[nodiscard]] std::vector<InspectedRow> inspected_scene(const Scene& scene);
 

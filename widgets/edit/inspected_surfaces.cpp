@@ -278,6 +278,12 @@ std::vector<InspectedRow> inspected_surface(const Scene& scene, const std::vecto
   return shown;
 }
 
+Inspected inspected_restitution(const Scene& scene, const Body& body) {
+  std::vector<InspectedRow> rows;
+  add_numbers(rows, surface_of(material_named(scene, body.material)));
+  return rows.front().values.front();
+}
+
 std::vector<InspectedRow> inspected_surfaces(const Scene& scene) {
   std::vector<InspectedRow> shown;
   for (std::size_t i = 0; i < std::min(scene.materials.size(), kMostShown); ++i) {

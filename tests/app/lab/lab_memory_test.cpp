@@ -5,6 +5,7 @@
 #include "app/lab/drawer.h"
 #include "tests/app/lab/lab_fixture.h"
 #include "tests/support/source_folder.h"
+#include "widgets/edit/bodies_sheet.h"
 
 namespace carom {
 namespace {
@@ -48,6 +49,7 @@ TEST_F(LabMemoryTest, TheNextWindowIsLikeTheLast) {
   ASSERT_TRUE(QFile::copy(file.c_str(), copy));
   ASSERT_TRUE(window_.open(copy.toStdString()));
   drawer().set_folded(true);
+  window_.findChild<BodiesSheet*>()->show_columns({"speed", "K"});
   action("Inspector")->trigger();
   action("Dark colours")->trigger();
   window_.resize(1100, 720);
@@ -58,6 +60,7 @@ TEST_F(LabMemoryTest, TheNextWindowIsLikeTheLast) {
   LabWindow next(light_theme());
   next.restore_layout(settings_);
   EXPECT_TRUE(next.findChild<Drawer*>()->folded());
+  EXPECT_EQ(next.findChild<BodiesSheet*>()->shown_columns(), (QStringList{"speed", "K"}));
   EXPECT_EQ(next.size(), QSize(1100, 720));
   QMenu* recent = nullptr;
   for (QMenu* menu : next.findChildren<QMenu*>()) {

@@ -2,11 +2,14 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QTableView>
 #include <QTest>
+#include <QToolButton>
 #include <gtest/gtest.h>
 #include <memory>
 
@@ -100,7 +103,7 @@ TEST_F(BodiesSheetTest, TypingReplacesAndEnterGoesDown) {
   keys("*2");
   key(Qt::Key_Return);
   EXPECT_EQ(now(1).mass, 2.0 / 3.0);
-  EXPECT_EQ(text(0, Column::kMomentum), "5.00, 0.00");
+  EXPECT_EQ(text(0, Column::kMomentum), "5.000");
   EXPECT_EQ(text(3, Column::kMass), "3.167") << "all";
   EXPECT_EQ(text(3, Column::kVelocityX), "2.000") << "the centre of mass";
 }
@@ -128,6 +131,8 @@ TEST_F(BodiesSheetTest, TabGoesRightAndThenOut) {
   EXPECT_TRUE(is_at(0, Column::kVelocityY));
   key(Qt::Key_Tab);
   EXPECT_TRUE(is_at(0, Column::kSpin));
+  key(Qt::Key_Tab);
+  EXPECT_TRUE(is_at(0, Column::kRestitution));
   EXPECT_TRUE(table().hasFocus());
   QPushButton* button = sheet_.findChild<QPushButton*>();
   button->show();
@@ -155,6 +160,92 @@ TEST_F(BodiesSheetTest, ABadValueIsSaidAndTheOldOneHolds) {
   click(1, Column::kX);
   EXPECT_TRUE(sentence().contains("no unit of this")) << sentence().toStdString();
   EXPECT_TRUE(names_.empty());
+}
+
+TEST_F(BodiesSheetTest, TheBounceIsThatOfTheSurface) {
+  Scene scene = *scene_;
+  Material wood;
+  wood.name = "wood";
+  wood.restitution = 0.6;
+  scene.materials = {wood};
+  scene.bodies[0].material = scene.bodies[1].material = "wood";
+  give_ids(scene);
+  scene_ = std::make_shared<const Scene>(scene);
+  sheet_.show_moment(scene_, nullptr);
+  EXPECT_EQ(text(0, Column::kRestitution), "0.6000");
+  EXPECT_TRUE(at(0, Column::kRestitution)
+                  .data(Qt::ToolTipRole)
+                  .toString()
+                  .contains("e of wood, the surface of 2 bodies: it changes for all of them"));
+  click(0, Column::kRestitution);
+  keys("0.8");
+  key(Qt::Key_Return);
+  EXPECT_EQ(names_, std::vector<QString>{"e of wood 0.600 → 0.800"});
+  EXPECT_EQ(scene_->materials[0].restitution, 0.8);
+  EXPECT_EQ(text(1, Column::kRestitution), "0.8000");
+  EXPECT_EQ(text(3, Column::kRestitution), "") << "all";
+  keys("1.2");
+  key(Qt::Key_Return);
+  EXPECT_EQ(sentence(), "e lies between 0 and 1.");
+  key(Qt::Key_Escape);
+  // That of a fixed body too; the surface that the scene does not list is added.
+  QGuiApplication::clipboard()->setText("0.5\n0.5\n0.25");
+  click(0, Column::kRestitution);
+  key(Qt::Key_V, Qt::ControlModifier);
+  EXPECT_EQ(names_.back(), "Paste 3 values");
+  EXPECT_EQ(material_named(*scene_, "wood").restitution, 0.5);
+  EXPECT_EQ(material_named(*scene_, now(2).material).restitution, 0.25);
+}
+
+TEST_F(BodiesSheetTest, TheMenuOfTheHeadShowsAndHidesColumns) {
+  const auto is_shown = [this](Column column) { return !table().isColumnHidden(column); };
+  EXPECT_TRUE(is_shown(Column::kMomentum));
+  EXPECT_TRUE(is_shown(Column::kEnergy));
+  EXPECT_FALSE(is_shown(Column::kMomentumX));
+  EXPECT_EQ(sheet_.shown_columns(), (QStringList{"p", "K"}));
+  auto* button = sheet_.findChild<QToolButton*>();
+  ASSERT_EQ(button->accessibleName(), "Columns");
+  for (QAction* action : button->menu()->actions()) {
+    if (action->text() == "px" || action->text() == "v relative to the centre of mass") action->trigger();
+  }
+  EXPECT_TRUE(is_shown(Column::kMomentumX));
+  EXPECT_TRUE(is_shown(Column::kRelativeY));
+  EXPECT_GT(table().columnWidth(Column::kRelativeX), 20);
+  EXPECT_EQ(sheet_.shown_columns(), (QStringList{"relative", "p", "px", "K"}));
+  table().clearSelection();
+  key(Qt::Key_C, Qt::ControlModifier);
+  EXPECT_TRUE(QGuiApplication::clipboard()->text().startsWith(
+      "body\tm / kg\tx / m\ty / m\tvx / m/s\tvy / m/s\tvx from centre / m/s\tvy from centre / m/s\t"
+      "spin / rad/s\te\tp / kg·m/s\tpx / kg·m/s\tK / J\n"));
+  sheet_.show_columns({"L"});
+  EXPECT_FALSE(is_shown(Column::kEnergy));
+  EXPECT_TRUE(is_shown(Column::kAngularMomentum));
+  // A right click on the head opens the same menu.
+  QHeaderView* head = table().horizontalHeader();
+  emit head->customContextMenuRequested(QPoint(20, 5));
+  EXPECT_TRUE(button->menu()->isVisible());
+  button->menu()->close();
+}
+
+// Two discs of 1 and 3 kg: the centre of mass moves at (1, 0.75) m/s.
+TEST_F(BodiesSheetTest, WhatFollowsIsShownWithItsSum) {
+  std::vector<Body> bodies = {body("A", 1.0, 0.0), body("B", 3.0, 2.0)};
+  bodies[0].velocity = Vec2(4.0, 3.0);
+  bodies[1].velocity = Vec2(0.0, 0.0);
+  bodies[0].position = Vec2(0.0, 2.0);
+  bodies[0].spin = 2.0;
+  bodies[0].inertia = 0.5;
+  show(bodies);
+  const auto column = [this](Column c) { return QStringList{text(0, c), text(1, c), text(2, c)}; };
+  EXPECT_EQ(column(Column::kSpeed), (QStringList{"5.000", "0", "1.250"}));
+  EXPECT_EQ(column(Column::kDirection), (QStringList{"36.87", "", "36.87"}));
+  EXPECT_EQ(column(Column::kRelativeX), (QStringList{"3.000", "−1.000", ""}));
+  EXPECT_EQ(column(Column::kRelativeY), (QStringList{"2.250", "−0.7500", ""}));
+  EXPECT_EQ(column(Column::kMomentum), (QStringList{"5.000", "0", "5.000"}));
+  EXPECT_EQ(column(Column::kMomentumY), (QStringList{"3.000", "0", "3.000"}));
+  EXPECT_EQ(column(Column::kAngularMomentum), (QStringList{"−7.000", "0", "−7.000"}));
+  EXPECT_EQ(column(Column::kInertia)[0], "0.5000");
+  EXPECT_EQ(column(Column::kRadius)[0], QString("0.1000"));
 }
 
 TEST_F(BodiesSheetTest, NamesAreDifferent) {
