@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "widgets/base/plain_text.h"
 #include "widgets/edit/cell_delegate.h"
 #include "widgets/edit/cell_field.h"
 
@@ -71,12 +72,17 @@ struct Pasted {
 }  // namespace
 
 BodiesGrid::BodiesGrid(QWidget* parent)
-    : FigureTable(new BodiesModel, parent), rows_(static_cast<BodiesModel*>(model())) {
+    : FigureTable(new BodiesModel, parent),
+      rows_(static_cast<BodiesModel*>(model())),
+      value_(new PlainLabel(viewport())) {
   setItemDelegate(new CellDelegate(this));
   setSelectionBehavior(QAbstractItemView::SelectItems);
   setSelectionMode(QAbstractItemView::ContiguousSelection);
   setEditTriggers(DoubleClicked | SelectedClicked | EditKeyPressed | AnyKeyPressed);
   setAccessibleName(tr("Bodies"));
+  value_->setObjectName("bubble");
+  value_->setContentsMargins(6, 2, 6, 2);
+  value_->hide();
   make_columns_menu();
 }
 
@@ -224,12 +230,32 @@ void BodiesGrid::begin(CellField* field, int row, int column) {
     connect(field, &QLineEdit::textEdited, this, &BodiesGrid::pauseRequested);
   connect(field, &TypedField::refused, this, &BodiesGrid::say);
   connect(field, &TypedField::dropped, this, &BodiesGrid::say);
+  connect(field, &TypedField::valued, this, [this, field](const QString& text) { show_value(*field, text); });
   connect(field, &CellField::left, this, [this, field] { end(field); });
+}
+
+QString BodiesGrid::value_of(int row, int column, const QString& text) const {
+  return rows_->can_edit() ? value_of_cell(*rows_->surfaces(), rows_->bodies(), row, column, text) : QString();
+}
+
+// Under the field, or over it where there is no room.
+void BodiesGrid::show_value(const QWidget& field, const QString& text) {
+  constexpr int kGap = 2;  // px
+  value_->setText(text);
+  value_->setVisible(!text.isEmpty());
+  value_->adjustSize();
+  const QRect at = field.geometry();
+  const int under = at.bottom() + kGap;
+  const bool fits = under + value_->height() <= viewport()->height();
+  const int left = std::min(at.left(), viewport()->width() - value_->width());
+  value_->move(std::max(left, 0), fits ? under : at.top() - kGap - value_->height());
+  value_->raise();
 }
 
 void BodiesGrid::end(CellField* field) {
   if (field == nullptr || field_ != field) return;
   field_ = nullptr;
+  value_->hide();
   const bool had_focus = field->hasFocus();
   closeEditor(field, QAbstractItemDelegate::NoHint);
   if (had_focus) setFocus();

@@ -9,6 +9,7 @@
 #include "widgets/edit/bodies_model.h"
 #include "widgets/theme/theme.h"
 
+class QLabel;
 class QMenu;
 
 namespace carom {
@@ -38,6 +39,8 @@ class BodiesGrid : public FigureTable {
 
   // For the cells' editors: takes a text, or returns one sentence on why it can't be.
   QString take(int row, int column, const QString& text);
+  // The value of a formula that is typed there.
+  [[nodiscard]] QString value_of(int row, int column, const QString& text) const;
   void begin(CellField* field, int row, int column);
   void end(CellField* field);
   // From the current cell to the next one that can be edited, one row down (-1: up), or to the right (-1:
@@ -71,6 +74,7 @@ class BodiesGrid : public FigureTable {
   [[nodiscard]] bool can_edit(const QModelIndex& index) const;
   void make_columns_menu();
   void show_column(std::size_t choice, bool shown);
+  void show_value(const QWidget& field, const QString& text);
   void paste();
   void say_why_not(const QModelIndex& index);
   void say(const QString& sentence);
@@ -79,6 +83,7 @@ class BodiesGrid : public FigureTable {
 
   BodiesModel* rows_;
   QMenu* columns_menu_;
+  QLabel* value_;  // of the formula that is typed, by its cell
   Theme theme_ = light_theme();
   std::vector<std::string> selection_;  // in the scene
   bool shows_selection_ = false;        // the marked cells follow the scene

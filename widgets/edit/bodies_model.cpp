@@ -91,20 +91,30 @@ TypedCell typed_name(const std::vector<Body>& bodies, const Body& body, const QS
   return {renaming(body, name), {}};
 }
 
+// The number of a cell that can be edited.
+std::optional<Inspected> inspected_cell(const Scene& scene, const Body& body, int column) {
+  if (column == BodiesModel::kRestitution) return inspected_restitution(scene, body);
+  return inspected_value(body, column_text(column).place);
+}
+
 }  // namespace
 
 TypedCell typed_cell(const Scene& scene, const std::vector<Body>& bodies, int row, int column,
                      const QString& text) {
   const Body& body = bodies[static_cast<std::size_t>(row)];
   if (column == BodiesModel::kBody) return typed_name(bodies, body, text);
-  const std::optional<Inspected> value = column == BodiesModel::kRestitution
-                                             ? inspected_restitution(scene, body)
-                                             : inspected_value(body, column_text(column).place);
+  const std::optional<Inspected> value = inspected_cell(scene, body, column);
   if (!value) return {};
   const TypedValues typed = typed_values(text, value->name, value->range, value->values, value->formula_names);
   if (!typed.fault.isEmpty()) return {{}, typed.fault};
   if (typed.values == value->values) return {};
   return {{value->edits(typed.values), value->undo_name(value->values, typed.values)}, {}};
+}
+
+QString value_of_cell(const Scene& scene, const std::vector<Body>& bodies, int row, int column,
+                      const QString& text) {
+  const auto value = inspected_cell(scene, bodies[static_cast<std::size_t>(row)], column);
+  return value ? value_of_typed(text, value->range, value->values, value->formula_names) : QString();
 }
 
 const std::vector<ColumnChoice>& column_choices() {

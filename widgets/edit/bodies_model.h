@@ -119,6 +119,10 @@ class BodiesModel : public FigureModel {
 [[nodiscard]] TypedCell typed_cell(const Scene& scene, const std::vector<Body>& bodies, int row, int column,
                                    const QString& text);
 
+// The value of a formula there, as value_of_typed() has it.
+[[nodiscard]] QString value_of_cell(const Scene& scene, const std::vector<Body>& bodies, int row, int column,
+                                    const QString& text);
+
 // Columns that can be shown and hidden together.
 struct ColumnChoice {
   const char* id;    // in what is remembered

@@ -15,7 +15,8 @@ QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
   const int row = index.row();
   const int column = index.column();
   auto* field = new CellField(
-      [grid = grid_, row, column](const QString& text) { return grid->take(row, column, text); }, parent);
+      [grid = grid_, row, column](const QString& text) { return grid->take(row, column, text); },
+      [grid = grid_, row, column](const QString& text) { return grid->value_of(row, column, text); }, parent);
   field->setAccessibleName(index.data(Qt::AccessibleTextRole).toString());
   if (column != BodiesModel::kBody) field->setAlignment(Qt::AlignRight);
   grid_->begin(field, row, column);

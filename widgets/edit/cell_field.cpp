@@ -4,7 +4,8 @@
 
 namespace carom {
 
-CellField::CellField(Take take, QWidget* parent) : TypedField(parent), take_(std::move(take)) {
+CellField::CellField(Take take, Value value, QWidget* parent)
+    : TypedField(parent), take_(std::move(take)), value_of_(std::move(value)) {
   setObjectName("cell");
 }
 

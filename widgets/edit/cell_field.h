@@ -13,7 +13,9 @@ class CellField : public TypedField {
  public:
   // What takes the text, or returns one sentence on why it can't be.
   using Take = std::function<QString(const QString&)>;
-  CellField(Take take, QWidget* parent);
+  // The value of a text, where that is worth being shown.
+  using Value = std::function<QString(const QString&)>;
+  CellField(Take take, Value value, QWidget* parent);
 
   using TypedField::accept_typed;
 
@@ -22,10 +24,12 @@ class CellField : public TypedField {
 
  protected:
   QString take(const QString& text) override { return take_(text); }
+  [[nodiscard]] QString value_of(const QString& text) const override { return value_of_(text); }
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
   Take take_;
+  Value value_of_;
 };
 
 }  // namespace carom

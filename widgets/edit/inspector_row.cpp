@@ -11,7 +11,11 @@
 namespace carom {
 
 InspectorRow::InspectorRow(const InspectedRow& row, QLabel* label, QWidget* parent)
-    : QWidget(parent), grid_(new QGridLayout(this)), label_(label), fault_(new PlainLabel(this)) {
+    : QWidget(parent),
+      grid_(new QGridLayout(this)),
+      label_(label),
+      fault_(new PlainLabel(this)),
+      value_(new PlainLabel(this)) {
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(6);
   grid_->setVerticalSpacing(2);
@@ -20,8 +24,11 @@ InspectorRow::InspectorRow(const InspectedRow& row, QLabel* label, QWidget* pare
   if (row.label.isEmpty()) label_->hide();
   fault_->setObjectName("fault");
   fault_->setWordWrap(true);
-  fault_->hide();
-  grid_->addWidget(fault_, 2, 1, 1, kColumns);  // under two lines of fields
+  value_->setObjectName("caption");
+  for (QLabel* line : {fault_, value_}) {
+    line->hide();
+    grid_->addWidget(line, 2, 1, 1, kColumns);  // under two lines of fields
+  }
 }
 
 InspectorRow::InspectorRow(const InspectedRow& row, QWidget* parent)
@@ -40,6 +47,11 @@ void InspectorRow::show_row(const InspectedRow& row) {
 void InspectorRow::say(const QString& sentence) {
   fault_->setText(sentence);
   fault_->setVisible(!sentence.isEmpty());
+}
+
+void InspectorRow::show_value(const QString& text) {
+  value_->setText(text);
+  value_->setVisible(!text.isEmpty());
 }
 
 void InspectorRow::act(const InspectedAction& action) {

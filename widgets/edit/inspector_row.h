@@ -51,6 +51,8 @@ class InspectorRow : public QWidget {
   [[nodiscard]] QLabel* label() const { return label_; }
   // In red under the field.
   void say(const QString& sentence);
+  // The value of what is typed, there too.
+  void show_value(const QString& text);
   // Does what a button of the row is for, or says why not.
   void act(const InspectedAction& action);
 
@@ -59,6 +61,7 @@ class InspectorRow : public QWidget {
   QLabel* label_;
   QLabel* text_ = nullptr;
   QLabel* fault_;
+  QLabel* value_;
 };
 
 // The row that shows this.

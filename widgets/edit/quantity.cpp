@@ -2,6 +2,7 @@
 
 #include <QRegularExpression>
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <muParser.h>
@@ -180,6 +181,20 @@ TypedValues typed_values(const QString& text, const QString& label, const Range&
     if (!range.contains(values.back())) return {{}, range_sentence(label, values.back(), range)};
   }
   return {values, {}};
+}
+
+QString value_of_typed(const QString& text, const Range& range, const std::vector<double>& old,
+                       const std::vector<FormulaNames>& names) {
+  static const QRegularExpression kPlain(R"(^-?[\d.,]*([eE][+-]?\d*)?$)");
+  QString number = with_plain_signs(text);
+  const QString shown = text_of(units_of(range.unit).front().name);
+  if (number.endsWith(shown)) number = number.chopped(shown.size()).trimmed();
+  if (kPlain.match(number).hasMatch()) return {};
+  const std::vector<double> values = typed_values(text, {}, range, old, names).values;
+  if (values.empty()) return {};
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const QString largest = quantity_text(*most, range.unit);
+  return *least == *most ? "= " + largest : "= " + field_text(*least, range.unit) + " to " + largest;
 }
 
 QString range_sentence(const QString& label, double value, const Range& range) {

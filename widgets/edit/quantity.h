@@ -50,6 +50,12 @@ struct TypedValues {
                                        const std::vector<double>& old,
                                        const std::vector<FormulaNames>& names = {});
 
+// "= 3.96 m/s": what a formula, a change or another unit makes of the values, with the unit that the field
+// shows; of several that differ the least and the largest, "= 2 to 5 kg". Empty for a plain number, and for
+// what can't be taken.
+[[nodiscard]] QString value_of_typed(const QString& text, const Range& range, const std::vector<double>& old,
+                                     const std::vector<FormulaNames>& names = {});
+
 // One sentence that says what is allowed of `label`, for a value that the range does not contain: "e lies
 // between 0 and 1."
 [[nodiscard]] QString range_sentence(const QString& label, double value, const Range& range);

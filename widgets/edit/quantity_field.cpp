@@ -108,6 +108,10 @@ QString QuantityField::take(const QString& text) {
   return answer_;
 }
 
+QString QuantityField::value_of(const QString& text) const {
+  return value_of_typed(text, range_, values_, formula_names_);
+}
+
 QString QuantityField::fitted(const QString& text) const {
   constexpr int kMargin = 2;  // px, of a line edit beside its text
   constexpr int kMostDigits = 5;

@@ -47,6 +47,7 @@ class QuantityField : public TypedField {
 
  protected:
   QString take(const QString& text) override;
+  [[nodiscard]] QString value_of(const QString& text) const override;
   // With as many digits as fit.
   [[nodiscard]] QString fitted(const QString& text) const override;
   void keyPressEvent(QKeyEvent* event) override;

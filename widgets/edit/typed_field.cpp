@@ -6,7 +6,10 @@
 namespace carom {
 
 TypedField::TypedField(QWidget* parent) : QLineEdit(parent) {
-  connect(this, &QLineEdit::textEdited, this, [this] { set_fault({}); });
+  connect(this, &QLineEdit::textEdited, this, [this](const QString& text) {
+    set_fault({});
+    set_value(value_of(text));
+  });
 }
 
 void TypedField::show_text(const QString& text) {
@@ -52,6 +55,7 @@ void TypedField::focusInEvent(QFocusEvent* event) {
 
 void TypedField::restore() {
   set_fault({});
+  set_value({});
   setText(displayed());
   setModified(false);
 }
@@ -65,6 +69,7 @@ bool TypedField::accept_typed() {
   // Taken before the receiver shows the scene with the edit.
   setModified(false);
   const QString fault = take(text());
+  set_value({});
   if (!fault.isEmpty()) setModified(true);
   set_fault(fault);
   return fault.isEmpty();
@@ -75,6 +80,12 @@ void TypedField::set_fault(const QString& sentence) {
   fault_ = sentence;
   set_look("fault", !sentence.isEmpty());
   emit refused(sentence);
+}
+
+void TypedField::set_value(const QString& text) {
+  if (value_ == text) return;
+  value_ = text;
+  emit valued(text);
 }
 
 bool TypedField::event(QEvent* event) {

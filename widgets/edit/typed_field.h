@@ -27,12 +27,16 @@ class TypedField : public QLineEdit {
  signals:
   // Why the text can't be taken, in one sentence; empty: nothing is wrong any more.
   void refused(const QString& sentence);
+  // The value of the formula that is typed, "= 3.96 m/s"; empty: there is none, or none any more.
+  void valued(const QString& text);
   // The field was left with a text that can't be taken.
   void dropped(const QString& sentence);
 
  protected:
   // Takes the text, which differs from the one shown last, or returns one sentence on why it can't.
   virtual QString take(const QString& text) = 0;
+  // The value of the text, where that is worth being shown.
+  [[nodiscard]] virtual QString value_of(const QString& /*text*/) const { return {}; }
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
@@ -51,9 +55,11 @@ class TypedField : public QLineEdit {
   void set_fault(const QString& sentence);
   void show_change();
   void set_look(const char* property, bool on);
+  void set_value(const QString& text);
 
   QString shown_;
   QString fault_;
+  QString value_;
   std::optional<QString> watched_;  // at the beginning
 };
 

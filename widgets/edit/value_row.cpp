@@ -76,6 +76,7 @@ void ValueRow::add_field(const Inspected& value) {
   connect(field, &QuantityField::emptied, this,
           [this, index] { emit edited(emptied_[static_cast<std::size_t>(index)]); });
   connect(field, &TypedField::refused, this, &ValueRow::say);
+  connect(field, &TypedField::valued, this, &ValueRow::show_value);
   connect(field, &TypedField::dropped, this, &ValueRow::dropped);
 }
 

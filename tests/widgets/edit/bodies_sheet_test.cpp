@@ -123,6 +123,19 @@ TEST_F(BodiesSheetTest, TheEditorHasEveryDigitAndEscapeRestores) {
   EXPECT_TRUE(names_.empty()) << "nothing was typed";
 }
 
+TEST_F(BodiesSheetTest, TheValueOfAFormulaIsShownByItsCell) {
+  const auto* shown = table().findChild<QLabel*>("bubble");
+  click(0, Column::kVelocityX);
+  keys("*1.5");
+  EXPECT_TRUE(shown->isVisible());
+  EXPECT_EQ(shown->text(), "= 3 m/s");
+  key(Qt::Key_Return);
+  EXPECT_FALSE(shown->isVisible());
+  keys("7");
+  EXPECT_FALSE(shown->isVisible());
+  key(Qt::Key_Escape);
+}
+
 TEST_F(BodiesSheetTest, TabGoesRightAndThenOut) {
   click(0, Column::kVelocityX);
   keys("1");

@@ -98,6 +98,25 @@ TEST_F(InspectorTest, WhatIsSaidOfAFieldEndsWhenAnotherIsTypedIn) {
   }
 }
 
+TEST_F(InspectorTest, TheValueOfAFormulaIsShownWhileItIsTyped) {
+  select({"light"});
+  QLineEdit* speed = field("Speed, m/s");
+  const auto shown = [this] { return texts().filter("= "); };
+  type(speed, "sqrt(2*g*0.8");
+  EXPECT_TRUE(shown().isEmpty());
+  QTest::keyClicks(speed, ")");
+  EXPECT_EQ(shown(), QStringList{"= 3.96182 m/s"});
+  QTest::keyClick(speed, Qt::Key_Return);
+  EXPECT_TRUE(shown().isEmpty());
+  type(speed, "*2");
+  EXPECT_EQ(shown(), QStringList{"= 7.92364 m/s"});
+  QTest::keyClick(speed, Qt::Key_Escape);
+  EXPECT_TRUE(shown().isEmpty());
+  type(speed, "*3");
+  field("Spin, rad/s")->setFocus();
+  EXPECT_TRUE(shown().isEmpty());
+}
+
 // Refused by who receives the edit, as by a joint.
 TEST_F(InspectorTest, ARefusedValueStaysTypedAndIsRed) {
   select({"light"});

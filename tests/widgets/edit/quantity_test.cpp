@@ -178,5 +178,19 @@ TEST(Quantity, SaysWhatARangeAllows) {
   EXPECT_EQ(range_sentence("x", -1e13, any_number("m")), "x is at least −1e12 m.");
 }
 
+TEST(ValueOfTyped, IsThatOfAFormulaAndNotOfANumber) {
+  const Range speed = from_zero("m/s");
+  EXPECT_EQ(value_of_typed("sqrt(2*g*0.8)", speed, {1.0}), "= 3.96182 m/s");
+  EXPECT_EQ(value_of_typed("*2", speed, {1.5}), "= 3 m/s");
+  EXPECT_EQ(value_of_typed("36 km/h", speed, {1.0}), "= 10 m/s");
+  EXPECT_EQ(value_of_typed("*2", speed, {1.0, 2.5}), "= 2 to 5 m/s") << "each its own";
+  EXPECT_EQ(value_of_typed("2*v", speed, {1.0}, {{{"v", 3.0}}}), "= 6 m/s");
+  for (const char* plain : {"", "2", "2,5", "2 m/s", "-1.5e3", "1e"}) {
+    EXPECT_EQ(value_of_typed(plain, speed, {1.0}), "") << plain;
+  }
+  for (const char* wrong : {"sqrt(", "2*k", "1-2"}) EXPECT_EQ(value_of_typed(wrong, speed, {1.0}), "") << wrong;
+  EXPECT_EQ(value_of_typed("2*45", any_number("rad"), {0.0}), "= 90°");
+}
+
 }  // namespace
 }  // namespace carom
