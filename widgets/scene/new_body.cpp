@@ -1,6 +1,7 @@
 #include "widgets/scene/new_body.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,6 +18,30 @@ const Body* first_of(std::span<const Body> bodies, Predicate fits) {
 const Body* model_of(std::span<const Body> bodies) {
   if (const Body* disc = model_disc(bodies)) return disc;
   return first_of(bodies, [](const Body& body) { return !has_infinite_mass(body) && area(body.shape) > 0.0; });
+}
+
+const Body* first_that_moves(std::span<const Body> bodies) {
+  return first_of(bodies, [](const Body& body) { return !has_infinite_mass(body); });
+}
+
+// The nearest one, by its ratio, of 1, 2 or 5 times a power of ten.
+double round_mass(double mass) {
+  const double exponent = std::floor(std::log10(mass));
+  double best = 0.0;
+  for (const double digit : {1.0, 2.0, 5.0, 10.0}) {
+    const double round = exponent < 0.0 ? digit / std::pow(10.0, -exponent) : digit * std::pow(10.0, exponent);
+    if (best == 0.0 || std::abs(std::log(round / mass)) < std::abs(std::log(best / mass))) best = round;
+  }
+  return best;
+}
+
+// At which the mass is this one to its last bit, if doubles can have it so.
+double density_for(double mass, double size) {
+  const double density = mass / size;
+  for (const double each : {density, std::nextafter(density, 0.0), std::nextafter(density, 2.0 * density)}) {
+    if (each * size == mass) return each;
+  }
+  return density;
 }
 
 }  // namespace
@@ -47,7 +72,10 @@ Body new_body(std::span<const Body> bodies, const Shape& shape, const Vec2& posi
   if (model != nullptr) body.material = model->material;
   if (body.fixed) return body;
   if (area(shape) > 0.0) {
-    body.density = model != nullptr ? mass_of(*model) / area(model->shape) : 1.0;
+    const Body* other = first_that_moves(bodies);
+    body.density = model != nullptr
+                       ? mass_of(*model) / area(model->shape)
+                       : density_for(round_mass(other != nullptr ? mass_of(*other) : 1.0), area(shape));
   } else {
     body.mass = model != nullptr ? mass_of(*model) : 1.0;
   }
