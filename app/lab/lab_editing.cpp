@@ -58,6 +58,7 @@ void LabWindow::connect_edits() {
   };
   connect(inspector_, &Inspector::pauseRequested, this, pause);
   connect(sheet_, &BodiesSheet::pauseRequested, this, pause);
+  connect(inspector_, &Inspector::left, this, [this] { view_->setFocus(); });
   connect(inspector_, &Inspector::partOpened, this, [this] { view_->choose_part(inspector_->part()); });
   connect(inspector_, &Inspector::edited, this, [this](const SceneEdits& edits, const QString& name, int drag) {
     edit_bodies(edits, name, drag_of(kOfInspector, drag));

@@ -2,6 +2,7 @@
 
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
@@ -54,6 +55,13 @@ QString shape_word(const Body& body) {
     return count == 1 ? Inspector::tr("1 shape") : Inspector::tr("%1 shapes").arg(count);
   }
   return QString::fromUtf8(kShapeWords[body.shape.index()]);
+}
+
+// What takes keys.
+QList<QWidget*> fields_of(const QWidget& list) {
+  QList<QWidget*> fields = list.findChildren<QWidget*>();
+  fields.removeIf([](const QWidget* field) { return (field->focusPolicy() & Qt::TabFocus) == 0; });
+  return fields;
 }
 
 }  // namespace
@@ -182,18 +190,15 @@ void Inspector::fold(const QString& list) {
 bool Inspector::event(QEvent* event) {
   // Esc is the inspector's before it is a shortcut of the window.
   const bool asks = event->type() == QEvent::ShortcutOverride;
-  if (!asks || !shown_part_ || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
-    return QWidget::event(event);
+  if (!asks || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape) return QWidget::event(event);
   event->accept();
   return true;
 }
 
 void Inspector::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && shown_part_) {
-    open(std::nullopt);
-  } else {
-    QWidget::keyPressEvent(event);
-  }
+  if (event->key() != Qt::Key_Escape) return QWidget::keyPressEvent(event);
+  if (shown_part_) return open(std::nullopt);
+  emit left();
 }
 
 std::vector<InspectedRow> Inspector::rows() const {
@@ -238,9 +243,9 @@ void Inspector::show_rows() {
   if (group_tools_ != nullptr) group_tools_->setVisible(bodies_.size() > 1);
   if (QStringList layout = layout_of(rows_); layout != layout_ || list_ == nullptr) {
     layout_ = std::move(layout);
-    const QString focused = focused_field();
+    const std::optional<Focused> focused = focused_field();
     build_rows();
-    focus_field(focused);
+    if (focused) focus_field(*focused);
   } else {
     for (std::size_t i = 0; i < rows_.size(); ++i) row_widgets_[i]->show_row(rows_[i]);
   }
@@ -323,17 +328,20 @@ InspectorRow* Inspector::add_row(const InspectedRow& row, int index) {
   return widget;
 }
 
-QString Inspector::focused_field() const {
-  const QWidget* field = list_ == nullptr ? nullptr : list_->focusWidget();
-  return field != nullptr && field->hasFocus() ? field->accessibleName() : QString();
+std::optional<Inspector::Focused> Inspector::focused_field() const {
+  QWidget* field = list_ == nullptr ? nullptr : list_->focusWidget();
+  if (field == nullptr || !field->hasFocus()) return std::nullopt;
+  return Focused{field->accessibleName(), fields_of(*list_).indexOf(field)};
 }
 
-void Inspector::focus_field(const QString& name) {
-  if (name.isEmpty()) return;
-  for (QWidget* field : list_->findChildren<QWidget*>()) {
-    const bool takes_keys = (field->focusPolicy() & Qt::TabFocus) != 0;
-    if (takes_keys && field->accessibleName() == name) field->setFocus();
-  }
+void Inspector::focus_field(const Focused& focused) {
+  const QList<QWidget*> fields = fields_of(*list_);
+  const auto same = std::find_if(fields.begin(), fields.end(),
+                                 [&](const QWidget* field) { return field->accessibleName() == focused.name; });
+  QWidget* field = same != fields.end() ? *same : fields.value(focused.place);
+  if (field == nullptr) return;
+  field->setFocus();
+  if (auto* line = qobject_cast<QLineEdit*>(field)) line->selectAll();
 }
 
 void Inspector::set_frozen(bool frozen) {

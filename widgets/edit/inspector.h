@@ -69,6 +69,7 @@ class Inspector : public QWidget {
   void durationEdited(double duration, const QString& name, int drag);
   void stopsAsked();  // their editor
 
+  void left();            // by Esc: the keys are the scene's again
   void partOpened();      // part() was chosen here
   void pauseRequested();  // the user begins to change what moves while a run plays
 
@@ -88,9 +89,13 @@ class Inspector : public QWidget {
   void build_rows();
   [[nodiscard]] InspectorRow* add_row(const InspectedRow& row, int index);
   void show_title();
-  // By its accessible name; empty: no field of the rows has the focus.
-  [[nodiscard]] QString focused_field() const;
-  void focus_field(const QString& name);
+  // A field of the rows: by its accessible name, or where that has changed by its place among all of them.
+  struct Focused {
+    QString name;
+    qsizetype place;
+  };
+  [[nodiscard]] std::optional<Focused> focused_field() const;
+  void focus_field(const Focused& focused);
   void set_frozen(bool frozen);
   void begin_edit(int row, int field);
   void follow_run();

@@ -56,7 +56,7 @@ void TypedField::focusInEvent(QFocusEvent* event) {
 void TypedField::restore() {
   set_fault({});
   set_value({});
-  setText(displayed());
+  show_displayed();
   setModified(false);
 }
 

@@ -256,6 +256,34 @@ TEST_F(LabHandsTest, EscapeTakesADragBack) {
   EXPECT_FALSE(window_.session().edits().canRedo());
 }
 
+TEST_F(LabHandsTest, EscapeInTheInspectorGivesTheKeysBackToTheScene) {
+  ASSERT_TRUE(window_.open("head-on"));
+  ASSERT_TRUE(shows_start());
+  window_.scene_view().select({"light"});
+  const auto field = [this](const QString& name) {
+    for (QLineEdit* edit : window_.findChild<Inspector*>()->findChildren<QLineEdit*>()) {
+      if (edit->accessibleName() == name && edit->isVisible()) return edit;
+    }
+    throw std::runtime_error("no field " + name.toStdString());
+  };
+  for (const char* name : {"Mass, kg", "Name"}) {
+    QLineEdit* edit = field(name);
+    QTest::mouseDClick(edit, Qt::LeftButton);
+    edit->selectAll();
+    QTest::keyClicks(edit, "2");
+    QTest::keyClick(edit, Qt::Key_Return);
+    ASSERT_TRUE(wait_for([this] {
+      const auto scene = window_.frame()->scene;
+      return scene && window_.scene_view().selection() == std::vector{window_.preset().scene.bodies[0].name};
+    }));
+    EXPECT_TRUE(edit->hasFocus()) << name;
+    EXPECT_EQ(edit->selectedText(), "2") << name;
+    QTest::keyClick(edit, Qt::Key_Escape);
+    EXPECT_TRUE(window_.scene_view().hasFocus()) << name;
+    EXPECT_FALSE(window_.scene_view().selection().empty()) << "Esc left the field, not the selection";
+  }
+}
+
 TEST_F(LabHandsTest, ANameThatIsTakenIsRefusedInWords) {
   ASSERT_TRUE(window_.open("head-on"));
   ASSERT_TRUE(shows_start());

@@ -98,6 +98,35 @@ TEST_F(InspectorTest, WhatIsSaidOfAFieldEndsWhenAnotherIsTypedIn) {
   }
 }
 
+TEST_F(InspectorTest, EnterMarksTheWholeValueForASecondOne) {
+  select({"light"});
+  enter(field("Mass, kg"), "2.50");
+  QLineEdit* mass = field("Mass, kg");
+  EXPECT_TRUE(mass->hasFocus());
+  EXPECT_EQ(mass->selectedText(), "2.5");
+  QTest::keyClicks(mass, "3");
+  EXPECT_EQ(mass->text(), "3");
+  QTest::keyClick(mass, Qt::Key_Escape);
+  EXPECT_EQ(mass->selectedText(), "2.5");
+  // As long as the same is selected, and where rows are made anew because a surface has another name.
+  select({});
+  enter(field("Name of surface rubber"), "ice");
+  EXPECT_TRUE(field("Name of surface ice")->hasFocus());
+  EXPECT_EQ(field("Name of surface ice")->selectedText(), "ice");
+}
+
+TEST_F(InspectorTest, EscapeLeavesOnceNothingIsTyped) {
+  int left = 0;
+  QObject::connect(&inspector_, &Inspector::left, [&] { ++left; });
+  select({"light"});
+  QLineEdit* mass = field("Mass, kg");
+  type(mass, "7");
+  QTest::keyClick(mass, Qt::Key_Escape);
+  EXPECT_EQ(left, 0) << "what was typed is over";
+  QTest::keyClick(mass, Qt::Key_Escape);
+  EXPECT_EQ(left, 1);
+}
+
 TEST_F(InspectorTest, TheValueOfAFormulaIsShownWhileItIsTyped) {
   select({"light"});
   QLineEdit* speed = field("Speed, m/s");
