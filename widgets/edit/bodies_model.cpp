@@ -201,8 +201,8 @@ void BodiesModel::watch_changes(bool watch) {
   watched_.clear();
   for (int row = 0; watch && row < shown_bodies(); ++row) {
     const std::string& name = (*bodies_)[static_cast<std::size_t>(row)].name;
-    for (int column = kMass; column <= kSpin; ++column)
-      watched_[{name, column}] = index(row, column).data().toString();
+    for (int column = kMass; column < columnCount(); ++column)
+      if (!follows(column)) watched_[{name, column}] = index(row, column).data().toString();
   }
   rows_changed(rowCount());
 }

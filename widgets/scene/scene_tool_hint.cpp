@@ -10,7 +10,7 @@ struct HandleHint {
   HandleKind kind;
   const char* text;
 };
-constexpr std::array<HandleHint, 9> kHandleHints = {{
+constexpr std::array<HandleHint, 14> kHandleHints = {{
     {HandleKind::kBody, "drag: move · Shift: one axis · right click: menu"},
     {HandleKind::kTurn, "drag: turn in 5° · Shift: 45° · double click: type it"},
     {HandleKind::kVelocity, "drag: velocity · Shift: keep its direction · double click: type it"},
@@ -20,6 +20,11 @@ constexpr std::array<HandleHint, 9> kHandleHints = {{
     {HandleKind::kTop, "drag: height · Shift: keep the proportions · double click: type it"},
     {HandleKind::kLeft, "drag: width · Shift: keep the proportions · double click: type it"},
     {HandleKind::kBottom, "drag: height · Shift: keep the proportions · double click: type it"},
+    {HandleKind::kTopRight, "drag: size · Shift: keep the proportions · double click: type it"},
+    {HandleKind::kTopLeft, "drag: size · Shift: keep the proportions · double click: type it"},
+    {HandleKind::kBottomLeft, "drag: size · Shift: keep the proportions · double click: type it"},
+    {HandleKind::kBottomRight, "drag: size · Shift: keep the proportions · double click: type it"},
+    {HandleKind::kCorner, "drag: corner · Shift: one axis · double click: type it"},
 }};
 
 }  // namespace

@@ -413,10 +413,10 @@ TEST_F(LabWindowTest, EditsAreUndoneFromTheMenu) {
   plot_action("Ledger")->trigger();
   auto* plots = window_.findChild<PlotPanel*>();
   EXPECT_TRUE(plots->shows("ledger"));
-  EXPECT_TRUE(action("Undo change of plots")->isEnabled());
+  EXPECT_TRUE(action("Undo Add plot")->isEnabled());
   trigger(undo);
   EXPECT_FALSE(plots->shows("ledger"));
-  EXPECT_TRUE(action("Redo change of plots")->isEnabled());
+  EXPECT_TRUE(action("Redo Add plot")->isEnabled());
   EXPECT_TRUE(action("Undo Add disc A")->isEnabled());
   trigger(undo);
   ASSERT_TRUE(wait_for([this] { return window_.frame()->bodies->size() == 2; }));
@@ -440,11 +440,11 @@ TEST_F(LabWindowTest, UndoOfANoteLeavesThePlotsAsTheyAre) {
   first->set_notes({{0.5, 1.0, "here"}});
   emit plots->layoutChanged();
   EXPECT_TRUE(window_.isWindowModified());
-  action("Undo change of notes")->trigger();
+  action("Undo Notes of a plot")->trigger();
   EXPECT_EQ(plots->plots().front(), first);
   EXPECT_TRUE(first->content().plot.notes.empty());
   EXPECT_FALSE(window_.isWindowModified());
-  action("Redo change of notes")->trigger();
+  action("Redo Notes of a plot")->trigger();
   EXPECT_EQ(first->content().plot.notes.size(), 1U);
 }
 

@@ -449,7 +449,7 @@ TEST_F(BodiesSheetTest, CellsThatADragChangesHaveARing) {
   show(bodies);
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < rows->columnCount(); ++column)
-      EXPECT_EQ(rows->is_changed(row, column), row == 0 && column == Column::kVelocityX);
+      EXPECT_EQ(rows->is_changed(row, column), row == 0 && column == Column::kVelocityX) << column;
   }
   // Its border is painted in the accent.
   const QRect cell = table().visualRect(rows->index(0, Column::kVelocityX));
