@@ -29,7 +29,8 @@ QString listed(const std::vector<double>& times) {
 }  // namespace
 
 std::vector<double> times_of(const QString& text, double end) {
-  std::vector<double> times = numbers_in(text, 0.0, end, QString("a time from 0 to %1 s").arg(QString::fromStdString(fmt::format("{}", end))));
+  std::vector<double> times = numbers_in(
+      text, 0.0, end, QString("a time from 0 to %1 s").arg(QString::fromStdString(fmt::format("{}", end))));
   if (times.size() > LabReport::kMostMoments) {
     throw SceneError(
         fmt::format("{} moments are not allowed; allowed: up to {}", times.size(), LabReport::kMostMoments));

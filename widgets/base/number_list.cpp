@@ -17,8 +17,8 @@ std::vector<double> numbers_in(const QString& text, double least, double largest
     bool good = false;
     const double number = part.toDouble(&good);
     if (!good || !(number >= least && number <= largest)) {
-      throw SceneError(fmt::format("{} is not allowed; allowed: {}", shortened(part.toStdString()),
-                                   allowed.toStdString()));
+      throw SceneError(
+          fmt::format("{} is not allowed; allowed: {}", shortened(part.toStdString()), allowed.toStdString()));
     }
     numbers.push_back(number);
   }

@@ -78,7 +78,8 @@ StudyPanel::StudyPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
   against_button_ = make_button({}, tr("Quantity on the other axis"));
   steps_button_ = make_button({}, tr("Which steps the study takes"));
   export_button_ = make_button(tr("Export..."), tr("Save the table (CSV, every digit) or the picture"));
-  for (QToolButton* button : {run_button_, steps_button_, error_button_, against_button_}) buttons_->addWidget(button);
+  for (QToolButton* button : {run_button_, steps_button_, error_button_, against_button_})
+    buttons_->addWidget(button);
   buttons_->addStretch();
   buttons_->addWidget(export_button_);
   connect(run_button_, &QToolButton::clicked, this, [this] { running() ? cancel() : start(); });

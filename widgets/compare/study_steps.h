@@ -15,7 +15,8 @@ class StudyStepsDialog : public QDialog {
 
  public:
   // Begins with these `steps` (s); the `usual` ones are a button.
-  StudyStepsDialog(const std::vector<double>& steps, const std::vector<double>& usual, QWidget* parent = nullptr);
+  StudyStepsDialog(const std::vector<double>& steps, const std::vector<double>& usual,
+                   QWidget* parent = nullptr);
 
   // s, falling.
   [[nodiscard]] std::vector<double> steps() const;
