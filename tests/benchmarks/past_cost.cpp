@@ -1,11 +1,14 @@
-// Cost of the undo of edits in runs of ten minutes: how long until the first frame and until the run stands
-// again where it stood, with the key frames and the memory of the process. Prints figures, tests nothing.
+// Cost of the past of long runs: of going to its moments (how long until the first picture, and until the
+// moment itself is there), and of the undo of edits (how long until the first frame, and until the run stands
+// again where it stood), with the key frames and the memory of the process. Prints figures, tests nothing.
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
 #include <random>
 #include <string>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -81,7 +84,7 @@ class Bench {
     return id;
   }
   struct Cost {
-    double first = 0.0;  // s, until the first frame without the edit
+    double first = 0.0;  // s, until the first picture
     double end = 0.0;    // s, until the end of the replay
   };
   Cost undo(Worker::EditId edit) {
@@ -95,6 +98,22 @@ class Bench {
     cost.end = since(begin);
     return cost;
   }
+  // To a moment of the past (s).
+  Cost show(double time) {
+    const Clock::time_point begin = Clock::now();
+    Cost cost;
+    const std::uint64_t number = worker_.show({.time = time});
+    while (cost.end == 0.0) {
+      const Worker::Shown shown = worker_.take_shown();
+      if (shown.frames.empty() || shown.number != number) {
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+        continue;
+      }
+      if (cost.first == 0.0) cost.first = since(begin);
+      if (shown.there) cost.end = since(begin);
+    }
+    return cost;
+  }
   [[nodiscard]] std::size_t key_frames() const { return frame_->key_frames.size(); }
 
  private:
@@ -104,7 +123,30 @@ class Bench {
   Recorder recorder_;
 };
 
-void undo_cost(const Preset& preset, double end) {
+// ms, at this share of the sorted values.
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return 1e3 * values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+void scrub_cost(Bench& bench, double end) {
+  constexpr int kMoments = 200;
+  std::mt19937_64 random(7);
+  std::vector<double> first;
+  std::vector<double> there;
+  for (int i = 0; i < kMoments; ++i) {
+    const Bench::Cost cost = bench.show(end * static_cast<double>(random() >> 11) * 0x1p-53);
+    first.push_back(cost.first);
+    there.push_back(cost.end);
+  }
+  for (const auto& [name, values] : {std::pair("first picture", &first), std::pair("the moment", &there)}) {
+    fmt::print("{} random moments, {:>13}: median {:.0f}, 95 % {:.0f}, most {:.0f} ms\n", kMoments, name,
+               quantile(*values, 0.5), quantile(*values, 0.95), quantile(*values, 1.0));
+  }
+  fmt::print("{:.0f} MB resident\n", resident());
+}
+
+void past_cost(const Preset& preset, double end) {
   const double before = resident();
   Bench bench(preset);
   const std::vector<double> shares = {0.1, 0.5, 0.9, 0.99};
@@ -117,6 +159,7 @@ void undo_cost(const Preset& preset, double end) {
   bench.run_to(end);
   fmt::print("{}, to {} s: {:.1f} s of computing, {} key frames, {:.0f} MB more than before\n", preset.title,
              end, since(begin), bench.key_frames(), resident() - before);
+  scrub_cost(bench, end);
   fmt::print("{:>12} {:>18} {:>19} {:>12} {:>14}\n", "edit at / s", "first frame / ms", "end of replay / ms",
              "key frames", "resident / MB");
   for (std::size_t i = shares.size(); i-- > 0;) {
@@ -129,10 +172,11 @@ void undo_cost(const Preset& preset, double end) {
 }  // namespace
 }  // namespace carom
 
-// An argument is the runs' length in s, instead of ten minutes.
+// An argument is a share of the runs' lengths: ten minutes, and an hour of Newton's cradle.
 int main(int argc, char** argv) {
   using namespace carom;
-  const double end = argc > 1 ? std::atof(argv[1]) : 600.0;
-  undo_cost(read_preset(test::preset_file("piles/pile.json")), end);
-  undo_cost(discs_in_a_room(), end);
+  const double share = argc > 1 ? std::atof(argv[1]) : 1.0;
+  past_cost(read_preset(test::preset_file("piles/pile.json")), share * 600.0);
+  past_cost(discs_in_a_room(), share * 600.0);
+  past_cost(read_preset(test::preset_file("chains-and-cradles/newtons-cradle.json")), share * 3600.0);
 }
