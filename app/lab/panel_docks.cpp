@@ -21,7 +21,7 @@ using Dock = PanelDocks::Dock;
 
 constexpr int kGap = 8;           // px, between panels
 constexpr int kTabsWidth = 280;   // px, of a side column where there is little room; until it is pulled
-constexpr double kShare = 0.291;  // of the width, of a side column where there is more
+constexpr double kShare = 0.253;  // of the width, of a side column where there is more
 
 constexpr QPoint kCorner(-40, -24);  // px, of a window that is dropped, from the mouse
 
@@ -33,7 +33,7 @@ struct Standard {
 constexpr std::array<Standard, PanelDocks::kPanels> kStandard = {{
     {PanelDocks::kRight, 300, 408},
     {PanelDocks::kRight, 300, 300},
-    {PanelDocks::kBottom, 190, 190},
+    {PanelDocks::kBottom, 176, 176},
 }};
 constexpr int kLarge = 660;  // px, from which height of all panels on a window is large
 constexpr std::array<Panel, PanelDocks::kPanels> kAll = {PanelDocks::kInspector, PanelDocks::kPlots,

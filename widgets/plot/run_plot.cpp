@@ -39,12 +39,14 @@ namespace carom {
 namespace {
 
 constexpr double kSumWidth = 4.5;  // px
+constexpr int kLeastHeight = 136;  // px
 
 }  // namespace
 
 RunPlot::RunPlot(PlotContent content, const Theme& theme, QWidget* parent)
     : QFrame(parent), content_(std::move(content)) {
   setObjectName("panel");
+  setMinimumHeight(kLeastHeight);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 6, 8, 6);
   layout->setSpacing(2);
