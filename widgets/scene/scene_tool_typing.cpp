@@ -153,6 +153,7 @@ void SceneTools::preview_typed(const QString& text) {
   const TypedValue value = typing->thing->values()[typing->index];
   const TypedValues typed = typed_values(text, value.name, value.range, {value.value});
   if (!typed.fault.isEmpty()) return;
+  typing->bubble.detail = value_of_typed(text, value.range, {value.value});
   const std::shared_ptr<TypedThing> tried = typing->thing->clone();
   const TypedEdit edit = tried->set(typing->index, typed.values[0], false);
   if (!edit.fault.isEmpty()) return;
@@ -160,7 +161,8 @@ void SceneTools::preview_typed(const QString& text) {
     typing->tried = std::static_pointer_cast<TypedDrawing>(tried);
   } else if (own_edit(edit.edits, edit.name, typing->drag).isEmpty()) {
     typing->changed = typing->previewed = true;
-    typing->bubble.detail = edit.detail;
+    if (!typing->bubble.detail.isEmpty() && !edit.detail.isEmpty()) typing->bubble.detail += " · ";
+    typing->bubble.detail += edit.detail;
   }
   emit changed();
 }

@@ -121,6 +121,24 @@ TEST_F(LabValuesTest, ADoubleClickPutsTheCursorIntoTheValue) {
   EXPECT_EQ(std::get<Disc>(body(0).shape).radius, 0.12);
 }
 
+TEST_F(LabValuesTest, TheValueOfAFormulaIsSaidWhileItIsTyped) {
+  double_click(pixel({-1.0, 0.0}));
+  ASSERT_NE(field(), nullptr);
+  const auto says = [this](const QString& text) {
+    for (const QLabel* label : window_.scene_view().findChildren<QLabel*>()) {
+      if (label->isVisible() && label->text().contains(text)) return true;
+    }
+    return false;
+  };
+  field()->selectAll();
+  QTest::keyClicks(field(), "-2*0.4");
+  EXPECT_TRUE(says(QStringLiteral("= −0.8 m")));
+  field()->selectAll();
+  QTest::keyClicks(field(), "-0.8");
+  EXPECT_FALSE(says("= "));
+  QTest::keyClick(field(), Qt::Key_Escape);
+}
+
 TEST_F(LabValuesTest, ADiscWithAMassMayShrinkToAPoint) {
   type("Mass, kg", "3");
   ASSERT_TRUE(wait_for([this] { return now("A").mass == 3.0; }));
