@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "physics/dynamics/integrators/integrators.h"
 #include "physics/model/needs.h"
@@ -291,10 +292,10 @@ QString moment_text(double time, const LabReport& report) {
 QStringList edit_lines(const LabReport& report) {
   constexpr qsizetype kMostChanges = 12;
   QStringList lines;
+  std::set<std::uint64_t> told;  // parts of one edit are told once
   for (const RunEdit& edit : report.runs.front().edits) {
-    if (edit.time > report.ends.front().time) continue;
-    const QString line = tr("from t = %1 s: %2").arg(short_figure(edit.time, 6), name_of(edit, report));
-    if (lines.isEmpty() || lines.back() != line) lines << line;
+    if (edit.time > report.ends.front().time || (edit.id != 0 && !told.insert(edit.id).second)) continue;
+    lines << tr("from t = %1 s: %2").arg(short_figure(edit.time, 6), name_of(edit, report));
   }
   const qsizetype more = lines.size() - kMostChanges;
   if (more > 0) lines = lines.first(kMostChanges) << tr("and %1 more").arg(more);

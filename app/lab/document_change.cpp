@@ -267,6 +267,7 @@ DocumentChange change_to_moment(const Document& document, const Scene& now, doub
   const Preset& preset = document.preset;
   Beginning start{now, {}, {}, true};
   start.scene.ids_given = std::max(now.ids_given, preset.scene.ids_given);
+  start.scene.forces.hand.reset();  // it belongs to the run
   list_bodies(start.scene);
   const SceneFacts facts = facts_of(now);
   const bool keeps_clock = facts.drives || facts.timed;

@@ -38,6 +38,8 @@ void LabWindow::connect_edits() {
     session_.edit(edits, name, drag_of(kOfScene, drag));
   });
   connect(view_, &SceneView::spawnRequested, this, &LabWindow::spawn);
+  connect(view_, &SceneView::pulled, &session_.hand(), &HandEdits::pull);
+  connect(view_, &SceneView::letGo, &session_.hand(), &HandEdits::let_go);
   connect(view_, &SceneView::pauseRequested, this, [this] { session_.runs().set_playing(false); });
   connect(view_, &SceneView::dragCancelled, this,
           [this](int drag) { session_.cancel(drag_of(kOfScene, drag)); });

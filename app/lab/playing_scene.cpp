@@ -16,6 +16,24 @@ std::size_t count_made(const RunSetup& run, Worker::EditId id) {
   }));
 }
 
+// Whether it puts a hand to another place, and does nothing else.
+bool moves_hand(const RunEdit& edit) {
+  const auto* edits = std::get_if<SceneEdits>(&edit.what);
+  return edits != nullptr && edits->size() == 1 && std::holds_alternative<SetHand>(edits->front());
+}
+
+// Whether the two are of one run with the same edits, but for hands.
+bool same_but_hands(const RunSetup& a, const RunSetup& b) {
+  const auto next = [](auto edit, auto end) { return std::find_if_not(edit, end, moves_hand); };
+  auto x = next(a.edits.begin(), a.edits.end());
+  auto y = next(b.edits.begin(), b.edits.end());
+  while (x != a.edits.end() && y != b.edits.end() && is_same(*x, *y)) {
+    x = next(x + 1, a.edits.end());
+    y = next(y + 1, b.edits.end());
+  }
+  return x == a.edits.end() && y == b.edits.end();
+}
+
 void take_motion(const Frame& frame, Scene& scene) {
   const std::size_t count = std::min(scene.bodies.size(), static_cast<std::size_t>(frame.state.size()));
   for (std::size_t i = 0; i < count; ++i) {
@@ -57,7 +75,13 @@ void PlayingScene::forget_expected() {
 }
 
 std::shared_ptr<const Scene> PlayingScene::parts(const std::shared_ptr<const Frame>& frame) {
-  if (parts_ == nullptr || frame->setup != setup_ || frame->bodies != bodies_) build(*frame);
+  const bool same = parts_ != nullptr && frame->bodies == bodies_ &&
+                    (frame->setup == setup_ || same_but_hands(*frame->setup, *setup_));
+  if (same) {
+    setup_ = frame->setup;
+  } else {
+    build(*frame);
+  }
   return parts_;
 }
 

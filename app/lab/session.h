@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/lab/edit_history.h"
+#include "app/lab/hand_edits.h"
 #include "app/lab/method_edits.h"
 #include "app/lab/session_starts.h"
 #include "physics/preset/preset.h"
@@ -77,6 +78,8 @@ class Session : public QObject {
   void go_on_from_here();
 
   // --- the runs
+  // Pulls their bodies while they play.
+  [[nodiscard]] HandEdits& hand() { return hand_; }
   // To play them, and where they start.
   [[nodiscard]] SessionStarts& starts() { return starts_; }
   [[nodiscard]] LabRuns& runs() { return history_.runs(); }
@@ -102,6 +105,7 @@ class Session : public QObject {
   EditHistory history_;
   MethodEdits methods_{history_};
   SessionStarts starts_{history_};
+  HandEdits hand_{history_};
   QRandomGenerator sizes_{1};  // of the discs that are added: the same in every session
   QString name_, file_;
   bool was_modified_ = false;

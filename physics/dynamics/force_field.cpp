@@ -5,6 +5,8 @@
 #include <limits>
 #include <unordered_map>
 
+#include "physics/math/vectors.h"
+
 namespace carom {
 namespace {
 
@@ -38,6 +40,7 @@ ForceField::ForceField(std::shared_ptr<const Model> model)
     engaged_.push_back(s.acts == SpringActs::kBoth || margin > 0.0 ? 1 : 0);
   });
   for (const AppliedTerm& a : terms_->applied) set_phase(a.body, time);
+  if (terms_->hand) hand_place_ = terms_->hand->place;
 }
 
 // --- forces
@@ -53,8 +56,11 @@ ForceField::Pull ForceField::pull(const SpringTerm& spring, const Vec2& d, const
 }
 
 template <bool kOnEach, bool kSprings, bool kApplied>
-void ForceField::add_external(BodyIndex body, double t, const Vec2& x, const Vec2& v, double spin,
+void ForceField::add_external(BodyIndex body, double t, const Eigen::Vector3d& q, const Eigen::Vector3d& rate,
                               double* k) const {
+  const Vec2 x = q.head<2>();
+  const Vec2 v = rate.head<2>();
+  const double spin = rate[2];
   Vec2 force = Vec2::Zero();
   double torque = 0.0;
   Eigen::Map<Eigen::Matrix<double, kQuadratures, 1>> quadratures(k + 6);
@@ -88,6 +94,14 @@ void ForceField::add_external(BodyIndex body, double t, const Vec2& x, const Vec
       force += share * a.force;
       torque += share * a.torque;
       quadratures[kWorkIn] += share * (a.force.dot(v) + a.torque * spin);
+    }
+    if (terms_->hand && terms_->hand->body == body) {
+      const Vec2 arm = turned_by(q[2], terms_->hand->grip);
+      const Vec2 grip_velocity = v + spin * crossed(arm);
+      const Vec2 pull = pull_of_hand(x + arm, grip_velocity);
+      force += pull;
+      torque += cross(arm, pull);
+      quadratures[kHandWork] = pull.dot(grip_velocity);
     }
   }
   k[3] += model_->mass.inverse_mass[body] * force.x();

@@ -42,7 +42,7 @@ class ForceField {
       if constexpr (kGiven == kRows)
         k[6 + kGravityAngularImpulse] = torque_of_gravity(body, y.template head<2>());
       if (has_quadratures_)
-        (this->*add_external_)(body, t, y.template head<2>(), y.template segment<2>(3), y[5], k.data());
+        (this->*add_external_)(body, t, y.template head<3>(), y.template segment<3>(3), k.data());
     }
   }
   // N m: of uniform gravity about the origin, on a movable body at x (m).
@@ -119,6 +119,13 @@ class ForceField {
   using Switches = std::vector<std::uint8_t>;
   [[nodiscard]] const Switches& switches() const { return engaged_; }
   void set_switches(const Switches& engaged) { engaged_ = engaged; }
+  // The hand of the model, which moves during the run.
+  [[nodiscard]] const Vec2& hand_place() const { return hand_place_; }  // m
+  void set_hand_place(const Vec2& place) { hand_place_ = place; }
+  // N: on its body, if the grip is here (m) and moves so (m/s).
+  [[nodiscard]] Vec2 pull_of_hand(const Vec2& grip, const Vec2& velocity) const {
+    return terms_->hand->stiffness * (hand_place_ - grip) - terms_->hand->damping * velocity;
+  }
   [[nodiscard]] bool attracts() const { return terms_->attraction.has_value(); }
   void set_engaged(SpringIndex spring, bool on) { engaged_[static_cast<std::size_t>(spring)] = on ? 1 : 0; }
   [[nodiscard]] double spring_energy(SpringIndex spring, double length) const;  // J, where it acts
@@ -137,9 +144,11 @@ class ForceField {
     double loss;  // W, of the damper
   };
   // Has code only for the parts that the model has.
-  using AddExternal = void (ForceField::*)(BodyIndex, double, const Vec2&, const Vec2&, double, double*) const;
+  using AddExternal = void (ForceField::*)(BodyIndex, double, const Eigen::Vector3d&, const Eigen::Vector3d&,
+                                           double*) const;
   template <bool kOnEach, bool kSprings, bool kApplied>
-  void add_external(BodyIndex body, double t, const Vec2& x, const Vec2& v, double spin, double* k) const;
+  void add_external(BodyIndex body, double t, const Eigen::Vector3d& q, const Eigen::Vector3d& v,
+                    double* k) const;
   static AddExternal add_external_of(const ForceTerms& terms);
   [[nodiscard]] Pull pull(const SpringTerm& spring, const Vec2& d, const Vec2& u) const;
   [[nodiscard]] double coupling_energy(SpringIndex spring, const Eigen::Matrix3Xd& q) const;
@@ -152,6 +161,7 @@ class ForceField {
   bool constant_ = true;
   std::vector<std::uint8_t> engaged_;  // by spring
   std::vector<int> phase_;             // by applied force: 0 before, 1 rising, 2 full, 3 after
+  Vec2 hand_place_ = Vec2::Zero();
   bool in_contact_ = false;
   bool contact_changes_ = false;
   double contact_from_ = 0.0;  // s, absolute

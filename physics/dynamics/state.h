@@ -10,18 +10,19 @@
 namespace carom {
 
 // The unknowns of one body as a column: rows 0-2 are q = (x, y, angle) in m, m, rad; rows 3-5 are v = q' in
-// m/s, m/s, rad/s; rows 6-12 are quadratures, extra state components that integrators advance with the rest
+// m/s, m/s, rad/s; rows 6-13 are quadratures, extra state components that integrators advance with the rest
 // so that the ledger closes: losses to drag and to dampers, work of drives and applied forces (all in J), the
-// momentum x, y (N s) from external forces other than gravity, and the angular momentum about the origin
-// (kg m²/s) from them and from gravity.
-inline constexpr int kRows = 13;
-inline constexpr int kQuadratures = 7;
+// momentum x, y (N s) from external forces other than gravity, the work of a hand (J), and the angular momentum
+// about the origin (kg m²/s) from those forces and from gravity.
+inline constexpr int kRows = 14;
+inline constexpr int kQuadratures = 8;
 enum QuadratureRow {
   kDragLoss,
   kDamperLoss,
   kWorkIn,
   kImpulseX,
   kImpulseY,
+  kHandWork,
   kAngularImpulse,
   kGravityAngularImpulse
 };

@@ -35,6 +35,7 @@ class Trajectories {
 
   void set_method(const Method& method) { flights_.set_method(method); }
   [[nodiscard]] const ForceField& field() const { return flights_.field; }
+  void set_hand_place(const Vec2& place) { flights_.field.set_hand_place(place); }  // m
   [[nodiscard]] int islands() const { return static_cast<int>(flights_.islands.size()); }
   [[nodiscard]] int island_of(BodyIndex body) const { return flights_.island_of[body]; }  // -1: fixed
   // In rising order.

@@ -20,10 +20,11 @@ struct KeptMembers {
   template <class Self, class Kept, class Each>
   static void of_field(Self& field, Kept& kept, const Each& each) {
     // Contact forces change during a step only: those of the next are found anew.
-    auto& [model, terms, add_external, has_quadratures, constant, engaged, phase, in_contact, contact_changes,
-           contact_from, contact, contact_rate] = field;
+    auto& [model, terms, add_external, has_quadratures, constant, engaged, phase, hand_place, in_contact,
+           contact_changes, contact_from, contact, contact_rate] = field;
     each(engaged, kept.engaged);
     each(phase, kept.phase);
+    each(hand_place, kept.hand_place);
     if constexpr (std::is_const_v<Self>) {
       if (in_contact) kept.contact = contact;
     } else if (kept.contact.size() > 0) {

@@ -25,6 +25,7 @@ struct TrajectoryState {
   std::vector<std::uint8_t> taut;                // by joint
   std::vector<double> released_at;               // s, absolute, by joint
   std::vector<int> phase;                        // by applied force
+  Vec2 hand_place = Vec2::Zero();                // m
   // By body, in m/s², m/s², rad/s²: all constant accelerations, and the part of contacts; empty if contacts
   // never acted.
   Eigen::Matrix3Xd constant, contact;

@@ -41,10 +41,13 @@ double Ledger::expected_angular_momentum() const {
 Ledger ledger_of_quadratures(const State& state) {
   Ledger ledger;
   if (state.size() == 0) return ledger;
-  const Eigen::Matrix<double, kQuadratures, 1> sums = state.quadratures.rowwise().sum();
+  // In the order of the bodies, whatever the number of rows.
+  Eigen::Matrix<double, kQuadratures, 1> sums = state.quadratures.col(0);
+  for (int i = 1; i < state.size(); ++i) sums += state.quadratures.col(i);
   ledger.lost_to_drag = sums[kDragLoss];
   ledger.lost_to_dampers = sums[kDamperLoss];
   ledger.put_in_by_drives = sums[kWorkIn];
+  ledger.put_in_by_user = sums[kHandWork];
   ledger.momentum_from_forces = Vec2(sums[kImpulseX], sums[kImpulseY]);
   ledger.angular_momentum_from_forces = sums[kAngularImpulse];
   ledger.angular_momentum_from_gravity = sums[kGravityAngularImpulse];

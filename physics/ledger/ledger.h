@@ -26,11 +26,11 @@ struct Ledger {
   double lost_to_joints = 0.0;          // by taut impulses of strings
   double penetration_correction = 0.0;  // change of potential energy by the pseudo-spring's pushes
   double put_in_by_drives = 0.0;        // by kinematic bodies and by applied forces and torques
-  double put_in_by_user = 0.0;
+  double put_in_by_user = 0.0;          // by the hand, and by edits of the run
   Vec2 initial_momentum = Vec2::Zero();
   Vec2 momentum_from_gravity = Vec2::Zero();
   Vec2 momentum_from_forces =
-      Vec2::Zero();  // drag, springs and joints to static or kinematic bodies, applied forces
+      Vec2::Zero();  // drag, springs and joints to static or kinematic bodies, applied forces, the hand
   Vec2 momentum_from_user = Vec2::Zero();
   Vec2 momentum_to_walls = Vec2::Zero();  // given by impacts to static and kinematic bodies
   double initial_angular_momentum = 0.0;

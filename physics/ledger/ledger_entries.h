@@ -78,8 +78,9 @@ inline constexpr auto kEnergyEntries = std::to_array<EnergyEntry>({
      [](const Scene&, ContactsId, const Needs& needs) {
        return !needs.has(Part::kDrives) && !needs.has(Part::kAppliedForces);
      }},
-    {Kind::kInput, "put_in_by_user", "put in by the user", "put in by the user",
-     "Energy of the bodies that were added during the run", &Ledger::put_in_by_user, nullptr},
+    {Kind::kInput, "put_in_by_user", "put in by hand", "put in by hand",
+     "Work of the hand, and energy of what was added or changed during the run", &Ledger::put_in_by_user,
+     nullptr},
 });
 
 inline constexpr auto kMomentumEntries = std::to_array<MomentumEntry>({
@@ -92,7 +93,9 @@ inline constexpr auto kMomentumEntries = std::to_array<MomentumEntry>({
      [](const Scene& scene) { return scene.forces.gravity.isZero(0.0); }},
     {"momentum_from_forces", "angular_momentum_from_forces", "from_forces", "from forces",
      "angular momentum from forces",
-     "Given by drag, by springs and links to fixed points and driven bodies, and by applied forces and torques",
+     "Given by drag, by springs and links to fixed points and driven bodies, by applied forces and torques, "
+     "and "
+     "by the hand",
      &Ledger::momentum_from_forces, &Ledger::angular_momentum_from_forces, 1.0,
      [](const Scene& scene) {
        return !has_force_on_each_body(scene) && scene.forces.springs.empty() && scene.joints.empty() &&

@@ -42,9 +42,15 @@ ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, co
     t.applied.push_back({body, f.force, f.torque, f.start, f.rise, f.end});
     t.constant = t.constant && f.start == 0.0 && f.rise == 0.0 && !f.end;
   }
+  if (forces.hand) {
+    const auto body = index.find(forces.hand->body);
+    if (body != index.end() && !has_infinite_mass(bodies[body->second]))
+      t.hand = {body->second, forces.hand->grip, forces.hand->place, forces.hand->stiffness,
+                forces.hand->damping};
+  }
   bool smooth = false;
   for (const PartEntry& part : part_entries()) smooth = smooth || (part.varies && needs.has(part.part));
-  t.constant = t.constant && !smooth;
+  t.constant = t.constant && !smooth && !t.hand;
   t.gravity_only = !smooth && !needs.has(Part::kAppliedForces);
   return t;
 }

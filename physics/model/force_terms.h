@@ -31,6 +31,15 @@ struct AppliedTerm {
   std::optional<double> end;  // s
 };
 
+// A hand that pulls, likewise.
+struct HandTerm {
+  BodyIndex body = kNoBody;
+  Vec2 grip = Vec2::Zero();   // m, in the body's own axes
+  Vec2 place = Vec2::Zero();  // m, at the start
+  double stiffness = 0.0;     // N/m
+  double damping = 0.0;       // N s/m
+};
+
 // The smooth forces of a scene, arranged for evaluation. All lists of a part that the model leaves out are
 // empty, including those by body.
 struct ForceTerms : CommonForces {
@@ -44,6 +53,7 @@ struct ForceTerms : CommonForces {
   std::vector<std::vector<SpringIndex>> switching;  // one-sided springs, by both their bodies
   std::vector<AppliedTerm> applied;
   std::vector<std::vector<int>> applied_to;  // by body
+  std::optional<HandTerm> hand;
 };
 
 [[nodiscard]] ForceTerms force_terms(const Forces& forces, const std::vector<Body>& bodies, const Needs& needs);

@@ -10,8 +10,8 @@ bool can_collide(const SceneFacts& f) { return f.moving > 0 && f.moving + f.infi
 // Whether two bodies can have different accelerations. Uniform gravity accelerates two free bodies alike: it
 // presses bodies only against those of infinite mass.
 bool accelerate_apart(const SceneFacts& f, const Scene& scene) {
-  return !f.common_forces.empty() || f.springs || f.joints || f.sticks || f.pushes || f.accelerating ||
-         (!scene.forces.gravity.isZero(0.0) && f.infinite_mass > 0);
+  return !f.common_forces.empty() || f.springs || f.joints || f.sticks || f.pushes || f.hand ||
+         f.accelerating || (!scene.forces.gravity.isZero(0.0) && f.infinite_mass > 0);
 }
 
 constexpr std::array<PartEntry, kPartCount> kEntries = {{
@@ -20,7 +20,7 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
      "something spins, or an impact, friction or a torque can turn it",
      "nothing spins, and nothing can turn it",
      [](const SceneFacts& f, const Scene&) {
-       return f.spinning || f.torques || f.rub || f.turning_joints || f.sticks ||
+       return f.spinning || f.torques || f.hand || f.rub || f.turning_joints || f.sticks ||
               (can_collide(f) && f.cornered);
      }},
     // Tangential restitution acts only within the bound that kinetic friction sets, so it needs friction too.
@@ -43,7 +43,7 @@ constexpr std::array<PartEntry, kPartCount> kEntries = {{
     {Part::kAppliedForces, "applied_forces", "applied forces",
      "forces and torques by their bodies, and their work", "the scene applies forces or torques",
      "no force or torque is applied",
-     [](const SceneFacts&, const Scene& scene) { return !scene.forces.applied.empty(); }},
+     [](const SceneFacts& f, const Scene& scene) { return f.hand || !scene.forces.applied.empty(); }},
     {Part::kSwitching, "switching", "switched forces",
      "each flight is searched for the times at which they switch",
      "some springs act in one direction only, or there are strings", "no spring or link switches",

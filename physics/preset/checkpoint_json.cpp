@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
@@ -266,17 +267,19 @@ constexpr auto kEarlierContacts = [](Members& a, Checkpoint& checkpoint) {
 
 // By kind of quadrature a list, or one number for all bodies; the last ones may be missing.
 void add_quadratures(const ValueReader& rows, std::size_t bodies, Ledger& ledger) {
+  constexpr auto kKinds = std::to_array<QuadratureRow>(
+      {kDragLoss, kDamperLoss, kWorkIn, kImpulseX, kImpulseY, kAngularImpulse, kGravityAngularImpulse});
   check_array(rows);
-  if (rows.value().size() > kQuadratures)
+  if (rows.value().size() > kKinds.size())
     refuse_value(rows.place(), fmt::format("{} rows", rows.value().size()),
-                 fmt::format("up to {}", kQuadratures));
+                 fmt::format("up to {}", kKinds.size()));
   State sums;
   sums.resize(1);
   sums.quadratures.setZero();
   for (std::size_t row = 0; row < rows.value().size(); ++row) {
     std::vector<double> values;
     take_list(element(rows, row), values, bodies);
-    sums.quadratures(static_cast<Eigen::Index>(row), 0) = std::accumulate(values.begin(), values.end(), 0.0);
+    sums.quadratures(kKinds[row], 0) = std::accumulate(values.begin(), values.end(), 0.0);
   }
   ledger.add(1.0, ledger_of_quadratures(sums));
 }

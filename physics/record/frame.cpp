@@ -39,6 +39,17 @@ std::vector<JointState> joint_states(const Simulation& simulation) {
   return states;
 }
 
+std::optional<HandState> hand_state(const Simulation& simulation) {
+  const auto& hand = simulation.model()->forces.hand;
+  if (!hand) return std::nullopt;
+  const State& state = simulation.state();
+  const Vec2 arm = turned_by(state.q.col(hand->body)[2], hand->grip);
+  const Vec2 grip = state.position(hand->body) + arm;
+  const Vec2 velocity = state.velocity(hand->body) + state.v.col(hand->body)[2] * crossed(arm);
+  const ForceField& field = simulation.field();
+  return HandState{grip, field.hand_place(), field.pull_of_hand(grip, velocity)};
+}
+
 // Consecutive rows of the same curves become one table.
 void append(Rows rows, std::vector<Rows>& all) {
   if (all.empty() || all.back().curves != rows.curves || rows.from_the_start || rows.back_to) {
@@ -64,6 +75,7 @@ void take_moment(const Simulation& simulation, Frame& frame) {
   frame.rejected_steps = simulation.rejected_steps();
   frame.state = simulation.state();
   frame.joints = joint_states(simulation);
+  frame.hand = hand_state(simulation);
   frame.contacts = simulation.contact_forces();
   frame.totals = simulation.totals();
   frame.ledger = simulation.ledger();

@@ -27,6 +27,13 @@ struct JointState {
   bool taut = true;          // false: a slack string
 };
 
+// A hand at one moment.
+struct HandState {
+  Vec2 grip = Vec2::Zero();   // m, where it holds its body
+  Vec2 place = Vec2::Zero();  // m, where it is
+  Vec2 force = Vec2::Zero();  // N, on the body
+};
+
 // Playing, or a single step, has ended where a stop was met: in the last step of the run, or at its end.
 struct Halt {
   std::uint64_t number = 0;  // each has another one
@@ -46,6 +53,7 @@ struct Frame {
   std::shared_ptr<const std::vector<Body>> bodies;
   std::shared_ptr<const Forces> forces;
   std::vector<JointState> joints;
+  std::optional<HandState> hand;
   std::vector<ContactForce> contacts;  // of the last step; empty without resting contacts
   Totals totals;
   Ledger ledger;

@@ -23,7 +23,7 @@ struct Actions {
       if (interval.touched[i]) add(i, NoIntervalLaw::kTouches);
     }
     const ForceTerms& forces = model.forces;
-    if (!forces.applied.empty()) from_outside = NoIntervalLaw::kForces;
+    if (!forces.applied.empty() || forces.hand) from_outside = NoIntervalLaw::kForces;
     within = !forces.springs.empty() || !interval.joints.empty();
     each_common_force(forces, [this](const CommonForce& force, const auto& value, const auto&...) {
       if (!carom::acts(value)) return;
@@ -32,6 +32,7 @@ struct Actions {
       if (force.on == ActsOn::kEachPair) within = true;
     });
     for (const AppliedTerm& term : forces.applied) add(term.body, NoIntervalLaw::kForces);
+    if (forces.hand) add(forces.hand->body, NoIntervalLaw::kForces);
     for (const SpringTerm& term : forces.springs) add_pair(term.body, term.other, NoIntervalLaw::kForces);
     add_joints(interval);
   }

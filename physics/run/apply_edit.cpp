@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <unordered_map>
@@ -142,10 +143,20 @@ void move_pairs(const std::vector<int>& places, std::vector<Pair>& pairs) {
   std::erase_if(pairs, [&](Pair& pair) { return !move_pair(places, pair); });
 }
 
+// Where the hand of the scene is then, if the edits move it and nothing else.
+std::optional<Vec2> moved_hand(const Scene& scene, const SceneEdits& edits) {
+  const auto* set = edits.size() == 1 ? std::get_if<SetHand>(edits.data()) : nullptr;
+  if (set == nullptr || !set->hand || !scene.forces.hand) return std::nullopt;
+  Hand same = *scene.forces.hand;
+  same.place = set->hand->place;
+  return same == *set->hand ? std::optional(same.place) : std::nullopt;
+}
+
 }  // namespace
 
 void Simulation::apply(const SceneEdits& edits) {
   if (lost_) return;
+  if (const auto place = moved_hand(compiled_->scene, edits)) return move_hand(*place);
   const Checkpoint before = checkpoint();
   const Totals totals_before = totals();
   Scene was = scene_now(*this);

@@ -10,6 +10,7 @@ namespace carom {
 Scene scene_now(const Simulation& run) {
   Scene scene = run.compiled()->scene;
   scene.joints = run.joints();
+  if (scene.forces.hand) scene.forces.hand->place = run.field().hand_place();
   std::unordered_map<std::string_view, double> angles;  // by body, at the start
   for (const Body& b : run.bodies()) angles.emplace(b.name, b.angle);
   for (std::size_t i = 0; i < scene.joints.size(); ++i) {

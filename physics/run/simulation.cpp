@@ -91,6 +91,18 @@ void Simulation::set_method(const Method& method) {
   choose_strategies();
 }
 
+// The hand that pulls already is at another place from now on.
+void Simulation::move_hand(const Vec2& place) {
+  Trajectories& trajectories = world_.trajectories;
+  trajectories.set_hand_place(place);
+  auto* impacts = std::get_if<EventDrivenImpacts>(&impacts_);
+  if (impacts == nullptr || !choice_of(kIntegrators, world_.method.integrator).adaptive) return;
+  // Trajectories that continue across steps begin anew.
+  for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, time() - trajectories.epoch());
+  trajectories.begin(time());
+  impacts->reset(world_.bodies());
+}
+
 void Simulation::set_edits(std::vector<RunEdit> edits) {
   edits_ = std::make_shared<const std::vector<RunEdit>>(std::move(edits));
 }

@@ -140,6 +140,7 @@ class Simulation {
 
   void apply_all_due();
   void choose_strategies();
+  void move_hand(const Vec2& place);  // m
   void count_pairs(const std::vector<std::pair<std::string, std::string>>& names);
   void make_step(double h);
   void give_up(const LostMotion& lost);

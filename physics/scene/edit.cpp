@@ -56,6 +56,10 @@ SceneEdit applied(Scene& scene, const SetForces& set) {
   return std::exchange(forces, set);
 }
 
+SceneEdit applied(Scene& scene, const SetHand& set) {
+  return SetHand{std::exchange(scene.forces.hand, set.hand)};
+}
+
 SceneEdit applied(Scene& scene, const SetLaws& set) {
   return SetLaws{std::exchange(scene.impact_law, set.impact_law),
                  std::exchange(scene.several_impacts, set.several_impacts)};

@@ -38,9 +38,14 @@ struct SetLaws {
   SeveralImpactsId several_impacts = SeveralImpactsId::kPairwise;
 };
 
+// Puts the hand of a run to this place, or takes it off.
+struct SetHand {
+  std::optional<Hand> hand;
+};
+
 using SceneEdit =
-    std::variant<SetForces, SetLaws, Add<Body>, Replace<Body>, Remove<Body>, Add<Joint>, Replace<Joint>,
-                 Remove<Joint>, Add<Spring>, Replace<Spring>, Remove<Spring>, Add<AppliedForce>,
+    std::variant<SetForces, SetLaws, SetHand, Add<Body>, Replace<Body>, Remove<Body>, Add<Joint>,
+                 Replace<Joint>, Remove<Joint>, Add<Spring>, Replace<Spring>, Remove<Spring>, Add<AppliedForce>,
                  Replace<AppliedForce>, Remove<AppliedForce>, Add<Material>, Replace<Material>,
                  Remove<Material>, Add<MaterialPair>, Replace<MaterialPair>, Remove<MaterialPair>,
                  Add<GridGenerator>, Replace<GridGenerator>, Remove<GridGenerator>>;

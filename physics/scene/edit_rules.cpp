@@ -44,6 +44,8 @@ void follow_body(const Scene& scene, const Renamed& names, SceneEdits& out) {
   follow(scene.forces.springs, ends, out);
   follow(
       scene.forces.applied, [&](AppliedForce& force) { return rename(force.body, names); }, out);
+  std::optional<Hand> hand = scene.forces.hand;
+  if (hand && rename(hand->body, names)) out.push_back(SetHand{hand});
 }
 
 void follow_material(const Scene& scene, const Renamed& names, SceneEdits& out) {

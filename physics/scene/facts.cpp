@@ -52,6 +52,7 @@ void look_at_forces(const Scene& scene, SceneFacts& facts) {
     facts.springs = true;
     facts.one_sided = facts.one_sided || s.acts != SpringActs::kBoth;
   }
+  facts.hand = f.hand.has_value();
   for (const AppliedForce& a : f.applied) {
     const bool push = !a.force.isZero(0.0);
     const bool torque = a.torque != 0.0;
@@ -100,6 +101,7 @@ std::optional<std::string> why_not(const Scene& scene, IntegratorId integrator) 
   if (f.springs) with.emplace_back("springs");
   if (f.joints) with.emplace_back("links");
   if (f.sticky) with.emplace_back("surfaces that stick");
+  if (f.hand) with.emplace_back("a hand that pulls");
   if (f.timed) with.emplace_back("forces that start, rise or end");
   if (with.empty()) return std::nullopt;
   return fmt::format(

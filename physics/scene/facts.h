@@ -31,6 +31,7 @@ struct SceneFacts {
   bool pushes = false;          // applied forces
   bool torques = false;         // applied torques
   bool timed = false;           // applied forces that start, rise or end
+  bool hand = false;            // a hand pulls
 };
 
 [[nodiscard]] SceneFacts facts_of(const Scene& scene);

@@ -163,6 +163,18 @@ struct AppliedForce {
   Id<AppliedForce> id{};
 };
 
+// A hand that pulls a body of a run: a spring with a damper from a point of the body to the hand. It is no part
+// of an experiment: no file holds it.
+struct Hand {
+  std::string body;           // one that moves
+  Vec2 grip = Vec2::Zero();   // m, in the body's own axes, from its centre of mass
+  Vec2 place = Vec2::Zero();  // m, where the hand is
+  double stiffness = 0.0;     // N/m, > 0
+  double damping = 0.0;       // N s/m, >= 0, times the velocity of the grip
+
+  bool operator==(const Hand&) const = default;
+};
+
 // The forces that a scene has once, on all bodies that move.
 struct CommonForces {
   Vec2 gravity = Vec2::Zero();  // m/s²
@@ -174,6 +186,7 @@ struct CommonForces {
 struct Forces : CommonForces {
   std::vector<Spring> springs;
   std::vector<AppliedForce> applied;
+  std::optional<Hand> hand{};
 };
 
 // How an impact ends whose normal misses a centre, so that the normal impulse turns the bodies and changes

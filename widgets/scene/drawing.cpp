@@ -50,6 +50,7 @@ class Builder {
     add_run_before(in_, seen_, out_);
     for (int i = 0; i < count(); ++i) add_body(i);
     add_springs(in_, seen_, out_);
+    add_hand(in_, out_);
     add_drives(in_, seen_, out_);
     add_joints(in_, seen_, out_);
     add_other_runs(in_, seen_, out_);

@@ -227,6 +227,25 @@ double share_at(const AppliedForce& force, double time) {
   return force.rise > 0.0 ? std::min(1.0, (time - force.start) / force.rise) : 1.0;
 }
 
+void add_hand(const DrawingInput& in, Drawing& out) {
+  if (!in.frame.hand) return;
+  const HandState& hand = *in.frame.hand;
+  const double thick = in.options.line_scale;
+  const double pixel = 1.0 / in.camera.scale;
+  Pen pen(out.segments, in.theme.accent, kSpringWidth * thick);
+  pen.dot(hand.grip, kAnchorDot * thick);
+  pen.dot(hand.place, kAnchorDot * thick);
+  const Vec2 line = hand.place - hand.grip;
+  if (line.norm() < kLeastZigzag * thick * pixel) {
+    pen.line(hand.grip, hand.place);
+  } else {
+    pen.zigzag(hand.grip, hand.place, turned(line.normalized()) * (kAmplitude * thick * pixel));
+  }
+  const Vec2 above = hand.place + Vec2(0.0, kLabelRoom * pixel);
+  constexpr double kDrop = 4.0;  // px
+  out.labels.push_back({above, kDrop, number_text(hand.force.norm(), 3) + QStringLiteral(" N"), in.theme.text});
+}
+
 void add_springs(const DrawingInput& in, const WorldRect& seen, Drawing& out) {
   if (!in.frame.bodies || !in.frame.forces || in.frame.forces->springs.empty()) return;
   const Names names(in.frame);

@@ -11,6 +11,9 @@ namespace carom {
 // a point of the plane has a dot.
 void add_springs(const DrawingInput& input, const WorldRect& seen, Drawing& out);
 
+// The hand that pulls a body: a zigzag from where it holds it to where it is, over the bodies, with its force.
+void add_hand(const DrawingInput& input, Drawing& out);
+
 // Driven bodies are hatched. A double arrow shows the amplitude of a vibration, to scale where it is visible;
 // an arrow shows the direction of a steady drive.
 void add_drives(const DrawingInput& input, const WorldRect& seen, Drawing& out);

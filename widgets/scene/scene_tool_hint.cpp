@@ -33,6 +33,7 @@ QString SceneTools::hint(const QPointF& at) const {
   const SceneSight sight = sight_();
   if (!over_ || !sight.frame) return {};
   if (state_ == State::kDrag) return tr("Ctrl: no snapping · digits: type the value · Esc: back");
+  if (state_ == State::kHand) return tr("let go: throw it");
   if (state_ == State::kEnd) return tr("to a body or a place · Ctrl: no snapping · Esc: back");
   if (state_ == State::kBand) return tr("Shift: add · Ctrl: take away · Esc: back");
   if (state_ == State::kDraw)
@@ -43,7 +44,11 @@ QString SceneTools::hint(const QPointF& at) const {
   const std::optional<Grab> grab = grab_at(at);
   if (!grab && part_under(at)) return tr("click: select · right click: menu");
   if (!grab) return tr("drag: select bodies · right drag: pan · wheel: zoom");
-  if (!sight.frame->scene) return tr("click: select · pause to move it");
+  if (!sight.frame->scene) {
+    const Body& body = (*sight.frame->bodies)[static_cast<std::size_t>(index_.at(grab->body))];
+    if (has_infinite_mass(body) || !plays()) return tr("click: select · pause to move it");
+    return tr("click: select · drag: pull it by the hand");
+  }
   for (const HandleHint& each : kHandleHints) {
     if (each.kind == grab->kind) return tr(each.text);
   }

@@ -106,6 +106,7 @@ void SceneTools::edit_by_key(int key, Qt::KeyboardModifiers keys) {
 
 bool SceneTools::escape() {
   if (state_ == State::kDrag && emitted_) emit dragCancelled(drags_);
+  if (state_ == State::kHand) end_hand();
   if (state_ != State::kNone || has_draft()) {
     if (state_ != State::kNone) state_ = State::kMute;
     drop_draft();

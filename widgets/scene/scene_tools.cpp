@@ -148,6 +148,7 @@ void SceneTools::frame_changed() {
   if ((state_ == State::kDrag && !held) || gone) state_ = State::kMute;
   if (state_ == State::kEnd && !(part_ && frame && frame->scene)) state_ = State::kMute;
   find_kept_overlaps();
+  if (state_ == State::kHand) plays() && index_.contains(grab_->body) ? pull() : end_hand();
 }
 
 // --- tools
@@ -209,6 +210,8 @@ void SceneTools::press(const QPointF& at, bool repeated) {
   end_note();
   press_ = mouse_ = at;
   grab_ = grab_at(at);
+  pressed_.reset();
+  if (grab_ && plays()) pressed_ = body_now(*sight_().frame, index_.at(grab_->body));
   swept_ = 0.0;
   end_ = end_under(at);
   over_ = true;
@@ -265,6 +268,7 @@ void SceneTools::begin() {
 void SceneTools::begin_drag() {
   const SceneSight sight = sight_();
   state_ = State::kMute;
+  if (pressed_ && plays()) return begin_hand();
   if (!sight.frame || !sight.frame->scene) return;
   if (!selection_.contains(grab_->body)) set_selection({grab_->body});
   if (locked_.contains(grab_->body)) return say_locked(grab_->body);
@@ -324,6 +328,10 @@ void SceneTools::release(const QPointF& at, Qt::KeyboardModifiers keys) {
       break;
     case State::kDrag:
       end_drag();
+      break;
+    case State::kHand:
+      end_hand();
+      state_ = State::kNone;
       break;
     case State::kEnd:
       move_end();
@@ -403,7 +411,8 @@ void SceneTools::select_band(Qt::KeyboardModifiers keys) {
 // --- what is shown
 
 Qt::CursorShape SceneTools::cursor(const QPointF& at) const {
-  if (state_ == State::kDrag && grab_->kind == HandleKind::kBody) return Qt::ClosedHandCursor;
+  if (state_ == State::kHand || (state_ == State::kDrag && grab_->kind == HandleKind::kBody))
+    return Qt::ClosedHandCursor;
   if (state_ == State::kNone ? end_under(at) : end_) return Qt::PointingHandCursor;
   if (state_ == State::kNone && mark_under(at)) return Qt::PointingHandCursor;
   const std::optional<Grab> grab = state_ == State::kNone ? grab_at(at) : grab_;

@@ -147,14 +147,17 @@ class SceneTools : public QObject {
   void toolChanged(carom::SceneTool tool, bool kept);
   void pauseRequested();
   void spawnRequested(double x, double y);  // m
-  void changed();                           // the overlay
+  // A body of a run that plays is pulled, from this hand; it is let go, after it was pulled.
+  void pulled(const carom::Hand& hand);
+  void letGo();
+  void changed();  // the overlay
   // typed() is another value, and `first` is typed over it; there is none any more.
   void typingBegan(const QString& first);
   void typingEnded();
 
  private:
   // kMute: until the button is let go, nothing happens.
-  enum class State { kNone, kPressed, kMute, kDrag, kEnd, kBand, kDraw };
+  enum class State { kNone, kPressed, kMute, kDrag, kHand, kEnd, kBand, kDraw };
   // What the button was pressed on; as the target of a value without a body: the chosen part.
   struct Grab {
     HandleKind kind = HandleKind::kBody;
@@ -226,6 +229,10 @@ class SceneTools : public QObject {
   void close_polygon();
   void show_corners(Overlay& out) const;
   void show_drawing(Overlay& out) const;
+  // The hand on a body of a run that plays (scene_tool_hand.cpp).
+  void begin_hand();
+  void pull();
+  void end_hand();
   // Joints, springs and forces (scene_tool_join.cpp).
   [[nodiscard]] JointSight joint_sight(const QPointF& at) const;
   [[nodiscard]] std::optional<LinkEnds> drawn_ends() const;
@@ -300,6 +307,9 @@ class SceneTools : public QObject {
   std::optional<Grab> grab_;        // none: empty space
   std::optional<std::size_t> end_;  // of the chosen part, that a drag would take
   double swept_ = 0.0;              // rad, see DragPoint
+  std::optional<Body> pressed_;     // as it stood when it was pressed, while the run plays
+  std::optional<Hand> hand_;
+  QElapsedTimer since_pull_;
   DragStart start_;
   std::vector<Overlay::Ghost> ghosts_;
   Dragged dragged_;

@@ -62,6 +62,8 @@ SceneView::SceneView(const Theme& theme, QWidget* parent) : QWidget(parent) {
   connect(tools_, &SceneTools::toolChanged, this, &SceneView::toolChanged);
   connect(tools_, &SceneTools::pauseRequested, this, &SceneView::pauseRequested);
   connect(tools_, &SceneTools::spawnRequested, this, &SceneView::spawnRequested);
+  connect(tools_, &SceneTools::pulled, this, &SceneView::pulled);
+  connect(tools_, &SceneTools::letGo, this, &SceneView::letGo);
   connect(tools_, &SceneTools::changed, this, &SceneView::refresh_tools);
   typing_ = new ValueBubble(
       [this](const QString& text, bool yields) { return tools_->take_typed(text, yields); }, this);

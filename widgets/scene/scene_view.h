@@ -117,7 +117,10 @@ class SceneView : public QWidget {
   void toolChanged(carom::SceneTool tool, bool kept);
   void pauseRequested();                    // to edit by key
   void spawnRequested(double x, double y);  // m
-  void cursorMoved(double x, double y);     // m
+  // A body of a run that plays is pulled, from this hand; it is let go, after it was pulled.
+  void pulled(const carom::Hand& hand);
+  void letGo();
+  void cursorMoved(double x, double y);  // m
   void cursorLeft();
   void hintChanged(const QString& hint);  // what the mouse can do where it is; empty: nothing is told
   // All bodies that move left the view a while ago, so that follow() would find them; or no more.

@@ -1,0 +1,72 @@
+#include "app/lab/hand_edits.h"
+
+#include <algorithm>
+
+#include "physics/compare/reference.h"
+#include "physics/scene/facts.h"
+
+namespace carom {
+
+HandEdits::HandEdits(EditHistory& history) : history_(history), runs_(history.runs()) {
+  // Other steps of undo, made or taken back meanwhile, end it.
+  connect(&history.stack(), &QUndoStack::indexChanged, this, [this] {
+    const DocumentEdit* last = history_.last_edit();
+    if (edit_ != 0 && (last == nullptr || last->what().runs != edit_)) edit_ = 0;
+  });
+  connect(&runs_, &LabRuns::framesChanged, this, &HandEdits::forget_lost_hand);
+}
+
+QString HandEdits::why_not(const Hand& hand) const {
+  if (runs_.in_past()) return tr("The record is played: G goes on from here.");
+  if (runs_.replayed()) return tr("The run is replayed after an edit.");
+  const Preset& preset = history_.document().preset;
+  Scene scene = preset.scene;
+  scene.forces.hand = hand;
+  const Methods methods = history_.document().methods();
+  std::vector<Method> all = methods.others;
+  all.push_back(methods.own);
+  const bool exact = methods.reference == ReferenceId::kExactFlight ||
+                     std::any_of(all.begin(), all.end(), [&](const Method& method) {
+                       return carom::why_not(scene, method.integrator).has_value();
+                     });
+  return exact ? tr("Exact flight allows no hand: choose another method.") : QString();
+}
+
+void HandEdits::pull(const Hand& hand) {
+  if (refused_) return;
+  if (edit_ != 0) {
+    runs_.worker().edit_scene({SetHand{hand}}, edit_);
+    return;
+  }
+  if (const QString why = why_not(hand); !why.isEmpty()) {
+    refused_ = true;
+    return history_.refuse(why);
+  }
+  const Worker::EditId edit = runs_.worker().edit_scene({SetHand{hand}});
+  history_.push(
+      {.text =
+           tr("Throw %1 at %2 s").arg(QString::fromStdString(hand.body)).arg(runs_.frame()->time, 0, 'f', 3),
+       .runs = edit,
+       .is_work = false},
+      {});
+  edit_ = edit;
+}
+
+void HandEdits::let_go() {
+  if (edit_ != 0) runs_.worker().edit_scene({SetHand{}}, edit_);
+  let_go_since_ = edit_ != 0;
+  edit_ = 0;
+  refused_ = false;
+}
+
+// A hand that nobody moves any more, as after undo while it pulled, is let go.
+void HandEdits::forget_lost_hand() {
+  const Frame& newest = *runs_.newest().front();
+  if (!newest.hand) let_go_since_ = false;
+  if (!newest.hand || edit_ != 0 || let_go_since_ || runs_.replayed() || !runs_.plays()) return;
+  const DocumentEdit* last = history_.last_edit();
+  let_go_since_ = true;
+  runs_.worker().edit_scene({SetHand{}}, last == nullptr ? 0 : last->what().runs);
+}
+
+}  // namespace carom
