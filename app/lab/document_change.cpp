@@ -170,7 +170,8 @@ void limit_methods(const Document& document, const Scene& after, DocumentChange&
   const RunSetup setup{after, methods.own};
   if (methods.reference != ReferenceId::kNone && why_not(setup, methods.reference))
     methods.reference = usual_reference(setup);
-  if (methods.own != document.preset.method || methods.others != document.preset.compare)
+  if (methods.own != document.preset.method || methods.others != document.preset.compare ||
+      methods.reference != document.reference)
     change.emplace_back(SetMethods{methods, document.before_usual});
 }
 
@@ -250,6 +251,27 @@ DocumentChange apply_change(Document& document, const DocumentChange& change) {
         std::visit([&](const auto& p) -> DocumentChange::value_type { return applied(document, p); }, part));
   std::reverse(back.begin(), back.end());
   return back;
+}
+
+DocumentChange change_of_methods(const Document& document, const Scene& scene) {
+  DocumentChange change;
+  limit_methods(document, scene, change);
+  return change;
+}
+
+std::vector<std::pair<std::size_t, Method>> methods_changed(const Document& document,
+                                                            const DocumentChange& change) {
+  std::vector<std::pair<std::size_t, Method>> methods;
+  for (const auto& part : change) {
+    const auto* set = std::get_if<SetMethods>(&part);
+    if (set == nullptr) continue;
+    if (set->methods.own != document.preset.method) methods.emplace_back(0, set->methods.own);
+    for (std::size_t i = 0; i < set->methods.others.size(); ++i) {
+      const Method& other = set->methods.others[i];
+      if (other != document.preset.compare.at(i)) methods.emplace_back(i + 1, other);
+    }
+  }
+  return methods;
 }
 
 DocumentChange change_of_start(const Document& document, const SceneEdits& edits) {

@@ -91,6 +91,13 @@ DocumentChange apply_change(Document& document, const DocumentChange& change);
 [[nodiscard]] DocumentChange change_to_moment(const Document& document, const Scene& now, double time,
                                               const SceneEdits& edits);
 
+// The change to the methods that such a scene allows, where those of the document are not: RK4 instead of exact
+// flight, and another reference.
+[[nodiscard]] DocumentChange change_of_methods(const Document& document, const Scene& scene);
+// The methods of the document's runs, as many before as after, that such a change will replace, by their runs.
+[[nodiscard]] std::vector<std::pair<std::size_t, Method>> methods_changed(const Document& document,
+                                                                          const DocumentChange& change);
+
 // A start of a document's runs, to go back to.
 struct Start {
   StartOrigin origin;

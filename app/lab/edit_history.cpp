@@ -32,7 +32,9 @@ void EditHistory::load(const Document& document, const std::vector<Curve>& curve
 void EditHistory::push(const DocumentEdit::What& what, const DocumentChange& change) {
   DocumentEdit::What made = what;
   if (is_of_scene(change)) made.selection = selection_;
+  const ReferenceId before = document_.reference;
   stack_.push(new DocumentEdit(*this, made, assign(change, what.begins)));
+  if (!what.begins && before != document_.reference) runs_.worker().set_reference(document_.reference);
 }
 
 DocumentChange EditHistory::assign(const DocumentChange& change, bool begins) {

@@ -1,10 +1,5 @@
 #include "app/lab/hand_edits.h"
 
-#include <algorithm>
-
-#include "physics/compare/reference.h"
-#include "physics/scene/facts.h"
-
 namespace carom {
 
 HandEdits::HandEdits(EditHistory& history) : history_(history), runs_(history.runs()) {
@@ -16,39 +11,26 @@ HandEdits::HandEdits(EditHistory& history) : history_(history), runs_(history.ru
   connect(&runs_, &LabRuns::framesChanged, this, &HandEdits::forget_lost_hand);
 }
 
-QString HandEdits::why_not(const Hand& hand) const {
-  if (runs_.in_past()) return tr("The record is played: G goes on from here.");
-  if (runs_.replayed()) return tr("The run is replayed after an edit.");
-  const Preset& preset = history_.document().preset;
-  Scene scene = preset.scene;
-  scene.forces.hand = hand;
-  const Methods methods = history_.document().methods();
-  std::vector<Method> all = methods.others;
-  all.push_back(methods.own);
-  const bool exact = methods.reference == ReferenceId::kExactFlight ||
-                     std::any_of(all.begin(), all.end(), [&](const Method& method) {
-                       return carom::why_not(scene, method.integrator).has_value();
-                     });
-  return exact ? tr("Exact flight allows no hand: choose another method.") : QString();
-}
-
 void HandEdits::pull(const Hand& hand) {
   if (refused_) return;
   if (edit_ != 0) {
     runs_.worker().edit_scene({SetHand{hand}}, edit_);
     return;
   }
-  if (const QString why = why_not(hand); !why.isEmpty()) {
-    refused_ = true;
-    return history_.refuse(why);
-  }
-  const Worker::EditId edit = runs_.worker().edit_scene({SetHand{hand}});
+  refused_ = runs_.in_past() || runs_.replayed();
+  if (runs_.in_past()) return history_.refuse(tr("The record is played: G goes on from here."));
+  if (runs_.replayed()) return history_.refuse(tr("The run is replayed after an edit."));
+  Scene scene = history_.document().preset.scene;
+  scene.forces.hand = hand;
+  const DocumentChange change = change_of_methods(history_.document(), scene);
+  const auto methods = methods_changed(history_.document(), change);
+  const Worker::EditId edit = runs_.edit(methods, {SetHand{hand}}, 0);
   history_.push(
       {.text =
            tr("Throw %1 at %2 s").arg(QString::fromStdString(hand.body)).arg(runs_.frame()->time, 0, 'f', 3),
        .runs = edit,
-       .is_work = false},
-      {});
+       .is_work = !methods.empty()},
+      change);
   edit_ = edit;
 }
 

@@ -14,12 +14,12 @@ class HandEdits : public QObject {
  public:
   explicit HandEdits(EditHistory& history);
 
-  // The hand is at its place now. Nothing happens where the methods allow none (EditHistory::refuse()).
+  // The hand is at its place now. Methods that allow none become others, as a part of the same step of undo.
+  // Nothing happens where the record is played (EditHistory::refuse()).
   void pull(const Hand& hand);
   void let_go();
 
  private:
-  [[nodiscard]] QString why_not(const Hand& hand) const;  // empty: it may pull
   void forget_lost_hand();
 
   EditHistory& history_;

@@ -26,7 +26,7 @@ void LabRuns::go_to_end() {
 void LabRuns::go_to_impact(double time) {
   if (!has_record()) return;
   const double just_before = 2.0 * kSameMoment * frames_.front()->method.step;
-  seek({time - just_before, 1}, time);
+  seek({.time = time - just_before, .impact = time}, time);
 }
 
 void LabRuns::go_by_impact(bool forward) {
@@ -34,12 +34,15 @@ void LabRuns::go_by_impact(bool forward) {
   const Frame& shown = *frames().front();
   const double step = shown.method.step;
   const double rounding = kSameMoment * step;
-  const std::optional<double> asked = there() ? std::nullopt : playhead_->impact;
+  const std::optional<double> asked = playhead_ ? playhead_->impact : std::nullopt;
+  const bool within = playhead_ && (playhead_->moment.part > 0.0 || playhead_->moment.impact);
   const Recorder& recorder = *recorders_.front();
-  // The impacts of the step that ends here are those of this moment.
+  // The impacts of a step that ends here are those of this moment.
   const std::optional<double> found =
-      forward ? impact_after(recorder, asked.value_or(shown_time() + rounding))
-              : impact_until(recorder, asked ? *asked - rounding : shown_time() - step + rounding);
+      forward ? impact_after(recorder, asked ? *asked + rounding : shown_time() + rounding)
+              : impact_until(recorder, asked    ? *asked - rounding
+                                       : within ? shown_time() - rounding
+                                                : shown_time() - step + rounding);
   if (found) return go_to_impact(*found);
   forward ? go_to_end() : go_to_start();
 }
@@ -48,16 +51,28 @@ void LabRuns::step_by(int steps) {
   if (!playhead_ && steps > 0) return worker_.step_once();
   if (!has_record()) return;
   if (!playhead_ && frames_.front()->time <= start_time(document_.preset.saved)) return;
+  if (playhead_ && playhead_->moment.impact) return step_from_impact(steps);
   PastMoment moment{frames().front()->time, steps};
   if (playhead_ && playhead_->moment.part > 0.0 && there() && steps < 0) ++moment.steps;  // to its step's start
   if (!there()) moment = {playhead_->moment.time, playhead_->moment.steps + steps};
   seek(moment);
 }
 
+// Whole steps from the moment of an impact, so that as many steps back lead there again.
+void LabRuns::step_from_impact(int steps) {
+  PastMoment moment = playhead_->moment;
+  moment.steps += steps;
+  const double time = *moment.impact + static_cast<double>(moment.steps) * frames_.front()->method.step;
+  if (time >= frames_.front()->time) return go_to_end();
+  if (time <= start_time(document_.preset.saved)) return go_to_start();
+  seek(moment, moment.steps == 0 ? moment.impact : std::nullopt);
+}
+
 double LabRuns::shown_time() const {
   if (frames().empty()) return start_time(document_.preset.saved);
   if (there()) return frames().front()->time;
   const PastMoment& moment = playhead_->moment;
+  if (moment.impact) return *moment.impact + static_cast<double>(moment.steps) * frames().front()->method.step;
   return moment.time + static_cast<double>(moment.steps) * frames().front()->method.step + moment.part;
 }
 

@@ -48,7 +48,7 @@ class LabRuns : public QObject {
   void go_to(double time);  // s; at or after the newest moment: there
   void go_to_start();
   void go_to_end();
-  void go_to_impact(double time);   // s, of an impact: the end of its step
+  void go_to_impact(double time);   // s: just before this impact, or the end of its step where it is there
   void go_by_impact(bool forward);  // to the next impact, or the last one; else to the end, or the start
   void step_by(int steps);          // from what is shown; forward at the newest moment: a new step
   [[nodiscard]] bool in_past() const { return playhead_.has_value(); }
@@ -172,6 +172,7 @@ class LabRuns : public QObject {
   [[nodiscard]] bool has_record() const;
   void seek(const PastMoment& moment, std::optional<double> impact = std::nullopt);
   void ask_worker(const PastMoment& moment);
+  void step_from_impact(int steps);
   void play_past(bool playing);
   void play_past_on();
   void take_shown();

@@ -69,10 +69,7 @@ void MethodEdits::add(const Method& method) {
   after.others.push_back(method);
   Worker& worker = runs_.worker();
   const Worker::EditId runs = full ? worker.set_method(method, kMostCompared) : worker.add_method(method);
-  if (after.reference == ReferenceId::kNone) {
-    after.reference = first_reference(document().preset);
-    worker.set_reference(after.reference);
-  }
+  if (after.reference == ReferenceId::kNone) after.reference = first_reference(document().preset);
   history_.push({tr("Add method %1").arg(names_of({method}).front()), runs}, {set(after)});
 }
 
@@ -88,7 +85,6 @@ void MethodEdits::choose_reference(ReferenceId reference) {
   if (reference == document().reference) return;
   Methods after = document().methods();
   after.reference = reference;
-  runs_.worker().set_reference(reference);
   DocumentEdit::What what{.text = tr("Reference"), .is_work = false};  // not saved in files
   history_.push(what, {set(after)});
 }

@@ -22,8 +22,9 @@ QString impact_text(const LabRuns& runs) {
   const Frame& shown = *runs.frame();
   const double rounding = kSameMoment * shown.method.step;
   const std::int64_t all = runs.newest().front()->impact_count;
-  const auto [first, last] = impact_numbers(
-      *runs.recorders().front(), shown.time - shown.method.step + rounding, shown.time + rounding, all);
+  const double until = runs.picked().value_or(shown.time) + rounding;
+  const double from = runs.picked() ? *runs.picked() - rounding : shown.time - shown.method.step + rounding;
+  const auto [first, last] = impact_numbers(*runs.recorders().front(), from, until, all);
   if (first > last) return {};
   return first == last ? SceneChips::tr("impact %1 of %2").arg(first).arg(all)
                        : SceneChips::tr("impacts %1 to %2 of %3").arg(first).arg(last).arg(all);

@@ -133,14 +133,7 @@ Worker::EditId Session::edit_runs(const SceneEdits& edits, const DocumentChange&
                                   Worker::EditId part_of) {
   const DocumentEdit* last = drag > 0 ? history_.last_edit_of(drag) : nullptr;
   const Worker::EditId id = part_of == 0 && last != nullptr ? last->what().runs : part_of;
-  std::vector<std::pair<std::size_t, Method>> methods;
-  for (const auto& part : change) {
-    const auto* set = std::get_if<SetMethods>(&part);
-    if (set == nullptr) continue;
-    methods = {{0, set->methods.own}};
-    for (const Method& method : set->methods.others) methods.emplace_back(methods.size(), method);
-  }
-  return runs().edit(methods, edits, id);
+  return runs().edit(methods_changed(history_.document(), change), edits, id);
 }
 
 void Session::cancel(int drag) {

@@ -21,8 +21,9 @@ void Past::seek(const PastMoment& moment, std::span<const Original> runs, const 
   sought_ = Sought{.time = std::min(moment.time, newest.time()),
                    .by = moment.steps,
                    .newest = newest.steps(),
-                   .part = moment.part};
-  const bool from_newest = moment.steps != 0 && moment.time >= newest.time();
+                   .part = moment.part,
+                   .impact = moment.impact};
+  const bool from_newest = moment.steps != 0 && !moment.impact && moment.time >= newest.time();
   for (PastRun& run : std::span(runs_).subspan(from_newest ? 1 : 0)) run.stand_before(sought_->time);
   if (from_newest) go_to_step(newest.steps() + std::exchange(sought_->by, 0));
 }
@@ -38,6 +39,8 @@ bool Past::step() {
       runs_.begin(), runs_.end(), [](const PastRun& a, const PastRun& b) { return a.next() < b.next(); });
   if (farthest_behind->may_step(sought_->time)) {
     farthest_behind->step();
+  } else if (sought_->impact && !sought_->others_follow) {
+    go_to_impact();
   } else if (sought_->by != 0) {
     go_to_step(runs_.front().simulation().steps() + std::exchange(sought_->by, 0));
   } else if (!sought_->others_follow) {
@@ -60,6 +63,19 @@ bool Past::step_first() {
   return true;
 }
 
+// By a part of the first run's next step, or by the whole step.
+void Past::go_to_impact() {
+  const Simulation& first = runs_.front().simulation();
+  const double step = first.method().step;
+  const double part = *sought_->impact - first.time() - 0.5 * kSameMoment * step;
+  const bool whole = !(part > 0.0 && part < (1.0 - kSameMoment) * step);
+  if (!whole) sought_->part = part;
+  if (whole || sought_->by != 0) sought_->impact.reset();
+  if (whole) ++sought_->by;
+  if (sought_->by == 0) return follow_first();
+  go_to_step(first.steps() + std::exchange(sought_->by, 0));
+}
+
 // The others to where the first run is.
 void Past::follow_first() {
   sought_->others_follow = true;
@@ -69,7 +85,7 @@ void Past::follow_first() {
 
 void Past::make_parts() {
   if (sought_->part == 0.0) return;
-  runs_.front().make_part(sought_->part);
+  runs_.front().make_part(sought_->part, sought_->impact.has_value());
   const double time = runs_.front().shown().time();
   for (PastRun& run : std::span(runs_).subspan(1)) {
     const Simulation& at = run.simulation();

@@ -15,11 +15,14 @@ namespace carom {
 // A moment in the past of several runs, told by the first one: the last end of a step that is not after `time`,
 // and then so many steps later, or earlier if `steps` is negative, but not outside the run. The others stand
 // where they would if the runs had been stopped there. With `part`, it is the moment to which a step of this
-// length leads from there, and the others come to it by a shorter step too.
+// length leads from there, and the others come to it by a shorter step too. With `impact`, the time of an
+// impact of the first run in the step that follows `time`, it is the moment just before it, which has the jumps
+// of that step; where the impact is at the step's end, it is the end. `steps` lead from that moment, then.
 struct PastMoment {
   double time = 0.0;  // s
   std::int64_t steps = 0;
-  double part = 0.0;  // s
+  double part = 0.0;               // s
+  std::optional<double> impact{};  // s
 
   bool operator==(const PastMoment&) const = default;
 };
@@ -52,11 +55,13 @@ class Past {
     std::int64_t by = 0;                  // steps of the first run, once it is at the time
     std::int64_t newest = 0;              // steps of the run itself
     double part = 0.0;                    // s, of the first run after that
+    std::optional<double> impact{};       // s, in the first run's next step
     bool others_follow = false;           // the time is that of the first run's moment
   };
 
   void go_to_step(std::int64_t steps);
   bool step_first();
+  void go_to_impact();
   void follow_first();
   void make_parts();
 

@@ -50,6 +50,7 @@ void PastRun::stand_before_step(std::int64_t steps) {
 template <class Leads, class Beyond>
 void PastRun::stand(const Leads& leads, const Beyond& beyond) {
   part_.reset();
+  jumps_ahead_.reset();
   const std::shared_ptr<const KeyFrame> own =
       latest(left_, [&](const KeyFrame& frame) { return leads(frame.state); });
   // The run may have left moments before it had its reference.
@@ -122,8 +123,13 @@ void PastRun::step() {
   apply_due_edits();
 }
 
-void PastRun::make_part(double length) {
+void PastRun::make_part(double length, bool with_jumps_ahead) {
   if (length == 0.0) return;
+  if (with_jumps_ahead) {
+    Simulation whole = at_->simulation;
+    whole.step();
+    jumps_ahead_ = jump_moments(whole);
+  }
   part_ = at_;
   part_->simulation.step(length);
   if (part_->sampler && !part_->simulation.lost()) part_->sampler->after_step(part_->simulation);
@@ -149,7 +155,7 @@ std::shared_ptr<Frame> PastRun::frame() const {
   const Standing& standing = part_ ? *part_ : *at_;
   take_moment(standing.simulation, *frame);
   frame->run = id_;
-  frame->jumps = jump_moments(at_->simulation);
+  frame->jumps = jumps_ahead_ ? *jumps_ahead_ : jump_moments(at_->simulation);
   frame->rows_known_until = frame->time;
   frame->wall_time = standing.wall_time;
   if (standing.sampler) frame->error = standing.sampler->error();

@@ -36,8 +36,9 @@ class PastRun {
   // Whether a step leads to a moment that is not after `time`.
   [[nodiscard]] bool may_step(double time) const;
   void step();
-  // Shows the moment to which a step of this length (s) leads, if it is not 0; it stands where it is.
-  void make_part(double length);
+  // Shows the moment to which a step of this length (s) leads, if it is not 0; it stands where it is. The jumps
+  // are those of the last step, or of the whole one that follows.
+  void make_part(double length, bool with_jumps_ahead = false);
 
   // Once it stands anywhere.
   [[nodiscard]] const Simulation& simulation() const { return at_->simulation; }
@@ -68,7 +69,8 @@ class PastRun {
   std::chrono::steady_clock::duration interval_{};           // of work between those left
   std::chrono::steady_clock::duration worked_{};             // since the last one
   std::optional<Standing> at_;
-  std::optional<Standing> part_;  // of a step from there
+  std::optional<Standing> part_;                                               // of a step from there
+  std::optional<std::vector<std::shared_ptr<const JumpMoment>>> jumps_ahead_;  // of the step from there
 };
 
 }  // namespace carom

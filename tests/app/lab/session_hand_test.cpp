@@ -77,12 +77,17 @@ TEST_F(SessionHandTest, IsRecordedAndTakenBackInOneStep) {
 
   for (int round = 0; round < 2; ++round) {
     undo();
+    const double end = shown().runs[0].time;
+    EXPECT_NE(shown().runs[0].ledger.put_in_by_user, 0.0) << "the run after it is taken back first";
+    undo();
     EXPECT_EQ(shown().runs[0].ledger.put_in_by_user, 0.0) << "never thrown";
-    EXPECT_EQ(shown().runs[0].time, with.runs[0].time);
+    EXPECT_EQ(shown().runs[0].time, end);
+    redo();
     redo();
     expect_same(shown(), with);
   }
   // The same again from the start, without it.
+  undo();
   undo();
   const Shown without = shown();
   open(preset);
@@ -116,25 +121,25 @@ TEST_F(SessionHandTest, UndoWhileItPullsEndsIt) {
   session_.edits().undo();
   ASSERT_TRUE(test::wait_in_event_loop([&] { return !runs().newest().front()->hand; }));
   session_.hand().let_go();
-  settle();
-  session_.edits().redo();
-  settle();
+  pause();
+  redo();
   play_to(runs().newest().front()->time + 0.05);
   EXPECT_TRUE(test::wait_in_event_loop([&] { return !runs().newest().front()->hand; }))
       << "nobody holds it any more";
   pause();
 }
 
-TEST_F(SessionHandTest, APauseLetsGoAndANewStartHasNone) {
+TEST_F(SessionHandTest, ANewStartAtAMomentWithAHandHasNone) {
   play_to(0.1);
   Hand hand = hand_on(gas().scene.bodies[5], gas().scene.bodies[5].position);
   session_.hand().pull(hand);
   ASSERT_TRUE(test::wait_in_event_loop([&] { return runs().newest().front()->hand.has_value(); }));
   const double held = runs().newest().front()->time;
+  ASSERT_TRUE(test::wait_in_event_loop([&] { return runs().newest().front()->time > held + 0.05; }));
   session_.hand().let_go();
   play_to(held + 0.2);
   pause();
-  runs().go_to(held);
+  runs().go_to(held + 0.02);
   ASSERT_TRUE(test::wait_in_event_loop([&] { return runs().there() && runs().frame()->hand; }));
   Body moved = now("disc 2");
   moved.position.x() += 0.01;
@@ -145,22 +150,30 @@ TEST_F(SessionHandTest, APauseLetsGoAndANewStartHasNone) {
   EXPECT_TRUE(session_.start().from.has_value());
 }
 
-TEST_F(SessionHandTest, ExactFlightAndTheRecordAllowNone) {
+TEST_F(SessionHandTest, ExactFlightBecomesRk4InTheSameStep) {
   Preset preset = gas();
   preset.method.integrator = IntegratorId::kExactFlight;
   open(preset);
   play_to(0.1);
-  const Hand hand = hand_on(preset.scene.bodies[5], preset.scene.bodies[5].position);
-  session_.hand().pull(hand);
-  EXPECT_EQ(refused_, "Exact flight allows no hand: choose another method.");
-  session_.hand().let_go();
-  open(gas());
+  throw_disc(4);
+  EXPECT_EQ(refused_, "");
+  EXPECT_EQ(session_.document().method.integrator, IntegratorId::kRk4);
+  pause();
+  EXPECT_EQ(runs().frame()->method.integrator, IntegratorId::kRk4);
+  EXPECT_NE(runs().frame()->ledger.put_in_by_user, 0.0);
+  undo();
+  EXPECT_EQ(session_.document().method.integrator, IntegratorId::kExactFlight);
+  EXPECT_EQ(runs().frame()->method.integrator, IntegratorId::kExactFlight);
+  EXPECT_EQ(runs().frame()->ledger.put_in_by_user, 0.0);
+}
+
+TEST_F(SessionHandTest, TheRecordAllowsNone) {
   play_to(0.3);
   pause();
   runs().go_to(0.1);
   ASSERT_TRUE(test::wait_in_event_loop([&] { return runs().there(); }));
   session_.starts().set_playing(true);
-  session_.hand().pull(hand);
+  session_.hand().pull(hand_on(gas().scene.bodies[5], gas().scene.bodies[5].position));
   EXPECT_EQ(refused_, "The record is played: G goes on from here.");
   session_.hand().let_go();
   EXPECT_TRUE(undo_text().startsWith("Run"));

@@ -71,7 +71,7 @@ TEST(LedgerTable, HasEveryEntryOfTheLedger) {
       {"lost to links", "4.500", "", "", "", "", ""},
       {"overlap correction", "5.000", "", "", "", "", ""},
       {"put in by drives", "6.000", "", "", "", "", ""},
-      {"put in by the user", "7.000", "", "", "", "", ""},
+      {"put in by hand", "7.000", "", "", "", "", ""},
       {"expected energy", "96.75", "", "expected momentum", "11.00", "14.00", "40.00"},
       {"energy now", "110.0", "", "momentum now", "12.00", "14.00", "42.00"},
       {"numerical drift", "13.25", "", "numerical drift", "1.000", "0", "2.000"},
