@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -20,7 +21,9 @@ namespace {
 constexpr std::size_t kMostSteps = 30;
 constexpr double kMilli = 1e-3;
 
-std::vector<double> steps_in(const QString& text) {
+std::vector<double> steps_in(QString text) {
+  static const QRegularExpression unit("\\s*ms\\b");
+  text.remove(unit);
   std::vector<double> steps =
       numbers_in(text, kLeastStep / kMilli, kLargestStep / kMilli,
                  StudyStepsDialog::tr("a step from %1 to %2 ms")
@@ -68,6 +71,7 @@ StudyStepsDialog::StudyStepsDialog(const std::vector<double>& steps, const std::
   connect(list_, &QLineEdit::textEdited, this, &StudyStepsDialog::check);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  list_->selectAll();
   check();
 }
 

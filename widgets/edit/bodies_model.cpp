@@ -123,9 +123,9 @@ const std::vector<ColumnChoice>& column_choices() {
       {"speed", "Speed", {Column::kSpeed}},
       {"direction", "Direction", {Column::kDirection}},
       {"relative", "v relative to the centre of mass", {Column::kRelativeX, Column::kRelativeY}},
-      {"p", "p", {Column::kMomentum}, true},
-      {"px", "px", {Column::kMomentumX}},
-      {"py", "py", {Column::kMomentumY}},
+      {"p", "p", {Column::kMomentum}},
+      {"px", "px", {Column::kMomentumX}, true},
+      {"py", "py", {Column::kMomentumY}, true},
       {"L", "L", {Column::kAngularMomentum}},
       {"K", "K", {Column::kEnergy}, true},
       {"r", "Radius", {Column::kRadius}},
@@ -155,11 +155,15 @@ void BodiesModel::show(const std::shared_ptr<const Scene>& scene, const std::sha
 void BodiesModel::count() {
   total_mass_ = energy_ = angular_momentum_ = 0.0;
   momentum_ = centre_ = Vec2::Zero();
+  length_ = fastest_ = 0.0;
   double of_momenta = 0.0;  // the sizes of what is summed
   double of_turning = 0.0;
   Vec2 of_places = Vec2::Zero();
   for (int i = 0; i < state_.size(); ++i) {
     if (has_infinite_mass((*bodies_)[static_cast<std::size_t>(i)])) continue;
+    length_ = std::max({length_, state_.position(i).cwiseAbs().maxCoeff(),
+                        turning_radius((*bodies_)[static_cast<std::size_t>(i)])});
+    fastest_ = std::max({fastest_, state_.velocity(i).norm(), rim_speed(i)});
     total_mass_ += mass_.mass[i];
     momentum_ += mass_.mass[i] * state_.velocity(i);
     centre_ += mass_.mass[i] * state_.position(i);
@@ -177,6 +181,10 @@ void BodiesModel::count() {
   if (total_mass_ > 0.0) centre_ /= total_mass_;
   shown_ = all_ ? bodies_->size() : std::min(bodies_->size(), kFirst);
   rows_changed(bodies_->empty() ? 0 : shown_bodies() + 1);
+}
+
+double BodiesModel::rim_speed(int body) const {
+  return std::abs(state_.v(2, body)) * turning_radius((*bodies_)[static_cast<std::size_t>(body)]);
 }
 
 void BodiesModel::show_all() {
@@ -259,9 +267,9 @@ FigureModel::Cell BodiesModel::cell(int row, int column) const {
     case kBody:
       return name_of(body);
     case kX:
-      return place.x();
+      return stays ? place.x() : without_rounding(place.x(), length_);
     case kY:
-      return place.y();
+      return stays ? place.y() : without_rounding(place.y(), length_);
     case kMass:
       return stays ? Cell(kind_word(body)) : Cell(mass_.mass[row]);
     case kRestitution:
@@ -284,11 +292,11 @@ FigureModel::Cell BodiesModel::motion(int body, int column) const {
   };
   switch (column) {
     case kVelocityX:
-      return velocity.x();
+      return without_rounding(velocity.x(), fastest_);
     case kVelocityY:
-      return velocity.y();
+      return without_rounding(velocity.y(), fastest_);
     case kSpeed:
-      return velocity.norm();
+      return without_rounding(velocity.norm(), fastest_);
     case kDirection:
       return direction_cell(velocity);
     case kRelativeX:
@@ -296,13 +304,13 @@ FigureModel::Cell BodiesModel::motion(int body, int column) const {
     case kRelativeY:
       return from_centre(1);
     case kSpin:
-      return state_.v(2, body);
+      return without_rounding(rim_speed(body), fastest_) == 0.0 ? 0.0 : state_.v(2, body);
     case kMomentum:
-      return mass_.mass[body] * velocity.norm();
+      return mass_.mass[body] * without_rounding(velocity.norm(), fastest_);
     case kMomentumX:
-      return mass_.mass[body] * velocity.x();
+      return mass_.mass[body] * without_rounding(velocity.x(), fastest_);
     case kMomentumY:
-      return mass_.mass[body] * velocity.y();
+      return mass_.mass[body] * without_rounding(velocity.y(), fastest_);
     case kAngularMomentum:
       return angular_momentum(body);
     case kInertia:

@@ -93,6 +93,7 @@ class BodiesModel : public FigureModel {
   [[nodiscard]] Cell motion(int body, int column) const;
   [[nodiscard]] double angular_momentum(int body) const;
   [[nodiscard]] double kinetic_energy(int body) const;
+  [[nodiscard]] double rim_speed(int body) const;  // m/s, by its spin
   [[nodiscard]] QString surface_tip(int row) const;
   [[nodiscard]] QString spoken(const QModelIndex& index) const;
   void count();
@@ -108,6 +109,10 @@ class BodiesModel : public FigureModel {
   std::unordered_set<std::string> marked_;
   Faults faults_;
   std::map<std::pair<std::string, int>, QString> watched_;  // by body and column, at the beginning
+  // Of all that move: m, the farthest place from an axis; m/s, the fastest, at the rim too. What is far below
+  // is rounding.
+  double length_ = 0.0;
+  double fastest_ = 0.0;
   double total_mass_ = 0.0;
   double energy_ = 0.0;
   double angular_momentum_ = 0.0;

@@ -158,6 +158,7 @@ ExperimentList::ExperimentList(const Theme& theme, QWidget* parent)
     if (name.isEmpty()) return;
     rest_.stop();
     emit openRequested(name);
+    search_->clear();
     set_current(current_);  // the mark stays at the open experiment if this one was not opened
   };
   connect(list_, &QListWidget::itemClicked, this, open);
@@ -255,6 +256,11 @@ void ExperimentList::fill() {
     row->setData(kObserve, item.observe);
     row->setToolTip(plain_tip(item.title + (item.observe.isEmpty() ? QString() : "\n" + item.observe)));
     if (i < pictures_.size()) row->setData(kPicture, pictures_[i]);
+  }
+  if (list_->count() == 0 && !items_.empty()) {
+    auto* none = new QListWidgetItem(list_);
+    none->setData(kTitle, tr("No experiment speaks of “%1”.").arg(search_->text().trimmed()));
+    none->setFlags(Qt::NoItemFlags);
   }
   set_current(current_);
 }

@@ -7,6 +7,7 @@
 
 #include "physics/math/vectors.h"
 #include "widgets/base/number_text.h"
+#include "widgets/base/rounding.h"
 
 namespace carom {
 namespace {
@@ -104,7 +105,8 @@ class Builder {
     const double rounding = kNoLoss * std::abs(impact.normal_impulse * impact.closing_speed);
     QString text = QString("lost %1 J").arg(figure(std::abs(lost) > rounding ? lost : 0.0, 3));
     const double parting = opening(impact, in_.jump->jumps[i].after);
-    if (impact.closing_speed > 0.0) text += QString(", e = %1").arg(figure(parting / impact.closing_speed, 3));
+    if (impact.closing_speed > 0.0)
+      text += QString(", e = %1").arg(figure(without_rounding(parting / impact.closing_speed, 1.0), 3));
     return text;
   }
 

@@ -74,7 +74,7 @@ TEST_F(LabStudyTest, TheStepsAreChosen) {
   button("usual steps...")->click();
   answer("20; zero", "zero is not allowed; allowed: a step from 1e−6 to 1000 ms");
   button("usual steps...")->click();
-  answer("10; 20 5,5", {});
+  answer("10 ms; 20 5,5ms", {});
   StudyOptions options = quick();
   options.steps.clear();
   button("3 steps...");

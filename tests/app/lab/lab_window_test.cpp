@@ -169,9 +169,14 @@ TEST_F(LabWindowTest, TheListOpensOverTheSceneAndCloses) {
   ASSERT_TRUE(experiments->isVisible());
   auto* search = experiments->findChild<QLineEdit*>();
   EXPECT_EQ(QApplication::focusWidget(), search);
+  QTest::keyClicks(search, "no such thing");
+  ASSERT_EQ(list()->count(), 1);
+  EXPECT_EQ(list()->item(0)->flags(), Qt::NoItemFlags) << "it says that there is none";
+  search->clear();
   QTest::keyClicks(search, "glancing");
   QTest::keyClick(search, Qt::Key_Down);
   QTest::keyClick(search, Qt::Key_Return);
+  EXPECT_EQ(search->text(), "") << "the next search begins anew";
   ASSERT_TRUE(wait_for([this] { return window_.session().name() == "glancing"; }));
   EXPECT_FALSE(experiments->isVisible());
   EXPECT_EQ(QApplication::focusWidget(), &window_.scene_view());

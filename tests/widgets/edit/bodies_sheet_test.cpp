@@ -212,24 +212,24 @@ TEST_F(BodiesSheetTest, TheBounceIsThatOfTheSurface) {
 
 TEST_F(BodiesSheetTest, TheMenuOfTheHeadShowsAndHidesColumns) {
   const auto is_shown = [this](Column column) { return !table().isColumnHidden(column); };
-  EXPECT_TRUE(is_shown(Column::kMomentum));
+  EXPECT_TRUE(is_shown(Column::kMomentumX));
   EXPECT_TRUE(is_shown(Column::kEnergy));
-  EXPECT_FALSE(is_shown(Column::kMomentumX));
-  EXPECT_EQ(sheet_.shown_columns(), (QStringList{"p", "K"}));
+  EXPECT_FALSE(is_shown(Column::kMomentum));
+  EXPECT_EQ(sheet_.shown_columns(), (QStringList{"px", "py", "K"}));
   auto* button = sheet_.findChild<QToolButton*>();
   ASSERT_EQ(button->accessibleName(), "Columns");
   for (QAction* action : button->menu()->actions()) {
-    if (action->text() == "px" || action->text() == "v relative to the centre of mass") action->trigger();
+    if (action->text() == "p" || action->text() == "v relative to the centre of mass") action->trigger();
   }
-  EXPECT_TRUE(is_shown(Column::kMomentumX));
+  EXPECT_TRUE(is_shown(Column::kMomentum));
   EXPECT_TRUE(is_shown(Column::kRelativeY));
   EXPECT_GT(table().columnWidth(Column::kRelativeX), 20);
-  EXPECT_EQ(sheet_.shown_columns(), (QStringList{"relative", "p", "px", "K"}));
+  EXPECT_EQ(sheet_.shown_columns(), (QStringList{"relative", "p", "px", "py", "K"}));
   table().clearSelection();
   key(Qt::Key_C, Qt::ControlModifier);
   EXPECT_TRUE(QGuiApplication::clipboard()->text().startsWith(
       "body\tm / kg\tx / m\ty / m\tvx / m/s\tvy / m/s\tvx from centre / m/s\tvy from centre / m/s\t"
-      "spin / rad/s\te\tp / kg·m/s\tpx / kg·m/s\tK / J\n"));
+      "spin / rad/s\te\tp / kg·m/s\tpx / kg·m/s\tpy / kg·m/s\tK / J\n"));
   sheet_.show_columns({"L"});
   EXPECT_FALSE(is_shown(Column::kEnergy));
   EXPECT_TRUE(is_shown(Column::kAngularMomentum));
@@ -285,7 +285,18 @@ TEST_F(BodiesSheetTest, AMassTakesThePlaceOfADensity) {
   EXPECT_FALSE(now(0).density.has_value());
 }
 
+TEST_F(BodiesSheetTest, RoundingIsZero) {
+  std::vector<Body> bodies = scene_->bodies;
+  bodies[0].position.y() = 5.7e-16;
+  bodies[0].velocity = {2.0, -3e-15};
+  bodies[0].spin = -6.1e-34;
+  show(bodies);
+  for (const Column column : {Column::kY, Column::kVelocityY, Column::kSpin, Column::kMomentumY})
+    EXPECT_EQ(text(0, column), "0") << column;
+}
+
 TEST_F(BodiesSheetTest, WhatFollowsSaysWhatToChange) {
+  sheet_.show_columns({"p"});
   click(0, Column::kMomentum);
   EXPECT_EQ(sentence(), "p = m v: change m or v.");
   key(Qt::Key_F2);
