@@ -292,9 +292,11 @@ QString moment_text(double time, const LabReport& report) {
 QStringList edit_lines(const LabReport& report) {
   constexpr qsizetype kMostChanges = 12;
   QStringList lines;
-  std::set<std::uint64_t> told;  // parts of one edit are told once
+  std::set<std::pair<std::uint64_t, std::size_t>> told;  // parts of one edit are told once, by their kind
   for (const RunEdit& edit : report.runs.front().edits) {
-    if (edit.time > report.ends.front().time || (edit.id != 0 && !told.insert(edit.id).second)) continue;
+    if (edit.time > report.ends.front().time ||
+        (edit.id != 0 && !told.emplace(edit.id, edit.what.index()).second))
+      continue;
     lines << tr("from t = %1 s: %2").arg(short_figure(edit.time, 6), name_of(edit, report));
   }
   const qsizetype more = lines.size() - kMostChanges;

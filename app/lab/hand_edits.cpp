@@ -1,12 +1,16 @@
 #include "app/lab/hand_edits.h"
 
+#include <algorithm>
+
 namespace carom {
 
 HandEdits::HandEdits(EditHistory& history) : history_(history), runs_(history.runs()) {
   // Other steps of undo, made or taken back meanwhile, end it.
   connect(&history.stack(), &QUndoStack::indexChanged, this, [this] {
     const DocumentEdit* last = history_.last_edit();
-    if (edit_ != 0 && (last == nullptr || last->what().runs != edit_)) edit_ = 0;
+    if (edit_ == 0 || (last != nullptr && last->what().runs == edit_)) return;
+    edit_ = 0;
+    refused_ = true;
   });
   connect(&runs_, &LabRuns::framesChanged, this, &HandEdits::forget_lost_hand);
 }
@@ -36,19 +40,21 @@ void HandEdits::pull(const Hand& hand) {
 
 void HandEdits::let_go() {
   if (edit_ != 0) runs_.worker().edit_scene({SetHand{}}, edit_);
-  let_go_since_ = edit_ != 0;
   edit_ = 0;
   refused_ = false;
 }
 
-// A hand that nobody moves any more, as after undo while it pulled, is let go.
+// A hand that nobody moves any more, as after redo of a throw that undo has broken off, is let go. Frames from
+// before an undo may still have one.
 void HandEdits::forget_lost_hand() {
+  constexpr int kSurely = 4;  // frames
   const Frame& newest = *runs_.newest().front();
-  if (!newest.hand) let_go_since_ = false;
-  if (!newest.hand || edit_ != 0 || let_go_since_ || runs_.replayed() || !runs_.plays()) return;
-  const DocumentEdit* last = history_.last_edit();
-  let_go_since_ = true;
-  runs_.worker().edit_scene({SetHand{}}, last == nullptr ? 0 : last->what().runs);
+  const bool lost = newest.hand && edit_ == 0 && !runs_.replayed() && runs_.plays();
+  lost_ = lost ? lost_ + 1 : 0;
+  if (lost_ != kSurely) return;
+  const std::vector<RunEdit>& edits = newest.setup->edits;
+  const auto of_hand = std::find_if(edits.rbegin(), edits.rend(), moves_hand);
+  if (of_hand != edits.rend()) runs_.worker().edit_scene({SetHand{}}, of_hand->id);
 }
 
 }  // namespace carom

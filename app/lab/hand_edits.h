@@ -23,10 +23,10 @@ class HandEdits : public QObject {
   void forget_lost_hand();
 
   EditHistory& history_;
-  LabRuns& runs_;             // its
-  Worker::EditId edit_ = 0;   // of the hand that pulls; 0: none does
-  bool refused_ = false;      // until it is let go
-  bool let_go_since_ = true;  // by an edit that no frame has shown yet
+  LabRuns& runs_;            // its
+  Worker::EditId edit_ = 0;  // of the hand that pulls; 0: none does
+  bool refused_ = false;     // until it is let go
+  int lost_ = 0;             // frames in a row with a hand that nobody moves
 };
 
 }  // namespace carom

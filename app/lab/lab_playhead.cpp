@@ -102,6 +102,7 @@ void LabRuns::ask_worker(const PastMoment& moment) {
 void LabRuns::play_past(bool playing) {
   if (!playing) return seek({frames().front()->time});
   playhead_->plays = true;
+  playhead_->impact.reset();
   playhead_->passed = shown_time();
   pace_.begin(shown_time(), Pace::Clock::now());
 }

@@ -16,12 +16,6 @@ std::size_t count_made(const RunSetup& run, Worker::EditId id) {
   }));
 }
 
-// Whether it puts a hand to another place, and does nothing else.
-bool moves_hand(const RunEdit& edit) {
-  const auto* edits = std::get_if<SceneEdits>(&edit.what);
-  return edits != nullptr && edits->size() == 1 && std::holds_alternative<SetHand>(edits->front());
-}
-
 // Whether the two are of one run with the same edits, but for hands.
 bool same_but_hands(const RunSetup& a, const RunSetup& b) {
   const auto next = [](auto edit, auto end) { return std::find_if_not(edit, end, moves_hand); };

@@ -101,7 +101,8 @@ void ForceField::add_external(BodyIndex body, double t, const Eigen::Vector3d& q
       const Vec2 pull = pull_of_hand(x + arm, grip_velocity);
       force += pull;
       torque += cross(arm, pull);
-      quadratures[kHandWork] = pull.dot(grip_velocity);
+      quadratures[kHandWork] = pull.dot(v);
+      if (model_->mass.inverse_inertia[body] > 0.0) quadratures[kHandWork] += cross(arm, pull) * spin;
     }
   }
   k[3] += model_->mass.inverse_mass[body] * force.x();

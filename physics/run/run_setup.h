@@ -42,6 +42,11 @@ struct RunEdit {
 [[nodiscard]] inline bool is_same(const RunEdit& a, const RunEdit& b) {
   return a.id == b.id && a.time == b.time;
 }
+// Whether it puts a hand to a place, or takes it off, and does nothing else.
+[[nodiscard]] inline bool moves_hand(const RunEdit& edit) {
+  const auto* edits = std::get_if<SceneEdits>(&edit.what);
+  return edits != nullptr && edits->size() == 1 && std::holds_alternative<SetHand>(edits->front());
+}
 [[nodiscard]] inline bool is_earlier(const RunEdit& a, const RunEdit& b) { return a.time < b.time; }
 
 // A complete description of a run: what a simulation starts from, and its edits. The same setup gives the same

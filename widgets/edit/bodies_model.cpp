@@ -155,7 +155,7 @@ void BodiesModel::show(const std::shared_ptr<const Scene>& scene, const std::sha
 void BodiesModel::count() {
   total_mass_ = energy_ = angular_momentum_ = 0.0;
   momentum_ = centre_ = Vec2::Zero();
-  length_ = fastest_ = 0.0;
+  length_ = fastest_ = heaviest_ = 0.0;
   double of_momenta = 0.0;  // the sizes of what is summed
   double of_turning = 0.0;
   Vec2 of_places = Vec2::Zero();
@@ -164,6 +164,7 @@ void BodiesModel::count() {
     length_ = std::max({length_, state_.position(i).cwiseAbs().maxCoeff(),
                         turning_radius((*bodies_)[static_cast<std::size_t>(i)])});
     fastest_ = std::max({fastest_, state_.velocity(i).norm(), rim_speed(i)});
+    heaviest_ = std::max(heaviest_, mass_.mass[i] * state_.velocity(i).norm());
     total_mass_ += mass_.mass[i];
     momentum_ += mass_.mass[i] * state_.velocity(i);
     centre_ += mass_.mass[i] * state_.position(i);
@@ -185,6 +186,19 @@ void BodiesModel::count() {
 
 double BodiesModel::rim_speed(int body) const {
   return std::abs(state_.v(2, body)) * turning_radius((*bodies_)[static_cast<std::size_t>(body)]);
+}
+
+double BodiesModel::moved(int body, double velocity) const {
+  const bool rounding = without_rounding(velocity, fastest_) == 0.0 &&
+                        without_rounding(mass_.mass[body] * velocity, heaviest_) == 0.0;
+  return rounding ? 0.0 : velocity;
+}
+
+// A point-like body keeps its spin, whatever it is.
+bool BodiesModel::turns(int body) const {
+  const double rim = rim_speed(body);
+  return without_rounding(rim, fastest_) != 0.0 ||
+         turning_radius((*bodies_)[static_cast<std::size_t>(body)]) == 0.0;
 }
 
 void BodiesModel::show_all() {
@@ -292,11 +306,11 @@ FigureModel::Cell BodiesModel::motion(int body, int column) const {
   };
   switch (column) {
     case kVelocityX:
-      return without_rounding(velocity.x(), fastest_);
+      return moved(body, velocity.x());
     case kVelocityY:
-      return without_rounding(velocity.y(), fastest_);
+      return moved(body, velocity.y());
     case kSpeed:
-      return without_rounding(velocity.norm(), fastest_);
+      return moved(body, velocity.norm());
     case kDirection:
       return direction_cell(velocity);
     case kRelativeX:
@@ -304,13 +318,13 @@ FigureModel::Cell BodiesModel::motion(int body, int column) const {
     case kRelativeY:
       return from_centre(1);
     case kSpin:
-      return without_rounding(rim_speed(body), fastest_) == 0.0 ? 0.0 : state_.v(2, body);
+      return turns(body) ? state_.v(2, body) : 0.0;
     case kMomentum:
-      return mass_.mass[body] * without_rounding(velocity.norm(), fastest_);
+      return mass_.mass[body] * moved(body, velocity.norm());
     case kMomentumX:
-      return mass_.mass[body] * without_rounding(velocity.x(), fastest_);
+      return mass_.mass[body] * moved(body, velocity.x());
     case kMomentumY:
-      return mass_.mass[body] * without_rounding(velocity.y(), fastest_);
+      return mass_.mass[body] * moved(body, velocity.y());
     case kAngularMomentum:
       return angular_momentum(body);
     case kInertia:

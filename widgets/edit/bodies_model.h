@@ -93,6 +93,9 @@ class BodiesModel : public FigureModel {
   [[nodiscard]] Cell motion(int body, int column) const;
   [[nodiscard]] double angular_momentum(int body) const;
   [[nodiscard]] double kinetic_energy(int body) const;
+  // m/s, of a velocity of the body: 0 where it is rounding, beside the fastest and in its momentum too.
+  [[nodiscard]] double moved(int body, double velocity) const;
+  [[nodiscard]] bool turns(int body) const;        // by more than rounding
   [[nodiscard]] double rim_speed(int body) const;  // m/s, by its spin
   [[nodiscard]] QString surface_tip(int row) const;
   [[nodiscard]] QString spoken(const QModelIndex& index) const;
@@ -113,6 +116,7 @@ class BodiesModel : public FigureModel {
   // is rounding.
   double length_ = 0.0;
   double fastest_ = 0.0;
+  double heaviest_ = 0.0;  // N s, the largest momentum
   double total_mass_ = 0.0;
   double energy_ = 0.0;
   double angular_momentum_ = 0.0;

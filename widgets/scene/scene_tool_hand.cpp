@@ -18,7 +18,7 @@ void SceneTools::begin_hand() {
                  press_,
                  true});
   }
-  hand_ = hand_on(*pressed_, sight_().camera.to_world(press_));
+  hand_ = hand_on(*pressed_, pressed_place_, sight_().frame->method.step);
   state_ = State::kHand;
   since_pull_.invalidate();
   refusal_.clear();
@@ -28,6 +28,12 @@ void SceneTools::begin_hand() {
   if (refusal_.isEmpty()) return;
   end_hand();
   note(refusal_bubble(refusal_, mouse_, press_));
+}
+
+bool SceneTools::holds() const {
+  const auto body = index_.find(grab_->body);
+  return plays() && body != index_.end() &&
+         !has_infinite_mass((*bodies_)[static_cast<std::size_t>(body->second)]);
 }
 
 // With each picture, but not more often than the eye sees.

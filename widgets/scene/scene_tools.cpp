@@ -148,7 +148,7 @@ void SceneTools::frame_changed() {
   if ((state_ == State::kDrag && !held) || gone) state_ = State::kMute;
   if (state_ == State::kEnd && !(part_ && frame && frame->scene)) state_ = State::kMute;
   find_kept_overlaps();
-  if (state_ == State::kHand) plays() && index_.contains(grab_->body) ? pull() : end_hand();
+  if (state_ == State::kHand) holds() ? pull() : end_hand();
 }
 
 // --- tools
@@ -212,6 +212,7 @@ void SceneTools::press(const QPointF& at, bool repeated) {
   grab_ = grab_at(at);
   pressed_.reset();
   if (grab_ && plays()) pressed_ = body_now(*sight_().frame, index_.at(grab_->body));
+  pressed_place_ = sight_().camera.to_world(at);
   swept_ = 0.0;
   end_ = end_under(at);
   over_ = true;

@@ -231,6 +231,7 @@ class SceneTools : public QObject {
   void show_drawing(Overlay& out) const;
   // The hand on a body of a run that plays (scene_tool_hand.cpp).
   void begin_hand();
+  [[nodiscard]] bool holds() const;  // a body that moves, still
   void pull();
   void end_hand();
   // Joints, springs and forces (scene_tool_join.cpp).
@@ -304,10 +305,11 @@ class SceneTools : public QObject {
   QPointF mouse_;
   bool over_ = false;  // the mouse is over the scene
   Qt::KeyboardModifiers keys_{};
-  std::optional<Grab> grab_;        // none: empty space
-  std::optional<std::size_t> end_;  // of the chosen part, that a drag would take
-  double swept_ = 0.0;              // rad, see DragPoint
-  std::optional<Body> pressed_;     // as it stood when it was pressed, while the run plays
+  std::optional<Grab> grab_;           // none: empty space
+  std::optional<std::size_t> end_;     // of the chosen part, that a drag would take
+  double swept_ = 0.0;                 // rad, see DragPoint
+  std::optional<Body> pressed_;        // as it stood when it was pressed, while the run plays
+  Vec2 pressed_place_ = Vec2::Zero();  // m, likewise
   std::optional<Hand> hand_;
   QElapsedTimer since_pull_;
   DragStart start_;

@@ -120,6 +120,8 @@ TEST_F(SessionHandTest, UndoWhileItPullsEndsIt) {
   ASSERT_TRUE(test::wait_in_event_loop([&] { return runs().newest().front()->hand.has_value(); }));
   session_.edits().undo();
   ASSERT_TRUE(test::wait_in_event_loop([&] { return !runs().newest().front()->hand; }));
+  pull(0.3);
+  EXPECT_TRUE(undo_text().startsWith("Run")) << "until the button is let go, no other throw begins";
   session_.hand().let_go();
   pause();
   redo();
