@@ -23,6 +23,21 @@ class SessionRunStepsTest : public SessionRecordTest {
     body.mass = mass;
     edit(Replace<Body>{body}, "Mass");
   }
+  // Each step of undo leads to the state before, and each step of redo to the next, twice.
+  void expect_back_and_forth(const std::vector<Shown>& states) {
+    for (int round = 0; round < 2; ++round) {
+      for (std::size_t i = states.size() - 1; i-- > 0;) {
+        SCOPED_TRACE(i);
+        undo();
+        expect_same(shown(), states[i]);
+      }
+      for (std::size_t i = 1; i < states.size(); ++i) {
+        SCOPED_TRACE(i);
+        redo();
+        expect_same(shown(), states[i]);
+      }
+    }
+  }
   [[nodiscard]] QString undo_text() { return session_.edits().undoText(); }
 };
 
@@ -89,18 +104,7 @@ TEST_F(SessionRunStepsTest, WithANewStartARestartAndComparedMethods) {
   play_to(0.1);
   states.push_back(shown());
   ASSERT_EQ(session_.edits().count(), 5);
-  for (int round = 0; round < 2; ++round) {
-    for (std::size_t i = states.size() - 1; i-- > 0;) {
-      SCOPED_TRACE(i);
-      undo();
-      expect_same(shown(), states[i]);
-    }
-    for (std::size_t i = 1; i < states.size(); ++i) {
-      SCOPED_TRACE(i);
-      redo();
-      expect_same(shown(), states[i]);
-    }
-  }
+  expect_back_and_forth(states);
 }
 
 // Single steps are a run too: else an edit that is made again would find another run than it was made in.
@@ -123,18 +127,7 @@ TEST_F(SessionRunStepsTest, SingleStepsAreARun) {
   steps(20);
   note();
   ASSERT_EQ(session_.edits().count(), 5);
-  for (int round = 0; round < 2; ++round) {
-    for (std::size_t i = states.size() - 1; i-- > 0;) {
-      SCOPED_TRACE(i);
-      undo();
-      expect_same(shown(), states[i]);
-    }
-    for (std::size_t i = 1; i < states.size(); ++i) {
-      SCOPED_TRACE(i);
-      redo();
-      expect_same(shown(), states[i]);
-    }
-  }
+  expect_back_and_forth(states);
 }
 
 TEST_F(SessionRunStepsTest, AllIsTakenBackAndMadeAgainWithoutWaiting) {
