@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "physics/scene/fields.h"
+#include "physics/scene/forces.h"
 #include "physics/scene/validate.h"
 #include "widgets/edit/inspected_parts.h"
 

@@ -1,7 +1,7 @@
 #include "physics/model/force_terms.h"
 
 #include "physics/model/bodies_by_name.h"
-#include "physics/scene/fields.h"
+#include "physics/scene/forces.h"
 
 namespace carom {
 

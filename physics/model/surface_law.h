@@ -2,8 +2,8 @@
 
 namespace carom {
 
-// How two surfaces behave in contact: a Material (physics/scene/scene.h), which says more of each, without its
-// name. All dimensionless.
+// How two surfaces behave in contact: a Material (physics/scene/material.h), which says more of each, without
+// its name. All dimensionless.
 struct SurfaceLaw {
   double restitution = 1.0;
   double tangential_restitution = 0.0;

@@ -3,6 +3,8 @@
 #include <fmt/ranges.h>
 
 #include "physics/dynamics/integrators/method_fields.h"
+#include "physics/scene/scene.h"
+#include "physics/scene/stop.h"
 
 namespace carom {
 

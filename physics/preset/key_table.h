@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "physics/scene/fields.h"
+#include "physics/scene/shape.h"
 
 namespace carom {
 

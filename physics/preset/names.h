@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "physics/preset/preset.h"
-#include "physics/scene/names.h"
+#include "physics/scene/named.h"
 
 // The words of a preset file that stand for a choice, beside those of a scene.
 namespace carom {

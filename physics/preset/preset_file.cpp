@@ -43,7 +43,7 @@ void read_preset_object(FieldReader& r, Preset& preset, ForcePlaces& places) {
   r.field({"about", "what the experiment is, a paragraph"}, preset.about, kText);
   r.field({"observe", "what to look at, a few words"}, preset.observe, kText);
   r.field({"duration", "how long a run lasts"}, preset.duration, kDuration);
-  r.field({"gravity", "[x, y]"}, preset.scene.forces.gravity, kGravity);
+  r.field({"gravity", "[x, y]"}, preset.scene.forces.gravity, kGravityRange);
   r.member({"method", "how the run is computed"},
            [&](const ValueReader& v) { v.object([&](FieldReader& m) { fields(m, preset.method); }); });
   const auto each = [](auto& list) {

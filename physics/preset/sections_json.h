@@ -7,7 +7,6 @@
 #include "physics/preset/names.h"
 #include "physics/preset/preset.h"
 #include "physics/preset/value_reader.h"
-#include "physics/scene/fields.h"
 #include "physics/scene/validate.h"
 
 // The parts of a preset file and what they stand for.

@@ -29,7 +29,7 @@ void read_observable(FieldReader& r, bool in_plot, std::string& name, std::vecto
   }
   r.needed({"observable", "the name of one"}, [&](const ValueReader& v) { name = names[v.word(names)]; });
   r.member({"bodies", "as many as the observable asks for"}, [&](const ValueReader& v) {
-    v.list({0, kMostObserved}, [&](const ValueReader& body) { bodies.push_back(body.text(kName)); });
+    v.list({0, kMostObserved}, [&](const ValueReader& body) { bodies.push_back(body.text(kNameLength)); });
   });
   for (const auto& [count, group] : by_bodies) {
     Json then = {{"properties", {{"bodies", {{"minItems", count}, {"maxItems", count}}}}}};

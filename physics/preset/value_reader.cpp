@@ -244,7 +244,7 @@ void FieldReader::two_names(const Key& key, std::string& a, std::string& b) {
   put(key.name, Json::array({a, b}));
   needed(key, [&](const ValueReader& v) {
     std::vector<std::string> two;
-    v.list({2, 2}, [&](const ValueReader& name) { two.push_back(name.text(kName)); });
+    v.list({2, 2}, [&](const ValueReader& name) { two.push_back(name.text(kNameLength)); });
     a = two.front();
     b = two.back();
   });

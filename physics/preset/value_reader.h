@@ -9,13 +9,12 @@
 #include <vector>
 
 #include "physics/preset/json_text.h"
-#include "physics/scene/fields.h"
 #include "physics/scene/scene.h"
 #include "physics/scene/validate.h"
 
 // Reads a preset file value by value; each error is one line with the JSON pointer of the place. The same
 // functions describe the format: a reader without a value records in a JSON Schema what it would have read.
-// The keys of a scene stand in physics/scene/fields.h.
+// The keys of a scene stand beside its types: see physics/scene/fields.h.
 namespace carom {
 
 class FieldReader;

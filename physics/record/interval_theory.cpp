@@ -6,7 +6,7 @@
 
 #include "physics/math/vectors.h"
 #include "physics/model/bodies_by_name.h"
-#include "physics/scene/fields.h"
+#include "physics/scene/forces.h"
 
 namespace carom {
 namespace {

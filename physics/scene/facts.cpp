@@ -5,7 +5,6 @@
 #include <map>
 #include <vector>
 
-#include "physics/scene/fields.h"
 #include "physics/scene/method.h"
 
 namespace carom {

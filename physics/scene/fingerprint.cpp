@@ -11,8 +11,6 @@
 #include <variant>
 #include <vector>
 
-#include "physics/scene/fields.h"
-
 namespace carom {
 namespace {
 

@@ -36,7 +36,7 @@ struct Range {
 inline constexpr Range kRestitutionRange{.low = 0.0, .high = 1.0};
 inline constexpr Range kTangentialRestitution{.low = -1.0, .high = 1.0};
 inline constexpr Range kFrictionCoefficient{.low = 0.0, .high = 1e3};  // also of rolling resistance
-inline constexpr Range kDiscRadius{.low = kLeastPositive, .unit = "m", .or_zero = true};
+inline constexpr Range kDiscRadiusRange{.low = kLeastPositive, .unit = "m", .or_zero = true};
 inline constexpr Range kDuration = positive("s");  // of a run
 inline constexpr Range kStepRange{.low = kLeastStep, .high = kLargestStep, .unit = "s"};
 inline constexpr Range kToleranceRange{.low = kLeastTolerance, .high = kLargestTolerance, .unit = "m and m/s"};

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "physics/math/vectors.h"
-#include "physics/scene/fields.h"
+#include "physics/scene/shape.h"
 #include "physics/scene/value_checks.h"
 
 namespace carom {

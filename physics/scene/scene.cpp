@@ -8,27 +8,12 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "physics/scene/fields.h"
-
 namespace carom {
 namespace {
 
 // Uniform in [low, high); std::uniform_real_distribution differs between standard libraries.
 double uniform(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
-}
-
-// Without a name.
-Material mixed_surface(const Material& a, const Material& b) {
-  Material m;
-  m.name.clear();
-  m.restitution = std::min(a.restitution, b.restitution);
-  m.tangential_restitution = std::min(a.tangential_restitution, b.tangential_restitution);
-  m.static_friction = std::sqrt(a.static_friction * b.static_friction);
-  m.kinetic_friction = std::sqrt(a.kinetic_friction * b.kinetic_friction);
-  m.rolling_resistance = std::sqrt(a.rolling_resistance * b.rolling_resistance);
-  m.sticks = a.sticks || b.sticks;
-  return m;
 }
 
 // Whether a material or a pair of materials has it.
@@ -40,46 +25,6 @@ bool any_surface(const Scene& scene, const Property& has) {
 }
 
 }  // namespace
-
-Material mixed(const Material& a, const Material& b) {
-  Material m = mixed_surface(a, b);
-  m.name = a.name + "/" + b.name;
-  return m;
-}
-
-double mass_of(const Body& body) {
-  if (has_infinite_mass(body)) return std::numeric_limits<double>::infinity();
-  if (body.mass) return *body.mass;
-  return body.density.value_or(1.0) * area(body.shape);
-}
-
-double inertia_of(const Body& body) {
-  if (has_infinite_mass(body)) return std::numeric_limits<double>::infinity();
-  if (body.inertia) return *body.inertia;
-  return mass_of(body) * inertia_per_mass(body.shape);
-}
-
-std::vector<Body> bodies_of(const Compound& compound, const Body& body) {
-  const Vec2 centre = centre_of(compound);
-  std::vector<Body> bodies;
-  for (const PlacedShape& placed : compound.shapes) {
-    Body& part = bodies.emplace_back(body);
-    part.name.clear();
-    part.id = {};
-    part.shape = shape_of(placed.shape);
-    const Vec2 arm = turned_by(body.angle, placed.position - centre);
-    part.position += arm;
-    part.angle += placed.angle;
-    part.velocity += body.spin * crossed(arm);
-    part.mass.reset();
-    part.inertia.reset();
-    if (!has_infinite_mass(body)) part.density = mass_of(body) / area(body.shape);
-    if (!placed.material.empty()) part.material = placed.material;
-  }
-  return bodies;
-}
-
-double turning_radius(const Body& body) { return inertia_of(body) > 0.0 ? bounding_radius(body.shape) : 0.0; }
 
 Material material_named(const Scene& scene, const std::string& name) {
   const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),

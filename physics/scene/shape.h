@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "physics/math/vectors.h"
+#include "physics/scene/fields.h"
 #include "physics/scene/polygon.h"
 
 namespace carom {
@@ -106,5 +107,71 @@ struct ConvexPart {
 // Where the line from + s along, |along| = 1, enters and leaves the outline: s in m; nothing if it misses.
 [[nodiscard]] std::optional<std::pair<double, double>> chord(const Outline& outline, const Vec2& from,
                                                              const Vec2& along);
+
+template <class V>
+void fields(V& v, Is<Disc> auto& disc) {
+  v.required({"radius", "of the disc; 0 for a point-like body"}, disc.radius, kDiscRadiusRange);
+}
+
+template <class V>
+void fields(V& v, Is<Box> auto& box) {
+  v.required({"width", "along its own x axis"}, box.width, positive("m"));
+  v.required({"height", "along its own y axis"}, box.height, positive("m"));
+}
+
+template <class V>
+void fields(V& v, Is<Polygon> auto& polygon) {
+  v.points({"vertices", "corners of a polygon in order, convex if it is rounded, [[x, y], ...], in m"},
+           polygon.vertices, Count{2, kMostPolygonPoints}, any_number("m"));
+  if (v.shows(polygon.rounding != 0.0))
+    v.field({"rounding", "by which it grows on all sides"}, polygon.rounding, from_zero("m"));
+}
+
+template <class V>
+void fields(V& v, Is<Wall> auto& wall) {
+  v.field({"length", "of a thin wall; without it a half-plane"}, wall.length, positive("m"));
+}
+
+// As it stands there, or begun.
+template <class Form, class... Forms>
+Form& form_of(std::variant<Forms...>& shape) {
+  return std::holds_alternative<Form>(shape) ? std::get<Form>(shape) : shape.template emplace<Form>();
+}
+template <class Form, class... Forms>
+const Form& form_of(const std::variant<Forms...>& shape) {
+  return std::get<Form>(shape);
+}
+
+template <class T>
+concept ShapeOfOnePart = Is<T, Shape> || Is<T, PlainShape>;
+
+// Of a compound see fields of a body.
+template <class V>
+void fields(V& v, ShapeOfOnePart auto& shape) {
+  v.cases({"type", "the kind of shape"}, Words(kShapeWords.begin(), kShapeWords.end()), shape.index(),
+          [&](std::size_t kind, V& k) {
+            if (kind == 0) {
+              fields(k, form_of<Disc>(shape));
+            } else if (kind == 1) {
+              fields(k, form_of<Box>(shape));
+            } else if (kind == 2) {
+              fields(k, form_of<Polygon>(shape));
+            } else {
+              fields(k, form_of<Wall>(shape));
+            }
+          });
+}
+
+inline constexpr const char* kShapeForms =
+    "{\"type\": \"disc\", \"radius\": r}, {\"type\": \"box\", \"width\": w, \"height\": h}, "
+    "{\"type\": \"polygon\", \"vertices\": [[x, y], ...]} or {\"type\": \"wall\"}";
+
+template <class V>
+void fields(V& v, Is<PlacedShape> auto& s) {
+  v.required_object({"shape", kShapeForms}, s.shape);
+  v.field({"position", "of its centre of mass, [x, y]"}, s.position, any_number("m"));
+  v.field({"angle", "counter-clockwise"}, s.angle, any_number("rad"));
+  v.field({"material", "the name of one; without it that of the body"}, s.material, kPerhapsNameLength);
+}
 
 }  // namespace carom

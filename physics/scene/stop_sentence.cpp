@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <optional>
 
-#include "physics/scene/names.h"
 #include "physics/scene/plain_text.h"
 #include "physics/scene/range_check.h"
 #include "physics/scene/stop.h"

@@ -179,7 +179,7 @@ void check_applied(const Forces& forces, const ForcePlaces& places, const NamedB
 constexpr std::size_t kMostAttracted = 2'000;
 
 void check_forces(const Forces& forces, const ForcePlaces& places, const NamedBodies& bodies) {
-  RangeCheck("").field({"gravity", ""}, forces.gravity, kGravity);
+  RangeCheck("").field({"gravity", ""}, forces.gravity, kGravityRange);
   const auto place = [&places](const char* type) {
     const auto found = places.common.find(type);
     return fmt::format("/forces/{}", found == places.common.end() ? 0 : found->second);

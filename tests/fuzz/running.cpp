@@ -29,12 +29,12 @@ auto pick(const Table& table, Draws& draws) {
 Draws::Draws(std::string_view bytes) : random_(hash(bytes)) {}
 
 std::optional<Preset> small_scene(std::string_view bytes) {
-  constexpr double kMostBodies = 20.0;
+  constexpr double kSlowFrom = 20.0;
   try {
     Preset preset = parse_preset(bytes, "input");
     double bodies = static_cast<double>(preset.scene.bodies.size());
     for (const GridGenerator& g : preset.scene.generators) bodies += static_cast<double>(g.columns) * g.rows;
-    if (bodies > kMostBodies) return std::nullopt;
+    if (bodies > kSlowFrom) return std::nullopt;
     return preset;
   } catch (const SceneError&) {
     return std::nullopt;

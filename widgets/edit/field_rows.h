@@ -8,10 +8,10 @@
 #include <variant>
 #include <vector>
 
-#include "physics/scene/fields.h"
+#include "physics/scene/scene.h"
 
 // The members of a body, a material, a joint, a spring or a force as rows that can be shown and set: numbers,
-// the components of vectors, and flags, with their ranges and meanings as fields.h states them.
+// the components of vectors, and flags, with their ranges and meanings as its fields state them.
 namespace carom {
 
 // Nothing where an optional number is not given.
@@ -87,7 +87,7 @@ class EachMember : public OnlyLooks {
   std::string before_;
 };
 
-// The rows of a value, in the order of fields.h.
+// The rows of a value, in the order of its fields.
 template <class T>
 [[nodiscard]] std::vector<FieldRow> field_rows(const T& value) {
   std::vector<FieldRow> rows;

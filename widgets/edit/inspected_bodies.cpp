@@ -21,7 +21,7 @@ using Bodies = std::shared_ptr<const std::vector<Body>>;
 struct BodyLine {
   const char* section;
   const char* label;
-  const char* key;            // as in fields.h, or of a value that follows from those
+  const char* key;            // as its fields have it, or of a value that follows from those
   bool vector = false;        // two components in one line
   const char* act = nullptr;  // the verb of an undo name without values, "Move light"
 };

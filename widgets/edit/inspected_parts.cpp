@@ -15,7 +15,7 @@ constexpr std::size_t kMostListed = 50;
 
 struct PartLine {
   const char* label;
-  const char* key;  // as in fields.h
+  const char* key;  // as its fields have it
   bool vector = false;
 };
 constexpr auto kPartLines = std::to_array<PartLine>({

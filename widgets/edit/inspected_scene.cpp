@@ -98,13 +98,14 @@ InspectedRow planet_row(const SetForces& forces) {
     if (std::abs(size - planet.gravity) <= kRounding * planet.gravity)
       choice.chosen = static_cast<int>(choice.words.size());
     choice.words << QString::fromUtf8(planet.name) +
-                        (planet.gravity == 0.0 ? QString() : " " + field_text(planet.gravity, kGravity.unit));
+                        (planet.gravity == 0.0 ? QString()
+                                               : " " + field_text(planet.gravity, kGravityRange.unit));
   }
   choice.edits = [forces, size](int index) {
     const Planet& planet = kPlanets[static_cast<std::size_t>(index)];
     SetForces changed = forces;
     set_gravity(changed, planet.gravity);
-    return NamedEdits{{changed}, "Gravity " + change_text(size, planet.gravity, kGravity.unit)};
+    return NamedEdits{{changed}, "Gravity " + change_text(size, planet.gravity, kGravityRange.unit)};
   };
   return {.section = "Forces", .label = "as on", .choice = choice};
 }

@@ -14,7 +14,7 @@ constexpr std::size_t kMostShown = 12;
 // The lines of a shape, in order.
 struct ShapeLine {
   const char* label;
-  const char* key;            // as in fields.h
+  const char* key;            // as its fields have it
   bool vector = false;        // two components in one line
   const char* act = nullptr;  // the verb of an undo name without values, "Move shape 1 of C"
 };

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMostShown = 20;  // surfaces, and pairs of them
 
 struct SurfaceLine {
-  const char* key;    // as in fields.h
+  const char* key;    // as its fields have it
   const char* name;   // in sentences and undo names; UTF-8
   const char* label;  // UTF-8
 };

@@ -6,8 +6,8 @@ namespace carom {
 
 QString name_fault(const QString& name, const QString& of) {
   if (name.isEmpty() && !of.isEmpty()) return NameField::tr("%1 has a name.").arg(of);
-  if (static_cast<std::size_t>(name.toUcs4().size()) > kName.most)
-    return NameField::tr("A name has up to %1 characters.").arg(kName.most);
+  if (static_cast<std::size_t>(name.toUcs4().size()) > kNameLength.most)
+    return NameField::tr("A name has up to %1 characters.").arg(kNameLength.most);
   return {};
 }
 

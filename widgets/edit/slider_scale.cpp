@@ -12,7 +12,7 @@ namespace carom {
 namespace {
 
 // What lessons use of each SI unit: where the slider of a positive value begins, and where all end. What is
-// allowed is another matter, the ranges in physics/scene/fields.h: no slider leaves them, but most reach much
+// allowed is another matter, the ranges of their fields: no slider leaves them, but most reach much
 // farther than a lesson.
 struct UsualValues {
   std::string_view unit;

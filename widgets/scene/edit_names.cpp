@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "physics/scene/names.h"
+#include "physics/scene/scene.h"
 #include "widgets/base/number_text.h"
 #include "widgets/edit/units.h"
 

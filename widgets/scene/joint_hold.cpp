@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "physics/scene/names.h"
+#include "physics/scene/scene.h"
 
 namespace carom {
 namespace {

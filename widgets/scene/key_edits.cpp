@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "physics/scene/edit_rules.h"
-#include "physics/scene/names.h"
+#include "physics/scene/scene.h"
 #include "widgets/edit/reshaping.h"
 #include "widgets/scene/drag.h"
 #include "widgets/scene/edit_names.h"

@@ -11,10 +11,10 @@
 namespace carom {
 namespace {
 
-constexpr double kLeastStep = 1.0;   // px between neighbouring values
-constexpr double kLargestStep = 16;  // px
-constexpr int kIterations = 8;       // of Newton's, to the touching place on an axis
-constexpr double kLeastSlope = 0.1;  // of the gap along an axis: flatter ones meet too far away
+constexpr double kLeastSpacing = 1.0;   // px between neighbouring values
+constexpr double kLargestSpacing = 16;  // px
+constexpr int kIterations = 8;          // of Newton's, to the touching place on an axis
+constexpr double kLeastSlope = 0.1;     // of the gap along an axis: flatter ones meet too far away
 
 // The distance of two outlines, negative in an overlap, and the direction that parts them.
 struct Gap {
@@ -92,8 +92,8 @@ double on_grid(double value, double spacing, double reach) {
 }
 
 double step_for_mouse(double wanted, double pixels) {
-  if (wanted * pixels > kLargestStep) return step_not_above(kLargestStep / pixels);
-  if (wanted * pixels < kLeastStep) return step_not_below(kLeastStep / pixels);
+  if (wanted * pixels > kLargestSpacing) return step_not_above(kLargestSpacing / pixels);
+  if (wanted * pixels < kLeastSpacing) return step_not_below(kLeastSpacing / pixels);
   return wanted;
 }
 

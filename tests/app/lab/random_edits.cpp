@@ -6,8 +6,8 @@
 namespace carom::test {
 namespace {
 
-constexpr std::size_t kMostBodies = 12;  // of the list, before bodies are removed instead of added
-constexpr double kHalfWidth = 3.0;       // m, of the square in which bodies are put
+constexpr std::size_t kEnoughBodies = 12;  // of the list, before bodies are removed instead of added
+constexpr double kHalfWidth = 3.0;         // m, of the square in which bodies are put
 
 }  // namespace
 
@@ -216,7 +216,7 @@ SceneEdits RandomEdits::several() {
 }
 
 SceneEdits RandomEdits::add_body() {
-  if (scene_.bodies.size() >= kMostBodies) return remove_body();
+  if (scene_.bodies.size() >= kEnoughBodies) return remove_body();
   Body body;
   body.name = name("body");
   body.shape = once_in(8) ? Shape(Wall{between(0.5, 2.0)}) : shape();

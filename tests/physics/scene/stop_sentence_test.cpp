@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "physics/scene/names.h"
 #include "physics/scene/stop.h"
 #include "physics/scene/validate.h"
 

@@ -37,7 +37,7 @@ TEST_F(InspectorTest, ChangesAllSelectedBodies) {
   EXPECT_EQ(heavy().position, Vec2(1.0, 0.5));
 }
 
-// The inspector has no line of its own for it: fields.h alone tells of it.
+// The inspector has no line of its own for it: its fields alone tell of it.
 TEST_F(InspectorTest, HasAFieldForEachNumberThatABodyStates) {
   EXPECT_FALSE(has_field("Inertia, kg m²"));
   Body body = light();

@@ -174,7 +174,7 @@ TEST(Quantity, SaysWhatARangeAllows) {
   EXPECT_EQ(range_sentence("Mass", 1e-15, positive("kg")), "Mass is at least 1e−12 kg.");
   EXPECT_EQ(range_sentence("Mass", 1e13, positive("kg")), "Mass is at most 1e12 kg.");
   EXPECT_EQ(range_sentence("Linear drag", -1.0, from_zero("kg/s")), "Linear drag is 0 or more.");
-  EXPECT_EQ(range_sentence("Radius", -1.0, kDiscRadius), "Radius is 0 or more.");
+  EXPECT_EQ(range_sentence("Radius", -1.0, kDiscRadiusRange), "Radius is 0 or more.");
   EXPECT_EQ(range_sentence("x", -1e13, any_number("m")), "x is at least −1e12 m.");
 }
 

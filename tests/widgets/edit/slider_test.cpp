@@ -34,7 +34,7 @@ TEST(SliderScale, StretchesToALargerValueWithinTheRange) {
   EXPECT_EQ(slider_scale(any_number("m/s²"), -30.0).low, -30.0);
   EXPECT_EQ(slider_scale(kTangentialRestitution, 0.0).low, -1.0);
   // A point-like disc.
-  const SliderScale radius = slider_scale(kDiscRadius, 0.0);
+  const SliderScale radius = slider_scale(kDiscRadiusRange, 0.0);
   EXPECT_EQ(radius.place_of(0.0), 0.0);
   EXPECT_GT(radius.value_at(0.0), 0.0);
 }
