@@ -59,6 +59,7 @@ DocumentChange EditHistory::assign(const DocumentChange& change, bool begins) {
 DocumentChange EditHistory::take_back(const DocumentChange& change, const DocumentEdit::What& what) {
   if (what.run != nullptr) {
     runs_.take_back(*what.run);
+    emit runsReturned();
     return {};
   }
   // What was done to the runs that a cut left is in these alone.
@@ -67,6 +68,7 @@ DocumentChange EditHistory::take_back(const DocumentChange& change, const Docume
   if (what.left != 0) {
     runs_.return_to(what.left);
     if (!what.cuts && what.runs != 0) runs_.undo_or_redo(what.runs);
+    emit runsReturned();
   }
   if (!what.selection.empty()) emit selectionReturned(what.selection);
   return forth;
@@ -75,6 +77,7 @@ DocumentChange EditHistory::take_back(const DocumentChange& change, const Docume
 DocumentChange EditHistory::make_again(const DocumentChange& change, const DocumentEdit::What& what) {
   if (what.run != nullptr) {
     runs_.make_again(*what.run);
+    emit runsReturned();
     return {};
   }
   if (what.cuts && !what.begins) {

@@ -59,6 +59,7 @@ class EditHistory : public QObject {
   void documentChanged();
   void bodiesChanged();  // of the document, with its plots
   void plotsChanged();   // of the document
+  void runsReturned();   // undo or redo shows runs as they were
   void editRefused(const QString& why);
   void selectionReturned(const std::vector<std::string>& names);
 

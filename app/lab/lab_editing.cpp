@@ -76,6 +76,7 @@ void LabWindow::connect_edits() {
     if (frame() != nullptr) select_new();
   });
   connect(&session_, &Session::bodiesChanged, this, &LabWindow::show_aim);
+  connect(&session_, &Session::runsReturned, this, &LabWindow::show_aim);
   connect(&session_, &Session::documentChanged, view_, &SceneView::scene_edited);
   aim_time_.setSingleShot(true);
   connect(&aim_time_, &QTimer::timeout, view_, [this] { view_->set_aim(std::nullopt); });
@@ -98,7 +99,8 @@ void LabWindow::forget_refusal() {
   sheet_->end_sentence();
 }
 
-// For a while after each edit of a start: where the bodies will first meet. Within a frame, or not at all.
+// For a while after each edit of a start, and when undo brings one back: where the bodies will first meet.
+// Within a frame, or not at all.
 void LabWindow::show_aim() {
   constexpr double kAhead = 2.0;  // s
   constexpr std::chrono::milliseconds kBudget(4);

@@ -8,8 +8,20 @@
 // The playhead of the lab's runs: which moment of their record is shown.
 namespace carom {
 
+std::optional<double> LabRuns::picked() const {
+  if (playhead_ && playhead_->impact) return playhead_->impact;
+  if (!stepped_ || frames().empty() || !there()) return std::nullopt;
+  const Frame& shown = *frames().front();
+  if (shown.playing || shown.jumps.empty()) return std::nullopt;
+  const double time = shown.jumps.back()->time();
+  const double rounding = kSameMoment * shown.method.step;
+  const bool within = time > shown.time - shown.method.step + rounding && time <= shown.time + rounding;
+  return within ? std::optional(time) : std::nullopt;
+}
+
 void LabRuns::go_to(double time) {
   if (!has_record()) return;
+  stepped_ = false;
   if (time >= frames_.front()->time) return go_to_end();
   seek({std::max(time, start_time(document_.preset.saved))});
 }
@@ -31,6 +43,7 @@ void LabRuns::go_to_impact(double time) {
 
 void LabRuns::go_by_impact(bool forward) {
   if (!has_record()) return;
+  stepped_ = false;
   const Frame& shown = *frames().front();
   const double step = shown.method.step;
   const double rounding = kSameMoment * step;
@@ -48,6 +61,7 @@ void LabRuns::go_by_impact(bool forward) {
 }
 
 void LabRuns::step_by(int steps) {
+  stepped_ = steps > 0;
   if (!playhead_ && steps > 0) return worker_.step_once();
   if (!has_record()) return;
   if (!playhead_ && frames_.front()->time <= start_time(document_.preset.saved)) return;

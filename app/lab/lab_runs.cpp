@@ -24,6 +24,7 @@ LabRuns::LabRuns(const Document& document) : document_(document), worker_(docume
 // -----------------------------------------------------------------------------------------------------------
 
 void LabRuns::set_playing(bool playing) {
+  stepped_ = false;
   if (replayed_) return worker_.end_replay();
   if (playing) forget_wait();
   if (playhead_) return play_past(playing);

@@ -59,8 +59,8 @@ class LabRuns : public QObject {
   [[nodiscard]] double shown_time() const;  // s, that was asked for
   // The stop of which the moment is shown, while it stands there (lab_stops.cpp).
   [[nodiscard]] std::optional<Stop> stopped() const;
-  // s, of the impact that was gone to, while its moment is shown.
-  [[nodiscard]] std::optional<double> picked() const { return playhead_ ? playhead_->impact : std::nullopt; }
+  // s, of the impact that was gone to, while its moment is shown; after a step on, of the last one within it.
+  [[nodiscard]] std::optional<double> picked() const;
 
   // --- what is known of them
   void record(const std::vector<Curve>& curves);
@@ -198,6 +198,7 @@ class LabRuns : public QObject {
   std::optional<RunBefore> before_;
   std::optional<Playhead> playhead_;  // none: at the newest moment
   Pace pace_{Pace::Clock::now()};     // while the playhead plays
+  bool stepped_ = false;              // a step on has led to what is shown
   std::uint64_t halts_ = 0;           // number of the last one that was shown
   std::optional<double> replayed_;
   double speed_ = 1.0;

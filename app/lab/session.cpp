@@ -23,6 +23,7 @@ Session::Session(QObject* parent) : QObject(parent), history_(Document{empty_doc
   connect(&history_, &EditHistory::documentChanged, this, &Session::documentChanged);
   connect(&history_, &EditHistory::bodiesChanged, this, &Session::bodiesChanged);
   connect(&history_, &EditHistory::plotsChanged, this, &Session::plotsChanged);
+  connect(&history_, &EditHistory::runsReturned, this, &Session::runsReturned);
   connect(&history_, &EditHistory::editRefused, this, &Session::editRefused);
   connect(&history_, &EditHistory::selectionReturned, this, &Session::selectionReturned);
 }

@@ -89,6 +89,7 @@ class Session : public QObject {
   void documentChanged();
   void bodiesChanged();  // of the document, with its plots
   void plotsChanged();   // of the document
+  void runsReturned();   // undo or redo shows runs as they were
   void editRefused(const QString& why);
   void selectionReturned(const std::vector<std::string>& names);
   void modifiedChanged(bool modified);

@@ -3,6 +3,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
+#include <limits>
 
 #include "widgets/theme/theme.h"
 
@@ -39,15 +40,25 @@ Bubble refusal_bubble(const QString& sentences, const QPointF& mouse, const QPoi
 }
 
 QRectF place_of(const Bubble& bubble, const QSizeF& size, const QSizeF& view) {
-  // On the side to which the mouse went.
-  const bool left = bubble.mouse.x() < bubble.from.x();
-  const bool below = bubble.mouse.y() > bubble.from.y();
-  const QPointF corner = bubble.mouse + QPointF(left ? -kFromMouse - size.width() : kFromMouse,
-                                                below ? kFromMouse : -kFromMouse - size.height());
+  const double right = bubble.mouse.x() < bubble.from.x() ? -1.0 : 1.0;
+  const double down = bubble.mouse.y() > bubble.from.y() ? 1.0 : -1.0;
   const QPointF last(view.width() - size.width() - kToEdge, view.height() - size.height() - kToEdge);
-  return {QPointF(std::max(kToEdge, std::min(corner.x(), last.x())),
-                  std::max(kToEdge, std::min(corner.y(), last.y()))),
-          size};
+  const QPointF half(0.5 * size.width() + kFromMouse, 0.5 * size.height() + kFromMouse);
+  QRectF best;
+  int least = std::numeric_limits<int>::max();
+  for (const QPointF& side :
+       {QPointF(right, down), QPointF(-right, down), QPointF(right, -down), QPointF(-right, -down)}) {
+    QRectF wanted(QPointF(), size);
+    wanted.moveCenter(bubble.mouse + QPointF(side.x() * half.x(), side.y() * half.y()));
+    const QPointF corner(std::max(kToEdge, std::min(wanted.left(), last.x())),
+                         std::max(kToEdge, std::min(wanted.top(), last.y())));
+    const QRectF place(corner, size);
+    const int covered = 2 * bubble.clear_of.covered_by(place) + (corner == wanted.topLeft() ? 0 : 1);
+    if (covered >= least) continue;
+    least = covered;
+    best = place;
+  }
+  return best;
 }
 
 QRectF rect_of(const Bubble& bubble, const QFont& font, const QSizeF& view) {

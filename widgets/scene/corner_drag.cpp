@@ -70,7 +70,9 @@ Dragged drag_corner(const DragStart& start, const DragPoint& point) {
     const int across = std::abs(way.x()) >= std::abs(way.y()) ? 1 : 0;
     at[across] = before[across];
   }
-  return with_corner(start, at, point.scale);
+  Dragged out = with_corner(start, at, point.scale);
+  if (!out.fault) out.detail = with_former(out.detail, place_text(before, point.scale));
+  return out;
 }
 
 }  // namespace carom

@@ -8,6 +8,7 @@
 #include <optional>
 #include <variant>
 
+#include "physics/math/vectors.h"
 #include "widgets/edit/reshaping.h"
 #include "widgets/scene/corner_drag.h"
 #include "widgets/scene/edit_names.h"
@@ -80,6 +81,7 @@ Dragged move(const DragStart& start, const DragPoint& point) {
   for (Body& body : out.bodies) body.position += moved;
   out.bodies[0].position = grabbed.position;
   out.value = place_text(grabbed.position, point.scale);
+  if (out.detail.isEmpty()) out.detail = with_former({}, place_text(start.bodies[0].position, point.scale));
   out.name = "Move " + name_of_bodies(start.bodies);
   return out;
 }
@@ -114,8 +116,10 @@ Dragged pull_velocity(const DragStart& start, const DragPoint& point) {
   out.bodies[0].velocity = v;
   const int decimals = decimals_of(step) + (free(point) ? 1 : 0);
   out.value = velocity_text(v, decimals, free(point) ? 1 : 0);
-  out.detail =
-      QStringLiteral("v = (%1, %2) m/s").arg(fixed_text(v.x(), decimals + 1), fixed_text(v.y(), decimals + 1));
+  const auto parts = [decimals](const Vec2& w) {
+    return QStringLiteral("(%1, %2)").arg(fixed_text(w.x(), decimals + 1), fixed_text(w.y(), decimals + 1));
+  };
+  out.detail = with_former("v = " + parts(v) + " m/s", parts(before));
   out.name = name_of_velocity(start.bodies, out.bodies);
   return out;
 }
@@ -132,6 +136,7 @@ Dragged turn(const DragStart& start, const DragPoint& point) {
   out.bodies = start.bodies;
   out.bodies[0].angle = angle;
   out.value = angle_text(angle, free(point) ? 1 : 0);
+  out.detail = with_former({}, angle_text(body.angle, 1));
   out.name = "Turn " + name_of_bodies(start.bodies);
   return out;
 }
@@ -145,7 +150,7 @@ Dragged spin(const DragStart& start, const DragPoint& point) {
   out.bodies = start.bodies;
   out.bodies[0].spin = after;
   out.value = spin_text(after);
-  out.detail = turns_text(after);
+  out.detail = with_former(turns_text(after), spin_text(before));
   out.name = name_of_spin(start.bodies[0], out.bodies[0]);
   return out;
 }
@@ -158,6 +163,18 @@ Dragged resize_disc(const DragStart& start, const DragPoint& point, const Disc& 
   const double radius = drawn_length(disc.radius + outwards, point);
   Dragged out;
   out.bodies = {resized(body, Disc{radius})};
+  out.value = size_text(out.bodies[0].shape, point);
+  return out;
+}
+
+// The far end stays.
+Dragged resize_wall(const DragStart& start, const DragPoint& point, double before) {
+  const Body& body = start.bodies[0];
+  const Vec2 outwards = turned_by(body.angle, side_of(start.kind));
+  const double length = drawn_length(before + outwards.dot(point.at - start.press), point);
+  Dragged out;
+  out.bodies = {resized(body, Wall{length})};
+  out.bodies[0].position += 0.5 * (length - before) * outwards;
   out.value = size_text(out.bodies[0].shape, point);
   return out;
 }
@@ -185,6 +202,13 @@ Dragged resize_box(const DragStart& start, const DragPoint& point, const Box& bo
   return out;
 }
 
+// To a decimal more than the mouse sets: it need not be a round one.
+QString former_size(const Shape& shape, DragPoint point) {
+  point.keys |= Qt::ControlModifier;
+  const auto* disc = std::get_if<Disc>(&shape);
+  return disc != nullptr ? drawn_text(disc->radius, point) : size_text(shape, point);
+}
+
 Dragged resize(const DragStart& start, const DragPoint& point) {
   Dragged out;
   const Body& body = start.bodies[0];
@@ -192,10 +216,13 @@ Dragged resize(const DragStart& start, const DragPoint& point) {
     out = resize_disc(start, point, *disc);
   } else if (const auto* box = std::get_if<Box>(&body.shape)) {
     out = resize_box(start, point, *box);
+  } else if (const auto* wall = std::get_if<Wall>(&body.shape)) {
+    out = resize_wall(start, point, wall->length.value_or(0.0));
   } else {
     out.bodies = start.bodies;
   }
   if (!has_infinite_mass(body)) out.detail = QStringLiteral("m = %1 kg").arg(mass_of(out.bodies[0]), 0, 'g', 3);
+  out.detail = with_former(out.detail, former_size(body.shape, point));
   out.name = "Resize " + name_of_bodies(start.bodies);
   return out;
 }

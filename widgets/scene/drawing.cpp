@@ -151,12 +151,12 @@ class Builder {
   void add_velocities() {
     bool moves = false;
     for (int i = 0; i < count(); ++i) {
+      if (fixed(i)) continue;
+      const Vec2 along = in_.frame.state.velocity(i) * in_.arrows.seconds;
+      moves = moves || in_jump(i) || !along.isZero(0.0);
       // A selected body keeps its own arrow, to be pulled.
-      if (!fixed(i) && (!in_jump(i) || is_selected(i))) {
-        const Vec2 along = in_.frame.state.velocity(i) * in_.arrows.seconds;
+      if (!in_jump(i) || is_selected(i))
         add_arrow(in_, seen_, {in_.frame.state.position(i), along, in_.theme.series[0]}, out_);
-        moves = moves || !along.isZero(0.0);
-      }
     }
     if (!moves) return;
     const double scale = in_.options.line_scale;

@@ -58,6 +58,10 @@ QString velocity_text(const Vec2& velocity, int decimals, int decimals_of_direct
   return speed + " at " + fixed_text(direction(velocity), decimals_of_direction) + kDegree;
 }
 
+QString with_former(const QString& detail, const QString& value) {
+  return (detail.isEmpty() ? QString() : detail + " · ") + "was " + value;
+}
+
 QString angle_text(double radians, int decimals) { return fixed_text(degrees(radians), decimals) + kDegree; }
 
 QString spin_text(double spin) { return fixed_text(spin, 2) + " rad/s"; }

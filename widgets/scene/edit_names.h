@@ -24,6 +24,9 @@ namespace carom {
 [[nodiscard]] QString velocity_text(const Vec2& velocity, int decimals, int decimals_of_direction = 0);
 [[nodiscard]] QString angle_text(double radians, int decimals = 0);
 
+// "m = 4 kg · was 10 cm": a detail, which may be empty, with what a value was.
+[[nodiscard]] QString with_former(const QString& detail, const QString& value);
+
 // "2.00 rad/s" and "0.32 turns a second".
 [[nodiscard]] QString spin_text(double spin);
 [[nodiscard]] QString turns_text(double spin);

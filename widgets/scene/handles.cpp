@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <variant>
 
+#include "physics/math/vectors.h"
+#include "physics/scene/polygon.h"
 #include "widgets/edit/reshaping.h"
 
 namespace carom {
@@ -16,6 +19,9 @@ constexpr double kGap = 8.0;         // px from the outline to a handle of the s
 constexpr double kStem = 24.0;       // px from there to the knob
 constexpr double kStub = 30.0;       // px from the outline to the grip of a short velocity
 constexpr double kTail = 240.0;      // degrees, where the arc of a spin begins
+constexpr double kToSizes = 11.0;    // px, from the handles of the size to the grip of a spin
+constexpr int kHalvings = 24;        // of a distance, to well below a px
+constexpr double kArcPiece = 3.0;    // degrees, of the arc of a spin
 constexpr double kSteepArrow = 0.8;  // sine of the direction from which on an arrow would cross the knob's stem
 
 // px on the screen, y down.
@@ -36,28 +42,45 @@ void add_velocity(const Body& body, std::size_t index, const Camera& camera, dou
                      centre + std::max(rim, length) * on_screen(along)});
 }
 
-// Just outside the rim of a disc; of another body, and of a small disc, outside its handles.
-double arc_radius(const Body& body, const Camera& camera) {
-  const auto* disc = std::get_if<Disc>(&body.shape);
-  if (disc == nullptr) {
-    const double reach = half_extent(body.shape, 0.0).norm() * camera.scale + std::numbers::sqrt2 * kGap;
-    return std::max(reach, kLeastHandleDistance) + kHandleReach;
+// What a spin's arc goes around: no dents.
+Outline hull_of(const Shape& shape) {
+  Outline outline = outline_of(shape);
+  if (outline.vertices.size() > 2) outline.vertices = convex_hull(std::move(outline.vertices));
+  return outline;
+}
+
+// px from the centre, where the grip of a spin stands at this angle: just outside the rim of a disc; of another
+// body along its outline, and of a small one around it, outside the handles of the size.
+double spin_distance(const Body& body, const Outline& hull, double angle, const Camera& camera) {
+  if (const auto* disc = std::get_if<Disc>(&body.shape)) {
+    const double near = disc->radius * camera.scale + kGap;
+    const double corner = std::max(std::numbers::sqrt2 * near, kLeastHandleDistance);
+    const bool clear = near >= kLeastHandleDistance && corner - near >= kHandleReach;
+    return clear ? near : corner + kHandleReach;
   }
-  const double near = disc->radius * camera.scale + kGap;
-  const double corner = std::max(std::numbers::sqrt2 * near, kLeastHandleDistance);
-  const bool clear = near >= kLeastHandleDistance && corner - near >= kHandleReach;
-  return clear ? near : corner + kHandleReach;
+  const double out = (std::numbers::sqrt2 * kGap + kToSizes) / camera.scale;
+  const Vec2 along = turned_by(angle - body.angle, Vec2::UnitX());
+  double low = 0.0;
+  double high = bounding_radius(body.shape) + out;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = 0.5 * (low + high);
+    (signed_distance(hull, middle * along) < out ? low : high) = middle;
+  }
+  return std::max(high * camera.scale, kLeastHandleDistance + kToSizes);
 }
 
 void add_spin(const Body& body, const Camera& camera, std::vector<Handle>& handles) {
   if (!(inertia_of(body) > 0.0)) return;
-  const Handle::Arc arc{.centre = camera.to_screen(body.position),
-                        .radius = arc_radius(body, camera),
-                        .tail = kTail,
-                        .sweep = std::clamp(body.spin * kArcOfSpin, -kLongestArc, kLongestArc)};
-  const double grip = (arc.tail + arc.sweep) * std::numbers::pi / 180.0;
-  const QPointF at = arc.centre + arc.radius * on_screen(Vec2(std::cos(grip), std::sin(grip)));
-  handles.push_back({HandleKind::kSpin, 0, at, std::nullopt, arc});
+  const QPointF centre = camera.to_screen(body.position);
+  const Outline hull = hull_of(body.shape);
+  Handle::Arc arc{.tail = kTail, .sweep = std::clamp(body.spin * kArcOfSpin, -kLongestArc, kLongestArc)};
+  const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / kArcPiece)));
+  for (int k = 0; k <= pieces; ++k) {
+    const double angle = (arc.tail + arc.sweep * k / pieces) * std::numbers::pi / 180.0;
+    arc.way.append(centre + spin_distance(body, hull, angle, camera) *
+                                on_screen(Vec2(std::cos(angle), std::sin(angle))));
+  }
+  handles.push_back({HandleKind::kSpin, 0, arc.way.last(), std::nullopt, arc});
 }
 
 void add_knob(const Body& body, const Camera& camera, bool arrow, std::vector<Handle>& handles) {
@@ -81,6 +104,15 @@ void add_sizes_of_box(const Body& body, const Box& box, const Camera& camera, st
     const double least = kLeastHandleDistance / side.norm();
     const Vec2 reach = (half.array() + kGap).max(least);
     const Vec2 out = Eigen::Rotation2Dd(body.angle) * side.cwiseProduct(reach);
+    handles.push_back({kind, 0, centre + on_screen(out), std::nullopt});
+  }
+}
+
+void add_ends_of_wall(const Body& body, double length, const Camera& camera, std::vector<Handle>& handles) {
+  const QPointF centre = camera.to_screen(body.position);
+  const double reach = std::max(0.5 * length * camera.scale + kGap, kLeastHandleDistance);
+  for (const HandleKind kind : {HandleKind::kRight, HandleKind::kLeft}) {
+    const Vec2 out = Eigen::Rotation2Dd(body.angle) * (reach * side_of(kind));
     handles.push_back({kind, 0, centre + on_screen(out), std::nullopt});
   }
 }
@@ -109,6 +141,8 @@ void add_sizes(const Body& body, const Camera& camera, std::vector<Handle>& hand
     }
   } else if (const auto* box = std::get_if<Box>(&body.shape)) {
     add_sizes_of_box(body, *box, camera, handles);
+  } else if (const auto* wall = std::get_if<Wall>(&body.shape)) {
+    if (wall->length) add_ends_of_wall(body, *wall->length, camera, handles);
   } else if (const auto* polygon = std::get_if<Polygon>(&body.shape)) {
     add_corners(body, *polygon, camera, handles);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPointF>
+#include <QPolygonF>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -34,12 +35,11 @@ struct Handle {
   std::size_t body = 0;         // among those that have handles
   QPointF at;                   // px
   std::optional<QPointF> foot;  // px: the other end of the line that ties it to its body
-  // Of a spin: px, and degrees counter-clockwise from the right.
+  // Of a spin: degrees counter-clockwise from the right.
   struct Arc {
-    QPointF centre;
-    double radius = 0.0;
     double tail = 0.0;   // where it begins
     double sweep = 0.0;  // from there to the grip
+    QPolygonF way{};     // px, along the outline
   };
   std::optional<Arc> arc{};
   std::size_t corner = 0;  // of a polygon, among its vertices
@@ -61,8 +61,8 @@ inline constexpr double kLongestArc = 330.0;
 // The nearest one that the mouse reaches.
 [[nodiscard]] std::optional<Handle> handle_at(std::span<const Handle> handles, const QPointF& at);
 
-// The direction of a box's side or corner from its centre, in its own axes, as 1, -1 or 0 along each; zero for
-// other kinds.
+// The direction of a box's side or corner, or of a thin wall's end, from its centre, in its own axes, as 1, -1
+// or 0 along each; zero for other kinds.
 [[nodiscard]] Vec2 side_of(HandleKind kind);
 
 }  // namespace carom

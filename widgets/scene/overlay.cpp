@@ -1,6 +1,7 @@
 #include "widgets/scene/overlay.h"
 
 #include <QFontMetricsF>
+#include <QGuiApplication>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -19,7 +20,6 @@ constexpr double kGrip = 7.0;     // px, radius of the ring at the tip of a velo
 constexpr double kChosen = 4.0;   // px, width of the line of a chosen joint
 constexpr double kHeadLength = 12.0;
 constexpr double kHeadHalfWidth = 5.0;
-constexpr double kToEdge = 2.0;
 constexpr double kGuide = 2.4;     // px, width of a guide
 constexpr double kCross = 3.5;     // px, half the cross at the end of a guide
 constexpr double kBlocked = 3.0;   // px, width of a joint or edge that can't be
@@ -58,6 +58,14 @@ QPen dotted(const QColor& color) {
   return pen;
 }
 
+QFont aim_font() {
+  QFont font = QGuiApplication::font();
+  font.setPixelSize(kDetailSize);
+  return font;
+}
+
+QString aim_text(const Aim& aim) { return QString("first impact at %1 s").arg(aim.time, 0, 'f', 3); }
+
 // The paths dotted, the bodies dashed where they meet, and the time beside them.
 void paint_aim(QPainter& painter, const Aim& aim, const Camera& camera, const Theme& theme) {
   painter.setBrush(Qt::NoBrush);
@@ -68,20 +76,12 @@ void paint_aim(QPainter& painter, const Aim& aim, const Camera& camera, const Th
     painter.drawPolyline(line);
   }
   painter.setPen(dashed(theme.accent));
-  QRectF all;
   for (const Body& body : aim.meeting) {
-    if (body.fixed) continue;
-    painter.drawPath(body_path(body, camera));
-    all |= body_path(body, camera).boundingRect();
+    if (!body.fixed) painter.drawPath(body_path(body, camera));
   }
-  QFont font = painter.font();
-  font.setPixelSize(kDetailSize);
-  painter.setFont(font);
+  painter.setFont(aim_font());
   painter.setPen(theme.accent);
-  const QString text = QString("first impact at %1 s").arg(aim.time, 0, 'f', 3);
-  const QFontMetricsF metrics(font);
-  painter.drawText(QPointF(all.center().x() - 0.5 * metrics.horizontalAdvance(text), all.top() - kToEdge - 6.0),
-                   text);
+  painter.drawText(text_place(aim, camera), Qt::AlignCenter, aim_text(aim));
 }
 
 // From a centre to what it is level with, where a small cross stands.
@@ -173,11 +173,9 @@ void paint_padlock(QPainter& painter, const Body& body, const Camera& camera, co
 
 // Along the rim from its tail to its grip.
 void paint_arc(QPainter& painter, const Handle::Arc& arc, const Theme& theme) {
-  const QRectF circle(arc.centre - QPointF(arc.radius, arc.radius), QSizeF(2 * arc.radius, 2 * arc.radius));
-  constexpr double kUnits = 16.0;  // of Qt in a degree
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(theme.accent, 2.5, Qt::SolidLine, Qt::RoundCap));
-  painter.drawArc(circle, qRound(kUnits * arc.tail), qRound(kUnits * arc.sweep));
+  painter.setPen(QPen(theme.accent, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolyline(arc.way);
 }
 
 void paint_handle(QPainter& painter, const Handle& handle, const Theme& theme) {
@@ -257,10 +255,22 @@ void paint_sign(QPainter& painter, const QPointF& middle, const Theme& theme) {
 
 bool on_sign(const QPointF& middle, const QPointF& mouse) { return QLineF(middle, mouse).length() <= kSign; }
 
+QRectF text_place(const Aim& aim, const Camera& camera) {
+  constexpr double kAbove = 6.0;  // px, the outlines
+  QRectF all;
+  for (const Body& body : aim.meeting) {
+    if (!body.fixed) all |= body_path(body, camera).boundingRect();
+  }
+  const QFontMetricsF metrics(aim_font());
+  const QSizeF size(metrics.horizontalAdvance(aim_text(aim)) + 1.0, metrics.height());
+  return {QPointF(all.center().x() - 0.5 * size.width(), all.top() - kAbove - size.height()), size};
+}
+
 void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera, const Theme& theme) {
   if (overlay.aim) paint_aim(painter, *overlay.aim, camera, theme);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   for (const Overlay::Ghost& ghost : overlay.ghosts) paint_ghost(painter, overlay, ghost, camera, theme);
+  if (overlay.direction) paint_direction(painter, *overlay.direction, theme);
   for (const auto& [from, to] : overlay.guides) paint_guide(painter, from, to, camera, theme);
   for (const Body& body : overlay.selected) paint_outline(painter, body, camera, theme);
   for (const Body& body : overlay.lit) paint_outline(painter, body, camera, theme);

@@ -11,7 +11,9 @@
 #include "physics/scene/scene.h"
 #include "widgets/scene/bubble.h"
 #include "widgets/scene/camera.h"
+#include "widgets/scene/direction_arc.h"
 #include "widgets/scene/handles.h"
+#include "widgets/scene/obstacles.h"
 #include "widgets/scene/overlap.h"
 #include "widgets/theme/theme.h"
 
@@ -46,10 +48,12 @@ struct Overlay {
   std::vector<Link> links;
   std::vector<Ghost> ghosts;
   std::vector<Handle> handles;
+  std::vector<Handle> grips;   // the same, and those that a drag hides: texts stand clear of them
   std::optional<QRectF> band;  // px, of the selection
   std::optional<Body> drawn;   // a body that is being drawn
   Corners corners;
-  double arrow_seconds = 0.0;  // m of arrow per m/s, for ghosts
+  double arrow_seconds = 0.0;             // m of arrow per m/s, for ghosts
+  std::optional<DirectionArc> direction;  // of a velocity that is being pulled
   Bubble bubble;
   std::vector<std::pair<Vec2, Vec2>> guides;     // m, from a dragged body to what it snapped to
   std::vector<Overlap> overlaps;                 // their shared areas
@@ -68,6 +72,16 @@ struct Overlay {
 
 // Whether the mouse is on the sign of an overlap whose middle is there, in px.
 [[nodiscard]] bool on_sign(const QPointF& middle, const QPointF& mouse);
+
+// px: of the words at the first impact.
+[[nodiscard]] QRectF text_place(const Aim& aim, const Camera& camera);
+
+// What the bubble stands clear of: the handles, arrows and ghosts of what is selected or dragged, and the way
+// to the first impact.
+[[nodiscard]] Obstacles obstacles_of(const Overlay& overlay, const Camera& camera);
+
+// px: the handles, and the signs of overlaps, which names stand clear of.
+[[nodiscard]] Obstacles obstacles_of_names(const Overlay& overlay, const Camera& camera);
 
 void paint_tools(QPainter& painter, const Overlay& overlay, const Camera& camera, const Theme& theme);
 

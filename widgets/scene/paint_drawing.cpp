@@ -6,16 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "widgets/scene/body_path.h"
 #include "widgets/scene/paint_jump.h"
 #include "widgets/scene/scale_row.h"
+#include "widgets/scene/text_places.h"
 
 namespace carom {
 namespace {
-
-constexpr double kNameGap = 2.0;  // px, left free on both sides of a name
 
 // Arrow heads, in widths of the shaft, and never longer than this share of the arrow.
 constexpr double kHeadLength = 5.5;
@@ -108,13 +106,6 @@ void paint_numbers(QPainter& painter, const Drawing& drawing, const Camera& came
   }
 }
 
-void set_text_size(QPainter& painter, double pixels, int weight) {
-  QFont font = painter.font();
-  font.setPixelSize(std::max(1, static_cast<int>(std::lround(pixels))));
-  font.setWeight(static_cast<QFont::Weight>(weight));
-  painter.setFont(font);
-}
-
 }  // namespace
 
 void paint_arrow(QPainter& painter, const ArrowOnScreen& a, double width, const QColor& color) {
@@ -148,7 +139,7 @@ double grid_line_width(const Drawing& drawing) { return drawing.outline / 1.5; }
 
 void paint_drawing(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
   paint_shapes(painter, drawing, camera, theme);
-  paint_text(painter, drawing, camera, theme);
+  paint_text(painter, drawing, camera, theme, {});
 }
 
 void paint_shapes(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
@@ -165,28 +156,23 @@ void paint_shapes(QPainter& painter, const Drawing& drawing, const Camera& camer
   }
 }
 
-void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
+void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
+                const Obstacles& obstacles) {
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   const double left = paint_scale_row(painter, drawing, camera, theme);
   if (drawing.has_grid) {
-    set_text_size(painter, drawing.text_size - 1.0, QFont::Normal);
+    painter.setFont(sized_font(painter.font(), drawing.text_size - 1.0, QFont::Normal));
     paint_numbers(painter, drawing, camera, theme, left);
   }
-  set_text_size(painter, drawing.text_size, QFont::DemiBold);
-  const QFontMetricsF metrics(painter.font());
-  std::vector<QRectF> written;
-  for (const Drawing::LabelItem& label : drawing.labels) {
-    const double width = metrics.horizontalAdvance(label.text);
-    const QPointF at = camera.to_screen(label.anchor) + QPointF(-width / 2, label.drop);
-    const QRectF place(at - QPointF(kNameGap, 0.0), QSizeF(width + 2 * kNameGap, metrics.ascent()));
-    // Overlapping names are unreadable, so the later one is left out.
-    if (std::any_of(written.begin(), written.end(), [&](const QRectF& r) { return r.intersects(place); }))
-      continue;
-    written.push_back(place);
-    painter.setPen(label.color);
-    painter.drawText(at + QPointF(0.0, metrics.ascent()), label.text);
+  painter.setFont(sized_font(painter.font(), drawing.text_size, QFont::DemiBold));
+  const double ascent = QFontMetricsF(painter.font()).ascent();
+  Obstacles taken = obstacles;
+  for (const NamePlace& name : name_places(drawing, camera, painter.font(), obstacles)) {
+    painter.setPen(drawing.labels[name.label].color);
+    painter.drawText(name.rect.topLeft() + QPointF(kNameGap, ascent), drawing.labels[name.label].text);
+    taken.rects.push_back(name.rect);
   }
-  paint_jump(painter, drawing, camera, theme);
+  paint_jump(painter, drawing, camera, theme, taken);
 }
 
 }  // namespace carom

@@ -3,6 +3,7 @@
 #include <QPointF>
 
 #include "widgets/scene/drawing.h"
+#include "widgets/scene/obstacles.h"
 
 class QPainter;
 
@@ -32,7 +33,9 @@ void paint_drawing(QPainter& painter, const Drawing& drawing, const Camera& came
 
 // Background, grid and shapes.
 void paint_shapes(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme);
-// Names, the grid's numbers and the scale bar; also over OpenGL.
-void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme);
+// Names, the grid's numbers and the scale bar; also over OpenGL. Names, and texts at an impact, stand clear of
+// the obstacles.
+void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
+                const Obstacles& obstacles);
 
 }  // namespace carom

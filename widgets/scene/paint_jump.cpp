@@ -1,19 +1,16 @@
 #include "widgets/scene/paint_jump.h"
 
-#include <QFontMetricsF>
 #include <QLineF>
 #include <QPainter>
 #include <QPen>
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "widgets/scene/paint_drawing.h"
+#include "widgets/scene/text_places.h"
 
 namespace carom {
 namespace {
-
-constexpr double kTextGap = 6.0;  // px, from its anchor
-constexpr double kInset = 4.0;    // px, from the view's edges
 
 void paint_arrow(QPainter& painter, const Drawing::JumpArrow& arrow, double line_scale, const Camera& camera,
                  const Theme& theme) {
@@ -30,26 +27,10 @@ void paint_arrow(QPainter& painter, const Drawing::JumpArrow& arrow, double line
   painter.drawConvexPolygon(head, 3);
 }
 
-void paint_words(QPainter& painter, const Drawing::JumpText& text, const Camera& camera) {
-  QFont font = painter.font();
-  font.setWeight(text.strong ? QFont::DemiBold : QFont::Normal);
-  painter.setFont(font);
-  const QFontMetricsF metrics(font);
-  QRectF place = metrics.boundingRect(QRectF(), Qt::AlignLeft, text.text);
-  const QPointF side(text.side.x(), -text.side.y());
-  const double away = std::abs(side.x()) * (0.5 * place.width() + kTextGap) +
-                      std::abs(side.y()) * (0.5 * place.height() + kTextGap);
-  place.moveCenter(camera.to_screen(text.at) + away * side);
-  const QRectF view = QRectF(QPointF(), camera.viewport).adjusted(kInset, kInset, -kInset, -kInset);
-  place.moveLeft(std::clamp(place.left(), view.left(), std::max(view.left(), view.right() - place.width())));
-  place.moveTop(std::clamp(place.top(), view.top(), std::max(view.top(), view.bottom() - place.height())));
-  painter.setPen(text.color);
-  painter.drawText(place, Qt::AlignLeft | Qt::TextDontClip, text.text);
-}
-
 }  // namespace
 
-void paint_jump(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme) {
+void paint_jump(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
+                const Obstacles& obstacles) {
   const Drawing::Jump& jump = drawing.jump;
   if (jump.axis) {
     QPen dashed(theme.muted, drawing.outline, Qt::CustomDashLine, Qt::FlatCap);
@@ -59,7 +40,13 @@ void paint_jump(QPainter& painter, const Drawing& drawing, const Camera& camera,
   }
   const double line_scale = grid_line_width(drawing);
   for (const Drawing::JumpArrow& arrow : jump.arrows) paint_arrow(painter, arrow, line_scale, camera, theme);
-  for (const Drawing::JumpText& text : jump.texts) paint_words(painter, text, camera);
+  const QFont font = painter.font();
+  const std::vector<QRectF> places = jump_places(drawing, camera, font, obstacles);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    painter.setFont(font_of(jump.texts[k], drawing, font));
+    painter.setPen(jump.texts[k].color);
+    painter.drawText(places[k], Qt::AlignLeft | Qt::TextDontClip, jump.texts[k].text);
+  }
 }
 
 }  // namespace carom

@@ -30,7 +30,8 @@ void paint_tools_smoothly(QPainter& painter, const Picture& picture) {
 }  // namespace
 
 void paint_overlay(QPainter& painter, const Picture& picture) {
-  paint_text(painter, picture.drawing, picture.camera, picture.theme);
+  paint_text(painter, picture.drawing, picture.camera, picture.theme,
+             obstacles_of_names(picture.overlay, picture.camera));
   paint_tools_smoothly(painter, picture);
   if (!picture.focus_frame) return;
   painter.setPen(QPen(picture.theme.accent, 2.0));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <span>
 
+#include "widgets/scene/drag_limits.h"
 #include "widgets/scene/grid.h"
 #include "widgets/scene/new_body.h"
 #include "widgets/scene/scene_tools.h"
@@ -26,11 +27,13 @@ Body SceneTools::body_of(const Drawn& drawn) const {
 
 void SceneTools::add(const Drawn& drawn) {
   const Body body = body_of(drawn);
+  const std::vector<Overlap> overlaps = overlaps_of_new(body);
   const QString noun = QString::fromUtf8(shape_tool(tool_)->noun);
   const QString refusal =
       own_edit({Add<Body>{body}}, "Add " + noun + " " + QString::fromStdString(body.name), ++drags_);
   if (!refusal.isEmpty()) return note(refusal_bubble(refusal, mouse_, press_));
-  note({drawn.value, overlap_of_new(body), mouse_, press_}, Grab{HandleKind::kRadius, body.name});
+  note({drawn.value, overlaps.empty() ? QString() : overlap_text(overlaps[0], point({})), mouse_, press_},
+       Grab{HandleKind::kRadius, body.name});
   used_tool();
 }
 
@@ -93,7 +96,13 @@ void SceneTools::show_corners(Overlay& out) const {
   if (!out.bubble.value.isEmpty() || draft_.empty()) return;
   const Vec2& last = draft_.corners().back();
   out.bubble = {line_text(next - last, point(keys_)), {}, mouse_, sight_().camera.to_screen(last)};
-  if (fault.isEmpty()) return;
+  if (fault.isEmpty()) {
+    PolygonDraft closed = draft_;
+    if (!closes_polygon()) closed.set(next);
+    const std::optional<Drawn> drawn = closed.closed();
+    if (drawn) show_overlaps_of_new(body_of(*drawn), out);
+    return;
+  }
   out.bubble.value = fault;
   out.bubble.fault = true;
   if (draft_.refused() || closes_polygon()) out.bubble.detail = QStringLiteral("Enter draws around it too");
@@ -106,12 +115,14 @@ void SceneTools::show_drawing(Overlay& out) const {
   const bool held = state_ == State::kPressed || state_ == State::kDraw;
   if (typing_ && typing_->drawing) {
     out.drawn = body_of((typing_->tried ? typing_->tried : typing_->drawing)->drawn());
+    show_overlaps_of_new(*out.drawn, out);
   } else if (tool->by_corners) {
     if (held || !draft_.empty()) show_corners(out);
   } else if (state_ == State::kDraw) {
     const Drawn drawn = tool->drag(stroke());
     out.drawn = body_of(drawn);
     out.bubble = {drawn.value, {}, mouse_, press_};
+    show_overlaps_of_new(*out.drawn, out);
   }
 }
 

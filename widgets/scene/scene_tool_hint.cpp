@@ -1,4 +1,5 @@
 #include <array>
+#include <variant>
 
 #include "widgets/scene/scene_tools.h"
 
@@ -49,6 +50,9 @@ QString SceneTools::hint(const QPointF& at) const {
     if (has_infinite_mass(body) || !plays()) return tr("click: select · pause to move it");
     return tr("click: select · drag: pull it by the hand");
   }
+  const Body& grabbed = (*sight.frame->bodies)[static_cast<std::size_t>(index_.at(grab->body))];
+  if (std::holds_alternative<Wall>(grabbed.shape) && !side_of(grab->kind).isZero(0.0))
+    return tr("drag: length · double click: type it");
   for (const HandleHint& each : kHandleHints) {
     if (each.kind == grab->kind) return tr(each.text);
   }

@@ -33,13 +33,21 @@ DragStart SceneTools::start_of(const Grab& grab, std::vector<Body> bodies) const
   return start;
 }
 
-QString SceneTools::overlap_of_new(const Body& body) const {
+std::vector<Overlap> SceneTools::overlaps_of_new(const Body& body) const {
   const SceneSight sight = sight_();
   if (!sight.frame) return {};
   Surroundings beside;
   for (int i = 0; i < body_count(*sight.frame); ++i) beside.bodies.push_back(body_now(*sight.frame, i));
-  const std::vector<Overlap> overlaps = overlaps_of({&body, 1}, beside);
-  return overlaps.empty() ? QString() : overlap_text(overlaps[0], point({}));
+  return overlaps_of({&body, 1}, beside);
+}
+
+// As of a body that is dragged; but a new one stays where it is drawn.
+void SceneTools::show_overlaps_of_new(const Body& body, Overlay& out) const {
+  out.overlaps = overlaps_of_new(body);
+  if (out.overlaps.empty() || out.bubble.fault || out.bubble.value.isEmpty()) return;
+  out.bubble.value = overlap_text(out.overlaps[0], point({}));
+  out.bubble.detail = tr("Let go: it stays so, and play parts them.");
+  out.bubble.fault = true;
 }
 
 bool SceneTools::can_touch() const { return selection_.names().size() == 2; }

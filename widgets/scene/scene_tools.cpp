@@ -178,7 +178,8 @@ void SceneTools::used_tool() {
 // --- the drag
 
 std::vector<Handle> SceneTools::handles(const SceneSight& sight) const {
-  if (!sight.frame || !sight.frame->scene) return {};
+  // With another tool in hand none takes the press.
+  if (tool_ != SceneTool::kSelect || !sight.frame || !sight.frame->scene) return {};
   const std::vector<Body> bodies = selected_now();
   std::vector<Handle> handles =
       handles_of(bodies, sight.camera, sight.velocities ? std::optional(sight.arrow_seconds) : std::nullopt);
@@ -434,7 +435,7 @@ Overlay SceneTools::overlay() const {
   const SceneSight sight = sight_();
   Overlay out;
   out.selected = selected_now();
-  out.handles = handles(sight);
+  out.handles = out.grips = handles(sight);
   out.arrow_seconds = sight.arrow_seconds;
   show_locks(out);
   show_kept_overlaps(out);
@@ -444,6 +445,8 @@ Overlay SceneTools::overlay() const {
              selection_.names()[handle.body] != grab_->body;
     });
     out.ghosts = ghosts_;
+    if (grab_->kind == HandleKind::kVelocity)
+      out.direction = direction_arc(dragged_.bodies[0], sight.camera, sight.arrow_seconds);
     out.bubble = {dragged_.value, dragged_.detail, mouse_, press_, dragged_.fault};
     out.guides = dragged_.guides;
     out.overlaps = dragged_.overlaps;

@@ -229,6 +229,7 @@ class SceneTools : public QObject {
   void close_polygon();
   void show_corners(Overlay& out) const;
   void show_drawing(Overlay& out) const;
+  void show_overlaps_of_new(const Body& body, Overlay& out) const;
   // The hand on a body of a run that plays (scene_tool_hand.cpp).
   void begin_hand();
   [[nodiscard]] bool holds() const;  // a body that moves, still
@@ -276,7 +277,7 @@ class SceneTools : public QObject {
   void edit_by_key(KeyEdit kind, int key, Qt::KeyboardModifiers keys);
   // What surrounds an edit, and what is left of it (scene_tool_limits.cpp).
   [[nodiscard]] DragStart start_of(const Grab& grab, std::vector<Body> bodies) const;
-  [[nodiscard]] QString overlap_of_new(const Body& body) const;  // empty: there is none
+  [[nodiscard]] std::vector<Overlap> overlaps_of_new(const Body& body) const;  // the deepest first
   [[nodiscard]] bool can_touch() const;
   void put_in_touch();
   void say_overlap(const std::vector<Body>& bodies, const Surroundings& beside);

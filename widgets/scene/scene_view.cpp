@@ -240,6 +240,8 @@ void SceneView::refresh_tools() {
   if (std::exchange(drags_, tools_->dragging()) != tools_->dragging()) emit dragChanged(drags_);
   picture_.overlay = tools_->overlay();
   picture_.overlay.aim = aim_;
+  if (!picture_.overlay.bubble.value.isEmpty())
+    picture_.overlay.bubble.clear_of = obstacles_of(picture_.overlay, picture_.camera);
   if (press_ != Press::kPan) show_cursor(last_at_);
   canvas_->update();
 }
@@ -248,26 +250,6 @@ void SceneView::show_cursor(const QPointF& at) {
   if (QString hint = tools_->hint(at); hint != hint_) emit hintChanged(hint_ = std::move(hint));
   if (press_ == Press::kNone && on_bubble(at)) return setCursor(Qt::IBeamCursor);
   setCursor(press_ == Press::kNone && scale_under(at) ? Qt::PointingHandCursor : tools_->cursor(at));
-}
-
-bool SceneView::on_bubble(const QPointF& at) const {
-  const Bubble& bubble = picture_.overlay.bubble;
-  return tools_->can_type_noted() && !bubble.value.isEmpty() &&
-         rect_of(bubble, font(), picture_.camera.viewport).contains(at);
-}
-
-void SceneView::show_typing(const QString& first) {
-  const auto typed = tools_->typed();
-  if (!typed) return;
-  typing_->show_value({typed->name, typed->subject, typed->unit, typed->text, typed->bubble.detail});
-  place_typing();
-  typing_->begin(first);
-}
-
-void SceneView::place_typing() {
-  const auto typed = tools_->typed();
-  if (!typed) return;
-  typing_->move(place_of(typed->bubble, QSizeF(typing_->size()), picture_.camera.viewport).topLeft().toPoint());
 }
 
 void SceneView::set_aim(std::optional<Aim> aim) {

@@ -173,6 +173,12 @@ class TypedBody : public TypedThing {
       body.position = now_.position + turned_by(body.angle, 0.5 * grown * side);
       out.value = quantity_text(size.x(), "m") + " × " + quantity_text(size.y(), "m");
     }
+    if (const auto* wall = std::get_if<Wall>(&now_.shape)) {
+      body = resized(body, Wall{value});
+      const double grown = value - wall->length.value_or(0.0);
+      body.position = now_.position + turned_by(body.angle, 0.5 * grown * side_of(start_.kind));
+      out.value = quantity_text(value, "m");
+    }
     if (!has_infinite_mass(body)) out.detail = QStringLiteral("m = %1 kg").arg(mass_of(body), 0, 'g', 3);
     out.name = "Resize " + name_of_bodies(start_.bodies);
     return out;

@@ -113,6 +113,31 @@ TEST_F(LabPlayheadTest, ImpactsAndBothEnds) {
   ASSERT_NE(window_.frame()->scene, nullptr) << "for edits";
 }
 
+// By `.` as by PgUp: where a step has the impact, it is shown.
+TEST_F(LabPlayheadTest, AStepOntoAnImpactShowsIt) {
+  const auto arrows = [this] { return window_.scene_view().drawing().jump.arrows.size(); };
+  press(Qt::Key_PageUp);
+  const std::size_t all = arrows();
+  ASSERT_GT(all, 0U);
+  press(Qt::Key_Comma);
+  EXPECT_EQ(arrows(), 0U);
+  press(Qt::Key_Period);
+  EXPECT_EQ(arrows(), all);
+  // In whole steps: that from 0.330 to 0.335 s has the impact.
+  runs().go_to(0.33);
+  ASSERT_TRUE(wait_there());
+  EXPECT_EQ(arrows(), 0U);
+  press(Qt::Key_Period);
+  EXPECT_NEAR(time(), 0.335, 1e-9);
+  EXPECT_EQ(arrows(), all);
+  EXPECT_GT(window_.scene_view().drawing().velocity_key.amount, 0.0);
+  press(Qt::Key_Period);
+  EXPECT_EQ(arrows(), 0U);
+  runs().go_to(0.335);  // not by a step
+  ASSERT_TRUE(wait_there());
+  EXPECT_EQ(arrows(), 0U);
+}
+
 TEST_F(LabPlayheadTest, TheTimelineScrubs) {
   drag_timeline(0.9, 0.5);
   EXPECT_NEAR(time(), 0.5, 0.02);

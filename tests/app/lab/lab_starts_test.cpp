@@ -72,6 +72,30 @@ TEST_F(LabStartsTest, RunsAndEditsInThemAreTakenBackOneByOne) {
   EXPECT_FALSE(window_.isWindowModified());
 }
 
+TEST_F(LabStartsTest, UndoBringsTheAimOfAStartBack) {
+  const auto aims = [this] { return window_.scene_view().aim().has_value(); };
+  make_new_start();
+  EXPECT_FALSE(aims()) << "they part after their impact";
+  Body light = now(name_);
+  light.velocity = {3.0, 0.0};
+  window_.session().edit({Replace<Body>{light}}, "Speed");
+  ASSERT_TRUE(shows_start());
+  bool shown = false;
+  for (int i = 0; i < 10 && !shown; ++i) {  // a busy machine may leave one out
+    key(Qt::Key_Space);
+    ASSERT_TRUE(wait_for([&] { return time() > 0.0 && !aims(); }));
+    key(Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_TRUE(wait_for([this] { return time() == 0.0 && !window_.frame()->playing; }));
+    shown = aims();
+  }
+  EXPECT_TRUE(shown);
+  // Back before the new start there is none.
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(wait_for([this] { return std::abs(time() - 0.8) < 1e-9; }));
+  EXPECT_FALSE(aims());
+}
+
 TEST_F(LabStartsTest, RGoesToTheNewestStartAndCtrlRToTheFirst) {
   const Vec2 opened = window_.preset().scene.bodies[0].position;
   make_new_start();

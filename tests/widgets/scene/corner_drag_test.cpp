@@ -43,7 +43,7 @@ TEST(CornerDragTest, TheOtherCornersAndTheDensityStay) {
   EXPECT_TRUE(body.position.isApprox(Vec2(3.4, 1.0), 1e-12));
   EXPECT_NEAR(*body.mass, 4.0, 1e-12);
   EXPECT_EQ(moved.value, "x 4.20 m, y 0.70 m");
-  EXPECT_EQ(moved.detail, "m = 4 kg");
+  EXPECT_EQ(moved.detail, "m = 4 kg · was x 3.90 m, y 0.70 m");
   EXPECT_FALSE(moved.fault);
 }
 

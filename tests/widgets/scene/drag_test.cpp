@@ -46,7 +46,7 @@ TEST(DragTest, AWayAroundTheCentreChangesTheSpin) {
   EXPECT_EQ(spun(-400.0, {}).bodies[0].spin, -25.5);
   EXPECT_NEAR(spun(17.0, Qt::ControlModifier).bodies[0].spin, 1.0 + 17.0 / 15.0, 1e-12);
   EXPECT_NEAR(spun(100.0, Qt::ShiftModifier).bodies[0].spin, 2.0 * std::numbers::pi, 1e-12);
-  EXPECT_EQ(spun(100.0, Qt::ShiftModifier).detail, "1.00 turns a second");
+  EXPECT_EQ(spun(100.0, Qt::ShiftModifier).detail, "1.00 turns a second · was 1.00 rad/s");
 }
 
 TEST(DragTest, ShiftKeepsTheLongerAxis) {
@@ -124,6 +124,7 @@ TEST_F(VelocityDragTest, FollowsTheArrowScaleAndSnaps) {
   const Dragged pulled = drag(start_, Vec2(1.01, 0.02));
   EXPECT_EQ(pulled.bodies[0].velocity, Vec2(2.0, 0.0));
   EXPECT_EQ(pulled.value, "2.0 m/s at 0°");
+  EXPECT_EQ(pulled.detail, "v = (2.00, 0.00) m/s · was (1.00, 0.00)");
   EXPECT_EQ(pulled.name, "Speed of light 1.00 → 2.00 m/s");
   const Dragged up = drag(start_, 1.02 * Vec2(std::cos(12 * kDegree), std::sin(12 * kDegree)));
   EXPECT_TRUE(
@@ -190,6 +191,7 @@ TEST(DragTest, ResizesADiscAtItsDensity) {
   EXPECT_NEAR(*resized.bodies[0].inertia, 0.16, 1e-12);
   EXPECT_EQ(resized.bodies[0].position, Vec2(1.0, 1.0));
   EXPECT_EQ(resized.value, "r 20 cm");
+  EXPECT_EQ(resized.detail, "m = 4 kg · was 10.0 cm");
   EXPECT_EQ(resized.name, "Resize light");
   EXPECT_NEAR(std::get<Disc>(drag(start, Vec2(1.298, 1.298), Qt::ControlModifier).bodies[0].shape).radius,
               0.198, 1e-12);
@@ -211,6 +213,26 @@ TEST(DragTest, ResizesABoxFromItsFarSide) {
   EXPECT_EQ(resized.value, "60 cm × 20 cm");
   EXPECT_NEAR(std::get<Box>(drag(start, Vec2(1.07, 1.504), Qt::ShiftModifier).bodies[0].shape).height, 0.3,
               1e-12);
+}
+
+TEST(DragTest, TheFarEndOfATurnedWallStays) {
+  Body wall = disc_at("ramp", 1.0, 1.0, 0.0);
+  wall.shape = Wall{1.0};
+  wall.fixed = true;
+  wall.angle = 30.0 * kDegree;
+  const Vec2 along(std::cos(wall.angle), std::sin(wall.angle));
+  const DragStart right = start_of(HandleKind::kRight, wall, wall.position + 0.58 * along);
+  const Dragged grown = drag(right, wall.position + 0.78 * along + Vec2(-0.05, 0.0866));
+  EXPECT_NEAR(*std::get<Wall>(grown.bodies[0].shape).length, 1.2, 1e-12);
+  EXPECT_TRUE(grown.bodies[0].position.isApprox(wall.position + 0.1 * along, 1e-12));
+  EXPECT_EQ(grown.bodies[0].angle, wall.angle);
+  EXPECT_EQ(grown.value, "1.20 m");
+  EXPECT_EQ(grown.detail, "was 1.000 m");
+  EXPECT_EQ(grown.name, "Resize ramp");
+  const DragStart left = start_of(HandleKind::kLeft, wall, wall.position - 0.58 * along);
+  const Dragged shrunk = drag(left, wall.position - 0.18 * along);
+  EXPECT_NEAR(*std::get<Wall>(shrunk.bodies[0].shape).length, 0.6, 1e-12);
+  EXPECT_TRUE(shrunk.bodies[0].position.isApprox(wall.position + 0.2 * along, 1e-12));
 }
 
 TEST(DragTest, TheFarCornerOfABoxStays) {

@@ -2,6 +2,7 @@
 
 #include "tests/support/run_fixture.h"
 #include "tests/widgets/scene/scene_view_fixture.h"
+#include "widgets/scene/text_places.h"
 
 // 1 kg at 3 m/s hits 2 kg at rest at 0.2 s, elastically: they leave at -1 and 2 m/s, and each gets 4 N s.
 namespace carom {
@@ -59,6 +60,32 @@ TEST_F(DrawingJump, TakesThePlaceOfTheBodiesOwnArrowsAndNames) {
   view_.select({"A"});
   EXPECT_EQ(view_.drawing().arrows.size(), 1U) << "a selected body has the arrow of its handle";
 }
+
+TEST_F(DrawingJump, TextsStandClearOfBodiesHandlesAndEachOther) {
+  const auto places = [this] { return jump_places(view_.drawing(), view_.camera(), view_.font(), {}); };
+  const auto body = [this](std::size_t k) {
+    const Drawing::DiscItem& disc = view_.drawing().discs[k];
+    Obstacles out;
+    out.discs.push_back({view_.camera().to_screen(disc.center), disc.radius * view_.camera().scale});
+    return out;
+  };
+  for (int zoom = 0; zoom < 12; ++zoom) {
+    const std::vector<QRectF> all = places();
+    ASSERT_EQ(all.size(), 7U);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_EQ(body(0).covered_by(all[i]) + body(1).covered_by(all[i]), 0)
+          << "text " << i << ", zoom " << zoom;
+      for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(all[i].intersects(all[k])) << i << " and " << k;
+    }
+    if (view_.drawing().discs[0].radius * view_.camera().scale > 90.0) break;
+    view_.zoom_in();
+  }
+  Obstacles handle;
+  handle.rects.push_back(places().front());
+  EXPECT_EQ(handle.covered_by(jump_places(view_.drawing(), view_.camera(), view_.font(), handle).front()), 0);
+}
+
+TEST_F(DrawingJump, TheScaleOfVelocitiesStays) { EXPECT_GT(view_.drawing().velocity_key.amount, 0.0); }
 
 TEST_F(DrawingJump, OneSwitchHidesIt) {
   DrawingOptions options = view_.options();

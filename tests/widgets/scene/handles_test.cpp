@@ -3,6 +3,9 @@
 #include <QLineF>
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <numbers>
+
+#include "physics/math/vectors.h"
 
 namespace carom {
 namespace {
@@ -71,7 +74,7 @@ TEST_F(HandlesTest, SeveralBodiesHaveVelocitiesOnly) {
 TEST_F(HandlesTest, TheGripOfASpinGoesAlongTheRim) {
   const Handle still = of(handles({disc_}), HandleKind::kSpin);
   ASSERT_TRUE(still.arc);
-  EXPECT_EQ(still.arc->radius, 58.0);
+  EXPECT_NEAR(QLineF(still.at, QPointF(420.0, 200.0)).length(), 58.0, 1e-9);
   EXPECT_EQ(still.arc->sweep, 0.0);
   EXPECT_NEAR(still.at.x(), 420.0 - 29.0, 1e-9);
   EXPECT_GT(still.at.y(), 200.0);
@@ -103,6 +106,39 @@ TEST_F(HandlesTest, ABoxHasThemAtItsSidesAndCorners) {
   for (const Handle& a : all) {
     for (const Handle& b : all) EXPECT_TRUE(&a == &b || QLineF(a.at, b.at).length() > kHandleReach);
   }
+}
+
+TEST_F(HandlesTest, TheSpinOfALongBoxStandsAtItsOutline) {
+  disc_.shape = Box{3.0, 0.4};
+  disc_.angle = 0.3;
+  for (const double spin : {0.0, 2.0, -5.0, 11.0, 20.0}) {
+    disc_.spin = spin;
+    const std::vector<Handle> all = handles({disc_});
+    const Handle grip = of(all, HandleKind::kSpin);
+    const Vec2 at = turned_by(-disc_.angle, camera_.to_world(grip.at) - disc_.position);
+    const double away = signed_distance(disc_.shape, at) * camera_.scale;
+    EXPECT_GT(away, 20.0);
+    EXPECT_LT(away, 24.0);
+    ASSERT_TRUE(grip.arc);
+    EXPECT_EQ(grip.arc->way.last(), grip.at);
+    for (const Handle& each : all) {
+      if (each.kind < HandleKind::kRadius) continue;
+      EXPECT_GT(QLineF(each.at, grip.at).length(), 9.0) << "spin " << spin;
+    }
+  }
+}
+
+TEST_F(HandlesTest, AThinWallHasThemAtItsEnds) {
+  Body wall = disc_;
+  wall.shape = Wall{1.0};
+  wall.fixed = true;
+  wall.angle = std::numbers::pi / 2;
+  const std::vector<Handle> all = handles({wall});
+  EXPECT_EQ(all.size(), 3U) << "and the knob";
+  EXPECT_NEAR(QLineF(of(all, HandleKind::kRight).at, QPointF(420.0, 142.0)).length(), 0.0, 1e-9);
+  EXPECT_NEAR(QLineF(of(all, HandleKind::kLeft).at, QPointF(420.0, 258.0)).length(), 0.0, 1e-9);
+  wall.shape = Wall{};
+  EXPECT_EQ(handles({wall}).size(), 1U) << "a half-plane has the knob alone";
 }
 
 TEST_F(HandlesTest, APolygonHasThemAtItsCorners) {

@@ -274,6 +274,40 @@ TEST_F(SceneToolsTest, TheDiscToolDrawsADisc) {
   EXPECT_EQ(view_.tool(), SceneTool::kSelect);
 }
 
+TEST_F(SceneToolsTest, AToolInHandGoesBeforeHandles) {
+  view_.select({"B"});
+  const QPoint grip(400 + 25 + 30, 200);  // of its velocity, beside its rim
+  view_.set_tool(SceneTool::kDisc);
+  EXPECT_TRUE(view_.findChild<SceneTools*>()->overlay().handles.empty());
+  drag(grip, grip + QPoint(20, 0));
+  ASSERT_EQ(told_.size(), 1U);
+  EXPECT_EQ(told_[0].name, "Add disc C");
+  drag(grip, grip + QPoint(20, 0));  // with no tool in hand
+  ASSERT_GE(told_.size(), 2U);
+  EXPECT_TRUE(told_.back().name.startsWith("Speed of B")) << told_.back().name.toStdString();
+}
+
+TEST_F(SceneToolsTest, TheEndOfAWallIsDraggedInOneStep) {
+  answers_ = true;
+  Body wall;
+  wall.name = "W";
+  wall.shape = Wall{1.0};
+  wall.fixed = true;
+  wall.position = Vec2(3.0, 2.0);
+  scene_.bodies.push_back(wall);
+  give_ids(scene_);
+  show(true);
+  view_.select({"W"});
+  const QPoint end(400 + 50 + 8, 100);
+  drag(end, end + QPoint(40, 0));
+  ASSERT_FALSE(told_.empty());
+  EXPECT_EQ(told_.front().drag, told_.back().drag);
+  EXPECT_EQ(told_.back().name, "Resize W");
+  const Body& longer = replaced(told_.back().edits[0]);
+  EXPECT_NEAR(*std::get<Wall>(longer.shape).length, 1.4, 1e-9);
+  EXPECT_NEAR(longer.position.x(), 3.2, 1e-9);
+}
+
 TEST_F(SceneToolsTest, ABodyThatIsLetGoInAnotherMovesOut) {
   answers_ = true;
   press(b_);

@@ -286,6 +286,34 @@ TEST_F(ShapeToolsTest, ToolsDrawWhilePlayingToo) {
   EXPECT_EQ(told_[2].name, "Add polygon C");
 }
 
+TEST_F(ShapeToolsTest, AnOverlapIsSaidWhileABodyIsDrawn) {
+  const auto overlay = [this] { return view_.findChild<SceneTools*>()->overlay(); };
+  view_.set_tool(SceneTool::kDisc);
+  press(QPoint(300, 200));
+  move(QPoint(330, 200));
+  EXPECT_TRUE(overlay().overlaps.empty());
+  EXPECT_FALSE(view_.bubble().fault);
+  move(QPoint(360, 200));  // 10 cm into A, whose rim is 50 cm away
+  ASSERT_EQ(overlay().overlaps.size(), 1U);
+  EXPECT_EQ(view_.bubble().value, "C and A overlap by 10.0 cm");
+  EXPECT_TRUE(view_.bubble().fault);
+  release(QPoint(360, 200));
+  EXPECT_EQ(told_.back().name, "Add disc C");
+  view_.set_tool(SceneTool::kBox);
+  press(QPoint(380, 60));
+  move(QPoint(420, 185));
+  EXPECT_TRUE(view_.bubble().value.startsWith("C and B overlap by")) << view_.bubble().value.toStdString();
+  QTest::keyClick(&view_, Qt::Key_Escape);
+  release(QPoint(420, 185));
+  view_.set_tool(SceneTool::kPolygon);
+  for (const QPoint& corner : {QPoint(300, 200), QPoint(300, 100)}) click(corner);
+  press(QPoint(240, 150));
+  EXPECT_TRUE(overlay().overlaps.empty());
+  move(QPoint(200, 180));  // in A
+  EXPECT_TRUE(view_.bubble().value.startsWith("C and A overlap by")) << view_.bubble().value.toStdString();
+  release(QPoint(200, 180));
+}
+
 TEST_F(ShapeToolsTest, AnotherSceneForgetsTheCorners) {
   view_.set_tool(SceneTool::kPolygon);
   for (const QPoint& at : {QPoint(260, 60), QPoint(340, 60), QPoint(300, 100)}) click(at);

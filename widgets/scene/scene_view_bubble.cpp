@@ -1,0 +1,29 @@
+#include "widgets/scene/scene_view.h"
+#include "widgets/scene/value_bubble.h"
+
+// The bubble of a scene, and the value that is typed in it.
+namespace carom {
+
+bool SceneView::on_bubble(const QPointF& at) const {
+  const Bubble& bubble = picture_.overlay.bubble;
+  return tools_->can_type_noted() && !bubble.value.isEmpty() &&
+         rect_of(bubble, font(), picture_.camera.viewport).contains(at);
+}
+
+void SceneView::show_typing(const QString& first) {
+  const auto typed = tools_->typed();
+  if (!typed) return;
+  typing_->show_value({typed->name, typed->subject, typed->unit, typed->text, typed->bubble.detail});
+  place_typing();
+  typing_->begin(first);
+}
+
+void SceneView::place_typing() {
+  const auto typed = tools_->typed();
+  if (!typed) return;
+  Bubble bubble = typed->bubble;
+  bubble.clear_of = obstacles_of(picture_.overlay, picture_.camera);
+  typing_->move(place_of(bubble, QSizeF(typing_->size()), picture_.camera.viewport).topLeft().toPoint());
+}
+
+}  // namespace carom
