@@ -14,6 +14,16 @@
 
 namespace carom {
 
+QString file_stem_of(const Session& session) {
+  QString name = session.name();
+  if (name.isEmpty()) {
+    static const QRegularExpression other("[^\\p{L}\\p{N}]+");
+    name = QString::fromStdString(session.document().title).toLower().replace(other, " ").trimmed();
+    name.replace(' ', '-').truncate(60);
+  }
+  return name.isEmpty() ? QStringLiteral("experiment") : name;
+}
+
 DocumentFiles::DocumentFiles(QWidget* window, Session& session)
     : QObject(window), window_(window), session_(session) {}
 
@@ -84,20 +94,10 @@ bool DocumentFiles::save(const std::function<void()>& then) {
 }
 
 void DocumentFiles::save_as(const std::function<void()>& then) {
-  ask_for_file(window_, tr("Save the preset"), session_.file().isEmpty() ? suggested_name() : session_.file(),
+  ask_for_file(window_, tr("Save the preset"),
+               session_.file().isEmpty() ? file_stem_of(session_) + ".json" : session_.file(),
                {{tr("Carom presets (*.json)"), "json"}},
                [this, then](const QString& file) { write(file, then); });
-}
-
-// From the title: "Two carts, e = 1" is two-carts-e-1.json.
-QString DocumentFiles::suggested_name() const {
-  QString name = session_.name();
-  if (name.isEmpty()) {
-    static const QRegularExpression other("[^\\p{L}\\p{N}]+");
-    name = QString::fromStdString(session_.document().title).toLower().replace(other, " ").trimmed();
-    name.replace(' ', '-').truncate(60);
-  }
-  return (name.isEmpty() ? QStringLiteral("experiment") : name) + ".json";
 }
 
 void DocumentFiles::when_saved(const std::function<void()>& then) {

@@ -12,6 +12,10 @@ namespace carom {
 
 class Session;
 
+// What a file of its document, or made from it, is called, without a suffix: the name of the built-in
+// experiment, or from the title: "Two carts, e = 1" is two-carts-e-1.
+[[nodiscard]] QString file_stem_of(const Session& session);
+
 // Opens presets and saves the document of a session. Errors are shown in a message. Asks about unsaved changes
 // before another document replaces the present one.
 class DocumentFiles : public QObject {
@@ -41,8 +45,6 @@ class DocumentFiles : public QObject {
 
  private:
   bool write(const QString& file, const std::function<void()>& then);
-  [[nodiscard]] QString suggested_name() const;
-
   void remember(const QString& file);
 
   QWidget* window_;

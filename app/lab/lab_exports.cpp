@@ -20,6 +20,7 @@
 #include "app/export/run_files.h"
 #include "app/export/run_progress.h"
 #include "app/lab/document_edit.h"
+#include "app/lab/document_files.h"
 #include "app/lab/export_dialog.h"
 #include "app/lab/film_dialog.h"
 #include "app/lab/marks_text.h"
@@ -137,21 +138,22 @@ void LabExports::save_table(const FigureTable& table) {
 
 void LabExports::save_bins(const RunPlot& plot) {
   views_.plots.show_now();
-  ask_for_export(tr("Save the bins"), "bins.csv", tr("Tables (*.csv)"),
-                 [this, bins = plot.distribution()->bins(), unit = plot.content().x_unit](const QString& file) {
-                   try {
-                     export_bins(bins, unit.toStdString(), file.toStdString());
-                   } catch (const SceneError& error) {
-                     show_message(window_, tr("The bins cannot be saved"), QString::fromUtf8(error.what()));
-                   }
-                 });
+  ask_for_export(
+      tr("Save the bins"), "bins.csv", tr("Tables (*.csv)"),
+      [this, bins = plot.distribution()->bins(), unit = plot.content().x_unit.name](const QString& file) {
+        try {
+          export_bins(bins, unit.toStdString(), file.toStdString());
+        } catch (const SceneError& error) {
+          show_message(window_, tr("The bins cannot be saved"), QString::fromUtf8(error.what()));
+        }
+      });
 }
 
 void LabExports::copy_bins(const RunPlot& plot) {
   views_.plots.show_now();
   QStringList lines;
   for (const std::string& line :
-       bins_table(plot.distribution()->bins(), plot.content().x_unit.toStdString(), '\t'))
+       bins_table(plot.distribution()->bins(), plot.content().x_unit.name.toStdString(), '\t'))
     lines << QString::fromStdString(line);
   QGuiApplication::clipboard()->setText(lines.join('\n') + '\n');
 }
@@ -291,7 +293,7 @@ void LabExports::write_report() {
     if (!report.until_shown) session_.runs().go_to_end();
     bodies_->set(since_start(session_.bodies(), report.ends.front()));
     views_.ledger.update_from(report.ends.front());
-    ask_for_export(tr("Save the report"), "report.pdf", tr("Documents (*.pdf)"),
+    ask_for_export(tr("Save the report"), file_stem_of(session_) + ".pdf", tr("Documents (*.pdf)"),
                    [this, report](const QString& file) { save_report(report, file); });
   });
 }

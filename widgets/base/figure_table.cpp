@@ -134,7 +134,7 @@ void FigureModel::set_columns(std::vector<Column> columns) {
   endResetModel();
 }
 
-FigureTable::FigureTable(FigureModel* model, QWidget* parent) : QTableView(parent), model_(model) {
+FigureTable::FigureTable(FigureModel* model, QWidget* parent) : KeptTable(parent), model_(model) {
   model->setParent(this);
   setModel(model);
   setItemDelegate(new FigureDelegate(this));
@@ -224,6 +224,13 @@ void FigureTable::contextMenuEvent(QContextMenuEvent* event) {
   if (isSignalConnected(QMetaMethod::fromSignal(&FigureTable::saveAsked)))
     menu->addAction(tr("&Save the table..."), this, &FigureTable::saveAsked);
   menu->popup(event->globalPos());
+}
+
+int FigureTable::wanted_rows() const {
+  const int rows = model_->rowCount();
+  int sums = 0;
+  while (sums < rows && model_->is_sum(rows - 1 - sums)) ++sums;
+  return sums;
 }
 
 void FigureTable::resizeEvent(QResizeEvent* event) {

@@ -2,11 +2,11 @@
 
 #include <QAbstractTableModel>
 #include <QStyledItemDelegate>
-#include <QTableView>
 #include <variant>
 #include <vector>
 
 #include "physics/scene/scene.h"
+#include "widgets/base/kept_table.h"
 
 namespace carom {
 
@@ -70,9 +70,9 @@ class FigureDelegate : public QStyledItemDelegate {
 // The cell for spreadsheets: every digit, and `separator` between the components of a vector.
 [[nodiscard]] QString spreadsheet_text(const FigureModel::Cell& cell, char separator = '\t');
 
-// A plain table that divides its width among the columns. Ctrl+C, or a right click, copies it; a right click
-// saves it too.
-class FigureTable : public QTableView {
+// A plain table that divides its width among the columns. Where it has to scroll, names in the first column and
+// sums in the last rows stay in sight. Ctrl+C, or a right click, copies it; a right click saves it too.
+class FigureTable : public KeptTable {
   Q_OBJECT
 
  public:
@@ -89,6 +89,8 @@ class FigureTable : public QTableView {
  protected:
   // What Ctrl+C copies.
   [[nodiscard]] virtual QString copied() const { return text(); }
+  [[nodiscard]] bool wants_first_column() const override { return model_->is_text(0); }
+  [[nodiscard]] int wanted_rows() const override;
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;

@@ -98,9 +98,12 @@ StudyPanel::StudyPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
 
   auto* content = new QWidget;
   pages_->addWidget(content);
-  auto* side_by_side = new QHBoxLayout(content);
-  side_by_side->setContentsMargins(0, 0, 0, 0);
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* side_by_side = new QHBoxLayout;
   side_by_side->setSpacing(10);
+  column->addLayout(side_by_side, 1);
   auto* left = new QVBoxLayout;
   left->setSpacing(0);
   side_by_side->addLayout(left, 1);
@@ -117,8 +120,8 @@ StudyPanel::StudyPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
   side_by_side->addWidget(orders_);
 
   below_ = new QStackedWidget;
-  below_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  left->addWidget(below_);
+  below_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+  column->addWidget(below_);
   auto* under_way = new QWidget;
   auto* line = new QHBoxLayout(under_way);
   line->setContentsMargins(0, 0, 0, 0);
@@ -131,9 +134,10 @@ StudyPanel::StudyPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
   progress_->setMinimumWidth(40);
   line->addWidget(progress_, 1);
   below_->addWidget(under_way);
-  words_ = new ElidedLabel;
+  words_ = new PlainLabel;
   words_->setObjectName("caption");
-  words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  words_->setWordWrap(true);
+  words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
   below_->addWidget(words_);
 
   connect(&timer_, &QTimer::timeout, this, &StudyPanel::poll);
@@ -201,7 +205,7 @@ void StudyPanel::edit_scene(const Preset& preset) {
 }
 
 QString StudyPanel::words() const {
-  return other_->text().isEmpty() ? words_->whole() : other_->text() + ' ' + words_->whole();
+  return other_->text().isEmpty() ? words_->text() : other_->text() + ' ' + words_->text();
 }
 
 void StudyPanel::start(StudyOptions options) {
@@ -303,7 +307,7 @@ void StudyPanel::show_words() {
     progress_->setValue(so_far_.done);
   } else if (!table.rows.empty()) {
     const QString stopped = so_far_.phase == Phase::kCancelled ? tr("Stopped before it was done. ") : QString();
-    words_->set_whole(stopped + words_of(table.facts));
+    words_->setText(stopped + words_of(table.facts));
     words_->setToolTip("<p>" + stopped.toHtmlEscaped() + "</p><p>" +
                        words_of(table.facts).toHtmlEscaped().replace("; ", ".</p><p>") + ".</p>");
   }

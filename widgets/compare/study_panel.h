@@ -101,7 +101,7 @@ class StudyPanel : public QWidget {
   QStackedWidget* below_ = nullptr;  // progress bar, or text
   ElidedLabel* stage_ = nullptr;
   QProgressBar* progress_ = nullptr;
-  ElidedLabel* words_ = nullptr;
+  QLabel* words_ = nullptr;
   std::unique_ptr<BackgroundStudy> study_;  // while it runs
 };
 

@@ -37,18 +37,18 @@ const std::vector<ColumnText>& columns() {
       {"m / kg", 64, "mass", "kg", {"mass"}},
       {"x / m", 68, "x", "m", {"position", 0}},
       {"y / m", 68, "y", "m", {"position", 1}},
-      {"vx / m/s", 70, "velocity x", "m/s", {"velocity", 0}},
-      {"vy / m/s", 70, "velocity y", "m/s", {"velocity", 1}},
-      {"speed / m/s", 70, "speed", "m/s", {}, kOfVelocity},
-      {"direction / °", 70, "direction", "°", {}, kOfVelocity},
+      {"vx\n/ m/s", 70, "velocity x", "m/s", {"velocity", 0}},
+      {"vy\n/ m/s", 70, "velocity y", "m/s", {"velocity", 1}},
+      {"speed\n/ m/s", 70, "speed", "m/s", {}, kOfVelocity},
+      {"direction\n/ °", 70, "direction", "°", {}, kOfVelocity},
       {"vx from centre\n/ m/s", 80, "velocity x relative to the centre of mass", "m/s", {}, kRelative},
       {"vy from centre\n/ m/s", 80, "velocity y relative to the centre of mass", "m/s", {}, kRelative},
-      {"spin / rad/s", 76, "spin", "rad/s", {"spin"}},
+      {"spin\n/ rad/s", 76, "spin", "rad/s", {"spin"}},
       {"e", 52, "restitution", ""},
-      {"p / kg·m/s", 76, "momentum", "kg m/s", {}, kOfMomentum},
-      {"px / kg·m/s", 76, "momentum x", "kg m/s", {}, kOfMomentum},
-      {"py / kg·m/s", 76, "momentum y", "kg m/s", {}, kOfMomentum},
-      {"L / kg·m²/s",
+      {"p\n/ kg·m/s", 76, "momentum", "kg m/s", {}, kOfMomentum},
+      {"px\n/ kg·m/s", 76, "momentum x", "kg m/s", {}, kOfMomentum},
+      {"py\n/ kg·m/s", 76, "momentum y", "kg m/s", {}, kOfMomentum},
+      {"L\n/ kg·m²/s",
        76,
        "angular momentum",
        "kg m²/s",
@@ -56,7 +56,7 @@ const std::vector<ColumnText>& columns() {
        "L = m (x vy − y vx) + I ω, about the origin: change one of these."},
       {"K / J", 62, "kinetic energy", "J", {}, "K = ½ m v² + ½ I ω²: change m, v or the spin."},
       {"r / m", 62, "radius", "m", {}, "The size of a body is changed in the inspector."},
-      {"I / kg·m²",
+      {"I\n/ kg·m²",
        70,
        "inertia",
        "kg m²",
@@ -312,7 +312,7 @@ FigureModel::Cell BodiesModel::motion(int body, int column) const {
     case kSpeed:
       return moved(body, velocity.norm());
     case kDirection:
-      return direction_cell(velocity);
+      return direction_cell({moved(body, velocity.x()), moved(body, velocity.y())});
     case kRelativeX:
       return from_centre(0);
     case kRelativeY:

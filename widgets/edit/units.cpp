@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "widgets/base/number_text.h"
+#include "widgets/base/rounding.h"
 
 namespace carom {
 namespace {
@@ -97,7 +98,9 @@ std::vector<Unit> units_of(std::string_view si) {
 }
 
 QString field_text(double value, std::string_view si) {
-  const double shown = value / shown_unit(si).factor;
+  // A turn is the scale of every angle; others have none of their own.
+  const double kept = si == "rad" ? without_rounding(value, kTurn) : value;
+  const double shown = kept / shown_unit(si).factor;
   return shown == 0.0 ? QString("0") : short_figure(shown, 6);
 }
 

@@ -18,7 +18,7 @@ struct Unit {
 [[nodiscard]] std::vector<Unit> units_of(std::string_view si);
 
 // A value, given in SI, as fields show it: in its shown unit, without the unit's name, with six figures at
-// most.
+// most; an angle that is rounding is 0.
 [[nodiscard]] QString field_text(double value, std::string_view si);
 
 // The same with the unit: "2.5 kg", "45°".

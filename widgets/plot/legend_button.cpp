@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-constexpr int kSample = 20;  // px, the line's length
+constexpr int kSample = 16;  // px, the line's length
 constexpr int kGap = 5;      // px, between the line and the name
 constexpr int kPadding = 4;  // px, left and right
 

@@ -3,16 +3,17 @@
 #include <QEvent>
 #include <QMenu>
 #include <algorithm>
-#include <vector>
+#include <utility>
 
 #include "widgets/plot/legend_button.h"
 
 namespace carom {
 namespace {
 
-constexpr int kGap = 4;          // px
-constexpr int kMorePadding = 8;  // px
-constexpr int kReadable = 90;    // px: of a curve, where some go to the menu
+constexpr int kGap = 4;              // px
+constexpr int kMorePadding = 8;      // px
+constexpr int kMostLines = 3;        // of names that all have room in them
+constexpr int kLinesBeforeMenu = 2;  // where they have not
 
 }  // namespace
 
@@ -57,11 +58,13 @@ int LegendRow::whole_width() const {
   return std::max(width - kGap, 0);
 }
 
-QSize LegendRow::sizeHint() const {
+int LegendRow::line_height() const {
   int height = 0;
   for (const LegendButton* button : buttons_) height = std::max(height, button->sizeHint().height());
-  return {whole_width(), height};
+  return height;
 }
+
+QSize LegendRow::sizeHint() const { return {whole_width(), lines_ * line_height()}; }
 
 QSize LegendRow::minimumSizeHint() const { return {std::min(kLeastWidth, whole_width()), sizeHint().height()}; }
 
@@ -79,51 +82,44 @@ bool LegendRow::event(QEvent* event) {
   return QWidget::event(event);
 }
 
+// As many as have room in so many lines, if so many px at the end of the last one are kept free.
+std::vector<LegendRow::Spot> LegendRow::spots(int lines, int kept) const {
+  std::vector<Spot> spots;
+  Spot next;
+  for (const LegendButton* button : buttons_) {
+    next.width = std::max(std::min(button->sizeHint().width(), width()), button->minimumSizeHint().width());
+    const auto fits = [&] { return next.x + next.width <= width() - (next.line + 1 == lines ? kept : 0); };
+    if (!fits() && next.x > 0 && next.line + 1 < lines) {
+      next.x = 0;
+      ++next.line;
+    }
+    if (!fits()) break;
+    spots.push_back(next);
+    next.x += next.width + kGap;
+  }
+  return spots;
+}
+
 void LegendRow::place() {
   const auto more_text = [](std::size_t count) { return tr("+ %1 more ▾").arg(count); };
   const int more_width = more_->fontMetrics().horizontalAdvance(more_text(buttons_.size())) + kMorePadding;
-  const auto least = [this](const LegendButton* button) {
-    const int shortest = button->minimumSizeHint().width();
-    return shown_ == buttons_.size() ? shortest
-                                     : std::min(std::max(shortest, kReadable), button->sizeHint().width());
-  };
-  const auto needed_by_shown = [&] {
-    int needed = 0;
-    for (std::size_t i = 0; i < shown_; ++i) needed += least(buttons_[i]) + kGap;
-    return needed;
-  };
-  shown_ = buttons_.size();
-  int room = width() + kGap;
-  if (needed_by_shown() > room) {
-    room -= more_width + kGap;
-    do --shown_;
-    while (shown_ > 0 && needed_by_shown() > room);
-  }
-
-  // The room beyond the least widths goes to the names: to each its missing width, or an equal share.
-  const auto lacks = [&](const LegendButton* button) { return button->sizeHint().width() - least(button); };
-  std::vector<int> lacking;
-  for (std::size_t i = 0; i < shown_; ++i) lacking.push_back(lacks(buttons_[i]));
-  std::sort(lacking.begin(), lacking.end());
-  int spare = room - needed_by_shown();
-  int most = spare;
-  for (std::size_t i = 0; i < lacking.size(); ++i) {
-    most = std::max(spare, 0) / static_cast<int>(lacking.size() - i);
-    if (lacking[i] > most) break;
-    spare -= most = lacking[i];
-  }
-  int x = 0;
+  std::vector<Spot> found;
+  for (int lines = 1; lines <= kMostLines && found.size() < buttons_.size(); ++lines) found = spots(lines, 0);
+  const bool whole = found.size() == buttons_.size();
+  if (!whole) found = spots(kLinesBeforeMenu, more_width + kGap);
+  shown_ = found.size();
+  const int height = line_height();
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
-    LegendButton* button = buttons_[i];
-    button->setVisible(i < shown_);
-    if (i >= shown_) continue;
-    const int width = least(button) + std::min(lacks(button), most);
-    button->setGeometry(x, (height() - button->sizeHint().height()) / 2, width, button->sizeHint().height());
-    x += width + kGap;
+    buttons_[i]->setVisible(i < shown_);
+    if (i < shown_) buttons_[i]->setGeometry(found[i].x, found[i].line * height, found[i].width, height);
   }
-  more_->setVisible(shown_ < buttons_.size());
+  const Spot last = found.empty() ? Spot() : found.back();
+  const int lines = whole ? last.line + 1 : kLinesBeforeMenu;
+  more_->setVisible(!whole);
   more_->setText(more_text(buttons_.size() - shown_));
-  more_->setGeometry(x, 0, more_width, height());
+  more_->setGeometry(last.line + 1 == lines && last.width > 0 ? last.x + last.width + kGap : 0,
+                     (lines - 1) * height, more_width, height);
+  if (std::exchange(lines_, lines) != lines) updateGeometry();
 }
 
 void LegendRow::fill_menu() {

@@ -13,7 +13,7 @@ namespace {
 constexpr int kPixelsPerTimeTick = 60;
 constexpr int kPixelsPerValueTick = 20;
 
-void make_quiet(QwtPlot* plot, int axis, const QString& unit, bool powers) {
+void make_quiet(QwtPlot* plot, int axis, const ShownUnit& unit, bool powers) {
   QFont font = plot->font();
   font.setPixelSize(11);
   plot->setAxisFont(axis, font);
@@ -28,16 +28,33 @@ bool is_drawable(const QwtInterval& range) {
   return range.width() > 1e-12 * magnitude && magnitude < 1e100;
 }
 
+QwtInterval scaled(const QwtInterval& range, double by) {
+  return {range.minValue() * by, range.maxValue() * by};
+}
+
+// At values that are round in a unit of so many SI units.
+QwtScaleDiv ticks_in(double si, const QwtInterval& range, int most,
+                     QwtScaleDiv (*divide)(const QwtInterval&, int)) {
+  QwtScaleDiv division = divide(scaled(range, 1.0 / si), most);
+  for (const int type : {QwtScaleDiv::MinorTick, QwtScaleDiv::MediumTick, QwtScaleDiv::MajorTick}) {
+    QList<double> values = division.ticks(type);
+    for (double& value : values) value *= si;
+    division.setTicks(type, values);
+  }
+  division.setInterval(range);
+  return division;
+}
+
 QwtInterval about(const QwtInterval& now, double at, double factor) {
   return {at + (now.minValue() - at) * factor, at + (now.maxValue() - at) * factor};
 }
 
 }  // namespace
 
-PlotAxes::PlotAxes(QwtPlot* plot, const QString& x_unit, bool logarithmic)
-    : plot_(plot), logarithmic_(logarithmic) {
+PlotAxes::PlotAxes(QwtPlot* plot, const ShownUnit& x_unit, const ShownUnit& unit, bool logarithmic)
+    : plot_(plot), x_si_(x_unit.si), si_(unit.si), logarithmic_(logarithmic) {
   make_quiet(plot_, QwtAxis::XBottom, x_unit, false);
-  make_quiet(plot_, QwtAxis::YLeft, {}, logarithmic);
+  make_quiet(plot_, QwtAxis::YLeft, {{}, unit.si}, logarithmic);
   if (logarithmic) plot_->setAxisScaleEngine(QwtAxis::YLeft, new QwtLogScaleEngine);
 }
 
@@ -54,7 +71,8 @@ QwtInterval PlotAxes::values() const { return plot_->axisScaleDiv(QwtAxis::YLeft
 
 void PlotAxes::set_x(const QwtInterval& range) {
   const auto put = [&](int pixels_per_tick) {
-    plot_->setAxisScaleDiv(QwtAxis::XBottom, ticks(range, plot_->canvas()->width() / pixels_per_tick));
+    plot_->setAxisScaleDiv(QwtAxis::XBottom,
+                           ticks_in(x_si_, range, plot_->canvas()->width() / pixels_per_tick, ticks));
     plot_->updateAxes();
   };
   put(kPixelsPerTimeTick);
@@ -67,21 +85,24 @@ void PlotAxes::set_x(const QwtInterval& range) {
 void PlotAxes::set_values(const QwtInterval& range) {
   fitted_ = range;
   const int most = std::clamp(plot_->canvas()->height() / kPixelsPerValueTick, 2, 6);
-  plot_->setAxisScaleDiv(QwtAxis::YLeft, logarithmic_ ? power_ticks(range, most) : ticks(range, most));
+  plot_->setAxisScaleDiv(QwtAxis::YLeft, ticks_in(si_, range, most, logarithmic_ ? power_ticks : ticks));
   plot_->updateAxes();
 }
 
 void PlotAxes::fit_x(const QwtInterval& spread) {
-  set_x(steady_range(x(), spread.minValue(), spread.maxValue()));
+  const QwtInterval now = scaled(x(), 1.0 / x_si_);
+  set_x(scaled(steady_range(now, spread.minValue() / x_si_, spread.maxValue() / x_si_), x_si_));
 }
 
 void PlotAxes::fit_values(const QwtInterval& spread, const Zero& zero) {
-  if (logarithmic_) {
-    set_values(steady_powers(fitted_, spread.minValue(), spread.maxValue()));
-  } else {
-    set_values(spread.isValid() ? steady_range(fitted_, spread.minValue(), spread.maxValue(), zero)
-                                : nice_range(0.0, 0.0, zero));
-  }
+  const QwtInterval now = scaled(fitted_, 1.0 / si_);
+  const double low = spread.minValue() / si_;
+  const double high = spread.maxValue() / si_;
+  const Zero shown_zero{zero.below / si_, zero.range / si_};
+  const QwtInterval fit = logarithmic_       ? steady_powers(now, low, high)
+                          : spread.isValid() ? steady_range(now, low, high, shown_zero)
+                                             : nice_range(0.0, 0.0, shown_zero);
+  set_values(scaled(fit, si_));
 }
 
 bool PlotAxes::takes_values(const QwtInterval& range) const {

@@ -14,7 +14,8 @@ namespace carom {
 // is refused.
 class PlotAxes {
  public:
-  PlotAxes(QwtPlot* plot, const QString& x_unit, bool logarithmic);
+  // Ranges are in SI; labels and round values in these units, the name of the one along x at its last label.
+  PlotAxes(QwtPlot* plot, const ShownUnit& x_unit, const ShownUnit& unit, bool logarithmic);
 
   void set_color(const QColor& color);
   [[nodiscard]] QwtInterval x() const;
@@ -41,6 +42,8 @@ class PlotAxes {
   [[nodiscard]] bool takes_values(const QwtInterval& range) const;
 
   QwtPlot* plot_;
+  double x_si_;  // SI units in one of those along x
+  double si_;    // in one of the values'
   bool logarithmic_;
   QwtInterval fitted_;  // last range of the values
 };

@@ -21,8 +21,8 @@ QString text(std::string_view s) { return QString::fromUtf8(s.data(), static_cas
 
 PlotLine line(const char* label, const char* observable, const char* tip = "", bool sum = false) {
   const Observable* found = find_observable(observable);
-  return {QString::fromUtf8(label), unit_text(*found), QString::fromUtf8(tip), Curve{{found, {}}, std::nullopt},
-          sum};
+  return {QString::fromUtf8(label), shown_unit(*found), QString::fromUtf8(tip),
+          Curve{{found, {}}, std::nullopt}, sum};
 }
 
 PlotContent named(const char* id, const char* title, const char* unit, const char* tip, double Scales::*scale,
@@ -31,7 +31,7 @@ PlotContent named(const char* id, const char* title, const char* unit, const cha
   plot.id = id;
   return {plot,
           QString::fromUtf8(title),
-          QString::fromUtf8(unit),
+          {QString::fromUtf8(unit)},
           QString::fromUtf8(tip),
           {},
           {},
@@ -44,7 +44,7 @@ PlotContent distribution(const char* id, const char* title, const char* unit, co
                          const char* x_title, const char* x_unit, PlotContent::Shows shows) {
   PlotContent content = named(id, title, unit, tip, nullptr, {0.0, 0.0}, {});
   content.x_title = QString::fromUtf8(x_title);
-  content.x_unit = QString::fromUtf8(x_unit);
+  content.x_unit.name = QString::fromUtf8(x_unit);
   content.shows = shows;
   return content;
 }
@@ -85,7 +85,7 @@ std::span<const PlotContent> named_plots() {
       named("momentum", "Momentum", "kg·m/s", "Momentum of all freely moving bodies", &Scales::momentum,
             kValues, {line("x", "momentum_x"), line("y", "momentum_y")}),
       named("impulse", "Contact impulses", "N·s", "The normal impulse of each impact", &Scales::impulse,
-            kValues, {{"normal", QString::fromUtf8("N·s"), {}, std::nullopt, false}}),
+            kValues, {{"normal", {QString::fromUtf8("N·s")}, {}, std::nullopt, false}}),
       named("ledger", "Ledger", "J", "Where the energy went since the start", &Scales::energy, kValues,
             {line("restitution", "lost_in_impacts",
                   "lost in impacts to restitution below 1, and where bodies stick together"),
@@ -121,10 +121,6 @@ const std::vector<Plot>& default_plots() {
   return plots;
 }
 
-QString unit_text(const Observable& observable) {
-  return observable.unit == "1" ? QString() : text(observable.unit).replace(' ', QChar(0x00B7));
-}
-
 QString label_of(const QuantityName& quantity) {
   const QString label = text(find_observable(quantity.observable)->label);
   return (quantity.bodies.empty() ? label : QString("%1 of %2").arg(label, names_of(quantity))) +
@@ -144,11 +140,11 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
   if (plot.x) {
     x = quantity_of(*plot.x, bodies);
     content.x_title = label_of(*plot.x);
-    content.x_unit = unit_text(*x->observable);
+    content.x_unit = shown_unit(*x->observable);
   }
   for (const QuantityName& name : plot.y) {
     Quantity y = quantity_of(name, bodies);
-    PlotLine line{label_of(name), unit_text(*y.observable), {}, std::nullopt, false, theory_of(name, x)};
+    PlotLine line{label_of(name), si_unit(*y.observable), {}, std::nullopt, false, theory_of(name, x)};
     if (name.residual) {
       line.tip = QObject::tr("measured minus theory: %1").arg(QString::fromStdString(name.theory));
       y.less = std::exchange(line.theory, {});
@@ -163,7 +159,8 @@ PlotContent content_of(const Plot& plot, std::span<const Body> bodies) {
                        [&](const PlotLine& l) { return same(*l.curve->y.observable); });
   };
   if (every([&](const Observable& o) { return o.unit == first.unit; })) {
-    content.unit = unit_text(first);
+    content.unit = shown_unit(first);
+    for (PlotLine& line : content.lines) line.unit = content.unit;
     content.scale = scale_of(first);
     const bool drifts = std::all_of(content.lines.begin(), content.lines.end(), [](const PlotLine& l) {
       return is_drift(*l.curve->y.observable) || !l.curve->y.less.empty();

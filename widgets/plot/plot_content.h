@@ -10,13 +10,14 @@
 #include "physics/preset/preset.h"
 #include "physics/record/recorder.h"
 #include "physics/scene/scene.h"
+#include "widgets/plot/shown_unit.h"
 
 namespace carom {
 
 // One line of a plot: a curve, or, without one, a bar for the normal impulse of each impact.
 struct PlotLine {
   QString label;
-  QString unit;
+  ShownUnit unit;
   QString tip;  // description, where the label is not enough
   std::optional<Curve> curve;
   bool sum = false;       // of the others: a broad line behind them, visible where it coincides with one
@@ -37,10 +38,10 @@ struct PlotContent {
 
   Plot plot;
   QString title;
-  QString unit;  // of the values; empty where the lines have several
+  ShownUnit unit;  // of the values; where the lines have several, none: these are in SI
   QString tip;
   QString x_title;  // empty: time
-  QString x_unit;
+  ShownUnit x_unit;
   std::vector<PlotLine> lines;
   double Scales::*scale = nullptr;  // none where the run has no scale of this kind
   Rounding rounding{0.0, 0.0};
@@ -48,7 +49,7 @@ struct PlotContent {
 
   // The label in the legend: with its unit where the plot has none.
   [[nodiscard]] QString legend(const PlotLine& line) const {
-    return unit.isEmpty() && !line.unit.isEmpty() ? line.label + " / " + line.unit : line.label;
+    return unit.name.isEmpty() ? line.unit.behind(line.label) : line.label;
   }
 };
 
@@ -68,8 +69,6 @@ struct PlotContent {
 // The plots of a scene that names none.
 [[nodiscard]] const std::vector<Plot>& default_plots();
 
-// The unit as plots write it: N·s for N s.
-[[nodiscard]] QString unit_text(const Observable& observable);
 // "speed of A"; for a quantity of the whole scene its label alone.
 [[nodiscard]] QString label_of(const QuantityName& quantity);
 

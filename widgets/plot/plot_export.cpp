@@ -48,7 +48,7 @@ struct Header {
     };
     double x = length(plot.content().title, title_font) + kGap;
     unit = {x, kBase};
-    x += length(plot.content().unit, unit_font) + kBetween;
+    x += length(plot.content().unit.name, unit_font) + kBetween;
     double base = kBase;
     for (const auto& [label, pen] : plot.legend()) {
       const double end = x + kSample + kGap + length(label, label_font);
@@ -79,7 +79,7 @@ void paint(RunPlot& plot, QPainter& painter, const QRectF& where) {
     painter.drawText(where.topLeft() + at, text);
   };
   write(header.title, plot.content().title, header.title_font, theme.text);
-  write(header.unit, plot.content().unit, header.unit_font, theme.muted);
+  write(header.unit, plot.content().unit.name, header.unit_font, theme.muted);
   for (const Header::Entry& entry : header.legend) {
     const QPointF line = where.topLeft() + entry.at - QPointF(0.0, 4.0);
     painter.setPen(entry.pen);

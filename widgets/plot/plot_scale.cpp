@@ -105,7 +105,7 @@ QwtScaleDiv power_ticks(const QwtInterval& range, int most) {
   return division;
 }
 
-QuietScaleDraw::QuietScaleDraw(QString unit, bool powers) : unit_(std::move(unit)), powers_(powers) {
+QuietScaleDraw::QuietScaleDraw(ShownUnit unit, bool powers) : unit_(std::move(unit)), powers_(powers) {
   enableComponent(Backbone, false);
   enableComponent(Ticks, false);
 }
@@ -115,12 +115,13 @@ void QuietScaleDraw::set_color(const QColor& color) {
   invalidateCache();
 }
 
-QwtText QuietScaleDraw::label(double value) const {
+QwtText QuietScaleDraw::label(double at) const {
   const QList<double> major = scaleDiv().ticks(QwtScaleDiv::MajorTick);
-  const double step = major.size() > 1 ? major[1] - major[0] : scaleDiv().range();
+  const double step = unit_.of(major.size() > 1 ? major[1] - major[0] : scaleDiv().range());
+  double value = unit_.of(at);
   if (std::abs(value) < 1e-6 * step) value = 0.0;
-  const double magnitude =
-      std::max(std::abs(scaleDiv().interval().minValue()), std::abs(scaleDiv().interval().maxValue()));
+  const QwtInterval range = scaleDiv().interval();
+  const double magnitude = unit_.of(std::max(std::abs(range.minValue()), std::abs(range.maxValue())));
   if (powers_) return colored(short_figure(value, 3), color_);
   const int step_digit = static_cast<int>(std::floor(std::log10(step) + 1e-9));
   QString text;
@@ -133,8 +134,7 @@ QwtText QuietScaleDraw::label(double value) const {
     text = short_exponent(QString::number(value, 'e', std::max(0, digit - step_digit)));
   }
   text.replace('-', kMinus);
-  if (!unit_.isEmpty() && !major.isEmpty() && value == major.back()) text += " " + unit_;
-  return colored(text, color_);
+  return colored(!major.isEmpty() && at == major.back() ? unit_.after(text) : text, color_);
 }
 
 }  // namespace carom

@@ -6,6 +6,8 @@
 #include <qwt_scale_div.h>
 #include <qwt_scale_draw.h>
 
+#include "widgets/plot/shown_unit.h"
+
 namespace carom {
 
 // The smallest round time at or after `newest`, in s. It grows in steps, so that the time axis is steady
@@ -44,16 +46,16 @@ inline constexpr int kMostPowers = 18;
 [[nodiscard]] QwtInterval steady_powers(const QwtInterval& current, double low, double high);
 [[nodiscard]] QwtScaleDiv power_ticks(const QwtInterval& range, int most);
 
-// Draws labels only, with the digits that the distance of the ticks needs, or powers of ten; `unit` follows
-// the last one.
+// Draws labels only, in this unit of values in SI, with the digits that the distance of the ticks needs, or
+// powers of ten; the unit's name follows the last one.
 class QuietScaleDraw : public QwtScaleDraw {
  public:
-  explicit QuietScaleDraw(QString unit = {}, bool powers = false);
+  explicit QuietScaleDraw(ShownUnit unit = {}, bool powers = false);
   void set_color(const QColor& color);
-  [[nodiscard]] QwtText label(double value) const override;
+  [[nodiscard]] QwtText label(double at) const override;
 
  private:
-  QString unit_;
+  ShownUnit unit_;
   bool powers_;
   QColor color_;
 };

@@ -50,8 +50,7 @@ void add_topics(QComboBox* box) {
     for (const Observable& o : observables()) {
       if (o.topic != topic) continue;
       const QString label = told_apart(o);
-      const QString unit = unit_text(o);
-      box->addItem("   " + (unit.isEmpty() ? label : label + " / " + unit),
+      box->addItem("   " + shown_unit(o).behind(label),
                    QString::fromUtf8(o.name.data(), static_cast<qsizetype>(o.name.size())));
     }
   }

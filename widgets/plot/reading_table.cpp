@@ -21,11 +21,11 @@ struct Row {
   bool exact = true;
 };
 
-Row read(const Series<1>& series, const ReadingMarks& marks) {
+Row read(const Series<1>& series, const ReadingMarks& marks, const ShownUnit& unit) {
   Row row;
   const auto value_at = [&](const std::optional<double>& time) {
     const SeriesPoint<1>* point = time ? series.at(*time) : nullptr;
-    return point == nullptr ? kNone : point->value[0];
+    return point == nullptr ? kNone : unit.of(point->value[0]);
   };
   row.at_a = value_at(marks.a);
   row.at_b = value_at(marks.b);
@@ -43,8 +43,8 @@ Row read(const Series<1>& series, const ReadingMarks& marks) {
   double area = 0.0;
   for (const SeriesPoint<1>& p : points) {
     if (p.at < from || p.at > to) continue;
-    row.least = std::fmin(row.least, p.value[0]);
-    row.largest = std::fmax(row.largest, p.value[0]);
+    row.least = std::fmin(row.least, unit.of(p.value[0]));
+    row.largest = std::fmax(row.largest, unit.of(p.value[0]));
     if (before != nullptr) area += 0.5 * (p.at - before->at) * (p.value[0] + before->value[0]);
     before = &p;
     from = std::min(from, p.at);
@@ -53,8 +53,8 @@ Row read(const Series<1>& series, const ReadingMarks& marks) {
   const auto first = std::find_if(points.begin(), points.end(), [&](const auto& p) { return p.at >= from; });
   const double length = before->at - first->at;
   if (length > 0.0) {
-    row.area = area;
-    row.mean = area / length;
+    row.area = unit.of(area);
+    row.mean = row.area / length;
   }
   return row;
 }
@@ -130,12 +130,12 @@ void ReadingTable::update_from(const std::vector<PlottedRun>& runs, const std::v
   rows.push_back(time);
   for (const PlotContent& content : plots) {
     for (const PlotLine& line : content.lines) {
-      const QString unit = line.unit.isEmpty() ? QString() : " / " + line.unit;
-      const QString name = (line.label.isEmpty() ? content.title : content.title + ", " + line.label) + unit;
+      const QString name =
+          line.unit.behind(line.label.isEmpty() ? content.title : content.title + ", " + line.label);
       for (const PlottedRun& run : runs) {
         const Series<1>* series = line.curve && run.shown ? run.recorder->series(*line.curve) : nullptr;
         if (series == nullptr) continue;
-        Row row = read(*series, marks);
+        Row row = read(*series, marks, line.unit);
         row.name = runs.size() > 1 ? run.name + ": " + name : name;
         rows.push_back(row);
       }

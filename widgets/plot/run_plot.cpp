@@ -54,7 +54,7 @@ RunPlot::RunPlot(PlotContent content, const Theme& theme, QWidget* parent)
   build_header();
   layout->addWidget(plot_, 1);
   set_theme(theme);
-  axes_->set_values(content_.plot.logarithmic ? QwtInterval(0.1, 10.0) : nice_range(0.0, 0.0));
+  axes_->fit_values({});
   set_time_range(time_range_);
 }
 
@@ -69,15 +69,15 @@ void RunPlot::build_header() {
   title->set_whole(content_.title);
   constexpr int kLeastTitle = 80;  // px: a long one doesn't keep the window wide
   title->setMinimumWidth(std::min(kLeastTitle, title->sizeHint().width()));
-  unit_ = new PlainLabel(content_.unit, this);
+  unit_ = new PlainLabel(content_.unit.name, this);
   unit_->setObjectName("muted");
   title->setCursor(Qt::OpenHandCursor);
   title->setToolTip(plain_tip(content_.tip.isEmpty() ? content_.title : content_.tip));
-  header->addWidget(title);
-  header->addWidget(unit_);
-  header->addStretch(1);
   legend_ = new LegendRow(this);
-  header->addWidget(legend_);
+  header->addWidget(title, 0, Qt::AlignTop);
+  header->addWidget(unit_, 0, Qt::AlignTop);
+  header->addStretch(1);
+  header->addWidget(legend_, 0, Qt::AlignTop);
   for (const PlotLine& line : content_.lines) {
     auto* button = new LegendButton(content_.legend(line), line.tip, this);
     lines_.push_back({button, {}});
@@ -130,7 +130,8 @@ void RunPlot::build_plot() {
          "Drag: move. Double click or Ctrl+Home: show all again.\n"
          "Click: mark A, with Shift: mark B; the Reading tab shows the values there and between.\n"
          "Click on an impact: goes to its moment."));
-  axes_ = std::make_unique<PlotAxes>(plot_, over_time() ? "s" : content_.x_unit, content_.plot.logarithmic);
+  axes_ = std::make_unique<PlotAxes>(plot_, over_time() ? ShownUnit{"s"} : content_.x_unit, content_.unit,
+                                     content_.plot.logarithmic);
 
   grid_ = std::make_unique<QwtPlotGrid>();
   grid_->enableX(false);
@@ -426,10 +427,10 @@ void RunPlot::hover(const std::optional<QPointF>& at) {
   }
   readout_->setVisible(at.has_value());
   if (!at) return;
-  readout_->setText(
-      distribution_ != nullptr
-          ? distribution_->readout(at->x())
-          : QString("%1 %2, %3 %4").arg(figure(at->x()), content_.x_unit, figure(at->y()), content_.unit));
+  const auto place = [](double value, const ShownUnit& unit) { return unit.after(figure(unit.of(value))); };
+  readout_->setText(distribution_ != nullptr
+                        ? distribution_->readout(at->x())
+                        : place(at->x(), content_.x_unit) + ", " + place(at->y(), content_.unit));
 }
 
 void RunPlot::show_readout() {
@@ -446,16 +447,16 @@ void RunPlot::show_readout() {
       if (point == nullptr || !runs_[k].shown) continue;
       // Where only extremes are kept the value belongs to a nearby time.
       const bool near_by = *cursor_time_ < series->whole_since();
-      of_runs << (near_by ? QStringLiteral("≈ ") : QString()) + figure(point->value[0]);
+      of_runs << (near_by ? QStringLiteral("≈ ") : QString()) + figure(line.unit.of(point->value[0]));
     }
     if (of_runs.isEmpty()) continue;
     QString value = line.label + " " + of_runs.join(" | ");
-    if (!line.theory.empty()) value += tr(" (theory %1)").arg(figure(line.theory.formula(*cursor_time_)));
-    if (content_.unit.isEmpty()) value += " " + line.unit;
-    values << value.trimmed();
+    if (!line.theory.empty())
+      value += tr(" (theory %1)").arg(figure(line.unit.of(line.theory.formula(*cursor_time_))));
+    values << (content_.unit.name.isEmpty() ? line.unit.after(value) : value).trimmed();
   }
   QString text = figure(*cursor_time_, 5) + " s";
-  if (!values.isEmpty()) text += ":  " + values.join(",  ") + " " + content_.unit;
+  if (!values.isEmpty()) text += ":  " + content_.unit.after(values.join(",  "));
   const int room = plot_->canvas()->width() - (chip_->isVisible() ? chip_->width() : 0) - 40;
   readout_->setText(readout_->fontMetrics().elidedText(text, Qt::ElideRight, room));
 }

@@ -134,6 +134,7 @@ QWidget* StopEditor::make_choices() {
     names->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     names->setMinimumContentsLength(8);
   }
+  for (ChoiceBox* words : {kind_, quantity_, way_}) words->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   auto* rows = new QVBoxLayout(all);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(6);

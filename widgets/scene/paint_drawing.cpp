@@ -83,9 +83,13 @@ void paint_segments(QPainter& painter, const std::vector<Drawing::SegmentItem>& 
   }
 }
 
-// Coordinates of the strong lines, along the lower and left edges, except under the scale bar.
+bool meets(const std::vector<QRectF>& written, const QRectF& place) {
+  return std::any_of(written.begin(), written.end(), [&](const QRectF& r) { return r.intersects(place); });
+}
+
+// Coordinates of the strong lines, along the lower and left edges, except under the scale bar and names.
 void paint_numbers(QPainter& painter, const Drawing& drawing, const Camera& camera, const Theme& theme,
-                   double bars_end) {
+                   double bars_end, const std::vector<QRectF>& names) {
   const QFontMetricsF metrics(painter.font());
   const double bottom = camera.viewport.height() - kEdge;
   for (const Grid::Line& line : drawing.grid.lines) {
@@ -100,7 +104,9 @@ void paint_numbers(QPainter& painter, const Drawing& drawing, const Camera& came
     } else if (at.y() < 2 * metrics.height() || at.y() > bottom - 3 * metrics.height()) {
       continue;
     }
-    paint_text_ground(painter, theme, QRectF(place.x(), place.y() - metrics.ascent(), width, metrics.height()));
+    const QRectF ground(place.x(), place.y() - metrics.ascent(), width, metrics.height());
+    if (meets(names, ground)) continue;
+    paint_text_ground(painter, theme, ground);
     painter.setPen(theme.muted);
     painter.drawText(place, text);
   }
@@ -160,17 +166,21 @@ void paint_text(QPainter& painter, const Drawing& drawing, const Camera& camera,
                 const Obstacles& obstacles) {
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   const double left = paint_scale_row(painter, drawing, camera, theme);
-  if (drawing.has_grid) {
-    painter.setFont(sized_font(painter.font(), drawing.text_size - 1.0, QFont::Normal));
-    paint_numbers(painter, drawing, camera, theme, left);
-  }
-  painter.setFont(sized_font(painter.font(), drawing.text_size, QFont::DemiBold));
-  const double ascent = QFontMetricsF(painter.font()).ascent();
+  const QFont bold = sized_font(painter.font(), drawing.text_size, QFont::DemiBold);
+  painter.setFont(bold);
+  const double ascent = QFontMetricsF(bold).ascent();
   Obstacles taken = obstacles;
-  for (const NamePlace& name : name_places(drawing, camera, painter.font(), obstacles)) {
+  std::vector<QRectF> names;
+  for (const NamePlace& name : name_places(drawing, camera, bold, obstacles)) {
     painter.setPen(drawing.labels[name.label].color);
     painter.drawText(name.rect.topLeft() + QPointF(kNameGap, ascent), drawing.labels[name.label].text);
     taken.rects.push_back(name.rect);
+    names.push_back(name.rect);
+  }
+  if (drawing.has_grid) {
+    painter.setFont(sized_font(bold, drawing.text_size - 1.0, QFont::Normal));
+    paint_numbers(painter, drawing, camera, theme, left, names);
+    painter.setFont(bold);
   }
   paint_jump(painter, drawing, camera, theme, taken);
 }

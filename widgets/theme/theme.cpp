@@ -171,11 +171,14 @@ QColor blend(const QColor& from, const QColor& to, double share) {
 }
 
 void apply_theme(QApplication& application, const Theme& t) {
-  application.setStyle(QStyleFactory::create("Fusion"));
-  QFont font = application.font();
-  if (QFontDatabase::families().contains("Inter")) font.setFamily("Inter");
-  font.setPixelSize(13);
-  application.setFont(font);
+  // Style and type are those of every theme: each of them would be put on every widget again.
+  if (application.styleSheet().isEmpty()) {
+    application.setStyle(QStyleFactory::create("Fusion"));
+    QFont font = application.font();
+    if (QFontDatabase::families().contains("Inter")) font.setFamily("Inter");
+    font.setPixelSize(13);
+    application.setFont(font);
+  }
 
   QPalette p;
   p.setColor(QPalette::Window, t.window);

@@ -78,6 +78,7 @@ class LabReportTest : public testing::Test {
         report_ = report->report();
         report->accept();
       } else if (auto* where = qobject_cast<QFileDialog*>(dialog)) {
+        suggested_ = where->findChild<QLineEdit*>("fileNameEdit")->text();
         where->setDirectory(dir_.path());
         where->findChild<QLineEdit*>("fileNameEdit")->setText(file);
         QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
@@ -112,6 +113,7 @@ class LabReportTest : public testing::Test {
   QTemporaryDir dir_;
   std::optional<LabReport> report_;
   QString said_;
+  QString suggested_;
 };
 
 TEST_F(LabReportTest, IsAPdfOfVectorsAndText) {
@@ -123,6 +125,7 @@ TEST_F(LabReportTest, IsAPdfOfVectorsAndText) {
   EXPECT_TRUE(pdf.trimmed().endsWith("%%EOF"));
   EXPECT_TRUE(pdf.contains("/ToUnicode")) << "text can be selected";
   EXPECT_FALSE(pdf.contains("/Subtype /Image"));
+  EXPECT_EQ(suggested_, "bouncing-ball.pdf");
   const std::optional<PrintPages> pages = pages_of(*report_);
   ASSERT_TRUE(pages);
   EXPECT_TRUE(pdf.contains(QString("/Count %1").arg(pages->count()).toLatin1()));

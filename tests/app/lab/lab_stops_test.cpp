@@ -1,6 +1,8 @@
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QPushButton>
+#include <QStyle>
+#include <QStyleOptionComboBox>
 
 #include "physics/preset/preset_file.h"
 #include "tests/app/lab/lab_fixture.h"
@@ -98,6 +100,28 @@ TEST_F(LabStopsTest, AFlagAtTheFirstImpactRestartAndSpace) {
   press(Qt::Key_R);
   press(Qt::Key_Space);
   ASSERT_TRUE(wait_stopped("1st impact")) << "and again";
+}
+
+TEST_F(LabStopsTest, WordsOfTheChoicesAreWhole) {
+  action("Stops...")->trigger();
+  sentence()->clear();
+  QTest::keyClicks(sentence(), "when light passes x = 0.4 m");
+  for (const char* name : {"Kind of stop", "Quantity", "Direction"}) {
+    auto* box = part<QComboBox>(name);
+    ASSERT_TRUE(box->isVisible()) << name;
+    for (int i = 0; i < box->count(); ++i) {
+      box->setCurrentIndex(i);
+      QStyleOptionComboBox option;
+      option.initFrom(box);
+      const QRect words =
+          box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
+      EXPECT_GE(words.width(), box->fontMetrics().horizontalAdvance(box->currentText()))
+          << box->currentText().toStdString();
+    }
+    sentence()->setText("when light passes x = 0.4 m");
+    emit sentence()->textEdited(sentence()->text());
+  }
+  close_editor();
 }
 
 TEST_F(LabStopsTest, TheRecordMeetsThemAgain) {

@@ -94,6 +94,12 @@ TEST_F(StudyPanelTest, ComputesWhatTheCommandDoes) {
   EXPECT_EQ(study_csv(mine), study_csv(whole));
   EXPECT_TRUE(button("Export...")->isEnabled());
   EXPECT_TRUE(panel_.words().startsWith("compared at t = ")) << panel_.words().toStdString();
+  const QLabel* words = label(panel_.words());
+  ASSERT_NE(words, nullptr) << "the whole sentence";
+  EXPECT_TRUE(test::wait_in_event_loop([&] {
+    return words->height() >= words->heightForWidth(words->width());
+  })) << words->height();
+  EXPECT_GT(panel_.plot().height(), 80);
 }
 
 TEST_F(StudyPanelTest, AClickOnAPointChoosesItsMethod) {
@@ -222,6 +228,7 @@ TEST_F(StudyPanelTest, SavesTableAndPicture) {
 
 TEST_F(StudyPanelTest, TheMouseOnAPointShowsItsFigures) {
   run_to_its_end();
+  QTest::qWait(50);  // the sentence under the plot takes its room
   const StudyRow& r = row(IntegratorId::kRk4, ImpactsId::kLocated, 0.025);
   QTest::mouseMove(panel_.plot().canvas(), panel_.plot().pixel_of(r)->toPoint());
   ASSERT_TRUE(test::wait_in_event_loop([] { return QToolTip::text().contains("RK4"); }));

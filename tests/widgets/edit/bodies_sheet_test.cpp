@@ -291,7 +291,8 @@ TEST_F(BodiesSheetTest, RoundingIsZero) {
   bodies[0].velocity = {2.0, -3e-15};
   bodies[0].spin = -6.1e-34;
   show(bodies);
-  for (const Column column : {Column::kY, Column::kVelocityY, Column::kSpin, Column::kMomentumY})
+  for (const Column column :
+       {Column::kY, Column::kVelocityY, Column::kSpin, Column::kMomentumY, Column::kDirection})
     EXPECT_EQ(text(0, column), "0") << column;
 }
 

@@ -149,6 +149,8 @@ TEST(Quantity, ShowsTheUnitThatPeopleUseWithoutNoise) {
   EXPECT_EQ(quantity_text(pi / 4.0, "rad"), "45°");
   EXPECT_EQ(quantity_text(2.0, "rad/s"), "2 rad/s");
   EXPECT_EQ(quantity_text(-0.0, "m"), "0 m");
+  EXPECT_EQ(quantity_text(-3e-15 * pi / 180.0, "rad"), "0°") << "rounding of a turn";
+  EXPECT_EQ(quantity_text(1e-6 * pi / 180.0, "rad"), "1e−6°");
   EXPECT_EQ(quantity_text(-0.85, "m"), "−0.85 m");
   EXPECT_EQ(quantity_text(0.6, ""), "0.6");
   EXPECT_EQ(quantity_text(1.0 / 3.0, "kg"), "0.333333 kg");

@@ -294,7 +294,7 @@ TEST_F(PlotPanelTest, PlotsOfAnyQuantity) {
   EXPECT_EQ(panel.chosen(), (std::vector<Plot>{speeds, path, mixed, drift}));
   EXPECT_EQ(panel.curves().size(), 6u);
   EXPECT_EQ(plot(0)->content().title, "Speed");
-  EXPECT_EQ(plot(0)->content().unit, "m/s");
+  EXPECT_EQ(plot(0)->content().unit.name, "m/s");
   EXPECT_EQ(plot(0)->content().lines[1].label, "B");
   EXPECT_EQ(plot(1)->content().title, "Velocity x over x of A");
   EXPECT_EQ(plot(2)->content().legend(plot(2)->content().lines[0]), "x of A / m");

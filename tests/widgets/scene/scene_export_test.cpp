@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QImage>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <array>
 #include <gtest/gtest.h>
@@ -44,6 +45,24 @@ TEST_F(SceneExport, SvgIsVectors) {
   EXPECT_TRUE(text.contains("<circle"));
   EXPECT_TRUE(text.contains("<text"));
   EXPECT_FALSE(text.contains("<image"));
+}
+
+// A name at the lower edge stands where the grid has a number.
+TEST_F(SceneExport, NamesAreNotWrittenOverNumbers) {
+  Preset preset = two_discs();
+  preset.scene.bodies[1].position = Vec2(3.0, -0.35);  // its lowest point is at -0.85 m, of -1 m
+  const auto numbers = [&](bool names) {
+    DrawingOptions options;
+    options.names = names;
+    EXPECT_TRUE(save_scene_picture(*frame_of(Simulation(setup_of(preset))), View{Vec2(2.0, 1.0), 6.0}, options,
+                                   light_theme(), QSize(600, 400), folder_.filePath("names.svg"), &error_));
+    path_ = folder_.filePath("names.svg");
+    static const QRegularExpression one(">\\s*3\\s*</text>");
+    return QString::fromUtf8(bytes()).count(one);
+  };
+  const auto without = numbers(false);
+  EXPECT_GT(without, 0);
+  EXPECT_EQ(numbers(true), without - 1);
 }
 
 TEST_F(SceneExport, PdfIsVectors) {
