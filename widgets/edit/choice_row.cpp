@@ -9,9 +9,13 @@
 namespace carom {
 
 ChoiceRow::ChoiceRow(const InspectedRow& row, QWidget* parent)
-    : InspectorRow(row, new PlainLabel(row.label), parent), box_(new ChoiceBox(this)) {
-  grid()->addWidget(box_, 0, 1, 1, kColumns);
+    : InspectorRow(row, new PlainLabel(row.label), parent),
+      box_(new ChoiceBox(this)),
+      remark_(new PlainLabel(this)) {
+  grid()->addWidget(box_, 0, 1, 1, kColumns - 1);
+  grid()->addWidget(remark_, 0, kColumns);
   grid()->setColumnStretch(1, 1);
+  remark_->setObjectName("muted");
   connect(box_, &QComboBox::activated, this, [this](int index) {
     if (index != choice_.chosen) emit edited(choice_.edits(index));
   });
@@ -30,6 +34,8 @@ void ChoiceRow::show_row(const InspectedRow& row) {
   label()->setToolTip(box_->toolTip());
   box_->setAccessibleName(choice_.name);
   box_->setPlaceholderText(choice_.other);
+  remark_->setText(choice_.remark);
+  remark_->setVisible(!choice_.remark.isEmpty());
   restore();
 }
 

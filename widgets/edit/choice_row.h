@@ -19,6 +19,7 @@ class ChoiceRow : public InspectorRow {
  private:
   InspectedChoice choice_;
   ChoiceBox* box_;
+  QLabel* remark_;
 };
 
 }  // namespace carom

@@ -54,6 +54,9 @@ struct InspectedChoice {
   int chosen = -1;
   QString other;  // what it reads if no word is chosen
   std::function<NamedEdits(int)> edits;
+  bool side_by_side = false;  // all words are seen
+  QString refusal{};          // why no other word can be chosen, in one sentence
+  QString remark{};           // after the word, in grey
 };
 
 // The name of a part that may have one.
@@ -92,8 +95,12 @@ struct InspectedRow {
 // The bodies of these names, in the scene's order; those of generators last.
 [[nodiscard]] std::vector<Body> bodies_named(const Scene& scene, const std::vector<std::string>& names);
 
-// The values that all of these bodies have.
+// Whether these bodies move.
+[[nodiscard]] InspectedRow inspected_kind(const std::vector<Body>& bodies);
+
+// The values that all of these bodies have and lessons change, and their other ones.
 [[nodiscard]] std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& bodies);
+[[nodiscard]] std::vector<InspectedRow> more_of_bodies(const std::vector<Body>& bodies);
 
 // Those of each shape of a compound, and its surface; the first ones of many. An edit leaves the others where
 // they are. For `unfolded` see inspected_corners.h.
@@ -105,8 +112,10 @@ struct InspectedRow {
 
 [[nodiscard]] NamedEdits renaming(const Body& body, const QString& name);
 
-// How the surface of these bodies behaves, if they share one, and how they part from the others that have it.
+// The surface of these bodies, with its e if they share one.
 [[nodiscard]] std::vector<InspectedRow> inspected_surface(const Scene& scene, const std::vector<Body>& bodies);
+// Of a surface that they share: its friction, and how they part from the others that have it.
+[[nodiscard]] std::vector<InspectedRow> more_of_surface(const Scene& scene, const std::vector<Body>& bodies);
 
 // e of the body's surface.
 [[nodiscard]] Inspected inspected_restitution(const Scene& scene, const Body& body);

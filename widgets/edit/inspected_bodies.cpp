@@ -16,8 +16,10 @@ namespace {
 
 using Bodies = std::shared_ptr<const std::vector<Body>>;
 
-// The lines of bodies, in order. Numbers of a body that stand in none of them follow after these, under
-// kOthers.
+// The lines of bodies, in order: first what lessons change, then under kMore the others. Numbers of a body that
+// stand in none of them follow after these.
+constexpr const char* kMain = "";
+constexpr const char* kMore = "More";
 struct BodyLine {
   const char* section;
   const char* label;
@@ -28,27 +30,25 @@ struct BodyLine {
 constexpr std::array<std::string_view, 6> kMotion = {"position", "angle",     "velocity",
                                                      "speed",    "direction", "spin"};
 constexpr auto kBodyLines = std::to_array<BodyLine>({
-    {"Mass and size", "Mass", "mass"},
-    {"Mass and size", "Density", "density"},
-    {"Mass and size", "Radius", "shape/radius"},
-    {"Mass and size", "Width", "shape/width"},
-    {"Mass and size", "Height", "shape/height"},
-    {"Mass and size", "Length", "shape/length"},
-    {"Mass and size", "Rounding", "shape/rounding"},
-    {"Place", "Position", "position", true, "Move"},
-    {"Place", "Angle", "angle", false, "Turn"},
-    {"Motion", "Velocity", "velocity", true},
-    {"Motion", "Speed", "speed"},
-    {"Motion", "Direction", "direction"},
-    {"Motion", "Spin", "spin"},
-    {"Drive", "Velocity", "drive/velocity", true},
-    {"Drive", "Amplitude", "drive/amplitude", true},
-    {"Drive", "Frequency", "drive/frequency"},
-    {"Drive", "ω", "drive/angular_frequency"},
-    {"Drive", "Phase", "drive/phase"},
+    {kMain, "Mass", "mass"},
+    {kMain, "Radius", "shape/radius"},
+    {kMain, "Width", "shape/width"},
+    {kMain, "Height", "shape/height"},
+    {kMain, "Length", "shape/length"},
+    {kMain, "Position", "position", true, "Move"},
+    {kMain, "Angle", "angle", false, "Turn"},
+    {kMain, "Speed", "speed"},
+    {kMain, "Direction", "direction"},
+    {kMain, "Spin", "spin"},
+    {kMain, "Velocity", "drive/velocity", true},
+    {kMain, "Amplitude", "drive/amplitude", true},
+    {kMain, "Frequency", "drive/frequency"},
+    {kMain, "Phase", "drive/phase"},
+    {kMore, "Velocity", "velocity", true},
+    {kMore, "Density", "density"},
+    {kMore, "Rounding", "shape/rounding"},
+    {kMore, "ω", "drive/angular_frequency"},
 });
-
-constexpr const char* kOthers = "Other";
 
 // The density that a body has, whichever of mass and density it states; none without an area.
 std::optional<double> density_of(const Body& body) {
@@ -151,6 +151,39 @@ bool is_other(const FieldPlace& place) {
                       [&place](const BodyLine& line) { return line.key == place.key; });
 }
 
+// The rows of one section.
+class Lines {
+ public:
+  Lines(const std::vector<Body>& bodies, std::string_view section)
+      : bodies_(std::make_shared<const std::vector<Body>>(bodies)) {
+    rows_.reserve(bodies.size());
+    for (const Body& body : bodies) rows_.push_back(all_rows(body));
+    for (const BodyLine& line : kBodyLines) {
+      if (line.section != section) continue;
+      std::vector<FieldPlace> places{{line.key, line.vector ? 0 : -1}};
+      if (line.vector) places.push_back({line.key, 1});
+      add(line.section, {QString::fromUtf8(line.label), line.act}, places);
+    }
+  }
+  // What stands in no line.
+  void add_others() {
+    for (const FieldRow& row : rows_.front()) {
+      if (is_other(row.place)) add(kMore, {row.label}, {row.place});
+    }
+  }
+  [[nodiscard]] std::vector<InspectedRow> take() { return std::move(shown_); }
+
+ private:
+  void add(const char* section, const LineWords& words, const std::vector<FieldPlace>& places) {
+    InspectedRow row = row_of(section, words, places, bodies_, rows_);
+    if (!row.values.empty()) shown_.push_back(std::move(row));
+  }
+
+  Bodies bodies_;
+  std::vector<std::vector<FieldRow>> rows_;  // of each body
+  std::vector<InspectedRow> shown_;
+};
+
 // "p 2.00 kg m/s", in one line.
 QString fact(const char* symbol, const QString& value, const char* unit) {
   return QString("%1 %2 %3").arg(symbol, value, QString::fromUtf8(unit)).replace(' ', QChar::Nbsp);
@@ -200,26 +233,14 @@ QString subject_of(const std::vector<Body>& bodies) {
   return QString("%1 bodies").arg(bodies.size());
 }
 
-std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& list) {
-  const auto bodies = std::make_shared<const std::vector<Body>>(list);
-  std::vector<std::vector<FieldRow>> rows;
-  rows.reserve(list.size());
-  for (const Body& body : list) rows.push_back(all_rows(body));
-  std::vector<InspectedRow> shown;
-  if (list.empty()) return shown;
-  const auto add = [&](const char* section, const LineWords& words, const std::vector<FieldPlace>& places) {
-    InspectedRow row = row_of(section, words, places, bodies, rows);
-    if (!row.values.empty()) shown.push_back(std::move(row));
-  };
-  for (const BodyLine& line : kBodyLines) {
-    std::vector<FieldPlace> places{{line.key, line.vector ? 0 : -1}};
-    if (line.vector) places.push_back({line.key, 1});
-    add(line.section, {QString::fromUtf8(line.label), line.act}, places);
-  }
-  for (const FieldRow& row : rows[0]) {
-    if (is_other(row.place)) add(kOthers, {row.label}, {row.place});
-  }
-  return shown;
+std::vector<InspectedRow> inspected_bodies(const std::vector<Body>& bodies) {
+  return Lines(bodies, kMain).take();
+}
+
+std::vector<InspectedRow> more_of_bodies(const std::vector<Body>& bodies) {
+  Lines lines(bodies, kMore);
+  lines.add_others();
+  return lines.take();
 }
 
 std::optional<Inspected> inspected_value(const Body& body, const FieldPlace& place) {

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <set>
 
 #include "widgets/edit/field_rows.h"
 #include "widgets/edit/inspected.h"
@@ -21,7 +23,7 @@ constexpr auto kSurfaceLines = std::to_array<SurfaceLine>({
     {"static_friction", "µs", "Static µs"},
     {"rolling_resistance", "Rolling resistance", "Rolling"},
 });
-constexpr std::size_t kMainLines = 2;  // what most lessons are about
+constexpr std::size_t kMainLines = 2;  // what most lessons are about: first e
 
 QString text_of(const std::string& text) { return QString::fromStdString(text); }
 
@@ -257,18 +259,61 @@ NamedEdits split(const Scene& scene, const std::vector<Body>& bodies) {
   return {edits, "Surface of " + subject_of(bodies) + ": " + text_of(own.name)};
 }
 
+std::ptrdiff_t users_of(const Scene& scene, const std::string& material) {
+  return std::count_if(scene.bodies.begin(), scene.bodies.end(),
+                       [&](const Body& body) { return body.material == material; });
+}
+
+std::optional<Surface> shared_surface(const Scene& scene, const std::vector<Body>& bodies) {
+  const auto same = [&](const Body& body) { return body.material == bodies.front().material; };
+  if (!std::all_of(bodies.begin(), bodies.end(), same)) return std::nullopt;
+  return surface_of(material_named(scene, bodies.front().material));
+}
+
+InspectedRow choice_of_surface(const Scene& scene, const std::vector<Body>& bodies) {
+  const std::vector<std::string> names = material_names(scene);
+  std::set<std::string> worn;
+  for (const Body& body : bodies) worn.insert(body.material);
+  InspectedChoice choice;
+  choice.name = "Surface";
+  choice.meaning = "The material of its surface";
+  for (const std::string& name : names) choice.words << text_of(name);
+  choice.other = QString("%1 surfaces").arg(static_cast<qulonglong>(worn.size()));
+  if (worn.size() == 1) {
+    choice.chosen = static_cast<int>(std::find(names.begin(), names.end(), *worn.begin()) - names.begin());
+    const std::ptrdiff_t users = users_of(scene, *worn.begin());
+    if (users > static_cast<std::ptrdiff_t>(bodies.size())) choice.remark = QString("%1 bodies").arg(users);
+  }
+  choice.edits = [names, bodies](int index) {
+    const std::string& name = names[static_cast<std::size_t>(index)];
+    return NamedEdits{edits_of(bodies, [&](Body& body) { body.material = name; }),
+                      QString("Surface of %1: %2").arg(subject_of(bodies), text_of(name))};
+  };
+  return {.label = "Surface", .choice = std::move(choice)};
+}
+
 }  // namespace
 
 std::vector<InspectedRow> inspected_surface(const Scene& scene, const std::vector<Body>& bodies) {
+  std::vector<InspectedRow> shown{choice_of_surface(scene, bodies)};
+  if (const std::optional<Surface> surface = shared_surface(scene, bodies)) {
+    add_numbers(shown, *surface);
+    shown.resize(kMainLines);
+    shown.back().section.clear();
+  }
+  return shown;
+}
+
+std::vector<InspectedRow> more_of_surface(const Scene& scene, const std::vector<Body>& bodies) {
   std::vector<InspectedRow> shown;
-  const auto same = [&](const Body& body) { return body.material == bodies.front().material; };
-  if (bodies.empty() || !std::all_of(bodies.begin(), bodies.end(), same)) return shown;
-  const Surface surface = surface_of(material_named(scene, bodies.front().material));
-  add_numbers(shown, surface);
+  const std::optional<Surface> surface = shared_surface(scene, bodies);
+  if (!surface) return shown;
+  add_numbers(shown, *surface);
   shown.resize(kMainLines);
-  const auto users = std::count_if(scene.bodies.begin(), scene.bodies.end(), same);
+  shown.erase(shown.begin());
+  const auto users = users_of(scene, surface->law.name);
   if (users <= static_cast<std::ptrdiff_t>(bodies.size())) return shown;
-  const QString section = surface.section + QString(" · %1 bodies share it").arg(users);
+  const QString section = surface->section + QString(" · %1 bodies share it").arg(users);
   for (InspectedRow& row : shown) row.section = section;
   const InspectedAction only_here{
       .text = "Only here",

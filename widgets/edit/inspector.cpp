@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "widgets/base/elided_label.h"
-#include "widgets/edit/body_head.h"
 #include "widgets/edit/inspected_corners.h"
 #include "widgets/edit/inspector_row.h"
+#include "widgets/edit/name_field.h"
 #include "widgets/edit/typed_field.h"
 
 namespace carom {
@@ -22,6 +22,10 @@ namespace {
 constexpr int kMargin = 12;       // px
 constexpr int kLabelGap = 4;      // px, beside the spacing of the rows
 constexpr int kLeastWidth = 260;  // px
+constexpr int kRowGap = 5;        // px
+constexpr int kNameInsets = 16;   // px, of the name in its field
+constexpr int kLeastName = 40;    // px
+constexpr int kMostName = 180;    // px
 
 void set_line(QLabel* label, const QString& text) {
   if (label->text() != text) label->setText(text);
@@ -73,10 +77,10 @@ Inspector::Inspector(QWidget* parent)
       bar_(new QWidget(this)),
       top_(new QHBoxLayout(bar_)),
       back_(new QToolButton(bar_)),
+      name_(new NameField(bar_)),
+      name_fault_(small_label("fault", this)),
       title_(new ElidedLabel(bar_)),
       kind_(new PlainLabel(bar_)),
-      head_(new BodyHead(content_)),
-      derived_(small_label("derived", content_)),
       hint_(small_label("muted", this)),
       sentence_(small_label("fault", this)) {
   setMinimumWidth(kLeastWidth);
@@ -98,7 +102,15 @@ Inspector::Inspector(QWidget* parent)
     line->setContentsMargins(kMargin, 4, kMargin, 6);
     outer->addWidget(line);
   }
+  name_fault_->setContentsMargins(kMargin, 0, kMargin, 0);
+  outer->insertWidget(1, name_fault_);
+  column_->setContentsMargins(kMargin, 6, kMargin, kMargin);
+  column_->setSpacing(kRowGap);
+  column_->addStretch(1);
+  build_bar();
+}
 
+void Inspector::build_bar() {
   bar_->setCursor(Qt::OpenHandCursor);
   back_->setCursor(Qt::ArrowCursor);
   title_->setObjectName("title");
@@ -111,24 +123,35 @@ Inspector::Inspector(QWidget* parent)
   back_->hide();
   connect(back_, &QToolButton::clicked, this, [this] { open(std::nullopt); });
   top_->addWidget(back_);
+  top_->addWidget(name_);
   top_->addWidget(title_);
   top_->addWidget(kind_, 1);
-  column_->setContentsMargins(kMargin, 6, kMargin, kMargin);
-  column_->setSpacing(6);
-  column_->addWidget(head_);
-  column_->addWidget(derived_);
-  column_->addStretch(1);
-  head_->hide();
-  connect(head_, &BodyHead::edited, this, [this](const SceneEdits& edits, const QString& name) {
+  name_->setObjectName("title");
+  name_->setAccessibleName(tr("Name"));
+  name_->setToolTip(tr("A name of its own"));
+  name_->hide();
+  connect(name_, &QLineEdit::textChanged, this, &Inspector::fit_name);
+  connect(name_, &QLineEdit::textEdited, this, [this] { say({}); });
+  connect(name_, &TypedField::dropped, this, &Inspector::say);
+  connect(name_, &TypedField::refused, this,
+          [this](const QString& sentence) { set_line(name_fault_, sentence); });
+  connect(name_, &NameField::named, this, [this](const QString& name) {
+    const NamedEdits renamed = renaming(bodies_.front(), name);
     say({});
-    emit edited(edits, name, 0);
+    emit edited(renamed.edits, renamed.name, 0);
   });
-  connect(head_, &BodyHead::dropped, this, &Inspector::say);
+}
+
+// As wide as the name, so that what is said of the body follows it.
+void Inspector::fit_name() {
+  name_->ensurePolished();
+  const int width = name_->fontMetrics().horizontalAdvance(name_->text()) + kNameInsets;
+  name_->setFixedWidth(std::clamp(width, kLeastName, kMostName));
 }
 
 void Inspector::set_group_tools(QWidget* tools) {
   group_tools_ = tools;
-  column_->insertWidget(column_->indexOf(head_) + 1, tools);
+  column_->insertWidget(0, tools);
   tools->setVisible(bodies_.size() > 1);
 }
 
@@ -213,19 +236,26 @@ std::vector<InspectedRow> Inspector::rows() const {
     add(inspected_surfaces(*scene_));
     add(listed_parts(*scene_));
   } else {
+    rows.push_back(inspected_kind(bodies_));
     add(inspected_bodies(bodies_));
+    add(inspected_surface(*scene_, bodies_));
+    if (const QStringList derived = derived_texts(bodies_); !derived.isEmpty())
+      rows.push_back({.text = derived.join("   ")});
+    add(more_of_bodies(bodies_));
     if (bodies_.size() == 1) {
       add(inspected_shapes(*scene_, bodies_[0], unfolded_));
       if (!std::holds_alternative<Compound>(bodies_[0].shape))
         add(inspected_corners(*scene_, bodies_[0], std::nullopt, unfolded_));
     }
-    add(inspected_surface(*scene_, bodies_));
+    add(more_of_surface(*scene_, bodies_));
   }
   return rows;
 }
 
 void Inspector::edit_name() {
-  if (bodies_.size() == 1) head_->edit_name();
+  if (bodies_.size() != 1) return;
+  name_->setFocus();
+  name_->selectAll();
 }
 
 void Inspector::watch_changes(bool watch) {
@@ -238,8 +268,6 @@ void Inspector::show_rows() {
   if (!shown_part_) part_.reset();
   rows_ = rows();
   show_title();
-  head_->setVisible(!bodies_.empty());
-  if (!bodies_.empty()) head_->show_bodies(scene_, bodies_);
   if (group_tools_ != nullptr) group_tools_->setVisible(bodies_.size() > 1);
   if (QStringList layout = layout_of(rows_); layout != layout_ || list_ == nullptr) {
     layout_ = std::move(layout);
@@ -249,7 +277,6 @@ void Inspector::show_rows() {
   } else {
     for (std::size_t i = 0; i < rows_.size(); ++i) row_widgets_[i]->show_row(rows_[i]);
   }
-  set_line(derived_, derived_texts(bodies_).join("   "));
 }
 
 void Inspector::show_title() {
@@ -259,6 +286,14 @@ void Inspector::show_title() {
   if (label->toolTip() != title) label->setToolTip(plain_tip(title));
   const QString kind = shown_part_ ? shown_part_->kind : QString();
   set_line(kind_, bodies_.size() == 1 ? shape_word(bodies_[0]) : kind);
+  const bool one = bodies_.size() == 1;
+  name_->setVisible(one);
+  title_->setVisible(!one);
+  if (one) {
+    name_->show_text(QString::fromStdString(bodies_.front().name));
+  } else {
+    name_->restore();
+  }
   back_->setVisible(shown_part_.has_value());
 }
 
@@ -270,12 +305,13 @@ void Inspector::build_rows() {
     list_->deleteLater();
   }
   list_ = new QWidget(content_);
+  list_->setObjectName("rows");
   row_widgets_.clear();
   auto* column = new QVBoxLayout(list_);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(6);
+  column->setSpacing(kRowGap);
   QString section;
-  int label_width = bodies_.empty() ? 0 : head_->label_width();
+  int label_width = 0;
   for (const InspectedRow& row : rows_) {
     if (row.section != section) {
       section = row.section;
@@ -292,8 +328,7 @@ void Inspector::build_rows() {
   }
   label_width += kLabelGap;
   for (InspectorRow* widget : row_widgets_) widget->set_label_width(label_width);
-  head_->set_label_width(label_width);
-  column_->insertWidget(column_->indexOf(derived_), list_);
+  column_->insertWidget(column_->count() - 1, list_);  // before what stretches
   list_->show();
 }
 
@@ -347,6 +382,7 @@ void Inspector::focus_field(const Focused& focused) {
 void Inspector::set_frozen(bool frozen) {
   if (frozen && content_->isEnabled()) restore();
   content_->setEnabled(!frozen);
+  name_->setEnabled(!frozen);
   back_->setEnabled(!frozen);
   set_line(hint_, frozen ? tr("Pause to edit") : QString());
 }
@@ -365,7 +401,7 @@ void Inspector::begin_edit(int row, int field) {
 
 void Inspector::restore() {
   for (InspectorRow* row : row_widgets_) row->restore();
-  head_->restore();
+  name_->restore();
 }
 
 void Inspector::say(const QString& sentence) {

@@ -23,8 +23,8 @@ class QVBoxLayout;
 
 namespace carom {
 
-class BodyHead;
 class InspectorRow;
+class NameField;
 
 // The properties of the selected bodies, of a joint, spring or force, or of the scene if nothing is selected,
 // as fields. It changes nothing itself: each accepted value is an edit that it hands out.
@@ -87,6 +87,8 @@ class Inspector : public QWidget {
   void show_rows();
   [[nodiscard]] std::vector<InspectedRow> rows() const;
   void build_rows();
+  void build_bar();
+  void fit_name();
   [[nodiscard]] InspectorRow* add_row(const InspectedRow& row, int index);
   void show_title();
   // A field of the rows: by its accessible name, or where that has changed by its place among all of them.
@@ -129,12 +131,12 @@ class Inspector : public QWidget {
   QWidget* bar_;
   QHBoxLayout* top_;  // of the bar
   QToolButton* back_;
+  NameField* name_;  // the title, if it is that of one body
+  QLabel* name_fault_;
   QLabel* title_;
   QLabel* kind_;
-  BodyHead* head_;
   QWidget* group_tools_ = nullptr;
   QWidget* list_ = nullptr;  // of the rows
-  QLabel* derived_;
   QLabel* hint_;
   QLabel* sentence_;
 };

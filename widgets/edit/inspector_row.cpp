@@ -7,6 +7,7 @@
 #include "widgets/edit/choice_row.h"
 #include "widgets/edit/name_row.h"
 #include "widgets/edit/value_row.h"
+#include "widgets/edit/words_row.h"
 
 namespace carom {
 
@@ -74,6 +75,7 @@ void InspectorRow::set_label_width(int width) { label_->setFixedWidth(width); }
 
 InspectorRow* new_row(const InspectedRow& row, QWidget* parent) {
   if (!row.values.empty()) return new ValueRow(row, parent);
+  if (row.choice && row.choice->side_by_side) return new WordsRow(row, parent);
   if (row.choice) return new ChoiceRow(row, parent);
   if (row.named) return new NameRow(row, parent);
   if (!row.actions.empty()) return new ActionRow(row, parent);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kLeastField = 40;   // px
 constexpr int kInsets = 16;       // px, of a field beside its text
-constexpr int kRoomForTwo = 290;  // px, with the label
+constexpr int kRoomForTwo = 270;  // px, with the label
 constexpr int kButton = 26;       // px
 constexpr int kFieldShare = 6;    // of the width that a field and its slider share
 constexpr int kSliderShare = 5;

@@ -79,6 +79,12 @@ QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QPlainTextEdit:focus { bo
 QLineEdit:disabled, QComboBox:disabled { color: %5; }
 QLineEdit[changes="true"] { border: 2px solid %6; padding: 4px 7px; }
 QLineEdit[fault="true"] { border-color: %8; }
+QLineEdit#title { font-weight: bold; background: transparent; border-color: transparent; padding: 2px 4px; margin-left: -5px; }
+QLineEdit#title:hover, QLineEdit#title:focus { background: %1; border-color: %3; }
+QWidget#rows QLineEdit { padding: 4px 8px; }
+QWidget#rows QLineEdit[changes="true"] { padding: 3px 7px; }
+QWidget#rows QComboBox { min-height: 18px; }
+QWidget#rows QPushButton { padding: 4px 10px; }
 QLineEdit#cell { padding: 0 4px; border-radius: 4px; font-size: 12px; }
 QLabel#fault { color: %8; font-size: 11px; }
 QSlider#value { min-height: 20px; }
@@ -108,6 +114,11 @@ QPushButton:hover, QPushButton:focus { border-color: %6; }
 QPushButton#chip { border-color: %6; border-radius: 11px; padding: 3px 9px; font-size: 11px; }
 QPushButton#chip[start="true"] { background: %7; color: %6; font-weight: bold; }
 QPushButton#chip::menu-indicator { image: none; }
+QPushButton#word { background: %1; border-radius: 0; padding: 4px 6px; }
+QPushButton#word[side="left"] { border-top-left-radius: 6px; border-bottom-left-radius: 6px; }
+QPushButton#word[side="right"] { border-top-right-radius: 6px; border-bottom-right-radius: 6px; }
+QPushButton#word[side="middle"] { border-left: none; border-right: none; }
+QPushButton#word:checked { background: %7; color: %6; font-weight: bold; }
 QPushButton#small { padding: 3px 6px; font-size: 12px; text-align: center; }
 QPushButton#small::menu-indicator { image: none; }
 QPushButton:default { background: %6; color: %2; border-color: %6; }
