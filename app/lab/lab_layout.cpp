@@ -31,7 +31,8 @@
 namespace carom {
 namespace {
 
-constexpr int kListWidth = 256;           // px
+constexpr int kListWidth = 256;           // px, as a column
+constexpr int kOpenListWidth = 340;       // px, over the scene
 constexpr int kGap = 8;                   // px, between panels
 constexpr QSize kStackedFrom(1200, 720);  // px: a window that has room for the inspector over the plots
 constexpr int kPinnedFrom = 1600;         // px: width of a window that has room for the list beside the scene
@@ -54,7 +55,6 @@ void LabWindow::make_body() {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
   list_ = new ExperimentList(theme_, all);
-  list_->setFixedWidth(kListWidth);
   list_->hide();
 
   make_docks();
@@ -78,6 +78,9 @@ void LabWindow::place_list() {
   const bool pinned = width() >= kPinnedFrom;
   const bool was_pinned = row->indexOf(list_) >= 0;
   list_action_->setVisible(!pinned);
+  name_in_bar_->setVisible(!pinned);
+  list_->set_over(!pinned);
+  list_->setFixedWidth(pinned ? kListWidth : kOpenListWidth);
   if (pinned && !was_pinned) {
     row->insertWidget(0, list_);
     list_->show();
@@ -86,7 +89,7 @@ void LabWindow::place_list() {
     list_->hide();
     list_action_->setChecked(false);
   }
-  if (!pinned) list_->setGeometry(0, 0, kListWidth, all->height());
+  if (!pinned) list_->setGeometry(kGap, 0, kOpenListWidth, all->height() - kGap);
   list_->raise();
 }
 
@@ -199,6 +202,14 @@ void LabWindow::connect_views() {
   });
   connect(list_, &ExperimentList::previewRequested, this, &LabWindow::preview);
   connect(list_, &ExperimentList::closeRequested, this, &LabWindow::leave_preview);
+  connect(list_, &ExperimentList::newRequested, this, [this] {
+    list_action_->setChecked(false);
+    new_document();
+  });
+  connect(list_, &ExperimentList::fileRequested, this, [this] {
+    list_action_->setChecked(false);
+    files_->choose();
+  });
   connect(transport_, &TransportBar::playClicked, this, &LabWindow::set_playing);
   connect(transport_, &TransportBar::restartClicked, &session_.starts(), &SessionStarts::restart);
   connect(transport_, &TransportBar::stepClicked, &session_.starts(), &SessionStarts::step_by);
@@ -240,6 +251,7 @@ void LabWindow::connect_timeline() {
 void LabWindow::set_theme(const Theme& theme) {
   theme_ = theme;
   for (const auto& [action, icon] : icon_actions_) action->setIcon(themed_icon(icon, theme.text));
+  list_button_->setIcon(themed_icon("list", theme.text));
   theme_action_->setIcon(themed_icon(theme.dark ? "sun" : "moon", theme.text));
   theme_action_->setText(theme.dark ? tr("&Light colours") : tr("&Dark colours"));
   list_->set_theme(theme);

@@ -3,9 +3,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
-#include <QTimer>
-#include <QToolBar>
-#include <QToolButton>
 #include <array>
 
 #include "app/help/help_dialog.h"
@@ -28,7 +25,7 @@
 #include "widgets/run/transport_bar.h"
 #include "widgets/scene/scene_view.h"
 
-// The menus and the tool bar of the lab's window.
+// The menus of the lab's window.
 namespace carom {
 
 QAction* LabWindow::add_action(QMenu* menu, const QString& icon, const QString& text, const QKeySequence& key,
@@ -45,7 +42,7 @@ void LabWindow::make_file_menu() {
   const auto add = [&](const QString& icon, const QString& text, const QKeySequence& key, const auto& slot) {
     add_action(file, icon, text, key, slot);
   };
-  add("", tr("&New"), QKeySequence::New, [this] { new_document(); });
+  add("new", tr("&New"), QKeySequence::New, [this] { new_document(); });
   add("open", tr("&Open..."), QKeySequence::Open, [this] { files_->choose(); });
   QMenu* recent = file->addMenu(tr("Open &recent"));
   connect(recent, &QMenu::aboutToShow, this, [this, recent] {
@@ -175,10 +172,8 @@ void LabWindow::add_toggles(QMenu* view) {
 
 void LabWindow::make_view_menu() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  list_action_ = add_action(view, "list", tr("&Experiments"), QKeySequence(Qt::Key_E), [] {});
+  list_action_ = add_action(view, "", tr("&Experiments"), QKeySequence(Qt::Key_E), [] {});
   list_action_->setCheckable(true);
-  list_action_->setIconVisibleInMenu(false);
-  list_action_->setToolTip(tr("The list of experiments (E)"));
   connect(list_action_, &QAction::toggled, this, &LabWindow::open_list);
   add_action(view, "fit", tr("&Fit the scene"), QKeySequence(Qt::Key_F), [this] { view_->find(); });
   add_action(view, "", tr("&Reset the plots' zoom"), QKeySequence(Qt::CTRL | Qt::Key_Home),
@@ -326,61 +321,6 @@ void LabWindow::make_help_menu() {
                  tr("A lab for two-dimensional rigid-body collisions.\n\n"
                     "MIT licence. Plots by Qwt (Qwt licence), window by Qt (LGPL)."));
   });
-}
-
-void LabWindow::make_tool_bar() {
-  QToolBar* bar = bar_ = addToolBar(tr("Main"));
-  bar->setMovable(false);
-  bar->setContextMenuPolicy(Qt::PreventContextMenu);
-  bar->setIconSize({18, 18});
-  const auto add = [&](std::initializer_list<const char*> icons) {
-    for (const char* icon : icons) {
-      for (const auto& [action, name] : icon_actions_) {
-        if (name == icon) bar->addAction(action);
-      }
-    }
-  };
-  add({"list", "open", "save"});
-  bar->addSeparator();
-  add({"undo", "redo"});
-  bar->addSeparator();
-  const qsizetype before = bar->actions().size();
-  add({"fit", "grid", "velocity", "contact", "names"});
-  bar->addSeparator();
-  for (QAction* action : bar->actions().mid(before)) folded_.push_back(action);
-  const qsizetype methods = bar->actions().size();
-  methods_->add_to(bar);
-  after_folded_ = bar->actions().at(methods);
-  auto* stretch = new QWidget;
-  stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  bar->addWidget(stretch);
-  auto* plots = new QToolButton;
-  plots->setObjectName("choice");
-  plots->setPopupMode(QToolButton::InstantPopup);
-  plots->setMenu(plots_->menu());
-  plots->setToolTip(tr("Which plots are shown"));
-  plots->setText(tr("Plots") + QStringLiteral(" ▾"));
-  bar->addWidget(plots);
-  auto* gap = new QWidget;
-  gap->setFixedWidth(4);
-  bar->addWidget(gap);
-  add({"help"});
-  bar->addAction(theme_action_);
-  setContextMenuPolicy(Qt::NoContextMenu);
-}
-
-// In a narrow window the switches of the view are in its menu alone.
-void LabWindow::fold_tool_bar() {
-  constexpr int kWide = 1200;  // px
-  const bool shown = bar_->actions().contains(folded_.front());
-  if (shown == (width() >= kWide)) return;
-  if (shown) {
-    for (QAction* action : folded_) bar_->removeAction(action);
-  } else {
-    bar_->insertActions(after_folded_, {folded_.begin(), folded_.end()});
-  }
-  // The names of the methods get the room that there is now.
-  QTimer::singleShot(0, this, [this] { methods_->show_document(preset()); });
 }
 
 }  // namespace carom

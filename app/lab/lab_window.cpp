@@ -74,7 +74,7 @@ LabWindow::LabWindow(const Theme& theme) : theme_(theme) {
   connect_edits();
   list_->set_items(library_items());
   set_theme(theme);
-  setMinimumSize(900, 600);  // the tool bar would be cut in a smaller one
+  setMinimumSize(880, 600);  // the tool bar would be cut in a smaller one
   // Never larger than the screen leaves; the frame of the window needs some of it.
   constexpr QSize kFrame(8, 40);
   resize(QSize(1280, 800).boundedTo(screen()->availableSize() - kFrame).expandedTo(minimumSize()));
@@ -196,6 +196,7 @@ void LabWindow::show_about() {
 void LabWindow::show_title() {
   const QString file = QFileInfo(session_.file()).fileName();
   const QString title = QString::fromStdString(preset().title);
+  name_experiment();
   setWindowTitle((file.isEmpty() ? title : tr("%1 – %2").arg(file, title)) + "[*] – Carom");
 }
 

@@ -18,6 +18,7 @@ class QKeySequence;
 class QLabel;
 class QMenu;
 class QToolBar;
+class QToolButton;
 class QSettings;
 
 namespace carom {
@@ -155,6 +156,7 @@ class LabWindow : public QMainWindow {
   void make_help_menu();
   void make_tool_bar();
   void fold_tool_bar();
+  void name_experiment();
 
   void connect_session();
   void show_document();
@@ -185,6 +187,8 @@ class LabWindow : public QMainWindow {
 
   ExperimentList* list_ = nullptr;  // a column of a wide window, else over the scene
   QAction* list_action_ = nullptr;
+  QToolButton* list_button_ = nullptr;  // with the name of the open experiment
+  QAction* name_in_bar_ = nullptr;      // that button
   QAction* undo_ = nullptr;
   QAction* first_start_ = nullptr;
   QAction* run_before_ = nullptr;  // the run before is shown
@@ -221,7 +225,7 @@ class LabWindow : public QMainWindow {
   ToolColumn* tool_column_ = nullptr;
   QToolBar* bar_ = nullptr;
   std::vector<QAction*> folded_;  // the tool bar's actions that only a wide window has room for
-  QAction* after_folded_ = nullptr;
+  QAction* more_ = nullptr;       // their menu, in a narrow one
   std::vector<std::pair<QAction*, QString>> icon_actions_;  // with the icon's name, redrawn with the theme
 };
 

@@ -4,6 +4,8 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPainter>
+#include <QPushButton>
+#include <QStyle>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -142,6 +144,18 @@ ExperimentList::ExperimentList(const Theme& theme, QWidget* parent)
   field->addWidget(search_);
   column->addLayout(field);
   column->addWidget(list_, 1);
+  auto* foot = new QHBoxLayout;
+  foot->setContentsMargins(10, 4, 10, 8);
+  const auto add_button = [&](const QString& text, void (ExperimentList::*asked)()) {
+    auto* button = new QPushButton(text, this);
+    button->setAutoDefault(false);
+    connect(button, &QPushButton::clicked, this, asked);
+    foot->addWidget(button);
+  };
+  add_button(tr("Empty scene"), &ExperimentList::newRequested);
+  add_button(tr("Open..."), &ExperimentList::fileRequested);
+  foot->addStretch(1);
+  column->addLayout(foot);
   search_->installEventFilter(this);
   list_->installEventFilter(this);
   rest_.setSingleShot(true);
@@ -191,6 +205,13 @@ void ExperimentList::set_current(const QString& name) {
   }
   list_->setCurrentItem(found);
   if (found == nullptr) list_->clearSelection();
+}
+
+void ExperimentList::set_over(bool over) {
+  if (property("over").toBool() == over) return;
+  setProperty("over", over);
+  style()->unpolish(this);
+  style()->polish(this);
 }
 
 void ExperimentList::begin_search() {

@@ -21,7 +21,8 @@ struct ExperimentItem {
   QString about;    // more, that is searched too
 };
 
-// The experiments under their topics, each with a small picture, and a search field. One click opens an
+// The experiments under their topics, each with a small picture, a search field, and buttons for an empty scene
+// and a file. One click opens an
 // experiment; the arrows choose one, which is shown when they rest, Enter opens it, Escape wants the list
 // closed. The search knows words that belong together: "restitution" finds what is said with e.
 class ExperimentList : public QFrame {
@@ -35,6 +36,8 @@ class ExperimentList : public QFrame {
   void set_pictures(const std::vector<QPixmap>& pictures);
   // Marks the experiment that is open; none for an unknown name.
   void set_current(const QString& name);
+  // Whether it stands over something else, with a frame of its own.
+  void set_over(bool over);
   // The search has the focus, its text is selected.
   void begin_search();
 
@@ -42,6 +45,8 @@ class ExperimentList : public QFrame {
   void openRequested(const QString& name);
   void previewRequested(const QString& name);  // it is marked, but not chosen
   void closeRequested();
+  void newRequested();   // an empty scene
+  void fileRequested();  // one from a file
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -68,6 +68,7 @@ QToolButton#choice::menu-indicator { image: none; }
 QFrame#panel, QFrame#bubble { background: %2; border: 1px solid %3; border-radius: 6px; }
 QFrame#notice { background: %7; border: 1px solid %6; border-radius: 6px; }
 QFrame#sidebar { background: %2; border: none; border-right: 1px solid %3; }
+QFrame#sidebar[over="true"] { border: 1px solid %5; border-radius: 8px; }
 QLabel { background: transparent; }
 QLabel#title { font-weight: bold; }
 QLabel#caption { color: %5; font-size: 11px; }

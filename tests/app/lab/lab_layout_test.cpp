@@ -1,3 +1,5 @@
+#include <QLineEdit>
+#include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
 #include <QTabBar>
@@ -121,6 +123,25 @@ TEST_F(LabLayoutTest, NoNumberIsCutInTheNarrowInspector) {
     }
     EXPECT_GT(seen, 5);
   }
+}
+
+TEST_F(LabLayoutTest, WhatLessonsChangeOfABodyIsSeenWithoutScrolling) {
+  resize({1280, 800});
+  ASSERT_TRUE(window_.open("head-on"));
+  window_.scene_view().select({"light"});
+  QTest::qWait(20);
+  const auto* inspector = window_.findChild<Inspector*>();
+  const auto* seen = inspector->findChild<QScrollArea*>()->viewport();
+  int fields = 0;
+  for (const QLineEdit* field : inspector->findChildren<QLineEdit*>()) {
+    const QStringList wanted = {"Mass, kg",   "Radius, m",    "Position x, m", "Position y, m", "Angle, °",
+                                "Speed, m/s", "Direction, °", "Spin, rad/s",   "e of wood"};
+    if (!wanted.contains(field->accessibleName())) continue;
+    ++fields;
+    EXPECT_LE(field->mapTo(seen, field->rect().bottomLeft()).y(), seen->height())
+        << field->accessibleName().toStdString();
+  }
+  EXPECT_EQ(fields, 9);
 }
 
 TEST_F(LabLayoutTest, TheOpenTabIsRemembered) {

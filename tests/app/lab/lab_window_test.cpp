@@ -2,9 +2,7 @@
 
 #include <QAction>
 #include <QFile>
-#include <QInputDialog>
 #include <QLabel>
-#include <QMenu>
 #include <QTest>
 #include <QToolButton>
 #include <gtest/gtest.h>
@@ -83,59 +81,6 @@ TEST_F(LabWindowTest, ContactsAreChosenBesideTheImpacts) {
   EXPECT_EQ(window_.preset().method.contacts, ContactsId::kImpulse);
   window_.run_until(0.3);
   EXPECT_TRUE(window_.frame()->contacts.empty());
-}
-
-TEST_F(LabWindowTest, TheToolBarIsWholeInANarrowWindow) {
-  action("Dormand-Prince 5(4), adaptive")->trigger();
-  const QToolButton* impacts = button("When impacts are resolved");
-  EXPECT_LE(window_.minimumWidth(), 900);
-  for (const int width : {1280, 1100, 950, 900}) {
-    window_.resize(width, 640);
-    QApplication::processEvents();
-    ASSERT_EQ(window_.width(), width);
-    const QToolButton* last = button("Dark colours");
-    EXPECT_TRUE(last->isVisible()) << width;
-    EXPECT_GT(button("How free motion is advanced")->text().size(), 4) << width;
-    EXPECT_LE(last->mapTo(&window_, QPoint(last->width(), 0)).x(), width);
-  }
-  EXPECT_EQ(impacts->text(), "located ▾");
-  window_.resize(1280, 640);
-  EXPECT_TRUE(wait_for([&] { return impacts->text() == "impacts at their own time ▾"; }));
-}
-
-TEST_F(LabWindowTest, TheStepButtonGoesByTheIntegrator) {
-  EXPECT_EQ(button("Length of a step")->text(), "h = 5 ms ▾");
-  action("Dormand-Prince 5(4), adaptive")->trigger();
-  EXPECT_EQ(button("Largest error of a step")->text(), "tolerance 1e−9 ▾");
-  action("tolerance 1e−6")->trigger();
-  EXPECT_EQ(window_.preset().method.tolerance, 1e-6);
-  EXPECT_EQ(button("Largest error of a step")->text(), "tolerance 1e−6 ▾");
-  action("Exact flight")->trigger();
-  EXPECT_EQ(button("Exact flight needs no step")->text(), "results every 5 ms ▾");
-  window_.run_until(1.0);
-  EXPECT_NEAR(window_.frame()->totals.momentum.x(), -0.5, 1e-12);
-}
-
-TEST_F(LabWindowTest, AnotherStepIsAskedForWithItsBounds) {
-  for (QAction* each : button("Length of a step")->menu()->actions()) {
-    if (each->text() == "Another...") each->trigger();
-  }
-  auto* dialog = window_.findChild<QInputDialog*>();
-  ASSERT_NE(dialog, nullptr);
-  EXPECT_EQ(dialog->labelText(), "h in ms, from 0.000001 to 1000:");
-  dialog->setDoubleValue(2.5);
-  dialog->accept();
-  EXPECT_DOUBLE_EQ(window_.preset().method.step, 0.0025);
-}
-
-TEST_F(LabWindowTest, WhatASceneForbidsIsGreyAndSaysWhy) {
-  EXPECT_TRUE(action("Exact flight")->isEnabled());
-  ASSERT_TRUE(window_.open("drag-projectile"));
-  EXPECT_FALSE(action("Exact flight")->isEnabled());
-  EXPECT_TRUE(action("Exact flight")->toolTip().contains("not possible with drag"));
-  EXPECT_TRUE(action("RK4")->isEnabled());
-  ASSERT_TRUE(window_.open("head-on"));
-  EXPECT_TRUE(action("Exact flight")->isEnabled());
 }
 
 TEST_F(LabWindowTest, WhatIsModelledStandsUnderAbout) {

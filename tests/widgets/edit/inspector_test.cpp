@@ -109,26 +109,41 @@ TEST_F(InspectorTest, ABodyIsRenamed) {
 
 TEST_F(InspectorTest, AFixedBodyHasNoMassAndNoMotion) {
   select({"light"});
-  const QList<QComboBox*> boxes = inspector_.findChildren<QComboBox*>();
-  QComboBox* kind = boxes[0];
-  QComboBox* surface = boxes[1];
-  kind->setFocus();
-  QTest::keyClick(kind, Qt::Key_Down);
+  button("Kind: moves")->setFocus();
+  QTest::keyClick(button("Kind: moves"), Qt::Key_Right);
   ASSERT_EQ(made_.size(), 1U);
   EXPECT_EQ(made_[0].name, "Fix light");
   EXPECT_TRUE(light().fixed && light().velocity.isZero(0.0));
   EXPECT_FALSE(has_field("Mass, kg"));
   EXPECT_FALSE(has_field("Velocity x, m/s"));
-  surface->setFocus();
-  QTest::keyClick(surface, Qt::Key_Down);
+  choose_below(box("Surface"));
   EXPECT_EQ(made_.back().name, "Surface of light: rubber");
   EXPECT_EQ(light().material, "rubber");
+}
+
+TEST_F(InspectorTest, TheKindOfSeveralIsOpenAndThatOfAHalfPlaneFixed) {
+  Body body = light();
+  body.fixed = true;
+  body.velocity = Vec2::Zero();
+  apply({Remove<Joint>{scene_->joints[0].id}, Replace<Body>{body}});
+  select({"light", "heavy"});
+  EXPECT_FALSE(button("Kind: moves")->isChecked());
+  EXPECT_FALSE(button("Kind: fixed")->isChecked());
+  button("Kind: fixed")->click();
+  EXPECT_TRUE(button("Kind: fixed")->isChecked());
+  EXPECT_TRUE(heavy().fixed);
+  body.shape = Wall{};
+  apply({Replace<Body>{body}});
+  select({"light"});
+  EXPECT_TRUE(button("Kind: fixed")->isChecked());
+  EXPECT_FALSE(button("Kind: moves")->isEnabled());
+  EXPECT_TRUE(button("Kind: moves")->toolTip().contains("can only stand still"));
 }
 
 TEST_F(InspectorTest, ADrivenBodyShowsItsDrive) {
   apply({Remove<Joint>{scene_->joints[0].id}});
   select({"light"});
-  choose_below(box("Kind"), 2);
+  button("Kind: driven")->click();
   ASSERT_TRUE(light().drive.has_value());
   EXPECT_EQ(made_.back().name, "Drive light");
   EXPECT_NO_THROW(validate(*scene_));
@@ -143,8 +158,7 @@ TEST_F(InspectorTest, ADrivenBodyShowsItsDrive) {
   enter(field("Velocity x, m/s"), "1");
   enter(field("Phase, °"), "90");
   EXPECT_DOUBLE_EQ(light().drive->phase, std::numbers::pi / 2.0);
-  box("Kind")->setFocus();
-  for (int i = 0; i < 2; ++i) QTest::keyClick(box("Kind"), Qt::Key_Up);
+  button("Kind: moves")->click();
   EXPECT_EQ(made_.back().name, "Let light move");
   EXPECT_FALSE(light().drive.has_value() || light().fixed);
 }
@@ -210,6 +224,7 @@ TEST_F(InspectorTest, NeedsNoMoreThan260Pixels) {
 TEST_F(InspectorTest, ShowsTheSurfaceThatBodiesShare) {
   select({"light"});
   EXPECT_TRUE(label("Surface wood · 2 bodies share it")->isVisibleTo(&inspector_));
+  EXPECT_TRUE(label("2 bodies")->isVisibleTo(&inspector_));
   enter(field("e of wood"), "0.5");
   EXPECT_EQ(scene_->materials[0].restitution, 0.5);
   // Static friction is never less than kinetic friction.
