@@ -108,6 +108,16 @@ QString QuantityField::take(const QString& text) {
   return answer_;
 }
 
+QString QuantityField::early_fault(const QString& text) const {
+  if (values_.empty()) return {};
+  const FormulaNames names = formula_names_.empty() ? FormulaNames{} : formula_names_.front();
+  const std::optional<ValueChange> change = typed_quantity(text, range_.unit, names).change;
+  if (!change) return {};
+  const double value = change->of(values_.front());
+  const bool may_end_well = value <= range_.high && value >= std::min(range_.low, 0.0);
+  return may_end_well ? QString() : range_sentence(name_, value, range_);
+}
+
 QString QuantityField::value_of(const QString& text) const {
   return value_of_typed(text, range_, values_, formula_names_);
 }

@@ -47,6 +47,8 @@ class QuantityField : public TypedField {
 
  protected:
   QString take(const QString& text) override;
+  // More digits make no number smaller, and none positive.
+  [[nodiscard]] QString early_fault(const QString& text) const override;
   [[nodiscard]] QString value_of(const QString& text) const override;
   // With as many digits as fit.
   [[nodiscard]] QString fitted(const QString& text) const override;

@@ -7,8 +7,9 @@ namespace carom {
 
 TypedField::TypedField(QWidget* parent) : QLineEdit(parent) {
   connect(this, &QLineEdit::textEdited, this, [this](const QString& text) {
-    set_fault({});
-    set_value(value_of(text));
+    const QString fault = early_fault(text);
+    set_fault(fault);
+    set_value(fault.isEmpty() ? value_of(text) : QString());
   });
 }
 

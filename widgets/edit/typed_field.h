@@ -6,7 +6,8 @@
 namespace carom {
 
 // A line of text that takes what is typed at Enter and when it loses the focus. What can't be taken marks the
-// field (property "fault", which the style sheet shows) until it is changed; Esc, or leaving the field, brings
+// field (property "fault", which the style sheet shows) until it is changed, what can't be mended already while
+// it is typed; Esc, or leaving the field, brings
 // the last good text back.
 class TypedField : public QLineEdit {
   Q_OBJECT
@@ -35,6 +36,8 @@ class TypedField : public QLineEdit {
  protected:
   // Takes the text, which differs from the one shown last, or returns one sentence on why it can't.
   virtual QString take(const QString& text) = 0;
+  // What more text can't mend, in one sentence; empty: nothing so far.
+  [[nodiscard]] virtual QString early_fault(const QString& /*text*/) const { return {}; }
   // The value of the text, where that is worth being shown.
   [[nodiscard]] virtual QString value_of(const QString& /*text*/) const { return {}; }
   bool event(QEvent* event) override;

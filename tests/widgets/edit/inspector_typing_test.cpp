@@ -74,6 +74,25 @@ TEST_F(InspectorTest, AWrongValueIsRedAndSaidAndNothingIsEdited) {
   EXPECT_EQ(scene_->materials[0].restitution, 0.8);
 }
 
+TEST_F(InspectorTest, WhatMoreDigitsCannotMendIsSaidWhileItIsTyped) {
+  select({"light"});
+  QLineEdit* e = field("e of wood");
+  type(e, "1.2");
+  EXPECT_TRUE(e->property("fault").toBool());
+  EXPECT_EQ(sentences(), QStringList{"e lies between 0 and 1."});
+  QTest::keyClick(e, Qt::Key_Backspace);
+  EXPECT_TRUE(sentences().isEmpty());
+  QTest::keyClick(e, Qt::Key_Escape);
+  QLineEdit* mass = field("Mass, kg");
+  type(mass, "0");
+  EXPECT_TRUE(sentences().isEmpty()) << "it may become 0.5";
+  QTest::keyClicks(mass, ".5");
+  QTest::keyClick(mass, Qt::Key_Escape);
+  type(mass, "-1");
+  EXPECT_EQ(sentences().size(), 1);
+  EXPECT_TRUE(made_.empty());
+}
+
 TEST_F(InspectorTest, LeavingAWrongValueBringsTheGoodOneBackAndSaysWhy) {
   select({"light"});
   QLineEdit* mass = field("Mass, kg");
