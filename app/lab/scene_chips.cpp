@@ -62,8 +62,8 @@ SceneChips::SceneChips(SceneView& view)
       impact_(make_chip(row_)),
       follow_(new QPushButton(tr("Follow (F)"), row_)),
       status_(make_chip(&view)),
-      tool_(make_chip(&view, "caption")),
-      position_(make_chip(&view, "caption")) {
+      tool_(make_chip(&view, "note")),
+      position_(make_chip(&view, "note")) {
   auto* row = new QHBoxLayout(row_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);

@@ -73,6 +73,7 @@ QLabel { background: transparent; }
 QLabel#title { font-weight: bold; }
 QLabel#caption { color: %5; font-size: 11px; }
 QLabel#muted { color: %5; }
+QLabel#note { color: %5; font-size: 11px; background: %2; border-radius: 4px; padding: 1px 5px; }
 QLabel#chip { background: %2; border: 1px solid %3; border-radius: 11px; padding: 3px 9px; font-size: 11px; }
 QLineEdit, QSpinBox, QDoubleSpinBox, QPlainTextEdit { background: %1; border: 1px solid %3; border-radius: 6px; padding: 5px 8px;
   selection-background-color: %6; selection-color: %2; }

@@ -14,7 +14,7 @@ class LabToolsTest : public LabHandsTest {
     ASSERT_TRUE(wait_for([this] { return window_.frame() && window_.frame()->bodies->empty(); }));
   }
   [[nodiscard]] QString hint() {
-    for (const QLabel* label : window_.scene_view().findChildren<QLabel*>("caption")) {
+    for (const QLabel* label : window_.scene_view().findChildren<QLabel*>("note")) {
       if (label->accessibleName() == "What the mouse does" && label->isVisible()) return label->text();
     }
     return {};
