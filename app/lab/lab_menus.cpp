@@ -180,6 +180,10 @@ void LabWindow::make_view_menu() {
              [this] { plots_->reset_zoom(); });
   view->addSeparator();
   add_toggles(view);
+  QAction* slow = add_action(view, "", tr("&Slow near impacts"), QKeySequence(Qt::SHIFT | Qt::Key_I), [] {});
+  slow->setCheckable(true);
+  slow->setToolTip(tr("A twentieth of the speed from 50 ms before an impact to 50 ms after it (Shift+I)"));
+  connect(slow, &QAction::toggled, this, [this](bool on) { session_.runs().slow_near_impacts(on); });
   view->addSeparator();
   inspector_action_ = add_action(view, "", tr("&Inspector"), QKeySequence(Qt::Key_I), [] {});
   inspector_action_->setCheckable(true);

@@ -3,6 +3,7 @@
 
 #include "app/lab/lab_runs.h"
 #include "physics/record/impact_moments.h"
+#include "physics/worker/impact_scout.h"
 #include "widgets/scene/drawing.h"
 
 // The playhead of the lab's runs: which moment of their record is shown.
@@ -121,8 +122,19 @@ void LabRuns::play_past(bool playing) {
   pace_.begin(shown_time(), Pace::Clock::now());
 }
 
+// Of the first run.
+bool LabRuns::near_impact(double time) const {
+  const double from = time - kNearImpact;
+  const double to = time + kNearImpact;
+  std::vector<double> times;
+  for (const ImpactRecord& impact : impacts_between(*recorders().front(), from, to))
+    times.push_back(impact.time);
+  return stands_out(times, from, to, frames_.front()->method.step);
+}
+
 void LabRuns::play_past_on() {
   const auto now = Pace::Clock::now();
+  pace_.slow_down(slows_near_impacts_ && near_impact(playhead_->passed), playhead_->passed, now);
   const double due = pace_.due(now);
   if (const MetStop* met = stop_until(due)) return show_stop(*met);
   playhead_->passed = due;

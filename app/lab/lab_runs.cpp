@@ -61,6 +61,15 @@ void LabRuns::set_speed(double speed) {
   worker_.set_speed(speed);
 }
 
+void LabRuns::slow_near_impacts(bool slow) {
+  slows_near_impacts_ = slow;
+  worker_.slow_near_impacts(slow);
+}
+
+bool LabRuns::slow() const {
+  return playhead_ ? playhead_->plays && pace_.slow() : !frames_.empty() && frames_.front()->slow;
+}
+
 void LabRuns::run_until(double time) {
   const auto wait_until = [this](const auto& fulfilled) {
     while (!fulfilled()) {

@@ -33,6 +33,11 @@ class LabRuns : public QObject {
   void restart();
   void set_speed(double speed);
   [[nodiscard]] double speed() const { return speed_; }
+  // Playing is much slower near the impacts of the first run.
+  void slow_near_impacts(bool slow);
+  [[nodiscard]] bool slows_near_impacts() const { return slows_near_impacts_; }
+  // Whether it plays so now.
+  [[nodiscard]] bool slow() const;
   // Runs to `time` as fast as possible; returns when it is reached, or when a run is lost.
   void run_until(double time);
   // Pauses the runs and calls `then` when the newest frame has arrived. Any change of the runs, or playing,
@@ -175,6 +180,7 @@ class LabRuns : public QObject {
   void step_from_impact(int steps);
   void play_past(bool playing);
   void play_past_on();
+  [[nodiscard]] bool near_impact(double time) const;  // s, of the record
   void take_shown();
   void follow_runs();
   // Where stops were met.
@@ -202,6 +208,7 @@ class LabRuns : public QObject {
   std::uint64_t halts_ = 0;           // number of the last one that was shown
   std::optional<double> replayed_;
   double speed_ = 1.0;
+  bool slows_near_impacts_ = false;
   std::function<void()> then_;
   QString waits_;
   QTimer timer_;

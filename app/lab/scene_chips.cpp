@@ -130,9 +130,13 @@ void SceneChips::show_time(const LabRuns& runs) {
     const bool in_past = runs.in_past() && frame->steps < newest.steps;
     time_->setText(in_past ? tr("%1 of %2 s").arg(time).arg(newest.time, 0, 'f', 3) : time);
     // The requested speed, or the machine's speed if that is clearly less.
-    const bool slow =
+    const bool lags =
         frame->playing && frame->realised_speed > 0.0 && frame->realised_speed < 0.85 * runs.speed();
-    if (slow) speed += tr(", runs at ×%1").arg(frame->realised_speed, 0, 'g', 2);
+    if (runs.slow()) {
+      speed += tr(", slow near an impact");
+    } else if (lags && !runs.slows_near_impacts()) {
+      speed += tr(", runs at ×%1").arg(frame->realised_speed, 0, 'g', 2);
+    }
   } else {
     time_->setText("t = …");
   }

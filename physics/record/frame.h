@@ -65,6 +65,7 @@ struct Frame {
   std::optional<double> replay_until;
   bool playing = false;
   double realised_speed = 0.0;    // simulated seconds per second, while playing
+  bool slow = false;              // playing slower than chosen, near an impact
   Method method;                  // in force
   double wall_time = 0.0;         // s, spent on its steps
   std::optional<RunError> error;  // if the run is compared with a reference

@@ -26,18 +26,25 @@ class Pace {
     measured_time_ = time;
   }
   void set_speed(double speed) { speed_ = speed; }  // simulated seconds per second, > 0
+  // From `time` (s) on much slower than the chosen speed, or as fast again.
+  void slow_down(bool slow, double time, Clock::time_point now) {
+    if (slow == slow_) return;
+    begin(time, now);
+    slow_ = slow;
+  }
+  [[nodiscard]] bool slow() const { return slow_; }
 
   // The run's time that is due now.
-  [[nodiscard]] double due(Clock::time_point now) const { return time_ + seconds(now - wall_) * speed_; }
+  [[nodiscard]] double due(Clock::time_point now) const { return time_ + seconds(now - wall_) * speed(); }
   // How long until this time is due; negative if it was due before.
   [[nodiscard]] Clock::duration until(double time, Clock::time_point now) const {
     // Kept below a day, so that the conversion holds for an infinite time too.
-    const std::chrono::duration<double> wait(std::min((time - time_) / speed_, kLongest));
+    const std::chrono::duration<double> wait(std::min((time - time_) / speed(), kLongest));
     return std::chrono::duration_cast<Clock::duration>(wait) - (now - wall_);
   }
   // Gives up the lost time, instead of catching up later, if the run at `time` lags too far behind `target`.
   void give_up_lag(double time, double target, Clock::time_point now) {
-    if ((target - time) / speed_ > kLargestLag) begin(time, now);
+    if ((target - time) / speed() > kLargestLag) begin(time, now);
   }
 
   void measure(double time, Clock::time_point now) {
@@ -54,10 +61,14 @@ class Pace {
   static constexpr double kLargestLag = 0.1;   // s of the wall clock
   static constexpr double kMeasured = 0.5;     // s
   static constexpr double kLongest = 86400.0;  // s
+  static constexpr double kSlowShare = 0.05;   // of the chosen speed
 
   static double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
+  [[nodiscard]] double speed() const { return slow_ ? kSlowShare * speed_ : speed_; }
+
   double speed_ = 1.0;
+  bool slow_ = false;
   Clock::time_point wall_;
   double time_ = 0.0;
   Clock::time_point measured_wall_;

@@ -10,6 +10,7 @@
 
 #include "physics/preset/preset.h"
 #include "physics/run/scene_now.h"
+#include "physics/worker/impact_scout.h"
 #include "physics/worker/pace.h"
 #include "physics/worker/run_group.h"
 
@@ -52,6 +53,8 @@ struct Worker::Work {
   Pace pace{Clock::now()};
   bool playing = false;
   bool full_speed = false;
+  bool slows_near_impacts = false;
+  ImpactScout scout;
   double end = 0.0;      // s; a playing run stops here
   bool changed = false;  // how it plays, since the last frames
   std::optional<Halt> halt;
@@ -223,6 +226,13 @@ void Worker::set_speed(double speed) {
   });
 }
 
+void Worker::slow_near_impacts(bool slow) {
+  post([slow](Work& work) {
+    work.slows_near_impacts = slow;
+    work.scout.forget();
+  });
+}
+
 Worker::EditId Worker::set_methods(const std::vector<std::pair<std::size_t, Method>>& methods, EditId part_of) {
   const auto set = [methods](RunGroup& runs, EditId edit) {
     for (const auto& [run, method] : methods) runs.set_method(run, method, edit);
@@ -317,6 +327,7 @@ void Worker::publish(Work& work) {
   for (const std::shared_ptr<Frame>& frame : frames) {
     frame->playing = work.playing;
     frame->realised_speed = work.pace.reached();
+    frame->slow = work.playing && work.pace.slow();
   }
   if (!work.playing && !work.runs.replay_until())
     frames.front()->scene = std::make_shared<const Scene>(scene_now(work.runs.first().simulation()));
@@ -493,6 +504,9 @@ void Worker::advance(const std::stop_token& stop, Work& work) {
     advance_to(runs.first().time());  // those that lag
     return;
   }
+  const bool slow = work.slows_near_impacts && !work.full_speed &&
+                    work.scout.near_impact(runs.first(), now + kFramePeriod / 2);
+  work.pace.slow_down(slow, runs.first().time(), now);
   const double due = work.full_speed ? work.end : work.pace.due(now);
   const double target = std::min(work.end, due);
   const bool there = advance_to(target);

@@ -72,6 +72,8 @@ class Worker {
   void set_playing(bool playing, double until = std::numeric_limits<double>::infinity());
   void step_once();              // one step of the first run's method, stopped
   void set_speed(double speed);  // simulated seconds per second, > 0
+  // Whether playing is much slower near impacts of the first run.
+  void slow_near_impacts(bool slow);
   // Changes the methods of these runs from now on; as a part of the last edit if `part_of` names it.
   EditId set_methods(const std::vector<std::pair<std::size_t, Method>>& methods, EditId part_of = 0);
   EditId set_method(const Method& method, std::size_t run = 0) { return set_methods({{run, method}}); }

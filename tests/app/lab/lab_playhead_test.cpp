@@ -38,6 +38,12 @@ class LabPlayheadTest : public LabWindowTest {
     }
     return {};
   }
+  QString speed_chip() {
+    for (const QLabel* label : window_.findChildren<QLabel*>("chip")) {
+      if (label->text().startsWith(QChar(0xd7))) return label->text();
+    }
+    return {};
+  }
   // The run alone, up to this step.
   [[nodiscard]] State state_at(std::int64_t steps) const {
     Simulation run(setup_of(window_.preset()));
@@ -152,6 +158,25 @@ TEST_F(LabPlayheadTest, TheTimelineScrubs) {
   QApplication::sendEvent(timeline(), &wheel);
   ASSERT_TRUE(wait_there());
   expect_step(at - 1);
+}
+
+// 0.1 s of the run then take 2 s; live, and where the record is played.
+TEST_F(LabPlayheadTest, NearAnImpactItPlaysSlower) {
+  const auto slow = [this] { return runs().slow(); };
+  action("Slow near impacts")->trigger();
+  runs().go_to(0.25);
+  ASSERT_TRUE(wait_there());
+  runs().set_playing(true);
+  ASSERT_TRUE(wait_for(slow));
+  EXPECT_NEAR(time(), 0.29, 0.03);
+  EXPECT_TRUE(speed_chip().contains("slow near an impact")) << speed_chip().toStdString();
+  runs().set_playing(false);
+  window_.session().starts().restart();
+  runs().set_playing(true);
+  ASSERT_TRUE(wait_for(slow));
+  EXPECT_NEAR(time(), 0.29, 0.03);
+  ASSERT_TRUE(wait_for([&] { return !slow(); }));
+  EXPECT_NEAR(time(), 0.39, 0.05);
 }
 
 TEST_F(LabPlayheadTest, AClickOnATickGoesToTheImpact) {

@@ -32,6 +32,20 @@ TEST(Pace, AtSpeedTwoTakesHalfTheTime) {
   EXPECT_DOUBLE_EQ(seconds(pace.until(0.4, kBegin + 300ms)), -0.1);
 }
 
+TEST(Pace, IsMuchSlowerFromAMomentOn) {
+  Pace pace(kBegin);
+  pace.set_speed(2.0);
+  pace.begin(0.0, kBegin);
+  pace.slow_down(true, 0.4, kBegin + 200ms);
+  EXPECT_TRUE(pace.slow());
+  EXPECT_DOUBLE_EQ(pace.due(kBegin + 1200ms), 0.5);
+  EXPECT_DOUBLE_EQ(seconds(pace.until(0.5, kBegin + 200ms)), 1.0);
+  pace.slow_down(true, 9.0, kBegin + 1200ms);
+  EXPECT_DOUBLE_EQ(pace.due(kBegin + 1200ms), 0.5) << "it was so already";
+  pace.slow_down(false, 0.5, kBegin + 1200ms);
+  EXPECT_DOUBLE_EQ(pace.due(kBegin + 1300ms), 0.7);
+}
+
 TEST(Pace, WaitsForALostRunNoLongerThanADay) {
   const Pace pace(kBegin);
   EXPECT_EQ(pace.until(std::numeric_limits<double>::infinity(), kBegin), 24h);
