@@ -100,7 +100,8 @@ void Simulation::move_hand(const Vec2& place) {
   // Trajectories that continue across steps begin anew.
   for (int k = 0; k < trajectories.islands(); ++k) trajectories.advance_to(k, time() - trajectories.epoch());
   trajectories.begin(time());
-  impacts->reset(world_.bodies());
+  const std::vector<WaitingPair> waiting = impacts->waiting();
+  impacts->restore(world_.bodies(), impacts->at_once(), waiting, std::nullopt);
 }
 
 void Simulation::set_edits(std::vector<RunEdit> edits) {

@@ -189,5 +189,25 @@ TEST(HandOnABody, NeedsAnotherMethodThanExactFlight) {
   EXPECT_NE(why_not(scene, IntegratorId::kExactFlight)->find("a hand that pulls"), std::string::npos);
 }
 
+// Bodies that lie on others under impulses alone, while the hand moves another one in each step.
+TEST(HandOnABody, LeavesTheContactsOfOthersAlone) {
+  const std::vector<Body> bodies = {
+      disc("A", {0.0, 3.0}, {0.0, 0.0}, 0.1, 1.0), disc("low", {2.0, 0.09}, {0.0, 0.0}, 0.1, 1.0),
+      disc("high", {2.0, 0.29}, {0.0, 0.0}, 0.1, 1.0), wall("floor", {0.0, 0.0}, 0.0)};
+  Method method{.integrator = IntegratorId::kAdaptiveDormandPrince, .step = 0.01};
+  const Hand hand = hand_on(bodies[0], bodies[0].position);
+  Simulation still = held(bodies, hand, method, 0.0, {0.0, -9.81});
+  Simulation moved = held(bodies, hand, method, 0.0, {0.0, -9.81});
+  while (still.time() < 1.0) {
+    Hand there = hand;
+    there.place += Vec2(0.1 * std::sin(9.0 * moved.time()), 0.0);
+    moved.apply({SetHand{there}});
+    still.step();
+    moved.step();
+    for (const BodyIndex body : {1_b, 2_b})
+      ASSERT_NEAR(moved.state().position(body).y(), still.state().position(body).y(), 1e-6) << moved.time();
+  }
+}
+
 }  // namespace
 }  // namespace carom
