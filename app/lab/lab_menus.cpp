@@ -254,6 +254,10 @@ void LabWindow::make_run_menus() {
   add_action(run, "", tr("One &step"), QKeySequence(Qt::Key_Period), [this] { session_.starts().step_by(1); });
   add_action(run, "", tr("One step &back"), QKeySequence(Qt::Key_Comma),
              [this] { session_.starts().step_by(-1); });
+  add_action(run, "", tr("&Faster"), QKeySequence(Qt::CTRL | Qt::Key_Period),
+             [this] { transport_->change_speed(1); });
+  add_action(run, "", tr("S&lower"), QKeySequence(Qt::CTRL | Qt::Key_Comma),
+             [this] { transport_->change_speed(-1); });
   add_action(run, "", tr("&Next impact"), QKeySequence(Qt::Key_PageDown),
              [this] { session_.runs().go_by_impact(true); });
   add_action(run, "", tr("&Last impact"), QKeySequence(Qt::Key_PageUp),

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/base/plain_text.h"
@@ -11,7 +12,8 @@
 namespace carom {
 
 const std::vector<double>& TransportBar::speeds() {
-  static const std::vector<double> all = {1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0, 4.0, 16.0};
+  static const std::vector<double> all = {1.0 / 1000, 1.0 / 256, 1.0 / 64, 1.0 / 16, 1.0 / 8, 1.0 / 4,
+                                          1.0 / 2,    1.0,       2.0,      4.0,      8.0,     20.0};
   return all;
 }
 
@@ -41,16 +43,13 @@ TransportBar::TransportBar(const Theme& theme, QWidget* parent) : QFrame(parent)
   back_ = button(tr("Back by a step (,)"));
   step_ = button(tr("One step (.)"));
   flag_ = button(tr("Stops: where the run is to halt (H)"));
-  speed_ = button(tr("Speed: simulated seconds per second"));
+  speed_ = button(tr("Speed: simulated seconds per second (Ctrl+, and Ctrl+.)"));
   speed_->setObjectName("choice");
   speed_->setPopupMode(QToolButton::InstantPopup);
   speed_->setText(speed_text(1.0));
   auto* menu = new QMenu(speed_);
   for (const double speed : speeds()) {
-    menu->addAction(speed_text(speed), this, [this, speed] {
-      speed_->setText(speed_text(speed));
-      emit speedChosen(speed);
-    });
+    menu->addAction(speed_text(speed), this, [this, speed] { choose_speed(speed); });
   }
   speed_->setMenu(menu);
   timeline_ = new Timeline(theme, this);
@@ -91,6 +90,20 @@ void TransportBar::set_icons() {
 }
 
 const QWidget& TransportBar::flag() const { return *flag_; }
+
+void TransportBar::choose_speed(double speed) {
+  chosen_speed_ = speed;
+  speed_->setText(speed_text(speed));
+  emit speedChosen(speed);
+}
+
+void TransportBar::change_speed(int steps) {
+  const std::vector<double>& all = speeds();
+  const auto at = std::find(all.begin(), all.end(), chosen_speed_) - all.begin();
+  const auto last = static_cast<std::ptrdiff_t>(all.size()) - 1;
+  const auto next = std::clamp<std::ptrdiff_t>(at + steps, 0, last);
+  if (next != at) choose_speed(all[static_cast<std::size_t>(next)]);
+}
 
 void TransportBar::set_theme(const Theme& theme) {
   theme_ = theme;

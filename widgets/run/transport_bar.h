@@ -29,6 +29,8 @@ class TransportBar : public QFrame {
   [[nodiscard]] const QWidget& flag() const;
   // The speeds to choose from, simulated seconds per second.
   [[nodiscard]] static const std::vector<double>& speeds();
+  // To a faster one of these, or a slower one.
+  void change_speed(int steps);
   // 1/4 as "×¼".
   [[nodiscard]] static QString speed_text(double speed);
 
@@ -41,6 +43,7 @@ class TransportBar : public QFrame {
 
  private:
   void set_icons();
+  void choose_speed(double speed);
 
   Theme theme_;
   QToolButton* restart_;
@@ -53,6 +56,7 @@ class TransportBar : public QFrame {
   Timeline* timeline_;
   QLabel* end_;
   bool playing_ = false;
+  double chosen_speed_ = 1.0;
 };
 
 }  // namespace carom

@@ -311,7 +311,7 @@ TEST_F(LabPlayheadTest, BeforeAndAfterFromMarkToMark) {
 
 TEST_F(LabPlayheadTest, SpacePlaysTheRecordOnAndPastIt) {
   press(Qt::Key_Home);
-  choose_speed(16.0);
+  choose_speed(20.0);
   QTest::keyClick(&window_.scene_view(), Qt::Key_Space);
   ASSERT_TRUE(wait_for([this] { return window_.frame()->playing; }));
   ASSERT_TRUE(wait_for([this] { return !runs().in_past() && !window_.frame()->playing; }));

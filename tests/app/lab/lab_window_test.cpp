@@ -250,7 +250,7 @@ TEST_F(LabWindowTest, TheDiscToolAddsADisc) {
 
 // Of those to choose from. The slowest plays for a minute, so that no machine is too slow to pause it.
 constexpr double kSlowest = 1.0 / 64.0;
-constexpr double kFastest = 16.0;
+constexpr double kFastest = 20.0;
 
 TEST_F(LabWindowTest, PlaysPausesStepsAndRestarts) {
   choose_speed(kSlowest);
@@ -275,6 +275,21 @@ TEST_F(LabWindowTest, PlaysPausesStepsAndRestarts) {
   EXPECT_EQ(steps(), 0);
   EXPECT_FALSE(window_.frame()->playing);
   EXPECT_FALSE(window_.isWindowModified());
+}
+
+TEST_F(LabWindowTest, KeysMakeItFasterAndSlower) {
+  const LabRuns& runs = window_.session().runs();
+  const auto press = [this](Qt::Key key, int times) {
+    for (int i = 0; i < times; ++i) QTest::keyClick(&window_.scene_view(), key, Qt::ControlModifier);
+  };
+  press(Qt::Key_Period, 2);
+  EXPECT_EQ(runs.speed(), 4.0);
+  press(Qt::Key_Period, 9);
+  EXPECT_EQ(runs.speed(), 20.0);
+  EXPECT_EQ(button("Speed")->text(), "×20");
+  press(Qt::Key_Comma, 20);
+  EXPECT_EQ(runs.speed(), 0.001);
+  EXPECT_EQ(button("Speed")->text(), "×1/1000");
 }
 
 TEST_F(LabWindowTest, KeysPlayStepAndRestart) {

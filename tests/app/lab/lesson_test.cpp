@@ -239,7 +239,7 @@ TEST_F(LessonTest, TwoCartsFromNewTakeAtMostTwelveActions) {
   press(Qt::Key_Right, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(shows_start());
   EXPECT_EQ(body(0).velocity, Vec2(1.0, 0.0));
-  choose_speed(16.0);  // the wait is no action
+  choose_speed(20.0);  // the wait is no action
   play_to_the_end(10.0);
   EXPECT_NEAR(speed("B") - speed("A"), 1.0, 1e-9);
   slide("e of default", 0.5);
