@@ -176,6 +176,8 @@ void LabWindow::make_view_menu() {
   list_action_->setCheckable(true);
   connect(list_action_, &QAction::toggled, this, &LabWindow::open_list);
   add_action(view, "fit", tr("&Fit the scene"), QKeySequence(Qt::Key_F), [this] { view_->find(); });
+  add_action(view, "", tr("&Zoom to the selection"), QKeySequence(Qt::Key_Z),
+             [this] { view_->show_selected(); });
   add_action(view, "", tr("&Reset the plots' zoom"), QKeySequence(Qt::CTRL | Qt::Key_Home),
              [this] { plots_->reset_zoom(); });
   view->addSeparator();

@@ -245,16 +245,33 @@ Drawing make_drawing(const DrawingInput& input, Drawing reuse) {
   return reuse;
 }
 
-WorldRect bounds(const Frame& frame) {
+namespace {
+
+// Of the bodies that count.
+WorldRect bounds_of_bodies(const Frame& frame, const auto& counts) {
   WorldRect rect;
   if (!frame.bodies) return rect;
   const int count = std::min(frame.state.size(), static_cast<int>(frame.bodies->size()));
   for (int i = 0; i < count; ++i) {
-    if (!frame.state.q.col(i).allFinite()) continue;
-    const Vec2 half = half_extent((*frame.bodies)[static_cast<std::size_t>(i)].shape, frame.state.q(2, i));
+    const Body& body = (*frame.bodies)[static_cast<std::size_t>(i)];
+    if (!counts(body) || !frame.state.q.col(i).allFinite()) continue;
+    const Vec2 half = half_extent(body.shape, frame.state.q(2, i));
     // A half-plane counts by its position.
     rect.include(frame.state.position(i), half.allFinite() ? half : Vec2(Vec2::Zero()));
   }
+  return rect;
+}
+
+}  // namespace
+
+WorldRect bounds(const Frame& frame, const std::vector<std::string>& names) {
+  return bounds_of_bodies(frame, [&names](const Body& body) {
+    return std::find(names.begin(), names.end(), body.name) != names.end();
+  });
+}
+
+WorldRect bounds(const Frame& frame) {
+  WorldRect rect = bounds_of_bodies(frame, [](const Body&) { return true; });
   if (frame.forces) {
     for (const Spring& spring : frame.forces->springs) {
       if (spring.to.empty()) rect.include(spring.anchor, Vec2::Zero());

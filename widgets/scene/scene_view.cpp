@@ -191,6 +191,18 @@ void SceneView::fit() {
   refresh();
 }
 
+void SceneView::show_selected() {
+  WorldRect rect = frame_ ? bounds(*frame_, selection()) : WorldRect{};
+  if (rect.empty()) return;
+  const Vec2 centre = 0.5 * (rect.lower + rect.upper);
+  rect.include(centre, rect.upper - rect.lower);
+  Camera camera = picture_.camera;
+  camera.fit(rect, fit_margins());
+  zoom(QRectF(this->rect()).center(), camera.scale / picture_.camera.scale);
+  picture_.camera.center = camera.center;
+  refresh();
+}
+
 void SceneView::zoom_in() { zoom(QRectF(rect()).center(), kKeyFactor); }
 
 void SceneView::zoom_out() { zoom(QRectF(rect()).center(), 1.0 / kKeyFactor); }

@@ -51,6 +51,8 @@ class SceneView : public QWidget {
   // The key F: follows what has left the view, where that is offered, and ends it; else shows the scene's own
   // view, and all bodies where that is shown already.
   void find();
+  // Shows the selected bodies and as much again around them.
+  void show_selected();
   // Keeps the bodies that move in view, until the user moves the camera.
   void follow();
   [[nodiscard]] bool follows() const { return follow_.on(); }

@@ -57,6 +57,20 @@ TEST_F(SceneViewTest, PaintsBodiesOnTheGround) {
   EXPECT_EQ(view_.grab().toImage().pixelColor(180, 210), dark_theme().body_fill);
 }
 
+TEST_F(SceneViewTest, ZoomsToTheSelection) {
+  const double scale = view_.camera().scale;
+  view_.show_selected();
+  EXPECT_EQ(view_.camera().scale, scale) << "nothing is selected";
+  const Body& body = view_.frame()->bodies->front();
+  view_.select({body.name});
+  view_.show_selected();
+  EXPECT_TRUE(view_.camera().center.isApprox(body.position, 1e-12));
+  EXPECT_GT(view_.camera().scale, 2.0 * scale);
+  const double diameter = 2.0 * bounding_radius(body.shape) * view_.camera().scale;
+  EXPECT_GT(diameter, 100.0);
+  EXPECT_LT(diameter, 250.0) << "there is room around it";
+}
+
 TEST_F(SceneViewTest, ArrowsAreThoseOfTheSceneNotOfTheOneBefore) {
   const double slow = view_.look().peaks.speed;
   Preset fast = two_discs();
